@@ -1,0 +1,189 @@
+//! What can be wrong with an input, and how it is said.
+
+use core::fmt;
+
+use crate::{Angle, Scalar};
+
+/// Why a value was refused. The message names the value and what is allowed.
+///
+/// Errors come from constructors only: drawing cannot fail.
+///
+/// ```
+/// use fixel::prelude::*;
+/// let error = Projection::perspective(Angle::from_degrees(180), (4, 3), fx!(0.1), fx!(100)).unwrap_err();
+/// assert_eq!(error.to_string(), "field of view is 180 degrees: it must be above 0 and below 180 degrees");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Error {
+    /// A number that the format cannot hold.
+    NotRepresentable {
+        /// The number as given.
+        value: f64,
+    },
+    /// A field of view of nothing, or of half a turn and more.
+    FieldOfView {
+        /// The angle as given.
+        angle: Angle,
+    },
+    /// An aspect ratio or a size that is not positive.
+    Aspect {
+        /// Width as given.
+        width: Scalar,
+        /// Height as given.
+        height: Scalar,
+    },
+    /// A focal length that is not positive.
+    FocalLength {
+        /// The length as given, in pixels.
+        pixels: Scalar,
+    },
+    /// A near plane that is not in front of the eye.
+    Near {
+        /// The distance as given.
+        near: Scalar,
+    },
+    /// A far plane that is not behind the near plane.
+    Far {
+        /// The near distance as given.
+        near: Scalar,
+        /// The far distance as given.
+        far: Scalar,
+    },
+    /// A frustum or box that holds nothing, because an edge is not beyond its opposite.
+    EmptyFrustum {
+        /// Left or bottom edge as given.
+        low: Scalar,
+        /// Right or top edge as given.
+        high: Scalar,
+    },
+    /// A camera that stands on what it looks at.
+    EyeAtTarget,
+    /// An up direction that is zero or along the line of sight.
+    UpAlongView,
+    /// A vector without a direction where one is needed.
+    ZeroDirection,
+    /// A canvas, texture or viewport of a size that cannot be drawn into.
+    Size {
+        /// Width as given, in pixels.
+        width: u32,
+        /// Height as given, in pixels.
+        height: u32,
+        /// Largest width and height allowed, in pixels.
+        max: u32,
+    },
+    /// A slice of the wrong length.
+    Length {
+        /// Elements given.
+        given: usize,
+        /// Elements needed.
+        needed: usize,
+    },
+    /// A strip whose rows are not inside its frame.
+    Rows {
+        /// First row of the strip.
+        first: u32,
+        /// Number of rows of the strip.
+        rows: u32,
+        /// Number of rows of the frame.
+        height: u32,
+    },
+    /// An index that names no element.
+    Index {
+        /// The face, edge or entry that holds it.
+        at: usize,
+        /// The index as given.
+        index: u32,
+        /// Number of elements there are.
+        len: usize,
+    },
+    /// More elements than an index can name.
+    TooMany {
+        /// Elements given.
+        given: usize,
+        /// Elements allowed.
+        max: usize,
+    },
+    /// OBJ text that cannot be read.
+    Obj {
+        /// Line, the first being 1.
+        line: usize,
+        /// What is wrong with it.
+        problem: &'static str,
+    },
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::NotRepresentable { value } => {
+                write!(
+                    f,
+                    "{value} cannot be represented: it must lie between -32768 and 32767.99999"
+                )
+            }
+            Self::FieldOfView { angle } => write!(
+                f,
+                "field of view is {angle}: it must be above 0 and below 180 degrees"
+            ),
+            Self::Aspect { width, height } => write!(
+                f,
+                "aspect ratio is {width} to {height}: both must be above 0"
+            ),
+            Self::FocalLength { pixels } => {
+                write!(f, "focal length is {pixels} pixels: it must be above 0")
+            }
+            Self::Near { near } => {
+                write!(
+                    f,
+                    "near plane is at {near}: it must be above 0, in front of the eye"
+                )
+            }
+            Self::Far { near, far } => {
+                write!(
+                    f,
+                    "far plane is at {far}: it must be beyond the near plane at {near}"
+                )
+            }
+            Self::EmptyFrustum { low, high } => write!(
+                f,
+                "frustum from {low} to {high} is empty: left must be below right and bottom below top"
+            ),
+            Self::EyeAtTarget => f.write_str(
+                "eye and target are the same point: a camera needs something to look at",
+            ),
+            Self::UpAlongView => f.write_str(
+                "up is zero or parallel to the line of sight: it must point to the side of it",
+            ),
+            Self::ZeroDirection => f.write_str("direction is zero: it must have a length"),
+            Self::Size { width, height, max } => write!(
+                f,
+                "size is {width}x{height}: width and height must lie between 1 and {max}"
+            ),
+            Self::Length { given, needed } => {
+                write!(f, "slice has {given} elements: exactly {needed} are needed")
+            }
+            Self::Rows {
+                first,
+                rows,
+                height,
+            } => write!(
+                f,
+                "strip has {rows} rows from row {first}: it must have at least one and lie within the {height} rows of the frame"
+            ),
+            Self::Index { at, index, len } => write!(
+                f,
+                "index {index} in element {at} is out of range: there are {len}, the first is 0"
+            ),
+            Self::TooMany { given, max } => {
+                write!(
+                    f,
+                    "{given} elements are too many: at most {max} are allowed"
+                )
+            }
+            Self::Obj { line, problem } => write!(f, "line {line}: {problem}"),
+        }
+    }
+}
+
+impl core::error::Error for Error {}

@@ -1,0 +1,283 @@
+//! The mesh: slices that live in flash, checked once.
+
+use embedded_graphics::pixelcolor::Rgb888;
+
+use crate::{Error, Vec2, Vec3};
+
+/// Corners of a triangle or ends of an edge, as indices into a mesh's positions.
+pub type Index = u16;
+
+/// A triangle mesh over the caller's slices: positions and faces, optionally texture coordinates,
+/// normals, colours and edges.
+///
+/// Attributes are indexed like positions, unless they come with faces of their own (as in OBJ
+/// files, where a position may have another texture coordinate in each face).
+/// Front faces run counter-clockwise as seen.
+///
+/// Every index is checked when the mesh is made, for a `static` at compile time:
+///
+/// ```
+/// use fixel::prelude::*;
+/// static TRIANGLE: Mesh = Mesh::checked(Mesh::new(
+///     &[vec3!(0, 0, 0), vec3!(1, 0, 0), vec3!(0, 1, 0)],
+///     &[[0, 1, 2]],
+/// ));
+/// assert_eq!(TRIANGLE.faces().len(), 1);
+/// assert!(Mesh::new(&[Vec3::ZERO], &[[0, 0, 1]]).is_err());
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Mesh<'a> {
+    positions: &'a [Vec3],
+    faces: &'a [[Index; 3]],
+    edges: &'a [[Index; 2]],
+    uvs: Attribute<'a, Vec2>,
+    normals: Attribute<'a, Vec3>,
+    colors: Attribute<'a, Rgb888>,
+}
+
+/// What is being drawn: its place in the mesh's list and its positions' indices.
+///
+/// An edge or a point has no face, and attributes with faces of their own have no value there;
+/// its `indices` repeat the last one.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Element {
+    /// The triangle's place among the faces; `None` for an edge or a point.
+    pub(crate) face: Option<usize>,
+    /// Positions' indices.
+    pub(crate) indices: [Index; 3],
+}
+
+/// Values of one attribute; without faces of its own it is indexed like the positions.
+#[derive(Clone, Copy, Debug)]
+struct Attribute<'a, T> {
+    values: &'a [T],
+    faces: Option<&'a [[Index; 3]]>,
+}
+
+impl<T> Attribute<'_, T> {
+    const NONE: Self = Self {
+        values: &[],
+        faces: None,
+    };
+}
+
+impl<T: Copy> Attribute<'_, T> {
+    /// The value at `corner` (0, 1 or 2) of an element.
+    #[inline]
+    fn at(&self, element: Element, corner: usize) -> Option<T> {
+        let indices = match self.faces {
+            None => element.indices,
+            Some(faces) => *faces.get(element.face?)?,
+        };
+        self.values.get(usize::from(*indices.get(corner)?)).copied()
+    }
+}
+
+/// Checks that every index of `lists` names one of `len` elements.
+const fn check<const K: usize>(lists: &[[Index; K]], len: usize) -> Result<(), Error> {
+    let mut at = 0;
+    while at < lists.len() {
+        let mut corner = 0;
+        while corner < K {
+            let index = lists[at][corner];
+            if index as usize >= len {
+                return Err(Error::Index {
+                    at,
+                    index: index as u32,
+                    len,
+                });
+            }
+            corner += 1;
+        }
+        at += 1;
+    }
+    Ok(())
+}
+
+impl<'a> Mesh<'a> {
+    /// A mesh of positions and the triangles between them.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Index`] if a face names a position that is not there; [`Error::TooMany`] if there
+    /// are more than 65,536 positions.
+    pub const fn new(positions: &'a [Vec3], faces: &'a [[Index; 3]]) -> Result<Self, Error> {
+        const MAX: usize = Index::MAX as usize + 1;
+        if positions.len() > MAX {
+            return Err(Error::TooMany {
+                given: positions.len(),
+                max: MAX,
+            });
+        }
+        if let Err(error) = check(faces, positions.len()) {
+            return Err(error);
+        }
+        Ok(Self {
+            positions,
+            faces,
+            edges: &[],
+            uvs: Attribute::NONE,
+            normals: Attribute::NONE,
+            colors: Attribute::NONE,
+        })
+    }
+
+    /// Unwraps a mesh that is made in a `const` or `static`, where an error stops compilation.
+    ///
+    /// # Panics
+    ///
+    /// If `result` is an error; so call it at compile time only.
+    #[must_use]
+    pub const fn checked(result: Result<Self, Error>) -> Self {
+        match result {
+            Ok(mesh) => mesh,
+            Err(Error::Index { .. }) => panic!("a mesh index names an element that is not there"),
+            Err(Error::Length { .. }) => {
+                panic!("a mesh attribute has the wrong number of elements")
+            }
+            Err(_) => panic!("the mesh has too many elements"),
+        }
+    }
+
+    /// The mesh with edges, for drawing lines.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Index`] if an edge names a position that is not there.
+    pub const fn with_edges(self, edges: &'a [[Index; 2]]) -> Result<Self, Error> {
+        match check(edges, self.positions.len()) {
+            Ok(()) => Ok(Self { edges, ..self }),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// The mesh with texture coordinates: one per position, or with `faces`, three indices per triangle.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] if there is not one value per position, or not one entry of `faces` per
+    /// triangle; [`Error::Index`] if an entry names a value that is not there.
+    pub const fn with_uvs(
+        self,
+        values: &'a [Vec2],
+        faces: Option<&'a [[Index; 3]]>,
+    ) -> Result<Self, Error> {
+        match self.attribute(values, faces) {
+            Ok(uvs) => Ok(Self { uvs, ..self }),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// The mesh with normals in model space, of any length: one per position, or with `faces`,
+    /// three indices per triangle.
+    ///
+    /// # Errors
+    ///
+    /// As for [`with_uvs`](Self::with_uvs).
+    pub const fn with_normals(
+        self,
+        values: &'a [Vec3],
+        faces: Option<&'a [[Index; 3]]>,
+    ) -> Result<Self, Error> {
+        match self.attribute(values, faces) {
+            Ok(normals) => Ok(Self { normals, ..self }),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// The mesh with colours: one per position, or with `faces`, three indices per triangle.
+    ///
+    /// # Errors
+    ///
+    /// As for [`with_uvs`](Self::with_uvs).
+    pub const fn with_colors(
+        self,
+        values: &'a [Rgb888],
+        faces: Option<&'a [[Index; 3]]>,
+    ) -> Result<Self, Error> {
+        match self.attribute(values, faces) {
+            Ok(colors) => Ok(Self { colors, ..self }),
+            Err(error) => Err(error),
+        }
+    }
+
+    const fn attribute<T>(
+        &self,
+        values: &'a [T],
+        faces: Option<&'a [[Index; 3]]>,
+    ) -> Result<Attribute<'a, T>, Error> {
+        let (given, needed) = match faces {
+            None => (values.len(), self.positions.len()),
+            Some(faces) => (faces.len(), self.faces.len()),
+        };
+        if given != needed {
+            return Err(Error::Length { given, needed });
+        }
+        if let Some(faces) = faces {
+            if let Err(error) = check(faces, values.len()) {
+                return Err(error);
+            }
+        }
+        Ok(Attribute { values, faces })
+    }
+
+    /// Positions, in model space.
+    #[must_use]
+    pub const fn positions(&self) -> &'a [Vec3] {
+        self.positions
+    }
+
+    /// Triangles, as indices of positions.
+    #[must_use]
+    pub const fn faces(&self) -> &'a [[Index; 3]] {
+        self.faces
+    }
+
+    /// Edges, as indices of positions.
+    #[must_use]
+    pub const fn edges(&self) -> &'a [[Index; 2]] {
+        self.edges
+    }
+
+    /// Whether there are texture coordinates.
+    #[must_use]
+    pub const fn has_uvs(&self) -> bool {
+        !self.uvs.values.is_empty()
+    }
+
+    /// Whether there are normals.
+    #[must_use]
+    pub const fn has_normals(&self) -> bool {
+        !self.normals.values.is_empty()
+    }
+
+    /// Whether there are colours.
+    #[must_use]
+    pub const fn has_colors(&self) -> bool {
+        !self.colors.values.is_empty()
+    }
+
+    #[inline]
+    pub(super) fn uv(&self, element: Element, corner: usize) -> Option<Vec2> {
+        self.uvs.at(element, corner)
+    }
+
+    #[inline]
+    pub(super) fn normal(&self, element: Element, corner: usize) -> Option<Vec3> {
+        self.normals.at(element, corner)
+    }
+
+    #[inline]
+    pub(super) fn color(&self, element: Element, corner: usize) -> Option<Rgb888> {
+        self.colors.at(element, corner)
+    }
+
+    /// The position of `index`; the origin for an index that no checked list holds.
+    #[inline]
+    pub(crate) fn position(&self, index: Index) -> Vec3 {
+        self.positions
+            .get(usize::from(index))
+            .copied()
+            .unwrap_or(Vec3::ZERO)
+    }
+}

@@ -1,0 +1,112 @@
+//! A mesh as a fragment sees it: one corner, one face.
+
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+
+use super::mesh::{Element, Mesh};
+use crate::{Scalar, Vec2, Vec3};
+
+/// One triangle of a mesh, on its way to be drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Face<'a> {
+    pub(crate) mesh: &'a Mesh<'a>,
+    pub(crate) element: Element,
+}
+
+impl Face<'_> {
+    /// Which triangle of the mesh this is, the first being 0; an edge or point counts as triangle 0.
+    #[must_use]
+    pub const fn index(&self) -> usize {
+        match self.element.face {
+            Some(face) => face,
+            None => 0,
+        }
+    }
+
+    /// The three corners in model space.
+    #[must_use]
+    pub fn positions(&self) -> [Vec3; 3] {
+        self.element.indices.map(|index| self.mesh.position(index))
+    }
+
+    /// The plane's normal in model space, (b − a) × (c − a), scaled to a largest component between
+    /// 8192 and 32768, so that a small triangle's direction is as good as a large one's;
+    /// zero for a triangle without area.
+    #[must_use]
+    pub fn normal(&self) -> Vec3 {
+        let [a, b, c] = self.positions().map(Vec3::to_bits);
+        // Differences take 33 bits; halved they fit 32 and the difference of two products 64.
+        let side = |from: i32, to: i32| (i64::from(to) - i64::from(from)) >> 1;
+        let [b, c] = [b, c].map(|p| [side(a[0], p[0]), side(a[1], p[1]), side(a[2], p[2])]);
+        let cross = |i: usize, j: usize| (b[i] * c[j]).saturating_sub(b[j] * c[i]);
+        let normal = [cross(1, 2), cross(2, 0), cross(0, 1)];
+        let size = normal.iter().fold(0, |all, x| all | x.unsigned_abs());
+        // One leading zero stays, for the sign.
+        let up = size.leading_zeros().clamp(1, 63) - 1;
+        #[allow(clippy::cast_possible_truncation)] // the upper half of 64 bits
+        Vec3::from_bits(normal.map(|x| ((x << up) >> 32) as i32))
+    }
+}
+
+/// One corner of a triangle or end of a line, on its way to be drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Vertex<'a> {
+    pub(crate) face: &'a Face<'a>,
+    pub(crate) corner: usize,
+    pub(crate) distance: Scalar,
+}
+
+impl Vertex<'_> {
+    /// The position in model space.
+    #[must_use]
+    #[inline]
+    pub fn position(&self) -> Vec3 {
+        match self.face.element.indices.get(self.corner) {
+            Some(&index) => self.face.mesh.position(index),
+            None => Vec3::ZERO,
+        }
+    }
+
+    /// The distance ahead of the eye: −z in eye space, saturated to the format.
+    #[must_use]
+    #[inline]
+    pub fn distance(&self) -> Scalar {
+        self.distance
+    }
+
+    /// The texture coordinate; (0, 0) where the mesh has none.
+    #[must_use]
+    #[inline]
+    pub fn uv(&self) -> Vec2 {
+        self.face
+            .mesh
+            .uv(self.face.element, self.corner)
+            .unwrap_or_default()
+    }
+
+    /// The normal in model space, of any length; where the mesh has none, the triangle's own.
+    #[must_use]
+    #[inline]
+    pub fn normal(&self) -> Vec3 {
+        match self.face.mesh.normal(self.face.element, self.corner) {
+            Some(normal) => normal,
+            None => self.face.normal(),
+        }
+    }
+
+    /// The colour; white where the mesh has none.
+    #[must_use]
+    #[inline]
+    pub fn color(&self) -> Rgb888 {
+        self.face
+            .mesh
+            .color(self.face.element, self.corner)
+            .unwrap_or(Rgb888::WHITE)
+    }
+
+    /// The triangle that this is a corner of.
+    #[must_use]
+    #[inline]
+    pub fn face(&self) -> &Face<'_> {
+        self.face
+    }
+}

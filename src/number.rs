@@ -1,0 +1,84 @@
+//! The number formats, one name per quantity.
+//!
+//! | quantity | format | range | resolution |
+//! |---|---|---|---|
+//! | coordinates, distances, texture coordinates | [`Scalar`] (`I16F16`) | ±32768 | 1.5e-5 |
+//! | sine, cosine, unit vectors inside the crate | [`Unit`] (`I2F30`) | ±2 | 9.3e-10 |
+//! | angle | `u32` fraction of a turn ([`Angle`](crate::Angle)) | one turn | 8.4e-8 degrees |
+//! | transform | 31-bit mantissas with a shared exponent ([`Transform`](crate::Transform)) | ±2^62 | 2^-30 of the largest |
+//! | screen | 24.8 pixels | ±4096 pixels | 1/256 pixel |
+//! | depth | `u16`, linear in 1/w | near 65535, far towards 0 | 1/65535 of near/w |
+//! | varyings of a fragment | `i32`, whatever the fragment makes of it | | |
+
+use crate::Error;
+
+/// Coordinates, distances and texture coordinates: signed, 16 integer and 16 fraction bits.
+///
+/// Range −32768 to 32768 − 2⁻¹⁶, resolution 2⁻¹⁶ ≈ 1.5e-5.
+/// [`fx!`](crate::fx) writes a literal, [`scalar`] converts a float at run time.
+pub type Scalar = fixed::types::I16F16;
+
+/// Sines, cosines and components of unit vectors: signed, 2 integer and 30 fraction bits.
+pub type Unit = fixed::types::I2F30;
+
+/// Converts a float to the nearest [`Scalar`].
+///
+/// # Errors
+///
+/// [`Error::NotRepresentable`] if `value` is not a number or its magnitude is beyond ±32768.
+///
+/// ```
+/// use fixel::{number::scalar, Scalar};
+/// assert_eq!(scalar(1.5), Ok(Scalar::lit("1.5")));
+/// assert!(scalar(40_000.0).is_err());
+/// ```
+pub const fn scalar(value: f64) -> Result<Scalar, Error> {
+    // Round half away from zero; the cast of a finite value in range is exact after that.
+    let scaled = value * 65536.0;
+    let rounded = if scaled < 0.0 {
+        scaled - 0.5
+    } else {
+        scaled + 0.5
+    };
+    if rounded > -2_147_483_649.0 && rounded < 2_147_483_648.0 {
+        #[allow(clippy::cast_possible_truncation)]
+        Ok(Scalar::from_bits(rounded as i32))
+    } else {
+        Err(Error::NotRepresentable { value })
+    }
+}
+
+/// Rounds a literal to a [`Scalar`] while compiling; used by [`fx!`](crate::fx) and [`vec3!`](crate::vec3).
+///
+/// # Panics
+///
+/// While compiling, if the literal is beyond ±32768.
+#[doc(hidden)]
+#[must_use]
+pub const fn literal(value: f64) -> Scalar {
+    match scalar(value) {
+        Ok(number) => number,
+        Err(_) => panic!("literal is not a number between -32768 and 32768"),
+    }
+}
+
+/// A [`Scalar`] from a literal, rounded to the nearest while compiling.
+///
+/// A literal out of range does not compile.
+///
+/// ```
+/// use fixel::fx;
+/// assert_eq!(fx!(0.25) + fx!(2), fx!(2.25));
+/// ```
+/// ```compile_fail
+/// let _ = fixel::fx!(40000);
+/// ```
+#[macro_export]
+macro_rules! fx {
+    ($value:expr) => {
+        const {
+            #[allow(clippy::cast_lossless, clippy::unnecessary_cast)]
+            $crate::number::literal($value as f64)
+        }
+    };
+}

@@ -1,0 +1,74 @@
+//! The seam between geometry and colour: what a fragment wants interpolated, and what it makes of it.
+
+use embedded_graphics::geometry::Point;
+use embedded_graphics::pixelcolor::PixelColor;
+
+use crate::geometry::{Face, Vertex};
+use crate::linear::Transform;
+
+/// A pixel about to be shaded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sample {
+    /// Column and row in the frame, (0, 0) at the top left.
+    pub point: Point,
+    /// Depth as it would be stored: near plane 65535, falling towards 0 with distance.
+    pub depth: u16,
+}
+
+/// How a surface is coloured: `N` values per vertex, interpolated in perspective, to a colour.
+///
+/// Two methods are needed: [`varyings`](Self::varyings) says what to interpolate, and
+/// [`shade`](Self::shade) makes a colour of it, or `None` to leave the pixel as it is.
+/// A varying is an `i32` in whatever unit the fragment likes; it comes back in the same unit,
+/// rounded down, and may exceed the range of its triangle's corners by a unit.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Rgb565;
+/// use fixel::prelude::*;
+///
+/// /// Stripes along the texture's u.
+/// #[derive(Clone, Copy)]
+/// struct Stripes;
+///
+/// impl Fragment<1> for Stripes {
+///     type Color = Rgb565;
+///
+///     fn varyings(&self, vertex: &Vertex) -> [i32; 1] {
+///         [vertex.uv().x.to_bits()]
+///     }
+///
+///     fn shade(&self, _: &Sample, [u]: [i32; 1]) -> Option<Rgb565> {
+///         Some(if u & 0x4000 == 0 { Rgb565::new(31, 63, 31) } else { Rgb565::new(31, 0, 0) })
+///     }
+/// }
+/// ```
+pub trait Fragment<const N: usize>: Copy {
+    /// The colour that comes out; the canvas must have the same.
+    type Color: PixelColor;
+
+    /// The values to interpolate, at one corner of a triangle or end of a line.
+    fn varyings(&self, vertex: &Vertex<'_>) -> [i32; N];
+
+    /// The colour of a pixel, or `None` to leave both its colour and its depth as they are.
+    fn shade(&self, sample: &Sample, varyings: [i32; N]) -> Option<Self::Color>;
+
+    /// This fragment made ready for a draw call; `model` takes the mesh to world space.
+    ///
+    /// For what depends on the pose but not on the vertex, such as the transform of normals.
+    #[must_use]
+    #[inline]
+    fn begin(self, model: &Transform) -> Self {
+        let _ = model;
+        self
+    }
+
+    /// This fragment made ready for one triangle, before clipping; it may change the `corners`' varyings.
+    ///
+    /// For what is constant over a triangle, such as its colour.
+    #[must_use]
+    #[inline]
+    fn face(self, corners: &mut [[i32; N]; 3], face: &Face<'_>) -> Self {
+        let _ = (corners, face);
+        self
+    }
+}
