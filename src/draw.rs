@@ -2,10 +2,10 @@
 
 use core::marker::PhantomData;
 
-use crate::geometry::{self, ClipVertex, Element, Index, Projected, Projector};
+use crate::geometry::{self, ClipVertex, Cull, Element, Index, Projected, Projector};
 use crate::interpolate::{Exact, Interpolate};
 use crate::linear::Transform;
-use crate::raster::{self, Cull, Triangle, Window};
+use crate::raster::{self, Triangle, Window};
 use crate::shade::Fragment;
 use crate::target::{Canvas, DepthBuffer, Storage};
 use crate::view::{Chain, Kind, Viewport};
@@ -37,7 +37,11 @@ impl Pass {
     /// The default.
     #[must_use]
     pub const fn new() -> Self {
-        Self { cull: Cull::Back, viewport: None, mode: PhantomData }
+        Self {
+            cull: Cull::Back,
+            viewport: None,
+            mode: PhantomData,
+        }
     }
 }
 
@@ -51,13 +55,20 @@ impl<I> Pass<I> {
     /// Draws into a part of the frame, and into that only.
     #[must_use]
     pub const fn viewport(self, viewport: Viewport) -> Self {
-        Self { viewport: Some(viewport), ..self }
+        Self {
+            viewport: Some(viewport),
+            ..self
+        }
     }
 
     /// Interpolates in another mode.
     #[must_use]
     pub const fn mode<J: Interpolate>(self) -> Pass<J> {
-        Pass { cull: self.cull, viewport: self.viewport, mode: PhantomData }
+        Pass {
+            cull: self.cull,
+            viewport: self.viewport,
+            mode: PhantomData,
+        }
     }
 }
 
@@ -112,7 +123,10 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         let mut cache = Cache::new();
         for (face, &indices) in mesh.faces().iter().enumerate() {
             let corners = indices.map(|index| cache.project(&call, index));
-            let element = Element { face: Some(face), indices };
+            let element = Element {
+                face: Some(face),
+                indices,
+            };
             call.triangle::<I, O, D, N>(self, element, corners);
         }
         call.drawn
@@ -130,7 +144,10 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         let mut cache = Cache::new();
         for &[a, b] in mesh.edges() {
             let ends = [a, b].map(|index| cache.project(&call, index));
-            let element = Element { face: None, indices: [a, b, b] };
+            let element = Element {
+                face: None,
+                indices: [a, b, b],
+            };
             call.line::<I, O, D, N>(self, element, ends);
         }
         call.drawn
@@ -147,7 +164,9 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         let mut call = Call::new(self, pass, mesh, chain, fragment);
         for index in 0..mesh.positions().len() {
             // A mesh has at most 65,536 positions.
-            let Ok(index) = Index::try_from(index) else { break };
+            let Ok(index) = Index::try_from(index) else {
+                break;
+            };
             call.point::<I, O, D, N>(self, index);
         }
         call.drawn
@@ -214,14 +233,20 @@ impl<'m, K: Kind, F> Call<'m, K, F> {
         if a & b & c != 0 {
             return;
         }
-        let face = Face { mesh: self.mesh, view: &self.view, element };
+        let face = Face {
+            mesh: self.mesh,
+            view: &self.view,
+            element,
+        };
         if a | b | c != 0 {
             let drawn = self.clipped_triangle::<I, O, D, N>(canvas, &face, a | b | c);
             self.drawn.drawn += u32::from(drawn);
             self.drawn.clipped += u32::from(drawn);
             return;
         }
-        let Some(triangle) = Triangle::new(corners, self.cull, &self.window) else { return };
+        let Some(triangle) = Triangle::new(corners, self.cull, &self.window) else {
+            return;
+        };
         let mut varyings = [0, 1, 2].map(|corner| self.varyings(&face, corner));
         let fragment = self.fragment.face(&mut varyings, &face);
         let depth_shift = |exponent| self.projector.depth_shift(exponent);
@@ -249,15 +274,22 @@ impl<'m, K: Kind, F> Call<'m, K, F> {
     {
         let mut varyings = [0, 1, 2].map(|corner| self.varyings(face, corner));
         let fragment = self.fragment.face(&mut varyings, face);
-        let [a, b, c] = face.positions().map(|position| self.projector.clip_position(position));
+        let [a, b, c] = face
+            .positions()
+            .map(|position| self.projector.clip_position(position));
         let corners = [(a, varyings[0]), (b, varyings[1]), (c, varyings[2])]
             .map(|(position, varyings)| ClipVertex { position, varyings });
         let polygon = geometry::clip_triangle(&self.projector, &corners, planes);
         // A fan of triangles.
-        let mut corners = polygon
-            .iter()
-            .map(|vertex| (self.projector.project_inside(vertex.position), vertex.varyings));
-        let (Some(first), Some(mut from)) = (corners.next(), corners.next()) else { return false };
+        let mut corners = polygon.iter().map(|vertex| {
+            (
+                self.projector.project_inside(vertex.position),
+                vertex.varyings,
+            )
+        });
+        let (Some(first), Some(mut from)) = (corners.next(), corners.next()) else {
+            return false;
+        };
         let mut drawn = false;
         for to in corners {
             let part = Triangle::new([first.0, from.0, to.0], self.cull, &self.window);
@@ -291,14 +323,21 @@ impl<'m, K: Kind, F> Call<'m, K, F> {
         if a & b != 0 {
             return;
         }
-        let face = Face { mesh: self.mesh, view: &self.view, element };
+        let face = Face {
+            mesh: self.mesh,
+            view: &self.view,
+            element,
+        };
         let mut varyings = [0, 1].map(|end| self.varyings(&face, end));
         if a | b != 0 {
-            let [from, to, _] =
-                face.positions().map(|position| self.projector.clip_position(position));
+            let [from, to, _] = face
+                .positions()
+                .map(|position| self.projector.clip_position(position));
             let whole = [(from, varyings[0]), (to, varyings[1])]
                 .map(|(position, varyings)| ClipVertex { position, varyings });
-            let Some(inside) = geometry::clip_line(&self.projector, whole, a | b) else { return };
+            let Some(inside) = geometry::clip_line(&self.projector, whole, a | b) else {
+                return;
+            };
             ends = inside.map(|end| self.projector.project_inside(end.position));
             varyings = inside.map(|end| end.varyings);
             self.drawn.clipped += 1;
@@ -325,12 +364,21 @@ impl<'m, K: Kind, F> Call<'m, K, F> {
         D: DepthBuffer,
     {
         self.drawn.submitted += 1;
-        let at = self.projector.project(self.projector.clip_position(self.mesh.position(index)));
+        let at = self
+            .projector
+            .project(self.projector.clip_position(self.mesh.position(index)));
         if at.outside != 0 {
             return;
         }
-        let element = Element { face: None, indices: [index; 3] };
-        let face = Face { mesh: self.mesh, view: &self.view, element };
+        let element = Element {
+            face: None,
+            indices: [index; 3],
+        };
+        let face = Face {
+            mesh: self.mesh,
+            view: &self.view,
+            element,
+        };
         let varyings = self.varyings(&face, 0);
         let depth_shift = |exponent| self.projector.depth_shift(exponent);
         raster::point::<K::Mode<I>, F, O, D, N>(
@@ -362,7 +410,9 @@ impl Cache {
     const SIZE: usize = 32;
 
     const fn new() -> Self {
-        Self { entries: [(u32::MAX, Projected::NONE); Self::SIZE] }
+        Self {
+            entries: [(u32::MAX, Projected::NONE); Self::SIZE],
+        }
     }
 
     #[inline]

@@ -30,16 +30,28 @@ pub(crate) fn triangle<K: Kind, const N: usize>(
         let mut inside = Polygon::new();
         // There is room: a plane cuts a convex polygon's outline twice.
         let mut add = |vertex| inside.push(vertex).unwrap_or(());
-        let Some(mut from) = polygon.last() else { break };
+        let Some(mut from) = polygon.last() else {
+            break;
+        };
         let mut from_distance = projector.distance(from.position, plane);
         for to in &polygon {
             let to_distance = projector.distance(to.position, plane);
             let from_out = Projector::<K>::is_outside(from_distance, plane);
             let to_out = Projector::<K>::is_outside(to_distance, plane);
             if from_out && !to_out {
-                add(cut(projector, plane, (to, to_distance), (from, from_distance)));
+                add(cut(
+                    projector,
+                    plane,
+                    (to, to_distance),
+                    (from, from_distance),
+                ));
             } else if to_out && !from_out {
-                add(cut(projector, plane, (from, from_distance), (to, to_distance)));
+                add(cut(
+                    projector,
+                    plane,
+                    (from, from_distance),
+                    (to, to_distance),
+                ));
             }
             if !to_out {
                 add(*to);
@@ -58,8 +70,10 @@ pub(crate) fn line<K: Kind, const N: usize>(
     planes: u8,
 ) -> Option<[ClipVertex<N>; 2]> {
     for plane in (0..6).filter(|plane| planes >> plane & 1 != 0) {
-        let (at_a, at_b) =
-            (projector.distance(a.position, plane), projector.distance(b.position, plane));
+        let (at_a, at_b) = (
+            projector.distance(a.position, plane),
+            projector.distance(b.position, plane),
+        );
         match (
             Projector::<K>::is_outside(at_a, plane),
             Projector::<K>::is_outside(at_b, plane),
@@ -86,8 +100,9 @@ fn cut<K: Kind, const N: usize>(
     let up = sum.leading_zeros();
     #[allow(clippy::cast_possible_truncation)] // the upper halves
     let (part, whole) = ((inner >> 1 << up >> 32) as u32, (sum << up >> 32) as u32);
-    let fraction =
-        ((u64::from(part) * u64::from(reciprocal(whole))) >> 32).min((1 << 31) - 1).cast_signed();
+    let fraction = ((u64::from(part) * u64::from(reciprocal(whole))) >> 32)
+        .min((1 << 31) - 1)
+        .cast_signed();
 
     let mut position = inside.position;
     for (from, to) in position.iter_mut().zip(outside.position) {
@@ -103,5 +118,8 @@ fn cut<K: Kind, const N: usize>(
             *from += ((way * fraction) >> 31) as i32;
         }
     }
-    ClipVertex { position: projector.onto(position, plane), varyings }
+    ClipVertex {
+        position: projector.onto(position, plane),
+        varyings,
+    }
 }

@@ -6,7 +6,7 @@ use crate::Vec3;
 use crate::interpolate::reciprocal;
 use crate::linear::Transform;
 use crate::linear::block;
-use crate::view::{Chain, Kind, Row, Viewport};
+use crate::view::{Kind, Projection, Row, Viewport};
 
 /// Half the width and height of the guard band, in pixels: the room about the viewport's centre in
 /// which screen coordinates are exact, and to which triangles are clipped.
@@ -37,8 +37,12 @@ pub(crate) struct Projected {
 
 impl Projected {
     /// A vertex that is not on the screen.
-    pub(crate) const NONE: Self =
-        Self { screen: [0; 2], q: 0, exponent: 0, outside: u8::MAX };
+    pub(crate) const NONE: Self = Self {
+        screen: [0; 2],
+        q: 0,
+        exponent: 0,
+        outside: u8::MAX,
+    };
 }
 
 /// The way from model space to the screen, made once for a draw call.
@@ -96,21 +100,29 @@ impl Line {
         let ([offset], exp) = block::normalise(offset, exp);
         let ([offset], exp) =
             block::normalise([i64::from(offset) * i64::from(factor.0)], exp + factor.1);
-        Self { linear, offset: (offset, exp) }
+        Self {
+            linear,
+            offset: (offset, exp),
+        }
     }
 }
 
 impl<K: Kind> Projector<K> {
-    /// The way through `chain` to the pixels of `viewport`.
-    pub(crate) fn new(chain: &Chain<K>, view: &Transform, viewport: &Viewport) -> Self {
-        let lens = &chain.projection;
+    /// The way through `view` and `lens` to the pixels of `viewport`.
+    pub(crate) fn new(lens: &Projection<K>, view: &Transform, viewport: &Viewport) -> Self {
         let (near, far) = (lens.near, lens.far);
         // The row of t, and what x and y are multiplied with beside the viewport's scale.
         let (depth, unit) = if K::PERSPECTIVE {
             // t = w / near, a little above 1 at the near plane: the greatest 1/t, 1 - 2^-16, leaves
             // room for rounding before a depth of 65536.
             let one = inverse(near.to_bits().max(1).cast_unsigned(), 1);
-            (Row { m: [0, 0, -(1 << 29), 0], exp: 29 }, one)
+            (
+                Row {
+                    m: [0, 0, -(1 << 29), 0],
+                    exp: 29,
+                },
+                one,
+            )
         } else {
             // t = (far - distance) / (far - near), a little below 1 at the near plane.
             let length = far.to_bits().wrapping_sub(near.to_bits()).cast_unsigned();
@@ -124,7 +136,10 @@ impl<K: Kind> Projector<K> {
             #[allow(clippy::cast_possible_truncation)] // shifted down from 30 bits
             let at = |m: i32, from: i32| block::shift(i64::from(m), exp - from) as i32;
             (
-                Row { m: [0, 0, at(scale, scale_exp), at(offset, offset_exp)], exp },
+                Row {
+                    m: [0, 0, at(scale, scale_exp), at(offset, offset_exp)],
+                    exp,
+                },
                 (1 << 29, 29),
             )
         };
@@ -135,7 +150,10 @@ impl<K: Kind> Projector<K> {
             (mantissa, exp)
         };
         let [width, height] = viewport.size().map(u32::cast_signed);
-        let (depth_unit, [x, y]) = (if K::PERSPECTIVE { unit } else { (1 << 29, 29) }, &lens.rows);
+        let (depth_unit, [x, y]) = (
+            if K::PERSPECTIVE { unit } else { (1 << 29, 29) },
+            &lens.rows,
+        );
         let lines = [
             Line::new(x, view, scale(width)),
             Line::new(y, view, scale(-height)),
@@ -151,14 +169,20 @@ impl<K: Kind> Projector<K> {
             .max(-16);
         let fraction = exp + 16;
         #[allow(clippy::cast_possible_truncation)] // clamped
-        let rows = lines.each_ref().map(|Line { linear: (m, from), .. }| {
-            m.map(|m| {
-                block::shift(i64::from(m), exp - from).clamp(-(1 << 29), 1 << 29) as i32
-            })
-        });
-        let offsets = lines.each_ref().map(|Line { offset: (m, from), .. }| {
-            block::shift(i64::from(*m), fraction - from).clamp(-(1 << 60), 1 << 60)
-        });
+        let rows = lines.each_ref().map(
+            |Line {
+                 linear: (m, from), ..
+             }| {
+                m.map(|m| block::shift(i64::from(m), exp - from).clamp(-(1 << 29), 1 << 29) as i32)
+            },
+        );
+        let offsets = lines.each_ref().map(
+            |Line {
+                 offset: (m, from), ..
+             }| {
+                block::shift(i64::from(*m), fraction - from).clamp(-(1 << 60), 1 << 60)
+            },
+        );
 
         let one = 1i64 << fraction;
         let margin = (one >> 16).max(1);
@@ -169,7 +193,14 @@ impl<K: Kind> Projector<K> {
         } else {
             [0, one - margin]
         };
-        Self { rows, offsets, fraction, range, center: viewport.center(), kind: PhantomData }
+        Self {
+            rows,
+            offsets,
+            fraction,
+            range,
+            center: viewport.center(),
+            kind: PhantomData,
+        }
     }
 
     /// A position of model space in clip space.
@@ -187,7 +218,11 @@ impl<K: Kind> Projector<K> {
     /// The homogeneous coordinate: w, or 1 under a parallel projection.
     #[inline]
     fn w(&self, t: i64) -> i64 {
-        if K::PERSPECTIVE { t } else { 1 << self.fraction }
+        if K::PERSPECTIVE {
+            t
+        } else {
+            1 << self.fraction
+        }
     }
 
     /// How far inside each plane a position is, for plane 0 to 5: near or far, far or near, left,
@@ -238,7 +273,10 @@ impl<K: Kind> Projector<K> {
     pub(crate) fn project(&self, position: ClipPosition) -> Projected {
         match self.outside(position) {
             0 => self.project_inside(position),
-            outside => Projected { outside, ..Projected::NONE },
+            outside => Projected {
+                outside,
+                ..Projected::NONE
+            },
         }
     }
 
@@ -264,7 +302,12 @@ impl<K: Kind> Projector<K> {
             ([on_screen(x), on_screen(y)], q as u32, 0)
         };
         let [cx, cy] = self.center;
-        Projected { screen: [screen[0] + cx, screen[1] + cy], q, exponent, outside: 0 }
+        Projected {
+            screen: [screen[0] + cx, screen[1] + cy],
+            q,
+            exponent,
+            outside: 0,
+        }
     }
 
     /// How far down an interpolant of this `exponent` is shifted to be a 16-bit depth.
@@ -272,7 +315,9 @@ impl<K: Kind> Projector<K> {
     pub(crate) fn depth_shift(&self, exponent: i32) -> u32 {
         if K::PERSPECTIVE {
             // 1/t = q · 2^(exponent + fraction - 94), and depth is 2^16 times that.
-            (78 - self.fraction - exponent).clamp(15, 31).cast_unsigned()
+            (78 - self.fraction - exponent)
+                .clamp(15, 31)
+                .cast_unsigned()
         } else {
             15
         }

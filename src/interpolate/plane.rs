@@ -54,11 +54,7 @@ impl Slope {
     #[inline]
     pub(crate) fn new(corners: [[i32; 2]; 3], area: u64) -> Self {
         let [[x, y], b, c] = corners;
-        Self::with(
-            [[b[0] - x, b[1] - y], [c[0] - x, c[1] - y]],
-            [x, y],
-            area,
-        )
+        Self::with([[b[0] - x, b[1] - y], [c[0] - x, c[1] - y]], [x, y], area)
     }
 
     /// The slope along a line of which `length` is the extent along x, in units of 1/256 pixel.
@@ -66,7 +62,11 @@ impl Slope {
     /// As of a triangle with one side along the line and another of one unit down.
     #[inline]
     pub(crate) fn along(start: i32, length: u32) -> Self {
-        Self::with([[length.cast_signed(), 0], [0, 1]], [start, 128], u64::from(length))
+        Self::with(
+            [[length.cast_signed(), 0], [0, 1]],
+            [start, 128],
+            u64::from(length),
+        )
     }
 
     #[inline]
@@ -117,7 +117,11 @@ impl Slope {
     /// those at the bottom, of large triangles only, are below 2⁻²² of a unit of the value.
     #[inline]
     const fn scale(&self, numerator: i64) -> i64 {
-        if self.shift > 0 { numerator >> self.shift } else { numerator << -self.shift }
+        if self.shift > 0 {
+            numerator >> self.shift
+        } else {
+            numerator << -self.shift
+        }
     }
 
     /// numerator / area, to the nearest, for numerators of values within ±2³¹; others wrap.

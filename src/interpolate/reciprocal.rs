@@ -9,7 +9,11 @@
 pub const fn reciprocal(q: u32) -> u32 {
     // Tells the compiler that the divisor is not zero; the caller has normalised it anyway.
     let q = q | TOP;
-    if cfg!(target_pointer_width = "64") { by_division(q) } else { by_newton(q) }
+    if cfg!(target_pointer_width = "64") {
+        by_division(q)
+    } else {
+        by_newton(q)
+    }
 }
 
 const TOP: u32 = 1 << 31;
@@ -19,7 +23,11 @@ const fn by_division(q: u32) -> u32 {
     (((1 << 63) - 1) / (q | TOP) as u64) as u32
 }
 
-#[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap, clippy::cast_sign_loss)]
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss
+)]
 const fn by_newton(q: u32) -> u32 {
     // q to the nearest 16 bits, off by at most 2^-16 of itself.
     let coarse = (q >> 16) + (q >> 15 & 1);

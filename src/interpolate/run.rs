@@ -60,10 +60,15 @@ impl<const N: usize, const CORNERS: usize> Weighted<N, CORNERS> {
     /// Weights below 2³¹, one per corner.
     #[inline]
     pub(crate) fn new(attributes: &[[i32; N]; CORNERS], weights: [u32; CORNERS]) -> Self {
-        let mut weighted = Self { p: [[0; CORNERS]; N], bits: [1; N] };
+        let mut weighted = Self {
+            p: [[0; CORNERS]; N],
+            bits: [1; N],
+        };
         for (i, (p, bits)) in weighted.p.iter_mut().zip(&mut weighted.bits).enumerate() {
             let values = attributes.map(|corner| corner.get(i).copied().unwrap_or(0));
-            let size = values.iter().fold(0, |all, value| all | value.unsigned_abs());
+            let size = values
+                .iter()
+                .fold(0, |all, value| all | value.unsigned_abs());
             *bits = (33 - size.leading_zeros()).min(32);
             for ((p, value), weight) in p.iter_mut().zip(values).zip(weights) {
                 let product = i64::from(value) * i64::from(weight);

@@ -34,7 +34,11 @@ impl Edge {
         // dx = q · dy + r, r from 0: for a negative dx from its complement.
         let size = (if dx < 0 { !dx } else { dx }).cast_unsigned();
         let (q, r) = (size / dy, size % dy);
-        let (q, r) = if dx < 0 { (!q, dy.get() - 1 - r) } else { (q, r) };
+        let (q, r) = if dx < 0 {
+            (!q, dy.get() - 1 - r)
+        } else {
+            (q, r)
+        };
         let q = q.cast_signed();
 
         // Less than a pixel down to the first centre: the products of r stay below 2^28.
@@ -100,7 +104,9 @@ mod tests {
     /// Every row of every edge against the rational crossing, from every row it may start at.
     #[test]
     fn crossings_are_exact() {
-        let ends = [-70_001, -300, -257, -1, 0, 1, 127, 128, 129, 255, 256, 1000, 90_003];
+        let ends = [
+            -70_001, -300, -257, -1, 0, 1, 127, 128, 129, 255, 256, 1000, 90_003,
+        ];
         for x0 in ends {
             for x1 in ends {
                 for y0 in [-300, -129, -128, -127, 0, 5] {

@@ -44,9 +44,11 @@ pub(crate) fn line<I, F, O, D, const N: usize>(
     }
     // The edge runs down its second coordinate: the major axis.
     let minor = 1 - major;
-    let Some(mut edge) =
-        Edge::new([from[minor], from[major]], [to[minor], to[major]], steps.start)
-    else {
+    let Some(mut edge) = Edge::new(
+        [from[minor], from[major]],
+        [to[minor], to[major]],
+        steps.start,
+    ) else {
         return;
     };
 

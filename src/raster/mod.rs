@@ -16,7 +16,7 @@ use crate::target::{Canvas, DepthBuffer, Storage};
 
 pub(crate) use line::line;
 pub(crate) use point::point;
-pub(crate) use triangle::{Cull, Triangle};
+pub(crate) use triangle::Triangle;
 
 /// The part of the canvas that may be drawn into; nothing outside is.
 #[derive(Clone, Debug)]
@@ -75,10 +75,15 @@ fn span<I, F, O, D, const N: usize>(
             fragment,
             depth_shift,
             // The first pixel is looked at after one step.
-            sample: Sample { point: Point::new(start - 1, row), depth: 0 },
+            sample: Sample {
+                point: Point::new(start - 1, row),
+                depth: 0,
+            },
         };
-        let cells =
-            canvas.run(row.cast_unsigned(), &(start.cast_unsigned()..end.cast_unsigned()));
+        let cells = canvas.run(
+            row.cast_unsigned(),
+            start.cast_unsigned()..end.cast_unsigned(),
+        );
         let cells = cells.map(|(color, depth)| Cell::<F::Color, O, D> { color, depth });
         I::run(run_from(start), cells, &mut shader);
         start = end;
@@ -88,7 +93,9 @@ fn span<I, F, O, D, const N: usize>(
 /// The corners' interpolants of depth with one exponent: their own, and the common one.
 #[inline]
 fn align<const CORNERS: usize>(corners: &[Projected; CORNERS]) -> ([u32; CORNERS], i32) {
-    let exponent = corners.iter().fold(0, |most, corner| corner.exponent.max(most));
+    let exponent = corners
+        .iter()
+        .fold(0, |most, corner| corner.exponent.max(most));
     let q = corners.map(|corner| {
         let down = (exponent - corner.exponent).cast_unsigned();
         corner.q.checked_shr(down).unwrap_or(0).max(LEAST_WEIGHT)
@@ -99,7 +106,11 @@ fn align<const CORNERS: usize>(corners: &[Projected; CORNERS]) -> ([u32; CORNERS
 /// What attributes are multiplied with before they are interpolated: 1/w, or 2^30 where there is none.
 #[inline]
 fn weights<I: Interpolate, const CORNERS: usize>(q: [u32; CORNERS]) -> [u32; CORNERS] {
-    if I::PERSPECTIVE { q } else { [1 << 30; CORNERS] }
+    if I::PERSPECTIVE {
+        q
+    } else {
+        [1 << 30; CORNERS]
+    }
 }
 
 /// One pixel in memory.

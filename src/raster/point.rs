@@ -25,6 +25,17 @@ pub(crate) fn point<I, F, O, D, const N: usize>(
     }
     let ([q], exponent) = align(&[*at]);
     let weighted = Weighted::new(&[varyings], weights::<I, 1>([q]));
-    let run = Run { q, dq: 0, p: weighted.p.map(|[p]| p), dp: [0; N], bits: weighted.bits };
-    span::<I, F, O, D, N>(canvas, (y, x..x + 1), |_| run, (fragment, depth_shift(exponent)));
+    let run = Run {
+        q,
+        dq: 0,
+        p: weighted.p.map(|[p]| p),
+        dp: [0; N],
+        bits: weighted.bits,
+    };
+    span::<I, F, O, D, N>(
+        canvas,
+        (y, x..x + 1),
+        |_| run,
+        (fragment, depth_shift(exponent)),
+    );
 }

@@ -2,29 +2,10 @@
 
 use super::edge::{Edge, first_center};
 use super::{Planes, Window, align, span, weights};
-use crate::geometry::Projected;
+use crate::geometry::{Cull, Projected};
 use crate::interpolate::{Interpolate, Slope, Weighted};
 use crate::shade::Fragment;
 use crate::target::{Canvas, DepthBuffer, Storage};
-
-/// Which triangles are left out, by the way they face.
-///
-/// A triangle whose corners run counter-clockwise as seen faces the viewer.
-///
-/// ```
-/// use fixel::prelude::*;
-/// let both_sides: Pass = Pass::new().cull(Cull::Nothing);
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Cull {
-    /// None: both sides are drawn.
-    Nothing,
-    /// Those seen from behind.
-    #[default]
-    Back,
-    /// Those seen from the front.
-    Front,
-}
 
 /// A triangle on the screen that faces the right way and may cover pixels of the window.
 #[derive(Clone, Copy, Debug)]
@@ -61,8 +42,16 @@ impl Triangle {
         }
         let turned = area < 0;
         let [first, second, third] = corners;
-        let corners = if turned { [first, third, second] } else { corners };
-        Some(Self { corners, area: area.unsigned_abs(), turned })
+        let corners = if turned {
+            [first, third, second]
+        } else {
+            corners
+        };
+        Some(Self {
+            corners,
+            area: area.unsigned_abs(),
+            turned,
+        })
     }
 
     /// Draws the triangle; `varyings` are those of the corners as they were given.
@@ -79,7 +68,11 @@ impl Triangle {
         O: Storage<F::Color>,
         D: DepthBuffer,
     {
-        let varyings = if self.turned { [first, third, second] } else { [first, second, third] };
+        let varyings = if self.turned {
+            [first, third, second]
+        } else {
+            [first, second, third]
+        };
         let (q, exponent) = align(&self.corners);
         let weighted = Weighted::new(&varyings, weights::<I, 3>(q));
         let slope = Slope::new(self.corners.map(|corner| corner.screen), self.area);
@@ -122,7 +115,9 @@ impl Triangle {
             if start >= end {
                 continue;
             }
-            let Some(mut side) = Edge::new(from, to, start) else { continue };
+            let Some(mut side) = Edge::new(from, to, start) else {
+                continue;
+            };
             let Some(mut other) = long.take().or_else(|| Edge::new(top, bottom, start)) else {
                 continue;
             };

@@ -4,8 +4,8 @@ use core::ops::Range;
 
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Dimensions, Point, Size};
-use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
 use embedded_graphics::pixelcolor::PixelColor;
+use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
 use embedded_graphics::primitives::Rectangle;
 
 use super::depth::{Depth, DepthBuffer, NoDepth};
@@ -67,7 +67,12 @@ impl<'a, C: PixelColor> Canvas<'a, C> {
     /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`]; [`Error::Length`] if
     /// `pixels` is no whole number of rows; [`Error::Rows`] if there is no row or one is outside
     /// the frame.
-    pub fn band(pixels: &'a mut [C], width: u32, height: u32, first_row: u32) -> Result<Self, Error> {
+    pub fn band(
+        pixels: &'a mut [C],
+        width: u32,
+        height: u32,
+        first_row: u32,
+    ) -> Result<Self, Error> {
         Self::band_over(pixels, width, height, first_row)
     }
 }
@@ -150,7 +155,13 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     fn over(cells: &'a mut [O::Cell], width: u32, height: u32) -> Result<Self, Error> {
         check_size(width, height)?;
         check_length(cells.len(), width, height)?;
-        Ok(Self { cells, depth: NoDepth, width, height, rows: 0..height })
+        Ok(Self {
+            cells,
+            depth: NoDepth,
+            width,
+            height,
+            rows: 0..height,
+        })
     }
 
     fn band_over(
@@ -165,9 +176,19 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
         match first.checked_add(rows) {
             Some(end) if rows > 0 && end <= height => {
                 check_length(cells.len(), width, rows)?;
-                Ok(Self { cells, depth: NoDepth, width, height, rows: first..end })
+                Ok(Self {
+                    cells,
+                    depth: NoDepth,
+                    width,
+                    height,
+                    rows: first..end,
+                })
             }
-            _ => Err(Error::Rows { first, rows, height }),
+            _ => Err(Error::Rows {
+                first,
+                rows,
+                height,
+            }),
         }
     }
 
@@ -178,7 +199,10 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     /// # Errors
     ///
     /// [`Error::Length`] if there is not exactly one per pixel.
-    pub fn with_depth<'d>(self, depth: &'d mut [u16]) -> Result<Canvas<'a, C, O, Depth<'d>>, Error> {
+    pub fn with_depth<'d>(
+        self,
+        depth: &'d mut [u16],
+    ) -> Result<Canvas<'a, C, O, Depth<'d>>, Error> {
         check_length(depth.len(), self.width, self.row_count())?;
         Ok(Canvas {
             cells: self.cells,
@@ -276,9 +300,9 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     pub(crate) fn run(
         &mut self,
         row: u32,
-        columns: &Range<u32>,
+        columns: Range<u32>,
     ) -> impl Iterator<Item = (&mut O::Cell, D::Cell<'_>)> {
-        let range = self.range(row, columns);
+        let range = self.range(row, &columns);
         let cells = self.cells.get_mut(range.clone()).unwrap_or_default();
         cells.iter_mut().zip(self.depth.cells(range))
     }
@@ -293,12 +317,20 @@ impl<C, O: Storage<C>, D> Dimensions for Canvas<'_, C, O, D> {
 
 const fn check_size(width: u32, height: u32) -> Result<(), Error> {
     if width == 0 || height == 0 || width > MAX_SIZE || height > MAX_SIZE {
-        return Err(Error::Size { width, height, max: MAX_SIZE });
+        return Err(Error::Size {
+            width,
+            height,
+            max: MAX_SIZE,
+        });
     }
     Ok(())
 }
 
 const fn check_length(given: usize, width: u32, rows: u32) -> Result<(), Error> {
     let needed = (width * rows) as usize;
-    if given == needed { Ok(()) } else { Err(Error::Length { given, needed }) }
+    if given == needed {
+        Ok(())
+    } else {
+        Err(Error::Length { given, needed })
+    }
 }

@@ -53,8 +53,10 @@ impl<C: PixelColor, O: Storage<C>, D> DrawTarget for Canvas<'_, C, O, D> {
         for y in inside.rows() {
             skip(&mut colors, left);
             // The colours come second: `zip` must not take one more than there are cells.
-            for (cell, color) in
-                self.cells_mut(y.cast_unsigned(), &columns).iter_mut().zip(&mut colors)
+            for (cell, color) in self
+                .cells_mut(y.cast_unsigned(), &columns)
+                .iter_mut()
+                .zip(&mut colors)
             {
                 *cell = O::store(color);
             }
@@ -67,7 +69,8 @@ impl<C: PixelColor, O: Storage<C>, D> DrawTarget for Canvas<'_, C, O, D> {
         let inside = area.intersection(&self.bounding_box());
         let columns = columns(&inside);
         for y in inside.rows() {
-            self.cells_mut(y.cast_unsigned(), &columns).fill(O::store(color));
+            self.cells_mut(y.cast_unsigned(), &columns)
+                .fill(O::store(color));
         }
         Ok(())
     }

@@ -1,7 +1,7 @@
 //! How a colour lies in memory.
 
-use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, RawData, ToBytes};
 use embedded_graphics::pixelcolor::PixelColor;
+use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, RawData, ToBytes};
 
 /// How a canvas stores colours of type `C`.
 ///
@@ -64,7 +64,9 @@ impl<const N: usize> Bytes for [u8; N] {
 
     #[inline]
     fn from_le(self) -> u32 {
-        self.iter().rev().fold(0, |all, &byte| all << 8 | u32::from(byte))
+        self.iter()
+            .rev()
+            .fold(0, |all, &byte| all << 8 | u32::from(byte))
     }
 
     #[inline]
