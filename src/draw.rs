@@ -5,11 +5,12 @@ use core::marker::PhantomData;
 use crate::geometry::{self, ClipVertex, Cull, Element, Index, Projected, Projector};
 use crate::interpolate::{Exact, Interpolate};
 use crate::linear::Transform;
+use crate::number::Subpixel;
 use crate::raster::{self, Triangle, Window};
 use crate::shade::Fragment;
 use crate::target::{Canvas, DepthBuffer, Storage};
 use crate::view::{Chain, Kind, Viewport};
-use crate::{Face, Mesh, Vertex};
+use crate::{Face, Mesh, Vec3, Vertex};
 
 /// How a draw call is to be done: which faces are culled, where on the canvas, by which mode.
 ///
@@ -153,6 +154,32 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         call.drawn
     }
 
+    /// Where a point of model space comes to lie, to the last bit as when it is drawn; `None` if it
+    /// is nearer than the near plane, beyond the far plane or more than 2048 pixels from the
+    /// viewport's centre. It may be outside the viewport.
+    ///
+    /// For a label beside a thing, or a touch upon it.
+    #[must_use]
+    pub fn project<I, K: Kind>(
+        &self,
+        pass: &Pass<I>,
+        chain: &Chain<K>,
+        point: Vec3,
+    ) -> Option<Place> {
+        let viewport = pass.viewport.unwrap_or(Viewport::whole(self.frame_size()));
+        let projector = Projector::new(&chain.projection, &chain.model_view(), &viewport);
+        let at = projector.project(projector.clip_position(point));
+        if at.outside != 0 {
+            return None;
+        }
+        let [x, y] = at.screen.map(Subpixel::from_bits);
+        Some(Place {
+            x,
+            y,
+            depth: (at.q >> projector.depth_shift(at.exponent)) as u16,
+        })
+    }
+
     /// Draws a mesh's positions as points, one pixel each.
     pub fn draw_points<I: Interpolate, K: Kind, F: Fragment<N, Color = C>, const N: usize>(
         &mut self,
@@ -171,6 +198,30 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         }
         call.drawn
     }
+}
+
+/// Where a point of model space is on the screen.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use fixel::prelude::*;
+/// let mut pixels = [Gray8::new(0); 64];
+/// let canvas = Canvas::new(&mut pixels, 8, 8)?;
+/// let lens = Projection::perspective(Angle::from_degrees(90), (1, 1), fx!(0.5), fx!(10))?;
+/// let place = canvas.project(&Pass::new(), &(lens * Transform::IDENTITY), vec3!(0.5, 1, -2)).unwrap();
+/// assert_eq!((place.x.to_num(), place.y.to_num()), (5, 2));
+/// assert_eq!(place.depth, 65535 / 4);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// Columns from the frame's left edge, to the nearest 1/256: a pixel's centre is half a column
+    /// from its edges.
+    pub x: Subpixel,
+    /// Rows from the frame's top edge.
+    pub y: Subpixel,
+    /// Depth as it would be stored.
+    pub depth: u16,
 }
 
 /// What is the same for all of a draw call.
@@ -197,7 +248,7 @@ impl<'m, K: Kind, F> Call<'m, K, F> {
     {
         let size = canvas.frame_size();
         let viewport = pass.viewport.unwrap_or(Viewport::whole(size));
-        let view = chain.camera * chain.model;
+        let view = chain.model_view();
         let [columns, rows] = viewport.pixels();
         let meet = |a: core::ops::Range<i32>, start: u32, end: u32| {
             a.start.max(start.cast_signed())..a.end.min(end.cast_signed())

@@ -18,7 +18,7 @@ mod time;
 pub mod view;
 
 pub use angle::Angle;
-pub use draw::{Drawn, Pass};
+pub use draw::{Drawn, Pass, Place};
 pub use error::Error;
 pub use geometry::{Cull, Face, Index, Mesh, Vertex};
 pub use linear::{Matrix4, Transform, Vec2, Vec3};

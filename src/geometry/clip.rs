@@ -96,9 +96,8 @@ fn cut<K: Kind, const N: usize>(
 ) -> ClipVertex<N> {
     // The fraction of the way, inner / (inner - outer), in units of 2^-31 and rounded down.
     let (inner, outer) = (inner.max(0).unsigned_abs(), outer.unsigned_abs());
-    let sum = (inner >> 1) + (outer >> 1) | 1;
+    let sum = ((inner >> 1) + (outer >> 1)) | 1;
     let up = sum.leading_zeros();
-    #[allow(clippy::cast_possible_truncation)] // the upper halves
     let (part, whole) = ((inner >> 1 << up >> 32) as u32, (sum << up >> 32) as u32);
     let fraction = ((u64::from(part) * u64::from(reciprocal(whole))) >> 32)
         .min((1 << 31) - 1)
@@ -108,12 +107,11 @@ fn cut<K: Kind, const N: usize>(
     for (from, to) in position.iter_mut().zip(outside.position) {
         let way = to.saturating_sub(*from);
         // The fraction of 64 bits, from the halves; below 2^63 as the fraction is below 2^31.
-        *from += ((way >> 32) * fraction << 1) + ((way & 0xffff_ffff) * fraction >> 31);
+        *from += (((way >> 32) * fraction) << 1) + (((way & 0xffff_ffff) * fraction) >> 31);
     }
     let mut varyings = inside.varyings;
     for (from, to) in varyings.iter_mut().zip(outside.varyings) {
         let way = i64::from(to) - i64::from(*from);
-        #[allow(clippy::cast_possible_truncation)] // between the two
         {
             *from += ((way * fraction) >> 31) as i32;
         }

@@ -133,7 +133,6 @@ impl<K: Kind> Projector<K> {
             let ([scale], scale_exp) = block::normalise(linear.0, linear.1);
             let ([offset], offset_exp) = block::normalise(offset.0, offset.1);
             let exp = scale_exp.min(offset_exp);
-            #[allow(clippy::cast_possible_truncation)] // shifted down from 30 bits
             let at = |m: i32, from: i32| block::shift(i64::from(m), exp - from) as i32;
             (
                 Row {
@@ -168,7 +167,6 @@ impl<K: Kind> Projector<K> {
             .fold(40, i32::min)
             .max(-16);
         let fraction = exp + 16;
-        #[allow(clippy::cast_possible_truncation)] // clamped
         let rows = lines.each_ref().map(
             |Line {
                  linear: (m, from), ..
@@ -282,24 +280,23 @@ impl<K: Kind> Projector<K> {
 
     /// A position of clip space that is inside on the screen, such as a corner of a clipped polygon.
     #[inline]
-    #[allow(clippy::cast_possible_truncation)] // each is shifted to its width
     pub(crate) fn project_inside(&self, position: ClipPosition) -> Projected {
         let [x, y, t] = position;
         let (screen, q, exponent) = if K::PERSPECTIVE {
             // t is positive and below 2^62. With t' = t · 2^up / 2^32 of 32 bits and x' a quarter
             // so large, x / t = x' · r / 2^61.
             let up = (t | 1).leading_zeros();
-            let r = reciprocal((t << up >> 32) as u32);
+            let r = reciprocal((t.cast_unsigned() << up >> 32) as u32);
             let on_screen = |x: i64| {
                 let product = (x << (up.max(2) - 2) >> 32) * i64::from(r);
-                (product + (1 << (60 - GUARD_BITS)) >> (61 - GUARD_BITS)) as i32
+                ((product + (1 << (60 - GUARD_BITS))) >> (61 - GUARD_BITS)) as i32
             };
             ([on_screen(x), on_screen(y)], r >> 1, up.cast_signed())
         } else {
             let down = GUARD_BITS.cast_signed() - self.fraction;
             let on_screen = |x: i64| block::shift(x, down) as i32;
             let q = block::shift(t, 31 - self.fraction);
-            ([on_screen(x), on_screen(y)], q as u32, 0)
+            ([on_screen(x), on_screen(y)], q.cast_unsigned() as u32, 0)
         };
         let [cx, cy] = self.center;
         Projected {

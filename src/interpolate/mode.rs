@@ -54,7 +54,6 @@ fn divide<const N: usize>(run: &Run<N>) -> [i32; N] {
     for ((value, p), bits) in varyings.iter_mut().zip(run.p).zip(run.bits) {
         // With q' = q << up and p' = p << up: |p'| ≤ q'/2 < 2^31, r = 2^63 / q', so p' · r ≤ 2^62
         // is p/q in units of 2^-63; half of that product has p/q · 2^32 in its upper 32 bits.
-        #[allow(clippy::cast_possible_truncation)]
         let fraction = ((i64::from(p << up) * r) >> 31) as i32;
         *value = fraction >> (32 - bits);
     }

@@ -73,7 +73,6 @@ impl Slope {
     fn with(sides: [[i32; 2]; 2], [x, y]: [i32; 2], area: u64) -> Self {
         let zeros = (area | 1).leading_zeros().cast_signed();
         let shift = 32 - zeros;
-        #[allow(clippy::cast_possible_truncation)] // the upper half
         let area = (area << zeros >> 32) as u32;
         Self {
             sides,
@@ -130,10 +129,8 @@ impl Slope {
         // numerator · inverse / 2^63, from the halves of the numerator.
         let inverse = self.inverse as i64;
         let high = (numerator >> 32) * inverse;
-        let low = ((numerator & 0xffff_ffff) as u64 * self.inverse as u64 >> 32).cast_signed();
-        #[allow(clippy::cast_possible_truncation)]
-        {
-            ((high.wrapping_add(low).wrapping_add(1 << 30)) >> 31) as i32
-        }
+        let low =
+            ((numerator.cast_unsigned() as u32 as u64 * self.inverse as u64) >> 32).cast_signed();
+        ((high.wrapping_add(low).wrapping_add(1 << 30)) >> 31) as i32
     }
 }

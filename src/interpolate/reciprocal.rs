@@ -18,7 +18,6 @@ pub const fn reciprocal(q: u32) -> u32 {
 
 const TOP: u32 = 1 << 31;
 
-#[allow(clippy::cast_possible_truncation)] // 2^63 / 2^31 is 2^32, less one in the numerator
 const fn by_division(q: u32) -> u32 {
     (((1 << 63) - 1) / (q | TOP) as u64) as u32
 }

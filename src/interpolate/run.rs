@@ -73,10 +73,7 @@ impl<const N: usize, const CORNERS: usize> Weighted<N, CORNERS> {
             for ((p, value), weight) in p.iter_mut().zip(values).zip(weights) {
                 let product = i64::from(value) * i64::from(weight);
                 // |value| ≤ 2^(bits-1), so the quotient is at most half the weight; the half makes it the nearest.
-                #[allow(clippy::cast_possible_truncation)]
-                {
-                    *p = ((product + (1 << *bits >> 1)) >> *bits) as i32;
-                }
+                *p = ((product + (1 << *bits >> 1)) >> *bits) as i32;
             }
         }
         weighted

@@ -135,7 +135,6 @@ where
     #[inline]
     fn visible(&mut self, cell: &Cell<'_, 'd, F::Color, O, D>, q: u32) -> bool {
         self.sample.point.x += 1;
-        #[allow(clippy::cast_possible_truncation)] // 31 bits shifted by 15 and more
         {
             self.sample.depth = (q >> self.depth_shift) as u16;
         }

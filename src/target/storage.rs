@@ -47,10 +47,10 @@ impl<C: PixelColor> Storage<C> for Native {
 /// The bytes of a pixel: `[u8; N]`, as a number and as part of a slice.
 pub trait Bytes: Copy {
     /// The number that these bytes are, the first being the most significant.
-    fn from_be(self) -> u32;
+    fn be_number(self) -> u32;
 
     /// The number that these bytes are, the first being the least significant.
-    fn from_le(self) -> u32;
+    fn le_number(self) -> u32;
 
     /// The bytes of a slice of pixels, without a copy.
     fn flatten(cells: &[Self]) -> &[u8];
@@ -58,12 +58,12 @@ pub trait Bytes: Copy {
 
 impl<const N: usize> Bytes for [u8; N] {
     #[inline]
-    fn from_be(self) -> u32 {
+    fn be_number(self) -> u32 {
         self.iter().fold(0, |all, &byte| all << 8 | u32::from(byte))
     }
 
     #[inline]
-    fn from_le(self) -> u32 {
+    fn le_number(self) -> u32 {
         self.iter()
             .rev()
             .fold(0, |all, &byte| all << 8 | u32::from(byte))
@@ -88,7 +88,7 @@ where
 
     #[inline]
     fn load(cell: C::Bytes) -> C {
-        C::Raw::from_u32(cell.from_be()).into()
+        C::Raw::from_u32(cell.be_number()).into()
     }
 }
 
@@ -105,6 +105,6 @@ where
 
     #[inline]
     fn load(cell: C::Bytes) -> C {
-        C::Raw::from_u32(cell.from_le()).into()
+        C::Raw::from_u32(cell.le_number()).into()
     }
 }
