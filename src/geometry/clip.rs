@@ -112,9 +112,7 @@ fn cut<K: Kind, const N: usize>(
     let mut varyings = inside.varyings;
     for (from, to) in varyings.iter_mut().zip(outside.varyings) {
         let way = i64::from(to) - i64::from(*from);
-        {
-            *from += ((way * fraction) >> 31) as i32;
-        }
+        *from += ((way * fraction) >> 31) as i32;
     }
     ClipVertex {
         position: projector.onto(position, plane),

@@ -135,9 +135,8 @@ where
     #[inline]
     fn visible(&mut self, cell: &Cell<'_, 'd, F::Color, O, D>, q: u32) -> bool {
         self.sample.point.x += 1;
-        {
-            self.sample.depth = (q >> self.depth_shift) as u16;
-        }
+        // 31 bits shifted down by 15 or more.
+        self.sample.depth = (q >> self.depth_shift) as u16;
         D::passes(&cell.depth, self.sample.depth)
     }
 
