@@ -81,21 +81,18 @@ pub fn interpolate<const N: usize>(
     let inverse = |i: usize| 1. / w[i];
     let d = sum(&weights.value, &inverse);
     let (d_dx, d_dy) = (sum(&weights.dx, &inverse), sum(&weights.dy, &inverse));
-    let mut value = Value {
+    let over_w = |k: usize| move |i: usize| attributes[i][k] / w[i];
+    let a: [f64; N] = std::array::from_fn(|k| sum(&weights.value, &over_w(k)) / d);
+    let change = |weights: &[f64; 3], change_of_d: f64| {
+        std::array::from_fn(|k| (sum(weights, &over_w(k)) - a[k] * change_of_d) / d)
+    };
+    Value {
         w: 1. / d,
         inverse_w_gradient: [d_dx, d_dy],
-        attributes: [0.; N],
-        dx: [0.; N],
-        dy: [0.; N],
-    };
-    for k in 0..N {
-        let over_w = |i: usize| attributes[i][k] / w[i];
-        let a = sum(&weights.value, &over_w) / d;
-        value.attributes[k] = a;
-        value.dx[k] = (sum(&weights.dx, &over_w) - a * d_dx) / d;
-        value.dy[k] = (sum(&weights.dy, &over_w) - a * d_dy) / d;
+        attributes: a,
+        dx: change(&weights.dx, d_dx),
+        dy: change(&weights.dy, d_dy),
     }
-    value
 }
 
 /// The value at a pixel's centre for snapped corners (24.8); `None` for a triangle without area.

@@ -101,7 +101,7 @@ pub fn area2_f64(t: &Corners) -> f64 {
 
 /// Whether an edge of a triangle that runs clockwise on the screen owns the centres on it: a top
 /// edge runs right, a left edge runs up.
-fn is_top_left<T: PartialOrd>(a: [T; 2], b: [T; 2]) -> bool {
+fn is_top_left<T: PartialOrd>(a: &[T; 2], b: &[T; 2]) -> bool {
     b[1] < a[1] || (b[1] == a[1] && b[0] > a[0])
 }
 
@@ -117,7 +117,7 @@ pub fn covers(t: Snapped, pixel: [i32; 2]) -> bool {
     [(a, b), (b, c), (c, a)]
         .into_iter()
         .all(|(from, to)| match edge(from, to, p) {
-            0 => is_top_left(from, to),
+            0 => is_top_left(&from, &to),
             e => e > 0,
         })
 }
@@ -138,7 +138,7 @@ pub fn covers_f64(t: &Corners, p: [f64; 2]) -> bool {
         let (low, high) = if swap { (to, from) } else { (from, to) };
         let e = area2_f64(&[low, high, p]);
         let e = if swap { -e } else { e };
-        e > 0. || (e == 0. && is_top_left(from, to))
+        e > 0. || (e == 0. && is_top_left(&from, &to))
     })
 }
 

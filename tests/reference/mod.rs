@@ -19,6 +19,7 @@
 //! | `attributes` | perspective-correct values and their gradients at a point |
 //! | `raster` | a mesh to a picture: every surface at every pixel |
 //! | `lines` | values along a projected segment |
+//! | `scenes` | the measured scenes |
 
 // Each test binary includes the model and uses a part of it.
 #![allow(dead_code)]
@@ -36,5 +37,6 @@ pub mod linear;
 pub mod lines;
 pub mod projection;
 pub mod raster;
+pub mod scenes;
 pub mod silhouette;
 pub mod view;

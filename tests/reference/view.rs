@@ -30,8 +30,8 @@ impl Viewport {
     /// NDC −1..1 to pixels: x from the left, y from the top.
     pub fn screen(&self, ndc: [f64; 2]) -> [f64; 2] {
         [
-            f64::from(self.x) + (1. + ndc[0]) / 2. * f64::from(self.width),
-            f64::from(self.y) + (1. - ndc[1]) / 2. * f64::from(self.height),
+            f64::from(self.x) + (0.5 + ndc[0] / 2.) * f64::from(self.width),
+            f64::from(self.y) + (0.5 - ndc[1] / 2.) * f64::from(self.height),
         ]
     }
 }

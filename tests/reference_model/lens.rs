@@ -41,7 +41,7 @@ fn a_frustum_is_a_product() {
         &straight,
         &linear::product(&[
             linear::scale([2. / (r - l), 2. / (t - b), -2. / (f - n)]),
-            linear::translate([-(l + r) / 2., -(b + t) / 2., (n + f) / 2.]),
+            linear::translate([-(l + r) / 2., -(b + t) / 2., f64::midpoint(n, f)]),
         ]),
     );
     close_matrix(
