@@ -23,7 +23,7 @@ pub trait Interpolate {
 /// Perspective-correct at every pixel, by the exact [`reciprocal`] of 1/w.
 ///
 /// No pixel depends on one before it. Given the run's values, an attribute is rounded down to its
-/// unit; the reciprocal adds less than 2⁻³¹ of it.
+/// unit; the reciprocal adds less than 2⁻³⁰ of it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Exact;
 
@@ -49,15 +49,23 @@ impl Interpolate for Exact {
 #[inline]
 fn divide<const N: usize>(run: &Run<N>) -> [i32; N] {
     let up = (run.q | 1).leading_zeros();
-    let r = i64::from(reciprocal(run.q << up));
+    let r = i64::from(reciprocal(run.q << up >> 1));
     let mut varyings = [0; N];
     for ((value, p), bits) in varyings.iter_mut().zip(run.p).zip(run.bits) {
-        // With q' = q << up and p' = p << up: |p'| ≤ q'/2 < 2^31, r = 2^63 / q', so p' · r ≤ 2^62
-        // is p/q in units of 2^-63; half of that product has p/q · 2^32 in its upper 32 bits.
-        let fraction = ((i64::from(p << up) * r) >> 31) as i32;
-        *value = fraction >> (32 - bits);
+        // p' = p << up is at most half of q' = q << up, so below 2^31, and r = 2^62 / q': p' · r is
+        // p/q in units of 2^-62, and its upper half p/q in units of 2^-30.
+        let fraction = ((i64::from(p << up) * r) >> 32) as i32;
+        *value = scale(fraction, bits);
     }
     varyings
+}
+
+/// A fraction in units of 2^-30, times 2^`bits`.
+///
+/// Interpolants have 30 bits, so nothing is lost where values of more are shifted up again.
+#[inline]
+const fn scale(fraction: i32, bits: u32) -> i32 {
+    (fraction >> 30u32.saturating_sub(bits)) << bits.saturating_sub(30)
 }
 
 /// Linear on the screen: exact under a parallel projection, which always takes this mode.
@@ -79,8 +87,7 @@ impl Interpolate for Linear {
             if pixels.visible(&cell, run.q) {
                 let mut varyings = [0; N];
                 for ((value, p), bits) in varyings.iter_mut().zip(run.p).zip(run.bits) {
-                    // p is value · 2^(30 - bits); only values of 30 bits and more are shifted up.
-                    *value = (p >> 30u32.saturating_sub(bits)) << bits.saturating_sub(30);
+                    *value = scale(p, bits);
                 }
                 pixels.shade(cell, run.q, varyings);
             }

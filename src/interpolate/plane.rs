@@ -43,7 +43,10 @@ pub(crate) struct Slope {
     origin: [i32; 2],
     /// Bits by which numerators are shifted down; up if negative.
     shift: i32,
-    /// Twice the area in 32 bits, the top one set, and its reciprocal.
+    /// Twice the area in 32 bits, the top one set, and its reciprocal, 2⁶² / area.
+    ///
+    /// The area's last bit is left out of it. That is one error for all interpolants of a triangle,
+    /// so their quotients do not know it.
     area: u32,
     inverse: u32,
 }
@@ -80,7 +83,7 @@ impl Slope {
             origin: [x >> 8, y >> 8],
             shift,
             area,
-            inverse: reciprocal(area),
+            inverse: reciprocal(area >> 1),
         }
     }
 
@@ -126,11 +129,11 @@ impl Slope {
     /// numerator / area, to the nearest, for numerators of values within ±2³¹; others wrap.
     #[inline]
     pub(crate) const fn value(&self, numerator: i64) -> i32 {
-        // numerator · inverse / 2^63, from the halves of the numerator.
+        // numerator · inverse / 2^62, from the halves of the numerator.
         let inverse = self.inverse as i64;
         let high = (numerator >> 32) * inverse;
         let low =
             ((numerator.cast_unsigned() as u32 as u64 * self.inverse as u64) >> 32).cast_signed();
-        ((high.wrapping_add(low).wrapping_add(1 << 30)) >> 31) as i32
+        ((high.wrapping_add(low).wrapping_add(1 << 29)) >> 30) as i32
     }
 }
