@@ -260,10 +260,16 @@ impl<K: Kind> Projector<K> {
 
     /// A bit for each plane that a position is outside of.
     #[inline]
-    fn outside(&self, position: ClipPosition) -> u8 {
-        (0..6).fold(0, |all, plane| {
-            all | u8::from(Self::is_outside(self.distance(position, plane), plane)) << plane
-        })
+    fn outside(&self, [x, y, t]: ClipPosition) -> u8 {
+        // As `is_outside` of each distance, without the differences: w is below 2^62.
+        let far = self.w(t) + SIDE_TOLERANCE;
+        let bit = |outside: bool, plane: u32| u8::from(outside) << plane;
+        bit(t < self.range[0], 0)
+            | bit(t > self.range[1], 1)
+            | bit(x < -far, 2)
+            | bit(x > far, 3)
+            | bit(y < -far, 4)
+            | bit(y > far, 5)
     }
 
     /// A position of clip space on the screen.

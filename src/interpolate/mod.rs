@@ -13,5 +13,5 @@ mod run;
 pub use mode::{Exact, Interpolate, Linear};
 pub(crate) use plane::{Plane, Slope};
 pub use reciprocal::reciprocal;
-pub use run::{Pixels, Run};
+pub use run::{Pixels, Run, Scale, Steps};
 pub(crate) use run::{RUN, Weighted};

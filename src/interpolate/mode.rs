@@ -1,7 +1,7 @@
 //! The interpolation modes: how attributes are recovered along a run.
 
 use super::reciprocal::reciprocal;
-use super::run::{Pixels, Run};
+use super::run::{Pixels, Run, Scale, Steps};
 
 /// A way to recover the attributes along a run of pixels.
 ///
@@ -12,9 +12,10 @@ pub trait Interpolate {
     /// Whether attributes are divided by 1/w; otherwise [`Run::p`] carries them alone, times 2³⁰.
     const PERSPECTIVE: bool;
 
-    /// Draws `pixels` along `run`.
+    /// Draws the pixels of `cells` from `run` on.
     fn run<T, const N: usize>(
         run: Run<N>,
+        steps: &Steps<N>,
         cells: impl Iterator<Item = T>,
         pixels: &mut impl Pixels<T, N>,
     );
@@ -33,39 +34,33 @@ impl Interpolate for Exact {
     #[inline]
     fn run<T, const N: usize>(
         mut run: Run<N>,
+        steps: &Steps<N>,
         cells: impl Iterator<Item = T>,
         pixels: &mut impl Pixels<T, N>,
     ) {
         for cell in cells {
             if pixels.visible(&cell, run.q) {
-                pixels.shade(cell, run.q, divide(&run));
+                pixels.shade(cell, run.q, divide(&run, &steps.scale));
             }
-            run.step();
+            run.step(steps);
         }
     }
 }
 
 /// The attributes at the run's present pixel: p / q · 2^bits, rounded down.
 #[inline]
-fn divide<const N: usize>(run: &Run<N>) -> [i32; N] {
+fn divide<const N: usize>(run: &Run<N>, scale: &[Scale; N]) -> [i32; N] {
     let up = (run.q | 1).leading_zeros();
-    let r = i64::from(reciprocal(run.q << up >> 1));
+    // Of 31 bits, so the product is one of signed numbers.
+    let r = i64::from(reciprocal((run.q << up) >> 1).cast_signed());
     let mut varyings = [0; N];
-    for ((value, p), bits) in varyings.iter_mut().zip(run.p).zip(run.bits) {
+    for ((value, p), scale) in varyings.iter_mut().zip(run.p).zip(scale) {
         // p' = p << up is at most half of q' = q << up, so below 2^31, and r = 2^62 / q': p' · r is
         // p/q in units of 2^-62, and its upper half p/q in units of 2^-30.
         let fraction = ((i64::from(p << up) * r) >> 32) as i32;
-        *value = scale(fraction, bits);
+        *value = scale.restore(fraction);
     }
     varyings
-}
-
-/// A fraction in units of 2^-30, times 2^`bits`.
-///
-/// Interpolants have 30 bits, so nothing is lost where values of more are shifted up again.
-#[inline]
-const fn scale(fraction: i32, bits: u32) -> i32 {
-    (fraction >> 30u32.saturating_sub(bits)) << bits.saturating_sub(30)
 }
 
 /// Linear on the screen: exact under a parallel projection, which always takes this mode.
@@ -80,18 +75,19 @@ impl Interpolate for Linear {
     #[inline]
     fn run<T, const N: usize>(
         mut run: Run<N>,
+        steps: &Steps<N>,
         cells: impl Iterator<Item = T>,
         pixels: &mut impl Pixels<T, N>,
     ) {
         for cell in cells {
             if pixels.visible(&cell, run.q) {
                 let mut varyings = [0; N];
-                for ((value, p), bits) in varyings.iter_mut().zip(run.p).zip(run.bits) {
-                    *value = scale(p, bits);
+                for ((value, p), scale) in varyings.iter_mut().zip(run.p).zip(steps.scale) {
+                    *value = scale.restore(p);
                 }
                 pixels.shade(cell, run.q, varyings);
             }
-            run.step();
+            run.step(steps);
         }
     }
 }

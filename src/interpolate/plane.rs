@@ -48,7 +48,7 @@ pub(crate) struct Slope {
     /// The area's last bit is left out of it. That is one error for all interpolants of a triangle,
     /// so their quotients do not know it.
     area: u32,
-    inverse: u32,
+    inverse: i32,
 }
 
 impl Slope {
@@ -83,7 +83,7 @@ impl Slope {
             origin: [x >> 8, y >> 8],
             shift,
             area,
-            inverse: reciprocal(area >> 1),
+            inverse: reciprocal(area >> 1).cast_signed(),
         }
     }
 
@@ -96,7 +96,7 @@ impl Slope {
     /// The plane through the values at the three corners, each within ±2³¹, apart by less than 2³¹.
     #[inline]
     pub(crate) fn plane(&self, [a, b, c]: [i32; 3]) -> Plane {
-        let (b, c) = (i64::from(b) - i64::from(a), i64::from(c) - i64::from(a));
+        let (b, c) = (i64::from(b.wrapping_sub(a)), i64::from(c.wrapping_sub(a)));
         let [[bx, by], [cx, cy]] = self.sides.map(|side| side.map(i64::from));
         // Differences take 31 bits and a sign, sides 20: with the sum 52 bits, by 256 60.
         let dx = b * cy - c * by;
@@ -132,8 +132,7 @@ impl Slope {
         // numerator · inverse / 2^62, from the halves of the numerator.
         let inverse = self.inverse as i64;
         let high = (numerator >> 32) * inverse;
-        let low =
-            ((numerator.cast_unsigned() as u32 as u64 * self.inverse as u64) >> 32).cast_signed();
+        let low = (numerator.cast_unsigned() as u32 as i64 * inverse) >> 32;
         ((high.wrapping_add(low).wrapping_add(1 << 29)) >> 30) as i32
     }
 }

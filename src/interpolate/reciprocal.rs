@@ -8,7 +8,7 @@
 ///
 /// ```
 /// use fixel::interpolate::reciprocal;
-/// assert_eq!(reciprocal(3 << 29), (1 << 32) / 3);
+/// assert_eq!(reciprocal(3 << 29), 0x5555_5555); // 2^61 / (3 · 2^29)
 /// ```
 #[inline]
 #[must_use]
@@ -30,14 +30,14 @@ const fn by_division(q: u32) -> u32 {
 const fn by_newton(q: u32) -> u32 {
     // q to the nearest 16 bits, off by at most 2^-16 of itself where it is least.
     let coarse = (q >> 15 | 1 << 15) + (q >> 14 & 1);
-    // 2^32 / coarse, 17 bits, in the middle of its last unit: off by 2^-18 where coarse is least,
-    // 2^-17 where it is greatest.
-    let seed = (u32::MAX / coarse) << 14 | 1 << 13;
+    // 2^33 / coarse, 18 bits, in the middle of 17: off by 2^-18 where coarse is least, by 2^-17
+    // where it is greatest.
+    let seed = u32::MAX / coarse << 1 | 1;
     // Together less than 1.25 * 2^-16; a Newton step squares that, to less than 0.8 units of the
-    // result and never above it. The residual stays under 2^46.
-    let residual = (1i64 << 61) - (seed as i64 * q as i64);
-    let step = (seed as i64 * (residual >> 15)) >> 46;
-    let r = (seed as i64 + step) as u32;
+    // result and never above it. seed * q is 2^48 but for less than 2^33, so modulo 2^34 will do.
+    let residual = !((seed as u64 * q as u64) >> 2) as u32 as i32;
+    let seed = (seed << 13).cast_signed();
+    let r = (seed + ((seed as i64 * residual as i64) >> 46) as i32).cast_unsigned();
     // Rounded down, r is right or one short. The remainder is then below 2q < 2^32, and need not
     // be known but modulo that.
     let remainder = !r.wrapping_mul(q);
