@@ -112,6 +112,16 @@ pub(crate) const fn fixed(value: i64, exp: i32, fraction: i32) -> i32 {
     }
 }
 
+/// The quotient rounded to nearest, half away from zero; `None` if the denominator is zero or the quotient
+/// needs more than 32 bits. For magnitudes below 2^62.
+pub(crate) fn divide(numerator: i64, denominator: i64) -> Option<i32> {
+    if denominator == 0 {
+        return None;
+    }
+    let half = denominator.abs() / 2 * numerator.signum();
+    i32::try_from((numerator + half) / denominator).ok()
+}
+
 /// `numerator / denominator` as a number and its exponent, to 33 significant bits rounded down;
 /// the denominator is taken for its magnitude, and zero for the smallest there is.
 ///

@@ -301,3 +301,6 @@ impl Mul for Transform {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -83,7 +83,7 @@ impl Camera {
     /// With an orthographic projection and angles that are all different, this is a trimetric view.
     #[must_use]
     pub fn trimetric(target: Vec3, distance: Scalar, turn: Angle, tilt: Angle) -> Self {
-        let back = Vec3::new(Scalar::ZERO, Scalar::ZERO, -distance);
+        let back = Vec3::new(Scalar::ZERO, Scalar::ZERO, distance.saturating_neg());
         Self {
             view: Transform::translate(back)
                 * Transform::rotate_x(tilt)
@@ -120,5 +120,92 @@ impl Camera {
     #[must_use]
     pub fn top(target: Vec3, distance: Scalar) -> Self {
         Self::trimetric(target, distance, Angle::ZERO, Angle::QUARTER)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+        core::array::from_fn(|i| a[i] - b[i])
+    }
+
+    fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|i| a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3])
+    }
+
+    fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+        a.iter().zip(b).map(|(a, b)| a * b).sum()
+    }
+
+    fn length(v: [f64; 3]) -> f64 {
+        dot(v, v).sqrt()
+    }
+
+    fn real(v: [i32; 3]) -> [f64; 3] {
+        v.map(|v| f64::from(v) / 65_536.0)
+    }
+
+    fn points() -> impl Strategy<Value = [i32; 3]> {
+        (any::<[i32; 3]>(), 0_u32..32).prop_map(|(v, cut)| v.map(|v| v >> cut))
+    }
+
+    proptest! {
+        #[test]
+        fn look_at_is_good_to_28_bits(eye in points(), target in points(), up in points()) {
+            let camera = Camera::look_at(Vec3::from_bits(eye), Vec3::from_bits(target), Vec3::from_bits(up));
+            let (e, u) = (real(eye), real(up));
+            let back = sub(e, real(target));
+            let sine = length(cross(u, back)) / (length(u) * length(back));
+            match camera {
+                Err(Error::EyeAtTarget) => prop_assert_eq!(eye, target),
+                Err(error) => {
+                    prop_assert_eq!(error, Error::UpAlongView);
+                    // 2^-20, as the largest components are between 2^29 and 2^30.
+                    prop_assert!(up == [0; 3] || sine < 8e-6, "{}", sine);
+                }
+                Ok(camera) => {
+                    prop_assert!(sine > 5e-7, "{}", sine);
+                    let k = back.map(|v| v / length(back));
+                    let side = cross(u, k);
+                    let i = side.map(|v| v / length(side));
+                    let j = cross(k, i);
+                    let view = camera.view();
+                    let (unit, scale) = (f64::from(-28).exp2(), f64::from(-view.linear_exp).exp2());
+                    for (row, (axis, noise)) in view.linear.iter().zip([
+                        // Operands of 30 bits, whose error the sine of a small angle magnifies.
+                        (i, unit / sine), (j, unit / sine), (k, 0.0)
+                    ]) {
+                        for (m, v) in row.iter().zip(axis) {
+                            let error = (f64::from(*m) * scale - v).abs();
+                            prop_assert!(error <= 1.5 * unit + noise, "{:e}", error);
+                        }
+                    }
+                    let origin = view.point(Vec3::from_bits(eye));
+                    // The translation is good to 30 bits of the largest coordinate.
+                    let slack = 1.0 + length(e) * 65_536.0 * f64::from(-28).exp2();
+                    for v in origin.to_bits() {
+                        prop_assert!(f64::from(v).abs() <= slack, "{:?}", origin);
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn useless_cameras_are_refused() {
+        let (eye, target) = (Vec3::from_ints(1, 2, 3), Vec3::from_ints(4, 6, 8));
+        assert_eq!(Camera::look_at(eye, eye, Vec3::Y), Err(Error::EyeAtTarget));
+        for up in [
+            Vec3::ZERO,
+            target - eye,
+            (eye - target) * Scalar::lit("0.3"),
+        ] {
+            assert_eq!(Camera::look_at(eye, target, up), Err(Error::UpAlongView));
+        }
+        let off = target - eye + Vec3::from_bits([6, 0, 0]);
+        assert!(Camera::look_at(eye, target, off).is_ok());
     }
 }

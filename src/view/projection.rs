@@ -297,15 +297,7 @@ impl Projection<Perspective> {
 
 /// −near · value / z, rounded to nearest, half away from zero.
 fn on_plane(near: Scalar, value: Scalar, z: Scalar) -> Option<Scalar> {
-    let (top, bottom) = (bits(near) * bits(value), -bits(z));
-    if bottom == 0 {
-        return None;
-    }
-    // Below 2^62 and 2^32.
-    let half = bottom.abs() / 2 * top.signum();
-    i32::try_from((top + half) / bottom)
-        .ok()
-        .map(Scalar::from_bits)
+    block::divide(bits(near) * bits(value), -bits(z)).map(Scalar::from_bits)
 }
 
 impl Projection<Parallel> {
@@ -494,3 +486,6 @@ impl<K: Kind> Projection<K> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;
