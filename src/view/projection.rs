@@ -3,6 +3,7 @@
 use core::marker::PhantomData;
 
 use super::Aspect;
+use crate::interpolate::{Interpolate, Linear};
 use crate::linear::block;
 use crate::number::Unit;
 use crate::{Angle, Error, Matrix4, Scalar, Vec3};
@@ -15,6 +16,9 @@ mod sealed {
 pub trait Kind: sealed::Sealed + Copy + core::fmt::Debug {
     /// Whether the picture shrinks with distance.
     const PERSPECTIVE: bool;
+
+    /// The way attributes are interpolated when a draw call asks for `I`.
+    type Mode<I: Interpolate>: Interpolate;
 }
 
 /// Lines of sight meet in the eye: what is far is small.
@@ -30,10 +34,12 @@ impl sealed::Sealed for Parallel {}
 
 impl Kind for Perspective {
     const PERSPECTIVE: bool = true;
+    type Mode<I: Interpolate> = I;
 }
 
 impl Kind for Parallel {
     const PERSPECTIVE: bool = false;
+    type Mode<I: Interpolate> = Linear;
 }
 
 /// A row of a projection matrix: coefficients of eye space's x, y, z and 1.

@@ -1,5 +1,9 @@
 //! The part of a canvas that a picture fills.
 
+use core::ops::Range;
+
+use embedded_graphics::geometry::Size;
+
 use crate::Error;
 
 /// A rectangle of pixels that normalised device coordinates are spread over.
@@ -69,5 +73,36 @@ impl Viewport {
     #[must_use]
     pub const fn height(&self) -> u32 {
         self.height
+    }
+
+    /// The viewport that is all of a frame.
+    pub(crate) const fn whole(frame: Size) -> Self {
+        Self {
+            x: 0,
+            y: 0,
+            width: frame.width,
+            height: frame.height,
+        }
+    }
+
+    /// Width and height in pixels.
+    pub(crate) const fn size(&self) -> [u32; 2] {
+        [self.width, self.height]
+    }
+
+    /// The point that the view's axis goes through, in units of 1/256 pixel.
+    pub(crate) const fn center(&self) -> [i32; 2] {
+        [
+            self.x * 256 + self.width.cast_signed() * 128,
+            self.y * 256 + self.height.cast_signed() * 128,
+        ]
+    }
+
+    /// The columns and rows that it covers.
+    pub(crate) const fn pixels(&self) -> [Range<i32>; 2] {
+        [
+            self.x..self.x + self.width.cast_signed(),
+            self.y..self.y + self.height.cast_signed(),
+        ]
     }
 }
