@@ -104,7 +104,7 @@ impl Segment {
 }
 
 /// The velocity on the near plane of a point that moves through eye space along `point` + t · `velocity`:
-/// −n·(v·P_z − P·v_z) / (P_z + v_z·t)² for x and y, rounded to nearest.
+/// −n·(vₓ·Pz − Pₓ·vz) / (Pz + vz·t)², and likewise for y, rounded to nearest.
 ///
 /// `None` where the point is not ahead of the eye, and if the speed is beyond the format.
 ///

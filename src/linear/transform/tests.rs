@@ -1,4 +1,5 @@
 //! Transforms against their mathematics in f64.
+#![allow(clippy::needless_range_loop)] // formulas with indices
 
 use super::*;
 use core::f64::consts::TAU;

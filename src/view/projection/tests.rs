@@ -1,6 +1,7 @@
 //! Projections' coefficients against their mathematics in f64, and what is refused.
 
 use super::*;
+use crate::{Angle, Vec3};
 use core::f64::consts::TAU;
 use proptest::prelude::*;
 
