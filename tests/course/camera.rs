@@ -99,7 +99,8 @@ proptest! {
         turns in any::<[u32; 3]>(), by in points(), p in points(),
     ) {
         let [a, b, c] = turns.map(Angle::from_bits);
-        let pose = Transform::rotate_x(a) * Transform::translate(by) * Transform::rotate_y(b) * Transform::rotate_z(c);
+        let turns = Transform::rotate_y(b) * Transform::rotate_z(c);
+        let pose = Transform::rotate_x(a) * Transform::translate(by) * turns;
         for both in [pose * pose.inverse_rigid(), pose.inverse_rigid() * pose] {
             let identity = both.matrix();
             for (i, row) in identity.rows().iter().enumerate() {
@@ -113,14 +114,19 @@ proptest! {
     }
 
     #[test]
-    fn row_17_camera_by_composed_moves(eye in points(), turn in any::<u32>(), tilt in -80..80, p in points()) {
+    fn row_17_camera_by_composed_moves(
+        eye in points(), turn in any::<u32>(), tilt in -80..80, p in points(),
+    ) {
         let (turn, tilt) = (Angle::from_bits(turn), Angle::from_degrees(tilt));
-        let pose = Transform::translate(eye) * Transform::rotate_y(turn) * Transform::rotate_x(tilt);
+        let turns = Transform::rotate_y(turn) * Transform::rotate_x(tilt);
+        let pose = Transform::translate(eye) * turns;
         let composed = Camera::at_pose(pose);
         // The inverse of a product: inverses in reverse order.
-        let reverse = Transform::rotate_x(-tilt) * Transform::rotate_y(-turn) * Transform::translate(-eye);
+        let turns = Transform::rotate_x(-tilt) * Transform::rotate_y(-turn);
+        let reverse = turns * Transform::translate(-eye);
         all_close(floats(composed.view().point(p)), floats(reverse.point(p)), STEP);
-        // The same pose by look-at: the target is 100 ahead, rounded to half a step of 100 in each axis.
+        // The same pose by look-at: the target is 100 ahead, rounded to half a step of 100 in each
+        // axis.
         let camera = Camera::look_at(eye, pose.point(vec3!(0, 0, -100)), Vec3::Y).unwrap();
         let slack = STEP + 174.0 * (STEP / 100.0) * 2.0 / 80_f64.to_radians().cos();
         all_close(floats(composed.view().point(p)), floats(camera.view().point(p)), slack);
@@ -138,8 +144,8 @@ fn row_15_useless_cameras_are_refused() {
     }
 }
 
-const WIDTH: f64 = 160.0;
-const HEIGHT: f64 = 120.0;
+/// The middle of the picture.
+const MIDDLE: [f64; 2] = [160.0, 120.0];
 
 fn canvas(pixels: &mut [Gray8]) -> Canvas<'_, Gray8> {
     Canvas::new(pixels, 320, 240).unwrap()
@@ -161,8 +167,9 @@ fn row_18_the_chain_from_right_to_left() {
         Transform::rotate_z(Angle::from_degrees(90)),
         Transform::translate(vec3!(2, 0, 0)),
     );
-    // The model point (1, 0, 0) is turned to (0, 1, 0), moved to (2, 1, 0), is at (2, 1, −5) before the eye, at
-    // (2/5 / (4/3), 1/5) = (0.3, 0.2) of the picture, whose middle is (112, 76) and whose halves are 80 by 60.
+    // The model point (1, 0, 0) is turned to (0, 1, 0), moved to (2, 1, 0), is at (2, 1, −5) before
+    // the eye, at (2/5 / (4/3), 1/5) = (0.3, 0.2) of the picture, whose middle is (112, 76) and
+    // whose halves are 80 by 60.
     let chain = lens * camera * (shift * turn);
     all_close(
         place(&chain, Vec3::X),
@@ -184,19 +191,20 @@ proptest! {
     ) {
         let mut pixels = vec![Gray8::new(0); 320 * 240];
         let canvas = canvas(&mut pixels);
-        let chain = Projection::from_focal_length(fx!(100), (320, 240), fx!(0.5), fx!(100)).unwrap() * Transform::IDENTITY;
-        let (p, v) = (floats(Vec3::try_from(p).unwrap()), floats(Vec3::try_from(v).unwrap()));
+        let size = (320, 240);
+        let lens = Projection::from_focal_length(fx!(100), size, fx!(0.5), fx!(100)).unwrap();
+        // Multiples of four steps, so that every quarter of the way is a point of the format.
+        let [p, v] = [p, v].map(|v: [f64; 3]| v.map(|v| (v * 16_384.0).round() / 16_384.0));
         for t in 0..=8 {
-            // A multiple of a quarter, so that the point is within half a step in space.
             let t = f64::from(t) / 4.0;
             let point = [0, 1, 2].map(|i| p[i] + t * v[i]);
-            let expected = [WIDTH - 100.0 * point[0] / point[2], HEIGHT + 100.0 * point[1] / point[2]];
-            let Some(place) = canvas.project(&Pass::new(), &chain, Vec3::try_from(point).unwrap()) else {
-                return Err(TestCaseError::fail("the point is ahead"));
-            };
-            // Half a subpixel; half a step in space, at a distance of at least 2, is 100/2·2^-17·(1 + 5/2) = 0.34 subpixels
-            // of 1/256 at most.
-            all_close([place.x.to_num(), place.y.to_num()], expected, (0.51 + 0.35) / 256.0);
+            let [x, y] = [100.0 * point[0] / -point[2], 100.0 * point[1] / -point[2]];
+            let chain = lens * Transform::IDENTITY;
+            let place = canvas.project(&Pass::new(), &chain, Vec3::try_from(point).unwrap());
+            let place = place.expect("the point is ahead");
+            // Half a subpixel.
+            let expected = [MIDDLE[0] + x, MIDDLE[1] - y];
+            all_close([place.x.to_num(), place.y.to_num()], expected, 0.51 / 256.0);
         }
     }
 
@@ -205,10 +213,13 @@ proptest! {
         p in [-3.0..3.0, -3.0..3.0, -9.0..-2.0],
         v in [0.5..2.0, -2.0..2.0],
     ) {
-        let lens = Projection::perspective(Angle::from_degrees(90), (1, 1), fx!(1), fx!(100)).unwrap();
-        let at = |t: f64| lens.image(vec(p[0] + t * v[0], p[1] + t * v[1], p[2])).unwrap().map(float);
+        let fov = Angle::from_degrees(90);
+        let lens = Projection::perspective(fov, (1, 1), fx!(1), fx!(100)).unwrap();
+        let point = |t: f64| vec(p[0] + t * v[0], p[1] + t * v[1], p[2]);
+        let at = |t| lens.image(point(t)).unwrap().map(float);
         let (a, b) = (at(0.0), at(4.0));
-        // Over a run of 4·0.5/9 at least, both ends are rounded to half a step in space and again on screen.
+        // Over a run of 4·0.5/9 at least, both ends are rounded to half a step in space and again
+        // on screen.
         let run = 4.0 * v[0] / -p[2];
         let slack = 4.0 * STEP * (1.0 + 4.0) / run;
         close((b[1] - a[1]) / (b[0] - a[0]), v[1] / v[0], slack);

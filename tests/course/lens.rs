@@ -115,7 +115,8 @@ proptest! {
         // Rounded once, from 28 bits of at most 64.
         same_matrix(&lens.matrix(), expected, 0.52 * STEP);
 
-        // z = −n → −1 and z = −f → +1: two entries rounded to half a step, one of them times z, over w = −z.
+        // z = −n → −1 and z = −f → +1: two entries rounded to half a step, one of them times z,
+        // over w = −z.
         let depth = |z: f64| float(lens.matrix().project(vec(0.0, 0.0, z)).unwrap().z);
         let [.., n, f] = edges;
         close(depth(-n), -1.0, STEP * (2.0 / n + 1.0));
@@ -125,7 +126,8 @@ proptest! {
         let [l, r, b, t, n, f] = edges;
         let perspective = Matrix4::perspective_transform(near, far);
         let scale = Matrix4::scale(vec(2.0 / (r - l), 2.0 / (t - b), -2.0 / (f - n)));
-        let middle = Matrix4::translate(vec(-(r + l) / (r - l), -(t + b) / (t - b), -(f + n) / (f - n)));
+        let middle = vec(-(r + l) / (r - l), -(t + b) / (t - b), -(f + n) / (f - n));
+        let middle = Matrix4::translate(middle);
         // Factors are rounded to half a step, and multiplied with up to n·f < 217.
         let slack = 0.51 * STEP * (2.0 + (n + f).max(n * f));
         same_matrix(&(middle * scale * perspective), expected, slack);
@@ -156,6 +158,10 @@ fn row_12_orthographic_box() {
     let edges = [-3.0, 5.0, -1.0, 1.0, 2.0, 10.0];
     let [l, r, b, t, n, f] = edges.map(fx);
     let lens = Projection::orthographic(l, r, b, t, n, f).unwrap();
+    assert_eq!(
+        [lens.left(), lens.right(), lens.bottom(), lens.top()],
+        [l, r, b, t]
+    );
     let [l, r, b, t, n, f] = edges;
     let corner = |i: usize, low: f64, high: f64| if i == 0 { (low, -1.0) } else { (high, 1.0) };
     for i in 0..8 {
@@ -205,7 +211,10 @@ fn row_14_oblique() {
 
 proptest! {
     #[test]
-    fn row_20_vanishing_points(v in [-100.0..100.0, -100.0..100.0], z in prop_oneof![-100.0..-0.1, 0.1..100.0]) {
+    fn row_20_vanishing_points(
+        v in [-100.0..100.0, -100.0..100.0],
+        z in prop_oneof![-100.0..-0.1, 0.1..100.0],
+    ) {
         let lens = lens();
         let direction = vec(v[0], v[1], z);
         let found = lens.vanishing_point(direction).unwrap().map(float);

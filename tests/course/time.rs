@@ -42,7 +42,10 @@ fn row_23_absolute_time_is_exact_after_days() {
 
 proptest! {
     #[test]
-    fn row_23_frames_of_any_length_add_up(rpm in -10_000..10_000, frames in prop::collection::vec(0_u64..1_000, 1..500)) {
+    fn row_23_frames_of_any_length_add_up(
+        rpm in -10_000..10_000,
+        frames in prop::collection::vec(0_u64..1_000, 1..500),
+    ) {
         let rate = Rate::rpm(rpm);
         let mut spin = rate.spin();
         let mut now = 0;
