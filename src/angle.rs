@@ -172,7 +172,7 @@ impl Angle {
 
     /// The sine.
     ///
-    /// Odd polynomial of degree 11 on a quarter of a turn: within 1.5e-9, 0, 1 and −1 exact at
+    /// Odd polynomial of degree 11 on a quarter of a turn: within 1.6e-9, 0, 1 and −1 exact at
     /// multiples of 90°, symmetric to the last bit.
     ///
     /// ```

@@ -82,7 +82,7 @@ proptest! {
         let (sin, cos) = (f64::from(angle.to_bits()) / f64::from(32).exp2() * TAU).sin_cos();
         let (x, y) = (2.0 / (rf - lf), 2.0 / (tf - bf));
         let (cx, cy) = (-x * k * cos, -y * k * sin);
-        // A sine is good to 1.5e-9, not to 28 bits of itself; scaled by ratio and distance.
+        // A sine is good to 1.6e-9, not to 28 bits of itself; scaled by ratio and distance.
         let slack = |scale: f64, middle: f64| {
             f64::from(-28).exp2() * (scale + middle.abs() + scale * k.abs() * (1.0 + nf.abs()))
         };
