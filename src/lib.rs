@@ -21,5 +21,5 @@ pub use shade::{Fragment, Sample};
 /// Everything a drawing program needs.
 pub mod prelude {
     pub use crate::{Angle, Error, Face, Fragment, Mesh, Sample, Scalar, Vec2, Vec3, Vertex};
-    pub use crate::{fx, vec2, vec3};
+    pub use crate::{fx, include_obj, shape, vec2, vec3};
 }
