@@ -2,6 +2,8 @@
 
 mod pen;
 mod surface;
+#[cfg(test)]
+mod tests;
 
 use super::buffers::{Buffers, Counts};
 use super::mesh::{Index, Mesh};
