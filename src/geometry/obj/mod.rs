@@ -71,8 +71,7 @@ impl Usage {
 ///
 /// # Errors
 ///
-/// [`Error::Obj`] with the line of the first mistake; only whether positive indices name something
-/// is left to [`parse`].
+/// [`Error::Obj`] with the line of the first mistake; indices that name nothing come after all others.
 ///
 /// ```
 /// use fixel::geometry::obj;
@@ -81,86 +80,26 @@ impl Usage {
 /// # Ok::<(), fixel::Error>(())
 /// ```
 pub const fn count(text: &[u8]) -> Result<Counts, Error> {
-    match survey(text) {
-        Ok(survey) => Ok(survey.counts),
+    let mut nothing = Buffers::new(&mut [], &mut []);
+    read(text, &mut nothing)
+}
+
+/// Reads a text into as much of the buffers as there is, and counts.
+const fn read(text: &[u8], buffers: &mut Buffers<'_>) -> Result<Counts, Error> {
+    let mut writer = Writer::new(Reader::new(text, MOST), buffers);
+    if let Err(error) = writer.write() {
+        return Err(error);
+    }
+    let counts = writer.counts();
+    if !writer.reader.missed() {
+        return Ok(counts);
+    }
+    // Where was it? Now it is known how many of each there are.
+    let seen = writer.reader.seen();
+    match Writer::new(Reader::new(text, seen), buffers).write() {
+        Ok(()) => Ok(counts),
         Err(error) => Err(error),
     }
-}
-
-/// What a first reading finds.
-#[derive(Clone, Copy)]
-struct Survey {
-    counts: Counts,
-    /// Positions, texture coordinates and normals in the text, used or not.
-    known: [usize; 3],
-}
-
-const fn survey(text: &[u8]) -> Result<Survey, Error> {
-    let mut reader = Reader::new(text, MOST);
-    let (mut faces, mut edges, mut colors) = (0, 0, 0);
-    let mut uvs = Usage {
-        used: false,
-        same: true,
-    };
-    let mut normals = uvs;
-    loop {
-        let statement = match reader.statement() {
-            Ok(statement) => statement,
-            Err(error) => return Err(error),
-        };
-        let face = match statement {
-            Statement::Position(_, color) => {
-                colors += color.is_some() as usize;
-                continue;
-            }
-            Statement::Uv(_) | Statement::Normal(_) => continue,
-            Statement::Face => true,
-            Statement::Line => false,
-            Statement::End => break,
-        };
-        let mut corners = 0;
-        loop {
-            match reader.corner() {
-                Ok(None) => break,
-                Ok(Some(corner)) => {
-                    if face {
-                        uvs.see(corner.uv, corner.position);
-                        normals.see(corner.normal, corner.position);
-                    }
-                }
-                Err(error) => return Err(error),
-            }
-            corners += 1;
-        }
-        if face && corners < 3 {
-            return reader.error("a face needs at least 3 corners");
-        }
-        if corners < 2 {
-            return reader.error("a line needs at least 2 ends");
-        }
-        if face {
-            faces += corners - 2;
-            edges += corners;
-        } else {
-            edges += corners - 1;
-        }
-    }
-    let seen = reader.seen();
-    let (uvs, uv_faces) = uvs.counts(seen[1], seen[0], faces);
-    let (normals, normal_faces) = normals.counts(seen[2], seen[0], faces);
-    Ok(Survey {
-        counts: Counts {
-            positions: seen[0],
-            faces,
-            edges,
-            uvs,
-            uv_faces,
-            normals,
-            normal_faces,
-            colors: if colors == seen[0] { colors } else { 0 },
-        },
-        known: seen,
-    })
 }
 
 /// Reads a text into the caller's memory, of which [`count`] tells the size.
@@ -169,7 +108,7 @@ const fn survey(text: &[u8]) -> Result<Survey, Error> {
 ///
 /// # Errors
 ///
-/// [`Error::Obj`] with the line of the first mistake; [`Error::TooMany`] if a slice is too short.
+/// [`Error::Obj`] as for [`count`]; [`Error::TooMany`] if a slice is too short.
 ///
 /// ```
 /// use fixel::geometry::{obj, Buffers};
@@ -185,84 +124,110 @@ const fn survey(text: &[u8]) -> Result<Survey, Error> {
 /// assert_eq!(error.to_string(), "line 2: a number is malformed: it must be like 1, -0.25 or 2.5e-3");
 /// # Ok::<(), Error>(())
 /// ```
-pub const fn parse<'a>(text: &[u8], buffers: Buffers<'a>) -> Result<Mesh<'a>, Error> {
-    match survey(text) {
-        Ok(survey) => fill(text, survey, buffers),
-        Err(error) => Err(error),
-    }
-}
-
-/// Reads the text for the second time, now writing.
-const fn fill<'a>(text: &[u8], survey: Survey, buffers: Buffers<'a>) -> Result<Mesh<'a>, Error> {
-    let mut counts = match buffers.wanted(survey.counts) {
+pub const fn parse<'a>(text: &[u8], mut buffers: Buffers<'a>) -> Result<Mesh<'a>, Error> {
+    let counts = match read(text, &mut buffers) {
         Ok(counts) => counts,
         Err(error) => return Err(error),
     };
-    let mut writer = Writer {
-        reader: Reader::new(text, survey.known),
-        counts,
-        buffers,
-        faces: 0,
-        edges: 0,
-    };
-    match writer.write() {
-        Ok(()) => {}
+    let mut counts = match buffers.wanted(counts) {
+        Ok(counts) => counts,
         Err(error) => return Err(error),
-    }
-    let Writer { buffers, edges, .. } = writer;
-    counts.edges = edges::unique(buffers.edges.split_at_mut(edges).0);
+    };
+    counts.edges = edges::unique(buffers.edges.split_at_mut(counts.edges).0);
     buffers.mesh(counts)
 }
 
-/// Writes the elements in the order of the text.
-struct Writer<'t, 'a> {
+/// Writes the elements in the order of the text, as far as there is room.
+struct Writer<'t, 'b, 'a> {
     reader: Reader<'t>,
-    /// What is to be written; the buffers have room for it.
-    counts: Counts,
-    buffers: Buffers<'a>,
-    /// Triangles written.
+    buffers: &'b mut Buffers<'a>,
+    /// Triangles so far.
     faces: usize,
-    /// Edges written.
+    /// Edges so far, each as often as it occurs.
     edges: usize,
+    /// Positions with colours so far.
+    colors: usize,
+    uvs: Usage,
+    normals: Usage,
 }
 
-impl Writer<'_, '_> {
+/// Writes to a list if it has room.
+macro_rules! put {
+    ($list:expr, $at:expr, $value:expr) => {
+        if $at < $list.len() {
+            $list[$at] = $value;
+        }
+    };
+}
+
+impl<'t, 'b, 'a> Writer<'t, 'b, 'a> {
+    const fn new(reader: Reader<'t>, buffers: &'b mut Buffers<'a>) -> Self {
+        let unused = Usage {
+            used: false,
+            same: true,
+        };
+        Self {
+            reader,
+            buffers,
+            faces: 0,
+            edges: 0,
+            colors: 0,
+            uvs: unused,
+            normals: unused,
+        }
+    }
+
+    const fn counts(&self) -> Counts {
+        let [positions, uvs, normals] = self.reader.seen();
+        let (uvs, uv_faces) = self.uvs.counts(uvs, positions, self.faces);
+        let (normals, normal_faces) = self.normals.counts(normals, positions, self.faces);
+        let colored = self.colors == positions;
+        Counts {
+            positions,
+            faces: self.faces,
+            edges: self.edges,
+            uvs,
+            uv_faces,
+            normals,
+            normal_faces,
+            colors: if colored { positions } else { 0 },
+        }
+    }
+
     const fn write(&mut self) -> Result<(), Error> {
         loop {
-            // Numbers are counted as they are read, so the last is one less.
             let statement = match self.reader.statement() {
                 Ok(statement) => statement,
                 Err(error) => return Err(error),
             };
+            // Elements are counted as they are read, so this one is the last.
             let [positions, uvs, normals] = self.reader.seen();
-            match statement {
+            let corners = match statement {
                 Statement::Position(position, color) => {
-                    self.buffers.positions[positions - 1] = Vec3::from_bits(position);
-                    if let (Some([r, g, b]), true) = (color, self.counts.colors > 0) {
-                        self.buffers.colors[positions - 1] = Rgb888::new(r, g, b);
+                    let at = positions - 1;
+                    put!(self.buffers.positions, at, Vec3::from_bits(position));
+                    if let Some([r, g, b]) = color {
+                        put!(self.buffers.colors, at, Rgb888::new(r, g, b));
+                        self.colors += 1;
                     }
+                    continue;
                 }
                 Statement::Uv([u, v]) => {
-                    if self.counts.uvs > 0 {
-                        // Only v = −32768 has no mirror image, and saturates.
-                        self.buffers.uvs[uvs - 1] =
-                            Vec2::from_bits([u, (1_i32 << 16).saturating_sub(v)]);
-                    }
+                    // Only v = −32768 has no mirror image, and saturates.
+                    let uv = Vec2::from_bits([u, (1_i32 << 16).saturating_sub(v)]);
+                    put!(self.buffers.uvs, uvs - 1, uv);
+                    continue;
                 }
                 Statement::Normal(normal) => {
-                    if self.counts.normals > 0 {
-                        self.buffers.normals[normals - 1] = Vec3::from_bits(normal);
-                    }
+                    put!(self.buffers.normals, normals - 1, Vec3::from_bits(normal));
+                    continue;
                 }
-                Statement::Face => match self.corners(true) {
-                    Ok(()) => {}
-                    Err(error) => return Err(error),
-                },
-                Statement::Line => match self.corners(false) {
-                    Ok(()) => {}
-                    Err(error) => return Err(error),
-                },
+                Statement::Face => self.corners(true),
+                Statement::Line => self.corners(false),
                 Statement::End => return Ok(()),
+            };
+            if let Err(error) = corners {
+                return Err(error);
             }
         }
     }
@@ -279,6 +244,10 @@ impl Writer<'_, '_> {
                 Err(error) => return Err(error),
             };
             count += 1;
+            if face {
+                self.uvs.see(corner.uv, corner.position);
+                self.normals.see(corner.normal, corner.position);
+            }
             if let Some(last) = last {
                 self.edge(last, corner);
                 if let (Some(first), true) = (first, face && count > 2) {
@@ -289,6 +258,12 @@ impl Writer<'_, '_> {
             }
             last = Some(corner);
         }
+        if face && count < 3 {
+            return self.reader.error("a face needs at least 3 corners");
+        }
+        if count < 2 {
+            return self.reader.error("a line needs at least 2 ends");
+        }
         if let (Some(first), Some(last), true) = (first, last, face) {
             self.edge(last, first);
         }
@@ -298,8 +273,9 @@ impl Writer<'_, '_> {
     const fn edge(&mut self, from: Corner, to: Corner) {
         let (from, to) = (from.position, to.position);
         // A side from a corner to itself is none.
-        if self.counts.edges > 0 && from != to {
-            self.buffers.edges[self.edges] = if from < to { [from, to] } else { [to, from] };
+        if from != to {
+            let edge = if from < to { [from, to] } else { [to, from] };
+            put!(self.buffers.edges, self.edges, edge);
             self.edges += 1;
         }
     }
@@ -312,12 +288,19 @@ impl Writer<'_, '_> {
             }
         }
         let at = self.faces;
-        self.buffers.faces[at] = [a.position, b.position, c.position];
-        if self.counts.uv_faces > 0 {
-            self.buffers.uv_faces[at] = [index(a.uv), index(b.uv), index(c.uv)];
+        let face = [a.position, b.position, c.position];
+        put!(self.buffers.faces, at, face);
+        if self.uvs.used {
+            let face = [index(a.uv), index(b.uv), index(c.uv)];
+            put!(self.buffers.uv_faces, at, face);
+        } else {
+            put!(self.buffers.uv_faces, at, [Mesh::NO_VALUE; 3]);
         }
-        if self.counts.normal_faces > 0 {
-            self.buffers.normal_faces[at] = [index(a.normal), index(b.normal), index(c.normal)];
+        if self.normals.used {
+            let face = [index(a.normal), index(b.normal), index(c.normal)];
+            put!(self.buffers.normal_faces, at, face);
+        } else {
+            put!(self.buffers.normal_faces, at, [Mesh::NO_VALUE; 3]);
         }
         self.faces += 1;
     }
@@ -327,30 +310,30 @@ impl Writer<'_, '_> {
 #[doc(hidden)]
 pub mod import {
     use super::super::buffers::{Arrays, Counts};
-    use super::{Error, fill, panic, survey};
+    use super::{Error, MOST, panic, parse};
 
-    #[doc(hidden)]
-    #[derive(Clone, Copy)]
-    pub struct Survey(super::Survey);
-
-    impl Survey {
-        /// Reads the text of the file at `path`.
-        ///
-        /// # Panics
-        ///
-        /// At a mistake, naming path and line.
-        #[must_use]
-        pub const fn new(text: &[u8], path: &str) -> Self {
-            Self(panic::checked(survey(text), path))
+    /// At least as many elements as a text of so many bytes can have, so that it need be read only once.
+    #[must_use]
+    pub const fn room(bytes: usize) -> Counts {
+        const fn at_most(count: usize, most: usize) -> usize {
+            if count < most { count } else { most }
         }
-
-        #[must_use]
-        pub const fn counts(self) -> Counts {
-            self.0.counts
+        // As in "v 0 0 0", "vt 0", "vn 0 0 0" with a line's end; a corner takes a blank and a digit.
+        let positions = at_most(bytes / 8 + 1, MOST[0]);
+        let corners = bytes / 2 + 1;
+        Counts {
+            positions,
+            faces: corners,
+            edges: corners,
+            uvs: at_most(bytes / 5 + 1, MOST[1]),
+            uv_faces: corners,
+            normals: at_most(bytes / 9 + 1, MOST[2]),
+            normal_faces: corners,
+            colors: positions,
         }
     }
 
-    /// The arrays, and how many of the edges there are.
+    /// The lists with room, and how many elements there are.
     ///
     /// # Panics
     ///
@@ -368,14 +351,13 @@ pub mod import {
     >(
         text: &[u8],
         path: &str,
-        survey: Survey,
-    ) -> (Arrays<P, F, E, U, UF, N, NF, C>, usize) {
+    ) -> (Arrays<P, F, E, U, UF, N, NF, C>, Counts) {
         let mut arrays = Arrays::ZERO;
-        let edges: Result<usize, Error> = match fill(text, survey.0, arrays.buffers()) {
-            Ok(mesh) => Ok(mesh.edges().len()),
+        let counts: Result<Counts, Error> = match parse(text, arrays.buffers()) {
+            Ok(mesh) => Ok(mesh.counts()),
             Err(error) => Err(error),
         };
-        (arrays, panic::checked(edges, path))
+        (arrays, panic::checked(counts, path))
     }
 }
 
@@ -393,29 +375,27 @@ pub mod import {
 macro_rules! include_obj {
     ($path:expr $(,)?) => {{
         const TEXT: &[u8] = ::core::include_bytes!($path);
-        #[allow(long_running_const_eval)]
-        const SURVEY: $crate::geometry::obj::import::Survey =
-            $crate::geometry::obj::import::Survey::new(TEXT, $path);
-        const COUNTS: $crate::geometry::Counts = SURVEY.counts();
+        const ROOM: $crate::geometry::Counts = $crate::geometry::obj::import::room(TEXT.len());
         #[allow(long_running_const_eval)]
         const READ: (
             $crate::geometry::Arrays<
-                { COUNTS.positions },
-                { COUNTS.faces },
-                { COUNTS.edges },
-                { COUNTS.uvs },
-                { COUNTS.uv_faces },
-                { COUNTS.normals },
-                { COUNTS.normal_faces },
-                { COUNTS.colors },
+                { ROOM.positions },
+                { ROOM.faces },
+                { ROOM.edges },
+                { ROOM.uvs },
+                { ROOM.uv_faces },
+                { ROOM.normals },
+                { ROOM.normal_faces },
+                { ROOM.colors },
             >,
-            usize,
-        ) = $crate::geometry::obj::import::arrays(TEXT, $path, SURVEY);
+            $crate::geometry::Counts,
+        ) = $crate::geometry::obj::import::arrays(TEXT, $path);
+        const COUNTS: $crate::geometry::Counts = READ.1;
         #[allow(long_running_const_eval)]
         static ARRAYS: $crate::geometry::Arrays<
             { COUNTS.positions },
             { COUNTS.faces },
-            { READ.1 },
+            { COUNTS.edges },
             { COUNTS.uvs },
             { COUNTS.uv_faces },
             { COUNTS.normals },

@@ -38,6 +38,8 @@ pub(super) struct Reader<'a> {
     seen: [usize; 3],
     /// Positions, texture coordinates and normals that an index may name.
     known: [usize; 3],
+    /// Positions, texture coordinates and normals that indices did name.
+    named: [usize; 3],
 }
 
 /// As many as a 16-bit index can name, less one attribute value for `Mesh::NO_VALUE`.
@@ -88,12 +90,18 @@ impl<'a> Reader<'a> {
             line: 1,
             seen: [0; 3],
             known,
+            named: [0; 3],
         }
     }
 
     /// Positions, texture coordinates and normals so far.
     pub(super) const fn seen(&self) -> [usize; 3] {
         self.seen
+    }
+
+    /// Whether an index named something that is not in the text.
+    pub(super) const fn missed(&self) -> bool {
+        self.named[0] > self.seen[0] || self.named[1] > self.seen[1] || self.named[2] > self.seen[2]
     }
 
     pub(super) const fn error<T>(&self, problem: &'static str) -> Result<T, Error> {
@@ -332,6 +340,9 @@ impl<'a> Reader<'a> {
         };
         if number > limit {
             return self.error(NOT_THERE[kind]);
+        }
+        if index >= self.named[kind] {
+            self.named[kind] = index + 1;
         }
         #[allow(clippy::cast_possible_truncation)] // below `MOST`
         Ok(index as u16)
