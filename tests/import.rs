@@ -1,4 +1,5 @@
 //! OBJ text in all its forms, its mistakes, and as another reader understands it.
+#![allow(clippy::format_push_string)] // clearer here, and speed is no matter
 
 use embedded_graphics::pixelcolor::Rgb888;
 use fixel::geometry::{Buffers, Counts, obj};
@@ -76,6 +77,9 @@ fn fails(text: &str, line: usize, word: &str) {
     }
 }
 
+/// No value.
+const NONE: u16 = Mesh::NO_VALUE;
+
 const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 #[test]
@@ -145,7 +149,6 @@ fn attributes_in_order_of_positions_need_no_faces() {
 #[test]
 fn corner_without_value_has_none() {
     let mesh = ok(&format!("{SQUARE}vt 0 0\nvn 0 0 1\nf 1/1 2 3//1\nf 1 3 4"));
-    const NONE: u16 = Mesh::NO_VALUE;
     assert_eq!(mesh.uv_faces, [[0, NONE, NONE], [NONE; 3]]);
     assert_eq!(mesh.normal_faces, [[NONE, NONE, 0], [NONE; 3]]);
 }
@@ -416,8 +419,9 @@ fn text() -> impl Strategy<Value = String> {
                 text += "f";
                 for (p, u, n, negative) in face {
                     let index = |i: u16, len: usize| {
-                        let i = i64::from(i) % len as i64;
-                        if negative { i - len as i64 } else { i + 1 }
+                        let len = i64::try_from(len).unwrap();
+                        let i = i64::from(i) % len;
+                        if negative { i - len } else { i + 1 }
                     };
                     let (p, u, n) = (
                         index(p, positions.len()),
@@ -471,7 +475,7 @@ proptest! {
 
     /// Edges: sorted, each once, those of the polygons.
     #[test]
-    fn edges_are_a_sorted_set(polygons in prop::collection::vec(prop::collection::vec(0..400_usize, 3..6), 1..300)) {
+    fn edges_are_a_sorted_set(polygons in prop::collection::vec(prop::collection::vec(0..400_u16, 3..6), 1..300)) {
         let mut text = "v 0 0 0\n".repeat(400);
         let mut expected = std::collections::BTreeSet::new();
         for polygon in &polygons {
@@ -480,7 +484,7 @@ proptest! {
                 let b = polygon[(i + 1) % polygon.len()];
                 text += &format!(" {}", a + 1);
                 if a != b {
-                    expected.insert([a.min(b) as u16, a.max(b) as u16]);
+                    expected.insert([a.min(b), a.max(b)]);
                 }
             }
             text += "\n";

@@ -11,6 +11,9 @@ pub(super) const RANGE: &str =
 /// as halves are rounded up in magnitude.
 const PLACES: usize = 17;
 
+/// The last of them, as a power of ten.
+const LAST: i64 = -17;
+
 /// 10^17 / 2^17.
 const FIVES: u64 = 762_939_453_125;
 
@@ -84,7 +87,9 @@ pub(super) const fn decimal(text: &[u8], mut at: usize) -> Decimal {
             Ok(power) => (exponent, at) = power,
             Err(problem) => return Err(problem),
         }
-        (whole, fraction) = shifted(text, start, end, point as i64 + exponent);
+        #[allow(clippy::cast_possible_wrap)] // no text is as long
+        let point = point as i64;
+        (whole, fraction) = shifted(text, start, end, point + exponent);
     } else if places < PLACES {
         fraction *= POWERS[PLACES - places];
     }
@@ -141,7 +146,7 @@ const fn shifted(text: &[u8], start: usize, end: usize, point: i64) -> (u64, u64
             if whole < LARGE {
                 whole = whole * 10 + digit;
             }
-        } else if left > -(PLACES as i64) {
+        } else if left > LAST {
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // 0..17
             {
                 fraction += digit * POWERS[PLACES - 1 - (-left) as usize];

@@ -7,7 +7,7 @@
 //! |---|---|
 //! | `v x y z`, `v x y z w` | a position; the weight is ignored |
 //! | `v x y z r g b` | a position with a colour, 0 to 1 each; if all positions have one, the mesh has colours |
-//! | `vt u`, `vt u v`, `vt u v w` | a texture coordinate; OBJ's v runs up and [`Vec2`](crate::Vec2)'s down, so v becomes 1 − v; w is ignored |
+//! | `vt u`, `vt u v`, `vt u v w` | a texture coordinate; OBJ's v runs up and [`Vec2`]'s down, so v becomes 1 − v; w is ignored |
 //! | `vn x y z` | a normal, of any length |
 //! | `f 1 2 3`, `f 1/1 …`, `f 1//1 …`, `f 1/1/1 …` | a polygon of three or more corners, cut into a fan of triangles from its first |
 //! | `l 1 2 3` | edges between positions |
@@ -27,42 +27,46 @@
 
 mod decimal;
 mod edges;
+#[doc(hidden)]
+pub mod import;
 mod reader;
 
 use embedded_graphics::pixelcolor::Rgb888;
 
 use super::buffers::{Buffers, Counts};
 use super::mesh::{Index, Mesh};
-use super::panic;
 use crate::{Error, Vec2, Vec3};
 use reader::{Corner, MOST, Reader, Statement};
 
 /// The indices of one attribute over all corners: whether they need a list of their own.
 #[derive(Clone, Copy)]
 struct Usage {
-    /// Whether any corner has one.
-    used: bool,
-    /// Whether each corner's is the position's.
-    same: bool,
+    /// How many corners have one.
+    corners: usize,
+    /// Whether any is not the position's.
+    differs: bool,
 }
 
 impl Usage {
-    const fn see(&mut self, index: Option<u16>, position: u16) {
-        match index {
-            Some(index) => {
-                self.used = true;
-                self.same &= index == position;
-            }
-            None => self.same = false,
-        }
+    const fn see(&mut self, index: u16, position: u16) {
+        self.corners += 1;
+        self.differs |= index != position;
     }
 
-    /// Numbers of values and of triangles, if there are so many in the text.
-    const fn counts(self, values: usize, positions: usize, faces: usize) -> (usize, usize) {
-        match self {
-            Self { used: false, .. } => (0, 0),
-            Self { same: true, .. } if values == positions => (values, 0),
-            _ => (values, faces),
+    /// Numbers of values and of triangles, if there are so many values, positions and so on in the text.
+    const fn counts(
+        self,
+        values: usize,
+        positions: usize,
+        corners: usize,
+        faces: usize,
+    ) -> (usize, usize) {
+        if self.corners == 0 {
+            (0, 0)
+        } else if self.differs || self.corners < corners || values != positions {
+            (values, faces)
+        } else {
+            (values, 0)
         }
     }
 }
@@ -143,6 +147,8 @@ struct Writer<'t, 'b, 'a> {
     buffers: &'b mut Buffers<'a>,
     /// Triangles so far.
     faces: usize,
+    /// Their polygons' corners so far.
+    corners: usize,
     /// Edges so far, each as often as it occurs.
     edges: usize,
     /// Positions with colours so far.
@@ -163,13 +169,14 @@ macro_rules! put {
 impl<'t, 'b, 'a> Writer<'t, 'b, 'a> {
     const fn new(reader: Reader<'t>, buffers: &'b mut Buffers<'a>) -> Self {
         let unused = Usage {
-            used: false,
-            same: true,
+            corners: 0,
+            differs: false,
         };
         Self {
             reader,
             buffers,
             faces: 0,
+            corners: 0,
             edges: 0,
             colors: 0,
             uvs: unused,
@@ -179,8 +186,10 @@ impl<'t, 'b, 'a> Writer<'t, 'b, 'a> {
 
     const fn counts(&self) -> Counts {
         let [positions, uvs, normals] = self.reader.seen();
-        let (uvs, uv_faces) = self.uvs.counts(uvs, positions, self.faces);
-        let (normals, normal_faces) = self.normals.counts(normals, positions, self.faces);
+        let (uvs, uv_faces) = self.uvs.counts(uvs, positions, self.corners, self.faces);
+        let (normals, normal_faces) =
+            self.normals
+                .counts(normals, positions, self.corners, self.faces);
         let colored = self.colors == positions;
         Counts {
             positions,
@@ -222,8 +231,8 @@ impl<'t, 'b, 'a> Writer<'t, 'b, 'a> {
                     put!(self.buffers.normals, normals - 1, Vec3::from_bits(normal));
                     continue;
                 }
-                Statement::Face => self.corners(true),
-                Statement::Line => self.corners(false),
+                Statement::Face => self.polygon(true),
+                Statement::Line => self.polygon(false),
                 Statement::End => return Ok(()),
             };
             if let Err(error) = corners {
@@ -233,9 +242,9 @@ impl<'t, 'b, 'a> Writer<'t, 'b, 'a> {
     }
 
     /// The corners of a polygon, as a fan of triangles and as edges, or the ends of a line.
-    const fn corners(&mut self, face: bool) -> Result<(), Error> {
+    const fn polygon(&mut self, face: bool) -> Result<(), Error> {
         let mut first = None;
-        let mut last: Option<Corner> = None;
+        let mut last = None;
         let mut count = 0;
         loop {
             let corner = match self.reader.corner() {
@@ -244,13 +253,15 @@ impl<'t, 'b, 'a> Writer<'t, 'b, 'a> {
                 Err(error) => return Err(error),
             };
             count += 1;
-            if face {
-                self.uvs.see(corner.uv, corner.position);
-                self.normals.see(corner.normal, corner.position);
+            if let (Some(uv), true) = (corner.uv, face) {
+                self.uvs.see(uv, corner.position);
             }
-            if let Some(last) = last {
+            if let (Some(normal), true) = (corner.normal, face) {
+                self.normals.see(normal, corner.position);
+            }
+            if let (Some(first), Some(last)) = (first, last) {
                 self.edge(last, corner);
-                if let (Some(first), true) = (first, face && count > 2) {
+                if face && count > 2 {
                     self.triangle([first, last, corner]);
                 }
             } else {
@@ -266,6 +277,7 @@ impl<'t, 'b, 'a> Writer<'t, 'b, 'a> {
         }
         if let (Some(first), Some(last), true) = (first, last, face) {
             self.edge(last, first);
+            self.corners += count;
         }
         Ok(())
     }
@@ -290,120 +302,12 @@ impl<'t, 'b, 'a> Writer<'t, 'b, 'a> {
         let at = self.faces;
         let face = [a.position, b.position, c.position];
         put!(self.buffers.faces, at, face);
-        if self.uvs.used {
-            let face = [index(a.uv), index(b.uv), index(c.uv)];
-            put!(self.buffers.uv_faces, at, face);
-        } else {
-            put!(self.buffers.uv_faces, at, [Mesh::NO_VALUE; 3]);
+        if at < self.buffers.uv_faces.len() {
+            self.buffers.uv_faces[at] = [index(a.uv), index(b.uv), index(c.uv)];
         }
-        if self.normals.used {
-            let face = [index(a.normal), index(b.normal), index(c.normal)];
-            put!(self.buffers.normal_faces, at, face);
-        } else {
-            put!(self.buffers.normal_faces, at, [Mesh::NO_VALUE; 3]);
+        if at < self.buffers.normal_faces.len() {
+            self.buffers.normal_faces[at] = [index(a.normal), index(b.normal), index(c.normal)];
         }
         self.faces += 1;
     }
-}
-
-/// What [`include_obj!`](crate::include_obj) expands to, step by step.
-#[doc(hidden)]
-pub mod import {
-    use super::super::buffers::{Arrays, Counts};
-    use super::{Error, MOST, panic, parse};
-
-    /// At least as many elements as a text of so many bytes can have, so that it need be read only once.
-    #[must_use]
-    pub const fn room(bytes: usize) -> Counts {
-        const fn at_most(count: usize, most: usize) -> usize {
-            if count < most { count } else { most }
-        }
-        // As in "v 0 0 0", "vt 0", "vn 0 0 0" with a line's end; a corner takes a blank and a digit.
-        let positions = at_most(bytes / 8 + 1, MOST[0]);
-        let corners = bytes / 2 + 1;
-        Counts {
-            positions,
-            faces: corners,
-            edges: corners,
-            uvs: at_most(bytes / 5 + 1, MOST[1]),
-            uv_faces: corners,
-            normals: at_most(bytes / 9 + 1, MOST[2]),
-            normal_faces: corners,
-            colors: positions,
-        }
-    }
-
-    /// The lists with room, and how many elements there are.
-    ///
-    /// # Panics
-    ///
-    /// At a mistake, naming path and line.
-    #[must_use]
-    pub const fn arrays<
-        const P: usize,
-        const F: usize,
-        const E: usize,
-        const U: usize,
-        const UF: usize,
-        const N: usize,
-        const NF: usize,
-        const C: usize,
-    >(
-        text: &[u8],
-        path: &str,
-    ) -> (Arrays<P, F, E, U, UF, N, NF, C>, Counts) {
-        let mut arrays = Arrays::ZERO;
-        let counts: Result<Counts, Error> = match parse(text, arrays.buffers()) {
-            Ok(mesh) => Ok(mesh.counts()),
-            Err(error) => Err(error),
-        };
-        (arrays, panic::checked(counts, path))
-    }
-}
-
-/// A mesh of an OBJ file, read while compiling; it lives in flash.
-///
-/// The path is relative to the source file, as for [`include_str!`]. A mistake in the file stops
-/// compilation with its line. [`geometry::obj`](crate::geometry::obj) tells what is read.
-///
-/// ```
-/// use fixel::prelude::*;
-/// static MODEL: Mesh = include_obj!("../../../tests/models/house.obj");
-/// assert_eq!(MODEL.faces().len(), 14);
-/// ```
-#[macro_export]
-macro_rules! include_obj {
-    ($path:expr $(,)?) => {{
-        const TEXT: &[u8] = ::core::include_bytes!($path);
-        const ROOM: $crate::geometry::Counts = $crate::geometry::obj::import::room(TEXT.len());
-        #[allow(long_running_const_eval)]
-        const READ: (
-            $crate::geometry::Arrays<
-                { ROOM.positions },
-                { ROOM.faces },
-                { ROOM.edges },
-                { ROOM.uvs },
-                { ROOM.uv_faces },
-                { ROOM.normals },
-                { ROOM.normal_faces },
-                { ROOM.colors },
-            >,
-            $crate::geometry::Counts,
-        ) = $crate::geometry::obj::import::arrays(TEXT, $path);
-        const COUNTS: $crate::geometry::Counts = READ.1;
-        #[allow(long_running_const_eval)]
-        static ARRAYS: $crate::geometry::Arrays<
-            { COUNTS.positions },
-            { COUNTS.faces },
-            { COUNTS.edges },
-            { COUNTS.uvs },
-            { COUNTS.uv_faces },
-            { COUNTS.normals },
-            { COUNTS.normal_faces },
-            { COUNTS.colors },
-        > = READ.0.trim();
-        #[allow(long_running_const_eval)]
-        static MESH: $crate::Mesh<'static> = ARRAYS.mesh();
-        MESH
-    }};
 }

@@ -281,10 +281,8 @@ impl<'a> Reader<'a> {
         let mut kind = 0;
         loop {
             // 1//3 has no texture coordinate, and some programs write 1/ and 1/2/.
-            let given = match byte!(self.text, self.at) {
-                b'/' | blank!() => kind == 0,
-                _ => true,
-            };
+            let c = byte!(self.text, self.at);
+            let given = kind == 0 || c != b'/' && !matches!(c, blank!());
             if given {
                 let index = match self.index(kind) {
                     Ok(index) => index,
