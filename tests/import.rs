@@ -95,6 +95,18 @@ fn shared_edge_occurs_once() {
     assert_eq!(mesh.edges, [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]]);
 }
 
+/// Many edges that differ in their last byte only, in reverse order and twice.
+#[test]
+fn edges_about_a_hub_are_sorted() {
+    let mut text = "v 0 0 0\n".repeat(601);
+    for i in (2..=600).rev() {
+        text += &format!("f 1 {i} {}\n", i + 1);
+    }
+    let spokes = (1..=600).map(|i| [0, i]);
+    let rim = (1..600).map(|i| [i, i + 1]);
+    assert_eq!(ok(&text).edges, spokes.chain(rim).collect::<Vec<_>>());
+}
+
 #[test]
 fn negative_indices_count_back_from_their_line() {
     let expected = ok(&format!("{SQUARE}f 1 2 3\nf 1 3 4"));
