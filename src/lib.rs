@@ -41,5 +41,5 @@ pub mod prelude {
         Converted, DepthView, FaceColors, Flat, Gouraud, Levels, Light, Lit, LitFaces, LitTexture,
         Modulated, NormalView, Palette, Texture, Textured,
     };
-    pub use crate::{fx, vec2, vec3};
+    pub use crate::{fx, include_obj, shape, vec2, vec3};
 }
