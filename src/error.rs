@@ -72,6 +72,15 @@ pub enum Error {
         /// Largest width and height allowed, in pixels.
         max: u32,
     },
+    /// A viewport too far from its canvas.
+    Place {
+        /// Column of the left edge as given.
+        x: i32,
+        /// Row of the top edge as given.
+        y: i32,
+        /// Largest magnitude of either.
+        max: u32,
+    },
     /// A slice of the wrong length.
     Length {
         /// Elements given.
@@ -159,6 +168,10 @@ impl fmt::Display for Error {
             Self::Size { width, height, max } => write!(
                 f,
                 "size is {width}x{height}: width and height must lie between 1 and {max}"
+            ),
+            Self::Place { x, y, max } => write!(
+                f,
+                "viewport is at ({x}, {y}): both must lie between -{max} and {max}"
             ),
             Self::Length { given, needed } => {
                 write!(f, "slice has {given} elements: exactly {needed} are needed")

@@ -5,21 +5,34 @@
 extern crate std;
 
 mod angle;
+mod draw;
 mod error;
 pub mod geometry;
+pub mod interpolate;
 pub mod linear;
 pub mod number;
+mod raster;
 pub mod shade;
+pub mod target;
+mod time;
+pub mod view;
 
 pub use angle::Angle;
+pub use draw::{Drawn, Pass, Place};
 pub use error::Error;
-pub use geometry::{Face, Index, Mesh, Vertex};
-pub use linear::{Vec2, Vec3};
+pub use geometry::{Cull, Face, Index, Mesh, Vertex};
+pub use linear::{Matrix4, Transform, Vec2, Vec3};
 pub use number::{Scalar, Unit};
 pub use shade::{Fragment, Sample};
+pub use target::Canvas;
+pub use time::{Rate, Spin};
+pub use view::{Aspect, Camera, Chain, Projection, Viewport};
 
 /// Everything a drawing program needs.
 pub mod prelude {
-    pub use crate::{Angle, Error, Face, Fragment, Mesh, Sample, Scalar, Vec2, Vec3, Vertex};
+    pub use crate::{
+        Angle, Camera, Canvas, Chain, Cull, Error, Face, Fragment, Mesh, Projection, Rate, Sample,
+    };
+    pub use crate::{Pass, Scalar, Spin, Transform, Vec2, Vec3, Vertex, Viewport};
     pub use crate::{fx, vec2, vec3};
 }

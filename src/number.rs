@@ -6,7 +6,7 @@
 //! | sine, cosine, unit vectors inside the crate | [`Unit`] (`I2F30`) | ±2 | 9.3e-10 |
 //! | angle | `u32` fraction of a turn ([`Angle`](crate::Angle)) | one turn | 8.4e-8 degrees |
 //! | transform | 31-bit mantissas with a shared exponent ([`Transform`](crate::Transform)) | ±2^62 | 2^-30 of the largest |
-//! | screen | 24.8 pixels | ±4096 pixels | 1/256 pixel |
+//! | screen | [`Subpixel`] (`I24F8` pixels) | ±4096 pixels | 1/256 pixel |
 //! | depth | `u16`, linear in 1/w | near 65535, far towards 0 | 1/65535 of near/w |
 //! | varyings of a fragment | `i32`, whatever the fragment makes of it | | |
 
@@ -17,6 +17,9 @@ use crate::Error;
 /// Range −32768 to 32768 − 2⁻¹⁶, resolution 2⁻¹⁶ ≈ 1.5e-5.
 /// [`fx!`](crate::fx) writes a literal, [`scalar`] converts a float at run time.
 pub type Scalar = fixed::types::I16F16;
+
+/// Screen coordinates: signed, 24 integer and 8 fraction bits of a pixel.
+pub type Subpixel = fixed::types::I24F8;
 
 /// Sines, cosines and components of unit vectors: signed, 2 integer and 30 fraction bits.
 pub type Unit = fixed::types::I2F30;
@@ -41,7 +44,6 @@ pub const fn scalar(value: f64) -> Result<Scalar, Error> {
         scaled + 0.5
     };
     if rounded > -2_147_483_649.0 && rounded < 2_147_483_648.0 {
-        #[allow(clippy::cast_possible_truncation)]
         Ok(Scalar::from_bits(rounded as i32))
     } else {
         Err(Error::NotRepresentable { value })

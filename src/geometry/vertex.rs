@@ -3,12 +3,15 @@
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::mesh::{Element, Mesh};
+use crate::linear::Transform;
 use crate::{Scalar, Vec2, Vec3};
 
 /// One triangle of a mesh, on its way to be drawn.
 #[derive(Clone, Copy, Debug)]
 pub struct Face<'a> {
     pub(crate) mesh: &'a Mesh<'a>,
+    /// From model to eye space.
+    pub(crate) view: &'a Transform,
     pub(crate) element: Element,
 }
 
@@ -42,7 +45,6 @@ impl Face<'_> {
         let size = normal.iter().fold(0, |all, x| all | x.unsigned_abs());
         // One leading zero stays, for the sign.
         let up = size.leading_zeros().clamp(1, 63) - 1;
-        #[allow(clippy::cast_possible_truncation)] // the upper half of 64 bits
         Vec3::from_bits(normal.map(|x| ((x << up) >> 32) as i32))
     }
 }
@@ -52,7 +54,6 @@ impl Face<'_> {
 pub struct Vertex<'a> {
     pub(crate) face: &'a Face<'a>,
     pub(crate) corner: usize,
-    pub(crate) distance: Scalar,
 }
 
 impl Vertex<'_> {
@@ -70,7 +71,7 @@ impl Vertex<'_> {
     #[must_use]
     #[inline]
     pub fn distance(&self) -> Scalar {
-        self.distance
+        self.face.view.point(self.position()).z.saturating_neg()
     }
 
     /// The texture coordinate; (0, 0) where the mesh has none.

@@ -1,7 +1,11 @@
 //! Vectors, matrices and transforms.
 
+pub(crate) mod block;
+mod matrix;
 mod transform;
+pub(crate) mod unit;
 mod vector;
 
+pub use matrix::Matrix4;
 pub use transform::Transform;
 pub use vector::{Vec2, Vec3};

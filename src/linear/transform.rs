@@ -1,9 +1,303 @@
-//! Placeholder
-/// An affine transform.
-#[derive(Clone, Copy, Debug)]
+//! Affine transforms: placing a model in the world, and the world before the eye.
+
+use core::ops::Mul;
+
+use super::{Matrix4, Vec3, block, unit};
+use crate::number::Unit;
+use crate::{Angle, Error, Scalar};
+
+/// An affine transform of points: a 3×3 matrix and a translation.
+///
+/// The matrix and the translation are block floating point: 30-bit mantissas with one exponent each,
+/// good to 2⁻³⁰ of the largest entry. Products accumulate in 64 bits and round once. Entries reach from 2⁻⁶²
+/// to 2⁶²; what would be larger saturates there.
+///
+/// `a * b` applies `b` first, as matrices do.
+///
+/// ```
+/// use fixel::prelude::*;
+/// let quarter = Transform::rotate_z(Angle::from_degrees(90));
+/// let up = Transform::translate(vec3!(0, 2, 0));
+/// assert_eq!((up * quarter).point(Vec3::X), vec3!(0, 3, 0));
+/// assert_eq!((quarter * up).point(Vec3::X), vec3!(-2, 1, 0));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Transform {
+    /// Mantissas by rows, below 2^30 in magnitude.
     pub(crate) linear: [[i32; 3]; 3],
+    /// Values are mantissas · 2^-exp; see [`block`] for its range.
     pub(crate) linear_exp: i32,
+    /// Mantissas, below 2^30 in magnitude.
     pub(crate) translation: [i32; 3],
+    /// As `linear_exp`.
     pub(crate) translation_exp: i32,
+}
+
+/// One in units of 2^-30.
+const ONE: i64 = 1 << 30;
+
+/// The sum of products of two triples of mantissas: below 2^62.
+#[inline]
+fn dot(a: [i32; 3], b: [i32; 3]) -> i64 {
+    i64::from(a[0]) * i64::from(b[0])
+        + i64::from(a[1]) * i64::from(b[1])
+        + i64::from(a[2]) * i64::from(b[2])
+}
+
+fn transpose(m: [[i32; 3]; 3]) -> [[i32; 3]; 3] {
+    [0, 1, 2].map(|i| [m[0][i], m[1][i], m[2][i]])
+}
+
+/// [`block::normalise`] of a matrix.
+fn normalise(m: [[i64; 3]; 3], exp: i32) -> ([[i32; 3]; 3], i32) {
+    let [a, b, c] = m;
+    let flat = [a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2]];
+    let (m, exp) = block::normalise(flat, exp);
+    (
+        [[m[0], m[1], m[2]], [m[3], m[4], m[5]], [m[6], m[7], m[8]]],
+        exp,
+    )
+}
+
+impl Transform {
+    /// The transform that leaves everything where it is.
+    pub const IDENTITY: Self = Self {
+        linear: [[1 << 29, 0, 0], [0, 1 << 29, 0], [0, 0, 1 << 29]],
+        linear_exp: 29,
+        translation: [0; 3],
+        translation_exp: block::MAX_EXP,
+    };
+
+    /// A transform of a matrix by rows, in units of 2^-30, and no translation.
+    fn of_linear(m: [[i64; 3]; 3], exp: i32) -> Self {
+        let (linear, linear_exp) = normalise(m, exp);
+        Self {
+            linear,
+            linear_exp,
+            ..Self::IDENTITY
+        }
+    }
+
+    /// Moves by an offset.
+    ///
+    /// Offsets of more than 30 significant bits, from ±8192 on, are rounded to those.
+    #[must_use]
+    pub fn translate(offset: Vec3) -> Self {
+        let (translation, translation_exp) = block::normalise(offset.to_bits().map(i64::from), 16);
+        Self {
+            translation,
+            translation_exp,
+            ..Self::IDENTITY
+        }
+    }
+
+    /// Scales about the origin.
+    #[must_use]
+    pub fn scale(factor: Scalar) -> Self {
+        Self::scale_axes(Vec3::new(factor, factor, factor))
+    }
+
+    /// Scales each axis about the origin; a negative factor mirrors.
+    #[must_use]
+    pub fn scale_axes(factors: Vec3) -> Self {
+        let [x, y, z] = factors.to_bits().map(i64::from);
+        Self::of_linear([[x, 0, 0], [0, y, 0], [0, 0, z]], 16)
+    }
+
+    /// Turns about the x axis, from y towards z.
+    #[must_use]
+    pub fn rotate_x(angle: Angle) -> Self {
+        let (s, c) = bits(angle);
+        Self::of_linear([[ONE, 0, 0], [0, c, -s], [0, s, c]], 30)
+    }
+
+    /// Turns about the y axis, from z towards x.
+    #[must_use]
+    pub fn rotate_y(angle: Angle) -> Self {
+        let (s, c) = bits(angle);
+        Self::of_linear([[c, 0, s], [0, ONE, 0], [-s, 0, c]], 30)
+    }
+
+    /// Turns about the z axis, from x towards y.
+    #[must_use]
+    pub fn rotate_z(angle: Angle) -> Self {
+        let (s, c) = bits(angle);
+        Self::of_linear([[c, -s, 0], [s, c, 0], [0, 0, ONE]], 30)
+    }
+
+    /// Turns about an axis through the origin, counter-clockwise as seen from its tip (Rodrigues' formula).
+    ///
+    /// # Errors
+    ///
+    /// [`Error::ZeroDirection`] if the axis is zero.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// let third = Transform::rotate(vec3!(1, 1, 1), Angle::from_degrees(120))?;
+    /// assert_eq!(third.point(Vec3::X), Vec3::Y);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn rotate(axis: Vec3, angle: Angle) -> Result<Self, Error> {
+        let u = unit::unit(axis.to_bits().map(i64::from)).ok_or(Error::ZeroDirection)?;
+        let u = u.map(i64::from);
+        let (s, c) = bits(angle);
+        // Up to 2 and 1 in units of 2^-30: products stay below 2^62.
+        let entry = |i: usize, j: usize, sine: i64| {
+            let projection = (u[i] * u[j] + (1 << 29)) >> 30;
+            (ONE - c) * projection + if i == j { c << 30 } else { s * sine }
+        };
+        Ok(Self::of_linear(
+            [
+                [entry(0, 0, 0), entry(0, 1, -u[2]), entry(0, 2, u[1])],
+                [entry(1, 0, u[2]), entry(1, 1, 0), entry(1, 2, -u[0])],
+                [entry(2, 0, -u[1]), entry(2, 1, u[0]), entry(2, 2, 0)],
+            ],
+            60,
+        ))
+    }
+
+    /// The rows of a rotation in units of 2^-30, and the point that goes to the origin.
+    pub(crate) fn of_pose(rows: [[i64; 3]; 3], origin: Vec3) -> Self {
+        let rotation = Self::of_linear(rows, 30);
+        rotation * Self::translate(-origin)
+    }
+
+    /// Where a point goes, rounded to nearest; saturates at the ends of the format.
+    #[must_use]
+    pub fn point(&self, point: Vec3) -> Vec3 {
+        let (sum, exp) = block::add(
+            (self.linear_of(point), self.linear_exp + 16),
+            (self.translation.map(i64::from), self.translation_exp),
+        );
+        Vec3::from_bits(sum.map(|v| block::fixed(v, exp, 16)))
+    }
+
+    /// What a direction becomes: as a point, without the translation.
+    #[must_use]
+    pub fn direction(&self, direction: Vec3) -> Vec3 {
+        let linear = self.linear_of(direction);
+        Vec3::from_bits(linear.map(|v| block::fixed(v, self.linear_exp + 16, 16)))
+    }
+
+    /// The matrix times a vector: three products below 2^61.
+    fn linear_of(&self, v: Vec3) -> [i64; 3] {
+        self.linear.map(|row| dot(row, v.to_bits()))
+    }
+
+    /// The inverse of a rigid transform, one of rotations and translations only: the transpose of
+    /// the rotation, after the opposite translation.
+    ///
+    /// Of any other transform this is not the inverse.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// let pose = Transform::translate(vec3!(1, 2, 3)) * Transform::rotate_y(Angle::from_degrees(30));
+    /// assert_eq!((pose.inverse_rigid() * pose).point(vec3!(4, 5, 6)), vec3!(4, 5, 6));
+    /// ```
+    #[must_use]
+    pub fn inverse_rigid(&self) -> Self {
+        let linear = transpose(self.linear);
+        let moved = linear.map(|row| -dot(row, self.translation));
+        let (translation, translation_exp) =
+            block::normalise(moved, self.linear_exp + self.translation_exp);
+        Self {
+            linear,
+            translation,
+            translation_exp,
+            ..*self
+        }
+    }
+
+    /// A transform that has drifted by many multiplications, made rigid again: the rows of the matrix
+    /// become orthogonal and of length one. Its z axis keeps its direction, y the plane it makes with z, and
+    /// a mirror stays one.
+    ///
+    /// For transforms of rotations and translations that are updated frame by frame. A matrix that has no such
+    /// axes, because they are zero or parallel, stays as it is.
+    #[must_use]
+    pub fn renormalised(&self) -> Self {
+        let axes = || {
+            let z = unit::unit(self.linear[2].map(i64::from))?;
+            let x = unit::unit(unit::cross(self.linear[1], z))?;
+            let y = unit::cross(z, x).map(|v| (v + (1 << 29)) >> 30);
+            let sign = if dot(x, self.linear[0]) < 0 { -1 } else { 1 };
+            Some([x.map(|v| sign * i64::from(v)), y, z.map(i64::from)])
+        };
+        match axes() {
+            None => *self,
+            Some(rows) => Self {
+                translation: self.translation,
+                translation_exp: self.translation_exp,
+                ..Self::of_linear(rows, 30)
+            },
+        }
+    }
+
+    /// The matrix that takes normals where [`point`](Self::point) takes surfaces, up to a positive factor:
+    /// the inverse transpose, as cofactors of the matrix with the sign of its determinant.
+    #[must_use]
+    #[allow(dead_code)] // lights are to come
+    pub(crate) fn normal_matrix(&self) -> [[i32; 3]; 3] {
+        let [x, y, z] = self.linear;
+        let (cofactors, _) =
+            normalise([unit::cross(y, z), unit::cross(z, x), unit::cross(x, y)], 0);
+        if dot(x, cofactors[0]) < 0 {
+            cofactors.map(|row| row.map(|v| -v))
+        } else {
+            cofactors
+        }
+    }
+
+    /// As a matrix of [`Scalar`]s: entries are rounded to 2⁻¹⁶ and saturate at ±32768.
+    #[must_use]
+    pub fn matrix(&self) -> Matrix4 {
+        let mut rows = [[Scalar::ZERO; 4]; 4];
+        for (row, (linear, &translation)) in rows
+            .iter_mut()
+            .zip(self.linear.iter().zip(&self.translation))
+        {
+            let entry = |v: i32, exp| Scalar::from_bits(block::fixed(v.into(), exp, 16));
+            let [x, y, z] = linear.map(|v| entry(v, self.linear_exp));
+            *row = [x, y, z, entry(translation, self.translation_exp)];
+        }
+        rows[3][3] = Scalar::ONE;
+        Matrix4::new(rows)
+    }
+}
+
+/// Sine and cosine in units of 2^-30.
+fn bits(angle: Angle) -> (i64, i64) {
+    let (sin, cos) = angle.sin_cos();
+    (Unit::to_bits(sin).into(), Unit::to_bits(cos).into())
+}
+
+impl Default for Transform {
+    fn default() -> Self {
+        Self::IDENTITY
+    }
+}
+
+impl Mul for Transform {
+    type Output = Self;
+
+    /// The transform that applies `other` first, then `self`.
+    fn mul(self, other: Self) -> Self {
+        let columns = transpose(other.linear);
+        let product = self
+            .linear
+            .map(|row| columns.map(|column| dot(row, column)));
+        let (linear, linear_exp) = normalise(product, self.linear_exp + other.linear_exp);
+        let moved = self.linear.map(|row| dot(row, other.translation));
+        let (sum, exp) = block::add(
+            (moved, self.linear_exp + other.translation_exp),
+            (self.translation.map(i64::from), self.translation_exp),
+        );
+        let (translation, translation_exp) = block::normalise(sum, exp);
+        Self {
+            linear,
+            linear_exp,
+            translation,
+            translation_exp,
+        }
+    }
 }

@@ -1,0 +1,322 @@
+//! From model space to the screen: one matrix per draw call, one reciprocal per vertex.
+
+use core::marker::PhantomData;
+
+use crate::Vec3;
+use crate::interpolate::reciprocal;
+use crate::linear::Transform;
+use crate::linear::block;
+use crate::view::{Kind, Projection, Row, Viewport};
+
+/// Half the width and height of the guard band, in pixels: the room about the viewport's centre in
+/// which screen coordinates are exact, and to which triangles are clipped.
+const GUARD: i32 = 2048;
+/// The guard band's half width, 2^19 units of 1/256 pixel.
+const GUARD_BITS: u32 = GUARD.trailing_zeros() + 8;
+
+/// A position in clip space: x and y to the right and down in units of the guard band, and t, which
+/// is w under a perspective and depth under a parallel projection. All three times 2^`fraction`.
+pub(crate) type ClipPosition = [i64; 3];
+
+/// How many units a clip coordinate may be beyond a side plane and count as inside: what rounding
+/// may take a point that was cut from an edge with both ends inside.
+const SIDE_TOLERANCE: i64 = 8;
+
+/// A vertex on the screen.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Projected {
+    /// Column and row in units of 1/256 pixel, from the frame's top left.
+    pub(crate) screen: [i32; 2],
+    /// The interpolant of depth, 31 bits: 1/w with its top bit set, or depth itself.
+    pub(crate) q: u32,
+    /// 1/w is `q` · 2^`exponent` times a constant of the draw call; 0 under a parallel projection.
+    pub(crate) exponent: i32,
+    /// Which planes it is outside of; where it is, the rest has no meaning.
+    pub(crate) outside: u8,
+}
+
+impl Projected {
+    /// A vertex that is not on the screen.
+    pub(crate) const NONE: Self = Self {
+        screen: [0; 2],
+        q: 0,
+        exponent: 0,
+        outside: u8::MAX,
+    };
+}
+
+/// The way from model space to the screen, made once for a draw call.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Projector<K> {
+    rows: [[i32; 3]; 3],
+    offsets: [i64; 3],
+    /// Fraction bits of clip coordinates.
+    fraction: i32,
+    /// The least and the greatest t inside.
+    range: [i64; 2],
+    /// The viewport's centre, in units of 1/256 pixel.
+    center: [i32; 2],
+    kind: PhantomData<K>,
+}
+
+/// A mantissa of 30 bits and its exponent.
+type Scaled = (i32, i32);
+
+/// 1 / `value` for a positive value of 16 fraction bits, 30 bits of it; `tweak` is added to it in units of 2⁻¹⁶ of itself.
+fn inverse(value: u32, tweak: i64) -> Scaled {
+    let up = value.leading_zeros() & 31;
+    let r = i64::from(reciprocal(value << up));
+    // 1/value = 2^16 · 2^up · r / 2^63.
+    let ([mantissa], exp) = block::normalise([r + (r >> 16) * tweak], 47 - up.cast_signed());
+    (mantissa, exp)
+}
+
+/// A row of the clip matrix before its exponent is known.
+struct Line {
+    linear: ([i32; 3], i32),
+    offset: Scaled,
+}
+
+impl Line {
+    /// `row`, a linear function of eye space, as one of model space, times `factor`.
+    fn new(row: &Row, view: &Transform, factor: Scaled) -> Self {
+        let row_of = |column: [i32; 3]| {
+            // Three products of 60 bits.
+            i64::from(row.m[0]) * i64::from(column[0])
+                + i64::from(row.m[1]) * i64::from(column[1])
+                + i64::from(row.m[2]) * i64::from(column[2])
+        };
+        let [x, y, z] = view.linear;
+        let columns = [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]];
+        let (linear, exp) = block::normalise(columns.map(row_of), row.exp + view.linear_exp);
+        let linear = block::normalise(
+            linear.map(|m| i64::from(m) * i64::from(factor.0)),
+            exp + factor.1,
+        );
+        let (offset, exp) = block::add(
+            ([row_of(view.translation)], row.exp + view.translation_exp),
+            ([i64::from(row.m[3])], row.exp),
+        );
+        let ([offset], exp) = block::normalise(offset, exp);
+        let ([offset], exp) =
+            block::normalise([i64::from(offset) * i64::from(factor.0)], exp + factor.1);
+        Self {
+            linear,
+            offset: (offset, exp),
+        }
+    }
+}
+
+impl<K: Kind> Projector<K> {
+    /// The way through `view` and `lens` to the pixels of `viewport`.
+    pub(crate) fn new(lens: &Projection<K>, view: &Transform, viewport: &Viewport) -> Self {
+        let (near, far) = (lens.near, lens.far);
+        // The row of t, and what x and y are multiplied with beside the viewport's scale.
+        let (depth, unit) = if K::PERSPECTIVE {
+            // t = w / near, a little above 1 at the near plane: the greatest 1/t, 1 - 2^-16, leaves
+            // room for rounding before a depth of 65536.
+            let one = inverse(near.to_bits().max(1).cast_unsigned(), 1);
+            (
+                Row {
+                    m: [0, 0, -(1 << 29), 0],
+                    exp: 29,
+                },
+                one,
+            )
+        } else {
+            // t = (far - distance) / (far - near), a little below 1 at the near plane.
+            let length = far.to_bits().wrapping_sub(near.to_bits()).cast_unsigned();
+            let (scale, exp) = inverse(length.max(1), -1);
+            let far = i64::from(scale) * i64::from(far.to_bits());
+            let (linear, offset) = (([i64::from(scale)], exp), ([far], exp + 16));
+            // Both in one row: at the exponent that the greater one needs.
+            let ([scale], scale_exp) = block::normalise(linear.0, linear.1);
+            let ([offset], offset_exp) = block::normalise(offset.0, offset.1);
+            let exp = scale_exp.min(offset_exp);
+            let at = |m: i32, from: i32| block::shift(i64::from(m), exp - from) as i32;
+            (
+                Row {
+                    m: [0, 0, at(scale, scale_exp), at(offset, offset_exp)],
+                    exp,
+                },
+                (1 << 29, 29),
+            )
+        };
+        // Half the size in units of the guard band.
+        let scale = |size: i32| {
+            let ([mantissa], exp) =
+                block::normalise([i64::from(size) * i64::from(unit.0)], unit.1 + 12);
+            (mantissa, exp)
+        };
+        let [width, height] = viewport.size().map(u32::cast_signed);
+        let (depth_unit, [x, y]) = (
+            if K::PERSPECTIVE { unit } else { (1 << 29, 29) },
+            &lens.rows,
+        );
+        let lines = [
+            Line::new(x, view, scale(width)),
+            Line::new(y, view, scale(-height)),
+            Line::new(&depth, view, depth_unit),
+        ];
+
+        // The finest exponent at which coefficients keep below 2^29 and offsets below 2^60. With
+        // coordinates of 31 bits a sum stays below 3 · 2^60 + 2^60 = 2^62.
+        let exp = lines
+            .iter()
+            .map(|line| (line.linear.1 - 1).min(line.offset.1 + 14))
+            .fold(40, i32::min)
+            .max(-16);
+        let fraction = exp + 16;
+        let rows = lines.each_ref().map(
+            |Line {
+                 linear: (m, from), ..
+             }| {
+                m.map(|m| block::shift(i64::from(m), exp - from).clamp(-(1 << 29), 1 << 29) as i32)
+            },
+        );
+        let offsets = lines.each_ref().map(
+            |Line {
+                 offset: (m, from), ..
+             }| {
+                block::shift(i64::from(*m), fraction - from).clamp(-(1 << 60), 1 << 60)
+            },
+        );
+
+        let one = 1i64 << fraction;
+        let margin = (one >> 16).max(1);
+        let range = if K::PERSPECTIVE {
+            let (ratio, exp) = block::ratio(far.to_bits().into(), near.to_bits().into());
+            let ratio = block::shift(ratio + (ratio >> 16), fraction - exp);
+            [one + margin, ratio.min(i64::MAX >> 1)]
+        } else {
+            [0, one - margin]
+        };
+        Self {
+            rows,
+            offsets,
+            fraction,
+            range,
+            center: viewport.center(),
+            kind: PhantomData,
+        }
+    }
+
+    /// A position of model space in clip space.
+    #[inline]
+    pub(crate) fn clip_position(&self, position: Vec3) -> ClipPosition {
+        let [x, y, z] = position.to_bits().map(i64::from);
+        let row = |row: [i32; 3], offset: i64| {
+            let [a, b, c] = row.map(i64::from);
+            a * x + b * y + c * z + offset
+        };
+        let ([rx, ry, rt], [ox, oy, ot]) = (self.rows, self.offsets);
+        [row(rx, ox), row(ry, oy), row(rt, ot)]
+    }
+
+    /// The homogeneous coordinate: w, or 1 under a parallel projection.
+    #[inline]
+    fn w(&self, t: i64) -> i64 {
+        if K::PERSPECTIVE {
+            t
+        } else {
+            1 << self.fraction
+        }
+    }
+
+    /// How far inside each plane a position is, for plane 0 to 5: near or far, far or near, left,
+    /// right, top, bottom.
+    #[inline]
+    pub(super) fn distance(&self, [x, y, t]: ClipPosition, plane: u32) -> i64 {
+        let w = self.w(t);
+        match plane {
+            0 => t - self.range[0],
+            1 => self.range[1].saturating_sub(t),
+            2 => w.saturating_add(x),
+            3 => w.saturating_sub(x),
+            4 => w.saturating_add(y),
+            _ => w.saturating_sub(y),
+        }
+    }
+
+    /// A position on an edge that `plane` cuts, put onto the plane.
+    #[inline]
+    pub(super) fn onto(&self, [x, y, t]: ClipPosition, plane: u32) -> ClipPosition {
+        let w = self.w(t);
+        match plane {
+            0 => [x, y, self.range[0]],
+            1 => [x, y, self.range[1]],
+            2 => [-w, y, t],
+            3 => [w, y, t],
+            4 => [x, -w, t],
+            _ => [x, w, t],
+        }
+    }
+
+    /// Whether a distance from a plane counts as outside.
+    #[inline]
+    pub(super) const fn is_outside(distance: i64, plane: u32) -> bool {
+        distance < if plane < 2 { 0 } else { -SIDE_TOLERANCE }
+    }
+
+    /// A bit for each plane that a position is outside of.
+    #[inline]
+    fn outside(&self, position: ClipPosition) -> u8 {
+        (0..6).fold(0, |all, plane| {
+            all | u8::from(Self::is_outside(self.distance(position, plane), plane)) << plane
+        })
+    }
+
+    /// A position of clip space on the screen.
+    #[inline]
+    pub(crate) fn project(&self, position: ClipPosition) -> Projected {
+        match self.outside(position) {
+            0 => self.project_inside(position),
+            outside => Projected {
+                outside,
+                ..Projected::NONE
+            },
+        }
+    }
+
+    /// A position of clip space that is inside on the screen, such as a corner of a clipped polygon.
+    #[inline]
+    pub(crate) fn project_inside(&self, position: ClipPosition) -> Projected {
+        let [x, y, t] = position;
+        let (screen, q, exponent) = if K::PERSPECTIVE {
+            // t is positive and below 2^62. With t' = t · 2^up / 2^32 of 32 bits and x' a quarter
+            // so large, x / t = x' · r / 2^61.
+            let up = (t | 1).leading_zeros();
+            let r = reciprocal((t.cast_unsigned() << up >> 32) as u32);
+            let on_screen = |x: i64| {
+                let product = (x << (up.max(2) - 2) >> 32) * i64::from(r);
+                ((product + (1 << (60 - GUARD_BITS))) >> (61 - GUARD_BITS)) as i32
+            };
+            ([on_screen(x), on_screen(y)], r >> 1, up.cast_signed())
+        } else {
+            let down = GUARD_BITS.cast_signed() - self.fraction;
+            let on_screen = |x: i64| block::shift(x, down) as i32;
+            let q = block::shift(t, 31 - self.fraction);
+            ([on_screen(x), on_screen(y)], q.cast_unsigned() as u32, 0)
+        };
+        let [cx, cy] = self.center;
+        Projected {
+            screen: [screen[0] + cx, screen[1] + cy],
+            q,
+            exponent,
+            outside: 0,
+        }
+    }
+
+    /// How far down an interpolant of this `exponent` is shifted to be a 16-bit depth.
+    #[inline]
+    pub(crate) fn depth_shift(&self, exponent: i32) -> u32 {
+        if K::PERSPECTIVE {
+            // 1/t = q · 2^(exponent + fraction - 94), and depth is 2^16 times that.
+            (78 - self.fraction - exponent)
+                .clamp(15, 31)
+                .cast_unsigned()
+        } else {
+            15
+        }
+    }
+}

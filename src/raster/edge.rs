@@ -1,0 +1,137 @@
+//! A triangle's edge, row by row.
+
+use core::num::NonZeroU32;
+
+/// Where an edge crosses the centres of rows, stepped exactly.
+///
+/// Positions are in units of 1/256 pixel. The crossing is the rational number
+/// `x` − `short` / `dy`; `x` is therefore its ceiling, and rounding to pixels is exact.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Edge {
+    x: i32,
+    short: u32,
+    step: i32,
+    rest: u32,
+    dy: NonZeroU32,
+}
+
+/// The first row (or column) whose centre is at or after a position in units of 1/256 pixel:
+/// the position itself belongs to the pixel, so that of two adjoining triangles one has it.
+#[inline]
+pub(super) const fn first_center(position: i32) -> i32 {
+    (position + 127) >> 8
+}
+
+impl Edge {
+    /// The edge down from `from` to `to`, at `row`; `None` if it is level.
+    ///
+    /// Ends differ by at most 4096 pixels in each direction, and `row` is one whose centre the
+    /// edge crosses, so that everything fits in 32 bits.
+    #[inline]
+    pub(super) fn new(from: [i32; 2], to: [i32; 2], row: i32) -> Option<Self> {
+        let dx = to[0] - from[0];
+        let dy = NonZeroU32::new((to[1] - from[1]).cast_unsigned())?;
+        // dx = q · dy + r, r from 0: for a negative dx from its complement.
+        let size = (if dx < 0 { !dx } else { dx }).cast_unsigned();
+        let (q, r) = (size / dy, size % dy);
+        let (q, r) = if dx < 0 {
+            (!q, dy.get() - 1 - r)
+        } else {
+            (q, r)
+        };
+        let q = q.cast_signed();
+
+        // Less than a pixel down to the first centre: the products of r stay below 2^28.
+        let first = first_center(from[1]);
+        let down = (first << 8) + 128 - from[1];
+        let part = down.cast_unsigned() * r;
+        let pixel = r << 8;
+        let mut edge = Self {
+            x: from[0] + down * q + (part / dy).cast_signed(),
+            short: 0,
+            step: (q << 8) + (pixel / dy).cast_signed(),
+            rest: pixel % dy,
+            dy,
+        };
+        edge.add(part % dy);
+
+        let skipped = (row - first).cast_unsigned();
+        if skipped > 0 {
+            // Rows before the target's first, such as those of bands above: at most 4095, each
+            // with a rest below 2^20.
+            let rest = skipped.wrapping_mul(edge.rest);
+            edge.x += skipped.cast_signed() * edge.step + (rest / dy).cast_signed();
+            edge.add(rest % dy);
+        }
+        Some(edge)
+    }
+
+    /// Moves the crossing right by `rest` / `dy`, less than one unit.
+    #[inline]
+    const fn add(&mut self, rest: u32) {
+        if self.short < rest {
+            self.short += self.dy.get();
+            self.x += 1;
+        }
+        self.short -= rest;
+    }
+
+    /// Goes to the next row.
+    #[inline]
+    pub(super) const fn step(&mut self) {
+        self.x += self.step;
+        self.add(self.rest);
+    }
+
+    /// The first column whose centre is on the crossing or to the right of it.
+    #[inline]
+    pub(super) const fn column(&self) -> i32 {
+        first_center(self.x)
+    }
+
+    /// The column that the crossing lies in.
+    #[inline]
+    pub(super) const fn inside(&self) -> i32 {
+        // The floor is one less than the ceiling unless the crossing is whole.
+        (self.x - (self.short > 0) as i32) >> 8
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every row of every edge against the rational crossing, from every row it may start at.
+    #[test]
+    fn crossings_are_exact() {
+        let ends = [
+            -70_001, -300, -257, -1, 0, 1, 127, 128, 129, 255, 256, 1000, 90_003,
+        ];
+        for x0 in ends {
+            for x1 in ends {
+                for y0 in [-300, -129, -128, -127, 0, 5] {
+                    for y1 in [-100, 1, 127, 128, 129, 1500] {
+                        if y1 <= y0 {
+                            continue;
+                        }
+                        let rows = first_center(y0)..first_center(y1);
+                        for start in rows.clone() {
+                            let mut edge = Edge::new([x0, y0], [x1, y1], start).unwrap();
+                            for row in start..rows.end {
+                                let dy = i64::from(y1 - y0);
+                                let numerator = i64::from(x0) * dy
+                                    + i64::from(row * 256 + 128 - y0) * i64::from(x1 - x0);
+                                let ceiling = |n: i64, d: i64| -(-n).div_euclid(d);
+                                let column = ceiling(numerator - 128 * dy, 256 * dy);
+                                assert_eq!(i64::from(edge.column()), column);
+                                let inside = numerator.div_euclid(256 * dy);
+                                assert_eq!(i64::from(edge.inside()), inside);
+                                edge.step();
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,150 @@
+//! From a primitive on the screen to runs of pixels.
+
+mod edge;
+mod line;
+mod point;
+mod triangle;
+
+use core::ops::Range;
+
+use embedded_graphics::geometry::Point;
+
+use crate::geometry::Projected;
+use crate::interpolate::{Interpolate, Pixels, Plane, RUN, Run, Slope};
+use crate::shade::{Fragment, Sample};
+use crate::target::{Canvas, DepthBuffer, Storage};
+
+pub(crate) use line::line;
+pub(crate) use point::point;
+pub(crate) use triangle::Triangle;
+
+/// The part of the canvas that may be drawn into; nothing outside is.
+#[derive(Clone, Debug)]
+pub(crate) struct Window {
+    pub(crate) columns: Range<i32>,
+    pub(crate) rows: Range<i32>,
+}
+
+/// The interpolants of a primitive: the plane of 1/w (or depth), and those of the attributes over w.
+struct Planes<const N: usize> {
+    slope: Slope,
+    q: Plane,
+    p: [Plane; N],
+    bits: [u32; N],
+}
+
+impl<const N: usize> Planes<N> {
+    /// The interpolants from a pixel on, counted from the slope's origin.
+    #[inline]
+    fn run(&self, x: i32, y: i32) -> Run<N> {
+        let value = |plane: &Plane| self.slope.value(plane.at(x, y));
+        let step = |plane: &Plane| self.slope.value(plane.dx());
+        Run {
+            q: value(&self.q).cast_unsigned(),
+            dq: step(&self.q),
+            p: self.p.each_ref().map(value),
+            dp: self.p.each_ref().map(step),
+            bits: self.bits,
+        }
+    }
+}
+
+/// The least 1/w: more than what the steps of a run may take from it.
+///
+/// It only ever lifts a corner more than four million times as far as the nearest one.
+const LEAST_WEIGHT: u32 = 1 << 8;
+
+/// Draws `columns` of `row`, which lie within the canvas, in runs; `run_from` gives the one that
+/// starts at a column.
+#[inline]
+fn span<I, F, O, D, const N: usize>(
+    canvas: &mut Canvas<'_, F::Color, O, D>,
+    (row, columns): (i32, Range<i32>),
+    run_from: impl Fn(i32) -> Run<N>,
+    (fragment, depth_shift): (&F, u32),
+) where
+    I: Interpolate,
+    F: Fragment<N>,
+    O: Storage<F::Color>,
+    D: DepthBuffer,
+{
+    let mut start = columns.start;
+    while start < columns.end {
+        let end = columns.end.min(start + RUN.cast_signed());
+        let mut shader = Shader {
+            fragment,
+            depth_shift,
+            // The first pixel is looked at after one step.
+            sample: Sample {
+                point: Point::new(start - 1, row),
+                depth: 0,
+            },
+        };
+        let cells = canvas.run(
+            row.cast_unsigned(),
+            start.cast_unsigned()..end.cast_unsigned(),
+        );
+        let cells = cells.map(|(color, depth)| Cell::<F::Color, O, D> { color, depth });
+        I::run(run_from(start), cells, &mut shader);
+        start = end;
+    }
+}
+
+/// The corners' interpolants of depth with one exponent: their own, and the common one.
+#[inline]
+fn align<const CORNERS: usize>(corners: &[Projected; CORNERS]) -> ([u32; CORNERS], i32) {
+    let exponent = corners
+        .iter()
+        .fold(0, |most, corner| corner.exponent.max(most));
+    let q = corners.map(|corner| {
+        let down = (exponent - corner.exponent).cast_unsigned();
+        corner.q.checked_shr(down).unwrap_or(0).max(LEAST_WEIGHT)
+    });
+    (q, exponent)
+}
+
+/// What attributes are multiplied with before they are interpolated: 1/w, or 2^30 where there is none.
+#[inline]
+fn weights<I: Interpolate, const CORNERS: usize>(q: [u32; CORNERS]) -> [u32; CORNERS] {
+    if I::PERSPECTIVE {
+        q
+    } else {
+        [1 << 30; CORNERS]
+    }
+}
+
+/// One pixel in memory.
+struct Cell<'c, 'd, C, O: Storage<C>, D: DepthBuffer + 'd> {
+    color: &'c mut O::Cell,
+    depth: D::Cell<'d>,
+}
+
+/// Tests and colours the pixels of a run with a fragment.
+struct Shader<'f, F> {
+    fragment: &'f F,
+    depth_shift: u32,
+    sample: Sample,
+}
+
+impl<'d, F, O, D, const N: usize> Pixels<Cell<'_, 'd, F::Color, O, D>, N> for Shader<'_, F>
+where
+    F: Fragment<N>,
+    O: Storage<F::Color>,
+    D: DepthBuffer + 'd,
+{
+    #[inline]
+    fn visible(&mut self, cell: &Cell<'_, 'd, F::Color, O, D>, q: u32) -> bool {
+        self.sample.point.x += 1;
+        // 31 bits shifted down by 15 or more.
+        self.sample.depth = (q >> self.depth_shift) as u16;
+        D::passes(&cell.depth, self.sample.depth)
+    }
+
+    #[inline]
+    fn shade(&mut self, cell: Cell<'_, 'd, F::Color, O, D>, _: u32, varyings: [i32; N]) {
+        if let Some(color) = self.fragment.shade(&self.sample, varyings) {
+            *cell.color = O::store(color);
+            D::store(cell.depth, self.sample.depth);
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! Triangles: which way they face, which pixels are theirs.
+
+use super::edge::{Edge, first_center};
+use super::{Planes, Window, align, span, weights};
+use crate::geometry::{Cull, Projected};
+use crate::interpolate::{Interpolate, Slope, Weighted};
+use crate::shade::Fragment;
+use crate::target::{Canvas, DepthBuffer, Storage};
+
+/// A triangle on the screen that faces the right way and may cover pixels of the window.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Triangle {
+    /// Clockwise as seen, so that with y down the area is positive.
+    corners: [Projected; 3],
+    /// Twice the area, in units of (1/256 pixel)².
+    area: u64,
+    /// Whether the last two corners have changed places.
+    turned: bool,
+}
+
+impl Triangle {
+    /// `None` if it has no area, is culled, or covers no pixel centre of the window.
+    #[inline]
+    pub(crate) fn new(corners: [Projected; 3], cull: Cull, window: &Window) -> Option<Self> {
+        let [a, b, c] = corners.map(|corner| corner.screen);
+        let product = |x: i32, y: i32| i64::from(x) * i64::from(y);
+        // Differences of 21 bits.
+        let area = product(b[0] - a[0], c[1] - a[1]) - product(c[0] - a[0], b[1] - a[1]);
+        let culled = match cull {
+            Cull::Nothing => area == 0,
+            Cull::Back => area >= 0,
+            Cull::Front => area <= 0,
+        };
+        let meets = |axis: usize, window: &core::ops::Range<i32>| {
+            let least = a[axis].min(b[axis]).min(c[axis]);
+            let most = a[axis].max(b[axis]).max(c[axis]);
+            let (start, end) = (first_center(least), first_center(most));
+            start.max(window.start) < end.min(window.end)
+        };
+        if culled || !meets(1, &window.rows) || !meets(0, &window.columns) {
+            return None;
+        }
+        let turned = area < 0;
+        let [first, second, third] = corners;
+        let corners = if turned {
+            [first, third, second]
+        } else {
+            corners
+        };
+        Some(Self {
+            corners,
+            area: area.unsigned_abs(),
+            turned,
+        })
+    }
+
+    /// Draws the triangle; `varyings` are those of the corners as they were given.
+    #[inline]
+    pub(crate) fn draw<I, F, O, D, const N: usize>(
+        &self,
+        canvas: &mut Canvas<'_, F::Color, O, D>,
+        window: &Window,
+        [first, second, third]: [[i32; N]; 3],
+        (fragment, depth_shift): (&F, impl Fn(i32) -> u32),
+    ) where
+        I: Interpolate,
+        F: Fragment<N>,
+        O: Storage<F::Color>,
+        D: DepthBuffer,
+    {
+        let varyings = if self.turned {
+            [first, third, second]
+        } else {
+            [first, second, third]
+        };
+        let (q, exponent) = align(&self.corners);
+        let weighted = Weighted::new(&varyings, weights::<I, 3>(q));
+        let slope = Slope::new(self.corners.map(|corner| corner.screen), self.area);
+        let planes = Planes {
+            slope,
+            q: slope.plane(q.map(u32::cast_signed)),
+            p: weighted.p.map(|p| slope.plane(p)),
+            bits: weighted.bits,
+        };
+        let [left, top] = slope.origin();
+        let paint = (fragment, depth_shift(exponent));
+        self.rows(window, |row, columns| {
+            let run_from = |column| planes.run(column - left, row - top);
+            span::<I, F, O, D, N>(canvas, (row, columns), run_from, paint);
+        });
+    }
+
+    /// Calls `each` for every row with the columns whose centres are the triangle's.
+    ///
+    /// A centre on a left or top edge belongs to it, one on a right or bottom edge does not.
+    #[inline]
+    fn rows(&self, window: &Window, mut each: impl FnMut(i32, core::ops::Range<i32>)) {
+        let [mut top, mut middle, mut bottom] = self.corners.map(|corner| corner.screen);
+        // Sorting from the top; every exchange turns the triangle over.
+        let mut right = true;
+        if middle[1] < top[1] {
+            (top, middle, right) = (middle, top, !right);
+        }
+        if bottom[1] < middle[1] {
+            (middle, bottom, right) = (bottom, middle, !right);
+            if middle[1] < top[1] {
+                (top, middle, right) = (middle, top, !right);
+            }
+        }
+        // With positive area and no exchange, the middle corner is to the right of the long edge.
+        let mut long = None;
+        for (from, to) in [(top, middle), (middle, bottom)] {
+            let start = first_center(from[1]).max(window.rows.start);
+            let end = first_center(to[1]).min(window.rows.end);
+            if start >= end {
+                continue;
+            }
+            let Some(mut side) = Edge::new(from, to, start) else {
+                continue;
+            };
+            let Some(mut other) = long.take().or_else(|| Edge::new(top, bottom, start)) else {
+                continue;
+            };
+            for row in start..end {
+                let (left, end) = if right {
+                    (other.column(), side.column())
+                } else {
+                    (side.column(), other.column())
+                };
+                let columns = left.max(window.columns.start)..end.min(window.columns.end);
+                if !columns.is_empty() {
+                    each(row, columns);
+                }
+                side.step();
+                other.step();
+            }
+            long = Some(other);
+        }
+    }
+}

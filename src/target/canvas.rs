@@ -1,0 +1,336 @@
+//! The canvas: the caller's memory as a picture, whole or a band of one.
+
+use core::ops::Range;
+
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{Dimensions, Point, Size};
+use embedded_graphics::pixelcolor::PixelColor;
+use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
+use embedded_graphics::primitives::Rectangle;
+
+use super::depth::{Depth, DepthBuffer, NoDepth};
+use super::storage::{Bytes, Native, Storage};
+use crate::Error;
+
+/// Largest width and height of a frame, in pixels.
+pub const MAX_SIZE: u32 = 2048;
+
+/// A frame's pixels, or those of a horizontal band of it, in memory that belongs to the caller.
+///
+/// Column 0, row 0 is the top left of the frame. A band knows which rows of which frame it holds;
+/// everything is drawn in the frame's coordinates and what falls outside the band is left out, so
+/// that the bands of a frame put together are the frame, bit for bit.
+///
+/// `C` is the colour, `O` how it is stored ([`Native`], or bytes in an order that a display
+/// wants), `D` the depth buffer ([`NoDepth`] or [`Depth`]).
+///
+/// It is an embedded-graphics [`DrawTarget`], so text and gauges go over the picture.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+/// use fixel::prelude::*;
+///
+/// const WIDTH: u32 = 32;
+/// const HEIGHT: u32 = 24;
+/// let mut color = [Rgb565::BLACK; (WIDTH * HEIGHT) as usize];
+/// let mut depth = [0; (WIDTH * HEIGHT) as usize];
+/// let mut canvas = Canvas::new(&mut color, WIDTH, HEIGHT)?.with_depth(&mut depth)?;
+/// canvas.clear(Rgb565::BLUE);
+/// assert!(canvas.pixels().all(|pixel| pixel == Rgb565::BLUE));
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Canvas<'a, C, O: Storage<C> = Native, D = NoDepth> {
+    cells: &'a mut [O::Cell],
+    depth: D,
+    width: u32,
+    height: u32,
+    rows: Range<u32>,
+}
+
+impl<'a, C: PixelColor> Canvas<'a, C> {
+    /// A canvas of `width` x `height` pixels, stored as colours, row by row from the top.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Size`] if a side is 0 or above [`MAX_SIZE`]; [`Error::Length`] if `pixels` does
+    /// not have exactly one element per pixel.
+    pub fn new(pixels: &'a mut [C], width: u32, height: u32) -> Result<Self, Error> {
+        Self::over(pixels, width, height)
+    }
+
+    /// A canvas of some rows of a frame of `width` x `height` pixels: as many as `pixels` holds,
+    /// from `first_row` down.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`]; [`Error::Length`] if
+    /// `pixels` is no whole number of rows; [`Error::Rows`] if there is no row or one is outside
+    /// the frame.
+    pub fn band(
+        pixels: &'a mut [C],
+        width: u32,
+        height: u32,
+        first_row: u32,
+    ) -> Result<Self, Error> {
+        Self::band_over(pixels, width, height, first_row)
+    }
+}
+
+impl<'a, C> Canvas<'a, C, BigEndian>
+where
+    BigEndian: Storage<C>,
+{
+    /// A canvas of pixels stored as bytes, most significant first, as most displays want them.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+    /// use fixel::prelude::*;
+    /// let mut bytes = [[0; 2]; 4];
+    /// let mut canvas: Canvas<Rgb565, _> = Canvas::big_endian(&mut bytes, 2, 2)?;
+    /// canvas.clear(Rgb565::RED);
+    /// assert_eq!(canvas.bytes()[..2], [0xf8, 0x00]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As for [`new`](Canvas::new).
+    pub fn big_endian(
+        pixels: &'a mut [<BigEndian as Storage<C>>::Cell],
+        width: u32,
+        height: u32,
+    ) -> Result<Self, Error> {
+        Self::over(pixels, width, height)
+    }
+
+    /// A band stored as bytes, most significant first.
+    ///
+    /// # Errors
+    ///
+    /// As for [`band`](Canvas::band).
+    pub fn big_endian_band(
+        pixels: &'a mut [<BigEndian as Storage<C>>::Cell],
+        width: u32,
+        height: u32,
+        first_row: u32,
+    ) -> Result<Self, Error> {
+        Self::band_over(pixels, width, height, first_row)
+    }
+}
+
+impl<'a, C> Canvas<'a, C, LittleEndian>
+where
+    LittleEndian: Storage<C>,
+{
+    /// A canvas of pixels stored as bytes, least significant first.
+    ///
+    /// # Errors
+    ///
+    /// As for [`new`](Canvas::new).
+    pub fn little_endian(
+        pixels: &'a mut [<LittleEndian as Storage<C>>::Cell],
+        width: u32,
+        height: u32,
+    ) -> Result<Self, Error> {
+        Self::over(pixels, width, height)
+    }
+
+    /// A band stored as bytes, least significant first.
+    ///
+    /// # Errors
+    ///
+    /// As for [`band`](Canvas::band).
+    pub fn little_endian_band(
+        pixels: &'a mut [<LittleEndian as Storage<C>>::Cell],
+        width: u32,
+        height: u32,
+        first_row: u32,
+    ) -> Result<Self, Error> {
+        Self::band_over(pixels, width, height, first_row)
+    }
+}
+
+impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
+    fn over(cells: &'a mut [O::Cell], width: u32, height: u32) -> Result<Self, Error> {
+        check_size(width, height)?;
+        check_length(cells.len(), width, height)?;
+        Ok(Self {
+            cells,
+            depth: NoDepth,
+            width,
+            height,
+            rows: 0..height,
+        })
+    }
+
+    fn band_over(
+        cells: &'a mut [O::Cell],
+        width: u32,
+        height: u32,
+        first: u32,
+    ) -> Result<Self, Error> {
+        check_size(width, height)?;
+        // A frame has fewer than 2^32 pixels, so a longer slice is refused whatever it is cut to.
+        let rows = u32::try_from(cells.len() / width as usize).unwrap_or(u32::MAX);
+        match first.checked_add(rows) {
+            Some(end) if rows > 0 && end <= height => {
+                check_length(cells.len(), width, rows)?;
+                Ok(Self {
+                    cells,
+                    depth: NoDepth,
+                    width,
+                    height,
+                    rows: first..end,
+                })
+            }
+            _ => Err(Error::Rows {
+                first,
+                rows,
+                height,
+            }),
+        }
+    }
+
+    /// The canvas with a depth buffer: one `u16` for each of its pixels.
+    ///
+    /// It is cleared together with the canvas; fill it with 0 (infinitely far) otherwise.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] if there is not exactly one per pixel.
+    pub fn with_depth<'d>(
+        self,
+        depth: &'d mut [u16],
+    ) -> Result<Canvas<'a, C, O, Depth<'d>>, Error> {
+        check_length(depth.len(), self.width, self.row_count())?;
+        Ok(Canvas {
+            cells: self.cells,
+            depth: Depth(depth),
+            width: self.width,
+            height: self.height,
+            rows: self.rows,
+        })
+    }
+}
+
+impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
+    /// Width and height of the frame, in pixels.
+    #[must_use]
+    pub const fn frame_size(&self) -> Size {
+        Size::new(self.width, self.height)
+    }
+
+    /// The rows of the frame that are in memory; all of them unless this is a band.
+    #[must_use]
+    pub const fn rows(&self) -> &Range<u32> {
+        &self.rows
+    }
+
+    const fn row_count(&self) -> u32 {
+        self.rows.end - self.rows.start
+    }
+
+    /// The colours in memory, row by row from the top, each from the left.
+    pub fn pixels(&self) -> impl ExactSizeIterator<Item = C> {
+        self.cells.iter().map(|&cell| O::load(cell))
+    }
+
+    /// The pixels as they are stored.
+    #[must_use]
+    pub const fn cells(&self) -> &[O::Cell] {
+        self.cells
+    }
+
+    /// The bytes in memory, in the order in which a bus would send them; nothing is copied.
+    #[must_use]
+    pub fn bytes(&self) -> &[u8]
+    where
+        O::Cell: Bytes,
+    {
+        Bytes::flatten(self.cells)
+    }
+
+    /// Shows the canvas on a display of the same colour, in one
+    /// [`fill_contiguous`](DrawTarget::fill_contiguous); a band goes where it belongs in the frame.
+    ///
+    /// # Errors
+    ///
+    /// The display's own.
+    pub fn show<T>(&self, display: &mut T) -> Result<(), T::Error>
+    where
+        C: PixelColor,
+        T: DrawTarget<Color = C>,
+    {
+        display.fill_contiguous(&self.area(), self.pixels())
+    }
+
+    /// The part of the frame that is in memory.
+    pub(super) fn area(&self) -> Rectangle {
+        Rectangle::new(
+            Point::new(0, self.rows.start.cast_signed()),
+            Size::new(self.width, self.row_count()),
+        )
+    }
+
+    /// Where in memory `columns` of `row` are; both must lie within [`area`](Self::area).
+    #[inline]
+    pub(super) const fn range(&self, row: u32, columns: &Range<u32>) -> Range<usize> {
+        let start = (row - self.rows.start) * self.width;
+        (start + columns.start) as usize..(start + columns.end) as usize
+    }
+
+    /// The stored pixels of `columns` of `row`; both must lie within [`area`](Self::area).
+    #[inline]
+    pub(super) fn cells_mut(&mut self, row: u32, columns: &Range<u32>) -> &mut [O::Cell] {
+        let range = self.range(row, columns);
+        self.cells.get_mut(range).unwrap_or_default()
+    }
+}
+
+impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
+    /// Makes every pixel `color` and, where there is a depth buffer, infinitely far.
+    pub fn clear(&mut self, color: C) {
+        self.cells.fill(O::store(color));
+        self.depth.clear();
+    }
+
+    /// The pixels of `columns` of `row` with their depths; both must lie within the canvas.
+    #[inline]
+    pub(crate) fn run(
+        &mut self,
+        row: u32,
+        columns: Range<u32>,
+    ) -> impl Iterator<Item = (&mut O::Cell, D::Cell<'_>)> {
+        let range = self.range(row, &columns);
+        let cells = self.cells.get_mut(range.clone()).unwrap_or_default();
+        cells.iter_mut().zip(self.depth.cells(range))
+    }
+}
+
+impl<C, O: Storage<C>, D> Dimensions for Canvas<'_, C, O, D> {
+    /// The part of the frame that is in memory.
+    fn bounding_box(&self) -> Rectangle {
+        self.area()
+    }
+}
+
+const fn check_size(width: u32, height: u32) -> Result<(), Error> {
+    if width == 0 || height == 0 || width > MAX_SIZE || height > MAX_SIZE {
+        return Err(Error::Size {
+            width,
+            height,
+            max: MAX_SIZE,
+        });
+    }
+    Ok(())
+}
+
+const fn check_length(given: usize, width: u32, rows: u32) -> Result<(), Error> {
+    let needed = (width * rows) as usize;
+    if given == needed {
+        Ok(())
+    } else {
+        Err(Error::Length { given, needed })
+    }
+}

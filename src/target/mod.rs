@@ -1,0 +1,10 @@
+//! Where pixels go: the caller's memory as a canvas, with or without depth, whole or in bands.
+
+mod canvas;
+mod depth;
+mod draw_target;
+mod storage;
+
+pub use canvas::{Canvas, MAX_SIZE};
+pub use depth::{Depth, DepthBuffer, NoDepth};
+pub use storage::{Bytes, Native, Storage};

@@ -1,0 +1,138 @@
+//! Time of a scene: from rotations a minute to an angle.
+
+use crate::Angle;
+
+/// A speed of rotation.
+///
+/// In thousandths of a turn a minute; hertz are turns a second. Negative turns clockwise.
+///
+/// ```
+/// use fixel::{Angle, Rate};
+/// let rate = Rate::rpm(10);
+/// assert_eq!(rate.angle_at(1_500), Angle::from_degrees(90));
+/// // After 30 days, still to the last bit.
+/// assert_eq!(rate.angle_at(30 * 24 * 3_600_000 + 1_500), Angle::from_degrees(90));
+/// // f(t) = sin(2πt), once a second.
+/// assert_eq!(Rate::hertz(1).angle_at(250).sin(), fixel::Unit::ONE);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Rate {
+    /// In units of 1/1000 turn a minute.
+    milli_rpm: i64,
+}
+
+/// Thousandths of a turn a minute, times milliseconds, in one turn.
+const TURN: u64 = 60_000_000;
+
+impl Rate {
+    /// So many turns a minute.
+    #[must_use]
+    pub const fn rpm(turns: i32) -> Self {
+        Self {
+            milli_rpm: turns as i64 * 1_000,
+        }
+    }
+
+    /// So many thousandths of a turn a minute.
+    ///
+    /// ```
+    /// use fixel::{Angle, Rate};
+    /// // A record player: 33⅓, within a hundred-thousandth.
+    /// assert_eq!(Rate::milli_rpm(33_333).angle_at(60_000_000), Angle::ZERO);
+    /// ```
+    #[must_use]
+    pub const fn milli_rpm(thousandths: i32) -> Self {
+        Self {
+            milli_rpm: thousandths as i64,
+        }
+    }
+
+    /// So many turns a second.
+    #[must_use]
+    pub const fn hertz(turns: i32) -> Self {
+        Self {
+            milli_rpm: turns as i64 * 60_000,
+        }
+    }
+
+    /// So many thousandths of a turn a second.
+    #[must_use]
+    pub const fn millihertz(thousandths: i32) -> Self {
+        Self {
+            milli_rpm: thousandths as i64 * 60,
+        }
+    }
+
+    /// The angle turned through in `ms` milliseconds, from 0 on.
+    ///
+    /// Exact for any time whatever: whole turns drop out before the one rounding, down to a multiple of 2⁻³² of a turn.
+    #[must_use]
+    pub const fn angle_at(self, ms: u64) -> Angle {
+        angle(self.phase(ms))
+    }
+
+    /// A turning thing that is moved on frame by frame, by the time since the last.
+    #[must_use]
+    pub const fn spin(self) -> Spin {
+        Spin {
+            rate: self,
+            phase: 0,
+        }
+    }
+
+    /// The fraction of a turn after `ms` milliseconds, in units of 1/[`TURN`]: exact.
+    const fn phase(self, ms: u64) -> u64 {
+        // Both factors may be reduced by whole turns first; each is then below 2^26.
+        let speed = self
+            .milli_rpm
+            .rem_euclid(TURN.cast_signed())
+            .cast_unsigned();
+        speed * (ms % TURN) % TURN
+    }
+}
+
+/// The angle of a fraction of a turn, in units of 1/[`TURN`].
+const fn angle(phase: u64) -> Angle {
+    #[allow(clippy::cast_possible_truncation)] // below one turn
+    Angle::from_bits(((phase << 32) / TURN) as u32)
+}
+
+/// An angle that turns at a [`Rate`] and is moved on by the time between frames.
+///
+/// What a frame's angle loses in rounding is carried to the next: however the time is cut into
+/// frames, the angle is that of [`Rate::angle_at`] to the last bit.
+///
+/// ```
+/// use fixel::Rate;
+/// let rate = Rate::rpm(7);
+/// let mut spin = rate.spin();
+/// for frame_ms in [16, 17, 33, 16, 1, 250] {
+///     spin.advance(frame_ms);
+/// }
+/// assert_eq!(spin.angle(), rate.angle_at(333));
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Spin {
+    rate: Rate,
+    /// Fraction of a turn, in units of 1/[`TURN`].
+    phase: u64,
+}
+
+impl Spin {
+    /// Moves on by `ms` milliseconds; gives the new angle.
+    pub const fn advance(&mut self, ms: u64) -> Angle {
+        self.phase = (self.phase + self.rate.phase(ms)) % TURN;
+        self.angle()
+    }
+
+    /// The angle now.
+    #[must_use]
+    pub const fn angle(&self) -> Angle {
+        angle(self.phase)
+    }
+
+    /// Turns at another rate from now on, from the angle that has been reached.
+    pub const fn set_rate(&mut self, rate: Rate) {
+        self.rate = rate;
+    }
+}

@@ -1,0 +1,108 @@
+//! The part of a canvas that a picture fills.
+
+use core::ops::Range;
+
+use embedded_graphics::geometry::Size;
+
+use crate::Error;
+
+/// A rectangle of pixels that normalised device coordinates are spread over.
+///
+/// It may reach beyond the canvas: what is outside is not drawn.
+///
+/// ```
+/// use fixel::{Error, Viewport};
+/// let right_half = Viewport::new(160, 0, 160, 240)?;
+/// assert_eq!(right_half.width(), 160);
+/// assert!(Viewport::new(0, 0, 0, 240).is_err());
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Viewport {
+    pub(crate) x: i32,
+    pub(crate) y: i32,
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+}
+
+impl Viewport {
+    /// Largest width and height, and largest distance of the top left corner from that of the frame, in pixels.
+    pub const MAX: u32 = 4096;
+
+    /// A viewport with its top left corner at (x, y), y down, in pixels of the frame.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Size`] unless width and height are from 1 to [`MAX`](Self::MAX); [`Error::Place`] unless x and y are
+    /// within ±[`MAX`](Self::MAX).
+    pub const fn new(x: i32, y: i32, width: u32, height: u32) -> Result<Self, Error> {
+        let max = Self::MAX;
+        if width == 0 || height == 0 || width > max || height > max {
+            return Err(Error::Size { width, height, max });
+        }
+        if x.unsigned_abs() > max || y.unsigned_abs() > max {
+            return Err(Error::Place { x, y, max });
+        }
+        Ok(Self {
+            x,
+            y,
+            width,
+            height,
+        })
+    }
+
+    /// Column of the left edge.
+    #[must_use]
+    pub const fn x(&self) -> i32 {
+        self.x
+    }
+
+    /// Row of the top edge.
+    #[must_use]
+    pub const fn y(&self) -> i32 {
+        self.y
+    }
+
+    /// Width in pixels.
+    #[must_use]
+    pub const fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// Height in pixels.
+    #[must_use]
+    pub const fn height(&self) -> u32 {
+        self.height
+    }
+
+    /// The viewport that is all of a frame.
+    pub(crate) const fn whole(frame: Size) -> Self {
+        Self {
+            x: 0,
+            y: 0,
+            width: frame.width,
+            height: frame.height,
+        }
+    }
+
+    /// Width and height in pixels.
+    pub(crate) const fn size(&self) -> [u32; 2] {
+        [self.width, self.height]
+    }
+
+    /// The point that the view's axis goes through, in units of 1/256 pixel.
+    pub(crate) const fn center(&self) -> [i32; 2] {
+        [
+            self.x * 256 + self.width.cast_signed() * 128,
+            self.y * 256 + self.height.cast_signed() * 128,
+        ]
+    }
+
+    /// The columns and rows that it covers.
+    pub(crate) const fn pixels(&self) -> [Range<i32>; 2] {
+        [
+            self.x..self.x + self.width.cast_signed(),
+            self.y..self.y + self.height.cast_signed(),
+        ]
+    }
+}

@@ -1,0 +1,116 @@
+//! Perspective-correct values at a point of a triangle, and how they change from pixel to pixel.
+//!
+//! 1/w and attribute/w are linear on the screen (course.md row 4). With the weights λᵢ of the
+//! corners, linear in x and y, N = Σ λᵢ aᵢ/wᵢ and D = Σ λᵢ/wᵢ, the attribute is a = N/D, and by the
+//! quotient rule ∂a/∂x = (∂N/∂x − a ∂D/∂x)/D.
+
+use super::coverage::{Corners, Snapped, area2, area2_f64, centre, centre_snapped, edge};
+
+/// Barycentric weights of a triangle's corners at a point; their sum is 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Weights {
+    /// The weights; negative for a corner whose opposite edge is between it and the point.
+    pub value: [f64; 3],
+    /// Change per pixel to the right.
+    pub dx: [f64; 3],
+    /// Change per pixel downwards.
+    pub dy: [f64; 3],
+}
+
+/// Weights at a point; `None` for a triangle without area.
+pub fn weights(t: &Corners, p: [f64; 2]) -> Option<Weights> {
+    let area = area2_f64(t);
+    if area == 0. || !area.is_finite() {
+        return None;
+    }
+    let next = |i: usize| t[(i + 1) % 3];
+    let after = |i: usize| t[(i + 2) % 3];
+    Some(Weights {
+        value: std::array::from_fn(|i| area2_f64(&[next(i), after(i), p]) / area),
+        dx: std::array::from_fn(|i| (next(i)[1] - after(i)[1]) / area),
+        dy: std::array::from_fn(|i| (after(i)[0] - next(i)[0]) / area),
+    })
+}
+
+/// Weights at a pixel's centre for snapped corners (24.8), from exact integers: each is the quotient
+/// of two integers, rounded three times.
+pub fn weights_snapped(t: Snapped, pixel: [i32; 2]) -> Option<Weights> {
+    let area = area2(t);
+    if area == 0 {
+        return None;
+    }
+    let p = centre_snapped(pixel);
+    let next = |i: usize| t[(i + 1) % 3];
+    let after = |i: usize| t[(i + 2) % 3];
+    // A difference of coordinates over an area is per 1/256 pixel.
+    let per_pixel = |a: i32, b: i32| (f64::from(a) - f64::from(b)) * 256. / area as f64;
+    Some(Weights {
+        value: std::array::from_fn(|i| edge(next(i), after(i), p) as f64 / area as f64),
+        dx: std::array::from_fn(|i| per_pixel(next(i)[1], after(i)[1])),
+        dy: std::array::from_fn(|i| per_pixel(after(i)[0], next(i)[0])),
+    })
+}
+
+/// What a triangle has at a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Value<const N: usize> {
+    /// Homogeneous w.
+    pub w: f64,
+    /// ∂(1/w) per pixel to the right and downwards.
+    pub inverse_w_gradient: [f64; 2],
+    /// The attributes.
+    pub attributes: [f64; N],
+    /// Their change per pixel to the right, at this point.
+    pub dx: [f64; N],
+    /// Their change per pixel downwards, at this point.
+    pub dy: [f64; N],
+}
+
+/// The perspective-correct value for given weights; `w` and `attributes` are the corners'.
+///
+/// Where all w are equal this is plain linear interpolation. Outside the triangle 1/w may reach 0,
+/// and the value means nothing from there on.
+pub fn interpolate<const N: usize>(
+    weights: &Weights,
+    w: [f64; 3],
+    attributes: &[[f64; N]; 3],
+) -> Value<N> {
+    let sum = |weights: &[f64; 3], corner: &dyn Fn(usize) -> f64| -> f64 {
+        (0..3).map(|i| weights[i] * corner(i)).sum()
+    };
+    let inverse = |i: usize| 1. / w[i];
+    let d = sum(&weights.value, &inverse);
+    let (d_dx, d_dy) = (sum(&weights.dx, &inverse), sum(&weights.dy, &inverse));
+    let over_w = |k: usize| move |i: usize| attributes[i][k] / w[i];
+    let a: [f64; N] = std::array::from_fn(|k| sum(&weights.value, &over_w(k)) / d);
+    let change = |weights: &[f64; 3], change_of_d: f64| {
+        std::array::from_fn(|k| (sum(weights, &over_w(k)) - a[k] * change_of_d) / d)
+    };
+    Value {
+        w: 1. / d,
+        inverse_w_gradient: [d_dx, d_dy],
+        attributes: a,
+        dx: change(&weights.dx, d_dx),
+        dy: change(&weights.dy, d_dy),
+    }
+}
+
+/// The value at a pixel's centre for snapped corners (24.8); `None` for a triangle without area.
+pub fn at_pixel_snapped<const N: usize>(
+    t: Snapped,
+    w: [f64; 3],
+    attributes: &[[f64; N]; 3],
+    pixel: [i32; 2],
+) -> Option<Value<N>> {
+    weights_snapped(t, pixel).map(|weights| interpolate(&weights, w, attributes))
+}
+
+/// The value at a pixel's centre for corners in pixels; `None` for a triangle without area.
+pub fn at_pixel<const N: usize>(
+    t: &Corners,
+    w: [f64; 3],
+    attributes: &[[f64; N]; 3],
+    pixel: [i32; 2],
+) -> Option<Value<N>> {
+    weights(t, centre(pixel)).map(|weights| interpolate(&weights, w, attributes))
+}

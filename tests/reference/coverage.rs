@@ -1,0 +1,181 @@
+//! Which pixel centres a triangle covers, by half-spaces and the top-left rule.
+//!
+//! A centre is covered when it is inside all three edges; a centre exactly on an edge is covered
+//! when the edge is a top edge (horizontal, the triangle below it) or a left edge (the triangle to
+//! its right). Every centre is tested by itself, so nothing can accumulate.
+
+/// Corners on the screen in 24.8 (1/256 pixel), x right and y down.
+pub type Snapped = [[i32; 2]; 3];
+
+/// Corners on the screen in pixels, x right and y down.
+pub type Corners = [[f64; 2]; 3];
+
+/// A rectangle of pixels; right and bottom are the first ones outside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Bounds {
+    /// First column.
+    pub left: i32,
+    /// First row.
+    pub top: i32,
+    /// Column after the last.
+    pub right: i32,
+    /// Row after the last.
+    pub bottom: i32,
+}
+
+impl Bounds {
+    /// A picture of `width` x `height` pixels at the origin.
+    pub fn new(width: u32, height: u32) -> Self {
+        Self {
+            left: 0,
+            top: 0,
+            right: width as i32,
+            bottom: height as i32,
+        }
+    }
+
+    /// What two rectangles share; empty (right ≤ left or bottom ≤ top) if nothing.
+    pub fn intersect(self, other: Self) -> Self {
+        Self {
+            left: self.left.max(other.left),
+            top: self.top.max(other.top),
+            right: self.right.min(other.right),
+            bottom: self.bottom.min(other.bottom),
+        }
+    }
+
+    /// The part of these bounds that holds every centre within `margin` pixels of the corners' box.
+    pub fn around(self, corners: &Corners, margin: f64) -> Self {
+        let range = |axis: usize| {
+            let low = corners.iter().map(|c| c[axis]).fold(f64::MAX, f64::min);
+            let high = corners.iter().map(|c| c[axis]).fold(f64::MIN, f64::max);
+            // `as` saturates, and one pixel more on each side spares the care about ties.
+            let low = (low - margin).floor() as i32;
+            let high = (high + margin).ceil() as i32;
+            (low.saturating_sub(1), high.saturating_add(1))
+        };
+        let ((left, right), (top, bottom)) = (range(0), range(1));
+        self.intersect(Self {
+            left,
+            top,
+            right,
+            bottom,
+        })
+    }
+
+    /// Every pixel, in row order.
+    pub fn pixels(self) -> impl Iterator<Item = [i32; 2]> {
+        (self.top..self.bottom).flat_map(move |y| (self.left..self.right).map(move |x| [x, y]))
+    }
+}
+
+/// A pixel's centre in 24.8.
+pub fn centre_snapped([x, y]: [i32; 2]) -> [i64; 2] {
+    [x, y].map(|at| i64::from(at) * 256 + 128)
+}
+
+/// A pixel's centre in pixels.
+pub fn centre([x, y]: [i32; 2]) -> [f64; 2] {
+    [x, y].map(|at| f64::from(at) + 0.5)
+}
+
+/// (b − a) × (p − a), exact for any input: twice the area of a, b, p in 1/256² pixel², positive
+/// when they run clockwise on the screen (y down).
+pub fn edge(a: [i32; 2], b: [i32; 2], p: [i64; 2]) -> i128 {
+    let [ax, ay, bx, by] = [a[0], a[1], b[0], b[1]].map(i128::from);
+    let [px, py] = p.map(i128::from);
+    (bx - ax) * (py - ay) - (by - ay) * (px - ax)
+}
+
+/// Twice the signed area in 1/256² pixel²: positive for corners that run clockwise on the screen
+/// (y down), so negative for a front face, which is counter-clockwise as seen.
+pub fn area2(t: Snapped) -> i128 {
+    edge(t[0], t[1], t[2].map(i64::from))
+}
+
+/// Twice the signed area in pixel², with the sign of [`area2`].
+pub fn area2_f64(t: &Corners) -> f64 {
+    let [a, b, c] = *t;
+    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+}
+
+/// Whether an edge of a triangle that runs clockwise on the screen owns the centres on it: a top
+/// edge runs right, a left edge runs up.
+fn is_top_left<T: PartialOrd>(a: &[T; 2], b: &[T; 2]) -> bool {
+    b[1] < a[1] || (b[1] == a[1] && b[0] > a[0])
+}
+
+/// Whether a triangle of either winding covers the centre of `pixel`; one without area covers none.
+pub fn covers(t: Snapped, pixel: [i32; 2]) -> bool {
+    let [a, b, c] = t;
+    let [a, b, c] = match area2(t) {
+        0 => return false,
+        1.. => [a, b, c],
+        _ => [a, c, b],
+    };
+    let p = centre_snapped(pixel);
+    [(a, b), (b, c), (c, a)]
+        .into_iter()
+        .all(|(from, to)| match edge(from, to, p) {
+            0 => is_top_left(&from, &to),
+            e => e > 0,
+        })
+}
+
+/// The same for corners that were not snapped, at any point.
+///
+/// An edge gives the same value whichever triangle asks (its ends are ordered first), so triangles
+/// sharing it leave no gap and no overlap even in rounded arithmetic.
+pub fn covers_f64(t: &Corners, p: [f64; 2]) -> bool {
+    let [a, b, c] = *t;
+    let [a, b, c] = match area2_f64(t) {
+        area if area > 0. => [a, b, c],
+        area if area < 0. => [a, c, b],
+        _ => return false,
+    };
+    [(a, b), (b, c), (c, a)].into_iter().all(|(from, to)| {
+        let swap = from > to;
+        let (low, high) = if swap { (to, from) } else { (from, to) };
+        let e = area2_f64(&[low, high, p]);
+        let e = if swap { -e } else { e };
+        e > 0. || (e == 0. && is_top_left(&from, &to))
+    })
+}
+
+/// Every pixel of `bounds` that a triangle covers, in row order.
+pub fn covered_in(t: Snapped, bounds: Bounds) -> impl Iterator<Item = [i32; 2]> {
+    bounds
+        .around(&t.map(super::view::unsnap), 0.)
+        .pixels()
+        .filter(move |&pixel| covers(t, pixel))
+}
+
+/// Every pixel of a width x height picture that a triangle covers, in row order.
+pub fn covered(t: Snapped, width: u32, height: u32) -> impl Iterator<Item = [i32; 2]> {
+    covered_in(t, Bounds::new(width, height))
+}
+
+/// How many of the triangles cover each pixel, in row order: 1 throughout the interior of a mesh
+/// whose triangles adjoin, whatever its vertices.
+pub fn counts(triangles: &[Snapped], width: u32, height: u32) -> Vec<u32> {
+    let mut counts = vec![0; width as usize * height as usize];
+    for &triangle in triangles {
+        for [x, y] in covered(triangle, width, height) {
+            counts[y as usize * width as usize + x as usize] += 1;
+        }
+    }
+    counts
+}
+
+/// Counts as text, a line per row: `.` for none, then `1` to `9`, `+` for more.
+pub fn picture(counts: &[u32], width: u32) -> Vec<String> {
+    let character = |&count: &u32| match count {
+        0 => '.',
+        1..=9 => char::from_digit(count, 10).unwrap_or('+'),
+        _ => '+',
+    };
+    counts
+        .chunks(width as usize)
+        .map(|row| row.iter().map(character).collect())
+        .collect()
+}

@@ -1,0 +1,207 @@
+//! Vectors and 4x4 matrices, in the textbook forms of course.md.
+
+/// A point or direction in three dimensions.
+pub type Vec3 = [f64; 3];
+
+/// A homogeneous point.
+pub type Vec4 = [f64; 4];
+
+/// Four rows; a column vector stands on the right: `M · v`.
+pub type Matrix = [[f64; 4]; 4];
+
+/// The matrix that changes nothing.
+pub const IDENTITY: Matrix = [
+    [1., 0., 0., 0.],
+    [0., 1., 0., 0.],
+    [0., 0., 1., 0.],
+    [0., 0., 0., 1.],
+];
+
+/// Σ aᵢ bᵢ.
+pub fn dot(a: Vec3, b: Vec3) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// a × b, right-handed.
+pub fn cross(a: Vec3, b: Vec3) -> Vec3 {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+/// a − b.
+pub fn subtract(a: Vec3, b: Vec3) -> Vec3 {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// ‖v‖.
+pub fn length(v: Vec3) -> f64 {
+    dot(v, v).sqrt()
+}
+
+/// v/‖v‖; not a number for the zero vector.
+pub fn normalised(v: Vec3) -> Vec3 {
+    let length = length(v);
+    v.map(|x| x / length)
+}
+
+/// a · b: first `b`, then `a`.
+pub fn multiply(a: &Matrix, b: &Matrix) -> Matrix {
+    std::array::from_fn(|row| {
+        std::array::from_fn(|column| (0..4).map(|k| a[row][k] * b[k][column]).sum())
+    })
+}
+
+/// The product of all, as written: the last one acts first. `IDENTITY` for none.
+pub fn product(matrices: &[Matrix]) -> Matrix {
+    matrices
+        .iter()
+        .fold(IDENTITY, |all, matrix| multiply(&all, matrix))
+}
+
+/// M · v.
+pub fn apply(m: &Matrix, v: Vec4) -> Vec4 {
+    m.map(|row| row.iter().zip(v).map(|(m, v)| m * v).sum())
+}
+
+/// M · (p, 1), before the division by w.
+pub fn apply_point(m: &Matrix, p: Vec3) -> Vec4 {
+    apply(m, [p[0], p[1], p[2], 1.])
+}
+
+/// M · (p, 1) of an affine `m`, whose last row is (0, 0, 0, 1).
+pub fn point(m: &Matrix, p: Vec3) -> Vec3 {
+    let [x, y, z, _] = apply_point(m, p);
+    [x, y, z]
+}
+
+/// M · (v, 0) of an affine `m`: no translation.
+pub fn direction(m: &Matrix, v: Vec3) -> Vec3 {
+    let [x, y, z, _] = apply(m, [v[0], v[1], v[2], 0.]);
+    [x, y, z]
+}
+
+/// The direction of a surface normal after `m`: the inverse transpose of its linear part, to unit
+/// length; `None` if `m` has no inverse.
+pub fn normal(m: &Matrix, n: Vec3) -> Option<Vec3> {
+    let inverse = inverse(m)?;
+    Some(normalised(std::array::from_fn(|i| {
+        (0..3).map(|k| inverse[k][i] * n[k]).sum()
+    })))
+}
+
+/// Moves by `by`.
+pub fn translate(by: Vec3) -> Matrix {
+    let mut m = IDENTITY;
+    for (row, by) in m.iter_mut().zip(by) {
+        row[3] = by;
+    }
+    m
+}
+
+/// Scales each axis by its own factor.
+pub fn scale(by: Vec3) -> Matrix {
+    let mut m = IDENTITY;
+    for (i, by) in by.into_iter().enumerate() {
+        m[i][i] = by;
+    }
+    m
+}
+
+/// About the x axis, y towards z.
+pub fn rotate_x(angle: f64) -> Matrix {
+    let (s, c) = angle.sin_cos();
+    [
+        [1., 0., 0., 0.],
+        [0., c, -s, 0.],
+        [0., s, c, 0.],
+        [0., 0., 0., 1.],
+    ]
+}
+
+/// About the y axis, z towards x.
+pub fn rotate_y(angle: f64) -> Matrix {
+    let (s, c) = angle.sin_cos();
+    [
+        [c, 0., s, 0.],
+        [0., 1., 0., 0.],
+        [-s, 0., c, 0.],
+        [0., 0., 0., 1.],
+    ]
+}
+
+/// About the z axis, x towards y.
+pub fn rotate_z(angle: f64) -> Matrix {
+    let (s, c) = angle.sin_cos();
+    [
+        [c, -s, 0., 0.],
+        [s, c, 0., 0.],
+        [0., 0., 1., 0.],
+        [0., 0., 0., 1.],
+    ]
+}
+
+/// About any axis, counter-clockwise as seen from the axis' tip (Rodrigues' formula).
+pub fn rotate(axis: Vec3, angle: f64) -> Matrix {
+    let k = normalised(axis);
+    let (s, c) = angle.sin_cos();
+    let mut m = IDENTITY;
+    for i in 0..3 {
+        let mut unit = [0.; 3];
+        unit[i] = 1.;
+        let turned = cross(k, unit);
+        for row in 0..3 {
+            m[row][i] = c * unit[row] + s * turned[row] + (1. - c) * k[i] * k[row];
+        }
+    }
+    m
+}
+
+/// World to eye: k = (eye − target)/‖·‖, i = up × k/‖·‖, j = k × i (course.md row 15).
+///
+/// `None` where eye and target coincide or `up` is parallel to the view, to within 1e-12.
+pub fn look_at(eye: Vec3, target: Vec3, up: Vec3) -> Option<Matrix> {
+    let back = subtract(eye, target);
+    let side = cross(up, back);
+    if length(back) < 1e-12 || length(side) <= 1e-12 * length(up) * length(back) {
+        return None;
+    }
+    let k = normalised(back);
+    let i = normalised(side);
+    let j = cross(k, i);
+    let row = |v: Vec3| [v[0], v[1], v[2], -dot(v, eye)];
+    Some([row(i), row(j), row(k), [0., 0., 0., 1.]])
+}
+
+/// Rows become columns.
+pub fn transpose(m: &Matrix) -> Matrix {
+    std::array::from_fn(|row| std::array::from_fn(|column| m[column][row]))
+}
+
+/// The inverse by Gauss–Jordan elimination with partial pivoting; `None` for a singular matrix.
+pub fn inverse(m: &Matrix) -> Option<Matrix> {
+    let mut left = *m;
+    let mut right = IDENTITY;
+    for column in 0..4 {
+        let pivot =
+            (column..4).max_by(|&a, &b| left[a][column].abs().total_cmp(&left[b][column].abs()))?;
+        left.swap(column, pivot);
+        right.swap(column, pivot);
+        let by = left[column][column];
+        if by == 0. || !by.is_finite() {
+            return None;
+        }
+        left[column] = left[column].map(|x| x / by);
+        right[column] = right[column].map(|x| x / by);
+        for row in (0..4).filter(|&row| row != column) {
+            let times = left[row][column];
+            for k in 0..4 {
+                left[row][k] -= times * left[column][k];
+                right[row][k] -= times * right[column][k];
+            }
+        }
+    }
+    Some(right)
+}

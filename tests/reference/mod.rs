@@ -1,0 +1,42 @@
+//! The whole rendering chain in f64, written from the mathematics and sharing no code with the crate.
+//!
+//! It is the judge of the integer chain, so each part takes the plainest textbook form rather than
+//! a fast one, and parts whose answer is exact (coverage of snapped vertices) are exact integers.
+//!
+//! Conventions: column vectors, matrices as rows, right-handed, the eye at the origin looking down
+//! −z with y up; angles in radians; screen coordinates in pixels, y down, pixel (0, 0) having its
+//! centre at (½, ½); snapped coordinates in 24.8, that is in 1/256 pixel.
+//!
+//! | file | idea |
+//! |---|---|
+//! | `linear` | vectors and 4x4 matrices |
+//! | `projection` | lenses; distance ahead and depth |
+//! | `view` | from a position to a place on the screen |
+//! | `clip` | polygons and segments against planes in homogeneous coordinates |
+//! | `coverage` | which pixel centres a triangle covers |
+//! | `distance` | from a point to a segment or a triangle on the screen |
+//! | `silhouette` | how far a point is inside or outside a union of triangles |
+//! | `attributes` | perspective-correct values and their gradients at a point |
+//! | `raster` | a mesh to a picture: every surface at every pixel |
+//! | `lines` | values along a projected segment |
+//! | `scenes` | the measured scenes |
+
+// Each test binary includes the model and uses a part of it.
+#![allow(dead_code)]
+// The formulas keep the names that they have in textbooks, and f64 holds every integer used here.
+#![allow(clippy::many_single_char_names, clippy::similar_names)]
+#![allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)]
+#![allow(clippy::cast_sign_loss, clippy::cast_possible_wrap)]
+#![allow(clippy::too_many_arguments)]
+
+pub mod attributes;
+pub mod clip;
+pub mod coverage;
+pub mod distance;
+pub mod linear;
+pub mod lines;
+pub mod projection;
+pub mod raster;
+pub mod scenes;
+pub mod silhouette;
+pub mod view;

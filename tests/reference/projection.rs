@@ -1,0 +1,165 @@
+//! Lenses: eye space to clip space, and what becomes of distance.
+
+use super::linear::{IDENTITY, Matrix, Vec3, Vec4, multiply};
+
+/// Depth as stored at the near plane.
+pub const DEPTH_MAX: f64 = 65535.;
+
+/// How rays run, and so how depth falls.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Through the eye; homogeneous w is the distance ahead.
+    Perspective,
+    /// Parallel; homogeneous w is 1.
+    Parallel,
+}
+
+/// A projection with its planes.
+///
+/// Clip space is OpenGL's: −w ≤ x, y, z ≤ w, the near plane at z = −w.
+#[derive(Clone, Copy, Debug)]
+pub struct Lens {
+    /// Eye space to clip space.
+    pub matrix: Matrix,
+    /// Distance of the near plane.
+    pub near: f64,
+    /// Distance of the far plane.
+    pub far: f64,
+    /// Perspective or parallel.
+    pub kind: Kind,
+}
+
+impl Lens {
+    /// The distance ahead of the eye, −z in eye space, of a point in clip space.
+    pub fn distance(&self, clip: Vec4) -> f64 {
+        match self.kind {
+            Kind::Perspective => clip[3],
+            // z/w = (2d − (f + n))/(f − n), solved for d.
+            Kind::Parallel => f64::midpoint(
+                (self.far - self.near) * clip[2] / clip[3],
+                self.far + self.near,
+            ),
+        }
+    }
+
+    /// Depth at a distance ahead, before it is rounded down to a u16: 65535 at the near plane and
+    /// falling, 65535·n/d for perspective, 65535·(f − d)/(f − n) for parallel rays.
+    pub fn depth(&self, distance: f64) -> f64 {
+        match self.kind {
+            Kind::Perspective => DEPTH_MAX * self.near / distance,
+            Kind::Parallel => DEPTH_MAX * (self.far - distance) / (self.far - self.near),
+        }
+    }
+
+    /// The distance ahead that has this depth: the inverse of [`depth`](Self::depth).
+    pub fn distance_at_depth(&self, depth: f64) -> f64 {
+        match self.kind {
+            Kind::Perspective => DEPTH_MAX * self.near / depth,
+            Kind::Parallel => self.far - depth / DEPTH_MAX * (self.far - self.near),
+        }
+    }
+}
+
+/// Off-centre perspective (course.md row 9); the edges are those of the window on the near plane.
+pub fn frustum(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Lens {
+    Lens {
+        matrix: [
+            [2. * n / (r - l), 0., (r + l) / (r - l), 0.],
+            [0., 2. * n / (t - b), (t + b) / (t - b), 0.],
+            [0., 0., -(f + n) / (f - n), -2. * f * n / (f - n)],
+            [0., 0., -1., 0.],
+        ],
+        near: n,
+        far: f,
+        kind: Kind::Perspective,
+    }
+}
+
+/// Left, right, bottom and top of the window on the near plane for a vertical field of view in
+/// radians and width/height (course.md row 7).
+pub fn window(fov: f64, aspect: f64, near: f64) -> [f64; 4] {
+    let top = near * (fov / 2.).tan();
+    let right = top * aspect;
+    [-right, right, -top, top]
+}
+
+/// Symmetric perspective; `fov` is the vertical field of view in radians, `aspect` width/height.
+pub fn perspective(fov: f64, aspect: f64, near: f64, far: f64) -> Lens {
+    let [l, r, b, t] = window(fov, aspect, near);
+    frustum(l, r, b, t, near, far)
+}
+
+/// Symmetric perspective of a focal length in pixels on a picture of width x height pixels:
+/// x = width/2 + focal·x/−z on the screen, as scenes.md has it.
+pub fn focal(focal: f64, size: (u32, u32), near: f64, far: f64) -> Lens {
+    let right = near * f64::from(size.0) / (2. * focal);
+    let top = near * f64::from(size.1) / (2. * focal);
+    frustum(-right, right, -top, top, near, far)
+}
+
+/// Parallel rays along −z: the box to the canonical cube (course.md row 12).
+pub fn orthographic(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Lens {
+    Lens {
+        matrix: [
+            [2. / (r - l), 0., 0., -(r + l) / (r - l)],
+            [0., 2. / (t - b), 0., -(t + b) / (t - b)],
+            [0., 0., -2. / (f - n), -(f + n) / (f - n)],
+            [0., 0., 0., 1.],
+        ],
+        near: n,
+        far: f,
+        kind: Kind::Parallel,
+    }
+}
+
+/// Parallel rays askew: an orthographic view after a shear that leaves the plane z = 0 in place.
+///
+/// What lies d ahead is moved by d·ratio towards `angle` (radians, from +x towards +y, so that
+/// edges recede to the upper right for 0 < angle < π/2); distance ahead is not changed.
+pub fn oblique(angle: f64, ratio: f64, (l, r, b, t): (f64, f64, f64, f64), n: f64, f: f64) -> Lens {
+    let mut shear = IDENTITY;
+    shear[0][2] = -ratio * angle.cos();
+    shear[1][2] = -ratio * angle.sin();
+    let straight = orthographic(l, r, b, t, n, f);
+    Lens {
+        matrix: multiply(&straight.matrix, &shear),
+        ..straight
+    }
+}
+
+/// [`oblique`] with depth at full length.
+pub fn cavalier(angle: f64, window: (f64, f64, f64, f64), near: f64, far: f64) -> Lens {
+    oblique(angle, 1., window, near, far)
+}
+
+/// [`oblique`] with depth at half its length.
+pub fn cabinet(angle: f64, window: (f64, f64, f64, f64), near: f64, far: f64) -> Lens {
+    oblique(angle, 0.5, window, near, far)
+}
+
+/// The perspective transform alone: (n·x, n·y)/−z, and −z to (n + f) − nf/−z, in eye space with z
+/// negative ahead; an orthographic lens after it makes a [`frustum`] (course.md rows 10 and 11).
+pub fn perspective_transform(n: f64, f: f64) -> Matrix {
+    [
+        [n, 0., 0., 0.],
+        [0., n, 0., 0.],
+        [0., 0., n + f, n * f],
+        [0., 0., -1., 0.],
+    ]
+}
+
+/// (−n x/z, −n y/z): a point projected on the plane at distance n; `None` at z = 0 (course.md row 5).
+pub fn project_on_plane(p: Vec3, n: f64) -> Option<[f64; 2]> {
+    (p[2] != 0.).then(|| [-n * p[0] / p[2], -n * p[1] / p[2]])
+}
+
+/// Where lines of a direction meet on the plane at distance n; `None` for lines parallel to it
+/// (course.md row 20).
+pub fn vanishing_point(direction: Vec3, n: f64) -> Option<[f64; 2]> {
+    project_on_plane(direction, n)
+}
+
+/// ∂x'/∂t of a point P + t·v projected on the plane at distance n (course.md row 21).
+pub fn speed(p: Vec3, v: Vec3, t: f64, n: f64) -> f64 {
+    -n * (v[0] * p[2] - p[0] * v[2]) / (p[2] + v[2] * t).powi(2)
+}

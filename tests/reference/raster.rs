@@ -1,0 +1,303 @@
+//! A mesh to a picture: every surface at every pixel, with its values.
+//!
+//! Two steps, so that a test may look or step in between: [`pieces`] projects, clips and culls;
+//! [`render`] evaluates each piece at each pixel. To judge a rasterizer apart from its rounding of
+//! vertices, give the pieces its own snapped corners: [`Piece::snap`].
+
+use super::attributes::{Value, at_pixel, at_pixel_snapped};
+use super::clip::{ClipVertex, DEPTH_PLANES, Plane, fan, polygon};
+use super::coverage::{Bounds, Corners, Snapped, area2, area2_f64, centre, covers, covers_f64};
+use super::distance::to_triangle;
+use super::linear::{Vec3, Vec4};
+use super::projection::Lens;
+use super::view::{View, Viewport, unsnap};
+
+/// Which faces are left out. Front faces run counter-clockwise as seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cull {
+    /// None.
+    Nothing,
+    /// Those that run clockwise.
+    Back,
+    /// Those that run counter-clockwise.
+    Front,
+}
+
+impl Cull {
+    /// Whether a triangle is kept whose area has this sign (positive: clockwise on the screen).
+    fn keeps(self, clockwise: bool) -> bool {
+        match self {
+            Cull::Nothing => true,
+            Cull::Back => !clockwise,
+            Cull::Front => clockwise,
+        }
+    }
+}
+
+/// Triangles in model space.
+#[derive(Clone, Copy, Debug)]
+pub struct Mesh<'a, const N: usize> {
+    /// Positions.
+    pub positions: &'a [Vec3],
+    /// Triangles, as indices of positions.
+    pub faces: &'a [[usize; 3]],
+    /// The attributes of each triangle's corners.
+    pub attributes: &'a [[[f64; N]; 3]],
+}
+
+/// A triangle on the screen: a face of the mesh, or a part of one that was clipped.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Piece<const N: usize> {
+    /// The face's place in the mesh.
+    pub face: usize,
+    /// Each corner's position index; `None` for a corner that clipping made.
+    pub sources: [Option<usize>; 3],
+    /// Corners in clip space.
+    pub clip: [Vec4; 3],
+    /// Corners in pixels: as projected, or where they were snapped to.
+    pub screen: Corners,
+    /// Corners in 24.8, if they were snapped.
+    pub snapped: Option<Snapped>,
+    /// Homogeneous w at the corners.
+    pub w: [f64; 3],
+    /// Distance ahead of the eye at the corners.
+    pub distance: [f64; 3],
+    /// Attributes at the corners.
+    pub attributes: [[f64; N]; 3],
+}
+
+impl<const N: usize> Piece<N> {
+    /// The piece with its corners where `snap` puts them, in 24.8; w, distance and attributes stay.
+    pub fn snap(self, snap: impl Fn(Option<usize>, Vec4) -> [i32; 2]) -> Self {
+        self.snapped_to(std::array::from_fn(|i| snap(self.sources[i], self.clip[i])))
+    }
+
+    /// The piece with these corners, in 24.8; w, distance and attributes stay.
+    pub fn snapped_to(self, corners: Snapped) -> Self {
+        Self {
+            screen: corners.map(unsnap),
+            snapped: Some(corners),
+            ..self
+        }
+    }
+
+    /// Whether the corners run clockwise on the screen, as a back face does; `None` without area.
+    pub fn clockwise(&self) -> Option<bool> {
+        match self.snapped {
+            Some(corners) => match area2(corners) {
+                0 => None,
+                area => Some(area > 0),
+            },
+            None => match area2_f64(&self.screen) {
+                0. => None,
+                area => Some(area > 0.),
+            },
+        }
+    }
+
+    /// The values at a pixel's centre, inside or not; `None` without area.
+    pub fn at(&self, pixel: [i32; 2]) -> Option<Value<N>> {
+        match self.snapped {
+            Some(corners) => at_pixel_snapped(corners, self.w, &self.attributes, pixel),
+            None => at_pixel(&self.screen, self.w, &self.attributes, pixel),
+        }
+    }
+
+    /// The distance ahead of the eye at a pixel's centre, inside or not; `None` without area.
+    pub fn distance_at(&self, pixel: [i32; 2]) -> Option<f64> {
+        let distance = self.distance.map(|d| [d]);
+        let value = match self.snapped {
+            Some(corners) => at_pixel_snapped(corners, self.w, &distance, pixel),
+            None => at_pixel(&self.screen, self.w, &distance, pixel),
+        };
+        value.map(|value| value.attributes[0])
+    }
+
+    /// Whether the piece covers a pixel's centre, top-left rule.
+    pub fn covers(&self, pixel: [i32; 2]) -> bool {
+        match self.snapped {
+            Some(corners) => covers(corners, pixel),
+            None => covers_f64(&self.screen, centre(pixel)),
+        }
+    }
+}
+
+/// The mesh's triangles on the screen, clipped to the near and far planes and not yet culled; the
+/// sides of the view are left to [`render`]'s bounds.
+pub fn pieces<const N: usize>(mesh: &Mesh<'_, N>, view: &View) -> Vec<Piece<N>> {
+    pieces_clipped(mesh, view, &DEPTH_PLANES)
+}
+
+/// The same, clipped to `planes`, which must keep w positive.
+pub fn pieces_clipped<const N: usize>(
+    mesh: &Mesh<'_, N>,
+    view: &View,
+    planes: &[Plane],
+) -> Vec<Piece<N>> {
+    let clip: Vec<Vec4> = mesh.positions.iter().map(|&p| view.clip(p)).collect();
+    let mut pieces = Vec::with_capacity(mesh.faces.len());
+    for (face, (indices, attributes)) in mesh.faces.iter().zip(mesh.attributes).enumerate() {
+        let corners: [ClipVertex<N>; 3] = std::array::from_fn(|i| ClipVertex {
+            position: clip[indices[i]],
+            attributes: attributes[i],
+            source: Some(indices[i]),
+        });
+        for corners in fan(&polygon(&corners, planes)) {
+            let places = corners.map(|corner| view.place(corner.position));
+            pieces.push(Piece {
+                face,
+                sources: corners.map(|corner| corner.source),
+                clip: corners.map(|corner| corner.position),
+                screen: places.map(|place| place.screen),
+                snapped: None,
+                w: places.map(|place| place.w),
+                distance: places.map(|place| place.distance),
+                attributes: corners.map(|corner| corner.attributes),
+            });
+        }
+    }
+    pieces
+}
+
+/// The pieces that a culling mode keeps; those without area go in any mode.
+pub fn culled<const N: usize>(mut pieces: Vec<Piece<N>>, cull: Cull) -> Vec<Piece<N>> {
+    pieces.retain(|piece| piece.clockwise().is_some_and(|side| cull.keeps(side)));
+    pieces
+}
+
+/// A surface at a pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit<const N: usize> {
+    /// The face's place in the mesh.
+    pub face: usize,
+    /// The piece's place in the list that was rendered.
+    pub piece: usize,
+    /// How far the pixel's centre is from the piece, in pixels; 0 if the piece covers it.
+    pub gap: f64,
+    /// Distance ahead of the eye.
+    pub distance: f64,
+    /// Depth before rounding down: 65535 at the near plane.
+    pub depth: f64,
+    /// Homogeneous w, attributes and their change per pixel.
+    pub value: Value<N>,
+}
+
+/// Every surface at every pixel of the canvas, hidden ones too.
+#[derive(Clone, Debug)]
+pub struct Picture<const N: usize> {
+    width: u32,
+    hits: Vec<Vec<Hit<N>>>,
+}
+
+/// Evaluates pieces at the pixels of a width x height canvas that are inside the viewport.
+///
+/// `margin` is in pixels: 0 finds the pieces that cover a centre; above 0 also those that pass
+/// within that distance, with their planes extended to the centre. Such a neighbour is what a
+/// rounding of vertices by up to `margin` may put there instead.
+pub fn render<const N: usize>(
+    pieces: &[Piece<N>],
+    lens: &Lens,
+    viewport: Viewport,
+    (width, height): (u32, u32),
+    margin: f64,
+) -> Picture<N> {
+    let bounds = Bounds::new(width, height).intersect(Bounds {
+        left: viewport.x,
+        top: viewport.y,
+        right: viewport.x.saturating_add_unsigned(viewport.width),
+        bottom: viewport.y.saturating_add_unsigned(viewport.height),
+    });
+    let mut hits = vec![Vec::new(); width as usize * height as usize];
+    for (index, piece) in pieces.iter().enumerate() {
+        for pixel in bounds.around(&piece.screen, margin).pixels() {
+            let gap = if piece.covers(pixel) {
+                0.
+            } else if margin > 0. {
+                // A centre on an edge that belongs to the neighbour is near, not covered.
+                to_triangle(&piece.screen, centre(pixel)).max(f64::MIN_POSITIVE)
+            } else {
+                continue;
+            };
+            if gap > margin {
+                continue;
+            }
+            let (Some(value), Some(distance)) = (piece.at(pixel), piece.distance_at(pixel)) else {
+                continue;
+            };
+            // A plane extended past its horizon.
+            if !(value.w > 0. && value.w.is_finite()) {
+                continue;
+            }
+            hits[pixel[1] as usize * width as usize + pixel[0] as usize].push(Hit {
+                face: piece.face,
+                piece: index,
+                gap,
+                distance,
+                depth: lens.depth(distance),
+                value,
+            });
+        }
+    }
+    Picture { width, hits }
+}
+
+/// Project, clip to near and far, cull, render: the unsnapped picture of a mesh in one call, on a
+/// canvas that just holds the viewport.
+pub fn draw<const N: usize>(
+    mesh: &Mesh<'_, N>,
+    view: &View,
+    cull: Cull,
+    margin: f64,
+) -> (Vec<Piece<N>>, Picture<N>) {
+    let pieces = culled(pieces(mesh, view), cull);
+    let Viewport {
+        x,
+        y,
+        width,
+        height,
+    } = view.viewport;
+    let size = (
+        x.saturating_add_unsigned(width).max(0) as u32,
+        y.saturating_add_unsigned(height).max(0) as u32,
+    );
+    let picture = render(&pieces, &view.lens, view.viewport, size, margin);
+    (pieces, picture)
+}
+
+impl<const N: usize> Picture<N> {
+    /// Every surface at a pixel, in the order drawn.
+    ///
+    /// # Panics
+    ///
+    /// If the pixel is outside the canvas.
+    pub fn at(&self, [x, y]: [i32; 2]) -> &[Hit<N>] {
+        assert!((0..self.width as i32).contains(&x), "column {x}");
+        &self.hits[y as usize * self.width as usize + x as usize]
+    }
+
+    /// The surface that shows: of those that cover the pixel the nearest, of equals the last drawn.
+    pub fn nearest(&self, pixel: [i32; 2]) -> Option<&Hit<N>> {
+        let covering = self.at(pixel).iter().filter(|hit| hit.gap == 0.);
+        covering.max_by(|a, b| a.depth.total_cmp(&b.depth))
+    }
+
+    /// Every surface that a depth buffer with a step of `step` may show: those, neighbours within
+    /// the margin too, at most `step` behind the nearest covering one; all if none covers.
+    ///
+    /// Where a surface ends within the margin, the one behind it may show as well: there (see
+    /// `Silhouette::contour_within`) take all of [`at`](Self::at).
+    pub fn candidates(&self, pixel: [i32; 2], step: f64) -> impl Iterator<Item = &Hit<N>> {
+        let least = self
+            .nearest(pixel)
+            .map_or(f64::MIN, |nearest| nearest.depth - step);
+        self.at(pixel).iter().filter(move |hit| hit.depth >= least)
+    }
+
+    /// How many pieces cover each pixel, in row order.
+    pub fn counts(&self) -> Vec<u32> {
+        self.hits
+            .iter()
+            .map(|hits| hits.iter().filter(|hit| hit.gap == 0.).count() as u32)
+            .collect()
+    }
+}

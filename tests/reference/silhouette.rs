@@ -1,0 +1,234 @@
+//! How far a point of the screen is inside or outside the union of many triangles.
+//!
+//! The union's outline is worked out exactly, up to f64 rounding. Its raw material are the *contour*
+//! edges: with each triangle on the left of its own edges, those whose opposite edge (same two
+//! places, other direction) no triangle has. On both sides of every other edge there is a triangle,
+//! so no other edge bounds the union. For the front faces of a closed mesh, contour edges are those
+//! between a front and a back face, and those that the near plane cut. A contour edge bounds the
+//! union only where no other triangle lies across it (the front of the mesh may hide it, or the
+//! back of a fold lie under it), and just that part is counted.
+//!
+//! Edges are recognised by the bits of their ends, so vertices that two triangles share must have
+//! been projected alike; an unshared twin, such as a T-junction, costs nothing but time.
+
+use std::collections::HashSet;
+
+use super::coverage::{Corners, area2_f64};
+use super::distance::{to_segment, to_triangle};
+
+/// Beyond this distance in pixels nothing is answered; the triangles of a tile are listed so far out.
+pub const REACH: f64 = 1.;
+
+/// Pixels along a tile.
+const TILE: usize = 8;
+/// How far across an edge, in pixels, to look for another triangle, and how far outside every
+/// triangle rounding may put a point inside the union: far above f64 rounding at coordinates of
+/// thousands (1e-12), far below anything that shows.
+const ACROSS: f64 = 1e-9;
+/// A hole in the covering of an edge that is shorter than this, in pixels, is rounding.
+const HOLE: f64 = 1e-7;
+
+/// Where a point is with respect to the union.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// Inside, the outline being farther than the given distance.
+    Inside,
+    /// Outside, the outline being farther than the given distance.
+    Outside,
+    /// Within the given distance of the outline.
+    Near,
+}
+
+/// The union of a set of triangles, over a picture.
+#[derive(Clone, Debug)]
+pub struct Silhouette {
+    triangles: Vec<Corners>,
+    /// Contour edges, the triangle on the side where `area2_f64(a, b, p)` is positive.
+    contour: Vec<[[f64; 2]; 2]>,
+    tiles: Vec<Tile>,
+    columns: usize,
+    rows: usize,
+}
+
+#[derive(Clone, Debug, Default)]
+struct Tile {
+    triangles: Vec<usize>,
+    contour: Vec<usize>,
+}
+
+impl Silhouette {
+    /// The union of triangles of either winding, corners in pixels, over width x height pixels.
+    /// Triangles without area add nothing.
+    pub fn new(triangles: &[Corners], width: u32, height: u32) -> Self {
+        let triangles: Vec<Corners> = triangles
+            .iter()
+            .filter_map(|t| {
+                // −0 and 0 are one place.
+                let [a, b, c] = t.map(|corner| corner.map(|x| x + 0.));
+                match area2_f64(&[a, b, c]) {
+                    area if area > 0. => Some([a, b, c]),
+                    area if area < 0. => Some([a, c, b]),
+                    _ => None,
+                }
+            })
+            .collect();
+        let bits = |edge: [[f64; 2]; 2]| edge.map(|end| end.map(f64::to_bits));
+        let sides = |[a, b, c]: &Corners| [[*a, *b], [*b, *c], [*c, *a]];
+        let all: HashSet<_> = triangles.iter().flat_map(sides).map(bits).collect();
+        let contour: Vec<_> = triangles
+            .iter()
+            .flat_map(sides)
+            .filter(|&[a, b]| !all.contains(&bits([b, a])))
+            .collect();
+
+        let columns = (width as usize).div_ceil(TILE).max(1);
+        let rows = (height as usize).div_ceil(TILE).max(1);
+        let mut tiles = vec![Tile::default(); columns * rows];
+        for (i, triangle) in triangles.iter().enumerate() {
+            for tile in tiles_around(triangle, columns, rows) {
+                tiles[tile].triangles.push(i);
+            }
+        }
+        for (i, edge) in contour.iter().enumerate() {
+            for tile in tiles_around(edge, columns, rows) {
+                tiles[tile].contour.push(i);
+            }
+        }
+        Self {
+            triangles,
+            contour,
+            tiles,
+            columns,
+            rows,
+        }
+    }
+
+    /// The place of a point of the picture, `d` being the distance in pixels from the outline that counts as near.
+    ///
+    /// # Panics
+    ///
+    /// If `d` is over [`REACH`] or the point outside the picture.
+    pub fn classify(&self, p: [f64; 2], d: f64) -> Place {
+        let tile = self.tile(p, d);
+        let distance = tile
+            .triangles
+            .iter()
+            .map(|&i| to_triangle(&self.triangles[i], p))
+            .fold(f64::MAX, f64::min);
+        if distance > d {
+            Place::Outside
+        } else if distance > ACROSS
+            || self
+                .contour_near(tile, p, d)
+                .any(|e| self.exposed(tile, e, p, d))
+        {
+            Place::Near
+        } else {
+            Place::Inside
+        }
+    }
+
+    /// Whether a contour edge passes within `d` pixels, be it part of the outline or not.
+    ///
+    /// There a surface ends, and a rounding of its vertices may show what is behind it.
+    ///
+    /// # Panics
+    ///
+    /// As [`classify`](Self::classify).
+    pub fn contour_within(&self, p: [f64; 2], d: f64) -> bool {
+        self.contour_near(self.tile(p, d), p, d).next().is_some()
+    }
+
+    fn tile(&self, p: [f64; 2], d: f64) -> &Tile {
+        assert!(d <= REACH, "{d} is over {REACH} pixel");
+        let index = |x: f64, count: usize| {
+            assert!(
+                x >= 0. && x <= (count * TILE) as f64,
+                "{p:?} is outside the picture"
+            );
+            (x as usize / TILE).min(count - 1)
+        };
+        &self.tiles[index(p[1], self.rows) * self.columns + index(p[0], self.columns)]
+    }
+
+    fn contour_near<'a>(
+        &'a self,
+        tile: &'a Tile,
+        p: [f64; 2],
+        d: f64,
+    ) -> impl Iterator<Item = [[f64; 2]; 2]> + 'a {
+        let edges = tile.contour.iter().map(|&i| self.contour[i]);
+        edges.filter(move |&[a, b]| to_segment(a, b, p) <= d)
+    }
+
+    /// Whether some of an edge's part within `d` of `p` has no triangle across it.
+    fn exposed(&self, tile: &Tile, [a, b]: [[f64; 2]; 2], p: [f64; 2], d: f64) -> bool {
+        let along = [b[0] - a[0], b[1] - a[1]];
+        let length = along[0].hypot(along[1]);
+        let unit = along.map(|x| x / length);
+        // The part within d, as lengths along the edge.
+        let to = [p[0] - a[0], p[1] - a[1]];
+        let foot = to[0] * unit[0] + to[1] * unit[1];
+        let aside = to[0] * unit[1] - to[1] * unit[0];
+        let half = (d * d - aside * aside).max(0.).sqrt();
+        let (start, end) = ((foot - half).max(0.), (foot + half).min(length));
+
+        let across = [a[0] + unit[1] * ACROSS, a[1] - unit[0] * ACROSS];
+        let mut covered: Vec<_> = tile
+            .triangles
+            .iter()
+            .filter_map(|&i| inside(&self.triangles[i], across, unit, start, end))
+            .collect();
+        covered.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut at = start;
+        for (from, to) in covered {
+            if from - at > HOLE {
+                return true;
+            }
+            at = at.max(to);
+        }
+        end - at > HOLE
+    }
+}
+
+/// The part of start..end, lengths along a line, that is inside a triangle of positive area.
+fn inside(
+    [a, b, c]: &Corners,
+    origin: [f64; 2],
+    unit: [f64; 2],
+    mut start: f64,
+    mut end: f64,
+) -> Option<(f64, f64)> {
+    for (from, to) in [(a, b), (b, c), (c, a)] {
+        let side = [to[0] - from[0], to[1] - from[1]];
+        let length = side[0].hypot(side[1]);
+        // Distance inside this side is height + length along · slope.
+        let height = (side[0] * (origin[1] - from[1]) - side[1] * (origin[0] - from[0])) / length;
+        let slope = (side[0] * unit[1] - side[1] * unit[0]) / length;
+        // Parallel to within rounding: all of it is on one side.
+        if slope.abs() < 1e-14 {
+            if height < 0. {
+                return None;
+            }
+        } else if slope > 0. {
+            start = start.max(-height / slope);
+        } else {
+            end = end.min(-height / slope);
+        }
+    }
+    (start < end).then_some((start, end))
+}
+
+/// The tiles whose pixels may be within [`REACH`] of the box about `points`.
+fn tiles_around(points: &[[f64; 2]], columns: usize, rows: usize) -> Vec<usize> {
+    let range = |axis: usize, count: usize| {
+        let low = points.iter().map(|p| p[axis]).fold(f64::MAX, f64::min) - REACH;
+        let high = points.iter().map(|p| p[axis]).fold(f64::MIN, f64::max) + REACH;
+        let index = |x: f64| ((x / TILE as f64).floor() as i64).clamp(-1, count as i64);
+        index(low).max(0) as usize..(index(high) + 1).clamp(0, count as i64) as usize
+    };
+    let across = range(0, columns);
+    range(1, rows)
+        .flat_map(|row| across.clone().map(move |column| row * columns + column))
+        .collect()
+}

@@ -1,0 +1,99 @@
+//! From a position to a place on the screen.
+
+use super::linear::{Matrix, Vec3, Vec4, apply, apply_point, multiply};
+use super::projection::Lens;
+
+/// Where on the canvas the picture goes, in whole pixels; y down.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Viewport {
+    /// Column of the left edge.
+    pub x: i32,
+    /// Row of the top edge.
+    pub y: i32,
+    /// Columns.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+}
+
+impl Viewport {
+    /// A viewport with its corner at the canvas' origin.
+    pub fn new(width: u32, height: u32) -> Self {
+        Self {
+            x: 0,
+            y: 0,
+            width,
+            height,
+        }
+    }
+
+    /// NDC −1..1 to pixels: x from the left, y from the top.
+    pub fn screen(&self, ndc: [f64; 2]) -> [f64; 2] {
+        [
+            f64::from(self.x) + (0.5 + ndc[0] / 2.) * f64::from(self.width),
+            f64::from(self.y) + (0.5 - ndc[1] / 2.) * f64::from(self.height),
+        ]
+    }
+}
+
+/// A position on its way to the screen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Projected {
+    /// Clip space.
+    pub clip: Vec4,
+    /// Pixels, y down; meaningless where w ≤ 0.
+    pub screen: [f64; 2],
+    /// Homogeneous w: the distance ahead for perspective, 1 for parallel rays.
+    pub w: f64,
+    /// Distance ahead of the eye.
+    pub distance: f64,
+}
+
+/// All that lies between a mesh and the screen.
+#[derive(Clone, Copy, Debug)]
+pub struct View {
+    /// Model space to eye space: camera · model.
+    pub eye: Matrix,
+    /// Eye space to clip space.
+    pub lens: Lens,
+    /// Clip space to the screen.
+    pub viewport: Viewport,
+}
+
+impl View {
+    /// Model space to clip space.
+    pub fn matrix(&self) -> Matrix {
+        multiply(&self.lens.matrix, &self.eye)
+    }
+
+    /// Model space to clip space, by way of eye space.
+    pub fn clip(&self, position: Vec3) -> Vec4 {
+        apply(&self.lens.matrix, apply_point(&self.eye, position))
+    }
+
+    /// A point of clip space on the screen.
+    pub fn place(&self, clip: Vec4) -> Projected {
+        let [x, y, _, w] = clip;
+        Projected {
+            clip,
+            screen: self.viewport.screen([x / w, y / w]),
+            w,
+            distance: self.lens.distance(clip),
+        }
+    }
+
+    /// A position of the mesh on the screen.
+    pub fn project(&self, position: Vec3) -> Projected {
+        self.place(self.clip(position))
+    }
+}
+
+/// Pixels to the nearest 1/256 pixel, ties towards +∞; saturates.
+pub fn snap(screen: [f64; 2]) -> [i32; 2] {
+    screen.map(|x| (x * 256. + 0.5).floor() as i32)
+}
+
+/// 1/256 pixel to pixels, exactly.
+pub fn unsnap(snapped: [i32; 2]) -> [f64; 2] {
+    snapped.map(|x| f64::from(x) / 256.)
+}

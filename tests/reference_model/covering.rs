@@ -1,0 +1,101 @@
+//! The top-left rule, in pictures and against itself.
+
+use super::*;
+use coverage::*;
+
+/// Corners in whole pixels.
+fn pixels(t: [[i32; 2]; 3]) -> Snapped {
+    t.map(|corner| corner.map(|x| x * 256))
+}
+
+#[test]
+fn a_triangle() {
+    // Centres on the slope x + y = 4 belong to the other side: it is neither top nor left.
+    let t = pixels([[0, 0], [4, 0], [0, 4]]);
+    let expected = ["111.", "11..", "1...", "...."];
+    assert_eq!(picture(&counts(&[t], 4, 4), 4), expected);
+    let [a, b, c] = t;
+    assert_eq!(picture(&counts(&[[c, b, a]], 4, 4), 4), expected);
+    assert_eq!(area2(t), 16 * 256 * 256);
+}
+
+#[test]
+fn the_other_half() {
+    // The slope is this one's left edge.
+    let t = pixels([[4, 0], [4, 4], [0, 4]]);
+    let expected = ["...1", "..11", ".111", "1111"];
+    assert_eq!(picture(&counts(&[t], 4, 4), 4), expected);
+}
+
+#[test]
+fn top_and_left_edges_on_centres_are_in() {
+    // A square from centre (0, 0) to centre (3, 2), as two triangles.
+    let corner = |x: i32, y: i32| [x * 256 + 128, y * 256 + 128];
+    let [a, b, c, d] = [corner(0, 0), corner(3, 0), corner(3, 2), corner(0, 2)];
+    let square = counts(&[[a, b, c], [a, d, c]], 5, 4);
+    assert_eq!(picture(&square, 5), ["111..", "111..", ".....", "....."]);
+}
+
+#[test]
+fn no_area_no_pixels() {
+    assert_eq!(covered(pixels([[0, 0], [2, 2], [4, 4]]), 9, 9).count(), 0);
+    assert_eq!(covered(pixels([[1, 1]; 3]), 9, 9).count(), 0);
+}
+
+#[test]
+fn the_widest_coordinates() {
+    let all = [i32::MIN, i32::MAX];
+    let t = [[all[0], all[0]], [all[1], all[0]], [all[0], all[1]]];
+    assert_eq!(area2(t), ((1_i128 << 32) - 1).pow(2));
+    // The slope passes x + y = −1/256 pixel.
+    assert_eq!(covered(t, 3, 3).count(), 0);
+    assert!(covers(t, [-1, -1]) && !covers(t, [-1, 0]));
+}
+
+#[test]
+fn a_fan_covers_each_pixel_once() {
+    // A square cut at an odd point: every pixel of the square once, none outside.
+    let mut random = Random(2);
+    for _ in 0..200 {
+        let corners = [[0, 0], [9, 0], [9, 9], [0, 9]].map(|c| c.map(|x| x * 256 + 128));
+        let middle = [random.range(129, 2432), random.range(129, 2432)];
+        let fan: [_; 4] = std::array::from_fn(|i| [middle, corners[i], corners[(i + 1) % 4]]);
+        let counts = counts(&fan, 11, 11);
+        for (i, count) in counts.into_iter().enumerate() {
+            assert_eq!(count, u32::from(i % 11 < 9 && i / 11 < 9), "{middle:?}");
+        }
+    }
+}
+
+#[test]
+fn floats_agree_with_integers() {
+    let mut random = Random(3);
+    for round in 0..2000 {
+        // Vertices at pixel centres too, where ties are.
+        let step = [1, 16, 128][round % 3];
+        let t = [(); 3].map(|()| [(); 2].map(|()| random.range(-40, 200) * step));
+        let corners = t.map(view::unsnap);
+        for pixel in Bounds::new(12, 12).pixels() {
+            assert_eq!(
+                covers(t, pixel),
+                covers_f64(&corners, centre(pixel)),
+                "{t:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn distances() {
+    let t = [[0., 0.], [4., 0.], [0., 3.]];
+    close(
+        [
+            distance::to_triangle(&t, [1., 1.]),
+            distance::to_triangle(&t, [7., -4.]),
+            distance::to_triangle(&t, [-2., 1.]),
+            distance::to_segment(t[1], t[2], [0., 0.]),
+            distance::to_segment(t[0], t[0], [3., 4.]),
+        ],
+        [0., 5., 2., 2.4, 5.],
+    );
+}

@@ -1,0 +1,240 @@
+//! Whole meshes.
+
+use super::*;
+use raster::*;
+
+/// A lens under which x and y of a mesh at distance 1 are pixels: focal length 8 at 8x8 pixels.
+fn view() -> view::View {
+    view::View {
+        eye: linear::IDENTITY,
+        lens: projection::focal(8., (8, 8), 0.25, 8.),
+        viewport: view::Viewport::new(8, 8),
+    }
+}
+
+/// A square (left, bottom)–(right, top) facing the eye at a distance, x and y being its attributes.
+fn square(low: [f64; 2], high: [f64; 2], distance: f64) -> ([[f64; 3]; 4], [[[f64; 2]; 3]; 2]) {
+    let [a, b, c, d] = [low, [high[0], low[1]], high, [low[0], high[1]]];
+    (
+        [a, b, c, d].map(|[x, y]| [x, y, -distance]),
+        [[a, b, c], [a, c, d]],
+    )
+}
+
+const FACES: [[usize; 3]; 4] = [[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]];
+
+#[test]
+fn the_nearer_surface_shows() {
+    // The square from −0.25 to 0.25 at 1 takes pixels 2..6; the one at 2 from −1 to 0 pixels 0..4 of the lower rows.
+    let (near, near_uv) = square([-0.25; 2], [0.25; 2], 1.);
+    let (far, far_uv) = square([-1.; 2], [0.; 2], 2.);
+    let mesh = Mesh {
+        positions: &[near, far].concat(),
+        faces: &FACES,
+        attributes: &[near_uv, far_uv].concat(),
+    };
+    let (pieces, picture) = draw(&mesh, &view(), Cull::Back, 0.);
+    assert_eq!(pieces.len(), 4);
+    assert_eq!(
+        coverage::picture(&picture.counts(), 8),
+        [
+            "........", "........", "..1111..", "..1111..", "112211..", "112211..", "1111....",
+            "1111...."
+        ]
+    );
+    let both = picture.nearest([3, 4]).unwrap();
+    assert!(both.face < 2);
+    // Pixel (3, 4) is at x = −½/8, y = −½/8, and a pixel is 1/8 wide there.
+    close(both.value.attributes, [-0.0625, -0.0625]);
+    close(both.value.dx, [0.125, 0.]);
+    close(both.value.dy, [0., -0.125]);
+    close(
+        [both.distance, both.value.w, both.depth],
+        [1., 1., 65535. / 4.],
+    );
+    let hidden = &picture.at([3, 4])[1];
+    close(hidden.value.attributes, [-0.125, -0.125]);
+    close([hidden.depth], [65535. / 8.]);
+    assert_eq!(picture.candidates([3, 4], 1.).count(), 1);
+    assert_eq!(picture.candidates([3, 4], 8192.).count(), 2);
+    assert_eq!(picture.nearest([7, 7]), None);
+    // All of it is front.
+    assert!(draw(&mesh, &view(), Cull::Front, 0.).0.is_empty());
+}
+
+#[test]
+fn a_margin_finds_neighbours() {
+    let (positions, attributes) = square([-0.25; 2], [0.25; 2], 1.);
+    let mesh = Mesh {
+        positions: &positions,
+        faces: &FACES[..2],
+        attributes: &attributes,
+    };
+    let (_, picture) = draw(&mesh, &view(), Cull::Back, 0.6);
+    // Half a pixel out, extended in the plane.
+    let hit = picture.candidates([1, 3], 0.).next().unwrap();
+    close([hit.gap], [0.5]);
+    close(hit.value.attributes, [-0.3125, 0.0625]);
+    assert_eq!(picture.nearest([1, 3]), None);
+    // A centre on the diagonal has one owner and one neighbour at no distance.
+    let on = picture.at([3, 4]);
+    assert_eq!(on.iter().filter(|hit| hit.gap == 0.).count(), 1);
+    assert_eq!(on.len(), 2);
+}
+
+#[test]
+fn snapped_corners_are_taken_as_they_are() {
+    let (positions, attributes) = square([-0.25; 2], [0.25; 2], 1.);
+    let mesh = Mesh {
+        positions: &positions,
+        faces: &FACES[..2],
+        attributes: &attributes,
+    };
+    let view = view();
+    let snapped = pieces(&mesh, &view)
+        .into_iter()
+        // One pixel to the right of where they belong, by index.
+        .map(|piece| {
+            piece.snap(|source, _| {
+                let [x, y] = view::snap(view.project(positions[source.unwrap()]).screen);
+                [x + 256, y]
+            })
+        })
+        .collect();
+    let pieces = culled(snapped, Cull::Back);
+    let picture = render(&pieces, &view.lens, view.viewport, (8, 8), 0.);
+    assert_eq!(picture.counts().iter().sum::<u32>(), 16);
+    // Where pixel (2, 2)'s value was.
+    close(
+        picture.nearest([3, 2]).unwrap().value.attributes,
+        [-0.1875, 0.1875],
+    );
+}
+
+#[test]
+fn a_floor_is_cut_at_the_near_plane() {
+    // y = −1 from behind the eye to −4, u = −z: at y_screen the floor's distance is 8/(y − 4).
+    let positions = [
+        [-9., -1., 4.],
+        [9., -1., 4.],
+        [9., -1., -4.],
+        [-9., -1., -4.],
+    ];
+    let uv = positions.map(|[_, _, z]| [-z]);
+    let mesh = Mesh {
+        positions: &positions,
+        faces: &FACES[..2],
+        attributes: &[[uv[0], uv[1], uv[2]], [uv[0], uv[2], uv[3]]],
+    };
+    let (pieces, picture) = draw(&mesh, &view(), Cull::Back, 0.);
+    assert!(pieces.iter().any(|p| p.sources.contains(&None)));
+    for y in 0..8 {
+        for x in 0..8 {
+            let hits = picture.at([x, y]);
+            // The far edge is at row 4 + 8/4.
+            assert_eq!(hits.len(), usize::from(y >= 6), "{x} {y}");
+            for hit in hits {
+                let from_horizon = f64::from(y) + 0.5 - 4.;
+                close([hit.distance], [8. / from_horizon]);
+                close(hit.value.attributes, [8. / from_horizon]);
+                close(hit.value.dy, [-8. / from_horizon.powi(2)]);
+            }
+        }
+    }
+}
+
+#[test]
+fn parallel_rays_have_linear_depth() {
+    let view = view::View {
+        eye: linear::IDENTITY,
+        lens: projection::orthographic(-4., 4., -4., 4., 2., 10.),
+        viewport: view::Viewport {
+            x: 1,
+            ..view::Viewport::new(8, 8)
+        },
+    };
+    // A slope from 3 ahead at x = −8 to 11 ahead at x = 8, over the whole picture and past far.
+    let positions = [
+        [-8., -8., -3.],
+        [8., -8., -11.],
+        [8., 8., -11.],
+        [-8., 8., -3.],
+    ];
+    let mesh = Mesh {
+        positions: &positions,
+        faces: &FACES[..2],
+        attributes: &[[[]; 3]; 2],
+    };
+    let (_, picture) = draw(&mesh, &view, Cull::Back, 0.);
+    assert!(picture.at([0, 3]).is_empty()); // outside the viewport
+    for x in 0..8 {
+        let hit = picture.nearest([x + 1, 3]).unwrap();
+        let distance = 7. + (f64::from(x) - 3.5) / 2.;
+        close([hit.distance, hit.value.w], [distance, 1.]);
+        close([hit.depth], [65535. * (10. - distance) / 8.]);
+    }
+}
+
+#[test]
+fn a_torus_has_no_seams() {
+    // 6,000 triangles, at the size of the measured scenes.
+    let torus = Torus::new(60, 50);
+    let size = (320, 240);
+    let view = Torus::view(size);
+    let (pieces, picture) = draw(&torus.mesh(), &view, Cull::Back, 0.);
+    let triangles: Vec<_> = pieces.iter().map(|piece| piece.screen).collect();
+    let outline = silhouette::Silhouette::new(&triangles, size.0, size.1);
+    for pixel in Bounds::new(size.0, size.1).pixels() {
+        match outline.classify(centre(pixel), 1. / 256.) {
+            silhouette::Place::Inside => assert!(picture.nearest(pixel).is_some(), "{pixel:?}"),
+            silhouette::Place::Outside => assert!(picture.at(pixel).is_empty(), "{pixel:?}"),
+            silhouette::Place::Near => {}
+        }
+    }
+    let counts = picture.counts();
+    assert!(counts.contains(&2));
+    // Each surface is where the ray through the pixel's centre meets the plane of its face.
+    for [x, y] in Bounds::new(size.0, size.1).pixels() {
+        for hit in picture.at([x, y]) {
+            let [right, down] = centre([x, y]).map(|at| hit.distance * at / 240.);
+            let ray = [
+                right - hit.distance * 160. / 240.,
+                hit.distance * 0.5 - down,
+                -hit.distance,
+            ];
+            let corners =
+                torus.faces[hit.face].map(|i| linear::point(&view.eye, torus.positions[i]));
+            let [a, b, c] = corners.map(|corner| linear::subtract(corner, ray));
+            let weights = [(b, c), (c, a), (a, b)].map(|(one, other)| {
+                linear::dot(
+                    linear::cross(one, other),
+                    linear::cross(linear::subtract(b, a), linear::subtract(c, a)),
+                )
+            });
+            close([linear::dot(a, linear::cross(b, c))], [0.]);
+            let all: f64 = weights.iter().sum();
+            for k in 0..2 {
+                let expected: f64 = (0..3)
+                    .map(|i| weights[i] / all * torus.attributes[hit.face][i][k])
+                    .sum();
+                close([hit.value.attributes[k]], [expected]);
+            }
+        }
+    }
+    // Snapped, its fronts overlap or gape no more than its contours move.
+    let snapped = pieces
+        .into_iter()
+        .map(|piece| piece.snap(|_, clip| view::snap(view.place(clip).screen)))
+        .collect();
+    let pieces = culled(snapped, Cull::Back);
+    let snapped = render(&pieces, &view.lens, view.viewport, size, 0.).counts();
+    for (pixel, (a, b)) in Bounds::new(size.0, size.1)
+        .pixels()
+        .zip(counts.into_iter().zip(snapped))
+    {
+        assert!(
+            a == b || outline.contour_within(centre(pixel), 1. / 256.),
+            "{pixel:?}"
+        );
+    }
+}
