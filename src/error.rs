@@ -113,6 +113,26 @@ pub enum Error {
         /// Elements allowed.
         max: usize,
     },
+    /// A shape of too few or too many parts.
+    Parts {
+        /// What there are so many of.
+        of: &'static str,
+        /// Number as given.
+        given: u32,
+        /// Fewest allowed.
+        min: u32,
+        /// Most allowed.
+        max: u32,
+    },
+    /// A dimension of a shape that is not positive, or too large.
+    Extent {
+        /// Which dimension.
+        of: &'static str,
+        /// Length as given.
+        given: Scalar,
+        /// Greatest allowed.
+        max: Scalar,
+    },
     /// OBJ text that cannot be read.
     Obj {
         /// Line, the first being 1.
@@ -193,6 +213,20 @@ impl fmt::Display for Error {
                     f,
                     "{given} elements are too many: at most {max} are allowed"
                 )
+            }
+            Self::Parts {
+                of,
+                given,
+                min,
+                max,
+            } => {
+                write!(
+                    f,
+                    "number of {of} is {given}: it must lie between {min} and {max}"
+                )
+            }
+            Self::Extent { of, given, max } => {
+                write!(f, "{of} is {given}: it must be above 0 and at most {max}")
             }
             Self::Obj { line, problem } => write!(f, "line {line}: {problem}"),
         }

@@ -34,5 +34,5 @@ pub mod prelude {
         Angle, Camera, Canvas, Chain, Cull, Error, Face, Fragment, Mesh, Projection, Rate, Sample,
     };
     pub use crate::{Pass, Scalar, Spin, Transform, Vec2, Vec3, Vertex, Viewport};
-    pub use crate::{fx, vec2, vec3};
+    pub use crate::{fx, include_obj, shape, vec2, vec3};
 }
