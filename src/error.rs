@@ -63,6 +63,11 @@ pub enum Error {
     UpAlongView,
     /// A vector without a direction where one is needed.
     ZeroDirection,
+    /// A brightness of light below nothing or above full.
+    Brightness {
+        /// The brightness as given, 1 being full.
+        value: Scalar,
+    },
     /// A canvas, texture or viewport of a size that cannot be drawn into.
     Size {
         /// Width as given, in pixels.
@@ -185,6 +190,9 @@ impl fmt::Display for Error {
                 "up is zero or parallel to the line of sight: it must point to the side of it",
             ),
             Self::ZeroDirection => f.write_str("direction is zero: it must have a length"),
+            Self::Brightness { value } => {
+                write!(f, "brightness is {value}: it must lie between 0 and 1")
+            }
             Self::Size { width, height, max } => write!(
                 f,
                 "size is {width}x{height}: width and height must lie between 1 and {max}"

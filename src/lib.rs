@@ -23,7 +23,10 @@ pub use error::Error;
 pub use geometry::{Cull, Face, Index, Mesh, Vertex};
 pub use linear::{Matrix4, Transform, Vec2, Vec3};
 pub use number::{Scalar, Unit};
-pub use shade::{Fragment, Sample};
+pub use shade::{
+    Converted, DepthView, FaceColors, Flat, Fragment, Gouraud, Levels, Light, Lit, LitFaces,
+    LitTexture, Modulated, NormalView, Palette, Sample, Texture, Textured,
+};
 pub use target::Canvas;
 pub use time::{Rate, Spin};
 pub use view::{Aspect, Camera, Chain, Projection, Viewport};
@@ -32,6 +35,10 @@ pub use view::{Aspect, Camera, Chain, Projection, Viewport};
 pub mod prelude {
     pub use crate::{
         Angle, Camera, Canvas, Chain, Cull, Error, Face, Fragment, Mesh, Projection, Rate, Sample,
+    };
+    pub use crate::{
+        Converted, DepthView, FaceColors, Flat, Gouraud, Levels, Light, Lit, LitFaces, LitTexture,
+        Modulated, NormalView, Palette, Texture, Textured,
     };
     pub use crate::{Pass, Scalar, Spin, Transform, Vec2, Vec3, Vertex, Viewport};
     pub use crate::{fx, include_obj, shape, vec2, vec3};

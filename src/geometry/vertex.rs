@@ -31,6 +31,13 @@ impl Face<'_> {
         self.element.indices.map(|index| self.mesh.position(index))
     }
 
+    /// The texture coordinates of the corners; (0, 0) where the mesh has none.
+    #[must_use]
+    #[inline]
+    pub fn uvs(&self) -> [Vec2; 3] {
+        [0, 1, 2].map(|corner| self.mesh.uv(self.element, corner).unwrap_or_default())
+    }
+
     /// The plane's normal in model space, (b − a) × (c − a), scaled to a largest component between
     /// 8192 and 32768, so that a small triangle's direction is as good as a large one's;
     /// zero for a triangle without area.
