@@ -89,12 +89,24 @@ fn cameras_without_sense_are_refused() {
         ("--fov nan", ["--fov", "finite number"]),
         ("--near 0", ["near plane is at 0", "above 0"]),
         ("--near -1", ["near plane is at -1", "above 0"]),
-        ("--near 5 --far 5", ["far plane is at 5", "beyond the near plane at 5"]),
-        ("--near 5 --far 2", ["far plane is at 2", "beyond the near plane at 5"]),
+        (
+            "--near 5 --far 5",
+            ["far plane is at 5", "beyond the near plane at 5"],
+        ),
+        (
+            "--near 5 --far 2",
+            ["far plane is at 2", "beyond the near plane at 5"],
+        ),
         ("--near 40000", ["--near 40000", "between -32768"]),
         ("--far 1e9", ["--far 1000000000", "between -32768"]),
-        ("--eye 1,2,3 --look-at 1,2,3", ["eye and target are the same point", ""]),
-        ("--eye 0,0,5 --look-at 0,0,0 --up 0,0,1", ["up is zero or parallel", ""]),
+        (
+            "--eye 1,2,3 --look-at 1,2,3",
+            ["eye and target are the same point", ""],
+        ),
+        (
+            "--eye 0,0,5 --look-at 0,0,0 --up 0,0,1",
+            ["up is zero or parallel", ""],
+        ),
         ("--up 0,0,0", ["up is zero or parallel", ""]),
         ("--eye 0,0,1e6", ["--eye", "1000000 cannot be represented"]),
         ("--eye 0,0", ["--eye", "three numbers"]),
@@ -118,7 +130,10 @@ fn pictures_that_cannot_be_are_refused() {
     for (arguments, says) in [
         ("--size 0x240", ["size is 0x240", "between 1 and"]),
         ("--size 320x0", ["size is 320x0", "between 1 and"]),
-        ("--size 100000x100000", ["size is 100000x100000", "between 1 and"]),
+        (
+            "--size 100000x100000",
+            ["size is 100000x100000", "between 1 and"],
+        ),
         ("--size 320", ["--size", "such as 320x240"]),
         ("--size -1x5", ["-1x5", ""]),
         ("--bands 0", ["--bands", "0"]),
@@ -141,7 +156,11 @@ fn pictures_that_cannot_be_are_refused() {
     refused(&directory, "--scene moon", &["moon", "possible values"]);
     refused(&directory, "t.obj --scene cube", &["cannot be used with"]);
     if cfg!(not(feature = "sdl")) {
-        refused(&directory, "t.obj --window", &["--window", "--features sdl"]);
+        refused(
+            &directory,
+            "t.obj --window",
+            &["--window", "--features sdl"],
+        );
     }
 }
 
@@ -150,18 +169,36 @@ fn models_that_cannot_be_read_are_refused() {
     let directory = directory("models");
     for (model, says) in [
         ("v 0 0\nf 1 1 1", ["line 1", "number"]),
-        ("v 0 0 0\nv 1 zero 0\nf 1 2 1", ["line 2", "'zero' is not a number"]),
+        (
+            "v 0 0 0\nv 1 zero 0\nf 1 2 1",
+            ["line 2", "'zero' is not a number"],
+        ),
         ("v 0 0 0\nv 1 nan 0\nf 1 2 1", ["line 2", "NaN"]),
         ("# far\nv 0 0 40000\nf 1 1 1", ["line 2", "40000"]),
-        ("v 0 0 -1e9\nf 1 1 1", ["line 1", "between -32768 and 32767"]),
+        (
+            "v 0 0 -1e9\nf 1 1 1",
+            ["line 1", "between -32768 and 32767"],
+        ),
         ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4", ["line 4", "position"]),
-        ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4", ["line 4", "position"]),
+        (
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4",
+            ["line 4", "position"],
+        ),
         ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2", ["line 4", ""]),
-        ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1 2/1 3/1", ["line 4", "texture coordinate"]),
-        ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1//2 2//2 3//2", ["line 4", "normal"]),
+        (
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1 2/1 3/1",
+            ["line 4", "texture coordinate"],
+        ),
+        (
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1//2 2//2 3//2",
+            ["line 4", "normal"],
+        ),
         ("v 0 0 0\nv 1 0 0\nf 1 2", ["line 3", "at least 3 corners"]),
         ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 x", ["line 4", ""]),
-        ("v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\n\r\nf a b c\r\n", ["line 5", ""]),
+        (
+            "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\n\r\nf a b c\r\n",
+            ["line 5", ""],
+        ),
         ("v 0 0 0\nv 1 0 0\n", ["no faces", ""]),
         ("", ["no faces", ""]),
         ("\u{0}\u{1}binary", ["no faces", ""]),
@@ -175,8 +212,16 @@ fn models_that_cannot_be_read_are_refused() {
 
     fs::write(directory.join("t.obj"), TRIANGLE).unwrap();
     fs::write(directory.join("text.png"), "no picture").unwrap();
-    refused(&directory, "t.obj --texture text.png", &["cannot read texture text.png"]);
-    refused(&directory, "t.obj --texture none.png", &["cannot read texture none.png"]);
+    refused(
+        &directory,
+        "t.obj --texture text.png",
+        &["cannot read texture text.png"],
+    );
+    refused(
+        &directory,
+        "t.obj --texture none.png",
+        &["cannot read texture none.png"],
+    );
 }
 
 /// Width and height of a PNG, of its header.
@@ -237,15 +282,27 @@ fn a_model_fills_the_picture() {
         let ((left, right), (top, bottom)) = (range(0), range(1));
         let fills = right - left > 145 || bottom - top > 71;
         assert!(fills, "{projection}: {left}..{right}, {top}..{bottom}");
-        assert!((left + right).abs_diff(159) <= 3, "{projection}: {left}..{right}");
-        assert!((top + bottom).abs_diff(79) <= 3, "{projection}: {top}..{bottom}");
+        assert!(
+            (left + right).abs_diff(159) <= 3,
+            "{projection}: {left}..{right}"
+        );
+        assert!(
+            (top + bottom).abs_diff(79) <= 3,
+            "{projection}: {top}..{bottom}"
+        );
     }
 }
 
 #[test]
 fn bands_are_the_frame() {
     let directory = directory("bands");
-    for scene in ["", "--scene floor", "--scene cube", "--scene sphere", "--scene sphere-flat"] {
+    for scene in [
+        "",
+        "--scene floor",
+        "--scene cube",
+        "--scene sphere",
+        "--scene sphere-flat",
+    ] {
         let whole = good(&directory, &format!("{scene} --crc --dump whole.csv"));
         let dump = fs::read(directory.join("whole.csv")).unwrap();
         for rows in [1, 7, 16, 1000] {
@@ -253,9 +310,16 @@ fn bands_are_the_frame() {
                 &directory,
                 &format!("{scene} --crc --dump bands.csv --bands {rows}"),
             );
-            assert_eq!(printed(&whole, "crc"), printed(&banded, "crc"), "{scene} {rows}");
+            assert_eq!(
+                printed(&whole, "crc"),
+                printed(&banded, "crc"),
+                "{scene} {rows}"
+            );
             let same = dump == fs::read(directory.join("bands.csv")).unwrap();
-            assert!(same, "dumps of {scene} whole and in bands of {rows} rows differ");
+            assert!(
+                same,
+                "dumps of {scene} whole and in bands of {rows} rows differ"
+            );
         }
     }
 }
@@ -298,7 +362,9 @@ fn every_look_projection_and_color_gives_a_picture() {
          f 5 6 7 8\nf 2 1 4 3\nf 6 2 3 7\nf 1 5 8 4\nf 8 7 3 4\nf 1 2 6 5\n",
     )
     .unwrap();
-    for shade in ["texture", "gouraud", "flat", "lit", "wire", "depth", "normal"] {
+    for shade in [
+        "texture", "gouraud", "flat", "lit", "wire", "depth", "normal",
+    ] {
         for color in ["rgb565", "rgb888", "gray8", "gray4", "mono"] {
             for projection in ["perspective", "cabinet"] {
                 let said = good(
@@ -354,7 +420,13 @@ fn a_model_of_many_points_is_drawn_in_parts() {
 #[test]
 fn help_teaches() {
     let said = good(&directory("help"), "--help");
-    for part in ["Examples:", "--two-sided", "default", "Camera:", "below 180"] {
+    for part in [
+        "Examples:",
+        "--two-sided",
+        "default",
+        "Camera:",
+        "below 180",
+    ] {
         assert!(said.contains(part), "no '{part}' in: {said}");
     }
 }

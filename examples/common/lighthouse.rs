@@ -1,14 +1,14 @@
 //! The project's own scene: a lighthouse on its island in the sea, and a line of text.
 //!
-//! `no_std`, and small enough for a microcontroller's flash: 1,144 triangles, 40 KiB of textures.
+//! `no_std`, and small enough for a microcontroller's flash: 1,158 triangles, 40 KiB of textures.
 
+use embedded_graphics::Drawable;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::{Alignment, Text};
-use embedded_graphics::Drawable;
 use fixel::prelude::*;
 use fixel::shade::{Converted, Levels, Light, Texture, Textured};
 use fixel::target::{DepthBuffer, Storage};
@@ -19,24 +19,44 @@ use fixel::{Drawn, Vec2};
 pub static ISLAND: Mesh = include_obj!("../assets/lighthouse.obj");
 /// The texture of the island.
 pub static SKIN: Texture<Rgb565, 128, 128> =
-    Texture::from_raw(include_bytes!("../assets/lighthouse.rgb565"));
+    Texture::rgb565(include_bytes!("../assets/lighthouse.rgb565"));
 
-/// The sea: a level square about the island.
+/// The sea: a level disc about the island, 120 units wide each way.
 pub static SEA: Mesh = {
-    const POSITIONS: [Vec3; 4] = [
-        vec3!(-40, 0, -40),
-        vec3!(-40, 0, 40),
-        vec3!(40, 0, 40),
-        vec3!(40, 0, -40),
-    ];
-    const UVS: [Vec2; 4] = [vec2!(0, 0), vec2!(0, 20), vec2!(20, 20), vec2!(20, 0)];
-    match Mesh::new(&POSITIONS, &[[0, 1, 2], [0, 2, 3]]) {
-        Ok(mesh) => Mesh::checked(mesh.with_uvs(&UVS, None)),
+    match Mesh::new(&SEA_CORNERS.0, &SEA_FACES) {
+        Ok(mesh) => Mesh::checked(mesh.with_uvs(&SEA_CORNERS.1, None)),
         error => Mesh::checked(error),
     }
 };
+/// Corners of the disc.
+const SEA_SIDES: usize = 16;
+static SEA_CORNERS: ([Vec3; SEA_SIDES], [Vec2; SEA_SIDES]) = {
+    let (mut positions, mut uvs) = ([Vec3::ZERO; SEA_SIDES], [vec2!(0, 0); SEA_SIDES]);
+    let mut at = 0;
+    while at < SEA_SIDES {
+        #[allow(clippy::cast_possible_truncation)] // 16 corners
+        let angle = Angle::from_bits((at << (32 - SEA_SIDES.ilog2())) as u32);
+        let (sin, cos) = angle.sin_cos();
+        // From 2^-30 to 2^-16: 120 units, and a repeat of the texture for each four.
+        let (x, z) = ((sin.to_bits() >> 14) * 120, (cos.to_bits() >> 14) * 120);
+        positions[at] = Vec3::from_bits([x, 0, z]);
+        uvs[at] = Vec2::from_bits([x / 4, z / 4]);
+        at += 1;
+    }
+    (positions, uvs)
+};
+/// A fan.
+static SEA_FACES: [[u16; 3]; SEA_SIDES - 2] = {
+    let mut faces = [[0; 3]; SEA_SIDES - 2];
+    let mut at: u16 = 0;
+    while (at as usize) < faces.len() {
+        faces[at as usize] = [0, at + 1, at + 2];
+        at += 1;
+    }
+    faces
+};
 /// The texture of the sea, which repeats.
-pub static WAVES: Texture<Rgb565, 64, 64> = Texture::from_raw(include_bytes!("../assets/sea.rgb565"));
+pub static WAVES: Texture<Rgb565, 64, 64> = Texture::rgb565(include_bytes!("../assets/sea.rgb565"));
 
 /// A lens that has the whole lighthouse in the picture.
 ///
@@ -44,7 +64,7 @@ pub static WAVES: Texture<Rgb565, 64, 64> = Texture::from_raw(include_bytes!("..
 ///
 /// None for a picture of a possible size.
 pub fn lens(size: impl Into<Aspect>) -> Result<Projection<Perspective>, Error> {
-    Projection::perspective(Angle::from_degrees(38), size, fx!(1), fx!(60))
+    Projection::perspective(Angle::from_degrees(40), size, fx!(1), fx!(140))
 }
 
 /// Before the island, a little above it.
@@ -53,7 +73,7 @@ pub fn lens(size: impl Into<Aspect>) -> Result<Projection<Perspective>, Error> {
 ///
 /// None: its numbers are constant.
 pub fn camera() -> Result<Camera, Error> {
-    Camera::look_at(vec3!(3.4, 3.1, 8.4), vec3!(0.35, 1.72, 0), Vec3::Y)
+    Camera::look_at(vec3!(3.4, 3.1, 8.4), vec3!(0.45, 1.62, 0), Vec3::Y)
 }
 
 /// The afternoon sun, from the right.
@@ -84,9 +104,8 @@ where
             mix(156, 232, y) as u8,
             mix(214, 216, y) as u8,
         );
-        (0..frame.width).map(move |x| {
-            C::from_rgb(color, Point::new(x.cast_signed(), y.cast_signed()))
-        })
+        (0..frame.width)
+            .map(move |x| C::from_rgb(color, Point::new(x.cast_signed(), y.cast_signed())))
     });
     let area = Rectangle::new(
         Point::new(0, rows.start.cast_signed()),
@@ -128,7 +147,12 @@ where
         let color = C::from_rgb(Rgb888::new(grey, grey, grey), Point::zero());
         let at = Point::new(5 + offset, bottom - 6 + offset);
         let style = MonoTextStyle::new(&FONT_6X10, color);
-        let text = Text::with_alignment("fixel: drawn with integers only", at, style, Alignment::Left);
+        let text = Text::with_alignment(
+            "fixel: drawn with integers only",
+            at,
+            style,
+            Alignment::Left,
+        );
         let Ok(_) = text.draw(canvas);
     }
 }

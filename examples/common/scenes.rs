@@ -60,7 +60,8 @@ static VERTEX_COLORS: [Rgb888; 33 * 33] = {
     let mut at = 0;
     while at < colors.len() {
         // The normal of a unit sphere is the position.
-        colors[at] = lit(BALL.positions()[at].to_bits());
+        let [r, g, b] = lit(BALL.positions()[at].to_bits());
+        colors[at] = Rgb888::new(r, g, b);
         at += 1;
     }
     colors
@@ -83,25 +84,25 @@ pub static FACE_COLORS: [Rgb565; 1984] = {
             normal[axis] = (a + b + c) / 3;
             axis += 1;
         }
-        let color = lit(normal);
-        colors[at] = Rgb565::new(color.r() >> 3, color.g() >> 2, color.b() >> 3);
+        let [r, g, b] = lit(normal);
+        colors[at] = Rgb565::new(r >> 3, g >> 2, b >> 3);
         at += 1;
     }
     colors
 };
 
-/// The colour of a surface with a normal in units of 2⁻¹⁶, under light from (2, 3, 6)/7.
-const fn lit([x, y, z]: [i32; 3]) -> Rgb888 {
+/// Red, green and blue of a surface with a normal in units of 2⁻¹⁶, under light from (2, 3, 6)/7.
+const fn lit([x, y, z]: [i32; 3]) -> [u8; 3] {
     let facing = (2 * x + 3 * y + 6 * z) / 7;
     let light = if facing > 0 { facing } else { 0 };
     // A quarter of ambient light.
     let light = (1 << 14) + light / 4 * 3;
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most the factor
-    Rgb888::new(
+    [
         ((250 * light) >> 16) as u8,
         ((170 * light) >> 16) as u8,
         ((90 * light) >> 16) as u8,
-    )
+    ]
 }
 
 /// The lens of all scenes.

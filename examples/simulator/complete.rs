@@ -70,11 +70,23 @@ impl Model {
     /// Texture coordinates for the triangles that have none: the model is put in a box, and each
     /// triangle takes the coordinates on the side of the box that it faces most.
     pub fn make_uvs(&mut self) {
-        let low = |axis: usize| self.positions.iter().map(|p| p[axis]).fold(f64::MAX, f64::min);
-        let high = |axis: usize| self.positions.iter().map(|p| p[axis]).fold(f64::MIN, f64::max);
+        let low = |axis: usize| {
+            self.positions
+                .iter()
+                .map(|p| p[axis])
+                .fold(f64::MAX, f64::min)
+        };
+        let high = |axis: usize| {
+            self.positions
+                .iter()
+                .map(|p| p[axis])
+                .fold(f64::MIN, f64::max)
+        };
         let lows = [low(0), low(1), low(2)];
         let highs = [high(0), high(1), high(2)];
-        let size = (0..3).map(|axis| highs[axis] - lows[axis]).fold(0.0, f64::max);
+        let size = (0..3)
+            .map(|axis| highs[axis] - lows[axis])
+            .fold(0.0, f64::max);
         let scale = if size > 0.0 { 1.0 / size } else { 1.0 };
         let mut made: HashMap<(usize, usize, bool), usize> = HashMap::new();
         for at in 0..self.triangles.len() {

@@ -42,7 +42,10 @@ impl Fragment<3> for Recorder {
     type Color = Record;
 
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; 3] {
-        let [u, v] = vertex.uv().to_bits().map(|bits| bits << (self.uv_bits - 16));
+        let [u, v] = vertex
+            .uv()
+            .to_bits()
+            .map(|bits| bits << (self.uv_bits - 16));
         [u, v, vertex.distance().to_bits()]
     }
 

@@ -9,7 +9,7 @@ const FILL: f64 = 0.94;
 /// Field of view where none is given, in degrees.
 const FIELD_OF_VIEW: f64 = 40.0;
 /// From the model to the eye where none is given: in front, a little right and above.
-const FROM: [f64; 3] = [0.55, 0.4, 1.0];
+const FROM: [f64; 3] = [0.55, 0.6, 1.0];
 /// The same for the slanted projections, which show top and side of what is seen from the front.
 const FRONT: [f64; 3] = [0.0, 0.0, 1.0];
 
@@ -83,26 +83,65 @@ fn shear(kind: Kind) -> f64 {
     ratio * std::f64::consts::FRAC_1_SQRT_2
 }
 
+/// Axes where there are none of use.
+const AXES: [Point; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// The camera's axes: to the right, up, and back to the eye.
+fn basis(back: Point, up: Point) -> Option<[Point; 3]> {
+    let back = unit(back)?;
+    let right = unit(cross(up, back))?;
+    Some([right, cross(back, right), back])
+}
+
+/// The axes of what `args` ask for.
+fn axes(args: &Args, centre: Point) -> Option<[Point; 3]> {
+    let back = match args.eye {
+        Some(eye) => sub(eye, centre),
+        None if shear(args.projection) > 0.0 => FRONT,
+        None => FROM,
+    };
+    basis(back, args.up)
+}
+
+/// Where `points` are from `centre`, along the `axes`.
+fn seen(axes: &[Point; 3], centre: Point, points: &[Point]) -> Vec<Point> {
+    let from = |&p: &Point| axes.map(|axis| dot(axis, sub(p, centre)));
+    points.iter().map(from).collect()
+}
+
+/// What an eye must look at to have all `points` in the middle of its picture, near `centre`.
+fn aim(eye: Point, mut centre: Point, up: Point, points: &[Point]) -> Point {
+    for _ in 0..4 {
+        let back = sub(eye, centre);
+        let Some(axes) = basis(back, up) else {
+            break;
+        };
+        let ahead: Vec<Point> = seen(&axes, eye, points);
+        if ahead.iter().any(|p| p[2] > -1e-3) {
+            // The eye is among them.
+            break;
+        }
+        let distance = dot(back, back).sqrt();
+        for axis in [0, 1] {
+            let (low, high) = range(ahead.iter().map(|p| p[axis] / -p[2]));
+            centre = along(centre, axes[axis], f64::midpoint(low, high) * distance);
+        }
+    }
+    centre
+}
+
 impl Framing {
     /// Chooses what `args` leaves open so that all `points` are seen as large as can be.
     ///
     /// A camera that makes no sense (the eye at its target, up along the view) is passed on as it
     /// is: the library refuses it with a better message than could be given here.
     pub fn new(args: &Args, points: &[Point]) -> Self {
-        let centre = args.look_at.unwrap_or_else(|| middle(points));
-        let back = match args.eye {
-            Some(eye) => unit(sub(eye, centre)),
-            None if shear(args.projection) > 0.0 => unit(FRONT),
-            None => unit(FROM),
-        };
-        let (axes, points) = match back.and_then(|back| Some((back, unit(cross(args.up, back))?))) {
-            Some((back, right)) => ([right, cross(back, right), back], points),
-            None => ([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], points),
-        };
-        let seen: Vec<Point> = points
-            .iter()
-            .map(|&p| axes.map(|axis| dot(axis, sub(p, centre))))
-            .collect();
+        let mut centre = args.look_at.unwrap_or_else(|| middle(points));
+        if let (Some(eye), None, Kind::Perspective) = (args.eye, args.look_at, args.projection) {
+            centre = aim(eye, centre, args.up, points);
+        }
+        let axes = axes(args, centre).unwrap_or(AXES);
+        let seen = seen(&axes, centre, points);
         let aspect = f64::from(args.size.0.max(1)) / f64::from(args.size.1.max(1));
         let mut framing = match args.projection {
             Kind::Perspective => Self::perspective(args, centre, axes, &seen, aspect),
@@ -165,18 +204,9 @@ impl Framing {
         }
     }
 
-    fn parallel(
-        args: &Args,
-        centre: Point,
-        axes: [Point; 3],
-        seen: &[Point],
-        aspect: f64,
-    ) -> Self {
+    fn parallel(args: &Args, centre: Point, axes: [Point; 3], seen: &[Point], aspect: f64) -> Self {
         let depth = range(seen.iter().map(|p| p[2]));
-        let reach = seen
-            .iter()
-            .map(|p| dot(*p, *p).sqrt())
-            .fold(1e-3, f64::max);
+        let reach = seen.iter().map(|p| dot(*p, *p).sqrt()).fold(1e-3, f64::max);
         let (eye, distance) = match args.eye {
             Some(eye) => (eye, dot(axes[2], sub(eye, centre))),
             None => {
@@ -199,7 +229,7 @@ impl Framing {
             Some(fov) => (fov.to_radians() / 2.0).tan() * distance.abs(),
             None => fitting,
         };
-        let (x, y) = if args.look_at.is_some() || args.eye.is_some() {
+        let (x, y) = if args.look_at.is_some() {
             (shear * (distance - near), shear * (distance - near))
         } else {
             (f64::midpoint(left, right), f64::midpoint(bottom, top))

@@ -140,7 +140,7 @@ fn background<C: Levels>(shade: Shade) -> C {
     let color = match shade {
         Shade::Wire | Shade::Depth => Rgb888::new(0, 0, 0),
         // The dithered formats would show a pattern instead.
-        _ if C::WHITE[0] < 31 => Rgb888::new(0, 0, 0),
+        _ if C::MAX_STEPS[0] < 31 => Rgb888::new(0, 0, 0),
         _ => Rgb888::new(34, 40, 52),
     };
     C::from_rgb(color, Point::zero())
@@ -177,12 +177,17 @@ macro_rules! on_canvas {
 pub fn paint_scene(scene: SceneName, strip: Strip<'_, Rgb565>, frame: u32) -> Result<Done> {
     let chain = chain(scene, frame)?;
     let draw = |strip: Strip<'_, Rgb565>| -> Result<Done> {
-        Ok(on_canvas!(strip, scene, Rgb565::default(), |canvas| match scene {
-            SceneName::Floor => scenes::floor(canvas, &chain),
-            SceneName::Cube => scenes::cube(canvas, &chain),
-            SceneName::Sphere => scenes::sphere(canvas, &chain),
-            SceneName::SphereFlat => scenes::sphere_flat(canvas, &chain),
-        }))
+        Ok(on_canvas!(
+            strip,
+            scene,
+            Rgb565::default(),
+            |canvas| match scene {
+                SceneName::Floor => scenes::floor(canvas, &chain),
+                SceneName::Cube => scenes::cube(canvas, &chain),
+                SceneName::Sphere => scenes::sphere(canvas, &chain),
+                SceneName::SphereFlat => scenes::sphere_flat(canvas, &chain),
+            }
+        ))
     };
     draw(strip)
 }
@@ -211,7 +216,11 @@ fn textured<C: Levels, D: DepthBuffer>(
     mesh: &Mesh<'_>,
     chain: &Chain<Perspective>,
 ) -> Drawn {
-    canvas.draw(mesh, chain, &Converted::new(Textured::new(&scenes::CHECKER)))
+    canvas.draw(
+        mesh,
+        chain,
+        &Converted::new(Textured::new(&scenes::CHECKER)),
+    )
 }
 
 /// Records a strip of a measured scene.

@@ -199,13 +199,12 @@ fn polygons(mesh: &tobj::Mesh) -> Vec<std::ops::Range<usize>> {
 
 /// Adds the polygons of one object as fans of triangles.
 fn append(model: &mut Model, mesh: &tobj::Mesh, name: &str) {
-    let (first, first_uv, first_normal) = (
-        model.positions.len(),
-        model.uvs.len(),
-        model.normals.len(),
-    );
+    let (first, first_uv, first_normal) =
+        (model.positions.len(), model.uvs.len(), model.normals.len());
     let triple = |v: &[f32]| [f64::from(v[0]), f64::from(v[1]), f64::from(v[2])];
-    model.positions.extend(mesh.positions.chunks_exact(3).map(triple));
+    model
+        .positions
+        .extend(mesh.positions.chunks_exact(3).map(triple));
     let has_uv = name.contains("uv") && mesh.texcoord_indices.len() == mesh.indices.len();
     let has_normal = name.contains("normal") && mesh.normal_indices.len() == mesh.indices.len();
     if has_uv {
@@ -216,7 +215,9 @@ fn append(model: &mut Model, mesh: &tobj::Mesh, name: &str) {
         model.had_uvs = false;
     }
     if has_normal {
-        model.normals.extend(mesh.normals.chunks_exact(3).map(triple));
+        model
+            .normals
+            .extend(mesh.normals.chunks_exact(3).map(triple));
     }
     let corner = |at: usize| Corner {
         position: first + mesh.indices[at] as usize,

@@ -81,7 +81,8 @@ impl Output {
     ///
     /// Something could not be written, or renamed.
     pub fn finish(mut self) -> Result<()> {
-        let refuse = |error: std::io::Error| format!("cannot write {}: {error}", self.path.display());
+        let refuse =
+            |error: std::io::Error| format!("cannot write {}: {error}", self.path.display());
         if let Some(mut file) = self.file.take() {
             file.flush().map_err(refuse)?;
         }

@@ -2,20 +2,20 @@
 
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
 use fixel::prelude::*;
-use fixel::shade::{Converted, DepthView, Flat, Lit, LitFaces, NormalView, Textured};
 use fixel::shade::{Channels, Levels};
+use fixel::shade::{Converted, DepthView, Flat, Lit, LitFaces, NormalView, Textured};
 use fixel::target::{Depth, Native};
 use fixel::{Drawn, Mesh};
 
 use super::view::{Lens, View};
 use crate::args::Shade;
-use crate::skin::{Skin, Texels};
+use crate::skin::Texels;
 
 /// A canvas as the simulator has it.
 pub type Board<'a, C> = Canvas<'a, C, Native, Depth<'a>>;
 
 /// A canvas's colour, and how it takes a texture.
-pub trait Shown: Levels + Into<Rgb888> {
+pub trait Shown: Levels + Into<Rgb888> + Default {
     /// The colour that a texture is kept in: for dithered colours a finer one, as it is the
     /// picture that is to be dithered and not the texture.
     type Texel: Levels;
@@ -69,7 +69,10 @@ pub struct Posed<'a> {
 
 impl Posed<'_> {
     fn each(&self, mut draw: impl FnMut(&Mesh<'_>) -> Drawn) -> Drawn {
-        self.meshes.iter().map(&mut draw).fold(Drawn::default(), add)
+        self.meshes
+            .iter()
+            .map(&mut draw)
+            .fold(Drawn::default(), add)
     }
 
     /// Draws the triangles.
@@ -78,7 +81,9 @@ impl Posed<'_> {
         canvas: &mut Board<'_, F::Color>,
         fragment: &F,
     ) -> Drawn {
-        let View { lens, camera, pass, .. } = self.view;
+        let View {
+            lens, camera, pass, ..
+        } = self.view;
         self.each(|mesh| match *lens {
             Lens::Perspective(lens) => {
                 canvas.draw_with(pass, mesh, &(lens * *camera * self.pose), fragment)
@@ -95,7 +100,9 @@ impl Posed<'_> {
         canvas: &mut Board<'_, F::Color>,
         fragment: &F,
     ) -> Drawn {
-        let View { lens, camera, pass, .. } = self.view;
+        let View {
+            lens, camera, pass, ..
+        } = self.view;
         self.each(|mesh| match *lens {
             Lens::Perspective(lens) => {
                 canvas.draw_edges(pass, mesh, &(lens * *camera * self.pose), fragment)

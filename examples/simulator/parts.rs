@@ -68,15 +68,13 @@ impl<T> List<T> {
     }
 }
 
-/// Cuts `model`, scaled by `scale`, into parts that a mesh can hold.
+/// Cuts `model` into parts that a mesh can hold.
 ///
 /// # Errors
 ///
 /// A number that the format cannot hold.
-pub fn split(model: &Model, scale: f64) -> Result<Vec<Part>> {
-    let position = |index: usize| -> Result<Vec3> {
-        Ok(Vec3::try_from(model.positions[index].map(|x| x * scale))?)
-    };
+pub fn split(model: &Model) -> Result<Vec<Part>> {
+    let position = |index: usize| -> Result<Vec3> { Ok(Vec3::try_from(model.positions[index])?) };
     let mut parts = Vec::new();
     let mut triangles = model.triangles.iter().peekable();
     while triangles.peek().is_some() {

@@ -35,7 +35,10 @@ impl Skin {
             .into_rgb8();
         let (width, height) = image.dimensions();
         if width == 0 || height == 0 {
-            return Err(refuse(&format!("it is {width}x{height} pixels: there must be some")).into());
+            return Err(refuse(&format!(
+                "it is {width}x{height} pixels: there must be some"
+            ))
+            .into());
         }
         let sides = (nearest(width), nearest(height));
         Ok(Self(if sides == (width, height) {

@@ -64,12 +64,20 @@ impl View {
             })
         };
         let light = Light::new(point("light from", framing.light)?, fx!(0.3), fx!(0.7))?;
-        let cull = if args.two_sided { Cull::None } else { Cull::Back };
+        let cull = if args.two_sided {
+            Cull::Nothing
+        } else {
+            Cull::Back
+        };
         Ok(Self {
             lens,
             camera,
             pass: Pass::new().cull(cull),
-            light: if args.two_sided { light.two_sided() } else { light },
+            light: if args.two_sided {
+                light.two_sided()
+            } else {
+                light
+            },
             depths: framing.depths(args.projection),
         })
     }

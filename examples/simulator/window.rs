@@ -38,7 +38,10 @@ mod sdl {
             );
             let Ok(()) = self.display.fill_contiguous(&area, colors);
             self.window.update(&self.display);
-            let open = !self.window.events().any(|event| event == SimulatorEvent::Quit);
+            let open = !self
+                .window
+                .events()
+                .any(|event| event == SimulatorEvent::Quit);
             let _ = Rgb888::BLACK;
             open
         }
@@ -71,8 +74,10 @@ pub fn open(size: (u32, u32)) -> super::Result<Screen> {
     #[cfg(not(feature = "sdl"))]
     {
         let _ = size;
-        Err("--window: this build has no window; install SDL2's development files and use \
+        Err(
+            "--window: this build has no window; install SDL2's development files and use \
              `cargo run --release --features sdl --example simulator`, or write a file with --out"
-            .into())
+                .into(),
+        )
     }
 }
