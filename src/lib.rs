@@ -34,12 +34,12 @@ pub use view::{Aspect, Camera, Chain, Projection, Viewport};
 /// Everything a drawing program needs.
 pub mod prelude {
     pub use crate::{
-        Angle, Camera, Canvas, Chain, Cull, Error, Face, Fragment, Mesh, Projection, Rate, Sample,
+        Angle, Camera, Canvas, Chain, Cull, Error, Face, Fragment, Mesh, Pass, Projection, Rate,
+        Sample, Scalar, Spin, Transform, Vec2, Vec3, Vertex, Viewport,
     };
     pub use crate::{
         Converted, DepthView, FaceColors, Flat, Gouraud, Levels, Light, Lit, LitFaces, LitTexture,
         Modulated, NormalView, Palette, Texture, Textured,
     };
-    pub use crate::{Pass, Scalar, Spin, Transform, Vec2, Vec3, Vertex, Viewport};
     pub use crate::{fx, include_obj, shape, vec2, vec3};
 }

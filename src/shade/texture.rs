@@ -13,7 +13,7 @@ use crate::Error;
 
 /// `H` rows of `W` texels of any colour, the top row first; both are powers of two, at most 32768.
 ///
-/// A `static` one lives in flash. While compiling it is made of the raw bytes of an image by the
+/// A `static` one lives in flash, in two bytes a texel for `Rgb565`, four for `Rgb888` and one for grey. While compiling it is made of the raw bytes of an image by the
 /// constructor of its colour's name: [`rgb565`](Self::rgb565) takes the high byte first, as panels and
 /// embedded-graphics' `ImageRaw` do, [`rgb565_le`](Self::rgb565_le) the low byte first, and so on.
 /// Colours of less than a byte are packed, the first texel in the high bits, without a gap

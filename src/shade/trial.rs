@@ -6,7 +6,7 @@ use embedded_graphics::pixelcolor::PixelColor;
 use super::{Fragment, Sample};
 use crate::geometry::Element;
 use crate::linear::Transform;
-use crate::{Face, Mesh, Scalar, Vertex};
+use crate::{Face, Mesh, Vertex};
 
 /// The identity.
 pub(super) const IDENTITY: Transform = scale([1 << 29; 3]);
@@ -31,6 +31,7 @@ pub(super) fn face<F: Fragment<N>, const N: usize>(
     let fragment = fragment.begin(model);
     let face = Face {
         mesh,
+        view: &Transform::IDENTITY,
         element: Element {
             face: Some(index),
             indices: mesh.faces()[index],
@@ -40,7 +41,6 @@ pub(super) fn face<F: Fragment<N>, const N: usize>(
         fragment.varyings(&Vertex {
             face: &face,
             corner,
-            distance: Scalar::ONE,
         })
     });
     (fragment.face(&mut corners, &face), corners)
@@ -55,6 +55,7 @@ pub(super) fn edge<F: Fragment<N>, const N: usize>(
     let [a, b] = mesh.edges()[index];
     let face = Face {
         mesh,
+        view: &Transform::IDENTITY,
         element: Element {
             face: None,
             indices: [a, b, b],
@@ -64,7 +65,6 @@ pub(super) fn edge<F: Fragment<N>, const N: usize>(
         fragment.varyings(&Vertex {
             face: &face,
             corner,
-            distance: Scalar::ONE,
         })
     })
 }
