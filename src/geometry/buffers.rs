@@ -265,24 +265,36 @@ impl<
         }
     }
 
-    /// The same with the first `FEWER` edges.
+    /// The first elements of each list, as many as the result has.
+    ///
+    /// # Panics
+    ///
+    /// If that is more than there are.
     #[must_use]
-    pub const fn trim<const FEWER: usize>(&self) -> Arrays<P, F, FEWER, U, UF, N, NF, C> {
-        let mut edges = [[0; 2]; FEWER];
-        let mut i = 0;
-        while i < FEWER {
-            edges[i] = self.edges[i];
-            i += 1;
+    pub const fn trim<
+        const P2: usize,
+        const F2: usize,
+        const E2: usize,
+        const U2: usize,
+        const UF2: usize,
+        const N2: usize,
+        const NF2: usize,
+        const C2: usize,
+    >(
+        &self,
+    ) -> Arrays<P2, F2, E2, U2, UF2, N2, NF2, C2> {
+        const fn chunk<T: Copy, const N: usize>(list: &[T]) -> [T; N] {
+            *list.first_chunk().expect("a list is longer than its text")
         }
         Arrays {
-            positions: self.positions,
-            faces: self.faces,
-            edges,
-            uvs: self.uvs,
-            uv_faces: self.uv_faces,
-            normals: self.normals,
-            normal_faces: self.normal_faces,
-            colors: self.colors,
+            positions: chunk(&self.positions),
+            faces: chunk(&self.faces),
+            edges: chunk(&self.edges),
+            uvs: chunk(&self.uvs),
+            uv_faces: chunk(&self.uv_faces),
+            normals: chunk(&self.normals),
+            normal_faces: chunk(&self.normal_faces),
+            colors: chunk(&self.colors),
         }
     }
 

@@ -2,6 +2,7 @@
 
 use embedded_graphics::pixelcolor::Rgb888;
 
+use super::buffers::Counts;
 use crate::{Error, Vec2, Vec3};
 
 /// Corners of a triangle or ends of an edge, as indices into a mesh's positions.
@@ -234,6 +235,27 @@ impl<'a> Mesh<'a> {
             }
         }
         Ok(Attribute { values, faces })
+    }
+
+    /// How many elements each list has.
+    #[must_use]
+    pub const fn counts(&self) -> Counts {
+        const fn own(faces: Option<&[[Index; 3]]>) -> usize {
+            match faces {
+                Some(faces) => faces.len(),
+                None => 0,
+            }
+        }
+        Counts {
+            positions: self.positions.len(),
+            faces: self.faces.len(),
+            edges: self.edges.len(),
+            uvs: self.uvs.values.len(),
+            uv_faces: own(self.uvs.faces),
+            normals: self.normals.values.len(),
+            normal_faces: own(self.normals.faces),
+            colors: self.colors.values.len(),
+        }
     }
 
     /// Positions, in model space.

@@ -49,9 +49,10 @@ impl Face<'_> {
         let [b, c] = [b, c].map(|p| [side(a[0], p[0]), side(a[1], p[1]), side(a[2], p[2])]);
         let cross = |i: usize, j: usize| (b[i] * c[j]).saturating_sub(b[j] * c[i]);
         let normal = [cross(1, 2), cross(2, 0), cross(0, 1)];
-        let size = normal.iter().fold(0, |all, x| all | x.unsigned_abs());
+        let bits = normal.iter().fold(0, |all, x| all | x.unsigned_abs());
         // One leading zero stays, for the sign.
-        let up = size.leading_zeros().clamp(1, 63) - 1;
+        let up = bits.leading_zeros().clamp(1, 63) - 1;
+        #[allow(clippy::cast_possible_truncation)] // the upper half of 64 bits
         Vec3::from_bits(normal.map(|x| ((x << up) >> 32) as i32))
     }
 }

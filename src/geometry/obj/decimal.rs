@@ -11,6 +11,9 @@ pub(super) const RANGE: &str =
 /// as halves are rounded up in magnitude.
 const PLACES: usize = 17;
 
+/// The last of them, as a power of ten.
+const LAST: i64 = -17;
+
 /// 10^17 / 2^17.
 const FIVES: u64 = 762_939_453_125;
 
@@ -28,15 +31,19 @@ const POWERS: [u64; PLACES + 1] = {
 };
 
 /// The byte at a place; a line's end after the text.
-pub(super) const fn byte(text: &[u8], at: usize) -> u8 {
-    if at < text.len() { text[at] } else { b'\n' }
+///
+/// A macro, as a compiler that runs this takes as long for a call as for a dozen operations.
+macro_rules! byte {
+    ($text:expr, $at:expr) => {
+        if $at < $text.len() { $text[$at] } else { b'\n' }
+    };
 }
+pub(super) use byte;
 
 /// Reads the number that starts at `at`: sign, digits with or without a point, exponent.
 /// Halves round away from zero.
 pub(super) const fn decimal(text: &[u8], mut at: usize) -> Decimal {
-    // A compiler that runs this takes as long for a call as for a dozen operations: no calls in loops.
-    let first = byte(text, at);
+    let first = byte!(text, at);
     let negative = first == b'-';
     if negative || first == b'+' {
         at += 1;
@@ -44,23 +51,27 @@ pub(super) const fn decimal(text: &[u8], mut at: usize) -> Decimal {
     let start = at;
     let mut whole = 0;
     while at < text.len() {
-        match text[at] {
-            c @ b'0'..=b'9' if whole < LARGE => whole = whole * 10 + (c - b'0') as u64,
-            b'0'..=b'9' => {}
-            _ => break,
+        let c = text[at];
+        if c < b'0' || c > b'9' {
+            break;
+        }
+        if whole < LARGE {
+            whole = whole * 10 + (c - b'0') as u64;
         }
         at += 1;
     }
     let point = at - start;
     let mut places = 0;
     let mut fraction = 0;
-    if byte(text, at) == b'.' {
+    if byte!(text, at) == b'.' {
         at += 1;
         while at < text.len() {
-            match text[at] {
-                c @ b'0'..=b'9' if places < PLACES => fraction = fraction * 10 + (c - b'0') as u64,
-                b'0'..=b'9' => {}
-                _ => break,
+            let c = text[at];
+            if c < b'0' || c > b'9' {
+                break;
+            }
+            if places < PLACES {
+                fraction = fraction * 10 + (c - b'0') as u64;
             }
             places += 1;
             at += 1;
@@ -69,14 +80,16 @@ pub(super) const fn decimal(text: &[u8], mut at: usize) -> Decimal {
     if point + places == 0 {
         return Err(MALFORMED);
     }
-    if let b'e' | b'E' = byte(text, at) {
+    if let b'e' | b'E' = byte!(text, at) {
         let end = at;
         let exponent;
         match power(text, at + 1) {
             Ok(power) => (exponent, at) = power,
             Err(problem) => return Err(problem),
         }
-        (whole, fraction) = shifted(text, start, end, point as i64 + exponent);
+        #[allow(clippy::cast_possible_wrap)] // no text is as long
+        let point = point as i64;
+        (whole, fraction) = shifted(text, start, end, point + exponent);
     } else if places < PLACES {
         fraction *= POWERS[PLACES - places];
     }
@@ -97,16 +110,16 @@ pub(super) const fn decimal(text: &[u8], mut at: usize) -> Decimal {
 
 /// Reads an exponent, saturated, and the place after it.
 const fn power(text: &[u8], mut at: usize) -> Result<(i64, usize), &'static str> {
-    let negative = byte(text, at) == b'-';
-    if negative || byte(text, at) == b'+' {
+    let negative = byte!(text, at) == b'-';
+    if negative || byte!(text, at) == b'+' {
         at += 1;
     }
     let start = at;
     let mut power = 0;
-    while byte(text, at).is_ascii_digit() {
+    while byte!(text, at).is_ascii_digit() {
         // Beyond a text's possible number of digits, it may be anything.
         if power < 1 << 40 {
-            power = power * 10 + (byte(text, at) - b'0') as i64;
+            power = power * 10 + (byte!(text, at) - b'0') as i64;
         }
         at += 1;
     }
@@ -123,7 +136,7 @@ const fn shifted(text: &[u8], start: usize, end: usize, point: i64) -> (u64, u64
     let mut left = point;
     let mut at = start;
     while at < end {
-        let c = byte(text, at);
+        let c = byte!(text, at);
         at += 1;
         if c == b'.' {
             continue;
@@ -133,7 +146,7 @@ const fn shifted(text: &[u8], start: usize, end: usize, point: i64) -> (u64, u64
             if whole < LARGE {
                 whole = whole * 10 + digit;
             }
-        } else if left > -(PLACES as i64) {
+        } else if left > LAST {
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // 0..17
             {
                 fraction += digit * POWERS[PLACES - 1 - (-left) as usize];

@@ -38,6 +38,8 @@ pub(super) struct Reader<'a> {
     seen: [usize; 3],
     /// Positions, texture coordinates and normals that an index may name.
     known: [usize; 3],
+    /// Positions, texture coordinates and normals that indices did name.
+    named: [usize; 3],
 }
 
 /// As many as a 16-bit index can name, less one attribute value for `Mesh::NO_VALUE`.
@@ -49,6 +51,8 @@ const TOO_MANY: [&str; 3] = [
     "more than 65535 normals",
 ];
 
+const MALFORMED: &str = "a corner is malformed: it must be like 1, 1/2, 1//3 or 1/2/3";
+
 const NOT_THERE: [&str; 3] = [
     "an index names a position that is not there",
     "an index names a texture coordinate that is not there",
@@ -59,8 +63,11 @@ const fn ends_line(c: u8) -> bool {
     c == b'\n' || c == b'\r'
 }
 
-const fn ends_word(c: u8) -> bool {
-    matches!(c, b' ' | b'\t' | b'\n' | b'\r' | b'\\' | b'#')
+/// What a word ends with.
+macro_rules! blank {
+    () => {
+        b' ' | b'\t' | b'\n' | b'\r' | b'\\' | b'#'
+    };
 }
 
 /// A colour component of 0..1 as 0..255, rounded to nearest.
@@ -83,12 +90,18 @@ impl<'a> Reader<'a> {
             line: 1,
             seen: [0; 3],
             known,
+            named: [0; 3],
         }
     }
 
     /// Positions, texture coordinates and normals so far.
     pub(super) const fn seen(&self) -> [usize; 3] {
         self.seen
+    }
+
+    /// Whether an index named something that is not in the text.
+    pub(super) const fn missed(&self) -> bool {
+        self.named[0] > self.seen[0] || self.named[1] > self.seen[1] || self.named[2] > self.seen[2]
     }
 
     pub(super) const fn error<T>(&self, problem: &'static str) -> Result<T, Error> {
@@ -98,13 +111,9 @@ impl<'a> Reader<'a> {
         })
     }
 
-    const fn byte(&self) -> u8 {
-        byte(self.text, self.at)
-    }
-
     /// Goes past a line's end, which is LF, CR or both.
     const fn end_line(&mut self) {
-        if self.byte() == b'\r' && byte(self.text, self.at + 1) == b'\n' {
+        if byte!(self.text, self.at) == b'\r' && byte!(self.text, self.at + 1) == b'\n' {
             self.at += 1;
         }
         self.at += 1;
@@ -114,7 +123,10 @@ impl<'a> Reader<'a> {
     /// Goes past a backslash at a line's end, which makes the next line part of this one.
     const fn continuation(&mut self) -> bool {
         let next = self.at + 1;
-        if self.byte() == b'\\' && next < self.text.len() && ends_line(self.text[next]) {
+        if byte!(self.text, self.at) == b'\\'
+            && next < self.text.len()
+            && ends_line(self.text[next])
+        {
             self.at = next;
             self.end_line();
             true
@@ -126,16 +138,11 @@ impl<'a> Reader<'a> {
     /// Goes past blanks; whether another word follows in this statement.
     const fn word(&mut self) -> bool {
         loop {
-            // A compiler that runs this takes long for a call: the end of the text is tested here.
-            let c = if self.at < self.text.len() {
-                self.text[self.at]
-            } else {
-                b'\n'
-            };
-            match c {
+            match byte!(self.text, self.at) {
                 b' ' | b'\t' => self.at += 1,
                 b'\\' if self.continuation() => {}
-                _ => return !matches!(c, b'\n' | b'\r' | b'#'),
+                b'\n' | b'\r' | b'#' => return false,
+                _ => return true,
             }
         }
     }
@@ -143,8 +150,8 @@ impl<'a> Reader<'a> {
     /// Goes to the end of this line; of a statement that goes on in the next, to that one's.
     const fn skip(&mut self, comment: bool) {
         loop {
-            let c = self.byte();
-            if ends_line(c) {
+            let c = byte!(self.text, self.at);
+            if c == b'\n' || c == b'\r' {
                 return;
             }
             if c != b'\\' || comment || !self.continuation() {
@@ -167,9 +174,9 @@ impl<'a> Reader<'a> {
                 }
                 continue;
             }
-            let first = self.byte();
-            let second = byte(self.text, self.at + 1);
-            if ends_word(second) {
+            let first = byte!(self.text, self.at);
+            let second = byte!(self.text, self.at + 1);
+            if matches!(second, blank!()) {
                 self.at += 1;
                 match first {
                     b'v' => return self.position(),
@@ -177,7 +184,7 @@ impl<'a> Reader<'a> {
                     b'l' => return Ok(Statement::Line),
                     _ => {}
                 }
-            } else if first == b'v' && ends_word(byte(self.text, self.at + 2)) {
+            } else if first == b'v' && matches!(byte!(self.text, self.at + 2), blank!()) {
                 self.at += 2;
                 match second {
                     b't' => return self.uv(),
@@ -198,7 +205,7 @@ impl<'a> Reader<'a> {
                 return self.error("too many numbers");
             }
             match decimal(self.text, self.at) {
-                Ok((bits, end)) if ends_word(byte(self.text, end)) => {
+                Ok((bits, end)) if matches!(byte!(self.text, end), blank!()) => {
                     numbers[count] = bits;
                     self.at = end;
                 }
@@ -273,9 +280,10 @@ impl<'a> Reader<'a> {
         };
         let mut kind = 0;
         loop {
-            let c = self.byte();
             // 1//3 has no texture coordinate, and some programs write 1/ and 1/2/.
-            if kind == 0 || c != b'/' && !ends_word(c) {
+            let c = byte!(self.text, self.at);
+            let given = kind == 0 || c != b'/' && !matches!(c, blank!());
+            if given {
                 let index = match self.index(kind) {
                     Ok(index) => index,
                     Err(error) => return Err(error),
@@ -286,12 +294,10 @@ impl<'a> Reader<'a> {
                     _ => corner.normal = Some(index),
                 }
             }
-            let c = self.byte();
-            if ends_word(c) {
-                return Ok(Some(corner));
-            }
-            if c != b'/' || kind == 2 {
-                return self.error("a corner is malformed: it must be like 1, 1/2, 1//3 or 1/2/3");
+            match byte!(self.text, self.at) {
+                blank!() => return Ok(Some(corner)),
+                b'/' if kind < 2 => {}
+                _ => return self.error(MALFORMED),
             }
             self.at += 1;
             kind += 1;
@@ -309,16 +315,18 @@ impl<'a> Reader<'a> {
         let start = at;
         let mut number = 0;
         while at < text.len() {
-            match text[at] {
-                c @ b'0'..=b'9' if number <= MOST[0] => number = number * 10 + (c - b'0') as usize,
-                b'0'..=b'9' => {}
-                _ => break,
+            let c = text[at];
+            if c < b'0' || c > b'9' {
+                break;
+            }
+            if number <= MOST[0] {
+                number = number * 10 + (c - b'0') as usize;
             }
             at += 1;
         }
         self.at = at;
         if at == start {
-            return self.error("a corner is malformed: it must be like 1, 1/2, 1//3 or 1/2/3");
+            return self.error(MALFORMED);
         }
         if number == 0 {
             return self.error("an index is 0: the first is 1, and the last -1");
@@ -330,6 +338,9 @@ impl<'a> Reader<'a> {
         };
         if number > limit {
             return self.error(NOT_THERE[kind]);
+        }
+        if index >= self.named[kind] {
+            self.named[kind] = index + 1;
         }
         #[allow(clippy::cast_possible_truncation)] // below `MOST`
         Ok(index as u16)
