@@ -5,6 +5,7 @@ use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
 use micromath::F32Ext;
 
+use crate::error::Given;
 use crate::linear::unit;
 use crate::number::Unit;
 use crate::{Error, Scalar};
@@ -125,7 +126,9 @@ impl Angle {
 
     fn try_from_float(value: f64, turn: f64) -> Result<Self, Error> {
         if !value.is_finite() {
-            return Err(Error::NotRepresentable { value });
+            return Err(Error::NotRepresentable {
+                value: Given::new(value),
+            });
         }
         let units = value % turn / turn * TURN;
         let half = if units < 0.0 { -0.5 } else { 0.5 };
