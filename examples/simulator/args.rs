@@ -102,7 +102,7 @@ pub struct Args {
 
     /// Picture size in pixels.
     #[arg(long, value_name = "WxH", value_parser = size, default_value = "320x240",
-        help_heading = "Picture", conflicts_with = "scene")]
+        allow_hyphen_values = true, help_heading = "Picture", conflicts_with = "scene")]
     pub size: (u32, u32),
 
     /// Draw in strips of so many rows, as a microcontroller short of memory does; the same picture.

@@ -185,9 +185,19 @@ impl Framing {
                     ((high - low) / (2.0 * k), f64::midpoint(high, low))
                 }
             };
-            let (dx, cx) = fit(0, tangent * aspect);
-            let (dy, cy) = fit(1, tangent);
+            let (dx, mut cx) = fit(0, tangent * aspect);
+            let (dy, mut cy) = fit(1, tangent);
             distance = dx.max(dy).max(1e-3);
+            if args.look_at.is_none() {
+                // The one that has room to spare: to the middle of the picture.
+                for (axis, centre) in [(0, &mut cx), (1, &mut cy)] {
+                    for _ in 0..8 {
+                        let slope = |p: &Point| (p[axis] - *centre) / (distance - p[2]);
+                        let (low, high) = range(seen.iter().map(slope));
+                        *centre += f64::midpoint(low, high) * distance;
+                    }
+                }
+            }
             target = along(along(centre, axes[0], cx), axes[1], cy);
             eye = along(target, axes[2], distance);
         }
@@ -261,9 +271,10 @@ impl Framing {
     /// Near and far plane a little before and behind all points.
     fn planes(seen: &[Point], distance: f64) -> (f64, f64) {
         let [low, high] = Self::distances(seen, distance);
-        let far = (high + (high - low) * 0.02).max(0.01);
+        let margin = (high - low) * 0.02 + high.abs() * 0.001;
+        let far = (high + margin).max(0.01);
         // 16-bit depth wants far / near below 1000; an eye inside the model sees what it can.
-        ((low - (high - low) * 0.02).max(far / 500.0), far)
+        ((low - margin).max(far / 500.0), far)
     }
 
     /// The model's nearest and farthest depth, as they are stored.
