@@ -52,7 +52,6 @@ impl Face<'_> {
         let bits = normal.iter().fold(0, |all, x| all | x.unsigned_abs());
         // One leading zero stays, for the sign.
         let up = bits.leading_zeros().clamp(1, 63) - 1;
-        #[allow(clippy::cast_possible_truncation)] // the upper half of 64 bits
         Vec3::from_bits(normal.map(|x| ((x << up) >> 32) as i32))
     }
 }
