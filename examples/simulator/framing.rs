@@ -100,7 +100,7 @@ fn axes(args: &Args, centre: Point) -> Option<[Point; 3]> {
         None if shear(args.projection) > 0.0 => FRONT,
         None => FROM,
     };
-    basis(back, args.up)
+    basis(back, args.up())
 }
 
 /// Where `points` are from `centre`, along the `axes`.
@@ -138,7 +138,7 @@ impl Framing {
     pub fn new(args: &Args, points: &[Point]) -> Self {
         let mut centre = args.look_at.unwrap_or_else(|| middle(points));
         if let (Some(eye), None, Kind::Perspective) = (args.eye, args.look_at, args.projection) {
-            centre = aim(eye, centre, args.up, points);
+            centre = aim(eye, centre, args.up(), points);
         }
         let axes = axes(args, centre).unwrap_or(AXES);
         let seen = seen(&axes, centre, points);
@@ -217,12 +217,11 @@ impl Framing {
     fn parallel(args: &Args, centre: Point, axes: [Point; 3], seen: &[Point], aspect: f64) -> Self {
         let depth = range(seen.iter().map(|p| p[2]));
         let reach = seen.iter().map(|p| dot(*p, *p).sqrt()).fold(1e-3, f64::max);
-        let (eye, distance) = match args.eye {
-            Some(eye) => (eye, dot(axes[2], sub(eye, centre))),
-            None => {
-                let distance = depth.1.max(0.0) + reach * 0.1;
-                (along(centre, axes[2], distance), distance)
-            }
+        let (eye, distance) = if let Some(eye) = args.eye {
+            (eye, dot(axes[2], sub(eye, centre)))
+        } else {
+            let distance = depth.1.max(0.0) + reach * 0.1;
+            (along(centre, axes[2], distance), distance)
         };
         // The near plane stays where it is and what lies behind it moves: so does the window.
         let (near, far) = Self::planes(seen, distance);
