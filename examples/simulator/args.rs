@@ -23,7 +23,7 @@ position must lie between -32768 and 32768, with a resolution of 1/65536.";
 ///
 /// Without a model it draws the project's own scene. What is not given is chosen so that the
 /// model fills the picture.
-#[derive(Debug, Parser)]
+#[derive(Clone, Debug, Parser)]
 #[command(name = "simulator", version, after_help = EXAMPLES, max_term_width = 100)]
 pub struct Args {
     /// Model to draw: Wavefront OBJ with any mix of v, vt and vn, polygons, negative indices.

@@ -4,7 +4,7 @@ use fixel::prelude::*;
 
 use super::Result;
 use super::common::lighthouse;
-use crate::args::{Args, Shade};
+use crate::args::{Args, Kind, Shade};
 use crate::framing::{Framing, middle};
 use crate::job::{self, Model, Turn};
 use crate::load;
@@ -98,23 +98,31 @@ impl Subject {
             rate,
         };
         let turns = args.frames > 1 || rate.is_some();
-        let mut framing = if turns {
-            Framing::new(args, &ring(&self.points, about))
-        } else {
-            Framing::new(args, &self.points)
+        let frame = |args: &Args| {
+            if turns {
+                Framing::new(args, &ring(&self.points, about))
+            } else {
+                Framing::new(args, &self.points)
+            }
         };
+        let mut framing = frame(args);
         let own = self.shade.is_none();
-        let mut view;
+        if own && args.has_camera() {
+            // The sea begins before the island and goes on behind it.
+            let near = match args.projection {
+                Kind::Perspective => 0.25,
+                _ => framing.near - 120.0,
+            };
+            framing = frame(&Args {
+                near: args.near.or(Some(near)),
+                far: args.far.or(Some(framing.far + 120.0)),
+                ..args.clone()
+            });
+        }
+        let mut view = View::new(args, &framing)?;
         if own && !args.has_camera() {
-            view = View::new(args, &framing)?;
             view.lens = Lens::Perspective(lighthouse::lens(args.size)?);
             view.camera = lighthouse::camera()?;
-        } else {
-            if own {
-                // The sea goes on behind the island.
-                framing.far = args.far.unwrap_or(framing.far * 3.0);
-            }
-            view = View::new(args, &framing)?;
         }
         Ok(Model {
             meshes,
