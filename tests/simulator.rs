@@ -1,6 +1,7 @@
 //! Runs the simulator as a user would: what it makes of good input, and what it says to bad.
 #![cfg(not(target_os = "none"))]
 
+use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -253,11 +254,8 @@ fn without_arguments_it_draws_its_own_scene_and_says_where() {
 fn a_model_fills_the_picture() {
     let directory = directory("fills");
     // A plate far from the origin, in the dialects: CRLF, a quad, negative indices, no vt or vn.
-    let model: String = [[0, 0], [4, 0], [4, 2], [0, 2]]
-        .iter()
-        .map(|[x, y]| format!("v {} {} 7\r\n", x + 100, y - 50))
-        .collect();
-    fs::write(directory.join("quad.obj"), model + "f -4 -3 -2 -1\r\n").unwrap();
+    let model = "v 100 -50 7\r\nv 104 -50 7\r\nv 104 -48 7\r\nv 100 -48 7\r\nf -4 -3 -2 -1\r\n";
+    fs::write(directory.join("quad.obj"), model).unwrap();
     for projection in ["perspective", "orthographic", "cabinet", "cavalier"] {
         let said = good(
             &directory,
@@ -342,7 +340,8 @@ fn the_dump_is_exact_and_in_row_order() {
     assert_eq!(rows.len(), 17);
     for (at, row) in rows[1..].iter().enumerate() {
         let cells: Vec<f64> = row.split(',').map(|cell| cell.parse().unwrap()).collect();
-        let (x, y) = ((at % 4) as f64, (at / 4) as f64);
+        let at = f64::from(u8::try_from(at).unwrap());
+        let (x, y) = (at % 4.0, (at / 4.0).floor());
         assert_eq!(cells[..2], [x, y], "{row}");
         // At the middle of a pixel, v down; a few units of 2^-24.
         assert!(((x + 0.5) / 4.0 - cells[2]).abs() < 1e-6, "{row}");
@@ -400,13 +399,13 @@ fn a_model_of_many_points_is_drawn_in_parts() {
     let mut model = String::new();
     for y in 0..300 {
         for x in 0..300 {
-            model += &format!("v {x} {y} 0\n");
+            writeln!(model, "v {x} {y} 0").unwrap();
         }
     }
     for y in 0..299 {
         for x in 1..300 {
             let at = y * 300 + x;
-            model += &format!("f {at} {} {} {}\n", at + 1, at + 301, at + 300);
+            writeln!(model, "f {at} {} {} {}", at + 1, at + 301, at + 300).unwrap();
         }
     }
     fs::write(directory.join("grid.obj"), model).unwrap();

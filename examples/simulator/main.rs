@@ -16,6 +16,8 @@ mod paint;
 mod parts;
 mod render;
 mod skin;
+mod subject;
+mod targets;
 mod view;
 mod window;
 

@@ -45,7 +45,7 @@ impl View {
         let camera = Camera::look_at(
             point("--eye", framing.eye)?,
             point("--look-at", framing.target)?,
-            point("--up", args.up)?,
+            point("--up", args.up())?,
         )?;
         let near = number("--near", framing.near)?;
         let far = number("--far", framing.far)?;
