@@ -52,12 +52,21 @@ fn divide<const N: usize>(run: &Run<N>) -> [i32; N] {
     let r = i64::from(reciprocal(run.q << up));
     let mut varyings = [0; N];
     for ((value, p), bits) in varyings.iter_mut().zip(run.p).zip(run.bits) {
-        // With q' = q << up and p' = p << up: |p'| ≤ q'/2 < 2^31, r = 2^63 / q', so p' · r ≤ 2^62
-        // is p/q in units of 2^-63; half of that product has p/q · 2^32 in its upper 32 bits.
-        let fraction = ((i64::from(p << up) * r) >> 31) as i32;
-        *value = fraction >> (32 - bits);
+        // With q' = q << up, r = 2^63 / q' and p' = p/2 << up, whose last bit is below what steps
+        // round: |p'| ≤ q'/4 ≤ 2^30 but for rounding, and p' · r is p/q in units of 2^-62.
+        let quotient = ((i64::from((p >> 1) << up) * r) >> 32) as i32;
+        *value = scaled(quotient, bits);
     }
     varyings
+}
+
+/// A value of at most half in units of 2⁻³⁰, times 2^`bits`, rounded down.
+///
+/// Saturates, as rounding may have taken it beyond a half, and twice the half wraps where `bits` is 32.
+#[inline]
+fn scaled(value: i32, bits: u32) -> i32 {
+    let value = value.clamp(-(1 << 29), (1 << 29) - 1);
+    (value >> 30u32.saturating_sub(bits)) << bits.saturating_sub(30)
 }
 
 /// Linear on the screen: exact under a parallel projection, which always takes this mode.
@@ -79,8 +88,7 @@ impl Interpolate for Linear {
             if pixels.visible(&cell, run.q) {
                 let mut varyings = [0; N];
                 for ((value, p), bits) in varyings.iter_mut().zip(run.p).zip(run.bits) {
-                    // p is value · 2^(30 - bits); only values of 30 bits and more are shifted up.
-                    *value = (p >> 30u32.saturating_sub(bits)) << bits.saturating_sub(30);
+                    *value = scaled(p, bits);
                 }
                 pixels.shade(cell, run.q, varyings);
             }
