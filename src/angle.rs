@@ -32,7 +32,8 @@ const TURN: f64 = 4_294_967_296.0;
 /// Coefficients of sin(πx/2) / x in powers of x² over \[−1, 1\], lowest first, with their fraction
 /// bits: as many as leave them 31 bits, so that a step adds nothing to the error.
 ///
-/// Minimax in the relative error, 2.4e-11, under the condition that they sum to 1 (Remez's exchange).
+/// Minimax in the relative error, 2.4e-11, under the condition that they sum to 1 (Remez's
+/// exchange).
 const SINE: [(i32, u32); 6] = [
     (1_686_629_713, 30),
     (-1_387_197_331, 31),
@@ -134,8 +135,8 @@ impl Angle {
 
     /// The angle from the x axis to the point (x, y), counter-clockwise; 0 for the origin.
     ///
-    /// Within 2e-9 radians. `micromath` gives the first guess, good to about 1e-3 radians and not more,
-    /// and two steps in integers make it exact.
+    /// Within 2e-9 radians. `micromath` gives the first guess, good to about 1e-3 radians and not
+    /// more, and two steps in integers make it exact.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -171,7 +172,7 @@ impl Angle {
 
     /// The sine.
     ///
-    /// Odd polynomial of degree 11 on a quarter of a turn: within 1.5e-9, 0, 1 and −1 exact at
+    /// Odd polynomial of degree 11 on a quarter of a turn: within 1.6e-9, 0, 1 and −1 exact at
     /// multiples of 90°, symmetric to the last bit.
     ///
     /// ```

@@ -63,6 +63,11 @@ pub enum Error {
     UpAlongView,
     /// A vector without a direction where one is needed.
     ZeroDirection,
+    /// A brightness of light below nothing or above full.
+    Brightness {
+        /// The brightness as given, 1 being full.
+        value: Scalar,
+    },
     /// A canvas, texture or viewport of a size that cannot be drawn into.
     Size {
         /// Width as given, in pixels.
@@ -112,6 +117,26 @@ pub enum Error {
         given: usize,
         /// Elements allowed.
         max: usize,
+    },
+    /// A shape of too few or too many parts.
+    Parts {
+        /// What there are so many of.
+        of: &'static str,
+        /// Number as given.
+        given: u32,
+        /// Fewest allowed.
+        min: u32,
+        /// Most allowed.
+        max: u32,
+    },
+    /// A dimension of a shape that is not positive, or too large.
+    Extent {
+        /// Which dimension.
+        of: &'static str,
+        /// Length as given.
+        given: Scalar,
+        /// Greatest allowed.
+        max: Scalar,
     },
     /// OBJ text that cannot be read.
     Obj {
@@ -165,6 +190,9 @@ impl fmt::Display for Error {
                 "up is zero or parallel to the line of sight: it must point to the side of it",
             ),
             Self::ZeroDirection => f.write_str("direction is zero: it must have a length"),
+            Self::Brightness { value } => {
+                write!(f, "brightness is {value}: it must lie between 0 and 1")
+            }
             Self::Size { width, height, max } => write!(
                 f,
                 "size is {width}x{height}: width and height must lie between 1 and {max}"
@@ -193,6 +221,20 @@ impl fmt::Display for Error {
                     f,
                     "{given} elements are too many: at most {max} are allowed"
                 )
+            }
+            Self::Parts {
+                of,
+                given,
+                min,
+                max,
+            } => {
+                write!(
+                    f,
+                    "number of {of} is {given}: it must lie between {min} and {max}"
+                )
+            }
+            Self::Extent { of, given, max } => {
+                write!(f, "{of} is {given}: it must be above 0 and at most {max}")
             }
             Self::Obj { line, problem } => write!(f, "line {line}: {problem}"),
         }

@@ -65,7 +65,8 @@ impl Rate {
 
     /// The angle turned through in `ms` milliseconds, from 0 on.
     ///
-    /// Exact for any time whatever: whole turns drop out before the one rounding, down to a multiple of 2⁻³² of a turn.
+    /// Exact for any time whatever: whole turns drop out before the one rounding, down to a
+    /// multiple of 2⁻³² of a turn.
     #[must_use]
     pub const fn angle_at(self, ms: u64) -> Angle {
         angle(self.phase(ms))
@@ -142,7 +143,8 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// The bits of the angle of milli · ms / 60,000,000 turns, in integers without bounds that matter.
+    /// The bits of the angle of milli · ms / 60,000,000 turns, in integers without bounds that
+    /// matter.
     fn exact(milli: i32, ms: u64) -> u32 {
         let turns = i128::from(milli) * i128::from(ms);
         let bits = (turns.rem_euclid(60_000_000) << 32) / 60_000_000;
@@ -169,10 +171,13 @@ mod tests {
 
         #[test]
         fn frames_do_not_drift(
-            rpm in any::<i32>(),
-            frames in proptest::collection::vec(prop_oneof![0_u64..100, any::<u32>().prop_map(u64::from)], 0..200),
+            milli in any::<i32>(),
+            frames in proptest::collection::vec(
+                prop_oneof![0_u64..100, any::<u32>().prop_map(u64::from)],
+                0..200,
+            ),
         ) {
-            let rate = Rate::rpm(rpm);
+            let rate = Rate::milli_rpm(milli);
             let mut spin = rate.spin();
             let mut now = 0;
             for ms in frames {

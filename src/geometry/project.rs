@@ -65,9 +65,9 @@ type Scaled = (i32, i32);
 /// 1 / `value` for a positive value of 16 fraction bits, 30 bits of it; `tweak` is added to it in units of 2⁻¹⁶ of itself.
 fn inverse(value: u32, tweak: i64) -> Scaled {
     let up = value.leading_zeros() & 31;
-    let r = i64::from(reciprocal(value << up));
-    // 1/value = 2^16 · 2^up · r / 2^63.
-    let ([mantissa], exp) = block::normalise([r + (r >> 16) * tweak], 47 - up.cast_signed());
+    let r = i64::from(reciprocal(value << up >> 1));
+    // 1/value = 2^16 · 2^up · r / 2^62.
+    let ([mantissa], exp) = block::normalise([r + (r >> 16) * tweak], 46 - up.cast_signed());
     (mantissa, exp)
 }
 
@@ -260,10 +260,16 @@ impl<K: Kind> Projector<K> {
 
     /// A bit for each plane that a position is outside of.
     #[inline]
-    fn outside(&self, position: ClipPosition) -> u8 {
-        (0..6).fold(0, |all, plane| {
-            all | u8::from(Self::is_outside(self.distance(position, plane), plane)) << plane
-        })
+    fn outside(&self, [x, y, t]: ClipPosition) -> u8 {
+        // As `is_outside` of each distance, without the differences: w is below 2^62.
+        let far = self.w(t) + SIDE_TOLERANCE;
+        let bit = |outside: bool, plane: u32| u8::from(outside) << plane;
+        bit(t < self.range[0], 0)
+            | bit(t > self.range[1], 1)
+            | bit(x < -far, 2)
+            | bit(x > far, 3)
+            | bit(y < -far, 4)
+            | bit(y > far, 5)
     }
 
     /// A position of clip space on the screen.
@@ -283,15 +289,15 @@ impl<K: Kind> Projector<K> {
     pub(crate) fn project_inside(&self, position: ClipPosition) -> Projected {
         let [x, y, t] = position;
         let (screen, q, exponent) = if K::PERSPECTIVE {
-            // t is positive and below 2^62. With t' = t · 2^up / 2^32 of 32 bits and x' a quarter
-            // so large, x / t = x' · r / 2^61.
+            // t is positive and below 2^62. With t' = t · 2^up / 2^33 of 31 bits and x' half so
+            // large, x / t = x' · r / 2^60.
             let up = (t | 1).leading_zeros();
-            let r = reciprocal((t.cast_unsigned() << up >> 32) as u32);
+            let r = reciprocal((t.cast_unsigned() << up >> 33) as u32);
             let on_screen = |x: i64| {
                 let product = (x << (up.max(2) - 2) >> 32) * i64::from(r);
-                ((product + (1 << (60 - GUARD_BITS))) >> (61 - GUARD_BITS)) as i32
+                ((product + (1 << (59 - GUARD_BITS))) >> (60 - GUARD_BITS)) as i32
             };
-            ([on_screen(x), on_screen(y)], r >> 1, up.cast_signed())
+            ([on_screen(x), on_screen(y)], r, up.cast_signed())
         } else {
             let down = GUARD_BITS.cast_signed() - self.fraction;
             let on_screen = |x: i64| block::shift(x, down) as i32;

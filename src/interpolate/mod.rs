@@ -14,6 +14,6 @@ mod segment;
 pub use mode::{Exact, Interpolate, Linear};
 pub(crate) use plane::{Plane, Slope};
 pub use reciprocal::reciprocal;
-pub use run::{Pixels, Run};
+pub use run::{Pixels, Run, Scale, Steps};
 pub(crate) use run::{RUN, Weighted};
 pub use segment::{Segment, speed};

@@ -3,13 +3,15 @@
 use crate::number::Unit;
 use crate::{Scalar, Vec3};
 
-/// A segment in space by the distances of its two ends ahead of the eye, for questions about its picture.
+/// A segment in space by the distances of its two ends ahead of the eye, for questions about its
+/// picture.
 ///
-/// A distance is −z in eye space, or the homogeneous coordinate w. Halfway along the picture is not halfway along
-/// the segment: 1/w is linear on screen, and so is every attribute over w.
+/// A distance is −z in eye space, or the homogeneous coordinate w. Halfway along the picture is not
+/// halfway along the segment: 1/w is linear on screen, and so is every attribute over w.
 ///
 /// For set-up, for checking and for learning; pixels have a faster way to the same numbers.
-/// Fractions are from 0 at the start to 1 at the end. Results are rounded to nearest, half away from zero.
+/// Fractions are from 0 at the start to 1 at the end. Results are rounded to nearest, half away
+/// from zero.
 ///
 /// ```
 /// use fixel::interpolate::Segment;
@@ -29,8 +31,8 @@ pub struct Segment {
 
 const ONE: i128 = 1 << 30;
 
-/// The quotient rounded to nearest, half away from zero; `None` if the denominator is not above zero or the
-/// quotient needs more than 32 bits.
+/// The quotient rounded to nearest, half away from zero; `None` if the denominator is not above
+/// zero or the quotient needs more than 32 bits.
 fn divide(numerator: i128, denominator: i128) -> Option<i32> {
     if denominator <= 0 {
         return None;
@@ -54,7 +56,8 @@ impl Segment {
         }
     }
 
-    /// What the two ends weigh at a fraction of the picture, (1 − q)/w₀ and q/w₁, both times w₀·w₁·2^46.
+    /// What the two ends weigh at a fraction of the picture, (1 − q)/w₀ and q/w₁, both times
+    /// w₀·w₁·2^46.
     fn weights(self, on_screen: Unit) -> (i128, i128) {
         let q = i128::from(on_screen.to_bits());
         ((ONE - q) * bits(self.end), q * bits(self.start))
@@ -62,8 +65,9 @@ impl Segment {
 
     /// The distance at a fraction of the picture: 1/w = 1/w₀ + q·(1/w₁ − 1/w₀).
     ///
-    /// `None` if the line through the picture does not meet that of the segment ahead of the eye, which only
-    /// fractions below 0 and above 1 bring about, and if the distance is beyond the format.
+    /// `None` if the line through the picture does not meet that of the segment ahead of the eye,
+    /// which only fractions below 0 and above 1 bring about, and if the distance is beyond the
+    /// format.
     #[must_use]
     pub fn distance(self, on_screen: Unit) -> Option<Scalar> {
         let (a, b) = self.weights(on_screen);
@@ -103,8 +107,8 @@ impl Segment {
     }
 }
 
-/// The velocity on the near plane of a point that moves through eye space along `point` + t · `velocity`:
-/// −n·(vₓ·Pz − Pₓ·vz) / (Pz + vz·t)², and likewise for y, rounded to nearest.
+/// The velocity on the near plane of a point that moves through eye space along `point` + t ·
+/// `velocity`: −n·(vₓ·Pz − Pₓ·vz) / (Pz + vz·t)², and likewise for y, rounded to nearest.
 ///
 /// `None` where the point is not ahead of the eye, and if the speed is beyond the format.
 ///

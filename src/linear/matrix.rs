@@ -8,8 +8,8 @@ use crate::Scalar;
 /// A 4×4 matrix of [`Scalar`]s by rows, for column vectors.
 ///
 /// For reading, comparing and exchanging: what draws uses [`Transform`](crate::Transform) and
-/// [`Projection`](crate::Projection), which keep more digits. Products accumulate in 64 bits, round once to the nearest
-/// 2⁻¹⁶ and saturate.
+/// [`Projection`](crate::Projection), which keep more digits. Products accumulate in 64 bits, round
+/// once to the nearest 2⁻¹⁶ and saturate.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -65,8 +65,9 @@ impl Matrix4 {
         ])
     }
 
-    /// The perspective transform onto the near plane: it takes (x, y, z) to (−n·x/z, −n·y/z, −(n + f) − n·f/z),
-    /// a frustum to the box of its near window, and leaves the depth of the planes at −n and −f.
+    /// The perspective transform onto the near plane: it takes (x, y, z) to
+    /// (−n·x/z, −n·y/z, −(n + f) − n·f/z), a frustum to the box of its near window, and leaves the
+    /// depth of the planes at −n and −f.
     ///
     /// Then scaling and moving that box to ±1 gives the frustum's matrix.
     /// The product n·f is rounded to nearest and saturates.
@@ -92,10 +93,11 @@ impl Matrix4 {
         *self * [point.x, point.y, point.z, I]
     }
 
-    /// The matrix times a point (x, y, z, 1), divided by its fourth coordinate w: rounded to nearest.
+    /// The matrix times a point (x, y, z, 1), divided by its fourth coordinate w: rounded to
+    /// nearest.
     ///
-    /// `None` if w is not above 0, where there is no picture of the point or a mirrored one, or if the point
-    /// is beyond ±32768.
+    /// `None` if w is not above 0, where there is no picture of the point or a mirrored one, or if
+    /// the point is beyond ±32768.
     #[must_use]
     pub fn project(&self, point: Vec3) -> Option<Vec3> {
         let [x, y, z, w] = self.homogeneous(point);
@@ -157,7 +159,8 @@ mod tests {
             let product = matrix(a) * matrix(b);
             for (i, row) in a.iter().enumerate() {
                 for j in 0..4 {
-                    let sum: i128 = row.iter().zip(&b).map(|(&a, b)| i128::from(a) * i128::from(b[j])).sum();
+                    let terms = row.iter().zip(&b);
+                    let sum: i128 = terms.map(|(&a, b)| i128::from(a) * i128::from(b[j])).sum();
                     let rounded = (sum + (1 << 15)) >> 16;
                     let expected = rounded.clamp(i32::MIN.into(), i32::MAX.into());
                     prop_assert_eq!(i128::from(product.rows()[i][j].to_bits()), expected);

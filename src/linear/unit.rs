@@ -13,7 +13,8 @@ fn reciprocal_root(value: u32) -> u32 {
     let x = u64::from(value);
     // A line through 1/√x on [1/4, 1], within 11 %.
     let mut y = (2_359_296_000 - ((x * 1_374_389_535) >> 32)).min(1 << 31);
-    // Each Newton step y ← y·(3 − x·y²)/2 takes a relative error e to 3e²/2: 1e-1, 2e-2, 5e-4, 4e-7, 2e-13.
+    // Each Newton step y ← y·(3 − x·y²)/2 takes a relative error e to 3e²/2: 1e-1, 2e-2, 5e-4,
+    // 4e-7, 2e-13.
     for _ in 0..4 {
         let squared = (y * y) >> 30;
         let product = (x * squared) >> 32;
@@ -25,7 +26,8 @@ fn reciprocal_root(value: u32) -> u32 {
     }
 }
 
-/// A vector as 30-bit mantissas, their exponent, and the sum of their squares with its reciprocal root.
+/// A vector as 30-bit mantissas, their exponent, and the sum of their squares with its reciprocal
+/// root.
 struct Measured {
     mantissas: [i32; 3],
     exp: i32,
@@ -60,7 +62,8 @@ fn measure(vector: [i64; 3], exp: i32) -> Option<Measured> {
     })
 }
 
-/// The vector of length one in the direction of `vector`, in units of 2^-30; `None` for no direction.
+/// The vector of length one in the direction of `vector`, in units of 2^-30; `None` for no
+/// direction.
 ///
 /// Each component is within 2^-28 of its value.
 pub(crate) fn unit(vector: [i64; 3]) -> Option<[i32; 3]> {
@@ -220,7 +223,8 @@ mod tests {
             prop_assert_eq!(u.dot(v).to_bits(), fixed(x[0] * y[0] + x[1] * y[1] + x[2] * y[2]));
             let cross = |i: usize, j: usize| fixed(x[i] * y[j] - x[j] * y[i]);
             prop_assert_eq!(u.cross(v).to_bits(), [cross(1, 2), cross(2, 0), cross(0, 1)]);
-            prop_assert_eq!((u * Scalar::from_bits(s)).to_bits(), x.map(|x| fixed(x * i128::from(s))));
+            let scaled = (u * Scalar::from_bits(s)).to_bits();
+            prop_assert_eq!(scaled, x.map(|x| fixed(x * i128::from(s))));
         }
     }
 }

@@ -76,17 +76,13 @@ impl Triangle {
         let (q, exponent) = align(&self.corners);
         let weighted = Weighted::new(&varyings, weights::<I, 3>(q));
         let slope = Slope::new(self.corners.map(|corner| corner.screen), self.area);
-        let planes = Planes {
-            slope,
-            q: slope.plane(q.map(u32::cast_signed)),
-            p: weighted.p.map(|p| slope.plane(p)),
-            bits: weighted.bits,
-        };
+        let q = slope.plane(q.map(u32::cast_signed));
+        let planes = Planes::new(slope, q, weighted.p.map(|p| slope.plane(p)), weighted.scale);
         let [left, top] = slope.origin();
         let paint = (fragment, depth_shift(exponent));
         self.rows(window, |row, columns| {
-            let run_from = |column| planes.run(column - left, row - top);
-            span::<I, F, O, D, N>(canvas, (row, columns), run_from, paint);
+            let start = [columns.start - left, row - top];
+            span::<I, F, O, D, N>(canvas, (row, columns), &planes, start, paint);
         });
     }
 

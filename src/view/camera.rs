@@ -26,15 +26,17 @@ const ISOMETRIC_TILT: Angle = Angle::from_bits(420_720_557);
 impl Camera {
     /// A camera at `eye` that has `target` in the middle of its picture, and `up` upwards.
     ///
-    /// With k = (eye − target)/‖·‖, i = up × k/‖·‖ and j = k × i, these are the axes of eye space. `up` need not be
-    /// orthogonal to the line of sight, nor of length one.
+    /// With k = (eye − target)/‖·‖, i = up × k/‖·‖ and j = k × i, these are the axes of eye space.
+    /// `up` need not be orthogonal to the line of sight, nor of length one.
     ///
     /// # Errors
     ///
-    /// [`Error::EyeAtTarget`] if the two are the same; [`Error::UpAlongView`] if `up` is zero, or parallel to the line of sight
-    /// to 1e-6 radians (0.2 seconds of arc), where the roll would be noise.
+    /// [`Error::EyeAtTarget`] if the two are the same; [`Error::UpAlongView`] if `up` is zero, or
+    /// parallel to the line of sight to 1e-6 radians (0.2 seconds of arc), where the roll would be
+    /// noise.
     pub fn look_at(eye: Vec3, target: Vec3, up: Vec3) -> Result<Self, Error> {
-        /// Mantissas' largest component is from 2^29 to 2^30, so that this is 2^-20 or less of a product of lengths.
+        /// Mantissas' largest component is from 2^29 to 2^30, so that this is 2^-20 or less of a
+        /// product of lengths.
         const PARALLEL: i64 = 1 << 39;
         let (eye_bits, target_bits) = (eye.to_bits(), target.to_bits());
         let back = [0, 1, 2].map(|i| i64::from(eye_bits[i]) - i64::from(target_bits[i]));
@@ -52,7 +54,8 @@ impl Camera {
         })
     }
 
-    /// A camera placed in the world as a model is, by composed moves: the inverse of `pose`, which must be rigid.
+    /// A camera placed in the world as a model is, by composed moves: the inverse of `pose`, which
+    /// must be rigid.
     #[must_use]
     pub fn at_pose(pose: Transform) -> Self {
         Self {
@@ -78,7 +81,8 @@ impl Camera {
         self.view.inverse_rigid()
     }
 
-    /// A camera about `target` at a `distance`: from the front, turned by `turn` to the right and raised by `tilt`.
+    /// A camera about `target` at a `distance`: from the front, turned by `turn` to the right and
+    /// raised by `tilt`.
     ///
     /// With an orthographic projection and angles that are all different, this is a trimetric view.
     #[must_use]
@@ -92,13 +96,15 @@ impl Camera {
         }
     }
 
-    /// [`trimetric`](Self::trimetric), turned by 45°: x and z are foreshortened alike, and y by the cosine of `tilt`.
+    /// [`trimetric`](Self::trimetric), turned by 45°: x and z are foreshortened alike, and y by the
+    /// cosine of `tilt`.
     #[must_use]
     pub fn dimetric(target: Vec3, distance: Scalar, tilt: Angle) -> Self {
         Self::trimetric(target, distance, Angle::from_degrees(45), tilt)
     }
 
-    /// [`dimetric`](Self::dimetric), raised by atan(1/√2) ≈ 35.26°: all axes are foreshortened by √(2/3).
+    /// [`dimetric`](Self::dimetric), raised by atan(1/√2) ≈ 35.26°: all axes are foreshortened by
+    /// √(2/3).
     #[must_use]
     pub fn isometric(target: Vec3, distance: Scalar) -> Self {
         Self::dimetric(target, distance, ISOMETRIC_TILT)
@@ -155,7 +161,8 @@ mod tests {
     proptest! {
         #[test]
         fn look_at_is_good_to_28_bits(eye in points(), target in points(), up in points()) {
-            let camera = Camera::look_at(Vec3::from_bits(eye), Vec3::from_bits(target), Vec3::from_bits(up));
+            let [at, to, above] = [eye, target, up].map(Vec3::from_bits);
+            let camera = Camera::look_at(at, to, above);
             let (e, u) = (real(eye), real(up));
             let back = sub(e, real(target));
             let sine = length(cross(u, back)) / (length(u) * length(back));
@@ -183,7 +190,7 @@ mod tests {
                             prop_assert!(error <= 1.5 * unit + noise, "{:e}", error);
                         }
                     }
-                    let origin = view.point(Vec3::from_bits(eye));
+                    let origin = view.point(at);
                     // The translation is good to 30 bits of the largest coordinate.
                     let slack = 1.0 + length(e) * 65_536.0 * f64::from(-28).exp2();
                     for v in origin.to_bits() {

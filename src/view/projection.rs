@@ -70,8 +70,9 @@ impl Row {
 
 /// What of eye space comes into the picture, and where.
 ///
-/// Eye space is right-handed: x to the right, y up, and the view down −z. `near` and `far` are distances ahead of the
-/// eye. A projection takes its frustum or box to normalised device coordinates, ±1 from edge to edge.
+/// Eye space is right-handed: x to the right, y up, and the view down −z. `near` and `far` are
+/// distances ahead of the eye. A projection takes its frustum or box to normalised device
+/// coordinates, ±1 from edge to edge.
 ///
 /// Coefficients have 30 bits, whatever their size.
 ///
@@ -79,7 +80,7 @@ impl Row {
 /// use fixel::prelude::*;
 /// let lens = Projection::perspective(Angle::from_degrees(60), (320, 240), fx!(0.1), fx!(100))?;
 /// let plan = Projection::orthographic(fx!(-4), fx!(4), fx!(-3), fx!(3), fx!(0), fx!(10))?;
-/// assert!(Projection::perspective(Angle::from_degrees(60), (320, 240), fx!(0), fx!(100)).is_err());
+/// assert!(Projection::perspective(Angle::from_degrees(60), (4, 3), fx!(0), fx!(100)).is_err());
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -154,7 +155,8 @@ impl<K: Kind> Projection<K> {
         self.far
     }
 
-    /// The left edge of the window on the near plane; to 2⁻³⁰ of the largest of the four, saturated.
+    /// The left edge of the window on the near plane; to 2⁻³⁰ of the largest of the four,
+    /// saturated.
     #[must_use]
     pub fn left(&self) -> Scalar {
         self.edge(0, -1)
@@ -193,7 +195,8 @@ impl<K: Kind> Projection<K> {
         scalar(quotient(self.rows[1].real(1), self.rows[0].real(0)))
     }
 
-    /// The projection as a matrix to homogeneous clip coordinates: entries are rounded to 2⁻¹⁶ and saturate.
+    /// The projection as a matrix to homogeneous clip coordinates: entries are rounded to 2⁻¹⁶ and
+    /// saturate.
     ///
     /// Depth goes from −1 at the near plane to 1 at the far plane.
     #[must_use]

@@ -15,7 +15,8 @@ impl Projection<Parallel> {
     ///
     /// # Errors
     ///
-    /// [`Error::Far`] unless `near` < `far`; [`Error::EmptyFrustum`] unless `left` < `right` and `bottom` < `top`.
+    /// [`Error::Far`] unless `near` < `far`; [`Error::EmptyFrustum`] unless `left` < `right` and
+    /// `bottom` < `top`.
     pub fn orthographic(
         left: Scalar,
         right: Scalar,
@@ -27,8 +28,9 @@ impl Projection<Parallel> {
         Self::sheared([ZERO; 2], [left, right, bottom, top], near, far)
     }
 
-    /// An oblique projection: the near plane appears as it is, and what lies behind it moves by `ratio` times its distance from
-    /// it in the direction of `angle`, counter-clockwise from the right.
+    /// An oblique projection: the near plane appears as it is, and what lies behind it moves by
+    /// `ratio` times its distance from it in the direction of `angle`, counter-clockwise from the
+    /// right.
     ///
     /// # Errors
     ///

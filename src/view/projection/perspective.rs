@@ -34,8 +34,8 @@ impl Projection<Perspective> {
     ///
     /// # Errors
     ///
-    /// [`Error::FieldOfView`] unless 0 < `fov` < 180°; [`Error::Aspect`] unless width and height are above 0;
-    /// [`Error::Near`] unless 0 < `near`; [`Error::Far`] unless `near` < `far`.
+    /// [`Error::FieldOfView`] unless 0 < `fov` < 180°; [`Error::Aspect`] unless width and height
+    /// are above 0; [`Error::Near`] unless 0 < `near`; [`Error::Far`] unless `near` < `far`.
     pub fn perspective(
         fov: Angle,
         aspect: impl Into<Aspect>,
@@ -58,13 +58,13 @@ impl Projection<Perspective> {
         ))
     }
 
-    /// A symmetric perspective by its focal length: a thing as wide as it is far is so many `pixels` wide
-    /// in a picture of `size` pixels.
+    /// A symmetric perspective by its focal length: a thing as wide as it is far is so many
+    /// `pixels` wide in a picture of `size` pixels.
     ///
     /// # Errors
     ///
-    /// [`Error::FocalLength`] unless 0 < `pixels`; [`Error::Aspect`] unless width and height are above 0;
-    /// [`Error::Near`] unless 0 < `near`; [`Error::Far`] unless `near` < `far`.
+    /// [`Error::FocalLength`] unless 0 < `pixels`; [`Error::Aspect`] unless width and height are
+    /// above 0; [`Error::Near`] unless 0 < `near`; [`Error::Far`] unless `near` < `far`.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -91,8 +91,8 @@ impl Projection<Perspective> {
     ///
     /// # Errors
     ///
-    /// [`Error::Near`] unless 0 < `near`; [`Error::Far`] unless `near` < `far`; [`Error::EmptyFrustum`] unless
-    /// `left` < `right` and `bottom` < `top`.
+    /// [`Error::Near`] unless 0 < `near`; [`Error::Far`] unless `near` < `far`;
+    /// [`Error::EmptyFrustum`] unless `left` < `right` and `bottom` < `top`.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -125,8 +125,8 @@ impl Projection<Perspective> {
         })
     }
 
-    /// The vertical field of view, 2·atan((top − bottom) / (2·near)); for a window off the centre, that of
-    /// one of the same height about the centre.
+    /// The vertical field of view, 2·atan((top − bottom) / (2·near)); for a window off the centre,
+    /// that of one of the same height about the centre.
     #[must_use]
     pub fn fov(&self) -> Angle {
         let (scale, exp) = self.rows[1].real(1);
@@ -137,10 +137,11 @@ impl Projection<Perspective> {
         ) * 2
     }
 
-    /// Where on the near plane all lines of a direction vanish: (−n·x/z, −n·y/z), rounded to nearest.
+    /// Where on the near plane all lines of a direction vanish: (−n·x/z, −n·y/z), rounded to
+    /// nearest.
     ///
-    /// `None` for a direction parallel to the picture, whose lines stay parallel there, and if the point
-    /// is beyond ±32768.
+    /// `None` for a direction parallel to the picture, whose lines stay parallel there, and if the
+    /// point is beyond ±32768.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -157,8 +158,8 @@ impl Projection<Perspective> {
 
     /// Where on the near plane a point of eye space appears: (−n·x/z, −n·y/z), rounded to nearest.
     ///
-    /// `None` for a point that is not ahead of the eye, where the formula divides by zero or mirrors,
-    /// and if the image is beyond ±32768.
+    /// `None` for a point that is not ahead of the eye, where the formula divides by zero or
+    /// mirrors, and if the image is beyond ±32768.
     #[must_use]
     pub fn image(&self, point: Vec3) -> Option<[Scalar; 2]> {
         if point.z < Scalar::ZERO {

@@ -24,9 +24,13 @@ fn one(value: f64) -> Scalar {
     crate::number::scalar(value).unwrap()
 }
 
-/// Positive, of any size.
-fn positive() -> impl Strategy<Value = Scalar> {
-    (1..i32::MAX, 0_u32..31).prop_map(|(v, cut)| Scalar::from_bits((v >> cut).max(1)))
+/// Planes ahead of the eye, near and far, of any size.
+fn planes() -> impl Strategy<Value = (Scalar, Scalar)> {
+    let positive = || (1..i32::MAX, 0_u32..31).prop_map(|(v, cut)| (v >> cut).max(1));
+    (positive(), positive()).prop_map(|(a, b)| {
+        let (near, far) = (a.min(b), a.max(b).max(a.min(b) + 1));
+        (Scalar::from_bits(near), Scalar::from_bits(far))
+    })
 }
 
 /// Two in order, of any size.
@@ -58,8 +62,9 @@ proptest! {
     }
 
     #[test]
-    fn frustum_has_28_bits((l, r) in ordered(), (b, t) in ordered(), n in positive(), f in positive()) {
-        prop_assume!(n < f);
+    fn frustum_has_28_bits(
+        (l, r) in ordered(), (b, t) in ordered(), (n, f) in planes(),
+    ) {
         let lens = Projection::frustum(l, r, b, t, n, f).unwrap();
         let [lf, rf, bf, tf, nf] = [l, r, b, t, n].map(float);
         prop_assert!(close(&lens.rows[0], [2.0 * nf / (rf - lf), 0.0, (rf + lf) / (rf - lf), 0.0]));
@@ -77,7 +82,7 @@ proptest! {
         let (sin, cos) = (f64::from(angle.to_bits()) / f64::from(32).exp2() * TAU).sin_cos();
         let (x, y) = (2.0 / (rf - lf), 2.0 / (tf - bf));
         let (cx, cy) = (-x * k * cos, -y * k * sin);
-        // A sine is good to 1.5e-9, not to 28 bits of itself; scaled by ratio and distance.
+        // A sine is good to 1.6e-9, not to 28 bits of itself; scaled by ratio and distance.
         let slack = |scale: f64, middle: f64| {
             f64::from(-28).exp2() * (scale + middle.abs() + scale * k.abs() * (1.0 + nf.abs()))
         };
@@ -91,7 +96,9 @@ proptest! {
     }
 
     #[test]
-    fn every_accessor_survives_everything(v in any::<[i32; 7]>(), angle in any::<u32>(), size in any::<(u32, u32)>()) {
+    fn every_accessor_survives_everything(
+        v in any::<[i32; 7]>(), angle in any::<u32>(), size in any::<(u32, u32)>(),
+    ) {
         let [l, r, b, t, n, f, k] = v.map(Scalar::from_bits);
         let angle = Angle::from_bits(angle);
         let lenses = [
@@ -100,7 +107,8 @@ proptest! {
             Projection::frustum(l, r, b, t, n, f),
         ];
         for lens in lenses.into_iter().flatten() {
-            let _ = (lens.left(), lens.right(), lens.bottom(), lens.top(), lens.aspect(), lens.fov(), lens.matrix());
+            let _ = (lens.left(), lens.right(), lens.bottom(), lens.top());
+            let _ = (lens.aspect(), lens.fov(), lens.matrix());
             let _ = (lens.vanishing_point(Vec3::new(l, r, b)), lens.image(Vec3::new(l, r, b)));
         }
         let lenses = [
@@ -108,7 +116,8 @@ proptest! {
             Projection::oblique(angle, k, l, r, b, t, n, f),
         ];
         for lens in lenses.into_iter().flatten() {
-            let _ = (lens.left(), lens.right(), lens.bottom(), lens.top(), lens.aspect(), lens.matrix());
+            let _ = (lens.left(), lens.right(), lens.bottom(), lens.top());
+            let _ = (lens.aspect(), lens.matrix());
         }
     }
 }
