@@ -128,7 +128,7 @@ impl<const N: usize, const CORNERS: usize> Weighted<N, CORNERS> {
 fn draw_in<const CORNERS: usize>(values: &mut [i32; CORNERS], weights: [u32; CORNERS]) {
     let least = weights.into_iter().fold(1 << 30, u32::min);
     // An interpolant is off by less than 64 units, each of them 2^32 / weight of the value.
-    let room = (1 << 7 << least.leading_zeros().min(20)) as i32;
+    let room = 1 << 7 << least.leading_zeros().min(20);
     for value in values {
         *value = (*value).clamp(i32::MIN + room, i32::MAX - room);
     }
