@@ -31,7 +31,8 @@ pub struct Steps<const N: usize> {
 
 /// The power of two between an attribute and a fraction of it: 2^bits, 1 to 32 bits.
 ///
-/// |attribute| ≤ 2^(bits − 1), so the fraction attribute · 2^-bits is at most half.
+/// |attribute| · 17/16 < 2^(bits − 1), so the fraction attribute · 2^-bits is below half, and stays so
+/// with what interpolation rounds.
 #[derive(Clone, Copy, Debug)]
 pub struct Scale {
     /// 30 - bits, or 0.
@@ -99,13 +100,17 @@ impl<const N: usize, const CORNERS: usize> Weighted<N, CORNERS> {
             scale: [Scale::new(1); N],
         };
         for (i, (p, scale)) in weighted.p.iter_mut().zip(&mut weighted.scale).enumerate() {
-            let values = attributes
+            let mut values = attributes
                 .each_ref()
                 .map(|corner| corner.get(i).copied().unwrap_or(0));
             let size = values
                 .iter()
-                .fold(0, |all, value| all | value.unsigned_abs());
-            let bits = (33 - size.leading_zeros()).min(32);
+                .fold(0, |most: u32, value| most.max(value.unsigned_abs()));
+            let bits = 33 - (size + (size >> 4)).leading_zeros();
+            if bits > 32 {
+                draw_in(&mut values, weights);
+            }
+            let bits = bits.min(32);
             *scale = Scale::new(bits);
             for ((p, value), weight) in p.iter_mut().zip(values).zip(weights) {
                 // The value shifted to fill 32 bits times the weight, and the upper half of that to the nearest.
@@ -114,5 +119,17 @@ impl<const N: usize, const CORNERS: usize> Weighted<N, CORNERS> {
             }
         }
         weighted
+    }
+}
+
+/// Draws values of 31 bits in from the ends of `i32`, by what rounding may add to them where the
+/// weight is least: a step more would wrap around.
+#[cold]
+fn draw_in<const CORNERS: usize>(values: &mut [i32; CORNERS], weights: [u32; CORNERS]) {
+    let least = weights.into_iter().fold(1 << 30, u32::min);
+    // An interpolant is off by less than 64 units, each of them 2^32 / weight of the value.
+    let room = 1 << 7 << least.leading_zeros().min(20);
+    for value in values {
+        *value = (*value).clamp(i32::MIN + room, i32::MAX - room);
     }
 }

@@ -57,10 +57,11 @@ impl<const N: usize> Planes<N> {
     }
 }
 
-/// The least 1/w: more than what the steps of a run may take from it.
+/// The least 1/w: what the steps of a run may take from it and add to attributes over w is less than
+/// a thirty-second, which [`Weighted`](crate::interpolate::Weighted) leaves room for.
 ///
-/// It only ever lifts a corner more than four million times as far as the nearest one.
-const LEAST_WEIGHT: u32 = 1 << 8;
+/// It only ever lifts a corner more than half a million times as far as the nearest one.
+const LEAST_WEIGHT: u32 = 1 << 11;
 
 /// Draws `columns` of `row`, which lie within the canvas, in runs.
 ///
