@@ -9,160 +9,27 @@ mod reference;
 
 use std::collections::HashMap;
 
+use common::meshes::{Flat, Point, fan, grid, triangulation};
 use common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
 use fixel::prelude::*;
 use fixel::view::Kind;
 use proptest::prelude::*;
-use reference::coverage::{self, Bounds, Snapped, area2, centre, edge};
+use reference::coverage::{self, Bounds, Snapped, area2, centre};
 use reference::distance::to_segment;
 use reference::view::unsnap;
 
-/// Corners of a triangle or vertices of a mesh, in 24.8.
-type Point = [i32; 2];
-
-/// A mesh on the screen.
-#[derive(Clone, Debug)]
-struct Flat {
-    points: Vec<Point>,
-    faces: Vec<[u16; 3]>,
-}
-
-impl Flat {
-    fn triangles(&self) -> Vec<Snapped> {
-        let corner = |index: u16| self.points[usize::from(index)];
-        self.faces.iter().map(|face| face.map(corner)).collect()
+/// Draws a mesh through the pixel lens, having checked that each vertex is where it should be.
+fn draw(mesh: &Flat, size: (u32, u32), pass: &Pass) -> Vec<u32> {
+    let lens = pixel_lens(size);
+    let mut counter = Counter::new(size);
+    let positions: Vec<Vec3> = mesh.points.iter().copied().map(at_subpixel).collect();
+    for (&point, &position) in mesh.points.iter().zip(&positions) {
+        assert_eq!(counter.snapped(&lens, position), Some(point));
     }
-
-    /// Draws through the pixel lens, having checked that each vertex is where it should be.
-    fn draw(&self, size: (u32, u32), pass: &Pass) -> Vec<u32> {
-        let lens = pixel_lens(size);
-        let mut counter = Counter::new(size);
-        let positions: Vec<Vec3> = self.points.iter().copied().map(at_subpixel).collect();
-        for (&point, &position) in self.points.iter().zip(&positions) {
-            assert_eq!(counter.snapped(&lens, position), Some(point));
-        }
-        let mesh = Mesh::new(&positions, &self.faces).unwrap();
-        let drawn = counter.draw(pass, &mesh, &lens);
-        assert_eq!(drawn.clipped, 0);
-        counter.take()
-    }
-
-    /// The triangles in another order, with other corners first, some of them turned over.
-    fn shuffled(mut self, mut seed: u64, turn: bool) -> Self {
-        let mut below = |n: usize| {
-            // Knuth's MMIX generator.
-            seed = seed
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
-            (seed >> 33) as usize % n
-        };
-        for i in (1..self.faces.len()).rev() {
-            self.faces.swap(i, below(i + 1));
-        }
-        for face in &mut self.faces {
-            face.rotate_left(below(3));
-            if turn && below(2) == 0 {
-                face.swap(1, 2);
-            }
-        }
-        self
-    }
-}
-
-/// A triangulation of a rectangle that has `points` among its vertices, which it may take in any
-/// place and number: each splits the triangles that it lies in.
-///
-/// Exact, with triangles as thin as they come. All face the viewer.
-fn triangulation(corners: [Point; 4], points: &[Point]) -> Flat {
-    let mut mesh = Flat {
-        points: corners.to_vec(),
-        // Top left, bottom left, bottom right, top right: counter-clockwise as seen.
-        faces: vec![[0, 1, 2], [0, 2, 3]],
-    };
-    for &point in points {
-        if mesh.points.contains(&point) {
-            continue;
-        }
-        let new = u16::try_from(mesh.points.len()).unwrap();
-        mesh.points.push(point);
-        let place = |index: u16| mesh.points[usize::from(index)];
-        let p = point.map(i64::from);
-        let mut faces = Vec::with_capacity(mesh.faces.len() + 3);
-        for &[a, b, c] in &mesh.faces {
-            let sides = [[a, b], [b, c], [c, a]];
-            // Counter-clockwise on a screen with y down: inside is negative.
-            let inside = sides.map(|[from, to]| -edge(place(from), place(to), p));
-            if inside.iter().any(|&distance| distance < 0) {
-                faces.push([a, b, c]);
-                continue;
-            }
-            for ([from, to], distance) in sides.into_iter().zip(inside) {
-                if distance > 0 {
-                    faces.push([from, to, new]);
-                }
-            }
-        }
-        mesh.faces = faces;
-    }
-    mesh
-}
-
-/// A fan about the first point: the others in the order of their angles about it.
-fn fan(center: Point, mut rim: Vec<Point>) -> Flat {
-    let angle = |p: &Point| {
-        let [x, y] = [0, 1].map(|i| f64::from(p[i] - center[i]));
-        (-y).atan2(x)
-    };
-    rim.retain(|&p| p != center);
-    // One point per direction, or two triangles would lie on each other.
-    rim.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
-    rim.dedup_by(|a, b| angle(a) == angle(b));
-    let count = u16::try_from(rim.len()).unwrap();
-    let points: Vec<Point> = std::iter::once(center).chain(rim).collect();
-    let faces = (0..count)
-        .map(|i| [0, i + 1, (i + 1) % count + 1])
-        // A step of half a turn and more is not a triangle of the fan.
-        .filter(|face| area2(face.map(|index| points[usize::from(index)])) < 0)
-        .collect();
-    Flat { points, faces }
-}
-
-/// A grid of `columns` x `rows` cells over `area` pixels, its inner vertices moved by less than half a cell.
-fn grid(columns: u16, rows: u16, area: [i32; 2], moves: &[Point], strip: bool) -> Flat {
-    let cell = [
-        area[0] * 256 / i32::from(columns),
-        area[1] * 256 / i32::from(rows),
-    ];
-    let mut points = Vec::new();
-    for j in 0..=rows {
-        for i in 0..=columns {
-            let inner = i > 0 && i < columns && j > 0 && j < rows;
-            let by = moves[points.len() % moves.len()];
-            points.push([0, 1].map(|axis| {
-                let at = i32::from([i, j][axis]) * cell[axis];
-                let reach = cell[axis] / 2;
-                if inner {
-                    at + by[axis].rem_euclid(reach) - reach / 2
-                } else {
-                    at
-                }
-            }));
-        }
-    }
-    let mut faces = Vec::new();
-    for j in 0..rows {
-        for i in 0..columns {
-            let at = j * (columns + 1) + i;
-            let below = at + columns + 1;
-            // A strip has its diagonals all one way, a grid in turns.
-            if strip || (i + j) % 2 == 0 {
-                faces.extend([[at, below, at + 1], [at + 1, below, below + 1]]);
-            } else {
-                faces.extend([[at, below, below + 1], [at, below + 1, at + 1]]);
-            }
-        }
-    }
-    Flat { points, faces }
+    let mesh = Mesh::new(&positions, &mesh.faces).unwrap();
+    let drawn = counter.draw(pass, &mesh, &lens);
+    assert_eq!(drawn.clipped, 0);
+    counter.take()
 }
 
 /// Where vertices may be: on pixel corners, on sixteenths, on any of 256 places, or mostly on
@@ -184,7 +51,7 @@ fn places(range: std::ops::Range<i32>) -> impl Strategy<Value = Vec<Point>> {
 
 fn check_against_model(mesh: &Flat, size: (u32, u32)) -> Result<(), TestCaseError> {
     let (width, height) = size;
-    let drawn = mesh.draw(size, &BOTH_SIDES);
+    let drawn = draw(mesh, size, &BOTH_SIDES);
     let model = coverage::counts(&mesh.triangles(), width, height);
     prop_assert_eq!(
         coverage::picture(&drawn, width),
@@ -261,14 +128,14 @@ proptest! {
             .collect();
         let once = |mesh: &Flat, pass: &Pass| {
             prop_assert_eq!(
-                coverage::picture(&mesh.draw(SIZE, pass), SIZE.0),
+                coverage::picture(&draw(mesh, SIZE, pass), SIZE.0),
                 coverage::picture(&expected, SIZE.0)
             );
             Ok(())
         };
         let mesh = mesh.shuffled(seed, false);
         once(&mesh, &Pass::new())?;
-        prop_assert!(mesh.draw(SIZE, &Pass::new().cull(Cull::Front)).iter().all(|&n| n == 0));
+        prop_assert!(draw(&mesh, SIZE, &Pass::new().cull(Cull::Front)).iter().all(|&n| n == 0));
         once(&mesh.shuffled(seed, true), &BOTH_SIDES)?;
     }
 
@@ -276,7 +143,7 @@ proptest! {
     #[test]
     fn fans_cover_each_pixel_once(points in places(-8..40), seed: u64) {
         let mesh = fan(points[0], points[1..].to_vec());
-        let drawn = mesh.draw(SIZE, &Pass::new());
+        let drawn = draw(&mesh, SIZE, &Pass::new());
         prop_assert!(drawn.iter().all(|&count| count <= 1), "{:#?}", coverage::picture(&drawn, SIZE.0));
         check_against_model(&mesh.shuffled(seed, true), SIZE)?;
     }
@@ -295,7 +162,7 @@ proptest! {
             .map(|[x, y]| u32::from(x < area[0] && y < area[1]))
             .collect();
         prop_assert_eq!(
-            coverage::picture(&mesh.draw(SIZE, &Pass::new()), SIZE.0),
+            coverage::picture(&draw(&mesh, SIZE, &Pass::new()), SIZE.0),
             coverage::picture(&expected, SIZE.0)
         );
     }

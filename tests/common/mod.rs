@@ -3,6 +3,8 @@
 // Each test binary includes this and uses a part of it.
 #![allow(dead_code)]
 
+pub mod meshes;
+
 use std::cell::Cell;
 
 use embedded_graphics::pixelcolor::Gray8;
