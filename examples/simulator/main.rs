@@ -1,0 +1,40 @@
+//! Draws models on a computer as a microcontroller would: into a framebuffer, with integers only.
+//!
+//! `cargo run --release --example simulator -- --help` tells what it can do.
+#![cfg(not(target_os = "none"))]
+
+mod args;
+#[path = "../common/mod.rs"]
+mod common;
+mod complete;
+mod dump;
+mod framing;
+mod job;
+mod load;
+mod output;
+mod paint;
+mod parts;
+mod render;
+mod skin;
+mod view;
+mod window;
+
+use std::error::Error;
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use args::Args;
+
+/// What went wrong, in words for the user.
+type Result<T, E = Box<dyn Error>> = std::result::Result<T, E>;
+
+fn main() -> ExitCode {
+    match render::run(&Args::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
