@@ -291,7 +291,11 @@ impl<'a> Targets<'a> {
         let mut draw = |frame| -> Result<RgbImage> {
             let (drawn, (_, mut time)) = in_bands(size, rows, |strip| paint(strip, frame))?;
             // One frame alone is measured with cold caches: draw it again for the time only.
-            for _ in 1..if args.frames == 1 && !args.window { 10 } else { 1 } {
+            for _ in 1..if args.frames == 1 && !args.window {
+                10
+            } else {
+                1
+            } {
                 let (_, (_, again)) = in_bands(size, rows, |strip| paint(strip, frame))?;
                 time = time.min(again);
             }
