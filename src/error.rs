@@ -249,8 +249,8 @@ impl core::error::Error for Error {}
 ///
 /// ```
 /// use fixel::Vec3;
-/// let error = Vec3::try_from([0.0, 40_000.5, 0.0]).unwrap_err();
-/// assert!(error.to_string().starts_with("40000.500 cannot be represented"));
+/// let error = Vec3::try_from([0.0, 40_000.5_f64, 0.0]).unwrap_err();
+/// assert!(error.to_string().starts_with("40000.5 cannot be represented"));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Given {
@@ -274,13 +274,18 @@ impl Given {
 impl fmt::Display for Given {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::Nan => f.write_str("what is not a number"),
+            Self::Nan => f.write_str("NaN"),
             Self::Thousandths(i64::MAX) => f.write_str("a number above 9e15"),
             Self::Thousandths(i64::MIN) => f.write_str("a number below -9e15"),
             Self::Thousandths(value) => {
                 let sign = if value < 0 { "-" } else { "" };
                 let value = value.unsigned_abs();
-                write!(f, "{sign}{}.{:03}", value / 1000, value % 1000)
+                write!(f, "{sign}{}", value / 1000)?;
+                match value % 1000 {
+                    0 => Ok(()),
+                    tenths if tenths % 100 == 0 => write!(f, ".{}", tenths / 100),
+                    rest => write!(f, ".{rest:03}"),
+                }
             }
         }
     }

@@ -32,10 +32,10 @@ const fn by_newton(q: u32) -> u32 {
     let coarse = (q >> 15 | 1 << 15) + (q >> 14 & 1);
     // 2^33 / coarse, 18 bits, in the middle of 17: off by 2^-18 where coarse is least, by 2^-17
     // where it is greatest.
-    let seed = u32::MAX / coarse << 1 | 1;
+    let seed = ((u32::MAX / coarse) << 1) | 1;
     // Together less than 1.25 * 2^-16; a Newton step squares that, to less than 0.8 units of the
     // result and never above it. seed * q is 2^48 but for less than 2^33, so modulo 2^34 will do.
-    let residual = !((seed as u64 * q as u64) >> 2) as u32 as i32;
+    let residual = (!((seed as u64 * q as u64) >> 2) as u32).cast_signed();
     let seed = (seed << 13).cast_signed();
     let r = (seed + ((seed as i64 * residual as i64) >> 46) as i32).cast_unsigned();
     // Rounded down, r is right or one short. The remainder is then below 2q < 2^32, and need not
