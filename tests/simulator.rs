@@ -154,6 +154,9 @@ fn pictures_that_cannot_be_are_refused() {
     ] {
         refused(&directory, &format!("t.obj {arguments}"), &says);
     }
+    // The eye that was chosen is beyond the number format.
+    let far = ["to see the whole model, the eye must be at", "-32768"];
+    refused(&directory, "t.obj --fov 0.0001", &far);
     refused(&directory, "--scene moon", &["moon", "possible values"]);
     refused(&directory, "t.obj --scene cube", &["cannot be used with"]);
     if cfg!(not(feature = "sdl")) {
@@ -292,6 +295,17 @@ fn a_model_fills_the_picture() {
 }
 
 #[test]
+fn the_widest_view_and_an_empty_one_are_drawn() {
+    let directory = directory("wide");
+    fs::write(directory.join("t.obj"), TRIANGLE).unwrap();
+    // The chosen eye is next to the model, but not in it.
+    let said = good(&directory, "t.obj --fov 170");
+    assert_ne!(printed(&said, "pixels"), "0");
+    let said = good(&directory, "t.obj --near 100 --far 200");
+    assert!(said.contains("nothing of it is in the picture"), "{said}");
+}
+
+#[test]
 fn bands_are_the_frame() {
     let directory = directory("bands");
     for scene in [
@@ -419,13 +433,7 @@ fn a_model_of_many_points_is_drawn_in_parts() {
 #[test]
 fn help_teaches() {
     let said = good(&directory("help"), "--help");
-    for part in [
-        "Examples:",
-        "--two-sided",
-        "default",
-        "Camera:",
-        "below 180",
-    ] {
+    for part in ["Examples", "--two-sided", "default", "Camera:", "below 180"] {
         assert!(said.contains(part), "no '{part}' in: {said}");
     }
 }

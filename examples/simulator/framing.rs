@@ -187,7 +187,10 @@ impl Framing {
             };
             let (dx, mut cx) = fit(0, tangent * aspect);
             let (dy, mut cy) = fit(1, tangent);
-            distance = dx.max(dy).max(1e-3);
+            // Not into the model, however wide the view.
+            let (back, front) = range(seen.iter().map(|p| p[2]));
+            let closest = front + (front - back) * 0.01 + 1e-3;
+            distance = dx.max(dy).max(closest);
             if args.look_at.is_none() {
                 // The one that has room to spare: to the middle of the picture.
                 for (axis, centre) in [(0, &mut cx), (1, &mut cy)] {

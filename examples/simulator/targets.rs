@@ -150,9 +150,13 @@ impl<'a> Targets<'a> {
             println!("frames {}, of which together:", args.frames);
         }
         println!("{what} {submitted} in, {drawn} drawn, {clipped} of them clipped");
-        #[allow(clippy::cast_precision_loss)] // three digits are shown
-        let each = total.time.as_nanos() as f64 / (total.pixels.max(1)) as f64;
-        println!("pixels {} covered, {each:.2} ns per pixel", total.pixels);
+        if total.pixels == 0 {
+            println!("pixels 0 covered: nothing of it is in the picture");
+        } else {
+            #[allow(clippy::cast_precision_loss)] // three digits are shown
+            let each = total.time.as_nanos() as f64 / total.pixels as f64;
+            println!("pixels {} covered, {each:.2} ns per pixel", total.pixels);
+        }
         if args.crc {
             let mut crc = crc32fast::Hasher::new();
             for &color in colors {
