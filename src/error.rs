@@ -19,7 +19,7 @@ pub enum Error {
     /// A number that the format cannot hold.
     NotRepresentable {
         /// The number as given.
-        value: f64,
+        value: Given,
     },
     /// A field of view of nothing, or of half a turn and more.
     FieldOfView {
@@ -242,3 +242,46 @@ impl fmt::Display for Error {
 }
 
 impl core::error::Error for Error {}
+
+/// A float as it was given, for a message.
+///
+/// Kept in thousandths, so that a program that prints errors does not link the formatting of floats.
+///
+/// ```
+/// use fixel::Vec3;
+/// let error = Vec3::try_from([0.0, 40_000.5, 0.0]).unwrap_err();
+/// assert!(error.to_string().starts_with("40000.500 cannot be represented"));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Given {
+    /// Not a number.
+    Nan,
+    /// A number in thousandths, rounded towards zero; at the ends of the format it is that or beyond.
+    Thousandths(i64),
+}
+
+impl Given {
+    pub(crate) const fn new(value: f64) -> Self {
+        if value.is_nan() {
+            Self::Nan
+        } else {
+            // The cast saturates.
+            Self::Thousandths((value * 1000.0) as i64)
+        }
+    }
+}
+
+impl fmt::Display for Given {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Nan => f.write_str("what is not a number"),
+            Self::Thousandths(i64::MAX) => f.write_str("a number above 9e15"),
+            Self::Thousandths(i64::MIN) => f.write_str("a number below -9e15"),
+            Self::Thousandths(value) => {
+                let sign = if value < 0 { "-" } else { "" };
+                let value = value.unsigned_abs();
+                write!(f, "{sign}{}.{:03}", value / 1000, value % 1000)
+            }
+        }
+    }
+}

@@ -19,7 +19,7 @@ pub mod view;
 
 pub use angle::Angle;
 pub use draw::{Drawn, Pass, Place};
-pub use error::Error;
+pub use error::{Error, Given};
 pub use geometry::{Cull, Face, Index, Mesh, Vertex};
 pub use linear::{Matrix4, Transform, Vec2, Vec3};
 pub use number::{Scalar, Unit};

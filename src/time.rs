@@ -94,7 +94,7 @@ impl Rate {
 
 /// The angle of a fraction of a turn, in units of 1/[`TURN`].
 const fn angle(phase: u64) -> Angle {
-    #[allow(clippy::cast_possible_truncation)] // below one turn
+    // Below one turn.
     Angle::from_bits(((phase << 32) / TURN) as u32)
 }
 

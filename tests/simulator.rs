@@ -1,6 +1,7 @@
 //! Runs the simulator as a user would: what it makes of good input, and what it says to bad.
 #![cfg(not(target_os = "none"))]
 
+use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -153,6 +154,9 @@ fn pictures_that_cannot_be_are_refused() {
     ] {
         refused(&directory, &format!("t.obj {arguments}"), &says);
     }
+    // The eye that was chosen is beyond the number format.
+    let far = ["to see the whole model, the eye must be at", "-32768"];
+    refused(&directory, "t.obj --fov 0.0001", &far);
     refused(&directory, "--scene moon", &["moon", "possible values"]);
     refused(&directory, "t.obj --scene cube", &["cannot be used with"]);
     if cfg!(not(feature = "sdl")) {
@@ -253,11 +257,8 @@ fn without_arguments_it_draws_its_own_scene_and_says_where() {
 fn a_model_fills_the_picture() {
     let directory = directory("fills");
     // A plate far from the origin, in the dialects: CRLF, a quad, negative indices, no vt or vn.
-    let model: String = [[0, 0], [4, 0], [4, 2], [0, 2]]
-        .iter()
-        .map(|[x, y]| format!("v {} {} 7\r\n", x + 100, y - 50))
-        .collect();
-    fs::write(directory.join("quad.obj"), model + "f -4 -3 -2 -1\r\n").unwrap();
+    let model = "v 100 -50 7\r\nv 104 -50 7\r\nv 104 -48 7\r\nv 100 -48 7\r\nf -4 -3 -2 -1\r\n";
+    fs::write(directory.join("quad.obj"), model).unwrap();
     for projection in ["perspective", "orthographic", "cabinet", "cavalier"] {
         let said = good(
             &directory,
@@ -291,6 +292,17 @@ fn a_model_fills_the_picture() {
             "{projection}: {top}..{bottom}"
         );
     }
+}
+
+#[test]
+fn the_widest_view_and_an_empty_one_are_drawn() {
+    let directory = directory("wide");
+    fs::write(directory.join("t.obj"), TRIANGLE).unwrap();
+    // The chosen eye is next to the model, but not in it.
+    let said = good(&directory, "t.obj --fov 170");
+    assert_ne!(printed(&said, "pixels"), "0");
+    let said = good(&directory, "t.obj --near 100 --far 200");
+    assert!(said.contains("nothing of it is in the picture"), "{said}");
 }
 
 #[test]
@@ -342,7 +354,8 @@ fn the_dump_is_exact_and_in_row_order() {
     assert_eq!(rows.len(), 17);
     for (at, row) in rows[1..].iter().enumerate() {
         let cells: Vec<f64> = row.split(',').map(|cell| cell.parse().unwrap()).collect();
-        let (x, y) = ((at % 4) as f64, (at / 4) as f64);
+        let at = f64::from(u8::try_from(at).unwrap());
+        let (x, y) = (at % 4.0, (at / 4.0).floor());
         assert_eq!(cells[..2], [x, y], "{row}");
         // At the middle of a pixel, v down; a few units of 2^-24.
         assert!(((x + 0.5) / 4.0 - cells[2]).abs() < 1e-6, "{row}");
@@ -400,13 +413,13 @@ fn a_model_of_many_points_is_drawn_in_parts() {
     let mut model = String::new();
     for y in 0..300 {
         for x in 0..300 {
-            model += &format!("v {x} {y} 0\n");
+            writeln!(model, "v {x} {y} 0").unwrap();
         }
     }
     for y in 0..299 {
         for x in 1..300 {
             let at = y * 300 + x;
-            model += &format!("f {at} {} {} {}\n", at + 1, at + 301, at + 300);
+            writeln!(model, "f {at} {} {} {}", at + 1, at + 301, at + 300).unwrap();
         }
     }
     fs::write(directory.join("grid.obj"), model).unwrap();
@@ -420,13 +433,7 @@ fn a_model_of_many_points_is_drawn_in_parts() {
 #[test]
 fn help_teaches() {
     let said = good(&directory("help"), "--help");
-    for part in [
-        "Examples:",
-        "--two-sided",
-        "default",
-        "Camera:",
-        "below 180",
-    ] {
+    for part in ["Examples", "--two-sided", "default", "Camera:", "below 180"] {
         assert!(said.contains(part), "no '{part}' in: {said}");
     }
 }

@@ -125,7 +125,8 @@ fn turned(k: i32, x: Angle, x_step: Angle, y: Angle, y_step: Angle) -> Transform
 ///
 /// None: its numbers are constant.
 pub fn floor_chain(_: i32) -> Result<Chain<Perspective>, Error> {
-    let pitch = Angle::atan2(fx!(1), fx!(5));
+    // atan 0.2, in units of 2^-32 of a turn.
+    let pitch = Angle::from_bits(134_932_750);
     Ok(lens()? * (Transform::rotate_x(pitch) * Transform::translate(vec3!(0, -1, 0))))
 }
 

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Parser, ValueEnum};
 
 const EXAMPLES: &str = "\
-Examples:
+Examples (`cargo run --release --example simulator -- ` goes before the arguments):
   simulator                                             the project's own scene, to lighthouse.png
   simulator cow.obj --texture cow.png                   a model of yours, textured and lit
   simulator teapot.obj --shade gouraud --frames 60 --out teapot.gif
@@ -13,6 +13,7 @@ Examples:
   simulator cow.obj --shade wire --size 128x64 --color mono
                                                         as an OLED would show it
   simulator cow.obj --eye 2,1,-2 --look-at 0,0,0 --fov 40
+                                                        from where you like
   simulator --scene floor --dump floor.csv --crc        a measured scene, pixel by pixel
 
 Distances are in the model's own units. Drawing is in fixed point: every coordinate, distance and
@@ -22,7 +23,7 @@ position must lie between -32768 and 32768, with a resolution of 1/65536.";
 ///
 /// Without a model it draws the project's own scene. What is not given is chosen so that the
 /// model fills the picture.
-#[derive(Debug, Parser)]
+#[derive(Clone, Debug, Parser)]
 #[command(name = "simulator", version, after_help = EXAMPLES, max_term_width = 100)]
 pub struct Args {
     /// Model to draw: Wavefront OBJ with any mix of v, vt and vn, polygons, negative indices.
@@ -57,9 +58,10 @@ pub struct Args {
     pub look_at: Option<[f64; 3]>,
 
     /// Which way is up for the camera; it need not be at right angles to the line of sight.
+    /// [default: 0,1,0]
     #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true,
-        default_value = "0,1,0", help_heading = "Camera", conflicts_with = "scene")]
-    pub up: [f64; 3],
+        help_heading = "Camera", conflicts_with = "scene")]
+    pub up: Option<[f64; 3]>,
 
     /// Vertical field of view in degrees, above 0 and below 180.
     /// [default: 40, or with --eye what takes in the model]
@@ -102,14 +104,14 @@ pub struct Args {
 
     /// Picture size in pixels.
     #[arg(long, value_name = "WxH", value_parser = size, default_value = "320x240",
-        help_heading = "Picture", conflicts_with = "scene")]
+        allow_hyphen_values = true, help_heading = "Picture", conflicts_with = "scene")]
     pub size: (u32, u32),
 
     /// Draw in strips of so many rows, as a microcontroller short of memory does; the same picture.
     #[arg(long, value_name = "ROWS", value_parser = clap::value_parser!(u32).range(1..), help_heading = "Picture")]
     pub bands: Option<u32>,
 
-    /// Number of frames to draw; more than one needs --out FILE.gif or --window.
+    /// Number of frames to draw; more than one makes a .gif.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000),
         default_value = "1", help_heading = "Animation")]
     pub frames: u32,
@@ -195,11 +197,16 @@ pub enum Color {
 }
 
 impl Args {
+    /// Which way is up.
+    pub fn up(&self) -> [f64; 3] {
+        self.up.unwrap_or([0.0, 1.0, 0.0])
+    }
+
     /// Whether anything about the camera was given.
     pub fn has_camera(&self) -> bool {
         self.eye.is_some()
             || self.look_at.is_some()
-            || self.up != [0.0, 1.0, 0.0]
+            || self.up.is_some()
             || self.fov.is_some()
             || self.near.is_some()
             || self.far.is_some()

@@ -100,7 +100,7 @@ fn axes(args: &Args, centre: Point) -> Option<[Point; 3]> {
         None if shear(args.projection) > 0.0 => FRONT,
         None => FROM,
     };
-    basis(back, args.up)
+    basis(back, args.up())
 }
 
 /// Where `points` are from `centre`, along the `axes`.
@@ -138,7 +138,7 @@ impl Framing {
     pub fn new(args: &Args, points: &[Point]) -> Self {
         let mut centre = args.look_at.unwrap_or_else(|| middle(points));
         if let (Some(eye), None, Kind::Perspective) = (args.eye, args.look_at, args.projection) {
-            centre = aim(eye, centre, args.up, points);
+            centre = aim(eye, centre, args.up(), points);
         }
         let axes = axes(args, centre).unwrap_or(AXES);
         let seen = seen(&axes, centre, points);
@@ -185,9 +185,22 @@ impl Framing {
                     ((high - low) / (2.0 * k), f64::midpoint(high, low))
                 }
             };
-            let (dx, cx) = fit(0, tangent * aspect);
-            let (dy, cy) = fit(1, tangent);
-            distance = dx.max(dy).max(1e-3);
+            let (dx, mut cx) = fit(0, tangent * aspect);
+            let (dy, mut cy) = fit(1, tangent);
+            // Not into the model, however wide the view.
+            let (back, front) = range(seen.iter().map(|p| p[2]));
+            let closest = front + (front - back) * 0.01 + 1e-3;
+            distance = dx.max(dy).max(closest);
+            if args.look_at.is_none() {
+                // The one that has room to spare: to the middle of the picture.
+                for (axis, centre) in [(0, &mut cx), (1, &mut cy)] {
+                    for _ in 0..8 {
+                        let slope = |p: &Point| (p[axis] - *centre) / (distance - p[2]);
+                        let (low, high) = range(seen.iter().map(slope));
+                        *centre += f64::midpoint(low, high) * distance;
+                    }
+                }
+            }
             target = along(along(centre, axes[0], cx), axes[1], cy);
             eye = along(target, axes[2], distance);
         }
@@ -207,12 +220,11 @@ impl Framing {
     fn parallel(args: &Args, centre: Point, axes: [Point; 3], seen: &[Point], aspect: f64) -> Self {
         let depth = range(seen.iter().map(|p| p[2]));
         let reach = seen.iter().map(|p| dot(*p, *p).sqrt()).fold(1e-3, f64::max);
-        let (eye, distance) = match args.eye {
-            Some(eye) => (eye, dot(axes[2], sub(eye, centre))),
-            None => {
-                let distance = depth.1.max(0.0) + reach * 0.1;
-                (along(centre, axes[2], distance), distance)
-            }
+        let (eye, distance) = if let Some(eye) = args.eye {
+            (eye, dot(axes[2], sub(eye, centre)))
+        } else {
+            let distance = depth.1.max(0.0) + reach * 0.1;
+            (along(centre, axes[2], distance), distance)
         };
         // The near plane stays where it is and what lies behind it moves: so does the window.
         let (near, far) = Self::planes(seen, distance);
@@ -261,9 +273,10 @@ impl Framing {
     /// Near and far plane a little before and behind all points.
     fn planes(seen: &[Point], distance: f64) -> (f64, f64) {
         let [low, high] = Self::distances(seen, distance);
-        let far = (high + (high - low) * 0.02).max(0.01);
+        let margin = (high - low) * 0.02 + high.abs() * 0.001;
+        let far = (high + margin).max(0.01);
         // 16-bit depth wants far / near below 1000; an eye inside the model sees what it can.
-        ((low - (high - low) * 0.02).max(far / 500.0), far)
+        ((low - margin).max(far / 500.0), far)
     }
 
     /// The model's nearest and farthest depth, as they are stored.

@@ -57,13 +57,12 @@ pub struct Turn {
 impl Turn {
     /// The pose in one of the frames.
     fn pose(&self, frame: u32) -> Transform {
-        let angle = match self.rate {
-            Some(rate) => rate.angle_at(u64::from(frame) * FRAME_MS),
-            None => {
-                let part = (u64::from(frame) << 32) / u64::from(self.frames);
-                #[allow(clippy::cast_possible_truncation)] // whole turns drop out
-                Angle::from_bits(part as u32)
-            }
+        let angle = if let Some(rate) = self.rate {
+            rate.angle_at(u64::from(frame) * FRAME_MS)
+        } else {
+            let part = (u64::from(frame) << 32) / u64::from(self.frames);
+            #[allow(clippy::cast_possible_truncation)] // whole turns drop out
+            Angle::from_bits(part as u32)
         };
         Transform::translate(self.about)
             * Transform::rotate_y(angle)

@@ -9,6 +9,9 @@ use fixel::{Vec2, Vec3};
 
 use super::Result;
 
+/// As many elements of a kind as the library's reader takes; larger models are cut into parts here.
+const MOST: usize = 65_535;
+
 /// A model as read, in f64: nothing is rounded yet.
 #[derive(Debug, Default)]
 pub struct Model {
@@ -51,10 +54,20 @@ pub fn parse(text: &str) -> Result<Model, String> {
         check(statement).map_err(|problem| format!("line {line}: {problem}"))?;
     }
     let options = tobj::LoadOptions::default();
+    let few = |kind| {
+        statements
+            .iter()
+            .filter(|(_, s)| s.split(' ').next() == Some(kind))
+            .count()
+            < MOST
+    };
+    if few("v") && few("vt") && few("vn") {
+        check_all(text)?;
+    }
     let (objects, _) = tobj::load_obj_buf(&mut sorted(&statements).as_bytes(), &options, |_| {
         Ok((Vec::new(), HashMap::new()))
     })
-    .map_err(|error| locate(text).unwrap_or_else(|| error.to_string()))?;
+    .map_err(|error| error.to_string())?;
     let mut model = Model {
         had_uvs: true,
         ..Model::default()
@@ -116,8 +129,9 @@ fn check(statement: &str) -> Result<(), String> {
     Ok(())
 }
 
-/// What the library's own reader has to say about text that tobj refused: it knows the line.
-fn locate(text: &str) -> Option<String> {
+/// Has the library's own reader look at the text: it knows the line of what is wrong, which tobj does
+/// not tell, and finds an index of nothing where tobj sees none.
+fn check_all(text: &str) -> Result<(), String> {
     let read = || -> Result<(), fixel::Error> {
         let counts = obj::count(text.as_bytes())?;
         let mut positions = vec![Vec3::ZERO; counts.positions];
@@ -133,7 +147,7 @@ fn locate(text: &str) -> Option<String> {
         buffers.normal_faces = &mut normal_faces;
         obj::parse(text.as_bytes(), buffers).map(|_| ())
     };
-    read().err().map(|error| error.to_string())
+    read().map_err(|error| error.to_string())
 }
 
 /// The text for tobj: only what is drawn, and faces of different form in objects of their own.

@@ -1,6 +1,7 @@
 //! Draws models on a computer as a microcontroller would: into a framebuffer, with integers only.
 //!
 //! `cargo run --release --example simulator -- --help` tells what it can do.
+#![cfg_attr(target_os = "none", no_std, no_main)]
 #![cfg(not(target_os = "none"))]
 
 mod args;
@@ -16,6 +17,8 @@ mod paint;
 mod parts;
 mod render;
 mod skin;
+mod subject;
+mod targets;
 mod view;
 mod window;
 

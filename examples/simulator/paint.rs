@@ -1,5 +1,6 @@
 //! A model in each look and each colour.
 
+use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
 use fixel::prelude::*;
 use fixel::shade::{Channels, Levels};
@@ -135,7 +136,7 @@ impl Posed<'_> {
                 self.draw(canvas, &DepthView::between(far, near))
             }
             Shade::Wire => {
-                let white = C::from_rgb(Rgb888::new(255, 255, 255), Default::default());
+                let white = C::from_rgb(Rgb888::new(255, 255, 255), Point::zero());
                 self.draw_edges(canvas, &Flat::new(white))
             }
         }

@@ -78,7 +78,7 @@ impl Skin {
             C::from_rgb(Rgb888::new(r, g, b), Point::zero())
         };
         Texels {
-            texels: self.0.pixels().map(color).collect(),
+            list: self.0.pixels().map(color).collect(),
             width_log2: width.ilog2(),
             height_log2: height.ilog2(),
         }
@@ -96,7 +96,7 @@ fn nearest(side: u32) -> u32 {
 /// Texels in one list.
 #[derive(Debug)]
 pub struct Texels<C> {
-    texels: Vec<C>,
+    list: Vec<C>,
     width_log2: u32,
     height_log2: u32,
 }
@@ -112,6 +112,6 @@ impl<C: PixelColor> Sampler for &Texels<C> {
     fn texel(&self, u: i32, v: i32) -> C {
         let inside = |at: i32, log2: u32| (at >> (MOST_LOG2 - log2)) & ((1 << log2) - 1);
         let (u, v) = (inside(u, self.width_log2), inside(v, self.height_log2));
-        self.texels[((v << self.width_log2) | u).cast_unsigned() as usize]
+        self.list[((v << self.width_log2) | u).cast_unsigned() as usize]
     }
 }

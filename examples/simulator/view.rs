@@ -42,13 +42,34 @@ impl View {
     ///
     /// What the library refuses.
     pub fn new(args: &Args, framing: &Framing) -> Result<Self> {
+        let what = |given: bool, option, chosen| if given { option } else { chosen };
+        let eye = what(
+            args.eye.is_some(),
+            "--eye",
+            "to see the whole model, the eye must be at",
+        );
+        let target = what(
+            args.look_at.is_some(),
+            "--look-at",
+            "the middle of the model is at",
+        );
         let camera = Camera::look_at(
-            point("--eye", framing.eye)?,
-            point("--look-at", framing.target)?,
-            point("--up", args.up)?,
+            point(eye, framing.eye)?,
+            point(target, framing.target)?,
+            point("--up", args.up())?,
         )?;
-        let near = number("--near", framing.near)?;
-        let far = number("--far", framing.far)?;
+        let near = what(
+            args.near.is_some(),
+            "--near",
+            "the nearest point of the model is at",
+        );
+        let far = what(
+            args.far.is_some(),
+            "--far",
+            "the farthest point of the model is at",
+        );
+        let near = number(near, framing.near)?;
+        let far = number(far, framing.far)?;
         let lens = if args.projection == Kind::Perspective {
             let fov = Angle::try_from_degrees(framing.fov)?;
             Lens::Perspective(Projection::perspective(fov, args.size, near, far)?)

@@ -4,8 +4,8 @@
 #[cfg(feature = "sdl")]
 mod sdl {
     use embedded_graphics::draw_target::DrawTarget;
-    use embedded_graphics::geometry::{OriginDimensions, Size};
-    use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+    use embedded_graphics::geometry::{Dimensions, Size};
+    use embedded_graphics::pixelcolor::Rgb888;
     use embedded_graphics_simulator::{
         OutputSettingsBuilder, SimulatorDisplay, SimulatorEvent, Window,
     };
@@ -32,18 +32,13 @@ mod sdl {
             let colors = picture
                 .pixels()
                 .map(|&image::Rgb([r, g, b])| Rgb888::new(r, g, b));
-            let area = embedded_graphics::primitives::Rectangle::new(
-                embedded_graphics::geometry::Point::zero(),
-                self.display.size(),
-            );
+            let area = self.display.bounding_box();
             let Ok(()) = self.display.fill_contiguous(&area, colors);
             self.window.update(&self.display);
-            let open = !self
+            !self
                 .window
                 .events()
-                .any(|event| event == SimulatorEvent::Quit);
-            let _ = Rgb888::BLACK;
-            open
+                .any(|event| event == SimulatorEvent::Quit)
         }
     }
 }

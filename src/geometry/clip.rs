@@ -112,7 +112,8 @@ fn cut<K: Kind, const N: usize>(
     let mut varyings = inside.varyings;
     for (from, to) in varyings.iter_mut().zip(outside.varyings) {
         let way = i64::from(to) - i64::from(*from);
-        *from += ((way * fraction) >> 31) as i32;
+        // The way may take 33 bits; the sum is between the two, so it is right modulo 2^32.
+        *from = from.wrapping_add(((way * fraction) >> 31) as i32);
     }
     ClipVertex {
         position: projector.onto(position, plane),

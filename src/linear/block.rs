@@ -60,7 +60,6 @@ pub(crate) fn normalise<const N: usize>(values: [i64; N], exp: i32) -> ([i32; N]
     let down = exp
         .saturating_sub(exp.saturating_sub(down).clamp(MIN_EXP, MAX_EXP))
         .clamp(-64, 64);
-    #[allow(clippy::cast_possible_truncation)] // clamped to 30 bits
     let mantissas = values.map(|v| shift(v, -down).clamp(-LIMIT, LIMIT) as i32);
     (mantissas, exp.saturating_sub(down).clamp(MIN_EXP, MAX_EXP))
 }
@@ -100,7 +99,6 @@ pub(crate) fn join<const N: usize>(values: [(i64, i32); N]) -> ([i64; N], i32) {
 }
 
 /// `value · 2^-exp` in units of 2^-`fraction`, rounded to nearest; saturates.
-#[allow(clippy::cast_possible_truncation)] // clamped
 pub(crate) const fn fixed(value: i64, exp: i32, fraction: i32) -> i32 {
     let value = shift(value, fraction - exp);
     if value > i32::MAX as i64 {
@@ -148,7 +146,7 @@ pub(crate) fn ratio(numerator: i64, denominator: i64) -> (i64, i32) {
 
 /// A magnitude as 31 bits, the upper one set unless it is zero, rounded to nearest, and its
 /// exponent.
-#[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap)] // 31 bits, and at most 64
+#[allow(clippy::cast_possible_wrap)] // 31 bits, and at most 64
 fn mantissa(value: u64) -> (u32, i32) {
     let up = value.leading_zeros() as i32 - 33;
     let rounded = if up >= 0 {

@@ -114,7 +114,6 @@ impl Matrix4 {
 /// The sum of products of two rows, rounded once.
 ///
 /// The partial sums saturate at 2^63, sixteen bits above the largest result.
-#[allow(clippy::cast_possible_truncation)] // clamped
 fn dot(a: [Scalar; 4], b: [Scalar; 4]) -> Scalar {
     let sum = a.iter().zip(&b).fold(0_i64, |sum, (a, b)| {
         sum.saturating_add(i64::from(a.to_bits()) * i64::from(b.to_bits()))

@@ -2,12 +2,10 @@
 
 pub(crate) mod block;
 mod matrix;
-mod rsqrt;
 mod transform;
 pub(crate) mod unit;
 mod vector;
 
 pub use matrix::Matrix4;
-pub(crate) use rsqrt::unit;
 pub use transform::Transform;
 pub use vector::{Vec2, Vec3};

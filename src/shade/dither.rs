@@ -18,10 +18,7 @@ const fn bayer() -> [[u8; 8]; 8] {
             while bit < 3 {
                 // The lowest bits, which change from pixel to pixel, count most.
                 let pair = ((odd >> bit) & 1) << 1 | (even >> bit) & 1;
-                #[allow(clippy::cast_possible_truncation)] // 6 bits
-                {
-                    matrix[y][x] |= (pair << (4 - 2 * bit)) as u8;
-                }
+                matrix[y][x] |= (pair << (4 - 2 * bit)) as u8;
                 bit += 1;
             }
             x += 1;

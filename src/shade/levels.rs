@@ -139,13 +139,13 @@ fn luma(color: Rgb888) -> [i32; 3] {
 
 /// To the nearest step; half a step absorbs any error of interpolation below 0 and above white.
 #[inline]
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // in range as documented
+#[allow(clippy::cast_sign_loss)] // in range as documented
 fn round(level: i32) -> u8 {
     (level.wrapping_add(1 << 15) >> 16) as u8
 }
 
 #[inline]
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // in range as documented
+#[allow(clippy::cast_sign_loss)] // in range as documented
 fn dither(level: i32, at: Point) -> u8 {
     (level.wrapping_add(threshold(at)) >> 16) as u8
 }

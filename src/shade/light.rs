@@ -1,7 +1,7 @@
 //! Light from afar.
 
 use super::pose::{Pose, dot};
-use crate::linear::{Transform, unit};
+use crate::linear::{Transform, unit::unit};
 use crate::{Error, Scalar, Vec3};
 
 /// White light: from all sides (ambient), and from one direction in world space, as the sun's.
@@ -72,7 +72,7 @@ impl Light {
             return Err(Error::ZeroDirection);
         };
         let diffuse = diffuse.to_bits() as i64;
-        #[allow(clippy::cast_possible_truncation)] // no longer than before
+        // No longer than the unit vector.
         let direction = [
             ((x as i64 * diffuse) >> 16) as i32,
             ((y as i64 * diffuse) >> 16) as i32,
@@ -114,8 +114,7 @@ impl Light {
         let Some(normal) = self.pose.unit(normal) else {
             return self.ambient;
         };
-        // Unit vectors in Q30: the product of two is within 2^60, to Q16 by 44 bits.
-        #[allow(clippy::cast_possible_truncation)] // at most 65,537
+        // Unit vectors in Q30: the product of two is within 2^60, to Q16 by 44 bits at most 65,537.
         let facing = ((dot(normal, self.direction) + (1 << 43)) >> 44) as i32;
         let diffuse = if self.two_sided {
             facing.abs()
@@ -132,7 +131,7 @@ mod tests {
     use super::*;
     use crate::{fx, vec3};
 
-    /// Brightness is rounded to 2⁻¹⁶; directions err by 1e-7.
+    /// Brightness is rounded to 2⁻¹⁶; directions err by 2⁻²⁸.
     fn close(light: &Light, normal: Vec3, expected: f64) {
         let got = f64::from(light.brightness(normal)) / 65536.0;
         assert!(

@@ -8,7 +8,40 @@ use super::levels::{Levels, dimmed};
 use super::light::Light;
 use super::{Addressing, Fragment, Repeat, Sample, Sampler, Textured};
 use crate::geometry::{Face, Vertex};
-use crate::linear::Transform;
+use crate::linear::{Transform, Vec3};
+
+/// A colour under a light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Surface<C> {
+    /// In full light.
+    levels: [i32; 3],
+    light: Light,
+    color: PhantomData<C>,
+}
+
+impl<C: Levels> Surface<C> {
+    fn new(color: Rgb888, light: Light) -> Self {
+        Self {
+            levels: C::levels(color),
+            light,
+            color: PhantomData,
+        }
+    }
+
+    #[inline]
+    fn begin(self, model: &Transform) -> Self {
+        Self {
+            light: self.light.begin(model),
+            ..self
+        }
+    }
+
+    /// The levels of the surface where it has this normal.
+    #[inline]
+    fn facing(&self, normal: Vec3) -> [i32; 3] {
+        dimmed(self.levels, self.light.brightness(normal))
+    }
+}
 
 /// One surface colour under a [`Light`], whose brightness is found at the vertices and
 /// interpolated (Gouraud shading).
@@ -28,9 +61,7 @@ use crate::linear::Transform;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Lit<C> {
-    surface: [i32; 3],
-    light: Light,
-    color: PhantomData<C>,
+    surface: Surface<C>,
 }
 
 impl<C: Levels> Lit<C> {
@@ -38,9 +69,7 @@ impl<C: Levels> Lit<C> {
     #[must_use]
     pub fn new(surface: impl Into<Rgb888>, light: Light) -> Self {
         Self {
-            surface: C::levels(surface.into()),
-            light,
-            color: PhantomData,
+            surface: Surface::new(surface.into(), light),
         }
     }
 }
@@ -51,19 +80,19 @@ impl<C: Levels> Fragment<1> for Lit<C> {
     #[inline]
     fn begin(self, model: &Transform) -> Self {
         Self {
-            light: self.light.begin(model),
-            ..self
+            surface: self.surface.begin(model),
         }
     }
 
     #[inline]
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; 1] {
-        [self.light.brightness(vertex.normal())]
+        [self.surface.light.brightness(vertex.normal())]
     }
 
     #[inline]
     fn shade(&self, sample: &Sample, [light]: [i32; 1]) -> Option<C> {
-        Some(C::from_levels(dimmed(self.surface, light), sample.point))
+        let levels = dimmed(self.surface.levels, light);
+        Some(C::from_levels(levels, sample.point))
     }
 }
 
@@ -82,22 +111,19 @@ impl<C: Levels> Fragment<1> for Lit<C> {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LitFaces<C> {
-    surface: [i32; 3],
+    surface: Surface<C>,
+    /// Levels of the triangle at hand.
     current: [i32; 3],
-    light: Light,
-    color: PhantomData<C>,
 }
 
 impl<C: Levels> LitFaces<C> {
     /// A surface that has this colour in full light.
     #[must_use]
     pub fn new(surface: impl Into<Rgb888>, light: Light) -> Self {
-        let surface = C::levels(surface.into());
+        let surface = Surface::new(surface.into(), light);
         Self {
             surface,
-            current: surface,
-            light,
-            color: PhantomData,
+            current: surface.levels,
         }
     }
 }
@@ -108,7 +134,7 @@ impl<C: Levels> Fragment<0> for LitFaces<C> {
     #[inline]
     fn begin(self, model: &Transform) -> Self {
         Self {
-            light: self.light.begin(model),
+            surface: self.surface.begin(model),
             ..self
         }
     }
@@ -121,7 +147,7 @@ impl<C: Levels> Fragment<0> for LitFaces<C> {
     #[inline]
     fn face(self, _: &mut [[i32; 0]; 3], face: &Face<'_>) -> Self {
         Self {
-            current: dimmed(self.surface, self.light.brightness(face.normal())),
+            current: self.surface.facing(face.normal()),
             ..self
         }
     }
@@ -197,7 +223,7 @@ mod tests {
     use super::super::Texture;
     use super::super::trial::{IDENTITY, count, face, scale, shade};
     use super::*;
-    use crate::{Mesh, Vec3, fx, vec2, vec3};
+    use crate::{Mesh, fx, vec2, vec3};
     use embedded_graphics::pixelcolor::{Gray8, Rgb565, RgbColor};
 
     static POSITIONS: [Vec3; 3] = [Vec3::ZERO, Vec3::X, Vec3::Y];

@@ -178,7 +178,6 @@ macro_rules! rgb {
         impl<const W: usize, const H: usize> Texture<$color, W, H> {
             const fn color(raw: u32) -> $color {
                 // `new` masks what is above the channel.
-                #[allow(clippy::cast_possible_truncation)]
                 $color::new((raw >> $r) as u8, (raw >> $g) as u8, (raw >> $b) as u8)
             }
 

@@ -140,7 +140,7 @@ impl<C: Channels<K>, const K: usize> Fragment<K> for NormalView<C> {
             .unwrap_or_default()
             .map(|n| {
                 let steps = (255 * (i64::from(n) + (1 << 30)) + (1 << 30)) >> 31;
-                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+                #[allow(clippy::cast_sign_loss)]
                 let steps = steps.clamp(0, 255) as u8;
                 steps
             });

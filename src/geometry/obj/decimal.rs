@@ -99,7 +99,7 @@ pub(super) const fn decimal(text: &[u8], mut at: usize) -> Decimal {
     if whole >= LARGE || magnitude > limit {
         return Err(RANGE);
     }
-    #[allow(clippy::cast_possible_wrap, clippy::cast_possible_truncation)] // at most 2^31
+    #[allow(clippy::cast_possible_wrap)] // at most 2^31
     let bits = if negative {
         -(magnitude as i64) as i32
     } else {
@@ -147,7 +147,7 @@ const fn shifted(text: &[u8], start: usize, end: usize, point: i64) -> (u64, u64
                 whole = whole * 10 + digit;
             }
         } else if left > LAST {
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // 0..17
+            #[allow(clippy::cast_sign_loss)] // 0..17
             {
                 fraction += digit * POWERS[PLACES - 1 - (-left) as usize];
             }

@@ -75,7 +75,7 @@ const fn component(bits: i32) -> Option<u8> {
     if bits < 0 || bits > 1 << 16 {
         return None;
     }
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // 0..255
+    #[allow(clippy::cast_sign_loss)] // 0..255
     Some(((bits * 255 + (1 << 15)) >> 16) as u8)
 }
 
@@ -342,7 +342,7 @@ impl<'a> Reader<'a> {
         if index >= self.named[kind] {
             self.named[kind] = index + 1;
         }
-        #[allow(clippy::cast_possible_truncation)] // below `MOST`
+        // Below `MOST`.
         Ok(index as u16)
     }
 }

@@ -25,7 +25,7 @@ pub(super) struct Pen<'a> {
 /// The nearest `Scalar`s of components in 2⁻⁶⁰.
 const fn rounded([x, y, z]: [i64; 3]) -> Vec3 {
     const HALF: i64 = 1 << 43;
-    #[allow(clippy::cast_possible_truncation)] // of magnitudes up to 2
+    // Magnitudes are up to 2.
     Vec3::from_bits([
         ((x + HALF) >> 44) as i32,
         ((y + HALF) >> 44) as i32,
@@ -33,8 +33,7 @@ const fn rounded([x, y, z]: [i64; 3]) -> Vec3 {
     ])
 }
 
-/// A vertex's number as an index.
-#[allow(clippy::cast_possible_truncation)] // a shape's positions are counted before
+/// A vertex's number as an index; a shape's positions are counted before.
 const fn index(number: u32) -> Index {
     number as Index
 }

@@ -10,7 +10,7 @@ const UNIT: Scalar = Scalar::ONE;
 /// a seam closes to the last bit.
 const fn angle(part: u32, parts: u32, half: bool) -> Angle {
     let bits = ((part as u64) << (32 - half as u32)) / parts as u64;
-    #[allow(clippy::cast_possible_truncation)] // whole turns drop out
+    // Whole turns drop out.
     Angle::from_bits(bits as u32)
 }
 
@@ -21,7 +21,7 @@ const fn sin_cos(angle: Angle) -> (i64, i64) {
 
 /// The nearest `Scalar` to `part` / `parts`.
 const fn ratio(part: u32, parts: u32) -> Scalar {
-    #[allow(clippy::cast_possible_truncation)] // at most 2^16
+    // At most 2^16.
     Scalar::from_bits((((part as u64) << 17) / parts as u64).div_ceil(2) as i32)
 }
 
@@ -220,7 +220,7 @@ const fn cap(pen: &mut Pen<'_>, slices: u32, y: i64) {
 
 /// −1..1 in 2⁻³⁰ to 0..1.
 const fn texture(unit: i64) -> Scalar {
-    #[allow(clippy::cast_possible_truncation)] // at most 2^16
+    // At most 2^16.
     Scalar::from_bits(((unit + ONE + (1 << 14)) >> 15) as i32)
 }
 

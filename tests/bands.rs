@@ -1,0 +1,193 @@
+//! Bands put together are the frame, bit for bit; and with depth the order of triangles does not matter.
+
+mod common;
+
+use embedded_graphics::pixelcolor::Rgb888;
+use fixel::prelude::*;
+use fixel::view::Kind;
+use proptest::prelude::*;
+
+const WIDTH: u32 = 70;
+const HEIGHT: u32 = 37;
+
+/// Every bit of the interpolated values shows in the colour: any difference between two drawings does.
+#[derive(Clone, Copy)]
+struct Bits;
+
+impl Fragment<3> for Bits {
+    type Color = Rgb888;
+
+    fn varyings(&self, vertex: &Vertex) -> [i32; 3] {
+        let p = vertex.position();
+        [
+            p.x.to_bits(),
+            p.y.to_bits().wrapping_mul(77),
+            vertex.distance().to_bits(),
+        ]
+    }
+
+    fn shade(&self, sample: &Sample, [a, b, c]: [i32; 3]) -> Option<Rgb888> {
+        let mix = [a, b, c, sample.point.x, sample.point.y].iter().fold(
+            0x811c_9dc5_u32,
+            |mix, &value| {
+                (mix ^ value.cast_unsigned())
+                    .wrapping_mul(0x0100_0193)
+                    .rotate_left(7)
+            },
+        );
+        let [red, green, blue, holes] = mix.to_be_bytes();
+        // Some pixels are left out: those keep their depth, too.
+        (holes > 5).then_some(Rgb888::new(red, green, blue))
+    }
+}
+
+/// The triangle's place in the mesh, as a colour.
+#[derive(Clone, Copy)]
+struct Index(u8);
+
+impl Fragment<0> for Index {
+    type Color = Rgb888;
+
+    fn varyings(&self, _: &Vertex) -> [i32; 0] {
+        []
+    }
+
+    fn shade(&self, _: &Sample, []: [i32; 0]) -> Option<Rgb888> {
+        Some(Rgb888::new(255, 0, self.0))
+    }
+
+    fn face(self, _: &mut [[i32; 0]; 3], face: &Face) -> Self {
+        Self(u8::try_from(face.index()).unwrap())
+    }
+}
+
+/// A mesh about the origin, as large as the view and larger.
+#[derive(Clone, Debug)]
+struct Scene {
+    positions: Vec<Vec3>,
+    faces: Vec<[u16; 3]>,
+    edges: Vec<[u16; 2]>,
+}
+
+impl Scene {
+    fn mesh(&self) -> Mesh<'_> {
+        Mesh::new(&self.positions, &self.faces)
+            .unwrap()
+            .with_edges(&self.edges)
+            .unwrap()
+    }
+
+    fn draw<K: Kind>(
+        &self,
+        canvas: &mut Canvas<'_, Rgb888, fixel::target::Native, fixel::target::Depth<'_>>,
+        chain: &Chain<K>,
+    ) {
+        canvas.clear(Rgb888::new(1, 2, 3));
+        let mesh = self.mesh();
+        canvas.draw_with(&common::BOTH_SIDES, &mesh, chain, &Bits);
+        canvas.draw_edges(&Pass::new(), &mesh, chain, &Bits);
+        canvas.draw_points(&Pass::new(), &mesh, chain, &Bits);
+    }
+
+    /// The frame in bands of so many rows, the last of what is left.
+    fn in_bands<K: Kind>(&self, chain: &Chain<K>, rows: u32) -> (Vec<Rgb888>, Vec<u16>) {
+        let (mut colors, mut depths) = (vec![], vec![]);
+        for first in (0..HEIGHT).step_by(rows as usize) {
+            let pixels = (WIDTH * rows.min(HEIGHT - first)) as usize;
+            // Not cleared: whatever was there before must not show.
+            let (mut color, mut depth) = (vec![Rgb888::new(9, 9, 9); pixels], vec![7; pixels]);
+            let band = Canvas::band(&mut color, WIDTH, HEIGHT, first).unwrap();
+            self.draw(&mut band.with_depth(&mut depth).unwrap(), chain);
+            colors.extend(color);
+            depths.extend(depth);
+        }
+        (colors, depths)
+    }
+
+    fn check<K: Kind>(&self, chain: &Chain<K>) -> Result<(), TestCaseError> {
+        let frame = self.in_bands(chain, HEIGHT);
+        for rows in [1, 7, 16] {
+            let bands = self.in_bands(chain, rows);
+            let differs =
+                (0..frame.0.len()).find(|&i| (frame.0[i], frame.1[i]) != (bands.0[i], bands.1[i]));
+            prop_assert!(
+                differs.is_none(),
+                "bands of {} rows differ at pixel {:?} of row order",
+                rows,
+                differs
+            );
+        }
+        Ok(())
+    }
+}
+
+/// In units of 2⁻¹⁶.
+const UNIT: i32 = 1 << 16;
+
+fn scenes() -> impl Strategy<Value = Scene> {
+    let reach = prop_oneof![3 => Just(3 * UNIT), 1 => Just(40 * UNIT), 1 => Just(3000 * UNIT)];
+    let position = reach.prop_flat_map(|reach| {
+        let along = || -reach..reach;
+        (along(), along(), along()).prop_map(|(x, y, z)| Vec3::from_bits([x, y, z]))
+    });
+    prop::collection::vec(position, 3..12).prop_flat_map(|positions| {
+        let index = 0..u16::try_from(positions.len()).unwrap();
+        let faces = prop::collection::vec([index.clone(), index.clone(), index.clone()], 0..12);
+        let edges = prop::collection::vec([index.clone(), index], 0..12);
+        (faces, edges).prop_map(move |(faces, edges)| Scene {
+            positions: positions.clone(),
+            faces,
+            edges,
+        })
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(256))]
+
+    #[test]
+    fn bands_are_the_frame_in_perspective(scene in scenes(), turn: u32, fov in 10..150i32) {
+        let lens = Projection::perspective(Angle::from_degrees(fov), (WIDTH, HEIGHT), fx!(0.1), fx!(50)).unwrap();
+        let model = Transform::translate(vec3!(0, 0, -4)) * Transform::rotate_y(Angle::from_bits(turn));
+        scene.check(&(lens * model))?;
+    }
+
+    #[test]
+    fn bands_are_the_frame_in_parallel(scene in scenes(), turn: u32) {
+        let lens = Projection::cabinet(Angle::from_degrees(30), fx!(-4), fx!(4), fx!(-2), fx!(2), fx!(-20), fx!(20)).unwrap();
+        scene.check(&(lens * Transform::rotate_x(Angle::from_bits(turn))))?;
+    }
+
+    /// Each triangle drawn alone tells its depths; the nearest must show, of equals the last drawn, in
+    /// whatever order they are drawn.
+    #[test]
+    fn the_nearest_triangle_shows_in_any_order(scene in scenes(), seed: u64) {
+        let lens = Projection::perspective(Angle::from_degrees(70), (WIDTH, HEIGHT), fx!(0.1), fx!(50)).unwrap();
+        let chain = lens * Transform::translate(vec3!(0, 0, -4));
+        let draw = |faces: &[[u16; 3]]| {
+            let pixels = (WIDTH * HEIGHT) as usize;
+            let (mut color, mut depth) = (vec![Rgb888::default(); pixels], vec![0; pixels]);
+            let canvas = Canvas::new(&mut color, WIDTH, HEIGHT).unwrap();
+            let mesh = Mesh::new(&scene.positions, faces).unwrap();
+            canvas.with_depth(&mut depth).unwrap().draw_with(&common::BOTH_SIDES, &mesh, &chain, &Index(0));
+            (color, depth)
+        };
+        let mut faces = scene.faces.clone();
+        for _ in 0..2 {
+            let alone: Vec<_> = faces.iter().map(|&face| draw(&[face])).collect();
+            let (color, depth) = draw(&faces);
+            for pixel in 0..depth.len() {
+                let mut shown = (Rgb888::default(), 0);
+                for (index, (alone, depths)) in alone.iter().enumerate() {
+                    if alone[pixel] != Rgb888::default() && depths[pixel] >= shown.1 {
+                        shown = (Rgb888::new(255, 0, u8::try_from(index).unwrap()), depths[pixel]);
+                    }
+                }
+                prop_assert_eq!((color[pixel], depth[pixel]), shown);
+            }
+            faces.reverse();
+            let by = usize::try_from(seed).unwrap_or(0) % faces.len().max(1);
+            faces.rotate_left(by);
+        }
+    }
+}

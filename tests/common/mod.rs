@@ -1,0 +1,136 @@
+//! What the raster tests share: a fragment that counts, and a lens whose pixels are model units.
+
+// Each test binary includes this and uses a part of it.
+#![allow(dead_code)]
+
+pub mod meshes;
+
+use std::cell::Cell;
+
+use embedded_graphics::pixelcolor::Gray8;
+use fixel::prelude::*;
+use fixel::view::{Kind, Parallel};
+use fixel::{Drawn, Place};
+
+/// Counts how often each pixel of a frame is drawn, and draws it white.
+#[derive(Clone, Copy)]
+pub struct Count<'a> {
+    counts: &'a [Cell<u32>],
+    width: u32,
+}
+
+impl Fragment<0> for Count<'_> {
+    type Color = Gray8;
+
+    fn varyings(&self, _: &Vertex) -> [i32; 0] {
+        []
+    }
+
+    fn shade(&self, sample: &Sample, []: [i32; 0]) -> Option<Gray8> {
+        let [x, y] = [sample.point.x, sample.point.y].map(|at| usize::try_from(at).unwrap());
+        assert!(x < self.width as usize, "column {x} of {}", self.width);
+        let count = &self.counts[y * self.width as usize + x];
+        count.set(count.get() + 1);
+        Some(Gray8::new(255))
+    }
+}
+
+/// A white frame's worth of counters, to be drawn into without a depth buffer.
+pub struct Counter {
+    pixels: Vec<Gray8>,
+    counts: Vec<Cell<u32>>,
+    /// Width and height of the frame.
+    pub size: (u32, u32),
+}
+
+impl Counter {
+    pub fn new(size: (u32, u32)) -> Self {
+        let pixels = size.0 as usize * size.1 as usize;
+        Self {
+            pixels: vec![Gray8::new(0); pixels],
+            counts: vec![Cell::new(0); pixels],
+            size,
+        }
+    }
+
+    fn with<T>(&mut self, draw: impl FnOnce(&mut Canvas<'_, Gray8>, &Count<'_>) -> T) -> T {
+        let (width, height) = self.size;
+        let count = Count {
+            counts: &self.counts,
+            width,
+        };
+        draw(
+            &mut Canvas::new(&mut self.pixels, width, height).unwrap(),
+            &count,
+        )
+    }
+
+    /// Draws a mesh's triangles.
+    pub fn draw<K: Kind>(&mut self, pass: &Pass, mesh: &Mesh, chain: &Chain<K>) -> Drawn {
+        self.with(|canvas, count| canvas.draw_with(pass, mesh, chain, count))
+    }
+
+    /// Draws a mesh's edges.
+    pub fn draw_edges<K: Kind>(&mut self, pass: &Pass, mesh: &Mesh, chain: &Chain<K>) -> Drawn {
+        self.with(|canvas, count| canvas.draw_edges(pass, mesh, chain, count))
+    }
+
+    /// Draws a mesh's positions.
+    pub fn draw_points<K: Kind>(&mut self, pass: &Pass, mesh: &Mesh, chain: &Chain<K>) -> Drawn {
+        self.with(|canvas, count| canvas.draw_points(pass, mesh, chain, count))
+    }
+
+    /// Where the crate puts a point, before culling and the guard band.
+    pub fn place<K: Kind>(&mut self, pass: &Pass, chain: &Chain<K>, point: Vec3) -> Option<Place> {
+        self.with(|canvas, _| canvas.project(pass, chain, point))
+    }
+
+    /// Where the crate puts a point, in 24.8.
+    pub fn snapped<K: Kind>(&mut self, chain: &Chain<K>, point: Vec3) -> Option<[i32; 2]> {
+        let place = self.place(&Pass::new(), chain, point)?;
+        Some([place.x.to_bits(), place.y.to_bits()])
+    }
+
+    /// How often each pixel was drawn, in row order, since the last time this was asked.
+    pub fn take(&mut self) -> Vec<u32> {
+        self.counts.iter().map(Cell::take).collect()
+    }
+
+    /// The counts as text, a line per row: `.` for none.
+    pub fn picture(&mut self) -> Vec<String> {
+        let counts = self.take();
+        counts
+            .chunks(self.size.0 as usize)
+            .map(|row| row.iter().map(|&count| character(count)).collect())
+            .collect()
+    }
+}
+
+/// A count as a character: `.` for none, `+` for more than nine.
+pub fn character(count: u32) -> char {
+    match count {
+        0 => '.',
+        _ => char::from_digit(count, 10).unwrap_or('+'),
+    }
+}
+
+/// A lens through which model space is the picture itself: a unit is a pixel, x to the right from
+/// the left edge, y *up* from the top edge, so that a point of the picture has a negative y;
+/// z from -1 to 1.
+///
+/// Pixel coordinates are exact to the last of their eight bits: the lens takes x to
+/// (2/width)·x − 1 with a factor rounded to 30 bits, the viewport back to pixels, off by less than
+/// 2⁻²⁹ · 4096 pixels and so by far less than half of 1/256.
+pub fn pixel_lens((width, height): (u32, u32)) -> Chain<Parallel> {
+    let [width, height] = [width, height].map(Scalar::from_num);
+    let lens = Projection::orthographic(fx!(0), width, -height, fx!(0), fx!(-1), fx!(1));
+    lens.unwrap().into()
+}
+
+/// A point of the picture in 24.8 as a position before [`pixel_lens`].
+pub fn at_subpixel([x, y]: [i32; 2]) -> Vec3 {
+    Vec3::from_bits([x << 8, -y << 8, 0])
+}
+
+/// A pass that draws both sides.
+pub const BOTH_SIDES: Pass = Pass::new().cull(Cull::Nothing);
