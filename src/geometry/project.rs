@@ -111,8 +111,8 @@ impl<K: Kind> Projector<K> {
     /// The way through `view` and `lens` to the pixels of `viewport`.
     pub(crate) fn new(lens: &Projection<K>, view: &Transform, viewport: &Viewport) -> Self {
         let (near, far) = (lens.near, lens.far);
-        // The row of t, and what x and y are multiplied with beside the viewport's scale.
-        let (depth, unit) = if K::PERSPECTIVE {
+        // The row of t and what it is multiplied with, and what x and y are beside the viewport's scale.
+        let (depth, depth_unit, unit) = if K::PERSPECTIVE {
             // t = w / near, a little above 1 at the near plane: the greatest 1/t, 1 - 2^-16, leaves
             // room for rounding before a depth of 65536.
             let one = inverse(near.to_bits().max(1).cast_unsigned(), 1);
@@ -122,23 +122,26 @@ impl<K: Kind> Projector<K> {
                     exp: 29,
                 },
                 one,
+                one,
             )
         } else {
-            // t = (far - distance) / (far - near), a little below 1 at the near plane.
+            // t = (far - distance) / (far - near), a little below 1 at the near plane. The row is the
+            // dividend alone: in it the far plane keeps its bits whatever the length between them.
             let length = far.to_bits().wrapping_sub(near.to_bits()).cast_unsigned();
-            let (scale, exp) = inverse(length.max(1), -1);
-            let far = i64::from(scale) * i64::from(far.to_bits());
-            let (linear, offset) = (([i64::from(scale)], exp), ([far], exp + 16));
-            // Both in one row: at the exponent that the greater one needs.
-            let ([scale], scale_exp) = block::normalise(linear.0, linear.1);
-            let ([offset], offset_exp) = block::normalise(offset.0, offset.1);
-            let exp = scale_exp.min(offset_exp);
-            let at = |m: i32, from: i32| block::shift(i64::from(m), exp - from) as i32;
+            let far = far.to_bits();
+            let exp = 14
+                + far
+                    .unsigned_abs()
+                    .leading_zeros()
+                    .clamp(1, 15)
+                    .cast_signed();
+            let far = block::shift(i64::from(far), exp - 16);
             (
                 Row {
-                    m: [0, 0, at(scale, scale_exp), at(offset, offset_exp)],
+                    m: [0, 0, 1 << exp, far as i32],
                     exp,
                 },
+                inverse(length.max(1), -1),
                 (1 << 29, 29),
             )
         };
@@ -149,10 +152,7 @@ impl<K: Kind> Projector<K> {
             (mantissa, exp)
         };
         let [width, height] = viewport.size().map(u32::cast_signed);
-        let (depth_unit, [x, y]) = (
-            if K::PERSPECTIVE { unit } else { (1 << 29, 29) },
-            &lens.rows,
-        );
+        let [x, y] = &lens.rows;
         let lines = [
             Line::new(x, view, scale(width)),
             Line::new(y, view, scale(-height)),

@@ -133,3 +133,30 @@ fn draw_in<const CORNERS: usize>(values: &mut [i32; CORNERS], weights: [u32; COR
         *value = (*value).clamp(i32::MIN + room, i32::MAX - room);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An interpolant is off by 40 units at most, a numerator by 36½: together they may take a
+    /// numerator 56½ units nearer to half of the interpolant, beyond which it wraps.
+    #[test]
+    fn numerators_leave_room_for_rounding() {
+        for bits in 0..=31 {
+            let value = i32::MAX >> (31 - bits);
+            for least in [1 << 11, (1 << 11) + 1, 1 << 20, 1 << 30, (1 << 31) - 1] {
+                for weight in [least, least | 1 << 30, (1 << 31) - 1] {
+                    for values in [[[value], [0]], [[-value], [value]], [[!value], [!value]]] {
+                        let weighted = Weighted::new(&values, [weight, least]);
+                        for (p, weight) in weighted.p[0].into_iter().zip([weight, least]) {
+                            assert!(
+                                2 * p.unsigned_abs() + 113 <= weight,
+                                "{values:?}: {p} of {weight}"
+                            );
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

@@ -141,7 +141,7 @@ fn compare<K: Kind>(
         let clear = |margin: f64| {
             off.iter().all(|off| off + margin < GUARD)
                 && depth + depth_error + margin < 65535.
-                && wanted.distance + margin * wanted.distance < model.far
+                && depth - depth_error - margin > model.depth(model.far)
         };
         let Some(Spot {
             x,
@@ -244,9 +244,10 @@ proptest! {
         bottom in -9_f64..1.,
         size in [2.0..20., 2.0..20.],
         near in -10.0..5.,
-        length in 1.0..100.,
+        length in prop_oneof![1.0..100., 100.0..20_000.],
+        way in 0_f64..1.,
         turn in prop::option::of((angle(), 0.0..2.)),
-        moves in chains(),
+        mut moves in chains(),
         viewport in viewports(),
         points in points(),
     ) {
@@ -270,6 +271,8 @@ proptest! {
                 )
             }
         };
+        // Anywhere between the planes.
+        moves.insert(0, crate::moves::to([0., 0., -near - way * length]));
         compare(lens, &moves, viewport, &points)?;
     }
 

@@ -2,8 +2,8 @@
 //!
 //! `cargo test --test accuracy -- --nocapture` prints the figures.
 
-// As in the model: textbook names, and f64 holds every integer used here.
-#![allow(clippy::many_single_char_names, clippy::cast_precision_loss)]
+// f64 holds every integer used here, and no pixel is left of or above the picture.
+#![allow(clippy::cast_precision_loss, clippy::cast_sign_loss)]
 
 #[path = "../reference/mod.rs"]
 mod reference;

@@ -14,7 +14,7 @@ use crate::reference::coverage::covered;
 const SIZE: (u32, u32) = (160, 48);
 const FOCAL: i16 = 200;
 /// Distances go from 2^-13 to 2^11.
-const NEAR: Scalar = fx!(0.00006103515625);
+const NEAR: Scalar = fx!(0.000_061_035_156_25);
 /// Values at a corner.
 const VALUES: usize = 3;
 
