@@ -85,7 +85,7 @@ pub fn fan(center: Point, mut rim: Vec<Point>) -> Flat {
     rim.retain(|&p| p != center);
     // One point per direction, or two triangles would lie on each other.
     rim.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
-    rim.dedup_by(|a, b| angle(a) == angle(b));
+    rim.dedup_by(|a, b| angle(a).total_cmp(&angle(b)).is_eq());
     let count = u16::try_from(rim.len()).unwrap();
     let points: Vec<Point> = std::iter::once(center).chain(rim).collect();
     let faces = (0..count)
