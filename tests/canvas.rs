@@ -143,7 +143,7 @@ fn fill_contiguous_ends() {
         Gray8::new(taken)
     });
     let Ok(()) = canvas.fill_contiguous(&area, colors);
-    let lumas: Vec<u8> = pixels.iter().map(|pixel| pixel.luma()).collect();
+    let lumas: Vec<u8> = pixels.iter().map(GrayColor::luma).collect();
     assert_eq!(lumas, [0, 0, 0, 0, 2, 3, 0, 0, 5, 6, 0, 0]);
     assert!(taken <= 27);
 }

@@ -10,7 +10,8 @@ use crate::shade::Fragment;
 use crate::target::{Canvas, DepthBuffer, Storage};
 
 /// Draws a line: along its longer axis every pixel whose centre is passed, the one on the first
-/// end included and the one on the last not, so that lines end to end draw no pixel twice.
+/// end included and the one on the last not, so that lines end to end draw no pixel
+/// twice while they go on along the same axis.
 ///
 /// Which pixels does not depend on the line's direction. Across, the pixel is the one the line is in.
 pub(crate) fn line<I, F, O, D, const N: usize>(
