@@ -92,7 +92,8 @@ impl<I> Pass<I> {
 pub struct Drawn {
     /// How many there were.
     pub submitted: u32,
-    /// How many may have left a pixel: not culled, not outside.
+    /// How many may have left a pixel: triangles that face the right way and meet the viewport and the
+    /// canvas' rows, lines and points that are not outside the guard band.
     pub drawn: u32,
     /// How many of those drawn were cut by a plane of the view volume or of the guard band.
     pub clipped: u32,

@@ -165,7 +165,7 @@ impl<K: Kind> Projector<K> {
             .iter()
             .map(|line| (line.linear.1 - 1).min(line.offset.1 + 14))
             .fold(40, i32::min)
-            .max(-16);
+            .max(0);
         let fraction = exp + 16;
         let rows = lines.each_ref().map(
             |Line {
@@ -305,8 +305,10 @@ impl<K: Kind> Projector<K> {
             ([on_screen(x), on_screen(y)], q.cast_unsigned() as u32, 0)
         };
         let [cx, cy] = self.center;
+        // What is inside by the tolerance alone may be a little beyond the guard band.
+        let [x, y] = screen.map(|x| x.clamp(-(1 << GUARD_BITS), (1 << GUARD_BITS) - 1));
         Projected {
-            screen: [screen[0] + cx, screen[1] + cy],
+            screen: [x + cx, y + cy],
             q,
             exponent,
             outside: 0,
