@@ -30,10 +30,9 @@ const FAR: f64 = 24.;
 const FOCAL: u16 = 30;
 /// In pixels.
 const EDGE: f64 = 1. / 256.;
-/// In pixels: where two sides of triangles are nearer than this to a centre, it may be drawn more than once. Rounding alone
-/// exchanges them at √2/512; the rest is for the parts that a clipped triangle is drawn in, see
-/// [`thin_clipped_triangles`].
-const FOLD: f64 = 1. / 32.;
+/// In pixels: √2/512 and what clip space adds. Sides of triangles that are both so near to a centre may have been
+/// exchanged by rounding.
+const FOLD: f64 = 0.0029;
 /// 2⁻²⁴.
 const PLANES: f64 = 1. / 16_777_216.;
 
@@ -319,9 +318,8 @@ proptest! {
 
 /// A thin triangle that both the near and the far plane cut: four of its corners are new and rounded, and the
 /// outline, which is some subpixels across at its far end, crosses itself there. The parts that it is drawn in, a fan
-/// about one corner, then lie over each other, although the outline as such covers the pixel once.
+/// about one corner, then lie over each other; still each pixel is drawn once.
 #[test]
-#[ignore = "fails: the fan of a clipped polygon may fold; draw the outline by its winding instead"]
 fn thin_clipped_triangles() {
     let place = |[u, v]: Point| Vec3::from_bits([32 * u, 49_894 + u + 5 * v, -32 * v]);
     let corners = [[40_000, -20_000], [-40_000, 60_000], [-17_025, 37_121]].map(place);
