@@ -365,13 +365,13 @@ impl<'m, K: Kind, F> Call<'m, K, F> {
             .any(|(part, _)| part.is_clockwise() != clockwise);
         for (at, (part, varyings)) in parts.iter().enumerate() {
             if part.is_clockwise() == clockwise {
+                let keep = |pixel| raster::is_drawn_by_part(&parts, at, clockwise, pixel);
                 part.draw_where::<K::Mode<I>, F, O, D, N>(
                     canvas,
                     &self.window,
                     *varyings,
                     (&fragment, |exponent| self.projector.depth_shift(exponent)),
-                    folded
-                        .then_some(|pixel| raster::is_drawn_by_part(&parts, at, clockwise, pixel)),
+                    folded.then_some(&keep),
                 );
             }
         }

@@ -19,7 +19,7 @@ pub enum Error {
     /// A number that the format cannot hold.
     NotRepresentable {
         /// The number as given.
-        value: f64,
+        value: Given,
     },
     /// A field of view of nothing, or of half a turn and more.
     FieldOfView {
@@ -63,6 +63,11 @@ pub enum Error {
     UpAlongView,
     /// A vector without a direction where one is needed.
     ZeroDirection,
+    /// A brightness of light below nothing or above full.
+    Brightness {
+        /// The brightness as given, 1 being full.
+        value: Scalar,
+    },
     /// A canvas, texture or viewport of a size that cannot be drawn into.
     Size {
         /// Width as given, in pixels.
@@ -112,6 +117,26 @@ pub enum Error {
         given: usize,
         /// Elements allowed.
         max: usize,
+    },
+    /// A shape of too few or too many parts.
+    Parts {
+        /// What there are so many of.
+        of: &'static str,
+        /// Number as given.
+        given: u32,
+        /// Fewest allowed.
+        min: u32,
+        /// Most allowed.
+        max: u32,
+    },
+    /// A dimension of a shape that is not positive, or too large.
+    Extent {
+        /// Which dimension.
+        of: &'static str,
+        /// Length as given.
+        given: Scalar,
+        /// Greatest allowed.
+        max: Scalar,
     },
     /// OBJ text that cannot be read.
     Obj {
@@ -165,6 +190,9 @@ impl fmt::Display for Error {
                 "up is zero or parallel to the line of sight: it must point to the side of it",
             ),
             Self::ZeroDirection => f.write_str("direction is zero: it must have a length"),
+            Self::Brightness { value } => {
+                write!(f, "brightness is {value}: it must lie between 0 and 1")
+            }
             Self::Size { width, height, max } => write!(
                 f,
                 "size is {width}x{height}: width and height must lie between 1 and {max}"
@@ -194,9 +222,71 @@ impl fmt::Display for Error {
                     "{given} elements are too many: at most {max} are allowed"
                 )
             }
+            Self::Parts {
+                of,
+                given,
+                min,
+                max,
+            } => {
+                write!(
+                    f,
+                    "number of {of} is {given}: it must lie between {min} and {max}"
+                )
+            }
+            Self::Extent { of, given, max } => {
+                write!(f, "{of} is {given}: it must be above 0 and at most {max}")
+            }
             Self::Obj { line, problem } => write!(f, "line {line}: {problem}"),
         }
     }
 }
 
 impl core::error::Error for Error {}
+
+/// A float as it was given, for a message.
+///
+/// Kept in thousandths, so that a program that prints errors does not link the formatting of floats.
+///
+/// ```
+/// use fixel::Vec3;
+/// let error = Vec3::try_from([0.0, 40_000.5_f64, 0.0]).unwrap_err();
+/// assert!(error.to_string().starts_with("40000.5 cannot be represented"));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Given {
+    /// Not a number.
+    Nan,
+    /// A number in thousandths, rounded towards zero; at the ends of the format it is that or beyond.
+    Thousandths(i64),
+}
+
+impl Given {
+    pub(crate) const fn new(value: f64) -> Self {
+        if value.is_nan() {
+            Self::Nan
+        } else {
+            // The cast saturates.
+            Self::Thousandths((value * 1000.0) as i64)
+        }
+    }
+}
+
+impl fmt::Display for Given {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Nan => f.write_str("NaN"),
+            Self::Thousandths(i64::MAX) => f.write_str("a number above 9e15"),
+            Self::Thousandths(i64::MIN) => f.write_str("a number below -9e15"),
+            Self::Thousandths(value) => {
+                let sign = if value < 0 { "-" } else { "" };
+                let value = value.unsigned_abs();
+                write!(f, "{sign}{}", value / 1000)?;
+                match value % 1000 {
+                    0 => Ok(()),
+                    tenths if tenths % 100 == 0 => write!(f, ".{}", tenths / 100),
+                    rest => write!(f, ".{rest:03}"),
+                }
+            }
+        }
+    }
+}

@@ -11,6 +11,7 @@
 //! | varyings of a fragment | `i32`, whatever the fragment makes of it | | |
 
 use crate::Error;
+use crate::error::Given;
 
 /// Coordinates, distances and texture coordinates: signed, 16 integer and 16 fraction bits.
 ///
@@ -46,7 +47,9 @@ pub const fn scalar(value: f64) -> Result<Scalar, Error> {
     if rounded > -2_147_483_649.0 && rounded < 2_147_483_648.0 {
         Ok(Scalar::from_bits(rounded as i32))
     } else {
-        Err(Error::NotRepresentable { value })
+        Err(Error::NotRepresentable {
+            value: Given::new(value),
+        })
     }
 }
 

@@ -65,7 +65,8 @@ impl Rate {
 
     /// The angle turned through in `ms` milliseconds, from 0 on.
     ///
-    /// Exact for any time whatever: whole turns drop out before the one rounding, down to a multiple of 2⁻³² of a turn.
+    /// Exact for any time whatever: whole turns drop out before the one rounding, down to a
+    /// multiple of 2⁻³² of a turn.
     #[must_use]
     pub const fn angle_at(self, ms: u64) -> Angle {
         angle(self.phase(ms))
@@ -93,7 +94,7 @@ impl Rate {
 
 /// The angle of a fraction of a turn, in units of 1/[`TURN`].
 const fn angle(phase: u64) -> Angle {
-    #[allow(clippy::cast_possible_truncation)] // below one turn
+    // Below one turn.
     Angle::from_bits(((phase << 32) / TURN) as u32)
 }
 
@@ -134,5 +135,55 @@ impl Spin {
     /// Turns at another rate from now on, from the angle that has been reached.
     pub const fn set_rate(&mut self, rate: Rate) {
         self.rate = rate;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// The bits of the angle of milli · ms / 60,000,000 turns, in integers without bounds that
+    /// matter.
+    fn exact(milli: i32, ms: u64) -> u32 {
+        let turns = i128::from(milli) * i128::from(ms);
+        let bits = (turns.rem_euclid(60_000_000) << 32) / 60_000_000;
+        u32::try_from(bits).unwrap()
+    }
+
+    #[test]
+    fn rates_are_what_they_say() {
+        assert_eq!(Rate::rpm(60), Rate::hertz(1));
+        assert_eq!(Rate::milli_rpm(60_000), Rate::millihertz(1_000));
+        assert_eq!(Rate::rpm(1).angle_at(15_000), Angle::QUARTER);
+        assert_eq!(Rate::rpm(-1).angle_at(15_000), -Angle::QUARTER);
+        assert_eq!(Rate::hertz(i32::MIN).angle_at(u64::MAX).to_bits(), {
+            let turns = i128::from(i32::MIN) * i128::from(u64::MAX);
+            u32::try_from((turns.rem_euclid(1_000) << 32) / 1_000).unwrap()
+        });
+    }
+
+    proptest! {
+        #[test]
+        fn angles_are_exact_for_ever(milli in any::<i32>(), ms in any::<u64>()) {
+            prop_assert_eq!(Rate::milli_rpm(milli).angle_at(ms).to_bits(), exact(milli, ms));
+        }
+
+        #[test]
+        fn frames_do_not_drift(
+            milli in any::<i32>(),
+            frames in proptest::collection::vec(
+                prop_oneof![0_u64..100, any::<u32>().prop_map(u64::from)],
+                0..200,
+            ),
+        ) {
+            let rate = Rate::milli_rpm(milli);
+            let mut spin = rate.spin();
+            let mut now = 0;
+            for ms in frames {
+                now += ms;
+                prop_assert_eq!(spin.advance(ms), rate.angle_at(now));
+            }
+        }
     }
 }

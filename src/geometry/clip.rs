@@ -98,8 +98,8 @@ fn cut<K: Kind, const N: usize>(
     let (inner, outer) = (inner.max(0).unsigned_abs(), outer.unsigned_abs());
     let sum = ((inner >> 1) + (outer >> 1)) | 1;
     let up = sum.leading_zeros();
-    let (part, whole) = ((inner >> 1 << up >> 32) as u32, (sum << up >> 32) as u32);
-    let fraction = ((u64::from(part) * u64::from(reciprocal(whole))) >> 32)
+    let (part, whole) = ((inner >> 1 << up >> 33) as u32, (sum << up >> 33) as u32);
+    let fraction = ((u64::from(part) * u64::from(reciprocal(whole))) >> 30)
         .min((1 << 31) - 1)
         .cast_signed();
 

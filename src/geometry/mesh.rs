@@ -2,6 +2,7 @@
 
 use embedded_graphics::pixelcolor::Rgb888;
 
+use super::buffers::Counts;
 use crate::{Error, Vec2, Vec3};
 
 /// Corners of a triangle or ends of an edge, as indices into a mesh's positions.
@@ -11,7 +12,8 @@ pub type Index = u16;
 /// normals, colours and edges.
 ///
 /// Attributes are indexed like positions, unless they come with faces of their own (as in OBJ
-/// files, where a position may have another texture coordinate in each face).
+/// files, where a position may have another texture coordinate in each face). A corner without a
+/// value has [`NO_VALUE`](Self::NO_VALUE) there.
 /// Front faces run counter-clockwise as seen.
 ///
 /// Every index is checked when the mesh is made, for a `static` at compile time:
@@ -73,14 +75,22 @@ impl<T: Copy> Attribute<'_, T> {
     }
 }
 
-/// Checks that every index of `lists` names one of `len` elements.
-const fn check<const K: usize>(lists: &[[Index; K]], len: usize) -> Result<(), Error> {
+/// Checks that every index of `lists` names one of `len` elements, or is `but`.
+const fn check<const K: usize>(
+    lists: &[[Index; K]],
+    len: usize,
+    but: Option<Index>,
+) -> Result<(), Error> {
     let mut at = 0;
     while at < lists.len() {
         let mut corner = 0;
         while corner < K {
             let index = lists[at][corner];
-            if index as usize >= len {
+            let excused = match but {
+                Some(but) => index == but,
+                None => false,
+            };
+            if index as usize >= len && !excused {
                 return Err(Error::Index {
                     at,
                     index: index as u32,
@@ -95,6 +105,12 @@ const fn check<const K: usize>(lists: &[[Index; K]], len: usize) -> Result<(), E
 }
 
 impl<'a> Mesh<'a> {
+    /// An index in the `faces` of an attribute that says: this corner has no value. The texture
+    /// coordinate is then (0, 0), the normal the triangle's own, the colour white.
+    ///
+    /// (A list of 65,536 values does have one of this index.)
+    pub const NO_VALUE: Index = Index::MAX;
+
     /// A mesh of positions and the triangles between them.
     ///
     /// # Errors
@@ -109,7 +125,7 @@ impl<'a> Mesh<'a> {
                 max: MAX,
             });
         }
-        if let Err(error) = check(faces, positions.len()) {
+        if let Err(error) = check(faces, positions.len(), None) {
             return Err(error);
         }
         Ok(Self {
@@ -145,7 +161,7 @@ impl<'a> Mesh<'a> {
     ///
     /// [`Error::Index`] if an edge names a position that is not there.
     pub const fn with_edges(self, edges: &'a [[Index; 2]]) -> Result<Self, Error> {
-        match check(edges, self.positions.len()) {
+        match check(edges, self.positions.len(), None) {
             Ok(()) => Ok(Self { edges, ..self }),
             Err(error) => Err(error),
         }
@@ -214,11 +230,32 @@ impl<'a> Mesh<'a> {
             return Err(Error::Length { given, needed });
         }
         if let Some(faces) = faces {
-            if let Err(error) = check(faces, values.len()) {
+            if let Err(error) = check(faces, values.len(), Some(Self::NO_VALUE)) {
                 return Err(error);
             }
         }
         Ok(Attribute { values, faces })
+    }
+
+    /// How many elements each list has.
+    #[must_use]
+    pub const fn counts(&self) -> Counts {
+        const fn own(faces: Option<&[[Index; 3]]>) -> usize {
+            match faces {
+                Some(faces) => faces.len(),
+                None => 0,
+            }
+        }
+        Counts {
+            positions: self.positions.len(),
+            faces: self.faces.len(),
+            edges: self.edges.len(),
+            uvs: self.uvs.values.len(),
+            uv_faces: own(self.uvs.faces),
+            normals: self.normals.values.len(),
+            normal_faces: own(self.normals.faces),
+            colors: self.colors.values.len(),
+        }
     }
 
     /// Positions, in model space.

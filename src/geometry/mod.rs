@@ -1,14 +1,22 @@
 //! What is drawn: meshes, and how they get to the screen.
 
+mod buffers;
 mod clip;
 mod cull;
 mod mesh;
+pub mod obj;
+mod panic;
 mod project;
+mod shapes;
 mod vertex;
 
+#[doc(hidden)]
+pub use buffers::Arrays;
+pub use buffers::{Buffers, Counts};
 pub(crate) use clip::{ClipVertex, line as clip_line, triangle as clip_triangle};
 pub use cull::Cull;
 pub(crate) use mesh::Element;
 pub use mesh::{Index, Mesh};
 pub(crate) use project::{Projected, Projector};
+pub use shapes::Shape;
 pub use vertex::{Face, Vertex};

@@ -65,9 +65,9 @@ type Scaled = (i32, i32);
 /// 1 / `value` for a positive value of 16 fraction bits, 30 bits of it; `tweak` is added to it in units of 2⁻¹⁶ of itself.
 fn inverse(value: u32, tweak: i64) -> Scaled {
     let up = value.leading_zeros() & 31;
-    let r = i64::from(reciprocal(value << up));
-    // 1/value = 2^16 · 2^up · r / 2^63.
-    let ([mantissa], exp) = block::normalise([r + (r >> 16) * tweak], 47 - up.cast_signed());
+    let r = i64::from(reciprocal(value << up >> 1));
+    // 1/value = 2^16 · 2^up · r / 2^62.
+    let ([mantissa], exp) = block::normalise([r + (r >> 16) * tweak], 46 - up.cast_signed());
     (mantissa, exp)
 }
 
@@ -111,8 +111,8 @@ impl<K: Kind> Projector<K> {
     /// The way through `view` and `lens` to the pixels of `viewport`.
     pub(crate) fn new(lens: &Projection<K>, view: &Transform, viewport: &Viewport) -> Self {
         let (near, far) = (lens.near, lens.far);
-        // The row of t, and what x and y are multiplied with beside the viewport's scale.
-        let (depth, unit) = if K::PERSPECTIVE {
+        // The row of t and what it is multiplied with, and what x and y are beside the viewport's scale.
+        let (depth, depth_unit, unit) = if K::PERSPECTIVE {
             // t = w / near, a little above 1 at the near plane: the greatest 1/t, 1 - 2^-16, leaves
             // room for rounding before a depth of 65536.
             let one = inverse(near.to_bits().max(1).cast_unsigned(), 1);
@@ -122,23 +122,26 @@ impl<K: Kind> Projector<K> {
                     exp: 29,
                 },
                 one,
+                one,
             )
         } else {
-            // t = (far - distance) / (far - near), a little below 1 at the near plane.
+            // t = (far - distance) / (far - near), a little below 1 at the near plane. The row is the
+            // dividend alone: in it the far plane keeps its bits whatever the length between them.
             let length = far.to_bits().wrapping_sub(near.to_bits()).cast_unsigned();
-            let (scale, exp) = inverse(length.max(1), -1);
-            let far = i64::from(scale) * i64::from(far.to_bits());
-            let (linear, offset) = (([i64::from(scale)], exp), ([far], exp + 16));
-            // Both in one row: at the exponent that the greater one needs.
-            let ([scale], scale_exp) = block::normalise(linear.0, linear.1);
-            let ([offset], offset_exp) = block::normalise(offset.0, offset.1);
-            let exp = scale_exp.min(offset_exp);
-            let at = |m: i32, from: i32| block::shift(i64::from(m), exp - from) as i32;
+            let far = far.to_bits();
+            let exp = 14
+                + far
+                    .unsigned_abs()
+                    .leading_zeros()
+                    .clamp(1, 15)
+                    .cast_signed();
+            let far = block::shift(i64::from(far), exp - 16);
             (
                 Row {
-                    m: [0, 0, at(scale, scale_exp), at(offset, offset_exp)],
+                    m: [0, 0, 1 << exp, far as i32],
                     exp,
                 },
+                inverse(length.max(1), -1),
                 (1 << 29, 29),
             )
         };
@@ -149,10 +152,7 @@ impl<K: Kind> Projector<K> {
             (mantissa, exp)
         };
         let [width, height] = viewport.size().map(u32::cast_signed);
-        let (depth_unit, [x, y]) = (
-            if K::PERSPECTIVE { unit } else { (1 << 29, 29) },
-            &lens.rows,
-        );
+        let [x, y] = &lens.rows;
         let lines = [
             Line::new(x, view, scale(width)),
             Line::new(y, view, scale(-height)),
@@ -260,10 +260,16 @@ impl<K: Kind> Projector<K> {
 
     /// A bit for each plane that a position is outside of.
     #[inline]
-    fn outside(&self, position: ClipPosition) -> u8 {
-        (0..6).fold(0, |all, plane| {
-            all | u8::from(Self::is_outside(self.distance(position, plane), plane)) << plane
-        })
+    fn outside(&self, [x, y, t]: ClipPosition) -> u8 {
+        // As `is_outside` of each distance, without the differences: w is below 2^62.
+        let far = self.w(t) + SIDE_TOLERANCE;
+        let bit = |outside: bool, plane: u32| u8::from(outside) << plane;
+        bit(t < self.range[0], 0)
+            | bit(t > self.range[1], 1)
+            | bit(x < -far, 2)
+            | bit(x > far, 3)
+            | bit(y < -far, 4)
+            | bit(y > far, 5)
     }
 
     /// A position of clip space on the screen.
@@ -283,15 +289,15 @@ impl<K: Kind> Projector<K> {
     pub(crate) fn project_inside(&self, position: ClipPosition) -> Projected {
         let [x, y, t] = position;
         let (screen, q, exponent) = if K::PERSPECTIVE {
-            // t is positive and below 2^62. With t' = t · 2^up / 2^32 of 32 bits and x' a quarter
-            // so large, x / t = x' · r / 2^61.
+            // t is positive and below 2^62. With t' = t · 2^up / 2^33 of 31 bits and x' half so
+            // large, x / t = x' · r / 2^60.
             let up = (t | 1).leading_zeros();
-            let r = reciprocal((t.cast_unsigned() << up >> 32) as u32);
+            let r = reciprocal((t.cast_unsigned() << up >> 33) as u32);
             let on_screen = |x: i64| {
                 let product = (x << (up.max(2) - 2) >> 32) * i64::from(r);
-                ((product + (1 << (60 - GUARD_BITS))) >> (61 - GUARD_BITS)) as i32
+                ((product + (1 << (59 - GUARD_BITS))) >> (60 - GUARD_BITS)) as i32
             };
-            ([on_screen(x), on_screen(y)], r >> 1, up.cast_signed())
+            ([on_screen(x), on_screen(y)], r, up.cast_signed())
         } else {
             let down = GUARD_BITS.cast_signed() - self.fraction;
             let on_screen = |x: i64| block::shift(x, down) as i32;

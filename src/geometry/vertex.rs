@@ -31,6 +31,13 @@ impl Face<'_> {
         self.element.indices.map(|index| self.mesh.position(index))
     }
 
+    /// The texture coordinates of the corners; (0, 0) where the mesh has none.
+    #[must_use]
+    #[inline]
+    pub fn uvs(&self) -> [Vec2; 3] {
+        [0, 1, 2].map(|corner| self.mesh.uv(self.element, corner).unwrap_or_default())
+    }
+
     /// The plane's normal in model space, (b − a) × (c − a), scaled to a largest component between
     /// 8192 and 32768, so that a small triangle's direction is as good as a large one's;
     /// zero for a triangle without area.
@@ -42,9 +49,9 @@ impl Face<'_> {
         let [b, c] = [b, c].map(|p| [side(a[0], p[0]), side(a[1], p[1]), side(a[2], p[2])]);
         let cross = |i: usize, j: usize| (b[i] * c[j]).saturating_sub(b[j] * c[i]);
         let normal = [cross(1, 2), cross(2, 0), cross(0, 1)];
-        let size = normal.iter().fold(0, |all, x| all | x.unsigned_abs());
+        let bits = normal.iter().fold(0, |all, x| all | x.unsigned_abs());
         // One leading zero stays, for the sign.
-        let up = size.leading_zeros().clamp(1, 63) - 1;
+        let up = bits.leading_zeros().clamp(1, 63) - 1;
         Vec3::from_bits(normal.map(|x| ((x << up) >> 32) as i32))
     }
 }

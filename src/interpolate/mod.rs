@@ -3,15 +3,17 @@
 //! On the screen 1/w and attribute/w are linear, the attribute itself is not: each pixel divides the
 //! one by the other. Plane equations give the two at the start of a run of pixels, from exact
 //! numerators; an [`Interpolate`] steps along the run and divides, which is where speed is traded
-//! for accuracy.
+//! for accuracy. [`Segment`] answers single questions about the same relation.
 
 mod mode;
 mod plane;
 mod reciprocal;
 mod run;
+mod segment;
 
 pub use mode::{Exact, Interpolate, Linear};
 pub(crate) use plane::{Plane, Slope};
 pub use reciprocal::reciprocal;
-pub use run::{Pixels, Run};
+pub use run::{Pixels, Run, Scale, Steps};
 pub(crate) use run::{RUN, Weighted};
+pub use segment::{Segment, speed};

@@ -1,7 +1,7 @@
 //! The interpolation modes: how attributes are recovered along a run.
 
 use super::reciprocal::reciprocal;
-use super::run::{Pixels, Run};
+use super::run::{Pixels, Run, Scale, Steps};
 
 /// A way to recover the attributes along a run of pixels.
 ///
@@ -12,9 +12,10 @@ pub trait Interpolate {
     /// Whether attributes are divided by 1/w; otherwise [`Run::p`] carries them alone, times 2³⁰.
     const PERSPECTIVE: bool;
 
-    /// Draws `pixels` along `run`.
+    /// Draws the pixels of `cells` from `run` on.
     fn run<T, const N: usize>(
         run: Run<N>,
+        steps: &Steps<N>,
         cells: impl Iterator<Item = T>,
         pixels: &mut impl Pixels<T, N>,
     );
@@ -23,7 +24,7 @@ pub trait Interpolate {
 /// Perspective-correct at every pixel, by the exact [`reciprocal`] of 1/w.
 ///
 /// No pixel depends on one before it. Given the run's values, an attribute is rounded down to its
-/// unit; the reciprocal adds less than 2⁻³¹ of it.
+/// unit; the reciprocal adds less than 2⁻³⁰ of it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Exact;
 
@@ -33,29 +34,31 @@ impl Interpolate for Exact {
     #[inline]
     fn run<T, const N: usize>(
         mut run: Run<N>,
+        steps: &Steps<N>,
         cells: impl Iterator<Item = T>,
         pixels: &mut impl Pixels<T, N>,
     ) {
         for cell in cells {
             if pixels.visible(&cell, run.q) {
-                pixels.shade(cell, run.q, divide(&run));
+                pixels.shade(cell, run.q, divide(&run, &steps.scale));
             }
-            run.step();
+            run.step(steps);
         }
     }
 }
 
 /// The attributes at the run's present pixel: p / q · 2^bits, rounded down.
 #[inline]
-fn divide<const N: usize>(run: &Run<N>) -> [i32; N] {
+fn divide<const N: usize>(run: &Run<N>, scale: &[Scale; N]) -> [i32; N] {
     let up = (run.q | 1).leading_zeros();
-    let r = i64::from(reciprocal(run.q << up));
+    // Of 31 bits, so the product is one of signed numbers.
+    let r = i64::from(reciprocal((run.q << up) >> 1).cast_signed());
     let mut varyings = [0; N];
-    for ((value, p), bits) in varyings.iter_mut().zip(run.p).zip(run.bits) {
-        // With q' = q << up and p' = p << up: |p'| ≤ q'/2 < 2^31, r = 2^63 / q', so p' · r ≤ 2^62
-        // is p/q in units of 2^-63; half of that product has p/q · 2^32 in its upper 32 bits.
-        let fraction = ((i64::from(p << up) * r) >> 31) as i32;
-        *value = fraction >> (32 - bits);
+    for ((value, p), scale) in varyings.iter_mut().zip(run.p).zip(scale) {
+        // p' = p << up is at most half of q' = q << up, so below 2^31, and r = 2^62 / q': p' · r is
+        // p/q in units of 2^-62, and its upper half p/q in units of 2^-30.
+        let fraction = ((i64::from(p << up) * r) >> 32) as i32;
+        *value = scale.restore(fraction);
     }
     varyings
 }
@@ -72,19 +75,19 @@ impl Interpolate for Linear {
     #[inline]
     fn run<T, const N: usize>(
         mut run: Run<N>,
+        steps: &Steps<N>,
         cells: impl Iterator<Item = T>,
         pixels: &mut impl Pixels<T, N>,
     ) {
         for cell in cells {
             if pixels.visible(&cell, run.q) {
                 let mut varyings = [0; N];
-                for ((value, p), bits) in varyings.iter_mut().zip(run.p).zip(run.bits) {
-                    // p is value · 2^(30 - bits); only values of 30 bits and more are shifted up.
-                    *value = (p >> 30u32.saturating_sub(bits)) << bits.saturating_sub(30);
+                for ((value, p), scale) in varyings.iter_mut().zip(run.p).zip(steps.scale) {
+                    *value = scale.restore(p);
                 }
                 pixels.shade(cell, run.q, varyings);
             }
-            run.step();
+            run.step(steps);
         }
     }
 }

@@ -43,9 +43,12 @@ pub(crate) struct Slope {
     origin: [i32; 2],
     /// Bits by which numerators are shifted down; up if negative.
     shift: i32,
-    /// Twice the area in 32 bits, the top one set, and its reciprocal.
+    /// Twice the area in 32 bits, the top one set, and its reciprocal, 2⁶² / area.
+    ///
+    /// The area's last bit is left out of it. That is one error for all interpolants of a triangle,
+    /// so their quotients do not know it.
     area: u32,
-    inverse: u32,
+    inverse: i32,
 }
 
 impl Slope {
@@ -80,7 +83,7 @@ impl Slope {
             origin: [x >> 8, y >> 8],
             shift,
             area,
-            inverse: reciprocal(area),
+            inverse: reciprocal(area >> 1).cast_signed(),
         }
     }
 
@@ -93,7 +96,7 @@ impl Slope {
     /// The plane through the values at the three corners, each within ±2³¹, apart by less than 2³¹.
     #[inline]
     pub(crate) fn plane(&self, [a, b, c]: [i32; 3]) -> Plane {
-        let (b, c) = (i64::from(b) - i64::from(a), i64::from(c) - i64::from(a));
+        let (b, c) = (i64::from(b.wrapping_sub(a)), i64::from(c.wrapping_sub(a)));
         let [[bx, by], [cx, cy]] = self.sides.map(|side| side.map(i64::from));
         // Differences take 31 bits and a sign, sides 20: with the sum 52 bits, by 256 60.
         let dx = b * cy - c * by;
@@ -126,11 +129,10 @@ impl Slope {
     /// numerator / area, to the nearest, for numerators of values within ±2³¹; others wrap.
     #[inline]
     pub(crate) const fn value(&self, numerator: i64) -> i32 {
-        // numerator · inverse / 2^63, from the halves of the numerator.
+        // numerator · inverse / 2^62, from the halves of the numerator.
         let inverse = self.inverse as i64;
         let high = (numerator >> 32) * inverse;
-        let low =
-            ((numerator.cast_unsigned() as u32 as u64 * self.inverse as u64) >> 32).cast_signed();
-        ((high.wrapping_add(low).wrapping_add(1 << 30)) >> 31) as i32
+        let low = (numerator.cast_unsigned() as u32 as i64 * inverse) >> 32;
+        ((high.wrapping_add(low).wrapping_add(1 << 29)) >> 30) as i32
     }
 }

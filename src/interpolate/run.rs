@@ -5,23 +5,59 @@
 /// A step is rounded to half a unit of 2⁻³⁰, so a run adds at most 32 units.
 pub(crate) const RUN: u32 = 64;
 
-/// Interpolants of a short run of pixels: their values at the first and what to add per pixel.
+/// Interpolants at a pixel of a run.
 ///
 /// `q` is 1/w (or, under a parallel projection, depth), scaled so that its largest value in the
-/// triangle has bit 30 set. `p[i]` is attribute · q · 2^-[`bits`](Self::bits)`[i]`, so that
+/// triangle has bit 30 set. `p[i]` is attribute · q · 2^-bits (see [`Scale`]), so that
 /// |p| ≤ q/2 but for rounding.
 #[derive(Clone, Copy, Debug)]
 pub struct Run<const N: usize> {
-    /// 1/w or depth at the first pixel.
+    /// 1/w or depth.
     pub q: u32,
-    /// Its step per pixel.
-    pub dq: i32,
-    /// Attributes over w at the first pixel.
+    /// Attributes over w.
     pub p: [i32; N],
-    /// Their steps per pixel.
-    pub dp: [i32; N],
-    /// By how many bits each attribute was shifted down, 1 to 32.
-    pub bits: [u32; N],
+}
+
+/// What the interpolants of a run gain from one pixel to the next, and how they are scaled.
+#[derive(Clone, Copy, Debug)]
+pub struct Steps<const N: usize> {
+    /// What [`Run::q`] gains per pixel.
+    pub q: i32,
+    /// What [`Run::p`] gains.
+    pub p: [i32; N],
+    /// How each attribute is scaled.
+    pub scale: [Scale; N],
+}
+
+/// The power of two between an attribute and a fraction of it: 2^bits, 1 to 32 bits.
+///
+/// |attribute| · 17/16 < 2^(bits − 1), so the fraction attribute · 2^-bits is below half, and stays so
+/// with what interpolation rounds.
+#[derive(Clone, Copy, Debug)]
+pub struct Scale {
+    /// 30 - bits, or 0.
+    down: u8,
+    /// bits - 30, or 0.
+    up: u8,
+}
+
+impl Scale {
+    #[inline]
+    const fn new(bits: u32) -> Self {
+        Self {
+            down: 30u32.saturating_sub(bits) as u8,
+            up: bits.saturating_sub(30) as u8,
+        }
+    }
+
+    /// The attribute of a fraction in units of 2^-30, rounded down.
+    ///
+    /// Interpolants have 30 bits, so nothing is lost where an attribute of more is shifted up again.
+    #[inline]
+    #[must_use]
+    pub const fn restore(self, fraction: i32) -> i32 {
+        (fraction >> (self.down & 31)) << (self.up & 31)
+    }
 }
 
 impl<const N: usize> Run<N> {
@@ -30,10 +66,10 @@ impl<const N: usize> Run<N> {
     /// Values wrap: a step beyond `i32` belongs to a sliver one pixel wide, whose next pixel is
     /// never looked at.
     #[inline]
-    pub fn step(&mut self) {
-        self.q = self.q.wrapping_add_signed(self.dq);
-        for (p, dp) in self.p.iter_mut().zip(self.dp) {
-            *p = p.wrapping_add(dp);
+    pub fn step(&mut self, steps: &Steps<N>) {
+        self.q = self.q.wrapping_add_signed(steps.q);
+        for (p, step) in self.p.iter_mut().zip(steps.p) {
+            *p = p.wrapping_add(step);
         }
     }
 }
@@ -52,8 +88,7 @@ pub trait Pixels<T, const N: usize> {
 pub(crate) struct Weighted<const N: usize, const CORNERS: usize> {
     /// Attribute · weight · 2^-bits, per attribute and corner.
     pub(crate) p: [[i32; CORNERS]; N],
-    /// How far each attribute was shifted down, 1 to 32.
-    pub(crate) bits: [u32; N],
+    pub(crate) scale: [Scale; N],
 }
 
 impl<const N: usize, const CORNERS: usize> Weighted<N, CORNERS> {
@@ -62,20 +97,66 @@ impl<const N: usize, const CORNERS: usize> Weighted<N, CORNERS> {
     pub(crate) fn new(attributes: &[[i32; N]; CORNERS], weights: [u32; CORNERS]) -> Self {
         let mut weighted = Self {
             p: [[0; CORNERS]; N],
-            bits: [1; N],
+            scale: [Scale::new(1); N],
         };
-        for (i, (p, bits)) in weighted.p.iter_mut().zip(&mut weighted.bits).enumerate() {
-            let values = attributes.map(|corner| corner.get(i).copied().unwrap_or(0));
+        for (i, (p, scale)) in weighted.p.iter_mut().zip(&mut weighted.scale).enumerate() {
+            let mut values = attributes
+                .each_ref()
+                .map(|corner| corner.get(i).copied().unwrap_or(0));
             let size = values
                 .iter()
-                .fold(0, |all, value| all | value.unsigned_abs());
-            *bits = (33 - size.leading_zeros()).min(32);
+                .fold(0, |most: u32, value| most.max(value.unsigned_abs()));
+            let bits = 33 - (size + (size >> 4)).leading_zeros();
+            if bits > 32 {
+                draw_in(&mut values, weights);
+            }
+            let bits = bits.min(32);
+            *scale = Scale::new(bits);
             for ((p, value), weight) in p.iter_mut().zip(values).zip(weights) {
-                let product = i64::from(value) * i64::from(weight);
-                // |value| ≤ 2^(bits-1), so the quotient is at most half the weight; the half makes it the nearest.
-                *p = ((product + (1 << *bits >> 1)) >> *bits) as i32;
+                // The value shifted to fill 32 bits times the weight, and the upper half of that to the nearest.
+                let product = i64::from(value << (32 - bits)) * i64::from(weight.cast_signed());
+                *p = ((product + (1 << 31)) >> 32) as i32;
             }
         }
         weighted
+    }
+}
+
+/// Draws values of 31 bits in from the ends of `i32`, by what rounding may add to them where the
+/// weight is least: a step more would wrap around.
+#[cold]
+fn draw_in<const CORNERS: usize>(values: &mut [i32; CORNERS], weights: [u32; CORNERS]) {
+    let least = weights.into_iter().fold(1 << 30, u32::min);
+    // An interpolant is off by less than 64 units, each of them 2^32 / weight of the value.
+    let room = 1 << 7 << least.leading_zeros().min(20);
+    for value in values {
+        *value = (*value).clamp(i32::MIN + room, i32::MAX - room);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An interpolant is off by 40 units at most, a numerator by 36½: together they may take a
+    /// numerator 56½ units nearer to half of the interpolant, beyond which it wraps.
+    #[test]
+    fn numerators_leave_room_for_rounding() {
+        for bits in 0..=31 {
+            let value = i32::MAX >> (31 - bits);
+            for least in [1 << 11, (1 << 11) + 1, 1 << 20, 1 << 30, (1 << 31) - 1] {
+                for weight in [least, least | 1 << 30, (1 << 31) - 1] {
+                    for values in [[[value], [0]], [[-value], [value]], [[!value], [!value]]] {
+                        let weighted = Weighted::new(&values, [weight, least]);
+                        for (p, weight) in weighted.p[0].into_iter().zip([weight, least]) {
+                            assert!(
+                                2 * p.unsigned_abs() + 113 <= weight,
+                                "{values:?}: {p} of {weight}"
+                            );
+                        }
+                    }
+                }
+            }
+        }
     }
 }

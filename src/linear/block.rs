@@ -43,8 +43,8 @@ fn largest(values: &[i64]) -> u64 {
 
 /// Mantissas and exponent of `values · 2^-exp`, rounded to nearest.
 ///
-/// The largest mantissa has bit 29 set, except where the exponent is at [`MAX_EXP`]: all zero, or too
-/// small to be represented fully. At [`MIN_EXP`], mantissas saturate at ±(2^30 − 1).
+/// The largest mantissa has bit 29 set, except where the exponent is at [`MAX_EXP`]: all zero, or
+/// too small to be represented fully. At [`MIN_EXP`], mantissas saturate at ±(2^30 − 1).
 pub(crate) fn normalise<const N: usize>(values: [i64; N], exp: i32) -> ([i32; N], i32) {
     let size = largest(&values);
     if size == 0 {
@@ -60,7 +60,6 @@ pub(crate) fn normalise<const N: usize>(values: [i64; N], exp: i32) -> ([i32; N]
     let down = exp
         .saturating_sub(exp.saturating_sub(down).clamp(MIN_EXP, MAX_EXP))
         .clamp(-64, 64);
-    #[allow(clippy::cast_possible_truncation)] // clamped to 30 bits
     let mantissas = values.map(|v| shift(v, -down).clamp(-LIMIT, LIMIT) as i32);
     (mantissas, exp.saturating_sub(down).clamp(MIN_EXP, MAX_EXP))
 }
@@ -100,7 +99,6 @@ pub(crate) fn join<const N: usize>(values: [(i64, i32); N]) -> ([i64; N], i32) {
 }
 
 /// `value · 2^-exp` in units of 2^-`fraction`, rounded to nearest; saturates.
-#[allow(clippy::cast_possible_truncation)] // clamped
 pub(crate) const fn fixed(value: i64, exp: i32, fraction: i32) -> i32 {
     let value = shift(value, fraction - exp);
     if value > i32::MAX as i64 {
@@ -112,6 +110,16 @@ pub(crate) const fn fixed(value: i64, exp: i32, fraction: i32) -> i32 {
     }
 }
 
+/// The quotient rounded to nearest, half away from zero; `None` if the denominator is zero or the
+/// quotient needs more than 32 bits. For magnitudes below 2^62.
+pub(crate) fn divide(numerator: i64, denominator: i64) -> Option<i32> {
+    if denominator == 0 {
+        return None;
+    }
+    let half = denominator.abs() / 2 * numerator.signum();
+    i32::try_from((numerator + half) / denominator).ok()
+}
+
 /// `numerator / denominator` as a number and its exponent, to 33 significant bits rounded down;
 /// the denominator is taken for its magnitude, and zero for the smallest there is.
 ///
@@ -121,8 +129,8 @@ pub(crate) fn ratio(numerator: i64, denominator: i64) -> (i64, i32) {
     let sign = numerator.signum();
     let (top, top_exp) = mantissa(magnitude(numerator));
     let (bottom, bottom_exp) = mantissa(magnitude(denominator).max(1));
-    // Both mantissas have bit 30 set, unless the numerator is zero: the quotient is below 2, and the
-    // remainder stays below twice the denominator.
+    // Both mantissas have bit 30 set, unless the numerator is zero: the quotient is below 2, and
+    // the remainder stays below twice the denominator.
     let mut rest = top;
     let mut quotient = 0;
     for _ in 0..34 {
@@ -136,8 +144,9 @@ pub(crate) fn ratio(numerator: i64, denominator: i64) -> (i64, i32) {
     (sign * quotient, 33 + top_exp - bottom_exp)
 }
 
-/// A magnitude as 31 bits, the upper one set unless it is zero, rounded to nearest, and its exponent.
-#[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap)] // 31 bits, and at most 64
+/// A magnitude as 31 bits, the upper one set unless it is zero, rounded to nearest, and its
+/// exponent.
+#[allow(clippy::cast_possible_wrap)] // 31 bits, and at most 64
 fn mantissa(value: u64) -> (u32, i32) {
     let up = value.leading_zeros() as i32 - 33;
     let rounded = if up >= 0 {
@@ -174,7 +183,11 @@ mod tests {
 
     proptest! {
         #[test]
-        fn normalising_rounds_to_nearest(v in any::<[i64; 3]>(), cut in [0_u32..64, 0..64, 0..64], exp in -20..70) {
+        fn normalising_rounds_to_nearest(
+            v in any::<[i64; 3]>(),
+            cut in [0_u32..64, 0..64, 0..64],
+            exp in -20..70,
+        ) {
             let v: [i64; 3] = core::array::from_fn(|i| v[i] >> cut[i]);
             let (m, e) = normalise(v, exp);
             prop_assert!((MIN_EXP..=MAX_EXP).contains(&e));
@@ -182,7 +195,8 @@ mod tests {
                 prop_assert!(m.unsigned_abs() < 1 << 30);
                 if e > MIN_EXP {
                     // Half a unit of the last place, and f64's own rounding.
-                    prop_assert!((real(v, exp) - real(m.into(), e)).abs() <= 0.500_001 * f64::from(-e).exp2());
+                    let error = (real(v, exp) - real(m.into(), e)).abs();
+                    prop_assert!(error <= 0.500_001 * f64::from(-e).exp2());
                 }
             }
             if e < MAX_EXP {
@@ -191,7 +205,12 @@ mod tests {
         }
 
         #[test]
-        fn any_exponent_is_survived(v in any::<[i64; 3]>(), w in any::<[i64; 3]>(), exp in any::<i32>(), other in -200..200) {
+        fn any_exponent_is_survived(
+            v in any::<[i64; 3]>(),
+            w in any::<[i64; 3]>(),
+            exp in any::<i32>(),
+            other in -200..200,
+        ) {
             let (m, e) = normalise(v, exp);
             prop_assert!((MIN_EXP..=MAX_EXP).contains(&e));
             prop_assert!(m.iter().all(|m| m.unsigned_abs() < 1 << 30));
@@ -200,7 +219,13 @@ mod tests {
         }
 
         #[test]
-        fn sums_keep_sixty_bits(a in any::<i64>(), b in any::<i64>(), cut in 0_u32..64, a_exp in -99..99, b_exp in -99..99) {
+        fn sums_keep_sixty_bits(
+            a in any::<i64>(),
+            b in any::<i64>(),
+            cut in 0_u32..64,
+            a_exp in -99..99,
+            b_exp in -99..99,
+        ) {
             let b = b >> cut;
             let ([sum], exp) = add(([a], a_exp), ([b], b_exp));
             let expected = real(a, a_exp) + real(b, b_exp);
@@ -209,13 +234,18 @@ mod tests {
         }
 
         #[test]
-        fn ratios_have_thirty_bits(a in any::<i64>(), b in any::<i64>(), cut in [0_u32..63, 0..63]) {
+        fn ratios_have_thirty_bits(
+            a in any::<i64>(),
+            b in any::<i64>(),
+            cut in [0_u32..63, 0..63],
+        ) {
             let (a, b) = (a >> cut[0], (b >> cut[1]).saturating_abs().max(1));
             let (q, exp) = ratio(a, b);
             #[allow(clippy::cast_precision_loss)]
             let expected = a as f64 / b as f64;
             // Two operands of 31 bits and a quotient of 33.
-            prop_assert!((real(q, exp) / expected - 1.0).abs() <= 1.3 * f64::from(-30).exp2() || a == 0 && q == 0);
+            let error = (real(q, exp) - expected).abs();
+            prop_assert!(error <= 1.3 * f64::from(-30).exp2() * expected.abs());
         }
     }
 }

@@ -2,14 +2,14 @@
 
 use core::ops::Mul;
 
-use super::Vec3;
+use super::{Vec3, block};
 use crate::Scalar;
 
 /// A 4×4 matrix of [`Scalar`]s by rows, for column vectors.
 ///
 /// For reading, comparing and exchanging: what draws uses [`Transform`](crate::Transform) and
-/// [`Projection`](crate::Projection), which keep more digits. Products accumulate in 64 bits, round once to the nearest
-/// 2⁻¹⁶ and saturate.
+/// [`Projection`](crate::Projection), which keep more digits. Products accumulate in 64 bits, round
+/// once to the nearest 2⁻¹⁶ and saturate.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -65,16 +65,24 @@ impl Matrix4 {
         ])
     }
 
-    /// The perspective transform onto the near plane: it takes (x, y, z) to (−n·x/z, −n·y/z, −(n + f) − n·f/z),
-    /// a frustum to the box of its near window, and leaves the depth of the planes at −n and −f.
+    /// The perspective transform onto the near plane: it takes (x, y, z) to
+    /// (−n·x/z, −n·y/z, −(n + f) − n·f/z), a frustum to the box of its near window, and leaves the
+    /// depth of the planes at −n and −f.
     ///
     /// Then scaling and moving that box to ±1 gives the frustum's matrix.
+    /// The product n·f is rounded to nearest and saturates.
     #[must_use]
     pub const fn perspective_transform(near: Scalar, far: Scalar) -> Self {
+        let product = near.to_bits() as i64 * far.to_bits() as i64;
         Self::new([
             [near, O, O, O],
             [O, near, O, O],
-            [O, O, near.saturating_add(far), near.saturating_mul(far)],
+            [
+                O,
+                O,
+                near.saturating_add(far),
+                Scalar::from_bits(block::fixed(product, 32, 16)),
+            ],
             [O, O, Scalar::NEG_ONE, O],
         ])
     }
@@ -85,28 +93,27 @@ impl Matrix4 {
         *self * [point.x, point.y, point.z, I]
     }
 
-    /// The matrix times a point (x, y, z, 1), divided by its fourth coordinate w: rounded to nearest.
+    /// The matrix times a point (x, y, z, 1), divided by its fourth coordinate w: rounded to
+    /// nearest.
     ///
-    /// `None` if w is not above 0, where there is no picture of the point or a mirrored one, or if the point
-    /// is beyond ±32768.
+    /// `None` if w is not above 0, where there is no picture of the point or a mirrored one, or if
+    /// the point is beyond ±32768.
     #[must_use]
     pub fn project(&self, point: Vec3) -> Option<Vec3> {
         let [x, y, z, w] = self.homogeneous(point);
         if w <= O {
             return None;
         }
-        Some(Vec3::new(
-            x.checked_div(w)?,
-            y.checked_div(w)?,
-            z.checked_div(w)?,
-        ))
+        let divide = |v: Scalar| {
+            block::divide(i64::from(v.to_bits()) << 16, w.to_bits().into()).map(Scalar::from_bits)
+        };
+        Some(Vec3::new(divide(x)?, divide(y)?, divide(z)?))
     }
 }
 
 /// The sum of products of two rows, rounded once.
 ///
 /// The partial sums saturate at 2^63, sixteen bits above the largest result.
-#[allow(clippy::cast_possible_truncation)] // clamped
 fn dot(a: [Scalar; 4], b: [Scalar; 4]) -> Scalar {
     let sum = a.iter().zip(&b).fold(0_i64, |sum, (a, b)| {
         sum.saturating_add(i64::from(a.to_bits()) * i64::from(b.to_bits()))
@@ -130,5 +137,40 @@ impl Mul<[Scalar; 4]> for Matrix4 {
 
     fn mul(self, vector: [Scalar; 4]) -> [Scalar; 4] {
         self.rows.map(|row| dot(row, vector))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn products_round_once_and_saturate(
+            a in any::<[[i32; 4]; 4]>(),
+            b in any::<[[i32; 4]; 4]>(),
+            cut in 0_u32..32,
+        ) {
+            let cut = |m: [[i32; 4]; 4]| m.map(|row| row.map(|v| v >> cut));
+            let (a, b) = (cut(a), cut(b));
+            let matrix = |m: [[i32; 4]; 4]| Matrix4::new(m.map(|row| row.map(Scalar::from_bits)));
+            let product = matrix(a) * matrix(b);
+            for (i, row) in a.iter().enumerate() {
+                for j in 0..4 {
+                    let terms = row.iter().zip(&b);
+                    let sum: i128 = terms.map(|(&a, b)| i128::from(a) * i128::from(b[j])).sum();
+                    let rounded = (sum + (1 << 15)) >> 16;
+                    let expected = rounded.clamp(i32::MIN.into(), i32::MAX.into());
+                    prop_assert_eq!(i128::from(product.rows()[i][j].to_bits()), expected);
+                }
+            }
+        }
+
+        #[test]
+        fn any_projection_is_survived(m in any::<[[i32; 4]; 4]>(), p in any::<[i32; 3]>()) {
+            let m = Matrix4::new(m.map(|row| row.map(Scalar::from_bits)));
+            let _ = m.project(Vec3::from_bits(p));
+        }
     }
 }

@@ -8,9 +8,9 @@ use crate::{Angle, Error, Scalar};
 
 /// An affine transform of points: a 3×3 matrix and a translation.
 ///
-/// The matrix and the translation are block floating point: 30-bit mantissas with one exponent each,
-/// good to 2⁻³⁰ of the largest entry. Products accumulate in 64 bits and round once. Entries reach from 2⁻⁶²
-/// to 2⁶²; what would be larger saturates there.
+/// The matrix and the translation are block floating point: 30-bit mantissas with one exponent
+/// each, good to 2⁻³⁰ of the largest entry. Products accumulate in 64 bits and round once. Entries
+/// reach from 2⁻⁶² to 2⁶²; what would be larger saturates there.
 ///
 /// `a * b` applies `b` first, as matrices do.
 ///
@@ -125,7 +125,8 @@ impl Transform {
         Self::of_linear([[c, -s, 0], [s, c, 0], [0, 0, ONE]], 30)
     }
 
-    /// Turns about an axis through the origin, counter-clockwise as seen from its tip (Rodrigues' formula).
+    /// Turns about an axis through the origin, counter-clockwise as seen from its tip (Rodrigues'
+    /// formula).
     ///
     /// # Errors
     ///
@@ -191,7 +192,8 @@ impl Transform {
     ///
     /// ```
     /// use fixel::prelude::*;
-    /// let pose = Transform::translate(vec3!(1, 2, 3)) * Transform::rotate_y(Angle::from_degrees(30));
+    /// let turn = Transform::rotate_y(Angle::from_degrees(30));
+    /// let pose = Transform::translate(vec3!(1, 2, 3)) * turn;
     /// assert_eq!((pose.inverse_rigid() * pose).point(vec3!(4, 5, 6)), vec3!(4, 5, 6));
     /// ```
     #[must_use]
@@ -208,12 +210,12 @@ impl Transform {
         }
     }
 
-    /// A transform that has drifted by many multiplications, made rigid again: the rows of the matrix
-    /// become orthogonal and of length one. Its z axis keeps its direction, y the plane it makes with z, and
-    /// a mirror stays one.
+    /// A transform that has drifted by many multiplications, made rigid again: the rows of the
+    /// matrix become orthogonal and of length one. Its z axis keeps its direction, y the plane it
+    /// makes with z, and a mirror stays one.
     ///
-    /// For transforms of rotations and translations that are updated frame by frame. A matrix that has no such
-    /// axes, because they are zero or parallel, stays as it is.
+    /// For transforms of rotations and translations that are updated frame by frame. A matrix that
+    /// has no such axes, because they are zero or parallel, stays as it is.
     #[must_use]
     pub fn renormalised(&self) -> Self {
         let axes = || {
@@ -233,8 +235,8 @@ impl Transform {
         }
     }
 
-    /// The matrix that takes normals where [`point`](Self::point) takes surfaces, up to a positive factor:
-    /// the inverse transpose, as cofactors of the matrix with the sign of its determinant.
+    /// The matrix that takes normals where [`point`](Self::point) takes surfaces, up to a positive
+    /// factor: the inverse transpose, as cofactors of the matrix with the sign of its determinant.
     #[must_use]
     #[allow(dead_code)] // lights are to come
     pub(crate) fn normal_matrix(&self) -> [[i32; 3]; 3] {
@@ -301,3 +303,6 @@ impl Mul for Transform {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -56,18 +56,13 @@ pub(crate) fn line<I, F, O, D, const N: usize>(
     let (q, exponent) = align(&ends);
     let weighted = Weighted::new(&varyings, weights::<I, 2>(q));
     let slope = Slope::along(from[major], from[major].abs_diff(to[major]));
-    let planes = Planes {
-        slope,
-        q: slope.line(q.map(u32::cast_signed)),
-        p: weighted.p.map(|p| slope.line(p)),
-        bits: weighted.bits,
-    };
+    let q = slope.line(q.map(u32::cast_signed));
+    let planes = Planes::new(slope, q, weighted.p.map(|p| slope.line(p)), weighted.scale);
     let [start, _] = slope.origin();
     let paint = (fragment, depth_shift(exponent));
+    // `step` is the one at which the first of the columns is reached; a steep line has no other.
     let mut draw = |row: i32, columns: Range<i32>, step: i32| {
-        // From the step at which the first column was reached; steep lines have no other.
-        let run_from = |column: i32| planes.run(step + column - columns.start - start, 0);
-        span::<I, F, O, D, N>(canvas, (row, columns.clone()), run_from, paint);
+        span::<I, F, O, D, N>(canvas, (row, columns), &planes, [step - start, 0], paint);
     };
     // Columns of one row are drawn together.
     let mut waiting: Option<(i32, Range<i32>)> = None;

@@ -10,7 +10,7 @@ use core::ops::Range;
 use embedded_graphics::geometry::Point;
 
 use crate::geometry::Projected;
-use crate::interpolate::{Interpolate, Pixels, Plane, RUN, Run, Slope};
+use crate::interpolate::{Interpolate, Pixels, Plane, RUN, Run, Scale, Slope, Steps};
 use crate::shade::{Fragment, Sample};
 use crate::target::{Canvas, DepthBuffer, Storage};
 
@@ -30,37 +30,50 @@ struct Planes<const N: usize> {
     slope: Slope,
     q: Plane,
     p: [Plane; N],
-    bits: [u32; N],
+    /// What a column adds, and how the attributes are scaled.
+    steps: Steps<N>,
 }
 
 impl<const N: usize> Planes<N> {
-    /// The interpolants from a pixel on, counted from the slope's origin.
     #[inline]
-    fn run(&self, x: i32, y: i32) -> Run<N> {
+    fn new(slope: Slope, q: Plane, p: [Plane; N], scale: [Scale; N]) -> Self {
+        let step = |plane: &Plane| slope.value(plane.dx());
+        let steps = Steps {
+            q: step(&q),
+            p: p.each_ref().map(step),
+            scale,
+        };
+        Self { slope, q, p, steps }
+    }
+
+    /// The interpolants at a pixel, counted from the slope's origin.
+    #[inline]
+    fn at(&self, x: i32, y: i32) -> Run<N> {
         let value = |plane: &Plane| self.slope.value(plane.at(x, y));
-        let step = |plane: &Plane| self.slope.value(plane.dx());
         Run {
             q: value(&self.q).cast_unsigned(),
-            dq: step(&self.q),
             p: self.p.each_ref().map(value),
-            dp: self.p.each_ref().map(step),
-            bits: self.bits,
         }
     }
 }
 
-/// The least 1/w: more than what the steps of a run may take from it.
+/// The least 1/w: what the steps of a run may take from it and add to attributes over w is less than
+/// a thirty-second, which [`Weighted`](crate::interpolate::Weighted) leaves room for.
 ///
-/// It only ever lifts a corner more than four million times as far as the nearest one.
-const LEAST_WEIGHT: u32 = 1 << 8;
+/// It only ever lifts a corner more than half a million times as far as the nearest one.
+const LEAST_WEIGHT: u32 = 1 << 11;
 
-/// Draws `columns` of `row`, which lie within the canvas, in runs; `run_from` gives the one that
-/// starts at a column.
-#[inline]
+/// Draws `columns` of `row`, which lie within the canvas, in runs.
+///
+/// `start` is the pixel, counted from the slope's origin, where the interpolants begin.
+///
+/// A function of its own, so that the loop over pixels has the registers to itself.
+#[inline(never)]
 fn span<I, F, O, D, const N: usize>(
     canvas: &mut Canvas<'_, F::Color, O, D>,
     (row, columns): (i32, Range<i32>),
-    run_from: impl Fn(i32) -> Run<N>,
+    planes: &Planes<N>,
+    [mut x, y]: [i32; 2],
     (fragment, depth_shift): (&F, u32),
 ) where
     I: Interpolate,
@@ -75,17 +88,16 @@ fn span<I, F, O, D, const N: usize>(
             fragment,
             depth_shift,
             // The first pixel is looked at after one step.
-            sample: Sample {
-                point: Point::new(start - 1, row),
-                depth: 0,
-            },
+            point: Point::new(start - 1, row),
+            depth: 0,
         };
         let cells = canvas.run(
             row.cast_unsigned(),
             start.cast_unsigned()..end.cast_unsigned(),
         );
         let cells = cells.map(|(color, depth)| Cell::<F::Color, O, D> { color, depth });
-        I::run(run_from(start), cells, &mut shader);
+        I::run(planes.at(x, y), &planes.steps, cells, &mut shader);
+        x += end - start;
         start = end;
     }
 }
@@ -123,7 +135,8 @@ struct Cell<'c, 'd, C, O: Storage<C>, D: DepthBuffer + 'd> {
 struct Shader<'f, F> {
     fragment: &'f F,
     depth_shift: u32,
-    sample: Sample,
+    point: Point,
+    depth: u32,
 }
 
 impl<'d, F, O, D, const N: usize> Pixels<Cell<'_, 'd, F::Color, O, D>, N> for Shader<'_, F>
@@ -134,17 +147,22 @@ where
 {
     #[inline]
     fn visible(&mut self, cell: &Cell<'_, 'd, F::Color, O, D>, q: u32) -> bool {
-        self.sample.point.x += 1;
+        self.point.x += 1;
         // 31 bits shifted down by 15 or more.
-        self.sample.depth = (q >> self.depth_shift) as u16;
-        D::passes(&cell.depth, self.sample.depth)
+        self.depth = q >> self.depth_shift;
+        D::passes(&cell.depth, self.depth)
     }
 
     #[inline]
     fn shade(&mut self, cell: Cell<'_, 'd, F::Color, O, D>, _: u32, varyings: [i32; N]) {
-        if let Some(color) = self.fragment.shade(&self.sample, varyings) {
+        let depth = self.depth as u16;
+        let sample = Sample {
+            point: self.point,
+            depth,
+        };
+        if let Some(color) = self.fragment.shade(&sample, varyings) {
             *cell.color = O::store(color);
-            D::store(cell.depth, self.sample.depth);
+            D::store(cell.depth, depth);
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Points: one pixel each.
 
-use super::{Window, align, span, weights};
+use super::{Planes, Window, align, span, weights};
 use crate::geometry::Projected;
-use crate::interpolate::{Interpolate, Run, Weighted};
+use crate::interpolate::{Interpolate, Slope, Weighted};
 use crate::shade::Fragment;
 use crate::target::{Canvas, DepthBuffer, Storage};
 
@@ -25,17 +25,14 @@ pub(crate) fn point<I, F, O, D, const N: usize>(
     }
     let ([q], exponent) = align(&[*at]);
     let weighted = Weighted::new(&[varyings], weights::<I, 1>([q]));
-    let run = Run {
-        q,
-        dq: 0,
-        p: weighted.p.map(|[p]| p),
-        dp: [0; N],
-        bits: weighted.bits,
-    };
-    span::<I, F, O, D, N>(
-        canvas,
-        (y, x..x + 1),
-        |_| run,
-        (fragment, depth_shift(exponent)),
+    // Level planes, so that a point is drawn as a span of one pixel.
+    let slope = Slope::along(x << 8, 256);
+    let planes = Planes::new(
+        slope,
+        slope.line([q.cast_signed(); 2]),
+        weighted.p.map(|[p]| slope.line([p; 2])),
+        weighted.scale,
     );
+    let paint = (fragment, depth_shift(exponent));
+    span::<I, F, O, D, N>(canvas, (y, x..x + 1), &planes, [0; 2], paint);
 }

@@ -88,7 +88,7 @@ impl Triangle {
         O: Storage<F::Color>,
         D: DepthBuffer,
     {
-        self.draw_where::<I, F, O, D, N>(canvas, window, varyings, paint, None::<fn(_) -> _>);
+        self.draw_where::<I, F, O, D, N>(canvas, window, varyings, paint, None::<&fn(_) -> _>);
     }
 
     /// Draws those pixels of the triangle that `keep` (column and row) tells; all if there is none.
@@ -99,7 +99,7 @@ impl Triangle {
         window: &Window,
         [first, second, third]: [[i32; N]; 3],
         (fragment, depth_shift): (&F, impl Fn(i32) -> u32),
-        keep: Option<impl Fn([i32; 2]) -> bool>,
+        keep: Option<&impl Fn([i32; 2]) -> bool>,
     ) where
         I: Interpolate,
         F: Fragment<N>,
@@ -114,24 +114,20 @@ impl Triangle {
         let (q, exponent) = align(&self.corners);
         let weighted = Weighted::new(&varyings, weights::<I, 3>(q));
         let slope = Slope::new(self.corners.map(|corner| corner.screen), self.area);
-        let planes = Planes {
-            slope,
-            q: slope.plane(q.map(u32::cast_signed)),
-            p: weighted.p.map(|p| slope.plane(p)),
-            bits: weighted.bits,
-        };
+        let q = slope.plane(q.map(u32::cast_signed));
+        let planes = Planes::new(slope, q, weighted.p.map(|p| slope.plane(p)), weighted.scale);
         let [left, top] = slope.origin();
         let paint = (fragment, depth_shift(exponent));
         self.rows(window, |row, columns| {
-            let run_from = |column| planes.run(column - left, row - top);
             let mut column = columns.start;
             while column < columns.end {
-                let (end, kept) = match &keep {
+                let (end, kept) = match keep {
                     None => (columns.end, true),
                     Some(keep) => (column + 1, keep([column, row])),
                 };
                 if kept {
-                    span::<I, F, O, D, N>(canvas, (row, column..end), run_from, paint);
+                    let start = [column - left, row - top];
+                    span::<I, F, O, D, N>(canvas, (row, column..end), &planes, start, paint);
                 }
                 column = end;
             }

@@ -15,8 +15,8 @@ pub trait DepthBuffer {
     /// The depths of a run of pixels.
     fn cells(&mut self, range: Range<usize>) -> impl Iterator<Item = Self::Cell<'_>>;
 
-    /// Whether a fragment of this depth is to be drawn.
-    fn passes(cell: &Self::Cell<'_>, depth: u16) -> bool;
+    /// Whether a fragment of this depth, of 16 bits, is to be drawn.
+    fn passes(cell: &Self::Cell<'_>, depth: u32) -> bool;
 
     /// Stores the depth of a fragment that was drawn.
     fn store(cell: Self::Cell<'_>, depth: u16);
@@ -46,7 +46,7 @@ impl DepthBuffer for NoDepth {
     }
 
     #[inline]
-    fn passes((): &(), _: u16) -> bool {
+    fn passes((): &(), _: u32) -> bool {
         true
     }
 
@@ -81,8 +81,8 @@ impl DepthBuffer for Depth<'_> {
     }
 
     #[inline]
-    fn passes(cell: &&mut u16, depth: u16) -> bool {
-        depth >= **cell
+    fn passes(cell: &&mut u16, depth: u32) -> bool {
+        depth >= u32::from(**cell)
     }
 
     #[inline]

@@ -26,15 +26,17 @@ const ISOMETRIC_TILT: Angle = Angle::from_bits(420_720_557);
 impl Camera {
     /// A camera at `eye` that has `target` in the middle of its picture, and `up` upwards.
     ///
-    /// With k = (eye − target)/‖·‖, i = up × k/‖·‖ and j = k × i, these are the axes of eye space. `up` need not be
-    /// orthogonal to the line of sight, nor of length one.
+    /// With k = (eye − target)/‖·‖, i = up × k/‖·‖ and j = k × i, these are the axes of eye space.
+    /// `up` need not be orthogonal to the line of sight, nor of length one.
     ///
     /// # Errors
     ///
-    /// [`Error::EyeAtTarget`] if the two are the same; [`Error::UpAlongView`] if `up` is zero, or parallel to the line of sight
-    /// to 1e-6 radians (0.2 seconds of arc), where the roll would be noise.
+    /// [`Error::EyeAtTarget`] if the two are the same; [`Error::UpAlongView`] if `up` is zero, or
+    /// parallel to the line of sight to 1e-6 radians (0.2 seconds of arc), where the roll would be
+    /// noise.
     pub fn look_at(eye: Vec3, target: Vec3, up: Vec3) -> Result<Self, Error> {
-        /// Mantissas' largest component is from 2^29 to 2^30, so that this is 2^-20 or less of a product of lengths.
+        /// Mantissas' largest component is from 2^29 to 2^30, so that this is 2^-20 or less of a
+        /// product of lengths.
         const PARALLEL: i64 = 1 << 39;
         let (eye_bits, target_bits) = (eye.to_bits(), target.to_bits());
         let back = [0, 1, 2].map(|i| i64::from(eye_bits[i]) - i64::from(target_bits[i]));
@@ -52,7 +54,8 @@ impl Camera {
         })
     }
 
-    /// A camera placed in the world as a model is, by composed moves: the inverse of `pose`, which must be rigid.
+    /// A camera placed in the world as a model is, by composed moves: the inverse of `pose`, which
+    /// must be rigid.
     #[must_use]
     pub fn at_pose(pose: Transform) -> Self {
         Self {
@@ -78,12 +81,13 @@ impl Camera {
         self.view.inverse_rigid()
     }
 
-    /// A camera about `target` at a `distance`: from the front, turned by `turn` to the right and raised by `tilt`.
+    /// A camera about `target` at a `distance`: from the front, turned by `turn` to the right and
+    /// raised by `tilt`.
     ///
     /// With an orthographic projection and angles that are all different, this is a trimetric view.
     #[must_use]
     pub fn trimetric(target: Vec3, distance: Scalar, turn: Angle, tilt: Angle) -> Self {
-        let back = Vec3::new(Scalar::ZERO, Scalar::ZERO, -distance);
+        let back = Vec3::new(Scalar::ZERO, Scalar::ZERO, distance.saturating_neg());
         Self {
             view: Transform::translate(back)
                 * Transform::rotate_x(tilt)
@@ -92,13 +96,15 @@ impl Camera {
         }
     }
 
-    /// [`trimetric`](Self::trimetric), turned by 45°: x and z are foreshortened alike, and y by the cosine of `tilt`.
+    /// [`trimetric`](Self::trimetric), turned by 45°: x and z are foreshortened alike, and y by the
+    /// cosine of `tilt`.
     #[must_use]
     pub fn dimetric(target: Vec3, distance: Scalar, tilt: Angle) -> Self {
         Self::trimetric(target, distance, Angle::from_degrees(45), tilt)
     }
 
-    /// [`dimetric`](Self::dimetric), raised by atan(1/√2) ≈ 35.26°: all axes are foreshortened by √(2/3).
+    /// [`dimetric`](Self::dimetric), raised by atan(1/√2) ≈ 35.26°: all axes are foreshortened by
+    /// √(2/3).
     #[must_use]
     pub fn isometric(target: Vec3, distance: Scalar) -> Self {
         Self::dimetric(target, distance, ISOMETRIC_TILT)
@@ -120,5 +126,93 @@ impl Camera {
     #[must_use]
     pub fn top(target: Vec3, distance: Scalar) -> Self {
         Self::trimetric(target, distance, Angle::ZERO, Angle::QUARTER)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+        core::array::from_fn(|i| a[i] - b[i])
+    }
+
+    fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|i| a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3])
+    }
+
+    fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+        a.iter().zip(b).map(|(a, b)| a * b).sum()
+    }
+
+    fn length(v: [f64; 3]) -> f64 {
+        dot(v, v).sqrt()
+    }
+
+    fn real(v: [i32; 3]) -> [f64; 3] {
+        v.map(|v| f64::from(v) / 65_536.0)
+    }
+
+    fn points() -> impl Strategy<Value = [i32; 3]> {
+        (any::<[i32; 3]>(), 0_u32..32).prop_map(|(v, cut)| v.map(|v| v >> cut))
+    }
+
+    proptest! {
+        #[test]
+        fn look_at_is_good_to_28_bits(eye in points(), target in points(), up in points()) {
+            let [at, to, above] = [eye, target, up].map(Vec3::from_bits);
+            let camera = Camera::look_at(at, to, above);
+            let (e, u) = (real(eye), real(up));
+            let back = sub(e, real(target));
+            let sine = length(cross(u, back)) / (length(u) * length(back));
+            match camera {
+                Err(Error::EyeAtTarget) => prop_assert_eq!(eye, target),
+                Err(error) => {
+                    prop_assert_eq!(error, Error::UpAlongView);
+                    // 2^-20, as the largest components are between 2^29 and 2^30.
+                    prop_assert!(up == [0; 3] || sine < 8e-6, "{}", sine);
+                }
+                Ok(camera) => {
+                    prop_assert!(sine > 5e-7, "{}", sine);
+                    let k = back.map(|v| v / length(back));
+                    let side = cross(u, k);
+                    let i = side.map(|v| v / length(side));
+                    let j = cross(k, i);
+                    let view = camera.view();
+                    let (unit, scale) = (f64::from(-28).exp2(), f64::from(-view.linear_exp).exp2());
+                    for (row, (axis, noise)) in view.linear.iter().zip([
+                        // Operands of 30 bits, whose error the sine of a small angle magnifies.
+                        (i, unit / sine), (j, unit / sine), (k, 0.0)
+                    ]) {
+                        for (m, v) in row.iter().zip(axis) {
+                            let error = (f64::from(*m) * scale - v).abs();
+                            prop_assert!(error <= 1.5 * unit + noise, "{:e}", error);
+                        }
+                    }
+                    let origin = view.point(at);
+                    // The translation is good to 30 bits of the largest coordinate.
+                    let slack = 1.0 + length(e) * 65_536.0 * f64::from(-28).exp2();
+                    for v in origin.to_bits() {
+                        prop_assert!(f64::from(v).abs() <= slack, "{:?}", origin);
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn useless_cameras_are_refused() {
+        let (eye, target) = (Vec3::from_ints(1, 2, 3), Vec3::from_ints(4, 6, 8));
+        assert_eq!(Camera::look_at(eye, eye, Vec3::Y), Err(Error::EyeAtTarget));
+        for up in [
+            Vec3::ZERO,
+            target - eye,
+            (eye - target) * Scalar::lit("0.3"),
+        ] {
+            assert_eq!(Camera::look_at(eye, target, up), Err(Error::UpAlongView));
+        }
+        let off = target - eye + Vec3::from_bits([6, 0, 0]);
+        assert!(Camera::look_at(eye, target, off).is_ok());
     }
 }

@@ -26,15 +26,16 @@ pub struct Viewport {
 }
 
 impl Viewport {
-    /// Largest width and height, and largest distance of the top left corner from that of the frame, in pixels.
+    /// Largest width and height, and largest distance of the top left corner from that of the
+    /// frame, in pixels.
     pub const MAX: u32 = 4096;
 
     /// A viewport with its top left corner at (x, y), y down, in pixels of the frame.
     ///
     /// # Errors
     ///
-    /// [`Error::Size`] unless width and height are from 1 to [`MAX`](Self::MAX); [`Error::Place`] unless x and y are
-    /// within ±[`MAX`](Self::MAX).
+    /// [`Error::Size`] unless width and height are from 1 to [`MAX`](Self::MAX); [`Error::Place`]
+    /// unless x and y are within ±[`MAX`](Self::MAX).
     pub const fn new(x: i32, y: i32, width: u32, height: u32) -> Result<Self, Error> {
         let max = Self::MAX;
         if width == 0 || height == 0 || width > max || height > max {

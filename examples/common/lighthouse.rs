@@ -1,0 +1,158 @@
+//! The project's own scene: a lighthouse on its island in the sea, and a line of text.
+//!
+//! `no_std`, and small enough for a microcontroller's flash: 1,174 triangles, 40 KiB of textures.
+
+use embedded_graphics::Drawable;
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{Point, Size};
+use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use embedded_graphics::primitives::Rectangle;
+use embedded_graphics::text::{Alignment, Text};
+use fixel::prelude::*;
+use fixel::shade::{Converted, Levels, Light, Texture, Textured};
+use fixel::target::{DepthBuffer, Storage};
+use fixel::view::{Aspect, Kind, Perspective};
+use fixel::{Drawn, Vec2};
+
+/// The island and what stands on it; texture coordinates fit [`SKIN`].
+pub static ISLAND: Mesh = include_obj!("../assets/lighthouse.obj");
+/// The texture of the island.
+pub static SKIN: Texture<Rgb565, 128, 128> =
+    Texture::rgb565(include_bytes!("../assets/lighthouse.rgb565"));
+
+/// The sea: a level disc about the island, 120 units wide each way.
+pub static SEA: Mesh = {
+    match Mesh::new(&SEA_CORNERS.0, &SEA_FACES) {
+        Ok(mesh) => Mesh::checked(mesh.with_uvs(&SEA_CORNERS.1, None)),
+        error => Mesh::checked(error),
+    }
+};
+/// Corners of the disc.
+const SEA_SIDES: usize = 32;
+static SEA_CORNERS: ([Vec3; SEA_SIDES], [Vec2; SEA_SIDES]) = {
+    let (mut positions, mut uvs) = ([Vec3::ZERO; SEA_SIDES], [vec2!(0, 0); SEA_SIDES]);
+    let mut at = 0;
+    while at < SEA_SIDES {
+        #[allow(clippy::cast_possible_truncation)] // 32 corners
+        let angle = Angle::from_bits((at << (32 - SEA_SIDES.ilog2())) as u32);
+        let (sin, cos) = angle.sin_cos();
+        // From 2^-30 to 2^-16: 120 units, and a repeat of the texture for each four.
+        let (x, z) = ((sin.to_bits() >> 14) * 120, (cos.to_bits() >> 14) * 120);
+        positions[at] = Vec3::from_bits([x, 0, z]);
+        uvs[at] = Vec2::from_bits([x / 4, z / 4]);
+        at += 1;
+    }
+    (positions, uvs)
+};
+/// A fan.
+static SEA_FACES: [[u16; 3]; SEA_SIDES - 2] = {
+    let mut faces = [[0; 3]; SEA_SIDES - 2];
+    let mut at: u16 = 0;
+    while (at as usize) < faces.len() {
+        faces[at as usize] = [0, at + 1, at + 2];
+        at += 1;
+    }
+    faces
+};
+/// The texture of the sea, which repeats.
+pub static WAVES: Texture<Rgb565, 64, 64> = Texture::rgb565(include_bytes!("../assets/sea.rgb565"));
+
+/// A lens that has the whole lighthouse in the picture.
+///
+/// # Errors
+///
+/// None for a picture of a possible size.
+pub fn lens(size: impl Into<Aspect>) -> Result<Projection<Perspective>, Error> {
+    Projection::perspective(Angle::from_degrees(40), size, fx!(1), fx!(140))
+}
+
+/// Before the island, a little above it.
+///
+/// # Errors
+///
+/// None: its numbers are constant.
+pub fn camera() -> Result<Camera, Error> {
+    Camera::look_at(vec3!(3.4, 3.1, 8.4), vec3!(0.45, 1.62, 0), Vec3::Y)
+}
+
+/// The afternoon sun, from the right.
+///
+/// # Errors
+///
+/// None: its numbers are constant.
+pub fn sun() -> Result<Light, Error> {
+    Light::new(vec3!(5, 5, 4), fx!(0.4), fx!(0.6))
+}
+
+/// Fills the canvas with a sky: blue above, pale towards the horizon.
+pub fn sky<C, O, D>(canvas: &mut Canvas<'_, C, O, D>)
+where
+    C: Levels,
+    O: Storage<C>,
+    D: DepthBuffer,
+{
+    canvas.clear(C::from_rgb(Rgb888::new(0, 0, 0), Point::zero()));
+    let frame = canvas.frame_size();
+    let rows = canvas.rows().clone();
+    // The height is at least 1, products fit: at most 2048 · 256.
+    let mix = |from: u32, to: u32, y: u32| (from * (frame.height - y) + to * y) / frame.height;
+    let colors = rows.clone().flat_map(|y| {
+        #[allow(clippy::cast_possible_truncation)] // between two bytes
+        let color = Rgb888::new(
+            mix(96, 236, y) as u8,
+            mix(156, 232, y) as u8,
+            mix(214, 216, y) as u8,
+        );
+        (0..frame.width)
+            .map(move |x| C::from_rgb(color, Point::new(x.cast_signed(), y.cast_signed())))
+    });
+    let area = Rectangle::new(
+        Point::new(0, rows.start.cast_signed()),
+        Size::new(frame.width, rows.end - rows.start),
+    );
+    let Ok(()) = canvas.fill_contiguous(&area, colors);
+}
+
+/// Draws sea and island; `chain` takes them to the picture.
+///
+/// # Errors
+///
+/// None: the light's numbers are constant.
+pub fn draw<C, K, O, D>(
+    canvas: &mut Canvas<'_, C, O, D>,
+    chain: &Chain<K>,
+) -> Result<[Drawn; 2], Error>
+where
+    C: Levels,
+    K: Kind,
+    O: Storage<C>,
+    D: DepthBuffer,
+{
+    let sea = canvas.draw(&SEA, chain, &Converted::new(Textured::new(&WAVES)));
+    let skin = Textured::new(&SKIN).lit(sun()?);
+    let island = canvas.draw(&ISLAND, chain, &Converted::new(skin));
+    Ok([sea, island])
+}
+
+/// Writes what this is into the lower left corner.
+pub fn caption<C, O, D>(canvas: &mut Canvas<'_, C, O, D>)
+where
+    C: Levels,
+    O: Storage<C>,
+    D: DepthBuffer,
+{
+    let bottom = canvas.frame_size().height.cast_signed();
+    for (offset, grey) in [(1, 0), (0, 255)] {
+        let color = C::from_rgb(Rgb888::new(grey, grey, grey), Point::zero());
+        let at = Point::new(5 + offset, bottom - 6 + offset);
+        let style = MonoTextStyle::new(&FONT_6X10, color);
+        let text = Text::with_alignment(
+            "fixel: drawn with integers only",
+            at,
+            style,
+            Alignment::Left,
+        );
+        let Ok(_) = text.draw(canvas);
+    }
+}

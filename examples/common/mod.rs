@@ -1,0 +1,7 @@
+//! What the examples and tests draw in common.
+
+// Not every example uses all of it.
+#![allow(dead_code)]
+
+pub mod lighthouse;
+pub mod scenes;

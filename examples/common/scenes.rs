@@ -1,0 +1,195 @@
+//! The four measured scenes: the same work for every measurement, here and by others.
+//!
+//! 320x240 pixels, focal length 200 pixels, near 0.25, far 100. Each has a mesh, a chain for each
+//! of its poses `k` = 0..8, and a function that draws it, which is all that is measured: clearing
+//! is not. `no_std`, so that a microcontroller draws the very same.
+
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, WebColors};
+use fixel::prelude::*;
+use fixel::shade::{FaceColors, Gouraud, Texture, Textured};
+use fixel::target::{DepthBuffer, Storage};
+use fixel::view::Perspective;
+use fixel::{Drawn, Vec2};
+
+/// Width of the picture in pixels.
+pub const WIDTH: u32 = 320;
+/// Height of the picture in pixels.
+pub const HEIGHT: u32 = 240;
+/// Number of poses.
+pub const POSES: i32 = 8;
+
+/// 64x64 texels, squares of 8 in two colours.
+pub static CHECKER: Texture<Rgb565, 64, 64> = {
+    let mut texels = [[Rgb565::CSS_IVORY; 64]; 64];
+    let mut at = 0;
+    while at < 64 * 64 {
+        let (row, column) = (at / 64, at % 64);
+        if (row / 8 + column / 8) % 2 == 1 {
+            texels[row][column] = Rgb565::CSS_STEEL_BLUE;
+        }
+        at += 1;
+    }
+    Texture::from_texels(texels)
+};
+
+/// A floor from one unit before the eye to twenty, partly outside the picture.
+pub static FLOOR: Mesh = {
+    const POSITIONS: [Vec3; 4] = [
+        vec3!(-10, 0, -1),
+        vec3!(10, 0, -1),
+        vec3!(10, 0, -20),
+        vec3!(-10, 0, -20),
+    ];
+    const UVS: [Vec2; 4] = [vec2!(0, 1), vec2!(1, 1), vec2!(1, 0), vec2!(0, 0)];
+    match Mesh::new(&POSITIONS, &[[0, 1, 2], [0, 2, 3]]) {
+        Ok(mesh) => Mesh::checked(mesh.with_uvs(&UVS, None)),
+        error => Mesh::checked(error),
+    }
+};
+
+/// From −1 to 1, the texture on each side.
+pub static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+
+static BALL: Mesh = shape!(sphere(32, 32));
+
+/// A sphere of 1,984 triangles, its colours baked from one directional light.
+pub static SPHERE: Mesh = Mesh::checked(BALL.with_colors(&VERTEX_COLORS, None));
+
+static VERTEX_COLORS: [Rgb888; 33 * 33] = {
+    let mut colors = [Rgb888::new(0, 0, 0); 33 * 33];
+    let mut at = 0;
+    while at < colors.len() {
+        // The normal of a unit sphere is the position.
+        let [r, g, b] = lit(BALL.positions()[at].to_bits());
+        colors[at] = Rgb888::new(r, g, b);
+        at += 1;
+    }
+    colors
+};
+
+/// One colour per triangle of the sphere.
+pub static FACE_COLORS: [Rgb565; 1984] = {
+    let mut colors = [Rgb565::new(0, 0, 0); 1984];
+    let mut at = 0;
+    while at < colors.len() {
+        let [a, b, c] = BALL.faces()[at];
+        let mut normal = [0; 3];
+        let mut axis = 0;
+        while axis < 3 {
+            let [a, b, c] = [
+                BALL.positions()[a as usize].to_bits()[axis],
+                BALL.positions()[b as usize].to_bits()[axis],
+                BALL.positions()[c as usize].to_bits()[axis],
+            ];
+            normal[axis] = (a + b + c) / 3;
+            axis += 1;
+        }
+        let [r, g, b] = lit(normal);
+        colors[at] = Rgb565::new(r >> 3, g >> 2, b >> 3);
+        at += 1;
+    }
+    colors
+};
+
+/// Red, green and blue of a surface with a normal in units of 2⁻¹⁶, under light from (2, 3, 6)/7.
+const fn lit([x, y, z]: [i32; 3]) -> [u8; 3] {
+    let facing = (2 * x + 3 * y + 6 * z) / 7;
+    let light = if facing > 0 { facing } else { 0 };
+    // A quarter of ambient light.
+    let light = (1 << 14) + light / 4 * 3;
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most the factor
+    [
+        ((250 * light) >> 16) as u8,
+        ((170 * light) >> 16) as u8,
+        ((90 * light) >> 16) as u8,
+    ]
+}
+
+/// The lens of all scenes.
+///
+/// # Errors
+///
+/// None: its numbers are constant.
+fn lens() -> Result<Projection<Perspective>, Error> {
+    Projection::from_focal_length(fx!(200), (WIDTH, HEIGHT), fx!(0.25), fx!(100))
+}
+
+/// RX(`x` + `k`·`x_step`) · RY(`y` + `k`·`y_step`), angles in radians and steps in turns.
+fn turned(k: i32, x: Angle, x_step: Angle, y: Angle, y_step: Angle) -> Transform {
+    Transform::rotate_x(x + x_step * k) * Transform::rotate_y(y + y_step * k)
+}
+
+/// The floor's chain, the same for all poses: one unit above, pitched down by atan 0.2.
+///
+/// # Errors
+///
+/// None: its numbers are constant.
+pub fn floor_chain(_: i32) -> Result<Chain<Perspective>, Error> {
+    // atan 0.2, in units of 2^-32 of a turn.
+    let pitch = Angle::from_bits(134_932_750);
+    Ok(lens()? * (Transform::rotate_x(pitch) * Transform::translate(vec3!(0, -1, 0))))
+}
+
+/// The cube's chain in pose `k`.
+///
+/// # Errors
+///
+/// None: its numbers are constant.
+pub fn cube_chain(k: i32) -> Result<Chain<Perspective>, Error> {
+    let model = turned(
+        k,
+        Angle::from_radians(fx!(0.3)),
+        Angle::from_turns(fx!(0.0625)),
+        Angle::from_radians(fx!(0.4)),
+        Angle::from_turns(fx!(0.125)),
+    );
+    Ok(lens()? * (Transform::translate(vec3!(0, 0, -3.133_832_458)) * model))
+}
+
+/// The spheres' chain in pose `k`.
+///
+/// # Errors
+///
+/// None: its numbers are constant.
+pub fn sphere_chain(k: i32) -> Result<Chain<Perspective>, Error> {
+    let model = turned(
+        k,
+        Angle::from_radians(fx!(0.35)),
+        Angle::from_radians(fx!(0.3)),
+        Angle::from_radians(fx!(0.2)),
+        Angle::from_turns(fx!(0.125)),
+    );
+    Ok(lens()? * (Transform::translate(vec3!(0, 0, -2.256_239_223_7)) * model))
+}
+
+/// Draws the floor.
+pub fn floor<O: Storage<Rgb565>, D: DepthBuffer>(
+    canvas: &mut Canvas<'_, Rgb565, O, D>,
+    chain: &Chain<Perspective>,
+) -> Drawn {
+    canvas.draw(&FLOOR, chain, &Textured::new(&CHECKER))
+}
+
+/// Draws the cube.
+pub fn cube<O: Storage<Rgb565>, D: DepthBuffer>(
+    canvas: &mut Canvas<'_, Rgb565, O, D>,
+    chain: &Chain<Perspective>,
+) -> Drawn {
+    canvas.draw(&CUBE, chain, &Textured::new(&CHECKER))
+}
+
+/// Draws the sphere with interpolated colours.
+pub fn sphere<O: Storage<Rgb565>, D: DepthBuffer>(
+    canvas: &mut Canvas<'_, Rgb565, O, D>,
+    chain: &Chain<Perspective>,
+) -> Drawn {
+    canvas.draw(&SPHERE, chain, &Gouraud::new())
+}
+
+/// Draws the sphere with a colour per triangle; meant for a canvas without depth.
+pub fn sphere_flat<O: Storage<Rgb565>, D: DepthBuffer>(
+    canvas: &mut Canvas<'_, Rgb565, O, D>,
+    chain: &Chain<Perspective>,
+) -> Drawn {
+    canvas.draw(&SPHERE, chain, &FaceColors::new(&FACE_COLORS))
+}

@@ -1,0 +1,91 @@
+//! What was interpolated for each pixel, as numbers.
+
+use std::io::Write;
+
+use embedded_graphics::pixelcolor::PixelColor;
+use fixel::{Fragment, Sample, Vertex};
+
+use super::Result;
+
+/// A "colour" that says what was interpolated for a pixel; so the canvas keeps the one in front.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Record {
+    pub covered: bool,
+    uv: [i32; 2],
+    /// Fraction bits of `uv`.
+    uv_bits: u32,
+    /// In units of 2⁻¹⁶.
+    distance: i32,
+    depth: u16,
+}
+
+impl PixelColor for Record {
+    type Raw = ();
+}
+
+/// Records what is interpolated, with as many fraction bits as the texture coordinates leave room for.
+#[derive(Clone, Copy, Debug)]
+pub struct Recorder {
+    uv_bits: u32,
+}
+
+impl Recorder {
+    /// For texture coordinates of magnitude up to `largest`: 24 fraction bits up to 127, 16 above.
+    pub fn new(largest: f64) -> Self {
+        Self {
+            uv_bits: if largest < 127.0 { 24 } else { 16 },
+        }
+    }
+}
+
+impl Fragment<3> for Recorder {
+    type Color = Record;
+
+    fn varyings(&self, vertex: &Vertex<'_>) -> [i32; 3] {
+        let [u, v] = vertex
+            .uv()
+            .to_bits()
+            .map(|bits| bits << (self.uv_bits - 16));
+        [u, v, vertex.distance().to_bits()]
+    }
+
+    fn shade(&self, sample: &Sample, [u, v, distance]: [i32; 3]) -> Option<Record> {
+        Some(Record {
+            covered: true,
+            uv: [u, v],
+            uv_bits: self.uv_bits,
+            distance,
+            depth: sample.depth,
+        })
+    }
+}
+
+/// Writes a header, and a row for each pixel that is covered, in row order.
+///
+/// # Errors
+///
+/// Something could not be written.
+pub fn write(records: &[Record], width: usize, out: &mut impl Write) -> Result<()> {
+    writeln!(out, "x,y,u,v,w,depth")?;
+    for (y, row) in records.chunks(width).enumerate() {
+        for (x, record) in row.iter().enumerate().filter(|(_, record)| record.covered) {
+            let [u, v] = record.uv.map(|bits| decimal(bits, record.uv_bits));
+            let w = decimal(record.distance, 16);
+            writeln!(out, "{x},{y},{u},{v},{w},{}", record.depth)?;
+        }
+    }
+    Ok(())
+}
+
+/// `bits` · 2^-`fraction` in decimal, every digit of it.
+fn decimal(bits: i32, fraction: u32) -> String {
+    let magnitude = u64::from(bits.unsigned_abs());
+    let mask = (1 << fraction) - 1;
+    // 10^n / 2^n = 5^n: so many fraction bits make as many decimals.
+    let digits = u128::from(magnitude & mask) * 5_u128.pow(fraction);
+    let digits = format!("{digits:0width$}", width = fraction as usize);
+    let digits = digits.trim_end_matches('0');
+    let sign = if bits < 0 { "-" } else { "" };
+    let point = if digits.is_empty() { "" } else { "." };
+    format!("{sign}{}{point}{digits}", magnitude >> fraction)
+}

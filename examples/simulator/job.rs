@@ -1,0 +1,254 @@
+//! What is to be drawn, a frame at a time.
+
+use std::time::{Duration, Instant};
+
+use embedded_graphics::geometry::Point;
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use fixel::prelude::*;
+use fixel::shade::{Channels, Converted, FaceColors, Gouraud, Levels, Textured};
+use fixel::target::{DepthBuffer, Native};
+use fixel::view::Perspective;
+use fixel::{Drawn, Mesh};
+
+use super::Result;
+use super::common::{lighthouse, scenes};
+use super::output::FRAME_MS;
+use super::paint::{Posed, Shown, add};
+use super::view::{Lens, View};
+use crate::args::{Args, SceneName, Shade};
+use crate::dump::{Record, Recorder};
+use crate::skin::Texels;
+
+/// Some rows of a frame, to be drawn.
+#[derive(Debug)]
+pub struct Strip<'a, C> {
+    pub pixels: &'a mut [C],
+    pub depth: &'a mut [u16],
+    pub size: (u32, u32),
+    pub first_row: u32,
+}
+
+/// What became of a strip, and how long the draw calls took.
+pub type Done = (Drawn, Duration);
+
+fn timed(draw: impl FnOnce() -> Drawn) -> Done {
+    let start = Instant::now();
+    let drawn = draw();
+    (drawn, start.elapsed())
+}
+
+impl<'a, C: embedded_graphics::pixelcolor::PixelColor> Strip<'a, C> {
+    fn canvas(self) -> Result<(Canvas<'a, C>, &'a mut [u16])> {
+        let (width, height) = self.size;
+        let canvas = Canvas::band(self.pixels, width, height, self.first_row)?;
+        Ok((canvas, self.depth))
+    }
+}
+
+/// How the model turns.
+#[derive(Clone, Copy, Debug)]
+pub struct Turn {
+    /// A point on the axis.
+    pub about: Vec3,
+    pub frames: u32,
+    pub rate: Option<Rate>,
+}
+
+impl Turn {
+    /// The pose in one of the frames.
+    fn pose(&self, frame: u32) -> Transform {
+        let angle = if let Some(rate) = self.rate {
+            rate.angle_at(u64::from(frame) * FRAME_MS)
+        } else {
+            let part = (u64::from(frame) << 32) / u64::from(self.frames);
+            #[allow(clippy::cast_possible_truncation)] // whole turns drop out
+            Angle::from_bits(part as u32)
+        };
+        Transform::translate(self.about)
+            * Transform::rotate_y(angle)
+            * Transform::translate(-self.about)
+    }
+}
+
+/// A model, or the project's own scene if there is no `shade`.
+pub struct Model<'a> {
+    pub meshes: &'a [Mesh<'a>],
+    pub view: View,
+    pub turn: Turn,
+    /// None for the project's own scene.
+    pub shade: Option<Shade>,
+    /// Largest magnitude of a texture coordinate.
+    pub largest_uv: f64,
+}
+
+impl Model<'_> {
+    fn posed(&self, frame: u32) -> Posed<'_> {
+        Posed {
+            meshes: self.meshes,
+            view: &self.view,
+            pose: self.turn.pose(frame),
+        }
+    }
+
+    /// Draws a strip of a frame.
+    pub fn paint<C: Shown + Channels<K>, const K: usize>(
+        &self,
+        strip: Strip<'_, C>,
+        frame: u32,
+        texels: &Texels<C::Texel>,
+    ) -> Result<Done> {
+        let (canvas, depth) = strip.canvas()?;
+        let mut canvas = canvas.with_depth(depth)?;
+        let posed = self.posed(frame);
+        let Some(shade) = self.shade else {
+            lighthouse::sky(&mut canvas);
+            let camera = self.view.camera;
+            let start = Instant::now();
+            let [sea, island] = match self.view.lens {
+                Lens::Perspective(lens) => {
+                    lighthouse::draw(&mut canvas, &(lens * camera * posed.pose))?
+                }
+                Lens::Parallel(lens) => {
+                    lighthouse::draw(&mut canvas, &(lens * camera * posed.pose))?
+                }
+            };
+            let time = start.elapsed();
+            lighthouse::caption(&mut canvas);
+            return Ok((add(sea, island), time));
+        };
+        canvas.clear(background(shade));
+        Ok(timed(|| posed.paint(&mut canvas, shade, texels)))
+    }
+
+    /// Records a strip of a frame.
+    pub fn record(&self, strip: Strip<'_, Record>, frame: u32) -> Result<Done> {
+        let (canvas, depth) = strip.canvas()?;
+        let mut canvas = canvas.with_depth(depth)?;
+        canvas.clear(Record::default());
+        let recorder = Recorder::new(self.largest_uv);
+        let posed = self.posed(frame);
+        Ok(timed(|| match self.shade {
+            Some(Shade::Wire) => posed.draw_edges(&mut canvas, &recorder),
+            _ => posed.draw(&mut canvas, &recorder),
+        }))
+    }
+}
+
+/// What is behind a model: nothing to mistake for its shading.
+fn background<C: Levels>(shade: Shade) -> C {
+    let color = match shade {
+        Shade::Wire | Shade::Depth => Rgb888::new(0, 0, 0),
+        // The dithered formats would show a pattern instead.
+        _ if C::MAX_STEPS[0] < 31 => Rgb888::new(0, 0, 0),
+        _ => Rgb888::new(34, 40, 52),
+    };
+    C::from_rgb(color, Point::zero())
+}
+
+/// The chain of a measured scene in pose `k`.
+fn chain(scene: SceneName, k: u32) -> Result<Chain<Perspective>> {
+    let k = k.cast_signed() % scenes::POSES;
+    Ok(match scene {
+        SceneName::Floor => scenes::floor_chain(k)?,
+        SceneName::Cube => scenes::cube_chain(k)?,
+        SceneName::Sphere | SceneName::SphereFlat => scenes::sphere_chain(k)?,
+    })
+}
+
+/// Gives `draw` the strip as a canvas, with depth unless the scene has none.
+macro_rules! on_canvas {
+    ($strip:expr, $scene:expr, $background:expr, |$canvas:ident| $draw:expr) => {{
+        let (mut canvas, depth) = $strip.canvas()?;
+        if $scene == SceneName::SphereFlat {
+            canvas.clear($background);
+            let $canvas = &mut canvas;
+            timed(|| $draw)
+        } else {
+            let mut canvas = canvas.with_depth(depth)?;
+            canvas.clear($background);
+            let $canvas = &mut canvas;
+            timed(|| $draw)
+        }
+    }};
+}
+
+/// Draws a strip of a measured scene as it is measured.
+pub fn paint_scene(scene: SceneName, strip: Strip<'_, Rgb565>, frame: u32) -> Result<Done> {
+    let chain = chain(scene, frame)?;
+    let draw = |strip: Strip<'_, Rgb565>| -> Result<Done> {
+        Ok(on_canvas!(
+            strip,
+            scene,
+            Rgb565::default(),
+            |canvas| match scene {
+                SceneName::Floor => scenes::floor(canvas, &chain),
+                SceneName::Cube => scenes::cube(canvas, &chain),
+                SceneName::Sphere => scenes::sphere(canvas, &chain),
+                SceneName::SphereFlat => scenes::sphere_flat(canvas, &chain),
+            }
+        ))
+    };
+    draw(strip)
+}
+
+/// Draws a strip of a measured scene in another colour.
+pub fn paint_scene_in<C: Channels<K>, const K: usize>(
+    scene: SceneName,
+    strip: Strip<'_, C>,
+    frame: u32,
+) -> Result<Done> {
+    let chain = chain(scene, frame)?;
+    let black = C::from_rgb(Rgb888::new(0, 0, 0), Point::zero());
+    Ok(on_canvas!(strip, scene, black, |canvas| match scene {
+        SceneName::Floor => textured(canvas, &scenes::FLOOR, &chain),
+        SceneName::Cube => textured(canvas, &scenes::CUBE, &chain),
+        SceneName::Sphere => canvas.draw(&scenes::SPHERE, &chain, &Gouraud::new()),
+        SceneName::SphereFlat => {
+            let faces = Converted::new(FaceColors::new(&scenes::FACE_COLORS));
+            canvas.draw(&scenes::SPHERE, &chain, &faces)
+        }
+    }))
+}
+
+fn textured<C: Levels, D: DepthBuffer>(
+    canvas: &mut Canvas<'_, C, Native, D>,
+    mesh: &Mesh<'_>,
+    chain: &Chain<Perspective>,
+) -> Drawn {
+    canvas.draw(
+        mesh,
+        chain,
+        &Converted::new(Textured::new(&scenes::CHECKER)),
+    )
+}
+
+/// Records a strip of a measured scene.
+pub fn record_scene(scene: SceneName, strip: Strip<'_, Record>, frame: u32) -> Result<Done> {
+    let chain = chain(scene, frame)?;
+    let mesh = match scene {
+        SceneName::Floor => &scenes::FLOOR,
+        SceneName::Cube => &scenes::CUBE,
+        SceneName::Sphere | SceneName::SphereFlat => &scenes::SPHERE,
+    };
+    let recorder = Recorder::new(1.0);
+    Ok(on_canvas!(strip, scene, Record::default(), |canvas| {
+        canvas.draw(mesh, &chain, &recorder)
+    }))
+}
+
+/// How fast the model turns, of what was asked for.
+///
+/// # Errors
+///
+/// Too fast for the format.
+pub fn rate(args: &Args) -> Result<Option<Rate>> {
+    const MOST: f64 = 2_000_000.0;
+    let Some(rpm) = args.rpm else {
+        return Ok(None);
+    };
+    if rpm.abs() > MOST {
+        return Err(format!("--rpm {rpm}: it must be between -{MOST} and {MOST}").into());
+    }
+    #[allow(clippy::cast_possible_truncation)] // rounded, and in range as was checked
+    Ok(Some(Rate::milli_rpm((rpm * 1000.0).round() as i32)))
+}

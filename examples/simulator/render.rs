@@ -1,0 +1,78 @@
+//! From arguments to pictures: the whole run, in each colour.
+
+use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
+use fixel::shade::Channels;
+
+use super::Result;
+use super::common::scenes;
+use crate::args::{Args, Color, SceneName};
+use crate::job::{self, Model};
+use crate::paint::Shown;
+use crate::skin::Skin;
+use crate::subject::Subject;
+use crate::targets::Targets;
+
+/// Does what `args` ask for.
+///
+/// # Errors
+///
+/// Anything that is wrong with them or with a file, in words.
+pub fn run(args: &Args) -> Result<()> {
+    let targets = Targets::open(args)?;
+    if let Some(scene) = args.scene {
+        return match args.color {
+            Color::Rgb565 => measured(scene, targets),
+            Color::Rgb888 => measured_in::<Rgb888, _>(scene, targets),
+            Color::Gray8 => measured_in::<Gray8, _>(scene, targets),
+            Color::Gray4 => measured_in::<Gray4, _>(scene, targets),
+            Color::Mono => measured_in::<BinaryColor, _>(scene, targets),
+        };
+    }
+    let subject = Subject::load(args)?;
+    let meshes = subject.meshes()?;
+    let model = subject.model(args, &meshes)?;
+    let skin = &subject.skin;
+    match args.color {
+        Color::Rgb565 => picture_in::<Rgb565, _>(&model, skin, args, targets),
+        Color::Rgb888 => picture_in::<Rgb888, _>(&model, skin, args, targets),
+        Color::Gray8 => picture_in::<Gray8, _>(&model, skin, args, targets),
+        Color::Gray4 => picture_in::<Gray4, _>(&model, skin, args, targets),
+        Color::Mono => picture_in::<BinaryColor, _>(&model, skin, args, targets),
+    }
+}
+
+/// The size of the measured scenes.
+const MEASURED: (u32, u32) = (scenes::WIDTH, scenes::HEIGHT);
+
+fn measured(scene: SceneName, targets: Targets<'_>) -> Result<()> {
+    targets.fill(
+        MEASURED,
+        |strip, frame| job::record_scene(scene, strip, frame),
+        |strip, frame| job::paint_scene(scene, strip, frame),
+    )
+}
+
+fn measured_in<C: Shown + Channels<K>, const K: usize>(
+    scene: SceneName,
+    targets: Targets<'_>,
+) -> Result<()> {
+    targets.fill(
+        MEASURED,
+        |strip, frame| job::record_scene(scene, strip, frame),
+        |strip, frame| job::paint_scene_in::<C, K>(scene, strip, frame),
+    )
+}
+
+fn picture_in<C: Shown + Channels<K>, const K: usize>(
+    model: &Model<'_>,
+    skin: &Skin,
+    args: &Args,
+    targets: Targets<'_>,
+) -> Result<()> {
+    let texels = skin.texels();
+    targets.fill(
+        args.size,
+        |strip, frame| model.record(strip, frame),
+        |strip, frame| model.paint::<C, K>(strip, frame, &texels),
+    )
+}

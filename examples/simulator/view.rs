@@ -1,0 +1,105 @@
+//! From what was asked for to the library's camera, lens and light.
+
+use fixel::number::scalar;
+use fixel::prelude::*;
+use fixel::shade::Light;
+use fixel::view::{Parallel, Perspective};
+
+use super::Result;
+use crate::args::{Args, Kind};
+use crate::framing::Framing;
+
+/// A projection of either kind.
+#[derive(Clone, Copy, Debug)]
+pub enum Lens {
+    Perspective(Projection<Perspective>),
+    Parallel(Projection<Parallel>),
+}
+
+/// All that is the same for each frame.
+#[derive(Clone, Copy, Debug)]
+pub struct View {
+    pub lens: Lens,
+    pub camera: Camera,
+    pub pass: Pass,
+    pub light: Light,
+    /// Stored depths of the nearest and the farthest point of the model.
+    pub depths: [u16; 2],
+}
+
+fn number(what: &str, value: f64) -> Result<Scalar> {
+    Ok(scalar(value).map_err(|error| format!("{what} {value}: {error}"))?)
+}
+
+fn point(what: &str, [x, y, z]: [f64; 3]) -> Result<Vec3> {
+    Ok(Vec3::try_from([x, y, z]).map_err(|error| format!("{what} {x},{y},{z}: {error}"))?)
+}
+
+impl View {
+    /// The view of `framing`.
+    ///
+    /// # Errors
+    ///
+    /// What the library refuses.
+    pub fn new(args: &Args, framing: &Framing) -> Result<Self> {
+        let what = |given: bool, option, chosen| if given { option } else { chosen };
+        let eye = what(
+            args.eye.is_some(),
+            "--eye",
+            "to see the whole model, the eye must be at",
+        );
+        let target = what(
+            args.look_at.is_some(),
+            "--look-at",
+            "the middle of the model is at",
+        );
+        let camera = Camera::look_at(
+            point(eye, framing.eye)?,
+            point(target, framing.target)?,
+            point("--up", args.up())?,
+        )?;
+        let near = what(
+            args.near.is_some(),
+            "--near",
+            "the nearest point of the model is at",
+        );
+        let far = what(
+            args.far.is_some(),
+            "--far",
+            "the farthest point of the model is at",
+        );
+        let near = number(near, framing.near)?;
+        let far = number(far, framing.far)?;
+        let lens = if args.projection == Kind::Perspective {
+            let fov = Angle::try_from_degrees(framing.fov)?;
+            Lens::Perspective(Projection::perspective(fov, args.size, near, far)?)
+        } else {
+            let edge = |value| number("edge of the picture at", value);
+            let [l, r, b, t] = framing.window;
+            let [l, r, b, t] = [edge(l)?, edge(r)?, edge(b)?, edge(t)?];
+            let angle = Angle::from_degrees(45);
+            Lens::Parallel(match args.projection {
+                Kind::Cabinet => Projection::cabinet(angle, l, r, b, t, near, far)?,
+                Kind::Cavalier => Projection::cavalier(angle, l, r, b, t, near, far)?,
+                _ => Projection::orthographic(l, r, b, t, near, far)?,
+            })
+        };
+        let light = Light::new(point("light from", framing.light)?, fx!(0.3), fx!(0.7))?;
+        let cull = if args.two_sided {
+            Cull::Nothing
+        } else {
+            Cull::Back
+        };
+        Ok(Self {
+            lens,
+            camera,
+            pass: Pass::new().cull(cull),
+            light: if args.two_sided {
+                light.two_sided()
+            } else {
+                light
+            },
+            depths: framing.depths(args.projection),
+        })
+    }
+}

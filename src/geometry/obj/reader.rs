@@ -1,0 +1,348 @@
+//! OBJ text, statement by statement.
+
+use super::decimal::{byte, decimal};
+use crate::Error;
+
+/// What a line says.
+#[derive(Clone, Copy)]
+pub(super) enum Statement {
+    /// `v`, with its colour if it has one.
+    Position([i32; 3], Option<[u8; 3]>),
+    /// `vt`, v as in the text, running up.
+    Uv([i32; 2]),
+    /// `vn`.
+    Normal([i32; 3]),
+    /// `f`; its corners are to be read.
+    Face,
+    /// `l`; its corners are to be read.
+    Line,
+    /// There is no more.
+    End,
+}
+
+/// Indices of a corner, the first element being 0.
+#[derive(Clone, Copy)]
+pub(super) struct Corner {
+    pub(super) position: u16,
+    pub(super) uv: Option<u16>,
+    pub(super) normal: Option<u16>,
+}
+
+/// Reads OBJ text.
+pub(super) struct Reader<'a> {
+    text: &'a [u8],
+    at: usize,
+    /// Where the reader is, the first line being 1.
+    line: usize,
+    /// Positions, texture coordinates and normals so far.
+    seen: [usize; 3],
+    /// Positions, texture coordinates and normals that an index may name.
+    known: [usize; 3],
+    /// Positions, texture coordinates and normals that indices did name.
+    named: [usize; 3],
+}
+
+/// As many as a 16-bit index can name, less one attribute value for `Mesh::NO_VALUE`.
+pub(super) const MOST: [usize; 3] = [65_536, 65_535, 65_535];
+
+const TOO_MANY: [&str; 3] = [
+    "more than 65536 positions",
+    "more than 65535 texture coordinates",
+    "more than 65535 normals",
+];
+
+const MALFORMED: &str = "a corner is malformed: it must be like 1, 1/2, 1//3 or 1/2/3";
+
+const NOT_THERE: [&str; 3] = [
+    "an index names a position that is not there",
+    "an index names a texture coordinate that is not there",
+    "an index names a normal that is not there",
+];
+
+const fn ends_line(c: u8) -> bool {
+    c == b'\n' || c == b'\r'
+}
+
+/// What a word ends with.
+macro_rules! blank {
+    () => {
+        b' ' | b'\t' | b'\n' | b'\r' | b'\\' | b'#'
+    };
+}
+
+/// A colour component of 0..1 as 0..255, rounded to nearest.
+const fn component(bits: i32) -> Option<u8> {
+    if bits < 0 || bits > 1 << 16 {
+        return None;
+    }
+    #[allow(clippy::cast_sign_loss)] // 0..255
+    Some(((bits * 255 + (1 << 15)) >> 16) as u8)
+}
+
+impl<'a> Reader<'a> {
+    /// A reader of a text in which indices may name so many elements of each kind.
+    pub(super) const fn new(text: &'a [u8], known: [usize; 3]) -> Self {
+        // Some programs put a byte-order mark.
+        let marked = text.len() >= 3 && text[0] == 0xEF && text[1] == 0xBB && text[2] == 0xBF;
+        Self {
+            text,
+            at: if marked { 3 } else { 0 },
+            line: 1,
+            seen: [0; 3],
+            known,
+            named: [0; 3],
+        }
+    }
+
+    /// Positions, texture coordinates and normals so far.
+    pub(super) const fn seen(&self) -> [usize; 3] {
+        self.seen
+    }
+
+    /// Whether an index named something that is not in the text.
+    pub(super) const fn missed(&self) -> bool {
+        self.named[0] > self.seen[0] || self.named[1] > self.seen[1] || self.named[2] > self.seen[2]
+    }
+
+    pub(super) const fn error<T>(&self, problem: &'static str) -> Result<T, Error> {
+        Err(Error::Obj {
+            line: self.line,
+            problem,
+        })
+    }
+
+    /// Goes past a line's end, which is LF, CR or both.
+    const fn end_line(&mut self) {
+        if byte!(self.text, self.at) == b'\r' && byte!(self.text, self.at + 1) == b'\n' {
+            self.at += 1;
+        }
+        self.at += 1;
+        self.line += 1;
+    }
+
+    /// Goes past a backslash at a line's end, which makes the next line part of this one.
+    const fn continuation(&mut self) -> bool {
+        let next = self.at + 1;
+        if byte!(self.text, self.at) == b'\\'
+            && next < self.text.len()
+            && ends_line(self.text[next])
+        {
+            self.at = next;
+            self.end_line();
+            true
+        } else {
+            false
+        }
+    }
+
+    /// Goes past blanks; whether another word follows in this statement.
+    const fn word(&mut self) -> bool {
+        loop {
+            match byte!(self.text, self.at) {
+                b' ' | b'\t' => self.at += 1,
+                b'\\' if self.continuation() => {}
+                b'\n' | b'\r' | b'#' => return false,
+                _ => return true,
+            }
+        }
+    }
+
+    /// Goes to the end of this line; of a statement that goes on in the next, to that one's.
+    const fn skip(&mut self, comment: bool) {
+        loop {
+            let c = byte!(self.text, self.at);
+            if c == b'\n' || c == b'\r' {
+                return;
+            }
+            if c != b'\\' || comment || !self.continuation() {
+                self.at += 1;
+            }
+        }
+    }
+
+    /// The next statement that says something about the mesh.
+    pub(super) const fn statement(&mut self) -> Result<Statement, Error> {
+        loop {
+            if !self.word() {
+                if self.at >= self.text.len() {
+                    return Ok(Statement::End);
+                }
+                self.skip(true);
+                // The text may end with a comment.
+                if self.at < self.text.len() {
+                    self.end_line();
+                }
+                continue;
+            }
+            let first = byte!(self.text, self.at);
+            let second = byte!(self.text, self.at + 1);
+            if matches!(second, blank!()) {
+                self.at += 1;
+                match first {
+                    b'v' => return self.position(),
+                    b'f' => return Ok(Statement::Face),
+                    b'l' => return Ok(Statement::Line),
+                    _ => {}
+                }
+            } else if first == b'v' && matches!(byte!(self.text, self.at + 2), blank!()) {
+                self.at += 2;
+                match second {
+                    b't' => return self.uv(),
+                    b'n' => return self.normal(),
+                    _ => {}
+                }
+            }
+            self.skip(false);
+        }
+    }
+
+    /// The numbers up to the statement's end and how many there are.
+    const fn numbers<const MAX: usize>(&mut self) -> Result<([i32; MAX], usize), Error> {
+        let mut numbers = [0; MAX];
+        let mut count = 0;
+        while self.word() {
+            if count == MAX {
+                return self.error("too many numbers");
+            }
+            match decimal(self.text, self.at) {
+                Ok((bits, end)) if matches!(byte!(self.text, end), blank!()) => {
+                    numbers[count] = bits;
+                    self.at = end;
+                }
+                Ok(_) => return self.error(super::decimal::MALFORMED),
+                Err(problem) => return self.error(problem),
+            }
+            count += 1;
+        }
+        Ok((numbers, count))
+    }
+
+    /// Counts an element of a kind.
+    const fn see(&mut self, kind: usize) -> Result<(), Error> {
+        if self.seen[kind] == MOST[kind] {
+            return self.error(TOO_MANY[kind]);
+        }
+        self.seen[kind] += 1;
+        Ok(())
+    }
+
+    const fn position(&mut self) -> Result<Statement, Error> {
+        let (n, count) = match self.numbers::<7>() {
+            Ok(numbers) => numbers,
+            Err(error) => return Err(error),
+        };
+        let color = match count {
+            // A fourth number is a weight for curves, a seventh an opacity.
+            3 | 4 => None,
+            6 | 7 => match (component(n[3]), component(n[4]), component(n[5])) {
+                (Some(r), Some(g), Some(b)) => Some([r, g, b]),
+                _ => return self.error("a colour is out of range: it must lie between 0 and 1"),
+            },
+            _ => return self.error("a position needs 3 numbers, or 6 with its colour"),
+        };
+        match self.see(0) {
+            Ok(()) => Ok(Statement::Position([n[0], n[1], n[2]], color)),
+            Err(error) => Err(error),
+        }
+    }
+
+    const fn uv(&mut self) -> Result<Statement, Error> {
+        match self.numbers::<3>() {
+            Ok((_, 0)) => self.error("a texture coordinate needs 2 numbers"),
+            Ok((n, _)) => match self.see(1) {
+                Ok(()) => Ok(Statement::Uv([n[0], n[1]])),
+                Err(error) => Err(error),
+            },
+            Err(error) => Err(error),
+        }
+    }
+
+    const fn normal(&mut self) -> Result<Statement, Error> {
+        match self.numbers::<3>() {
+            Ok((n, 3)) => match self.see(2) {
+                Ok(()) => Ok(Statement::Normal(n)),
+                Err(error) => Err(error),
+            },
+            Ok(_) => self.error("a normal needs 3 numbers"),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// The next corner of a face or line; `None` at its end.
+    pub(super) const fn corner(&mut self) -> Result<Option<Corner>, Error> {
+        if !self.word() {
+            return Ok(None);
+        }
+        let mut corner = Corner {
+            position: 0,
+            uv: None,
+            normal: None,
+        };
+        let mut kind = 0;
+        loop {
+            // 1//3 has no texture coordinate, and some programs write 1/ and 1/2/.
+            let c = byte!(self.text, self.at);
+            let given = kind == 0 || c != b'/' && !matches!(c, blank!());
+            if given {
+                let index = match self.index(kind) {
+                    Ok(index) => index,
+                    Err(error) => return Err(error),
+                };
+                match kind {
+                    0 => corner.position = index,
+                    1 => corner.uv = Some(index),
+                    _ => corner.normal = Some(index),
+                }
+            }
+            match byte!(self.text, self.at) {
+                blank!() => return Ok(Some(corner)),
+                b'/' if kind < 2 => {}
+                _ => return self.error(MALFORMED),
+            }
+            self.at += 1;
+            kind += 1;
+        }
+    }
+
+    /// Reads an index into the elements of a kind: from 1 up, or from −1, the last so far, down.
+    const fn index(&mut self, kind: usize) -> Result<u16, Error> {
+        let text = self.text;
+        let mut at = self.at;
+        let negative = at < text.len() && text[at] == b'-';
+        if negative {
+            at += 1;
+        }
+        let start = at;
+        let mut number = 0;
+        while at < text.len() {
+            let c = text[at];
+            if c < b'0' || c > b'9' {
+                break;
+            }
+            if number <= MOST[0] {
+                number = number * 10 + (c - b'0') as usize;
+            }
+            at += 1;
+        }
+        self.at = at;
+        if at == start {
+            return self.error(MALFORMED);
+        }
+        if number == 0 {
+            return self.error("an index is 0: the first is 1, and the last -1");
+        }
+        let (limit, index) = if negative {
+            (self.seen[kind], self.seen[kind].wrapping_sub(number))
+        } else {
+            (self.known[kind], number - 1)
+        };
+        if number > limit {
+            return self.error(NOT_THERE[kind]);
+        }
+        if index >= self.named[kind] {
+            self.named[kind] = index + 1;
+        }
+        // Below `MOST`.
+        Ok(index as u16)
+    }
+}

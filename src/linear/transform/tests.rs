@@ -1,0 +1,317 @@
+//! Transforms against their mathematics in f64.
+#![allow(clippy::needless_range_loop)] // formulas with indices
+
+use super::*;
+use core::f64::consts::TAU;
+use proptest::prelude::*;
+use std::vec::Vec;
+
+/// Rows of a 3×4 matrix.
+type Real = [[f64; 4]; 3];
+
+fn power(exp: i32) -> f64 {
+    f64::from(exp).exp2()
+}
+
+fn real(t: &Transform) -> Real {
+    core::array::from_fn(|i| {
+        let [x, y, z] = t.linear[i].map(|m| f64::from(m) * power(-t.linear_exp));
+        [
+            x,
+            y,
+            z,
+            f64::from(t.translation[i]) * power(-t.translation_exp),
+        ]
+    })
+}
+
+fn multiply(a: &Real, b: &Real) -> Real {
+    core::array::from_fn(|i| {
+        core::array::from_fn(|j| {
+            let moved = if j == 3 { a[i][3] } else { 0.0 };
+            (0..3).map(|k| a[i][k] * b[k][j]).sum::<f64>() + moved
+        })
+    })
+}
+
+/// The largest of the matrix, and of the translation.
+fn sizes(m: &Real) -> [f64; 2] {
+    let max = |range: core::ops::Range<usize>| {
+        m.iter()
+            .flat_map(|row| row[range.clone()].iter())
+            .fold(0.0, |max: f64, v| max.max(v.abs()))
+    };
+    [max(0..3), max(3..4)]
+}
+
+/// The largest errors of the matrix, and of the translation.
+fn errors(found: &Real, expected: &Real) -> [f64; 2] {
+    sizes(&core::array::from_fn(|i| {
+        core::array::from_fn(|j| found[i][j] - expected[i][j])
+    }))
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Step {
+    X(u32),
+    Y(u32),
+    Z(u32),
+    About([i32; 3], u32),
+    Move([i32; 3]),
+}
+
+impl Step {
+    fn transform(self) -> Transform {
+        match self {
+            Self::X(a) => Transform::rotate_x(Angle::from_bits(a)),
+            Self::Y(a) => Transform::rotate_y(Angle::from_bits(a)),
+            Self::Z(a) => Transform::rotate_z(Angle::from_bits(a)),
+            Self::About(axis, a) => {
+                Transform::rotate(Vec3::from_bits(axis), Angle::from_bits(a)).unwrap_or_default()
+            }
+            Self::Move(by) => Transform::translate(Vec3::from_bits(by)),
+        }
+    }
+
+    fn real(self) -> Real {
+        // Rodrigues' formula for all.
+        let about = |axis: [f64; 3], angle: u32| {
+            let (sin, cos) = (f64::from(angle) / power(32) * TAU).sin_cos();
+            let length = axis.iter().map(|v| v * v).sum::<f64>().sqrt();
+            let [x, y, z] = axis.map(|v| if length > 0.0 { v / length } else { 0.0 });
+            let skew = [[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]];
+            let axis = [x, y, z];
+            core::array::from_fn(|i| {
+                core::array::from_fn(|j| match j {
+                    3 => 0.0,
+                    _ if length == 0.0 => f64::from(u8::from(i == j)),
+                    _ => {
+                        let diagonal = if i == j { cos } else { 0.0 };
+                        diagonal + sin * skew[i][j] + (1.0 - cos) * axis[i] * axis[j]
+                    }
+                })
+            })
+        };
+        match self {
+            Self::X(a) => about([1.0, 0.0, 0.0], a),
+            Self::Y(a) => about([0.0, 1.0, 0.0], a),
+            Self::Z(a) => about([0.0, 0.0, 1.0], a),
+            Self::About(axis, a) => about(axis.map(f64::from), a),
+            Self::Move(by) => {
+                let mut m = about([1.0, 0.0, 0.0], 0);
+                for (row, by) in m.iter_mut().zip(by) {
+                    row[3] = f64::from(by) / 65_536.0;
+                }
+                m
+            }
+        }
+    }
+}
+
+fn steps() -> impl Strategy<Value = Step> {
+    prop_oneof![
+        any::<u32>().prop_map(Step::X),
+        any::<u32>().prop_map(Step::Y),
+        any::<u32>().prop_map(Step::Z),
+        (any::<[i32; 3]>(), any::<u32>()).prop_map(|(axis, a)| Step::About(axis, a)),
+        // Within ±100.
+        [
+            -6_553_600..6_553_600,
+            -6_553_600..6_553_600,
+            -6_553_600..6_553_600
+        ]
+        .prop_map(Step::Move),
+    ]
+}
+
+fn poses() -> impl Strategy<Value = Transform> {
+    proptest::collection::vec(steps(), 1..6).prop_map(|steps| {
+        steps
+            .into_iter()
+            .fold(Transform::IDENTITY, |t, step| t * step.transform())
+    })
+}
+
+/// Any transform that the fields admit.
+fn anything() -> impl Strategy<Value = Transform> {
+    const M: core::ops::Range<i32> = -(1 << 30) + 1..1 << 30;
+    const EXP: core::ops::RangeInclusive<i32> = block::MIN_EXP..=block::MAX_EXP;
+    let row = || [M, M, M];
+    ([row(), row(), row()], EXP, row(), EXP).prop_map(|(m, e, t, t_exp)| {
+        let (linear, linear_exp) = normalise(m.map(|row| row.map(i64::from)), e);
+        let (translation, translation_exp) = block::normalise(t.map(i64::from), t_exp);
+        Transform {
+            linear,
+            linear_exp,
+            translation,
+            translation_exp,
+        }
+    })
+}
+
+fn admissible(t: &Transform) -> bool {
+    let small = |m: &i32| m.unsigned_abs() < 1 << 30;
+    let exps = block::MIN_EXP..=block::MAX_EXP;
+    t.linear.as_flattened().iter().all(small)
+        && t.translation.iter().all(small)
+        && exps.contains(&t.linear_exp)
+        && exps.contains(&t.translation_exp)
+}
+
+#[test]
+fn identity_is_normalised() {
+    let scaled = Transform::scale(Scalar::ONE);
+    assert_eq!(scaled, Transform::IDENTITY);
+    assert_eq!(Transform::IDENTITY * scaled, Transform::IDENTITY);
+    assert_eq!(Transform::translate(Vec3::ZERO), Transform::IDENTITY);
+}
+
+#[test]
+fn turns_go_the_right_way() {
+    let quarter = Angle::QUARTER;
+    assert_eq!(Transform::rotate_x(quarter).point(Vec3::Y), Vec3::Z);
+    assert_eq!(Transform::rotate_y(quarter).point(Vec3::Z), Vec3::X);
+    assert_eq!(Transform::rotate_z(quarter).point(Vec3::X), Vec3::Y);
+    let about_z = Transform::rotate(Vec3::Z, quarter).unwrap();
+    assert_eq!(about_z, Transform::rotate_z(quarter));
+    assert_eq!(
+        Transform::rotate(Vec3::ZERO, quarter),
+        Err(Error::ZeroDirection)
+    );
+}
+
+#[test]
+fn normals_survive_mirrors_and_uneven_scale() {
+    // The plane x + y = 0, of normal (1, 1, 0), squeezed to 2x' + y' = 0 or mirrored as well.
+    for x in ["0.5", "-0.5"] {
+        let factors = Vec3::new(Scalar::lit(x), Scalar::ONE, Scalar::ONE);
+        let rows = Transform::scale_axes(factors).normal_matrix();
+        let normal = rows.map(|row| f64::from(row[0]) + f64::from(row[1]));
+        let slope = if x == "0.5" { 2.0 } else { -2.0 };
+        assert!(normal[1] > 0.0);
+        assert!((normal[0] / normal[1] - slope).abs() < 1e-8);
+        assert!(normal[2].abs() < f64::EPSILON);
+    }
+}
+
+#[test]
+fn drift_is_removed() {
+    let step = Transform::rotate(Vec3::from_ints(1, 2, 3), Angle::from_degrees(1)).unwrap();
+    let mut t = Transform::IDENTITY;
+    for _ in 0..360_000 {
+        t = t * step;
+    }
+    let rigid = |t: &Transform| {
+        let product = multiply(&real(&t.inverse_rigid()), &real(t));
+        errors(&product, &real(&Transform::IDENTITY))[0]
+    };
+    // A thousand turns have made something that is no rotation any more, or the test tests nothing.
+    assert!(rigid(&t) > 1e-6, "{:e}", rigid(&t));
+    assert!(
+        rigid(&t.renormalised()) < 4e-9,
+        "{:e}",
+        rigid(&t.renormalised())
+    );
+    let mirror = Transform::scale_axes(Vec3::from_ints(-1, 1, 1));
+    assert_eq!(mirror.renormalised(), mirror);
+    let flat = Transform::scale(Scalar::ZERO);
+    assert_eq!(flat.renormalised(), flat);
+}
+
+proptest! {
+    #[test]
+    fn steps_are_good_to_28_bits(step in steps()) {
+        let [linear, translation] = errors(&real(&step.transform()), &step.real());
+        // Sine and cosine are within 1.6e-9, axes within 2^-28 and used twice.
+        prop_assert!(linear <= 3.0 * power(-28), "{:e}", linear);
+        prop_assert!(translation <= f64::EPSILON);
+        if !matches!(step, Step::About(..)) {
+            // Rounded to half of 2^-29, as one needs 30 bits then.
+            prop_assert!(linear <= 1.6e-9 + power(-30), "{:e}", linear);
+        }
+    }
+
+    #[test]
+    fn products_round_once(a in anything(), b in anything()) {
+        let product = a * b;
+        prop_assert!(admissible(&product));
+        let expected = multiply(&real(&a), &real(&b));
+        let found = real(&product);
+        let [linear, translation] = errors(&found, &expected);
+        if product.linear_exp > block::MIN_EXP {
+            prop_assert!(linear <= 0.501 * power(-product.linear_exp));
+        }
+        if product.translation_exp > block::MIN_EXP {
+            // The two summands are rounded to 60 bits before.
+            let summands = sizes(&expected)[1].max(sizes(&real(&a))[1]);
+            let slack = 0.501 * power(-product.translation_exp) + summands * power(-50);
+            prop_assert!(translation <= slack);
+        }
+    }
+
+    #[test]
+    fn any_transforms_compose_without_panic(
+        t in proptest::collection::vec(anything(), 1..40),
+        p in any::<[i32; 3]>(),
+    ) {
+        let all: Vec<Transform> = t.iter().scan(Transform::IDENTITY, |all, &t| {
+            *all = *all * t;
+            Some(*all)
+        }).collect();
+        let p = Vec3::from_bits(p);
+        for t in all.iter().chain(&t) {
+            prop_assert!(admissible(t));
+            let _ = (t.point(p), t.direction(p), t.matrix(), t.normal_matrix());
+            prop_assert!(admissible(&t.inverse_rigid()) && admissible(&t.renormalised()));
+        }
+    }
+
+    #[test]
+    fn points_are_rounded_and_saturated(t in anything(), p in any::<[i32; 3]>()) {
+        let m = real(&t);
+        let p_real = p.map(|v| f64::from(v) / 65_536.0);
+        let (point, direction) = (t.point(Vec3::from_bits(p)), t.direction(Vec3::from_bits(p)));
+        let saturate = |v: f64| (v * 65_536.0).clamp(i32::MIN.into(), i32::MAX.into());
+        for i in 0..3 {
+            let linear = (0..3).map(|k| m[i][k] * p_real[k]).sum::<f64>();
+            // f64's own rounding: of sums in which large terms cancel.
+            let size = (0..3).map(|k| (m[i][k] * p_real[k]).abs()).sum::<f64>() + m[i][3].abs();
+            let slack = 0.501 + size * 65_536.0 * power(-50);
+            let off = f64::from(direction.to_bits()[i]) - saturate(linear);
+            prop_assert!(off.abs() <= slack);
+            let off = f64::from(point.to_bits()[i]) - saturate(linear + m[i][3]);
+            prop_assert!(off.abs() <= slack);
+        }
+    }
+
+    #[test]
+    fn rigid_inverses_undo(t in poses()) {
+        let both = real(&(t.inverse_rigid() * t));
+        let [linear, translation] = errors(&both, &real(&Transform::IDENTITY));
+        // Up to six factors, each within 3·2^-28 of a rotation.
+        prop_assert!(linear <= 20.0 * power(-28), "{:e}", linear);
+        let slack = 20.0 * power(-28) * (1.0 + sizes(&real(&t))[1]);
+        prop_assert!(translation <= slack, "{:e}", translation);
+    }
+
+    #[test]
+    fn normals_stay_at_right_angles(t in anything()) {
+        // Columns i of the normal matrix and j of the matrix: the determinant where i = j, up to a
+        // positive factor, else 0.
+        let n = t.normal_matrix().map(|row| row.map(f64::from));
+        let m = t.linear.map(|row| row.map(f64::from));
+        for i in 0..3 {
+            for j in 0..3 {
+                let dot = (0..3).map(|k| n[k][i] * m[k][j]).sum::<f64>();
+                let size = (0..3).map(|k| (n[k][i] * m[k][j]).abs()).sum::<f64>();
+                // Cofactors are rounded to half of 2^-30 of the largest.
+                let slack = power(31) + size * power(-50);
+                if i == j {
+                    prop_assert!(dot >= -slack);
+                } else {
+                    prop_assert!(dot.abs() <= slack, "{:e}", dot);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! Any fragment on a canvas of another colour.
+
+use core::marker::PhantomData;
+
+use embedded_graphics::pixelcolor::Rgb888;
+
+use super::{Fragment, Levels, Sample};
+use crate::geometry::{Face, Vertex};
+use crate::linear::Transform;
+
+/// The colours of fragment `F` in the canvas's format `C`: rounded, or dithered where `C` is
+/// coarse (see [`Levels`]).
+///
+/// A texture of another colour than the canvas's is converted pixel by pixel this way; to store
+/// it in the canvas's colour is faster.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::{BinaryColor, Rgb888}, prelude::*};
+/// use fixel::prelude::*;
+/// static SKIN: Texture<Rgb888, 1, 2> = Texture::rgb888(&[255, 255, 255, 10, 0, 0]);
+/// let printed: Converted<_, BinaryColor> = Converted::new(Textured::new(&SKIN));
+/// let pixel = Sample { point: Point::new(1, 1), depth: 0 };
+/// assert_eq!(printed.shade(&pixel, [0, 0]), Some(BinaryColor::On));
+/// assert_eq!(printed.shade(&pixel, [0, 1 << 16]), Some(BinaryColor::Off));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Converted<F, C> {
+    fragment: F,
+    color: PhantomData<C>,
+}
+
+impl<F, C> Converted<F, C> {
+    /// `fragment`, for a canvas of colour `C`.
+    #[must_use]
+    pub const fn new(fragment: F) -> Self {
+        Self {
+            fragment,
+            color: PhantomData,
+        }
+    }
+}
+
+impl<F, C, const N: usize> Fragment<N> for Converted<F, C>
+where
+    F: Fragment<N>,
+    F::Color: Into<Rgb888>,
+    C: Levels,
+{
+    type Color = C;
+
+    #[inline]
+    fn varyings(&self, vertex: &Vertex<'_>) -> [i32; N] {
+        self.fragment.varyings(vertex)
+    }
+
+    #[inline]
+    fn shade(&self, sample: &Sample, varyings: [i32; N]) -> Option<C> {
+        let color = self.fragment.shade(sample, varyings)?;
+        Some(C::from_rgb(color.into(), sample.point))
+    }
+
+    #[inline]
+    fn begin(self, model: &Transform) -> Self {
+        Self::new(self.fragment.begin(model))
+    }
+
+    #[inline]
+    fn face(self, corners: &mut [[i32; N]; 3], face: &Face<'_>) -> Self {
+        Self::new(self.fragment.face(corners, face))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::FaceColors;
+    use super::super::trial::{IDENTITY, face, sample, shade};
+    use super::*;
+    use crate::{Mesh, Vec3};
+    use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, RgbColor};
+
+    #[test]
+    fn the_fragment_inside_is_asked() {
+        let positions = [Vec3::ZERO, Vec3::X, Vec3::Y];
+        let mesh = Mesh::new(&positions, &[[0, 1, 2]; 2]).unwrap();
+        let colors = [Rgb888::BLACK, Rgb888::new(8, 120, 200)];
+        let (fragment, _) = face(
+            Converted::new(FaceColors::new(&colors)),
+            &IDENTITY,
+            &mesh,
+            1,
+        );
+        assert_eq!(shade::<_, Rgb565, 0>(&fragment, []), Rgb565::new(1, 30, 24));
+    }
+
+    #[test]
+    fn coarse_colours_are_dithered() {
+        let grey = Converted::<_, Gray4>::new(super::super::Flat::new(Rgb888::new(8, 8, 8)));
+        // 8/255 of 15 steps is 0.47 of a step.
+        let lit = (0..64).filter(|i| grey.shade(&sample(i % 8, i / 8), []) == Some(Gray4::new(1)));
+        assert_eq!(lit.count(), 30);
+        let white = Converted::<_, BinaryColor>::new(super::super::Flat::new(Rgb565::WHITE));
+        assert!((0..64).all(|i| white.shade(&sample(i % 8, i / 8), []) == Some(BinaryColor::On)));
+    }
+}

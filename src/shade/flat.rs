@@ -1,0 +1,118 @@
+//! Colours that are constant over a mesh or a triangle.
+
+use embedded_graphics::pixelcolor::PixelColor;
+
+use super::{Fragment, Sample};
+use crate::geometry::{Face, Vertex};
+
+/// One colour for everything.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
+/// use fixel::prelude::*;
+/// let red = Flat::new(Rgb565::RED);
+/// let pixel = Sample { point: Point::new(4, 2), depth: 65535 };
+/// assert_eq!(red.shade(&pixel, []), Some(Rgb565::RED));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Flat<C> {
+    color: C,
+}
+
+impl<C: PixelColor> Flat<C> {
+    /// A fragment of this colour.
+    #[must_use]
+    pub const fn new(color: C) -> Self {
+        Self { color }
+    }
+}
+
+impl<C: PixelColor> Fragment<0> for Flat<C> {
+    type Color = C;
+
+    #[inline]
+    fn varyings(&self, _: &Vertex<'_>) -> [i32; 0] {
+        []
+    }
+
+    #[inline]
+    fn shade(&self, _: &Sample, _: [i32; 0]) -> Option<C> {
+        Some(self.color)
+    }
+}
+
+/// One colour per triangle, in the order of the mesh's faces.
+///
+/// Triangles beyond the end of the list have its last colour; without any colours they are
+/// black (the colour's default). Edges and points have the first.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
+/// use fixel::prelude::*;
+/// static COLORS: [Rgb565; 2] = [Rgb565::RED, Rgb565::BLUE];
+/// let sides = FaceColors::new(&COLORS);
+/// let pixel = Sample { point: Point::zero(), depth: 0 };
+/// assert_eq!(sides.shade(&pixel, []), Some(Rgb565::RED));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FaceColors<'a, C> {
+    colors: &'a [C],
+    current: C,
+}
+
+impl<'a, C: PixelColor + Default> FaceColors<'a, C> {
+    /// A fragment of these colours.
+    #[must_use]
+    pub fn new(colors: &'a [C]) -> Self {
+        Self {
+            colors,
+            current: colors.first().copied().unwrap_or_default(),
+        }
+    }
+}
+
+impl<C: PixelColor> Fragment<0> for FaceColors<'_, C> {
+    type Color = C;
+
+    #[inline]
+    fn varyings(&self, _: &Vertex<'_>) -> [i32; 0] {
+        []
+    }
+
+    #[inline]
+    fn face(self, _: &mut [[i32; 0]; 3], face: &Face<'_>) -> Self {
+        let color = self.colors.get(face.index()).or(self.colors.last());
+        Self {
+            current: color.copied().unwrap_or(self.current),
+            ..self
+        }
+    }
+
+    #[inline]
+    fn shade(&self, _: &Sample, _: [i32; 0]) -> Option<C> {
+        Some(self.current)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::trial::{IDENTITY, face, shade};
+    use super::*;
+    use crate::{Mesh, Vec3};
+    use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+
+    #[test]
+    fn colours_go_by_the_face() {
+        let positions = [Vec3::ZERO, Vec3::X, Vec3::Y];
+        let mesh = Mesh::new(&positions, &[[0, 1, 2]; 4]).unwrap();
+        let colors = [Gray8::new(10), Gray8::new(20), Gray8::new(30)];
+        let shown = |colors: &[Gray8]| {
+            [0, 1, 2, 3].map(|i| {
+                let (fragment, _) = face(FaceColors::new(colors), &IDENTITY, &mesh, i);
+                shade(&fragment, []).luma()
+            })
+        };
+        assert_eq!(shown(&colors), [10, 20, 30, 30]);
+        assert_eq!(shown(&[]), [0; 4]);
+    }
+}

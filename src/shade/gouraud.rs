@@ -1,0 +1,75 @@
+//! Vertex colours, interpolated.
+
+use core::marker::PhantomData;
+
+use super::levels::{Channels, all, first};
+use super::{Fragment, Sample};
+use crate::geometry::Vertex;
+
+/// The mesh's vertex colours, interpolated in perspective; white where the mesh has none.
+///
+/// The colour of the canvas says how: see [`Levels`](super::Levels). Grey is interpolated as one value.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::{Rgb565, Rgb888}, prelude::*};
+/// use fixel::prelude::*;
+/// let blend = Gouraud::<Rgb565>::new();
+/// let pixel = Sample { point: Point::zero(), depth: 0 };
+/// // Varyings are levels: Rgb565's own steps, with 16 fraction bits.
+/// assert_eq!(blend.shade(&pixel, [5 << 16, 0x1_8000, 0x7fff]), Some(Rgb565::new(5, 2, 0)));
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Gouraud<C> {
+    color: PhantomData<C>,
+}
+
+impl<C> Gouraud<C> {
+    /// A fragment for a canvas of colour `C`.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { color: PhantomData }
+    }
+}
+
+impl<C: Channels<K>, const K: usize> Fragment<K> for Gouraud<C> {
+    type Color = C;
+
+    #[inline]
+    fn varyings(&self, vertex: &Vertex<'_>) -> [i32; K] {
+        first(C::levels(vertex.color()))
+    }
+
+    #[inline]
+    fn shade(&self, sample: &Sample, levels: [i32; K]) -> Option<C> {
+        Some(C::from_levels(all(levels), sample.point))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::trial::{IDENTITY, count, face, shade};
+    use super::*;
+    use crate::{Mesh, Vec3};
+    use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888, RgbColor};
+
+    #[test]
+    fn corners_have_their_own_colours() {
+        let positions = [Vec3::ZERO, Vec3::X, Vec3::Y];
+        let colors = [Rgb888::RED, Rgb888::new(0, 128, 255), Rgb888::WHITE];
+        let mesh = Mesh::new(&positions, &[[0, 1, 2]])
+            .and_then(|mesh| mesh.with_colors(&colors, None))
+            .unwrap();
+        let (fragment, corners) = face(Gouraud::new(), &IDENTITY, &mesh, 0);
+        let shown = corners.map(|corner| shade::<_, Rgb565, 3>(&fragment, corner));
+        assert_eq!(shown, [Rgb565::RED, Rgb565::new(0, 32, 31), Rgb565::WHITE]);
+        let (fragment, corners) = face(Gouraud::<Gray8>::new(), &IDENTITY, &mesh, 0);
+        let shown = corners.map(|[level]| shade(&fragment, [level]));
+        assert_eq!(shown, [76, 104, 255].map(Gray8::new));
+    }
+
+    #[test]
+    fn grey_is_one_value() {
+        assert_eq!(count(&Gouraud::<Rgb565>::new()), 3);
+        assert_eq!(count(&Gouraud::<BinaryColor>::new()), 1);
+    }
+}

@@ -1,0 +1,348 @@
+//! Colours as interpolated numbers, and back: rounding and dithering.
+
+use embedded_graphics::geometry::Point;
+use embedded_graphics::pixelcolor::{
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor,
+    Rgb555, Rgb565, Rgb666, Rgb888, RgbColor,
+};
+
+use super::dither::threshold;
+
+/// A colour that light and interpolated colour can be turned into.
+///
+/// A *level* is a channel in steps of the colour's own format, with 16 fraction bits: red of
+/// [`Rgb565`] runs from 0 to 31 · 65,536. So the work per pixel is one addition and one shift per
+/// channel. A *fraction* is a channel as part of full brightness: 65,536 is 1.
+///
+/// There are up to three channels: red, green, blue; or grey, thrice the same, of which only the
+/// first counts. Grey is BT.601 luma, 0.299 red + 0.587 green + 0.114 blue, weights rounded to
+/// 2⁻¹⁴, of the colour values as they are (no gamma).
+///
+/// The colours of embedded-graphics are implemented. Those with 5 bits per channel and more round
+/// to the nearest; [`Gray4`], [`Gray2`] and [`BinaryColor`] (on is white) are dithered by an 8x8
+/// ordered matrix, fixed to the frame: a constant level's mean over 8x8 pixels is within 1/128 step of it,
+/// black stays black and white stays white.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::{BinaryColor, Rgb565, Rgb888}, prelude::*};
+/// use fixel::prelude::*;
+/// let orange = Rgb888::new(255, 128, 0);
+/// assert_eq!(Rgb565::from_rgb(orange, Point::zero()), Rgb565::new(31, 32, 0));
+/// // Orange is about 0.6 white: so many pixels are on.
+/// let on = (0..64).filter(|i| BinaryColor::from_rgb(orange, Point::new(i % 8, i / 8)).is_on());
+/// assert_eq!(on.count(), 38);
+/// ```
+pub trait Levels: PixelColor {
+    /// White, in whole steps: 31, 63, 31 for [`Rgb565`]; at most 255 each.
+    const MAX_STEPS: [i32; 3];
+
+    /// The channels of `color` as fractions, 0 to 65,536; for grey, its luma.
+    fn fractions(color: Rgb888) -> [i32; 3];
+
+    /// The channels in whole steps, 0 to [`MAX_STEPS`](Self::MAX_STEPS).
+    fn steps(self) -> [i32; 3];
+
+    /// The colour of `levels` at a pixel of the frame: rounded to nearest, or dithered.
+    ///
+    /// Levels may be outside black to white by 511 units of 2⁻¹⁶, far more than interpolation errs;
+    /// beyond that the colour is unspecified.
+    #[must_use]
+    fn from_levels(levels: [i32; 3], at: Point) -> Self;
+
+    /// The levels of `color`, within 0.003 of a step; exact for black and white.
+    #[must_use]
+    #[inline]
+    fn levels(color: Rgb888) -> [i32; 3] {
+        scale(Self::MAX_STEPS, Self::fractions(color))
+    }
+
+    /// The nearest colour to `color`, or its dithered value at a pixel of the frame.
+    #[must_use]
+    #[inline]
+    fn from_rgb(color: Rgb888, at: Point) -> Self {
+        Self::from_levels(Self::levels(color), at)
+    }
+
+    /// This colour under a light of `fractions`, channel by channel.
+    #[must_use]
+    #[inline]
+    fn filtered(self, fractions: [i32; 3], at: Point) -> Self {
+        Self::from_levels(scale(self.steps(), fractions), at)
+    }
+
+    /// This colour under white light of brightness `light`, 65,536 being full.
+    #[must_use]
+    #[inline]
+    fn lit(self, light: i32, at: Point) -> Self {
+        self.filtered([light; 3], at)
+    }
+}
+
+/// How many channels of a colour differ, and so are worth interpolating: 3, or 1 for grey.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Gray8, Rgb565};
+/// use fixel::shade::Channels;
+/// fn count<C: Channels<K>, const K: usize>() -> usize { K }
+/// assert_eq!((count::<Rgb565, _>(), count::<Gray8, _>()), (3, 1));
+/// ```
+pub trait Channels<const K: usize>: Levels {}
+
+/// Whole steps (at most 255) times fractions (about 65,536): levels.
+#[inline]
+fn scale(steps: [i32; 3], fractions: [i32; 3]) -> [i32; 3] {
+    // Below 2^24 for what interpolation yields; wrapping, so that a user's own numbers cannot panic.
+    [0, 1, 2].map(|k: usize| steps[k].wrapping_mul(fractions[k]))
+}
+
+/// Levels times a brightness of 0 to 65,536, give or take two; to 1/32 of a step, exact for full brightness and whole steps.
+#[inline]
+pub(super) fn dimmed(levels: [i32; 3], light: i32) -> [i32; 3] {
+    // 16 bits times 15 bits, so that cores without a long multiply need none.
+    levels.map(|level| (level >> 8).wrapping_mul(light >> 2) >> 6)
+}
+
+/// The first `K` channels.
+#[inline]
+pub(super) fn first<const K: usize>(channels: [i32; 3]) -> [i32; K] {
+    core::array::from_fn(|k| channels.get(k).copied().unwrap_or(0))
+}
+
+/// Three channels from the first `K`; those that are missing do not count.
+#[inline]
+pub(super) fn all<const K: usize>(channels: [i32; K]) -> [i32; 3] {
+    core::array::from_fn(|k| channels.get(k).copied().unwrap_or(0))
+}
+
+/// c/255 in units of 2⁻¹⁶, within half a unit: 0 for 0, 65,536 for 255.
+#[inline]
+const fn fraction(c: u8) -> i32 {
+    // 65,536/255 = 257 + 1/255, and c/255 rounds to the top bit of c.
+    c as i32 * 257 + (c >> 7) as i32
+}
+
+#[inline]
+fn rgb_fractions(color: Rgb888) -> [i32; 3] {
+    [
+        fraction(color.r()),
+        fraction(color.g()),
+        fraction(color.b()),
+    ]
+}
+
+#[inline]
+fn luma(color: Rgb888) -> [i32; 3] {
+    // The weights' sum is 2^14, and white's luma 2^30.
+    let [r, g, b] = rgb_fractions(color);
+    [(4899 * r + 9617 * g + 1868 * b + (1 << 13)) >> 14; 3]
+}
+
+/// To the nearest step; half a step absorbs any error of interpolation below 0 and above white.
+#[inline]
+#[allow(clippy::cast_sign_loss)] // in range as documented
+fn round(level: i32) -> u8 {
+    (level.wrapping_add(1 << 15) >> 16) as u8
+}
+
+#[inline]
+#[allow(clippy::cast_sign_loss)] // in range as documented
+fn dither(level: i32, at: Point) -> u8 {
+    (level.wrapping_add(threshold(at)) >> 16) as u8
+}
+
+macro_rules! rgb {
+    ($($color:ident)+) => {$(
+        impl Levels for $color {
+            const MAX_STEPS: [i32; 3] = [
+                $color::MAX_R as i32,
+                $color::MAX_G as i32,
+                $color::MAX_B as i32,
+            ];
+
+            #[inline]
+            fn fractions(color: Rgb888) -> [i32; 3] {
+                rgb_fractions(color)
+            }
+
+            #[inline]
+            fn steps(self) -> [i32; 3] {
+                [self.r(), self.g(), self.b()].map(i32::from)
+            }
+
+            #[inline]
+            fn from_levels([r, g, b]: [i32; 3], _: Point) -> Self {
+                Self::new(round(r), round(g), round(b))
+            }
+        }
+
+        impl Channels<3> for $color {}
+    )+};
+}
+
+macro_rules! gray {
+    ($($color:ident $white:literal |$level:ident, $at:pat_param| $from:expr;)+) => {$(
+        impl Levels for $color {
+            const MAX_STEPS: [i32; 3] = [$white; 3];
+
+            #[inline]
+            fn fractions(color: Rgb888) -> [i32; 3] {
+                luma(color)
+            }
+
+            #[inline]
+            fn steps(self) -> [i32; 3] {
+                [i32::from(self.luma()); 3]
+            }
+
+            #[inline]
+            fn from_levels([$level, ..]: [i32; 3], $at: Point) -> Self {
+                Self::new($from)
+            }
+        }
+
+        impl Channels<1> for $color {}
+    )+};
+}
+
+rgb!(Rgb555 Bgr555 Rgb565 Bgr565 Rgb666 Bgr666 Rgb888 Bgr888);
+gray! {
+    Gray2 3 |level, at| dither(level, at);
+    Gray4 15 |level, at| dither(level, at);
+    Gray8 255 |level, _| round(level);
+}
+
+impl Levels for BinaryColor {
+    const MAX_STEPS: [i32; 3] = [1; 3];
+
+    #[inline]
+    fn fractions(color: Rgb888) -> [i32; 3] {
+        luma(color)
+    }
+
+    #[inline]
+    fn steps(self) -> [i32; 3] {
+        [i32::from(self.is_on()); 3]
+    }
+
+    #[inline]
+    fn from_levels([level, ..]: [i32; 3], at: Point) -> Self {
+        Self::from(dither(level, at) & 1 != 0)
+    }
+}
+
+impl Channels<1> for BinaryColor {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ORIGIN: Point = Point::zero();
+
+    fn pixels() -> impl Iterator<Item = Point> {
+        // Not at the origin: the pattern belongs to the frame.
+        (0..64).map(|i| Point::new(3 + i % 8, i / 8 - 5))
+    }
+
+    #[test]
+    fn rgb_rounds_to_nearest_for_every_value() {
+        for c in 0..=255 {
+            let color = Rgb565::from_rgb(Rgb888::new(c, c, c), ORIGIN);
+            let steps = [color.r(), color.g()].map(f64::from);
+            let exact = [31.0, 63.0].map(|max| f64::from(c) * max / 255.0);
+            assert!((steps[0] - exact[0]).abs() < 0.5 && (steps[1] - exact[1]).abs() < 0.5);
+            assert_eq!(color, Rgb565::from(Rgb888::new(c, c, c)));
+            let other = Rgb888::new(c, 255 - c, c ^ 0x55);
+            assert_eq!(Rgb888::from_rgb(other, ORIGIN), other);
+            assert_eq!(Bgr888::from_rgb(other, ORIGIN), other.into());
+            assert_eq!(Bgr565::from_rgb(other, ORIGIN), other.into());
+            assert_eq!(Rgb666::from_rgb(other, ORIGIN), other.into());
+            assert_eq!(Gray8::from_rgb(Rgb888::new(c, c, c), ORIGIN), Gray8::new(c));
+        }
+    }
+
+    #[test]
+    fn grey_is_luma() {
+        for (color, weight) in [
+            (Rgb888::RED, 0.299),
+            (Rgb888::GREEN, 0.587),
+            (Rgb888::BLUE, 0.114),
+        ] {
+            let [level, ..] = Gray8::levels(color);
+            // Weights are off by up to 2^-15, 0.008 of a step.
+            assert!((f64::from(level) / 65536.0 - weight * 255.0).abs() < 0.012);
+        }
+    }
+
+    fn dithers<C: Channels<1>>(step: impl Fn(C) -> i32) {
+        let [white, ..] = C::MAX_STEPS;
+        for level in (0..=white << 16).step_by(97) {
+            let sum: i32 = pixels()
+                .map(|at| step(C::from_levels([level; 3], at)))
+                .sum();
+            // 64 steps of the mean are one step of the sum; off by half of one at most.
+            let error = (sum << 16) - level * 64;
+            assert!(error.abs() <= 1 << 15, "level {level}: sum {sum}");
+        }
+        for at in pixels() {
+            for error in [-511, -2, 0, 2, 511] {
+                assert_eq!(step(C::from_levels([error; 3], at)), 0);
+                let level = (white << 16) + error;
+                assert_eq!(step(C::from_levels([level; 3], at)), white);
+            }
+            assert_eq!(step(C::from_rgb(Rgb888::BLACK, at)), 0);
+            assert_eq!(step(C::from_rgb(Rgb888::WHITE, at)), white);
+        }
+    }
+
+    #[test]
+    fn dithering_keeps_the_mean_and_the_ends() {
+        dithers(|color: Gray4| color.luma().into());
+        dithers(|color: Gray2| color.luma().into());
+        dithers(|color: BinaryColor| color.is_on().into());
+    }
+
+    #[test]
+    fn half_white_is_a_checker() {
+        let rows: std::vec::Vec<std::string::String> = (0..4)
+            .map(|y| {
+                (0..8)
+                    .map(
+                        |x| match BinaryColor::from_levels([1 << 15; 3], Point::new(x, y)) {
+                            BinaryColor::On => '#',
+                            BinaryColor::Off => '.',
+                        },
+                    )
+                    .collect()
+            })
+            .collect();
+        assert_eq!(rows, [".#.#.#.#", "#.#.#.#.", ".#.#.#.#", "#.#.#.#."]);
+    }
+
+    #[test]
+    fn interpolation_errors_do_not_wrap() {
+        for error in [-2, 2] {
+            let ends = [Rgb565::BLACK, Rgb565::WHITE].map(|end| {
+                let levels = Rgb565::levels(end.into()).map(|level| level + error);
+                Rgb565::from_levels(levels, ORIGIN)
+            });
+            assert_eq!(ends, [Rgb565::BLACK, Rgb565::WHITE]);
+            assert_eq!(Gray8::from_levels([error; 3], ORIGIN), Gray8::BLACK);
+            assert_eq!(Rgb888::WHITE.lit(65536 + error, ORIGIN), Rgb888::WHITE);
+            assert_eq!(Rgb888::WHITE.lit(error, ORIGIN), Rgb888::BLACK);
+        }
+    }
+
+    #[test]
+    fn light_scales_and_any_number_is_survived() {
+        assert_eq!(
+            Rgb565::new(30, 40, 11).lit(1 << 15, ORIGIN),
+            Rgb565::new(15, 20, 6)
+        );
+        assert_eq!(Gray8::new(201).lit(65536, ORIGIN), Gray8::new(201));
+        assert_eq!(dimmed(Rgb888::levels(Rgb888::WHITE), 65536), [255 << 16; 3]);
+        for n in [i32::MIN, -1, i32::MAX] {
+            let _ = (Rgb565::WHITE.lit(n, ORIGIN), dimmed([n; 3], n));
+            let _ = BinaryColor::from_levels([n; 3], Point::new(n, n));
+        }
+    }
+}

@@ -1,0 +1,194 @@
+//! Light from afar.
+
+use super::pose::{Pose, dot};
+use crate::linear::{Transform, unit::unit};
+use crate::{Error, Scalar, Vec3};
+
+/// White light: from all sides (ambient), and from one direction in world space, as the sun's.
+///
+/// A surface with unit normal n has brightness ambient + diffuse · max(0, n·l), l being the unit
+/// vector towards the light (Lambert), saturated at 1. It is found in fixed point, within 1e-5.
+///
+/// It is also what a fragment of your own needs:
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use fixel::{prelude::*, linear::Transform};
+///
+/// #[derive(Clone, Copy)]
+/// struct Clay(Light);
+///
+/// impl Fragment<1> for Clay {
+///     type Color = Gray8;
+///
+///     fn begin(self, model: &Transform) -> Self {
+///         Self(self.0.begin(model))
+///     }
+///
+///     fn varyings(&self, vertex: &Vertex) -> [i32; 1] {
+///         [self.0.brightness(vertex.normal())]
+///     }
+///
+///     fn shade(&self, sample: &Sample, [light]: [i32; 1]) -> Option<Gray8> {
+///         Some(Gray8::new(200).lit(light, sample.point))
+///     }
+/// }
+///
+/// let sun = Light::new(vec3!(0, 4, 3), fx!(0.25), fx!(0.5))?;
+/// assert_eq!(sun.brightness(vec3!(0, 7, 0)), 42598); // 0.25 + 0.5 · 0.8 = 0.65
+/// assert_eq!(sun.brightness(vec3!(0, -1, 0)), 16384);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Light {
+    /// Towards the light, as long as its brightness; in units of 2⁻³⁰.
+    direction: [i32; 3],
+    /// In units of 2⁻¹⁶.
+    ambient: i32,
+    two_sided: bool,
+    pose: Pose,
+}
+
+/// Full brightness.
+const FULL: i32 = 1 << 16;
+
+impl Light {
+    /// A light that comes from `direction` (from the surface towards the light, of any length) in world
+    /// space, with the brightness `diffuse` where it meets a surface squarely, on top of
+    /// `ambient` everywhere.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::ZeroDirection`]; [`Error::Brightness`] if `ambient` or `diffuse` is not between 0 and 1.
+    pub const fn new(direction: Vec3, ambient: Scalar, diffuse: Scalar) -> Result<Self, Error> {
+        if ambient.to_bits() < 0 || ambient.to_bits() > FULL {
+            return Err(Error::Brightness { value: ambient });
+        }
+        if diffuse.to_bits() < 0 || diffuse.to_bits() > FULL {
+            return Err(Error::Brightness { value: diffuse });
+        }
+        let [x, y, z] = direction.to_bits();
+        let Some([x, y, z]) = unit([x as i64, y as i64, z as i64]) else {
+            return Err(Error::ZeroDirection);
+        };
+        let diffuse = diffuse.to_bits() as i64;
+        // No longer than the unit vector.
+        let direction = [
+            ((x as i64 * diffuse) >> 16) as i32,
+            ((y as i64 * diffuse) >> 16) as i32,
+            ((z as i64 * diffuse) >> 16) as i32,
+        ];
+        Ok(Self {
+            direction,
+            ambient: ambient.to_bits(),
+            two_sided: false,
+            pose: Pose::IDENTITY,
+        })
+    }
+
+    /// The same light, which also lights surfaces from behind: |n·l| in place of max(0, n·l), for
+    /// meshes of single sheets.
+    #[must_use]
+    pub const fn two_sided(self) -> Self {
+        Self {
+            two_sided: true,
+            ..self
+        }
+    }
+
+    /// The light for normals in the space of a model in this pose; to be called where a draw call begins.
+    #[must_use]
+    pub fn begin(self, model: &Transform) -> Self {
+        Self {
+            pose: Pose::of(model),
+            ..self
+        }
+    }
+
+    /// The brightness of a surface with this normal, of any length: 0 to 65,536, which is 1.
+    ///
+    /// The normal is in the space of the model given to [`begin`](Self::begin), or without that
+    /// in world space. Without a direction it has ambient light only.
+    #[must_use]
+    pub fn brightness(&self, normal: Vec3) -> i32 {
+        let Some(normal) = self.pose.unit(normal) else {
+            return self.ambient;
+        };
+        // Unit vectors in Q30: the product of two is within 2^60, to Q16 by 44 bits at most 65,537.
+        let facing = ((dot(normal, self.direction) + (1 << 43)) >> 44) as i32;
+        let diffuse = if self.two_sided {
+            facing.abs()
+        } else {
+            facing.max(0)
+        };
+        (self.ambient + diffuse).min(FULL)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::trial::scale;
+    use super::*;
+    use crate::{fx, vec3};
+
+    /// Brightness is rounded to 2⁻¹⁶; directions err by 2⁻²⁸.
+    fn close(light: &Light, normal: Vec3, expected: f64) {
+        let got = f64::from(light.brightness(normal)) / 65536.0;
+        assert!(
+            (got - expected).abs() < 1e-5,
+            "{normal:?}: {got}, not {expected}"
+        );
+    }
+
+    #[test]
+    fn lambert() {
+        let sun = Light::new(vec3!(1, 2, 2), fx!(0.125), fx!(0.75)).unwrap();
+        close(&sun, vec3!(1, 2, 2), 0.875);
+        close(&sun, vec3!(0, 0, 300), 0.125 + 0.75 * 2.0 / 3.0);
+        close(&sun, Vec3::from_bits([3, 0, 0]), 0.125 + 0.25);
+        close(&sun, vec3!(0, 1, -1), 0.125);
+        close(&sun, vec3!(-1, -2, -2), 0.125);
+        close(&sun, Vec3::ZERO, 0.125);
+        close(&sun.two_sided(), vec3!(-1, -2, -2), 0.875);
+        let max = Vec3::from_bits([i32::MAX; 3]);
+        close(&sun, max, 0.125 + 0.75 * 5.0 / 27_f64.sqrt());
+        close(&sun, Vec3::from_bits([i32::MIN; 3]), 0.125);
+    }
+
+    #[test]
+    fn brightness_saturates() {
+        let sun = Light::new(Vec3::from_bits([0, 1, 0]), fx!(1), fx!(1)).unwrap();
+        assert_eq!(sun.brightness(Vec3::Y), 65536);
+        let sun = Light::new(vec3!(0, 0, -32768), fx!(0.5), fx!(0.5)).unwrap();
+        assert_eq!(sun.brightness(-Vec3::Z), 65536);
+    }
+
+    #[test]
+    fn normals_stay_upright_on_stretched_and_mirrored_models() {
+        let sun = Light::new(vec3!(0, 1, 0), fx!(0), fx!(1)).unwrap();
+        // The plane x + y = 0 stretched fourfold along x becomes x + 4y = 0.
+        let wide = sun.begin(&scale([1 << 29, 1 << 27, 1 << 27]));
+        close(&wide, vec3!(1, 1, 0), 4.0 / 17_f64.sqrt());
+        // Mirrored: what looked up looks down.
+        let mirrored = sun.begin(&scale([1 << 29, -(1 << 29), 1 << 29]));
+        close(&mirrored, vec3!(0, -1, 0), 1.0);
+        close(&mirrored, vec3!(0, 1, 0), 0.0);
+        // Flattened to nothing: total nevertheless.
+        close(&sun.begin(&scale([0; 3])), Vec3::Y, 0.0);
+        assert_eq!(sun.begin(&scale([1, 0, 1])).brightness(Vec3::Y), 65536);
+    }
+
+    #[test]
+    fn nonsense_is_refused() {
+        let half = fx!(0.5);
+        assert_eq!(
+            Light::new(Vec3::ZERO, half, half),
+            Err(Error::ZeroDirection)
+        );
+        for value in [fx!(-0.1), fx!(1.5)] {
+            let error = Err(Error::Brightness { value });
+            assert_eq!(Light::new(Vec3::X, value, half), error);
+            assert_eq!(Light::new(Vec3::X, half, value), error);
+        }
+    }
+}

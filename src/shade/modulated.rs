@@ -1,0 +1,110 @@
+//! Texture times vertex colour.
+
+use super::levels::{Channels, Levels, all, first};
+use super::{Addressing, Fragment, Repeat, Sample, Sampler, Textured};
+use crate::geometry::{Face, Vertex};
+
+/// A texel times the interpolated vertex colour, channel by channel; a white vertex leaves the
+/// texture as it is, a black one makes it black. Made by [`Textured::modulated`].
+///
+/// Varyings are column and row, then the vertex colour's fractions (65,536 is 1): three, or one for a grey texture.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
+/// use fixel::prelude::*;
+/// static SKIN: Texture<Rgb565, 1, 1> = Texture::from_texels([[Rgb565::new(31, 40, 8)]]);
+/// let stained = Textured::new(&SKIN).modulated();
+/// let pixel = Sample { point: Point::zero(), depth: 0 };
+/// assert_eq!(stained.shade(&pixel, [0, 0, 65536, 32768, 0]), Some(Rgb565::new(31, 20, 0)));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Modulated<S, A = Repeat> {
+    texture: Textured<S, A>,
+}
+
+impl<S: Sampler, A: Addressing> Modulated<S, A> {
+    pub(super) const fn new(texture: Textured<S, A>) -> Self {
+        Self { texture }
+    }
+}
+
+/// One implementation per number of channels: their sum with the coordinates cannot be computed in a type.
+macro_rules! modulated {
+    ($n:literal $channels:literal $($channel:ident)+) => {
+        impl<S: Sampler, A: Addressing> Fragment<$n> for Modulated<S, A>
+        where
+            S::Color: Channels<$channels>,
+        {
+            type Color = S::Color;
+
+            #[inline]
+            fn varyings(&self, vertex: &Vertex<'_>) -> [i32; $n] {
+                let [u, v] = Textured::<S, A>::coordinates(vertex);
+                let [$($channel),+] = first(S::Color::fractions(vertex.color()));
+                [u, v, $($channel),+]
+            }
+
+            #[inline]
+            fn face(self, corners: &mut [[i32; $n]; 3], face: &Face<'_>) -> Self {
+                Textured::<S, A>::place(corners, face);
+                self
+            }
+
+            #[inline]
+            fn shade(&self, sample: &Sample, [u, v, $($channel),+]: [i32; $n]) -> Option<S::Color> {
+                let texel = self.texture.texel(u, v);
+                Some(texel.filtered(all([$($channel),+]), sample.point))
+            }
+        }
+    };
+}
+
+modulated!(5 3 r g b);
+modulated!(3 1 l);
+
+#[cfg(test)]
+mod tests {
+    use super::super::trial::{IDENTITY, count, face, shade};
+    use super::super::{Converted, Texture};
+    use super::*;
+    use crate::{Mesh, Vec3, vec2};
+    use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888, RgbColor};
+
+    static POSITIONS: [Vec3; 3] = [Vec3::ZERO, Vec3::X, Vec3::Y];
+
+    #[test]
+    fn texels_are_filtered_by_the_vertex_colour() {
+        let skin = Texture::from_texels([[Rgb565::WHITE, Rgb565::new(20, 21, 22)]]);
+        let uvs = [vec2!(7.5, 0), vec2!(7.5, 0), vec2!(7, 0)];
+        let colors = [
+            Rgb888::WHITE,
+            Rgb888::new(255, 0, 128),
+            Rgb888::new(0, 128, 255),
+        ];
+        let mesh = Mesh::new(&POSITIONS, &[[0, 1, 2]])
+            .and_then(|mesh| mesh.with_uvs(&uvs, None)?.with_colors(&colors, None))
+            .unwrap();
+        let (fragment, corners) = face(Textured::new(&skin).modulated(), &IDENTITY, &mesh, 0);
+        assert_eq!(corners[0], [1 << 16, 0, 1 << 16, 1 << 16, 1 << 16]);
+        assert_eq!(
+            corners.map(|corner| shade(&fragment, corner)),
+            [
+                Rgb565::new(20, 21, 22),
+                Rgb565::new(20, 0, 11),
+                Rgb565::new(0, 32, 31)
+            ]
+        );
+    }
+
+    #[test]
+    fn the_number_of_varyings_follows_from_the_colour() {
+        let skin = Texture::from_texels([[Rgb565::WHITE]]);
+        let fragment = Textured::new(&skin).modulated();
+        assert_eq!(count(&fragment), 5);
+        assert_eq!(count(&Converted::<_, BinaryColor>::new(fragment)), 5);
+        let skin = Texture::from_texels([[Gray8::new(200)]]);
+        let fragment = Textured::new(&skin).clamped().modulated();
+        assert_eq!(count(&fragment), 3);
+        assert_eq!(shade(&fragment, [0, 0, 1 << 15]), Gray8::new(100));
+    }
+}

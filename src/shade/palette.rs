@@ -1,0 +1,111 @@
+//! Textures of 8-bit indices.
+
+use embedded_graphics::pixelcolor::PixelColor;
+
+use super::Sampler;
+use super::sampler::{log2, wrapped};
+
+/// `H` rows of `W` indices into 256 colours: a texture in a byte per texel, whatever its colour.
+///
+/// Sizes as for [`Texture`](super::Texture).
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
+/// use fixel::{prelude::*, shade::Sampler};
+/// static TILES: Palette<Rgb565, 2, 2> =
+///     Palette::new(&[0, 1, 1, 2], &[Rgb565::BLACK, Rgb565::RED, Rgb565::WHITE]);
+/// assert_eq!((&TILES).texel(1, 0), Rgb565::RED);
+/// let tiled = Textured::new(&TILES);
+/// let pixel = Sample { point: Point::zero(), depth: 0 };
+/// assert_eq!(tiled.shade(&pixel, [0x1_8000, 0x1_8000]), Some(Rgb565::WHITE));
+/// ```
+///
+/// Indices of another number than the size, no colours or more than 256 do not compile:
+///
+/// ```compile_fail
+/// # use embedded_graphics::pixelcolor::Rgb565;
+/// # use fixel::prelude::*;
+/// static TILES: Palette<Rgb565, 2, 2> = Palette::new(&[0, 1, 1], &[Rgb565::new(0, 0, 0)]);
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Palette<C, const W: usize, const H: usize> {
+    indices: [[u8; W]; H],
+    colors: [C; 256],
+}
+
+impl<C: Copy, const W: usize, const H: usize> Palette<C, W, H> {
+    /// A texture of indices, row by row from the top, and of up to 256 colours; indices beyond
+    /// those mean the last one.
+    #[must_use]
+    pub const fn new<const LENGTH: usize, const COLORS: usize>(
+        indices: &[u8; LENGTH],
+        colors: &[C; COLORS],
+    ) -> Self {
+        const {
+            let _ = (log2(W), log2(H));
+            assert!(
+                LENGTH == W * H,
+                "the indices do not fit the size of the texture"
+            );
+            assert!(
+                COLORS >= 1 && COLORS <= 256,
+                "a palette must have 1 to 256 colours"
+            );
+        }
+        let mut all = [colors[COLORS - 1]; 256];
+        let mut i = 0;
+        while i < COLORS {
+            all[i] = colors[i];
+            i += 1;
+        }
+        let mut rows = [[0; W]; H];
+        let mut i = 0;
+        while i < LENGTH {
+            rows[i / W][i % W] = indices[i];
+            i += 1;
+        }
+        Self {
+            indices: rows,
+            colors: all,
+        }
+    }
+
+    /// The colours, one for each index.
+    #[must_use]
+    pub const fn colors(&self) -> &[C; 256] {
+        &self.colors
+    }
+
+    /// The same picture in other colours, for example darker ones.
+    #[must_use]
+    pub const fn with_colors(self, colors: [C; 256]) -> Self {
+        Self { colors, ..self }
+    }
+}
+
+impl<C: PixelColor, const W: usize, const H: usize> Sampler for &Palette<C, W, H> {
+    type Color = C;
+
+    const WIDTH_LOG2: u32 = log2(W);
+    const HEIGHT_LOG2: u32 = log2(H);
+
+    #[inline]
+    fn texel(&self, u: i32, v: i32) -> C {
+        self.colors[usize::from(wrapped(&self.indices, u, v))]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use embedded_graphics::pixelcolor::Gray8;
+
+    #[test]
+    fn indices_beyond_the_colours_mean_the_last() {
+        let palette: Palette<_, 2, 1> = Palette::new(&[1, 255], &[Gray8::new(5), Gray8::new(6)]);
+        assert_eq!((&palette).texel(0, 7), Gray8::new(6));
+        assert_eq!((&palette).texel(-1, 0), Gray8::new(6));
+        let palette = palette.with_colors([Gray8::new(9); 256]);
+        assert_eq!((&palette).texel(1, 0), Gray8::new(9));
+    }
+}

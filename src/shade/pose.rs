@@ -1,0 +1,39 @@
+//! Normals on their way to world space.
+
+use crate::Vec3;
+use crate::linear::{Transform, unit::unit};
+
+/// What a model's pose does to its normals: the inverse transpose of its linear part, up to a
+/// positive factor, so that they stay upright on a surface that is stretched or mirrored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Pose {
+    /// Rows, below 2^30.
+    rows: [[i32; 3]; 3],
+}
+
+impl Pose {
+    /// World space and model space are one.
+    pub(super) const IDENTITY: Self = Self {
+        rows: [[1 << 29, 0, 0], [0, 1 << 29, 0], [0, 0, 1 << 29]],
+    };
+
+    pub(super) fn of(model: &Transform) -> Self {
+        Self {
+            rows: model.normal_matrix(),
+        }
+    }
+
+    /// The world's unit vector of a model's normal of any length, in units of 2⁻³⁰; `None` for a
+    /// normal that is zero or becomes it.
+    pub(super) fn unit(&self, normal: Vec3) -> Option<[i32; 3]> {
+        // 30 bits times 31, thrice: below 2^63.
+        unit(self.rows.map(|row| dot(row, normal.to_bits())))
+    }
+}
+
+/// The dot product; the caller sees to it that it fits, as it does for 30 bits by 31.
+#[inline]
+pub(super) fn dot(a: [i32; 3], b: [i32; 3]) -> i64 {
+    let product = |k: usize| i64::from(a[k]) * i64::from(b[k]);
+    product(0) + product(1) + product(2)
+}

@@ -1,0 +1,287 @@
+//! Textures, nearest texel.
+
+use core::marker::PhantomData;
+
+use super::light::Light;
+use super::{Fragment, LitTexture, Modulated, Sample, Sampler};
+use crate::geometry::{Face, Vertex};
+
+/// The texel under each pixel, the nearest to its centre.
+///
+/// The texture repeats, or is [`clamped`](Self::clamped) to its edge. It may be
+/// [`lit`](Self::lit) or [`modulated`](Self::modulated) by vertex colours.
+///
+/// Varyings are columns and rows, in texels with 16 fraction bits, exact for the
+/// texture coordinates as given. Their range is ±32,768 texels, beyond which they
+/// saturate; but a triangle of a repeating texture is first moved by whole repeats to begin in the first
+/// one, so that only its extent counts, not its place (lines and points are not moved).
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
+/// use fixel::prelude::*;
+/// static SKIN: Texture<Gray8, 2, 2> = Texture::gray8(&[10, 20, 30, 40]);
+/// let skin = Textured::new(&SKIN);
+/// let pixel = Sample { point: Point::zero(), depth: 0 };
+/// assert_eq!(skin.shade(&pixel, [0x1_8000, 0x2_8000]), Some(Gray8::new(20)));
+/// assert_eq!(skin.clamped().shade(&pixel, [0x1_8000, 0x2_8000]), Some(Gray8::new(40)));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Textured<S, A = Repeat> {
+    sampler: S,
+    addressing: PhantomData<A>,
+}
+
+/// What lies beyond the first repeat of a texture: [`Repeat`] or [`Clamp`].
+pub trait Addressing: Copy + sealed::Sealed {
+    /// The texels of three corners, of the bits of their texture coordinates.
+    #[doc(hidden)]
+    fn texels(bits: [i32; 3], log2: u32) -> [i32; 3];
+
+    /// The column or row at a whole number of texels.
+    #[doc(hidden)]
+    fn index(texel: i32, log2: u32) -> i32;
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for super::Repeat {}
+    impl Sealed for super::Clamp {}
+}
+
+/// Beyond its edge a texture begins anew.
+///
+/// ```
+/// use fixel::{prelude::*, shade::Repeat};
+/// # use embedded_graphics::pixelcolor::Gray8;
+/// # static SKIN: Texture<Gray8, 2, 2> = Texture::gray8(&[10, 20, 30, 40]);
+/// let skin: Textured<_, Repeat> = Textured::new(&SKIN);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Repeat;
+
+/// Beyond its edge a texture goes on with the texels of the edge.
+///
+/// ```
+/// use fixel::{prelude::*, shade::Clamp};
+/// # use embedded_graphics::pixelcolor::Gray8;
+/// # static SKIN: Texture<Gray8, 2, 2> = Texture::gray8(&[10, 20, 30, 40]);
+/// let skin: Textured<_, Clamp> = Textured::new(&SKIN).clamped();
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Clamp;
+
+/// Texture coordinate to texels, saturating.
+#[inline]
+const fn texels(bits: i32, log2: u32) -> i32 {
+    let (low, high) = (i32::MIN >> log2, i32::MAX >> log2);
+    (if bits < low {
+        low
+    } else if bits > high {
+        high
+    } else {
+        bits
+    }) << log2
+}
+
+impl Addressing for Repeat {
+    #[inline]
+    fn texels(bits: [i32; 3], log2: u32) -> [i32; 3] {
+        let [a, b, c] = bits;
+        // The whole repeats that all three have in common; what is left begins in the first.
+        let whole = a.min(b).min(c) & !0xffff;
+        bits.map(|bits| texels(bits.saturating_sub(whole), log2))
+    }
+
+    #[inline]
+    fn index(texel: i32, _: u32) -> i32 {
+        // A sampler repeats by itself.
+        texel
+    }
+}
+
+impl Addressing for Clamp {
+    #[inline]
+    fn texels(bits: [i32; 3], log2: u32) -> [i32; 3] {
+        bits.map(|bits| texels(bits, log2))
+    }
+
+    #[inline]
+    fn index(texel: i32, log2: u32) -> i32 {
+        texel.clamp(0, (1 << log2) - 1)
+    }
+}
+
+impl<S: Sampler> Textured<S> {
+    /// A fragment of a repeating texture, usually of a reference to a [`Texture`](super::Texture).
+    #[must_use]
+    pub const fn new(sampler: S) -> Self {
+        Self {
+            sampler,
+            addressing: PhantomData,
+        }
+    }
+
+    /// The same, clamped to the texture's edge.
+    #[must_use]
+    pub const fn clamped(self) -> Textured<S, Clamp> {
+        Textured {
+            sampler: self.sampler,
+            addressing: PhantomData,
+        }
+    }
+}
+
+impl<S: Sampler, A: Addressing> Textured<S, A> {
+    /// The same, under a light.
+    #[must_use]
+    pub const fn lit(self, light: Light) -> LitTexture<S, A> {
+        LitTexture::new(self, light)
+    }
+
+    /// The same, times the mesh's vertex colours.
+    #[must_use]
+    pub const fn modulated(self) -> Modulated<S, A> {
+        Modulated::new(self)
+    }
+
+    /// Column and row at a vertex, in texels with 16 fraction bits.
+    #[inline]
+    pub(super) fn coordinates(vertex: &Vertex<'_>) -> [i32; 2] {
+        let [u, v] = vertex.uv().to_bits();
+        [texels(u, S::WIDTH_LOG2), texels(v, S::HEIGHT_LOG2)]
+    }
+
+    /// Moves the first two varyings of a triangle's corners to where they are small.
+    #[inline]
+    pub(super) fn place<const N: usize>(corners: &mut [[i32; N]; 3], face: &Face<'_>) {
+        // From the mesh, not from the corners: those may be saturated.
+        let uvs = face.uvs();
+        let us = A::texels(uvs.map(|uv| uv.x.to_bits()), S::WIDTH_LOG2);
+        let vs = A::texels(uvs.map(|uv| uv.y.to_bits()), S::HEIGHT_LOG2);
+        for (corner, (at_u, at_v)) in corners.iter_mut().zip(us.into_iter().zip(vs)) {
+            if let [u, v, ..] = &mut corner[..] {
+                (*u, *v) = (at_u, at_v);
+            }
+        }
+    }
+
+    /// The texel at a column and row with 16 fraction bits, which are cut.
+    #[inline]
+    pub(super) fn texel(&self, u: i32, v: i32) -> S::Color {
+        self.sampler.texel(
+            A::index(u >> 16, S::WIDTH_LOG2),
+            A::index(v >> 16, S::HEIGHT_LOG2),
+        )
+    }
+}
+
+impl<S: Sampler, A: Addressing> Fragment<2> for Textured<S, A> {
+    type Color = S::Color;
+
+    #[inline]
+    fn varyings(&self, vertex: &Vertex<'_>) -> [i32; 2] {
+        Self::coordinates(vertex)
+    }
+
+    #[inline]
+    fn face(self, corners: &mut [[i32; 2]; 3], face: &Face<'_>) -> Self {
+        Self::place(corners, face);
+        self
+    }
+
+    #[inline]
+    fn shade(&self, _: &Sample, [u, v]: [i32; 2]) -> Option<S::Color> {
+        Some(self.texel(u, v))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Texture;
+    use super::super::trial::{IDENTITY, edge, face, shade};
+    use super::*;
+    use crate::{Mesh, Vec2, Vec3, vec2};
+    use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+
+    /// Four columns and two rows; a texel is its column plus ten times its row.
+    static SKIN: Texture<Gray8, 4, 2> = Texture::gray8(&[0, 1, 2, 3, 10, 11, 12, 13]);
+    static POSITIONS: [Vec3; 3] = [Vec3::ZERO, Vec3::X, Vec3::Y];
+
+    fn mesh(uvs: &[Vec2; 3]) -> Mesh<'_> {
+        Mesh::new(&POSITIONS, &[[0, 1, 2]])
+            .and_then(|mesh| mesh.with_edges(&[[0, 1]]))
+            .and_then(|mesh| mesh.with_uvs(uvs, None))
+            .unwrap()
+    }
+
+    fn corners<A: Addressing>(
+        skin: Textured<&'static Texture<Gray8, 4, 2>, A>,
+        uvs: [Vec2; 3],
+    ) -> [[i32; 2]; 3] {
+        face(skin, &IDENTITY, &mesh(&uvs), 0).1
+    }
+
+    #[test]
+    fn coordinates_are_texels_exactly() {
+        let uvs = [vec2!(0, 0), vec2!(0.25, 1), Vec2::from_bits([1, 3])];
+        let expected = [[0, 0], [1 << 16, 2 << 16], [4, 6]];
+        assert_eq!(corners(Textured::new(&SKIN), uvs), expected);
+        assert_eq!(corners(Textured::new(&SKIN).clamped(), uvs), expected);
+        assert_eq!(edge(Textured::new(&SKIN), &mesh(&uvs), 0), expected[..2]);
+    }
+
+    #[test]
+    fn far_triangles_are_moved_by_whole_repeats() {
+        let near = [vec2!(0.25, 0.5), vec2!(1.5, 0.75), vec2!(0.5, 2)];
+        for (u, v) in [(1, 1), (-1, 0), (30000, -32768), (-32768, 32765)] {
+            let far = near.map(|uv| {
+                let [x, y] = uv.to_bits();
+                Vec2::from_bits([x + u * 65536, y + v * 65536])
+            });
+            assert_eq!(
+                corners(Textured::new(&SKIN), far),
+                corners(Textured::new(&SKIN), near),
+                "{u}, {v}"
+            );
+        }
+        // A triangle that begins left of the first repeat begins in it afterwards.
+        let [a, b, _] = corners(
+            Textured::new(&SKIN),
+            [vec2!(-0.25, -1), vec2!(0.25, 0), vec2!(0, 0)],
+        );
+        assert_eq!([a, b], [[3 << 16, 0], [5 << 16, 2 << 16]]);
+    }
+
+    #[test]
+    fn extremes_saturate() {
+        let (low, high) = (i32::MIN, i32::MAX);
+        let uvs = [[low, high], [high, low], [0, 0]].map(Vec2::from_bits);
+        let end = [high >> 2 << 2, high >> 1 << 1];
+        assert_eq!(
+            corners(Textured::new(&SKIN), uvs),
+            [[0, end[1]], [end[0], 0], end]
+        );
+        let clamped = corners(Textured::new(&SKIN).clamped(), uvs);
+        assert_eq!(clamped, [[low, end[1]], [end[0], low], [0, 0]]);
+        let line = edge(Textured::new(&SKIN), &mesh(&uvs), 0);
+        assert_eq!(line, clamped[..2]);
+    }
+
+    #[test]
+    fn texels_repeat_or_clamp() {
+        let at = |u: i32, v: i32| {
+            let at = [u << 14, v << 14]; // in quarters
+            let repeated = shade(&Textured::new(&SKIN), at).luma();
+            let clamped = shade(&Textured::new(&SKIN).clamped(), at).luma();
+            [repeated, clamped]
+        };
+        assert_eq!(at(0, 0), [0, 0]);
+        assert_eq!(at(15, 7), [13, 13]);
+        assert_eq!(at(16, 8), [0, 13]);
+        assert_eq!(at(-1, -1), [13, 0]);
+        assert_eq!(at(-17, 12), [13, 10]);
+        let ends = [i32::MIN, i32::MAX];
+        assert_eq!(shade(&Textured::new(&SKIN), ends).luma(), 10);
+        assert_eq!(shade(&Textured::new(&SKIN).clamped(), ends).luma(), 10);
+    }
+}

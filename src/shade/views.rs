@@ -1,0 +1,223 @@
+//! Pictures of what is otherwise not seen: depth and normals.
+
+use core::marker::PhantomData;
+
+use embedded_graphics::pixelcolor::Rgb888;
+
+use super::levels::{Channels, Levels, all, first};
+use super::pose::Pose;
+use super::{Fragment, Sample};
+use crate::geometry::Vertex;
+use crate::linear::Transform;
+
+/// Depth as grey: white is near, black is far.
+///
+/// Depth is shown as it is stored, from 65535 at the near plane towards 0. In perspective that is linear in
+/// 1/distance, so that most scenes are dark; [`between`](Self::between) spreads a part of it.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
+/// use fixel::prelude::*;
+/// let pixel = Sample { point: Point::zero(), depth: 16384 };
+/// assert_eq!(DepthView::new().shade(&pixel, []), Some(Gray8::new(64)));
+/// assert_eq!(DepthView::between(0, 32768).shade(&pixel, []), Some(Gray8::new(128)));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct DepthView<C> {
+    far: u16,
+    range: u16,
+    /// Puts the range's highest bit into bit 15.
+    shift: u32,
+    /// 2^31 by the range so shifted: 2^15 to 2^16.
+    gain: u32,
+    color: PhantomData<C>,
+}
+
+impl<C> DepthView<C> {
+    /// Black for 0, white for 65535.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self::between(0, u16::MAX)
+    }
+
+    /// Black for the depth `far` and below, white for `near` and above; if `near` is not above
+    /// `far`, white above `far`.
+    #[must_use]
+    pub const fn between(far: u16, near: u16) -> Self {
+        let range = match near.saturating_sub(far) {
+            0 => 1,
+            range => range,
+        };
+        let shift = range.leading_zeros();
+        Self {
+            far,
+            range,
+            shift,
+            gain: (1 << 31) / ((range as u32) << shift),
+            color: PhantomData,
+        }
+    }
+}
+
+impl<C> Default for DepthView<C> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<C: Levels> Fragment<0> for DepthView<C> {
+    type Color = C;
+
+    #[inline]
+    fn varyings(&self, _: &Vertex<'_>) -> [i32; 0] {
+        []
+    }
+
+    #[inline]
+    fn shade(&self, sample: &Sample, _: [i32; 0]) -> Option<C> {
+        let above = sample.depth.saturating_sub(self.far).min(self.range);
+        // At most 2^31 before the last shift, then 65,536 less at most two: the gain is rounded down.
+        let fraction = ((u32::from(above) << self.shift) * self.gain) >> 15;
+        let levels = C::MAX_STEPS.map(|white| white * fraction.cast_signed());
+        Some(C::from_levels(levels, sample.point))
+    }
+}
+
+/// The direction of normals in world space as a colour: red is x, green y and blue z, from dark
+/// for −1 over half to bright for +1. Grey canvases show its luma.
+///
+/// Normals are the mesh's, or where it has none the triangles' own; one without a direction is
+/// mid-grey. Colours, not directions, are interpolated.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
+/// use fixel::prelude::*;
+/// let view = NormalView::new();
+/// let pixel = Sample { point: Point::zero(), depth: 0 };
+/// // Varyings are levels, as for Gouraud.
+/// assert_eq!(view.shade(&pixel, [128 << 16, 128 << 16, 255 << 16]), Some(Rgb888::new(128, 128, 255)));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NormalView<C> {
+    pose: Pose,
+    color: PhantomData<C>,
+}
+
+impl<C> NormalView<C> {
+    /// A fragment for a canvas of colour `C`.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            pose: Pose::IDENTITY,
+            color: PhantomData,
+        }
+    }
+}
+
+impl<C> Default for NormalView<C> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<C: Channels<K>, const K: usize> Fragment<K> for NormalView<C> {
+    type Color = C;
+
+    #[inline]
+    fn begin(self, model: &Transform) -> Self {
+        Self {
+            pose: Pose::of(model),
+            ..self
+        }
+    }
+
+    #[inline]
+    fn varyings(&self, vertex: &Vertex<'_>) -> [i32; K] {
+        // (n + 1)/2 of 255: 127.5 steps for 2^30, rounded; the clamp is for a unit vector's last bits.
+        let [r, g, b] = self
+            .pose
+            .unit(vertex.normal())
+            .unwrap_or_default()
+            .map(|n| {
+                let steps = (255 * (i64::from(n) + (1 << 30)) + (1 << 30)) >> 31;
+                #[allow(clippy::cast_sign_loss)]
+                let steps = steps.clamp(0, 255) as u8;
+                steps
+            });
+        first(C::levels(Rgb888::new(r, g, b)))
+    }
+
+    #[inline]
+    fn shade(&self, sample: &Sample, levels: [i32; K]) -> Option<C> {
+        Some(C::from_levels(all(levels), sample.point))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::trial::{IDENTITY, face, scale, shade};
+    use super::*;
+    use crate::{Mesh, Vec3, vec3};
+    use embedded_graphics::geometry::Point;
+    use embedded_graphics::pixelcolor::{BinaryColor, Gray8, GrayColor};
+
+    fn grey(view: DepthView<Gray8>, depth: u16) -> u8 {
+        let point = Point::zero();
+        view.shade(&Sample { point, depth }, []).unwrap().luma()
+    }
+
+    #[test]
+    fn depth_is_linear_and_saturates() {
+        for depth in 0..=u16::MAX {
+            let error = f64::from(grey(DepthView::new(), depth)) - f64::from(depth) / 257.0;
+            // Two units of 2^-16 of white beyond the rounding.
+            assert!(error.abs() < 0.5 + 2.0 * 255.0 / 65536.0, "{depth}");
+        }
+        let view = DepthView::between(1000, 1255);
+        assert_eq!([0, 1000, 1001, 1128].map(|d| grey(view, d)), [0, 0, 1, 128]);
+        assert_eq!([1254, 1255, 65535].map(|d| grey(view, d)), [254, 255, 255]);
+        for far in [0, 7, 65535] {
+            assert_eq!(grey(DepthView::between(far, far), far), 0);
+            assert_eq!(
+                grey(DepthView::between(far, 0), far.saturating_add(1)),
+                if far < 65535 { 255 } else { 0 }
+            );
+        }
+    }
+
+    #[test]
+    fn nearest_is_white_where_dithered() {
+        for i in 0..64 {
+            for (depth, color) in [(0, BinaryColor::Off), (65535, BinaryColor::On)] {
+                let point = Point::new(i % 8, i / 8);
+                let shown = DepthView::<BinaryColor>::new().shade(&Sample { point, depth }, []);
+                assert_eq!(shown, Some(color));
+            }
+        }
+    }
+
+    #[test]
+    fn normals_have_the_colour_of_their_direction() {
+        let positions = [Vec3::ZERO, Vec3::X, Vec3::Y];
+        let normals = [vec3!(5, 0, 0), vec3!(0, -1, 0), Vec3::ZERO];
+        let mesh = Mesh::new(&positions, &[[0, 1, 2]])
+            .and_then(|mesh| mesh.with_normals(&normals, None))
+            .unwrap();
+        let shown = |model| {
+            let (fragment, corners) = face(NormalView::<Rgb888>::new(), model, &mesh, 0);
+            corners.map(|corner| shade(&fragment, corner))
+        };
+        assert_eq!(
+            shown(&IDENTITY),
+            [
+                Rgb888::new(255, 128, 128),
+                Rgb888::new(128, 0, 128),
+                Rgb888::new(128, 128, 128)
+            ]
+        );
+        assert_eq!(
+            shown(&scale([-(1 << 29), 1 << 29, 1 << 29]))[0],
+            Rgb888::new(0, 128, 128)
+        );
+    }
+}

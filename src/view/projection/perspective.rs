@@ -1,0 +1,176 @@
+//! Perspectives: what is far is small.
+
+use core::marker::PhantomData;
+
+use super::{Perspective, Projection, Row, ZERO, bits, check_far, extent, product, quotient};
+use crate::linear::block;
+use crate::view::Aspect;
+use crate::{Angle, Error, Scalar, Vec3};
+
+fn check_planes(near: Scalar, far: Scalar) -> Result<(), Error> {
+    if near > Scalar::ZERO {
+        check_far(near, far)
+    } else {
+        Err(Error::Near { near })
+    }
+}
+
+impl Projection<Perspective> {
+    fn of_scales(x: (i64, i32), y: (i64, i32), near: Scalar, far: Scalar) -> Self {
+        Self {
+            rows: [
+                Row::new([x, ZERO, ZERO, ZERO]),
+                Row::new([ZERO, y, ZERO, ZERO]),
+            ],
+            near,
+            far,
+            kind: PhantomData,
+        }
+    }
+
+    /// A symmetric perspective: `fov` is the vertical field of view, `aspect` width to height.
+    ///
+    /// top = near · tan(fov / 2), right = top · aspect.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::FieldOfView`] unless 0 < `fov` < 180°; [`Error::Aspect`] unless width and height
+    /// are above 0; [`Error::Near`] unless 0 < `near`; [`Error::Far`] unless `near` < `far`.
+    pub fn perspective(
+        fov: Angle,
+        aspect: impl Into<Aspect>,
+        near: Scalar,
+        far: Scalar,
+    ) -> Result<Self, Error> {
+        if fov == Angle::ZERO || fov.to_bits() >= Angle::HALF.to_bits() {
+            return Err(Error::FieldOfView { angle: fov });
+        }
+        let (width, height) = aspect.into().checked()?;
+        check_planes(near, far)?;
+        let half = fov.half_wide();
+        let cotangent = quotient((half.1, 0), (half.0, 0));
+        let narrowed = product(cotangent, (height, 0));
+        Ok(Self::of_scales(
+            quotient(narrowed, (width, 0)),
+            cotangent,
+            near,
+            far,
+        ))
+    }
+
+    /// A symmetric perspective by its focal length: a thing as wide as it is far is so many
+    /// `pixels` wide in a picture of `size` pixels.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::FocalLength`] unless 0 < `pixels`; [`Error::Aspect`] unless width and height are
+    /// above 0; [`Error::Near`] unless 0 < `near`; [`Error::Far`] unless `near` < `far`.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// let lens = Projection::from_focal_length(fx!(200), (320, 240), fx!(0.25), fx!(100))?;
+    /// assert_eq!(lens.matrix().rows()[0][0], fx!(1.25));
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn from_focal_length(
+        pixels: Scalar,
+        size: (u32, u32),
+        near: Scalar,
+        far: Scalar,
+    ) -> Result<Self, Error> {
+        if pixels <= Scalar::ZERO {
+            return Err(Error::FocalLength { pixels });
+        }
+        let (width, height) = Aspect::from(size).checked()?;
+        check_planes(near, far)?;
+        let scale = |size| quotient((2 * bits(pixels), 0), (size, 0));
+        Ok(Self::of_scales(scale(width), scale(height), near, far))
+    }
+
+    /// A perspective whose window on the near plane has the given edges; it may lie off the centre.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Near`] unless 0 < `near`; [`Error::Far`] unless `near` < `far`;
+    /// [`Error::EmptyFrustum`] unless `left` < `right` and `bottom` < `top`.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// let lens = Projection::frustum(fx!(-1), fx!(2), fx!(-1), fx!(1), fx!(2), fx!(10))?;
+    /// assert_eq!((lens.left(), lens.right()), (fx!(-1), fx!(2)));
+    /// assert_eq!(lens.aspect(), fx!(1.5));
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn frustum(
+        left: Scalar,
+        right: Scalar,
+        bottom: Scalar,
+        top: Scalar,
+        near: Scalar,
+        far: Scalar,
+    ) -> Result<Self, Error> {
+        check_planes(near, far)?;
+        let (width, across) = extent(left, right)?;
+        let (height, up) = extent(bottom, top)?;
+        let ratio = |value, size| quotient((value, 0), (size, 0));
+        let double = 2 * bits(near);
+        Ok(Self {
+            rows: [
+                Row::new([ratio(double, width), ZERO, ratio(across, width), ZERO]),
+                Row::new([ZERO, ratio(double, height), ratio(up, height), ZERO]),
+            ],
+            near,
+            far,
+            kind: PhantomData,
+        })
+    }
+
+    /// The vertical field of view, 2·atan((top − bottom) / (2·near)); for a window off the centre,
+    /// that of one of the same height about the centre.
+    #[must_use]
+    pub fn fov(&self) -> Angle {
+        let (scale, exp) = self.rows[1].real(1);
+        // The tangent of half of it is 1 / scale.
+        Angle::of_point(
+            block::shift(1, exp.max(0)),
+            block::shift(scale, (-exp).max(0)),
+        ) * 2
+    }
+
+    /// Where on the near plane all lines of a direction vanish: (−n·x/z, −n·y/z), rounded to
+    /// nearest.
+    ///
+    /// `None` for a direction parallel to the picture, whose lines stay parallel there, and if the
+    /// point is beyond ±32768.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// let lens = Projection::perspective(Angle::from_degrees(90), (1, 1), fx!(2), fx!(9))?;
+    /// assert_eq!(lens.vanishing_point(vec3!(1, 0, -4)), Some([fx!(0.5), fx!(0)]));
+    /// assert_eq!(lens.vanishing_point(vec3!(1, 1, 0)), None);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn vanishing_point(&self, direction: Vec3) -> Option<[Scalar; 2]> {
+        let at = |v| on_plane(self.near, v, direction.z);
+        Some([at(direction.x)?, at(direction.y)?])
+    }
+
+    /// Where on the near plane a point of eye space appears: (−n·x/z, −n·y/z), rounded to nearest.
+    ///
+    /// `None` for a point that is not ahead of the eye, where the formula divides by zero or
+    /// mirrors, and if the image is beyond ±32768.
+    #[must_use]
+    pub fn image(&self, point: Vec3) -> Option<[Scalar; 2]> {
+        if point.z < Scalar::ZERO {
+            self.vanishing_point(point)
+        } else {
+            None
+        }
+    }
+}
+
+/// −near · value / z, rounded to nearest, half away from zero.
+fn on_plane(near: Scalar, value: Scalar, z: Scalar) -> Option<Scalar> {
+    block::divide(bits(near) * bits(value), -bits(z)).map(Scalar::from_bits)
+}

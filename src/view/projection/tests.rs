@@ -1,0 +1,198 @@
+//! Projections' coefficients against their mathematics in f64, and what is refused.
+
+use super::*;
+use crate::{Angle, Vec3};
+use core::f64::consts::TAU;
+use proptest::prelude::*;
+
+fn real(row: &Row) -> [f64; 4] {
+    row.m.map(|m| f64::from(m) * f64::from(-row.exp).exp2())
+}
+
+fn float(value: Scalar) -> f64 {
+    f64::from(value.to_bits()) / 65_536.0
+}
+
+/// Whether a row is as expected, to 29 bits of its largest coefficient.
+fn close(row: &Row, expected: [f64; 4]) -> bool {
+    let size = expected.iter().fold(0.0, |max: f64, v| max.max(v.abs()));
+    let mut both = real(row).into_iter().zip(expected);
+    both.all(|(found, expected)| (found - expected).abs() <= size * f64::from(-28).exp2())
+}
+
+fn one(value: f64) -> Scalar {
+    crate::number::scalar(value).unwrap()
+}
+
+/// Planes ahead of the eye, near and far, of any size.
+fn planes() -> impl Strategy<Value = (Scalar, Scalar)> {
+    let positive = || (1..i32::MAX, 0_u32..31).prop_map(|(v, cut)| (v >> cut).max(1));
+    (positive(), positive()).prop_map(|(a, b)| {
+        let (near, far) = (a.min(b), a.max(b).max(a.min(b) + 1));
+        (Scalar::from_bits(near), Scalar::from_bits(far))
+    })
+}
+
+/// Two in order, of any size.
+fn ordered() -> impl Strategy<Value = (Scalar, Scalar)> {
+    (any::<[i32; 2]>(), 0_u32..31)
+        .prop_map(|([a, b], cut)| {
+            let (a, b) = (a >> cut, b >> cut);
+            (Scalar::from_bits(a.min(b)), Scalar::from_bits(a.max(b)))
+        })
+        .prop_filter("not empty", |(a, b)| a < b)
+}
+
+proptest! {
+    #[test]
+    fn perspective_has_28_bits(bits in 1 << 16..1_u32 << 31, size in [1_u32..8192, 1..8192]) {
+        let fov = Angle::from_bits(bits);
+        let lens = Projection::perspective(fov, (size[0], size[1]), one(0.1), one(100.0)).unwrap();
+        let half = f64::from(bits) / f64::from(33).exp2() * TAU;
+        let scale = half.cos() / half.sin();
+        // Half a unit of the angle is dropped, which counts at both ends of its range.
+        let slack = f64::from(-28).exp2() + 8e-10 / (half.sin() * half.cos());
+        let found = real(&lens.rows[1])[1];
+        prop_assert!((found / scale - 1.0).abs() <= slack, "{} {}", found, scale);
+        let x = scale * f64::from(size[1]) / f64::from(size[0]);
+        let found = real(&lens.rows[0])[0];
+        prop_assert!((found / x - 1.0).abs() <= slack, "{} {}", found, x);
+        let off = (lens.fov() - fov).to_bits().cast_signed();
+        prop_assert!(off.abs() <= 8, "{}", off);
+    }
+
+    #[test]
+    fn frustum_has_28_bits(
+        (l, r) in ordered(), (b, t) in ordered(), (n, f) in planes(),
+    ) {
+        let lens = Projection::frustum(l, r, b, t, n, f).unwrap();
+        let [lf, rf, bf, tf, nf] = [l, r, b, t, n].map(float);
+        prop_assert!(close(&lens.rows[0], [2.0 * nf / (rf - lf), 0.0, (rf + lf) / (rf - lf), 0.0]));
+        prop_assert!(close(&lens.rows[1], [0.0, 2.0 * nf / (tf - bf), (tf + bf) / (tf - bf), 0.0]));
+    }
+
+    #[test]
+    fn oblique_has_28_bits(
+        (l, r) in ordered(), (b, t) in ordered(), (n, f) in ordered(),
+        angle in any::<u32>(), ratio in any::<i32>(),
+    ) {
+        let (angle, ratio) = (Angle::from_bits(angle), Scalar::from_bits(ratio));
+        let lens = Projection::oblique(angle, ratio, l, r, b, t, n, f).unwrap();
+        let [lf, rf, bf, tf, nf, k] = [l, r, b, t, n, ratio].map(float);
+        let (sin, cos) = (f64::from(angle.to_bits()) / f64::from(32).exp2() * TAU).sin_cos();
+        let (x, y) = (2.0 / (rf - lf), 2.0 / (tf - bf));
+        let (cx, cy) = (-x * k * cos, -y * k * sin);
+        // A sine is good to 1.6e-9, not to 28 bits of itself; scaled by ratio and distance.
+        let slack = |scale: f64, middle: f64| {
+            f64::from(-28).exp2() * (scale + middle.abs() + scale * k.abs() * (1.0 + nf.abs()))
+        };
+        let check = |row: &Row, expected: [f64; 4], slack: f64| {
+            real(row).into_iter().zip(expected).all(|(found, v)| (found - v).abs() <= slack)
+        };
+        let middle = (rf + lf) / (rf - lf);
+        prop_assert!(check(&lens.rows[0], [x, 0.0, cx, -middle + cx * nf], slack(x, middle)));
+        let middle = (tf + bf) / (tf - bf);
+        prop_assert!(check(&lens.rows[1], [0.0, y, cy, -middle + cy * nf], slack(y, middle)));
+    }
+
+    #[test]
+    fn every_accessor_survives_everything(
+        v in any::<[i32; 7]>(), angle in any::<u32>(), size in any::<(u32, u32)>(),
+    ) {
+        let [l, r, b, t, n, f, k] = v.map(Scalar::from_bits);
+        let angle = Angle::from_bits(angle);
+        let lenses = [
+            Projection::perspective(angle, size, n, f),
+            Projection::from_focal_length(k, size, n, f),
+            Projection::frustum(l, r, b, t, n, f),
+        ];
+        for lens in lenses.into_iter().flatten() {
+            let _ = (lens.left(), lens.right(), lens.bottom(), lens.top());
+            let _ = (lens.aspect(), lens.fov(), lens.matrix());
+            let _ = (lens.vanishing_point(Vec3::new(l, r, b)), lens.image(Vec3::new(l, r, b)));
+        }
+        let lenses = [
+            Projection::orthographic(l, r, b, t, n, f),
+            Projection::oblique(angle, k, l, r, b, t, n, f),
+        ];
+        for lens in lenses.into_iter().flatten() {
+            let _ = (lens.left(), lens.right(), lens.bottom(), lens.top());
+            let _ = (lens.aspect(), lens.matrix());
+        }
+    }
+}
+
+#[test]
+fn focal_length_is_exact() {
+    let lens =
+        Projection::from_focal_length(one(200.0), (320, 240), one(0.25), one(100.0)).unwrap();
+    assert!((real(&lens.rows[0])[0] - 1.25).abs() < f64::EPSILON);
+    // 5/3 is not, but to 30 bits.
+    assert!((real(&lens.rows[1])[1] - 5.0 / 3.0).abs() < f64::from(-29).exp2());
+}
+
+#[test]
+fn nonsense_is_refused() {
+    let (zero, low, high) = (Scalar::ZERO, one(1.0), one(2.0));
+    let fov = Angle::from_degrees(60);
+    for degrees in [0, 180, 181, 270, -1] {
+        let angle = Angle::from_degrees(degrees);
+        let refused = Projection::perspective(angle, (4, 3), low, high);
+        assert_eq!(refused, Err(Error::FieldOfView { angle }));
+    }
+    for near in [zero, -low] {
+        let refused = [
+            Projection::perspective(fov, (4, 3), near, high),
+            Projection::from_focal_length(low, (4, 3), near, high),
+            Projection::frustum(-low, low, -low, low, near, high),
+        ];
+        assert_eq!(refused, [Err(Error::Near { near }); 3]);
+    }
+    for far in [low, high] {
+        let refused = [
+            Projection::perspective(fov, (4, 3), high, far),
+            Projection::from_focal_length(low, (4, 3), high, far),
+            Projection::frustum(-low, low, -low, low, high, far),
+        ];
+        assert_eq!(refused, [Err(Error::Far { near: high, far }); 3]);
+        let refused = Projection::orthographic(-low, low, -low, low, high, far);
+        assert_eq!(refused, Err(Error::Far { near: high, far }));
+    }
+    let empty = Error::EmptyFrustum {
+        low: high,
+        high: low,
+    };
+    for [l, r, b, t] in [[high, low, low, high], [low, high, high, low]] {
+        assert_eq!(Projection::frustum(l, r, b, t, low, high), Err(empty));
+        assert_eq!(Projection::orthographic(l, r, b, t, low, high), Err(empty));
+        let refused = Projection::cabinet(fov, l, r, b, t, low, high);
+        assert_eq!(refused, Err(empty));
+    }
+    let flat = Error::EmptyFrustum { low, high: low };
+    assert_eq!(
+        Projection::frustum(low, low, low, high, low, high),
+        Err(flat)
+    );
+    let flat = Error::Aspect {
+        width: one(4.0),
+        height: zero,
+    };
+    assert_eq!(Projection::perspective(fov, (4, 0), low, high), Err(flat));
+    let mirrored = Error::Aspect {
+        width: -low,
+        height: low,
+    };
+    assert_eq!(Projection::perspective(fov, -low, low, high), Err(mirrored));
+    let pixels = zero;
+    let refused = Projection::from_focal_length(pixels, (4, 3), low, high);
+    assert_eq!(refused, Err(Error::FocalLength { pixels }));
+}
+
+#[test]
+fn the_widest_and_narrowest_views_are_survived() {
+    for bits in [1, 2, 3, (1 << 31) - 1, (1 << 31) - 2] {
+        let lens =
+            Projection::perspective(Angle::from_bits(bits), (1, 1), one(1.0), one(2.0)).unwrap();
+        let _ = (lens.top(), lens.fov(), lens.aspect(), lens.matrix());
+    }
+}

@@ -1,0 +1,121 @@
+//! Values over triangles that the view volume or the guard band cuts.
+
+use fixel::prelude::*;
+use proptest::prelude::*;
+
+use crate::bounds;
+use crate::drawing::Drawing;
+use crate::moves::{exact, quantised};
+use crate::reference::coverage::centre;
+use crate::reference::distance::to_triangle;
+use crate::reference::linear::IDENTITY;
+use crate::reference::projection::focal;
+use crate::reference::raster::{Mesh as ModelMesh, Piece, pieces};
+use crate::reference::view::{View, Viewport};
+
+const SIZE: (u32, u32) = (160, 96);
+
+/// What a corner is off by at most, and a little: it is rounded to 1/512 pixel along each axis, from
+/// a place that is off by parts of that.
+const SNAP: f64 = 1. / 256.;
+
+/// Triangles about the eye.
+fn triangles() -> impl Strategy<Value = [Vec3; 3]> {
+    let corner = || [-30_f64..30., -30_f64..30., -60_f64..20.].prop_map(quantised);
+    [corner(), corner(), corner()]
+}
+
+/// The piece that passes nearest to a pixel's centre.
+fn nearest<'a>(pieces: &'a [Piece<2>], pixel: [i32; 2]) -> Option<(f64, &'a Piece<2>)> {
+    let gap = |piece: &'a Piece<2>| (to_triangle(&piece.screen, centre(pixel)), piece);
+    pieces.iter().map(gap).min_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig {
+        cases: 250,
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    })]
+
+    #[test]
+    fn values_of_clipped_triangles(
+        positions in triangles(),
+        values in prop::array::uniform2([-(4_i32 << 24)..4 << 24, 0..256, 0..1 << 24]),
+    ) {
+        let drawing = Drawing {
+            size: SIZE,
+            pass: Pass::new().cull(Cull::Nothing),
+            mesh: Mesh::new(&positions, &[[0, 1, 2]]).unwrap(),
+            chain: Projection::from_focal_length(fx!(100), SIZE, fx!(0.25), fx!(50)).unwrap()
+                * Transform::IDENTITY,
+        };
+        let view = View {
+            eye: IDENTITY,
+            lens: focal(100., SIZE, 0.25, 50.),
+            viewport: Viewport::new(SIZE.0, SIZE.1),
+        };
+        let mesh = ModelMesh {
+            positions: &positions.map(exact),
+            faces: &[[0, 1, 2]],
+            attributes: &[[0, 1, 2].map(|corner: usize| values.map(|v| f64::from(v[corner])))],
+        };
+        let pieces = pieces(&mesh, &view);
+        let seen = drawing.all(&|vertex| {
+            let corner = positions.iter().position(|&p| p == vertex.position());
+            values.map(|value| value[corner.unwrap()])
+        });
+
+        // Every centre that is farther inside than corners move, and none that is farther outside.
+        let mut drawn = vec![0; SIZE.0 as usize * SIZE.1 as usize];
+        for seen in &seen {
+            let [x, y] = seen.pixel;
+            drawn[usize::try_from(y * 160 + x).unwrap()] += 1;
+        }
+        for y in 0..96 {
+            for x in 0..160 {
+                let count = drawn[usize::try_from(y * 160 + x).unwrap()];
+                let covered = |aside: [f64; 2]| {
+                    let [x, y] = centre([x, y]);
+                    pieces.iter().any(|piece| to_triangle(&piece.screen, [x + aside[0], y + aside[1]]) == 0.)
+                };
+                let around = [[-SNAP, 0.], [SNAP, 0.], [0., -SNAP], [0., SNAP]];
+                if around.into_iter().all(covered) && covered([0., 0.]) {
+                    prop_assert_eq!(count, 1, "at {:?}", [x, y]);
+                } else if !around.into_iter().any(covered) {
+                    prop_assert_eq!(count, 0, "at {:?}", [x, y]);
+                }
+            }
+        }
+
+        for seen in &seen {
+            let Some((gap, piece)) = nearest(&pieces, seen.pixel) else {
+                return Err(TestCaseError::fail("the model has nothing"));
+            };
+            prop_assert!(gap <= SNAP, "{gap} outside at {:?}", seen.pixel);
+            let model = piece.at(seen.pixel).unwrap();
+            // The corners that clipping makes may be as near as the near plane, or as far as the far one.
+            let w = pieces.iter().flat_map(|piece| piece.w);
+            let ends = [w.clone().fold(50., f64::min), w.fold(0.25, f64::max)];
+            for (k, &corners) in values.iter().enumerate() {
+                let error = (f64::from(seen.values[k]) - model.attributes[k]).abs();
+                let gradient = model.dx[k].hypot(model.dy[k]);
+                // A cut is rounded down twice.
+                let bound = SNAP * gradient + 2. + bounds::perspective(corners, [ends[0], ends[1], ends[1]], model.w);
+                prop_assert!(
+                    error <= bound,
+                    "{:?} gives {} at {:?}, not {}: off by {error}, over {bound}",
+                    positions, seen.values[k], seen.pixel, model.attributes[k],
+                );
+            }
+            let depth = view.lens.depth(model.w);
+            let gradient = model.inverse_w_gradient;
+            let moved = SNAP * 65535. * 0.25 * gradient[0].hypot(gradient[1]) + bounds::DEPTH;
+            let stored = f64::from(seen.depth);
+            prop_assert!(
+                stored <= depth + moved && depth < stored + 1. + moved,
+                "depth {stored} is not {depth}"
+            );
+        }
+    }
+}

@@ -1,0 +1,305 @@
+//! A scene drawn by the crate and by the model, and all that differs.
+
+use fixel::number::scalar;
+use fixel::prelude::*;
+use fixel::view::Perspective;
+
+use crate::bounds;
+use crate::drawing::{Drawing, Seen};
+use crate::moves::{Move, exact, product, quantised};
+use crate::reference::coverage::{Bounds, centre};
+use crate::reference::raster::{self, Piece, culled, pieces};
+use crate::reference::scenes::{SIZE, Shape, view};
+use crate::reference::silhouette::{self, Silhouette};
+use crate::reference::view::View;
+use crate::spread::Spread;
+
+/// Texels along a texture.
+const TEXELS: f64 = 256.;
+/// Fraction bits of u and v as they are interpolated: 8 more than those of a vertex.
+const UV_BITS: i32 = 24;
+/// What a vertex is off by at most, and a little: it is rounded to 1/512 pixel along each axis.
+const SNAP: f64 = 1. / 256.;
+
+/// A shape in the crate's numbers, before the crate's and the model's lens of the measured scenes.
+pub struct Scene {
+    positions: Vec<Vec3>,
+    faces: Vec<[u16; 3]>,
+    uvs: Vec<Vec2>,
+    uv_faces: Vec<[u16; 3]>,
+    chain: Chain<Perspective>,
+    /// The same numbers for the model.
+    shape: Shape,
+    view: View,
+}
+
+/// The least of what the crate's pixels may differ by, and what they do.
+pub struct Comparison {
+    /// Pixels drawn, hidden ones too.
+    pub pixels: Vec<Seen<3>>,
+    /// Texels, given the crate's snapped vertices.
+    pub snapped: Spread,
+    /// Texels, given the model's own vertices.
+    pub unsnapped: Spread,
+    /// What of that exceeds 1/256 pixel's worth of the texels' gradient.
+    pub excess: Spread,
+    /// Distance ahead, in units of the vertices' 2⁻¹⁶, given the snapped vertices.
+    pub distance: Spread,
+    /// The errors of u, v and distance given the snapped vertices, in parts of what the formats allow.
+    pub allowed: Spread,
+    /// By how much the depth is outside the step that it stands for, given the snapped vertices.
+    pub depth: Spread,
+    /// By how many steps what shows is behind the nearest, given the snapped vertices.
+    pub order: Spread,
+    /// Pairs of triangle and pixel that only one of crate and model has, given the snapped vertices.
+    pub not_alike: usize,
+    /// Centres more than 1/256 pixel inside the silhouette, and how often each such pixel was drawn: not, once, again.
+    pub inside: [usize; 3],
+    /// Centres more than 1/256 pixel outside, drawn nevertheless.
+    pub outside: usize,
+}
+
+impl Scene {
+    /// A shape after some moves, every number the nearest that the crate has.
+    pub fn new(shape: &Shape, moves: &[Move]) -> Self {
+        let positions: Vec<Vec3> = shape.positions.iter().map(|&p| quantised(p)).collect();
+        let uvs: Vec<Vec2> = shape
+            .uvs
+            .iter()
+            .flatten()
+            .map(|&[u, v]| Vec2::new(scalar(u).unwrap(), scalar(v).unwrap()))
+            .collect();
+        let index = |i: usize| u16::try_from(i).unwrap();
+        let (transform, eye) = product(moves);
+        let lens = Projection::from_focal_length(fx!(200), SIZE, fx!(0.25), fx!(100)).unwrap();
+        Self {
+            faces: shape.faces.iter().map(|face| face.map(index)).collect(),
+            uv_faces: (0..shape.faces.len())
+                .map(|face| [0, 1, 2].map(|corner| index(3 * face + corner)))
+                .collect(),
+            shape: Shape {
+                positions: positions.iter().map(|&p| exact(p)).collect(),
+                faces: shape.faces.clone(),
+                uvs: uvs
+                    .chunks(3)
+                    .map(|face| std::array::from_fn(|i| [face[i].x.to_num(), face[i].y.to_num()]))
+                    .collect(),
+            },
+            positions,
+            uvs,
+            chain: lens * transform,
+            view: view(eye),
+        }
+    }
+
+    fn drawing(&self) -> Drawing<'_, Perspective> {
+        Drawing {
+            size: SIZE,
+            pass: Pass::new(),
+            mesh: Mesh::new(&self.positions, &self.faces)
+                .unwrap()
+                .with_uvs(&self.uvs, Some(&self.uv_faces))
+                .unwrap(),
+            chain: self.chain,
+        }
+    }
+
+    /// Draws and compares. No vertex may be outside the near and far planes or the guard band.
+    pub fn compare(&self) -> Comparison {
+        self.compare_with(&self.shape, &self.view)
+    }
+
+    /// The same with other numbers for the model, such as those before they were rounded.
+    pub fn compare_with(&self, shape: &Shape, view: &View) -> Comparison {
+        let drawing = self.drawing();
+        let values = |vertex: &Vertex<'_>| {
+            let [u, v] = vertex.uv().to_bits();
+            [u << 8, v << 8, vertex.distance().to_bits()]
+        };
+        let pixels = drawing.all(&values);
+        let places = drawing.places(&self.positions);
+
+        let unsnapped = pieces(&shape.mesh(), view);
+        let snapped: Vec<_> = unsnapped
+            .iter()
+            .map(|piece| piece.snap(|source, _| places[source.unwrap()].unwrap()))
+            .collect();
+        let mut comparison = Comparison {
+            snapped: Spread::default(),
+            unsnapped: Spread::default(),
+            excess: Spread::default(),
+            distance: Spread::default(),
+            allowed: Spread::default(),
+            depth: Spread::default(),
+            order: Spread::default(),
+            not_alike: 0,
+            inside: [0; 3],
+            outside: 0,
+            pixels,
+        };
+        comparison.attributes(&snapped, &unsnapped, view);
+        comparison.coverage(snapped.clone(), unsnapped);
+        comparison.order(&drawing.shown(&values), &snapped, view);
+        comparison
+    }
+}
+
+/// Hits of the model at a pixel, from which it makes its values.
+fn at(pieces: &[Piece<2>], seen: &Seen<3>) -> raster::Hit<2> {
+    let piece = &pieces[seen.face];
+    assert_eq!(piece.face, seen.face, "a face was clipped");
+    let value = piece.at(seen.pixel).expect("no area");
+    raster::Hit {
+        face: seen.face,
+        piece: seen.face,
+        gap: 0.,
+        distance: value.w,
+        depth: 0.,
+        value,
+    }
+}
+
+impl Comparison {
+    fn attributes(&mut self, snapped: &[Piece<2>], unsnapped: &[Piece<2>], view: &View) {
+        let unit = TEXELS / 2_f64.powi(UV_BITS);
+        for (i, seen) in self.pixels.iter().enumerate() {
+            let texels = [0, 1].map(|k: usize| f64::from(seen.values[k]) * unit);
+            let error = |value: &[f64; 2], k: usize| (texels[k] - value[k] * TEXELS).abs();
+
+            let hit = at(snapped, seen);
+            let [u, v] = [0, 1].map(|k| error(&hit.value.attributes, k));
+            self.snapped.add(u.max(v), i);
+            let distance = (f64::from(seen.values[2]) - hit.distance * 65536.).abs();
+            self.distance.add(distance, i);
+            let piece = &snapped[seen.face];
+            let allowed = |corners: [f64; 3], unit: f64| {
+                let corners = corners.map(|value| (value * unit).round() as i32);
+                bounds::perspective(corners, piece.w, hit.distance)
+            };
+            for (k, error) in [u, v].into_iter().enumerate() {
+                let allowed = allowed(piece.attributes.map(|corner| corner[k]), TEXELS / unit);
+                self.allowed.add(error / unit / allowed, i);
+            }
+            // A vertex' distance is rounded, half a unit, from mantissas of 30 bits and numbers below 64.
+            let allowed = 0.51 + allowed(piece.w, 65536.);
+            self.allowed.add(distance / allowed, i);
+            let depth = view.lens.depth(hit.distance);
+            let stored = f64::from(seen.depth);
+            self.depth
+                .add((stored - depth).max(depth - stored - 1.).max(0.), i);
+
+            let hit = at(unsnapped, seen);
+            let value = &hit.value;
+            let errors = [0, 1].map(|k| error(&value.attributes, k));
+            let excess =
+                [0, 1].map(|k: usize| errors[k] - SNAP * TEXELS * value.dx[k].hypot(value.dy[k]));
+            self.unsnapped.add(errors[0].max(errors[1]), i);
+            self.excess.add(excess[0].max(excess[1]), i);
+        }
+    }
+
+    fn coverage(&mut self, snapped: Vec<Piece<2>>, unsnapped: Vec<Piece<2>>) {
+        let bounds = Bounds::new(SIZE.0, SIZE.1);
+        let mut drawn: Vec<(usize, [i32; 2])> = self
+            .pixels
+            .iter()
+            .map(|seen| (seen.face, seen.pixel))
+            .collect();
+        drawn.sort_unstable();
+        let mut model: Vec<(usize, [i32; 2])> = culled(snapped, raster::Cull::Back)
+            .iter()
+            .flat_map(|piece| {
+                bounds
+                    .around(&piece.screen, 0.)
+                    .pixels()
+                    .filter(|&pixel| piece.covers(pixel))
+                    .map(|pixel| (piece.face, pixel))
+            })
+            .collect();
+        model.sort_unstable();
+        self.not_alike = difference(&drawn, &model) + difference(&model, &drawn);
+
+        let mut counts = vec![0_usize; SIZE.0 as usize * SIZE.1 as usize];
+        let place = |[x, y]: [i32; 2]| y as usize * SIZE.0 as usize + x as usize;
+        for (_, pixel) in &drawn {
+            counts[place(*pixel)] += 1;
+        }
+        let front: Vec<_> = culled(unsnapped, raster::Cull::Back)
+            .iter()
+            .map(|piece| piece.screen)
+            .collect();
+        let silhouette = Silhouette::new(&front, SIZE.0, SIZE.1);
+        for pixel in bounds.pixels() {
+            let count = counts[place(pixel)];
+            match silhouette.classify(centre(pixel), SNAP) {
+                silhouette::Place::Inside => self.inside[count.min(2)] += 1,
+                silhouette::Place::Outside => self.outside += usize::from(count > 0),
+                silhouette::Place::Near => {}
+            }
+        }
+    }
+
+    fn order(&mut self, shown: &[Seen<3>], snapped: &[Piece<2>], view: &View) {
+        let place = |[x, y]: [i32; 2]| y as usize * SIZE.0 as usize + x as usize;
+        let depth = |seen: &Seen<3>| view.lens.depth(at(snapped, seen).distance);
+        let mut nearest = vec![0_f64; SIZE.0 as usize * SIZE.1 as usize];
+        for seen in &self.pixels {
+            let nearest = &mut nearest[place(seen.pixel)];
+            *nearest = nearest.max(depth(seen));
+        }
+        let mut last = vec![None; nearest.len()];
+        for seen in shown {
+            last[place(seen.pixel)] = Some(seen);
+        }
+        for (i, (nearest, last)) in nearest.iter().zip(last).enumerate() {
+            assert_eq!(
+                *nearest > 0.,
+                last.is_some(),
+                "pixel {i} is drawn in one picture only"
+            );
+            if let Some(seen) = last {
+                self.order.add(nearest - depth(seen), i);
+            }
+        }
+    }
+
+    /// Prints the figures.
+    pub fn print(&self, name: &str) {
+        println!("{name}: {} pixels", self.pixels.len());
+        println!(
+            "{}",
+            self.snapped.line("texels, given snapped vertices", "")
+        );
+        println!(
+            "  within 0.001 texel: {:.5} %",
+            100. * self.snapped.within(0.001)
+        );
+        println!(
+            "{}",
+            self.unsnapped.line("texels, given unsnapped vertices", "")
+        );
+        println!(
+            "  beyond 1/256 pixel's gradient: {:.5} texels",
+            self.excess.max()
+        );
+        println!("{}", self.distance.line("distance", "of 2^-16"));
+        println!("  in parts of what is allowed: {:.5}", self.allowed.max());
+        println!("{}", self.depth.line("depth outside its step", "steps"));
+        println!("  behind the nearest: {:.5} steps", self.order.max());
+        println!(
+            "  not alike {}; inside drawn not, once, again: {:?}; outside drawn {}",
+            self.not_alike, self.inside, self.outside
+        );
+    }
+}
+
+/// How many of sorted `a` are not in sorted `b`, twice as often counting as one more.
+fn difference<T: Ord>(a: &[T], b: &[T]) -> usize {
+    let mut b = b.iter().peekable();
+    a.iter()
+        .filter(|&item| {
+            while b.next_if(|&other| other < item).is_some() {}
+            b.next_if(|&other| other == item).is_none()
+        })
+        .count()
+}

@@ -1,0 +1,128 @@
+//! Drawing with a fragment that writes down what it gets.
+
+use std::cell::RefCell;
+
+use embedded_graphics::pixelcolor::Gray8;
+use fixel::prelude::*;
+use fixel::view::Kind;
+
+/// What a fragment was given at a pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seen<const N: usize> {
+    pub pixel: [i32; 2],
+    /// The triangle's place in the mesh.
+    pub face: usize,
+    pub depth: u16,
+    pub values: [i32; N],
+}
+
+/// Where a point is: in 1/256 pixel, and its depth as it would be stored.
+#[derive(Clone, Copy, Debug)]
+pub struct Spot {
+    pub x: i32,
+    pub y: i32,
+    pub depth: u16,
+}
+
+/// What a test wants interpolated.
+type Values<'a, const N: usize> = &'a dyn Fn(&Vertex<'_>) -> [i32; N];
+
+/// A fragment that writes down every pixel that it is asked for.
+#[derive(Clone, Copy)]
+struct Recorder<'a, const N: usize> {
+    seen: &'a RefCell<Vec<Seen<N>>>,
+    values: Values<'a, N>,
+    face: usize,
+    /// Whether the pixel is drawn, and its depth with it.
+    draws: bool,
+}
+
+impl<const N: usize> Fragment<N> for Recorder<'_, N> {
+    type Color = Gray8;
+
+    fn varyings(&self, vertex: &Vertex<'_>) -> [i32; N] {
+        (self.values)(vertex)
+    }
+
+    fn face(self, _: &mut [[i32; N]; 3], face: &Face<'_>) -> Self {
+        Self {
+            face: face.index(),
+            ..self
+        }
+    }
+
+    fn shade(&self, sample: &Sample, values: [i32; N]) -> Option<Gray8> {
+        self.seen.borrow_mut().push(Seen {
+            pixel: [sample.point.x, sample.point.y],
+            face: self.face,
+            depth: sample.depth,
+            values,
+        });
+        self.draws.then_some(Gray8::new(255))
+    }
+}
+
+/// What is drawn, and how.
+pub struct Drawing<'a, K> {
+    pub size: (u32, u32),
+    pub pass: Pass,
+    pub mesh: Mesh<'a>,
+    pub chain: Chain<K>,
+}
+
+impl<K: Kind> Drawing<'_, K> {
+    /// Every pixel of every triangle, hidden ones too, in the order drawn.
+    pub fn all<const N: usize>(&self, values: Values<'_, N>) -> Vec<Seen<N>> {
+        self.record(values, false)
+    }
+
+    /// Every pixel that passes the depth test as it is drawn; the last at a place is what shows.
+    pub fn shown<const N: usize>(&self, values: Values<'_, N>) -> Vec<Seen<N>> {
+        self.record(values, true)
+    }
+
+    fn record<const N: usize>(&self, values: Values<'_, N>, draws: bool) -> Vec<Seen<N>> {
+        let (width, height) = self.size;
+        let mut pixels = vec![Gray8::new(0); width as usize * height as usize];
+        let mut depth = vec![0; pixels.len()];
+        let mut canvas = Canvas::new(&mut pixels, width, height)
+            .unwrap()
+            .with_depth(&mut depth)
+            .unwrap();
+        let seen = RefCell::new(Vec::new());
+        let recorder = Recorder {
+            seen: &seen,
+            values,
+            face: 0,
+            draws,
+        };
+        canvas.draw_with(&self.pass, &self.mesh, &self.chain, &recorder);
+        seen.into_inner()
+    }
+
+    /// Where the crate puts points, in 1/256 pixel; `None` for what it would clip.
+    pub fn places(&self, points: &[Vec3]) -> Vec<Option<[i32; 2]>> {
+        let spots = self.spots(points).into_iter();
+        spots
+            .map(|spot| spot.map(|spot| [spot.x, spot.y]))
+            .collect()
+    }
+
+    /// The same with the depth.
+    pub fn spots(&self, points: &[Vec3]) -> Vec<Option<Spot>> {
+        let (width, height) = self.size;
+        let mut pixels = vec![Gray8::new(0); width as usize * height as usize];
+        let canvas = Canvas::new(&mut pixels, width, height).unwrap();
+        points
+            .iter()
+            .map(|&point| {
+                let place = canvas.project(&self.pass, &self.chain, point)?;
+                Some(Spot {
+                    x: place.x.to_bits(),
+                    y: place.y.to_bits(),
+                    depth: place.depth,
+                })
+            })
+            .collect()
+    }
+}

@@ -1,0 +1,20 @@
+//! The crate's pixels against the f64 model: coverage, attributes, distance and depth.
+//!
+//! `cargo test --test accuracy -- --nocapture` prints the figures.
+
+// f64 holds every integer used here, and no pixel is left of or above the picture.
+#![allow(clippy::cast_precision_loss, clippy::cast_sign_loss)]
+
+#[path = "../reference/mod.rs"]
+mod reference;
+
+mod bounds;
+mod bumpy;
+mod chains;
+mod clipped;
+mod comparison;
+mod drawing;
+mod moves;
+mod pictures;
+mod spread;
+mod varyings;

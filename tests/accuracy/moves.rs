@@ -1,0 +1,84 @@
+//! Transforms made twice: the crate's, and the f64 matrix of the same numbers.
+
+use std::f64::consts::TAU;
+
+use fixel::number::scalar;
+use fixel::{Angle, Scalar, Transform, Vec3};
+
+use crate::reference::linear::{self, IDENTITY, Matrix, multiply};
+
+/// A step of a chain of transforms.
+#[derive(Clone, Copy, Debug)]
+pub enum Move {
+    To(Vec3),
+    X(Angle),
+    Y(Angle),
+    Z(Angle),
+    Scale(Vec3),
+}
+
+/// A translation by the nearest numbers that there are.
+pub fn to(offset: [f64; 3]) -> Move {
+    Move::To(quantised(offset))
+}
+
+/// A rotation about x by radians.
+pub fn x(radians: f64) -> Move {
+    Move::X(Angle::try_from_radians(radians).unwrap())
+}
+
+/// A rotation about y by radians.
+pub fn y(radians: f64) -> Move {
+    Move::Y(Angle::try_from_radians(radians).unwrap())
+}
+
+/// The nearest point that there is.
+pub fn quantised(point: [f64; 3]) -> Vec3 {
+    let [x, y, z] = point.map(|x| scalar(x).unwrap());
+    Vec3::new(x, y, z)
+}
+
+/// What a point of the crate is, exactly.
+pub fn exact(point: Vec3) -> [f64; 3] {
+    [point.x, point.y, point.z].map(Scalar::to_num)
+}
+
+/// What an angle is in radians, to the last bit of an f64.
+pub fn radians(angle: Angle) -> f64 {
+    f64::from(angle.to_bits()) / 2_f64.powi(32) * TAU
+}
+
+impl Move {
+    pub fn transform(self) -> Transform {
+        match self {
+            Move::To(offset) => Transform::translate(offset),
+            Move::X(angle) => Transform::rotate_x(angle),
+            Move::Y(angle) => Transform::rotate_y(angle),
+            Move::Z(angle) => Transform::rotate_z(angle),
+            Move::Scale(factors) => Transform::scale_axes(factors),
+        }
+    }
+
+    pub fn matrix(self) -> Matrix {
+        match self {
+            Move::To(offset) => linear::translate(exact(offset)),
+            Move::X(angle) => linear::rotate_x(radians(angle)),
+            Move::Y(angle) => linear::rotate_y(radians(angle)),
+            Move::Z(angle) => linear::rotate_z(radians(angle)),
+            Move::Scale(factors) => linear::scale(exact(factors)),
+        }
+    }
+}
+
+/// The product of moves, the last applied first, both ways.
+pub fn product(moves: &[Move]) -> (Transform, Matrix) {
+    moves.iter().fold(
+        (Transform::IDENTITY, IDENTITY),
+        |(transform, matrix), part| {
+            (
+                transform * part.transform(),
+                multiply(&matrix, &part.matrix()),
+            )
+        },
+    )
+}

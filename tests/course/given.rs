@@ -1,0 +1,49 @@
+//! What the rows' tests have in common: floats of the crate's formats, and their resolution.
+
+use fixel::number::scalar;
+use fixel::{Matrix4, Scalar, Unit, Vec3};
+
+/// A step of the coordinates' format: a value rounded once is off by half of it.
+pub const STEP: f64 = 1.0 / 65_536.0;
+/// A step of sines, cosines and fractions.
+pub const UNIT_STEP: f64 = 1.0 / 1_073_741_824.0;
+
+pub fn fx(value: f64) -> Scalar {
+    scalar(value).unwrap()
+}
+
+pub fn unit(value: f64) -> Unit {
+    Unit::from_num(value)
+}
+
+pub fn vec(x: f64, y: f64, z: f64) -> Vec3 {
+    Vec3::try_from([x, y, z]).unwrap()
+}
+
+pub fn float(value: Scalar) -> f64 {
+    value.to_num()
+}
+
+pub fn floats(v: Vec3) -> [f64; 3] {
+    [v.x, v.y, v.z].map(float)
+}
+
+pub fn close(found: f64, expected: f64, tolerance: f64) {
+    assert!(
+        (found - expected).abs() <= tolerance,
+        "{found} is not {expected} to {tolerance}"
+    );
+}
+
+pub fn all_close<const N: usize>(found: [f64; N], expected: [f64; N], tolerance: f64) {
+    for (found, expected) in found.into_iter().zip(expected) {
+        close(found, expected, tolerance);
+    }
+}
+
+/// Compares entry by entry.
+pub fn same_matrix(found: &Matrix4, expected: [[f64; 4]; 4], tolerance: f64) {
+    for (found, expected) in found.rows().iter().zip(expected) {
+        all_close(found.map(float), expected, tolerance);
+    }
+}
