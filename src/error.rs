@@ -1,5 +1,6 @@
 //! What can be wrong with an input, and how it is said.
 
+use core::convert::Infallible;
 use core::fmt;
 
 use crate::{Angle, Scalar};
@@ -242,6 +243,13 @@ impl fmt::Display for Error {
 }
 
 impl core::error::Error for Error {}
+
+/// Drawing onto a canvas by embedded-graphics cannot fail; so `?` may stand there too.
+impl From<Infallible> for Error {
+    fn from(never: Infallible) -> Self {
+        match never {}
+    }
+}
 
 /// A float as it was given, for a message.
 ///

@@ -1,4 +1,151 @@
 //! 3D scenes in microcontroller framebuffers, in fixed point.
+//!
+//! `fixel` (fixed + pixel) projects, clips, rasterizes and shades triangles, lines and points with integers
+//! only: textures and colours are correct in perspective, every pixel is the same on every
+//! processor, and the memory is yours. It is `no_std`, without allocation and without `unsafe`.
+//!
+//! # A picture
+//!
+//! ```
+//! use embedded_graphics::mock_display::MockDisplay;
+//! use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_4X6};
+//! use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+//! use embedded_graphics::{Drawable, geometry::Point, text::Text};
+//! use fixel::prelude::*;
+//!
+//! const WIDTH: u32 = 64;
+//! const HEIGHT: u32 = 48;
+//!
+//! // Made while compiling, in flash: a shape, or include_obj!("model.obj"); texels, or include_bytes!.
+//! static MODEL: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+//! static SKIN: Texture<Rgb565, 2, 2> =
+//!     Texture::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x00, 0x1f, 0xff, 0xff]);
+//!
+//! fn frame(now_ms: u64, display: &mut MockDisplay<Rgb565>) -> Result<(), Error> {
+//!     let lens = Projection::perspective(
+//!         Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(0.1), fx!(100))?; // Err on nonsense
+//!     let camera = Camera::look_at(vec3!(0, 1.5, 4), Vec3::ZERO, Vec3::Y)?;
+//!     let spin = Transform::rotate_y(Rate::rpm(10).angle_at(now_ms)); // time in, angle out
+//!     let sun = Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?;
+//!
+//!     let mut color = [Rgb565::BLACK; (WIDTH * HEIGHT) as usize]; // memory is the caller's
+//!     let mut depth = [0; (WIDTH * HEIGHT) as usize];
+//!     let mut canvas = Canvas::new(&mut color, WIDTH, HEIGHT)?.with_depth(&mut depth)?;
+//!     canvas.clear(Rgb565::BLACK);
+//!     let drawn = canvas.draw(&MODEL, &(lens * camera * spin), &Textured::new(&SKIN).lit(sun));
+//!     assert_eq!((drawn.submitted, drawn.drawn), (12, 4)); // cannot fail; here, the top and one side
+//!
+//!     // A canvas is an embedded-graphics DrawTarget, and it shows itself on another.
+//!     let style = MonoTextStyle::new(&FONT_4X6, Rgb565::YELLOW);
+//!     Text::new("60 fps", Point::new(1, 6), style).draw(&mut canvas)?;
+//!     canvas.show(display)?;
+//!     Ok(())
+//! }
+//!
+//! # let mut display = MockDisplay::new();
+//! # frame(0, &mut display).unwrap();
+//! # let is = |x, y, color| assert_eq!(display.get_pixel(Point::new(x, y)), Some(color));
+//! # // The middle of the front is where the four texels meet, white above to the left and blue to the right.
+//! # let [left, right] = [28, 36].map(|x| display.get_pixel(Point::new(x, 21)).unwrap());
+//! # assert!(left.r() > 10 && left.r() == left.b());
+//! # assert!(right.r() == 0 && right.g() == 0 && right.b() > 10);
+//! # is(1, 40, Rgb565::BLACK);
+//! # assert!((0..24).any(|x| display.get_pixel(Point::new(x, 3)) == Some(Rgb565::YELLOW)));
+//! ```
+//!
+//! Items of embedded-graphics are best named one by one: its prelude has an `Angle` and a `Transform` of its own.
+//!
+//! # The way of the data
+//!
+//! ```text
+//! mesh ──▶ transform ──▶ clip ──▶ viewport ──▶ set-up ──▶ edges/spans ──▶ interpolate ──▶ shade ──▶ target
+//! (flash)  model·view·   six planes, clip to    gradients   top-left rule   1/w ▸ w, then    fragment  colour + depth
+//!          projection    homogeneous screen 24.8 per tri.   integer DDA     attr/w · w       colour    rows, bands
+//! ```
+//!
+//! | what | made by | goes where |
+//! |---|---|---|
+//! | [`Mesh`] | [`include_obj!`], [`shape!`], [`geometry::obj`], [`geometry::Shape`], slices of your own | first argument of [`Canvas::draw`] |
+//! | [`Chain`]: projection · camera · model | `lens * camera * spin` of a [`Projection`], a [`Camera`] and [`Transform`]s | second |
+//! | [`Fragment`] | [`shade`], or ten lines of your own | third |
+//! | [`Pass`]: culling, viewport, interpolation | [`Pass::new`] | [`Canvas::draw_with`], [`draw_edges`](Canvas::draw_edges), [`draw_points`](Canvas::draw_points) |
+//! | [`Canvas`]: colours, depth, rows | [`Canvas::new`], [`Canvas::band`], [`Canvas::big_endian`] and so on, over your slices | a display, by [`Canvas::show`] or [`Canvas::bytes`] |
+//!
+//! # Spaces
+//!
+//! | space | axes | units | comes from |
+//! |---|---|---|---|
+//! | model | right-handed, counter-clockwise triangles face outwards | the mesh's, [`Scalar`] | [`Mesh`] |
+//! | world | right-handed, y up; lights are here | yours, [`Scalar`] | [`Transform`] |
+//! | eye | right-handed: x right, y up, the view down −z | the world's | [`Camera`] |
+//! | clip | x right, y up, w = −z of eye space, or 1 under a parallel projection; what is seen has −w ≤ x, y ≤ w between the near and the far plane | homogeneous, 64 bits inside the crate | [`Projection`] |
+//! | screen | x right, y down from the frame's top left corner; pixel centres at halves | pixels, [`Subpixel`](number::Subpixel): 1/256 | [`Viewport`] |
+//! | depth | 65535 at the near plane, falling towards 0 with the distance; greater is nearer | floor(65535 · near / w), linear in the distance under a parallel projection | [`Sample::depth`] |
+//! | texture | u right, v down from the top left corner | one repeat, [`Scalar`] | [`Vertex::uv`] |
+//!
+//! The formats, with range and resolution, are listed in [`number`].
+//!
+//! # Promises
+//!
+//! 1. **No floating point, no allocation, no `unsafe`.** Floats appear in constructors that take
+//!    them for convenience, and as the first guess of [`Angle::atan2`]; never per vertex or per pixel.
+//! 2. **Same bits everywhere.** Nothing depends on the target's word length or instructions, so a host's
+//!    picture is the board's.
+//! 3. **Total.** For every input that the types admit, drawing neither panics nor writes outside the
+//!    canvas. What cannot be drawn is refused by a constructor, with an [`Error`] that says what and why.
+//! 4. **Watertight.** Triangles that share an edge cover each pixel centre between them exactly once,
+//!    clipped or not.
+//! 5. **Bands equal frames.** A frame drawn in strips is the same, bit for bit.
+//! 6. **Pay for what is used.** Texture, depth buffer, lines, byte order, way of interpolation are type
+//!    parameters: what a program does not name is not linked. There are no feature flags.
+//!
+//! # Drawing to a display
+//!
+//! A frame of 320x240 takes 150 KiB of colour and 150 KiB of depth. Where there is not so much, the
+//! scene is drawn strip by strip into the same memory, each sent off when it is finished; triangles
+//! that miss a strip cost little more than their transform.
+//!
+//! ```
+//! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888}};
+//! use fixel::prelude::*;
+//!
+//! static BALL: Mesh = shape!(sphere(12, 8));
+//! const WIDTH: u32 = 16;
+//! const HEIGHT: u32 = 12;
+//! const ROWS: u32 = 4;
+//!
+//! let lens = Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(10))?;
+//! let chain = lens * Transform::translate(vec3!(0, 0, -2.5));
+//! let sun = Light::new(vec3!(1, 2, 3), fx!(0), fx!(1))?;
+//! let white = Lit::new(Rgb888::new(255, 255, 255), sun);
+//! let mut display = MockDisplay::new();
+//! let mut color = [BinaryColor::Off; (WIDTH * ROWS) as usize];
+//! let mut depth = [0; (WIDTH * ROWS) as usize];
+//! for first_row in (0..HEIGHT).step_by(ROWS as usize) {
+//!     let mut band = Canvas::band(&mut color, WIDTH, HEIGHT, first_row)?.with_depth(&mut depth)?;
+//!     band.clear(BinaryColor::Off);
+//!     band.draw(&BALL, &chain, &white);
+//!     band.show(&mut display)?; // or DMA from band.bytes() of a canvas of bytes
+//! }
+//! display.assert_pattern(&[
+//!     "................",
+//!     "................",
+//!     ".....#.###......",
+//!     "....########....",
+//!     ".....#.#.###....",
+//!     "....#.######....",
+//!     ".....#.#.#.#....",
+//!     "....#.#.###.....",
+//!     ".......#.#......",
+//!     "......#.#.#.....",
+//!     "................",
+//!     "................",
+//! ]);
+//! # Ok::<(), Error>(())
+//! ```
+//!
+//! For DMA let the canvas keep its pixels as the bytes that the bus wants: [`Canvas::big_endian`]
+//! and its relatives, [`Canvas::bytes`].
 #![no_std]
 
 #[cfg(test)]
@@ -32,10 +179,13 @@ pub use time::{Rate, Spin};
 pub use view::{Aspect, Camera, Chain, Projection, Viewport};
 
 /// Everything a drawing program needs.
+///
+/// Its `Angle` and `Transform` are not those of embedded-graphics' prelude: a program that has both
+/// preludes must say which it means.
 pub mod prelude {
     pub use crate::{
-        Angle, Camera, Canvas, Chain, Cull, Error, Face, Fragment, Mesh, Pass, Projection, Rate,
-        Sample, Scalar, Spin, Transform, Vec2, Vec3, Vertex, Viewport,
+        Angle, Aspect, Camera, Canvas, Chain, Cull, Drawn, Error, Face, Fragment, Mesh, Pass,
+        Projection, Rate, Sample, Scalar, Spin, Transform, Vec2, Vec3, Vertex, Viewport,
     };
     pub use crate::{
         Converted, DepthView, FaceColors, Flat, Gouraud, Levels, Light, Lit, LitFaces, LitTexture,

@@ -3,12 +3,25 @@
 //! | quantity | format | range | resolution |
 //! |---|---|---|---|
 //! | coordinates, distances, texture coordinates | [`Scalar`] (`I16F16`) | ±32768 | 1.5e-5 |
-//! | sine, cosine, unit vectors inside the crate | [`Unit`] (`I2F30`) | ±2 | 9.3e-10 |
-//! | angle | `u32` fraction of a turn ([`Angle`](crate::Angle)) | one turn | 8.4e-8 degrees |
-//! | transform | 31-bit mantissas with a shared exponent ([`Transform`](crate::Transform)) | ±2^62 | 2^-30 of the largest |
-//! | screen | [`Subpixel`] (`I24F8` pixels) | ±4096 pixels | 1/256 pixel |
-//! | depth | `u16`, linear in 1/w | near 65535, far towards 0 | 1/65535 of near/w |
-//! | varyings of a fragment | `i32`, whatever the fragment makes of it | | |
+//! | sine, cosine, unit vectors | [`Unit`] (`I2F30`) | ±2 | 9.3e-10 |
+//! | angle | `u32` fraction of a turn ([`Angle`](crate::Angle)) | one turn, wraps | 8.4e-8 degrees |
+//! | speed of rotation | `i64` thousandths of a turn a minute ([`Rate`](crate::Rate)) | ±2.1 million turns a minute, 60 times that in hertz | 1/1000 |
+//! | time | `u64` milliseconds | 584 million years | 1 ms |
+//! | transform, projection | 30 bits and a sign, with a shared exponent ([`Transform`](crate::Transform)) | ±2^62 | 2^-30 of the largest |
+//! | clip space | `i64` with a binary point per draw call | what the transform makes of any [`Scalar`] | 2^-16 of a model's unit or finer |
+//! | screen | [`Subpixel`] (`I24F8` pixels) | 2048 about the viewport's centre, beyond which triangles are clipped | 1/256 pixel |
+//! | 1/w, or depth under a parallel projection | `u32`, the nearest corner of a primitive filling 31 bits | 2^23 to 1 in a primitive | 2^-31 of the largest |
+//! | attribute/w | `i32`, likewise | half of 1/w | 2^-30 of the attribute's largest value |
+//! | reciprocal of 1/w | 31 bits ([`reciprocal`](crate::interpolate::reciprocal)) | | exact, rounded down |
+//! | depth as stored | `u16`, floor(65535 · near / w) | 65535 at the near plane, 0 infinitely far | 1/65535 of near/w |
+//! | varyings of a fragment | `i32`, whatever the fragment makes of it | ±2^31 | rounded down to its unit |
+//! | … texels | 16 fraction bits ([`Textured`](crate::Textured)) | ±32768 texels | 1/65536 texel |
+//! | … colour levels | 16 fraction bits of a step ([`Levels`](crate::Levels)) | 0 to 255 steps | 1/65536 step |
+//! | brightness, colour fractions | `i32` ([`Light::brightness`](crate::Light::brightness)) | 0 to 65,536, which is 1 | 1/65536 |
+//!
+//! Products are accumulated in 64 bits and rounded once, to nearest; where something rounds in another
+//! way, its documentation says so. What exceeds a range saturates; only angles, and turns of a
+//! repeating texture, wrap.
 
 use crate::Error;
 use crate::error::Given;
@@ -20,6 +33,8 @@ use crate::error::Given;
 pub type Scalar = fixed::types::I16F16;
 
 /// Screen coordinates: signed, 24 integer and 8 fraction bits of a pixel.
+///
+/// x to the right and y down from the top left corner of the frame; a pixel's centre is at halves.
 pub type Subpixel = fixed::types::I24F8;
 
 /// Sines, cosines and components of unit vectors: signed, 2 integer and 30 fraction bits.

@@ -124,7 +124,12 @@ fn check(statement: &str) -> Result<(), String> {
         let value: f64 = word
             .parse()
             .map_err(|_| format!("'{word}' is not a number"))?;
-        fixel::number::scalar(value).map_err(|error| format!("coordinate {error}"))?;
+        // The number as it was written: an error's own is rounded.
+        fixel::number::scalar(value).map_err(|_| {
+            format!(
+                "coordinate {word} cannot be represented: it must lie between -32768 and 32767.99999"
+            )
+        })?;
     }
     Ok(())
 }

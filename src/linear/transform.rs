@@ -238,7 +238,6 @@ impl Transform {
     /// The matrix that takes normals where [`point`](Self::point) takes surfaces, up to a positive
     /// factor: the inverse transpose, as cofactors of the matrix with the sign of its determinant.
     #[must_use]
-    #[allow(dead_code)] // lights are to come
     pub(crate) fn normal_matrix(&self) -> [[i32; 3]; 3] {
         let [x, y, z] = self.linear;
         let (cofactors, _) =

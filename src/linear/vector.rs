@@ -158,6 +158,15 @@ impl TryFrom<[f64; 2]> for Vec2 {
     }
 }
 
+impl TryFrom<[f32; 2]> for Vec2 {
+    type Error = Error;
+
+    /// The nearest representable texture coordinate.
+    fn try_from(v: [f32; 2]) -> Result<Self, Error> {
+        Self::try_from(v.map(f64::from))
+    }
+}
+
 /// A [`Vec3`] of three literals, rounded to the nearest while compiling.
 ///
 /// ```

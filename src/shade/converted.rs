@@ -15,13 +15,25 @@ use crate::linear::Transform;
 /// it in the canvas's colour is faster.
 ///
 /// ```
-/// use embedded_graphics::{pixelcolor::{BinaryColor, Rgb888}, prelude::*};
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888}};
 /// use fixel::prelude::*;
-/// static SKIN: Texture<Rgb888, 1, 2> = Texture::rgb888(&[255, 255, 255, 10, 0, 0]);
-/// let printed: Converted<_, BinaryColor> = Converted::new(Textured::new(&SKIN));
-/// let pixel = Sample { point: Point::new(1, 1), depth: 0 };
-/// assert_eq!(printed.shade(&pixel, [0, 0]), Some(BinaryColor::On));
-/// assert_eq!(printed.shade(&pixel, [0, 1 << 16]), Some(BinaryColor::Off));
+/// static SKIN: Texture<Rgb888, 2, 1> = Texture::rgb888(&[255, 255, 255, 0, 128, 0]);
+/// static SQUARE: Mesh = shape!(plane(1, 1));
+/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let chain = lens * Camera::top(Vec3::ZERO, fx!(1));
+/// let mut pixels = [BinaryColor::Off; 48];
+/// let mut canvas = Canvas::new(&mut pixels, 12, 4)?;
+/// let skin = Textured::new(&SKIN);
+/// canvas.draw(&SQUARE, &chain, &Converted::new(skin));
+/// let mut display = MockDisplay::new();
+/// canvas.show(&mut display)?;
+/// display.assert_pattern(&[
+///     "######......",
+///     "#######.#.#.",
+///     "######......",
+///     "#######.#.#.",
+/// ]);
+/// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Converted<F, C> {

@@ -8,11 +8,19 @@ use crate::geometry::{Face, Vertex};
 /// One colour for everything.
 ///
 /// ```
-/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
 /// use fixel::prelude::*;
-/// let red = Flat::new(Rgb565::RED);
-/// let pixel = Sample { point: Point::new(4, 2), depth: 65535 };
-/// assert_eq!(red.shade(&pixel, []), Some(Rgb565::RED));
+/// static SQUARE: Mesh = shape!(plane(1, 1));
+/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let chain = lens * Camera::top(Vec3::ZERO, fx!(1));
+/// let mut pixels = [BinaryColor::Off; 32];
+/// let mut canvas = Canvas::new(&mut pixels, 8, 4)?;
+/// let half = Transform::scale(fx!(0.5));
+/// canvas.draw(&SQUARE, &(chain * half), &Flat::new(BinaryColor::On));
+/// let mut display = MockDisplay::new();
+/// canvas.show(&mut display)?;
+/// display.assert_pattern(&["........", "..####..", "..####..", "........"]);
+/// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Flat<C> {
@@ -47,12 +55,24 @@ impl<C: PixelColor> Fragment<0> for Flat<C> {
 /// black (the colour's default). Edges and points have the first.
 ///
 /// ```
-/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
 /// use fixel::prelude::*;
-/// static COLORS: [Rgb565; 2] = [Rgb565::RED, Rgb565::BLUE];
-/// let sides = FaceColors::new(&COLORS);
-/// let pixel = Sample { point: Point::zero(), depth: 0 };
-/// assert_eq!(sides.shade(&pixel, []), Some(Rgb565::RED));
+/// static SQUARE: Mesh = shape!(plane(1, 1));
+/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let chain = lens * Camera::top(Vec3::ZERO, fx!(1));
+/// let mut pixels = [Rgb565::BLACK; 16];
+/// let mut canvas = Canvas::new(&mut pixels, 4, 4)?;
+/// let colors = [Rgb565::RED, Rgb565::BLUE];
+/// canvas.draw(&SQUARE, &chain, &FaceColors::new(&colors));
+/// let mut display = MockDisplay::new();
+/// canvas.show(&mut display)?;
+/// display.assert_pattern(&[
+///     "BBBB",
+///     "RBBB",
+///     "RRBB",
+///     "RRRB",
+/// ]);
+/// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FaceColors<'a, C> {

@@ -7,6 +7,13 @@ use crate::geometry::{Face, Vertex};
 use crate::linear::Transform;
 
 /// A pixel about to be shaded.
+///
+/// ```
+/// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
+/// use fixel::prelude::*;
+/// let pixel = Sample { point: Point::new(4, 2), depth: 65535 };
+/// assert_eq!(Flat::new(Gray8::new(7)).shade(&pixel, []), Some(Gray8::new(7)));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sample {
     /// Column and row in the frame, (0, 0) at the top left.
@@ -23,7 +30,7 @@ pub struct Sample {
 /// rounded down, and may exceed the range of its triangle's corners by a unit.
 ///
 /// ```
-/// use embedded_graphics::pixelcolor::Rgb565;
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
 /// use fixel::prelude::*;
 ///
 /// /// Stripes along the texture's u.
@@ -34,13 +41,24 @@ pub struct Sample {
 ///     type Color = Rgb565;
 ///
 ///     fn varyings(&self, vertex: &Vertex) -> [i32; 1] {
-///         [vertex.uv().x.to_bits()]
+///         [vertex.uv().x.to_bits()] // 65,536 is 1
 ///     }
 ///
 ///     fn shade(&self, _: &Sample, [u]: [i32; 1]) -> Option<Rgb565> {
-///         Some(if u & 0x4000 == 0 { Rgb565::new(31, 63, 31) } else { Rgb565::new(31, 0, 0) })
+///         Some(if u & 0x4000 == 0 { Rgb565::WHITE } else { Rgb565::RED })
 ///     }
 /// }
+///
+/// static SQUARE: Mesh = shape!(plane(1, 1));
+/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let chain = lens * Camera::top(Vec3::ZERO, fx!(1));
+/// let mut pixels = [Rgb565::BLACK; 16];
+/// let mut canvas = Canvas::new(&mut pixels, 8, 2)?;
+/// canvas.draw(&SQUARE, &chain, &Stripes);
+/// let mut display = MockDisplay::new();
+/// canvas.show(&mut display)?;
+/// display.assert_pattern(&["WWRRWWRR", "WWRRWWRR"]);
+/// # Ok::<(), Error>(())
 /// ```
 pub trait Fragment<const N: usize>: Copy {
     /// The colour that comes out; the canvas must have the same.

@@ -11,12 +11,25 @@ use crate::geometry::Vertex;
 /// The colour of the canvas says how: see [`Levels`](super::Levels). Grey is interpolated as one value.
 ///
 /// ```
-/// use embedded_graphics::{pixelcolor::{Rgb565, Rgb888}, prelude::*};
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor}};
 /// use fixel::prelude::*;
-/// let blend = Gouraud::<Rgb565>::new();
-/// let pixel = Sample { point: Point::zero(), depth: 0 };
-/// // Varyings are levels: Rgb565's own steps, with 16 fraction bits.
-/// assert_eq!(blend.shade(&pixel, [5 << 16, 0x1_8000, 0x7fff]), Some(Rgb565::new(5, 2, 0)));
+/// static SQUARE: Mesh = shape!(plane(1, 1));
+/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let chain = lens * Camera::top(Vec3::ZERO, fx!(1));
+/// let mut pixels = [Gray4::BLACK; 16];
+/// let mut canvas = Canvas::new(&mut pixels, 8, 2)?;
+/// let (left, right) = (Rgb888::BLACK, Rgb888::WHITE);
+/// let colors = [left, right, left, right];
+/// let mesh = SQUARE.with_colors(&colors, None)?;
+/// canvas.draw(&mesh, &chain, &Gouraud::new());
+/// let mut display = MockDisplay::new();
+/// canvas.show(&mut display)?;
+/// // Sixteen greys are few, so they are dithered.
+/// display.assert_pattern(&[
+///     "03478ACE",
+///     "13569ADE",
+/// ]);
+/// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Gouraud<C> {

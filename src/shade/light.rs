@@ -34,7 +34,15 @@ use crate::{Error, Scalar, Vec3};
 ///     }
 /// }
 ///
+/// static SQUARE: Mesh = shape!(plane(1, 1));
+/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let chain = lens * Camera::top(Vec3::ZERO, fx!(1));
+/// let mut pixels = [Gray8::new(0); 4];
+/// let mut canvas = Canvas::new(&mut pixels, 2, 2)?;
 /// let sun = Light::new(vec3!(0, 4, 3), fx!(0.25), fx!(0.5))?;
+/// canvas.draw(&SQUARE, &chain, &Clay(sun));
+/// assert!(canvas.pixels().all(|pixel| pixel == Gray8::new(130))); // 0.65 of 200
+///
 /// assert_eq!(sun.brightness(vec3!(0, 7, 0)), 42598); // 0.25 + 0.5 · 0.8 = 0.65
 /// assert_eq!(sun.brightness(vec3!(0, -1, 0)), 16384);
 /// # Ok::<(), Error>(())

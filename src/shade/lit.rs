@@ -50,13 +50,31 @@ impl<C: Levels> Surface<C> {
 /// brightness, 65,536 being 1.
 ///
 /// ```
-/// use embedded_graphics::{pixelcolor::{Rgb565, Rgb888}, prelude::*};
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor}};
 /// use fixel::prelude::*;
-/// let sun = Light::new(vec3!(1, 2, 3), fx!(0.2), fx!(0.8))?;
-/// let clay: Lit<Rgb565> = Lit::new(Rgb888::new(200, 100, 50), sun);
-/// let pixel = Sample { point: Point::zero(), depth: 0 };
-/// assert_eq!(clay.shade(&pixel, [65536]), Some(Rgb565::new(24, 25, 6)));
-/// assert_eq!(clay.shade(&pixel, [32768]), Some(Rgb565::new(12, 12, 3)));
+/// static BALL: Mesh = shape!(sphere(8, 8));
+/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let chain = lens * Camera::front(Vec3::ZERO, fx!(1));
+/// let sun = Light::new(vec3!(1, 2, 1), fx!(0.2), fx!(0.8))?;
+/// let mut pixels = [Gray4::BLACK; 144];
+/// let mut canvas = Canvas::new(&mut pixels, 12, 12)?;
+/// canvas.draw(&BALL, &chain, &Lit::new(Rgb888::WHITE, sun));
+/// let mut display = MockDisplay::new();
+/// canvas.show(&mut display)?;
+/// display.assert_pattern(&[
+///     "0000CDEF0000",
+///     "009ACDEEFE00",
+///     "068ABCCDDEC0",
+///     "0588ABCCDDD0",
+///     "34678AABBCBB",
+///     "33567899AAB9",
+///     "333457788988",
+///     "333345667775",
+///     "033334344540",
+///     "033333434440",
+///     "003333333300",
+///     "000033330000",
+/// ]);
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -101,12 +119,31 @@ impl<C: Levels> Fragment<1> for Lit<C> {
 /// Edges and points have the colour in full light.
 ///
 /// ```
-/// use embedded_graphics::{pixelcolor::{Rgb565, Rgb888}, prelude::*};
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor}};
 /// use fixel::prelude::*;
-/// let sun = Light::new(vec3!(1, 2, 3), fx!(0.2), fx!(0.8))?;
-/// let cut: LitFaces<Rgb565> = LitFaces::new(Rgb888::new(200, 100, 50), sun);
-/// let pixel = Sample { point: Point::zero(), depth: 0 };
-/// assert_eq!(cut.shade(&pixel, []), Some(Rgb565::new(24, 25, 6)));
+/// static BALL: Mesh = shape!(sphere(8, 8));
+/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let chain = lens * Camera::front(Vec3::ZERO, fx!(1));
+/// let sun = Light::new(vec3!(1, 2, 1), fx!(0.2), fx!(0.8))?;
+/// let mut pixels = [Gray4::BLACK; 144];
+/// let mut canvas = Canvas::new(&mut pixels, 12, 12)?;
+/// canvas.draw(&BALL, &chain, &LitFaces::new(Rgb888::WHITE, sun));
+/// let mut display = MockDisplay::new();
+/// canvas.show(&mut display)?;
+/// display.assert_pattern(&[
+///     "0000CDEF0000",
+///     "00ACDCFFFE00",
+///     "065AABDEDED0",
+///     "06BABAEDEEE0",
+///     "337877BBBBBB",
+///     "338787BBBBBB",
+///     "333444787878",
+///     "334444878887",
+///     "033333333330",
+///     "033333434340",
+///     "003333333300",
+///     "000033330000",
+/// ]);
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -165,13 +202,20 @@ impl<C: Levels> Fragment<0> for LitFaces<C> {
 /// then the brightness, 65,536 being 1.
 ///
 /// ```
-/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, GrayColor}};
 /// use fixel::prelude::*;
-/// static SKIN: Texture<Rgb565, 1, 1> = Texture::from_texels([[Rgb565::new(31, 40, 8)]]);
-/// let sun = Light::new(vec3!(1, 2, 3), fx!(0.2), fx!(0.8))?;
-/// let skin = Textured::new(&SKIN).lit(sun);
-/// let pixel = Sample { point: Point::zero(), depth: 0 };
-/// assert_eq!(skin.shade(&pixel, [0, 0, 32768]), Some(Rgb565::new(16, 20, 4)));
+/// static SKIN: Texture<Gray8, 2, 2> = Texture::gray8(&[0x88, 0xee, 0x44, 0xaa]);
+/// static SQUARE: Mesh = shape!(plane(1, 1));
+/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let chain = lens * Camera::top(Vec3::ZERO, fx!(1));
+/// let mut pixels = [Gray8::BLACK; 16];
+/// let mut canvas = Canvas::new(&mut pixels, 4, 4)?;
+/// // Half of full light: every texel half as bright.
+/// let sun = Light::new(Vec3::Y, fx!(0), fx!(0.5))?;
+/// canvas.draw(&SQUARE, &chain, &Textured::new(&SKIN).lit(sun));
+/// let mut display = MockDisplay::new();
+/// canvas.show(&mut display)?;
+/// display.assert_pattern(&["4477", "4477", "2255", "2255"]);
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

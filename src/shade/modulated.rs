@@ -10,12 +10,21 @@ use crate::geometry::{Face, Vertex};
 /// Varyings are column and row, then the vertex colour's fractions (65,536 is 1): three, or one for a grey texture.
 ///
 /// ```
-/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888, RgbColor}};
 /// use fixel::prelude::*;
-/// static SKIN: Texture<Rgb565, 1, 1> = Texture::from_texels([[Rgb565::new(31, 40, 8)]]);
-/// let stained = Textured::new(&SKIN).modulated();
-/// let pixel = Sample { point: Point::zero(), depth: 0 };
-/// assert_eq!(stained.shade(&pixel, [0, 0, 65536, 32768, 0]), Some(Rgb565::new(31, 20, 0)));
+/// static SKIN: Texture<Rgb565, 2, 1> = Texture::from_texels([[Rgb565::YELLOW, Rgb565::BLUE]]);
+/// static SQUARE: Mesh = shape!(plane(1, 1));
+/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let chain = lens * Camera::top(Vec3::ZERO, fx!(1));
+/// let mut pixels = [Rgb565::BLACK; 8];
+/// let mut canvas = Canvas::new(&mut pixels, 4, 2)?;
+/// // Under red, yellow is red and blue is black.
+/// let mesh = SQUARE.with_colors(&[Rgb888::RED; 4], None)?;
+/// canvas.draw(&mesh, &chain, &Textured::new(&SKIN).modulated());
+/// let mut display = MockDisplay::new();
+/// canvas.show(&mut display)?;
+/// display.assert_pattern(&["RRKK", "RRKK"]);
+/// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Modulated<S, A = Repeat> {

@@ -10,14 +10,20 @@ use super::sampler::{log2, wrapped};
 /// Sizes as for [`Texture`](super::Texture).
 ///
 /// ```
-/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
-/// use fixel::{prelude::*, shade::Sampler};
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
+/// use fixel::prelude::*;
 /// static TILES: Palette<Rgb565, 2, 2> =
 ///     Palette::new(&[0, 1, 1, 2], &[Rgb565::BLACK, Rgb565::RED, Rgb565::WHITE]);
-/// assert_eq!((&TILES).texel(1, 0), Rgb565::RED);
-/// let tiled = Textured::new(&TILES);
-/// let pixel = Sample { point: Point::zero(), depth: 0 };
-/// assert_eq!(tiled.shade(&pixel, [0x1_8000, 0x1_8000]), Some(Rgb565::WHITE));
+/// static SQUARE: Mesh = shape!(plane(1, 1));
+/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let chain = lens * Camera::top(Vec3::ZERO, fx!(1));
+/// let mut pixels = [Rgb565::GREEN; 16];
+/// let mut canvas = Canvas::new(&mut pixels, 4, 4)?;
+/// canvas.draw(&SQUARE, &chain, &Textured::new(&TILES));
+/// let mut display = MockDisplay::new();
+/// canvas.show(&mut display)?;
+/// display.assert_pattern(&["KKRR", "KKRR", "RRWW", "RRWW"]);
+/// # Ok::<(), Error>(())
 /// ```
 ///
 /// Indices of another number than the size, no colours or more than 256 do not compile:

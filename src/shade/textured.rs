@@ -17,13 +17,19 @@ use crate::geometry::{Face, Vertex};
 /// one, so that only its extent counts, not its place (lines and points are not moved).
 ///
 /// ```
-/// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, GrayColor}};
 /// use fixel::prelude::*;
-/// static SKIN: Texture<Gray8, 2, 2> = Texture::gray8(&[10, 20, 30, 40]);
-/// let skin = Textured::new(&SKIN);
-/// let pixel = Sample { point: Point::zero(), depth: 0 };
-/// assert_eq!(skin.shade(&pixel, [0x1_8000, 0x2_8000]), Some(Gray8::new(20)));
-/// assert_eq!(skin.clamped().shade(&pixel, [0x1_8000, 0x2_8000]), Some(Gray8::new(40)));
+/// static SKIN: Texture<Gray8, 2, 2> = Texture::gray8(&[0x11, 0x22, 0x33, 0x44]);
+/// static SQUARE: Mesh = shape!(plane(1, 1));
+/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let chain = lens * Camera::top(Vec3::ZERO, fx!(1));
+/// let mut pixels = [Gray8::BLACK; 16];
+/// let mut canvas = Canvas::new(&mut pixels, 4, 4)?;
+/// canvas.draw(&SQUARE, &chain, &Textured::new(&SKIN));
+/// let mut display = MockDisplay::new();
+/// canvas.show(&mut display)?;
+/// display.assert_pattern(&["1122", "1122", "3344", "3344"]);
+/// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Textured<S, A = Repeat> {
@@ -51,10 +57,13 @@ mod sealed {
 /// Beyond its edge a texture begins anew.
 ///
 /// ```
+/// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
 /// use fixel::{prelude::*, shade::Repeat};
-/// # use embedded_graphics::pixelcolor::Gray8;
-/// # static SKIN: Texture<Gray8, 2, 2> = Texture::gray8(&[10, 20, 30, 40]);
+/// static SKIN: Texture<Gray8, 2, 1> = Texture::gray8(&[10, 20]);
 /// let skin: Textured<_, Repeat> = Textured::new(&SKIN);
+/// let pixel = Sample { point: Point::zero(), depth: 0 };
+/// let texels = [-1, 0, 1, 2, 3].map(|column| skin.shade(&pixel, [column << 16, 0]));
+/// assert_eq!(texels, [20, 10, 20, 10, 20].map(|luma| Some(Gray8::new(luma))));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Repeat;
@@ -62,10 +71,13 @@ pub struct Repeat;
 /// Beyond its edge a texture goes on with the texels of the edge.
 ///
 /// ```
+/// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
 /// use fixel::{prelude::*, shade::Clamp};
-/// # use embedded_graphics::pixelcolor::Gray8;
-/// # static SKIN: Texture<Gray8, 2, 2> = Texture::gray8(&[10, 20, 30, 40]);
+/// static SKIN: Texture<Gray8, 2, 1> = Texture::gray8(&[10, 20]);
 /// let skin: Textured<_, Clamp> = Textured::new(&SKIN).clamped();
+/// let pixel = Sample { point: Point::zero(), depth: 0 };
+/// let texels = [-1, 0, 1, 2, 3].map(|column| skin.shade(&pixel, [column << 16, 0]));
+/// assert_eq!(texels, [10, 10, 20, 20, 20].map(|luma| Some(Gray8::new(luma))));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Clamp;

@@ -16,11 +16,23 @@ use crate::linear::Transform;
 /// 1/distance, so that most scenes are dark; [`between`](Self::between) spreads a part of it.
 ///
 /// ```
-/// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
 /// use fixel::prelude::*;
-/// let pixel = Sample { point: Point::zero(), depth: 16384 };
-/// assert_eq!(DepthView::new().shade(&pixel, []), Some(Gray8::new(64)));
-/// assert_eq!(DepthView::between(0, 32768).shade(&pixel, []), Some(Gray8::new(128)));
+/// static SQUARE: Mesh = shape!(plane(1, 1));
+/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let chain = lens * Camera::top(Vec3::ZERO, fx!(1));
+/// let mut pixels = [Gray4::BLACK; 16];
+/// let mut canvas = Canvas::new(&mut pixels, 8, 2)?;
+/// // Turned out of the plane: the right side is nearer.
+/// let slope = Transform::rotate_z(Angle::from_degrees(45)) * Transform::scale(fx!(1.414));
+/// canvas.draw(&SQUARE, &(chain * slope), &DepthView::new());
+/// let mut display = MockDisplay::new();
+/// canvas.show(&mut display)?;
+/// display.assert_pattern(&[
+///     "03478ACE",
+///     "13569ADE",
+/// ]);
+/// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DepthView<C> {
@@ -90,12 +102,17 @@ impl<C: Levels> Fragment<0> for DepthView<C> {
 /// mid-grey. Colours, not directions, are interpolated.
 ///
 /// ```
-/// use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
+/// use embedded_graphics::pixelcolor::Rgb888;
 /// use fixel::prelude::*;
-/// let view = NormalView::new();
-/// let pixel = Sample { point: Point::zero(), depth: 0 };
-/// // Varyings are levels, as for Gouraud.
-/// assert_eq!(view.shade(&pixel, [128 << 16, 128 << 16, 255 << 16]), Some(Rgb888::new(128, 128, 255)));
+/// static SQUARE: Mesh = shape!(plane(1, 1));
+/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let chain = lens * Camera::top(Vec3::ZERO, fx!(1));
+/// let mut pixels = [Rgb888::new(0, 0, 0); 4];
+/// let mut canvas = Canvas::new(&mut pixels, 2, 2)?;
+/// canvas.draw(&SQUARE, &chain, &NormalView::new());
+/// // The normal is (0, 1, 0).
+/// assert!(canvas.pixels().all(|pixel| pixel == Rgb888::new(128, 255, 128)));
+/// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NormalView<C> {

@@ -12,5 +12,4 @@ pub use chain::Chain;
 pub use projection::{Kind, Parallel, Perspective, Projection};
 pub use viewport::Viewport;
 
-#[allow(unused_imports)]
 pub(crate) use projection::Row;

@@ -99,7 +99,7 @@ impl Projection<Parallel> {
         far: Scalar,
     ) -> Result<Self, Error> {
         check_far(near, far)?;
-        let row = |low, high, shear| {
+        let row = |low, high, shear| -> Result<_, Error> {
             let (size, middle) = extent(low, high)?;
             let scale = quotient((2, 0), (size, 16));
             let slope = negated(product(scale, shear));
