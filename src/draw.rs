@@ -2,6 +2,8 @@
 
 use core::marker::PhantomData;
 
+use heapless::Vec;
+
 use crate::geometry::{self, ClipVertex, Cull, Element, Index, Projected, Projector};
 use crate::interpolate::{Exact, Interpolate};
 use crate::linear::Transform;
@@ -342,21 +344,39 @@ impl<'m, K: Kind, F> Call<'m, K, F> {
         let (Some(first), Some(mut from)) = (corners.next(), corners.next()) else {
             return false;
         };
-        let mut drawn = false;
+        let mut parts: Vec<_, 7> = Vec::new();
+        let mut area = 0;
         for to in corners {
-            let part = Triangle::new([first.0, from.0, to.0], self.cull, &self.window);
+            let fan = [first, from, to];
+            let part = Triangle::new(fan.map(|corner| corner.0), Cull::Nothing, &self.window);
+            area += raster::area(fan.map(|corner| corner.0.screen));
             if let Some(part) = part {
-                part.draw::<K::Mode<I>, F, O, D, N>(
-                    canvas,
-                    &self.window,
-                    [first.1, from.1, to.1],
-                    (&fragment, |exponent| self.projector.depth_shift(exponent)),
-                );
-                drawn = true;
+                // There is room: nine corners make seven parts.
+                let _ = parts.push((part, fan.map(|corner| corner.1)));
             }
             from = to;
         }
-        drawn
+        if self.cull.leaves_out(area) {
+            return false;
+        }
+        // Rounding may have turned some of them over.
+        let clockwise = area > 0;
+        let folded = parts
+            .iter()
+            .any(|(part, _)| part.is_clockwise() != clockwise);
+        for (at, (part, varyings)) in parts.iter().enumerate() {
+            if part.is_clockwise() == clockwise {
+                let keep = |pixel| raster::is_drawn_by_part(&parts, at, clockwise, pixel);
+                part.draw_where::<K::Mode<I>, F, O, D, N>(
+                    canvas,
+                    &self.window,
+                    *varyings,
+                    (&fragment, |exponent| self.projector.depth_shift(exponent)),
+                    folded.then_some(&keep),
+                );
+            }
+        }
+        !parts.is_empty()
     }
 
     /// Draws one line, clipped if need be.

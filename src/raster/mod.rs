@@ -16,7 +16,7 @@ use crate::target::{Canvas, DepthBuffer, Storage};
 
 pub(crate) use line::line;
 pub(crate) use point::point;
-pub(crate) use triangle::Triangle;
+pub(crate) use triangle::{Triangle, area, is_drawn_by_part};
 
 /// The part of the canvas that may be drawn into; nothing outside is.
 #[derive(Clone, Debug)]
