@@ -474,26 +474,26 @@ impl<'m, K: Kind, F> Call<'m, K, F> {
 
 /// Vertices that were projected lately, as neighbouring triangles share them.
 struct Cache {
-    entries: [(u32, Projected); Self::SIZE],
+    entries: [(Index, Projected); Self::SIZE],
 }
 
 impl Cache {
-    /// A power of two. 32 entries hold a strip of a sphere of 32 slices, in 900 bytes of stack.
-    const SIZE: usize = 32;
+    /// A power of two. Rows of a mesh up to 31 vertices apart are projected once; 1 KiB of stack.
+    const SIZE: usize = 64;
 
     const fn new() -> Self {
-        Self {
-            entries: [(u32::MAX, Projected::NONE); Self::SIZE],
-        }
+        // Entry 0 is for multiples of the size, so 1 marks it as empty; the others may begin with 0.
+        let mut entries = [(0, Projected::NONE); Self::SIZE];
+        entries[0].0 = 1;
+        Self { entries }
     }
 
     #[inline]
     fn project<K: Kind, F>(&mut self, call: &Call<'_, K, F>, index: Index) -> Projected {
-        let key = u32::from(index);
         // Never more than the size less one.
         let (entry, projected) = &mut self.entries[usize::from(index) % Self::SIZE];
-        if *entry != key {
-            *entry = key;
+        if *entry != index {
+            *entry = index;
             let position = call.projector.clip_position(call.mesh.position(index));
             *projected = call.projector.project(position);
         }

@@ -19,7 +19,7 @@ pub(crate) fn line<I, F, O, D, const N: usize>(
     window: &Window,
     mut ends: [Projected; 2],
     mut varyings: [[i32; N]; 2],
-    (fragment, depth_shift): (&F, impl Fn(i32) -> u32),
+    (fragment, depth_shift): (&F, impl Fn(u8) -> u32),
 ) where
     I: Interpolate,
     F: Fragment<N>,

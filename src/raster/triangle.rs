@@ -81,7 +81,7 @@ impl Triangle {
         canvas: &mut Canvas<'_, F::Color, O, D>,
         window: &Window,
         varyings: [[i32; N]; 3],
-        paint: (&F, impl Fn(i32) -> u32),
+        paint: (&F, impl Fn(u8) -> u32),
     ) where
         I: Interpolate,
         F: Fragment<N>,
@@ -98,7 +98,7 @@ impl Triangle {
         canvas: &mut Canvas<'_, F::Color, O, D>,
         window: &Window,
         [first, second, third]: [[i32; N]; 3],
-        (fragment, depth_shift): (&F, impl Fn(i32) -> u32),
+        (fragment, depth_shift): (&F, impl Fn(u8) -> u32),
         keep: Option<&impl Fn([i32; 2]) -> bool>,
     ) where
         I: Interpolate,
