@@ -30,14 +30,32 @@ use crate::error::Given;
 ///
 /// Range −32768 to 32768 − 2⁻¹⁶, resolution 2⁻¹⁶ ≈ 1.5e-5.
 /// [`fx!`](crate::fx) writes a literal, [`scalar`] converts a float at run time.
+///
+/// ```
+/// use fixel::{Scalar, fx};
+/// assert_eq!(fx!(1.5).to_bits(), 3 << 15);
+/// assert_eq!(Scalar::from_num(2) * fx!(0.25), fx!(0.5));
+/// ```
 pub type Scalar = fixed::types::I16F16;
 
 /// Screen coordinates: signed, 24 integer and 8 fraction bits of a pixel.
 ///
 /// x to the right and y down from the top left corner of the frame; a pixel's centre is at halves.
+///
+/// ```
+/// use fixel::number::Subpixel;
+/// // The centre of the second column.
+/// assert_eq!(Subpixel::from_bits(384).to_string(), "1.5");
+/// ```
 pub type Subpixel = fixed::types::I24F8;
 
 /// Sines, cosines and components of unit vectors: signed, 2 integer and 30 fraction bits.
+///
+/// ```
+/// use fixel::{Angle, Unit};
+/// let half: Unit = Angle::from_degrees(30).sin();
+/// assert!((half - Unit::lit("0.5")).abs() < Unit::lit("0.00000001"));
+/// ```
 pub type Unit = fixed::types::I2F30;
 
 /// Converts a float to the nearest [`Scalar`].

@@ -6,6 +6,12 @@ use super::buffers::Counts;
 use crate::{Error, Vec2, Vec3};
 
 /// Corners of a triangle or ends of an edge, as indices into a mesh's positions.
+///
+/// ```
+/// use fixel::{Index, Mesh, Vec3};
+/// let last: Index = 65_535;
+/// assert!(Mesh::new(&[Vec3::ZERO; 65_536], &[[last, 0, 1]]).is_ok());
+/// ```
 pub type Index = u16;
 
 /// A triangle mesh over the caller's slices: positions and faces, optionally texture coordinates,

@@ -7,6 +7,41 @@ use crate::linear::Transform;
 use crate::{Scalar, Vec2, Vec3};
 
 /// One triangle of a mesh, on its way to be drawn.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use fixel::prelude::*;
+///
+/// /// Faces that look up are light, others dark.
+/// #[derive(Clone, Copy)]
+/// struct Snow(u8);
+///
+/// impl Fragment<0> for Snow {
+///     type Color = Gray8;
+///
+///     fn varyings(&self, _: &Vertex) -> [i32; 0] {
+///         []
+///     }
+///
+///     fn face(self, _: &mut [[i32; 0]; 3], face: &Face) -> Self {
+///         Self(if face.normal().y > 0 { 250 } else { 50 })
+///     }
+///
+///     fn shade(&self, _: &Sample, _: [i32; 0]) -> Option<Gray8> {
+///         Some(Gray8::new(self.0))
+///     }
+/// }
+///
+/// let mut pixels = [Gray8::new(0); 1];
+/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(9))?;
+/// let from_above = Camera::top(Vec3::ZERO, fx!(5));
+/// let positions = [vec3!(-9, 0, 9), vec3!(9, 0, 9), vec3!(0, 0, -9)];
+/// let ground = Mesh::new(&positions, &[[0, 1, 2]])?;
+/// let mut canvas = Canvas::new(&mut pixels, 1, 1)?;
+/// canvas.draw(&ground, &(lens * from_above * Transform::IDENTITY), &Snow(0));
+/// assert_eq!(pixels, [Gray8::new(250)]);
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Face<'a> {
     pub(crate) mesh: &'a Mesh<'a>,
@@ -57,6 +92,27 @@ impl Face<'_> {
 }
 
 /// One corner of a triangle or end of a line, on its way to be drawn.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use fixel::prelude::*;
+///
+/// /// Fog: what is ten units away is white, what is at the eye black.
+/// #[derive(Clone, Copy)]
+/// struct Fog;
+///
+/// impl Fragment<1> for Fog {
+///     type Color = Gray8;
+///
+///     fn varyings(&self, vertex: &Vertex) -> [i32; 1] {
+///         [vertex.distance().to_bits()]
+///     }
+///
+///     fn shade(&self, _: &Sample, [distance]: [i32; 1]) -> Option<Gray8> {
+///         Some(Gray8::new((distance / 2570).clamp(0, 255) as u8))
+///     }
+/// }
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Vertex<'a> {
     pub(crate) face: &'a Face<'a>,

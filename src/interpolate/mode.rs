@@ -8,6 +8,39 @@ use super::run::{Pixels, Run, Scale, Steps};
 /// The one seam at which speed is traded for accuracy. An implementation walks the run, asks
 /// [`Pixels::visible`] of each pixel first, and recovers the attributes of those that are. It must
 /// depend on nothing but the run, so that every band and every target draws the same.
+///
+/// ```
+/// use fixel::interpolate::{Exact, Interpolate, Pixels, Run, Steps};
+/// use fixel::{Pass};
+///
+/// /// Every other pixel, exactly.
+/// #[derive(Clone, Copy)]
+/// struct Sparse;
+///
+/// impl Interpolate for Sparse {
+///     const PERSPECTIVE: bool = true;
+///
+///     fn run<T, const N: usize>(
+///         run: Run<N>,
+///         steps: &Steps<N>,
+///         cells: impl Iterator<Item = T>,
+///         pixels: &mut impl Pixels<T, N>,
+///     ) {
+///         struct Half<'a, P>(&'a mut P, bool);
+///         impl<T, const N: usize, P: Pixels<T, N>> Pixels<T, N> for Half<'_, P> {
+///             fn visible(&mut self, pixel: &T, q: u32) -> bool {
+///                 self.1 = !self.1;
+///                 self.0.visible(pixel, q) && self.1
+///             }
+///             fn shade(&mut self, pixel: T, q: u32, varyings: [i32; N]) {
+///                 self.0.shade(pixel, q, varyings);
+///             }
+///         }
+///         Exact::run(run, steps, cells, &mut Half(pixels, false));
+///     }
+/// }
+/// let pass = Pass::new().mode::<Sparse>();
+/// ```
 pub trait Interpolate {
     /// Whether attributes are divided by 1/w; otherwise [`Run::p`] carries them alone, times 2³⁰.
     const PERSPECTIVE: bool;
@@ -25,6 +58,11 @@ pub trait Interpolate {
 ///
 /// No pixel depends on one before it. Given the run's values, an attribute is rounded down to its
 /// unit; the reciprocal adds less than 2⁻³⁰ of it.
+///
+/// ```
+/// use fixel::{Pass, interpolate::Exact};
+/// let default: Pass<Exact> = Pass::new();
+/// ```
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Exact;
 
@@ -66,6 +104,12 @@ fn divide<const N: usize>(run: &Run<N>, scale: &[Scale; N]) -> [i32; N] {
 /// Linear on the screen: exact under a parallel projection, which always takes this mode.
 ///
 /// Under perspective it bends textures; [`Exact`] does not.
+///
+/// ```
+/// use fixel::{Pass, interpolate::Linear};
+/// // Right for what faces the eye, and faster.
+/// let hud: Pass<Linear> = Pass::new().mode();
+/// ```
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Linear;
 

@@ -10,6 +10,15 @@ pub(crate) const RUN: u32 = 64;
 /// `q` is 1/w (or, under a parallel projection, depth), scaled so that its largest value in the
 /// triangle has bit 30 set. `p[i]` is attribute · q · 2^-bits (see [`Scale`]), so that
 /// |p| ≤ q/2 but for rounding.
+///
+/// See [`Interpolate`](super::Interpolate) for what takes one, [`Scale`] for what makes attributes of it.
+///
+/// ```
+/// use fixel::interpolate::Run;
+/// // Far away a 1/w is small beside the triangle's largest; its fractions are too.
+/// let run: Run<1> = Run { q: 1 << 20, p: [1 << 18] };
+/// assert_eq!(run.p[0] as u32 * 4, run.q);
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Run<const N: usize> {
     /// 1/w or depth.
@@ -19,6 +28,13 @@ pub struct Run<const N: usize> {
 }
 
 /// What the interpolants of a run gain from one pixel to the next, and how they are scaled.
+///
+/// ```
+/// use fixel::interpolate::{Run, Steps};
+/// let mut run: Run<0> = Run { q: 1000, p: [] };
+/// run.step(&Steps { q: -3, p: [], scale: [] });
+/// assert_eq!(run.q, 997);
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Steps<const N: usize> {
     /// What [`Run::q`] gains per pixel.
@@ -33,6 +49,14 @@ pub struct Steps<const N: usize> {
 ///
 /// |attribute| · 17/16 < 2^(bits − 1), so the fraction attribute · 2^-bits is below half, and stays so
 /// with what interpolation rounds.
+///
+/// ```
+/// use fixel::interpolate::{Pixels, Run, Steps};
+/// /// What a mode that does not divide makes of a run.
+/// fn affine(run: &Run<1>, steps: &Steps<1>) -> i32 {
+///     steps.scale[0].restore(run.p[0])
+/// }
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Scale {
     /// 30 - bits, or 0.
@@ -75,6 +99,8 @@ impl<const N: usize> Run<N> {
 }
 
 /// What is to be done with the pixels of a run, each of which is a `T`.
+///
+/// The rasterizer implements it; a mode calls it. See [`Interpolate`](super::Interpolate).
 pub trait Pixels<T, const N: usize> {
     /// Whether the next pixel is visible at depth `q` (see [`Run::q`]); called once per pixel, in order.
     fn visible(&mut self, pixel: &T, q: u32) -> bool;

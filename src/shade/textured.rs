@@ -38,6 +38,17 @@ pub struct Textured<S, A = Repeat> {
 }
 
 /// What lies beyond the first repeat of a texture: [`Repeat`] or [`Clamp`].
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Rgb565;
+/// use fixel::prelude::*;
+/// use fixel::shade::Addressing;
+///
+/// /// Takes any texture of a size, whichever way it goes on beyond its edges.
+/// fn skin<A: Addressing>(textured: Textured<&Texture<Rgb565, 64, 64>, A>) {
+///     let _ = textured;
+/// }
+/// ```
 pub trait Addressing: Copy + sealed::Sealed {
     /// The texels of three corners, of the bits of their texture coordinates.
     #[doc(hidden)]

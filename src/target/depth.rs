@@ -6,6 +6,23 @@ use core::ops::Range;
 /// What a canvas knows about depth: [`NoDepth`] or [`Depth`].
 ///
 /// A fragment is drawn if it is at least as near as what is stored, so of equals the later wins.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use fixel::prelude::*;
+/// use fixel::target::{DepthBuffer, Native};
+///
+/// /// A scene that is drawn with or without a depth buffer.
+/// fn draw<D: DepthBuffer>(canvas: &mut Canvas<'_, Gray8, Native, D>) {
+///     canvas.clear(Gray8::new(0));
+/// }
+///
+/// let (mut pixels, mut depths) = ([Gray8::new(9); 4], [7; 4]);
+/// draw(&mut Canvas::new(&mut pixels, 2, 2)?);
+/// draw(&mut Canvas::new(&mut pixels, 2, 2)?.with_depth(&mut depths)?);
+/// assert_eq!(depths, [0; 4]);
+/// # Ok::<(), Error>(())
+/// ```
 pub trait DepthBuffer {
     /// The depth of one pixel, open to be tested and changed.
     type Cell<'a>

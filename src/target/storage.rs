@@ -7,6 +7,13 @@ use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, RawData, ToByt
 ///
 /// [`Native`] keeps the colour itself; embedded-graphics' [`BigEndian`] and [`LittleEndian`] keep
 /// its raw bytes in that order, ready for a display's bus.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Rgb565, RgbColor, raw::BigEndian};
+/// use fixel::target::Storage;
+/// let cell = <BigEndian as Storage<Rgb565>>::store(Rgb565::RED);
+/// assert_eq!(cell, [0xf8, 0x00]);
+/// ```
 pub trait Storage<C> {
     /// One pixel in memory.
     type Cell: Copy;
@@ -45,6 +52,12 @@ impl<C: PixelColor> Storage<C> for Native {
 }
 
 /// The bytes of a pixel: `[u8; N]`, as a number and as part of a slice.
+///
+/// ```
+/// use fixel::target::Bytes;
+/// assert_eq!([0x12, 0x34].be_number(), 0x1234);
+/// assert_eq!(Bytes::flatten(&[[1, 2], [3, 4]]), [1, 2, 3, 4]);
+/// ```
 pub trait Bytes: Copy {
     /// The number that these bytes are, the first being the most significant.
     fn be_number(self) -> u32;

@@ -16,6 +16,16 @@ mod sealed {
 }
 
 /// The two kinds of projection: [`Perspective`] and [`Parallel`].
+///
+/// ```
+/// use fixel::prelude::*;
+/// use fixel::view::Kind;
+///
+/// /// Works for both.
+/// fn depth_of_view<K: Kind>(lens: &Projection<K>) -> Scalar {
+///     lens.far() - lens.near()
+/// }
+/// ```
 pub trait Kind: sealed::Sealed + Copy + core::fmt::Debug {
     /// Whether the picture shrinks with distance.
     const PERSPECTIVE: bool;
@@ -25,10 +35,24 @@ pub trait Kind: sealed::Sealed + Copy + core::fmt::Debug {
 }
 
 /// Lines of sight meet in the eye: what is far is small.
+///
+/// ```
+/// use fixel::{Angle, Projection, fx, view::Perspective};
+/// let lens: Projection<Perspective> =
+///     Projection::perspective(Angle::from_degrees(60), (4, 3), fx!(0.1), fx!(100))?;
+/// # Ok::<(), fixel::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Perspective;
 
 /// Lines of sight are parallel: what is far keeps its size.
+///
+/// ```
+/// use fixel::{Projection, fx, view::Parallel};
+/// let plan: Projection<Parallel> =
+///     Projection::orthographic(fx!(-4), fx!(4), fx!(-3), fx!(3), fx!(0), fx!(100))?;
+/// # Ok::<(), fixel::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Parallel;
 
