@@ -128,6 +128,7 @@ impl Angle {
         if !value.is_finite() {
             return Err(Error::NotRepresentable {
                 value: Given::new(value),
+                limit: None,
             });
         }
         let units = value % turn / turn * TURN;

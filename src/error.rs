@@ -21,6 +21,8 @@ pub enum Error {
     NotRepresentable {
         /// The number as given.
         value: Given,
+        /// Where the format ends, up and down; `None` if it takes every finite number.
+        limit: Option<u32>,
     },
     /// A field of view of nothing, or of half a turn and more.
     FieldOfView {
@@ -157,11 +159,13 @@ pub enum Error {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::NotRepresentable { value } => {
-                write!(
-                    f,
-                    "{value} cannot be represented: it must lie between -32768 and 32767.99999"
-                )
+            Self::NotRepresentable { value, limit } => {
+                write!(f, "{value} cannot be represented: it must ")?;
+                match limit {
+                    // Whatever the format's resolution, it has this number; and rounded, the last.
+                    Some(limit) => write!(f, "lie between -{limit} and {}.99999", limit - 1),
+                    None => f.write_str("be finite"),
+                }
             }
             Self::FieldOfView { angle } => write!(
                 f,

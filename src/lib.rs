@@ -81,7 +81,7 @@
 //! | clip | x right, y up, w = −z of eye space, or 1 under a parallel projection; what is seen has −w ≤ x, y ≤ w between the near and the far plane | homogeneous, 64 bits inside the crate | [`Projection`] |
 //! | screen | x right, y down from the frame's top left corner; pixel centres at halves | pixels, [`Subpixel`](number::Subpixel): 1/256 | [`Viewport`] |
 //! | depth | 65535 at the near plane, falling towards 0 with the distance; greater is nearer | floor(65535 · near / w), linear in the distance under a parallel projection | [`Sample::depth`] |
-//! | texture | u right, v down from the top left corner | one repeat, [`Scalar`] | [`Vertex::uv`] |
+//! | texture | u right, v down from the top left corner | one repeat, [`TexCoord`] | [`Vertex::uv`] |
 //!
 //! The formats, with range and resolution, are listed in [`number`].
 //!
@@ -169,7 +169,7 @@ pub use draw::{Drawn, Pass, Place};
 pub use error::{Error, Given};
 pub use geometry::{Cull, Face, Index, Mesh, Vertex};
 pub use linear::{Matrix4, Transform, Vec2, Vec3};
-pub use number::{Scalar, Unit};
+pub use number::{Scalar, TexCoord, Unit};
 pub use shade::{
     Converted, DepthView, FaceColors, Flat, Fragment, Gouraud, Levels, Light, Lit, LitFaces,
     LitTexture, Modulated, NormalView, Palette, Sample, Texture, Textured,
@@ -185,7 +185,7 @@ pub use view::{Aspect, Camera, Chain, Projection, Viewport};
 pub mod prelude {
     pub use crate::{
         Angle, Aspect, Camera, Canvas, Chain, Cull, Drawn, Error, Face, Fragment, Mesh, Pass,
-        Projection, Rate, Sample, Scalar, Spin, Transform, Vec2, Vec3, Vertex, Viewport,
+        Projection, Rate, Sample, Scalar, Spin, TexCoord, Transform, Vec2, Vec3, Vertex, Viewport,
     };
     pub use crate::{
         Converted, DepthView, FaceColors, Flat, Gouraud, Levels, Light, Lit, LitFaces, LitTexture,

@@ -2,7 +2,8 @@
 //!
 //! | quantity | format | range | resolution |
 //! |---|---|---|---|
-//! | coordinates, distances, texture coordinates | [`Scalar`] (`I16F16`) | ±32768 | 1.5e-5 |
+//! | coordinates, distances | [`Scalar`] (`I16F16`) | ±32768 | 1.5e-5 |
+//! | texture coordinates | [`TexCoord`] (`I12F20` repeats) | ±2048 | 9.5e-7 |
 //! | sine, cosine, unit vectors | [`Unit`] (`I2F30`) | ±2 | 9.3e-10 |
 //! | angle | `u32` fraction of a turn ([`Angle`](crate::Angle)) | one turn, wraps | 8.4e-8 degrees |
 //! | speed of rotation | `i64` thousandths of a turn a minute ([`Rate`](crate::Rate)) | ±2.1 million turns a minute, 60 times that in hertz | 1/1000 |
@@ -26,7 +27,7 @@
 use crate::Error;
 use crate::error::Given;
 
-/// Coordinates, distances and texture coordinates: signed, 16 integer and 16 fraction bits.
+/// Coordinates and distances: signed, 16 integer and 16 fraction bits.
 ///
 /// Range −32768 to 32768 − 2⁻¹⁶, resolution 2⁻¹⁶ ≈ 1.5e-5.
 /// [`fx!`](crate::fx) writes a literal, [`scalar`] converts a float at run time.
@@ -37,6 +38,13 @@ use crate::error::Given;
 /// assert_eq!(Scalar::from_num(2) * fx!(0.25), fx!(0.5));
 /// ```
 pub type Scalar = fixed::types::I16F16;
+
+/// Texture coordinates in repeats of the texture: signed, 12 integer and 20 fraction bits.
+///
+/// Range −2048 to 2048 − 2⁻²⁰, resolution 2⁻²⁰ ≈ 9.5e-7. Rounding to it moves a texture of 256 texels
+/// by 1.2e-4 texel at most, where a [`Scalar`] would by 2e-3.
+/// [`vec2!`](crate::vec2) writes a pair of literals, [`tex_coord`] converts a float at run time.
+pub type TexCoord = fixed::types::I12F20;
 
 /// Screen coordinates: signed, 24 integer and 8 fraction bits of a pixel.
 ///
@@ -70,18 +78,46 @@ pub type Unit = fixed::types::I2F30;
 /// assert!(scalar(40_000.0).is_err());
 /// ```
 pub const fn scalar(value: f64) -> Result<Scalar, Error> {
+    match nearest(value, Scalar::FRAC_NBITS) {
+        Ok(bits) => Ok(Scalar::from_bits(bits)),
+        Err(error) => Err(error),
+    }
+}
+
+/// Converts a float to the nearest [`TexCoord`].
+///
+/// # Errors
+///
+/// [`Error::NotRepresentable`] if `value` is not a number or its magnitude is beyond ±2048.
+///
+/// ```
+/// use fixel::number::{tex_coord, TexCoord};
+/// assert_eq!(tex_coord(1.5), Ok(TexCoord::lit("1.5")));
+/// let error = tex_coord(3000.0).unwrap_err();
+/// assert_eq!(error.to_string(), "3000 cannot be represented: it must lie between -2048 and 2047.99999");
+/// ```
+pub const fn tex_coord(value: f64) -> Result<TexCoord, Error> {
+    match nearest(value, TexCoord::FRAC_NBITS) {
+        Ok(bits) => Ok(TexCoord::from_bits(bits)),
+        Err(error) => Err(error),
+    }
+}
+
+/// The bits of the nearest number with so many fraction bits.
+const fn nearest(value: f64, fraction: u32) -> Result<i32, Error> {
     // Round half away from zero; the cast of a finite value in range is exact after that.
-    let scaled = value * 65536.0;
+    let scaled = value * (1_u32 << fraction) as f64;
     let rounded = if scaled < 0.0 {
         scaled - 0.5
     } else {
         scaled + 0.5
     };
     if rounded > -2_147_483_649.0 && rounded < 2_147_483_648.0 {
-        Ok(Scalar::from_bits(rounded as i32))
+        Ok(rounded as i32)
     } else {
         Err(Error::NotRepresentable {
             value: Given::new(value),
+            limit: Some(1 << (31 - fraction)),
         })
     }
 }
@@ -97,6 +133,20 @@ pub const fn literal(value: f64) -> Scalar {
     match scalar(value) {
         Ok(number) => number,
         Err(_) => panic!("literal is not a number between -32768 and 32768"),
+    }
+}
+
+/// Rounds a literal to a [`TexCoord`] while compiling; used by [`vec2!`](crate::vec2).
+///
+/// # Panics
+///
+/// While compiling, if the literal is beyond ±2048.
+#[doc(hidden)]
+#[must_use]
+pub const fn literal_tex_coord(value: f64) -> TexCoord {
+    match tex_coord(value) {
+        Ok(number) => number,
+        Err(_) => panic!("literal is not a number between -2048 and 2048"),
     }
 }
 

@@ -66,6 +66,12 @@ fn number(text: &str) -> Result<Scalar, Error> {
     read(&format!("v {text} 0 0")).map(|mesh| mesh.positions[0].x)
 }
 
+/// The texture coordinate in a text of this one u and v, whose bits are those of u and 1 − v.
+fn tex_coord(u: &str, v: &str) -> Result<[i32; 2], Error> {
+    // Of three corners, as what no corner names is left out.
+    read(&format!("{SQUARE}vt {u} {v}\nf 1/1 2/1 3/1")).map(|mesh| mesh.uvs[0].to_bits())
+}
+
 /// Line and a word of the problem.
 fn fails(text: &str, line: usize, word: &str) {
     match read(text) {
@@ -236,6 +242,56 @@ fn numbers_out_of_range() {
 }
 
 #[test]
+fn texture_coordinates() {
+    const ONE: i32 = 1 << 20;
+    for (text, bits) in [
+        ("1", ONE),
+        ("-.5", -ONE / 2),
+        ("2.5e-1", ONE / 4),
+        ("25E-2", ONE / 4),
+        ("2046.5", 2046 * ONE + ONE / 2),
+        // Half a unit away from zero, and less by 10^-21 and 10^-30.
+        ("0.000000476837158203125", 1),
+        ("-0.000000476837158203125", -1),
+        ("0.000000476837158203124", 0),
+        ("0.000000476837158203124999999999", 0),
+        ("476837158203125e-21", 1),
+        ("476837158203124e-21", 0),
+        ("7.00000143051147460937500", 7 * ONE + 2),
+        ("7.00000143051147460937499", 7 * ONE + 1),
+        ("0.99999952316284179687", ONE - 1),
+        ("0.99999952316284179688", ONE),
+    ] {
+        assert_eq!(tex_coord(text, text), Ok([bits, ONE - bits]), "{text}");
+    }
+    assert_eq!(tex_coord("2047.9999995", "0"), Ok([i32::MAX, ONE]));
+    assert_eq!(tex_coord("-2048.0000004", "0"), Ok([i32::MIN, ONE]));
+    let last = Ok([0, i32::MAX]);
+    assert_eq!(tex_coord("0", "-2046.999999046325684"), last);
+}
+
+#[test]
+fn texture_coordinates_out_of_range() {
+    for text in [
+        "2047.9999996 0",
+        "2048 0",
+        "-2048.000001 0",
+        "40000 0",
+        "1e300 0",
+        "0 2048",
+        // 1 − v is not there.
+        "0 -2047",
+        "0 -2048",
+    ] {
+        fails(
+            &format!("#\nvt {text}"),
+            2,
+            "texture coordinate is out of range: u, v and 1 - v must lie between -2048 and 2047.99999",
+        );
+    }
+}
+
+#[test]
 fn malformed_numbers() {
     for text in [
         "", "x", ".", "+", "-", "--1", "1e", "1e+", "e1", "1.2.3", "1,5", "nan", "inf", "0x1",
@@ -342,11 +398,12 @@ fn as_tobj_reads(text: &str) -> Result<(), TestCaseError> {
         Ok((Vec::new(), std::collections::HashMap::default()))
     })
     .unwrap();
-    // f32 is exact to 2^-24 of the value, and rounding to 2^-17 follows.
-    let close = |ours: Scalar, theirs: f32| {
-        let difference = (f64::from(ours.to_bits()) / 65536.0 - f64::from(theirs)).abs();
-        difference <= 1.0 / 131_072.0 + f64::from(theirs.abs()) / 16_777_216.0
+    // f32 is exact to 2^-24 of the value, and rounding to half a unit follows.
+    let within = |ours: f64, theirs: f32, unit: f64| {
+        (ours - f64::from(theirs)).abs() <= unit / 2.0 + f64::from(theirs.abs()) / 16_777_216.0
     };
+    let close = |ours: Scalar, theirs: f32| within(ours.to_num(), theirs, Scalar::DELTA.to_num());
+    let close_uv = |ours: f64, theirs: f32| within(ours, theirs, TexCoord::DELTA.to_num());
     let mut at = 0;
     for model in models {
         let mesh = &model.mesh;
@@ -365,7 +422,8 @@ fn as_tobj_reads(text: &str) -> Result<(), TestCaseError> {
                 };
                 let ours = mine.uvs[usize::from(faces[face][k])];
                 let theirs = &mesh.texcoords[2 * mesh.texcoord_indices[corner] as usize..];
-                prop_assert!(close(ours.x, theirs[0]) && close(fx!(1) - ours.y, theirs[1]));
+                let (u, down): (f64, f64) = (ours.x.to_num(), ours.y.to_num());
+                prop_assert!(close_uv(u, theirs[0]) && close_uv(1.0 - down, theirs[1]));
             }
             if mine.counts.normals > 0 {
                 let faces = if mine.normal_faces.is_empty() {
@@ -473,6 +531,27 @@ proptest! {
         prop_assert_eq!(i128::from(number(&shifted).unwrap().to_bits()), nearest);
         let padded = format!("{value}{:0<width$}E-{}", "", 10 + point, width = point as usize);
         prop_assert_eq!(i128::from(number(&padded).unwrap().to_bits()), nearest);
+    }
+
+    /// The same with the bits of a texture coordinate.
+    #[test]
+    fn texture_coordinates_round_exactly(
+        value in -204_600_000_000_000_000_i64..204_600_000_000_000_000,
+        fine in 0..10_u128.pow(21),
+        point in 0..12_u32,
+    ) {
+        let scaled = i128::from(value) << 21;
+        let nearest = (scaled.abs() / 10_i128.pow(14) + 1) / 2 * scaled.signum();
+        let digits = 10_i64.pow(14);
+        let plain = format!("{}{}.{:014}", if value < 0 { "-" } else { "" }, value.abs() / digits, value.abs() % digits);
+        prop_assert_eq!(i128::from(tex_coord(&plain, "0").unwrap()[0]), nearest);
+        let padded = format!("{value}{:0<width$}E-{}", "", 14 + point, width = point as usize);
+        prop_assert_eq!(i128::from(tex_coord(&padded, "0").unwrap()[0]), nearest);
+        // As many places as decide.
+        let nearest = ((fine << 21) / 10_u128.pow(21)).div_ceil(2) as i32;
+        for text in [format!("0.{fine:021}"), format!("{fine}e-21"), format!("0.{fine:021}9e0")] {
+            prop_assert_eq!(tex_coord(&text, "0").unwrap()[0], nearest, "{}", text);
+        }
     }
 
     /// Whatever it is fed, it returns.

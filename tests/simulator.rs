@@ -189,6 +189,20 @@ fn models_that_cannot_be_read_are_refused() {
             "v 0 0 -1e9\nf 1 1 1",
             ["line 1", "between -32768 and 32767"],
         ),
+        (
+            "v 0 0 0\nvt 0 0\nvt 0 3000\nf 1 1 1",
+            [
+                "line 3",
+                "3000 cannot be represented: it must lie between -2046.99999 and 2047",
+            ],
+        ),
+        (
+            "v 0 0 0\nvt -3000 0\nf 1 1 1",
+            [
+                "line 2",
+                "-3000 cannot be represented: it must lie between -2048 and 2047",
+            ],
+        ),
         ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4", ["line 4", "position"]),
         (
             "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4",

@@ -40,7 +40,8 @@ static SEA_CORNERS: ([Vec3; SEA_SIDES], [Vec2; SEA_SIDES]) = {
         // From 2^-30 to 2^-16: 120 units, and a repeat of the texture for each four.
         let (x, z) = ((sin.to_bits() >> 14) * 120, (cos.to_bits() >> 14) * 120);
         positions[at] = Vec3::from_bits([x, 0, z]);
-        uvs[at] = Vec2::from_bits([x / 4, z / 4]);
+        // A quarter, from 2^-16 to 2^-20.
+        uvs[at] = Vec2::from_bits([x * 4, z * 4]);
         at += 1;
     }
     (positions, uvs)

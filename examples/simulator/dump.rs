@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use embedded_graphics::pixelcolor::PixelColor;
-use fixel::{Fragment, Sample, Vertex};
+use fixel::{Fragment, Sample, TexCoord, Vertex};
 
 use super::Result;
 
@@ -30,10 +30,14 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// For texture coordinates of magnitude up to `largest`: 24 fraction bits up to 127, 16 above.
+    /// For texture coordinates of magnitude up to `largest`: 24 fraction bits up to 127, else their own 20.
     pub fn new(largest: f64) -> Self {
         Self {
-            uv_bits: if largest < 127.0 { 24 } else { 16 },
+            uv_bits: if largest < 127.0 {
+                24
+            } else {
+                TexCoord::FRAC_NBITS
+            },
         }
     }
 }
@@ -45,7 +49,7 @@ impl Fragment<3> for Recorder {
         let [u, v] = vertex
             .uv()
             .to_bits()
-            .map(|bits| bits << (self.uv_bits - 16));
+            .map(|bits| bits << (self.uv_bits - TexCoord::FRAC_NBITS));
         [u, v, vertex.distance().to_bits()]
     }
 

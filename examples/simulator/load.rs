@@ -5,6 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use fixel::geometry::{Buffers, obj};
+use fixel::number::{scalar, tex_coord};
 use fixel::{Vec2, Vec3};
 
 use super::Result;
@@ -120,16 +121,24 @@ fn check(statement: &str) -> Result<(), String> {
         }
         _ => return Ok(()),
     };
-    for word in words.take(numbers) {
+    for (at, word) in words.take(numbers).enumerate() {
         let value: f64 = word
             .parse()
             .map_err(|_| format!("'{word}' is not a number"))?;
-        // The number as it was written: an error's own is rounded.
-        fixel::number::scalar(value).map_err(|_| {
-            format!(
-                "coordinate {word} cannot be represented: it must lie between -32768 and 32767.99999"
-            )
-        })?;
+        // The number as it was written: an error's own is rounded, and it is 1 - v that is stored.
+        let (fits, range) = match (numbers, at) {
+            (2, 0) => (tex_coord(value).is_ok(), "-2048 and 2047.99999"),
+            (2, _) => (
+                tex_coord(value).is_ok() && tex_coord(1.0 - value).is_ok(),
+                "-2046.99999 and 2047.99999",
+            ),
+            _ => (scalar(value).is_ok(), "-32768 and 32767.99999"),
+        };
+        if !fits {
+            return Err(format!(
+                "coordinate {word} cannot be represented: it must lie between {range}"
+            ));
+        }
     }
     Ok(())
 }

@@ -3,8 +3,8 @@
 use core::fmt;
 use core::ops::{Add, Neg, Sub};
 
-use crate::number::scalar;
-use crate::{Error, Scalar};
+use crate::number::{scalar, tex_coord};
+use crate::{Error, Scalar, TexCoord};
 
 /// A point or a direction in model, world or eye space: three [`Scalar`]s.
 ///
@@ -122,7 +122,7 @@ impl Neg for Vec3 {
 }
 
 /// A texture coordinate: (0, 0) is the top left corner of the texture, (1, 1) the bottom right of
-/// its first repeat; `v` runs down, as the rows are stored.
+/// its first repeat; `v` runs down, as the rows are stored. Two [`TexCoord`]s: up to 2048 repeats each way.
 ///
 /// ```
 /// use fixel::{vec2, Vec2};
@@ -131,25 +131,25 @@ impl Neg for Vec3 {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Vec2 {
     /// To the right.
-    pub x: Scalar,
+    pub x: TexCoord,
     /// Down.
-    pub y: Scalar,
+    pub y: TexCoord,
 }
 
 impl Vec2 {
     /// A texture coordinate of its two components.
     #[must_use]
-    pub const fn new(x: Scalar, y: Scalar) -> Self {
+    pub const fn new(x: TexCoord, y: TexCoord) -> Self {
         Self { x, y }
     }
 
-    /// A texture coordinate of the components' bits, in units of 2⁻¹⁶.
+    /// A texture coordinate of the components' bits, in units of 2⁻²⁰.
     #[must_use]
     pub const fn from_bits(bits: [i32; 2]) -> Self {
-        Self::new(Scalar::from_bits(bits[0]), Scalar::from_bits(bits[1]))
+        Self::new(TexCoord::from_bits(bits[0]), TexCoord::from_bits(bits[1]))
     }
 
-    /// The components' bits, in units of 2⁻¹⁶.
+    /// The components' bits, in units of 2⁻²⁰.
     #[must_use]
     pub const fn to_bits(self) -> [i32; 2] {
         [self.x.to_bits(), self.y.to_bits()]
@@ -161,7 +161,7 @@ impl TryFrom<[f64; 2]> for Vec2 {
 
     /// The nearest representable texture coordinate.
     fn try_from([x, y]: [f64; 2]) -> Result<Self, Error> {
-        Ok(Self::new(scalar(x)?, scalar(y)?))
+        Ok(Self::new(tex_coord(x)?, tex_coord(y)?))
     }
 }
 
@@ -190,13 +190,25 @@ macro_rules! vec3 {
 
 /// A [`Vec2`] of two literals, rounded to the nearest while compiling.
 ///
+/// A literal out of range does not compile.
+///
 /// ```
-/// use fixel::vec2;
-/// assert_eq!(vec2!(0.5, 0.25).y, fixel::fx!(0.25));
+/// use fixel::{vec2, TexCoord};
+/// assert_eq!(vec2!(0.5, -1).x, TexCoord::lit("0.5"));
+/// assert_eq!(vec2!(0.5, 0.2).to_bits(), [524_288, 209_715]);
+/// ```
+/// ```compile_fail
+/// let _ = fixel::vec2!(0, 2048);
 /// ```
 #[macro_export]
 macro_rules! vec2 {
     ($x:expr, $y:expr $(,)?) => {
-        $crate::Vec2::new($crate::fx!($x), $crate::fx!($y))
+        const {
+            #[allow(clippy::cast_lossless, clippy::unnecessary_cast)]
+            $crate::Vec2::new(
+                $crate::number::literal_tex_coord($x as f64),
+                $crate::number::literal_tex_coord($y as f64),
+            )
+        }
     };
 }

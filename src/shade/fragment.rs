@@ -41,11 +41,11 @@ pub struct Sample {
 ///     type Color = Rgb565;
 ///
 ///     fn varyings(&self, vertex: &Vertex) -> [i32; 1] {
-///         [vertex.uv().x.to_bits()] // 65,536 is 1
+///         [vertex.uv().x.to_bits()] // 2^20 is 1
 ///     }
 ///
 ///     fn shade(&self, _: &Sample, [u]: [i32; 1]) -> Option<Rgb565> {
-///         Some(if u & 0x4000 == 0 { Rgb565::WHITE } else { Rgb565::RED })
+///         Some(if u & 0x4_0000 == 0 { Rgb565::WHITE } else { Rgb565::RED })
 ///     }
 /// }
 ///

@@ -4,6 +4,7 @@ use core::marker::PhantomData;
 
 use super::light::Light;
 use super::{Fragment, LitTexture, Modulated, Sample, Sampler};
+use crate::TexCoord;
 use crate::geometry::{Face, Vertex};
 
 /// The texel under each pixel, the nearest to its centre.
@@ -11,9 +12,10 @@ use crate::geometry::{Face, Vertex};
 /// The texture repeats, or is [`clamped`](Self::clamped) to its edge. It may be
 /// [`lit`](Self::lit) or [`modulated`](Self::modulated) by vertex colours.
 ///
-/// Varyings are columns and rows, in texels with 16 fraction bits, exact for the
-/// texture coordinates as given. Their range is ±32,768 texels, beyond which they
-/// saturate; but a triangle of a repeating texture is first moved by whole repeats to begin in the first
+/// Varyings are columns and rows, in texels with 16 fraction bits: exact for the texture coordinates
+/// as given if the texture has 16 texels or more that way, else rounded to nearest. Their range is
+/// ±32,768 texels, beyond which they saturate: 128 repeats of 256 texels, 8 of 4096. But a triangle of a
+/// repeating texture is first moved by whole repeats to begin in the first
 /// one, so that only its extent counts, not its place (lines and points are not moved).
 ///
 /// ```
@@ -93,17 +95,17 @@ pub struct Repeat;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Clamp;
 
-/// Texture coordinate to texels, saturating.
+/// Fraction bits of a texture coordinate that texels do not have.
+const FINER: u32 = TexCoord::FRAC_NBITS - 16;
+
+/// Texture coordinate in 2⁻²⁰ repeats to texels with 16 fraction bits, to nearest, saturating.
+///
+/// Whole repeats are whole texels, so coordinates that differ by some round alike.
 #[inline]
-const fn texels(bits: i32, log2: u32) -> i32 {
-    let (low, high) = (i32::MIN >> log2, i32::MAX >> log2);
-    (if bits < low {
-        low
-    } else if bits > high {
-        high
-    } else {
-        bits
-    }) << log2
+fn texels(bits: i64, log2: u32) -> i32 {
+    // At most 33 bits by a texture's 15.
+    let texels = ((bits << log2) + (1 << (FINER - 1))) >> FINER;
+    texels.clamp(i32::MIN.into(), i32::MAX.into()) as i32
 }
 
 impl Addressing for Repeat {
@@ -111,8 +113,8 @@ impl Addressing for Repeat {
     fn texels(bits: [i32; 3], log2: u32) -> [i32; 3] {
         let [a, b, c] = bits;
         // The whole repeats that all three have in common; what is left begins in the first.
-        let whole = a.min(b).min(c) & !0xffff;
-        bits.map(|bits| texels(bits.saturating_sub(whole), log2))
+        let whole = a.min(b).min(c) >> TexCoord::FRAC_NBITS << TexCoord::FRAC_NBITS;
+        bits.map(|bits| texels(i64::from(bits) - i64::from(whole), log2))
     }
 
     #[inline]
@@ -125,7 +127,7 @@ impl Addressing for Repeat {
 impl Addressing for Clamp {
     #[inline]
     fn texels(bits: [i32; 3], log2: u32) -> [i32; 3] {
-        bits.map(|bits| texels(bits, log2))
+        bits.map(|bits| texels(bits.into(), log2))
     }
 
     #[inline]
@@ -170,7 +172,7 @@ impl<S: Sampler, A: Addressing> Textured<S, A> {
     /// Column and row at a vertex, in texels with 16 fraction bits.
     #[inline]
     pub(super) fn coordinates(vertex: &Vertex<'_>) -> [i32; 2] {
-        let [u, v] = vertex.uv().to_bits();
+        let [u, v] = vertex.uv().to_bits().map(i64::from);
         [texels(u, S::WIDTH_LOG2), texels(v, S::HEIGHT_LOG2)]
     }
 
@@ -246,8 +248,9 @@ mod tests {
 
     #[test]
     fn coordinates_are_texels_exactly() {
-        let uvs = [vec2!(0, 0), vec2!(0.25, 1), Vec2::from_bits([1, 3])];
-        let expected = [[0, 0], [1 << 16, 2 << 16], [4, 6]];
+        // 2^-18 and 3 · 2^-19 repeats are 1 and 1.5 · 2^-17 texels of four columns or two rows, each rounded.
+        let uvs = [vec2!(0, 0), vec2!(0.25, 1), Vec2::from_bits([12, 24])];
+        let expected = [[0, 0], [1 << 16, 2 << 16], [3, 3]];
         assert_eq!(corners(Textured::new(&SKIN), uvs), expected);
         assert_eq!(corners(Textured::new(&SKIN).clamped(), uvs), expected);
         assert_eq!(edge(Textured::new(&SKIN), &mesh(&uvs), 0), expected[..2]);
@@ -256,10 +259,10 @@ mod tests {
     #[test]
     fn far_triangles_are_moved_by_whole_repeats() {
         let near = [vec2!(0.25, 0.5), vec2!(1.5, 0.75), vec2!(0.5, 2)];
-        for (u, v) in [(1, 1), (-1, 0), (30000, -32768), (-32768, 32765)] {
+        for (u, v) in [(1, 1), (-1, 0), (2000, -2048), (-2048, 2045)] {
             let far = near.map(|uv| {
                 let [x, y] = uv.to_bits();
-                Vec2::from_bits([x + u * 65536, y + v * 65536])
+                Vec2::from_bits([x + (u << 20), y + (v << 20)])
             });
             assert_eq!(
                 corners(Textured::new(&SKIN), far),
@@ -275,18 +278,53 @@ mod tests {
         assert_eq!([a, b], [[3 << 16, 0], [5 << 16, 2 << 16]]);
     }
 
+    /// Few texels round, many saturate.
+    #[test]
+    fn any_size_of_texture() {
+        let bits = [-25, -24, -23, -8, -7, 7, 8, 23, 24];
+        assert_eq!(
+            bits.map(|bits| texels(bits, 0)),
+            [-2, -1, -1, 0, 0, 0, 1, 1, 2]
+        );
+        assert_eq!(
+            bits.map(|bits| texels(bits, 4)),
+            bits.map(|bits| bits as i32)
+        );
+        let (low, high) = (i64::from(i32::MIN), i64::from(i32::MAX));
+        assert_eq!(
+            [low, high].map(|bits| texels(bits, 4)),
+            [i32::MIN, i32::MAX]
+        );
+        // 4096 columns: eight repeats each way, and not one unit more.
+        let ends = [(-8 << 20) - 1, -8 << 20, (8 << 20) - 1, 8 << 20];
+        assert_eq!(
+            ends.map(|bits| texels(bits, 12)),
+            [i32::MIN, i32::MIN, i32::MAX - 255, i32::MAX]
+        );
+        assert_eq!(
+            [low - high, high - low].map(|bits| texels(bits, 15)),
+            [i32::MIN, i32::MAX]
+        );
+        // As far apart as can be, in one row.
+        let bits = [i32::MIN, i32::MAX, 0];
+        assert_eq!(Repeat::texels(bits, 0), [0, 1 << 28, 1 << 27]);
+        assert_eq!(
+            Repeat::texels([-1, (1 << 20) - 1, 1 << 20], 2),
+            [1 << 18, 2 << 18, 2 << 18]
+        );
+    }
+
     #[test]
     fn extremes_saturate() {
+        static WIDE: [[Gray8; 256]; 64] = [[Gray8::new(0); 256]; 64];
         let (low, high) = (i32::MIN, i32::MAX);
         let uvs = [[low, high], [high, low], [0, 0]].map(Vec2::from_bits);
-        let end = [high >> 2 << 2, high >> 1 << 1];
-        assert_eq!(
-            corners(Textured::new(&SKIN), uvs),
-            [[0, end[1]], [end[0], 0], end]
-        );
-        let clamped = corners(Textured::new(&SKIN).clamped(), uvs);
-        assert_eq!(clamped, [[low, end[1]], [end[0], low], [0, 0]]);
-        let line = edge(Textured::new(&SKIN), &mesh(&uvs), 0);
+        let skin = Textured::new(&WIDE);
+        let repeated = face(skin, &IDENTITY, &mesh(&uvs), 0).1;
+        assert_eq!(repeated, [[0, high], [high, 0], [high, high]]);
+        let clamped = face(skin.clamped(), &IDENTITY, &mesh(&uvs), 0).1;
+        assert_eq!(clamped, [[low, high], [high, low], [0, 0]]);
+        let line = edge(skin, &mesh(&uvs), 0);
         assert_eq!(line, clamped[..2]);
     }
 

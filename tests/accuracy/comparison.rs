@@ -1,6 +1,6 @@
 //! A scene drawn by the crate and by the model, and all that differs.
 
-use fixel::number::scalar;
+use fixel::number::{TexCoord, tex_coord};
 use fixel::prelude::*;
 use fixel::view::Perspective;
 
@@ -16,8 +16,10 @@ use crate::spread::Spread;
 
 /// Texels along a texture.
 const TEXELS: f64 = 256.;
-/// Fraction bits of u and v as they are interpolated: 8 more than those of a vertex.
+/// Fraction bits of u and v as they are interpolated: 4 more than those of a vertex.
 const UV_BITS: i32 = 24;
+/// Texels that rounding a vertex' u or v moves it by at most.
+pub const ROUNDING: f64 = TEXELS / (2 << TexCoord::FRAC_NBITS) as f64;
 /// What a vertex is off by at most, and a little: it is rounded to 1/512 pixel along each axis.
 const SNAP: f64 = 1. / 256.;
 
@@ -27,6 +29,8 @@ pub struct Scene {
     faces: Vec<[u16; 3]>,
     uvs: Vec<Vec2>,
     uv_faces: Vec<[u16; 3]>,
+    /// The texture coordinates before they were rounded.
+    unrounded: Vec<[[f64; 2]; 3]>,
     chain: Chain<Perspective>,
     /// The same numbers for the model.
     shape: Shape,
@@ -39,6 +43,8 @@ pub struct Comparison {
     pub pixels: Vec<Seen<3>>,
     /// Texels, given the crate's snapped vertices.
     pub snapped: Spread,
+    /// The same against texture coordinates that were not rounded to the crate's format.
+    pub unrounded: Spread,
     /// Texels, given the model's own vertices.
     pub unsnapped: Spread,
     /// What of that exceeds 1/256 pixel's worth of the texels' gradient.
@@ -67,7 +73,7 @@ impl Scene {
             .uvs
             .iter()
             .flatten()
-            .map(|&[u, v]| Vec2::new(scalar(u).unwrap(), scalar(v).unwrap()))
+            .map(|&[u, v]| Vec2::new(tex_coord(u).unwrap(), tex_coord(v).unwrap()))
             .collect();
         let index = |i: usize| u16::try_from(i).unwrap();
         let (transform, eye) = product(moves);
@@ -85,6 +91,7 @@ impl Scene {
                     .map(|face| std::array::from_fn(|i| [face[i].x.to_num(), face[i].y.to_num()]))
                     .collect(),
             },
+            unrounded: shape.uvs.clone(),
             positions,
             uvs,
             chain: lens * transform,
@@ -114,18 +121,27 @@ impl Scene {
         let drawing = self.drawing();
         let values = |vertex: &Vertex<'_>| {
             let [u, v] = vertex.uv().to_bits();
-            [u << 8, v << 8, vertex.distance().to_bits()]
+            [u << 4, v << 4, vertex.distance().to_bits()]
         };
         let pixels = drawing.all(&values);
         let places = drawing.places(&self.positions);
 
         let unsnapped = pieces(&shape.mesh(), view);
-        let snapped: Vec<_> = unsnapped
-            .iter()
-            .map(|piece| piece.snap(|source, _| places[source.unwrap()].unwrap()))
-            .collect();
+        let snap = |pieces: &[Piece<2>]| -> Vec<_> {
+            pieces
+                .iter()
+                .map(|piece| piece.snap(|source, _| places[source.unwrap()].unwrap()))
+                .collect()
+        };
+        let snapped = snap(&unsnapped);
+        let unrounded = Shape {
+            uvs: self.unrounded.clone(),
+            ..shape.clone()
+        };
+        let unrounded = snap(&pieces(&unrounded.mesh(), view));
         let mut comparison = Comparison {
             snapped: Spread::default(),
+            unrounded: Spread::default(),
             unsnapped: Spread::default(),
             excess: Spread::default(),
             distance: Spread::default(),
@@ -138,6 +154,7 @@ impl Scene {
             pixels,
         };
         comparison.attributes(&snapped, &unsnapped, view);
+        comparison.unrounded(&unrounded);
         comparison.coverage(snapped.clone(), unsnapped);
         comparison.order(&drawing.shown(&values), &snapped, view);
         comparison
@@ -195,6 +212,16 @@ impl Comparison {
                 [0, 1].map(|k: usize| errors[k] - SNAP * TEXELS * value.dx[k].hypot(value.dy[k]));
             self.unsnapped.add(errors[0].max(errors[1]), i);
             self.excess.add(excess[0].max(excess[1]), i);
+        }
+    }
+
+    fn unrounded(&mut self, pieces: &[Piece<2>]) {
+        let unit = TEXELS / 2_f64.powi(UV_BITS);
+        for (i, seen) in self.pixels.iter().enumerate() {
+            let wanted = at(pieces, seen).value.attributes;
+            let [u, v] = [0, 1]
+                .map(|k: usize| (f64::from(seen.values[k]) * unit - wanted[k] * TEXELS).abs());
+            self.unrounded.add(u.max(v), i);
         }
     }
 
@@ -273,6 +300,15 @@ impl Comparison {
         println!(
             "  within 0.001 texel: {:.5} %",
             100. * self.snapped.within(0.001)
+        );
+        println!(
+            "{}",
+            self.unrounded
+                .line("texels, given snapped vertices and unrounded u and v", "")
+        );
+        println!(
+            "  within 0.001 texel: {:.5} %",
+            100. * self.unrounded.within(0.001)
         );
         println!(
             "{}",

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_4, FRAC_PI_8};
 
 use crate::bounds;
 use crate::bumpy::bumpy;
-use crate::comparison::{Comparison, Scene};
+use crate::comparison::{Comparison, ROUNDING, Scene};
 use crate::moves::{to, x, y};
 use crate::reference::scenes::{POSES, cube, floor, sphere};
 
@@ -16,6 +16,16 @@ fn check(name: &str, picture: &Comparison) {
     assert!(
         picture.snapped.max() <= 0.001,
         "texels, given snapped vertices"
+    );
+    // What a picture shows is what its u and v were meant to be: a corner's is off by its rounding,
+    // and so is what lies between corners. The rest is as above.
+    assert!(
+        picture.unrounded.max() <= 0.001 + ROUNDING,
+        "texels, given snapped vertices and unrounded u and v"
+    );
+    assert!(
+        picture.unrounded.within(0.001) >= 0.999,
+        "pixels within 0.001 texel of unrounded u and v"
     );
     // Vertices move by up to 1/512 pixel along each axis, less than 1/256 altogether; the rest is as above.
     assert!(

@@ -17,7 +17,7 @@
 //! - Indices count from 1, or back from −1, the last element so far. A positive index may name an element
 //!   that comes later in the text.
 //! - Numbers are decimal, with exponent or without, rounded exactly to the nearest
-//!   [`Scalar`](crate::Scalar), halves away from zero.
+//!   [`Scalar`](crate::Scalar), those of `vt` to the nearest [`TexCoord`](crate::TexCoord), halves away from zero.
 //! - Lines end in LF, CR or both; a backslash at the end joins the next. Blanks do not matter.
 //! - A corner without a texture coordinate gets (0, 0), one without a normal its triangle's own, if
 //!   other corners have them; attributes that no corner names are left out.
@@ -221,10 +221,8 @@ impl<'t, 'b, 'a> Writer<'t, 'b, 'a> {
                     }
                     continue;
                 }
-                Statement::Uv([u, v]) => {
-                    // Only v = −32768 has no mirror image, and saturates.
-                    let uv = Vec2::from_bits([u, (1_i32 << 16).saturating_sub(v)]);
-                    put!(self.buffers.uvs, uvs - 1, uv);
+                Statement::Uv(uv) => {
+                    put!(self.buffers.uvs, uvs - 1, Vec2::from_bits(uv));
                     continue;
                 }
                 Statement::Normal(normal) => {

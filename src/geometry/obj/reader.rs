@@ -1,14 +1,14 @@
 //! OBJ text, statement by statement.
 
-use super::decimal::{byte, decimal};
-use crate::Error;
+use super::decimal::{Format, SCALAR, TEX_COORD, byte, decimal};
+use crate::{Error, TexCoord};
 
 /// What a line says.
 #[derive(Clone, Copy)]
 pub(super) enum Statement {
     /// `v`, with its colour if it has one.
     Position([i32; 3], Option<[u8; 3]>),
-    /// `vt`, v as in the text, running up.
+    /// `vt` in 2⁻²⁰, v running down.
     Uv([i32; 2]),
     /// `vn`.
     Normal([i32; 3]),
@@ -197,14 +197,17 @@ impl<'a> Reader<'a> {
     }
 
     /// The numbers up to the statement's end and how many there are.
-    const fn numbers<const MAX: usize>(&mut self) -> Result<([i32; MAX], usize), Error> {
+    const fn numbers<const MAX: usize>(
+        &mut self,
+        format: Format,
+    ) -> Result<([i32; MAX], usize), Error> {
         let mut numbers = [0; MAX];
         let mut count = 0;
         while self.word() {
             if count == MAX {
                 return self.error("too many numbers");
             }
-            match decimal(self.text, self.at) {
+            match decimal(self.text, self.at, format) {
                 Ok((bits, end)) if matches!(byte!(self.text, end), blank!()) => {
                     numbers[count] = bits;
                     self.at = end;
@@ -227,7 +230,7 @@ impl<'a> Reader<'a> {
     }
 
     const fn position(&mut self) -> Result<Statement, Error> {
-        let (n, count) = match self.numbers::<7>() {
+        let (n, count) = match self.numbers::<7>(SCALAR) {
             Ok(numbers) => numbers,
             Err(error) => return Err(error),
         };
@@ -247,18 +250,22 @@ impl<'a> Reader<'a> {
     }
 
     const fn uv(&mut self) -> Result<Statement, Error> {
-        match self.numbers::<3>() {
-            Ok((_, 0)) => self.error("a texture coordinate needs 2 numbers"),
-            Ok((n, _)) => match self.see(1) {
-                Ok(()) => Ok(Statement::Uv([n[0], n[1]])),
-                Err(error) => Err(error),
-            },
+        let [u, up, _] = match self.numbers(TEX_COORD) {
+            Ok((_, 0)) => return self.error("a texture coordinate needs 2 numbers"),
+            Ok((numbers, _)) => numbers,
+            Err(error) => return Err(error),
+        };
+        let Some(down) = TexCoord::ONE.to_bits().checked_sub(up) else {
+            return self.error(TEX_COORD.range);
+        };
+        match self.see(1) {
+            Ok(()) => Ok(Statement::Uv([u, down])),
             Err(error) => Err(error),
         }
     }
 
     const fn normal(&mut self) -> Result<Statement, Error> {
-        match self.numbers::<3>() {
+        match self.numbers::<3>(SCALAR) {
             Ok((n, 3)) => match self.see(2) {
                 Ok(()) => Ok(Statement::Normal(n)),
                 Err(error) => Err(error),

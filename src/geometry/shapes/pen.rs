@@ -1,7 +1,7 @@
 //! Writes vertices, triangles and edges one after the other.
 
 use crate::geometry::{Buffers, Counts, Index, Mesh};
-use crate::{Error, Scalar, Vec2, Vec3};
+use crate::{Error, TexCoord, Vec2, Vec3};
 
 /// One, in the bits of a `Unit`.
 pub(super) const ONE: i64 = 1 << 30;
@@ -10,7 +10,7 @@ pub(super) const ONE: i64 = 1 << 30;
 pub(super) struct Vertex {
     pub(super) position: [i64; 3],
     pub(super) normal: [i64; 3],
-    pub(super) uv: [Scalar; 2],
+    pub(super) uv: [TexCoord; 2],
 }
 
 /// Where the next elements go.
@@ -62,7 +62,7 @@ impl<'a> Pen<'a> {
         self.place(position, rounded(vertex.normal), vertex.uv);
     }
 
-    pub(super) const fn place(&mut self, position: Vec3, normal: Vec3, [u, v]: [Scalar; 2]) {
+    pub(super) const fn place(&mut self, position: Vec3, normal: Vec3, [u, v]: [TexCoord; 2]) {
         let at = self.positions as usize;
         self.buffers.positions[at] = position;
         if self.counts.normals > 0 {

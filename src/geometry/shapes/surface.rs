@@ -1,10 +1,10 @@
 //! The surfaces of the shapes, mostly grids bent round.
 
 use super::pen::{ONE, Pen, Vertex};
-use crate::{Angle, Scalar, Vec3};
+use crate::{Angle, Scalar, TexCoord, Vec3};
 
-const ZERO: Scalar = Scalar::ZERO;
-const UNIT: Scalar = Scalar::ONE;
+const ZERO: TexCoord = TexCoord::ZERO;
+const UNIT: TexCoord = TexCoord::ONE;
 
 /// The `part`th of `parts` of a turn, and of half a turn if `half`; whole turns are none, so that
 /// a seam closes to the last bit.
@@ -19,10 +19,20 @@ const fn sin_cos(angle: Angle) -> (i64, i64) {
     (angle.sin().to_bits() as i64, angle.cos().to_bits() as i64)
 }
 
-/// The nearest `Scalar` to `part` / `parts`.
-const fn ratio(part: u32, parts: u32) -> Scalar {
-    // At most 2^16.
-    Scalar::from_bits((((part as u64) << 17) / parts as u64).div_ceil(2) as i32)
+/// `part` / `parts` to the nearest with so many fraction bits.
+const fn nearest(part: u32, parts: u32, fraction: u32) -> i32 {
+    // At most one.
+    (((part as u64) << (fraction + 1)) / parts as u64).div_ceil(2) as i32
+}
+
+/// The nearest `TexCoord` to `part` / `parts`.
+const fn ratio(part: u32, parts: u32) -> TexCoord {
+    TexCoord::from_bits(nearest(part, parts, TexCoord::FRAC_NBITS))
+}
+
+/// The nearest `Scalar` to where 0..1 becomes −1..1.
+const fn across(part: u32, parts: u32) -> Scalar {
+    Scalar::from_bits(2 * nearest(part, parts, Scalar::FRAC_NBITS) - Scalar::ONE.to_bits())
 }
 
 /// Which edges and triangles of a grid to draw.
@@ -142,10 +152,9 @@ pub(super) const fn plane(pen: &mut Pen<'_>, columns: u32, rows: u32) {
     while row <= rows {
         let mut column = 0;
         while column <= columns {
-            let (u, v) = (ratio(column, columns), ratio(row, rows));
-            let x = Scalar::from_bits(2 * u.to_bits() - UNIT.to_bits());
-            let z = Scalar::from_bits(2 * v.to_bits() - UNIT.to_bits());
-            pen.place(Vec3::new(x, ZERO, z), Vec3::Y, [u, v]);
+            let place = Vec3::new(across(column, columns), Scalar::ZERO, across(row, rows));
+            let uv = [ratio(column, columns), ratio(row, rows)];
+            pen.place(place, Vec3::Y, uv);
             column += 1;
         }
         row += 1;
@@ -192,7 +201,7 @@ pub(super) const fn cylinder(pen: &mut Pen<'_>, slices: u32) {
 /// A fan of triangles about the end of a cylinder at `y`.
 const fn cap(pen: &mut Pen<'_>, slices: u32, y: i64) {
     let centre = pen.next();
-    let half = Scalar::from_bits(UNIT.to_bits() / 2);
+    let half = TexCoord::from_bits(UNIT.to_bits() / 2);
     pen.vertex(&Vertex {
         position: [0, ONE * y, 0],
         normal: [0, ONE * y, 0],
@@ -219,9 +228,9 @@ const fn cap(pen: &mut Pen<'_>, slices: u32, y: i64) {
 }
 
 /// −1..1 in 2⁻³⁰ to 0..1.
-const fn texture(unit: i64) -> Scalar {
-    // At most 2^16.
-    Scalar::from_bits(((unit + ONE + (1 << 14)) >> 15) as i32)
+const fn texture(unit: i64) -> TexCoord {
+    // Half of it, rounded from 2⁻³⁰ to 2⁻²⁰; at most 1.
+    TexCoord::from_bits(((unit + ONE + (1 << 10)) >> 11) as i32)
 }
 
 pub(super) const fn cuboid(pen: &mut Pen<'_>, corner: Vec3) {
