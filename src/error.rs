@@ -3,7 +3,7 @@
 use core::convert::Infallible;
 use core::fmt;
 
-use crate::{Angle, Scalar};
+use crate::{Angle, Scalar, Vec3};
 
 /// Why a value was refused. The message names the value and what is allowed.
 ///
@@ -61,9 +61,15 @@ pub enum Error {
         high: Scalar,
     },
     /// A camera that stands on what it looks at.
-    EyeAtTarget,
+    EyeAtTarget {
+        /// The eye as given.
+        eye: Vec3,
+    },
     /// An up direction that is zero or along the line of sight.
-    UpAlongView,
+    UpAlongView {
+        /// The direction as given.
+        up: Vec3,
+    },
     /// A vector without a direction where one is needed.
     ZeroDirection,
     /// A brightness of light below nothing or above full.
@@ -188,13 +194,15 @@ impl fmt::Display for Error {
                 f,
                 "frustum from {low} to {high} is empty: left must be below right and bottom below top"
             ),
-            Self::EyeAtTarget => f.write_str(
-                "eye and target are the same point: a camera needs something to look at",
+            Self::EyeAtTarget { eye } => write!(
+                f,
+                "eye and target are both at {eye}: a camera needs something to look at"
             ),
-            Self::UpAlongView => f.write_str(
-                "up is zero or parallel to the line of sight: it must point to the side of it",
+            Self::UpAlongView { up } => write!(
+                f,
+                "up is {up}, which is zero or parallel to the line of sight: it must point to the side of it"
             ),
-            Self::ZeroDirection => f.write_str("direction is zero: it must have a length"),
+            Self::ZeroDirection => f.write_str("direction is (0, 0, 0): it must have a length"),
             Self::Brightness { value } => {
                 write!(f, "brightness is {value}: it must lie between 0 and 1")
             }

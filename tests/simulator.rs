@@ -102,13 +102,16 @@ fn cameras_without_sense_are_refused() {
         ("--far 1e9", ["--far 1000000000", "between -32768"]),
         (
             "--eye 1,2,3 --look-at 1,2,3",
-            ["eye and target are the same point", ""],
+            ["eye and target are both at (1, 2, 3)", "look at"],
         ),
         (
             "--eye 0,0,5 --look-at 0,0,0 --up 0,0,1",
-            ["up is zero or parallel", ""],
+            ["up is (0, 0, 1)", "parallel to the line of sight"],
         ),
-        ("--up 0,0,0", ["up is zero or parallel", ""]),
+        (
+            "--up 0,0,0",
+            ["up is (0, 0, 0)", "which is zero or parallel"],
+        ),
         ("--eye 0,0,1e6", ["--eye", "cannot be represented"]),
         ("--eye 0,0", ["--eye", "three numbers"]),
         ("--eye 0,zero,0", ["zero", "must be a number"]),

@@ -18,3 +18,15 @@ pub enum Cull {
     /// Those seen from the front.
     Front,
 }
+
+impl Cull {
+    /// Whether a triangle is left out whose area is positive if its corners run clockwise as seen.
+    #[inline]
+    pub(crate) const fn leaves_out(self, area: i64) -> bool {
+        match self {
+            Self::Nothing => area == 0,
+            Self::Back => area >= 0,
+            Self::Front => area <= 0,
+        }
+    }
+}

@@ -30,7 +30,7 @@ pub(crate) struct Projected {
     /// The interpolant of depth, 31 bits: 1/w with its top bit set, or depth itself.
     pub(crate) q: u32,
     /// 1/w is `q` · 2^`exponent` times a constant of the draw call; 0 under a parallel projection.
-    pub(crate) exponent: i32,
+    pub(crate) exponent: u8,
     /// Which planes it is outside of; where it is, the rest has no meaning.
     pub(crate) outside: u8,
 }
@@ -165,7 +165,7 @@ impl<K: Kind> Projector<K> {
             .iter()
             .map(|line| (line.linear.1 - 1).min(line.offset.1 + 14))
             .fold(40, i32::min)
-            .max(-16);
+            .max(0);
         let fraction = exp + 16;
         let rows = lines.each_ref().map(
             |Line {
@@ -275,12 +275,18 @@ impl<K: Kind> Projector<K> {
     /// A position of clip space on the screen.
     #[inline]
     pub(crate) fn project(&self, position: ClipPosition) -> Projected {
-        match self.outside(position) {
-            0 => self.project_inside(position),
-            outside => Projected {
-                outside,
+        let [x, y, t] = position;
+        // As `outside`, which tells of what plane, would have it.
+        let [least, most] = self.range;
+        let ahead = t.wrapping_sub(least).cast_unsigned() <= most.abs_diff(least);
+        let aside = x.unsigned_abs().max(y.unsigned_abs());
+        if ahead && aside <= (self.w(t) + SIDE_TOLERANCE).cast_unsigned() {
+            self.project_inside(position)
+        } else {
+            Projected {
+                outside: self.outside(position),
                 ..Projected::NONE
-            },
+            }
         }
     }
 
@@ -292,12 +298,12 @@ impl<K: Kind> Projector<K> {
             // t is positive and below 2^62. With t' = t · 2^up / 2^33 of 31 bits and x' half so
             // large, x / t = x' · r / 2^60.
             let up = (t | 1).leading_zeros();
-            let r = reciprocal((t.cast_unsigned() << up >> 33) as u32);
+            let r = reciprocal((t.cast_unsigned() << up >> 33) as u32).cast_signed();
             let on_screen = |x: i64| {
-                let product = (x << (up.max(2) - 2) >> 32) * i64::from(r);
+                let product = i64::from((x << (up.max(2) - 2) >> 32) as i32) * i64::from(r);
                 ((product + (1 << (59 - GUARD_BITS))) >> (60 - GUARD_BITS)) as i32
             };
-            ([on_screen(x), on_screen(y)], r, up.cast_signed())
+            ([on_screen(x), on_screen(y)], r.cast_unsigned(), up as u8)
         } else {
             let down = GUARD_BITS.cast_signed() - self.fraction;
             let on_screen = |x: i64| block::shift(x, down) as i32;
@@ -305,8 +311,10 @@ impl<K: Kind> Projector<K> {
             ([on_screen(x), on_screen(y)], q.cast_unsigned() as u32, 0)
         };
         let [cx, cy] = self.center;
+        // What is inside by the tolerance alone may be a little beyond the guard band.
+        let [x, y] = screen.map(|x| x.clamp(-(1 << GUARD_BITS), (1 << GUARD_BITS) - 1));
         Projected {
-            screen: [screen[0] + cx, screen[1] + cy],
+            screen: [x + cx, y + cy],
             q,
             exponent,
             outside: 0,
@@ -315,10 +323,10 @@ impl<K: Kind> Projector<K> {
 
     /// How far down an interpolant of this `exponent` is shifted to be a 16-bit depth.
     #[inline]
-    pub(crate) fn depth_shift(&self, exponent: i32) -> u32 {
+    pub(crate) fn depth_shift(&self, exponent: u8) -> u32 {
         if K::PERSPECTIVE {
             // 1/t = q · 2^(exponent + fraction - 94), and depth is 2^16 times that.
-            (78 - self.fraction - exponent)
+            (78 - self.fraction - i32::from(exponent))
                 .clamp(15, 31)
                 .cast_unsigned()
         } else {

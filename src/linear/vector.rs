@@ -1,5 +1,6 @@
 //! Points, directions and texture coordinates.
 
+use core::fmt;
 use core::ops::{Add, Neg, Sub};
 
 use crate::number::{scalar, tex_coord};
@@ -61,6 +62,12 @@ impl Vec3 {
     #[must_use]
     pub const fn to_bits(self) -> [i32; 3] {
         [self.x.to_bits(), self.y.to_bits(), self.z.to_bits()]
+    }
+}
+
+impl fmt::Display for Vec3 {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "({}, {}, {})", self.x, self.y, self.z)
     }
 }
 

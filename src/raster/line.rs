@@ -1,17 +1,17 @@
 //! Lines: one pixel per column or row, whichever is longer.
 
-use super::edge::{Edge, first_center};
 use core::ops::Range;
 
+use super::edge::{Edge, first_center};
 use super::{Planes, Window, align, span, weights};
 use crate::geometry::Projected;
 use crate::interpolate::{Interpolate, Slope, Weighted};
 use crate::shade::Fragment;
 use crate::target::{Canvas, DepthBuffer, Storage};
 
-/// Draws a line: along its longer axis every pixel whose centre is passed, the one on the first
-/// end included and the one on the last not, so that lines end to end draw no pixel
-/// twice while they go on along the same axis.
+/// Draws a line: along its longer axis every pixel whose centre is passed. A centre at the left (of
+/// steep lines: upper) end belongs to the line, one at the right (lower) end does not, so that
+/// lines end to end draw no pixel twice while they go on along the same axis.
 ///
 /// Which pixels does not depend on the line's direction. Across, the pixel is the one the line is in.
 pub(crate) fn line<I, F, O, D, const N: usize>(
@@ -19,7 +19,7 @@ pub(crate) fn line<I, F, O, D, const N: usize>(
     window: &Window,
     mut ends: [Projected; 2],
     mut varyings: [[i32; N]; 2],
-    (fragment, depth_shift): (&F, impl Fn(i32) -> u32),
+    (fragment, depth_shift): (&F, impl Fn(u8) -> u32),
 ) where
     I: Interpolate,
     F: Fragment<N>,

@@ -16,7 +16,7 @@ use crate::target::{Canvas, DepthBuffer, Storage};
 
 pub(crate) use line::line;
 pub(crate) use point::point;
-pub(crate) use triangle::Triangle;
+pub(crate) use triangle::{Triangle, area, is_drawn_by_part};
 
 /// The part of the canvas that may be drawn into; nothing outside is.
 #[derive(Clone, Debug)]
@@ -104,12 +104,12 @@ fn span<I, F, O, D, const N: usize>(
 
 /// The corners' interpolants of depth with one exponent: their own, and the common one.
 #[inline]
-fn align<const CORNERS: usize>(corners: &[Projected; CORNERS]) -> ([u32; CORNERS], i32) {
+fn align<const CORNERS: usize>(corners: &[Projected; CORNERS]) -> ([u32; CORNERS], u8) {
     let exponent = corners
         .iter()
         .fold(0, |most, corner| corner.exponent.max(most));
     let q = corners.map(|corner| {
-        let down = (exponent - corner.exponent).cast_unsigned();
+        let down = u32::from(exponent - corner.exponent);
         corner.q.checked_shr(down).unwrap_or(0).max(LEAST_WEIGHT)
     });
     (q, exponent)

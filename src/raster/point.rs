@@ -12,7 +12,7 @@ pub(crate) fn point<I, F, O, D, const N: usize>(
     window: &Window,
     at: &Projected,
     varyings: [i32; N],
-    (fragment, depth_shift): (&F, impl Fn(i32) -> u32),
+    (fragment, depth_shift): (&F, impl Fn(u8) -> u32),
 ) where
     I: Interpolate,
     F: Fragment<N>,

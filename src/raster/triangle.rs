@@ -18,26 +18,27 @@ pub(crate) struct Triangle {
     turned: bool,
 }
 
+/// Twice the area of a triangle, in units of (1/256 pixel)²: positive for corners that run clockwise as seen.
+#[inline]
+pub(crate) fn area([a, b, c]: [[i32; 2]; 3]) -> i64 {
+    let product = |x: i32, y: i32| i64::from(x) * i64::from(y);
+    // Differences of 21 bits.
+    product(b[0] - a[0], c[1] - a[1]) - product(c[0] - a[0], b[1] - a[1])
+}
+
 impl Triangle {
     /// `None` if it has no area, is culled, or covers no pixel centre of the window.
     #[inline]
     pub(crate) fn new(corners: [Projected; 3], cull: Cull, window: &Window) -> Option<Self> {
-        let [a, b, c] = corners.map(|corner| corner.screen);
-        let product = |x: i32, y: i32| i64::from(x) * i64::from(y);
-        // Differences of 21 bits.
-        let area = product(b[0] - a[0], c[1] - a[1]) - product(c[0] - a[0], b[1] - a[1]);
-        let culled = match cull {
-            Cull::Nothing => area == 0,
-            Cull::Back => area >= 0,
-            Cull::Front => area <= 0,
-        };
+        let screen @ [a, b, c] = corners.map(|corner| corner.screen);
+        let area = area(screen);
         let meets = |axis: usize, window: &core::ops::Range<i32>| {
             let least = a[axis].min(b[axis]).min(c[axis]);
             let most = a[axis].max(b[axis]).max(c[axis]);
             let (start, end) = (first_center(least), first_center(most));
             start.max(window.start) < end.min(window.end)
         };
-        if culled || !meets(1, &window.rows) || !meets(0, &window.columns) {
+        if cull.leaves_out(area) || !meets(1, &window.rows) || !meets(0, &window.columns) {
             return None;
         }
         let turned = area < 0;
@@ -54,14 +55,51 @@ impl Triangle {
         })
     }
 
+    /// Whether the corners as given run clockwise as seen.
+    #[inline]
+    pub(crate) const fn is_clockwise(&self) -> bool {
+        !self.turned
+    }
+
+    /// Whether the centre of a pixel is the triangle's, by the same rule as [`rows`](Self::rows) has it.
+    fn covers(&self, pixel: [i32; 2]) -> bool {
+        let [a, b, c] = self.corners.map(|corner| corner.screen);
+        let [x, y] = pixel.map(|at| (at << 8) + 128);
+        [(a, b), (b, c), (c, a)].iter().all(|&(from, to)| {
+            let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+            let product = |x: i32, y: i32| i64::from(x) * i64::from(y);
+            let inside = product(dx, y - from[1]) - product(dy, x - from[0]);
+            // A left edge runs up, a top edge to the right.
+            inside > 0 || inside == 0 && (dy < 0 || dy == 0 && dx > 0)
+        })
+    }
+
     /// Draws the triangle; `varyings` are those of the corners as they were given.
     #[inline]
     pub(crate) fn draw<I, F, O, D, const N: usize>(
         &self,
         canvas: &mut Canvas<'_, F::Color, O, D>,
         window: &Window,
+        varyings: [[i32; N]; 3],
+        paint: (&F, impl Fn(u8) -> u32),
+    ) where
+        I: Interpolate,
+        F: Fragment<N>,
+        O: Storage<F::Color>,
+        D: DepthBuffer,
+    {
+        self.draw_where::<I, F, O, D, N>(canvas, window, varyings, paint, None::<&fn(_) -> _>);
+    }
+
+    /// Draws those pixels of the triangle that `keep` (column and row) tells; all if there is none.
+    #[inline]
+    pub(crate) fn draw_where<I, F, O, D, const N: usize>(
+        &self,
+        canvas: &mut Canvas<'_, F::Color, O, D>,
+        window: &Window,
         [first, second, third]: [[i32; N]; 3],
-        (fragment, depth_shift): (&F, impl Fn(i32) -> u32),
+        (fragment, depth_shift): (&F, impl Fn(u8) -> u32),
+        keep: Option<&impl Fn([i32; 2]) -> bool>,
     ) where
         I: Interpolate,
         F: Fragment<N>,
@@ -81,8 +119,18 @@ impl Triangle {
         let [left, top] = slope.origin();
         let paint = (fragment, depth_shift(exponent));
         self.rows(window, |row, columns| {
-            let start = [columns.start - left, row - top];
-            span::<I, F, O, D, N>(canvas, (row, columns), &planes, start, paint);
+            let mut column = columns.start;
+            while column < columns.end {
+                let (end, kept) = match keep {
+                    None => (columns.end, true),
+                    Some(keep) => (column + 1, keep([column, row])),
+                };
+                if kept {
+                    let start = [column - left, row - top];
+                    span::<I, F, O, D, N>(canvas, (row, column..end), &planes, start, paint);
+                }
+                column = end;
+            }
         });
     }
 
@@ -133,4 +181,30 @@ impl Triangle {
             long = Some(other);
         }
     }
+}
+
+/// Whether part `at` of a fan is to draw a pixel.
+///
+/// The outline of a clipped triangle is convex but for the rounding of its corners; where that made it cross itself
+/// or dented it, parts of the fan turn over and lie upon others. A pixel is the outline's if it is in more parts that run
+/// `clockwise` as the whole than in parts that do not, and then the first of those draws it.
+pub(crate) fn is_drawn_by_part<T>(
+    parts: &[(Triangle, T)],
+    at: usize,
+    clockwise: bool,
+    pixel: [i32; 2],
+) -> bool {
+    let mut winding = 0;
+    for (i, (part, _)) in parts.iter().enumerate() {
+        if part.covers(pixel) {
+            if part.is_clockwise() != clockwise {
+                winding -= 1;
+            } else if i < at {
+                return false;
+            } else {
+                winding += 1;
+            }
+        }
+    }
+    winding > 0
 }

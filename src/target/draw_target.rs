@@ -48,7 +48,7 @@ impl<C: PixelColor, O: Storage<C>, D> DrawTarget for Canvas<'_, C, O, D> {
         let left = inside.top_left.x.abs_diff(area.top_left.x) as usize;
         let width = area.size.width as usize;
         let right = width - left - inside.size.width as usize;
-        skip(&mut colors, above * width);
+        skip(&mut colors, above.saturating_mul(width));
         let columns = columns(&inside);
         for y in inside.rows() {
             skip(&mut colors, left);

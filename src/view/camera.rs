@@ -40,14 +40,14 @@ impl Camera {
         const PARALLEL: i64 = 1 << 39;
         let (eye_bits, target_bits) = (eye.to_bits(), target.to_bits());
         let back = [0, 1, 2].map(|i| i64::from(eye_bits[i]) - i64::from(target_bits[i]));
-        let k = unit::unit(back).ok_or(Error::EyeAtTarget)?;
-        let (up, _) = block::normalise(up.to_bits().map(i64::from), 0);
+        let k = unit::unit(back).ok_or(Error::EyeAtTarget { eye })?;
+        let (above, _) = block::normalise(up.to_bits().map(i64::from), 0);
         let (back, _) = block::normalise(back, 0);
-        let side = unit::cross(up, back);
+        let side = unit::cross(above, back);
         if side.iter().all(|v| v.abs() < PARALLEL) {
-            return Err(Error::UpAlongView);
+            return Err(Error::UpAlongView { up });
         }
-        let i = unit::unit(side).ok_or(Error::UpAlongView)?;
+        let i = unit::unit(side).ok_or(Error::UpAlongView { up })?;
         let j = unit::cross(k, i).map(|v| (v + (1 << 29)) >> 30);
         Ok(Self {
             view: Transform::of_pose([i.map(i64::from), j, k.map(i64::from)], eye),
@@ -167,9 +167,9 @@ mod tests {
             let back = sub(e, real(target));
             let sine = length(cross(u, back)) / (length(u) * length(back));
             match camera {
-                Err(Error::EyeAtTarget) => prop_assert_eq!(eye, target),
+                Err(Error::EyeAtTarget { .. }) => prop_assert_eq!(eye, target),
                 Err(error) => {
-                    prop_assert_eq!(error, Error::UpAlongView);
+                    prop_assert_eq!(error, Error::UpAlongView { up: above });
                     // 2^-20, as the largest components are between 2^29 and 2^30.
                     prop_assert!(up == [0; 3] || sine < 8e-6, "{}", sine);
                 }
@@ -204,13 +204,19 @@ mod tests {
     #[test]
     fn useless_cameras_are_refused() {
         let (eye, target) = (Vec3::from_ints(1, 2, 3), Vec3::from_ints(4, 6, 8));
-        assert_eq!(Camera::look_at(eye, eye, Vec3::Y), Err(Error::EyeAtTarget));
+        assert_eq!(
+            Camera::look_at(eye, eye, Vec3::Y),
+            Err(Error::EyeAtTarget { eye })
+        );
         for up in [
             Vec3::ZERO,
             target - eye,
             (eye - target) * Scalar::lit("0.3"),
         ] {
-            assert_eq!(Camera::look_at(eye, target, up), Err(Error::UpAlongView));
+            assert_eq!(
+                Camera::look_at(eye, target, up),
+                Err(Error::UpAlongView { up })
+            );
         }
         let off = target - eye + Vec3::from_bits([6, 0, 0]);
         assert!(Camera::look_at(eye, target, off).is_ok());

@@ -1,0 +1,170 @@
+//! The draw call: a mesh through a chain of transforms onto a canvas.
+
+mod cache;
+mod call;
+mod pass;
+
+pub use pass::Pass;
+
+use cache::Cache;
+use call::Call;
+
+use crate::Vec3;
+use crate::geometry::{Element, Index, Mesh, Projector};
+use crate::interpolate::Interpolate;
+use crate::number::Subpixel;
+use crate::shade::Fragment;
+use crate::target::{Canvas, DepthBuffer, Storage};
+use crate::view::{Chain, Kind, Viewport};
+
+/// What became of a draw call's triangles, edges or points.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use fixel::prelude::*;
+/// let mut pixels = [Gray8::new(0); 64];
+/// let mut canvas = Canvas::new(&mut pixels, 8, 8)?;
+/// let lens = Projection::perspective(Angle::from_degrees(90), (1, 1), fx!(0.1), fx!(10))?;
+/// let chain = lens * Transform::translate(vec3!(0, 0, -1));
+/// let positions = [vec3!(-1, -1, 0), vec3!(1, -1, 0), vec3!(-1, 1, 0)];
+/// let triangle = Mesh::new(&positions, &[[0, 1, 2], [0, 2, 1]])?;
+/// let drawn = canvas.draw(&triangle, &chain, &Flat::new(Gray8::new(255)));
+/// assert_eq!((drawn.submitted, drawn.drawn, drawn.clipped), (2, 1, 0));
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Drawn {
+    /// How many there were.
+    pub submitted: u32,
+    /// How many may have left a pixel: triangles that face the right way and meet the viewport and the
+    /// canvas' rows, lines and points that are not outside the guard band.
+    pub drawn: u32,
+    /// How many of those drawn were cut by a plane of the view volume or of the guard band.
+    pub clipped: u32,
+}
+
+/// Where a point of model space is on the screen.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use fixel::prelude::*;
+/// let mut pixels = [Gray8::new(0); 64];
+/// let canvas = Canvas::new(&mut pixels, 8, 8)?;
+/// let lens = Projection::perspective(Angle::from_degrees(90), (1, 1), fx!(0.5), fx!(10))?;
+/// let place = canvas.project(&Pass::new(), &(lens * Transform::IDENTITY), vec3!(0.5, 1, -2)).unwrap();
+/// assert_eq!((place.x.to_num(), place.y.to_num()), (5, 2));
+/// assert_eq!(place.depth, 65535 / 4);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// Columns from the frame's left edge, to the nearest 1/256: a pixel's centre is half a column
+    /// from its edges.
+    pub x: Subpixel,
+    /// Rows from the frame's top edge.
+    pub y: Subpixel,
+    /// Depth as it would be stored.
+    pub depth: u16,
+}
+
+impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
+    /// Draws a mesh's triangles: through `chain` into the whole frame, without back faces, each
+    /// pixel correct in perspective.
+    ///
+    /// Cannot fail: what cannot be seen is left out, what is partly to be seen is clipped.
+    pub fn draw<K: Kind, F: Fragment<N, Color = C>, const N: usize>(
+        &mut self,
+        mesh: &Mesh<'_>,
+        chain: &Chain<K>,
+        fragment: &F,
+    ) -> Drawn {
+        self.draw_with(&Pass::new(), mesh, chain, fragment)
+    }
+
+    /// Draws a mesh's triangles as [`draw`](Self::draw) does, in the way that `pass` says.
+    pub fn draw_with<I: Interpolate, K: Kind, F: Fragment<N, Color = C>, const N: usize>(
+        &mut self,
+        pass: &Pass<I>,
+        mesh: &Mesh<'_>,
+        chain: &Chain<K>,
+        fragment: &F,
+    ) -> Drawn {
+        let mut call = Call::new(self, pass, mesh, chain, fragment);
+        let mut cache = Cache::new();
+        for (face, &indices) in mesh.faces().iter().enumerate() {
+            let corners = indices.map(|index| cache.project(&call, index));
+            let element = Element {
+                face: Some(face),
+                indices,
+            };
+            call.triangle::<I, O, D, N>(self, element, corners);
+        }
+        call.drawn
+    }
+
+    /// Draws a mesh's [edges](Mesh::edges) as lines, one pixel wide.
+    pub fn draw_edges<I: Interpolate, K: Kind, F: Fragment<N, Color = C>, const N: usize>(
+        &mut self,
+        pass: &Pass<I>,
+        mesh: &Mesh<'_>,
+        chain: &Chain<K>,
+        fragment: &F,
+    ) -> Drawn {
+        let mut call = Call::new(self, pass, mesh, chain, fragment);
+        let mut cache = Cache::new();
+        for &[a, b] in mesh.edges() {
+            let ends = [a, b].map(|index| cache.project(&call, index));
+            let element = Element {
+                face: None,
+                indices: [a, b, b],
+            };
+            call.line::<I, O, D, N>(self, element, ends);
+        }
+        call.drawn
+    }
+
+    /// Where a point of model space comes to lie, to the last bit as when it is drawn; `None` if it
+    /// is nearer than the near plane, beyond the far plane or more than 2048 pixels from the
+    /// viewport's centre. It may be outside the viewport.
+    ///
+    /// For a label beside a thing, or a touch upon it.
+    #[must_use]
+    pub fn project<I, K: Kind>(
+        &self,
+        pass: &Pass<I>,
+        chain: &Chain<K>,
+        point: Vec3,
+    ) -> Option<Place> {
+        let viewport = pass.viewport.unwrap_or(Viewport::whole(self.frame_size()));
+        let projector = Projector::new(&chain.projection, &chain.model_view(), &viewport);
+        let at = projector.project(projector.clip_position(point));
+        if at.outside != 0 {
+            return None;
+        }
+        let [x, y] = at.screen.map(Subpixel::from_bits);
+        Some(Place {
+            x,
+            y,
+            depth: (at.q >> projector.depth_shift(at.exponent)) as u16,
+        })
+    }
+
+    /// Draws a mesh's positions as points, one pixel each.
+    pub fn draw_points<I: Interpolate, K: Kind, F: Fragment<N, Color = C>, const N: usize>(
+        &mut self,
+        pass: &Pass<I>,
+        mesh: &Mesh<'_>,
+        chain: &Chain<K>,
+        fragment: &F,
+    ) -> Drawn {
+        let mut call = Call::new(self, pass, mesh, chain, fragment);
+        for index in 0..mesh.positions().len() {
+            // A mesh has at most 65,536 positions.
+            let Ok(index) = Index::try_from(index) else {
+                break;
+            };
+            call.point::<I, O, D, N>(self, index);
+        }
+        call.drawn
+    }
+}

@@ -1,0 +1,68 @@
+//! How a draw call is to be done.
+
+use core::marker::PhantomData;
+
+use crate::geometry::Cull;
+use crate::interpolate::{Exact, Interpolate};
+use crate::view::Viewport;
+
+/// How a draw call is to be done: which faces are culled, where on the canvas, by which mode.
+///
+/// The default culls back faces and draws to the whole frame in mode [`Exact`].
+///
+/// ```
+/// use fixel::prelude::*;
+/// let left: Pass = Pass::new().viewport(Viewport::new(0, 0, 160, 240)?);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Pass<I = Exact> {
+    pub(super) cull: Cull,
+    pub(super) viewport: Option<Viewport>,
+    mode: PhantomData<I>,
+}
+
+impl Default for Pass {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Pass {
+    /// The default.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            cull: Cull::Back,
+            viewport: None,
+            mode: PhantomData,
+        }
+    }
+}
+
+impl<I> Pass<I> {
+    /// Leaves out other faces.
+    #[must_use]
+    pub const fn cull(self, cull: Cull) -> Self {
+        Self { cull, ..self }
+    }
+
+    /// Draws into a part of the frame, and into that only.
+    #[must_use]
+    pub const fn viewport(self, viewport: Viewport) -> Self {
+        Self {
+            viewport: Some(viewport),
+            ..self
+        }
+    }
+
+    /// Interpolates in another mode.
+    #[must_use]
+    pub const fn mode<J: Interpolate>(self) -> Pass<J> {
+        Pass {
+            cull: self.cull,
+            viewport: self.viewport,
+            mode: PhantomData,
+        }
+    }
+}

@@ -1,0 +1,229 @@
+//! Drawing is total: whatever bits the vertices, matrices, textures coordinates and varyings are
+//! made of, nothing panics (tests check for overflow), and bands are still the frame.
+
+use embedded_graphics::pixelcolor::{Gray8, Rgb888};
+use fixel::prelude::*;
+use fixel::target::{DepthBuffer, Native};
+use fixel::view::Kind;
+use proptest::collection::vec;
+use proptest::prelude::*;
+use proptest::sample::select;
+
+/// Any bits, with a liking for the ends of the format, the middle, and every magnitude between.
+fn bits() -> impl Strategy<Value = i32> {
+    prop_oneof![
+        select(vec![i32::MAX, i32::MIN, 0, 1 << 16, -(1 << 16)]),
+        (any::<i32>(), 0_u32..32).prop_map(|(value, cut)| value >> cut),
+    ]
+}
+
+fn scalar() -> impl Strategy<Value = Scalar> {
+    bits().prop_map(Scalar::from_bits)
+}
+
+fn vector() -> impl Strategy<Value = Vec3> {
+    prop::array::uniform3(bits()).prop_map(Vec3::from_bits)
+}
+
+/// A chain of a few moves, each by anything.
+fn transform() -> impl Strategy<Value = Transform> {
+    let angle = || any::<u32>().prop_map(Angle::from_bits);
+    let one = prop_oneof![
+        vector().prop_map(Transform::translate),
+        scalar().prop_map(Transform::scale),
+        vector().prop_map(Transform::scale_axes),
+        angle().prop_map(Transform::rotate_x),
+        angle().prop_map(Transform::rotate_y),
+        Just(Transform::translate(vec3!(0, 0, -3))),
+    ];
+    vec(one, 0..4).prop_map(|all| {
+        all.into_iter()
+            .fold(Transform::IDENTITY, |t, next| t * next)
+    })
+}
+
+#[derive(Clone, Debug)]
+struct Scene {
+    positions: Vec<Vec3>,
+    uvs: Vec<Vec2>,
+    faces: Vec<[u16; 3]>,
+    edges: Vec<[u16; 2]>,
+    pass: Pass,
+    size: (u32, u32),
+    /// Rows of a band.
+    rows: u32,
+    what: What,
+    model: Transform,
+    camera: Transform,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum What {
+    Triangles,
+    Edges,
+    Points,
+    Normals,
+    Lit,
+    Depth,
+}
+
+const CORNERS: usize = 6;
+
+fn scene() -> impl Strategy<Value = Scene> {
+    let index = || 0..u16::try_from(CORNERS).unwrap();
+    let size = prop_oneof![
+        8 => (1_u32..40, 1_u32..40),
+        1 => select(vec![(1, 1), (2048, 3), (3, 2048)]),
+    ];
+    let near = prop::array::uniform3(-(1 << 18)..1 << 18).prop_map(Vec3::from_bits);
+    let viewport = prop_oneof![
+        3 => Just(None),
+        1 => (-4096..4097, -4096..4097, 1_u32..4097, 1_u32..4097).prop_map(Some),
+        1 => (-40..40, -40..40, 1_u32..80, 1_u32..80).prop_map(Some),
+    ];
+    let cull = select(vec![Cull::Back, Cull::Nothing, Cull::Front]);
+    let pass = (viewport, cull).prop_map(|(viewport, cull)| match viewport {
+        None => Pass::new().cull(cull),
+        Some((x, y, width, height)) => Pass::new()
+            .cull(cull)
+            .viewport(Viewport::new(x, y, width, height).unwrap()),
+    });
+    let what = select(vec![
+        What::Triangles,
+        What::Edges,
+        What::Points,
+        What::Normals,
+        What::Lit,
+        What::Depth,
+    ]);
+    (
+        (
+            vec(prop_oneof![vector(), near], CORNERS),
+            vec(
+                prop::array::uniform2(bits()).prop_map(Vec2::from_bits),
+                CORNERS,
+            ),
+            vec(prop::array::uniform3(index()), 4),
+            vec(prop::array::uniform2(index()), 4),
+        ),
+        (pass, size, 1_u32..8, what, transform(), transform()),
+    )
+        .prop_map(|((positions, uvs, faces, edges), rest)| {
+            let (pass, size, rows, what, model, camera) = rest;
+            Scene {
+                positions,
+                uvs,
+                faces,
+                edges,
+                pass,
+                size,
+                rows,
+                what,
+                model,
+                camera,
+            }
+        })
+}
+
+/// Varyings of any magnitude, and one that jumps from end to end of its format.
+#[derive(Clone, Copy)]
+struct Raw;
+
+impl Fragment<3> for Raw {
+    type Color = Gray8;
+
+    fn varyings(&self, vertex: &Vertex) -> [i32; 3] {
+        let [x, y, _] = vertex.position().to_bits();
+        [
+            x,
+            vertex.uv().x.to_bits(),
+            if y & 1 == 0 { i32::MIN } else { i32::MAX },
+        ]
+    }
+
+    fn shade(&self, sample: &Sample, [a, b, c]: [i32; 3]) -> Option<Gray8> {
+        let [mixed, ..] = (a ^ a >> 16 ^ b ^ c ^ i32::from(sample.depth)).to_le_bytes();
+        Some(Gray8::new(mixed))
+    }
+}
+
+impl Scene {
+    fn draw<K: Kind, D: DepthBuffer>(
+        &self,
+        canvas: &mut Canvas<'_, Gray8, Native, D>,
+        lens: Projection<K>,
+    ) {
+        let chain = &(lens * self.camera * self.model);
+        let mesh = &Mesh::new(&self.positions, &self.faces)
+            .and_then(|mesh| mesh.with_edges(&self.edges))
+            .and_then(|mesh| mesh.with_uvs(&self.uvs, None))
+            .unwrap();
+        let pass = &self.pass;
+        let light = Light::new(vec3!(1, 2, 3), fx!(0.5), fx!(0.5)).unwrap();
+        let drawn = match self.what {
+            What::Triangles => canvas.draw_with(pass, mesh, chain, &Raw),
+            What::Edges => canvas.draw_edges(pass, mesh, chain, &Raw),
+            What::Points => canvas.draw_points(pass, mesh, chain, &Raw),
+            What::Normals => canvas.draw_with(pass, mesh, chain, &NormalView::new()),
+            What::Lit => {
+                let white = Rgb888::new(255, 255, 255);
+                canvas.draw_with(pass, mesh, chain, &Lit::new(white, light))
+            }
+            What::Depth => canvas.draw_with(pass, mesh, chain, &DepthView::new()),
+        };
+        assert!(drawn.clipped <= drawn.drawn && drawn.drawn <= drawn.submitted);
+        for &position in &self.positions {
+            let _ = canvas.project(pass, chain, position);
+        }
+    }
+
+    /// Draws the frame, and the frame in bands, and compares all bits of both.
+    fn check<K: Kind>(&self, lens: Result<Projection<K>, Error>) -> Result<(), TestCaseError> {
+        let Ok(lens) = lens else { return Ok(()) };
+        let (width, height) = self.size;
+        let blank = || {
+            let pixels = (width * height) as usize;
+            (vec![Gray8::new(7); pixels], vec![0_u16; pixels])
+        };
+        let (mut colors, mut depths) = blank();
+        let canvas = Canvas::new(&mut colors, width, height).unwrap();
+        self.draw(&mut canvas.with_depth(&mut depths).unwrap(), lens);
+
+        let (mut band_colors, mut band_depths) = blank();
+        let strip = (width * self.rows) as usize;
+        let strips = band_colors
+            .chunks_mut(strip)
+            .zip(band_depths.chunks_mut(strip));
+        for (first_row, (colors, depths)) in (0..height).step_by(self.rows as usize).zip(strips) {
+            let canvas = Canvas::band(colors, width, height, first_row).unwrap();
+            self.draw(&mut canvas.with_depth(depths).unwrap(), lens);
+        }
+        prop_assert_eq!(colors, band_colors);
+        prop_assert_eq!(depths, band_depths);
+        Ok(())
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(6000))]
+
+    #[test]
+    fn perspective_is_total(scene in scene(), fov in 1_u32..1 << 31, cut in 0_u32..16, near in scalar(), far in scalar()) {
+        let fov = Angle::from_bits((fov >> cut).max(1));
+        scene.check(Projection::perspective(fov, scene.size, near, far))?;
+    }
+
+    #[test]
+    fn off_centre_perspective_is_total(scene in scene(), edges in prop::array::uniform6(scalar())) {
+        let [l, r, b, t, n, f] = edges;
+        scene.check(Projection::frustum(l.min(r), l.max(r), b.min(t), b.max(t), n, f))?;
+    }
+
+    #[test]
+    fn parallel_projections_are_total(scene in scene(), edges in prop::array::uniform6(scalar()), angle: u32) {
+        let [l, r, b, t, n, f] = edges;
+        scene.check(Projection::orthographic(l.min(r), l.max(r), b.min(t), b.max(t), n, f))?;
+        let angle = Angle::from_bits(angle);
+        scene.check(Projection::cabinet(angle, l.min(r), l.max(r), b.min(t), b.max(t), n, f))?;
+    }
+}

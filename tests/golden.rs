@@ -1,0 +1,111 @@
+//! The pictures of the measured scenes and of the project's own, to the last bit.
+//!
+//! A checksum that changes is no failure by itself, but it has to be meant: look at the picture
+//! (`simulator --scene NAME --out NAME.png`), say in the commit why it changed, and put the new one
+//! here. Firmware draws the same (`.ci/run`).
+
+use embedded_graphics::pixelcolor::raw::BigEndian;
+use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use fixel::prelude::*;
+use fixel::target::Depth;
+
+#[path = "../examples/common/mod.rs"]
+mod common;
+
+use common::lighthouse;
+use common::scenes::{self, HEIGHT, WIDTH};
+
+type Target<'a> = Canvas<'a, Rgb565, BigEndian, Depth<'a>>;
+
+/// CRC-32 of the bytes, most significant first, and how many pixels were drawn.
+fn picture(draw: impl FnOnce(&mut Target<'_>)) -> (u32, usize) {
+    let mut pixels = vec![[0; 2]; (WIDTH * HEIGHT) as usize];
+    let mut depths = vec![0; pixels.len()];
+    let canvas = Canvas::big_endian(&mut pixels, WIDTH, HEIGHT).unwrap();
+    let mut canvas = canvas.with_depth(&mut depths).unwrap();
+    canvas.clear(Rgb565::BLACK);
+    draw(&mut canvas);
+    let crc = crc32fast::hash(canvas.bytes());
+    (crc, depths.iter().filter(|&&depth| depth > 0).count())
+}
+
+/// Checksums of the eight poses of a scene, and the mean number of pixels.
+fn poses(draw: impl Fn(i32, &mut Target<'_>)) -> ([u32; 8], usize) {
+    let poses = [0, 1, 2, 3, 4, 5, 6, 7].map(|k| picture(|canvas| draw(k, canvas)));
+    let pixels: usize = poses.iter().map(|pose| pose.1).sum();
+    (poses.map(|pose| pose.0), pixels.div_ceil(8))
+}
+
+#[test]
+fn floor() {
+    let drawn = picture(|canvas| {
+        scenes::floor(canvas, &scenes::floor_chain(0).unwrap());
+    });
+    assert_eq!(drawn, (0xcea2_0ac4, 47_610));
+}
+
+#[test]
+fn cube() {
+    const CRC: [u32; 8] = [
+        0xa794_e6c7,
+        0x5a50_131f,
+        0x9303_8f3d,
+        0x74ea_8a67,
+        0x977b_e121,
+        0x5be7_c2f5,
+        0x0c11_f830,
+        0xedad_0d90,
+    ];
+    let drawn = poses(|k, canvas| {
+        scenes::cube(canvas, &scenes::cube_chain(k).unwrap());
+    });
+    assert_eq!(drawn, (CRC, 30_716));
+}
+
+#[test]
+fn sphere() {
+    const CRC: [u32; 8] = [
+        0xd3f0_8325,
+        0xef45_08f4,
+        0xbd91_40cb,
+        0x793a_5379,
+        0x5146_da60,
+        0x1b3a_5808,
+        0x25c1_80f4,
+        0x6570_3ab7,
+    ];
+    let drawn = poses(|k, canvas| {
+        scenes::sphere(canvas, &scenes::sphere_chain(k).unwrap());
+    });
+    assert_eq!(drawn, (CRC, 30_526));
+}
+
+#[test]
+fn sphere_flat() {
+    const CRC: [u32; 8] = [
+        0xed76_e033,
+        0xfdbf_f1fe,
+        0x5d7e_ec78,
+        0xe9b9_1ad0,
+        0x702a_973f,
+        0x0249_32c5,
+        0xf707_4a99,
+        0x7d26_1f71,
+    ];
+    let drawn = poses(|k, canvas| {
+        scenes::sphere_flat(canvas, &scenes::sphere_chain(k).unwrap());
+    });
+    assert_eq!(drawn, (CRC, 30_526));
+}
+
+#[test]
+fn lighthouse() {
+    let (crc, _) = picture(|canvas| {
+        let lens = lighthouse::lens((WIDTH, HEIGHT)).unwrap();
+        let chain = lens * lighthouse::camera().unwrap() * Transform::IDENTITY;
+        lighthouse::sky(canvas);
+        lighthouse::draw(canvas, &chain).unwrap();
+        lighthouse::caption(canvas);
+    });
+    assert_eq!(crc, 0xdc14_b31a);
+}
