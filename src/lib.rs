@@ -178,6 +178,11 @@ pub use target::Canvas;
 pub use time::{Rate, Spin};
 pub use view::{Aspect, Camera, Chain, Projection, Viewport};
 
+/// The program in the README works.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
 /// Everything a drawing program needs.
 ///
 /// Its `Angle` and `Transform` are not those of embedded-graphics' prelude: a program that has both

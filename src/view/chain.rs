@@ -2,7 +2,7 @@
 
 use core::ops::Mul;
 
-use super::{Camera, Kind, Projection};
+use super::{Camera, Kind, Perspective, Projection};
 use crate::Transform;
 
 /// A projection, a camera and the transform of a model, applied from right to left.
@@ -22,7 +22,7 @@ use crate::Transform;
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Chain<K> {
+pub struct Chain<K = Perspective> {
     pub(crate) projection: Projection<K>,
     /// From world to eye space.
     pub(crate) camera: Transform,

@@ -108,7 +108,7 @@ impl Row {
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Projection<K> {
+pub struct Projection<K = Perspective> {
     /// Normalised device coordinates x and y, times w: −z for a perspective, else 1.
     pub(crate) rows: [Row; 2],
     pub(crate) near: Scalar,
