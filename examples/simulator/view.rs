@@ -35,6 +35,18 @@ fn point(what: &str, [x, y, z]: [f64; 3]) -> Result<Vec3> {
     Ok(Vec3::try_from([x, y, z]).map_err(|error| format!("{what} {x},{y},{z}: {error}"))?)
 }
 
+/// A direction by all the bits of the format: its length does not matter, so it is made long first.
+fn direction(what: &str, [x, y, z]: [f64; 3]) -> Result<Vec3> {
+    let size = x.abs().max(y.abs()).max(z.abs());
+    // A power of two, so that nothing is rounded by it.
+    let scale = if size > 0.0 && size.is_finite() {
+        2_f64.powf(13.0 - size.log2().floor())
+    } else {
+        1.0
+    };
+    point(what, [x * scale, y * scale, z * scale])
+}
+
 impl View {
     /// The view of `framing`.
     ///
@@ -56,8 +68,13 @@ impl View {
         let camera = Camera::look_at(
             point(eye, framing.eye)?,
             point(target, framing.target)?,
-            point("--up", args.up())?,
-        )?;
+            direction("--up", args.up())?,
+        )
+        .map_err(|error| match (error, point("--up", args.up())) {
+            // As it was written.
+            (Error::UpAlongView { .. }, Ok(up)) => Error::UpAlongView { up },
+            (error, _) => error,
+        })?;
         let near = what(
             args.near.is_some(),
             "--near",
