@@ -18,13 +18,12 @@ mod common;
 mod firmware {
     use cortex_m::peripheral::{Peripherals, SYST, syst::SystClkSource};
     use cortex_m_rt::entry;
-    use cortex_m_semihosting::{debug, hprintln};
     use embedded_graphics::pixelcolor::raw::BigEndian;
     use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
     use fixel::prelude::*;
     use fixel::target::DepthBuffer;
     use fixel::view::Perspective;
-    use panic_semihosting as _;
+    use semihosting::{println, process};
 
     use super::common::lighthouse;
     use super::common::scenes::{self, HEIGHT, WIDTH};
@@ -155,7 +154,7 @@ mod firmware {
             for (layout, rows) in [("frame", HEIGHT), ("bands", BAND)] {
                 let (triangles, ticks, crc) =
                     frame(scene, rows, (&mut pixels, &mut depths), &timer)?;
-                hprintln!(
+                println!(
                     "scene={} mode=exact layout={} triangles={} ticks={} crc={:08x}",
                     name,
                     layout,
@@ -170,15 +169,18 @@ mod firmware {
 
     #[entry]
     fn main() -> ! {
-        let status = match run() {
-            Ok(()) => debug::EXIT_SUCCESS,
+        match run() {
+            Ok(()) => process::exit(0),
             Err(error) => {
-                hprintln!("{}", error);
-                debug::EXIT_FAILURE
+                println!("{}", error);
+                process::exit(1)
             }
-        };
-        loop {
-            debug::exit(status);
         }
+    }
+
+    #[panic_handler]
+    fn panic(info: &core::panic::PanicInfo<'_>) -> ! {
+        println!("{}", info);
+        process::exit(1)
     }
 }

@@ -147,6 +147,7 @@
 //! For DMA let the canvas keep its pixels as the bytes that the bus wants: [`Canvas::big_endian`]
 //! and its relatives, [`Canvas::bytes`].
 #![no_std]
+#![forbid(unsafe_code)]
 
 #[cfg(test)]
 extern crate std;

@@ -1,0 +1,28 @@
+# For the scripts beside it: builds for other targets, and what to run them on. Sourced in the project's root.
+# A target that rustup has brought is preferred; elsewhere Debian's compiler builds core itself.
+targets=(thumbv6m-none-eabi thumbv7m-none-eabi thumbv7em-none-eabi thumbv8m.main-none-eabi riscv32imc-unknown-none-elf)
+
+has_target() { [ -d "$(rustc --print target-libdir --target "$1")" ]; }
+
+install_tools() {
+  local needed=(qemu-system-arm qemu-system-misc lld) target
+  for target in "${targets[@]}"; do
+    has_target "$target" || needed+=(rustc-web cargo-web rust-web-src)
+  done
+  if ! dpkg -s "${needed[@]}" >/dev/null 2>&1; then
+    apt-get update -qq
+    apt-get install -y -qq --no-install-recommends "${needed[@]}"
+  fi
+}
+
+# target, cargo arguments
+cross() {
+  local target=$1
+  shift
+  if has_target "$target"; then
+    cargo "$@" --target "$target" --target-dir target/cross
+  else
+    RUSTC_BOOTSTRAP=1 RUSTC=/usr/bin/rustc /usr/bin/cargo "$@" -Zbuild-std=core \
+      --target "$target" --target-dir target/cross
+  fi
+}
