@@ -156,11 +156,7 @@ mod firmware {
                     frame(scene, rows, (&mut pixels, &mut depths), &timer)?;
                 println!(
                     "scene={} mode=exact layout={} triangles={} ticks={} crc={:08x}",
-                    name,
-                    layout,
-                    triangles,
-                    ticks,
-                    crc
+                    name, layout, triangles, ticks, crc
                 );
             }
         }
