@@ -7,7 +7,7 @@ use crate::{Angle, Scalar, Vec3};
 
 /// Why a value was refused. The message names the value and what is allowed.
 ///
-/// Errors come from constructors only: drawing cannot fail.
+/// Errors come from constructors and from preparation: drawing cannot fail.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -127,6 +127,15 @@ pub enum Error {
         /// Elements allowed.
         max: usize,
     },
+    /// A list that is too short for what is to be seen.
+    Full {
+        /// What there is no room for.
+        of: &'static str,
+        /// How many there are.
+        needed: usize,
+        /// How many there is room for.
+        room: usize,
+    },
     /// A shape of too few or too many parts.
     Parts {
         /// What there are so many of.
@@ -233,6 +242,12 @@ impl fmt::Display for Error {
                 write!(
                     f,
                     "{given} elements are too many: at most {max} are allowed"
+                )
+            }
+            Self::Full { of, needed, room } => {
+                write!(
+                    f,
+                    "{needed} {of} are to be seen: the list has room for {room}"
                 )
             }
             Self::Parts {

@@ -166,7 +166,7 @@ mod time;
 pub mod view;
 
 pub use angle::Angle;
-pub use draw::{Drawn, Pass, Place};
+pub use draw::{Drawn, Pass, Place, Prepared, TriangleList};
 pub use error::{Error, Given};
 pub use geometry::{Cull, Face, Index, Mesh, Vertex};
 pub use linear::{Matrix4, Transform, Vec2, Vec3};
@@ -191,7 +191,8 @@ struct Readme;
 pub mod prelude {
     pub use crate::{
         Angle, Aspect, Camera, Canvas, Chain, Cull, Drawn, Error, Face, Fragment, Mesh, Pass,
-        Projection, Rate, Sample, Scalar, Spin, TexCoord, Transform, Vec2, Vec3, Vertex, Viewport,
+        Projection, Rate, Sample, Scalar, Spin, TexCoord, Transform, TriangleList, Vec2, Vec3,
+        Vertex, Viewport,
     };
     pub use crate::{
         Converted, DepthView, FaceColors, Flat, Gouraud, Levels, Light, Lit, LitFaces, LitTexture,

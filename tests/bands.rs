@@ -91,19 +91,29 @@ impl Scene {
 
     /// The frame in bands of so many rows, the last of what is left.
     fn in_bands<K: Kind>(&self, chain: &Chain<K>, rows: u32) -> (Vec<Rgb888>, Vec<u16>) {
-        let (mut colors, mut depths) = (vec![], vec![]);
-        for first in (0..HEIGHT).step_by(rows as usize) {
-            let pixels = (WIDTH * rows.min(HEIGHT - first)) as usize;
-            // Not cleared: whatever was there before must not show.
-            let (mut color, mut depth) = (vec![Rgb888::new(9, 9, 9); pixels], vec![7; pixels]);
-            let band = Canvas::band(&mut color, WIDTH, HEIGHT, first).unwrap();
-            self.draw(&mut band.with_depth(&mut depth).unwrap(), chain);
-            colors.extend(color);
-            depths.extend(depth);
-        }
-        (colors, depths)
+        bands(rows, |band| self.draw(band, chain))
     }
+}
 
+/// What is drawn into a band.
+type Band<'b> = Canvas<'b, Rgb888, fixel::target::Native, fixel::target::Depth<'b>>;
+
+/// A frame in bands of so many rows, the last of what is left.
+fn bands(rows: u32, mut draw: impl FnMut(&mut Band<'_>)) -> (Vec<Rgb888>, Vec<u16>) {
+    let (mut colors, mut depths) = (vec![], vec![]);
+    for first in (0..HEIGHT).step_by(rows as usize) {
+        let pixels = (WIDTH * rows.min(HEIGHT - first)) as usize;
+        // Not cleared: whatever was there before must not show.
+        let (mut color, mut depth) = (vec![Rgb888::new(9, 9, 9); pixels], vec![7; pixels]);
+        let band = Canvas::band(&mut color, WIDTH, HEIGHT, first).unwrap();
+        draw(&mut band.with_depth(&mut depth).unwrap());
+        colors.extend(color);
+        depths.extend(depth);
+    }
+    (colors, depths)
+}
+
+impl Scene {
     fn check<K: Kind>(&self, chain: &Chain<K>) -> Result<(), TestCaseError> {
         let frame = self.in_bands(chain, HEIGHT);
         for rows in [1, 7, 16] {
@@ -116,6 +126,34 @@ impl Scene {
                 rows,
                 differs
             );
+        }
+        self.check_prepared(chain)
+    }
+
+    /// Triangles that were prepared are drawn as they are without, and counted alike.
+    fn check_prepared<K: Kind>(&self, chain: &Chain<K>) -> Result<(), TestCaseError> {
+        let mesh = self.mesh();
+        let window = Viewport::new(-9, 3, 64, 48).unwrap();
+        let mut list: TriangleList<12, 250> = TriangleList::new();
+        for pass in [
+            common::BOTH_SIDES,
+            Pass::new().viewport(window),
+            Pass::new().cull(Cull::Front),
+        ] {
+            let prepared = list.prepare(&pass, (WIDTH, HEIGHT), &mesh, chain).unwrap();
+            for rows in [HEIGHT, 16, 7, 1] {
+                let mut counts = [vec![], vec![]];
+                let given = bands(rows, |band| {
+                    band.clear(Rgb888::new(1, 2, 3));
+                    counts[0].push(band.draw_prepared(&prepared, &Bits));
+                });
+                let expected = bands(rows, |band| {
+                    band.clear(Rgb888::new(1, 2, 3));
+                    counts[1].push(band.draw_with(&pass, &mesh, chain, &Bits));
+                });
+                prop_assert!(given == expected, "bands of {rows} rows differ");
+                prop_assert_eq!(&counts[0], &counts[1]);
+            }
         }
         Ok(())
     }
@@ -190,4 +228,76 @@ proptest! {
             faces.rotate_left(by);
         }
     }
+}
+
+/// A ball before the eye, and how many triangles and vertices of it a list must have room for.
+fn prepare<const TRIANGLES: usize, const VERTICES: usize>() -> Result<u32, Error> {
+    static BALL: Mesh = shape!(sphere(8, 6));
+    let lens = Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(10))?;
+    let chain = lens * Transform::translate(vec3!(0, 0, -2));
+    let mut list: TriangleList<TRIANGLES, VERTICES> = TriangleList::new();
+    let ball = list.prepare(&Pass::new(), (WIDTH, HEIGHT), &BALL, &chain)?;
+    let mut drawn = 0;
+    bands(HEIGHT, |band| {
+        drawn = band.draw_prepared(&ball, &Bits).drawn
+    });
+    Ok(drawn)
+}
+
+/// More vertices than are kept projected at a time.
+#[test]
+fn a_large_mesh_prepared_is_the_frame() {
+    static BALL: Mesh = shape!(sphere(40, 20));
+    let lens =
+        Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(10)).unwrap();
+    // The near plane cuts it.
+    let chain = lens * Transform::translate(vec3!(0, 0, -1.875));
+    let mut list: TriangleList<1600, 3000> = TriangleList::new();
+    let ball = list.prepare(&common::BOTH_SIDES, (WIDTH, HEIGHT), &BALL, &chain);
+    let ball = ball.unwrap();
+    let mut clipped = 0;
+    let frame = bands(HEIGHT, |band| {
+        clipped = band
+            .draw_with(&common::BOTH_SIDES, &BALL, &chain, &Bits)
+            .clipped;
+    });
+    assert!(clipped > 10, "{clipped}");
+    let given = bands(5, |band| {
+        band.draw_prepared(&ball, &Bits);
+    });
+    assert!(given == frame);
+}
+
+#[test]
+fn a_list_that_is_too_short_says_what_is_needed() {
+    let Err(Error::Full { of, needed, room }) = prepare::<1, 1>() else {
+        panic!("one triangle is not enough");
+    };
+    assert_eq!((of, room), ("triangles", 1));
+    assert_eq!(needed, 16);
+    let Err(error) = prepare::<16, 1>() else {
+        panic!("one vertex is not enough");
+    };
+    assert_eq!(
+        error.to_string(),
+        "20 vertices are to be seen: the list has room for 1"
+    );
+    assert!(prepare::<15, 20>().is_err());
+    assert!(prepare::<16, 19>().is_err());
+    assert_eq!(prepare::<16, 20>(), Ok(16));
+}
+
+#[test]
+fn a_frame_that_cannot_be_is_refused() {
+    let mut list: TriangleList<1, 1> = TriangleList::new();
+    let mesh = Mesh::new(&[], &[]).unwrap();
+    let lens = Projection::perspective(Angle::from_degrees(60), (1, 1), fx!(1), fx!(10)).unwrap();
+    let chain = lens * Transform::IDENTITY;
+    let prepared = list.prepare(&Pass::new(), (2049, 1), &mesh, &chain);
+    let error = Error::Size {
+        width: 2049,
+        height: 1,
+        max: 2048,
+    };
+    assert_eq!(prepared.err(), Some(error));
 }

@@ -107,5 +107,5 @@ fn lighthouse() {
         lighthouse::draw(canvas, &chain).unwrap();
         lighthouse::caption(canvas);
     });
-    assert_eq!(crc, 0xdc14_b31a);
+    assert_eq!(crc, 0x7006_cda3);
 }

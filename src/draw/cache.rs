@@ -1,34 +1,55 @@
 //! Vertices that need not be projected again.
 
-use super::call::Call;
+use super::geometry::Geometry;
 use crate::geometry::{Index, Projected};
 use crate::view::Kind;
 
-/// Vertices that were projected lately, as neighbouring triangles share them.
-pub(super) struct Cache {
-    entries: [(Index, Projected); Self::SIZE],
+/// Vertices that were projected lately, as neighbouring triangles share them, each with a note.
+pub(super) struct Cache<T> {
+    entries: [Entry<T>; SIZE],
 }
 
-impl Cache {
-    /// A power of two. Rows of a mesh up to 31 vertices apart are projected once; 1 KiB of stack.
-    const SIZE: usize = 64;
+/// A power of two. Rows of a mesh up to 31 vertices apart are projected once; 1 KiB of stack.
+const SIZE: usize = 64;
 
-    pub(super) const fn new() -> Self {
+/// A vertex in the cache.
+#[derive(Clone, Copy)]
+pub(super) struct Entry<T> {
+    index: Index,
+    /// What is known of it besides; the default when it is projected.
+    pub(super) note: T,
+    pub(super) projected: Projected,
+}
+
+impl<T: Copy + Default> Cache<T> {
+    pub(super) fn new() -> Self {
         // Entry 0 is for multiples of the size, so 1 marks it as empty; the others may begin with 0.
-        let mut entries = [(0, Projected::NONE); Self::SIZE];
-        entries[0].0 = 1;
-        Self { entries }
+        let entry = |at| Entry {
+            index: u16::from(at == 0),
+            note: T::default(),
+            projected: Projected::NONE,
+        };
+        Self {
+            entries: core::array::from_fn(entry),
+        }
     }
 
+    /// A vertex, projected now or lately.
     #[inline]
-    pub(super) fn project<K: Kind, F>(&mut self, call: &Call<'_, K, F>, index: Index) -> Projected {
+    pub(super) fn vertex<K: Kind>(
+        &mut self,
+        geometry: &Geometry<'_, K>,
+        index: Index,
+    ) -> &mut Entry<T> {
         // Never more than the size less one.
-        let (entry, projected) = &mut self.entries[usize::from(index) % Self::SIZE];
-        if *entry != index {
-            *entry = index;
-            let position = call.projector.clip_position(call.mesh.position(index));
-            *projected = call.projector.project(position);
+        let entry = &mut self.entries[usize::from(index) % SIZE];
+        if entry.index != index {
+            *entry = Entry {
+                index,
+                note: T::default(),
+                projected: geometry.project(index),
+            };
         }
-        *projected
+        entry
     }
 }

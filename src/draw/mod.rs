@@ -1,13 +1,17 @@
 //! The draw call: a mesh through a chain of transforms onto a canvas.
 
 mod cache;
-mod call;
+mod geometry;
+mod painter;
 mod pass;
+mod prepared;
 
 pub use pass::Pass;
+pub use prepared::{Prepared, TriangleList};
 
 use cache::Cache;
-use call::Call;
+use geometry::Geometry;
+use painter::Painter;
 
 use crate::Vec3;
 use crate::geometry::{Element, Index, Mesh, Projector};
@@ -15,7 +19,7 @@ use crate::interpolate::Interpolate;
 use crate::number::Subpixel;
 use crate::shade::Fragment;
 use crate::target::{Canvas, DepthBuffer, Storage};
-use crate::view::{Chain, Kind, Viewport};
+use crate::view::{Chain, Kind};
 
 /// What became of a draw call's triangles, edges or points.
 ///
@@ -89,17 +93,29 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         chain: &Chain<K>,
         fragment: &F,
     ) -> Drawn {
-        let mut call = Call::new(self, pass, mesh, chain, fragment);
-        let mut cache = Cache::new();
+        let viewport = pass.viewport_in(self.frame_size());
+        let geometry = Geometry::new(pass, mesh, chain, &viewport);
+        let mut painter = Painter::new(self, &geometry, &viewport, fragment, &chain.model);
+        let mut cache = Cache::<()>::new();
         for (face, &indices) in mesh.faces().iter().enumerate() {
-            let corners = indices.map(|index| cache.project(&call, index));
+            let corners = indices.map(|index| cache.vertex(&geometry, index).projected);
             let element = Element {
                 face: Some(face),
                 indices,
             };
-            call.triangle::<I, O, D, N>(self, element, corners);
+            painter.triangle::<I, O, D, N>(self, element, corners);
         }
-        call.drawn
+        painter.drawn
+    }
+
+    /// Draws triangles that were [prepared](TriangleList::prepare) for this frame, as far as they
+    /// are in these rows: the same pixels as [`draw_with`](Self::draw_with), without another transform.
+    pub fn draw_prepared<I: Interpolate, K: Kind, F: Fragment<N, Color = C>, const N: usize>(
+        &mut self,
+        prepared: &Prepared<'_, K, I>,
+        fragment: &F,
+    ) -> Drawn {
+        prepared.draw(self, fragment)
     }
 
     /// Draws a mesh's [edges](Mesh::edges) as lines, one pixel wide.
@@ -110,17 +126,19 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         chain: &Chain<K>,
         fragment: &F,
     ) -> Drawn {
-        let mut call = Call::new(self, pass, mesh, chain, fragment);
-        let mut cache = Cache::new();
+        let viewport = pass.viewport_in(self.frame_size());
+        let geometry = Geometry::new(pass, mesh, chain, &viewport);
+        let mut painter = Painter::new(self, &geometry, &viewport, fragment, &chain.model);
+        let mut cache = Cache::<()>::new();
         for &[a, b] in mesh.edges() {
-            let ends = [a, b].map(|index| cache.project(&call, index));
+            let ends = [a, b].map(|index| cache.vertex(&geometry, index).projected);
             let element = Element {
                 face: None,
                 indices: [a, b, b],
             };
-            call.line::<I, O, D, N>(self, element, ends);
+            painter.line::<I, O, D, N>(self, element, ends);
         }
-        call.drawn
+        painter.drawn
     }
 
     /// Where a point of model space comes to lie, to the last bit as when it is drawn; `None` if it
@@ -135,7 +153,7 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         chain: &Chain<K>,
         point: Vec3,
     ) -> Option<Place> {
-        let viewport = pass.viewport.unwrap_or(Viewport::whole(self.frame_size()));
+        let viewport = pass.viewport_in(self.frame_size());
         let projector = Projector::new(&chain.projection, &chain.model_view(), &viewport);
         let at = projector.project(projector.clip_position(point));
         if at.outside != 0 {
@@ -157,14 +175,16 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         chain: &Chain<K>,
         fragment: &F,
     ) -> Drawn {
-        let mut call = Call::new(self, pass, mesh, chain, fragment);
+        let viewport = pass.viewport_in(self.frame_size());
+        let geometry = Geometry::new(pass, mesh, chain, &viewport);
+        let mut painter = Painter::new(self, &geometry, &viewport, fragment, &chain.model);
         for index in 0..mesh.positions().len() {
             // A mesh has at most 65,536 positions.
             let Ok(index) = Index::try_from(index) else {
                 break;
             };
-            call.point::<I, O, D, N>(self, index);
+            painter.point::<I, O, D, N>(self, index);
         }
-        call.drawn
+        painter.drawn
     }
 }

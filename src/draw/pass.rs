@@ -2,6 +2,8 @@
 
 use core::marker::PhantomData;
 
+use embedded_graphics::geometry::Size;
+
 use crate::geometry::Cull;
 use crate::interpolate::{Exact, Interpolate};
 use crate::view::Viewport;
@@ -54,6 +56,11 @@ impl<I> Pass<I> {
             viewport: Some(viewport),
             ..self
         }
+    }
+
+    /// The viewport in a frame of this size.
+    pub(super) fn viewport_in(&self, frame: Size) -> Viewport {
+        self.viewport.unwrap_or(Viewport::whole(frame))
     }
 
     /// Interpolates in another mode.

@@ -6,26 +6,58 @@ use super::project::{ClipPosition, Projector};
 use crate::interpolate::reciprocal;
 use crate::view::Kind;
 
-/// A corner in clip space, with its varyings.
+/// Where a point lies in its triangle: how much of the second and of the third corner it has, in
+/// units of 2⁻³⁰; the first has the rest.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct ClipVertex<const N: usize> {
-    pub(crate) position: ClipPosition,
-    pub(crate) varyings: [i32; N],
+pub(crate) struct Weights([i32; 2]);
+
+impl Weights {
+    /// Those of the corners themselves.
+    pub(crate) const CORNERS: [Self; 3] = [Self([0, 0]), Self([1 << 30, 0]), Self([0, 1 << 30])];
+
+    /// The varyings of the point, of those of the corners: to the nearest unit but for the rounding of the weights.
+    pub(crate) fn mix<const N: usize>(self, corners: &[[i32; N]; 3]) -> [i32; N] {
+        let [from, second, third] = corners;
+        let [b, c] = self.0.map(i64::from);
+        let mut varyings = *from;
+        for ((value, second), third) in varyings.iter_mut().zip(second).zip(third) {
+            let way = |to: i32| i64::from(to) - i64::from(*value);
+            // Ways take 33 bits, and the weights are together at most 2^30 and a few units.
+            let sum = way(*second) * b + way(*third) * c;
+            let mixed = i64::from(*value) + ((sum + (1 << 29)) >> 30);
+            *value = mixed.clamp(i32::MIN.into(), i32::MAX.into()) as i32;
+        }
+        varyings
+    }
 }
 
-/// A clipped triangle: each of six planes adds a corner at most.
-pub(crate) type Polygon<const N: usize> = Vec<ClipVertex<N>, 9>;
+/// A corner in clip space.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ClipVertex {
+    pub(crate) position: ClipPosition,
+    pub(crate) weights: Weights,
+}
+
+/// Most corners of a clipped triangle: each of six planes adds one at most.
+pub(crate) const MOST_CORNERS: usize = 9;
+
+/// A clipped triangle.
+pub(crate) type Polygon = Vec<ClipVertex, MOST_CORNERS>;
 
 /// The part of a triangle inside the `planes` (a bit each) that any of its corners is outside of.
 ///
 /// An edge is cut by the planes that its own ends are outside of, in the order of the planes, from
 /// its inside end: so two triangles that share an edge get the same new corners.
-pub(crate) fn triangle<K: Kind, const N: usize>(
+pub(crate) fn triangle<K: Kind>(
     projector: &Projector<K>,
-    corners: &[ClipVertex<N>; 3],
+    corners: &[ClipPosition; 3],
     planes: u8,
-) -> Polygon<N> {
-    let mut polygon: Polygon<N> = corners.iter().copied().collect();
+) -> Polygon {
+    let mut polygon: Polygon = corners
+        .iter()
+        .zip(Weights::CORNERS)
+        .map(|(&position, weights)| ClipVertex { position, weights })
+        .collect();
     for plane in (0..6).filter(|plane| planes >> plane & 1 != 0) {
         let mut inside = Polygon::new();
         // There is room: a plane cuts a convex polygon's outline twice.
@@ -64,11 +96,14 @@ pub(crate) fn triangle<K: Kind, const N: usize>(
 }
 
 /// The part of a line inside the `planes` that any of its ends is outside of.
-pub(crate) fn line<K: Kind, const N: usize>(
+pub(crate) fn line<K: Kind>(
     projector: &Projector<K>,
-    [mut a, mut b]: [ClipVertex<N>; 2],
+    [a, b]: [ClipPosition; 2],
     planes: u8,
-) -> Option<[ClipVertex<N>; 2]> {
+) -> Option<[ClipVertex; 2]> {
+    let [at_a, at_b, _] = Weights::CORNERS;
+    let end = |position, weights| ClipVertex { position, weights };
+    let (mut a, mut b) = (end(a, at_a), end(b, at_b));
     for plane in (0..6).filter(|plane| planes >> plane & 1 != 0) {
         let (at_a, at_b) = (
             projector.distance(a.position, plane),
@@ -88,12 +123,12 @@ pub(crate) fn line<K: Kind, const N: usize>(
 }
 
 /// Where `plane` cuts the edge from `inside` to `outside`, which come with their distances from it.
-fn cut<K: Kind, const N: usize>(
+fn cut<K: Kind>(
     projector: &Projector<K>,
     plane: u32,
-    (inside, inner): (&ClipVertex<N>, i64),
-    (outside, outer): (&ClipVertex<N>, i64),
-) -> ClipVertex<N> {
+    (inside, inner): (&ClipVertex, i64),
+    (outside, outer): (&ClipVertex, i64),
+) -> ClipVertex {
     // The fraction of the way, inner / (inner - outer), in units of 2^-31 and rounded down.
     let (inner, outer) = (inner.max(0).unsigned_abs(), outer.unsigned_abs());
     let sum = ((inner >> 1) + (outer >> 1)) | 1;
@@ -109,14 +144,13 @@ fn cut<K: Kind, const N: usize>(
         // The fraction of 64 bits, from the halves; below 2^63 as the fraction is below 2^31.
         *from += (((way >> 32) * fraction) << 1) + (((way & 0xffff_ffff) * fraction) >> 31);
     }
-    let mut varyings = inside.varyings;
-    for (from, to) in varyings.iter_mut().zip(outside.varyings) {
-        let way = i64::from(to) - i64::from(*from);
-        // The way may take 33 bits; the sum is between the two, so it is right modulo 2^32.
-        *from = from.wrapping_add(((way * fraction) >> 31) as i32);
+    let mut weights = inside.weights;
+    for (from, to) in weights.0.iter_mut().zip(outside.weights.0) {
+        // At most 2^30 by less than 2^31.
+        *from += ((i64::from(to - *from) * fraction) >> 31) as i32;
     }
     ClipVertex {
         position: projector.onto(position, plane),
-        varyings,
+        weights,
     }
 }

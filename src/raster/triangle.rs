@@ -1,7 +1,7 @@
 //! Triangles: which way they face, which pixels are theirs.
 
 use super::edge::{Edge, first_center};
-use super::{Planes, Window, align, span, weights};
+use super::{Part, Planes, Window, align, span, weights};
 use crate::geometry::{Cull, Projected};
 use crate::interpolate::{Interpolate, Slope, Weighted};
 use crate::shade::Fragment;
@@ -62,7 +62,7 @@ impl Triangle {
     }
 
     /// Whether the centre of a pixel is the triangle's, by the same rule as [`rows`](Self::rows) has it.
-    fn covers(&self, pixel: [i32; 2]) -> bool {
+    pub(super) fn covers(&self, pixel: [i32; 2]) -> bool {
         let [a, b, c] = self.corners.map(|corner| corner.screen);
         let [x, y] = pixel.map(|at| (at << 8) + 128);
         [(a, b), (b, c), (c, a)].iter().all(|&(from, to)| {
@@ -74,38 +74,32 @@ impl Triangle {
         })
     }
 
-    /// Draws the triangle; `varyings` are those of the corners as they were given.
+    /// The rows that it may have pixels in, whatever the window.
     #[inline]
+    pub(crate) fn row_range(&self) -> core::ops::Range<i32> {
+        let [a, b, c] = self.corners.map(|corner| corner.screen[1]);
+        first_center(a.min(b).min(c))..first_center(a.max(b).max(c))
+    }
+
+    /// Draws the triangle, or what `part` says is its own; `varyings` are those of the corners as
+    /// they were given.
+    ///
+    /// A function of its own: it is the same for whole triangles and for parts of clipped ones.
+    #[inline(never)]
     pub(crate) fn draw<I, F, O, D, const N: usize>(
         &self,
         canvas: &mut Canvas<'_, F::Color, O, D>,
         window: &Window,
-        varyings: [[i32; N]; 3],
-        paint: (&F, impl Fn(u8) -> u32),
-    ) where
-        I: Interpolate,
-        F: Fragment<N>,
-        O: Storage<F::Color>,
-        D: DepthBuffer,
-    {
-        self.draw_where::<I, F, O, D, N>(canvas, window, varyings, paint, None::<&fn(_) -> _>);
-    }
-
-    /// Draws those pixels of the triangle that `keep` (column and row) tells; all if there is none.
-    #[inline]
-    pub(crate) fn draw_where<I, F, O, D, const N: usize>(
-        &self,
-        canvas: &mut Canvas<'_, F::Color, O, D>,
-        window: &Window,
-        [first, second, third]: [[i32; N]; 3],
+        varyings: &[[i32; N]; 3],
         (fragment, depth_shift): (&F, impl Fn(u8) -> u32),
-        keep: Option<&impl Fn([i32; 2]) -> bool>,
+        part: Option<&Part<'_>>,
     ) where
         I: Interpolate,
         F: Fragment<N>,
         O: Storage<F::Color>,
         D: DepthBuffer,
     {
+        let [first, second, third] = *varyings;
         let varyings = if self.turned {
             [first, third, second]
         } else {
@@ -121,11 +115,11 @@ impl Triangle {
         self.rows(window, |row, columns| {
             let mut column = columns.start;
             while column < columns.end {
-                let (end, kept) = match keep {
+                let (end, own) = match part {
                     None => (columns.end, true),
-                    Some(keep) => (column + 1, keep([column, row])),
+                    Some(part) => (column + 1, part.has([column, row])),
                 };
-                if kept {
+                if own {
                     let start = [column - left, row - top];
                     span::<I, F, O, D, N>(canvas, (row, column..end), &planes, start, paint);
                 }
@@ -181,30 +175,4 @@ impl Triangle {
             long = Some(other);
         }
     }
-}
-
-/// Whether part `at` of a fan is to draw a pixel.
-///
-/// The outline of a clipped triangle is convex but for the rounding of its corners; where that made it cross itself
-/// or dented it, parts of the fan turn over and lie upon others. A pixel is the outline's if it is in more parts that run
-/// `clockwise` as the whole than in parts that do not, and then the first of those draws it.
-pub(crate) fn is_drawn_by_part<T>(
-    parts: &[(Triangle, T)],
-    at: usize,
-    clockwise: bool,
-    pixel: [i32; 2],
-) -> bool {
-    let mut winding = 0;
-    for (i, (part, _)) in parts.iter().enumerate() {
-        if part.covers(pixel) {
-            if part.is_clockwise() != clockwise {
-                winding -= 1;
-            } else if i < at {
-                return false;
-            } else {
-                winding += 1;
-            }
-        }
-    }
-    winding > 0
 }

@@ -315,7 +315,7 @@ impl<C, O: Storage<C>, D> Dimensions for Canvas<'_, C, O, D> {
     }
 }
 
-const fn check_size(width: u32, height: u32) -> Result<(), Error> {
+pub(crate) const fn check_size(width: u32, height: u32) -> Result<(), Error> {
     if width == 0 || height == 0 || width > MAX_SIZE || height > MAX_SIZE {
         return Err(Error::Size {
             width,
