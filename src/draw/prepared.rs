@@ -278,7 +278,11 @@ impl Filling<'_> {
                     (rows, self.add_outline(&outline))
                 }
             };
-            let row = |row: i32| row.clamp(window.rows.start, window.rows.end) as u16;
+            // Rows of a frame: 0 to 2048.
+            let row = |row: i32| {
+                let inside = row.max(window.rows.start).min(window.rows.end);
+                inside.cast_unsigned() as u16
+            };
             self.needed.triangles += 1;
             // If there is no room the list is not used.
             let _ = self.triangles.push(Entry {
