@@ -44,8 +44,9 @@ fn dot(a: [i32; 3], b: [i32; 3]) -> i64 {
         + i64::from(a[2]) * i64::from(b[2])
 }
 
-fn transpose(m: [[i32; 3]; 3]) -> [[i32; 3]; 3] {
-    [0, 1, 2].map(|i| [m[0][i], m[1][i], m[2][i]])
+fn transpose([x, y, z]: [[i32; 3]; 3]) -> [[i32; 3]; 3] {
+    // Indices are constant: optimised for size, a loop over them would keep its checks.
+    [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]]
 }
 
 /// [`block::normalise`] of a matrix.

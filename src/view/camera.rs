@@ -38,8 +38,9 @@ impl Camera {
         /// Mantissas' largest component is from 2^29 to 2^30, so that this is 2^-20 or less of a
         /// product of lengths.
         const PARALLEL: i64 = 1 << 39;
-        let (eye_bits, target_bits) = (eye.to_bits(), target.to_bits());
-        let back = [0, 1, 2].map(|i| i64::from(eye_bits[i]) - i64::from(target_bits[i]));
+        let [ex, ey, ez] = eye.to_bits().map(i64::from);
+        let [tx, ty, tz] = target.to_bits().map(i64::from);
+        let back = [ex - tx, ey - ty, ez - tz];
         let k = unit::unit(back).ok_or(Error::EyeAtTarget { eye })?;
         let (above, _) = block::normalise(up.to_bits().map(i64::from), 0);
         let (back, _) = block::normalise(back, 0);
