@@ -239,7 +239,7 @@ fn prepare<const TRIANGLES: usize, const VERTICES: usize>() -> Result<u32, Error
     let ball = list.prepare(&Pass::new(), (WIDTH, HEIGHT), &BALL, &chain)?;
     let mut drawn = 0;
     bands(HEIGHT, |band| {
-        drawn = band.draw_prepared(&ball, &Bits).drawn
+        drawn = band.draw_prepared(&ball, &Bits).drawn;
     });
     Ok(drawn)
 }

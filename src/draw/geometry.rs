@@ -83,13 +83,13 @@ impl<'m, K: Kind> Geometry<'m, K> {
     /// The part of a triangle inside the `planes`; empty if there is none.
     pub(super) fn clip(&self, element: Element, planes: u8) -> Outline {
         let corners = element.indices.map(|index| self.clip_position(index));
-        geometry::clip_triangle(&self.projector, &corners, planes)
-            .iter()
-            .map(|corner| {
-                let projected = self.projector.project_inside(corner.position);
-                (projected, corner.weights)
-            })
-            .collect()
+        let mut outline = Outline::new();
+        for corner in &geometry::clip_triangle(&self.projector, &corners, planes) {
+            let projected = self.projector.project_inside(corner.position);
+            // There is as much room as in the polygon.
+            let _ = outline.push((projected, corner.weights));
+        }
+        outline
     }
 
     /// The part of a line inside the `planes`.

@@ -375,13 +375,15 @@ impl<K: Kind, I: Interpolate> Prepared<'_, K, I> {
         let slots = self
             .vertices
             .get(start..start.wrapping_add(usize::from(2 * count)));
-        slots
-            .unwrap_or_default()
-            .chunks_exact(2)
-            .filter_map(|pair| match *pair {
-                [vertex, Slot::Weights(weights)] => Some((vertex.projected()?, weights)),
-                _ => None,
-            })
-            .collect()
+        let mut outline = Outline::new();
+        for pair in slots.unwrap_or_default().chunks_exact(2) {
+            if let [vertex, Slot::Weights(weights)] = *pair {
+                if let Some(vertex) = vertex.projected() {
+                    // At most as many as were clipped.
+                    let _ = outline.push((vertex, weights));
+                }
+            }
+        }
+        outline
     }
 }

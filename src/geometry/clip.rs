@@ -53,11 +53,10 @@ pub(crate) fn triangle<K: Kind>(
     corners: &[ClipPosition; 3],
     planes: u8,
 ) -> Polygon {
-    let mut polygon: Polygon = corners
-        .iter()
-        .zip(Weights::CORNERS)
-        .map(|(&position, weights)| ClipVertex { position, weights })
-        .collect();
+    let mut polygon = Polygon::new();
+    for (&position, weights) in corners.iter().zip(Weights::CORNERS) {
+        let _ = polygon.push(ClipVertex { position, weights });
+    }
     for plane in (0..6).filter(|plane| planes >> plane & 1 != 0) {
         let mut inside = Polygon::new();
         // There is room: a plane cuts a convex polygon's outline twice.
