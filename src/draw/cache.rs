@@ -24,14 +24,14 @@ pub(super) struct Entry<T> {
 impl<T: Copy + Default> Cache<T> {
     pub(super) fn new() -> Self {
         // Entry 0 is for multiples of the size, so 1 marks it as empty; the others may begin with 0.
-        let entry = |at| Entry {
-            index: u16::from(at == 0),
+        let empty = Entry {
+            index: 0,
             note: T::default(),
             projected: Projected::NONE,
         };
-        Self {
-            entries: core::array::from_fn(entry),
-        }
+        let mut entries = [empty; SIZE];
+        entries[0].index = 1;
+        Self { entries }
     }
 
     /// A vertex, projected now or lately.

@@ -51,7 +51,9 @@ impl<'m, K: Kind> Geometry<'m, K> {
     }
 
     /// A position of the mesh on the screen.
-    #[inline]
+    ///
+    /// A call, so that finding a vertex in the cache is short.
+    #[inline(never)]
     pub(super) fn project(&self, index: Index) -> Projected {
         let position = self.projector.clip_position(self.mesh.position(index));
         self.projector.project(position)
@@ -70,7 +72,7 @@ impl<'m, K: Kind> Geometry<'m, K> {
     /// What of a triangle with these corners is to be seen.
     #[inline]
     pub(super) fn seen(corners: &[Projected; 3]) -> Seen {
-        let [a, b, c] = corners.map(|corner| corner.outside);
+        let [a, b, c] = corners.each_ref().map(|corner| corner.outside);
         if a & b & c != 0 {
             Seen::Nothing
         } else if a | b | c == 0 {

@@ -86,6 +86,7 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     }
 
     /// Draws a mesh's triangles as [`draw`](Self::draw) does, in the way that `pass` says.
+    #[inline(never)]
     pub fn draw_with<I: Interpolate, K: Kind, F: Fragment<N, Color = C>, const N: usize>(
         &mut self,
         pass: &Pass<I>,
@@ -103,7 +104,7 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
                 face: Some(face),
                 indices,
             };
-            painter.triangle::<I, O, D, N>(self, element, corners);
+            painter.triangle::<I, O, D, N>(self, element, &corners);
         }
         painter.drawn
     }
@@ -119,6 +120,7 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     }
 
     /// Draws a mesh's [edges](Mesh::edges) as lines, one pixel wide.
+    #[inline(never)]
     pub fn draw_edges<I: Interpolate, K: Kind, F: Fragment<N, Color = C>, const N: usize>(
         &mut self,
         pass: &Pass<I>,
@@ -163,11 +165,12 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         Some(Place {
             x,
             y,
-            depth: (at.q >> projector.depth_shift(at.exponent)) as u16,
+            depth: (at.q >> projector.depth_shift().of(at.exponent)) as u16,
         })
     }
 
     /// Draws a mesh's positions as points, one pixel each.
+    #[inline(never)]
     pub fn draw_points<I: Interpolate, K: Kind, F: Fragment<N, Color = C>, const N: usize>(
         &mut self,
         pass: &Pass<I>,

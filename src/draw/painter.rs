@@ -48,14 +48,14 @@ impl<'g, K: Kind, F> Painter<'g, K, F> {
         &mut self,
         canvas: &mut Canvas<'_, F::Color, O, D>,
         element: Element,
-        corners: [Projected; 3],
+        corners: &[Projected; 3],
     ) where
         F: Fragment<N>,
         O: Storage<F::Color>,
         D: DepthBuffer,
     {
         self.drawn.submitted += 1;
-        match Geometry::<K>::seen(&corners) {
+        match Geometry::<K>::seen(corners) {
             Seen::Nothing => {}
             Seen::All => self.whole::<I, O, D, N>(canvas, element, corners),
             Seen::Inside(planes) => {
@@ -71,7 +71,7 @@ impl<'g, K: Kind, F> Painter<'g, K, F> {
         &mut self,
         canvas: &mut Canvas<'_, F::Color, O, D>,
         element: Element,
-        corners: [Projected; 3],
+        corners: &[Projected; 3],
     ) where
         F: Fragment<N>,
         O: Storage<F::Color>,
@@ -83,12 +83,11 @@ impl<'g, K: Kind, F> Painter<'g, K, F> {
         let face = self.geometry.face(element);
         let mut varyings = [0, 1, 2].map(|corner| self.varyings(&face, corner));
         let fragment = self.fragment.face(&mut varyings, &face);
-        let depth_shift = |exponent| self.geometry.projector.depth_shift(exponent);
         triangle.draw::<K::Mode<I>, F, O, D, N>(
             canvas,
             &self.window,
             &varyings,
-            (&fragment, depth_shift),
+            (&fragment, self.geometry.projector.depth_shift()),
             None,
         );
         self.drawn.drawn += 1;
@@ -115,12 +114,11 @@ impl<'g, K: Kind, F> Painter<'g, K, F> {
         let fragment = self.fragment.face(&mut varyings, &face);
         let mut drawn = false;
         for (triangle, corners, part) in fan.parts() {
-            let depth_shift = |exponent| self.geometry.projector.depth_shift(exponent);
             triangle.draw::<K::Mode<I>, F, O, D, N>(
                 canvas,
                 &self.window,
                 &corners.map(|weights| weights.mix(&varyings)),
-                (&fragment, depth_shift),
+                (&fragment, self.geometry.projector.depth_shift()),
                 part.as_ref(),
             );
             drawn = true;
@@ -156,13 +154,12 @@ impl<'g, K: Kind, F> Painter<'g, K, F> {
             ends = [from.0, to.0];
             self.drawn.clipped += 1;
         }
-        let depth_shift = |exponent| self.geometry.projector.depth_shift(exponent);
         raster::line::<K::Mode<I>, F, O, D, N>(
             canvas,
             &self.window,
             ends,
             varyings,
-            (&self.fragment, depth_shift),
+            (&self.fragment, self.geometry.projector.depth_shift()),
         );
         self.drawn.drawn += 1;
     }
@@ -187,13 +184,12 @@ impl<'g, K: Kind, F> Painter<'g, K, F> {
             indices: [index; 3],
         });
         let varyings = self.varyings(&face, 0);
-        let depth_shift = |exponent| self.geometry.projector.depth_shift(exponent);
         raster::point::<K::Mode<I>, F, O, D, N>(
             canvas,
             &self.window,
             &at,
             varyings,
-            (&self.fragment, depth_shift),
+            (&self.fragment, self.geometry.projector.depth_shift()),
         );
         self.drawn.drawn += 1;
     }

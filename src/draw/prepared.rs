@@ -253,7 +253,7 @@ impl Filling<'_> {
             let (rows, corners) = match Geometry::<K>::seen(&corners) {
                 Seen::Nothing => continue,
                 Seen::All => {
-                    let Some(triangle) = Triangle::new(corners, geometry.cull, window) else {
+                    let Some(triangle) = Triangle::new(&corners, geometry.cull, window) else {
                         continue;
                     };
                     let corners = indices.map(|index| {
@@ -316,6 +316,7 @@ impl Filling<'_> {
 
 impl<K: Kind, I: Interpolate> Prepared<'_, K, I> {
     /// Draws those that meet the canvas.
+    #[inline(never)]
     pub(super) fn draw<F, O, D, const N: usize>(
         &self,
         canvas: &mut Canvas<'_, F::Color, O, D>,
@@ -351,7 +352,7 @@ impl<K: Kind, I: Interpolate> Prepared<'_, K, I> {
                 Corners::Whole([a, b, c]) => {
                     let corners = (self.vertex(a), self.vertex(b), self.vertex(c));
                     if let (Some(a), Some(b), Some(c)) = corners {
-                        painter.whole::<I, O, D, N>(canvas, element, [a, b, c]);
+                        painter.whole::<I, O, D, N>(canvas, element, &[a, b, c]);
                     }
                 }
                 Corners::Clipped { first, count } => {

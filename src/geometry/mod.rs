@@ -17,6 +17,6 @@ pub(crate) use clip::{MOST_CORNERS, Weights, line as clip_line, triangle as clip
 pub use cull::Cull;
 pub(crate) use mesh::Element;
 pub use mesh::{Index, Mesh};
-pub(crate) use project::{Projected, Projector};
+pub(crate) use project::{DepthShift, Projected, Projector};
 pub use shapes::Shape;
 pub use vertex::{Face, Vertex};

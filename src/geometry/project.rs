@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use crate::Vec3;
 use crate::interpolate::reciprocal;
 use crate::linear::Transform;
-use crate::linear::block;
+use crate::linear::{block, dot, row_times};
 use crate::view::{Kind, Projection, Row, Viewport};
 
 /// Half the width and height of the guard band, in pixels: the room about the viewport's centre in
@@ -59,50 +59,44 @@ pub(crate) struct Projector<K> {
     kind: PhantomData<K>,
 }
 
-/// A mantissa of 30 bits and its exponent.
-type Scaled = (i32, i32);
+/// A number of 31 bits and its exponent.
+type Scaled = (i64, i32);
 
-/// 1 / `value` for a positive value of 16 fraction bits, 30 bits of it; `tweak` is added to it in units of 2⁻¹⁶ of itself.
+/// 1 / `value` for a positive value of 16 fraction bits, 31 bits of it; `tweak` is added to it in units of 2⁻¹⁶ of itself.
 fn inverse(value: u32, tweak: i64) -> Scaled {
     let up = value.leading_zeros() & 31;
     let r = i64::from(reciprocal(value << up >> 1));
     // 1/value = 2^16 · 2^up · r / 2^62.
-    let ([mantissa], exp) = block::normalise([r + (r >> 16) * tweak], 46 - up.cast_signed());
-    (mantissa, exp)
+    (r + (r >> 16) * tweak, 46 - up.cast_signed())
 }
 
-/// A row of the clip matrix before its exponent is known.
+/// A row of the clip matrix before its exponent is known: a linear function of model space.
+#[derive(Clone, Copy, Default)]
 struct Line {
-    linear: ([i32; 3], i32),
-    offset: Scaled,
+    linear: ([i64; 3], i32),
+    offset: ([i64; 1], i32),
 }
 
 impl Line {
     /// `row`, a linear function of eye space, as one of model space, times `factor`.
-    fn new(row: &Row, view: &Transform, factor: Scaled) -> Self {
-        let row_of = |column: [i32; 3]| {
-            // Three products of 60 bits.
-            i64::from(row.m[0]) * i64::from(column[0])
-                + i64::from(row.m[1]) * i64::from(column[1])
-                + i64::from(row.m[2]) * i64::from(column[2])
-        };
-        let [x, y, z] = view.linear;
-        let columns = [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]];
-        let (linear, exp) = block::normalise(columns.map(row_of), row.exp + view.linear_exp);
-        let linear = block::normalise(
-            linear.map(|m| i64::from(m) * i64::from(factor.0)),
-            exp + factor.1,
+    fn new(row: &Row, view: &Transform, (factor, factor_exp): Scaled) -> Self {
+        let ([factor], factor_exp) = block::normalise([factor], factor_exp);
+        let [x, y, z, w] = row.m;
+        let times = |m: i32| i64::from(m) * i64::from(factor);
+        let product = row_times([x, y, z], &view.linear);
+        let (linear, exp) = block::normalise(product, row.exp + view.linear_exp);
+        // What may cancel is added before it is rounded.
+        let (offset, offset_exp) = block::add(
+            (
+                [dot([x, y, z], view.translation)],
+                row.exp + view.translation_exp,
+            ),
+            ([i64::from(w)], row.exp),
         );
-        let (offset, exp) = block::add(
-            ([row_of(view.translation)], row.exp + view.translation_exp),
-            ([i64::from(row.m[3])], row.exp),
-        );
-        let ([offset], exp) = block::normalise(offset, exp);
-        let ([offset], exp) =
-            block::normalise([i64::from(offset) * i64::from(factor.0)], exp + factor.1);
+        let (offset, offset_exp) = block::normalise(offset, offset_exp);
         Self {
-            linear,
-            offset: (offset, exp),
+            linear: (linear.map(times), exp + factor_exp),
+            offset: (offset.map(times), offset_exp + factor_exp),
         }
     }
 }
@@ -146,41 +140,32 @@ impl<K: Kind> Projector<K> {
             )
         };
         // Half the size in units of the guard band.
-        let scale = |size: i32| {
-            let ([mantissa], exp) =
-                block::normalise([i64::from(size) * i64::from(unit.0)], unit.1 + 12);
-            (mantissa, exp)
-        };
+        let scale = |size: i32| (i64::from(size) * unit.0, unit.1 + 12);
         let [width, height] = viewport.size().map(u32::cast_signed);
-        let [x, y] = &lens.rows;
-        let lines = [
-            Line::new(x, view, scale(width)),
-            Line::new(y, view, scale(-height)),
-            Line::new(&depth, view, depth_unit),
-        ];
-
+        let [x, y] = lens.rows;
+        let factors = [scale(width), scale(-height), depth_unit];
+        let mut lines = [Line::default(); 3];
         // The finest exponent at which coefficients keep below 2^29 and offsets below 2^60. With
         // coordinates of 31 bits a sum stays below 3 · 2^60 + 2^60 = 2^62.
-        let exp = lines
-            .iter()
-            .map(|line| (line.linear.1 - 1).min(line.offset.1 + 14))
-            .fold(40, i32::min)
-            .max(0);
+        let mut exp = 40;
+        for ((line, row), factor) in lines.iter_mut().zip([x, y, depth]).zip(factors) {
+            *line = Line::new(&row, view, factor);
+            let (linear, offset) = (&line.linear, &line.offset);
+            exp = exp
+                .min(block::finest(&linear.0, linear.1, 29))
+                .min(block::finest(&offset.0, offset.1, 60 - 16));
+        }
+        let exp = exp.max(0);
         let fraction = exp + 16;
-        let rows = lines.each_ref().map(
-            |Line {
-                 linear: (m, from), ..
-             }| {
-                m.map(|m| block::shift(i64::from(m), exp - from).clamp(-(1 << 29), 1 << 29) as i32)
-            },
-        );
-        let offsets = lines.each_ref().map(
-            |Line {
-                 offset: (m, from), ..
-             }| {
-                block::shift(i64::from(*m), fraction - from).clamp(-(1 << 60), 1 << 60)
-            },
-        );
+        let (mut rows, mut offsets) = ([[0; 3]; 3], [0; 3]);
+        for ((line, row), offset) in lines.iter().zip(&mut rows).zip(&mut offsets) {
+            let (m, from) = &line.linear;
+            for (coefficient, &m) in row.iter_mut().zip(m) {
+                *coefficient = block::shift(m, exp - from).clamp(-(1 << 29), 1 << 29) as i32;
+            }
+            let ([m], from) = line.offset;
+            *offset = block::shift(m, fraction - from).clamp(-(1 << 60), 1 << 60);
+        }
 
         let one = 1i64 << fraction;
         let margin = (one >> 16).max(1);
@@ -202,15 +187,17 @@ impl<K: Kind> Projector<K> {
     }
 
     /// A position of model space in clip space.
-    #[inline]
+    ///
+    /// A call: as code it is long beside what it takes.
+    #[inline(never)]
     pub(crate) fn clip_position(&self, position: Vec3) -> ClipPosition {
-        let [x, y, z] = position.to_bits().map(i64::from);
-        let row = |row: [i32; 3], offset: i64| {
-            let [a, b, c] = row.map(i64::from);
-            a * x + b * y + c * z + offset
-        };
-        let ([rx, ry, rt], [ox, oy, ot]) = (self.rows, self.offsets);
-        [row(rx, ox), row(ry, oy), row(rt, ot)]
+        let position = position.to_bits();
+        let ([x, y, t], [ox, oy, ot]) = (&self.rows, self.offsets);
+        [
+            ox + dot(*x, position),
+            oy + dot(*y, position),
+            ot + dot(*t, position),
+        ]
     }
 
     /// The homogeneous coordinate: w, or 1 under a parallel projection.
@@ -225,16 +212,23 @@ impl<K: Kind> Projector<K> {
 
     /// How far inside each plane a position is, for plane 0 to 5: near or far, far or near, left,
     /// right, top, bottom.
-    #[inline]
-    pub(super) fn distance(&self, [x, y, t]: ClipPosition, plane: u32) -> i64 {
-        let w = self.w(t);
-        match plane {
-            0 => t - self.range[0],
-            1 => self.range[1].saturating_sub(t),
-            2 => w.saturating_add(x),
-            3 => w.saturating_sub(x),
-            4 => w.saturating_add(y),
-            _ => w.saturating_sub(y),
+    pub(super) fn distance(&self, position: ClipPosition, plane: u32) -> i64 {
+        let [x, y, t] = position;
+        // All are below 2^62.
+        let limit = match plane {
+            0 => -self.range[0],
+            1 => self.range[1],
+            _ => self.w(t),
+        };
+        let value = match plane >> 1 {
+            0 => t,
+            1 => x,
+            _ => y,
+        };
+        if plane & 1 == 0 {
+            limit + value
+        } else {
+            limit - value
         }
     }
 
@@ -321,16 +315,27 @@ impl<K: Kind> Projector<K> {
         }
     }
 
-    /// How far down an interpolant of this `exponent` is shifted to be a 16-bit depth.
+    /// An interpolant is shifted down by this less its exponent, from 15 to 31, to be a 16-bit depth.
     #[inline]
-    pub(crate) fn depth_shift(&self, exponent: u8) -> u32 {
-        if K::PERSPECTIVE {
+    pub(crate) fn depth_shift(&self) -> DepthShift {
+        DepthShift(if K::PERSPECTIVE {
             // 1/t = q · 2^(exponent + fraction - 94), and depth is 2^16 times that.
-            (78 - self.fraction - i32::from(exponent))
-                .clamp(15, 31)
-                .cast_unsigned()
+            78 - self.fraction
         } else {
+            // Exponents are 0.
             15
-        }
+        })
+    }
+}
+
+/// How interpolants become depths.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct DepthShift(i32);
+
+impl DepthShift {
+    /// How far down an interpolant of this `exponent` is shifted to be a 16-bit depth: 15 to 31.
+    #[inline]
+    pub(crate) fn of(self, exponent: u8) -> u32 {
+        (self.0 - i32::from(exponent)).clamp(15, 31).cast_unsigned()
     }
 }

@@ -15,7 +15,14 @@ pub(crate) struct Plane {
 }
 
 impl Plane {
-    /// The numerator at the centre of the pixel `x` columns and `y` rows from the slope's origin.
+    /// Nothing to interpolate.
+    pub(crate) const NONE: Self = Self {
+        base: 0,
+        dx: 0,
+        dy: 0,
+    };
+
+    /// The numerator at the centre of the pixel `x` columns and `y` rows from the one that corner 0 lies in.
     #[inline]
     pub(crate) const fn at(&self, x: i32, y: i32) -> i64 {
         self.base
@@ -39,8 +46,6 @@ pub(crate) struct Slope {
     sides: [[i32; 2]; 2],
     /// From corner 0 to the centre of the pixel it lies in.
     to_center: [i32; 2],
-    /// The pixel that corner 0 lies in.
-    origin: [i32; 2],
     /// Bits by which numerators are shifted down; up if negative.
     shift: i32,
     /// Twice the area in 32 bits, the top one set, and its reciprocal, 2⁶² / area.
@@ -52,6 +57,15 @@ pub(crate) struct Slope {
 }
 
 impl Slope {
+    /// Nothing to interpolate.
+    pub(crate) const NONE: Self = Self {
+        sides: [[0; 2]; 2],
+        to_center: [0; 2],
+        shift: 0,
+        area: 0,
+        inverse: 0,
+    };
+
     /// The slope of a triangle whose doubled area, `area`, is positive: corners run clockwise as
     /// seen on a screen whose y points down.
     #[inline]
@@ -80,17 +94,10 @@ impl Slope {
         Self {
             sides,
             to_center: [128 - (x & 255), 128 - (y & 255)],
-            origin: [x >> 8, y >> 8],
             shift,
             area,
             inverse: reciprocal(area >> 1).cast_signed(),
         }
-    }
-
-    /// The pixel from which [`Plane::at`] counts.
-    #[inline]
-    pub(crate) const fn origin(&self) -> [i32; 2] {
-        self.origin
     }
 
     /// The plane through the values at the three corners, each within ±2³¹, apart by less than 2³¹.

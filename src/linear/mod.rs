@@ -8,4 +8,5 @@ mod vector;
 
 pub use matrix::Matrix4;
 pub use transform::Transform;
+pub(crate) use transform::{dot, row_times};
 pub use vector::{Vec2, Vec3};

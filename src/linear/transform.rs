@@ -38,7 +38,7 @@ const ONE: i64 = 1 << 30;
 
 /// The sum of products of two triples of mantissas: below 2^62.
 #[inline]
-fn dot(a: [i32; 3], b: [i32; 3]) -> i64 {
+pub(crate) fn dot(a: [i32; 3], b: [i32; 3]) -> i64 {
     i64::from(a[0]) * i64::from(b[0])
         + i64::from(a[1]) * i64::from(b[1])
         + i64::from(a[2]) * i64::from(b[2])
@@ -49,15 +49,23 @@ fn transpose([x, y, z]: [[i32; 3]; 3]) -> [[i32; 3]; 3] {
     [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]]
 }
 
+/// A row times a matrix: three products each.
+#[inline(never)]
+pub(crate) fn row_times(row: [i32; 3], m: &[[i32; 3]; 3]) -> [i64; 3] {
+    let mut product = [0; 3];
+    for (factor, row) in row.into_iter().zip(m) {
+        for (sum, &entry) in product.iter_mut().zip(row) {
+            *sum += i64::from(factor) * i64::from(entry);
+        }
+    }
+    product
+}
+
 /// [`block::normalise`] of a matrix.
-fn normalise(m: [[i64; 3]; 3], exp: i32) -> ([[i32; 3]; 3], i32) {
-    let [a, b, c] = m;
-    let flat = [a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2]];
-    let (m, exp) = block::normalise(flat, exp);
-    (
-        [[m[0], m[1], m[2]], [m[3], m[4], m[5]], [m[6], m[7], m[8]]],
-        exp,
-    )
+fn normalise(m: &[[i64; 3]; 3], exp: i32) -> ([[i32; 3]; 3], i32) {
+    let mut mantissas = [[0; 3]; 3];
+    let exp = block::normalise_into(mantissas.as_flattened_mut(), m.as_flattened(), exp);
+    (mantissas, exp)
 }
 
 impl Transform {
@@ -71,7 +79,7 @@ impl Transform {
 
     /// A transform of a matrix by rows, in units of 2^-30, and no translation.
     fn of_linear(m: [[i64; 3]; 3], exp: i32) -> Self {
-        let (linear, linear_exp) = normalise(m, exp);
+        let (linear, linear_exp) = normalise(&m, exp);
         Self {
             linear,
             linear_exp,
@@ -241,8 +249,10 @@ impl Transform {
     #[must_use]
     pub(crate) fn normal_matrix(&self) -> [[i32; 3]; 3] {
         let [x, y, z] = self.linear;
-        let (cofactors, _) =
-            normalise([unit::cross(y, z), unit::cross(z, x), unit::cross(x, y)], 0);
+        let (cofactors, _) = normalise(
+            &[unit::cross(y, z), unit::cross(z, x), unit::cross(x, y)],
+            0,
+        );
         if dot(x, cofactors[0]) < 0 {
             cofactors.map(|row| row.map(|v| -v))
         } else {
@@ -284,12 +294,13 @@ impl Mul for Transform {
 
     /// The transform that applies `other` first, then `self`.
     fn mul(self, other: Self) -> Self {
-        let columns = transpose(other.linear);
-        let product = self
-            .linear
-            .map(|row| columns.map(|column| dot(row, column)));
-        let (linear, linear_exp) = normalise(product, self.linear_exp + other.linear_exp);
-        let moved = self.linear.map(|row| dot(row, other.translation));
+        let mut product = [[0; 3]; 3];
+        let mut moved = [0; 3];
+        for ((product, moved), &row) in product.iter_mut().zip(&mut moved).zip(&self.linear) {
+            *product = row_times(row, &other.linear);
+            *moved = dot(row, other.translation);
+        }
+        let (linear, linear_exp) = normalise(&product, self.linear_exp + other.linear_exp);
         let (sum, exp) = block::add(
             (moved, self.linear_exp + other.translation_exp),
             (self.translation.map(i64::from), self.translation_exp),

@@ -23,14 +23,15 @@ pub(super) const fn first_center(position: i32) -> i32 {
 }
 
 impl Edge {
-    /// The edge down from `from` to `to`, at `row`; `None` if it is level.
+    /// The edge down from `from` to `to`, at `row`.
     ///
     /// Ends differ by at most 4096 pixels in each direction, and `row` is one whose centre the
-    /// edge crosses, so that everything fits in 32 bits.
-    #[inline]
-    pub(super) fn new(from: [i32; 2], to: [i32; 2], row: i32) -> Option<Self> {
+    /// edge crosses, so that everything fits in 32 bits. Of an edge that crosses no centre the
+    /// result has no meaning.
+    #[inline(never)]
+    pub(super) fn new(from: [i32; 2], to: [i32; 2], row: i32) -> Self {
         let dx = to[0] - from[0];
-        let dy = NonZeroU32::new((to[1] - from[1]).cast_unsigned())?;
+        let dy = NonZeroU32::new((to[1] - from[1]).cast_unsigned()).unwrap_or(NonZeroU32::MIN);
         // dx = q · dy + r, r from 0: for a negative dx from its complement.
         let size = (if dx < 0 { !dx } else { dx }).cast_unsigned();
         let (q, r) = (size / dy, size % dy);
@@ -63,7 +64,7 @@ impl Edge {
             edge.x += skipped.cast_signed() * edge.step + (rest / dy).cast_signed();
             edge.add(rest % dy);
         }
-        Some(edge)
+        edge
     }
 
     /// Moves the crossing right by `rest` / `dy`, less than one unit.
@@ -116,7 +117,7 @@ mod tests {
                         }
                         let rows = first_center(y0)..first_center(y1);
                         for start in rows.clone() {
-                            let mut edge = Edge::new([x0, y0], [x1, y1], start).unwrap();
+                            let mut edge = Edge::new([x0, y0], [x1, y1], start);
                             for row in start..rows.end {
                                 let dy = i64::from(y1 - y0);
                                 let numerator = i64::from(x0) * dy

@@ -43,7 +43,7 @@ impl Fan {
             let part = [first, from, to];
             let projected = part.map(|corner| corner.0);
             fan.area += area(projected.map(|corner| corner.screen));
-            if let Some(triangle) = Triangle::new(projected, Cull::Nothing, window) {
+            if let Some(triangle) = Triangle::new(&projected, Cull::Nothing, window) {
                 // There is room.
                 let _ = fan.triangles.push((triangle, part.map(|corner| corner.1)));
             }

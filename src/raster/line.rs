@@ -3,9 +3,9 @@
 use core::ops::Range;
 
 use super::edge::{Edge, first_center};
-use super::{Planes, Window, align, span, weights};
-use crate::geometry::Projected;
-use crate::interpolate::{Interpolate, Slope, Weighted};
+use super::{Planes, Window, align, span, varies};
+use crate::geometry::{DepthShift, Projected};
+use crate::interpolate::{Interpolate, Slope};
 use crate::shade::Fragment;
 use crate::target::{Canvas, DepthBuffer, Storage};
 
@@ -19,7 +19,7 @@ pub(crate) fn line<I, F, O, D, const N: usize>(
     window: &Window,
     mut ends: [Projected; 2],
     mut varyings: [[i32; N]; 2],
-    (fragment, depth_shift): (&F, impl Fn(u8) -> u32),
+    (fragment, depth_shift): (&F, DepthShift),
 ) where
     I: Interpolate,
     F: Fragment<N>,
@@ -45,21 +45,21 @@ pub(crate) fn line<I, F, O, D, const N: usize>(
     }
     // The edge runs down its second coordinate: the major axis.
     let minor = 1 - major;
-    let Some(mut edge) = Edge::new(
+    let mut edge = Edge::new(
         [from[minor], from[major]],
         [to[minor], to[major]],
         steps.start,
-    ) else {
-        return;
-    };
+    );
 
     let (q, exponent) = align(&ends);
-    let weighted = Weighted::new(&varyings, weights::<I, 2>(q));
-    let slope = Slope::along(from[major], from[major].abs_diff(to[major]));
-    let q = slope.line(q.map(u32::cast_signed));
-    let planes = Planes::new(slope, q, weighted.p.map(|p| slope.line(p)), weighted.scale);
-    let [start, _] = slope.origin();
-    let paint = (fragment, depth_shift(exponent));
+    let planes = if varies::<F, D, N>() {
+        let slope = Slope::along(from[major], from[major].abs_diff(to[major]));
+        Planes::new::<I, 2>(slope, q, &varyings, Slope::line)
+    } else {
+        Planes::EVEN
+    };
+    let start = from[major] >> 8;
+    let paint = (fragment, depth_shift.of(exponent));
     // `step` is the one at which the first of the columns is reached; a steep line has no other.
     let mut draw = |row: i32, columns: Range<i32>, step: i32| {
         span::<I, F, O, D, N>(canvas, (row, columns), &planes, [step - start, 0], paint);

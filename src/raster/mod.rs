@@ -4,6 +4,7 @@ mod edge;
 mod fan;
 mod line;
 mod point;
+mod rows;
 mod triangle;
 
 use core::ops::Range;
@@ -11,7 +12,7 @@ use core::ops::Range;
 use embedded_graphics::geometry::Point;
 
 use crate::geometry::Projected;
-use crate::interpolate::{Interpolate, Pixels, Plane, RUN, Run, Scale, Slope, Steps};
+use crate::interpolate::{Interpolate, Pixels, Plane, RUN, Run, Slope, Steps, Weighted};
 use crate::shade::{Fragment, Sample};
 use crate::target::{Canvas, DepthBuffer, Storage};
 use crate::view::Viewport;
@@ -19,6 +20,7 @@ use crate::view::Viewport;
 pub(crate) use fan::{Fan, Part};
 pub(crate) use line::line;
 pub(crate) use point::point;
+use rows::Rows;
 pub(crate) use triangle::Triangle;
 use triangle::area;
 
@@ -53,13 +55,36 @@ struct Planes<const N: usize> {
 }
 
 impl<const N: usize> Planes<N> {
+    /// Nothing to interpolate.
+    const EVEN: Self = Self {
+        slope: Slope::NONE,
+        q: Plane::NONE,
+        p: [Plane::NONE; N],
+        steps: Steps::EVEN,
+    };
+
+    /// The planes through corners that come with their interpolants of depth, their attributes, and
+    /// how a plane is laid through the values of so many corners.
     #[inline]
-    fn new(slope: Slope, q: Plane, p: [Plane; N], scale: [Scale; N]) -> Self {
+    fn new<I: Interpolate, const CORNERS: usize>(
+        slope: Slope,
+        q: [u32; CORNERS],
+        varyings: &[[i32; N]; CORNERS],
+        plane: impl Fn(&Slope, [i32; CORNERS]) -> Plane,
+    ) -> Self {
+        let weights = if I::PERSPECTIVE {
+            q
+        } else {
+            [1 << 30; CORNERS]
+        };
+        let weighted = Weighted::new(varyings, weights);
+        let q = plane(&slope, q.map(u32::cast_signed));
+        let p = weighted.p.map(|p| plane(&slope, p));
         let step = |plane: &Plane| slope.value(plane.dx());
         let steps = Steps {
             q: step(&q),
             p: p.each_ref().map(step),
-            scale,
+            scale: weighted.scale,
         };
         Self { slope, q, p, steps }
     }
@@ -75,6 +100,11 @@ impl<const N: usize> Planes<N> {
     }
 }
 
+/// Whether pixels of a primitive differ in anything but their place, so that there is something to interpolate.
+const fn varies<F: Fragment<N>, D: DepthBuffer, const N: usize>() -> bool {
+    N > 0 || D::IS_KEPT || F::READS_DEPTH
+}
+
 /// The least 1/w: what the steps of a run may take from it and add to attributes over w is less than
 /// a thirty-second, which [`Weighted`](crate::interpolate::Weighted) leaves room for.
 ///
@@ -83,7 +113,8 @@ const LEAST_WEIGHT: u32 = 1 << 11;
 
 /// Draws `columns` of `row`, which lie within the canvas, in runs.
 ///
-/// `start` is the pixel, counted from the slope's origin, where the interpolants begin.
+/// `start` is the pixel, counted from the slope's origin, where the interpolants begin. The `planes`
+/// are not looked at if there is nothing to interpolate.
 ///
 /// A function of its own, so that the loop over pixels has the registers to itself.
 #[inline(never)]
@@ -101,7 +132,12 @@ fn span<I, F, O, D, const N: usize>(
 {
     let mut start = columns.start;
     while start < columns.end {
-        let end = columns.end.min(start + RUN.cast_signed());
+        let (end, run, steps) = if varies::<F, D, N>() {
+            let end = columns.end.min(start + RUN.cast_signed());
+            (end, planes.at(x, y), &planes.steps)
+        } else {
+            (columns.end, Run::EVEN, &Steps::EVEN)
+        };
         let mut shader = Shader {
             fragment,
             depth_shift,
@@ -114,7 +150,7 @@ fn span<I, F, O, D, const N: usize>(
             start.cast_unsigned()..end.cast_unsigned(),
         );
         let cells = cells.map(|(color, depth)| Cell::<F::Color, O, D> { color, depth });
-        I::run(planes.at(x, y), &planes.steps, cells, &mut shader);
+        I::run(run, steps, cells, &mut shader);
         x += end - start;
         start = end;
     }
@@ -131,16 +167,6 @@ fn align<const CORNERS: usize>(corners: &[Projected; CORNERS]) -> ([u32; CORNERS
         corner.q.checked_shr(down).unwrap_or(0).max(LEAST_WEIGHT)
     });
     (q, exponent)
-}
-
-/// What attributes are multiplied with before they are interpolated: 1/w, or 2^30 where there is none.
-#[inline]
-fn weights<I: Interpolate, const CORNERS: usize>(q: [u32; CORNERS]) -> [u32; CORNERS] {
-    if I::PERSPECTIVE {
-        q
-    } else {
-        [1 << 30; CORNERS]
-    }
 }
 
 /// One pixel in memory.

@@ -1,8 +1,8 @@
 //! Points: one pixel each.
 
-use super::{Planes, Window, align, span, weights};
-use crate::geometry::Projected;
-use crate::interpolate::{Interpolate, Slope, Weighted};
+use super::{Planes, Window, align, span, varies};
+use crate::geometry::{DepthShift, Projected};
+use crate::interpolate::{Interpolate, Slope};
 use crate::shade::Fragment;
 use crate::target::{Canvas, DepthBuffer, Storage};
 
@@ -12,7 +12,7 @@ pub(crate) fn point<I, F, O, D, const N: usize>(
     window: &Window,
     at: &Projected,
     varyings: [i32; N],
-    (fragment, depth_shift): (&F, impl Fn(u8) -> u32),
+    (fragment, depth_shift): (&F, DepthShift),
 ) where
     I: Interpolate,
     F: Fragment<N>,
@@ -24,15 +24,13 @@ pub(crate) fn point<I, F, O, D, const N: usize>(
         return;
     }
     let ([q], exponent) = align(&[*at]);
-    let weighted = Weighted::new(&[varyings], weights::<I, 1>([q]));
     // Level planes, so that a point is drawn as a span of one pixel.
-    let slope = Slope::along(x << 8, 256);
-    let planes = Planes::new(
-        slope,
-        slope.line([q.cast_signed(); 2]),
-        weighted.p.map(|[p]| slope.line([p; 2])),
-        weighted.scale,
-    );
-    let paint = (fragment, depth_shift(exponent));
+    let planes = if varies::<F, D, N>() {
+        let slope = Slope::along(x << 8, 256);
+        Planes::new::<I, 2>(slope, [q; 2], &[varyings; 2], Slope::line)
+    } else {
+        Planes::EVEN
+    };
+    let paint = (fragment, depth_shift.of(exponent));
     span::<I, F, O, D, N>(canvas, (y, x..x + 1), &planes, [0; 2], paint);
 }

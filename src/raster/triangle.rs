@@ -1,9 +1,9 @@
 //! Triangles: which way they face, which pixels are theirs.
 
-use super::edge::{Edge, first_center};
-use super::{Part, Planes, Window, align, span, weights};
-use crate::geometry::{Cull, Projected};
-use crate::interpolate::{Interpolate, Slope, Weighted};
+use super::edge::first_center;
+use super::{Part, Planes, Rows, Window, align, span, varies};
+use crate::geometry::{Cull, DepthShift, Projected};
+use crate::interpolate::{Interpolate, Slope};
 use crate::shade::Fragment;
 use crate::target::{Canvas, DepthBuffer, Storage};
 
@@ -26,30 +26,43 @@ pub(crate) fn area([a, b, c]: [[i32; 2]; 3]) -> i64 {
     product(b[0] - a[0], c[1] - a[1]) - product(c[0] - a[0], b[1] - a[1])
 }
 
+/// [`area`] of a triangle that is not culled and covers a pixel centre of the window; 0 of others.
+///
+/// A call that takes little and gives little: most triangles of a band, and the back of most things, end here.
+#[inline(never)]
+fn area_in(corners: &[Projected; 3], cull: Cull, window: &Window) -> i64 {
+    let [a, b, c] = corners.each_ref().map(|corner| corner.screen);
+    let misses = |axis: usize, window: &core::ops::Range<i32>| {
+        let least = first_center(a[axis].min(b[axis]).min(c[axis]));
+        let end = first_center(a[axis].max(b[axis]).max(c[axis]));
+        least.max(window.start) >= end.min(window.end)
+    };
+    if misses(1, &window.rows) {
+        return 0;
+    }
+    let area = area([a, b, c]);
+    if cull.leaves_out(area) || misses(0, &window.columns) {
+        return 0;
+    }
+    area
+}
+
 impl Triangle {
     /// `None` if it has no area, is culled, or covers no pixel centre of the window.
     #[inline]
-    pub(crate) fn new(corners: [Projected; 3], cull: Cull, window: &Window) -> Option<Self> {
-        let screen @ [a, b, c] = corners.map(|corner| corner.screen);
-        let area = area(screen);
-        let meets = |axis: usize, window: &core::ops::Range<i32>| {
-            let least = a[axis].min(b[axis]).min(c[axis]);
-            let most = a[axis].max(b[axis]).max(c[axis]);
-            let (start, end) = (first_center(least), first_center(most));
-            start.max(window.start) < end.min(window.end)
-        };
-        if cull.leaves_out(area) || !meets(1, &window.rows) || !meets(0, &window.columns) {
+    pub(crate) fn new(corners: &[Projected; 3], cull: Cull, window: &Window) -> Option<Self> {
+        let area = area_in(corners, cull, window);
+        if area == 0 {
             return None;
         }
+        let [first, second, third] = *corners;
         let turned = area < 0;
-        let [first, second, third] = corners;
-        let corners = if turned {
-            [first, third, second]
-        } else {
-            corners
-        };
         Some(Self {
-            corners,
+            corners: if turned {
+                [first, third, second]
+            } else {
+                [first, second, third]
+            },
             area: area.unsigned_abs(),
             turned,
         })
@@ -61,7 +74,7 @@ impl Triangle {
         !self.turned
     }
 
-    /// Whether the centre of a pixel is the triangle's, by the same rule as [`rows`](Self::rows) has it.
+    /// Whether the centre of a pixel is the triangle's, by the same rule as [`Rows`] has it.
     pub(super) fn covers(&self, pixel: [i32; 2]) -> bool {
         let [a, b, c] = self.corners.map(|corner| corner.screen);
         let [x, y] = pixel.map(|at| (at << 8) + 128);
@@ -91,7 +104,7 @@ impl Triangle {
         canvas: &mut Canvas<'_, F::Color, O, D>,
         window: &Window,
         varyings: &[[i32; N]; 3],
-        (fragment, depth_shift): (&F, impl Fn(u8) -> u32),
+        (fragment, depth_shift): (&F, DepthShift),
         part: Option<&Part<'_>>,
     ) where
         I: Interpolate,
@@ -106,13 +119,16 @@ impl Triangle {
             [first, second, third]
         };
         let (q, exponent) = align(&self.corners);
-        let weighted = Weighted::new(&varyings, weights::<I, 3>(q));
-        let slope = Slope::new(self.corners.map(|corner| corner.screen), self.area);
-        let q = slope.plane(q.map(u32::cast_signed));
-        let planes = Planes::new(slope, q, weighted.p.map(|p| slope.plane(p)), weighted.scale);
-        let [left, top] = slope.origin();
-        let paint = (fragment, depth_shift(exponent));
-        self.rows(window, |row, columns| {
+        let planes = if varies::<F, D, N>() {
+            let slope = Slope::new(self.corners.map(|corner| corner.screen), self.area);
+            Planes::new::<I, 3>(slope, q, &varyings, Slope::plane)
+        } else {
+            Planes::EVEN
+        };
+        // The pixel that the planes are counted from.
+        let [left, top] = self.corners[0].screen.map(|at| at >> 8);
+        let paint = (fragment, depth_shift.of(exponent));
+        for (row, columns) in self.rows(window) {
             let mut column = columns.start;
             while column < columns.end {
                 let (end, own) = match part {
@@ -125,54 +141,11 @@ impl Triangle {
                 }
                 column = end;
             }
-        });
+        }
     }
 
-    /// Calls `each` for every row with the columns whose centres are the triangle's.
-    ///
-    /// A centre on a left or top edge belongs to it, one on a right or bottom edge does not.
-    #[inline]
-    fn rows(&self, window: &Window, mut each: impl FnMut(i32, core::ops::Range<i32>)) {
-        let [mut top, mut middle, mut bottom] = self.corners.map(|corner| corner.screen);
-        // Sorting from the top; every exchange turns the triangle over.
-        let mut right = true;
-        if middle[1] < top[1] {
-            (top, middle, right) = (middle, top, !right);
-        }
-        if bottom[1] < middle[1] {
-            (middle, bottom, right) = (bottom, middle, !right);
-            if middle[1] < top[1] {
-                (top, middle, right) = (middle, top, !right);
-            }
-        }
-        // With positive area and no exchange, the middle corner is to the right of the long edge.
-        let mut long = None;
-        for (from, to) in [(top, middle), (middle, bottom)] {
-            let start = first_center(from[1]).max(window.rows.start);
-            let end = first_center(to[1]).min(window.rows.end);
-            if start >= end {
-                continue;
-            }
-            let Some(mut side) = Edge::new(from, to, start) else {
-                continue;
-            };
-            let Some(mut other) = long.take().or_else(|| Edge::new(top, bottom, start)) else {
-                continue;
-            };
-            for row in start..end {
-                let (left, end) = if right {
-                    (other.column(), side.column())
-                } else {
-                    (side.column(), other.column())
-                };
-                let columns = left.max(window.columns.start)..end.min(window.columns.end);
-                if !columns.is_empty() {
-                    each(row, columns);
-                }
-                side.step();
-                other.step();
-            }
-            long = Some(other);
-        }
+    /// Its rows in the window, each with the columns whose centres are the triangle's.
+    fn rows<'w>(&self, window: &'w Window) -> Rows<'w> {
+        Rows::new(self.corners.map(|corner| corner.screen), window)
     }
 }

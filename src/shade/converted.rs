@@ -60,6 +60,8 @@ where
 {
     type Color = C;
 
+    const READS_DEPTH: bool = F::READS_DEPTH;
+
     #[inline]
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; N] {
         self.fragment.varyings(vertex)

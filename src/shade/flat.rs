@@ -38,6 +38,8 @@ impl<C: PixelColor> Flat<C> {
 impl<C: PixelColor> Fragment<0> for Flat<C> {
     type Color = C;
 
+    const READS_DEPTH: bool = false;
+
     #[inline]
     fn varyings(&self, _: &Vertex<'_>) -> [i32; 0] {
         []
@@ -93,6 +95,8 @@ impl<'a, C: PixelColor + Default> FaceColors<'a, C> {
 
 impl<C: PixelColor> Fragment<0> for FaceColors<'_, C> {
     type Color = C;
+
+    const READS_DEPTH: bool = false;
 
     #[inline]
     fn varyings(&self, _: &Vertex<'_>) -> [i32; 0] {

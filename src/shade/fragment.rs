@@ -64,6 +64,12 @@ pub trait Fragment<const N: usize>: Copy {
     /// The colour that comes out; the canvas must have the same.
     type Color: PixelColor;
 
+    /// Whether [`shade`](Self::shade) looks at [`Sample::depth`].
+    ///
+    /// Where neither it nor a depth buffer does, and there are no varyings, depth is not worked
+    /// out, and the sample's is 0.
+    const READS_DEPTH: bool = true;
+
     /// The values to interpolate, at one corner of a triangle or end of a line.
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; N];
 

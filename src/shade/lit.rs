@@ -168,6 +168,8 @@ impl<C: Levels> LitFaces<C> {
 impl<C: Levels> Fragment<0> for LitFaces<C> {
     type Color = C;
 
+    const READS_DEPTH: bool = false;
+
     #[inline]
     fn begin(self, model: &Transform) -> Self {
         Self {

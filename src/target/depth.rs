@@ -29,6 +29,9 @@ pub trait DepthBuffer {
     where
         Self: 'a;
 
+    /// Whether depths are looked at or kept.
+    const IS_KEPT: bool;
+
     /// The depths of a run of pixels.
     fn cells(&mut self, range: Range<usize>) -> impl Iterator<Item = Self::Cell<'_>>;
 
@@ -56,6 +59,8 @@ pub struct NoDepth;
 
 impl DepthBuffer for NoDepth {
     type Cell<'a> = ();
+
+    const IS_KEPT: bool = false;
 
     #[inline]
     fn cells(&mut self, range: Range<usize>) -> impl Iterator<Item = ()> {
@@ -91,6 +96,8 @@ impl DepthBuffer for Depth<'_> {
         = &'a mut u16
     where
         Self: 'a;
+
+    const IS_KEPT: bool = true;
 
     #[inline]
     fn cells(&mut self, range: Range<usize>) -> impl Iterator<Item = &mut u16> {

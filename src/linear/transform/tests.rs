@@ -138,7 +138,7 @@ fn anything() -> impl Strategy<Value = Transform> {
     const EXP: core::ops::RangeInclusive<i32> = block::MIN_EXP..=block::MAX_EXP;
     let row = || [M, M, M];
     ([row(), row(), row()], EXP, row(), EXP).prop_map(|(m, e, t, t_exp)| {
-        let (linear, linear_exp) = normalise(m.map(|row| row.map(i64::from)), e);
+        let (linear, linear_exp) = normalise(&m.map(|row| row.map(i64::from)), e);
         let (translation, translation_exp) = block::normalise(t.map(i64::from), t_exp);
         Transform {
             linear,
