@@ -3,7 +3,7 @@
 
 Arguments: the folder with the outputs, named as the targets, and with `host`: scene and checksum, a
 line each; then the targets. Fails unless every target printed every scene in every layout, all with
-the host's checksum."""
+the host's checksum and the same number of pixels."""
 import re
 import sys
 from collections import defaultdict
@@ -13,6 +13,7 @@ LAYOUTS = ["frame", "bands"]
 folder, *targets = sys.argv[1:]
 host = dict(line.split() for line in Path(folder, "host").read_text().splitlines())
 wrong = [] if len(host) == 5 else [f"the host printed {len(host)} checksums"]
+pixels = {}  # of each scene, by the first that printed it
 rows = []
 for target in targets:
     printed = Path(folder, target).read_text()
@@ -29,6 +30,8 @@ for target in targets:
     for (scene, layout), found in figures.items():
         if found.get("crc") != host.get(scene):
             wrong.append(f"{target}: {scene} in {layout} is {found.get('crc')}, not {host.get(scene)}")
+        if found["pixels"] != pixels.setdefault(scene, found["pixels"]):
+            wrong.append(f"{target}: {scene} in {layout} has {found['pixels']} pixels, not {pixels[scene]}")
     for scene in host:
         cells = [figures[scene, layout] for layout in LAYOUTS]
         rows.append(
@@ -36,7 +39,7 @@ for target in targets:
             + [f"{int(cell['ticks']) * int(unit[1]) / 1e6:.2f}" for cell in cells]
             + [cell["stack"] for cell in cells]
         )
-print("\n".join(wrong))
+print(*wrong, sep="\n", end="\n" if wrong else "")
 head = ["target", "scene", "pixels"]
 head += [f"M instructions, {layout}" for layout in LAYOUTS]
 head += [f"stack, {layout}" for layout in LAYOUTS]
