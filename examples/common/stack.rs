@@ -28,7 +28,7 @@ const WORD: usize = size_of::<u32>();
 pub fn deepest<T>(work: impl FnOnce() -> T) -> (T, usize) {
     let local = 0_u32;
     let top = (&raw const *black_box(&local)).addr();
-    let (end, start) = (stack_end().addr(), top - MARGIN);
+    let (end, start) = (stack_end().expose_provenance(), top - MARGIN);
     for address in (end..start).step_by(WORD) {
         paint(address);
     }
@@ -46,7 +46,7 @@ fn apart<T>(work: impl FnOnce() -> T) -> T {
 }
 
 /// Paints a word of free stack.
-#[inline(always)]
+#[inline]
 fn paint(address: usize) {
     #[allow(unsafe_code)]
     // SAFETY: the address is a multiple of four, in RAM that belongs to the stack alone, and beneath
@@ -57,7 +57,7 @@ fn paint(address: usize) {
 }
 
 /// Whether a word of free stack is as [`paint`] left it.
-#[inline(always)]
+#[inline]
 fn is_painted(address: usize) -> bool {
     #[allow(unsafe_code)]
     // SAFETY: as for `paint`, which has made it a valid `u32` even if nothing else has.
