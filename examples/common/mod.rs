@@ -5,3 +5,6 @@
 
 pub mod lighthouse;
 pub mod scenes;
+/// Measured on the bare stack of a microcontroller.
+#[cfg(target_os = "none")]
+pub mod stack;

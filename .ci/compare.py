@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+"""Holds what the firmware printed on each target against the host's checksums, and prints a table.
+
+Arguments: the folder with the outputs, named as the targets, and with `host`: scene and checksum, a
+line each; then the targets. Fails unless every target printed every scene in every layout, all with
+the host's checksum and the same number of pixels."""
+import re
+import sys
+from collections import defaultdict
+from pathlib import Path
+
+LAYOUTS = ["frame", "bands"]
+folder, *targets = sys.argv[1:]
+host = dict(line.split() for line in Path(folder, "host").read_text().splitlines())
+wrong = [] if len(host) == 5 else [f"the host printed {len(host)} checksums"]
+pixels = {}  # of each scene, by the first that printed it
+rows = []
+for target in targets:
+    printed = Path(folder, target).read_text()
+    figures = defaultdict(dict)
+    for line in printed.splitlines():
+        fields = dict(re.findall(r"(\S+)=(\S+)", line))
+        if "scene" in fields:
+            figures[fields["scene"], fields["layout"]].update(fields)
+    unit = re.search(r"^tick=(\d+) instructions$", printed, re.M)
+    cases = {(scene, layout) for scene in host for layout in LAYOUTS}
+    if not unit or cases - figures.keys() or "failed" in printed:
+        wrong.append(f"{target} did not finish:\n{printed}")
+        continue
+    for (scene, layout), found in figures.items():
+        if found.get("crc") != host.get(scene):
+            wrong.append(f"{target}: {scene} in {layout} is {found.get('crc')}, not {host.get(scene)}")
+        if found["pixels"] != pixels.setdefault(scene, found["pixels"]):
+            wrong.append(f"{target}: {scene} in {layout} has {found['pixels']} pixels, not {pixels[scene]}")
+    for scene in host:
+        cells = [figures[scene, layout] for layout in LAYOUTS]
+        rows.append(
+            [target, scene, cells[0]["pixels"]]
+            + [f"{int(cell['ticks']) * int(unit[1]) / 1e6:.2f}" for cell in cells]
+            + [cell["stack"] for cell in cells]
+        )
+print(*wrong, sep="\n", end="\n" if wrong else "")
+head = ["target", "scene", "pixels"]
+head += [f"M instructions, {layout}" for layout in LAYOUTS]
+head += [f"stack, {layout}" for layout in LAYOUTS]
+widths = [max(len(row[column]) for row in [head, *rows]) for column in range(len(head))]
+for row in [head, *rows]:
+    texts = [cell.ljust(width) for cell, width in zip(row[:2], widths)]
+    numbers = [cell.rjust(width) for cell, width in zip(row[2:], widths[2:])]
+    print("  ".join(texts + numbers))
+sys.exit(bool(wrong))

@@ -1,0 +1,96 @@
+//! A Cortex-M, with the timer that all of them have.
+
+use core::arch::asm;
+use core::sync::atomic::{AtomicU32, Ordering};
+
+use cortex_m::interrupt;
+use cortex_m::peripheral::{Peripherals, SCB, SYST, syst::SystClkSource};
+pub use cortex_m_rt::entry;
+use cortex_m_rt::exception;
+
+/// SysTick counts down through 24 bits, to zero and then on from here.
+const MOST: u32 = 0x00ff_ffff;
+/// Ticks of one round.
+const ROUND: u64 = 1 << 24;
+
+/// Rounds that SysTick has ended since the clock was set to zero. Only the exception adds to it, so
+/// that it needs no more of a core than to load and to store.
+static ROUNDS: AtomicU32 = AtomicU32::new(0);
+
+#[exception]
+fn SysTick() {
+    ROUNDS.store(
+        ROUNDS.load(Ordering::Relaxed).wrapping_add(1),
+        Ordering::Relaxed,
+    );
+}
+
+/// SysTick at the core's frequency, with its rounds counted: 2^56 ticks.
+pub struct Clock(SYST);
+
+impl Clock {
+    /// The clock. Can be taken once.
+    pub fn take() -> Option<Self> {
+        let mut timer = Peripherals::take()?.SYST;
+        timer.set_clock_source(SystClkSource::Core);
+        timer.set_reload(MOST);
+        timer.clear_current();
+        timer.enable_interrupt();
+        timer.enable_counter();
+        Some(Self(timer))
+    }
+
+    /// Does `work`; returns its result and the ticks that it took.
+    pub fn time<T>(&mut self, work: impl FnOnce() -> T) -> (T, u64) {
+        // From zero: nothing interrupts the first round, which so counts the work and nothing else.
+        interrupt::free(|_| {
+            self.0.clear_current();
+            SCB::clear_pendst();
+            ROUNDS.store(0, Ordering::Relaxed);
+        });
+        let start = self.ticks();
+        let result = work();
+        (result, self.ticks() - start)
+    }
+
+    /// Ticks since the clock was set to zero.
+    fn ticks(&self) -> u64 {
+        // No round is counted meanwhile. One that ends is pending, and the timer, read once more,
+        // then surely is in the next; if none is pending even now, the first reading was before it.
+        let (rounds, left) = interrupt::free(|_| {
+            let (rounds, left) = (ROUNDS.load(Ordering::Relaxed), self.left());
+            if SCB::is_pendst_pending() {
+                (rounds + 1, self.left())
+            } else {
+                (rounds, left)
+            }
+        });
+        u64::from(rounds) * ROUND + (ROUND - u64::from(left))
+    }
+
+    /// Ticks left of the round, from 1. Zero lasts for one tick, in which the exception comes, or after
+    /// which a timer that was set anew starts: it is waited for.
+    fn left(&self) -> u32 {
+        loop {
+            let left = self.0.cvr.read();
+            if left > 0 {
+                return left;
+            }
+        }
+    }
+}
+
+/// Executes `count` instructions, an even number and not 0.
+pub fn instructions(count: u32) {
+    #[allow(unsafe_code)]
+    // SAFETY: counts a register down to zero.
+    unsafe {
+        asm!(
+            "2:",
+            "subs {left}, #1",
+            "bne 2b",
+            left = inout(reg) count / 2 => _,
+            options(nomem, nostack),
+        );
+    }
+}

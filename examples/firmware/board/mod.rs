@@ -1,0 +1,23 @@
+//! What differs from core to core: the entry of a program, and the clock.
+//!
+//! The console and the exit are semihosting's, the same for all.
+
+#[cfg(target_arch = "arm")]
+mod arm;
+#[cfg(target_arch = "riscv32")]
+mod riscv;
+
+#[cfg(target_arch = "arm")]
+pub use self::arm::{Clock, entry, instructions};
+#[cfg(target_arch = "riscv32")]
+pub use self::riscv::{Clock, entry, instructions};
+
+/// Instructions to a tick of the clock, measured on a loop of known length.
+///
+/// Under QEMU with `-icount shift=0` an instruction takes a nanosecond, so it is the clock's period; on
+/// a chip it is near 1, for both count the core's cycles.
+pub fn instructions_per_tick(clock: &mut Clock) -> u64 {
+    const COUNT: u32 = 1 << 20;
+    let ((), ticks) = clock.time(|| instructions(COUNT));
+    (u64::from(COUNT) + ticks / 2) / ticks
+}

@@ -1,0 +1,40 @@
+//! A RISC-V core that counts its cycles.
+
+use core::arch::asm;
+
+use riscv::register::mcycle;
+pub use riscv_rt::entry;
+
+/// The core's cycles, all 64 bits of them; under QEMU with `-icount shift=0`, instructions.
+pub struct Clock(());
+
+impl Clock {
+    /// The clock. It counts from reset, and may be taken any number of times.
+    #[allow(clippy::unnecessary_wraps)] // elsewhere there is one
+    pub fn take() -> Option<Self> {
+        Some(Self(()))
+    }
+
+    /// Does `work`; returns its result and the ticks that it took.
+    #[allow(clippy::unused_self)] // elsewhere it is a device
+    pub fn time<T>(&mut self, work: impl FnOnce() -> T) -> (T, u64) {
+        let start = mcycle::read64();
+        let result = work();
+        (result, mcycle::read64() - start)
+    }
+}
+
+/// Executes `count` instructions, an even number and not 0.
+pub fn instructions(count: u32) {
+    #[allow(unsafe_code)]
+    // SAFETY: counts a register down to zero.
+    unsafe {
+        asm!(
+            "2:",
+            "addi {left}, {left}, -1",
+            "bnez {left}, 2b",
+            left = inout(reg) count / 2 => _,
+            options(nomem, nostack),
+        );
+    }
+}
