@@ -3,5 +3,6 @@
 // Not every example uses all of it.
 #![allow(dead_code)]
 
+pub mod gyroscope;
 pub mod lighthouse;
 pub mod scenes;
