@@ -3,6 +3,7 @@
 // Not every example uses all of it.
 #![allow(dead_code)]
 
+pub mod gyroscope;
 pub mod lighthouse;
 pub mod scenes;
 /// Measured on the bare stack of a microcontroller.

@@ -1,0 +1,99 @@
+//! The scene of the example `oled`: a cube in two rings that turn at rates of their own, and a
+//! caption with the number of the frame, for a panel of 128x64 pixels in 16 greys.
+//!
+//! `no_std`: the board draws it in bands, the host as a whole frame.
+
+use core::fmt::Write;
+
+use embedded_graphics::Drawable;
+use embedded_graphics::geometry::Point;
+use embedded_graphics::mono_font::{MonoTextStyle, ascii};
+use embedded_graphics::pixelcolor::{Gray4, GrayColor};
+use embedded_graphics::text::Text;
+use fixel::prelude::*;
+use fixel::shade::Light;
+use fixel::target::{DepthBuffer, Storage};
+
+/// Width of the panel in pixels.
+pub const WIDTH: u32 = 128;
+/// Height of the panel in pixels.
+pub const HEIGHT: u32 = 64;
+
+/// Milliseconds from one frame to the next. The picture depends on the number of the frame alone, so
+/// that it is the same wherever and however fast it is drawn.
+pub const FRAME_MS: u32 = 30;
+/// How many frames there are: a turn of the outer ring, and on to a pose that shows all three parts.
+pub const FRAMES: u32 = 211;
+/// Turns a minute of the outer ring; the inner does twice as many, the cube three times.
+const RPM: i32 = 10;
+
+static RING: Mesh = shape!(torus(fx!(0.12), 32, 8));
+static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+
+/// Draws a frame into all of it that the canvas holds: the model in its right half, the caption in
+/// the left.
+///
+/// # Errors
+///
+/// None: its numbers are constant.
+pub fn draw<O, D>(canvas: &mut Canvas<'_, Gray4, O, D>, frame: u32) -> Result<(), Error>
+where
+    O: Storage<Gray4>,
+    D: DepthBuffer,
+{
+    canvas.clear(Gray4::BLACK);
+    model(canvas, frame)?;
+    caption(canvas, frame);
+    Ok(())
+}
+
+fn model<O, D>(canvas: &mut Canvas<'_, Gray4, O, D>, frame: u32) -> Result<(), Error>
+where
+    O: Storage<Gray4>,
+    D: DepthBuffer,
+{
+    let half = Viewport::new(i32::try_from(WIDTH / 2).unwrap_or(0), 0, WIDTH / 2, HEIGHT)?;
+    let pass: Pass = Pass::new().viewport(half);
+    let lens = Projection::perspective(
+        Angle::from_degrees(40),
+        (WIDTH / 2, HEIGHT),
+        fx!(1),
+        fx!(10),
+    )?;
+    let camera = Camera::look_at(vec3!(0, 1.2, 3.2), Vec3::ZERO, Vec3::Y)?;
+    let sun = Light::new(vec3!(-2, 4, 3), fx!(0.2), fx!(0.8))?;
+
+    let now_ms = u64::from(frame) * u64::from(FRAME_MS);
+    let turned = |rpm: i32| Rate::rpm(rpm).angle_at(now_ms);
+    // A ring lies about its y axis: the outer is stood up, the inner is at right angles to it.
+    let upright = Transform::rotate_x(Angle::from_degrees(90));
+    let outer = Transform::rotate_y(turned(RPM)) * upright;
+    let inner =
+        outer * Transform::rotate_x(turned(2 * RPM)) * upright * Transform::scale(fx!(0.74));
+    let cube = inner * Transform::rotate_z(turned(-3 * RPM)) * Transform::scale(fx!(0.34));
+    for (mesh, pose, grey) in [(&RING, outer, 15), (&RING, inner, 9), (&CUBE, cube, 15)] {
+        let surface = Lit::new(Gray4::new(grey), sun);
+        canvas.draw_with(&pass, mesh, &(lens * camera * pose), &surface);
+    }
+    Ok(())
+}
+
+fn caption<O, D>(canvas: &mut Canvas<'_, Gray4, O, D>, frame: u32)
+where
+    O: Storage<Gray4>,
+    D: DepthBuffer,
+{
+    // Long enough for any number: at most ten digits.
+    let mut number = heapless::String::<16>::new();
+    let _ = write!(number, "frame {frame}");
+    let mut rate = heapless::String::<16>::new();
+    let _ = write!(rate, "{RPM} rpm");
+    for (text, font, grey, baseline) in [
+        ("fixel", &ascii::FONT_9X18_BOLD, 15, 22),
+        (rate.as_str(), &ascii::FONT_6X10, 11, 42),
+        (number.as_str(), &ascii::FONT_6X10, 11, 54),
+    ] {
+        let style = MonoTextStyle::new(font, Gray4::new(grey));
+        let Ok(_) = Text::new(text, Point::new(4, baseline), style).draw(canvas);
+    }
+}

@@ -1,0 +1,126 @@
+//! The registers of the LM3S6965 that reach the panel, by the names of its data sheet.
+//!
+//! The panel's clock, select and data are pins A2, A3 and A5, which are the serial interface SSI0's
+//! own; C7 says whether a byte is a command. D0 selects the SD card on the same wires.
+
+use cortex_m::asm;
+
+/// A register of 32 bits at this address.
+struct Register(usize);
+
+impl Register {
+    #[allow(unsafe_code)]
+    fn read(&self) -> u32 {
+        let address = self.0 as *const u32;
+        // SAFETY: the constants below, of which there are no others, are aligned addresses of the
+        // chip's registers. Reading those changes nothing but the peripheral.
+        unsafe { address.read_volatile() }
+    }
+
+    #[allow(unsafe_code)]
+    fn write(&self, value: u32) {
+        let address = self.0 as *mut u32;
+        // SAFETY: as above. The peripherals that are written to have no way to memory: neither DMA
+        // nor an interrupt is switched on.
+        unsafe { address.write_volatile(value) }
+    }
+
+    fn set(&self, bits: u32) {
+        self.write(self.read() | bits);
+    }
+}
+
+/// A port of eight pins.
+struct Port(usize);
+
+impl Port {
+    /// Lets software drive `pin`, as an output with this level.
+    fn output(&self, pin: u32, high: bool) {
+        Register(self.0 + 0x400).set(1 << pin); // GPIODIR
+        Register(self.0 + 0x51c).set(1 << pin); // GPIODEN
+        self.write(pin, high);
+    }
+
+    /// Gives `pins` to the peripheral that the chip has behind them.
+    fn alternate(&self, pins: u32) {
+        Register(self.0 + 0x420).set(pins); // GPIOAFSEL
+        Register(self.0 + 0x51c).set(pins); // GPIODEN
+    }
+
+    fn write(&self, pin: u32, high: bool) {
+        // GPIODATA: bits 9 to 2 of the address are a mask of the pins to write.
+        Register(self.0 + (4 << pin)).write(u32::from(high) << pin);
+    }
+}
+
+/// Clocks of SSI0, and of ports A, C and D.
+const RCGC1: Register = Register(0x400f_e104);
+const RCGC2: Register = Register(0x400f_e108);
+
+const PORT_A: Port = Port(0x4000_4000);
+const PORT_C: Port = Port(0x4000_6000);
+const PORT_D: Port = Port(0x4000_7000);
+
+const SSICR0: Register = Register(0x4000_8000);
+const SSICR1: Register = Register(0x4000_8004);
+const SSIDR: Register = Register(0x4000_8008);
+const SSISR: Register = Register(0x4000_800c);
+const SSICPSR: Register = Register(0x4000_8010);
+
+/// Bits of SSISR: room to transmit, something received, still at it.
+const TNF: u32 = 1 << 1;
+const RNE: u32 = 1 << 2;
+const BSY: u32 = 1 << 4;
+
+/// The wires to the panel, of which the board has one set.
+pub struct Oled(());
+
+impl Oled {
+    /// Prepares pins and interface; call it once.
+    pub fn new() -> Self {
+        RCGC1.set(1 << 4);
+        RCGC2.set(1 << 0 | 1 << 2 | 1 << 3);
+        // A peripheral answers from the third cycle of its clock.
+        asm::delay(3);
+
+        PORT_D.output(0, true);
+        PORT_C.output(7, true);
+        PORT_A.alternate(1 << 2 | 1 << 3 | 1 << 5);
+
+        // Of the 12 MHz that the chip starts with, a quarter; the panel takes 4 MHz.
+        SSICR1.write(0);
+        SSICPSR.write(4);
+        // Eight bits; the clock rests high and the panel samples its rising edge.
+        SSICR0.write(1 << 7 | 1 << 6 | 7);
+        SSICR1.write(1 << 1);
+        Self(())
+    }
+
+    /// Sends a command and its arguments.
+    pub fn command(&mut self, bytes: &[u8]) {
+        PORT_C.write(7, false);
+        self.send(bytes);
+    }
+
+    /// Sends pixels.
+    pub fn data(&mut self, bytes: &[u8]) {
+        PORT_C.write(7, true);
+        self.send(bytes);
+    }
+
+    /// Returns when all is on the wire, since pin C7 is sampled with the last bit of a byte.
+    #[allow(clippy::unused_self)] // it is `self` that has the interface to itself
+    fn send(&mut self, bytes: &[u8]) {
+        for &byte in bytes {
+            while SSISR.read() & TNF == 0 {}
+            SSIDR.write(byte.into());
+            // As many bytes come back, which nobody sends. QEMU's interface waits for them to be read.
+            while SSISR.read() & RNE != 0 {
+                SSIDR.read();
+            }
+        }
+        while SSISR.read() & (BSY | RNE) != 0 {
+            SSIDR.read();
+        }
+    }
+}
