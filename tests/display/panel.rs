@@ -113,8 +113,9 @@ impl Panel {
                 (0x01, []) => *self = Self::default(),
                 (0x11, []) => self.awake = true,
                 (0x29, []) => self.on = true,
-                // NORON, INVOFF, INVON: how it shines, not what it holds.
-                (0x13 | 0x20 | 0x21, []) => {}
+                // NORON, INVOFF, INVON, and the ILI9341's inversion control: how it shines, not what it
+                // holds.
+                (0x13 | 0x20 | 0x21, []) | (0xb4, &[0]) => {}
                 // MADCTL: bit 5 exchanges rows and columns, 7 and 6 mirror them, so that the host counts from the
                 // corner that is the upper left one of the turned panel; bit 3 has blue in front of red.
                 (0x36, &[mode]) => {
@@ -133,8 +134,6 @@ impl Panel {
                 (0x2a, data) => self.columns = window(data, self.size().0),
                 (0x2b, data) => self.rows = window(data, self.size().1),
                 (0x2c, data) => self.write(data),
-                // Inversion control of the ILI9341.
-                (0xb4, &[0]) => {}
                 (code, data) => panic!("command {code:#04x} with {data:02x?}"),
             }
         }
@@ -156,7 +155,7 @@ impl Panel {
     fn write(&mut self, data: &[u8]) {
         assert_eq!(self.bits_per_pixel, 16);
         let (mut column, mut row) = (self.columns.0, self.rows.0);
-        assert!(data.len() % 2 == 0, "half a pixel");
+        assert!(data.len().is_multiple_of(2), "half a pixel");
         for pixel in data.chunks_exact(2) {
             let color = u16::from(pixel[0]) << 8 | u16::from(pixel[1]);
             self.memory.insert((column, row), color);
