@@ -145,7 +145,8 @@
 //! ```
 //!
 //! For DMA let the canvas keep its pixels as the bytes that the bus wants: [`Canvas::big_endian`]
-//! and its relatives, [`Canvas::bytes`].
+//! and its relatives, [`Canvas::bytes`]. The [guide for firmware](guide::firmware) goes all the way
+//! from `cargo new` to a picture on an SPI panel: memory, bands, DMA, two cores, clocks.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -156,6 +157,8 @@ mod angle;
 mod draw;
 mod error;
 pub mod geometry;
+#[cfg(any(doc, doctest))]
+pub mod guide;
 pub mod interpolate;
 pub mod linear;
 pub mod number;

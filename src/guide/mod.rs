@@ -1,0 +1,4 @@
+//! Guides: longer than the page of an item, and all of their drawing code is compiled and run.
+
+#[doc = include_str!("firmware.md")]
+pub mod firmware {}
