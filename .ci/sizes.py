@@ -7,6 +7,7 @@ sizes.py names PROBE                  prints the names of all functions, a line 
 """
 import collections
 import re
+import signal
 import struct
 import subprocess
 import sys
@@ -100,6 +101,7 @@ def sources(path):
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # so that `head` may leave early
     if sys.argv[1:2] == ["measure"] and len(sys.argv) == 4:
         measure(*sys.argv[2:])
     elif sys.argv[1:2] == ["functions"] and len(sys.argv) == 4:
