@@ -1,10 +1,13 @@
 """What is in the size probes: sections and functions of little-endian 32-bit ELF files.
 
 sizes.py measure BASELINE PROBE       prints bytes of code, of those the compiler's routines, bytes of constants
-sizes.py functions [BASELINE] PROBE   prints functions by size, those that the baseline has too left out
+sizes.py functions BASELINE PROBE     prints functions by the size that they have beyond the baseline's of that name
+sizes.py sources PROBE                prints the library's functions by size, inlined or not (needs llvm-symbolizer)
 sizes.py names PROBE                  prints the names of all functions, a line each
 """
+import collections
 import re
+import signal
 import struct
 import subprocess
 import sys
@@ -54,30 +57,57 @@ def measure(baseline, probe):
     print(after[".text"] - before[".text"], routines(probe) - routines(baseline), constants)
 
 
-def functions(*paths):
-    def plain(name):  # without the hash of the crate that it is in
-        return re.sub(r"Cs[0-9A-Za-z]+_|\.llvm\.\d+$", "", name)
+def readable(text):
+    """Without the hashes of crates, nor the paths within them."""
+    text = re.sub(r"\[[0-9a-f]{8,}\]|: usize\b", "", text)
+    return re.sub(r"\b(?:[a-z_0-9]+::)+(?=[A-Z])", "", text)
 
-    known = {plain(name) for path in paths[:-1] for name in names(path)}
-    rows = sorted(read(paths[-1])[1].values(), reverse=True)
-    rows = [(size, name) for size, name in rows if size and plain(name) not in known]
+
+def functions(baseline, probe):
+    def plain(name):  # the same in every probe
+        return re.sub(r"Cs[0-9A-Za-z]+_|\d+size_[a-z]+|\.llvm\.\d+$", "", name)
+
+    known = collections.Counter()
+    for size, name in read(baseline)[1].values():
+        known[plain(name)] += size
+    rows = [(size - known[plain(name)], name) for size, name in read(probe)[1].values()]
+    rows = sorted((row for row in rows if row[0]), reverse=True)
     text = "\n".join(f"{size:6} {name}" for size, name in rows)
     try:
         text = subprocess.run(["c++filt"], input=text, capture_output=True, text=True).stdout
     except FileNotFoundError:
         pass  # binutils make names readable; without them they are told as they are
-    # Without crates' hashes and the paths within them.
-    text = re.sub(r"\[[0-9a-f]{8,}\]", "", text)
-    text = re.sub(r"\b(?:[a-z_0-9]+::)+(?=[A-Z])", "", text)
-    print(text)
+    print(readable(text.rstrip()))
     print(f"{sum(size for size, _ in rows):6} in all")
 
 
+def sources(path):
+    """Each two bytes of code belong to the innermost function of this project that they were inlined from."""
+    ranges = ((at & ~1, size) for at, (size, _) in read(path)[1].items())
+    addresses = sorted({at for start, size in ranges for at in range(start, start + size, 2)})
+    command = ["llvm-symbolizer", "--obj=" + path, "--inlines", "--demangle"]
+    text = "\n".join(map(hex, addresses))
+    text = subprocess.run(command, input=text, capture_output=True, text=True, check=True).stdout
+    sizes = collections.Counter()
+    for block in text.strip().split("\n\n"):
+        lines = block.splitlines()
+        frames = list(zip(lines[::2], lines[1::2]))
+        # Of a crate of this project the paths are not those of dependencies and of the compiler.
+        own = [name for name, at in frames if re.search(r"/(src|examples)/", at)
+               and "/registry/" not in at and "/library/" not in at]
+        sizes[readable((own or [frames[0][0]])[0])] += 2
+    for name, size in sizes.most_common():
+        print(f"{size:6} {name}")
+
+
 if __name__ == "__main__":
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # so that `head` may leave early
     if sys.argv[1:2] == ["measure"] and len(sys.argv) == 4:
         measure(*sys.argv[2:])
-    elif sys.argv[1:2] == ["functions"] and len(sys.argv) in (3, 4):
+    elif sys.argv[1:2] == ["functions"] and len(sys.argv) == 4:
         functions(*sys.argv[2:])
+    elif sys.argv[1:2] == ["sources"] and len(sys.argv) == 3:
+        sources(sys.argv[2])
     elif sys.argv[1:2] == ["names"] and len(sys.argv) == 3:
         print("\n".join(names(sys.argv[2])))
     else:

@@ -22,7 +22,7 @@ pub struct Rate {
 }
 
 /// Thousandths of a turn a minute, times milliseconds, in one turn.
-const TURN: u64 = 60_000_000;
+const TURN: u32 = 60_000_000;
 
 impl Rate {
     /// So many turns a minute.
@@ -82,20 +82,47 @@ impl Rate {
     }
 
     /// The fraction of a turn after `ms` milliseconds, in units of 1/[`TURN`]: exact.
-    const fn phase(self, ms: u64) -> u64 {
+    const fn phase(self, ms: u64) -> u32 {
         // Both factors may be reduced by whole turns first; each is then below 2^26.
-        let speed = self
-            .milli_rpm
-            .rem_euclid(TURN.cast_signed())
-            .cast_unsigned();
-        speed * (ms % TURN) % TURN
+        let speed = rest(self.milli_rpm.unsigned_abs());
+        let phase = rest(speed as u64 * rest(ms) as u64);
+        if self.milli_rpm < 0 && phase > 0 {
+            TURN - phase
+        } else {
+            phase
+        }
     }
 }
 
+/// `high` · 2^32 + `low` divided by [`TURN`], and what is left over; `high` is below it.
+///
+/// Bit by bit, as it is done once a frame: the code of a 64-bit division would cost more flash than
+/// its speed is worth.
+const fn divide(high: u32, low: u32) -> (u32, u32) {
+    let (mut quotient, mut rest) = (low, high);
+    let mut bit = 0;
+    while bit < u32::BITS {
+        // Below 2^27.
+        rest = rest << 1 | quotient >> 31;
+        quotient <<= 1;
+        if rest >= TURN {
+            rest -= TURN;
+            quotient |= 1;
+        }
+        bit += 1;
+    }
+    (quotient, rest)
+}
+
+/// What is left over of `value` when whole turns are dropped.
+const fn rest(value: u64) -> u32 {
+    let (high, low) = ((value >> 32) as u32, value as u32);
+    divide(high % TURN, low).1
+}
+
 /// The angle of a fraction of a turn, in units of 1/[`TURN`].
-const fn angle(phase: u64) -> Angle {
-    // Below one turn.
-    Angle::from_bits(((phase << 32) / TURN) as u32)
+const fn angle(phase: u32) -> Angle {
+    Angle::from_bits(divide(phase, 0).0)
 }
 
 /// An angle that turns at a [`Rate`] and is moved on by the time between frames.
@@ -116,7 +143,7 @@ const fn angle(phase: u64) -> Angle {
 pub struct Spin {
     rate: Rate,
     /// Fraction of a turn, in units of 1/[`TURN`].
-    phase: u64,
+    phase: u32,
 }
 
 impl Spin {

@@ -3,6 +3,9 @@
 //! Every probe links all of the model and the texture, the baseline too, so that what a probe has
 //! beyond the baseline is code of the library and of the few lines that call it.
 
+// The baseline has no use for what is drawn.
+#![allow(dead_code)]
+
 use core::hint::black_box;
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
@@ -37,19 +40,17 @@ pub static SKIN: Texture<Rgb565, 2, 2> =
 pub const PLACE: Vec3 = vec3!(0, 0, -1.5);
 
 /// The lens of the probes.
-#[allow(dead_code)] // The baseline has none.
 pub fn lens() -> Result<Projection<fixel::view::Perspective>, Error> {
     Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(100))
 }
 
 /// A turn every 5 seconds, or nearly so: `now_ms` in units of 2^-32 of a turn.
-#[allow(dead_code)] // The baseline does not turn.
 pub fn angle(now_ms: u64) -> Angle {
     Angle::from_bits((now_ms as u32).wrapping_mul(858_993))
 }
 
-/// Draws some frames over a second, by `draw`: it is given pixels, depths and milliseconds.
-fn frames(pixels: &mut [Rgb565; PIXELS], depths: &mut [u16; PIXELS]) {
+/// Frames of one second, by the probe's `draw`: it is given pixels, depths and milliseconds.
+fn frames(pixels: &mut [Rgb565], depths: &mut [u16]) {
     const FRAMES: u64 = 4;
     for frame in 0..FRAMES {
         // Nothing can be worked out while compiling that is known at run time only.
@@ -67,8 +68,8 @@ fn frames(pixels: &mut [Rgb565; PIXELS], depths: &mut [u16; PIXELS]) {
 /// What a probe does on the host: the same frames, for the compiler to see.
 #[cfg(not(target_os = "none"))]
 pub fn host() {
-    let mut pixels = [Rgb565::new(0, 0, 0); PIXELS];
-    frames(&mut pixels, &mut [0; PIXELS]);
+    let mut pixels = vec![Rgb565::new(0, 0, 0); PIXELS];
+    frames(&mut pixels, &mut vec![0; PIXELS]);
     let drawn = pixels
         .iter()
         .filter(|&&p| p != Rgb565::new(0, 0, 0))
