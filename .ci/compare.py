@@ -9,7 +9,7 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
-LAYOUTS = ["frame", "bands"]
+LAYOUTS = ["frame", "bands", "prepared"]
 folder, *targets = sys.argv[1:]
 host = dict(line.split() for line in Path(folder, "host").read_text().splitlines())
 wrong = [] if len(host) == 5 else [f"the host printed {len(host)} checksums"]

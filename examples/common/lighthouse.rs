@@ -115,6 +115,20 @@ where
     let Ok(()) = canvas.fill_contiguous(&area, colors);
 }
 
+/// What the sea is painted with.
+pub fn waves<C: Levels>() -> impl Fragment<2, Color = C> {
+    Converted::new(Textured::new(&WAVES))
+}
+
+/// What the island is painted with.
+///
+/// # Errors
+///
+/// None: the light's numbers are constant.
+pub fn skin<C: Levels>() -> Result<impl Fragment<3, Color = C>, Error> {
+    Ok(Converted::new(Textured::new(&SKIN).lit(sun()?)))
+}
+
 /// Draws sea and island; `chain` takes them to the picture.
 ///
 /// # Errors
@@ -130,9 +144,8 @@ where
     O: Storage<C>,
     D: DepthBuffer,
 {
-    let sea = canvas.draw(&SEA, chain, &Converted::new(Textured::new(&WAVES)));
-    let skin = Textured::new(&SKIN).lit(sun()?);
-    let island = canvas.draw(&ISLAND, chain, &Converted::new(skin));
+    let sea = canvas.draw(&SEA, chain, &waves());
+    let island = canvas.draw(&ISLAND, chain, &skin()?);
     Ok([sea, island])
 }
 

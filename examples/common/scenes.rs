@@ -162,12 +162,27 @@ pub fn sphere_chain(k: i32) -> Result<Chain<Perspective>, Error> {
     Ok(lens()? * (Transform::translate(vec3!(0, 0, -2.256_239_223_7)) * model))
 }
 
+/// What the floor and the cube are painted with.
+pub fn checkered() -> impl Fragment<2, Color = Rgb565> {
+    Textured::new(&CHECKER)
+}
+
+/// What the sphere is painted with: its vertices' colours.
+pub fn shaded() -> impl Fragment<3, Color = Rgb565> {
+    Gouraud::new()
+}
+
+/// What the flat sphere is painted with: its triangles' colours.
+pub fn faceted() -> impl Fragment<0, Color = Rgb565> {
+    FaceColors::new(&FACE_COLORS)
+}
+
 /// Draws the floor.
 pub fn floor<O: Storage<Rgb565>, D: DepthBuffer>(
     canvas: &mut Canvas<'_, Rgb565, O, D>,
     chain: &Chain<Perspective>,
 ) -> Drawn {
-    canvas.draw(&FLOOR, chain, &Textured::new(&CHECKER))
+    canvas.draw(&FLOOR, chain, &checkered())
 }
 
 /// Draws the cube.
@@ -175,7 +190,7 @@ pub fn cube<O: Storage<Rgb565>, D: DepthBuffer>(
     canvas: &mut Canvas<'_, Rgb565, O, D>,
     chain: &Chain<Perspective>,
 ) -> Drawn {
-    canvas.draw(&CUBE, chain, &Textured::new(&CHECKER))
+    canvas.draw(&CUBE, chain, &checkered())
 }
 
 /// Draws the sphere with interpolated colours.
@@ -183,7 +198,7 @@ pub fn sphere<O: Storage<Rgb565>, D: DepthBuffer>(
     canvas: &mut Canvas<'_, Rgb565, O, D>,
     chain: &Chain<Perspective>,
 ) -> Drawn {
-    canvas.draw(&SPHERE, chain, &Gouraud::new())
+    canvas.draw(&SPHERE, chain, &shaded())
 }
 
 /// Draws the sphere with a colour per triangle; meant for a canvas without depth.
@@ -191,5 +206,5 @@ pub fn sphere_flat<O: Storage<Rgb565>, D: DepthBuffer>(
     canvas: &mut Canvas<'_, Rgb565, O, D>,
     chain: &Chain<Perspective>,
 ) -> Drawn {
-    canvas.draw(&SPHERE, chain, &FaceColors::new(&FACE_COLORS))
+    canvas.draw(&SPHERE, chain, &faceted())
 }

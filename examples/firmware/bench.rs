@@ -9,10 +9,11 @@ use static_cell::ConstStaticCell;
 use super::board::Clock;
 use super::common::scenes::{HEIGHT, WIDTH};
 use super::common::stack;
-use super::scene::{Scene, Target};
+use super::scene::{Lists, PreparedScene, Scene, Target};
 
 const PIXELS: usize = (WIDTH * HEIGHT) as usize;
 static COLORS: ConstStaticCell<[[u8; 2]; PIXELS]> = ConstStaticCell::new([[0; 2]; PIXELS]);
+static LISTS: ConstStaticCell<Lists> = ConstStaticCell::new(Lists::new());
 static DEPTHS: ConstStaticCell<[u16; PIXELS]> = ConstStaticCell::new([0; PIXELS]);
 
 /// How a picture is divided.
@@ -20,17 +21,20 @@ static DEPTHS: ConstStaticCell<[u16; PIXELS]> = ConstStaticCell::new([0; PIXELS]
 pub enum Layout {
     /// Not at all.
     Frame,
-    /// Strips, one after the other in the same memory.
+    /// Strips, one after the other in the same memory; each transforms all of the models.
     Bands,
+    /// Strips, of triangles that were transformed once.
+    Prepared,
 }
 
 impl Layout {
-    pub const ALL: [Self; 2] = [Self::Frame, Self::Bands];
+    pub const ALL: [Self; 3] = [Self::Frame, Self::Bands, Self::Prepared];
 
     pub fn name(self) -> &'static str {
         match self {
             Self::Frame => "frame",
             Self::Bands => "bands",
+            Self::Prepared => "prepared",
         }
     }
 
@@ -38,7 +42,7 @@ impl Layout {
     fn rows(self) -> u32 {
         match self {
             Self::Frame => HEIGHT,
-            Self::Bands => 16,
+            Self::Bands | Self::Prepared => 16,
         }
     }
 }
@@ -63,6 +67,7 @@ pub struct Bench {
     clock: Clock,
     colors: &'static mut [[u8; 2]; PIXELS],
     depths: &'static mut [u16; PIXELS],
+    lists: &'static mut Lists,
 }
 
 impl Bench {
@@ -72,64 +77,92 @@ impl Bench {
             clock,
             colors: COLORS.take(),
             depths: DEPTHS.take(),
+            lists: LISTS.take(),
         }
     }
 
     /// Draws a scene.
     pub fn measure(&mut self, scene: Scene, layout: Layout) -> Result<Figures, Error> {
+        let Self {
+            clock,
+            colors,
+            depths,
+            lists,
+        } = self;
         let chain = scene.chain()?;
-        let (rows, mut figures, mut crc) = (layout.rows(), Figures::default(), Hasher::new());
+        let (rows, mut figures) = (layout.rows(), Figures::default());
+        let models = if let Layout::Prepared = layout {
+            let (clock, lists, chain) = (&mut *clock, &mut **lists, &chain);
+            let ((prepared, ticks), stack) =
+                stack::deepest(move || clock.time(move || scene.prepare(lists, chain)));
+            figures.add(ticks, stack);
+            Models::Prepared(prepared?)
+        } else {
+            Models::Meshes(scene, &chain)
+        };
+        let mut crc = Hasher::new();
         for first_row in (0..HEIGHT).step_by(rows as usize) {
-            self.strip(scene, &chain, (first_row, rows), (&mut figures, &mut crc))?;
+            let size = (rows * WIDTH) as usize;
+            let (colors, depths) = (&mut colors[..size], &mut depths[..size]);
+            if !scene.has_depth() {
+                let mut canvas: Target<_> =
+                    Canvas::big_endian_band(colors, WIDTH, HEIGHT, first_row)?;
+                draw(scene, &models, &mut canvas, clock, &mut figures)?;
+                crc.update(canvas.bytes());
+            }
+            let canvas: Target<_> = Canvas::big_endian_band(colors, WIDTH, HEIGHT, first_row)?;
+            let mut canvas = canvas.with_depth(depths)?;
+            if scene.has_depth() {
+                draw(scene, &models, &mut canvas, clock, &mut figures)?;
+                crc.update(canvas.bytes());
+            } else {
+                // Again, and not measured, only to learn from the depths which pixels are covered.
+                scene.background(&mut canvas);
+                models.draw(&mut canvas)?;
+            }
+            // What is drawn is nearer than the far plane, and above 0.
+            figures.pixels += depths.iter().filter(|&&depth| depth > 0).count();
         }
         figures.crc = crc.finalize();
         Ok(figures)
     }
+}
 
-    /// Draws `rows` rows of a scene, and adds its figures.
-    fn strip(
-        &mut self,
-        scene: Scene,
-        chain: &Chain<Perspective>,
-        (first_row, rows): (u32, u32),
-        (figures, crc): (&mut Figures, &mut Hasher),
-    ) -> Result<(), Error> {
-        let size = (rows * WIDTH) as usize;
-        let (colors, depths) = (&mut self.colors[..size], &mut self.depths[..size]);
-        if !scene.has_depth() {
-            let mut canvas: Target<_> = Canvas::big_endian_band(colors, WIDTH, HEIGHT, first_row)?;
-            draw(scene, chain, &mut canvas, &mut self.clock, figures)?;
-            crc.update(canvas.bytes());
+impl Figures {
+    /// Adds what a piece of drawing took.
+    fn add(&mut self, ticks: u64, stack: usize) {
+        self.ticks += ticks;
+        self.stack = self.stack.max(stack);
+    }
+}
+
+/// What a strip is drawn from.
+enum Models<'a> {
+    Meshes(Scene, &'a Chain<Perspective>),
+    Prepared(PreparedScene<'a>),
+}
+
+impl Models<'_> {
+    fn draw<D: DepthBuffer>(&self, canvas: &mut Target<'_, D>) -> Result<u32, Error> {
+        match self {
+            Self::Meshes(scene, chain) => scene.draw(canvas, chain),
+            Self::Prepared(prepared) => prepared.draw(canvas),
         }
-        let canvas: Target<_> = Canvas::big_endian_band(colors, WIDTH, HEIGHT, first_row)?;
-        let mut canvas = canvas.with_depth(depths)?;
-        if scene.has_depth() {
-            draw(scene, chain, &mut canvas, &mut self.clock, figures)?;
-            crc.update(canvas.bytes());
-        } else {
-            // Again, and not measured, only to learn from the depths which pixels are covered.
-            scene.background(&mut canvas);
-            scene.draw(&mut canvas, chain)?;
-        }
-        // What is drawn is nearer than the far plane, and above 0.
-        figures.pixels += depths.iter().filter(|&&depth| depth > 0).count();
-        Ok(())
     }
 }
 
 /// Draws a scene to a strip, and adds what the drawing took.
 fn draw<D: DepthBuffer>(
     scene: Scene,
-    chain: &Chain<Perspective>,
+    models: &Models<'_>,
     canvas: &mut Target<'_, D>,
     clock: &mut Clock,
     figures: &mut Figures,
 ) -> Result<(), Error> {
     scene.background(canvas);
-    let ((triangles, ticks), stack) = stack::deepest(|| clock.time(|| scene.draw(canvas, chain)));
+    let ((triangles, ticks), stack) = stack::deepest(|| clock.time(|| models.draw(canvas)));
     scene.overlay(canvas);
     figures.triangles += triangles?;
-    figures.ticks += ticks;
-    figures.stack = figures.stack.max(stack);
+    figures.add(ticks, stack);
     Ok(())
 }

@@ -2,6 +2,7 @@
 
 use embedded_graphics::pixelcolor::raw::BigEndian;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use fixel::Prepared;
 use fixel::prelude::*;
 use fixel::target::DepthBuffer;
 use fixel::view::Perspective;
@@ -85,10 +86,74 @@ impl Scene {
         })
     }
 
+    /// Prepares the models for all bands of the picture.
+    pub fn prepare<'l>(
+        self,
+        lists: &'l mut Lists,
+        chain: &Chain<Perspective>,
+    ) -> Result<PreparedScene<'l>, Error> {
+        let (frame, pass) = ((WIDTH, HEIGHT), Pass::new());
+        let (mesh, sea) = match self {
+            Self::Floor => (&scenes::FLOOR, None),
+            Self::Cube => (&scenes::CUBE, None),
+            Self::Sphere | Self::SphereFlat => (&scenes::SPHERE, None),
+            Self::Lighthouse => (&lighthouse::ISLAND, Some(&lighthouse::SEA)),
+        };
+        Ok(PreparedScene {
+            scene: self,
+            sea: match sea {
+                None => None,
+                Some(sea) => Some(lists.sea.prepare(&pass, frame, sea, chain)?),
+            },
+            model: lists.model.prepare(&pass, frame, mesh, chain)?,
+        })
+    }
+
     /// What is written over the models.
     pub fn overlay<D: DepthBuffer>(self, canvas: &mut Target<'_, D>) {
         if let Self::Lighthouse = self {
             lighthouse::caption(canvas);
         }
+    }
+}
+
+/// Memory for the prepared triangles of any of the scenes: 17 KiB.
+pub struct Lists {
+    model: TriangleList<600, 400>,
+    /// Of the lighthouse alone.
+    sea: TriangleList<30, 60>,
+}
+
+impl Lists {
+    pub const fn new() -> Self {
+        Self {
+            model: TriangleList::new(),
+            sea: TriangleList::new(),
+        }
+    }
+}
+
+/// A scene's models, ready for every band.
+pub struct PreparedScene<'l> {
+    scene: Scene,
+    model: Prepared<'l>,
+    sea: Option<Prepared<'l>>,
+}
+
+impl PreparedScene<'_> {
+    /// Draws what is in these rows; returns how many triangles were drawn.
+    pub fn draw<D: DepthBuffer>(&self, canvas: &mut Target<'_, D>) -> Result<u32, Error> {
+        let Self { scene, model, sea } = self;
+        let behind = match sea {
+            None => 0,
+            Some(sea) => canvas.draw_prepared(sea, &lighthouse::waves()).drawn,
+        };
+        let drawn = match scene {
+            Scene::Floor | Scene::Cube => canvas.draw_prepared(model, &scenes::checkered()),
+            Scene::Sphere => canvas.draw_prepared(model, &scenes::shaded()),
+            Scene::SphereFlat => canvas.draw_prepared(model, &scenes::faceted()),
+            Scene::Lighthouse => canvas.draw_prepared(model, &lighthouse::skin()?),
+        };
+        Ok(behind + drawn.drawn)
     }
 }
