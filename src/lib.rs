@@ -69,6 +69,7 @@
 //! | [`Chain`]: projection · camera · model | `lens * camera * spin` of a [`Projection`], a [`Camera`] and [`Transform`]s | second |
 //! | [`Fragment`] | [`shade`], or ten lines of your own | third |
 //! | [`Pass`]: culling, viewport, interpolation | [`Pass::new`] | [`Canvas::draw_with`], [`draw_edges`](Canvas::draw_edges), [`draw_points`](Canvas::draw_points) |
+//! | [`TriangleList`]: triangles transformed once for all bands | [`TriangleList::new`], [`prepare`](TriangleList::prepare) | [`Canvas::draw_prepared`] |
 //! | [`Canvas`]: colours, depth, rows | [`Canvas::new`], [`Canvas::band`], [`Canvas::big_endian`] and so on, over your slices | a display, by [`Canvas::show`] or [`Canvas::bytes`] |
 //!
 //! # Spaces
@@ -102,8 +103,7 @@
 //! # Drawing to a display
 //!
 //! A frame of 320x240 takes 150 KiB of colour and 150 KiB of depth. Where there is not so much, the
-//! scene is drawn strip by strip into the same memory, each sent off when it is finished; triangles
-//! that miss a strip cost little more than their transform.
+//! scene is drawn strip by strip into the same memory, each sent off when it is finished.
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888}};
@@ -143,6 +143,10 @@
 //! ]);
 //! # Ok::<(), Error>(())
 //! ```
+//!
+//! Here every strip transforms the whole mesh again. Where that takes longer than to draw it, a
+//! [`TriangleList`] is prepared once for the frame, and every strip walks the list:
+//! [`TriangleList::prepare`], [`Canvas::draw_prepared`].
 //!
 //! For DMA let the canvas keep its pixels as the bytes that the bus wants: [`Canvas::big_endian`]
 //! and its relatives, [`Canvas::bytes`]. The [guide for firmware](guide::firmware) goes all the way
