@@ -10,6 +10,7 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::mono_font::{MonoTextStyle, ascii};
 use embedded_graphics::pixelcolor::{Gray4, GrayColor};
 use embedded_graphics::text::Text;
+use fixel::Prepared;
 use fixel::prelude::*;
 use fixel::shade::Light;
 use fixel::target::{DepthBuffer, Storage};
@@ -30,52 +31,81 @@ const RPM: i32 = 10;
 static RING: Mesh = shape!(torus(fx!(0.12), 32, 8));
 static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 
-/// Draws a frame into all of it that the canvas holds: the model in its right half, the caption in
-/// the left.
-///
-/// # Errors
-///
-/// None: its numbers are constant.
-pub fn draw<O, D>(canvas: &mut Canvas<'_, Gray4, O, D>, frame: u32) -> Result<(), Error>
-where
-    O: Storage<Gray4>,
-    D: DepthBuffer,
-{
-    canvas.clear(Gray4::BLACK);
-    model(canvas, frame)?;
-    caption(canvas, frame);
-    Ok(())
+/// Memory for the triangles that are to be seen in a frame: 19 KiB.
+pub struct Lists {
+    rings: [TriangleList<280, 280>; 2],
+    cube: TriangleList<6, 12>,
 }
 
-fn model<O, D>(canvas: &mut Canvas<'_, Gray4, O, D>, frame: u32) -> Result<(), Error>
-where
-    O: Storage<Gray4>,
-    D: DepthBuffer,
-{
-    let half = Viewport::new(i32::try_from(WIDTH / 2).unwrap_or(0), 0, WIDTH / 2, HEIGHT)?;
-    let pass: Pass = Pass::new().viewport(half);
-    let lens = Projection::perspective(
-        Angle::from_degrees(40),
-        (WIDTH / 2, HEIGHT),
-        fx!(1),
-        fx!(10),
-    )?;
-    let camera = Camera::look_at(vec3!(0, 1.2, 3.2), Vec3::ZERO, Vec3::Y)?;
-    let sun = Light::new(vec3!(-2, 4, 3), fx!(0.2), fx!(0.8))?;
-
-    let now_ms = u64::from(frame) * u64::from(FRAME_MS);
-    let turned = |rpm: i32| Rate::rpm(rpm).angle_at(now_ms);
-    // A ring lies about its y axis: the outer is stood up, the inner is at right angles to it.
-    let upright = Transform::rotate_x(Angle::from_degrees(90));
-    let outer = Transform::rotate_y(turned(RPM)) * upright;
-    let inner =
-        outer * Transform::rotate_x(turned(2 * RPM)) * upright * Transform::scale(fx!(0.74));
-    let cube = inner * Transform::rotate_z(turned(-3 * RPM)) * Transform::scale(fx!(0.34));
-    for (mesh, pose, grey) in [(&RING, outer, 15), (&RING, inner, 9), (&CUBE, cube, 15)] {
-        let surface = Lit::new(Gray4::new(grey), sun);
-        canvas.draw_with(&pass, mesh, &(lens * camera * pose), &surface);
+impl Lists {
+    pub const fn new() -> Self {
+        Self {
+            rings: [TriangleList::new(), TriangleList::new()],
+            cube: TriangleList::new(),
+        }
     }
-    Ok(())
+
+    /// Transforms what a frame shows, once for all of its bands.
+    ///
+    /// # Errors
+    ///
+    /// None: its numbers are constant, and there is room in every frame.
+    pub fn prepare(&mut self, frame: u32) -> Result<Gyroscope<'_>, Error> {
+        let half = Viewport::new(i32::try_from(WIDTH / 2).unwrap_or(0), 0, WIDTH / 2, HEIGHT)?;
+        let pass: Pass = Pass::new().viewport(half);
+        let lens = Projection::perspective(
+            Angle::from_degrees(40),
+            (WIDTH / 2, HEIGHT),
+            fx!(1),
+            fx!(10),
+        )?;
+        let camera = Camera::look_at(vec3!(0, 1.2, 3.2), Vec3::ZERO, Vec3::Y)?;
+
+        let now_ms = u64::from(frame) * u64::from(FRAME_MS);
+        let turned = |rpm: i32| Rate::rpm(rpm).angle_at(now_ms);
+        // A ring lies about its y axis: the outer is stood up, the inner is at right angles to it.
+        let upright = Transform::rotate_x(Angle::from_degrees(90));
+        let outer = Transform::rotate_y(turned(RPM)) * upright;
+        let inner =
+            outer * Transform::rotate_x(turned(2 * RPM)) * upright * Transform::scale(fx!(0.74));
+        let cube = inner * Transform::rotate_z(turned(-3 * RPM)) * Transform::scale(fx!(0.34));
+
+        let (size, view) = ((WIDTH, HEIGHT), lens * camera);
+        let [first, second] = &mut self.rings;
+        Ok(Gyroscope {
+            frame,
+            sun: Light::new(vec3!(-2, 4, 3), fx!(0.2), fx!(0.8))?,
+            parts: [
+                (first.prepare(&pass, size, &RING, &(view * outer))?, 15),
+                (second.prepare(&pass, size, &RING, &(view * inner))?, 9),
+                (self.cube.prepare(&pass, size, &CUBE, &(view * cube))?, 15),
+            ],
+        })
+    }
+}
+
+/// A frame, ready to be drawn.
+pub struct Gyroscope<'l> {
+    frame: u32,
+    sun: Light,
+    /// Each with its grey.
+    parts: [(Prepared<'l>, u8); 3],
+}
+
+impl Gyroscope<'_> {
+    /// Draws all of the frame that the canvas holds: the model in its right half, the caption in
+    /// the left.
+    pub fn draw<O, D>(&self, canvas: &mut Canvas<'_, Gray4, O, D>)
+    where
+        O: Storage<Gray4>,
+        D: DepthBuffer,
+    {
+        canvas.clear(Gray4::BLACK);
+        for (part, grey) in &self.parts {
+            canvas.draw_prepared(part, &Lit::new(Gray4::new(*grey), self.sun));
+        }
+        caption(canvas, self.frame);
+    }
 }
 
 fn caption<O, D>(canvas: &mut Canvas<'_, Gray4, O, D>, frame: u32)

@@ -8,7 +8,7 @@ use fixel::prelude::*;
 use semihosting::{println, process};
 
 use super::board::Oled;
-use super::common::gyroscope::{self, FRAME_MS, FRAMES, HEIGHT, WIDTH};
+use super::common::gyroscope::{FRAME_MS, FRAMES, HEIGHT, Lists, WIDTH};
 use super::ssd0323::Ssd0323;
 
 /// Rows of a band.
@@ -20,11 +20,13 @@ const TICKS_PER_MS: u32 = 12_000;
 fn spin(panel: &mut Ssd0323, timer: &mut SYST) -> Result<(), Error> {
     let mut greys = [Gray4::BLACK; (WIDTH * ROWS) as usize];
     let mut depths = [0; (WIDTH * ROWS) as usize];
+    let mut lists = Lists::new();
     for frame in 0..FRAMES {
+        let gyroscope = lists.prepare(frame)?;
         for first_row in (0..HEIGHT).step_by(ROWS as usize) {
             let band = Canvas::band(&mut greys, WIDTH, HEIGHT, first_row)?;
             let mut band = band.with_depth(&mut depths)?;
-            gyroscope::draw(&mut band, frame)?;
+            gyroscope.draw(&mut band);
             band.show(panel)?;
         }
         // A frame that took longer is followed by the next at once.

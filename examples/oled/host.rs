@@ -9,7 +9,7 @@ use embedded_graphics::pixelcolor::{Gray4, GrayColor};
 use embedded_graphics_simulator::{OutputSettingsBuilder, SimulatorDisplay};
 use fixel::prelude::*;
 
-use super::common::gyroscope::{self, FRAMES, HEIGHT, WIDTH};
+use super::common::gyroscope::{FRAMES, HEIGHT, Lists, WIDTH};
 
 /// QEMU draws a pixel of the panel as so many in either direction.
 const SCALE: u32 = 4;
@@ -55,7 +55,7 @@ fn draw(frame: u32) -> Result<SimulatorDisplay<Gray4>, fixel::Error> {
     let mut greys = vec![Gray4::BLACK; (WIDTH * HEIGHT) as usize];
     let mut depths = vec![0; greys.len()];
     let mut canvas = Canvas::new(&mut greys, WIDTH, HEIGHT)?.with_depth(&mut depths)?;
-    gyroscope::draw(&mut canvas, frame)?;
+    Lists::new().prepare(frame)?.draw(&mut canvas);
     let mut panel = SimulatorDisplay::new(Size::new(WIDTH, HEIGHT));
     canvas.show(&mut panel)?;
     Ok(panel)
