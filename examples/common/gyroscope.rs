@@ -33,14 +33,16 @@ static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 
 /// Memory for the triangles that are to be seen in a frame: 19 KiB.
 pub struct Lists {
-    rings: [TriangleList<280, 280>; 2],
+    outer: TriangleList<280, 280>,
+    inner: TriangleList<280, 280>,
     cube: TriangleList<6, 12>,
 }
 
 impl Lists {
     pub const fn new() -> Self {
         Self {
-            rings: [TriangleList::new(), TriangleList::new()],
+            outer: TriangleList::new(),
+            inner: TriangleList::new(),
             cube: TriangleList::new(),
         }
     }
@@ -71,13 +73,12 @@ impl Lists {
         let cube = inner * Transform::rotate_z(turned(-3 * RPM)) * Transform::scale(fx!(0.34));
 
         let (size, view) = ((WIDTH, HEIGHT), lens * camera);
-        let [first, second] = &mut self.rings;
         Ok(Gyroscope {
             frame,
             sun: Light::new(vec3!(-2, 4, 3), fx!(0.2), fx!(0.8))?,
             parts: [
-                (first.prepare(&pass, size, &RING, &(view * outer))?, 15),
-                (second.prepare(&pass, size, &RING, &(view * inner))?, 9),
+                (self.outer.prepare(&pass, size, &RING, &(view * outer))?, 15),
+                (self.inner.prepare(&pass, size, &RING, &(view * inner))?, 9),
                 (self.cube.prepare(&pass, size, &CUBE, &(view * cube))?, 15),
             ],
         })
