@@ -26,3 +26,9 @@ cross() {
       --target "$target" --target-dir target/cross
   fi
 }
+
+# What no program may link, by names: float routines (Arm's, those of the other compilers' runtimes, and
+# Rust's own conversions to text and back), an allocator.
+floats='__aeabi_c?[fd]r?(add|sub|mul|div|neg|cmp|2)|__aeabi_u?[il]2[fd]|__aeabi_h2f'
+floats+='|[a-z][sd]f[23]?$|__fix(uns)?[sd]f[sd]i|flt2dec|dec2flt'
+allocator='__rust_alloc|__rg_alloc|__rdl_alloc'

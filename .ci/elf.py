@@ -1,9 +1,9 @@
-"""What is in the size probes: sections and functions of little-endian 32-bit ELF files.
+"""What is in a program: sections and functions of little-endian 32-bit ELF files.
 
-sizes.py measure BASELINE PROBE       prints bytes of code, of those the compiler's routines, bytes of constants
-sizes.py functions BASELINE PROBE     prints functions by the size that they have beyond the baseline's of that name
-sizes.py sources PROBE                prints the library's functions by size, inlined or not (needs llvm-symbolizer)
-sizes.py names PROBE                  prints the names of all functions, a line each
+elf.py measure BASELINE PROBE       prints bytes of code, of those the compiler's routines, bytes of constants
+elf.py functions BASELINE PROBE     prints functions by the size that they have beyond the baseline's of that name
+elf.py sources PROBE                prints the library's functions by size, inlined or not (needs llvm-symbolizer)
+elf.py names PROBE                  prints the names of all functions, a line each
 """
 import collections
 import re
@@ -18,32 +18,29 @@ ROUTINE = re.compile(r"compiler_builtins|^__aeabi_|^__[a-z]+[sdt]i[234]$|^mem(cp
 
 
 def read(path):
-    """Sizes of sections by name, and (size, address, name) of functions."""
+    """Sizes of sections by name; size and name of functions by address; all names of functions."""
     data = open(path, "rb").read()
 
     def text(at):
         return data[at : data.index(b"\0", at)].decode()
 
     offset, = struct.unpack_from("<I", data, 32)
-    size, count, names = struct.unpack_from("<HHH", data, 46)
+    size, count, texts = struct.unpack_from("<HHH", data, 46)
     headers = [struct.unpack_from("<10I", data, offset + i * size) for i in range(count)]
-    sections = {text(headers[names][4] + header[0]): header[5] for header in headers}
-    functions = {}
+    sections = {text(headers[texts][4] + header[0]): header[5] for header in headers}
+    functions, names = {}, []
     for header in headers:
         if header[1] != 2:  # SHT_SYMTAB
             continue
         strings = headers[header[6]][4]
         for at in range(header[4], header[4] + header[5], 16):
             name, address, length, info = struct.unpack_from("<IIIB", data, at)
-            # One function may have more than one name.
-            if info & 15 == FUNCTION and (address not in functions or length):
-                functions[address] = (length, text(strings + name))
-    return sections, functions
-
-
-def names(path):
-    data = read(path)
-    return sorted(name for _, name in data[1].values())
+            if info & 15 == FUNCTION:
+                names.append(text(strings + name))
+                # One function may have more than one name.
+                if address not in functions or length:
+                    functions[address] = (length, names[-1])
+    return sections, functions, sorted(names)
 
 
 def routines(path):
@@ -109,6 +106,6 @@ if __name__ == "__main__":
     elif sys.argv[1:2] == ["sources"] and len(sys.argv) == 3:
         sources(sys.argv[2])
     elif sys.argv[1:2] == ["names"] and len(sys.argv) == 3:
-        print("\n".join(names(sys.argv[2])))
+        print("\n".join(read(sys.argv[2])[2]))
     else:
         sys.exit(__doc__)
