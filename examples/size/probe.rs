@@ -78,39 +78,26 @@ pub fn host() {
 }
 
 #[cfg(target_os = "none")]
+#[path = "../common/stack.rs"]
+mod stack;
+
+#[cfg(target_os = "none")]
 mod board {
-    use cortex_m_rt::{STACK_PAINT_VALUE, entry};
+    use cortex_m_rt::entry;
     use embedded_graphics::pixelcolor::Rgb565;
     use panic_never as _;
     use semihosting::io::{self, Write};
     use semihosting::process;
 
-    use super::PIXELS;
+    use super::{PIXELS, stack};
 
     #[entry]
     fn main() -> ! {
         static mut COLOR: [Rgb565; PIXELS] = [Rgb565::new(0, 0, 0); PIXELS];
         static mut DEPTH: [u16; PIXELS] = [0; PIXELS];
-        super::frames(COLOR, DEPTH);
-        report(deepest());
+        let ((), stack) = stack::deepest(|| super::frames(COLOR, DEPTH));
+        report(stack);
         process::exit(0)
-    }
-
-    /// Bytes of stack that have been written to since the runtime painted it.
-    #[allow(unsafe_code)]
-    fn deepest() -> usize {
-        unsafe extern "C" {
-            static _stack_start: u32;
-            static _stack_end: u32;
-        }
-        // The runtime's symbols: the stack is between, and grows from its start down to its end.
-        let (top, mut at) = (&raw const _stack_start, &raw const _stack_end);
-        // SAFETY: all between the two is memory, and aligned; volatile, as what is below the stack
-        // pointer belongs to no object.
-        while at < top && unsafe { at.read_volatile() } == STACK_PAINT_VALUE {
-            at = at.wrapping_add(1);
-        }
-        top.addr() - at.addr()
     }
 
     /// Prints a number, without the formatting of core, which can panic.
