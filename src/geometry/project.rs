@@ -2,11 +2,11 @@
 
 use core::marker::PhantomData;
 
-use crate::Vec3;
 use crate::interpolate::reciprocal;
-use crate::linear::Transform;
-use crate::linear::{block, dot, row_times};
+use crate::linear::block::{self, Number};
+use crate::linear::{Line, Transform, compose, dot};
 use crate::view::{Kind, Projection, Row, Viewport};
+use crate::{Scalar, Vec3};
 
 /// Half the width and height of the guard band, in pixels: the room about the viewport's centre in
 /// which screen coordinates are exact, and to which triangles are clipped.
@@ -59,126 +59,88 @@ pub(crate) struct Projector<K> {
     kind: PhantomData<K>,
 }
 
-/// A number of 31 bits and its exponent.
-type Scaled = (i64, i32);
-
-/// 1 / `value` for a positive value of 16 fraction bits, 31 bits of it; `tweak` is added to it in units of 2⁻¹⁶ of itself.
-fn inverse(value: u32, tweak: i64) -> Scaled {
-    let up = value.leading_zeros() & 31;
-    let r = i64::from(reciprocal(value << up >> 1));
-    // 1/value = 2^16 · 2^up · r / 2^62.
-    (r + (r >> 16) * tweak, 46 - up.cast_signed())
-}
-
-/// A row of the clip matrix before its exponent is known: a linear function of model space.
-#[derive(Clone, Copy, Default)]
-struct Line {
-    linear: ([i64; 3], i32),
-    offset: ([i64; 1], i32),
-}
-
-impl Line {
-    /// `row`, a linear function of eye space, as one of model space, times `factor`.
-    fn new(row: &Row, view: &Transform, (factor, factor_exp): Scaled) -> Self {
-        let ([factor], factor_exp) = block::normalise([factor], factor_exp);
-        let [x, y, z, w] = row.m;
-        let times = |m: i32| i64::from(m) * i64::from(factor);
-        let product = row_times([x, y, z], &view.linear);
-        let (linear, exp) = block::normalise(product, row.exp + view.linear_exp);
-        // What may cancel is added before it is rounded.
-        let (offset, offset_exp) = block::add(
-            (
-                [dot([x, y, z], view.translation)],
-                row.exp + view.translation_exp,
-            ),
-            ([i64::from(w)], row.exp),
-        );
-        let (offset, offset_exp) = block::normalise(offset, offset_exp);
-        Self {
-            linear: (linear.map(times), exp + factor_exp),
-            offset: (offset.map(times), offset_exp + factor_exp),
-        }
+/// `row` times `unit` and `size`, in units of 2^-12 as sizes are in parts of the guard band.
+fn scaled(row: &Row, unit: Number, size: i32) -> Line {
+    let factor = unit.times(Number::new(size.into(), 12));
+    let (factor, exp) = factor.rounded();
+    let exp = row.exp + exp;
+    let [x, y, z, offset] = row
+        .m
+        .map(|m| Number::new(i64::from(m) * i64::from(factor), exp));
+    let mut mantissas = [0; 3];
+    let exp = block::normalise(&mut mantissas, &[x, y, z]);
+    Line {
+        row: mantissas,
+        exp,
+        offset,
     }
 }
 
 impl<K: Kind> Projector<K> {
     /// The way through `view` and `lens` to the pixels of `viewport`.
     pub(crate) fn new(lens: &Projection<K>, view: &Transform, viewport: &Viewport) -> Self {
-        let (near, far) = (lens.near, lens.far);
+        let [near, far] = [lens.near, lens.far].map(Scalar::to_bits);
         // The row of t and what it is multiplied with, and what x and y are beside the viewport's scale.
         let (depth, depth_unit, unit) = if K::PERSPECTIVE {
             // t = w / near, a little above 1 at the near plane: the greatest 1/t, 1 - 2^-16, leaves
             // room for rounding before a depth of 65536.
-            let one = inverse(near.to_bits().max(1).cast_unsigned(), 1);
-            (
-                Row {
-                    m: [0, 0, -(1 << 29), 0],
-                    exp: 29,
-                },
-                one,
-                one,
-            )
+            let one = Number::new((1 << 16) + 1, 0).over(Number::new(near.into(), 0));
+            let toward = Row {
+                m: [0, 0, -(1 << 29), 0],
+                exp: 29,
+            };
+            (toward, one, one)
         } else {
             // t = (far - distance) / (far - near), a little below 1 at the near plane. The row is the
             // dividend alone: in it the far plane keeps its bits whatever the length between them.
-            let length = far.to_bits().wrapping_sub(near.to_bits()).cast_unsigned();
-            let far = far.to_bits();
+            let length = i64::from(far) - i64::from(near);
             let exp = 14
                 + far
                     .unsigned_abs()
                     .leading_zeros()
                     .clamp(1, 15)
                     .cast_signed();
-            let far = block::shift(i64::from(far), exp - 16);
-            (
-                Row {
-                    m: [0, 0, 1 << exp, far as i32],
-                    exp,
-                },
-                inverse(length.max(1), -1),
-                (1 << 29, 29),
-            )
+            let toward = Row {
+                m: [0, 0, 1 << exp, block::shift(far.into(), exp - 16) as i32],
+                exp,
+            };
+            let part = Number::new((1 << 16) - 1, 0).over(Number::new(length, 0));
+            (toward, part, Number::new(1, 0))
         };
-        // Half the size in units of the guard band.
-        let scale = |size: i32| (i64::from(size) * unit.0, unit.1 + 12);
         let [width, height] = viewport.size().map(u32::cast_signed);
-        let [x, y] = lens.rows;
-        let factors = [scale(width), scale(-height), depth_unit];
-        let mut lines = [Line::default(); 3];
-        // The finest exponent at which coefficients keep below 2^29 and offsets below 2^60. With
-        // coordinates of 31 bits a sum stays below 3 · 2^60 + 2^60 = 2^62.
-        let mut exp = 40;
-        for ((line, row), factor) in lines.iter_mut().zip([x, y, depth]).zip(factors) {
-            *line = Line::new(&row, view, factor);
-            let (linear, offset) = (&line.linear, &line.offset);
-            exp = exp
-                .min(block::finest(&linear.0, linear.1, 29))
-                .min(block::finest(&offset.0, offset.1, 60 - 16));
-        }
-        let exp = exp.max(0);
-        let fraction = exp + 16;
-        let (mut rows, mut offsets) = ([[0; 3]; 3], [0; 3]);
-        for ((line, row), offset) in lines.iter().zip(&mut rows).zip(&mut offsets) {
-            let (m, from) = &line.linear;
-            for (coefficient, &m) in row.iter_mut().zip(m) {
-                *coefficient = block::shift(m, exp - from).clamp(-(1 << 29), 1 << 29) as i32;
-            }
-            let ([m], from) = line.offset;
-            *offset = block::shift(m, fraction - from).clamp(-(1 << 60), 1 << 60);
-        }
+        let [x, y] = &lens.rows;
+        let lines = [
+            (x, unit, width),
+            (y, unit, -height),
+            (&depth, depth_unit, 1 << 12),
+        ]
+        .map(|(row, unit, size)| scaled(row, unit, size));
+        let clip = compose(&lines, view);
 
+        // The finest exponent at which coefficients keep below 2^29 and offsets below 2^60. With
+        // coordinates of 31 bits a sum stays below 3 · 2^60 + 2^60 = 2^62. Mantissas have 30 bits.
+        let exp = (clip.linear_exp - 1)
+            .min(clip.translation_exp + 60 - 16 - 30)
+            .clamp(0, 40);
+        let fraction = exp + 16;
+        // Where the exponent would have been below 0, they are taken for smaller than they are.
+        let (down, up) = (
+            (clip.linear_exp - exp).max(1),
+            (fraction - clip.translation_exp).min(30),
+        );
         let one = 1i64 << fraction;
         let margin = (one >> 16).max(1);
         let range = if K::PERSPECTIVE {
-            let (ratio, exp) = block::ratio(far.to_bits().into(), near.to_bits().into());
-            let ratio = block::shift(ratio + (ratio >> 16), fraction - exp);
-            [one + margin, ratio.min(i64::MAX >> 1)]
+            let most = unit.times(Number::new(far.into(), 16));
+            [one + margin, most.at(fraction).min(i64::MAX >> 1)]
         } else {
             [0, one - margin]
         };
         Self {
-            rows,
-            offsets,
+            rows: clip
+                .linear
+                .map(|row| row.map(|m| ((m >> (down - 1).min(31)) + 1) >> 1)),
+            offsets: clip.translation.map(|m| block::shift(m.into(), up)),
             fraction,
             range,
             center: viewport.center(),

@@ -8,5 +8,5 @@ mod vector;
 
 pub use matrix::Matrix4;
 pub use transform::Transform;
-pub(crate) use transform::{dot, row_times};
+pub(crate) use transform::{Line, compose, dot};
 pub use vector::{Vec2, Vec3};

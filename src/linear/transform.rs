@@ -2,6 +2,7 @@
 
 use core::ops::Mul;
 
+use super::block::Number;
 use super::{Matrix4, Vec3, block, unit};
 use crate::number::Unit;
 use crate::{Angle, Error, Scalar};
@@ -33,8 +34,8 @@ pub struct Transform {
     pub(crate) translation_exp: i32,
 }
 
-/// One in units of 2^-30.
-const ONE: i64 = 1 << 30;
+/// One in units of 2^-29.
+const ONE: i32 = 1 << 29;
 
 /// The sum of products of two triples of mantissas: below 2^62.
 #[inline]
@@ -49,23 +50,33 @@ fn transpose([x, y, z]: [[i32; 3]; 3]) -> [[i32; 3]; 3] {
     [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]]
 }
 
-/// A row times a matrix: three products each.
-#[inline(never)]
-pub(crate) fn row_times(row: [i32; 3], m: &[[i32; 3]; 3]) -> [i64; 3] {
-    let mut product = [0; 3];
-    for (factor, row) in row.into_iter().zip(m) {
-        for (sum, &entry) in product.iter_mut().zip(row) {
-            *sum += i64::from(factor) * i64::from(entry);
-        }
-    }
-    product
+/// A linear function of space: a row of a matrix of mantissas, and an offset.
+#[derive(Clone, Copy)]
+pub(crate) struct Line {
+    pub(crate) row: [i32; 3],
+    pub(crate) exp: i32,
+    pub(crate) offset: Number,
 }
 
-/// [`block::normalise`] of a matrix.
-fn normalise(m: &[[i64; 3]; 3], exp: i32) -> ([[i32; 3]; 3], i32) {
-    let mut mantissas = [[0; 3]; 3];
-    let exp = block::normalise_into(mantissas.as_flattened_mut(), m.as_flattened(), exp);
-    (mantissas, exp)
+/// The transform of three functions, after `other`.
+///
+/// Nothing is rounded before the end, where all rows come to share an exponent.
+#[inline(never)]
+pub(crate) fn compose(lines: &[Line; 3], other: &Transform) -> Transform {
+    let (mut linear, mut translation) = ([[Number::ZERO; 3]; 3], [Number::ZERO; 3]);
+    let [x, y, z] = &other.linear;
+    for (line, (linear, moved)) in lines.iter().zip(linear.iter_mut().zip(&mut translation)) {
+        for (product, ((&x, &y), &z)) in linear.iter_mut().zip(x.iter().zip(y).zip(z)) {
+            *product = Number::new(dot(line.row, [x, y, z]), line.exp + other.linear_exp);
+        }
+        // What may cancel is added before it is rounded.
+        *moved = Number::new(
+            dot(line.row, other.translation),
+            line.exp + other.translation_exp,
+        )
+        .plus(line.offset);
+    }
+    Transform::of_numbers(&linear, &translation)
 }
 
 impl Transform {
@@ -77,12 +88,24 @@ impl Transform {
         translation_exp: block::MAX_EXP,
     };
 
-    /// A transform of a matrix by rows, in units of 2^-30, and no translation.
-    fn of_linear(m: [[i64; 3]; 3], exp: i32) -> Self {
-        let (linear, linear_exp) = normalise(&m, exp);
+    /// A transform of its numbers, which are rounded once.
+    fn of_numbers(linear: &[[Number; 3]; 3], translation: &[Number; 3]) -> Self {
+        let mut t = Self::IDENTITY;
+        t.linear_exp = block::normalise(t.linear.as_flattened_mut(), linear.as_flattened());
+        t.translation_exp = block::normalise(&mut t.translation, translation);
+        t
+    }
+
+    /// A transform of a matrix by rows, values · 2^-`exp`, and no translation.
+    fn of_linear(rows: [[i64; 3]; 3], exp: i32) -> Self {
+        let number = |value| Number::new(value, exp);
+        Self::of_numbers(&rows.map(|row| row.map(number)), &[Number::ZERO; 3])
+    }
+
+    /// A transform of a matrix by rows, in units of 2^-29, whose largest entry is about one.
+    const fn of_rotation(linear: [[i32; 3]; 3]) -> Self {
         Self {
             linear,
-            linear_exp,
             ..Self::IDENTITY
         }
     }
@@ -92,12 +115,10 @@ impl Transform {
     /// Offsets of more than 30 significant bits, from ±8192 on, are rounded to those.
     #[must_use]
     pub fn translate(offset: Vec3) -> Self {
-        let (translation, translation_exp) = block::normalise(offset.to_bits().map(i64::from), 16);
-        Self {
-            translation,
-            translation_exp,
-            ..Self::IDENTITY
-        }
+        let mut t = Self::IDENTITY;
+        let numbers = offset.to_bits().map(|v| Number::new(v.into(), 16));
+        t.translation_exp = block::normalise(&mut t.translation, &numbers);
+        t
     }
 
     /// Scales about the origin.
@@ -116,22 +137,22 @@ impl Transform {
     /// Turns about the x axis, from y towards z.
     #[must_use]
     pub fn rotate_x(angle: Angle) -> Self {
-        let (s, c) = bits(angle);
-        Self::of_linear([[ONE, 0, 0], [0, c, -s], [0, s, c]], 30)
+        let [s, minus, c] = halves(angle);
+        Self::of_rotation([[ONE, 0, 0], [0, c, minus], [0, s, c]])
     }
 
     /// Turns about the y axis, from z towards x.
     #[must_use]
     pub fn rotate_y(angle: Angle) -> Self {
-        let (s, c) = bits(angle);
-        Self::of_linear([[c, 0, s], [0, ONE, 0], [-s, 0, c]], 30)
+        let [s, minus, c] = halves(angle);
+        Self::of_rotation([[c, 0, s], [0, ONE, 0], [minus, 0, c]])
     }
 
     /// Turns about the z axis, from x towards y.
     #[must_use]
     pub fn rotate_z(angle: Angle) -> Self {
-        let (s, c) = bits(angle);
-        Self::of_linear([[c, -s, 0], [s, c, 0], [0, 0, ONE]], 30)
+        let [s, minus, c] = halves(angle);
+        Self::of_rotation([[c, minus, 0], [s, c, 0], [0, 0, ONE]])
     }
 
     /// Turns about an axis through the origin, counter-clockwise as seen from its tip (Rodrigues'
@@ -154,7 +175,7 @@ impl Transform {
         // Up to 2 and 1 in units of 2^-30: products stay below 2^62.
         let entry = |i: usize, j: usize, sine: i64| {
             let projection = (u[i] * u[j] + (1 << 29)) >> 30;
-            (ONE - c) * projection + if i == j { c << 30 } else { s * sine }
+            ((1 << 30) - c) * projection + if i == j { c << 30 } else { s * sine }
         };
         Ok(Self::of_linear(
             [
@@ -175,11 +196,12 @@ impl Transform {
     /// Where a point goes, rounded to nearest; saturates at the ends of the format.
     #[must_use]
     pub fn point(&self, point: Vec3) -> Vec3 {
-        let (sum, exp) = block::add(
-            (self.linear_of(point), self.linear_exp + 16),
-            (self.translation.map(i64::from), self.translation_exp),
-        );
-        Vec3::from_bits(sum.map(|v| block::fixed(v, exp, 16)))
+        let ([i, j, k], [x, y, z]) = (self.linear_of(point), self.translation);
+        Vec3::from_bits([(i, x), (j, y), (k, z)].map(|(linear, moved)| {
+            let moved = Number::new(moved.into(), self.translation_exp);
+            let sum = Number::new(linear, self.linear_exp + 16).plus(moved);
+            block::fixed(sum.value, sum.exp, 16)
+        }))
     }
 
     /// What a direction becomes: as a point, without the translation.
@@ -208,15 +230,11 @@ impl Transform {
     #[must_use]
     pub fn inverse_rigid(&self) -> Self {
         let linear = transpose(self.linear);
-        let moved = linear.map(|row| -dot(row, self.translation));
-        let (translation, translation_exp) =
-            block::normalise(moved, self.linear_exp + self.translation_exp);
-        Self {
-            linear,
-            translation,
-            translation_exp,
-            ..*self
-        }
+        let exp = self.linear_exp + self.translation_exp;
+        let moved = linear.map(|row| Number::new(-dot(row, self.translation), exp));
+        let mut inverse = Self { linear, ..*self };
+        inverse.translation_exp = block::normalise(&mut inverse.translation, &moved);
+        inverse
     }
 
     /// A transform that has drifted by many multiplications, made rigid again: the rows of the
@@ -249,10 +267,9 @@ impl Transform {
     #[must_use]
     pub(crate) fn normal_matrix(&self) -> [[i32; 3]; 3] {
         let [x, y, z] = self.linear;
-        let (cofactors, _) = normalise(
-            &[unit::cross(y, z), unit::cross(z, x), unit::cross(x, y)],
-            0,
-        );
+        let cofactors =
+            [(y, z), (z, x), (x, y)].map(|(a, b)| unit::cross(a, b).map(|v| Number::new(v, 0)));
+        let cofactors = Self::of_numbers(&cofactors, &[Number::ZERO; 3]).linear;
         if dot(x, cofactors[0]) < 0 {
             cofactors.map(|row| row.map(|v| -v))
         } else {
@@ -283,6 +300,14 @@ fn bits(angle: Angle) -> (i64, i64) {
     (Unit::to_bits(sin).into(), Unit::to_bits(cos).into())
 }
 
+/// Sine, the opposite of it, and cosine, each rounded to units of 2^-29.
+fn halves(angle: Angle) -> [i32; 3] {
+    let (sin, cos) = angle.sin_cos();
+    let half = |v: i32| (v + 1) >> 1;
+    let (sin, cos) = (sin.to_bits(), cos.to_bits());
+    [half(sin), half(-sin), half(cos)]
+}
+
 impl Default for Transform {
     fn default() -> Self {
         Self::IDENTITY
@@ -294,24 +319,13 @@ impl Mul for Transform {
 
     /// The transform that applies `other` first, then `self`.
     fn mul(self, other: Self) -> Self {
-        let mut product = [[0; 3]; 3];
-        let mut moved = [0; 3];
-        for ((product, moved), &row) in product.iter_mut().zip(&mut moved).zip(&self.linear) {
-            *product = row_times(row, &other.linear);
-            *moved = dot(row, other.translation);
-        }
-        let (linear, linear_exp) = normalise(&product, self.linear_exp + other.linear_exp);
-        let (sum, exp) = block::add(
-            (moved, self.linear_exp + other.translation_exp),
-            (self.translation.map(i64::from), self.translation_exp),
-        );
-        let (translation, translation_exp) = block::normalise(sum, exp);
-        Self {
-            linear,
-            linear_exp,
-            translation,
-            translation_exp,
-        }
+        let ([i, j, k], [x, y, z]) = (self.linear, self.translation);
+        let lines = [(i, x), (j, y), (k, z)].map(|(row, moved)| Line {
+            row,
+            exp: self.linear_exp,
+            offset: Number::new(moved.into(), self.translation_exp),
+        });
+        compose(&lines, &other)
     }
 }
 

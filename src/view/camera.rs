@@ -1,6 +1,7 @@
 //! Cameras: where the eye is, and which way it looks.
 
-use crate::linear::{block, unit};
+use crate::linear::block::{self, Number};
+use crate::linear::unit;
 use crate::{Angle, Error, Scalar, Transform, Vec3};
 
 /// An eye in the world: the rigid transform from world space to eye space.
@@ -42,9 +43,12 @@ impl Camera {
         let [tx, ty, tz] = target.to_bits().map(i64::from);
         let back = [ex - tx, ey - ty, ez - tz];
         let k = unit::unit(back).ok_or(Error::EyeAtTarget { eye })?;
-        let (above, _) = block::normalise(up.to_bits().map(i64::from), 0);
-        let (back, _) = block::normalise(back, 0);
-        let side = unit::cross(above, back);
+        let mantissas = |v: [i64; 3]| {
+            let mut mantissas = [0; 3];
+            block::normalise(&mut mantissas, &v.map(|v| Number::new(v, 0)));
+            mantissas
+        };
+        let side = unit::cross(mantissas(up.to_bits().map(i64::from)), mantissas(back));
         if side.iter().all(|v| v.abs() < PARALLEL) {
             return Err(Error::UpAlongView { up });
         }

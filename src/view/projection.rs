@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 
 use crate::interpolate::{Interpolate, Linear};
-use crate::linear::block;
+use crate::linear::block::{self, Number};
 use crate::{Error, Matrix4, Scalar};
 
 mod parallel;
@@ -79,16 +79,16 @@ pub(crate) struct Row {
 }
 
 impl Row {
-    /// A row of numbers with an exponent each.
-    fn new(entries: [(i64, i32); 4]) -> Self {
-        let (values, exp) = block::join(entries);
-        let (m, exp) = block::normalise(values, exp);
+    /// A row of its numbers.
+    fn new(entries: [Number; 4]) -> Self {
+        let mut m = [0; 4];
+        let exp = block::normalise(&mut m, &entries);
         Self { m, exp }
     }
 
-    /// A coefficient as a number with exponent.
-    fn real(&self, i: usize) -> (i64, i32) {
-        (self.m[i].into(), self.exp)
+    /// A coefficient as a number.
+    fn real(&self, i: usize) -> Number {
+        Number::new(self.m[i].into(), self.exp)
     }
 }
 
@@ -116,37 +116,17 @@ pub struct Projection<K = Perspective> {
     kind: PhantomData<K>,
 }
 
-const ZERO: (i64, i32) = (0, 0);
-
 fn bits(value: Scalar) -> i64 {
     value.to_bits().into()
 }
 
-/// The product of two numbers with exponent, of 30 bits each.
-fn product((a, a_exp): (i64, i32), (b, b_exp): (i64, i32)) -> (i64, i32) {
-    let ([a], a_exp) = block::normalise([a], a_exp);
-    let ([b], b_exp) = block::normalise([b], b_exp);
-    (i64::from(a) * i64::from(b), a_exp + b_exp)
+fn number(value: Scalar) -> Number {
+    Number::new(bits(value), 16)
 }
 
-/// The quotient of two numbers with exponent.
-fn quotient((a, a_exp): (i64, i32), (b, b_exp): (i64, i32)) -> (i64, i32) {
-    let (q, exp) = block::ratio(a, b);
-    (q, exp + a_exp - b_exp)
-}
-
-fn negated((value, exp): (i64, i32)) -> (i64, i32) {
-    (-value, exp)
-}
-
-fn sum((a, a_exp): (i64, i32), (b, b_exp): (i64, i32)) -> (i64, i32) {
-    let ([sum], exp) = block::add(([a], a_exp), ([b], b_exp));
-    (sum, exp)
-}
-
-/// A number with exponent to the nearest [`Scalar`]; saturates.
-fn scalar((value, exp): (i64, i32)) -> Scalar {
-    Scalar::from_bits(block::fixed(value, exp, 16))
+/// A number to the nearest [`Scalar`]; saturates.
+fn scalar(number: Number) -> Scalar {
+    Scalar::from_bits(block::fixed(number.value, number.exp, 16))
 }
 
 fn check_far(near: Scalar, far: Scalar) -> Result<(), Error> {
@@ -207,16 +187,21 @@ impl<K: Kind> Projection<K> {
     /// Where on the near plane, at z = −n, the numerator a·x + c·z + d is ±w.
     fn edge(&self, axis: usize, sign: i64) -> Scalar {
         let row = &self.rows[axis];
-        let near = (bits(self.near), 16);
-        let w = if K::PERSPECTIVE { near } else { (1, 0) };
-        let moved = sum(product(row.real(2), near), negated(row.real(3)));
-        scalar(quotient(sum((sign * w.0, w.1), moved), row.real(axis)))
+        let near = number(self.near);
+        let w = if K::PERSPECTIVE {
+            near
+        } else {
+            Number::new(1, 0)
+        };
+        let moved = row.real(2).times(near).plus(row.real(3).negated());
+        let edge = Number::new(sign * w.value, w.exp).plus(moved);
+        scalar(edge.over(row.real(axis)))
     }
 
     /// Width to height of the window, (right − left) / (top − bottom); saturated.
     #[must_use]
     pub fn aspect(&self) -> Scalar {
-        scalar(quotient(self.rows[1].real(1), self.rows[0].real(0)))
+        scalar(self.rows[1].real(1).over(self.rows[0].real(0)))
     }
 
     /// The projection as a matrix to homogeneous clip coordinates: entries are rounded to 2⁻¹⁶ and
@@ -228,15 +213,22 @@ impl<K: Kind> Projection<K> {
         let [x, y] =
             [0, 1].map(|axis: usize| [0, 1, 2, 3].map(|i| scalar(self.rows[axis].real(i))));
         let (near, far) = (bits(self.near), bits(self.far));
-        let depth = (far - near, 16);
-        let middle = quotient((-(far + near), 16), depth);
+        let depth = Number::new(far - near, 16);
+        let middle = Number::new(-(far + near), 16).over(depth);
         let (zero, one) = (Scalar::ZERO, Scalar::ONE);
         if K::PERSPECTIVE {
-            let offset = quotient(product((-2 * near, 16), (far, 16)), depth);
+            let offset = Number::new(-2 * near, 16)
+                .times(number(self.far))
+                .over(depth);
             let z = [zero, zero, scalar(middle), scalar(offset)];
             Matrix4::new([x, y, z, [zero, zero, -one, zero]])
         } else {
-            let z = [zero, zero, scalar(quotient((-2, 0), depth)), scalar(middle)];
+            let z = [
+                zero,
+                zero,
+                scalar(Number::new(-2, 0).over(depth)),
+                scalar(middle),
+            ];
             Matrix4::new([x, y, z, [zero, zero, zero, one]])
         }
     }

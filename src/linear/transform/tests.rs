@@ -138,14 +138,8 @@ fn anything() -> impl Strategy<Value = Transform> {
     const EXP: core::ops::RangeInclusive<i32> = block::MIN_EXP..=block::MAX_EXP;
     let row = || [M, M, M];
     ([row(), row(), row()], EXP, row(), EXP).prop_map(|(m, e, t, t_exp)| {
-        let (linear, linear_exp) = normalise(&m.map(|row| row.map(i64::from)), e);
-        let (translation, translation_exp) = block::normalise(t.map(i64::from), t_exp);
-        Transform {
-            linear,
-            linear_exp,
-            translation,
-            translation_exp,
-        }
+        let numbers = |v: [i32; 3], exp| v.map(|v| Number::new(v.into(), exp));
+        Transform::of_numbers(&m.map(|row| numbers(row, e)), &numbers(t, t_exp))
     })
 }
 

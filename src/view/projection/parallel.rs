@@ -2,9 +2,8 @@
 
 use core::marker::PhantomData;
 
-use super::{
-    Parallel, Projection, Row, ZERO, bits, check_far, extent, negated, product, quotient, sum,
-};
+use super::{Parallel, Projection, Row, bits, check_far, extent, number};
+use crate::linear::block::Number;
 use crate::number::Unit;
 use crate::{Angle, Error, Scalar};
 
@@ -25,7 +24,7 @@ impl Projection<Parallel> {
         near: Scalar,
         far: Scalar,
     ) -> Result<Self, Error> {
-        Self::sheared([ZERO; 2], [left, right, bottom, top], near, far)
+        Self::sheared([Number::ZERO; 2], [left, right, bottom, top], near, far)
     }
 
     /// An oblique projection: the near plane appears as it is, and what lies behind it moves by
@@ -47,7 +46,7 @@ impl Projection<Parallel> {
         far: Scalar,
     ) -> Result<Self, Error> {
         let (sin, cos) = angle.sin_cos();
-        let shear = |part: Unit| (bits(ratio) * i64::from(part.to_bits()), 46);
+        let shear = |part: Unit| Number::new(bits(ratio) * i64::from(part.to_bits()), 46);
         Self::sheared(
             [shear(cos), shear(sin)],
             [left, right, bottom, top],
@@ -93,28 +92,28 @@ impl Projection<Parallel> {
 
     /// A box's projection in which a point at a distance d appears moved by `shear` · (d − near).
     fn sheared(
-        shear: [(i64, i32); 2],
+        shear: [Number; 2],
         [left, right, bottom, top]: [Scalar; 4],
         near: Scalar,
         far: Scalar,
     ) -> Result<Self, Error> {
         check_far(near, far)?;
-        let row = |low, high, shear| -> Result<_, Error> {
+        let row = |low, high, shear: Number| -> Result<_, Error> {
             let (size, middle) = extent(low, high)?;
-            let scale = quotient((2, 0), (size, 16));
-            let slope = negated(product(scale, shear));
-            let offset = sum(
-                quotient((-middle, 0), (size, 0)),
-                product(slope, (bits(near), 16)),
-            );
+            let size = Number::new(size, 16);
+            let scale = Number::new(2, 0).over(size);
+            let slope = scale.times(shear).negated();
+            let offset = Number::new(-middle, 16)
+                .over(size)
+                .plus(slope.times(number(near)));
             Ok((scale, slope, offset))
         };
         let (x, x_slope, x_offset) = row(left, right, shear[0])?;
         let (y, y_slope, y_offset) = row(bottom, top, shear[1])?;
         Ok(Self {
             rows: [
-                Row::new([x, ZERO, x_slope, x_offset]),
-                Row::new([ZERO, y, y_slope, y_offset]),
+                Row::new([x, Number::ZERO, x_slope, x_offset]),
+                Row::new([Number::ZERO, y, y_slope, y_offset]),
             ],
             near,
             far,

@@ -2,8 +2,8 @@
 
 use core::marker::PhantomData;
 
-use super::{Perspective, Projection, Row, ZERO, bits, check_far, extent, product, quotient};
-use crate::linear::block;
+use super::{Perspective, Projection, Row, bits, check_far, extent};
+use crate::linear::block::{self, Number};
 use crate::view::Aspect;
 use crate::{Angle, Error, Scalar, Vec3};
 
@@ -16,11 +16,18 @@ fn check_planes(near: Scalar, far: Scalar) -> Result<(), Error> {
 }
 
 impl Projection<Perspective> {
-    fn of_scales(x: (i64, i32), y: (i64, i32), near: Scalar, far: Scalar) -> Self {
+    fn of_scales(x: Number, y: Number, near: Scalar, far: Scalar) -> Self {
+        let ((x, x_exp), (y, y_exp)) = (x.rounded(), y.rounded());
         Self {
             rows: [
-                Row::new([x, ZERO, ZERO, ZERO]),
-                Row::new([ZERO, y, ZERO, ZERO]),
+                Row {
+                    m: [x, 0, 0, 0],
+                    exp: x_exp,
+                },
+                Row {
+                    m: [0, y, 0, 0],
+                    exp: y_exp,
+                },
             ],
             near,
             far,
@@ -47,15 +54,10 @@ impl Projection<Perspective> {
         }
         let (width, height) = aspect.into().checked()?;
         check_planes(near, far)?;
-        let half = fov.half_wide();
-        let cotangent = quotient((half.1, 0), (half.0, 0));
-        let narrowed = product(cotangent, (height, 0));
-        Ok(Self::of_scales(
-            quotient(narrowed, (width, 0)),
-            cotangent,
-            near,
-            far,
-        ))
+        let (sine, cosine) = fov.half_wide();
+        let y = Number::new(cosine, 0).over(Number::new(sine, 0));
+        let x = y.times(Number::new(height, 0)).over(Number::new(width, 0));
+        Ok(Self::of_scales(x, y, near, far))
     }
 
     /// A symmetric perspective by its focal length: a thing as wide as it is far is so many
@@ -83,7 +85,7 @@ impl Projection<Perspective> {
         }
         let (width, height) = Aspect::from(size).checked()?;
         check_planes(near, far)?;
-        let scale = |size| quotient((2 * bits(pixels), 0), (size, 0));
+        let scale = |size| Number::new(2 * bits(pixels), 0).over(Number::new(size, 0));
         Ok(Self::of_scales(scale(width), scale(height), near, far))
     }
 
@@ -112,12 +114,12 @@ impl Projection<Perspective> {
         check_planes(near, far)?;
         let (width, across) = extent(left, right)?;
         let (height, up) = extent(bottom, top)?;
-        let ratio = |value, size| quotient((value, 0), (size, 0));
-        let double = 2 * bits(near);
+        let ratio = |value, size| Number::new(value, 0).over(Number::new(size, 0));
+        let (double, zero) = (2 * bits(near), Number::ZERO);
         Ok(Self {
             rows: [
-                Row::new([ratio(double, width), ZERO, ratio(across, width), ZERO]),
-                Row::new([ZERO, ratio(double, height), ratio(up, height), ZERO]),
+                Row::new([ratio(double, width), zero, ratio(across, width), zero]),
+                Row::new([zero, ratio(double, height), ratio(up, height), zero]),
             ],
             near,
             far,
@@ -129,11 +131,11 @@ impl Projection<Perspective> {
     /// that of one of the same height about the centre.
     #[must_use]
     pub fn fov(&self) -> Angle {
-        let (scale, exp) = self.rows[1].real(1);
+        let Number { value, exp } = self.rows[1].real(1);
         // The tangent of half of it is 1 / scale.
         Angle::of_point(
             block::shift(1, exp.max(0)),
-            block::shift(scale, (-exp).max(0)),
+            block::shift(value, (-exp).max(0)),
         ) * 2
     }
 
