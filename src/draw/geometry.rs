@@ -1,18 +1,9 @@
 //! The geometry of a draw call: where a mesh's elements come to lie on the screen, and what of them is to be seen.
 
-use heapless::Vec;
-
 use super::Pass;
-use crate::geometry::{
-    self, Cull, Element, Face, Index, MOST_CORNERS, Mesh, Projected, Projector, Weights,
-};
+use crate::geometry::{Cull, Element, Face, Index, Mesh, Outline, Projected, Projector, clip};
 use crate::linear::Transform;
 use crate::view::{Chain, Kind, Viewport};
-
-/// A corner of a clipped triangle, and where in the triangle it is.
-pub(super) type Corner = (Projected, Weights);
-/// A clipped triangle.
-pub(super) type Outline = Vec<Corner, MOST_CORNERS>;
 
 /// A mesh on its way to the screen: what is the same for all of its elements.
 #[derive(Clone, Copy, Debug)]
@@ -56,7 +47,7 @@ impl<'m, K: Kind> Geometry<'m, K> {
     #[inline(never)]
     pub(super) fn project(&self, index: Index) -> Projected {
         let position = self.projector.clip_position(self.mesh.position(index));
-        self.projector.project(position)
+        self.projector.project(&position)
     }
 
     /// A triangle, edge or point as fragments see it.
@@ -82,32 +73,15 @@ impl<'m, K: Kind> Geometry<'m, K> {
         }
     }
 
-    /// The part of a triangle inside the `planes`; empty if there is none.
-    pub(super) fn clip(&self, element: Element, planes: u8) -> Outline {
-        let corners = element.indices.map(|index| self.clip_position(index));
-        let mut outline = Outline::new();
-        for corner in &geometry::clip_triangle(&self.projector, &corners, planes) {
-            let projected = self.projector.project_inside(corner.position);
-            // There is as much room as in the polygon.
-            let _ = outline.push((projected, corner.weights));
-        }
-        outline
-    }
-
-    /// The part of a line inside the `planes`.
-    pub(super) fn clip_line(&self, element: Element, planes: u8) -> Option<[Corner; 2]> {
-        let [a, b, _] = element.indices;
-        let ends = [a, b].map(|index| self.clip_position(index));
-        geometry::clip_line(&self.projector, ends, planes).map(|ends| {
-            ends.map(|end| {
-                let projected = self.projector.project_inside(end.position);
-                (projected, end.weights)
-            })
-        })
-    }
-
-    #[inline]
-    fn clip_position(&self, index: Index) -> [i64; 3] {
-        self.projector.clip_position(self.mesh.position(index))
+    /// The part inside the `planes` of a line or triangle, the element's first `corners` corners;
+    /// empty if there is none.
+    #[inline(never)]
+    pub(super) fn clip(&self, element: Element, corners: usize, planes: u8) -> Outline {
+        let positions = element.indices.map(|index| {
+            let position = self.mesh.position(index);
+            self.projector.clip_position(position)
+        });
+        let positions = positions.get(..corners).unwrap_or_default();
+        clip(&self.projector, positions, planes)
     }
 }

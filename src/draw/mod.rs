@@ -9,14 +9,15 @@ mod prepared;
 pub use pass::Pass;
 pub use prepared::{Prepared, TriangleList};
 
-use cache::Cache;
 use geometry::Geometry;
 use painter::Painter;
 
 use crate::Vec3;
-use crate::geometry::{Element, Index, Mesh, Projector};
+use crate::geometry::{Mesh, Projector};
 use crate::interpolate::Interpolate;
+use crate::linear::Transform;
 use crate::number::Subpixel;
+use crate::raster::Paint;
 use crate::shade::Fragment;
 use crate::target::{Canvas, DepthBuffer, Storage};
 use crate::view::{Chain, Kind};
@@ -71,7 +72,7 @@ pub struct Place {
     pub depth: u16,
 }
 
-impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
+impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     /// Draws a mesh's triangles: through `chain` into the whole frame, without back faces, each
     /// pixel correct in perspective.
     ///
@@ -86,7 +87,6 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     }
 
     /// Draws a mesh's triangles as [`draw`](Self::draw) does, in the way that `pass` says.
-    #[inline(never)]
     pub fn draw_with<I: Interpolate, K: Kind, F: Fragment<N, Color = C>, const N: usize>(
         &mut self,
         pass: &Pass<I>,
@@ -94,18 +94,9 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         chain: &Chain<K>,
         fragment: &F,
     ) -> Drawn {
-        let viewport = pass.viewport_in(self.frame_size());
-        let geometry = Geometry::new(pass, mesh, chain, &viewport);
-        let mut painter = Painter::new(self, &geometry, &viewport, fragment, &chain.model);
-        let mut cache = Cache::<()>::new();
-        for (face, &indices) in mesh.faces().iter().enumerate() {
-            let corners = indices.map(|index| cache.vertex(&geometry, index).projected);
-            let element = Element {
-                face: Some(face),
-                indices,
-            };
-            painter.triangle::<I, O, D, N>(self, element, &corners);
-        }
+        let mut painter = self.painter(pass, mesh, chain);
+        let mut brush = self.brush::<I, K, F, N>(&painter.geometry, fragment, &chain.model);
+        painter.triangles(&mut brush);
         painter.drawn
     }
 
@@ -116,11 +107,12 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         prepared: &Prepared<'_, K, I>,
         fragment: &F,
     ) -> Drawn {
-        prepared.draw(self, fragment)
+        let (width, rows) = (self.frame_size().width, self.rows().clone());
+        let mut brush = self.brush::<I, K, F, N>(&prepared.geometry, fragment, &prepared.model);
+        prepared.draw(&mut brush, width, &rows)
     }
 
     /// Draws a mesh's [edges](Mesh::edges) as lines, one pixel wide.
-    #[inline(never)]
     pub fn draw_edges<I: Interpolate, K: Kind, F: Fragment<N, Color = C>, const N: usize>(
         &mut self,
         pass: &Pass<I>,
@@ -128,18 +120,9 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         chain: &Chain<K>,
         fragment: &F,
     ) -> Drawn {
-        let viewport = pass.viewport_in(self.frame_size());
-        let geometry = Geometry::new(pass, mesh, chain, &viewport);
-        let mut painter = Painter::new(self, &geometry, &viewport, fragment, &chain.model);
-        let mut cache = Cache::<()>::new();
-        for &[a, b] in mesh.edges() {
-            let ends = [a, b].map(|index| cache.vertex(&geometry, index).projected);
-            let element = Element {
-                face: None,
-                indices: [a, b, b],
-            };
-            painter.line::<I, O, D, N>(self, element, ends);
-        }
+        let mut painter = self.painter(pass, mesh, chain);
+        let mut brush = self.brush::<I, K, F, N>(&painter.geometry, fragment, &chain.model);
+        painter.lines(&mut brush);
         painter.drawn
     }
 
@@ -157,7 +140,7 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     ) -> Option<Place> {
         let viewport = pass.viewport_in(self.frame_size());
         let projector = Projector::new(&chain.projection, &chain.model_view(), &viewport);
-        let at = projector.project(projector.clip_position(point));
+        let at = projector.project(&projector.clip_position(point));
         if at.outside != 0 {
             return None;
         }
@@ -170,7 +153,6 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     }
 
     /// Draws a mesh's positions as points, one pixel each.
-    #[inline(never)]
     pub fn draw_points<I: Interpolate, K: Kind, F: Fragment<N, Color = C>, const N: usize>(
         &mut self,
         pass: &Pass<I>,
@@ -178,16 +160,32 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         chain: &Chain<K>,
         fragment: &F,
     ) -> Drawn {
-        let viewport = pass.viewport_in(self.frame_size());
-        let geometry = Geometry::new(pass, mesh, chain, &viewport);
-        let mut painter = Painter::new(self, &geometry, &viewport, fragment, &chain.model);
-        for index in 0..mesh.positions().len() {
-            // A mesh has at most 65,536 positions.
-            let Ok(index) = Index::try_from(index) else {
-                break;
-            };
-            painter.point::<I, O, D, N>(self, index);
-        }
+        let mut painter = self.painter(pass, mesh, chain);
+        let mut brush = self.brush::<I, K, F, N>(&painter.geometry, fragment, &chain.model);
+        painter.points(&mut brush);
         painter.drawn
+    }
+
+    /// What a draw call needs to know but for what it paints with.
+    #[inline]
+    fn painter<'m, I, K: Kind>(
+        &self,
+        pass: &Pass<I>,
+        mesh: &'m Mesh<'m>,
+        chain: &Chain<K>,
+    ) -> Painter<'m, K> {
+        Painter::new(pass, (self.frame_size(), self.rows()), mesh, chain)
+    }
+
+    /// What a draw call paints with.
+    #[inline]
+    fn brush<'p, I: Interpolate, K: Kind, F: Fragment<N, Color = C>, const N: usize>(
+        &'p mut self,
+        geometry: &Geometry<'_, K>,
+        fragment: &F,
+        model: &Transform,
+    ) -> Paint<'p, 'c, K::Mode<I>, F, O, D, N> {
+        let depth_shift = geometry.projector.depth_shift();
+        Paint::new(self, fragment.begin(model), depth_shift)
     }
 }

@@ -1,204 +1,157 @@
 //! The painting of a draw call: from elements on the screen to pixels.
 
-use super::Drawn;
-use super::geometry::{Corner, Geometry, Seen};
-use crate::geometry::{Element, Face, Index, Projected, Vertex};
-use crate::interpolate::Interpolate;
-use crate::linear::Transform;
-use crate::raster::{self, Fan, Triangle, Window};
-use crate::shade::Fragment;
-use crate::target::{Canvas, DepthBuffer, Storage};
-use crate::view::{Kind, Viewport};
+use core::ops::Range;
 
-/// What is the same for all of a draw call, on one canvas.
-pub(super) struct Painter<'g, K, F> {
-    geometry: &'g Geometry<'g, K>,
+use embedded_graphics::geometry::Size;
+
+use super::cache::Cache;
+use super::geometry::{Geometry, Seen};
+use super::{Drawn, Pass};
+use crate::geometry::{Corner, Element, Index, Mesh, Projected, Weights};
+use crate::raster::{self, Brush, Fan, Triangle, Window};
+use crate::view::{Chain, Kind};
+
+/// What is the same for all of a draw call, but for what it paints with.
+pub(super) struct Painter<'m, K> {
+    pub(super) geometry: Geometry<'m, K>,
     window: Window,
-    fragment: F,
     pub(super) drawn: Drawn,
 }
 
-impl<'g, K: Kind, F> Painter<'g, K, F> {
-    pub(super) fn new<C, O: Storage<C>, D, const N: usize>(
-        canvas: &Canvas<'_, C, O, D>,
-        geometry: &'g Geometry<'g, K>,
-        viewport: &Viewport,
-        fragment: &F,
-        model: &Transform,
-    ) -> Self
-    where
-        F: Fragment<N, Color = C>,
-    {
+impl<'m, K: Kind> Painter<'m, K> {
+    /// That of a mesh on `rows` of a frame.
+    #[inline(never)]
+    pub(super) fn new<I>(
+        pass: &Pass<I>,
+        (frame, rows): (Size, &Range<u32>),
+        mesh: &'m Mesh<'m>,
+        chain: &Chain<K>,
+    ) -> Self {
+        let viewport = pass.viewport_in(frame);
+        Self::over(
+            Geometry::new(pass, mesh, chain, &viewport),
+            Window::new(&viewport, frame.width, rows),
+        )
+    }
+
+    /// That of geometry already worked out.
+    #[inline]
+    pub(super) fn over(geometry: Geometry<'m, K>, window: Window) -> Self {
         Self {
             geometry,
-            window: Window::new(viewport, canvas.frame_size().width, canvas.rows()),
-            fragment: fragment.begin(model),
+            window,
             drawn: Drawn::default(),
         }
     }
 
     /// The rows that may be drawn into.
-    pub(super) const fn rows(&self) -> &core::ops::Range<i32> {
+    pub(super) const fn rows(&self) -> &Range<i32> {
         &self.window.rows
     }
 
-    /// Draws one triangle, clipped if need be.
-    #[inline]
-    pub(super) fn triangle<I: Interpolate, O, D, const N: usize>(
-        &mut self,
-        canvas: &mut Canvas<'_, F::Color, O, D>,
-        element: Element,
-        corners: &[Projected; 3],
-    ) where
-        F: Fragment<N>,
-        O: Storage<F::Color>,
-        D: DepthBuffer,
-    {
-        self.drawn.submitted += 1;
-        match Geometry::<K>::seen(corners) {
-            Seen::Nothing => {}
-            Seen::All => self.whole::<I, O, D, N>(canvas, element, corners),
-            Seen::Inside(planes) => {
-                let outline = self.geometry.clip(element, planes);
-                self.outline::<I, O, D, N>(canvas, element, &outline);
+    /// Draws all triangles.
+    #[inline(never)]
+    pub(super) fn triangles(&mut self, brush: &mut dyn Brush) {
+        let mut cache = Cache::<()>::new();
+        for (face, &indices) in self.geometry.mesh.faces().iter().enumerate() {
+            let corners = indices.map(|index| cache.vertex(&self.geometry, index).projected);
+            let element = Element {
+                face: Some(face),
+                indices,
+            };
+            self.drawn.submitted += 1;
+            match Geometry::<K>::seen(&corners) {
+                Seen::Nothing => {}
+                Seen::All => self.whole(brush, element, &corners),
+                Seen::Inside(planes) => {
+                    let outline = self.geometry.clip(element, 3, planes);
+                    self.outline(brush, element, &outline);
+                }
             }
         }
     }
 
     /// Draws a triangle that is all inside.
     #[inline]
-    pub(super) fn whole<I: Interpolate, O, D, const N: usize>(
+    pub(super) fn whole(
         &mut self,
-        canvas: &mut Canvas<'_, F::Color, O, D>,
+        brush: &mut dyn Brush,
         element: Element,
         corners: &[Projected; 3],
-    ) where
-        F: Fragment<N>,
-        O: Storage<F::Color>,
-        D: DepthBuffer,
-    {
-        let Some(triangle) = Triangle::new(corners, self.geometry.cull, &self.window) else {
-            return;
-        };
-        let face = self.geometry.face(element);
-        let mut varyings = [0, 1, 2].map(|corner| self.varyings(&face, corner));
-        let fragment = self.fragment.face(&mut varyings, &face);
-        triangle.draw::<K::Mode<I>, F, O, D, N>(
-            canvas,
-            &self.window,
-            &varyings,
-            (&fragment, self.geometry.projector.depth_shift()),
-            None,
-        );
-        self.drawn.drawn += 1;
+    ) {
+        if let Some(triangle) = Triangle::new(corners, self.geometry.cull, &self.window) {
+            brush.element(&self.geometry.face(element));
+            triangle.draw(brush, &self.window);
+            self.drawn.drawn += 1;
+        }
     }
 
     /// Draws a clipped triangle, as a fan.
     #[inline(never)]
-    pub(super) fn outline<I: Interpolate, O, D, const N: usize>(
-        &mut self,
-        canvas: &mut Canvas<'_, F::Color, O, D>,
-        element: Element,
-        outline: &[Corner],
-    ) where
-        F: Fragment<N>,
-        O: Storage<F::Color>,
-        D: DepthBuffer,
-    {
-        let fan = Fan::new(outline, &self.window);
-        if self.geometry.cull.leaves_out(fan.area()) {
-            return;
+    pub(super) fn outline(&mut self, brush: &mut dyn Brush, element: Element, outline: &[Corner]) {
+        if let Some(fan) = Fan::new(outline, self.geometry.cull) {
+            brush.element(&self.geometry.face(element));
+            let drawn = u32::from(fan.draw(brush, &self.window));
+            self.drawn.drawn += drawn;
+            self.drawn.clipped += drawn;
         }
-        let face = self.geometry.face(element);
-        let mut varyings = [0, 1, 2].map(|corner| self.varyings(&face, corner));
-        let fragment = self.fragment.face(&mut varyings, &face);
-        let mut drawn = false;
-        for (triangle, corners, part) in fan.parts() {
-            triangle.draw::<K::Mode<I>, F, O, D, N>(
-                canvas,
-                &self.window,
-                &corners.map(|weights| weights.mix(&varyings)),
-                (&fragment, self.geometry.projector.depth_shift()),
-                part.as_ref(),
-            );
-            drawn = true;
-        }
-        self.drawn.drawn += u32::from(drawn);
-        self.drawn.clipped += u32::from(drawn);
     }
 
-    /// Draws one line, clipped if need be.
-    pub(super) fn line<I: Interpolate, O, D, const N: usize>(
-        &mut self,
-        canvas: &mut Canvas<'_, F::Color, O, D>,
-        element: Element,
-        mut ends: [Projected; 2],
-    ) where
-        F: Fragment<N>,
-        O: Storage<F::Color>,
-        D: DepthBuffer,
-    {
-        self.drawn.submitted += 1;
-        let [a, b] = ends.map(|end| end.outside);
-        if a & b != 0 {
-            return;
-        }
-        let face = self.geometry.face(element);
-        let mut varyings = [0, 1].map(|end| self.varyings(&face, end));
-        if a | b != 0 {
-            let Some([from, to]) = self.geometry.clip_line(element, a | b) else {
-                return;
+    /// Draws all edges as lines.
+    #[inline(never)]
+    pub(super) fn lines(&mut self, brush: &mut dyn Brush) {
+        let mut cache = Cache::<()>::new();
+        for &[a, b] in self.geometry.mesh.edges() {
+            let element = Element {
+                face: None,
+                indices: [a, b, b],
             };
-            let [start, end] = varyings;
-            varyings = [from, to].map(|end_at| end_at.1.mix(&[start, end, end]));
-            ends = [from.0, to.0];
-            self.drawn.clipped += 1;
+            self.drawn.submitted += 1;
+            let ends = [a, b].map(|index| cache.vertex(&self.geometry, index).projected);
+            let [start, end] = ends.each_ref().map(|end| end.outside);
+            if start & end != 0 {
+                continue;
+            }
+            let [vertex, other] = ends;
+            let [weights, other_weights, _] = Weights::CORNERS;
+            let mut line = [
+                Corner { vertex, weights },
+                Corner {
+                    vertex: other,
+                    weights: other_weights,
+                },
+            ];
+            if start | end != 0 {
+                match *self.geometry.clip(element, 2, start | end) {
+                    [from, to] => line = [from, to],
+                    _ => continue,
+                }
+                self.drawn.clipped += 1;
+            }
+            brush.element(&self.geometry.face(element));
+            raster::line(brush, &self.window, line.each_ref());
+            self.drawn.drawn += 1;
         }
-        raster::line::<K::Mode<I>, F, O, D, N>(
-            canvas,
-            &self.window,
-            ends,
-            varyings,
-            (&self.fragment, self.geometry.projector.depth_shift()),
-        );
-        self.drawn.drawn += 1;
     }
 
-    /// Draws one point.
-    pub(super) fn point<I: Interpolate, O, D, const N: usize>(
-        &mut self,
-        canvas: &mut Canvas<'_, F::Color, O, D>,
-        index: Index,
-    ) where
-        F: Fragment<N>,
-        O: Storage<F::Color>,
-        D: DepthBuffer,
-    {
-        self.drawn.submitted += 1;
-        let at = self.geometry.project(index);
-        if at.outside != 0 {
-            return;
+    /// Draws all positions as points.
+    #[inline(never)]
+    pub(super) fn points(&mut self, brush: &mut dyn Brush) {
+        for index in 0..self.geometry.mesh.positions().len() {
+            // A mesh has at most 65,536 positions.
+            let Ok(index) = Index::try_from(index) else {
+                break;
+            };
+            self.drawn.submitted += 1;
+            let at = self.geometry.project(index);
+            if at.outside == 0 {
+                brush.element(&self.geometry.face(Element {
+                    face: None,
+                    indices: [index; 3],
+                }));
+                raster::point(brush, &self.window, &at);
+                self.drawn.drawn += 1;
+            }
         }
-        let face = self.geometry.face(Element {
-            face: None,
-            indices: [index; 3],
-        });
-        let varyings = self.varyings(&face, 0);
-        raster::point::<K::Mode<I>, F, O, D, N>(
-            canvas,
-            &self.window,
-            &at,
-            varyings,
-            (&self.fragment, self.geometry.projector.depth_shift()),
-        );
-        self.drawn.drawn += 1;
-    }
-
-    #[inline]
-    fn varyings<const N: usize>(&self, face: &Face<'_>, corner: usize) -> [i32; N]
-    where
-        F: Fragment<N>,
-    {
-        self.fragment.varyings(&Vertex { face, corner })
     }
 }

@@ -2,21 +2,21 @@
 
 use core::marker::PhantomData;
 use core::num::NonZeroU16;
+use core::ops::Range;
 
 use embedded_graphics::geometry::Size;
 use heapless::{Vec, VecView};
 
 use super::cache::Cache;
-use super::geometry::{Corner, Geometry, Outline, Seen};
+use super::geometry::{Geometry, Seen};
 use super::painter::Painter;
 use super::{Drawn, Pass};
 use crate::Error;
-use crate::geometry::{Element, Mesh, Projected, Weights};
-use crate::interpolate::{Exact, Interpolate};
+use crate::geometry::{Corner, Element, Mesh, Outline, Projected, Weights};
+use crate::interpolate::Exact;
 use crate::linear::Transform;
-use crate::raster::{Fan, Triangle, Window};
-use crate::shade::Fragment;
-use crate::target::{Canvas, DepthBuffer, Storage, check_size};
+use crate::raster::{Brush, Fan, Triangle, Window};
+use crate::target::check_size;
 use crate::view::{Chain, Kind, Viewport};
 
 /// Memory for the triangles of a frame that is drawn in bands: transformed, culled and clipped
@@ -136,7 +136,7 @@ impl Slot {
 }
 
 /// A mesh's triangles, ready to be drawn into every band of a frame: what
-/// [`TriangleList::prepare`] makes and [`Canvas::draw_prepared`] draws.
+/// [`TriangleList::prepare`] makes and [`Canvas::draw_prepared`](crate::Canvas::draw_prepared) draws.
 ///
 /// It can be shared with another core, which draws other bands of the same frame.
 ///
@@ -147,8 +147,8 @@ impl Slot {
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<'a, K = crate::view::Perspective, I = Exact> {
-    geometry: Geometry<'a, K>,
-    model: Transform,
+    pub(super) geometry: Geometry<'a, K>,
+    pub(super) model: Transform,
     viewport: Viewport,
     triangles: &'a [Entry],
     vertices: &'a [Slot],
@@ -172,7 +172,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
     }
 
     /// Transforms, culls and clips a mesh's triangles for a `frame` of so many columns and rows:
-    /// what [`Canvas::draw_with`] would do for each of its bands. What was in the list before is
+    /// what [`Canvas::draw_with`](crate::Canvas::draw_with) would do for each of its bands. What was in the list before is
     /// dropped.
     ///
     /// # Errors
@@ -256,6 +256,7 @@ impl Filling<'_> {
                     let Some(triangle) = Triangle::new(&corners, geometry.cull, window) else {
                         continue;
                     };
+                    let rows = triangle.row_range();
                     let corners = indices.map(|index| {
                         let vertex = cache.vertex(geometry, index);
                         let number = vertex
@@ -264,15 +265,12 @@ impl Filling<'_> {
                         vertex.note = Some(number);
                         number.get()
                     });
-                    (triangle.row_range(), Corners::Whole(corners))
+                    (rows, Corners::Whole(corners))
                 }
                 Seen::Inside(planes) => {
-                    let outline = geometry.clip(element, planes);
-                    let fan = Fan::new(&outline, window);
-                    if geometry.cull.leaves_out(fan.area()) {
-                        continue;
-                    }
-                    let Some(rows) = fan.row_range() else {
+                    let outline = geometry.clip(element, 3, planes);
+                    let fan = Fan::new(&outline, geometry.cull);
+                    let Some(rows) = fan.and_then(|fan| fan.row_range(window)) else {
                         continue;
                     };
                     (rows, self.add_outline(&outline))
@@ -302,9 +300,9 @@ impl Filling<'_> {
 
     fn add_outline(&mut self, outline: &[Corner]) -> Corners {
         let first = (self.needed.vertices as u16).wrapping_add(1);
-        for &(vertex, weights) in outline {
-            self.add(vertex.into());
-            self.add(Slot::Weights(weights));
+        for corner in outline {
+            self.add(corner.vertex.into());
+            self.add(Slot::Weights(corner.weights));
         }
         Corners::Clipped {
             first,
@@ -314,26 +312,12 @@ impl Filling<'_> {
     }
 }
 
-impl<K: Kind, I: Interpolate> Prepared<'_, K, I> {
-    /// Draws those that meet the canvas.
+impl<K: Kind, I> Prepared<'_, K, I> {
+    /// Draws those that meet `rows` of a frame so wide.
     #[inline(never)]
-    pub(super) fn draw<F, O, D, const N: usize>(
-        &self,
-        canvas: &mut Canvas<'_, F::Color, O, D>,
-        fragment: &F,
-    ) -> Drawn
-    where
-        F: Fragment<N>,
-        O: Storage<F::Color>,
-        D: DepthBuffer,
-    {
-        let mut painter = Painter::new(
-            canvas,
-            &self.geometry,
-            &self.viewport,
-            fragment,
-            &self.model,
-        );
+    pub(super) fn draw(&self, brush: &mut dyn Brush, width: u32, rows: &Range<u32>) -> Drawn {
+        let window = Window::new(&self.viewport, width, rows);
+        let mut painter = Painter::over(self.geometry, window);
         let rows = painter.rows().clone();
         for entry in self.triangles {
             let [start, end] = entry.rows.map(i32::from);
@@ -352,12 +336,12 @@ impl<K: Kind, I: Interpolate> Prepared<'_, K, I> {
                 Corners::Whole([a, b, c]) => {
                     let corners = (self.vertex(a), self.vertex(b), self.vertex(c));
                     if let (Some(a), Some(b), Some(c)) = corners {
-                        painter.whole::<I, O, D, N>(canvas, element, &[a, b, c]);
+                        painter.whole(brush, element, &[a, b, c]);
                     }
                 }
                 Corners::Clipped { first, count } => {
                     let outline = self.outline(first, count);
-                    painter.outline::<I, O, D, N>(canvas, element, &outline);
+                    painter.outline(brush, element, &outline);
                 }
             }
         }
@@ -381,7 +365,7 @@ impl<K: Kind, I: Interpolate> Prepared<'_, K, I> {
             if let [vertex, Slot::Weights(weights)] = *pair {
                 if let Some(vertex) = vertex.projected() {
                     // At most as many as were clipped.
-                    let _ = outline.push((vertex, weights));
+                    let _ = outline.push(Corner { vertex, weights });
                 }
             }
         }

@@ -2,7 +2,7 @@
 
 use heapless::Vec;
 
-use super::project::{ClipPosition, Projector};
+use super::project::{ClipPosition, Projected, Projector};
 use crate::interpolate::reciprocal;
 use crate::view::Kind;
 
@@ -15,121 +15,114 @@ impl Weights {
     /// Those of the corners themselves.
     pub(crate) const CORNERS: [Self; 3] = [Self([0, 0]), Self([1 << 30, 0]), Self([0, 1 << 30])];
 
-    /// The varyings of the point, of those of the corners: to the nearest unit but for the rounding of the weights.
-    pub(crate) fn mix<const N: usize>(self, corners: &[[i32; N]; 3]) -> [i32; N] {
-        let [from, second, third] = corners;
+    /// A varying of the point, of those of the corners: to the nearest unit but for the rounding of the weights.
+    pub(crate) fn mix(self, [value, second, third]: &[i32; 3]) -> i32 {
+        let way = |to: &i32| i64::from(*to) - i64::from(*value);
         let [b, c] = self.0.map(i64::from);
-        let mut varyings = *from;
-        for ((value, second), third) in varyings.iter_mut().zip(second).zip(third) {
-            let way = |to: i32| i64::from(to) - i64::from(*value);
-            // Ways take 33 bits, and the weights are together at most 2^30 and a few units.
-            let sum = way(*second) * b + way(*third) * c;
-            let mixed = i64::from(*value) + ((sum + (1 << 29)) >> 30);
-            *value = mixed.clamp(i32::MIN.into(), i32::MAX.into()) as i32;
-        }
-        varyings
+        // Ways take 33 bits, and the weights are together at most 2^30 and a few units.
+        let sum = way(second) * b + way(third) * c;
+        let mixed = i64::from(*value) + ((sum + (1 << 29)) >> 30);
+        mixed.clamp(i32::MIN.into(), i32::MAX.into()) as i32
     }
-}
-
-/// A corner in clip space.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct ClipVertex {
-    pub(crate) position: ClipPosition,
-    pub(crate) weights: Weights,
 }
 
 /// Most corners of a clipped triangle: each of six planes adds one at most.
-pub(crate) const MOST_CORNERS: usize = 9;
+const MOST_CORNERS: usize = 9;
 
-/// A clipped triangle.
-pub(crate) type Polygon = Vec<ClipVertex, MOST_CORNERS>;
+/// A corner of a clipped triangle or an end of a line, and where in the mesh's triangle it lies.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Corner {
+    pub(crate) vertex: Projected,
+    pub(crate) weights: Weights,
+}
 
-/// The part of a triangle inside the `planes` (a bit each) that any of its corners is outside of.
+/// A clipped triangle or line on the screen.
+pub(crate) type Outline = Vec<Corner, MOST_CORNERS>;
+
+/// A corner on its way to be clipped.
+#[derive(Clone, Copy)]
+struct Vertex {
+    position: ClipPosition,
+    /// [`Weights`], as wide as the position, as they are cut in the same way.
+    weights: [i64; 2],
+}
+
+type Polygon = Vec<Vertex, MOST_CORNERS>;
+
+/// The part of a line of two corners or of a triangle of three that is inside the `planes` (a bit
+/// each) that any of the corners is outside of; no corners if there is none.
 ///
 /// An edge is cut by the planes that its own ends are outside of, in the order of the planes, from
 /// its inside end: so two triangles that share an edge get the same new corners.
-pub(crate) fn triangle<K: Kind>(
+#[inline(never)]
+pub(crate) fn clip<K: Kind>(
     projector: &Projector<K>,
-    corners: &[ClipPosition; 3],
+    corners: &[ClipPosition],
     planes: u8,
-) -> Polygon {
-    let mut polygon = Polygon::new();
+) -> Outline {
+    let (mut polygon, mut inside) = (&mut Polygon::new(), &mut Polygon::new());
     for (&position, weights) in corners.iter().zip(Weights::CORNERS) {
-        let _ = polygon.push(ClipVertex { position, weights });
+        let weights = weights.0.map(i64::from);
+        let _ = polygon.push(Vertex { position, weights });
     }
+    let closed = corners.len() > 2;
     for plane in (0..6).filter(|plane| planes >> plane & 1 != 0) {
-        let mut inside = Polygon::new();
-        // There is room: a plane cuts a convex polygon's outline twice.
-        let mut add = |vertex| inside.push(vertex).unwrap_or(());
-        let Some(mut from) = polygon.last() else {
-            break;
-        };
-        let mut from_distance = projector.distance(from.position, plane);
-        for to in &polygon {
-            let to_distance = projector.distance(to.position, plane);
-            let from_out = Projector::<K>::is_outside(from_distance, plane);
-            let to_out = Projector::<K>::is_outside(to_distance, plane);
-            if from_out && !to_out {
-                add(cut(
-                    projector,
-                    plane,
-                    (to, to_distance),
-                    (from, from_distance),
-                ));
-            } else if to_out && !from_out {
-                add(cut(
-                    projector,
-                    plane,
-                    (from, from_distance),
-                    (to, to_distance),
-                ));
-            }
-            if !to_out {
-                add(*to);
-            }
-            (from, from_distance) = (to, to_distance);
-        }
-        polygon = inside;
+        inside.clear();
+        cut_off(projector, plane, (polygon, closed), inside);
+        (polygon, inside) = (inside, polygon);
     }
-    polygon
+    let mut outline = Outline::new();
+    for corner in polygon {
+        let _ = outline.push(Corner {
+            vertex: projector.project_inside(&corner.position),
+            // At most 2^30.
+            weights: Weights(corner.weights.map(|weight| weight as i32)),
+        });
+    }
+    outline
 }
 
-/// The part of a line inside the `planes` that any of its ends is outside of.
-pub(crate) fn line<K: Kind>(
+/// Gives `inside` the part of a polygon or, if it is not `closed`, of a line that is inside a plane.
+#[inline(never)]
+fn cut_off<K: Kind>(
     projector: &Projector<K>,
-    [a, b]: [ClipPosition; 2],
-    planes: u8,
-) -> Option<[ClipVertex; 2]> {
-    let [at_a, at_b, _] = Weights::CORNERS;
-    let end = |position, weights| ClipVertex { position, weights };
-    let (mut a, mut b) = (end(a, at_a), end(b, at_b));
-    for plane in (0..6).filter(|plane| planes >> plane & 1 != 0) {
-        let (at_a, at_b) = (
-            projector.distance(a.position, plane),
-            projector.distance(b.position, plane),
-        );
-        match (
-            Projector::<K>::is_outside(at_a, plane),
-            Projector::<K>::is_outside(at_b, plane),
-        ) {
-            (true, true) => return None,
-            (true, false) => a = cut(projector, plane, (&b, at_b), (&a, at_a)),
-            (false, true) => b = cut(projector, plane, (&a, at_a), (&b, at_b)),
-            (false, false) => {}
+    plane: u32,
+    (polygon, closed): (&[Vertex], bool),
+    inside: &mut Polygon,
+) {
+    // There is room: a plane cuts a convex polygon's outline twice.
+    let mut add = |vertex: Vertex| inside.push(vertex).unwrap_or(());
+    // A triangle's last corner is joined to the first, a line's is not.
+    let mut from = polygon.last().filter(|_| closed);
+    for to in polygon {
+        let to_distance = projector.distance(&to.position, plane);
+        let is_out = |distance| Projector::<K>::is_outside(distance, plane);
+        if let Some(from) = from {
+            let from_distance = projector.distance(&from.position, plane);
+            if is_out(from_distance) != is_out(to_distance) {
+                let ends = [(from, from_distance), (to, to_distance)];
+                add(cut(projector, plane, ends));
+            }
         }
+        if !is_out(to_distance) {
+            add(*to);
+        }
+        from = Some(to);
     }
-    Some([a, b])
 }
 
-/// Where `plane` cuts the edge from `inside` to `outside`, which come with their distances from it.
+/// Where `plane` cuts an edge of which one end is inside, the other outside; they come with their
+/// distances from it.
 fn cut<K: Kind>(
     projector: &Projector<K>,
     plane: u32,
-    (inside, inner): (&ClipVertex, i64),
-    (outside, outer): (&ClipVertex, i64),
-) -> ClipVertex {
+    [mut inside, mut outside]: [(&Vertex, i64); 2],
+) -> Vertex {
+    if inside.1 < outside.1 {
+        (inside, outside) = (outside, inside);
+    }
     // The fraction of the way, inner / (inner - outer), in units of 2^-31 and rounded down.
-    let (inner, outer) = (inner.max(0).unsigned_abs(), outer.unsigned_abs());
+    let (inner, outer) = (inside.1.max(0).unsigned_abs(), outside.1.unsigned_abs());
     let sum = ((inner >> 1) + (outer >> 1)) | 1;
     let up = sum.leading_zeros();
     let (part, whole) = ((inner >> 1 << up >> 33) as u32, (sum << up >> 33) as u32);
@@ -137,19 +130,14 @@ fn cut<K: Kind>(
         .min((1 << 31) - 1)
         .cast_signed();
 
-    let mut position = inside.position;
-    for (from, to) in position.iter_mut().zip(outside.position) {
+    let (mut vertex, outside) = (*inside.0, outside.0);
+    let values = vertex.position.iter_mut().chain(&mut vertex.weights);
+    let others = outside.position.iter().chain(&outside.weights);
+    for (from, to) in values.zip(others) {
         let way = to.saturating_sub(*from);
         // The fraction of 64 bits, from the halves; below 2^63 as the fraction is below 2^31.
         *from += (((way >> 32) * fraction) << 1) + (((way & 0xffff_ffff) * fraction) >> 31);
     }
-    let mut weights = inside.weights;
-    for (from, to) in weights.0.iter_mut().zip(outside.weights.0) {
-        // At most 2^30 by less than 2^31.
-        *from += ((i64::from(to - *from) * fraction) >> 31) as i32;
-    }
-    ClipVertex {
-        position: projector.onto(position, plane),
-        weights,
-    }
+    projector.put_onto(&mut vertex.position, plane);
+    vertex
 }

@@ -13,7 +13,7 @@ mod vertex;
 #[doc(hidden)]
 pub use buffers::Arrays;
 pub use buffers::{Buffers, Counts};
-pub(crate) use clip::{MOST_CORNERS, Weights, line as clip_line, triangle as clip_triangle};
+pub(crate) use clip::{Corner, Outline, Weights, clip};
 pub use cull::Cull;
 pub(crate) use mesh::Element;
 pub use mesh::{Index, Mesh};

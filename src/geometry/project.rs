@@ -172,40 +172,41 @@ impl<K: Kind> Projector<K> {
         }
     }
 
-    /// How far inside each plane a position is, for plane 0 to 5: near or far, far or near, left,
-    /// right, top, bottom.
-    pub(super) fn distance(&self, position: ClipPosition, plane: u32) -> i64 {
-        let [x, y, t] = position;
-        // All are below 2^62.
-        let limit = match plane {
-            0 => -self.range[0],
+    /// The bound of a coordinate at each of the planes 0 to 5: near or far, far or near, left, right,
+    /// top, bottom. The first two bound t, the next x, the last y.
+    #[inline]
+    fn bound(&self, t: i64, plane: u32) -> i64 {
+        match plane {
+            0 => self.range[0],
             1 => self.range[1],
+            _ if plane & 1 == 0 => -self.w(t),
             _ => self.w(t),
-        };
+        }
+    }
+
+    /// How far inside a plane a position is.
+    #[inline(never)]
+    pub(super) fn distance(&self, position: &ClipPosition, plane: u32) -> i64 {
+        let [x, y, t] = *position;
         let value = match plane >> 1 {
             0 => t,
             1 => x,
             _ => y,
         };
-        if plane & 1 == 0 {
-            limit + value
-        } else {
-            limit - value
-        }
+        let distance = value - self.bound(t, plane);
+        // All are below 2^62.
+        if plane & 1 == 0 { distance } else { -distance }
     }
 
-    /// A position on an edge that `plane` cuts, put onto the plane.
+    /// Puts a position on an edge that `plane` cuts onto the plane.
     #[inline]
-    pub(super) fn onto(&self, [x, y, t]: ClipPosition, plane: u32) -> ClipPosition {
-        let w = self.w(t);
-        match plane {
-            0 => [x, y, self.range[0]],
-            1 => [x, y, self.range[1]],
-            2 => [-w, y, t],
-            3 => [w, y, t],
-            4 => [x, -w, t],
-            _ => [x, w, t],
-        }
+    pub(super) fn put_onto(&self, [x, y, t]: &mut ClipPosition, plane: u32) {
+        let bound = self.bound(*t, plane);
+        *match plane >> 1 {
+            0 => t,
+            1 => x,
+            _ => y,
+        } = bound;
     }
 
     /// Whether a distance from a plane counts as outside.
@@ -215,23 +216,20 @@ impl<K: Kind> Projector<K> {
     }
 
     /// A bit for each plane that a position is outside of.
-    #[inline]
-    fn outside(&self, [x, y, t]: ClipPosition) -> u8 {
-        // As `is_outside` of each distance, without the differences: w is below 2^62.
-        let far = self.w(t) + SIDE_TOLERANCE;
-        let bit = |outside: bool, plane: u32| u8::from(outside) << plane;
-        bit(t < self.range[0], 0)
-            | bit(t > self.range[1], 1)
-            | bit(x < -far, 2)
-            | bit(x > far, 3)
-            | bit(y < -far, 4)
-            | bit(y > far, 5)
+    ///
+    /// A call, as it takes long; few vertices of what is to be seen need it.
+    #[inline(never)]
+    fn outside(&self, position: &ClipPosition) -> u8 {
+        (0..6).fold(0, |outside, plane| {
+            let is_outside = Self::is_outside(self.distance(position, plane), plane);
+            outside | u8::from(is_outside) << plane
+        })
     }
 
     /// A position of clip space on the screen.
     #[inline]
-    pub(crate) fn project(&self, position: ClipPosition) -> Projected {
-        let [x, y, t] = position;
+    pub(crate) fn project(&self, position: &ClipPosition) -> Projected {
+        let [x, y, t] = *position;
         // As `outside`, which tells of what plane, would have it.
         let [least, most] = self.range;
         let ahead = t.wrapping_sub(least).cast_unsigned() <= most.abs_diff(least);
@@ -247,9 +245,9 @@ impl<K: Kind> Projector<K> {
     }
 
     /// A position of clip space that is inside on the screen, such as a corner of a clipped polygon.
-    #[inline]
-    pub(crate) fn project_inside(&self, position: ClipPosition) -> Projected {
-        let [x, y, t] = position;
+    #[inline(never)]
+    pub(crate) fn project_inside(&self, position: &ClipPosition) -> Projected {
+        let [x, y, t] = *position;
         let (screen, q, exponent) = if K::PERSPECTIVE {
             // t is positive and below 2^62. With t' = t · 2^up / 2^33 of 31 bits and x' half so
             // large, x / t = x' · r / 2^60.

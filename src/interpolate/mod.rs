@@ -15,5 +15,5 @@ pub use mode::{Exact, Interpolate, Linear};
 pub(crate) use plane::{Plane, Slope};
 pub use reciprocal::reciprocal;
 pub use run::{Pixels, Run, Scale, Steps};
-pub(crate) use run::{RUN, Weighted};
+pub(crate) use run::{RUN, weigh};
 pub use segment::{Segment, speed};

@@ -50,7 +50,7 @@ impl<const N: usize> Steps<N> {
     pub(crate) const EVEN: Self = Self {
         q: 0,
         p: [0; N],
-        scale: [Scale::new(1); N],
+        scale: [Scale::ONE; N],
     };
 }
 
@@ -75,6 +75,9 @@ pub struct Scale {
 }
 
 impl Scale {
+    /// That of an attribute that is 0 everywhere.
+    pub(crate) const ONE: Self = Self::new(1);
+
     #[inline]
     const fn new(bits: u32) -> Self {
         Self {
@@ -121,49 +124,30 @@ pub trait Pixels<T, const N: usize> {
     fn shade(&mut self, pixel: T, q: u32, varyings: [i32; N]);
 }
 
-/// The attributes of a primitive's corners, weighted by their 1/w and scaled to fit.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Weighted<const N: usize, const CORNERS: usize> {
-    /// Attribute · weight · 2^-bits, per attribute and corner.
-    pub(crate) p: [[i32; CORNERS]; N],
-    pub(crate) scale: [Scale; N],
-}
-
-impl<const N: usize, const CORNERS: usize> Weighted<N, CORNERS> {
-    /// Weights below 2³¹, one per corner.
-    #[inline]
-    pub(crate) fn new(attributes: &[[i32; N]; CORNERS], weights: [u32; CORNERS]) -> Self {
-        let mut weighted = Self {
-            p: [[0; CORNERS]; N],
-            scale: [Scale::new(1); N],
-        };
-        for (i, (p, scale)) in weighted.p.iter_mut().zip(&mut weighted.scale).enumerate() {
-            let mut values = attributes
-                .each_ref()
-                .map(|corner| corner.get(i).copied().unwrap_or(0));
-            let size = values
-                .iter()
-                .fold(0, |most: u32, value| most.max(value.unsigned_abs()));
-            let bits = 33 - (size + (size >> 4)).leading_zeros();
-            if bits > 32 {
-                draw_in(&mut values, weights);
-            }
-            let bits = bits.min(32);
-            *scale = Scale::new(bits);
-            for ((p, value), weight) in p.iter_mut().zip(values).zip(weights) {
-                // The value shifted to fill 32 bits times the weight, and the upper half of that to the nearest.
-                let product = i64::from(value << (32 - bits)) * i64::from(weight.cast_signed());
-                *p = ((product + (1 << 31)) >> 32) as i32;
-            }
-        }
-        weighted
+/// Makes the values of an attribute at the corners those of attribute · weight · 2^-bits, where weights
+/// are below 2³¹; gives the scale of the result.
+#[inline]
+pub(crate) fn weigh(values: &mut [i32; 3], weights: [u32; 3]) -> Scale {
+    let size = values
+        .iter()
+        .fold(0, |most: u32, value| most.max(value.unsigned_abs()));
+    let bits = 33 - (size + (size >> 4)).leading_zeros();
+    if bits > 32 {
+        draw_in(values, weights);
     }
+    let bits = bits.min(32);
+    for (value, weight) in values.iter_mut().zip(weights) {
+        // The value shifted to fill 32 bits times the weight, and the upper half of that to the nearest.
+        let product = i64::from(*value << (32 - bits)) * i64::from(weight.cast_signed());
+        *value = ((product + (1 << 31)) >> 32) as i32;
+    }
+    Scale::new(bits)
 }
 
 /// Draws values of 31 bits in from the ends of `i32`, by what rounding may add to them where the
 /// weight is least: a step more would wrap around.
 #[cold]
-fn draw_in<const CORNERS: usize>(values: &mut [i32; CORNERS], weights: [u32; CORNERS]) {
+fn draw_in(values: &mut [i32; 3], weights: [u32; 3]) {
     let least = weights.into_iter().fold(1 << 30, u32::min);
     // An interpolant is off by less than 64 units, each of them 2^32 / weight of the value.
     let room = 1 << 7 << least.leading_zeros().min(20);
@@ -184,9 +168,11 @@ mod tests {
             let value = i32::MAX >> (31 - bits);
             for least in [1 << 11, (1 << 11) + 1, 1 << 20, 1 << 30, (1 << 31) - 1] {
                 for weight in [least, least | 1 << 30, (1 << 31) - 1] {
-                    for values in [[[value], [0]], [[-value], [value]], [[!value], [!value]]] {
-                        let weighted = Weighted::new(&values, [weight, least]);
-                        for (p, weight) in weighted.p[0].into_iter().zip([weight, least]) {
+                    for values in [[value, 0, 0], [-value, value, value], [!value; 3]] {
+                        let weights = [weight, least, weight];
+                        let mut weighted = values;
+                        weigh(&mut weighted, weights);
+                        for (p, weight) in weighted.into_iter().zip(weights) {
                             assert!(
                                 2 * p.unsigned_abs() + 113 <= weight,
                                 "{values:?}: {p} of {weight}"

@@ -110,10 +110,10 @@ impl Number {
         let (bottom, bottom_exp) = operand(divisor.value.saturating_abs().max(1));
         let r = i64::from(reciprocal(bottom.unsigned_abs()));
         // What the reciprocal lacks, as a part of `r` in units of 2^-31: (2^61 − r · bottom) / 2^61.
-        let lacks = ((1 << 61) - r * i64::from(bottom)) * r >> 31;
+        let lacks = (((1 << 61) - r * i64::from(bottom)) * r) >> 31;
         let top = i64::from(top);
         Self::new(
-            top * r + (top * lacks >> 30),
+            top * r + ((top * lacks) >> 30),
             61 + self.exp + top_exp - divisor.exp - bottom_exp,
         )
     }

@@ -2,92 +2,108 @@
 
 use core::ops::Range;
 
-use heapless::Vec;
+use super::triangle::{self, Triangle, area, area_in, covers, row_range};
+use super::{Brush, Window};
+use crate::geometry::{Corner, Cull};
 
-use super::{Triangle, Window, area};
-use crate::geometry::{Cull, MOST_CORNERS, Projected, Weights};
-
-/// The triangles that a clipped one is drawn as.
-#[derive(Debug)]
-pub(crate) struct Fan {
-    /// Those that may have pixels, and where their corners lie in the whole.
-    triangles: Vec<(Triangle, [Weights; 3]), { MOST_CORNERS - 2 }>,
+/// The triangles that a clipped one is drawn as: all have the first corner of the outline.
+///
+/// The outline is convex but for the rounding of its corners; where that made it cross itself or
+/// dented it, triangles of the fan turn over and lie upon others: the fan is folded. A pixel is the
+/// outline's if it is in more of them that run clockwise as the whole than in those that do not,
+/// and then the first of those draws it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Fan<'a> {
+    outline: &'a [Corner],
     /// Twice the area of the outline, positive if it runs clockwise as seen.
     area: i64,
 }
 
-/// One triangle of a fan, where rounding has turned some of them over.
-///
-/// The outline is convex but for the rounding of its corners; where that made it cross itself or
-/// dented it, triangles of the fan turn over and lie upon others. A pixel is the outline's if it
-/// is in more of them that run clockwise as the whole than in those that do not, and then the
-/// first of those draws it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Part<'a> {
-    fan: &'a Fan,
-    at: usize,
+/// Whether twice an area is that of a triangle that runs as one of `whole` does.
+const fn runs_as(whole: i64, area: i64) -> bool {
+    (whole > 0) == (area > 0)
 }
 
-impl Fan {
-    /// The fan of an outline, as far as it may cover pixels of the window.
-    pub(crate) fn new(outline: &[(Projected, Weights)], window: &Window) -> Self {
-        let mut fan = Self {
-            triangles: Vec::new(),
-            area: 0,
-        };
-        let mut corners = outline.iter();
-        let (Some(first), Some(mut from)) = (corners.next(), corners.next()) else {
-            return fan;
-        };
-        for to in corners {
-            let part = [first, from, to];
-            let projected = part.map(|corner| corner.0);
-            fan.area += area(projected.map(|corner| corner.screen));
-            if let Some(triangle) = Triangle::new(&projected, Cull::Nothing, window) {
-                // There is room.
-                let _ = fan.triangles.push((triangle, part.map(|corner| corner.1)));
-            }
-            from = to;
+impl<'a> Fan<'a> {
+    /// The fan of an outline, unless it is culled.
+    pub(crate) fn new(outline: &'a [Corner], cull: Cull) -> Option<Self> {
+        let mut fan = Self { outline, area: 0 };
+        let area = fan.triangles().map(|corners| {
+            let corners = corners.map(|corner| corner.vertex.screen);
+            area(&corners)
+        });
+        fan.area = area.sum();
+        if cull.leaves_out(fan.area) {
+            return None;
         }
-        fan
+        Some(fan)
     }
 
-    /// Twice the area of the outline, positive if it runs clockwise as seen.
-    pub(crate) const fn area(&self) -> i64 {
-        self.area
+    /// The triangles.
+    fn triangles(&self) -> impl Iterator<Item = [&'a Corner; 3]> + use<'a> {
+        let first = self.outline.first();
+        let sides = self.outline.windows(2).skip(1);
+        sides.filter_map(move |side| match (first, side) {
+            (Some(first), [from, to]) => Some([first, from, to]),
+            _ => None,
+        })
     }
 
-    /// The rows that it may have pixels in; `None` if it has none.
-    pub(crate) fn row_range(&self) -> Option<Range<i32>> {
-        let rows = self.triangles.iter().map(|(part, _)| part.row_range());
+    /// The rows that it may have pixels in; `None` if it has none in the window.
+    pub(crate) fn row_range(&self, window: &Window) -> Option<Range<i32>> {
+        let corners = self.triangles();
+        let corners = corners.map(|corners| corners.map(|corner| corner.vertex));
+        let inside = corners.filter(|corners| area_in(corners, Cull::Nothing, window) != 0);
+        let rows = inside.map(|corners| row_range(&corners));
         rows.reduce(|a, b| a.start.min(b.start)..a.end.max(b.end))
     }
 
-    /// The triangles to be drawn, and where in the whole their corners are; with a [`Part`] if not all of their pixels
-    /// are theirs.
-    pub(crate) fn parts(
-        &self,
-    ) -> impl Iterator<Item = (&Triangle, &[Weights; 3], Option<Part<'_>>)> {
-        let runs_as_whole = |triangle: &Triangle| triangle.is_clockwise() == (self.area > 0);
-        let folded = !self.triangles.iter().all(|part| runs_as_whole(&part.0));
-        self.triangles
-            .iter()
-            .enumerate()
-            .filter(move |(_, part)| runs_as_whole(&part.0))
-            .map(move |(at, (triangle, corners))| {
-                let part = Part { fan: self, at };
-                (triangle, corners, folded.then_some(part))
-            })
+    /// Draws the part in the window; whether there is any.
+    pub(crate) fn draw(&self, brush: &mut dyn Brush, window: &Window) -> bool {
+        let area = |corners: [&Corner; 3]| {
+            let corners = corners.map(|corner| corner.vertex);
+            area_in(&corners, Cull::Nothing, window)
+        };
+        let mut folded = false;
+        for corners in self.triangles() {
+            let area = area(corners);
+            folded |= area != 0 && !runs_as(self.area, area);
+        }
+        let mut drawn = false;
+        for (at, corners) in self.triangles().enumerate() {
+            let area = area(corners);
+            if area == 0 || !runs_as(self.area, area) {
+                continue;
+            }
+            let triangle = Triangle {
+                corners: &corners.map(|corner| corner.vertex),
+                weights: Some(&corners.map(|corner| corner.weights)),
+                area,
+            };
+            let part = Part { fan: self, at };
+            triangle::draw(brush, window, &triangle, folded.then_some(&part));
+            drawn = true;
+        }
+        drawn
     }
+}
+
+/// One triangle of a folded fan.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Part<'a> {
+    fan: &'a Fan<'a>,
+    at: usize,
 }
 
 impl Part<'_> {
     /// Whether this triangle is to draw a pixel.
     pub(super) fn has(&self, pixel: [i32; 2]) -> bool {
         let mut winding = 0;
-        for (i, (triangle, _)) in self.fan.triangles.iter().enumerate() {
-            if triangle.covers(pixel) {
-                if triangle.is_clockwise() != (self.fan.area > 0) {
+        for (i, corners) in self.fan.triangles().enumerate() {
+            let corners = corners.map(|corner| corner.vertex.screen);
+            let area = area(&corners);
+            if covers(&corners, area, pixel) {
+                if !runs_as(self.fan.area, area) {
                     winding -= 1;
                 } else if i < self.at {
                     return false;

@@ -1,0 +1,173 @@
+//! What a draw call paints with: a fragment, a mode and a canvas, behind one interface.
+
+use core::marker::PhantomData;
+use core::ops::Range;
+
+use embedded_graphics::geometry::Point;
+
+use super::Triangle;
+use super::planes::{Interpolant, Planes};
+use crate::geometry::{DepthShift, Face, Vertex};
+use crate::interpolate::{Interpolate, Pixels, RUN, Run, Steps};
+use crate::shade::{Fragment, Sample};
+use crate::target::{Canvas, DepthBuffer, Storage};
+
+/// The part of a draw call that depends on what is painted, and on what.
+///
+/// All else, from the mesh's indices to rows of pixels, calls it through a `dyn`: it exists once in
+/// a program, however many fragments and canvases there are. A call costs a few instructions an
+/// element and a span.
+pub(crate) trait Brush {
+    /// Goes to another element of the mesh.
+    fn element(&mut self, face: &Face<'_>);
+
+    /// Gets ready for a triangle on the screen, all or a part of the element.
+    fn triangle(&mut self, triangle: &Triangle<'_>);
+
+    /// Paints `columns` of `row`, which lie within the canvas.
+    ///
+    /// Interpolants begin `x` columns and `y` rows from the pixel that corner 0 of the triangle lies in.
+    fn span(&mut self, row: i32, columns: Range<i32>, x: i32, y: i32);
+}
+
+/// The [`Brush`] of a fragment `F` in mode `I`.
+pub(crate) struct Paint<'p, 'c, I, F: Fragment<N>, O: Storage<F::Color>, D, const N: usize> {
+    canvas: &'p mut Canvas<'c, F::Color, O, D>,
+    /// As it was made ready for the draw call, and for the present element.
+    fragment: F,
+    current: F,
+    planes: Planes<[Interpolant; N]>,
+    depth_shift: DepthShift,
+    /// By how much the present triangle's 1/w are shifted down to be depths.
+    down: u32,
+    mode: PhantomData<I>,
+}
+
+impl<'p, 'c, I, F, O, D, const N: usize> Paint<'p, 'c, I, F, O, D, N>
+where
+    F: Fragment<N>,
+    O: Storage<F::Color>,
+    D: DepthBuffer,
+{
+    /// Whether pixels of a primitive differ in anything but their place, so that there is something to interpolate.
+    const VARIES: bool = N > 0 || D::IS_KEPT || F::READS_DEPTH;
+
+    #[inline]
+    pub(crate) fn new(
+        canvas: &'p mut Canvas<'c, F::Color, O, D>,
+        fragment: F,
+        depth_shift: DepthShift,
+    ) -> Self {
+        Self {
+            canvas,
+            fragment,
+            current: fragment,
+            planes: Planes::<[Interpolant; N]>::NONE,
+            depth_shift,
+            down: 0,
+            mode: PhantomData,
+        }
+    }
+}
+
+impl<I, F, O, D, const N: usize> Brush for Paint<'_, '_, I, F, O, D, N>
+where
+    I: Interpolate,
+    F: Fragment<N>,
+    O: Storage<F::Color>,
+    D: DepthBuffer,
+{
+    fn element(&mut self, face: &Face<'_>) {
+        let mut varyings = [[0; N]; 3];
+        for (corner, varyings) in varyings.iter_mut().enumerate() {
+            *varyings = self.fragment.varyings(&Vertex { face, corner });
+        }
+        if face.element.face.is_some() {
+            self.current = self.fragment.face(&mut varyings, face);
+        }
+        let [first, second, third] = &varyings;
+        let varyings = first.iter().zip(second).zip(third);
+        for (p, ((&first, &second), &third)) in self.planes.p.iter_mut().zip(varyings) {
+            p.corners = [first, second, third];
+        }
+    }
+
+    fn triangle(&mut self, triangle: &Triangle<'_>) {
+        if Self::VARIES {
+            let planes: &mut Planes = &mut self.planes;
+            let exponent = planes.lay(triangle, I::PERSPECTIVE);
+            self.down = self.depth_shift.of(exponent);
+        }
+    }
+
+    fn span(&mut self, row: i32, columns: Range<i32>, mut x: i32, y: i32) {
+        let mut start = columns.start;
+        while start < columns.end {
+            let (end, run, steps) = if Self::VARIES {
+                let planes: &mut Planes = &mut self.planes;
+                planes.go(x, y);
+                let end = columns.end.min(start + RUN.cast_signed());
+                (end, self.planes.run(), self.planes.steps())
+            } else {
+                (columns.end, Run::EVEN, Steps::EVEN)
+            };
+            let mut shader = Shader {
+                fragment: &self.current,
+                depth_shift: self.down,
+                // The first pixel is looked at after one step.
+                point: Point::new(start - 1, row),
+                depth: 0,
+            };
+            let cells = self.canvas.run(
+                row.cast_unsigned(),
+                start.cast_unsigned()..end.cast_unsigned(),
+            );
+            let cells = cells.map(|(color, depth)| Cell::<F::Color, O, D> { color, depth });
+            I::run(run, &steps, cells, &mut shader);
+            x += end - start;
+            start = end;
+        }
+    }
+}
+
+/// One pixel in memory.
+struct Cell<'c, 'd, C, O: Storage<C>, D: DepthBuffer + 'd> {
+    color: &'c mut O::Cell,
+    depth: D::Cell<'d>,
+}
+
+/// Tests and colours the pixels of a run with a fragment.
+struct Shader<'f, F> {
+    fragment: &'f F,
+    depth_shift: u32,
+    point: Point,
+    depth: u32,
+}
+
+impl<'d, F, O, D, const N: usize> Pixels<Cell<'_, 'd, F::Color, O, D>, N> for Shader<'_, F>
+where
+    F: Fragment<N>,
+    O: Storage<F::Color>,
+    D: DepthBuffer + 'd,
+{
+    #[inline]
+    fn visible(&mut self, cell: &Cell<'_, 'd, F::Color, O, D>, q: u32) -> bool {
+        self.point.x += 1;
+        // 31 bits shifted down by 15 or more.
+        self.depth = q >> self.depth_shift;
+        D::passes(&cell.depth, self.depth)
+    }
+
+    #[inline]
+    fn shade(&mut self, cell: Cell<'_, 'd, F::Color, O, D>, _: u32, varyings: [i32; N]) {
+        let depth = self.depth as u16;
+        let sample = Sample {
+            point: self.point,
+            depth,
+        };
+        if let Some(color) = self.fragment.shade(&sample, varyings) {
+            *cell.color = O::store(color);
+            D::store(cell.depth, depth);
+        }
+    }
+}
