@@ -6,6 +6,7 @@
 
 use embedded_graphics::pixelcolor::raw::BigEndian;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use fixel::interpolate::Exact;
 use fixel::prelude::*;
 use fixel::target::Depth;
 
@@ -14,6 +15,9 @@ mod common;
 
 use common::lighthouse;
 use common::scenes::{self, HEIGHT, WIDTH};
+
+/// The way of interpolating that is the specification of the others.
+const PASS: Pass<Exact> = Pass::new().mode(Exact);
 
 type Target<'a> = Canvas<'a, Rgb565, BigEndian, Depth<'a>>;
 
@@ -39,7 +43,7 @@ fn poses(draw: impl Fn(i32, &mut Target<'_>)) -> ([u32; 8], usize) {
 #[test]
 fn floor() {
     let drawn = picture(|canvas| {
-        scenes::floor(canvas, &scenes::floor_chain(0).unwrap());
+        scenes::floor(canvas, &PASS, &scenes::floor_chain(0).unwrap());
     });
     assert_eq!(drawn, (0xcea2_0ac4, 47_610));
 }
@@ -57,7 +61,7 @@ fn cube() {
         0xedad_0d90,
     ];
     let drawn = poses(|k, canvas| {
-        scenes::cube(canvas, &scenes::cube_chain(k).unwrap());
+        scenes::cube(canvas, &PASS, &scenes::cube_chain(k).unwrap());
     });
     assert_eq!(drawn, (CRC, 30_716));
 }
@@ -75,7 +79,7 @@ fn sphere() {
         0x6570_3ab7,
     ];
     let drawn = poses(|k, canvas| {
-        scenes::sphere(canvas, &scenes::sphere_chain(k).unwrap());
+        scenes::sphere(canvas, &PASS, &scenes::sphere_chain(k).unwrap());
     });
     assert_eq!(drawn, (CRC, 30_526));
 }
@@ -93,7 +97,7 @@ fn sphere_flat() {
         0x7d26_1f71,
     ];
     let drawn = poses(|k, canvas| {
-        scenes::sphere_flat(canvas, &scenes::sphere_chain(k).unwrap());
+        scenes::sphere_flat(canvas, &PASS, &scenes::sphere_chain(k).unwrap());
     });
     assert_eq!(drawn, (CRC, 30_526));
 }
@@ -104,7 +108,7 @@ fn lighthouse() {
         let lens = lighthouse::lens((WIDTH, HEIGHT)).unwrap();
         let chain = lens * lighthouse::camera().unwrap() * Transform::IDENTITY;
         lighthouse::sky(canvas);
-        lighthouse::draw(canvas, &chain).unwrap();
+        lighthouse::draw(canvas, &PASS, &chain).unwrap();
         lighthouse::caption(canvas);
     });
     assert_eq!(crc, 0x7006_cda3);

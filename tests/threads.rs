@@ -5,7 +5,7 @@ use std::thread;
 
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, RgbColor};
-use fixel::interpolate::{Exact, Linear};
+use fixel::interpolate::{Affine, Exact};
 use fixel::prelude::*;
 use fixel::target::{Depth, Native, NoDepth};
 use fixel::view::{Parallel, Perspective};
@@ -34,7 +34,7 @@ const _: () = {
     both::<Transform>();
     both::<Viewport>();
     both::<Pass<Exact>>();
-    both::<Pass<Linear>>();
+    both::<Pass<Affine>>();
     both::<Skin>();
     both::<Light>();
     both::<Flat<Rgb565>>();
@@ -131,8 +131,8 @@ fn without_depth(draw: impl Fn(&mut Canvas<'_, Rgb565, BigEndian>) + Sync) {
 fn textured_with_depth() {
     let [floor, cube] = [scenes::floor_chain(0), scenes::cube_chain(3)].map(Result::unwrap);
     with_depth(|canvas| {
-        scenes::floor(canvas, &floor);
-        scenes::cube(canvas, &cube);
+        scenes::floor(canvas, &Pass::new(), &floor);
+        scenes::cube(canvas, &Pass::new(), &cube);
     });
 }
 
@@ -140,7 +140,7 @@ fn textured_with_depth() {
 fn gouraud_with_depth() {
     let chain = scenes::sphere_chain(1).unwrap();
     with_depth(|canvas| {
-        scenes::sphere(canvas, &chain);
+        scenes::sphere(canvas, &Pass::new(), &chain);
     });
 }
 
@@ -148,7 +148,7 @@ fn gouraud_with_depth() {
 fn flat_without_depth() {
     let chain = scenes::sphere_chain(2).unwrap();
     without_depth(|canvas| {
-        scenes::sphere_flat(canvas, &chain);
+        scenes::sphere_flat(canvas, &Pass::new(), &chain);
     });
 }
 
@@ -173,7 +173,7 @@ fn the_lighthouse_with_its_caption() {
     let chain = lens * lighthouse::camera().unwrap() * Transform::IDENTITY;
     with_depth(|canvas| {
         lighthouse::sky(canvas);
-        lighthouse::draw(canvas, &chain).unwrap();
+        lighthouse::draw(canvas, &Pass::new(), &chain).unwrap();
         lighthouse::caption(canvas);
     });
 }

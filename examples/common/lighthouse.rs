@@ -9,6 +9,7 @@ use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::{Alignment, Text};
+use fixel::interpolate::Interpolate;
 use fixel::prelude::*;
 use fixel::shade::{Converted, Levels, Light, Texture, Textured};
 use fixel::target::{DepthBuffer, Storage};
@@ -134,18 +135,20 @@ pub fn skin<C: Levels>() -> Result<impl Fragment<3, Color = C>, Error> {
 /// # Errors
 ///
 /// None: the light's numbers are constant.
-pub fn draw<C, K, O, D>(
+pub fn draw<C, I, K, O, D>(
     canvas: &mut Canvas<'_, C, O, D>,
+    pass: &Pass<I>,
     chain: &Chain<K>,
 ) -> Result<[Drawn; 2], Error>
 where
     C: Levels,
+    I: Interpolate,
     K: Kind,
     O: Storage<C>,
     D: DepthBuffer,
 {
-    let sea = canvas.draw(&SEA, chain, &waves());
-    let island = canvas.draw(&ISLAND, chain, &skin()?);
+    let sea = canvas.draw_with(pass, &SEA, chain, &waves());
+    let island = canvas.draw_with(pass, &ISLAND, chain, &skin()?);
     Ok([sea, island])
 }
 

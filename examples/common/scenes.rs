@@ -5,6 +5,7 @@
 //! is not. `no_std`, so that a microcontroller draws the very same.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, WebColors};
+use fixel::interpolate::Interpolate;
 use fixel::prelude::*;
 use fixel::shade::{FaceColors, Gouraud, Texture, Textured};
 use fixel::target::{DepthBuffer, Storage};
@@ -178,33 +179,37 @@ pub fn faceted() -> impl Fragment<0, Color = Rgb565> {
 }
 
 /// Draws the floor.
-pub fn floor<O: Storage<Rgb565>, D: DepthBuffer>(
+pub fn floor<I: Interpolate, O: Storage<Rgb565>, D: DepthBuffer>(
     canvas: &mut Canvas<'_, Rgb565, O, D>,
+    pass: &Pass<I>,
     chain: &Chain<Perspective>,
 ) -> Drawn {
-    canvas.draw(&FLOOR, chain, &checkered())
+    canvas.draw_with(pass, &FLOOR, chain, &checkered())
 }
 
 /// Draws the cube.
-pub fn cube<O: Storage<Rgb565>, D: DepthBuffer>(
+pub fn cube<I: Interpolate, O: Storage<Rgb565>, D: DepthBuffer>(
     canvas: &mut Canvas<'_, Rgb565, O, D>,
+    pass: &Pass<I>,
     chain: &Chain<Perspective>,
 ) -> Drawn {
-    canvas.draw(&CUBE, chain, &checkered())
+    canvas.draw_with(pass, &CUBE, chain, &checkered())
 }
 
 /// Draws the sphere with interpolated colours.
-pub fn sphere<O: Storage<Rgb565>, D: DepthBuffer>(
+pub fn sphere<I: Interpolate, O: Storage<Rgb565>, D: DepthBuffer>(
     canvas: &mut Canvas<'_, Rgb565, O, D>,
+    pass: &Pass<I>,
     chain: &Chain<Perspective>,
 ) -> Drawn {
-    canvas.draw(&SPHERE, chain, &shaded())
+    canvas.draw_with(pass, &SPHERE, chain, &shaded())
 }
 
 /// Draws the sphere with a colour per triangle; meant for a canvas without depth.
-pub fn sphere_flat<O: Storage<Rgb565>, D: DepthBuffer>(
+pub fn sphere_flat<I: Interpolate, O: Storage<Rgb565>, D: DepthBuffer>(
     canvas: &mut Canvas<'_, Rgb565, O, D>,
+    pass: &Pass<I>,
     chain: &Chain<Perspective>,
 ) -> Drawn {
-    canvas.draw(&SPHERE, chain, &faceted())
+    canvas.draw_with(pass, &SPHERE, chain, &faceted())
 }

@@ -18,6 +18,8 @@ const PAINT: u32 = 0xa51c_e5ab;
 /// Bytes beneath the painter's own local that are left alone: the rest of its frame, and of what it
 /// calls where nothing is inlined. Work of less depth cannot be told.
 const MARGIN: usize = 256;
+/// Most bytes that are painted: work of more depth is taken for this much.
+const MOST: usize = 64 << 10;
 /// Bytes of a word of paint.
 const WORD: usize = size_of::<u32>();
 
@@ -28,7 +30,10 @@ const WORD: usize = size_of::<u32>();
 pub fn deepest<T>(work: impl FnOnce() -> T) -> (T, usize) {
     let local = 0_u32;
     let top = (&raw const *black_box(&local)).addr();
-    let (end, start) = (stack_end().expose_provenance(), top - MARGIN);
+    let end = stack_end()
+        .expose_provenance()
+        .max(top.saturating_sub(MOST));
+    let start = top - MARGIN;
     for address in (end..start).step_by(WORD) {
         paint(address);
     }

@@ -1,6 +1,7 @@
 //! Draws a scene in a layout, and takes its figures.
 
 use crc32fast::Hasher;
+use fixel::interpolate::Interpolate;
 use fixel::prelude::*;
 use fixel::target::DepthBuffer;
 use fixel::view::Perspective;
@@ -82,7 +83,12 @@ impl Bench {
     }
 
     /// Draws a scene.
-    pub fn measure(&mut self, scene: Scene, layout: Layout) -> Result<Figures, Error> {
+    pub fn measure<I: Interpolate>(
+        &mut self,
+        scene: Scene,
+        pass: &Pass<I>,
+        layout: Layout,
+    ) -> Result<Figures, Error> {
         let Self {
             clock,
             colors,
@@ -94,11 +100,11 @@ impl Bench {
         let models = if let Layout::Prepared = layout {
             let (clock, lists, chain) = (&mut *clock, &mut **lists, &chain);
             let ((prepared, ticks), stack) =
-                stack::deepest(move || clock.time(move || scene.prepare(lists, chain)));
+                stack::deepest(move || clock.time(move || scene.prepare(lists, pass, chain)));
             figures.add(ticks, stack);
             Models::Prepared(prepared?)
         } else {
-            Models::Meshes(scene, &chain)
+            Models::Meshes(scene, pass, &chain)
         };
         let mut crc = Hasher::new();
         for first_row in (0..HEIGHT).step_by(rows as usize) {
@@ -137,24 +143,24 @@ impl Figures {
 }
 
 /// What a strip is drawn from.
-enum Models<'a> {
-    Meshes(Scene, &'a Chain<Perspective>),
-    Prepared(PreparedScene<'a>),
+enum Models<'a, I> {
+    Meshes(Scene, &'a Pass<I>, &'a Chain<Perspective>),
+    Prepared(PreparedScene<'a, I>),
 }
 
-impl Models<'_> {
+impl<I: Interpolate> Models<'_, I> {
     fn draw<D: DepthBuffer>(&self, canvas: &mut Target<'_, D>) -> Result<u32, Error> {
         match self {
-            Self::Meshes(scene, chain) => scene.draw(canvas, chain),
+            Self::Meshes(scene, pass, chain) => scene.draw(canvas, pass, chain),
             Self::Prepared(prepared) => prepared.draw(canvas),
         }
     }
 }
 
 /// Draws a scene to a strip, and adds what the drawing took.
-fn draw<D: DepthBuffer>(
+fn draw<I: Interpolate, D: DepthBuffer>(
     scene: Scene,
-    models: &Models<'_>,
+    models: &Models<'_, I>,
     canvas: &mut Target<'_, D>,
     clock: &mut Clock,
     figures: &mut Figures,

@@ -29,6 +29,7 @@ fn main() {
 mod firmware {
     use core::panic::PanicInfo;
 
+    use fixel::interpolate::{Affine, Exact, Interpolate};
     use fixel::prelude::*;
     use semihosting::{println, process};
 
@@ -43,18 +44,24 @@ mod firmware {
             board::instructions_per_tick(&mut clock)
         );
         let mut bench = Bench::new(clock);
+        run_mode(&mut bench, "exact", Exact)?;
+        run_mode(&mut bench, "affine", Affine)
+    }
+
+    /// Measures everything in one way of interpolating.
+    fn run_mode<I: Interpolate>(bench: &mut Bench, mode: &str, way: I) -> Result<(), Error> {
+        let pass = Pass::new().mode(way);
         for scene in Scene::ALL {
             for layout in Layout::ALL {
-                // The one way to interpolate that there is.
-                let case =
-                    format_args!("scene={} mode=exact layout={}", scene.name(), layout.name());
+                let (name, layout_name) = (scene.name(), layout.name());
+                let case = format_args!("scene={name} mode={mode} layout={layout_name}");
                 let Figures {
                     pixels,
                     triangles,
                     ticks,
                     stack,
                     crc,
-                } = bench.measure(scene, layout)?;
+                } = bench.measure(scene, &pass, layout)?;
                 println!(
                     "{case} pixels={pixels} triangles={triangles} ticks={ticks} crc={crc:08x}"
                 );

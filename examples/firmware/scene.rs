@@ -3,6 +3,7 @@
 use embedded_graphics::pixelcolor::raw::BigEndian;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::Prepared;
+use fixel::interpolate::Interpolate;
 use fixel::prelude::*;
 use fixel::target::DepthBuffer;
 use fixel::view::Perspective;
@@ -69,30 +70,32 @@ impl Scene {
     }
 
     /// Draws the models, which is what is measured; returns how many triangles were drawn.
-    pub fn draw<D: DepthBuffer>(
+    pub fn draw<I: Interpolate, D: DepthBuffer>(
         self,
         canvas: &mut Target<'_, D>,
+        pass: &Pass<I>,
         chain: &Chain<Perspective>,
     ) -> Result<u32, Error> {
         Ok(match self {
-            Self::Floor => scenes::floor(canvas, chain).drawn,
-            Self::Cube => scenes::cube(canvas, chain).drawn,
-            Self::Sphere => scenes::sphere(canvas, chain).drawn,
-            Self::SphereFlat => scenes::sphere_flat(canvas, chain).drawn,
+            Self::Floor => scenes::floor(canvas, pass, chain).drawn,
+            Self::Cube => scenes::cube(canvas, pass, chain).drawn,
+            Self::Sphere => scenes::sphere(canvas, pass, chain).drawn,
+            Self::SphereFlat => scenes::sphere_flat(canvas, pass, chain).drawn,
             Self::Lighthouse => {
-                let [sea, island] = lighthouse::draw(canvas, chain)?;
+                let [sea, island] = lighthouse::draw(canvas, pass, chain)?;
                 sea.drawn + island.drawn
             }
         })
     }
 
     /// Prepares the models for all bands of the picture.
-    pub fn prepare<'l>(
+    pub fn prepare<'l, I: Interpolate>(
         self,
         lists: &'l mut Lists,
+        pass: &Pass<I>,
         chain: &Chain<Perspective>,
-    ) -> Result<PreparedScene<'l>, Error> {
-        let (frame, pass) = ((WIDTH, HEIGHT), Pass::new());
+    ) -> Result<PreparedScene<'l, I>, Error> {
+        let frame = (WIDTH, HEIGHT);
         let (mesh, sea) = match self {
             Self::Floor => (&scenes::FLOOR, None),
             Self::Cube => (&scenes::CUBE, None),
@@ -103,9 +106,9 @@ impl Scene {
             scene: self,
             sea: match sea {
                 None => None,
-                Some(sea) => Some(lists.sea.prepare(&pass, frame, sea, chain)?),
+                Some(sea) => Some(lists.sea.prepare(pass, frame, sea, chain)?),
             },
-            model: lists.model.prepare(&pass, frame, mesh, chain)?,
+            model: lists.model.prepare(pass, frame, mesh, chain)?,
         })
     }
 
@@ -134,13 +137,13 @@ impl Lists {
 }
 
 /// A scene's models, ready for every band.
-pub struct PreparedScene<'l> {
+pub struct PreparedScene<'l, I> {
     scene: Scene,
-    model: Prepared<'l>,
-    sea: Option<Prepared<'l>>,
+    model: Prepared<'l, Perspective, I>,
+    sea: Option<Prepared<'l, Perspective, I>>,
 }
 
-impl PreparedScene<'_> {
+impl<I: Interpolate> PreparedScene<'_, I> {
     /// Draws what is in these rows; returns how many triangles were drawn.
     pub fn draw<D: DepthBuffer>(&self, canvas: &mut Target<'_, D>) -> Result<u32, Error> {
         let Self { scene, model, sea } = self;

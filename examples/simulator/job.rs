@@ -106,10 +106,10 @@ impl Model<'_> {
             let start = Instant::now();
             let [sea, island] = match self.view.lens {
                 Lens::Perspective(lens) => {
-                    lighthouse::draw(&mut canvas, &(lens * camera * posed.pose))?
+                    lighthouse::draw(&mut canvas, &Pass::new(), &(lens * camera * posed.pose))?
                 }
                 Lens::Parallel(lens) => {
-                    lighthouse::draw(&mut canvas, &(lens * camera * posed.pose))?
+                    lighthouse::draw(&mut canvas, &Pass::new(), &(lens * camera * posed.pose))?
                 }
             };
             let time = start.elapsed();
@@ -174,17 +174,17 @@ macro_rules! on_canvas {
 
 /// Draws a strip of a measured scene as it is measured.
 pub fn paint_scene(scene: SceneName, strip: Strip<'_, Rgb565>, frame: u32) -> Result<Done> {
-    let chain = chain(scene, frame)?;
+    let (chain, pass) = (chain(scene, frame)?, Pass::new());
     let draw = |strip: Strip<'_, Rgb565>| -> Result<Done> {
         Ok(on_canvas!(
             strip,
             scene,
             Rgb565::default(),
             |canvas| match scene {
-                SceneName::Floor => scenes::floor(canvas, &chain),
-                SceneName::Cube => scenes::cube(canvas, &chain),
-                SceneName::Sphere => scenes::sphere(canvas, &chain),
-                SceneName::SphereFlat => scenes::sphere_flat(canvas, &chain),
+                SceneName::Floor => scenes::floor(canvas, &pass, &chain),
+                SceneName::Cube => scenes::cube(canvas, &pass, &chain),
+                SceneName::Sphere => scenes::sphere(canvas, &pass, &chain),
+                SceneName::SphereFlat => scenes::sphere_flat(canvas, &pass, &chain),
             }
         ))
     };

@@ -26,7 +26,7 @@ pub(super) enum Seen {
 }
 
 impl<'m, K: Kind> Geometry<'m, K> {
-    pub(super) fn new<I>(
+    pub(super) fn new<I: Copy>(
         pass: &Pass<I>,
         mesh: &'m Mesh<'m>,
         chain: &Chain<K>,

@@ -95,7 +95,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
         fragment: &F,
     ) -> Drawn {
         let mut painter = self.painter(pass, mesh, chain);
-        let mut brush = self.brush::<I, K, F, N>(&painter.geometry, fragment, &chain.model);
+        let mut brush = self.brush(pass.mode, &painter.geometry, fragment, &chain.model);
         painter.triangles(&mut brush);
         painter.drawn
     }
@@ -108,7 +108,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
         fragment: &F,
     ) -> Drawn {
         let (width, rows) = (self.frame_size().width, self.rows().clone());
-        let mut brush = self.brush::<I, K, F, N>(&prepared.geometry, fragment, &prepared.model);
+        let mut brush = self.brush(prepared.mode, &prepared.geometry, fragment, &prepared.model);
         prepared.draw(&mut brush, width, &rows)
     }
 
@@ -121,7 +121,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
         fragment: &F,
     ) -> Drawn {
         let mut painter = self.painter(pass, mesh, chain);
-        let mut brush = self.brush::<I, K, F, N>(&painter.geometry, fragment, &chain.model);
+        let mut brush = self.brush(pass.mode, &painter.geometry, fragment, &chain.model);
         painter.lines(&mut brush);
         painter.drawn
     }
@@ -132,7 +132,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     ///
     /// For a label beside a thing, or a touch upon it.
     #[must_use]
-    pub fn project<I, K: Kind>(
+    pub fn project<I: Copy, K: Kind>(
         &self,
         pass: &Pass<I>,
         chain: &Chain<K>,
@@ -161,14 +161,14 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
         fragment: &F,
     ) -> Drawn {
         let mut painter = self.painter(pass, mesh, chain);
-        let mut brush = self.brush::<I, K, F, N>(&painter.geometry, fragment, &chain.model);
+        let mut brush = self.brush(pass.mode, &painter.geometry, fragment, &chain.model);
         painter.points(&mut brush);
         painter.drawn
     }
 
     /// What a draw call needs to know but for what it paints with.
     #[inline]
-    fn painter<'m, I, K: Kind>(
+    fn painter<'m, I: Copy, K: Kind>(
         &self,
         pass: &Pass<I>,
         mesh: &'m Mesh<'m>,
@@ -181,11 +181,12 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     #[inline]
     fn brush<'p, I: Interpolate, K: Kind, F: Fragment<N, Color = C>, const N: usize>(
         &'p mut self,
+        mode: I,
         geometry: &Geometry<'_, K>,
         fragment: &F,
         model: &Transform,
     ) -> Paint<'p, 'c, K::Mode<I>, F, O, D, N> {
         let depth_shift = geometry.projector.depth_shift();
-        Paint::new(self, fragment.begin(model), depth_shift)
+        Paint::new(K::mode(mode), self, fragment.begin(model), depth_shift)
     }
 }

@@ -21,7 +21,7 @@ pub(super) struct Painter<'m, K> {
 impl<'m, K: Kind> Painter<'m, K> {
     /// That of a mesh on `rows` of a frame.
     #[inline(never)]
-    pub(super) fn new<I>(
+    pub(super) fn new<I: Copy>(
         pass: &Pass<I>,
         (frame, rows): (Size, &Range<u32>),
         mesh: &'m Mesh<'m>,

@@ -1,7 +1,5 @@
 //! How a draw call is to be done.
 
-use core::marker::PhantomData;
-
 use embedded_graphics::geometry::Size;
 
 use crate::geometry::Cull;
@@ -21,7 +19,7 @@ use crate::view::Viewport;
 pub struct Pass<I = Exact> {
     pub(super) cull: Cull,
     pub(super) viewport: Option<Viewport>,
-    mode: PhantomData<I>,
+    pub(super) mode: I,
 }
 
 impl Default for Pass {
@@ -37,12 +35,12 @@ impl Pass {
         Self {
             cull: Cull::Back,
             viewport: None,
-            mode: PhantomData,
+            mode: Exact,
         }
     }
 }
 
-impl<I> Pass<I> {
+impl<I: Copy> Pass<I> {
     /// Leaves out other faces.
     #[must_use]
     pub const fn cull(self, cull: Cull) -> Self {
@@ -65,11 +63,11 @@ impl<I> Pass<I> {
 
     /// Interpolates in another mode.
     #[must_use]
-    pub const fn mode<J: Interpolate>(self) -> Pass<J> {
+    pub const fn mode<J: Interpolate>(self, mode: J) -> Pass<J> {
         Pass {
             cull: self.cull,
             viewport: self.viewport,
-            mode: PhantomData,
+            mode,
         }
     }
 }

@@ -1,6 +1,5 @@
 //! Triangles prepared once for all bands of a frame.
 
-use core::marker::PhantomData;
 use core::num::NonZeroU16;
 use core::ops::Range;
 
@@ -13,7 +12,7 @@ use super::painter::Painter;
 use super::{Drawn, Pass};
 use crate::Error;
 use crate::geometry::{Corner, Element, Mesh, Outline, Projected, Weights};
-use crate::interpolate::Exact;
+use crate::interpolate::{Exact, Interpolate};
 use crate::linear::Transform;
 use crate::raster::{Brush, Fan, Triangle, Window};
 use crate::target::check_size;
@@ -152,7 +151,7 @@ pub struct Prepared<'a, K = crate::view::Perspective, I = Exact> {
     viewport: Viewport,
     triangles: &'a [Entry],
     vertices: &'a [Slot],
-    mode: PhantomData<I>,
+    pub(super) mode: I,
 }
 
 impl<const TRIANGLES: usize, const VERTICES: usize> Default for TriangleList<TRIANGLES, VERTICES> {
@@ -179,7 +178,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
     ///
     /// [`Error::Full`] if the list is too short for what is to be seen, with the length that is
     /// needed; [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`](crate::target::MAX_SIZE).
-    pub fn prepare<'a, I, K: Kind>(
+    pub fn prepare<'a, I: Interpolate, K: Kind>(
         &'a mut self,
         pass: &Pass<I>,
         frame: impl Into<Size>,
@@ -215,7 +214,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
             viewport,
             triangles: &self.triangles,
             vertices: &self.vertices,
-            mode: PhantomData,
+            mode: pass.mode,
         })
     }
 }

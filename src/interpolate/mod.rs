@@ -11,7 +11,7 @@ mod reciprocal;
 mod run;
 mod segment;
 
-pub use mode::{Exact, Interpolate, Linear};
+pub use mode::{Affine, Exact, Interpolate};
 pub(crate) use plane::{Plane, Slope};
 pub use reciprocal::reciprocal;
 pub use run::{Pixels, Run, Scale, Steps};

@@ -21,9 +21,10 @@ use super::run::{Pixels, Run, Scale, Steps};
 ///     const PERSPECTIVE: bool = true;
 ///
 ///     fn run<T, const N: usize>(
+///         &self,
 ///         run: Run<N>,
 ///         steps: &Steps<N>,
-///         cells: impl Iterator<Item = T>,
+///         cells: impl ExactSizeIterator<Item = T>,
 ///         pixels: &mut impl Pixels<T, N>,
 ///     ) {
 ///         struct Half<'a, P>(&'a mut P, bool);
@@ -36,20 +37,21 @@ use super::run::{Pixels, Run, Scale, Steps};
 ///                 self.0.shade(pixel, q, varyings);
 ///             }
 ///         }
-///         Exact::run(run, steps, cells, &mut Half(pixels, false));
+///         Exact.run(run, steps, cells, &mut Half(pixels, false));
 ///     }
 /// }
-/// let pass = Pass::new().mode::<Sparse>();
+/// let pass = Pass::new().mode(Sparse);
 /// ```
-pub trait Interpolate {
+pub trait Interpolate: Copy {
     /// Whether attributes are divided by 1/w; otherwise [`Run::p`] carries them alone, times 2³⁰.
     const PERSPECTIVE: bool;
 
     /// Draws the pixels of `cells` from `run` on.
     fn run<T, const N: usize>(
+        &self,
         run: Run<N>,
         steps: &Steps<N>,
-        cells: impl Iterator<Item = T>,
+        cells: impl ExactSizeIterator<Item = T>,
         pixels: &mut impl Pixels<T, N>,
     );
 }
@@ -71,9 +73,10 @@ impl Interpolate for Exact {
 
     #[inline]
     fn run<T, const N: usize>(
+        &self,
         mut run: Run<N>,
         steps: &Steps<N>,
-        cells: impl Iterator<Item = T>,
+        cells: impl ExactSizeIterator<Item = T>,
         pixels: &mut impl Pixels<T, N>,
     ) {
         for cell in cells {
@@ -106,21 +109,22 @@ fn divide<const N: usize>(run: &Run<N>, scale: &[Scale; N]) -> [i32; N] {
 /// Under perspective it bends textures; [`Exact`] does not.
 ///
 /// ```
-/// use fixel::{Pass, interpolate::Linear};
+/// use fixel::{Pass, interpolate::Affine};
 /// // Right for what faces the eye, and faster.
-/// let hud: Pass<Linear> = Pass::new().mode();
+/// let hud = Pass::new().mode(Affine);
 /// ```
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Linear;
+pub struct Affine;
 
-impl Interpolate for Linear {
+impl Interpolate for Affine {
     const PERSPECTIVE: bool = false;
 
     #[inline]
     fn run<T, const N: usize>(
+        &self,
         mut run: Run<N>,
         steps: &Steps<N>,
-        cells: impl Iterator<Item = T>,
+        cells: impl ExactSizeIterator<Item = T>,
         pixels: &mut impl Pixels<T, N>,
     ) {
         for cell in cells {

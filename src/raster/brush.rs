@@ -1,6 +1,5 @@
 //! What a draw call paints with: a fragment, a mode and a canvas, behind one interface.
 
-use core::marker::PhantomData;
 use core::ops::Range;
 
 use embedded_graphics::geometry::Point;
@@ -40,7 +39,7 @@ pub(crate) struct Paint<'p, 'c, I, F: Fragment<N>, O: Storage<F::Color>, D, cons
     depth_shift: DepthShift,
     /// By how much the present triangle's 1/w are shifted down to be depths.
     down: u32,
-    mode: PhantomData<I>,
+    mode: I,
 }
 
 impl<'p, 'c, I, F, O, D, const N: usize> Paint<'p, 'c, I, F, O, D, N>
@@ -54,6 +53,7 @@ where
 
     #[inline]
     pub(crate) fn new(
+        mode: I,
         canvas: &'p mut Canvas<'c, F::Color, O, D>,
         fragment: F,
         depth_shift: DepthShift,
@@ -65,7 +65,7 @@ where
             planes: Planes::<[Interpolant; N]>::NONE,
             depth_shift,
             down: 0,
-            mode: PhantomData,
+            mode,
         }
     }
 }
@@ -123,7 +123,7 @@ where
                 start.cast_unsigned()..end.cast_unsigned(),
             );
             let cells = cells.map(|(color, depth)| Cell::<F::Color, O, D> { color, depth });
-            I::run(run, &steps, cells, &mut shader);
+            self.mode.run(run, &steps, cells, &mut shader);
             x += end - start;
             start = end;
         }

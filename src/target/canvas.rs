@@ -301,7 +301,7 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         &mut self,
         row: u32,
         columns: Range<u32>,
-    ) -> impl Iterator<Item = (&mut O::Cell, D::Cell<'_>)> {
+    ) -> impl ExactSizeIterator<Item = (&mut O::Cell, D::Cell<'_>)> {
         let range = self.range(row, &columns);
         let cells = self.cells.get_mut(range.clone()).unwrap_or_default();
         cells.iter_mut().zip(self.depth.cells(range))

@@ -33,7 +33,7 @@ pub trait DepthBuffer {
     const IS_KEPT: bool;
 
     /// The depths of a run of pixels.
-    fn cells(&mut self, range: Range<usize>) -> impl Iterator<Item = Self::Cell<'_>>;
+    fn cells(&mut self, range: Range<usize>) -> impl ExactSizeIterator<Item = Self::Cell<'_>>;
 
     /// Whether a fragment of this depth, of 16 bits, is to be drawn.
     fn passes(cell: &Self::Cell<'_>, depth: u32) -> bool;
@@ -63,7 +63,7 @@ impl DepthBuffer for NoDepth {
     const IS_KEPT: bool = false;
 
     #[inline]
-    fn cells(&mut self, range: Range<usize>) -> impl Iterator<Item = ()> {
+    fn cells(&mut self, range: Range<usize>) -> impl ExactSizeIterator<Item = ()> {
         iter::repeat_n((), range.len())
     }
 
@@ -100,7 +100,7 @@ impl DepthBuffer for Depth<'_> {
     const IS_KEPT: bool = true;
 
     #[inline]
-    fn cells(&mut self, range: Range<usize>) -> impl Iterator<Item = &mut u16> {
+    fn cells(&mut self, range: Range<usize>) -> impl ExactSizeIterator<Item = &mut u16> {
         self.0.get_mut(range).unwrap_or_default().iter_mut()
     }
 

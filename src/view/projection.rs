@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use crate::interpolate::{Interpolate, Linear};
+use crate::interpolate::{Affine, Interpolate};
 use crate::linear::block::{self, Number};
 use crate::{Error, Matrix4, Scalar};
 
@@ -32,6 +32,9 @@ pub trait Kind: sealed::Sealed + Copy + core::fmt::Debug {
 
     /// The way attributes are interpolated when a draw call asks for `I`.
     type Mode<I: Interpolate>: Interpolate;
+
+    /// That way, of the one asked for.
+    fn mode<I: Interpolate>(mode: I) -> Self::Mode<I>;
 }
 
 /// Lines of sight meet in the eye: what is far is small.
@@ -62,11 +65,19 @@ impl sealed::Sealed for Parallel {}
 impl Kind for Perspective {
     const PERSPECTIVE: bool = true;
     type Mode<I: Interpolate> = I;
+
+    fn mode<I: Interpolate>(mode: I) -> I {
+        mode
+    }
 }
 
 impl Kind for Parallel {
     const PERSPECTIVE: bool = false;
-    type Mode<I: Interpolate> = Linear;
+    type Mode<I: Interpolate> = Affine;
+
+    fn mode<I: Interpolate>(_: I) -> Affine {
+        Affine
+    }
 }
 
 /// A row of a projection matrix: coefficients of eye space's x, y, z and 1.

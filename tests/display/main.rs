@@ -51,7 +51,7 @@ fn draw<O: Storage<Rgb565>, D: DepthBuffer>(canvas: &mut Canvas<'_, Rgb565, O, D
     let lens = lighthouse::lens(canvas.frame_size()).unwrap();
     let chain = lens * lighthouse::camera().unwrap() * Transform::IDENTITY;
     lighthouse::sky(canvas);
-    lighthouse::draw(canvas, &chain).unwrap();
+    lighthouse::draw(canvas, &Pass::new(), &chain).unwrap();
     lighthouse::caption(canvas);
 }
 
