@@ -6,7 +6,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 
 use super::levels::{Levels, dimmed};
 use super::light::Light;
-use super::{Addressing, Fragment, Repeat, Sample, Sampler, Textured};
+use super::{Addressing, Filter, Fragment, Nearest, Repeat, Sample, Sampler, Textured};
 use crate::geometry::{Face, Vertex};
 use crate::linear::{Transform, Vec3};
 
@@ -221,18 +221,18 @@ impl<C: Levels> Fragment<0> for LitFaces<C> {
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct LitTexture<S, A = Repeat> {
-    texture: Textured<S, A>,
+pub struct LitTexture<S, A = Repeat, F = Nearest> {
+    texture: Textured<S, A, F>,
     light: Light,
 }
 
-impl<S: Sampler, A: Addressing> LitTexture<S, A> {
-    pub(super) const fn new(texture: Textured<S, A>, light: Light) -> Self {
+impl<S: Sampler, A: Addressing, F> LitTexture<S, A, F> {
+    pub(super) const fn new(texture: Textured<S, A, F>, light: Light) -> Self {
         Self { texture, light }
     }
 }
 
-impl<S: Sampler, A: Addressing> Fragment<3> for LitTexture<S, A>
+impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Fragment<3> for LitTexture<S, A, F>
 where
     S::Color: Levels,
 {
@@ -248,19 +248,19 @@ where
 
     #[inline]
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; 3] {
-        let [u, v] = Textured::<S, A>::coordinates(vertex);
+        let [u, v] = Textured::<S, A, F>::coordinates(vertex);
         [u, v, self.light.brightness(vertex.normal())]
     }
 
     #[inline]
     fn face(self, corners: &mut [[i32; 3]; 3], face: &Face<'_>) -> Self {
-        Textured::<S, A>::place(corners, face);
+        Textured::<S, A, F>::place(corners, face);
         self
     }
 
     #[inline]
     fn shade(&self, sample: &Sample, [u, v, light]: [i32; 3]) -> Option<S::Color> {
-        Some(self.texture.texel(u, v).lit(light, sample.point))
+        Some(self.texture.color(u, v).lit(light, sample.point))
     }
 }
 

@@ -7,7 +7,7 @@
 //! | [`Gouraud`] | the mesh's vertex colours | 3, or 1 for grey |
 //! | [`Lit`] | one surface colour × light at the vertices | 1 |
 //! | [`LitFaces`] | one surface colour × light at the triangle | 0 |
-//! | [`Textured`] | a texel, repeated or clamped | 2 |
+//! | [`Textured`] | a texel or bilinear between four, repeated or clamped | 2 |
 //! | [`LitTexture`] | a texel × light at the vertices | 3 |
 //! | [`Modulated`] | a texel × the mesh's vertex colours | 5, or 3 for grey |
 //! | [`DepthView`] | grey by depth | 0 |
@@ -15,8 +15,10 @@
 //!
 //! Any of them is turned into another colour format, dithered where it is coarse, by [`Converted`].
 
+mod blend;
 mod converted;
 mod dither;
+mod filter;
 mod flat;
 mod fragment;
 mod gouraud;
@@ -34,7 +36,9 @@ mod views;
 #[cfg(test)]
 mod trial;
 
+pub use blend::Blend;
 pub use converted::Converted;
+pub use filter::{Bilinear, Filter, Nearest};
 pub use flat::{FaceColors, Flat};
 pub use fragment::{Fragment, Sample};
 pub use gouraud::Gouraud;

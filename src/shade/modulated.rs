@@ -1,7 +1,7 @@
 //! Texture times vertex colour.
 
 use super::levels::{Channels, Levels, all, first};
-use super::{Addressing, Fragment, Repeat, Sample, Sampler, Textured};
+use super::{Addressing, Filter, Fragment, Nearest, Repeat, Sample, Sampler, Textured};
 use crate::geometry::{Face, Vertex};
 
 /// A texel times the interpolated vertex colour, channel by channel; a white vertex leaves the
@@ -27,12 +27,12 @@ use crate::geometry::{Face, Vertex};
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Modulated<S, A = Repeat> {
-    texture: Textured<S, A>,
+pub struct Modulated<S, A = Repeat, F = Nearest> {
+    texture: Textured<S, A, F>,
 }
 
-impl<S: Sampler, A: Addressing> Modulated<S, A> {
-    pub(super) const fn new(texture: Textured<S, A>) -> Self {
+impl<S: Sampler, A: Addressing, F> Modulated<S, A, F> {
+    pub(super) const fn new(texture: Textured<S, A, F>) -> Self {
         Self { texture }
     }
 }
@@ -40,7 +40,7 @@ impl<S: Sampler, A: Addressing> Modulated<S, A> {
 /// One implementation per number of channels: their sum with the coordinates cannot be computed in a type.
 macro_rules! modulated {
     ($n:literal $channels:literal $($channel:ident)+) => {
-        impl<S: Sampler, A: Addressing> Fragment<$n> for Modulated<S, A>
+        impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Fragment<$n> for Modulated<S, A, F>
         where
             S::Color: Channels<$channels>,
         {
@@ -48,20 +48,20 @@ macro_rules! modulated {
 
             #[inline]
             fn varyings(&self, vertex: &Vertex<'_>) -> [i32; $n] {
-                let [u, v] = Textured::<S, A>::coordinates(vertex);
+                let [u, v] = Textured::<S, A, F>::coordinates(vertex);
                 let [$($channel),+] = first(S::Color::fractions(vertex.color()));
                 [u, v, $($channel),+]
             }
 
             #[inline]
             fn face(self, corners: &mut [[i32; $n]; 3], face: &Face<'_>) -> Self {
-                Textured::<S, A>::place(corners, face);
+                Textured::<S, A, F>::place(corners, face);
                 self
             }
 
             #[inline]
             fn shade(&self, sample: &Sample, [u, v, $($channel),+]: [i32; $n]) -> Option<S::Color> {
-                let texel = self.texture.texel(u, v);
+                let texel = self.texture.color(u, v);
                 Some(texel.filtered(all([$($channel),+]), sample.point))
             }
         }

@@ -1,13 +1,13 @@
-//! Textures, nearest texel.
+//! Textures: where in the texture a pixel is.
 
 use core::marker::PhantomData;
 
 use super::light::Light;
-use super::{Fragment, LitTexture, Modulated, Sample, Sampler};
+use super::{Bilinear, Blend, Filter, Fragment, LitTexture, Modulated, Nearest, Sample, Sampler};
 use crate::TexCoord;
 use crate::geometry::{Face, Vertex};
 
-/// The texel under each pixel, the nearest to its centre.
+/// The texel under each pixel, the nearest to its centre, or [`bilinear`](Self::bilinear) between the four around.
 ///
 /// The texture repeats, or is [`clamped`](Self::clamped) to its edge. It may be
 /// [`lit`](Self::lit) or [`modulated`](Self::modulated) by vertex colours.
@@ -34,9 +34,10 @@ use crate::geometry::{Face, Vertex};
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Textured<S, A = Repeat> {
+pub struct Textured<S, A = Repeat, F = Nearest> {
     sampler: S,
     addressing: PhantomData<A>,
+    filter: PhantomData<F>,
 }
 
 /// What lies beyond the first repeat of a texture: [`Repeat`] or [`Clamp`].
@@ -59,6 +60,10 @@ pub trait Addressing: Copy + sealed::Sealed {
     /// The column or row at a whole number of texels.
     #[doc(hidden)]
     fn index(texel: i32, log2: u32) -> i32;
+
+    /// A little less than `texels`, with 16 fraction bits, where there may be no less.
+    #[doc(hidden)]
+    fn back(texels: i32, little: i32) -> i32;
 }
 
 mod sealed {
@@ -122,6 +127,12 @@ impl Addressing for Repeat {
         // A sampler repeats by itself.
         texel
     }
+
+    #[inline]
+    fn back(texels: i32, little: i32) -> i32 {
+        // What is lost is a whole number of repeats.
+        texels.wrapping_sub(little)
+    }
 }
 
 impl Addressing for Clamp {
@@ -134,6 +145,11 @@ impl Addressing for Clamp {
     fn index(texel: i32, log2: u32) -> i32 {
         texel.clamp(0, (1 << log2) - 1)
     }
+
+    #[inline]
+    fn back(texels: i32, little: i32) -> i32 {
+        texels.saturating_sub(little)
+    }
 }
 
 impl<S: Sampler> Textured<S> {
@@ -143,29 +159,64 @@ impl<S: Sampler> Textured<S> {
         Self {
             sampler,
             addressing: PhantomData,
+            filter: PhantomData,
         }
     }
+}
 
+impl<S: Sampler, F> Textured<S, Repeat, F> {
     /// The same, clamped to the texture's edge.
     #[must_use]
-    pub const fn clamped(self) -> Textured<S, Clamp> {
+    pub const fn clamped(self) -> Textured<S, Clamp, F> {
         Textured {
             sampler: self.sampler,
             addressing: PhantomData,
+            filter: PhantomData,
         }
     }
 }
 
 impl<S: Sampler, A: Addressing> Textured<S, A> {
+    /// The same, blended of the four texels around each pixel: see [`Bilinear`] for accuracy and cost.
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, GrayColor}};
+    /// use fixel::prelude::*;
+    /// static SKIN: Texture<Gray8, 2, 2> = Texture::gray8(&[0x00, 0x88, 0x88, 0xff]);
+    /// static SQUARE: Mesh = shape!(plane(1, 1));
+    /// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+    /// let chain = lens * Camera::top(Vec3::ZERO, fx!(1));
+    /// let mut pixels = [Gray8::BLACK; 64];
+    /// let mut canvas = Canvas::new(&mut pixels, 8, 8)?;
+    /// // Eight pixels for two texels: four from centre to centre, two on from there to the edge.
+    /// canvas.draw(&SQUARE, &chain, &Textured::new(&SKIN).clamped().bilinear());
+    /// let shown: Vec<u8> = pixels.iter().map(|pixel| pixel.luma()).collect();
+    /// assert_eq!(shown[..8], [0, 0, 17, 51, 85, 119, 136, 136]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub const fn bilinear(self) -> Textured<S, A, Bilinear>
+    where
+        S::Color: Blend,
+    {
+        Textured {
+            sampler: self.sampler,
+            addressing: PhantomData,
+            filter: PhantomData,
+        }
+    }
+}
+
+impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Textured<S, A, F> {
     /// The same, under a light.
     #[must_use]
-    pub const fn lit(self, light: Light) -> LitTexture<S, A> {
+    pub const fn lit(self, light: Light) -> LitTexture<S, A, F> {
         LitTexture::new(self, light)
     }
 
     /// The same, times the mesh's vertex colours.
     #[must_use]
-    pub const fn modulated(self) -> Modulated<S, A> {
+    pub const fn modulated(self) -> Modulated<S, A, F> {
         Modulated::new(self)
     }
 
@@ -190,17 +241,14 @@ impl<S: Sampler, A: Addressing> Textured<S, A> {
         }
     }
 
-    /// The texel at a column and row with 16 fraction bits, which are cut.
+    /// The colour at a column and row with 16 fraction bits.
     #[inline]
-    pub(super) fn texel(&self, u: i32, v: i32) -> S::Color {
-        self.sampler.texel(
-            A::index(u >> 16, S::WIDTH_LOG2),
-            A::index(v >> 16, S::HEIGHT_LOG2),
-        )
+    pub(super) fn color(&self, u: i32, v: i32) -> S::Color {
+        F::color::<S, A>(&self.sampler, [u, v])
     }
 }
 
-impl<S: Sampler, A: Addressing> Fragment<2> for Textured<S, A> {
+impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Fragment<2> for Textured<S, A, F> {
     type Color = S::Color;
 
     #[inline]
@@ -216,7 +264,7 @@ impl<S: Sampler, A: Addressing> Fragment<2> for Textured<S, A> {
 
     #[inline]
     fn shade(&self, _: &Sample, [u, v]: [i32; 2]) -> Option<S::Color> {
-        Some(self.texel(u, v))
+        Some(self.color(u, v))
     }
 }
 
