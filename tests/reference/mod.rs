@@ -20,6 +20,7 @@
 //! | `raster` | a mesh to a picture: every surface at every pixel |
 //! | `lines` | values along a projected segment |
 //! | `scenes` | the measured scenes |
+//! | `texture` | a texture's colour between its texels |
 
 // Each test binary includes the model and uses a part of it.
 #![allow(dead_code)]
@@ -39,4 +40,5 @@ pub mod projection;
 pub mod raster;
 pub mod scenes;
 pub mod silhouette;
+pub mod texture;
 pub mod view;

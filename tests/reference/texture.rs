@@ -1,0 +1,61 @@
+//! The colour of a texture at a point, blended of the texels around.
+//!
+//! Texel (i, j) has its centre at (i + ½, j + ½) texels. Between centres the colour is linear in u for given v, and
+//! in v for given u: f(u, v) = Σ tᵢⱼ · max(0, 1 − |u − i − ½|) · max(0, 1 − |v − j − ½|) over all texels
+//! of the endless plane that a wrap makes of the texture.
+
+/// What lies beyond a texture's edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wrap {
+    /// The texture again.
+    Repeat,
+    /// The nearest texel of the edge.
+    Clamp,
+}
+
+impl Wrap {
+    /// The column or row of `size` that stands for any of the plane's.
+    pub fn index(self, at: i64, size: usize) -> usize {
+        let size = size as i64;
+        let inside = match self {
+            Wrap::Repeat => at.rem_euclid(size),
+            Wrap::Clamp => at.max(0).min(size - 1),
+        };
+        inside as usize
+    }
+}
+
+/// One channel of a colour at a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Blended {
+    /// The value.
+    pub value: f64,
+    /// The least of the texels that have a part in it, or touch it with a weight of 0.
+    pub least: f64,
+    /// The greatest of them.
+    pub most: f64,
+}
+
+/// One channel of a texture, given as rows, the top one first, at a point in texels.
+pub fn bilinear(rows: &[Vec<f64>], wrap: Wrap, [u, v]: [f64; 2]) -> Blended {
+    let mut blended = Blended {
+        value: 0.,
+        least: f64::INFINITY,
+        most: f64::NEG_INFINITY,
+    };
+    let tent = |distance: f64| (1. - distance.abs()).max(0.);
+    let near = |at: f64| (at.floor() as i64 - 2)..=(at.floor() as i64 + 2);
+    for j in near(v) {
+        for i in near(u) {
+            let row = &rows[wrap.index(j, rows.len())];
+            let texel = row[wrap.index(i, row.len())];
+            let away = [u - i as f64 - 0.5, v - j as f64 - 0.5];
+            if away.iter().all(|distance| distance.abs() <= 1.) {
+                blended.value += texel * tent(away[0]) * tent(away[1]);
+                blended.least = blended.least.min(texel);
+                blended.most = blended.most.max(texel);
+            }
+        }
+    }
+    blended
+}
