@@ -51,6 +51,12 @@ const fn lowest(mask: u32) -> u32 {
     mask & !(mask << 1)
 }
 
+/// Something of each of four texels; spelled out, as a map would stay a loop where code is optimised for size.
+#[inline]
+fn each<T, U>([[a, b], [c, d]]: [[T; 2]; 2], of: impl Fn(T) -> U) -> [[U; 2]; 2] {
+    [[of(a), of(b)], [of(c), of(d)]]
+}
+
 /// Blends the channels of four texels that lie in lanes of a word, the ones of `MASK`: along the
 /// upper and the lower row, then between the two, each to the nearest, halves up.
 ///
@@ -79,11 +85,9 @@ macro_rules! one_word {
 
             #[inline]
             fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self {
-                let lanes = texels.map(|row| {
-                    row.map(|texel| {
-                        let raw = u32::from(texel.into_storage());
-                        (raw | raw << 16) & $mask
-                    })
+                let lanes = each(texels, |texel| {
+                    let raw = u32::from(texel.into_storage());
+                    (raw | raw << 16) & $mask
                 });
                 let lanes = bilinear::<$mask, 5>(lanes, weights);
                 Self::from(RawU16::new((lanes | lanes >> 16) as u16))
@@ -110,11 +114,9 @@ macro_rules! two_words {
                 /// From the place of the upper channel to the upper half.
                 const UP: u32 = 16 - 2 * $bits;
                 const OUTER: u32 = $channel << 16 | $channel;
-                let raw = texels.map(|row| row.map(IntoStorage::into_storage));
-                let outer = raw.map(|row| {
-                    row.map(|raw| (raw << UP) & ($channel << 16) | raw & $channel)
-                });
-                let middle = raw.map(|row| row.map(|raw| raw >> $bits & $channel));
+                let raw = each(texels, IntoStorage::into_storage);
+                let outer = each(raw, |raw| (raw << UP) & ($channel << 16) | raw & $channel);
+                let middle = each(raw, |raw| raw >> $bits & $channel);
                 let outer = bilinear::<OUTER, 8>(outer, weights);
                 let middle = bilinear::<$channel, 8>(middle, weights);
                 Self::from(RawU24::new(outer >> 16 << (2 * $bits) | middle << $bits | outer & $channel))
@@ -135,7 +137,7 @@ impl Blend for Gray8 {
 
     #[inline]
     fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self {
-        let lumas = texels.map(|row| row.map(|texel| texel.luma().into()));
+        let lumas = each(texels, |texel| texel.luma().into());
         Self::new(bilinear::<0xff, 8>(lumas, weights) as u8)
     }
 }
