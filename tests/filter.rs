@@ -218,8 +218,10 @@ proptest! {
 }
 
 /// Pixels along the picture of the next test, and texels along its texture.
-const SIDE: u32 = 64;
+const SIDE: u32 = RATIO * 4;
 const TEXELS: usize = 4;
+/// Pixels for a texel.
+const RATIO: u32 = 16;
 
 /// A square that fills the picture.
 fn picture<F: Fragment<2, Color = Rgb888>>(fragment: &F) -> Vec<[f64; 3]> {
@@ -246,10 +248,9 @@ fn steepest(picture: &[[f64; 3]]) -> f64 {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(32))]
 
-    /// Sixteen pixels for a texel.
     #[test]
     fn a_magnified_texture_is_smooth(texels in texels::<Rgb888, TEXELS, TEXELS>()) {
-        let scale = TEXELS as f64 / f64::from(SIDE);
+        let scale = 1. / f64::from(RATIO);
         let skin = Textured::new(&texels).clamped();
         let (nearest, smooth) = (picture(&skin), picture(&skin.bilinear()));
         for (i, colors) in smooth.iter().enumerate() {
@@ -277,7 +278,7 @@ fn the_nearest_texel_is_not() {
         std::array::from_fn(|u| if (u + v) % 2 == 0 { black } else { white })
     });
     let skin = Textured::new(&texels).clamped();
-    assert_eq!(steepest(&picture(&skin)), 255.);
+    assert!(steepest(&picture(&skin)) >= 255.);
     // 255/16, and each of two pixels off by less than a step: their places are whole 256ths of a texel.
     assert!(steepest(&picture(&skin.bilinear())) <= 17.);
 }

@@ -146,6 +146,7 @@ fn pictures_that_cannot_be_are_refused() {
         ("--rpm fast --frames 2", ["fast", "must be a number"]),
         ("--rpm 1e12 --frames 2", ["1000000000000", "between"]),
         ("--shade shiny", ["shiny", "possible values"]),
+        ("--filter soft", ["soft", "possible values"]),
         ("--color cmyk", ["cmyk", "possible values"]),
         ("--projection fisheye", ["fisheye", "possible values"]),
         ("--out t.bmp", ["t.bmp", ".png or .gif"]),
@@ -412,6 +413,25 @@ fn every_look_projection_and_color_gives_a_picture() {
         }
     }
     assert_eq!(png_size(&directory.join("cube.png")), (64, 48));
+}
+
+#[test]
+fn a_filter_changes_colors_only() {
+    let directory = directory("filter");
+    fs::write(directory.join("t.obj"), TRIANGLE).unwrap();
+    for shade in ["texture", "lit"] {
+        for color in ["rgb565", "rgb888", "gray8", "gray4", "mono"] {
+            let draw = |filter| {
+                let look = format!("--filter {filter} --shade {shade} --color {color}");
+                let said = good(&directory, &format!("t.obj --size 64x48 --crc {look}"));
+                let word = |label| printed(&said, label).to_string();
+                [word("pixels"), word("crc")]
+            };
+            let (nearest, bilinear) = (draw("nearest"), draw("bilinear"));
+            assert_eq!(nearest[0], bilinear[0], "{shade} {color}");
+            assert_ne!(nearest[1], bilinear[1], "{shade} {color}");
+        }
+    }
 }
 
 #[test]

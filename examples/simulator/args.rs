@@ -94,6 +94,16 @@ pub struct Args {
     #[arg(long, value_enum, help_heading = "Look", conflicts_with = "scene")]
     pub shade: Option<Shade>,
 
+    /// What colour the texture has between the centres of its texels.
+    #[arg(
+        long,
+        value_enum,
+        default_value = "nearest",
+        help_heading = "Look",
+        conflicts_with = "scene"
+    )]
+    pub filter: Filter,
+
     /// Draw back faces too.
     #[arg(long, help_heading = "Look", conflicts_with = "scene")]
     pub two_sided: bool,
@@ -180,6 +190,14 @@ pub enum Shade {
     Depth,
     /// Normals as colours: x red, y green, z blue
     Normal,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Filter {
+    /// That of the nearest texel: squares where the texture is magnified
+    Nearest,
+    /// Blended of the four texels around: smooth
+    Bilinear,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -3,13 +3,13 @@
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
 use fixel::prelude::*;
-use fixel::shade::{Channels, Levels};
+use fixel::shade::{Blend, Channels, Levels};
 use fixel::shade::{Converted, DepthView, Flat, Lit, LitFaces, NormalView, Textured};
 use fixel::target::{Depth, Native};
 use fixel::{Drawn, Mesh};
 
 use super::view::{Lens, View};
-use crate::args::Shade;
+use crate::args::{Filter, Shade};
 use crate::skin::Texels;
 
 /// A canvas as the simulator has it.
@@ -19,15 +19,12 @@ pub type Board<'a, C> = Canvas<'a, C, Native, Depth<'a>>;
 pub trait Shown: Levels + Into<Rgb888> + Default {
     /// The colour that a texture is kept in: for dithered colours a finer one, as it is the
     /// picture that is to be dithered and not the texture.
-    type Texel: Levels;
+    type Texel: Levels + Blend;
 
-    /// Draws with the texture as it is, or lit.
-    fn textured(
-        canvas: &mut Board<'_, Self>,
-        model: &Posed<'_>,
-        texels: &Texels<Self::Texel>,
-        lit: bool,
-    ) -> Drawn;
+    /// The fragment in the canvas's colour.
+    fn shown<F: Fragment<N, Color = Self::Texel>, const N: usize>(
+        fragment: F,
+    ) -> impl Fragment<N, Color = Self>;
 }
 
 macro_rules! shown {
@@ -35,19 +32,10 @@ macro_rules! shown {
         impl Shown for $color {
             type Texel = $texel;
 
-            fn textured(
-                canvas: &mut Board<'_, Self>,
-                model: &Posed<'_>,
-                texels: &Texels<$texel>,
-                lit: bool,
-            ) -> Drawn {
-                if lit {
-                    let $fragment = Textured::new(texels).lit(model.view.light);
-                    model.draw(canvas, &$converted)
-                } else {
-                    let $fragment = Textured::new(texels);
-                    model.draw(canvas, &$converted)
-                }
+            fn shown<F: Fragment<N, Color = $texel>, const N: usize>(
+                $fragment: F,
+            ) -> impl Fragment<N, Color = Self> {
+                $converted
             }
         }
     )+};
@@ -56,8 +44,8 @@ shown! {
     Rgb565 Rgb565 |fragment| fragment;
     Rgb888 Rgb888 |fragment| fragment;
     Gray8 Gray8 |fragment| fragment;
-    Gray4 Gray8 |fragment| Converted::<_, Gray4>::new(fragment);
-    BinaryColor Gray8 |fragment| Converted::<_, BinaryColor>::new(fragment);
+    Gray4 Gray8 |fragment| Converted::new(fragment);
+    BinaryColor Gray8 |fragment| Converted::new(fragment);
 }
 
 /// Meshes, how they are seen and in which pose.
@@ -114,6 +102,26 @@ impl Posed<'_> {
         })
     }
 
+    /// Draws with the texture as it is, or lit.
+    fn textured<C: Shown>(
+        &self,
+        canvas: &mut Board<'_, C>,
+        texels: &Texels<C::Texel>,
+        lit: bool,
+    ) -> Drawn {
+        let (skin, light) = (Textured::new(texels), self.view.light);
+        match (self.view.filter, lit) {
+            (Filter::Nearest, false) => self.draw(canvas, &C::shown(texels.scaled(skin))),
+            (Filter::Nearest, true) => self.draw(canvas, &C::shown(texels.scaled(skin.lit(light)))),
+            (Filter::Bilinear, false) => {
+                self.draw(canvas, &C::shown(texels.scaled(skin.bilinear())))
+            }
+            (Filter::Bilinear, true) => {
+                self.draw(canvas, &C::shown(texels.scaled(skin.bilinear().lit(light))))
+            }
+        }
+    }
+
     /// Draws in the look of `shade`.
     pub fn paint<C: Shown + Channels<K>, const K: usize>(
         &self,
@@ -124,8 +132,8 @@ impl Posed<'_> {
         const CLAY: Rgb888 = Rgb888::new(236, 214, 190);
         let light = self.view.light;
         match shade {
-            Shade::Texture => C::textured(canvas, self, texels, false),
-            Shade::Lit => C::textured(canvas, self, texels, true),
+            Shade::Texture => self.textured(canvas, texels, false),
+            Shade::Lit => self.textured(canvas, texels, true),
             Shade::Gouraud => self.draw(canvas, &Lit::new(CLAY, light)),
             Shade::Flat => self.draw(canvas, &LitFaces::new(CLAY, light)),
             Shade::Normal => self.draw(canvas, &NormalView::new()),

@@ -4,7 +4,8 @@ use std::path::Path;
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{PixelColor, Rgb565, Rgb888, RgbColor};
-use fixel::shade::{Levels, Sampler, Texture};
+use fixel::prelude::*;
+use fixel::shade::Sampler;
 use image::imageops::FilterType;
 use image::{ImageReader, RgbImage};
 
@@ -101,8 +102,18 @@ pub struct Texels<C> {
     height_log2: u32,
 }
 
-/// Samples texels of any size as if they were 1024x1024, each repeated: the same texel under each
-/// point as if the size were in the type.
+impl<C> Texels<C> {
+    /// A fragment of these texels, which thinks that they are 1024x1024.
+    pub fn scaled<F>(&self, fragment: F) -> Scaled<F> {
+        Scaled {
+            fragment,
+            down: [self.width_log2, self.height_log2].map(|log2| MOST_LOG2 - log2),
+        }
+    }
+}
+
+/// Texels of any size, repeated. Columns and rows are given as if there were 1024 of each, and are made
+/// those that there are by [`Scaled`].
 impl<C: PixelColor> Sampler for &Texels<C> {
     type Color = C;
     const WIDTH_LOG2: u32 = MOST_LOG2;
@@ -110,8 +121,48 @@ impl<C: PixelColor> Sampler for &Texels<C> {
 
     #[inline]
     fn texel(&self, u: i32, v: i32) -> C {
-        let inside = |at: i32, log2: u32| (at >> (MOST_LOG2 - log2)) & ((1 << log2) - 1);
+        let inside = |at: i32, log2: u32| at & ((1 << log2) - 1);
         let (u, v) = (inside(u, self.width_log2), inside(v, self.height_log2));
         self.list[((v << self.width_log2) | u).cast_unsigned() as usize]
+    }
+}
+
+/// A fragment whose first two varyings are columns and rows of a texture of 1024x1024, which has
+/// fewer: the same colour under each point as if the size were in the type.
+#[derive(Clone, Copy, Debug)]
+pub struct Scaled<F> {
+    fragment: F,
+    /// Exponents of the ratios of 1024 to the sides.
+    down: [u32; 2],
+}
+
+impl<F: Fragment<N>, const N: usize> Fragment<N> for Scaled<F> {
+    type Color = F::Color;
+
+    const READS_DEPTH: bool = F::READS_DEPTH;
+
+    #[inline]
+    fn varyings(&self, vertex: &Vertex<'_>) -> [i32; N] {
+        self.fragment.varyings(vertex)
+    }
+
+    #[inline]
+    fn shade(&self, sample: &Sample, mut varyings: [i32; N]) -> Option<F::Color> {
+        for (varying, down) in varyings.iter_mut().zip(self.down) {
+            *varying >>= down;
+        }
+        self.fragment.shade(sample, varyings)
+    }
+
+    #[inline]
+    fn begin(self, model: &Transform) -> Self {
+        let fragment = self.fragment.begin(model);
+        Self { fragment, ..self }
+    }
+
+    #[inline]
+    fn face(self, corners: &mut [[i32; N]; 3], face: &Face<'_>) -> Self {
+        let fragment = self.fragment.face(corners, face);
+        Self { fragment, ..self }
     }
 }

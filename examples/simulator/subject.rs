@@ -4,7 +4,7 @@ use fixel::prelude::*;
 
 use super::Result;
 use super::common::lighthouse;
-use crate::args::{Args, Kind, Shade};
+use crate::args::{Args, Filter, Kind, Shade};
 use crate::framing::{Framing, middle};
 use crate::job::{self, Model, Turn};
 use crate::load;
@@ -32,7 +32,10 @@ impl Subject {
         let skin = args.texture.as_deref().map(Skin::read).transpose()?;
         let Some(path) = &args.model else {
             let points = lighthouse::ISLAND.positions().iter();
-            let plain = args.shade.is_none() && skin.is_none() && !args.two_sided;
+            let plain = args.shade.is_none()
+                && skin.is_none()
+                && !args.two_sided
+                && args.filter == Filter::Nearest;
             return Ok(Self {
                 parts: Vec::new(),
                 points: points

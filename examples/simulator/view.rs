@@ -6,7 +6,7 @@ use fixel::shade::Light;
 use fixel::view::{Parallel, Perspective};
 
 use super::Result;
-use crate::args::{Args, Kind};
+use crate::args::{Args, Filter, Kind};
 use crate::framing::Framing;
 
 /// A projection of either kind.
@@ -23,6 +23,7 @@ pub struct View {
     pub camera: Camera,
     pub pass: Pass,
     pub light: Light,
+    pub filter: Filter,
     /// Stored depths of the nearest and the farthest point of the model.
     pub depths: [u16; 2],
 }
@@ -116,6 +117,7 @@ impl View {
             } else {
                 light
             },
+            filter: args.filter,
             depths: framing.depths(args.projection),
         })
     }

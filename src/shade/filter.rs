@@ -71,6 +71,19 @@ pub struct Nearest;
 /// first and rounded to a whole step, then what is between them. So a channel is off by at
 /// most one step, and a 32nd (a 256th) of the difference between the four texels: two steps of red and
 /// three of green from black to white in Rgb565, two of 255 in Rgb888. At the centres of texels it is exact.
+///
+/// # Cost
+///
+/// What a pixel takes beyond the nearest texel, in instructions, with `opt-level = 3` (of the measured floor with
+/// a texture of 64x64 in flash, exact and affine); and bytes of code with `opt-level = "s"`:
+///
+/// | | Cortex-M4 | Cortex-M0+ | code, M4 | code, M0+ |
+/// |---|---:|---:|---:|---:|
+/// | Rgb565 | 43 to 48 | 63 to 68 | 112 | 140 |
+/// | Rgb565, clamped | 55 to 57 | 81 to 86 | | |
+/// | Rgb565 of a [`Palette`](super::Palette) | 49 to 51 | 71 to 98 | | |
+/// | Rgb888 | 60 to 65 | 97 to 111 | 164 | 200 |
+/// | Gray8 | 32 to 33 | 41 to 47 | 76 | 88 |
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bilinear;
 
