@@ -177,7 +177,9 @@ impl Angle {
     /// The sine.
     ///
     /// Odd polynomial of degree 11 on a quarter of a turn: within 1.6e-9, 0, 1 and −1 exact at
-    /// multiples of 90°, symmetric to the last bit.
+    /// multiples of 90°, symmetric to the last bit. In a picture of 320x240 nothing is to be seen of that
+    /// error; with `micromath`'s sine, good to 1.1e-3, vertices of the measured cube and sphere
+    /// would be off by up to 0.35 and 0.26 pixels.
     ///
     /// ```
     /// use fixel::{Angle, Unit};

@@ -16,5 +16,6 @@ mod comparison;
 mod drawing;
 mod moves;
 mod pictures;
+mod sine;
 mod spread;
 mod varyings;
