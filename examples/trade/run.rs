@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 use std::fs;
+use std::mem;
 
 use fixel::interpolate::Interpolate;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -12,7 +13,7 @@ use super::firmware;
 use super::measure::{Figures, Subject};
 use super::modes::{self, Visitor};
 use super::plot;
-use super::sweep::{self, Point, Sweep};
+use super::sweep::{self, Point};
 use super::table::{self, HOST, Row};
 use super::{measured, planes};
 
@@ -60,20 +61,14 @@ pub fn run(args: &Args) -> Result<()> {
 
     let mut points = Vec::new();
     let mut swept = Vec::new();
-    for Sweep {
-        name,
-        title,
-        axis,
-        cases,
-    } in sweeps
-    {
+    for mut sweep in sweeps {
         let first = points.len();
-        for (at, case) in cases {
+        for (at, case) in mem::take(&mut sweep.cases) {
             for figures in measure(Subject::new(case)?, args, &progress)? {
-                points.push(Point::new(name, at, &figures));
+                points.push(Point::new(sweep.name, at, &figures));
             }
         }
-        swept.push((name, title, axis, first..points.len()));
+        swept.push((sweep, first..points.len()));
     }
     progress.finish_and_clear();
     if !points.is_empty() {
@@ -82,13 +77,14 @@ pub fn run(args: &Args) -> Result<()> {
 
     plot::fonts()?;
     plot::save(&args.out.join("trade"), &plot::Scatter::new(&rows))?;
-    for (name, title, axis, range) in swept {
+    for (sweep, range) in swept {
         let figure = plot::Curves {
-            title,
-            axis,
+            title: sweep.title,
+            axis: sweep.axis,
+            stepped: sweep.stepped,
             points: &points[range],
         };
-        plot::save(&args.out.join(format!("sweep-{name}")), &figure)?;
+        plot::save(&args.out.join(format!("sweep-{}", sweep.name)), &figure)?;
     }
     println!("{text}\nsaved in {}", args.out.display());
     Ok(())

@@ -20,6 +20,8 @@ pub struct Sweep {
     pub title: &'static str,
     /// Along the plot's horizontal axis.
     pub axis: &'static str,
+    /// Whether each step's own number is to be written there.
+    pub stepped: bool,
     /// Where on that axis each case is.
     pub cases: Vec<(f64, Case)>,
 }
@@ -104,6 +106,7 @@ pub fn sweeps(quick: bool) -> Result<Vec<Sweep>> {
             name: "depth-ratio",
             title: "Depth ratio (a wall over 320x240 pixels)",
             axis: "farthest to nearest distance",
+            stepped: false,
             cases: at(ratios, &|ratio| {
                 Ok((ratio, case(SIZE, Side::T64, 8, wall(SIZE, ratio)?)?))
             })?,
@@ -111,7 +114,8 @@ pub fn sweeps(quick: bool) -> Result<Vec<Sweep>> {
         Sweep {
             name: "slope",
             title: "Slope of 1/w (strips side by side, each from a distance to twice that)",
-            axis: "change of 1/w per pixel, of itself, at the far end",
+            axis: "change of 1/w per pixel at the far end, in parts of it",
+            stepped: false,
             cases: at(strips, &|width| {
                 Ok((1. / width, case(SIZE, Side::T64, 8, strips_of(width)?)?))
             })?,
@@ -120,6 +124,7 @@ pub fn sweeps(quick: bool) -> Result<Vec<Sweep>> {
             name: "texture",
             title: "Size of the texture (a wall over 320x240 pixels, depth ratio 8)",
             axis: "texels along the side of the texture",
+            stepped: true,
             cases: Side::ALL
                 .into_iter()
                 .map(|side| {
@@ -133,6 +138,7 @@ pub fn sweeps(quick: bool) -> Result<Vec<Sweep>> {
             name: "resolution",
             title: "Resolution (a wall over the frame of 4:3, depth ratio 8)",
             axis: "width of the frame in pixels",
+            stepped: true,
             cases: at(widths, &|width| {
                 let size = (width as u32, (width * 0.75) as u32);
                 Ok((width, case(size, Side::T64, 8, wall(size, RATIO)?)?))

@@ -27,24 +27,39 @@ impl Axis {
         }
     }
 
-    /// A range a little larger than that of the values, with 1, 2 and 5 of each decade.
+    /// A range a little larger than that of the values, with as many round numbers as have room.
     pub fn around(values: impl Iterator<Item = f64>) -> Self {
+        const DIGITS: [&[f64]; 4] = [
+            &[1.],
+            &[1., 2., 5.],
+            &[1., 1.5, 2., 3., 5., 7.],
+            &[1., 1.2, 1.5, 2., 2.5, 3., 3.5, 4., 5., 6., 7., 8., 9.],
+        ];
         let (low, high) = ends(values);
         let (low, high) = (low / 1.25, high * 1.25);
-        let ticks: Vec<f64> = (low.log10().floor() as i32..=high.log10().ceil() as i32)
-            .flat_map(|power| [1., 2., 5.].map(|digit| digit * 10_f64.powi(power)))
-            .filter(|tick| (low..=high).contains(tick))
-            .collect();
-        // Of many decades the whole ones.
-        let ticks = if ticks.len() > 12 {
-            ticks
-                .into_iter()
-                .filter(|tick| tick.log10().rem_euclid(1.) < 0.01)
+        let ticks = |digits: &&[f64]| -> Vec<f64> {
+            (low.log10().floor() as i32..=high.log10().ceil() as i32)
+                .flat_map(|power| digits.iter().map(move |digit| digit * 10_f64.powi(power)))
+                .filter(|tick| (low..=high).contains(tick))
                 .collect()
-        } else {
-            ticks
         };
-        Self { low, high, ticks }
+        let enough = DIGITS.iter().map(ticks).find(|ticks| ticks.len() >= 4);
+        Self {
+            low,
+            high,
+            ticks: enough.unwrap_or_else(|| ticks(&DIGITS[3])),
+        }
+    }
+
+    /// The same, with the values themselves written at it.
+    pub fn at(values: impl Iterator<Item = f64>) -> Self {
+        let mut ticks: Vec<f64> = values.collect();
+        ticks.sort_by(f64::total_cmp);
+        ticks.dedup();
+        Self {
+            ticks: ticks.clone(),
+            ..Self::around(ticks.into_iter())
+        }
     }
 }
 
@@ -58,8 +73,22 @@ fn ends(values: impl Iterator<Item = f64>) -> (f64, f64) {
         .unwrap_or((1., 1.))
 }
 
-/// A tick's number without what is not needed: 0.001, 0.5, 20, 1000.
+/// A tick's number without what is not needed: 0.001, 1.5, 20, 1024.
 pub fn label(value: &f64) -> String {
-    let digits = (-value.log10().floor()).max(0.) as usize;
-    format!("{value:.digits$}")
+    let digits = (1. - value.log10().floor()).max(0.) as usize;
+    let text = format!("{value:.digits$}");
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
+}
+
+/// The number of an error's tick: at the least what is below is drawn too.
+pub fn error_label(value: &f64) -> String {
+    if *value < LEAST_ERROR * 1.01 {
+        format!("≤ {}", label(value))
+    } else {
+        label(value)
+    }
 }

@@ -4,7 +4,7 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::{FONT, INK};
+use super::{INK, LABEL};
 use crate::Result;
 
 /// A mark on the paper.
@@ -21,6 +21,8 @@ pub enum Mark {
     Line,
     /// The same, dashed.
     Dashes,
+    /// How far errors reach down from a mark.
+    Reach,
 }
 
 impl Mark {
@@ -45,27 +47,40 @@ impl Mark {
     where
         DB::ErrorType: 'static,
     {
+        // With a white rim, where marks lie over each other.
         let polygon = |points: &[(i32, i32)]| {
-            let points: Vec<_> = points.iter().map(|(dx, dy)| (x + dx, y + dy)).collect();
-            paper.draw(&Polygon::new(points, color.filled()))
+            let mut points: Vec<_> = points.iter().map(|(dx, dy)| (x + dx, y + dy)).collect();
+            paper.draw(&Polygon::new(points.clone(), color.filled()))?;
+            points.extend_from_within(..1);
+            paper.draw(&PathElement::new(points, WHITE.stroke_width(2)))
         };
-        let lines = |lines: &[[(i32, i32); 2]]| {
+        let lines = |lines: &[[(i32, i32); 2]], width: u32| {
             lines.iter().try_for_each(|line| {
                 let line = line.map(|(dx, dy)| (x + dx, y + dy));
-                paper.draw(&PathElement::new(line, color.stroke_width(2)))
+                paper.draw(&PathElement::new(line, color.stroke_width(width)))
             })
         };
         match self {
-            Self::Circle => paper.draw(&Circle::new((x, y), 5, color.filled())),
-            Self::Square => polygon(&[(-5, -5), (5, -5), (5, 5), (-5, 5)]),
-            Self::Triangle => polygon(&[(0, -6), (6, 5), (-6, 5)]),
-            Self::Diamond => polygon(&[(0, -7), (6, 0), (0, 7), (-6, 0)]),
-            Self::Wedge => polygon(&[(0, 6), (6, -5), (-6, -5)]),
-            Self::Plus => lines(&[[(-6, 0), (6, 0)], [(0, -6), (0, 6)]]),
-            Self::Cross => lines(&[[(-5, -5), (5, 5)], [(-5, 5), (5, -5)]]),
-            Self::Line => lines(&[[(-11, 0), (11, 0)]]),
-            Self::Dashes => lines(&[[(-11, 0), (-5, 0)], [(-3, 0), (3, 0)], [(5, 0), (11, 0)]]),
-        }?;
+            Self::Circle => {
+                paper.draw(&Circle::new((x, y), 10, WHITE.filled()))?;
+                paper.draw(&Circle::new((x, y), 8, color.filled()))?;
+            }
+            Self::Square => polygon(&[(-8, -8), (8, -8), (8, 8), (-8, 8)])?,
+            Self::Triangle => polygon(&[(0, -10), (10, 8), (-10, 8)])?,
+            Self::Diamond => polygon(&[(0, -11), (10, 0), (0, 11), (-10, 0)])?,
+            Self::Wedge => polygon(&[(0, 10), (10, -8), (-10, -8)])?,
+            Self::Plus => lines(&[[(-10, 0), (10, 0)], [(0, -10), (0, 10)]], 5)?,
+            Self::Cross => lines(&[[(-8, -8), (8, 8)], [(-8, 8), (8, -8)]], 5)?,
+            Self::Line => lines(&[[(-18, 0), (18, 0)]], 3)?,
+            Self::Dashes => lines(
+                &[[(-18, 0), (-9, 0)], [(-4, 0), (4, 0)], [(9, 0), (18, 0)]],
+                2,
+            )?,
+            Self::Reach => lines(
+                &[[(0, -10), (0, 10)], [(-6, 2), (6, 2)], [(-6, 10), (6, 10)]],
+                2,
+            )?,
+        }
         Ok(())
     }
 }
@@ -78,16 +93,16 @@ pub fn draw<DB: DrawingBackend>(
 where
     DB::ErrorType: 'static,
 {
-    let style = TextStyle::from((FONT, 15).into_font())
+    let style = TextStyle::from(LABEL.into_font())
         .color(&INK)
         .pos(Pos::new(HPos::Left, VPos::Center));
     for (row, entries) in (0..).zip(rows) {
-        let (mut x, y) = (24, 12 + 24 * row);
+        let (mut x, y) = (40, 26 + 38 * row);
         for (mark, color, word) in entries {
             mark.draw(paper, (x, y), *color)?;
-            paper.draw_text(word, &style, (x + 17, y))?;
+            paper.draw_text(word, &style, (x + 27, y))?;
             let (width, _) = paper.estimate_text_size(word, &style)?;
-            x += 17 + width.cast_signed() + 34;
+            x += 27 + width.cast_signed() + 54;
         }
     }
     Ok(())

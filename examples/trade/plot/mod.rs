@@ -28,8 +28,12 @@ pub trait Figure {
         DB::ErrorType: 'static;
 }
 
-/// The letters of titles and labels.
+/// The letters.
 const FONT: &str = "sans-serif";
+/// Those of titles, axes' names, and numbers: for pictures that are looked at at half their size.
+const TITLE: (&str, i32) = (FONT, 32);
+const NAME: (&str, i32) = (FONT, 27);
+const LABEL: (&str, i32) = (FONT, 24);
 
 /// Makes letters known. To be called once, before the first plot.
 pub fn fonts() -> Result<()> {

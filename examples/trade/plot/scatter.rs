@@ -1,48 +1,67 @@
-//! Texel error against cost: a panel for each target, a point for each scene and mode.
+//! Texel error against cost: a point for each scene and mode, in panels.
 
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use super::axis::{Axis, LEAST_ERROR, label};
+use super::axis::{Axis, LEAST_ERROR, error_label, label};
 use super::legend::{self, Mark};
-use super::{FONT, Figure, GRID, INK, color};
+use super::{Figure, GRID, INK, LABEL, NAME, TITLE, color};
 use crate::Result;
 use crate::modes;
 use crate::spread::Spread;
 use crate::table::{HOST, Row, unit};
 
-/// Width of a panel.
-const PANEL: u32 = 560;
-const LEGEND: u32 = 60;
+/// Width and height of a panel.
+const PANEL: (u32, u32) = (880, 720);
+const LEGEND: u32 = 136;
+/// What joins the modes of a scene that no other is both cheaper and more exact than.
+const THREAD: RGBColor = RGBColor(195, 195, 195);
 
-/// The plot.
+/// The plot: a panel for the measured scenes on each target, and one for the planes on the host.
 pub struct Scatter<'a> {
+    panels: Vec<Panel<'a>>,
+    scenes: Vec<&'static str>,
+}
+
+struct Panel<'a> {
+    title: String,
+    target: &'a str,
     points: Vec<(&'a Row, Spread)>,
-    targets: Vec<&'a str>,
-    scenes: Vec<&'a str>,
 }
 
 impl<'a> Scatter<'a> {
     /// Of the rows that have an error.
     pub fn new(rows: &'a [Row]) -> Self {
-        let points: Vec<_> = rows
-            .iter()
-            .filter_map(|row| Some((row, row.error?)))
-            .collect();
-        let (mut targets, mut scenes) = (Vec::new(), Vec::new());
-        for (row, _) in &points {
-            if !targets.contains(&row.target.as_str()) {
-                targets.push(row.target.as_str());
-            }
+        let mut panels: Vec<Panel> = Vec::new();
+        let mut scenes = Vec::new();
+        for row in rows {
+            let Some(error) = row.error else { continue };
             if !scenes.contains(&row.scene) {
                 scenes.push(row.scene);
             }
+            let what = if row.scene.starts_with("planes") {
+                "planes"
+            } else {
+                "scenes"
+            };
+            let target = if row.target == HOST {
+                format!("this computer ({})", std::env::consts::ARCH)
+            } else {
+                row.target.clone()
+            };
+            let title = format!("{what} on {target}");
+            let place = panels.iter().position(|panel| panel.title == title);
+            let place = place.unwrap_or_else(|| {
+                panels.push(Panel {
+                    title,
+                    target: &row.target,
+                    points: Vec::new(),
+                });
+                panels.len() - 1
+            });
+            panels[place].points.push((row, error));
         }
-        Self {
-            points,
-            targets,
-            scenes,
-        }
+        Self { panels, scenes }
     }
 
     fn mark(&self, scene: &str) -> Mark {
@@ -50,29 +69,29 @@ impl<'a> Scatter<'a> {
         Mark::POINTS[place.unwrap_or(0) % Mark::POINTS.len()]
     }
 
-    /// A target's panel, on a part of the paper.
+    /// Columns and rows of panels.
+    fn grid(&self) -> (u32, u32) {
+        let rows = self.panels.len().div_ceil(2).max(1);
+        (2, u32::try_from(rows).unwrap_or(1))
+    }
+
+    /// A panel, on a part of the paper.
     fn panel<DB: DrawingBackend>(
         &self,
         paper: &DrawingArea<DB, Shift>,
         part: &DrawingArea<DB, Shift>,
-        target: &str,
+        panel: &Panel<'_>,
         errors: &Axis,
     ) -> Result<()>
     where
         DB::ErrorType: 'static,
     {
-        let points = || self.points.iter().filter(|(row, _)| row.target == target);
-        let costs = Axis::around(points().map(|(row, _)| row.per_pixel));
-        let title = if target == HOST {
-            "this computer".to_owned()
-        } else {
-            target.to_owned()
-        };
+        let costs = Axis::around(panel.points.iter().map(|(row, _)| row.per_pixel));
         let mut chart = ChartBuilder::on(part)
-            .caption(title, (FONT, 20).into_font().color(&INK))
-            .margin(12)
-            .x_label_area_size(48)
-            .y_label_area_size(78)
+            .caption(&panel.title, TITLE.into_font().color(&INK))
+            .margin(20)
+            .x_label_area_size(76)
+            .y_label_area_size(130)
             .build_cartesian_2d(
                 (costs.low..costs.high)
                     .log_scale()
@@ -83,35 +102,43 @@ impl<'a> Scatter<'a> {
             )?;
         chart
             .configure_mesh()
-            .bold_line_style(GRID)
+            .bold_line_style(GRID.stroke_width(2))
             .light_line_style(TRANSPARENT)
-            .axis_style(INK)
-            .label_style((FONT, 14).into_font().color(&INK))
-            .axis_desc_style((FONT, 16).into_font().color(&INK))
-            .x_desc(format!("{} per pixel", unit(target)))
-            .y_desc("texel error (texels of 256)")
+            .axis_style(INK.stroke_width(2))
+            .label_style(LABEL.into_font().color(&INK))
+            .axis_desc_style(NAME.into_font().color(&INK))
+            .x_desc(format!("{} per pixel", unit(panel.target)))
+            .y_desc("largest texel error (texture of 256x256)")
             .x_label_formatter(&label)
-            .y_label_formatter(&label)
+            .y_label_formatter(&error_label)
             .draw()?;
-        // A scene's points, from mode to mode.
         for scene in &self.scenes {
-            let mut line: Vec<(f64, f64)> = points()
+            let mut line: Vec<(f64, f64)> = panel
+                .points
+                .iter()
                 .filter(|(row, _)| row.scene == *scene)
                 .map(|(row, error)| (row.per_pixel, error.max.max(LEAST_ERROR)))
                 .collect();
             line.sort_by(|a, b| a.0.total_cmp(&b.0));
-            chart.draw_series(LineSeries::new(line, RGBColor(205, 205, 205)))?;
+            let mut least = f64::INFINITY;
+            line.retain(|&(_, error)| error < std::mem::replace(&mut least, least.min(error)));
+            chart.draw_series(LineSeries::new(line, THREAD.stroke_width(2)))?;
         }
-        for (row, error) in points() {
-            let color = color(row.mode);
-            let at = |error: f64| chart.backend_coord(&(row.per_pixel, error.max(LEAST_ERROR)));
-            let [max, p99, mean] = [error.max, error.p99, error.mean].map(at);
+        let at =
+            |row: &Row, error: f64| chart.backend_coord(&(row.per_pixel, error.max(LEAST_ERROR)));
+        for (row, error) in &panel.points {
+            let color = color(row.mode).stroke_width(2);
             let line = |ends: [(i32, i32); 2]| paper.draw(&PathElement::new(ends, color));
-            line([max, mean])?;
+            let (p99, mean) = (at(row, error.p99), at(row, error.mean));
+            line([at(row, error.max), mean])?;
             for (x, y) in [p99, mean] {
-                line([(x - 4, y), (x + 4, y)])?;
+                line([(x - 6, y), (x + 6, y)])?;
             }
-            self.mark(row.scene).draw(paper, max, color)?;
+        }
+        // Over all lines.
+        for (row, error) in &panel.points {
+            let mark = self.mark(row.scene);
+            mark.draw(paper, at(row, error.max), color(row.mode))?;
         }
         Ok(())
     }
@@ -119,33 +146,39 @@ impl<'a> Scatter<'a> {
 
 impl Figure for Scatter<'_> {
     fn size(&self) -> (u32, u32) {
-        let panels = self.targets.len().max(2) as u32;
-        (PANEL * panels, 520 + LEGEND)
+        let (columns, rows) = self.grid();
+        (PANEL.0 * columns, PANEL.1 * rows + LEGEND)
     }
 
     fn draw<DB: DrawingBackend>(&self, paper: &DrawingArea<DB, Shift>) -> Result<()>
     where
         DB::ErrorType: 'static,
     {
-        let errors = self
-            .points
-            .iter()
-            .flat_map(|(_, error)| [error.max, error.mean])
-            .map(|error| error.max(LEAST_ERROR));
-        let errors = Axis::decades(errors);
+        let points = self.panels.iter().flat_map(|panel| &panel.points);
+        let errors = points.flat_map(|(_, error)| [error.max, error.mean]);
+        let errors = Axis::decades(errors.map(|error| error.max(LEAST_ERROR)));
         let (panels, below) = paper.split_vertically(self.size().1 - LEGEND);
-        let parts = panels.split_evenly((1, self.targets.len().max(1)));
-        for (target, part) in self.targets.iter().zip(&parts) {
-            self.panel(paper, part, target, &errors)?;
+        let (columns, rows) = self.grid();
+        let parts = panels.split_evenly((rows as usize, columns as usize));
+        for (panel, part) in self.panels.iter().zip(&parts) {
+            self.panel(paper, part, panel, &errors)?;
         }
         let of_mode = |name: &&str| (Mark::Square, color(name), (*name).to_owned());
         let of_scene = |name: &&str| (self.mark(name), INK, (*name).to_owned());
-        let mut modes: Vec<_> = modes::NAMES.iter().map(of_mode).collect();
-        modes.push((
-            Mark::Line,
-            INK,
-            "down from the largest error: 99 % of pixels, mean".into(),
-        ));
-        legend::draw(&below, &[modes, self.scenes.iter().map(of_scene).collect()])
+        legend::draw(
+            &below,
+            &[
+                modes::NAMES.iter().map(of_mode).collect(),
+                self.scenes.iter().map(of_scene).collect(),
+                vec![
+                    (Mark::Reach, INK, "99 % of the pixels, the mean".into()),
+                    (
+                        Mark::Line,
+                        THREAD,
+                        "no mode is both cheaper and more exact".into(),
+                    ),
+                ],
+            ],
+        )
     }
 }
