@@ -121,7 +121,11 @@ impl<'a> Scatter<'a> {
                 .collect();
             line.sort_by(|a, b| a.0.total_cmp(&b.0));
             let mut least = f64::INFINITY;
-            line.retain(|&(_, error)| error < std::mem::replace(&mut least, least.min(error)));
+            line.retain(|&(_, error)| {
+                let better = error < least;
+                least = least.min(error);
+                better
+            });
             chart.draw_series(LineSeries::new(line, THREAD.stroke_width(2)))?;
         }
         let at =
