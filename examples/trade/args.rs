@@ -63,18 +63,17 @@ impl Args {
 }
 
 fn named(text: &str) -> Result<Named, String> {
-    let (target, file) = match text.split_once('=') {
-        Some((target, file)) => (target.to_owned(), Path::new(file)),
-        None => {
-            let file = Path::new(text);
-            let name = file.file_name().unwrap_or_default().to_string_lossy();
-            // Not the stem: thumbv8m.main is a target.
-            let endings = [".txt", ".log", ".csv"].into_iter();
-            let target = endings.fold(name.as_ref(), |name, end| {
-                name.strip_suffix(end).unwrap_or(name)
-            });
-            (target.to_owned(), file)
-        }
+    let (target, file) = if let Some((target, file)) = text.split_once('=') {
+        (target.to_owned(), Path::new(file))
+    } else {
+        let file = Path::new(text);
+        let name = file.file_name().unwrap_or_default().to_string_lossy();
+        // Not the stem: thumbv8m.main is a target.
+        let endings = [".txt", ".log", ".csv"].into_iter();
+        let target = endings.fold(name.as_ref(), |name, end| {
+            name.strip_suffix(end).unwrap_or(name)
+        });
+        (target.to_owned(), file)
     };
     if target.is_empty() || file.as_os_str().is_empty() {
         return Err("it must be a file, or TARGET=FILE".into());

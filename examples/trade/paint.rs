@@ -81,7 +81,7 @@ impl Paint {
     /// The colour that the model has for u, v, red, green and blue (of 255) on a face.
     pub fn model(self, face: usize, [u, v, r, g, b]: [f64; 5]) -> Rgb565 {
         // All textures have eight by eight squares, whose edges are edges of texels.
-        let odd = |at: f64| (at * 8.).floor().rem_euclid(2.) == 1.;
+        let odd = |at: f64| (at * 8.).floor().rem_euclid(2.) > 0.5;
         match self {
             Self::Shaded => {
                 let steps = |value: f64, most: f64| (value / 255. * most).round() as u8;

@@ -25,9 +25,12 @@ const LENS: Lens = Lens {
     far: 8000.,
 };
 
+/// What makes a plane of a set.
+type Plane = fn(&mut Dice) -> [Corner; 3];
+
 /// The sets, so many triangles each.
 pub fn cases(count: u32) -> Result<Vec<Case>> {
-    let sets: [(_, fn(&mut Dice) -> [Corner; 3]); 4] = [
+    let sets: [(&str, Plane); 4] = [
         ("planes-tilted", tilted),
         ("planes-grazing", grazing),
         ("planes-slivers", sliver),

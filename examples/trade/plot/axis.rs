@@ -74,7 +74,7 @@ fn ends(values: impl Iterator<Item = f64>) -> (f64, f64) {
 }
 
 /// A tick's number without what is not needed: 0.001, 1.5, 20, 1024.
-pub fn label(value: &f64) -> String {
+pub fn label(value: f64) -> String {
     let digits = (1. - value.log10().floor()).max(0.) as usize;
     let text = format!("{value:.digits$}");
     if text.contains('.') {
@@ -85,8 +85,8 @@ pub fn label(value: &f64) -> String {
 }
 
 /// The number of an error's tick: at the least what is below is drawn too.
-pub fn error_label(value: &f64) -> String {
-    if *value < LEAST_ERROR * 1.01 {
+pub fn error_label(value: f64) -> String {
+    if value < LEAST_ERROR * 1.01 {
         format!("≤ {}", label(value))
     } else {
         label(value)

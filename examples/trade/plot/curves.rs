@@ -33,7 +33,7 @@ struct Panel<'a> {
     name: &'a str,
     axis: Axis,
     /// The number of a tick.
-    label_of: fn(&f64) -> String,
+    label_of: fn(f64) -> String,
     lines: Vec<Line>,
 }
 
@@ -106,8 +106,8 @@ impl Curves<'_> {
             .axis_desc_style(NAME.into_font().color(&INK))
             .x_desc(along)
             .y_desc(name)
-            .x_label_formatter(&label)
-            .y_label_formatter(&label_of)
+            .x_label_formatter(&|&value| label(value))
+            .y_label_formatter(&|&value| label_of(value))
             .draw()?;
         for line in lines {
             let color = color(line.mode);

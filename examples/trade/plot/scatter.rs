@@ -109,8 +109,8 @@ impl<'a> Scatter<'a> {
             .axis_desc_style(NAME.into_font().color(&INK))
             .x_desc(format!("{} per pixel", unit(panel.target)))
             .y_desc("largest texel error (texture of 256x256)")
-            .x_label_formatter(&label)
-            .y_label_formatter(&error_label)
+            .x_label_formatter(&|&value| label(value))
+            .y_label_formatter(&|&value| error_label(value))
             .draw()?;
         for scene in &self.scenes {
             let mut line: Vec<(f64, f64)> = panel
