@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// Few planes, each drawn once to warm up and once to be measured.
+/// Few planes, each measured once.
 const LITTLE: &str = "--quick --planes 3 --repeats 1";
 const SCENES: [&str; 8] = [
     "floor",

@@ -44,6 +44,7 @@ mod spread;
 mod sweep;
 mod table;
 mod texture;
+mod time;
 mod truth;
 
 use std::error::Error;

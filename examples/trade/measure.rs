@@ -1,8 +1,6 @@
-//! A case in a mode: how far off, and how long it takes.
+//! A case in a mode: how far off it is, in texels and as a picture.
 
 use std::cell::RefCell;
-use std::hint::black_box;
-use std::time::{Duration, Instant};
 
 use crc32fast::Hasher;
 use embedded_graphics::pixelcolor::raw::ToBytes;
@@ -15,11 +13,9 @@ use super::Result;
 use super::case::{Case, Shot};
 use super::paint::{Job, Target};
 use super::record::{Recorder, Seen};
-use super::spread::{Spread, median};
+use super::spread::Spread;
+use super::time::Times;
 use super::truth::{Expected, Truth, order};
-
-/// The least time that is measured at once: the clock's own is then a thousandth.
-const LEAST: Duration = Duration::from_micros(50);
 
 /// A case's figures in a mode.
 #[derive(Clone, Debug)]
@@ -33,27 +29,27 @@ pub struct Figures {
     pub error: Option<Spread>,
     /// Of the covered pixels, in dB; infinite if all are alike.
     pub psnr: f64,
-    /// Nanoseconds for all drawings.
-    pub ns: f64,
+    /// How long each drawing took.
+    pub times: Times,
     /// CRC-32 of the first picture's pixels, row by row, the more significant byte first.
     pub crc: u32,
 }
 
 impl Figures {
     pub fn ns_per_pixel(&self) -> f64 {
-        self.ns / self.pixels as f64
+        self.times.ns() / self.pixels as f64
     }
 }
 
 /// A case with what it should look like.
-pub struct Subject {
-    pub case: Case,
+pub struct Subject<'a> {
+    case: &'a Case,
     truths: Vec<Truth>,
 }
 
-impl Subject {
-    pub fn new(case: Case) -> Result<Self> {
-        let truths = case.shots.iter().map(|shot| Truth::of(&case, shot));
+impl<'a> Subject<'a> {
+    pub fn new(case: &'a Case) -> Result<Self> {
+        let truths = case.shots.iter().map(|shot| Truth::of(case, shot));
         let truths = truths.collect::<Result<_>>()?;
         Ok(Self { case, truths })
     }
@@ -62,13 +58,8 @@ impl Subject {
         self.case.shots.iter().zip(&self.truths)
     }
 
-    /// Measures it in a mode; the time is the median of so many.
-    pub fn measure<I: Interpolate>(
-        &self,
-        name: &'static str,
-        mode: I,
-        repeats: u32,
-    ) -> Result<Figures> {
+    /// Measures it in a mode; the time is left to be taken.
+    pub fn measure<I: Interpolate>(&self, name: &'static str, mode: I) -> Result<Figures> {
         let pass = Pass::new().mode(mode);
         let error = if self.case.interpolates {
             Some(self.errors(&pass)?)
@@ -81,13 +72,12 @@ impl Subject {
             frames: self.truths.len(),
             error,
             psnr: 0.,
-            ns: 0.,
+            times: Times::default(),
             crc: 0,
         };
         let drawing = Drawing {
             subject: self,
             pass: &pass,
-            repeats,
             figures: &mut figures,
         };
         self.case.paint.give(self.case.size, drawing)?;
@@ -101,7 +91,7 @@ impl Subject {
             size: (width, height),
             texels_log2,
             ..
-        } = self.case;
+        } = *self.case;
         let mut colors = vec![Rgb565::default(); width as usize * height as usize];
         let mut canvas = Canvas::new(&mut colors, width, height)?;
         let texels = f64::from(1 << texels_log2);
@@ -133,11 +123,10 @@ impl Subject {
     }
 }
 
-/// The drawing of a subject in a mode, for its pictures and its time.
+/// The drawing of a subject in a mode, for its pictures.
 struct Drawing<'a, I> {
-    subject: &'a Subject,
+    subject: &'a Subject<'a>,
     pass: &'a Pass<I>,
-    repeats: u32,
     figures: &'a mut Figures,
 }
 
@@ -150,42 +139,16 @@ impl<I: Interpolate> Job for Drawing<'_, I> {
         let Self {
             subject,
             pass,
-            repeats,
             figures,
         } = self;
         let mut error = SquareError::default();
         for (i, (shot, truth)) in subject.shots().enumerate() {
-            let mesh = shot.mesh()?;
-            // How often in a row, so that it takes long enough. Each time anew with depth, where a second
-            // drawing would be hidden.
-            let mut times = 1_u32;
-            let mut samples = Vec::new();
-            for repeat in 0..=repeats {
-                canvas.clear(Rgb565::BLACK);
-                let start = Instant::now();
-                for _ in 0..times {
-                    black_box(canvas.draw_with(
-                        pass,
-                        black_box(&mesh),
-                        black_box(&shot.chain),
-                        fragment,
-                    ));
-                }
-                let time = start.elapsed();
-                if repeat == 0 {
-                    // To warm up, and for its picture.
-                    error.add(canvas.pixels(), &truth.picture);
-                    if i == 0 {
-                        figures.crc = crc(canvas.pixels());
-                    }
-                    if subject.case.paint.may_repeat() {
-                        times = u32::try_from(LEAST.as_nanos() / time.as_nanos().max(1))? + 1;
-                    }
-                } else {
-                    samples.push(time.as_secs_f64() * 1e9 / f64::from(times));
-                }
+            canvas.clear(Rgb565::BLACK);
+            canvas.draw_with(pass, &shot.mesh()?, &shot.chain, fragment);
+            error.add(canvas.pixels(), &truth.picture);
+            if i == 0 {
+                figures.crc = crc(canvas.pixels());
             }
-            figures.ns += median(samples);
         }
         figures.psnr = error.psnr();
         Ok(())

@@ -2,20 +2,24 @@
 
 use std::collections::HashMap;
 use std::fs;
-use std::mem;
+use std::slice::IterMut;
 
 use fixel::interpolate::Interpolate;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::Result;
 use super::args::Args;
+use super::case::Case;
 use super::firmware;
 use super::measure::{Figures, Subject};
 use super::modes::{self, Visitor};
 use super::plot;
-use super::sweep::{self, Point};
+use super::sweep::{self, Point, Sweep};
 use super::table::{self, HOST, Row};
 use super::{measured, planes};
+
+/// Rounds in which the repetitions are done.
+const ROUNDS: u32 = 3;
 
 /// What was measured on other targets, in the order given.
 struct Elsewhere {
@@ -37,15 +41,13 @@ pub fn run(args: &Args) -> Result<()> {
         sweep::sweeps(args.quick)?
     };
 
-    let steps = cases.len() + sweeps.iter().map(|sweep| sweep.cases.len()).sum::<usize>();
-    let progress = ProgressBar::new((steps * modes::NAMES.len()) as u64).with_style(
-        ProgressStyle::with_template("{bar:40} {pos}/{len} {msg} {elapsed}")?,
-    );
+    let all = cases.iter().chain(sweeps.iter().flat_map(Sweep::cases));
+    let mut figures = measure(&all.collect::<Vec<_>>(), args)?.into_iter();
+
     let mut rows = Vec::new();
-    for case in cases {
-        let scene = case.name;
-        for figures in measure(Subject::new(case)?, args, &progress)? {
-            add_rows(&mut rows, scene, &figures, &elsewhere)?;
+    for (case, figures) in cases.iter().zip(&mut figures) {
+        for figures in &figures {
+            add_rows(&mut rows, case.name, figures, &elsewhere)?;
         }
     }
     // Targets apart from each other, the host first.
@@ -61,16 +63,17 @@ pub fn run(args: &Args) -> Result<()> {
 
     let mut points = Vec::new();
     let mut swept = Vec::new();
-    for mut sweep in sweeps {
+    for sweep in &sweeps {
         let first = points.len();
-        for (at, case) in mem::take(&mut sweep.cases) {
-            for figures in measure(Subject::new(case)?, args, &progress)? {
-                points.push(Point::new(sweep.name, at, &figures));
-            }
+        for ((at, _), figures) in sweep.cases.iter().zip(&mut figures) {
+            points.extend(
+                figures
+                    .iter()
+                    .map(|figures| Point::new(sweep.name, *at, figures)),
+            );
         }
         swept.push((sweep, first..points.len()));
     }
-    progress.finish_and_clear();
     if !points.is_empty() {
         sweep::write_csv(&args.out.join("sweeps.csv"), &points)?;
     }
@@ -124,31 +127,70 @@ fn read(args: &Args) -> Result<Vec<Elsewhere>> {
     Ok(all)
 }
 
-/// Measures a subject in every mode.
-fn measure(subject: Subject, args: &Args, progress: &ProgressBar) -> Result<Vec<Figures>> {
-    struct Measuring<'a> {
-        subject: Subject,
-        repeats: u32,
-        progress: &'a ProgressBar,
-        figures: Vec<Figures>,
+/// Measures cases in every mode: of each case the figures of each mode.
+///
+/// First what they look like; then the time, in rounds of all cases and modes, so that what else the computer
+/// does for a while slows down few repetitions of each, which a median does not see.
+fn measure(cases: &[&Case], args: &Args) -> Result<Vec<Vec<Figures>>> {
+    let rounds = args.repeats().min(ROUNDS);
+    let steps = cases.len() as u64 * u64::from(1 + rounds);
+    let progress = ProgressBar::new(steps).with_style(ProgressStyle::with_template(
+        "{bar:40} {pos}/{len} {msg} {elapsed}",
+    )?);
+    let mut all = Vec::new();
+    for case in cases {
+        progress.set_message(case.name);
+        let mut looking = Looking {
+            subject: Subject::new(case)?,
+            figures: Vec::new(),
+        };
+        modes::each(&mut looking)?;
+        all.push(looking.figures);
+        progress.inc(1);
     }
-    impl Visitor for Measuring<'_> {
-        fn visit<I: Interpolate>(&mut self, name: &'static str, mode: I) -> Result<()> {
-            self.progress.set_message(self.subject.case.name);
-            let figures = self.subject.measure(name, mode, self.repeats)?;
-            self.figures.push(figures);
-            self.progress.inc(1);
-            Ok(())
+    progress.set_message("time");
+    for round in 0..rounds {
+        let done = |rounds_done: u32| args.repeats() * rounds_done / rounds;
+        for (case, figures) in cases.iter().zip(&mut all) {
+            modes::each(&mut Timing {
+                case,
+                repeats: done(round + 1) - done(round),
+                figures: figures.iter_mut(),
+            })?;
+            progress.inc(1);
         }
     }
-    let mut measuring = Measuring {
-        subject,
-        repeats: args.repeats(),
-        progress,
-        figures: Vec::new(),
-    };
-    modes::each(&mut measuring)?;
-    Ok(measuring.figures)
+    progress.finish_and_clear();
+    Ok(all)
+}
+
+/// Compares a case with the model.
+struct Looking<'a> {
+    subject: Subject<'a>,
+    figures: Vec<Figures>,
+}
+
+impl Visitor for Looking<'_> {
+    fn visit<I: Interpolate>(&mut self, name: &'static str, mode: I) -> Result<()> {
+        self.figures.push(self.subject.measure(name, mode)?);
+        Ok(())
+    }
+}
+
+/// Takes the time of a case, for its figures of the modes in turn.
+struct Timing<'a> {
+    case: &'a Case,
+    repeats: u32,
+    figures: IterMut<'a, Figures>,
+}
+
+impl Visitor for Timing<'_> {
+    fn visit<I: Interpolate>(&mut self, _: &'static str, mode: I) -> Result<()> {
+        match self.figures.next() {
+            Some(figures) => figures.times.add(self.case, mode, self.repeats),
+            None => Ok(()),
+        }
+    }
 }
 
 /// A row for the host, and one for each other target that has drawn the same.
@@ -163,7 +205,7 @@ fn add_rows(
         scene,
         mode,
         target: HOST.into(),
-        per_frame: figures.ns / figures.frames as f64,
+        per_frame: figures.times.ns() / figures.frames as f64,
         per_pixel: figures.ns_per_pixel(),
         error: figures.error,
         psnr: figures.psnr,

@@ -26,6 +26,12 @@ pub struct Sweep {
     pub cases: Vec<(f64, Case)>,
 }
 
+impl Sweep {
+    pub fn cases(&self) -> impl Iterator<Item = &Case> {
+        self.cases.iter().map(|(_, case)| case)
+    }
+}
+
 /// A step of a sweep, in a mode.
 #[derive(Clone, Debug)]
 pub struct Point {
