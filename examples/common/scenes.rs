@@ -115,20 +115,43 @@ fn lens() -> Result<Projection<Perspective>, Error> {
     Projection::from_focal_length(fx!(200), (WIDTH, HEIGHT), fx!(0.25), fx!(100))
 }
 
-/// RX(`x` + `k`·`x_step`) · RY(`y` + `k`·`y_step`), angles in radians and steps in turns.
-fn turned(k: i32, x: Angle, x_step: Angle, y: Angle, y_step: Angle) -> Transform {
-    Transform::rotate_x(x + x_step * k) * Transform::rotate_y(y + y_step * k)
+/// RX(`x`) · RY(`y`).
+fn turned([x, y]: [Angle; 2]) -> Transform {
+    Transform::rotate_x(x) * Transform::rotate_y(y)
 }
 
-/// The floor's chain, the same for all poses: one unit above, pitched down by atan 0.2.
+/// How far the floor is pitched down, after it was moved by [`FLOOR_AT`]: atan 0.2.
+pub const FLOOR_PITCH: Angle = Angle::from_bits(134_932_750);
+/// Where the floor is moved to: below the eye.
+pub const FLOOR_AT: Vec3 = vec3!(0, -1, 0);
+/// Where the cube is moved to, after it was [turned](cube_turn).
+pub const CUBE_AT: Vec3 = vec3!(0, 0, -3.133_832_458);
+/// Where the spheres are moved to, after they were [turned](sphere_turn).
+pub const SPHERE_AT: Vec3 = vec3!(0, 0, -2.256_239_223_7);
+
+/// What the cube is turned by in pose `k`, about x after y.
+pub fn cube_turn(k: i32) -> [Angle; 2] {
+    [
+        Angle::from_radians(fx!(0.3)) + Angle::from_turns(fx!(0.0625)) * k,
+        Angle::from_radians(fx!(0.4)) + Angle::from_turns(fx!(0.125)) * k,
+    ]
+}
+
+/// What the spheres are turned by in pose `k`, about x after y.
+pub fn sphere_turn(k: i32) -> [Angle; 2] {
+    [
+        Angle::from_radians(fx!(0.35)) + Angle::from_radians(fx!(0.3)) * k,
+        Angle::from_radians(fx!(0.2)) + Angle::from_turns(fx!(0.125)) * k,
+    ]
+}
+
+/// The floor's chain, the same for all poses: one unit above, pitched down.
 ///
 /// # Errors
 ///
 /// None: its numbers are constant.
 pub fn floor_chain(_: i32) -> Result<Chain<Perspective>, Error> {
-    // atan 0.2, in units of 2^-32 of a turn.
-    let pitch = Angle::from_bits(134_932_750);
-    Ok(lens()? * (Transform::rotate_x(pitch) * Transform::translate(vec3!(0, -1, 0))))
+    Ok(lens()? * (Transform::rotate_x(FLOOR_PITCH) * Transform::translate(FLOOR_AT)))
 }
 
 /// The cube's chain in pose `k`.
@@ -137,14 +160,7 @@ pub fn floor_chain(_: i32) -> Result<Chain<Perspective>, Error> {
 ///
 /// None: its numbers are constant.
 pub fn cube_chain(k: i32) -> Result<Chain<Perspective>, Error> {
-    let model = turned(
-        k,
-        Angle::from_radians(fx!(0.3)),
-        Angle::from_turns(fx!(0.0625)),
-        Angle::from_radians(fx!(0.4)),
-        Angle::from_turns(fx!(0.125)),
-    );
-    Ok(lens()? * (Transform::translate(vec3!(0, 0, -3.133_832_458)) * model))
+    Ok(lens()? * (Transform::translate(CUBE_AT) * turned(cube_turn(k))))
 }
 
 /// The spheres' chain in pose `k`.
@@ -153,14 +169,7 @@ pub fn cube_chain(k: i32) -> Result<Chain<Perspective>, Error> {
 ///
 /// None: its numbers are constant.
 pub fn sphere_chain(k: i32) -> Result<Chain<Perspective>, Error> {
-    let model = turned(
-        k,
-        Angle::from_radians(fx!(0.35)),
-        Angle::from_radians(fx!(0.3)),
-        Angle::from_radians(fx!(0.2)),
-        Angle::from_turns(fx!(0.125)),
-    );
-    Ok(lens()? * (Transform::translate(vec3!(0, 0, -2.256_239_223_7)) * model))
+    Ok(lens()? * (Transform::translate(SPHERE_AT) * turned(sphere_turn(k))))
 }
 
 /// What the floor and the cube are painted with.

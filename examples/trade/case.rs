@@ -1,0 +1,143 @@
+//! What is drawn and measured: meshes with all that leads to the screen, for the crate and for the model.
+
+use fixel::number::{scalar, tex_coord};
+use fixel::prelude::*;
+use fixel::view::Perspective;
+
+use super::Result;
+use super::paint::Paint;
+use super::reference::linear::{IDENTITY, Matrix};
+use super::reference::projection::focal;
+use super::reference::view::{View, Viewport};
+
+/// Something to be measured as a whole.
+pub struct Case {
+    pub name: &'static str,
+    /// Width and height of the frame.
+    pub size: (u32, u32),
+    pub paint: Paint,
+    /// Texels along the texture that errors are stated for, as a power of two.
+    pub texels_log2: u32,
+    /// Whether anything but the depth is interpolated.
+    pub interpolates: bool,
+    /// Drawings, each to a frame of its own.
+    pub shots: Vec<Shot>,
+}
+
+/// One drawing.
+pub struct Shot {
+    body: Body,
+    pub chain: Chain<Perspective>,
+    /// The same for the model.
+    pub view: View,
+}
+
+enum Body {
+    Still(&'static Mesh<'static>),
+    Made(Triangles),
+}
+
+impl Shot {
+    /// A mesh, given what takes it to eye space, twice.
+    pub fn of_mesh(
+        mesh: &'static Mesh<'static>,
+        chain: Chain<Perspective>,
+        eye: Matrix,
+        lens: Lens,
+    ) -> Self {
+        Self {
+            body: Body::Still(mesh),
+            chain,
+            view: lens.view(eye),
+        }
+    }
+
+    /// The triangles as they are to be seen through a lens.
+    pub fn of_triangles(triangles: Triangles, lens: Lens) -> Result<Self> {
+        Ok(Self {
+            body: Body::Made(triangles),
+            chain: lens.chain()?,
+            view: lens.view(IDENTITY),
+        })
+    }
+
+    pub fn mesh(&self) -> Result<Mesh<'_>> {
+        Ok(match &self.body {
+            Body::Still(mesh) => **mesh,
+            Body::Made(made) => {
+                Mesh::new(&made.positions, &made.faces)?.with_uvs(&made.uvs, None)?
+            }
+        })
+    }
+}
+
+/// A lens by its focal length, in pixels.
+#[derive(Clone, Copy, Debug)]
+pub struct Lens {
+    pub focal: f64,
+    pub size: (u32, u32),
+    pub near: f64,
+    pub far: f64,
+}
+
+impl Lens {
+    fn chain(self) -> Result<Chain<Perspective>> {
+        let Self {
+            focal,
+            size,
+            near,
+            far,
+        } = self;
+        let lens = Projection::from_focal_length(scalar(focal)?, size, scalar(near)?, scalar(far)?);
+        Ok(lens?.into())
+    }
+
+    fn view(self, eye: Matrix) -> View {
+        View {
+            eye,
+            lens: focal(self.focal, self.size, self.near, self.far),
+            viewport: Viewport::new(self.size.0, self.size.1),
+        }
+    }
+
+    /// The point of eye space that is seen at a place on the screen, `w` ahead.
+    pub fn point(self, [x, y]: [f64; 2], w: f64) -> [f64; 3] {
+        let [cx, cy] = [self.size.0, self.size.1].map(|size| f64::from(size) / 2.);
+        let scale = w / self.focal;
+        [(x - cx) * scale, (cy - y) * scale, -w]
+    }
+}
+
+/// A corner as it is to be seen: place on the screen in pixels, distance ahead, u and v.
+#[derive(Clone, Copy, Debug)]
+pub struct Corner {
+    pub at: [f64; 2],
+    pub w: f64,
+    pub uv: [f64; 2],
+}
+
+/// Triangles in eye space, in the crate's numbers.
+#[derive(Clone, Debug, Default)]
+pub struct Triangles {
+    positions: Vec<Vec3>,
+    faces: Vec<[u16; 3]>,
+    uvs: Vec<Vec2>,
+}
+
+impl Triangles {
+    /// Adds a convex polygon, as a fan.
+    pub fn add(&mut self, lens: Lens, corners: &[Corner]) -> Result<()> {
+        let first = u16::try_from(self.positions.len())?;
+        for corner in corners {
+            let [x, y, z] = lens.point(corner.at, corner.w);
+            self.positions
+                .push(Vec3::new(scalar(x)?, scalar(y)?, scalar(z)?));
+            let [u, v] = corner.uv;
+            self.uvs.push(Vec2::new(tex_coord(u)?, tex_coord(v)?));
+        }
+        for second in 1..u16::try_from(corners.len())? - 1 {
+            self.faces.push([first, first + second, first + second + 1]);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,193 @@
+//! A case in a mode: how far off it is, in texels and as a picture.
+
+use std::cell::RefCell;
+
+use crc32fast::Hasher;
+use embedded_graphics::pixelcolor::raw::ToBytes;
+use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use fixel::interpolate::Interpolate;
+use fixel::prelude::*;
+use fixel::target::DepthBuffer;
+
+use super::Result;
+use super::case::{Case, Shot};
+use super::paint::{Job, Target};
+use super::record::{Recorder, Seen};
+use super::spread::Spread;
+use super::time::Times;
+use super::truth::{Expected, Truth, order};
+
+/// A case's figures in a mode.
+#[derive(Clone, Debug)]
+pub struct Figures {
+    pub mode: &'static str,
+    /// Pixels drawn, of all drawings.
+    pub pixels: usize,
+    /// Drawings.
+    pub frames: usize,
+    /// Texel errors; none where nothing is interpolated.
+    pub error: Option<Spread>,
+    /// Of the covered pixels, in dB; infinite if all are alike.
+    pub psnr: f64,
+    /// How long each drawing took.
+    pub times: Times,
+    /// CRC-32 of the first picture's pixels, row by row, the more significant byte first.
+    pub crc: u32,
+}
+
+impl Figures {
+    pub fn ns_per_pixel(&self) -> f64 {
+        self.times.ns() / self.pixels as f64
+    }
+}
+
+/// A case with what it should look like.
+pub struct Subject<'a> {
+    case: &'a Case,
+    truths: Vec<Truth>,
+}
+
+impl<'a> Subject<'a> {
+    pub fn new(case: &'a Case) -> Result<Self> {
+        let truths = case.shots.iter().map(|shot| Truth::of(case, shot));
+        let truths = truths.collect::<Result<_>>()?;
+        Ok(Self { case, truths })
+    }
+
+    fn shots(&self) -> impl Iterator<Item = (&Shot, &Truth)> {
+        self.case.shots.iter().zip(&self.truths)
+    }
+
+    /// Measures it in a mode; the time is left to be taken.
+    pub fn measure<I: Interpolate>(&self, name: &'static str, mode: I) -> Result<Figures> {
+        let pass = Pass::new().mode(mode);
+        let error = if self.case.interpolates {
+            Some(self.errors(&pass)?)
+        } else {
+            None
+        };
+        let mut figures = Figures {
+            mode: name,
+            pixels: self.truths.iter().map(|truth| truth.pixels.len()).sum(),
+            frames: self.truths.len(),
+            error,
+            psnr: 0.,
+            times: Times::default(),
+            crc: 0,
+        };
+        let drawing = Drawing {
+            subject: self,
+            pass: &pass,
+            figures: &mut figures,
+        };
+        self.case.paint.give(self.case.size, drawing)?;
+        Ok(figures)
+    }
+
+    /// The texel errors of every pixel of every triangle.
+    fn errors<I: Interpolate>(&self, pass: &Pass<I>) -> Result<Spread> {
+        let Case {
+            name,
+            size: (width, height),
+            texels_log2,
+            ..
+        } = *self.case;
+        let mut colors = vec![Rgb565::default(); width as usize * height as usize];
+        let mut canvas = Canvas::new(&mut colors, width, height)?;
+        let texels = f64::from(1 << texels_log2);
+        let mut errors = Vec::new();
+        for (shot, truth) in self.shots() {
+            let seen = RefCell::new(Vec::with_capacity(truth.pixels.len()));
+            let recorder = Recorder {
+                seen: &seen,
+                texels_log2,
+                face: 0,
+            };
+            canvas.draw_with(pass, &shot.mesh()?, &shot.chain, &recorder);
+            let mut seen = seen.into_inner();
+            seen.sort_unstable_by_key(|seen| order(seen.face, seen.pixel));
+            let places = |(seen, wanted): (&Seen, &Expected)| {
+                (seen.face, seen.pixel) == (wanted.face, wanted.pixel)
+            };
+            if seen.len() != truth.pixels.len() || !seen.iter().zip(&truth.pixels).all(places) {
+                return Err(format!("{name}: the crate draws other pixels than the model").into());
+            }
+            errors.extend(seen.iter().zip(&truth.pixels).map(|(seen, wanted)| {
+                let off = |axis: usize| {
+                    (f64::from(seen.texel[axis]) / 65536. - wanted.uv[axis] * texels).abs()
+                };
+                off(0).max(off(1))
+            }));
+        }
+        Spread::of(errors)
+    }
+}
+
+/// The drawing of a subject in a mode, for its pictures.
+struct Drawing<'a, I> {
+    subject: &'a Subject<'a>,
+    pass: &'a Pass<I>,
+    figures: &'a mut Figures,
+}
+
+impl<I: Interpolate> Job for Drawing<'_, I> {
+    fn run<D: DepthBuffer, F: Fragment<N, Color = Rgb565>, const N: usize>(
+        self,
+        canvas: &mut Target<'_, D>,
+        fragment: &F,
+    ) -> Result<()> {
+        let Self {
+            subject,
+            pass,
+            figures,
+        } = self;
+        let mut error = SquareError::default();
+        for (i, (shot, truth)) in subject.shots().enumerate() {
+            canvas.clear(Rgb565::BLACK);
+            canvas.draw_with(pass, &shot.mesh()?, &shot.chain, fragment);
+            error.add(canvas.pixels(), &truth.picture);
+            if i == 0 {
+                figures.crc = crc(canvas.pixels());
+            }
+        }
+        figures.psnr = error.psnr();
+        Ok(())
+    }
+}
+
+/// The sum of squares by which pictures differ.
+#[derive(Default)]
+struct SquareError {
+    sum: f64,
+    count: usize,
+}
+
+impl SquareError {
+    /// Adds the pixels where something should be drawn, each channel in parts of its range.
+    fn add(&mut self, drawn: impl Iterator<Item = Rgb565>, wanted: &[Option<Rgb565>]) {
+        let channels = |color: Rgb565| {
+            [(color.r(), 31.), (color.g(), 63.), (color.b(), 31.)]
+                .map(|(c, most)| f64::from(c) / most)
+        };
+        for (drawn, wanted) in drawn.zip(wanted) {
+            let Some(wanted) = wanted else { continue };
+            for (a, b) in channels(drawn).into_iter().zip(channels(*wanted)) {
+                self.sum += (a - b) * (a - b);
+                self.count += 1;
+            }
+        }
+    }
+
+    fn psnr(&self) -> f64 {
+        10. * (self.count as f64 / self.sum).log10()
+    }
+}
+
+/// As the firmware works it out.
+fn crc(pixels: impl Iterator<Item = Rgb565>) -> u32 {
+    let mut crc = Hasher::new();
+    for pixel in pixels {
+        crc.update(&pixel.to_be_bytes());
+    }
+    crc.finalize()
+}

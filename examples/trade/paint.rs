@@ -1,0 +1,95 @@
+//! What a case is painted with, by the crate and by the model.
+
+use embedded_graphics::pixelcolor::{Rgb565, WebColors};
+use fixel::prelude::*;
+use fixel::target::{DepthBuffer, Native};
+
+use super::Result;
+use super::common::scenes;
+use super::texture::checkered;
+
+/// What a case is painted with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Paint {
+    /// The measured scenes' checkered texture, with a depth buffer.
+    Checkered,
+    /// Vertex colours, with a depth buffer.
+    Shaded,
+    /// A colour per triangle, without a depth buffer.
+    Faceted,
+    /// A checkered texture of so many texels along a side, without a depth buffer.
+    Texture(Side),
+}
+
+/// Texels along the side of a texture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    T16,
+    T64,
+    T256,
+    T1024,
+}
+
+impl Side {
+    pub const ALL: [Self; 4] = [Self::T16, Self::T64, Self::T256, Self::T1024];
+
+    pub fn log2(self) -> u32 {
+        match self {
+            Self::T16 => 4,
+            Self::T64 => 6,
+            Self::T256 => 8,
+            Self::T1024 => 10,
+        }
+    }
+}
+
+/// A canvas as the cases are drawn to.
+pub type Target<'a, D> = Canvas<'a, Rgb565, Native, D>;
+
+/// Something to be done with a canvas and a fragment.
+pub trait Job {
+    /// Does it.
+    fn run<D: DepthBuffer, F: Fragment<N, Color = Rgb565>, const N: usize>(
+        self,
+        canvas: &mut Target<'_, D>,
+        fragment: &F,
+    ) -> Result<()>;
+}
+
+impl Paint {
+    /// Does a job with a canvas of this size and with the paint's fragment.
+    pub fn give(self, (width, height): (u32, u32), job: impl Job) -> Result<()> {
+        let mut colors = vec![Rgb565::default(); width as usize * height as usize];
+        let mut depths = vec![0; colors.len()];
+        let mut flat = Canvas::new(&mut colors, width, height)?;
+        match self {
+            Self::Checkered => job.run(&mut flat.with_depth(&mut depths)?, &scenes::checkered()),
+            Self::Shaded => job.run(&mut flat.with_depth(&mut depths)?, &scenes::shaded()),
+            Self::Faceted => job.run(&mut flat, &scenes::faceted()),
+            Self::Texture(Side::T16) => checkered::<16, _>(|skin| job.run(&mut flat, &skin)),
+            Self::Texture(Side::T64) => checkered::<64, _>(|skin| job.run(&mut flat, &skin)),
+            Self::Texture(Side::T256) => checkered::<256, _>(|skin| job.run(&mut flat, &skin)),
+            Self::Texture(Side::T1024) => checkered::<1024, _>(|skin| job.run(&mut flat, &skin)),
+        }
+    }
+
+    /// Whether the same may be drawn again over itself: with a depth buffer it would be hidden.
+    pub fn may_repeat(self) -> bool {
+        matches!(self, Self::Faceted | Self::Texture(_))
+    }
+
+    /// The colour that the model has for u, v, red, green and blue (of 255) on a face.
+    pub fn model(self, face: usize, [u, v, r, g, b]: [f64; 5]) -> Rgb565 {
+        // All textures have eight by eight squares, whose edges are edges of texels.
+        let odd = |at: f64| (at * 8.).floor().rem_euclid(2.) > 0.5;
+        match self {
+            Self::Shaded => {
+                let steps = |value: f64, most: f64| (value / 255. * most).round() as u8;
+                Rgb565::new(steps(r, 31.), steps(g, 63.), steps(b, 31.))
+            }
+            Self::Faceted => scenes::FACE_COLORS[face],
+            _ if odd(u) == odd(v) => Rgb565::CSS_IVORY,
+            _ => Rgb565::CSS_STEEL_BLUE,
+        }
+    }
+}

@@ -1,0 +1,173 @@
+//! Random and adversarial planes: textured triangles of which each asks something else of a mode.
+//!
+//! | set | what |
+//! |---|---|
+//! | planes-tilted | seen at 60 degrees, over the whole of 320 pixels |
+//! | planes-grazing | 1/w changes by up to 1/32 of itself from one pixel of a row to the next |
+//! | planes-slivers | a fraction of a pixel to a pixel and a half wide, up to 320 long, distances up to 1 : 8 |
+//! | planes-deep | distances 1 : 10 to 1 : 1000 |
+//!
+//! They are drawn from a generator with a fixed seed: every run has the same ones, of which fewer are
+//! the first ones.
+
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+use super::Result;
+use super::case::{Case, Corner, Lens, Shot, Triangles};
+use super::paint::{Paint, Side};
+use super::reference::coverage::area2_f64;
+
+const LENS: Lens = Lens {
+    focal: 200.,
+    size: (320, 240),
+    near: 0.125,
+    far: 8000.,
+};
+
+/// What makes a plane of a set.
+type Plane = fn(&mut Dice) -> [Corner; 3];
+
+/// The sets, so many triangles each.
+pub fn cases(count: u32) -> Result<Vec<Case>> {
+    let sets: [(&str, Plane); 4] = [
+        ("planes-tilted", tilted),
+        ("planes-grazing", grazing),
+        ("planes-slivers", sliver),
+        ("planes-deep", deep),
+    ];
+    let mut cases = Vec::new();
+    for (name, plane) in sets {
+        let mut dice = Dice(ChaCha8Rng::seed_from_u64(4));
+        let mut shots = Vec::new();
+        for _ in 0..count {
+            let mut triangles = Triangles::default();
+            triangles.add(LENS, &plane(&mut dice))?;
+            shots.push(Shot::of_triangles(triangles, LENS)?);
+        }
+        cases.push(Case {
+            name,
+            size: LENS.size,
+            paint: Paint::Texture(Side::T64),
+            texels_log2: 8,
+            interpolates: true,
+            shots,
+        });
+    }
+    Ok(cases)
+}
+
+struct Dice(ChaCha8Rng);
+
+impl Dice {
+    /// Evenly between two numbers.
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        self.0.random_range(low..high)
+    }
+
+    /// Evenly in its logarithm.
+    fn scale(&mut self, low: f64, high: f64) -> f64 {
+        self.between(low.ln(), high.ln()).exp()
+    }
+
+    /// A place in the picture.
+    fn place(&mut self) -> [f64; 2] {
+        [self.between(0., 320.), self.between(0., 240.)]
+    }
+
+    /// A triangle that takes up an eighth of the picture or more.
+    fn places(&mut self) -> [[f64; 2]; 3] {
+        loop {
+            let places = [self.place(), self.place(), self.place()];
+            if area2_f64(&places).abs() > 320. * 240. / 4. {
+                return places;
+            }
+        }
+    }
+
+    /// Corners with a texture laid on at random, turned to the eye.
+    fn corners(&mut self, at: [[f64; 2]; 3], w: [f64; 3]) -> [Corner; 3] {
+        let [a, b, c] = [0, 1, 2].map(|i: usize| Corner {
+            at: at[i],
+            w: w[i],
+            uv: [self.between(0., 1.), self.between(0., 1.)],
+        });
+        // A front face is counter-clockwise as seen, and so has a negative area with y down.
+        if area2_f64(&at) < 0. {
+            [a, b, c]
+        } else {
+            [a, c, b]
+        }
+    }
+}
+
+fn tilted(dice: &mut Dice) -> [Corner; 3] {
+    let (tilt_sin, tilt_cos) = 60_f64.to_radians().sin_cos();
+    loop {
+        let (sin, cos) = dice.between(0., std::f64::consts::TAU).sin_cos();
+        // From the left edge of the picture to the right one.
+        let mut at = dice.places();
+        (at[0][0], at[1][0]) = (0., 320.);
+        if area2_f64(&at).abs() < 320. * 240. / 4. {
+            continue;
+        }
+        // The plane is met by the ray through (x, y, −1) at 1/w = (cos tilt − sin tilt · (x, y) · way) / distance.
+        let q = at.map(|at| {
+            let [x, y, _] = LENS.point(at, 1.);
+            tilt_cos - tilt_sin * (cos * x + sin * y)
+        });
+        let (near, far) = (
+            q.into_iter().fold(0., f64::max),
+            q.into_iter().fold(f64::MAX, f64::min),
+        );
+        // Short of the horizon.
+        if far > near / 100. {
+            let distance = dice.scale(0.5, 4.);
+            return dice.corners(at, q.map(|q| distance * near / q));
+        }
+    }
+}
+
+fn grazing(dice: &mut Dice) -> [Corner; 3] {
+    let at = dice.places();
+    // What 1/w gains per pixel away from the far corner, where it is 1.
+    let slope = [dice.between(0., 1. / 32.), dice.between(0., 1. / 128.)];
+    let far = [0, 1].map(|axis: usize| {
+        let ends = at.map(|at| at[axis]).into_iter();
+        if dice.between(0., 1.) < 0.5 {
+            ends.fold(0., f64::max)
+        } else {
+            ends.fold(f64::MAX, f64::min)
+        }
+    });
+    let gain = |at: [f64; 2], axis: usize| slope[axis] * (at[axis] - far[axis]).abs();
+    let q = at.map(|at| 1. + gain(at, 0) + gain(at, 1));
+    let distance = dice.scale(4., 40.);
+    dice.corners(at, q.map(|q| distance / q))
+}
+
+fn sliver(dice: &mut Dice) -> [Corner; 3] {
+    loop {
+        let [a, b] = [dice.place(), dice.place()];
+        let along = [b[0] - a[0], b[1] - a[1]];
+        let length = along[0].hypot(along[1]);
+        if length < 10. {
+            continue;
+        }
+        let (way, width) = (dice.between(0., 1.), dice.between(0.1, 1.5));
+        let c = [
+            a[0] + way * along[0] - width * along[1] / length,
+            a[1] + way * along[1] + width * along[0] / length,
+        ];
+        let nearest = dice.scale(0.5, 4.);
+        let w = [(); 3].map(|()| nearest * dice.scale(1., 8.));
+        return dice.corners([a, b, c], w);
+    }
+}
+
+fn deep(dice: &mut Dice) -> [Corner; 3] {
+    let (nearest, ratio) = (dice.scale(0.5, 4.), dice.scale(10., 1000.));
+    let w = [1., ratio, dice.scale(1., ratio)].map(|w| nearest * w);
+    let at = dice.places();
+    dice.corners(at, w)
+}

@@ -1,0 +1,89 @@
+//! Plots, each as PNG and as SVG.
+
+mod axis;
+mod curves;
+mod legend;
+mod scatter;
+
+use std::path::Path;
+
+use image::RgbImage;
+use plotters::coord::Shift;
+use plotters::prelude::*;
+use plotters::style::{FontStyle, register_font};
+
+use super::Result;
+use super::modes;
+
+pub use curves::Curves;
+pub use scatter::Scatter;
+
+/// Something that can be drawn, on paper of any kind.
+pub trait Figure {
+    /// Width and height in pixels.
+    fn size(&self) -> (u32, u32);
+
+    fn draw<DB: DrawingBackend>(&self, paper: &DrawingArea<DB, Shift>) -> Result<()>
+    where
+        DB::ErrorType: 'static;
+}
+
+/// The letters.
+const FONT: &str = "sans-serif";
+/// Those of titles, axes' names, and numbers: for pictures that are looked at at half their size.
+const TITLE: (&str, i32) = (FONT, 32);
+const NAME: (&str, i32) = (FONT, 27);
+const LABEL: (&str, i32) = (FONT, 24);
+
+/// Makes letters known. To be called once, before the first plot.
+pub fn fonts() -> Result<()> {
+    register_font(FONT, FontStyle::Normal, dejavu::sans::regular())
+        .map_err(|_| "the font cannot be read".into())
+}
+
+/// Saves a figure; `stem` lacks the ending.
+pub fn save(stem: &Path, figure: &impl Figure) -> Result<()> {
+    let (width, height) = figure.size();
+    let mut bytes = vec![0; 3 * width as usize * height as usize];
+    paint(
+        BitMapBackend::with_buffer(&mut bytes, (width, height)),
+        figure,
+    )?;
+    RgbImage::from_raw(width, height, bytes)
+        .ok_or("the plot has no pixels")?
+        .save(stem.with_extension("png"))?;
+    paint(
+        SVGBackend::new(&stem.with_extension("svg"), (width, height)),
+        figure,
+    )
+}
+
+fn paint<DB: DrawingBackend>(backend: DB, figure: &impl Figure) -> Result<()>
+where
+    DB::ErrorType: 'static,
+{
+    let paper = backend.into_drawing_area();
+    paper.fill(&WHITE)?;
+    figure.draw(&paper)?;
+    Ok(paper.present()?)
+}
+
+/// The colour of a mode: Okabe and Ito's, which can be told apart by all eyes.
+fn color(mode: &str) -> RGBColor {
+    const COLORS: [RGBColor; 7] = [
+        RGBColor(0, 114, 178),
+        RGBColor(213, 94, 0),
+        RGBColor(0, 158, 115),
+        RGBColor(204, 121, 167),
+        RGBColor(230, 159, 0),
+        RGBColor(86, 180, 233),
+        RGBColor(60, 60, 60),
+    ];
+    let place = modes::NAMES.iter().position(|name| *name == mode);
+    COLORS[place.unwrap_or(0) % COLORS.len()]
+}
+
+/// Lines of the grid.
+const GRID: RGBColor = RGBColor(225, 225, 225);
+/// Axes and letters.
+const INK: RGBColor = RGBColor(40, 40, 40);

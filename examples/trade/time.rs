@@ -1,0 +1,80 @@
+//! How long drawing takes: the drawing calls only, the median of repetitions.
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use fixel::interpolate::Interpolate;
+use fixel::prelude::*;
+use fixel::target::DepthBuffer;
+
+use super::Result;
+use super::case::Case;
+use super::paint::{Job, Target};
+use super::spread::median;
+
+/// Drawings before the first that counts, so that caches and branches are known, as they are from frame to frame.
+const WARM: u32 = 4;
+/// The least time that is measured at once: the clock's own is then a thousandth.
+const LEAST: Duration = Duration::from_micros(50);
+
+/// Nanoseconds that each drawing of a case took, each time.
+#[derive(Clone, Debug, Default)]
+pub struct Times(Vec<Vec<f64>>);
+
+impl Times {
+    /// Nanoseconds for all drawings: the sum of their medians.
+    pub fn ns(&self) -> f64 {
+        self.0.iter().map(|samples| median(samples.clone())).sum()
+    }
+
+    /// Draws a case so many times more.
+    pub fn add<I: Interpolate>(&mut self, case: &Case, mode: I, repeats: u32) -> Result<()> {
+        self.0.resize(case.shots.len(), Vec::new());
+        let timing = Timing {
+            case,
+            pass: &Pass::new().mode(mode),
+            repeats,
+            times: self,
+        };
+        case.paint.give(case.size, timing)
+    }
+}
+
+struct Timing<'a, I> {
+    case: &'a Case,
+    pass: &'a Pass<I>,
+    repeats: u32,
+    times: &'a mut Times,
+}
+
+impl<I: Interpolate> Job for Timing<'_, I> {
+    fn run<D: DepthBuffer, F: Fragment<N, Color = Rgb565>, const N: usize>(
+        self,
+        canvas: &mut Target<'_, D>,
+        fragment: &F,
+    ) -> Result<()> {
+        for (shot, samples) in self.case.shots.iter().zip(&mut self.times.0) {
+            let mesh = shot.mesh()?;
+            // How often in a row, so that it takes long enough. With a depth buffer once: what is drawn
+            // again would be hidden.
+            let mut times = 1_u32;
+            for repeat in 0..WARM + self.repeats {
+                canvas.clear(Rgb565::BLACK);
+                let start = Instant::now();
+                for _ in 0..times {
+                    let (mesh, chain) = (black_box(&mesh), black_box(&shot.chain));
+                    black_box(canvas.draw_with(self.pass, mesh, chain, fragment));
+                }
+                let time = start.elapsed();
+                if repeat >= WARM {
+                    samples.push(time.as_secs_f64() * 1e9 / f64::from(times));
+                } else if self.case.paint.may_repeat() {
+                    let once = time.as_nanos() / u128::from(times);
+                    times = u32::try_from(LEAST.as_nanos() / once.max(1))? + 1;
+                }
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,121 @@
+//! What each pixel should be: the model in f64, given the crate's snapped vertices.
+
+use std::cell::RefCell;
+
+use embedded_graphics::pixelcolor::Rgb565;
+use fixel::interpolate::Exact;
+use fixel::prelude::*;
+
+use super::Result;
+use super::case::{Case, Shot};
+use super::record::{Given, Survey};
+use super::reference::coverage::{Bounds, covered_in};
+use super::reference::linear::Vec3 as Point;
+use super::reference::raster::{self, Piece, pieces};
+
+/// What a drawing should be.
+pub struct Truth {
+    /// Every pixel of every triangle that is drawn, by face, row and column.
+    pub pixels: Vec<Expected>,
+    /// The picture, where anything is drawn.
+    pub picture: Vec<Option<Rgb565>>,
+}
+
+/// What a pixel of a triangle should be.
+#[derive(Clone, Copy, Debug)]
+pub struct Expected {
+    pub face: usize,
+    pub pixel: [i32; 2],
+    /// The texture coordinate, in repeats.
+    pub uv: [f64; 2],
+}
+
+impl Truth {
+    /// The model's drawing of a shot.
+    ///
+    /// # Errors
+    ///
+    /// The crate refuses the mesh, or clips it: there the vertices are its own, not those given.
+    pub fn of(case: &Case, shot: &Shot) -> Result<Self> {
+        let (width, height) = case.size;
+        let mut truth = Self {
+            pixels: Vec::new(),
+            picture: vec![None; width as usize * height as usize],
+        };
+        let mut nearest = vec![f64::INFINITY; truth.picture.len()];
+        let (pieces, faces) = snapped(case, shot)?;
+        for piece in &pieces {
+            let face = faces[piece.face];
+            let Some(corners) = piece.snapped else {
+                continue;
+            };
+            for pixel in covered_in(corners, Bounds::new(width, height)) {
+                let Some(value) = piece.at(pixel) else {
+                    continue;
+                };
+                let [u, v, ..] = value.attributes;
+                let uv = [u, v];
+                truth.pixels.push(Expected { face, pixel, uv });
+                let place = pixel[1] as usize * width as usize + pixel[0] as usize;
+                if value.w < nearest[place] {
+                    nearest[place] = value.w;
+                    truth.picture[place] = Some(case.paint.model(face, value.attributes));
+                }
+            }
+        }
+        truth
+            .pixels
+            .sort_unstable_by_key(|seen| order(seen.face, seen.pixel));
+        Ok(truth)
+    }
+}
+
+/// By face, row and column.
+pub fn order(face: usize, [x, y]: [i32; 2]) -> (usize, i32, i32) {
+    (face, y, x)
+}
+
+/// The triangles that the crate draws, where it puts their corners; and for each its place in the mesh.
+fn snapped(case: &Case, shot: &Shot) -> Result<(Vec<Piece<5>>, Vec<usize>)> {
+    let mesh = shot.mesh()?;
+    let (width, height) = case.size;
+    let mut colors = vec![Rgb565::default(); width as usize * height as usize];
+    let mut canvas = Canvas::new(&mut colors, width, height)?;
+    // The mode does not matter: nothing is looked at but the corners.
+    let pass = Pass::new().mode(Exact);
+    let given = RefCell::new(Vec::new());
+    canvas.draw_with(&pass, &mesh, &shot.chain, &Survey(&given));
+    let given: Vec<Given> = given.into_inner();
+
+    let positions: Vec<Point> = mesh
+        .positions()
+        .iter()
+        .map(|p| [p.x, p.y, p.z].map(Scalar::to_num))
+        .collect();
+    let corners = |given: &Given| mesh.faces()[given.face].map(usize::from);
+    let faces: Vec<[usize; 3]> = given.iter().map(corners).collect();
+    let attributes: Vec<[[f64; 5]; 3]> = given.iter().map(|given| given.corners).collect();
+    let model = raster::Mesh {
+        positions: &positions,
+        faces: &faces,
+        attributes: &attributes,
+    };
+    let places: Vec<Option<[i32; 2]>> = mesh
+        .positions()
+        .iter()
+        .map(|&point| {
+            let place = canvas.project(&pass, &shot.chain, point)?;
+            Some([place.x.to_bits(), place.y.to_bits()])
+        })
+        .collect();
+    let mut snapped = Vec::with_capacity(faces.len());
+    for piece in pieces(&model, &shot.view) {
+        let corners = piece.sources.map(|source| places[source?]);
+        let [Some(a), Some(b), Some(c)] = corners else {
+            return Err(format!("{}: a triangle is clipped", case.name).into());
+        };
+        snapped.push(piece.snapped_to([a, b, c]));
+    }
+    let faces = given.iter().map(|given| given.face).collect();
+    Ok((snapped, faces))
+}
