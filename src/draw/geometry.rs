@@ -60,14 +60,13 @@ impl<'m, K: Kind> Geometry<'m, K> {
         }
     }
 
-    /// What of a triangle with these corners is to be seen.
+    /// What of a triangle is to be seen, of the planes that its corners are outside of.
     #[inline]
-    pub(super) fn seen(corners: &[Projected; 3]) -> Seen {
-        let [a, b, c] = corners.each_ref().map(|corner| corner.outside);
-        if a & b & c != 0 {
-            Seen::Nothing
-        } else if a | b | c == 0 {
+    pub(super) fn seen([a, b, c]: [u8; 3]) -> Seen {
+        if a | b | c == 0 {
             Seen::All
+        } else if a & b & c != 0 {
+            Seen::Nothing
         } else {
             Seen::Inside(a | b | c)
         }

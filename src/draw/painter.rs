@@ -53,16 +53,29 @@ impl<'m, K: Kind> Painter<'m, K> {
     #[inline(never)]
     pub(super) fn triangles(&mut self, brush: &mut dyn Brush) {
         let mut cache = Cache::<()>::new();
-        for (face, &indices) in self.geometry.mesh.faces().iter().enumerate() {
-            let corners = indices.map(|index| cache.vertex(&self.geometry, index).projected);
+        let faces = self.geometry.mesh.faces();
+        self.drawn.submitted += faces.len() as u32;
+        for (face, &indices) in faces.iter().enumerate() {
+            // Of most triangles it is enough to know where their corners are: the back of things is not drawn.
+            let corners = indices.map(|index| {
+                let vertex = &cache.vertex(&self.geometry, index).projected;
+                (vertex.screen, vertex.outside)
+            });
             let element = Element {
                 face: Some(face),
                 indices,
             };
-            self.drawn.submitted += 1;
-            match Geometry::<K>::seen(&corners) {
+            match Geometry::<K>::seen(corners.map(|(_, outside)| outside)) {
                 Seen::Nothing => {}
-                Seen::All => self.whole(brush, element, &corners),
+                Seen::All => {
+                    let screen = corners.map(|(screen, _)| screen);
+                    let area = raster::area_in(&screen, self.geometry.cull, &self.window);
+                    if area != 0 {
+                        let corners =
+                            indices.map(|index| cache.vertex(&self.geometry, index).projected);
+                        self.whole(brush, element, &Triangle::new(&corners, area));
+                    }
+                }
                 Seen::Inside(planes) => {
                     let outline = self.geometry.clip(element, 3, planes);
                     self.outline(brush, element, &outline);
@@ -71,19 +84,24 @@ impl<'m, K: Kind> Painter<'m, K> {
         }
     }
 
-    /// Draws a triangle that is all inside.
+    /// Draws a triangle that is all inside, not culled and in the window.
     #[inline]
     pub(super) fn whole(
         &mut self,
         brush: &mut dyn Brush,
         element: Element,
-        corners: &[Projected; 3],
+        triangle: &Triangle<'_>,
     ) {
-        if let Some(triangle) = Triangle::new(corners, self.geometry.cull, &self.window) {
-            brush.element(&self.geometry.face(element));
-            triangle.draw(brush, &self.window);
-            self.drawn.drawn += 1;
-        }
+        brush.element(&self.geometry.face(element));
+        triangle.draw(brush, &self.window);
+        self.drawn.drawn += 1;
+    }
+
+    /// The area of a triangle that is all inside, unless it is culled or not in the window; then 0.
+    #[inline]
+    pub(super) fn area(&self, corners: &[Projected; 3]) -> i64 {
+        let screen = corners.each_ref().map(|corner| corner.screen);
+        raster::area_in(&screen, self.geometry.cull, &self.window)
     }
 
     /// Draws a clipped triangle, as a fan.

@@ -14,7 +14,7 @@ use crate::Error;
 use crate::geometry::{Corner, Element, Mesh, Outline, Projected, Weights};
 use crate::interpolate::{Exact, Interpolate};
 use crate::linear::Transform;
-use crate::raster::{Brush, Fan, Triangle, Window};
+use crate::raster::{self, Brush, Fan, Triangle, Window};
 use crate::target::check_size;
 use crate::view::{Chain, Kind, Viewport};
 
@@ -244,18 +244,22 @@ impl Filling<'_> {
         // A vertex's note is its number in the list, from 1.
         let mut cache = Cache::<Option<NonZeroU16>>::new();
         for (face, &indices) in geometry.mesh.faces().iter().enumerate() {
-            let corners = indices.map(|index| cache.vertex(geometry, index).projected);
+            let corners = indices.map(|index| {
+                let vertex = &cache.vertex(geometry, index).projected;
+                (vertex.screen, vertex.outside)
+            });
             let element = Element {
                 face: Some(face),
                 indices,
             };
-            let (rows, corners) = match Geometry::<K>::seen(&corners) {
+            let (rows, corners) = match Geometry::<K>::seen(corners.map(|(_, outside)| outside)) {
                 Seen::Nothing => continue,
                 Seen::All => {
-                    let Some(triangle) = Triangle::new(&corners, geometry.cull, window) else {
+                    let screen = corners.map(|(screen, _)| screen);
+                    if raster::area_in(&screen, geometry.cull, window) == 0 {
                         continue;
-                    };
-                    let rows = triangle.row_range();
+                    }
+                    let rows = raster::row_range(&screen);
                     let corners = indices.map(|index| {
                         let vertex = cache.vertex(geometry, index);
                         let number = vertex
@@ -335,7 +339,11 @@ impl<K: Kind, I> Prepared<'_, K, I> {
                 Corners::Whole([a, b, c]) => {
                     let corners = (self.vertex(a), self.vertex(b), self.vertex(c));
                     if let (Some(a), Some(b), Some(c)) = corners {
-                        painter.whole(brush, element, &[a, b, c]);
+                        let corners = [a, b, c];
+                        let area = painter.area(&corners);
+                        if area != 0 {
+                            painter.whole(brush, element, &Triangle::new(&corners, area));
+                        }
                     }
                 }
                 Corners::Clipped { first, count } => {

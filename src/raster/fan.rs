@@ -52,7 +52,7 @@ impl<'a> Fan<'a> {
     /// The rows that it may have pixels in; `None` if it has none in the window.
     pub(crate) fn row_range(&self, window: &Window) -> Option<Range<i32>> {
         let corners = self.triangles();
-        let corners = corners.map(|corners| corners.map(|corner| corner.vertex));
+        let corners = corners.map(|corners| corners.map(|corner| corner.vertex.screen));
         let inside = corners.filter(|corners| area_in(corners, Cull::Nothing, window) != 0);
         let rows = inside.map(|corners| row_range(&corners));
         rows.reduce(|a, b| a.start.min(b.start)..a.end.max(b.end))
@@ -61,7 +61,7 @@ impl<'a> Fan<'a> {
     /// Draws the part in the window; whether there is any.
     pub(crate) fn draw(&self, brush: &mut dyn Brush, window: &Window) -> bool {
         let area = |corners: [&Corner; 3]| {
-            let corners = corners.map(|corner| corner.vertex);
+            let corners = corners.map(|corner| corner.vertex.screen);
             area_in(&corners, Cull::Nothing, window)
         };
         let mut folded = false;
@@ -96,8 +96,26 @@ pub(super) struct Part<'a> {
 }
 
 impl Part<'_> {
+    /// Paints those pixels of a span that this triangle is to draw.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn span(
+        &self,
+        brush: &mut dyn Brush,
+        row: i32,
+        columns: Range<i32>,
+        [mut x, y]: [i32; 2],
+    ) {
+        for column in columns {
+            if self.has([column, row]) {
+                brush.span(row, column..column + 1, x, y);
+            }
+            x += 1;
+        }
+    }
+
     /// Whether this triangle is to draw a pixel.
-    pub(super) fn has(&self, pixel: [i32; 2]) -> bool {
+    fn has(&self, pixel: [i32; 2]) -> bool {
         let mut winding = 0;
         for (i, corners) in self.fan.triangles().enumerate() {
             let corners = corners.map(|corner| corner.vertex.screen);

@@ -32,22 +32,24 @@ pub(super) fn area([a, b, c]: &[[i32; 2]; 3]) -> i64 {
 
 /// [`area`] of a triangle that is not culled and covers a pixel centre of the window; 0 of others.
 ///
-/// A call that takes little and gives little: most triangles of a band, and the back of most things, end here.
-#[inline(never)]
-pub(super) fn area_in(corners: &[Projected; 3], cull: Cull, window: &Window) -> i64 {
-    let [a, b, c] = corners.each_ref().map(|corner| corner.screen);
-    let misses = |corners: [i32; 3], window: &Range<i32>| {
-        let centers = centers(corners);
-        centers.start.max(window.start) >= centers.end.min(window.end)
-    };
-    if misses([a[1], b[1], c[1]], &window.rows) {
-        return 0;
-    }
-    let area = area(&[a, b, c]);
-    if cull.leaves_out(area) || misses([a[0], b[0], c[0]], &window.columns) {
+/// Which way it faces is found first, as that takes least and leaves out half of most things.
+#[inline]
+pub(crate) fn area_in(corners: &[[i32; 2]; 3], cull: Cull, window: &Window) -> i64 {
+    let area = area(corners);
+    if cull.leaves_out(area) || !meets(corners, window) {
         return 0;
     }
     area
+}
+
+/// Whether a pixel centre of the window is within the bounds of a triangle.
+#[inline(never)]
+fn meets([a, b, c]: &[[i32; 2]; 3], window: &Window) -> bool {
+    let meets = |corners: [i32; 3], window: &Range<i32>| {
+        let centers = centers(corners);
+        centers.start.max(window.start) < centers.end.min(window.end)
+    };
+    meets([a[1], b[1], c[1]], &window.rows) && meets([a[0], b[0], c[0]], &window.columns)
 }
 
 /// The columns or rows whose centres lie between corners.
@@ -58,8 +60,8 @@ fn centers([a, b, c]: [i32; 3]) -> Range<i32> {
 
 /// The rows that a triangle may have pixels in, whatever the window.
 #[inline]
-pub(super) fn row_range(corners: &[Projected; 3]) -> Range<i32> {
-    centers(corners.each_ref().map(|corner| corner.screen[1]))
+pub(crate) fn row_range([a, b, c]: &[[i32; 2]; 3]) -> Range<i32> {
+    centers([a[1], b[1], c[1]])
 }
 
 /// Whether the centre of a pixel is the triangle's, by the same rule as [`draw`] has it.
@@ -79,21 +81,14 @@ pub(super) fn covers([a, b, c]: &[[i32; 2]; 3], area: i64, pixel: [i32; 2]) -> b
 }
 
 impl<'a> Triangle<'a> {
-    /// A mesh's triangle, unless it is culled or covers no pixel centre of the window.
+    /// A mesh's triangle, of an area that is known from its corners.
     #[inline]
-    pub(crate) fn new(corners: &'a [Projected; 3], cull: Cull, window: &Window) -> Option<Self> {
-        let area = area_in(corners, cull, window);
-        (area != 0).then_some(Self {
+    pub(crate) fn new(corners: &'a [Projected; 3], area: i64) -> Self {
+        Self {
             corners,
             weights: None,
             area,
-        })
-    }
-
-    /// The rows that it may have pixels in, whatever the window.
-    #[inline]
-    pub(crate) fn row_range(&self) -> Range<i32> {
-        row_range(self.corners)
+        }
     }
 
     /// Draws it.
@@ -132,39 +127,30 @@ pub(super) fn draw(
     sort(&mut middle, &mut bottom);
     sort(&mut top, &mut middle);
 
-    let start = first_center(top[1]).max(window.rows.start);
+    let mut row = first_center(top[1]).max(window.rows.start);
     let end = first_center(bottom[1]).min(window.rows.end);
-    let turn = first_center(middle[1]).max(start);
-    let mut long = Edge::new(top, bottom, start);
-    // If there is no upper one of the short edges, the lower one is made when its row comes.
-    let mut short = if start < turn {
-        Edge::new(top, middle, start)
-    } else {
-        long
-    };
-    for row in start..end {
-        if row == turn {
-            short = Edge::new(middle, bottom, row);
+    let mut turn = first_center(middle[1]).min(end);
+    let long = Edge::new(top, bottom, row);
+    let [mut left, mut right] = [long; 2];
+    while row < end {
+        if row >= turn {
+            (top, middle, turn) = (middle, bottom, end);
         }
-        let (left, right) = (long.column(), short.column());
-        let (left, right) = if long_is_left {
-            (left, right)
-        } else {
-            (right, left)
-        };
-        long.step();
-        short.step();
-        let mut column = left.max(window.columns.start);
-        let right = right.min(window.columns.end);
-        while column < right {
-            let (next, own) = match part {
-                None => (right, true),
-                Some(part) => (column + 1, part.has([column, row])),
-            };
-            if own {
-                brush.span(row, column..next, column - origin_x, row - origin_y);
+        let short = if long_is_left { &mut right } else { &mut left };
+        *short = Edge::new(top, middle, row);
+        while row < turn {
+            let start = left.column().max(window.columns.start);
+            let end = right.column().min(window.columns.end);
+            if start < end {
+                let (x, y) = (start - origin_x, row - origin_y);
+                match part {
+                    None => brush.span(row, start..end, x, y),
+                    Some(part) => part.span(brush, row, start..end, [x, y]),
+                }
             }
-            column = next;
+            left.step();
+            right.step();
+            row += 1;
         }
     }
 }
