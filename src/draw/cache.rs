@@ -44,12 +44,31 @@ impl<T: Copy + Default> Cache<T> {
         // Never more than the size less one.
         let entry = &mut self.entries[usize::from(index) % SIZE];
         if entry.index != index {
-            *entry = Entry {
-                index,
-                note: T::default(),
-                projected: geometry.project(index),
-            };
+            entry.index = index;
+            entry.note = T::default();
+            geometry.project(index, &mut entry.projected);
         }
         entry
+    }
+
+    /// Where a vertex is on the screen, and which planes it is outside of.
+    #[inline]
+    pub(super) fn place<K: Kind>(
+        &mut self,
+        geometry: &Geometry<'_, K>,
+        index: Index,
+    ) -> ([i32; 2], u8) {
+        let vertex = self.vertex(geometry, index).projected;
+        (vertex.screen, vertex.outside)
+    }
+
+    /// The corners of a triangle.
+    #[inline]
+    pub(super) fn corners<K: Kind>(
+        &mut self,
+        geometry: &Geometry<'_, K>,
+        indices: [Index; 3],
+    ) -> [Projected; 3] {
+        indices.map(|index| self.vertex(geometry, index).projected)
     }
 }

@@ -5,7 +5,7 @@ use core::ops::Range;
 use embedded_graphics::geometry::Size;
 
 use super::cache::Cache;
-use super::geometry::{Geometry, Seen};
+use super::geometry::Geometry;
 use super::{Drawn, Pass};
 use crate::geometry::{Corner, Element, Index, Mesh, Projected, Weights};
 use crate::raster::{self, Brush, Fan, Triangle, Window};
@@ -56,52 +56,35 @@ impl<'m, K: Kind> Painter<'m, K> {
         let faces = self.geometry.mesh.faces();
         self.drawn.submitted += faces.len() as u32;
         for (face, &indices) in faces.iter().enumerate() {
-            // Of most triangles it is enough to know where their corners are: the back of things is not drawn.
-            let corners = indices.map(|index| {
-                let vertex = &cache.vertex(&self.geometry, index).projected;
-                (vertex.screen, vertex.outside)
-            });
+            let Some(planes) = self.geometry.planes(&mut cache, indices) else {
+                continue;
+            };
             let element = Element {
                 face: Some(face),
                 indices,
             };
-            match Geometry::<K>::seen(corners.map(|(_, outside)| outside)) {
-                Seen::Nothing => {}
-                Seen::All => {
-                    let screen = corners.map(|(screen, _)| screen);
-                    let area = raster::area_in(&screen, self.geometry.cull, &self.window);
-                    if area != 0 {
-                        let corners =
-                            indices.map(|index| cache.vertex(&self.geometry, index).projected);
-                        self.whole(brush, element, &Triangle::new(&corners, area));
-                    }
-                }
-                Seen::Inside(planes) => {
-                    let outline = self.geometry.clip(element, 3, planes);
-                    self.outline(brush, element, &outline);
-                }
+            if planes == 0 {
+                self.whole(brush, element, &cache.corners(&self.geometry, indices));
+            } else {
+                let outline = self.geometry.clip(element, 3, planes);
+                self.outline(brush, element, &outline);
             }
         }
     }
 
-    /// Draws a triangle that is all inside, not culled and in the window.
+    /// Draws a triangle that is all inside.
     #[inline]
     pub(super) fn whole(
         &mut self,
         brush: &mut dyn Brush,
         element: Element,
-        triangle: &Triangle<'_>,
+        corners: &[Projected; 3],
     ) {
-        brush.element(&self.geometry.face(element));
-        triangle.draw(brush, &self.window);
-        self.drawn.drawn += 1;
-    }
-
-    /// The area of a triangle that is all inside, unless it is culled or not in the window; then 0.
-    #[inline]
-    pub(super) fn area(&self, corners: &[Projected; 3]) -> i64 {
-        let screen = corners.each_ref().map(|corner| corner.screen);
-        raster::area_in(&screen, self.geometry.cull, &self.window)
+        if let Some(triangle) = Triangle::new(corners, self.geometry.cull, &self.window) {
+            brush.element(&self.geometry.face(element));
+            triangle.draw(brush, &self.window);
+            self.drawn.drawn += 1;
+        }
     }
 
     /// Draws a clipped triangle, as a fan.
@@ -126,7 +109,7 @@ impl<'m, K: Kind> Painter<'m, K> {
             };
             self.drawn.submitted += 1;
             let ends = [a, b].map(|index| cache.vertex(&self.geometry, index).projected);
-            let [start, end] = ends.each_ref().map(|end| end.outside);
+            let [start, end] = [ends[0].outside, ends[1].outside];
             if start & end != 0 {
                 continue;
             }
@@ -161,7 +144,8 @@ impl<'m, K: Kind> Painter<'m, K> {
                 break;
             };
             self.drawn.submitted += 1;
-            let at = self.geometry.project(index);
+            let mut at = Projected::NONE;
+            self.geometry.project(index, &mut at);
             if at.outside == 0 {
                 brush.element(&self.geometry.face(Element {
                     face: None,

@@ -5,12 +5,13 @@ use core::num::NonZeroU32;
 /// Where an edge crosses the centres of rows, stepped exactly.
 ///
 /// Positions are in units of 1/256 pixel. The crossing is the rational number
-/// `x` − 127 − `short` / `dy`; `x` is therefore its ceiling but for what [`first_center`] adds, and
-/// rounding to pixels is exact.
+/// `x` − 127 − `short` / `dy`, the last part below one; `x` is therefore its ceiling but for what
+/// [`first_center`] adds, and rounding to pixels is exact.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
     x: i32,
-    short: u32,
+    /// The complement of `short`, so that what is added to it and is more than `short` carries.
+    full: u32,
     step: i32,
     rest: u32,
     dy: NonZeroU32,
@@ -64,7 +65,7 @@ impl Edge {
         }
         let mut edge = Self {
             x,
-            short: short.cast_unsigned(),
+            full: !short.cast_unsigned(),
             step,
             rest,
             dy,
@@ -75,27 +76,28 @@ impl Edge {
             // Rows before the target's first, such as those of bands above: at most 4095, each
             // with a rest below 2^20.
             let rest = skipped.wrapping_mul(edge.rest);
-            edge.x += skipped.cast_signed() * edge.step + (rest / dy).cast_signed();
-            edge.add(rest % dy);
+            let units = skipped.cast_signed() * edge.step + (rest / dy).cast_signed();
+            edge.add(units, rest % dy);
         }
         edge
     }
 
-    /// Moves the crossing right by `rest` / `dy`, less than one unit.
+    /// Moves the crossing right by `units` and `rest` / `dy`, less than one unit.
     #[inline]
-    const fn add(&mut self, rest: u32) {
-        if self.short < rest {
-            self.short += self.dy.get();
-            self.x += 1;
-        }
-        self.short -= rest;
+    const fn add(&mut self, units: i32, rest: u32) {
+        let (full, carry) = self.full.overflowing_add(rest);
+        self.x += units + carry as i32;
+        self.full = if carry {
+            full.wrapping_sub(self.dy.get())
+        } else {
+            full
+        };
     }
 
     /// Goes to the next row.
     #[inline]
     pub(super) const fn step(&mut self) {
-        self.x += self.step;
-        self.add(self.rest);
+        self.add(self.step, self.rest);
     }
 
     /// The first column whose centre is on the crossing or to the right of it.
@@ -108,7 +110,7 @@ impl Edge {
     #[inline]
     pub(super) const fn inside(&self) -> i32 {
         // The floor is one less than the ceiling unless the crossing is whole.
-        (self.x - 127 - (self.short > 0) as i32) >> 8
+        (self.x - 127 - (self.full != u32::MAX) as i32) >> 8
     }
 }
 

@@ -7,6 +7,7 @@ use super::edge::{Edge, first_center};
 use super::fan::Part;
 use super::{Brush, Window};
 use crate::geometry::{Cull, Projected, Weights};
+use crate::linear::{IS_NARROW, product};
 
 /// A triangle on the screen.
 #[derive(Clone, Copy, Debug)]
@@ -18,38 +19,37 @@ pub(crate) struct Triangle<'a> {
     pub(crate) area: i64,
 }
 
-#[inline]
-fn product(x: i32, y: i32) -> i64 {
-    i64::from(x) * i64::from(y)
-}
-
 /// Twice the area of a triangle, in units of (1/256 pixel)²: positive for corners that run clockwise as seen.
 #[inline]
-pub(super) fn area([a, b, c]: &[[i32; 2]; 3]) -> i64 {
+pub(crate) fn area([a, b, c]: &[[i32; 2]; 3]) -> i64 {
     // Differences of 21 bits.
-    product(b[0] - a[0], c[1] - a[1]) - product(c[0] - a[0], b[1] - a[1])
+    let [[bx, by], [cx, cy]] = [[b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]];
+    // Sides of less than 64 pixels, as most are, take 15 bits: twice the area then takes 31.
+    let is_small = |side: i32| side.wrapping_add(1 << 14).cast_unsigned() < 1 << 15;
+    if IS_NARROW && [bx, by, cx, cy].into_iter().all(is_small) {
+        return i64::from(bx * cy - cx * by);
+    }
+    product(bx, cy) - product(cx, by)
 }
 
 /// [`area`] of a triangle that is not culled and covers a pixel centre of the window; 0 of others.
 ///
-/// Which way it faces is found first, as that takes least and leaves out half of most things.
-#[inline]
-pub(crate) fn area_in(corners: &[[i32; 2]; 3], cull: Cull, window: &Window) -> i64 {
-    let area = area(corners);
-    if cull.leaves_out(area) || !meets(corners, window) {
+/// A call that takes little and gives little: most triangles of a band end here.
+#[inline(never)]
+pub(super) fn area_in(corners: &[Projected; 3], cull: Cull, window: &Window) -> i64 {
+    let [a, b, c] = Projected::screens(corners);
+    let misses = |corners: [i32; 3], window: &Range<i32>| {
+        let centers = centers(corners);
+        centers.start.max(window.start) >= centers.end.min(window.end)
+    };
+    if misses([a[1], b[1], c[1]], &window.rows) {
+        return 0;
+    }
+    let area = area(&[a, b, c]);
+    if cull.leaves_out(area) || misses([a[0], b[0], c[0]], &window.columns) {
         return 0;
     }
     area
-}
-
-/// Whether a pixel centre of the window is within the bounds of a triangle.
-#[inline(never)]
-fn meets([a, b, c]: &[[i32; 2]; 3], window: &Window) -> bool {
-    let meets = |corners: [i32; 3], window: &Range<i32>| {
-        let centers = centers(corners);
-        centers.start.max(window.start) < centers.end.min(window.end)
-    };
-    meets([a[1], b[1], c[1]], &window.rows) && meets([a[0], b[0], c[0]], &window.columns)
 }
 
 /// The columns or rows whose centres lie between corners.
@@ -60,7 +60,8 @@ fn centers([a, b, c]: [i32; 3]) -> Range<i32> {
 
 /// The rows that a triangle may have pixels in, whatever the window.
 #[inline]
-pub(crate) fn row_range([a, b, c]: &[[i32; 2]; 3]) -> Range<i32> {
+pub(super) fn row_range(corners: &[Projected; 3]) -> Range<i32> {
+    let [a, b, c] = Projected::screens(corners);
     centers([a[1], b[1], c[1]])
 }
 
@@ -81,14 +82,21 @@ pub(super) fn covers([a, b, c]: &[[i32; 2]; 3], area: i64, pixel: [i32; 2]) -> b
 }
 
 impl<'a> Triangle<'a> {
-    /// A mesh's triangle, of an area that is known from its corners.
+    /// A mesh's triangle, unless it is culled or covers no pixel centre of the window.
     #[inline]
-    pub(crate) fn new(corners: &'a [Projected; 3], area: i64) -> Self {
-        Self {
+    pub(crate) fn new(corners: &'a [Projected; 3], cull: Cull, window: &Window) -> Option<Self> {
+        let area = area_in(corners, cull, window);
+        (area != 0).then_some(Self {
             corners,
             weights: None,
             area,
-        }
+        })
+    }
+
+    /// The rows that it may have pixels in, whatever the window.
+    #[inline]
+    pub(crate) fn row_range(&self) -> Range<i32> {
+        row_range(self.corners)
     }
 
     /// Draws it.
@@ -109,7 +117,7 @@ pub(super) fn draw(
     part: Option<&Part<'_>>,
 ) {
     brush.triangle(triangle);
-    let screen = triangle.corners.each_ref().map(|corner| corner.screen);
+    let screen = Projected::screens(triangle.corners);
     // The pixel that interpolants are counted from.
     let [origin_x, origin_y] = screen[0].map(|at| at >> 8);
 
