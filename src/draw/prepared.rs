@@ -128,6 +128,7 @@ impl Slot {
                 q,
                 exponent,
                 outside: 0,
+                index: 0,
             }),
             Self::Weights(_) => None,
         }

@@ -40,6 +40,8 @@ pub(crate) struct Projected {
     pub(crate) exponent: u8,
     /// Which planes it is outside of; where it is, the rest has no meaning.
     pub(crate) outside: u8,
+    /// Which of the positions it is; of a corner that clipping made nothing.
+    pub(crate) index: Index,
 }
 
 impl Projected {
@@ -49,6 +51,7 @@ impl Projected {
         q: 0,
         exponent: 0,
         outside: u8::MAX,
+        index: 0,
     };
 
     /// Where the corners of a triangle are.
@@ -284,6 +287,7 @@ impl<'m, K: Kind> Projector<'m, K> {
             if !self.is_inside(&position) {
                 *to = Projected {
                     outside: self.outside(&position),
+                    index,
                     ..Projected::NONE
                 };
                 return;
@@ -332,6 +336,7 @@ impl<'m, K: Kind> Projector<'m, K> {
             q,
             exponent,
             outside: 0,
+            index,
         };
     }
 
