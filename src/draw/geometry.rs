@@ -49,8 +49,8 @@ impl<'m, K: Kind> Geometry<'m, K> {
         }
     }
 
-    /// Which planes corners of a triangle are outside of, a bit each; `None` if nothing of it is to
-    /// be seen, as far as its corners tell.
+    /// Which planes corners of a triangle are outside of, a bit each, and if there are none its area;
+    /// `None` if nothing of it is to be seen, as far as its corners tell.
     ///
     /// Of the back of things, half of most meshes, no more is looked at than this.
     #[inline]
@@ -58,17 +58,17 @@ impl<'m, K: Kind> Geometry<'m, K> {
         &self,
         cache: &mut Cache<T>,
         [a, b, c]: [Index; 3],
-    ) -> Option<u8> {
+    ) -> Option<(u8, i64)> {
         let (a, a_outside) = cache.place(self, a);
         let (b, b_outside) = cache.place(self, b);
         let (c, c_outside) = cache.place(self, c);
         let planes = a_outside | b_outside | c_outside;
-        let is_seen = if planes == 0 {
-            !self.cull.leaves_out(raster::area(&[a, b, c]))
+        if planes == 0 {
+            let area = raster::area(&[a, b, c]);
+            (!self.cull.leaves_out(area)).then_some((0, area))
         } else {
-            a_outside & b_outside & c_outside == 0
-        };
-        is_seen.then_some(planes)
+            (a_outside & b_outside & c_outside == 0).then_some((planes, 0))
+        }
     }
 
     /// The part inside the `planes` of a line or triangle, the element's first `corners` corners;

@@ -56,7 +56,7 @@ impl<'m, K: Kind> Painter<'m, K> {
         let faces = self.geometry.mesh.faces();
         self.drawn.submitted += faces.len() as u32;
         for (face, &indices) in faces.iter().enumerate() {
-            let Some(planes) = self.geometry.planes(&mut cache, indices) else {
+            let Some((planes, area)) = self.geometry.planes(&mut cache, indices) else {
                 continue;
             };
             let element = Element {
@@ -64,7 +64,12 @@ impl<'m, K: Kind> Painter<'m, K> {
                 indices,
             };
             if planes == 0 {
-                self.whole(brush, element, &cache.corners(&self.geometry, indices));
+                let corners = cache.corners(&self.geometry, indices);
+                self.whole(
+                    brush,
+                    element,
+                    Triangle::of_area(&corners, area, &self.window),
+                );
             } else {
                 let outline = self.geometry.clip(element, 3, planes);
                 self.outline(brush, element, &outline);
@@ -72,19 +77,25 @@ impl<'m, K: Kind> Painter<'m, K> {
         }
     }
 
-    /// Draws a triangle that is all inside.
+    /// Draws a triangle that is all inside, if it is in the window.
     #[inline]
     pub(super) fn whole(
         &mut self,
         brush: &mut dyn Brush,
         element: Element,
-        corners: &[Projected; 3],
+        triangle: Option<Triangle<'_>>,
     ) {
-        if let Some(triangle) = Triangle::new(corners, self.geometry.cull, &self.window) {
+        if let Some(triangle) = triangle {
             brush.element(&self.geometry.face(element));
             triangle.draw(brush, &self.window);
             self.drawn.drawn += 1;
         }
+    }
+
+    /// A triangle that is all inside, unless it is culled or not in the window.
+    #[inline]
+    pub(super) fn seen<'c>(&self, corners: &'c [Projected; 3]) -> Option<Triangle<'c>> {
+        Triangle::new(corners, self.geometry.cull, &self.window)
     }
 
     /// Draws a clipped triangle, as a fan.

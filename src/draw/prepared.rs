@@ -245,7 +245,7 @@ impl Filling<'_> {
         // A vertex's note is its number in the list, from 1.
         let mut cache = Cache::<Option<NonZeroU16>>::new();
         for (face, &indices) in geometry.mesh.faces().iter().enumerate() {
-            let Some(planes) = geometry.planes(&mut cache, indices) else {
+            let Some((planes, area)) = geometry.planes(&mut cache, indices) else {
                 continue;
             };
             let element = Element {
@@ -254,7 +254,7 @@ impl Filling<'_> {
             };
             let (rows, corners) = if planes == 0 {
                 let corners = cache.corners(geometry, indices);
-                let Some(triangle) = Triangle::new(&corners, geometry.cull, window) else {
+                let Some(triangle) = Triangle::of_area(&corners, area, window) else {
                     continue;
                 };
                 let rows = triangle.row_range();
@@ -335,7 +335,9 @@ impl<K: Kind, I> Prepared<'_, K, I> {
                 Corners::Whole([a, b, c]) => {
                     let corners = (self.vertex(a), self.vertex(b), self.vertex(c));
                     if let (Some(a), Some(b), Some(c)) = corners {
-                        painter.whole(brush, element, &[a, b, c]);
+                        let corners = [a, b, c];
+                        let triangle = painter.seen(&corners);
+                        painter.whole(brush, element, triangle);
                     }
                 }
                 Corners::Clipped { first, count } => {

@@ -33,23 +33,24 @@ pub(crate) fn area([a, b, c]: &[[i32; 2]; 3]) -> i64 {
 }
 
 /// [`area`] of a triangle that is not culled and covers a pixel centre of the window; 0 of others.
-///
-/// A call that takes little and gives little: most triangles of a band end here.
 #[inline(never)]
 pub(super) fn area_in(corners: &[Projected; 3], cull: Cull, window: &Window) -> i64 {
-    let [a, b, c] = Projected::screens(corners);
-    let misses = |corners: [i32; 3], window: &Range<i32>| {
-        let centers = centers(corners);
-        centers.start.max(window.start) >= centers.end.min(window.end)
-    };
-    if misses([a[1], b[1], c[1]], &window.rows) {
-        return 0;
-    }
-    let area = area(&[a, b, c]);
-    if cull.leaves_out(area) || misses([a[0], b[0], c[0]], &window.columns) {
+    let area = area(&Projected::screens(corners));
+    if cull.leaves_out(area) || !meets(corners, window) {
         return 0;
     }
     area
+}
+
+/// Whether a pixel centre of the window is within a triangle's bounds.
+#[inline(never)]
+fn meets(corners: &[Projected; 3], window: &Window) -> bool {
+    let [a, b, c] = Projected::screens(corners);
+    let meets = |corners: [i32; 3], window: &Range<i32>| {
+        let centers = centers(corners);
+        centers.start.max(window.start) < centers.end.min(window.end)
+    };
+    meets([a[1], b[1], c[1]], &window.rows) && meets([a[0], b[0], c[0]], &window.columns)
 }
 
 /// The columns or rows whose centres lie between corners.
@@ -82,6 +83,16 @@ pub(super) fn covers([a, b, c]: &[[i32; 2]; 3], area: i64, pixel: [i32; 2]) -> b
 }
 
 impl<'a> Triangle<'a> {
+    /// A mesh's triangle of an area that is known, unless it covers no pixel centre of the window.
+    #[inline]
+    pub(crate) fn of_area(corners: &'a [Projected; 3], area: i64, window: &Window) -> Option<Self> {
+        meets(corners, window).then_some(Self {
+            corners,
+            weights: None,
+            area,
+        })
+    }
+
     /// A mesh's triangle, unless it is culled or covers no pixel centre of the window.
     #[inline]
     pub(crate) fn new(corners: &'a [Projected; 3], cull: Cull, window: &Window) -> Option<Self> {
