@@ -9,11 +9,13 @@ mod prepared;
 pub use pass::Pass;
 pub use prepared::{Prepared, TriangleList};
 
+use core::slice::from_ref;
+
 use geometry::Geometry;
 use painter::Painter;
 
 use crate::Vec3;
-use crate::geometry::{Mesh, Projector};
+use crate::geometry::{Mesh, Projected, Projector};
 use crate::interpolate::Interpolate;
 use crate::linear::Transform;
 use crate::number::Subpixel;
@@ -139,8 +141,14 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
         point: Vec3,
     ) -> Option<Place> {
         let viewport = pass.viewport_in(self.frame_size());
-        let projector = Projector::new(&chain.projection, &chain.model_view(), &viewport);
-        let at = projector.project(&projector.clip_position(point));
+        let projector = Projector::new(
+            from_ref(&point),
+            &chain.projection,
+            &chain.model_view(),
+            &viewport,
+        );
+        let mut at = Projected::NONE;
+        projector.project(0, &mut at);
         if at.outside != 0 {
             return None;
         }

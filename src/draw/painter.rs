@@ -5,7 +5,7 @@ use core::ops::Range;
 use embedded_graphics::geometry::Size;
 
 use super::cache::Cache;
-use super::geometry::{Geometry, Seen};
+use super::geometry::Geometry;
 use super::{Drawn, Pass};
 use crate::geometry::{Corner, Element, Index, Mesh, Projected, Weights};
 use crate::raster::{self, Brush, Fan, Triangle, Window};
@@ -53,37 +53,49 @@ impl<'m, K: Kind> Painter<'m, K> {
     #[inline(never)]
     pub(super) fn triangles(&mut self, brush: &mut dyn Brush) {
         let mut cache = Cache::<()>::new();
-        for (face, &indices) in self.geometry.mesh.faces().iter().enumerate() {
-            let corners = indices.map(|index| cache.vertex(&self.geometry, index).projected);
+        let faces = self.geometry.mesh.faces();
+        self.drawn.submitted += faces.len() as u32;
+        for (face, &indices) in faces.iter().enumerate() {
+            let Some((planes, area)) = self.geometry.planes(&mut cache, indices) else {
+                continue;
+            };
             let element = Element {
                 face: Some(face),
                 indices,
             };
-            self.drawn.submitted += 1;
-            match Geometry::<K>::seen(&corners) {
-                Seen::Nothing => {}
-                Seen::All => self.whole(brush, element, &corners),
-                Seen::Inside(planes) => {
-                    let outline = self.geometry.clip(element, 3, planes);
-                    self.outline(brush, element, &outline);
-                }
+            if planes == 0 {
+                let corners = cache.corners(&self.geometry, indices);
+                self.whole(
+                    brush,
+                    element,
+                    Triangle::of_area(&corners, area, &self.window),
+                );
+            } else {
+                let outline = self.geometry.clip(element, 3, planes);
+                self.outline(brush, element, &outline);
             }
         }
     }
 
-    /// Draws a triangle that is all inside.
+    /// Draws a triangle that is all inside, if it is in the window.
     #[inline]
     pub(super) fn whole(
         &mut self,
         brush: &mut dyn Brush,
         element: Element,
-        corners: &[Projected; 3],
+        triangle: Option<Triangle<'_>>,
     ) {
-        if let Some(triangle) = Triangle::new(corners, self.geometry.cull, &self.window) {
+        if let Some(triangle) = triangle {
             brush.element(&self.geometry.face(element));
             triangle.draw(brush, &self.window);
             self.drawn.drawn += 1;
         }
+    }
+
+    /// A triangle that is all inside, unless it is culled or not in the window.
+    #[inline]
+    pub(super) fn seen<'c>(&self, corners: &'c [Projected; 3]) -> Option<Triangle<'c>> {
+        Triangle::new(corners, self.geometry.cull, &self.window)
     }
 
     /// Draws a clipped triangle, as a fan.
@@ -108,7 +120,7 @@ impl<'m, K: Kind> Painter<'m, K> {
             };
             self.drawn.submitted += 1;
             let ends = [a, b].map(|index| cache.vertex(&self.geometry, index).projected);
-            let [start, end] = ends.each_ref().map(|end| end.outside);
+            let [start, end] = [ends[0].outside, ends[1].outside];
             if start & end != 0 {
                 continue;
             }
@@ -143,7 +155,8 @@ impl<'m, K: Kind> Painter<'m, K> {
                 break;
             };
             self.drawn.submitted += 1;
-            let at = self.geometry.project(index);
+            let mut at = Projected::NONE;
+            self.geometry.project(index, &mut at);
             if at.outside == 0 {
                 brush.element(&self.geometry.face(Element {
                     face: None,

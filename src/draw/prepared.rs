@@ -7,7 +7,7 @@ use embedded_graphics::geometry::Size;
 use heapless::{Vec, VecView};
 
 use super::cache::Cache;
-use super::geometry::{Geometry, Seen};
+use super::geometry::Geometry;
 use super::painter::Painter;
 use super::{Drawn, Pass};
 use crate::Error;
@@ -128,6 +128,7 @@ impl Slot {
                 q,
                 exponent,
                 outside: 0,
+                index: 0,
             }),
             Self::Weights(_) => None,
         }
@@ -244,36 +245,35 @@ impl Filling<'_> {
         // A vertex's note is its number in the list, from 1.
         let mut cache = Cache::<Option<NonZeroU16>>::new();
         for (face, &indices) in geometry.mesh.faces().iter().enumerate() {
-            let corners = indices.map(|index| cache.vertex(geometry, index).projected);
+            let Some((planes, area)) = geometry.planes(&mut cache, indices) else {
+                continue;
+            };
             let element = Element {
                 face: Some(face),
                 indices,
             };
-            let (rows, corners) = match Geometry::<K>::seen(&corners) {
-                Seen::Nothing => continue,
-                Seen::All => {
-                    let Some(triangle) = Triangle::new(&corners, geometry.cull, window) else {
-                        continue;
-                    };
-                    let rows = triangle.row_range();
-                    let corners = indices.map(|index| {
-                        let vertex = cache.vertex(geometry, index);
-                        let number = vertex
-                            .note
-                            .unwrap_or_else(|| self.add(vertex.projected.into()));
-                        vertex.note = Some(number);
-                        number.get()
-                    });
-                    (rows, Corners::Whole(corners))
-                }
-                Seen::Inside(planes) => {
-                    let outline = geometry.clip(element, 3, planes);
-                    let fan = Fan::new(&outline, geometry.cull);
-                    let Some(rows) = fan.and_then(|fan| fan.row_range(window)) else {
-                        continue;
-                    };
-                    (rows, self.add_outline(&outline))
-                }
+            let (rows, corners) = if planes == 0 {
+                let corners = cache.corners(geometry, indices);
+                let Some(triangle) = Triangle::of_area(&corners, area, window) else {
+                    continue;
+                };
+                let rows = triangle.row_range();
+                let corners = indices.map(|index| {
+                    let vertex = cache.vertex(geometry, index);
+                    let number = vertex
+                        .note
+                        .unwrap_or_else(|| self.add(vertex.projected.into()));
+                    vertex.note = Some(number);
+                    number.get()
+                });
+                (rows, Corners::Whole(corners))
+            } else {
+                let outline = geometry.clip(element, 3, planes);
+                let fan = Fan::new(&outline, geometry.cull);
+                let Some(rows) = fan.and_then(|fan| fan.row_range(window)) else {
+                    continue;
+                };
+                (rows, self.add_outline(&outline))
             };
             // Rows of a frame: 0 to 2048.
             let row = |row: i32| {
@@ -335,7 +335,9 @@ impl<K: Kind, I> Prepared<'_, K, I> {
                 Corners::Whole([a, b, c]) => {
                     let corners = (self.vertex(a), self.vertex(b), self.vertex(c));
                     if let (Some(a), Some(b), Some(c)) = corners {
-                        painter.whole(brush, element, &[a, b, c]);
+                        let corners = [a, b, c];
+                        let triangle = painter.seen(&corners);
+                        painter.whole(brush, element, triangle);
                     }
                 }
                 Corners::Clipped { first, count } => {

@@ -2,6 +2,7 @@
 
 use heapless::Vec;
 
+use super::Index;
 use super::project::{ClipPosition, Projected, Projector};
 use crate::interpolate::reciprocal;
 use crate::view::Kind;
@@ -49,21 +50,23 @@ struct Vertex {
 
 type Polygon = Vec<Vertex, MOST_CORNERS>;
 
-/// The part of a line of two corners or of a triangle of three that is inside the `planes` (a bit
+/// The part of a line between two of the positions or of a triangle of three that is inside the `planes` (a bit
 /// each) that any of the corners is outside of; no corners if there is none.
 ///
 /// An edge is cut by the planes that its own ends are outside of, in the order of the planes, from
 /// its inside end: so two triangles that share an edge get the same new corners.
 #[inline(never)]
 pub(crate) fn clip<K: Kind>(
-    projector: &Projector<K>,
-    corners: &[ClipPosition],
+    projector: &Projector<'_, K>,
+    corners: &[Index],
     planes: u8,
 ) -> Outline {
     let (mut polygon, mut inside) = (&mut Polygon::new(), &mut Polygon::new());
-    for (&position, weights) in corners.iter().zip(Weights::CORNERS) {
-        let weights = weights.0.map(i64::from);
-        let _ = polygon.push(Vertex { position, weights });
+    for (&index, weights) in corners.iter().zip(Weights::CORNERS) {
+        let _ = polygon.push(Vertex {
+            position: projector.clip_position(index),
+            weights: weights.0.map(i64::from),
+        });
     }
     let closed = corners.len() > 2;
     for plane in (0..6).filter(|plane| planes >> plane & 1 != 0) {
@@ -73,8 +76,10 @@ pub(crate) fn clip<K: Kind>(
     }
     let mut outline = Outline::new();
     for corner in polygon {
+        let mut vertex = Projected::NONE;
+        projector.project_inside(&corner.position, &mut vertex);
         let _ = outline.push(Corner {
-            vertex: projector.project_inside(&corner.position),
+            vertex,
             // At most 2^30.
             weights: Weights(corner.weights.map(|weight| weight as i32)),
         });
@@ -85,7 +90,7 @@ pub(crate) fn clip<K: Kind>(
 /// Gives `inside` the part of a polygon or, if it is not `closed`, of a line that is inside a plane.
 #[inline(never)]
 fn cut_off<K: Kind>(
-    projector: &Projector<K>,
+    projector: &Projector<'_, K>,
     plane: u32,
     (polygon, closed): (&[Vertex], bool),
     inside: &mut Polygon,
@@ -114,7 +119,7 @@ fn cut_off<K: Kind>(
 /// Where `plane` cuts an edge of which one end is inside, the other outside; they come with their
 /// distances from it.
 fn cut<K: Kind>(
-    projector: &Projector<K>,
+    projector: &Projector<'_, K>,
     plane: u32,
     [mut inside, mut outside]: [(&Vertex, i64); 2],
 ) -> Vertex {

@@ -2,9 +2,10 @@
 
 use core::marker::PhantomData;
 
+use super::Index;
 use crate::interpolate::reciprocal;
 use crate::linear::block::{self, Number};
-use crate::linear::{Line, Transform, compose, dot};
+use crate::linear::{Line, Transform, compose, dot, product};
 use crate::view::{Kind, Projection, Row, Viewport};
 use crate::{Scalar, Vec3};
 
@@ -22,6 +23,12 @@ pub(crate) type ClipPosition = [i64; 3];
 /// may take a point that was cut from an edge with both ends inside.
 const SIDE_TOLERANCE: i64 = 8;
 
+/// The upper half.
+#[inline]
+const fn upper(value: i64) -> i32 {
+    (value >> 32) as i32
+}
+
 /// A vertex on the screen.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Projected {
@@ -33,6 +40,8 @@ pub(crate) struct Projected {
     pub(crate) exponent: u8,
     /// Which planes it is outside of; where it is, the rest has no meaning.
     pub(crate) outside: u8,
+    /// Which of the positions it is; of a corner that clipping made nothing.
+    pub(crate) index: Index,
 }
 
 impl Projected {
@@ -42,18 +51,28 @@ impl Projected {
         q: 0,
         exponent: 0,
         outside: u8::MAX,
+        index: 0,
     };
+
+    /// Where the corners of a triangle are.
+    // Taken apart by hand: optimised for size, a `map` over references makes arrays and loops of it.
+    #[inline]
+    pub(crate) const fn screens([a, b, c]: &[Self; 3]) -> [[i32; 2]; 3] {
+        [a.screen, b.screen, c.screen]
+    }
 }
 
 /// The way from model space to the screen, made once for a draw call.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Projector<K> {
+pub(crate) struct Projector<'m, K> {
+    positions: &'m [Vec3],
     rows: [[i32; 3]; 3],
     offsets: [i64; 3],
     /// Fraction bits of clip coordinates.
     fraction: i32,
-    /// The least and the greatest t inside.
-    range: [i64; 2],
+    /// The least t inside, and how much above it the greatest is.
+    least: i64,
+    depth: u64,
     /// The viewport's centre, in units of 1/256 pixel.
     center: [i32; 2],
     kind: PhantomData<K>,
@@ -76,9 +95,14 @@ fn scaled(row: &Row, unit: Number, size: i32) -> Line {
     }
 }
 
-impl<K: Kind> Projector<K> {
-    /// The way through `view` and `lens` to the pixels of `viewport`.
-    pub(crate) fn new(lens: &Projection<K>, view: &Transform, viewport: &Viewport) -> Self {
+impl<'m, K: Kind> Projector<'m, K> {
+    /// The way of `positions` through `view` and `lens` to the pixels of `viewport`.
+    pub(crate) fn new(
+        positions: &'m [Vec3],
+        lens: &Projection<K>,
+        view: &Transform,
+        viewport: &Viewport,
+    ) -> Self {
         let [near, far] = [lens.near, lens.far].map(Scalar::to_bits);
         // The row of t and what it is multiplied with, and what x and y are beside the viewport's scale.
         let (depth, depth_unit, unit) = if K::PERSPECTIVE {
@@ -130,35 +154,36 @@ impl<K: Kind> Projector<K> {
         );
         let one = 1i64 << fraction;
         let margin = (one >> 16).max(1);
-        let range = if K::PERSPECTIVE {
+        let [least, most] = if K::PERSPECTIVE {
             let most = unit.times(Number::new(far.into(), 16));
             [one + margin, most.at(fraction).min(i64::MAX >> 1)]
         } else {
             [0, one - margin]
         };
         Self {
+            positions,
             rows: clip
                 .linear
                 .map(|row| row.map(|m| ((m >> (down - 1).min(31)) + 1) >> 1)),
             offsets: clip.translation.map(|m| block::shift(m.into(), up)),
             fraction,
-            range,
+            least,
+            depth: (most - least).max(0).cast_unsigned(),
             center: viewport.center(),
             kind: PhantomData,
         }
     }
 
-    /// A position of model space in clip space.
-    ///
-    /// A call: as code it is long beside what it takes.
-    #[inline(never)]
-    pub(crate) fn clip_position(&self, position: Vec3) -> ClipPosition {
-        let position = position.to_bits();
+    /// A position of model space in clip space; the origin's for an index that no checked list holds.
+    #[inline]
+    pub(super) fn clip_position(&self, index: Index) -> ClipPosition {
+        let position = self.positions.get(usize::from(index));
+        let position = position.unwrap_or(&Vec3::ZERO).to_bits();
         let ([x, y, t], [ox, oy, ot]) = (&self.rows, self.offsets);
         [
-            ox + dot(*x, position),
-            oy + dot(*y, position),
-            ot + dot(*t, position),
+            ox + dot(x, &position),
+            oy + dot(y, &position),
+            ot + dot(t, &position),
         ]
     }
 
@@ -177,8 +202,8 @@ impl<K: Kind> Projector<K> {
     #[inline]
     fn bound(&self, t: i64, plane: u32) -> i64 {
         match plane {
-            0 => self.range[0],
-            1 => self.range[1],
+            0 => self.least,
+            1 => self.least + self.depth.cast_signed(),
             _ if plane & 1 == 0 => -self.w(t),
             _ => self.w(t),
         }
@@ -215,6 +240,18 @@ impl<K: Kind> Projector<K> {
         distance < if plane < 2 { 0 } else { -SIDE_TOLERANCE }
     }
 
+    /// Whether a position is inside all planes, as [`outside`](Self::outside) has it.
+    #[inline]
+    fn is_inside(&self, &[x, y, t]: &ClipPosition) -> bool {
+        let ahead = t.wrapping_sub(self.least).cast_unsigned() <= self.depth;
+        let w = self.w(t);
+        // The upper halves suffice for all but what is next to a side plane.
+        let size = |x: i64| upper(x) ^ (upper(x) >> 31);
+        ahead
+            && (size(x).max(size(y)) < upper(w)
+                || x.unsigned_abs().max(y.unsigned_abs()) <= (w + SIDE_TOLERANCE).cast_unsigned())
+    }
+
     /// A bit for each plane that a position is outside of.
     ///
     /// A call, as it takes long; few vertices of what is to be seen need it.
@@ -226,39 +263,66 @@ impl<K: Kind> Projector<K> {
         })
     }
 
-    /// A position of clip space on the screen.
+    /// Finds one of the positions on the screen.
     #[inline]
-    pub(crate) fn project(&self, position: &ClipPosition) -> Projected {
-        let [x, y, t] = *position;
-        // As `outside`, which tells of what plane, would have it.
-        let [least, most] = self.range;
-        let ahead = t.wrapping_sub(least).cast_unsigned() <= most.abs_diff(least);
-        let aside = x.unsigned_abs().max(y.unsigned_abs());
-        if ahead && aside <= (self.w(t) + SIDE_TOLERANCE).cast_unsigned() {
-            self.project_inside(position)
-        } else {
-            Projected {
-                outside: self.outside(position),
-                ..Projected::NONE
-            }
-        }
+    pub(crate) fn project(&self, index: Index, to: &mut Projected) {
+        self.place(index, None, to);
     }
 
-    /// A position of clip space that is inside on the screen, such as a corner of a clipped polygon.
+    /// Finds a position of clip space that is inside on the screen, such as a corner of a clipped polygon.
+    #[inline]
+    pub(super) fn project_inside(&self, position: &ClipPosition, to: &mut Projected) {
+        self.place(0, Some(position), to);
+    }
+
+    /// The one or the other.
+    ///
+    /// A call, and one that writes where it is told to: what asks for a vertex is short, and the vertex not copied.
     #[inline(never)]
-    pub(crate) fn project_inside(&self, position: &ClipPosition) -> Projected {
-        let [x, y, t] = *position;
+    fn place(&self, index: Index, inside: Option<&ClipPosition>, to: &mut Projected) {
+        let position = if let Some(position) = inside {
+            *position
+        } else {
+            let position = self.clip_position(index);
+            if !self.is_inside(&position) {
+                *to = Projected {
+                    outside: self.outside(&position),
+                    index,
+                    ..Projected::NONE
+                };
+                return;
+            }
+            position
+        };
         let (screen, q, exponent) = if K::PERSPECTIVE {
             // t is positive and below 2^62. With t' = t · 2^up / 2^33 of 31 bits and x' half so
             // large, x / t = x' · r / 2^60.
-            let up = (t | 1).leading_zeros();
-            let r = reciprocal((t.cast_unsigned() << up >> 33) as u32).cast_signed();
+            //
+            // What is inside has 16 bits of t at least, so that its upper half, shifted by 30 if
+            // need be, is not zero: all that follows is of 32 bits.
+            let (mut position, mut coarse) = (position, 0);
+            if upper(position[2]) == 0 {
+                position = position.map(|x| x << 30);
+                coarse = 30;
+            }
+            let [x, y, t] = position;
+            let up = upper(t).leading_zeros();
+            let shifted = |x: i64, up: u32| {
+                let lower = x.cast_unsigned() as u32;
+                upper(x) << up | (lower >> 1 >> (31 - up)).cast_signed()
+            };
+            let r = reciprocal(shifted(t, up & 31).cast_unsigned() >> 1).cast_signed();
             let on_screen = |x: i64| {
-                let product = i64::from((x << (up.max(2) - 2) >> 32) as i32) * i64::from(r);
+                let product = product(shifted(x, up.wrapping_sub(2) & 31), r);
                 ((product + (1 << (59 - GUARD_BITS))) >> (60 - GUARD_BITS)) as i32
             };
-            ([on_screen(x), on_screen(y)], r.cast_unsigned(), up as u8)
+            (
+                [on_screen(x), on_screen(y)],
+                r.cast_unsigned(),
+                (up + coarse) as u8,
+            )
         } else {
+            let [x, y, t] = position;
             let down = GUARD_BITS.cast_signed() - self.fraction;
             let on_screen = |x: i64| block::shift(x, down) as i32;
             let q = block::shift(t, 31 - self.fraction);
@@ -267,12 +331,13 @@ impl<K: Kind> Projector<K> {
         let [cx, cy] = self.center;
         // What is inside by the tolerance alone may be a little beyond the guard band.
         let [x, y] = screen.map(|x| x.clamp(-(1 << GUARD_BITS), (1 << GUARD_BITS) - 1));
-        Projected {
+        *to = Projected {
             screen: [x + cx, y + cy],
             q,
             exponent,
             outside: 0,
-        }
+            index,
+        };
     }
 
     /// An interpolant is shifted down by this less its exponent, from 15 to 31, to be a 16-bit depth.

@@ -3,6 +3,7 @@
 use core::ops::Mul;
 
 use super::block::Number;
+use super::dot;
 use super::{Matrix4, Vec3, block, unit};
 use crate::number::Unit;
 use crate::{Angle, Error, Scalar};
@@ -37,14 +38,6 @@ pub struct Transform {
 /// One in units of 2^-29.
 const ONE: i32 = 1 << 29;
 
-/// The sum of products of two triples of mantissas: below 2^62.
-#[inline]
-pub(crate) fn dot(a: [i32; 3], b: [i32; 3]) -> i64 {
-    i64::from(a[0]) * i64::from(b[0])
-        + i64::from(a[1]) * i64::from(b[1])
-        + i64::from(a[2]) * i64::from(b[2])
-}
-
 fn transpose([x, y, z]: [[i32; 3]; 3]) -> [[i32; 3]; 3] {
     // Indices are constant: optimised for size, a loop over them would keep its checks.
     [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]]
@@ -67,11 +60,11 @@ pub(crate) fn compose(lines: &[Line; 3], other: &Transform) -> Transform {
     let [x, y, z] = &other.linear;
     for (line, (linear, moved)) in lines.iter().zip(linear.iter_mut().zip(&mut translation)) {
         for (product, ((&x, &y), &z)) in linear.iter_mut().zip(x.iter().zip(y).zip(z)) {
-            *product = Number::new(dot(line.row, [x, y, z]), line.exp + other.linear_exp);
+            *product = Number::new(dot(&line.row, &[x, y, z]), line.exp + other.linear_exp);
         }
         // What may cancel is added before it is rounded.
         *moved = Number::new(
-            dot(line.row, other.translation),
+            dot(&line.row, &other.translation),
             line.exp + other.translation_exp,
         )
         .plus(line.offset);
@@ -213,7 +206,8 @@ impl Transform {
 
     /// The matrix times a vector: three products below 2^61.
     fn linear_of(&self, v: Vec3) -> [i64; 3] {
-        self.linear.map(|row| dot(row, v.to_bits()))
+        let v = v.to_bits();
+        self.linear.map(|row| dot(&row, &v))
     }
 
     /// The inverse of a rigid transform, one of rotations and translations only: the transpose of
@@ -231,7 +225,7 @@ impl Transform {
     pub fn inverse_rigid(&self) -> Self {
         let linear = transpose(self.linear);
         let exp = self.linear_exp + self.translation_exp;
-        let moved = linear.map(|row| Number::new(-dot(row, self.translation), exp));
+        let moved = linear.map(|row| Number::new(-dot(&row, &self.translation), exp));
         let mut inverse = Self { linear, ..*self };
         inverse.translation_exp = block::normalise(&mut inverse.translation, &moved);
         inverse
@@ -249,7 +243,7 @@ impl Transform {
             let z = unit::unit(self.linear[2].map(i64::from))?;
             let x = unit::unit(unit::cross(self.linear[1], z))?;
             let y = unit::cross(z, x).map(|v| (v + (1 << 29)) >> 30);
-            let sign = if dot(x, self.linear[0]) < 0 { -1 } else { 1 };
+            let sign = if dot(&x, &self.linear[0]) < 0 { -1 } else { 1 };
             Some([x.map(|v| sign * i64::from(v)), y, z.map(i64::from)])
         };
         match axes() {
@@ -270,7 +264,7 @@ impl Transform {
         let cofactors =
             [(y, z), (z, x), (x, y)].map(|(a, b)| unit::cross(a, b).map(|v| Number::new(v, 0)));
         let cofactors = Self::of_numbers(&cofactors, &[Number::ZERO; 3]).linear;
-        if dot(x, cofactors[0]) < 0 {
+        if dot(&x, &cofactors[0]) < 0 {
             cofactors.map(|row| row.map(|v| -v))
         } else {
             cofactors

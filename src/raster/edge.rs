@@ -5,11 +5,13 @@ use core::num::NonZeroU32;
 /// Where an edge crosses the centres of rows, stepped exactly.
 ///
 /// Positions are in units of 1/256 pixel. The crossing is the rational number
-/// `x` − `short` / `dy`; `x` is therefore its ceiling, and rounding to pixels is exact.
+/// `x` − 127 − `short` / `dy`, the last part below one; `x` is therefore its ceiling but for what
+/// [`first_center`] adds, and rounding to pixels is exact.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
     x: i32,
-    short: u32,
+    /// The complement of `short`, so that what is added to it and is more than `short` carries.
+    full: u32,
     step: i32,
     rest: u32,
     dy: NonZeroU32,
@@ -32,69 +34,83 @@ impl Edge {
     pub(super) fn new(from: [i32; 2], to: [i32; 2], row: i32) -> Self {
         let dx = to[0] - from[0];
         let dy = NonZeroU32::new((to[1] - from[1]).cast_unsigned()).unwrap_or(NonZeroU32::MIN);
-        // dx = q · dy + r, r from 0: for a negative dx from its complement.
-        let size = (if dx < 0 { !dx } else { dx }).cast_unsigned();
-        let (q, r) = (size / dy, size % dy);
-        let (q, r) = if dx < 0 {
-            (!q, dy.get() - 1 - r)
-        } else {
-            (q, r)
-        };
-        let q = q.cast_signed();
+        // step = floor(256 · dx / dy), of a negative dx by way of its complement.
+        let sign = dx >> 31;
+        let size = ((dx ^ sign).cast_unsigned() << 8) | (sign & 255).cast_unsigned();
+        let (quotient, rest) = (size / dy, size % dy);
+        let (step, rest) = (
+            quotient.cast_signed() ^ sign,
+            if sign < 0 { dy.get() - 1 - rest } else { rest },
+        );
 
-        // Less than a pixel down to the first centre: the products of r stay below 2^28.
+        // Less than a pixel down to the first centre, for which that much of a step will do: what
+        // the step was rounded by is less than a unit, and so is what that takes from the product,
+        // which then lacks one at most. The remainder tells; it is below 2 · dy, so whether products
+        // wrap does not matter.
         let first = first_center(from[1]);
         let down = (first << 8) + 128 - from[1];
-        let part = down.cast_unsigned() * r;
-        let pixel = r << 8;
+        let moved = (step >> 8) * down + (((step & 255) * down) >> 8);
+        let height = dy.get().cast_signed();
+        let (mut x, mut short) = (
+            from[0] + 127 + moved,
+            moved
+                .wrapping_mul(height)
+                .wrapping_sub(dx.wrapping_mul(down)),
+        );
+        for _ in 0..2 {
+            if short < 0 {
+                short += height;
+                x += 1;
+            }
+        }
         let mut edge = Self {
-            x: from[0] + down * q + (part / dy).cast_signed(),
-            short: 0,
-            step: (q << 8) + (pixel / dy).cast_signed(),
-            rest: pixel % dy,
+            x,
+            full: !short.cast_unsigned(),
+            step,
+            rest,
             dy,
         };
-        edge.add(part % dy);
 
         let skipped = (row - first).cast_unsigned();
         if skipped > 0 {
             // Rows before the target's first, such as those of bands above: at most 4095, each
             // with a rest below 2^20.
             let rest = skipped.wrapping_mul(edge.rest);
-            edge.x += skipped.cast_signed() * edge.step + (rest / dy).cast_signed();
-            edge.add(rest % dy);
+            let units = skipped.cast_signed() * edge.step + (rest / dy).cast_signed();
+            edge.add(units, rest % dy);
         }
         edge
     }
 
-    /// Moves the crossing right by `rest` / `dy`, less than one unit.
+    /// Moves the crossing right by `units` and `rest` / `dy`, less than one unit.
     #[inline]
-    const fn add(&mut self, rest: u32) {
-        if self.short < rest {
-            self.short += self.dy.get();
-            self.x += 1;
-        }
-        self.short -= rest;
+    const fn add(&mut self, units: i32, rest: u32) {
+        let (full, carry) = self.full.overflowing_add(rest);
+        self.x += units + carry as i32;
+        self.full = if carry {
+            full.wrapping_sub(self.dy.get())
+        } else {
+            full
+        };
     }
 
     /// Goes to the next row.
     #[inline]
     pub(super) const fn step(&mut self) {
-        self.x += self.step;
-        self.add(self.rest);
+        self.add(self.step, self.rest);
     }
 
     /// The first column whose centre is on the crossing or to the right of it.
     #[inline]
     pub(super) const fn column(&self) -> i32 {
-        first_center(self.x)
+        self.x >> 8
     }
 
     /// The column that the crossing lies in.
     #[inline]
     pub(super) const fn inside(&self) -> i32 {
         // The floor is one less than the ceiling unless the crossing is whole.
-        (self.x - (self.short > 0) as i32) >> 8
+        (self.x - 127 - (self.full != u32::MAX) as i32) >> 8
     }
 }
 
@@ -106,7 +122,7 @@ mod tests {
     #[test]
     fn crossings_are_exact() {
         let ends = [
-            -70_001, -300, -257, -1, 0, 1, 127, 128, 129, 255, 256, 1000, 90_003,
+            -524_288, -70_001, -300, -257, -1, 0, 1, 127, 128, 129, 255, 256, 1000, 90_003, 524_287,
         ];
         for x0 in ends {
             for x1 in ends {

@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use super::triangle::{self, Triangle, area, area_in, covers, row_range};
 use super::{Brush, Window};
-use crate::geometry::{Corner, Cull};
+use crate::geometry::{Corner, Cull, Projected};
 
 /// The triangles that a clipped one is drawn as: all have the first corner of the outline.
 ///
@@ -24,14 +24,21 @@ const fn runs_as(whole: i64, area: i64) -> bool {
     (whole > 0) == (area > 0)
 }
 
+// Taken apart by hand, as in `Projected::screens`.
+
+fn vertices([a, b, c]: [&Corner; 3]) -> [Projected; 3] {
+    [a.vertex, b.vertex, c.vertex]
+}
+
+fn screens([a, b, c]: [&Corner; 3]) -> [[i32; 2]; 3] {
+    [a.vertex.screen, b.vertex.screen, c.vertex.screen]
+}
+
 impl<'a> Fan<'a> {
     /// The fan of an outline, unless it is culled.
     pub(crate) fn new(outline: &'a [Corner], cull: Cull) -> Option<Self> {
         let mut fan = Self { outline, area: 0 };
-        let area = fan.triangles().map(|corners| {
-            let corners = corners.map(|corner| corner.vertex.screen);
-            area(&corners)
-        });
+        let area = fan.triangles().map(|corners| area(&screens(corners)));
         fan.area = area.sum();
         if cull.leaves_out(fan.area) {
             return None;
@@ -52,7 +59,7 @@ impl<'a> Fan<'a> {
     /// The rows that it may have pixels in; `None` if it has none in the window.
     pub(crate) fn row_range(&self, window: &Window) -> Option<Range<i32>> {
         let corners = self.triangles();
-        let corners = corners.map(|corners| corners.map(|corner| corner.vertex));
+        let corners = corners.map(vertices);
         let inside = corners.filter(|corners| area_in(corners, Cull::Nothing, window) != 0);
         let rows = inside.map(|corners| row_range(&corners));
         rows.reduce(|a, b| a.start.min(b.start)..a.end.max(b.end))
@@ -60,10 +67,7 @@ impl<'a> Fan<'a> {
 
     /// Draws the part in the window; whether there is any.
     pub(crate) fn draw(&self, brush: &mut dyn Brush, window: &Window) -> bool {
-        let area = |corners: [&Corner; 3]| {
-            let corners = corners.map(|corner| corner.vertex);
-            area_in(&corners, Cull::Nothing, window)
-        };
+        let area = |corners| area_in(&vertices(corners), Cull::Nothing, window);
         let mut folded = false;
         for corners in self.triangles() {
             let area = area(corners);
@@ -75,9 +79,10 @@ impl<'a> Fan<'a> {
             if area == 0 || !runs_as(self.area, area) {
                 continue;
             }
+            let [a, b, c] = corners;
             let triangle = Triangle {
-                corners: &corners.map(|corner| corner.vertex),
-                weights: Some(&corners.map(|corner| corner.weights)),
+                corners: &vertices(corners),
+                weights: Some(&[a.weights, b.weights, c.weights]),
                 area,
             };
             let part = Part { fan: self, at };
@@ -96,11 +101,29 @@ pub(super) struct Part<'a> {
 }
 
 impl Part<'_> {
+    /// Paints those pixels of a span that this triangle is to draw.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn span(
+        &self,
+        brush: &mut dyn Brush,
+        row: i32,
+        columns: Range<i32>,
+        [mut x, y]: [i32; 2],
+    ) {
+        for column in columns {
+            if self.has([column, row]) {
+                brush.span(row, column..column + 1, x, y);
+            }
+            x += 1;
+        }
+    }
+
     /// Whether this triangle is to draw a pixel.
-    pub(super) fn has(&self, pixel: [i32; 2]) -> bool {
+    fn has(&self, pixel: [i32; 2]) -> bool {
         let mut winding = 0;
         for (i, corners) in self.fan.triangles().enumerate() {
-            let corners = corners.map(|corner| corner.vertex.screen);
+            let corners = screens(corners);
             let area = area(&corners);
             if covers(&corners, area, pixel) {
                 if !runs_as(self.fan.area, area) {

@@ -16,7 +16,7 @@ pub(crate) use brush::{Brush, Paint};
 pub(crate) use fan::Fan;
 pub(crate) use line::line;
 pub(crate) use point::point;
-pub(crate) use triangle::Triangle;
+pub(crate) use triangle::{Triangle, area};
 
 /// The part of the canvas that may be drawn into; nothing outside is.
 #[derive(Clone, Debug)]

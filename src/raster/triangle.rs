@@ -7,6 +7,7 @@ use super::edge::{Edge, first_center};
 use super::fan::Part;
 use super::{Brush, Window};
 use crate::geometry::{Cull, Projected, Weights};
+use crate::linear::{IS_NARROW, product};
 
 /// A triangle on the screen.
 #[derive(Clone, Copy, Debug)]
@@ -18,36 +19,38 @@ pub(crate) struct Triangle<'a> {
     pub(crate) area: i64,
 }
 
-#[inline]
-fn product(x: i32, y: i32) -> i64 {
-    i64::from(x) * i64::from(y)
-}
-
 /// Twice the area of a triangle, in units of (1/256 pixel)²: positive for corners that run clockwise as seen.
 #[inline]
-pub(super) fn area([a, b, c]: &[[i32; 2]; 3]) -> i64 {
+pub(crate) fn area([a, b, c]: &[[i32; 2]; 3]) -> i64 {
     // Differences of 21 bits.
-    product(b[0] - a[0], c[1] - a[1]) - product(c[0] - a[0], b[1] - a[1])
+    let [[bx, by], [cx, cy]] = [[b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]];
+    // Sides of less than 64 pixels, as most are, take 15 bits: twice the area then takes 31.
+    let is_small = |side: i32| side.wrapping_add(1 << 14).cast_unsigned() < 1 << 15;
+    if IS_NARROW && [bx, by, cx, cy].into_iter().all(is_small) {
+        return i64::from(bx * cy - cx * by);
+    }
+    product(bx, cy) - product(cx, by)
 }
 
 /// [`area`] of a triangle that is not culled and covers a pixel centre of the window; 0 of others.
-///
-/// A call that takes little and gives little: most triangles of a band, and the back of most things, end here.
 #[inline(never)]
 pub(super) fn area_in(corners: &[Projected; 3], cull: Cull, window: &Window) -> i64 {
-    let [a, b, c] = corners.each_ref().map(|corner| corner.screen);
-    let misses = |corners: [i32; 3], window: &Range<i32>| {
-        let centers = centers(corners);
-        centers.start.max(window.start) >= centers.end.min(window.end)
-    };
-    if misses([a[1], b[1], c[1]], &window.rows) {
-        return 0;
-    }
-    let area = area(&[a, b, c]);
-    if cull.leaves_out(area) || misses([a[0], b[0], c[0]], &window.columns) {
+    let area = area(&Projected::screens(corners));
+    if cull.leaves_out(area) || !meets(corners, window) {
         return 0;
     }
     area
+}
+
+/// Whether a pixel centre of the window is within a triangle's bounds.
+#[inline(never)]
+fn meets(corners: &[Projected; 3], window: &Window) -> bool {
+    let [a, b, c] = Projected::screens(corners);
+    let meets = |corners: [i32; 3], window: &Range<i32>| {
+        let centers = centers(corners);
+        centers.start.max(window.start) < centers.end.min(window.end)
+    };
+    meets([a[1], b[1], c[1]], &window.rows) && meets([a[0], b[0], c[0]], &window.columns)
 }
 
 /// The columns or rows whose centres lie between corners.
@@ -59,7 +62,8 @@ fn centers([a, b, c]: [i32; 3]) -> Range<i32> {
 /// The rows that a triangle may have pixels in, whatever the window.
 #[inline]
 pub(super) fn row_range(corners: &[Projected; 3]) -> Range<i32> {
-    centers(corners.each_ref().map(|corner| corner.screen[1]))
+    let [a, b, c] = Projected::screens(corners);
+    centers([a[1], b[1], c[1]])
 }
 
 /// Whether the centre of a pixel is the triangle's, by the same rule as [`draw`] has it.
@@ -79,6 +83,16 @@ pub(super) fn covers([a, b, c]: &[[i32; 2]; 3], area: i64, pixel: [i32; 2]) -> b
 }
 
 impl<'a> Triangle<'a> {
+    /// A mesh's triangle of an area that is known, unless it covers no pixel centre of the window.
+    #[inline]
+    pub(crate) fn of_area(corners: &'a [Projected; 3], area: i64, window: &Window) -> Option<Self> {
+        meets(corners, window).then_some(Self {
+            corners,
+            weights: None,
+            area,
+        })
+    }
+
     /// A mesh's triangle, unless it is culled or covers no pixel centre of the window.
     #[inline]
     pub(crate) fn new(corners: &'a [Projected; 3], cull: Cull, window: &Window) -> Option<Self> {
@@ -114,7 +128,7 @@ pub(super) fn draw(
     part: Option<&Part<'_>>,
 ) {
     brush.triangle(triangle);
-    let screen = triangle.corners.each_ref().map(|corner| corner.screen);
+    let screen = Projected::screens(triangle.corners);
     // The pixel that interpolants are counted from.
     let [origin_x, origin_y] = screen[0].map(|at| at >> 8);
 
@@ -132,39 +146,30 @@ pub(super) fn draw(
     sort(&mut middle, &mut bottom);
     sort(&mut top, &mut middle);
 
-    let start = first_center(top[1]).max(window.rows.start);
+    let mut row = first_center(top[1]).max(window.rows.start);
     let end = first_center(bottom[1]).min(window.rows.end);
-    let turn = first_center(middle[1]).max(start);
-    let mut long = Edge::new(top, bottom, start);
-    // If there is no upper one of the short edges, the lower one is made when its row comes.
-    let mut short = if start < turn {
-        Edge::new(top, middle, start)
-    } else {
-        long
-    };
-    for row in start..end {
-        if row == turn {
-            short = Edge::new(middle, bottom, row);
+    let mut turn = first_center(middle[1]).min(end);
+    let long = Edge::new(top, bottom, row);
+    let [mut left, mut right] = [long; 2];
+    while row < end {
+        if row >= turn {
+            (top, middle, turn) = (middle, bottom, end);
         }
-        let (left, right) = (long.column(), short.column());
-        let (left, right) = if long_is_left {
-            (left, right)
-        } else {
-            (right, left)
-        };
-        long.step();
-        short.step();
-        let mut column = left.max(window.columns.start);
-        let right = right.min(window.columns.end);
-        while column < right {
-            let (next, own) = match part {
-                None => (right, true),
-                Some(part) => (column + 1, part.has([column, row])),
-            };
-            if own {
-                brush.span(row, column..next, column - origin_x, row - origin_y);
+        let short = if long_is_left { &mut right } else { &mut left };
+        *short = Edge::new(top, middle, row);
+        while row < turn {
+            let start = left.column().max(window.columns.start);
+            let end = right.column().min(window.columns.end);
+            if start < end {
+                let (x, y) = (start - origin_x, row - origin_y);
+                match part {
+                    None => brush.span(row, start..end, x, y),
+                    Some(part) => part.span(brush, row, start..end, [x, y]),
+                }
             }
-            column = next;
+            left.step();
+            right.step();
+            row += 1;
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Light from afar.
 
-use super::pose::{Pose, dot};
-use crate::linear::{Transform, unit::unit};
+use super::pose::Pose;
+use crate::linear::{Transform, dot, unit::unit};
 use crate::{Error, Scalar, Vec3};
 
 /// White light: from all sides (ambient), and from one direction in world space, as the sun's.
@@ -123,7 +123,7 @@ impl Light {
             return self.ambient;
         };
         // Unit vectors in Q30: the product of two is within 2^60, to Q16 by 44 bits at most 65,537.
-        let facing = ((dot(normal, self.direction) + (1 << 43)) >> 44) as i32;
+        let facing = ((dot(&normal, &self.direction) + (1 << 43)) >> 44) as i32;
         let diffuse = if self.two_sided {
             facing.abs()
         } else {

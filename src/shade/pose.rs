@@ -1,7 +1,7 @@
 //! Normals on their way to world space.
 
 use crate::Vec3;
-use crate::linear::{Transform, unit::unit};
+use crate::linear::{Transform, dot, unit::unit};
 
 /// What a model's pose does to its normals: the inverse transpose of its linear part, up to a
 /// positive factor, so that they stay upright on a surface that is stretched or mirrored.
@@ -27,13 +27,7 @@ impl Pose {
     /// normal that is zero or becomes it.
     pub(super) fn unit(&self, normal: Vec3) -> Option<[i32; 3]> {
         // 30 bits times 31, thrice: below 2^63.
-        unit(self.rows.map(|row| dot(row, normal.to_bits())))
+        let normal = normal.to_bits();
+        unit(self.rows.map(|row| dot(&row, &normal)))
     }
-}
-
-/// The dot product; the caller sees to it that it fits, as it does for 30 bits by 31.
-#[inline]
-pub(super) fn dot(a: [i32; 3], b: [i32; 3]) -> i64 {
-    let product = |k: usize| i64::from(a[k]) * i64::from(b[k]);
-    product(0) + product(1) + product(2)
 }

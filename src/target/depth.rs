@@ -1,6 +1,5 @@
 //! The depth buffer, or the want of one.
 
-use core::iter;
 use core::ops::Range;
 
 /// What a canvas knows about depth: [`NoDepth`] or [`Depth`].
@@ -64,7 +63,10 @@ impl DepthBuffer for NoDepth {
 
     #[inline]
     fn cells(&mut self, range: Range<usize>) -> impl ExactSizeIterator<Item = ()> {
-        iter::repeat_n((), range.len())
+        // A slice of nothing, as a slice's iterator is walked together with the colours' without
+        // a second end to look out for.
+        const ANY: &[()] = &[(); usize::MAX];
+        ANY.get(range).unwrap_or_default().iter().copied()
     }
 
     #[inline]
