@@ -3,12 +3,12 @@
 use embedded_graphics::geometry::Size;
 
 use crate::geometry::Cull;
-use crate::interpolate::{Exact, Interpolate};
+use crate::interpolate::{Interpolate, Newton};
 use crate::view::Viewport;
 
 /// How a draw call is to be done: which faces are culled, where on the canvas, by which mode.
 ///
-/// The default culls back faces and draws to the whole frame in mode [`Exact`].
+/// The default culls back faces and draws to the whole frame in mode [`Newton`].
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -16,7 +16,7 @@ use crate::view::Viewport;
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Pass<I = Exact> {
+pub struct Pass<I = Newton> {
     pub(super) cull: Cull,
     pub(super) viewport: Option<Viewport>,
     pub(super) mode: I,
@@ -35,7 +35,7 @@ impl Pass {
         Self {
             cull: Cull::Back,
             viewport: None,
-            mode: Exact,
+            mode: Newton,
         }
     }
 }

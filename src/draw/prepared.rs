@@ -12,7 +12,7 @@ use super::painter::Painter;
 use super::{Drawn, Pass};
 use crate::Error;
 use crate::geometry::{Corner, Element, Mesh, Outline, Projected, Weights};
-use crate::interpolate::{Exact, Interpolate};
+use crate::interpolate::{Interpolate, Newton};
 use crate::linear::Transform;
 use crate::raster::{Brush, Fan, Triangle, Window};
 use crate::target::check_size;
@@ -146,7 +146,7 @@ impl Slot {
 /// is_shared::<Prepared<'static>>();
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared<'a, K = crate::view::Perspective, I = Exact> {
+pub struct Prepared<'a, K = crate::view::Perspective, I = Newton> {
     pub(super) geometry: Geometry<'a, K>,
     pub(super) model: Transform,
     viewport: Viewport,

@@ -5,15 +5,21 @@
 //! numerators; an [`Interpolate`] steps along the run and divides, which is where speed is traded
 //! for accuracy. [`Segment`] answers single questions about the same relation.
 
+mod affine;
+mod fast;
 mod mode;
+mod newton;
 mod plane;
 mod reciprocal;
 mod run;
 mod segment;
 
-pub use mode::{Affine, Exact, Interpolate};
+pub use affine::{Affine, Linear};
+pub use fast::Fast;
+pub use mode::{Exact, Interpolate};
+pub use newton::Newton;
 pub(crate) use plane::{Plane, Slope};
 pub use reciprocal::reciprocal;
-pub use run::{Pixels, Run, Scale, Steps};
-pub(crate) use run::{RUN, weigh};
+pub use run::{Cells, Pixels, Run, Scale, Steps};
+pub(crate) use run::{FAR, weigh};
 pub use segment::{Segment, speed};

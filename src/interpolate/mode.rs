@@ -1,7 +1,9 @@
 //! The interpolation modes: how attributes are recovered along a run.
 
+use super::affine::Linear;
 use super::reciprocal::reciprocal;
-use super::run::{Pixels, Run, Scale, Steps};
+use super::run::{Cells, Pixels, Run, Scale, Steps, rolled};
+use crate::linear::product;
 
 /// A way to recover the attributes along a run of pixels.
 ///
@@ -10,7 +12,7 @@ use super::run::{Pixels, Run, Scale, Steps};
 /// depend on nothing but the run, so that every band and every target draws the same.
 ///
 /// ```
-/// use fixel::interpolate::{Exact, Interpolate, Pixels, Run, Steps};
+/// use fixel::interpolate::{Affine, Cells, Exact, Interpolate, Pixels, Run, Steps, rolled};
 /// use fixel::{Pass};
 ///
 /// /// Every other pixel, exactly.
@@ -19,25 +21,34 @@ use super::run::{Pixels, Run, Scale, Steps};
 ///
 /// impl Interpolate for Sparse {
 ///     const PERSPECTIVE: bool = true;
+///     type Parallel = Affine;
+///     type Plan = ();
+///
+///     fn parallel(self) -> Affine {
+///         Affine
+///     }
+///
+///     fn plan<const N: usize>(&self, _: &Steps<N>) {}
 ///
 ///     fn run<T, const N: usize>(
 ///         &self,
+///         plan: (),
 ///         run: Run<N>,
 ///         steps: &Steps<N>,
-///         cells: impl ExactSizeIterator<Item = T>,
+///         cells: impl Cells<T>,
 ///         pixels: &mut impl Pixels<T, N>,
 ///     ) {
 ///         struct Half<'a, P>(&'a mut P, bool);
 ///         impl<T, const N: usize, P: Pixels<T, N>> Pixels<T, N> for Half<'_, P> {
-///             fn visible(&mut self, pixel: &T, q: u32) -> bool {
+///             fn visible(&mut self, pixel: &T, q: u32, down: u32) -> bool {
 ///                 self.1 = !self.1;
-///                 self.0.visible(pixel, q) && self.1
+///                 self.0.visible(pixel, q, down) && self.1
 ///             }
-///             fn shade(&mut self, pixel: T, q: u32, varyings: [i32; N]) {
-///                 self.0.shade(pixel, q, varyings);
+///             fn shade(&mut self, pixel: T, varyings: [i32; N]) {
+///                 self.0.shade(pixel, varyings);
 ///             }
 ///         }
-///         Exact.run(run, steps, cells, &mut Half(pixels, false));
+///         Exact.run(plan, run, steps, cells, &mut Half(pixels, false));
 ///     }
 /// }
 /// let pass = Pass::new().mode(Sparse);
@@ -46,12 +57,34 @@ pub trait Interpolate: Copy {
     /// Whether attributes are divided by 1/w; otherwise [`Run::p`] carries them alone, times 2³⁰.
     const PERSPECTIVE: bool;
 
+    /// The least [`Scale::bits`] that attributes are given: with b bits an interpolant's unit is 2^(b − 30) of
+    /// the attribute's where 1/w is greatest. More bits than an attribute has lose accuracy, which may
+    /// spare a mode the work of scaling; they are not asked for where 1/w changes fourfold in a triangle.
+    const LEAST_BITS: u32 = 1;
+
+    /// Pixels that are stepped over before the interpolants are found afresh: each step is off by up to half
+    /// a unit of 2^-30.
+    const RUN: u32 = 64;
+
+    /// The mode under a parallel projection, where attributes themselves are linear on the screen.
+    type Parallel: Interpolate;
+
+    /// That mode.
+    fn parallel(self) -> Self::Parallel;
+
+    /// What is decided once for a triangle.
+    type Plan: Copy + Default;
+
+    /// Decides how a triangle is to be interpolated: what is the same for all of its runs.
+    fn plan<const N: usize>(&self, steps: &Steps<N>) -> Self::Plan;
+
     /// Draws the pixels of `cells` from `run` on.
     fn run<T, const N: usize>(
         &self,
+        plan: Self::Plan,
         run: Run<N>,
         steps: &Steps<N>,
-        cells: impl ExactSizeIterator<Item = T>,
+        cells: impl Cells<T>,
         pixels: &mut impl Pixels<T, N>,
     );
 }
@@ -63,25 +96,37 @@ pub trait Interpolate: Copy {
 ///
 /// ```
 /// use fixel::{Pass, interpolate::Exact};
-/// let default: Pass<Exact> = Pass::new();
+/// let pass = Pass::new().mode(Exact);
 /// ```
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Exact;
 
 impl Interpolate for Exact {
     const PERSPECTIVE: bool = true;
+    type Parallel = Linear;
+    type Plan = ();
+
+    #[inline]
+    fn parallel(self) -> Linear {
+        Linear
+    }
+
+    #[inline]
+    fn plan<const N: usize>(&self, _: &Steps<N>) {}
 
     #[inline]
     fn run<T, const N: usize>(
         &self,
+        (): (),
         mut run: Run<N>,
         steps: &Steps<N>,
-        cells: impl ExactSizeIterator<Item = T>,
+        mut cells: impl Cells<T>,
         pixels: &mut impl Pixels<T, N>,
     ) {
-        for cell in cells {
-            if pixels.visible(&cell, run.q) {
-                pixels.shade(cell, run.q, divide(&run, &steps.scale));
+        for cell in cells.first(usize::MAX) {
+            rolled();
+            if pixels.visible(&cell, run.q, steps.depth) {
+                pixels.shade(cell, divide(&run, &steps.scale));
             }
             run.step(steps);
         }
@@ -93,49 +138,13 @@ impl Interpolate for Exact {
 fn divide<const N: usize>(run: &Run<N>, scale: &[Scale; N]) -> [i32; N] {
     let up = (run.q | 1).leading_zeros();
     // Of 31 bits, so the product is one of signed numbers.
-    let r = i64::from(reciprocal((run.q << up) >> 1).cast_signed());
+    let r = reciprocal((run.q << up) >> 1).cast_signed();
     let mut varyings = [0; N];
     for ((value, p), scale) in varyings.iter_mut().zip(run.p).zip(scale) {
         // p' = p << up is at most half of q' = q << up, so below 2^31, and r = 2^62 / q': p' · r is
         // p/q in units of 2^-62, and its upper half p/q in units of 2^-30.
-        let fraction = ((i64::from(p << up) * r) >> 32) as i32;
+        let fraction = (product(p << up, r) >> 32) as i32;
         *value = scale.restore(fraction);
     }
     varyings
-}
-
-/// Linear on the screen: exact under a parallel projection, which always takes this mode.
-///
-/// Under perspective it bends textures; [`Exact`] does not.
-///
-/// ```
-/// use fixel::{Pass, interpolate::Affine};
-/// // Right for what faces the eye, and faster.
-/// let hud = Pass::new().mode(Affine);
-/// ```
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Affine;
-
-impl Interpolate for Affine {
-    const PERSPECTIVE: bool = false;
-
-    #[inline]
-    fn run<T, const N: usize>(
-        &self,
-        mut run: Run<N>,
-        steps: &Steps<N>,
-        cells: impl ExactSizeIterator<Item = T>,
-        pixels: &mut impl Pixels<T, N>,
-    ) {
-        for cell in cells {
-            if pixels.visible(&cell, run.q) {
-                let mut varyings = [0; N];
-                for ((value, p), scale) in varyings.iter_mut().zip(run.p).zip(steps.scale) {
-                    *value = scale.restore(p);
-                }
-                pixels.shade(cell, run.q, varyings);
-            }
-            run.step(steps);
-        }
-    }
 }

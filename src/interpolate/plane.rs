@@ -1,15 +1,25 @@
 //! The plane equation of an interpolant, kept as a numerator over a common denominator.
 
 use super::reciprocal::reciprocal;
+use crate::linear::{IS_NARROW, product, upper};
 
-/// The numerator of an interpolant, linear over the screen: its value at a pixel is numerator / denominator.
+/// An interpolant over a triangle: what it is at every pixel's centre, to a unit.
 ///
-/// The denominator is twice the triangle's area scaled to 32 bits, and the numerators are scaled
-/// alike, so they take 63 bits. Arithmetic on them wraps: within the triangle the result is in
+/// Where the triangle is [near](Slope::is_near), that is `start` and so many steps. Elsewhere those would
+/// add up too much rounding, and it is a quotient: its numerator is linear over the screen, its
+/// denominator is twice the triangle's area scaled to 32 bits, and the numerators are scaled alike, so
+/// they take 63 bits. Arithmetic on them wraps: within the triangle the result is in
 /// range, and modulo 2⁶⁴ it does not matter by which way it was reached.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Plane {
-    base: i64,
+    /// What it gains from one column to the next, to the nearest unit.
+    pub(crate) step: i32,
+    /// What it gains from one row to the next; of a near triangle.
+    row: i32,
+    /// The value at the centre of the pixel that corner 0 lies in; of a near triangle.
+    start: i32,
+    /// The numerator at the centre of that pixel, and what it gains for a column and a row; of others.
+    numerator: i64,
     dx: i64,
     dy: i64,
 }
@@ -17,23 +27,21 @@ pub(crate) struct Plane {
 impl Plane {
     /// Nothing to interpolate.
     pub(crate) const NONE: Self = Self {
-        base: 0,
+        step: 0,
+        row: 0,
+        start: 0,
+        numerator: 0,
         dx: 0,
         dy: 0,
     };
 
-    /// The numerator at the centre of the pixel `x` columns and `y` rows from the one that corner 0 lies in.
+    /// Its value `x` columns and `y` rows from the pixel that corner 0 lies in, of a near triangle.
     #[inline]
-    pub(crate) const fn at(&self, x: i32, y: i32) -> i64 {
-        self.base
-            .wrapping_add(self.dx.wrapping_mul(x as i64))
-            .wrapping_add(self.dy.wrapping_mul(y as i64))
-    }
-
-    /// What one column to the right adds to the numerator.
-    #[inline]
-    pub(crate) const fn dx(&self) -> i64 {
-        self.dx
+    pub(crate) const fn near(&self, x: i32, y: i32) -> i32 {
+        let moved = self.step.wrapping_mul(x);
+        moved
+            .wrapping_add(self.row.wrapping_mul(y))
+            .wrapping_add(self.start)
     }
 }
 
@@ -49,6 +57,8 @@ pub(crate) struct Slope {
     /// What numerators are multiplied with, 2^0 to 2^31, and then shifted down by.
     up: u32,
     down: u32,
+    /// By how much numerators of near triangles are shifted, 8 to 31: a pixel is 256 units. 0 of others.
+    near: u32,
     /// Twice the area in 32 bits, the top one set, and its reciprocal, 2⁶² / area.
     ///
     /// The area's last bit is left out of it. That is one error for all interpolants of a triangle,
@@ -57,6 +67,9 @@ pub(crate) struct Slope {
     inverse: i32,
 }
 
+/// A near triangle's columns and rows, together: half a unit of rounding for each comes to 32 units.
+const NEAR: u32 = 64;
+
 impl Slope {
     /// Nothing to interpolate.
     pub(crate) const NONE: Self = Self {
@@ -64,6 +77,7 @@ impl Slope {
         to_center: [0; 2],
         up: 1,
         down: 0,
+        near: 1,
         area: 0,
         inverse: 0,
     };
@@ -78,8 +92,20 @@ impl Slope {
         let up = zeros.saturating_sub(32);
         // An area that is negative makes the numerators so.
         let sign = if area < 0 { -1 } else { 1 };
+        let size = |b: i32, c: i32, a: i32| b.abs_diff(a).max(c.abs_diff(a));
+        let size = [size(b[0], c[0], x), size(b[1], c[1], y)];
+        let [wide, high] = size;
+        // A pixel may be one further off than the corner that it is next to.
+        let is_small = wide + high <= (NEAR - 2) << 8;
+        // A gradient is at most the range of the values, below 2^31, by one of these, by the area.
+        let is_thick = area.unsigned_abs() >> 8 >= u64::from(wide.max(high));
         let area = (area.unsigned_abs() << (zeros & 63) >> 32) as u32;
         Self {
+            near: if is_small && is_thick {
+                (up + 8) & 31
+            } else {
+                0
+            },
             sides: [b, c].map(|[to_x, to_y]| [(to_x - x) * sign, (to_y - y) * sign]),
             to_center: [128 - (x & 255), 128 - (y & 255)],
             up: 1 << (up & 31),
@@ -89,20 +115,73 @@ impl Slope {
         }
     }
 
-    /// The plane through the values at the three corners, each within ±2³¹, apart by less than 2³¹.
+    /// Whether the triangle is small enough, and no sliver, so that gradients to the nearest unit will do.
     #[inline]
-    pub(crate) fn plane(&self, [a, b, c]: [i32; 3]) -> Plane {
-        let (b, c) = (i64::from(b.wrapping_sub(a)), i64::from(c.wrapping_sub(a)));
-        let [[bx, by], [cx, cy]] = self.sides.map(|side| side.map(i64::from));
-        // Differences take 31 bits and a sign, sides 20: with the sum 52 bits, by 256 60.
-        let dx = b * cy - c * by;
-        let dy = c * bx - b * cx;
-        let [x, y] = self.to_center.map(i64::from);
+    pub(crate) const fn is_near(&self) -> bool {
+        self.near != 0
+    }
+
+    /// Twice the area in units of a pixel by 1/256 pixel, times what `values` gain for a column and for a row.
+    ///
+    /// Values are within ±2³¹, apart by less than 2³¹.
+    #[inline]
+    fn gains(&self, [a, b, c]: [i32; 3]) -> [i64; 2] {
+        let (b, c) = (b.wrapping_sub(a), c.wrapping_sub(a));
+        let [[bx, by], [cx, cy]] = self.sides;
+        // Differences take 31 bits and a sign, sides 20: with the sum 52 bits.
+        [
+            product(b, cy) - product(c, by),
+            product(c, bx) - product(b, cx),
+        ]
+    }
+
+    /// The plane of a near triangle through the values at its corners.
+    #[inline]
+    pub(crate) fn near_plane(&self, values: [i32; 3]) -> Plane {
+        // Gradients are below 2^31 and areas below 2^32: 63 bits.
+        let gains = self.gains(values).map(|gain| shifted(gain, self.near));
+        let [step, row] = gains.map(|gain| self.value(gain));
+        // Half a pixel at most, of gradients that are off by half a unit a pixel.
+        let [x, y] = self.to_center;
+        let moved = moved(step, x).wrapping_add(moved(row, y));
+        let [corner, ..] = values;
         Plane {
-            base: (i64::from(a) * i64::from(self.area)).wrapping_add(self.scale(dx * x + dy * y)),
-            dx: self.scale(dx << 8),
-            dy: self.scale(dy << 8),
+            step,
+            row,
+            start: corner.wrapping_add(moved),
+            ..Plane::NONE
         }
+    }
+
+    /// The plane of any other triangle.
+    #[inline]
+    pub(crate) fn far_plane(&self, values: [i32; 3]) -> Plane {
+        let [dx, dy] = self.gains(values);
+        let [x, y] = self.to_center.map(i64::from);
+        let moved = self.scale(dx * x + dy * y);
+        let [corner, ..] = values;
+        let corner = i64::from(corner) * i64::from(self.area);
+        // By 256 they take 60 bits.
+        let [dx, dy] = [dx, dy].map(|gain| self.scale(gain << 8));
+        Plane {
+            step: self.value(dx),
+            numerator: corner.wrapping_add(moved),
+            dx,
+            dy,
+            ..Plane::NONE
+        }
+    }
+
+    /// A plane's value `x` columns and `y` rows from the pixel that corner 0 lies in.
+    #[inline(never)]
+    pub(crate) fn far(&self, plane: &Plane, x: i32, y: i32) -> i32 {
+        let Plane {
+            numerator, dx, dy, ..
+        } = plane;
+        let moved = dx
+            .wrapping_mul(x.into())
+            .wrapping_add(dy.wrapping_mul(y.into()));
+        self.value(numerator.wrapping_add(moved))
     }
 
     /// A numerator in the scale of the area. Bits shifted out at the top are beyond modulo 2⁶⁴;
@@ -115,11 +194,29 @@ impl Slope {
 
     /// numerator / area, to the nearest, for numerators of values within ±2³¹; others wrap.
     #[inline]
-    pub(crate) const fn value(&self, numerator: i64) -> i32 {
+    fn value(&self, numerator: i64) -> i32 {
         // numerator · inverse / 2^62, from the halves of the numerator.
-        let high = (numerator >> 32) * self.inverse as i64;
-        let low = numerator.cast_unsigned() as u32 as u64 * self.inverse.cast_unsigned() as u64;
-        let low = (low >> 32).cast_signed();
-        ((high.wrapping_add(low).wrapping_add(1 << 29)) >> 30) as i32
+        let high = product((numerator >> 32) as i32, self.inverse);
+        let low = upper(numerator as u32, self.inverse.cast_unsigned());
+        ((high.wrapping_add(low.into()).wrapping_add(1 << 29)) >> 30) as i32
     }
+}
+
+/// A numerator shifted up by 1 to 31 bits.
+#[inline]
+const fn shifted(numerator: i64, up: u32) -> i64 {
+    if !IS_NARROW {
+        // A product of 32 bits by 64 takes less than a shift by any number.
+        return numerator.wrapping_mul(1 << (up & 31));
+    }
+    // By halves, as that shift is a call.
+    let (high, low) = ((numerator >> 32) as u32, numerator as u32);
+    let high = high << (up & 31) | low >> (up.wrapping_neg() & 31);
+    ((high as u64) << 32 | (low << (up & 31)) as u64).cast_signed()
+}
+
+/// gradient · `part` / 256, for a part of up to 128, off by less than a unit.
+#[inline]
+const fn moved(gradient: i32, part: i32) -> i32 {
+    (gradient >> 8) * part + (((gradient & 0xff) * part + 128) >> 8)
 }

@@ -1,5 +1,7 @@
 //! The reciprocal that every division by depth goes through.
 
+use crate::linear::{product, upper};
+
 /// ⌊(2⁶¹ − 1) / q⌋, for a `q` of 31 bits: from 2³⁰ to 2³¹ − 1, as is the result.
 ///
 /// Exact in every bit and the same on every target: a core with a 64-bit divider divides, others
@@ -35,9 +37,9 @@ const fn by_newton(q: u32) -> u32 {
     let seed = ((u32::MAX / coarse) << 1) | 1;
     // Together less than 1.25 * 2^-16; a Newton step squares that, to less than 0.8 units of the
     // result and never above it. seed * q is 2^48 but for less than 2^33, so modulo 2^34 will do.
-    let residual = (!((seed as u64 * q as u64) >> 2) as u32).cast_signed();
+    let residual = !(upper(seed, q) << 30 | seed.wrapping_mul(q) >> 2);
     let seed = (seed << 13).cast_signed();
-    let r = (seed + ((seed as i64 * residual as i64) >> 46) as i32).cast_unsigned();
+    let r = (seed + (product(seed, residual.cast_signed()) >> 46) as i32).cast_unsigned();
     // Rounded down, r is right or one short. The remainder is then below 2q < 2^32, and need not
     // be known but modulo that.
     let remainder = !r.wrapping_mul(q);

@@ -1,9 +1,12 @@
 //! A run of pixels: the values at its start, and the steps.
 
-/// Pixels that are stepped over before the values are found afresh.
-///
-/// A step is rounded to half a unit of 2⁻³⁰, so a run adds at most 32 units.
-pub(crate) const RUN: u32 = 64;
+use core::hint::black_box;
+
+use crate::linear::product;
+
+/// A corner whose 1/w is this or less, where that of the nearest is from 2^30 to 2^31, is far off: 1/w may
+/// change fourfold within the triangle.
+pub(crate) const FAR: u32 = 1 << 29;
 
 /// Interpolants at a pixel of a run.
 ///
@@ -27,12 +30,12 @@ pub struct Run<const N: usize> {
     pub p: [i32; N],
 }
 
-/// What the interpolants of a run gain from one pixel to the next, and how they are scaled.
+/// What the interpolants of a run gain from one pixel to the next, and what they are worth.
 ///
 /// ```
 /// use fixel::interpolate::{Run, Steps};
 /// let mut run: Run<0> = Run { q: 1000, p: [] };
-/// run.step(&Steps { q: -3, p: [], scale: [] });
+/// run.step(&Steps { q: -3, p: [], scale: [], depth: 16, least: 900 });
 /// assert_eq!(run.q, 997);
 /// ```
 #[derive(Clone, Copy, Debug)]
@@ -43,6 +46,10 @@ pub struct Steps<const N: usize> {
     pub p: [i32; N],
     /// How each attribute is scaled.
     pub scale: [Scale; N],
+    /// A pixel's depth of 16 bits is its [`Run::q`] shifted down by this: 15 to 31.
+    pub depth: u32,
+    /// The least [`Run::q`] of the triangle's corners; the largest has bit 30 set.
+    pub least: u32,
 }
 
 impl<const N: usize> Steps<N> {
@@ -51,6 +58,8 @@ impl<const N: usize> Steps<N> {
         q: 0,
         p: [0; N],
         scale: [Scale::ONE; N],
+        depth: 16,
+        least: 0,
     };
 }
 
@@ -66,24 +75,40 @@ impl<const N: usize> Steps<N> {
 ///     steps.scale[0].restore(run.p[0])
 /// }
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Scale {
-    /// 30 - bits, or 0.
-    down: u8,
-    /// bits - 30, or 0.
-    up: u8,
+    bits: u32,
 }
 
 impl Scale {
     /// That of an attribute that is 0 everywhere.
-    pub(crate) const ONE: Self = Self::new(1);
+    pub(crate) const ONE: Self = Self { bits: 1 };
 
+    /// That of an attribute of this greatest magnitude, of so many bits at least.
     #[inline]
-    const fn new(bits: u32) -> Self {
+    fn of(most: u32, least_bits: u32) -> Self {
+        let bits = 33 - (most + (most >> 4)).leading_zeros();
         Self {
-            down: 30u32.saturating_sub(bits) as u8,
-            up: bits.saturating_sub(30) as u8,
+            bits: bits.max(least_bits).min(32),
         }
+    }
+
+    /// Bits of the attribute, 1 to 32: its magnitude is below 2^(bits − 1).
+    #[inline]
+    #[must_use]
+    pub const fn bits(self) -> u32 {
+        self.bits
+    }
+
+    /// By how much an interpolant is shifted left, and then right, to be one of so many `bits` of a 1/w
+    /// that is shifted `up`.
+    #[inline]
+    pub(super) const fn to(self, bits: u32, up: u32) -> (u32, u32) {
+        let left = up + self.bits;
+        (
+            left.saturating_sub(bits) & 31,
+            bits.saturating_sub(left) & 31,
+        )
     }
 
     /// The attribute of a fraction in units of 2^-30, rounded down.
@@ -92,7 +117,11 @@ impl Scale {
     #[inline]
     #[must_use]
     pub const fn restore(self, fraction: i32) -> i32 {
-        (fraction >> (self.down & 31)) << (self.up & 31)
+        let (down, up) = (
+            30u32.saturating_sub(self.bits),
+            self.bits.saturating_sub(30),
+        );
+        (fraction >> (down & 31)) << (up & 31)
     }
 }
 
@@ -113,35 +142,54 @@ impl<const N: usize> Run<N> {
     }
 }
 
+/// The pixels of a run in memory, each of which is a `T`, in order.
+///
+/// The rasterizer implements it; a mode takes them. See [`Interpolate`](super::Interpolate).
+pub trait Cells<T> {
+    /// How many are left.
+    fn count(&self) -> usize;
+
+    /// Takes the first `count`, or all that are left.
+    fn first(&mut self, count: usize) -> impl Iterator<Item = T>;
+}
+
+/// Keeps the compiler from unrolling the loop that it is called in; it takes no instruction.
+///
+/// A loop over pixels takes all registers of a small core. Unrolled it would take more, and the steps it would
+/// then load from the stack cost more than the branches that it saves.
+#[inline]
+pub(super) fn rolled() {
+    black_box(());
+}
+
 /// What is to be done with the pixels of a run, each of which is a `T`.
 ///
 /// The rasterizer implements it; a mode calls it. See [`Interpolate`](super::Interpolate).
 pub trait Pixels<T, const N: usize> {
-    /// Whether the next pixel is visible at depth `q` (see [`Run::q`]); called once per pixel, in order.
-    fn visible(&mut self, pixel: &T, q: u32) -> bool;
+    /// Whether the next pixel is visible where [`Run::q`] is `q`, which shifted `down` is its depth of 16
+    /// bits; called once per pixel, in order.
+    fn visible(&mut self, pixel: &T, q: u32, down: u32) -> bool;
 
     /// Colours the pixel that was last found visible.
-    fn shade(&mut self, pixel: T, q: u32, varyings: [i32; N]);
+    fn shade(&mut self, pixel: T, varyings: [i32; N]);
 }
 
 /// Makes the values of an attribute at the corners those of attribute · weight · 2^-bits, where weights
 /// are below 2³¹; gives the scale of the result.
 #[inline]
-pub(crate) fn weigh(values: &mut [i32; 3], weights: [u32; 3]) -> Scale {
-    let size = values
-        .iter()
-        .fold(0, |most: u32, value| most.max(value.unsigned_abs()));
-    let bits = 33 - (size + (size >> 4)).leading_zeros();
-    if bits > 32 {
+pub(crate) fn weigh(values: &mut [i32; 3], weights: [u32; 3], least_bits: u32) -> Scale {
+    let [a, b, c] = values.map(i32::unsigned_abs);
+    let scale = Scale::of(a.max(b).max(c), least_bits);
+    if scale.bits == 32 {
         draw_in(values, weights);
     }
-    let bits = bits.min(32);
     for (value, weight) in values.iter_mut().zip(weights) {
         // The value shifted to fill 32 bits times the weight, and the upper half of that to the nearest.
-        let product = i64::from(*value << (32 - bits)) * i64::from(weight.cast_signed());
+        let filled = *value << ((32 - scale.bits) & 31);
+        let product = product(filled, weight.cast_signed());
         *value = ((product + (1 << 31)) >> 32) as i32;
     }
-    Scale::new(bits)
+    scale
 }
 
 /// Draws values of 31 bits in from the ends of `i32`, by what rounding may add to them where the
@@ -171,7 +219,7 @@ mod tests {
                     for values in [[value, 0, 0], [-value, value, value], [!value; 3]] {
                         let weights = [weight, least, weight];
                         let mut weighted = values;
-                        weigh(&mut weighted, weights);
+                        weigh(&mut weighted, weights, 1);
                         for (p, weight) in weighted.into_iter().zip(weights) {
                             assert!(
                                 2 * p.unsigned_abs() + 113 <= weight,

@@ -8,12 +8,30 @@ pub(crate) const IS_NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_
 
 /// The product.
 #[inline]
-pub(crate) fn product(a: i32, b: i32) -> i64 {
+pub(crate) const fn product(a: i32, b: i32) -> i64 {
     if IS_NARROW {
         narrow_product(a, b)
     } else {
-        i64::from(a) * i64::from(b)
+        a as i64 * b as i64
     }
+}
+
+/// The upper half of a product of numbers without a sign, the second below 2^31.
+#[inline]
+pub(crate) const fn upper(a: u32, b: u32) -> u32 {
+    if IS_NARROW {
+        upper_of_signed(a, b)
+    } else {
+        ((a as u64 * b as u64) >> 32) as u32
+    }
+}
+
+/// The same from the product of signed numbers.
+#[inline]
+const fn upper_of_signed(a: u32, b: u32) -> u32 {
+    let upper = (product(a.cast_signed(), b.cast_signed()) >> 32) as u32;
+    // As a signed number `a` is less by 2^32 if its upper bit is set.
+    upper.wrapping_add(b & ((a.cast_signed() >> 31) as u32))
 }
 
 /// The dot product; the caller sees to it that it fits, as that of mantissas of 30 bits by 31 does.
@@ -29,7 +47,7 @@ pub(crate) fn dot(a: &[i32; 3], b: &[i32; 3]) -> i64 {
 // Calls: they are as long as what they stand for.
 
 #[inline(never)]
-fn narrow_product(a: i32, b: i32) -> i64 {
+const fn narrow_product(a: i32, b: i32) -> i64 {
     of_halves(a, b)
 }
 
@@ -78,6 +96,9 @@ mod tests {
         for a in ends {
             for b in ends {
                 assert_eq!(of_halves(a, b), i64::from(a) * i64::from(b), "{a} · {b}");
+                let (a, b) = (a.cast_unsigned(), b.cast_unsigned() & (u32::MAX >> 1));
+                let upper = (u64::from(a) * u64::from(b)) >> 32;
+                assert_eq!(u64::from(upper_of_signed(a, b)), upper, "{a} · {b}");
             }
         }
     }
@@ -86,6 +107,9 @@ mod tests {
         #[test]
         fn halves_make_the_product(a in any::<i32>(), b in any::<i32>()) {
             prop_assert_eq!(of_halves(a, b), i64::from(a) * i64::from(b));
+            let (a, b) = (a.cast_unsigned(), b.cast_unsigned() & (u32::MAX >> 1));
+            let upper = (u64::from(a) * u64::from(b)) >> 32;
+            prop_assert_eq!(u64::from(upper_of_signed(a, b)), upper);
         }
     }
 }

@@ -5,11 +5,11 @@ use core::ops::Range;
 use embedded_graphics::geometry::Point;
 
 use super::Triangle;
-use super::planes::{Interpolant, Planes};
+use super::planes::{Attribute, Planes};
 use crate::geometry::{DepthShift, Face, Vertex};
-use crate::interpolate::{Interpolate, Pixels, RUN, Run, Steps};
+use crate::interpolate::{self, Interpolate, Linear, Pixels, Run, Steps};
 use crate::shade::{Fragment, Sample};
-use crate::target::{Canvas, DepthBuffer, Storage};
+use crate::target::{Canvas, Cells, DepthBuffer, Storage};
 
 /// The part of a draw call that depends on what is painted, and on what.
 ///
@@ -30,20 +30,30 @@ pub(crate) trait Brush {
 }
 
 /// The [`Brush`] of a fragment `F` in mode `I`.
-pub(crate) struct Paint<'p, 'c, I, F: Fragment<N>, O: Storage<F::Color>, D, const N: usize> {
+pub(crate) struct Paint<
+    'p,
+    'c,
+    I: Interpolate,
+    F: Fragment<N>,
+    O: Storage<F::Color>,
+    D,
+    const N: usize,
+> {
     canvas: &'p mut Canvas<'c, F::Color, O, D>,
     /// As it was made ready for the draw call, and for the present element.
     fragment: F,
     current: F,
-    planes: Planes<[Interpolant; N]>,
+    planes: Planes<[Attribute; N]>,
     depth_shift: DepthShift,
     /// By how much the present triangle's 1/w are shifted down to be depths.
     down: u32,
     mode: I,
+    plan: I::Plan,
 }
 
 impl<'p, 'c, I, F, O, D, const N: usize> Paint<'p, 'c, I, F, O, D, N>
 where
+    I: Interpolate,
     F: Fragment<N>,
     O: Storage<F::Color>,
     D: DepthBuffer,
@@ -62,10 +72,11 @@ where
             canvas,
             fragment,
             current: fragment,
-            planes: Planes::<[Interpolant; N]>::NONE,
+            planes: Planes::<[Attribute; N]>::NONE,
             depth_shift,
             down: 0,
             mode,
+            plan: I::Plan::default(),
         }
     }
 }
@@ -95,8 +106,9 @@ where
     fn triangle(&mut self, triangle: &Triangle<'_>) {
         if Self::VARIES {
             let planes: &mut Planes = &mut self.planes;
-            let exponent = planes.lay(triangle, I::PERSPECTIVE);
+            let exponent = planes.lay(triangle, I::PERSPECTIVE, I::LEAST_BITS);
             self.down = self.depth_shift.of(exponent);
+            self.plan = self.mode.plan(&self.planes.steps(self.down));
         }
     }
 
@@ -104,26 +116,24 @@ where
         let mut start = columns.start;
         while start < columns.end {
             let (end, run, steps) = if Self::VARIES {
-                let planes: &mut Planes = &mut self.planes;
-                planes.go(x, y);
-                let end = columns.end.min(start + RUN.cast_signed());
-                (end, self.planes.run(), self.planes.steps())
+                let end = columns.end.min(start + I::RUN.cast_signed());
+                (end, self.planes.run(x, y), self.planes.steps(self.down))
             } else {
                 (columns.end, Run::EVEN, Steps::EVEN)
             };
             let mut shader = Shader {
                 fragment: &self.current,
-                depth_shift: self.down,
                 // The first pixel is looked at after one step.
                 point: Point::new(start - 1, row),
                 depth: 0,
             };
-            let cells = self.canvas.run(
-                row.cast_unsigned(),
-                start.cast_unsigned()..end.cast_unsigned(),
-            );
-            let cells = cells.map(|(color, depth)| Cell::<F::Color, O, D> { color, depth });
-            self.mode.run(run, &steps, cells, &mut shader);
+            let columns = start.cast_unsigned()..end.cast_unsigned();
+            let cells = self.canvas.run(row.cast_unsigned(), columns);
+            if Self::VARIES {
+                self.mode.run(self.plan, run, &steps, cells, &mut shader);
+            } else {
+                Linear.run((), run, &steps, cells, &mut shader);
+            }
             x += end - start;
             start = end;
         }
@@ -131,35 +141,49 @@ where
 }
 
 /// One pixel in memory.
-struct Cell<'c, 'd, C, O: Storage<C>, D: DepthBuffer + 'd> {
+struct Cell<'c, C, O: Storage<C>, D: DepthBuffer + 'c> {
     color: &'c mut O::Cell,
-    depth: D::Cell<'d>,
+    depth: D::Cell<'c>,
+}
+
+impl<'c, C, O: Storage<C>, D: DepthBuffer + 'c> interpolate::Cells<Cell<'c, C, O, D>>
+    for Cells<'c, C, O, D>
+{
+    #[inline]
+    fn count(&self) -> usize {
+        self.len()
+    }
+
+    #[inline]
+    fn first(&mut self, count: usize) -> impl Iterator<Item = Cell<'c, C, O, D>> {
+        self.first(count)
+            .map(|(color, depth)| Cell { color, depth })
+    }
 }
 
 /// Tests and colours the pixels of a run with a fragment.
 struct Shader<'f, F> {
     fragment: &'f F,
-    depth_shift: u32,
     point: Point,
     depth: u32,
 }
 
-impl<'d, F, O, D, const N: usize> Pixels<Cell<'_, 'd, F::Color, O, D>, N> for Shader<'_, F>
+impl<'c, F, O, D, const N: usize> Pixels<Cell<'c, F::Color, O, D>, N> for Shader<'_, F>
 where
     F: Fragment<N>,
     O: Storage<F::Color>,
-    D: DepthBuffer + 'd,
+    D: DepthBuffer + 'c,
 {
     #[inline]
-    fn visible(&mut self, cell: &Cell<'_, 'd, F::Color, O, D>, q: u32) -> bool {
+    fn visible(&mut self, cell: &Cell<'c, F::Color, O, D>, q: u32, down: u32) -> bool {
         self.point.x += 1;
         // 31 bits shifted down by 15 or more.
-        self.depth = q >> self.depth_shift;
+        self.depth = q >> (down & 31);
         D::passes(&cell.depth, self.depth)
     }
 
     #[inline]
-    fn shade(&mut self, cell: Cell<'_, 'd, F::Color, O, D>, _: u32, varyings: [i32; N]) {
+    fn shade(&mut self, cell: Cell<'c, F::Color, O, D>, varyings: [i32; N]) {
         let depth = self.depth as u16;
         let sample = Sample {
             point: self.point,

@@ -1,41 +1,16 @@
 //! The planes that a primitive's interpolants lie in.
 
 use super::Triangle;
-use crate::interpolate::{Plane, Run, Scale, Slope, Steps, weigh};
+use crate::interpolate::{FAR, Plane, Run, Scale, Slope, Steps, weigh};
 
-/// A number that is interpolated over a primitive.
+/// An attribute that is interpolated over a primitive.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Interpolant {
-    /// The attribute at the corners of the mesh's triangle; of depth nothing.
+pub(super) struct Attribute {
+    /// What it is at the corners of the mesh's triangle.
     pub(super) corners: [i32; 3],
-    scale: Scale,
+    /// The plane of it over w, or of itself.
     plane: Plane,
-    /// What it gains from one column to the next.
-    step: i32,
-    /// What it is at the pixel last asked for.
-    value: i32,
-}
-
-impl Interpolant {
-    const NONE: Self = Self {
-        corners: [0; 3],
-        scale: Scale::ONE,
-        plane: Plane::NONE,
-        step: 0,
-        value: 0,
-    };
-
-    /// Lays the plane through the values at a triangle's corners.
-    #[inline(never)]
-    fn lay(&mut self, slope: &Slope, values: [i32; 3]) {
-        self.plane = slope.plane(values);
-        self.step = slope.value(self.plane.dx());
-    }
-
-    #[inline]
-    fn go(&mut self, slope: &Slope, x: i32, y: i32) {
-        self.value = slope.value(self.plane.at(x, y));
-    }
+    scale: Scale,
 }
 
 /// The interpolants of a primitive: 1/w (or depth), and the attributes over w.
@@ -43,9 +18,11 @@ impl Interpolant {
 /// What is done with them is the same for any number of attributes, and code for each number would
 /// be most of a small program: the methods are those of an unsized list, which this becomes.
 #[derive(Debug)]
-pub(super) struct Planes<P: ?Sized = [Interpolant]> {
+pub(super) struct Planes<P: ?Sized = [Attribute]> {
     slope: Slope,
-    q: Interpolant,
+    q: Plane,
+    /// The least 1/w of a corner.
+    least: u32,
     pub(super) p: P,
 }
 
@@ -56,70 +33,95 @@ pub(super) struct Planes<P: ?Sized = [Interpolant]> {
 const LEAST_WEIGHT: u32 = 1 << 11;
 
 impl Planes {
-    /// Lays the planes through a triangle's corners, for attributes that are divided by w or not;
+    /// Lays the planes through a triangle's corners, for attributes that are divided by w or not, of so many bits at least;
     /// gives the exponent of 1/w.
     #[inline(never)]
-    pub(super) fn lay(&mut self, triangle: &Triangle<'_>, perspective: bool) -> u8 {
-        let corners = triangle.corners;
+    pub(super) fn lay(
+        &mut self,
+        triangle: &Triangle<'_>,
+        perspective: bool,
+        least_bits: u32,
+    ) -> u8 {
+        let [a, b, c] = triangle.corners;
         // The corners' interpolants of depth with one exponent.
-        let exponent = corners
-            .iter()
-            .fold(0, |most, corner| corner.exponent.max(most));
-        let q = corners.each_ref().map(|corner| {
+        let exponent = a.exponent.max(b.exponent).max(c.exponent);
+        let q = [a, b, c].map(|corner| {
             let down = u32::from(exponent - corner.exponent);
             corner.q.checked_shr(down).unwrap_or(0).max(LEAST_WEIGHT)
         });
-        self.slope = Slope::new(
-            corners.each_ref().map(|corner| corner.screen),
-            triangle.area,
-        );
-        self.q.lay(&self.slope, q.map(u32::cast_signed));
-        let weights = if perspective { q } else { [1 << 30; 3] };
+        let [first, second, third] = q;
+        self.least = first.min(second).min(third);
+        self.slope = Slope::new([a.screen, b.screen, c.screen], triangle.area);
+        let slope = &self.slope;
+        let lay: fn(&Slope, [i32; 3]) -> Plane = if slope.is_near() { near } else { far };
+        self.q = lay(slope, q.map(u32::cast_signed));
+        let (weights, least_bits) = if !perspective {
+            ([1 << 30; 3], least_bits)
+        } else if self.least > FAR {
+            (q, least_bits)
+        } else {
+            (q, 1)
+        };
         for p in &mut self.p {
             let mut values = match triangle.weights {
                 None => p.corners,
                 Some(weights) => weights.map(|weights| weights.mix(&p.corners)),
             };
-            p.scale = weigh(&mut values, weights);
-            p.lay(&self.slope, values);
+            p.scale = weigh(&mut values, weights, least_bits);
+            p.plane = lay(slope, values);
         }
         exponent
     }
-
-    /// Goes to the pixel `x` columns and `y` rows from the one that corner 0 lies in.
-    #[inline(never)]
-    pub(super) fn go(&mut self, x: i32, y: i32) {
-        self.q.go(&self.slope, x, y);
-        for p in &mut self.p {
-            p.go(&self.slope, x, y);
-        }
-    }
 }
 
-impl<const N: usize> Planes<[Interpolant; N]> {
+#[inline(never)]
+fn near(slope: &Slope, values: [i32; 3]) -> Plane {
+    slope.near_plane(values)
+}
+
+#[inline(never)]
+fn far(slope: &Slope, values: [i32; 3]) -> Plane {
+    slope.far_plane(values)
+}
+
+impl<const N: usize> Planes<[Attribute; N]> {
     /// Nothing to interpolate.
     pub(super) const NONE: Self = Self {
         slope: Slope::NONE,
-        q: Interpolant::NONE,
-        p: [Interpolant::NONE; N],
+        q: Plane::NONE,
+        least: 0,
+        p: [Attribute {
+            corners: [0; 3],
+            plane: Plane::NONE,
+            scale: Scale::ONE,
+        }; N],
     };
 
-    /// The interpolants at the pixel last gone to.
+    /// The interpolants `x` columns and `y` rows from the pixel that corner 0 lies in.
     #[inline]
-    pub(super) fn run(&self) -> Run<N> {
+    pub(super) fn run(&self, x: i32, y: i32) -> Run<N> {
+        if self.slope.is_near() {
+            return Run {
+                q: self.q.near(x, y).cast_unsigned(),
+                p: self.p.each_ref().map(|p| p.plane.near(x, y)),
+            };
+        }
+        let at = |plane: &Plane| self.slope.far(plane, x, y);
         Run {
-            q: self.q.value.cast_unsigned(),
-            p: self.p.each_ref().map(|p| p.value),
+            q: at(&self.q).cast_unsigned(),
+            p: self.p.each_ref().map(|p| at(&p.plane)),
         }
     }
 
-    /// What a column adds, and how the attributes are scaled.
+    /// What a column adds, how the attributes are scaled, and by how much 1/w is shifted `down` to be a depth.
     #[inline]
-    pub(super) fn steps(&self) -> Steps<N> {
+    pub(super) fn steps(&self, down: u32) -> Steps<N> {
         Steps {
             q: self.q.step,
-            p: self.p.each_ref().map(|p| p.step),
+            p: self.p.each_ref().map(|p| p.plane.step),
             scale: self.p.each_ref().map(|p| p.scale),
+            depth: down,
+            least: self.least,
         }
     }
 }

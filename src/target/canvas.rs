@@ -8,7 +8,7 @@ use embedded_graphics::pixelcolor::PixelColor;
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
 use embedded_graphics::primitives::Rectangle;
 
-use super::depth::{Depth, DepthBuffer, NoDepth};
+use super::depth::{Depth, DepthBuffer, NoDepth, first};
 use super::storage::{Bytes, Native, Storage};
 use crate::Error;
 
@@ -297,14 +297,38 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
 
     /// The pixels of `columns` of `row` with their depths; both must lie within the canvas.
     #[inline]
-    pub(crate) fn run(
-        &mut self,
-        row: u32,
-        columns: Range<u32>,
-    ) -> impl ExactSizeIterator<Item = (&mut O::Cell, D::Cell<'_>)> {
+    pub(crate) fn run(&mut self, row: u32, columns: Range<u32>) -> Cells<'_, C, O, D> {
         let range = self.range(row, &columns);
-        let cells = self.cells.get_mut(range.clone()).unwrap_or_default();
-        cells.iter_mut().zip(self.depth.cells(range))
+        Cells {
+            colors: self.cells.get_mut(range.clone()).unwrap_or_default(),
+            depths: self.depth.cells(range),
+        }
+    }
+}
+
+/// Pixels of a row in memory: colours and depths.
+pub(crate) struct Cells<'a, C, O: Storage<C>, D: DepthBuffer + 'a> {
+    colors: &'a mut [O::Cell],
+    depths: D::Cells<'a>,
+}
+
+impl<'a, C, O: Storage<C>, D: DepthBuffer + 'a> Cells<'a, C, O, D> {
+    #[inline]
+    pub(crate) const fn len(&self) -> usize {
+        self.colors.len()
+    }
+
+    /// Takes the first `count`, or all that are left.
+    #[inline]
+    pub(crate) fn first(
+        &mut self,
+        count: usize,
+    ) -> impl Iterator<Item = (&'a mut O::Cell, D::Cell<'a>)> + use<'a, C, O, D> {
+        let (colors, depths) = (
+            first(&mut self.colors, count),
+            D::first(&mut self.depths, count),
+        );
+        colors.iter_mut().zip(D::each(depths))
     }
 }
 

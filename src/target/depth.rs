@@ -1,5 +1,6 @@
 //! The depth buffer, or the want of one.
 
+use core::mem;
 use core::ops::Range;
 
 /// What a canvas knows about depth: [`NoDepth`] or [`Depth`].
@@ -28,11 +29,26 @@ pub trait DepthBuffer {
     where
         Self: 'a;
 
+    /// The depths of a run of pixels.
+    type Cells<'a>
+    where
+        Self: 'a;
+
     /// Whether depths are looked at or kept.
     const IS_KEPT: bool;
 
     /// The depths of a run of pixels.
-    fn cells(&mut self, range: Range<usize>) -> impl ExactSizeIterator<Item = Self::Cell<'_>>;
+    fn cells(&mut self, range: Range<usize>) -> Self::Cells<'_>;
+
+    /// Takes the first `count` of a run, or all that are left.
+    fn first<'a>(cells: &mut Self::Cells<'a>, count: usize) -> Self::Cells<'a>
+    where
+        Self: 'a;
+
+    /// The depths one by one; where there are none, without end.
+    fn each<'a>(cells: Self::Cells<'a>) -> impl Iterator<Item = Self::Cell<'a>>
+    where
+        Self: 'a;
 
     /// Whether a fragment of this depth, of 16 bits, is to be drawn.
     fn passes(cell: &Self::Cell<'_>, depth: u32) -> bool;
@@ -58,15 +74,29 @@ pub struct NoDepth;
 
 impl DepthBuffer for NoDepth {
     type Cell<'a> = ();
+    type Cells<'a> = ();
 
     const IS_KEPT: bool = false;
 
     #[inline]
-    fn cells(&mut self, range: Range<usize>) -> impl ExactSizeIterator<Item = ()> {
+    fn cells(&mut self, _: Range<usize>) {}
+
+    #[inline]
+    fn first<'a>((): &mut (), _: usize)
+    where
+        Self: 'a,
+    {
+    }
+
+    #[inline]
+    fn each<'a>((): ()) -> impl Iterator<Item = ()>
+    where
+        Self: 'a,
+    {
         // A slice of nothing, as a slice's iterator is walked together with the colours' without
         // a second end to look out for.
         const ANY: &[()] = &[(); usize::MAX];
-        ANY.get(range).unwrap_or_default().iter().copied()
+        ANY.iter().copied()
     }
 
     #[inline]
@@ -98,12 +128,32 @@ impl DepthBuffer for Depth<'_> {
         = &'a mut u16
     where
         Self: 'a;
+    type Cells<'a>
+        = &'a mut [u16]
+    where
+        Self: 'a;
 
     const IS_KEPT: bool = true;
 
     #[inline]
-    fn cells(&mut self, range: Range<usize>) -> impl ExactSizeIterator<Item = &mut u16> {
-        self.0.get_mut(range).unwrap_or_default().iter_mut()
+    fn cells(&mut self, range: Range<usize>) -> &mut [u16] {
+        self.0.get_mut(range).unwrap_or_default()
+    }
+
+    #[inline]
+    fn first<'a>(cells: &mut &'a mut [u16], count: usize) -> &'a mut [u16]
+    where
+        Self: 'a,
+    {
+        first(cells, count)
+    }
+
+    #[inline]
+    fn each<'a>(cells: &'a mut [u16]) -> impl Iterator<Item = &'a mut u16>
+    where
+        Self: 'a,
+    {
+        cells.iter_mut()
     }
 
     #[inline]
@@ -120,4 +170,13 @@ impl DepthBuffer for Depth<'_> {
     fn clear(&mut self) {
         self.0.fill(0);
     }
+}
+
+/// Takes the first `count` elements of a slice, or all that are left.
+#[inline]
+pub(super) fn first<'a, T>(slice: &mut &'a mut [T], count: usize) -> &'a mut [T] {
+    let all = mem::take(slice);
+    let (first, rest) = all.split_at_mut(count.min(all.len()));
+    *slice = rest;
+    first
 }

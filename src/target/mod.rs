@@ -5,7 +5,7 @@ mod depth;
 mod draw_target;
 mod storage;
 
-pub(crate) use canvas::check_size;
 pub use canvas::{Canvas, MAX_SIZE};
+pub(crate) use canvas::{Cells, check_size};
 pub use depth::{Depth, DepthBuffer, NoDepth};
 pub use storage::{Bytes, Native, Storage};

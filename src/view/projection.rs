@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use crate::interpolate::{Affine, Interpolate};
+use crate::interpolate::Interpolate;
 use crate::linear::block::{self, Number};
 use crate::{Error, Matrix4, Scalar};
 
@@ -73,10 +73,10 @@ impl Kind for Perspective {
 
 impl Kind for Parallel {
     const PERSPECTIVE: bool = false;
-    type Mode<I: Interpolate> = Affine;
+    type Mode<I: Interpolate> = I::Parallel;
 
-    fn mode<I: Interpolate>(_: I) -> Affine {
-        Affine
+    fn mode<I: Interpolate>(mode: I) -> I::Parallel {
+        mode.parallel()
     }
 }
 

@@ -1,0 +1,236 @@
+//! Straight pieces.
+
+use super::affine::Affine;
+use super::mode::{Exact, Interpolate};
+use super::newton::room;
+use super::run::{Cells, FAR, Pixels, Run, Steps, rolled};
+use crate::Scalar;
+use crate::linear::IS_NARROW;
+
+/// Perspective by straight pieces between pixels that are right, as long as a tolerance allows.
+///
+/// Along a piece of L pixels, where an attribute changes by f′ a pixel and 1/w by δ of itself, the straight line is
+/// off by |f′| · δ · L² / 4. Pieces have 64, 32, 16, 8, 4 or 2 pixels: the most that keeps this below the tolerance
+/// wherever in the triangle, and δ · L below 1/16. The ends' reciprocals have 16 bits, each found by two
+/// Newton steps from the last, so that a piece takes no division and no product of 64 bits: the mode
+/// for cores that are slow at those, such as Cortex-M0+, and fast on all. Where 1/w changes by 1/64 of itself
+/// a pixel or to less than half along a run, the run is [`Exact`].
+///
+/// A tolerance is in texels, of whatever size the texture is. Besides, an attribute is off by up to 2^-14 of its
+/// greatest in the triangle (1/64 of a texel where a texture of 256 is seen once, and so on for more or less of it).
+/// Colours are held to the same number in steps of their channels (32 or 64 of an
+/// [`Rgb565`](embedded_graphics::pixelcolor::Rgb565)), other varyings in units of 2^16.
+///
+/// ```
+/// use fixel::interpolate::Fast;
+/// use fixel::{Pass, fx};
+/// let pass = Pass::new().mode(Fast::within(fx!(0.25)));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fast {
+    /// In units of 2^-16.
+    tolerance: u32,
+}
+
+impl Fast {
+    /// Pieces that are off by this many texels at most, besides rounding; 0 and less are exact at every pixel.
+    #[must_use]
+    pub const fn within(texels: Scalar) -> Self {
+        let bits = texels.to_bits();
+        Self {
+            tolerance: if bits > 0 { bits.cast_unsigned() } else { 0 },
+        }
+    }
+}
+
+/// Most bits of an attribute.
+const MOST_BITS: u32 = 28;
+
+/// How long pieces are.
+#[derive(Clone, Copy, Debug, Default)]
+pub enum Plan {
+    /// Each run has its own length.
+    #[default]
+    Runs,
+    /// Two to this power, in all of a triangle, where 1/w changes less than fourfold.
+    Pieces(u32),
+}
+
+impl Interpolate for Fast {
+    const PERSPECTIVE: bool = true;
+    /// Sixteen bits are left of 30, so that many steps may be off by half a unit.
+    const RUN: u32 = 256;
+    type Parallel = Affine;
+    type Plan = Plan;
+
+    #[inline]
+    fn parallel(self) -> Affine {
+        Affine
+    }
+
+    #[inline]
+    fn plan<const N: usize>(&self, steps: &Steps<N>) -> Plan {
+        let length = if steps.least > FAR {
+            self.length(steps.least, steps, 0)
+        } else {
+            None
+        };
+        length.map_or(Plan::Runs, Plan::Pieces)
+    }
+
+    #[inline]
+    fn run<T, const N: usize>(
+        &self,
+        plan: Plan,
+        mut run: Run<N>,
+        steps: &Steps<N>,
+        mut cells: impl Cells<T>,
+        pixels: &mut impl Pixels<T, N>,
+    ) {
+        let mut left = cells.count() as u32;
+        let mut own = *steps;
+        let mut length = match plan {
+            Plan::Pieces(length) => length,
+            Plan::Runs => {
+                let up = room(run.q, steps.q, cells.count());
+                let length = up.and_then(|up| {
+                    let last = steps.q.wrapping_mul(left.wrapping_sub(1).cast_signed());
+                    let least = run.q.min(run.q.wrapping_add_signed(last));
+                    self.length(least, steps, up)
+                });
+                let (Some(up), Some(length)) = (up, length) else {
+                    return Exact.run((), run, steps, cells, pixels);
+                };
+                run.q <<= up;
+                own.q <<= up;
+                own.depth = (own.depth + up) & 31;
+                run.p = run.p.map(|p| p << up);
+                own.p = own.p.map(|p| p << up);
+                length
+            }
+        };
+        // A piece's end may be beyond that of the triangle, attributes there up to three times as great.
+        run.p = run.p.map(|p| p >> 2);
+        own.p = own.p.map(|p| p >> 2);
+        // 1/w is from 2^29 to 2^31 from here on.
+        let mut inverse = (1 << 31) / (run.q >> 15).max(1 << 14);
+        let mut values = values(&run, &own, inverse);
+        loop {
+            // What is left may end before the piece, but by no more than half of it.
+            while 1 << length >> 1 >= left && length > 0 {
+                length -= 1;
+            }
+            let count = 1 << length;
+            let end = run.after(&own, count);
+            inverse = refined(end.q, inverse);
+            let at_end = self::values(&end, &own, inverse);
+            let mut gains = at_end;
+            for (gain, value) in gains.iter_mut().zip(values) {
+                *gain = gain.wrapping_sub(value) >> length;
+            }
+            for cell in cells.first(count as usize) {
+                rolled();
+                if pixels.visible(&cell, run.q, own.depth) {
+                    pixels.shade(cell, values);
+                }
+                run.q = run.q.wrapping_add_signed(own.q);
+                for (value, gain) in values.iter_mut().zip(gains) {
+                    *value = value.wrapping_add(gain);
+                }
+            }
+            if left <= count {
+                return;
+            }
+            left -= count;
+            (run, values) = (end, at_end);
+        }
+    }
+}
+
+impl Fast {
+    /// How many pixels a piece may have, a power of two and that is its exponent, where 1/w is `least` or more and
+    /// all is to be shifted `up`. `None` if even two are too many, or attributes have too many bits.
+    #[inline]
+    fn length<const N: usize>(self, least: u32, steps: &Steps<N>, up: u32) -> Option<u32> {
+        let step = steps.q.unsigned_abs();
+        let mut most = 0;
+        for (p, scale) in steps.p.iter().zip(steps.scale) {
+            if scale.bits() > MOST_BITS {
+                return None;
+            }
+            // f′ = (p′ − f · q′) / q, where |f| is at most half in units of 2^bits; in units of 2^28 / q.
+            let gain = p.unsigned_abs().saturating_add(step >> 1);
+            most = most.max((gain >> (MOST_BITS - scale.bits())) + 1);
+        }
+        let shifted = |value: u32| value << up.min(value.leading_zeros());
+        self.length_at(least << up, shifted(step), shifted(most))
+    }
+
+    #[inline(never)]
+    fn length_at(self, least: u32, step: u32, gain: u32) -> Option<u32> {
+        // δ and f′ in units of 2^-16 and of the attribute, rounded up; `least` has 30 or 31 bits.
+        let divisor = (least >> 15).max(1 << 14);
+        let slope = u64::from((step << 1).div_ceil(divisor));
+        let gain = u64::from(gain / divisor + 1) << (MOST_BITS - 15);
+        // For 64 pixels that is times 2^10 for a tolerance of 2^-16 units.
+        let (error, mut allowed) = (gain * slope, u64::from(self.tolerance) << 6);
+        (1..=6).rev().find(|length| {
+            let fits = error <= allowed && slope << length <= 1 << 12;
+            allowed <<= 2;
+            fits
+        })
+    }
+}
+
+impl<const N: usize> Run<N> {
+    /// The interpolants `pixels` further on.
+    #[inline]
+    fn after(&self, steps: &Steps<N>, pixels: u32) -> Self {
+        let pixels = pixels.cast_signed();
+        let mut end = *self;
+        end.q = end.q.wrapping_add_signed(steps.q.wrapping_mul(pixels));
+        for (p, step) in end.p.iter_mut().zip(steps.p) {
+            *p = p.wrapping_add(step.wrapping_mul(pixels));
+        }
+        end
+    }
+}
+
+/// 2^31 / (q / 2^15), from that of a `q` which is off by up to 1/16: two Newton steps, which make that 2^-16.
+#[inline]
+fn refined(q: u32, mut inverse: u32) -> u32 {
+    let q = q >> 15;
+    for _ in 0..2 {
+        // The product is near 2^31, and what it lacks has 28 bits.
+        let lacks = (1_u32 << 31)
+            .wrapping_sub(q.wrapping_mul(inverse))
+            .cast_signed();
+        let more = inverse.cast_signed().wrapping_mul(lacks >> 13) >> 18;
+        inverse = inverse.wrapping_add_signed(more);
+    }
+    inverse
+}
+
+/// The attributes where the reciprocal of 1/w is `inverse`.
+#[inline]
+fn values<const N: usize>(run: &Run<N>, steps: &Steps<N>, inverse: u32) -> [i32; N] {
+    let mut values = run.p;
+    for (value, scale) in values.iter_mut().zip(steps.scale) {
+        // With 2^31 / (q / 2^15) the product of p / 4 is p / q in units of 2^-44.
+        *value = part(*value, inverse) >> (30u32.wrapping_sub(scale.bits()) & 31);
+    }
+    values
+}
+
+/// a · b / 2^14, rounded down, for a `b` of up to 17 bits and a product of up to 45.
+#[inline]
+fn part(a: i32, b: u32) -> i32 {
+    let b = b.cast_signed();
+    if IS_NARROW {
+        (a >> 14)
+            .wrapping_mul(b)
+            .wrapping_add((a & 0x3fff).wrapping_mul(b) >> 14)
+    } else {
+        ((i64::from(a) * i64::from(b)) >> 14) as i32
+    }
+}
