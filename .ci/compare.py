@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Holds what the firmware printed on each target against the host's checksums, and prints a table.
 
-Arguments: the folder with the outputs, named as the targets, and with `host`: scene and checksum, a
-line each; then the targets. Fails unless every target printed every scene in every layout, all with
-the host's checksum and the same number of pixels."""
+Arguments: the folder with the outputs, named as the targets, and with `host`: scene, mode and checksum, a
+line each; then the targets. Fails unless every target printed every scene in every mode and layout, all
+with the host's checksum and the same number of pixels."""
 import re
 import sys
 from collections import defaultdict
@@ -11,8 +11,9 @@ from pathlib import Path
 
 LAYOUTS = ["frame", "bands", "prepared"]
 folder, *targets = sys.argv[1:]
-host = dict(line.split() for line in Path(folder, "host").read_text().splitlines())
-wrong = [] if len(host) == 5 else [f"the host printed {len(host)} checksums"]
+lines = [line.split() for line in Path(folder, "host").read_text().splitlines()]
+host = {(scene, mode): crc for scene, mode, crc in lines}
+wrong = [] if len(host) == 20 else [f"the host printed {len(host)} checksums"]
 pixels = {}  # of each scene, by the first that printed it
 rows = []
 for target in targets:
@@ -21,31 +22,32 @@ for target in targets:
     for line in printed.splitlines():
         fields = dict(re.findall(r"(\S+)=(\S+)", line))
         if "scene" in fields:
-            figures[fields["scene"], fields["layout"]].update(fields)
+            figures[fields["scene"], fields["mode"], fields["layout"]].update(fields)
     unit = re.search(r"^tick=(\d+) instructions$", printed, re.M)
-    cases = {(scene, layout) for scene in host for layout in LAYOUTS}
+    cases = {(*drawn, layout) for drawn in host for layout in LAYOUTS}
     if not unit or cases - figures.keys() or "failed" in printed:
         wrong.append(f"{target} did not finish:\n{printed}")
         continue
-    for (scene, layout), found in figures.items():
-        if found.get("crc") != host.get(scene):
-            wrong.append(f"{target}: {scene} in {layout} is {found.get('crc')}, not {host.get(scene)}")
+    for (scene, mode, layout), found in figures.items():
+        case, wanted = f"{target}: {scene} in mode {mode}, {layout},", host.get((scene, mode))
+        if found.get("crc") != wanted:
+            wrong.append(f"{case} is {found.get('crc')}, not {wanted}")
         if found["pixels"] != pixels.setdefault(scene, found["pixels"]):
-            wrong.append(f"{target}: {scene} in {layout} has {found['pixels']} pixels, not {pixels[scene]}")
-    for scene in host:
-        cells = [figures[scene, layout] for layout in LAYOUTS]
+            wrong.append(f"{case} has {found['pixels']} pixels, not {pixels[scene]}")
+    for scene, mode in host:
+        cells = [figures[scene, mode, layout] for layout in LAYOUTS]
         rows.append(
-            [target, scene, cells[0]["pixels"]]
+            [target, mode, scene, cells[0]["pixels"]]
             + [f"{int(cell['ticks']) * int(unit[1]) / 1e6:.2f}" for cell in cells]
             + [cell["stack"] for cell in cells]
         )
 print(*wrong, sep="\n", end="\n" if wrong else "")
-head = ["target", "scene", "pixels"]
+head = ["target", "mode", "scene", "pixels"]
 head += [f"M instructions, {layout}" for layout in LAYOUTS]
 head += [f"stack, {layout}" for layout in LAYOUTS]
 widths = [max(len(row[column]) for row in [head, *rows]) for column in range(len(head))]
 for row in [head, *rows]:
-    texts = [cell.ljust(width) for cell, width in zip(row[:2], widths)]
-    numbers = [cell.rjust(width) for cell, width in zip(row[2:], widths[2:])]
+    texts = [cell.ljust(width) for cell, width in zip(row[:3], widths)]
+    numbers = [cell.rjust(width) for cell, width in zip(row[3:], widths[3:])]
     print("  ".join(texts + numbers))
 sys.exit(bool(wrong))

@@ -5,9 +5,9 @@
 //! be installed with its Arm and RISC-V boards, as must be `ld.lld`. Other targets: thumbv6m-none-eabi,
 //! thumbv7m-none-eabi, thumbv8m.main-none-eabi, riscv32imc-unknown-none-elf.
 //!
-//! First it says how many instructions a tick is. Then, for each scene and layout, what the models
-//! cover and what drawing them took, with a checksum of the picture: `simulator --scene NAME --crc`
-//! prints the host's.
+//! First it says how many instructions a tick is. Then, for each mode, scene and layout, what the models
+//! cover and what drawing them took, with a checksum of the picture: `simulator --mode MODE --scene NAME --crc`
+//! prints the host's. Mode fast is within a quarter of a texel.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
@@ -29,7 +29,7 @@ fn main() {
 mod firmware {
     use core::panic::PanicInfo;
 
-    use fixel::interpolate::{Affine, Exact, Interpolate};
+    use fixel::interpolate::{Affine, Exact, Fast, Interpolate, Newton};
     use fixel::prelude::*;
     use semihosting::{println, process};
 
@@ -45,6 +45,8 @@ mod firmware {
         );
         let mut bench = Bench::new(clock);
         run_mode(&mut bench, "exact", Exact)?;
+        run_mode(&mut bench, "newton", Newton)?;
+        run_mode(&mut bench, "fast", Fast::within(fx!(0.25)))?;
         run_mode(&mut bench, "affine", Affine)
     }
 

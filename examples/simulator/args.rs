@@ -104,6 +104,15 @@ pub struct Args {
     )]
     pub filter: Filter,
 
+    /// How attributes are interpolated: speed against accuracy.
+    #[arg(long, value_enum, default_value = "newton", help_heading = "Look")]
+    pub mode: Mode,
+
+    /// Texels that mode fast may be off by.
+    #[arg(long, value_name = "TEXELS", value_parser = number, default_value = "0.25",
+        allow_hyphen_values = true, help_heading = "Look")]
+    pub tolerance: f64,
+
     /// Draw back faces too.
     #[arg(long, help_heading = "Look", conflicts_with = "scene")]
     pub two_sided: bool,
@@ -198,6 +207,18 @@ pub enum Filter {
     Nearest,
     /// Blended of the four texels around: smooth
     Bilinear,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Mode {
+    /// Exact at every pixel
+    Exact,
+    /// Within a thousandth of a texel: the library's default
+    Newton,
+    /// By straight pieces, within --tolerance
+    Fast,
+    /// Without perspective within triangles
+    Affine,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -6,12 +6,12 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::prelude::*;
 use fixel::shade::{Channels, Converted, FaceColors, Gouraud, Levels, Textured};
-use fixel::target::{DepthBuffer, Native};
 use fixel::view::Perspective;
 use fixel::{Drawn, Mesh};
 
 use super::Result;
 use super::common::{lighthouse, scenes};
+use super::mode::{Mode, in_mode};
 use super::output::FRAME_MS;
 use super::paint::{Posed, Shown, add};
 use super::view::{Lens, View};
@@ -105,9 +105,9 @@ impl Model<'_> {
             let camera = self.view.camera;
             let start = Instant::now();
             let [sea, island] = match self.view.lens {
-                Lens::Perspective(lens) => {
-                    lighthouse::draw(&mut canvas, &Pass::new(), &(lens * camera * posed.pose))?
-                }
+                Lens::Perspective(lens) => in_mode!(self.view.mode, Pass::new(), |pass| {
+                    lighthouse::draw(&mut canvas, pass, &(lens * camera * posed.pose))?
+                }),
                 Lens::Parallel(lens) => {
                     lighthouse::draw(&mut canvas, &Pass::new(), &(lens * camera * posed.pose))?
                 }
@@ -173,19 +173,24 @@ macro_rules! on_canvas {
 }
 
 /// Draws a strip of a measured scene as it is measured.
-pub fn paint_scene(scene: SceneName, strip: Strip<'_, Rgb565>, frame: u32) -> Result<Done> {
-    let (chain, pass) = (chain(scene, frame)?, Pass::new());
+pub fn paint_scene(
+    scene: SceneName,
+    mode: Mode,
+    strip: Strip<'_, Rgb565>,
+    frame: u32,
+) -> Result<Done> {
+    let chain = chain(scene, frame)?;
     let draw = |strip: Strip<'_, Rgb565>| -> Result<Done> {
         Ok(on_canvas!(
             strip,
             scene,
             Rgb565::default(),
-            |canvas| match scene {
-                SceneName::Floor => scenes::floor(canvas, &pass, &chain),
-                SceneName::Cube => scenes::cube(canvas, &pass, &chain),
-                SceneName::Sphere => scenes::sphere(canvas, &pass, &chain),
-                SceneName::SphereFlat => scenes::sphere_flat(canvas, &pass, &chain),
-            }
+            |canvas| in_mode!(mode, Pass::new(), |pass| match scene {
+                SceneName::Floor => scenes::floor(canvas, pass, &chain),
+                SceneName::Cube => scenes::cube(canvas, pass, &chain),
+                SceneName::Sphere => scenes::sphere(canvas, pass, &chain),
+                SceneName::SphereFlat => scenes::sphere_flat(canvas, pass, &chain),
+            })
         ))
     };
     draw(strip)
@@ -194,32 +199,26 @@ pub fn paint_scene(scene: SceneName, strip: Strip<'_, Rgb565>, frame: u32) -> Re
 /// Draws a strip of a measured scene in another colour.
 pub fn paint_scene_in<C: Channels<K>, const K: usize>(
     scene: SceneName,
+    mode: Mode,
     strip: Strip<'_, C>,
     frame: u32,
 ) -> Result<Done> {
     let chain = chain(scene, frame)?;
     let black = C::from_rgb(Rgb888::new(0, 0, 0), Point::zero());
-    Ok(on_canvas!(strip, scene, black, |canvas| match scene {
-        SceneName::Floor => textured(canvas, &scenes::FLOOR, &chain),
-        SceneName::Cube => textured(canvas, &scenes::CUBE, &chain),
-        SceneName::Sphere => canvas.draw(&scenes::SPHERE, &chain, &Gouraud::new()),
-        SceneName::SphereFlat => {
-            let faces = Converted::new(FaceColors::new(&scenes::FACE_COLORS));
-            canvas.draw(&scenes::SPHERE, &chain, &faces)
+    let checker = Converted::new(Textured::new(&scenes::CHECKER));
+    let faces = Converted::new(FaceColors::new(&scenes::FACE_COLORS));
+    Ok(on_canvas!(strip, scene, black, |canvas| in_mode!(
+        mode,
+        Pass::new(),
+        |pass| match scene {
+            SceneName::Floor => canvas.draw_with(pass, &scenes::FLOOR, &chain, &checker),
+            SceneName::Cube => canvas.draw_with(pass, &scenes::CUBE, &chain, &checker),
+            SceneName::Sphere => {
+                canvas.draw_with(pass, &scenes::SPHERE, &chain, &Gouraud::new())
+            }
+            SceneName::SphereFlat => canvas.draw_with(pass, &scenes::SPHERE, &chain, &faces),
         }
-    }))
-}
-
-fn textured<C: Levels, D: DepthBuffer>(
-    canvas: &mut Canvas<'_, C, Native, D>,
-    mesh: &Mesh<'_>,
-    chain: &Chain<Perspective>,
-) -> Drawn {
-    canvas.draw(
-        mesh,
-        chain,
-        &Converted::new(Textured::new(&scenes::CHECKER)),
-    )
+    )))
 }
 
 /// Records a strip of a measured scene.

@@ -12,6 +12,7 @@ mod dump;
 mod framing;
 mod job;
 mod load;
+mod mode;
 mod output;
 mod paint;
 mod parts;

@@ -8,6 +8,7 @@ use fixel::shade::{Converted, DepthView, Flat, Lit, LitFaces, NormalView, Textur
 use fixel::target::{Depth, Native};
 use fixel::{Drawn, Mesh};
 
+use super::mode::{Mode, in_mode};
 use super::view::{Lens, View};
 use crate::args::{Filter, Shade};
 use crate::skin::Texels;
@@ -71,12 +72,16 @@ impl Posed<'_> {
         fragment: &F,
     ) -> Drawn {
         let View {
-            lens, camera, pass, ..
+            lens,
+            camera,
+            pass,
+            mode,
+            ..
         } = self.view;
         self.each(|mesh| match *lens {
-            Lens::Perspective(lens) => {
+            Lens::Perspective(lens) => in_mode!(*mode, pass, |pass| {
                 canvas.draw_with(pass, mesh, &(lens * *camera * self.pose), fragment)
-            }
+            }),
             Lens::Parallel(lens) => {
                 canvas.draw_with(pass, mesh, &(lens * *camera * self.pose), fragment)
             }

@@ -6,6 +6,7 @@ use fixel::shade::Light;
 use fixel::view::{Parallel, Perspective};
 
 use super::Result;
+use super::mode::Mode;
 use crate::args::{Args, Filter, Kind};
 use crate::framing::Framing;
 
@@ -24,6 +25,7 @@ pub struct View {
     pub pass: Pass,
     pub light: Light,
     pub filter: Filter,
+    pub mode: Mode,
     /// Stored depths of the nearest and the farthest point of the model.
     pub depths: [u16; 2],
 }
@@ -118,6 +120,7 @@ impl View {
                 light
             },
             filter: args.filter,
+            mode: Mode::new(args)?,
             depths: framing.depths(args.projection),
         })
     }
