@@ -1,6 +1,7 @@
 //! The modes that are compared. To measure one more, add its line.
 
-use fixel::interpolate::{Affine, Exact, Interpolate};
+use fixel::fx;
+use fixel::interpolate::{Affine, Exact, Fast, Interpolate, Newton};
 
 use super::Result;
 
@@ -25,5 +26,7 @@ macro_rules! modes {
 
 modes! {
     "exact" => Exact,
+    "newton" => Newton,
+    "fast" => Fast::within(fx!(0.25)),
     "affine" => Affine,
 }

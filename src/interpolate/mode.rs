@@ -2,7 +2,7 @@
 
 use super::affine::Linear;
 use super::reciprocal::reciprocal;
-use super::run::{Cells, Pixels, Run, Scale, Steps, rolled};
+use super::run::{Cells, Pixels, Run, Scale, Steps};
 use crate::linear::product;
 
 /// A way to recover the attributes along a run of pixels.
@@ -12,7 +12,7 @@ use crate::linear::product;
 /// depend on nothing but the run, so that every band and every target draws the same.
 ///
 /// ```
-/// use fixel::interpolate::{Affine, Cells, Exact, Interpolate, Pixels, Run, Steps, rolled};
+/// use fixel::interpolate::{Affine, Cells, Exact, Interpolate, Pixels, Run, Steps};
 /// use fixel::{Pass};
 ///
 /// /// Every other pixel, exactly.
@@ -124,7 +124,6 @@ impl Interpolate for Exact {
         pixels: &mut impl Pixels<T, N>,
     ) {
         for cell in cells.first(usize::MAX) {
-            rolled();
             if pixels.visible(&cell, run.q, steps.depth) {
                 pixels.shade(cell, divide(&run, &steps.scale));
             }
