@@ -1,9 +1,20 @@
 //! From values at vertices to values at pixels.
 //!
 //! On the screen 1/w and attribute/w are linear, the attribute itself is not: each pixel divides the
-//! one by the other. Plane equations give the two at the start of a run of pixels, from exact
-//! numerators; an [`Interpolate`] steps along the run and divides, which is where speed is traded
-//! for accuracy. [`Segment`] answers single questions about the same relation.
+//! one by the other. Plane equations give the two at the start of a run of pixels; an [`Interpolate`] steps
+//! along the run and divides, which is where speed is traded for accuracy:
+//!
+//! | mode | texels off, of 256x256 at 320x240 | at each pixel | for |
+//! |---|---|---|---|
+//! | [`Newton`], the default | 0.001 | a step towards the reciprocal | all but the smallest cores |
+//! | [`Fast`] | a tolerance, and 1/32 | additions | Cortex-M0+, large triangles |
+//! | [`Exact`] | 0.001, and no more where triangles are steep | a reciprocal of 31 bits | a standard to compare with; 64-bit computers |
+//! | [`Affine`] | without a bound | additions | what faces the eye, or is small |
+//! | [`Linear`] | without a bound | additions | to the unit in parallel projections |
+//!
+//! All draw the same in bands as in frames, and the same on every target. (Beyond a depth ratio of 128 within a
+//! triangle the first three have up to 0.006 texels in place of 0.001.) [`Segment`] answers single questions about
+//! the same relation.
 
 mod affine;
 mod fast;
