@@ -124,7 +124,7 @@ impl Scene {
 pub struct Lists {
     model: TriangleList<640, 600>,
     /// Of the lighthouse alone.
-    sea: TriangleList<30, 60>,
+    sea: TriangleList<32, 64>,
 }
 
 impl Lists {
