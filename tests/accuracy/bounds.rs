@@ -1,4 +1,4 @@
-//! How exact an interpolated value has to be, derived from the number formats.
+//! How exact an interpolated value has to be in each mode, derived from the number formats.
 //!
 //! Everything is relative to a unit of the interpolants: 1/w is scaled so that the nearest corner's
 //! has bit 30 set, so that at a pixel w ahead it is Q ≥ 2³⁰ · `w_min` / w units. An attribute's
@@ -15,21 +15,55 @@
 //! That makes 40 and 36½. As the numerator is at most Q/2, an error e of 1/w is one of e/2 of the
 //! numerator: in all 56½ units, which are 2^bits / Q of the attribute each.
 
+use crate::mode::Mode;
+
 /// Units of the numerator by which a pixel may be off; see above.
 const NUMERATOR: f64 = 56.5;
 /// Units of 1/w by which a pixel may be off.
 pub const INVERSE_W: f64 = 40.;
 /// The least that 1/w of a corner is lifted to, if it is more than 2¹⁹ times as far as the nearest.
 const LEAST: f64 = 2048.;
+/// Bits that `Newton` gives an attribute at least.
+const NEWTON_BITS: i32 = 28;
+/// Bits that `Affine` gives an attribute at least.
+const AFFINE_BITS: i32 = 30;
+/// A texel, in units of an attribute.
+const TEXEL: f64 = 65536.;
 
 /// The least whole number of bits that attributes of these corners are shifted down by.
 fn bits(corners: [i32; 3]) -> i32 {
-    let size = corners.iter().map(|a| a.unsigned_abs()).max().unwrap();
+    let size = size(corners);
     (33 - (size + (size >> 4)).leading_zeros().cast_signed()).min(32)
 }
 
-/// By how much a value may be off at a pixel `w` ahead, given the corners' own w.
-pub fn perspective(corners: [i32; 3], corners_w: [f64; 3], w: f64) -> f64 {
+/// The largest magnitude at a corner.
+fn size(corners: [i32; 3]) -> u32 {
+    corners.into_iter().map(i32::unsigned_abs).fold(0, u32::max)
+}
+
+/// By how much a value may be off at a pixel `w` ahead, given the corners' own w and the `farthest` of
+/// the pixels in its run.
+pub fn perspective(
+    mode: Mode,
+    corners: [i32; 3],
+    corners_w: [f64; 3],
+    w: f64,
+    farthest: f64,
+) -> f64 {
+    match mode {
+        Mode::Exact => exact(corners, corners_w, w),
+        Mode::Newton => exact(corners, corners_w, w) + newton(corners),
+        // Both ends of a piece are exact, and straight between them so is no pixel worse than the
+        // worse of the two. 63 gains at most, each rounded by less than a unit.
+        Mode::Fast(texels) => {
+            exact(corners, corners_w, farthest) + texels.to_num::<f64>() * TEXEL + 63.
+        }
+        Mode::Affine | Mode::Linear => panic!("{mode:?} does not divide by w"),
+    }
+}
+
+/// The same where every pixel is divided by the exact reciprocal.
+fn exact(corners: [i32; 3], corners_w: [f64; 3], w: f64) -> f64 {
     let nearest = corners_w.into_iter().fold(f64::MAX, f64::min);
     let farthest = corners_w.into_iter().fold(0., f64::max);
     let q = 2_f64.powi(30) * nearest / w;
@@ -47,10 +81,42 @@ pub fn perspective(corners: [i32; 3], corners_w: [f64; 3], w: f64) -> f64 {
     2_f64.powi(bits(corners)) * (relative + ends + 2_f64.powi(-29)) + 1.
 }
 
-/// The same under a parallel projection: the numerator is a · 2^(30 - bits).
-pub fn parallel(corners: [i32; 3]) -> f64 {
-    let ends = if bits(corners) < 32 { 0. } else { 128. };
-    2_f64.powi(bits(corners) - 30) * (NUMERATOR - INVERSE_W / 2. + ends) + 1.
+/// What `Newton` adds to that.
+///
+/// Interpolants have 28 bits, so that their unit is 2²⁸ / Q of the attribute, and Q is 2²⁹ at least:
+/// half of the attribute's unit.
+/// - They have those from the start where no corner's Q is 2²⁹ or less. Then the 56½ units that they are off by
+///   are 28¼ of the attribute, 28.3 with what Q may be below that of the corners, instead of what they are in
+///   the attribute's own bits.
+/// - Elsewhere a run's are shifted, and start and 63 steps rounded to the nearest once more: 32 units are 16.
+///
+/// The reciprocal: 1/w changes by δ ≤ 2⁻⁶ of itself per pixel. Two reciprocals extended in a line are off at
+/// the third by 2δ² + 6δ³ + … of it, and by three times what they are off themselves; a Newton step
+/// squares that. 2⁻¹¹ · (1 + 2⁻⁴) squared is 1.13 · 2⁻²², and what the products of the step lose, 2⁻²⁷ of it at
+/// most, is far from the other 0.87: 2⁻²¹ of the attribute. Its product with the numerator is rounded down
+/// to a unit, as the exact quotient is.
+///
+/// An attribute of more bits, and one beside it, is divided exactly.
+fn newton(corners: [i32; 3]) -> f64 {
+    let lacks = NEWTON_BITS - bits(corners);
+    if lacks < 0 {
+        return 0.;
+    }
+    let units = 28.3 * (1. - 2_f64.powi(-lacks));
+    units.max(16.) + f64::from(size(corners)) * 2_f64.powi(-21)
+}
+
+/// What a value may be off by under a parallel projection, where the numerator is a · 2^(30 - bits), and in
+/// modes that do not divide.
+pub fn parallel(mode: Mode, corners: [i32; 3]) -> f64 {
+    let bits = bits(corners);
+    let numerator = NUMERATOR - INVERSE_W / 2.;
+    // `Affine`'s unit is the attribute's, to which nothing is rounded.
+    if mode.in_parallel() == Mode::Affine && bits <= AFFINE_BITS {
+        return numerator;
+    }
+    let ends = if bits < 32 { 0. } else { 128. };
+    2_f64.powi(bits - 30) * (numerator + ends) + 1.
 }
 
 /// By how many steps a 16-bit depth may be off before it is rounded down: the error of 1/w where

@@ -6,6 +6,7 @@ use fixel::view::{Kind, Parallel, Perspective};
 use proptest::prelude::*;
 
 use crate::drawing::{Drawing, Spot};
+use crate::mode::Mode;
 use crate::moves::{Move, exact, product, quantised, radians};
 use crate::reference::linear::{self, point};
 use crate::reference::projection::{self, Lens};
@@ -85,6 +86,7 @@ fn compare<K: Kind>(
     let drawing = Drawing {
         size: SIZE,
         pass: Pass::new().viewport(viewport),
+        mode: Mode::Exact,
         mesh: Mesh::new(&[], &[]).unwrap(),
         chain: lens * transform,
     };
@@ -288,6 +290,7 @@ proptest! {
         let drawing = Drawing {
             size: SIZE,
             pass: Pass::new(),
+            mode: Mode::Exact,
             mesh: Mesh::new(&[], &[]).unwrap(),
             chain: lens.0 * transform,
         };

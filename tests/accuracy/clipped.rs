@@ -5,6 +5,7 @@ use proptest::prelude::*;
 
 use crate::bounds;
 use crate::drawing::Drawing;
+use crate::mode::Mode;
 use crate::moves::{exact, quantised};
 use crate::reference::coverage::centre;
 use crate::reference::distance::to_triangle;
@@ -43,9 +44,10 @@ proptest! {
         positions in triangles(),
         values in prop::array::uniform2([-(4_i32 << 24)..4 << 24, 0..256, 0..1 << 24]),
     ) {
-        let drawing = Drawing {
+        let mut drawing = Drawing {
             size: SIZE,
             pass: Pass::new().cull(Cull::Nothing),
+            mode: Mode::Exact,
             mesh: Mesh::new(&positions, &[[0, 1, 2]]).unwrap(),
             chain: Projection::from_focal_length(fx!(100), SIZE, fx!(0.25), fx!(50)).unwrap()
                 * Transform::IDENTITY,
@@ -61,10 +63,11 @@ proptest! {
             attributes: &[[0, 1, 2].map(|corner: usize| values.map(|v| f64::from(v[corner])))],
         };
         let pieces = pieces(&mesh, &view);
-        let seen = drawing.all(&|vertex| {
+        let attributes = |vertex: &Vertex<'_>| {
             let corner = positions.iter().position(|&p| p == vertex.position());
             values.map(|value| value[corner.unwrap()])
-        });
+        };
+        let seen = drawing.all(&attributes);
 
         // Every centre that is farther inside than corners move, and none that is farther outside.
         let mut drawn = vec![0; SIZE.0 as usize * SIZE.1 as usize];
@@ -88,34 +91,50 @@ proptest! {
             }
         }
 
+        // The corners that clipping makes may be as near as the near plane, or as far as the far one.
+        let w = pieces.iter().flat_map(|piece| piece.w);
+        let ends = [w.clone().fold(50., f64::min), w.fold(0.25, f64::max)];
+        let mut farthest = [0_f64; SIZE.1 as usize];
+        let mut models = Vec::with_capacity(seen.len());
         for seen in &seen {
             let Some((gap, piece)) = nearest(&pieces, seen.pixel) else {
                 return Err(TestCaseError::fail("the model has nothing"));
             };
             prop_assert!(gap <= SNAP, "{gap} outside at {:?}", seen.pixel);
             let model = piece.at(seen.pixel).unwrap();
-            // The corners that clipping makes may be as near as the near plane, or as far as the far one.
-            let w = pieces.iter().flat_map(|piece| piece.w);
-            let ends = [w.clone().fold(50., f64::min), w.fold(0.25, f64::max)];
-            for (k, &corners) in values.iter().enumerate() {
-                let error = (f64::from(seen.values[k]) - model.attributes[k]).abs();
-                let gradient = model.dx[k].hypot(model.dy[k]);
-                // A cut is rounded down twice.
-                let bound = SNAP * gradient + 2. + bounds::perspective(corners, [ends[0], ends[1], ends[1]], model.w);
+            let row = &mut farthest[usize::try_from(seen.pixel[1]).unwrap()];
+            *row = row.max(model.w);
+            models.push(model);
+        }
+        for mode in Mode::PERSPECTIVE {
+            drawing.mode = mode;
+            let again = drawing.all(&attributes);
+            prop_assert_eq!(again.len(), seen.len());
+            for ((seen, model), first) in again.iter().zip(&models).zip(&seen) {
+                prop_assert_eq!(seen.pixel, first.pixel);
+                let row = usize::try_from(seen.pixel[1]).unwrap();
+                for (k, &corners) in values.iter().enumerate() {
+                    let error = (f64::from(seen.values[k]) - model.attributes[k]).abs();
+                    let gradient = model.dx[k].hypot(model.dy[k]);
+                    // A cut is rounded down twice.
+                    let bound = SNAP * gradient + 2. + bounds::perspective(
+                        mode, corners, [ends[0], ends[1], ends[1]], model.w, farthest[row],
+                    );
+                    prop_assert!(
+                        error <= bound,
+                        "{mode:?}: {:?} gives {} at {:?}, not {}: off by {error}, over {bound}",
+                        positions, seen.values[k], seen.pixel, model.attributes[k],
+                    );
+                }
+                let depth = view.lens.depth(model.w);
+                let gradient = model.inverse_w_gradient;
+                let moved = SNAP * 65535. * 0.25 * gradient[0].hypot(gradient[1]) + bounds::DEPTH;
+                let stored = f64::from(seen.depth);
                 prop_assert!(
-                    error <= bound,
-                    "{:?} gives {} at {:?}, not {}: off by {error}, over {bound}",
-                    positions, seen.values[k], seen.pixel, model.attributes[k],
+                    stored <= depth + moved && depth < stored + 1. + moved,
+                    "{mode:?}: depth {stored} is not {depth}"
                 );
             }
-            let depth = view.lens.depth(model.w);
-            let gradient = model.inverse_w_gradient;
-            let moved = SNAP * 65535. * 0.25 * gradient[0].hypot(gradient[1]) + bounds::DEPTH;
-            let stored = f64::from(seen.depth);
-            prop_assert!(
-                stored <= depth + moved && depth < stored + 1. + moved,
-                "depth {stored} is not {depth}"
-            );
         }
     }
 }

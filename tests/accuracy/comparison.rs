@@ -1,11 +1,14 @@
 //! A scene drawn by the crate and by the model, and all that differs.
 
+use std::collections::HashMap;
+
 use fixel::number::{TexCoord, tex_coord};
 use fixel::prelude::*;
 use fixel::view::Perspective;
 
 use crate::bounds;
 use crate::drawing::{Drawing, Seen};
+use crate::mode::Mode;
 use crate::moves::{Move, exact, product, quantised};
 use crate::reference::coverage::{Bounds, centre};
 use crate::reference::raster::{self, Piece, culled, pieces};
@@ -99,10 +102,11 @@ impl Scene {
         }
     }
 
-    fn drawing(&self) -> Drawing<'_, Perspective> {
+    fn drawing(&self, mode: Mode) -> Drawing<'_, Perspective> {
         Drawing {
             size: SIZE,
             pass: Pass::new(),
+            mode,
             mesh: Mesh::new(&self.positions, &self.faces)
                 .unwrap()
                 .with_uvs(&self.uvs, Some(&self.uv_faces))
@@ -112,13 +116,9 @@ impl Scene {
     }
 
     /// Draws and compares. No vertex may be outside the near and far planes or the guard band.
-    pub fn compare(&self) -> Comparison {
-        self.compare_with(&self.shape, &self.view)
-    }
-
-    /// The same with other numbers for the model, such as those before they were rounded.
-    pub fn compare_with(&self, shape: &Shape, view: &View) -> Comparison {
-        let drawing = self.drawing();
+    pub fn compare(&self, mode: Mode) -> Comparison {
+        let Self { shape, view, .. } = self;
+        let drawing = self.drawing(mode);
         let values = |vertex: &Vertex<'_>| {
             let [u, v] = vertex.uv().to_bits();
             [u << 4, v << 4, vertex.distance().to_bits()]
@@ -153,7 +153,7 @@ impl Scene {
             outside: 0,
             pixels,
         };
-        comparison.attributes(&snapped, &unsnapped, view);
+        comparison.attributes(mode, &snapped, &unsnapped, view);
         comparison.unrounded(&unrounded);
         comparison.coverage(snapped.clone(), unsnapped);
         comparison.order(&drawing.shown(&values), &snapped, view);
@@ -177,8 +177,20 @@ fn at(pieces: &[Piece<2>], seen: &Seen<3>) -> raster::Hit<2> {
 }
 
 impl Comparison {
-    fn attributes(&mut self, snapped: &[Piece<2>], unsnapped: &[Piece<2>], view: &View) {
+    fn attributes(
+        &mut self,
+        mode: Mode,
+        snapped: &[Piece<2>],
+        unsnapped: &[Piece<2>],
+        view: &View,
+    ) {
         let unit = TEXELS / 2_f64.powi(UV_BITS);
+        // The farthest pixel of each face on each row.
+        let mut farthest: HashMap<(usize, i32), f64> = HashMap::new();
+        for seen in &self.pixels {
+            let row = farthest.entry((seen.face, seen.pixel[1])).or_default();
+            *row = row.max(at(snapped, seen).distance);
+        }
         for (i, seen) in self.pixels.iter().enumerate() {
             let texels = [0, 1].map(|k: usize| f64::from(seen.values[k]) * unit);
             let error = |value: &[f64; 2], k: usize| (texels[k] - value[k] * TEXELS).abs();
@@ -189,9 +201,10 @@ impl Comparison {
             let distance = (f64::from(seen.values[2]) - hit.distance * 65536.).abs();
             self.distance.add(distance, i);
             let piece = &snapped[seen.face];
+            let farthest = farthest[&(seen.face, seen.pixel[1])];
             let allowed = |corners: [f64; 3], unit: f64| {
                 let corners = corners.map(|value| (value * unit).round() as i32);
-                bounds::perspective(corners, piece.w, hit.distance)
+                bounds::perspective(mode, corners, piece.w, hit.distance, farthest)
             };
             for (k, error) in [u, v].into_iter().enumerate() {
                 let allowed = allowed(piece.attributes.map(|corner| corner[k]), TEXELS / unit);

@@ -6,6 +6,8 @@ use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
 use fixel::view::Kind;
 
+use crate::mode::Mode;
+
 /// What a fragment was given at a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seen<const N: usize> {
@@ -65,7 +67,9 @@ impl<const N: usize> Fragment<N> for Recorder<'_, N> {
 /// What is drawn, and how.
 pub struct Drawing<'a, K> {
     pub size: (u32, u32),
+    /// All but the mode.
     pub pass: Pass,
+    pub mode: Mode,
     pub mesh: Mesh<'a>,
     pub chain: Chain<K>,
 }
@@ -96,7 +100,10 @@ impl<K: Kind> Drawing<'_, K> {
             face: 0,
             draws,
         };
-        canvas.draw_with(&self.pass, &self.mesh, &self.chain, &recorder);
+        let Self {
+            mode, pass, mesh, ..
+        } = self;
+        mode.draw(&mut canvas, pass, mesh, &self.chain, &recorder);
         seen.into_inner()
     }
 

@@ -14,6 +14,7 @@ mod chains;
 mod clipped;
 mod comparison;
 mod drawing;
+mod mode;
 mod moves;
 mod pictures;
 mod sine;

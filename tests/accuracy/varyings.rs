@@ -7,8 +7,9 @@ use proptest::prelude::*;
 
 use crate::bounds;
 use crate::drawing::Drawing;
+use crate::mode::Mode;
 use crate::reference::attributes::at_pixel_snapped;
-use crate::reference::coverage::covered;
+use crate::reference::coverage::{Snapped, covered};
 
 /// More than two runs wide.
 const SIZE: (u32, u32) = (160, 48);
@@ -72,57 +73,120 @@ fn corners() -> impl Strategy<Value = [i32; 3]> {
     ]
 }
 
+/// Attributes that have nothing to do with one another, or that are all of a size, as u and v are.
 fn values() -> impl Strategy<Value = [[i32; 3]; VALUES]> {
-    prop::array::uniform3(corners())
+    prop_oneof![
+        prop::array::uniform3(corners()),
+        (8..31_u32).prop_flat_map(|bits| {
+            let range = -(1 << bits)..1 << bits;
+            prop::array::uniform3([range.clone(), range.clone(), range])
+        }),
+    ]
 }
 
-/// Draws a triangle whose corners are `positions`, and compares every pixel with `model`, which
-/// gives w at a pixel, and `bound`, what a value may be off by.
-fn compare<K: Kind>(
+/// A triangle, and what the model makes of it.
+struct Case<'a, K> {
     chain: Chain<K>,
     positions: [Vec3; 3],
-    values: &[[i32; 3]; VALUES],
+    values: &'a [[i32; 3]; VALUES],
+    /// What values are divided by.
     w: [f64; 3],
-    bound: impl Fn([i32; 3], f64) -> f64,
-) -> Result<(), TestCaseError> {
-    let drawing = Drawing {
-        size: SIZE,
-        pass: Pass::new().cull(Cull::Nothing),
-        mesh: Mesh::new(&positions, &[[0, 1, 2]]).unwrap(),
-        chain,
-    };
-    let [Some(a), Some(b), Some(c)] = drawing.places(&positions)[..] else {
-        // Rounding took a corner out of the guard band.
-        return Err(TestCaseError::reject("clipped"));
-    };
-    prop_assume!(a != b && b != c && c != a);
-    let seen = drawing.all(&|vertex| {
-        let corner = positions.iter().position(|&p| p == vertex.position());
-        values.map(|value| value[corner.unwrap()])
-    });
+    /// The corners' depths as the lens has them, which are linear on the screen.
+    depth: [f64; 3],
+}
 
-    let mut pixels: Vec<_> = seen.iter().map(|seen| seen.pixel).collect();
-    pixels.sort_by_key(|[x, y]| (*y, *x));
-    let model: Vec<_> = covered([a, b, c], SIZE.0, SIZE.1).collect();
-    prop_assert_eq!(pixels, model);
+/// What the model has at a pixel.
+struct Model {
+    pixel: [i32; 2],
+    w: f64,
+    /// The greatest w of the pixel's row.
+    farthest: f64,
+    values: [f64; VALUES],
+    depth: f64,
+}
 
-    let attributes = [0, 1, 2].map(|corner: usize| values.map(|v| f64::from(v[corner])));
-    for seen in &seen {
-        let model = at_pixel_snapped([a, b, c], w, &attributes, seen.pixel).unwrap();
-        for (k, &value) in values.iter().enumerate() {
-            let error = (f64::from(seen.values[k]) - model.attributes[k]).abs();
-            let bound = bound(value, model.w);
-            prop_assert!(
-                error <= bound,
-                "{value:?} at {w:?} on {:?} gives {} at {:?}, not {}: off by {error}, over {bound}",
-                [a, b, c],
-                seen.values[k],
-                seen.pixel,
-                model.attributes[k],
-            );
+impl<K: Kind> Case<'_, K> {
+    /// What there is at the pixels of a triangle, row by row.
+    fn model(&self, screen: Snapped) -> Vec<Model> {
+        let attributes = [0, 1, 2].map(|corner: usize| self.values.map(|v| f64::from(v[corner])));
+        let depth = self.depth.map(|depth| [depth]);
+        let at = |pixel| Model {
+            pixel,
+            w: 0.,
+            farthest: 0.,
+            values: [0.; VALUES],
+            depth: at_pixel_snapped(screen, [1.; 3], &depth, pixel)
+                .unwrap()
+                .attributes[0],
+        };
+        let mut pixels: Vec<Model> = covered(screen, SIZE.0, SIZE.1).map(at).collect();
+        for model in &mut pixels {
+            let value = at_pixel_snapped(screen, self.w, &attributes, model.pixel).unwrap();
+            (model.w, model.values) = (value.w, value.attributes);
         }
+        for row in pixels.chunk_by_mut(|a, b| a.pixel[1] == b.pixel[1]) {
+            let farthest = row.iter().fold(0., |most: f64, model| most.max(model.w));
+            for model in row {
+                model.farthest = farthest;
+            }
+        }
+        pixels
     }
-    Ok(())
+
+    /// Draws the triangle in some modes, and compares every pixel with the model and with `bound`,
+    /// which tells what a value may be off by.
+    fn compare(
+        &self,
+        modes: &[Mode],
+        bound: impl Fn(Mode, [i32; 3], &Model) -> f64,
+    ) -> Result<(), TestCaseError> {
+        let positions = self.positions;
+        let mut drawing = Drawing {
+            size: SIZE,
+            pass: Pass::new().cull(Cull::Nothing),
+            mode: Mode::Exact,
+            mesh: Mesh::new(&positions, &[[0, 1, 2]]).unwrap(),
+            chain: self.chain,
+        };
+        let [Some(a), Some(b), Some(c)] = drawing.places(&positions)[..] else {
+            // Rounding took a corner out of the guard band.
+            return Err(TestCaseError::reject("clipped"));
+        };
+        prop_assume!(a != b && b != c && c != a);
+        let model = self.model([a, b, c]);
+        for &mode in modes {
+            drawing.mode = mode;
+            let mut seen = drawing.all(&|vertex| {
+                let corner = positions.iter().position(|&p| p == vertex.position());
+                self.values.map(|value| value[corner.unwrap()])
+            });
+            seen.sort_by_key(|seen| (seen.pixel[1], seen.pixel[0]));
+            let pixels = seen.iter().map(|seen| seen.pixel);
+            prop_assert!(pixels.eq(model.iter().map(|model| model.pixel)));
+            for (seen, model) in seen.iter().zip(&model) {
+                for (k, &value) in self.values.iter().enumerate() {
+                    let error = (f64::from(seen.values[k]) - model.values[k]).abs();
+                    let bound = bound(mode, value, model);
+                    prop_assert!(
+                        error <= bound,
+                        "{mode:?}: {value:?} at {:?} on {:?} gives {} at {:?}, not {}: off by {error}, over {bound}",
+                        self.w,
+                        [a, b, c],
+                        seen.values[k],
+                        seen.pixel,
+                        model.values[k],
+                    );
+                }
+                let (stored, depth) = (f64::from(seen.depth), model.depth);
+                prop_assert!(
+                    stored <= depth + bounds::DEPTH && depth < stored + 1. + bounds::DEPTH,
+                    "{mode:?}: depth {stored} at {:?} is not {depth}",
+                    seen.pixel,
+                );
+            }
+        }
+        Ok(())
+    }
 }
 
 fn point([x, y, z]: [f64; 3]) -> Option<Vec3> {
@@ -151,8 +215,16 @@ proptest! {
         let lens = Projection::<Perspective>::from_focal_length(
             Scalar::from_num(FOCAL), SIZE, NEAR, fx!(32767),
         ).unwrap();
-        let bound = |corners, at| bounds::perspective(corners, w, at);
-        compare(lens.into(), positions, &values, w, bound)?;
+        let near: f64 = NEAR.to_num();
+        let depth = w.map(|w| 65535. * near / w);
+        let chain = lens.into();
+        let case = Case { chain, positions, values: &values, w, depth };
+        case.compare(&Mode::PERSPECTIVE, |mode, corners, at| {
+            bounds::perspective(mode, corners, w, at.w, at.farthest)
+        })?;
+        // What does not divide is linear on the screen under any lens.
+        let case = Case { w: [1.; 3], ..case };
+        case.compare(&[Mode::Affine, Mode::Linear], |mode, corners, _| bounds::parallel(mode, corners))?;
     }
 
     #[test]
@@ -169,7 +241,9 @@ proptest! {
         let lens = Projection::orthographic(
             fx!(0), fx!(160), fx!(0), fx!(48), fx!(0), fx!(100),
         ).unwrap();
-        let bound = |corners, _| bounds::parallel(corners);
-        compare(lens.into(), [corner(0), corner(1), corner(2)], &values, [1.; 3], bound)?;
+        let positions = [corner(0), corner(1), corner(2)];
+        let depth = positions.map(|p| 65535. * (1. + p.z.to_num::<f64>() / 100.));
+        let case = Case { chain: lens.into(), positions, values: &values, w: [1.; 3], depth };
+        case.compare(&Mode::PARALLEL, |mode, corners, _| bounds::parallel(mode, corners))?;
     }
 }

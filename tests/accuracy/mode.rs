@@ -1,0 +1,76 @@
+//! The modes of interpolation as values, to be gone through.
+
+use embedded_graphics::pixelcolor::Gray8;
+use fixel::interpolate::{Affine, Exact, Fast, Linear, Newton};
+use fixel::prelude::*;
+use fixel::target::{Depth, Native};
+use fixel::view::Kind;
+
+/// A mode, and what it was asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Mode {
+    Exact,
+    Newton,
+    /// To so many texels.
+    Fast(Scalar),
+    Affine,
+    Linear,
+}
+
+impl Mode {
+    /// Those that are right in perspective.
+    pub const PERSPECTIVE: [Self; 6] = [
+        Self::Exact,
+        Self::Newton,
+        Self::Fast(fx!(0)),
+        Self::Fast(fx!(0.0625)),
+        Self::Fast(fx!(0.5)),
+        Self::Fast(fx!(4)),
+    ];
+
+    /// Those that differ in a parallel projection, and those that are to be the same as they.
+    pub const PARALLEL: [Self; 5] = [
+        Self::Exact,
+        Self::Newton,
+        Self::Fast(fx!(0.25)),
+        Self::Affine,
+        Self::Linear,
+    ];
+
+    /// The mode that this one is in a parallel projection.
+    pub fn in_parallel(self) -> Self {
+        match self {
+            Self::Exact | Self::Linear => Self::Linear,
+            Self::Newton | Self::Fast(_) | Self::Affine => Self::Affine,
+        }
+    }
+
+    /// Texels of 256 that it promises to be off by at most, in a picture of 320x240, given where vertices are.
+    pub fn promised(self) -> f64 {
+        match self {
+            Self::Exact | Self::Newton => 0.001,
+            Self::Fast(texels) => texels.to_num::<f64>() + 1. / 32.,
+            Self::Affine | Self::Linear => f64::INFINITY,
+        }
+    }
+
+    /// Draws in this mode, whatever mode the pass has.
+    pub fn draw<K: Kind, F: Fragment<N, Color = Gray8>, const N: usize>(
+        self,
+        canvas: &mut Canvas<'_, Gray8, Native, Depth<'_>>,
+        pass: &Pass,
+        mesh: &Mesh<'_>,
+        chain: &Chain<K>,
+        fragment: &F,
+    ) {
+        match self {
+            Self::Exact => canvas.draw_with(&pass.mode(Exact), mesh, chain, fragment),
+            Self::Newton => canvas.draw_with(&pass.mode(Newton), mesh, chain, fragment),
+            Self::Fast(texels) => {
+                canvas.draw_with(&pass.mode(Fast::within(texels)), mesh, chain, fragment)
+            }
+            Self::Affine => canvas.draw_with(&pass.mode(Affine), mesh, chain, fragment),
+            Self::Linear => canvas.draw_with(&pass.mode(Linear), mesh, chain, fragment),
+        };
+    }
+}
