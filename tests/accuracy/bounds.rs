@@ -64,14 +64,9 @@ pub fn perspective(
 
 /// The same where every pixel is divided by the exact reciprocal.
 fn exact(corners: [i32; 3], corners_w: [f64; 3], w: f64) -> f64 {
-    let nearest = corners_w.into_iter().fold(f64::MAX, f64::min);
-    let farthest = corners_w.into_iter().fold(0., f64::max);
+    let [nearest, farthest] = ends(corners_w);
     let q = 2_f64.powi(30) * nearest / w;
-    let lifted = if farthest / nearest > 2_f64.powi(19) {
-        LEAST
-    } else {
-        0.
-    };
+    let lifted = lifted(corners_w);
     // Every pixel's 1/w is at least that of a lifted corner.
     let relative = (NUMERATOR + lifted) / (q.max(LEAST) - INVERSE_W);
     // Values at the ends of the format are drawn in by 64 units of the least 1/w, or up to twice that.
@@ -79,6 +74,24 @@ fn exact(corners: [i32; 3], corners_w: [f64; 3], w: f64) -> f64 {
     let ends = if bits(corners) < 32 { 0. } else { 128. / least };
     // The quotient has 30 bits like the reciprocal, and is rounded down to a unit.
     2_f64.powi(bits(corners)) * (relative + ends + 2_f64.powi(-29)) + 1.
+}
+
+/// The nearest and the farthest corner.
+fn ends(w: [f64; 3]) -> [f64; 2] {
+    [
+        w.into_iter().fold(f64::MAX, f64::min),
+        w.into_iter().fold(0., f64::max),
+    ]
+}
+
+/// Units of 1/w that a corner may be lifted by.
+fn lifted(w: [f64; 3]) -> f64 {
+    let [nearest, farthest] = ends(w);
+    if farthest / nearest > 2_f64.powi(19) {
+        LEAST
+    } else {
+        0.
+    }
 }
 
 /// What `Newton` adds to that.
@@ -122,3 +135,8 @@ pub fn parallel(mode: Mode, corners: [i32; 3]) -> f64 {
 /// By how many steps a 16-bit depth may be off before it is rounded down: the error of 1/w where
 /// 2³⁰ is 65,536 steps at most, and 2⁻²⁹ for the reciprocal of the near plane's distance.
 pub const DEPTH: f64 = (INVERSE_W + 3.) / 16384.;
+
+/// The same for a triangle of these corners, one of which may be lifted.
+pub fn depth(corners_w: [f64; 3]) -> f64 {
+    DEPTH + lifted(corners_w) / 16384.
+}

@@ -93,6 +93,8 @@ struct Case<'a, K> {
     w: [f64; 3],
     /// The corners' depths as the lens has them, which are linear on the screen.
     depth: [f64; 3],
+    /// What a depth may be off by, before it is rounded down.
+    depth_error: f64,
 }
 
 /// What the model has at a pixel.
@@ -179,7 +181,7 @@ impl<K: Kind> Case<'_, K> {
                 }
                 let (stored, depth) = (f64::from(seen.depth), model.depth);
                 prop_assert!(
-                    stored <= depth + bounds::DEPTH && depth < stored + 1. + bounds::DEPTH,
+                    stored <= depth + self.depth_error && depth < stored + 1. + self.depth_error,
                     "{mode:?}: depth {stored} at {:?} is not {depth}",
                     seen.pixel,
                 );
@@ -218,7 +220,8 @@ proptest! {
         let near: f64 = NEAR.to_num();
         let depth = w.map(|w| 65535. * near / w);
         let chain = lens.into();
-        let case = Case { chain, positions, values: &values, w, depth };
+        let depth_error = bounds::depth(w);
+        let case = Case { chain, positions, values: &values, w, depth, depth_error };
         case.compare(&Mode::PERSPECTIVE, |mode, corners, at| {
             bounds::perspective(mode, corners, w, at.w, at.farthest)
         })?;
@@ -243,7 +246,7 @@ proptest! {
         ).unwrap();
         let positions = [corner(0), corner(1), corner(2)];
         let depth = positions.map(|p| 65535. * (1. + p.z.to_num::<f64>() / 100.));
-        let case = Case { chain: lens.into(), positions, values: &values, w: [1.; 3], depth };
+        let case = Case { chain: lens.into(), positions, values: &values, w: [1.; 3], depth, depth_error: bounds::DEPTH };
         case.compare(&Mode::PARALLEL, |mode, corners, _| bounds::parallel(mode, corners))?;
     }
 }
