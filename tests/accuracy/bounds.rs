@@ -55,9 +55,7 @@ pub fn perspective(
         Mode::Newton => exact(corners, corners_w, w) + newton(corners),
         // Both ends of a piece are exact, and straight between them so is no pixel worse than the
         // worse of the two. 63 gains at most, each rounded by less than a unit.
-        Mode::Fast(texels) => {
-            exact(corners, corners_w, farthest) + texels.to_num::<f64>() * TEXEL + 63.
-        }
+        Mode::Fast(_) => exact(corners, corners_w, farthest) + mode.tolerance() * TEXEL + 63.,
         Mode::Affine | Mode::Linear => panic!("{mode:?} does not divide by w"),
     }
 }

@@ -17,6 +17,8 @@ mod drawing;
 mod mode;
 mod moves;
 mod pictures;
+mod promises;
 mod sine;
 mod spread;
+mod triangle;
 mod varyings;

@@ -49,8 +49,16 @@ impl Mode {
     pub fn promised(self) -> f64 {
         match self {
             Self::Exact | Self::Newton => 0.001,
-            Self::Fast(texels) => texels.to_num::<f64>() + 1. / 32.,
+            Self::Fast(_) => self.tolerance() + 1. / 32.,
             Self::Affine | Self::Linear => f64::INFINITY,
+        }
+    }
+
+    /// Texels that it was told it may be off by.
+    pub fn tolerance(self) -> f64 {
+        match self {
+            Self::Fast(texels) => texels.to_num(),
+            _ => 0.,
         }
     }
 

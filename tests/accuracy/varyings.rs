@@ -6,10 +6,8 @@ use fixel::view::{Kind, Perspective};
 use proptest::prelude::*;
 
 use crate::bounds;
-use crate::drawing::Drawing;
 use crate::mode::Mode;
-use crate::reference::attributes::at_pixel_snapped;
-use crate::reference::coverage::{Snapped, covered};
+use crate::triangle::{Model, Triangle};
 
 /// More than two runs wide.
 const SIZE: (u32, u32) = (160, 48);
@@ -84,111 +82,45 @@ fn values() -> impl Strategy<Value = [[i32; 3]; VALUES]> {
     ]
 }
 
-/// A triangle, and what the model makes of it.
-struct Case<'a, K> {
-    chain: Chain<K>,
-    positions: [Vec3; 3],
-    values: &'a [[i32; 3]; VALUES],
-    /// What values are divided by.
-    w: [f64; 3],
-    /// The corners' depths as the lens has them, which are linear on the screen.
-    depth: [f64; 3],
-    /// What a depth may be off by, before it is rounded down.
+/// Draws a triangle in some modes, and compares every pixel with the model and with `bound`, which
+/// tells what a value may be off by; a depth may be by `depth_error`, before it is rounded down.
+fn compare<K: Kind>(
+    triangle: &Triangle<K, VALUES>,
+    modes: &[Mode],
     depth_error: f64,
-}
-
-/// What the model has at a pixel.
-struct Model {
-    pixel: [i32; 2],
-    w: f64,
-    /// The greatest w of the pixel's row.
-    farthest: f64,
-    values: [f64; VALUES],
-    depth: f64,
-}
-
-impl<K: Kind> Case<'_, K> {
-    /// What there is at the pixels of a triangle, row by row.
-    fn model(&self, screen: Snapped) -> Vec<Model> {
-        let attributes = [0, 1, 2].map(|corner: usize| self.values.map(|v| f64::from(v[corner])));
-        let depth = self.depth.map(|depth| [depth]);
-        let at = |pixel| Model {
-            pixel,
-            w: 0.,
-            farthest: 0.,
-            values: [0.; VALUES],
-            depth: at_pixel_snapped(screen, [1.; 3], &depth, pixel)
-                .unwrap()
-                .attributes[0],
-        };
-        let mut pixels: Vec<Model> = covered(screen, SIZE.0, SIZE.1).map(at).collect();
-        for model in &mut pixels {
-            let value = at_pixel_snapped(screen, self.w, &attributes, model.pixel).unwrap();
-            (model.w, model.values) = (value.w, value.attributes);
-        }
-        for row in pixels.chunk_by_mut(|a, b| a.pixel[1] == b.pixel[1]) {
-            let farthest = row.iter().fold(0., |most: f64, model| most.max(model.w));
-            for model in row {
-                model.farthest = farthest;
-            }
-        }
-        pixels
-    }
-
-    /// Draws the triangle in some modes, and compares every pixel with the model and with `bound`,
-    /// which tells what a value may be off by.
-    fn compare(
-        &self,
-        modes: &[Mode],
-        bound: impl Fn(Mode, [i32; 3], &Model) -> f64,
-    ) -> Result<(), TestCaseError> {
-        let positions = self.positions;
-        let mut drawing = Drawing {
-            size: SIZE,
-            pass: Pass::new().cull(Cull::Nothing),
-            mode: Mode::Exact,
-            mesh: Mesh::new(&positions, &[[0, 1, 2]]).unwrap(),
-            chain: self.chain,
-        };
-        let [Some(a), Some(b), Some(c)] = drawing.places(&positions)[..] else {
-            // Rounding took a corner out of the guard band.
-            return Err(TestCaseError::reject("clipped"));
-        };
-        prop_assume!(a != b && b != c && c != a);
-        let model = self.model([a, b, c]);
-        for &mode in modes {
-            drawing.mode = mode;
-            let mut seen = drawing.all(&|vertex| {
-                let corner = positions.iter().position(|&p| p == vertex.position());
-                self.values.map(|value| value[corner.unwrap()])
-            });
-            seen.sort_by_key(|seen| (seen.pixel[1], seen.pixel[0]));
-            let pixels = seen.iter().map(|seen| seen.pixel);
-            prop_assert!(pixels.eq(model.iter().map(|model| model.pixel)));
-            for (seen, model) in seen.iter().zip(&model) {
-                for (k, &value) in self.values.iter().enumerate() {
-                    let error = (f64::from(seen.values[k]) - model.values[k]).abs();
-                    let bound = bound(mode, value, model);
-                    prop_assert!(
-                        error <= bound,
-                        "{mode:?}: {value:?} at {:?} on {:?} gives {} at {:?}, not {}: off by {error}, over {bound}",
-                        self.w,
-                        [a, b, c],
-                        seen.values[k],
-                        seen.pixel,
-                        model.values[k],
-                    );
-                }
-                let (stored, depth) = (f64::from(seen.depth), model.depth);
+    bound: impl Fn(Mode, [i32; 3], &Model<VALUES>) -> f64,
+) -> Result<(), TestCaseError> {
+    let Some(screen) = triangle.screen() else {
+        // Rounding took a corner out of the guard band, or to another.
+        return Err(TestCaseError::reject("clipped"));
+    };
+    let model = triangle.model(screen);
+    for &mode in modes {
+        let seen = triangle.draw(mode);
+        let pixels = seen.iter().map(|seen| seen.pixel);
+        prop_assert!(pixels.eq(model.iter().map(|model| model.pixel)));
+        for (seen, model) in seen.iter().zip(&model) {
+            for (k, &value) in triangle.values.iter().enumerate() {
+                let error = (f64::from(seen.values[k]) - model.values[k]).abs();
+                let bound = bound(mode, value, model);
                 prop_assert!(
-                    stored <= depth + self.depth_error && depth < stored + 1. + self.depth_error,
-                    "{mode:?}: depth {stored} at {:?} is not {depth}",
+                    error <= bound,
+                    "{mode:?}: {value:?} at {:?} on {screen:?} gives {} at {:?}, not {}: off by {error}, over {bound}",
+                    triangle.w,
+                    seen.values[k],
                     seen.pixel,
+                    model.values[k],
                 );
             }
+            let (stored, depth) = (f64::from(seen.depth), model.depth);
+            prop_assert!(
+                stored <= depth + depth_error && depth < stored + 1. + depth_error,
+                "{mode:?}: depth {stored} at {:?} is not {depth}",
+                seen.pixel,
+            );
         }
-        Ok(())
     }
+    Ok(())
 }
 
 fn point([x, y, z]: [f64; 3]) -> Option<Vec3> {
@@ -220,14 +152,15 @@ proptest! {
         let near: f64 = NEAR.to_num();
         let depth = w.map(|w| 65535. * near / w);
         let chain = lens.into();
-        let depth_error = bounds::depth(w);
-        let case = Case { chain, positions, values: &values, w, depth, depth_error };
-        case.compare(&Mode::PERSPECTIVE, |mode, corners, at| {
+        let triangle = Triangle { size: SIZE, chain, positions, values, w, depth };
+        compare(&triangle, &Mode::PERSPECTIVE, bounds::depth(w), |mode, corners, at| {
             bounds::perspective(mode, corners, w, at.w, at.farthest)
         })?;
         // What does not divide is linear on the screen under any lens.
-        let case = Case { w: [1.; 3], ..case };
-        case.compare(&[Mode::Affine, Mode::Linear], |mode, corners, _| bounds::parallel(mode, corners))?;
+        let triangle = Triangle { w: [1.; 3], ..triangle };
+        compare(&triangle, &[Mode::Affine, Mode::Linear], bounds::depth(w), |mode, corners, _| {
+            bounds::parallel(mode, corners)
+        })?;
     }
 
     #[test]
@@ -246,7 +179,9 @@ proptest! {
         ).unwrap();
         let positions = [corner(0), corner(1), corner(2)];
         let depth = positions.map(|p| 65535. * (1. + p.z.to_num::<f64>() / 100.));
-        let case = Case { chain: lens.into(), positions, values: &values, w: [1.; 3], depth, depth_error: bounds::DEPTH };
-        case.compare(&Mode::PARALLEL, |mode, corners, _| bounds::parallel(mode, corners))?;
+        let triangle = Triangle { size: SIZE, chain: lens.into(), positions, values, w: [1.; 3], depth };
+        compare(&triangle, &Mode::PARALLEL, bounds::DEPTH, |mode, corners, _| {
+            bounds::parallel(mode, corners)
+        })?;
     }
 }

@@ -1,0 +1,307 @@
+//! What modes promise of textured triangles: any that 320x240 pixels may show, and those that are hardest.
+
+use fixel::number::scalar;
+use fixel::prelude::*;
+use fixel::view::Perspective;
+use proptest::prelude::*;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::TestRunner;
+
+use crate::bounds;
+use crate::mode::Mode;
+use crate::triangle::Triangle;
+
+const SIZE: (u32, u32) = (320, 240);
+const FOCAL: i16 = 200;
+/// Units of a texture coordinate in a repeat of 256 texels.
+const REPEAT: f64 = 16_777_216.;
+/// Units in a texel.
+const TEXEL: f64 = 65536.;
+
+/// A triangle: corners in pixels, 1/w there, u and v there in repeats.
+#[derive(Clone, Copy, Debug)]
+struct Case {
+    screen: [[f64; 2]; 3],
+    inverse_w: [f64; 3],
+    uv: [[f64; 3]; 2],
+}
+
+/// Corners in the picture and about it, thin, small, of few rows, or with a row of any length.
+fn shapes() -> impl Strategy<Value = [[f64; 2]; 3]> {
+    let about = || [-40.0..360.0, -40.0..280.0];
+    let offset = || [-6.0..6.0, -6.0..6.0];
+    let sum = |a: [f64; 2], b: [f64; 2]| [a[0] + b[0], a[1] + b[1]];
+    prop_oneof![
+        1 => [about(), about(), about()],
+        2 => (about(), about(), -0.2..1.2, [-0.5..0.5, -0.5..0.5]).prop_map(
+            move |(a, b, way, aside)| {
+                let between = [0, 1].map(|i: usize| a[i] + way * (b[i] - a[i]));
+                [a, b, sum(between, aside)]
+            }
+        ),
+        2 => ([0.0..320.0, 0.0..240.0], [offset(), offset(), offset()])
+            .prop_map(move |(at, corners)| corners.map(|corner| sum(at, corner))),
+        4 => (0.0..240.0, [about(), about(), about()]).prop_map(|(y, corners)| {
+            corners.map(|corner: [f64; 2]| [corner[0], y + corner[1] / 80.])
+        }),
+        4 => (1..=320_u32, 0.0..1.0, 0..240_u32, 0.0..1.0).prop_map(|(length, x, y, apex)| {
+            // The row through the middle is half as long as the base.
+            let (length, y) = (f64::from(length), f64::from(y));
+            let x = x * (320. - length);
+            [[x - length / 2., y], [x + 1.5 * length, y], [x + apex * length, y + 1.]]
+        }),
+    ]
+}
+
+/// How 1/w changes from left to right and from top to bottom of the picture, by how much of its
+/// least per pixel.
+fn slopes() -> impl Strategy<Value = [f64; 2]> {
+    let sign = prop::sample::select(vec![-1., 1.]);
+    let steep = prop_oneof![
+        2 => (-14.0..-4_f64).prop_map(f64::exp2),
+        // About where the reciprocal is no longer had from those before.
+        2 => (0.97..1.01).prop_map(|part| part / 64.),
+        1 => (-5.0..2_f64).prop_map(f64::exp2),
+    ];
+    (steep, sign, -1.0..1.0)
+        .prop_map(|(steep, sign, way): (f64, f64, f64)| [steep * sign, steep * way])
+}
+
+/// 1/w at three corners: on a slope across the picture, or anything up to a ratio of 1000.
+fn cases() -> impl Strategy<Value = Case> {
+    let apart = (0.0..10_f64, [0.0..1.0, 0.0..1.0, 0.0..1.0])
+        .prop_map(|(spread, at)| at.map(|at: f64| (-spread * at).exp2()));
+    let along = |from: f64, to: f64| [from..to, from..to, from..to];
+    let uv = prop_oneof![
+        2 => along(0., 1.),
+        1 => along(0., 4.),
+        1 => prop::array::uniform3(prop::sample::select(vec![0., 1.])),
+    ];
+    (
+        shapes(),
+        prop_oneof![slopes().prop_map(Ok), apart.prop_map(Err)],
+        [uv.clone(), uv],
+        0.5..4.,
+    )
+        .prop_map(|(screen, w, uv, nearest)| {
+            let mut inverse_w = match w {
+                Ok(slope) => screen.map(|[x, y]| slope[0] * x + slope[1] * y),
+                Err(inverse_w) => inverse_w,
+            };
+            let least = inverse_w.into_iter().fold(f64::MAX, f64::min);
+            if w.is_ok() {
+                inverse_w = inverse_w.map(|q| q - least + 1.);
+            }
+            let most = inverse_w.into_iter().fold(0., f64::max);
+            Case {
+                screen,
+                inverse_w: inverse_w.map(|q| q / most / nearest),
+                uv,
+            }
+        })
+}
+
+impl Case {
+    fn triangle(&self) -> Option<Triangle<Perspective, 2>> {
+        let mut positions = [Vec3::ZERO; 3];
+        for ((position, q), [x, y]) in positions.iter_mut().zip(self.inverse_w).zip(self.screen) {
+            let scale = 1. / q / f64::from(FOCAL);
+            let at = [(x - 160.) * scale, (120. - y) * scale, -1. / q].map(scalar);
+            let [Ok(x), Ok(y), Ok(z)] = at else {
+                return None;
+            };
+            *position = Vec3::new(x, y, z);
+        }
+        let w = positions.map(|p| -p.z.to_num::<f64>());
+        let lens = Projection::from_focal_length(
+            Scalar::from_num(FOCAL),
+            SIZE,
+            fx!(0.015_625),
+            fx!(32767),
+        );
+        Some(Triangle {
+            size: SIZE,
+            chain: lens.unwrap().into(),
+            positions,
+            values: self
+                .uv
+                .map(|corners| corners.map(|at| (at * REPEAT).round() as i32)),
+            w,
+            depth: w.map(|w| 65535. / 64. / w),
+        })
+    }
+}
+
+/// The worst that a mode does, in parts of what the formats allow; in texels beyond its tolerance where
+/// it makes a promise; and there how many pixels.
+#[derive(Clone, Copy, Debug, Default)]
+struct Worst {
+    allowed: f64,
+    texels: f64,
+    pixels: usize,
+}
+
+/// Repeats of a texture times the w of a pixel, in parts of the nearest corner's, up to which the promises hold.
+///
+/// An interpolant's unit is at most 4¼ repeats of 2⁻³⁰ · w, or 2⁻⁶ · 4¼ units of 2⁻¹⁶ texel for each w and repeat: 56½
+/// are 3¾ units. `Exact` is then within 61½ + 1 units up to 16 of this product, and 0.001 texel is 65½.
+/// `Newton` adds 16 to 21 units, and 8 for each repeat: by derivation the promise holds up to 10 for one
+/// repeat, and for four where w changes by an eighth. That takes roundings that all go one way, and the
+/// steepest slope throughout: up to 16 the promise is tested, and kept with half to spare.
+/// `Fast` may use 1/32 texel, 2048 units, of which 64 are for its gains: up to 512, of the run's farthest pixel.
+fn reach(mode: Mode) -> f64 {
+    match mode {
+        Mode::Fast(_) => 512.,
+        _ => 16.,
+    }
+}
+
+impl Case {
+    /// Draws the triangle in every mode, and holds each pixel to what the formats allow, and to the
+    /// promise where they allow for one.
+    fn check(&self, worst: &mut [Worst; MODES]) {
+        let Some(triangle) = self.triangle() else {
+            return;
+        };
+        let Some(screen) = triangle.screen() else {
+            return;
+        };
+        let model = triangle.model(screen);
+        let nearest = triangle.w.into_iter().fold(f64::MAX, f64::min);
+        for (mode, worst) in Mode::PERSPECTIVE.into_iter().zip(worst) {
+            let seen = triangle.draw(mode);
+            assert!(
+                seen.iter()
+                    .map(|seen| seen.pixel)
+                    .eq(model.iter().map(|model| model.pixel)),
+                "{self:?}"
+            );
+            let tolerance = mode.tolerance();
+            for (seen, model) in seen.iter().zip(&model) {
+                let far = match mode {
+                    Mode::Fast(_) => model.farthest,
+                    _ => model.w,
+                };
+                for (k, &corners) in triangle.values.iter().enumerate() {
+                    let error = (f64::from(seen.values[k]) - model.values[k]).abs();
+                    let at = || format!("{mode:?}: {self:?} at {:?}: {error}", seen.pixel);
+                    let [w, far_w] = [model.w, model.farthest];
+                    let allowed = bounds::perspective(mode, corners, triangle.w, w, far_w);
+                    assert!(error <= allowed, "{}, over {allowed}", at());
+                    worst.allowed = worst.allowed.max(error / allowed);
+
+                    let most = corners.into_iter().map(i32::unsigned_abs).max();
+                    let repeats = (f64::from(most.unwrap()) / REPEAT).max(1.);
+                    if repeats * far / nearest <= reach(mode) {
+                        let texels = error / TEXEL;
+                        assert!(texels <= mode.promised(), "{} is {texels} texels", at());
+                        worst.texels = worst.texels.max(texels - tolerance);
+                        worst.pixels += 1;
+                    }
+                }
+                // Depths are of 16 bits at the near plane, 1/64 ahead.
+                let (stored, depth) = (f64::from(seen.depth), model.depth);
+                assert!(
+                    stored <= depth + bounds::DEPTH && depth < stored + 1. + bounds::DEPTH,
+                    "{mode:?}: {self:?} at {:?}: depth {stored} is not {depth}",
+                    seen.pixel
+                );
+            }
+        }
+    }
+}
+
+const MODES: usize = Mode::PERSPECTIVE.len();
+
+fn print(name: &str, worst: &[Worst; MODES]) {
+    println!("{name}");
+    for (mode, worst) in Mode::PERSPECTIVE.iter().zip(worst) {
+        println!(
+            "  {mode:?}: {:.6} texels beyond its tolerance, at {} values; {:.3} of what is allowed",
+            worst.texels, worst.pixels, worst.allowed
+        );
+    }
+}
+
+/// The same triangles at every run.
+#[test]
+fn textured_triangles() {
+    let mut runner = TestRunner::deterministic();
+    let mut worst = [Worst::default(); MODES];
+    for _ in 0..1200 {
+        let case = cases().new_tree(&mut runner).unwrap().current();
+        case.check(&mut worst);
+    }
+    print("random triangles", &worst);
+    for worst in worst {
+        // Hardly any test is about what is beyond the promises.
+        assert!(worst.pixels > 500_000, "{}", worst.pixels);
+    }
+}
+
+/// One row of each length there is, on slopes of either sign, the steepest of which is beyond what one pixel's
+/// reciprocal is had from those before it.
+#[test]
+fn spans_of_every_length() {
+    let mut worst = [Worst::default(); MODES];
+    for length in 1..=SIZE.0 {
+        let long = f64::from(length);
+        for slope in [
+            0.,
+            1. / 1024.,
+            1. / 320.,
+            1. / 65.,
+            1. / 63.,
+            1. / 32.,
+            1. / 8.,
+            2.,
+        ] {
+            for [left, right] in [[0., 2. * long], [2. * long, 0.]] {
+                let screen = [[0., 7.], [2. * long, 7.], [0.5 * long, 8.]];
+                // At the left and right end of the base, and between them.
+                let at = |along: f64| 1. + slope * (left + (right - left) * along / (2. * long));
+                let q = [at(0.), at(2. * long), at(0.5 * long)];
+                let most = q.into_iter().fold(0., f64::max);
+                let case = Case {
+                    screen,
+                    inverse_w: q.map(|q| q / most),
+                    uv: [[0., 1., 0.3], [1., 0., 0.9]],
+                };
+                case.check(&mut worst);
+            }
+        }
+    }
+    print("spans of every length", &worst);
+}
+
+/// Rows along an edge on which 1/w changes by less than rounding may add, where it has no more room:
+/// at the nearest corner of all 31 bits, or at the farthest of a quarter of that.
+#[test]
+fn ends_of_the_format() {
+    // 1/w of a corner has all bits set where the depth that is w / near in units that put the near plane
+    // at 65,535/65,536 is a power of two.
+    const NEAREST: f64 = 4096. * 65535. / 65536.;
+    let unit = 1. / 65536.;
+    let mut worst = [Worst::default(); MODES];
+    for first in -8..8 {
+        for second in (60..400).step_by(11) {
+            let ends = [first, second].map(f64::from);
+            for flip in [false, true] {
+                for (corner, towards) in [(NEAREST + 3. * unit, -unit), (8. * NEAREST, unit)] {
+                    let mut ends = ends.map(|end| 4. * NEAREST + end * towards);
+                    if flip {
+                        ends.reverse();
+                    }
+                    let [from, to] = ends;
+                    let case = Case {
+                        screen: [[5.5, 0.5], [314.5, 0.5], [150., 2.3]],
+                        inverse_w: [from, to, corner.min(32_000.)].map(f64::recip),
+                        uv: [[0., 1., 1.], [1., 0.5, 0.]],
+                    };
+                    case.check(&mut worst);
+                }
+            }
+        }
+    }
+    print("ends of the format", &worst);
+}

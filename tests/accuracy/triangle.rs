@@ -1,0 +1,91 @@
+//! One triangle drawn by the crate and by the model.
+
+use fixel::prelude::*;
+use fixel::view::Kind;
+
+use crate::drawing::{Drawing, Seen};
+use crate::mode::Mode;
+use crate::reference::attributes::at_pixel_snapped;
+use crate::reference::coverage::{Snapped, covered};
+
+/// A triangle, and what the model needs to know of it.
+#[derive(Clone, Copy)]
+pub struct Triangle<K, const N: usize> {
+    pub size: (u32, u32),
+    pub chain: Chain<K>,
+    pub positions: [Vec3; 3],
+    /// Each value at the three corners.
+    pub values: [[i32; 3]; N],
+    /// What values are divided by.
+    pub w: [f64; 3],
+    /// The corners' depths as the lens has them, which are linear on the screen.
+    pub depth: [f64; 3],
+}
+
+/// What the model has at a pixel.
+pub struct Model<const N: usize> {
+    pub pixel: [i32; 2],
+    pub w: f64,
+    /// The greatest w of the pixel's row.
+    pub farthest: f64,
+    pub values: [f64; N],
+    pub depth: f64,
+}
+
+impl<K: Kind, const N: usize> Triangle<K, N> {
+    fn drawing(&self, mode: Mode) -> Drawing<'_, K> {
+        Drawing {
+            size: self.size,
+            pass: Pass::new().cull(Cull::Nothing),
+            mode,
+            mesh: Mesh::new(&self.positions, &[[0, 1, 2]]).unwrap(),
+            chain: self.chain,
+        }
+    }
+
+    /// Where its corners are, in 24.8; `None` if it is clipped or two are at one place.
+    pub fn screen(&self) -> Option<Snapped> {
+        match self.drawing(Mode::Exact).places(&self.positions)[..] {
+            [Some(a), Some(b), Some(c)] if a != b && b != c && c != a => Some([a, b, c]),
+            _ => None,
+        }
+    }
+
+    /// What there is at the pixels of a triangle with these corners, row by row.
+    pub fn model(&self, screen: Snapped) -> Vec<Model<N>> {
+        let attributes = [0, 1, 2].map(|corner: usize| self.values.map(|v| f64::from(v[corner])));
+        let depth = self.depth.map(|depth| [depth]);
+        let at = |pixel| {
+            let value = at_pixel_snapped(screen, self.w, &attributes, pixel).unwrap();
+            let [depth] = at_pixel_snapped(screen, [1.; 3], &depth, pixel)
+                .unwrap()
+                .attributes;
+            Model {
+                pixel,
+                w: value.w,
+                farthest: 0.,
+                values: value.attributes,
+                depth,
+            }
+        };
+        let (width, height) = self.size;
+        let mut pixels: Vec<Model<N>> = covered(screen, width, height).map(at).collect();
+        for row in pixels.chunk_by_mut(|a, b| a.pixel[1] == b.pixel[1]) {
+            let farthest = row.iter().fold(0., |most: f64, model| most.max(model.w));
+            for model in row {
+                model.farthest = farthest;
+            }
+        }
+        pixels
+    }
+
+    /// The crate's pixels in a mode, row by row.
+    pub fn draw(&self, mode: Mode) -> Vec<Seen<N>> {
+        let mut seen = self.drawing(mode).all(&|vertex| {
+            let corner = self.positions.iter().position(|&p| p == vertex.position());
+            self.values.map(|value| value[corner.unwrap()])
+        });
+        seen.sort_by_key(|seen| (seen.pixel[1], seen.pixel[0]));
+        seen
+    }
+}
