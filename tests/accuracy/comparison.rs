@@ -115,8 +115,18 @@ impl Scene {
         }
     }
 
-    /// Draws and compares. No vertex may be outside the near and far planes or the guard band.
-    pub fn compare(&self, mode: Mode) -> Comparison {
+    /// Draws and compares in some modes. No vertex may be outside the near and far planes or the guard band.
+    pub fn compare(&self, modes: &[Mode]) -> Vec<(Mode, Comparison)> {
+        let mut all: Vec<(Mode, Comparison)> = Vec::with_capacity(modes.len());
+        for &mode in modes {
+            let first = all.first().map(|(_, first)| first);
+            all.push((mode, self.compare_in(mode, first)));
+        }
+        all
+    }
+
+    /// The same in one mode. What is covered must be what it is in another one that was compared before.
+    fn compare_in(&self, mode: Mode, other: Option<&Comparison>) -> Comparison {
         let Self { shape, view, .. } = self;
         let drawing = self.drawing(mode);
         let values = |vertex: &Vertex<'_>| {
@@ -155,7 +165,18 @@ impl Scene {
         };
         comparison.attributes(mode, &snapped, &unsnapped, view);
         comparison.unrounded(&unrounded);
-        comparison.coverage(snapped.clone(), unsnapped);
+        match other {
+            None => comparison.coverage(snapped.clone(), unsnapped),
+            Some(other) => {
+                let pixels = |of: &[Seen<3>]| -> Vec<_> {
+                    of.iter().map(|seen| (seen.face, seen.pixel)).collect()
+                };
+                assert_eq!(pixels(&comparison.pixels), pixels(&other.pixels));
+                comparison.not_alike = other.not_alike;
+                comparison.inside = other.inside;
+                comparison.outside = other.outside;
+            }
+        }
         comparison.order(&drawing.shown(&values), &snapped, view);
         comparison
     }

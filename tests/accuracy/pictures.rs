@@ -11,8 +11,7 @@ use crate::reference::scenes::{POSES, cube, floor, sphere};
 
 /// Holds pictures in every mode to what the formats allow, and to what the modes promise.
 fn check(name: &str, scene: &Scene, is_convex: bool) {
-    for mode in Mode::PERSPECTIVE {
-        let picture = scene.compare(mode);
+    for (mode, picture) in scene.compare(&Mode::PERSPECTIVE) {
         check_mode(&format!("{name}, {mode:?}"), mode, &picture);
         let [_, _, again] = picture.inside;
         // Of a convex surface no part hides another.
