@@ -1,14 +1,19 @@
-//! Bands put together are the frame, bit for bit; and with depth the order of triangles does not matter.
+//! Bands put together are the frame, bit for bit, in every mode; and with depth the order of triangles does not matter.
 
 mod common;
 
+use std::any::type_name;
+
 use embedded_graphics::pixelcolor::Rgb888;
+use fixel::interpolate::{Affine, Exact, Fast, Interpolate, Linear, Newton};
 use fixel::prelude::*;
 use fixel::view::Kind;
 use proptest::prelude::*;
 
 const WIDTH: u32 = 70;
 const HEIGHT: u32 = 37;
+/// Rows of the bands.
+const BANDS: [u32; 3] = [1, 7, 16];
 
 /// Every bit of the interpolated values shows in the colour: any difference between two drawings does.
 #[derive(Clone, Copy)]
@@ -77,21 +82,12 @@ impl Scene {
             .unwrap()
     }
 
-    fn draw<K: Kind>(
-        &self,
-        canvas: &mut Canvas<'_, Rgb888, fixel::target::Native, fixel::target::Depth<'_>>,
-        chain: &Chain<K>,
-    ) {
+    fn draw<I: Interpolate, K: Kind>(&self, mode: I, canvas: &mut Band<'_>, chain: &Chain<K>) {
         canvas.clear(Rgb888::new(1, 2, 3));
         let mesh = self.mesh();
-        canvas.draw_with(&common::BOTH_SIDES, &mesh, chain, &Bits);
-        canvas.draw_edges(&Pass::new(), &mesh, chain, &Bits);
-        canvas.draw_points(&Pass::new(), &mesh, chain, &Bits);
-    }
-
-    /// The frame in bands of so many rows, the last of what is left.
-    fn in_bands<K: Kind>(&self, chain: &Chain<K>, rows: u32) -> (Vec<Rgb888>, Vec<u16>) {
-        bands(rows, |band| self.draw(band, chain))
+        canvas.draw_with(&common::BOTH_SIDES.mode(mode), &mesh, chain, &Bits);
+        canvas.draw_edges(&Pass::new().mode(mode), &mesh, chain, &Bits);
+        canvas.draw_points(&Pass::new().mode(mode), &mesh, chain, &Bits);
     }
 }
 
@@ -114,24 +110,46 @@ fn bands(rows: u32, mut draw: impl FnMut(&mut Band<'_>)) -> (Vec<Rgb888>, Vec<u1
 }
 
 impl Scene {
+    /// Checks the scene in every mode.
     fn check<K: Kind>(&self, chain: &Chain<K>) -> Result<(), TestCaseError> {
-        let frame = self.in_bands(chain, HEIGHT);
-        for rows in [1, 7, 16] {
-            let bands = self.in_bands(chain, rows);
+        self.check_mode(Exact, chain)?;
+        self.check_mode(Newton, chain)?;
+        // All of a run at once, a few pixels at once, one by one.
+        self.check_mode(Fast::within(fx!(4)), chain)?;
+        self.check_mode(Fast::within(fx!(0.0625)), chain)?;
+        self.check_mode(Fast::within(fx!(0)), chain)?;
+        self.check_mode(Affine, chain)?;
+        self.check_mode(Linear, chain)
+    }
+
+    fn check_mode<I: Interpolate, K: Kind>(
+        &self,
+        mode: I,
+        chain: &Chain<K>,
+    ) -> Result<(), TestCaseError> {
+        let name = type_name::<I>();
+        let frame = bands(HEIGHT, |band| self.draw(mode, band, chain));
+        for rows in BANDS {
+            let bands = bands(rows, |band| self.draw(mode, band, chain));
             let differs =
                 (0..frame.0.len()).find(|&i| (frame.0[i], frame.1[i]) != (bands.0[i], bands.1[i]));
             prop_assert!(
                 differs.is_none(),
-                "bands of {} rows differ at pixel {:?} of row order",
+                "{name}: bands of {} rows differ at pixel {:?} of row order",
                 rows,
                 differs
             );
         }
-        self.check_prepared(chain)
+        self.check_prepared(mode, chain)
     }
 
     /// Triangles that were prepared are drawn as they are without, and counted alike.
-    fn check_prepared<K: Kind>(&self, chain: &Chain<K>) -> Result<(), TestCaseError> {
+    fn check_prepared<I: Interpolate, K: Kind>(
+        &self,
+        mode: I,
+        chain: &Chain<K>,
+    ) -> Result<(), TestCaseError> {
+        let name = type_name::<I>();
         let mesh = self.mesh();
         let window = Viewport::new(-9, 3, 64, 48).unwrap();
         let mut list: TriangleList<12, 250> = TriangleList::new();
@@ -140,8 +158,9 @@ impl Scene {
             Pass::new().viewport(window),
             Pass::new().cull(Cull::Front),
         ] {
+            let pass = pass.mode(mode);
             let prepared = list.prepare(&pass, (WIDTH, HEIGHT), &mesh, chain).unwrap();
-            for rows in [HEIGHT, 16, 7, 1] {
+            for rows in [HEIGHT].into_iter().chain(BANDS) {
                 let mut counts = [vec![], vec![]];
                 let given = bands(rows, |band| {
                     band.clear(Rgb888::new(1, 2, 3));
@@ -151,7 +170,7 @@ impl Scene {
                     band.clear(Rgb888::new(1, 2, 3));
                     counts[1].push(band.draw_with(&pass, &mesh, chain, &Bits));
                 });
-                prop_assert!(given == expected, "bands of {rows} rows differ");
+                prop_assert!(given == expected, "{name}: bands of {rows} rows differ");
                 prop_assert_eq!(&counts[0], &counts[1]);
             }
         }
