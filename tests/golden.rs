@@ -6,7 +6,7 @@
 
 use embedded_graphics::pixelcolor::raw::BigEndian;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use fixel::interpolate::Exact;
+use fixel::interpolate::{Affine, Exact, Fast, Interpolate, Newton};
 use fixel::prelude::*;
 use fixel::target::Depth;
 
@@ -112,4 +112,30 @@ fn lighthouse() {
         lighthouse::caption(canvas);
     });
     assert_eq!(crc, 0x7006_cda3);
+}
+
+/// Checksums of the scenes in a mode: the floor, and a pose of the cube and of the sphere each.
+fn scenes_in<I: Interpolate>(mode: I) -> [u32; 3] {
+    let pass = Pass::new().mode(mode);
+    let (floor, _) = picture(|canvas| {
+        scenes::floor(canvas, &pass, &scenes::floor_chain(0).unwrap());
+    });
+    let (cube, _) = picture(|canvas| {
+        scenes::cube(canvas, &pass, &scenes::cube_chain(2).unwrap());
+    });
+    let (sphere, _) = picture(|canvas| {
+        scenes::sphere(canvas, &pass, &scenes::sphere_chain(1).unwrap());
+    });
+    [floor, cube, sphere]
+}
+
+#[test]
+fn modes() {
+    assert_eq!(scenes_in(Exact), [0xcea2_0ac4, 0x9303_8f3d, 0xef45_08f4]);
+    assert_eq!(scenes_in(Newton), [0xcea2_0ac4, 0x9303_8f3d, 0xef45_08f4]);
+    assert_eq!(
+        scenes_in(Fast::within(fx!(0.25))),
+        [0xcea2_0ac4, 0x9f8f_5e4e, 0x5d71_0955]
+    );
+    assert_eq!(scenes_in(Affine), [0x96f7_ce3f, 0x713d_66be, 0x398d_3770]);
 }

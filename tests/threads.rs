@@ -5,7 +5,7 @@ use std::thread;
 
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, RgbColor};
-use fixel::interpolate::{Affine, Exact};
+use fixel::interpolate::{Affine, Exact, Fast, Interpolate, Linear, Newton};
 use fixel::prelude::*;
 use fixel::target::{Depth, Native, NoDepth};
 use fixel::view::{Parallel, Perspective};
@@ -34,7 +34,10 @@ const _: () = {
     both::<Transform>();
     both::<Viewport>();
     both::<Pass<Exact>>();
+    both::<Pass<Newton>>();
+    both::<Pass<Fast>>();
     both::<Pass<Affine>>();
+    both::<Pass<Linear>>();
     both::<Skin>();
     both::<Light>();
     both::<Flat<Rgb565>>();
@@ -127,21 +130,28 @@ fn without_depth(draw: impl Fn(&mut Canvas<'_, Rgb565, BigEndian>) + Sync) {
     });
 }
 
-#[test]
-fn textured_with_depth() {
+/// Textures and colours, with depth.
+fn scenes_in<I: Interpolate + Sync>(mode: I) {
+    let pass = Pass::new().mode(mode);
     let [floor, cube] = [scenes::floor_chain(0), scenes::cube_chain(3)].map(Result::unwrap);
     with_depth(|canvas| {
-        scenes::floor(canvas, &Pass::new(), &floor);
-        scenes::cube(canvas, &Pass::new(), &cube);
+        scenes::floor(canvas, &pass, &floor);
+        scenes::cube(canvas, &pass, &cube);
+    });
+    let chain = scenes::sphere_chain(1).unwrap();
+    with_depth(|canvas| {
+        scenes::sphere(canvas, &pass, &chain);
     });
 }
 
 #[test]
-fn gouraud_with_depth() {
-    let chain = scenes::sphere_chain(1).unwrap();
-    with_depth(|canvas| {
-        scenes::sphere(canvas, &Pass::new(), &chain);
-    });
+fn textured_and_shaded_with_depth_in_every_mode() {
+    scenes_in(Exact);
+    scenes_in(Newton);
+    scenes_in(Fast::within(fx!(0.25)));
+    scenes_in(Fast::within(fx!(4)));
+    scenes_in(Affine);
+    scenes_in(Linear);
 }
 
 #[test]
