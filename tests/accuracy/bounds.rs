@@ -52,7 +52,7 @@ pub fn perspective(
 ) -> f64 {
     match mode {
         Mode::Exact => exact(corners, corners_w, w),
-        Mode::Newton => exact(corners, corners_w, w) + newton(corners),
+        Mode::Newton => exact(corners, corners_w, w) + newton(corners, corners_w),
         // Both ends of a piece are exact, and straight between them so is no pixel worse than the
         // worse of the two. 63 gains at most, each rounded by less than a unit.
         Mode::Fast(_) => exact(corners, corners_w, farthest) + mode.tolerance() * TEXEL + 63.,
@@ -108,13 +108,33 @@ fn lifted(w: [f64; 3]) -> f64 {
 /// to a unit, as the exact quotient is.
 ///
 /// An attribute of more bits, and one beside it, is divided exactly.
-fn newton(corners: [i32; 3]) -> f64 {
+fn newton(corners: [i32; 3], corners_w: [f64; 3]) -> f64 {
     let lacks = NEWTON_BITS - bits(corners);
     if lacks < 0 {
         return 0.;
     }
-    let units = 28.3 * (1. - 2_f64.powi(-lacks));
-    units.max(16.) + f64::from(size(corners)) * 2_f64.powi(-21)
+    let from_the_start = 28.3 * (1. - 2_f64.powi(-lacks));
+    let units = if is_far(corners_w) {
+        RUN_ROUNDING
+    } else {
+        from_the_start.max(RUN_ROUNDING)
+    };
+    units + f64::from(size(corners)) * 2_f64.powi(-21)
+}
+
+/// What start and steps of a run of `Newton` are off by once they are rounded again.
+const RUN_ROUNDING: f64 = 16.;
+
+/// Whether a corner's Q is below 2²⁹, whatever that of the nearest one, below 2³¹, is.
+fn is_far(corners_w: [f64; 3]) -> bool {
+    let [nearest, farthest] = ends(corners_w);
+    farthest > 4.001 * nearest
+}
+
+/// By how much `Newton` and `Exact` may differ where they have the same interpolants, which is where a corner
+/// is far: both are rounded down to a unit, `Exact` by half of one more.
+pub fn newton_from_exact(corners: [i32; 3], corners_w: [f64; 3]) -> Option<f64> {
+    is_far(corners_w).then(|| newton(corners, corners_w) + 1.5)
 }
 
 /// What a value may be off by under a parallel projection, where the numerator is a · 2^(30 - bits), and in

@@ -1,5 +1,7 @@
 //! What modes promise of textured triangles: any that 320x240 pixels may show, and those that are hardest.
 
+use std::ops::Range;
+
 use fixel::number::scalar;
 use fixel::prelude::*;
 use fixel::view::Perspective;
@@ -63,8 +65,14 @@ fn slopes() -> impl Strategy<Value = [f64; 2]> {
         2 => (0.97..1.01).prop_map(|part| part / 64.),
         1 => (-5.0..2_f64).prop_map(f64::exp2),
     ];
-    (steep, sign, -1.0..1.0)
-        .prop_map(|(steep, sign, way): (f64, f64, f64)| [steep * sign, steep * way])
+    let along = (steep, sign, -1.0..1.0)
+        .prop_map(|(steep, sign, way): (f64, f64, f64)| [steep * sign, steep * way]);
+    // A floor, whose rows are level or nearly so.
+    let floor = (-16.0..-8_f64, -8.0..0_f64, any::<bool>()).prop_map(|(across, down, is_level)| {
+        let across = if is_level { 0. } else { across.exp2() };
+        [across, down.exp2()]
+    });
+    prop_oneof![3 => along, 1 => floor]
 }
 
 /// 1/w at three corners: on a slope across the picture, or anything up to a ratio of 1000.
@@ -72,33 +80,32 @@ fn cases() -> impl Strategy<Value = Case> {
     let apart = (0.0..10_f64, [0.0..1.0, 0.0..1.0, 0.0..1.0])
         .prop_map(|(spread, at)| at.map(|at: f64| (-spread * at).exp2()));
     let along = |from: f64, to: f64| [from..to, from..to, from..to];
+    let both = |corners: [Range<f64>; 3]| [corners.clone(), corners];
+    let ends = || prop::array::uniform3(prop::sample::select(vec![0., 1.]));
     let uv = prop_oneof![
-        2 => along(0., 1.),
-        1 => along(0., 4.),
-        1 => prop::array::uniform3(prop::sample::select(vec![0., 1.])),
+        3 => both(along(0., 1.)),
+        1 => both(along(0., 4.)),
+        // Of 28 bits each.
+        2 => both(along(4., 7.)),
+        1 => [ends(), ends()],
     ];
-    (
-        shapes(),
-        prop_oneof![slopes().prop_map(Ok), apart.prop_map(Err)],
-        [uv.clone(), uv],
-        0.5..4.,
-    )
-        .prop_map(|(screen, w, uv, nearest)| {
-            let mut inverse_w = match w {
-                Ok(slope) => screen.map(|[x, y]| slope[0] * x + slope[1] * y),
-                Err(inverse_w) => inverse_w,
-            };
-            let least = inverse_w.into_iter().fold(f64::MAX, f64::min);
-            if w.is_ok() {
-                inverse_w = inverse_w.map(|q| q - least + 1.);
-            }
-            let most = inverse_w.into_iter().fold(0., f64::max);
-            Case {
-                screen,
-                inverse_w: inverse_w.map(|q| q / most / nearest),
-                uv,
-            }
-        })
+    let w = prop_oneof![slopes().prop_map(Ok), apart.prop_map(Err)];
+    (shapes(), w, uv, 0.5..4.).prop_map(|(screen, w, uv, nearest)| {
+        let mut inverse_w = match w {
+            Ok(slope) => screen.map(|[x, y]| slope[0] * x + slope[1] * y),
+            Err(inverse_w) => inverse_w,
+        };
+        let least = inverse_w.into_iter().fold(f64::MAX, f64::min);
+        if w.is_ok() {
+            inverse_w = inverse_w.map(|q| q - least + 1.);
+        }
+        let most = inverse_w.into_iter().fold(0., f64::max);
+        Case {
+            screen,
+            inverse_w: inverse_w.map(|q| q / most / nearest),
+            uv,
+        }
+    })
 }
 
 impl Case {
@@ -168,6 +175,7 @@ impl Case {
         };
         let model = triangle.model(screen);
         let nearest = triangle.w.into_iter().fold(f64::MAX, f64::min);
+        let exact = triangle.draw(Mode::Exact);
         for (mode, worst) in Mode::PERSPECTIVE.into_iter().zip(worst) {
             let seen = triangle.draw(mode);
             assert!(
@@ -177,7 +185,7 @@ impl Case {
                 "{self:?}"
             );
             let tolerance = mode.tolerance();
-            for (seen, model) in seen.iter().zip(&model) {
+            for ((seen, exact), model) in seen.iter().zip(&exact).zip(&model) {
                 let far = match mode {
                     Mode::Fast(_) => model.farthest,
                     _ => model.w,
@@ -189,6 +197,11 @@ impl Case {
                     let allowed = bounds::perspective(mode, corners, triangle.w, w, far_w);
                     assert!(error <= allowed, "{}, over {allowed}", at());
                     worst.allowed = worst.allowed.max(error / allowed);
+                    let from_exact = bounds::newton_from_exact(corners, triangle.w);
+                    if let (Mode::Newton, Some(allowed)) = (mode, from_exact) {
+                        let by = seen.values[k].abs_diff(exact.values[k]);
+                        assert!(f64::from(by) <= allowed, "{}, {by} from exact", at());
+                    }
 
                     let most = corners.into_iter().map(i32::unsigned_abs).max();
                     let repeats = (f64::from(most.unwrap()) / REPEAT).max(1.);

@@ -6,6 +6,7 @@ use fixel::view::{Kind, Perspective};
 use proptest::prelude::*;
 
 use crate::bounds;
+use crate::drawing::Seen;
 use crate::mode::Mode;
 use crate::triangle::{Model, Triangle};
 
@@ -40,13 +41,14 @@ fn shapes() -> impl Strategy<Value = Shape> {
     ]
 }
 
-/// Three distances: nearly alike, as in a picture, or as far apart as can be.
+/// Three distances: alike, nearly alike, as in a picture, or as far apart as can be.
 fn distances() -> impl Strategy<Value = [f64; 3]> {
     let apart = |low: f64, high: f64, spread: f64| {
         (low..high, [0.0..spread, 0.0..spread, 0.0..spread])
             .prop_map(|(base, more)| more.map(|more| (base + more).exp2()))
     };
     prop_oneof![
+        (-4.0..10_f64).prop_map(|distance| [distance.exp2(); 3]),
         apart(-4., 10., 0.01),
         apart(-4., 8., 3.),
         apart(-13., -12., 12.),
@@ -95,8 +97,13 @@ fn compare<K: Kind>(
         return Err(TestCaseError::reject("clipped"));
     };
     let model = triangle.model(screen);
+    let depths =
+        |seen: &[Seen<VALUES>]| -> Vec<u16> { seen.iter().map(|seen| seen.depth).collect() };
+    let exact = depths(&triangle.draw(Mode::Exact));
     for &mode in modes {
         let seen = triangle.draw(mode);
+        // Or what is drawn in different modes would not meet where it should.
+        prop_assert!(depths(&seen) == exact, "{mode:?}: depths differ");
         let pixels = seen.iter().map(|seen| seen.pixel);
         prop_assert!(pixels.eq(model.iter().map(|model| model.pixel)));
         for (seen, model) in seen.iter().zip(&model) {
