@@ -14,6 +14,10 @@
 //!
 //! That makes 40 and 36½. As the numerator is at most Q/2, an error e of 1/w is one of e/2 of the
 //! numerator: in all 56½ units, which are 2^bits / Q of the attribute each.
+//!
+//! Where the nearest corner's 1/w has all 31 bits set but for the last six, those 56½ are 113 units: room
+//! enough for what it takes to keep such a corner's from passing 31 bits, such as taking it for 64 units less. That
+//! moves an attribute by a quarter of 2⁻²⁵ of what it differs by between corners: 16 of those 113 units.
 
 use crate::mode::Mode;
 
