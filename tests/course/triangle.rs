@@ -2,6 +2,7 @@
 
 use embedded_graphics::pixelcolor::PixelColor;
 use embedded_graphics::pixelcolor::raw::RawU32;
+use fixel::interpolate::Exact;
 use fixel::prelude::*;
 use proptest::prelude::*;
 
@@ -59,7 +60,7 @@ proptest! {
         let lens = Projection::from_focal_length(fx!(64), size, fx!(0.5), fx!(100)).unwrap();
         let mut pixels = vec![Value(None); (SIZE * SIZE) as usize];
         let mut canvas = Canvas::new(&mut pixels, SIZE, SIZE).unwrap();
-        let both_sides = Pass::new().cull(Cull::Nothing);
+        let both_sides = Pass::new().cull(Cull::Nothing).mode(Exact);
         canvas.draw_with(&both_sides, &mesh, &(lens * Transform::IDENTITY), &Values(values));
 
         let corners = screen.map(|[x, y]| [f64::from(x) + 32.0, f64::from(y) + 32.0]);
