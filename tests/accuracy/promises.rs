@@ -154,7 +154,7 @@ struct Worst {
 /// are 3¾ units. `Exact` is then within 61½ + 1 units up to 16 of this product, and 0.001 texel is 65½.
 /// `Newton` adds 16 to 21 units, and 8 for each repeat: by derivation the promise holds up to 10 for one
 /// repeat, and for four where w changes by an eighth. That takes roundings that all go one way, and the
-/// steepest slope throughout: up to 16 the promise is tested, and kept with half to spare.
+/// steepest slope throughout: up to 16 the promise is tested, and kept with a third to spare.
 /// `Fast` may use 1/32 texel, 2048 units, of which 64 are for its gains: up to 512, of the run's farthest pixel.
 fn reach(mode: Mode) -> f64 {
     match mode {
