@@ -58,8 +58,6 @@ pub enum Plan {
 
 impl Interpolate for Fast {
     const PERSPECTIVE: bool = true;
-    /// Sixteen bits are left of 30, so that many steps may be off by half a unit.
-    const RUN: u32 = 256;
     type Parallel = Affine;
     type Plan = Plan;
 
@@ -103,7 +101,7 @@ impl Interpolate for Fast {
                 };
                 run.q <<= up;
                 own.q <<= up;
-                own.depth = (own.depth + up) & 31;
+                own.depth = (own.depth + up).min(31);
                 run.p = run.p.map(|p| p << up);
                 own.p = own.p.map(|p| p << up);
                 length
@@ -152,6 +150,9 @@ impl Fast {
     /// all is to be shifted `up`. `None` if even two are too many, or attributes have too many bits.
     #[inline]
     fn length<const N: usize>(self, least: u32, steps: &Steps<N>, up: u32) -> Option<u32> {
+        if self.tolerance == 0 {
+            return None;
+        }
         let step = steps.q.unsigned_abs();
         let mut most = 0;
         for (p, scale) in steps.p.iter().zip(steps.scale) {

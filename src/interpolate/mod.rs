@@ -32,5 +32,5 @@ pub use newton::Newton;
 pub(crate) use plane::{Plane, Slope};
 pub use reciprocal::reciprocal;
 pub use run::{Cells, Pixels, Run, Scale, Steps};
-pub(crate) use run::{FAR, weigh};
+pub(crate) use run::{FAR, RUN, weigh};
 pub use segment::{Segment, speed};

@@ -62,10 +62,6 @@ pub trait Interpolate: Copy {
     /// spare a mode the work of scaling; they are not asked for where 1/w changes fourfold in a triangle.
     const LEAST_BITS: u32 = 1;
 
-    /// Pixels that are stepped over before the interpolants are found afresh: each step is off by up to half
-    /// a unit of 2^-30.
-    const RUN: u32 = 64;
-
     /// The mode under a parallel projection, where attributes themselves are linear on the screen.
     type Parallel: Interpolate;
 

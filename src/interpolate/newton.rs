@@ -65,7 +65,7 @@ impl Interpolate for Newton {
             let Some(up) = room(run.q, steps.q, cells.count()).filter(|_| is_fine) else {
                 return Exact.run((), run, steps, cells, pixels);
             };
-            (run.q, dq, down) = (run.q << up, dq << up, (down + up) & 31);
+            (run.q, dq, down) = (run.q << up, dq << up, (down + up).min(31));
             for ((p, dp), scale) in run.p.iter_mut().zip(&mut dp).zip(steps.scale) {
                 let (left, right) = scale.to(FRACTION, up);
                 *p = nearest(*p << left, right);
@@ -118,9 +118,10 @@ fn nearest(value: i32, down: u32) -> i32 {
 /// it changes too much along the run, or too fast.
 #[inline(never)]
 pub(super) fn room(q: u32, step: i32, length: usize) -> Option<u32> {
-    let others = (length as i32).wrapping_sub(1);
+    let others = (length as u32).cast_signed().wrapping_sub(1);
     let last = q.wrapping_add_signed(step.wrapping_mul(others));
     let (least, most) = (q.min(last), q.max(last));
-    let is_gentle = step.unsigned_abs() <= least >> STEEPEST && least > most >> 1;
+    let is_gentle =
+        step.unsigned_abs() <= least >> STEEPEST && least > most >> 1 && most >> 31 == 0;
     is_gentle.then(|| (most | 1).leading_zeros().wrapping_sub(1) & 31)
 }

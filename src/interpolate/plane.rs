@@ -92,8 +92,8 @@ impl Slope {
         let up = zeros.saturating_sub(32);
         // An area that is negative makes the numerators so.
         let sign = if area < 0 { -1 } else { 1 };
-        let size = |b: i32, c: i32, a: i32| b.abs_diff(a).max(c.abs_diff(a));
-        let size = [size(b[0], c[0], x), size(b[1], c[1], y)];
+        let size = |a: i32, b: i32, c: i32| a.max(b).max(c).abs_diff(a.min(b).min(c));
+        let size = [size(x, b[0], c[0]), size(y, b[1], c[1])];
         let [wide, high] = size;
         // A pixel may be one further off than the corner that it is next to.
         let is_small = wide + high <= (NEAR - 2) << 8;
@@ -197,7 +197,10 @@ impl Slope {
     fn value(&self, numerator: i64) -> i32 {
         // numerator · inverse / 2^62, from the halves of the numerator.
         let high = product((numerator >> 32) as i32, self.inverse);
-        let low = upper(numerator as u32, self.inverse.cast_unsigned());
+        let low = upper(
+            numerator.cast_unsigned() as u32,
+            self.inverse.cast_unsigned(),
+        );
         ((high.wrapping_add(low.into()).wrapping_add(1 << 29)) >> 30) as i32
     }
 }
@@ -210,7 +213,8 @@ const fn shifted(numerator: i64, up: u32) -> i64 {
         return numerator.wrapping_mul(1 << (up & 31));
     }
     // By halves, as that shift is a call.
-    let (high, low) = ((numerator >> 32) as u32, numerator as u32);
+    let bits = numerator.cast_unsigned();
+    let (high, low) = ((bits >> 32) as u32, bits as u32);
     let high = high << (up & 31) | low >> (up.wrapping_neg() & 31);
     ((high as u64) << 32 | (low << (up & 31)) as u64).cast_signed()
 }

@@ -29,9 +29,10 @@ pub(crate) const fn upper(a: u32, b: u32) -> u32 {
 /// The same from the product of signed numbers.
 #[inline]
 const fn upper_of_signed(a: u32, b: u32) -> u32 {
-    let upper = (product(a.cast_signed(), b.cast_signed()) >> 32) as u32;
+    let product = product(a.cast_signed(), b.cast_signed()).cast_unsigned();
+    let upper = (product >> 32) as u32;
     // As a signed number `a` is less by 2^32 if its upper bit is set.
-    upper.wrapping_add(b & ((a.cast_signed() >> 31) as u32))
+    upper.wrapping_add(b & (a.cast_signed() >> 31).cast_unsigned())
 }
 
 /// The dot product; the caller sees to it that it fits, as that of mantissas of 30 bits by 31 does.

@@ -7,7 +7,7 @@ use embedded_graphics::geometry::Point;
 use super::Triangle;
 use super::planes::{Attribute, Planes};
 use crate::geometry::{DepthShift, Face, Vertex};
-use crate::interpolate::{self, Interpolate, Linear, Pixels, Run, Steps};
+use crate::interpolate::{self, Interpolate, Linear, Pixels, RUN, Run, Steps};
 use crate::shade::{Fragment, Sample};
 use crate::target::{Canvas, Cells, DepthBuffer, Storage};
 
@@ -116,7 +116,7 @@ where
         let mut start = columns.start;
         while start < columns.end {
             let (end, run, steps) = if Self::VARIES {
-                let end = columns.end.min(start + I::RUN.cast_signed());
+                let end = columns.end.min(start + RUN.cast_signed());
                 (end, self.planes.run(x, y), self.planes.steps(self.down))
             } else {
                 (columns.end, Run::EVEN, Steps::EVEN)

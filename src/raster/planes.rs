@@ -32,6 +32,9 @@ pub(super) struct Planes<P: ?Sized = [Attribute]> {
 /// It only ever lifts a corner more than half a million times as far as the nearest one.
 const LEAST_WEIGHT: u32 = 1 << 11;
 
+/// The greatest 1/w: rounding may add 40 units to it, and it is to stay below 2^31.
+const MOST_WEIGHT: u32 = (1 << 31) - 64;
+
 impl Planes {
     /// Lays the planes through a triangle's corners, for attributes that are divided by w or not, of so many bits at least;
     /// gives the exponent of 1/w.
@@ -47,7 +50,8 @@ impl Planes {
         let exponent = a.exponent.max(b.exponent).max(c.exponent);
         let q = [a, b, c].map(|corner| {
             let down = u32::from(exponent - corner.exponent);
-            corner.q.checked_shr(down).unwrap_or(0).max(LEAST_WEIGHT)
+            let q = corner.q.checked_shr(down).unwrap_or(0);
+            q.clamp(LEAST_WEIGHT, MOST_WEIGHT)
         });
         let [first, second, third] = q;
         self.least = first.min(second).min(third);

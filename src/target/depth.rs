@@ -141,6 +141,7 @@ impl DepthBuffer for Depth<'_> {
     }
 
     #[inline]
+    #[allow(clippy::mut_mut)] // what is taken is no longer in it
     fn first<'a>(cells: &mut &'a mut [u16], count: usize) -> &'a mut [u16]
     where
         Self: 'a,
@@ -174,6 +175,7 @@ impl DepthBuffer for Depth<'_> {
 
 /// Takes the first `count` elements of a slice, or all that are left.
 #[inline]
+#[allow(clippy::mut_mut)] // the slice is exchanged for its rest
 pub(super) fn first<'a, T>(slice: &mut &'a mut [T], count: usize) -> &'a mut [T] {
     let all = mem::take(slice);
     let (first, rest) = all.split_at_mut(count.min(all.len()));

@@ -8,6 +8,7 @@ use fixel::view::Perspective;
 use micromath::F32Ext;
 
 use crate::drawing::Drawing;
+use crate::mode::Mode;
 use crate::moves::{quantised, radians};
 use crate::reference::linear::{self, Matrix};
 use crate::reference::scenes::{SIZE, Shape, cube, sphere, view};
@@ -87,6 +88,7 @@ impl Model {
         Drawing {
             size: SIZE,
             pass: Pass::new(),
+            mode: Mode::Newton,
             mesh: Mesh::new(&self.positions, &self.faces)
                 .and_then(|mesh| mesh.with_uvs(&self.uvs, Some(&self.uv_faces)))
                 .unwrap(),
