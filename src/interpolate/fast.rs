@@ -16,8 +16,8 @@ use crate::linear::IS_NARROW;
 /// for cores that are slow at those, such as Cortex-M0+, and fast on all. Where 1/w changes by 1/64 of itself
 /// a pixel or to less than half along a run, the run is [`Exact`].
 ///
-/// A tolerance is in texels, of whatever size the texture is. Besides, an attribute is off by up to 2^-14 of its
-/// greatest in the triangle (1/64 of a texel where a texture of 256 is seen once, and so on for more or less of it).
+/// A tolerance is in texels, of whatever size the texture is. Besides, an attribute is off by up to 2^-13 of its
+/// greatest in the triangle: 1/32 of a texel where a texture of 256 is seen once, and so on for more or less of it.
 /// Colours are held to the same number in steps of their channels (32 or 64 of an
 /// [`Rgb565`](embedded_graphics::pixelcolor::Rgb565)), other varyings in units of 2^16.
 ///
