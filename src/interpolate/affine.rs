@@ -6,7 +6,7 @@ use super::run::{Cells, Pixels, Run, Steps, rolled};
 /// Linear on the screen, which is right under a parallel projection.
 ///
 /// Under perspective it bends textures, as no other mode does: right for what faces the eye, is small, or
-/// is far off for its size. An attribute is off by up to 33 of its units besides (a texture coordinate by
+/// is far off for its size. An attribute is off by up to 37 of its units besides (a texture coordinate by
 /// a two-thousandth of a texel).
 ///
 /// ```

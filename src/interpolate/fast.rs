@@ -171,7 +171,7 @@ impl Fast {
     fn length_at(self, least: u32, step: u32, gain: u32) -> Option<u32> {
         // δ and f′ in units of 2^-16 and of the attribute, rounded up; `least` has 30 or 31 bits.
         let divisor = (least >> 15).max(1 << 14);
-        let slope = u64::from((step << 1).div_ceil(divisor));
+        let slope = u64::from(step.div_ceil(divisor >> 1));
         let gain = u64::from(gain / divisor + 1) << (MOST_BITS - 15);
         // For 64 pixels that is times 2^10 for a tolerance of 2^-16 units.
         let (error, mut allowed) = (gain * slope, u64::from(self.tolerance) << 6);
@@ -233,5 +233,27 @@ fn part(a: i32, b: u32) -> i32 {
             .wrapping_add((a & 0x3fff).wrapping_mul(b) >> 14)
     } else {
         ((i64::from(a) * i64::from(b)) >> 14) as i32
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fx;
+
+    #[test]
+    fn pieces_are_as_long_as_the_tolerance_allows() {
+        let quarter = Fast::within(fx!(0.25));
+        // f′ a texel a pixel, and δ as many of 2^-16: 2^16 · δ · L² / 4 is to be a quarter of 2^16.
+        let texel = |delta: u32| quarter.length_at(1 << 30, delta << 14, 1 << 18);
+        // Rounded up, both are a little more than that, so that a power of two less is found.
+        assert_eq!(
+            [16, 63, 255, 1023].map(texel),
+            [Some(5), Some(4), Some(3), Some(2)]
+        );
+        // Where 1/w does not change a piece has all 64.
+        assert_eq!(quarter.length_at(1 << 30, 0, 1 << 18), Some(6));
+        // No step of a sliver, however steep, is taken for a small one.
+        assert_eq!(quarter.length_at(1 << 30, 1 << 31, 1 << 18), None);
     }
 }

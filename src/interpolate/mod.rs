@@ -8,7 +8,7 @@
 //! |---|---|---|---|
 //! | [`Newton`], the default | 0.001 | a step towards the reciprocal | all but the smallest cores |
 //! | [`Fast`] | a tolerance, and 1/32 | additions | Cortex-M0+, large triangles |
-//! | [`Exact`] | 0.001, and no more where triangles are steep | a reciprocal of 31 bits | a standard to compare with; 64-bit computers |
+//! | [`Exact`] | 0.001 | a reciprocal of 31 bits | a standard to compare with; 64-bit computers |
 //! | [`Affine`] | without a bound | additions | what faces the eye, or is small |
 //! | [`Linear`] | without a bound | additions | to the unit in parallel projections |
 //!

@@ -33,8 +33,8 @@ impl Interpolate for Newton {
     const PERSPECTIVE: bool = true;
     const LEAST_BITS: u32 = FRACTION;
 
-    /// Whether all of a triangle's runs are gentle.
     type Parallel = Affine;
+    /// Whether all of a triangle's runs are gentle.
     type Plan = bool;
 
     #[inline]
@@ -101,10 +101,10 @@ fn high(a: i32, b: i32) -> i32 {
     (product(a, b) >> 32) as i32
 }
 
-/// 2^60 / q
+/// 2^60 / q, for a `q` from 2^29 to 2^31.
 #[inline]
 fn inverse(q: i32) -> i32 {
-    let up = (q.cast_unsigned().leading_zeros() - 1) & 31;
+    let up = q.cast_unsigned().leading_zeros().wrapping_sub(1) & 31;
     (reciprocal(q.cast_unsigned() << up) << up >> 1).cast_signed()
 }
 
@@ -124,4 +124,24 @@ pub(super) fn room(q: u32, step: i32, length: usize) -> Option<u32> {
     let is_gentle =
         step.unsigned_abs() <= least >> STEEPEST && least > most >> 1 && most >> 31 == 0;
     is_gentle.then(|| (most | 1).leading_zeros().wrapping_sub(1) & 31)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_out_of_range_is_survived() {
+        for q in [i32::MIN, -1, 0, 1, (1 << 29) - 1] {
+            let _ = inverse(q);
+        }
+        for (q, exact) in [
+            (1 << 29, i32::MAX),
+            (1 << 30, 1 << 30),
+            (3 << 29, 715_827_882),
+        ] {
+            // The reciprocal is rounded down, to 31 bits of 2^61 / q.
+            assert!((exact - inverse(q)).abs() <= 1, "{q}");
+        }
+    }
 }

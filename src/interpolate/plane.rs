@@ -136,7 +136,7 @@ impl Slope {
     }
 
     /// The plane of a near triangle through the values at its corners.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn near_plane(&self, values: [i32; 3]) -> Plane {
         // Gradients are below 2^31 and areas below 2^32: 63 bits.
         let gains = self.gains(values).map(|gain| shifted(gain, self.near));
@@ -154,7 +154,7 @@ impl Slope {
     }
 
     /// The plane of any other triangle.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn far_plane(&self, values: [i32; 3]) -> Plane {
         let [dx, dy] = self.gains(values);
         let [x, y] = self.to_center.map(i64::from);

@@ -57,7 +57,11 @@ impl Planes {
         self.least = first.min(second).min(third);
         self.slope = Slope::new([a.screen, b.screen, c.screen], triangle.area);
         let slope = &self.slope;
-        let lay: fn(&Slope, [i32; 3]) -> Plane = if slope.is_near() { near } else { far };
+        let lay = if slope.is_near() {
+            Slope::near_plane
+        } else {
+            Slope::far_plane
+        };
         self.q = lay(slope, q.map(u32::cast_signed));
         let (weights, least_bits) = if !perspective {
             ([1 << 30; 3], least_bits)
@@ -76,16 +80,6 @@ impl Planes {
         }
         exponent
     }
-}
-
-#[inline(never)]
-fn near(slope: &Slope, values: [i32; 3]) -> Plane {
-    slope.near_plane(values)
-}
-
-#[inline(never)]
-fn far(slope: &Slope, values: [i32; 3]) -> Plane {
-    slope.far_plane(values)
 }
 
 impl<const N: usize> Planes<[Attribute; N]> {
