@@ -132,10 +132,11 @@ fn scenes_in<I: Interpolate>(mode: I) -> [u32; 3] {
 #[test]
 fn modes() {
     assert_eq!(scenes_in(Exact), [0xcea2_0ac4, 0x9303_8f3d, 0xef45_08f4]);
-    assert_eq!(scenes_in(Newton), [0xcea2_0ac4, 0x9303_8f3d, 0xef45_08f4]);
+    // The sphere's colours are a sixteenth of a step off here and there, for want of a division.
+    assert_eq!(scenes_in(Newton), [0xcea2_0ac4, 0x9303_8f3d, 0x2d5c_67c0]);
     assert_eq!(
         scenes_in(Fast::within(fx!(0.25))),
-        [0xcea2_0ac4, 0xd282_9ffe, 0x761e_e72f]
+        [0xcea2_0ac4, 0xd282_9ffe, 0x2d5c_67c0]
     );
     assert_eq!(scenes_in(Affine), [0x96f7_ce3f, 0x713d_66be, 0x398d_3770]);
 }

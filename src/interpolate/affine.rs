@@ -1,7 +1,7 @@
 //! Modes that do not divide.
 
 use super::mode::Interpolate;
-use super::run::{Cells, Pixels, Run, Steps, rolled};
+use super::run::{Cells, Pixels, Run, Scale, Steps, rolled};
 
 /// Linear on the screen, which is right under a parallel projection.
 ///
@@ -55,7 +55,7 @@ impl Interpolate for Affine {
         pixels: &mut impl Pixels<T, N>,
     ) {
         if is_whole {
-            walk(run, steps, cells, pixels, |p| p);
+            walk(run, steps.q, steps.p, steps.depth, cells, pixels, |p| p);
         } else {
             Linear.run((), run, steps, cells, pixels);
         }
@@ -84,29 +84,58 @@ impl Interpolate for Linear {
         cells: impl Cells<T>,
         pixels: &mut impl Pixels<T, N>,
     ) {
-        walk(run, steps, cells, pixels, |mut p| {
-            for (p, scale) in p.iter_mut().zip(steps.scale) {
-                *p = scale.restore(*p);
-            }
-            p
-        });
+        walk(
+            run,
+            steps.q,
+            steps.p,
+            steps.depth,
+            cells,
+            pixels,
+            |mut p| {
+                for (p, scale) in p.iter_mut().zip(steps.scale) {
+                    *p = scale.restore(*p);
+                }
+                p
+            },
+        );
     }
+}
+
+/// Draws a run of attributes that are their interpolants shifted up, as in a triangle that is [affine](Steps::is_affine).
+#[inline]
+pub(super) fn straight<T, const N: usize>(
+    run: Run<N>,
+    dq: i32,
+    dp: [i32; N],
+    down: u32,
+    cells: impl Cells<T>,
+    pixels: &mut impl Pixels<T, N>,
+) {
+    let restore = |p: [i32; N]| p.map(|p| p >> Scale::AFFINE_UP);
+    walk(run, dq, dp, down, cells, pixels, restore);
 }
 
 /// Draws a run of attributes that `restore` makes of their interpolants.
 #[inline]
 fn walk<T, const N: usize>(
     mut run: Run<N>,
-    steps: &Steps<N>,
+    dq: i32,
+    dp: [i32; N],
+    down: u32,
     mut cells: impl Cells<T>,
     pixels: &mut impl Pixels<T, N>,
     restore: impl Fn([i32; N]) -> [i32; N],
 ) {
     for cell in cells.first(usize::MAX) {
-        rolled();
-        if pixels.visible(&cell, run.q, steps.depth) {
+        if N > 0 {
+            rolled();
+        }
+        if pixels.visible(&cell, run.q, down) {
             pixels.shade(cell, restore(run.p));
         }
-        run.step(steps);
+        run.q = run.q.wrapping_add_signed(dq);
+        for (p, step) in run.p.iter_mut().zip(dp) {
+            *p = p.wrapping_add(step);
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! Straight pieces.
 
-use super::affine::Affine;
+use super::affine::{Affine, straight};
 use super::mode::{Exact, Interpolate};
 use super::newton::room;
 use super::run::{Cells, FAR, Pixels, Run, Steps, rolled};
@@ -33,6 +33,10 @@ pub struct Fast {
 }
 
 impl Fast {
+    /// The counterpart of [`Newton`](super::Newton) in products of 16 bits, for cores without longer ones: off by up to 1/32 of a texel
+    /// and, of a texture of 256, by 1/16 in all.
+    pub const NARROW: Self = Self::within(crate::fx!(0.031_25));
+
     /// Pieces that are off by this many texels at most, besides rounding; 0 and less are exact at every pixel.
     #[must_use]
     pub const fn within(texels: Scalar) -> Self {
@@ -54,6 +58,8 @@ pub enum Plan {
     Runs,
     /// Two to this power, in all of a triangle, where 1/w changes less than fourfold.
     Pieces(u32),
+    /// There are none: the triangle is straight all over.
+    Affine,
 }
 
 impl Interpolate for Fast {
@@ -67,7 +73,15 @@ impl Interpolate for Fast {
     }
 
     #[inline]
+    fn affine_within(&self, _: u32) -> u32 {
+        self.tolerance
+    }
+
+    #[inline]
     fn plan<const N: usize>(&self, steps: &Steps<N>) -> Plan {
+        if steps.is_affine {
+            return Plan::Affine;
+        }
         let length = if steps.least > FAR {
             self.length(steps.least, steps, 0)
         } else {
@@ -85,27 +99,29 @@ impl Interpolate for Fast {
         mut cells: impl Cells<T>,
         pixels: &mut impl Pixels<T, N>,
     ) {
+        if N == 0 || matches!(plan, Plan::Affine) {
+            return straight(run, steps.q, steps.p, steps.depth, cells, pixels);
+        }
         let mut left = cells.count() as u32;
         let mut own = *steps;
-        let mut length = match plan {
-            Plan::Pieces(length) => length,
-            Plan::Runs => {
-                let up = room(run.q, steps.q, cells.count());
-                let length = up.and_then(|up| {
-                    let last = steps.q.wrapping_mul(left.wrapping_sub(1).cast_signed());
-                    let least = run.q.min(run.q.wrapping_add_signed(last));
-                    self.length(least, steps, up)
-                });
-                let (Some(up), Some(length)) = (up, length) else {
-                    return Exact.run((), run, steps, cells, pixels);
-                };
-                run.q <<= up;
-                own.q <<= up;
-                own.depth = (own.depth + up).min(31);
-                run.p = run.p.map(|p| p << up);
-                own.p = own.p.map(|p| p << up);
-                length
-            }
+        let mut length = if let Plan::Pieces(length) = plan {
+            length
+        } else {
+            let up = room(run.q, steps.q, cells.count());
+            let length = up.and_then(|up| {
+                let last = steps.q.wrapping_mul(left.wrapping_sub(1).cast_signed());
+                let least = run.q.min(run.q.wrapping_add_signed(last));
+                self.length(least, steps, up)
+            });
+            let (Some(up), Some(length)) = (up, length) else {
+                return Exact.run((), run, steps, cells, pixels);
+            };
+            run.q <<= up;
+            own.q <<= up;
+            own.depth = (own.depth + up).min(31);
+            run.p = run.p.map(|p| p << up);
+            own.p = own.p.map(|p| p << up);
+            length
         };
         // A piece's end may be beyond that of the triangle, attributes there up to three times as great.
         run.p = run.p.map(|p| p >> 2);

@@ -68,6 +68,17 @@ pub trait Interpolate: Copy {
     /// That mode.
     fn parallel(self) -> Self::Parallel;
 
+    /// By how many of its units an attribute may be off where that spares all division, given how many its
+    /// fragment allows ([`TOLERANCES`](crate::Fragment::TOLERANCES)); 0, as it is unless a mode says otherwise, is never.
+    ///
+    /// Triangles that change so little in depth that no attribute is off by more are drawn like those of a parallel
+    /// projection: their runs have [`Steps::is_affine`] set, and [`Run::p`] carries attributes alone, times 4.
+    #[inline]
+    fn affine_within(&self, tolerance: u32) -> u32 {
+        let _ = tolerance;
+        0
+    }
+
     /// What is decided once for a triangle.
     type Plan: Copy + Default;
 

@@ -1,9 +1,9 @@
-//! The reciprocal of one pixel from those of the two before it.
+//! The reciprocal of one pixel from those of the two before it, or none where none is needed.
 
-use super::affine::Affine;
+use super::affine::{Affine, straight};
 use super::mode::{Exact, Interpolate};
 use super::reciprocal::reciprocal;
-use super::run::{Cells, FAR, Pixels, Run, Steps, rolled};
+use super::run::{Cells, FAR, Pixels, Run, Scale, Steps, rolled};
 use crate::linear::product;
 
 /// Perspective-correct at every pixel, by one Newton step from the two pixels before it: the default.
@@ -11,8 +11,13 @@ use crate::linear::product;
 /// Two pixels' reciprocals of 1/w, extended in a line, are off at the third by 2δ² of it, where 1/w changes by
 /// δ of itself from pixel to pixel; a Newton step squares that, and δ is at most 2⁻⁶: the reciprocal is
 /// right to 2⁻²¹ of itself. Where 1/w changes faster, or to less than half along a run, the run is
-/// [`Exact`]. An attribute is off by up to 30 of its units besides (a texture coordinate by a two-thousandth of a
-/// texel) and by what [`Exact`] may be.
+/// [`Exact`]. An attribute is off by up to 50 of its units besides (a texture coordinate by less than 0.0008 texels)
+/// and by what [`Exact`] may be.
+///
+/// Where it makes no difference, nothing is divided: a row in which 1/w hardly changes, such as of a floor under
+/// a camera that does not roll, is straight to 16 units, and so is all of a triangle that hardly changes in depth, to what
+/// its fragment allows ([`TOLERANCES`](crate::Fragment::TOLERANCES)): nearly all of a model's that is shaded by colours
+/// at its vertices.
 ///
 /// A run begins with the exact reciprocal, every 64 pixels and at every triangle's edge, so that
 /// bands and frames are alike.
@@ -27,15 +32,28 @@ pub struct Newton;
 /// 1/w may change by 2^-6 of itself from a pixel to the next.
 const STEEPEST: u32 = 6;
 /// Bits of a fraction p/q as it comes out.
-const FRACTION: u32 = 28;
+const FRACTION: u32 = Scale::AFFINE.bits();
+/// Bits of the step of a 1/w that hardly changes along a row.
+const LEVEL: u32 = 8;
+
+/// How a triangle is drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Plan {
+    /// Each run as it is found to be.
+    #[default]
+    Runs,
+    /// All runs are gentle: 1/w has room for Newton steps.
+    Gentle,
+    /// Without regard to 1/w.
+    Affine,
+}
 
 impl Interpolate for Newton {
     const PERSPECTIVE: bool = true;
     const LEAST_BITS: u32 = FRACTION;
 
     type Parallel = Affine;
-    /// Whether all of a triangle's runs are gentle.
-    type Plan = bool;
+    type Plan = Plan;
 
     #[inline]
     fn parallel(self) -> Affine {
@@ -43,24 +61,33 @@ impl Interpolate for Newton {
     }
 
     #[inline]
-    fn plan<const N: usize>(&self, steps: &Steps<N>) -> bool {
+    fn affine_within(&self, tolerance: u32) -> u32 {
+        tolerance
+    }
+
+    #[inline]
+    fn plan<const N: usize>(&self, steps: &Steps<N>) -> Plan {
+        if steps.is_affine {
+            return Plan::Affine;
+        }
         // The largest has bit 30 set.
-        steps.least > FAR
+        let is_gentle = steps.least > FAR
             && steps.q.unsigned_abs() <= steps.least >> STEEPEST
-            && steps.scale.iter().all(|scale| scale.bits() == FRACTION)
+            && steps.scale.iter().all(|scale| scale.bits() == FRACTION);
+        if is_gentle { Plan::Gentle } else { Plan::Runs }
     }
 
     #[inline]
     fn run<T, const N: usize>(
         &self,
-        is_gentle: bool,
+        plan: Plan,
         mut run: Run<N>,
         steps: &Steps<N>,
         mut cells: impl Cells<T>,
         pixels: &mut impl Pixels<T, N>,
     ) {
         let (mut dq, mut dp, mut down) = (steps.q, steps.p, steps.depth);
-        if !is_gentle {
+        if N > 0 && plan == Plan::Runs {
             let is_fine = steps.scale.iter().all(|scale| scale.bits() <= FRACTION);
             let Some(up) = room(run.q, steps.q, cells.count()).filter(|_| is_fine) else {
                 return Exact.run((), run, steps, cells, pixels);
@@ -71,6 +98,13 @@ impl Interpolate for Newton {
                 *p = nearest(*p << left, right);
                 *dp = nearest(*dp << left, right);
             }
+        }
+        if N == 0 || plan == Plan::Affine || is_level(dq, &dp) {
+            if plan != Plan::Affine {
+                chord(&mut run, dq, &mut dp, cells.count());
+            }
+            let down = if N == 0 { steps.depth } else { down };
+            return straight(run, dq, dp, down, cells, pixels);
         }
         // q from 2^29 to 2^31, r = 2^60 / q from 2^29 to 2^31; p is 2^-28 q times the attribute.
         let (mut q, mut p) = (run.q.cast_signed(), run.p);
@@ -99,6 +133,43 @@ impl Interpolate for Newton {
 #[inline]
 fn high(a: i32, b: i32) -> i32 {
     (product(a, b) >> 32) as i32
+}
+
+/// Whether 1/w changes so little along a row that attributes are straight to 2^-12 of a texel.
+///
+/// From the straight line that touches them in the middle of 64 pixels they deviate by |f'| · δ · 32² at the ends, where
+/// an attribute changes by f' a pixel and 1/w by δ of itself.
+#[inline]
+fn is_level<const N: usize>(dq: i32, dp: &[i32; N]) -> bool {
+    let step = dq.unsigned_abs();
+    // f' = (p' - f · q') / q, where |f| is at most half in units of 2^28, and δ = q' / q, with q at least 2^29: the
+    // product of the dividends is to be below 2^4 · 2^(58 - 28 - 10).
+    step >> LEVEL == 0
+        && dp.iter().all(|p| {
+            let gain = p.unsigned_abs().saturating_add(step);
+            gain >> (32 - LEVEL) == 0 && gain.wrapping_mul(step) < 1 << 24
+        })
+}
+
+/// Makes of interpolants the attributes at the first of so many pixels and what a pixel adds to them, as
+/// [`straight`] has them: the straight line that touches them in the middle.
+#[inline]
+fn chord<const N: usize>(run: &mut Run<N>, dq: i32, gains: &mut [i32; N], pixels: usize) {
+    let middle = (pixels as u32 >> 1).cast_signed();
+    let r = inverse(run.q.cast_signed().wrapping_add(dq.wrapping_mul(middle)));
+    for (p, gain) in run.p.iter_mut().zip(gains) {
+        // p / q in units of 2^-30.
+        let value = fine(p.wrapping_add(gain.wrapping_mul(middle)), r);
+        // f' = (p' - f · q') / q.
+        *gain = fine(gain.wrapping_sub(fine(value, dq)), r);
+        *p = value.wrapping_sub(gain.wrapping_mul(middle));
+    }
+}
+
+/// a · b / 2^30, to the nearest.
+#[inline]
+fn fine(a: i32, b: i32) -> i32 {
+    ((product(a, b) + (1 << 29)) >> 30) as i32
 }
 
 /// 2^60 / q, for a `q` from 2^29 to 2^31.

@@ -68,7 +68,7 @@ pub(crate) struct Slope {
 }
 
 /// A near triangle's columns and rows, together: half a unit of rounding for each comes to 32 units.
-const NEAR: u32 = 64;
+const NEAR: i32 = 64;
 
 impl Slope {
     /// Nothing to interpolate.
@@ -86,32 +86,35 @@ impl Slope {
     /// as seen on a screen whose y points down.
     #[inline]
     pub(crate) fn new([[x, y], b, c]: [[i32; 2]; 3], area: i64) -> Self {
-        let zeros = area.unsigned_abs().leading_zeros();
-        // Below 2^32 an area is shifted up, above down; numerators that are proportional to it likewise.
-        let down = 32u32.saturating_sub(zeros);
-        let up = zeros.saturating_sub(32);
-        // An area that is negative makes the numerators so.
-        let sign = if area < 0 { -1 } else { 1 };
-        let size = |a: i32, b: i32, c: i32| a.max(b).max(c).abs_diff(a.min(b).min(c));
-        let size = [size(x, b[0], c[0]), size(y, b[1], c[1])];
-        let [wide, high] = size;
+        let size = |a: i32, b: i32, c: i32| a.max(b).max(c) - a.min(b).min(c);
+        let [wide, high] = [size(x, b[0], c[0]), size(y, b[1], c[1])];
         // A pixel may be one further off than the corner that it is next to.
         let is_small = wide + high <= (NEAR - 2) << 8;
+        // Twice the area is then below 2^28.
+        let small_area = (area as i32).unsigned_abs();
         // A gradient is at most the range of the values, below 2^31, by one of these, by the area.
-        let is_thick = area.unsigned_abs() >> 8 >= u64::from(wide.max(high));
-        let area = (area.unsigned_abs() << (zeros & 63) >> 32) as u32;
+        let is_thick = small_area >> 8 >= wide.max(high).cast_unsigned();
+        let (near, up, down, size) = if is_small && is_thick {
+            let zeros = (small_area | 1).leading_zeros();
+            ((zeros + 8) & 31, 1, 0, small_area << (zeros & 31))
+        } else {
+            let size = area.unsigned_abs();
+            let zeros = size.leading_zeros();
+            // Below 2^32 an area is shifted up, above down; numerators that are proportional to it likewise.
+            let up = 1 << (zeros.saturating_sub(32) & 31);
+            let down = 32u32.saturating_sub(zeros);
+            (0, up, down, (size << (zeros & 63) >> 32) as u32)
+        };
+        // An area that is negative makes the numerators so.
+        let sign = if area < 0 { -1 } else { 1 };
         Self {
-            near: if is_small && is_thick {
-                (up + 8) & 31
-            } else {
-                0
-            },
+            near,
             sides: [b, c].map(|[to_x, to_y]| [(to_x - x) * sign, (to_y - y) * sign]),
             to_center: [128 - (x & 255), 128 - (y & 255)],
-            up: 1 << (up & 31),
+            up,
             down,
-            area,
-            inverse: reciprocal(area >> 1).cast_signed(),
+            area: size,
+            inverse: reciprocal(size >> 1).cast_signed(),
         }
     }
 
@@ -135,9 +138,18 @@ impl Slope {
         ]
     }
 
-    /// The plane of a near triangle through the values at its corners.
+    /// Lays a plane through the values at the corners.
+    #[inline]
+    pub(crate) fn lay(&self, values: [i32; 3], plane: &mut Plane) {
+        if self.is_near() {
+            self.lay_near(values, plane);
+        } else {
+            self.lay_far(values, plane);
+        }
+    }
+
     #[inline(never)]
-    pub(crate) fn near_plane(&self, values: [i32; 3]) -> Plane {
+    fn lay_near(&self, values: [i32; 3], plane: &mut Plane) {
         // Gradients are below 2^31 and areas below 2^32: 63 bits.
         let gains = self.gains(values).map(|gain| shifted(gain, self.near));
         let [step, row] = gains.map(|gain| self.value(gain));
@@ -145,17 +157,13 @@ impl Slope {
         let [x, y] = self.to_center;
         let moved = moved(step, x).wrapping_add(moved(row, y));
         let [corner, ..] = values;
-        Plane {
-            step,
-            row,
-            start: corner.wrapping_add(moved),
-            ..Plane::NONE
-        }
+        plane.step = step;
+        plane.row = row;
+        plane.start = corner.wrapping_add(moved);
     }
 
-    /// The plane of any other triangle.
     #[inline(never)]
-    pub(crate) fn far_plane(&self, values: [i32; 3]) -> Plane {
+    fn lay_far(&self, values: [i32; 3], plane: &mut Plane) {
         let [dx, dy] = self.gains(values);
         let [x, y] = self.to_center.map(i64::from);
         let moved = self.scale(dx * x + dy * y);
@@ -163,13 +171,10 @@ impl Slope {
         let corner = i64::from(corner) * i64::from(self.area);
         // By 256 they take 60 bits.
         let [dx, dy] = [dx, dy].map(|gain| self.scale(gain << 8));
-        Plane {
-            step: self.value(dx),
-            numerator: corner.wrapping_add(moved),
-            dx,
-            dy,
-            ..Plane::NONE
-        }
+        plane.step = self.value(dx);
+        plane.numerator = corner.wrapping_add(moved);
+        plane.dx = dx;
+        plane.dy = dy;
     }
 
     /// A plane's value `x` columns and `y` rows from the pixel that corner 0 lies in.

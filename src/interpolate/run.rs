@@ -41,7 +41,7 @@ pub struct Run<const N: usize> {
 /// ```
 /// use fixel::interpolate::{Run, Steps};
 /// let mut run: Run<0> = Run { q: 1000, p: [] };
-/// run.step(&Steps { q: -3, p: [], scale: [], depth: 16, least: 900 });
+/// run.step(&Steps { q: -3, p: [], scale: [], depth: 16, least: 900, is_affine: true });
 /// assert_eq!(run.q, 997);
 /// ```
 #[derive(Clone, Copy, Debug)]
@@ -56,6 +56,8 @@ pub struct Steps<const N: usize> {
     pub depth: u32,
     /// The least [`Run::q`] of the triangle's corners; the largest has bit 30 set.
     pub least: u32,
+    /// Whether attributes are not divided by w in this triangle, nor to be multiplied by it.
+    pub is_affine: bool,
 }
 
 impl<const N: usize> Steps<N> {
@@ -66,6 +68,7 @@ impl<const N: usize> Steps<N> {
         scale: [Scale::ONE; N],
         depth: 16,
         least: 0,
+        is_affine: true,
     };
 }
 
@@ -89,6 +92,15 @@ pub struct Scale {
 impl Scale {
     /// That of an attribute that is 0 everywhere.
     pub(crate) const ONE: Self = Self { bits: 1 };
+
+    /// That of all attributes of a triangle that is [affine](Steps::is_affine) in a mode that divides.
+    pub(crate) const AFFINE: Self = Self { bits: 28 };
+
+    /// By how much such a triangle's interpolants are shifted up, so that rounding is of their fractions.
+    pub(crate) const AFFINE_UP: u32 = 30 - Self::AFFINE.bits;
+
+    /// The greatest magnitude for which that is enough, or a little less.
+    pub(crate) const MOST_AFFINE: i32 = (1 << (Self::AFFINE.bits - 1)) / 17 * 16;
 
     /// That of an attribute of this greatest magnitude, of so many bits at least.
     #[inline]

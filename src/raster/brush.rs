@@ -20,14 +20,18 @@ pub(crate) trait Brush {
     /// Goes to another element of the mesh.
     fn element(&mut self, face: &Face<'_>);
 
-    /// Gets ready for a triangle on the screen, all or a part of the element.
-    fn triangle(&mut self, triangle: &Triangle<'_>);
+    /// Gets ready for a triangle on the screen, all or a part of the element; gives the most columns that it paints
+    /// at a time.
+    fn triangle(&mut self, triangle: &Triangle<'_>) -> i32;
 
-    /// Paints `columns` of `row`, which lie within the canvas.
+    /// Paints `columns` of `row`, which lie within the canvas, and are no more than it said.
     ///
     /// Interpolants begin `x` columns and `y` rows from the pixel that corner 0 of the triangle lies in.
     fn span(&mut self, row: i32, columns: Range<i32>, x: i32, y: i32);
 }
+
+/// More than any attribute that is drawn affinely may have, and four times it takes 31 bits.
+const MOST_TOLERANCE: u32 = (1 << 29) - 1;
 
 /// The [`Brush`] of a fragment `F` in mode `I`.
 pub(crate) struct Paint<
@@ -68,11 +72,15 @@ where
         fragment: F,
         depth_shift: DepthShift,
     ) -> Self {
+        let mut planes = Planes::<[Attribute; N]>::NONE;
+        for (p, tolerance) in planes.p.iter_mut().zip(F::TOLERANCES) {
+            p.tolerance = mode.affine_within(tolerance).min(MOST_TOLERANCE);
+        }
         Self {
             canvas,
             fragment,
             current: fragment,
-            planes: Planes::<[Attribute; N]>::NONE,
+            planes,
             depth_shift,
             down: 0,
             mode,
@@ -103,39 +111,33 @@ where
         }
     }
 
-    fn triangle(&mut self, triangle: &Triangle<'_>) {
-        if Self::VARIES {
-            let planes: &mut Planes = &mut self.planes;
-            let exponent = planes.lay(triangle, I::PERSPECTIVE, I::LEAST_BITS);
-            self.down = self.depth_shift.of(exponent);
-            self.plan = self.mode.plan(&self.planes.steps(self.down));
+    fn triangle(&mut self, triangle: &Triangle<'_>) -> i32 {
+        if !Self::VARIES {
+            return i32::MAX;
         }
+        let planes: &mut Planes = &mut self.planes;
+        let exponent = planes.lay(triangle, I::PERSPECTIVE, I::LEAST_BITS);
+        self.down = self.depth_shift.of(exponent);
+        self.plan = self.mode.plan(&self.planes.steps(self.down));
+        RUN.cast_signed()
     }
 
-    fn span(&mut self, row: i32, columns: Range<i32>, mut x: i32, y: i32) {
-        let mut start = columns.start;
-        while start < columns.end {
-            let (end, run, steps) = if Self::VARIES {
-                let end = columns.end.min(start + RUN.cast_signed());
-                (end, self.planes.run(x, y), self.planes.steps(self.down))
-            } else {
-                (columns.end, Run::EVEN, Steps::EVEN)
-            };
-            let mut shader = Shader {
-                fragment: &self.current,
-                // The first pixel is looked at after one step.
-                point: Point::new(start - 1, row),
-                depth: 0,
-            };
-            let columns = start.cast_unsigned()..end.cast_unsigned();
-            let cells = self.canvas.run(row.cast_unsigned(), columns);
-            if Self::VARIES {
-                self.mode.run(self.plan, run, &steps, cells, &mut shader);
-            } else {
-                Linear.run((), run, &steps, cells, &mut shader);
-            }
-            x += end - start;
-            start = end;
+    fn span(&mut self, row: i32, columns: Range<i32>, x: i32, y: i32) {
+        let mut shader = Shader {
+            fragment: &self.current,
+            // The first pixel is looked at after one step.
+            point: Point::new(columns.start - 1, row),
+            depth: 0,
+        };
+        let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
+        let Some(cells) = self.canvas.run(row.cast_unsigned(), columns) else {
+            return;
+        };
+        if Self::VARIES {
+            let (run, steps) = (self.planes.run(x, y), self.planes.steps(self.down));
+            self.mode.run(self.plan, run, &steps, cells, &mut shader);
+        } else {
+            Linear.run((), Run::EVEN, &Steps::EVEN, cells, &mut shader);
         }
     }
 }

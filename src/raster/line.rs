@@ -1,6 +1,7 @@
 //! Lines: one pixel per column or row, whichever is longer.
 
 use super::edge::{Edge, first_center};
+use super::triangle::spans;
 use super::{Brush, Triangle, Window};
 use crate::geometry::{Corner, Projected};
 
@@ -39,7 +40,7 @@ pub(crate) fn line(brush: &mut dyn Brush, window: &Window, ends: [&Corner; 2]) {
         screen: [x, y],
         ..end.vertex
     };
-    brush.triangle(&Triangle {
+    let longest = brush.triangle(&Triangle {
         corners: &[
             corner(from, start, 128),
             corner(to, end, 128),
@@ -64,7 +65,7 @@ pub(crate) fn line(brush: &mut dyn Brush, window: &Window, ends: [&Corner; 2]) {
                 } else {
                     (offset, first..step + 1)
                 };
-                brush.span(row, columns, first - (start >> 8), 0);
+                spans(brush, row, columns, [first - (start >> 8), 0], longest);
             }
             (first, offset) = (step + 1, next);
         }

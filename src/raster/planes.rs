@@ -2,12 +2,15 @@
 
 use super::Triangle;
 use crate::interpolate::{FAR, Plane, Run, Scale, Slope, Steps, weigh};
+use crate::linear::product;
 
 /// An attribute that is interpolated over a primitive.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Attribute {
     /// What it is at the corners of the mesh's triangle.
     pub(super) corners: [i32; 3],
+    /// By how much less than this it may be off where a triangle is drawn affinely.
+    pub(super) tolerance: u32,
     /// The plane of it over w, or of itself.
     plane: Plane,
     scale: Scale,
@@ -23,6 +26,7 @@ pub(super) struct Planes<P: ?Sized = [Attribute]> {
     q: Plane,
     /// The least 1/w of a corner.
     least: u32,
+    is_affine: bool,
     pub(super) p: P,
 }
 
@@ -34,6 +38,22 @@ const LEAST_WEIGHT: u32 = 1 << 11;
 
 /// The greatest 1/w: rounding may add 40 units to it, and it is to stay below 2^31.
 const MOST_WEIGHT: u32 = (1 << 31) - 64;
+
+impl Attribute {
+    /// Whether it may be interpolated without regard to 1/w, which is `least` and changes by so much.
+    ///
+    /// With weights λ that add up to 1, the one value is Σλf, the other Σλqf / Σλq. They differ by the
+    /// covariance of q and f over the mean q, which is at most a quarter of the product of their ranges by that.
+    #[inline]
+    fn is_affine(&self, least: u32, change: u32) -> bool {
+        let [a, b, c] = self.corners;
+        let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+        low >= -Scale::MOST_AFFINE
+            && high <= Scale::MOST_AFFINE
+            && product(high - low, change.cast_signed())
+                < product((4 * self.tolerance).cast_signed(), least.cast_signed())
+    }
+}
 
 impl Planes {
     /// Lays the planes through a triangle's corners, for attributes that are divided by w or not, of so many bits at least;
@@ -50,19 +70,15 @@ impl Planes {
         let exponent = a.exponent.max(b.exponent).max(c.exponent);
         let q = [a, b, c].map(|corner| {
             let down = u32::from(exponent - corner.exponent);
-            let q = corner.q.checked_shr(down).unwrap_or(0);
+            // Of 31 bits.
+            let q = corner.q >> down.min(31);
             q.clamp(LEAST_WEIGHT, MOST_WEIGHT)
         });
         let [first, second, third] = q;
         self.least = first.min(second).min(third);
         self.slope = Slope::new([a.screen, b.screen, c.screen], triangle.area);
         let slope = &self.slope;
-        let lay = if slope.is_near() {
-            Slope::near_plane
-        } else {
-            Slope::far_plane
-        };
-        self.q = lay(slope, q.map(u32::cast_signed));
+        slope.lay(q.map(u32::cast_signed), &mut self.q);
         let (weights, least_bits) = if !perspective {
             ([1 << 30; 3], least_bits)
         } else if self.least > FAR {
@@ -70,13 +86,20 @@ impl Planes {
         } else {
             (q, 1)
         };
+        let change = first.max(second).max(third) - self.least;
+        self.is_affine = perspective && self.p.iter().all(|p| p.is_affine(self.least, change));
         for p in &mut self.p {
             let mut values = match triangle.weights {
                 None => p.corners,
                 Some(weights) => weights.map(|weights| weights.mix(&p.corners)),
             };
-            p.scale = weigh(&mut values, weights, least_bits);
-            p.plane = lay(slope, values);
+            p.scale = if self.is_affine {
+                values = values.map(|value| value << Scale::AFFINE_UP);
+                Scale::AFFINE
+            } else {
+                weigh(&mut values, weights, least_bits)
+            };
+            slope.lay(values, &mut p.plane);
         }
         exponent
     }
@@ -88,8 +111,10 @@ impl<const N: usize> Planes<[Attribute; N]> {
         slope: Slope::NONE,
         q: Plane::NONE,
         least: 0,
+        is_affine: true,
         p: [Attribute {
             corners: [0; 3],
+            tolerance: 0,
             plane: Plane::NONE,
             scale: Scale::ONE,
         }; N],
@@ -120,6 +145,7 @@ impl<const N: usize> Planes<[Attribute; N]> {
             scale: self.p.each_ref().map(|p| p.scale),
             depth: down,
             least: self.least,
+            is_affine: self.is_affine,
         }
     }
 }

@@ -127,7 +127,7 @@ pub(super) fn draw(
     triangle: &Triangle<'_>,
     part: Option<&Part<'_>>,
 ) {
-    brush.triangle(triangle);
+    let longest = brush.triangle(triangle);
     let screen = Projected::screens(triangle.corners);
     // The pixel that interpolants are counted from.
     let [origin_x, origin_y] = screen[0].map(|at| at >> 8);
@@ -163,7 +163,8 @@ pub(super) fn draw(
             if start < end {
                 let (x, y) = (start - origin_x, row - origin_y);
                 match part {
-                    None => brush.span(row, start..end, x, y),
+                    None if end - start <= longest => brush.span(row, start..end, x, y),
+                    None => spans(brush, row, start..end, [x, y], longest),
                     Some(part) => part.span(brush, row, start..end, [x, y]),
                 }
             }
@@ -171,5 +172,24 @@ pub(super) fn draw(
             right.step();
             row += 1;
         }
+    }
+}
+
+/// Paints columns that are more than the brush does at a time.
+#[inline(never)]
+pub(super) fn spans(
+    brush: &mut dyn Brush,
+    row: i32,
+    mut columns: Range<i32>,
+    [mut x, y]: [i32; 2],
+    longest: i32,
+) {
+    while columns.start < columns.end {
+        // Columns are of a canvas.
+        let count = longest.min(columns.end - columns.start);
+        let stop = columns.start + count;
+        brush.span(row, columns.start..stop, x, y);
+        x += count;
+        columns.start = stop;
     }
 }

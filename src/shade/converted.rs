@@ -61,6 +61,7 @@ where
     type Color = C;
 
     const READS_DEPTH: bool = F::READS_DEPTH;
+    const TOLERANCES: [u32; N] = F::TOLERANCES;
 
     #[inline]
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; N] {

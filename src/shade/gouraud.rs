@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::levels::{Channels, all, first};
+use super::levels::{Channels, LEVEL_TOLERANCE, all, first};
 use super::{Fragment, Sample};
 use crate::geometry::Vertex;
 
@@ -46,6 +46,8 @@ impl<C> Gouraud<C> {
 
 impl<C: Channels<K>, const K: usize> Fragment<K> for Gouraud<C> {
     type Color = C;
+
+    const TOLERANCES: [u32; K] = [LEVEL_TOLERANCE; K];
 
     #[inline]
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; K] {

@@ -103,6 +103,15 @@ pub(super) fn dimmed(levels: [i32; 3], light: i32) -> [i32; 3] {
     levels.map(|level| (level >> 8).wrapping_mul(light >> 2) >> 6)
 }
 
+/// By how much levels may be off unseen: 1/8 of a step.
+pub(super) const LEVEL_TOLERANCE: u32 = 1 << 13;
+
+/// The same of fractions and brightness, 65,536 being full: 1/16 of a step of 6 bits, 1/4 of one of 8.
+pub(super) const FRACTION_TOLERANCE: u32 = 1 << 6;
+
+/// Of a texture coordinate: 1/4096 of a texel.
+pub(super) const TEXEL_TOLERANCE: u32 = 1 << 4;
+
 /// The first `K` channels.
 #[inline]
 pub(super) fn first<const K: usize>(channels: [i32; 3]) -> [i32; K] {

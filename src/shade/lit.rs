@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use super::levels::{Levels, dimmed};
+use super::levels::{FRACTION_TOLERANCE, Levels, TEXEL_TOLERANCE, dimmed};
 use super::light::Light;
 use super::{Addressing, Filter, Fragment, Nearest, Repeat, Sample, Sampler, Textured};
 use crate::geometry::{Face, Vertex};
@@ -94,6 +94,8 @@ impl<C: Levels> Lit<C> {
 
 impl<C: Levels> Fragment<1> for Lit<C> {
     type Color = C;
+
+    const TOLERANCES: [u32; 1] = [FRACTION_TOLERANCE];
 
     #[inline]
     fn begin(self, model: &Transform) -> Self {
@@ -237,6 +239,8 @@ where
     S::Color: Levels,
 {
     type Color = S::Color;
+
+    const TOLERANCES: [u32; 3] = [TEXEL_TOLERANCE, TEXEL_TOLERANCE, FRACTION_TOLERANCE];
 
     #[inline]
     fn begin(self, model: &Transform) -> Self {

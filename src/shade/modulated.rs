@@ -1,6 +1,6 @@
 //! Texture times vertex colour.
 
-use super::levels::{Channels, Levels, all, first};
+use super::levels::{Channels, FRACTION_TOLERANCE, Levels, TEXEL_TOLERANCE, all, first};
 use super::{Addressing, Filter, Fragment, Nearest, Repeat, Sample, Sampler, Textured};
 use crate::geometry::{Face, Vertex};
 
@@ -45,6 +45,15 @@ macro_rules! modulated {
             S::Color: Channels<$channels>,
         {
             type Color = S::Color;
+
+            const TOLERANCES: [u32; $n] = [
+                TEXEL_TOLERANCE,
+                TEXEL_TOLERANCE,
+                $({
+                    let $channel = FRACTION_TOLERANCE;
+                    $channel
+                }),+
+            ];
 
             #[inline]
             fn varyings(&self, vertex: &Vertex<'_>) -> [i32; $n] {

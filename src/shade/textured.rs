@@ -2,6 +2,7 @@
 
 use core::marker::PhantomData;
 
+use super::levels::TEXEL_TOLERANCE;
 use super::light::Light;
 use super::{Bilinear, Blend, Filter, Fragment, LitTexture, Modulated, Nearest, Sample, Sampler};
 use crate::TexCoord;
@@ -250,6 +251,8 @@ impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Textured<S, A, F> {
 
 impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Fragment<2> for Textured<S, A, F> {
     type Color = S::Color;
+
+    const TOLERANCES: [u32; 2] = [TEXEL_TOLERANCE; 2];
 
     #[inline]
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; 2] {

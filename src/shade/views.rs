@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use super::levels::{Channels, Levels, all, first};
+use super::levels::{Channels, LEVEL_TOLERANCE, Levels, all, first};
 use super::pose::Pose;
 use super::{Fragment, Sample};
 use crate::geometry::Vertex;
@@ -139,6 +139,8 @@ impl<C> Default for NormalView<C> {
 
 impl<C: Channels<K>, const K: usize> Fragment<K> for NormalView<C> {
     type Color = C;
+
+    const TOLERANCES: [u32; K] = [LEVEL_TOLERANCE; K];
 
     #[inline]
     fn begin(self, model: &Transform) -> Self {

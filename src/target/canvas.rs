@@ -295,14 +295,14 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         self.depth.clear();
     }
 
-    /// The pixels of `columns` of `row` with their depths; both must lie within the canvas.
+    /// The pixels of `columns` of `row` with their depths; `None` unless both lie within the canvas.
     #[inline]
-    pub(crate) fn run(&mut self, row: u32, columns: Range<u32>) -> Cells<'_, C, O, D> {
+    pub(crate) fn run(&mut self, row: u32, columns: Range<u32>) -> Option<Cells<'_, C, O, D>> {
         let range = self.range(row, &columns);
-        Cells {
-            colors: self.cells.get_mut(range.clone()).unwrap_or_default(),
-            depths: self.depth.cells(range),
-        }
+        Some(Cells {
+            colors: self.cells.get_mut(range.clone())?,
+            depths: self.depth.cells(range)?,
+        })
     }
 }
 

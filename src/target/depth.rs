@@ -37,8 +37,8 @@ pub trait DepthBuffer {
     /// Whether depths are looked at or kept.
     const IS_KEPT: bool;
 
-    /// The depths of a run of pixels.
-    fn cells(&mut self, range: Range<usize>) -> Self::Cells<'_>;
+    /// The depths of a run of pixels; `None` if they are not all there.
+    fn cells(&mut self, range: Range<usize>) -> Option<Self::Cells<'_>>;
 
     /// Takes the first `count` of a run, or all that are left.
     fn first<'a>(cells: &mut Self::Cells<'a>, count: usize) -> Self::Cells<'a>
@@ -79,7 +79,9 @@ impl DepthBuffer for NoDepth {
     const IS_KEPT: bool = false;
 
     #[inline]
-    fn cells(&mut self, _: Range<usize>) {}
+    fn cells(&mut self, _: Range<usize>) -> Option<()> {
+        Some(())
+    }
 
     #[inline]
     fn first<'a>((): &mut (), _: usize)
@@ -136,8 +138,8 @@ impl DepthBuffer for Depth<'_> {
     const IS_KEPT: bool = true;
 
     #[inline]
-    fn cells(&mut self, range: Range<usize>) -> &mut [u16] {
-        self.0.get_mut(range).unwrap_or_default()
+    fn cells(&mut self, range: Range<usize>) -> Option<&mut [u16]> {
+        self.0.get_mut(range)
     }
 
     #[inline]
