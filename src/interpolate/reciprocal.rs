@@ -1,12 +1,12 @@
 //! The reciprocal that every division by depth goes through.
 
-use crate::linear::{product, upper};
+use crate::linear::{IS_NARROW, product, upper};
 
 /// ⌊(2⁶¹ − 1) / q⌋, for a `q` of 31 bits: from 2³⁰ to 2³¹ − 1, as is the result.
 ///
 /// Exact in every bit and the same on every target: a core with a 64-bit divider divides, others
-/// take 17 bits from a 32-bit divider, double them in one Newton step and correct the last one
-/// from the remainder.
+/// double the 17 bits that a 32-bit divider gives, or where there is none a table of 32 bytes and two short Newton
+/// steps, in one more step, and correct the last one from the remainder.
 ///
 /// ```
 /// use fixel::interpolate::reciprocal;
@@ -17,8 +17,10 @@ use crate::linear::{product, upper};
 pub const fn reciprocal(q: u32) -> u32 {
     if cfg!(target_pointer_width = "64") {
         by_division(q)
+    } else if IS_NARROW {
+        by_newton(q, seed(q))
     } else {
-        by_newton(q)
+        by_newton(q, divided_seed(q))
     }
 }
 
@@ -29,13 +31,45 @@ const fn by_division(q: u32) -> u32 {
     (((1 << 61) - 1) / (q | TOP) as u64) as u32
 }
 
-const fn by_newton(q: u32) -> u32 {
-    // q to the nearest 16 bits, off by at most 2^-16 of itself where it is least.
-    let coarse = (q >> 15 | 1 << 15) + (q >> 14 & 1);
-    // 2^33 / coarse, 18 bits, in the middle of 17: off by 2^-18 where coarse is least, by 2^-17
-    // where it is greatest.
-    let seed = ((u32::MAX / coarse) << 1) | 1;
-    // Together less than 1.25 * 2^-16; a Newton step squares that, to less than 0.8 units of the
+/// q to the nearest 16 bits, off by at most 2^-17 of itself where it is least.
+const fn coarse(q: u32) -> u32 {
+    (q >> 15 & 0xffff | 1 << 15) + (q >> 14 & 1)
+}
+
+/// 2^48 / q to 17 or 18 bits, by a division.
+const fn divided_seed(q: u32) -> u32 {
+    // In the middle of 17 bits: off by 2^-18 where q is least, by 2^-17 where it is greatest.
+    ((u32::MAX / coarse(q)) << 1) | 1
+}
+
+/// 2^8 / c in the middle of each 32nd of c from 1 to 2, to the nearest.
+const SEEDS: [u8; 32] = {
+    let mut seeds = [0; 32];
+    let mut i = 0;
+    while i < 32 {
+        let twice_middle = 65 + 2 * i;
+        seeds[i] = ((512 * 32 + twice_middle / 2) / twice_middle) as u8;
+        i += 1;
+    }
+    seeds
+};
+
+/// 2^48 / q to 17 or 18 bits, without a division and in products of 32 bits.
+pub(super) const fn seed(q: u32) -> u32 {
+    let coarse = coarse(q);
+    let seed = SEEDS[(q >> 25 & 31) as usize] as u32;
+    // Off by up to 2^-5.8; squared that is 2^-11.6, in 16 bits.
+    let lacks = (1 << 23) - (coarse * seed).cast_signed();
+    let seed = (seed * ((1 << 23) + lacks).cast_unsigned()) >> 15;
+    // Squared once more 2^-23, far below a unit.
+    let lacks = (1_u32 << 31).wrapping_sub(coarse * seed).cast_signed();
+    // Rounded down, so that it stays below 2^18.
+    let more = seed.cast_signed() * (lacks >> 5) >> 24;
+    (seed << 2).wrapping_add_signed(more)
+}
+
+const fn by_newton(q: u32, seed: u32) -> u32 {
+    // Together with q's rounding off by less than 1.25 * 2^-16; a Newton step squares that, to less than 0.8 units of the
     // result and never above it. seed * q is 2^48 but for less than 2^33, so modulo 2^34 will do.
     let residual = !(upper(seed, q) << 30 | seed.wrapping_mul(q) >> 2);
     let seed = (seed << 13).cast_signed();
@@ -60,15 +94,18 @@ mod tests {
         {
             let exact = ((1u128 << 61) - 1) / u128::from(q);
             assert_eq!(u128::from(by_division(q)), exact, "{q}");
-            assert_eq!(u128::from(by_newton(q)), exact, "{q}");
+            assert_eq!(u128::from(by_newton(q, divided_seed(q))), exact, "{q}");
+            assert_eq!(u128::from(by_newton(q, seed(q))), exact, "{q}");
         }
     }
 
     #[test]
-    #[ignore = "all 2^30 values take half a minute"]
+    #[ignore = "all 2^30 values take a minute"]
     fn newton_is_exact_for_every_value() {
         for q in 1 << 30..1 << 31 {
-            assert_eq!(by_newton(q), by_division(q), "{q}");
+            let exact = by_division(q);
+            assert_eq!(by_newton(q, divided_seed(q)), exact, "{q}");
+            assert_eq!(by_newton(q, seed(q)), exact, "{q}");
         }
     }
 }
