@@ -33,6 +33,11 @@ fn replay(inputs: &str, check: fn(&[u8])) {
 }
 
 #[test]
+fn what_failed_once() {
+    replay(include_str!("fuzzed/mended.base64"), fuzzed::draw::check);
+}
+
+#[test]
 fn draw() {
     replay(include_str!("fuzzed/draw.base64"), fuzzed::draw::check);
 }

@@ -20,8 +20,20 @@ use crate::mode::Mode;
 /// If something does not.
 pub fn check(bytes: &[u8]) {
     if let Ok(scene) = Scene::of(bytes) {
+        let told = Told(&scene);
         // What a constructor refuses is not drawn.
-        let _ = check_scene(&scene);
+        let _ = check_scene(told.0);
+    }
+}
+
+/// A scene that is told if something does not hold.
+struct Told<'a>(&'a Scene);
+
+impl Drop for Told<'_> {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            eprintln!("{:#?}", self.0);
+        }
     }
 }
 
