@@ -67,8 +67,8 @@ impl<'a> Fan<'a> {
 
     /// Draws the part in the window; whether there is any.
     pub(crate) fn draw(&self, brush: &mut dyn Brush, window: &Window) -> bool {
-        // Whether or not the triangle turned over is in the window: else a band that it is not in would have
-        // pixels drawn by another triangle than the frame has, or by two.
+        // Whether or not the triangle that turned over is in the window: of a folded fan each pixel is a span of its
+        // own, whose values a band without that triangle would find a unit beside the frame's.
         let mut folded = false;
         for corners in self.triangles() {
             let area = area(&screens(corners));
