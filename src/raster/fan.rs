@@ -67,15 +67,16 @@ impl<'a> Fan<'a> {
 
     /// Draws the part in the window; whether there is any.
     pub(crate) fn draw(&self, brush: &mut dyn Brush, window: &Window) -> bool {
-        let area = |corners| area_in(&vertices(corners), Cull::Nothing, window);
+        // Whether or not the triangle that turned over is in the window: of a folded fan each pixel is a span of its
+        // own, whose values a band without that triangle would find a unit beside the frame's.
         let mut folded = false;
         for corners in self.triangles() {
-            let area = area(corners);
+            let area = area(&screens(corners));
             folded |= area != 0 && !runs_as(self.area, area);
         }
         let mut drawn = false;
         for (at, corners) in self.triangles().enumerate() {
-            let area = area(corners);
+            let area = area_in(&vertices(corners), Cull::Nothing, window);
             if area == 0 || !runs_as(self.area, area) {
                 continue;
             }

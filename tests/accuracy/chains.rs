@@ -7,8 +7,8 @@ use proptest::prelude::*;
 
 use crate::drawing::{Drawing, Spot};
 use crate::mode::Mode;
-use crate::moves::{Move, exact, product, quantised, radians};
-use crate::reference::linear::{self, point};
+use crate::moves::{Move, exact, product, quantised, radians, relative, size};
+use crate::reference::linear::point;
 use crate::reference::projection::{self, Lens};
 use crate::reference::view::{View, Viewport as ModelViewport};
 
@@ -42,28 +42,6 @@ fn chains() -> impl Strategy<Value = Vec<Move>> {
             moves
         },
     )
-}
-
-/// How far from the origin a point may be on its way through a chain: what errors are relative to.
-fn size(moves: &[Move], p: Vec3) -> f64 {
-    let length = |v: Vec3| linear::length(exact(v));
-    let largest = |v: Vec3| {
-        exact(v)
-            .into_iter()
-            .fold(0., |most: f64, x| most.max(x.abs()))
-    };
-    moves.iter().rev().fold(length(p), |size, step| match step {
-        Move::To(offset) => size + length(*offset),
-        Move::Scale(factors) => size * largest(*factors),
-        _ => size,
-    })
-}
-
-/// The error of clip coordinates, relative to [`size`] and the largest coefficient: for each move 2⁻³⁰ for
-/// its mantissas, a sine and the product's mantissas; the lens', its product's, its scale's and the common
-/// exponent's, which has one bit less and so counts twice. A point has three coordinates, √3 times its length together.
-fn relative(moves: &[Move]) -> f64 {
-    2_f64.powi(-30) * 3_f64.sqrt() * (3 * moves.len() + 5) as f64
 }
 
 /// One lens, both ways.

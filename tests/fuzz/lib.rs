@@ -1,0 +1,12 @@
+//! What is fuzzed, and what of the crate's tests it needs.
+
+#[path = "../accuracy/bounds.rs"]
+pub mod bounds;
+#[path = "../fuzzed/mod.rs"]
+pub mod fuzzed;
+#[path = "../accuracy/mode.rs"]
+pub mod mode;
+#[path = "../accuracy/moves.rs"]
+pub mod moves;
+#[path = "../reference/mod.rs"]
+pub mod reference;

@@ -1,0 +1,4 @@
+//! OBJ text of any bytes.
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| fuzzed::fuzzed::obj::check(bytes));

@@ -1,0 +1,142 @@
+//! A scene in every mode, or with a fragment of the crate's.
+
+use embedded_graphics::pixelcolor::Rgb565;
+use fixel::interpolate::{Affine, Exact, Fast, Interpolate, Linear, Newton};
+use fixel::prelude::*;
+use fixel::view::Kind;
+
+use super::fragments::{Bits, Record};
+use super::lens::Projected;
+use super::model::Truth;
+use super::scene::{Scene, What};
+use super::shades::{self, Draw, Shade};
+use super::ways::Call;
+use crate::mode::Mode;
+
+/// Draws the scene that these bytes stand for, if constructors take its numbers, and checks all that must hold.
+///
+/// # Panics
+///
+/// If something does not.
+pub fn check(bytes: &[u8]) {
+    if let Ok(scene) = Scene::of(bytes) {
+        let told = Told(&scene);
+        // What a constructor refuses is not drawn.
+        let _ = check_scene(told.0);
+    }
+}
+
+/// A scene that is told if something does not hold.
+struct Told<'a>(&'a Scene);
+
+impl Drop for Told<'_> {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            eprintln!("{:#?}", self.0);
+        }
+    }
+}
+
+fn check_scene(scene: &Scene) -> Result<(), Error> {
+    let mesh = &scene.mesh()?;
+    let (pass, window) = (scene.pass()?, scene.window()?);
+    let (camera, place) = (scene.eye.camera()?, scene.place.transform());
+    match scene.lens.projection(scene.size)? {
+        Projected::Perspective(lens) => {
+            let chain = lens * camera * place;
+            check_call(
+                &Call {
+                    scene,
+                    mesh,
+                    chain,
+                    window,
+                },
+                pass,
+            )
+        }
+        Projected::Parallel(lens) => {
+            let chain = lens * camera * place;
+            check_call(
+                &Call {
+                    scene,
+                    mesh,
+                    chain,
+                    window,
+                },
+                pass,
+            )
+        }
+    }
+}
+
+fn check_call<K: Kind>(call: &Call<'_, K>, pass: Pass) -> Result<(), Error> {
+    match call.scene.shade {
+        Shade::Bits(0) => check_modes::<K, 0>(call, pass),
+        Shade::Bits(_) => check_modes::<K, 3>(call, pass),
+        Shade::Crate {
+            which,
+            light,
+            color,
+            between,
+        } => {
+            let light = match light {
+                Some(light) => light.light()?,
+                None => Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?,
+            };
+            shades::draw(which, light, color, between, Ways { call, pass });
+        }
+    }
+    Ok(())
+}
+
+/// Checks a fragment in the default mode.
+struct Ways<'a, 'c, K> {
+    call: &'a Call<'c, K>,
+    pass: Pass,
+}
+
+impl<K: Kind> Draw for Ways<'_, '_, K> {
+    fn draw<F: Fragment<N, Color = Rgb565>, const N: usize>(self, fragment: &F) {
+        self.call.check(&self.pass, fragment);
+    }
+}
+
+/// Checks every mode, and that each draws the same pixels at the same depths.
+fn check_modes<K: Kind, const N: usize>(call: &Call<'_, K>, pass: Pass) {
+    let tolerance = call.scene.tolerance;
+    let truth = (call.scene.what == What::Triangles).then(|| Truth::new(call, &pass));
+    let mut first = None;
+    let mut check = |mode, record: Record<Rgb565, N>| {
+        if let Some(truth) = &truth {
+            truth.check(mode, &record);
+        }
+        let Some(first) = &first else {
+            first = Some(record);
+            return;
+        };
+        let places = |record: &Record<Rgb565, N>| -> Vec<_> {
+            let seen = record.seen.iter();
+            seen.map(|seen| (seen.face, seen.pixel, seen.depth))
+                .collect()
+        };
+        assert!(
+            places(first) == places(&record),
+            "{mode:?}: other pixels or depths"
+        );
+    };
+    check(Mode::Exact, checked(call, pass.mode(Exact)));
+    check(Mode::Newton, checked(call, pass.mode(Newton)));
+    let fast = checked(call, pass.mode(Fast::within(tolerance)));
+    check(Mode::Fast(tolerance.max(fx!(0))), fast);
+    check(Mode::Affine, checked(call, pass.mode(Affine)));
+    check(Mode::Linear, checked(call, pass.mode(Linear)));
+}
+
+fn checked<I: Interpolate, K: Kind, const N: usize>(
+    call: &Call<'_, K>,
+    pass: Pass<I>,
+) -> Record<Rgb565, N> {
+    let record = call.check(&pass, &Bits);
+    call.check_bytes(&pass, &Bits::<N>);
+    record
+}

@@ -1,0 +1,98 @@
+//! Where the f64 model has a triangle, and how far the crate may be from that.
+
+use fixel::prelude::*;
+
+use crate::moves::{Move, exact, product, relative, size};
+use crate::reference::clip::Plane;
+use crate::reference::projection::{Kind, Lens};
+use crate::reference::view::{Projected, View, Viewport as ModelViewport};
+
+/// Half the guard band's width in pixels.
+const GUARD: f64 = 2048.;
+
+/// Where a triangle's corners are, and how far the crate may be from that: errors are those of
+/// tests/accuracy/chains.rs.
+pub struct Knowledge {
+    pub view: View,
+    pub at: [Projected; 3],
+    /// The largest of the coefficients of x and y in pixels and of depth, which has the guard band's scale: clip
+    /// coordinates have a common exponent.
+    scale: f64,
+    /// By how much each corner's clip coordinates may be off, in units of a distance times the scale.
+    errors: [f64; 3],
+}
+
+impl Knowledge {
+    pub fn new(moves: &[Move], lens: &Lens, window: Viewport, corners: [Vec3; 3]) -> Self {
+        let (_, eye) = product(moves);
+        let view = View {
+            eye,
+            lens: *lens,
+            viewport: ModelViewport {
+                x: window.x(),
+                y: window.y(),
+                width: window.width(),
+                height: window.height(),
+            },
+        };
+        let parallel = lens.kind == Kind::Parallel;
+        let pixels = |axis: usize, size: u32| {
+            let row = lens.matrix[axis].into_iter();
+            f64::from(size) / 2. * row.fold(0., |most: f64, m| most.max(m.abs()))
+        };
+        let of_depth = if parallel {
+            GUARD / (lens.far - lens.near)
+        } else {
+            GUARD
+        };
+        let scale = pixels(0, window.width())
+            .max(pixels(1, window.height()))
+            .max(of_depth);
+        // A lens' own offset counts as a way too.
+        let offset = if parallel {
+            lens.near.abs().max(lens.far.abs()).max(1.)
+        } else {
+            0.
+        };
+        Self {
+            at: corners.map(|corner| view.project(exact(corner))),
+            errors: corners.map(|corner| relative(moves) * (size(moves, corner) + offset)),
+            view,
+            scale,
+        }
+    }
+
+    pub fn is_parallel(&self) -> bool {
+        self.view.lens.kind == Kind::Parallel
+    }
+
+    /// By how much a corner's distance may be off, or its depth in parts of all depths.
+    pub fn of_depth(&self, corner: usize) -> f64 {
+        self.errors[corner] * self.scale / GUARD
+    }
+
+    /// By how many pixels what clipping leaves may be off before it is rounded, wherever in the guard band: off the
+    /// middle an error of w is one of x.
+    pub fn of_place(&self) -> f64 {
+        let most = self.errors.into_iter().fold(0., f64::max);
+        let nearest = if self.is_parallel() {
+            1.
+        } else {
+            self.view.lens.near
+        };
+        2. * most * self.scale / nearest
+    }
+
+    /// The planes that leave what is ahead from `near` to `far` times the distances of the lens' own planes.
+    ///
+    /// z = a·w − b, where a = (f + n)/(f − n) and b = 2fn/(f − n), is above −k·w from the distance n′ on if
+    /// k = b/n′ − a.
+    pub fn planes(&self, near: f64, far: f64) -> [Plane; 2] {
+        let Lens {
+            near: n, far: f, ..
+        } = self.view.lens;
+        let (a, b) = ((f + n) / (f - n), 2. * f * n / (f - n));
+        let (near, far) = (b / (n * near) - a, a - b / (f * far));
+        [[0., 0., 1., near], [0., 0., -1., far]]
+    }
+}

@@ -1,0 +1,137 @@
+//! Projections of any numbers, and the model's of the same.
+
+use arbitrary::{Result, Unstructured};
+use fixel::prelude::*;
+use fixel::view::{Parallel, Perspective};
+
+use super::numbers::{angle, scalar, size};
+use crate::moves::radians;
+use crate::reference::projection::{self, Lens as Model};
+
+/// What a projection is made of.
+#[derive(Clone, Copy, Debug)]
+pub enum Lens {
+    Perspective(Angle, Option<Scalar>, [Scalar; 2]),
+    Focal(Scalar, [Scalar; 2]),
+    /// Left, right, bottom, top, near, far.
+    Frustum([Scalar; 6]),
+    Orthographic([Scalar; 6]),
+    Oblique(Angle, Scalar, [Scalar; 6]),
+}
+
+/// A projection of either kind.
+#[derive(Clone, Copy, Debug)]
+pub enum Projected {
+    Perspective(Projection<Perspective>),
+    Parallel(Projection<Parallel>),
+}
+
+/// Left, right, bottom, top, near and far: of any numbers, or those of a view of what is about the origin.
+fn six(u: &mut Unstructured<'_>) -> Result<[Scalar; 6]> {
+    if u.ratio(1, 2)? {
+        let [l, r, b, t] = u
+            .arbitrary::<[u8; 4]>()?
+            .map(|edge| Scalar::from_bits(i32::from(edge) << 11));
+        return Ok([-l, r, -b, t, fx!(0.25), fx!(32)]);
+    }
+    let mut edges = [Scalar::ZERO; 6];
+    for edge in &mut edges {
+        *edge = scalar(u)?;
+    }
+    let [a, b, c, d, near, far] = edges;
+    Ok([
+        a.min(b),
+        a.max(b),
+        c.min(d),
+        c.max(d),
+        near.min(far),
+        near.max(far),
+    ])
+}
+
+/// Near and far plane.
+fn planes(u: &mut Unstructured<'_>) -> Result<[Scalar; 2]> {
+    if u.ratio(2, 3)? {
+        return Ok([fx!(0.125), fx!(4096)]);
+    }
+    let (a, b) = (size(u)?, size(u)?);
+    Ok([a.min(b), a.max(b)])
+}
+
+/// Mostly neither very wide nor very narrow.
+fn field_of_view(u: &mut Unstructured<'_>) -> Result<Angle> {
+    if u.ratio(1, 8)? {
+        angle(u)
+    } else {
+        Ok(Angle::from_degrees(u.int_in_range(1..=179_i32)?))
+    }
+}
+
+impl Lens {
+    pub fn arbitrary(u: &mut Unstructured<'_>) -> Result<Self> {
+        Ok(match u.int_in_range(0..=7)? {
+            0 => Self::Frustum(six(u)?),
+            1 => Self::Orthographic(six(u)?),
+            2 => Self::Oblique(angle(u)?, scalar(u)?, six(u)?),
+            3 => Self::Focal(size(u)?, planes(u)?),
+            // Pixels that are as many as those of a small canvas.
+            4 => Self::Focal(Scalar::from_num(u.int_in_range(1..=200_u8)?), planes(u)?),
+            5 => Self::Perspective(field_of_view(u)?, Some(scalar(u)?), planes(u)?),
+            _ => Self::Perspective(field_of_view(u)?, None, planes(u)?),
+        })
+    }
+
+    /// The crate's, if it takes these numbers.
+    pub fn projection(self, frame: (u32, u32)) -> Result<Projected, Error> {
+        Ok(match self {
+            Self::Perspective(fov, aspect, [near, far]) => Projected::Perspective(match aspect {
+                None => Projection::perspective(fov, frame, near, far),
+                Some(ratio) => Projection::perspective(fov, ratio, near, far),
+            }?),
+            Self::Focal(pixels, [near, far]) => {
+                Projected::Perspective(Projection::from_focal_length(pixels, frame, near, far)?)
+            }
+            Self::Frustum([l, r, b, t, n, f]) => {
+                Projected::Perspective(Projection::frustum(l, r, b, t, n, f)?)
+            }
+            Self::Orthographic([l, r, b, t, n, f]) => {
+                Projected::Parallel(Projection::orthographic(l, r, b, t, n, f)?)
+            }
+            Self::Oblique(angle, ratio, [l, r, b, t, n, f]) => {
+                Projected::Parallel(Projection::oblique(angle, ratio, l, r, b, t, n, f)?)
+            }
+        })
+    }
+
+    /// The model's, of numbers that the crate took.
+    pub fn model(self, frame: (u32, u32)) -> Model {
+        let exact = |numbers: [Scalar; 6]| numbers.map(Scalar::to_num::<f64>);
+        match self {
+            Self::Perspective(fov, aspect, [near, far]) => {
+                let aspect = aspect.map_or_else(
+                    || f64::from(frame.0) / f64::from(frame.1),
+                    Scalar::to_num::<f64>,
+                );
+                projection::perspective(radians(fov), aspect, near.to_num(), far.to_num())
+            }
+            Self::Focal(pixels, [near, far]) => {
+                projection::focal(pixels.to_num(), frame, near.to_num(), far.to_num())
+            }
+            Self::Frustum(edges) => {
+                let [l, r, b, t, n, f] = exact(edges);
+                projection::frustum(l, r, b, t, n, f)
+            }
+            Self::Orthographic(edges) => {
+                let [l, r, b, t, n, f] = exact(edges);
+                projection::orthographic(l, r, b, t, n, f)
+            }
+            Self::Oblique(angle, ratio, edges) => {
+                let [l, r, b, t, n, f] = exact(edges);
+                // The crate's leaves the near plane in place, the model's the plane through the eye.
+                let (angle, ratio) = (radians(angle), ratio.to_num::<f64>());
+                let (x, y) = (n * ratio * angle.cos(), n * ratio * angle.sin());
+                projection::oblique(angle, ratio, (l + x, r + x, b + y, t + y), n, f)
+            }
+        }
+    }
+}

@@ -1,0 +1,303 @@
+//! The pixels of triangles against the f64 model.
+//!
+//! Where all corners of a triangle are in view, which pixels it covers follows from where the crate says that its
+//! corners are, exactly, whatever its numbers. What it has at them is compared where the model knows its chain.
+
+use embedded_graphics::pixelcolor::Rgb565;
+use fixel::prelude::{Canvas, Cull, Pass, Vec3};
+
+use super::fragments::{Record, Seen};
+use super::knowledge::Knowledge;
+use super::ways::Call;
+use crate::bounds;
+use crate::mode::Mode;
+use crate::moves::exact;
+use crate::reference::attributes::at_pixel_snapped;
+use crate::reference::coverage::{Bounds, Snapped, area2, centre, covered_in, covers_f64};
+use crate::reference::distance::to_triangle;
+use crate::reference::raster::{Mesh, Piece, pieces_clipped};
+
+/// The depth ratio within a triangle up to which the promise holds.
+const MOST_RATIO: f64 = 128.;
+/// The relative error of a distance up to which what comes of it is compared: here a corner that is off by so much
+/// is still where the model has it, but for a pixel's thousandth.
+const MOST_ERROR: f64 = 1. / 65536.;
+/// The same of a depth.
+const MOST_DEPTH_ERROR: f64 = 4.;
+/// What the reciprocals of a depth, of the near plane and the scale of 65536 are off by, 2⁻³⁰ each.
+const DEPTH_SCALE: f64 = 65536. / (1 << 28) as f64;
+
+/// What is known of a scene's triangles.
+pub struct Truth {
+    /// By their places in the mesh, those whose corners are all in view.
+    whole: Vec<Option<Whole>>,
+    /// The others, where the model knows enough of them.
+    clipped: Vec<Option<Clipped>>,
+    window: Bounds,
+    cull: Cull,
+}
+
+/// A triangle that is not clipped.
+struct Whole {
+    screen: Snapped,
+    ahead: Option<Ahead>,
+}
+
+/// How far ahead the corners of a triangle are.
+#[derive(Clone, Copy)]
+struct Ahead {
+    parallel: bool,
+    w: [f64; 3],
+    depth: [f64; 3],
+    /// How much of itself a w may be off by.
+    w_error: f64,
+    /// How much a depth may be off by, before it is rounded down.
+    depth_error: f64,
+}
+
+impl Truth {
+    pub fn new<K: fixel::view::Kind>(call: &Call<'_, K>, pass: &Pass) -> Self {
+        let (width, height) = call.scene.size;
+        let mut pixels = vec![Rgb565::new(0, 0, 0); call.scene.pixels()];
+        let canvas = Canvas::new(&mut pixels, width, height).unwrap();
+        let window = call.window;
+        let moves = call.scene.eye.moves().zip(call.scene.place.moves());
+        let moves = moves.map(|(eye, place)| [eye, place].concat());
+        let lens = call.scene.lens.model(call.scene.size);
+        let place = |index: u16| {
+            let position = call.mesh.positions()[usize::from(index)];
+            let place = canvas.project(pass, &call.chain, position)?;
+            Some([place.x.to_bits(), place.y.to_bits()])
+        };
+        let whole = |&[a, b, c]: &[u16; 3]| {
+            Some(Whole {
+                screen: [place(a)?, place(b)?, place(c)?],
+                ahead: moves.as_ref().and_then(|moves| {
+                    let corners = [a, b, c].map(|i| call.mesh.positions()[usize::from(i)]);
+                    Knowledge::new(moves, &lens, window, corners).ahead()
+                }),
+            })
+        };
+        let faces = call.mesh.faces();
+        let whole: Vec<_> = faces.iter().map(whole).collect();
+        let clipped = faces.iter().zip(&whole).map(|(face, whole)| {
+            let corners = face.map(|i| call.mesh.positions()[usize::from(i)]);
+            let unknown = whole.is_some() || call.scene.cull != Cull::Nothing;
+            let moves = moves.as_ref().filter(|_| !unknown)?;
+            Clipped::new(&Knowledge::new(moves, &lens, window, corners), corners)
+        });
+        Self {
+            clipped: clipped.collect(),
+            whole,
+            window: Bounds::new(width, height).intersect(Bounds {
+                left: window.x(),
+                top: window.y(),
+                right: window.x() + window.width().cast_signed(),
+                bottom: window.y() + window.height().cast_signed(),
+            }),
+            cull: call.scene.cull,
+        }
+    }
+
+    /// Compares what was seen in a mode.
+    pub fn check<const N: usize>(&self, mode: Mode, record: &Record<Rgb565, N>) {
+        // A face's pixels come one after the other.
+        let mut faces = record.seen.chunk_by(|a, b| a.face == b.face).peekable();
+        for (face, whole) in self.whole.iter().enumerate() {
+            let seen = faces
+                .next_if(|seen| seen[0].face == face)
+                .unwrap_or_default();
+            let mut pixels: Vec<[i32; 2]> = seen.iter().map(|seen| seen.pixel).collect();
+            pixels.sort_unstable_by_key(|&[x, y]| (y, x));
+            let once = pixels.windows(2).all(|pair| pair[0] != pair[1]);
+            assert!(once, "{mode:?}: a pixel twice in triangle {face}");
+            if let Some(clipped) = &self.clipped[face] {
+                clipped.check(mode, self.window, &pixels);
+            }
+            let Some(whole) = whole else { continue };
+            let keeps = match area2(whole.screen) {
+                0 => false,
+                area => match self.cull {
+                    Cull::Nothing => true,
+                    Cull::Back => area < 0,
+                    Cull::Front => area > 0,
+                },
+            };
+            let expected: Vec<[i32; 2]> = if keeps {
+                covered_in(whole.screen, self.window).collect()
+            } else {
+                Vec::new()
+            };
+            assert!(
+                pixels == expected,
+                "{mode:?}: triangle {face} at {:?} covers {pixels:?}, not {expected:?}",
+                whole.screen
+            );
+            let corners = record.corners.iter().find(|(at, _)| *at == face);
+            if let (Some(ahead), Some((_, corners))) = (whole.ahead, corners) {
+                ahead.compare(mode, whole.screen, seen, corners);
+            }
+        }
+        assert!(faces.next().is_none(), "faces are not in order");
+    }
+}
+
+impl Ahead {
+    /// Compares values and depths at a triangle's pixels.
+    fn compare<const N: usize>(
+        &self,
+        mode: Mode,
+        screen: Snapped,
+        seen: &[Seen<Rgb565, N>],
+        corners: &[[i32; N]; 3],
+    ) {
+        let attributes = corners.map(|corner| corner.map(f64::from));
+        let divides = !self.parallel && !matches!(mode, Mode::Affine | Mode::Linear);
+        let weights = if divides { self.w } else { [1.; 3] };
+        let at = |pixel| at_pixel_snapped(screen, weights, &attributes, pixel).unwrap();
+        for row in seen.chunk_by(|a, b| a.pixel[1] == b.pixel[1]) {
+            let farthest = row.iter().map(|seen| at(seen.pixel).w);
+            let farthest = farthest.fold(0., f64::max);
+            for seen in row {
+                let model = at(seen.pixel);
+                for (k, &got) in seen.values.iter().enumerate() {
+                    let corners = corners.map(|corner| corner[k]);
+                    let bound = if divides {
+                        self.moved(corners)
+                            + bounds::perspective(mode, corners, self.w, model.w, farthest)
+                    } else {
+                        bounds::parallel(mode, corners)
+                    };
+                    let error = (f64::from(got) - model.attributes[k]).abs();
+                    assert!(
+                        error <= bound,
+                        "{mode:?}: {corners:?} at {:?} on {screen:?} gives {got} at {:?}, not {}: off by {error}, over {bound}",
+                        self.w,
+                        seen.pixel,
+                        model.attributes[k],
+                    );
+                }
+                self.compare_depth(mode, screen, seen.pixel, seen.depth);
+            }
+        }
+    }
+
+    /// By how much a value moves if each w is off.
+    ///
+    /// A w that is off by ε of itself moves the weights of the corners by up to 2ε/(1 − ε) of themselves, and the
+    /// value by that of what corners differ by.
+    fn moved(&self, corners: [i32; 3]) -> f64 {
+        let [a, b, c] = corners;
+        let spread = a.max(b).max(c).abs_diff(a.min(b).min(c));
+        2. * self.w_error / (1. - self.w_error) * f64::from(spread)
+    }
+
+    fn compare_depth(&self, mode: Mode, screen: Snapped, pixel: [i32; 2], stored: u16) {
+        let corners = self.depth.map(|depth| [depth]);
+        let value = at_pixel_snapped(screen, [1.; 3], &corners, pixel).unwrap();
+        let ([depth], stored) = (value.attributes, f64::from(stored));
+        let allowed = bounds::depth(self.w) + self.depth_error;
+        assert!(
+            stored <= depth + allowed && depth < stored + 1. + allowed,
+            "{mode:?}: depth {stored} at {pixel:?} is not {depth}, within {allowed}"
+        );
+    }
+}
+
+impl Knowledge {
+    /// How far ahead the corners are, unless that is known too badly or their distances are too different.
+    fn ahead(&self) -> Option<Ahead> {
+        let most = |of: &dyn Fn(usize) -> f64| of(0).max(of(1)).max(of(2));
+        let w = self.at.map(|at| at.w);
+        let depth = self.at.map(|at| self.view.lens.depth(at.distance));
+        let (w_error, depth_error) = if self.is_parallel() {
+            (0., most(&|i| self.of_depth(i) * 65536.))
+        } else {
+            let of_itself = most(&|i| self.of_depth(i) / w[i]);
+            (of_itself, of_itself * most(&|i| depth[i]))
+        };
+        let [least, greatest] = [w.into_iter().fold(f64::MAX, f64::min), most(&|i| w[i])];
+        let known = (0. ..=MOST_ERROR).contains(&w_error) && depth_error <= MOST_DEPTH_ERROR;
+        (known && greatest <= MOST_RATIO * least).then_some(Ahead {
+            parallel: self.is_parallel(),
+            w,
+            depth,
+            w_error,
+            depth_error: depth_error + DEPTH_SCALE,
+        })
+    }
+}
+
+/// What is left of a triangle that is cut.
+struct Clipped {
+    /// All that must be drawn, but for what is next to its outline, and all that may be.
+    inner: Vec<Piece<0>>,
+    outer: Vec<Piece<0>>,
+    /// How far off the outline may be, in pixels.
+    margin: f64,
+}
+
+/// What a corner is off by at most, and a little: it is rounded to 1/512 pixel along each axis.
+const SNAP: f64 = 1. / 256.;
+/// The most that it may be off by otherwise for a triangle to be compared.
+const MOST_MOVED: f64 = 1. / 64.;
+/// What is so close to the near or the far plane, in parts of their distance, may be drawn or not: the crate's are off
+/// by 2⁻¹⁶ and an error.
+const CLOSE: f64 = 1.01;
+
+impl Clipped {
+    fn new(knowledge: &Knowledge, corners: [Vec3; 3]) -> Option<Self> {
+        let moved = knowledge.of_place();
+        if knowledge.is_parallel() || moved > MOST_MOVED || moved.is_nan() {
+            return None;
+        }
+        let positions = corners.map(exact);
+        let mesh = Mesh {
+            positions: &positions,
+            faces: &[[0, 1, 2]],
+            attributes: &[[[]; 3]],
+        };
+        let pieces =
+            |near, far| pieces_clipped(&mesh, &knowledge.view, &knowledge.planes(near, far));
+        Some(Self {
+            inner: pieces(CLOSE, 1. / CLOSE),
+            outer: pieces(1. / CLOSE, CLOSE),
+            margin: SNAP + moved,
+        })
+    }
+
+    /// Checks the pixels of a triangle, in row order.
+    fn check(&self, mode: Mode, window: Bounds, drawn: &[[i32; 2]]) {
+        let diagonal = 2_f64.sqrt() * self.margin;
+        let around = [
+            [0., 0.],
+            [-diagonal, 0.],
+            [diagonal, 0.],
+            [0., -diagonal],
+            [0., diagonal],
+        ];
+        let mut drawn = drawn.iter().peekable();
+        for pixel in window.pixels() {
+            let is_drawn = drawn.next_if(|at| **at == pixel).is_some();
+            let [x, y] = centre(pixel);
+            let must = || {
+                around.iter().all(|[right, down]| {
+                    let at = [x + right, y + down];
+                    self.inner.iter().any(|piece| covers_f64(&piece.screen, at))
+                })
+            };
+            let may = || {
+                let mut pieces = self.outer.iter();
+                pieces.any(|piece| to_triangle(&piece.screen, [x, y]) <= self.margin)
+            };
+            assert!(
+                !is_drawn || may(),
+                "{mode:?}: {pixel:?} is outside a clipped triangle"
+            );
+            assert!(
+                is_drawn || !must(),
+                "{mode:?}: {pixel:?} is missing in a clipped triangle"
+            );
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! Numbers of every magnitude, with a liking for the ends of a format and for small ones on a grid.
+
+use arbitrary::{Result, Unstructured};
+use fixel::prelude::*;
+
+/// Any bits.
+pub fn bits(u: &mut Unstructured<'_>) -> Result<i32> {
+    const ENDS: [i32; 9] = [
+        0,
+        1,
+        -1,
+        1 << 16,
+        -(1 << 16),
+        i32::MAX,
+        i32::MIN,
+        i32::MAX - 1,
+        i32::MIN + 1,
+    ];
+    Ok(match u.int_in_range(0..=7)? {
+        0 => u.arbitrary()?,
+        1 => u.arbitrary::<i32>()? >> u.int_in_range(0..=31)?,
+        2 => *u.choose(&ENDS)?,
+        // ±8 in 16.16, on a grid on which some are alike and some in line.
+        3 => i32::from(u.arbitrary::<i8>()?) << 12,
+        _ => i32::from(u.arbitrary::<i16>()?) << 4,
+    })
+}
+
+pub fn scalar(u: &mut Unstructured<'_>) -> Result<Scalar> {
+    bits(u).map(Scalar::from_bits)
+}
+
+/// A number above zero, if there is one of this magnitude.
+pub fn size(u: &mut Unstructured<'_>) -> Result<Scalar> {
+    Ok(scalar(u)?.saturating_abs())
+}
+
+/// ±8 in 16.16.
+fn small(u: &mut Unstructured<'_>) -> Result<i32> {
+    Ok(i32::from(u.arbitrary::<i16>()?) << 4)
+}
+
+/// Mostly about the origin.
+pub fn vector(u: &mut Unstructured<'_>) -> Result<Vec3> {
+    Ok(Vec3::from_bits(if u.ratio(1, 8)? {
+        [bits(u)?, bits(u)?, bits(u)?]
+    } else {
+        [small(u)?, small(u)?, small(u)?]
+    }))
+}
+
+/// Factors of a scale: mostly ±4 in 32nds.
+pub fn factors(u: &mut Unstructured<'_>) -> Result<Vec3> {
+    if u.ratio(1, 8)? {
+        return vector(u);
+    }
+    let [x, y, z] = u.arbitrary::<[i8; 3]>()?;
+    Ok(Vec3::from_bits([x, y, z].map(|x| i32::from(x) << 11)))
+}
+
+pub fn tex_coords(u: &mut Unstructured<'_>) -> Result<Vec2> {
+    // 16.16's units are a sixteenth of a texture coordinate's: some are within a repeat or two.
+    Ok(Vec2::from_bits([bits(u)?, bits(u)?]))
+}
+
+pub fn angle(u: &mut Unstructured<'_>) -> Result<Angle> {
+    Ok(if u.arbitrary()? {
+        Angle::from_bits(u.arbitrary()?)
+    } else {
+        // 32nds of a turn, and so right angles.
+        Angle::from_bits(u32::from(u.arbitrary::<u8>()?) << 27)
+    })
+}
+
+/// Up to `most` of something.
+pub fn list<T>(
+    u: &mut Unstructured<'_>,
+    most: usize,
+    one: impl Fn(&mut Unstructured<'_>) -> Result<T>,
+) -> Result<Vec<T>> {
+    let count = u.int_in_range(0..=most)?;
+    few(u, count, one)
+}
+
+/// So many of something.
+pub fn few<T>(
+    u: &mut Unstructured<'_>,
+    count: usize,
+    one: impl Fn(&mut Unstructured<'_>) -> Result<T>,
+) -> Result<Vec<T>> {
+    (0..count).map(|_| one(u)).collect()
+}
+
+/// Something or nothing.
+pub fn option<T>(
+    u: &mut Unstructured<'_>,
+    one: impl FnOnce(&mut Unstructured<'_>) -> Result<T>,
+) -> Result<Option<T>> {
+    if u.arbitrary()? {
+        one(u).map(Some)
+    } else {
+        Ok(None)
+    }
+}

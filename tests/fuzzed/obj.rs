@@ -1,0 +1,285 @@
+//! OBJ text of any bytes, or as it is written but for mistakes.
+
+use arbitrary::{Result, Unstructured};
+use embedded_graphics::pixelcolor::Rgb888;
+use fixel::geometry::{Buffers, Counts, obj};
+use fixel::prelude::*;
+
+/// Reads the text that these bytes stand for, and checks what comes of it.
+///
+/// # Panics
+///
+/// If something does not hold.
+pub fn check(bytes: &[u8]) {
+    match bytes.split_first() {
+        // As it is.
+        Some((b'=', text)) => check_text(text),
+        // Statements by number.
+        _ => {
+            if let Ok(text) = text(&mut Unstructured::new(bytes)) {
+                check_text(&text);
+            }
+        }
+    }
+}
+
+/// A mesh that owns what it was read into.
+#[derive(Debug, PartialEq)]
+struct Owned {
+    counts: Counts,
+    positions: Vec<Vec3>,
+    faces: Vec<[u16; 3]>,
+    edges: Vec<[u16; 2]>,
+    uvs: Vec<Vec2>,
+    uv_faces: Vec<[u16; 3]>,
+    normals: Vec<Vec3>,
+    normal_faces: Vec<[u16; 3]>,
+    colors: Vec<Rgb888>,
+}
+
+impl Owned {
+    fn new(counts: Counts) -> Self {
+        Self {
+            counts,
+            positions: vec![Vec3::ZERO; counts.positions],
+            faces: vec![[0; 3]; counts.faces],
+            edges: vec![[0; 2]; counts.edges],
+            uvs: vec![Vec2::default(); counts.uvs],
+            uv_faces: vec![[0; 3]; counts.uv_faces],
+            normals: vec![Vec3::ZERO; counts.normals],
+            normal_faces: vec![[0; 3]; counts.normal_faces],
+            colors: vec![Rgb888::default(); counts.colors],
+        }
+    }
+
+    /// Reads text, for which `counts` elements are known to be enough.
+    fn read(text: &[u8], counts: Counts) -> Result<Self, Error> {
+        let mut owned = Self::new(counts);
+        let mesh = obj::parse(
+            text,
+            Buffers {
+                positions: &mut owned.positions,
+                faces: &mut owned.faces,
+                edges: &mut owned.edges,
+                uvs: &mut owned.uvs,
+                uv_faces: &mut owned.uv_faces,
+                normals: &mut owned.normals,
+                normal_faces: &mut owned.normal_faces,
+                colors: &mut owned.colors,
+            },
+        )?;
+        let counts = mesh.counts();
+        owned.counts = counts;
+        owned.positions.truncate(counts.positions);
+        owned.faces.truncate(counts.faces);
+        owned.edges.truncate(counts.edges);
+        owned.uvs.truncate(counts.uvs);
+        owned.uv_faces.truncate(counts.uv_faces);
+        owned.normals.truncate(counts.normals);
+        owned.normal_faces.truncate(counts.normal_faces);
+        owned.colors.truncate(counts.colors);
+        Ok(owned)
+    }
+
+    /// Every index names something, every edge is there once, and in order.
+    fn check(&self) {
+        let below = |index: u16, list: usize| usize::from(index) < list;
+        let or_none = |index: u16, list: usize| index == Mesh::NO_VALUE || below(index, list);
+        let all = |faces: &[[u16; 3]], is: &dyn Fn(u16) -> bool| {
+            faces.as_flattened().iter().all(|&index| is(index))
+        };
+        let positions = self.positions.len();
+        assert!(all(&self.faces, &|index| below(index, positions)));
+        assert!(all(&self.uv_faces, &|index| or_none(index, self.uvs.len())));
+        let normals = self.normals.len();
+        assert!(all(&self.normal_faces, &|index| or_none(index, normals)));
+        assert!(
+            self.edges
+                .iter()
+                .all(|[a, b]| a < b && below(*b, positions))
+        );
+        assert!(self.edges.is_sorted_by(|a, b| a < b), "{:?}", self.edges);
+    }
+}
+
+/// What a text is read as, and by how much room is known to be enough.
+fn check_text(text: &[u8]) {
+    let counted = obj::count(text);
+    let room = obj::import::room(text.len());
+    // While compiling, a text is read once, into lists of as much room.
+    let read = Owned::read(text, room);
+    match (&counted, &read) {
+        (Ok(counts), Ok(mesh)) => {
+            mesh.check();
+            let edges = mesh.counts.edges;
+            assert!(edges <= counts.edges && counts.edges <= room.edges);
+            assert_eq!(Counts { edges, ..*counts }, mesh.counts);
+            assert_eq!(&Owned::read(text, *counts), &read);
+            check_parts(text, mesh);
+        }
+        (Err(error), Err(other)) => {
+            assert_eq!(error, other);
+            let Error::Obj { line, problem } = *error else {
+                panic!("{error} is no mistake of a text");
+            };
+            let lines = lines(text);
+            assert!((1..=lines).contains(&line), "line {line} of {lines}");
+            let said = error.to_string();
+            assert!(said.contains(&format!("line {line}")) && said.contains(problem));
+        }
+        _ => panic!("counted: {counted:?}, read: {read:?}"),
+    }
+    check_line_ends(text, &read);
+}
+
+/// What there is no room for is left out, and the rest the same.
+fn check_parts(text: &[u8], mesh: &Owned) {
+    let (mut positions, mut faces) = (mesh.positions.clone(), mesh.faces.clone());
+    positions.fill(Vec3::X);
+    faces.fill([7; 3]);
+    let plain = obj::parse(text, Buffers::new(&mut positions, &mut faces)).unwrap();
+    assert_eq!(plain.positions(), mesh.positions);
+    assert_eq!(plain.faces(), mesh.faces);
+    assert!(plain.edges().is_empty());
+    assert!(!plain.has_uvs() && !plain.has_normals() && !plain.has_colors());
+    if let Some(short) = positions.len().checked_sub(1) {
+        let buffers = Buffers::new(&mut positions[..short], &mut faces);
+        let error = obj::parse(text, buffers).unwrap_err();
+        assert!(matches!(error, Error::TooMany { max, .. } if max == short));
+    }
+}
+
+/// How lines end does not matter.
+fn check_line_ends(text: &[u8], read: &Result<Owned, Error>) {
+    if text.contains(&b'\r') {
+        return;
+    }
+    for end in [&b"\r\n"[..], b"\r"] {
+        let mut other = Vec::with_capacity(text.len() + 16);
+        for &byte in text {
+            match byte {
+                b'\n' => other.extend(end),
+                _ => other.push(byte),
+            }
+        }
+        assert_eq!(&Owned::read(&other, obj::import::room(other.len())), read);
+    }
+}
+
+/// Lines of a text, the last of which may be empty; they end in LF, CR or both.
+fn lines(text: &[u8]) -> usize {
+    let ends = (0..text.len()).filter(|&at| match text[at] {
+        b'\n' => at == 0 || text[at - 1] != b'\r',
+        byte => byte == b'\r',
+    });
+    1 + ends.count()
+}
+
+/// Text of statements that mostly make sense.
+fn text(u: &mut Unstructured<'_>) -> Result<Vec<u8>> {
+    let mut text = Vec::new();
+    while !u.is_empty() && text.len() < 4096 {
+        match u.int_in_range(0..=9)? {
+            0..=2 => words(u, &mut text, "v", [3, 3, 6, 4, 7], number)?,
+            3 => words(u, &mut text, "vt", [2, 2, 1, 3, 3], number)?,
+            4 => words(u, &mut text, "vn", [3, 3, 3, 3, 2], number)?,
+            5..=7 => words(u, &mut text, "f", [3, 3, 4, 6, 2], corner)?,
+            8 => words(u, &mut text, "l", [2, 2, 3, 6, 1], corner)?,
+            _ => {
+                let other = [
+                    "# v",
+                    "usemtl \\",
+                    "s off",
+                    "vp 1",
+                    "g",
+                    "\u{feff}",
+                    "p 1",
+                    "",
+                ];
+                text.extend_from_slice(u.choose(&other)?.as_bytes());
+            }
+        }
+        let ends = ["\n", "\n", "\n", "\r\n", "\r", " # \\\n", " \n\n"];
+        text.extend_from_slice(u.choose(&ends)?.as_bytes());
+    }
+    Ok(text)
+}
+
+/// A statement of one of so many words.
+fn words(
+    u: &mut Unstructured<'_>,
+    text: &mut Vec<u8>,
+    name: &str,
+    counts: [u8; 5],
+    word: impl Fn(&mut Unstructured<'_>, &mut Vec<u8>) -> Result<()>,
+) -> Result<()> {
+    text.extend_from_slice(name.as_bytes());
+    for _ in 0..*u.choose(&counts)? {
+        let blank: &&str = u.choose(&[" ", " ", " ", " ", "\t", "  ", " \\\n", "\\\r\n"])?;
+        text.extend_from_slice(blank.as_bytes());
+        word(u, text)?;
+    }
+    Ok(())
+}
+
+/// A number in one of many spellings.
+fn number(u: &mut Unstructured<'_>, text: &mut Vec<u8>) -> Result<()> {
+    let value = match u.int_in_range(0..=8)? {
+        0 => (*u.choose(&[
+            "",
+            "+",
+            "-",
+            ".",
+            "-.5",
+            "5.",
+            "1e",
+            "1e+",
+            "nan",
+            "1_0",
+            "32767.99999",
+            "-32768",
+            "32768",
+            "-2048",
+            "2049",
+            "1e-400",
+            "0e99999999999",
+            "0x1",
+            "1.5.2",
+            "65536e-1",
+        ])?)
+        .to_string(),
+        1 => format!("{}e{}", u.arbitrary::<i32>()?, u.int_in_range(-12..=6)?),
+        2 => format!("{:e}", f32::from_bits(u.arbitrary()?)),
+        3 => f64::from(u.arbitrary::<f32>()?).to_string(),
+        // A half of a unit, where it is rounded one way or the other.
+        4 => (f64::from(u.arbitrary::<i32>()?) / 131_072.).to_string(),
+        5 | 6 => (f64::from(u.arbitrary::<u8>()?) / 255.).to_string(),
+        _ => u.arbitrary::<i8>()?.to_string(),
+    };
+    text.extend_from_slice(value.as_bytes());
+    Ok(())
+}
+
+/// A corner of a face.
+fn corner(u: &mut Unstructured<'_>, text: &mut Vec<u8>) -> Result<()> {
+    let mut index = || -> Result<i32> {
+        Ok(match u.arbitrary::<u8>()? {
+            255 => u.arbitrary()?,
+            254 => 65_536,
+            253 => 0,
+            byte => [1, 2, 3, 4, 5, 6, -1, -2][usize::from(byte % 8)],
+        })
+    };
+    let (a, b, c) = (index()?, index()?, index()?);
+    let word = match u.int_in_range(0..=9)? {
+        0 => format!("{a}/{b}"),
+        1 => format!("{a}//{c}"),
+        2 => format!("{a}/"),
+        3 => format!("{a}//"),
+        4 => format!("{a}/{b}/{c}/1"),
+        5 | 6 => a.to_string(),
+        _ => format!("{a}/{b}/{c}"),
+    };
+    text.extend_from_slice(word.as_bytes());
+    Ok(())
+}

@@ -1,0 +1,214 @@
+//! A draw call made of bytes.
+
+use arbitrary::{Result, Unstructured};
+use embedded_graphics::pixelcolor::Rgb888;
+use fixel::prelude::*;
+
+use super::lens::Lens;
+use super::numbers::{bits, few, list, option, tex_coords, vector};
+use super::shades::Shade;
+use super::steps::{Eye, Steps};
+
+/// Most positions and most triangles of a mesh.
+const MOST: usize = 10;
+
+/// The values of an attribute, with faces of their own or without.
+#[derive(Clone, Debug)]
+pub struct Attribute<T> {
+    pub values: Vec<T>,
+    pub faces: Option<Vec<[u16; 3]>>,
+}
+
+impl<T> Attribute<T> {
+    fn arbitrary(
+        u: &mut Unstructured<'_>,
+        (positions, faces): (usize, usize),
+        one: impl Fn(&mut Unstructured<'_>) -> Result<T>,
+    ) -> Result<Self> {
+        let own = u.arbitrary()?;
+        let count = if own {
+            u.int_in_range(1..=MOST)?
+        } else {
+            positions
+        };
+        Ok(Self {
+            values: few(u, count, one)?,
+            faces: own
+                .then(|| few(u, faces, |u| corners(u, count)))
+                .transpose()?,
+        })
+    }
+
+    fn faces(&self) -> Option<&[[u16; 3]]> {
+        self.faces.as_deref()
+    }
+}
+
+/// Indices of what is there.
+fn indices<const K: usize>(u: &mut Unstructured<'_>, count: usize) -> Result<[u16; K]> {
+    let indices = u.arbitrary::<[u8; K]>()?;
+    Ok(indices.map(|index| u16::from(index) % u16::try_from(count.max(1)).unwrap()))
+}
+
+/// Those of an attribute, some of which have no value.
+fn corners(u: &mut Unstructured<'_>, count: usize) -> Result<[u16; 3]> {
+    Ok(if u.ratio(1, 8)? {
+        let [a, b, _] = indices(u, count)?;
+        [a, Mesh::NO_VALUE, b]
+    } else {
+        indices(u, count)?
+    })
+}
+
+/// What of a mesh is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum What {
+    Triangles,
+    Edges,
+    Points,
+}
+
+/// A draw call.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    pub positions: Vec<Vec3>,
+    pub faces: Vec<[u16; 3]>,
+    pub edges: Vec<[u16; 2]>,
+    pub uvs: Option<Attribute<Vec2>>,
+    pub normals: Option<Attribute<Vec3>>,
+    pub colors: Option<Attribute<Rgb888>>,
+    pub eye: Eye,
+    pub place: Steps,
+    pub lens: Lens,
+    /// Width and height of the canvas.
+    pub size: (u32, u32),
+    pub viewport: Option<[i32; 4]>,
+    pub cull: Cull,
+    /// Rows of bands, over and over.
+    pub bands: Vec<u8>,
+    pub what: What,
+    pub shade: Shade,
+    /// Of mode `Fast`, in texels.
+    pub tolerance: Scalar,
+    /// What is in the depth buffer, in the upper and in the lower half.
+    pub depths: [u16; 2],
+}
+
+impl Scene {
+    /// The scene that these bytes stand for.
+    pub fn of(bytes: &[u8]) -> Result<Self> {
+        let u = &mut Unstructured::new(bytes);
+        // What says most about a picture comes first.
+        let what = *u.choose(&[
+            What::Triangles,
+            What::Triangles,
+            What::Triangles,
+            What::Edges,
+            What::Points,
+        ])?;
+        let shade = Shade::arbitrary(u)?;
+        let size = match u.arbitrary::<u8>()? {
+            0..16 => (2048, u.int_in_range(1..=3)?),
+            16..32 => (u.int_in_range(1..=3)?, 2048),
+            _ => (u.int_in_range(1..=80)?, u.int_in_range(1..=64)?),
+        };
+        let lens = Lens::arbitrary(u)?;
+        let mut positions = list(u, MOST, vector)?;
+        if let (true, Some(&first)) = (u.ratio(1, 16)?, positions.first()) {
+            positions.fill(first);
+        }
+        let count = positions.len();
+        let mut faces = list(u, MOST, |u| indices(u, count))?;
+        if let (true, Some(last)) = (u.ratio(1, 64)?, faces.last_mut()) {
+            *last = u.arbitrary()?;
+        }
+        let counts = (count, faces.len());
+        Ok(Self {
+            place: Steps::arbitrary(u)?,
+            eye: Eye::arbitrary(u)?,
+            cull: *u.choose(&[Cull::Nothing, Cull::Back, Cull::Front])?,
+            uvs: option(u, |u| Attribute::arbitrary(u, counts, tex_coords))?,
+            edges: list(u, MOST, |u| indices(u, count))?,
+            normals: option(u, |u| Attribute::arbitrary(u, counts, vector))?,
+            colors: option(u, |u| {
+                Attribute::arbitrary(u, counts, |u| {
+                    let [r, g, b] = u.arbitrary()?;
+                    Ok(Rgb888::new(r, g, b))
+                })
+            })?,
+            viewport: option(u, |u| viewport(u, size))?,
+            bands: u.arbitrary::<[u8; 3]>()?.to_vec(),
+            tolerance: match u.int_in_range(0..=5)? {
+                0 => Scalar::from_bits(bits(u)?),
+                // 1/8 to 2 texels.
+                power => Scalar::from_bits(1 << (12 + power)),
+            },
+            depths: u.arbitrary()?,
+            positions,
+            faces,
+            what,
+            shade,
+            size,
+            lens,
+        })
+    }
+
+    /// The mesh, if its indices are of what is there.
+    pub fn mesh(&self) -> Result<Mesh<'_>, Error> {
+        let mut mesh = Mesh::new(&self.positions, &self.faces)?.with_edges(&self.edges)?;
+        if let Some(uvs) = &self.uvs {
+            mesh = mesh.with_uvs(&uvs.values, uvs.faces())?;
+        }
+        if let Some(normals) = &self.normals {
+            mesh = mesh.with_normals(&normals.values, normals.faces())?;
+        }
+        if let Some(colors) = &self.colors {
+            mesh = mesh.with_colors(&colors.values, colors.faces())?;
+        }
+        Ok(mesh)
+    }
+
+    /// How it is drawn but for the mode, if there is such a viewport.
+    pub fn pass(&self) -> Result<Pass, Error> {
+        let pass = Pass::new().cull(self.cull);
+        Ok(match self.viewport {
+            None => pass,
+            Some(_) => pass.viewport(self.window()?),
+        })
+    }
+
+    /// The viewport, which is the whole canvas if none is given.
+    pub fn window(&self) -> Result<Viewport, Error> {
+        match self.viewport {
+            None => Viewport::new(0, 0, self.size.0, self.size.1),
+            Some([x, y, width, height]) => {
+                Viewport::new(x, y, width.unsigned_abs(), height.unsigned_abs())
+            }
+        }
+    }
+
+    /// Pixels of the canvas.
+    pub fn pixels(&self) -> usize {
+        self.size.0 as usize * self.size.1 as usize
+    }
+}
+
+/// About the canvas, or anywhere and of any size.
+fn viewport(u: &mut Unstructured<'_>, (width, height): (u32, u32)) -> Result<[i32; 4]> {
+    let (width, height) = (width.cast_signed(), height.cast_signed());
+    Ok(match u.int_in_range(0..=3)? {
+        0 => [bits(u)?, bits(u)?, bits(u)?, bits(u)?],
+        1 => [
+            u.int_in_range(-4096..=4096)?,
+            u.int_in_range(-4096..=4096)?,
+            u.int_in_range(1..=4096)?,
+            u.int_in_range(1..=4096)?,
+        ],
+        _ => [
+            u.int_in_range(-width..=width)?,
+            u.int_in_range(-height..=height)?,
+            u.int_in_range(1..=2 * width)?,
+            u.int_in_range(1..=2 * height)?,
+        ],
+    })
+}

@@ -1,0 +1,161 @@
+//! The crate's fragments, one chosen by number.
+
+use arbitrary::{Result, Unstructured};
+use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
+use fixel::prelude::*;
+
+use super::fragments::Wide;
+use super::numbers::{option, scalar, vector};
+
+/// A fragment of the crate's, or the one that shows every bit.
+#[derive(Clone, Debug)]
+pub enum Shade {
+    /// With so many values.
+    Bits(u8),
+    Crate {
+        which: u8,
+        light: Option<Shine>,
+        color: Rgb888,
+        between: [u16; 2],
+    },
+}
+
+/// What a light is made of.
+#[derive(Clone, Copy, Debug)]
+pub struct Shine {
+    direction: Vec3,
+    ambient: Scalar,
+    diffuse: Scalar,
+    two_sided: bool,
+}
+
+/// How many fragments [`draw`](Shade::draw) knows.
+const FRAGMENTS: u8 = 24;
+
+impl Shade {
+    pub fn arbitrary(u: &mut Unstructured<'_>) -> Result<Self> {
+        if u.arbitrary()? {
+            return Ok(Self::Bits(*u.choose(&[3, 0])?));
+        }
+        let which = u.int_in_range(0..=FRAGMENTS - 1)?;
+        let [r, g, b] = u.arbitrary()?;
+        Ok(Self::Crate {
+            which,
+            color: Rgb888::new(r, g, b),
+            between: u.arbitrary()?,
+            light: option(u, |u| {
+                Ok(Shine {
+                    direction: vector(u)?,
+                    ambient: scalar(u)?,
+                    diffuse: scalar(u)?,
+                    two_sided: u.arbitrary()?,
+                })
+            })?,
+        })
+    }
+}
+
+impl Shine {
+    /// The light, if there is one of such numbers.
+    pub fn light(self) -> Result<Light, Error> {
+        let light = Light::new(self.direction, self.ambient, self.diffuse)?;
+        Ok(if self.two_sided {
+            light.two_sided()
+        } else {
+            light
+        })
+    }
+}
+
+/// What is done with a fragment, whichever it is.
+pub trait Draw {
+    fn draw<F: Fragment<N, Color = Rgb565>, const N: usize>(self, fragment: &F);
+}
+
+/// Texels that differ from all about them.
+const fn texels<const W: usize, const H: usize>() -> [[Rgb565; W]; H] {
+    let mut texels = [[Rgb565::new(0, 0, 0); W]; H];
+    let mut row = 0;
+    while row < H {
+        let mut column = 0;
+        while column < W {
+            let mix = (row * 5 + column * 11) as u8;
+            texels[row][column] = Rgb565::new(mix, mix >> 1, column as u8 ^ row as u8);
+            column += 1;
+        }
+        row += 1;
+    }
+    texels
+}
+
+static ONE: [[Rgb565; 1]; 1] = texels();
+static SMALL: [[Rgb565; 4]; 2] = texels();
+static LARGE: [[Rgb565; 64]; 128] = texels();
+/// As wide as a texture can be.
+static WIDE: [[Rgb565; 32_768]; 1] = texels();
+static INDICES: Palette<Rgb565, 4, 2> = Palette::new(
+    &[0, 1, 2, 3, 2, 1, 0, 200],
+    &[
+        Rgb565::new(31, 0, 0),
+        Rgb565::new(0, 63, 0),
+        Rgb565::new(0, 0, 31),
+    ],
+);
+
+/// Draws with a fragment of the crate's.
+pub fn draw(which: u8, light: Light, color: Rgb888, [far, near]: [u16; 2], then: impl Draw) {
+    let faces = [Rgb565::new(31, 0, 0), color.into(), Rgb565::new(0, 0, 31)];
+    let (small, large) = (Textured::new(&SMALL), Textured::new(&LARGE));
+    match which {
+        0 => then.draw(&Flat::new(Rgb565::from(color))),
+        1 => then.draw(&FaceColors::new(&faces)),
+        2 => then.draw(&Gouraud::<Rgb565>::new()),
+        3 => then.draw(&Lit::<Rgb565>::new(color, light)),
+        4 => then.draw(&LitFaces::<Rgb565>::new(color, light)),
+        5 => then.draw(&small),
+        6 => then.draw(&small.clamped()),
+        7 => then.draw(&small.bilinear()),
+        8 => then.draw(&small.clamped().bilinear()),
+        9 => then.draw(&large),
+        10 => then.draw(&large.clamped().bilinear()),
+        11 => then.draw(&large.lit(light)),
+        12 => then.draw(&small.clamped().bilinear().lit(light)),
+        13 => then.draw(&small.modulated()),
+        14 => then.draw(&large.clamped().modulated()),
+        15 => then.draw(&Textured::new(&WIDE)),
+        16 => then.draw(&Textured::new(&WIDE).clamped().bilinear()),
+        17 => then.draw(&Textured::new(&INDICES)),
+        18 => then.draw(&Textured::new(&ONE).bilinear()),
+        19 => then.draw(&DepthView::<Rgb565>::between(far, near)),
+        20 => then.draw(&NormalView::<Rgb565>::new()),
+        21 => then.draw(&Wide(Converted::<_, Rgb888>::new(Gouraud::<Gray8>::new()))),
+        22 => then.draw(&Wide(Grey(Lit::<Gray4>::new(color, light)))),
+        _ => then.draw(&Wide(Grey(Converted::<_, BinaryColor>::new(large)))),
+    }
+}
+
+/// A fragment of few greys.
+#[derive(Clone, Copy, Debug)]
+struct Grey<F>(F);
+
+impl<F: Fragment<N, Color: Into<Rgb888>>, const N: usize> Fragment<N> for Grey<F> {
+    type Color = Rgb888;
+
+    const READS_DEPTH: bool = F::READS_DEPTH;
+
+    fn varyings(&self, vertex: &Vertex<'_>) -> [i32; N] {
+        self.0.varyings(vertex)
+    }
+
+    fn shade(&self, sample: &Sample, values: [i32; N]) -> Option<Rgb888> {
+        self.0.shade(sample, values).map(Into::into)
+    }
+
+    fn begin(self, model: &Transform) -> Self {
+        Self(self.0.begin(model))
+    }
+
+    fn face(self, corners: &mut [[i32; N]; 3], face: &Face<'_>) -> Self {
+        Self(self.0.face(corners, face))
+    }
+}

@@ -1,0 +1,127 @@
+//! Chains of transforms.
+
+use arbitrary::{Result, Unstructured};
+use fixel::prelude::*;
+
+use super::numbers::{angle, factors, few, scalar, vector};
+use crate::moves::Move;
+
+/// A step of a chain of transforms.
+#[derive(Clone, Copy, Debug)]
+pub enum Step {
+    /// What the model follows.
+    Move(Move),
+    Uniform(Scalar),
+    Rotate(Vec3, Angle),
+    /// All before it the other way round.
+    Inverse,
+    Renormalised,
+}
+
+impl Step {
+    pub fn arbitrary(u: &mut Unstructured<'_>) -> Result<Self> {
+        Ok(match u.int_in_range(0..=9)? {
+            0 => Self::Uniform(factors(u)?.x),
+            1 => Self::Rotate(vector(u)?, angle(u)?),
+            2 => Self::Inverse,
+            3 => Self::Renormalised,
+            4 => Self::Move(Move::X(angle(u)?)),
+            5 => Self::Move(Move::Y(angle(u)?)),
+            6 => Self::Move(Move::Z(angle(u)?)),
+            7 => Self::Move(Move::Scale(factors(u)?)),
+            _ => Self::Move(Move::To(vector(u)?)),
+        })
+    }
+
+    fn after(self, before: Transform) -> Transform {
+        match self {
+            Self::Move(step) => before * step.transform(),
+            Self::Uniform(factor) => before * Transform::scale(factor),
+            // About no axis there is no rotation.
+            Self::Rotate(axis, angle) => match Transform::rotate(axis, angle) {
+                Ok(rotation) => before * rotation,
+                Err(_) => before,
+            },
+            Self::Inverse => before.inverse_rigid(),
+            Self::Renormalised => before.renormalised(),
+        }
+    }
+}
+
+/// A few steps.
+#[derive(Clone, Debug, Default)]
+pub struct Steps(Vec<Step>);
+
+impl Steps {
+    pub fn arbitrary(u: &mut Unstructured<'_>) -> Result<Self> {
+        let count = *u.choose(&[0, 1, 0, 1, 2, 4])?;
+        few(u, count, Step::arbitrary).map(Self)
+    }
+
+    pub fn transform(&self) -> Transform {
+        let mut transform = Transform::IDENTITY;
+        for step in &self.0 {
+            transform = step.after(transform);
+        }
+        transform
+    }
+
+    /// The steps as the model takes them, if it can.
+    pub fn moves(&self) -> Option<Vec<Move>> {
+        let known = |step: &Step| match step {
+            Step::Move(step) => Some(*step),
+            _ => None,
+        };
+        self.0.iter().map(known).collect()
+    }
+}
+
+/// Where the eye is.
+#[derive(Clone, Debug)]
+pub enum Eye {
+    AtOrigin,
+    View(Steps),
+    Pose(Steps),
+    LookAt([Vec3; 3]),
+    Trimetric(Vec3, Scalar, [Angle; 2]),
+}
+
+impl Eye {
+    pub fn arbitrary(u: &mut Unstructured<'_>) -> Result<Self> {
+        Ok(match u.int_in_range(0..=7)? {
+            0 => Self::View(Steps::arbitrary(u)?),
+            1 => Self::Pose(Steps::arbitrary(u)?),
+            2 => Self::LookAt([vector(u)?, vector(u)?, vector(u)?]),
+            3 => Self::Trimetric(vector(u)?, scalar(u)?, [angle(u)?, angle(u)?]),
+            4 => Self::AtOrigin,
+            // Up to 16 back, so that what is about the origin is seen.
+            _ => {
+                let distance = i32::from(u.arbitrary::<u8>()?) << 12;
+                let back = Vec3::from_bits([0, 0, -distance]);
+                Self::View(Steps(vec![Step::Move(Move::To(back))]))
+            }
+        })
+    }
+
+    /// The camera, if these numbers make one.
+    pub fn camera(&self) -> Result<Camera, Error> {
+        match self {
+            Self::AtOrigin => Ok(Camera::from_view(Transform::IDENTITY)),
+            Self::View(steps) => Ok(Camera::from_view(steps.transform())),
+            Self::Pose(steps) => Ok(Camera::at_pose(steps.transform())),
+            &Self::LookAt([eye, target, up]) => Camera::look_at(eye, target, up),
+            &Self::Trimetric(target, distance, [turn, tilt]) => {
+                Ok(Camera::trimetric(target, distance, turn, tilt))
+            }
+        }
+    }
+
+    /// Its steps as the model takes them, if it can.
+    pub fn moves(&self) -> Option<Vec<Move>> {
+        match self {
+            Self::AtOrigin => Some(Vec::new()),
+            Self::View(steps) => steps.moves(),
+            _ => None,
+        }
+    }
+}

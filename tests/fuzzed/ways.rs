@@ -1,0 +1,267 @@
+//! One draw call in every way that must come to the same: with depth and without, twice, in bands, as bytes, prepared.
+
+use std::cell::RefCell;
+
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
+use fixel::interpolate::Interpolate;
+use fixel::prelude::*;
+use fixel::target::{Depth, DepthBuffer, Native, Storage};
+use fixel::view::Kind;
+use fixel::{Drawn, Prepared};
+
+use super::fragments::{Record, Recorder, Seen};
+use super::scene::{Scene, What};
+
+/// A scene that could be made.
+#[derive(Clone, Copy, Debug)]
+pub struct Call<'a, K> {
+    pub scene: &'a Scene,
+    pub mesh: &'a Mesh<'a>,
+    pub chain: Chain<K>,
+    pub window: Viewport,
+}
+
+/// A picture and its depths.
+#[derive(Clone, PartialEq)]
+struct Picture {
+    colors: Vec<Rgb565>,
+    depths: Vec<u16>,
+}
+
+/// What is there before anything is drawn.
+const BACKGROUND: Rgb565 = Rgb565::new(1, 2, 3);
+
+/// Room for what clipping makes of so few triangles.
+type List = TriangleList<16, 200>;
+
+impl<K: Kind> Call<'_, K> {
+    /// Draws in one way.
+    fn draw<I, F, O, D, const N: usize>(
+        &self,
+        canvas: &mut Canvas<'_, Rgb565, O, D>,
+        pass: &Pass<I>,
+        fragment: &F,
+    ) -> Drawn
+    where
+        I: Interpolate,
+        F: Fragment<N, Color = Rgb565>,
+        O: Storage<Rgb565>,
+        D: DepthBuffer,
+    {
+        let drawn = match self.scene.what {
+            What::Triangles => canvas.draw_with(pass, self.mesh, &self.chain, fragment),
+            What::Edges => canvas.draw_edges(pass, self.mesh, &self.chain, fragment),
+            What::Points => canvas.draw_points(pass, self.mesh, &self.chain, fragment),
+        };
+        assert!(drawn.clipped <= drawn.drawn && drawn.drawn <= drawn.submitted);
+        drawn
+    }
+
+    /// Every pixel that a fragment is asked for where nothing hides another.
+    pub fn record<I, F, const N: usize>(&self, pass: &Pass<I>, fragment: F) -> Record<Rgb565, N>
+    where
+        I: Interpolate,
+        F: Fragment<N, Color = Rgb565>,
+    {
+        let mut colors = vec![BACKGROUND; self.scene.pixels()];
+        let record = RefCell::default();
+        let recorder = Recorder {
+            fragment,
+            record: &record,
+            face: 0,
+        };
+        let (width, height) = self.scene.size;
+        let mut canvas = Canvas::new(&mut colors, width, height).unwrap();
+        self.draw(&mut canvas, pass, &recorder);
+        let record = record.into_inner();
+
+        // The last colour at a place is what shows, and where there is none nothing was touched.
+        let mut expected = vec![BACKGROUND; colors.len()];
+        for seen in &record.seen {
+            if let Some(color) = seen.color {
+                expected[self.index(seen.pixel)] = color;
+            }
+        }
+        assert!(colors == expected, "without depth: other pixels");
+        record
+    }
+
+    /// Where a pixel is in memory; it must lie within canvas and viewport.
+    fn index(&self, [x, y]: [i32; 2]) -> usize {
+        let (width, height) = self.scene.size;
+        let window = &self.window;
+        let inside = |at: i32, start: i32, length: u32, most: u32| {
+            (0..most.cast_signed()).contains(&at)
+                && (start..start + length.cast_signed()).contains(&at)
+        };
+        assert!(
+            inside(x, window.x(), window.width(), width)
+                && inside(y, window.y(), window.height(), height),
+            "a pixel at {x}, {y}"
+        );
+        y as usize * width as usize + x as usize
+    }
+
+    /// The canvas before anything is drawn.
+    fn blank(&self) -> Picture {
+        let (width, height) = self.scene.size;
+        let [top, bottom] = self.scene.depths;
+        let depth = |row: u32| {
+            if row < height / 2 { top } else { bottom }
+        };
+        Picture {
+            colors: vec![BACKGROUND; self.scene.pixels()],
+            depths: (0..height)
+                .flat_map(|row| std::iter::repeat_n(depth(row), width as usize))
+                .collect(),
+        }
+    }
+
+    /// Checks all ways, and tells what was seen.
+    pub fn check<I, F, const N: usize>(&self, pass: &Pass<I>, fragment: &F) -> Record<Rgb565, N>
+    where
+        I: Interpolate,
+        F: Fragment<N, Color = Rgb565>,
+    {
+        let record = self.record(pass, *fragment);
+        let expected = self.depth_test(pass, *fragment, &record.seen);
+
+        // Without looking on, and once more over itself: of equal depths the later wins, again.
+        let mut frame = self.blank();
+        let mut counts = Vec::new();
+        for _ in 0..2 {
+            let drawn = self.on_frame(&mut frame, |canvas| self.draw(canvas, pass, fragment));
+            assert!(frame == expected, "what is not looked on differs");
+            counts.push(drawn);
+        }
+        assert_eq!(counts[0], counts[1]);
+
+        let bands = self.in_bands(|band| self.draw(band, pass, fragment));
+        assert!(bands == expected, "bands differ");
+        if self.scene.what == What::Triangles {
+            self.check_prepared(pass, fragment, &expected, counts[0]);
+        }
+        record
+    }
+
+    /// Draws with depths and checks that of what is `seen` without them just what is not hidden is drawn.
+    fn depth_test<I, F, const N: usize>(
+        &self,
+        pass: &Pass<I>,
+        fragment: F,
+        seen: &[Seen<Rgb565, N>],
+    ) -> Picture
+    where
+        I: Interpolate,
+        F: Fragment<N, Color = Rgb565>,
+    {
+        let mut expected = self.blank();
+        let mut visible = Vec::new();
+        for seen in seen {
+            let at = self.index(seen.pixel);
+            if seen.depth >= expected.depths[at] {
+                visible.push(*seen);
+                if let Some(color) = seen.color {
+                    expected.colors[at] = color;
+                    expected.depths[at] = seen.depth;
+                }
+            }
+        }
+
+        let mut frame = self.blank();
+        let record = RefCell::default();
+        let recorder = Recorder {
+            fragment,
+            record: &record,
+            face: 0,
+        };
+        self.on_frame(&mut frame, |canvas| self.draw(canvas, pass, &recorder));
+        assert!(
+            record.into_inner().seen == visible,
+            "other pixels with depth"
+        );
+        assert!(frame == expected, "what is drawn is not what was seen");
+        expected
+    }
+
+    /// Triangles that were prepared, in a frame and in bands.
+    fn check_prepared<I, F, const N: usize>(
+        &self,
+        pass: &Pass<I>,
+        fragment: &F,
+        expected: &Picture,
+        drawn: Drawn,
+    ) where
+        I: Interpolate,
+        F: Fragment<N, Color = Rgb565>,
+    {
+        let mut list = List::new();
+        let prepared: Prepared<'_, K, I> = list
+            .prepare(pass, self.scene.size, self.mesh, &self.chain)
+            .unwrap();
+        let mut frame = self.blank();
+        let counts = self.on_frame(&mut frame, |canvas| {
+            canvas.draw_prepared(&prepared, fragment)
+        });
+        assert!(frame == *expected, "prepared triangles differ");
+        assert_eq!(counts, drawn);
+        let bands = self.in_bands(|band| band.draw_prepared(&prepared, fragment));
+        assert!(bands == *expected, "bands of prepared triangles differ");
+    }
+
+    /// Draws into a whole picture.
+    fn on_frame<T>(&self, picture: &mut Picture, draw: impl FnOnce(&mut Frame<'_>) -> T) -> T {
+        let (width, height) = self.scene.size;
+        let canvas = Canvas::new(&mut picture.colors, width, height).unwrap();
+        draw(&mut canvas.with_depth(&mut picture.depths).unwrap())
+    }
+
+    /// Checks that a canvas of bytes shows the same, in either order and without depths.
+    pub fn check_bytes<I, F, const N: usize>(&self, pass: &Pass<I>, fragment: &F)
+    where
+        I: Interpolate,
+        F: Fragment<N, Color = Rgb565>,
+    {
+        let (width, height) = self.scene.size;
+        let mut colors = vec![BACKGROUND; self.scene.pixels()];
+        let mut canvas = Canvas::new(&mut colors, width, height).unwrap();
+        self.draw(&mut canvas, pass, fragment);
+
+        let mut bytes = vec![BigEndian::store(BACKGROUND); colors.len()];
+        let mut canvas = Canvas::big_endian(&mut bytes, width, height).unwrap();
+        self.draw(&mut canvas, pass, fragment);
+        assert!(canvas.pixels().eq(colors.iter().copied()));
+        let sent = colors.iter().flat_map(|color| color.to_be_bytes());
+        assert!(canvas.bytes().iter().copied().eq(sent));
+
+        let mut bytes = vec![LittleEndian::store(BACKGROUND); colors.len()];
+        let mut canvas = Canvas::little_endian(&mut bytes, width, height).unwrap();
+        self.draw(&mut canvas, pass, fragment);
+        assert!(canvas.pixels().eq(colors.iter().copied()));
+    }
+
+    /// A picture drawn in bands of the scene's heights.
+    fn in_bands<T>(&self, mut draw: impl FnMut(&mut Frame<'_>) -> T) -> Picture {
+        let mut picture = self.blank();
+        let (width, height) = self.scene.size;
+        // Many bands take long and tell little.
+        let least = height.div_ceil(12);
+        let mut heights = self.scene.bands.iter().cycle();
+        let (mut colors, mut depths) = (&mut picture.colors[..], &mut picture.depths[..]);
+        let mut first = 0;
+        while first < height {
+            let rows = heights.next().map_or(1, |&rows| u32::from(rows));
+            let rows = rows.max(least).min(height - first);
+            let (band, other_colors) = colors.split_at_mut((rows * width) as usize);
+            let (depth, other_depths) = depths.split_at_mut((rows * width) as usize);
+            let band = Canvas::band(band, width, height, first).unwrap();
+            draw(&mut band.with_depth(depth).unwrap());
+            (colors, depths) = (other_colors, other_depths);
+            first += rows;
+        }
+        picture
+    }
+}
+
+type Frame<'f> = Canvas<'f, Rgb565, Native, Depth<'f>>;
