@@ -64,7 +64,7 @@ pub(super) const fn seed(q: u32) -> u32 {
     // Squared once more 2^-23, far below a unit.
     let lacks = (1_u32 << 31).wrapping_sub(coarse * seed).cast_signed();
     // Rounded down, so that it stays below 2^18.
-    let more = seed.cast_signed() * (lacks >> 5) >> 24;
+    let more = (seed.cast_signed() * (lacks >> 5)) >> 24;
     (seed << 2).wrapping_add_signed(more)
 }
 
