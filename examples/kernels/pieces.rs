@@ -24,8 +24,8 @@ impl Fragment<1> for Column {
     }
 }
 
-/// Along a piece every pixel gains as much, but for the last: it gains what is missing to the next piece's start, up to a unit for
-/// each pixel. From a piece of the wall to the next the gain changes by more.
+/// Along a piece every pixel gains as much, but for the last: it gains what is missing to the next piece's
+/// start, up to a unit for each pixel. From a piece of the wall to the next the gain changes by more.
 const ROUNDING: u16 = 64;
 
 /// Pixels of a row of the wall from one bend to the next, if all pieces are alike.

@@ -34,10 +34,13 @@ pub enum Kind {
 }
 
 /// Triangles with three attributes, and the ticks that they take from a list of prepared ones, in the default mode.
-pub fn measure(watch: &mut Stopwatch, kind: Kind) -> Result<(usize, u64), Error> {
+pub fn measure(watch: &mut Stopwatch, kind: Kind) -> Result<(u32, u64), Error> {
     let [few, many] = COUNTS;
     let ticks = |watch: &mut Stopwatch, count: usize| draw(watch, kind, &FACES[..count]);
-    Ok((many - few, ticks(watch, many)? - ticks(watch, few)?))
+    Ok((
+        (many - few) as u32,
+        ticks(watch, many)? - ticks(watch, few)?,
+    ))
 }
 
 fn draw(watch: &mut Stopwatch, kind: Kind, faces: &[[u16; 3]]) -> Result<u64, Error> {

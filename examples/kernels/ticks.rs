@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use semihosting::println;
+
 use super::board::{self, Clock};
 
 /// SysTick counts through 24 bits; nothing here takes that long.
@@ -20,6 +22,16 @@ pub enum Tick {
     Instructions(u64),
     /// A cycle of the core. It has no fewer cycles than instructions.
     Cycle,
+}
+
+impl Tick {
+    /// In instructions or cycles.
+    fn size(self) -> u64 {
+        match self {
+            Self::Instructions(count) => count,
+            Self::Cycle => 1,
+        }
+    }
 }
 
 impl fmt::Display for Tick {
@@ -54,5 +66,12 @@ impl Stopwatch {
         let (result, ticks) = self.clock.time(work);
         // A simulator may have no interrupt that counts the rounds of its timer.
         result.map(|()| ticks % ROUND)
+    }
+
+    /// Prints what so many units of a kernel took.
+    pub fn print(&self, kernel: &str, unit: &str, units: u32, ticks: u64) {
+        let hundredths = ticks * self.tick.size() * 100 / u64::from(units);
+        let (each, part) = (hundredths / 100, hundredths % 100);
+        println!("kernel={kernel} unit={unit} units={units} ticks={ticks} each={each}.{part:02}");
     }
 }

@@ -22,8 +22,8 @@ const PIXELS: usize = 240 * ROWS as usize;
 /// Pixels from the eye to the screen.
 const FOCAL: i32 = 256;
 
-/// Corners, in pixels from the frame's top left, and their distances. 1/w falls to half over 640 columns, by 1/1280 of itself
-/// per pixel to 1/640: less than any mode minds, and too much for none to notice.
+/// Corners, in pixels from the frame's top left, and their distances. 1/w falls to half over 640 columns, by
+/// 1/1280 of itself per pixel to 1/640: less than any mode minds, and too much for none to notice.
 const CORNERS: [([i32; 2], i32); 3] = [([-16, -16], 1), ([-16, 144], 1), ([624, -16], 2)];
 /// Half a texel of 64x64 to two a column.
 const UVS: [Vec2; 3] = [vec2!(0, 0), vec2!(0, 2), vec2!(10, 1)];
@@ -42,48 +42,48 @@ pub enum Depths {
     Near,
 }
 
-/// The memory that is drawn to.
+/// The memory that is drawn to, and the time.
 pub struct Bench {
+    watch: Stopwatch,
     colors: &'static mut [Rgb565; PIXELS],
     depths: &'static mut [u16; PIXELS],
 }
 
 impl Bench {
     /// Takes the memory: can be called once.
-    pub fn new() -> Self {
+    pub fn new(watch: Stopwatch) -> Self {
         Self {
+            watch,
             colors: COLORS.take(),
             depths: DEPTHS.take(),
         }
     }
 
-    /// How many pixels so many columns are, of all frames that are drawn.
-    pub fn pixels(columns: u32) -> u32 {
-        columns * ROWS * REPEATS
-    }
-
-    /// Ticks that pixels take: what 48 columns take more than 16, and 240 more than 48.
+    /// Prints what pixels take: 48 columns more than 16, and 240 more than 48.
     pub fn kernel<I: Interpolate, F: Fragment<N, Color = Rgb565>, const N: usize>(
         &mut self,
-        watch: &mut Stopwatch,
+        name: &str,
         mode: I,
         fragment: &F,
         depths: Depths,
-    ) -> Result<[u64; 2], Error> {
+    ) -> Result<(), Error> {
         let mut ticks = [0; 3];
         for (ticks, width) in ticks.iter_mut().zip(WIDTHS) {
             for _ in 0..REPEATS {
-                *ticks += self.frame(watch, width, mode, fragment, depths)?;
+                *ticks += self.frame(width, mode, fragment, depths)?;
             }
         }
-        let [narrow, wide, widest] = ticks;
-        Ok([wide - narrow, widest - wide])
+        let [narrow, wide, widest] = WIDTHS.map(|columns| columns * ROWS * REPEATS);
+        let [least, more, most] = ticks;
+        self.watch.print(name, "pixel", wide - narrow, more - least);
+        self.watch
+            .print(name, "long-pixel", widest - wide, most - more);
+        Ok(())
     }
 
     /// Draws a frame and takes its ticks; the wall covers all of it.
     fn frame<I: Interpolate, F: Fragment<N, Color = Rgb565>, const N: usize>(
         &mut self,
-        watch: &mut Stopwatch,
         width: u32,
         mode: I,
         fragment: &F,
@@ -96,10 +96,10 @@ impl Bench {
         depth.fill(if depths == Depths::Near { u16::MAX } else { 0 });
         let mut canvas = Canvas::new(colors, width, ROWS)?;
         let ticks = if depths == Depths::None {
-            draw(watch, &mut canvas, width, mode, fragment)
+            draw(&mut self.watch, &mut canvas, width, mode, fragment)
         } else {
             let mut canvas = canvas.with_depth(depth)?;
-            draw(watch, &mut canvas, width, mode, fragment)
+            draw(&mut self.watch, &mut canvas, width, mode, fragment)
         }?;
         let drawn = self.colors[..pixels]
             .iter()
