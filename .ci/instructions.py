@@ -84,14 +84,17 @@ def main():
     for target in targets:
         now = measured(Path(folder, target).read_text())
         compiler = Path(folder, f"{target}.rustc").read_text().strip()
-        if renew:
+        if not now:
+            failed = True
+            print(f"{target} printed no counts")
+        elif renew:
             compilers[target], kept[target] = compiler, now
             print(f"{target}: {len(now)} counts written to {FILE}")
         elif target not in kept:
             failed = True
             print(f"{target} is not in {FILE}: .ci/firmware --renew {target}")
-        elif compilers[target] != compiler:
-            print(f"{target}: NOT HELD against {FILE}, whose counts are of\n  {compilers[target]},\nthese of\n  {compiler}.")
+        elif compilers.get(target) != compiler:
+            print(f"{target}: NOT HELD against {FILE}, whose counts are of\n  {compilers.get(target)},\nthese of\n  {compiler}.")
         else:
             wrong, better = compare(target, kept[target], now)
             failed |= bool(wrong)
