@@ -27,6 +27,11 @@ cross() {
   fi
 }
 
+# The compiler that `cross` takes for a target.
+compiler() {
+  if has_target "$1"; then rustc --version; else /usr/bin/rustc --version; fi
+}
+
 # What no program may link, by names: float routines (Arm's, those of the other compilers' runtimes, and
 # Rust's own conversions to text and back), an allocator.
 floats='__aeabi_c?[fd]r?(add|sub|mul|div|neg|cmp|2)|__aeabi_u?[il]2[fd]|__aeabi_h2f'

@@ -151,6 +151,11 @@
 //! For DMA let the canvas keep its pixels as the bytes that the bus wants: [`Canvas::big_endian`]
 //! and its relatives, [`Canvas::bytes`]. The [guide for firmware](guide::firmware) goes all the way
 //! from `cargo new` to a picture on an SPI panel: memory, bands, DMA, two cores, clocks.
+//!
+//! # Speed against accuracy
+//!
+//! How attributes are interpolated is a type, chosen per draw call: see [`interpolate`]. The [guide to
+//! modes](guide::modes) has which one is for which scene and core, and where the bounds of their errors come from.
 #![no_std]
 #![forbid(unsafe_code)]
 

@@ -235,5 +235,6 @@ fn figures_of_other_targets() {
     refused("--firmware tickless", "must come first");
     refused("--firmware missing", "missing: ");
     refused("--sizes stale", "stale: ");
+    refused("--sizes sizes", "no --firmware");
     refused("--firmware host=stale", "another name");
 }

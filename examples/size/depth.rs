@@ -1,19 +1,15 @@
-//! Size probe: textured triangles with a depth buffer.
+//! Size probe: textured triangles with a depth buffer, in the default mode.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 mod probe;
+mod with_depth;
 
-use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use embedded_graphics::pixelcolor::Rgb565;
+use fixel::interpolate::Newton;
 use fixel::prelude::*;
-use probe::{HEIGHT, MODEL, PLACE, SKIN, WIDTH, lens};
 
 fn draw(pixels: &mut [Rgb565], depths: &mut [u16], now_ms: u64) -> Result<(), Error> {
-    let spin = Transform::translate(PLACE) * Transform::rotate_y(probe::angle(now_ms));
-    let chain = lens()? * spin;
-    let mut canvas = Canvas::new(pixels, WIDTH, HEIGHT)?.with_depth(depths)?;
-    canvas.clear(Rgb565::BLACK);
-    canvas.draw(&MODEL, &chain, &Textured::new(&SKIN));
-    Ok(())
+    with_depth::draw(pixels, depths, now_ms, Newton)
 }
 
 #[cfg(not(target_os = "none"))]

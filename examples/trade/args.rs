@@ -9,7 +9,9 @@ Examples:
   trade                                        everything, into target/trade/
   trade --quick                                the same from fewer planes and repetitions
   trade --firmware target/ci/thumbv7em-none-eabi --firmware m0p=target/thumbv6m
-                                               with the cost on two Cortex-M cores";
+                                               with the cost on two Cortex-M cores
+  trade --firmware target/thumbv7em --sizes thumbv7em=target/sizes
+                                               and the code that each mode takes";
 
 /// Measures every mode of interpolation: its error against a model in f64, and its cost.
 #[derive(Clone, Debug, Parser)]
@@ -24,7 +26,8 @@ pub struct Args {
     #[arg(long, value_name = "[TARGET=]FILE", value_parser = named)]
     pub firmware: Vec<Named>,
 
-    /// Bytes of code on a target, lines of MODE,BYTES. May be repeated.
+    /// Bytes of code on a target of --firmware, lines of MODE,BYTES, as `.ci/sizes --modes` prints them. May be
+    /// repeated.
     #[arg(long, value_name = "[TARGET=]FILE", value_parser = named)]
     pub sizes: Vec<Named>,
 

@@ -14,8 +14,12 @@
 //!
 //! ```sh
 //! cargo run --release --example firmware --target thumbv7em-none-eabi > target/thumbv7em
-//! cargo run --release --example trade -- --firmware target/thumbv7em
+//! .ci/sizes --modes > target/sizes
+//! cargo run --release --example trade -- --firmware target/thumbv7em --sizes thumbv7em=target/sizes
 //! ```
+//!
+//! Code is that of the smallest firmware which draws textured triangles with a depth buffer in the mode, beyond one that draws
+//! nothing, at opt-level "s"; instructions are those of opt-level 3.
 //!
 //! Texel errors are the greater of column's and row's, on a texture of 256x256, whatever the scene is
 //! painted with. PSNR is that of the RGB565 picture against the model's, of the pixels that the scene

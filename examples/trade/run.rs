@@ -121,6 +121,10 @@ fn read(args: &Args) -> Result<Vec<Elsewhere>> {
     for (named, &place) in args.sizes.iter().zip(of_sizes) {
         all[place].code.extend(firmware::sizes(named)?);
     }
+    if let Some(other) = all.iter().find(|other| other.costs.is_empty()) {
+        let target = &other.target;
+        return Err(format!("sizes of '{target}', and no --firmware to go with them").into());
+    }
     if all.iter().any(|other| other.target == HOST) {
         return Err(format!("'{HOST}' is this computer: give the target another name").into());
     }

@@ -20,7 +20,7 @@ pub struct Row {
     pub per_pixel: f64,
     pub error: Option<Spread>,
     pub psnr: f64,
-    /// Bytes of code.
+    /// Bytes of code, optimised for size.
     pub code: Option<u64>,
 }
 
@@ -86,7 +86,11 @@ pub fn markdown(rows: &[Row]) -> String {
     let mut targets: Vec<&str> = rows.iter().map(|row| row.target.as_str()).collect();
     let mut seen = std::collections::HashSet::new();
     targets.retain(|target| seen.insert(*target));
-    let code = rows.iter().any(|row| row.code.is_some());
+
+    let has_code = |target: &str| {
+        rows.iter()
+            .any(|row| row.target == target && row.code.is_some())
+    };
 
     let mut head = String::from("| scene | mode | texel error: max | 99 % | mean | PSNR, dB |");
     let mut rule = String::from("|---|---|---:|---:|---:|---:|");
@@ -102,12 +106,8 @@ pub fn markdown(rows: &[Row]) -> String {
             );
             rule += "---:|---:|";
         }
-        if code
-            && rows
-                .iter()
-                .any(|row| row.target == target && row.code.is_some())
-        {
-            let _ = write!(head, " {target}: bytes of code |");
+        if has_code(target) {
+            let _ = write!(head, " {target}: bytes of code, for size |");
             rule += "---:|";
         }
     }
@@ -138,10 +138,7 @@ pub fn markdown(rows: &[Row]) -> String {
                 text += &cell(here.map(|row| format!("{:.2}", row.per_frame / 1e6)));
             }
             text += &cell(here.map(|row| format!("{:.1}", row.per_pixel)));
-            if rows
-                .iter()
-                .any(|row| row.target == target && row.code.is_some())
-            {
+            if has_code(target) {
                 text += &cell(here.and_then(|row| row.code).map(|code| code.to_string()));
             }
         }

@@ -2,3 +2,6 @@
 
 #[doc = include_str!("firmware.md")]
 pub mod firmware {}
+
+#[doc = include_str!("modes.md")]
+pub mod modes {}

@@ -14,7 +14,7 @@
 //!
 //! All draw the same in bands as in frames, and the same on every target. (Beyond a depth ratio of 128 within a
 //! triangle the first three have up to 0.006 texels in place of 0.001.) [`Segment`] answers single questions about
-//! the same relation.
+//! the same relation; the [guide to modes](crate::guide::modes) says which mode to choose, and derives their bounds.
 
 mod affine;
 mod fast;

@@ -4,8 +4,9 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 
 use super::axis::{Axis, LEAST_ERROR, error_label, label};
+use super::chart::{self, Side};
 use super::legend::{self, Mark};
-use super::{Figure, GRID, INK, LABEL, NAME, TITLE, color};
+use super::{Figure, INK, TITLE, color};
 use crate::Result;
 use crate::modes;
 use crate::sweep::Point;
@@ -28,12 +29,9 @@ pub struct Curves<'a> {
 
 /// What is in a panel.
 struct Panel<'a> {
-    /// Names of the axes; none along the horizontal one of the upper panel, which has the lower one's.
+    /// Name of the horizontal axis; none in the upper panel, which has the lower one's.
     along: &'a str,
-    name: &'a str,
-    axis: Axis,
-    /// The number of a tick.
-    label_of: fn(f64) -> String,
+    up: Side<'a>,
     lines: Vec<Line>,
 }
 
@@ -70,45 +68,28 @@ impl Curves<'_> {
     where
         DB::ErrorType: 'static,
     {
-        let Panel {
-            along,
-            name,
-            axis,
-            label_of,
-            lines,
-        } = panel;
+        let Panel { along, up, lines } = panel;
         let steps = self.points.iter().map(|point| point.at);
         let horizontal = if self.stepped {
             Axis::at(steps)
         } else {
             Axis::around(steps)
         };
-        let mut chart = ChartBuilder::on(part)
-            .margin_left(20)
-            .margin_right(50)
-            .margin_top(14)
-            .x_label_area_size(if along.is_empty() { 40 } else { 84 })
-            .y_label_area_size(130)
-            .build_cartesian_2d(
-                (horizontal.low..horizontal.high)
-                    .log_scale()
-                    .with_key_points(horizontal.ticks),
-                (axis.low..axis.high)
-                    .log_scale()
-                    .with_key_points(axis.ticks.clone()),
-            )?;
-        chart
-            .configure_mesh()
-            .bold_line_style(GRID.stroke_width(2))
-            .light_line_style(TRANSPARENT)
-            .axis_style(INK.stroke_width(2))
-            .label_style(LABEL.into_font().color(&INK))
-            .axis_desc_style(NAME.into_font().color(&INK))
-            .x_desc(along)
-            .y_desc(name)
-            .x_label_formatter(&|&value| label(value))
-            .y_label_formatter(&|&value| label_of(value))
-            .draw()?;
+        let below = if along.is_empty() { 40 } else { 84 };
+        let across = Side {
+            axis: horizontal,
+            name: along,
+            label_of: label,
+        };
+        let mut chart = chart::draw(
+            ChartBuilder::on(part)
+                .margin_left(20)
+                .margin_right(50)
+                .margin_top(14),
+            below,
+            across,
+            up,
+        )?;
         for line in lines {
             let color = color(line.mode);
             let points = || line.points.iter().copied();
@@ -152,9 +133,11 @@ impl Figure for Curves<'_> {
         let axis = Axis::decades(all.map(|(_, error)| *error));
         let panel = Panel {
             along: "",
-            name: "texel error (texels)",
-            axis,
-            label_of: error_label,
+            up: Side {
+                axis,
+                name: "texel error (texels)",
+                label_of: error_label,
+            },
             lines,
         };
         self.panel(paper, &errors, panel)?;
@@ -163,9 +146,11 @@ impl Figure for Curves<'_> {
         let axis = Axis::around(self.points.iter().map(|point| point.ns_per_pixel));
         let panel = Panel {
             along: self.axis,
-            name: "ns per pixel (this computer)",
-            axis,
-            label_of: label,
+            up: Side {
+                axis,
+                name: "ns per pixel (this computer)",
+                label_of: label,
+            },
             lines,
         };
         self.panel(paper, &costs, panel)?;

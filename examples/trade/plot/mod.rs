@@ -1,6 +1,7 @@
 //! Plots, each as PNG and as SVG.
 
 mod axis;
+mod chart;
 mod curves;
 mod legend;
 mod scatter;

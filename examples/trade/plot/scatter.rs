@@ -4,8 +4,9 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 
 use super::axis::{Axis, LEAST_ERROR, error_label, label};
+use super::chart::{self, Side};
 use super::legend::{self, Mark};
-use super::{Figure, GRID, INK, LABEL, NAME, TITLE, color};
+use super::{Figure, INK, TITLE, color};
 use crate::Result;
 use crate::modes;
 use crate::spread::Spread;
@@ -87,31 +88,24 @@ impl<'a> Scatter<'a> {
         DB::ErrorType: 'static,
     {
         let costs = Axis::around(panel.points.iter().map(|(row, _)| row.per_pixel));
-        let mut chart = ChartBuilder::on(part)
-            .caption(&panel.title, TITLE.into_font().color(&INK))
-            .margin(20)
-            .x_label_area_size(76)
-            .y_label_area_size(130)
-            .build_cartesian_2d(
-                (costs.low..costs.high)
-                    .log_scale()
-                    .with_key_points(costs.ticks),
-                (errors.low..errors.high)
-                    .log_scale()
-                    .with_key_points(errors.ticks.clone()),
-            )?;
-        chart
-            .configure_mesh()
-            .bold_line_style(GRID.stroke_width(2))
-            .light_line_style(TRANSPARENT)
-            .axis_style(INK.stroke_width(2))
-            .label_style(LABEL.into_font().color(&INK))
-            .axis_desc_style(NAME.into_font().color(&INK))
-            .x_desc(format!("{} per pixel", unit(panel.target)))
-            .y_desc("largest texel error (texture of 256x256)")
-            .x_label_formatter(&|&value| label(value))
-            .y_label_formatter(&|&value| error_label(value))
-            .draw()?;
+        let across = Side {
+            axis: costs,
+            name: &format!("{} per pixel", unit(panel.target)),
+            label_of: label,
+        };
+        let up = Side {
+            axis: errors.clone(),
+            name: "largest texel error (texture of 256x256)",
+            label_of: error_label,
+        };
+        let mut chart = chart::draw(
+            ChartBuilder::on(part)
+                .caption(&panel.title, TITLE.into_font().color(&INK))
+                .margin(20),
+            76,
+            across,
+            up,
+        )?;
         for scene in &self.scenes {
             let mut line: Vec<(f64, f64)> = panel
                 .points

@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+"""Holds what programs took on each target against tests/instructions.csv, and prints what has changed.
+
+Arguments: `--renew` to write the targets' part of the file anew; the folder with what was printed, named as
+the targets, and beside each, ending in .rustc, what its compiler says that it is; the targets. Fails where
+anything takes over 2 % more instructions, or is not in the file. Another compiler makes other code: a target whose
+compiler is not the one of the file is told, and not held against it."""
+import csv
+import re
+import sys
+from pathlib import Path
+
+MOST = 1.02
+FILE = Path("tests/instructions.csv")
+HEAD = ["target", "mode", "what", "per", "instructions"]
+COUNTED = 1000  # pixels or triangles of a kernel
+
+
+def measured(text):
+    """Instructions by mode, what was drawn, and what they are for."""
+    unit = re.search(r"^tick=(\d+) instructions$", text, re.M)
+    found = {}
+    for line in text.splitlines() if unit else []:
+        fields = dict(re.findall(r"(\S+)=(\S+)", line))
+        if "ticks" not in fields:
+            continue
+        instructions = int(fields["ticks"]) * int(unit[1])
+        if "scene" in fields:
+            found[fields["mode"], fields["scene"], fields["layout"]] = instructions
+        else:
+            per = f"{COUNTED} {fields['unit']}s"
+            found["kernel", fields["kernel"], per] = round(instructions * COUNTED / int(fields["units"]))
+    return found
+
+
+def read():
+    """The compiler of each target, and instructions by target and case."""
+    compilers, kept = {}, {}
+    lines = FILE.read_text().splitlines() if FILE.exists() else []
+    for line in lines:
+        if line.startswith("# "):
+            target, compiler = line[2:].split(": ", 1)
+            compilers[target] = compiler
+    for target, *case, instructions in list(csv.reader(l for l in lines if not l.startswith("#")))[1:]:
+        kept.setdefault(target, {})[tuple(case)] = int(instructions)
+    return compilers, kept
+
+
+def write(compilers, kept):
+    with FILE.open("w", newline="") as file:
+        file.writelines(f"# {target}: {compilers[target]}\n" for target in sorted(compilers))
+        out = csv.writer(file, lineterminator="\n")
+        out.writerow(HEAD)
+        for target in sorted(kept):
+            out.writerows([target, *case, count] for case, count in kept[target].items())
+
+
+def compare(target, before, now):
+    """What is wrong, and how many cases are better."""
+    wrong, better = [], 0
+    for case in before.keys() | now.keys():
+        mode, what, per = case
+        name = f"{target}: {what} in mode {mode}, {per}," if mode != "kernel" else f"{target}: kernel {what}, {per},"
+        if case not in now:
+            wrong.append(f"{name} is in the file and was not measured")
+        elif case not in before:
+            wrong.append(f"{name} is not in the file")
+        elif now[case] > before[case] * MOST:
+            wrong.append(f"{name} takes {now[case]} instructions, {more(before[case], now[case])} than {before[case]}")
+        better += case in now and case in before and now[case] * MOST < before[case]
+    return sorted(wrong), better
+
+
+def more(before, now):
+    return f"{(now / before - 1) * 100:.1f} % more" if before else "more"
+
+
+def main():
+    arguments = sys.argv[1:]
+    renew = "--renew" in arguments
+    folder, *targets = [argument for argument in arguments if argument != "--renew"]
+    compilers, kept = read()
+    failed = False
+    for target in targets:
+        now = measured(Path(folder, target).read_text())
+        compiler = Path(folder, f"{target}.rustc").read_text().strip()
+        if not now:
+            failed = True
+            print(f"{target} printed no counts")
+        elif renew:
+            compilers[target], kept[target] = compiler, now
+            print(f"{target}: {len(now)} counts written to {FILE}")
+        elif target not in kept:
+            failed = True
+            print(f"{target} is not in {FILE}: .ci/firmware --renew {target}")
+        elif compilers.get(target) != compiler:
+            print(f"{target}: NOT HELD against {FILE}, whose counts are of\n  {compilers.get(target)},\nthese of\n  {compiler}.")
+        else:
+            wrong, better = compare(target, kept[target], now)
+            failed |= bool(wrong)
+            print(*wrong, f"{target}: {len(now)} counts, {len(wrong)} wrong", sep="\n")
+            if better:
+                print(f"  over 2 % better: {better}; to keep that, .ci/firmware --renew {target}")
+    if renew:
+        write(compilers, kept)
+    elif failed:
+        print("If it has to be: .ci/firmware --renew writes the file anew.")
+    sys.exit(failed)
+
+
+main()

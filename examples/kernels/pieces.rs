@@ -1,0 +1,51 @@
+//! How long the pieces of mode `Fast` are.
+
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics::pixelcolor::raw::{RawData, RawU16};
+use fixel::interpolate::Fast;
+use fixel::prelude::*;
+
+use super::wall::Bench;
+
+/// A pixel's column of the texture in the place of its colour: its lower 16 bits, of a texel.
+#[derive(Clone, Copy)]
+struct Column;
+
+impl Fragment<1> for Column {
+    type Color = Rgb565;
+
+    fn varyings(&self, vertex: &Vertex<'_>) -> [i32; 1] {
+        // A repeat is 2^20, and 2^6 texels of 2^16.
+        [vertex.uv().x.to_bits() << 2]
+    }
+
+    fn shade(&self, _: &Sample, [column]: [i32; 1]) -> Option<Rgb565> {
+        Some(RawU16::new(column as u16).into())
+    }
+}
+
+/// Along a piece every pixel gains as much, but for the last: it gains what is missing to the next piece's
+/// start, up to a unit for each pixel. From a piece of the wall to the next the gain changes by more.
+const ROUNDING: u16 = 64;
+
+/// Pixels of a row of the wall from one bend to the next, if all pieces are alike.
+pub fn length(bench: &mut Bench, mode: Fast) -> Result<Option<usize>, Error> {
+    let row = bench.row(mode, &Column)?;
+    let columns = row.iter().map(|&color| RawU16::from(color).into_inner());
+    let gains = columns.clone().zip(columns.skip(1));
+    let gains = gains.map(|(from, to)| to.wrapping_sub(from));
+    let changes = gains.clone().zip(gains.skip(1));
+    let changes = changes.map(|(before, after)| after.wrapping_sub(before).cast_signed());
+    // That at pixel 1 is the first.
+    let bends = (1..)
+        .zip(changes)
+        .filter(|(_, change)| change.unsigned_abs() > ROUNDING);
+    let mut bends = bends.map(|(pixel, _)| pixel);
+    let Some(length) = bends.next() else {
+        return Ok(None);
+    };
+    let mut expected = (2..).map(|piece| piece * length);
+    Ok(bends
+        .all(|bend| expected.next() == Some(bend))
+        .then_some(length))
+}

@@ -1,0 +1,72 @@
+//! Triangles of which there is hardly anything to see.
+
+use core::hint::black_box;
+
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use fixel::prelude::*;
+
+use super::ticks::Stopwatch;
+
+/// The triangles of the lists that are compared.
+const COUNTS: [usize; 2] = [32, 160];
+const FACES: [[u16; 3]; COUNTS[1]] = [[0, 1, 2]; COUNTS[1]];
+
+/// Pixels from the eye to the screen.
+const FOCAL: i32 = 4;
+/// Corners in sixteenths of a pixel from the only one's top left corner, and their distances: triangles of about 8x8
+/// pixels, as most are, of which the window has one or none.
+const COVERING: [([i32; 2], i32); 3] = [([-48, 3], 4), ([16, 128], 5), ([80, 5], 6)];
+/// The pixel's centre is within its bounds, but outside.
+const MISSING: [([i32; 2], i32); 3] = [([-128, 3], 4), ([-128, 128], 5), ([14, 128], 6)];
+const PALETTE: [Rgb888; 3] = [
+    Rgb888::new(255, 100, 0),
+    Rgb888::new(0, 255, 100),
+    Rgb888::new(100, 0, 255),
+];
+
+/// What the window has of the triangles.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// No pixel, but a pixel's centre within their bounds.
+    Missing,
+    /// One pixel.
+    Covering,
+}
+
+/// Triangles with three attributes, and the ticks that they take from a list of prepared ones, in the default mode.
+pub fn measure(watch: &mut Stopwatch, kind: Kind) -> Result<(u32, u64), Error> {
+    let [few, many] = COUNTS;
+    let ticks = |watch: &mut Stopwatch, count: usize| draw(watch, kind, &FACES[..count]);
+    Ok((
+        (many - few) as u32,
+        ticks(watch, many)? - ticks(watch, few)?,
+    ))
+}
+
+fn draw(watch: &mut Stopwatch, kind: Kind, faces: &[[u16; 3]]) -> Result<u64, Error> {
+    let corners = match kind {
+        Kind::Missing => MISSING,
+        Kind::Covering => COVERING,
+    };
+    let positions = corners.map(|([x, y], distance)| {
+        // From the pixel's centre, which is the frame's.
+        let eye = |sixteenths: i32| Scalar::from_num(sixteenths * distance) / (16 * FOCAL);
+        Vec3::new(eye(x - 8), eye(8 - y), -Scalar::from_num(distance))
+    });
+    let mesh = Mesh::new(&positions, faces)?.with_colors(&PALETTE, None)?;
+    let frame = (1, 1);
+    let lens = Projection::from_focal_length(Scalar::from_num(FOCAL), frame, fx!(1), fx!(10))?;
+    let mut list: TriangleList<{ COUNTS[1] }, 8> = TriangleList::new();
+    let triangles = list.prepare(&Pass::new(), frame, &mesh, &lens.into())?;
+
+    let mut pixel = [Rgb565::BLACK];
+    let mut canvas = Canvas::new(&mut pixel, 1, 1)?;
+    let shade = black_box(Gouraud::new());
+    let ticks = watch.time(|| {
+        let drawn = canvas.draw_prepared(&triangles, &shade);
+        assert_eq!((drawn.drawn as usize, drawn.clipped), (faces.len(), 0));
+        Ok::<_, Error>(())
+    })?;
+    assert_eq!(pixel != [Rgb565::BLACK], kind == Kind::Covering);
+    Ok(ticks)
+}

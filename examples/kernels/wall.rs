@@ -1,0 +1,161 @@
+//! A triangle that covers the frame, however wide that is.
+
+use core::hint::black_box;
+
+use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use fixel::interpolate::Interpolate;
+use fixel::prelude::*;
+use fixel::target::DepthBuffer;
+use fixel::view::Perspective;
+use static_cell::ConstStaticCell;
+
+use super::ticks::Stopwatch;
+
+/// Columns of the frames that are compared: a part of a run, another, and three runs more.
+const WIDTHS: [u32; 3] = [16, 48, 240];
+const ROWS: u32 = 64;
+/// How often a frame is drawn: a tick may be many instructions.
+const REPEATS: u32 = 4;
+/// Pixels of the widest frame.
+const PIXELS: usize = 240 * ROWS as usize;
+
+/// Pixels from the eye to the screen.
+const FOCAL: i32 = 256;
+
+/// Corners, in pixels from the frame's top left, and their distances. 1/w falls to half over 640 columns, by
+/// 1/1280 of itself per pixel to 1/640: less than any mode minds, and too much for none to notice.
+const CORNERS: [([i32; 2], i32); 3] = [([-16, -16], 1), ([-16, 144], 1), ([624, -16], 2)];
+/// Half a texel of 64x64 to two a column.
+const UVS: [Vec2; 3] = [vec2!(0, 0), vec2!(0, 2), vec2!(10, 1)];
+
+static COLORS: ConstStaticCell<[Rgb565; PIXELS]> = ConstStaticCell::new([Rgb565::BLACK; PIXELS]);
+static DEPTHS: ConstStaticCell<[u16; PIXELS]> = ConstStaticCell::new([0; PIXELS]);
+
+/// What the depth buffer holds before.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Depths {
+    /// There is none.
+    None,
+    /// What is farther than the wall.
+    Far,
+    /// What is nearer.
+    Near,
+}
+
+/// The memory that is drawn to, and the time.
+pub struct Bench {
+    watch: Stopwatch,
+    colors: &'static mut [Rgb565; PIXELS],
+    depths: &'static mut [u16; PIXELS],
+}
+
+impl Bench {
+    /// Takes the memory: can be called once.
+    pub fn new(watch: Stopwatch) -> Self {
+        Self {
+            watch,
+            colors: COLORS.take(),
+            depths: DEPTHS.take(),
+        }
+    }
+
+    /// Prints what pixels take: 48 columns more than 16, and 240 more than 48.
+    pub fn kernel<I: Interpolate, F: Fragment<N, Color = Rgb565>, const N: usize>(
+        &mut self,
+        name: &str,
+        mode: I,
+        fragment: &F,
+        depths: Depths,
+    ) -> Result<(), Error> {
+        let mut ticks = [0; 3];
+        for (ticks, width) in ticks.iter_mut().zip(WIDTHS) {
+            for _ in 0..REPEATS {
+                *ticks += self.frame(width, mode, fragment, depths)?;
+            }
+        }
+        let [narrow, wide, widest] = WIDTHS.map(|columns| columns * ROWS * REPEATS);
+        let [least, more, most] = ticks;
+        self.watch.print(name, "pixel", wide - narrow, more - least);
+        self.watch
+            .print(name, "long-pixel", widest - wide, most - more);
+        Ok(())
+    }
+
+    /// Draws a frame and takes its ticks; the wall covers all of it.
+    fn frame<I: Interpolate, F: Fragment<N, Color = Rgb565>, const N: usize>(
+        &mut self,
+        width: u32,
+        mode: I,
+        fragment: &F,
+        depths: Depths,
+    ) -> Result<u64, Error> {
+        let pixels = (width * ROWS) as usize;
+        let (colors, depth) = (&mut self.colors[..pixels], &mut self.depths[..pixels]);
+        // No fragment has it.
+        colors.fill(Rgb565::BLACK);
+        depth.fill(if depths == Depths::Near { u16::MAX } else { 0 });
+        let mut canvas = Canvas::new(colors, width, ROWS)?;
+        let ticks = if depths == Depths::None {
+            draw(&mut self.watch, &mut canvas, width, mode, fragment)
+        } else {
+            let mut canvas = canvas.with_depth(depth)?;
+            draw(&mut self.watch, &mut canvas, width, mode, fragment)
+        }?;
+        let drawn = self.colors[..pixels]
+            .iter()
+            .filter(|&&color| color != Rgb565::BLACK);
+        let wanted = if depths == Depths::Near { 0 } else { pixels };
+        assert_eq!(drawn.count(), wanted, "pixels drawn");
+        Ok(ticks)
+    }
+
+    /// A row of the widest frame, painted with a fragment.
+    pub fn row<I: Interpolate, F: Fragment<N, Color = Rgb565>, const N: usize>(
+        &mut self,
+        mode: I,
+        fragment: &F,
+    ) -> Result<&[Rgb565], Error> {
+        let [.., width] = WIDTHS;
+        let mut canvas = Canvas::new(&mut self.colors[..], width, ROWS)?;
+        let (positions, chain) = (positions(width), chain(width)?);
+        let wall = Mesh::new(&positions, &[[0, 1, 2]])?.with_uvs(&UVS, None)?;
+        canvas.draw_with(&Pass::new().mode(mode), &wall, &chain, fragment);
+        Ok(&self.colors[..width as usize])
+    }
+}
+
+/// Draws the wall to a canvas of such a width.
+fn draw<I: Interpolate, F: Fragment<N, Color = Rgb565>, D: DepthBuffer, const N: usize>(
+    watch: &mut Stopwatch,
+    canvas: &mut Canvas<'_, Rgb565, fixel::target::Native, D>,
+    width: u32,
+    mode: I,
+    fragment: &F,
+) -> Result<u64, Error> {
+    let (positions, chain) = (positions(width), chain(width)?);
+    let wall = Mesh::new(&positions, &[[0, 1, 2]])?.with_uvs(&UVS, None)?;
+    // What a user has is not known while compiling.
+    let (pass, fragment) = black_box((Pass::new().mode(mode), fragment));
+    watch.time(|| {
+        let drawn = canvas.draw_with(&pass, &wall, &chain, fragment);
+        assert_eq!((drawn.drawn, drawn.clipped), (1, 0));
+        Ok(())
+    })
+}
+
+/// The wall's corners before a frame of such a width.
+fn positions(width: u32) -> [Vec3; 3] {
+    let center = [width, ROWS].map(u32::cast_signed);
+    CORNERS.map(|([x, y], distance)| {
+        // To the frame's centre, in half pixels.
+        let (x, y) = (2 * x - center[0], center[1] - 2 * y);
+        let eye = |half_pixels: i32| Scalar::from_num(half_pixels * distance) / (2 * FOCAL);
+        Vec3::new(eye(x), eye(y), -Scalar::from_num(distance))
+    })
+}
+
+fn chain(width: u32) -> Result<Chain<Perspective>, Error> {
+    let focal = Scalar::from_num(FOCAL);
+    let lens = Projection::from_focal_length(focal, (width, ROWS), fx!(0.5), fx!(4))?;
+    Ok(lens.into())
+}

@@ -1,0 +1,24 @@
+//! What the probes of the modes draw: textured triangles with a depth buffer.
+
+use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use fixel::interpolate::Interpolate;
+use fixel::prelude::*;
+
+use super::probe::{HEIGHT, MODEL, PLACE, SKIN, WIDTH, angle, lens};
+
+/// Draws them in a mode.
+#[inline]
+pub fn draw(
+    pixels: &mut [Rgb565],
+    depths: &mut [u16],
+    now_ms: u64,
+    mode: impl Interpolate,
+) -> Result<(), Error> {
+    let spin = Transform::translate(PLACE) * Transform::rotate_y(angle(now_ms));
+    let chain = lens()? * spin;
+    let mut canvas = Canvas::new(pixels, WIDTH, HEIGHT)?.with_depth(depths)?;
+    canvas.clear(Rgb565::BLACK);
+    let pass = Pass::new().mode(mode);
+    canvas.draw_with(&pass, &MODEL, &chain, &Textured::new(&SKIN));
+    Ok(())
+}

@@ -1,0 +1,70 @@
+//! What is no model, and how that is told.
+
+use fixel::geometry::{Buffers, obj};
+use fixel::prelude::*;
+use proptest::prelude::*;
+
+use super::reading::{SQUARE, fails};
+
+#[test]
+fn malformed_numbers() {
+    for text in [
+        "", "x", ".", "+", "-", "--1", "1e", "1e+", "e1", "1.2.3", "1,5", "nan", "inf", "0x1",
+        "1f", "1\\2", "é",
+    ] {
+        fails(
+            &format!("\n\nv 1 0 {text}"),
+            3,
+            if text.is_empty() {
+                "3 numbers"
+            } else {
+                "malformed"
+            },
+        );
+    }
+}
+
+#[test]
+fn errors_name_their_line() {
+    let first_at_5 = |rest: &str, word| fails(&format!("{SQUARE}{rest}"), 5, word);
+    first_at_5("f 0 1 2", "0");
+    first_at_5("f 1 2 -0", "0");
+    first_at_5("f 1 2 5", "position that is not there");
+    first_at_5("f 1 2 -5", "position that is not there");
+    first_at_5("f 1 2 99999999999999999999", "position that is not there");
+    first_at_5("f 1/1 2 3", "texture coordinate that is not there");
+    first_at_5("f 1//-1 2 3", "normal that is not there");
+    first_at_5("f", "3 corners");
+    first_at_5("f 1 2", "3 corners");
+    first_at_5("l 1", "2 ends");
+    first_at_5("l", "2 ends");
+    first_at_5("f 1 2 x", "corner is malformed");
+    first_at_5("f 1 2 3/1/1/1", "corner is malformed");
+    first_at_5("f 1 2 3.5", "corner is malformed");
+    first_at_5("f 1 2 /3", "corner is malformed");
+    first_at_5("f 1 2 +3", "corner is malformed");
+    first_at_5("v 1 2", "3 numbers");
+    first_at_5("v 1 2 3 4 5", "3 numbers");
+    first_at_5("v 1 2 3 4 5 6 7 8", "too many");
+    first_at_5("v 1 2 3 0 0 1.1", "colour");
+    first_at_5("v 1 2 3 0 -0.1 1", "colour");
+    first_at_5("vt", "2 numbers");
+    first_at_5("vn 1 2", "3 numbers");
+    first_at_5("vn 1 2 3 4", "too many");
+    // A statement over several lines is where it goes wrong; comments do not go on.
+    fails("# a\\\nv 0 0\\\n", 3, "3 numbers");
+    fails("\r\n\r\nv", 3, "3 numbers");
+    fails("\r\rv", 3, "3 numbers");
+}
+
+proptest! {
+    /// Whatever it is fed, it returns.
+    #[test]
+    fn any_bytes_return(bytes in prop::collection::vec(prop::sample::select(&b"vvftnl 0123456789./-+eE\\\r\n\n#\t\xff"[..]), 0..200)) {
+        if let Ok(counts) = obj::count(&bytes) {
+            let (mut positions, mut faces) = (vec![Vec3::ZERO; counts.positions], vec![[0; 3]; counts.faces]);
+            let mut edges = vec![[0; 2]; counts.edges];
+            let _ = obj::parse(&bytes, Buffers { edges: &mut edges, ..Buffers::new(&mut positions, &mut faces) });
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! The dump, pixel by pixel, and that bands change nothing.
+
+use std::fs;
+
+use super::program::{directory, good, printed};
+
+#[test]
+fn bands_are_the_frame() {
+    let directory = directory("bands");
+    for scene in [
+        "",
+        "--scene floor",
+        "--scene cube",
+        "--scene sphere",
+        "--scene sphere-flat",
+    ] {
+        let whole = good(&directory, &format!("{scene} --crc --dump whole.csv"));
+        let dump = fs::read(directory.join("whole.csv")).unwrap();
+        for rows in [1, 7, 16, 1000] {
+            let banded = good(
+                &directory,
+                &format!("{scene} --crc --dump bands.csv --bands {rows}"),
+            );
+            assert_eq!(
+                printed(&whole, "crc"),
+                printed(&banded, "crc"),
+                "{scene} {rows}"
+            );
+            let same = dump == fs::read(directory.join("bands.csv")).unwrap();
+            assert!(
+                same,
+                "dumps of {scene} whole and in bands of {rows} rows differ"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_dump_is_exact_and_in_row_order() {
+    let directory = directory("dump");
+    // A square that fills the frame, straight ahead, one unit of u and v.
+    fs::write(
+        directory.join("square.obj"),
+        "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n",
+    )
+    .unwrap();
+    good(
+        &directory,
+        "square.obj --size 4x4 --eye 0,0,1 --look-at 0,0,0 --fov 90 --near 0.5 --far 2 --dump d.csv",
+    );
+    let dump = fs::read_to_string(directory.join("d.csv")).unwrap();
+    let rows: Vec<&str> = dump.lines().collect();
+    assert_eq!(rows.len(), 17);
+    for (at, row) in rows[1..].iter().enumerate() {
+        let cells: Vec<f64> = row.split(',').map(|cell| cell.parse().unwrap()).collect();
+        let at = f64::from(u8::try_from(at).unwrap());
+        let (x, y) = (at % 4.0, (at / 4.0).floor());
+        assert_eq!(cells[..2], [x, y], "{row}");
+        // At the middle of a pixel, v down; a few units of 2^-24.
+        assert!(((x + 0.5) / 4.0 - cells[2]).abs() < 1e-6, "{row}");
+        assert!(((y + 0.5) / 4.0 - cells[3]).abs() < 1e-6, "{row}");
+        assert!((cells[4] - 1.0).abs() < 1e-4, "{row}");
+        // 65535 · near / w, rounded down
+        assert!((cells[5] - 32767.0).abs() <= 1.0, "{row}");
+    }
+}

@@ -1,0 +1,52 @@
+//! Shades, colours and filters.
+
+use std::fs;
+
+use super::program::{TRIANGLE, directory, good, png_size, printed};
+
+#[test]
+fn every_look_projection_and_color_gives_a_picture() {
+    let directory = directory("looks");
+    fs::write(
+        directory.join("cube.obj"),
+        "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n\
+         f 5 6 7 8\nf 2 1 4 3\nf 6 2 3 7\nf 1 5 8 4\nf 8 7 3 4\nf 1 2 6 5\n",
+    )
+    .unwrap();
+    for shade in [
+        "texture", "gouraud", "flat", "lit", "wire", "depth", "normal",
+    ] {
+        for color in ["rgb565", "rgb888", "gray8", "gray4", "mono"] {
+            for projection in ["perspective", "cabinet"] {
+                let said = good(
+                    &directory,
+                    &format!(
+                        "cube.obj --size 64x48 --shade {shade} --color {color} --projection {projection}"
+                    ),
+                );
+                let pixels: u32 = printed(&said, "pixels").parse().unwrap();
+                assert!(pixels > 100, "{shade} {color} {projection}: {said}");
+            }
+        }
+    }
+    assert_eq!(png_size(&directory.join("cube.png")), (64, 48));
+}
+
+#[test]
+fn a_filter_changes_colors_only() {
+    let directory = directory("filter");
+    fs::write(directory.join("t.obj"), TRIANGLE).unwrap();
+    for shade in ["texture", "lit"] {
+        for color in ["rgb565", "rgb888", "gray8", "gray4", "mono"] {
+            let draw = |filter| {
+                let look = format!("--filter {filter} --shade {shade} --color {color}");
+                let said = good(&directory, &format!("t.obj --size 64x48 --crc {look}"));
+                let word = |label| printed(&said, label).to_string();
+                [word("pixels"), word("crc")]
+            };
+            let (nearest, bilinear) = (draw("nearest"), draw("bilinear"));
+            assert_eq!(nearest[0], bilinear[0], "{shade} {color}");
+            assert_ne!(nearest[1], bilinear[1], "{shade} {color}");
+        }
+    }
+}

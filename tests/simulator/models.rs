@@ -1,0 +1,159 @@
+//! Models: those that cannot be read, and those that are seen whole.
+
+use std::fmt::Write;
+use std::fs;
+
+use super::program::{TRIANGLE, directory, good, printed, refused};
+
+#[test]
+fn models_that_cannot_be_read_are_refused() {
+    let directory = directory("models");
+    for (model, says) in [
+        ("v 0 0\nf 1 1 1", ["line 1", "number"]),
+        (
+            "v 0 0 0\nv 1 zero 0\nf 1 2 1",
+            ["line 2", "'zero' is not a number"],
+        ),
+        (
+            "v 0 0 0\nv 1 nan 0\nf 1 2 1",
+            ["line 2", "coordinate nan cannot"],
+        ),
+        ("# far\nv 0 0 40000\nf 1 1 1", ["line 2", "40000"]),
+        (
+            "v 0 0 -1e9\nf 1 1 1",
+            ["line 1", "between -32768 and 32767"],
+        ),
+        (
+            "v 0 0 0\nvt 0 0\nvt 0 3000\nf 1 1 1",
+            [
+                "line 3",
+                "3000 cannot be represented: it must lie between -2046.99999 and 2047",
+            ],
+        ),
+        (
+            "v 0 0 0\nvt -3000 0\nf 1 1 1",
+            [
+                "line 2",
+                "-3000 cannot be represented: it must lie between -2048 and 2047",
+            ],
+        ),
+        ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4", ["line 4", "position"]),
+        (
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4",
+            ["line 4", "position"],
+        ),
+        ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2", ["line 4", ""]),
+        (
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1 2/1 3/1",
+            ["line 4", "texture coordinate"],
+        ),
+        (
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1//2 2//2 3//2",
+            ["line 4", "normal"],
+        ),
+        ("v 0 0 0\nv 1 0 0\nf 1 2", ["line 3", "at least 3 corners"]),
+        ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 x", ["line 4", ""]),
+        (
+            "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\n\r\nf a b c\r\n",
+            ["line 5", ""],
+        ),
+        ("v 0 0 0\nv 1 0 0\n", ["no faces", ""]),
+        ("", ["no faces", ""]),
+        ("\u{0}\u{1}binary", ["no faces", ""]),
+    ] {
+        fs::write(directory.join("bad.obj"), model).unwrap();
+        refused(&directory, "bad.obj", &says);
+    }
+    refused(&directory, "none.obj", &["cannot read model none.obj"]);
+    fs::create_dir(directory.join("folder.obj")).unwrap();
+    refused(&directory, "folder.obj", &["cannot read model folder.obj"]);
+
+    fs::write(directory.join("t.obj"), TRIANGLE).unwrap();
+    fs::write(directory.join("text.png"), "no picture").unwrap();
+    refused(
+        &directory,
+        "t.obj --texture text.png",
+        &["cannot read texture text.png"],
+    );
+    refused(
+        &directory,
+        "t.obj --texture none.png",
+        &["cannot read texture none.png"],
+    );
+}
+
+#[test]
+fn a_model_fills_the_picture() {
+    let directory = directory("fills");
+    // A plate far from the origin, in the dialects: CRLF, a quad, negative indices, no vt or vn.
+    let model = "v 100 -50 7\r\nv 104 -50 7\r\nv 104 -48 7\r\nv 100 -48 7\r\nf -4 -3 -2 -1\r\n";
+    fs::write(directory.join("quad.obj"), model).unwrap();
+    for projection in ["perspective", "orthographic", "cabinet", "cavalier"] {
+        let said = good(
+            &directory,
+            &format!("quad.obj --size 160x80 --projection {projection} --dump d.csv"),
+        );
+        let dump = fs::read_to_string(directory.join("d.csv")).unwrap();
+        let mut rows = dump.lines();
+        assert_eq!(rows.next(), Some("x,y,u,v,w,depth"));
+        let places: Vec<[u32; 2]> = rows
+            .map(|row| {
+                let mut cells = row.split(',').map(str::parse);
+                let mut cell = || cells.next().unwrap().unwrap();
+                [cell(), cell()]
+            })
+            .collect();
+        assert_eq!(printed(&said, "pixels"), places.len().to_string());
+        let range = |axis: usize| {
+            let all = || places.iter().map(|place| place[axis]);
+            (all().min().unwrap(), all().max().unwrap())
+        };
+        // It takes 94 % of the width or of the height, in the middle.
+        let ((left, right), (top, bottom)) = (range(0), range(1));
+        let fills = right - left > 145 || bottom - top > 71;
+        assert!(fills, "{projection}: {left}..{right}, {top}..{bottom}");
+        assert!(
+            (left + right).abs_diff(159) <= 3,
+            "{projection}: {left}..{right}"
+        );
+        assert!(
+            (top + bottom).abs_diff(79) <= 3,
+            "{projection}: {top}..{bottom}"
+        );
+    }
+}
+
+#[test]
+fn the_widest_view_and_an_empty_one_are_drawn() {
+    let directory = directory("wide");
+    fs::write(directory.join("t.obj"), TRIANGLE).unwrap();
+    // The chosen eye is next to the model, but not in it.
+    let said = good(&directory, "t.obj --fov 170");
+    assert_ne!(printed(&said, "pixels"), "0");
+    let said = good(&directory, "t.obj --near 100 --far 200");
+    assert!(said.contains("nothing of it is in the picture"), "{said}");
+}
+
+#[test]
+fn a_model_of_many_points_is_drawn_in_parts() {
+    let directory = directory("many");
+    // 300 x 300 points, more than 16-bit indices can name.
+    let mut model = String::new();
+    for y in 0..300 {
+        for x in 0..300 {
+            writeln!(model, "v {x} {y} 0").unwrap();
+        }
+    }
+    for y in 0..299 {
+        for x in 1..300 {
+            let at = y * 300 + x;
+            writeln!(model, "f {at} {} {} {}", at + 1, at + 301, at + 300).unwrap();
+        }
+    }
+    fs::write(directory.join("grid.obj"), model).unwrap();
+    let view = "--eye 149.5,149.5,400 --look-at 149.5,149.5,0 --size 100x100 --fov 40";
+    let said = good(&directory, &format!("grid.obj {view}"));
+    // 2 · 400 · tan 20° = 291.2 units of the plate's 299 are seen: every pixel, each once.
+    assert_eq!(printed(&said, "pixels"), "10000");
+    assert_eq!(printed(&said, "triangles"), (299 * 299 * 2).to_string());
+}

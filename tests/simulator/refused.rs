@@ -1,0 +1,101 @@
+//! Cameras and pictures that cannot be.
+
+use std::fs;
+
+use super::program::{TRIANGLE, directory, refused};
+
+#[test]
+fn cameras_without_sense_are_refused() {
+    let directory = directory("cameras");
+    fs::write(directory.join("t.obj"), TRIANGLE).unwrap();
+    let range = "above 0 and below 180 degrees";
+    for (arguments, says) in [
+        ("--fov 0", ["field of view is 0 degrees", range]),
+        ("--fov 180", ["field of view is 180 degrees", range]),
+        ("--fov -60", ["field of view is -60 degrees", range]),
+        // 400 degrees are 40 after a turn, but nobody means that.
+        ("--fov 400", ["field of view is 400 degrees", range]),
+        ("--fov nan", ["--fov", "finite number"]),
+        ("--near 0", ["near plane is at 0", "above 0"]),
+        ("--near -1", ["near plane is at -1", "above 0"]),
+        (
+            "--near 5 --far 5",
+            ["far plane is at 5", "beyond the near plane at 5"],
+        ),
+        (
+            "--near 5 --far 2",
+            ["far plane is at 2", "beyond the near plane at 5"],
+        ),
+        ("--near 40000", ["--near 40000", "between -32768"]),
+        ("--far 1e9", ["--far 1000000000", "between -32768"]),
+        (
+            "--eye 1,2,3 --look-at 1,2,3",
+            ["eye and target are both at (1, 2, 3)", "look at"],
+        ),
+        (
+            "--eye 0,0,5 --look-at 0,0,0 --up 0,0,1",
+            ["up is (0, 0, 1)", "parallel to the line of sight"],
+        ),
+        (
+            "--up 0,0,0",
+            ["up is (0, 0, 0)", "which is zero or parallel"],
+        ),
+        ("--eye 0,0,1e6", ["--eye", "cannot be represented"]),
+        ("--eye 0,0", ["--eye", "three numbers"]),
+        ("--eye 0,zero,0", ["zero", "must be a number"]),
+        ("--look-at 0;0;0", ["0;0;0", "must be a number"]),
+    ] {
+        refused(&directory, &format!("t.obj {arguments}"), &says);
+        // A parallel projection has no eye that the near plane must be in front of.
+        if !says[0].starts_with("near") {
+            let parallel = format!("t.obj --projection orthographic {arguments}");
+            refused(&directory, &parallel, &says);
+        }
+    }
+}
+
+#[test]
+fn pictures_that_cannot_be_are_refused() {
+    let directory = directory("pictures");
+    fs::write(directory.join("t.obj"), TRIANGLE).unwrap();
+    fs::create_dir(directory.join("folder.png")).unwrap();
+    for (arguments, says) in [
+        ("--size 0x240", ["size is 0x240", "between 1 and"]),
+        ("--size 320x0", ["size is 320x0", "between 1 and"]),
+        (
+            "--size 100000x100000",
+            ["size is 100000x100000", "between 1 and"],
+        ),
+        ("--size 320", ["--size", "such as 320x240"]),
+        ("--size -1x5", ["-1x5", ""]),
+        ("--bands 0", ["--bands", "0"]),
+        ("--frames 0", ["--frames", "0"]),
+        ("--frames 2 --out t.png", ["2 frames", ".gif"]),
+        ("--rpm fast --frames 2", ["fast", "must be a number"]),
+        ("--rpm 1e12 --frames 2", ["1000000000000", "between"]),
+        ("--shade shiny", ["shiny", "possible values"]),
+        ("--filter soft", ["soft", "possible values"]),
+        ("--color cmyk", ["cmyk", "possible values"]),
+        ("--projection fisheye", ["fisheye", "possible values"]),
+        ("--out t.bmp", ["t.bmp", ".png or .gif"]),
+        ("--out picture", ["picture", ".png or .gif"]),
+        ("--out none/t.png", ["cannot write none/t.png", ""]),
+        ("--out folder.png", ["cannot write folder.png", "directory"]),
+        ("--dump none/t.csv", ["cannot write none/t.csv", ""]),
+        ("--sparkle", ["--sparkle", ""]),
+    ] {
+        refused(&directory, &format!("t.obj {arguments}"), &says);
+    }
+    // The eye that was chosen is beyond the number format.
+    let far = ["to see the whole model, the eye must be at", "-32768"];
+    refused(&directory, "t.obj --fov 0.0001", &far);
+    refused(&directory, "--scene moon", &["moon", "possible values"]);
+    refused(&directory, "t.obj --scene cube", &["cannot be used with"]);
+    if cfg!(not(feature = "sdl")) {
+        refused(
+            &directory,
+            "t.obj --window",
+            &["--window", "--features sdl"],
+        );
+    }
+}
