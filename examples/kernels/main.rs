@@ -74,6 +74,9 @@ mod firmware {
         bench.kernel("newton", Newton, &skin, Depths::None)?;
         bench.kernel("newton-depth-pass", Newton, &skin, Depths::Far)?;
         bench.kernel("newton-depth-fail", Newton, &skin, Depths::Near)?;
+        bench.kernel("narrow", Fast::NARROW, &skin, Depths::None)?;
+        bench.kernel("narrow-depth-pass", Fast::NARROW, &skin, Depths::Far)?;
+        bench.kernel("narrow-depth-fail", Fast::NARROW, &skin, Depths::Near)?;
         bench.kernel("exact", Exact, &skin, Depths::None)?;
         Ok(())
     }

@@ -3,7 +3,7 @@
 use super::affine::{Affine, straight};
 use super::mode::{Exact, Interpolate};
 use super::newton::room;
-use super::reciprocal::seed;
+use super::reciprocal::short_reciprocal;
 use super::run::{Cells, FAR, Pixels, Run, Steps, rolled};
 use crate::Scalar;
 use crate::linear::IS_NARROW;
@@ -128,7 +128,7 @@ impl Interpolate for Fast {
         run.p = run.p.map(|p| p >> 2);
         own.p = own.p.map(|p| p >> 2);
         // 1/w is from 2^29 to 2^31 from here on.
-        let mut inverse = first(run.q);
+        let mut inverse = short_reciprocal(run.q >> 15);
         let mut values = values(&run, &own, inverse);
         loop {
             // What is left may end before the piece, but by no more than half of it.
@@ -212,14 +212,6 @@ impl<const N: usize> Run<N> {
         }
         end
     }
-}
-
-/// 2^31 / (q / 2^15), for a `q` from 2^29 to 2^31.
-#[inline]
-fn first(q: u32) -> u32 {
-    // Of 17 or 18 bits where q has 31, which is an exponent of 0; else it is to be twice as great.
-    let up = q >> 30 ^ 1;
-    seed(q << (up & 1)) >> (2 - (up & 1))
 }
 
 /// 2^31 / (q / 2^15), from that of a `q` which is off by up to 1/16: two Newton steps, which make that 2^-16.

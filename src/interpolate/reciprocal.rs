@@ -55,7 +55,7 @@ const SEEDS: [u8; 32] = {
 };
 
 /// 2^48 / q to 17 or 18 bits, without a division and in products of 32 bits.
-pub(super) const fn seed(q: u32) -> u32 {
+const fn seed(q: u32) -> u32 {
     let coarse = coarse(q);
     let seed = SEEDS[(q >> 25 & 31) as usize] as u32;
     // Off by up to 2^-5.8; squared that is 2^-11.6, in 16 bits.
@@ -80,6 +80,24 @@ const fn by_newton(q: u32, seed: u32) -> u32 {
     r + (remainder >= q) as u32
 }
 
+/// ⌊2³¹ / d⌋, for a `d` of 15 or 16 bits.
+#[inline]
+pub(super) const fn short_reciprocal(d: u32) -> u32 {
+    if IS_NARROW {
+        short_by_table(d)
+    } else {
+        // Said so, that no division by zero need be looked out for.
+        (1 << 31) / if d < 1 << 14 { 1 << 14 } else { d }
+    }
+}
+
+const fn short_by_table(d: u32) -> u32 {
+    // A seed is right to a unit and never above, as all bits of d are in it; r is then right or one short.
+    let up = d >> 15 & 1 ^ 1;
+    let r = seed(d << 15 << up) >> (2 - up);
+    r + ((1_u32 << 31).wrapping_sub(r.wrapping_mul(d)) >= d) as u32
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -96,6 +114,14 @@ mod tests {
             assert_eq!(u128::from(by_division(q)), exact, "{q}");
             assert_eq!(u128::from(by_newton(q, divided_seed(q))), exact, "{q}");
             assert_eq!(u128::from(by_newton(q, seed(q))), exact, "{q}");
+        }
+    }
+
+    #[test]
+    fn short_ones_are_right() {
+        for d in 1 << 14..1 << 16 {
+            let exact = (1 << 31) / d;
+            assert_eq!([short_by_table(d), short_reciprocal(d)], [exact; 2], "{d}");
         }
     }
 
