@@ -1,0 +1,403 @@
+//! A mesh drawn by the crate and by the model, and by how much they differ.
+//!
+//! Two ways to judge a value. Where nothing is clipped, the model interpolates between the crate's own snapped corners.
+//! Where something is, corners are new ones that nobody is told of; then a value has to be one that the model has
+//! within [`Scene::reach`] of the pixel's centre. Interpolants are linear on the screen, and a linear function through
+//! corners that are each moved by up to so much has what the unmoved one has within so much. A quotient of two of
+//! them is monotonic along any line, so of all places in a square around the centre its corners have the extremes.
+
+use std::collections::HashMap;
+
+use fixel::prelude::*;
+use fixel::view::Perspective;
+
+use crate::bounds;
+use crate::drawing::{Drawing, Seen};
+use crate::mode::Mode;
+use crate::moves::exact;
+use crate::reference::attributes::{interpolate, weights};
+use crate::reference::clip::{FAR, NEAR};
+use crate::reference::coverage::{Bounds, area2_f64, centre};
+use crate::reference::distance::{to_segment, to_triangle};
+use crate::reference::raster::{self, Piece, pieces_clipped};
+use crate::reference::view::View;
+
+/// The modes that are measured.
+pub const MODES: [Mode; 3] = [Mode::Newton, Mode::Exact, Mode::Fast(fx!(0.25))];
+/// Units of a texel.
+const TEXEL: f64 = 65536.;
+/// Half the guard band, in pixels.
+const GUARD: f64 = 2048.;
+/// Half a subpixel: what a corner is moved by along each axis.
+const SNAP: f64 = 1. / 512.;
+
+/// What clip space may be off by, in parts of the largest coefficient for each unit of a coordinate: half a unit of
+/// 2⁻²⁹ where a matrix' mantissas are rounded, for the model's, the lens' and their product's; and of
+/// 2⁻²⁸ where the last bit of those is dropped.
+const CLIP: f64 = 5. / (1 << 30) as f64;
+
+/// The largest of some errors, and what was allowed there.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Worst {
+    pub measured: f64,
+    pub bound: f64,
+}
+
+impl Worst {
+    /// Adds an error that has to be within its bound.
+    #[track_caller]
+    pub fn add(&mut self, error: f64, bound: f64, what: impl FnOnce() -> String) {
+        assert!(error <= bound, "{}: off by {error}, over {bound}", what());
+        if error > self.measured || self.bound == 0. {
+            *self = Self {
+                measured: error,
+                bound,
+            };
+        }
+    }
+
+    /// The larger error of two.
+    pub fn merge(&mut self, other: Self) {
+        if other.measured > self.measured || self.bound == 0. {
+            *self = other;
+        }
+    }
+}
+
+/// How far a mesh' picture is from the model's.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Verdict {
+    /// In pixels: how far a corner is from where it should be, or of meshes that are clipped, how far inside a centre
+    /// is that was left out, or how far outside one that was drawn.
+    pub coverage: Worst,
+    /// In texels of a texture of 256, in each of [`MODES`].
+    pub texels: [Worst; 3],
+    /// In steps of the depth buffer, outside the one that is stored.
+    pub depth: Worst,
+    /// Pixels drawn.
+    pub pixels: usize,
+}
+
+impl Verdict {
+    /// The worst of both.
+    pub fn merge(&mut self, other: Self) {
+        self.coverage.merge(other.coverage);
+        for (worst, other) in self.texels.iter_mut().zip(other.texels) {
+            worst.merge(other);
+        }
+        self.depth.merge(other.depth);
+        self.pixels += other.pixels;
+    }
+}
+
+/// Triangles before a lens, for the crate and for the model.
+#[derive(Clone)]
+pub struct Scene {
+    pub size: (u32, u32),
+    pub viewport: Option<Viewport>,
+    pub positions: Vec<Vec3>,
+    pub faces: Vec<[u16; 3]>,
+    /// Columns and rows of the texture, with 16 fraction bits; as many as positions.
+    pub texels: Vec<[i32; 2]>,
+    pub chain: Chain<Perspective>,
+    pub view: View,
+    /// The largest sum of what a coordinate is made of: of a position's magnitudes and of an offset's.
+    pub sum: f64,
+}
+
+impl Scene {
+    /// Draws in each of the modes, and judges every pixel.
+    pub fn judge(&self) -> Verdict {
+        let mesh = Mesh::new(&self.positions, &self.faces).unwrap();
+        let pass = Pass::new().cull(Cull::Nothing);
+        let mut drawing = Drawing {
+            size: self.size,
+            pass: self.viewport.map_or(pass, |viewport| pass.viewport(viewport)),
+            mode: Mode::Exact,
+            mesh,
+            chain: self.chain,
+        };
+        let places = drawing.places(&self.positions);
+        let pieces = self.pieces();
+        let is_whole = places.iter().all(Option::is_some);
+        let mut verdict = Verdict::default();
+        let judged: Vec<Piece<2>> = if is_whole {
+            let at = |index: usize| places[index].unwrap();
+            self.corners(&places, &mut verdict.coverage);
+            let snap = |piece: &Piece<2>| piece.snap(|source, _| at(source.unwrap()));
+            pieces.iter().map(snap).collect()
+        } else {
+            pieces
+        };
+        let values = |vertex: &Vertex<'_>| self.texels[self.index(vertex.position())];
+        let first = drawing.all(&values);
+        verdict.pixels = first.len();
+        if is_whole {
+            self.exact_coverage(&first, &judged);
+        } else {
+            self.coverage(&first, &judged, &mut verdict.coverage);
+        }
+        for (mode, worst) in MODES.into_iter().zip(&mut verdict.texels) {
+            drawing.mode = mode;
+            let seen = drawing.all(&values);
+            let pixels = |seen: &[Seen<2>]| -> Vec<_> {
+                seen.iter().map(|seen| (seen.face, seen.pixel, seen.depth)).collect()
+            };
+            assert_eq!(pixels(&seen), pixels(&first), "{mode:?} differs");
+            self.values(mode, &seen, &judged, worst);
+        }
+        self.depths(&first, &judged, &mut verdict.depth);
+        verdict
+    }
+
+    fn index(&self, position: Vec3) -> usize {
+        self.positions.iter().position(|&p| p == position).unwrap()
+    }
+
+    /// What the view volume and the guard band leave of each face.
+    fn pieces(&self) -> Vec<Piece<2>> {
+        let positions: Vec<_> = self.positions.iter().map(|&p| exact(p)).collect();
+        let faces: Vec<_> = self.faces.iter().map(|face| face.map(usize::from)).collect();
+        let texels = |index: usize| self.texels[index].map(f64::from);
+        let attributes: Vec<_> = faces.iter().map(|face| face.map(texels)).collect();
+        let mesh = raster::Mesh {
+            positions: &positions,
+            faces: &faces,
+            attributes: &attributes,
+        };
+        let viewport = self.view.viewport;
+        let side = |pixels: u32| f64::from(pixels) / 2. / GUARD;
+        let (x, y) = (side(viewport.width), side(viewport.height));
+        let sides = [[x, 0., 0., 1.], [-x, 0., 0., 1.], [0., y, 0., 1.], [0., -y, 0., 1.]];
+        pieces_clipped(&mesh, &self.view, &[&[NEAR, FAR], &sides[..]].concat())
+    }
+
+    /// By how much rounding in clip space may move a point at a distance, in pixels: sums over the distance, both in
+    /// units of the near plane's, in a guard band of 2048.
+    fn moved(&self, w: f64) -> f64 {
+        GUARD * CLIP * self.sum / w
+    }
+
+    /// The same, snapped to a subpixel.
+    fn reach(&self, w: f64) -> f64 {
+        SNAP + self.moved(w)
+    }
+
+    /// How far corners are from where they should be, along each axis.
+    fn corners(&self, places: &[Option<[i32; 2]>], worst: &mut Worst) {
+        for (&position, place) in self.positions.iter().zip(places) {
+            let wanted = self.view.project(exact(position));
+            let place = place.unwrap().map(|at| f64::from(at) / 256.);
+            // Outside of the volume, by rounding, a point may be moved onto its side.
+            for (at, wanted_at) in place.into_iter().zip(wanted.screen) {
+                let what = || format!("{position:?} at {place:?}, not {:?}", wanted.screen);
+                worst.add((at - wanted_at).abs(), self.reach(wanted.w), what);
+            }
+        }
+    }
+
+    /// Given snapped corners, what is covered is what the model covers.
+    fn exact_coverage(&self, seen: &[Seen<2>], pieces: &[Piece<2>]) {
+        let mut drawn: Vec<_> = seen.iter().map(|seen| (seen.face, seen.pixel)).collect();
+        drawn.sort_unstable();
+        let bounds = self.bounds();
+        let mut model: Vec<_> = pieces
+            .iter()
+            .flat_map(|piece| {
+                let pixels = bounds.around(&piece.screen, 0.).pixels();
+                pixels.filter(|&p| piece.covers(p)).map(|p| (piece.face, p))
+            })
+            .collect();
+        model.sort_unstable();
+        assert_eq!(drawn, model);
+    }
+
+    /// The pixels that may be drawn.
+    fn bounds(&self) -> Bounds {
+        let viewport = self.view.viewport;
+        Bounds::new(self.size.0, self.size.1).intersect(Bounds {
+            left: viewport.x,
+            top: viewport.y,
+            right: viewport.x + viewport.width.cast_signed(),
+            bottom: viewport.y + viewport.height.cast_signed(),
+        })
+    }
+
+    /// Each centre is drawn that is inside a face by more than its corners may be moved, and once; none is that is
+    /// farther outside.
+    fn coverage(&self, seen: &[Seen<2>], pieces: &[Piece<2>], worst: &mut Worst) {
+        let mut drawn: HashMap<(usize, [i32; 2]), usize> = HashMap::new();
+        for seen in seen {
+            *drawn.entry((seen.face, seen.pixel)).or_default() += 1;
+        }
+        for (&(face, pixel), &times) in &drawn {
+            assert_eq!(times, 1, "{pixel:?} of {face}");
+            let gap = pieces
+                .iter()
+                .filter(|piece| piece.face == face)
+                .map(|piece| (gap(piece, centre(pixel)), piece))
+                .min_by(|a, b| a.0.total_cmp(&b.0));
+            let Some((gap, piece)) = gap else {
+                panic!("{pixel:?} of {face} is drawn, and the model has nothing");
+            };
+            worst.add(gap, self.edge_reach(piece), || format!("{pixel:?} of {face} outside"));
+        }
+        for face in pieces.chunk_by(|a, b| a.face == b.face) {
+            let index = face[0].face;
+            let outline = outline(face);
+            for piece in face {
+                for pixel in self.bounds().around(&piece.screen, 0.).pixels() {
+                    let p = centre(pixel);
+                    if drawn.contains_key(&(index, pixel)) || gap(piece, p) > 0. {
+                        continue;
+                    }
+                    let depth = outline
+                        .iter()
+                        .map(|&[a, b]| to_segment(a, b, p))
+                        .fold(f64::MAX, f64::min);
+                    let reach = self.edge_reach(piece);
+                    worst.add(depth, reach, || {
+                        format!("{pixel:?} of {index} inside, not drawn: {:?} on {outline:?}", self.positions)
+                    });
+                }
+            }
+        }
+    }
+
+    /// By how much an edge may be moved, across it.
+    fn edge_reach(&self, piece: &Piece<2>) -> f64 {
+        let nearest = piece.w.into_iter().fold(f64::MAX, f64::min);
+        self.reach(nearest) * 2_f64.sqrt()
+    }
+
+    /// What the model has about a pixel: least and greatest of attributes and of 1/w, `None` beyond the horizon.
+    fn about(&self, piece: &Piece<2>, pixel: [i32; 2]) -> Option<About> {
+        if piece.snapped.is_some() {
+            let value = piece.at(pixel)?;
+            return Some(About {
+                w: value.w,
+                values: value.attributes.map(|value| [value; 2]),
+                inverse_w: [1. / value.w; 2],
+            });
+        }
+        let [x, y] = centre(pixel);
+        let at = |[dx, dy]: [f64; 2]| {
+            let weights = weights(&piece.screen, [x + dx, y + dy])?;
+            let value = interpolate(&weights, piece.w, &piece.attributes);
+            (value.w > 0. && value.w.is_finite()).then_some(value)
+        };
+        let middle = at([0., 0.])?;
+        let r = self.reach(middle.w);
+        let mut about = About {
+            w: middle.w,
+            values: middle.attributes.map(|value| [value; 2]),
+            inverse_w: [1. / middle.w; 2],
+        };
+        for corner in [[-r, -r], [r, -r], [-r, r], [r, r]] {
+            let value = at(corner)?;
+            for (range, value) in about.values.iter_mut().zip(value.attributes) {
+                widen(range, value);
+            }
+            widen(&mut about.inverse_w, 1. / value.w);
+        }
+        Some(about)
+    }
+
+    fn values(&self, mode: Mode, seen: &[Seen<2>], pieces: &[Piece<2>], worst: &mut Worst) {
+        let all: Vec<_> = seen
+            .iter()
+            .map(|seen| {
+                let piece = nearest(pieces, seen);
+                (seen, piece, self.about(piece, seen.pixel))
+            })
+            .collect();
+        let mut farthest: HashMap<(usize, i32), f64> = HashMap::new();
+        for (seen, _, about) in &all {
+            let row = farthest.entry((seen.face, seen.pixel[1])).or_default();
+            *row = about.as_ref().map_or(*row, |about| row.max(about.w));
+        }
+        for (seen, piece, about) in &all {
+            let Some(about) = about else { continue };
+            let ends = self.ends(pieces, seen.face);
+            for (k, [least, most]) in about.values.into_iter().enumerate() {
+                let corners = self.faces[seen.face].map(|i| self.texels[usize::from(i)][k]);
+                let value = f64::from(seen.values[k]);
+                let error = (least - value).max(value - most).max(0.);
+                let size = corners.into_iter().map(i32::unsigned_abs).max().map_or(0., f64::from);
+                let far = farthest[&(seen.face, seen.pixel[1])];
+                let formats = bounds::perspective(mode, corners, [ends[0], ends[1], ends[1]], about.w, far);
+                // A cut is rounded down twice, its weights to 2⁻³⁰ at each of six planes; and what w
+                // is off by in clip space an attribute is, in parts of itself, at both ends.
+                let cut = if piece.snapped.is_some() { 0. } else { 2. + 12. * size / 2_f64.powi(30) };
+                let off = 2. * size * CLIP * self.sum / ends[0];
+                worst.add(error / TEXEL, (formats + cut + off) / TEXEL, || {
+                    format!("{mode:?}: {value} at {:?}, not {least} to {most}", seen.pixel)
+                });
+            }
+        }
+    }
+
+    fn depths(&self, seen: &[Seen<2>], pieces: &[Piece<2>], worst: &mut Worst) {
+        let scale = 65535. * self.view.lens.near;
+        for seen in seen {
+            let Some(about) = self.about(nearest(pieces, seen), seen.pixel) else {
+                continue;
+            };
+            let [least, most] = about.inverse_w.map(|q| q * scale);
+            let stored = f64::from(seen.depth);
+            let ends = self.ends(pieces, seen.face);
+            let bound = bounds::depth([ends[0], ends[1], ends[1]])
+                + 2. * most * CLIP * self.sum / ends[0];
+            let error = (stored - most).max(least - stored - 1.).max(0.);
+            worst.add(error, bound, || {
+                format!("depth {stored} at {:?}, not {least} to {most}", seen.pixel)
+            });
+        }
+    }
+
+    /// The least and the greatest w of a face.
+    fn ends(&self, pieces: &[Piece<2>], face: usize) -> [f64; 2] {
+        let own = pieces.iter().filter(|piece| piece.face == face);
+        own.flat_map(|piece| piece.w)
+            .fold([f64::MAX, 0.], |[least, most], w| [least.min(w), most.max(w)])
+    }
+}
+
+/// What there is about a pixel.
+struct About {
+    w: f64,
+    values: [[f64; 2]; 2],
+    inverse_w: [f64; 2],
+}
+
+fn widen([least, most]: &mut [f64; 2], value: f64) {
+    *least = least.min(value);
+    *most = most.max(value);
+}
+
+/// The part of the pixel's face that passes nearest to its centre.
+fn nearest<'a>(pieces: &'a [Piece<2>], seen: &Seen<2>) -> &'a Piece<2> {
+    let own = pieces.iter().filter(|piece| piece.face == seen.face);
+    let gap = |piece: &Piece<2>| gap(piece, centre(seen.pixel));
+    own.min_by(|a, b| gap(a).total_cmp(&gap(b))).expect("the model has nothing")
+}
+
+/// How far a point is from a triangle, which may be a line.
+fn gap(piece: &Piece<2>, p: [f64; 2]) -> f64 {
+    // So thin that f64 does not tell inside from outside: to be a pixel long it is less than 10⁻⁶ wide.
+    if area2_f64(&piece.screen).abs() < 1e-6 {
+        let [a, b, c] = piece.screen;
+        let sides = [(a, b), (b, c), (c, a)];
+        return sides.map(|(a, b)| to_segment(a, b, p)).into_iter().fold(f64::MAX, f64::min);
+    }
+    to_triangle(&piece.screen, p)
+}
+
+/// The sides of the triangles that make up a face, but for those between two of them.
+fn outline(face: &[Piece<2>]) -> Vec<[[f64; 2]; 2]> {
+    let key = |side: [[f64; 2]; 2]| side.map(|end| end.map(f64::to_bits));
+    let sides = |[a, b, c]: [[f64; 2]; 3]| [[a, b], [b, c], [c, a]];
+    let all: Vec<_> = face.iter().flat_map(|piece| sides(piece.screen)).collect();
+    let is_outer = |&&[a, b]: &&[[f64; 2]; 2]| !all.iter().any(|&side| key(side) == key([b, a]));
+    all.iter().filter(is_outer).copied().collect()
+}
