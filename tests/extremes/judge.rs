@@ -2,14 +2,13 @@
 //!
 //! Two ways to judge a value. Where nothing is clipped, the model interpolates between the crate's own snapped corners.
 //! Where something is, corners are new ones that nobody is told of; then a value has to be one that the model has
-//! within [`Scene::reach`] of the pixel's centre. Interpolants are linear on the screen, and a linear function through
+//! within [`Scene::snap`] and [`Scene::moved`] of the pixel's centre. Interpolants are linear on the screen, and a linear function through
 //! corners that are each moved by up to so much has what the unmoved one has within so much. A quotient of two of
 //! them is monotonic along any line, so of all places in a square around the centre its corners have the extremes.
 
 use std::collections::HashMap;
 
 use fixel::prelude::*;
-use fixel::view::Perspective;
 
 use crate::bounds;
 use crate::drawing::{Drawing, Seen};
@@ -20,7 +19,8 @@ use crate::reference::clip::{FAR, NEAR};
 use crate::reference::coverage::{Bounds, area2_f64, centre};
 use crate::reference::distance::{to_segment, to_triangle};
 use crate::reference::raster::{self, Piece, pieces_clipped};
-use crate::reference::view::View;
+use crate::reference::view;
+use crate::scene::Scene;
 
 /// The modes that are measured.
 pub const MODES: [Mode; 3] = [Mode::Newton, Mode::Exact, Mode::Fast(fx!(0.25))];
@@ -90,29 +90,13 @@ impl Verdict {
     }
 }
 
-/// Triangles before a lens, for the crate and for the model.
-#[derive(Clone)]
-pub struct Scene {
-    pub size: (u32, u32),
-    pub viewport: Option<Viewport>,
-    pub positions: Vec<Vec3>,
-    pub faces: Vec<[u16; 3]>,
-    /// Columns and rows of the texture, with 16 fraction bits; as many as positions.
-    pub texels: Vec<[i32; 2]>,
-    pub chain: Chain<Perspective>,
-    pub view: View,
-    /// The largest sum of what a coordinate is made of: of a position's magnitudes and of an offset's.
-    pub sum: f64,
-}
-
 impl Scene {
     /// Draws in each of the modes, and judges every pixel.
     pub fn judge(&self) -> Verdict {
         let mesh = Mesh::new(&self.positions, &self.faces).unwrap();
-        let pass = Pass::new().cull(Cull::Nothing);
         let mut drawing = Drawing {
             size: self.size,
-            pass: self.viewport.map_or(pass, |viewport| pass.viewport(viewport)),
+            pass: self.pass,
             mode: Mode::Exact,
             mesh,
             chain: self.chain,
@@ -137,6 +121,7 @@ impl Scene {
         } else {
             self.coverage(&first, &judged, &mut verdict.coverage);
         }
+        let models = self.models(&first, &judged);
         for (mode, worst) in MODES.into_iter().zip(&mut verdict.texels) {
             drawing.mode = mode;
             let seen = drawing.all(&values);
@@ -144,9 +129,13 @@ impl Scene {
                 seen.iter().map(|seen| (seen.face, seen.pixel, seen.depth)).collect()
             };
             assert_eq!(pixels(&seen), pixels(&first), "{mode:?} differs");
-            self.values(mode, &seen, &judged, worst);
+            for (seen, (piece, about)) in seen.iter().zip(&models) {
+                self.values(mode, seen, piece, about, worst);
+            }
         }
-        self.depths(&first, &judged, &mut verdict.depth);
+        for (seen, (_, about)) in first.iter().zip(&models) {
+            self.depth(seen, about, &mut verdict.depth);
+        }
         verdict
     }
 
@@ -178,9 +167,23 @@ impl Scene {
         GUARD * CLIP * self.sum / w
     }
 
-    /// The same, snapped to a subpixel.
-    fn reach(&self, w: f64) -> f64 {
-        SNAP + self.moved(w)
+    /// By how much snapping may move a corner along an axis: half a subpixel, but on the right and lower side of the
+    /// guard band, where the last subpixel there is has to do, a whole one.
+    fn snap(&self, piece: &Piece<2>) -> f64 {
+        if piece.screen.into_iter().any(|corner| self.is_last(corner)) {
+            2. * SNAP
+        } else {
+            SNAP
+        }
+    }
+
+    /// Whether a point is at the right or lower side of the guard band.
+    fn is_last(&self, [x, y]: [f64; 2]) -> bool {
+        let view::Viewport { x: left, y: top, width, height } = self.view.viewport;
+        let last = |at: f64, first: i32, pixels: u32| {
+            at - f64::from(first) - f64::from(pixels) / 2. > GUARD - 2. * SNAP
+        };
+        last(x, left, width) || last(y, top, height)
     }
 
     /// How far corners are from where they should be, along each axis.
@@ -188,10 +191,10 @@ impl Scene {
         for (&position, place) in self.positions.iter().zip(places) {
             let wanted = self.view.project(exact(position));
             let place = place.unwrap().map(|at| f64::from(at) / 256.);
-            // Outside of the volume, by rounding, a point may be moved onto its side.
+            let snap = if self.is_last(wanted.screen) { 2. * SNAP } else { SNAP };
             for (at, wanted_at) in place.into_iter().zip(wanted.screen) {
                 let what = || format!("{position:?} at {place:?}, not {:?}", wanted.screen);
-                worst.add((at - wanted_at).abs(), self.reach(wanted.w), what);
+                worst.add((at - wanted_at).abs(), snap + self.moved(wanted.w), what);
             }
         }
     }
@@ -232,15 +235,12 @@ impl Scene {
         }
         for (&(face, pixel), &times) in &drawn {
             assert_eq!(times, 1, "{pixel:?} of {face}");
-            let gap = pieces
-                .iter()
-                .filter(|piece| piece.face == face)
-                .map(|piece| (gap(piece, centre(pixel)), piece))
-                .min_by(|a, b| a.0.total_cmp(&b.0));
-            let Some((gap, piece)) = gap else {
+            let own = pieces.iter().filter(|piece| piece.face == face);
+            let Some((piece, gap)) = nearest(own, centre(pixel)) else {
                 panic!("{pixel:?} of {face} is drawn, and the model has nothing");
             };
-            worst.add(gap, self.edge_reach(piece), || format!("{pixel:?} of {face} outside"));
+            let reach = self.edge_reach(piece);
+            worst.add(gap, reach, || format!("{pixel:?} of {face} outside: {self:?}"));
         }
         for face in pieces.chunk_by(|a, b| a.face == b.face) {
             let index = face[0].face;
@@ -257,7 +257,7 @@ impl Scene {
                         .fold(f64::MAX, f64::min);
                     let reach = self.edge_reach(piece);
                     worst.add(depth, reach, || {
-                        format!("{pixel:?} of {index} inside, not drawn: {:?} on {outline:?}", self.positions)
+                        format!("{pixel:?} of {index} inside, not drawn: {self:?}")
                     });
                 }
             }
@@ -267,18 +267,14 @@ impl Scene {
     /// By how much an edge may be moved, across it.
     fn edge_reach(&self, piece: &Piece<2>) -> f64 {
         let nearest = piece.w.into_iter().fold(f64::MAX, f64::min);
-        self.reach(nearest) * 2_f64.sqrt()
+        (self.snap(piece) + self.moved(nearest)) * 2_f64.sqrt()
     }
 
     /// What the model has about a pixel: least and greatest of attributes and of 1/w, `None` beyond the horizon.
     fn about(&self, piece: &Piece<2>, pixel: [i32; 2]) -> Option<About> {
         if piece.snapped.is_some() {
             let value = piece.at(pixel)?;
-            return Some(About {
-                w: value.w,
-                values: value.attributes.map(|value| [value; 2]),
-                inverse_w: [1. / value.w; 2],
-            });
+            return Some(About::new(value.w, value.attributes));
         }
         let [x, y] = centre(pixel);
         let at = |[dx, dy]: [f64; 2]| {
@@ -287,12 +283,8 @@ impl Scene {
             (value.w > 0. && value.w.is_finite()).then_some(value)
         };
         let middle = at([0., 0.])?;
-        let r = self.reach(middle.w);
-        let mut about = About {
-            w: middle.w,
-            values: middle.attributes.map(|value| [value; 2]),
-            inverse_w: [1. / middle.w; 2],
-        };
+        let r = self.snap(piece) + self.moved(middle.w);
+        let mut about = About::new(middle.w, middle.attributes);
         for corner in [[-r, -r], [r, -r], [-r, r], [r, r]] {
             let value = at(corner)?;
             for (range, value) in about.values.iter_mut().zip(value.attributes) {
@@ -303,71 +295,106 @@ impl Scene {
         Some(about)
     }
 
-    fn values(&self, mode: Mode, seen: &[Seen<2>], pieces: &[Piece<2>], worst: &mut Worst) {
-        let all: Vec<_> = seen
+    /// What the model has at each pixel, and the part of the face that it is of.
+    fn models<'a>(
+        &self,
+        seen: &[Seen<2>],
+        pieces: &'a [Piece<2>],
+    ) -> Vec<(&'a Piece<2>, Option<About>)> {
+        let mut farthest: HashMap<(usize, i32), f64> = HashMap::new();
+        let mut models: Vec<_> = seen
             .iter()
             .map(|seen| {
-                let piece = nearest(pieces, seen);
-                (seen, piece, self.about(piece, seen.pixel))
+                let own = pieces.iter().filter(|piece| piece.face == seen.face);
+                let (piece, _) = nearest(own.clone(), centre(seen.pixel)).unwrap();
+                let about = self.about(piece, seen.pixel).map(|about| About {
+                    ends: own
+                        .flat_map(|piece| piece.w)
+                        .fold([f64::MAX, 0.], |[least, most], w| [least.min(w), most.max(w)]),
+                    ..about
+                });
+                let row = farthest.entry((seen.face, seen.pixel[1])).or_default();
+                *row = about.as_ref().map_or(*row, |about| row.max(about.w));
+                (piece, about)
             })
             .collect();
-        let mut farthest: HashMap<(usize, i32), f64> = HashMap::new();
-        for (seen, _, about) in &all {
-            let row = farthest.entry((seen.face, seen.pixel[1])).or_default();
-            *row = about.as_ref().map_or(*row, |about| row.max(about.w));
-        }
-        for (seen, piece, about) in &all {
-            let Some(about) = about else { continue };
-            let ends = self.ends(pieces, seen.face);
-            for (k, [least, most]) in about.values.into_iter().enumerate() {
-                let corners = self.faces[seen.face].map(|i| self.texels[usize::from(i)][k]);
-                let value = f64::from(seen.values[k]);
-                let error = (least - value).max(value - most).max(0.);
-                let size = corners.into_iter().map(i32::unsigned_abs).max().map_or(0., f64::from);
-                let far = farthest[&(seen.face, seen.pixel[1])];
-                let formats = bounds::perspective(mode, corners, [ends[0], ends[1], ends[1]], about.w, far);
-                // A cut is rounded down twice, its weights to 2⁻³⁰ at each of six planes; and what w
-                // is off by in clip space an attribute is, in parts of itself, at both ends.
-                let cut = if piece.snapped.is_some() { 0. } else { 2. + 12. * size / 2_f64.powi(30) };
-                let off = 2. * size * CLIP * self.sum / ends[0];
-                worst.add(error / TEXEL, (formats + cut + off) / TEXEL, || {
-                    format!("{mode:?}: {value} at {:?}, not {least} to {most}", seen.pixel)
-                });
+        for (seen, (_, about)) in seen.iter().zip(&mut models) {
+            if let Some(about) = about {
+                about.farthest = farthest[&(seen.face, seen.pixel[1])];
             }
         }
+        models
     }
 
-    fn depths(&self, seen: &[Seen<2>], pieces: &[Piece<2>], worst: &mut Worst) {
-        let scale = 65535. * self.view.lens.near;
-        for seen in seen {
-            let Some(about) = self.about(nearest(pieces, seen), seen.pixel) else {
-                continue;
+    fn values(
+        &self,
+        mode: Mode,
+        seen: &Seen<2>,
+        piece: &Piece<2>,
+        about: &Option<About>,
+        worst: &mut Worst,
+    ) {
+        let Some(about) = about else { return };
+        let [near, far] = about.ends;
+        for (k, [least, most]) in about.values.into_iter().enumerate() {
+            let corners = self.faces[seen.face].map(|i| self.texels[usize::from(i)][k]);
+            let value = f64::from(seen.values[k]);
+            let error = (least - value).max(value - most).max(0.);
+            let formats =
+                bounds::perspective(mode, corners, [near, far, far], about.w, about.farthest);
+            // A cut is rounded down twice, its weights to 2⁻³⁰ at each of six planes; and what w is off by in clip
+            // space an attribute is, in parts of itself, at both ends.
+            let [a, b, c] = corners.map(i32::unsigned_abs);
+            let size = f64::from(a.max(b).max(c));
+            let cut = match piece.snapped {
+                Some(_) => 0.,
+                None => 2. + 12. * size / 2_f64.powi(30),
             };
-            let [least, most] = about.inverse_w.map(|q| q * scale);
-            let stored = f64::from(seen.depth);
-            let ends = self.ends(pieces, seen.face);
-            let bound = bounds::depth([ends[0], ends[1], ends[1]])
-                + 2. * most * CLIP * self.sum / ends[0];
-            let error = (stored - most).max(least - stored - 1.).max(0.);
-            worst.add(error, bound, || {
-                format!("depth {stored} at {:?}, not {least} to {most}", seen.pixel)
+            let off = 2. * size * CLIP * self.sum / near;
+            worst.add(error / TEXEL, (formats + cut + off) / TEXEL, || {
+                let at = seen.pixel;
+                format!("{mode:?}: {value} at {at:?}, not {least} to {most}: {self:?}")
             });
         }
     }
 
-    /// The least and the greatest w of a face.
-    fn ends(&self, pieces: &[Piece<2>], face: usize) -> [f64; 2] {
-        let own = pieces.iter().filter(|piece| piece.face == face);
-        own.flat_map(|piece| piece.w)
-            .fold([f64::MAX, 0.], |[least, most], w| [least.min(w), most.max(w)])
+    fn depth(&self, seen: &Seen<2>, about: &Option<About>, worst: &mut Worst) {
+        let Some(about) = about else { return };
+        let scale = 65535. * self.view.lens.near;
+        let [least, most] = about.inverse_w.map(|q| q * scale);
+        let stored = f64::from(seen.depth);
+        let [near, far] = about.ends;
+        let bound = bounds::depth([near, far, far]) + 2. * most * CLIP * self.sum / near;
+        let error = (stored - most).max(least - stored - 1.).max(0.);
+        worst.add(error, bound, || {
+            let at = seen.pixel;
+            format!("depth {stored} at {at:?}, not {least} to {most}: {self:?}")
+        });
     }
 }
 
 /// What there is about a pixel.
 struct About {
     w: f64,
+    /// The greatest w of the face's pixels in the row.
+    farthest: f64,
+    /// The least and the greatest w of the face.
+    ends: [f64; 2],
+    /// The least and the greatest within reach.
     values: [[f64; 2]; 2],
     inverse_w: [f64; 2],
+}
+
+impl About {
+    fn new(w: f64, values: [f64; 2]) -> Self {
+        Self {
+            w,
+            farthest: w,
+            ends: [w; 2],
+            values: values.map(|value| [value; 2]),
+            inverse_w: [1. / w; 2],
+        }
+    }
 }
 
 fn widen([least, most]: &mut [f64; 2], value: f64) {
@@ -375,11 +402,13 @@ fn widen([least, most]: &mut [f64; 2], value: f64) {
     *most = most.max(value);
 }
 
-/// The part of the pixel's face that passes nearest to its centre.
-fn nearest<'a>(pieces: &'a [Piece<2>], seen: &Seen<2>) -> &'a Piece<2> {
-    let own = pieces.iter().filter(|piece| piece.face == seen.face);
-    let gap = |piece: &Piece<2>| gap(piece, centre(seen.pixel));
-    own.min_by(|a, b| gap(a).total_cmp(&gap(b))).expect("the model has nothing")
+/// The part of a face that passes nearest to a point, and how far from it.
+fn nearest<'a>(
+    pieces: impl Iterator<Item = &'a Piece<2>>,
+    p: [f64; 2],
+) -> Option<(&'a Piece<2>, f64)> {
+    let gaps = pieces.map(|piece| (piece, gap(piece, p)));
+    gaps.min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
 /// How far a point is from a triangle, which may be a line.

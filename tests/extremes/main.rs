@@ -22,7 +22,9 @@ mod moves;
 #[path = "../reference/mod.rs"]
 mod reference;
 
+mod coordinates;
 mod judge;
 mod planes;
+mod scene;
 mod table;
 mod total;

@@ -89,7 +89,7 @@ const SHOWN: &str = include_str!("../../src/guide/extremes.md");
 
 #[test]
 fn the_guide_shows_what_is_measured() {
-    let all: [&Cases; 1] = [&crate::planes::CASES];
+    let all: [&Cases; 2] = [&crate::planes::CASES, &crate::coordinates::CASES];
     let rows: Vec<&Row> = all.iter().flat_map(|cases| cases.iter()).collect();
     let text = markdown(&rows);
     let target = env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into());
