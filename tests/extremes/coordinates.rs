@@ -42,7 +42,11 @@ fn turned(at: f64) -> Verdict {
     };
     let (sin, cos) = turn.sin_cos();
     let model = |[x, y, z]: [f64; 3]| {
-        [cos * x - sin * z + at, y - at / 2., sin * x + cos * z - at / 4.]
+        [
+            cos * x - sin * z + at,
+            y - at / 2.,
+            sin * x + cos * z - at / 4.,
+        ]
     };
     let triangles = triangles(&lens, 40).into_iter();
     worst(triangles.map(|corners| lens.judge(corners.map(model))))
@@ -90,10 +94,16 @@ fn large(times: f64) -> Verdict {
 /// All corners in one place or in two, far outside the guard band or inside.
 fn beyond_the_guard_band() -> Verdict {
     let lens = Lens::ROOM;
-    let sides = [-3000., -2049., -2048., -2047., 0., 2047., 2048., 2049., 3000.];
+    let sides = [
+        -3000., -2049., -2048., -2047., 0., 2047., 2048., 2049., 3000.,
+    ];
     worst(sides.into_iter().flat_map(|x| {
         sides.map(|y| {
-            let corners = [lens.at([x, y], 4.), lens.at([30., 20.], 3.), lens.at([-40., 35.], 5.)];
+            let corners = [
+                lens.at([x, y], 4.),
+                lens.at([30., 20.], 3.),
+                lens.at([-40., 35.], 5.),
+            ];
             lens.judge(corners)
         })
     }))
@@ -101,16 +111,34 @@ fn beyond_the_guard_band() -> Verdict {
 
 pub static CASES: Cases = Cases::new(|| {
     vec![
-        picture("model 64 from its origin, moved before the eye", placed(64.)),
-        picture("model 10⁴ from its origin, moved before the eye", placed(1e4)),
-        picture("model 32,700 from its origin, moved before the eye", placed(32_700.)),
+        picture(
+            "model 64 from its origin, moved before the eye",
+            placed(64.),
+        ),
+        picture(
+            "model 10⁴ from its origin, moved before the eye",
+            placed(1e4),
+        ),
+        picture(
+            "model 32,700 from its origin, moved before the eye",
+            placed(32_700.),
+        ),
         picture("camera 10⁴ from the world's origin, turned", turned(1e4)),
-        picture("camera 32,000 from the world's origin, turned", turned(32_000.)),
+        picture(
+            "camera 32,000 from the world's origin, turned",
+            turned(32_000.),
+        ),
         picture("10⁴ away, focal length 2000", far_away(1e4)),
         picture("32,767 away, focal length 2000", far_away(32_767.)),
         picture("triangles 100 times as large as the screen", large(100.)),
-        picture("triangles 10,000 times as large as the screen", large(10_000.)),
-        picture("corners at and beyond the guard band", beyond_the_guard_band()),
+        picture(
+            "triangles 10,000 times as large as the screen",
+            large(10_000.),
+        ),
+        picture(
+            "corners at and beyond the guard band",
+            beyond_the_guard_band(),
+        ),
     ]
 });
 

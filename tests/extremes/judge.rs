@@ -126,7 +126,9 @@ impl Scene {
             drawing.mode = mode;
             let seen = drawing.all(&values);
             let pixels = |seen: &[Seen<2>]| -> Vec<_> {
-                seen.iter().map(|seen| (seen.face, seen.pixel, seen.depth)).collect()
+                seen.iter()
+                    .map(|seen| (seen.face, seen.pixel, seen.depth))
+                    .collect()
             };
             assert_eq!(pixels(&seen), pixels(&first), "{mode:?} differs");
             for (seen, (piece, about)) in seen.iter().zip(&models) {
@@ -146,7 +148,11 @@ impl Scene {
     /// What the view volume and the guard band leave of each face.
     fn pieces(&self) -> Vec<Piece<2>> {
         let positions: Vec<_> = self.positions.iter().map(|&p| exact(p)).collect();
-        let faces: Vec<_> = self.faces.iter().map(|face| face.map(usize::from)).collect();
+        let faces: Vec<_> = self
+            .faces
+            .iter()
+            .map(|face| face.map(usize::from))
+            .collect();
         let texels = |index: usize| self.texels[index].map(f64::from);
         let attributes: Vec<_> = faces.iter().map(|face| face.map(texels)).collect();
         let mesh = raster::Mesh {
@@ -157,7 +163,12 @@ impl Scene {
         let viewport = self.view.viewport;
         let side = |pixels: u32| f64::from(pixels) / 2. / GUARD;
         let (x, y) = (side(viewport.width), side(viewport.height));
-        let sides = [[x, 0., 0., 1.], [-x, 0., 0., 1.], [0., y, 0., 1.], [0., -y, 0., 1.]];
+        let sides = [
+            [x, 0., 0., 1.],
+            [-x, 0., 0., 1.],
+            [0., y, 0., 1.],
+            [0., -y, 0., 1.],
+        ];
         pieces_clipped(&mesh, &self.view, &[&[NEAR, FAR], &sides[..]].concat())
     }
 
@@ -179,7 +190,12 @@ impl Scene {
 
     /// Whether a point is at the right or lower side of the guard band.
     fn is_last(&self, [x, y]: [f64; 2]) -> bool {
-        let view::Viewport { x: left, y: top, width, height } = self.view.viewport;
+        let view::Viewport {
+            x: left,
+            y: top,
+            width,
+            height,
+        } = self.view.viewport;
         let last = |at: f64, first: i32, pixels: u32| {
             at - f64::from(first) - f64::from(pixels) / 2. > GUARD - 2. * SNAP
         };
@@ -191,7 +207,11 @@ impl Scene {
         for (&position, place) in self.positions.iter().zip(places) {
             let wanted = self.view.project(exact(position));
             let place = place.unwrap().map(|at| f64::from(at) / 256.);
-            let snap = if self.is_last(wanted.screen) { 2. * SNAP } else { SNAP };
+            let snap = if self.is_last(wanted.screen) {
+                2. * SNAP
+            } else {
+                SNAP
+            };
             for (at, wanted_at) in place.into_iter().zip(wanted.screen) {
                 let what = || format!("{position:?} at {place:?}, not {:?}", wanted.screen);
                 worst.add((at - wanted_at).abs(), snap + self.moved(wanted.w), what);
@@ -240,7 +260,9 @@ impl Scene {
                 panic!("{pixel:?} of {face} is drawn, and the model has nothing");
             };
             let reach = self.edge_reach(piece);
-            worst.add(gap, reach, || format!("{pixel:?} of {face} outside: {self:?}"));
+            worst.add(gap, reach, || {
+                format!("{pixel:?} of {face} outside: {self:?}")
+            });
         }
         for face in pieces.chunk_by(|a, b| a.face == b.face) {
             let index = face[0].face;
@@ -310,7 +332,9 @@ impl Scene {
                 let about = self.about(piece, seen.pixel).map(|about| About {
                     ends: own
                         .flat_map(|piece| piece.w)
-                        .fold([f64::MAX, 0.], |[least, most], w| [least.min(w), most.max(w)]),
+                        .fold([f64::MAX, 0.], |[least, most], w| {
+                            [least.min(w), most.max(w)]
+                        }),
                     ..about
                 });
                 let row = farthest.entry((seen.face, seen.pixel[1])).or_default();
@@ -417,7 +441,10 @@ fn gap(piece: &Piece<2>, p: [f64; 2]) -> f64 {
     if area2_f64(&piece.screen).abs() < 1e-6 {
         let [a, b, c] = piece.screen;
         let sides = [(a, b), (b, c), (c, a)];
-        return sides.map(|(a, b)| to_segment(a, b, p)).into_iter().fold(f64::MAX, f64::min);
+        return sides
+            .map(|(a, b)| to_segment(a, b, p))
+            .into_iter()
+            .fold(f64::MAX, f64::min);
     }
     to_triangle(&piece.screen, p)
 }

@@ -6,25 +6,32 @@
 // f64 holds every integer used here, and no pixel is left of or above the picture.
 #![allow(clippy::cast_precision_loss, clippy::cast_sign_loss)]
 
+// `accuracy` uses all of these, this a part.
+#[allow(dead_code)]
 #[path = "../accuracy/bounds.rs"]
 mod bounds;
 #[path = "../common/mod.rs"]
 mod common;
+#[allow(dead_code)]
 #[path = "../accuracy/drawing.rs"]
 mod drawing;
+#[allow(dead_code)]
 #[path = "../accuracy/mode.rs"]
-// `accuracy` has uses for more of these.
-#[allow(dead_code)]
 mod mode;
-#[path = "../accuracy/moves.rs"]
 #[allow(dead_code)]
+#[path = "../accuracy/moves.rs"]
 mod moves;
 #[path = "../reference/mod.rs"]
 mod reference;
 
+mod canvases;
 mod coordinates;
+mod depth;
 mod judge;
 mod planes;
+mod rotations;
 mod scene;
+mod small;
 mod table;
+mod textures;
 mod total;

@@ -20,7 +20,11 @@ fn crossing(behind: usize) -> Verdict {
             [1.2, -0.9, -3. - s],
             [s / 20. - 0.5, 0.2, -1.5],
         ];
-        let beyond = [[-0.7, -0.3, 0.1 + s], [0.8 + s / 4., 0.4, 3.], [0.1, 0.6, -0.125]];
+        let beyond = [
+            [-0.7, -0.3, 0.1 + s],
+            [0.8 + s / 4., 0.4, 3.],
+            [0.1, 0.6, -0.125],
+        ];
         let corner = |i: usize| if i < behind { beyond[i] } else { ahead[i] };
         Lens::ROOM.judge([corner(0), corner(1), corner(2)])
     }))
@@ -31,8 +35,7 @@ fn through_the_eye() -> Verdict {
     let turns = (0..32).map(|step| (f64::from(step) / 32. * TAU).sin_cos());
     worst(turns.flat_map(|(sin, cos)| {
         [0., 1. / 65536., 0.25].map(|off| {
-            let at =
-                |along: f64, z: f64| [along * cos - off * sin, along * sin + off * cos, z];
+            let at = |along: f64, z: f64| [along * cos - off * sin, along * sin + off * cos, z];
             worst([
                 Lens::ROOM.judge([at(-4., -8.), at(5., -6.), at(0.5, 7.)]),
                 Lens::ROOM.judge([at(0., 0.), at(3., -8.), at(-4., -8.)]),
@@ -62,7 +65,10 @@ fn just_above_zero() -> Verdict {
     worst((0..200).map(|_| {
         let mut corner = || {
             let w = (random.between(0., 100_f64.ln()).exp() + 0.5).floor() * unit;
-            lens.at([random.between(-300., 300.), random.between(-200., 200.)], w)
+            lens.at(
+                [random.between(-300., 300.), random.between(-200., 200.)],
+                w,
+            )
         };
         lens.judge([corner(), corner(), corner()])
     }))
@@ -78,10 +84,18 @@ fn grazing(near: f64, height: f64) -> Verdict {
     worst((-3..=3).map(|tilt| {
         let side = |y: f64| [32_000. * f64::from(tilt) / 8., y, -32_700.];
         worst([
-            lens.judge([[-2. * near, -height, -near], [2. * near, -height, -near], side(-height)]),
+            lens.judge([
+                [-2. * near, -height, -near],
+                [2. * near, -height, -near],
+                side(-height),
+            ]),
             lens.judge([[-2., -height, 1.], [2., -height, 1.], side(-height)]),
             // Beyond the far plane, and to the side of the guard band.
-            lens.judge([[-2., -height, 1.], [32_000., -height, -32_000.], side(-height - 1.)]),
+            lens.judge([
+                [-2., -height, 1.],
+                [32_000., -height, -32_000.],
+                side(-height - 1.),
+            ]),
         ])
     }))
 }
@@ -90,11 +104,26 @@ pub static CASES: Cases = Cases::new(|| {
     vec![
         picture("one of three corners behind the near plane", crossing(1)),
         picture("two of three corners behind the near plane", crossing(2)),
-        picture("planes through the eye and 2⁻¹⁶ beside it", through_the_eye()),
-        picture("corners, sides, triangles in the near plane", on_the_plane()),
-        picture("near plane at 2⁻¹⁶, corners 1 to 100 · 2⁻¹⁶ away", just_above_zero()),
-        picture("floor to the horizon, 1/w to 2⁻¹⁷ of the nearest", grazing(0.25, 0.5)),
-        picture("floor to the horizon, 1/w to 2⁻²¹ of the nearest", grazing(1. / 64., 1. / 32.)),
+        picture(
+            "planes through the eye and 2⁻¹⁶ beside it",
+            through_the_eye(),
+        ),
+        picture(
+            "corners, sides, triangles in the near plane",
+            on_the_plane(),
+        ),
+        picture(
+            "near plane at 2⁻¹⁶, corners 1 to 100 · 2⁻¹⁶ away",
+            just_above_zero(),
+        ),
+        picture(
+            "floor to the horizon, 1/w to 2⁻¹⁷ of the nearest",
+            grazing(0.25, 0.5),
+        ),
+        picture(
+            "floor to the horizon, 1/w to 2⁻²¹ of the nearest",
+            grazing(1. / 64., 1. / 32.),
+        ),
     ]
 });
 

@@ -72,7 +72,11 @@ fn markdown(rows: &[&Row]) -> String {
             let [newton, exact, fast] = verdict.texels.map(cell);
             let (pixels, depth) = (cell(verdict.coverage), cell(verdict.depth));
             let case = &row.case;
-            writeln!(text, "| {case} | {pixels} | {newton} | {exact} | {fast} | {depth} |").unwrap();
+            writeln!(
+                text,
+                "| {case} | {pixels} | {newton} | {exact} | {fast} | {depth} |"
+            )
+            .unwrap();
         }
     }
     text.push_str("\n| case | off by at most |\n|---|---|\n");
@@ -89,7 +93,15 @@ const SHOWN: &str = include_str!("../../src/guide/extremes.md");
 
 #[test]
 fn the_guide_shows_what_is_measured() {
-    let all: [&Cases; 2] = [&crate::planes::CASES, &crate::coordinates::CASES];
+    let all: [&Cases; 7] = [
+        &crate::planes::CASES,
+        &crate::depth::CASES,
+        &crate::coordinates::CASES,
+        &crate::small::CASES,
+        &crate::canvases::CASES,
+        &crate::textures::CASES,
+        &crate::rotations::CASES,
+    ];
     let rows: Vec<&Row> = all.iter().flat_map(|cases| cases.iter()).collect();
     let text = markdown(&rows);
     let target = env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into());
