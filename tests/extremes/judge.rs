@@ -172,10 +172,22 @@ impl Scene {
         pieces_clipped(&mesh, &self.view, &[&[NEAR, FAR], &sides[..]].concat())
     }
 
-    /// By how much rounding in clip space may move a point at a distance, in pixels: sums over the distance, both in
-    /// units of the near plane's, in a guard band of 2048.
+    /// By how much rounding in clip space may move a point of a clipped triangle at a distance, in pixels: the largest
+    /// sum over the distance, both in units of the near plane's, in a guard band of 2048.
     fn moved(&self, w: f64) -> f64 {
-        GUARD * CLIP * self.sum / w
+        GUARD * self.off(w)
+    }
+
+    /// What w itself may be off by there, in parts of itself.
+    fn off(&self, w: f64) -> f64 {
+        CLIP * self.sums.iter().copied().fold(0., f64::max) / w
+    }
+
+    /// The same for the corner that is off by most of a triangle that is not clipped.
+    fn off_at_corners(&self) -> f64 {
+        let parts = self.positions.iter().zip(&self.sums);
+        let parts = parts.map(|(&p, sum)| sum / self.view.project(exact(p)).w);
+        CLIP * parts.fold(0., f64::max)
     }
 
     /// By how much snapping may move a corner along an axis: half a subpixel, but on the right and lower side of the
@@ -204,7 +216,7 @@ impl Scene {
 
     /// How far corners are from where they should be, along each axis.
     fn corners(&self, places: &[Option<[i32; 2]>], worst: &mut Worst) {
-        for (&position, place) in self.positions.iter().zip(places) {
+        for ((&position, sum), place) in self.positions.iter().zip(&self.sums).zip(places) {
             let wanted = self.view.project(exact(position));
             let place = place.unwrap().map(|at| f64::from(at) / 256.);
             let snap = if self.is_last(wanted.screen) {
@@ -214,7 +226,8 @@ impl Scene {
             };
             for (at, wanted_at) in place.into_iter().zip(wanted.screen) {
                 let what = || format!("{position:?} at {place:?}, not {:?}", wanted.screen);
-                worst.add((at - wanted_at).abs(), snap + self.moved(wanted.w), what);
+                let moved = GUARD * CLIP * sum / wanted.w;
+                worst.add((at - wanted_at).abs(), snap + moved, what);
             }
         }
     }
@@ -324,17 +337,23 @@ impl Scene {
         pieces: &'a [Piece<2>],
     ) -> Vec<(&'a Piece<2>, Option<About>)> {
         let mut farthest: HashMap<(usize, i32), f64> = HashMap::new();
+        let off_at_corners = self.off_at_corners();
         let mut models: Vec<_> = seen
             .iter()
             .map(|seen| {
                 let own = pieces.iter().filter(|piece| piece.face == seen.face);
                 let (piece, _) = nearest(own.clone(), centre(seen.pixel)).unwrap();
+                let ends = own
+                    .flat_map(|piece| piece.w)
+                    .fold([f64::MAX, 0.], |[least, most], w| {
+                        [least.min(w), most.max(w)]
+                    });
                 let about = self.about(piece, seen.pixel).map(|about| About {
-                    ends: own
-                        .flat_map(|piece| piece.w)
-                        .fold([f64::MAX, 0.], |[least, most], w| {
-                            [least.min(w), most.max(w)]
-                        }),
+                    ends,
+                    off: match piece.snapped {
+                        Some(_) => off_at_corners,
+                        None => self.off(ends[0]),
+                    },
                     ..about
                 });
                 let row = farthest.entry((seen.face, seen.pixel[1])).or_default();
@@ -374,7 +393,7 @@ impl Scene {
                 Some(_) => 0.,
                 None => 2. + 12. * size / 2_f64.powi(30),
             };
-            let off = 2. * size * CLIP * self.sum / near;
+            let off = 2. * size * about.off;
             worst.add(error / TEXEL, (formats + cut + off) / TEXEL, || {
                 let at = seen.pixel;
                 format!("{mode:?}: {value} at {at:?}, not {least} to {most}: {self:?}")
@@ -388,7 +407,7 @@ impl Scene {
         let [least, most] = about.inverse_w.map(|q| q * scale);
         let stored = f64::from(seen.depth);
         let [near, far] = about.ends;
-        let bound = bounds::depth([near, far, far]) + 2. * most * CLIP * self.sum / near;
+        let bound = bounds::depth([near, far, far]) + 2. * most * about.off;
         let error = (stored - most).max(least - stored - 1.).max(0.);
         worst.add(error, bound, || {
             let at = seen.pixel;
@@ -404,6 +423,8 @@ struct About {
     farthest: f64,
     /// The least and the greatest w of the face.
     ends: [f64; 2],
+    /// What w may be off by, in parts of itself.
+    off: f64,
     /// The least and the greatest within reach.
     values: [[f64; 2]; 2],
     inverse_w: [f64; 2],
@@ -415,6 +436,7 @@ impl About {
             w,
             farthest: w,
             ends: [w; 2],
+            off: 0.,
             values: values.map(|value| [value; 2]),
             inverse_w: [1. / w; 2],
         }

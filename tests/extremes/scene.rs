@@ -27,8 +27,8 @@ pub struct Scene {
     pub texels: Vec<[i32; 2]>,
     pub chain: Chain<Perspective>,
     pub view: View,
-    /// The largest sum of what coordinates are made of: of a position's magnitudes and of an offset's.
-    pub sum: f64,
+    /// What each position's coordinates in eye space are sums of: its magnitudes, and those of all offsets.
+    pub sums: Vec<f64>,
 }
 
 /// How triangles are seen. All of its numbers must be some that the crate has.
@@ -70,16 +70,20 @@ impl Lens {
             number(self.far),
         );
         let sum = |p: &Vec3| exact(*p).map(f64::abs).iter().sum::<f64>();
-        let offsets = self.moves.iter().map(|part| match part {
-            Move::To(offset) => sum(offset),
-            _ => 0.,
-        });
+        let offset: f64 = self
+            .moves
+            .iter()
+            .map(|part| match part {
+                Move::To(offset) => sum(offset),
+                _ => 0.,
+            })
+            .sum();
         Scene {
             size: self.size,
             pass: self
                 .viewport
                 .map_or(BOTH_SIDES, |viewport| BOTH_SIDES.viewport(viewport)),
-            sum: positions.iter().map(sum).fold(0., f64::max) + offsets.sum::<f64>(),
+            sums: positions.iter().map(|p| sum(p) + offset).collect(),
             positions,
             faces: vec![[0, 1, 2]],
             texels: texels.to_vec(),
@@ -131,6 +135,10 @@ impl Random {
             .wrapping_mul(6_364_136_223_846_793_005)
             .wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 32) as f64 / 2_f64.powi(32)
+    }
+
+    pub fn below(&mut self, end: usize) -> usize {
+        (self.next() * end as f64) as usize
     }
 
     pub fn between(&mut self, low: f64, high: f64) -> f64 {

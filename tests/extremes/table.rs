@@ -93,13 +93,14 @@ const SHOWN: &str = include_str!("../../src/guide/extremes.md");
 
 #[test]
 fn the_guide_shows_what_is_measured() {
-    let all: [&Cases; 7] = [
+    let all: [&Cases; 8] = [
         &crate::planes::CASES,
         &crate::depth::CASES,
         &crate::coordinates::CASES,
         &crate::small::CASES,
         &crate::canvases::CASES,
         &crate::textures::CASES,
+        &crate::meshes::CASES,
         &crate::rotations::CASES,
     ];
     let rows: Vec<&Row> = all.iter().flat_map(|cases| cases.iter()).collect();
