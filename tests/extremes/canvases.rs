@@ -4,9 +4,9 @@
 
 use fixel::prelude::*;
 
-use crate::judge::Verdict;
 use crate::scene::{Lens, Random, worst};
 use crate::table::{Cases, picture};
+use crate::verdict::Verdict;
 
 /// Triangles all over a viewport, and beyond.
 fn on(size: (u32, u32), viewport: Option<Viewport>, count: usize) -> Verdict {

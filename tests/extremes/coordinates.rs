@@ -4,10 +4,10 @@
 //! coordinates and offsets that add up to S move what is w ahead by up to S/w · 2⁻¹⁶ · 0.15 pixels
 //! (`Scene::moved`), and its texels by as much of theirs.
 
-use crate::judge::Verdict;
 use crate::moves::{to, y};
 use crate::scene::{Corners, Lens, Random, worst};
 use crate::table::{Cases, picture};
+use crate::verdict::Verdict;
 
 /// Triangles as wide as the picture, and some that are not, at distances about four.
 fn triangles(lens: &Lens, count: usize) -> Vec<Corners> {

@@ -9,12 +9,12 @@ use fixel::view::Perspective;
 
 use crate::bounds;
 use crate::drawing::Drawing;
-use crate::judge::{Verdict, Worst};
 use crate::mode::Mode;
 use crate::moves::{exact, quantised};
 use crate::reference::linear::{Vec3 as Vector, cross, dot, subtract};
 use crate::scene::{Lens, Random, worst};
 use crate::table::{Cases, figure, picture};
+use crate::verdict::{Verdict, Worst};
 
 /// Near planes whose far planes are so many times as far.
 const RATIOS: [(&str, f64, f64); 6] = [

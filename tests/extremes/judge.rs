@@ -14,16 +14,16 @@ use crate::bounds;
 use crate::drawing::{Drawing, Seen};
 use crate::mode::Mode;
 use crate::moves::exact;
+use crate::parts::{gap, nearest, outline};
 use crate::reference::attributes::{interpolate, weights};
 use crate::reference::clip::{FAR, NEAR};
-use crate::reference::coverage::{Bounds, area2_f64, centre};
-use crate::reference::distance::{to_segment, to_triangle};
+use crate::reference::coverage::{Bounds, centre};
+use crate::reference::distance::to_segment;
 use crate::reference::raster::{self, Piece, pieces_clipped};
 use crate::reference::view;
 use crate::scene::Scene;
+use crate::verdict::{MODES, Verdict, Worst};
 
-/// The modes that are measured.
-pub const MODES: [Mode; 3] = [Mode::Newton, Mode::Exact, Mode::Fast(fx!(0.25))];
 /// Units of a texel.
 const TEXEL: f64 = 65536.;
 /// Half the guard band, in pixels.
@@ -35,60 +35,6 @@ const SNAP: f64 = 1. / 512.;
 /// 2⁻²⁹ where a matrix' mantissas are rounded, for the model's, the lens' and their product's; and of
 /// 2⁻²⁸ where the last bit of those is dropped.
 const CLIP: f64 = 5. / (1 << 30) as f64;
-
-/// The largest of some errors, and what was allowed there.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Worst {
-    pub measured: f64,
-    pub bound: f64,
-}
-
-impl Worst {
-    /// Adds an error that has to be within its bound.
-    #[track_caller]
-    pub fn add(&mut self, error: f64, bound: f64, what: impl FnOnce() -> String) {
-        assert!(error <= bound, "{}: off by {error}, over {bound}", what());
-        if error > self.measured || self.bound == 0. {
-            *self = Self {
-                measured: error,
-                bound,
-            };
-        }
-    }
-
-    /// The larger error of two.
-    pub fn merge(&mut self, other: Self) {
-        if other.measured > self.measured || self.bound == 0. {
-            *self = other;
-        }
-    }
-}
-
-/// How far a mesh' picture is from the model's.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Verdict {
-    /// In pixels: how far a corner is from where it should be, or of meshes that are clipped, how far inside a centre
-    /// is that was left out, or how far outside one that was drawn.
-    pub coverage: Worst,
-    /// In texels of a texture of 256, in each of [`MODES`].
-    pub texels: [Worst; 3],
-    /// In steps of the depth buffer, outside the one that is stored.
-    pub depth: Worst,
-    /// Pixels drawn.
-    pub pixels: usize,
-}
-
-impl Verdict {
-    /// The worst of both.
-    pub fn merge(&mut self, other: Self) {
-        self.coverage.merge(other.coverage);
-        for (worst, other) in self.texels.iter_mut().zip(other.texels) {
-            worst.merge(other);
-        }
-        self.depth.merge(other.depth);
-        self.pixels += other.pixels;
-    }
-}
 
 impl Scene {
     /// Draws in each of the modes, and judges every pixel.
@@ -446,36 +392,4 @@ impl About {
 fn widen([least, most]: &mut [f64; 2], value: f64) {
     *least = least.min(value);
     *most = most.max(value);
-}
-
-/// The part of a face that passes nearest to a point, and how far from it.
-fn nearest<'a>(
-    pieces: impl Iterator<Item = &'a Piece<2>>,
-    p: [f64; 2],
-) -> Option<(&'a Piece<2>, f64)> {
-    let gaps = pieces.map(|piece| (piece, gap(piece, p)));
-    gaps.min_by(|a, b| a.1.total_cmp(&b.1))
-}
-
-/// How far a point is from a triangle, which may be a line.
-fn gap(piece: &Piece<2>, p: [f64; 2]) -> f64 {
-    // So thin that f64 does not tell inside from outside: to be a pixel long it is less than 10⁻⁶ wide.
-    if area2_f64(&piece.screen).abs() < 1e-6 {
-        let [a, b, c] = piece.screen;
-        let sides = [(a, b), (b, c), (c, a)];
-        return sides
-            .map(|(a, b)| to_segment(a, b, p))
-            .into_iter()
-            .fold(f64::MAX, f64::min);
-    }
-    to_triangle(&piece.screen, p)
-}
-
-/// The sides of the triangles that make up a face, but for those between two of them.
-fn outline(face: &[Piece<2>]) -> Vec<[[f64; 2]; 2]> {
-    let key = |side: [[f64; 2]; 2]| side.map(|end| end.map(f64::to_bits));
-    let sides = |[a, b, c]: [[f64; 2]; 3]| [[a, b], [b, c], [c, a]];
-    let all: Vec<_> = face.iter().flat_map(|piece| sides(piece.screen)).collect();
-    let is_outer = |&&[a, b]: &&[[f64; 2]; 2]| !all.iter().any(|&side| key(side) == key([b, a]));
-    all.iter().filter(is_outer).copied().collect()
 }

@@ -5,10 +5,10 @@
 use fixel::prelude::*;
 
 use crate::common::{BOTH_SIDES, Counter};
-use crate::judge::{Verdict, Worst};
 use crate::moves::exact;
 use crate::scene::{Lens, ONCE, Random};
 use crate::table::{Cases, picture};
+use crate::verdict::{Verdict, Worst};
 
 /// Columns and rows of vertices, and whether there are as many as there can be.
 const GRIDS: [(u16, u16); 2] = [(255, 257), (256, 256)];

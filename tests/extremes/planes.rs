@@ -5,9 +5,9 @@
 
 use std::f64::consts::TAU;
 
-use crate::judge::Verdict;
 use crate::scene::{Lens, Random, worst};
 use crate::table::{Cases, picture};
+use crate::verdict::Verdict;
 
 const NEAR: f64 = 0.25;
 

@@ -7,10 +7,10 @@
 
 use fixel::prelude::*;
 
-use crate::judge::Worst;
 use crate::moves::radians;
 use crate::reference::linear::{self, Matrix};
 use crate::table::{Cases, figure};
+use crate::verdict::Worst;
 
 const STEPS: u32 = 1_000_000;
 /// What one product may add to each entry of R·Rᵀ − I: see above.

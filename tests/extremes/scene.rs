@@ -5,10 +5,10 @@ use fixel::prelude::*;
 use fixel::view::Perspective;
 
 use crate::common::BOTH_SIDES;
-use crate::judge::Verdict;
 use crate::moves::{Move, exact, product, quantised};
 use crate::reference::projection::focal;
 use crate::reference::view::{self, View};
+use crate::verdict::Verdict;
 
 /// A triangle's corners.
 pub type Corners = [[f64; 3]; 3];

@@ -8,9 +8,9 @@ use std::f64::consts::TAU;
 use fixel::prelude::*;
 
 use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
-use crate::judge::Verdict;
 use crate::scene::{Lens, ONCE, Random, worst};
 use crate::table::{Cases, picture};
+use crate::verdict::Verdict;
 
 /// Triangles of 5 to 100 pixels' length, so wide in their middle, at every slope.
 fn slivers(width: f64) -> Verdict {

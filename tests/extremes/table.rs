@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::sync::LazyLock;
 use std::{env, fs};
 
-use crate::judge::{Verdict, Worst};
+use crate::verdict::{Verdict, Worst};
 
 /// What is measured once, for its own test and for the table.
 pub type Cases = LazyLock<Vec<Row>>;

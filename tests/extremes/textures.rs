@@ -3,9 +3,9 @@
 //! An attribute has 30 bits of the largest in its triangle, so that 32,000 texels' resolution is 1/16,384 of one: bounds
 //! are 125 times what they are for 256. `Fast` has 16 bits of it, 1/2 texel; and its tolerance.
 
-use crate::judge::Verdict;
 use crate::scene::{Lens, Random, worst};
 use crate::table::{Cases, picture};
+use crate::verdict::Verdict;
 
 /// A texture from one end of its range to the other, at many slopes.
 fn wide(most: i32) -> Verdict {
