@@ -296,7 +296,10 @@ mod tests {
             // Off by most at one of the ends, but for roundings: those are every eighth one's.
             for guess in (least..=most).step_by(8).chain([most]) {
                 let lacks = exact - f64::from(refined(q << 15 | q & 0x7fff, guess));
-                assert!((0. ..=allowed).contains(&lacks), "{q} from {guess}: {lacks}");
+                assert!(
+                    (0. ..=allowed).contains(&lacks),
+                    "{q} from {guess}: {lacks}"
+                );
             }
         }
     }

@@ -169,7 +169,7 @@ fn sine_of_every_angle() {
     let worst = |range: std::ops::RangeInclusive<u32>| {
         let error = |bits: u32| {
             let angle = Angle::from_bits(bits);
-            let sine = f64::from(angle.sin().to_bits()) / (1 << 30) as f64;
+            let sine = f64::from(angle.sin().to_bits()) / f64::from(1 << 30);
             (sine - radians(angle).sin()).abs()
         };
         range.map(error).fold(0., f64::max)

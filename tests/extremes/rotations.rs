@@ -12,9 +12,11 @@ use crate::reference::linear::{self, Matrix};
 use crate::table::{Cases, figure};
 use crate::verdict::Worst;
 
+/// The unit of a matrix' entries and of its axes.
+const ONE: f64 = 1_073_741_824.;
 const STEPS: u32 = 1_000_000;
 /// What one product may add to each entry of R·Rᵀ − I: see above.
-const DRIFT: f64 = 3. * (2. / (1 << 30) as f64 + 1.6e-9);
+const DRIFT: f64 = 3. * (2. / ONE + 1.6e-9);
 /// What is left of it after making the matrix rigid.
 const RIGID: f64 = 4e-9;
 
@@ -26,7 +28,7 @@ fn matrix(transform: &Transform) -> [[f64; 3]; 3] {
         transform
             .direction(Vec3::from_bits(bits))
             .to_bits()
-            .map(|v| f64::from(v) / (1 << 30) as f64)
+            .map(|v| f64::from(v) / ONE)
     };
     let columns = [axis(0), axis(1), axis(2)];
     [0, 1, 2].map(|row: usize| [0, 1, 2].map(|column: usize| columns[column][row]))
