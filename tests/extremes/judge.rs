@@ -91,10 +91,6 @@ impl Scene {
         verdict
     }
 
-    fn index(&self, position: Vec3) -> usize {
-        self.positions.iter().position(|&p| p == position).unwrap()
-    }
-
     /// What the view volume and the guard band leave of each face.
     fn pieces(&self) -> Vec<Piece<2>> {
         let positions: Vec<_> = self.positions.iter().map(|&p| exact(p)).collect();

@@ -266,3 +266,34 @@ fn guard_band() {
         }
     }
 }
+
+/// Places on the screen are from 2048 pixels before the viewport's centre to a subpixel less after it: 20 bits, which is
+/// what edges are walked with.
+#[test]
+fn places_are_within_the_guard_band() {
+    let size = (64, 48);
+    let band = 2048 * 256;
+    let mut ends = [0; 2];
+    for beyond in -3..=3 {
+        for side in [-band, band] {
+            let at = side + beyond;
+            let mut counter = Counter::new(size);
+            for point in [[at, 0], [0, at], [at, at]] {
+                let [x, y] = [point[0] + 32 * 256, point[1] + 24 * 256];
+                // In halves of a subpixel, too: what is rounded up is the last that there is.
+                for half in [-128, 0, 127] {
+                    let position = at_subpixel([x, y]) + Vec3::from_bits([half, half, 0]);
+                    let Some(place) = counter.snapped(&pixel_lens(size), position) else {
+                        continue;
+                    };
+                    let from = [place[0] - 32 * 256, place[1] - 24 * 256];
+                    for from in from {
+                        assert!((-band..band).contains(&from), "{point:?}: {from}");
+                        ends = [ends[0].min(from), ends[1].max(from)];
+                    }
+                }
+            }
+        }
+    }
+    assert_eq!(ends, [-band, band - 1]);
+}

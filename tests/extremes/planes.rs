@@ -5,9 +5,12 @@
 
 use std::f64::consts::TAU;
 
-use crate::scene::{Lens, Random, worst};
+use fixel::prelude::*;
+
+use crate::drawing::Drawing;
+use crate::scene::{Lens, ONCE, Random, worst};
 use crate::table::{Cases, picture};
-use crate::verdict::Verdict;
+use crate::verdict::{MODES, Verdict};
 
 const NEAR: f64 = 0.25;
 
@@ -136,4 +139,46 @@ fn planes_are_cut_where_the_model_cuts_them() {
 #[test]
 fn all_behind_is_nothing() {
     assert_eq!(crossing(3).pixels, 0);
+}
+
+/// Distances from 2⁻¹⁴ to 2¹⁵ in one triangle: more than interpolants tell apart, so that a corner is taken for nearer than
+/// it is. Values are those of other places then, but not of none.
+///
+/// Where 1/w is least it has 2048 units, less the 40 that it may be off by, and numerators are off by 56½ (see `bounds`): a
+/// value may be outside of what the corners have by 56½/2008 of 2^bits, at most four times the greatest of them.
+#[test]
+fn values_stay_between_those_of_the_corners() {
+    let lens = Lens {
+        near: 1. / 16_384.,
+        far: 32_767.,
+        ..Lens::ROOM
+    };
+    let mut random = Random(13);
+    for _ in 0..200 {
+        let spread = random.between(12., 28.7);
+        let mut corner = |part: f64| {
+            let at = [random.between(-60., 60.), random.between(-50., 50.)];
+            lens.at(at, 2_f64.powf(-13.9 + part * spread))
+        };
+        let scene = lens.scene([corner(0.), corner(0.5), corner(1.)], ONCE);
+        for mode in MODES {
+            let drawing = Drawing {
+                size: scene.size,
+                pass: scene.pass,
+                mode,
+                mesh: Mesh::new(&scene.positions, &scene.faces).unwrap(),
+                chain: scene.chain,
+            };
+            let values = |vertex: &Vertex<'_>| scene.texels[scene.index(vertex.position())];
+            let (most, room) = (256 << 16, 4 * (256 << 16) / 35);
+            for seen in drawing.all(&values) {
+                for value in seen.values {
+                    assert!(
+                        (-room..=most + room).contains(&value),
+                        "{seen:?} of {scene:?}"
+                    );
+                }
+            }
+        }
+    }
 }

@@ -116,6 +116,13 @@ impl Lens {
     }
 }
 
+impl Scene {
+    /// Which of the positions this is.
+    pub fn index(&self, position: Vec3) -> usize {
+        self.positions.iter().position(|&p| p == position).unwrap()
+    }
+}
+
 /// The worst of many.
 pub fn worst(verdicts: impl IntoIterator<Item = Verdict>) -> Verdict {
     let mut all = Verdict::default();
