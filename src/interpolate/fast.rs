@@ -291,8 +291,8 @@ mod tests {
         for q in 1_u32 << 14..1 << 16 {
             let exact = 2_f64.powi(31) / f64::from(q);
             let allowed = exact * (1.02 * 2_f64.powi(-16) + 2_f64.powi(-18)) + 1.;
-            let least = (exact * 15. / 16.).ceil() as u32;
-            let most = (exact * 17. / 16.).min(2_f64.powi(17)) as u32;
+            let least = (15_u32 << 27).div_ceil(q);
+            let most = ((17 << 27) / q).min(1 << 17);
             // Off by most at one of the ends, but for roundings: those are every eighth one's.
             for guess in (least..=most).step_by(8).chain([most]) {
                 let lacks = exact - f64::from(refined(q << 15 | q & 0x7fff, guess));

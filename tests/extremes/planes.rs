@@ -155,12 +155,13 @@ fn values_stay_between_those_of_the_corners() {
     };
     let mut random = Random(13);
     for _ in 0..200 {
-        let spread = random.between(12., 28.7);
-        let mut corner = |part: f64| {
-            let at = [random.between(-60., 60.), random.between(-50., 50.)];
-            lens.at(at, 2_f64.powf(-13.9 + part * spread))
+        let spread = random.between(12., 28.);
+        let mut corner = |y: f64, part: f64| {
+            let w = 2_f64.powf(-13.9 + part * spread + random.between(0., 0.7));
+            lens.at([random.between(-60., 60.), y], w)
         };
-        let scene = lens.scene([corner(0.), corner(0.5), corner(1.)], ONCE);
+        // The far side is on the centres of a row.
+        let scene = lens.scene([corner(-30., 0.), corner(0.5, 1.), corner(0.5, 1.)], ONCE);
         for mode in MODES {
             let drawing = Drawing {
                 size: scene.size,
