@@ -92,7 +92,7 @@ impl Scene {
     }
 
     /// What the view volume and the guard band leave of each face.
-    fn pieces(&self) -> Vec<Piece<2>> {
+    pub fn pieces(&self) -> Vec<Piece<2>> {
         let positions: Vec<_> = self.positions.iter().map(|&p| exact(p)).collect();
         let faces: Vec<_> = self
             .faces

@@ -31,6 +31,7 @@ mod determinism;
 mod judge;
 mod limits;
 mod meshes;
+mod outlines;
 mod parts;
 mod planes;
 mod proofs;

@@ -117,10 +117,11 @@ const SHOWN: &str = include_str!("../../src/guide/extremes.md");
 
 #[test]
 fn the_guide_shows_what_is_measured() {
-    let all: [&Cases; 8] = [
+    let all: [&Cases; 9] = [
         &crate::planes::CASES,
         &crate::depth::CASES,
         &crate::coordinates::CASES,
+        &crate::outlines::CASES,
         &crate::small::CASES,
         &crate::canvases::CASES,
         &crate::textures::CASES,
