@@ -43,11 +43,30 @@ fn tiny(w: f64) -> Verdict {
     }))
 }
 
+/// Ground under a camera that rolls by hardly anything: along a row 1/w changes by 2⁻²⁸ to 2⁻²¹ of itself a pixel, and the
+/// texture, of up to 1000 texels, by many texels. A row that is taken for straight must be.
+fn level() -> Verdict {
+    let lens = Lens {
+        far: 32_767.,
+        ..Lens::ROOM
+    };
+    let mut random = Random(15);
+    worst((0..80).map(|_| {
+        let roll = 2_f64.powf(random.between(-28., -21.));
+        let corner = |[x, y]: [f64; 2]| lens.at([x, y], 4000. / (1. + roll * x + 0.01 * y));
+        let corners = [[-47., 31.], [45., 29.], [3., -33.]].map(corner);
+        let texels = [random.between(100., 1000.) as i32 * 32_768; 2];
+        let [u, v] = texels;
+        lens.scene(corners, [[-u, v], [u, 0], [0, -v]]).judge()
+    }))
+}
+
 pub static CASES: Cases = Cases::new(|| {
     vec![
         picture("texture coordinates of ±256 texels", wide(256)),
         picture("texture coordinates of ±4,000 texels", wide(4000)),
         picture("texture coordinates of ±32,000 texels", wide(32_000)),
+        picture("texture of ±500 texels along level rows", level()),
         picture("texture of 256 in 4 pixels, 100 away", tiny(100.)),
         picture("texture of 256 in 4 pixels, 32,000 away", tiny(32_000.)),
     ]
@@ -55,5 +74,5 @@ pub static CASES: Cases = Cases::new(|| {
 
 #[test]
 fn textures_of_any_range() {
-    assert_eq!(CASES.len(), 5);
+    assert_eq!(CASES.len(), 6);
 }
