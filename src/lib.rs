@@ -94,6 +94,7 @@
 //!    picture is the board's.
 //! 3. **Total.** For every input that the types admit, drawing neither panics nor writes outside the
 //!    canvas. What cannot be drawn is refused by a constructor, with an [`Error`] that says what and why.
+//!    How far accuracy is promised, and what is beyond, is said in [`guide::limits`].
 //! 4. **Watertight.** Triangles that share an edge cover each pixel centre between them exactly once,
 //!    clipped or not.
 //! 5. **Bands equal frames.** A frame drawn in strips is the same, bit for bit.

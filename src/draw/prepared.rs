@@ -162,6 +162,9 @@ impl<const TRIANGLES: usize, const VERTICES: usize> Default for TriangleList<TRI
 }
 
 impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERTICES> {
+    /// Most vertices that can be used, whatever there is room for: they are counted from 1 in 16 bits.
+    pub const MAX_VERTICES: usize = u16::MAX as usize;
+
     /// An empty list.
     #[must_use]
     pub const fn new() -> Self {
@@ -203,7 +206,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
         } = filling.needed;
         for (of, needed, room) in [
             ("triangles", triangles, TRIANGLES),
-            ("vertices", vertices, VERTICES.min(MOST_VERTICES)),
+            ("vertices", vertices, VERTICES.min(Self::MAX_VERTICES)),
         ] {
             if needed > room {
                 return Err(Error::Full { of, needed, room });
@@ -219,9 +222,6 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
         })
     }
 }
-
-/// Vertices are counted from 1 in 16 bits.
-const MOST_VERTICES: usize = u16::MAX as usize;
 
 /// Elements that a list must have room for.
 #[derive(Clone, Copy, Debug, Default)]

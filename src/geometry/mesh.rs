@@ -117,18 +117,27 @@ impl<'a> Mesh<'a> {
     /// (A list of 65,536 values does have one of this index.)
     pub const NO_VALUE: Index = Index::MAX;
 
+    /// Most positions, as an [`Index`] counts from 0.
+    ///
+    /// ```
+    /// use fixel::{Error, Mesh, Vec3};
+    /// let positions = vec![Vec3::ZERO; Mesh::MAX_POSITIONS + 1];
+    /// let error = Mesh::new(&positions, &[]).unwrap_err();
+    /// assert_eq!(error, Error::TooMany { given: 65_537, max: Mesh::MAX_POSITIONS });
+    /// ```
+    pub const MAX_POSITIONS: usize = Index::MAX as usize + 1;
+
     /// A mesh of positions and the triangles between them.
     ///
     /// # Errors
     ///
     /// [`Error::Index`] if a face names a position that is not there; [`Error::TooMany`] if there
-    /// are more than 65,536 positions.
+    /// are more than [`MAX_POSITIONS`](Self::MAX_POSITIONS).
     pub const fn new(positions: &'a [Vec3], faces: &'a [[Index; 3]]) -> Result<Self, Error> {
-        const MAX: usize = Index::MAX as usize + 1;
-        if positions.len() > MAX {
+        if positions.len() > Self::MAX_POSITIONS {
             return Err(Error::TooMany {
                 given: positions.len(),
-                max: MAX,
+                max: Self::MAX_POSITIONS,
             });
         }
         if let Err(error) = check(faces, positions.len(), None) {

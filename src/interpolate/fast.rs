@@ -273,4 +273,26 @@ mod tests {
         // No step of a sliver, however steep, is taken for a small one.
         assert_eq!(quarter.length_at(1 << 30, 1 << 31, 1 << 18), None);
     }
+
+    /// Every divisor there is, from every guess that is off by a sixteenth at most.
+    ///
+    /// The first step leaves 2^-8 and what its products cut, a unit and 2^-18; the second the square of that, 1.02 of
+    /// 2^-16, and cuts as much itself. A step never goes beyond what is exact, so that no guess has more than 17 bits.
+    #[test]
+    fn every_reciprocal() {
+        for q in 1_u32 << 14..1 << 16 {
+            let exact = 2_f64.powi(31) / f64::from(q);
+            let allowed = exact * (1.02 * 2_f64.powi(-16) + 2_f64.powi(-18)) + 1.;
+            let least = (15_u32 << 27).div_ceil(q);
+            let most = ((17 << 27) / q).min(1 << 17);
+            // Off by most at one of the ends, but for roundings: those are every eighth one's.
+            for guess in (least..=most).step_by(8).chain([most]) {
+                let lacks = exact - f64::from(refined(q << 15 | q & 0x7fff, guess));
+                assert!(
+                    (0. ..=allowed).contains(&lacks),
+                    "{q} from {guess}: {lacks}"
+                );
+            }
+        }
+    }
 }

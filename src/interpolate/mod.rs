@@ -13,8 +13,9 @@
 //! | [`Linear`] | without a bound | additions | to the unit in parallel projections |
 //!
 //! All draw the same in bands as in frames, and the same on every target. (Beyond a depth ratio of 128 within a
-//! triangle the first three have up to 0.006 texels in place of 0.001.) [`Segment`] answers single questions about
-//! the same relation; the [guide to modes](crate::guide::modes) says which mode to choose, and derives their bounds.
+//! triangle the first three have up to 0.01 texels in place of 0.001, and more beyond one of 10⁶: see the
+//! [limits](crate::guide::limits).) [`Segment`] answers single questions about the same relation; the
+//! [guide to modes](crate::guide::modes) says which mode to choose, and derives their bounds.
 
 mod affine;
 mod fast;

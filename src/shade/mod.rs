@@ -47,7 +47,7 @@ pub use light::Light;
 pub use lit::{Lit, LitFaces, LitTexture};
 pub use modulated::Modulated;
 pub use palette::Palette;
-pub use sampler::Sampler;
+pub use sampler::{MAX_TEXTURE_SIZE, Sampler};
 pub use texture::Texture;
 pub use textured::{Addressing, Clamp, Repeat, Textured};
 pub use views::{DepthView, NormalView};

@@ -38,10 +38,13 @@ pub trait Sampler: Copy {
     fn texel(&self, u: i32, v: i32) -> Self::Color;
 }
 
+/// Largest width and height of a texture, in texels.
+pub const MAX_TEXTURE_SIZE: usize = 1 << 15;
+
 /// The exponent of a width or height, checked while compiling.
 pub(super) const fn log2(size: usize) -> u32 {
     assert!(
-        size.is_power_of_two() && size <= 1 << 15,
+        size.is_power_of_two() && size <= MAX_TEXTURE_SIZE,
         "the width and the height of a texture must be powers of two, at most 32768"
     );
     size.ilog2()

@@ -11,7 +11,7 @@ use super::Sampler;
 use super::sampler::{log2, wrapped};
 use crate::Error;
 
-/// `H` rows of `W` texels of any colour, the top row first; both are powers of two, at most 32768.
+/// `H` rows of `W` texels of any colour, the top row first; both are powers of two, at most [`MAX_TEXTURE_SIZE`](super::MAX_TEXTURE_SIZE).
 ///
 /// A `static` one lives in flash, in two bytes a texel for `Rgb565`, four for `Rgb888` and one for grey. While compiling it is made of the raw bytes of an image by the
 /// constructor of its colour's name: [`rgb565`](Self::rgb565) takes the high byte first, as panels and

@@ -142,7 +142,8 @@ const RUN_ROUNDING: f64 = 16.;
 ///
 /// - 1/w is cut to its upper 15 to 17 bits, so that it is off by 2⁻¹⁴ of itself where it has 15 (from 2²⁹ to 2³⁰).
 /// - The reciprocal at the start of a run is rounded down to 16 to 18 bits: 2⁻¹⁵. Others come of two Newton
-///   steps from one that is off by 1/16 and a little: 2⁻¹⁶ · 1.2; and the first step's products cut 2⁻¹⁷, the second's 2⁻¹⁷.
+///   steps from one that is off by 1/16: 2⁻¹⁶ · 1.02; and the last step's products cut 2⁻¹⁸ and a unit, which is 2⁻¹⁷ where
+///   1/w has 15 bits, and 2⁻¹⁵ where it has 17 and is off by 2⁻¹⁶ instead of 2⁻¹⁴.
 /// - A step of the interpolants is cut to 2⁻²⁸ of A's bits, and is taken 64 times: 2⁻²², where 1/w is 2²⁹ once more: 2⁻²¹.
 /// - A value is rounded down to a unit, and the gains of 64 pixels are by up to a unit each: 65.
 ///

@@ -1,7 +1,7 @@
 //! OBJ text, statement by statement.
 
 use super::decimal::{Format, SCALAR, TEX_COORD, byte, decimal};
-use crate::{Error, TexCoord};
+use crate::{Error, Mesh, TexCoord};
 
 /// What a line says.
 #[derive(Clone, Copy)]
@@ -43,7 +43,11 @@ pub(super) struct Reader<'a> {
 }
 
 /// As many as a 16-bit index can name, less one attribute value for `Mesh::NO_VALUE`.
-pub(super) const MOST: [usize; 3] = [65_536, 65_535, 65_535];
+pub(super) const MOST: [usize; 3] = [
+    Mesh::MAX_POSITIONS,
+    Mesh::NO_VALUE as usize,
+    Mesh::NO_VALUE as usize,
+];
 
 const TOO_MANY: [&str; 3] = [
     "more than 65536 positions",

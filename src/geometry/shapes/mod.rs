@@ -6,7 +6,7 @@ mod surface;
 mod tests;
 
 use super::buffers::{Buffers, Counts};
-use super::mesh::{Index, Mesh};
+use super::mesh::Mesh;
 use crate::number::Scalar;
 use crate::{Error, Vec3};
 use pen::Pen;
@@ -60,12 +60,9 @@ enum Kind {
     },
 }
 
-/// Most parts in one direction: with the fewest in the other they do not overflow an index.
-const MOST: u32 = 16_384;
-
 const fn parts(of: &'static str, given: u32, min: u32) -> Result<(), Error> {
-    if given < min || given > MOST {
-        let max = MOST;
+    if given < min || given > Shape::MAX_PARTS {
+        let max = Shape::MAX_PARTS;
         return Err(Error::Parts {
             of,
             given,
@@ -84,6 +81,9 @@ const fn extent(of: &'static str, given: Scalar, max: Scalar) -> Result<(), Erro
 }
 
 impl Shape {
+    /// Most parts in one direction: with the fewest in the other they do not overflow an index.
+    pub const MAX_PARTS: u32 = 16_384;
+
     /// A box from −`corner` to `corner`; the texture fills each of its six sides.
     ///
     /// # Errors
@@ -170,7 +170,7 @@ impl Shape {
         }
         let shape = Self { kind };
         let given = shape.counts().positions;
-        let max = Index::MAX as usize + 1;
+        let max = Mesh::MAX_POSITIONS;
         if given > max {
             return Err(Error::TooMany { given, max });
         }

@@ -2,12 +2,15 @@
 //! made of, nothing panics (tests check for overflow), and bands are still the frame.
 
 use embedded_graphics::pixelcolor::{Gray8, Rgb888};
+use fixel::interpolate::{Affine, Exact, Fast, Interpolate, Linear, Newton};
 use fixel::prelude::*;
 use fixel::target::{DepthBuffer, Native};
 use fixel::view::Kind;
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;
+
+use crate::mode::Mode;
 
 /// Any bits, with a liking for the ends of the format, the middle, and every magnitude between.
 fn bits() -> impl Strategy<Value = i32> {
@@ -53,6 +56,7 @@ struct Scene {
     /// Rows of a band.
     rows: u32,
     what: What,
+    mode: Mode,
     model: Transform,
     camera: Transform,
 }
@@ -68,6 +72,12 @@ enum What {
 }
 
 const CORNERS: usize = 6;
+
+/// Any way to interpolate, with any tolerance.
+fn modes() -> impl Strategy<Value = Mode> {
+    let plain = vec![Mode::Newton, Mode::Exact, Mode::Affine, Mode::Linear];
+    prop_oneof![select(plain), scalar().prop_map(Mode::Fast)]
+}
 
 fn scene() -> impl Strategy<Value = Scene> {
     let index = || 0..u16::try_from(CORNERS).unwrap();
@@ -106,10 +116,17 @@ fn scene() -> impl Strategy<Value = Scene> {
             vec(prop::array::uniform3(index()), 4),
             vec(prop::array::uniform2(index()), 4),
         ),
-        (pass, size, 1_u32..8, what, transform(), transform()),
+        (
+            pass,
+            size,
+            1_u32..8,
+            (what, modes()),
+            transform(),
+            transform(),
+        ),
     )
         .prop_map(|((positions, uvs, faces, edges), rest)| {
-            let (pass, size, rows, what, model, camera) = rest;
+            let (pass, size, rows, (what, mode), model, camera) = rest;
             Scene {
                 positions,
                 uvs,
@@ -119,6 +136,7 @@ fn scene() -> impl Strategy<Value = Scene> {
                 size,
                 rows,
                 what,
+                mode,
                 model,
                 camera,
             }
@@ -131,6 +149,8 @@ struct Raw;
 
 impl Fragment<3> for Raw {
     type Color = Gray8;
+
+    const TOLERANCES: [u32; 3] = [0, 1 << 20, u32::MAX];
 
     fn varyings(&self, vertex: &Vertex) -> [i32; 3] {
         let [x, y, _] = vertex.position().to_bits();
@@ -153,12 +173,27 @@ impl Scene {
         canvas: &mut Canvas<'_, Gray8, Native, D>,
         lens: Projection<K>,
     ) {
+        let pass = &self.pass;
+        match self.mode {
+            Mode::Newton => self.draw_in(&pass.mode(Newton), canvas, lens),
+            Mode::Exact => self.draw_in(&pass.mode(Exact), canvas, lens),
+            Mode::Fast(texels) => self.draw_in(&pass.mode(Fast::within(texels)), canvas, lens),
+            Mode::Affine => self.draw_in(&pass.mode(Affine), canvas, lens),
+            Mode::Linear => self.draw_in(&pass.mode(Linear), canvas, lens),
+        }
+    }
+
+    fn draw_in<I: Interpolate, K: Kind, D: DepthBuffer>(
+        &self,
+        pass: &Pass<I>,
+        canvas: &mut Canvas<'_, Gray8, Native, D>,
+        lens: Projection<K>,
+    ) {
         let chain = &(lens * self.camera * self.model);
         let mesh = &Mesh::new(&self.positions, &self.faces)
             .and_then(|mesh| mesh.with_edges(&self.edges))
             .and_then(|mesh| mesh.with_uvs(&self.uvs, None))
             .unwrap();
-        let pass = &self.pass;
         let light = Light::new(vec3!(1, 2, 3), fx!(0.5), fx!(0.5)).unwrap();
         let drawn = match self.what {
             What::Triangles => canvas.draw_with(pass, mesh, chain, &Raw),

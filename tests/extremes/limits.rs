@@ -1,0 +1,299 @@
+//! Every limit that a constant names, from one below it to one above.
+
+use std::sync::Mutex;
+
+use embedded_graphics::pixelcolor::Gray8;
+use fixel::geometry::Shape;
+use fixel::number::{scalar, tex_coord};
+use fixel::prelude::*;
+use fixel::shade::{MAX_TEXTURE_SIZE, Sampler};
+use fixel::target::MAX_SIZE;
+use fixel::view::{Kind, Perspective};
+
+use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
+
+#[test]
+fn canvas() {
+    let new = |width: u32, height: u32| {
+        let mut pixels = vec![Gray8::new(0); width as usize * height as usize];
+        Canvas::new(&mut pixels, width, height).map(|_| ())
+    };
+    let refused = |width, height| {
+        Err(Error::Size {
+            width,
+            height,
+            max: MAX_SIZE,
+        })
+    };
+    for side in [1, 2, MAX_SIZE - 1, MAX_SIZE] {
+        assert_eq!(new(side, 1), Ok(()));
+        assert_eq!(new(1, side), Ok(()));
+    }
+    for side in [0, MAX_SIZE + 1] {
+        assert_eq!(new(side, 1), refused(side, 1));
+        assert_eq!(new(1, side), refused(1, side));
+    }
+    assert_eq!(new(MAX_SIZE, MAX_SIZE), Ok(()));
+}
+
+/// The same for what a list of triangles is prepared for.
+#[test]
+fn prepared_frames() {
+    let mesh = Mesh::new(&[], &[]).unwrap();
+    let chain = pixel_lens((1, 1));
+    let mut list: TriangleList<1, 1> = TriangleList::new();
+    for (side, is_allowed) in [
+        (0, false),
+        (1, true),
+        (MAX_SIZE, true),
+        (MAX_SIZE + 1, false),
+    ] {
+        for size in [(side, 1), (1, side)] {
+            let prepared = list.prepare(&Pass::new(), size, &mesh, &chain);
+            assert_eq!(prepared.is_ok(), is_allowed, "{size:?}");
+        }
+    }
+}
+
+#[test]
+fn viewport() {
+    let max = Viewport::MAX.cast_signed();
+    for x in [-max - 1, -max, -max + 1, max - 1, max, max + 1] {
+        assert_eq!(Viewport::new(x, 0, 1, 1).is_ok(), x.abs() <= max, "{x}");
+        assert_eq!(Viewport::new(0, x, 1, 1).is_ok(), x.abs() <= max, "{x}");
+    }
+    for side in [0, 1, Viewport::MAX - 1, Viewport::MAX, Viewport::MAX + 1] {
+        let is_allowed = (1..=Viewport::MAX).contains(&side);
+        assert_eq!(Viewport::new(0, 0, side, 1).is_ok(), is_allowed, "{side}");
+        assert_eq!(Viewport::new(0, 0, 1, side).is_ok(), is_allowed, "{side}");
+    }
+}
+
+#[test]
+fn positions_of_a_mesh() {
+    let positions = vec![Vec3::ZERO; Mesh::MAX_POSITIONS + 1];
+    for count in [Mesh::MAX_POSITIONS - 1, Mesh::MAX_POSITIONS] {
+        let last = u16::try_from(count - 1).unwrap();
+        let faces = [[0, last, last]];
+        assert!(Mesh::new(&positions[..count], &faces).is_ok(), "{count}");
+    }
+    // The last index of the shorter mesh is one too many.
+    assert!(Mesh::new(&positions[..Mesh::MAX_POSITIONS - 1], &[[0, 0, u16::MAX]]).is_err());
+    let error = Error::TooMany {
+        given: Mesh::MAX_POSITIONS + 1,
+        max: Mesh::MAX_POSITIONS,
+    };
+    assert_eq!(Mesh::new(&positions, &[]).map(|_| ()), Err(error));
+}
+
+#[test]
+fn parts_of_a_shape() {
+    let max = Shape::MAX_PARTS;
+    // A row of four vertices for each but one: as many as there can be.
+    assert!(Shape::cylinder(max - 1).is_ok());
+    assert!(Shape::plane(max - 1, 1).is_ok());
+    assert!(Shape::plane(max, 1).is_ok());
+    let Err(Error::Parts {
+        given,
+        max: allowed,
+        ..
+    }) = Shape::plane(max + 1, 1)
+    else {
+        panic!("too many columns");
+    };
+    assert_eq!((given, allowed), (max + 1, max));
+    assert!(Shape::plane(0, 1).is_err());
+    assert!(Shape::plane(255, 255).is_ok());
+    assert!(matches!(Shape::plane(255, 256), Err(Error::TooMany { .. })));
+}
+
+/// More vertices than 16 bits count are to be seen, and there would be room for them.
+#[test]
+fn vertices_of_a_list() {
+    // Not on the stack.
+    static LIST: Mutex<TriangleList<65_600, 65_600>> = Mutex::new(TriangleList::new());
+    const MAX: usize = TriangleList::<65_600, 65_600>::MAX_VERTICES;
+    let size = (64, 64);
+    let prepare = |seen: usize| {
+        // Any three that follow one another are a triangle.
+        let corners = [[10, 10], [10, 50], [50, 10]].map(|at| at_subpixel(at.map(|x| x * 256)));
+        let positions: Vec<Vec3> = corners.into_iter().cycle().take(seen).collect();
+        let faces: Vec<[u16; 3]> = (2..seen)
+            .map(|i| [2, 1, 0].map(|back| u16::try_from(i - back).unwrap()))
+            .collect();
+        let mesh = Mesh::new(&positions, &faces).unwrap();
+        let mut list = LIST.lock().unwrap();
+        let prepared = list.prepare(&BOTH_SIDES, size, &mesh, &pixel_lens(size));
+        prepared.map(|_| ()).map_err(|error| error.to_string())
+    };
+    assert_eq!(prepare(MAX - 1), Ok(()));
+    assert_eq!(prepare(MAX), Ok(()));
+    let refused = "65536 vertices are to be seen: the list has room for 65535";
+    assert_eq!(prepare(MAX + 1), Err(refused.to_owned()));
+}
+
+/// One row of the widest texture, and one column of the highest; one more of either does not compile.
+#[test]
+fn textures() {
+    static WIDE: Texture<Gray8, MAX_TEXTURE_SIZE, 1> =
+        Texture::from_texels([[Gray8::new(7); MAX_TEXTURE_SIZE]; 1]);
+    static HIGH: Texture<Gray8, 1, MAX_TEXTURE_SIZE> =
+        Texture::from_texels([[Gray8::new(9)]; MAX_TEXTURE_SIZE]);
+    for at in [i32::MIN, -1, 0, 32_767, 32_768, i32::MAX] {
+        assert_eq!((&WIDE).texel(at, at), Gray8::new(7));
+        assert_eq!((&HIGH).texel(at, at), Gray8::new(9));
+    }
+}
+
+#[test]
+fn numbers() {
+    // The ends of the formats, and half a unit beyond, which is rounded away from zero.
+    let unit = 1. / 65_536.;
+    assert_eq!(scalar(32_768. - unit), Ok(Scalar::MAX));
+    assert!(scalar(32_768. - unit / 2.).is_err());
+    assert_eq!(scalar(-32_768.), Ok(Scalar::MIN));
+    assert!(scalar(-32_768. - unit / 2.).is_err());
+    let unit = 1. / 1_048_576.;
+    assert_eq!(tex_coord(2048. - unit), Ok(TexCoord::MAX));
+    assert!(tex_coord(2048. - unit / 2.).is_err());
+    assert_eq!(tex_coord(-2048.), Ok(TexCoord::MIN));
+    assert!(tex_coord(-2048. - unit / 2.).is_err());
+}
+
+#[test]
+fn lenses() {
+    let fov =
+        |bits: u32| Projection::perspective(Angle::from_bits(bits), (4, 3), fx!(1), fx!(2)).is_ok();
+    let half = Angle::HALF.to_bits();
+    assert_eq!(
+        [0, 1, half - 1, half, half + 1].map(fov),
+        [false, true, true, false, false]
+    );
+    let s = Scalar::from_bits;
+    let planes = |near: i32, far: i32| {
+        Projection::from_focal_length(fx!(1), (4, 3), s(near), s(far)).is_ok()
+    };
+    assert_eq!([-1, 0, 1].map(|near| planes(near, 2)), [false, false, true]);
+    assert_eq!([6, 7, 8].map(|far| planes(7, far)), [false, false, true]);
+    assert!(planes(1, i32::MAX) && planes(i32::MAX - 1, i32::MAX));
+    let focal = |bits: i32| Projection::from_focal_length(s(bits), (4, 3), s(1), s(2)).is_ok();
+    assert_eq!([-1, 0, 1, i32::MAX].map(focal), [false, false, true, true]);
+    let edges = |left: i32, right: i32| {
+        let ok = |result: Result<_, Error>| result.is_ok();
+        let box_of = Projection::orthographic(s(left), s(right), s(0), s(1), s(0), s(1));
+        let frustum = Projection::frustum(s(left), s(right), s(0), s(1), s(1), s(2));
+        assert_eq!(box_of.is_ok(), frustum.is_ok());
+        ok(frustum.map(|_| ()))
+    };
+    assert_eq!(
+        [(5, 4), (5, 5), (5, 6)].map(|(l, r)| edges(l, r)),
+        [false, false, true]
+    );
+    assert!(edges(i32::MIN, i32::MAX));
+}
+
+/// Whether a point straight ahead is seen.
+fn seen<K: Kind>(chain: &Chain<K>, bits: i32) -> bool {
+    let point = Vec3::from_bits([0, 0, -bits]);
+    Counter::new((4, 4)).snapped(chain, point).is_some()
+}
+
+/// Points a unit before and behind each plane. One in the plane may go either way: planes have 28 bits.
+#[test]
+fn near_and_far() {
+    for (near, far) in [
+        (1, 1000),
+        (1000, 2000),
+        (1 << 14, 100 << 16),
+        (1 << 20, i32::MAX),
+    ] {
+        let s = Scalar::from_bits;
+        let lens = Projection::<Perspective>::from_focal_length(fx!(4), (4, 4), s(near), s(far));
+        let chain = lens.unwrap().into();
+        // What the planes may be off by: coefficients have 28 bits at least.
+        let units = |at: i32| (at >> 27) + 1;
+        assert!(
+            !seen(&chain, near - units(near)) && seen(&chain, near + units(near)),
+            "{near}"
+        );
+        assert!(seen(&chain, far - units(far)), "{near} to {far}");
+        if let Some(beyond) = far.checked_add(units(far)) {
+            assert!(!seen(&chain, beyond), "{far}");
+        }
+        assert!(!seen(&chain, 0) && !seen(&chain, -near) && !seen(&chain, i32::MIN + 1));
+    }
+}
+
+/// Screen coordinates reach 2048 pixels from the viewport's centre: within, a triangle is drawn as it is, beyond it is
+/// clipped, and covers the same.
+#[test]
+fn guard_band() {
+    let size = (64, 48);
+    let center = [32 * 256, 24 * 256];
+    let band = 2048 * 256;
+    for axis in [0, 1] {
+        for side in [-1, 1] {
+            for beyond in [-2, -1, 0, 1, 2, 300] {
+                let mut far = center;
+                far[axis] += side * (band + beyond);
+                let other = 1 - axis;
+                let mut corners = [far, center, center];
+                corners[1][other] -= 5 * 256 + 3;
+                corners[2][other] += 7 * 256 + 1;
+                let positions = corners.map(at_subpixel);
+                let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
+                let mut counter = Counter::new(size);
+                let drawn = counter.draw(&BOTH_SIDES, &mesh, &pixel_lens(size));
+                // Rounding in clip space is less than a subpixel.
+                if beyond.abs() > 1 {
+                    assert_eq!(
+                        drawn.clipped,
+                        u32::from(beyond > 0),
+                        "{axis} {side} {beyond}"
+                    );
+                }
+                let counts = counter.take();
+                let covered = counts.iter().sum::<u32>();
+                // About as much of a triangle 2048 long and 12 wide as is in the picture.
+                let length = [32., 24.][axis];
+                let area = 12. * length * (1. - length / 2048. / 2.);
+                assert!(
+                    (f64::from(covered) - area).abs() < 0.5 * length,
+                    "{covered} of {area}"
+                );
+                assert!(counts.iter().all(|&count| count < 2));
+            }
+        }
+    }
+}
+
+/// Places on the screen are from 2048 pixels before the viewport's centre to a subpixel less after it: 20 bits, which is
+/// what edges are walked with.
+#[test]
+fn places_are_within_the_guard_band() {
+    let size = (64, 48);
+    let band = 2048 * 256;
+    let mut ends = [0; 2];
+    for beyond in -3..=3 {
+        for side in [-band, band] {
+            let at = side + beyond;
+            let mut counter = Counter::new(size);
+            for point in [[at, 0], [0, at], [at, at]] {
+                let [x, y] = [point[0] + 32 * 256, point[1] + 24 * 256];
+                // In halves of a subpixel, too: what is rounded up is the last that there is.
+                for half in [-128, 0, 127] {
+                    let position = at_subpixel([x, y]) + Vec3::from_bits([half, half, 0]);
+                    let Some(place) = counter.snapped(&pixel_lens(size), position) else {
+                        continue;
+                    };
+                    let from = [place[0] - 32 * 256, place[1] - 24 * 256];
+                    for from in from {
+                        assert!((-band..band).contains(&from), "{point:?}: {from}");
+                        ends = [ends[0].min(from), ends[1].max(from)];
+                    }
+                }
+            }
+        }
+    }
+    assert_eq!(ends, [-band, band - 1]);
+}

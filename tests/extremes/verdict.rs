@@ -1,0 +1,61 @@
+//! The worst of many errors.
+
+use crate::mode::Mode;
+use fixel::fx;
+
+/// The modes that are measured.
+pub const MODES: [Mode; 3] = [Mode::Newton, Mode::Exact, Mode::Fast(fx!(0.25))];
+
+/// The largest of some errors, and what was allowed there.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Worst {
+    pub measured: f64,
+    pub bound: f64,
+}
+
+impl Worst {
+    /// Adds an error that has to be within its bound.
+    #[track_caller]
+    pub fn add(&mut self, error: f64, bound: f64, what: impl FnOnce() -> String) {
+        assert!(error <= bound, "{}: off by {error}, over {bound}", what());
+        if error > self.measured || self.bound == 0. {
+            *self = Self {
+                measured: error,
+                bound,
+            };
+        }
+    }
+
+    /// The larger error of two.
+    pub fn merge(&mut self, other: Self) {
+        if other.measured > self.measured || self.bound == 0. {
+            *self = other;
+        }
+    }
+}
+
+/// How far a mesh' picture is from the model's.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Verdict {
+    /// In pixels: how far a corner is from where it should be, or of meshes that are clipped, how far inside a centre
+    /// is that was left out, or how far outside one that was drawn.
+    pub coverage: Worst,
+    /// In texels of a texture of 256, in each of [`MODES`].
+    pub texels: [Worst; 3],
+    /// In steps of the depth buffer, outside the one that is stored.
+    pub depth: Worst,
+    /// Pixels drawn.
+    pub pixels: usize,
+}
+
+impl Verdict {
+    /// The worst of both.
+    pub fn merge(&mut self, other: Self) {
+        self.coverage.merge(other.coverage);
+        for (worst, other) in self.texels.iter_mut().zip(other.texels) {
+            worst.merge(other);
+        }
+        self.depth.merge(other.depth);
+        self.pixels += other.pixels;
+    }
+}
