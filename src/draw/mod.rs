@@ -70,7 +70,7 @@ pub struct Place {
     pub x: Subpixel,
     /// Rows from the frame's top edge.
     pub y: Subpixel,
-    /// Depth as it would be stored.
+    /// Depth as it would be stored in the canvas' depth buffer, or in a linear one if it has none.
     pub depth: u16,
 }
 
@@ -156,7 +156,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
         Some(Place {
             x,
             y,
-            depth: (at.q >> projector.depth_shift().of(at.exponent)) as u16,
+            depth: D::encode(at.q, projector.depth_shift().of(at.exponent)) as u16,
         })
     }
 

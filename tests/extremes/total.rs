@@ -55,6 +55,8 @@ struct Scene {
     size: (u32, u32),
     /// Rows of a band.
     rows: u32,
+    /// Whether depths are floating-point numbers.
+    is_float: bool,
     what: What,
     mode: Mode,
     model: Transform,
@@ -120,13 +122,14 @@ fn scene() -> impl Strategy<Value = Scene> {
             pass,
             size,
             1_u32..8,
+            any::<bool>(),
             (what, modes()),
             transform(),
             transform(),
         ),
     )
         .prop_map(|((positions, uvs, faces, edges), rest)| {
-            let (pass, size, rows, (what, mode), model, camera) = rest;
+            let (pass, size, rows, is_float, (what, mode), model, camera) = rest;
             Scene {
                 positions,
                 uvs,
@@ -135,6 +138,7 @@ fn scene() -> impl Strategy<Value = Scene> {
                 pass,
                 size,
                 rows,
+                is_float,
                 what,
                 mode,
                 model,
@@ -222,7 +226,11 @@ impl Scene {
         };
         let (mut colors, mut depths) = blank();
         let canvas = Canvas::new(&mut colors, width, height).unwrap();
-        self.draw(&mut canvas.with_depth(&mut depths).unwrap(), lens);
+        if self.is_float {
+            self.draw(&mut canvas.with_float_depth(&mut depths).unwrap(), lens);
+        } else {
+            self.draw(&mut canvas.with_depth(&mut depths).unwrap(), lens);
+        }
 
         let (mut band_colors, mut band_depths) = blank();
         let strip = (width * self.rows) as usize;
@@ -231,7 +239,11 @@ impl Scene {
             .zip(band_depths.chunks_mut(strip));
         for (first_row, (colors, depths)) in (0..height).step_by(self.rows as usize).zip(strips) {
             let canvas = Canvas::band(colors, width, height, first_row).unwrap();
-            self.draw(&mut canvas.with_depth(depths).unwrap(), lens);
+            if self.is_float {
+                self.draw(&mut canvas.with_float_depth(depths).unwrap(), lens);
+            } else {
+                self.draw(&mut canvas.with_depth(depths).unwrap(), lens);
+            }
         }
         prop_assert_eq!(colors, band_colors);
         prop_assert_eq!(depths, band_depths);
