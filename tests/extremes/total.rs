@@ -48,6 +48,8 @@ fn transform() -> impl Strategy<Value = Transform> {
 #[derive(Clone, Debug)]
 struct Scene {
     positions: Vec<Vec3>,
+    /// In their place positions of 16 bits, and their fraction bits.
+    short: Option<(Vec<[i16; 3]>, u32)>,
     uvs: Vec<Vec2>,
     faces: Vec<[u16; 3]>,
     edges: Vec<[u16; 2]>,
@@ -88,6 +90,10 @@ fn scene() -> impl Strategy<Value = Scene> {
         1 => select(vec![(1, 1), (2048, 3), (3, 2048)]),
     ];
     let near = prop::array::uniform3(-(1 << 18)..1 << 18).prop_map(Vec3::from_bits);
+    let short = prop_oneof![
+        2 => Just(None),
+        1 => (vec(any::<[i16; 3]>(), CORNERS), 0_u32..=16).prop_map(Some),
+    ];
     let viewport = prop_oneof![
         3 => Just(None),
         1 => (-4096..4097, -4096..4097, 1_u32..4097, 1_u32..4097).prop_map(Some),
@@ -111,6 +117,7 @@ fn scene() -> impl Strategy<Value = Scene> {
     (
         (
             vec(prop_oneof![vector(), near], CORNERS),
+            short,
             vec(
                 prop::array::uniform2(bits()).prop_map(Vec2::from_bits),
                 CORNERS,
@@ -128,10 +135,11 @@ fn scene() -> impl Strategy<Value = Scene> {
             transform(),
         ),
     )
-        .prop_map(|((positions, uvs, faces, edges), rest)| {
+        .prop_map(|((positions, short, uvs, faces, edges), rest)| {
             let (pass, size, rows, is_float, (what, mode), model, camera) = rest;
             Scene {
                 positions,
+                short,
                 uvs,
                 faces,
                 edges,
@@ -194,7 +202,11 @@ impl Scene {
         lens: Projection<K>,
     ) {
         let chain = &(lens * self.camera * self.model);
-        let mesh = &Mesh::new(&self.positions, &self.faces)
+        let mesh = match &self.short {
+            Some((positions, fraction)) => Mesh::short(positions, *fraction, &self.faces),
+            None => Mesh::new(&self.positions, &self.faces),
+        };
+        let mesh = &mesh
             .and_then(|mesh| mesh.with_edges(&self.edges))
             .and_then(|mesh| mesh.with_uvs(&self.uvs, None))
             .unwrap();

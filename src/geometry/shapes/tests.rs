@@ -130,7 +130,7 @@ fn normals() {
 fn positions() {
     let tolerance = 4.0 / 65536.0;
     for (name, mesh) in &SHAPES {
-        for &p in mesh.positions() {
+        for p in mesh.positions().iter() {
             let [x, y, z] = float(p);
             let off = match *name {
                 "cube" => x.abs().max(y.abs()).max(z.abs()) - 1.0,
