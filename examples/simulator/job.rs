@@ -136,23 +136,19 @@ impl Model<'_> {
     pub fn record(&self, strip: Strip<'_, Record>, frame: u32) -> Result<Done> {
         let (canvas, depth) = strip.canvas()?;
         match self.view.depth {
-            DepthFormat::Linear => self.record_on(canvas.with_depth(depth)?, frame),
-            DepthFormat::Float => self.record_on(canvas.with_float_depth(depth)?, frame),
+            DepthFormat::Linear => Ok(self.record_on(canvas.with_depth(depth)?, frame)),
+            DepthFormat::Float => Ok(self.record_on(canvas.with_float_depth(depth)?, frame)),
         }
     }
 
-    fn record_on<D: DepthBuffer>(
-        &self,
-        mut canvas: Board<'_, Record, D>,
-        frame: u32,
-    ) -> Result<Done> {
+    fn record_on<D: DepthBuffer>(&self, mut canvas: Board<'_, Record, D>, frame: u32) -> Done {
         canvas.clear(Record::default());
         let recorder = Recorder::new(self.largest_uv);
         let posed = self.posed(frame);
-        Ok(timed(|| match self.shade {
+        timed(|| match self.shade {
             Some(Shade::Wire) => posed.draw_edges(&mut canvas, &recorder),
             _ => posed.draw(&mut canvas, &recorder),
-        }))
+        })
     }
 }
 

@@ -143,6 +143,11 @@ impl<'a> Mesh<'a> {
     /// They take half the flash of others, and are drawn as those of the same numbers are, bit for bit. With 14 fraction
     /// bits, say, they reach up to ±2 in steps of 1/16384.
     ///
+    /// A position rounded to these units is off by up to half of one along each axis, and on the screen by up to
+    /// √3/2 of one times focal length / w, and by as much again times the slope x/w or y/w at which it is seen: of a sphere that fills
+    /// 320x240, with 14 fraction bits, by 0.008 pixels. To transform a position takes 6 instructions more than others on Cortex-M4,
+    /// and 54 fewer on Cortex-M0+, which has no products beyond 32 bits.
+    ///
     /// [`shape!`](crate::shape) and [`include_obj!`](crate::include_obj) make such meshes if told so, and
     /// [`Mesh::shortened`] positions of yours.
     ///

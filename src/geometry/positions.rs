@@ -113,7 +113,7 @@ impl<'a> Positions<'a> {
         match self.list {
             List::Long(positions) => Place::Long(positions.get(index).unwrap_or(&Vec3::ZERO)),
             List::Short { positions, up } => Place::Short {
-                position: positions.get(index).unwrap_or(&[0; 3]),
+                position: *positions.get(index).unwrap_or(&[0; 3]),
                 up,
             },
         }
@@ -137,7 +137,7 @@ impl PartialEq for Positions<'_> {
 #[derive(Clone, Copy)]
 pub(super) enum Place<'a> {
     Long(&'a Vec3),
-    Short { position: &'a [i16; 3], up: u32 },
+    Short { position: [i16; 3], up: u32 },
 }
 
 impl Place<'_> {

@@ -195,7 +195,7 @@ impl<'m, K: Kind> Projector<'m, K> {
 
     /// The same of a short position, where products of 16 bits are the faster ones.
     #[inline(never)]
-    fn short_clip_position(&self, position: &[i16; 3], up: u32) -> ClipPosition {
+    fn short_clip_position(&self, position: [i16; 3], up: u32) -> ClipPosition {
         let ([x, y, t], [ox, oy, ot]) = (&self.rows, self.offsets);
         [
             ox + short_dot(x, position, up),

@@ -25,7 +25,7 @@ static SHAPES: [(&str, Mesh); 10] = [
 ];
 
 fn points(mesh: &Mesh) -> Vec<Point> {
-    mesh.positions().iter().map(|p| p.to_bits()).collect()
+    mesh.positions().iter().map(Vec3::to_bits).collect()
 }
 
 /// Directed sides of all triangles by position, and how often each occurs.
