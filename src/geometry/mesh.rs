@@ -145,8 +145,8 @@ impl<'a> Mesh<'a> {
     ///
     /// A position rounded to these units is off by up to half of one along each axis, and on the screen by up to
     /// √3/2 of one times focal length / w, and by as much again times the slope x/w or y/w at which it is seen: of a sphere that fills
-    /// 320x240, with 14 fraction bits, by 0.008 pixels. To transform a position takes 6 instructions more than others on Cortex-M4,
-    /// and 54 fewer on Cortex-M0+, which has no products beyond 32 bits.
+    /// 320x240, with 14 fraction bits, by 0.008 pixels. To transform a position takes 7 instructions more than others on Cortex-M4,
+    /// and 47 fewer on Cortex-M0+, which has no products beyond 32 bits.
     ///
     /// [`shape!`](crate::shape) and [`include_obj!`](crate::include_obj) make such meshes if told so, and
     /// [`Mesh::shortened`] positions of yours.
