@@ -42,6 +42,10 @@ use crate::linear::IS_NARROW;
 #[derive(Debug)]
 pub struct FloatDepth<'d>(pub(super) Depth<'d>);
 
+/// Whether the core counts leading zeros: neither Armv6-M does nor RISC-V without its extension for bits.
+const COUNTS_ZEROS: bool =
+    !IS_NARROW && !cfg!(all(target_arch = "riscv32", not(target_feature = "zbb")));
+
 /// Bits of a mantissa without its upper one.
 const MANTISSA: u32 = 12;
 
@@ -84,10 +88,10 @@ impl<'d> DepthBuffer for FloatDepth<'d> {
         // Shifted up by its leading zeros, q is a mantissa of 32 bits and 2^(31 - zeros - down) its value. The
         // mantissa's upper bit stays, and adds one to the exponent.
         let exponent = 29u32.wrapping_sub(down) << MANTISSA;
-        let (filled, exponent) = if IS_NARROW {
-            narrow_filled(q, exponent)
-        } else {
+        let (filled, exponent) = if COUNTS_ZEROS {
             filled(q, exponent)
+        } else {
+            narrow_filled(q, exponent)
         };
         let code = (filled >> (31 - MANTISSA)).wrapping_add(exponent);
         // Below the least exponent it is negative.
