@@ -215,6 +215,39 @@ proptest! {
         scene.check(&(lens * Transform::rotate_x(Angle::from_bits(turn))))?;
     }
 
+    /// The same with depths in floating point, drawn anew and prepared.
+    #[test]
+    fn bands_are_the_frame_in_floating_depth(scene in scenes(), turn: u32) {
+        let lens = Projection::perspective(Angle::from_degrees(70), (WIDTH, HEIGHT), fx!(0.01), fx!(600)).unwrap();
+        let model = Transform::translate(vec3!(0, 0, -4)) * Transform::rotate_y(Angle::from_bits(turn));
+        let (mesh, chain) = (scene.mesh(), lens * model);
+        let mut list: TriangleList<12, 250> = TriangleList::new();
+        let prepared = list.prepare(&common::BOTH_SIDES, (WIDTH, HEIGHT), &mesh, &chain).unwrap();
+        let draw = |rows: u32, is_prepared: bool| {
+            let (mut colors, mut depths) = (vec![], vec![]);
+            for first in (0..HEIGHT).step_by(rows as usize) {
+                let pixels = (WIDTH * rows.min(HEIGHT - first)) as usize;
+                let (mut color, mut depth) = (vec![Rgb888::new(9, 9, 9); pixels], vec![7; pixels]);
+                let band = Canvas::band(&mut color, WIDTH, HEIGHT, first).unwrap();
+                let mut band = band.with_float_depth(&mut depth).unwrap();
+                band.clear(Rgb888::new(1, 2, 3));
+                if is_prepared {
+                    band.draw_prepared(&prepared, &Bits);
+                } else {
+                    band.draw_with(&common::BOTH_SIDES, &mesh, &chain, &Bits);
+                }
+                colors.extend(color);
+                depths.extend(depth);
+            }
+            (colors, depths)
+        };
+        let frame = draw(HEIGHT, false);
+        for rows in [HEIGHT].into_iter().chain(BANDS) {
+            prop_assert!(draw(rows, false) == frame, "bands of {rows} rows differ");
+            prop_assert!(draw(rows, true) == frame, "prepared bands of {rows} rows differ");
+        }
+    }
+
     /// Each triangle drawn alone tells its depths; the nearest must show, of equals the last drawn, in
     /// whatever order they are drawn.
     #[test]

@@ -61,7 +61,7 @@ static VERTEX_COLORS: [Rgb888; 33 * 33] = {
     let mut at = 0;
     while at < colors.len() {
         // The normal of a unit sphere is the position.
-        let [r, g, b] = lit(BALL.positions()[at].to_bits());
+        let [r, g, b] = lit(place(at));
         colors[at] = Rgb888::new(r, g, b);
         at += 1;
     }
@@ -78,9 +78,9 @@ pub static FACE_COLORS: [Rgb565; 1984] = {
         let mut axis = 0;
         while axis < 3 {
             let [a, b, c] = [
-                BALL.positions()[a as usize].to_bits()[axis],
-                BALL.positions()[b as usize].to_bits()[axis],
-                BALL.positions()[c as usize].to_bits()[axis],
+                place(a as usize)[axis],
+                place(b as usize)[axis],
+                place(c as usize)[axis],
             ];
             normal[axis] = (a + b + c) / 3;
             axis += 1;
@@ -91,6 +91,14 @@ pub static FACE_COLORS: [Rgb565; 1984] = {
     }
     colors
 };
+
+/// A position of the sphere, in units of 2⁻¹⁶.
+const fn place(at: usize) -> [i32; 3] {
+    match BALL.positions().get(at) {
+        Some(position) => position.to_bits(),
+        None => [0; 3],
+    }
+}
 
 /// Red, green and blue of a surface with a normal in units of 2⁻¹⁶, under light from (2, 3, 6)/7.
 const fn lit([x, y, z]: [i32; 3]) -> [u8; 3] {

@@ -113,6 +113,10 @@ pub struct Args {
         allow_hyphen_values = true, help_heading = "Look")]
     pub tolerance: f64,
 
+    /// How depths are stored, to be tested: over what range what is in front hides what is behind.
+    #[arg(long, value_enum, default_value = "linear", help_heading = "Look")]
+    pub depth: DepthFormat,
+
     /// Draw back faces too.
     #[arg(long, help_heading = "Look", conflicts_with = "scene")]
     pub two_sided: bool,
@@ -146,7 +150,7 @@ pub struct Args {
 
     /// Also write a row x,y,u,v,w,depth for each covered pixel, exact, of the last frame.
     ///
-    /// u and v are the texture coordinate, w the distance ahead of the eye, depth as stored.
+    /// u and v are the texture coordinate, w the distance ahead of the eye, depth in linear steps.
     #[arg(long, value_name = "FILE.csv", help_heading = "Output")]
     pub dump: Option<PathBuf>,
 
@@ -219,6 +223,14 @@ pub enum Mode {
     Fast,
     /// Without perspective within triangles
     Affine,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum DepthFormat {
+    /// In equal steps of 1/distance: finest near by
+    Linear,
+    /// In floating point: steps of 0.024 % of the distance, whatever it is
+    Float,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

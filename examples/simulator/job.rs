@@ -6,6 +6,7 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::prelude::*;
 use fixel::shade::{Channels, Converted, FaceColors, Gouraud, Levels, Textured};
+use fixel::target::DepthBuffer;
 use fixel::view::Perspective;
 use fixel::{Drawn, Mesh};
 
@@ -13,9 +14,9 @@ use super::Result;
 use super::common::{lighthouse, scenes};
 use super::mode::{Mode, in_mode};
 use super::output::FRAME_MS;
-use super::paint::{Posed, Shown, add};
+use super::paint::{Board, Posed, Shown, add};
 use super::view::{Lens, View};
-use crate::args::{Args, SceneName, Shade};
+use crate::args::{Args, DepthFormat, SceneName, Shade};
 use crate::dump::{Record, Recorder};
 use crate::skin::Texels;
 
@@ -98,7 +99,18 @@ impl Model<'_> {
         texels: &Texels<C::Texel>,
     ) -> Result<Done> {
         let (canvas, depth) = strip.canvas()?;
-        let mut canvas = canvas.with_depth(depth)?;
+        match self.view.depth {
+            DepthFormat::Linear => self.paint_on(canvas.with_depth(depth)?, frame, texels),
+            DepthFormat::Float => self.paint_on(canvas.with_float_depth(depth)?, frame, texels),
+        }
+    }
+
+    fn paint_on<C: Shown + Channels<K>, D: DepthBuffer, const K: usize>(
+        &self,
+        mut canvas: Board<'_, C, D>,
+        frame: u32,
+        texels: &Texels<C::Texel>,
+    ) -> Result<Done> {
         let posed = self.posed(frame);
         let Some(shade) = self.shade else {
             lighthouse::sky(&mut canvas);
@@ -123,14 +135,20 @@ impl Model<'_> {
     /// Records a strip of a frame.
     pub fn record(&self, strip: Strip<'_, Record>, frame: u32) -> Result<Done> {
         let (canvas, depth) = strip.canvas()?;
-        let mut canvas = canvas.with_depth(depth)?;
+        match self.view.depth {
+            DepthFormat::Linear => Ok(self.record_on(canvas.with_depth(depth)?, frame)),
+            DepthFormat::Float => Ok(self.record_on(canvas.with_float_depth(depth)?, frame)),
+        }
+    }
+
+    fn record_on<D: DepthBuffer>(&self, mut canvas: Board<'_, Record, D>, frame: u32) -> Done {
         canvas.clear(Record::default());
         let recorder = Recorder::new(self.largest_uv);
         let posed = self.posed(frame);
-        Ok(timed(|| match self.shade {
+        timed(|| match self.shade {
             Some(Shade::Wire) => posed.draw_edges(&mut canvas, &recorder),
             _ => posed.draw(&mut canvas, &recorder),
-        }))
+        })
     }
 }
 
@@ -155,84 +173,94 @@ fn chain(scene: SceneName, k: u32) -> Result<Chain<Perspective>> {
     })
 }
 
+/// One of the measured scenes, and how it is drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Measured {
+    pub scene: SceneName,
+    pub mode: Mode,
+    pub depth: DepthFormat,
+}
+
 /// Gives `draw` the strip as a canvas, with depth unless the scene has none.
 macro_rules! on_canvas {
-    ($strip:expr, $scene:expr, $background:expr, |$canvas:ident| $draw:expr) => {{
+    ($strip:expr, $measured:expr, $background:expr, |$canvas:ident| $draw:expr) => {{
         let (mut canvas, depth) = $strip.canvas()?;
-        if $scene == SceneName::SphereFlat {
-            canvas.clear($background);
-            let $canvas = &mut canvas;
-            timed(|| $draw)
-        } else {
-            let mut canvas = canvas.with_depth(depth)?;
-            canvas.clear($background);
-            let $canvas = &mut canvas;
-            timed(|| $draw)
+        match ($measured.scene, $measured.depth) {
+            (SceneName::SphereFlat, _) => {
+                canvas.clear($background);
+                let $canvas = &mut canvas;
+                timed(|| $draw)
+            }
+            (_, DepthFormat::Linear) => {
+                let mut canvas = canvas.with_depth(depth)?;
+                canvas.clear($background);
+                let $canvas = &mut canvas;
+                timed(|| $draw)
+            }
+            (_, DepthFormat::Float) => {
+                let mut canvas = canvas.with_float_depth(depth)?;
+                canvas.clear($background);
+                let $canvas = &mut canvas;
+                timed(|| $draw)
+            }
         }
     }};
 }
 
-/// Draws a strip of a measured scene as it is measured.
-pub fn paint_scene(
-    scene: SceneName,
-    mode: Mode,
-    strip: Strip<'_, Rgb565>,
-    frame: u32,
-) -> Result<Done> {
-    let chain = chain(scene, frame)?;
-    let draw = |strip: Strip<'_, Rgb565>| -> Result<Done> {
+impl Measured {
+    /// Draws a strip of it as it is measured.
+    pub fn paint(self, strip: Strip<'_, Rgb565>, frame: u32) -> Result<Done> {
+        let chain = chain(self.scene, frame)?;
         Ok(on_canvas!(
             strip,
-            scene,
+            self,
             Rgb565::default(),
-            |canvas| in_mode!(mode, Pass::new(), |pass| match scene {
+            |canvas| in_mode!(self.mode, Pass::new(), |pass| match self.scene {
                 SceneName::Floor => scenes::floor(canvas, pass, &chain),
                 SceneName::Cube => scenes::cube(canvas, pass, &chain),
                 SceneName::Sphere => scenes::sphere(canvas, pass, &chain),
                 SceneName::SphereFlat => scenes::sphere_flat(canvas, pass, &chain),
             })
         ))
-    };
-    draw(strip)
-}
+    }
 
-/// Draws a strip of a measured scene in another colour.
-pub fn paint_scene_in<C: Channels<K>, const K: usize>(
-    scene: SceneName,
-    mode: Mode,
-    strip: Strip<'_, C>,
-    frame: u32,
-) -> Result<Done> {
-    let chain = chain(scene, frame)?;
-    let black = C::from_rgb(Rgb888::new(0, 0, 0), Point::zero());
-    let checker = Converted::new(Textured::new(&scenes::CHECKER));
-    let faces = Converted::new(FaceColors::new(&scenes::FACE_COLORS));
-    Ok(on_canvas!(strip, scene, black, |canvas| in_mode!(
-        mode,
-        Pass::new(),
-        |pass| match scene {
-            SceneName::Floor => canvas.draw_with(pass, &scenes::FLOOR, &chain, &checker),
-            SceneName::Cube => canvas.draw_with(pass, &scenes::CUBE, &chain, &checker),
-            SceneName::Sphere => {
-                canvas.draw_with(pass, &scenes::SPHERE, &chain, &Gouraud::new())
+    /// Draws a strip of it in another colour.
+    pub fn paint_in<C: Channels<K>, const K: usize>(
+        self,
+        strip: Strip<'_, C>,
+        frame: u32,
+    ) -> Result<Done> {
+        let chain = chain(self.scene, frame)?;
+        let black = C::from_rgb(Rgb888::new(0, 0, 0), Point::zero());
+        let checker = Converted::new(Textured::new(&scenes::CHECKER));
+        let faces = Converted::new(FaceColors::new(&scenes::FACE_COLORS));
+        Ok(on_canvas!(strip, self, black, |canvas| in_mode!(
+            self.mode,
+            Pass::new(),
+            |pass| match self.scene {
+                SceneName::Floor => canvas.draw_with(pass, &scenes::FLOOR, &chain, &checker),
+                SceneName::Cube => canvas.draw_with(pass, &scenes::CUBE, &chain, &checker),
+                SceneName::Sphere => {
+                    canvas.draw_with(pass, &scenes::SPHERE, &chain, &Gouraud::new())
+                }
+                SceneName::SphereFlat => canvas.draw_with(pass, &scenes::SPHERE, &chain, &faces),
             }
-            SceneName::SphereFlat => canvas.draw_with(pass, &scenes::SPHERE, &chain, &faces),
-        }
-    )))
-}
+        )))
+    }
 
-/// Records a strip of a measured scene.
-pub fn record_scene(scene: SceneName, strip: Strip<'_, Record>, frame: u32) -> Result<Done> {
-    let chain = chain(scene, frame)?;
-    let mesh = match scene {
-        SceneName::Floor => &scenes::FLOOR,
-        SceneName::Cube => &scenes::CUBE,
-        SceneName::Sphere | SceneName::SphereFlat => &scenes::SPHERE,
-    };
-    let recorder = Recorder::new(1.0);
-    Ok(on_canvas!(strip, scene, Record::default(), |canvas| {
-        canvas.draw(mesh, &chain, &recorder)
-    }))
+    /// Records a strip of it.
+    pub fn record(self, strip: Strip<'_, Record>, frame: u32) -> Result<Done> {
+        let chain = chain(self.scene, frame)?;
+        let mesh = match self.scene {
+            SceneName::Floor => &scenes::FLOOR,
+            SceneName::Cube => &scenes::CUBE,
+            SceneName::Sphere | SceneName::SphereFlat => &scenes::SPHERE,
+        };
+        let recorder = Recorder::new(1.0);
+        Ok(on_canvas!(strip, self, Record::default(), |canvas| {
+            canvas.draw(mesh, &chain, &recorder)
+        }))
+    }
 }
 
 /// How fast the model turns, of what was asked for.

@@ -5,7 +5,7 @@ use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
 use fixel::prelude::*;
 use fixel::shade::{Blend, Channels, Levels};
 use fixel::shade::{Converted, DepthView, Flat, Lit, LitFaces, NormalView, Textured};
-use fixel::target::{Depth, Native};
+use fixel::target::{DepthBuffer, Native};
 use fixel::{Drawn, Mesh};
 
 use super::mode::{Mode, in_mode};
@@ -14,7 +14,7 @@ use crate::args::{Filter, Shade};
 use crate::skin::Texels;
 
 /// A canvas as the simulator has it.
-pub type Board<'a, C> = Canvas<'a, C, Native, Depth<'a>>;
+pub type Board<'a, C, D> = Canvas<'a, C, Native, D>;
 
 /// A canvas's colour, and how it takes a texture.
 pub trait Shown: Levels + Into<Rgb888> + Default {
@@ -66,9 +66,9 @@ impl Posed<'_> {
     }
 
     /// Draws the triangles.
-    pub fn draw<F: Fragment<N>, const N: usize>(
+    pub fn draw<F: Fragment<N>, D: DepthBuffer, const N: usize>(
         &self,
-        canvas: &mut Board<'_, F::Color>,
+        canvas: &mut Board<'_, F::Color, D>,
         fragment: &F,
     ) -> Drawn {
         let View {
@@ -89,9 +89,9 @@ impl Posed<'_> {
     }
 
     /// Draws the edges.
-    pub fn draw_edges<F: Fragment<N>, const N: usize>(
+    pub fn draw_edges<F: Fragment<N>, D: DepthBuffer, const N: usize>(
         &self,
-        canvas: &mut Board<'_, F::Color>,
+        canvas: &mut Board<'_, F::Color, D>,
         fragment: &F,
     ) -> Drawn {
         let View {
@@ -108,9 +108,9 @@ impl Posed<'_> {
     }
 
     /// Draws with the texture as it is, or lit.
-    fn textured<C: Shown>(
+    fn textured<C: Shown, D: DepthBuffer>(
         &self,
-        canvas: &mut Board<'_, C>,
+        canvas: &mut Board<'_, C, D>,
         texels: &Texels<C::Texel>,
         lit: bool,
     ) -> Drawn {
@@ -128,9 +128,9 @@ impl Posed<'_> {
     }
 
     /// Draws in the look of `shade`.
-    pub fn paint<C: Shown + Channels<K>, const K: usize>(
+    pub fn paint<C: Shown + Channels<K>, D: DepthBuffer, const K: usize>(
         &self,
-        canvas: &mut Board<'_, C>,
+        canvas: &mut Board<'_, C, D>,
         shade: Shade,
         texels: &Texels<C::Texel>,
     ) -> Drawn {

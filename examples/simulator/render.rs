@@ -5,8 +5,8 @@ use fixel::shade::Channels;
 
 use super::Result;
 use super::common::scenes;
-use crate::args::{Args, Color, SceneName};
-use crate::job::{self, Model};
+use crate::args::{Args, Color};
+use crate::job::{Measured, Model};
 use crate::mode::Mode;
 use crate::paint::Shown;
 use crate::skin::Skin;
@@ -21,13 +21,21 @@ use crate::targets::Targets;
 pub fn run(args: &Args) -> Result<()> {
     let targets = Targets::open(args)?;
     if let Some(scene) = args.scene {
-        let mode = Mode::new(args)?;
+        let measured = Measured {
+            scene,
+            mode: Mode::new(args)?,
+            depth: args.depth,
+        };
         return match args.color {
-            Color::Rgb565 => measured(scene, mode, targets),
-            Color::Rgb888 => measured_in::<Rgb888, _>(scene, mode, targets),
-            Color::Gray8 => measured_in::<Gray8, _>(scene, mode, targets),
-            Color::Gray4 => measured_in::<Gray4, _>(scene, mode, targets),
-            Color::Mono => measured_in::<BinaryColor, _>(scene, mode, targets),
+            Color::Rgb565 => targets.fill(
+                MEASURED,
+                |strip, frame| measured.record(strip, frame),
+                |strip, frame| measured.paint(strip, frame),
+            ),
+            Color::Rgb888 => measured_in::<Rgb888, _>(measured, targets),
+            Color::Gray8 => measured_in::<Gray8, _>(measured, targets),
+            Color::Gray4 => measured_in::<Gray4, _>(measured, targets),
+            Color::Mono => measured_in::<BinaryColor, _>(measured, targets),
         };
     }
     let subject = Subject::load(args)?;
@@ -46,23 +54,14 @@ pub fn run(args: &Args) -> Result<()> {
 /// The size of the measured scenes.
 const MEASURED: (u32, u32) = (scenes::WIDTH, scenes::HEIGHT);
 
-fn measured(scene: SceneName, mode: Mode, targets: Targets<'_>) -> Result<()> {
-    targets.fill(
-        MEASURED,
-        |strip, frame| job::record_scene(scene, strip, frame),
-        |strip, frame| job::paint_scene(scene, mode, strip, frame),
-    )
-}
-
 fn measured_in<C: Shown + Channels<K>, const K: usize>(
-    scene: SceneName,
-    mode: Mode,
+    measured: Measured,
     targets: Targets<'_>,
 ) -> Result<()> {
     targets.fill(
         MEASURED,
-        |strip, frame| job::record_scene(scene, strip, frame),
-        |strip, frame| job::paint_scene_in::<C, K>(scene, mode, strip, frame),
+        |strip, frame| measured.record(strip, frame),
+        |strip, frame| measured.paint_in::<C, K>(strip, frame),
     )
 }
 

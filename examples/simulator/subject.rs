@@ -31,14 +31,15 @@ impl Subject {
     pub fn load(args: &Args) -> Result<Self> {
         let skin = args.texture.as_deref().map(Skin::read).transpose()?;
         let Some(path) = &args.model else {
-            let points = lighthouse::ISLAND.positions().iter();
+            let positions = lighthouse::ISLAND.positions();
             let plain = args.shade.is_none()
                 && skin.is_none()
                 && !args.two_sided
                 && args.filter == Filter::Nearest;
             return Ok(Self {
                 parts: Vec::new(),
-                points: points
+                points: positions
+                    .iter()
                     .map(|p| p.to_bits().map(|bits| f64::from(bits) / 65536.0))
                     .collect(),
                 skin: skin.unwrap_or_else(|| Skin::of(&lighthouse::SKIN)),

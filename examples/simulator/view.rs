@@ -7,7 +7,7 @@ use fixel::view::{Parallel, Perspective};
 
 use super::Result;
 use super::mode::Mode;
-use crate::args::{Args, Filter, Kind};
+use crate::args::{Args, DepthFormat, Filter, Kind};
 use crate::framing::Framing;
 
 /// A projection of either kind.
@@ -26,7 +26,8 @@ pub struct View {
     pub light: Light,
     pub filter: Filter,
     pub mode: Mode,
-    /// Stored depths of the nearest and the farthest point of the model.
+    pub depth: DepthFormat,
+    /// Depths, in linear steps, of the nearest and the farthest point of the model.
     pub depths: [u16; 2],
 }
 
@@ -121,6 +122,7 @@ impl View {
             },
             filter: args.filter,
             mode: Mode::new(args)?,
+            depth: args.depth,
             depths: framing.depths(args.projection),
         })
     }

@@ -103,7 +103,7 @@ fn snapped(case: &Case, shot: &Shot) -> Result<(Vec<Piece<5>>, Vec<usize>)> {
     let places: Vec<Option<[i32; 2]>> = mesh
         .positions()
         .iter()
-        .map(|&point| {
+        .map(|point| {
             let place = canvas.project(&pass, &shot.chain, point)?;
             Some([place.x.to_bits(), place.y.to_bits()])
         })

@@ -9,13 +9,11 @@ mod prepared;
 pub use pass::Pass;
 pub use prepared::{Prepared, TriangleList};
 
-use core::slice::from_ref;
-
 use geometry::Geometry;
 use painter::Painter;
 
 use crate::Vec3;
-use crate::geometry::{Mesh, Projected, Projector};
+use crate::geometry::{Mesh, Positions, Projected, Projector};
 use crate::interpolate::Interpolate;
 use crate::linear::Transform;
 use crate::number::Subpixel;
@@ -70,7 +68,7 @@ pub struct Place {
     pub x: Subpixel,
     /// Rows from the frame's top edge.
     pub y: Subpixel,
-    /// Depth as it would be stored.
+    /// Depth as it would be stored in the canvas' depth buffer, or in a linear one if it has none.
     pub depth: u16,
 }
 
@@ -142,7 +140,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     ) -> Option<Place> {
         let viewport = pass.viewport_in(self.frame_size());
         let projector = Projector::new(
-            from_ref(&point),
+            Positions::of_one(&point),
             &chain.projection,
             &chain.model_view(),
             &viewport,
@@ -156,7 +154,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
         Some(Place {
             x,
             y,
-            depth: (at.q >> projector.depth_shift().of(at.exponent)) as u16,
+            depth: D::encode(at.q, projector.depth_shift().of(at.exponent)) as u16,
         })
     }
 

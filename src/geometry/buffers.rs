@@ -3,6 +3,7 @@
 use embedded_graphics::pixelcolor::Rgb888;
 
 use super::mesh::{Index, Mesh};
+use super::positions::Positions;
 use crate::{Error, Vec2, Vec3};
 
 /// How many elements a mesh has, list by list: the room that it needs in [`Buffers`].
@@ -137,7 +138,7 @@ impl<'a> Buffers<'a> {
     /// The mesh of the first so many elements of each list.
     pub(super) const fn mesh(self, counts: Counts) -> Result<Mesh<'a>, Error> {
         Lists {
-            positions: self.positions,
+            positions: Positions::long(first(self.positions, counts.positions)),
             faces: self.faces,
             edges: self.edges,
             uvs: self.uvs,
@@ -153,7 +154,7 @@ impl<'a> Buffers<'a> {
 /// The lists of a mesh, filled.
 #[derive(Clone, Copy)]
 struct Lists<'a> {
-    positions: &'a [Vec3],
+    positions: Positions<'a>,
     faces: &'a [[Index; 3]],
     edges: &'a [[Index; 2]],
     uvs: &'a [Vec2],
@@ -182,10 +183,7 @@ const fn own(list: &[[Index; 3]], count: usize) -> Option<&[[Index; 3]]> {
 
 impl<'a> Lists<'a> {
     const fn mesh(self, counts: Counts) -> Result<Mesh<'a>, Error> {
-        let mut mesh = Mesh::new(
-            first(self.positions, counts.positions),
-            first(self.faces, counts.faces),
-        );
+        let mut mesh = Mesh::of(self.positions, first(self.faces, counts.faces));
         if let Ok(plain) = mesh {
             mesh = plain.with_edges(first(self.edges, counts.edges));
         }
@@ -298,11 +296,38 @@ impl<
         }
     }
 
+    /// The positions in 16 bits each, and their fraction bits.
+    #[must_use]
+    pub const fn shortened(&self) -> ([[i16; 3]; P], u32) {
+        match self.mesh().shortened() {
+            Ok(short) => short,
+            // There are as many as there are.
+            Err(_) => ([[0; 3]; P], 0),
+        }
+    }
+
     /// The mesh of all elements.
     #[must_use]
     pub const fn mesh(&self) -> Mesh<'_> {
+        self.mesh_of(Positions::long(&self.positions))
+    }
+
+    /// The mesh of all elements but positions, and of these in units of 2^-`fraction`.
+    ///
+    /// # Panics
+    ///
+    /// If there are not as many as the other lists need, or more than 16 fraction bits.
+    #[must_use]
+    pub const fn short_mesh<'a>(&'a self, positions: &'a [[i16; 3]], fraction: u32) -> Mesh<'a> {
+        match Positions::short(positions, fraction) {
+            Ok(positions) => self.mesh_of(positions),
+            Err(error) => Mesh::checked(Err(error)),
+        }
+    }
+
+    const fn mesh_of<'a>(&'a self, positions: Positions<'a>) -> Mesh<'a> {
         let counts = Counts {
-            positions: P,
+            positions: positions.len(),
             faces: F,
             edges: E,
             uvs: U,
@@ -312,7 +337,7 @@ impl<
             colors: C,
         };
         let lists = Lists {
-            positions: &self.positions,
+            positions,
             faces: &self.faces,
             edges: &self.edges,
             uvs: &self.uvs,

@@ -3,11 +3,12 @@
 use core::marker::PhantomData;
 
 use super::Index;
+use super::positions::{Place, Positions};
+use crate::Scalar;
 use crate::interpolate::reciprocal;
 use crate::linear::block::{self, Number};
-use crate::linear::{Line, Transform, compose, dot, product};
+use crate::linear::{IS_NARROW, Line, Transform, compose, dot, product, short_dot};
 use crate::view::{Kind, Projection, Row, Viewport};
-use crate::{Scalar, Vec3};
 
 /// Half the width and height of the guard band, in pixels: the room about the viewport's centre in
 /// which screen coordinates are exact, and to which triangles are clipped.
@@ -65,7 +66,7 @@ impl Projected {
 /// The way from model space to the screen, made once for a draw call.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Projector<'m, K> {
-    positions: &'m [Vec3],
+    positions: Positions<'m>,
     rows: [[i32; 3]; 3],
     offsets: [i64; 3],
     /// Fraction bits of clip coordinates.
@@ -98,7 +99,7 @@ fn scaled(row: &Row, unit: Number, size: i32) -> Line {
 impl<'m, K: Kind> Projector<'m, K> {
     /// The way of `positions` through `view` and `lens` to the pixels of `viewport`.
     pub(crate) fn new(
-        positions: &'m [Vec3],
+        positions: Positions<'m>,
         lens: &Projection<K>,
         view: &Transform,
         viewport: &Viewport,
@@ -177,13 +178,29 @@ impl<'m, K: Kind> Projector<'m, K> {
     /// A position of model space in clip space; the origin's for an index that no checked list holds.
     #[inline]
     pub(super) fn clip_position(&self, index: Index) -> ClipPosition {
-        let position = self.positions.get(usize::from(index));
-        let position = position.unwrap_or(&Vec3::ZERO).to_bits();
+        let place = self.positions.place(index);
+        match place {
+            Place::Short { position, up } if IS_NARROW => self.short_clip_position(position, up),
+            _ => {
+                let position = place.to_bits();
+                let ([x, y, t], [ox, oy, ot]) = (&self.rows, self.offsets);
+                [
+                    ox + dot(x, &position),
+                    oy + dot(y, &position),
+                    ot + dot(t, &position),
+                ]
+            }
+        }
+    }
+
+    /// The same of a short position, where products of 16 bits are the faster ones.
+    #[inline(never)]
+    fn short_clip_position(&self, position: [i16; 3], up: u32) -> ClipPosition {
         let ([x, y, t], [ox, oy, ot]) = (&self.rows, self.offsets);
         [
-            ox + dot(x, &position),
-            oy + dot(y, &position),
-            ot + dot(t, &position),
+            ox + short_dot(x, position, up),
+            oy + short_dot(y, position, up),
+            ot + short_dot(t, position, up),
         ]
     }
 
@@ -283,13 +300,12 @@ impl<'m, K: Kind> Projector<'m, K> {
         let position = if let Some(position) = inside {
             *position
         } else {
+            if IS_NARROW && self.positions.are_short() {
+                return self.place_short(index, to);
+            }
             let position = self.clip_position(index);
             if !self.is_inside(&position) {
-                *to = Projected {
-                    outside: self.outside(&position),
-                    index,
-                    ..Projected::NONE
-                };
+                *to = self.placed_outside(index, &position);
                 return;
             }
             position
@@ -338,6 +354,26 @@ impl<'m, K: Kind> Projector<'m, K> {
             outside: 0,
             index,
         };
+    }
+
+    /// A short position on the screen, apart from the others so that it takes no registers from them.
+    #[inline(never)]
+    fn place_short(&self, index: Index, to: &mut Projected) {
+        let position = self.clip_position(index);
+        if self.is_inside(&position) {
+            self.place(index, Some(&position), to);
+        } else {
+            *to = self.placed_outside(index, &position);
+        }
+    }
+
+    #[inline]
+    fn placed_outside(&self, index: Index, position: &ClipPosition) -> Projected {
+        Projected {
+            outside: self.outside(position),
+            index,
+            ..Projected::NONE
+        }
     }
 
     /// An interpolant is shifted down by this less its exponent, from 15 to 31, to be a 16-bit depth.

@@ -45,6 +45,26 @@ pub(crate) fn dot(a: &[i32; 3], b: &[i32; 3]) -> i64 {
     }
 }
 
+/// The dot product of coefficients below 2^29 and numbers of 16 bits shifted `up`, by 0 to 16, in 32 bits as far as that
+/// goes: twice as fast as [`dot`] on a core that multiplies to 32 bits only.
+#[inline]
+pub(crate) fn short_dot(a: &[i32; 3], b: [i16; 3], up: u32) -> i64 {
+    // Coefficients are halves of 15 bits, high · 2^15 + low, of at most 2^14 in magnitude: three products with
+    // 2^15 are at most 3 · 2^29.
+    let (mut high, mut low) = (0, 0);
+    for (&a, b) in a.iter().zip(b) {
+        let a_high = (a + (1 << 14)) >> 15;
+        high += a_high * i32::from(b);
+        low += (a - (a_high << 15)) * i32::from(b);
+    }
+    let sum = (i64::from(high) << 15) + i64::from(low);
+    // By halves, as a shift of 64 bits is a call.
+    let (upper, lower) = ((sum >> 32) as i32, sum.cast_unsigned() as u32);
+    let upper =
+        (upper << (up & 31)).cast_unsigned() | (lower >> 1 >> (31u32.wrapping_sub(up) & 31));
+    ((u64::from(upper) << 32) | u64::from(lower << (up & 31))).cast_signed()
+}
+
 // Calls: they are as long as what they stand for.
 
 #[inline(never)]
@@ -104,7 +124,41 @@ mod tests {
         }
     }
 
+    #[test]
+    fn short_products_are_exact_at_the_ends() {
+        for a in [
+            0,
+            1,
+            -1,
+            1 << 14,
+            (1 << 14) - 1,
+            -(1 << 14),
+            1 << 29,
+            -(1 << 29),
+        ] {
+            for b in [0, 1, -1, i16::MAX, i16::MIN] {
+                for up in [0, 1, 15, 16] {
+                    let expected = 3 * i64::from(a) * (i64::from(b) << up);
+                    assert_eq!(
+                        short_dot(&[a; 3], [b; 3], up),
+                        expected,
+                        "{a} · {b} << {up}"
+                    );
+                }
+            }
+        }
+    }
+
     proptest! {
+        #[test]
+        fn short_products_are_those_of_longer_numbers(
+            a in prop::array::uniform3(-(1 << 29)..=1 << 29),
+            b in any::<[i16; 3]>(),
+            up in 0_u32..=16,
+        ) {
+            prop_assert_eq!(short_dot(&a, b, up), dot(&a, &b.map(|b| i32::from(b) << up)));
+        }
+
         #[test]
         fn halves_make_the_product(a in any::<i32>(), b in any::<i32>()) {
             prop_assert_eq!(of_halves(a, b), i64::from(a) * i64::from(b));

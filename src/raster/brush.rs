@@ -9,7 +9,7 @@ use super::planes::{Attribute, Planes};
 use crate::geometry::{DepthShift, Face, Vertex};
 use crate::interpolate::{self, Interpolate, Linear, Pixels, RUN, Run, Steps};
 use crate::shade::{Fragment, Sample};
-use crate::target::{Canvas, Cells, DepthBuffer, Storage};
+use crate::target::{Canvas, Cells, DepthBuffer, Storage, linear};
 
 /// The part of a draw call that depends on what is painted, and on what.
 ///
@@ -128,6 +128,7 @@ where
             // The first pixel is looked at after one step.
             point: Point::new(columns.start - 1, row),
             depth: 0,
+            stored: 0,
         };
         let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
         let Some(cells) = self.canvas.run(row.cast_unsigned(), columns) else {
@@ -167,7 +168,9 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer + 'c> interpolate::Cells<Cell<'c, C, O
 struct Shader<'f, F> {
     fragment: &'f F,
     point: Point,
+    /// The pixel's depth in linear steps, and as it is stored.
     depth: u32,
+    stored: u32,
 }
 
 impl<'c, F, O, D, const N: usize> Pixels<Cell<'c, F::Color, O, D>, N> for Shader<'_, F>
@@ -179,21 +182,20 @@ where
     #[inline]
     fn visible(&mut self, cell: &Cell<'c, F::Color, O, D>, q: u32, down: u32) -> bool {
         self.point.x += 1;
-        // 31 bits shifted down by 15 or more.
-        self.depth = q >> (down & 31);
-        D::passes(&cell.depth, self.depth)
+        self.depth = linear(q, down);
+        self.stored = D::encode(q, down);
+        D::passes(&cell.depth, self.stored)
     }
 
     #[inline]
     fn shade(&mut self, cell: Cell<'c, F::Color, O, D>, varyings: [i32; N]) {
-        let depth = self.depth as u16;
         let sample = Sample {
             point: self.point,
-            depth,
+            depth: self.depth as u16,
         };
         if let Some(color) = self.fragment.shade(&sample, varyings) {
             *cell.color = O::store(color);
-            D::store(cell.depth, depth);
+            D::store(cell.depth, self.stored as u16);
         }
     }
 }

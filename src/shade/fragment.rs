@@ -18,7 +18,7 @@ use crate::linear::Transform;
 pub struct Sample {
     /// Column and row in the frame, (0, 0) at the top left.
     pub point: Point,
-    /// Depth as it would be stored: near plane 65535, falling towards 0 with distance.
+    /// Depth in linear steps of 1/w, whatever the depth buffer: near plane 65535, falling towards 0 with distance.
     pub depth: u16,
 }
 

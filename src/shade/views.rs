@@ -12,7 +12,7 @@ use crate::linear::Transform;
 
 /// Depth as grey: white is near, black is far.
 ///
-/// Depth is shown as it is stored, from 65535 at the near plane towards 0. In perspective that is linear in
+/// Depth is shown in linear steps, as a plain depth buffer has them, from 65535 at the near plane towards 0. In perspective that is linear in
 /// 1/distance, so that most scenes are dark; [`between`](Self::between) spreads a part of it.
 ///
 /// ```

@@ -9,6 +9,7 @@ use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
 use embedded_graphics::primitives::Rectangle;
 
 use super::depth::{Depth, DepthBuffer, NoDepth, first};
+use super::float_depth::FloatDepth;
 use super::storage::{Bytes, Native, Storage};
 use crate::Error;
 
@@ -22,7 +23,7 @@ pub const MAX_SIZE: u32 = 2048;
 /// that the bands of a frame put together are the frame, bit for bit.
 ///
 /// `C` is the colour, `O` how it is stored ([`Native`], or bytes in an order that a display
-/// wants), `D` the depth buffer ([`NoDepth`] or [`Depth`]).
+/// wants), `D` the depth buffer ([`NoDepth`], [`Depth`] or [`FloatDepth`]).
 ///
 /// It is an embedded-graphics [`DrawTarget`], so text and gauges go over the picture.
 ///
@@ -203,14 +204,47 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
         self,
         depth: &'d mut [u16],
     ) -> Result<Canvas<'a, C, O, Depth<'d>>, Error> {
+        let depth = self.checked(depth)?;
+        Ok(self.over_depth(depth))
+    }
+
+    /// The canvas with a depth buffer that is as fine far off as near by, for scenes whose far plane is a thousand
+    /// times as far as the near one and more: [`FloatDepth`] says what it costs.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::Gray8;
+    /// use fixel::prelude::*;
+    /// let (mut pixels, mut depths) = ([Gray8::new(0); 4], [0; 4]);
+    /// let mut canvas = Canvas::new(&mut pixels, 2, 2)?.with_float_depth(&mut depths)?;
+    /// canvas.clear(Gray8::new(0));
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As for [`with_depth`](Self::with_depth).
+    pub fn with_float_depth<'d>(
+        self,
+        depth: &'d mut [u16],
+    ) -> Result<Canvas<'a, C, O, FloatDepth<'d>>, Error> {
+        let depth = self.checked(depth)?;
+        Ok(self.over_depth(FloatDepth(depth)))
+    }
+
+    /// A depth buffer of the canvas' size.
+    fn checked<'d>(&self, depth: &'d mut [u16]) -> Result<Depth<'d>, Error> {
         check_length(depth.len(), self.width, self.row_count())?;
-        Ok(Canvas {
+        Ok(Depth(depth))
+    }
+
+    fn over_depth<D>(self, depth: D) -> Canvas<'a, C, O, D> {
+        Canvas {
             cells: self.cells,
-            depth: Depth(depth),
+            depth,
             width: self.width,
             height: self.height,
             rows: self.rows,
-        })
+        }
     }
 }
 

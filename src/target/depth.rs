@@ -3,7 +3,7 @@
 use core::mem;
 use core::ops::Range;
 
-/// What a canvas knows about depth: [`NoDepth`] or [`Depth`].
+/// What a canvas knows about depth: [`NoDepth`], [`Depth`] or [`FloatDepth`](super::FloatDepth).
 ///
 /// A fragment is drawn if it is at least as near as what is stored, so of equals the later wins.
 ///
@@ -50,7 +50,11 @@ pub trait DepthBuffer {
     where
         Self: 'a;
 
-    /// Whether a fragment of this depth, of 16 bits, is to be drawn.
+    /// The 16 bits that stand for a depth, more of it being nearer: of `q` · 2^-`down`, where the near plane has
+    /// 2^16 and infinity 0, and `down` is 15 to 31.
+    fn encode(q: u32, down: u32) -> u32;
+
+    /// Whether a fragment of this depth, as encoded, is to be drawn.
     fn passes(cell: &Self::Cell<'_>, depth: u32) -> bool;
 
     /// Stores the depth of a fragment that was drawn.
@@ -102,6 +106,11 @@ impl DepthBuffer for NoDepth {
     }
 
     #[inline]
+    fn encode(q: u32, down: u32) -> u32 {
+        linear(q, down)
+    }
+
+    #[inline]
     fn passes((): &(), _: u32) -> bool {
         true
     }
@@ -113,7 +122,9 @@ impl DepthBuffer for NoDepth {
     fn clear(&mut self) {}
 }
 
-/// The caller's depth buffer: 0 is infinitely far, 65535 the near plane.
+/// The caller's depth buffer, linear in 1/w: 0 is infinitely far, 65535 the near plane.
+///
+/// As fine as a depth can be near by, and coarse far off: [`FloatDepth`](super::FloatDepth) has the figures of both.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -160,6 +171,11 @@ impl DepthBuffer for Depth<'_> {
     }
 
     #[inline]
+    fn encode(q: u32, down: u32) -> u32 {
+        linear(q, down)
+    }
+
+    #[inline]
     fn passes(cell: &&mut u16, depth: u32) -> bool {
         depth >= u32::from(**cell)
     }
@@ -173,6 +189,13 @@ impl DepthBuffer for Depth<'_> {
     fn clear(&mut self) {
         self.0.fill(0);
     }
+}
+
+/// A depth in linear steps: `q` shifted down.
+#[inline]
+pub(crate) const fn linear(q: u32, down: u32) -> u32 {
+    // 31 bits shifted down by 15 or more.
+    q >> (down & 31)
 }
 
 /// Takes the first `count` elements of a slice, or all that are left.

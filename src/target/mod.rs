@@ -3,9 +3,12 @@
 mod canvas;
 mod depth;
 mod draw_target;
+mod float_depth;
 mod storage;
 
 pub use canvas::{Canvas, MAX_SIZE};
 pub(crate) use canvas::{Cells, check_size};
+pub(crate) use depth::linear;
 pub use depth::{Depth, DepthBuffer, NoDepth};
+pub use float_depth::FloatDepth;
 pub use storage::{Bytes, Native, Storage};

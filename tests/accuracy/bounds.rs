@@ -185,3 +185,8 @@ pub const DEPTH: f64 = (INVERSE_W + 3.) / 16384.;
 pub fn depth(corners_w: [f64; 3]) -> f64 {
     DEPTH + lifted(corners_w) / 16384.
 }
+
+/// By how much 1/w may be off, in parts of the nearest corner's.
+pub fn inverse_w(corners_w: [f64; 3]) -> f64 {
+    (INVERSE_W + 3. + lifted(corners_w)) * 2_f64.powi(-30)
+}

@@ -107,6 +107,21 @@ impl<K: Kind> Drawing<'_, K> {
         seen.into_inner()
     }
 
+    /// What a depth buffer of floating-point numbers then holds, row by row.
+    pub fn float_depths(&self) -> Vec<u16> {
+        let (width, height) = self.size;
+        let mut pixels = vec![Gray8::new(0); width as usize * height as usize];
+        let mut depth = vec![0; pixels.len()];
+        let canvas = Canvas::new(&mut pixels, width, height).unwrap();
+        let mut canvas = canvas.with_float_depth(&mut depth).unwrap();
+        let Self {
+            mode, pass, mesh, ..
+        } = self;
+        // Varyings of its own make the modes do what they do.
+        mode.draw(&mut canvas, pass, mesh, &self.chain, &Gouraud::new());
+        depth
+    }
+
     /// Where the crate puts points, in 1/256 pixel; `None` for what it would clip.
     pub fn places(&self, points: &[Vec3]) -> Vec<Option<[i32; 2]>> {
         let spots = self.spots(points).into_iter();

@@ -14,6 +14,7 @@ mod chains;
 mod clipped;
 mod comparison;
 mod drawing;
+mod float_depth;
 mod mode;
 mod moves;
 mod pictures;

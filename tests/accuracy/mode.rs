@@ -3,7 +3,7 @@
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::interpolate::{Affine, Exact, Fast, Linear, Newton};
 use fixel::prelude::*;
-use fixel::target::{Depth, Native};
+use fixel::target::{DepthBuffer, Native};
 use fixel::view::Kind;
 
 /// A mode, and what it was asked for.
@@ -67,9 +67,9 @@ impl Mode {
     }
 
     /// Draws in this mode, whatever mode the pass has.
-    pub fn draw<K: Kind, F: Fragment<N, Color = Gray8>, const N: usize>(
+    pub fn draw<K: Kind, F: Fragment<N, Color = Gray8>, D: DepthBuffer, const N: usize>(
         self,
-        canvas: &mut Canvas<'_, Gray8, Native, Depth<'_>>,
+        canvas: &mut Canvas<'_, Gray8, Native, D>,
         pass: &Pass,
         mesh: &Mesh<'_>,
         chain: &Chain<K>,

@@ -79,6 +79,11 @@ impl<K: Kind, const N: usize> Triangle<K, N> {
         pixels
     }
 
+    /// What a depth buffer of floating-point numbers holds of it, row by row.
+    pub fn float_depths(&self, mode: Mode) -> Vec<u16> {
+        self.drawing(mode).float_depths()
+    }
+
     /// The crate's pixels in a mode, row by row.
     pub fn draw(&self, mode: Mode) -> Vec<Seen<N>> {
         let mut seen = self.drawing(mode).all(&|vertex| {

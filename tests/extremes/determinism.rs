@@ -95,7 +95,8 @@ fn order_does_not_show() {
     let draw = |rows: u32, parts: &[(Vec<[u16; 3]>, &Mesh<'static>, Transform)]| {
         crc(rows, |band, lens| {
             for (faces, mesh, place) in parts {
-                let mesh = Mesh::new(mesh.positions(), faces).unwrap();
+                let positions: Vec<_> = mesh.positions().iter().collect();
+                let mesh = Mesh::new(&positions, faces).unwrap();
                 band.draw(&mesh, &(*lens * *place), &NormalView::new());
             }
         })

@@ -48,6 +48,8 @@ fn transform() -> impl Strategy<Value = Transform> {
 #[derive(Clone, Debug)]
 struct Scene {
     positions: Vec<Vec3>,
+    /// In their place positions of 16 bits, and their fraction bits.
+    short: Option<(Vec<[i16; 3]>, u32)>,
     uvs: Vec<Vec2>,
     faces: Vec<[u16; 3]>,
     edges: Vec<[u16; 2]>,
@@ -55,6 +57,8 @@ struct Scene {
     size: (u32, u32),
     /// Rows of a band.
     rows: u32,
+    /// Whether depths are floating-point numbers.
+    is_float: bool,
     what: What,
     mode: Mode,
     model: Transform,
@@ -86,6 +90,10 @@ fn scene() -> impl Strategy<Value = Scene> {
         1 => select(vec![(1, 1), (2048, 3), (3, 2048)]),
     ];
     let near = prop::array::uniform3(-(1 << 18)..1 << 18).prop_map(Vec3::from_bits);
+    let short = prop_oneof![
+        2 => Just(None),
+        1 => (vec(any::<[i16; 3]>(), CORNERS), 0_u32..=16).prop_map(Some),
+    ];
     let viewport = prop_oneof![
         3 => Just(None),
         1 => (-4096..4097, -4096..4097, 1_u32..4097, 1_u32..4097).prop_map(Some),
@@ -109,6 +117,7 @@ fn scene() -> impl Strategy<Value = Scene> {
     (
         (
             vec(prop_oneof![vector(), near], CORNERS),
+            short,
             vec(
                 prop::array::uniform2(bits()).prop_map(Vec2::from_bits),
                 CORNERS,
@@ -120,21 +129,24 @@ fn scene() -> impl Strategy<Value = Scene> {
             pass,
             size,
             1_u32..8,
+            any::<bool>(),
             (what, modes()),
             transform(),
             transform(),
         ),
     )
-        .prop_map(|((positions, uvs, faces, edges), rest)| {
-            let (pass, size, rows, (what, mode), model, camera) = rest;
+        .prop_map(|((positions, short, uvs, faces, edges), rest)| {
+            let (pass, size, rows, is_float, (what, mode), model, camera) = rest;
             Scene {
                 positions,
+                short,
                 uvs,
                 faces,
                 edges,
                 pass,
                 size,
                 rows,
+                is_float,
                 what,
                 mode,
                 model,
@@ -190,7 +202,11 @@ impl Scene {
         lens: Projection<K>,
     ) {
         let chain = &(lens * self.camera * self.model);
-        let mesh = &Mesh::new(&self.positions, &self.faces)
+        let mesh = match &self.short {
+            Some((positions, fraction)) => Mesh::short(positions, *fraction, &self.faces),
+            None => Mesh::new(&self.positions, &self.faces),
+        };
+        let mesh = &mesh
             .and_then(|mesh| mesh.with_edges(&self.edges))
             .and_then(|mesh| mesh.with_uvs(&self.uvs, None))
             .unwrap();
@@ -222,7 +238,11 @@ impl Scene {
         };
         let (mut colors, mut depths) = blank();
         let canvas = Canvas::new(&mut colors, width, height).unwrap();
-        self.draw(&mut canvas.with_depth(&mut depths).unwrap(), lens);
+        if self.is_float {
+            self.draw(&mut canvas.with_float_depth(&mut depths).unwrap(), lens);
+        } else {
+            self.draw(&mut canvas.with_depth(&mut depths).unwrap(), lens);
+        }
 
         let (mut band_colors, mut band_depths) = blank();
         let strip = (width * self.rows) as usize;
@@ -231,7 +251,11 @@ impl Scene {
             .zip(band_depths.chunks_mut(strip));
         for (first_row, (colors, depths)) in (0..height).step_by(self.rows as usize).zip(strips) {
             let canvas = Canvas::band(colors, width, height, first_row).unwrap();
-            self.draw(&mut canvas.with_depth(depths).unwrap(), lens);
+            if self.is_float {
+                self.draw(&mut canvas.with_float_depth(depths).unwrap(), lens);
+            } else {
+                self.draw(&mut canvas.with_depth(depths).unwrap(), lens);
+            }
         }
         prop_assert_eq!(colors, band_colors);
         prop_assert_eq!(depths, band_depths);

@@ -65,7 +65,7 @@ impl Truth {
         let moves = moves.map(|(eye, place)| [eye, place].concat());
         let lens = call.scene.lens.model(call.scene.size);
         let place = |index: u16| {
-            let position = call.mesh.positions()[usize::from(index)];
+            let position = call.mesh.positions().get(index.into()).unwrap();
             let place = canvas.project(pass, &call.chain, position)?;
             Some([place.x.to_bits(), place.y.to_bits()])
         };
@@ -73,7 +73,7 @@ impl Truth {
             Some(Whole {
                 screen: [place(a)?, place(b)?, place(c)?],
                 ahead: moves.as_ref().and_then(|moves| {
-                    let corners = [a, b, c].map(|i| call.mesh.positions()[usize::from(i)]);
+                    let corners = [a, b, c].map(|i| call.mesh.positions().get(i.into()).unwrap());
                     Knowledge::new(moves, &lens, window, corners).ahead()
                 }),
             })
@@ -81,7 +81,7 @@ impl Truth {
         let faces = call.mesh.faces();
         let whole: Vec<_> = faces.iter().map(whole).collect();
         let clipped = faces.iter().zip(&whole).map(|(face, whole)| {
-            let corners = face.map(|i| call.mesh.positions()[usize::from(i)]);
+            let corners = face.map(|i| call.mesh.positions().get(i.into()).unwrap());
             let unknown = whole.is_some() || call.scene.cull != Cull::Nothing;
             let moves = moves.as_ref().filter(|_| !unknown)?;
             Clipped::new(&Knowledge::new(moves, &lens, window, corners), corners)

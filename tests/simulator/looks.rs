@@ -1,4 +1,4 @@
-//! Shades, colours and filters.
+//! Shades, colours, filters and depths.
 
 use std::fs;
 
@@ -49,4 +49,27 @@ fn a_filter_changes_colors_only() {
             assert_ne!(nearest[1], bilinear[1], "{shade} {color}");
         }
     }
+}
+
+/// Two plates, one a hundredth behind the other, 60,000 times as far as the near plane: in linear steps they are
+/// at one depth, so that the last in the file shows.
+#[test]
+fn float_depth_keeps_the_order_far_off() {
+    let directory = directory("far");
+    let (front, back) = ("f 1//1 2//1 3//1 4//1\n", "f 5//2 6//2 7//2 8//2\n");
+    let plates = "v -9 -9 0\nv 9 -9 0\nv 9 9 0\nv -9 9 0\nv -9 -9 -6\nv 9 -9 -6\nv 9 9 -6\nv -9 9 -6\n\
+                  vn 1 0 0\nvn 0 1 0\n";
+    fs::write(directory.join("a.obj"), format!("{plates}{front}{back}")).unwrap();
+    fs::write(directory.join("b.obj"), format!("{plates}{back}{front}")).unwrap();
+    let crc = |model: &str, depth: &str| {
+        let view = "--eye 0,0,600 --look-at 0,0,0 --fov 1 --near 0.01 --far 655 --size 32x24";
+        let said = good(
+            &directory,
+            &format!("{model} {view} --shade normal --crc --depth {depth}"),
+        );
+        printed(&said, "crc").to_string()
+    };
+    assert_eq!(crc("a.obj", "float"), crc("b.obj", "float"));
+    assert_ne!(crc("a.obj", "linear"), crc("b.obj", "linear"));
+    assert_eq!(crc("b.obj", "linear"), crc("b.obj", "float"));
 }

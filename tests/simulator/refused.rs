@@ -75,6 +75,7 @@ fn pictures_that_cannot_be_are_refused() {
         ("--rpm 1e12 --frames 2", ["1000000000000", "between"]),
         ("--shade shiny", ["shiny", "possible values"]),
         ("--filter soft", ["soft", "possible values"]),
+        ("--depth double", ["double", "linear, float"]),
         ("--color cmyk", ["cmyk", "possible values"]),
         ("--projection fisheye", ["fisheye", "possible values"]),
         ("--out t.bmp", ["t.bmp", ".png or .gif"]),

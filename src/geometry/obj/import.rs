@@ -63,10 +63,41 @@ pub const fn arrays<
 /// use fixel::prelude::*;
 /// static MODEL: Mesh = include_obj!("../../../tests/models/house.obj");
 /// assert_eq!(MODEL.faces().len(), 14);
+///
+/// // Positions of 16 bits, in half the flash: see Mesh::short.
+/// static SMALL: Mesh = include_obj!("../../../tests/models/house.obj", short);
+/// assert_eq!(SMALL.positions().len(), MODEL.positions().len());
 /// ```
 #[macro_export]
 macro_rules! include_obj {
     ($path:expr $(,)?) => {{
+        $crate::__read_obj!($path);
+        #[allow(long_running_const_eval)]
+        static ARRAYS: Arrays<{ COUNTS.positions }> = READ.0.trim();
+        #[allow(long_running_const_eval)]
+        static MESH: $crate::Mesh<'static> = ARRAYS.mesh();
+        MESH
+    }};
+    ($path:expr, short $(,)?) => {{
+        $crate::__read_obj!($path);
+        #[allow(long_running_const_eval)]
+        const ALL: Arrays<{ COUNTS.positions }> = READ.0.trim();
+        #[allow(long_running_const_eval)]
+        const SHORT: ([[i16; 3]; COUNTS.positions], u32) = ALL.shortened();
+        static POSITIONS: [[i16; 3]; COUNTS.positions] = SHORT.0;
+        #[allow(long_running_const_eval)]
+        static ARRAYS: Arrays<0> = ALL.trim();
+        #[allow(long_running_const_eval)]
+        static MESH: $crate::Mesh<'static> = ARRAYS.short_mesh(&POSITIONS, SHORT.1);
+        MESH
+    }};
+}
+
+/// What both forms of [`include_obj!`](crate::include_obj) read: `READ`, its `COUNTS`, and the type of its `Arrays`.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __read_obj {
+    ($path:expr) => {
         const TEXT: &[u8] = ::core::include_bytes!($path);
         const ROOM: $crate::geometry::Counts = $crate::geometry::obj::import::room(TEXT.len());
         #[allow(long_running_const_eval)]
@@ -84,9 +115,8 @@ macro_rules! include_obj {
             $crate::geometry::Counts,
         ) = $crate::geometry::obj::import::arrays(TEXT, $path);
         const COUNTS: $crate::geometry::Counts = READ.1;
-        #[allow(long_running_const_eval)]
-        static ARRAYS: $crate::geometry::Arrays<
-            { COUNTS.positions },
+        type Arrays<const POSITIONS: usize> = $crate::geometry::Arrays<
+            POSITIONS,
             { COUNTS.faces },
             { COUNTS.edges },
             { COUNTS.uvs },
@@ -94,9 +124,6 @@ macro_rules! include_obj {
             { COUNTS.normals },
             { COUNTS.normal_faces },
             { COUNTS.colors },
-        > = READ.0.trim();
-        #[allow(long_running_const_eval)]
-        static MESH: $crate::Mesh<'static> = ARRAYS.mesh();
-        MESH
-    }};
+        >;
+    };
 }

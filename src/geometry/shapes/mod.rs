@@ -257,6 +257,14 @@ impl Shape {
 /// static RING: Mesh = shape!(torus(fx!(0.25), 24, 12));
 /// assert!(CRATE.has_uvs() && RING.has_normals());
 /// ```
+///
+/// With `short` after it positions are of 16 bits, in half the flash: [`Mesh::short`](crate::Mesh::short).
+///
+/// ```
+/// use fixel::prelude::*;
+/// static BALL: Mesh = shape!(sphere(16, 12), short); // steps of 2^-14
+/// assert_eq!(BALL.positions().get(0), Some(vec3!(0, 1, 0)));
+/// ```
 /// ```compile_fail
 /// static TWO_SIDED: fixel::Mesh = fixel::shape!(cylinder(2));
 /// ```
@@ -286,6 +294,37 @@ macro_rules! shape {
         };
         #[allow(long_running_const_eval)]
         static MESH: $crate::Mesh<'static> = ARRAYS.mesh();
+        MESH
+    }};
+    ($name:ident($($argument:expr),* $(,)?), short $(,)?) => {{
+        const SHAPE: $crate::geometry::Shape = $crate::geometry::Shape::checked(
+            $crate::geometry::Shape::$name($($argument),*),
+            ::core::stringify!($name($($argument),*)),
+        );
+        const COUNTS: $crate::geometry::Counts = SHAPE.counts();
+        type Arrays<const POSITIONS: usize> = $crate::geometry::Arrays<
+            POSITIONS,
+            { COUNTS.faces },
+            { COUNTS.edges },
+            { COUNTS.uvs },
+            0,
+            { COUNTS.normals },
+            0,
+            0,
+        >;
+        #[allow(long_running_const_eval)]
+        const ALL: Arrays<{ COUNTS.positions }> = {
+            let mut arrays = Arrays::ZERO;
+            let _ = $crate::Mesh::checked(SHAPE.build(arrays.buffers()));
+            arrays
+        };
+        #[allow(long_running_const_eval)]
+        const SHORT: ([[i16; 3]; COUNTS.positions], u32) = ALL.shortened();
+        static POSITIONS: [[i16; 3]; COUNTS.positions] = SHORT.0;
+        #[allow(long_running_const_eval)]
+        static ARRAYS: Arrays<0> = ALL.trim();
+        #[allow(long_running_const_eval)]
+        static MESH: $crate::Mesh<'static> = ARRAYS.short_mesh(&POSITIONS, SHORT.1);
         MESH
     }};
 }

@@ -25,7 +25,7 @@ static SHAPES: [(&str, Mesh); 10] = [
 ];
 
 fn points(mesh: &Mesh) -> Vec<Point> {
-    mesh.positions().iter().map(|p| p.to_bits()).collect()
+    mesh.positions().iter().map(Vec3::to_bits).collect()
 }
 
 /// Directed sides of all triangles by position, and how often each occurs.
@@ -130,7 +130,7 @@ fn normals() {
 fn positions() {
     let tolerance = 4.0 / 65536.0;
     for (name, mesh) in &SHAPES {
-        for &p in mesh.positions() {
+        for p in mesh.positions().iter() {
             let [x, y, z] = float(p);
             let off = match *name {
                 "cube" => x.abs().max(y.abs()).max(z.abs()) - 1.0,

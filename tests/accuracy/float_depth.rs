@@ -1,0 +1,190 @@
+//! Depth in floating point and in linear steps, over near and far planes ever farther apart.
+
+use embedded_graphics::pixelcolor::Gray8;
+use fixel::number::scalar;
+use fixel::prelude::*;
+use fixel::target::{DepthBuffer, Native};
+use fixel::view::Perspective;
+use proptest::prelude::*;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::TestRunner;
+
+use crate::bounds;
+use crate::mode::Mode;
+use crate::triangle::Triangle;
+
+const SIZE: (u32, u32) = (64, 48);
+/// Pixels at distance 1.
+const FOCAL: f64 = 40.;
+
+/// A point of the picture at a distance.
+fn unproject([x, y]: [f64; 2], w: f64) -> Vec3 {
+    let middle = [f64::from(SIZE.0) / 2., f64::from(SIZE.1) / 2.];
+    let at = [(x - middle[0]) * w / FOCAL, (middle[1] - y) * w / FOCAL, -w];
+    let [x, y, z] = at.map(|at| scalar(at).unwrap());
+    Vec3::new(x, y, z)
+}
+
+fn lens(near: f64, far: f64) -> Projection<Perspective> {
+    let [focal, near, far] = [FOCAL, near, far].map(|at| scalar(at).unwrap());
+    Projection::from_focal_length(focal, SIZE, near, far).unwrap()
+}
+
+/// A rectangle that fills the picture and more, at these distances on its left and right.
+fn wall([left, right]: [f64; 2]) -> [Vec3; 4] {
+    let [wide, high] = [f64::from(SIZE.0), f64::from(SIZE.1)];
+    [
+        unproject([-1., high + 1.], left),
+        unproject([wide + 1., high + 1.], right),
+        unproject([wide + 1., -1.], right),
+        unproject([-1., -1.], left),
+    ]
+}
+
+/// Draws a wall and, after it, one behind it, farther by `gap` of its distance; how many pixels show the wrong one.
+fn wrong<D: DepthBuffer>(
+    mode: Mode,
+    mut canvas: Canvas<'_, Gray8, Native, D>,
+    lens: Projection<Perspective>,
+    distances: [f64; 2],
+    gap: f64,
+) -> usize {
+    canvas.clear(Gray8::new(0));
+    for (grey, scale) in [(1, 1.), (2, 1. + gap)] {
+        let positions = wall(distances.map(|w| w * scale));
+        let mesh = Mesh::new(&positions, &[[0, 1, 2], [0, 2, 3]]).unwrap();
+        let shade = Flat::new(Gray8::new(grey));
+        mode.draw(&mut canvas, &Pass::new(), &mesh, &lens.into(), &shade);
+    }
+    assert!(canvas.pixels().all(|pixel| pixel != Gray8::new(0)));
+    let wrong = |pixel: &Gray8| *pixel == Gray8::new(2);
+    canvas.pixels().filter(wrong).count()
+}
+
+/// Walls a hundredth and a thousandth apart, straight and slanting, in front of each other at all distances that there
+/// are; in floating point each hides the one behind it, in linear steps as far as these are finer than the gap.
+#[test]
+fn what_is_behind_stays_behind() {
+    const NEAR: f64 = 0.25;
+    for ratio in [10., 100., 1e3, 1e4, 65_536.] {
+        let lens = lens(NEAR, NEAR * ratio);
+        for gap in [0.01, 0.001] {
+            let (mut walls, mut linear_fails) = (0, 0);
+            for slant in [1., 4.] {
+                let mut near_end = 1.02 * NEAR;
+                // At the far plane itself linear depths are all 0; the wall behind is to be before it.
+                while near_end * slant * (1. + gap) < 0.99 * NEAR * ratio {
+                    let distances = [near_end, near_end * slant];
+                    // A vertex is rounded to 2^-17, and to 1/512 pixel of 64, along which w changes by up to
+                    // a sixteenth a pixel: twice 2^-17 / 0.25 and 1/8192 must be well below the gap less a step of 1/4096.
+                    let is_certain =
+                        gap - 1. / 4096. - 2. / 8192. * (slant - 1.) / 3. > 3e-5 / near_end;
+                    for mode in Mode::PERSPECTIVE {
+                        let mut colors = [Gray8::new(0); 64 * 48];
+                        let mut depths = [0; 64 * 48];
+                        let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
+                        let canvas = canvas.with_float_depth(&mut depths).unwrap();
+                        let pixels = wrong(mode, canvas, lens, distances, gap);
+                        assert!(
+                            pixels == 0 || !is_certain,
+                            "{mode:?}: {pixels} wrong at {distances:?}, gap {gap}"
+                        );
+                    }
+                    let mut colors = [Gray8::new(0); 64 * 48];
+                    let mut depths = [0; 64 * 48];
+                    let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
+                    let canvas = canvas.with_depth(&mut depths).unwrap();
+                    let pixels = wrong(Mode::Newton, canvas, lens, distances, gap);
+                    let steps = 65535. * NEAR / distances[1] * (1. - 1. / (1. + gap));
+                    assert!(
+                        pixels == 0 || steps < 1.5,
+                        "linear: {distances:?}, {steps} steps"
+                    );
+                    walls += 1;
+                    linear_fails += usize::from(pixels > 0);
+                    near_end *= 1.37;
+                }
+            }
+            println!("far/near {ratio}, gap {gap}: {walls} walls, linear wrong at {linear_fails}");
+            // A step of linear depth is 1/65535 of the ratio between near plane and wall.
+            let is_too_much = ratio > 2. * 65535. * gap;
+            assert!(
+                linear_fails > 0 || !is_too_much,
+                "far/near {ratio}, gap {gap}"
+            );
+        }
+    }
+}
+
+/// What the code of a depth is before it is rounded down: the numbers between those that have one.
+fn code(depth: f64) -> f64 {
+    let exponent = depth.log2().floor();
+    4096. * (exponent - 1. + depth / exponent.exp2())
+}
+
+/// The near plane of these triangles.
+const NEAR: f64 = 1. / 64.;
+
+/// A triangle in any part of the range, its corners up to 4,096 times as far apart.
+fn triangles() -> impl Strategy<Value = [Vec3; 3]> {
+    let corner = || ([-8_f64..72., -8_f64..56.], 0_f64..1.);
+    ([corner(), corner(), corner()], 0_f64..15., 0_f64..12.).prop_map(
+        |(corners, nearest, octaves)| {
+            corners.map(|(at, along)| {
+                let w = NEAR * 1.02 * (nearest + octaves * along).exp2();
+                unproject(at, w.min(2000.))
+            })
+        },
+    )
+}
+
+fn triangle(positions: [Vec3; 3]) -> Triangle<Perspective, 0> {
+    let w = positions.map(|p| -p.z.to_num::<f64>());
+    Triangle {
+        size: SIZE,
+        chain: lens(NEAR, 32_000.).into(),
+        positions,
+        values: [],
+        w,
+        depth: w.map(|w| 65535. * NEAR / w),
+    }
+}
+
+/// Depths are those of the model, rounded down, in every mode: within a step, and what interpolation may be off by.
+#[test]
+fn float_depths_are_the_models() {
+    let mut runner = TestRunner::deterministic();
+    let (mut pixels, mut most) = (0, 0_f64);
+    for _ in 0..2000 {
+        let triangle = triangle(triangles().new_tree(&mut runner).unwrap().current());
+        let Some(screen) = triangle.screen() else {
+            continue;
+        };
+        let model = triangle.model(screen);
+        let nearest = triangle.w.into_iter().fold(f64::MAX, f64::min);
+        for mode in Mode::PERSPECTIVE {
+            let depths = triangle.float_depths(mode);
+            for at in &model {
+                let [x, y] = at.pixel.map(|at| usize::try_from(at).unwrap());
+                let stored = f64::from(depths[y * SIZE.0 as usize + x]);
+                // 1/w is off by so much of the nearest corner's, and a step is between 2^-13 and 2^-12 of it.
+                let error = 8192. * bounds::inverse_w(triangle.w) * at.w / nearest;
+                let wanted = code(at.depth);
+                assert!(
+                    stored <= wanted.max(0.) + error && wanted < stored + 1. + error,
+                    "{mode:?}: {:?} at {:?}: depth {stored} is not {wanted}, within {error}",
+                    triangle.positions,
+                    at.pixel
+                );
+                pixels += 1;
+                let beyond = (stored - wanted.max(0.)).max(wanted - stored - 1.);
+                // Of what reaches no farther than the figures in the documentation promise.
+                if at.w <= 3000. * nearest {
+                    most = most.max(beyond);
+                }
+            }
+        }
+    }
+    println!("{pixels} depths in floating point, {most:.3} outside their step at most");
+    assert!(pixels > 200_000 && most <= 1., "{pixels} pixels, {most}");
+}
