@@ -138,6 +138,23 @@ impl Slope {
         ]
     }
 
+    /// The same of a near triangle, whose sides take 14 bits: from products of 32 bits.
+    #[inline]
+    fn short_gains(&self, [a, b, c]: [i32; 3]) -> [i64; 2] {
+        let halves = |value: i32| [value >> 16, value & 0xffff];
+        let [b, c] = [b, c].map(|value| halves(value.wrapping_sub(a)));
+        let [[bx, by], [cx, cy]] = self.sides;
+        // Upper halves have 15 bits and a sign, lower ones 16, so that differences of products fit.
+        let gain = |[high, low]: [i32; 2], y, [other_high, other_low]: [i32; 2], other_y| {
+            let (high, low) = (
+                high * y - other_high * other_y,
+                low * y - other_low * other_y,
+            );
+            (i64::from(high) << 16) + i64::from(low)
+        };
+        [gain(b, cy, c, by), gain(c, bx, b, cx)]
+    }
+
     /// Lays a plane through the values at the corners.
     #[inline]
     pub(crate) fn lay(&self, values: [i32; 3], plane: &mut Plane) {
@@ -151,7 +168,12 @@ impl Slope {
     #[inline(never)]
     fn lay_near(&self, values: [i32; 3], plane: &mut Plane) {
         // Gradients are below 2^31 and areas below 2^32: 63 bits.
-        let gains = self.gains(values).map(|gain| shifted(gain, self.near));
+        let gains = if IS_NARROW {
+            self.short_gains(values)
+        } else {
+            self.gains(values)
+        };
+        let gains = gains.map(|gain| shifted(gain, self.near));
         let [step, row] = gains.map(|gain| self.value(gain));
         // Half a pixel at most, of gradients that are off by half a unit a pixel.
         let [x, y] = self.to_center;
@@ -228,4 +250,33 @@ const fn shifted(numerator: i64, up: u32) -> i64 {
 #[inline]
 const fn moved(gradient: i32, part: i32) -> i32 {
     (gradient >> 8) * part + (((gradient & 0xff) * part + 128) >> 8)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// A side of a triangle of up to 62 pixels.
+    fn side() -> impl Strategy<Value = i32> {
+        const MOST: i32 = (NEAR - 2) << 8;
+        prop_oneof![-MOST..=MOST, prop::sample::select(&[-MOST, 0, MOST][..])]
+    }
+
+    /// Values that are apart by less than 2^31.
+    fn value() -> impl Strategy<Value = i32> {
+        const MOST: i32 = (1 << 30) - 1;
+        prop_oneof![-MOST..=MOST, prop::sample::select(&[-MOST, -1, 0, MOST][..])]
+    }
+
+    proptest! {
+        #[test]
+        fn short_gains_are_those_of_longer_numbers(
+            sides in [[side(), side()], [side(), side()]],
+            values in [value(), value(), value()],
+        ) {
+            let slope = Slope { sides, ..Slope::NONE };
+            prop_assert_eq!(slope.short_gains(values), slope.gains(values));
+        }
+    }
 }
