@@ -140,6 +140,7 @@ impl<F: Fragment<N>, const N: usize> Fragment<N> for Scaled<F> {
     type Color = F::Color;
 
     const READS_DEPTH: bool = F::READS_DEPTH;
+    const TOLERANCES: [u32; N] = F::TOLERANCES;
 
     #[inline]
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; N] {

@@ -266,7 +266,10 @@ mod tests {
     /// Values that are apart by less than 2^31.
     fn value() -> impl Strategy<Value = i32> {
         const MOST: i32 = (1 << 30) - 1;
-        prop_oneof![-MOST..=MOST, prop::sample::select(&[-MOST, -1, 0, MOST][..])]
+        prop_oneof![
+            -MOST..=MOST,
+            prop::sample::select(&[-MOST, -1, 0, MOST][..])
+        ]
     }
 
     proptest! {

@@ -73,7 +73,7 @@ pub trait Fragment<const N: usize>: Copy {
     /// By how many of its units each varying may be off where that spares dividing by w at every pixel, as it does
     /// in triangles that hardly change in depth: what is not seen. [`Newton`](crate::interpolate::Newton) goes by it.
     ///
-    /// By default 16 units, which of a texture coordinate are 1/4096 of a texel.
+    /// By default 16 units, which of a texture coordinate are 1/4096 of a texel. A fragment around another one passes on that one's.
     const TOLERANCES: [u32; N] = [16; N];
 
     /// The values to interpolate, at one corner of a triangle or end of a line.

@@ -45,6 +45,7 @@ impl<F: Fragment<N, Color: Into<Rgb565>>, const N: usize> Fragment<N> for Wide<F
     type Color = Rgb565;
 
     const READS_DEPTH: bool = F::READS_DEPTH;
+    const TOLERANCES: [u32; N] = F::TOLERANCES;
 
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; N] {
         self.0.varyings(vertex)
@@ -103,6 +104,8 @@ impl<F: Fragment<N, Color = C>, C: PixelColor, const N: usize> Fragment<N>
     for Recorder<'_, F, C, N>
 {
     type Color = C;
+
+    const TOLERANCES: [u32; N] = F::TOLERANCES;
 
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; N] {
         self.fragment.varyings(vertex)

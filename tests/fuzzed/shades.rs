@@ -142,6 +142,7 @@ impl<F: Fragment<N, Color: Into<Rgb888>>, const N: usize> Fragment<N> for Grey<F
     type Color = Rgb888;
 
     const READS_DEPTH: bool = F::READS_DEPTH;
+    const TOLERANCES: [u32; N] = F::TOLERANCES;
 
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; N] {
         self.0.varyings(vertex)
