@@ -8,6 +8,7 @@
 //! |---|---|---|---|
 //! | [`Newton`], the default | 0.001 | a step towards the reciprocal | all but the smallest cores |
 //! | [`Fast`] | a tolerance, and 1/32 | additions | Cortex-M0+, large triangles |
+//! | [`Fast::NARROW`] | 1/16 | additions | Cortex-M0+, where that is to be seen |
 //! | [`Exact`] | 0.001 | a reciprocal of 31 bits | a standard to compare with; 64-bit computers |
 //! | [`Affine`] | without a bound | additions | what faces the eye, or is small |
 //! | [`Linear`] | without a bound | additions | to the unit in parallel projections |
