@@ -127,9 +127,7 @@ fn walk<T, const N: usize>(
     restore: impl Fn([i32; N]) -> [i32; N],
 ) {
     for cell in cells.first(usize::MAX) {
-        if N > 0 {
-            rolled();
-        }
+        rolled();
         if pixels.visible(&cell, run.q, down) {
             pixels.shade(cell, restore(run.p));
         }

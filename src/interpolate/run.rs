@@ -60,18 +60,6 @@ pub struct Steps<const N: usize> {
     pub is_affine: bool,
 }
 
-impl<const N: usize> Steps<N> {
-    /// Those of [`Run::EVEN`].
-    pub(crate) const EVEN: Self = Self {
-        q: 0,
-        p: [0; N],
-        scale: [Scale::ONE; N],
-        depth: 16,
-        least: 0,
-        is_affine: true,
-    };
-}
-
 /// The power of two between an attribute and a fraction of it: 2^bits, 1 to 32 bits.
 ///
 /// |attribute| · 17/16 < 2^(bits − 1), so the fraction attribute · 2^-bits is below half, and stays so
@@ -144,9 +132,6 @@ impl Scale {
 }
 
 impl<const N: usize> Run<N> {
-    /// Nothing to interpolate.
-    pub(crate) const EVEN: Self = Self { q: 0, p: [0; N] };
-
     /// Goes on to the next pixel.
     ///
     /// Values wrap: a step beyond `i32` belongs to a sliver one pixel wide, whose next pixel is

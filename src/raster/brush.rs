@@ -7,7 +7,7 @@ use embedded_graphics::geometry::Point;
 use super::Triangle;
 use super::planes::{Attribute, Planes};
 use crate::geometry::{DepthShift, Face, Vertex};
-use crate::interpolate::{self, Interpolate, Linear, Pixels, RUN, Run, Steps};
+use crate::interpolate::{self, Interpolate, Pixels, RUN};
 use crate::shade::{Fragment, Sample};
 use crate::target::{Canvas, Cells, DepthBuffer, Storage, linear};
 
@@ -32,6 +32,9 @@ pub(crate) trait Brush {
 
 /// More than any attribute that is drawn affinely may have, and four times it takes 31 bits.
 const MOST_TOLERANCE: u32 = (1 << 29) - 1;
+
+/// Pixels that are coloured without looking for the end of the span, where nothing varies between them.
+const BLOCK: usize = 16;
 
 /// The [`Brush`] of a fragment `F` in mode `I`.
 pub(crate) struct Paint<
@@ -138,7 +141,11 @@ where
             let (run, steps) = (self.planes.run(x, y), self.planes.steps(self.down));
             self.mode.run(self.plan, run, &steps, cells, &mut shader);
         } else {
-            Linear.run((), Run::EVEN, &Steps::EVEN, cells, &mut shader);
+            let mut cells = cells;
+            while cells.len() >= BLOCK {
+                shader.cover::<O, D, N>(cells.first(BLOCK));
+            }
+            shader.cover::<O, D, N>(cells.first(BLOCK));
         }
     }
 }
@@ -171,6 +178,26 @@ struct Shader<'f, F> {
     /// The pixel's depth in linear steps, and as it is stored.
     depth: u32,
     stored: u32,
+}
+
+impl<F> Shader<'_, F> {
+    /// Colours pixels between which nothing varies.
+    #[inline]
+    fn cover<'c, O, D, const N: usize>(
+        &mut self,
+        cells: impl Iterator<Item = (&'c mut O::Cell, D::Cell<'c>)>,
+    ) where
+        F: Fragment<N>,
+        O: Storage<F::Color, Cell: 'c>,
+        D: DepthBuffer + 'c,
+    {
+        for (color, depth) in cells {
+            let cell = Cell::<F::Color, O, D> { color, depth };
+            if self.visible(&cell, 0, 0) {
+                self.shade(cell, [0; N]);
+            }
+        }
+    }
 }
 
 impl<'c, F, O, D, const N: usize> Pixels<Cell<'c, F::Color, O, D>, N> for Shader<'_, F>
