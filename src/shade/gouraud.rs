@@ -51,12 +51,12 @@ impl<C: Channels<K>, const K: usize> Fragment<K> for Gouraud<C> {
 
     #[inline]
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; K] {
-        first(C::levels(vertex.color()))
+        first(C::levels(vertex.color()).map(|level| level + C::HALF))
     }
 
     #[inline]
     fn shade(&self, sample: &Sample, levels: [i32; K]) -> Option<C> {
-        Some(C::from_levels(all(levels), sample.point))
+        Some(C::from_raised(all(levels), sample.point))
     }
 }
 

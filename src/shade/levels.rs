@@ -49,6 +49,17 @@ pub trait Levels: PixelColor {
     #[must_use]
     fn from_levels(levels: [i32; 3], at: Point) -> Self;
 
+    /// The colour of levels that have [`HALF`](Self::HALF) a step added to each, so that to round is to cut: what is added once
+    /// to a vertex's colour need not be added at each pixel.
+    #[must_use]
+    #[inline]
+    fn from_raised(levels: [i32; 3], at: Point) -> Self {
+        Self::from_levels(levels.map(|level| level.wrapping_sub(Self::HALF)), at)
+    }
+
+    /// Half a step.
+    const HALF: i32 = 1 << 15;
+
     /// The levels of `color`, within 0.003 of a step; exact for black and white.
     #[must_use]
     #[inline]
@@ -182,6 +193,13 @@ macro_rules! rgb {
             #[inline]
             fn from_levels([r, g, b]: [i32; 3], _: Point) -> Self {
                 Self::new(round(r), round(g), round(b))
+            }
+
+            #[inline]
+            #[allow(clippy::cast_sign_loss)] // in range as documented
+            fn from_raised(levels: [i32; 3], _: Point) -> Self {
+                let [r, g, b] = levels.map(|level| (level >> 16) as u8);
+                Self::new(r, g, b)
             }
         }
 
