@@ -35,6 +35,26 @@ const fn upper_of_signed(a: u32, b: u32) -> u32 {
     upper.wrapping_add(b & (a.cast_signed() >> 31).cast_unsigned())
 }
 
+/// The product with a number of 16 bits, wrapping.
+#[inline]
+pub(crate) const fn times_short(a: i64, b: i32) -> i64 {
+    if IS_NARROW {
+        by_halves(a, b)
+    } else {
+        a.wrapping_mul(b as i64)
+    }
+}
+
+/// The same from products of 32 bits.
+#[inline]
+const fn by_halves(a: i64, b: i32) -> i64 {
+    let (high, low) = ((a >> 32) as i32, a.cast_unsigned() as u32);
+    let [first, second] = [(low & 0xffff).cast_signed(), (low >> 16).cast_signed()];
+    let low = first.wrapping_mul(b) as i64 + ((second.wrapping_mul(b) as i64) << 16);
+    let high = high.wrapping_mul(b).cast_unsigned();
+    low.wrapping_add(((high as u64) << 32).cast_signed())
+}
+
 /// The dot product; the caller sees to it that it fits, as that of mantissas of 30 bits by 31 does.
 #[inline]
 pub(crate) fn dot(a: &[i32; 3], b: &[i32; 3]) -> i64 {
@@ -157,6 +177,12 @@ mod tests {
             up in 0_u32..=16,
         ) {
             prop_assert_eq!(short_dot(&a, b, up), dot(&a, &b.map(|b| i32::from(b) << up)));
+        }
+
+        #[test]
+        fn halves_make_the_product_with_a_short_number(a in any::<i64>(), b in any::<i16>()) {
+            let b = i32::from(b);
+            prop_assert_eq!(by_halves(a, b), a.wrapping_mul(b.into()));
         }
 
         #[test]
