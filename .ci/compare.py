@@ -3,13 +3,23 @@
 
 Arguments: the folder with the outputs, named as the targets, and with `host`: scene, mode and checksum, a
 line each; then the targets. Fails unless every target printed every scene in every mode and layout, all
-with the host's checksum and the same number of pixels."""
+with the host's checksum and the same number of pixels, and every way in which a picture must be the same
+(the lines that begin with `same`), with the host's checksum again."""
 import re
 import sys
 from collections import defaultdict
 from pathlib import Path
 
 LAYOUTS = ["frame", "bands", "prepared"]
+DRAWN = [f"rows-{rows}" for rows in ["240", "1", "7", "16", "240-again", "240-over"]]
+ORDERS = {"cube": ["", "-reversed"], "default": [""]}
+WAYS = {
+    (scene, "newton", drawn + order + source)
+    for scene, orders in ORDERS.items()
+    for order in orders
+    for drawn in DRAWN
+    for source in ["", "-prepared"]
+}
 folder, *targets = sys.argv[1:]
 lines = [line.split() for line in Path(folder, "host").read_text().splitlines()]
 host = {(scene, mode): crc for scene, mode, crc in lines}
@@ -19,15 +29,21 @@ rows = []
 for target in targets:
     printed = Path(folder, target).read_text()
     figures = defaultdict(dict)
+    same = {}
     for line in printed.splitlines():
         fields = dict(re.findall(r"(\S+)=(\S+)", line))
-        if "scene" in fields:
+        if line.startswith("same "):
+            same[fields["scene"], fields["mode"], fields["way"]] = fields["crc"]
+        elif "scene" in fields:
             figures[fields["scene"], fields["mode"], fields["layout"]].update(fields)
     unit = re.search(r"^tick=(\d+) instructions$", printed, re.M)
     cases = {(*drawn, layout) for drawn in host for layout in LAYOUTS}
-    if not unit or cases - figures.keys() or "failed" in printed:
+    if not unit or cases - figures.keys() or WAYS - same.keys() or "failed" in printed:
         wrong.append(f"{target} did not finish:\n{printed}")
         continue
+    for (scene, mode, way), crc in same.items():
+        if crc != host.get((scene, mode)):
+            wrong.append(f"{target}: {scene} in mode {mode}, {way}, is {crc}, not {host.get((scene, mode))}")
     for (scene, mode, layout), found in figures.items():
         case, wanted = f"{target}: {scene} in mode {mode}, {layout},", host.get((scene, mode))
         if found.get("crc") != wanted:

@@ -10,6 +10,7 @@ use static_cell::ConstStaticCell;
 use super::board::Clock;
 use super::common::scenes::{HEIGHT, WIDTH};
 use super::common::stack;
+use super::same::{Repeat, Way};
 use super::scene::{Lists, PreparedScene, Scene, Target};
 
 const PIXELS: usize = (WIDTH * HEIGHT) as usize;
@@ -131,6 +132,38 @@ impl Bench {
         }
         figures.crc = crc.finalize();
         Ok(figures)
+    }
+
+    /// The checksum of a scene with a depth buffer, drawn in a way.
+    pub fn checksum(&mut self, way: Way) -> Result<u32, Error> {
+        let Way { scene, rows, .. } = way;
+        let (pass, chain) = (Pass::new(), scene.chain()?);
+        let models = if way.is_prepared {
+            Models::Prepared(scene.prepare(self.lists, &pass, &chain)?)
+        } else {
+            Models::Meshes(scene, &pass, &chain)
+        };
+        let mut crc = Hasher::new();
+        for first_row in (0..HEIGHT).step_by(rows as usize) {
+            let size = (rows.min(HEIGHT - first_row) * WIDTH) as usize;
+            let (colors, depths) = (&mut self.colors[..size], &mut self.depths[..size]);
+            let canvas: Target<_> = Canvas::big_endian_band(colors, WIDTH, HEIGHT, first_row)?;
+            let mut canvas = canvas.with_depth(depths)?;
+            scene.background(&mut canvas);
+            models.draw(&mut canvas)?;
+            match way.repeat {
+                Repeat::Once => (),
+                Repeat::Again => {
+                    scene.overlay(&mut canvas);
+                    scene.background(&mut canvas);
+                    models.draw(&mut canvas)?;
+                }
+                Repeat::Over => _ = models.draw(&mut canvas)?,
+            }
+            scene.overlay(&mut canvas);
+            crc.update(canvas.bytes());
+        }
+        Ok(crc.finalize())
     }
 }
 

@@ -8,6 +8,9 @@
 //! First it says how many instructions a tick is. Then, for each mode, scene and layout, what the models
 //! cover and what drawing them took, with a checksum of the picture: `simulator --mode MODE --scene NAME --crc`
 //! prints the host's. Mode fast is within a quarter of a texel.
+//!
+//! Then, for some of the scenes, the checksum of what must be the same picture (`same`): in bands of any height,
+//! drawn again or over itself, with the triangles in the reverse order.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
@@ -17,6 +20,10 @@ mod board;
 #[cfg(target_os = "none")]
 #[path = "../common/mod.rs"]
 mod common;
+#[cfg(target_os = "none")]
+mod nested;
+#[cfg(target_os = "none")]
+mod same;
 #[cfg(target_os = "none")]
 mod scene;
 
@@ -35,6 +42,7 @@ mod firmware {
 
     use super::bench::{Bench, Figures, Layout};
     use super::board::{self, Clock};
+    use super::same::Way;
     use super::scene::Scene;
 
     fn run() -> Result<(), Error> {
@@ -47,7 +55,12 @@ mod firmware {
         run_mode(&mut bench, "exact", Exact)?;
         run_mode(&mut bench, "newton", Newton)?;
         run_mode(&mut bench, "fast", Fast::within(fx!(0.25)))?;
-        run_mode(&mut bench, "affine", Affine)
+        run_mode(&mut bench, "affine", Affine)?;
+        for way in Way::all() {
+            let (name, crc) = (way.scene.name(), bench.checksum(way)?);
+            println!("same scene={name} mode=newton way={way} crc={crc:08x}");
+        }
+        Ok(())
     }
 
     /// Measures everything in one way of interpolating.

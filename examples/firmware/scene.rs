@@ -1,4 +1,4 @@
-//! What is drawn: the four measured scenes and the project's own, each in its first pose.
+//! What is drawn: the four measured scenes and the project's own, each in its first pose, and the cube with more in it.
 
 use embedded_graphics::pixelcolor::raw::BigEndian;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -10,6 +10,7 @@ use fixel::view::Perspective;
 
 use super::common::lighthouse;
 use super::common::scenes::{self, HEIGHT, WIDTH};
+use super::nested::{INWARDS, OUTWARDS};
 
 /// Bytes in the order that a display takes them.
 pub type Target<'a, D> = Canvas<'a, Rgb565, BigEndian, D>;
@@ -21,9 +22,14 @@ pub enum Scene {
     Sphere,
     SphereFlat,
     Lighthouse,
+    /// The cube with one in it that depth hides, from without to within: the picture of the cube.
+    Inwards,
+    /// The same triangles, the last first.
+    Outwards,
 }
 
 impl Scene {
+    /// Those that are measured.
     pub const ALL: [Self; 5] = [
         Self::Floor,
         Self::Cube,
@@ -36,7 +42,7 @@ impl Scene {
     pub fn name(self) -> &'static str {
         match self {
             Self::Floor => "floor",
-            Self::Cube => "cube",
+            Self::Cube | Self::Inwards | Self::Outwards => "cube",
             Self::Sphere => "sphere",
             Self::SphereFlat => "sphere-flat",
             Self::Lighthouse => "default",
@@ -52,7 +58,7 @@ impl Scene {
     pub fn chain(self) -> Result<Chain<Perspective>, Error> {
         match self {
             Self::Floor => scenes::floor_chain(0),
-            Self::Cube => scenes::cube_chain(0),
+            Self::Cube | Self::Inwards | Self::Outwards => scenes::cube_chain(0),
             Self::Sphere | Self::SphereFlat => scenes::sphere_chain(0),
             Self::Lighthouse => {
                 let lens = lighthouse::lens((WIDTH, HEIGHT))?;
@@ -85,6 +91,8 @@ impl Scene {
                 let [sea, island] = lighthouse::draw(canvas, pass, chain)?;
                 sea.drawn + island.drawn
             }
+            Self::Inwards => drawn_cubes(canvas, pass, chain, &INWARDS),
+            Self::Outwards => drawn_cubes(canvas, pass, chain, &OUTWARDS),
         })
     }
 
@@ -101,6 +109,8 @@ impl Scene {
             Self::Cube => (&scenes::CUBE, None),
             Self::Sphere | Self::SphereFlat => (&scenes::SPHERE, None),
             Self::Lighthouse => (&lighthouse::ISLAND, Some(&lighthouse::SEA)),
+            Self::Inwards => (&INWARDS, None),
+            Self::Outwards => (&OUTWARDS, None),
         };
         Ok(PreparedScene {
             scene: self,
@@ -118,6 +128,17 @@ impl Scene {
             lighthouse::caption(canvas);
         }
     }
+}
+
+fn drawn_cubes<I: Interpolate, D: DepthBuffer>(
+    canvas: &mut Target<'_, D>,
+    pass: &Pass<I>,
+    chain: &Chain<Perspective>,
+    cubes: &Mesh<'_>,
+) -> u32 {
+    canvas
+        .draw_with(pass, cubes, chain, &scenes::checkered())
+        .drawn
 }
 
 /// Memory for the prepared triangles of any of the scenes: 23 KiB.
@@ -152,7 +173,9 @@ impl<I: Interpolate> PreparedScene<'_, I> {
             Some(sea) => canvas.draw_prepared(sea, &lighthouse::waves()).drawn,
         };
         let drawn = match scene {
-            Scene::Floor | Scene::Cube => canvas.draw_prepared(model, &scenes::checkered()),
+            Scene::Floor | Scene::Cube | Scene::Inwards | Scene::Outwards => {
+                canvas.draw_prepared(model, &scenes::checkered())
+            }
             Scene::Sphere => canvas.draw_prepared(model, &scenes::shaded()),
             Scene::SphereFlat => canvas.draw_prepared(model, &scenes::faceted()),
             Scene::Lighthouse => canvas.draw_prepared(model, &lighthouse::skin()?),

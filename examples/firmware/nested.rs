@@ -1,0 +1,79 @@
+//! The measured cube with a smaller one in it, its triangles in two orders.
+//!
+//! Depth alone keeps the inner one from showing, wherever it is drawn: backs are culled, and no two fronts that share a
+//! pixel are near each other, so that nowhere equal depths leave it to the order.
+
+use fixel::geometry::{Buffers, Counts, Shape};
+use fixel::prelude::*;
+
+/// From without to within.
+pub static INWARDS: Mesh = mesh(&CUBES.faces);
+/// The last first.
+pub static OUTWARDS: Mesh = mesh(&REVERSED);
+
+const SHAPES: [Result<Shape, Error>; 2] = [
+    Shape::cuboid(vec3!(1, 1, 1)),
+    Shape::cuboid(vec3!(0.5, 0.5, 0.5)),
+];
+/// Of one cube.
+const COUNTS: Counts = match SHAPES[0] {
+    Ok(cube) => cube.counts(),
+    Err(_) => panic!("no cube"),
+};
+
+struct Cubes {
+    positions: [Vec3; 2 * COUNTS.positions],
+    uvs: [Vec2; 2 * COUNTS.uvs],
+    faces: [[u16; 3]; 2 * COUNTS.faces],
+}
+
+static CUBES: Cubes = {
+    let mut cubes = Cubes {
+        positions: [Vec3::ZERO; 2 * COUNTS.positions],
+        uvs: [vec2!(0, 0); 2 * COUNTS.uvs],
+        faces: [[0; 3]; 2 * COUNTS.faces],
+    };
+    let (outer_positions, inner_positions) = cubes.positions.split_at_mut(COUNTS.positions);
+    let (outer_uvs, inner_uvs) = cubes.uvs.split_at_mut(COUNTS.uvs);
+    let (outer_faces, inner_faces) = cubes.faces.split_at_mut(COUNTS.faces);
+    build(SHAPES[0], outer_positions, outer_uvs, outer_faces);
+    build(SHAPES[1], inner_positions, inner_uvs, inner_faces);
+    // The inner cube's vertices come after the outer one's.
+    let mut at = 0;
+    while at < COUNTS.faces {
+        let [a, b, c] = inner_faces[at];
+        let first = COUNTS.positions as u16;
+        inner_faces[at] = [first + a, first + b, first + c];
+        at += 1;
+    }
+    cubes
+};
+
+static REVERSED: [[u16; 3]; 2 * COUNTS.faces] = {
+    let mut faces = [[0; 3]; 2 * COUNTS.faces];
+    let mut at = 0;
+    while at < faces.len() {
+        faces[at] = CUBES.faces[faces.len() - 1 - at];
+        at += 1;
+    }
+    faces
+};
+
+const fn build(
+    shape: Result<Shape, Error>,
+    positions: &mut [Vec3],
+    uvs: &mut [Vec2],
+    faces: &mut [[u16; 3]],
+) {
+    let mut buffers = Buffers::new(positions, faces);
+    buffers.uvs = uvs;
+    match shape {
+        Ok(shape) => _ = Mesh::checked(shape.build(buffers)),
+        Err(_) => panic!("no cube"),
+    }
+}
+
+const fn mesh(faces: &'static [[u16; 3]]) -> Mesh<'static> {
+    let mesh = Mesh::checked(Mesh::new(&CUBES.positions, faces));
+    Mesh::checked(mesh.with_uvs(&CUBES.uvs, None))
+}

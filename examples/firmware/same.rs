@@ -1,0 +1,65 @@
+//! Ways to a picture that must not show in it.
+
+use core::fmt;
+
+use super::common::scenes::HEIGHT;
+use super::scene::Scene;
+
+/// How a scene is drawn, in the default mode.
+#[derive(Clone, Copy)]
+pub struct Way {
+    pub scene: Scene,
+    /// Rows of a band; the last may have fewer.
+    pub rows: u32,
+    pub repeat: Repeat,
+    /// Whether the triangles are transformed once for all bands.
+    pub is_prepared: bool,
+}
+
+/// How often a band is drawn.
+#[derive(Clone, Copy)]
+pub enum Repeat {
+    Once,
+    /// Twice, cleared in between.
+    Again,
+    /// Twice, the second time over the first: of what is at equal depths the last shows, and the last is the same.
+    Over,
+}
+
+impl Way {
+    /// All of them. The lighthouse's triangles are not drawn in another order: where the sea meets the island, a few
+    /// pixels have equal depths, of which the last drawn shows.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let whole = (HEIGHT, Repeat::Once);
+        let bands = [1, 7, 16].map(|rows| (rows, Repeat::Once));
+        let twice = [Repeat::Again, Repeat::Over].map(|repeat| (HEIGHT, repeat));
+        let scenes = [Scene::Inwards, Scene::Outwards, Scene::Lighthouse];
+        scenes.into_iter().flat_map(move |scene| {
+            let drawn = [whole].into_iter().chain(bands).chain(twice);
+            drawn.flat_map(move |(rows, repeat)| {
+                [false, true].map(|is_prepared| Self {
+                    scene,
+                    rows,
+                    repeat,
+                    is_prepared,
+                })
+            })
+        })
+    }
+}
+
+impl fmt::Display for Way {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "rows-{}", self.rows)?;
+        f.write_str(match self.repeat {
+            Repeat::Once => "",
+            Repeat::Again => "-again",
+            Repeat::Over => "-over",
+        })?;
+        f.write_str(match self.scene {
+            Scene::Outwards => "-reversed",
+            _ => "",
+        })?;
+        f.write_str(if self.is_prepared { "-prepared" } else { "" })
+    }
+}
