@@ -7,9 +7,9 @@ use fixel::geometry::{Buffers, Counts, Shape};
 use fixel::prelude::*;
 
 /// From without to within.
-pub static INWARDS: Mesh = mesh(&CUBES.faces);
-/// The last first.
-pub static OUTWARDS: Mesh = mesh(&REVERSED);
+pub static INWARDS: Mesh = mesh(Mesh::new(&CUBES.positions, &CUBES.faces));
+/// The last first, and of positions of 16 bits, which are the same numbers and on Cortex-M0+ take a way of their own.
+pub static OUTWARDS: Mesh = mesh(Mesh::short(&SHORT.0, SHORT.1, &REVERSED));
 
 const SHAPES: [Result<Shape, Error>; 2] = [
     Shape::cuboid(vec3!(1, 1, 1)),
@@ -49,6 +49,11 @@ static CUBES: Cubes = {
     cubes
 };
 
+static SHORT: ([[i16; 3]; 2 * COUNTS.positions], u32) = match INWARDS.shortened() {
+    Ok(short) => short,
+    Err(_) => panic!("as many as there are"),
+};
+
 static REVERSED: [[u16; 3]; 2 * COUNTS.faces] = {
     let mut faces = [[0; 3]; 2 * COUNTS.faces];
     let mut at = 0;
@@ -73,7 +78,6 @@ const fn build(
     }
 }
 
-const fn mesh(faces: &'static [[u16; 3]]) -> Mesh<'static> {
-    let mesh = Mesh::checked(Mesh::new(&CUBES.positions, faces));
-    Mesh::checked(mesh.with_uvs(&CUBES.uvs, None))
+const fn mesh(mesh: Result<Mesh<'static>, Error>) -> Mesh<'static> {
+    Mesh::checked(Mesh::checked(mesh).with_uvs(&CUBES.uvs, None))
 }

@@ -24,7 +24,7 @@ pub enum Scene {
     Lighthouse,
     /// The cube with one in it that depth hides, from without to within: the picture of the cube.
     Inwards,
-    /// The same triangles, the last first.
+    /// The same triangles, the last first, of short positions.
     Outwards,
 }
 
