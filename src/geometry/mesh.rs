@@ -148,8 +148,8 @@ impl<'a> Mesh<'a> {
     /// 320x240, with 14 fraction bits, by 0.008 pixels. To transform a position takes 7 instructions more than others on Cortex-M4,
     /// and 47 fewer on Cortex-M0+, which has no products beyond 32 bits.
     ///
-    /// [`shape!`](crate::shape) and [`include_obj!`](crate::include_obj) make such meshes if told so, and
-    /// [`Mesh::shortened`] positions of yours.
+    /// [`shape!`](crate::shape) and [`include_obj!`](crate::include_obj) make such meshes if told so;
+    /// [`Mesh::shortened`] makes such positions of a mesh's own.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -249,6 +249,9 @@ impl<'a> Mesh<'a> {
             Err(Error::Index { .. }) => panic!("a mesh index names an element that is not there"),
             Err(Error::Length { .. }) => {
                 panic!("a mesh attribute has the wrong number of elements")
+            }
+            Err(Error::Parts { .. }) => {
+                panic!("a mesh's positions have more than 16 fraction bits")
             }
             Err(_) => panic!("the mesh has too many elements"),
         }
