@@ -217,3 +217,9 @@ fn what_does_not_fit_is_refused() {
     assert_eq!(mesh.positions().get(2), None);
     assert!(!mesh.positions().is_empty());
 }
+
+#[test]
+#[should_panic(expected = "more than 16 fraction bits")]
+fn what_is_refused_while_compiling_says_why() {
+    let _ = Mesh::checked(Mesh::short(&[], 17, &[]));
+}

@@ -3,7 +3,8 @@
 use heapless::Vec;
 
 use super::Index;
-use super::project::{ClipPosition, Projected, Projector};
+use super::project::{ClipPosition, Projector};
+use super::projected::Projected;
 use crate::interpolate::reciprocal;
 use crate::view::Kind;
 

@@ -2,6 +2,7 @@
 
 use embedded_graphics::pixelcolor::Rgb888;
 
+use super::attribute::Attribute;
 use super::buffers::Counts;
 use super::positions::{self, Positions};
 use crate::{Error, Vec2, Vec3};
@@ -54,32 +55,6 @@ pub(crate) struct Element {
     pub(crate) face: Option<usize>,
     /// Positions' indices.
     pub(crate) indices: [Index; 3],
-}
-
-/// Values of one attribute; without faces of its own it is indexed like the positions.
-#[derive(Clone, Copy, Debug)]
-struct Attribute<'a, T> {
-    values: &'a [T],
-    faces: Option<&'a [[Index; 3]]>,
-}
-
-impl<T> Attribute<'_, T> {
-    const NONE: Self = Self {
-        values: &[],
-        faces: None,
-    };
-}
-
-impl<T: Copy> Attribute<'_, T> {
-    /// The value at `corner` (0, 1 or 2) of an element.
-    #[inline]
-    fn at(&self, element: Element, corner: usize) -> Option<T> {
-        let indices = match self.faces {
-            None => element.indices,
-            Some(faces) => *faces.get(element.face?)?,
-        };
-        self.values.get(usize::from(*indices.get(corner)?)).copied()
-    }
 }
 
 /// Checks that every index of `lists` names one of `len` elements, or is `but`.
@@ -148,8 +123,8 @@ impl<'a> Mesh<'a> {
     /// 320x240, with 14 fraction bits, by 0.008 pixels. To transform a position takes 7 instructions more than others on Cortex-M4,
     /// and 47 fewer on Cortex-M0+, which has no products beyond 32 bits.
     ///
-    /// [`shape!`](crate::shape) and [`include_obj!`](crate::include_obj) make such meshes if told so, and
-    /// [`Mesh::shortened`] positions of yours.
+    /// [`shape!`](crate::shape) and [`include_obj!`](crate::include_obj) make such meshes if told so;
+    /// [`Mesh::shortened`] makes such positions of a mesh's own.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -249,6 +224,9 @@ impl<'a> Mesh<'a> {
             Err(Error::Index { .. }) => panic!("a mesh index names an element that is not there"),
             Err(Error::Length { .. }) => {
                 panic!("a mesh attribute has the wrong number of elements")
+            }
+            Err(Error::Parts { .. }) => {
+                panic!("a mesh's positions have more than 16 fraction bits")
             }
             Err(_) => panic!("the mesh has too many elements"),
         }

@@ -1,5 +1,6 @@
 //! What is drawn: meshes, and how they get to the screen.
 
+mod attribute;
 mod buffers;
 mod clip;
 mod cull;
@@ -8,6 +9,7 @@ pub mod obj;
 mod panic;
 mod positions;
 mod project;
+mod projected;
 mod shapes;
 mod vertex;
 
@@ -19,6 +21,7 @@ pub use cull::Cull;
 pub(crate) use mesh::Element;
 pub use mesh::{Index, Mesh};
 pub use positions::Positions;
-pub(crate) use project::{DepthShift, Projected, Projector};
+pub(crate) use project::Projector;
+pub(crate) use projected::{DepthShift, Projected};
 pub use shapes::Shape;
 pub use vertex::{Face, Vertex};

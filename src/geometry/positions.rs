@@ -152,8 +152,8 @@ impl Place<'_> {
     }
 }
 
-/// The finest fraction, up to 16 bits, at which positions fit into 16 bits each; 0 if they never do, which are those
-/// beyond 32767.5.
+/// The most fraction bits, up to 16, with which every component fits into 16 bits; 0 also if one does not fit without any,
+/// being 32767.5 or more.
 pub(super) const fn finest(positions: Positions<'_>) -> u32 {
     let mut fraction = FRACTION;
     let mut at = 0;

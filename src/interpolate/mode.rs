@@ -54,7 +54,8 @@ use crate::linear::product;
 /// let pass = Pass::new().mode(Sparse);
 /// ```
 pub trait Interpolate: Copy {
-    /// Whether attributes are divided by 1/w; otherwise [`Run::p`] carries them alone, times 2³⁰.
+    /// Whether attributes are divided by 1/w; otherwise [`Run::p`] carries them alone, as parts of 2³⁰ that
+    /// [`Scale::restore`] makes attributes of.
     const PERSPECTIVE: bool;
 
     /// The least [`Scale::bits`] that attributes are given: with b bits an interpolant's unit is 2^(b − 30) of

@@ -4,9 +4,9 @@ use crate::linear::{IS_NARROW, product, upper};
 
 /// ⌊(2⁶¹ − 1) / q⌋, for a `q` of 31 bits: from 2³⁰ to 2³¹ − 1, as is the result.
 ///
-/// Exact in every bit and the same on every target: a core with a 64-bit divider divides, others
-/// double the 17 bits that a 32-bit divider gives, or where there is none a table of 32 bytes and two short Newton
-/// steps, in one more step, and correct the last one from the remainder.
+/// Exact in every bit and the same on every target: a core with a 64-bit divider divides. Others begin with the
+/// 17 bits that a 32-bit divider gives, or where there is none a table of 32 bytes and two short Newton steps; one more
+/// step doubles these bits, and the remainder corrects the last one. Of any other `q` the result has no meaning.
 ///
 /// ```
 /// use fixel::interpolate::reciprocal;
@@ -73,11 +73,13 @@ const fn by_newton(q: u32, seed: u32) -> u32 {
     // result and never above it. seed * q is 2^48 but for less than 2^33, so modulo 2^34 will do.
     let residual = !(upper(seed, q) << 30 | seed.wrapping_mul(q) >> 2);
     let seed = (seed << 13).cast_signed();
-    let r = (seed + (product(seed, residual.cast_signed()) >> 46) as i32).cast_unsigned();
+    // No sum wraps, but of a `q` that is out of range.
+    let r = seed.wrapping_add((product(seed, residual.cast_signed()) >> 46) as i32);
+    let r = r.cast_unsigned();
     // Rounded down, r is right or one short. The remainder is then below 2q < 2^32, and need not
     // be known but modulo that.
     let remainder = !r.wrapping_mul(q);
-    r + (remainder >= q) as u32
+    r.wrapping_add((remainder >= q) as u32)
 }
 
 /// ⌊2³¹ / d⌋, for a `d` of 15 or 16 bits.
@@ -114,6 +116,16 @@ mod tests {
             assert_eq!(u128::from(by_division(q)), exact, "{q}");
             assert_eq!(u128::from(by_newton(q, divided_seed(q))), exact, "{q}");
             assert_eq!(u128::from(by_newton(q, seed(q))), exact, "{q}");
+        }
+    }
+
+    /// On every target, with the checks for overflow that a build for development has.
+    #[test]
+    fn a_number_out_of_range_is_survived() {
+        let ends = (0..32).flat_map(|bit| [(1 << bit) - 1, 1 << bit, (1 << bit) + 1]);
+        for q in ends.chain((0..=u32::MAX).step_by(0xf_4241)) {
+            let _ = [by_division(q), by_newton(q, seed(q))];
+            let _ = by_newton(q, divided_seed(q));
         }
     }
 

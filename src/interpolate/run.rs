@@ -56,7 +56,8 @@ pub struct Steps<const N: usize> {
     pub depth: u32,
     /// The least [`Run::q`] of the triangle's corners; the largest has bit 30 set.
     pub least: u32,
-    /// Whether attributes are not divided by w in this triangle, nor to be multiplied by it.
+    /// Whether a mode that divides need not do so in this triangle: [`Run::p`] has attributes, times 4, that were not
+    /// divided by w. See [`Interpolate::affine_within`](super::Interpolate::affine_within).
     pub is_affine: bool,
 }
 

@@ -9,7 +9,7 @@ use crate::linear::product;
 pub(super) struct Attribute {
     /// What it is at the corners of the mesh's triangle.
     pub(super) corners: [i32; 3],
-    /// By how much less than this it may be off where a triangle is drawn affinely.
+    /// A triangle is drawn affinely if that takes it less than this from what is right.
     pub(super) tolerance: u32,
     /// The plane of it over w, or of itself.
     plane: Plane,

@@ -26,8 +26,9 @@ pub struct Sample {
 ///
 /// Two methods are needed: [`varyings`](Self::varyings) says what to interpolate, and
 /// [`shade`](Self::shade) makes a colour of it, or `None` to leave the pixel as it is.
-/// A varying is an `i32` in whatever unit the fragment likes; it comes back in the same unit,
-/// rounded down, and may exceed the range of its triangle's corners by a unit.
+/// A varying is an `i32` in whatever unit the fragment likes; it comes back in the same unit, off by
+/// what the [mode](crate::interpolate) may be: 60 units or so in the default one, and by as much it may exceed the range
+/// of its triangle's corners. So let a unit be far below what is seen, such as 2⁻¹⁶.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
@@ -71,7 +72,8 @@ pub trait Fragment<const N: usize>: Copy {
     const READS_DEPTH: bool = true;
 
     /// By how many of its units each varying may be off where that spares dividing by w at every pixel, as it does
-    /// in triangles that hardly change in depth: what is not seen. [`Newton`](crate::interpolate::Newton) goes by it.
+    /// in triangles that hardly change in depth: what is not seen. [`Newton`](crate::interpolate::Newton) goes by it;
+    /// [`Fast`](crate::interpolate::Fast) has a tolerance of its own.
     ///
     /// By default 16 units, which of a texture coordinate are 1/4096 of a texel. A fragment around another one passes on that one's.
     const TOLERANCES: [u32; N] = [16; N];

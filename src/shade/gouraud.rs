@@ -51,7 +51,7 @@ impl<C: Channels<K>, const K: usize> Fragment<K> for Gouraud<C> {
 
     #[inline]
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; K] {
-        first(C::levels(vertex.color()).map(|level| level + C::HALF))
+        first(C::levels(vertex.color()).map(|level| level.wrapping_add(C::HALF)))
     }
 
     #[inline]

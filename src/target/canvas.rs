@@ -329,7 +329,8 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         self.depth.clear();
     }
 
-    /// The pixels of `columns` of `row` with their depths; `None` unless both lie within the canvas.
+    /// The pixels of `columns` of `row` with their depths; both must lie within [`area`](Self::area), as what the
+    /// rasterizer asks for does. `None` where memory ends before them, in place of a panic.
     #[inline]
     pub(crate) fn run(&mut self, row: u32, columns: Range<u32>) -> Option<Cells<'_, C, O, D>> {
         let range = self.range(row, &columns);

@@ -111,11 +111,15 @@ fn lifted(w: [f64; 3]) -> f64 {
 /// most, is far from the other 0.87: 2⁻²¹ of the attribute. Its product with the numerator is rounded down
 /// to a unit, as the exact quotient is.
 ///
-/// Where the fragment's tolerance allows, which is 16 units unless it says otherwise, no pixel divides:
-/// - A triangle that hardly changes in depth is affine: tolerance, what numerators are off by, which have 30 bits (a quarter of
-///   36½ units), and a unit of rounding. That is less than the sum of the following.
-/// - A run along which 1/w hardly changes is a straight line through its middle: tolerance, half a unit in four for what is there, and
-///   32 steps of as much: 4⅛.
+/// Where it is next to nothing, no pixel divides:
+/// - A triangle that hardly changes in depth is affine: what its fragment allows, 16 units unless it says otherwise, what
+///   numerators are off by, which have 30 bits (a quarter of 36½ units), and a unit of rounding. That is less than the sum of the
+///   following.
+/// - A run along which 1/w hardly changes is straight, in units of a quarter: the line that touches it in the middle, 16 whole
+///   units away at the ends. Where Q is least, a reciprocal below 2³¹ has 31 bits: of a value below 2²⁹ it may take ½, and rounding
+///   as much: 1. A gain's dividend is rounded to half of its unit, which the reciprocal makes 1, and its product once more to ½; of
+///   a gain below 2²⁵ the reciprocal may take 2⁻⁵. So 32 gains make 49, and all is 50: 12½ units. (Where Q is 2³⁰ and more, a gain's 1
+///   is ½.)
 ///
 /// An attribute of more bits, and one beside it, is divided exactly.
 fn newton(corners: [i32; 3], corners_w: [f64; 3]) -> f64 {
@@ -129,11 +133,12 @@ fn newton(corners: [i32; 3], corners_w: [f64; 3]) -> f64 {
     } else {
         from_the_start.max(RUN_ROUNDING)
     };
-    units + f64::from(size(corners)) * 2_f64.powi(-21) + TOLERANCE + 4.125
+    let reciprocal = f64::from(size(corners)) * 2_f64.powi(-21);
+    units + reciprocal.max(STRAIGHT)
 }
 
-/// What a fragment allows if it does not say.
-const TOLERANCE: f64 = 16.;
+/// What a run of `Newton` that is straight is off by.
+const STRAIGHT: f64 = 16. + 12.5;
 
 /// What start and steps of a run of `Newton` are off by once they are rounded again.
 const RUN_ROUNDING: f64 = 16.;

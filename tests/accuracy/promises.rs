@@ -152,9 +152,9 @@ struct Worst {
 ///
 /// An interpolant's unit is at most 4¼ repeats of 2⁻³⁰ · w, or 2⁻⁶ · 4¼ units of 2⁻¹⁶ texel for each w and repeat: 56½
 /// are 3¾ units. `Exact` is then within 61½ + 1 units up to 16 of this product, and 0.001 texel is 65½.
-/// `Newton` adds 36 units where a corner is far and up to 48 where none is, and 8 for each repeat: by derivation the promise
-/// holds up to 5 for one repeat, or 2. That takes roundings that all go one way, the steepest slope and a row that is
-/// as level as may be, which no row is at once: up to 16 the promise is tested, and kept.
+/// `Newton` adds 28½ units where a row is straight or, if that is more, 8 for each repeat; besides 16, or for one repeat of which
+/// no corner is far, 21.2: by derivation the promise holds up to 4 for one repeat, or up to 5 for two. That takes
+/// roundings that all go one way, in a row as level as may be: up to 16 the promise is tested, and kept.
 /// `Fast` may use 1/32 texel besides its tolerance, of which its reciprocals of 16 bits take up to 0.0297 for one
 /// repeat (see `bounds::fast`), and so many times that for more: its promise is for one, of the run's farthest pixel.
 fn is_promised(mode: Mode, repeats: f64, far: f64) -> bool {

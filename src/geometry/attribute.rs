@@ -1,0 +1,29 @@
+//! A mesh's attributes: what a vertex has besides its place.
+
+use super::mesh::{Element, Index};
+
+/// Values of one attribute; without faces of its own it is indexed like the positions.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Attribute<'a, T> {
+    pub(super) values: &'a [T],
+    pub(super) faces: Option<&'a [[Index; 3]]>,
+}
+
+impl<T> Attribute<'_, T> {
+    pub(super) const NONE: Self = Self {
+        values: &[],
+        faces: None,
+    };
+}
+
+impl<T: Copy> Attribute<'_, T> {
+    /// The value at `corner` (0, 1 or 2) of an element.
+    #[inline]
+    pub(super) fn at(&self, element: Element, corner: usize) -> Option<T> {
+        let indices = match self.faces {
+            None => element.indices,
+            Some(faces) => *faces.get(element.face?)?,
+        };
+        self.values.get(usize::from(*indices.get(corner)?)).copied()
+    }
+}
