@@ -3,6 +3,7 @@
 use std::io::Write;
 
 use embedded_graphics::pixelcolor::PixelColor;
+use fixel::interpolate::Tolerance;
 use fixel::{Fragment, Sample, TexCoord, Vertex};
 
 use super::Result;
@@ -44,6 +45,8 @@ impl Recorder {
 
 impl Fragment<3> for Recorder {
     type Color = Record;
+
+    const TOLERANCES: [Tolerance; 3] = [Tolerance::Texels; 3];
 
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; 3] {
         let [u, v] = vertex

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{PixelColor, Rgb565, Rgb888, RgbColor};
+use fixel::interpolate::Tolerance;
 use fixel::prelude::*;
 use fixel::shade::Sampler;
 use image::imageops::FilterType;
@@ -140,7 +141,7 @@ impl<F: Fragment<N>, const N: usize> Fragment<N> for Scaled<F> {
     type Color = F::Color;
 
     const READS_DEPTH: bool = F::READS_DEPTH;
-    const TOLERANCES: [u32; N] = F::TOLERANCES;
+    const TOLERANCES: [Tolerance; N] = F::TOLERANCES;
 
     #[inline]
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; N] {

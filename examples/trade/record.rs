@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use fixel::interpolate::Tolerance;
 use fixel::prelude::*;
 
 /// What was interpolated at a pixel.
@@ -25,6 +26,8 @@ pub struct Recorder<'a> {
 
 impl Fragment<2> for Recorder<'_> {
     type Color = Rgb565;
+
+    const TOLERANCES: [Tolerance; 2] = [Tolerance::Texels; 2];
 
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; 2] {
         let up = self.texels_log2 + 16 - TexCoord::FRAC_NBITS;

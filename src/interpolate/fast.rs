@@ -5,8 +5,9 @@ use super::mode::{Exact, Interpolate};
 use super::newton::room;
 use super::reciprocal::short_reciprocal;
 use super::run::{Cells, FAR, Pixels, Run, Steps, rolled};
+use super::tolerance::Tolerance;
 use crate::Scalar;
-use crate::linear::IS_NARROW;
+use crate::linear::{IS_NARROW, product};
 
 /// Perspective by straight pieces between pixels that are right, as long as a tolerance allows.
 ///
@@ -19,8 +20,12 @@ use crate::linear::IS_NARROW;
 ///
 /// A tolerance is in texels, of whatever size the texture is. Besides, an attribute is off by up to 2^-13 of its
 /// greatest in the triangle: 1/32 of a texel where a texture of 256 is seen once, and so on for more or less of it.
-/// Colours are held to the same number in steps of their channels (32 or 64 of an
-/// [`Rgb565`](embedded_graphics::pixelcolor::Rgb565)), other varyings in units of 2^16.
+/// Pieces hold colours to the same number in steps of their channels (32 or 64 of an
+/// [`Rgb565`](embedded_graphics::pixelcolor::Rgb565)), and other varyings in units of 2^16. A triangle that hardly changes in depth
+/// is one piece, where its texture coordinates may be off by the tolerance and what else varies by what its fragment allows
+/// ([`TOLERANCES`](crate::Fragment::TOLERANCES)).
+///
+/// Pieces end within the triangle, so that no attribute exceeds those of the corners but by rounding.
 ///
 /// ```
 /// use fixel::interpolate::Fast;
@@ -74,8 +79,11 @@ impl Interpolate for Fast {
     }
 
     #[inline]
-    fn affine_within(&self, _: u32) -> u32 {
-        self.tolerance
+    fn affine_within(&self, tolerance: Tolerance) -> u32 {
+        match tolerance {
+            Tolerance::Units(units) if self.tolerance > 0 => units,
+            _ => self.tolerance,
+        }
     }
 
     #[inline]
@@ -105,7 +113,7 @@ impl Interpolate for Fast {
         }
         let mut left = cells.count() as u32;
         let mut own = *steps;
-        let mut length = if let Plan::Pieces(length) = plan {
+        let length = if let Plan::Pieces(length) = plan {
             length
         } else {
             let up = room(run.q, steps.q, cells.count());
@@ -119,31 +127,36 @@ impl Interpolate for Fast {
             };
             run.q <<= up;
             own.q <<= up;
-            own.depth = (own.depth + up).min(31);
+            own.depth = own.depth.saturating_add(up).min(31);
             run.p = run.p.map(|p| p << up);
             own.p = own.p.map(|p| p << up);
             length
         };
-        // A piece's end may be beyond that of the triangle, attributes there up to three times as great.
+        // For a reciprocal of up to 17 bits.
         run.p = run.p.map(|p| p >> 2);
         own.p = own.p.map(|p| p >> 2);
         // 1/w is from 2^29 to 2^31 from here on.
         let mut inverse = short_reciprocal(run.q >> 15);
         let mut values = values(&run, &own, inverse);
         loop {
-            // What is left may end before the piece, but by no more than half of it.
-            while 1 << length >> 1 >= left && length > 0 {
-                length -= 1;
-            }
+            // A piece ends where the next begins, or with the run's last pixel: beyond that attributes might be any.
             let count = 1 << length;
-            let end = run.after(&own, count);
+            let is_last = left <= count;
+            let pixels_on = if is_last { left.wrapping_sub(1) } else { count };
+            let end = run.after(&own, pixels_on);
             inverse = refined(end.q, inverse);
             let at_end = self::values(&end, &own, inverse);
             let mut gains = at_end;
             for (gain, value) in gains.iter_mut().zip(values) {
-                *gain = gain.wrapping_sub(value) >> length;
+                let change = gain.wrapping_sub(value);
+                *gain = if is_last {
+                    part_of(change, pixels_on)
+                } else {
+                    change >> length
+                };
             }
-            for cell in cells.first(count as usize) {
+            let first = if is_last { left } else { count };
+            for cell in cells.first(first as usize) {
                 rolled();
                 if pixels.visible(&cell, run.q, own.depth) {
                     pixels.shade(cell, values);
@@ -153,7 +166,7 @@ impl Interpolate for Fast {
                     *value = value.wrapping_add(gain);
                 }
             }
-            if left <= count {
+            if is_last {
                 return;
             }
             left -= count;
@@ -227,6 +240,23 @@ fn refined(q: u32, mut inverse: u32) -> u32 {
         inverse = inverse.wrapping_add_signed(more);
     }
     inverse
+}
+
+/// 2^30 / n; the first one is of a piece of no length.
+const PARTS: [i32; 64] = {
+    let mut parts = [0; 64];
+    let (mut at, mut n) = (1, 1);
+    while at < parts.len() {
+        parts[at] = (1 << 30) / n;
+        (at, n) = (at + 1, n + 1);
+    }
+    parts
+};
+
+/// An n-th of a change, rounded down, for an n below 64.
+#[inline]
+fn part_of(change: i32, n: u32) -> i32 {
+    (product(change, PARTS[(n & 63) as usize]) >> 30) as i32
 }
 
 /// The attributes where the reciprocal of 1/w is `inverse`.

@@ -26,6 +26,7 @@ mod plane;
 mod reciprocal;
 mod run;
 mod segment;
+mod tolerance;
 
 pub use affine::{Affine, Linear};
 pub use fast::Fast;
@@ -36,3 +37,4 @@ pub use reciprocal::reciprocal;
 pub use run::{Cells, Pixels, Run, Scale, Steps};
 pub(crate) use run::{FAR, RUN, weigh};
 pub use segment::{Segment, speed};
+pub use tolerance::Tolerance;

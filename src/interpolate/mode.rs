@@ -3,6 +3,7 @@
 use super::affine::Linear;
 use super::reciprocal::reciprocal;
 use super::run::{Cells, Pixels, Run, Scale, Steps};
+use super::tolerance::Tolerance;
 use crate::linear::product;
 
 /// A way to recover the attributes along a run of pixels.
@@ -75,7 +76,7 @@ pub trait Interpolate: Copy {
     /// Triangles that change so little in depth that no attribute is off by more are drawn like those of a parallel
     /// projection: their runs have [`Steps::is_affine`] set, and [`Run::p`] carries attributes alone, times 4.
     #[inline]
-    fn affine_within(&self, tolerance: u32) -> u32 {
+    fn affine_within(&self, tolerance: Tolerance) -> u32 {
         let _ = tolerance;
         0
     }

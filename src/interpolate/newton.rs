@@ -4,6 +4,7 @@ use super::affine::{Affine, straight};
 use super::mode::{Exact, Interpolate};
 use super::reciprocal::reciprocal;
 use super::run::{Cells, FAR, Pixels, Run, Scale, Steps, rolled};
+use super::tolerance::Tolerance;
 use crate::linear::product;
 
 /// Perspective-correct at every pixel, by one Newton step from the two pixels before it: the default.
@@ -16,8 +17,8 @@ use crate::linear::product;
 ///
 /// Where it makes no difference, nothing is divided: a row in which 1/w hardly changes, such as of a floor under
 /// a camera that does not roll, is drawn straight where that is off by 16 units at most, and a triangle that hardly changes
-/// in depth where that is off by what its fragment allows ([`TOLERANCES`](crate::Fragment::TOLERANCES)): 16 units unless it
-/// says otherwise, but an eighth of a step of colours, so that nearly all triangles of a model are that have a colour at each vertex.
+/// in depth where that is off by what its fragment allows ([`TOLERANCES`](crate::Fragment::TOLERANCES)): 16 units of a texture
+/// coordinate, an eighth of a step of colours, so that nearly all triangles of a model are that have a colour at each vertex.
 ///
 /// A run begins with the exact reciprocal, every 64 pixels and at every triangle's edge, so that
 /// bands and frames are alike.
@@ -35,6 +36,9 @@ const STEEPEST: u32 = 6;
 const FRACTION: u32 = Scale::AFFINE.bits();
 /// Bits of the step of a 1/w that hardly changes along a row.
 const LEVEL: u32 = 8;
+
+/// What a texture coordinate may be off by where nothing is divided: 1/4096 of a texel.
+const TEXEL_TOLERANCE: u32 = 16;
 
 /// How a triangle is drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -61,8 +65,11 @@ impl Interpolate for Newton {
     }
 
     #[inline]
-    fn affine_within(&self, tolerance: u32) -> u32 {
-        tolerance
+    fn affine_within(&self, tolerance: Tolerance) -> u32 {
+        match tolerance {
+            Tolerance::Texels => TEXEL_TOLERANCE,
+            Tolerance::Units(units) => units,
+        }
     }
 
     #[inline]
@@ -92,7 +99,7 @@ impl Interpolate for Newton {
             let Some(up) = room(run.q, steps.q, cells.count()).filter(|_| is_fine) else {
                 return Exact.run((), run, steps, cells, pixels);
             };
-            (run.q, dq, down) = (run.q << up, dq << up, (down + up).min(31));
+            (run.q, dq, down) = (run.q << up, dq << up, down.saturating_add(up).min(31));
             for ((p, dp), scale) in run.p.iter_mut().zip(&mut dp).zip(steps.scale) {
                 let (left, right) = scale.to(FRACTION, up);
                 *p = nearest(*p << left, right);

@@ -6,6 +6,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 
 use super::{Fragment, Levels, Sample};
 use crate::geometry::{Face, Vertex};
+use crate::interpolate::Tolerance;
 use crate::linear::Transform;
 
 /// The colours of fragment `F` in the canvas's format `C`: rounded, or dithered where `C` is
@@ -61,7 +62,7 @@ where
     type Color = C;
 
     const READS_DEPTH: bool = F::READS_DEPTH;
-    const TOLERANCES: [u32; N] = F::TOLERANCES;
+    const TOLERANCES: [Tolerance; N] = F::TOLERANCES;
 
     #[inline]
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; N] {

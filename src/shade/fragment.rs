@@ -4,6 +4,7 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::PixelColor;
 
 use crate::geometry::{Face, Vertex};
+use crate::interpolate::Tolerance;
 use crate::linear::Transform;
 
 /// A pixel about to be shaded.
@@ -71,12 +72,12 @@ pub trait Fragment<const N: usize>: Copy {
     /// out, and the sample's is 0.
     const READS_DEPTH: bool = true;
 
-    /// By how many of its units each varying may be off where that spares dividing by w at every pixel, as it does
-    /// in triangles that hardly change in depth: what is not seen. [`Newton`](crate::interpolate::Newton) goes by it;
-    /// [`Fast`](crate::interpolate::Fast) has a tolerance of its own.
+    /// By how much each varying may be off where that spares dividing by w at every pixel, as it does in triangles that
+    /// hardly change in depth: what is not seen. The modes [`Newton`](crate::interpolate::Newton) and
+    /// [`Fast`](crate::interpolate::Fast) go by it.
     ///
-    /// By default 16 units, which of a texture coordinate are 1/4096 of a texel. A fragment around another one passes on that one's.
-    const TOLERANCES: [u32; N] = [16; N];
+    /// By default nothing. A fragment around another one passes on that one's.
+    const TOLERANCES: [Tolerance; N] = [Tolerance::Units(0); N];
 
     /// The values to interpolate, at one corner of a triangle or end of a line.
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; N];

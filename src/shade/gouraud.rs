@@ -2,9 +2,10 @@
 
 use core::marker::PhantomData;
 
-use super::levels::{Channels, LEVEL_TOLERANCE, all, first};
+use super::levels::{Channels, HALF, LEVEL, all, first};
 use super::{Fragment, Sample};
 use crate::geometry::Vertex;
+use crate::interpolate::Tolerance;
 
 /// The mesh's vertex colours, interpolated in perspective; white where the mesh has none.
 ///
@@ -47,11 +48,11 @@ impl<C> Gouraud<C> {
 impl<C: Channels<K>, const K: usize> Fragment<K> for Gouraud<C> {
     type Color = C;
 
-    const TOLERANCES: [u32; K] = [LEVEL_TOLERANCE; K];
+    const TOLERANCES: [Tolerance; K] = [LEVEL; K];
 
     #[inline]
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; K] {
-        first(C::levels(vertex.color()).map(|level| level.wrapping_add(C::HALF)))
+        first(C::levels(vertex.color()).map(|level| level.wrapping_add(HALF)))
     }
 
     #[inline]

@@ -1,6 +1,8 @@
 //! Colours as interpolated numbers, and back: rounding and dithering.
 
 use embedded_graphics::geometry::Point;
+
+use crate::interpolate::Tolerance;
 use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor,
     Rgb555, Rgb565, Rgb666, Rgb888, RgbColor,
@@ -49,16 +51,13 @@ pub trait Levels: PixelColor {
     #[must_use]
     fn from_levels(levels: [i32; 3], at: Point) -> Self;
 
-    /// The colour of levels that have [`HALF`](Self::HALF) a step added to each, so that to round is to cut: what is added once
+    /// The colour of levels that have half a step, 2^15, added to each, so that to round is to cut: what is added once
     /// to a vertex's colour need not be added at each pixel.
     #[must_use]
     #[inline]
     fn from_raised(levels: [i32; 3], at: Point) -> Self {
-        Self::from_levels(levels.map(|level| level.wrapping_sub(Self::HALF)), at)
+        Self::from_levels(levels.map(|level| level.wrapping_sub(HALF)), at)
     }
-
-    /// Half a step.
-    const HALF: i32 = 1 << 15;
 
     /// The levels of `color`, within 0.003 of a step; exact for black and white.
     #[must_use]
@@ -114,14 +113,14 @@ pub(super) fn dimmed(levels: [i32; 3], light: i32) -> [i32; 3] {
     levels.map(|level| (level >> 8).wrapping_mul(light >> 2) >> 6)
 }
 
+/// Half a step.
+pub(super) const HALF: i32 = 1 << 15;
+
 /// By how much levels may be off unseen: 1/8 of a step.
-pub(super) const LEVEL_TOLERANCE: u32 = 1 << 13;
+pub(super) const LEVEL: Tolerance = Tolerance::Units(1 << 13);
 
 /// The same of fractions and brightness, 65,536 being full: 1/16 of a step of 6 bits, 1/4 of one of 8.
-pub(super) const FRACTION_TOLERANCE: u32 = 1 << 6;
-
-/// Of a texture coordinate: 1/4096 of a texel.
-pub(super) const TEXEL_TOLERANCE: u32 = 1 << 4;
+pub(super) const FRACTION: Tolerance = Tolerance::Units(1 << 6);
 
 /// The first `K` channels.
 #[inline]
@@ -168,7 +167,8 @@ fn round(level: i32) -> u8 {
 #[inline]
 #[allow(clippy::cast_sign_loss)] // in range as documented
 fn dither(level: i32, at: Point) -> u8 {
-    (level.wrapping_add(threshold(at)) >> 16) as u8
+    // Thresholds leave little room below black.
+    (level.wrapping_add(threshold(at)).max(0) >> 16) as u8
 }
 
 macro_rules! rgb {

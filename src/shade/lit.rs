@@ -4,10 +4,11 @@ use core::marker::PhantomData;
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use super::levels::{FRACTION_TOLERANCE, Levels, TEXEL_TOLERANCE, dimmed};
+use super::levels::{FRACTION, Levels, dimmed};
 use super::light::Light;
 use super::{Addressing, Filter, Fragment, Nearest, Repeat, Sample, Sampler, Textured};
 use crate::geometry::{Face, Vertex};
+use crate::interpolate::Tolerance;
 use crate::linear::{Transform, Vec3};
 
 /// A colour under a light.
@@ -95,7 +96,7 @@ impl<C: Levels> Lit<C> {
 impl<C: Levels> Fragment<1> for Lit<C> {
     type Color = C;
 
-    const TOLERANCES: [u32; 1] = [FRACTION_TOLERANCE];
+    const TOLERANCES: [Tolerance; 1] = [FRACTION];
 
     #[inline]
     fn begin(self, model: &Transform) -> Self {
@@ -240,7 +241,7 @@ where
 {
     type Color = S::Color;
 
-    const TOLERANCES: [u32; 3] = [TEXEL_TOLERANCE, TEXEL_TOLERANCE, FRACTION_TOLERANCE];
+    const TOLERANCES: [Tolerance; 3] = [Tolerance::Texels, Tolerance::Texels, FRACTION];
 
     #[inline]
     fn begin(self, model: &Transform) -> Self {

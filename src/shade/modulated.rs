@@ -1,8 +1,9 @@
 //! Texture times vertex colour.
 
-use super::levels::{Channels, FRACTION_TOLERANCE, Levels, TEXEL_TOLERANCE, all, first};
+use super::levels::{Channels, FRACTION, Levels, all, first};
 use super::{Addressing, Filter, Fragment, Nearest, Repeat, Sample, Sampler, Textured};
 use crate::geometry::{Face, Vertex};
+use crate::interpolate::Tolerance;
 
 /// A texel times the interpolated vertex colour, channel by channel; a white vertex leaves the
 /// texture as it is, a black one makes it black. Made by [`Textured::modulated`].
@@ -46,11 +47,11 @@ macro_rules! modulated {
         {
             type Color = S::Color;
 
-            const TOLERANCES: [u32; $n] = [
-                TEXEL_TOLERANCE,
-                TEXEL_TOLERANCE,
+            const TOLERANCES: [Tolerance; $n] = [
+                Tolerance::Texels,
+                Tolerance::Texels,
                 $({
-                    let $channel = FRACTION_TOLERANCE;
+                    let $channel = FRACTION;
                     $channel
                 }),+
             ];

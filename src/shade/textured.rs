@@ -2,11 +2,11 @@
 
 use core::marker::PhantomData;
 
-use super::levels::TEXEL_TOLERANCE;
 use super::light::Light;
 use super::{Bilinear, Blend, Filter, Fragment, LitTexture, Modulated, Nearest, Sample, Sampler};
 use crate::TexCoord;
 use crate::geometry::{Face, Vertex};
+use crate::interpolate::Tolerance;
 
 /// The texel under each pixel, the nearest to its centre, or [`bilinear`](Self::bilinear) between the four around.
 ///
@@ -252,7 +252,7 @@ impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Textured<S, A, F> {
 impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Fragment<2> for Textured<S, A, F> {
     type Color = S::Color;
 
-    const TOLERANCES: [u32; 2] = [TEXEL_TOLERANCE; 2];
+    const TOLERANCES: [Tolerance; 2] = [Tolerance::Texels; 2];
 
     #[inline]
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; 2] {

@@ -4,10 +4,11 @@ use core::marker::PhantomData;
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use super::levels::{Channels, LEVEL_TOLERANCE, Levels, all, first};
+use super::levels::{Channels, LEVEL, Levels, all, first};
 use super::pose::Pose;
 use super::{Fragment, Sample};
 use crate::geometry::Vertex;
+use crate::interpolate::Tolerance;
 use crate::linear::Transform;
 
 /// Depth as grey: white is near, black is far.
@@ -140,7 +141,7 @@ impl<C> Default for NormalView<C> {
 impl<C: Channels<K>, const K: usize> Fragment<K> for NormalView<C> {
     type Color = C;
 
-    const TOLERANCES: [u32; K] = [LEVEL_TOLERANCE; K];
+    const TOLERANCES: [Tolerance; K] = [LEVEL; K];
 
     #[inline]
     fn begin(self, model: &Transform) -> Self {

@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 
 use embedded_graphics::pixelcolor::Gray8;
+use fixel::interpolate::Tolerance;
 use fixel::prelude::*;
 use fixel::view::Kind;
 
@@ -41,6 +42,8 @@ struct Recorder<'a, const N: usize> {
 
 impl<const N: usize> Fragment<N> for Recorder<'_, N> {
     type Color = Gray8;
+
+    const TOLERANCES: [Tolerance; N] = [Tolerance::Texels; N];
 
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; N] {
         (self.values)(vertex)

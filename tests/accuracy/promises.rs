@@ -198,6 +198,16 @@ impl Case {
                     let allowed = bounds::perspective(mode, corners, triangle.w, w, far_w);
                     assert!(error <= allowed, "{}, over {allowed}", at());
                     worst.allowed = worst.allowed.max(error / allowed);
+                    // Whatever the tolerance: or a colour would wrap from white to black. What is straight is so between
+                    // places in the triangle, where an attribute is between those of the corners.
+                    let [least, most] = [corners.iter().min(), corners.iter().max()]
+                        .map(|end| f64::from(*end.unwrap()));
+                    let (value, beyond) = (f64::from(seen.values[k]), allowed - tolerance * TEXEL);
+                    assert!(
+                        (least - beyond..=most + beyond).contains(&value),
+                        "{}: {value} is beyond the corners",
+                        at()
+                    );
                     let from_exact = bounds::newton_from_exact(corners, triangle.w);
                     if let (Mode::Newton, Some(allowed)) = (mode, from_exact) {
                         let by = seen.values[k].abs_diff(exact.values[k]);

@@ -2,7 +2,7 @@
 //! made of, nothing panics (tests check for overflow), and bands are still the frame.
 
 use embedded_graphics::pixelcolor::{Gray8, Rgb888};
-use fixel::interpolate::{Affine, Exact, Fast, Interpolate, Linear, Newton};
+use fixel::interpolate::{Affine, Exact, Fast, Interpolate, Linear, Newton, Tolerance};
 use fixel::prelude::*;
 use fixel::target::{DepthBuffer, Native};
 use fixel::view::Kind;
@@ -162,7 +162,11 @@ struct Raw;
 impl Fragment<3> for Raw {
     type Color = Gray8;
 
-    const TOLERANCES: [u32; 3] = [0, 1 << 20, u32::MAX];
+    const TOLERANCES: [Tolerance; 3] = [
+        Tolerance::Texels,
+        Tolerance::Units(1 << 20),
+        Tolerance::Units(u32::MAX),
+    ];
 
     fn varyings(&self, vertex: &Vertex) -> [i32; 3] {
         let [x, y, _] = vertex.position().to_bits();

@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 
 use embedded_graphics::pixelcolor::{PixelColor, Rgb565};
+use fixel::interpolate::Tolerance;
 use fixel::prelude::*;
 
 /// Every bit of up to three values, mixed into the colour; some pixels are left out.
@@ -13,6 +14,8 @@ pub struct Bits<const N: usize>;
 
 impl<const N: usize> Fragment<N> for Bits<N> {
     type Color = Rgb565;
+
+    const TOLERANCES: [Tolerance; N] = [Tolerance::Texels; N];
 
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; N] {
         let [u, v] = vertex.uv().to_bits();
@@ -45,7 +48,7 @@ impl<F: Fragment<N, Color: Into<Rgb565>>, const N: usize> Fragment<N> for Wide<F
     type Color = Rgb565;
 
     const READS_DEPTH: bool = F::READS_DEPTH;
-    const TOLERANCES: [u32; N] = F::TOLERANCES;
+    const TOLERANCES: [Tolerance; N] = F::TOLERANCES;
 
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; N] {
         self.0.varyings(vertex)
@@ -105,7 +108,7 @@ impl<F: Fragment<N, Color = C>, C: PixelColor, const N: usize> Fragment<N>
 {
     type Color = C;
 
-    const TOLERANCES: [u32; N] = F::TOLERANCES;
+    const TOLERANCES: [Tolerance; N] = F::TOLERANCES;
 
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; N] {
         self.fragment.varyings(vertex)

@@ -2,6 +2,7 @@
 
 use arbitrary::{Result, Unstructured};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
+use fixel::interpolate::Tolerance;
 use fixel::prelude::*;
 
 use super::fragments::Wide;
@@ -142,7 +143,7 @@ impl<F: Fragment<N, Color: Into<Rgb888>>, const N: usize> Fragment<N> for Grey<F
     type Color = Rgb888;
 
     const READS_DEPTH: bool = F::READS_DEPTH;
-    const TOLERANCES: [u32; N] = F::TOLERANCES;
+    const TOLERANCES: [Tolerance; N] = F::TOLERANCES;
 
     fn varyings(&self, vertex: &Vertex<'_>) -> [i32; N] {
         self.0.varyings(vertex)
