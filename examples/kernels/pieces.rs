@@ -28,10 +28,16 @@ impl Fragment<1> for Column {
 /// start, up to a unit for each pixel. From a piece of the wall to the next the gain changes by more.
 const ROUNDING: u16 = 64;
 
+/// Pixels of a row's first run but the last one, with which its last piece ends.
+const RUN: usize = 63;
+
 /// Pixels of a row of the wall from one bend to the next, if all pieces are alike.
 pub fn length(bench: &mut Bench, mode: Fast) -> Result<Option<usize>, Error> {
     let row = bench.row(mode, &Column)?;
-    let columns = row.iter().map(|&color| RawU16::from(color).into_inner());
+    let columns = row
+        .iter()
+        .take(RUN)
+        .map(|&color| RawU16::from(color).into_inner());
     let gains = columns.clone().zip(columns.skip(1));
     let gains = gains.map(|(from, to)| to.wrapping_sub(from));
     let changes = gains.clone().zip(gains.skip(1));
