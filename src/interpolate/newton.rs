@@ -110,7 +110,6 @@ impl Interpolate for Newton {
             if plan != Plan::Affine {
                 chord(&mut run, dq, &mut dp, cells.count());
             }
-            let down = if N == 0 { steps.depth } else { down };
             return straight(run, dq, dp, down, cells, pixels);
         }
         // q from 2^29 to 2^31, r = 2^60 / q from 2^29 to 2^31; p is 2^-28 q times the attribute.

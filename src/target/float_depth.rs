@@ -24,9 +24,9 @@ use crate::linear::IS_NARROW;
 /// 2⁻²⁴ of its greatest in a triangle: of one whose far end is more than 3,000 times as far as its near end, that is more
 /// than half a step there.
 ///
-/// A pixel that is tested takes 4 to 9 instructions more on Cortex-M4: of the measured floor and cube 1.76 and 1.43 million
-/// a frame in the default mode, in place of 1.38 and 1.24. On Cortex-M0+, which counts no leading zeros, 12 to 26: 3.63 and
-/// 6.28, in place of 2.94 and 5.64.
+/// A pixel that is tested takes 4 to 9 instructions more on Cortex-M4: of the measured floor and cube 1.77 and 1.43 million
+/// a frame in the default mode, in place of 1.43 and 1.24. On Cortex-M0+, which counts no leading zeros, 12 to 26: 3.53 and
+/// 6.15, in place of 2.83 and 5.51.
 ///
 /// Fragments see the same [`Sample::depth`](crate::Sample::depth) with either, in linear steps. Under a parallel projection depth
 /// is linear in the distance as it is, and this one finest at the far plane: take [`Depth`].
