@@ -22,7 +22,7 @@
 //!     Texture::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x00, 0x1f, 0xff, 0xff]);
 //!
 //! fn frame(now_ms: u64, display: &mut MockDisplay<Rgb565>) -> Result<(), Error> {
-//!     let lens = Projection::perspective(
+//!     let projection = Projection::perspective(
 //!         Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(0.1), fx!(100))?; // Err on nonsense
 //!     let camera = Camera::look_at(vec3!(0, 1.5, 4), Vec3::ZERO, Vec3::Y)?;
 //!     let spin = Transform::rotate_y(Rate::rpm(10).angle_at(now_ms)); // time in, angle out
@@ -32,7 +32,7 @@
 //!     let mut depth = [0; (WIDTH * HEIGHT) as usize];
 //!     let mut canvas = Canvas::new(&mut color, WIDTH, HEIGHT)?.with_depth(&mut depth)?;
 //!     canvas.clear(Rgb565::BLACK);
-//!     let drawn = canvas.draw(&MODEL, &(lens * camera * spin), &Textured::new(&SKIN).lit(sun));
+//!     let drawn = canvas.draw(&MODEL, &(projection * camera * spin), &Textured::new(&SKIN).lit(sun));
 //!     assert_eq!((drawn.submitted, drawn.drawn), (12, 4)); // cannot fail; here, the top and one side
 //!
 //!     // A canvas is an embedded-graphics DrawTarget, and it shows itself on another.
@@ -59,16 +59,16 @@
 //!
 //! ```text
 //! mesh ──▶ transform ──▶ clip ──▶ viewport ──▶ set-up ──▶ edges/spans ──▶ interpolate ──▶ shade ──▶ target
-//! (flash)  model·view·   six planes, clip to    gradients   top-left rule   1/w ▸ w, then    fragment  colour + depth
+//! (flash)  model·view·   six planes, clip to    gradients   top-left rule   1/w ▸ w, then    shader  colour + depth
 //!          projection    homogeneous screen 24.8 per tri.   integer DDA     attr/w · w       colour    rows, bands
 //! ```
 //!
 //! | what | made by | goes where |
 //! |---|---|---|
 //! | [`Mesh`] | [`include_obj!`], [`shape!`], [`geometry::obj`], [`geometry::Shape`], slices of your own | first argument of [`Canvas::draw`] |
-//! | [`Chain`]: projection · camera · model | `lens * camera * spin` of a [`Projection`], a [`Camera`] and [`Transform`]s | second |
-//! | [`Fragment`] | [`shade`], or ten lines of your own | third |
-//! | [`Pass`]: culling, viewport, interpolation | [`Pass::new`] | [`Canvas::draw_with`], [`draw_edges`](Canvas::draw_edges), [`draw_points`](Canvas::draw_points) |
+//! | [`Mvp`]: projection · camera · model | `projection * camera * spin` of a [`Projection`], a [`Camera`] and [`Transform`]s | second |
+//! | [`Shader`] | [`shade`], or ten lines of your own | third |
+//! | [`DrawOptions`]: culling, viewport, interpolation | [`DrawOptions::new`] | [`Canvas::draw_with`], [`draw_edges`](Canvas::draw_edges), [`draw_points`](Canvas::draw_points) |
 //! | [`TriangleList`]: triangles transformed once for all bands | [`TriangleList::new`], [`prepare`](TriangleList::prepare) | [`Canvas::draw_prepared`] |
 //! | [`Canvas`]: colours, depth, rows | [`Canvas::new`], [`Canvas::band`], [`Canvas::big_endian`] and so on, over your slices | a display, by [`Canvas::show`] or [`Canvas::bytes`] |
 //!
@@ -81,8 +81,8 @@
 //! | eye | right-handed: x right, y up, the view down −z | the world's | [`Camera`] |
 //! | clip | x right, y up, w = −z of eye space, or 1 under a parallel projection; what is seen has −w ≤ x, y ≤ w between the near and the far plane | homogeneous, 64 bits inside the crate | [`Projection`] |
 //! | screen | x right, y down from the frame's top left corner; pixel centres at halves | pixels, [`Subpixel`](number::Subpixel): 1/256 | [`Viewport`] |
-//! | depth | 65535 at the near plane, falling towards 0 with the distance; greater is nearer | floor(65535 · near / w), linear in the distance under a parallel projection | [`Sample::depth`] |
-//! | texture | u right, v down from the top left corner | one repeat, [`TexCoord`] | [`Vertex::uv`] |
+//! | depth | 65535 at the near plane, falling towards 0 with the distance; greater is nearer | floor(65535 · near / w), linear in the distance under a parallel projection | [`Fragment::depth`] |
+//! | texture | u right, v down from the top left corner | one repeat, [`TexCoord`] | [`Corner::uv`] |
 //!
 //! The formats, with range and resolution, are listed in [`number`].
 //!
@@ -115,8 +115,8 @@
 //! const HEIGHT: u32 = 12;
 //! const ROWS: u32 = 4;
 //!
-//! let lens = Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(10))?;
-//! let chain = lens * Transform::translate(vec3!(0, 0, -2.5));
+//! let projection = Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(10))?;
+//! let mvp = projection * Transform::translate(vec3!(0, 0, -2.5));
 //! let sun = Light::new(vec3!(1, 2, 3), fx!(0), fx!(1))?;
 //! let white = Lit::new(Rgb888::new(255, 255, 255), sun);
 //! let mut display = MockDisplay::new();
@@ -125,7 +125,7 @@
 //! for first_row in (0..HEIGHT).step_by(ROWS as usize) {
 //!     let mut band = Canvas::band(&mut color, WIDTH, HEIGHT, first_row)?.with_depth(&mut depth)?;
 //!     band.clear(BinaryColor::Off);
-//!     band.draw(&BALL, &chain, &white);
+//!     band.draw(&BALL, &mvp, &white);
 //!     band.show(&mut display)?; // or DMA from band.bytes() of a canvas of bytes
 //! }
 //! display.assert_pattern(&[
@@ -163,34 +163,31 @@
 #[cfg(test)]
 extern crate std;
 
-mod angle;
-mod draw;
 mod error;
-pub mod geometry;
 #[cfg(any(doc, doctest))]
 pub mod guide;
-pub mod interpolate;
-pub mod linear;
-pub mod number;
+pub mod math;
+pub mod mesh;
+pub mod num;
+mod pipeline;
 mod raster;
 pub mod shade;
+pub mod span;
+pub use span as mode;
 pub mod target;
-mod time;
 pub mod view;
 
-pub use angle::Angle;
-pub use draw::{Drawn, Pass, Place, Prepared, TriangleList};
 pub use error::{Error, Given};
-pub use geometry::{Cull, Face, Index, Mesh, Vertex};
-pub use linear::{Matrix4, Transform, Vec2, Vec3};
-pub use number::{Scalar, TexCoord, Unit};
+pub use math::{Matrix4, Transform, Vec2, Vec3};
+pub use mesh::{Corner, Face, Index, Mesh};
+pub use num::{Angle, Rate, Scalar, Spin, TexCoord, Unit};
+pub use pipeline::{Cull, DrawOptions, Drawn, Place, Prepared, TriangleList};
 pub use shade::{
     Converted, DepthView, FaceColors, Flat, Fragment, Gouraud, Levels, Light, Lit, LitFaces,
-    LitTexture, Modulated, NormalView, Palette, Sample, Texture, Textured,
+    LitTexture, Modulated, NormalView, Palette, Shader, Texture, Textured,
 };
 pub use target::Canvas;
-pub use time::{Rate, Spin};
-pub use view::{Aspect, Camera, Chain, Projection, Viewport};
+pub use view::{Aspect, Camera, Mvp, Projection, Viewport};
 
 /// The program in the README works.
 #[cfg(doctest)]
@@ -203,9 +200,9 @@ struct Readme;
 /// preludes must say which it means.
 pub mod prelude {
     pub use crate::{
-        Angle, Aspect, Camera, Canvas, Chain, Cull, Drawn, Error, Face, Fragment, Mesh, Pass,
-        Projection, Rate, Sample, Scalar, Spin, TexCoord, Transform, TriangleList, Vec2, Vec3,
-        Vertex, Viewport,
+        Angle, Aspect, Camera, Canvas, Corner, Cull, DrawOptions, Drawn, Error, Face, Fragment,
+        Mesh, Mvp, Projection, Rate, Scalar, Shader, Spin, TexCoord, Transform, TriangleList, Vec2,
+        Vec3, Viewport,
     };
     pub use crate::{
         Converted, DepthView, FaceColors, Flat, Gouraud, Levels, Light, Lit, LitFaces, LitTexture,

@@ -5,7 +5,7 @@ mod common;
 use std::any::type_name;
 
 use embedded_graphics::pixelcolor::Rgb888;
-use fixel::interpolate::{Affine, Exact, Fast, Interpolate, Linear, Newton};
+use fixel::mode::{Affine, Exact, Fast, Interpolate, Linear, Newton};
 use fixel::prelude::*;
 use fixel::view::Kind;
 use proptest::prelude::*;
@@ -19,10 +19,10 @@ const BANDS: [u32; 3] = [1, 7, 16];
 #[derive(Clone, Copy)]
 struct Bits;
 
-impl Fragment<3> for Bits {
+impl Shader<3> for Bits {
     type Color = Rgb888;
 
-    fn varyings(&self, vertex: &Vertex) -> [i32; 3] {
+    fn varyings(&self, vertex: &Corner) -> [i32; 3] {
         let p = vertex.position();
         [
             p.x.to_bits(),
@@ -31,7 +31,7 @@ impl Fragment<3> for Bits {
         ]
     }
 
-    fn shade(&self, sample: &Sample, [a, b, c]: [i32; 3]) -> Option<Rgb888> {
+    fn shade(&self, sample: &Fragment, [a, b, c]: [i32; 3]) -> Option<Rgb888> {
         let mix = [a, b, c, sample.point.x, sample.point.y].iter().fold(
             0x811c_9dc5_u32,
             |mix, &value| {
@@ -50,14 +50,14 @@ impl Fragment<3> for Bits {
 #[derive(Clone, Copy)]
 struct Index(u8);
 
-impl Fragment<0> for Index {
+impl Shader<0> for Index {
     type Color = Rgb888;
 
-    fn varyings(&self, _: &Vertex) -> [i32; 0] {
+    fn varyings(&self, _: &Corner) -> [i32; 0] {
         []
     }
 
-    fn shade(&self, _: &Sample, []: [i32; 0]) -> Option<Rgb888> {
+    fn shade(&self, _: &Fragment, []: [i32; 0]) -> Option<Rgb888> {
         Some(Rgb888::new(255, 0, self.0))
     }
 
@@ -82,12 +82,12 @@ impl Scene {
             .unwrap()
     }
 
-    fn draw<I: Interpolate, K: Kind>(&self, mode: I, canvas: &mut Band<'_>, chain: &Chain<K>) {
+    fn draw<I: Interpolate, K: Kind>(&self, mode: I, canvas: &mut Band<'_>, mvp: &Mvp<K>) {
         canvas.clear(Rgb888::new(1, 2, 3));
         let mesh = self.mesh();
-        canvas.draw_with(&common::BOTH_SIDES.mode(mode), &mesh, chain, &Bits);
-        canvas.draw_edges(&Pass::new().mode(mode), &mesh, chain, &Bits);
-        canvas.draw_points(&Pass::new().mode(mode), &mesh, chain, &Bits);
+        canvas.draw_with(&common::BOTH_SIDES.mode(mode), &mesh, mvp, &Bits);
+        canvas.draw_edges(&DrawOptions::new().mode(mode), &mesh, mvp, &Bits);
+        canvas.draw_points(&DrawOptions::new().mode(mode), &mesh, mvp, &Bits);
     }
 }
 
@@ -111,26 +111,26 @@ fn bands(rows: u32, mut draw: impl FnMut(&mut Band<'_>)) -> (Vec<Rgb888>, Vec<u1
 
 impl Scene {
     /// Checks the scene in every mode.
-    fn check<K: Kind>(&self, chain: &Chain<K>) -> Result<(), TestCaseError> {
-        self.check_mode(Exact, chain)?;
-        self.check_mode(Newton, chain)?;
+    fn check<K: Kind>(&self, mvp: &Mvp<K>) -> Result<(), TestCaseError> {
+        self.check_mode(Exact, mvp)?;
+        self.check_mode(Newton, mvp)?;
         // All of a run at once, a few pixels at once, one by one.
-        self.check_mode(Fast::within(fx!(4)), chain)?;
-        self.check_mode(Fast::within(fx!(0.0625)), chain)?;
-        self.check_mode(Fast::within(fx!(0)), chain)?;
-        self.check_mode(Affine, chain)?;
-        self.check_mode(Linear, chain)
+        self.check_mode(Fast::within(fx!(4)), mvp)?;
+        self.check_mode(Fast::within(fx!(0.0625)), mvp)?;
+        self.check_mode(Fast::within(fx!(0)), mvp)?;
+        self.check_mode(Affine, mvp)?;
+        self.check_mode(Linear, mvp)
     }
 
     fn check_mode<I: Interpolate, K: Kind>(
         &self,
         mode: I,
-        chain: &Chain<K>,
+        mvp: &Mvp<K>,
     ) -> Result<(), TestCaseError> {
         let name = type_name::<I>();
-        let frame = bands(HEIGHT, |band| self.draw(mode, band, chain));
+        let frame = bands(HEIGHT, |band| self.draw(mode, band, mvp));
         for rows in BANDS {
-            let bands = bands(rows, |band| self.draw(mode, band, chain));
+            let bands = bands(rows, |band| self.draw(mode, band, mvp));
             let differs =
                 (0..frame.0.len()).find(|&i| (frame.0[i], frame.1[i]) != (bands.0[i], bands.1[i]));
             prop_assert!(
@@ -140,14 +140,14 @@ impl Scene {
                 differs
             );
         }
-        self.check_prepared(mode, chain)
+        self.check_prepared(mode, mvp)
     }
 
     /// Triangles that were prepared are drawn as they are without, and counted alike.
     fn check_prepared<I: Interpolate, K: Kind>(
         &self,
         mode: I,
-        chain: &Chain<K>,
+        mvp: &Mvp<K>,
     ) -> Result<(), TestCaseError> {
         let name = type_name::<I>();
         let mesh = self.mesh();
@@ -155,11 +155,11 @@ impl Scene {
         let mut list: TriangleList<12, 250> = TriangleList::new();
         for pass in [
             common::BOTH_SIDES,
-            Pass::new().viewport(window),
-            Pass::new().cull(Cull::Front),
+            DrawOptions::new().viewport(window),
+            DrawOptions::new().cull(Cull::Front),
         ] {
             let pass = pass.mode(mode);
-            let prepared = list.prepare(&pass, (WIDTH, HEIGHT), &mesh, chain).unwrap();
+            let prepared = list.prepare(&pass, (WIDTH, HEIGHT), &mesh, mvp).unwrap();
             for rows in [HEIGHT].into_iter().chain(BANDS) {
                 let mut counts = [vec![], vec![]];
                 let given = bands(rows, |band| {
@@ -168,7 +168,7 @@ impl Scene {
                 });
                 let expected = bands(rows, |band| {
                     band.clear(Rgb888::new(1, 2, 3));
-                    counts[1].push(band.draw_with(&pass, &mesh, chain, &Bits));
+                    counts[1].push(band.draw_with(&pass, &mesh, mvp, &Bits));
                 });
                 prop_assert!(given == expected, "{name}: bands of {rows} rows differ");
                 prop_assert_eq!(&counts[0], &counts[1]);
@@ -204,25 +204,25 @@ proptest! {
 
     #[test]
     fn bands_are_the_frame_in_perspective(scene in scenes(), turn: u32, fov in 10..150i32) {
-        let lens = Projection::perspective(Angle::from_degrees(fov), (WIDTH, HEIGHT), fx!(0.1), fx!(50)).unwrap();
+        let projection = Projection::perspective(Angle::from_degrees(fov), (WIDTH, HEIGHT), fx!(0.1), fx!(50)).unwrap();
         let model = Transform::translate(vec3!(0, 0, -4)) * Transform::rotate_y(Angle::from_bits(turn));
-        scene.check(&(lens * model))?;
+        scene.check(&(projection * model))?;
     }
 
     #[test]
     fn bands_are_the_frame_in_parallel(scene in scenes(), turn: u32) {
-        let lens = Projection::cabinet(Angle::from_degrees(30), fx!(-4), fx!(4), fx!(-2), fx!(2), fx!(-20), fx!(20)).unwrap();
-        scene.check(&(lens * Transform::rotate_x(Angle::from_bits(turn))))?;
+        let projection = Projection::cabinet(Angle::from_degrees(30), fx!(-4), fx!(4), fx!(-2), fx!(2), fx!(-20), fx!(20)).unwrap();
+        scene.check(&(projection * Transform::rotate_x(Angle::from_bits(turn))))?;
     }
 
     /// The same with depths in floating point, drawn anew and prepared.
     #[test]
     fn bands_are_the_frame_in_floating_depth(scene in scenes(), turn: u32) {
-        let lens = Projection::perspective(Angle::from_degrees(70), (WIDTH, HEIGHT), fx!(0.01), fx!(600)).unwrap();
+        let projection = Projection::perspective(Angle::from_degrees(70), (WIDTH, HEIGHT), fx!(0.01), fx!(600)).unwrap();
         let model = Transform::translate(vec3!(0, 0, -4)) * Transform::rotate_y(Angle::from_bits(turn));
-        let (mesh, chain) = (scene.mesh(), lens * model);
+        let (mesh, mvp) = (scene.mesh(), projection * model);
         let mut list: TriangleList<12, 250> = TriangleList::new();
-        let prepared = list.prepare(&common::BOTH_SIDES, (WIDTH, HEIGHT), &mesh, &chain).unwrap();
+        let prepared = list.prepare(&common::BOTH_SIDES, (WIDTH, HEIGHT), &mesh, &mvp).unwrap();
         let draw = |rows: u32, is_prepared: bool| {
             let (mut colors, mut depths) = (vec![], vec![]);
             for first in (0..HEIGHT).step_by(rows as usize) {
@@ -234,7 +234,7 @@ proptest! {
                 if is_prepared {
                     band.draw_prepared(&prepared, &Bits);
                 } else {
-                    band.draw_with(&common::BOTH_SIDES, &mesh, &chain, &Bits);
+                    band.draw_with(&common::BOTH_SIDES, &mesh, &mvp, &Bits);
                 }
                 colors.extend(color);
                 depths.extend(depth);
@@ -252,14 +252,14 @@ proptest! {
     /// whatever order they are drawn.
     #[test]
     fn the_nearest_triangle_shows_in_any_order(scene in scenes(), seed: u64) {
-        let lens = Projection::perspective(Angle::from_degrees(70), (WIDTH, HEIGHT), fx!(0.1), fx!(50)).unwrap();
-        let chain = lens * Transform::translate(vec3!(0, 0, -4));
+        let projection = Projection::perspective(Angle::from_degrees(70), (WIDTH, HEIGHT), fx!(0.1), fx!(50)).unwrap();
+        let mvp = projection * Transform::translate(vec3!(0, 0, -4));
         let draw = |faces: &[[u16; 3]]| {
             let pixels = (WIDTH * HEIGHT) as usize;
             let (mut color, mut depth) = (vec![Rgb888::default(); pixels], vec![0; pixels]);
             let canvas = Canvas::new(&mut color, WIDTH, HEIGHT).unwrap();
             let mesh = Mesh::new(&scene.positions, faces).unwrap();
-            canvas.with_depth(&mut depth).unwrap().draw_with(&common::BOTH_SIDES, &mesh, &chain, &Index(0));
+            canvas.with_depth(&mut depth).unwrap().draw_with(&common::BOTH_SIDES, &mesh, &mvp, &Index(0));
             (color, depth)
         };
         let mut faces = scene.faces.clone();
@@ -285,10 +285,11 @@ proptest! {
 /// A ball before the eye, and how many triangles and vertices of it a list must have room for.
 fn prepare<const TRIANGLES: usize, const VERTICES: usize>() -> Result<u32, Error> {
     static BALL: Mesh = shape!(sphere(8, 6));
-    let lens = Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(10))?;
-    let chain = lens * Transform::translate(vec3!(0, 0, -2));
+    let projection =
+        Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(10))?;
+    let mvp = projection * Transform::translate(vec3!(0, 0, -2));
     let mut list: TriangleList<TRIANGLES, VERTICES> = TriangleList::new();
-    let ball = list.prepare(&Pass::new(), (WIDTH, HEIGHT), &BALL, &chain)?;
+    let ball = list.prepare(&DrawOptions::new(), (WIDTH, HEIGHT), &BALL, &mvp)?;
     let mut drawn = 0;
     bands(HEIGHT, |band| {
         drawn = band.draw_prepared(&ball, &Bits).drawn;
@@ -300,17 +301,17 @@ fn prepare<const TRIANGLES: usize, const VERTICES: usize>() -> Result<u32, Error
 #[test]
 fn a_large_mesh_prepared_is_the_frame() {
     static BALL: Mesh = shape!(sphere(40, 20));
-    let lens =
+    let projection =
         Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(10)).unwrap();
     // The near plane cuts it.
-    let chain = lens * Transform::translate(vec3!(0, 0, -1.875));
+    let mvp = projection * Transform::translate(vec3!(0, 0, -1.875));
     let mut list: TriangleList<1600, 3000> = TriangleList::new();
-    let ball = list.prepare(&common::BOTH_SIDES, (WIDTH, HEIGHT), &BALL, &chain);
+    let ball = list.prepare(&common::BOTH_SIDES, (WIDTH, HEIGHT), &BALL, &mvp);
     let ball = ball.unwrap();
     let mut clipped = 0;
     let frame = bands(HEIGHT, |band| {
         clipped = band
-            .draw_with(&common::BOTH_SIDES, &BALL, &chain, &Bits)
+            .draw_with(&common::BOTH_SIDES, &BALL, &mvp, &Bits)
             .clipped;
     });
     assert!(clipped > 10, "{clipped}");
@@ -343,9 +344,10 @@ fn a_list_that_is_too_short_says_what_is_needed() {
 fn a_frame_that_cannot_be_is_refused() {
     let mut list: TriangleList<1, 1> = TriangleList::new();
     let mesh = Mesh::new(&[], &[]).unwrap();
-    let lens = Projection::perspective(Angle::from_degrees(60), (1, 1), fx!(1), fx!(10)).unwrap();
-    let chain = lens * Transform::IDENTITY;
-    let prepared = list.prepare(&Pass::new(), (2049, 1), &mesh, &chain);
+    let projection =
+        Projection::perspective(Angle::from_degrees(60), (1, 1), fx!(1), fx!(10)).unwrap();
+    let mvp = projection * Transform::IDENTITY;
+    let prepared = list.prepare(&DrawOptions::new(), (2049, 1), &mesh, &mvp);
     let error = Error::Size {
         width: 2049,
         height: 1,

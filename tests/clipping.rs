@@ -4,7 +4,7 @@
 //! moves by at most √2/512 = 0.0028 pixel; clip space adds less than 0.001 pixel for scenes of some
 //! hundred units (coefficients of 30 bits: 2⁻²⁹ · 256 units / 0.25 of the near plane · 100 pixels from the
 //! centre = 5e-5). So pixels nearer than [`EDGE`] = 1/256 pixel to an edge may go either way.
-//! The crate's near and far planes are those of the lens to 28 bits; the model is asked with planes a little
+//! The crate's near and far planes are those of the projection to 28 bits; the model is asked with planes a little
 //! nearer and a little farther, [`PLANES`] of themselves, and only where both agree.
 
 mod common;
@@ -36,7 +36,7 @@ const FOLD: f64 = 0.0029;
 /// 2⁻²⁴.
 const PLANES: f64 = 1. / 16_777_216.;
 
-fn lens() -> Projection<fixel::view::Perspective> {
+fn projection() -> Projection<fixel::view::Perspective> {
     Projection::from_focal_length(Scalar::from_num(FOCAL), SIZE, fx!(0.25), fx!(24)).unwrap()
 }
 
@@ -45,7 +45,7 @@ fn model_view(outwards: f64) -> view::View {
     let (near, far) = (NEAR * (1. - outwards), FAR * (1. + outwards));
     view::View {
         eye: IDENTITY,
-        lens: projection::focal(FOCAL.into(), SIZE, near, far),
+        projection: projection::focal(FOCAL.into(), SIZE, near, far),
         viewport: view::Viewport::new(SIZE.0, SIZE.1),
     }
 }
@@ -144,10 +144,10 @@ impl Model {
     }
 }
 
-fn count(positions: &[Vec3], faces: &[[u16; 3]], pass: &Pass) -> (Vec<u32>, fixel::Drawn) {
+fn count(positions: &[Vec3], faces: &[[u16; 3]], pass: &DrawOptions) -> (Vec<u32>, fixel::Drawn) {
     let mut counter = Counter::new(SIZE);
     let mesh = Mesh::new(positions, faces).unwrap();
-    let drawn = counter.draw(pass, &mesh, &lens().into());
+    let drawn = counter.draw(pass, &mesh, &projection().into());
     (counter.take(), drawn)
 }
 
@@ -158,14 +158,14 @@ type Drawing = RefCell<Vec<([i32; 2], i32, u16)>>;
 #[derive(Clone, Copy)]
 struct Record<'a>(&'a Drawing);
 
-impl Fragment<1> for Record<'_> {
+impl Shader<1> for Record<'_> {
     type Color = Gray8;
 
-    fn varyings(&self, vertex: &Vertex) -> [i32; 1] {
+    fn varyings(&self, vertex: &Corner) -> [i32; 1] {
         [vertex.distance().to_bits()]
     }
 
-    fn shade(&self, sample: &Sample, [distance]: [i32; 1]) -> Option<Gray8> {
+    fn shade(&self, sample: &Fragment, [distance]: [i32; 1]) -> Option<Gray8> {
         let point = [sample.point.x, sample.point.y];
         self.0.borrow_mut().push((point, distance, sample.depth));
         None
@@ -229,7 +229,7 @@ proptest! {
         let mut pixels = vec![Gray8::new(0); counts.len()];
         let mesh = Mesh::new(&corners, &[[0, 1, 2]]).unwrap();
         Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap()
-            .draw_with(&BOTH_SIDES, &mesh, &lens().into(), &Record(&drawing));
+            .draw_with(&BOTH_SIDES, &mesh, &projection().into(), &Record(&drawing));
         let plane = inverse_w(corners);
         for (pixel, distance, depth) in drawing.into_inner() {
             let w = f64::from(distance) / 65536.;
@@ -391,10 +391,10 @@ fn nothing_behind_the_eye_is_drawn() {
             .with_edges(&edges)
             .unwrap();
         let mut counter = Counter::new(SIZE);
-        let chain = lens().into();
-        assert_eq!(counter.draw(&BOTH_SIDES, &mesh, &chain).drawn, 0);
-        assert_eq!(counter.draw_edges(&BOTH_SIDES, &mesh, &chain).drawn, 0);
-        assert_eq!(counter.draw_points(&BOTH_SIDES, &mesh, &chain).drawn, 0);
+        let mvp = projection().into();
+        assert_eq!(counter.draw(&BOTH_SIDES, &mesh, &mvp).drawn, 0);
+        assert_eq!(counter.draw_edges(&BOTH_SIDES, &mesh, &mvp).drawn, 0);
+        assert_eq!(counter.draw_points(&BOTH_SIDES, &mesh, &mvp).drawn, 0);
         assert!(counter.take().iter().all(|&count| count == 0));
     }
 }
@@ -410,7 +410,7 @@ fn ground_fills_the_picture_up_to_the_far_plane() {
         [-100., -1., -100.],
     ];
     let ground = ground.map(|p| Vec3::try_from(p).unwrap());
-    let (counts, drawn) = count(&ground, &[[0, 1, 2], [0, 2, 3]], &Pass::new());
+    let (counts, drawn) = count(&ground, &[[0, 1, 2], [0, 2, 3]], &DrawOptions::new());
     assert!(drawn.clipped > 0);
     for (&count, [x, y]) in counts.iter().zip(Bounds::new(SIZE.0, SIZE.1).pixels()) {
         assert_eq!(count, u32::from(y >= 17), "column {x}, row {y}");
@@ -421,8 +421,8 @@ fn ground_fills_the_picture_up_to_the_far_plane() {
 #[test]
 fn a_viewport_as_wide_as_the_guard_band_is_filled_once() {
     let size = (2048, 24);
-    let wide = Pass::new().viewport(Viewport::new(-1024, -12, 4096, 48).unwrap());
-    let lens =
+    let wide = DrawOptions::new().viewport(Viewport::new(-1024, -12, 4096, 48).unwrap());
+    let projection =
         Projection::perspective(Angle::from_degrees(90), (4096, 48), fx!(0.25), fx!(24)).unwrap();
     let wall = [
         [-9000., -900., -3.],
@@ -434,6 +434,6 @@ fn a_viewport_as_wide_as_the_guard_band_is_filled_once() {
     let mut counter = Counter::new(size);
     let faces = [[0, 1, 2], [0, 2, 3]];
     let mesh = Mesh::new(&wall, &faces).unwrap();
-    assert!(counter.draw(&wide, &mesh, &lens.into()).clipped > 0);
+    assert!(counter.draw(&wide, &mesh, &projection.into()).clipped > 0);
     assert!(counter.take().iter().all(|&count| count == 1));
 }

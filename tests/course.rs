@@ -7,8 +7,8 @@
 mod course {
     mod camera;
     mod given;
-    mod lens;
     mod pictures;
+    mod projection;
     mod segment;
     mod time;
     mod triangle;

@@ -18,16 +18,16 @@ use reference::coverage::{self, Bounds, Snapped, area2, centre};
 use reference::distance::to_segment;
 use reference::view::unsnap;
 
-/// Draws a mesh through the pixel lens, having checked that each vertex is where it should be.
-fn draw(mesh: &Flat, size: (u32, u32), pass: &Pass) -> Vec<u32> {
-    let lens = pixel_lens(size);
+/// Draws a mesh through the pixel projection, having checked that each vertex is where it should be.
+fn draw(mesh: &Flat, size: (u32, u32), pass: &DrawOptions) -> Vec<u32> {
+    let projection = pixel_lens(size);
     let mut counter = Counter::new(size);
     let positions: Vec<Vec3> = mesh.points.iter().copied().map(at_subpixel).collect();
     for (&point, &position) in mesh.points.iter().zip(&positions) {
-        assert_eq!(counter.snapped(&lens, position), Some(point));
+        assert_eq!(counter.snapped(&projection, position), Some(point));
     }
     let mesh = Mesh::new(&positions, &mesh.faces).unwrap();
-    let drawn = counter.draw(pass, &mesh, &lens);
+    let drawn = counter.draw(pass, &mesh, &projection);
     assert_eq!(drawn.clipped, 0);
     counter.take()
 }
@@ -126,7 +126,7 @@ proptest! {
             .pixels()
             .map(|pixel| u32::from(centers(0, pixel) && centers(1, pixel)))
             .collect();
-        let once = |mesh: &Flat, pass: &Pass| {
+        let once = |mesh: &Flat, pass: &DrawOptions| {
             prop_assert_eq!(
                 coverage::picture(&draw(mesh, SIZE, pass), SIZE.0),
                 coverage::picture(&expected, SIZE.0)
@@ -134,8 +134,8 @@ proptest! {
             Ok(())
         };
         let mesh = mesh.shuffled(seed, false);
-        once(&mesh, &Pass::new())?;
-        prop_assert!(draw(&mesh, SIZE, &Pass::new().cull(Cull::Front)).iter().all(|&n| n == 0));
+        once(&mesh, &DrawOptions::new())?;
+        prop_assert!(draw(&mesh, SIZE, &DrawOptions::new().cull(Cull::Front)).iter().all(|&n| n == 0));
         once(&mesh.shuffled(seed, true), &BOTH_SIDES)?;
     }
 
@@ -143,7 +143,7 @@ proptest! {
     #[test]
     fn fans_cover_each_pixel_once(points in places(-8..40), seed: u64) {
         let mesh = fan(points[0], points[1..].to_vec());
-        let drawn = draw(&mesh, SIZE, &Pass::new());
+        let drawn = draw(&mesh, SIZE, &DrawOptions::new());
         prop_assert!(drawn.iter().all(|&count| count <= 1), "{:#?}", coverage::picture(&drawn, SIZE.0));
         check_against_model(&mesh.shuffled(seed, true), SIZE)?;
     }
@@ -162,7 +162,7 @@ proptest! {
             .map(|[x, y]| u32::from(x < area[0] && y < area[1]))
             .collect();
         prop_assert_eq!(
-            coverage::picture(&draw(&mesh, SIZE, &Pass::new()), SIZE.0),
+            coverage::picture(&draw(&mesh, SIZE, &DrawOptions::new()), SIZE.0),
             coverage::picture(&expected, SIZE.0)
         );
     }
@@ -174,12 +174,12 @@ fn all_small_triangles() {
     const SIDE: i32 = 7;
     let size = (4, 4);
     let mut counter = Counter::new(size);
-    let lens = pixel_lens(size);
+    let projection = pixel_lens(size);
     for offset in [[0, 0], [1, 127], [-128, 0], [129, -1], [64, 200]] {
         let points: Vec<Point> = (0..SIDE * SIDE)
             .map(|i| [i % SIDE * 128 + offset[0], i / SIDE * 128 + offset[1]])
             .collect();
-        every_triangle(&mut counter, &lens, &points);
+        every_triangle(&mut counter, &projection, &points);
     }
 }
 
@@ -189,16 +189,16 @@ fn all_tiny_triangles() {
     const SIDE: i32 = 5;
     let size = (2, 2);
     let mut counter = Counter::new(size);
-    let lens = pixel_lens(size);
+    let projection = pixel_lens(size);
     for center in [[128, 128], [256, 256], [384, 128]] {
         let points: Vec<Point> = (0..SIDE * SIDE)
             .map(|i| [i % SIDE - 2 + center[0], i / SIDE - 2 + center[1]])
             .collect();
-        every_triangle(&mut counter, &lens, &points);
+        every_triangle(&mut counter, &projection, &points);
     }
 }
 
-fn every_triangle<K: Kind>(counter: &mut Counter, lens: &Chain<K>, points: &[Point]) {
+fn every_triangle<K: Kind>(counter: &mut Counter, projection: &Mvp<K>, points: &[Point]) {
     let (width, height) = counter.size;
     let positions: Vec<Vec3> = points.iter().copied().map(at_subpixel).collect();
     let count = u16::try_from(points.len()).unwrap();
@@ -213,14 +213,14 @@ fn every_triangle<K: Kind>(counter: &mut Counter, lens: &Chain<K>, points: &[Poi
                 ] {
                     let faces = [face];
                     let mesh = Mesh::new(&positions, &faces).unwrap();
-                    counter.draw(&Pass::new(), &mesh, lens);
+                    counter.draw(&DrawOptions::new(), &mesh, projection);
                     let expected = if front {
                         model.clone()
                     } else {
                         vec![0; model.len()]
                     };
                     assert_eq!(counter.take(), expected, "{corners:?}, front {front}");
-                    counter.draw(&BOTH_SIDES, &mesh, lens);
+                    counter.draw(&BOTH_SIDES, &mesh, projection);
                     assert_eq!(counter.take(), model, "{corners:?}");
                 }
             }
@@ -232,8 +232,9 @@ fn every_triangle<K: Kind>(counter: &mut Counter, lens: &Chain<K>, points: &[Poi
 /// model covers.
 fn check_in_perspective(positions: &[[i32; 3]], seed: u64) -> Result<(), TestCaseError> {
     let size = (48, 32);
-    let lens = Projection::perspective(Angle::from_degrees(70), size, fx!(0.5), fx!(60)).unwrap();
-    let chain = lens
+    let projection =
+        Projection::perspective(Angle::from_degrees(70), size, fx!(0.5), fx!(60)).unwrap();
+    let mvp = projection
         * Transform::translate(vec3!(0, 0, -8))
         * Transform::rotate_y(Angle::from_bits(seed as u32));
     let mut counter = Counter::new(size);
@@ -246,7 +247,7 @@ fn check_in_perspective(positions: &[[i32; 3]], seed: u64) -> Result<(), TestCas
         .map(|i| [i, (i + 1) % count, (i + 2) % count])
         .collect();
     let places: HashMap<u16, Point> = (0..count)
-        .filter_map(|i| Some((i, counter.snapped(&chain, positions[usize::from(i)])?)))
+        .filter_map(|i| Some((i, counter.snapped(&mvp, positions[usize::from(i)])?)))
         .collect();
     // Those that are clipped get new corners; they are looked at elsewhere.
     let whole: Vec<[u16; 3]> = faces
@@ -256,7 +257,7 @@ fn check_in_perspective(positions: &[[i32; 3]], seed: u64) -> Result<(), TestCas
     let triangles: Vec<Snapped> = whole.iter().map(|face| face.map(|i| places[&i])).collect();
     let mesh = Mesh::new(&positions, &whole).unwrap();
     for cull in [Cull::Nothing, Cull::Back, Cull::Front] {
-        let drawn = counter.draw(&Pass::new().cull(cull), &mesh, &chain);
+        let drawn = counter.draw(&DrawOptions::new().cull(cull), &mesh, &mvp);
         prop_assert_eq!(drawn.clipped, 0);
         let kept: Vec<Snapped> = triangles
             .iter()
@@ -338,7 +339,7 @@ proptest! {
         let mesh = triangulation(corners, &points).shuffled(seed, false);
         let mut counter = Counter::new(SIZE);
         let positions: Vec<Vec3> = mesh.points.iter().copied().map(at_subpixel).collect();
-        let drawn = counter.draw(&Pass::new(), &Mesh::new(&positions, &mesh.faces).unwrap(), &pixel_lens(SIZE));
+        let drawn = counter.draw(&DrawOptions::new(), &Mesh::new(&positions, &mesh.faces).unwrap(), &pixel_lens(SIZE));
         prop_assert!(drawn.clipped > 0);
         let picture = counter.picture();
         prop_assert!(picture.iter().all(|row| row.chars().all(|c| c == '1')), "{:#?}", picture);

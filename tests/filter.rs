@@ -74,13 +74,13 @@ fn channel<C: Parts, const W: usize, const H: usize>(
     texels.iter().map(row).collect()
 }
 
-/// The colour that a fragment gives texels that are looked up at (u, v), in texels of 16 fraction bits.
-fn shade<F: Fragment<N>, const N: usize>(fragment: &F, varyings: [i32; N]) -> F::Color {
-    let sample = Sample {
+/// The colour that a shader gives texels that are looked up at (u, v), in texels of 16 fraction bits.
+fn shade<F: Shader<N>, const N: usize>(shader: &F, varyings: [i32; N]) -> F::Color {
+    let sample = Fragment {
         point: Point::zero(),
         depth: 0,
     };
-    fragment.shade(&sample, varyings).unwrap()
+    shader.shade(&sample, varyings).unwrap()
 }
 
 /// Both wraps of a texture at a place against the model.
@@ -224,13 +224,13 @@ const TEXELS: usize = 4;
 const RATIO: u32 = 16;
 
 /// A square that fills the picture.
-fn picture<F: Fragment<2, Color = Rgb888>>(fragment: &F) -> Vec<[f64; 3]> {
+fn picture<F: Shader<2, Color = Rgb888>>(shader: &F) -> Vec<[f64; 3]> {
     static SQUARE: Mesh = shape!(plane(1, 1));
     let window = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2));
-    let chain = window.unwrap() * Camera::top(Vec3::ZERO, fx!(1));
+    let mvp = window.unwrap() * Camera::top(Vec3::ZERO, fx!(1));
     let mut pixels = vec![Rgb888::BLACK; (SIDE * SIDE) as usize];
     let mut canvas = Canvas::new(&mut pixels, SIDE, SIDE).unwrap();
-    canvas.draw(&SQUARE, &chain, fragment);
+    canvas.draw(&SQUARE, &mvp, shader);
     pixels.into_iter().map(Parts::parts).collect()
 }
 

@@ -6,7 +6,7 @@
 
 use embedded_graphics::pixelcolor::raw::BigEndian;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use fixel::interpolate::{Affine, Exact, Fast, Interpolate, Newton};
+use fixel::mode::{Affine, Exact, Fast, Interpolate, Newton};
 use fixel::prelude::*;
 use fixel::target::Depth;
 
@@ -17,7 +17,7 @@ use common::lighthouse;
 use common::scenes::{self, HEIGHT, WIDTH};
 
 /// The way of interpolating that is the specification of the others.
-const PASS: Pass<Exact> = Pass::new().mode(Exact);
+const PASS: DrawOptions<Exact> = DrawOptions::new().mode(Exact);
 
 type Target<'a> = Canvas<'a, Rgb565, BigEndian, Depth<'a>>;
 
@@ -105,10 +105,10 @@ fn sphere_flat() {
 #[test]
 fn lighthouse() {
     let (crc, _) = picture(|canvas| {
-        let lens = lighthouse::lens((WIDTH, HEIGHT)).unwrap();
-        let chain = lens * lighthouse::camera().unwrap() * Transform::IDENTITY;
+        let projection = lighthouse::projection((WIDTH, HEIGHT)).unwrap();
+        let mvp = projection * lighthouse::camera().unwrap() * Transform::IDENTITY;
         lighthouse::sky(canvas);
-        lighthouse::draw(canvas, &PASS, &chain).unwrap();
+        lighthouse::draw(canvas, &PASS, &mvp).unwrap();
         lighthouse::caption(canvas);
     });
     assert_eq!(crc, 0xe0c7_b9cd);
@@ -116,7 +116,7 @@ fn lighthouse() {
 
 /// Checksums of the scenes in a mode: the floor, and a pose of the cube and of the sphere each.
 fn scenes_in<I: Interpolate>(mode: I) -> [u32; 3] {
-    let pass = Pass::new().mode(mode);
+    let pass = DrawOptions::new().mode(mode);
     let (floor, _) = picture(|canvas| {
         scenes::floor(canvas, &pass, &scenes::floor_chain(0).unwrap());
     });

@@ -41,16 +41,21 @@ fn on_line([a, b]: [Point; 2], pixel: [i32; 2]) -> bool {
     over.div_euclid(length * 256) == i64::from(pixel[minor])
 }
 
-/// How often each pixel is drawn by lines through the pixel lens, from mesh edges.
+/// How often each pixel is drawn by lines through the pixel projection, from mesh edges.
 fn drawn(points: &[Point], edges: &[[u16; 2]]) -> Vec<u32> {
-    let lens = pixel_lens(SIZE);
+    let projection = pixel_lens(SIZE);
     let mut counter = Counter::new(SIZE);
     let positions: Vec<Vec3> = points.iter().copied().map(at_subpixel).collect();
     let mesh = Mesh::new(&positions, &[])
         .unwrap()
         .with_edges(edges)
         .unwrap();
-    assert_eq!(counter.draw_edges(&Pass::new(), &mesh, &lens).clipped, 0);
+    assert_eq!(
+        counter
+            .draw_edges(&DrawOptions::new(), &mesh, &projection)
+            .clipped,
+        0
+    );
     counter.take()
 }
 
@@ -115,10 +120,10 @@ proptest! {
     /// A point is the pixel that it lies in: its left and top edges belong to it.
     #[test]
     fn points_are_the_pixels_they_lie_in(points in prop::collection::vec(places(), 0..20)) {
-        let lens = pixel_lens(SIZE);
+        let projection = pixel_lens(SIZE);
         let mut counter = Counter::new(SIZE);
         let positions: Vec<Vec3> = points.iter().copied().map(at_subpixel).collect();
-        let drawn = counter.draw_points(&Pass::new(), &Mesh::new(&positions, &[]).unwrap(), &lens);
+        let drawn = counter.draw_points(&DrawOptions::new(), &Mesh::new(&positions, &[]).unwrap(), &projection);
         prop_assert_eq!((drawn.submitted as usize, drawn.drawn as usize), (points.len(), points.len()));
         let mut expected = vec![0; (SIZE.0 * SIZE.1) as usize];
         for [x, y] in points.iter().map(|point| point.map(|at| at.div_euclid(256))) {
@@ -139,14 +144,14 @@ type Drawn = ([i32; 2], i32, u16);
 #[derive(Clone, Copy)]
 struct Record<'a>(&'a RefCell<Vec<Drawn>>);
 
-impl Fragment<1> for Record<'_> {
+impl Shader<1> for Record<'_> {
     type Color = Gray8;
 
-    fn varyings(&self, vertex: &Vertex) -> [i32; 1] {
+    fn varyings(&self, vertex: &Corner) -> [i32; 1] {
         [vertex.position().x.to_bits()]
     }
 
-    fn shade(&self, sample: &Sample, [x]: [i32; 1]) -> Option<Gray8> {
+    fn shade(&self, sample: &Fragment, [x]: [i32; 1]) -> Option<Gray8> {
         self.0
             .borrow_mut()
             .push(([sample.point.x, sample.point.y], x, sample.depth));
@@ -154,19 +159,17 @@ impl Fragment<1> for Record<'_> {
     }
 }
 
-fn recorded<K: Kind>(chain: &Chain<K>, ends: [Vec3; 2], edge: [u16; 2]) -> (Vec<Drawn>, Vec<u16>) {
+fn recorded<K: Kind>(mvp: &Mvp<K>, ends: [Vec3; 2], edge: [u16; 2]) -> (Vec<Drawn>, Vec<u16>) {
     let drawing = RefCell::default();
     let pixels = (SIZE.0 * SIZE.1) as usize;
     let (mut colors, mut depths) = (vec![Gray8::new(0); pixels], vec![0; pixels]);
     let edges = [edge];
     let mesh = Mesh::new(&ends, &[]).unwrap().with_edges(&edges).unwrap();
     let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
-    canvas.with_depth(&mut depths).unwrap().draw_edges(
-        &BOTH_SIDES,
-        &mesh,
-        chain,
-        &Record(&drawing),
-    );
+    canvas
+        .with_depth(&mut depths)
+        .unwrap()
+        .draw_edges(&BOTH_SIDES, &mesh, mvp, &Record(&drawing));
     (drawing.into_inner(), depths)
 }
 
@@ -174,7 +177,7 @@ const NEAR: f64 = 0.25;
 const FAR: f64 = 32.;
 const FOCAL: f64 = 30.;
 
-fn lens() -> Projection<Perspective> {
+fn projection() -> Projection<Perspective> {
     Projection::from_focal_length(fx!(30), SIZE, fx!(0.25), fx!(32)).unwrap()
 }
 
@@ -212,12 +215,12 @@ proptest! {
     #[test]
     fn lines_in_perspective(ends in ends()) {
         const ROUNDING: f64 = 1. / 256.;
-        let chain = lens().into();
-        let (pixels, depths) = recorded(&chain, ends, [0, 1]);
+        let mvp = projection().into();
+        let (pixels, depths) = recorded(&mvp, ends, [0, 1]);
         // From its other end it is the same line. A clipped end's attribute is mixed of both ends', which differ by less
         // than 2^21 units, by a weight in units of 2^-30: from either side it is rounded to the nearest unit, which may
         // be the next one, and so may a pixel's, rounded down.
-        let (others, other_depths) = recorded(&chain, ends, [1, 0]);
+        let (others, other_depths) = recorded(&mvp, ends, [1, 0]);
         let places = |pixels: &[Drawn]| pixels.iter().map(|&(at, _, depth)| (at, depth)).collect::<Vec<_>>();
         prop_assert_eq!((places(&pixels), &depths), (places(&others), &other_depths), "the other direction");
         let apart = pixels.iter().zip(&others).map(|(a, b)| a.1.abs_diff(b.1)).max();
@@ -225,7 +228,7 @@ proptest! {
 
         let view = view::View {
             eye: IDENTITY,
-            lens: projection::focal(FOCAL, SIZE, NEAR, FAR),
+            projection: projection::focal(FOCAL, SIZE, NEAR, FAR),
             viewport: view::Viewport::new(SIZE.0, SIZE.1),
         };
         let float = |p: Vec3| p.to_bits().map(|bits| f64::from(bits) / 65536.);

@@ -29,7 +29,7 @@ fn positions(points: &[[f64; 2]]) -> Vec<Vec3> {
 
 /// Draws triangles, corners in turn, and compares the counts.
 #[track_caller]
-fn assert_picture(points: &[[f64; 2]], pass: &Pass, expected: &str) {
+fn assert_picture(points: &[[f64; 2]], pass: &DrawOptions, expected: &str) {
     let positions = positions(points);
     let faces: Vec<[u16; 3]> = (0..u16::try_from(points.len()).unwrap() / 3)
         .map(|i| [3 * i, 3 * i + 1, 3 * i + 2])
@@ -43,9 +43,9 @@ fn assert_picture(points: &[[f64; 2]], pass: &Pass, expected: &str) {
 }
 
 #[track_caller]
-fn assert_mesh(mesh: &Mesh, lens: &Chain<Parallel>, pass: &Pass, expected: &str) {
+fn assert_mesh(mesh: &Mesh, projection: &Mvp<Parallel>, pass: &DrawOptions, expected: &str) {
     let mut counter = Counter::new(SIZE);
-    counter.draw(pass, mesh, lens);
+    counter.draw(pass, mesh, projection);
     assert_counts(&mut counter, expected);
 }
 
@@ -62,7 +62,7 @@ fn assert_counts(counter: &mut Counter, expected: &str) {
 fn corners_on_centres() {
     assert_picture(
         &[[1.5, 0.5], [1.5, 4.5], [5.5, 0.5]],
-        &Pass::new(),
+        &DrawOptions::new(),
         "
             .1111...
             .111....
@@ -79,7 +79,7 @@ fn corners_on_centres() {
 fn the_other_half() {
     assert_picture(
         &[[1.5, 4.5], [5.5, 4.5], [5.5, 0.5]],
-        &Pass::new(),
+        &DrawOptions::new(),
         "
             ........
             ....1...
@@ -103,7 +103,7 @@ fn two_halves_make_a_square() {
             [5.5, 4.5],
             [5.5, 0.5],
         ],
-        &Pass::new(),
+        &DrawOptions::new(),
         "
             .1111...
             .1111...
@@ -124,7 +124,7 @@ fn a_level_edge_on_centres() {
     );
     assert_picture(
         &upper,
-        &Pass::new(),
+        &DrawOptions::new(),
         "
             ...1....
             ..111...
@@ -136,7 +136,7 @@ fn a_level_edge_on_centres() {
     );
     assert_picture(
         &lower,
-        &Pass::new(),
+        &DrawOptions::new(),
         "
             ........
             ........
@@ -157,7 +157,7 @@ fn an_upright_edge_on_centres() {
     );
     assert_picture(
         &left,
-        &Pass::new(),
+        &DrawOptions::new(),
         "
             ........
             ..11....
@@ -169,7 +169,7 @@ fn an_upright_edge_on_centres() {
     );
     assert_picture(
         &right,
-        &Pass::new(),
+        &DrawOptions::new(),
         "
             ....1...
             ....11..
@@ -198,7 +198,7 @@ fn a_hub_on_a_centre() {
         .collect();
     assert_picture(
         &fan,
-        &Pass::new(),
+        &DrawOptions::new(),
         "
             .1111...
             .11111..
@@ -293,9 +293,9 @@ fn cull_modes() {
             ....1111
         ";
     // Both long edges run through centres; that of the lower triangle is its left one, and owns them.
-    assert_picture(&both, &Pass::new(), upper);
-    assert_picture(&both, &Pass::new().cull(Cull::Back), upper);
-    assert_picture(&both, &Pass::new().cull(Cull::Front), lower);
+    assert_picture(&both, &DrawOptions::new(), upper);
+    assert_picture(&both, &DrawOptions::new().cull(Cull::Back), upper);
+    assert_picture(&both, &DrawOptions::new().cull(Cull::Front), lower);
     assert_picture(
         &both,
         &BOTH_SIDES,
@@ -315,11 +315,11 @@ fn cull_modes() {
 fn a_viewport_cuts_off() {
     let everywhere = positions(&[[-900., -900.], [-900., 900.], [900., 900.], [900., -900.]]);
     let mesh = Mesh::new(&everywhere, &[[0, 1, 2], [0, 2, 3]]).unwrap();
-    let lens = pixel_lens(SIZE);
-    let within = |x, y, w, h| Pass::new().viewport(Viewport::new(x, y, w, h).unwrap());
+    let projection = pixel_lens(SIZE);
+    let within = |x, y, w, h| DrawOptions::new().viewport(Viewport::new(x, y, w, h).unwrap());
     assert_mesh(
         &mesh,
-        &lens,
+        &projection,
         &within(2, 1, 3, 4),
         "
             ........
@@ -333,7 +333,7 @@ fn a_viewport_cuts_off() {
     // Partly outside the frame.
     assert_mesh(
         &mesh,
-        &lens,
+        &projection,
         &within(-2, 4, 4, 9),
         "
             ........
@@ -345,8 +345,8 @@ fn a_viewport_cuts_off() {
         ",
     );
     // Outside altogether.
-    assert_mesh(&mesh, &lens, &within(8, 0, 4, 4), EMPTY);
-    assert_mesh(&mesh, &lens, &within(-4, -4, 4, 4), EMPTY);
+    assert_mesh(&mesh, &projection, &within(8, 0, 4, 4), EMPTY);
+    assert_mesh(&mesh, &projection, &within(-4, -4, 4, 4), EMPTY);
 }
 
 /// The picture is spread over the viewport: half as wide, half as many columns.
@@ -354,7 +354,7 @@ fn a_viewport_cuts_off() {
 fn a_viewport_scales() {
     let half = positions(&[[0., 0.], [0., 6.], [8., 6.]]);
     let mesh = Mesh::new(&half, &[[0, 1, 2]]).unwrap();
-    let right = Pass::new().viewport(Viewport::new(4, 0, 4, 6).unwrap());
+    let right = DrawOptions::new().viewport(Viewport::new(4, 0, 4, 6).unwrap());
     assert_mesh(
         &mesh,
         &pixel_lens(SIZE),
@@ -387,7 +387,7 @@ fn lines() {
         .with_edges(&edges)
         .unwrap();
     let mut counter = Counter::new(SIZE);
-    counter.draw_edges(&Pass::new(), &mesh, &pixel_lens(SIZE));
+    counter.draw_edges(&DrawOptions::new(), &mesh, &pixel_lens(SIZE));
     assert_counts(
         &mut counter,
         "

@@ -1,7 +1,7 @@
 //! Positions of 16 bits: drawn as the same numbers in 32 bits are, and rounded no more than they must be.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use fixel::interpolate::{Exact, Interpolate};
+use fixel::mode::{Exact, Interpolate};
 use fixel::prelude::*;
 use fixel::target::{Depth, Native};
 use fixel::view::{Kind, Perspective};
@@ -49,7 +49,7 @@ type Board<'a> = Canvas<'a, Rgb565, Native, Depth<'a>>;
 /// What is drawn of a mesh in all ways, and counted.
 fn drawn<K: Kind, I: Interpolate>(
     mesh: &Mesh,
-    chain: &Chain<K>,
+    mvp: &Mvp<K>,
     mode: I,
 ) -> impl PartialEq + use<K, I> {
     let (mut colors, mut depths) = (vec![Rgb565::BLACK; PIXELS], vec![0; PIXELS]);
@@ -57,20 +57,20 @@ fn drawn<K: Kind, I: Interpolate>(
     let mut canvas: Board<'_> = canvas.with_depth(&mut depths).unwrap();
     let light = Light::new(vec3!(1, 2, 3), fx!(0.2), fx!(0.8)).unwrap();
     let clay = Lit::new(Rgb888::new(236, 214, 190), light);
-    let pass = Pass::new().mode(mode).cull(Cull::Nothing);
+    let pass = DrawOptions::new().mode(mode).cull(Cull::Nothing);
     let counts = [
-        canvas.draw_with(&pass, mesh, chain, &clay),
-        canvas.draw_edges(&pass, mesh, chain, &Flat::new(Rgb565::RED)),
-        canvas.draw_points(&pass, mesh, chain, &Flat::new(Rgb565::BLUE)),
+        canvas.draw_with(&pass, mesh, mvp, &clay),
+        canvas.draw_edges(&pass, mesh, mvp, &Flat::new(Rgb565::RED)),
+        canvas.draw_points(&pass, mesh, mvp, &Flat::new(Rgb565::BLUE)),
     ];
     let mut list: TriangleList<16, 400> = TriangleList::new();
-    let prepared = list.prepare(&pass, SIZE, mesh, chain).unwrap();
+    let prepared = list.prepare(&pass, SIZE, mesh, mvp).unwrap();
     canvas.draw_prepared(&prepared, &NormalView::new());
     (colors, depths, counts)
 }
 
 impl Model {
-    fn check<K: Kind>(&self, chain: &Chain<K>) -> Result<(), TestCaseError> {
+    fn check<K: Kind>(&self, mvp: &Mvp<K>) -> Result<(), TestCaseError> {
         let long: Vec<Vec3> = self
             .positions
             .iter()
@@ -84,7 +84,7 @@ impl Model {
             meshes.map(|mesh| mesh.and_then(|mesh| mesh.with_edges(&self.edges)).unwrap());
         prop_assert!(long.positions() == short.positions());
         prop_assert_eq!(long.counts(), short.counts());
-        prop_assert!(drawn(&long, chain, Exact) == drawn(&short, chain, Exact));
+        prop_assert!(drawn(&long, mvp, Exact) == drawn(&short, mvp, Exact));
         Ok(())
     }
 }
@@ -106,10 +106,10 @@ proptest! {
         let scale = Scalar::from_bits(1 << (16 + scale - size).clamp(0, 30));
         let place = Transform::translate(Vec3::new(fx!(0), fx!(0), Scalar::from_num(-away)));
         let pose = place * Transform::rotate_x(x) * Transform::rotate_y(y) * Transform::scale(scale);
-        let lens = Projection::perspective(Angle::from_degrees(60), SIZE, fx!(0.1), fx!(100)).unwrap();
-        model.check::<Perspective>(&(lens * pose))?;
-        let lens = Projection::orthographic(fx!(-2), fx!(2), fx!(-2), fx!(2), fx!(-9), fx!(9)).unwrap();
-        model.check(&(lens * pose))?;
+        let projection = Projection::perspective(Angle::from_degrees(60), SIZE, fx!(0.1), fx!(100)).unwrap();
+        model.check::<Perspective>(&(projection * pose))?;
+        let projection = Projection::orthographic(fx!(-2), fx!(2), fx!(-2), fx!(2), fx!(-9), fx!(9)).unwrap();
+        model.check(&(projection * pose))?;
     }
 
     /// Positions in 16 bits are the nearest that there are, with the largest of them in 15 bits or more.
@@ -140,17 +140,18 @@ proptest! {
 fn rounding_moves_a_sphere_by_less_than_a_hundredth_of_a_pixel() {
     static LONG: Mesh = shape!(sphere(32, 32));
     static SHORT: Mesh = shape!(sphere(32, 32), short);
-    let lens = Projection::from_focal_length(fx!(200), (320, 240), fx!(0.25), fx!(100)).unwrap();
+    let projection =
+        Projection::from_focal_length(fx!(200), (320, 240), fx!(0.25), fx!(100)).unwrap();
     let pose =
         Transform::translate(vec3!(0, 0, -2.256)) * Transform::rotate_x(Angle::from_degrees(20));
-    let (chain, mut colors) = (lens * pose, vec![Rgb565::BLACK; 320 * 240]);
+    let (mvp, mut colors) = (projection * pose, vec![Rgb565::BLACK; 320 * 240]);
     let canvas = Canvas::new(&mut colors, 320, 240).unwrap();
     let mut worst = 0_f64;
     for (long, short) in LONG.positions().iter().zip(SHORT.positions().iter()) {
         let eye = pose.point(long);
         let w = -eye.z.to_num::<f64>();
         let place = |point| {
-            let place = canvas.project(&Pass::new(), &chain, point).unwrap();
+            let place = canvas.project(&DrawOptions::new(), &mvp, point).unwrap();
             [place.x, place.y].map(|at| at.to_num::<f64>())
         };
         for ((a, b), side) in place(long)

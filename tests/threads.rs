@@ -5,7 +5,7 @@ use std::thread;
 
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, RgbColor};
-use fixel::interpolate::{Affine, Exact, Fast, Interpolate, Linear, Newton};
+use fixel::mode::{Affine, Exact, Fast, Interpolate, Linear, Newton};
 use fixel::prelude::*;
 use fixel::target::{Depth, Native, NoDepth};
 use fixel::view::{Parallel, Perspective};
@@ -27,17 +27,17 @@ const _: () = {
     both::<Canvas<'static, Rgb565, LittleEndian, Depth<'static>>>();
     both::<Canvas<'static, BinaryColor>>();
     both::<Mesh<'static>>();
-    both::<Chain<Perspective>>();
-    both::<Chain<Parallel>>();
+    both::<Mvp<Perspective>>();
+    both::<Mvp<Parallel>>();
     both::<Projection<Perspective>>();
     both::<Camera>();
     both::<Transform>();
     both::<Viewport>();
-    both::<Pass<Exact>>();
-    both::<Pass<Newton>>();
-    both::<Pass<Fast>>();
-    both::<Pass<Affine>>();
-    both::<Pass<Linear>>();
+    both::<DrawOptions<Exact>>();
+    both::<DrawOptions<Newton>>();
+    both::<DrawOptions<Fast>>();
+    both::<DrawOptions<Affine>>();
+    both::<DrawOptions<Linear>>();
     both::<Skin>();
     both::<Light>();
     both::<Flat<Rgb565>>();
@@ -132,15 +132,15 @@ fn without_depth(draw: impl Fn(&mut Canvas<'_, Rgb565, BigEndian>) + Sync) {
 
 /// Textures and colours, with depth.
 fn scenes_in<I: Interpolate + Sync>(mode: I) {
-    let pass = Pass::new().mode(mode);
+    let pass = DrawOptions::new().mode(mode);
     let [floor, cube] = [scenes::floor_chain(0), scenes::cube_chain(3)].map(Result::unwrap);
     with_depth(|canvas| {
         scenes::floor(canvas, &pass, &floor);
         scenes::cube(canvas, &pass, &cube);
     });
-    let chain = scenes::sphere_chain(1).unwrap();
+    let mvp = scenes::sphere_chain(1).unwrap();
     with_depth(|canvas| {
-        scenes::sphere(canvas, &pass, &chain);
+        scenes::sphere(canvas, &pass, &mvp);
     });
 }
 
@@ -156,22 +156,27 @@ fn textured_and_shaded_with_depth_in_every_mode() {
 
 #[test]
 fn flat_without_depth() {
-    let chain = scenes::sphere_chain(2).unwrap();
+    let mvp = scenes::sphere_chain(2).unwrap();
     without_depth(|canvas| {
-        scenes::sphere_flat(canvas, &Pass::new(), &chain);
+        scenes::sphere_flat(canvas, &DrawOptions::new(), &mvp);
     });
 }
 
 /// Lines and points have no triangle's rows to go by.
 #[test]
 fn lines_and_points_without_depth() {
-    let chain = scenes::sphere_chain(0).unwrap();
+    let mvp = scenes::sphere_chain(0).unwrap();
     without_depth(|canvas| {
-        canvas.draw_edges(&Pass::new(), &scenes::CUBE, &chain, &Flat::new(Rgb565::RED));
+        canvas.draw_edges(
+            &DrawOptions::new(),
+            &scenes::CUBE,
+            &mvp,
+            &Flat::new(Rgb565::RED),
+        );
         canvas.draw_points(
-            &Pass::new(),
+            &DrawOptions::new(),
             &scenes::SPHERE,
-            &chain,
+            &mvp,
             &Flat::new(Rgb565::WHITE),
         );
     });
@@ -179,11 +184,11 @@ fn lines_and_points_without_depth() {
 
 #[test]
 fn the_lighthouse_with_its_caption() {
-    let lens = lighthouse::lens((WIDTH, HEIGHT)).unwrap();
-    let chain = lens * lighthouse::camera().unwrap() * Transform::IDENTITY;
+    let projection = lighthouse::projection((WIDTH, HEIGHT)).unwrap();
+    let mvp = projection * lighthouse::camera().unwrap() * Transform::IDENTITY;
     with_depth(|canvas| {
         lighthouse::sky(canvas);
-        lighthouse::draw(canvas, &Pass::new(), &chain).unwrap();
+        lighthouse::draw(canvas, &DrawOptions::new(), &mvp).unwrap();
         lighthouse::caption(canvas);
     });
 }

@@ -54,8 +54,8 @@ impl Lists {
     /// None: its numbers are constant, and there is room in every frame.
     pub fn prepare(&mut self, frame: u32) -> Result<Gyroscope<'_>, Error> {
         let half = Viewport::new(i32::try_from(WIDTH / 2).unwrap_or(0), 0, WIDTH / 2, HEIGHT)?;
-        let pass: Pass = Pass::new().viewport(half);
-        let lens = Projection::perspective(
+        let pass: DrawOptions = DrawOptions::new().viewport(half);
+        let projection = Projection::perspective(
             Angle::from_degrees(40),
             (WIDTH / 2, HEIGHT),
             fx!(1),
@@ -72,7 +72,7 @@ impl Lists {
             outer * Transform::rotate_x(turned(2 * RPM)) * upright * Transform::scale(fx!(0.74));
         let cube = inner * Transform::rotate_z(turned(-3 * RPM)) * Transform::scale(fx!(0.34));
 
-        let (size, view) = ((WIDTH, HEIGHT), lens * camera);
+        let (size, view) = ((WIDTH, HEIGHT), projection * camera);
         Ok(Gyroscope {
             frame,
             sun: Light::new(vec3!(-2, 4, 3), fx!(0.2), fx!(0.8))?,

@@ -9,7 +9,7 @@ use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::{Alignment, Text};
-use fixel::interpolate::Interpolate;
+use fixel::mode::Interpolate;
 use fixel::prelude::*;
 use fixel::shade::{Converted, Levels, Light, Texture, Textured};
 use fixel::target::{DepthBuffer, Storage};
@@ -63,12 +63,12 @@ static SEA_FACES: [[u16; 3]; SEA_SIDES] = {
 /// The texture of the sea, which repeats.
 pub static WAVES: Texture<Rgb565, 64, 64> = Texture::rgb565(include_bytes!("../assets/sea.rgb565"));
 
-/// A lens that has the whole lighthouse in the picture.
+/// A projection that has the whole lighthouse in the picture.
 ///
 /// # Errors
 ///
 /// None for a picture of a possible size.
-pub fn lens(size: impl Into<Aspect>) -> Result<Projection<Perspective>, Error> {
+pub fn projection(size: impl Into<Aspect>) -> Result<Projection<Perspective>, Error> {
     Projection::perspective(Angle::from_degrees(40), size, fx!(1), fx!(140))
 }
 
@@ -120,7 +120,7 @@ where
 }
 
 /// What the sea is painted with.
-pub fn waves<C: Levels>() -> impl Fragment<2, Color = C> {
+pub fn waves<C: Levels>() -> impl Shader<2, Color = C> {
     Converted::new(Textured::new(&WAVES))
 }
 
@@ -129,19 +129,19 @@ pub fn waves<C: Levels>() -> impl Fragment<2, Color = C> {
 /// # Errors
 ///
 /// None: the light's numbers are constant.
-pub fn skin<C: Levels>() -> Result<impl Fragment<3, Color = C>, Error> {
+pub fn skin<C: Levels>() -> Result<impl Shader<3, Color = C>, Error> {
     Ok(Converted::new(Textured::new(&SKIN).lit(sun()?)))
 }
 
-/// Draws sea and island; `chain` takes them to the picture.
+/// Draws sea and island; `mvp` takes them to the picture.
 ///
 /// # Errors
 ///
 /// None: the light's numbers are constant.
 pub fn draw<C, I, K, O, D>(
     canvas: &mut Canvas<'_, C, O, D>,
-    pass: &Pass<I>,
-    chain: &Chain<K>,
+    pass: &DrawOptions<I>,
+    mvp: &Mvp<K>,
 ) -> Result<[Drawn; 2], Error>
 where
     C: Levels,
@@ -150,8 +150,8 @@ where
     O: Storage<C>,
     D: DepthBuffer,
 {
-    let sea = canvas.draw_with(pass, &SEA, chain, &waves());
-    let island = canvas.draw_with(pass, &ISLAND, chain, &skin()?);
+    let sea = canvas.draw_with(pass, &SEA, mvp, &waves());
+    let island = canvas.draw_with(pass, &ISLAND, mvp, &skin()?);
     Ok([sea, island])
 }
 

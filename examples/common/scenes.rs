@@ -1,11 +1,11 @@
 //! The four measured scenes: the same work for every measurement, here and by others.
 //!
-//! 320x240 pixels, focal length 200 pixels, near 0.25, far 100. Each has a mesh, a chain for each
+//! 320x240 pixels, focal length 200 pixels, near 0.25, far 100. Each has a mesh, a mvp for each
 //! of its poses `k` = 0..8, and a function that draws it, which is all that is measured: clearing
 //! is not. `no_std`, so that a microcontroller draws the very same.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, WebColors};
-use fixel::interpolate::Interpolate;
+use fixel::mode::Interpolate;
 use fixel::prelude::*;
 use fixel::shade::{FaceColors, Gouraud, Texture, Textured};
 use fixel::target::{DepthBuffer, Storage};
@@ -114,12 +114,12 @@ const fn lit([x, y, z]: [i32; 3]) -> [u8; 3] {
     ]
 }
 
-/// The lens of all scenes.
+/// The projection of all scenes.
 ///
 /// # Errors
 ///
 /// None: its numbers are constant.
-fn lens() -> Result<Projection<Perspective>, Error> {
+fn projection() -> Result<Projection<Perspective>, Error> {
     Projection::from_focal_length(fx!(200), (WIDTH, HEIGHT), fx!(0.25), fx!(100))
 }
 
@@ -153,80 +153,80 @@ pub fn sphere_turn(k: i32) -> [Angle; 2] {
     ]
 }
 
-/// The floor's chain, the same for all poses: one unit above, pitched down.
+/// The floor's mvp, the same for all poses: one unit above, pitched down.
 ///
 /// # Errors
 ///
 /// None: its numbers are constant.
-pub fn floor_chain(_: i32) -> Result<Chain<Perspective>, Error> {
-    Ok(lens()? * (Transform::rotate_x(FLOOR_PITCH) * Transform::translate(FLOOR_AT)))
+pub fn floor_chain(_: i32) -> Result<Mvp<Perspective>, Error> {
+    Ok(projection()? * (Transform::rotate_x(FLOOR_PITCH) * Transform::translate(FLOOR_AT)))
 }
 
-/// The cube's chain in pose `k`.
+/// The cube's mvp in pose `k`.
 ///
 /// # Errors
 ///
 /// None: its numbers are constant.
-pub fn cube_chain(k: i32) -> Result<Chain<Perspective>, Error> {
-    Ok(lens()? * (Transform::translate(CUBE_AT) * turned(cube_turn(k))))
+pub fn cube_chain(k: i32) -> Result<Mvp<Perspective>, Error> {
+    Ok(projection()? * (Transform::translate(CUBE_AT) * turned(cube_turn(k))))
 }
 
-/// The spheres' chain in pose `k`.
+/// The spheres' mvp in pose `k`.
 ///
 /// # Errors
 ///
 /// None: its numbers are constant.
-pub fn sphere_chain(k: i32) -> Result<Chain<Perspective>, Error> {
-    Ok(lens()? * (Transform::translate(SPHERE_AT) * turned(sphere_turn(k))))
+pub fn sphere_chain(k: i32) -> Result<Mvp<Perspective>, Error> {
+    Ok(projection()? * (Transform::translate(SPHERE_AT) * turned(sphere_turn(k))))
 }
 
 /// What the floor and the cube are painted with.
-pub fn checkered() -> impl Fragment<2, Color = Rgb565> {
+pub fn checkered() -> impl Shader<2, Color = Rgb565> {
     Textured::new(&CHECKER)
 }
 
 /// What the sphere is painted with: its vertices' colours.
-pub fn shaded() -> impl Fragment<3, Color = Rgb565> {
+pub fn shaded() -> impl Shader<3, Color = Rgb565> {
     Gouraud::new()
 }
 
 /// What the flat sphere is painted with: its triangles' colours.
-pub fn faceted() -> impl Fragment<0, Color = Rgb565> {
+pub fn faceted() -> impl Shader<0, Color = Rgb565> {
     FaceColors::new(&FACE_COLORS)
 }
 
 /// Draws the floor.
 pub fn floor<I: Interpolate, O: Storage<Rgb565>, D: DepthBuffer>(
     canvas: &mut Canvas<'_, Rgb565, O, D>,
-    pass: &Pass<I>,
-    chain: &Chain<Perspective>,
+    pass: &DrawOptions<I>,
+    mvp: &Mvp<Perspective>,
 ) -> Drawn {
-    canvas.draw_with(pass, &FLOOR, chain, &checkered())
+    canvas.draw_with(pass, &FLOOR, mvp, &checkered())
 }
 
 /// Draws the cube.
 pub fn cube<I: Interpolate, O: Storage<Rgb565>, D: DepthBuffer>(
     canvas: &mut Canvas<'_, Rgb565, O, D>,
-    pass: &Pass<I>,
-    chain: &Chain<Perspective>,
+    pass: &DrawOptions<I>,
+    mvp: &Mvp<Perspective>,
 ) -> Drawn {
-    canvas.draw_with(pass, &CUBE, chain, &checkered())
+    canvas.draw_with(pass, &CUBE, mvp, &checkered())
 }
 
 /// Draws the sphere with interpolated colours.
 pub fn sphere<I: Interpolate, O: Storage<Rgb565>, D: DepthBuffer>(
     canvas: &mut Canvas<'_, Rgb565, O, D>,
-    pass: &Pass<I>,
-    chain: &Chain<Perspective>,
+    pass: &DrawOptions<I>,
+    mvp: &Mvp<Perspective>,
 ) -> Drawn {
-    canvas.draw_with(pass, &SPHERE, chain, &shaded())
+    canvas.draw_with(pass, &SPHERE, mvp, &shaded())
 }
 
 /// Draws the sphere with a colour per triangle; meant for a canvas without depth.
 pub fn sphere_flat<I: Interpolate, O: Storage<Rgb565>, D: DepthBuffer>(
     canvas: &mut Canvas<'_, Rgb565, O, D>,
-    pass: &Pass<I>,
-    chain: &Chain<Perspective>,
+    pass: &DrawOptions<I>,
+    mvp: &Mvp<Perspective>,
 ) -> Drawn {
-    canvas.draw_with(pass, &SPHERE, chain, &faceted())
+    canvas.draw_with(pass, &SPHERE, mvp, &faceted())
 }

@@ -1,7 +1,7 @@
 //! Draws a scene in a layout, and takes its figures.
 
 use crc32fast::Hasher;
-use fixel::interpolate::Interpolate;
+use fixel::mode::Interpolate;
 use fixel::prelude::*;
 use fixel::target::DepthBuffer;
 use fixel::view::Perspective;
@@ -87,7 +87,7 @@ impl Bench {
     pub fn measure<I: Interpolate>(
         &mut self,
         scene: Scene,
-        pass: &Pass<I>,
+        pass: &DrawOptions<I>,
         layout: Layout,
     ) -> Result<Figures, Error> {
         let Self {
@@ -96,16 +96,16 @@ impl Bench {
             depths,
             lists,
         } = self;
-        let chain = scene.chain()?;
+        let mvp = scene.chain()?;
         let (rows, mut figures) = (layout.rows(), Figures::default());
         let models = if let Layout::Prepared = layout {
-            let (clock, lists, chain) = (&mut *clock, &mut **lists, &chain);
+            let (clock, lists, mvp) = (&mut *clock, &mut **lists, &mvp);
             let ((prepared, ticks), stack) =
-                stack::deepest(move || clock.time(move || scene.prepare(lists, pass, chain)));
+                stack::deepest(move || clock.time(move || scene.prepare(lists, pass, mvp)));
             figures.add(ticks, stack);
             Models::Prepared(prepared?)
         } else {
-            Models::Meshes(scene, pass, &chain)
+            Models::Meshes(scene, pass, &mvp)
         };
         let mut crc = Hasher::new();
         for first_row in (0..HEIGHT).step_by(rows as usize) {
@@ -137,11 +137,11 @@ impl Bench {
     /// The checksum of a scene with a depth buffer, drawn in a way.
     pub fn checksum(&mut self, way: Way) -> Result<u32, Error> {
         let Way { scene, rows, .. } = way;
-        let (pass, chain) = (Pass::new(), scene.chain()?);
+        let (pass, mvp) = (DrawOptions::new(), scene.chain()?);
         let models = if way.is_prepared {
-            Models::Prepared(scene.prepare(self.lists, &pass, &chain)?)
+            Models::Prepared(scene.prepare(self.lists, &pass, &mvp)?)
         } else {
-            Models::Meshes(scene, &pass, &chain)
+            Models::Meshes(scene, &pass, &mvp)
         };
         let mut crc = Hasher::new();
         for first_row in (0..HEIGHT).step_by(rows as usize) {
@@ -177,14 +177,14 @@ impl Figures {
 
 /// What a strip is drawn from.
 enum Models<'a, I> {
-    Meshes(Scene, &'a Pass<I>, &'a Chain<Perspective>),
+    Meshes(Scene, &'a DrawOptions<I>, &'a Mvp<Perspective>),
     Prepared(PreparedScene<'a, I>),
 }
 
 impl<I: Interpolate> Models<'_, I> {
     fn draw<D: DepthBuffer>(&self, canvas: &mut Target<'_, D>) -> Result<u32, Error> {
         match self {
-            Self::Meshes(scene, pass, chain) => scene.draw(canvas, pass, chain),
+            Self::Meshes(scene, pass, mvp) => scene.draw(canvas, pass, mvp),
             Self::Prepared(prepared) => prepared.draw(canvas),
         }
     }

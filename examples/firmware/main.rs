@@ -36,7 +36,7 @@ fn main() {
 mod firmware {
     use core::panic::PanicInfo;
 
-    use fixel::interpolate::{Affine, Exact, Fast, Interpolate, Newton};
+    use fixel::mode::{Affine, Exact, Fast, Interpolate, Newton};
     use fixel::prelude::*;
     use semihosting::{println, process};
 
@@ -65,7 +65,7 @@ mod firmware {
 
     /// Measures everything in one way of interpolating.
     fn run_mode<I: Interpolate>(bench: &mut Bench, mode: &str, way: I) -> Result<(), Error> {
-        let pass = Pass::new().mode(way);
+        let pass = DrawOptions::new().mode(way);
         for scene in Scene::ALL {
             for layout in Layout::ALL {
                 let (name, layout_name) = (scene.name(), layout.name());

@@ -3,7 +3,7 @@
 //! Depth alone keeps the inner one from showing, wherever it is drawn: backs are culled, and no two fronts that share a
 //! pixel are near each other, so that nowhere equal depths leave it to the order.
 
-use fixel::geometry::{Buffers, Counts, Shape};
+use fixel::mesh::{Buffers, Counts, Shape};
 use fixel::prelude::*;
 
 /// From without to within.

@@ -3,7 +3,7 @@
 use embedded_graphics::pixelcolor::raw::BigEndian;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::Prepared;
-use fixel::interpolate::Interpolate;
+use fixel::mode::Interpolate;
 use fixel::prelude::*;
 use fixel::target::DepthBuffer;
 use fixel::view::Perspective;
@@ -55,14 +55,14 @@ impl Scene {
     }
 
     /// Takes the scene's models to the picture.
-    pub fn chain(self) -> Result<Chain<Perspective>, Error> {
+    pub fn mvp(self) -> Result<Mvp<Perspective>, Error> {
         match self {
             Self::Floor => scenes::floor_chain(0),
             Self::Cube | Self::Inwards | Self::Outwards => scenes::cube_chain(0),
             Self::Sphere | Self::SphereFlat => scenes::sphere_chain(0),
             Self::Lighthouse => {
-                let lens = lighthouse::lens((WIDTH, HEIGHT))?;
-                Ok(lens * lighthouse::camera()? * Transform::IDENTITY)
+                let projection = lighthouse::projection((WIDTH, HEIGHT))?;
+                Ok(projection * lighthouse::camera()? * Transform::IDENTITY)
             }
         }
     }
@@ -79,20 +79,20 @@ impl Scene {
     pub fn draw<I: Interpolate, D: DepthBuffer>(
         self,
         canvas: &mut Target<'_, D>,
-        pass: &Pass<I>,
-        chain: &Chain<Perspective>,
+        pass: &DrawOptions<I>,
+        mvp: &Mvp<Perspective>,
     ) -> Result<u32, Error> {
         Ok(match self {
-            Self::Floor => scenes::floor(canvas, pass, chain).drawn,
-            Self::Cube => scenes::cube(canvas, pass, chain).drawn,
-            Self::Sphere => scenes::sphere(canvas, pass, chain).drawn,
-            Self::SphereFlat => scenes::sphere_flat(canvas, pass, chain).drawn,
+            Self::Floor => scenes::floor(canvas, pass, mvp).drawn,
+            Self::Cube => scenes::cube(canvas, pass, mvp).drawn,
+            Self::Sphere => scenes::sphere(canvas, pass, mvp).drawn,
+            Self::SphereFlat => scenes::sphere_flat(canvas, pass, mvp).drawn,
             Self::Lighthouse => {
-                let [sea, island] = lighthouse::draw(canvas, pass, chain)?;
+                let [sea, island] = lighthouse::draw(canvas, pass, mvp)?;
                 sea.drawn + island.drawn
             }
-            Self::Inwards => drawn_cubes(canvas, pass, chain, &INWARDS),
-            Self::Outwards => drawn_cubes(canvas, pass, chain, &OUTWARDS),
+            Self::Inwards => drawn_cubes(canvas, pass, mvp, &INWARDS),
+            Self::Outwards => drawn_cubes(canvas, pass, mvp, &OUTWARDS),
         })
     }
 
@@ -100,8 +100,8 @@ impl Scene {
     pub fn prepare<'l, I: Interpolate>(
         self,
         lists: &'l mut Lists,
-        pass: &Pass<I>,
-        chain: &Chain<Perspective>,
+        pass: &DrawOptions<I>,
+        mvp: &Mvp<Perspective>,
     ) -> Result<PreparedScene<'l, I>, Error> {
         let frame = (WIDTH, HEIGHT);
         let (mesh, sea) = match self {
@@ -116,9 +116,9 @@ impl Scene {
             scene: self,
             sea: match sea {
                 None => None,
-                Some(sea) => Some(lists.sea.prepare(pass, frame, sea, chain)?),
+                Some(sea) => Some(lists.sea.prepare(pass, frame, sea, mvp)?),
             },
-            model: lists.model.prepare(pass, frame, mesh, chain)?,
+            model: lists.model.prepare(pass, frame, mesh, mvp)?,
         })
     }
 
@@ -132,12 +132,12 @@ impl Scene {
 
 fn drawn_cubes<I: Interpolate, D: DepthBuffer>(
     canvas: &mut Target<'_, D>,
-    pass: &Pass<I>,
-    chain: &Chain<Perspective>,
+    pass: &DrawOptions<I>,
+    mvp: &Mvp<Perspective>,
     cubes: &Mesh<'_>,
 ) -> u32 {
     canvas
-        .draw_with(pass, cubes, chain, &scenes::checkered())
+        .draw_with(pass, cubes, mvp, &scenes::checkered())
         .drawn
 }
 

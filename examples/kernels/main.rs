@@ -39,7 +39,7 @@ mod firmware {
     use core::panic::PanicInfo;
 
     use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-    use fixel::interpolate::{Affine, Exact, Fast, Newton};
+    use fixel::mode::{Affine, Exact, Fast, Newton};
     use fixel::prelude::*;
     use semihosting::{println, process};
 

@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::{RawData, RawU16};
-use fixel::interpolate::Fast;
+use fixel::mode::Fast;
 use fixel::prelude::*;
 
 use super::wall::Bench;
@@ -11,15 +11,15 @@ use super::wall::Bench;
 #[derive(Clone, Copy)]
 struct Column;
 
-impl Fragment<1> for Column {
+impl Shader<1> for Column {
     type Color = Rgb565;
 
-    fn varyings(&self, vertex: &Vertex<'_>) -> [i32; 1] {
+    fn varyings(&self, vertex: &Corner<'_>) -> [i32; 1] {
         // A repeat is 2^20, and 2^6 texels of 2^16.
         [vertex.uv().x.to_bits() << 2]
     }
 
-    fn shade(&self, _: &Sample, [column]: [i32; 1]) -> Option<Rgb565> {
+    fn shade(&self, _: &Fragment, [column]: [i32; 1]) -> Option<Rgb565> {
         Some(RawU16::new(column as u16).into())
     }
 }

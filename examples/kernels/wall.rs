@@ -3,7 +3,7 @@
 use core::hint::black_box;
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use fixel::interpolate::Interpolate;
+use fixel::mode::Interpolate;
 use fixel::prelude::*;
 use fixel::target::DepthBuffer;
 use fixel::view::Perspective;
@@ -60,17 +60,17 @@ impl Bench {
     }
 
     /// Prints what pixels take: 48 columns more than 16, and 240 more than 48.
-    pub fn kernel<I: Interpolate, F: Fragment<N, Color = Rgb565>, const N: usize>(
+    pub fn kernel<I: Interpolate, F: Shader<N, Color = Rgb565>, const N: usize>(
         &mut self,
         name: &str,
         mode: I,
-        fragment: &F,
+        shader: &F,
         depths: Depths,
     ) -> Result<(), Error> {
         let mut ticks = [0; 3];
         for (ticks, width) in ticks.iter_mut().zip(WIDTHS) {
             for _ in 0..REPEATS {
-                *ticks += self.frame(width, mode, fragment, depths)?;
+                *ticks += self.frame(width, mode, shader, depths)?;
             }
         }
         let [narrow, wide, widest] = WIDTHS.map(|columns| columns * ROWS * REPEATS);
@@ -82,24 +82,24 @@ impl Bench {
     }
 
     /// Draws a frame and takes its ticks; the wall covers all of it.
-    fn frame<I: Interpolate, F: Fragment<N, Color = Rgb565>, const N: usize>(
+    fn frame<I: Interpolate, F: Shader<N, Color = Rgb565>, const N: usize>(
         &mut self,
         width: u32,
         mode: I,
-        fragment: &F,
+        shader: &F,
         depths: Depths,
     ) -> Result<u64, Error> {
         let pixels = (width * ROWS) as usize;
         let (colors, depth) = (&mut self.colors[..pixels], &mut self.depths[..pixels]);
-        // No fragment has it.
+        // No shader has it.
         colors.fill(Rgb565::BLACK);
         depth.fill(if depths == Depths::Near { u16::MAX } else { 0 });
         let mut canvas = Canvas::new(colors, width, ROWS)?;
         let ticks = if depths == Depths::None {
-            draw(&mut self.watch, &mut canvas, width, mode, fragment)
+            draw(&mut self.watch, &mut canvas, width, mode, shader)
         } else {
             let mut canvas = canvas.with_depth(depth)?;
-            draw(&mut self.watch, &mut canvas, width, mode, fragment)
+            draw(&mut self.watch, &mut canvas, width, mode, shader)
         }?;
         let drawn = self.colors[..pixels]
             .iter()
@@ -109,35 +109,35 @@ impl Bench {
         Ok(ticks)
     }
 
-    /// A row of the widest frame, painted with a fragment.
-    pub fn row<I: Interpolate, F: Fragment<N, Color = Rgb565>, const N: usize>(
+    /// A row of the widest frame, painted with a shader.
+    pub fn row<I: Interpolate, F: Shader<N, Color = Rgb565>, const N: usize>(
         &mut self,
         mode: I,
-        fragment: &F,
+        shader: &F,
     ) -> Result<&[Rgb565], Error> {
         let [.., width] = WIDTHS;
         let mut canvas = Canvas::new(&mut self.colors[..], width, ROWS)?;
-        let (positions, chain) = (positions(width), chain(width)?);
+        let (positions, mvp) = (positions(width), mvp(width)?);
         let wall = Mesh::new(&positions, &[[0, 1, 2]])?.with_uvs(&UVS, None)?;
-        canvas.draw_with(&Pass::new().mode(mode), &wall, &chain, fragment);
+        canvas.draw_with(&DrawOptions::new().mode(mode), &wall, &mvp, shader);
         Ok(&self.colors[..width as usize])
     }
 }
 
 /// Draws the wall to a canvas of such a width.
-fn draw<I: Interpolate, F: Fragment<N, Color = Rgb565>, D: DepthBuffer, const N: usize>(
+fn draw<I: Interpolate, F: Shader<N, Color = Rgb565>, D: DepthBuffer, const N: usize>(
     watch: &mut Stopwatch,
     canvas: &mut Canvas<'_, Rgb565, fixel::target::Native, D>,
     width: u32,
     mode: I,
-    fragment: &F,
+    shader: &F,
 ) -> Result<u64, Error> {
-    let (positions, chain) = (positions(width), chain(width)?);
+    let (positions, mvp) = (positions(width), mvp(width)?);
     let wall = Mesh::new(&positions, &[[0, 1, 2]])?.with_uvs(&UVS, None)?;
     // What a user has is not known while compiling.
-    let (pass, fragment) = black_box((Pass::new().mode(mode), fragment));
+    let (pass, shader) = black_box((DrawOptions::new().mode(mode), shader));
     watch.time(|| {
-        let drawn = canvas.draw_with(&pass, &wall, &chain, fragment);
+        let drawn = canvas.draw_with(&pass, &wall, &mvp, shader);
         assert_eq!((drawn.drawn, drawn.clipped), (1, 0));
         Ok(())
     })
@@ -154,8 +154,8 @@ fn positions(width: u32) -> [Vec3; 3] {
     })
 }
 
-fn chain(width: u32) -> Result<Chain<Perspective>, Error> {
+fn mvp(width: u32) -> Result<Mvp<Perspective>, Error> {
     let focal = Scalar::from_num(FOCAL);
-    let lens = Projection::from_focal_length(focal, (width, ROWS), fx!(0.5), fx!(4))?;
-    Ok(lens.into())
+    let projection = Projection::from_focal_length(focal, (width, ROWS), fx!(0.5), fx!(4))?;
+    Ok(projection.into())
 }

@@ -3,8 +3,8 @@
 use std::io::Write;
 
 use embedded_graphics::pixelcolor::PixelColor;
-use fixel::interpolate::Tolerance;
-use fixel::{Fragment, Sample, TexCoord, Vertex};
+use fixel::mode::Tolerance;
+use fixel::{Corner, Fragment, Shader, TexCoord};
 
 use super::Result;
 
@@ -43,12 +43,12 @@ impl Recorder {
     }
 }
 
-impl Fragment<3> for Recorder {
+impl Shader<3> for Recorder {
     type Color = Record;
 
     const TOLERANCES: [Tolerance; 3] = [Tolerance::Texels; 3];
 
-    fn varyings(&self, vertex: &Vertex<'_>) -> [i32; 3] {
+    fn varyings(&self, vertex: &Corner<'_>) -> [i32; 3] {
         let [u, v] = vertex
             .uv()
             .to_bits()
@@ -56,7 +56,7 @@ impl Fragment<3> for Recorder {
         [u, v, vertex.distance().to_bits()]
     }
 
-    fn shade(&self, sample: &Sample, [u, v, distance]: [i32; 3]) -> Option<Record> {
+    fn shade(&self, sample: &Fragment, [u, v, distance]: [i32; 3]) -> Option<Record> {
         Some(Record {
             covered: true,
             uv: [u, v],

@@ -116,13 +116,17 @@ impl Model<'_> {
             lighthouse::sky(&mut canvas);
             let camera = self.view.camera;
             let start = Instant::now();
-            let [sea, island] = match self.view.lens {
-                Lens::Perspective(lens) => in_mode!(self.view.mode, Pass::new(), |pass| {
-                    lighthouse::draw(&mut canvas, pass, &(lens * camera * posed.pose))?
-                }),
-                Lens::Parallel(lens) => {
-                    lighthouse::draw(&mut canvas, &Pass::new(), &(lens * camera * posed.pose))?
+            let [sea, island] = match self.view.projection {
+                Lens::Perspective(projection) => {
+                    in_mode!(self.view.mode, DrawOptions::new(), |pass| {
+                        lighthouse::draw(&mut canvas, pass, &(projection * camera * posed.pose))?
+                    })
                 }
+                Lens::Parallel(projection) => lighthouse::draw(
+                    &mut canvas,
+                    &DrawOptions::new(),
+                    &(projection * camera * posed.pose),
+                )?,
             };
             let time = start.elapsed();
             lighthouse::caption(&mut canvas);
@@ -163,8 +167,8 @@ fn background<C: Levels>(shade: Shade) -> C {
     C::from_rgb(color, Point::zero())
 }
 
-/// The chain of a measured scene in pose `k`.
-fn chain(scene: SceneName, k: u32) -> Result<Chain<Perspective>> {
+/// The mvp of a measured scene in pose `k`.
+fn mvp(scene: SceneName, k: u32) -> Result<Mvp<Perspective>> {
     let k = k.cast_signed() % scenes::POSES;
     Ok(match scene {
         SceneName::Floor => scenes::floor_chain(k)?,
@@ -210,16 +214,16 @@ macro_rules! on_canvas {
 impl Measured {
     /// Draws a strip of it as it is measured.
     pub fn paint(self, strip: Strip<'_, Rgb565>, frame: u32) -> Result<Done> {
-        let chain = chain(self.scene, frame)?;
+        let mvp = mvp(self.scene, frame)?;
         Ok(on_canvas!(
             strip,
             self,
             Rgb565::default(),
-            |canvas| in_mode!(self.mode, Pass::new(), |pass| match self.scene {
-                SceneName::Floor => scenes::floor(canvas, pass, &chain),
-                SceneName::Cube => scenes::cube(canvas, pass, &chain),
-                SceneName::Sphere => scenes::sphere(canvas, pass, &chain),
-                SceneName::SphereFlat => scenes::sphere_flat(canvas, pass, &chain),
+            |canvas| in_mode!(self.mode, DrawOptions::new(), |pass| match self.scene {
+                SceneName::Floor => scenes::floor(canvas, pass, &mvp),
+                SceneName::Cube => scenes::cube(canvas, pass, &mvp),
+                SceneName::Sphere => scenes::sphere(canvas, pass, &mvp),
+                SceneName::SphereFlat => scenes::sphere_flat(canvas, pass, &mvp),
             })
         ))
     }
@@ -230,27 +234,27 @@ impl Measured {
         strip: Strip<'_, C>,
         frame: u32,
     ) -> Result<Done> {
-        let chain = chain(self.scene, frame)?;
+        let mvp = mvp(self.scene, frame)?;
         let black = C::from_rgb(Rgb888::new(0, 0, 0), Point::zero());
         let checker = Converted::new(Textured::new(&scenes::CHECKER));
         let faces = Converted::new(FaceColors::new(&scenes::FACE_COLORS));
         Ok(on_canvas!(strip, self, black, |canvas| in_mode!(
             self.mode,
-            Pass::new(),
+            DrawOptions::new(),
             |pass| match self.scene {
-                SceneName::Floor => canvas.draw_with(pass, &scenes::FLOOR, &chain, &checker),
-                SceneName::Cube => canvas.draw_with(pass, &scenes::CUBE, &chain, &checker),
+                SceneName::Floor => canvas.draw_with(pass, &scenes::FLOOR, &mvp, &checker),
+                SceneName::Cube => canvas.draw_with(pass, &scenes::CUBE, &mvp, &checker),
                 SceneName::Sphere => {
-                    canvas.draw_with(pass, &scenes::SPHERE, &chain, &Gouraud::new())
+                    canvas.draw_with(pass, &scenes::SPHERE, &mvp, &Gouraud::new())
                 }
-                SceneName::SphereFlat => canvas.draw_with(pass, &scenes::SPHERE, &chain, &faces),
+                SceneName::SphereFlat => canvas.draw_with(pass, &scenes::SPHERE, &mvp, &faces),
             }
         )))
     }
 
     /// Records a strip of it.
     pub fn record(self, strip: Strip<'_, Record>, frame: u32) -> Result<Done> {
-        let chain = chain(self.scene, frame)?;
+        let mvp = mvp(self.scene, frame)?;
         let mesh = match self.scene {
             SceneName::Floor => &scenes::FLOOR,
             SceneName::Cube => &scenes::CUBE,
@@ -258,7 +262,7 @@ impl Measured {
         };
         let recorder = Recorder::new(1.0);
         Ok(on_canvas!(strip, self, Record::default(), |canvas| {
-            canvas.draw(mesh, &chain, &recorder)
+            canvas.draw(mesh, &mvp, &recorder)
         }))
     }
 }

@@ -4,8 +4,8 @@ use std::collections::HashMap;
 use std::fs;
 use std::path::Path;
 
-use fixel::geometry::{Buffers, obj};
-use fixel::number::{scalar, tex_coord};
+use fixel::mesh::{Buffers, obj};
+use fixel::num::{scalar, tex_coord};
 use fixel::{Vec2, Vec3};
 
 use super::Result;

@@ -1,7 +1,7 @@
 //! Modes that are chosen at run time.
 
-use fixel::interpolate::{Affine, Exact, Fast, Newton};
-use fixel::number::scalar;
+use fixel::mode::{Affine, Exact, Fast, Newton};
+use fixel::num::scalar;
 
 use super::Result;
 use crate::args::{self, Args};

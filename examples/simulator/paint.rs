@@ -22,31 +22,31 @@ pub trait Shown: Levels + Into<Rgb888> + Default {
     /// picture that is to be dithered and not the texture.
     type Texel: Levels + Blend;
 
-    /// The fragment in the canvas's colour.
-    fn shown<F: Fragment<N, Color = Self::Texel>, const N: usize>(
-        fragment: F,
-    ) -> impl Fragment<N, Color = Self>;
+    /// The shader in the canvas's colour.
+    fn shown<F: Shader<N, Color = Self::Texel>, const N: usize>(
+        shader: F,
+    ) -> impl Shader<N, Color = Self>;
 }
 
 macro_rules! shown {
-    ($($color:ident $texel:ident |$fragment:ident| $converted:expr;)+) => {$(
+    ($($color:ident $texel:ident |$shader:ident| $converted:expr;)+) => {$(
         impl Shown for $color {
             type Texel = $texel;
 
-            fn shown<F: Fragment<N, Color = $texel>, const N: usize>(
-                $fragment: F,
-            ) -> impl Fragment<N, Color = Self> {
+            fn shown<F: Shader<N, Color = $texel>, const N: usize>(
+                $shader: F,
+            ) -> impl Shader<N, Color = Self> {
                 $converted
             }
         }
     )+};
 }
 shown! {
-    Rgb565 Rgb565 |fragment| fragment;
-    Rgb888 Rgb888 |fragment| fragment;
-    Gray8 Gray8 |fragment| fragment;
-    Gray4 Gray8 |fragment| Converted::new(fragment);
-    BinaryColor Gray8 |fragment| Converted::new(fragment);
+    Rgb565 Rgb565 |shader| shader;
+    Rgb888 Rgb888 |shader| shader;
+    Gray8 Gray8 |shader| shader;
+    Gray4 Gray8 |shader| Converted::new(shader);
+    BinaryColor Gray8 |shader| Converted::new(shader);
 }
 
 /// Meshes, how they are seen and in which pose.
@@ -66,43 +66,46 @@ impl Posed<'_> {
     }
 
     /// Draws the triangles.
-    pub fn draw<F: Fragment<N>, D: DepthBuffer, const N: usize>(
+    pub fn draw<F: Shader<N>, D: DepthBuffer, const N: usize>(
         &self,
         canvas: &mut Board<'_, F::Color, D>,
-        fragment: &F,
+        shader: &F,
     ) -> Drawn {
         let View {
-            lens,
+            projection,
             camera,
             pass,
             mode,
             ..
         } = self.view;
-        self.each(|mesh| match *lens {
-            Lens::Perspective(lens) => in_mode!(*mode, pass, |pass| {
-                canvas.draw_with(pass, mesh, &(lens * *camera * self.pose), fragment)
+        self.each(|mesh| match *projection {
+            Lens::Perspective(projection) => in_mode!(*mode, pass, |pass| {
+                canvas.draw_with(pass, mesh, &(projection * *camera * self.pose), shader)
             }),
-            Lens::Parallel(lens) => {
-                canvas.draw_with(pass, mesh, &(lens * *camera * self.pose), fragment)
+            Lens::Parallel(projection) => {
+                canvas.draw_with(pass, mesh, &(projection * *camera * self.pose), shader)
             }
         })
     }
 
     /// Draws the edges.
-    pub fn draw_edges<F: Fragment<N>, D: DepthBuffer, const N: usize>(
+    pub fn draw_edges<F: Shader<N>, D: DepthBuffer, const N: usize>(
         &self,
         canvas: &mut Board<'_, F::Color, D>,
-        fragment: &F,
+        shader: &F,
     ) -> Drawn {
         let View {
-            lens, camera, pass, ..
+            projection,
+            camera,
+            pass,
+            ..
         } = self.view;
-        self.each(|mesh| match *lens {
-            Lens::Perspective(lens) => {
-                canvas.draw_edges(pass, mesh, &(lens * *camera * self.pose), fragment)
+        self.each(|mesh| match *projection {
+            Lens::Perspective(projection) => {
+                canvas.draw_edges(pass, mesh, &(projection * *camera * self.pose), shader)
             }
-            Lens::Parallel(lens) => {
-                canvas.draw_edges(pass, mesh, &(lens * *camera * self.pose), fragment)
+            Lens::Parallel(projection) => {
+                canvas.draw_edges(pass, mesh, &(projection * *camera * self.pose), shader)
             }
         })
     }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{PixelColor, Rgb565, Rgb888, RgbColor};
-use fixel::interpolate::Tolerance;
+use fixel::mode::Tolerance;
 use fixel::prelude::*;
 use fixel::shade::Sampler;
 use image::imageops::FilterType;
@@ -104,10 +104,10 @@ pub struct Texels<C> {
 }
 
 impl<C> Texels<C> {
-    /// A fragment of these texels, which thinks that they are 1024x1024.
-    pub fn scaled<F>(&self, fragment: F) -> Scaled<F> {
+    /// A shader of these texels, which thinks that they are 1024x1024.
+    pub fn scaled<F>(&self, shader: F) -> Scaled<F> {
         Scaled {
-            fragment,
+            shader,
             down: [self.width_log2, self.height_log2].map(|log2| MOST_LOG2 - log2),
         }
     }
@@ -128,43 +128,43 @@ impl<C: PixelColor> Sampler for &Texels<C> {
     }
 }
 
-/// A fragment whose first two varyings are columns and rows of a texture of 1024x1024, which has
+/// A shader whose first two varyings are columns and rows of a texture of 1024x1024, which has
 /// fewer: the same colour under each point as if the size were in the type.
 #[derive(Clone, Copy, Debug)]
 pub struct Scaled<F> {
-    fragment: F,
+    shader: F,
     /// Exponents of the ratios of 1024 to the sides.
     down: [u32; 2],
 }
 
-impl<F: Fragment<N>, const N: usize> Fragment<N> for Scaled<F> {
+impl<F: Shader<N>, const N: usize> Shader<N> for Scaled<F> {
     type Color = F::Color;
 
     const READS_DEPTH: bool = F::READS_DEPTH;
     const TOLERANCES: [Tolerance; N] = F::TOLERANCES;
 
     #[inline]
-    fn varyings(&self, vertex: &Vertex<'_>) -> [i32; N] {
-        self.fragment.varyings(vertex)
+    fn varyings(&self, vertex: &Corner<'_>) -> [i32; N] {
+        self.shader.varyings(vertex)
     }
 
     #[inline]
-    fn shade(&self, sample: &Sample, mut varyings: [i32; N]) -> Option<F::Color> {
+    fn shade(&self, sample: &Fragment, mut varyings: [i32; N]) -> Option<F::Color> {
         for (varying, down) in varyings.iter_mut().zip(self.down) {
             *varying >>= down;
         }
-        self.fragment.shade(sample, varyings)
+        self.shader.shade(sample, varyings)
     }
 
     #[inline]
     fn begin(self, model: &Transform) -> Self {
-        let fragment = self.fragment.begin(model);
-        Self { fragment, ..self }
+        let shader = self.shader.begin(model);
+        Self { shader, ..self }
     }
 
     #[inline]
     fn face(self, corners: &mut [[i32; N]; 3], face: &Face<'_>) -> Self {
-        let fragment = self.fragment.face(corners, face);
-        Self { fragment, ..self }
+        let shader = self.shader.face(corners, face);
+        Self { shader, ..self }
     }
 }

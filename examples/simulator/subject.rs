@@ -125,7 +125,7 @@ impl Subject {
         }
         let mut view = View::new(args, &framing)?;
         if own && !args.has_camera() {
-            view.lens = Lens::Perspective(lighthouse::lens(args.size)?);
+            view.projection = Lens::Perspective(lighthouse::projection(args.size)?);
             view.camera = lighthouse::camera()?;
         }
         Ok(Model {

@@ -1,6 +1,6 @@
-//! From what was asked for to the library's camera, lens and light.
+//! From what was asked for to the library's camera, projection and light.
 
-use fixel::number::scalar;
+use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::shade::Light;
 use fixel::view::{Parallel, Perspective};
@@ -20,9 +20,9 @@ pub enum Lens {
 /// All that is the same for each frame.
 #[derive(Clone, Copy, Debug)]
 pub struct View {
-    pub lens: Lens,
+    pub projection: Lens,
     pub camera: Camera,
-    pub pass: Pass,
+    pub pass: DrawOptions,
     pub light: Light,
     pub filter: Filter,
     pub mode: Mode,
@@ -91,7 +91,7 @@ impl View {
         );
         let near = number(near, framing.near)?;
         let far = number(far, framing.far)?;
-        let lens = if args.projection == Kind::Perspective {
+        let projection = if args.projection == Kind::Perspective {
             let fov = Angle::try_from_degrees(framing.fov)?;
             Lens::Perspective(Projection::perspective(fov, args.size, near, far)?)
         } else {
@@ -112,9 +112,9 @@ impl View {
             Cull::Back
         };
         Ok(Self {
-            lens,
+            projection,
             camera,
-            pass: Pass::new().cull(cull),
+            pass: DrawOptions::new().cull(cull),
             light: if args.two_sided {
                 light.two_sided()
             } else {

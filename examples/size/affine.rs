@@ -5,7 +5,7 @@ mod probe;
 mod with_depth;
 
 use embedded_graphics::pixelcolor::Rgb565;
-use fixel::interpolate::Affine;
+use fixel::mode::Affine;
 use fixel::prelude::*;
 
 fn draw(pixels: &mut [Rgb565], depths: &mut [u16], now_ms: u64) -> Result<(), Error> {

@@ -9,21 +9,21 @@ mod probe;
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::prelude::*;
-use probe::{HEIGHT, MODEL, PLACE, SKIN, WIDTH, lens};
+use probe::{HEIGHT, MODEL, PLACE, SKIN, WIDTH, projection};
 
 fn draw(pixels: &mut [Rgb565], depths: &mut [u16], now_ms: u64) -> Result<(), Error> {
     let camera = Camera::look_at(vec3!(0, 0.5, 0), PLACE, Vec3::Y)?;
     let spin = Transform::translate(PLACE) * Transform::rotate_y(Rate::rpm(10).angle_at(now_ms));
-    let chain = lens()? * camera * spin;
+    let mvp = projection()? * camera * spin;
     let sun = Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?;
-    let pass = Pass::new();
+    let pass = DrawOptions::new();
     let mut canvas = Canvas::new(pixels, WIDTH, HEIGHT)?.with_depth(depths)?;
     canvas.clear(Rgb565::BLACK);
-    canvas.draw(&MODEL, &chain, &Flat::new(Rgb565::BLUE));
-    canvas.draw(&MODEL, &chain, &Gouraud::new());
-    canvas.draw(&MODEL, &chain, &Textured::new(&SKIN).lit(sun));
-    canvas.draw_edges(&pass, &MODEL, &chain, &Flat::new(Rgb565::GREEN));
-    canvas.draw_points(&pass, &MODEL, &chain, &Flat::new(Rgb565::WHITE));
+    canvas.draw(&MODEL, &mvp, &Flat::new(Rgb565::BLUE));
+    canvas.draw(&MODEL, &mvp, &Gouraud::new());
+    canvas.draw(&MODEL, &mvp, &Textured::new(&SKIN).lit(sun));
+    canvas.draw_edges(&pass, &MODEL, &mvp, &Flat::new(Rgb565::GREEN));
+    canvas.draw_points(&pass, &MODEL, &mvp, &Flat::new(Rgb565::WHITE));
     Ok(())
 }
 

@@ -5,15 +5,15 @@ mod probe;
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::prelude::*;
-use probe::{HEIGHT, MODEL, PLACE, WIDTH, lens};
+use probe::{HEIGHT, MODEL, PLACE, WIDTH, projection};
 
 fn draw(pixels: &mut [Rgb565], _: &mut [u16], now_ms: u64) -> Result<(), Error> {
     let spin = Transform::translate(PLACE) * Transform::rotate_y(probe::angle(now_ms));
-    let chain = lens()? * spin;
+    let mvp = projection()? * spin;
     let mut canvas = Canvas::new(pixels, WIDTH, HEIGHT)?;
     canvas.clear(Rgb565::BLACK);
-    canvas.draw_edges(&Pass::new(), &MODEL, &chain, &Flat::new(Rgb565::GREEN));
-    canvas.draw_points(&Pass::new(), &MODEL, &chain, &Flat::new(Rgb565::WHITE));
+    canvas.draw_edges(&DrawOptions::new(), &MODEL, &mvp, &Flat::new(Rgb565::GREEN));
+    canvas.draw_points(&DrawOptions::new(), &MODEL, &mvp, &Flat::new(Rgb565::WHITE));
     Ok(())
 }
 

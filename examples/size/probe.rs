@@ -36,11 +36,11 @@ static COLORS: [Rgb888; 17 * 9] = {
 pub static SKIN: Texture<Rgb565, 2, 2> =
     Texture::rgb565(&[0xff, 0xff, 0xf8, 0x00, 0xf8, 0x00, 0xff, 0xff]);
 
-/// Before the eye, and so near that the near plane of [`lens`](fn@lens) cuts it: clipping runs.
+/// Before the eye, and so near that the near plane of [`projection`](fn@projection) cuts it: clipping runs.
 pub const PLACE: Vec3 = vec3!(0, 0, -1.5);
 
-/// The lens of the probes.
-pub fn lens() -> Result<Projection<fixel::view::Perspective>, Error> {
+/// The projection of the probes.
+pub fn projection() -> Result<Projection<fixel::view::Perspective>, Error> {
     Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(100))
 }
 

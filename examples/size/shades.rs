@@ -7,25 +7,25 @@ mod probe;
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::prelude::*;
-use probe::{HEIGHT, MODEL, PLACE, SKIN, WIDTH, lens};
+use probe::{HEIGHT, MODEL, PLACE, SKIN, WIDTH, projection};
 
 fn draw(pixels: &mut [Rgb565], depths: &mut [u16], now_ms: u64) -> Result<(), Error> {
     static COLORS: [Rgb565; 2] = [Rgb565::RED, Rgb565::GREEN];
     let spin = Transform::translate(PLACE) * Transform::rotate_y(probe::angle(now_ms));
-    let chain = lens()? * spin;
+    let mvp = projection()? * spin;
     let sun = Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?;
     let skin = Textured::new(&SKIN);
     let mut canvas = Canvas::new(pixels, WIDTH, HEIGHT)?.with_depth(depths)?;
     canvas.clear(Rgb565::BLACK);
-    canvas.draw(&MODEL, &chain, &Flat::new(Rgb565::BLUE));
-    canvas.draw(&MODEL, &chain, &FaceColors::new(&COLORS));
-    canvas.draw(&MODEL, &chain, &Gouraud::new());
-    canvas.draw(&MODEL, &chain, &Lit::new(Rgb888::RED, sun));
-    canvas.draw(&MODEL, &chain, &LitFaces::new(Rgb888::RED, sun));
-    canvas.draw(&MODEL, &chain, &skin);
-    canvas.draw(&MODEL, &chain, &skin.clamped());
-    canvas.draw(&MODEL, &chain, &skin.lit(sun));
-    canvas.draw(&MODEL, &chain, &skin.modulated());
+    canvas.draw(&MODEL, &mvp, &Flat::new(Rgb565::BLUE));
+    canvas.draw(&MODEL, &mvp, &FaceColors::new(&COLORS));
+    canvas.draw(&MODEL, &mvp, &Gouraud::new());
+    canvas.draw(&MODEL, &mvp, &Lit::new(Rgb888::RED, sun));
+    canvas.draw(&MODEL, &mvp, &LitFaces::new(Rgb888::RED, sun));
+    canvas.draw(&MODEL, &mvp, &skin);
+    canvas.draw(&MODEL, &mvp, &skin.clamped());
+    canvas.draw(&MODEL, &mvp, &skin.lit(sun));
+    canvas.draw(&MODEL, &mvp, &skin.modulated());
     Ok(())
 }
 

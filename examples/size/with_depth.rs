@@ -1,10 +1,10 @@
 //! What the probes of the modes draw: textured triangles with a depth buffer.
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use fixel::interpolate::Interpolate;
+use fixel::mode::Interpolate;
 use fixel::prelude::*;
 
-use super::probe::{HEIGHT, MODEL, PLACE, SKIN, WIDTH, angle, lens};
+use super::probe::{HEIGHT, MODEL, PLACE, SKIN, WIDTH, angle, projection};
 
 /// Draws them in a mode.
 #[inline]
@@ -15,10 +15,10 @@ pub fn draw(
     mode: impl Interpolate,
 ) -> Result<(), Error> {
     let spin = Transform::translate(PLACE) * Transform::rotate_y(angle(now_ms));
-    let chain = lens()? * spin;
+    let mvp = projection()? * spin;
     let mut canvas = Canvas::new(pixels, WIDTH, HEIGHT)?.with_depth(depths)?;
     canvas.clear(Rgb565::BLACK);
-    let pass = Pass::new().mode(mode);
-    canvas.draw_with(&pass, &MODEL, &chain, &Textured::new(&SKIN));
+    let pass = DrawOptions::new().mode(mode);
+    canvas.draw_with(&pass, &MODEL, &mvp, &Textured::new(&SKIN));
     Ok(())
 }

@@ -1,6 +1,6 @@
 //! What is drawn and measured: meshes with all that leads to the screen, for the crate and for the model.
 
-use fixel::number::{scalar, tex_coord};
+use fixel::num::{scalar, tex_coord};
 use fixel::prelude::*;
 use fixel::view::Perspective;
 
@@ -27,7 +27,7 @@ pub struct Case {
 /// One drawing.
 pub struct Shot {
     body: Body,
-    pub chain: Chain<Perspective>,
+    pub mvp: Mvp<Perspective>,
     /// The same for the model.
     pub view: View,
 }
@@ -41,23 +41,23 @@ impl Shot {
     /// A mesh, given what takes it to eye space, twice.
     pub fn of_mesh(
         mesh: &'static Mesh<'static>,
-        chain: Chain<Perspective>,
+        mvp: Mvp<Perspective>,
         eye: Matrix,
-        lens: Lens,
+        projection: Lens,
     ) -> Self {
         Self {
             body: Body::Still(mesh),
-            chain,
-            view: lens.view(eye),
+            mvp,
+            view: projection.view(eye),
         }
     }
 
-    /// The triangles as they are to be seen through a lens.
-    pub fn of_triangles(triangles: Triangles, lens: Lens) -> Result<Self> {
+    /// The triangles as they are to be seen through a projection.
+    pub fn of_triangles(triangles: Triangles, projection: Lens) -> Result<Self> {
         Ok(Self {
             body: Body::Made(triangles),
-            chain: lens.chain()?,
-            view: lens.view(IDENTITY),
+            mvp: projection.mvp()?,
+            view: projection.view(IDENTITY),
         })
     }
 
@@ -71,7 +71,7 @@ impl Shot {
     }
 }
 
-/// A lens by its focal length, in pixels.
+/// A projection by its focal length, in pixels.
 #[derive(Clone, Copy, Debug)]
 pub struct Lens {
     pub focal: f64,
@@ -81,21 +81,22 @@ pub struct Lens {
 }
 
 impl Lens {
-    fn chain(self) -> Result<Chain<Perspective>> {
+    fn mvp(self) -> Result<Mvp<Perspective>> {
         let Self {
             focal,
             size,
             near,
             far,
         } = self;
-        let lens = Projection::from_focal_length(scalar(focal)?, size, scalar(near)?, scalar(far)?);
-        Ok(lens?.into())
+        let projection =
+            Projection::from_focal_length(scalar(focal)?, size, scalar(near)?, scalar(far)?);
+        Ok(projection?.into())
     }
 
     fn view(self, eye: Matrix) -> View {
         View {
             eye,
-            lens: focal(self.focal, self.size, self.near, self.far),
+            projection: focal(self.focal, self.size, self.near, self.far),
             viewport: Viewport::new(self.size.0, self.size.1),
         }
     }
@@ -126,10 +127,10 @@ pub struct Triangles {
 
 impl Triangles {
     /// Adds a convex polygon, as a fan.
-    pub fn add(&mut self, lens: Lens, corners: &[Corner]) -> Result<()> {
+    pub fn add(&mut self, projection: Lens, corners: &[Corner]) -> Result<()> {
         let first = u16::try_from(self.positions.len())?;
         for corner in corners {
-            let [x, y, z] = lens.point(corner.at, corner.w);
+            let [x, y, z] = projection.point(corner.at, corner.w);
             self.positions
                 .push(Vec3::new(scalar(x)?, scalar(y)?, scalar(z)?));
             let [u, v] = corner.uv;

@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use crc32fast::Hasher;
 use embedded_graphics::pixelcolor::raw::ToBytes;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use fixel::interpolate::Interpolate;
+use fixel::mode::Interpolate;
 use fixel::prelude::*;
 use fixel::target::DepthBuffer;
 
@@ -60,7 +60,7 @@ impl<'a> Subject<'a> {
 
     /// Measures it in a mode; the time is left to be taken.
     pub fn measure<I: Interpolate>(&self, name: &'static str, mode: I) -> Result<Figures> {
-        let pass = Pass::new().mode(mode);
+        let pass = DrawOptions::new().mode(mode);
         let error = if self.case.interpolates {
             Some(self.errors(&pass)?)
         } else {
@@ -85,7 +85,7 @@ impl<'a> Subject<'a> {
     }
 
     /// The texel errors of every pixel of every triangle.
-    fn errors<I: Interpolate>(&self, pass: &Pass<I>) -> Result<Spread> {
+    fn errors<I: Interpolate>(&self, pass: &DrawOptions<I>) -> Result<Spread> {
         let Case {
             name,
             size: (width, height),
@@ -103,7 +103,7 @@ impl<'a> Subject<'a> {
                 texels_log2,
                 face: 0,
             };
-            canvas.draw_with(pass, &shot.mesh()?, &shot.chain, &recorder);
+            canvas.draw_with(pass, &shot.mesh()?, &shot.mvp, &recorder);
             let mut seen = seen.into_inner();
             seen.sort_unstable_by_key(|seen| order(seen.face, seen.pixel));
             let places = |(seen, wanted): (&Seen, &Expected)| {
@@ -126,15 +126,15 @@ impl<'a> Subject<'a> {
 /// The drawing of a subject in a mode, for its pictures.
 struct Drawing<'a, I> {
     subject: &'a Subject<'a>,
-    pass: &'a Pass<I>,
+    pass: &'a DrawOptions<I>,
     figures: &'a mut Figures,
 }
 
 impl<I: Interpolate> Job for Drawing<'_, I> {
-    fn run<D: DepthBuffer, F: Fragment<N, Color = Rgb565>, const N: usize>(
+    fn run<D: DepthBuffer, F: Shader<N, Color = Rgb565>, const N: usize>(
         self,
         canvas: &mut Target<'_, D>,
-        fragment: &F,
+        shader: &F,
     ) -> Result<()> {
         let Self {
             subject,
@@ -144,7 +144,7 @@ impl<I: Interpolate> Job for Drawing<'_, I> {
         let mut error = SquareError::default();
         for (i, (shot, truth)) in subject.shots().enumerate() {
             canvas.clear(Rgb565::BLACK);
-            canvas.draw_with(pass, &shot.mesh()?, &shot.chain, fragment);
+            canvas.draw_with(pass, &shot.mesh()?, &shot.mvp, shader);
             error.add(canvas.pixels(), &truth.picture);
             if i == 0 {
                 figures.crc = crc(canvas.pixels());

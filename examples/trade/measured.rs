@@ -13,7 +13,7 @@ use super::common::scenes::{
 use super::paint::Paint;
 use super::reference::linear::{Matrix, multiply, product, rotate_x, rotate_y, translate};
 
-/// The scenes' lens.
+/// The scenes' projection.
 const LENS: Lens = Lens {
     focal: 200.,
     size: (WIDTH, HEIGHT),
@@ -57,7 +57,7 @@ pub fn cases() -> Result<Vec<Case>> {
 /// All poses of what is turned, then moved.
 fn poses(
     mesh: &'static Mesh<'static>,
-    chain: impl Fn(i32) -> Result<Chain<Perspective>, Error>,
+    mvp: impl Fn(i32) -> Result<Mvp<Perspective>, Error>,
     at: Vec3,
     turn: impl Fn(i32) -> [Angle; 2],
 ) -> Result<Vec<Shot>> {
@@ -65,7 +65,7 @@ fn poses(
         .map(|k| {
             let [x, y] = turn(k).map(radians);
             let eye = product(&[moved(at), rotate_x(x), rotate_y(y)]);
-            Ok(Shot::of_mesh(mesh, chain(k)?, eye, LENS))
+            Ok(Shot::of_mesh(mesh, mvp(k)?, eye, LENS))
         })
         .collect()
 }

@@ -1,7 +1,7 @@
 //! The modes that are compared. To measure one more, add its line.
 
 use fixel::fx;
-use fixel::interpolate::{Affine, Exact, Fast, Interpolate, Newton};
+use fixel::mode::{Affine, Exact, Fast, Interpolate, Newton};
 
 use super::Result;
 

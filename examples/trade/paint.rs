@@ -13,7 +13,7 @@ use super::texture::checkered;
 pub enum Paint {
     /// The measured scenes' checkered texture, with a depth buffer.
     Checkered,
-    /// Vertex colours, with a depth buffer.
+    /// Corner colours, with a depth buffer.
     Shaded,
     /// A colour per triangle, without a depth buffer.
     Faceted,
@@ -46,18 +46,18 @@ impl Side {
 /// A canvas as the cases are drawn to.
 pub type Target<'a, D> = Canvas<'a, Rgb565, Native, D>;
 
-/// Something to be done with a canvas and a fragment.
+/// Something to be done with a canvas and a shader.
 pub trait Job {
     /// Does it.
-    fn run<D: DepthBuffer, F: Fragment<N, Color = Rgb565>, const N: usize>(
+    fn run<D: DepthBuffer, F: Shader<N, Color = Rgb565>, const N: usize>(
         self,
         canvas: &mut Target<'_, D>,
-        fragment: &F,
+        shader: &F,
     ) -> Result<()>;
 }
 
 impl Paint {
-    /// Does a job with a canvas of this size and with the paint's fragment.
+    /// Does a job with a canvas of this size and with the paint's shader.
     pub fn give(self, (width, height): (u32, u32), job: impl Job) -> Result<()> {
         let mut colors = vec![Rgb565::default(); width as usize * height as usize];
         let mut depths = vec![0; colors.len()];

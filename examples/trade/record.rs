@@ -1,9 +1,9 @@
-//! Fragments that write down what they are given, in place of a colour.
+//! Shaders that write down what they are given, in place of a colour.
 
 use std::cell::RefCell;
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use fixel::interpolate::Tolerance;
+use fixel::mode::Tolerance;
 use fixel::prelude::*;
 
 /// What was interpolated at a pixel.
@@ -24,12 +24,12 @@ pub struct Recorder<'a> {
     pub face: usize,
 }
 
-impl Fragment<2> for Recorder<'_> {
+impl Shader<2> for Recorder<'_> {
     type Color = Rgb565;
 
     const TOLERANCES: [Tolerance; 2] = [Tolerance::Texels; 2];
 
-    fn varyings(&self, vertex: &Vertex<'_>) -> [i32; 2] {
+    fn varyings(&self, vertex: &Corner<'_>) -> [i32; 2] {
         let up = self.texels_log2 + 16 - TexCoord::FRAC_NBITS;
         vertex.uv().to_bits().map(|bits| bits << up)
     }
@@ -41,7 +41,7 @@ impl Fragment<2> for Recorder<'_> {
         }
     }
 
-    fn shade(&self, sample: &Sample, texel: [i32; 2]) -> Option<Rgb565> {
+    fn shade(&self, sample: &Fragment, texel: [i32; 2]) -> Option<Rgb565> {
         self.seen.borrow_mut().push(Seen {
             face: self.face,
             pixel: [sample.point.x, sample.point.y],
@@ -63,10 +63,10 @@ pub struct Given {
 #[derive(Clone, Copy)]
 pub struct Survey<'a>(pub &'a RefCell<Vec<Given>>);
 
-impl Fragment<5> for Survey<'_> {
+impl Shader<5> for Survey<'_> {
     type Color = Rgb565;
 
-    fn varyings(&self, vertex: &Vertex<'_>) -> [i32; 5] {
+    fn varyings(&self, vertex: &Corner<'_>) -> [i32; 5] {
         let ([u, v], color): (_, Rgb888) = (vertex.uv().to_bits(), vertex.color());
         let [r, g, b] = [color.r(), color.g(), color.b()].map(i32::from);
         [u, v, r, g, b]
@@ -83,7 +83,7 @@ impl Fragment<5> for Survey<'_> {
         self
     }
 
-    fn shade(&self, _: &Sample, _: [i32; 5]) -> Option<Rgb565> {
+    fn shade(&self, _: &Fragment, _: [i32; 5]) -> Option<Rgb565> {
         None
     }
 }

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::fs;
 use std::slice::IterMut;
 
-use fixel::interpolate::Interpolate;
+use fixel::mode::Interpolate;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::Result;

@@ -153,7 +153,7 @@ pub fn sweeps(quick: bool) -> Result<Vec<Sweep>> {
     ])
 }
 
-fn lens(size: (u32, u32)) -> Lens {
+fn projection(size: (u32, u32)) -> Lens {
     Lens {
         focal: 0.625 * f64::from(size.0),
         size,
@@ -169,7 +169,7 @@ fn case(size: (u32, u32), side: Side, texels_log2: u32, wall: Triangles) -> Resu
         paint: Paint::Texture(side),
         texels_log2,
         interpolates: true,
-        shots: vec![Shot::of_triangles(wall, lens(size))?],
+        shots: vec![Shot::of_triangles(wall, projection(size))?],
     })
 }
 
@@ -189,7 +189,7 @@ fn wall(size: (u32, u32), ratio: f64) -> Result<Triangles> {
         corner(1., 1.),
         corner(1., 0.),
     ];
-    wall.add(lens(size), &corners)?;
+    wall.add(projection(size), &corners)?;
     Ok(wall)
 }
 
@@ -211,7 +211,7 @@ fn strips_of(width: f64) -> Result<Triangles> {
             corner(1., 1.),
             corner(1., 0.),
         ];
-        strips.add(lens(SIZE), &corners)?;
+        strips.add(projection(SIZE), &corners)?;
         left += width;
     }
     Ok(strips)

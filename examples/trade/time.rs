@@ -4,7 +4,7 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use fixel::interpolate::Interpolate;
+use fixel::mode::Interpolate;
 use fixel::prelude::*;
 use fixel::target::DepthBuffer;
 
@@ -33,7 +33,7 @@ impl Times {
         self.0.resize(case.shots.len(), Vec::new());
         let timing = Timing {
             case,
-            pass: &Pass::new().mode(mode),
+            pass: &DrawOptions::new().mode(mode),
             repeats,
             times: self,
         };
@@ -43,16 +43,16 @@ impl Times {
 
 struct Timing<'a, I> {
     case: &'a Case,
-    pass: &'a Pass<I>,
+    pass: &'a DrawOptions<I>,
     repeats: u32,
     times: &'a mut Times,
 }
 
 impl<I: Interpolate> Job for Timing<'_, I> {
-    fn run<D: DepthBuffer, F: Fragment<N, Color = Rgb565>, const N: usize>(
+    fn run<D: DepthBuffer, F: Shader<N, Color = Rgb565>, const N: usize>(
         self,
         canvas: &mut Target<'_, D>,
-        fragment: &F,
+        shader: &F,
     ) -> Result<()> {
         for (shot, samples) in self.case.shots.iter().zip(&mut self.times.0) {
             let mesh = shot.mesh()?;
@@ -63,8 +63,8 @@ impl<I: Interpolate> Job for Timing<'_, I> {
                 canvas.clear(Rgb565::BLACK);
                 let start = Instant::now();
                 for _ in 0..times {
-                    let (mesh, chain) = (black_box(&mesh), black_box(&shot.chain));
-                    black_box(canvas.draw_with(self.pass, mesh, chain, fragment));
+                    let (mesh, mvp) = (black_box(&mesh), black_box(&shot.mvp));
+                    black_box(canvas.draw_with(self.pass, mesh, mvp, shader));
                 }
                 let time = start.elapsed();
                 if repeat >= WARM {

@@ -1,4 +1,4 @@
-//! What a draw call paints with: a fragment, a mode and a canvas, behind one interface.
+//! What a draw call paints with: a shader, a mode and a canvas, behind one interface.
 
 use core::ops::Range;
 
@@ -6,15 +6,18 @@ use embedded_graphics::geometry::Point;
 
 use super::Triangle;
 use super::planes::{Attribute, Planes};
-use crate::geometry::{DepthShift, Face, Vertex};
-use crate::interpolate::{self, Interpolate, Pixels, RUN};
-use crate::shade::{Fragment, Sample};
+use crate::shade::{Fragment, Shader};
+use crate::span::{self, Interpolate, Pixels, RUN};
 use crate::target::{Canvas, Cells, DepthBuffer, Storage, linear};
+use crate::{
+    mesh::{Corner, Face},
+    pipeline::DepthShift,
+};
 
 /// The part of a draw call that depends on what is painted, and on what.
 ///
 /// All else, from the mesh's indices to rows of pixels, calls it through a `dyn`: it exists once in
-/// a program, however many fragments and canvases there are. A call costs a few instructions an
+/// a program, however many shaders and canvases there are. A call costs a few instructions an
 /// element and a span.
 pub(crate) trait Brush {
     /// Goes to another element of the mesh.
@@ -36,19 +39,19 @@ const MOST_TOLERANCE: u32 = (1 << 29) - 1;
 /// Pixels that are coloured without looking for the end of the span, where nothing varies between them.
 const BLOCK: usize = 16;
 
-/// The [`Brush`] of a fragment `F` in mode `I`.
+/// The [`Brush`] of a shader `F` in mode `I`.
 pub(crate) struct Paint<
     'p,
     'c,
     I: Interpolate,
-    F: Fragment<N>,
+    F: Shader<N>,
     O: Storage<F::Color>,
     D,
     const N: usize,
 > {
     canvas: &'p mut Canvas<'c, F::Color, O, D>,
     /// As it was made ready for the draw call, and for the present element.
-    fragment: F,
+    shader: F,
     current: F,
     planes: Planes<[Attribute; N]>,
     depth_shift: DepthShift,
@@ -61,7 +64,7 @@ pub(crate) struct Paint<
 impl<'p, 'c, I, F, O, D, const N: usize> Paint<'p, 'c, I, F, O, D, N>
 where
     I: Interpolate,
-    F: Fragment<N>,
+    F: Shader<N>,
     O: Storage<F::Color>,
     D: DepthBuffer,
 {
@@ -72,7 +75,7 @@ where
     pub(crate) fn new(
         mode: I,
         canvas: &'p mut Canvas<'c, F::Color, O, D>,
-        fragment: F,
+        shader: F,
         depth_shift: DepthShift,
     ) -> Self {
         let mut planes = Planes::<[Attribute; N]>::NONE;
@@ -81,8 +84,8 @@ where
         }
         Self {
             canvas,
-            fragment,
-            current: fragment,
+            shader,
+            current: shader,
             planes,
             depth_shift,
             down: 0,
@@ -95,17 +98,17 @@ where
 impl<I, F, O, D, const N: usize> Brush for Paint<'_, '_, I, F, O, D, N>
 where
     I: Interpolate,
-    F: Fragment<N>,
+    F: Shader<N>,
     O: Storage<F::Color>,
     D: DepthBuffer,
 {
     fn element(&mut self, face: &Face<'_>) {
         let mut varyings = [[0; N]; 3];
         for (corner, varyings) in varyings.iter_mut().enumerate() {
-            *varyings = self.fragment.varyings(&Vertex { face, corner });
+            *varyings = self.shader.varyings(&Corner { face, corner });
         }
         if face.element.face.is_some() {
-            self.current = self.fragment.face(&mut varyings, face);
+            self.current = self.shader.face(&mut varyings, face);
         }
         let [first, second, third] = &varyings;
         let varyings = first.iter().zip(second).zip(third);
@@ -126,8 +129,8 @@ where
     }
 
     fn span(&mut self, row: i32, columns: Range<i32>, x: i32, y: i32) {
-        let mut shader = Shader {
-            fragment: &self.current,
+        let mut shader = PixelSink {
+            shader: &self.current,
             // The first pixel is looked at after one step.
             point: Point::new(columns.start - 1, row),
             depth: 0,
@@ -156,7 +159,7 @@ struct Cell<'c, C, O: Storage<C>, D: DepthBuffer + 'c> {
     depth: D::Cell<'c>,
 }
 
-impl<'c, C, O: Storage<C>, D: DepthBuffer + 'c> interpolate::Cells<Cell<'c, C, O, D>>
+impl<'c, C, O: Storage<C>, D: DepthBuffer + 'c> span::Cells<Cell<'c, C, O, D>>
     for Cells<'c, C, O, D>
 {
     #[inline]
@@ -171,23 +174,23 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer + 'c> interpolate::Cells<Cell<'c, C, O
     }
 }
 
-/// Tests and colours the pixels of a run with a fragment.
-struct Shader<'f, F> {
-    fragment: &'f F,
+/// Tests and colours the pixels of a run with a shader.
+struct PixelSink<'f, F> {
+    shader: &'f F,
     point: Point,
     /// The pixel's depth in linear steps, and as it is stored.
     depth: u32,
     stored: u32,
 }
 
-impl<F> Shader<'_, F> {
+impl<F> PixelSink<'_, F> {
     /// Colours pixels between which nothing varies.
     #[inline]
     fn cover<'c, O, D, const N: usize>(
         &mut self,
         cells: impl Iterator<Item = (&'c mut O::Cell, D::Cell<'c>)>,
     ) where
-        F: Fragment<N>,
+        F: Shader<N>,
         O: Storage<F::Color, Cell: 'c>,
         D: DepthBuffer + 'c,
     {
@@ -200,9 +203,9 @@ impl<F> Shader<'_, F> {
     }
 }
 
-impl<'c, F, O, D, const N: usize> Pixels<Cell<'c, F::Color, O, D>, N> for Shader<'_, F>
+impl<'c, F, O, D, const N: usize> Pixels<Cell<'c, F::Color, O, D>, N> for PixelSink<'_, F>
 where
-    F: Fragment<N>,
+    F: Shader<N>,
     O: Storage<F::Color>,
     D: DepthBuffer + 'c,
 {
@@ -216,11 +219,11 @@ where
 
     #[inline]
     fn shade(&mut self, cell: Cell<'c, F::Color, O, D>, varyings: [i32; N]) {
-        let sample = Sample {
+        let sample = Fragment {
             point: self.point,
             depth: self.depth as u16,
         };
-        if let Some(color) = self.fragment.shade(&sample, varyings) {
+        if let Some(color) = self.shader.shade(&sample, varyings) {
             *cell.color = O::store(color);
             D::store(cell.depth, self.stored as u16);
         }

@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use super::triangle::{self, Triangle, area, area_in, covers, row_range};
 use super::{Brush, Window};
-use crate::geometry::{Corner, Cull, Projected};
+use crate::pipeline::{ClippedCorner, Cull, Projected};
 
 /// The triangles that a clipped one is drawn as: all have the first corner of the outline.
 ///
@@ -14,7 +14,7 @@ use crate::geometry::{Corner, Cull, Projected};
 /// and then the first of those draws it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Fan<'a> {
-    outline: &'a [Corner],
+    outline: &'a [ClippedCorner],
     /// Twice the area of the outline, positive if it runs clockwise as seen.
     area: i64,
 }
@@ -26,17 +26,17 @@ const fn runs_as(whole: i64, area: i64) -> bool {
 
 // Taken apart by hand, as in `Projected::screens`.
 
-fn vertices([a, b, c]: [&Corner; 3]) -> [Projected; 3] {
+fn vertices([a, b, c]: [&ClippedCorner; 3]) -> [Projected; 3] {
     [a.vertex, b.vertex, c.vertex]
 }
 
-fn screens([a, b, c]: [&Corner; 3]) -> [[i32; 2]; 3] {
+fn screens([a, b, c]: [&ClippedCorner; 3]) -> [[i32; 2]; 3] {
     [a.vertex.screen, b.vertex.screen, c.vertex.screen]
 }
 
 impl<'a> Fan<'a> {
     /// The fan of an outline, unless it is culled.
-    pub(crate) fn new(outline: &'a [Corner], cull: Cull) -> Option<Self> {
+    pub(crate) fn new(outline: &'a [ClippedCorner], cull: Cull) -> Option<Self> {
         let mut fan = Self { outline, area: 0 };
         let area = fan.triangles().map(|corners| area(&screens(corners)));
         fan.area = area.sum();
@@ -47,7 +47,7 @@ impl<'a> Fan<'a> {
     }
 
     /// The triangles.
-    fn triangles(&self) -> impl Iterator<Item = [&'a Corner; 3]> + use<'a> {
+    fn triangles(&self) -> impl Iterator<Item = [&'a ClippedCorner; 3]> + use<'a> {
         let first = self.outline.first();
         let sides = self.outline.windows(2).skip(1);
         sides.filter_map(move |side| match (first, side) {

@@ -3,14 +3,14 @@
 use super::edge::{Edge, first_center};
 use super::triangle::spans;
 use super::{Brush, Triangle, Window};
-use crate::geometry::{Corner, Projected};
+use crate::pipeline::{ClippedCorner, Projected};
 
 /// Draws a line: along its longer axis every pixel whose centre is passed. A centre at the left (of
 /// steep lines: upper) end belongs to the line, one at the right (lower) end does not, so that
 /// lines end to end draw no pixel twice while they go on along the same axis.
 ///
 /// Which pixels does not depend on the line's direction. Across, the pixel is the one the line is in.
-pub(crate) fn line(brush: &mut dyn Brush, window: &Window, ends: [&Corner; 2]) {
+pub(crate) fn line(brush: &mut dyn Brush, window: &Window, ends: [&ClippedCorner; 2]) {
     let [mut from, mut to] = ends;
     let steep = {
         let ([x0, y0], [x1, y1]) = (from.vertex.screen, to.vertex.screen);
@@ -36,7 +36,7 @@ pub(crate) fn line(brush: &mut dyn Brush, window: &Window, ends: [&Corner; 2]) {
 
     // Interpolants depend on the place along the line alone: as those of a triangle one unit high
     // with one side along the line, that has the same values above each other.
-    let corner = |end: &Corner, x: i32, y: i32| Projected {
+    let corner = |end: &ClippedCorner, x: i32, y: i32| Projected {
         screen: [x, y],
         ..end.vertex
     };

@@ -1,8 +1,8 @@
 //! The planes that a primitive's interpolants lie in.
 
 use super::Triangle;
-use crate::interpolate::{FAR, Plane, Run, Scale, Slope, Steps, weigh};
-use crate::linear::product;
+use crate::num::wide::product;
+use crate::span::{FAR, Plane, Run, Scale, Slope, Steps, weigh};
 
 /// An attribute that is interpolated over a primitive.
 #[derive(Clone, Copy, Debug)]

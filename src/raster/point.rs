@@ -1,7 +1,7 @@
 //! Points: one pixel each.
 
 use super::{Brush, Triangle, Window};
-use crate::geometry::Projected;
+use crate::pipeline::Projected;
 
 /// Draws the pixel that a point lies in.
 pub(crate) fn point(brush: &mut dyn Brush, window: &Window, at: &Projected) {

@@ -6,8 +6,8 @@ use core::ops::Range;
 use super::edge::{Edge, first_center};
 use super::fan::Part;
 use super::{Brush, Window};
-use crate::geometry::{Cull, Projected, Weights};
-use crate::linear::{IS_NARROW, product};
+use crate::num::wide::{IS_NARROW, product};
+use crate::pipeline::{Cull, Projected, Weights};
 
 /// A triangle on the screen.
 #[derive(Clone, Copy, Debug)]

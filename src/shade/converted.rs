@@ -1,15 +1,15 @@
-//! Any fragment on a canvas of another colour.
+//! Any shader on a canvas of another colour.
 
 use core::marker::PhantomData;
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use super::{Fragment, Levels, Sample};
-use crate::geometry::{Face, Vertex};
-use crate::interpolate::Tolerance;
-use crate::linear::Transform;
+use super::{Fragment, Levels, Shader};
+use crate::math::Transform;
+use crate::mesh::{Corner, Face};
+use crate::span::Tolerance;
 
-/// The colours of fragment `F` in the canvas's format `C`: rounded, or dithered where `C` is
+/// The colours of shader `F` in the canvas's format `C`: rounded, or dithered where `C` is
 /// coarse (see [`Levels`]).
 ///
 /// A texture of another colour than the canvas's is converted pixel by pixel this way; to store
@@ -20,12 +20,12 @@ use crate::linear::Transform;
 /// use fixel::prelude::*;
 /// static SKIN: Texture<Rgb888, 2, 1> = Texture::rgb888(&[255, 255, 255, 0, 128, 0]);
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
-/// let chain = lens * Camera::top(Vec3::ZERO, fx!(1));
+/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [BinaryColor::Off; 48];
 /// let mut canvas = Canvas::new(&mut pixels, 12, 4)?;
 /// let skin = Textured::new(&SKIN);
-/// canvas.draw(&SQUARE, &chain, &Converted::new(skin));
+/// canvas.draw(&SQUARE, &mvp, &Converted::new(skin));
 /// let mut display = MockDisplay::new();
 /// canvas.show(&mut display)?;
 /// display.assert_pattern(&[
@@ -38,24 +38,24 @@ use crate::linear::Transform;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Converted<F, C> {
-    fragment: F,
+    shader: F,
     color: PhantomData<C>,
 }
 
 impl<F, C> Converted<F, C> {
-    /// `fragment`, for a canvas of colour `C`.
+    /// `shader`, for a canvas of colour `C`.
     #[must_use]
-    pub const fn new(fragment: F) -> Self {
+    pub const fn new(shader: F) -> Self {
         Self {
-            fragment,
+            shader,
             color: PhantomData,
         }
     }
 }
 
-impl<F, C, const N: usize> Fragment<N> for Converted<F, C>
+impl<F, C, const N: usize> Shader<N> for Converted<F, C>
 where
-    F: Fragment<N>,
+    F: Shader<N>,
     F::Color: Into<Rgb888>,
     C: Levels,
 {
@@ -65,24 +65,24 @@ where
     const TOLERANCES: [Tolerance; N] = F::TOLERANCES;
 
     #[inline]
-    fn varyings(&self, vertex: &Vertex<'_>) -> [i32; N] {
-        self.fragment.varyings(vertex)
+    fn varyings(&self, vertex: &Corner<'_>) -> [i32; N] {
+        self.shader.varyings(vertex)
     }
 
     #[inline]
-    fn shade(&self, sample: &Sample, varyings: [i32; N]) -> Option<C> {
-        let color = self.fragment.shade(sample, varyings)?;
+    fn shade(&self, sample: &Fragment, varyings: [i32; N]) -> Option<C> {
+        let color = self.shader.shade(sample, varyings)?;
         Some(C::from_rgb(color.into(), sample.point))
     }
 
     #[inline]
     fn begin(self, model: &Transform) -> Self {
-        Self::new(self.fragment.begin(model))
+        Self::new(self.shader.begin(model))
     }
 
     #[inline]
     fn face(self, corners: &mut [[i32; N]; 3], face: &Face<'_>) -> Self {
-        Self::new(self.fragment.face(corners, face))
+        Self::new(self.shader.face(corners, face))
     }
 }
 
@@ -99,13 +99,13 @@ mod tests {
         let positions = [Vec3::ZERO, Vec3::X, Vec3::Y];
         let mesh = Mesh::new(&positions, &[[0, 1, 2]; 2]).unwrap();
         let colors = [Rgb888::BLACK, Rgb888::new(8, 120, 200)];
-        let (fragment, _) = face(
+        let (shader, _) = face(
             Converted::new(FaceColors::new(&colors)),
             &IDENTITY,
             &mesh,
             1,
         );
-        assert_eq!(shade::<_, Rgb565, 0>(&fragment, []), Rgb565::new(1, 30, 24));
+        assert_eq!(shade::<_, Rgb565, 0>(&shader, []), Rgb565::new(1, 30, 24));
     }
 
     #[test]

@@ -36,7 +36,7 @@ mod sealed {
 /// use fixel::{prelude::*, shade::{Nearest, Repeat}};
 /// static SKIN: Texture<Gray8, 2, 1> = Texture::gray8(&[10, 20]);
 /// let skin: Textured<_, Repeat, Nearest> = Textured::new(&SKIN);
-/// let pixel = Sample { point: Point::zero(), depth: 0 };
+/// let pixel = Fragment { point: Point::zero(), depth: 0 };
 /// // In quarters of a texel.
 /// let texels = [0, 1, 2, 3, 4].map(|column| skin.shade(&pixel, [column << 14, 0]));
 /// assert_eq!(texels, [10, 10, 10, 10, 20].map(|luma| Some(Gray8::new(luma))));
@@ -57,7 +57,7 @@ pub struct Nearest;
 /// use fixel::{prelude::*, shade::{Bilinear, Clamp}};
 /// static SKIN: Texture<Gray8, 2, 1> = Texture::gray8(&[10, 20]);
 /// let skin: Textured<_, Clamp, Bilinear> = Textured::new(&SKIN).clamped().bilinear();
-/// let pixel = Sample { point: Point::zero(), depth: 0 };
+/// let pixel = Fragment { point: Point::zero(), depth: 0 };
 /// // In quarters of a texel.
 /// let colors = [0, 1, 2, 3, 4, 5, 6].map(|column| skin.shade(&pixel, [column << 14, 0]));
 /// assert_eq!(colors, [10, 10, 10, 13, 15, 18, 20].map(|luma| Some(Gray8::new(luma))));

@@ -2,8 +2,8 @@
 
 use embedded_graphics::pixelcolor::PixelColor;
 
-use super::{Fragment, Sample};
-use crate::geometry::{Face, Vertex};
+use super::{Fragment, Shader};
+use crate::mesh::{Corner, Face};
 
 /// One colour for everything.
 ///
@@ -11,12 +11,12 @@ use crate::geometry::{Face, Vertex};
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
 /// use fixel::prelude::*;
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
-/// let chain = lens * Camera::top(Vec3::ZERO, fx!(1));
+/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [BinaryColor::Off; 32];
 /// let mut canvas = Canvas::new(&mut pixels, 8, 4)?;
 /// let half = Transform::scale(fx!(0.5));
-/// canvas.draw(&SQUARE, &(chain * half), &Flat::new(BinaryColor::On));
+/// canvas.draw(&SQUARE, &(mvp * half), &Flat::new(BinaryColor::On));
 /// let mut display = MockDisplay::new();
 /// canvas.show(&mut display)?;
 /// display.assert_pattern(&["........", "..####..", "..####..", "........"]);
@@ -28,25 +28,25 @@ pub struct Flat<C> {
 }
 
 impl<C: PixelColor> Flat<C> {
-    /// A fragment of this colour.
+    /// A shader of this colour.
     #[must_use]
     pub const fn new(color: C) -> Self {
         Self { color }
     }
 }
 
-impl<C: PixelColor> Fragment<0> for Flat<C> {
+impl<C: PixelColor> Shader<0> for Flat<C> {
     type Color = C;
 
     const READS_DEPTH: bool = false;
 
     #[inline]
-    fn varyings(&self, _: &Vertex<'_>) -> [i32; 0] {
+    fn varyings(&self, _: &Corner<'_>) -> [i32; 0] {
         []
     }
 
     #[inline]
-    fn shade(&self, _: &Sample, _: [i32; 0]) -> Option<C> {
+    fn shade(&self, _: &Fragment, _: [i32; 0]) -> Option<C> {
         Some(self.color)
     }
 }
@@ -60,12 +60,12 @@ impl<C: PixelColor> Fragment<0> for Flat<C> {
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
 /// use fixel::prelude::*;
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
-/// let chain = lens * Camera::top(Vec3::ZERO, fx!(1));
+/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Rgb565::BLACK; 16];
 /// let mut canvas = Canvas::new(&mut pixels, 4, 4)?;
 /// let colors = [Rgb565::RED, Rgb565::BLUE];
-/// canvas.draw(&SQUARE, &chain, &FaceColors::new(&colors));
+/// canvas.draw(&SQUARE, &mvp, &FaceColors::new(&colors));
 /// let mut display = MockDisplay::new();
 /// canvas.show(&mut display)?;
 /// display.assert_pattern(&[
@@ -83,7 +83,7 @@ pub struct FaceColors<'a, C> {
 }
 
 impl<'a, C: PixelColor + Default> FaceColors<'a, C> {
-    /// A fragment of these colours.
+    /// A shader of these colours.
     #[must_use]
     pub fn new(colors: &'a [C]) -> Self {
         Self {
@@ -93,13 +93,13 @@ impl<'a, C: PixelColor + Default> FaceColors<'a, C> {
     }
 }
 
-impl<C: PixelColor> Fragment<0> for FaceColors<'_, C> {
+impl<C: PixelColor> Shader<0> for FaceColors<'_, C> {
     type Color = C;
 
     const READS_DEPTH: bool = false;
 
     #[inline]
-    fn varyings(&self, _: &Vertex<'_>) -> [i32; 0] {
+    fn varyings(&self, _: &Corner<'_>) -> [i32; 0] {
         []
     }
 
@@ -113,7 +113,7 @@ impl<C: PixelColor> Fragment<0> for FaceColors<'_, C> {
     }
 
     #[inline]
-    fn shade(&self, _: &Sample, _: [i32; 0]) -> Option<C> {
+    fn shade(&self, _: &Fragment, _: [i32; 0]) -> Option<C> {
         Some(self.current)
     }
 }
@@ -132,8 +132,8 @@ mod tests {
         let colors = [Gray8::new(10), Gray8::new(20), Gray8::new(30)];
         let shown = |colors: &[Gray8]| {
             [0, 1, 2, 3].map(|i| {
-                let (fragment, _) = face(FaceColors::new(colors), &IDENTITY, &mesh, i);
-                shade(&fragment, []).luma()
+                let (shader, _) = face(FaceColors::new(colors), &IDENTITY, &mesh, i);
+                shade(&shader, []).luma()
             })
         };
         assert_eq!(shown(&colors), [10, 20, 30, 30]);

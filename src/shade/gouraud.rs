@@ -1,11 +1,11 @@
-//! Vertex colours, interpolated.
+//! Corner colours, interpolated.
 
 use core::marker::PhantomData;
 
 use super::levels::{Channels, HALF, LEVEL, all, first};
-use super::{Fragment, Sample};
-use crate::geometry::Vertex;
-use crate::interpolate::Tolerance;
+use super::{Fragment, Shader};
+use crate::mesh::Corner;
+use crate::span::Tolerance;
 
 /// The mesh's vertex colours, interpolated in perspective; white where the mesh has none.
 ///
@@ -15,14 +15,14 @@ use crate::interpolate::Tolerance;
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor}};
 /// use fixel::prelude::*;
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
-/// let chain = lens * Camera::top(Vec3::ZERO, fx!(1));
+/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Gray4::BLACK; 16];
 /// let mut canvas = Canvas::new(&mut pixels, 8, 2)?;
 /// let (left, right) = (Rgb888::BLACK, Rgb888::WHITE);
 /// let colors = [left, right, left, right];
 /// let mesh = SQUARE.with_colors(&colors, None)?;
-/// canvas.draw(&mesh, &chain, &Gouraud::new());
+/// canvas.draw(&mesh, &mvp, &Gouraud::new());
 /// let mut display = MockDisplay::new();
 /// canvas.show(&mut display)?;
 /// // Sixteen greys are few, so they are dithered.
@@ -38,25 +38,25 @@ pub struct Gouraud<C> {
 }
 
 impl<C> Gouraud<C> {
-    /// A fragment for a canvas of colour `C`.
+    /// A shader for a canvas of colour `C`.
     #[must_use]
     pub const fn new() -> Self {
         Self { color: PhantomData }
     }
 }
 
-impl<C: Channels<K>, const K: usize> Fragment<K> for Gouraud<C> {
+impl<C: Channels<K>, const K: usize> Shader<K> for Gouraud<C> {
     type Color = C;
 
     const TOLERANCES: [Tolerance; K] = [LEVEL; K];
 
     #[inline]
-    fn varyings(&self, vertex: &Vertex<'_>) -> [i32; K] {
+    fn varyings(&self, vertex: &Corner<'_>) -> [i32; K] {
         first(C::levels(vertex.color()).map(|level| level.wrapping_add(HALF)))
     }
 
     #[inline]
-    fn shade(&self, sample: &Sample, levels: [i32; K]) -> Option<C> {
+    fn shade(&self, sample: &Fragment, levels: [i32; K]) -> Option<C> {
         Some(C::from_raised(all(levels), sample.point))
     }
 }
@@ -75,11 +75,11 @@ mod tests {
         let mesh = Mesh::new(&positions, &[[0, 1, 2]])
             .and_then(|mesh| mesh.with_colors(&colors, None))
             .unwrap();
-        let (fragment, corners) = face(Gouraud::new(), &IDENTITY, &mesh, 0);
-        let shown = corners.map(|corner| shade::<_, Rgb565, 3>(&fragment, corner));
+        let (shader, corners) = face(Gouraud::new(), &IDENTITY, &mesh, 0);
+        let shown = corners.map(|corner| shade::<_, Rgb565, 3>(&shader, corner));
         assert_eq!(shown, [Rgb565::RED, Rgb565::new(0, 32, 31), Rgb565::WHITE]);
-        let (fragment, corners) = face(Gouraud::<Gray8>::new(), &IDENTITY, &mesh, 0);
-        let shown = corners.map(|[level]| shade(&fragment, [level]));
+        let (shader, corners) = face(Gouraud::<Gray8>::new(), &IDENTITY, &mesh, 0);
+        let shown = corners.map(|[level]| shade(&shader, [level]));
         assert_eq!(shown, [76, 104, 255].map(Gray8::new));
     }
 

@@ -2,7 +2,7 @@
 
 use embedded_graphics::geometry::Point;
 
-use crate::interpolate::Tolerance;
+use crate::span::Tolerance;
 use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor,
     Rgb555, Rgb565, Rgb666, Rgb888, RgbColor,

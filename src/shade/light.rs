@@ -1,15 +1,18 @@
 //! Light from afar.
 
 use super::pose::Pose;
-use crate::linear::{Transform, dot, unit::unit};
 use crate::{Error, Scalar, Vec3};
+use crate::{
+    math::Transform,
+    num::{rsqrt::unit, wide::dot},
+};
 
 /// White light: from all sides (ambient), and from one direction in world space, as the sun's.
 ///
 /// A surface with unit normal n has brightness ambient + diffuse · max(0, n·l), l being the unit
 /// vector towards the light (Lambert), saturated at 1. It is found in fixed point, within 1e-5.
 ///
-/// It is also what a fragment of your own needs:
+/// It is also what a shader of your own needs:
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -18,29 +21,29 @@ use crate::{Error, Scalar, Vec3};
 /// #[derive(Clone, Copy)]
 /// struct Clay(Light);
 ///
-/// impl Fragment<1> for Clay {
+/// impl Shader<1> for Clay {
 ///     type Color = Gray8;
 ///
 ///     fn begin(self, model: &Transform) -> Self {
 ///         Self(self.0.begin(model))
 ///     }
 ///
-///     fn varyings(&self, vertex: &Vertex) -> [i32; 1] {
+///     fn varyings(&self, vertex: &Corner) -> [i32; 1] {
 ///         [self.0.brightness(vertex.normal())]
 ///     }
 ///
-///     fn shade(&self, sample: &Sample, [light]: [i32; 1]) -> Option<Gray8> {
+///     fn shade(&self, sample: &Fragment, [light]: [i32; 1]) -> Option<Gray8> {
 ///         Some(Gray8::new(200).lit(light, sample.point))
 ///     }
 /// }
 ///
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
-/// let chain = lens * Camera::top(Vec3::ZERO, fx!(1));
+/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Gray8::new(0); 4];
 /// let mut canvas = Canvas::new(&mut pixels, 2, 2)?;
 /// let sun = Light::new(vec3!(0, 4, 3), fx!(0.25), fx!(0.5))?;
-/// canvas.draw(&SQUARE, &chain, &Clay(sun));
+/// canvas.draw(&SQUARE, &mvp, &Clay(sun));
 /// assert!(canvas.pixels().all(|pixel| pixel == Gray8::new(130))); // 0.65 of 200
 ///
 /// assert_eq!(sun.brightness(vec3!(0, 7, 0)), 42598); // 0.25 + 0.5 · 0.8 = 0.65

@@ -6,10 +6,10 @@ use embedded_graphics::pixelcolor::Rgb888;
 
 use super::levels::{FRACTION, Levels, dimmed};
 use super::light::Light;
-use super::{Addressing, Filter, Fragment, Nearest, Repeat, Sample, Sampler, Textured};
-use crate::geometry::{Face, Vertex};
-use crate::interpolate::Tolerance;
-use crate::linear::{Transform, Vec3};
+use super::{Addressing, Filter, Fragment, Nearest, Repeat, Sampler, Shader, Textured};
+use crate::math::{Transform, Vec3};
+use crate::mesh::{Corner, Face};
+use crate::span::Tolerance;
 
 /// A colour under a light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,12 +54,12 @@ impl<C: Levels> Surface<C> {
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor}};
 /// use fixel::prelude::*;
 /// static BALL: Mesh = shape!(sphere(8, 8));
-/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
-/// let chain = lens * Camera::front(Vec3::ZERO, fx!(1));
+/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::front(Vec3::ZERO, fx!(1));
 /// let sun = Light::new(vec3!(1, 2, 1), fx!(0.2), fx!(0.8))?;
 /// let mut pixels = [Gray4::BLACK; 144];
 /// let mut canvas = Canvas::new(&mut pixels, 12, 12)?;
-/// canvas.draw(&BALL, &chain, &Lit::new(Rgb888::WHITE, sun));
+/// canvas.draw(&BALL, &mvp, &Lit::new(Rgb888::WHITE, sun));
 /// let mut display = MockDisplay::new();
 /// canvas.show(&mut display)?;
 /// display.assert_pattern(&[
@@ -93,7 +93,7 @@ impl<C: Levels> Lit<C> {
     }
 }
 
-impl<C: Levels> Fragment<1> for Lit<C> {
+impl<C: Levels> Shader<1> for Lit<C> {
     type Color = C;
 
     const TOLERANCES: [Tolerance; 1] = [FRACTION];
@@ -106,12 +106,12 @@ impl<C: Levels> Fragment<1> for Lit<C> {
     }
 
     #[inline]
-    fn varyings(&self, vertex: &Vertex<'_>) -> [i32; 1] {
+    fn varyings(&self, vertex: &Corner<'_>) -> [i32; 1] {
         [self.surface.light.brightness(vertex.normal())]
     }
 
     #[inline]
-    fn shade(&self, sample: &Sample, [light]: [i32; 1]) -> Option<C> {
+    fn shade(&self, sample: &Fragment, [light]: [i32; 1]) -> Option<C> {
         let levels = dimmed(self.surface.levels, light);
         Some(C::from_levels(levels, sample.point))
     }
@@ -125,12 +125,12 @@ impl<C: Levels> Fragment<1> for Lit<C> {
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor}};
 /// use fixel::prelude::*;
 /// static BALL: Mesh = shape!(sphere(8, 8));
-/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
-/// let chain = lens * Camera::front(Vec3::ZERO, fx!(1));
+/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::front(Vec3::ZERO, fx!(1));
 /// let sun = Light::new(vec3!(1, 2, 1), fx!(0.2), fx!(0.8))?;
 /// let mut pixels = [Gray4::BLACK; 144];
 /// let mut canvas = Canvas::new(&mut pixels, 12, 12)?;
-/// canvas.draw(&BALL, &chain, &LitFaces::new(Rgb888::WHITE, sun));
+/// canvas.draw(&BALL, &mvp, &LitFaces::new(Rgb888::WHITE, sun));
 /// let mut display = MockDisplay::new();
 /// canvas.show(&mut display)?;
 /// display.assert_pattern(&[
@@ -168,7 +168,7 @@ impl<C: Levels> LitFaces<C> {
     }
 }
 
-impl<C: Levels> Fragment<0> for LitFaces<C> {
+impl<C: Levels> Shader<0> for LitFaces<C> {
     type Color = C;
 
     const READS_DEPTH: bool = false;
@@ -182,7 +182,7 @@ impl<C: Levels> Fragment<0> for LitFaces<C> {
     }
 
     #[inline]
-    fn varyings(&self, _: &Vertex<'_>) -> [i32; 0] {
+    fn varyings(&self, _: &Corner<'_>) -> [i32; 0] {
         []
     }
 
@@ -195,7 +195,7 @@ impl<C: Levels> Fragment<0> for LitFaces<C> {
     }
 
     #[inline]
-    fn shade(&self, sample: &Sample, _: [i32; 0]) -> Option<C> {
+    fn shade(&self, sample: &Fragment, _: [i32; 0]) -> Option<C> {
         Some(C::from_levels(self.current, sample.point))
     }
 }
@@ -211,13 +211,13 @@ impl<C: Levels> Fragment<0> for LitFaces<C> {
 /// use fixel::prelude::*;
 /// static SKIN: Texture<Gray8, 2, 2> = Texture::gray8(&[0x88, 0xee, 0x44, 0xaa]);
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
-/// let chain = lens * Camera::top(Vec3::ZERO, fx!(1));
+/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Gray8::BLACK; 16];
 /// let mut canvas = Canvas::new(&mut pixels, 4, 4)?;
 /// // Half of full light: every texel half as bright.
 /// let sun = Light::new(Vec3::Y, fx!(0), fx!(0.5))?;
-/// canvas.draw(&SQUARE, &chain, &Textured::new(&SKIN).lit(sun));
+/// canvas.draw(&SQUARE, &mvp, &Textured::new(&SKIN).lit(sun));
 /// let mut display = MockDisplay::new();
 /// canvas.show(&mut display)?;
 /// display.assert_pattern(&["4477", "4477", "2255", "2255"]);
@@ -235,7 +235,7 @@ impl<S: Sampler, A: Addressing, F> LitTexture<S, A, F> {
     }
 }
 
-impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Fragment<3> for LitTexture<S, A, F>
+impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Shader<3> for LitTexture<S, A, F>
 where
     S::Color: Levels,
 {
@@ -252,7 +252,7 @@ where
     }
 
     #[inline]
-    fn varyings(&self, vertex: &Vertex<'_>) -> [i32; 3] {
+    fn varyings(&self, vertex: &Corner<'_>) -> [i32; 3] {
         let [u, v] = Textured::<S, A, F>::coordinates(vertex);
         [u, v, self.light.brightness(vertex.normal())]
     }
@@ -264,7 +264,7 @@ where
     }
 
     #[inline]
-    fn shade(&self, sample: &Sample, [u, v, light]: [i32; 3]) -> Option<S::Color> {
+    fn shade(&self, sample: &Fragment, [u, v, light]: [i32; 3]) -> Option<S::Color> {
         Some(self.texture.color(u, v).lit(light, sample.point))
     }
 }
@@ -291,12 +291,11 @@ mod tests {
     #[test]
     fn vertices_are_lit_by_their_normals() {
         let mesh = mesh().with_normals(&NORMALS, None).unwrap();
-        let (fragment, corners) =
-            face(Lit::<Gray8>::new(Rgb888::WHITE, sun()), &IDENTITY, &mesh, 0);
+        let (shader, corners) = face(Lit::<Gray8>::new(Rgb888::WHITE, sun()), &IDENTITY, &mesh, 0);
         // 0.75, 0.65 and 0.25 in units of 2^-16, rounded; then of 255.
         assert_eq!(corners, [[49152], [42598], [16384]]);
         assert_eq!(
-            corners.map(|corner| shade(&fragment, corner)),
+            corners.map(|corner| shade(&shader, corner)),
             [191, 166, 64].map(Gray8::new)
         );
     }
@@ -314,8 +313,8 @@ mod tests {
     fn faces_are_lit_evenly_in_their_pose() {
         let lit = LitFaces::<Rgb565>::new(Rgb565::WHITE, sun());
         let shown = |model, index| {
-            let (fragment, _) = face(lit, model, &mesh(), index);
-            shade(&fragment, [])
+            let (shader, _) = face(lit, model, &mesh(), index);
+            shade(&shader, [])
         };
         assert_eq!(shown(&IDENTITY, 0), Rgb565::new(23, 47, 23));
         assert_eq!(shown(&IDENTITY, 1), Rgb565::new(8, 16, 8));
@@ -330,19 +329,19 @@ mod tests {
         let uvs = [vec2!(2.5, 0), vec2!(2.5, 0), vec2!(2, 0)];
         let mesh = mesh().with_normals(&NORMALS, None).unwrap();
         let mesh = mesh.with_uvs(&uvs, None).unwrap();
-        let (fragment, corners) = face(Textured::new(&skin).lit(sun()), &IDENTITY, &mesh, 0);
+        let (shader, corners) = face(Textured::new(&skin).lit(sun()), &IDENTITY, &mesh, 0);
         assert_eq!(
             corners,
             [[1 << 16, 0, 49152], [1 << 16, 0, 42598], [0, 0, 16384]]
         );
         assert_eq!(
-            corners.map(|corner| shade(&fragment, corner)),
+            corners.map(|corner| shade(&shader, corner)),
             [
                 Rgb565::new(15, 30, 3),
                 Rgb565::new(13, 26, 3),
                 Rgb565::new(8, 16, 8)
             ]
         );
-        assert_eq!(count(&fragment), 3);
+        assert_eq!(count(&shader), 3);
     }
 }

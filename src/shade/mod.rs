@@ -1,6 +1,6 @@
-//! From interpolated values to a colour: the fragment trait and the fragments that come with the crate.
+//! From interpolated values to a colour: the shader trait and the shaders that come with the crate.
 //!
-//! | fragment | a pixel is | varyings |
+//! | shader | a pixel is | varyings |
 //! |---|---|---|
 //! | [`Flat`] | one colour for all | 0 |
 //! | [`FaceColors`] | one colour per triangle | 0 |
@@ -20,7 +20,6 @@ mod converted;
 mod dither;
 mod filter;
 mod flat;
-mod fragment;
 mod gouraud;
 mod levels;
 mod light;
@@ -29,6 +28,7 @@ mod modulated;
 mod palette;
 mod pose;
 mod sampler;
+mod shader;
 mod texture;
 mod textured;
 mod views;
@@ -40,7 +40,6 @@ pub use blend::Blend;
 pub use converted::Converted;
 pub use filter::{Bilinear, Filter, Nearest};
 pub use flat::{FaceColors, Flat};
-pub use fragment::{Fragment, Sample};
 pub use gouraud::Gouraud;
 pub use levels::{Channels, Levels};
 pub use light::Light;
@@ -48,6 +47,7 @@ pub use lit::{Lit, LitFaces, LitTexture};
 pub use modulated::Modulated;
 pub use palette::Palette;
 pub use sampler::{MAX_TEXTURE_SIZE, Sampler};
+pub use shader::{Fragment, Shader};
 pub use texture::Texture;
 pub use textured::{Addressing, Clamp, Repeat, Textured};
 pub use views::{DepthView, NormalView};

@@ -1,9 +1,9 @@
 //! Texture times vertex colour.
 
 use super::levels::{Channels, FRACTION, Levels, all, first};
-use super::{Addressing, Filter, Fragment, Nearest, Repeat, Sample, Sampler, Textured};
-use crate::geometry::{Face, Vertex};
-use crate::interpolate::Tolerance;
+use super::{Addressing, Filter, Fragment, Nearest, Repeat, Sampler, Shader, Textured};
+use crate::mesh::{Corner, Face};
+use crate::span::Tolerance;
 
 /// A texel times the interpolated vertex colour, channel by channel; a white vertex leaves the
 /// texture as it is, a black one makes it black. Made by [`Textured::modulated`].
@@ -15,13 +15,13 @@ use crate::interpolate::Tolerance;
 /// use fixel::prelude::*;
 /// static SKIN: Texture<Rgb565, 2, 1> = Texture::from_texels([[Rgb565::YELLOW, Rgb565::BLUE]]);
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
-/// let chain = lens * Camera::top(Vec3::ZERO, fx!(1));
+/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Rgb565::BLACK; 8];
 /// let mut canvas = Canvas::new(&mut pixels, 4, 2)?;
 /// // Under red, yellow is red and blue is black.
 /// let mesh = SQUARE.with_colors(&[Rgb888::RED; 4], None)?;
-/// canvas.draw(&mesh, &chain, &Textured::new(&SKIN).modulated());
+/// canvas.draw(&mesh, &mvp, &Textured::new(&SKIN).modulated());
 /// let mut display = MockDisplay::new();
 /// canvas.show(&mut display)?;
 /// display.assert_pattern(&["RRKK", "RRKK"]);
@@ -41,7 +41,7 @@ impl<S: Sampler, A: Addressing, F> Modulated<S, A, F> {
 /// One implementation per number of channels: their sum with the coordinates cannot be computed in a type.
 macro_rules! modulated {
     ($n:literal $channels:literal $($channel:ident)+) => {
-        impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Fragment<$n> for Modulated<S, A, F>
+        impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Shader<$n> for Modulated<S, A, F>
         where
             S::Color: Channels<$channels>,
         {
@@ -57,7 +57,7 @@ macro_rules! modulated {
             ];
 
             #[inline]
-            fn varyings(&self, vertex: &Vertex<'_>) -> [i32; $n] {
+            fn varyings(&self, vertex: &Corner<'_>) -> [i32; $n] {
                 let [u, v] = Textured::<S, A, F>::coordinates(vertex);
                 let [$($channel),+] = first(S::Color::fractions(vertex.color()));
                 [u, v, $($channel),+]
@@ -70,7 +70,7 @@ macro_rules! modulated {
             }
 
             #[inline]
-            fn shade(&self, sample: &Sample, [u, v, $($channel),+]: [i32; $n]) -> Option<S::Color> {
+            fn shade(&self, sample: &Fragment, [u, v, $($channel),+]: [i32; $n]) -> Option<S::Color> {
                 let texel = self.texture.color(u, v);
                 Some(texel.filtered(all([$($channel),+]), sample.point))
             }
@@ -103,10 +103,10 @@ mod tests {
         let mesh = Mesh::new(&POSITIONS, &[[0, 1, 2]])
             .and_then(|mesh| mesh.with_uvs(&uvs, None)?.with_colors(&colors, None))
             .unwrap();
-        let (fragment, corners) = face(Textured::new(&skin).modulated(), &IDENTITY, &mesh, 0);
+        let (shader, corners) = face(Textured::new(&skin).modulated(), &IDENTITY, &mesh, 0);
         assert_eq!(corners[0], [1 << 16, 0, 1 << 16, 1 << 16, 1 << 16]);
         assert_eq!(
-            corners.map(|corner| shade(&fragment, corner)),
+            corners.map(|corner| shade(&shader, corner)),
             [
                 Rgb565::new(20, 21, 22),
                 Rgb565::new(20, 0, 11),
@@ -118,12 +118,12 @@ mod tests {
     #[test]
     fn the_number_of_varyings_follows_from_the_colour() {
         let skin = Texture::from_texels([[Rgb565::WHITE]]);
-        let fragment = Textured::new(&skin).modulated();
-        assert_eq!(count(&fragment), 5);
-        assert_eq!(count(&Converted::<_, BinaryColor>::new(fragment)), 5);
+        let shader = Textured::new(&skin).modulated();
+        assert_eq!(count(&shader), 5);
+        assert_eq!(count(&Converted::<_, BinaryColor>::new(shader)), 5);
         let skin = Texture::from_texels([[Gray8::new(200)]]);
-        let fragment = Textured::new(&skin).clamped().modulated();
-        assert_eq!(count(&fragment), 3);
-        assert_eq!(shade(&fragment, [0, 0, 1 << 15]), Gray8::new(100));
+        let shader = Textured::new(&skin).clamped().modulated();
+        assert_eq!(count(&shader), 3);
+        assert_eq!(shade(&shader, [0, 0, 1 << 15]), Gray8::new(100));
     }
 }

@@ -15,11 +15,11 @@ use super::sampler::{log2, wrapped};
 /// static TILES: Palette<Rgb565, 2, 2> =
 ///     Palette::new(&[0, 1, 1, 2], &[Rgb565::BLACK, Rgb565::RED, Rgb565::WHITE]);
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
-/// let chain = lens * Camera::top(Vec3::ZERO, fx!(1));
+/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Rgb565::GREEN; 16];
 /// let mut canvas = Canvas::new(&mut pixels, 4, 4)?;
-/// canvas.draw(&SQUARE, &chain, &Textured::new(&TILES));
+/// canvas.draw(&SQUARE, &mvp, &Textured::new(&TILES));
 /// let mut display = MockDisplay::new();
 /// canvas.show(&mut display)?;
 /// display.assert_pattern(&["KKRR", "KKRR", "RRWW", "RRWW"]);

@@ -1,7 +1,10 @@
 //! Normals on their way to world space.
 
 use crate::Vec3;
-use crate::linear::{Transform, dot, unit::unit};
+use crate::{
+    math::Transform,
+    num::{rsqrt::unit, wide::dot},
+};
 
 /// What a model's pose does to its normals: the inverse transpose of its linear part, up to a
 /// positive factor, so that they stay upright on a surface that is stretched or mirrored.

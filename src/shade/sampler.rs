@@ -1,4 +1,4 @@
-//! What a texture is to a fragment: texels by whole numbers, endlessly repeated.
+//! What a texture is to a shader: texels by whole numbers, endlessly repeated.
 
 use embedded_graphics::pixelcolor::PixelColor;
 

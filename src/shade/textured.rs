@@ -3,10 +3,10 @@
 use core::marker::PhantomData;
 
 use super::light::Light;
-use super::{Bilinear, Blend, Filter, Fragment, LitTexture, Modulated, Nearest, Sample, Sampler};
+use super::{Bilinear, Blend, Filter, Fragment, LitTexture, Modulated, Nearest, Sampler, Shader};
 use crate::TexCoord;
-use crate::geometry::{Face, Vertex};
-use crate::interpolate::Tolerance;
+use crate::mesh::{Corner, Face};
+use crate::span::Tolerance;
 
 /// The texel under each pixel, the nearest to its centre, or [`bilinear`](Self::bilinear) between the four around.
 ///
@@ -24,11 +24,11 @@ use crate::interpolate::Tolerance;
 /// use fixel::prelude::*;
 /// static SKIN: Texture<Gray8, 2, 2> = Texture::gray8(&[0x11, 0x22, 0x33, 0x44]);
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
-/// let chain = lens * Camera::top(Vec3::ZERO, fx!(1));
+/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Gray8::BLACK; 16];
 /// let mut canvas = Canvas::new(&mut pixels, 4, 4)?;
-/// canvas.draw(&SQUARE, &chain, &Textured::new(&SKIN));
+/// canvas.draw(&SQUARE, &mvp, &Textured::new(&SKIN));
 /// let mut display = MockDisplay::new();
 /// canvas.show(&mut display)?;
 /// display.assert_pattern(&["1122", "1122", "3344", "3344"]);
@@ -80,7 +80,7 @@ mod sealed {
 /// use fixel::{prelude::*, shade::Repeat};
 /// static SKIN: Texture<Gray8, 2, 1> = Texture::gray8(&[10, 20]);
 /// let skin: Textured<_, Repeat> = Textured::new(&SKIN);
-/// let pixel = Sample { point: Point::zero(), depth: 0 };
+/// let pixel = Fragment { point: Point::zero(), depth: 0 };
 /// let texels = [-1, 0, 1, 2, 3].map(|column| skin.shade(&pixel, [column << 16, 0]));
 /// assert_eq!(texels, [20, 10, 20, 10, 20].map(|luma| Some(Gray8::new(luma))));
 /// ```
@@ -94,7 +94,7 @@ pub struct Repeat;
 /// use fixel::{prelude::*, shade::Clamp};
 /// static SKIN: Texture<Gray8, 2, 1> = Texture::gray8(&[10, 20]);
 /// let skin: Textured<_, Clamp> = Textured::new(&SKIN).clamped();
-/// let pixel = Sample { point: Point::zero(), depth: 0 };
+/// let pixel = Fragment { point: Point::zero(), depth: 0 };
 /// let texels = [-1, 0, 1, 2, 3].map(|column| skin.shade(&pixel, [column << 16, 0]));
 /// assert_eq!(texels, [10, 10, 20, 20, 20].map(|luma| Some(Gray8::new(luma))));
 /// ```
@@ -154,7 +154,7 @@ impl Addressing for Clamp {
 }
 
 impl<S: Sampler> Textured<S> {
-    /// A fragment of a repeating texture, usually of a reference to a [`Texture`](super::Texture).
+    /// A shader of a repeating texture, usually of a reference to a [`Texture`](super::Texture).
     #[must_use]
     pub const fn new(sampler: S) -> Self {
         Self {
@@ -185,12 +185,12 @@ impl<S: Sampler, A: Addressing> Textured<S, A> {
     /// use fixel::prelude::*;
     /// static SKIN: Texture<Gray8, 2, 2> = Texture::gray8(&[0x00, 0x88, 0x88, 0xff]);
     /// static SQUARE: Mesh = shape!(plane(1, 1));
-    /// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
-    /// let chain = lens * Camera::top(Vec3::ZERO, fx!(1));
+    /// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+    /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
     /// let mut pixels = [Gray8::BLACK; 64];
     /// let mut canvas = Canvas::new(&mut pixels, 8, 8)?;
     /// // Eight pixels for two texels: four from centre to centre, two on from there to the edge.
-    /// canvas.draw(&SQUARE, &chain, &Textured::new(&SKIN).clamped().bilinear());
+    /// canvas.draw(&SQUARE, &mvp, &Textured::new(&SKIN).clamped().bilinear());
     /// let shown: Vec<u8> = pixels.iter().map(|pixel| pixel.luma()).collect();
     /// assert_eq!(shown[..8], [0, 0, 17, 51, 85, 119, 136, 136]);
     /// # Ok::<(), Error>(())
@@ -223,7 +223,7 @@ impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Textured<S, A, F> {
 
     /// Column and row at a vertex, in texels with 16 fraction bits.
     #[inline]
-    pub(super) fn coordinates(vertex: &Vertex<'_>) -> [i32; 2] {
+    pub(super) fn coordinates(vertex: &Corner<'_>) -> [i32; 2] {
         let [u, v] = vertex.uv().to_bits().map(i64::from);
         [texels(u, S::WIDTH_LOG2), texels(v, S::HEIGHT_LOG2)]
     }
@@ -249,13 +249,13 @@ impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Textured<S, A, F> {
     }
 }
 
-impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Fragment<2> for Textured<S, A, F> {
+impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Shader<2> for Textured<S, A, F> {
     type Color = S::Color;
 
     const TOLERANCES: [Tolerance; 2] = [Tolerance::Texels; 2];
 
     #[inline]
-    fn varyings(&self, vertex: &Vertex<'_>) -> [i32; 2] {
+    fn varyings(&self, vertex: &Corner<'_>) -> [i32; 2] {
         Self::coordinates(vertex)
     }
 
@@ -266,7 +266,7 @@ impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Fragment<2> for Textured<S,
     }
 
     #[inline]
-    fn shade(&self, _: &Sample, [u, v]: [i32; 2]) -> Option<S::Color> {
+    fn shade(&self, _: &Fragment, [u, v]: [i32; 2]) -> Option<S::Color> {
         Some(self.color(u, v))
     }
 }

@@ -1,12 +1,12 @@
-//! For the tests of fragments: a mesh taken to the point where a rasterizer would take over.
+//! For the tests of shaders: a mesh taken to the point where a rasterizer would take over.
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::PixelColor;
 
-use super::{Fragment, Sample};
-use crate::geometry::Element;
-use crate::linear::Transform;
-use crate::{Face, Mesh, Vertex};
+use super::{Fragment, Shader};
+use crate::math::Transform;
+use crate::mesh::Element;
+use crate::{Corner, Face, Mesh};
 
 /// The identity.
 pub(super) const IDENTITY: Transform = scale([1 << 29; 3]);
@@ -21,14 +21,14 @@ pub(super) const fn scale([x, y, z]: [i32; 3]) -> Transform {
     }
 }
 
-/// The fragment and the varyings of a mesh's triangle.
-pub(super) fn face<F: Fragment<N>, const N: usize>(
-    fragment: F,
+/// The shader and the varyings of a mesh's triangle.
+pub(super) fn face<F: Shader<N>, const N: usize>(
+    shader: F,
     model: &Transform,
     mesh: &Mesh<'_>,
     index: usize,
 ) -> (F, [[i32; N]; 3]) {
-    let fragment = fragment.begin(model);
+    let shader = shader.begin(model);
     let face = Face {
         mesh,
         view: &Transform::IDENTITY,
@@ -38,17 +38,17 @@ pub(super) fn face<F: Fragment<N>, const N: usize>(
         },
     };
     let mut corners = [0, 1, 2].map(|corner| {
-        fragment.varyings(&Vertex {
+        shader.varyings(&Corner {
             face: &face,
             corner,
         })
     });
-    (fragment.face(&mut corners, &face), corners)
+    (shader.face(&mut corners, &face), corners)
 }
 
 /// The varyings of an edge's ends.
-pub(super) fn edge<F: Fragment<N>, const N: usize>(
-    fragment: F,
+pub(super) fn edge<F: Shader<N>, const N: usize>(
+    shader: F,
     mesh: &Mesh<'_>,
     index: usize,
 ) -> [[i32; N]; 2] {
@@ -62,7 +62,7 @@ pub(super) fn edge<F: Fragment<N>, const N: usize>(
         },
     };
     [0, 1].map(|corner| {
-        fragment.varyings(&Vertex {
+        shader.varyings(&Corner {
             face: &face,
             corner,
         })
@@ -70,22 +70,22 @@ pub(super) fn edge<F: Fragment<N>, const N: usize>(
 }
 
 /// A pixel of the frame, at mid-depth.
-pub(super) const fn sample(x: i32, y: i32) -> Sample {
-    Sample {
+pub(super) const fn sample(x: i32, y: i32) -> Fragment {
+    Fragment {
         point: Point::new(x, y),
         depth: 0x8000,
     }
 }
 
-/// The colour at (0, 0); also shows that the number of varyings follows from the fragment.
-pub(super) fn shade<F: Fragment<N, Color = C>, C: PixelColor, const N: usize>(
-    fragment: &F,
+/// The colour at (0, 0); also shows that the number of varyings follows from the shader.
+pub(super) fn shade<F: Shader<N, Color = C>, C: PixelColor, const N: usize>(
+    shader: &F,
     varyings: [i32; N],
 ) -> C {
-    fragment.shade(&sample(0, 0), varyings).unwrap()
+    shader.shade(&sample(0, 0), varyings).unwrap()
 }
 
-/// How many varyings follow from a fragment's type alone, as where it is drawn.
-pub(super) fn count<F: Fragment<N>, const N: usize>(_: &F) -> usize {
+/// How many varyings follow from a shader's type alone, as where it is drawn.
+pub(super) fn count<F: Shader<N>, const N: usize>(_: &F) -> usize {
     N
 }

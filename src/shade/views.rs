@@ -6,10 +6,10 @@ use embedded_graphics::pixelcolor::Rgb888;
 
 use super::levels::{Channels, LEVEL, Levels, all, first};
 use super::pose::Pose;
-use super::{Fragment, Sample};
-use crate::geometry::Vertex;
-use crate::interpolate::Tolerance;
-use crate::linear::Transform;
+use super::{Fragment, Shader};
+use crate::math::Transform;
+use crate::mesh::Corner;
+use crate::span::Tolerance;
 
 /// Depth as grey: white is near, black is far.
 ///
@@ -20,13 +20,13 @@ use crate::linear::Transform;
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
 /// use fixel::prelude::*;
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
-/// let chain = lens * Camera::top(Vec3::ZERO, fx!(1));
+/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Gray4::BLACK; 16];
 /// let mut canvas = Canvas::new(&mut pixels, 8, 2)?;
 /// // Turned out of the plane: the right side is nearer.
 /// let slope = Transform::rotate_z(Angle::from_degrees(45)) * Transform::scale(fx!(1.414));
-/// canvas.draw(&SQUARE, &(chain * slope), &DepthView::new());
+/// canvas.draw(&SQUARE, &(mvp * slope), &DepthView::new());
 /// let mut display = MockDisplay::new();
 /// canvas.show(&mut display)?;
 /// display.assert_pattern(&[
@@ -78,16 +78,16 @@ impl<C> Default for DepthView<C> {
     }
 }
 
-impl<C: Levels> Fragment<0> for DepthView<C> {
+impl<C: Levels> Shader<0> for DepthView<C> {
     type Color = C;
 
     #[inline]
-    fn varyings(&self, _: &Vertex<'_>) -> [i32; 0] {
+    fn varyings(&self, _: &Corner<'_>) -> [i32; 0] {
         []
     }
 
     #[inline]
-    fn shade(&self, sample: &Sample, _: [i32; 0]) -> Option<C> {
+    fn shade(&self, sample: &Fragment, _: [i32; 0]) -> Option<C> {
         let above = sample.depth.saturating_sub(self.far).min(self.range);
         // At most 2^31 before the last shift, then 65,536 less at most two: the gain is rounded down.
         let fraction = ((u32::from(above) << self.shift) * self.gain) >> 15;
@@ -106,11 +106,11 @@ impl<C: Levels> Fragment<0> for DepthView<C> {
 /// use embedded_graphics::pixelcolor::Rgb888;
 /// use fixel::prelude::*;
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let lens = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
-/// let chain = lens * Camera::top(Vec3::ZERO, fx!(1));
+/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Rgb888::new(0, 0, 0); 4];
 /// let mut canvas = Canvas::new(&mut pixels, 2, 2)?;
-/// canvas.draw(&SQUARE, &chain, &NormalView::new());
+/// canvas.draw(&SQUARE, &mvp, &NormalView::new());
 /// // The normal is (0, 1, 0).
 /// assert!(canvas.pixels().all(|pixel| pixel == Rgb888::new(128, 255, 128)));
 /// # Ok::<(), Error>(())
@@ -122,7 +122,7 @@ pub struct NormalView<C> {
 }
 
 impl<C> NormalView<C> {
-    /// A fragment for a canvas of colour `C`.
+    /// A shader for a canvas of colour `C`.
     #[must_use]
     pub const fn new() -> Self {
         Self {
@@ -138,7 +138,7 @@ impl<C> Default for NormalView<C> {
     }
 }
 
-impl<C: Channels<K>, const K: usize> Fragment<K> for NormalView<C> {
+impl<C: Channels<K>, const K: usize> Shader<K> for NormalView<C> {
     type Color = C;
 
     const TOLERANCES: [Tolerance; K] = [LEVEL; K];
@@ -152,7 +152,7 @@ impl<C: Channels<K>, const K: usize> Fragment<K> for NormalView<C> {
     }
 
     #[inline]
-    fn varyings(&self, vertex: &Vertex<'_>) -> [i32; K] {
+    fn varyings(&self, vertex: &Corner<'_>) -> [i32; K] {
         // (n + 1)/2 of 255: 127.5 steps for 2^30, rounded; the clamp is for a unit vector's last bits.
         let [r, g, b] = self
             .pose
@@ -168,7 +168,7 @@ impl<C: Channels<K>, const K: usize> Fragment<K> for NormalView<C> {
     }
 
     #[inline]
-    fn shade(&self, sample: &Sample, levels: [i32; K]) -> Option<C> {
+    fn shade(&self, sample: &Fragment, levels: [i32; K]) -> Option<C> {
         Some(C::from_levels(all(levels), sample.point))
     }
 }
@@ -183,7 +183,7 @@ mod tests {
 
     fn grey(view: DepthView<Gray8>, depth: u16) -> u8 {
         let point = Point::zero();
-        view.shade(&Sample { point, depth }, []).unwrap().luma()
+        view.shade(&Fragment { point, depth }, []).unwrap().luma()
     }
 
     #[test]
@@ -210,7 +210,7 @@ mod tests {
         for i in 0..64 {
             for (depth, color) in [(0, BinaryColor::Off), (65535, BinaryColor::On)] {
                 let point = Point::new(i % 8, i / 8);
-                let shown = DepthView::<BinaryColor>::new().shade(&Sample { point, depth }, []);
+                let shown = DepthView::<BinaryColor>::new().shade(&Fragment { point, depth }, []);
                 assert_eq!(shown, Some(color));
             }
         }
@@ -224,8 +224,8 @@ mod tests {
             .and_then(|mesh| mesh.with_normals(&normals, None))
             .unwrap();
         let shown = |model| {
-            let (fragment, corners) = face(NormalView::<Rgb888>::new(), model, &mesh, 0);
-            corners.map(|corner| shade(&fragment, corner))
+            let (shader, corners) = face(NormalView::<Rgb888>::new(), model, &mesh, 0);
+            corners.map(|corner| shade(&shader, corner))
         };
         assert_eq!(
             shown(&IDENTITY),

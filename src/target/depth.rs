@@ -5,7 +5,7 @@ use core::ops::Range;
 
 /// What a canvas knows about depth: [`NoDepth`], [`Depth`] or [`FloatDepth`](super::FloatDepth).
 ///
-/// A fragment is drawn if it is at least as near as what is stored, so of equals the later wins.
+/// A shader is drawn if it is at least as near as what is stored, so of equals the later wins.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -54,10 +54,10 @@ pub trait DepthBuffer {
     /// 2^16 and infinity 0, and `down` is 15 to 31.
     fn encode(q: u32, down: u32) -> u32;
 
-    /// Whether a fragment of this depth, as encoded, is to be drawn.
+    /// Whether a shader of this depth, as encoded, is to be drawn.
     fn passes(cell: &Self::Cell<'_>, depth: u32) -> bool;
 
-    /// Stores the depth of a fragment that was drawn.
+    /// Stores the depth of a shader that was drawn.
     fn store(cell: Self::Cell<'_>, depth: u16);
 
     /// Stores infinite distance everywhere.

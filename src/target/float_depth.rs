@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use super::depth::{Depth, DepthBuffer};
-use crate::linear::IS_NARROW;
+use crate::num::wide::IS_NARROW;
 
 /// The caller's depth buffer as fine far off as near by: numbers of 4 bits of exponent and 12 of
 /// mantissa. Made by [`Canvas::with_float_depth`](super::Canvas::with_float_depth).
@@ -28,7 +28,7 @@ use crate::linear::IS_NARROW;
 /// a frame in the default mode, in place of 1.43 and 1.24. On Cortex-M0+, which counts no leading zeros, 12 to 26: 3.53 and
 /// 6.15, in place of 2.83 and 5.51.
 ///
-/// Fragments see the same [`Sample::depth`](crate::Sample::depth) with either, in linear steps. Under a parallel projection depth
+/// Shaders see the same [`Fragment::depth`](crate::Fragment::depth) with either, in linear steps. Under a parallel projection depth
 /// is linear in the distance as it is, and this one finest at the far plane: take [`Depth`].
 ///
 /// ```

@@ -1,7 +1,7 @@
 //! Cameras: where the eye is, and which way it looks.
 
-use crate::linear::block::{self, Number};
-use crate::linear::unit;
+use crate::num::block::{self, Number};
+use crate::num::rsqrt as unit;
 use crate::{Angle, Error, Scalar, Transform, Vec3};
 
 /// An eye in the world: the rigid transform from world space to eye space.

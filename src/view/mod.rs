@@ -1,15 +1,17 @@
-//! From the world to the picture: camera, projection, viewport, and the chain they form.
+//! From the world to the picture: camera, projection, viewport, and the mvp they form.
 
 mod aspect;
 mod camera;
-mod chain;
+mod mvp;
 mod projection;
+mod segment;
 mod viewport;
 
 pub use aspect::Aspect;
 pub use camera::Camera;
-pub use chain::Chain;
+pub use mvp::Mvp;
 pub use projection::{Kind, Parallel, Perspective, Projection};
+pub use segment::{Segment, speed};
 pub use viewport::Viewport;
 
 pub(crate) use projection::Row;

@@ -2,8 +2,8 @@
 
 use core::marker::PhantomData;
 
-use crate::interpolate::Interpolate;
-use crate::linear::block::{self, Number};
+use crate::num::block::{self, Number};
+use crate::span::Interpolate;
 use crate::{Error, Matrix4, Scalar};
 
 mod parallel;
@@ -22,8 +22,8 @@ mod sealed {
 /// use fixel::view::Kind;
 ///
 /// /// Works for both.
-/// fn depth_of_view<K: Kind>(lens: &Projection<K>) -> Scalar {
-///     lens.far() - lens.near()
+/// fn depth_of_view<K: Kind>(projection: &Projection<K>) -> Scalar {
+///     projection.far() - projection.near()
 /// }
 /// ```
 pub trait Kind: sealed::Sealed + Copy + core::fmt::Debug {
@@ -41,7 +41,7 @@ pub trait Kind: sealed::Sealed + Copy + core::fmt::Debug {
 ///
 /// ```
 /// use fixel::{Angle, Projection, fx, view::Perspective};
-/// let lens: Projection<Perspective> =
+/// let projection: Projection<Perspective> =
 ///     Projection::perspective(Angle::from_degrees(60), (4, 3), fx!(0.1), fx!(100))?;
 /// # Ok::<(), fixel::Error>(())
 /// ```
@@ -113,7 +113,7 @@ impl Row {
 ///
 /// ```
 /// use fixel::prelude::*;
-/// let lens = Projection::perspective(Angle::from_degrees(60), (320, 240), fx!(0.1), fx!(100))?;
+/// let projection = Projection::perspective(Angle::from_degrees(60), (320, 240), fx!(0.1), fx!(100))?;
 /// let plan = Projection::orthographic(fx!(-4), fx!(4), fx!(-3), fx!(3), fx!(0), fx!(10))?;
 /// assert!(Projection::perspective(Angle::from_degrees(60), (4, 3), fx!(0), fx!(100)).is_err());
 /// # Ok::<(), Error>(())

@@ -112,7 +112,7 @@ fn lifted(w: [f64; 3]) -> f64 {
 /// to a unit, as the exact quotient is.
 ///
 /// Where it is next to nothing, no pixel divides:
-/// - A triangle that hardly changes in depth is affine: what its fragment allows, 16 units unless it says otherwise, what
+/// - A triangle that hardly changes in depth is affine: what its shader allows, 16 units unless it says otherwise, what
 ///   numerators are off by, which have 30 bits (a quarter of 36½ units), and a unit of rounding. That is less than the sum of the
 ///   following.
 /// - A run along which 1/w hardly changes is straight, in units of a quarter: the line that touches it in the middle, 16 whole

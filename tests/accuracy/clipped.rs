@@ -46,15 +46,15 @@ proptest! {
     ) {
         let mut drawing = Drawing {
             size: SIZE,
-            pass: Pass::new().cull(Cull::Nothing),
+            pass: DrawOptions::new().cull(Cull::Nothing),
             mode: Mode::Exact,
             mesh: Mesh::new(&positions, &[[0, 1, 2]]).unwrap(),
-            chain: Projection::from_focal_length(fx!(100), SIZE, fx!(0.25), fx!(50)).unwrap()
+            mvp: Projection::from_focal_length(fx!(100), SIZE, fx!(0.25), fx!(50)).unwrap()
                 * Transform::IDENTITY,
         };
         let view = View {
             eye: IDENTITY,
-            lens: focal(100., SIZE, 0.25, 50.),
+            projection: focal(100., SIZE, 0.25, 50.),
             viewport: Viewport::new(SIZE.0, SIZE.1),
         };
         let mesh = ModelMesh {
@@ -63,7 +63,7 @@ proptest! {
             attributes: &[[0, 1, 2].map(|corner: usize| values.map(|v| f64::from(v[corner])))],
         };
         let pieces = pieces(&mesh, &view);
-        let attributes = |vertex: &Vertex<'_>| {
+        let attributes = |vertex: &Corner<'_>| {
             let corner = positions.iter().position(|&p| p == vertex.position());
             values.map(|value| value[corner.unwrap()])
         };
@@ -126,7 +126,7 @@ proptest! {
                         positions, seen.values[k], seen.pixel, model.attributes[k],
                     );
                 }
-                let depth = view.lens.depth(model.w);
+                let depth = view.projection.depth(model.w);
                 let gradient = model.inverse_w_gradient;
                 let moved = SNAP * 65535. * 0.25 * gradient[0].hypot(gradient[1]) + bounds::DEPTH;
                 let stored = f64::from(seen.depth);

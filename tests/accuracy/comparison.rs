@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use fixel::number::{TexCoord, tex_coord};
+use fixel::num::{TexCoord, tex_coord};
 use fixel::prelude::*;
 use fixel::view::Perspective;
 
@@ -26,7 +26,7 @@ pub const ROUNDING: f64 = TEXELS / (2 << TexCoord::FRAC_NBITS) as f64;
 /// What a vertex is off by at most, and a little: it is rounded to 1/512 pixel along each axis.
 const SNAP: f64 = 1. / 256.;
 
-/// A shape in the crate's numbers, before the crate's and the model's lens of the measured scenes.
+/// A shape in the crate's numbers, before the crate's and the model's projection of the measured scenes.
 pub struct Scene {
     positions: Vec<Vec3>,
     faces: Vec<[u16; 3]>,
@@ -34,7 +34,7 @@ pub struct Scene {
     uv_faces: Vec<[u16; 3]>,
     /// The texture coordinates before they were rounded.
     unrounded: Vec<[[f64; 2]; 3]>,
-    chain: Chain<Perspective>,
+    mvp: Mvp<Perspective>,
     /// The same numbers for the model.
     shape: Shape,
     view: View,
@@ -80,7 +80,8 @@ impl Scene {
             .collect();
         let index = |i: usize| u16::try_from(i).unwrap();
         let (transform, eye) = product(moves);
-        let lens = Projection::from_focal_length(fx!(200), SIZE, fx!(0.25), fx!(100)).unwrap();
+        let projection =
+            Projection::from_focal_length(fx!(200), SIZE, fx!(0.25), fx!(100)).unwrap();
         Self {
             faces: shape.faces.iter().map(|face| face.map(index)).collect(),
             uv_faces: (0..shape.faces.len())
@@ -97,7 +98,7 @@ impl Scene {
             unrounded: shape.uvs.clone(),
             positions,
             uvs,
-            chain: lens * transform,
+            mvp: projection * transform,
             view: view(eye),
         }
     }
@@ -105,13 +106,13 @@ impl Scene {
     fn drawing(&self, mode: Mode) -> Drawing<'_, Perspective> {
         Drawing {
             size: SIZE,
-            pass: Pass::new(),
+            pass: DrawOptions::new(),
             mode,
             mesh: Mesh::new(&self.positions, &self.faces)
                 .unwrap()
                 .with_uvs(&self.uvs, Some(&self.uv_faces))
                 .unwrap(),
-            chain: self.chain,
+            mvp: self.mvp,
         }
     }
 
@@ -129,7 +130,7 @@ impl Scene {
     fn compare_in(&self, mode: Mode, other: Option<&Comparison>) -> Comparison {
         let Self { shape, view, .. } = self;
         let drawing = self.drawing(mode);
-        let values = |vertex: &Vertex<'_>| {
+        let values = |vertex: &Corner<'_>| {
             let [u, v] = vertex.uv().to_bits();
             [u << 4, v << 4, vertex.distance().to_bits()]
         };
@@ -234,7 +235,7 @@ impl Comparison {
             // A vertex' distance is rounded, half a unit, from mantissas of 30 bits and numbers below 64.
             let allowed = 0.51 + allowed(piece.w, 65536.);
             self.allowed.add(distance / allowed, i);
-            let depth = view.lens.depth(hit.distance);
+            let depth = view.projection.depth(hit.distance);
             let stored = f64::from(seen.depth);
             self.depth
                 .add((stored - depth).max(depth - stored - 1.).max(0.), i);
@@ -302,7 +303,7 @@ impl Comparison {
 
     fn order(&mut self, shown: &[Seen<3>], snapped: &[Piece<2>], view: &View) {
         let place = |[x, y]: [i32; 2]| y as usize * SIZE.0 as usize + x as usize;
-        let depth = |seen: &Seen<3>| view.lens.depth(at(snapped, seen).distance);
+        let depth = |seen: &Seen<3>| view.projection.depth(at(snapped, seen).distance);
         let mut nearest = vec![0_f64; SIZE.0 as usize * SIZE.1 as usize];
         for seen in &self.pixels {
             let nearest = &mut nearest[place(seen.pixel)];

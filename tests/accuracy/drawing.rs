@@ -1,15 +1,15 @@
-//! Drawing with a fragment that writes down what it gets.
+//! Drawing with a shader that writes down what it gets.
 
 use std::cell::RefCell;
 
 use embedded_graphics::pixelcolor::Gray8;
-use fixel::interpolate::Tolerance;
+use fixel::mode::Tolerance;
 use fixel::prelude::*;
 use fixel::view::Kind;
 
 use crate::mode::Mode;
 
-/// What a fragment was given at a pixel.
+/// What a shader was given at a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seen<const N: usize> {
     pub pixel: [i32; 2],
@@ -28,9 +28,9 @@ pub struct Spot {
 }
 
 /// What a test wants interpolated.
-type Values<'a, const N: usize> = &'a dyn Fn(&Vertex<'_>) -> [i32; N];
+type Values<'a, const N: usize> = &'a dyn Fn(&Corner<'_>) -> [i32; N];
 
-/// A fragment that writes down every pixel that it is asked for.
+/// A shader that writes down every pixel that it is asked for.
 #[derive(Clone, Copy)]
 struct Recorder<'a, const N: usize> {
     seen: &'a RefCell<Vec<Seen<N>>>,
@@ -40,12 +40,12 @@ struct Recorder<'a, const N: usize> {
     draws: bool,
 }
 
-impl<const N: usize> Fragment<N> for Recorder<'_, N> {
+impl<const N: usize> Shader<N> for Recorder<'_, N> {
     type Color = Gray8;
 
     const TOLERANCES: [Tolerance; N] = [Tolerance::Texels; N];
 
-    fn varyings(&self, vertex: &Vertex<'_>) -> [i32; N] {
+    fn varyings(&self, vertex: &Corner<'_>) -> [i32; N] {
         (self.values)(vertex)
     }
 
@@ -56,7 +56,7 @@ impl<const N: usize> Fragment<N> for Recorder<'_, N> {
         }
     }
 
-    fn shade(&self, sample: &Sample, values: [i32; N]) -> Option<Gray8> {
+    fn shade(&self, sample: &Fragment, values: [i32; N]) -> Option<Gray8> {
         self.seen.borrow_mut().push(Seen {
             pixel: [sample.point.x, sample.point.y],
             face: self.face,
@@ -71,10 +71,10 @@ impl<const N: usize> Fragment<N> for Recorder<'_, N> {
 pub struct Drawing<'a, K> {
     pub size: (u32, u32),
     /// All but the mode.
-    pub pass: Pass,
+    pub pass: DrawOptions,
     pub mode: Mode,
     pub mesh: Mesh<'a>,
-    pub chain: Chain<K>,
+    pub mvp: Mvp<K>,
 }
 
 impl<K: Kind> Drawing<'_, K> {
@@ -106,7 +106,7 @@ impl<K: Kind> Drawing<'_, K> {
         let Self {
             mode, pass, mesh, ..
         } = self;
-        mode.draw(&mut canvas, pass, mesh, &self.chain, &recorder);
+        mode.draw(&mut canvas, pass, mesh, &self.mvp, &recorder);
         seen.into_inner()
     }
 
@@ -121,7 +121,7 @@ impl<K: Kind> Drawing<'_, K> {
             mode, pass, mesh, ..
         } = self;
         // Varyings of its own make the modes do what they do.
-        mode.draw(&mut canvas, pass, mesh, &self.chain, &Gouraud::new());
+        mode.draw(&mut canvas, pass, mesh, &self.mvp, &Gouraud::new());
         depth
     }
 
@@ -141,7 +141,7 @@ impl<K: Kind> Drawing<'_, K> {
         points
             .iter()
             .map(|&point| {
-                let place = canvas.project(&self.pass, &self.chain, point)?;
+                let place = canvas.project(&self.pass, &self.mvp, point)?;
                 Some(Spot {
                     x: place.x.to_bits(),
                     y: place.y.to_bits(),

@@ -1,7 +1,7 @@
 //! Depth in floating point and in linear steps, over near and far planes ever farther apart.
 
 use embedded_graphics::pixelcolor::Gray8;
-use fixel::number::scalar;
+use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::target::{DepthBuffer, Native};
 use fixel::view::Perspective;
@@ -25,7 +25,7 @@ fn unproject([x, y]: [f64; 2], w: f64) -> Vec3 {
     Vec3::new(x, y, z)
 }
 
-fn lens(near: f64, far: f64) -> Projection<Perspective> {
+fn projection(near: f64, far: f64) -> Projection<Perspective> {
     let [focal, near, far] = [FOCAL, near, far].map(|at| scalar(at).unwrap());
     Projection::from_focal_length(focal, SIZE, near, far).unwrap()
 }
@@ -45,7 +45,7 @@ fn wall([left, right]: [f64; 2]) -> [Vec3; 4] {
 fn wrong<D: DepthBuffer>(
     mode: Mode,
     mut canvas: Canvas<'_, Gray8, Native, D>,
-    lens: Projection<Perspective>,
+    projection: Projection<Perspective>,
     distances: [f64; 2],
     gap: f64,
 ) -> usize {
@@ -54,7 +54,13 @@ fn wrong<D: DepthBuffer>(
         let positions = wall(distances.map(|w| w * scale));
         let mesh = Mesh::new(&positions, &[[0, 1, 2], [0, 2, 3]]).unwrap();
         let shade = Flat::new(Gray8::new(grey));
-        mode.draw(&mut canvas, &Pass::new(), &mesh, &lens.into(), &shade);
+        mode.draw(
+            &mut canvas,
+            &DrawOptions::new(),
+            &mesh,
+            &projection.into(),
+            &shade,
+        );
     }
     assert!(canvas.pixels().all(|pixel| pixel != Gray8::new(0)));
     let wrong = |pixel: &Gray8| *pixel == Gray8::new(2);
@@ -67,7 +73,7 @@ fn wrong<D: DepthBuffer>(
 fn what_is_behind_stays_behind() {
     const NEAR: f64 = 0.25;
     for ratio in [10., 100., 1e3, 1e4, 65_536.] {
-        let lens = lens(NEAR, NEAR * ratio);
+        let projection = projection(NEAR, NEAR * ratio);
         for gap in [0.01, 0.001] {
             let (mut walls, mut linear_fails) = (0, 0);
             for slant in [1., 4.] {
@@ -84,7 +90,7 @@ fn what_is_behind_stays_behind() {
                         let mut depths = [0; 64 * 48];
                         let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
                         let canvas = canvas.with_float_depth(&mut depths).unwrap();
-                        let pixels = wrong(mode, canvas, lens, distances, gap);
+                        let pixels = wrong(mode, canvas, projection, distances, gap);
                         assert!(
                             pixels == 0 || !is_certain,
                             "{mode:?}: {pixels} wrong at {distances:?}, gap {gap}"
@@ -94,7 +100,7 @@ fn what_is_behind_stays_behind() {
                     let mut depths = [0; 64 * 48];
                     let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
                     let canvas = canvas.with_depth(&mut depths).unwrap();
-                    let pixels = wrong(Mode::Newton, canvas, lens, distances, gap);
+                    let pixels = wrong(Mode::Newton, canvas, projection, distances, gap);
                     let steps = 65535. * NEAR / distances[1] * (1. - 1. / (1. + gap));
                     assert!(
                         pixels == 0 || steps < 1.5,
@@ -142,7 +148,7 @@ fn triangle(positions: [Vec3; 3]) -> Triangle<Perspective, 0> {
     let w = positions.map(|p| -p.z.to_num::<f64>());
     Triangle {
         size: SIZE,
-        chain: lens(NEAR, 32_000.).into(),
+        mvp: projection(NEAR, 32_000.).into(),
         positions,
         values: [],
         w,

@@ -10,13 +10,13 @@ mod reference;
 
 mod bounds;
 mod bumpy;
-mod chains;
 mod clipped;
 mod comparison;
 mod drawing;
 mod float_depth;
 mod mode;
 mod moves;
+mod mvps;
 mod pictures;
 mod promises;
 mod sine;

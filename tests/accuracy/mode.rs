@@ -1,7 +1,7 @@
 //! The modes of interpolation as values, to be gone through.
 
 use embedded_graphics::pixelcolor::Gray8;
-use fixel::interpolate::{Affine, Exact, Fast, Linear, Newton};
+use fixel::mode::{Affine, Exact, Fast, Linear, Newton};
 use fixel::prelude::*;
 use fixel::target::{DepthBuffer, Native};
 use fixel::view::Kind;
@@ -67,22 +67,22 @@ impl Mode {
     }
 
     /// Draws in this mode, whatever mode the pass has.
-    pub fn draw<K: Kind, F: Fragment<N, Color = Gray8>, D: DepthBuffer, const N: usize>(
+    pub fn draw<K: Kind, F: Shader<N, Color = Gray8>, D: DepthBuffer, const N: usize>(
         self,
         canvas: &mut Canvas<'_, Gray8, Native, D>,
-        pass: &Pass,
+        pass: &DrawOptions,
         mesh: &Mesh<'_>,
-        chain: &Chain<K>,
-        fragment: &F,
+        mvp: &Mvp<K>,
+        shader: &F,
     ) {
         match self {
-            Self::Exact => canvas.draw_with(&pass.mode(Exact), mesh, chain, fragment),
-            Self::Newton => canvas.draw_with(&pass.mode(Newton), mesh, chain, fragment),
+            Self::Exact => canvas.draw_with(&pass.mode(Exact), mesh, mvp, shader),
+            Self::Newton => canvas.draw_with(&pass.mode(Newton), mesh, mvp, shader),
             Self::Fast(texels) => {
-                canvas.draw_with(&pass.mode(Fast::within(texels)), mesh, chain, fragment)
+                canvas.draw_with(&pass.mode(Fast::within(texels)), mesh, mvp, shader)
             }
-            Self::Affine => canvas.draw_with(&pass.mode(Affine), mesh, chain, fragment),
-            Self::Linear => canvas.draw_with(&pass.mode(Linear), mesh, chain, fragment),
+            Self::Affine => canvas.draw_with(&pass.mode(Affine), mesh, mvp, shader),
+            Self::Linear => canvas.draw_with(&pass.mode(Linear), mesh, mvp, shader),
         };
     }
 }

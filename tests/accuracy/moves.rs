@@ -2,12 +2,12 @@
 
 use std::f64::consts::TAU;
 
-use fixel::number::scalar;
+use fixel::num::scalar;
 use fixel::{Angle, Scalar, Transform, Vec3};
 
 use crate::reference::linear::{self, IDENTITY, Matrix, multiply};
 
-/// A step of a chain of transforms.
+/// A step of a mvp of transforms.
 #[derive(Clone, Copy, Debug)]
 pub enum Move {
     To(Vec3),
@@ -83,7 +83,7 @@ pub fn product(moves: &[Move]) -> (Transform, Matrix) {
     )
 }
 
-/// How far from the origin a point may be on its way through a chain: what errors are relative to.
+/// How far from the origin a point may be on its way through a mvp: what errors are relative to.
 pub fn size(moves: &[Move], p: Vec3) -> f64 {
     let length = |v: Vec3| linear::length(exact(v));
     let largest = |v: Vec3| {
@@ -99,7 +99,7 @@ pub fn size(moves: &[Move], p: Vec3) -> f64 {
 }
 
 /// The error of clip coordinates, relative to [`size`] and the largest coefficient: for each move 2⁻³⁰ for
-/// its mantissas, a sine and the product's mantissas; the lens', its product's, its scale's and the common
+/// its mantissas, a sine and the product's mantissas; the projection', its product's, its scale's and the common
 /// exponent's, which has one bit less and so counts twice. A point has three coordinates, √3 times its length together.
 pub fn relative(moves: &[Move]) -> f64 {
     2_f64.powi(-30) * 3_f64.sqrt() * (3 * moves.len() + 5) as f64

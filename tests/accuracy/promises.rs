@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use fixel::number::scalar;
+use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::view::Perspective;
 use proptest::prelude::*;
@@ -120,7 +120,7 @@ impl Case {
             *position = Vec3::new(x, y, z);
         }
         let w = positions.map(|p| -p.z.to_num::<f64>());
-        let lens = Projection::from_focal_length(
+        let projection = Projection::from_focal_length(
             Scalar::from_num(FOCAL),
             SIZE,
             fx!(0.015_625),
@@ -128,7 +128,7 @@ impl Case {
         );
         Some(Triangle {
             size: SIZE,
-            chain: lens.unwrap().into(),
+            mvp: projection.unwrap().into(),
             positions,
             values: self
                 .uv

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use fixel::number::scalar;
+use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::view::Perspective;
 use micromath::F32Ext;
@@ -27,7 +27,7 @@ fn approximate(angle: f64) -> [f64; 2] {
     [F32Ext::sin(x), F32Ext::cos(x)].map(f64::from)
 }
 
-/// Axes that a model turns about, in the order in which a chain has them.
+/// Axes that a model turns about, in the order in which a mvp has them.
 const AXES: [fn(Angle) -> Transform; 2] = [Transform::rotate_x, Transform::rotate_y];
 
 /// The transform that turns about an axis by a sine and a cosine that need not lie on the unit circle: one that
@@ -83,16 +83,17 @@ impl Model {
     }
 
     fn drawing(&self, turn: Transform) -> Drawing<'_, Perspective> {
-        let lens = Projection::from_focal_length(fx!(200), SIZE, fx!(0.25), fx!(100)).unwrap();
+        let projection =
+            Projection::from_focal_length(fx!(200), SIZE, fx!(0.25), fx!(100)).unwrap();
         let place = Transform::translate(quantised(self.place));
         Drawing {
             size: SIZE,
-            pass: Pass::new(),
+            pass: DrawOptions::new(),
             mode: Mode::Newton,
             mesh: Mesh::new(&self.positions, &self.faces)
                 .and_then(|mesh| mesh.with_uvs(&self.uvs, Some(&self.uv_faces)))
                 .unwrap(),
-            chain: lens * (place * turn),
+            mvp: projection * (place * turn),
         }
     }
 
@@ -107,7 +108,7 @@ impl Model {
 
     /// The texel that shows at each pixel.
     fn picture(&self, turn: Transform) -> HashMap<[i32; 2], [i32; 2]> {
-        let uv = |vertex: &Vertex<'_>| vertex.uv().to_bits();
+        let uv = |vertex: &Corner<'_>| vertex.uv().to_bits();
         let seen = self.drawing(turn).shown(&uv).into_iter();
         let texel = |bits: i32| (f64::from(bits) / 2_f64.powi(20) * TEXELS).floor() as i32;
         seen.map(|seen| (seen.pixel, seen.values.map(texel)))

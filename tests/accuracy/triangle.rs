@@ -12,13 +12,13 @@ use crate::reference::coverage::{Snapped, covered};
 #[derive(Clone, Copy)]
 pub struct Triangle<K, const N: usize> {
     pub size: (u32, u32),
-    pub chain: Chain<K>,
+    pub mvp: Mvp<K>,
     pub positions: [Vec3; 3],
     /// Each value at the three corners.
     pub values: [[i32; 3]; N],
     /// What values are divided by.
     pub w: [f64; 3],
-    /// The corners' depths as the lens has them, which are linear on the screen.
+    /// The corners' depths as the projection has them, which are linear on the screen.
     pub depth: [f64; 3],
 }
 
@@ -36,10 +36,10 @@ impl<K: Kind, const N: usize> Triangle<K, N> {
     fn drawing(&self, mode: Mode) -> Drawing<'_, K> {
         Drawing {
             size: self.size,
-            pass: Pass::new().cull(Cull::Nothing),
+            pass: DrawOptions::new().cull(Cull::Nothing),
             mode,
             mesh: Mesh::new(&self.positions, &[[0, 1, 2]]).unwrap(),
-            chain: self.chain,
+            mvp: self.mvp,
         }
     }
 

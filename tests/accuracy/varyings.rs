@@ -1,6 +1,6 @@
 //! Values over random triangles: given the places of the corners, interpolation by itself.
 
-use fixel::number::scalar;
+use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::view::{Kind, Perspective};
 use proptest::prelude::*;
@@ -153,17 +153,17 @@ proptest! {
         };
         let positions = [a, b, c];
         let w = positions.map(|p| -p.z.to_num::<f64>());
-        let lens = Projection::<Perspective>::from_focal_length(
+        let projection = Projection::<Perspective>::from_focal_length(
             Scalar::from_num(FOCAL), SIZE, NEAR, fx!(32767),
         ).unwrap();
         let near: f64 = NEAR.to_num();
         let depth = w.map(|w| 65535. * near / w);
-        let chain = lens.into();
-        let triangle = Triangle { size: SIZE, chain, positions, values, w, depth };
+        let mvp = projection.into();
+        let triangle = Triangle { size: SIZE, mvp, positions, values, w, depth };
         compare(&triangle, &Mode::PERSPECTIVE, bounds::depth(w), |mode, corners, at| {
             bounds::perspective(mode, corners, w, at.w, at.farthest)
         })?;
-        // What does not divide is linear on the screen under any lens.
+        // What does not divide is linear on the screen under any projection.
         let triangle = Triangle { w: [1.; 3], ..triangle };
         compare(&triangle, &[Mode::Affine, Mode::Linear], bounds::depth(w), |mode, corners, _| {
             bounds::parallel(mode, corners)
@@ -181,12 +181,12 @@ proptest! {
             let z: f64 = z[i];
             point([x, 48. - y, -z]).unwrap()
         };
-        let lens = Projection::orthographic(
+        let projection = Projection::orthographic(
             fx!(0), fx!(160), fx!(0), fx!(48), fx!(0), fx!(100),
         ).unwrap();
         let positions = [corner(0), corner(1), corner(2)];
         let depth = positions.map(|p| 65535. * (1. + p.z.to_num::<f64>() / 100.));
-        let triangle = Triangle { size: SIZE, chain: lens.into(), positions, values, w: [1.; 3], depth };
+        let triangle = Triangle { size: SIZE, mvp: projection.into(), positions, values, w: [1.; 3], depth };
         compare(&triangle, &Mode::PARALLEL, bounds::DEPTH, |mode, corners, _| {
             bounds::parallel(mode, corners)
         })?;

@@ -1,4 +1,4 @@
-//! What the raster tests share: a fragment that counts, and a lens whose pixels are model units.
+//! What the raster tests share: a shader that counts, and a projection whose pixels are model units.
 
 // Each test binary includes this and uses a part of it.
 #![allow(dead_code)]
@@ -19,14 +19,14 @@ pub struct Count<'a> {
     width: u32,
 }
 
-impl Fragment<0> for Count<'_> {
+impl Shader<0> for Count<'_> {
     type Color = Gray8;
 
-    fn varyings(&self, _: &Vertex) -> [i32; 0] {
+    fn varyings(&self, _: &Corner) -> [i32; 0] {
         []
     }
 
-    fn shade(&self, sample: &Sample, []: [i32; 0]) -> Option<Gray8> {
+    fn shade(&self, sample: &Fragment, []: [i32; 0]) -> Option<Gray8> {
         let [x, y] = [sample.point.x, sample.point.y].map(|at| usize::try_from(at).unwrap());
         assert!(x < self.width as usize, "column {x} of {}", self.width);
         let count = &self.counts[y * self.width as usize + x];
@@ -66,28 +66,33 @@ impl Counter {
     }
 
     /// Draws a mesh's triangles.
-    pub fn draw<K: Kind>(&mut self, pass: &Pass, mesh: &Mesh, chain: &Chain<K>) -> Drawn {
-        self.with(|canvas, count| canvas.draw_with(pass, mesh, chain, count))
+    pub fn draw<K: Kind>(&mut self, pass: &DrawOptions, mesh: &Mesh, mvp: &Mvp<K>) -> Drawn {
+        self.with(|canvas, count| canvas.draw_with(pass, mesh, mvp, count))
     }
 
     /// Draws a mesh's edges.
-    pub fn draw_edges<K: Kind>(&mut self, pass: &Pass, mesh: &Mesh, chain: &Chain<K>) -> Drawn {
-        self.with(|canvas, count| canvas.draw_edges(pass, mesh, chain, count))
+    pub fn draw_edges<K: Kind>(&mut self, pass: &DrawOptions, mesh: &Mesh, mvp: &Mvp<K>) -> Drawn {
+        self.with(|canvas, count| canvas.draw_edges(pass, mesh, mvp, count))
     }
 
     /// Draws a mesh's positions.
-    pub fn draw_points<K: Kind>(&mut self, pass: &Pass, mesh: &Mesh, chain: &Chain<K>) -> Drawn {
-        self.with(|canvas, count| canvas.draw_points(pass, mesh, chain, count))
+    pub fn draw_points<K: Kind>(&mut self, pass: &DrawOptions, mesh: &Mesh, mvp: &Mvp<K>) -> Drawn {
+        self.with(|canvas, count| canvas.draw_points(pass, mesh, mvp, count))
     }
 
     /// Where the crate puts a point, before culling and the guard band.
-    pub fn place<K: Kind>(&mut self, pass: &Pass, chain: &Chain<K>, point: Vec3) -> Option<Place> {
-        self.with(|canvas, _| canvas.project(pass, chain, point))
+    pub fn place<K: Kind>(
+        &mut self,
+        pass: &DrawOptions,
+        mvp: &Mvp<K>,
+        point: Vec3,
+    ) -> Option<Place> {
+        self.with(|canvas, _| canvas.project(pass, mvp, point))
     }
 
     /// Where the crate puts a point, in 24.8.
-    pub fn snapped<K: Kind>(&mut self, chain: &Chain<K>, point: Vec3) -> Option<[i32; 2]> {
-        let place = self.place(&Pass::new(), chain, point)?;
+    pub fn snapped<K: Kind>(&mut self, mvp: &Mvp<K>, point: Vec3) -> Option<[i32; 2]> {
+        let place = self.place(&DrawOptions::new(), mvp, point)?;
         Some([place.x.to_bits(), place.y.to_bits()])
     }
 
@@ -114,17 +119,17 @@ pub fn character(count: u32) -> char {
     }
 }
 
-/// A lens through which model space is the picture itself: a unit is a pixel, x to the right from
+/// A projection through which model space is the picture itself: a unit is a pixel, x to the right from
 /// the left edge, y *up* from the top edge, so that a point of the picture has a negative y;
 /// z from -1 to 1.
 ///
-/// Pixel coordinates are exact to the last of their eight bits: the lens takes x to
+/// Pixel coordinates are exact to the last of their eight bits: the projection takes x to
 /// (2/width)·x − 1 with a factor rounded to 30 bits, the viewport back to pixels, off by less than
 /// 2⁻²⁹ · 4096 pixels and so by far less than half of 1/256.
-pub fn pixel_lens((width, height): (u32, u32)) -> Chain<Parallel> {
+pub fn pixel_lens((width, height): (u32, u32)) -> Mvp<Parallel> {
     let [width, height] = [width, height].map(Scalar::from_num);
-    let lens = Projection::orthographic(fx!(0), width, -height, fx!(0), fx!(-1), fx!(1));
-    lens.unwrap().into()
+    let projection = Projection::orthographic(fx!(0), width, -height, fx!(0), fx!(-1), fx!(1));
+    projection.unwrap().into()
 }
 
 /// A point of the picture in 24.8 as a position before [`pixel_lens`].
@@ -133,4 +138,4 @@ pub fn at_subpixel([x, y]: [i32; 2]) -> Vec3 {
 }
 
 /// A pass that draws both sides.
-pub const BOTH_SIDES: Pass = Pass::new().cull(Cull::Nothing);
+pub const BOTH_SIDES: DrawOptions = DrawOptions::new().cull(Cull::Nothing);

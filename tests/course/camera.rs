@@ -1,4 +1,4 @@
-//! Rows 13 and 15 to 19: cameras, and the chain.
+//! Rows 13 and 15 to 19: cameras, and the mvp.
 
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
@@ -155,12 +155,12 @@ fn canvas(pixels: &mut [Gray8]) -> Canvas<'_, Gray8> {
 fn row_18_the_chain_from_right_to_left() {
     let mut pixels = vec![Gray8::new(0); 320 * 240];
     let canvas = canvas(&mut pixels);
-    let lens =
+    let projection =
         Projection::perspective(Angle::from_degrees(90), (4, 3), fx!(0.5), fx!(100)).unwrap();
     let camera = Camera::look_at(vec3!(0, 0, 5), Vec3::ZERO, Vec3::Y).unwrap();
-    let pass = Pass::new().viewport(Viewport::new(32, 16, 160, 120).unwrap());
-    let place = |chain: &_, p| {
-        let place = canvas.project(&pass, chain, p).unwrap();
+    let pass = DrawOptions::new().viewport(Viewport::new(32, 16, 160, 120).unwrap());
+    let place = |mvp: &_, p| {
+        let place = canvas.project(&pass, mvp, p).unwrap();
         [place.x.to_num::<f64>(), place.y.to_num()]
     };
     let (turn, shift) = (
@@ -170,16 +170,16 @@ fn row_18_the_chain_from_right_to_left() {
     // The model point (1, 0, 0) is turned to (0, 1, 0), moved to (2, 1, 0), is at (2, 1, −5) before
     // the eye, at (2/5 / (4/3), 1/5) = (0.3, 0.2) of the picture, whose middle is (112, 76) and
     // whose halves are 80 by 60.
-    let chain = lens * camera * (shift * turn);
+    let mvp = projection * camera * (shift * turn);
     all_close(
-        place(&chain, Vec3::X),
+        place(&mvp, Vec3::X),
         [112.0 + 24.0, 76.0 - 12.0],
         1.0 / 256.0,
     );
-    let apart = lens * camera * shift * turn;
-    all_close(place(&apart, Vec3::X), place(&chain, Vec3::X), 0.0);
+    let apart = projection * camera * shift * turn;
+    all_close(place(&apart, Vec3::X), place(&mvp, Vec3::X), 0.0);
     // Swapped, it is moved to (3, 0, 0) and turned to (0, 3, 0).
-    let swapped = lens * camera * (turn * shift);
+    let swapped = projection * camera * (turn * shift);
     all_close(place(&swapped, Vec3::X), [112.0, 76.0 - 36.0], 1.0 / 256.0);
 }
 
@@ -192,15 +192,15 @@ proptest! {
         let mut pixels = vec![Gray8::new(0); 320 * 240];
         let canvas = canvas(&mut pixels);
         let size = (320, 240);
-        let lens = Projection::from_focal_length(fx!(100), size, fx!(0.5), fx!(100)).unwrap();
+        let projection = Projection::from_focal_length(fx!(100), size, fx!(0.5), fx!(100)).unwrap();
         // Multiples of four steps, so that every quarter of the way is a point of the format.
         let [p, v] = [p, v].map(|v: [f64; 3]| v.map(|v| (v * 16_384.0).round() / 16_384.0));
         for t in 0..=8 {
             let t = f64::from(t) / 4.0;
             let point = [0, 1, 2].map(|i| p[i] + t * v[i]);
             let [x, y] = [100.0 * point[0] / -point[2], 100.0 * point[1] / -point[2]];
-            let chain = lens * Transform::IDENTITY;
-            let place = canvas.project(&Pass::new(), &chain, Vec3::try_from(point).unwrap());
+            let mvp = projection * Transform::IDENTITY;
+            let place = canvas.project(&DrawOptions::new(), &mvp, Vec3::try_from(point).unwrap());
             let place = place.expect("the point is ahead");
             // Half a subpixel.
             let expected = [MIDDLE[0] + x, MIDDLE[1] - y];
@@ -214,9 +214,9 @@ proptest! {
         v in [0.5..2.0, -2.0..2.0],
     ) {
         let fov = Angle::from_degrees(90);
-        let lens = Projection::perspective(fov, (1, 1), fx!(1), fx!(100)).unwrap();
+        let projection = Projection::perspective(fov, (1, 1), fx!(1), fx!(100)).unwrap();
         let point = |t: f64| vec(p[0] + t * v[0], p[1] + t * v[1], p[2]);
-        let at = |t| lens.image(point(t)).unwrap().map(float);
+        let at = |t| projection.image(point(t)).unwrap().map(float);
         let (a, b) = (at(0.0), at(4.0));
         // Over a run of 4·0.5/9 at least, both ends are rounded to half a step in space and again
         // on screen.

@@ -1,6 +1,6 @@
 //! What the rows' tests have in common: floats of the crate's formats, and their resolution.
 
-use fixel::number::scalar;
+use fixel::num::scalar;
 use fixel::{Matrix4, Scalar, Unit, Vec3};
 
 /// A step of the coordinates' format: a value rounded once is off by half of it.

@@ -12,14 +12,14 @@ const SIZE: u32 = 28;
 #[derive(Clone, Copy)]
 struct Ink;
 
-impl Fragment<0> for Ink {
+impl Shader<0> for Ink {
     type Color = BinaryColor;
 
-    fn varyings(&self, _: &Vertex<'_>) -> [i32; 0] {
+    fn varyings(&self, _: &Corner<'_>) -> [i32; 0] {
         []
     }
 
-    fn shade(&self, _: &Sample, []: [i32; 0]) -> Option<BinaryColor> {
+    fn shade(&self, _: &Fragment, []: [i32; 0]) -> Option<BinaryColor> {
         Some(BinaryColor::On)
     }
 }
@@ -51,7 +51,7 @@ static EDGES: [[u16; 2]; 12] = [
 ];
 
 /// The practice cube's window, ±1 at a distance of 2.
-fn lens() -> Projection<Perspective> {
+fn projection() -> Projection<Perspective> {
     Projection::frustum(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(2), fx!(10)).unwrap()
 }
 
@@ -62,7 +62,7 @@ fn picture(model: Transform) -> Vec<String> {
         .unwrap();
     let mut pixels = [BinaryColor::Off; (SIZE * SIZE) as usize];
     let mut canvas = Canvas::new(&mut pixels, SIZE, SIZE).unwrap();
-    canvas.draw_edges(&Pass::new(), &mesh, &(lens() * model), &Ink);
+    canvas.draw_edges(&DrawOptions::new(), &mesh, &(projection() * model), &Ink);
     let ink = |color: &BinaryColor| if color.is_on() { '#' } else { '.' };
     pixels
         .chunks(SIZE as usize)
@@ -124,7 +124,11 @@ fn check(model: Transform, picture: &[String]) {
 fn vanishing_points(model: Transform) -> usize {
     [Vec3::X, Vec3::Y, Vec3::Z]
         .into_iter()
-        .filter(|&axis| lens().vanishing_point(model.direction(axis)).is_some())
+        .filter(|&axis| {
+            projection()
+                .vanishing_point(model.direction(axis))
+                .is_some()
+        })
         .count()
 }
 

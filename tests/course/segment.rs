@@ -1,7 +1,7 @@
 //! Rows 1, 2, 3 and 21: along a projected segment.
 
-use fixel::interpolate::{Segment, speed};
 use fixel::prelude::*;
+use fixel::view::{Segment, speed};
 use proptest::prelude::*;
 
 use super::given::{STEP, UNIT_STEP, close, float, fx, unit, vec};
@@ -81,8 +81,9 @@ proptest! {
 
 #[test]
 fn row_21_equal_steps_in_depth_shrink_on_screen() {
-    let lens = Projection::perspective(Angle::from_degrees(90), (1, 1), fx!(1), fx!(1000)).unwrap();
-    let at = |t: f64| float(lens.image(vec(0.0, -1.0, -1.0 - t)).unwrap()[1]);
+    let projection =
+        Projection::perspective(Angle::from_degrees(90), (1, 1), fx!(1), fx!(1000)).unwrap();
+    let at = |t: f64| float(projection.image(vec(0.0, -1.0, -1.0 - t)).unwrap()[1]);
     let speed = |t: f64| float(speed(fx!(1), vec3!(0, -1, -1), vec3!(0, 0, -1), fx(t)).unwrap()[1]);
     let mut last = f64::INFINITY;
     // Up to where a step's change, 2/t³, is twice the rounding of three points.

@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::PixelColor;
 use embedded_graphics::pixelcolor::raw::RawU32;
-use fixel::interpolate::Exact;
+use fixel::mode::Exact;
 use fixel::prelude::*;
 use proptest::prelude::*;
 
@@ -18,16 +18,16 @@ impl PixelColor for Value {
 #[derive(Clone, Copy)]
 struct Values([i32; 3]);
 
-impl Fragment<1> for Values {
+impl Shader<1> for Values {
     type Color = Value;
 
-    fn varyings(&self, vertex: &Vertex<'_>) -> [i32; 1] {
+    fn varyings(&self, vertex: &Corner<'_>) -> [i32; 1] {
         let positions = vertex.face().positions();
         let corner = positions.iter().position(|p| *p == vertex.position());
         [self.0[corner.unwrap()]]
     }
 
-    fn shade(&self, _: &Sample, [value]: [i32; 1]) -> Option<Value> {
+    fn shade(&self, _: &Fragment, [value]: [i32; 1]) -> Option<Value> {
         Some(Value(Some(value)))
     }
 }
@@ -57,11 +57,11 @@ proptest! {
         let positions = [position(0), position(1), position(2)];
         let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
         let size = (SIZE, SIZE);
-        let lens = Projection::from_focal_length(fx!(64), size, fx!(0.5), fx!(100)).unwrap();
+        let projection = Projection::from_focal_length(fx!(64), size, fx!(0.5), fx!(100)).unwrap();
         let mut pixels = vec![Value(None); (SIZE * SIZE) as usize];
         let mut canvas = Canvas::new(&mut pixels, SIZE, SIZE).unwrap();
-        let both_sides = Pass::new().cull(Cull::Nothing).mode(Exact);
-        canvas.draw_with(&both_sides, &mesh, &(lens * Transform::IDENTITY), &Values(values));
+        let both_sides = DrawOptions::new().cull(Cull::Nothing).mode(Exact);
+        canvas.draw_with(&both_sides, &mesh, &(projection * Transform::IDENTITY), &Values(values));
 
         let corners = screen.map(|[x, y]| [f64::from(x) + 32.0, f64::from(y) + 32.0]);
         let whole = area(corners[0], corners[1], corners[2]);

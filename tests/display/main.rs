@@ -48,10 +48,10 @@ fn wide<'b>(wires: &Wires, buffer: &'b mut [u8]) -> Driver<'b, ILI9341Rgb565> {
 
 /// The lighthouse, with depth, texture, light, and text over it.
 fn draw<O: Storage<Rgb565>, D: DepthBuffer>(canvas: &mut Canvas<'_, Rgb565, O, D>) {
-    let lens = lighthouse::lens(canvas.frame_size()).unwrap();
-    let chain = lens * lighthouse::camera().unwrap() * Transform::IDENTITY;
+    let projection = lighthouse::projection(canvas.frame_size()).unwrap();
+    let mvp = projection * lighthouse::camera().unwrap() * Transform::IDENTITY;
     lighthouse::sky(canvas);
-    lighthouse::draw(canvas, &Pass::new(), &chain).unwrap();
+    lighthouse::draw(canvas, &DrawOptions::new(), &mvp).unwrap();
     lighthouse::caption(canvas);
 }
 

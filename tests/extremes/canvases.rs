@@ -11,7 +11,7 @@ use crate::verdict::Verdict;
 /// Triangles all over a viewport, and beyond.
 fn on(size: (u32, u32), viewport: Option<Viewport>, count: usize) -> Verdict {
     let (width, height) = viewport.map_or(size, |viewport| (viewport.width(), viewport.height()));
-    let lens = Lens {
+    let projection = Lens {
         size,
         viewport,
         // A focal length as long as the smaller side, but for the smallest of them.
@@ -23,9 +23,10 @@ fn on(size: (u32, u32), viewport: Option<Viewport>, count: usize) -> Verdict {
     worst((0..count).map(|_| {
         let mut corner = || {
             let at = [random.between(-wide, wide), random.between(-high, high)];
-            lens.at(at, random.between(1., 4.))
+            projection.at(at, random.between(1., 4.))
         };
-        lens.scene([corner(), corner(), corner()], crate::scene::ONCE)
+        projection
+            .scene([corner(), corner(), corner()], crate::scene::ONCE)
             .judge()
     }))
 }
@@ -73,7 +74,7 @@ pub static CASES: Cases = Cases::new(|| {
 
 /// Triangles of some pixels in the corners of the largest canvas, and one through all of it.
 fn corners_of_the_largest() -> Verdict {
-    let lens = Lens {
+    let projection = Lens {
         size: (2048, 2048),
         focal: 1024.,
         ..Lens::ROOM
@@ -82,14 +83,14 @@ fn corners_of_the_largest() -> Verdict {
     let corners = ends.into_iter().flat_map(|x| ends.map(|y| [x, y]));
     let judged = corners.map(|[x, y]| {
         let at = |along: f64, across: f64, w: f64| {
-            lens.at([x - x.signum() * along, y - y.signum() * across], w)
+            projection.at([x - x.signum() * along, y - y.signum() * across], w)
         };
-        lens.judge([at(0., 0., 1.), at(9.3, 2., 2.), at(3., 12.4, 1.5)])
+        projection.judge([at(0., 0., 1.), at(9.3, 2., 2.), at(3., 12.4, 1.5)])
     });
-    let thin = lens.judge([
-        lens.at([-1024., 1024.], 1.),
-        lens.at([1024., -1020.], 4.),
-        lens.at([1024., -1024.], 3.),
+    let thin = projection.judge([
+        projection.at([-1024., 1024.], 1.),
+        projection.at([1024., -1020.], 4.),
+        projection.at([1024., -1024.], 3.),
     ]);
     worst(judged.chain([thin]))
 }

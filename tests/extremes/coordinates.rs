@@ -10,12 +10,12 @@ use crate::table::{Cases, picture};
 use crate::verdict::Verdict;
 
 /// Triangles as wide as the picture, and some that are not, at distances about four.
-fn triangles(lens: &Lens, count: usize) -> Vec<Corners> {
+fn triangles(projection: &Lens, count: usize) -> Vec<Corners> {
     let mut random = Random(2);
     let corner = |random: &mut Random| {
         let at = [random.between(-120., 120.), random.between(-90., 90.)];
         let w = random.between(2., 8.);
-        lens.at(at, w)
+        projection.at(at, w)
     };
     (0..count)
         .map(|_| [0; 3].map(|_| corner(&mut random)))
@@ -24,19 +24,19 @@ fn triangles(lens: &Lens, count: usize) -> Vec<Corners> {
 
 /// Models far from their own origin, put before the eye.
 fn placed(at: f64) -> Verdict {
-    let lens = Lens {
+    let projection = Lens {
         moves: vec![to([-at, at, -at])],
         ..Lens::ROOM
     };
     let model = |[x, y, z]: [f64; 3]| [x + at, y - at, z + at];
-    let triangles = triangles(&lens, 40).into_iter();
-    worst(triangles.map(|corners| lens.judge(corners.map(model))))
+    let triangles = triangles(&projection, 40).into_iter();
+    worst(triangles.map(|corners| projection.judge(corners.map(model))))
 }
 
 /// The same, and turned about in the world: a camera that is far from the world's origin.
 fn turned(at: f64) -> Verdict {
     let turn = 0.7_f64;
-    let lens = Lens {
+    let projection = Lens {
         moves: vec![y(turn), to([-at, at / 2., at / 4.])],
         ..Lens::ROOM
     };
@@ -48,13 +48,13 @@ fn turned(at: f64) -> Verdict {
             sin * x + cos * z - at / 4.,
         ]
     };
-    let triangles = triangles(&lens, 40).into_iter();
-    worst(triangles.map(|corners| lens.judge(corners.map(model))))
+    let triangles = triangles(&projection, 40).into_iter();
+    worst(triangles.map(|corners| projection.judge(corners.map(model))))
 }
 
 /// What is far away for what it is: a focal length of 2000 pixels.
 fn far_away(w: f64) -> Verdict {
-    let lens = Lens {
+    let projection = Lens {
         focal: 2000.,
         far: 32_767.,
         ..Lens::ROOM
@@ -63,22 +63,22 @@ fn far_away(w: f64) -> Verdict {
     worst((0..40).map(|_| {
         let mut corner = || {
             let at = [random.between(-120., 120.), random.between(-90., 90.)];
-            lens.at(at, w * random.between(0.5, 1.))
+            projection.at(at, w * random.between(0.5, 1.))
         };
-        lens.judge([corner(), corner(), corner()])
+        projection.judge([corner(), corner(), corner()])
     }))
 }
 
 /// Triangles whose sides are so many times as long as the picture is wide, through its middle.
 fn large(times: f64) -> Verdict {
-    let lens = Lens::ROOM;
+    let projection = Lens::ROOM;
     let mut random = Random(4);
     worst((0..60).map(|_| {
         let turn = random.between(0., std::f64::consts::TAU);
         let corner = |third: f64, random: &mut Random| {
             let (sin, cos) = (turn + third * std::f64::consts::TAU / 3.).sin_cos();
             let reach = 160. * times * random.between(0.3, 0.6);
-            lens.at([reach * cos, reach * sin], random.between(0.5, 0.6))
+            projection.at([reach * cos, reach * sin], random.between(0.5, 0.6))
         };
         let mut corners = [0., 1., 2.].map(|third| corner(third, &mut random));
         // A side through the middle, or the middle well inside.
@@ -87,24 +87,24 @@ fn large(times: f64) -> Verdict {
             corners[2] = [0, 1, 2].map(|i: usize| -(a[i] + b[i]) / 2. * 0.9);
             corners[2][2] = -0.7;
         }
-        lens.judge(corners)
+        projection.judge(corners)
     }))
 }
 
 /// All corners in one place or in two, far outside the guard band or inside.
 fn beyond_the_guard_band() -> Verdict {
-    let lens = Lens::ROOM;
+    let projection = Lens::ROOM;
     let sides = [
         -3000., -2049., -2048., -2047., 0., 2047., 2048., 2049., 3000.,
     ];
     worst(sides.into_iter().flat_map(|x| {
         sides.map(|y| {
             let corners = [
-                lens.at([x, y], 4.),
-                lens.at([30., 20.], 3.),
-                lens.at([-40., 35.], 5.),
+                projection.at([x, y], 4.),
+                projection.at([30., 20.], 3.),
+                projection.at([-40., 35.], 5.),
             ];
-            lens.judge(corners)
+            projection.judge(corners)
         })
     }))
 }

@@ -28,7 +28,7 @@ const RATIOS: [(&str, f64, f64); 6] = [
 /// How much farther the second surface is.
 const APART: f64 = 1.01;
 
-fn lens(near: f64, far: f64) -> Lens {
+fn projection(near: f64, far: f64) -> Lens {
     Lens {
         near,
         far,
@@ -37,62 +37,69 @@ fn lens(near: f64, far: f64) -> Lens {
 }
 
 /// Triangles that reach from near to far.
-fn reaching(lens: &Lens) -> Verdict {
+fn reaching(projection: &Lens) -> Verdict {
     let mut random = Random(5);
     worst((0..12).map(|_| {
-        let end = (lens.far / lens.near).ln() - 1e-3;
+        let end = (projection.far / projection.near).ln() - 1e-3;
         let corner = |part: f64, random: &mut Random| {
-            let w = lens.near * (1e-3 + part * end).exp();
-            lens.at([random.between(-60., 60.), random.between(-50., 50.)], w)
+            let w = projection.near * (1e-3 + part * end).exp();
+            projection.at([random.between(-60., 60.), random.between(-50., 50.)], w)
         };
         let parts = [0., random.next(), 1.];
-        lens.judge(parts.map(|part| corner(part, &mut random)))
+        projection.judge(parts.map(|part| corner(part, &mut random)))
     }))
 }
 
 /// 1/w of a plane at a pixel.
-fn inverse_w(corners: [Vec3; 3], lens: &Lens, [x, y]: [i32; 2]) -> f64 {
+fn inverse_w(corners: [Vec3; 3], projection: &Lens, [x, y]: [i32; 2]) -> f64 {
     let [a, b, c]: [Vector; 3] = corners.map(exact);
     let normal = cross(subtract(b, a), subtract(c, a));
-    let at = |pixel: i32, size: u32| (f64::from(pixel) + 0.5 - f64::from(size) / 2.) / lens.focal;
-    dot(normal, [at(x, lens.size.0), -at(y, lens.size.1), -1.]) / dot(normal, a)
+    let at =
+        |pixel: i32, size: u32| (f64::from(pixel) + 0.5 - f64::from(size) / 2.) / projection.focal;
+    dot(
+        normal,
+        [at(x, projection.size.0), -at(y, projection.size.1), -1.],
+    ) / dot(normal, a)
 }
 
 /// By how many steps what shows is behind the nearest, of two surfaces about a distance, in either order; and
 /// whether the farther one shows anywhere.
-fn behind(lens: &Lens, w: f64) -> (Worst, bool) {
+fn behind(projection: &Lens, w: f64) -> (Worst, bool) {
     let mut all = Worst::default();
     let mut hidden = false;
     for tilt in [-0.2, 0., 0.3] {
         let corners = [[-60., -50.], [90., -40.], [-20., 80.]];
         let surface = |times: f64| {
             let depth = |[x, _]: [f64; 2]| w * times * (1. + tilt * x / 100.);
-            corners.map(|at| quantised(lens.at(at, depth(at))))
+            corners.map(|at| quantised(projection.at(at, depth(at))))
         };
         let surfaces = [surface(1.), surface(APART)];
-        let scene = lens.scene([[0.; 3]; 3], [[0; 2]; 3]);
-        let chain: Chain<Perspective> = scene.chain;
+        let scene = projection.scene([[0.; 3]; 3], [[0; 2]; 3]);
+        let mvp: Mvp<Perspective> = scene.mvp;
         for order in [[0, 1], [1, 0]] {
             let positions: Vec<Vec3> = order.iter().flat_map(|&i: &usize| surfaces[i]).collect();
             let drawing = Drawing {
-                size: lens.size,
+                size: projection.size,
                 pass: scene.pass,
                 mode: Mode::Newton,
                 mesh: Mesh::new(&positions, &[[0, 1, 2], [3, 4, 5]]).unwrap(),
-                chain,
+                mvp,
             };
             let mut shown = std::collections::HashMap::new();
-            for seen in drawing.shown(&|_: &Vertex<'_>| [0; 0]) {
+            for seen in drawing.shown(&|_: &Corner<'_>| [0; 0]) {
                 shown.insert(seen.pixel, order[seen.face]);
             }
             for (pixel, surface) in shown {
-                let depths = surfaces.map(|s| 65535. * lens.near * inverse_w(s, lens, pixel));
+                let depths =
+                    surfaces.map(|s| 65535. * projection.near * inverse_w(s, projection, pixel));
                 // Only where both are, which is where the first is but for its edge.
                 let error = (depths[0].max(depths[1]) - depths[surface]).max(0.);
-                if surface == 1 && is_inside(pixel, corners, lens) {
+                if surface == 1 && is_inside(pixel, corners, projection) {
                     hidden = true;
                     let bound = 1. + 2. * bounds::depth([w, 2. * w, 2. * w]);
-                    all.add(error, bound, || format!("{pixel:?} at {w} of {lens:?}"));
+                    all.add(error, bound, || {
+                        format!("{pixel:?} at {w} of {projection:?}")
+                    });
                 }
             }
         }
@@ -104,10 +111,10 @@ fn behind(lens: &Lens, w: f64) -> (Worst, bool) {
 }
 
 /// Whether a pixel is inside of a triangle on the screen, by a pixel and more.
-fn is_inside([x, y]: [i32; 2], corners: [[f64; 2]; 3], lens: &Lens) -> bool {
+fn is_inside([x, y]: [i32; 2], corners: [[f64; 2]; 3], projection: &Lens) -> bool {
     let p = [
-        f64::from(x) + 0.5 - f64::from(lens.size.0) / 2.,
-        f64::from(lens.size.1) / 2. - f64::from(y) - 0.5,
+        f64::from(x) + 0.5 - f64::from(projection.size.0) / 2.,
+        f64::from(projection.size.1) / 2. - f64::from(y) - 0.5,
     ];
     [0, 1, 2].iter().all(|&i: &usize| {
         let (a, b) = (corners[i], corners[(i + 1) % 3]);
@@ -117,15 +124,18 @@ fn is_inside([x, y]: [i32; 2], corners: [[f64; 2]; 3], lens: &Lens) -> bool {
 }
 
 /// What shows is behind the nearest by so many steps at most, from the near plane to the far one.
-fn order(lens: &Lens) -> Worst {
+fn order(projection: &Lens) -> Worst {
     let mut worst = Worst::default();
-    let mut w = lens.near * 1.5;
-    while w < lens.far / 1.5 {
-        let (steps, hidden) = behind(lens, w);
+    let mut w = projection.near * 1.5;
+    while w < projection.far / 1.5 {
+        let (steps, hidden) = behind(projection, w);
         worst.merge(steps);
         // The farthest pixel is 1.3 times as far as w.
-        if w * 1.3 * APART < 650. * lens.near {
-            assert!(!hidden, "what is 1 % farther shows at {w} of {lens:?}");
+        if w * 1.3 * APART < 650. * projection.near {
+            assert!(
+                !hidden,
+                "what is 1 % farther shows at {w} of {projection:?}"
+            );
         }
         w *= 1.7;
     }
@@ -136,13 +146,13 @@ pub static CASES: Cases = Cases::new(|| {
     let pictures = RATIOS.map(|(name, near, far)| {
         picture(
             &format!("near to far in one triangle, far/near {name}"),
-            reaching(&lens(near, far)),
+            reaching(&projection(near, far)),
         )
     });
     let orders = RATIOS.map(|(name, near, far)| {
         let case =
             format!("what shows of surfaces 1 % apart is behind the nearest, far/near {name}");
-        figure(&case, "steps", order(&lens(near, far)))
+        figure(&case, "steps", order(&projection(near, far)))
     });
     pictures.into_iter().chain(orders).collect()
 });

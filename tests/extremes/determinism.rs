@@ -5,8 +5,8 @@
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::BigEndian;
-use fixel::geometry::{Buffers, Shape};
-use fixel::interpolate::{Affine, Exact, Fast, Interpolate, Newton};
+use fixel::mesh::{Buffers, Shape};
+use fixel::mode::{Affine, Exact, Fast, Interpolate, Newton};
 use fixel::prelude::*;
 use fixel::target::{Depth, DepthBuffer, FloatDepth, NoDepth};
 use fixel::view::Perspective;
@@ -128,7 +128,7 @@ fn sums<B: Kept>(
     rows: u32,
     mut draw: impl FnMut(&mut Target<'_, B::Depth<'_>>, &Projection<Perspective>),
 ) -> Sums {
-    let lens = Projection::from_focal_length(fx!(200), SIZE, fx!(0.25), fx!(100)).unwrap();
+    let projection = Projection::from_focal_length(fx!(200), SIZE, fx!(0.25), fx!(100)).unwrap();
     let mut colors = crc32fast::Hasher::new();
     let mut depths = crc32fast::Hasher::new();
     for first in (0..SIZE.1).step_by(rows as usize) {
@@ -138,7 +138,7 @@ fn sums<B: Kept>(
         let band = Canvas::big_endian_band(&mut color, SIZE.0, SIZE.1, first).unwrap();
         let mut band = B::with(band, &mut depth);
         band.clear(Rgb565::new(1, 2, 3));
-        draw(&mut band, &lens);
+        draw(&mut band, &projection);
         colors.update(band.bytes());
         drop(band);
         for depth in depth {
@@ -152,12 +152,12 @@ fn sums<B: Kept>(
 }
 
 fn frame<B: Kept>(mode: impl Interpolate, rows: u32, numbers: Numbers) -> Sums {
-    let pass = Pass::new().mode(mode);
+    let pass = DrawOptions::new().mode(mode);
     let models = models();
-    sums::<B>(rows, |band, lens| {
+    sums::<B>(rows, |band, projection| {
         for model in &models {
-            let chain = *lens * model.place;
-            band.draw_with(&pass, &model.mesh(numbers), &chain, &Textured::new(&SKIN));
+            let mvp = *projection * model.place;
+            band.draw_with(&pass, &model.mesh(numbers), &mvp, &Textured::new(&SKIN));
         }
     })
 }
@@ -199,10 +199,10 @@ fn shuffled<T>(list: &mut [T], random: &mut Random) {
 /// one depth, the last would show: that is not for depth to decide, and here there are none.
 fn orders<B: Kept>() -> Sums {
     let draw = |rows: u32, parts: &[(Vec<[u16; 3]>, Model)]| {
-        sums::<B>(rows, |band, lens| {
+        sums::<B>(rows, |band, projection| {
             for (faces, model) in parts {
                 let mesh = Mesh::new(&model.positions, faces).unwrap();
-                band.draw(&mesh, &(*lens * model.place), &NormalView::new());
+                band.draw(&mesh, &(*projection * model.place), &NormalView::new());
             }
         })
     };

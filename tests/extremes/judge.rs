@@ -32,7 +32,7 @@ const GUARD: f64 = 2048.;
 const SNAP: f64 = 1. / 512.;
 
 /// What clip space may be off by, in parts of the largest coefficient for each unit of a coordinate: half a unit of
-/// 2⁻²⁹ where a matrix' mantissas are rounded, for the model's, the lens' and their product's; and of
+/// 2⁻²⁹ where a matrix' mantissas are rounded, for the model's, the projection' and their product's; and of
 /// 2⁻²⁸ where the last bit of those is dropped.
 const CLIP: f64 = 5. / (1 << 30) as f64;
 
@@ -45,7 +45,7 @@ impl Scene {
             pass: self.pass,
             mode: Mode::Exact,
             mesh,
-            chain: self.chain,
+            mvp: self.mvp,
         };
         let places = drawing.places(&self.positions);
         let pieces = self.pieces();
@@ -59,7 +59,7 @@ impl Scene {
         } else {
             pieces
         };
-        let values = |vertex: &Vertex<'_>| self.texels[self.index(vertex.position())];
+        let values = |vertex: &Corner<'_>| self.texels[self.index(vertex.position())];
         let first = drawing.all(&values);
         verdict.pixels = first.len();
         if is_whole {
@@ -347,7 +347,7 @@ impl Scene {
     }
 
     fn depth(&self, seen: &Seen<2>, about: &About, worst: &mut Worst) {
-        let scale = 65535. * self.view.lens.near;
+        let scale = 65535. * self.view.projection.near;
         let [least, most] = about.inverse_w.map(|q| q * scale);
         let stored = f64::from(seen.depth);
         let [near, far] = about.ends;

@@ -3,8 +3,8 @@
 use std::sync::Mutex;
 
 use embedded_graphics::pixelcolor::Gray8;
-use fixel::geometry::Shape;
-use fixel::number::{scalar, tex_coord};
+use fixel::mesh::Shape;
+use fixel::num::{scalar, tex_coord};
 use fixel::prelude::*;
 use fixel::shade::{MAX_TEXTURE_SIZE, Sampler};
 use fixel::target::MAX_SIZE;
@@ -40,7 +40,7 @@ fn canvas() {
 #[test]
 fn prepared_frames() {
     let mesh = Mesh::new(&[], &[]).unwrap();
-    let chain = pixel_lens((1, 1));
+    let mvp = pixel_lens((1, 1));
     let mut list: TriangleList<1, 1> = TriangleList::new();
     for (side, is_allowed) in [
         (0, false),
@@ -49,7 +49,7 @@ fn prepared_frames() {
         (MAX_SIZE + 1, false),
     ] {
         for size in [(side, 1), (1, side)] {
-            let prepared = list.prepare(&Pass::new(), size, &mesh, &chain);
+            let prepared = list.prepare(&DrawOptions::new(), size, &mesh, &mvp);
             assert_eq!(prepared.is_ok(), is_allowed, "{size:?}");
         }
     }
@@ -161,7 +161,7 @@ fn numbers() {
 }
 
 #[test]
-fn lenses() {
+fn projections() {
     let fov =
         |bits: u32| Projection::perspective(Angle::from_bits(bits), (4, 3), fx!(1), fx!(2)).is_ok();
     let half = Angle::HALF.to_bits();
@@ -193,9 +193,9 @@ fn lenses() {
 }
 
 /// Whether a point straight ahead is seen.
-fn seen<K: Kind>(chain: &Chain<K>, bits: i32) -> bool {
+fn seen<K: Kind>(mvp: &Mvp<K>, bits: i32) -> bool {
     let point = Vec3::from_bits([0, 0, -bits]);
-    Counter::new((4, 4)).snapped(chain, point).is_some()
+    Counter::new((4, 4)).snapped(mvp, point).is_some()
 }
 
 /// Points a unit before and behind each plane. One in the plane may go either way: planes have 28 bits.
@@ -208,19 +208,20 @@ fn near_and_far() {
         (1 << 20, i32::MAX),
     ] {
         let s = Scalar::from_bits;
-        let lens = Projection::<Perspective>::from_focal_length(fx!(4), (4, 4), s(near), s(far));
-        let chain = lens.unwrap().into();
+        let projection =
+            Projection::<Perspective>::from_focal_length(fx!(4), (4, 4), s(near), s(far));
+        let mvp = projection.unwrap().into();
         // What the planes may be off by: coefficients have 28 bits at least.
         let units = |at: i32| (at >> 27) + 1;
         assert!(
-            !seen(&chain, near - units(near)) && seen(&chain, near + units(near)),
+            !seen(&mvp, near - units(near)) && seen(&mvp, near + units(near)),
             "{near}"
         );
-        assert!(seen(&chain, far - units(far)), "{near} to {far}");
+        assert!(seen(&mvp, far - units(far)), "{near} to {far}");
         if let Some(beyond) = far.checked_add(units(far)) {
-            assert!(!seen(&chain, beyond), "{far}");
+            assert!(!seen(&mvp, beyond), "{far}");
         }
-        assert!(!seen(&chain, 0) && !seen(&chain, -near) && !seen(&chain, i32::MIN + 1));
+        assert!(!seen(&mvp, 0) && !seen(&mvp, -near) && !seen(&mvp, i32::MIN + 1));
     }
 }
 

@@ -17,7 +17,7 @@ const GRIDS: [(u16, u16); 2] = [(255, 257), (256, 256)];
 /// two triangles of each cell.
 fn rug(columns: u16, rows: u16) -> (Vec<Vec3>, Vec<[u16; 3]>) {
     let mut random = Random(11);
-    let lens = Lens::ROOM;
+    let projection = Lens::ROOM;
     let mut positions = Vec::new();
     for row in 0..rows {
         for column in 0..columns {
@@ -27,7 +27,7 @@ fn rug(columns: u16, rows: u16) -> (Vec<Vec3>, Vec<[u16; 3]>) {
             let mut aside = || random.between(-0.1, 0.1);
             let at = [52. * x + aside(), 40. * y + aside()];
             let w = 4. + x + 0.1 * (9. * x + 5. * y).sin();
-            let [x, y, z] = lens.at(at, w).map(|x| fixel::number::scalar(x).unwrap());
+            let [x, y, z] = projection.at(at, w).map(|x| fixel::num::scalar(x).unwrap());
             positions.push(Vec3::new(x, y, z));
         }
     }
@@ -49,7 +49,7 @@ fn covered_once((columns, rows): (u16, u16)) -> Verdict {
     let mut counter = Counter::new(Lens::ROOM.size);
     let mut coverage = Worst::default();
     for &position in &positions {
-        let place = counter.snapped(&scene.chain, position).unwrap();
+        let place = counter.snapped(&scene.mvp, position).unwrap();
         let wanted = scene.view.project(exact(position)).screen;
         for (at, wanted) in place.into_iter().zip(wanted) {
             let error = (f64::from(at) / 256. - wanted).abs();
@@ -58,7 +58,7 @@ fn covered_once((columns, rows): (u16, u16)) -> Verdict {
         }
     }
     let mesh = Mesh::new(&positions, &faces).unwrap();
-    let drawn = counter.draw(&BOTH_SIDES, &mesh, &scene.chain);
+    let drawn = counter.draw(&BOTH_SIDES, &mesh, &scene.mvp);
     let triangles = usize::try_from(drawn.submitted).unwrap();
     assert_eq!(triangles, faces.len());
     let counts = counter.take();
@@ -98,12 +98,12 @@ fn every_index_is_a_vertex_of_its_own() {
     ];
     positions[..3].copy_from_slice(&corners);
     positions[65_533..].copy_from_slice(&corners);
-    let chain = Lens::ROOM.scene([[0., 0., -1.]; 3], ONCE).chain;
+    let mvp = Lens::ROOM.scene([[0., 0., -1.]; 3], ONCE).mvp;
     let counts = [[0, 1, 2], [65_533, 65_534, 65_535]].map(|face| {
         let mut counter = Counter::new(Lens::ROOM.size);
         let faces = [face];
         let mesh = Mesh::new(&positions, &faces).unwrap();
-        counter.draw(&BOTH_SIDES, &mesh, &chain);
+        counter.draw(&BOTH_SIDES, &mesh, &mvp);
         counter.take()
     });
     assert_eq!(counts[0], counts[1]);

@@ -12,7 +12,7 @@ use crate::table::{Cases, picture};
 use crate::verdict::Verdict;
 
 /// The guard band, 2048 pixels to each side of the middle, is as wide as the planes are far: 1 and 2.
-fn lens(viewport: Viewport) -> Lens {
+fn projection(viewport: Viewport) -> Lens {
     Lens {
         size: (64, 64),
         focal: 2000.,
@@ -41,7 +41,7 @@ fn nine_corners() -> Verdict {
     let mut found = 0;
     while found < 10 {
         let corners = triangle(&mut random);
-        let whole = lens(Viewport::new(0, 0, 4096, 4096).unwrap()).scene(corners, ONCE);
+        let whole = projection(Viewport::new(0, 0, 4096, 4096).unwrap()).scene(corners, ONCE);
         let pieces = whole.pieces();
         // A fan of seven.
         if pieces.len() < 7 {
@@ -52,7 +52,7 @@ fn nine_corners() -> Verdict {
             // The corner in the middle of the canvas.
             let [x, y] = [x, y].map(|at| 32 - at as i32);
             let viewport = Viewport::new(x, y, 4096, 4096).unwrap();
-            verdict.merge(lens(viewport).scene(corners, ONCE).judge());
+            verdict.merge(projection(viewport).scene(corners, ONCE).judge());
         }
     }
     verdict

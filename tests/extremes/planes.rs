@@ -59,7 +59,7 @@ fn on_the_plane() -> Verdict {
 /// A near plane at the least distance there is, 2⁻¹⁶, and corners one to a hundred such units away.
 fn just_above_zero() -> Verdict {
     let unit = 1. / 65536.;
-    let lens = Lens {
+    let projection = Lens {
         near: unit,
         far: 1.,
         ..Lens::ROOM
@@ -68,18 +68,18 @@ fn just_above_zero() -> Verdict {
     worst((0..200).map(|_| {
         let mut corner = || {
             let w = (random.between(0., 100_f64.ln()).exp() + 0.5).floor() * unit;
-            lens.at(
+            projection.at(
                 [random.between(-300., 300.), random.between(-200., 200.)],
                 w,
             )
         };
-        lens.judge([corner(), corner(), corner()])
+        projection.judge([corner(), corner(), corner()])
     }))
 }
 
 /// Floors from the feet to the horizon: 1/w falls to one part in so many of what it is nearest.
 fn grazing(near: f64, height: f64) -> Verdict {
-    let lens = Lens {
+    let projection = Lens {
         near,
         far: 32_767.,
         ..Lens::ROOM
@@ -87,14 +87,14 @@ fn grazing(near: f64, height: f64) -> Verdict {
     worst((-3..=3).map(|tilt| {
         let side = |y: f64| [32_000. * f64::from(tilt) / 8., y, -32_700.];
         worst([
-            lens.judge([
+            projection.judge([
                 [-2. * near, -height, -near],
                 [2. * near, -height, -near],
                 side(-height),
             ]),
-            lens.judge([[-2., -height, 1.], [2., -height, 1.], side(-height)]),
+            projection.judge([[-2., -height, 1.], [2., -height, 1.], side(-height)]),
             // Beyond the far plane, and to the side of the guard band.
-            lens.judge([
+            projection.judge([
                 [-2., -height, 1.],
                 [32_000., -height, -32_000.],
                 side(-height - 1.),
@@ -148,7 +148,7 @@ fn all_behind_is_nothing() {
 /// value may be outside of what the corners have by 56½/2008 of 2^bits, at most four times the greatest of them.
 #[test]
 fn values_stay_between_those_of_the_corners() {
-    let lens = Lens {
+    let projection = Lens {
         near: 1. / 16_384.,
         far: 32_767.,
         ..Lens::ROOM
@@ -158,19 +158,19 @@ fn values_stay_between_those_of_the_corners() {
         let spread = random.between(12., 28.);
         let mut corner = |y: f64, part: f64| {
             let w = 2_f64.powf(-13.9 + part * spread + random.between(0., 0.7));
-            lens.at([random.between(-60., 60.), y], w)
+            projection.at([random.between(-60., 60.), y], w)
         };
         // The far side is on the centres of a row.
-        let scene = lens.scene([corner(-30., 0.), corner(0.5, 1.), corner(0.5, 1.)], ONCE);
+        let scene = projection.scene([corner(-30., 0.), corner(0.5, 1.), corner(0.5, 1.)], ONCE);
         for mode in MODES {
             let drawing = Drawing {
                 size: scene.size,
                 pass: scene.pass,
                 mode,
                 mesh: Mesh::new(&scene.positions, &scene.faces).unwrap(),
-                chain: scene.chain,
+                mvp: scene.mvp,
             };
-            let values = |vertex: &Vertex<'_>| scene.texels[scene.index(vertex.position())];
+            let values = |vertex: &Corner<'_>| scene.texels[scene.index(vertex.position())];
             let (most, room) = (256 << 16, 4 * (256 << 16) / 35);
             for seen in drawing.all(&values) {
                 for value in seen.values {

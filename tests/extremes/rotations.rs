@@ -1,4 +1,4 @@
-//! Long chains of rotations: a million increments, with and without making the matrix rigid again.
+//! Long mvps of rotations: a million increments, with and without making the matrix rigid again.
 //!
 //! A product rounds each of its entries to half of 2⁻²⁹; a rotation has entries of that and of its sine, 1.6·10⁻⁹ at most
 //! off. Rows and columns have three: a million products may take lengths and right angles off by 10⁶ · 3 · (2 · 2⁻³⁰ +

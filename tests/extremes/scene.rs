@@ -1,6 +1,6 @@
-//! Triangles before a lens, for the crate and for the model.
+//! Triangles before a projection, for the crate and for the model.
 
-use fixel::number::scalar;
+use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::view::Perspective;
 
@@ -20,12 +20,12 @@ pub const ONCE: [[i32; 2]; 3] = [[0, 0], [256 << 16, 0], [0, 256 << 16]];
 #[derive(Clone, Debug)]
 pub struct Scene {
     pub size: (u32, u32),
-    pub pass: Pass,
+    pub pass: DrawOptions,
     pub positions: Vec<Vec3>,
     pub faces: Vec<[u16; 3]>,
     /// Columns and rows of the texture, with 16 fraction bits; as many as positions.
     pub texels: Vec<[i32; 2]>,
-    pub chain: Chain<Perspective>,
+    pub mvp: Mvp<Perspective>,
     pub view: View,
     /// What each position's coordinates in eye space are sums of: its magnitudes, and those of all offsets.
     pub sums: Vec<f64>,
@@ -63,7 +63,7 @@ impl Lens {
         let (width, height) = self
             .viewport
             .map_or(self.size, |viewport| (viewport.width(), viewport.height()));
-        let lens = Projection::from_focal_length(
+        let projection = Projection::from_focal_length(
             number(self.focal),
             (width, height),
             number(self.near),
@@ -87,10 +87,10 @@ impl Lens {
             positions,
             faces: vec![[0, 1, 2]],
             texels: texels.to_vec(),
-            chain: lens.unwrap() * transform,
+            mvp: projection.unwrap() * transform,
             view: View {
                 eye,
-                lens: focal(self.focal, (width, height), self.near, self.far),
+                projection: focal(self.focal, (width, height), self.near, self.far),
                 viewport: view::Viewport {
                     x: self.viewport.map_or(0, |viewport| viewport.x()),
                     y: self.viewport.map_or(0, |viewport| viewport.y()),

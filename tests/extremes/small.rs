@@ -14,7 +14,7 @@ use crate::verdict::Verdict;
 
 /// Triangles of 5 to 100 pixels' length, so wide in their middle, at every slope.
 fn slivers(width: f64) -> Verdict {
-    let lens = Lens::ROOM;
+    let projection = Lens::ROOM;
     let mut random = Random(6);
     worst((0..120).map(|step| {
         let (sin, cos) = (f64::from(step) / 120. * TAU).sin_cos();
@@ -22,7 +22,7 @@ fn slivers(width: f64) -> Verdict {
         let middle = [random.between(-10., 10.), random.between(-8., 8.)];
         let at = |along: f64, across: f64, w: f64| {
             let [x, y] = middle;
-            lens.at(
+            projection.at(
                 [
                     x + along * cos - across * sin,
                     y + along * sin + across * cos,
@@ -36,21 +36,23 @@ fn slivers(width: f64) -> Verdict {
             at(half, 0., random.between(1., 4.)),
             at(between, width, random.between(1., 4.)),
         ];
-        lens.scene(corners, ONCE).judge()
+        projection.scene(corners, ONCE).judge()
     }))
 }
 
 /// Triangles of less than a pixel.
 fn specks() -> Verdict {
-    let lens = Lens::ROOM;
+    let projection = Lens::ROOM;
     let mut random = Random(7);
     worst((0..2000).map(|_| {
         let at = [random.between(-40., 40.), random.between(-30., 30.)];
         let mut corner = || {
             let away = [random.between(-0.7, 0.7), random.between(-0.7, 0.7)];
-            lens.at([at[0] + away[0], at[1] + away[1]], random.between(1., 4.))
+            projection.at([at[0] + away[0], at[1] + away[1]], random.between(1., 4.))
         };
-        lens.scene([corner(), corner(), corner()], ONCE).judge()
+        projection
+            .scene([corner(), corner(), corner()], ONCE)
+            .judge()
     }))
 }
 
@@ -145,13 +147,13 @@ fn every_vertex_in_one_place() {
             .unwrap()
             .with_edges(&edges)
             .unwrap();
-        let lens = Projection::perspective(Angle::from_degrees(60), SIZE, fx!(0.1), fx!(100));
-        let chain = lens.unwrap().into();
+        let projection = Projection::perspective(Angle::from_degrees(60), SIZE, fx!(0.1), fx!(100));
+        let mvp = projection.unwrap().into();
         let mut counter = Counter::new(SIZE);
-        assert_eq!(counter.draw(&BOTH_SIDES, &mesh, &chain).drawn, 0);
-        counter.draw_edges(&Pass::new(), &mesh, &chain);
+        assert_eq!(counter.draw(&BOTH_SIDES, &mesh, &mvp).drawn, 0);
+        counter.draw_edges(&DrawOptions::new(), &mesh, &mvp);
         assert!(counter.take().iter().all(|&count| count == 0));
-        counter.draw_points(&Pass::new(), &mesh, &chain);
+        counter.draw_points(&DrawOptions::new(), &mesh, &mvp);
         let counts = counter.take();
         // Each of the points is drawn, in the same pixel, if it is before the eye.
         let seen: u32 = if place == vec3!(0, 0, -2) { 65_536 } else { 0 };

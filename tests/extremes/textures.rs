@@ -9,24 +9,24 @@ use crate::verdict::Verdict;
 
 /// A texture from one end of its range to the other, at many slopes.
 fn wide(most: i32) -> Verdict {
-    let lens = Lens::ROOM;
+    let projection = Lens::ROOM;
     let mut random = Random(9);
     let ends = [-most, most].map(|texel| texel << 16);
     worst((0..80).map(|step: usize| {
         let corner = |random: &mut Random| {
             let at = [random.between(-70., 70.), random.between(-50., 50.)];
-            lens.at(at, random.between(1., 4.))
+            projection.at(at, random.between(1., 4.))
         };
         let corners = [0; 3].map(|_| corner(&mut random));
         let pick = |bit: usize| ends[step >> bit & 1];
         let texels = [[pick(0), pick(3)], [pick(1), pick(4)], [pick(2), pick(5)]];
-        lens.scene(corners, texels).judge()
+        projection.scene(corners, texels).judge()
     }))
 }
 
 /// Whole textures within some pixels, so far off.
 fn tiny(w: f64) -> Verdict {
-    let lens = Lens {
+    let projection = Lens {
         far: 32_767.,
         focal: 60.,
         ..Lens::ROOM
@@ -36,9 +36,10 @@ fn tiny(w: f64) -> Verdict {
         let [x, y] = [random.between(-40., 40.), random.between(-30., 30.)];
         let mut corner = || {
             let at = [x + random.between(-2., 2.), y + random.between(-2., 2.)];
-            lens.at(at, w * random.between(0.7, 1.))
+            projection.at(at, w * random.between(0.7, 1.))
         };
-        lens.scene([corner(), corner(), corner()], crate::scene::ONCE)
+        projection
+            .scene([corner(), corner(), corner()], crate::scene::ONCE)
             .judge()
     }))
 }
@@ -46,18 +47,20 @@ fn tiny(w: f64) -> Verdict {
 /// Ground under a camera that rolls by hardly anything: along a row 1/w changes by 2⁻²⁸ to 2⁻²¹ of itself a pixel, and the
 /// texture, of up to 1000 texels, by many texels. A row that is taken for straight must be.
 fn level() -> Verdict {
-    let lens = Lens {
+    let projection = Lens {
         far: 32_767.,
         ..Lens::ROOM
     };
     let mut random = Random(15);
     worst((0..80).map(|_| {
         let roll = 2_f64.powf(random.between(-28., -21.));
-        let corner = |[x, y]: [f64; 2]| lens.at([x, y], 4000. / (1. + roll * x + 0.01 * y));
+        let corner = |[x, y]: [f64; 2]| projection.at([x, y], 4000. / (1. + roll * x + 0.01 * y));
         let corners = [[-47., 31.], [45., 29.], [3., -33.]].map(corner);
         let texels = [random.between(100., 1000.) as i32 * 32_768; 2];
         let [u, v] = texels;
-        lens.scene(corners, [[-u, v], [u, 0], [0, -v]]).judge()
+        projection
+            .scene(corners, [[-u, v], [u, 0], [0, -v]])
+            .judge()
     }))
 }
 

@@ -2,7 +2,7 @@
 //! made of, nothing panics (tests check for overflow), and bands are still the frame.
 
 use embedded_graphics::pixelcolor::{Gray8, Rgb888};
-use fixel::interpolate::{Affine, Exact, Fast, Interpolate, Linear, Newton, Tolerance};
+use fixel::mode::{Affine, Exact, Fast, Interpolate, Linear, Newton, Tolerance};
 use fixel::prelude::*;
 use fixel::target::{DepthBuffer, Native};
 use fixel::view::Kind;
@@ -28,7 +28,7 @@ fn vector() -> impl Strategy<Value = Vec3> {
     prop::array::uniform3(bits()).prop_map(Vec3::from_bits)
 }
 
-/// A chain of a few moves, each by anything.
+/// A mvp of a few moves, each by anything.
 fn transform() -> impl Strategy<Value = Transform> {
     let angle = || any::<u32>().prop_map(Angle::from_bits);
     let one = prop_oneof![
@@ -53,7 +53,7 @@ struct Scene {
     uvs: Vec<Vec2>,
     faces: Vec<[u16; 3]>,
     edges: Vec<[u16; 2]>,
-    pass: Pass,
+    pass: DrawOptions,
     size: (u32, u32),
     /// Rows of a band.
     rows: u32,
@@ -101,8 +101,8 @@ fn scene() -> impl Strategy<Value = Scene> {
     ];
     let cull = select(vec![Cull::Back, Cull::Nothing, Cull::Front]);
     let pass = (viewport, cull).prop_map(|(viewport, cull)| match viewport {
-        None => Pass::new().cull(cull),
-        Some((x, y, width, height)) => Pass::new()
+        None => DrawOptions::new().cull(cull),
+        Some((x, y, width, height)) => DrawOptions::new()
             .cull(cull)
             .viewport(Viewport::new(x, y, width, height).unwrap()),
     });
@@ -159,7 +159,7 @@ fn scene() -> impl Strategy<Value = Scene> {
 #[derive(Clone, Copy)]
 struct Raw;
 
-impl Fragment<3> for Raw {
+impl Shader<3> for Raw {
     type Color = Gray8;
 
     const TOLERANCES: [Tolerance; 3] = [
@@ -168,7 +168,7 @@ impl Fragment<3> for Raw {
         Tolerance::Units(u32::MAX),
     ];
 
-    fn varyings(&self, vertex: &Vertex) -> [i32; 3] {
+    fn varyings(&self, vertex: &Corner) -> [i32; 3] {
         let [x, y, _] = vertex.position().to_bits();
         [
             x,
@@ -177,7 +177,7 @@ impl Fragment<3> for Raw {
         ]
     }
 
-    fn shade(&self, sample: &Sample, [a, b, c]: [i32; 3]) -> Option<Gray8> {
+    fn shade(&self, sample: &Fragment, [a, b, c]: [i32; 3]) -> Option<Gray8> {
         let [mixed, ..] = (a ^ a >> 16 ^ b ^ c ^ i32::from(sample.depth)).to_le_bytes();
         Some(Gray8::new(mixed))
     }
@@ -187,25 +187,27 @@ impl Scene {
     fn draw<K: Kind, D: DepthBuffer>(
         &self,
         canvas: &mut Canvas<'_, Gray8, Native, D>,
-        lens: Projection<K>,
+        projection: Projection<K>,
     ) {
         let pass = &self.pass;
         match self.mode {
-            Mode::Newton => self.draw_in(&pass.mode(Newton), canvas, lens),
-            Mode::Exact => self.draw_in(&pass.mode(Exact), canvas, lens),
-            Mode::Fast(texels) => self.draw_in(&pass.mode(Fast::within(texels)), canvas, lens),
-            Mode::Affine => self.draw_in(&pass.mode(Affine), canvas, lens),
-            Mode::Linear => self.draw_in(&pass.mode(Linear), canvas, lens),
+            Mode::Newton => self.draw_in(&pass.mode(Newton), canvas, projection),
+            Mode::Exact => self.draw_in(&pass.mode(Exact), canvas, projection),
+            Mode::Fast(texels) => {
+                self.draw_in(&pass.mode(Fast::within(texels)), canvas, projection)
+            }
+            Mode::Affine => self.draw_in(&pass.mode(Affine), canvas, projection),
+            Mode::Linear => self.draw_in(&pass.mode(Linear), canvas, projection),
         }
     }
 
     fn draw_in<I: Interpolate, K: Kind, D: DepthBuffer>(
         &self,
-        pass: &Pass<I>,
+        pass: &DrawOptions<I>,
         canvas: &mut Canvas<'_, Gray8, Native, D>,
-        lens: Projection<K>,
+        projection: Projection<K>,
     ) {
-        let chain = &(lens * self.camera * self.model);
+        let mvp = &(projection * self.camera * self.model);
         let mesh = match &self.short {
             Some((positions, fraction)) => Mesh::short(positions, *fraction, &self.faces),
             None => Mesh::new(&self.positions, &self.faces),
@@ -216,25 +218,30 @@ impl Scene {
             .unwrap();
         let light = Light::new(vec3!(1, 2, 3), fx!(0.5), fx!(0.5)).unwrap();
         let drawn = match self.what {
-            What::Triangles => canvas.draw_with(pass, mesh, chain, &Raw),
-            What::Edges => canvas.draw_edges(pass, mesh, chain, &Raw),
-            What::Points => canvas.draw_points(pass, mesh, chain, &Raw),
-            What::Normals => canvas.draw_with(pass, mesh, chain, &NormalView::new()),
+            What::Triangles => canvas.draw_with(pass, mesh, mvp, &Raw),
+            What::Edges => canvas.draw_edges(pass, mesh, mvp, &Raw),
+            What::Points => canvas.draw_points(pass, mesh, mvp, &Raw),
+            What::Normals => canvas.draw_with(pass, mesh, mvp, &NormalView::new()),
             What::Lit => {
                 let white = Rgb888::new(255, 255, 255);
-                canvas.draw_with(pass, mesh, chain, &Lit::new(white, light))
+                canvas.draw_with(pass, mesh, mvp, &Lit::new(white, light))
             }
-            What::Depth => canvas.draw_with(pass, mesh, chain, &DepthView::new()),
+            What::Depth => canvas.draw_with(pass, mesh, mvp, &DepthView::new()),
         };
         assert!(drawn.clipped <= drawn.drawn && drawn.drawn <= drawn.submitted);
         for &position in &self.positions {
-            let _ = canvas.project(pass, chain, position);
+            let _ = canvas.project(pass, mvp, position);
         }
     }
 
     /// Draws the frame, and the frame in bands, and compares all bits of both.
-    fn check<K: Kind>(&self, lens: Result<Projection<K>, Error>) -> Result<(), TestCaseError> {
-        let Ok(lens) = lens else { return Ok(()) };
+    fn check<K: Kind>(
+        &self,
+        projection: Result<Projection<K>, Error>,
+    ) -> Result<(), TestCaseError> {
+        let Ok(projection) = projection else {
+            return Ok(());
+        };
         let (width, height) = self.size;
         let blank = || {
             let pixels = (width * height) as usize;
@@ -243,9 +250,12 @@ impl Scene {
         let (mut colors, mut depths) = blank();
         let canvas = Canvas::new(&mut colors, width, height).unwrap();
         if self.is_float {
-            self.draw(&mut canvas.with_float_depth(&mut depths).unwrap(), lens);
+            self.draw(
+                &mut canvas.with_float_depth(&mut depths).unwrap(),
+                projection,
+            );
         } else {
-            self.draw(&mut canvas.with_depth(&mut depths).unwrap(), lens);
+            self.draw(&mut canvas.with_depth(&mut depths).unwrap(), projection);
         }
 
         let (mut band_colors, mut band_depths) = blank();
@@ -256,9 +266,9 @@ impl Scene {
         for (first_row, (colors, depths)) in (0..height).step_by(self.rows as usize).zip(strips) {
             let canvas = Canvas::band(colors, width, height, first_row).unwrap();
             if self.is_float {
-                self.draw(&mut canvas.with_float_depth(depths).unwrap(), lens);
+                self.draw(&mut canvas.with_float_depth(depths).unwrap(), projection);
             } else {
-                self.draw(&mut canvas.with_depth(depths).unwrap(), lens);
+                self.draw(&mut canvas.with_depth(depths).unwrap(), projection);
             }
         }
         prop_assert_eq!(colors, band_colors);

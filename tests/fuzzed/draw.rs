@@ -1,14 +1,14 @@
-//! A scene in every mode, or with a fragment of the crate's.
+//! A scene in every mode, or with a shader of the crate's.
 
 use embedded_graphics::pixelcolor::Rgb565;
-use fixel::interpolate::{Affine, Exact, Fast, Interpolate, Linear, Newton};
+use fixel::mode::{Affine, Exact, Fast, Interpolate, Linear, Newton};
 use fixel::prelude::*;
 use fixel::view::Kind;
 
-use super::fragments::{Bits, Record};
-use super::lens::Projected;
 use super::model::Truth;
+use super::projection::Projected;
 use super::scene::{Scene, What};
+use super::shaders::{Bits, Record};
 use super::shades::{self, Draw, Shade};
 use super::ways::Call;
 use crate::mode::Mode;
@@ -41,26 +41,26 @@ fn check_scene(scene: &Scene) -> Result<(), Error> {
     let mesh = &scene.mesh()?;
     let (pass, window) = (scene.pass()?, scene.window()?);
     let (camera, place) = (scene.eye.camera()?, scene.place.transform());
-    match scene.lens.projection(scene.size)? {
-        Projected::Perspective(lens) => {
-            let chain = lens * camera * place;
+    match scene.projection.projection(scene.size)? {
+        Projected::Perspective(projection) => {
+            let mvp = projection * camera * place;
             check_call(
                 &Call {
                     scene,
                     mesh,
-                    chain,
+                    mvp,
                     window,
                 },
                 pass,
             )
         }
-        Projected::Parallel(lens) => {
-            let chain = lens * camera * place;
+        Projected::Parallel(projection) => {
+            let mvp = projection * camera * place;
             check_call(
                 &Call {
                     scene,
                     mesh,
-                    chain,
+                    mvp,
                     window,
                 },
                 pass,
@@ -69,7 +69,7 @@ fn check_scene(scene: &Scene) -> Result<(), Error> {
     }
 }
 
-fn check_call<K: Kind>(call: &Call<'_, K>, pass: Pass) -> Result<(), Error> {
+fn check_call<K: Kind>(call: &Call<'_, K>, pass: DrawOptions) -> Result<(), Error> {
     match call.scene.shade {
         Shade::Bits(0) => check_modes::<K, 0>(call, pass),
         Shade::Bits(_) => check_modes::<K, 3>(call, pass),
@@ -89,20 +89,20 @@ fn check_call<K: Kind>(call: &Call<'_, K>, pass: Pass) -> Result<(), Error> {
     Ok(())
 }
 
-/// Checks a fragment in the default mode.
+/// Checks a shader in the default mode.
 struct Ways<'a, 'c, K> {
     call: &'a Call<'c, K>,
-    pass: Pass,
+    pass: DrawOptions,
 }
 
 impl<K: Kind> Draw for Ways<'_, '_, K> {
-    fn draw<F: Fragment<N, Color = Rgb565>, const N: usize>(self, fragment: &F) {
-        self.call.check(&self.pass, fragment);
+    fn draw<F: Shader<N, Color = Rgb565>, const N: usize>(self, shader: &F) {
+        self.call.check(&self.pass, shader);
     }
 }
 
 /// Checks every mode, and that each draws the same pixels at the same depths.
-fn check_modes<K: Kind, const N: usize>(call: &Call<'_, K>, pass: Pass) {
+fn check_modes<K: Kind, const N: usize>(call: &Call<'_, K>, pass: DrawOptions) {
     let tolerance = call.scene.tolerance;
     let truth = (call.scene.what == What::Triangles).then(|| Truth::new(call, &pass));
     let mut first = None;
@@ -134,7 +134,7 @@ fn check_modes<K: Kind, const N: usize>(call: &Call<'_, K>, pass: Pass) {
 
 fn checked<I: Interpolate, K: Kind, const N: usize>(
     call: &Call<'_, K>,
-    pass: Pass<I>,
+    pass: DrawOptions<I>,
 ) -> Record<Rgb565, N> {
     let record = call.check(&pass, &Bits);
     call.check_bytes(&pass, &Bits::<N>);

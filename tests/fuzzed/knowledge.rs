@@ -11,7 +11,7 @@ use crate::reference::view::{Projected, View, Viewport as ModelViewport};
 const GUARD: f64 = 2048.;
 
 /// Where a triangle's corners are, and how far the crate may be from that: errors are those of
-/// tests/accuracy/chains.rs.
+/// tests/accuracy/mvps.rs.
 pub struct Knowledge {
     pub view: View,
     pub at: [Projected; 3],
@@ -23,11 +23,11 @@ pub struct Knowledge {
 }
 
 impl Knowledge {
-    pub fn new(moves: &[Move], lens: &Lens, window: Viewport, corners: [Vec3; 3]) -> Self {
+    pub fn new(moves: &[Move], projection: &Lens, window: Viewport, corners: [Vec3; 3]) -> Self {
         let (_, eye) = product(moves);
         let view = View {
             eye,
-            lens: *lens,
+            projection: *projection,
             viewport: ModelViewport {
                 x: window.x(),
                 y: window.y(),
@@ -35,22 +35,22 @@ impl Knowledge {
                 height: window.height(),
             },
         };
-        let parallel = lens.kind == Kind::Parallel;
+        let parallel = projection.kind == Kind::Parallel;
         let pixels = |axis: usize, size: u32| {
-            let row = lens.matrix[axis].into_iter();
+            let row = projection.matrix[axis].into_iter();
             f64::from(size) / 2. * row.fold(0., |most: f64, m| most.max(m.abs()))
         };
         let of_depth = if parallel {
-            GUARD / (lens.far - lens.near)
+            GUARD / (projection.far - projection.near)
         } else {
             GUARD
         };
         let scale = pixels(0, window.width())
             .max(pixels(1, window.height()))
             .max(of_depth);
-        // A lens' own offset counts as a way too.
+        // A projection' own offset counts as a way too.
         let offset = if parallel {
-            lens.near.abs().max(lens.far.abs()).max(1.)
+            projection.near.abs().max(projection.far.abs()).max(1.)
         } else {
             0.
         };
@@ -63,7 +63,7 @@ impl Knowledge {
     }
 
     pub fn is_parallel(&self) -> bool {
-        self.view.lens.kind == Kind::Parallel
+        self.view.projection.kind == Kind::Parallel
     }
 
     /// By how much a corner's distance may be off, or its depth in parts of all depths.
@@ -78,19 +78,19 @@ impl Knowledge {
         let nearest = if self.is_parallel() {
             1.
         } else {
-            self.view.lens.near
+            self.view.projection.near
         };
         2. * most * self.scale / nearest
     }
 
-    /// The planes that leave what is ahead from `near` to `far` times the distances of the lens' own planes.
+    /// The planes that leave what is ahead from `near` to `far` times the distances of the projection' own planes.
     ///
     /// z = a·w − b, where a = (f + n)/(f − n) and b = 2fn/(f − n), is above −k·w from the distance n′ on if
     /// k = b/n′ − a.
     pub fn planes(&self, near: f64, far: f64) -> [Plane; 2] {
         let Lens {
             near: n, far: f, ..
-        } = self.view.lens;
+        } = self.view.projection;
         let (a, b) = ((f + n) / (f - n), 2. * f * n / (f - n));
         let (near, far) = (b / (n * near) - a, a - b / (f * far));
         [[0., 0., 1., near], [0., 0., -1., far]]

@@ -6,25 +6,25 @@
 //! | file | idea |
 //! |---|---|
 //! | `numbers` | numbers of every magnitude |
-//! | `scene` | a draw call: mesh, chain, canvas, and what is drawn how |
-//! | `lens` | projections, and the model's of the same numbers |
-//! | `steps` | chains of transforms, and the model's |
-//! | `draw` | a scene in every mode, and with a fragment of the crate |
-//! | `fragments` | a fragment that shows every bit, and one that writes down what another does |
-//! | `shades` | the crate's fragments |
+//! | `scene` | a draw call: mesh, mvp, canvas, and what is drawn how |
+//! | `projection` | projections, and the model's of the same numbers |
+//! | `steps` | mvps of transforms, and the model's |
+//! | `draw` | a scene in every mode, and with a shader of the crate |
+//! | `shaders` | a shader that shows every bit, and one that writes down what another does |
+//! | `shades` | the crate's shaders |
 //! | `ways` | a draw call in bands, prepared, as bytes and twice |
 //! | `knowledge` | where the f64 model has a triangle, and how well that is known |
 //! | `model` | the pixels against the f64 model |
 //! | `obj` | OBJ text, of any bytes or nearly right |
 
 pub mod draw;
-pub mod fragments;
 pub mod knowledge;
-pub mod lens;
 pub mod model;
 pub mod numbers;
 pub mod obj;
+pub mod projection;
 pub mod scene;
+pub mod shaders;
 pub mod shades;
 pub mod steps;
 pub mod ways;

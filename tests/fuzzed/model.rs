@@ -1,13 +1,13 @@
 //! The pixels of triangles against the f64 model.
 //!
 //! Where all corners of a triangle are in view, which pixels it covers follows from where the crate says that its
-//! corners are, exactly, whatever its numbers. What it has at them is compared where the model knows its chain.
+//! corners are, exactly, whatever its numbers. What it has at them is compared where the model knows its mvp.
 
 use embedded_graphics::pixelcolor::Rgb565;
-use fixel::prelude::{Canvas, Cull, Pass, Vec3};
+use fixel::prelude::{Canvas, Cull, DrawOptions, Vec3};
 
-use super::fragments::{Record, Seen};
 use super::knowledge::Knowledge;
+use super::shaders::{Record, Seen};
 use super::ways::Call;
 use crate::bounds;
 use crate::mode::Mode;
@@ -56,17 +56,17 @@ struct Ahead {
 }
 
 impl Truth {
-    pub fn new<K: fixel::view::Kind>(call: &Call<'_, K>, pass: &Pass) -> Self {
+    pub fn new<K: fixel::view::Kind>(call: &Call<'_, K>, pass: &DrawOptions) -> Self {
         let (width, height) = call.scene.size;
         let mut pixels = vec![Rgb565::new(0, 0, 0); call.scene.pixels()];
         let canvas = Canvas::new(&mut pixels, width, height).unwrap();
         let window = call.window;
         let moves = call.scene.eye.moves().zip(call.scene.place.moves());
         let moves = moves.map(|(eye, place)| [eye, place].concat());
-        let lens = call.scene.lens.model(call.scene.size);
+        let projection = call.scene.projection.model(call.scene.size);
         let place = |index: u16| {
             let position = call.mesh.positions().get(index.into()).unwrap();
-            let place = canvas.project(pass, &call.chain, position)?;
+            let place = canvas.project(pass, &call.mvp, position)?;
             Some([place.x.to_bits(), place.y.to_bits()])
         };
         let whole = |&[a, b, c]: &[u16; 3]| {
@@ -74,7 +74,7 @@ impl Truth {
                 screen: [place(a)?, place(b)?, place(c)?],
                 ahead: moves.as_ref().and_then(|moves| {
                     let corners = [a, b, c].map(|i| call.mesh.positions().get(i.into()).unwrap());
-                    Knowledge::new(moves, &lens, window, corners).ahead()
+                    Knowledge::new(moves, &projection, window, corners).ahead()
                 }),
             })
         };
@@ -84,7 +84,10 @@ impl Truth {
             let corners = face.map(|i| call.mesh.positions().get(i.into()).unwrap());
             let unknown = whole.is_some() || call.scene.cull != Cull::Nothing;
             let moves = moves.as_ref().filter(|_| !unknown)?;
-            Clipped::new(&Knowledge::new(moves, &lens, window, corners), corners)
+            Clipped::new(
+                &Knowledge::new(moves, &projection, window, corners),
+                corners,
+            )
         });
         Self {
             clipped: clipped.collect(),
@@ -209,7 +212,7 @@ impl Knowledge {
     fn ahead(&self) -> Option<Ahead> {
         let most = |of: &dyn Fn(usize) -> f64| of(0).max(of(1)).max(of(2));
         let w = self.at.map(|at| at.w);
-        let depth = self.at.map(|at| self.view.lens.depth(at.distance));
+        let depth = self.at.map(|at| self.view.projection.depth(at.distance));
         let (w_error, depth_error) = if self.is_parallel() {
             (0., most(&|i| self.of_depth(i) * 65536.))
         } else {

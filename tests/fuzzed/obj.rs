@@ -2,7 +2,7 @@
 
 use arbitrary::{Result, Unstructured};
 use embedded_graphics::pixelcolor::Rgb888;
-use fixel::geometry::{Buffers, Counts, obj};
+use fixel::mesh::{Buffers, Counts, obj};
 use fixel::prelude::*;
 
 /// Reads the text that these bytes stand for, and checks what comes of it.

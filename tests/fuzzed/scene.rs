@@ -4,8 +4,8 @@ use arbitrary::{Result, Unstructured};
 use embedded_graphics::pixelcolor::Rgb888;
 use fixel::prelude::*;
 
-use super::lens::Lens;
 use super::numbers::{bits, few, list, option, tex_coords, vector};
+use super::projection::Lens;
 use super::shades::Shade;
 use super::steps::{Eye, Steps};
 
@@ -79,7 +79,7 @@ pub struct Scene {
     pub colors: Option<Attribute<Rgb888>>,
     pub eye: Eye,
     pub place: Steps,
-    pub lens: Lens,
+    pub projection: Lens,
     /// Width and height of the canvas.
     pub size: (u32, u32),
     pub viewport: Option<[i32; 4]>,
@@ -112,7 +112,7 @@ impl Scene {
             16..32 => (u.int_in_range(1..=3)?, 2048),
             _ => (u.int_in_range(1..=80)?, u.int_in_range(1..=64)?),
         };
-        let lens = Lens::arbitrary(u)?;
+        let projection = Lens::arbitrary(u)?;
         let mut positions = list(u, MOST, vector)?;
         if let (true, Some(&first)) = (u.ratio(1, 16)?, positions.first()) {
             positions.fill(first);
@@ -149,7 +149,7 @@ impl Scene {
             what,
             shade,
             size,
-            lens,
+            projection,
         })
     }
 
@@ -169,8 +169,8 @@ impl Scene {
     }
 
     /// How it is drawn but for the mode, if there is such a viewport.
-    pub fn pass(&self) -> Result<Pass, Error> {
-        let pass = Pass::new().cull(self.cull);
+    pub fn pass(&self) -> Result<DrawOptions, Error> {
+        let pass = DrawOptions::new().cull(self.cull);
         Ok(match self.viewport {
             None => pass,
             Some(_) => pass.viewport(self.window()?),

@@ -1,14 +1,14 @@
-//! The crate's fragments, one chosen by number.
+//! The crate's shaders, one chosen by number.
 
 use arbitrary::{Result, Unstructured};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
-use fixel::interpolate::Tolerance;
+use fixel::mode::Tolerance;
 use fixel::prelude::*;
 
-use super::fragments::Wide;
 use super::numbers::{option, scalar, vector};
+use super::shaders::Wide;
 
-/// A fragment of the crate's, or the one that shows every bit.
+/// A shader of the crate's, or the one that shows every bit.
 #[derive(Clone, Debug)]
 pub enum Shade {
     /// With so many values.
@@ -30,7 +30,7 @@ pub struct Shine {
     two_sided: bool,
 }
 
-/// How many fragments [`draw`](Shade::draw) knows.
+/// How many shaders [`draw`](Shade::draw) knows.
 const FRAGMENTS: u8 = 24;
 
 impl Shade {
@@ -68,9 +68,9 @@ impl Shine {
     }
 }
 
-/// What is done with a fragment, whichever it is.
+/// What is done with a shader, whichever it is.
 pub trait Draw {
-    fn draw<F: Fragment<N, Color = Rgb565>, const N: usize>(self, fragment: &F);
+    fn draw<F: Shader<N, Color = Rgb565>, const N: usize>(self, shader: &F);
 }
 
 /// Texels that differ from all about them.
@@ -103,7 +103,7 @@ static INDICES: Palette<Rgb565, 4, 2> = Palette::new(
     ],
 );
 
-/// Draws with a fragment of the crate's.
+/// Draws with a shader of the crate's.
 pub fn draw(which: u8, light: Light, color: Rgb888, [far, near]: [u16; 2], then: impl Draw) {
     let faces = [Rgb565::new(31, 0, 0), color.into(), Rgb565::new(0, 0, 31)];
     let (small, large) = (Textured::new(&SMALL), Textured::new(&LARGE));
@@ -135,21 +135,21 @@ pub fn draw(which: u8, light: Light, color: Rgb888, [far, near]: [u16; 2], then:
     }
 }
 
-/// A fragment of few greys.
+/// A shader of few greys.
 #[derive(Clone, Copy, Debug)]
 struct Grey<F>(F);
 
-impl<F: Fragment<N, Color: Into<Rgb888>>, const N: usize> Fragment<N> for Grey<F> {
+impl<F: Shader<N, Color: Into<Rgb888>>, const N: usize> Shader<N> for Grey<F> {
     type Color = Rgb888;
 
     const READS_DEPTH: bool = F::READS_DEPTH;
     const TOLERANCES: [Tolerance; N] = F::TOLERANCES;
 
-    fn varyings(&self, vertex: &Vertex<'_>) -> [i32; N] {
+    fn varyings(&self, vertex: &Corner<'_>) -> [i32; N] {
         self.0.varyings(vertex)
     }
 
-    fn shade(&self, sample: &Sample, values: [i32; N]) -> Option<Rgb888> {
+    fn shade(&self, sample: &Fragment, values: [i32; N]) -> Option<Rgb888> {
         self.0.shade(sample, values).map(Into::into)
     }
 

@@ -6,7 +6,7 @@ use fixel::prelude::*;
 use super::numbers::{angle, factors, few, scalar, vector};
 use crate::moves::Move;
 
-/// A step of a chain of transforms.
+/// A step of a mvp of transforms.
 #[derive(Clone, Copy, Debug)]
 pub enum Step {
     /// What the model follows.

@@ -4,21 +4,21 @@ use std::cell::RefCell;
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
-use fixel::interpolate::Interpolate;
+use fixel::mode::Interpolate;
 use fixel::prelude::*;
 use fixel::target::{Depth, DepthBuffer, Native, Storage};
 use fixel::view::Kind;
 use fixel::{Drawn, Prepared};
 
-use super::fragments::{Record, Recorder, Seen};
 use super::scene::{Scene, What};
+use super::shaders::{Record, Recorder, Seen};
 
 /// A scene that could be made.
 #[derive(Clone, Copy, Debug)]
 pub struct Call<'a, K> {
     pub scene: &'a Scene,
     pub mesh: &'a Mesh<'a>,
-    pub chain: Chain<K>,
+    pub mvp: Mvp<K>,
     pub window: Viewport,
 }
 
@@ -40,34 +40,38 @@ impl<K: Kind> Call<'_, K> {
     fn draw<I, F, O, D, const N: usize>(
         &self,
         canvas: &mut Canvas<'_, Rgb565, O, D>,
-        pass: &Pass<I>,
-        fragment: &F,
+        pass: &DrawOptions<I>,
+        shader: &F,
     ) -> Drawn
     where
         I: Interpolate,
-        F: Fragment<N, Color = Rgb565>,
+        F: Shader<N, Color = Rgb565>,
         O: Storage<Rgb565>,
         D: DepthBuffer,
     {
         let drawn = match self.scene.what {
-            What::Triangles => canvas.draw_with(pass, self.mesh, &self.chain, fragment),
-            What::Edges => canvas.draw_edges(pass, self.mesh, &self.chain, fragment),
-            What::Points => canvas.draw_points(pass, self.mesh, &self.chain, fragment),
+            What::Triangles => canvas.draw_with(pass, self.mesh, &self.mvp, shader),
+            What::Edges => canvas.draw_edges(pass, self.mesh, &self.mvp, shader),
+            What::Points => canvas.draw_points(pass, self.mesh, &self.mvp, shader),
         };
         assert!(drawn.clipped <= drawn.drawn && drawn.drawn <= drawn.submitted);
         drawn
     }
 
-    /// Every pixel that a fragment is asked for where nothing hides another.
-    pub fn record<I, F, const N: usize>(&self, pass: &Pass<I>, fragment: F) -> Record<Rgb565, N>
+    /// Every pixel that a shader is asked for where nothing hides another.
+    pub fn record<I, F, const N: usize>(
+        &self,
+        pass: &DrawOptions<I>,
+        shader: F,
+    ) -> Record<Rgb565, N>
     where
         I: Interpolate,
-        F: Fragment<N, Color = Rgb565>,
+        F: Shader<N, Color = Rgb565>,
     {
         let mut colors = vec![BACKGROUND; self.scene.pixels()];
         let record = RefCell::default();
         let recorder = Recorder {
-            fragment,
+            shader,
             record: &record,
             face: 0,
         };
@@ -119,28 +123,32 @@ impl<K: Kind> Call<'_, K> {
     }
 
     /// Checks all ways, and tells what was seen.
-    pub fn check<I, F, const N: usize>(&self, pass: &Pass<I>, fragment: &F) -> Record<Rgb565, N>
+    pub fn check<I, F, const N: usize>(
+        &self,
+        pass: &DrawOptions<I>,
+        shader: &F,
+    ) -> Record<Rgb565, N>
     where
         I: Interpolate,
-        F: Fragment<N, Color = Rgb565>,
+        F: Shader<N, Color = Rgb565>,
     {
-        let record = self.record(pass, *fragment);
-        let expected = self.depth_test(pass, *fragment, &record.seen);
+        let record = self.record(pass, *shader);
+        let expected = self.depth_test(pass, *shader, &record.seen);
 
         // Without looking on, and once more over itself: of equal depths the later wins, again.
         let mut frame = self.blank();
         let mut counts = Vec::new();
         for _ in 0..2 {
-            let drawn = self.on_frame(&mut frame, |canvas| self.draw(canvas, pass, fragment));
+            let drawn = self.on_frame(&mut frame, |canvas| self.draw(canvas, pass, shader));
             assert!(frame == expected, "what is not looked on differs");
             counts.push(drawn);
         }
         assert_eq!(counts[0], counts[1]);
 
-        let bands = self.in_bands(|band| self.draw(band, pass, fragment));
+        let bands = self.in_bands(|band| self.draw(band, pass, shader));
         assert!(bands == expected, "bands differ");
         if self.scene.what == What::Triangles {
-            self.check_prepared(pass, fragment, &expected, counts[0]);
+            self.check_prepared(pass, shader, &expected, counts[0]);
         }
         record
     }
@@ -148,13 +156,13 @@ impl<K: Kind> Call<'_, K> {
     /// Draws with depths and checks that of what is `seen` without them just what is not hidden is drawn.
     fn depth_test<I, F, const N: usize>(
         &self,
-        pass: &Pass<I>,
-        fragment: F,
+        pass: &DrawOptions<I>,
+        shader: F,
         seen: &[Seen<Rgb565, N>],
     ) -> Picture
     where
         I: Interpolate,
-        F: Fragment<N, Color = Rgb565>,
+        F: Shader<N, Color = Rgb565>,
     {
         let mut expected = self.blank();
         let mut visible = Vec::new();
@@ -172,7 +180,7 @@ impl<K: Kind> Call<'_, K> {
         let mut frame = self.blank();
         let record = RefCell::default();
         let recorder = Recorder {
-            fragment,
+            shader,
             record: &record,
             face: 0,
         };
@@ -188,25 +196,23 @@ impl<K: Kind> Call<'_, K> {
     /// Triangles that were prepared, in a frame and in bands.
     fn check_prepared<I, F, const N: usize>(
         &self,
-        pass: &Pass<I>,
-        fragment: &F,
+        pass: &DrawOptions<I>,
+        shader: &F,
         expected: &Picture,
         drawn: Drawn,
     ) where
         I: Interpolate,
-        F: Fragment<N, Color = Rgb565>,
+        F: Shader<N, Color = Rgb565>,
     {
         let mut list = List::new();
         let prepared: Prepared<'_, K, I> = list
-            .prepare(pass, self.scene.size, self.mesh, &self.chain)
+            .prepare(pass, self.scene.size, self.mesh, &self.mvp)
             .unwrap();
         let mut frame = self.blank();
-        let counts = self.on_frame(&mut frame, |canvas| {
-            canvas.draw_prepared(&prepared, fragment)
-        });
+        let counts = self.on_frame(&mut frame, |canvas| canvas.draw_prepared(&prepared, shader));
         assert!(frame == *expected, "prepared triangles differ");
         assert_eq!(counts, drawn);
-        let bands = self.in_bands(|band| band.draw_prepared(&prepared, fragment));
+        let bands = self.in_bands(|band| band.draw_prepared(&prepared, shader));
         assert!(bands == *expected, "bands of prepared triangles differ");
     }
 
@@ -218,26 +224,26 @@ impl<K: Kind> Call<'_, K> {
     }
 
     /// Checks that a canvas of bytes shows the same, in either order and without depths.
-    pub fn check_bytes<I, F, const N: usize>(&self, pass: &Pass<I>, fragment: &F)
+    pub fn check_bytes<I, F, const N: usize>(&self, pass: &DrawOptions<I>, shader: &F)
     where
         I: Interpolate,
-        F: Fragment<N, Color = Rgb565>,
+        F: Shader<N, Color = Rgb565>,
     {
         let (width, height) = self.scene.size;
         let mut colors = vec![BACKGROUND; self.scene.pixels()];
         let mut canvas = Canvas::new(&mut colors, width, height).unwrap();
-        self.draw(&mut canvas, pass, fragment);
+        self.draw(&mut canvas, pass, shader);
 
         let mut bytes = vec![BigEndian::store(BACKGROUND); colors.len()];
         let mut canvas = Canvas::big_endian(&mut bytes, width, height).unwrap();
-        self.draw(&mut canvas, pass, fragment);
+        self.draw(&mut canvas, pass, shader);
         assert!(canvas.pixels().eq(colors.iter().copied()));
         let sent = colors.iter().flat_map(|color| color.to_be_bytes());
         assert!(canvas.bytes().iter().copied().eq(sent));
 
         let mut bytes = vec![LittleEndian::store(BACKGROUND); colors.len()];
         let mut canvas = Canvas::little_endian(&mut bytes, width, height).unwrap();
-        self.draw(&mut canvas, pass, fragment);
+        self.draw(&mut canvas, pass, shader);
         assert!(canvas.pixels().eq(colors.iter().copied()));
     }
 

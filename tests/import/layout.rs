@@ -1,6 +1,6 @@
 //! Lines, comments and statements that say nothing about the mesh.
 
-use fixel::geometry::{Counts, obj};
+use fixel::mesh::{Counts, obj};
 
 use super::reading::{SQUARE, ok};
 

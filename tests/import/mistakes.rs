@@ -1,6 +1,6 @@
 //! What is no model, and how that is told.
 
-use fixel::geometry::{Buffers, obj};
+use fixel::mesh::{Buffers, obj};
 use fixel::prelude::*;
 use proptest::prelude::*;
 

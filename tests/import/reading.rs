@@ -1,7 +1,7 @@
 //! Texts read into meshes.
 
 use embedded_graphics::pixelcolor::Rgb888;
-use fixel::geometry::{Buffers, Counts, obj};
+use fixel::mesh::{Buffers, Counts, obj};
 use fixel::prelude::*;
 
 /// A mesh that owns what it was read into; the attributes as their values at the corners of the triangles.

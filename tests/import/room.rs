@@ -1,6 +1,6 @@
 //! How much a mesh may have, and what of it the caller has room for.
 
-use fixel::geometry::{Buffers, obj};
+use fixel::mesh::{Buffers, obj};
 use fixel::prelude::*;
 
 use super::reading::{SQUARE, fails, ok};

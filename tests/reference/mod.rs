@@ -1,6 +1,6 @@
-//! The whole rendering chain in f64, written from the mathematics and sharing no code with the crate.
+//! The whole rendering mvp in f64, written from the mathematics and sharing no code with the crate.
 //!
-//! It is the judge of the integer chain, so each part takes the plainest textbook form rather than
+//! It is the judge of the integer mvp, so each part takes the plainest textbook form rather than
 //! a fast one, and parts whose answer is exact (coverage of snapped vertices) are exact integers.
 //!
 //! Conventions: column vectors, matrices as rows, right-handed, the eye at the origin looking down
@@ -10,7 +10,7 @@
 //! | file | idea |
 //! |---|---|
 //! | `linear` | vectors and 4x4 matrices |
-//! | `projection` | lenses; distance ahead and depth |
+//! | `projection` | projections; distance ahead and depth |
 //! | `view` | from a position to a place on the screen |
 //! | `clip` | polygons and segments against planes in homogeneous coordinates |
 //! | `coverage` | which pixel centres a triangle covers |

@@ -138,7 +138,7 @@ pub fn cabinet(angle: f64, window: (f64, f64, f64, f64), near: f64, far: f64) ->
 }
 
 /// The perspective transform alone: (n·x, n·y)/−z, and −z to (n + f) − nf/−z, in eye space with z
-/// negative ahead; an orthographic lens after it makes a [`frustum`] (course.md rows 10 and 11).
+/// negative ahead; an orthographic projection after it makes a [`frustum`] (course.md rows 10 and 11).
 pub fn perspective_transform(n: f64, f: f64) -> Matrix {
     [
         [n, 0., 0., 0.],

@@ -196,7 +196,7 @@ pub struct Picture<const N: usize> {
 /// rounding of vertices by up to `margin` may put there instead.
 pub fn render<const N: usize>(
     pieces: &[Piece<N>],
-    lens: &Lens,
+    projection: &Lens,
     viewport: Viewport,
     (width, height): (u32, u32),
     margin: f64,
@@ -233,7 +233,7 @@ pub fn render<const N: usize>(
                 piece: index,
                 gap,
                 distance,
-                depth: lens.depth(distance),
+                depth: projection.depth(distance),
                 value,
             });
         }
@@ -260,7 +260,7 @@ pub fn draw<const N: usize>(
         x.saturating_add_unsigned(width).max(0) as u32,
         y.saturating_add_unsigned(height).max(0) as u32,
     );
-    let picture = render(&pieces, &view.lens, view.viewport, size, margin);
+    let picture = render(&pieces, &view.projection, view.viewport, size, margin);
     (pieces, picture)
 }
 

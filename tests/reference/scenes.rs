@@ -46,11 +46,11 @@ impl Shape {
     }
 }
 
-/// The scenes' lens and viewport, for a transform of model space to eye space.
+/// The scenes' projection and viewport, for a transform of model space to eye space.
 pub fn view(eye: Matrix) -> View {
     View {
         eye,
-        lens: focal(200., SIZE, 0.25, 100.),
+        projection: focal(200., SIZE, 0.25, 100.),
         viewport: Viewport::new(SIZE.0, SIZE.1),
     }
 }

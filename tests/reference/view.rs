@@ -55,7 +55,7 @@ pub struct View {
     /// Model space to eye space: camera · model.
     pub eye: Matrix,
     /// Eye space to clip space.
-    pub lens: Lens,
+    pub projection: Lens,
     /// Clip space to the screen.
     pub viewport: Viewport,
 }
@@ -63,12 +63,12 @@ pub struct View {
 impl View {
     /// Model space to clip space.
     pub fn matrix(&self) -> Matrix {
-        multiply(&self.lens.matrix, &self.eye)
+        multiply(&self.projection.matrix, &self.eye)
     }
 
     /// Model space to clip space, by way of eye space.
     pub fn clip(&self, position: Vec3) -> Vec4 {
-        apply(&self.lens.matrix, apply_point(&self.eye, position))
+        apply(&self.projection.matrix, apply_point(&self.eye, position))
     }
 
     /// A point of clip space on the screen.
@@ -78,7 +78,7 @@ impl View {
             clip,
             screen: self.viewport.screen([x / w, y / w]),
             w,
-            distance: self.lens.distance(clip),
+            distance: self.projection.distance(clip),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// f64 keeps 2⁻⁵² ≈ 2e-16 of a value; a chain of a few hundred operations on values up to a
+/// f64 keeps 2⁻⁵² ≈ 2e-16 of a value; a mvp of a few hundred operations on values up to a
 /// thousand stays well below this.
 pub const EPSILON: f64 = 1e-9;
 
@@ -86,7 +86,7 @@ impl Torus {
     pub fn view(size: (u32, u32)) -> view::View {
         view::View {
             eye: linear::multiply(&linear::translate([0., 0., -4.]), &linear::rotate_x(0.3)),
-            lens: projection::focal(f64::from(size.1), size, 0.25, 100.),
+            projection: projection::focal(f64::from(size.1), size, 0.25, 100.),
             viewport: view::Viewport::new(size.0, size.1),
         }
     }

@@ -11,11 +11,11 @@ mod given;
 mod clipping;
 mod covering;
 mod interpolation;
-mod lens;
 mod linear_algebra;
 mod measured;
 mod outline;
 mod pictures;
+mod projecting;
 mod screen;
 mod segments;
 

@@ -3,11 +3,11 @@
 use super::*;
 use raster::*;
 
-/// A lens under which x and y of a mesh at distance 1 are pixels: focal length 8 at 8x8 pixels.
+/// A projection under which x and y of a mesh at distance 1 are pixels: focal length 8 at 8x8 pixels.
 fn view() -> view::View {
     view::View {
         eye: linear::IDENTITY,
-        lens: projection::focal(8., (8, 8), 0.25, 8.),
+        projection: projection::focal(8., (8, 8), 0.25, 8.),
         viewport: view::Viewport::new(8, 8),
     }
 }
@@ -102,7 +102,7 @@ fn snapped_corners_are_taken_as_they_are() {
         })
         .collect();
     let pieces = culled(snapped, Cull::Back);
-    let picture = render(&pieces, &view.lens, view.viewport, (8, 8), 0.);
+    let picture = render(&pieces, &view.projection, view.viewport, (8, 8), 0.);
     assert_eq!(picture.counts().iter().sum::<u32>(), 16);
     // Where pixel (2, 2)'s value was.
     close(
@@ -147,7 +147,7 @@ fn a_floor_is_cut_at_the_near_plane() {
 fn parallel_rays_have_linear_depth() {
     let view = view::View {
         eye: linear::IDENTITY,
-        lens: projection::orthographic(-4., 4., -4., 4., 2., 10.),
+        projection: projection::orthographic(-4., 4., -4., 4., 2., 10.),
         viewport: view::Viewport {
             x: 1,
             ..view::Viewport::new(8, 8)
@@ -227,7 +227,7 @@ fn a_torus_has_no_seams() {
         .map(|piece| piece.snap(|_, clip| view::snap(view.place(clip).screen)))
         .collect();
     let pieces = culled(snapped, Cull::Back);
-    let snapped = render(&pieces, &view.lens, view.viewport, size, 0.).counts();
+    let snapped = render(&pieces, &view.projection, view.viewport, size, 0.).counts();
     for (pixel, (a, b)) in Bounds::new(size.0, size.1)
         .pixels()
         .zip(counts.into_iter().zip(snapped))

@@ -21,7 +21,7 @@ fn the_scenes_focal_length() {
     // scenes.md: x = 160 + 200·x/−z, y = 120 − 200·y/−z.
     let view = View {
         eye: linear::translate([0., 0., -1.]),
-        lens: projection::focal(200., (320, 240), 0.25, 100.),
+        projection: projection::focal(200., (320, 240), 0.25, 100.),
         viewport: Viewport::new(320, 240),
     };
     let p = view.project([0.5, 0.25, -3.]);

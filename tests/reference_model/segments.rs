@@ -23,7 +23,7 @@ fn a_line_from_behind_the_eye() {
     // From (−1, 0) two behind the eye to (1, 0) eight ahead; near is 2: clipped 0.4 of the way, at x = −0.2.
     let view = view::View {
         eye: linear::IDENTITY,
-        lens: projection::frustum(-2., 2., -2., 2., 2., 10.),
+        projection: projection::frustum(-2., 2., -2., 2., 2., 10.),
         viewport: view::Viewport::new(100, 100),
     };
     let end = |x: f64, z: f64, a: f64| clip::ClipVertex {

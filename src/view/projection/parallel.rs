@@ -3,8 +3,8 @@
 use core::marker::PhantomData;
 
 use super::{Parallel, Projection, Row, bits, check_far, extent, number};
-use crate::linear::block::Number;
-use crate::number::Unit;
+use crate::num::Unit;
+use crate::num::block::Number;
 use crate::{Angle, Error, Scalar};
 
 impl Projection<Parallel> {

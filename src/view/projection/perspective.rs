@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 
 use super::{Perspective, Projection, Row, bits, check_far, extent};
-use crate::linear::block::{self, Number};
+use crate::num::block::{self, Number};
 use crate::view::Aspect;
 use crate::{Angle, Error, Scalar, Vec3};
 
@@ -70,8 +70,8 @@ impl Projection<Perspective> {
     ///
     /// ```
     /// use fixel::prelude::*;
-    /// let lens = Projection::from_focal_length(fx!(200), (320, 240), fx!(0.25), fx!(100))?;
-    /// assert_eq!(lens.matrix().rows()[0][0], fx!(1.25));
+    /// let projection = Projection::from_focal_length(fx!(200), (320, 240), fx!(0.25), fx!(100))?;
+    /// assert_eq!(projection.matrix().rows()[0][0], fx!(1.25));
     /// # Ok::<(), Error>(())
     /// ```
     pub fn from_focal_length(
@@ -98,9 +98,9 @@ impl Projection<Perspective> {
     ///
     /// ```
     /// use fixel::prelude::*;
-    /// let lens = Projection::frustum(fx!(-1), fx!(2), fx!(-1), fx!(1), fx!(2), fx!(10))?;
-    /// assert_eq!((lens.left(), lens.right()), (fx!(-1), fx!(2)));
-    /// assert_eq!(lens.aspect(), fx!(1.5));
+    /// let projection = Projection::frustum(fx!(-1), fx!(2), fx!(-1), fx!(1), fx!(2), fx!(10))?;
+    /// assert_eq!((projection.left(), projection.right()), (fx!(-1), fx!(2)));
+    /// assert_eq!(projection.aspect(), fx!(1.5));
     /// # Ok::<(), Error>(())
     /// ```
     pub fn frustum(
@@ -147,9 +147,9 @@ impl Projection<Perspective> {
     ///
     /// ```
     /// use fixel::prelude::*;
-    /// let lens = Projection::perspective(Angle::from_degrees(90), (1, 1), fx!(2), fx!(9))?;
-    /// assert_eq!(lens.vanishing_point(vec3!(1, 0, -4)), Some([fx!(0.5), fx!(0)]));
-    /// assert_eq!(lens.vanishing_point(vec3!(1, 1, 0)), None);
+    /// let projection = Projection::perspective(Angle::from_degrees(90), (1, 1), fx!(2), fx!(9))?;
+    /// assert_eq!(projection.vanishing_point(vec3!(1, 0, -4)), Some([fx!(0.5), fx!(0)]));
+    /// assert_eq!(projection.vanishing_point(vec3!(1, 1, 0)), None);
     /// # Ok::<(), Error>(())
     /// ```
     #[must_use]

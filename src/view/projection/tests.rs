@@ -21,7 +21,7 @@ fn close(row: &Row, expected: [f64; 4]) -> bool {
 }
 
 fn one(value: f64) -> Scalar {
-    crate::number::scalar(value).unwrap()
+    crate::num::scalar(value).unwrap()
 }
 
 /// Planes ahead of the eye, near and far, of any size.
@@ -47,17 +47,17 @@ proptest! {
     #[test]
     fn perspective_has_28_bits(bits in 1 << 16..1_u32 << 31, size in [1_u32..8192, 1..8192]) {
         let fov = Angle::from_bits(bits);
-        let lens = Projection::perspective(fov, (size[0], size[1]), one(0.1), one(100.0)).unwrap();
+        let projection = Projection::perspective(fov, (size[0], size[1]), one(0.1), one(100.0)).unwrap();
         let half = f64::from(bits) / f64::from(33).exp2() * TAU;
         let scale = half.cos() / half.sin();
         // Half a unit of the angle is dropped, which counts at both ends of its range.
         let slack = f64::from(-28).exp2() + 8e-10 / (half.sin() * half.cos());
-        let found = real(&lens.rows[1])[1];
+        let found = real(&projection.rows[1])[1];
         prop_assert!((found / scale - 1.0).abs() <= slack, "{} {}", found, scale);
         let x = scale * f64::from(size[1]) / f64::from(size[0]);
-        let found = real(&lens.rows[0])[0];
+        let found = real(&projection.rows[0])[0];
         prop_assert!((found / x - 1.0).abs() <= slack, "{} {}", found, x);
-        let off = (lens.fov() - fov).to_bits().cast_signed();
+        let off = (projection.fov() - fov).to_bits().cast_signed();
         prop_assert!(off.abs() <= 8, "{}", off);
     }
 
@@ -65,10 +65,10 @@ proptest! {
     fn frustum_has_28_bits(
         (l, r) in ordered(), (b, t) in ordered(), (n, f) in planes(),
     ) {
-        let lens = Projection::frustum(l, r, b, t, n, f).unwrap();
+        let projection = Projection::frustum(l, r, b, t, n, f).unwrap();
         let [lf, rf, bf, tf, nf] = [l, r, b, t, n].map(float);
-        prop_assert!(close(&lens.rows[0], [2.0 * nf / (rf - lf), 0.0, (rf + lf) / (rf - lf), 0.0]));
-        prop_assert!(close(&lens.rows[1], [0.0, 2.0 * nf / (tf - bf), (tf + bf) / (tf - bf), 0.0]));
+        prop_assert!(close(&projection.rows[0], [2.0 * nf / (rf - lf), 0.0, (rf + lf) / (rf - lf), 0.0]));
+        prop_assert!(close(&projection.rows[1], [0.0, 2.0 * nf / (tf - bf), (tf + bf) / (tf - bf), 0.0]));
     }
 
     #[test]
@@ -77,7 +77,7 @@ proptest! {
         angle in any::<u32>(), ratio in any::<i32>(),
     ) {
         let (angle, ratio) = (Angle::from_bits(angle), Scalar::from_bits(ratio));
-        let lens = Projection::oblique(angle, ratio, l, r, b, t, n, f).unwrap();
+        let projection = Projection::oblique(angle, ratio, l, r, b, t, n, f).unwrap();
         let [lf, rf, bf, tf, nf, k] = [l, r, b, t, n, ratio].map(float);
         let (sin, cos) = (f64::from(angle.to_bits()) / f64::from(32).exp2() * TAU).sin_cos();
         let (x, y) = (2.0 / (rf - lf), 2.0 / (tf - bf));
@@ -90,9 +90,9 @@ proptest! {
             real(row).into_iter().zip(expected).all(|(found, v)| (found - v).abs() <= slack)
         };
         let middle = (rf + lf) / (rf - lf);
-        prop_assert!(check(&lens.rows[0], [x, 0.0, cx, -middle + cx * nf], slack(x, middle)));
+        prop_assert!(check(&projection.rows[0], [x, 0.0, cx, -middle + cx * nf], slack(x, middle)));
         let middle = (tf + bf) / (tf - bf);
-        prop_assert!(check(&lens.rows[1], [0.0, y, cy, -middle + cy * nf], slack(y, middle)));
+        prop_assert!(check(&projection.rows[1], [0.0, y, cy, -middle + cy * nf], slack(y, middle)));
     }
 
     #[test]
@@ -101,34 +101,34 @@ proptest! {
     ) {
         let [l, r, b, t, n, f, k] = v.map(Scalar::from_bits);
         let angle = Angle::from_bits(angle);
-        let lenses = [
+        let projections = [
             Projection::perspective(angle, size, n, f),
             Projection::from_focal_length(k, size, n, f),
             Projection::frustum(l, r, b, t, n, f),
         ];
-        for lens in lenses.into_iter().flatten() {
-            let _ = (lens.left(), lens.right(), lens.bottom(), lens.top());
-            let _ = (lens.aspect(), lens.fov(), lens.matrix());
-            let _ = (lens.vanishing_point(Vec3::new(l, r, b)), lens.image(Vec3::new(l, r, b)));
+        for projection in projections.into_iter().flatten() {
+            let _ = (projection.left(), projection.right(), projection.bottom(), projection.top());
+            let _ = (projection.aspect(), projection.fov(), projection.matrix());
+            let _ = (projection.vanishing_point(Vec3::new(l, r, b)), projection.image(Vec3::new(l, r, b)));
         }
-        let lenses = [
+        let projections = [
             Projection::orthographic(l, r, b, t, n, f),
             Projection::oblique(angle, k, l, r, b, t, n, f),
         ];
-        for lens in lenses.into_iter().flatten() {
-            let _ = (lens.left(), lens.right(), lens.bottom(), lens.top());
-            let _ = (lens.aspect(), lens.matrix());
+        for projection in projections.into_iter().flatten() {
+            let _ = (projection.left(), projection.right(), projection.bottom(), projection.top());
+            let _ = (projection.aspect(), projection.matrix());
         }
     }
 }
 
 #[test]
 fn focal_length_is_exact() {
-    let lens =
+    let projection =
         Projection::from_focal_length(one(200.0), (320, 240), one(0.25), one(100.0)).unwrap();
-    assert!((real(&lens.rows[0])[0] - 1.25).abs() < f64::EPSILON);
+    assert!((real(&projection.rows[0])[0] - 1.25).abs() < f64::EPSILON);
     // 5/3 is not, but to 30 bits.
-    assert!((real(&lens.rows[1])[1] - 5.0 / 3.0).abs() < f64::from(-29).exp2());
+    assert!((real(&projection.rows[1])[1] - 5.0 / 3.0).abs() < f64::from(-29).exp2());
 }
 
 #[test]
@@ -191,8 +191,13 @@ fn nonsense_is_refused() {
 #[test]
 fn the_widest_and_narrowest_views_are_survived() {
     for bits in [1, 2, 3, (1 << 31) - 1, (1 << 31) - 2] {
-        let lens =
+        let projection =
             Projection::perspective(Angle::from_bits(bits), (1, 1), one(1.0), one(2.0)).unwrap();
-        let _ = (lens.top(), lens.fov(), lens.aspect(), lens.matrix());
+        let _ = (
+            projection.top(),
+            projection.fov(),
+            projection.aspect(),
+            projection.matrix(),
+        );
     }
 }

@@ -1,0 +1,177 @@
+//! 4×4 matrices, as textbooks write them.
+
+use core::ops::Mul;
+
+use super::Vec3;
+use crate::Scalar;
+use crate::num::block;
+
+/// A 4×4 matrix of [`Scalar`]s by rows, for column vectors.
+///
+/// For reading, comparing and exchanging: what draws uses [`Transform`](crate::Transform) and
+/// [`Projection`](crate::Projection), which keep more digits. Products accumulate in 64 bits, round
+/// once to the nearest 2⁻¹⁶ and saturate.
+///
+/// ```
+/// use fixel::prelude::*;
+/// use fixel::Matrix4;
+/// let move_up = Matrix4::translate(vec3!(0, 2, 0));
+/// let halve = Matrix4::scale(vec3!(0.5, 0.5, 0.5));
+/// assert_eq!((halve * move_up).rows()[1][3], fx!(1));
+/// assert_eq!(move_up * Matrix4::IDENTITY, move_up);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Matrix4 {
+    rows: [[Scalar; 4]; 4],
+}
+
+const O: Scalar = Scalar::ZERO;
+const I: Scalar = Scalar::ONE;
+
+impl Matrix4 {
+    /// The matrix that changes nothing.
+    pub const IDENTITY: Self = Self::scale(Vec3::from_ints(1, 1, 1));
+
+    /// A matrix of its rows.
+    #[must_use]
+    pub const fn new(rows: [[Scalar; 4]; 4]) -> Self {
+        Self { rows }
+    }
+
+    /// The rows.
+    #[must_use]
+    pub const fn rows(&self) -> &[[Scalar; 4]; 4] {
+        &self.rows
+    }
+
+    /// Moves by an offset.
+    #[must_use]
+    pub const fn translate(offset: Vec3) -> Self {
+        Self::new([
+            [I, O, O, offset.x],
+            [O, I, O, offset.y],
+            [O, O, I, offset.z],
+            [O, O, O, I],
+        ])
+    }
+
+    /// Scales each axis about the origin.
+    #[must_use]
+    pub const fn scale(factors: Vec3) -> Self {
+        Self::new([
+            [factors.x, O, O, O],
+            [O, factors.y, O, O],
+            [O, O, factors.z, O],
+            [O, O, O, I],
+        ])
+    }
+
+    /// The perspective transform onto the near plane: it takes (x, y, z) to
+    /// (−n·x/z, −n·y/z, −(n + f) − n·f/z), a frustum to the box of its near window, and leaves the
+    /// depth of the planes at −n and −f.
+    ///
+    /// Then scaling and moving that box to ±1 gives the frustum's matrix.
+    /// The product n·f is rounded to nearest and saturates.
+    #[must_use]
+    pub const fn perspective_transform(near: Scalar, far: Scalar) -> Self {
+        let product = near.to_bits() as i64 * far.to_bits() as i64;
+        Self::new([
+            [near, O, O, O],
+            [O, near, O, O],
+            [
+                O,
+                O,
+                near.saturating_add(far),
+                Scalar::from_bits(block::fixed(product, 32, 16)),
+            ],
+            [O, O, Scalar::NEG_ONE, O],
+        ])
+    }
+
+    /// The matrix times a point (x, y, z, 1), in homogeneous coordinates.
+    #[must_use]
+    pub fn homogeneous(&self, point: Vec3) -> [Scalar; 4] {
+        *self * [point.x, point.y, point.z, I]
+    }
+
+    /// The matrix times a point (x, y, z, 1), divided by its fourth coordinate w: rounded to
+    /// nearest.
+    ///
+    /// `None` if w is not above 0, where there is no picture of the point or a mirrored one, or if
+    /// the point is beyond ±32768.
+    #[must_use]
+    pub fn project(&self, point: Vec3) -> Option<Vec3> {
+        let [x, y, z, w] = self.homogeneous(point);
+        if w <= O {
+            return None;
+        }
+        let divide = |v: Scalar| {
+            block::divide(i64::from(v.to_bits()) << 16, w.to_bits().into()).map(Scalar::from_bits)
+        };
+        Some(Vec3::new(divide(x)?, divide(y)?, divide(z)?))
+    }
+}
+
+/// The sum of products of two rows, rounded once.
+///
+/// The partial sums saturate at 2^63, sixteen bits above the largest result.
+fn dot(a: [Scalar; 4], b: [Scalar; 4]) -> Scalar {
+    let sum = a.iter().zip(&b).fold(0_i64, |sum, (a, b)| {
+        sum.saturating_add(i64::from(a.to_bits()) * i64::from(b.to_bits()))
+    });
+    let rounded = sum.saturating_add(1 << 15) >> 16;
+    Scalar::from_bits(rounded.clamp(i32::MIN.into(), i32::MAX.into()) as i32)
+}
+
+impl Mul for Matrix4 {
+    type Output = Self;
+
+    /// The matrix that applies `other` first, then `self`.
+    fn mul(self, other: Self) -> Self {
+        let columns = [0, 1, 2, 3].map(|i| other.rows.map(|row| row[i]));
+        Self::new(self.rows.map(|row| columns.map(|column| dot(row, column))))
+    }
+}
+
+impl Mul<[Scalar; 4]> for Matrix4 {
+    type Output = [Scalar; 4];
+
+    fn mul(self, vector: [Scalar; 4]) -> [Scalar; 4] {
+        self.rows.map(|row| dot(row, vector))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn products_round_once_and_saturate(
+            a in any::<[[i32; 4]; 4]>(),
+            b in any::<[[i32; 4]; 4]>(),
+            cut in 0_u32..32,
+        ) {
+            let cut = |m: [[i32; 4]; 4]| m.map(|row| row.map(|v| v >> cut));
+            let (a, b) = (cut(a), cut(b));
+            let matrix = |m: [[i32; 4]; 4]| Matrix4::new(m.map(|row| row.map(Scalar::from_bits)));
+            let product = matrix(a) * matrix(b);
+            for (i, row) in a.iter().enumerate() {
+                for j in 0..4 {
+                    let terms = row.iter().zip(&b);
+                    let sum: i128 = terms.map(|(&a, b)| i128::from(a) * i128::from(b[j])).sum();
+                    let rounded = (sum + (1 << 15)) >> 16;
+                    let expected = rounded.clamp(i32::MIN.into(), i32::MAX.into());
+                    prop_assert_eq!(i128::from(product.rows()[i][j].to_bits()), expected);
+                }
+            }
+        }
+
+        #[test]
+        fn any_projection_is_survived(m in any::<[[i32; 4]; 4]>(), p in any::<[i32; 3]>()) {
+            let m = Matrix4::new(m.map(|row| row.map(Scalar::from_bits)));
+            let _ = m.project(Vec3::from_bits(p));
+        }
+    }
+}

@@ -1,0 +1,11 @@
+//! Vectors, matrices and transforms.
+
+mod length;
+mod matrix;
+mod transform;
+mod vector;
+
+pub use matrix::Matrix4;
+pub use transform::Transform;
+pub(crate) use transform::{Line, compose};
+pub use vector::{Vec2, Vec3};

@@ -1,0 +1,311 @@
+//! Wavefront OBJ text as a mesh, at compile time or at run time, without floats or allocation.
+//!
+//! [`include_obj!`](crate::include_obj) makes a `static` mesh of a file; [`parse`] fills the
+//! caller's memory. Both read this dialect:
+//!
+//! | statement | meaning |
+//! |---|---|
+//! | `v x y z`, `v x y z w` | a position; the weight is ignored |
+//! | `v x y z r g b` | a position with a colour, 0 to 1 each; if all positions have one, the mesh has colours |
+//! | `vt u`, `vt u v`, `vt u v w` | a texture coordinate; OBJ's v runs up and [`Vec2`]'s down, so v becomes 1 − v; w is ignored |
+//! | `vn x y z` | a normal, of any length |
+//! | `f 1 2 3`, `f 1/1 …`, `f 1//1 …`, `f 1/1/1 …` | a polygon of three or more corners, cut into a fan of triangles from its first |
+//! | `l 1 2 3` | edges between positions |
+//! | `# …` | a comment, to the end of the line |
+//! | any other | ignored, known to OBJ (`o`, `g`, `s`, `p`, `usemtl`, `mtllib`, …) or not |
+//!
+//! - Indices count from 1, or back from −1, the last element so far. A positive index may name an element
+//!   that comes later in the text.
+//! - Numbers are decimal, with exponent or without, rounded exactly to the nearest
+//!   [`Scalar`](crate::Scalar), those of `vt` to the nearest [`TexCoord`](crate::TexCoord), halves away from zero.
+//! - Lines end in LF, CR or both; a backslash at the end joins the next. Blanks do not matter.
+//! - A corner without a texture coordinate gets (0, 0), one without a normal its triangle's own, if
+//!   other corners have them; attributes that no corner names are left out.
+//! - Edges are the sides of the polygons, not of the triangles, and the lines; each once, from the
+//!   smaller index to the greater, in ascending order.
+//! - The text is bytes, as comments and names may be in any encoding; a UTF-8 mark at the start is skipped.
+
+mod decimal;
+mod edges;
+#[doc(hidden)]
+pub mod import;
+mod reader;
+
+use embedded_graphics::pixelcolor::Rgb888;
+
+use super::buffers::{Buffers, Counts};
+use super::mesh::{Index, Mesh};
+use crate::{Error, Vec2, Vec3};
+use reader::{Corner, MOST, Reader, Statement};
+
+/// The indices of one attribute over all corners: whether they need a list of their own.
+#[derive(Clone, Copy)]
+struct Usage {
+    /// How many corners have one.
+    corners: usize,
+    /// Whether any is not the position's.
+    differs: bool,
+}
+
+impl Usage {
+    const fn see(&mut self, index: u16, position: u16) {
+        self.corners += 1;
+        self.differs |= index != position;
+    }
+
+    /// Numbers of values and of triangles, if there are so many values, positions and so on in the text.
+    const fn counts(
+        self,
+        values: usize,
+        positions: usize,
+        corners: usize,
+        faces: usize,
+    ) -> (usize, usize) {
+        if self.corners == 0 {
+            (0, 0)
+        } else if self.differs || self.corners < corners || values != positions {
+            (values, faces)
+        } else {
+            (values, 0)
+        }
+    }
+}
+
+/// Counts what a text holds: how much memory [`parse`] needs.
+///
+/// # Errors
+///
+/// [`Error::Obj`] with the line of the first mistake; indices that name nothing come after all others.
+///
+/// ```
+/// use fixel::mesh::obj;
+/// let counts = obj::count(b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4")?;
+/// assert_eq!((counts.positions, counts.faces, counts.edges), (4, 2, 4));
+/// # Ok::<(), fixel::Error>(())
+/// ```
+pub const fn count(text: &[u8]) -> Result<Counts, Error> {
+    let mut nothing = Buffers::new(&mut [], &mut []);
+    read(text, &mut nothing)
+}
+
+/// Reads a text into as much of the buffers as there is, and counts.
+const fn read(text: &[u8], buffers: &mut Buffers<'_>) -> Result<Counts, Error> {
+    let mut writer = Writer::new(Reader::new(text, MOST), buffers);
+    if let Err(error) = writer.write() {
+        return Err(error);
+    }
+    let counts = writer.counts();
+    if !writer.reader.missed() {
+        return Ok(counts);
+    }
+    // Where was it? Now it is known how many of each there are.
+    let seen = writer.reader.seen();
+    match Writer::new(Reader::new(text, seen), buffers).write() {
+        Ok(()) => Ok(counts),
+        Err(error) => Err(error),
+    }
+}
+
+/// Reads a text into the caller's memory, of which [`count`] tells the size.
+///
+/// Texture coordinates, normals, colours and edges for which there is an empty slice are left out.
+///
+/// # Errors
+///
+/// [`Error::Obj`] as for [`count`]; [`Error::TooMany`] if a slice is too short.
+///
+/// ```
+/// use fixel::mesh::{obj, Buffers};
+/// use fixel::prelude::*;
+/// let (mut positions, mut faces) = ([Vec3::ZERO; 100], [[0; 3]; 100]);
+/// let mesh = obj::parse(
+///     b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3",
+///     Buffers::new(&mut positions, &mut faces),
+/// )?;
+/// assert_eq!(mesh.faces(), [[0, 1, 2]]);
+///
+/// let error = obj::count(b"v 0 0 0\nv 1 zero 0").unwrap_err();
+/// assert_eq!(error.to_string(), "line 2: a number is malformed: it must be like 1, -0.25 or 2.5e-3");
+/// # Ok::<(), Error>(())
+/// ```
+pub const fn parse<'a>(text: &[u8], mut buffers: Buffers<'a>) -> Result<Mesh<'a>, Error> {
+    let counts = match read(text, &mut buffers) {
+        Ok(counts) => counts,
+        Err(error) => return Err(error),
+    };
+    let mut counts = match buffers.wanted(counts) {
+        Ok(counts) => counts,
+        Err(error) => return Err(error),
+    };
+    counts.edges = edges::unique(buffers.edges.split_at_mut(counts.edges).0);
+    buffers.mesh(counts)
+}
+
+/// Writes the elements in the order of the text, as far as there is room.
+struct Writer<'t, 'b, 'a> {
+    reader: Reader<'t>,
+    buffers: &'b mut Buffers<'a>,
+    /// Triangles so far.
+    faces: usize,
+    /// Their polygons' corners so far.
+    corners: usize,
+    /// Edges so far, each as often as it occurs.
+    edges: usize,
+    /// Positions with colours so far.
+    colors: usize,
+    uvs: Usage,
+    normals: Usage,
+}
+
+/// Writes to a list if it has room.
+macro_rules! put {
+    ($list:expr, $at:expr, $value:expr) => {
+        if $at < $list.len() {
+            $list[$at] = $value;
+        }
+    };
+}
+
+impl<'t, 'b, 'a> Writer<'t, 'b, 'a> {
+    const fn new(reader: Reader<'t>, buffers: &'b mut Buffers<'a>) -> Self {
+        let unused = Usage {
+            corners: 0,
+            differs: false,
+        };
+        Self {
+            reader,
+            buffers,
+            faces: 0,
+            corners: 0,
+            edges: 0,
+            colors: 0,
+            uvs: unused,
+            normals: unused,
+        }
+    }
+
+    const fn counts(&self) -> Counts {
+        let [positions, uvs, normals] = self.reader.seen();
+        let (uvs, uv_faces) = self.uvs.counts(uvs, positions, self.corners, self.faces);
+        let (normals, normal_faces) =
+            self.normals
+                .counts(normals, positions, self.corners, self.faces);
+        let colored = self.colors == positions;
+        Counts {
+            positions,
+            faces: self.faces,
+            edges: self.edges,
+            uvs,
+            uv_faces,
+            normals,
+            normal_faces,
+            colors: if colored { positions } else { 0 },
+        }
+    }
+
+    const fn write(&mut self) -> Result<(), Error> {
+        loop {
+            let statement = match self.reader.statement() {
+                Ok(statement) => statement,
+                Err(error) => return Err(error),
+            };
+            // Elements are counted as they are read, so this one is the last.
+            let [positions, uvs, normals] = self.reader.seen();
+            let corners = match statement {
+                Statement::Position(position, color) => {
+                    let at = positions - 1;
+                    put!(self.buffers.positions, at, Vec3::from_bits(position));
+                    if let Some([r, g, b]) = color {
+                        put!(self.buffers.colors, at, Rgb888::new(r, g, b));
+                        self.colors += 1;
+                    }
+                    continue;
+                }
+                Statement::Uv(uv) => {
+                    put!(self.buffers.uvs, uvs - 1, Vec2::from_bits(uv));
+                    continue;
+                }
+                Statement::Normal(normal) => {
+                    put!(self.buffers.normals, normals - 1, Vec3::from_bits(normal));
+                    continue;
+                }
+                Statement::Face => self.polygon(true),
+                Statement::Line => self.polygon(false),
+                Statement::End => return Ok(()),
+            };
+            if let Err(error) = corners {
+                return Err(error);
+            }
+        }
+    }
+
+    /// The corners of a polygon, as a fan of triangles and as edges, or the ends of a line.
+    const fn polygon(&mut self, face: bool) -> Result<(), Error> {
+        let mut first = None;
+        let mut last = None;
+        let mut count = 0;
+        loop {
+            let corner = match self.reader.corner() {
+                Ok(Some(corner)) => corner,
+                Ok(None) => break,
+                Err(error) => return Err(error),
+            };
+            count += 1;
+            if let (Some(uv), true) = (corner.uv, face) {
+                self.uvs.see(uv, corner.position);
+            }
+            if let (Some(normal), true) = (corner.normal, face) {
+                self.normals.see(normal, corner.position);
+            }
+            if let (Some(first), Some(last)) = (first, last) {
+                self.edge(last, corner);
+                if face && count > 2 {
+                    self.triangle([first, last, corner]);
+                }
+            } else {
+                first = Some(corner);
+            }
+            last = Some(corner);
+        }
+        if face && count < 3 {
+            return self.reader.error("a face needs at least 3 corners");
+        }
+        if count < 2 {
+            return self.reader.error("a line needs at least 2 ends");
+        }
+        if let (Some(first), Some(last), true) = (first, last, face) {
+            self.edge(last, first);
+            self.corners += count;
+        }
+        Ok(())
+    }
+
+    const fn edge(&mut self, from: Corner, to: Corner) {
+        let (from, to) = (from.position, to.position);
+        // A side from a corner to itself is none.
+        if from != to {
+            let edge = if from < to { [from, to] } else { [to, from] };
+            put!(self.buffers.edges, self.edges, edge);
+            self.edges += 1;
+        }
+    }
+
+    const fn triangle(&mut self, [a, b, c]: [Corner; 3]) {
+        const fn index(index: Option<Index>) -> Index {
+            match index {
+                Some(index) => index,
+                None => Mesh::NO_VALUE,
+            }
+        }
+        let at = self.faces;
+        let face = [a.position, b.position, c.position];
+        put!(self.buffers.faces, at, face);
+        if at < self.buffers.uv_faces.len() {
+            self.buffers.uv_faces[at] = [index(a.uv), index(b.uv), index(c.uv)];
+        }
+        if at < self.buffers.normal_faces.len() {
+            self.buffers.normal_faces[at] = [index(a.normal), index(b.normal), index(c.normal)];
+        }
+        self.faces += 1;
+    }
+}

@@ -1,0 +1,330 @@
+//! Generated shapes: meshes that need no file.
+
+mod pen;
+mod surface;
+#[cfg(test)]
+mod tests;
+
+use super::buffers::{Buffers, Counts};
+use super::mesh::Mesh;
+use crate::num::Scalar;
+use crate::{Error, Vec3};
+use pen::Pen;
+
+/// A shape that a mesh can be made of: by [`shape!`](crate::shape) for flash, by
+/// [`build`](Self::build) at run time.
+///
+/// All shapes are centred on the origin and have positions, unit normals, texture coordinates from
+/// 0 to 1 and edges, which are a wireframe without the diagonals of quads. Triangles are
+/// counter-clockwise as seen from outside. Where the texture or the normal jumps, positions repeat.
+/// A transform makes another size of them.
+///
+/// ```
+/// use fixel::mesh::{Buffers, Shape};
+/// use fixel::prelude::*;
+/// static BALL: Mesh = shape!(sphere(32, 32));
+/// assert_eq!((BALL.positions().len(), BALL.faces().len()), (33 * 33, 1984));
+///
+/// // The same at run time, here without attributes.
+/// let mut positions = [Vec3::ZERO; 33 * 33];
+/// let mut faces = [[0; 3]; 1984];
+/// let ball = Shape::sphere(32, 32)?.build(Buffers::new(&mut positions, &mut faces))?;
+/// assert_eq!(ball.positions(), BALL.positions());
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shape {
+    kind: Kind,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Cuboid {
+        corner: Vec3,
+    },
+    Sphere {
+        slices: u32,
+        stacks: u32,
+    },
+    Torus {
+        tube: Scalar,
+        slices: u32,
+        sides: u32,
+    },
+    Plane {
+        columns: u32,
+        rows: u32,
+    },
+    Cylinder {
+        slices: u32,
+    },
+}
+
+const fn parts(of: &'static str, given: u32, min: u32) -> Result<(), Error> {
+    if given < min || given > Shape::MAX_PARTS {
+        let max = Shape::MAX_PARTS;
+        return Err(Error::Parts {
+            of,
+            given,
+            min,
+            max,
+        });
+    }
+    Ok(())
+}
+
+const fn extent(of: &'static str, given: Scalar, max: Scalar) -> Result<(), Error> {
+    if given.to_bits() <= 0 || given.to_bits() > max.to_bits() {
+        return Err(Error::Extent { of, given, max });
+    }
+    Ok(())
+}
+
+impl Shape {
+    /// Most parts in one direction: with the fewest in the other they do not overflow an index.
+    pub const MAX_PARTS: u32 = 16_384;
+
+    /// A box from −`corner` to `corner`; the texture fills each of its six sides.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Extent`] if a component of `corner` is not above 0.
+    pub const fn cuboid(corner: Vec3) -> Result<Self, Error> {
+        let checks = [
+            extent("half the width", corner.x, Scalar::MAX),
+            extent("half the height", corner.y, Scalar::MAX),
+            extent("half the depth", corner.z, Scalar::MAX),
+        ];
+        Self::of(Kind::Cuboid { corner }, &checks)
+    }
+
+    /// A sphere of radius 1 with its poles on the y axis.
+    ///
+    /// It has `slices` sides around the axis, from z over x, and `stacks` rows from the upper pole to
+    /// the lower; the texture is wrapped around once.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Parts`] below 3 slices or 2 stacks; [`Error::TooMany`] above 65,536 positions, of
+    /// which there are (`slices` + 1)(`stacks` + 1).
+    pub const fn sphere(slices: u32, stacks: u32) -> Result<Self, Error> {
+        let checks = [parts("slices", slices, 3), parts("stacks", stacks, 2)];
+        Self::of(Kind::Sphere { slices, stacks }, &checks)
+    }
+
+    /// A torus around the y axis: a tube of radius `tube` about a circle of radius 1.
+    ///
+    /// It has `slices` sides around the axis and `sides` around the tube; the texture is wrapped once
+    /// around each, its seam inside.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Parts`] below 3 slices or sides; [`Error::Extent`] if `tube` is not between 0 and 1;
+    /// [`Error::TooMany`] above 65,536 positions, of which there are (`slices` + 1)(`sides` + 1).
+    pub const fn torus(tube: Scalar, slices: u32, sides: u32) -> Result<Self, Error> {
+        let max = Scalar::from_bits(Scalar::ONE.to_bits() - 1);
+        let checks = [
+            extent("tube radius", tube, max),
+            parts("slices", slices, 3),
+            parts("sides", sides, 3),
+        ];
+        let kind = Kind::Torus {
+            tube,
+            slices,
+            sides,
+        };
+        Self::of(kind, &checks)
+    }
+
+    /// A level square from −1 to 1 in x and z that faces up, as a grid of `columns` along x and `rows`
+    /// along z; the texture fills it, its top on the side of −z.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Parts`] below 1 column or row; [`Error::TooMany`] above 65,536 positions, of which
+    /// there are (`columns` + 1)(`rows` + 1).
+    pub const fn plane(columns: u32, rows: u32) -> Result<Self, Error> {
+        let checks = [parts("columns", columns, 1), parts("rows", rows, 1)];
+        Self::of(Kind::Plane { columns, rows }, &checks)
+    }
+
+    /// A closed cylinder of radius 1 about the y axis, from −1 to 1, of `slices` sides.
+    ///
+    /// The texture is wrapped around the side once, and each cap is a disc cut from it.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Parts`] below 3 slices; [`Error::TooMany`] above 65,536 positions, of which there are
+    /// 4(`slices` + 1).
+    pub const fn cylinder(slices: u32) -> Result<Self, Error> {
+        Self::of(Kind::Cylinder { slices }, &[parts("slices", slices, 3)])
+    }
+
+    const fn of(kind: Kind, checks: &[Result<(), Error>]) -> Result<Self, Error> {
+        let mut i = 0;
+        while i < checks.len() {
+            if let Err(error) = checks[i] {
+                return Err(error);
+            }
+            i += 1;
+        }
+        let shape = Self { kind };
+        let given = shape.counts().positions;
+        let max = Mesh::MAX_POSITIONS;
+        if given > max {
+            return Err(Error::TooMany { given, max });
+        }
+        Ok(shape)
+    }
+
+    /// How many elements the mesh has, and so what room it needs.
+    #[must_use]
+    pub const fn counts(self) -> Counts {
+        // Below 2^15 each, so that products fit 32 bits.
+        let (positions, faces, edges) = match self.kind {
+            Kind::Cuboid { .. } => (24, 12, 12),
+            Kind::Sphere { slices, stacks } => (
+                (slices + 1) * (stacks + 1),
+                2 * slices * (stacks - 1),
+                slices * (2 * stacks - 1),
+            ),
+            Kind::Torus { slices, sides, .. } => (
+                (slices + 1) * (sides + 1),
+                2 * slices * sides,
+                2 * slices * sides,
+            ),
+            Kind::Plane { columns, rows } => (
+                (columns + 1) * (rows + 1),
+                2 * columns * rows,
+                columns * (rows + 1) + (columns + 1) * rows,
+            ),
+            Kind::Cylinder { slices } => (4 * (slices + 1), 4 * slices, 3 * slices),
+        };
+        let positions = positions as usize;
+        Counts {
+            positions,
+            faces: faces as usize,
+            edges: edges as usize,
+            uvs: positions,
+            normals: positions,
+            ..Counts::ZERO
+        }
+    }
+
+    /// Makes the mesh in the caller's memory.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::TooMany`] if a slice is shorter than [`counts`](Self::counts) says and not empty.
+    pub const fn build(self, buffers: Buffers<'_>) -> Result<Mesh<'_>, Error> {
+        let mut pen = match Pen::new(buffers, self.counts()) {
+            Ok(pen) => pen,
+            Err(error) => return Err(error),
+        };
+        match self.kind {
+            Kind::Cuboid { corner } => surface::cuboid(&mut pen, corner),
+            Kind::Sphere { slices, stacks } => surface::sphere(&mut pen, slices, stacks),
+            Kind::Torus {
+                tube,
+                slices,
+                sides,
+            } => surface::torus(&mut pen, tube, slices, sides),
+            Kind::Plane { columns, rows } => surface::plane(&mut pen, columns, rows),
+            Kind::Cylinder { slices } => surface::cylinder(&mut pen, slices),
+        }
+        pen.mesh()
+    }
+
+    /// Unwraps a shape while compiling; used by [`shape!`](crate::shape).
+    ///
+    /// # Panics
+    ///
+    /// If `result` is an error.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn checked(result: Result<Self, Error>, name: &str) -> Self {
+        super::panic::checked(result, name)
+    }
+}
+
+/// A mesh of a [`Shape`](crate::mesh::Shape), made while compiling; it lives in flash.
+///
+/// The argument is a constructor of `Shape` with constant arguments; what that refuses does not compile.
+///
+/// ```
+/// use fixel::prelude::*;
+/// static CRATE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+/// static RING: Mesh = shape!(torus(fx!(0.25), 24, 12));
+/// assert!(CRATE.has_uvs() && RING.has_normals());
+/// ```
+///
+/// With `short` after it positions are of 16 bits, in half the flash: [`Mesh::short`](crate::Mesh::short).
+///
+/// ```
+/// use fixel::prelude::*;
+/// static BALL: Mesh = shape!(sphere(16, 12), short); // steps of 2^-14
+/// assert_eq!(BALL.positions().get(0), Some(vec3!(0, 1, 0)));
+/// ```
+/// ```compile_fail
+/// static TWO_SIDED: fixel::Mesh = fixel::shape!(cylinder(2));
+/// ```
+#[macro_export]
+macro_rules! shape {
+    ($name:ident($($argument:expr),* $(,)?)) => {{
+        const SHAPE: $crate::mesh::Shape = $crate::mesh::Shape::checked(
+            $crate::mesh::Shape::$name($($argument),*),
+            ::core::stringify!($name($($argument),*)),
+        );
+        const COUNTS: $crate::mesh::Counts = SHAPE.counts();
+        type Arrays = $crate::mesh::Arrays<
+            { COUNTS.positions },
+            { COUNTS.faces },
+            { COUNTS.edges },
+            { COUNTS.uvs },
+            0,
+            { COUNTS.normals },
+            0,
+            0,
+        >;
+        #[allow(long_running_const_eval)]
+        static ARRAYS: Arrays = {
+            let mut arrays = Arrays::ZERO;
+            let _ = $crate::Mesh::checked(SHAPE.build(arrays.buffers()));
+            arrays
+        };
+        #[allow(long_running_const_eval)]
+        static MESH: $crate::Mesh<'static> = ARRAYS.mesh();
+        MESH
+    }};
+    ($name:ident($($argument:expr),* $(,)?), short $(,)?) => {{
+        const SHAPE: $crate::mesh::Shape = $crate::mesh::Shape::checked(
+            $crate::mesh::Shape::$name($($argument),*),
+            ::core::stringify!($name($($argument),*)),
+        );
+        const COUNTS: $crate::mesh::Counts = SHAPE.counts();
+        type Arrays<const POSITIONS: usize> = $crate::mesh::Arrays<
+            POSITIONS,
+            { COUNTS.faces },
+            { COUNTS.edges },
+            { COUNTS.uvs },
+            0,
+            { COUNTS.normals },
+            0,
+            0,
+        >;
+        #[allow(long_running_const_eval)]
+        const ALL: Arrays<{ COUNTS.positions }> = {
+            let mut arrays = Arrays::ZERO;
+            let _ = $crate::Mesh::checked(SHAPE.build(arrays.buffers()));
+            arrays
+        };
+        #[allow(long_running_const_eval)]
+        const SHORT: ([[i16; 3]; COUNTS.positions], u32) = ALL.shortened();
+        static POSITIONS: [[i16; 3]; COUNTS.positions] = SHORT.0;
+        #[allow(long_running_const_eval)]
+        static ARRAYS: Arrays<0> = ALL.trim();
+        #[allow(long_running_const_eval)]
+        static MESH: $crate::Mesh<'static> = ARRAYS.short_mesh(&POSITIONS, SHORT.1);
+        MESH
+    }};
+}

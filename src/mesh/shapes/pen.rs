@@ -1,0 +1,92 @@
+//! Writes vertices, triangles and edges one after the other.
+
+use crate::mesh::{Buffers, Counts, Index, Mesh};
+use crate::{Error, TexCoord, Vec2, Vec3};
+
+/// One, in the bits of a `Unit`.
+pub(super) const ONE: i64 = 1 << 30;
+
+/// A vertex; the components of its vectors in 2⁻⁶⁰.
+pub(super) struct Corner {
+    pub(super) position: [i64; 3],
+    pub(super) normal: [i64; 3],
+    pub(super) uv: [TexCoord; 2],
+}
+
+/// Where the next elements go.
+pub(super) struct Pen<'a> {
+    buffers: Buffers<'a>,
+    counts: Counts,
+    positions: u32,
+    faces: usize,
+    edges: usize,
+}
+
+/// The nearest `Scalar`s of components in 2⁻⁶⁰.
+const fn rounded([x, y, z]: [i64; 3]) -> Vec3 {
+    const HALF: i64 = 1 << 43;
+    // Magnitudes are up to 2.
+    Vec3::from_bits([
+        ((x + HALF) >> 44) as i32,
+        ((y + HALF) >> 44) as i32,
+        ((z + HALF) >> 44) as i32,
+    ])
+}
+
+/// A vertex's number as an index; a shape's positions are counted before.
+const fn index(number: u32) -> Index {
+    number as Index
+}
+
+impl<'a> Pen<'a> {
+    pub(super) const fn new(buffers: Buffers<'a>, counts: Counts) -> Result<Self, Error> {
+        match buffers.wanted(counts) {
+            Ok(counts) => Ok(Self {
+                buffers,
+                counts,
+                positions: 0,
+                faces: 0,
+                edges: 0,
+            }),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// The number that the next vertex gets.
+    pub(super) const fn next(&self) -> u32 {
+        self.positions
+    }
+
+    pub(super) const fn vertex(&mut self, vertex: &Corner) {
+        let position = rounded(vertex.position);
+        self.place(position, rounded(vertex.normal), vertex.uv);
+    }
+
+    pub(super) const fn place(&mut self, position: Vec3, normal: Vec3, [u, v]: [TexCoord; 2]) {
+        let at = self.positions as usize;
+        self.buffers.positions[at] = position;
+        if self.counts.normals > 0 {
+            self.buffers.normals[at] = normal;
+        }
+        if self.counts.uvs > 0 {
+            self.buffers.uvs[at] = Vec2::new(u, v);
+        }
+        self.positions += 1;
+    }
+
+    pub(super) const fn triangle(&mut self, [a, b, c]: [u32; 3]) {
+        self.buffers.faces[self.faces] = [index(a), index(b), index(c)];
+        self.faces += 1;
+    }
+
+    pub(super) const fn edge(&mut self, [from, to]: [u32; 2]) {
+        if self.counts.edges > 0 {
+            self.buffers.edges[self.edges] = [index(from), index(to)];
+            self.edges += 1;
+        }
+    }
+
+    pub(super) const fn mesh(self) -> Result<Mesh<'a>, Error> {
+        self.buffers.mesh(self.counts)
+    }
+}

@@ -1,0 +1,204 @@
+//! Length and direction of vectors, by an integer reciprocal square root.
+
+/// Seeds: 256/√t rounded down, less 256, for t in steps of 1/128 from 1/4 to 1, at the steps' middles.
+static SEEDS: [u8; 96] = seeds();
+
+const fn seeds() -> [u8; 96] {
+    let mut table = [0; 96];
+    let mut i = 0_u32;
+    while i < 96 {
+        // t = (2(i + 32) + 1)/256, so 256/√t = √(2^24 / (2(i + 32) + 1)): from 256.5 to 508.
+        table[i as usize] = (((1_u32 << 24) / (2 * (i + 32) + 1)).isqrt() - 256) as u8;
+        i += 1;
+    }
+    table
+}
+
+/// The reciprocal square root of t = `value` / 2^32, `value` being at least 2^30, in units of 2^-30.
+///
+/// From 2^30 to 2^31; the relative error is at most 2^-29. A seed within 1.2 %, a Newton step
+/// and one of the third order: 1.2e-2, 2.1e-4, 2e-11, and what the formats round.
+const fn reciprocal_root(value: u32) -> u32 {
+    debug_assert!(value >= 1 << 30);
+    let t = value as i64;
+    // The top seven bits of t are 32 to 127; the comparison shows it to the compiler.
+    let index = (value >> 25).saturating_sub(32) as usize;
+    let seed = 256 + if index < 96 { SEEDS[index] as i64 } else { 0 };
+    // y(3 − ty²)/2, the seed in Q8: t·y² in Q30 (32 + 16 − 18), y in Q30.
+    let y = (seed * ((3 << 30) - ((t * (seed * seed)) >> 18))) >> 9;
+    // y(1 + h/2 + 3h²/8) with h = 1 − ty², which is below 2^-11: y² in Q30, t·y² in Q62, h in Q42.
+    let square = ((y * y) >> 30).cast_unsigned();
+    let h = ((1 << 62) - (value as u64 * square).cast_signed()) >> 20;
+    let gain = (h >> 1) + ((3 * ((h * h) >> 32)) >> 13);
+    let y = y + ((y * gain + (1 << 41)) >> 42);
+    // Rounding must not take it beyond what the callers count on.
+    if y > 1 << 31 {
+        1 << 31
+    } else {
+        y.cast_unsigned() as u32
+    }
+}
+
+/// A vector as mantissas of 31 bits, and the sum of their squares with its reciprocal root.
+pub(crate) struct Measured {
+    /// The vector · 2^up, rounded down.
+    pub(crate) mantissas: [i32; 3],
+    pub(crate) up: i32,
+    /// The upper bits of the sum of squares · 4^`half`: at least 2^30.
+    pub(crate) square: u32,
+    /// See [`reciprocal_root`].
+    pub(crate) root: u32,
+    /// 0 or 1.
+    pub(crate) half: u32,
+}
+
+/// `None` for a vector of no length.
+pub(crate) const fn measure([x, y, z]: [i64; 3]) -> Option<Measured> {
+    let size = x.unsigned_abs() | y.unsigned_abs() | z.unsigned_abs();
+    if size == 0 {
+        return None;
+    }
+    let up = size.leading_zeros().cast_signed() - 33;
+    let mantissas = if up < 0 {
+        [(x >> -up) as i32, (y >> -up) as i32, (z >> -up) as i32]
+    } else {
+        [(x << up) as i32, (y << up) as i32, (z << up) as i32]
+    };
+    // Each at most 2^62, their sum from 2^60 to 3 · 2^62.
+    let [x, y, z] = mantissas;
+    let squared = (x as i64 * x as i64).cast_unsigned()
+        + (y as i64 * y as i64).cast_unsigned()
+        + (z as i64 * z as i64).cast_unsigned();
+    // An even shift, so that its root is one of whole bits.
+    let half = squared.leading_zeros() / 2;
+    let square = ((squared << (2 * half)) >> 32) as u32;
+    Some(Measured {
+        mantissas,
+        up,
+        square,
+        root: reciprocal_root(square),
+        half,
+    })
+}
+
+/// The vector of length one in the direction of `vector`, in units of 2^-30; `None` for no
+/// direction.
+///
+/// Each component is within 2^-28 of its value.
+pub(crate) const fn unit(vector: [i64; 3]) -> Option<[i32; 3]> {
+    let Some(of) = measure(vector) else {
+        return None;
+    };
+    // m / √squared = m · (root / 2^30) / 2^(32 − half), in units of 2^-30.
+    let ([x, y, z], root) = (of.mantissas, of.root as i64);
+    let (down, rounding) = (32 - of.half, 1 << (31 - of.half));
+    Some([
+        ((x as i64 * root + rounding) >> down) as i32,
+        ((y as i64 * root + rounding) >> down) as i32,
+        ((z as i64 * root + rounding) >> down) as i32,
+    ])
+}
+
+/// The cross product of two triples of at most 31 bits.
+pub(crate) fn cross(a: [i32; 3], b: [i32; 3]) -> [i64; 3] {
+    let [a, b] = [a, b].map(|v| v.map(i64::from));
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Scalar, Vec3};
+    use proptest::prelude::*;
+
+    #[test]
+    fn reciprocal_root_has_29_bits() {
+        let mut worst = 0_f64;
+        for x in (1_u32 << 30..=u32::MAX).step_by(9973).chain([u32::MAX]) {
+            let expected = (f64::from(x) / 4_294_967_296.0).sqrt().recip();
+            let found = f64::from(reciprocal_root(x)) / 1_073_741_824.0;
+            worst = worst.max((found / expected - 1.0).abs());
+        }
+        assert!(worst <= f64::from(-29).exp2(), "{worst:e}");
+    }
+
+    /// Also of long vectors, and of those that lie on an axis, which stay exactly there.
+    #[test]
+    fn units_of_all_sizes_have_28_bits() {
+        let mut state = 1_u64;
+        let mut random = || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            state.cast_signed() >> (state >> 58)
+        };
+        for _ in 0..100_000 {
+            let v = [random(), random(), random()];
+            let Some(got) = unit(v) else {
+                assert_eq!(v, [0; 3]);
+                continue;
+            };
+            #[allow(clippy::cast_precision_loss)]
+            let exact = v.map(|x| x as f64);
+            let length = exact.iter().map(|x| x * x).sum::<f64>().sqrt();
+            for (got, exact) in got.iter().zip(exact) {
+                let error = (f64::from(*got) / f64::from(1 << 30) - exact / length).abs();
+                assert!(error < f64::from(-28).exp2(), "{v:?}: {error:e}");
+            }
+        }
+        assert_eq!(unit([0; 3]), None);
+        assert_eq!(unit([0, 0, i64::MIN]), Some([0, 0, -(1 << 30)]));
+        for axis in (0..63).map(|bits| 1_i64 << bits) {
+            assert_eq!(unit([0, axis, 0]), Some([0, 1 << 30, 0]));
+            assert_eq!(unit([-axis, 0, 0]), Some([-(1 << 30), 0, 0]));
+        }
+    }
+
+    fn vectors() -> impl Strategy<Value = [i32; 3]> {
+        (any::<[i32; 3]>(), [0_u32..32, 0..32, 0..32])
+            .prop_map(|(v, cut)| core::array::from_fn(|i| v[i] >> cut[i]))
+    }
+
+    proptest! {
+        #[test]
+        fn units_point_the_same_way(v in vectors()) {
+            let real = v.map(f64::from);
+            let length = real.iter().map(|x| x * x).sum::<f64>().sqrt();
+            match unit(v.map(i64::from)) {
+                None => prop_assert_eq!(v, [0; 3]),
+                Some(unit) => for (u, x) in unit.into_iter().zip(real) {
+                    // Mantissas of 31 bits, a root of 29, and rounding.
+                    let error = f64::from(u) / 1_073_741_824.0 - x / length;
+                    prop_assert!(error.abs() <= f64::from(-28).exp2(), "{:e}", error);
+                },
+            }
+        }
+
+        #[test]
+        fn lengths_are_right(v in vectors()) {
+            let real = v.map(f64::from);
+            // In units of 2^-16.
+            let length = real.iter().map(|x| x * x).sum::<f64>().sqrt().min(i32::MAX.into());
+            let found = f64::from(Vec3::from_bits(v).length().to_bits());
+            prop_assert!((found - length).abs() <= 0.5 + length * f64::from(-29).exp2());
+        }
+
+        #[test]
+        fn products_are_right(a in vectors(), b in vectors(), s in any::<i32>()) {
+            let (u, v) = (Vec3::from_bits(a), Vec3::from_bits(b));
+            let [x, y] = [a, b].map(|v| v.map(i128::from));
+            // Rounded half up and saturated, in integers wide enough.
+            let fixed = |p: i128| i32::try_from((p + (1 << 15)) >> 16)
+                .unwrap_or(if p < 0 { i32::MIN } else { i32::MAX });
+            prop_assert_eq!(u.dot(v).to_bits(), fixed(x[0] * y[0] + x[1] * y[1] + x[2] * y[2]));
+            let cross = |i: usize, j: usize| fixed(x[i] * y[j] - x[j] * y[i]);
+            prop_assert_eq!(u.cross(v).to_bits(), [cross(1, 2), cross(2, 0), cross(0, 1)]);
+            let scaled = (u * Scalar::from_bits(s)).to_bits();
+            prop_assert_eq!(scaled, x.map(|x| fixed(x * i128::from(s))));
+        }
+    }
+}

@@ -1,0 +1,182 @@
+//! A segment in perspective: from a fraction on screen to one in space, and back.
+
+use crate::num::Unit;
+use crate::{Scalar, Vec3};
+
+/// A segment in space by the distances of its two ends ahead of the eye, for questions about its
+/// picture.
+///
+/// A distance is −z in eye space, or the homogeneous coordinate w. Halfway along the picture is not
+/// halfway along the segment: 1/w is linear on screen, and so is every attribute over w.
+///
+/// For set-up, for checking and for learning; pixels have a faster way to the same numbers.
+/// Fractions are from 0 at the start to 1 at the end. Results are rounded to nearest, half away
+/// from zero.
+///
+/// ```
+/// use fixel::view::Segment;
+/// use fixel::{fx, Unit};
+/// let segment = Segment::new(fx!(1), fx!(4)).unwrap();
+/// let half = Unit::lit("0.5");
+/// assert_eq!(segment.distance(half), Some(fx!(1.6)));
+/// assert_eq!(segment.in_space(half), Some(Unit::lit("0.2")));
+/// assert_eq!(segment.on_screen(Unit::lit("0.2")), Some(half));
+/// assert_eq!(segment.attribute(fx!(10), fx!(20), half), Some(fx!(12)));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Segment {
+    start: Scalar,
+    end: Scalar,
+}
+
+const ONE: i128 = 1 << 30;
+
+/// The quotient rounded to nearest, half away from zero; `None` if the denominator is not above
+/// zero or the quotient needs more than 32 bits.
+fn divide(numerator: i128, denominator: i128) -> Option<i32> {
+    if denominator <= 0 {
+        return None;
+    }
+    let half = denominator / 2 * numerator.signum();
+    i32::try_from((numerator + half) / denominator).ok()
+}
+
+fn bits(value: Scalar) -> i128 {
+    value.to_bits().into()
+}
+
+impl Segment {
+    /// A segment of the distances of its ends; `None` unless both are above 0, ahead of the eye.
+    #[must_use]
+    pub fn new(start: Scalar, end: Scalar) -> Option<Self> {
+        if start > Scalar::ZERO && end > Scalar::ZERO {
+            Some(Self { start, end })
+        } else {
+            None
+        }
+    }
+
+    /// What the two ends weigh at a fraction of the picture, (1 − q)/w₀ and q/w₁, both times
+    /// w₀·w₁·2^46.
+    fn weights(self, on_screen: Unit) -> (i128, i128) {
+        let q = i128::from(on_screen.to_bits());
+        ((ONE - q) * bits(self.end), q * bits(self.start))
+    }
+
+    /// The distance at a fraction of the picture: 1/w = 1/w₀ + q·(1/w₁ − 1/w₀).
+    ///
+    /// `None` if the line through the picture does not meet that of the segment ahead of the eye,
+    /// which only fractions below 0 and above 1 bring about, and if the distance is beyond the
+    /// format.
+    #[must_use]
+    pub fn distance(self, on_screen: Unit) -> Option<Scalar> {
+        let (a, b) = self.weights(on_screen);
+        divide(bits(self.start) * bits(self.end) * ONE, a + b).map(Scalar::from_bits)
+    }
+
+    /// The fraction of the segment at a fraction q of its picture: t = q·w₀ / (w₁ − q·(w₁ − w₀)).
+    ///
+    /// `None` as for [`distance`](Self::distance).
+    #[must_use]
+    pub fn in_space(self, on_screen: Unit) -> Option<Unit> {
+        let (a, b) = self.weights(on_screen);
+        divide(b * ONE, a + b).map(Unit::from_bits)
+    }
+
+    /// The fraction of the picture at a fraction t of the segment: q = t·w₁ / (w₀ + t·(w₁ − w₀)).
+    ///
+    /// `None` as for [`distance`](Self::distance).
+    #[must_use]
+    pub fn on_screen(self, in_space: Unit) -> Option<Unit> {
+        // The other way round, the same with the ends' distances exchanged.
+        let swapped = Self {
+            start: self.end,
+            end: self.start,
+        };
+        swapped.in_space(in_space)
+    }
+
+    /// The value at a fraction f of the picture of what is `a` at the start and `b` at the end, the
+    /// homogeneous form: lerp(a/w₀, b/w₁, f) / lerp(1/w₀, 1/w₁, f).
+    ///
+    /// `None` as for [`distance`](Self::distance).
+    #[must_use]
+    pub fn attribute(self, a: Scalar, b: Scalar, on_screen: Unit) -> Option<Scalar> {
+        let (at_start, at_end) = self.weights(on_screen);
+        divide(bits(a) * at_start + bits(b) * at_end, at_start + at_end).map(Scalar::from_bits)
+    }
+}
+
+/// The velocity on the near plane of a point that moves through eye space along `point` + t ·
+/// `velocity`: −n·(vₓ·Pz − Pₓ·vz) / (Pz + vz·t)², and likewise for y, rounded to nearest.
+///
+/// `None` where the point is not ahead of the eye, and if the speed is beyond the format.
+///
+/// ```
+/// use fixel::view::speed;
+/// use fixel::{fx, vec3, Vec3};
+/// // A train on a track below, as it goes off into the distance.
+/// let (track, ahead) = (vec3!(0, -1, -1), -Vec3::Z);
+/// assert_eq!(speed(fx!(1), track, ahead, fx!(0)), Some([fx!(0), fx!(1)]));
+/// assert_eq!(speed(fx!(1), track, ahead, fx!(3)), Some([fx!(0), fx!(0.0625)]));
+/// ```
+#[must_use]
+pub fn speed(near: Scalar, point: Vec3, velocity: Vec3, t: Scalar) -> Option<[Scalar; 2]> {
+    // In units of 2^-32, 64 bits.
+    let z = (bits(point.z) << 16) + bits(velocity.z) * bits(t);
+    if z >= 0 {
+        return None;
+    }
+    let part = |p: Scalar, v: Scalar| {
+        // Units of 2^-48 over 2^-64, and wanted are 2^-16: 32 bits are missing.
+        let top = -bits(near) * (bits(v) * bits(point.z) - bits(p) * bits(velocity.z));
+        let bottom = z * z;
+        if top.unsigned_abs().leading_zeros() > 34 {
+            divide(top << 32, bottom)
+        } else {
+            divide(top, bottom >> 32)
+        }
+        .map(Scalar::from_bits)
+    };
+    Some([part(point.x, velocity.x)?, part(point.y, velocity.y)?])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn any_input_is_survived(
+            w in any::<[i32; 2]>(),
+            f in any::<i32>(),
+            v in any::<[i32; 8]>(),
+        ) {
+            let s = Scalar::from_bits;
+            if let Some(segment) = Segment::new(s(w[0]), s(w[1])) {
+                let f = Unit::from_bits(f);
+                let _ = (segment.distance(f), segment.in_space(f), segment.on_screen(f));
+                let _ = segment.attribute(s(v[0]), s(v[1]), f);
+            }
+            let velocity = Vec3::from_bits([v[3], v[4], v[5]]);
+            let _ = speed(s(v[6]), Vec3::from_bits([v[0], v[1], v[2]]), velocity, s(v[7]));
+        }
+    }
+
+    #[test]
+    fn the_ends_of_the_formats_are_survived() {
+        let far = Vec3::from_bits([i32::MIN; 3]);
+        let mixed = Vec3::from_bits([i32::MAX, i32::MAX, i32::MIN]);
+        for near in [Scalar::MAX, Scalar::MIN, Scalar::DELTA] {
+            for t in [Scalar::MAX, Scalar::MIN, Scalar::ZERO] {
+                let _ = (speed(near, far, mixed, t), speed(near, mixed, far, t));
+            }
+        }
+        let s = Segment::new(Scalar::MAX, Scalar::DELTA).unwrap();
+        for q in [Unit::MIN, Unit::MAX, Unit::ONE, Unit::ZERO] {
+            let _ = (s.distance(q), s.in_space(q), s.on_screen(q));
+            let _ = s.attribute(Scalar::MIN, Scalar::MAX, q);
+        }
+    }
+}

@@ -1,0 +1,296 @@
+//! Chains of transforms and projections against f64: where a point comes to lie, and how deep.
+
+use fixel::num::scalar;
+use fixel::prelude::*;
+use fixel::view::{Kind, Parallel, Perspective};
+use proptest::prelude::*;
+
+use crate::drawing::{Drawing, Spot};
+use crate::mode::Mode;
+use crate::moves::{Move, exact, product, quantised, radians, relative, size};
+use crate::reference::linear::point;
+use crate::reference::projection::{self, Lens};
+use crate::reference::view::{View, Viewport as ModelViewport};
+
+const SIZE: (u32, u32) = (320, 240);
+/// Half the guard band's width in pixels.
+const GUARD: f64 = 2048.;
+
+fn angle() -> impl Strategy<Value = Angle> {
+    any::<u32>().prop_map(Angle::from_bits)
+}
+
+fn places(range: f64) -> impl Strategy<Value = Vec3> {
+    [-range..range, -range..range, -range..range].prop_map(quantised)
+}
+
+fn step() -> impl Strategy<Value = Move> {
+    prop_oneof![
+        places(8.).prop_map(Move::To),
+        angle().prop_map(Move::X),
+        angle().prop_map(Move::Y),
+        angle().prop_map(Move::Z),
+        [0.2..3., 0.2..3., -3.0..-0.2].prop_map(|factors| Move::Scale(quantised(factors))),
+    ]
+}
+
+/// A mvp that puts what is about the origin at some distance before the eye.
+fn mvps() -> impl Strategy<Value = Vec<Move>> {
+    (0.0..60_f64, prop::collection::vec(step(), 0..4)).prop_map(
+        |(distance, mut moves): (f64, Vec<Move>)| {
+            moves.insert(0, crate::moves::to([0., 0., -distance]));
+            moves
+        },
+    )
+}
+
+/// One projection, both ways.
+fn perspective(fov: Angle, near: f64, far: f64) -> (Projection<Perspective>, Lens) {
+    let [near, far] = [near, far].map(|x| scalar(x).unwrap());
+    (
+        Projection::perspective(fov, SIZE, near, far).unwrap(),
+        projection::perspective(radians(fov), 4. / 3., near.to_num(), far.to_num()),
+    )
+}
+
+/// Compares where a point is with the model.
+fn compare<K: Kind>(
+    (projection, model): (Projection<K>, Lens),
+    moves: &[Move],
+    viewport: Viewport,
+    points: &[Vec3],
+) -> Result<(), TestCaseError> {
+    let (transform, eye) = product(moves);
+    let drawing = Drawing {
+        size: SIZE,
+        pass: DrawOptions::new().viewport(viewport),
+        mode: Mode::Exact,
+        mesh: Mesh::new(&[], &[]).unwrap(),
+        mvp: projection * transform,
+    };
+    let view = View {
+        eye,
+        projection: model,
+        viewport: ModelViewport {
+            x: viewport.x(),
+            y: viewport.y(),
+            width: viewport.width(),
+            height: viewport.height(),
+        },
+    };
+    let middle = view.viewport.screen([0.; 2]);
+    for (&p, spot) in points.iter().zip(drawing.spots(points)) {
+        let wanted = view.project(exact(p));
+        // The largest coefficient of the rows for x and y in pixels and for depth, which has the guard band's scale.
+        let pixels = |axis: usize, size: u32| {
+            let row = model.matrix[axis].into_iter();
+            f64::from(size) / 2. * row.fold(0., |most: f64, m| most.max(m.abs()))
+        };
+        let parallel = model.kind == projection::Kind::Parallel;
+        let of_depth = if parallel {
+            GUARD / (model.far - model.near)
+        } else {
+            GUARD
+        };
+        let scale = pixels(0, viewport.width())
+            .max(pixels(1, viewport.height()))
+            .max(of_depth);
+        // A projection' own offset counts as a way too.
+        let size = size(moves, p)
+            + if parallel {
+                model.near.abs().max(model.far.abs()).max(1.)
+            } else {
+                0.
+            };
+        // Off the middle, an error of w is one of x.
+        let off = [0, 1].map(|axis: usize| (wanted.screen[axis] - middle[axis]).abs());
+        let aside = 1. + off[0].max(off[1]) / GUARD;
+        let error = relative(moves) * size * scale / wanted.w * aside;
+        let depth = model.depth(wanted.distance);
+        // Beside t's error that of its reciprocal, of the near plane's and of the scale of 65536, 2^-30 each.
+        let depth_error = relative(moves)
+            * size
+            * 65536.
+            * if parallel {
+                scale / GUARD
+            } else {
+                scale / GUARD * depth / 65536. / wanted.distance
+            }
+            + 65536. * 2_f64.powi(-28);
+        let margin = error + 2. * SIDE;
+        let clear = |margin: f64| {
+            off.iter().all(|off| off + margin < GUARD)
+                && depth + depth_error + margin < 65535.
+                && depth - depth_error - margin > model.depth(model.far)
+        };
+        let Some(Spot {
+            x,
+            y,
+            depth: stored,
+        }) = spot
+        else {
+            prop_assert!(
+                !(wanted.w > 0. && clear(margin)),
+                "{p:?} is at {:?}, {} ahead, and was taken for outside",
+                wanted.screen,
+                wanted.distance
+            );
+            continue;
+        };
+        prop_assert!(wanted.w > 0., "{p:?} is behind the eye");
+        for (axis, got) in [x, y].into_iter().enumerate() {
+            let exact = wanted.screen[axis] * 256.;
+            let by = (f64::from(got) - exact).abs();
+            prop_assert!(
+                by <= 0.5 + 256. * error,
+                "{p:?}: {got} is not {exact}: off by {by} subpixels, allowed {}",
+                0.5 + 256. * error
+            );
+        }
+        let stored = f64::from(stored);
+        prop_assert!(
+            stored <= depth + depth_error && depth < stored + 1. + depth_error,
+            "{p:?}: depth {stored} is not {depth}, within {depth_error}"
+        );
+    }
+    Ok(())
+}
+
+/// Close to a plane, in parts of the size: the near plane counts 2⁻¹⁶ of its distance farther than it is.
+const SIDE: f64 = 1. / 16384.;
+
+fn viewports() -> impl Strategy<Value = Viewport> {
+    (-50..200_i32, -50..100_i32, 1..400_u32, 1..300_u32)
+        .prop_map(|(x, y, width, height)| Viewport::new(x, y, width, height).unwrap())
+}
+
+fn points() -> impl Strategy<Value = Vec<Vec3>> {
+    prop::collection::vec(places(6.), 1..20)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig {
+        cases: 3000,
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    })]
+
+    #[test]
+    fn points_through_transforms(moves in prop::collection::vec(step(), 0..6), p in places(100.)) {
+        let (transform, matrix) = product(&moves);
+        let (got, wanted) = (exact(transform.point(p)), point(&matrix, exact(p)));
+        // Half a unit of the result, beside the mantissas.
+        let error = 2_f64.powi(-17) + relative(&moves) * size(&moves, p);
+        for axis in 0..3 {
+            let by = (got[axis] - wanted[axis]).abs();
+            prop_assert!(by <= error, "{p:?} goes to {got:?}, not {wanted:?}: off by {by}, over {error}");
+        }
+    }
+
+    #[test]
+    fn points_in_perspective(
+        fov in 20_f64..140.,
+        near in 0.01..2.,
+        far in 10_f64..1000.,
+        moves in mvps(),
+        viewport in viewports(),
+        points in points(),
+    ) {
+        let projection = perspective(Angle::try_from_degrees(fov).unwrap(), near, far);
+        compare(projection, &moves, viewport, &points)?;
+    }
+
+    #[test]
+    fn points_in_a_frustum(
+        left in -3_f64..1.,
+        bottom in -3_f64..1.,
+        size in [0.5..4., 0.5..4.],
+        near in 0.5..2.,
+        moves in mvps(),
+        points in points(),
+    ) {
+        let [l, r, b, t, n] = [left, left + size[0], bottom, bottom + size[1], near]
+            .map(|x| scalar(x).unwrap());
+        let projection = Projection::frustum(l, r, b, t, n, fx!(100)).unwrap();
+        let [l, r, b, t, n] = [l, r, b, t, n].map(Scalar::to_num);
+        let model = projection::frustum(l, r, b, t, n, 100.);
+        let viewport = Viewport::new(0, 0, SIZE.0, SIZE.1).unwrap();
+        compare((projection, model), &moves, viewport, &points)?;
+    }
+
+    #[test]
+    fn points_in_parallel(
+        left in -9_f64..1.,
+        bottom in -9_f64..1.,
+        size in [2.0..20., 2.0..20.],
+        near in -10.0..5.,
+        length in prop_oneof![1.0..100., 100.0..20_000.],
+        way in 0_f64..1.,
+        turn in prop::option::of((angle(), 0.0..2.)),
+        mut moves in mvps(),
+        viewport in viewports(),
+        points in points(),
+    ) {
+        let [l, r, b, t, n, f] =
+            [left, left + size[0], bottom, bottom + size[1], near, near + length]
+                .map(|x| scalar(x).unwrap());
+        let exact = [l, r, b, t, n, f].map(Scalar::to_num::<f64>);
+        let projection: (Projection<Parallel>, Lens) = match turn {
+            None => {
+                let [l1, r1, b1, t1, n1, f1] = exact;
+                (
+                    Projection::orthographic(l, r, b, t, n, f).unwrap(),
+                    projection::orthographic(l1, r1, b1, t1, n1, f1),
+                )
+            }
+            Some((angle, ratio)) => {
+                let ratio = scalar(ratio).unwrap();
+                (
+                    Projection::oblique(angle, ratio, l, r, b, t, n, f).unwrap(),
+                    oblique(radians(angle), ratio.to_num(), exact),
+                )
+            }
+        };
+        // Anywhere between the planes.
+        moves.insert(0, crate::moves::to([0., 0., -near - way * length]));
+        compare(projection, &moves, viewport, &points)?;
+    }
+
+    #[test]
+    fn depth_falls_with_distance(
+        near in 0.01..2.,
+        far in 10_f64..1000.,
+        moves in mvps(),
+        points in points(),
+    ) {
+        let projection = perspective(Angle::from_degrees(90), near, far);
+        let (transform, _) = product(&moves);
+        let drawing = Drawing {
+            size: SIZE,
+            pass: DrawOptions::new(),
+            mode: Mode::Exact,
+            mesh: Mesh::new(&[], &[]).unwrap(),
+            mvp: projection.0 * transform,
+        };
+        let mut depths: Vec<(i32, u16)> = points
+            .iter()
+            .zip(drawing.spots(&points))
+            .filter_map(|(&p, spot)| Some((transform.point(p).z.to_bits(), spot?.depth)))
+            .collect();
+        // From far to near, as z rises. Points less than one unit apart may be either way round.
+        depths.sort_unstable();
+        for pair in depths.windows(2) {
+            let [(far, far_depth), (near, near_depth)] = pair else { continue };
+            prop_assert!(
+                far_depth <= near_depth || near - far <= 1,
+                "depth {far_depth} at {far}, {near_depth} at {near}"
+            );
+        }
+    }
+}
+
+/// The crate's oblique view leaves the near plane in place, the model's the plane through the eye.
+fn oblique(angle: f64, ratio: f64, [l, r, b, t, n, f]: [f64; 6]) -> Lens {
+    let (x, y) = (n * ratio * angle.cos(), n * ratio * angle.sin());
+    projection::oblique(angle, ratio, (l + x, r + x, b + y, t + y), n, f)
+}
