@@ -172,19 +172,25 @@ pub mod num;
 mod pipeline;
 mod raster;
 pub mod shade;
-pub mod span;
-pub use span as mode;
+mod span;
+
+/// How attributes are interpolated: [`Mode`](mode::Mode) and its five implementations.
+pub mod mode {
+    pub use crate::span::{Affine, Exact, Fast, Mode, Newton};
+}
+
 pub mod target;
 pub mod view;
 
 pub use error::{Error, Given};
 pub use math::{Matrix4, Transform, Vec2, Vec3};
-pub use mesh::{Corner, Face, Index, Mesh};
+pub use mesh::{Corner, Index, Mesh, Primitive};
 pub use num::{Angle, Rate, Scalar, Spin, TexCoord, Unit};
-pub use pipeline::{Cull, DrawOptions, Drawn, Place, Prepared, TriangleList};
+pub use pipeline::{DrawOptions, Drawn, Prepared, ScreenPoint, TriangleList};
+pub use raster::Cull;
 pub use shade::{
-    Converted, DepthView, FaceColors, Flat, Fragment, Gouraud, Levels, Light, Lit, LitFaces,
-    LitTexture, Modulated, NormalView, Palette, Shader, Texture, Textured,
+    Converted, DepthView, FaceColors, FaceLit, Flat, Fragment, Gouraud, Levels, Light, Lit, Map,
+    NormalView, Palette, Shader, Texture, Textured, Tinted,
 };
 pub use target::Canvas;
 pub use view::{Aspect, Camera, Mvp, Projection, Viewport};
@@ -200,13 +206,12 @@ struct Readme;
 /// preludes must say which it means.
 pub mod prelude {
     pub use crate::{
-        Angle, Aspect, Camera, Canvas, Corner, Cull, DrawOptions, Drawn, Error, Face, Fragment,
-        Mesh, Mvp, Projection, Rate, Scalar, Shader, Spin, TexCoord, Transform, TriangleList, Vec2,
-        Vec3, Viewport,
+        Angle, Aspect, Camera, Canvas, Corner, Cull, DrawOptions, Drawn, Error, Fragment, Mesh,
+        Mvp, Primitive, Projection, Rate, Scalar, Shader, Spin, TexCoord, Transform, TriangleList,
+        Vec2, Vec3, Viewport,
     };
     pub use crate::{
-        Converted, DepthView, FaceColors, Flat, Gouraud, Levels, Light, Lit, LitFaces, LitTexture,
-        Modulated, NormalView, Palette, Texture, Textured,
+        DepthView, FaceColors, Flat, Gouraud, Levels, Light, NormalView, Palette, Texture, Textured,
     };
     pub use crate::{fx, include_obj, shape, vec2, vec3};
 }

@@ -55,6 +55,19 @@ const fn by_halves(a: i64, b: i32) -> i64 {
     low.wrapping_add(((high as u64) << 32).cast_signed())
 }
 
+/// a · b / 2^14, rounded down, for a `b` of up to 17 bits and a product of up to 45.
+#[inline]
+pub(crate) fn times_17_bits(a: i32, b: u32) -> i32 {
+    let b = b.cast_signed();
+    if IS_NARROW {
+        (a >> 14)
+            .wrapping_mul(b)
+            .wrapping_add((a & 0x3fff).wrapping_mul(b) >> 14)
+    } else {
+        ((i64::from(a) * i64::from(b)) >> 14) as i32
+    }
+}
+
 /// The dot product; the caller sees to it that it fits, as that of mantissas of 30 bits by 31 does.
 #[inline]
 pub(crate) fn dot(a: &[i32; 3], b: &[i32; 3]) -> i64 {

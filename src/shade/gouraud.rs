@@ -2,10 +2,9 @@
 
 use core::marker::PhantomData;
 
-use super::levels::{Channels, HALF, LEVEL, all, first};
-use super::{Fragment, Shader};
-use crate::mesh::Corner;
-use crate::span::Tolerance;
+use super::levels::{Channels, HALF, LEVEL, Levels, dimmed};
+use super::{Fragment, Shader, Within};
+use crate::mesh::Primitive;
 
 /// The mesh's vertex colours, interpolated in perspective; white where the mesh has none.
 ///
@@ -45,19 +44,29 @@ impl<C> Gouraud<C> {
     }
 }
 
-impl<C: Channels<K>, const K: usize> Shader<K> for Gouraud<C> {
+impl<C: Levels> Shader for Gouraud<C> {
     type Color = C;
-
-    const TOLERANCES: [Tolerance; K] = [LEVEL; K];
+    type Varyings = Within<LEVEL, C::Channels>;
 
     #[inline]
-    fn varyings(&self, vertex: &Corner<'_>) -> [i32; K] {
-        first(C::levels(vertex.color()).map(|level| level.wrapping_add(HALF)))
+    fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
+        primitive.corners(|corner| {
+            let levels = C::levels(corner.color());
+            Within(C::Channels::first(
+                levels.map(|level| level.wrapping_add(HALF)),
+            ))
+        })
     }
 
     #[inline]
-    fn shade(&self, sample: &Fragment, levels: [i32; K]) -> Option<C> {
-        Some(C::from_raised(all(levels), sample.point))
+    fn shade(&self, at: &Fragment, Within(levels): Self::Varyings) -> Option<C> {
+        Some(C::from_raised(levels.all(), at.point))
+    }
+
+    #[inline]
+    fn shade_lit(&self, at: &Fragment, Within(levels): Self::Varyings, light: i32) -> Option<C> {
+        let levels = levels.all().map(|level| level.wrapping_sub(HALF));
+        Some(C::from_levels(dimmed(levels, light), at.point))
     }
 }
 

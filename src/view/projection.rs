@@ -3,7 +3,6 @@
 use core::marker::PhantomData;
 
 use crate::num::block::{self, Number};
-use crate::span::Interpolate;
 use crate::{Error, Matrix4, Scalar};
 
 mod parallel;
@@ -29,12 +28,6 @@ mod sealed {
 pub trait Kind: sealed::Sealed + Copy + core::fmt::Debug {
     /// Whether the picture shrinks with distance.
     const PERSPECTIVE: bool;
-
-    /// The way attributes are interpolated when a draw call asks for `I`.
-    type Mode<I: Interpolate>: Interpolate;
-
-    /// That way, of the one asked for.
-    fn mode<I: Interpolate>(mode: I) -> Self::Mode<I>;
 }
 
 /// Lines of sight meet in the eye: what is far is small.
@@ -64,20 +57,10 @@ impl sealed::Sealed for Parallel {}
 
 impl Kind for Perspective {
     const PERSPECTIVE: bool = true;
-    type Mode<I: Interpolate> = I;
-
-    fn mode<I: Interpolate>(mode: I) -> I {
-        mode
-    }
 }
 
 impl Kind for Parallel {
     const PERSPECTIVE: bool = false;
-    type Mode<I: Interpolate> = I::Parallel;
-
-    fn mode<I: Interpolate>(mode: I) -> I::Parallel {
-        mode.parallel()
-    }
 }
 
 /// A row of a projection matrix: coefficients of eye space's x, y, z and 1.

@@ -1,34 +1,56 @@
-//! A mesh as a shader sees it: one corner, one face.
+//! A mesh as a shader sees it: a triangle, edge or point, and its corners.
+
+use core::cell::OnceCell;
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::mesh::{Element, Mesh};
-use crate::math::Transform;
+use crate::math::{Direction, NormalMatrix, Transform};
 use crate::{Scalar, Vec2, Vec3};
 
-/// One triangle of a mesh, on its way to be drawn.
+/// Where a draw call puts a model.
+#[derive(Clone, Debug)]
+pub(crate) struct Placement {
+    /// From model to world space.
+    model: Transform,
+    /// From model to eye space.
+    view: Transform,
+    /// Computed for the first normal that a shader asks for.
+    normals: OnceCell<NormalMatrix>,
+}
+
+impl Placement {
+    #[inline]
+    pub(crate) const fn new(model: Transform, view: Transform) -> Self {
+        Self {
+            model,
+            view,
+            normals: OnceCell::new(),
+        }
+    }
+}
+
+/// A triangle, edge or point of a mesh on its way to be drawn.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
 /// use fixel::prelude::*;
+/// use fixel::shade::PerFace;
 ///
 /// /// Faces that look up are light, others dark.
 /// #[derive(Clone, Copy)]
-/// struct Snow(u8);
+/// struct Snow;
 ///
-/// impl Shader<0> for Snow {
+/// impl Shader for Snow {
 ///     type Color = Gray8;
+///     type Varyings = PerFace<u8>;
 ///
-///     fn varyings(&self, _: &Corner) -> [i32; 0] {
-///         []
+///     fn varyings(&self, face: &Primitive) -> [PerFace<u8>; 3] {
+///         [PerFace(if face.normal().y > 0 { 250 } else { 50 }); 3]
 ///     }
 ///
-///     fn face(self, _: &mut [[i32; 0]; 3], face: &Face) -> Self {
-///         Self(if face.normal().y > 0 { 250 } else { 50 })
-///     }
-///
-///     fn shade(&self, _: &Fragment, _: [i32; 0]) -> Option<Gray8> {
-///         Some(Gray8::new(self.0))
+///     fn shade(&self, _: &Fragment, PerFace(luma): PerFace<u8>) -> Option<Gray8> {
+///         Some(Gray8::new(luma))
 ///     }
 /// }
 ///
@@ -38,26 +60,45 @@ use crate::{Scalar, Vec2, Vec3};
 /// let positions = [vec3!(-9, 0, 9), vec3!(9, 0, 9), vec3!(0, 0, -9)];
 /// let ground = Mesh::new(&positions, &[[0, 1, 2]])?;
 /// let mut canvas = Canvas::new(&mut pixels, 1, 1)?;
-/// canvas.draw(&ground, &(projection * from_above * Transform::IDENTITY), &Snow(0));
+/// canvas.draw(&ground, &(projection * from_above), &Snow);
 /// assert_eq!(pixels, [Gray8::new(250)]);
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Face<'a> {
+pub struct Primitive<'a> {
     pub(crate) mesh: &'a Mesh<'a>,
-    /// From model to eye space.
-    pub(crate) view: &'a Transform,
+    pub(crate) placement: &'a Placement,
     pub(crate) element: Element,
 }
 
-impl Face<'_> {
-    /// Which triangle of the mesh this is, the first being 0; an edge or point counts as triangle 0.
+impl Primitive<'_> {
+    /// Which triangle of the mesh this is, counted from 0; 0 for an edge or point.
     #[must_use]
+    #[inline]
     pub const fn index(&self) -> usize {
         match self.element.face {
             Some(face) => face,
             None => 0,
         }
+    }
+
+    /// Whether this is a triangle, not an edge or a point.
+    #[must_use]
+    #[inline]
+    pub const fn is_face(&self) -> bool {
+        self.element.face.is_some()
+    }
+
+    /// A function of each of the three corners; an edge has its second end twice, a point is three times the same.
+    #[must_use]
+    #[inline]
+    pub fn corners<T>(&self, mut f: impl FnMut(&Corner<'_>) -> T) -> [T; 3] {
+        core::array::from_fn(|corner| {
+            f(&Corner {
+                primitive: self,
+                corner,
+            })
+        })
     }
 
     /// The three corners in model space.
@@ -70,7 +111,7 @@ impl Face<'_> {
     #[must_use]
     #[inline]
     pub fn uvs(&self) -> [Vec2; 3] {
-        [0, 1, 2].map(|corner| self.mesh.uv(self.element, corner).unwrap_or_default())
+        self.corners(|corner| corner.uv())
     }
 
     /// The plane's normal in model space, (b − a) × (c − a), scaled to a largest component between
@@ -89,23 +130,37 @@ impl Face<'_> {
         let up = bits.leading_zeros().clamp(1, 63) - 1;
         Vec3::from_bits(normal.map(|x| ((x << up) >> 32) as i32))
     }
+
+    /// The triangle's normal in world space.
+    #[must_use]
+    pub fn world_normal(&self) -> Direction {
+        self.to_world(self.normal())
+    }
+
+    fn to_world(&self, normal: Vec3) -> Direction {
+        let Placement { model, normals, .. } = self.placement;
+        normals
+            .get_or_init(|| NormalMatrix::of(model))
+            .direction(normal)
+    }
 }
 
-/// One corner of a triangle or end of a line, on its way to be drawn.
+/// A corner of a triangle, an end of an edge, or a point, on its way to be drawn.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
 /// use fixel::prelude::*;
 ///
-/// /// Fog: what is ten units away is white, what is at the eye black.
+/// /// Black at the eye, white at a distance of ten units.
 /// #[derive(Clone, Copy)]
 /// struct Fog;
 ///
-/// impl Shader<1> for Fog {
+/// impl Shader for Fog {
 ///     type Color = Gray8;
+///     type Varyings = [i32; 1];
 ///
-///     fn varyings(&self, vertex: &Corner) -> [i32; 1] {
-///         [vertex.distance().to_bits()]
+///     fn varyings(&self, primitive: &Primitive) -> [[i32; 1]; 3] {
+///         primitive.corners(|corner| [corner.distance().to_bits()])
 ///     }
 ///
 ///     fn shade(&self, _: &Fragment, [distance]: [i32; 1]) -> Option<Gray8> {
@@ -115,8 +170,8 @@ impl Face<'_> {
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Corner<'a> {
-    pub(crate) face: &'a Face<'a>,
-    pub(crate) corner: usize,
+    primitive: &'a Primitive<'a>,
+    corner: usize,
 }
 
 impl Corner<'_> {
@@ -124,8 +179,8 @@ impl Corner<'_> {
     #[must_use]
     #[inline]
     pub fn position(&self) -> Vec3 {
-        match self.face.element.indices.get(self.corner) {
-            Some(&index) => self.face.mesh.position(index),
+        match self.primitive.element.indices.get(self.corner) {
+            Some(&index) => self.primitive.mesh.position(index),
             None => Vec3::ZERO,
         }
     }
@@ -134,16 +189,21 @@ impl Corner<'_> {
     #[must_use]
     #[inline]
     pub fn distance(&self) -> Scalar {
-        self.face.view.point(self.position()).z.saturating_neg()
+        self.primitive
+            .placement
+            .view
+            .point(self.position())
+            .z
+            .saturating_neg()
     }
 
     /// The texture coordinate; (0, 0) where the mesh has none.
     #[must_use]
     #[inline]
     pub fn uv(&self) -> Vec2 {
-        self.face
+        self.primitive
             .mesh
-            .uv(self.face.element, self.corner)
+            .uv(self.primitive.element, self.corner)
             .unwrap_or_default()
     }
 
@@ -151,9 +211,13 @@ impl Corner<'_> {
     #[must_use]
     #[inline]
     pub fn normal(&self) -> Vec3 {
-        match self.face.mesh.normal(self.face.element, self.corner) {
+        match self
+            .primitive
+            .mesh
+            .normal(self.primitive.element, self.corner)
+        {
             Some(normal) => normal,
-            None => self.face.normal(),
+            None => self.primitive.normal(),
         }
     }
 
@@ -161,16 +225,24 @@ impl Corner<'_> {
     #[must_use]
     #[inline]
     pub fn color(&self) -> Rgb888 {
-        self.face
+        self.primitive
             .mesh
-            .color(self.face.element, self.corner)
+            .color(self.primitive.element, self.corner)
             .unwrap_or(Rgb888::WHITE)
     }
 
-    /// The triangle that this is a corner of.
+    /// The direction of [`normal`](Self::normal) in world space, where lights are; upright also on a model that is
+    /// stretched or mirrored.
     #[must_use]
     #[inline]
-    pub fn face(&self) -> &Face<'_> {
-        self.face
+    pub fn world_normal(&self) -> Direction {
+        self.primitive.to_world(self.normal())
+    }
+
+    /// The triangle, edge or point that this is a corner of.
+    #[must_use]
+    #[inline]
+    pub const fn primitive(&self) -> &Primitive<'_> {
+        self.primitive
     }
 }

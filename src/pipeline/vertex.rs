@@ -2,14 +2,13 @@
 
 use core::marker::PhantomData;
 
-use super::projected::{DepthShift, Projected};
 use crate::Scalar;
 use crate::math::{Line, Transform, compose};
-use crate::mesh::Index;
-use crate::mesh::{Place, Positions};
+use crate::mesh::{Index, Place, Positions};
 use crate::num::block::{self, Number};
 use crate::num::reciprocal;
 use crate::num::wide::{IS_NARROW, dot, product, short_dot};
+use crate::raster::{DepthShift, ScreenVertex};
 use crate::view::{Kind, Projection, Row, Viewport};
 
 /// Half the width and height of the guard band, in pixels: the room about the viewport's centre in
@@ -226,7 +225,7 @@ impl<'m, K: Kind> Projector<'m, K> {
         distance < if plane < 2 { 0 } else { -SIDE_TOLERANCE }
     }
 
-    /// Whether a position is inside all planes, as [`outside`](Self::outside) has it.
+    /// Whether a position is inside all planes, as [`outcode`](Self::outcode) has it.
     #[inline]
     fn is_inside(&self, &[x, y, t]: &ClipPosition) -> bool {
         let ahead = t.wrapping_sub(self.least).cast_unsigned() <= self.depth;
@@ -242,22 +241,22 @@ impl<'m, K: Kind> Projector<'m, K> {
     ///
     /// A call, as it takes long; few vertices of what is to be seen need it.
     #[inline(never)]
-    fn outside(&self, position: &ClipPosition) -> u8 {
-        (0..6).fold(0, |outside, plane| {
+    fn outcode(&self, position: &ClipPosition) -> u8 {
+        (0..6).fold(0, |outcode, plane| {
             let is_outside = Self::is_outside(self.distance(position, plane), plane);
-            outside | u8::from(is_outside) << plane
+            outcode | u8::from(is_outside) << plane
         })
     }
 
     /// Finds one of the positions on the screen.
     #[inline]
-    pub(crate) fn project(&self, index: Index, to: &mut Projected) {
+    pub(crate) fn project(&self, index: Index, to: &mut ScreenVertex) {
         self.place(index, None, to);
     }
 
     /// Finds a position of clip space that is inside on the screen, such as a corner of a clipped polygon.
     #[inline]
-    pub(super) fn project_inside(&self, position: &ClipPosition, to: &mut Projected) {
+    pub(super) fn project_inside(&self, position: &ClipPosition, to: &mut ScreenVertex) {
         self.place(0, Some(position), to);
     }
 
@@ -265,7 +264,7 @@ impl<'m, K: Kind> Projector<'m, K> {
     ///
     /// A call, and one that writes where it is told to: what asks for a vertex is short, and the vertex not copied.
     #[inline(never)]
-    fn place(&self, index: Index, inside: Option<&ClipPosition>, to: &mut Projected) {
+    fn place(&self, index: Index, inside: Option<&ClipPosition>, to: &mut ScreenVertex) {
         let position = if let Some(position) = inside {
             *position
         } else {
@@ -316,18 +315,18 @@ impl<'m, K: Kind> Projector<'m, K> {
         let [cx, cy] = self.center;
         // What is inside by the tolerance alone may be a little beyond the guard band.
         let [x, y] = screen.map(|x| x.clamp(-(1 << GUARD_BITS), (1 << GUARD_BITS) - 1));
-        *to = Projected {
+        *to = ScreenVertex {
             screen: [x + cx, y + cy],
             q,
             exponent,
-            outside: 0,
+            outcode: 0,
             index,
         };
     }
 
     /// A short position on the screen, apart from the others so that it takes no registers from them.
     #[inline(never)]
-    fn place_short(&self, index: Index, to: &mut Projected) {
+    fn place_short(&self, index: Index, to: &mut ScreenVertex) {
         let position = self.clip_position(index);
         if self.is_inside(&position) {
             self.place(index, Some(&position), to);
@@ -337,11 +336,11 @@ impl<'m, K: Kind> Projector<'m, K> {
     }
 
     #[inline]
-    fn placed_outside(&self, index: Index, position: &ClipPosition) -> Projected {
-        Projected {
-            outside: self.outside(position),
+    fn placed_outside(&self, index: Index, position: &ClipPosition) -> ScreenVertex {
+        ScreenVertex {
+            outcode: self.outcode(position),
             index,
-            ..Projected::NONE
+            ..ScreenVertex::NONE
         }
     }
 

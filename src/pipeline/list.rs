@@ -1,25 +1,24 @@
 //! Triangles prepared once for all bands of a frame.
 
-use core::num::NonZeroU16;
 use core::ops::Range;
 
 use embedded_graphics::geometry::Size;
 use heapless::{Vec, VecView};
 
-use super::cache::Cache;
-use super::geometry::Geometry;
-use super::painter::Painter;
+use super::assemble::Assembly;
+use super::cache;
+use super::call::Call;
+use super::clip::ClippedPolygon;
+use super::run::{self, Draw};
 use super::{DrawOptions, Drawn};
 use crate::Error;
-use crate::math::Transform;
-use crate::raster::{Brush, Fan, Triangle, Window};
-use crate::span::{Interpolate, Newton};
-use crate::target::check_size;
-use crate::view::{Kind, Mvp, Viewport};
-use crate::{
-    mesh::{Element, Mesh},
-    pipeline::{ClippedCorner, Outline, Projected, Weights},
+use crate::mesh::{Element, Index, Mesh, Placement};
+use crate::raster::{
+    Barycentric, Blitter, ClippedVertex, Cull, DepthShift, Polygon, Scissor, ScreenVertex, Triangle,
 };
+use crate::span::{Mode, Newton};
+use crate::target::{DepthTest, TestAndWrite, check_size};
+use crate::view::{Kind, Mvp, Perspective, Viewport};
 
 /// Memory for the triangles of a frame that is drawn in bands: transformed, culled and clipped
 /// once, walked by every band.
@@ -43,7 +42,7 @@ use crate::{
 /// let projection = Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(10))?;
 /// let mvp = projection * Transform::translate(vec3!(0, 0, -2.5));
 /// let sun = Light::new(vec3!(1, 2, 3), fx!(0), fx!(1))?;
-/// let white = Lit::new(Gray4::WHITE, sun);
+/// let white = Flat::rgb(Gray4::WHITE).lit(sun);
 ///
 /// let mut list: TriangleList<100, 80> = TriangleList::new(); // on a microcontroller, a static
 /// let ball = list.prepare(&DrawOptions::new(), (WIDTH, HEIGHT), &BALL, &mvp)?;
@@ -91,26 +90,26 @@ struct Entry {
 enum Corners {
     /// All inside: three vertices.
     Whole([u16; 3]),
-    /// Clipped: so many corners, each a vertex and its weights.
+    /// Clipped: this many corners, each a vertex and its barycentric weights.
     Clipped { first: u16, count: u16 },
 }
 
 /// A vertex on the screen, or where in its triangle the one before it lies.
 ///
-/// Fields of their own, and not a [`Projected`], so that the tag finds room among them.
+/// Fields of their own, and not a [`ScreenVertex`], so that the tag finds room among them.
 #[derive(Clone, Copy, Debug)]
 enum Slot {
-    ClipVertex {
+    Vertex {
         screen: [i32; 2],
         q: u32,
         exponent: u8,
     },
-    Weights(Weights),
+    Barycentric(Barycentric),
 }
 
-impl From<Projected> for Slot {
-    fn from(vertex: Projected) -> Self {
-        Self::ClipVertex {
+impl From<ScreenVertex> for Slot {
+    fn from(vertex: ScreenVertex) -> Self {
+        Self::Vertex {
             screen: vertex.screen,
             q: vertex.q,
             exponent: vertex.exponent,
@@ -120,20 +119,20 @@ impl From<Projected> for Slot {
 
 impl Slot {
     #[inline]
-    fn projected(self) -> Option<Projected> {
+    fn vertex(self) -> Option<ScreenVertex> {
         match self {
-            Self::ClipVertex {
+            Self::Vertex {
                 screen,
                 q,
                 exponent,
-            } => Some(Projected {
+            } => Some(ScreenVertex {
                 screen,
                 q,
                 exponent,
-                outside: 0,
+                outcode: 0,
                 index: 0,
             }),
-            Self::Weights(_) => None,
+            Self::Barycentric(_) => None,
         }
     }
 }
@@ -149,13 +148,16 @@ impl Slot {
 /// is_shared::<Prepared<'static>>();
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared<'a, K = crate::view::Perspective, I = Newton> {
-    pub(super) geometry: Geometry<'a, K>,
-    pub(super) model: Transform,
+pub struct Prepared<'a, K = Perspective, M = Newton, Z = TestAndWrite> {
+    mesh: &'a Mesh<'a>,
+    mvp: Mvp<K>,
     viewport: Viewport,
+    cull: Cull,
     triangles: &'a [Entry],
     vertices: &'a [Slot],
-    pub(super) mode: I,
+    pub(super) depth_shift: DepthShift,
+    pub(super) mode: M,
+    pub(super) test: Z,
 }
 
 impl<const TRIANGLES: usize, const VERTICES: usize> Default for TriangleList<TRIANGLES, VERTICES> {
@@ -177,32 +179,35 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
         }
     }
 
-    /// Transforms, culls and clips a mesh's triangles for a `frame` of so many columns and rows:
-    /// what [`Canvas::draw_with`](crate::Canvas::draw_with) would do for each of its bands. What was in the list before is
-    /// dropped.
+    /// Transforms, culls and clips a mesh's triangles for a `frame` of this many columns and rows, as
+    /// [`Canvas::draw_with`](crate::Canvas::draw_with) would for each of its bands. Drops what was in the list before.
     ///
     /// # Errors
     ///
     /// [`Error::Full`] if the list is too short for what is to be seen, with the length that is
     /// needed; [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`](crate::target::MAX_SIZE).
-    pub fn prepare<'a, I: Interpolate, K: Kind>(
+    pub fn prepare<'a, M: Mode, Z: DepthTest, K: Kind>(
         &'a mut self,
-        pass: &DrawOptions<I>,
+        options: &DrawOptions<M, Z>,
         frame: impl Into<Size>,
         mesh: &'a Mesh<'a>,
         mvp: &Mvp<K>,
-    ) -> Result<Prepared<'a, K, I>, Error> {
+    ) -> Result<Prepared<'a, K, M, Z>, Error> {
         let frame = frame.into();
         check_size(frame.width, frame.height)?;
-        let viewport = pass.viewport_in(frame);
-        let geometry = Geometry::new(pass, mesh, mvp, &viewport);
-        let window = Window::new(&viewport, frame.width, &(0..frame.height));
+        let viewport = options.viewport_in(frame);
+        let call = Call::new(options, mesh, mvp, &viewport);
+        self.triangles.clear();
+        self.vertices.clear();
         let mut filling = Filling {
             triangles: self.triangles.as_mut_view(),
             vertices: self.vertices.as_mut_view(),
             needed: Needed::default(),
+            cull: call.cull,
+            scissor: Scissor::new(&viewport, frame.width, &(0..frame.height)),
+            numbers: [(0, 0); cache::SIZE],
         };
-        filling.fill(&geometry, &window);
+        run::triangles(&call, &mut filling);
         let Needed {
             triangles,
             vertices,
@@ -216,12 +221,15 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
             }
         }
         Ok(Prepared {
-            geometry,
-            model: mvp.model,
+            mesh,
+            mvp: *mvp,
             viewport,
+            cull: call.cull,
             triangles: &self.triangles,
             vertices: &self.vertices,
-            mode: pass.mode,
+            depth_shift: call.depth_shift(),
+            mode: options.mode,
+            test: options.depth,
         })
     }
 }
@@ -233,101 +241,102 @@ struct Needed {
     vertices: usize,
 }
 
-/// A list on its way to be filled; when there is no more room it goes on counting.
+/// A list that is being filled. When there is no more room it goes on counting.
 struct Filling<'l> {
     triangles: &'l mut VecView<Entry>,
     vertices: &'l mut VecView<Slot>,
     needed: Needed,
+    cull: Cull,
+    scissor: Scissor,
+    /// Positions that were added lately, each with its vertex's number in the list, from 1; 0 is none.
+    numbers: [(Index, u16); cache::SIZE],
 }
 
 impl Filling<'_> {
-    /// Puts in what is to be seen.
-    fn fill<K: Kind>(&mut self, geometry: &Geometry<'_, K>, window: &Window) {
-        self.triangles.clear();
-        self.vertices.clear();
-        // A vertex's note is its number in the list, from 1.
-        let mut cache = Cache::<Option<NonZeroU16>>::new();
-        for (face, &indices) in geometry.mesh.faces().iter().enumerate() {
-            let Some((planes, area)) = geometry.planes(&mut cache, indices) else {
-                continue;
-            };
-            let element = Element {
-                face: Some(face),
-                indices,
-            };
-            let (rows, corners) = if planes == 0 {
-                let corners = cache.corners(geometry, indices);
-                let Some(triangle) = Triangle::of_area(&corners, area, window) else {
-                    continue;
-                };
-                let rows = triangle.row_range();
-                let corners = indices.map(|index| {
-                    let vertex = cache.vertex(geometry, index);
-                    let number = vertex
-                        .note
-                        .unwrap_or_else(|| self.add(vertex.projected.into()));
-                    vertex.note = Some(number);
-                    number.get()
-                });
-                (rows, Corners::Whole(corners))
-            } else {
-                let outline = geometry.clip(element, 3, planes);
-                let fan = Fan::new(&outline, geometry.cull);
-                let Some(rows) = fan.and_then(|fan| fan.row_range(window)) else {
-                    continue;
-                };
-                (rows, self.add_outline(&outline))
-            };
-            // Rows of a frame: 0 to 2048.
-            let row = |row: i32| {
-                let inside = row.max(window.rows.start).min(window.rows.end);
-                inside.cast_unsigned() as u16
-            };
-            self.needed.triangles += 1;
-            // If there is no room the list is not used.
-            let _ = self.triangles.push(Entry {
-                face: face as u32,
-                rows: [row(rows.start), row(rows.end)],
-                corners,
-            });
-        }
+    fn add_triangle(&mut self, element: Element, rows: &Range<i32>, corners: Corners) {
+        // Rows of a frame: 0 to 2048.
+        let row = |row: i32| {
+            let inside = row.max(self.scissor.rows.start).min(self.scissor.rows.end);
+            inside.cast_unsigned() as u16
+        };
+        self.needed.triangles += 1;
+        // If there is no room the list is not used.
+        let _ = self.triangles.push(Entry {
+            face: element.face.unwrap_or_default() as u32,
+            rows: [row(rows.start), row(rows.end)],
+            corners,
+        });
     }
 
     /// Adds a vertex; its number, which is wrong if there is no room.
-    fn add(&mut self, slot: Slot) -> NonZeroU16 {
+    fn add(&mut self, slot: Slot) -> u16 {
         self.needed.vertices += 1;
         let _ = self.vertices.push(slot);
-        NonZeroU16::new(self.needed.vertices as u16).unwrap_or(NonZeroU16::MIN)
+        self.needed.vertices as u16
     }
 
-    fn add_outline(&mut self, outline: &[ClippedCorner]) -> Corners {
-        let first = (self.needed.vertices as u16).wrapping_add(1);
-        for corner in outline {
-            self.add(corner.vertex.into());
-            self.add(Slot::Weights(corner.weights));
+    /// The number of a vertex, added now or lately.
+    fn number(&mut self, vertex: &ScreenVertex) -> u16 {
+        let slot = usize::from(vertex.index) % cache::SIZE;
+        let (index, number) = self.numbers[slot];
+        if number != 0 && index == vertex.index {
+            return number;
         }
-        Corners::Clipped {
-            first,
-            // At most nine.
-            count: outline.len() as u16,
-        }
+        let number = self.add((*vertex).into());
+        self.numbers[slot] = (vertex.index, number);
+        number
     }
 }
 
-impl<K: Kind, I> Prepared<'_, K, I> {
-    /// Draws those that meet `rows` of a frame so wide.
+impl Assembly for Filling<'_> {
+    fn whole(&mut self, element: Element, corners: &[ScreenVertex; 3], area: i64) {
+        if let Some(triangle) = Triangle::of_area(corners, area, &self.scissor) {
+            let rows = triangle.row_range();
+            let numbers = corners.each_ref().map(|corner| self.number(corner));
+            self.add_triangle(element, &rows, Corners::Whole(numbers));
+        }
+    }
+
+    fn clipped(&mut self, element: Element, polygon: &[ClippedVertex]) {
+        let part = Polygon::new(polygon, self.cull);
+        let Some(rows) = part.and_then(|part| part.row_range(&self.scissor)) else {
+            return;
+        };
+        let first = (self.needed.vertices as u16).wrapping_add(1);
+        for corner in polygon {
+            self.add(corner.vertex.into());
+            self.add(Slot::Barycentric(corner.barycentric));
+        }
+        let corners = Corners::Clipped {
+            first,
+            // At most nine.
+            count: polygon.len() as u16,
+        };
+        self.add_triangle(element, &rows, corners);
+    }
+}
+
+impl<K: Kind, M, Z> Prepared<'_, K, M, Z> {
+    /// Draws those that meet `rows` of a frame of this width.
     #[inline(never)]
-    pub(super) fn draw(&self, brush: &mut dyn Brush, width: u32, rows: &Range<u32>) -> Drawn {
-        let window = Window::new(&self.viewport, width, rows);
-        let mut painter = Painter::over(self.geometry, window);
-        let rows = painter.rows().clone();
+    pub(super) fn draw(&self, blitter: &mut dyn Blitter, width: u32, rows: &Range<u32>) -> Drawn {
+        let scissor = Scissor::new(&self.viewport, width, rows);
+        let placement = Placement::new(self.mvp.model, self.mvp.model_view());
+        let mut draw = Draw {
+            blitter,
+            mesh: self.mesh,
+            placement: &placement,
+            cull: self.cull,
+            scissor: &scissor,
+            drawn: Drawn::default(),
+        };
         for entry in self.triangles {
             let [start, end] = entry.rows.map(i32::from);
-            if start.max(rows.start) >= end.min(rows.end) {
+            if start.max(scissor.rows.start) >= end.min(scissor.rows.end) {
                 continue;
             }
             let face = entry.face as usize;
-            let Some(&indices) = self.geometry.mesh.faces().get(face) else {
+            let Some(&indices) = self.mesh.faces().get(face) else {
                 continue;
             };
             let element = Element {
@@ -339,40 +348,42 @@ impl<K: Kind, I> Prepared<'_, K, I> {
                     let corners = (self.vertex(a), self.vertex(b), self.vertex(c));
                     if let (Some(a), Some(b), Some(c)) = corners {
                         let corners = [a, b, c];
-                        let triangle = painter.seen(&corners);
-                        painter.whole(brush, element, triangle);
+                        let triangle = Triangle::new(&corners, self.cull, &scissor);
+                        draw.triangle(element, triangle);
                     }
                 }
                 Corners::Clipped { first, count } => {
-                    let outline = self.outline(first, count);
-                    painter.outline(brush, element, &outline);
+                    draw.clipped(element, &self.polygon(first, count));
                 }
             }
         }
-        painter.drawn.submitted = self.geometry.mesh.faces().len() as u32;
-        painter.drawn
+        draw.drawn.submitted = self.mesh.faces().len() as u32;
+        draw.drawn
     }
 
     #[inline]
-    fn vertex(&self, number: u16) -> Option<Projected> {
+    fn vertex(&self, number: u16) -> Option<ScreenVertex> {
         let slot = self.vertices.get(usize::from(number).wrapping_sub(1))?;
-        slot.projected()
+        slot.vertex()
     }
 
-    fn outline(&self, first: u16, count: u16) -> Outline {
+    fn polygon(&self, first: u16, count: u16) -> ClippedPolygon {
         let start = usize::from(first).wrapping_sub(1);
         let slots = self
             .vertices
             .get(start..start.wrapping_add(usize::from(2 * count)));
-        let mut outline = Outline::new();
+        let mut polygon = ClippedPolygon::new();
         for pair in slots.unwrap_or_default().chunks_exact(2) {
-            if let [vertex, Slot::Weights(weights)] = *pair {
-                if let Some(vertex) = vertex.projected() {
+            if let [vertex, Slot::Barycentric(barycentric)] = *pair {
+                if let Some(vertex) = vertex.vertex() {
                     // At most as many as were clipped.
-                    let _ = outline.push(ClippedCorner { vertex, weights });
+                    let _ = polygon.push(ClippedVertex {
+                        vertex,
+                        barycentric,
+                    });
                 }
             }
         }
-        outline
+        polygon
     }
 }

@@ -3,8 +3,7 @@
 use core::ops::Range;
 
 use super::triangle::{self, Triangle, area, area_in, covers, row_range};
-use super::{Brush, Window};
-use crate::pipeline::{ClippedCorner, Cull, Projected};
+use super::{Blitter, ClippedVertex, Cull, Scissor, ScreenVertex};
 
 /// The triangles that a clipped one is drawn as: all have the first corner of the outline.
 ///
@@ -13,8 +12,8 @@ use crate::pipeline::{ClippedCorner, Cull, Projected};
 /// outline's if it is in more of them that run clockwise as the whole than in those that do not,
 /// and then the first of those draws it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Fan<'a> {
-    outline: &'a [ClippedCorner],
+pub(crate) struct Polygon<'a> {
+    outline: &'a [ClippedVertex],
     /// Twice the area of the outline, positive if it runs clockwise as seen.
     area: i64,
 }
@@ -24,19 +23,19 @@ const fn runs_as(whole: i64, area: i64) -> bool {
     (whole > 0) == (area > 0)
 }
 
-// Taken apart by hand, as in `Projected::screens`.
+// Taken apart by hand, as in `ScreenVertex::screens`.
 
-fn vertices([a, b, c]: [&ClippedCorner; 3]) -> [Projected; 3] {
+fn vertices([a, b, c]: [&ClippedVertex; 3]) -> [ScreenVertex; 3] {
     [a.vertex, b.vertex, c.vertex]
 }
 
-fn screens([a, b, c]: [&ClippedCorner; 3]) -> [[i32; 2]; 3] {
+fn screens([a, b, c]: [&ClippedVertex; 3]) -> [[i32; 2]; 3] {
     [a.vertex.screen, b.vertex.screen, c.vertex.screen]
 }
 
-impl<'a> Fan<'a> {
+impl<'a> Polygon<'a> {
     /// The fan of an outline, unless it is culled.
-    pub(crate) fn new(outline: &'a [ClippedCorner], cull: Cull) -> Option<Self> {
+    pub(crate) fn new(outline: &'a [ClippedVertex], cull: Cull) -> Option<Self> {
         let mut fan = Self { outline, area: 0 };
         let area = fan.triangles().map(|corners| area(&screens(corners)));
         fan.area = area.sum();
@@ -47,7 +46,7 @@ impl<'a> Fan<'a> {
     }
 
     /// The triangles.
-    fn triangles(&self) -> impl Iterator<Item = [&'a ClippedCorner; 3]> + use<'a> {
+    fn triangles(&self) -> impl Iterator<Item = [&'a ClippedVertex; 3]> + use<'a> {
         let first = self.outline.first();
         let sides = self.outline.windows(2).skip(1);
         sides.filter_map(move |side| match (first, side) {
@@ -56,18 +55,18 @@ impl<'a> Fan<'a> {
         })
     }
 
-    /// The rows that it may have pixels in; `None` if it has none in the window.
-    pub(crate) fn row_range(&self, window: &Window) -> Option<Range<i32>> {
+    /// The rows that it may have pixels in; `None` if it has none in the scissor.
+    pub(crate) fn row_range(&self, scissor: &Scissor) -> Option<Range<i32>> {
         let corners = self.triangles();
         let corners = corners.map(vertices);
-        let inside = corners.filter(|corners| area_in(corners, Cull::Nothing, window) != 0);
+        let inside = corners.filter(|corners| area_in(corners, Cull::Nothing, scissor) != 0);
         let rows = inside.map(|corners| row_range(&corners));
         rows.reduce(|a, b| a.start.min(b.start)..a.end.max(b.end))
     }
 
-    /// Draws the part in the window; whether there is any.
-    pub(crate) fn draw(&self, brush: &mut dyn Brush, window: &Window) -> bool {
-        // Whether or not the triangle that turned over is in the window: of a folded fan each pixel is a span of its
+    /// Draws the part in the scissor; whether there is any.
+    pub(crate) fn draw(&self, blitter: &mut dyn Blitter, scissor: &Scissor) -> bool {
+        // Whether or not the triangle that turned over is in the scissor: of a folded fan each pixel is a span of its
         // own, whose values a band without that triangle would find a unit beside the frame's.
         let mut folded = false;
         for corners in self.triangles() {
@@ -76,18 +75,18 @@ impl<'a> Fan<'a> {
         }
         let mut drawn = false;
         for (at, corners) in self.triangles().enumerate() {
-            let area = area_in(&vertices(corners), Cull::Nothing, window);
+            let area = area_in(&vertices(corners), Cull::Nothing, scissor);
             if area == 0 || !runs_as(self.area, area) {
                 continue;
             }
             let [a, b, c] = corners;
             let triangle = Triangle {
-                corners: &vertices(corners),
-                weights: Some(&[a.weights, b.weights, c.weights]),
+                vertices: &vertices(corners),
+                barycentric: Some(&[a.barycentric, b.barycentric, c.barycentric]),
                 area,
             };
             let part = Part { fan: self, at };
-            triangle::draw(brush, window, &triangle, folded.then_some(&part));
+            triangle::draw(blitter, scissor, &triangle, folded.then_some(&part));
             drawn = true;
         }
         drawn
@@ -97,7 +96,7 @@ impl<'a> Fan<'a> {
 /// One triangle of a folded fan.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Part<'a> {
-    fan: &'a Fan<'a>,
+    fan: &'a Polygon<'a>,
     at: usize,
 }
 
@@ -107,14 +106,14 @@ impl Part<'_> {
     #[inline(never)]
     pub(super) fn span(
         &self,
-        brush: &mut dyn Brush,
+        blitter: &mut dyn Blitter,
         row: i32,
         columns: Range<i32>,
         [mut x, y]: [i32; 2],
     ) {
         for column in columns {
             if self.has([column, row]) {
-                brush.span(row, column..column + 1, x, y);
+                blitter.span(row, column..column + 1, x, y);
             }
             x += 1;
         }

@@ -5,13 +5,13 @@ use crate::num::wide::{IS_NARROW, product, times_short, upper};
 
 /// An interpolant over a triangle: what it is at every pixel's centre, to a unit.
 ///
-/// Where the triangle is [near](Slope::is_near), that is `start` and so many steps. Elsewhere those would
+/// Where the triangle is [near](Basis::is_near), that is `start` and so many steps. Elsewhere those would
 /// add up too much rounding, and it is a quotient: its numerator is linear over the screen, its
 /// denominator is twice the triangle's area scaled to 32 bits, and the numerators are scaled alike, so
 /// they take 63 bits. Arithmetic on them wraps: within the triangle the result is in
 /// range, and modulo 2⁶⁴ it does not matter by which way it was reached.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Plane {
+pub(crate) struct Gradient {
     /// What it gains from one column to the next, to the nearest unit.
     pub(crate) step: i32,
     /// What it gains from one row to the next; of a near triangle.
@@ -24,7 +24,7 @@ pub(crate) struct Plane {
     dy: i64,
 }
 
-impl Plane {
+impl Gradient {
     /// Nothing to interpolate.
     pub(crate) const NONE: Self = Self {
         step: 0,
@@ -49,7 +49,7 @@ impl Plane {
 ///
 /// Positions are in units of 1/256 pixel.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Slope {
+pub(crate) struct Basis {
     /// From corner 0 to corners 1 and 2.
     sides: [[i32; 2]; 2],
     /// From corner 0 to the centre of the pixel it lies in.
@@ -70,7 +70,7 @@ pub(crate) struct Slope {
 /// A near triangle's columns and rows, together: half a unit of rounding for each comes to 32 units.
 const NEAR: i32 = 64;
 
-impl Slope {
+impl Basis {
     /// Nothing to interpolate.
     pub(crate) const NONE: Self = Self {
         sides: [[0; 2]; 2],
@@ -96,7 +96,12 @@ impl Slope {
         let is_thick = small_area >> 8 >= wide.max(high).cast_unsigned();
         let (near, up, down, size) = if is_small && is_thick {
             let zeros = (small_area | 1).leading_zeros();
-            ((zeros + 8) & 31, 1, 0, small_area << (zeros & 31))
+            (
+                (zeros + 8) & 31,
+                1 << (zeros & 31),
+                0,
+                small_area << (zeros & 31),
+            )
         } else {
             let size = area.unsigned_abs();
             let zeros = size.leading_zeros();
@@ -157,16 +162,16 @@ impl Slope {
 
     /// Lays a plane through the values at the corners.
     #[inline]
-    pub(crate) fn lay(&self, values: [i32; 3], plane: &mut Plane) {
+    pub(crate) fn lay(&self, values: [i32; 3], gradient: &mut Gradient) {
         if self.is_near() {
-            self.lay_near(values, plane);
+            self.lay_near(values, gradient);
         } else {
-            self.lay_far(values, plane);
+            self.lay_far(values, gradient);
         }
     }
 
     #[inline(never)]
-    fn lay_near(&self, values: [i32; 3], plane: &mut Plane) {
+    fn lay_near(&self, values: [i32; 3], gradient: &mut Gradient) {
         // Gradients are below 2^31 and areas below 2^32: 63 bits.
         let gains = if IS_NARROW {
             self.short_gains(values)
@@ -179,13 +184,13 @@ impl Slope {
         let [x, y] = self.to_center;
         let moved = moved(step, x).wrapping_add(moved(row, y));
         let [corner, ..] = values;
-        plane.step = step;
-        plane.row = row;
-        plane.start = corner.wrapping_add(moved);
+        gradient.step = step;
+        gradient.row = row;
+        gradient.start = corner.wrapping_add(moved);
     }
 
     #[inline(never)]
-    fn lay_far(&self, values: [i32; 3], plane: &mut Plane) {
+    fn lay_far(&self, values: [i32; 3], gradient: &mut Gradient) {
         let [dx, dy] = self.gains(values);
         let [x, y] = self.to_center.map(i64::from);
         let moved = self.scale(dx * x + dy * y);
@@ -193,18 +198,46 @@ impl Slope {
         let corner = i64::from(corner) * i64::from(self.area);
         // By 256 they take 60 bits.
         let [dx, dy] = [dx, dy].map(|gain| self.scale(gain << 8));
-        plane.step = self.value(dx);
-        plane.numerator = corner.wrapping_add(moved);
-        plane.dx = dx;
-        plane.dy = dy;
+        gradient.step = self.value(dx);
+        gradient.numerator = corner.wrapping_add(moved);
+        gradient.dx = dx;
+        gradient.dy = dy;
+    }
+
+    /// The numerator alone, of any triangle: for [`precise`](Self::precise).
+    pub(crate) fn lay_numerator(&self, values: [i32; 3], gradient: &mut Gradient) {
+        let mut far = Gradient::NONE;
+        self.lay_far(values, &mut far);
+        *gradient = Gradient {
+            step: gradient.step,
+            row: gradient.row,
+            start: gradient.start,
+            ..far
+        };
+    }
+
+    /// 2^`up` times the value `x` columns and `y` rows from the pixel that corner 0 lies in, to the nearest unit.
+    pub(crate) fn precise(&self, gradient: &Gradient, [x, y]: [i32; 2], up: u32) -> i32 {
+        let moved = times_short(gradient.dx, x).wrapping_add(times_short(gradient.dy, y));
+        self.value(gradient.numerator.wrapping_add(moved) << (up & 31))
+    }
+
+    /// The most that a value changes from a pixel to the next, across or down.
+    pub(crate) fn steepness(&self, gradient: &Gradient) -> u32 {
+        let row = if self.is_near() {
+            gradient.row
+        } else {
+            self.value(gradient.dy)
+        };
+        gradient.step.unsigned_abs().max(row.unsigned_abs())
     }
 
     /// A plane's value `x` columns and `y` rows from the pixel that corner 0 lies in.
     #[inline(never)]
-    pub(crate) fn far(&self, plane: &Plane, x: i32, y: i32) -> i32 {
-        let Plane {
+    pub(crate) fn far(&self, gradient: &Gradient, x: i32, y: i32) -> i32 {
+        let Gradient {
             numerator, dx, dy, ..
-        } = plane;
+        } = gradient;
         // Within the guard band, 4096 pixels are the most.
         let moved = times_short(*dx, x).wrapping_add(times_short(*dy, y));
         self.value(numerator.wrapping_add(moved))
@@ -277,8 +310,8 @@ mod tests {
             sides in [[side(), side()], [side(), side()]],
             values in [value(), value(), value()],
         ) {
-            let slope = Slope { sides, ..Slope::NONE };
-            prop_assert_eq!(slope.short_gains(values), slope.gains(values));
+            let basis = Basis { sides, ..Basis::NONE };
+            prop_assert_eq!(basis.short_gains(values), basis.gains(values));
         }
     }
 }
