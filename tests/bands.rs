@@ -5,7 +5,7 @@ mod common;
 use std::any::type_name;
 
 use embedded_graphics::pixelcolor::Rgb888;
-use fixel::mode::{Affine, Exact, Fast, Interpolate, Linear, Newton};
+use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 use fixel::view::Kind;
 use proptest::prelude::*;
@@ -19,7 +19,7 @@ const BANDS: [u32; 3] = [1, 7, 16];
 #[derive(Clone, Copy)]
 struct Bits;
 
-impl Shader<3> for Bits {
+impl Shader for Bits {
     type Color = Rgb888;
 
     fn varyings(&self, vertex: &Corner) -> [i32; 3] {
@@ -50,7 +50,7 @@ impl Shader<3> for Bits {
 #[derive(Clone, Copy)]
 struct Index(u8);
 
-impl Shader<0> for Index {
+impl Shader for Index {
     type Color = Rgb888;
 
     fn varyings(&self, _: &Corner) -> [i32; 0] {
@@ -82,7 +82,7 @@ impl Scene {
             .unwrap()
     }
 
-    fn draw<I: Interpolate, K: Kind>(&self, mode: I, canvas: &mut Band<'_>, mvp: &Mvp<K>) {
+    fn draw<I: Mode, K: Kind>(&self, mode: I, canvas: &mut Band<'_>, mvp: &Mvp<K>) {
         canvas.clear(Rgb888::new(1, 2, 3));
         let mesh = self.mesh();
         canvas.draw_with(&common::BOTH_SIDES.mode(mode), &mesh, mvp, &Bits);
@@ -119,14 +119,10 @@ impl Scene {
         self.check_mode(Fast::within(fx!(0.0625)), mvp)?;
         self.check_mode(Fast::within(fx!(0)), mvp)?;
         self.check_mode(Affine, mvp)?;
-        self.check_mode(Linear, mvp)
+        self.check_mode(mvp)
     }
 
-    fn check_mode<I: Interpolate, K: Kind>(
-        &self,
-        mode: I,
-        mvp: &Mvp<K>,
-    ) -> Result<(), TestCaseError> {
+    fn check_mode<I: Mode, K: Kind>(&self, mode: I, mvp: &Mvp<K>) -> Result<(), TestCaseError> {
         let name = type_name::<I>();
         let frame = bands(HEIGHT, |band| self.draw(mode, band, mvp));
         for rows in BANDS {
@@ -144,11 +140,7 @@ impl Scene {
     }
 
     /// Triangles that were prepared are drawn as they are without, and counted alike.
-    fn check_prepared<I: Interpolate, K: Kind>(
-        &self,
-        mode: I,
-        mvp: &Mvp<K>,
-    ) -> Result<(), TestCaseError> {
+    fn check_prepared<I: Mode, K: Kind>(&self, mode: I, mvp: &Mvp<K>) -> Result<(), TestCaseError> {
         let name = type_name::<I>();
         let mesh = self.mesh();
         let window = Viewport::new(-9, 3, 64, 48).unwrap();

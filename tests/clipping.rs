@@ -158,7 +158,7 @@ type Drawing = RefCell<Vec<([i32; 2], i32, u16)>>;
 #[derive(Clone, Copy)]
 struct Record<'a>(&'a Drawing);
 
-impl Shader<1> for Record<'_> {
+impl Shader for Record<'_> {
     type Color = Gray8;
 
     fn varyings(&self, vertex: &Corner) -> [i32; 1] {

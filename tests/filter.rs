@@ -75,7 +75,7 @@ fn channel<C: Parts, const W: usize, const H: usize>(
 }
 
 /// The colour that a shader gives texels that are looked up at (u, v), in texels of 16 fraction bits.
-fn shade<F: Shader<N>, const N: usize>(shader: &F, varyings: [i32; N]) -> F::Color {
+fn shade<F: Shader>(shader: &F, varyings: [i32; N]) -> F::Color {
     let sample = Fragment {
         point: Point::zero(),
         depth: 0,
@@ -224,7 +224,7 @@ const TEXELS: usize = 4;
 const RATIO: u32 = 16;
 
 /// A square that fills the picture.
-fn picture<F: Shader<2, Color = Rgb888>>(shader: &F) -> Vec<[f64; 3]> {
+fn picture<F: Shader<Color = Rgb888>>(shader: &F) -> Vec<[f64; 3]> {
     static SQUARE: Mesh = shape!(plane(1, 1));
     let window = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2));
     let mvp = window.unwrap() * Camera::top(Vec3::ZERO, fx!(1));

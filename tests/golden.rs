@@ -6,7 +6,7 @@
 
 use embedded_graphics::pixelcolor::raw::BigEndian;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use fixel::mode::{Affine, Exact, Fast, Interpolate, Newton};
+use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 use fixel::target::Depth;
 
@@ -115,7 +115,7 @@ fn lighthouse() {
 }
 
 /// Checksums of the scenes in a mode: the floor, and a pose of the cube and of the sphere each.
-fn scenes_in<I: Interpolate>(mode: I) -> [u32; 3] {
+fn scenes_in<I: Mode>(mode: I) -> [u32; 3] {
     let pass = DrawOptions::new().mode(mode);
     let (floor, _) = picture(|canvas| {
         scenes::floor(canvas, &pass, &scenes::floor_chain(0).unwrap());

@@ -144,7 +144,7 @@ type Drawn = ([i32; 2], i32, u16);
 #[derive(Clone, Copy)]
 struct Record<'a>(&'a RefCell<Vec<Drawn>>);
 
-impl Shader<1> for Record<'_> {
+impl Shader for Record<'_> {
     type Color = Gray8;
 
     fn varyings(&self, vertex: &Corner) -> [i32; 1] {

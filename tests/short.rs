@@ -1,7 +1,7 @@
 //! Positions of 16 bits: drawn as the same numbers in 32 bits are, and rounded no more than they must be.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use fixel::mode::{Exact, Interpolate};
+use fixel::mode::{Exact, Mode};
 use fixel::prelude::*;
 use fixel::target::{Depth, Native};
 use fixel::view::{Kind, Perspective};
@@ -47,11 +47,7 @@ fn models() -> impl Strategy<Value = Model> {
 type Board<'a> = Canvas<'a, Rgb565, Native, Depth<'a>>;
 
 /// What is drawn of a mesh in all ways, and counted.
-fn drawn<K: Kind, I: Interpolate>(
-    mesh: &Mesh,
-    mvp: &Mvp<K>,
-    mode: I,
-) -> impl PartialEq + use<K, I> {
+fn drawn<K: Kind, I: Mode>(mesh: &Mesh, mvp: &Mvp<K>, mode: I) -> impl PartialEq + use<K, I> {
     let (mut colors, mut depths) = (vec![Rgb565::BLACK; PIXELS], vec![0; PIXELS]);
     let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
     let mut canvas: Board<'_> = canvas.with_depth(&mut depths).unwrap();

@@ -5,7 +5,7 @@ use std::thread;
 
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, RgbColor};
-use fixel::mode::{Affine, Exact, Fast, Interpolate, Linear, Newton};
+use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 use fixel::target::{Depth, Native, NoDepth};
 use fixel::view::{Parallel, Perspective};
@@ -131,7 +131,7 @@ fn without_depth(draw: impl Fn(&mut Canvas<'_, Rgb565, BigEndian>) + Sync) {
 }
 
 /// Textures and colours, with depth.
-fn scenes_in<I: Interpolate + Sync>(mode: I) {
+fn scenes_in<I: Mode + Sync>(mode: I) {
     let pass = DrawOptions::new().mode(mode);
     let [floor, cube] = [scenes::floor_chain(0), scenes::cube_chain(3)].map(Result::unwrap);
     with_depth(|canvas| {

@@ -103,7 +103,7 @@ impl Gyroscope<'_> {
     {
         canvas.clear(Gray4::BLACK);
         for (part, grey) in &self.parts {
-            canvas.draw_prepared(part, &Lit::new(Gray4::new(*grey), self.sun));
+            canvas.draw_prepared(part, &Flat::<Gray4>::rgb(Gray4::new(*grey)).lit(self.sun));
         }
         caption(canvas, self.frame);
     }

@@ -9,7 +9,7 @@ use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::{Alignment, Text};
-use fixel::mode::Interpolate;
+use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::shade::{Converted, Levels, Light, Texture, Textured};
 use fixel::target::{DepthBuffer, Storage};
@@ -120,7 +120,7 @@ where
 }
 
 /// What the sea is painted with.
-pub fn waves<C: Levels>() -> impl Shader<2, Color = C> {
+pub fn waves<C: Levels>() -> impl Shader<Color = C> {
     Converted::new(Textured::new(&WAVES))
 }
 
@@ -129,7 +129,7 @@ pub fn waves<C: Levels>() -> impl Shader<2, Color = C> {
 /// # Errors
 ///
 /// None: the light's numbers are constant.
-pub fn skin<C: Levels>() -> Result<impl Shader<3, Color = C>, Error> {
+pub fn skin<C: Levels>() -> Result<impl Shader<Color = C>, Error> {
     Ok(Converted::new(Textured::new(&SKIN).lit(sun()?)))
 }
 
@@ -145,7 +145,7 @@ pub fn draw<C, I, K, O, D>(
 ) -> Result<[Drawn; 2], Error>
 where
     C: Levels,
-    I: Interpolate,
+    I: Mode,
     K: Kind,
     O: Storage<C>,
     D: DepthBuffer,

@@ -5,7 +5,7 @@
 //! is not. `no_std`, so that a microcontroller draws the very same.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, WebColors};
-use fixel::mode::Interpolate;
+use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::shade::{FaceColors, Gouraud, Texture, Textured};
 use fixel::target::{DepthBuffer, Storage};
@@ -181,22 +181,22 @@ pub fn sphere_chain(k: i32) -> Result<Mvp<Perspective>, Error> {
 }
 
 /// What the floor and the cube are painted with.
-pub fn checkered() -> impl Shader<2, Color = Rgb565> {
+pub fn checkered() -> impl Shader<Color = Rgb565> {
     Textured::new(&CHECKER)
 }
 
 /// What the sphere is painted with: its vertices' colours.
-pub fn shaded() -> impl Shader<3, Color = Rgb565> {
+pub fn shaded() -> impl Shader<Color = Rgb565> {
     Gouraud::new()
 }
 
 /// What the flat sphere is painted with: its triangles' colours.
-pub fn faceted() -> impl Shader<0, Color = Rgb565> {
+pub fn faceted() -> impl Shader<Color = Rgb565> {
     FaceColors::new(&FACE_COLORS)
 }
 
 /// Draws the floor.
-pub fn floor<I: Interpolate, O: Storage<Rgb565>, D: DepthBuffer>(
+pub fn floor<I: Mode, O: Storage<Rgb565>, D: DepthBuffer>(
     canvas: &mut Canvas<'_, Rgb565, O, D>,
     pass: &DrawOptions<I>,
     mvp: &Mvp<Perspective>,
@@ -205,7 +205,7 @@ pub fn floor<I: Interpolate, O: Storage<Rgb565>, D: DepthBuffer>(
 }
 
 /// Draws the cube.
-pub fn cube<I: Interpolate, O: Storage<Rgb565>, D: DepthBuffer>(
+pub fn cube<I: Mode, O: Storage<Rgb565>, D: DepthBuffer>(
     canvas: &mut Canvas<'_, Rgb565, O, D>,
     pass: &DrawOptions<I>,
     mvp: &Mvp<Perspective>,
@@ -214,7 +214,7 @@ pub fn cube<I: Interpolate, O: Storage<Rgb565>, D: DepthBuffer>(
 }
 
 /// Draws the sphere with interpolated colours.
-pub fn sphere<I: Interpolate, O: Storage<Rgb565>, D: DepthBuffer>(
+pub fn sphere<I: Mode, O: Storage<Rgb565>, D: DepthBuffer>(
     canvas: &mut Canvas<'_, Rgb565, O, D>,
     pass: &DrawOptions<I>,
     mvp: &Mvp<Perspective>,
@@ -223,7 +223,7 @@ pub fn sphere<I: Interpolate, O: Storage<Rgb565>, D: DepthBuffer>(
 }
 
 /// Draws the sphere with a colour per triangle; meant for a canvas without depth.
-pub fn sphere_flat<I: Interpolate, O: Storage<Rgb565>, D: DepthBuffer>(
+pub fn sphere_flat<I: Mode, O: Storage<Rgb565>, D: DepthBuffer>(
     canvas: &mut Canvas<'_, Rgb565, O, D>,
     pass: &DrawOptions<I>,
     mvp: &Mvp<Perspective>,

@@ -1,7 +1,7 @@
 //! Draws a scene in a layout, and takes its figures.
 
 use crc32fast::Hasher;
-use fixel::mode::Interpolate;
+use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::target::DepthBuffer;
 use fixel::view::Perspective;
@@ -84,7 +84,7 @@ impl Bench {
     }
 
     /// Draws a scene.
-    pub fn measure<I: Interpolate>(
+    pub fn measure<I: Mode>(
         &mut self,
         scene: Scene,
         pass: &DrawOptions<I>,
@@ -96,7 +96,7 @@ impl Bench {
             depths,
             lists,
         } = self;
-        let mvp = scene.chain()?;
+        let mvp = scene.mvp()?;
         let (rows, mut figures) = (layout.rows(), Figures::default());
         let models = if let Layout::Prepared = layout {
             let (clock, lists, mvp) = (&mut *clock, &mut **lists, &mvp);
@@ -137,7 +137,7 @@ impl Bench {
     /// The checksum of a scene with a depth buffer, drawn in a way.
     pub fn checksum(&mut self, way: Way) -> Result<u32, Error> {
         let Way { scene, rows, .. } = way;
-        let (pass, mvp) = (DrawOptions::new(), scene.chain()?);
+        let (pass, mvp) = (DrawOptions::new(), scene.mvp()?);
         let models = if way.is_prepared {
             Models::Prepared(scene.prepare(self.lists, &pass, &mvp)?)
         } else {
@@ -181,7 +181,7 @@ enum Models<'a, I> {
     Prepared(PreparedScene<'a, I>),
 }
 
-impl<I: Interpolate> Models<'_, I> {
+impl<I: Mode> Models<'_, I> {
     fn draw<D: DepthBuffer>(&self, canvas: &mut Target<'_, D>) -> Result<u32, Error> {
         match self {
             Self::Meshes(scene, pass, mvp) => scene.draw(canvas, pass, mvp),
@@ -191,7 +191,7 @@ impl<I: Interpolate> Models<'_, I> {
 }
 
 /// Draws a scene to a strip, and adds what the drawing took.
-fn draw<I: Interpolate, D: DepthBuffer>(
+fn draw<I: Mode, D: DepthBuffer>(
     scene: Scene,
     models: &Models<'_, I>,
     canvas: &mut Target<'_, D>,

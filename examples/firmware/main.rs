@@ -36,7 +36,7 @@ fn main() {
 mod firmware {
     use core::panic::PanicInfo;
 
-    use fixel::mode::{Affine, Exact, Fast, Interpolate, Newton};
+    use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
     use fixel::prelude::*;
     use semihosting::{println, process};
 
@@ -64,7 +64,7 @@ mod firmware {
     }
 
     /// Measures everything in one way of interpolating.
-    fn run_mode<I: Interpolate>(bench: &mut Bench, mode: &str, way: I) -> Result<(), Error> {
+    fn run_mode<I: Mode>(bench: &mut Bench, mode: &str, way: I) -> Result<(), Error> {
         let pass = DrawOptions::new().mode(way);
         for scene in Scene::ALL {
             for layout in Layout::ALL {

@@ -3,7 +3,7 @@
 use embedded_graphics::pixelcolor::raw::BigEndian;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::Prepared;
-use fixel::mode::Interpolate;
+use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::target::DepthBuffer;
 use fixel::view::Perspective;
@@ -76,7 +76,7 @@ impl Scene {
     }
 
     /// Draws the models, which is what is measured; returns how many triangles were drawn.
-    pub fn draw<I: Interpolate, D: DepthBuffer>(
+    pub fn draw<I: Mode, D: DepthBuffer>(
         self,
         canvas: &mut Target<'_, D>,
         pass: &DrawOptions<I>,
@@ -97,7 +97,7 @@ impl Scene {
     }
 
     /// Prepares the models for all bands of the picture.
-    pub fn prepare<'l, I: Interpolate>(
+    pub fn prepare<'l, I: Mode>(
         self,
         lists: &'l mut Lists,
         pass: &DrawOptions<I>,
@@ -130,7 +130,7 @@ impl Scene {
     }
 }
 
-fn drawn_cubes<I: Interpolate, D: DepthBuffer>(
+fn drawn_cubes<I: Mode, D: DepthBuffer>(
     canvas: &mut Target<'_, D>,
     pass: &DrawOptions<I>,
     mvp: &Mvp<Perspective>,
@@ -164,7 +164,7 @@ pub struct PreparedScene<'l, I> {
     sea: Option<Prepared<'l, Perspective, I>>,
 }
 
-impl<I: Interpolate> PreparedScene<'_, I> {
+impl<I: Mode> PreparedScene<'_, I> {
     /// Draws what is in these rows; returns how many triangles were drawn.
     pub fn draw<D: DepthBuffer>(&self, canvas: &mut Target<'_, D>) -> Result<u32, Error> {
         let Self { scene, model, sea } = self;

@@ -3,7 +3,7 @@
 use core::hint::black_box;
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use fixel::mode::Interpolate;
+use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::target::DepthBuffer;
 use fixel::view::Perspective;
@@ -60,7 +60,7 @@ impl Bench {
     }
 
     /// Prints what pixels take: 48 columns more than 16, and 240 more than 48.
-    pub fn kernel<I: Interpolate, F: Shader<N, Color = Rgb565>, const N: usize>(
+    pub fn kernel<I: Mode, F: Shader<Color = Rgb565>>(
         &mut self,
         name: &str,
         mode: I,
@@ -82,7 +82,7 @@ impl Bench {
     }
 
     /// Draws a frame and takes its ticks; the wall covers all of it.
-    fn frame<I: Interpolate, F: Shader<N, Color = Rgb565>, const N: usize>(
+    fn frame<I: Mode, F: Shader<Color = Rgb565>>(
         &mut self,
         width: u32,
         mode: I,
@@ -110,7 +110,7 @@ impl Bench {
     }
 
     /// A row of the widest frame, painted with a shader.
-    pub fn row<I: Interpolate, F: Shader<N, Color = Rgb565>, const N: usize>(
+    pub fn row<I: Mode, F: Shader<Color = Rgb565>>(
         &mut self,
         mode: I,
         shader: &F,
@@ -125,7 +125,7 @@ impl Bench {
 }
 
 /// Draws the wall to a canvas of such a width.
-fn draw<I: Interpolate, F: Shader<N, Color = Rgb565>, D: DepthBuffer, const N: usize>(
+fn draw<I: Mode, F: Shader<Color = Rgb565>, D: DepthBuffer>(
     watch: &mut Stopwatch,
     canvas: &mut Canvas<'_, Rgb565, fixel::target::Native, D>,
     width: u32,

@@ -43,7 +43,7 @@ impl Recorder {
     }
 }
 
-impl Shader<3> for Recorder {
+impl Shader for Recorder {
     type Color = Record;
 
     const TOLERANCES: [Tolerance; 3] = [Tolerance::Texels; 3];

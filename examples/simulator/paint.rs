@@ -23,9 +23,7 @@ pub trait Shown: Levels + Into<Rgb888> + Default {
     type Texel: Levels + Blend;
 
     /// The shader in the canvas's colour.
-    fn shown<F: Shader<N, Color = Self::Texel>, const N: usize>(
-        shader: F,
-    ) -> impl Shader<N, Color = Self>;
+    fn shown<F: Shader<Color = Self::Texel>>(shader: F) -> impl Shader<Color = Self>;
 }
 
 macro_rules! shown {
@@ -33,9 +31,9 @@ macro_rules! shown {
         impl Shown for $color {
             type Texel = $texel;
 
-            fn shown<F: Shader<N, Color = $texel>, const N: usize>(
+            fn shown<F: Shader<Color = $texel>>(
                 $shader: F,
-            ) -> impl Shader<N, Color = Self> {
+            ) -> impl Shader<Color = Self> {
                 $converted
             }
         }
@@ -66,7 +64,7 @@ impl Posed<'_> {
     }
 
     /// Draws the triangles.
-    pub fn draw<F: Shader<N>, D: DepthBuffer, const N: usize>(
+    pub fn draw<F: Shader, D: DepthBuffer, const N: usize>(
         &self,
         canvas: &mut Board<'_, F::Color, D>,
         shader: &F,
@@ -89,7 +87,7 @@ impl Posed<'_> {
     }
 
     /// Draws the edges.
-    pub fn draw_edges<F: Shader<N>, D: DepthBuffer, const N: usize>(
+    pub fn draw_edges<F: Shader, D: DepthBuffer, const N: usize>(
         &self,
         canvas: &mut Board<'_, F::Color, D>,
         shader: &F,

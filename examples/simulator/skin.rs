@@ -137,7 +137,7 @@ pub struct Scaled<F> {
     down: [u32; 2],
 }
 
-impl<F: Shader<N>, const N: usize> Shader<N> for Scaled<F> {
+impl<F: Shader> Shader for Scaled<F> {
     type Color = F::Color;
 
     const READS_DEPTH: bool = F::READS_DEPTH;

@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use crc32fast::Hasher;
 use embedded_graphics::pixelcolor::raw::ToBytes;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use fixel::mode::Interpolate;
+use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::target::DepthBuffer;
 
@@ -59,7 +59,7 @@ impl<'a> Subject<'a> {
     }
 
     /// Measures it in a mode; the time is left to be taken.
-    pub fn measure<I: Interpolate>(&self, name: &'static str, mode: I) -> Result<Figures> {
+    pub fn measure<I: Mode>(&self, name: &'static str, mode: I) -> Result<Figures> {
         let pass = DrawOptions::new().mode(mode);
         let error = if self.case.interpolates {
             Some(self.errors(&pass)?)
@@ -85,7 +85,7 @@ impl<'a> Subject<'a> {
     }
 
     /// The texel errors of every pixel of every triangle.
-    fn errors<I: Interpolate>(&self, pass: &DrawOptions<I>) -> Result<Spread> {
+    fn errors<I: Mode>(&self, pass: &DrawOptions<I>) -> Result<Spread> {
         let Case {
             name,
             size: (width, height),
@@ -130,8 +130,8 @@ struct Drawing<'a, I> {
     figures: &'a mut Figures,
 }
 
-impl<I: Interpolate> Job for Drawing<'_, I> {
-    fn run<D: DepthBuffer, F: Shader<N, Color = Rgb565>, const N: usize>(
+impl<I: Mode> Job for Drawing<'_, I> {
+    fn run<D: DepthBuffer, F: Shader<Color = Rgb565>>(
         self,
         canvas: &mut Target<'_, D>,
         shader: &F,

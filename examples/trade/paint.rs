@@ -49,7 +49,7 @@ pub type Target<'a, D> = Canvas<'a, Rgb565, Native, D>;
 /// Something to be done with a canvas and a shader.
 pub trait Job {
     /// Does it.
-    fn run<D: DepthBuffer, F: Shader<N, Color = Rgb565>, const N: usize>(
+    fn run<D: DepthBuffer, F: Shader<Color = Rgb565>>(
         self,
         canvas: &mut Target<'_, D>,
         shader: &F,

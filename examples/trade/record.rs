@@ -24,7 +24,7 @@ pub struct Recorder<'a> {
     pub face: usize,
 }
 
-impl Shader<2> for Recorder<'_> {
+impl Shader for Recorder<'_> {
     type Color = Rgb565;
 
     const TOLERANCES: [Tolerance; 2] = [Tolerance::Texels; 2];
@@ -63,7 +63,7 @@ pub struct Given {
 #[derive(Clone, Copy)]
 pub struct Survey<'a>(pub &'a RefCell<Vec<Given>>);
 
-impl Shader<5> for Survey<'_> {
+impl Shader for Survey<'_> {
     type Color = Rgb565;
 
     fn varyings(&self, vertex: &Corner<'_>) -> [i32; 5] {

@@ -4,7 +4,7 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use fixel::mode::Interpolate;
+use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::target::DepthBuffer;
 
@@ -29,7 +29,7 @@ impl Times {
     }
 
     /// Draws a case so many times more.
-    pub fn add<I: Interpolate>(&mut self, case: &Case, mode: I, repeats: u32) -> Result<()> {
+    pub fn add<I: Mode>(&mut self, case: &Case, mode: I, repeats: u32) -> Result<()> {
         self.0.resize(case.shots.len(), Vec::new());
         let timing = Timing {
             case,
@@ -48,8 +48,8 @@ struct Timing<'a, I> {
     times: &'a mut Times,
 }
 
-impl<I: Interpolate> Job for Timing<'_, I> {
-    fn run<D: DepthBuffer, F: Shader<N, Color = Rgb565>, const N: usize>(
+impl<I: Mode> Job for Timing<'_, I> {
+    fn run<D: DepthBuffer, F: Shader<Color = Rgb565>>(
         self,
         canvas: &mut Target<'_, D>,
         shader: &F,

@@ -21,10 +21,14 @@ pub(super) trait Assembly {
 pub(super) fn triangle<K: Kind>(
     call: &Call<'_, K>,
     vertices: &mut VertexCache,
-    element: Element,
+    (face, indices): (usize, [Index; 3]),
     to: &mut impl Assembly,
 ) {
-    let [a, b, c] = element.indices;
+    let [a, b, c] = indices;
+    let element = || Element {
+        face: Some(face),
+        indices,
+    };
     let mut place = |index| {
         let vertex = vertices.vertex(&call.projector, index);
         (vertex.screen, vertex.outcode)
@@ -35,11 +39,11 @@ pub(super) fn triangle<K: Kind>(
         // Back faces, half of most meshes, are rejected here, before any attribute is read.
         let area = raster::area(&[a, b, c]);
         if !call.cull.leaves_out(area) {
-            let corners = vertices.corners(&call.projector, element.indices);
-            to.whole(element, &corners, area);
+            let corners = vertices.corners(&call.projector, indices);
+            to.whole(element(), &corners, area);
         }
     } else if a_outcode & b_outcode & c_outcode == 0 {
-        to.clipped(element, &clip(&call.projector, &element.indices, planes));
+        to.clipped(element(), &clip(&call.projector, &indices, planes));
     }
 }
 

@@ -21,11 +21,7 @@ use crate::view::Kind;
 pub(super) fn triangles<K: Kind>(call: &Call<'_, K>, to: &mut impl Assembly) {
     let mut vertices = VertexCache::new();
     for (face, &indices) in call.mesh.faces().iter().enumerate() {
-        let element = Element {
-            face: Some(face),
-            indices,
-        };
-        assemble::triangle(call, &mut vertices, element, to);
+        assemble::triangle(call, &mut vertices, (face, indices), to);
     }
 }
 

@@ -10,7 +10,7 @@ use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 type Scales<S> = <Count<S> as Lanes>::Of<Scale>;
 
 /// Draws a span whose attributes are p / q · 2^bits at each pixel, rounded down.
-#[inline]
+#[inline(never)]
 pub(super) fn divide<S, O, D, Z>(
     mut span: Span<Count<S>>,
     scales: &Scales<S>,

@@ -136,7 +136,7 @@ impl Policy for Exact {
         Some(Kernel::Divide)
     }
 
-    #[inline]
+    #[inline(always)]
     fn of_span<L: Lanes>(self, _: Option<Kernel>, _: &mut Span<L>, _: &Slopes<L>) -> Kernel {
         Kernel::Divide
     }
@@ -168,7 +168,7 @@ impl Policy for Affine {
         Some(Kernel::Straight)
     }
 
-    #[inline]
+    #[inline(always)]
     fn of_span<L: Lanes>(self, _: Option<Kernel>, _: &mut Span<L>, _: &Slopes<L>) -> Kernel {
         Kernel::Straight
     }
@@ -244,7 +244,7 @@ impl Policy for Newton {
         is_gentle.then_some(Kernel::Newton)
     }
 
-    #[inline]
+    #[inline(always)]
     fn of_span<L: Lanes>(
         self,
         of_triangle: Option<Kernel>,
@@ -371,7 +371,7 @@ impl Policy for Fast {
         length.map(Kernel::Pieces)
     }
 
-    #[inline]
+    #[inline(always)]
     fn of_span<L: Lanes>(
         self,
         of_triangle: Option<Kernel>,

@@ -14,7 +14,7 @@ pub(super) const FRACTION: u32 = Scale::AFFINE.bits();
 ///
 /// 1/w is from 2^29 to 2^31 in all pixels and changes by at most 2^-6 of itself from one to the next; attributes have
 /// [`FRACTION`] bits.
-#[inline]
+#[inline(always)]
 pub(super) fn newton<S, O, D, Z>(
     span: Span<Count<S>>,
     mut cells: Cells<'_, S::Color, O, D>,
@@ -54,7 +54,7 @@ fn high(a: i32, b: i32) -> i32 {
 
 /// Makes of interpolants the attributes at the first pixel, times 4, and what a pixel adds to them: the straight line that
 /// touches them in the middle of the span, rounded by up to 12½ units of an attribute.
-#[inline]
+#[inline(always)]
 pub(super) fn chord<L: Lanes>(span: &mut Span<L>) {
     let middle = (span.count as u32 >> 1).cast_signed();
     let q = span

@@ -13,7 +13,7 @@ type Scales<S> = <Count<S> as Lanes>::Of<Scale>;
 ///
 /// 1/w is from 2^29 to 2^31 in all pixels. The reciprocals at the ends of pieces have 16 bits, each found by two Newton
 /// steps from the last.
-#[inline]
+#[inline(always)]
 pub(super) fn pieces<S, O, D, Z>(
     mut span: Span<Count<S>>,
     length: u32,

@@ -5,7 +5,7 @@ use crate::shade::Shader;
 use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 
 /// Draws a span whose attributes `restore` makes of their interpolants.
-#[inline]
+#[inline(always)]
 pub(super) fn straight<S, O, D, Z>(
     mut span: Span<Count<S>>,
     restore: impl Fn(&Numbers<S>) -> Numbers<S>,

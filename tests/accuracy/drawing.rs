@@ -40,7 +40,7 @@ struct Recorder<'a, const N: usize> {
     draws: bool,
 }
 
-impl<const N: usize> Shader<N> for Recorder<'_, N> {
+impl<const N: usize> Shader for Recorder<'_, N> {
     type Color = Gray8;
 
     const TOLERANCES: [Tolerance; N] = [Tolerance::Texels; N];

@@ -1,7 +1,7 @@
 //! The modes of interpolation as values, to be gone through.
 
 use embedded_graphics::pixelcolor::Gray8;
-use fixel::mode::{Affine, Exact, Fast, Linear, Newton};
+use fixel::mode::{Affine, Exact, Fast, Newton};
 use fixel::prelude::*;
 use fixel::target::{DepthBuffer, Native};
 use fixel::view::Kind;
@@ -67,7 +67,7 @@ impl Mode {
     }
 
     /// Draws in this mode, whatever mode the pass has.
-    pub fn draw<K: Kind, F: Shader<N, Color = Gray8>, D: DepthBuffer, const N: usize>(
+    pub fn draw<K: Kind, F: Shader<Color = Gray8>, D: DepthBuffer>(
         self,
         canvas: &mut Canvas<'_, Gray8, Native, D>,
         pass: &DrawOptions,

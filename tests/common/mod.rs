@@ -10,7 +10,7 @@ use std::cell::Cell;
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
 use fixel::view::{Kind, Parallel};
-use fixel::{Drawn, Place};
+use fixel::{Drawn, ScreenPoint};
 
 /// Counts how often each pixel of a frame is drawn, and draws it white.
 #[derive(Clone, Copy)]
@@ -19,7 +19,7 @@ pub struct Count<'a> {
     width: u32,
 }
 
-impl Shader<0> for Count<'_> {
+impl Shader for Count<'_> {
     type Color = Gray8;
 
     fn varyings(&self, _: &Corner) -> [i32; 0] {

@@ -12,7 +12,7 @@ const SIZE: u32 = 28;
 #[derive(Clone, Copy)]
 struct Ink;
 
-impl Shader<0> for Ink {
+impl Shader for Ink {
     type Color = BinaryColor;
 
     fn varyings(&self, _: &Corner<'_>) -> [i32; 0] {

@@ -18,7 +18,7 @@ impl PixelColor for Value {
 #[derive(Clone, Copy)]
 struct Values([i32; 3]);
 
-impl Shader<1> for Values {
+impl Shader for Values {
     type Color = Value;
 
     fn varyings(&self, vertex: &Corner<'_>) -> [i32; 1] {

@@ -6,7 +6,7 @@
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::BigEndian;
 use fixel::mesh::{Buffers, Shape};
-use fixel::mode::{Affine, Exact, Fast, Interpolate, Newton};
+use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 use fixel::target::{Depth, DepthBuffer, FloatDepth, NoDepth};
 use fixel::view::Perspective;
@@ -151,7 +151,7 @@ fn sums<B: Kept>(
     }
 }
 
-fn frame<B: Kept>(mode: impl Interpolate, rows: u32, numbers: Numbers) -> Sums {
+fn frame<B: Kept>(mode: impl Mode, rows: u32, numbers: Numbers) -> Sums {
     let pass = DrawOptions::new().mode(mode);
     let models = models();
     sums::<B>(rows, |band, projection| {
@@ -163,7 +163,7 @@ fn frame<B: Kept>(mode: impl Interpolate, rows: u32, numbers: Numbers) -> Sums {
 }
 
 /// Twice, in bands of any height, and of positions of either kind; returns what they all are.
-fn bands<B: Kept>(mode: impl Interpolate) -> Sums {
+fn bands<B: Kept>(mode: impl Mode) -> Sums {
     let whole = frame::<B>(mode, SIZE.1, Numbers::Long);
     for rows in [1, 7, 16, 240] {
         for numbers in [Numbers::Long, Numbers::Short] {
@@ -176,7 +176,7 @@ fn bands<B: Kept>(mode: impl Interpolate) -> Sums {
 
 #[test]
 fn bands_are_the_frame() {
-    fn with_either_depth(mode: impl Interpolate) {
+    fn with_either_depth(mode: impl Mode) {
         let [linear, floating] = [bands::<Linear>(mode), bands::<Floating>(mode)];
         // Depths are other numbers, but nowhere are surfaces so near each other that the colours show it.
         assert_eq!(linear.colors, floating.colors);

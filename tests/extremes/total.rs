@@ -2,7 +2,7 @@
 //! made of, nothing panics (tests check for overflow), and bands are still the frame.
 
 use embedded_graphics::pixelcolor::{Gray8, Rgb888};
-use fixel::mode::{Affine, Exact, Fast, Interpolate, Linear, Newton, Tolerance};
+use fixel::mode::{Affine, Exact, Fast, Mode, Newton, Tolerance};
 use fixel::prelude::*;
 use fixel::target::{DepthBuffer, Native};
 use fixel::view::Kind;
@@ -159,7 +159,7 @@ fn scene() -> impl Strategy<Value = Scene> {
 #[derive(Clone, Copy)]
 struct Raw;
 
-impl Shader<3> for Raw {
+impl Shader for Raw {
     type Color = Gray8;
 
     const TOLERANCES: [Tolerance; 3] = [
@@ -201,7 +201,7 @@ impl Scene {
         }
     }
 
-    fn draw_in<I: Interpolate, K: Kind, D: DepthBuffer>(
+    fn draw_in<I: Mode, K: Kind, D: DepthBuffer>(
         &self,
         pass: &DrawOptions<I>,
         canvas: &mut Canvas<'_, Gray8, Native, D>,

@@ -1,7 +1,7 @@
 //! A scene in every mode, or with a shader of the crate's.
 
 use embedded_graphics::pixelcolor::Rgb565;
-use fixel::mode::{Affine, Exact, Fast, Interpolate, Linear, Newton};
+use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 use fixel::view::Kind;
 
@@ -96,7 +96,7 @@ struct Ways<'a, 'c, K> {
 }
 
 impl<K: Kind> Draw for Ways<'_, '_, K> {
-    fn draw<F: Shader<N, Color = Rgb565>, const N: usize>(self, shader: &F) {
+    fn draw<F: Shader<Color = Rgb565>>(self, shader: &F) {
         self.call.check(&self.pass, shader);
     }
 }
@@ -129,10 +129,10 @@ fn check_modes<K: Kind, const N: usize>(call: &Call<'_, K>, pass: DrawOptions) {
     let fast = checked(call, pass.mode(Fast::within(tolerance)));
     check(Mode::Fast(tolerance.max(fx!(0))), fast);
     check(Mode::Affine, checked(call, pass.mode(Affine)));
-    check(Mode::Linear, checked(call, pass.mode(Linear)));
+    check(Mode::checked(call, pass.mode(Linear)));
 }
 
-fn checked<I: Interpolate, K: Kind, const N: usize>(
+fn checked<I: Mode, K: Kind, const N: usize>(
     call: &Call<'_, K>,
     pass: DrawOptions<I>,
 ) -> Record<Rgb565, N> {

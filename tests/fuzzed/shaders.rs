@@ -12,7 +12,7 @@ use fixel::prelude::*;
 #[derive(Clone, Copy, Debug)]
 pub struct Bits<const N: usize>;
 
-impl<const N: usize> Shader<N> for Bits<N> {
+impl<const N: usize> Shader for Bits<N> {
     type Color = Rgb565;
 
     const TOLERANCES: [Tolerance; N] = [Tolerance::Texels; N];
@@ -44,7 +44,7 @@ impl<const N: usize> Shader<N> for Bits<N> {
 #[derive(Clone, Copy, Debug)]
 pub struct Wide<F>(pub F);
 
-impl<F: Shader<N, Color: Into<Rgb565>>, const N: usize> Shader<N> for Wide<F> {
+impl<F: Shader<Color: Into<Rgb565>>> Shader for Wide<F> {
     type Color = Rgb565;
 
     const READS_DEPTH: bool = F::READS_DEPTH;
@@ -103,7 +103,7 @@ pub struct Recorder<'a, F, C, const N: usize> {
     pub face: usize,
 }
 
-impl<F: Shader<N, Color = C>, C: PixelColor, const N: usize> Shader<N> for Recorder<'_, F, C, N> {
+impl<F: Shader<Color = C>, C: PixelColor> Shader for Recorder<'_, F, C, N> {
     type Color = C;
 
     const TOLERANCES: [Tolerance; N] = F::TOLERANCES;

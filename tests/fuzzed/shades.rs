@@ -70,7 +70,7 @@ impl Shine {
 
 /// What is done with a shader, whichever it is.
 pub trait Draw {
-    fn draw<F: Shader<N, Color = Rgb565>, const N: usize>(self, shader: &F);
+    fn draw<F: Shader<Color = Rgb565>>(self, shader: &F);
 }
 
 /// Texels that differ from all about them.
@@ -139,7 +139,7 @@ pub fn draw(which: u8, light: Light, color: Rgb888, [far, near]: [u16; 2], then:
 #[derive(Clone, Copy, Debug)]
 struct Grey<F>(F);
 
-impl<F: Shader<N, Color: Into<Rgb888>>, const N: usize> Shader<N> for Grey<F> {
+impl<F: Shader<Color: Into<Rgb888>>> Shader for Grey<F> {
     type Color = Rgb888;
 
     const READS_DEPTH: bool = F::READS_DEPTH;

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
-use fixel::mode::Interpolate;
+use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::target::{Depth, DepthBuffer, Native, Storage};
 use fixel::view::Kind;
@@ -44,8 +44,8 @@ impl<K: Kind> Call<'_, K> {
         shader: &F,
     ) -> Drawn
     where
-        I: Interpolate,
-        F: Shader<N, Color = Rgb565>,
+        I: Mode,
+        F: Shader<Color = Rgb565>,
         O: Storage<Rgb565>,
         D: DepthBuffer,
     {
@@ -65,8 +65,8 @@ impl<K: Kind> Call<'_, K> {
         shader: F,
     ) -> Record<Rgb565, N>
     where
-        I: Interpolate,
-        F: Shader<N, Color = Rgb565>,
+        I: Mode,
+        F: Shader<Color = Rgb565>,
     {
         let mut colors = vec![BACKGROUND; self.scene.pixels()];
         let record = RefCell::default();
@@ -129,8 +129,8 @@ impl<K: Kind> Call<'_, K> {
         shader: &F,
     ) -> Record<Rgb565, N>
     where
-        I: Interpolate,
-        F: Shader<N, Color = Rgb565>,
+        I: Mode,
+        F: Shader<Color = Rgb565>,
     {
         let record = self.record(pass, *shader);
         let expected = self.depth_test(pass, *shader, &record.seen);
@@ -161,8 +161,8 @@ impl<K: Kind> Call<'_, K> {
         seen: &[Seen<Rgb565, N>],
     ) -> Picture
     where
-        I: Interpolate,
-        F: Shader<N, Color = Rgb565>,
+        I: Mode,
+        F: Shader<Color = Rgb565>,
     {
         let mut expected = self.blank();
         let mut visible = Vec::new();
@@ -201,8 +201,8 @@ impl<K: Kind> Call<'_, K> {
         expected: &Picture,
         drawn: Drawn,
     ) where
-        I: Interpolate,
-        F: Shader<N, Color = Rgb565>,
+        I: Mode,
+        F: Shader<Color = Rgb565>,
     {
         let mut list = List::new();
         let prepared: Prepared<'_, K, I> = list
@@ -226,8 +226,8 @@ impl<K: Kind> Call<'_, K> {
     /// Checks that a canvas of bytes shows the same, in either order and without depths.
     pub fn check_bytes<I, F, const N: usize>(&self, pass: &DrawOptions<I>, shader: &F)
     where
-        I: Interpolate,
-        F: Shader<N, Color = Rgb565>,
+        I: Mode,
+        F: Shader<Color = Rgb565>,
     {
         let (width, height) = self.scene.size;
         let mut colors = vec![BACKGROUND; self.scene.pixels()];
