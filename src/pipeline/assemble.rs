@@ -21,13 +21,13 @@ pub(super) trait Assembly {
 pub(super) fn triangle<K: Kind>(
     call: &Call<'_, K>,
     vertices: &mut VertexCache,
-    (face, indices): (usize, [Index; 3]),
+    (face, indices): (usize, &[Index; 3]),
     to: &mut impl Assembly,
 ) {
-    let [a, b, c] = indices;
+    let [a, b, c] = *indices;
     let element = || Element {
         face: Some(face),
-        indices,
+        indices: *indices,
     };
     let mut place = |index| {
         let vertex = vertices.vertex(&call.projector, index);
@@ -39,11 +39,11 @@ pub(super) fn triangle<K: Kind>(
         // Back faces, half of most meshes, are rejected here, before any attribute is read.
         let area = raster::area(&[a, b, c]);
         if !call.cull.leaves_out(area) {
-            let corners = vertices.corners(&call.projector, indices);
+            let corners = vertices.corners(&call.projector, *indices);
             to.whole(element(), &corners, area);
         }
     } else if a_outcode & b_outcode & c_outcode == 0 {
-        to.clipped(element(), &clip(&call.projector, &indices, planes));
+        to.clipped(element(), &clip(&call.projector, indices, planes));
     }
 }
 

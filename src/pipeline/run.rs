@@ -20,7 +20,7 @@ use crate::view::Kind;
 #[inline]
 pub(super) fn triangles<K: Kind>(call: &Call<'_, K>, to: &mut impl Assembly) {
     let mut vertices = VertexCache::new();
-    for (face, &indices) in call.mesh.faces().iter().enumerate() {
+    for (face, indices) in call.mesh.faces().iter().enumerate() {
         assemble::triangle(call, &mut vertices, (face, indices), to);
     }
 }

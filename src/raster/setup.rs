@@ -74,18 +74,14 @@ impl Attribute {
     }
 }
 
-/// How a mode wants attributes laid.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Wanted {
-    /// Divided by w; otherwise as they are, in parts of 2³⁰.
-    pub(crate) over_w: bool,
-    /// The fewest bits of a [`Scale`], where 1/w changes less than fourfold.
-    pub(crate) least_bits: u32,
-}
-
 /// The interpolants of a primitive but for its attributes: what these have in common, and 1/w (or depth).
 #[derive(Debug)]
 pub(crate) struct Setup {
+    /// Whether attributes are divided by w; otherwise they are laid as they are, in parts of 2³⁰.
+    over_w: bool,
+    /// The fewest bits of a [`Scale`], where 1/w changes less than fourfold.
+    least_bits: u32,
+    shift: DepthShift,
     basis: Basis,
     q: Gradient,
     /// The least 1/w of a corner; the greatest has bit 30 set.
@@ -97,14 +93,20 @@ pub(crate) struct Setup {
 }
 
 impl Setup {
-    /// Nothing to interpolate.
-    pub(crate) const NONE: Self = Self {
-        basis: Basis::NONE,
-        q: Gradient::NONE,
-        least: 0,
-        is_affine: true,
-        down: 0,
-    };
+    /// The set-up of a draw call, with nothing laid.
+    #[inline]
+    pub(crate) const fn new(over_w: bool, least_bits: u32, shift: DepthShift) -> Self {
+        Self {
+            over_w,
+            least_bits,
+            shift,
+            basis: Basis::NONE,
+            q: Gradient::NONE,
+            least: 0,
+            is_affine: true,
+            down: 0,
+        }
+    }
 
     /// The vertices' interpolants of depth with one exponent, and that exponent.
     #[inline]
@@ -124,30 +126,23 @@ impl Setup {
     ///
     /// One piece of code for any number of attributes: a copy for each number would be most of a small program.
     #[inline(never)]
-    pub(crate) fn lay(
-        &mut self,
-        attributes: &mut [Attribute],
-        patch: &Patch<'_>,
-        wanted: Wanted,
-        shift: DepthShift,
-    ) {
+    pub(crate) fn lay(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) {
         let (q, exponent) = Self::weights(patch);
-        self.down = shift.of(exponent);
+        self.down = self.shift.of(exponent);
         let [first, second, third] = q;
         self.least = first.min(second).min(third);
         self.basis = Basis::new(*patch.screen, patch.area);
         let basis = &self.basis;
         basis.lay(q.map(u32::cast_signed), &mut self.q);
-        let (weights, least_bits) = if !wanted.over_w {
-            ([1 << 30; 3], wanted.least_bits)
+        let (weights, least_bits) = if !self.over_w {
+            ([1 << 30; 3], self.least_bits)
         } else if self.least > FAR {
-            (q, wanted.least_bits)
+            (q, self.least_bits)
         } else {
             (q, 1)
         };
         let change = first.max(second).max(third) - self.least;
-        self.is_affine =
-            wanted.over_w && attributes.iter().all(|p| p.is_affine(self.least, change));
+        self.is_affine = self.over_w && attributes.iter().all(|p| p.is_affine(self.least, change));
         for attribute in attributes {
             let mut values = attribute.at(patch);
             attribute.scale = if self.is_affine {

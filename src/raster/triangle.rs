@@ -143,7 +143,7 @@ pub(super) fn draw(
 ) {
     let screen = ScreenVertex::screens(triangle.vertices);
     let longest = blitter.set_up(&Patch {
-        vertices: triangle.vertices.each_ref(),
+        vertices: triangle.vertices,
         barycentric: triangle.barycentric,
         screen: &screen,
         area: triangle.area,

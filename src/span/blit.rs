@@ -5,14 +5,14 @@ use core::ops::Range;
 
 use embedded_graphics::geometry::Point;
 
-use super::divide::{divide, divide_anew};
+use super::divide::{divide, divide_anew, divide_apart};
 use super::mode::{Kernel, Policy, STEEP, Slopes, WHOLE};
 use super::newton::{chord, newton};
 use super::pieces::pieces;
 use super::pixels::{Count, FaceOf, Numbers, Pixels, Span};
-use super::straight::{solid, straight};
+use super::straight::{solid, straight, straight_scaled};
 use crate::mesh::Primitive;
-use crate::raster::{Attribute, Blitter, DepthShift, Patch, SPAN, Scale, Setup, Wanted};
+use crate::raster::{Attribute, Blitter, DepthShift, Patch, SPAN, Scale, Setup};
 use crate::shade::{Lanes, MOST_VARYINGS, Shader, Varyings};
 use crate::target::{Canvas, DepthBuffer, DepthTest, Storage};
 use crate::view::Kind;
@@ -26,7 +26,6 @@ pub(crate) struct Blit<'p, 'c, S: Shader, O: Storage<S::Color>, D, K, M, Z> {
     shader: S,
     mode: M,
     test: Z,
-    shift: DepthShift,
     /// The present primitive, and what its pixels share for the shader.
     setup: Setup,
     attributes: <Count<S> as Lanes>::Of<Attribute>,
@@ -54,6 +53,13 @@ where
     /// Whether attributes are divided by w.
     const OVER_W: bool = K::PERSPECTIVE && M::DIVIDES;
 
+    /// The fewest bits of a scale.
+    const LEAST_BITS: u32 = match (Self::OVER_W, K::PERSPECTIVE) {
+        (true, _) => M::LEAST_BITS,
+        (false, true) => WHOLE,
+        (false, false) => M::LEAST_PARALLEL_BITS,
+    };
+
     #[inline]
     pub(crate) fn new(
         (mode, test): (M, Z),
@@ -76,8 +82,7 @@ where
             shader,
             mode,
             test,
-            shift,
-            setup: Setup::NONE,
+            setup: Setup::new(Self::OVER_W, Self::LEAST_BITS, shift),
             attributes,
             slopes: Slopes {
                 q: 0,
@@ -144,16 +149,7 @@ where
         if !Self::VARIES {
             return i32::MAX;
         }
-        let wanted = Wanted {
-            over_w: Self::OVER_W,
-            least_bits: match (Self::OVER_W, K::PERSPECTIVE) {
-                (true, _) => M::LEAST_BITS,
-                (false, true) => WHOLE,
-                (false, false) => M::LEAST_PARALLEL_BITS,
-            },
-        };
-        self.setup
-            .lay(self.attributes.as_mut(), patch, wanted, self.shift);
+        self.setup.lay(self.attributes.as_mut(), patch);
         self.slopes = Slopes {
             q: self.setup.step(),
             p: Count::<S>::map(&self.attributes, |p| p.gradient.step),
@@ -163,10 +159,13 @@ where
         if Z::IS_BIASED {
             self.test.triangle(self.setup.steepness());
         }
-        if Self::COUNT == 0 || !Self::OVER_W {
+        if Self::COUNT == 0 {
             return SPAN;
         }
-        self.kernel = if self.setup.is_affine {
+        self.kernel = if !Self::OVER_W {
+            let is_whole = Count::<S>::all(&self.slopes.scales, |scale| scale.bits() == WHOLE);
+            (Self::LEAST_BITS == WHOLE && is_whole).then_some(Kernel::Straight)
+        } else if self.setup.is_affine {
             Some(Kernel::Straight)
         } else {
             self.mode.of_triangle(&self.slopes)
@@ -178,7 +177,7 @@ where
     }
 
     fn span(&mut self, row: i32, columns: Range<i32>, x: i32, y: i32) {
-        let mut pixels = Pixels {
+        let pixels = Pixels {
             shader: self.shader,
             face: self.face,
             test: self.test,
@@ -193,22 +192,19 @@ where
             return;
         };
         if !Self::VARIES {
-            return solid(Count::<S>::splat(0), cells, &mut pixels);
+            return solid(Count::<S>::splat(0), cells, pixels);
         }
         let (setup, attributes, slopes) = (&self.setup, &self.attributes, &self.slopes);
         let mut span = start::<Count<S>>(setup, attributes, slopes, [x, y], count);
         if Self::COUNT == 0 {
-            return straight(span, |p| *p, cells, &mut pixels);
+            return straight(span, |p| *p, cells, pixels);
         }
-        let scales = &slopes.scales;
+        let scales = slopes.scales;
         if !Self::OVER_W {
-            // Attributes themselves, in units of their own or of a fraction.
-            let is_whole = M::LEAST_PARALLEL_BITS == WHOLE || K::PERSPECTIVE;
-            if is_whole && Count::<S>::all(scales, |scale| scale.bits() == WHOLE) {
-                return straight(span, |p| *p, cells, &mut pixels);
+            if self.kernel == Some(Kernel::Straight) {
+                return straight(span, |p| *p, cells, pixels);
             }
-            let restore = |p: &Numbers<S>| Count::<S>::zip(p, scales, |p, scale| scale.restore(*p));
-            return straight(span, restore, cells, &mut pixels);
+            return straight_scaled(span, scales, cells, pixels);
         }
         let kernel = match self.kernel {
             Some(Kernel::Straight) => Kernel::Straight,
@@ -220,10 +216,10 @@ where
                     chord(&mut span);
                 }
                 let restore = |p: &Numbers<S>| Count::<S>::map(p, |p: &i32| *p >> Scale::AFFINE_UP);
-                straight(span, restore, cells, &mut pixels);
+                straight(span, restore, cells, pixels);
             }
-            Kernel::Pieces(length) => pieces(span, length, scales, cells, &mut pixels),
-            Kernel::Newton => newton(span, cells, &mut pixels),
+            Kernel::Pieces(length) => pieces(span, length, scales, cells, pixels),
+            Kernel::Newton => newton(span, cells, pixels),
             Kernel::Divide if M::IS_PRECISE && setup.least < STEEP => {
                 let at = |i: i32| {
                     let at = [x + i, y];
@@ -233,9 +229,10 @@ where
                     });
                     (q, p)
                 };
-                divide_anew(span, scales, at, cells, &mut pixels);
+                divide_anew(span, scales, at, cells, pixels);
             }
-            Kernel::Divide => divide(span, scales, cells, &mut pixels),
+            Kernel::Divide if M::IS_PRECISE => divide(span, scales, cells, pixels),
+            Kernel::Divide => divide_apart(span, scales, cells, pixels),
         }
     }
 }

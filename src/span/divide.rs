@@ -1,21 +1,18 @@
 //! The exact reciprocal of 1/w at every pixel.
 
-use super::pixels::{Count, Numbers, Pixels, Span};
+use super::pixels::{Count, Numbers, Pixels, Scales, Span};
 use crate::num::reciprocal;
 use crate::num::wide::product;
-use crate::raster::Scale;
 use crate::shade::{Lanes, Shader};
 use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 
-type Scales<S> = <Count<S> as Lanes>::Of<Scale>;
-
 /// Draws a span whose attributes are p / q · 2^bits at each pixel, rounded down.
-#[inline(never)]
+#[inline(always)]
 pub(super) fn divide<S, O, D, Z>(
     mut span: Span<Count<S>>,
-    scales: &Scales<S>,
+    scales: Scales<S>,
     mut cells: Cells<'_, S::Color, O, D>,
-    pixels: &mut Pixels<S, Z>,
+    mut pixels: Pixels<S, Z>,
 ) where
     S: Shader,
     O: Storage<S::Color>,
@@ -24,10 +21,26 @@ pub(super) fn divide<S, O, D, Z>(
 {
     for cell in cells.first(usize::MAX) {
         if pixels.visible::<D>(&cell.1, span.q, span.down) {
-            pixels.shade::<O, D>(cell, quotients::<S>(span.q, &span.p, scales));
+            pixels.shade::<O, D>(cell, quotients::<S>(span.q, &span.p, &scales));
         }
         span.step();
     }
+}
+
+/// [`divide`] where it is an exception: apart, as it would take registers from the mode's own kernel.
+#[inline(never)]
+pub(super) fn divide_apart<S, O, D, Z>(
+    span: Span<Count<S>>,
+    scales: Scales<S>,
+    cells: Cells<'_, S::Color, O, D>,
+    pixels: Pixels<S, Z>,
+) where
+    S: Shader,
+    O: Storage<S::Color>,
+    D: DepthBuffer,
+    Z: DepthTest,
+{
+    divide(span, scales, cells, pixels);
 }
 
 /// The same with interpolants that `at` finds anew for each pixel, counted from 0, where steps would add up too much
@@ -36,10 +49,10 @@ pub(super) fn divide<S, O, D, Z>(
 #[inline(never)]
 pub(super) fn divide_anew<S, O, D, Z>(
     mut span: Span<Count<S>>,
-    scales: &Scales<S>,
+    scales: Scales<S>,
     at: impl Fn(i32) -> (u32, Numbers<S>),
     mut cells: Cells<'_, S::Color, O, D>,
-    pixels: &mut Pixels<S, Z>,
+    mut pixels: Pixels<S, Z>,
 ) where
     S: Shader,
     O: Storage<S::Color>,
@@ -50,7 +63,7 @@ pub(super) fn divide_anew<S, O, D, Z>(
     for cell in cells.first(usize::MAX) {
         if pixels.visible::<D>(&cell.1, span.q, span.down) {
             let (q, p) = at(x);
-            pixels.shade::<O, D>(cell, quotients::<S>(q, &p, scales));
+            pixels.shade::<O, D>(cell, quotients::<S>(q, &p, &scales));
         }
         x += 1;
         span.step();

@@ -18,7 +18,7 @@ pub(super) const FRACTION: u32 = Scale::AFFINE.bits();
 pub(super) fn newton<S, O, D, Z>(
     span: Span<Count<S>>,
     mut cells: Cells<'_, S::Color, O, D>,
-    pixels: &mut Pixels<S, Z>,
+    mut pixels: Pixels<S, Z>,
 ) where
     S: Shader,
     O: Storage<S::Color>,

@@ -1,13 +1,10 @@
 //! Straight pieces between pixels that are right.
 
-use super::pixels::{Count, Numbers, Pixels, Span, rolled};
+use super::pixels::{Count, Numbers, Pixels, Scales, Span, rolled};
 use crate::num::short_reciprocal;
 use crate::num::wide::{product, times_17_bits};
-use crate::raster::Scale;
 use crate::shade::{Lanes, Shader};
 use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
-
-type Scales<S> = <Count<S> as Lanes>::Of<Scale>;
 
 /// Draws a span in straight pieces of 2^`length` pixels, 1 to 6.
 ///
@@ -17,9 +14,9 @@ type Scales<S> = <Count<S> as Lanes>::Of<Scale>;
 pub(super) fn pieces<S, O, D, Z>(
     mut span: Span<Count<S>>,
     length: u32,
-    scales: &Scales<S>,
+    scales: Scales<S>,
     mut cells: Cells<'_, S::Color, O, D>,
-    pixels: &mut Pixels<S, Z>,
+    mut pixels: Pixels<S, Z>,
 ) where
     S: Shader,
     O: Storage<S::Color>,
@@ -32,7 +29,7 @@ pub(super) fn pieces<S, O, D, Z>(
     let (dq, dp, down) = (span.dq, span.dp, span.down);
     let (mut q, mut p, mut left) = (span.q, span.p, span.count as u32);
     let mut inverse = short_reciprocal(q >> 15);
-    let mut values = attributes::<S>(&p, scales, inverse);
+    let mut values = attributes::<S>(&p, &scales, inverse);
     loop {
         // A piece ends where the next begins, or with the span's last pixel: beyond it attributes may have any value.
         let count = 1 << length;
@@ -42,7 +39,7 @@ pub(super) fn pieces<S, O, D, Z>(
         let q_end = q.wrapping_add_signed(dq.wrapping_mul(far));
         let p_end = Count::<S>::zip(&p, &dp, |p, step| p.wrapping_add(step.wrapping_mul(far)));
         inverse = refined(q_end, inverse);
-        let at_end = attributes::<S>(&p_end, scales, inverse);
+        let at_end = attributes::<S>(&p_end, &scales, inverse);
         let gains = Count::<S>::zip(&at_end, &values, |end, value| {
             let change = end.wrapping_sub(*value);
             if is_last {

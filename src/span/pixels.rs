@@ -4,11 +4,15 @@ use core::hint::black_box;
 
 use embedded_graphics::geometry::Point;
 
+use crate::raster::Scale;
 use crate::shade::{Fragment, Lanes, Shader, Varyings};
 use crate::target::{DepthBuffer, DepthTest, Storage, linear};
 
 /// The interpolated numbers of a shader, one `i32` in each lane.
 pub(super) type Numbers<S> = <Count<S> as Lanes>::Of<i32>;
+
+/// The scales of a shader's numbers.
+pub(super) type Scales<S> = <Count<S> as Lanes>::Of<Scale>;
 
 /// How many they are.
 pub(super) type Count<S> = <<S as Shader>::Varyings as Varyings>::Lanes;

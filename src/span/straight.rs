@@ -1,7 +1,8 @@
 //! Attributes that are linear along the span: additions only.
 
-use super::pixels::{Count, Numbers, Pixels, Span, rolled};
-use crate::shade::Shader;
+use super::pixels::{Count, Numbers, Pixels, Scales, Span, rolled};
+use crate::raster::Scale;
+use crate::shade::{Lanes, Shader};
 use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 
 /// Draws a span whose attributes `restore` makes of their interpolants.
@@ -10,7 +11,7 @@ pub(super) fn straight<S, O, D, Z>(
     mut span: Span<Count<S>>,
     restore: impl Fn(&Numbers<S>) -> Numbers<S>,
     mut cells: Cells<'_, S::Color, O, D>,
-    pixels: &mut Pixels<S, Z>,
+    mut pixels: Pixels<S, Z>,
 ) where
     S: Shader,
     O: Storage<S::Color>,
@@ -26,6 +27,24 @@ pub(super) fn straight<S, O, D, Z>(
     }
 }
 
+/// [`straight`] for attributes in parts of 2^30, each by its own scale: apart, as it would take registers from the other.
+#[inline(never)]
+pub(super) fn straight_scaled<S, O, D, Z>(
+    span: Span<Count<S>>,
+    scales: Scales<S>,
+    cells: Cells<'_, S::Color, O, D>,
+    pixels: Pixels<S, Z>,
+) where
+    S: Shader,
+    O: Storage<S::Color>,
+    D: DepthBuffer,
+    Z: DepthTest,
+{
+    let restore =
+        |p: &Numbers<S>| Count::<S>::zip(p, &scales, |p: &i32, scale: &Scale| scale.restore(*p));
+    straight(span, restore, cells, pixels);
+}
+
 /// Pixels that are drawn without looking for the end of the span, where nothing varies between them.
 const BLOCK: usize = 16;
 
@@ -34,7 +53,7 @@ const BLOCK: usize = 16;
 pub(super) fn solid<S, O, D, Z>(
     numbers: Numbers<S>,
     mut cells: Cells<'_, S::Color, O, D>,
-    pixels: &mut Pixels<S, Z>,
+    mut pixels: Pixels<S, Z>,
 ) where
     S: Shader,
     O: Storage<S::Color>,
