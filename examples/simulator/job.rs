@@ -92,7 +92,7 @@ impl Model<'_> {
     }
 
     /// Draws a strip of a frame.
-    pub fn paint<C: Shown + Channels<K>, const K: usize>(
+    pub fn paint<C: Shown>(
         &self,
         strip: Strip<'_, C>,
         frame: u32,
@@ -105,7 +105,7 @@ impl Model<'_> {
         }
     }
 
-    fn paint_on<C: Shown + Channels<K>, D: DepthBuffer, const K: usize>(
+    fn paint_on<C: Shown, D: DepthBuffer>(
         &self,
         mut canvas: Board<'_, C, D>,
         frame: u32,
@@ -229,15 +229,11 @@ impl Measured {
     }
 
     /// Draws a strip of it in another colour.
-    pub fn paint_in<C: Channels<K>, const K: usize>(
-        self,
-        strip: Strip<'_, C>,
-        frame: u32,
-    ) -> Result<Done> {
+    pub fn paint_in<C: Levels>(self, strip: Strip<'_, C>, frame: u32) -> Result<Done> {
         let mvp = mvp(self.scene, frame)?;
         let black = C::from_rgb(Rgb888::new(0, 0, 0), Point::zero());
-        let checker = Converted::new(Textured::new(&scenes::CHECKER));
-        let faces = Converted::new(FaceColors::new(&scenes::FACE_COLORS));
+        let checker = Textured::new(&scenes::CHECKER).converted();
+        let faces = FaceColors::new(&scenes::FACE_COLORS).converted();
         Ok(on_canvas!(strip, self, black, |canvas| in_mode!(
             self.mode,
             DrawOptions::new(),

@@ -3,8 +3,7 @@
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
 use fixel::prelude::*;
-use fixel::shade::{Blend, Channels, Levels};
-use fixel::shade::{Converted, DepthView, Flat, Lit, LitFaces, NormalView, Textured};
+use fixel::shade::{Blend, DepthView, Flat, Levels, NormalView, Textured};
 use fixel::target::{DepthBuffer, Native};
 use fixel::{Drawn, Mesh};
 
@@ -43,8 +42,8 @@ shown! {
     Rgb565 Rgb565 |shader| shader;
     Rgb888 Rgb888 |shader| shader;
     Gray8 Gray8 |shader| shader;
-    Gray4 Gray8 |shader| Converted::new(shader);
-    BinaryColor Gray8 |shader| Converted::new(shader);
+    Gray4 Gray8 |shader| shader.converted();
+    BinaryColor Gray8 |shader| shader.converted();
 }
 
 /// Meshes, how they are seen and in which pose.
@@ -64,7 +63,7 @@ impl Posed<'_> {
     }
 
     /// Draws the triangles.
-    pub fn draw<F: Shader, D: DepthBuffer, const N: usize>(
+    pub fn draw<F: Shader, D: DepthBuffer>(
         &self,
         canvas: &mut Board<'_, F::Color, D>,
         shader: &F,
@@ -87,7 +86,7 @@ impl Posed<'_> {
     }
 
     /// Draws the edges.
-    pub fn draw_edges<F: Shader, D: DepthBuffer, const N: usize>(
+    pub fn draw_edges<F: Shader, D: DepthBuffer>(
         &self,
         canvas: &mut Board<'_, F::Color, D>,
         shader: &F,
@@ -129,7 +128,7 @@ impl Posed<'_> {
     }
 
     /// Draws in the look of `shade`.
-    pub fn paint<C: Shown + Channels<K>, D: DepthBuffer, const K: usize>(
+    pub fn paint<C: Shown, D: DepthBuffer>(
         &self,
         canvas: &mut Board<'_, C, D>,
         shade: Shade,
@@ -140,8 +139,8 @@ impl Posed<'_> {
         match shade {
             Shade::Texture => self.textured(canvas, texels, false),
             Shade::Lit => self.textured(canvas, texels, true),
-            Shade::Gouraud => self.draw(canvas, &Lit::new(CLAY, light)),
-            Shade::Flat => self.draw(canvas, &LitFaces::new(CLAY, light)),
+            Shade::Gouraud => self.draw(canvas, &Flat::<C>::rgb(CLAY).lit(light)),
+            Shade::Flat => self.draw(canvas, &Flat::<C>::rgb(CLAY).lit_faces(light)),
             Shade::Normal => self.draw(canvas, &NormalView::new()),
             Shade::Depth => {
                 let [near, far] = self.view.depths;

@@ -4,9 +4,8 @@ use std::path::Path;
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{PixelColor, Rgb565, Rgb888, RgbColor};
-use fixel::mode::Tolerance;
 use fixel::prelude::*;
-use fixel::shade::Sampler;
+use fixel::shade::{Sampler, Varyings};
 use image::imageops::FilterType;
 use image::{ImageReader, RgbImage};
 
@@ -139,32 +138,21 @@ pub struct Scaled<F> {
 
 impl<F: Shader> Shader for Scaled<F> {
     type Color = F::Color;
+    type Varyings = F::Varyings;
 
     const READS_DEPTH: bool = F::READS_DEPTH;
-    const TOLERANCES: [Tolerance; N] = F::TOLERANCES;
 
     #[inline]
-    fn varyings(&self, vertex: &Corner<'_>) -> [i32; N] {
-        self.shader.varyings(vertex)
+    fn varyings(&self, primitive: &Primitive<'_>) -> [F::Varyings; 3] {
+        self.shader.varyings(primitive)
     }
 
     #[inline]
-    fn shade(&self, sample: &Fragment, mut varyings: [i32; N]) -> Option<F::Color> {
-        for (varying, down) in varyings.iter_mut().zip(self.down) {
-            *varying >>= down;
+    fn shade(&self, at: &Fragment, varyings: F::Varyings) -> Option<F::Color> {
+        let (mut numbers, face) = varyings.split();
+        for (number, down) in numbers.as_mut().iter_mut().zip(self.down) {
+            *number >>= down;
         }
-        self.shader.shade(sample, varyings)
-    }
-
-    #[inline]
-    fn begin(self, model: &Transform) -> Self {
-        let shader = self.shader.begin(model);
-        Self { shader, ..self }
-    }
-
-    #[inline]
-    fn face(self, corners: &mut [[i32; N]; 3], face: &Face<'_>) -> Self {
-        let shader = self.shader.face(corners, face);
-        Self { shader, ..self }
+        self.shader.shade(at, F::Varyings::join(numbers, face))
     }
 }

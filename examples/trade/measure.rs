@@ -101,7 +101,6 @@ impl<'a> Subject<'a> {
             let recorder = Recorder {
                 seen: &seen,
                 texels_log2,
-                face: 0,
             };
             canvas.draw_with(pass, &shot.mesh()?, &shot.mvp, &recorder);
             let mut seen = seen.into_inner();

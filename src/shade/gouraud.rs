@@ -84,11 +84,11 @@ mod tests {
         let mesh = Mesh::new(&positions, &[[0, 1, 2]])
             .and_then(|mesh| mesh.with_colors(&colors, None))
             .unwrap();
-        let (shader, corners) = face(Gouraud::new(), &IDENTITY, &mesh, 0);
-        let shown = corners.map(|corner| shade::<_, Rgb565, 3>(&shader, corner));
+        let (shader, corners) = face(Gouraud::<Rgb565>::new(), &IDENTITY, &mesh, 0);
+        let shown = corners.map(|corner| shade(&shader, corner));
         assert_eq!(shown, [Rgb565::RED, Rgb565::new(0, 32, 31), Rgb565::WHITE]);
         let (shader, corners) = face(Gouraud::<Gray8>::new(), &IDENTITY, &mesh, 0);
-        let shown = corners.map(|[level]| shade(&shader, [level]));
+        let shown = corners.map(|corner| shade(&shader, corner));
         assert_eq!(shown, [76, 104, 255].map(Gray8::new));
     }
 

@@ -226,7 +226,7 @@ mod tests {
     fn vertex_colors_are_lit() {
         let colors = [Rgb888::new(200, 100, 0); 3];
         let mesh = mesh().with_colors(&colors, None).unwrap();
-        let (shader, [corner, ..]) = face(Gouraud::new().lit(sun()), &IDENTITY, &mesh, 0);
+        let (shader, [corner, ..]) = face(Gouraud::<Rgb888>::new().lit(sun()), &IDENTITY, &mesh, 0);
         assert_eq!(count(&shader), 4);
         let (numbers, _) = corner.split();
         assert_eq!(numbers[3], 49152);
