@@ -118,7 +118,7 @@
 //! let projection = Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(10))?;
 //! let mvp = projection * Transform::translate(vec3!(0, 0, -2.5));
 //! let sun = Light::new(vec3!(1, 2, 3), fx!(0), fx!(1))?;
-//! let white = Lit::new(Rgb888::new(255, 255, 255), sun);
+//! let white = Flat::rgb(Rgb888::new(255, 255, 255)).lit(sun);
 //! let mut display = MockDisplay::new();
 //! let mut color = [BinaryColor::Off; (WIDTH * ROWS) as usize];
 //! let mut depth = [0; (WIDTH * ROWS) as usize];

@@ -121,7 +121,7 @@ where
 
 /// What the sea is painted with.
 pub fn waves<C: Levels>() -> impl Shader<Color = C> {
-    Converted::new(Textured::new(&WAVES))
+    Textured::new(&WAVES).converted()
 }
 
 /// What the island is painted with.
@@ -130,7 +130,7 @@ pub fn waves<C: Levels>() -> impl Shader<Color = C> {
 ///
 /// None: the light's numbers are constant.
 pub fn skin<C: Levels>() -> Result<impl Shader<Color = C>, Error> {
-    Ok(Converted::new(Textured::new(&SKIN).lit(sun()?)))
+    Ok(Textured::new(&SKIN).lit(sun()?).converted())
 }
 
 /// Draws sea and island; `mvp` takes them to the picture.

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::prelude::*;
-use fixel::shade::{Channels, Converted, FaceColors, Gouraud, Levels, Textured};
+use fixel::shade::{FaceColors, Gouraud, Levels, Textured};
 use fixel::target::DepthBuffer;
 use fixel::view::Perspective;
 use fixel::{Drawn, Mesh};

@@ -1,7 +1,6 @@
 //! From arguments to pictures: the whole run, in each colour.
 
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
-use fixel::shade::Channels;
 
 use super::Result;
 use super::common::scenes;

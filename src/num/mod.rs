@@ -87,7 +87,7 @@ pub type Unit = fixed::types::I2F30;
 /// [`Error::NotRepresentable`] if `value` is not a number or its magnitude is beyond ±32768.
 ///
 /// ```
-/// use fixel::{number::scalar, Scalar};
+/// use fixel::{num::scalar, Scalar};
 /// assert_eq!(scalar(1.5), Ok(Scalar::lit("1.5")));
 /// assert!(scalar(40_000.0).is_err());
 /// ```

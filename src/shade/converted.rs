@@ -24,7 +24,7 @@ use crate::mesh::Primitive;
 /// let mut pixels = [BinaryColor::Off; 48];
 /// let mut canvas = Canvas::new(&mut pixels, 12, 4)?;
 /// let skin = Textured::new(&SKIN);
-/// canvas.draw(&SQUARE, &mvp, &Converted::new(skin));
+/// canvas.draw(&SQUARE, &mvp, &skin.converted());
 /// let mut display = MockDisplay::new();
 /// canvas.show(&mut display)?;
 /// display.assert_pattern(&[
@@ -44,7 +44,7 @@ pub struct Converted<S, C> {
 impl<S, C> Converted<S, C> {
     /// `shader`, for a canvas of colour `C`.
     #[must_use]
-    pub const fn new(shader: S) -> Self {
+    pub(super) const fn new(shader: S) -> Self {
         Self {
             shader,
             color: PhantomData,

@@ -9,30 +9,11 @@ use crate::{Error, Scalar, Vec3};
 /// A surface with unit normal n has brightness ambient + diffuse · max(0, n·l), l being the unit
 /// vector towards the light (Lambert), saturated at 1. It is found in fixed point, within 1e-5.
 ///
-/// It is also what a shader of your own needs:
+/// [`Shader::lit`](super::Shader::lit) and [`Shader::lit_faces`](super::Shader::lit_faces) put any surface under it.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
-/// use fixel::{prelude::*, linear::Transform};
-///
-/// #[derive(Clone, Copy)]
-/// struct Clay(Light);
-///
-/// impl Shader<1> for Clay {
-///     type Color = Gray8;
-///
-///     fn begin(self, model: &Transform) -> Self {
-///         Self(self.0.begin(model))
-///     }
-///
-///     fn varyings(&self, vertex: &Corner) -> [i32; 1] {
-///         [self.0.brightness(vertex.normal())]
-///     }
-///
-///     fn shade(&self, sample: &Fragment, [light]: [i32; 1]) -> Option<Gray8> {
-///         Some(Gray8::new(200).lit(light, sample.point))
-///     }
-/// }
+/// use fixel::{math::Direction, prelude::*};
 ///
 /// static SQUARE: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;

@@ -10,19 +10,19 @@ use crate::mesh::Primitive;
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
 /// use fixel::prelude::*;
-/// static SQUARE: Mesh = shape!(plane(1, 1));
+/// static FLOOR: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::perspective(Angle::from_degrees(90), (1, 1), fx!(0.5), fx!(8))?;
-/// // A floor, 0.5 below the eye.
-/// let mvp = projection * Transform::translate(vec3!(0, -0.5, -1.5));
-/// let mut pixels = [Gray4::BLACK; 48];
-/// let mut canvas = Canvas::new(&mut pixels, 6, 8)?;
+/// // Eight units wide and long, half a unit below the eye.
+/// let mvp = projection * Transform::translate(vec3!(0, -0.5, -4)) * Transform::scale(fx!(4));
+/// let mut pixels = [Gray4::BLACK; 32];
+/// let mut canvas = Canvas::new(&mut pixels, 4, 8)?;
 /// // Fog: the farther, the whiter. Depth is 65535 · near / distance.
 /// let fog = Flat::new(Gray4::BLACK).map(|at, _| Some(Gray4::new(15 - (at.depth >> 12) as u8)));
-/// canvas.draw(&SQUARE, &mvp, &fog);
+/// canvas.draw(&FLOOR, &mvp, &fog);
 /// let mut display = MockDisplay::new();
 /// canvas.show(&mut display)?;
 /// display.assert_pattern(&[
-///     "000000", "000000", "000000", "000000", "000000", "09999A", "555555", "111111",
+///     "0000", "0000", "0000", "0000", "DDDD", "9999", "5555", "1111",
 /// ]);
 /// # Ok::<(), Error>(())
 /// ```
