@@ -22,7 +22,7 @@ use crate::mesh::Primitive;
 /// let mut display = MockDisplay::new();
 /// canvas.show(&mut display)?;
 /// display.assert_pattern(&[
-///     "0000", "0000", "0000", "0000", "DDDD", "9999", "5555", "1111",
+///     "0000", "0000", "0000", "0000", "EEEE", "AAAA", "6666", "2222",
 /// ]);
 /// # Ok::<(), Error>(())
 /// ```
