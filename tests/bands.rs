@@ -7,7 +7,7 @@ use std::any::type_name;
 use embedded_graphics::pixelcolor::Rgb888;
 use fixel::mode::{Affine, Exact, Fast, Interpolate, Linear, Newton};
 use fixel::prelude::*;
-use fixel::view::Kind;
+use fixel::view::ProjectionKind;
 use proptest::prelude::*;
 
 const WIDTH: u32 = 70;
@@ -82,7 +82,12 @@ impl Scene {
             .unwrap()
     }
 
-    fn draw<I: Interpolate, K: Kind>(&self, mode: I, canvas: &mut Band<'_>, mvp: &Mvp<K>) {
+    fn draw<I: Interpolate, K: ProjectionKind>(
+        &self,
+        mode: I,
+        canvas: &mut Band<'_>,
+        mvp: &Mvp<K>,
+    ) {
         canvas.clear(Rgb888::new(1, 2, 3));
         let mesh = self.mesh();
         canvas.draw_with(&common::BOTH_SIDES.mode(mode), &mesh, mvp, &Bits);
@@ -111,7 +116,7 @@ fn bands(rows: u32, mut draw: impl FnMut(&mut Band<'_>)) -> (Vec<Rgb888>, Vec<u1
 
 impl Scene {
     /// Checks the scene in every mode.
-    fn check<K: Kind>(&self, mvp: &Mvp<K>) -> Result<(), TestCaseError> {
+    fn check<K: ProjectionKind>(&self, mvp: &Mvp<K>) -> Result<(), TestCaseError> {
         self.check_mode(Exact, mvp)?;
         self.check_mode(Newton, mvp)?;
         // All of a run at once, a few pixels at once, one by one.
@@ -122,7 +127,7 @@ impl Scene {
         self.check_mode(Linear, mvp)
     }
 
-    fn check_mode<I: Interpolate, K: Kind>(
+    fn check_mode<I: Interpolate, K: ProjectionKind>(
         &self,
         mode: I,
         mvp: &Mvp<K>,
@@ -144,7 +149,7 @@ impl Scene {
     }
 
     /// Triangles that were prepared are drawn as they are without, and counted alike.
-    fn check_prepared<I: Interpolate, K: Kind>(
+    fn check_prepared<I: Interpolate, K: ProjectionKind>(
         &self,
         mode: I,
         mvp: &Mvp<K>,

@@ -4,7 +4,7 @@ use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::mode::{Exact, Interpolate};
 use fixel::prelude::*;
 use fixel::target::{Depth, Native};
-use fixel::view::{Kind, Perspective};
+use fixel::view::{Perspective, ProjectionKind};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
@@ -47,7 +47,7 @@ fn models() -> impl Strategy<Value = Model> {
 type Board<'a> = Canvas<'a, Rgb565, Native, Depth<'a>>;
 
 /// What is drawn of a mesh in all ways, and counted.
-fn drawn<K: Kind, I: Interpolate>(
+fn drawn<K: ProjectionKind, I: Interpolate>(
     mesh: &Mesh,
     mvp: &Mvp<K>,
     mode: I,
@@ -70,7 +70,7 @@ fn drawn<K: Kind, I: Interpolate>(
 }
 
 impl Model {
-    fn check<K: Kind>(&self, mvp: &Mvp<K>) -> Result<(), TestCaseError> {
+    fn check<K: ProjectionKind>(&self, mvp: &Mvp<K>) -> Result<(), TestCaseError> {
         let long: Vec<Vec3> = self
             .positions
             .iter()

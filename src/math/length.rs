@@ -61,11 +61,11 @@ impl Vec3 {
     ///
     /// ```
     /// use fixel::{vec3, Vec3};
-    /// assert_eq!(vec3!(0, 0.001, 0).normalised(), Some(Vec3::Y));
-    /// assert_eq!(Vec3::ZERO.normalised(), None);
+    /// assert_eq!(vec3!(0, 0.001, 0).normalized(), Some(Vec3::Y));
+    /// assert_eq!(Vec3::ZERO.normalized(), None);
     /// ```
     #[must_use]
-    pub fn normalised(self) -> Option<Self> {
+    pub fn normalized(self) -> Option<Self> {
         let unit = unit(self.to_bits().map(i64::from))?;
         Some(Self::from_bits(
             unit.map(|v| block::fixed(v.into(), 30, 16)),

@@ -7,5 +7,5 @@ mod vector;
 
 pub use matrix::Matrix4;
 pub use transform::Transform;
-pub(crate) use transform::{Line, compose};
+pub(crate) use transform::{AffineRow, compose};
 pub use vector::{Vec2, Vec3};

@@ -4,7 +4,7 @@ use core::ops::Mul;
 
 use super::{Matrix4, Vec3};
 use crate::num::Unit;
-use crate::num::block::{self, Number};
+use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt as unit;
 use crate::num::wide::dot;
 use crate::{Angle, Error, Scalar};
@@ -46,31 +46,31 @@ fn transpose([x, y, z]: [[i32; 3]; 3]) -> [[i32; 3]; 3] {
 
 /// A linear function of space: a row of a matrix of mantissas, and an offset.
 #[derive(Clone, Copy)]
-pub(crate) struct Line {
+pub(crate) struct AffineRow {
     pub(crate) row: [i32; 3],
     pub(crate) exp: i32,
-    pub(crate) offset: Number,
+    pub(crate) offset: BlockFloat,
 }
 
 /// The transform of three functions, after `other`.
 ///
 /// Nothing is rounded before the end, where all rows come to share an exponent.
 #[inline(never)]
-pub(crate) fn compose(lines: &[Line; 3], other: &Transform) -> Transform {
-    let (mut linear, mut translation) = ([[Number::ZERO; 3]; 3], [Number::ZERO; 3]);
+pub(crate) fn compose(lines: &[AffineRow; 3], other: &Transform) -> Transform {
+    let (mut linear, mut translation) = ([[BlockFloat::ZERO; 3]; 3], [BlockFloat::ZERO; 3]);
     let [x, y, z] = &other.linear;
     for (line, (linear, moved)) in lines.iter().zip(linear.iter_mut().zip(&mut translation)) {
         for (product, ((&x, &y), &z)) in linear.iter_mut().zip(x.iter().zip(y).zip(z)) {
-            *product = Number::new(dot(&line.row, &[x, y, z]), line.exp + other.linear_exp);
+            *product = BlockFloat::new(dot(&line.row, &[x, y, z]), line.exp + other.linear_exp);
         }
         // What may cancel is added before it is rounded.
-        *moved = Number::new(
+        *moved = BlockFloat::new(
             dot(&line.row, &other.translation),
             line.exp + other.translation_exp,
         )
         .plus(line.offset);
     }
-    Transform::of_numbers(&linear, &translation)
+    Transform::from_block_floats(&linear, &translation)
 }
 
 impl Transform {
@@ -83,21 +83,21 @@ impl Transform {
     };
 
     /// A transform of its numbers, which are rounded once.
-    fn of_numbers(linear: &[[Number; 3]; 3], translation: &[Number; 3]) -> Self {
+    fn from_block_floats(linear: &[[BlockFloat; 3]; 3], translation: &[BlockFloat; 3]) -> Self {
         let mut t = Self::IDENTITY;
-        t.linear_exp = block::normalise(t.linear.as_flattened_mut(), linear.as_flattened());
-        t.translation_exp = block::normalise(&mut t.translation, translation);
+        t.linear_exp = block::normalize(t.linear.as_flattened_mut(), linear.as_flattened());
+        t.translation_exp = block::normalize(&mut t.translation, translation);
         t
     }
 
     /// A transform of a matrix by rows, values · 2^-`exp`, and no translation.
-    fn of_linear(rows: [[i64; 3]; 3], exp: i32) -> Self {
-        let number = |value| Number::new(value, exp);
-        Self::of_numbers(&rows.map(|row| row.map(number)), &[Number::ZERO; 3])
+    fn from_linear(rows: [[i64; 3]; 3], exp: i32) -> Self {
+        let number = |value| BlockFloat::new(value, exp);
+        Self::from_block_floats(&rows.map(|row| row.map(number)), &[BlockFloat::ZERO; 3])
     }
 
     /// A transform of a matrix by rows, in units of 2^-29, whose largest entry is about one.
-    const fn of_rotation(linear: [[i32; 3]; 3]) -> Self {
+    const fn from_rotation_rows(linear: [[i32; 3]; 3]) -> Self {
         Self {
             linear,
             ..Self::IDENTITY
@@ -110,8 +110,8 @@ impl Transform {
     #[must_use]
     pub fn translate(offset: Vec3) -> Self {
         let mut t = Self::IDENTITY;
-        let numbers = offset.to_bits().map(|v| Number::new(v.into(), 16));
-        t.translation_exp = block::normalise(&mut t.translation, &numbers);
+        let numbers = offset.to_bits().map(|v| BlockFloat::new(v.into(), 16));
+        t.translation_exp = block::normalize(&mut t.translation, &numbers);
         t
     }
 
@@ -125,28 +125,28 @@ impl Transform {
     #[must_use]
     pub fn scale_axes(factors: Vec3) -> Self {
         let [x, y, z] = factors.to_bits().map(i64::from);
-        Self::of_linear([[x, 0, 0], [0, y, 0], [0, 0, z]], 16)
+        Self::from_linear([[x, 0, 0], [0, y, 0], [0, 0, z]], 16)
     }
 
     /// Turns about the x axis, from y towards z.
     #[must_use]
     pub fn rotate_x(angle: Angle) -> Self {
         let [s, minus, c] = halves(angle);
-        Self::of_rotation([[ONE, 0, 0], [0, c, minus], [0, s, c]])
+        Self::from_rotation_rows([[ONE, 0, 0], [0, c, minus], [0, s, c]])
     }
 
     /// Turns about the y axis, from z towards x.
     #[must_use]
     pub fn rotate_y(angle: Angle) -> Self {
         let [s, minus, c] = halves(angle);
-        Self::of_rotation([[c, 0, s], [0, ONE, 0], [minus, 0, c]])
+        Self::from_rotation_rows([[c, 0, s], [0, ONE, 0], [minus, 0, c]])
     }
 
     /// Turns about the z axis, from x towards y.
     #[must_use]
     pub fn rotate_z(angle: Angle) -> Self {
         let [s, minus, c] = halves(angle);
-        Self::of_rotation([[c, minus, 0], [s, c, 0], [0, 0, ONE]])
+        Self::from_rotation_rows([[c, minus, 0], [s, c, 0], [0, 0, ONE]])
     }
 
     /// Turns about an axis through the origin, counter-clockwise as seen from its tip (Rodrigues'
@@ -171,7 +171,7 @@ impl Transform {
             let projection = (u[i] * u[j] + (1 << 29)) >> 30;
             ((1 << 30) - c) * projection + if i == j { c << 30 } else { s * sine }
         };
-        Ok(Self::of_linear(
+        Ok(Self::from_linear(
             [
                 [entry(0, 0, 0), entry(0, 1, -u[2]), entry(0, 2, u[1])],
                 [entry(1, 0, u[2]), entry(1, 1, 0), entry(1, 2, -u[0])],
@@ -182,18 +182,18 @@ impl Transform {
     }
 
     /// The rows of a rotation in units of 2^-30, and the point that goes to the origin.
-    pub(crate) fn of_pose(rows: [[i64; 3]; 3], origin: Vec3) -> Self {
-        let rotation = Self::of_linear(rows, 30);
+    pub(crate) fn from_pose(rows: [[i64; 3]; 3], origin: Vec3) -> Self {
+        let rotation = Self::from_linear(rows, 30);
         rotation * Self::translate(-origin)
     }
 
     /// Where a point goes, rounded to nearest; saturates at the ends of the format.
     #[must_use]
     pub fn point(&self, point: Vec3) -> Vec3 {
-        let ([i, j, k], [x, y, z]) = (self.linear_of(point), self.translation);
+        let ([i, j, k], [x, y, z]) = (self.times_linear(point), self.translation);
         Vec3::from_bits([(i, x), (j, y), (k, z)].map(|(linear, moved)| {
-            let moved = Number::new(moved.into(), self.translation_exp);
-            let sum = Number::new(linear, self.linear_exp + 16).plus(moved);
+            let moved = BlockFloat::new(moved.into(), self.translation_exp);
+            let sum = BlockFloat::new(linear, self.linear_exp + 16).plus(moved);
             block::fixed(sum.value, sum.exp, 16)
         }))
     }
@@ -201,12 +201,12 @@ impl Transform {
     /// What a direction becomes: as a point, without the translation.
     #[must_use]
     pub fn direction(&self, direction: Vec3) -> Vec3 {
-        let linear = self.linear_of(direction);
+        let linear = self.times_linear(direction);
         Vec3::from_bits(linear.map(|v| block::fixed(v, self.linear_exp + 16, 16)))
     }
 
     /// The matrix times a vector: three products below 2^61.
-    fn linear_of(&self, v: Vec3) -> [i64; 3] {
+    fn times_linear(&self, v: Vec3) -> [i64; 3] {
         let v = v.to_bits();
         self.linear.map(|row| dot(&row, &v))
     }
@@ -226,9 +226,9 @@ impl Transform {
     pub fn inverse_rigid(&self) -> Self {
         let linear = transpose(self.linear);
         let exp = self.linear_exp + self.translation_exp;
-        let moved = linear.map(|row| Number::new(-dot(&row, &self.translation), exp));
+        let moved = linear.map(|row| BlockFloat::new(-dot(&row, &self.translation), exp));
         let mut inverse = Self { linear, ..*self };
-        inverse.translation_exp = block::normalise(&mut inverse.translation, &moved);
+        inverse.translation_exp = block::normalize(&mut inverse.translation, &moved);
         inverse
     }
 
@@ -239,7 +239,7 @@ impl Transform {
     /// For transforms of rotations and translations that are updated frame by frame. A matrix that
     /// has no such axes, because they are zero or parallel, stays as it is.
     #[must_use]
-    pub fn renormalised(&self) -> Self {
+    pub fn renormalized(&self) -> Self {
         let axes = || {
             let z = unit::unit(self.linear[2].map(i64::from))?;
             let x = unit::unit(unit::cross(self.linear[1], z))?;
@@ -252,7 +252,7 @@ impl Transform {
             Some(rows) => Self {
                 translation: self.translation,
                 translation_exp: self.translation_exp,
-                ..Self::of_linear(rows, 30)
+                ..Self::from_linear(rows, 30)
             },
         }
     }
@@ -263,8 +263,8 @@ impl Transform {
     pub(crate) fn normal_matrix(&self) -> [[i32; 3]; 3] {
         let [x, y, z] = self.linear;
         let cofactors =
-            [(y, z), (z, x), (x, y)].map(|(a, b)| unit::cross(a, b).map(|v| Number::new(v, 0)));
-        let cofactors = Self::of_numbers(&cofactors, &[Number::ZERO; 3]).linear;
+            [(y, z), (z, x), (x, y)].map(|(a, b)| unit::cross(a, b).map(|v| BlockFloat::new(v, 0)));
+        let cofactors = Self::from_block_floats(&cofactors, &[BlockFloat::ZERO; 3]).linear;
         if dot(&x, &cofactors[0]) < 0 {
             cofactors.map(|row| row.map(|v| -v))
         } else {
@@ -274,7 +274,7 @@ impl Transform {
 
     /// As a matrix of [`Scalar`]s: entries are rounded to 2⁻¹⁶ and saturate at ±32768.
     #[must_use]
-    pub fn matrix(&self) -> Matrix4 {
+    pub fn to_matrix(&self) -> Matrix4 {
         let mut rows = [[Scalar::ZERO; 4]; 4];
         for (row, (linear, &translation)) in rows
             .iter_mut()
@@ -315,10 +315,10 @@ impl Mul for Transform {
     /// The transform that applies `other` first, then `self`.
     fn mul(self, other: Self) -> Self {
         let ([i, j, k], [x, y, z]) = (self.linear, self.translation);
-        let lines = [(i, x), (j, y), (k, z)].map(|(row, moved)| Line {
+        let lines = [(i, x), (j, y), (k, z)].map(|(row, moved)| AffineRow {
             row,
             exp: self.linear_exp,
-            offset: Number::new(moved.into(), self.translation_exp),
+            offset: BlockFloat::new(moved.into(), self.translation_exp),
         });
         compose(&lines, &other)
     }

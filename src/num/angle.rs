@@ -148,11 +148,11 @@ impl Angle {
     /// ```
     #[must_use]
     pub fn atan2(y: Scalar, x: Scalar) -> Self {
-        Self::of_point(y.to_bits().into(), x.to_bits().into())
+        Self::atan2_bits(y.to_bits().into(), x.to_bits().into())
     }
 
     /// [`atan2`](Self::atan2) of integers in any common unit.
-    pub(crate) fn of_point(y: i64, x: i64) -> Self {
+    pub(crate) fn atan2_bits(y: i64, x: i64) -> Self {
         // 2^32 / 2π, for a sine in units of 2^-30.
         const UNITS: i64 = 683_565_276;
         let Some([x, y, _]) = unit::unit([x, y, 0]) else {

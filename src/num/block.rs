@@ -44,12 +44,12 @@ const fn magnitude(value: i64) -> u64 {
 
 /// A number of up to 62 bits, before it is rounded to a mantissa: `value` · 2^−`exp`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Number {
+pub(crate) struct BlockFloat {
     pub(crate) value: i64,
     pub(crate) exp: i32,
 }
 
-impl Number {
+impl BlockFloat {
     pub(crate) const ZERO: Self = Self::new(0, 0);
 
     #[inline]
@@ -78,7 +78,7 @@ impl Number {
     #[inline(never)]
     pub(crate) fn rounded(self) -> (i32, i32) {
         let mut mantissa = [0];
-        let exp = normalise(&mut mantissa, &[self]);
+        let exp = normalize(&mut mantissa, &[self]);
         (mantissa[0], exp)
     }
 
@@ -133,8 +133,8 @@ fn operand(value: i64) -> (i32, i32) {
 /// The largest mantissa has bit 29 set, except where the exponent is at [`MAX_EXP`]: all zero, or
 /// too small to be represented fully. At [`MIN_EXP`], mantissas saturate at ±(2^30 − 1).
 #[inline(never)]
-pub(crate) fn normalise(mantissas: &mut [i32], numbers: &[Number]) -> i32 {
-    let finest = |exp: i32, number: &Number| exp.min(number.finest(BITS));
+pub(crate) fn normalize(mantissas: &mut [i32], numbers: &[BlockFloat]) -> i32 {
+    let finest = |exp: i32, number: &BlockFloat| exp.min(number.finest(BITS));
     let exp = numbers.iter().fold(MAX_EXP, finest).max(MIN_EXP);
     for (mantissa, number) in mantissas.iter_mut().zip(numbers) {
         *mantissa = saturated(number.at(exp)).clamp(-LIMIT, LIMIT);
@@ -179,31 +179,31 @@ mod tests {
         value as f64 * f64::from(-exp).exp2()
     }
 
-    fn normalised<const N: usize>(values: [i64; N], exp: i32) -> ([i32; N], i32) {
+    fn normalized<const N: usize>(values: [i64; N], exp: i32) -> ([i32; N], i32) {
         let mut mantissas = [0; N];
-        let exp = normalise(&mut mantissas, &values.map(|v| Number::new(v, exp)));
+        let exp = normalize(&mut mantissas, &values.map(|v| BlockFloat::new(v, exp)));
         (mantissas, exp)
     }
 
     #[test]
     fn mantissas_are_thirty_bits_and_exponents_bounded() {
-        assert_eq!(normalised([1 << 16], 16), ([1 << 29], 29));
-        assert_eq!(normalised([0, 0], 3), ([0, 0], MAX_EXP));
-        assert_eq!(normalised([-(1 << 62)], 0), ([-(1 << 30) + 1], MIN_EXP));
-        assert_eq!(normalised([i64::MIN, 1], i32::MAX), ([0, 0], MAX_EXP));
+        assert_eq!(normalized([1 << 16], 16), ([1 << 29], 29));
+        assert_eq!(normalized([0, 0], 3), ([0, 0], MAX_EXP));
+        assert_eq!(normalized([-(1 << 62)], 0), ([-(1 << 30) + 1], MIN_EXP));
+        assert_eq!(normalized([i64::MIN, 1], i32::MAX), ([0, 0], MAX_EXP));
         // Rounding up to a power of two would take one more bit.
-        assert_eq!(normalised([(1 << 31) - 1], 0), ([(1 << 30) - 1], -1));
+        assert_eq!(normalized([(1 << 31) - 1], 0), ([(1 << 30) - 1], -1));
     }
 
     proptest! {
         #[test]
-        fn normalising_rounds_to_nearest(
+        fn normalizing_rounds_to_nearest(
             v in any::<[i64; 3]>(),
             cut in [0_u32..64, 0..64, 0..64],
             exp in -20..70,
         ) {
             let v: [i64; 3] = core::array::from_fn(|i| v[i] >> cut[i]);
-            let (m, e) = normalised(v, exp);
+            let (m, e) = normalized(v, exp);
             prop_assert!((MIN_EXP..=MAX_EXP).contains(&e));
             for (&v, &m) in v.iter().zip(&m) {
                 prop_assert!(m.unsigned_abs() < 1 << 30);
@@ -226,11 +226,11 @@ mod tests {
             exp in any::<i32>(),
             other in -200..200,
         ) {
-            let (m, e) = normalised(v, exp);
+            let (m, e) = normalized(v, exp);
             prop_assert!((MIN_EXP..=MAX_EXP).contains(&e));
             prop_assert!(m.iter().all(|m| m.unsigned_abs() < 1 << 30));
             for (v, w) in v.into_iter().zip(w) {
-                let _ = Number::new(v, 100).plus(Number::new(w, other));
+                let _ = BlockFloat::new(v, 100).plus(BlockFloat::new(w, other));
             }
             let _ = fixed(v[0], other, 16);
         }
@@ -244,7 +244,7 @@ mod tests {
             b_exp in -99..99,
         ) {
             let b = b >> cut;
-            let sum = Number::new(a, a_exp).plus(Number::new(b, b_exp));
+            let sum = BlockFloat::new(a, a_exp).plus(BlockFloat::new(b, b_exp));
             let expected = real(a, a_exp) + real(b, b_exp);
             let size = real(a, a_exp).abs() + real(b, b_exp).abs();
             prop_assert!((real(sum.value, sum.exp) - expected).abs() <= size * f64::from(-50).exp2());
@@ -257,7 +257,7 @@ mod tests {
             cut in [0_u32..63, 0..63],
         ) {
             let (a, b) = (a >> cut[0], (b >> cut[1]).saturating_abs().max(1));
-            let q = Number::new(a, 0).over(Number::new(b, 0));
+            let q = BlockFloat::new(a, 0).over(BlockFloat::new(b, 0));
             #[allow(clippy::cast_precision_loss)]
             let expected = a as f64 / b as f64;
             // Two operands of 31 bits, and what the quotient is rounded by is far less.

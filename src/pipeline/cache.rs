@@ -1,7 +1,7 @@
 //! Vertices that need not be projected again.
 
 use super::geometry::Geometry;
-use crate::view::Kind;
+use crate::view::ProjectionKind as Kind;
 use crate::{mesh::Index, pipeline::Projected};
 
 /// Vertices that were projected lately, as neighbouring triangles share them, each with a note.

@@ -6,7 +6,7 @@ use super::project::{ClipPosition, Projector};
 use super::projected::Projected;
 use crate::mesh::Index;
 use crate::num::reciprocal;
-use crate::view::Kind;
+use crate::view::ProjectionKind as Kind;
 
 /// Where a point lies in its triangle: how much of the second and of the third corner it has, in
 /// units of 2⁻³⁰; the first has the rest.

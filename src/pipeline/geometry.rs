@@ -4,7 +4,7 @@ use super::DrawOptions;
 use super::cache::Cache;
 use crate::math::Transform;
 use crate::raster;
-use crate::view::{Kind, Mvp, Viewport};
+use crate::view::{Mvp, ProjectionKind as Kind, Viewport};
 use crate::{
     mesh::{Element, Face, Index, Mesh},
     pipeline::{Cull, Outline, Projected, Projector, clip},

@@ -28,7 +28,7 @@ use crate::raster::Paint;
 use crate::shade::Shader;
 use crate::span::Interpolate;
 use crate::target::{Canvas, DepthBuffer, Storage};
-use crate::view::{Kind, Mvp};
+use crate::view::{Mvp, ProjectionKind as Kind};
 
 /// What became of a draw call's triangles, edges or points.
 ///

@@ -8,7 +8,7 @@ use super::cache::Cache;
 use super::geometry::Geometry;
 use super::{DrawOptions, Drawn};
 use crate::raster::{self, Brush, Fan, Triangle, Window};
-use crate::view::{Kind, Mvp};
+use crate::view::{Mvp, ProjectionKind as Kind};
 use crate::{
     mesh::{Element, Index, Mesh},
     pipeline::{ClippedCorner, Projected, Weights},

@@ -15,7 +15,7 @@ use crate::math::Transform;
 use crate::raster::{Brush, Fan, Triangle, Window};
 use crate::span::{Interpolate, Newton};
 use crate::target::check_size;
-use crate::view::{Kind, Mvp, Viewport};
+use crate::view::{Mvp, ProjectionKind as Kind, Viewport};
 use crate::{
     mesh::{Element, Mesh},
     pipeline::{ClippedCorner, Outline, Projected, Weights},

@@ -4,13 +4,13 @@ use core::marker::PhantomData;
 
 use super::projected::{DepthShift, Projected};
 use crate::Scalar;
-use crate::math::{Line, Transform, compose};
+use crate::math::{AffineRow as Line, Transform, compose};
 use crate::mesh::Index;
 use crate::mesh::{Place, Positions};
-use crate::num::block::{self, Number};
+use crate::num::block::{self, BlockFloat as Number};
 use crate::num::reciprocal;
 use crate::num::wide::{IS_NARROW, dot, product, short_dot};
-use crate::view::{Kind, Projection, Row, Viewport};
+use crate::view::{Projection, ProjectionKind as Kind, Row, Viewport};
 
 /// Half the width and height of the guard band, in pixels: the room about the viewport's centre in
 /// which screen coordinates are exact, and to which triangles are clipped.
@@ -57,7 +57,7 @@ fn scaled(row: &Row, unit: Number, size: i32) -> Line {
         .m
         .map(|m| Number::new(i64::from(m) * i64::from(factor), exp));
     let mut mantissas = [0; 3];
-    let exp = block::normalise(&mut mantissas, &[x, y, z]);
+    let exp = block::normalize(&mut mantissas, &[x, y, z]);
     Line {
         row: mantissas,
         exp,

@@ -1,6 +1,6 @@
 //! Cameras: where the eye is, and which way it looks.
 
-use crate::num::block::{self, Number};
+use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt as unit;
 use crate::{Angle, Error, Scalar, Transform, Vec3};
 
@@ -45,7 +45,7 @@ impl Camera {
         let k = unit::unit(back).ok_or(Error::EyeAtTarget { eye })?;
         let mantissas = |v: [i64; 3]| {
             let mut mantissas = [0; 3];
-            block::normalise(&mut mantissas, &v.map(|v| Number::new(v, 0)));
+            block::normalize(&mut mantissas, &v.map(|v| BlockFloat::new(v, 0)));
             mantissas
         };
         let side = unit::cross(mantissas(up.to_bits().map(i64::from)), mantissas(back));
@@ -55,7 +55,7 @@ impl Camera {
         let i = unit::unit(side).ok_or(Error::UpAlongView { up })?;
         let j = unit::cross(k, i).map(|v| (v + (1 << 29)) >> 30);
         Ok(Self {
-            view: Transform::of_pose([i.map(i64::from), j, k.map(i64::from)], eye),
+            view: Transform::from_pose([i.map(i64::from), j, k.map(i64::from)], eye),
         })
     }
 

@@ -2,7 +2,7 @@
 
 use core::ops::Mul;
 
-use super::{Camera, Kind, Perspective, Projection};
+use super::{Camera, Perspective, Projection, ProjectionKind};
 use crate::Transform;
 
 /// A projection, a camera and the transform of a model, applied from right to left.
@@ -30,7 +30,7 @@ pub struct Mvp<K = Perspective> {
     pub(crate) model: Transform,
 }
 
-impl<K: Kind> Mvp<K> {
+impl<K: ProjectionKind> Mvp<K> {
     /// The transform from model space to eye space.
     #[must_use]
     pub fn model_view(&self) -> Transform {
@@ -44,7 +44,7 @@ impl<K: Kind> Mvp<K> {
     }
 }
 
-impl<K: Kind> From<Projection<K>> for Mvp<K> {
+impl<K: ProjectionKind> From<Projection<K>> for Mvp<K> {
     /// A picture of eye space itself.
     fn from(projection: Projection<K>) -> Self {
         Self {
@@ -55,7 +55,7 @@ impl<K: Kind> From<Projection<K>> for Mvp<K> {
     }
 }
 
-impl<K: Kind> Mul<Camera> for Projection<K> {
+impl<K: ProjectionKind> Mul<Camera> for Projection<K> {
     type Output = Mvp<K>;
 
     fn mul(self, camera: Camera) -> Mvp<K> {
@@ -66,7 +66,7 @@ impl<K: Kind> Mul<Camera> for Projection<K> {
     }
 }
 
-impl<K: Kind> Mul<Transform> for Projection<K> {
+impl<K: ProjectionKind> Mul<Transform> for Projection<K> {
     type Output = Mvp<K>;
 
     /// The mvp of a model that is placed before the eye, without a camera.
@@ -78,7 +78,7 @@ impl<K: Kind> Mul<Transform> for Projection<K> {
     }
 }
 
-impl<K: Kind> Mul<Transform> for Mvp<K> {
+impl<K: ProjectionKind> Mul<Transform> for Mvp<K> {
     type Output = Self;
 
     /// The mvp that applies `part` first.

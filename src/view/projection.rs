@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use crate::num::block::{self, Number};
+use crate::num::block::{self, BlockFloat};
 use crate::span::Interpolate;
 use crate::{Error, Matrix4, Scalar};
 
@@ -19,14 +19,14 @@ mod sealed {
 ///
 /// ```
 /// use fixel::prelude::*;
-/// use fixel::view::Kind;
+/// use fixel::view::ProjectionKind;
 ///
 /// /// Works for both.
-/// fn depth_of_view<K: Kind>(projection: &Projection<K>) -> Scalar {
+/// fn depth_of_view<K: ProjectionKind>(projection: &Projection<K>) -> Scalar {
 ///     projection.far() - projection.near()
 /// }
 /// ```
-pub trait Kind: sealed::Sealed + Copy + core::fmt::Debug {
+pub trait ProjectionKind: sealed::Sealed + Copy + core::fmt::Debug {
     /// Whether the picture shrinks with distance.
     const PERSPECTIVE: bool;
 
@@ -62,7 +62,7 @@ pub struct Parallel;
 impl sealed::Sealed for Perspective {}
 impl sealed::Sealed for Parallel {}
 
-impl Kind for Perspective {
+impl ProjectionKind for Perspective {
     const PERSPECTIVE: bool = true;
     type Mode<I: Interpolate> = I;
 
@@ -71,7 +71,7 @@ impl Kind for Perspective {
     }
 }
 
-impl Kind for Parallel {
+impl ProjectionKind for Parallel {
     const PERSPECTIVE: bool = false;
     type Mode<I: Interpolate> = I::Parallel;
 
@@ -91,22 +91,22 @@ pub(crate) struct Row {
 
 impl Row {
     /// A row of its numbers.
-    fn new(entries: [Number; 4]) -> Self {
+    fn new(entries: [BlockFloat; 4]) -> Self {
         let mut m = [0; 4];
-        let exp = block::normalise(&mut m, &entries);
+        let exp = block::normalize(&mut m, &entries);
         Self { m, exp }
     }
 
     /// A coefficient as a number.
-    fn real(&self, i: usize) -> Number {
-        Number::new(self.m[i].into(), self.exp)
+    fn real(&self, i: usize) -> BlockFloat {
+        BlockFloat::new(self.m[i].into(), self.exp)
     }
 }
 
 /// What of eye space comes into the picture, and where.
 ///
 /// Eye space is right-handed: x to the right, y up, and the view down −z. `near` and `far` are
-/// distances ahead of the eye. A projection takes its frustum or box to normalised device
+/// distances ahead of the eye. A projection takes its frustum or box to normalized device
 /// coordinates, ±1 from edge to edge.
 ///
 /// Coefficients have 30 bits, whatever their size.
@@ -120,7 +120,7 @@ impl Row {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Projection<K = Perspective> {
-    /// Normalised device coordinates x and y, times w: −z for a perspective, else 1.
+    /// Normalized device coordinates x and y, times w: −z for a perspective, else 1.
     pub(crate) rows: [Row; 2],
     pub(crate) near: Scalar,
     pub(crate) far: Scalar,
@@ -131,12 +131,12 @@ fn bits(value: Scalar) -> i64 {
     value.to_bits().into()
 }
 
-fn number(value: Scalar) -> Number {
-    Number::new(bits(value), 16)
+fn number(value: Scalar) -> BlockFloat {
+    BlockFloat::new(bits(value), 16)
 }
 
 /// A number to the nearest [`Scalar`]; saturates.
-fn scalar(number: Number) -> Scalar {
+fn scalar(number: BlockFloat) -> Scalar {
     Scalar::from_bits(block::fixed(number.value, number.exp, 16))
 }
 
@@ -157,7 +157,7 @@ fn extent(low: Scalar, high: Scalar) -> Result<(i64, i64), Error> {
     }
 }
 
-impl<K: Kind> Projection<K> {
+impl<K: ProjectionKind> Projection<K> {
     /// The distance of the near plane.
     #[must_use]
     pub const fn near(&self) -> Scalar {
@@ -202,10 +202,10 @@ impl<K: Kind> Projection<K> {
         let w = if K::PERSPECTIVE {
             near
         } else {
-            Number::new(1, 0)
+            BlockFloat::new(1, 0)
         };
         let moved = row.real(2).times(near).plus(row.real(3).negated());
-        let edge = Number::new(sign * w.value, w.exp).plus(moved);
+        let edge = BlockFloat::new(sign * w.value, w.exp).plus(moved);
         scalar(edge.over(row.real(axis)))
     }
 
@@ -220,15 +220,15 @@ impl<K: Kind> Projection<K> {
     ///
     /// Depth goes from −1 at the near plane to 1 at the far plane.
     #[must_use]
-    pub fn matrix(&self) -> Matrix4 {
+    pub fn to_matrix(&self) -> Matrix4 {
         let [x, y] =
             [0, 1].map(|axis: usize| [0, 1, 2, 3].map(|i| scalar(self.rows[axis].real(i))));
         let (near, far) = (bits(self.near), bits(self.far));
-        let depth = Number::new(far - near, 16);
-        let middle = Number::new(-(far + near), 16).over(depth);
+        let depth = BlockFloat::new(far - near, 16);
+        let middle = BlockFloat::new(-(far + near), 16).over(depth);
         let (zero, one) = (Scalar::ZERO, Scalar::ONE);
         if K::PERSPECTIVE {
-            let offset = Number::new(-2 * near, 16)
+            let offset = BlockFloat::new(-2 * near, 16)
                 .times(number(self.far))
                 .over(depth);
             let z = [zero, zero, scalar(middle), scalar(offset)];
@@ -237,7 +237,7 @@ impl<K: Kind> Projection<K> {
             let z = [
                 zero,
                 zero,
-                scalar(Number::new(-2, 0).over(depth)),
+                scalar(BlockFloat::new(-2, 0).over(depth)),
                 scalar(middle),
             ];
             Matrix4::new([x, y, z, [zero, zero, zero, one]])

@@ -6,7 +6,7 @@ use embedded_graphics::geometry::Size;
 
 use crate::Error;
 
-/// A rectangle of pixels that normalised device coordinates are spread over.
+/// A rectangle of pixels that normalized device coordinates are spread over.
 ///
 /// It may reach beyond the canvas: what is outside is not drawn.
 ///

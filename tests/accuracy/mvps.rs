@@ -2,7 +2,7 @@
 
 use fixel::num::scalar;
 use fixel::prelude::*;
-use fixel::view::{Kind, Parallel, Perspective};
+use fixel::view::{Parallel, Perspective, ProjectionKind};
 use proptest::prelude::*;
 
 use crate::drawing::{Drawing, Spot};
@@ -54,7 +54,7 @@ fn perspective(fov: Angle, near: f64, far: f64) -> (Projection<Perspective>, Len
 }
 
 /// Compares where a point is with the model.
-fn compare<K: Kind>(
+fn compare<K: ProjectionKind>(
     (projection, model): (Projection<K>, Lens),
     moves: &[Move],
     viewport: Viewport,

@@ -2,7 +2,7 @@
 
 use fixel::num::scalar;
 use fixel::prelude::*;
-use fixel::view::{Kind, Perspective};
+use fixel::view::{Perspective, ProjectionKind};
 use proptest::prelude::*;
 
 use crate::bounds;
@@ -86,7 +86,7 @@ fn values() -> impl Strategy<Value = [[i32; 3]; VALUES]> {
 
 /// Draws a triangle in some modes, and compares every pixel with the model and with `bound`, which
 /// tells what a value may be off by; a depth may be by `depth_error`, before it is rounded down.
-fn compare<K: Kind>(
+fn compare<K: ProjectionKind>(
     triangle: &Triangle<K, VALUES>,
     modes: &[Mode],
     depth_error: f64,

@@ -102,7 +102,7 @@ proptest! {
         let turns = Transform::rotate_y(b) * Transform::rotate_z(c);
         let pose = Transform::rotate_x(a) * Transform::translate(by) * turns;
         for both in [pose * pose.inverse_rigid(), pose.inverse_rigid() * pose] {
-            let identity = both.matrix();
+            let identity = both.to_matrix();
             for (i, row) in identity.rows().iter().enumerate() {
                 for (j, &entry) in row.iter().enumerate() {
                     // 30 bits of at most 100 are below 2^-22.

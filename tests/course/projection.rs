@@ -27,7 +27,7 @@ fn row_5_points_beside_and_behind_the_eye_have_no_image() {
     for z in [0.0, 1.0 / 65_536.0, 5.0] {
         let point = vec(0.1, 0.1, z);
         assert_eq!(projection.image(point), None);
-        assert_eq!(projection.matrix().project(point), None);
+        assert_eq!(projection.to_matrix().project(point), None);
         let place = canvas.project(
             &DrawOptions::new(),
             &(projection * Transform::IDENTITY),
@@ -48,7 +48,7 @@ fn row_6_the_practice_cube() {
             let image = projection.image(vec(x, y, z)).unwrap().map(float);
             all_close(image, [x * size, y * size], STEP / 2.0);
             // The window is ±1, and so are normalised device coordinates.
-            let ndc = projection.matrix().project(vec(x, y, z)).unwrap();
+            let ndc = projection.to_matrix().project(vec(x, y, z)).unwrap();
             all_close([ndc.x, ndc.y].map(float), [x * size, y * size], STEP / 2.0);
         }
     }
@@ -89,8 +89,8 @@ fn row_8_frustum_and_back() {
     let slack = (2.0 / (1.0 + 1.0 / 3.0) * 0.577 * relative).to_degrees();
     close(degrees(eight.fov()), 60.0, slack + 1e-6);
     let again = Projection::perspective(eight.fov(), eight.aspect(), fx!(2), fx!(10)).unwrap();
-    let expected = seven.matrix().rows().map(|row| row.map(float));
-    same_matrix(&again.matrix(), expected, 2.0 * 4.0 * relative + STEP);
+    let expected = seven.to_matrix().rows().map(|row| row.map(float));
+    same_matrix(&again.to_matrix(), expected, 2.0 * 4.0 * relative + STEP);
 
     // Off the centre: the edges are as they were given.
     let edges = [fx!(-1), fx!(3), fx!(0.5), fx!(2.5)];
@@ -124,11 +124,11 @@ proptest! {
         let projection = Projection::frustum(left, right, bottom, top, near, far).unwrap();
         let expected = frustum(edges);
         // Rounded once, from 28 bits of at most 64.
-        same_matrix(&projection.matrix(), expected, 0.52 * STEP);
+        same_matrix(&projection.to_matrix(), expected, 0.52 * STEP);
 
         // z = −n → −1 and z = −f → +1: two entries rounded to half a step, one of them times z,
         // over w = −z.
-        let depth = |z: f64| float(projection.matrix().project(vec(0.0, 0.0, z)).unwrap().z);
+        let depth = |z: f64| float(projection.to_matrix().project(vec(0.0, 0.0, z)).unwrap().z);
         let [.., n, f] = edges;
         close(depth(-n), -1.0, STEP * (2.0 / n + 1.0));
         close(depth(-f), 1.0, STEP * (2.0 / f + 1.0));
@@ -184,11 +184,11 @@ fn row_12_orthographic_box() {
         let (x, nx) = corner(i & 1, l, r);
         let (y, ny) = corner(i & 2, b, t);
         let (z, nz) = corner(i & 4, -n, -f);
-        let ndc = projection.matrix().project(vec(x, y, z)).unwrap();
+        let ndc = projection.to_matrix().project(vec(x, y, z)).unwrap();
         assert_eq!(ndc, vec(nx, ny, nz));
     }
     // Parallel lines stay parallel: the same direction from anywhere is the same on screen.
-    let at = |x, y, z| projection.matrix().project(vec(x, y, z)).unwrap();
+    let at = |x, y, z| projection.to_matrix().project(vec(x, y, z)).unwrap();
     let first = at(1.0, 0.5, -7.0) - at(0.0, 0.25, -3.0);
     let second = at(-1.0, 0.0, -9.0) - at(-2.0, -0.25, -5.0);
     assert_eq!(first, second);
@@ -196,7 +196,7 @@ fn row_12_orthographic_box() {
 
 /// How far and in which direction an edge of length one along the view runs on screen, in degrees.
 fn receding(projection: &Projection<Parallel>) -> (f64, f64) {
-    let at = |z| projection.matrix().project(vec(0.25, 0.25, z)).unwrap();
+    let at = |z| projection.to_matrix().project(vec(0.25, 0.25, z)).unwrap();
     // The window is ±1, and so are normalised device coordinates.
     let [x, y] = [at(-3.0) - at(-2.0)].map(|d| [float(d.x), float(d.y)])[0];
     (x.hypot(y), y.atan2(x).to_degrees())
@@ -218,7 +218,10 @@ fn row_14_oblique() {
             let off = (direction - f64::from(angle)).rem_euclid(360.0);
             close(off.min(360.0 - off), 0.0, (slack / length).to_degrees());
             // What is in the near plane appears as it is.
-            let ndc = projection.matrix().project(vec(0.5, -0.25, -1.0)).unwrap();
+            let ndc = projection
+                .to_matrix()
+                .project(vec(0.5, -0.25, -1.0))
+                .unwrap();
             all_close([ndc.x, ndc.y].map(float), [0.5, -0.25], 2.0 * STEP);
             all_close(
                 [projection.left(), projection.top()].map(float),

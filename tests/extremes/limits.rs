@@ -8,7 +8,7 @@ use fixel::num::{scalar, tex_coord};
 use fixel::prelude::*;
 use fixel::shade::{MAX_TEXTURE_SIZE, Sampler};
 use fixel::target::MAX_SIZE;
-use fixel::view::{Kind, Perspective};
+use fixel::view::{Perspective, ProjectionKind};
 
 use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
 
@@ -193,7 +193,7 @@ fn projections() {
 }
 
 /// Whether a point straight ahead is seen.
-fn seen<K: Kind>(mvp: &Mvp<K>, bits: i32) -> bool {
+fn seen<K: ProjectionKind>(mvp: &Mvp<K>, bits: i32) -> bool {
     let point = Vec3::from_bits([0, 0, -bits]);
     Counter::new((4, 4)).snapped(mvp, point).is_some()
 }

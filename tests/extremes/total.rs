@@ -5,7 +5,7 @@ use embedded_graphics::pixelcolor::{Gray8, Rgb888};
 use fixel::mode::{Affine, Exact, Fast, Interpolate, Linear, Newton, Tolerance};
 use fixel::prelude::*;
 use fixel::target::{DepthBuffer, Native};
-use fixel::view::Kind;
+use fixel::view::ProjectionKind;
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -184,7 +184,7 @@ impl Shader<3> for Raw {
 }
 
 impl Scene {
-    fn draw<K: Kind, D: DepthBuffer>(
+    fn draw<K: ProjectionKind, D: DepthBuffer>(
         &self,
         canvas: &mut Canvas<'_, Gray8, Native, D>,
         projection: Projection<K>,
@@ -201,7 +201,7 @@ impl Scene {
         }
     }
 
-    fn draw_in<I: Interpolate, K: Kind, D: DepthBuffer>(
+    fn draw_in<I: Interpolate, K: ProjectionKind, D: DepthBuffer>(
         &self,
         pass: &DrawOptions<I>,
         canvas: &mut Canvas<'_, Gray8, Native, D>,
@@ -235,7 +235,7 @@ impl Scene {
     }
 
     /// Draws the frame, and the frame in bands, and compares all bits of both.
-    fn check<K: Kind>(
+    fn check<K: ProjectionKind>(
         &self,
         projection: Result<Projection<K>, Error>,
     ) -> Result<(), TestCaseError> {

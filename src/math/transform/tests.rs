@@ -138,8 +138,8 @@ fn anything() -> impl Strategy<Value = Transform> {
     const EXP: core::ops::RangeInclusive<i32> = block::MIN_EXP..=block::MAX_EXP;
     let row = || [M, M, M];
     ([row(), row(), row()], EXP, row(), EXP).prop_map(|(m, e, t, t_exp)| {
-        let numbers = |v: [i32; 3], exp| v.map(|v| Number::new(v.into(), exp));
-        Transform::of_numbers(&m.map(|row| numbers(row, e)), &numbers(t, t_exp))
+        let numbers = |v: [i32; 3], exp| v.map(|v| BlockFloat::new(v.into(), exp));
+        Transform::from_block_floats(&m.map(|row| numbers(row, e)), &numbers(t, t_exp))
     })
 }
 
@@ -153,7 +153,7 @@ fn admissible(t: &Transform) -> bool {
 }
 
 #[test]
-fn identity_is_normalised() {
+fn identity_is_normalized() {
     let scaled = Transform::scale(Scalar::ONE);
     assert_eq!(scaled, Transform::IDENTITY);
     assert_eq!(Transform::IDENTITY * scaled, Transform::IDENTITY);
@@ -202,14 +202,14 @@ fn drift_is_removed() {
     // A thousand turns have made something that is no rotation any more, or the test tests nothing.
     assert!(rigid(&t) > 1e-6, "{:e}", rigid(&t));
     assert!(
-        rigid(&t.renormalised()) < 4e-9,
+        rigid(&t.renormalized()) < 4e-9,
         "{:e}",
-        rigid(&t.renormalised())
+        rigid(&t.renormalized())
     );
     let mirror = Transform::scale_axes(Vec3::from_ints(-1, 1, 1));
-    assert_eq!(mirror.renormalised(), mirror);
+    assert_eq!(mirror.renormalized(), mirror);
     let flat = Transform::scale(Scalar::ZERO);
-    assert_eq!(flat.renormalised(), flat);
+    assert_eq!(flat.renormalized(), flat);
 }
 
 proptest! {
@@ -255,8 +255,8 @@ proptest! {
         let p = Vec3::from_bits(p);
         for t in all.iter().chain(&t) {
             prop_assert!(admissible(t));
-            let _ = (t.point(p), t.direction(p), t.matrix(), t.normal_matrix());
-            prop_assert!(admissible(&t.inverse_rigid()) && admissible(&t.renormalised()));
+            let _ = (t.point(p), t.direction(p), t.to_matrix(), t.normal_matrix());
+            prop_assert!(admissible(&t.inverse_rigid()) && admissible(&t.renormalized()));
         }
     }
 

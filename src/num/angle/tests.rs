@@ -112,14 +112,14 @@ fn arc_tangent_inverts() {
     for bits in (0..=u32::MAX).step_by(777_777) {
         let angle = Angle::from_bits(bits);
         let (sin, cos) = angle.sin_cos();
-        let found = Angle::of_point(sin.to_bits().into(), cos.to_bits().into());
+        let found = Angle::atan2_bits(sin.to_bits().into(), cos.to_bits().into());
         let off = (found - angle).to_bits();
         // 2e-9 radians are 1.4 units; the point itself is rounded to 1.4e-9.
         assert!(off <= 3 || off >= u32::MAX - 2, "{bits}: {off}");
     }
-    assert_eq!(Angle::of_point(0, 0), Angle::ZERO);
-    assert_eq!(Angle::of_point(0, i64::MIN), Angle::HALF);
-    assert_eq!(Angle::of_point(i64::MAX, 0), Angle::QUARTER);
+    assert_eq!(Angle::atan2_bits(0, 0), Angle::ZERO);
+    assert_eq!(Angle::atan2_bits(0, i64::MIN), Angle::HALF);
+    assert_eq!(Angle::atan2_bits(i64::MAX, 0), Angle::QUARTER);
 }
 
 /// The projection constructors need more than `micromath` gives: this is why the sine is ours.

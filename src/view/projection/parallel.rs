@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use super::{Parallel, Projection, Row, bits, check_far, extent, number};
 use crate::num::Unit;
-use crate::num::block::Number;
+use crate::num::block::BlockFloat;
 use crate::{Angle, Error, Scalar};
 
 impl Projection<Parallel> {
@@ -24,7 +24,7 @@ impl Projection<Parallel> {
         near: Scalar,
         far: Scalar,
     ) -> Result<Self, Error> {
-        Self::sheared([Number::ZERO; 2], [left, right, bottom, top], near, far)
+        Self::sheared([BlockFloat::ZERO; 2], [left, right, bottom, top], near, far)
     }
 
     /// An oblique projection: the near plane appears as it is, and what lies behind it moves by
@@ -46,7 +46,7 @@ impl Projection<Parallel> {
         far: Scalar,
     ) -> Result<Self, Error> {
         let (sin, cos) = angle.sin_cos();
-        let shear = |part: Unit| Number::new(bits(ratio) * i64::from(part.to_bits()), 46);
+        let shear = |part: Unit| BlockFloat::new(bits(ratio) * i64::from(part.to_bits()), 46);
         Self::sheared(
             [shear(cos), shear(sin)],
             [left, right, bottom, top],
@@ -92,18 +92,18 @@ impl Projection<Parallel> {
 
     /// A box's projection in which a point at a distance d appears moved by `shear` · (d − near).
     fn sheared(
-        shear: [Number; 2],
+        shear: [BlockFloat; 2],
         [left, right, bottom, top]: [Scalar; 4],
         near: Scalar,
         far: Scalar,
     ) -> Result<Self, Error> {
         check_far(near, far)?;
-        let row = |low, high, shear: Number| -> Result<_, Error> {
+        let row = |low, high, shear: BlockFloat| -> Result<_, Error> {
             let (size, middle) = extent(low, high)?;
-            let size = Number::new(size, 16);
-            let scale = Number::new(2, 0).over(size);
+            let size = BlockFloat::new(size, 16);
+            let scale = BlockFloat::new(2, 0).over(size);
             let slope = scale.times(shear).negated();
-            let offset = Number::new(-middle, 16)
+            let offset = BlockFloat::new(-middle, 16)
                 .over(size)
                 .plus(slope.times(number(near)));
             Ok((scale, slope, offset))
@@ -112,8 +112,8 @@ impl Projection<Parallel> {
         let (y, y_slope, y_offset) = row(bottom, top, shear[1])?;
         Ok(Self {
             rows: [
-                Row::new([x, Number::ZERO, x_slope, x_offset]),
-                Row::new([Number::ZERO, y, y_slope, y_offset]),
+                Row::new([x, BlockFloat::ZERO, x_slope, x_offset]),
+                Row::new([BlockFloat::ZERO, y, y_slope, y_offset]),
             ],
             near,
             far,

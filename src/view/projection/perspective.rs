@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 
 use super::{Perspective, Projection, Row, bits, check_far, extent};
-use crate::num::block::{self, Number};
+use crate::num::block::{self, BlockFloat};
 use crate::view::Aspect;
 use crate::{Angle, Error, Scalar, Vec3};
 
@@ -16,7 +16,7 @@ fn check_planes(near: Scalar, far: Scalar) -> Result<(), Error> {
 }
 
 impl Projection<Perspective> {
-    fn of_scales(x: Number, y: Number, near: Scalar, far: Scalar) -> Self {
+    fn from_scales(x: BlockFloat, y: BlockFloat, near: Scalar, far: Scalar) -> Self {
         let ((x, x_exp), (y, y_exp)) = (x.rounded(), y.rounded());
         Self {
             rows: [
@@ -55,9 +55,11 @@ impl Projection<Perspective> {
         let (width, height) = aspect.into().checked()?;
         check_planes(near, far)?;
         let (sine, cosine) = fov.half_wide();
-        let y = Number::new(cosine, 0).over(Number::new(sine, 0));
-        let x = y.times(Number::new(height, 0)).over(Number::new(width, 0));
-        Ok(Self::of_scales(x, y, near, far))
+        let y = BlockFloat::new(cosine, 0).over(BlockFloat::new(sine, 0));
+        let x = y
+            .times(BlockFloat::new(height, 0))
+            .over(BlockFloat::new(width, 0));
+        Ok(Self::from_scales(x, y, near, far))
     }
 
     /// A symmetric perspective by its focal length: a thing as wide as it is far is so many
@@ -71,7 +73,7 @@ impl Projection<Perspective> {
     /// ```
     /// use fixel::prelude::*;
     /// let projection = Projection::from_focal_length(fx!(200), (320, 240), fx!(0.25), fx!(100))?;
-    /// assert_eq!(projection.matrix().rows()[0][0], fx!(1.25));
+    /// assert_eq!(projection.to_matrix().rows()[0][0], fx!(1.25));
     /// # Ok::<(), Error>(())
     /// ```
     pub fn from_focal_length(
@@ -85,8 +87,8 @@ impl Projection<Perspective> {
         }
         let (width, height) = Aspect::from(size).checked()?;
         check_planes(near, far)?;
-        let scale = |size| Number::new(2 * bits(pixels), 0).over(Number::new(size, 0));
-        Ok(Self::of_scales(scale(width), scale(height), near, far))
+        let scale = |size| BlockFloat::new(2 * bits(pixels), 0).over(BlockFloat::new(size, 0));
+        Ok(Self::from_scales(scale(width), scale(height), near, far))
     }
 
     /// A perspective whose window on the near plane has the given edges; it may lie off the centre.
@@ -114,8 +116,8 @@ impl Projection<Perspective> {
         check_planes(near, far)?;
         let (width, across) = extent(left, right)?;
         let (height, up) = extent(bottom, top)?;
-        let ratio = |value, size| Number::new(value, 0).over(Number::new(size, 0));
-        let (double, zero) = (2 * bits(near), Number::ZERO);
+        let ratio = |value, size| BlockFloat::new(value, 0).over(BlockFloat::new(size, 0));
+        let (double, zero) = (2 * bits(near), BlockFloat::ZERO);
         Ok(Self {
             rows: [
                 Row::new([ratio(double, width), zero, ratio(across, width), zero]),
@@ -131,9 +133,9 @@ impl Projection<Perspective> {
     /// that of one of the same height about the centre.
     #[must_use]
     pub fn fov(&self) -> Angle {
-        let Number { value, exp } = self.rows[1].real(1);
+        let BlockFloat { value, exp } = self.rows[1].real(1);
         // The tangent of half of it is 1 / scale.
-        Angle::of_point(
+        Angle::atan2_bits(
             block::shift(1, exp.max(0)),
             block::shift(value, (-exp).max(0)),
         ) * 2

@@ -108,7 +108,7 @@ proptest! {
         ];
         for projection in projections.into_iter().flatten() {
             let _ = (projection.left(), projection.right(), projection.bottom(), projection.top());
-            let _ = (projection.aspect(), projection.fov(), projection.matrix());
+            let _ = (projection.aspect(), projection.fov(), projection.to_matrix());
             let _ = (projection.vanishing_point(Vec3::new(l, r, b)), projection.image(Vec3::new(l, r, b)));
         }
         let projections = [
@@ -117,7 +117,7 @@ proptest! {
         ];
         for projection in projections.into_iter().flatten() {
             let _ = (projection.left(), projection.right(), projection.bottom(), projection.top());
-            let _ = (projection.aspect(), projection.matrix());
+            let _ = (projection.aspect(), projection.to_matrix());
         }
     }
 }
@@ -197,7 +197,7 @@ fn the_widest_and_narrowest_views_are_survived() {
             projection.top(),
             projection.fov(),
             projection.aspect(),
-            projection.matrix(),
+            projection.to_matrix(),
         );
     }
 }
