@@ -2,10 +2,13 @@
 
 mod length;
 mod matrix;
+mod operators;
 mod transform;
-mod vector;
+mod vec2;
+mod vec3;
 
 pub use matrix::Matrix4;
 pub use transform::Transform;
 pub(crate) use transform::{AffineRow, compose};
-pub use vector::{Vec2, Vec3};
+pub use vec2::Vec2;
+pub use vec3::Vec3;
