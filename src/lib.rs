@@ -177,7 +177,7 @@ pub use span as mode;
 pub mod target;
 pub mod view;
 
-pub use error::{Error, Given};
+pub use error::{Error, RefusedFloat};
 pub use math::{Matrix4, Transform, Vec2, Vec3};
 pub use mesh::{Corner, Face, Index, Mesh};
 pub use num::{Angle, Rate, Scalar, Spin, TexCoord, Unit};
@@ -187,7 +187,7 @@ pub use shade::{
     LitTexture, Modulated, NormalView, Palette, Shader, Texture, Textured,
 };
 pub use target::Canvas;
-pub use view::{Aspect, Camera, Mvp, Projection, Viewport};
+pub use view::{Aspect, Camera, Mvp, Projection, Viewport, Window};
 
 /// The program in the README works.
 #[cfg(doctest)]
@@ -202,11 +202,11 @@ pub mod prelude {
     pub use crate::{
         Angle, Aspect, Camera, Canvas, Corner, Cull, DrawOptions, Drawn, Error, Face, Fragment,
         Mesh, Mvp, Projection, Rate, Scalar, Shader, Spin, TexCoord, Transform, TriangleList, Vec2,
-        Vec3, Viewport,
+        Vec3, Viewport, Window,
     };
     pub use crate::{
         Converted, DepthView, FaceColors, Flat, Gouraud, Levels, Light, Lit, LitFaces, LitTexture,
         Modulated, NormalView, Palette, Texture, Textured,
     };
-    pub use crate::{fx, include_obj, shape, vec2, vec3};
+    pub use crate::{deg, fx, include_obj, shape, vec2, vec3};
 }

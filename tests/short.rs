@@ -108,7 +108,7 @@ proptest! {
         let pose = place * Transform::rotate_x(x) * Transform::rotate_y(y) * Transform::scale(scale);
         let projection = Projection::perspective(Angle::from_degrees(60), SIZE, fx!(0.1), fx!(100)).unwrap();
         model.check::<Perspective>(&(projection * pose))?;
-        let projection = Projection::orthographic(fx!(-2), fx!(2), fx!(-2), fx!(2), fx!(-9), fx!(9)).unwrap();
+        let projection = Projection::orthographic(Window::centered(fx!(4), fx!(4)), fx!(-9), fx!(9)).unwrap();
         model.check(&(projection * pose))?;
     }
 
@@ -212,7 +212,8 @@ fn what_does_not_fit_is_refused() {
         mesh.shortened::<3>(),
         Err(Error::Length {
             given: 3,
-            needed: 2
+            needed: 2,
+            ..
         })
     ));
     assert_eq!(mesh.positions().get(2), None);

@@ -100,7 +100,7 @@ impl TryFrom<[f32; 2]> for Vec2 {
 /// ```
 #[macro_export]
 macro_rules! vec2 {
-    ($x:expr, $y:expr $(,)?) => {
+    ($x:literal, $y:literal $(,)?) => {
         const {
             #[allow(clippy::cast_lossless, clippy::unnecessary_cast)]
             $crate::Vec2::new(
@@ -108,5 +108,11 @@ macro_rules! vec2 {
                 $crate::num::literal_tex_coord($y as f64),
             )
         }
+    };
+    ($($other:tt)*) => {
+        ::core::compile_error!(
+            "vec2! takes two literals, such as vec2!(0.5, 1); write Vec2::new(x, y) for TexCoords, \
+             with num::tex_coord(x)? for a float known at run time"
+        )
     };
 }

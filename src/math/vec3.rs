@@ -119,9 +119,19 @@ impl TryFrom<[f32; 3]> for Vec3 {
 /// const UP: Vec3 = vec3!(0, 1, 0);
 /// assert_eq!(UP, Vec3::Y);
 /// ```
+/// ```compile_fail
+/// let x = 0.5;
+/// let _ = fixel::vec3!(x, 0, 0); // error: vec3! takes three literals, …
+/// ```
 #[macro_export]
 macro_rules! vec3 {
-    ($x:expr, $y:expr, $z:expr $(,)?) => {
+    ($x:literal, $y:literal, $z:literal $(,)?) => {
         $crate::Vec3::new($crate::fx!($x), $crate::fx!($y), $crate::fx!($z))
+    };
+    ($($other:tt)*) => {
+        ::core::compile_error!(
+            "vec3! takes three literals, such as vec3!(0, 1.5, -2); write Vec3::new(x, y, z) for \
+             Scalars, with fx!(const X) for a constant and num::scalar(x)? for a float"
+        )
     };
 }

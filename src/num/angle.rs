@@ -5,7 +5,7 @@ use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
 use micromath::F32Ext;
 
-use crate::error::Given;
+use crate::error::RefusedFloat;
 use crate::num::Unit;
 use crate::num::rsqrt as unit;
 use crate::{Error, Scalar};
@@ -102,7 +102,7 @@ impl Angle {
     /// # Errors
     ///
     /// [`Error::NotRepresentable`] if `degrees` is infinite or not a number.
-    pub fn try_from_degrees(degrees: f64) -> Result<Self, Error> {
+    pub const fn try_from_degrees(degrees: f64) -> Result<Self, Error> {
         Self::try_from_float(degrees, 360.0)
     }
 
@@ -111,7 +111,7 @@ impl Angle {
     /// # Errors
     ///
     /// [`Error::NotRepresentable`] if `radians` is infinite or not a number.
-    pub fn try_from_radians(radians: f64) -> Result<Self, Error> {
+    pub const fn try_from_radians(radians: f64) -> Result<Self, Error> {
         Self::try_from_float(radians, core::f64::consts::TAU)
     }
 
@@ -120,14 +120,14 @@ impl Angle {
     /// # Errors
     ///
     /// [`Error::NotRepresentable`] if `turns` is infinite or not a number.
-    pub fn try_from_turns(turns: f64) -> Result<Self, Error> {
+    pub const fn try_from_turns(turns: f64) -> Result<Self, Error> {
         Self::try_from_float(turns, 1.0)
     }
 
-    fn try_from_float(value: f64, turn: f64) -> Result<Self, Error> {
+    const fn try_from_float(value: f64, turn: f64) -> Result<Self, Error> {
         if !value.is_finite() {
             return Err(Error::NotRepresentable {
-                value: Given::new(value),
+                value: RefusedFloat::new(value),
                 limit: None,
             });
         }

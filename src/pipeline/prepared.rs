@@ -67,7 +67,7 @@ use crate::{
 ///
 /// let mut short: TriangleList<20, 80> = TriangleList::new();
 /// let error = short.prepare(&DrawOptions::new(), (WIDTH, HEIGHT), &BALL, &mvp).unwrap_err();
-/// assert_eq!(error.to_string(), "44 triangles are to be seen: the list has room for 20");
+/// assert_eq!(error.to_string(), "44 triangles are visible: the list has room for 20");
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Debug)]

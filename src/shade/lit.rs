@@ -54,7 +54,7 @@ impl<C: Levels> Surface<C> {
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor}};
 /// use fixel::prelude::*;
 /// static BALL: Mesh = shape!(sphere(8, 8));
-/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::front(Vec3::ZERO, fx!(1));
 /// let sun = Light::new(vec3!(1, 2, 1), fx!(0.2), fx!(0.8))?;
 /// let mut pixels = [Gray4::BLACK; 144];
@@ -125,7 +125,7 @@ impl<C: Levels> Shader<1> for Lit<C> {
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor}};
 /// use fixel::prelude::*;
 /// static BALL: Mesh = shape!(sphere(8, 8));
-/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::front(Vec3::ZERO, fx!(1));
 /// let sun = Light::new(vec3!(1, 2, 1), fx!(0.2), fx!(0.8))?;
 /// let mut pixels = [Gray4::BLACK; 144];
@@ -211,7 +211,7 @@ impl<C: Levels> Shader<0> for LitFaces<C> {
 /// use fixel::prelude::*;
 /// static SKIN: Texture<Gray8, 2, 2> = Texture::gray8(&[0x88, 0xee, 0x44, 0xaa]);
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Gray8::BLACK; 16];
 /// let mut canvas = Canvas::new(&mut pixels, 4, 4)?;

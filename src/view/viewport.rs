@@ -34,7 +34,7 @@ impl Viewport {
     ///
     /// # Errors
     ///
-    /// [`Error::Size`] unless width and height are from 1 to [`MAX`](Self::MAX); [`Error::Place`]
+    /// [`Error::Size`] unless width and height are from 1 to [`MAX`](Self::MAX); [`Error::Offset`]
     /// unless x and y are within ±[`MAX`](Self::MAX).
     pub const fn new(x: i32, y: i32, width: u32, height: u32) -> Result<Self, Error> {
         let max = Self::MAX;
@@ -42,7 +42,7 @@ impl Viewport {
             return Err(Error::Size { width, height, max });
         }
         if x.unsigned_abs() > max || y.unsigned_abs() > max {
-            return Err(Error::Place { x, y, max });
+            return Err(Error::Offset { x, y, max });
         }
         Ok(Self {
             x,

@@ -181,9 +181,7 @@ proptest! {
             let z: f64 = z[i];
             point([x, 48. - y, -z]).unwrap()
         };
-        let projection = Projection::orthographic(
-            fx!(0), fx!(160), fx!(0), fx!(48), fx!(0), fx!(100),
-        ).unwrap();
+        let projection = Projection::orthographic(Window { left: fx!(0), right: fx!(160), bottom: fx!(0), top: fx!(48) }, fx!(0), fx!(100)).unwrap();
         let positions = [corner(0), corner(1), corner(2)];
         let depth = positions.map(|p| 65535. * (1. + p.z.to_num::<f64>() / 100.));
         let triangle = Triangle { size: SIZE, mvp: projection.into(), positions, values, w: [1.; 3], depth };

@@ -143,7 +143,16 @@ pub fn character(count: u32) -> char {
 /// 2⁻²⁹ · 4096 pixels and so by far less than half of 1/256.
 pub fn pixel_lens((width, height): (u32, u32)) -> Mvp<Parallel> {
     let [width, height] = [width, height].map(Scalar::from_num);
-    let projection = Projection::orthographic(fx!(0), width, -height, fx!(0), fx!(-1), fx!(1));
+    let projection = Projection::orthographic(
+        Window {
+            left: fx!(0),
+            right: width,
+            bottom: -height,
+            top: fx!(0),
+        },
+        fx!(-1),
+        fx!(1),
+    );
     projection.unwrap().into()
 }
 

@@ -137,10 +137,10 @@ proptest! {
 fn row_15_useless_cameras_are_refused() {
     let eye = vec3!(1, 2, 3);
     let refused = Camera::look_at(eye, eye, Vec3::Y);
-    assert_eq!(refused, Err(Error::EyeAtTarget { eye }));
+    assert!(matches!(refused, Err(Error::EyeAtTarget { eye: at, .. }) if at == eye));
     for up in [vec3!(0, 0, 0), vec3!(1, 2, 3), vec3!(-2, -4, -6)] {
         let refused = Camera::look_at(eye, Vec3::ZERO, up);
-        assert_eq!(refused, Err(Error::UpAlongView { up }));
+        assert!(matches!(refused, Err(Error::UpAlongView { up: along, .. }) if along == up));
     }
 }
 

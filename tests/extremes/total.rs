@@ -289,14 +289,16 @@ proptest! {
     #[test]
     fn off_centre_perspective_is_total(scene in scene(), edges in prop::array::uniform6(scalar())) {
         let [l, r, b, t, n, f] = edges;
-        scene.check(Projection::frustum(l.min(r), l.max(r), b.min(t), b.max(t), n, f))?;
+        let window = Window { left: l.min(r), right: l.max(r), bottom: b.min(t), top: b.max(t) };
+        scene.check(Projection::frustum(window, n, f))?;
     }
 
     #[test]
     fn parallel_projections_are_total(scene in scene(), edges in prop::array::uniform6(scalar()), angle: u32) {
         let [l, r, b, t, n, f] = edges;
-        scene.check(Projection::orthographic(l.min(r), l.max(r), b.min(t), b.max(t), n, f))?;
+        let window = Window { left: l.min(r), right: l.max(r), bottom: b.min(t), top: b.max(t) };
+        scene.check(Projection::orthographic(window, n, f))?;
         let angle = Angle::from_bits(angle);
-        scene.check(Projection::cabinet(angle, l.min(r), l.max(r), b.min(t), b.max(t), n, f))?;
+        scene.check(Projection::cabinet(angle, window, n, f))?;
     }
 }

@@ -2,18 +2,19 @@
 #![allow(clippy::needless_range_loop)] // formulas with indices
 
 use super::*;
+use crate::{Angle, Error, Scalar};
 use core::f64::consts::TAU;
 use proptest::prelude::*;
 use std::vec::Vec;
 
 /// Rows of a 3×4 matrix.
-type Real = [[f64; 4]; 3];
+pub(super) type Real = [[f64; 4]; 3];
 
-fn power(exp: i32) -> f64 {
+pub(super) fn power(exp: i32) -> f64 {
     f64::from(exp).exp2()
 }
 
-fn real(t: &Transform) -> Real {
+pub(super) fn real(t: &Transform) -> Real {
     core::array::from_fn(|i| {
         let [x, y, z] = t.linear[i].map(|m| f64::from(m) * power(-t.linear_exp));
         [
@@ -25,7 +26,7 @@ fn real(t: &Transform) -> Real {
     })
 }
 
-fn multiply(a: &Real, b: &Real) -> Real {
+pub(super) fn multiply(a: &Real, b: &Real) -> Real {
     core::array::from_fn(|i| {
         core::array::from_fn(|j| {
             let moved = if j == 3 { a[i][3] } else { 0.0 };
@@ -45,7 +46,7 @@ fn sizes(m: &Real) -> [f64; 2] {
 }
 
 /// The largest errors of the matrix, and of the translation.
-fn errors(found: &Real, expected: &Real) -> [f64; 2] {
+pub(super) fn errors(found: &Real, expected: &Real) -> [f64; 2] {
     sizes(&core::array::from_fn(|i| {
         core::array::from_fn(|j| found[i][j] - expected[i][j])
     }))

@@ -65,7 +65,7 @@ proptest! {
     fn frustum_has_28_bits(
         (l, r) in ordered(), (b, t) in ordered(), (n, f) in planes(),
     ) {
-        let projection = Projection::frustum(l, r, b, t, n, f).unwrap();
+        let projection = Projection::frustum(Window { left: l, right: r, bottom: b, top: t }, n, f).unwrap();
         let [lf, rf, bf, tf, nf] = [l, r, b, t, n].map(float);
         prop_assert!(close(&projection.rows[0], [2.0 * nf / (rf - lf), 0.0, (rf + lf) / (rf - lf), 0.0]));
         prop_assert!(close(&projection.rows[1], [0.0, 2.0 * nf / (tf - bf), (tf + bf) / (tf - bf), 0.0]));
@@ -77,7 +77,7 @@ proptest! {
         angle in any::<u32>(), ratio in any::<i32>(),
     ) {
         let (angle, ratio) = (Angle::from_bits(angle), Scalar::from_bits(ratio));
-        let projection = Projection::oblique(angle, ratio, l, r, b, t, n, f).unwrap();
+        let projection = Projection::oblique(angle, ratio, Window { left: l, right: r, bottom: b, top: t }, n, f).unwrap();
         let [lf, rf, bf, tf, nf, k] = [l, r, b, t, n, ratio].map(float);
         let (sin, cos) = (f64::from(angle.to_bits()) / f64::from(32).exp2() * TAU).sin_cos();
         let (x, y) = (2.0 / (rf - lf), 2.0 / (tf - bf));
@@ -101,23 +101,22 @@ proptest! {
     ) {
         let [l, r, b, t, n, f, k] = v.map(Scalar::from_bits);
         let angle = Angle::from_bits(angle);
+        let window = Window { left: l, right: r, bottom: b, top: t };
         let projections = [
             Projection::perspective(angle, size, n, f),
             Projection::from_focal_length(k, size, n, f),
-            Projection::frustum(l, r, b, t, n, f),
+            Projection::frustum(window, n, f),
         ];
         for projection in projections.into_iter().flatten() {
-            let _ = (projection.left(), projection.right(), projection.bottom(), projection.top());
-            let _ = (projection.aspect(), projection.fov(), projection.to_matrix());
+            let _ = (projection.window(), projection.aspect(), projection.fov(), projection.to_matrix());
             let _ = (projection.vanishing_point(Vec3::new(l, r, b)), projection.image(Vec3::new(l, r, b)));
         }
         let projections = [
-            Projection::orthographic(l, r, b, t, n, f),
-            Projection::oblique(angle, k, l, r, b, t, n, f),
+            Projection::orthographic(window, n, f),
+            Projection::oblique(angle, k, window, n, f),
         ];
         for projection in projections.into_iter().flatten() {
-            let _ = (projection.left(), projection.right(), projection.bottom(), projection.top());
-            let _ = (projection.aspect(), projection.to_matrix());
+            let _ = (projection.window(), projection.aspect(), projection.to_matrix());
         }
     }
 }
@@ -135,6 +134,7 @@ fn focal_length_is_exact() {
 fn nonsense_is_refused() {
     let (zero, low, high) = (Scalar::ZERO, one(1.0), one(2.0));
     let fov = Angle::from_degrees(60);
+    let square = Window::centered(high, high);
     for degrees in [0, 180, 181, 270, -1] {
         let angle = Angle::from_degrees(degrees);
         let refused = Projection::perspective(angle, (4, 3), low, high);
@@ -144,7 +144,7 @@ fn nonsense_is_refused() {
         let refused = [
             Projection::perspective(fov, (4, 3), near, high),
             Projection::from_focal_length(low, (4, 3), near, high),
-            Projection::frustum(-low, low, -low, low, near, high),
+            Projection::frustum(square, near, high),
         ];
         assert_eq!(refused, [Err(Error::Near { near }); 3]);
     }
@@ -152,25 +152,40 @@ fn nonsense_is_refused() {
         let refused = [
             Projection::perspective(fov, (4, 3), high, far),
             Projection::from_focal_length(low, (4, 3), high, far),
-            Projection::frustum(-low, low, -low, low, high, far),
+            Projection::frustum(square, high, far),
         ];
         assert_eq!(refused, [Err(Error::Far { near: high, far }); 3]);
-        let refused = Projection::orthographic(-low, low, -low, low, high, far);
+        let refused = Projection::orthographic(square, high, far);
         assert_eq!(refused, Err(Error::Far { near: high, far }));
     }
-    let empty = Error::EmptyFrustum {
+    let empty = Error::EmptyWindow {
         low: high,
         high: low,
     };
-    for [l, r, b, t] in [[high, low, low, high], [low, high, high, low]] {
-        assert_eq!(Projection::frustum(l, r, b, t, low, high), Err(empty));
-        assert_eq!(Projection::orthographic(l, r, b, t, low, high), Err(empty));
-        let refused = Projection::cabinet(fov, l, r, b, t, low, high);
+    for [left, right, bottom, top] in [[high, low, low, high], [low, high, high, low]] {
+        let window = Window {
+            left,
+            right,
+            bottom,
+            top,
+        };
+        assert_eq!(Projection::frustum(window, low, high), Err(empty));
+        assert_eq!(Projection::orthographic(window, low, high), Err(empty));
+        let refused = Projection::cabinet(fov, window, low, high);
         assert_eq!(refused, Err(empty));
     }
-    let flat = Error::EmptyFrustum { low, high: low };
+    let flat = Error::EmptyWindow { low, high: low };
     assert_eq!(
-        Projection::frustum(low, low, low, high, low, high),
+        Projection::frustum(
+            Window {
+                left: low,
+                right: low,
+                bottom: low,
+                top: high
+            },
+            low,
+            high
+        ),
         Err(flat)
     );
     let flat = Error::Aspect {
@@ -194,7 +209,7 @@ fn the_widest_and_narrowest_views_are_survived() {
         let projection =
             Projection::perspective(Angle::from_bits(bits), (1, 1), one(1.0), one(2.0)).unwrap();
         let _ = (
-            projection.top(),
+            projection.window(),
             projection.fov(),
             projection.aspect(),
             projection.to_matrix(),
