@@ -189,7 +189,7 @@ pub enum Error {
     Obj {
         /// The line number, counted from 1.
         line: usize,
-        /// What is wrong with the line.
+        /// The mistake in the line.
         problem: &'static str,
     },
 }
@@ -200,7 +200,7 @@ impl fmt::Display for Error {
             Self::NotRepresentable { value, limit } => {
                 write!(f, "{value} cannot be represented: it must ")?;
                 match limit {
-                    // All our formats hold this upper bound; shorter and nearer would round up.
+                    // Every format holds this upper bound without rounding it up to the limit.
                     Some(limit) => write!(f, "lie between -{limit} and {}.99999", limit - 1),
                     None => f.write_str("be finite"),
                 }

@@ -13,12 +13,10 @@ impl Vec3 {
     /// assert_eq!(vec3!(1, 2, 3).dot(vec3!(4, 0.5, -1)), fx!(2));
     /// ```
     #[must_use]
-    pub fn dot(self, other: Self) -> Scalar {
-        let [a, b] = [self, other].map(|v| v.to_bits().map(i64::from));
+    pub const fn dot(self, other: Self) -> Scalar {
+        let ([a, b, c], [x, y, z]) = (self.to_wide_bits(), other.to_wide_bits());
         // Products reach 2^62; a sum that saturates is beyond the format anyway.
-        let sum = (a[0] * b[0])
-            .saturating_add(a[1] * b[1])
-            .saturating_add(a[2] * b[2]);
+        let sum = (a * x).saturating_add(b * y).saturating_add(c * z);
         Scalar::from_bits(block::fixed(sum, 32, 16))
     }
 
@@ -29,11 +27,13 @@ impl Vec3 {
     /// assert_eq!(Vec3::X.cross(Vec3::Y), Vec3::Z);
     /// ```
     #[must_use]
-    pub fn cross(self, other: Self) -> Self {
-        let [a, b] = [self, other].map(|v| v.to_bits().map(i64::from));
-        let part =
-            |i: usize, j: usize| block::fixed((a[i] * b[j]).saturating_sub(a[j] * b[i]), 32, 16);
-        Self::from_bits([part(1, 2), part(2, 0), part(0, 1)])
+    pub const fn cross(self, other: Self) -> Self {
+        let ([a, b, c], [x, y, z]) = (self.to_wide_bits(), other.to_wide_bits());
+        Self::from_bits([
+            block::fixed((b * z).saturating_sub(c * y), 32, 16),
+            block::fixed((c * x).saturating_sub(a * z), 32, 16),
+            block::fixed((a * y).saturating_sub(b * x), 32, 16),
+        ])
     }
 
     /// Returns the length; saturates.
@@ -45,8 +45,8 @@ impl Vec3 {
     /// assert_eq!(vec3!(3, 0, -4).length(), fx!(5));
     /// ```
     #[must_use]
-    pub fn length(self) -> Scalar {
-        length(self.to_bits().map(i64::from))
+    pub const fn length(self) -> Scalar {
+        length(self.to_wide_bits())
     }
 
     /// Returns the distance between two points; saturates.
@@ -58,9 +58,9 @@ impl Vec3 {
     /// assert_eq!(vec3!(1, 2, 3).distance(vec3!(4, 2, -1)), fx!(5));
     /// ```
     #[must_use]
-    pub fn distance(self, other: Self) -> Scalar {
-        let [[x, y, z], [u, v, w]] = [self, other].map(|v| v.to_bits().map(i64::from));
-        length([x - u, y - v, z - w])
+    pub const fn distance(self, other: Self) -> Scalar {
+        let ([a, b, c], [x, y, z]) = (self.to_wide_bits(), other.to_wide_bits());
+        length([a - x, b - y, c - z])
     }
 
     /// Returns the vector of length one in this direction, however short or long this vector is;
@@ -74,21 +74,31 @@ impl Vec3 {
     /// assert_eq!(Vec3::ZERO.normalized(), None);
     /// ```
     #[must_use]
-    pub fn normalized(self) -> Option<Self> {
-        let unit = unit(self.to_bits().map(i64::from))?;
-        Some(Self::from_bits(
-            unit.map(|v| block::fixed(v.into(), 30, 16)),
-        ))
+    pub const fn normalized(self) -> Option<Self> {
+        let Some([x, y, z]) = unit(self.to_wide_bits()) else {
+            return None;
+        };
+        Some(Self::from_bits([
+            block::fixed(x as i64, 30, 16),
+            block::fixed(y as i64, 30, 16),
+            block::fixed(z as i64, 30, 16),
+        ]))
+    }
+
+    /// Returns the bits of the components in 64 bits each.
+    const fn to_wide_bits(self) -> [i64; 3] {
+        let [x, y, z] = self.to_bits();
+        [x as i64, y as i64, z as i64]
     }
 }
 
 /// The length of a vector in units of 2^-16; saturates.
-fn length(vector: [i64; 3]) -> Scalar {
+const fn length(vector: [i64; 3]) -> Scalar {
     let Some(of) = measure(vector) else {
         return Scalar::ZERO;
     };
     // √x = x · 1/√x, in units of 2^-62: below 2^63.
-    let length = (u64::from(of.square) * u64::from(of.root)).cast_signed();
+    let length = (of.square as u64 * of.root as u64).cast_signed();
     let exp = 16 + of.up + 30 + of.half.cast_signed();
     Scalar::from_bits(block::fixed(length, exp, 16))
 }

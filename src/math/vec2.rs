@@ -10,8 +10,8 @@ use crate::{Error, TexCoord};
 /// (0, 0) is the top left corner of the texture and (1, 1) the bottom right corner of its first
 /// repeat. `y` runs down, in the order of the stored rows.
 ///
-/// The operators are those of [`Vec3`](crate::Vec3): they saturate, round alike and never panic.
-/// A texture coordinate is multiplied and divided by a [`Scalar`](crate::Scalar).
+/// It has the operators of [`Vec3`](crate::Vec3), with the same rounding and saturation: none panics.
+/// A [`Scalar`](crate::Scalar) multiplies or divides it.
 ///
 /// ```
 /// use fixel::{Vec2, fx, vec2};

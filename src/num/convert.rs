@@ -67,8 +67,8 @@ mod sealed {
 
 /// Implemented by [`Scalar`] alone: a bound whose error message says how to write one.
 ///
-/// A parameter of type `Scalar` would answer a float with the type's spelled-out parameters. Nothing
-/// is converted, so nothing is paid.
+/// For a parameter of the plain type, the compiler would answer a float with a long type of the
+/// package `fixed`. The bound converts nothing and costs nothing.
 ///
 /// ```compile_fail
 /// // error: expected a `Scalar`, found `{float}`; note: for a literal write `fx!(0.5)`; …

@@ -76,7 +76,7 @@ pub type Scalar = fixed::types::I16F16;
 /// Texture coordinates in repeats of the texture: signed, 12 integer and 20 fraction bits.
 ///
 /// Range −2048 to 2048 − 2⁻²⁰, resolution 2⁻²⁰ ≈ 9.5e-7. Its rounding moves a texture of 256 texels
-/// by at most 1.2e-4 texel; that of a [`Scalar`] would move it by 2e-3. [`vec2!`](crate::vec2) writes
+/// by at most 1.2e-4 texel; a [`Scalar`] would move it by 2e-3. [`vec2!`](crate::vec2) writes
 /// a pair of literals and [`tex_coord`] converts a float at run time.
 pub type TexCoord = fixed::types::I12F20;
 

@@ -202,9 +202,7 @@ impl<K: ProjectionKind> Projection<K> {
         scalar(edge.over(row.coefficient(axis)))
     }
 
-    /// Returns the window's width divided by its height; saturates.
-    ///
-    /// It is good to 2⁻²⁹ of itself, then rounded to the nearest 2⁻¹⁶.
+    /// Returns the window's width divided by its height, rounded to the nearest 2⁻¹⁶; saturates.
     #[must_use]
     pub fn aspect(&self) -> Scalar {
         scalar(

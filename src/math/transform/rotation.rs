@@ -84,7 +84,7 @@ impl Transform {
     /// The roll about z is applied first, then the pitch about x, then the yaw about y, all about
     /// the fixed axes. Equivalently, the model turns about its own y axis, then its own x axis,
     /// then its own z axis. A model that looks down −z turns left with a positive yaw, looks up
-    /// with a positive pitch, and tilts counter-clockwise, as it sees it, with a positive roll.
+    /// with a positive pitch, and tilts counter-clockwise, seen from behind, with a positive roll.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -136,7 +136,7 @@ fn from_quaternion_bits(quaternion: [i32; 4]) -> Result<Transform, Error> {
     // of the four, the norm, is from 2^58 to 2^62. No entry is larger than the norm.
     let [x, y, z, w] = mantissas.map(i64::from);
     let norm = BlockFloat::new(x * x + y * y + z * z + w * w, 0);
-    // In units of 2^-30. Magnitudes are divided, so that ±norm / norm is exactly ±1.
+    // In units of 2^-30. Dividing magnitudes makes ±norm / norm exactly ±1.
     let entry = |numerator: i64| {
         let magnitude = BlockFloat::new(numerator.abs(), 0).over(norm).at(30);
         numerator.signum() * magnitude
@@ -227,8 +227,8 @@ mod tests {
                     prop_assert_eq!(quaternion, [0; 4]);
                 }
                 Ok(t) => {
-                    // Parts rounded to 30 bits: off by up to 2^-29 of the length together, entries
-                    // by twice that. Quotients: 1.3 · 2^-30. The last rounding: 2^-30.
+                    // Rounding the parts to 30 bits moves the quaternion by up to 2^-29 of its length,
+                    // and entries by twice as much. Quotients add 1.3 · 2^-30, the last rounding 2^-30.
                     let [linear, moved] = errors(&real(&t), &rotation(quaternion));
                     prop_assert!(linear <= power(-28) + 2.3 * power(-30), "{:e}", linear);
                     prop_assert!(moved <= 0.0);

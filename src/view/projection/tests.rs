@@ -1,4 +1,4 @@
-//! Projections' coefficients against their mathematics in f64, and what is refused.
+//! The coefficients of projections against their formulas in f64, and refused arguments.
 
 use super::*;
 use crate::{Angle, Vec3};
@@ -13,7 +13,7 @@ fn float(value: Scalar) -> f64 {
     f64::from(value.to_bits()) / 65_536.0
 }
 
-/// Whether a row is as expected, to 29 bits of its largest coefficient.
+/// Whether a row is within 2^-28 of its largest coefficient.
 fn close(row: &Row, expected: [f64; 4]) -> bool {
     let size = expected.iter().fold(0.0, |max: f64, v| max.max(v.abs()));
     let mut both = real(row).into_iter().zip(expected);
@@ -24,7 +24,7 @@ fn one(value: f64) -> Scalar {
     crate::num::scalar(value).unwrap()
 }
 
-/// Planes ahead of the eye, near and far, of any size.
+/// Distances of a near and a far plane ahead of the eye, of all sizes.
 fn planes() -> impl Strategy<Value = (Scalar, Scalar)> {
     let positive = || (1..i32::MAX, 0_u32..31).prop_map(|(v, cut)| (v >> cut).max(1));
     (positive(), positive()).prop_map(|(a, b)| {
@@ -33,7 +33,7 @@ fn planes() -> impl Strategy<Value = (Scalar, Scalar)> {
     })
 }
 
-/// Two in order, of any size.
+/// Two numbers in ascending order, of all sizes.
 fn ordered() -> impl Strategy<Value = (Scalar, Scalar)> {
     (any::<[i32; 2]>(), 0_u32..31)
         .prop_map(|([a, b], cut)| {
@@ -50,15 +50,15 @@ proptest! {
         let projection = Projection::perspective(fov, (size[0], size[1]), one(0.1), one(100.0)).unwrap();
         let half = f64::from(bits) / f64::from(33).exp2() * TAU;
         let scale = half.cos() / half.sin();
-        // Half a unit of the angle is dropped, which counts at both ends of its range.
+        // Half a unit of the angle is dropped, which matters at both ends of its range.
         let slack = f64::from(-28).exp2() + 8e-10 / (half.sin() * half.cos());
         let found = real(&projection.rows[1])[1];
         prop_assert!((found / scale - 1.0).abs() <= slack, "{} {}", found, scale);
         let x = scale * f64::from(size[1]) / f64::from(size[0]);
         let found = real(&projection.rows[0])[0];
         prop_assert!((found / x - 1.0).abs() <= slack, "{} {}", found, x);
-        let off = (projection.fov() - fov).to_bits().cast_signed();
-        prop_assert!(off.abs() <= 8, "{}", off);
+        let error = (projection.fov() - fov).to_bits().cast_signed();
+        prop_assert!(error.abs() <= 8, "{}", error);
     }
 
     #[test]
@@ -82,7 +82,7 @@ proptest! {
         let (sin, cos) = (f64::from(angle.to_bits()) / f64::from(32).exp2() * TAU).sin_cos();
         let (x, y) = (2.0 / (rf - lf), 2.0 / (tf - bf));
         let (cx, cy) = (-x * k * cos, -y * k * sin);
-        // A sine is good to 1.6e-9, not to 28 bits of itself; scaled by ratio and distance.
+        // A sine is within 1.6e-9, not within 28 bits of itself; ratio and distance scale it.
         let slack = |scale: f64, middle: f64| {
             f64::from(-28).exp2() * (scale + middle.abs() + scale * k.abs() * (1.0 + nf.abs()))
         };
@@ -96,7 +96,7 @@ proptest! {
     }
 
     #[test]
-    fn every_accessor_survives_everything(
+    fn no_accessor_panics(
         v in any::<[i32; 7]>(), angle in any::<u32>(), size in any::<(u32, u32)>(),
     ) {
         let [l, r, b, t, n, f, k] = v.map(Scalar::from_bits);
@@ -126,12 +126,12 @@ fn focal_length_is_exact() {
     let projection =
         Projection::from_focal_length(one(200.0), (320, 240), one(0.25), one(100.0)).unwrap();
     assert!((real(&projection.rows[0])[0] - 1.25).abs() < f64::EPSILON);
-    // 5/3 is not, but to 30 bits.
+    // 5/3 is rounded to 30 bits.
     assert!((real(&projection.rows[1])[1] - 5.0 / 3.0).abs() < f64::from(-29).exp2());
 }
 
 #[test]
-fn nonsense_is_refused() {
+fn invalid_arguments_are_refused() {
     let (zero, low, high) = (Scalar::ZERO, one(1.0), one(2.0));
     let fov = Angle::from_degrees(60);
     let square = Window::centered(high, high);
@@ -204,7 +204,7 @@ fn nonsense_is_refused() {
 }
 
 #[test]
-fn the_widest_and_narrowest_views_are_survived() {
+fn the_widest_and_narrowest_views_do_not_panic() {
     for bits in [1, 2, 3, (1 << 31) - 1, (1 << 31) - 2] {
         let projection =
             Projection::perspective(Angle::from_bits(bits), (1, 1), one(1.0), one(2.0)).unwrap();
