@@ -182,7 +182,7 @@ pub mod mode {
 pub mod target;
 pub mod view;
 
-pub use error::{Error, Given};
+pub use error::{Error, RefusedFloat};
 pub use math::{Matrix4, Transform, Vec2, Vec3};
 pub use mesh::{Corner, Index, Mesh, Primitive};
 pub use num::{Angle, Rate, Scalar, Spin, TexCoord, Unit};
@@ -193,7 +193,7 @@ pub use shade::{
     NormalView, Palette, Shader, Texture, Textured, Tinted,
 };
 pub use target::Canvas;
-pub use view::{Aspect, Camera, Mvp, Projection, Viewport};
+pub use view::{Aspect, Camera, Mvp, Projection, Viewport, Window};
 
 /// The program in the README works.
 #[cfg(doctest)]
@@ -208,10 +208,10 @@ pub mod prelude {
     pub use crate::{
         Angle, Aspect, Camera, Canvas, Corner, Cull, DrawOptions, Drawn, Error, Fragment, Mesh,
         Mvp, Primitive, Projection, Rate, Scalar, Shader, Spin, TexCoord, Transform, TriangleList,
-        Vec2, Vec3, Viewport,
+        Vec2, Vec3, Viewport, Window,
     };
     pub use crate::{
         DepthView, FaceColors, Flat, Gouraud, Levels, Light, NormalView, Palette, Texture, Textured,
     };
-    pub use crate::{fx, include_obj, shape, vec2, vec3};
+    pub use crate::{deg, fx, include_obj, shape, vec2, vec3};
 }

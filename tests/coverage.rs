@@ -12,7 +12,7 @@ use std::collections::HashMap;
 use common::meshes::{Flat, Point, fan, grid, triangulation};
 use common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
 use fixel::prelude::*;
-use fixel::view::Kind;
+use fixel::view::ProjectionKind;
 use proptest::prelude::*;
 use reference::coverage::{self, Bounds, Snapped, area2, centre};
 use reference::distance::to_segment;
@@ -198,7 +198,7 @@ fn all_tiny_triangles() {
     }
 }
 
-fn every_triangle<K: Kind>(counter: &mut Counter, projection: &Mvp<K>, points: &[Point]) {
+fn every_triangle<K: ProjectionKind>(counter: &mut Counter, projection: &Mvp<K>, points: &[Point]) {
     let (width, height) = counter.size;
     let positions: Vec<Vec3> = points.iter().copied().map(at_subpixel).collect();
     let count = u16::try_from(points.len()).unwrap();

@@ -226,7 +226,7 @@ const RATIO: u32 = 16;
 /// A square that fills the picture.
 fn picture<F: Shader<Color = Rgb888>>(shader: &F) -> Vec<[f64; 3]> {
     static SQUARE: Mesh = shape!(plane(1, 1));
-    let window = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2));
+    let window = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2));
     let mvp = window.unwrap() * Camera::top(Vec3::ZERO, fx!(1));
     let mut pixels = vec![Rgb888::BLACK; (SIDE * SIDE) as usize];
     let mut canvas = Canvas::new(&mut pixels, SIDE, SIDE).unwrap();

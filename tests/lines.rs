@@ -8,7 +8,7 @@ use std::cell::RefCell;
 use common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
-use fixel::view::{Kind, Perspective};
+use fixel::view::{Perspective, ProjectionKind};
 use proptest::prelude::*;
 use reference::clip::{ClipVertex, DEPTH_PLANES};
 use reference::coverage::{Bounds, picture};
@@ -159,7 +159,11 @@ impl Shader for Record<'_> {
     }
 }
 
-fn recorded<K: Kind>(mvp: &Mvp<K>, ends: [Vec3; 2], edge: [u16; 2]) -> (Vec<Drawn>, Vec<u16>) {
+fn recorded<K: ProjectionKind>(
+    mvp: &Mvp<K>,
+    ends: [Vec3; 2],
+    edge: [u16; 2],
+) -> (Vec<Drawn>, Vec<u16>) {
     let drawing = RefCell::default();
     let pixels = (SIZE.0 * SIZE.1) as usize;
     let (mut colors, mut depths) = (vec![Gray8::new(0); pixels], vec![0; pixels]);

@@ -4,7 +4,7 @@ use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::mode::{Exact, Mode};
 use fixel::prelude::*;
 use fixel::target::{Depth, Native};
-use fixel::view::{Kind, Perspective};
+use fixel::view::{Perspective, ProjectionKind};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
@@ -47,7 +47,11 @@ fn models() -> impl Strategy<Value = Model> {
 type Board<'a> = Canvas<'a, Rgb565, Native, Depth<'a>>;
 
 /// What is drawn of a mesh in all ways, and counted.
-fn drawn<K: Kind, I: Mode>(mesh: &Mesh, mvp: &Mvp<K>, mode: I) -> impl PartialEq + use<K, I> {
+fn drawn<K: ProjectionKind, I: Mode>(
+    mesh: &Mesh,
+    mvp: &Mvp<K>,
+    mode: I,
+) -> impl PartialEq + use<K, I> {
     let (mut colors, mut depths) = (vec![Rgb565::BLACK; PIXELS], vec![0; PIXELS]);
     let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
     let mut canvas: Board<'_> = canvas.with_depth(&mut depths).unwrap();
@@ -66,7 +70,7 @@ fn drawn<K: Kind, I: Mode>(mesh: &Mesh, mvp: &Mvp<K>, mode: I) -> impl PartialEq
 }
 
 impl Model {
-    fn check<K: Kind>(&self, mvp: &Mvp<K>) -> Result<(), TestCaseError> {
+    fn check<K: ProjectionKind>(&self, mvp: &Mvp<K>) -> Result<(), TestCaseError> {
         let long: Vec<Vec3> = self
             .positions
             .iter()
@@ -104,7 +108,7 @@ proptest! {
         let pose = place * Transform::rotate_x(x) * Transform::rotate_y(y) * Transform::scale(scale);
         let projection = Projection::perspective(Angle::from_degrees(60), SIZE, fx!(0.1), fx!(100)).unwrap();
         model.check::<Perspective>(&(projection * pose))?;
-        let projection = Projection::orthographic(fx!(-2), fx!(2), fx!(-2), fx!(2), fx!(-9), fx!(9)).unwrap();
+        let projection = Projection::orthographic(Window::centered(fx!(4), fx!(4)), fx!(-9), fx!(9)).unwrap();
         model.check(&(projection * pose))?;
     }
 
@@ -208,7 +212,8 @@ fn what_does_not_fit_is_refused() {
         mesh.shortened::<3>(),
         Err(Error::Length {
             given: 3,
-            needed: 2
+            needed: 2,
+            ..
         })
     ));
     assert_eq!(mesh.positions().get(2), None);

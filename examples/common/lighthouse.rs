@@ -13,7 +13,7 @@ use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::shade::{Converted, Levels, Light, Texture, Textured};
 use fixel::target::{DepthBuffer, Storage};
-use fixel::view::{Aspect, Kind, Perspective};
+use fixel::view::{Aspect, Perspective, ProjectionKind};
 use fixel::{Drawn, Vec2};
 
 /// The island and what stands on it; texture coordinates fit [`SKIN`].
@@ -146,7 +146,7 @@ pub fn draw<C, I, K, O, D>(
 where
     C: Levels,
     I: Mode,
-    K: Kind,
+    K: ProjectionKind,
     O: Storage<C>,
     D: DepthBuffer,
 {

@@ -55,7 +55,7 @@ impl Placement {
 /// }
 ///
 /// let mut pixels = [Gray8::new(0); 1];
-/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(9))?;
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(9))?;
 /// let from_above = Camera::top(Vec3::ZERO, fx!(5));
 /// let positions = [vec3!(-9, 0, 9), vec3!(9, 0, 9), vec3!(0, 0, -9)];
 /// let ground = Mesh::new(&positions, &[[0, 1, 2]])?;

@@ -5,7 +5,7 @@ use super::call::Call;
 use super::clip::clip;
 use crate::mesh::{Element, Index};
 use crate::raster::{self, Barycentric, ClippedVertex, ScreenVertex};
-use crate::view::Kind;
+use crate::view::ProjectionKind;
 
 /// What takes triangles from assembly: drawing, or a list to draw later.
 pub(super) trait Assembly {
@@ -18,7 +18,7 @@ pub(super) trait Assembly {
 
 /// Takes one triangle of the mesh as far as its corners tell that it is to be seen.
 #[inline]
-pub(super) fn triangle<K: Kind>(
+pub(super) fn triangle<K: ProjectionKind>(
     call: &Call<'_, K>,
     vertices: &mut VertexCache,
     (face, indices): (usize, &[Index; 3]),
@@ -49,7 +49,7 @@ pub(super) fn triangle<K: Kind>(
 
 /// The part of an edge inside all planes, and whether it was clipped; `None` if there is none.
 #[inline]
-pub(super) fn edge<K: Kind>(
+pub(super) fn edge<K: ProjectionKind>(
     call: &Call<'_, K>,
     vertices: &mut VertexCache,
     indices: [Index; 2],

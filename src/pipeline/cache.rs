@@ -3,7 +3,7 @@
 use super::vertex::Projector;
 use crate::mesh::Index;
 use crate::raster::ScreenVertex;
-use crate::view::Kind;
+use crate::view::ProjectionKind;
 
 /// Vertices that were projected lately, as neighboring triangles share them.
 pub(super) struct VertexCache {
@@ -23,7 +23,7 @@ impl VertexCache {
 
     /// A vertex, projected now or lately.
     #[inline]
-    pub(super) fn vertex<K: Kind>(
+    pub(super) fn vertex<K: ProjectionKind>(
         &mut self,
         projector: &Projector<'_, K>,
         index: Index,
@@ -38,7 +38,7 @@ impl VertexCache {
 
     /// The corners of a triangle.
     #[inline]
-    pub(super) fn corners<K: Kind>(
+    pub(super) fn corners<K: ProjectionKind>(
         &mut self,
         projector: &Projector<'_, K>,
         indices: [Index; 3],

@@ -4,7 +4,7 @@ use super::DrawOptions;
 use super::vertex::Projector;
 use crate::mesh::{Element, Mesh, Placement, Primitive};
 use crate::raster::{Cull, DepthShift};
-use crate::view::{Kind, Mvp, Viewport};
+use crate::view::{Mvp, ProjectionKind, Viewport};
 
 /// A mesh on its way to the screen: what all of its primitives share.
 #[derive(Clone, Debug)]
@@ -15,7 +15,7 @@ pub(super) struct Call<'m, K> {
     pub(super) cull: Cull,
 }
 
-impl<'m, K: Kind> Call<'m, K> {
+impl<'m, K: ProjectionKind> Call<'m, K> {
     pub(super) fn new<M: Copy, Z: Copy>(
         options: &DrawOptions<M, Z>,
         mesh: &'m Mesh<'m>,

@@ -6,7 +6,7 @@ use super::vertex::{ClipPosition, Projector};
 use crate::mesh::Index;
 use crate::num::reciprocal;
 use crate::raster::{Barycentric, ClippedVertex, ScreenVertex};
-use crate::view::Kind;
+use crate::view::ProjectionKind;
 
 /// Most corners of a clipped triangle: each of six planes adds one at most.
 const MOST_CORNERS: usize = 9;
@@ -30,7 +30,7 @@ type Polygon = Vec<ClipVertex, MOST_CORNERS>;
 /// An edge is cut by the planes that its own ends are outside of, in the order of the planes, from
 /// its inside end: so two triangles that share an edge get the same new corners.
 #[inline(never)]
-pub(crate) fn clip<K: Kind>(
+pub(crate) fn clip<K: ProjectionKind>(
     projector: &Projector<'_, K>,
     corners: &[Index],
     planes: u8,
@@ -63,7 +63,7 @@ pub(crate) fn clip<K: Kind>(
 
 /// Gives `inside` the part of a polygon or, if it is not `closed`, of a line that is inside a plane.
 #[inline(never)]
-fn cut_off<K: Kind>(
+fn cut_off<K: ProjectionKind>(
     projector: &Projector<'_, K>,
     plane: u32,
     (polygon, closed): (&[ClipVertex], bool),
@@ -92,7 +92,7 @@ fn cut_off<K: Kind>(
 
 /// Where `plane` cuts an edge of which one end is inside, the other outside; they come with their
 /// distances from it.
-fn cut<K: Kind>(
+fn cut<K: ProjectionKind>(
     projector: &Projector<'_, K>,
     plane: u32,
     [mut inside, mut outside]: [(&ClipVertex, i64); 2],

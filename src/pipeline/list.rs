@@ -18,7 +18,7 @@ use crate::raster::{
 };
 use crate::span::{Mode, Newton};
 use crate::target::{DepthTest, TestAndWrite, check_size};
-use crate::view::{Kind, Mvp, Perspective, Viewport};
+use crate::view::{Mvp, Perspective, ProjectionKind, Viewport};
 
 /// Memory for the triangles of a frame that is drawn in bands: transformed, culled and clipped
 /// once, walked by every band.
@@ -66,7 +66,7 @@ use crate::view::{Kind, Mvp, Perspective, Viewport};
 ///
 /// let mut short: TriangleList<20, 80> = TriangleList::new();
 /// let error = short.prepare(&DrawOptions::new(), (WIDTH, HEIGHT), &BALL, &mvp).unwrap_err();
-/// assert_eq!(error.to_string(), "44 triangles are to be seen: the list has room for 20");
+/// assert_eq!(error.to_string(), "44 triangles are visible: the list has room for 20");
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -186,7 +186,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
     ///
     /// [`Error::Full`] if the list is too short for what is to be seen, with the length that is
     /// needed; [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`](crate::target::MAX_SIZE).
-    pub fn prepare<'a, M: Mode, Z: DepthTest, K: Kind>(
+    pub fn prepare<'a, M: Mode, Z: DepthTest, K: ProjectionKind>(
         &'a mut self,
         options: &DrawOptions<M, Z>,
         frame: impl Into<Size>,
@@ -316,7 +316,7 @@ impl Assembly for Filling<'_> {
     }
 }
 
-impl<K: Kind, M, Z> Prepared<'_, K, M, Z> {
+impl<K: ProjectionKind, M, Z> Prepared<'_, K, M, Z> {
     /// Draws those that meet `rows` of a frame of this width.
     #[inline(never)]
     pub(super) fn draw(&self, blitter: &mut dyn Blitter, width: u32, rows: &Range<u32>) -> Drawn {

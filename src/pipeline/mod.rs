@@ -23,7 +23,7 @@ use crate::raster::{DepthShift, Scissor, ScreenVertex};
 use crate::shade::Shader;
 use crate::span::{Blit, Mode};
 use crate::target::{Canvas, DepthBuffer, DepthTest, Storage};
-use crate::view::{Kind, Mvp};
+use crate::view::{Mvp, ProjectionKind};
 
 /// What became of a draw call's triangles, edges or points.
 ///
@@ -80,7 +80,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     /// perspective.
     ///
     /// Cannot fail: hidden parts are left out, and what is partly in the view is clipped.
-    pub fn draw<K: Kind, S: Shader<Color = C>>(
+    pub fn draw<K: ProjectionKind, S: Shader<Color = C>>(
         &mut self,
         mesh: &Mesh<'_>,
         mvp: &Mvp<K>,
@@ -90,7 +90,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     }
 
     /// Draws a mesh's triangles as [`draw`](Self::draw) does, with options.
-    pub fn draw_with<M: Mode, Z: DepthTest, K: Kind, S: Shader<Color = C>>(
+    pub fn draw_with<M: Mode, Z: DepthTest, K: ProjectionKind, S: Shader<Color = C>>(
         &mut self,
         options: &DrawOptions<M, Z>,
         mesh: &Mesh<'_>,
@@ -104,7 +104,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
 
     /// Draws triangles that were [prepared](TriangleList::prepare) for this frame, as far as they
     /// are in these rows: the same pixels as [`draw_with`](Self::draw_with), without another transform.
-    pub fn draw_prepared<M: Mode, Z: DepthTest, K: Kind, S: Shader<Color = C>>(
+    pub fn draw_prepared<M: Mode, Z: DepthTest, K: ProjectionKind, S: Shader<Color = C>>(
         &mut self,
         prepared: &Prepared<'_, K, M, Z>,
         shader: &S,
@@ -117,7 +117,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     }
 
     /// Draws a mesh's [edges](Mesh::edges) as lines, one pixel wide.
-    pub fn draw_edges<M: Mode, Z: DepthTest, K: Kind, S: Shader<Color = C>>(
+    pub fn draw_edges<M: Mode, Z: DepthTest, K: ProjectionKind, S: Shader<Color = C>>(
         &mut self,
         options: &DrawOptions<M, Z>,
         mesh: &Mesh<'_>,
@@ -130,7 +130,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     }
 
     /// Draws a mesh's positions as points, one pixel each.
-    pub fn draw_points<M: Mode, Z: DepthTest, K: Kind, S: Shader<Color = C>>(
+    pub fn draw_points<M: Mode, Z: DepthTest, K: ProjectionKind, S: Shader<Color = C>>(
         &mut self,
         options: &DrawOptions<M, Z>,
         mesh: &Mesh<'_>,
@@ -148,7 +148,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     ///
     /// For a label beside a thing, or a touch upon it.
     #[must_use]
-    pub fn project<M: Copy, Z: Copy, K: Kind>(
+    pub fn project<M: Copy, Z: Copy, K: ProjectionKind>(
         &self,
         options: &DrawOptions<M, Z>,
         mvp: &Mvp<K>,
@@ -176,7 +176,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
 
     /// The geometry of a draw call, and the pixels that it may draw to.
     #[inline(never)]
-    fn call<'m, M: Copy, Z: Copy, K: Kind>(
+    fn call<'m, M: Copy, Z: Copy, K: ProjectionKind>(
         &self,
         options: &DrawOptions<M, Z>,
         mesh: &'m Mesh<'m>,
@@ -192,7 +192,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
 
     /// What a draw call draws with.
     #[inline]
-    fn blit<'p, K: Kind, M: Mode, Z: DepthTest, S: Shader<Color = C>>(
+    fn blit<'p, K: ProjectionKind, M: Mode, Z: DepthTest, S: Shader<Color = C>>(
         &'p mut self,
         options: &DrawOptions<M, Z>,
         shader: &S,
@@ -204,7 +204,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
 
 /// All triangles, in code that exists once for all shaders and canvases.
 #[inline(never)]
-fn draw_triangles<K: Kind>(
+fn draw_triangles<K: ProjectionKind>(
     call: &Call<'_, K>,
     blitter: &mut dyn crate::raster::Blitter,
     scissor: &Scissor,

@@ -14,11 +14,11 @@ use super::cache::VertexCache;
 use super::call::Call;
 use crate::mesh::{Element, Index, Mesh, Placement, Primitive};
 use crate::raster::{self, Blitter, ClippedVertex, Cull, Polygon, Scissor, ScreenVertex, Triangle};
-use crate::view::Kind;
+use crate::view::ProjectionKind;
 
 /// Runs all triangles of a mesh through vertex and assembly stages to drawing, or to a list to draw later.
 #[inline]
-pub(super) fn triangles<K: Kind>(call: &Call<'_, K>, to: &mut impl Assembly) {
+pub(super) fn triangles<K: ProjectionKind>(call: &Call<'_, K>, to: &mut impl Assembly) {
     let mut vertices = VertexCache::new();
     for (face, indices) in call.mesh.faces().iter().enumerate() {
         assemble::triangle(call, &mut vertices, (face, indices), to);
@@ -27,7 +27,7 @@ pub(super) fn triangles<K: Kind>(call: &Call<'_, K>, to: &mut impl Assembly) {
 
 /// Draws all edges of a mesh as lines.
 #[inline(never)]
-pub(super) fn edges<K: Kind>(
+pub(super) fn edges<K: ProjectionKind>(
     call: &Call<'_, K>,
     blitter: &mut dyn Blitter,
     scissor: &Scissor,
@@ -51,7 +51,7 @@ pub(super) fn edges<K: Kind>(
 
 /// Draws all positions of a mesh as points.
 #[inline(never)]
-pub(super) fn points<K: Kind>(
+pub(super) fn points<K: ProjectionKind>(
     call: &Call<'_, K>,
     blitter: &mut dyn Blitter,
     scissor: &Scissor,

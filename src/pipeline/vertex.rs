@@ -3,13 +3,13 @@
 use core::marker::PhantomData;
 
 use crate::Scalar;
-use crate::math::{Line, Transform, compose};
+use crate::math::{AffineRow, Transform, compose};
 use crate::mesh::{Index, Place, Positions};
-use crate::num::block::{self, Number};
+use crate::num::block::{self, BlockFloat};
 use crate::num::reciprocal;
 use crate::num::wide::{IS_NARROW, dot, product, short_dot};
 use crate::raster::{DepthShift, ScreenVertex};
-use crate::view::{Kind, Projection, Row, Viewport};
+use crate::view::{Projection, ProjectionKind, Row, Viewport};
 
 /// Half the width and height of the guard band, in pixels: the room about the viewport's centre in
 /// which screen coordinates are exact, and to which triangles are clipped.
@@ -48,23 +48,23 @@ pub(crate) struct Projector<'m, K> {
 }
 
 /// `row` times `unit` and `size`, in units of 2^-12 as sizes are in parts of the guard band.
-fn scaled(row: &Row, unit: Number, size: i32) -> Line {
-    let factor = unit.times(Number::new(size.into(), 12));
+fn scaled(row: &Row, unit: BlockFloat, size: i32) -> AffineRow {
+    let factor = unit.times(BlockFloat::new(size.into(), 12));
     let (factor, exp) = factor.rounded();
     let exp = row.exp + exp;
     let [x, y, z, offset] = row
         .m
-        .map(|m| Number::new(i64::from(m) * i64::from(factor), exp));
+        .map(|m| BlockFloat::new(i64::from(m) * i64::from(factor), exp));
     let mut mantissas = [0; 3];
-    let exp = block::normalise(&mut mantissas, &[x, y, z]);
-    Line {
+    let exp = block::normalize(&mut mantissas, &[x, y, z]);
+    AffineRow {
         row: mantissas,
         exp,
         offset,
     }
 }
 
-impl<'m, K: Kind> Projector<'m, K> {
+impl<'m, K: ProjectionKind> Projector<'m, K> {
     /// The way of `positions` through `view` and `projection` to the pixels of `viewport`.
     pub(crate) fn new(
         positions: Positions<'m>,
@@ -77,7 +77,7 @@ impl<'m, K: Kind> Projector<'m, K> {
         let (depth, depth_unit, unit) = if K::PERSPECTIVE {
             // t = w / near, a little above 1 at the near plane: the greatest 1/t, 1 - 2^-16, leaves
             // room for rounding before a depth of 65536.
-            let one = Number::new((1 << 16) + 1, 0).over(Number::new(near.into(), 0));
+            let one = BlockFloat::new((1 << 16) + 1, 0).over(BlockFloat::new(near.into(), 0));
             let toward = Row {
                 m: [0, 0, -(1 << 29), 0],
                 exp: 29,
@@ -97,8 +97,8 @@ impl<'m, K: Kind> Projector<'m, K> {
                 m: [0, 0, 1 << exp, block::shift(far.into(), exp - 16) as i32],
                 exp,
             };
-            let part = Number::new((1 << 16) - 1, 0).over(Number::new(length, 0));
-            (toward, part, Number::new(1, 0))
+            let part = BlockFloat::new((1 << 16) - 1, 0).over(BlockFloat::new(length, 0));
+            (toward, part, BlockFloat::new(1, 0))
         };
         let [width, height] = viewport.size().map(u32::cast_signed);
         let [x, y] = &projection.rows;
@@ -124,7 +124,7 @@ impl<'m, K: Kind> Projector<'m, K> {
         let one = 1i64 << fraction;
         let margin = (one >> 16).max(1);
         let [least, most] = if K::PERSPECTIVE {
-            let most = unit.times(Number::new(far.into(), 16));
+            let most = unit.times(BlockFloat::new(far.into(), 16));
             [one + margin, most.at(fraction).min(i64::MAX >> 1)]
         } else {
             [0, one - margin]

@@ -19,7 +19,7 @@ use crate::mesh::Primitive;
 /// use fixel::prelude::*;
 /// static SKIN: Texture<Rgb888, 2, 1> = Texture::rgb888(&[255, 255, 255, 0, 128, 0]);
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [BinaryColor::Off; 48];
 /// let mut canvas = Canvas::new(&mut pixels, 12, 4)?;

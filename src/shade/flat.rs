@@ -11,7 +11,7 @@ use crate::mesh::Primitive;
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
 /// use fixel::prelude::*;
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [BinaryColor::Off; 32];
 /// let mut canvas = Canvas::new(&mut pixels, 8, 4)?;
@@ -80,7 +80,7 @@ impl<C: PixelColor> Shader for Flat<C> {
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
 /// use fixel::prelude::*;
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Rgb565::BLACK; 16];
 /// let mut canvas = Canvas::new(&mut pixels, 4, 4)?;

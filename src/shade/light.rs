@@ -16,7 +16,7 @@ use crate::{Error, Scalar, Vec3};
 /// use fixel::{math::Direction, prelude::*};
 ///
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Gray8::new(0); 4];
 /// let mut canvas = Canvas::new(&mut pixels, 2, 2)?;

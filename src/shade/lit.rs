@@ -15,7 +15,7 @@ use crate::mesh::Primitive;
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor}};
 /// use fixel::prelude::*;
 /// static BALL: Mesh = shape!(sphere(8, 8));
-/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::front(Vec3::ZERO, fx!(1));
 /// let sun = Light::new(vec3!(1, 2, 1), fx!(0.2), fx!(0.8))?;
 /// let mut pixels = [Gray4::BLACK; 144];
@@ -81,7 +81,7 @@ impl<S: Shader<Color: Levels>> Shader for Lit<S> {
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor}};
 /// use fixel::prelude::*;
 /// static BALL: Mesh = shape!(sphere(8, 8));
-/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::front(Vec3::ZERO, fx!(1));
 /// let sun = Light::new(vec3!(1, 2, 1), fx!(0.2), fx!(0.8))?;
 /// let mut pixels = [Gray4::BLACK; 144];

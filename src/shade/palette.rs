@@ -15,7 +15,7 @@ use super::sampler::{log2, wrapped};
 /// static TILES: Palette<Rgb565, 2, 2> =
 ///     Palette::new(&[0, 1, 1, 2], &[Rgb565::BLACK, Rgb565::RED, Rgb565::WHITE]);
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Rgb565::GREEN; 16];
 /// let mut canvas = Canvas::new(&mut pixels, 4, 4)?;

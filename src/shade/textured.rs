@@ -22,7 +22,7 @@ use crate::mesh::Primitive;
 /// use fixel::prelude::*;
 /// static SKIN: Texture<Gray8, 2, 2> = Texture::gray8(&[0x11, 0x22, 0x33, 0x44]);
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Gray8::BLACK; 16];
 /// let mut canvas = Canvas::new(&mut pixels, 4, 4)?;
@@ -183,7 +183,7 @@ impl<S: Sampler, A: Addressing> Textured<S, A> {
     /// use fixel::prelude::*;
     /// static SKIN: Texture<Gray8, 2, 2> = Texture::gray8(&[0x00, 0x88, 0x88, 0xff]);
     /// static SQUARE: Mesh = shape!(plane(1, 1));
-    /// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+    /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
     /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
     /// let mut pixels = [Gray8::BLACK; 64];
     /// let mut canvas = Canvas::new(&mut pixels, 8, 8)?;

@@ -17,7 +17,7 @@ use crate::mesh::Primitive;
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
 /// use fixel::prelude::*;
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Gray4::BLACK; 16];
 /// let mut canvas = Canvas::new(&mut pixels, 8, 2)?;
@@ -104,7 +104,7 @@ impl<C: Levels> Shader for DepthView<C> {
 /// use embedded_graphics::pixelcolor::Rgb888;
 /// use fixel::prelude::*;
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Rgb888::new(0, 0, 0); 4];
 /// let mut canvas = Canvas::new(&mut pixels, 2, 2)?;

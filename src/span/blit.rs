@@ -15,7 +15,7 @@ use crate::mesh::Primitive;
 use crate::raster::{Attribute, Blitter, DepthShift, Patch, SPAN, Scale, Setup};
 use crate::shade::{Lanes, MOST_VARYINGS, Shader, Varyings};
 use crate::target::{Canvas, DepthBuffer, DepthTest, Storage};
-use crate::view::Kind;
+use crate::view::ProjectionKind;
 
 /// More than any attribute that is drawn affinely may have; four times it takes 31 bits.
 const MOST_TOLERANCE: u32 = (1 << 29) - 1;
@@ -40,7 +40,7 @@ where
     S: Shader,
     O: Storage<S::Color>,
     D: DepthBuffer,
-    K: Kind,
+    K: ProjectionKind,
     M: Policy,
     Z: DepthTest,
 {
@@ -126,7 +126,7 @@ where
     S: Shader,
     O: Storage<S::Color>,
     D: DepthBuffer,
-    K: Kind,
+    K: ProjectionKind,
     M: Policy,
     Z: DepthTest,
 {

@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::mode::Tolerance;
 use fixel::prelude::*;
-use fixel::view::Kind;
+use fixel::view::ProjectionKind;
 
 use crate::mode::Mode;
 
@@ -77,7 +77,7 @@ pub struct Drawing<'a, K> {
     pub mvp: Mvp<K>,
 }
 
-impl<K: Kind> Drawing<'_, K> {
+impl<K: ProjectionKind> Drawing<'_, K> {
     /// Every pixel of every triangle, hidden ones too, in the order drawn.
     pub fn all<const N: usize>(&self, values: Values<'_, N>) -> Vec<Seen<N>> {
         self.record(values, false)

@@ -4,7 +4,7 @@ use embedded_graphics::pixelcolor::Gray8;
 use fixel::mode::{Affine, Exact, Fast, Newton};
 use fixel::prelude::*;
 use fixel::target::{DepthBuffer, Native};
-use fixel::view::Kind;
+use fixel::view::ProjectionKind;
 
 /// A mode, and what it was asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,7 +67,7 @@ impl Mode {
     }
 
     /// Draws in this mode, whatever mode the pass has.
-    pub fn draw<K: Kind, F: Shader<Color = Gray8>, D: DepthBuffer>(
+    pub fn draw<K: ProjectionKind, F: Shader<Color = Gray8>, D: DepthBuffer>(
         self,
         canvas: &mut Canvas<'_, Gray8, Native, D>,
         pass: &DrawOptions,

@@ -1,7 +1,7 @@
 //! One triangle drawn by the crate and by the model.
 
 use fixel::prelude::*;
-use fixel::view::Kind;
+use fixel::view::ProjectionKind;
 
 use crate::drawing::{Drawing, Seen};
 use crate::mode::Mode;
@@ -32,7 +32,7 @@ pub struct Model<const N: usize> {
     pub depth: f64,
 }
 
-impl<K: Kind, const N: usize> Triangle<K, N> {
+impl<K: ProjectionKind, const N: usize> Triangle<K, N> {
     fn drawing(&self, mode: Mode) -> Drawing<'_, K> {
         Drawing {
             size: self.size,

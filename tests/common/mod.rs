@@ -9,7 +9,7 @@ use std::cell::Cell;
 
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
-use fixel::view::{Kind, Parallel};
+use fixel::view::{Parallel, ProjectionKind};
 use fixel::{Drawn, ScreenPoint};
 
 /// Counts how often each pixel of a frame is drawn, and draws it white.
@@ -66,22 +66,37 @@ impl Counter {
     }
 
     /// Draws a mesh's triangles.
-    pub fn draw<K: Kind>(&mut self, pass: &DrawOptions, mesh: &Mesh, mvp: &Mvp<K>) -> Drawn {
+    pub fn draw<K: ProjectionKind>(
+        &mut self,
+        pass: &DrawOptions,
+        mesh: &Mesh,
+        mvp: &Mvp<K>,
+    ) -> Drawn {
         self.with(|canvas, count| canvas.draw_with(pass, mesh, mvp, count))
     }
 
     /// Draws a mesh's edges.
-    pub fn draw_edges<K: Kind>(&mut self, pass: &DrawOptions, mesh: &Mesh, mvp: &Mvp<K>) -> Drawn {
+    pub fn draw_edges<K: ProjectionKind>(
+        &mut self,
+        pass: &DrawOptions,
+        mesh: &Mesh,
+        mvp: &Mvp<K>,
+    ) -> Drawn {
         self.with(|canvas, count| canvas.draw_edges(pass, mesh, mvp, count))
     }
 
     /// Draws a mesh's positions.
-    pub fn draw_points<K: Kind>(&mut self, pass: &DrawOptions, mesh: &Mesh, mvp: &Mvp<K>) -> Drawn {
+    pub fn draw_points<K: ProjectionKind>(
+        &mut self,
+        pass: &DrawOptions,
+        mesh: &Mesh,
+        mvp: &Mvp<K>,
+    ) -> Drawn {
         self.with(|canvas, count| canvas.draw_points(pass, mesh, mvp, count))
     }
 
     /// Where the crate puts a point, before culling and the guard band.
-    pub fn place<K: Kind>(
+    pub fn place<K: ProjectionKind>(
         &mut self,
         pass: &DrawOptions,
         mvp: &Mvp<K>,
@@ -91,7 +106,7 @@ impl Counter {
     }
 
     /// Where the crate puts a point, in 24.8.
-    pub fn snapped<K: Kind>(&mut self, mvp: &Mvp<K>, point: Vec3) -> Option<[i32; 2]> {
+    pub fn snapped<K: ProjectionKind>(&mut self, mvp: &Mvp<K>, point: Vec3) -> Option<[i32; 2]> {
         let place = self.place(&DrawOptions::new(), mvp, point)?;
         Some([place.x.to_bits(), place.y.to_bits()])
     }
@@ -128,7 +143,16 @@ pub fn character(count: u32) -> char {
 /// 2⁻²⁹ · 4096 pixels and so by far less than half of 1/256.
 pub fn pixel_lens((width, height): (u32, u32)) -> Mvp<Parallel> {
     let [width, height] = [width, height].map(Scalar::from_num);
-    let projection = Projection::orthographic(fx!(0), width, -height, fx!(0), fx!(-1), fx!(1));
+    let projection = Projection::orthographic(
+        Window {
+            left: fx!(0),
+            right: width,
+            bottom: -height,
+            top: fx!(0),
+        },
+        fx!(-1),
+        fx!(1),
+    );
     projection.unwrap().into()
 }
 

@@ -102,7 +102,7 @@ proptest! {
         let turns = Transform::rotate_y(b) * Transform::rotate_z(c);
         let pose = Transform::rotate_x(a) * Transform::translate(by) * turns;
         for both in [pose * pose.inverse_rigid(), pose.inverse_rigid() * pose] {
-            let identity = both.matrix();
+            let identity = both.to_matrix();
             for (i, row) in identity.rows().iter().enumerate() {
                 for (j, &entry) in row.iter().enumerate() {
                     // 30 bits of at most 100 are below 2^-22.
@@ -137,10 +137,10 @@ proptest! {
 fn row_15_useless_cameras_are_refused() {
     let eye = vec3!(1, 2, 3);
     let refused = Camera::look_at(eye, eye, Vec3::Y);
-    assert_eq!(refused, Err(Error::EyeAtTarget { eye }));
+    assert!(matches!(refused, Err(Error::EyeAtTarget { eye: at, .. }) if at == eye));
     for up in [vec3!(0, 0, 0), vec3!(1, 2, 3), vec3!(-2, -4, -6)] {
         let refused = Camera::look_at(eye, Vec3::ZERO, up);
-        assert_eq!(refused, Err(Error::UpAlongView { up }));
+        assert!(matches!(refused, Err(Error::UpAlongView { up: along, .. }) if along == up));
     }
 }
 

@@ -52,7 +52,7 @@ static EDGES: [[u16; 2]; 12] = [
 
 /// The practice cube's window, ±1 at a distance of 2.
 fn projection() -> Projection<Perspective> {
-    Projection::frustum(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(2), fx!(10)).unwrap()
+    Projection::frustum(Window::centered(fx!(2), fx!(2)), fx!(2), fx!(10)).unwrap()
 }
 
 /// A wireframe of the ±1 cube, `#` on `.`.

@@ -72,7 +72,7 @@ fn turned(renormalised_every: Option<u32>) -> [Worst; 2] {
         transform = step * transform;
         model = linear::multiply(&turn, &model);
         if renormalised_every.is_some_and(|every| i % every == 0) {
-            transform = transform.renormalised();
+            transform = transform.renormalized();
         }
         if i % 10_000 == 0 {
             let bound = match renormalised_every {
@@ -96,12 +96,12 @@ pub static CASES: Cases = Cases::new(|| {
         figure("10⁶ rotations multiplied: entries of R·Rᵀ − I", "", drifted),
         figure("10⁶ rotations multiplied: entries of R", "", place),
         figure(
-            "the same, `renormalised` every 1000: entries of R·Rᵀ − I",
+            "the same, `renormalized` every 1000: entries of R·Rᵀ − I",
             "",
             rigid,
         ),
         figure(
-            "the same, `renormalised` every 1000: entries of R",
+            "the same, `renormalized` every 1000: entries of R",
             "",
             renormalised,
         ),

@@ -5,7 +5,7 @@ use embedded_graphics::pixelcolor::{Gray8, Rgb888};
 use fixel::mode::{Affine, Exact, Fast, Mode, Newton, Tolerance};
 use fixel::prelude::*;
 use fixel::target::{DepthBuffer, Native};
-use fixel::view::Kind;
+use fixel::view::ProjectionKind;
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -184,7 +184,7 @@ impl Shader for Raw {
 }
 
 impl Scene {
-    fn draw<K: Kind, D: DepthBuffer>(
+    fn draw<K: ProjectionKind, D: DepthBuffer>(
         &self,
         canvas: &mut Canvas<'_, Gray8, Native, D>,
         projection: Projection<K>,
@@ -201,7 +201,7 @@ impl Scene {
         }
     }
 
-    fn draw_in<I: Mode, K: Kind, D: DepthBuffer>(
+    fn draw_in<I: Mode, K: ProjectionKind, D: DepthBuffer>(
         &self,
         pass: &DrawOptions<I>,
         canvas: &mut Canvas<'_, Gray8, Native, D>,
@@ -235,7 +235,7 @@ impl Scene {
     }
 
     /// Draws the frame, and the frame in bands, and compares all bits of both.
-    fn check<K: Kind>(
+    fn check<K: ProjectionKind>(
         &self,
         projection: Result<Projection<K>, Error>,
     ) -> Result<(), TestCaseError> {
@@ -289,14 +289,16 @@ proptest! {
     #[test]
     fn off_centre_perspective_is_total(scene in scene(), edges in prop::array::uniform6(scalar())) {
         let [l, r, b, t, n, f] = edges;
-        scene.check(Projection::frustum(l.min(r), l.max(r), b.min(t), b.max(t), n, f))?;
+        let window = Window { left: l.min(r), right: l.max(r), bottom: b.min(t), top: b.max(t) };
+        scene.check(Projection::frustum(window, n, f))?;
     }
 
     #[test]
     fn parallel_projections_are_total(scene in scene(), edges in prop::array::uniform6(scalar()), angle: u32) {
         let [l, r, b, t, n, f] = edges;
-        scene.check(Projection::orthographic(l.min(r), l.max(r), b.min(t), b.max(t), n, f))?;
+        let window = Window { left: l.min(r), right: l.max(r), bottom: b.min(t), top: b.max(t) };
+        scene.check(Projection::orthographic(window, n, f))?;
         let angle = Angle::from_bits(angle);
-        scene.check(Projection::cabinet(angle, l.min(r), l.max(r), b.min(t), b.max(t), n, f))?;
+        scene.check(Projection::cabinet(angle, window, n, f))?;
     }
 }

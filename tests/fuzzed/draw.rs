@@ -3,7 +3,7 @@
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
-use fixel::view::Kind;
+use fixel::view::ProjectionKind;
 
 use super::model::Truth;
 use super::projection::Projected;
@@ -69,7 +69,7 @@ fn check_scene(scene: &Scene) -> Result<(), Error> {
     }
 }
 
-fn check_call<K: Kind>(call: &Call<'_, K>, pass: DrawOptions) -> Result<(), Error> {
+fn check_call<K: ProjectionKind>(call: &Call<'_, K>, pass: DrawOptions) -> Result<(), Error> {
     match call.scene.shade {
         Shade::Bits(0) => check_modes::<K, 0>(call, pass),
         Shade::Bits(_) => check_modes::<K, 3>(call, pass),
@@ -95,14 +95,14 @@ struct Ways<'a, 'c, K> {
     pass: DrawOptions,
 }
 
-impl<K: Kind> Draw for Ways<'_, '_, K> {
+impl<K: ProjectionKind> Draw for Ways<'_, '_, K> {
     fn draw<F: Shader<Color = Rgb565>>(self, shader: &F) {
         self.call.check(&self.pass, shader);
     }
 }
 
 /// Checks every mode, and that each draws the same pixels at the same depths.
-fn check_modes<K: Kind, const N: usize>(call: &Call<'_, K>, pass: DrawOptions) {
+fn check_modes<K: ProjectionKind, const N: usize>(call: &Call<'_, K>, pass: DrawOptions) {
     let tolerance = call.scene.tolerance;
     let truth = (call.scene.what == What::Triangles).then(|| Truth::new(call, &pass));
     let mut first = None;
@@ -132,7 +132,7 @@ fn check_modes<K: Kind, const N: usize>(call: &Call<'_, K>, pass: DrawOptions) {
     check(Mode::checked(call, pass.mode(Linear)));
 }
 
-fn checked<I: Mode, K: Kind, const N: usize>(
+fn checked<I: Mode, K: ProjectionKind, const N: usize>(
     call: &Call<'_, K>,
     pass: DrawOptions<I>,
 ) -> Record<Rgb565, N> {

@@ -56,7 +56,7 @@ struct Ahead {
 }
 
 impl Truth {
-    pub fn new<K: fixel::view::Kind>(call: &Call<'_, K>, pass: &DrawOptions) -> Self {
+    pub fn new<K: fixel::view::ProjectionKind>(call: &Call<'_, K>, pass: &DrawOptions) -> Self {
         let (width, height) = call.scene.size;
         let mut pixels = vec![Rgb565::new(0, 0, 0); call.scene.pixels()];
         let canvas = Canvas::new(&mut pixels, width, height).unwrap();

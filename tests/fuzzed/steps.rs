@@ -43,7 +43,7 @@ impl Step {
                 Err(_) => before,
             },
             Self::Inverse => before.inverse_rigid(),
-            Self::Renormalised => before.renormalised(),
+            Self::Renormalised => before.renormalized(),
         }
     }
 }

@@ -7,7 +7,7 @@ use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
 use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::target::{Depth, DepthBuffer, Native, Storage};
-use fixel::view::Kind;
+use fixel::view::ProjectionKind;
 use fixel::{Drawn, Prepared};
 
 use super::scene::{Scene, What};
@@ -35,7 +35,7 @@ const BACKGROUND: Rgb565 = Rgb565::new(1, 2, 3);
 /// Room for what clipping makes of so few triangles.
 type List = TriangleList<16, 200>;
 
-impl<K: Kind> Call<'_, K> {
+impl<K: ProjectionKind> Call<'_, K> {
     /// Draws in one way.
     fn draw<I, F, O, D, const N: usize>(
         &self,
