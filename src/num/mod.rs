@@ -15,7 +15,8 @@
 //! | attribute/w | `i32`, likewise | half of 1/w | 2^-30 of the attribute's largest value |
 //! | reciprocal of 1/w | 31 bits ([`reciprocal`](crate::num::reciprocal)) | | exact, rounded down |
 //! | depth as stored | `u16`, floor(65535 · near / w) | 65535 at the near plane, 0 infinitely far | 1/65535 of near/w |
-//! | the same in [floating point](crate::target::FloatDepth) | `u16`: 4 bits of exponent, 12 of mantissa | 65535 at the near plane, 0 from 65,536 times as far | 2^-12 of the distance |
+//! | the same in [floating point](crate::target::Float) | `u16`: 4 bits of exponent, 12 of mantissa | 65535 at the near plane, 0 from 65,536 times as far | 2^-12 of the distance |
+//! | the same over a [wider range](crate::target::WideFloat) | `u16`: 5 bits of exponent, 11 of mantissa | 65535 at the near plane, 0 from 2^32 times as far | 2^-11 of the distance |
 //! | [short](crate::Mesh::short) positions | `[i16; 3]`, 0 to 16 fraction bits | ±2^15 units | 2^-fraction |
 //! | varyings of a shader | `i32`, whatever the shader makes of it | ±2^31 | rounded down to its unit |
 //! | … texels | 16 fraction bits ([`Textured`](crate::Textured)) | ±32768 texels | 1/65536 texel |

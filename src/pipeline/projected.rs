@@ -40,9 +40,11 @@ impl Projected {
 pub(crate) struct DepthShift(pub(super) i32);
 
 impl DepthShift {
-    /// How far down an interpolant of this `exponent` is shifted to be a 16-bit depth: 15 to 31.
+    /// How far down an interpolant of this `exponent` is shifted to be a depth, 2^16 at the near plane: 15 to 47.
+    ///
+    /// At 47 the largest interpolant, below 2^31, is a depth below 2^-16, which no format tells from 0.
     #[inline]
     pub(crate) fn of(self, exponent: u8) -> u32 {
-        (self.0 - i32::from(exponent)).clamp(15, 31).cast_unsigned()
+        (self.0 - i32::from(exponent)).clamp(15, 47).cast_unsigned()
     }
 }

@@ -99,7 +99,7 @@ impl Interpolate for Newton {
             let Some(up) = room(run.q, steps.q, cells.count()).filter(|_| is_fine) else {
                 return Exact.run((), run, steps, cells, pixels);
             };
-            (run.q, dq, down) = (run.q << up, dq << up, down.saturating_add(up).min(31));
+            (run.q, dq, down) = (run.q << up, dq << up, down.saturating_add(up));
             for ((p, dp), scale) in run.p.iter_mut().zip(&mut dp).zip(steps.scale) {
                 let (left, right) = scale.to(FRACTION, up);
                 *p = nearest(*p << left, right);

@@ -52,7 +52,7 @@ pub struct Steps<const N: usize> {
     pub p: [i32; N],
     /// How each attribute is scaled.
     pub scale: [Scale; N],
-    /// A pixel's depth of 16 bits is its [`Run::q`] shifted down by this: 15 to 31.
+    /// A pixel's depth of 16 bits is its [`Run::q`] shifted down by this: 15 to 47, and 0 from 31 on.
     pub depth: u32,
     /// The least [`Run::q`] of the triangle's corners; the largest has bit 30 set.
     pub least: u32,

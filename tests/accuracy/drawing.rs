@@ -5,6 +5,7 @@ use std::cell::RefCell;
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::mode::Tolerance;
 use fixel::prelude::*;
+use fixel::target::DepthFormat;
 use fixel::view::Kind;
 
 use crate::mode::Mode;
@@ -110,13 +111,13 @@ impl<K: Kind> Drawing<'_, K> {
         seen.into_inner()
     }
 
-    /// What a depth buffer of floating-point numbers then holds, row by row.
-    pub fn float_depths(&self) -> Vec<u16> {
+    /// The depths that a buffer of this format then holds, row by row.
+    pub fn depths<F: DepthFormat>(&self) -> Vec<u16> {
         let (width, height) = self.size;
         let mut pixels = vec![Gray8::new(0); width as usize * height as usize];
         let mut depth = vec![0; pixels.len()];
         let canvas = Canvas::new(&mut pixels, width, height).unwrap();
-        let mut canvas = canvas.with_float_depth(&mut depth).unwrap();
+        let mut canvas = canvas.with_depth_format::<F>(&mut depth).unwrap();
         let Self {
             mode, pass, mesh, ..
         } = self;

@@ -1,6 +1,7 @@
 //! One triangle drawn by the crate and by the model.
 
 use fixel::prelude::*;
+use fixel::target::DepthFormat;
 use fixel::view::Kind;
 
 use crate::drawing::{Drawing, Seen};
@@ -79,9 +80,9 @@ impl<K: Kind, const N: usize> Triangle<K, N> {
         pixels
     }
 
-    /// What a depth buffer of floating-point numbers holds of it, row by row.
-    pub fn float_depths(&self, mode: Mode) -> Vec<u16> {
-        self.drawing(mode).float_depths()
+    /// The depths that a buffer of this format holds of it, row by row.
+    pub fn depths<F: DepthFormat>(&self, mode: Mode) -> Vec<u16> {
+        self.drawing(mode).depths::<F>()
     }
 
     /// The crate's pixels in a mode, row by row.
