@@ -65,7 +65,8 @@ pub enum Float {}
 /// [`Projection`](crate::Projection) accepts.
 ///
 /// A step is 2⁻¹² to 2⁻¹¹ of the distance (0.024 to 0.049 %) up to 2³² · near: twice as coarse as
-/// [`Float`], at the same cost.
+/// [`Float`], at the same cost: 7 instructions a textured fragment more than [`Linear`] on Cortex-M4, 13
+/// on Cortex-M0+.
 ///
 /// Within one triangle 1/w is interpolated to 2⁻²⁴ of its largest value. If a triangle's far end is
 /// more than 6,000 times as far as its near end, this error exceeds half a step there.
@@ -125,6 +126,9 @@ pub(crate) const fn linear(q: u32, down: u32) -> u32 {
 const COUNTS_ZEROS: bool =
     !IS_NARROW && !cfg!(all(target_arch = "riscv32", not(target_feature = "zbb")));
 
+// Of 16 bits over 32 octaves a logarithm makes the most: log2(1 + m) ≈ m + 0.344 m (1 - m) has steps of 0.036 % instead of
+// 0.049 %. It was measured at 23 instructions a textured fragment more than `Linear` on Cortex-M4, where a float takes 7
+// more, and at 24 instead of 13 on Cortex-M0+: surfaces a hundredth apart do not need it.
 /// Encodes a depth as a float of `EXPONENT` bits of exponent and 16 - `EXPONENT` of mantissa.
 ///
 /// With the depth as 2^e · 1.m, an all-ones code stands for e = 15, as the near plane is 2^16. The

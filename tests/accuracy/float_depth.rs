@@ -67,6 +67,11 @@ fn wrong<D: DepthBuffer>(
     canvas.pixels().filter(wrong).count()
 }
 
+/// Distances from `first` on, each `factor` times as far as the one before.
+fn series(first: f64, factor: f64) -> impl Iterator<Item = f64> {
+    std::iter::successors(Some(first), move |w| Some(w * factor)).take_while(|&w| w < 32_768.)
+}
+
 /// Draws two walls in a mode and format; how many pixels show the one behind.
 fn wrong_in<F: DepthFormat>(
     mode: Mode,
@@ -105,9 +110,11 @@ fn what_is_behind_stays_behind() {
         for gap in [0.01, 0.001] {
             let (mut walls, mut linear_fails, mut float_fails) = (0, 0, 0);
             for slant in [1., 4.] {
-                let mut near_end = 1.02 * near;
+                // At all distances; and where 1/w of the two walls have different exponents, as a power of two is between.
+                let near_ends = series(1.02 * near, 1.37).chain(series(1.99 * near, 2.));
                 // At the far plane itself linear depths are all 0; the wall behind is to be before it.
-                while near_end * slant * (1. + gap) < 0.99 * near * ratio {
+                let is_before = |w: &f64| w * slant * (1. + gap) < 0.99 * near * ratio;
+                for near_end in near_ends.filter(is_before) {
                     let distances = [near_end, near_end * slant];
                     // The largest distance that is not stored as 0 is one step short of the end of the range.
                     let float_reaches = distances[1] * (1. + gap) < 65_500. * near;
@@ -136,7 +143,6 @@ fn what_is_behind_stays_behind() {
                     walls += 1;
                     linear_fails += usize::from(pixels > 0);
                     float_fails += usize::from(fails);
-                    near_end *= 1.37;
                 }
             }
             println!(

@@ -105,8 +105,9 @@ fn clearing_no_depth() {
     assert_eq!(pixels, [Gray8::BLACK; 4]);
 }
 
-/// Draws three plates (`#`), at 4, 3,200 and 960,000 times the distance of the near plane, and after each a larger
-/// plate (`.`) that is a hundredth farther.
+/// Draws three plates (`#`), at 4, 3,200 and 522,240 times the distance of the near plane, and after each a larger
+/// plate (`.`) that is a hundredth farther. Distance 2^14 lies between the last two, so that their 1/w have different
+/// exponents.
 fn plates<F: DepthFormat>() -> MockDisplay<BinaryColor> {
     const SIZE: (u32, u32) = (26, 6);
     const FOCAL: f64 = 16.;
@@ -132,7 +133,7 @@ fn plates<F: DepthFormat>() -> MockDisplay<BinaryColor> {
         let mesh = Mesh::new(&positions, &[[0, 1, 2], [0, 2, 3]]).unwrap();
         canvas.draw(&mesh, &projection.into(), &Flat::new(color));
     };
-    for (left, distance) in [(1, 0.125), (10, 100.), (19, 30_000.)] {
+    for (left, distance) in [(1, 0.125), (10, 100.), (19, 16_320.)] {
         let front = [left + 1, 1, left + 5, 5];
         plate(front, distance, BinaryColor::On);
         plate([left, 0, left + 6, 6], 1.01 * distance, BinaryColor::Off);
