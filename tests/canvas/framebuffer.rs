@@ -168,7 +168,8 @@ fn points_at_the_ends_of_i32() {
 fn areas_beyond_the_range_of_i32() {
     const WIDTH: u32 = 3;
     const FIRST: u32 = 1;
-    const ROWS: u32 = 2;
+    const END: u32 = 3;
+    const PIXELS: usize = (WIDTH * (END - FIRST)) as usize;
     let most = i32::MAX.cast_unsigned();
     let starts = [
         i32::MIN,
@@ -208,13 +209,12 @@ fn areas_beyond_the_range_of_i32() {
     for &(x, width) in sides {
         for &(y, height) in sides {
             let area = Rectangle::new(Point::new(x, y), Size::new(width, height));
-            let wanted =
-                (FIRST..FIRST + ROWS).flat_map(|row| (0..WIDTH).map(move |column| (column, row)));
+            let wanted = (FIRST..END).flat_map(|row| (0..WIDTH).map(move |column| (column, row)));
             let wanted = wanted
                 .map(|(column, row)| Some((along(column, x, width)?, along(row, y, height)?)));
             let wanted: Vec<_> = wanted.collect();
 
-            let mut pixels = [Gray8::BLACK; (WIDTH * ROWS) as usize];
+            let mut pixels = [Gray8::BLACK; PIXELS];
             let mut canvas = Canvas::band(&mut pixels, WIDTH, 4, FIRST).unwrap();
             let Ok(()) = canvas.fill_solid(&area, Gray8::WHITE);
             let solid = wanted
@@ -222,7 +222,7 @@ fn areas_beyond_the_range_of_i32() {
                 .map(|at| at.map_or(Gray8::BLACK, |_| Gray8::WHITE));
             assert!(solid.eq(pixels), "solid {area:?}: {pixels:?}");
 
-            let mut pixels = [Gray8::BLACK; (WIDTH * ROWS) as usize];
+            let mut pixels = [Gray8::BLACK; PIXELS];
             let mut canvas = Canvas::band(&mut pixels, WIDTH, 4, FIRST).unwrap();
             let Ok(()) = canvas.fill_contiguous(&area, Colors(0));
             // There are at most 2^31 + 2 rows of 2^32 - 1 pixels.

@@ -25,7 +25,7 @@ pub const HEIGHT: u32 = 31;
 /// A target behind one type: shapes are then compiled once, for all targets and adapters.
 trait Sink {
     fn area(&self) -> Rectangle;
-    fn iter(&mut self, pixels: &mut dyn Iterator<Item = Pixel<Rgb565>>);
+    fn pixels(&mut self, pixels: &mut dyn Iterator<Item = Pixel<Rgb565>>);
     fn contiguous(&mut self, area: &Rectangle, colors: &mut dyn Iterator<Item = Rgb565>);
     fn solid(&mut self, area: &Rectangle, color: Rgb565);
     fn empty(&mut self, color: Rgb565);
@@ -36,7 +36,7 @@ impl<T: DrawTarget<Color = Rgb565, Error = Infallible>> Sink for T {
         self.bounding_box()
     }
 
-    fn iter(&mut self, pixels: &mut dyn Iterator<Item = Pixel<Rgb565>>) {
+    fn pixels(&mut self, pixels: &mut dyn Iterator<Item = Pixel<Rgb565>>) {
         let Ok(()) = self.draw_iter(pixels);
     }
 
@@ -69,7 +69,7 @@ impl DrawTarget for Target<'_> {
     where
         I: IntoIterator<Item = Pixel<Rgb565>>,
     {
-        self.0.iter(&mut pixels.into_iter());
+        self.0.pixels(&mut pixels.into_iter());
         Ok(())
     }
 

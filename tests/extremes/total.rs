@@ -201,7 +201,7 @@ impl Scene {
             Mode::Newton => self.draw_in(&pass.mode(Newton), canvas, projection),
             Mode::Exact => self.draw_in(&pass.mode(Exact), canvas, projection),
             Mode::Fast(texels) => {
-                self.draw_in(&pass.mode(Fast::within(texels)), canvas, projection)
+                self.draw_in(&pass.mode(Fast::within(texels)), canvas, projection);
             }
             Mode::Affine => self.draw_in(&pass.mode(Affine), canvas, projection),
             Mode::Linear => self.draw_in(&pass.mode(Linear), canvas, projection),
