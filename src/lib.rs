@@ -70,7 +70,7 @@
 //! | [`Shader`] | [`shade`], or ten lines of your own | third |
 //! | [`DrawOptions`]: culling, viewport, interpolation | [`DrawOptions::new`] | [`Canvas::draw_with`], [`draw_edges`](Canvas::draw_edges), [`draw_points`](Canvas::draw_points) |
 //! | [`TriangleList`]: triangles transformed once for all bands | [`TriangleList::new`], [`prepare`](TriangleList::prepare) | [`Canvas::draw_prepared`] |
-//! | [`Canvas`]: colours, depth, rows | [`Canvas::new`], [`Canvas::band`], [`Canvas::big_endian`] and so on, over your slices | a display, by [`Canvas::show`] or [`Canvas::bytes`] |
+//! | [`Canvas`]: colours, depth, rows | [`Canvas::new`], [`Canvas::band`], [`Canvas::big_endian`] and so on, over your slices | a display, by [`Canvas::show`] or [`Canvas::as_bytes`] |
 //!
 //! # Spaces
 //!
@@ -126,7 +126,7 @@
 //!     let mut band = Canvas::band(&mut color, WIDTH, HEIGHT, first_row)?.with_depth(&mut depth)?;
 //!     band.clear(BinaryColor::Off);
 //!     band.draw(&BALL, &mvp, &white);
-//!     band.show(&mut display)?; // or DMA from band.bytes() of a canvas of bytes
+//!     band.show(&mut display)?; // or DMA from band.as_bytes() of a canvas of bytes
 //! }
 //! display.assert_pattern(&[
 //!     "................",
@@ -150,7 +150,7 @@
 //! [`TriangleList::prepare`], [`Canvas::draw_prepared`].
 //!
 //! For DMA let the canvas keep its pixels as the bytes that the bus wants: [`Canvas::big_endian`]
-//! and its relatives, [`Canvas::bytes`]. The [guide for firmware](guide::firmware) goes all the way
+//! and its relatives, [`Canvas::as_bytes`]. The [guide for firmware](guide::firmware) goes all the way
 //! from `cargo new` to a picture on an SPI panel: memory, bands, DMA, two cores, clocks.
 //!
 //! # Speed against accuracy

@@ -8,6 +8,8 @@ use embedded_graphics::pixelcolor::Rgb888;
 use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
+use fixel::target::Float;
+
 use proptest::prelude::*;
 
 const WIDTH: u32 = 70;
@@ -229,7 +231,7 @@ proptest! {
                 let pixels = (WIDTH * rows.min(HEIGHT - first)) as usize;
                 let (mut color, mut depth) = (vec![Rgb888::new(9, 9, 9); pixels], vec![7; pixels]);
                 let band = Canvas::band(&mut color, WIDTH, HEIGHT, first).unwrap();
-                let mut band = band.with_float_depth(&mut depth).unwrap();
+                let mut band = band.with_depth_format::<Float>(&mut depth).unwrap();
                 band.clear(Rgb888::new(1, 2, 3));
                 if is_prepared {
                     band.draw_prepared(&prepared, &Bits);

@@ -29,7 +29,7 @@ fn picture(draw: impl FnOnce(&mut Target<'_>)) -> (u32, usize) {
     let mut canvas = canvas.with_depth(&mut depths).unwrap();
     canvas.clear(Rgb565::BLACK);
     draw(&mut canvas);
-    let crc = crc32fast::hash(canvas.bytes());
+    let crc = crc32fast::hash(canvas.as_bytes());
     (crc, depths.iter().filter(|&&depth| depth > 0).count())
 }
 

@@ -115,13 +115,13 @@ impl Bench {
                 let mut canvas: Target<_> =
                     Canvas::big_endian_band(colors, WIDTH, HEIGHT, first_row)?;
                 draw(scene, &models, &mut canvas, clock, &mut figures)?;
-                crc.update(canvas.bytes());
+                crc.update(canvas.as_bytes());
             }
             let canvas: Target<_> = Canvas::big_endian_band(colors, WIDTH, HEIGHT, first_row)?;
             let mut canvas = canvas.with_depth(depths)?;
             if scene.has_depth() {
                 draw(scene, &models, &mut canvas, clock, &mut figures)?;
-                crc.update(canvas.bytes());
+                crc.update(canvas.as_bytes());
             } else {
                 // Again, and not measured, only to learn from the depths which pixels are covered.
                 scene.background(&mut canvas);
@@ -161,7 +161,7 @@ impl Bench {
                 Repeat::Over => _ = models.draw(&mut canvas)?,
             }
             scene.overlay(&mut canvas);
-            crc.update(canvas.bytes());
+            crc.update(canvas.as_bytes());
         }
         Ok(crc.finalize())
     }

@@ -46,7 +46,7 @@ mod firmware {
     use super::board::{self, Clock};
     use super::common::scenes::CHECKER;
     use super::pieces;
-    use super::setup::{self, ProjectionKind};
+    use super::setup::{self, Kind};
     use super::ticks::Stopwatch;
     use super::wall::{Bench, Depths};
 

@@ -229,8 +229,10 @@ pub enum Mode {
 pub enum DepthFormat {
     /// In equal steps of 1/distance: finest near by
     Linear,
-    /// In floating point: steps of 0.024 % of the distance, whatever it is
+    /// In floating point: steps of 0.024 % of the distance, up to 65,536 times the near plane
     Float,
+    /// In floating point over a wider range: steps of 0.049 % of the distance, however far
+    Wide,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

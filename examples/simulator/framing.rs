@@ -2,7 +2,7 @@
 //!
 //! Host set-up in f64; what comes of it is handed to the library, which checks it.
 
-use crate::args::{Args, ProjectionKind};
+use crate::args::{Args, Kind};
 
 /// Part of the picture's width and height that the model takes.
 const FILL: f64 = 0.94;

@@ -6,7 +6,7 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::prelude::*;
 use fixel::shade::{FaceColors, Gouraud, Levels, Textured};
-use fixel::target::DepthBuffer;
+use fixel::target::{DepthBuffer, Float, WideFloat};
 use fixel::view::Perspective;
 use fixel::{Drawn, Mesh};
 
@@ -101,7 +101,14 @@ impl Model<'_> {
         let (canvas, depth) = strip.canvas()?;
         match self.view.depth {
             DepthFormat::Linear => self.paint_on(canvas.with_depth(depth)?, frame, texels),
-            DepthFormat::Float => self.paint_on(canvas.with_float_depth(depth)?, frame, texels),
+            DepthFormat::Float => {
+                let canvas = canvas.with_depth_format::<Float>(depth)?;
+                self.paint_on(canvas, frame, texels)
+            }
+            DepthFormat::Wide => {
+                let canvas = canvas.with_depth_format::<WideFloat>(depth)?;
+                self.paint_on(canvas, frame, texels)
+            }
         }
     }
 
@@ -141,7 +148,12 @@ impl Model<'_> {
         let (canvas, depth) = strip.canvas()?;
         match self.view.depth {
             DepthFormat::Linear => Ok(self.record_on(canvas.with_depth(depth)?, frame)),
-            DepthFormat::Float => Ok(self.record_on(canvas.with_float_depth(depth)?, frame)),
+            DepthFormat::Float => {
+                Ok(self.record_on(canvas.with_depth_format::<Float>(depth)?, frame))
+            }
+            DepthFormat::Wide => {
+                Ok(self.record_on(canvas.with_depth_format::<WideFloat>(depth)?, frame))
+            }
         }
     }
 
@@ -202,7 +214,13 @@ macro_rules! on_canvas {
                 timed(|| $draw)
             }
             (_, DepthFormat::Float) => {
-                let mut canvas = canvas.with_float_depth(depth)?;
+                let mut canvas = canvas.with_depth_format::<Float>(depth)?;
+                canvas.clear($background);
+                let $canvas = &mut canvas;
+                timed(|| $draw)
+            }
+            (_, DepthFormat::Wide) => {
+                let mut canvas = canvas.with_depth_format::<WideFloat>(depth)?;
                 canvas.clear($background);
                 let $canvas = &mut canvas;
                 timed(|| $draw)

@@ -4,7 +4,7 @@ use fixel::prelude::*;
 
 use super::Result;
 use super::common::lighthouse;
-use crate::args::{Args, Filter, ProjectionKind, Shade};
+use crate::args::{Args, Filter, Kind, Shade};
 use crate::framing::{Framing, middle};
 use crate::job::{self, Model, Turn};
 use crate::load;

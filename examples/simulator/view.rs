@@ -7,7 +7,7 @@ use fixel::view::{Parallel, Perspective};
 
 use super::Result;
 use super::mode::Mode;
-use crate::args::{Args, DepthFormat, Filter, ProjectionKind};
+use crate::args::{Args, DepthFormat, Filter, Kind};
 use crate::framing::Framing;
 
 /// A projection of either kind.

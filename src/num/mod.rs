@@ -14,8 +14,9 @@
 //! | 1/w, or depth under a parallel projection | `u32`, 31 bits at the nearest corner of a primitive | 2^23 to 1 in a primitive | 2^-31 of the largest |
 //! | attribute/w | `i32`, scaled in the same way | half of 1/w | 2^-30 of the attribute's largest value |
 //! | reciprocal of 1/w | 31 bits ([`reciprocal`](crate::num::reciprocal)) | | exact, rounded down |
-//! | stored depth | `u16`, floor(65535 · near / w) | 65535 at the near plane, 0 infinitely far | 1/65535 of near/w |
-//! | stored depth in [floating point](crate::target::FloatDepth) | `u16`: 4 bits of exponent, 12 of mantissa | 65535 at the near plane, 0 from 65,536 times as far | 2^-12 of the distance |
+//! | depth as stored | `u16`, floor(65535 · near / w) | 65535 at the near plane, 0 infinitely far | 1/65535 of near/w |
+//! | the same in [floating point](crate::target::Float) | `u16`: 4 bits of exponent, 12 of mantissa | 65535 at the near plane, 0 from 65,536 times as far | 2^-12 of the distance |
+//! | the same over a [wider range](crate::target::WideFloat) | `u16`: 5 bits of exponent, 11 of mantissa | 65535 at the near plane, 0 from 2^32 times as far | 2^-11 of the distance |
 //! | [short](crate::Mesh::short) positions | `[i16; 3]`, 0 to 16 fraction bits | ±2^15 units | 2^-fraction |
 //! | varyings of a shader | `i32` in a unit of the shader's choice | ±2^31 | rounded down to that unit |
 //! | … texels | 16 fraction bits ([`Textured`](crate::Textured)) | ±32768 texels | 1/65536 texel |

@@ -344,7 +344,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         }
     }
 
-    /// An interpolant is shifted down by this less its exponent, from 15 to 31, to be a 16-bit depth.
+    /// An interpolant is shifted down by this less its exponent to be a depth, 2^16 at the near plane.
     #[inline]
     pub(crate) fn depth_shift(&self) -> DepthShift {
         DepthShift(if K::PERSPECTIVE {

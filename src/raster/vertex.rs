@@ -68,9 +68,11 @@ pub(crate) struct ClippedVertex {
 pub(crate) struct DepthShift(pub(crate) i32);
 
 impl DepthShift {
-    /// How far an interpolant with this `exponent` is shifted down to be a 16-bit depth: 15 to 31.
+    /// How far an interpolant with this `exponent` is shifted down to be a depth, 2^16 at the near plane: 15 to 47.
+    ///
+    /// At 47 the largest interpolant, below 2^31, is a depth below 2^-16, which no format tells from 0.
     #[inline]
     pub(crate) fn of(self, exponent: u8) -> u32 {
-        (self.0 - i32::from(exponent)).clamp(15, 31).cast_unsigned()
+        (self.0 - i32::from(exponent)).clamp(15, 47).cast_unsigned()
     }
 }

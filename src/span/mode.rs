@@ -257,7 +257,7 @@ impl Policy for Newton {
                 return Kernel::Divide;
             };
             (span.q, span.dq) = (span.q << up, span.dq << up);
-            span.down = span.down.saturating_add(up).min(31);
+            span.down = span.down.saturating_add(up);
             let scaled = |p: &i32, scale: &Scale| {
                 let (left, right) = scale.to(FRACTION, up);
                 nearest(*p << left, right)
@@ -392,7 +392,7 @@ impl Policy for Fast {
             return Kernel::Divide;
         };
         (span.q, span.dq) = (span.q << up, span.dq << up);
-        span.down = span.down.saturating_add(up).min(31);
+        span.down = span.down.saturating_add(up);
         span.p = L::map(&span.p, |p| p << up);
         span.dp = L::map(&span.dp, |p| p << up);
         Kernel::Pieces(length)

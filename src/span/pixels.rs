@@ -6,7 +6,7 @@ use embedded_graphics::geometry::Point;
 
 use crate::raster::Scale;
 use crate::shade::{Fragment, Lanes, Shader, Varyings};
-use crate::target::{DepthBuffer, DepthTest, Storage, linear};
+use crate::target::{Buffer, DepthBuffer, DepthTest, Storage, linear};
 
 /// The interpolated numbers of a shader, one `i32` in each lane.
 pub(super) type Numbers<S> = <Count<S> as Lanes>::Of<i32>;
@@ -58,7 +58,7 @@ pub(super) fn rolled() {
 /// A pixel in memory.
 pub(super) type Cell<'c, C, O, D> = (
     &'c mut <O as Storage<C>>::Cell,
-    <D as DepthBuffer>::Cell<'c>,
+    <D as Buffer>::Cell<'c>,
 );
 
 /// Tests and shades the pixels of a span, one after the other.

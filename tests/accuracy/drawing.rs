@@ -6,6 +6,8 @@ use embedded_graphics::pixelcolor::Gray8;
 use fixel::mode::Tolerance;
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
+use fixel::target::DepthFormat;
+
 
 use crate::mode::Mode;
 
@@ -110,13 +112,13 @@ impl<K: ProjectionKind> Drawing<'_, K> {
         seen.into_inner()
     }
 
-    /// What a depth buffer of floating-point numbers then holds, row by row.
-    pub fn float_depths(&self) -> Vec<u16> {
+    /// The depths that a buffer of this format then holds, row by row.
+    pub fn depths<F: DepthFormat>(&self) -> Vec<u16> {
         let (width, height) = self.size;
         let mut pixels = vec![Gray8::new(0); width as usize * height as usize];
         let mut depth = vec![0; pixels.len()];
         let canvas = Canvas::new(&mut pixels, width, height).unwrap();
-        let mut canvas = canvas.with_float_depth(&mut depth).unwrap();
+        let mut canvas = canvas.with_depth_format::<F>(&mut depth).unwrap();
         let Self {
             mode, pass, mesh, ..
         } = self;

@@ -2,6 +2,8 @@
 
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
+use fixel::target::DepthFormat;
+
 
 use crate::drawing::{Drawing, Seen};
 use crate::mode::Mode;
@@ -79,9 +81,9 @@ impl<K: ProjectionKind, const N: usize> Triangle<K, N> {
         pixels
     }
 
-    /// What a depth buffer of floating-point numbers holds of it, row by row.
-    pub fn float_depths(&self, mode: Mode) -> Vec<u16> {
-        self.drawing(mode).float_depths()
+    /// The depths that a buffer of this format holds of it, row by row.
+    pub fn depths<F: DepthFormat>(&self, mode: Mode) -> Vec<u16> {
+        self.drawing(mode).depths::<F>()
     }
 
     /// The crate's pixels in a mode, row by row.

@@ -166,10 +166,10 @@ fn bytes_are_those_that_the_driver_sends() {
     for rows in [SQUARE.1, 16, 37] {
         let mut bytes = vec![];
         in_bands(SQUARE, rows, |band| {
-            bytes.extend_from_slice(band.bytes());
+            bytes.extend_from_slice(band.as_bytes());
             // Of a band as of a frame.
             band.show(&mut display).unwrap();
-            assert!(written(wires.take()) == [band.bytes()]);
+            assert!(written(wires.take()) == [band.as_bytes()]);
         });
         assert!(sent == [bytes], "bands of {rows} rows");
     }
@@ -190,7 +190,7 @@ fn bands_follow_each_other_through_one_window() {
             .write_command(SetPageAddress::new(0, 239))
             .unwrap();
         interface.write_command(WriteMemoryStart).unwrap();
-        in_bands(SQUARE, 40, |band| wires.write(band.bytes()).unwrap());
+        in_bands(SQUARE, 40, |band| wires.write(band.as_bytes()).unwrap());
     }
     assert_same(&shown(&wires, SQUARE), &frame(SQUARE, |_| ()), SQUARE.0);
 }

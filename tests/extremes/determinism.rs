@@ -8,7 +8,7 @@ use embedded_graphics::pixelcolor::raw::BigEndian;
 use fixel::mesh::{Buffers, Shape};
 use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
-use fixel::target::{Depth, DepthBuffer, FloatDepth, NoDepth};
+use fixel::target::{Depth, DepthBuffer, Float, NoDepth};
 use fixel::view::Perspective;
 
 use crate::scene::Random;
@@ -109,10 +109,13 @@ impl Kept for Linear {
 }
 
 impl Kept for Floating {
-    type Depth<'d> = FloatDepth<'d>;
+    type Depth<'d> = Depth<'d, Float>;
 
-    fn with<'a>(canvas: Target<'a, NoDepth>, depths: &'a mut [u16]) -> Target<'a, FloatDepth<'a>> {
-        canvas.with_float_depth(depths).unwrap()
+    fn with<'a>(
+        canvas: Target<'a, NoDepth>,
+        depths: &'a mut [u16],
+    ) -> Target<'a, Depth<'a, Float>> {
+        canvas.with_depth_format::<Float>(depths).unwrap()
     }
 }
 
@@ -139,7 +142,7 @@ fn sums<B: Kept>(
         let mut band = B::with(band, &mut depth);
         band.clear(Rgb565::new(1, 2, 3));
         draw(&mut band, &projection);
-        colors.update(band.bytes());
+        colors.update(band.as_bytes());
         drop(band);
         for depth in depth {
             depths.update(&depth.to_le_bytes());

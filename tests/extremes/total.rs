@@ -57,12 +57,19 @@ struct Scene {
     size: (u32, u32),
     /// Rows of a band.
     rows: u32,
-    /// Whether depths are floating-point numbers.
-    is_float: bool,
+    depth: Format,
     what: What,
     mode: Mode,
     model: Transform,
     camera: Transform,
+}
+
+/// The format of depths.
+#[derive(Clone, Copy, Debug)]
+enum Format {
+    Linear,
+    Float,
+    WideFloat,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -129,14 +136,14 @@ fn scene() -> impl Strategy<Value = Scene> {
             pass,
             size,
             1_u32..8,
-            any::<bool>(),
+            select(vec![Format::Linear, Format::Float, Format::WideFloat]),
             (what, modes()),
             transform(),
             transform(),
         ),
     )
         .prop_map(|((positions, short, uvs, faces, edges), rest)| {
-            let (pass, size, rows, is_float, (what, mode), model, camera) = rest;
+            let (pass, size, rows, depth, (what, mode), model, camera) = rest;
             Scene {
                 positions,
                 short,
@@ -146,7 +153,7 @@ fn scene() -> impl Strategy<Value = Scene> {
                 pass,
                 size,
                 rows,
-                is_float,
+                depth,
                 what,
                 mode,
                 model,
@@ -194,7 +201,7 @@ impl Scene {
             Mode::Newton => self.draw_in(&pass.mode(Newton), canvas, projection),
             Mode::Exact => self.draw_in(&pass.mode(Exact), canvas, projection),
             Mode::Fast(texels) => {
-                self.draw_in(&pass.mode(Fast::within(texels)), canvas, projection)
+                self.draw_in(&pass.mode(Fast::within(texels)), canvas, projection);
             }
             Mode::Affine => self.draw_in(&pass.mode(Affine), canvas, projection),
             Mode::Linear => self.draw_in(&pass.mode(Linear), canvas, projection),
@@ -234,6 +241,25 @@ impl Scene {
         }
     }
 
+    fn draw_with_depth<K: Kind>(
+        &self,
+        canvas: Canvas<'_, Gray8, Native, NoDepth>,
+        depths: &mut [u16],
+        projection: Projection<K>,
+    ) {
+        match self.depth {
+            Format::Linear => self.draw(&mut canvas.with_depth(depths).unwrap(), projection),
+            Format::Float => {
+                let canvas = canvas.with_depth_format::<Float>(depths);
+                self.draw(&mut canvas.unwrap(), projection);
+            }
+            Format::WideFloat => {
+                let canvas = canvas.with_depth_format::<WideFloat>(depths);
+                self.draw(&mut canvas.unwrap(), projection);
+            }
+        }
+    }
+
     /// Draws the frame, and the frame in bands, and compares all bits of both.
     fn check<K: ProjectionKind>(
         &self,
@@ -249,27 +275,16 @@ impl Scene {
         };
         let (mut colors, mut depths) = blank();
         let canvas = Canvas::new(&mut colors, width, height).unwrap();
-        if self.is_float {
-            self.draw(
-                &mut canvas.with_float_depth(&mut depths).unwrap(),
-                projection,
-            );
-        } else {
-            self.draw(&mut canvas.with_depth(&mut depths).unwrap(), projection);
-        }
+        self.draw_with_depth(canvas, &mut depths, projection);
 
         let (mut band_colors, mut band_depths) = blank();
-        let strip = (width * self.rows) as usize;
-        let strips = band_colors
-            .chunks_mut(strip)
-            .zip(band_depths.chunks_mut(strip));
-        for (first_row, (colors, depths)) in (0..height).step_by(self.rows as usize).zip(strips) {
+        let band = (width * self.rows) as usize;
+        let bands = band_colors
+            .chunks_mut(band)
+            .zip(band_depths.chunks_mut(band));
+        for (first_row, (colors, depths)) in (0..height).step_by(self.rows as usize).zip(bands) {
             let canvas = Canvas::band(colors, width, height, first_row).unwrap();
-            if self.is_float {
-                self.draw(&mut canvas.with_float_depth(depths).unwrap(), projection);
-            } else {
-                self.draw(&mut canvas.with_depth(depths).unwrap(), projection);
-            }
+            self.draw_with_depth(canvas, depths, projection);
         }
         prop_assert_eq!(colors, band_colors);
         prop_assert_eq!(depths, band_depths);

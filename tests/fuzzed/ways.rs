@@ -239,7 +239,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         self.draw(&mut canvas, pass, shader);
         assert!(canvas.pixels().eq(colors.iter().copied()));
         let sent = colors.iter().flat_map(|color| color.to_be_bytes());
-        assert!(canvas.bytes().iter().copied().eq(sent));
+        assert!(canvas.as_bytes().iter().copied().eq(sent));
 
         let mut bytes = vec![LittleEndian::store(BACKGROUND); colors.len()];
         let mut canvas = Canvas::little_endian(&mut bytes, width, height).unwrap();
