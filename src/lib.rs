@@ -18,8 +18,8 @@
 //!
 //! // Made while compiling, in flash: a shape, or include_obj!("model.obj"); texels, or include_bytes!.
 //! static MODEL: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
-//! static SKIN: Texture<Rgb565, 2, 2> =
-//!     Texture::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x00, 0x1f, 0xff, 0xff]);
+//! static SKIN: TextureArray<Rgb565, 2, 2> =
+//!     TextureArray::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x00, 0x1f, 0xff, 0xff]);
 //!
 //! fn frame(now_ms: u64, display: &mut MockDisplay<Rgb565>) -> Result<(), Error> {
 //!     let projection = Projection::perspective(
@@ -168,6 +168,7 @@ mod error;
 pub mod guide;
 pub mod math;
 pub mod mesh;
+mod message;
 pub mod num;
 mod pipeline;
 mod raster;
@@ -175,6 +176,7 @@ pub mod shade;
 pub mod span;
 pub use span as mode;
 pub mod target;
+pub mod texture;
 pub mod view;
 
 pub use error::{Error, Given};
@@ -184,9 +186,10 @@ pub use num::{Angle, Rate, Scalar, Spin, TexCoord, Unit};
 pub use pipeline::{Cull, DrawOptions, Drawn, Place, Prepared, TriangleList};
 pub use shade::{
     Converted, DepthView, FaceColors, Flat, Fragment, Gouraud, Levels, Light, Lit, LitFaces,
-    LitTexture, Modulated, NormalView, Palette, Shader, Texture, Textured,
+    LitTexture, Modulated, NormalView, Shader, Textured,
 };
 pub use target::Canvas;
+pub use texture::{PaletteArray, TextureArray};
 pub use view::{Aspect, Camera, Mvp, Projection, Viewport};
 
 /// The program in the README works.
@@ -206,7 +209,7 @@ pub mod prelude {
     };
     pub use crate::{
         Converted, DepthView, FaceColors, Flat, Gouraud, Levels, Light, Lit, LitFaces, LitTexture,
-        Modulated, NormalView, Palette, Texture, Textured,
+        Modulated, NormalView, PaletteArray, TextureArray, Textured,
     };
     pub use crate::{fx, include_obj, shape, vec2, vec3};
 }

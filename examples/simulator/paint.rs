@@ -3,9 +3,10 @@
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
 use fixel::prelude::*;
-use fixel::shade::{Blend, Channels, Levels};
+use fixel::shade::{Channels, Levels};
 use fixel::shade::{Converted, DepthView, Flat, Lit, LitFaces, NormalView, Textured};
 use fixel::target::{DepthBuffer, Native};
+use fixel::texture::Blend;
 use fixel::{Drawn, Mesh};
 
 use super::mode::{Mode, in_mode};

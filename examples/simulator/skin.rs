@@ -6,7 +6,7 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{PixelColor, Rgb565, Rgb888, RgbColor};
 use fixel::mode::Tolerance;
 use fixel::prelude::*;
-use fixel::shade::Sampler;
+use fixel::texture::Sampler;
 use image::imageops::FilterType;
 use image::{ImageReader, RgbImage};
 
@@ -51,7 +51,7 @@ impl Skin {
     }
 
     /// A texture that is compiled in.
-    pub fn of<const W: usize, const H: usize>(texture: &Texture<Rgb565, W, H>) -> Self {
+    pub fn of<const W: usize, const H: usize>(texture: &TextureArray<Rgb565, W, H>) -> Self {
         let bytes = texture.texels().as_flattened().iter().flat_map(|&texel| {
             let color = Rgb888::from(texel);
             [color.r(), color.g(), color.b()]
@@ -117,8 +117,16 @@ impl<C> Texels<C> {
 /// those that there are by [`Scaled`].
 impl<C: PixelColor> Sampler for &Texels<C> {
     type Color = C;
-    const WIDTH_LOG2: u32 = MOST_LOG2;
-    const HEIGHT_LOG2: u32 = MOST_LOG2;
+
+    #[inline]
+    fn width_log2(&self) -> u32 {
+        MOST_LOG2
+    }
+
+    #[inline]
+    fn height_log2(&self) -> u32 {
+        MOST_LOG2
+    }
 
     #[inline]
     fn texel(&self, u: i32, v: i32) -> C {

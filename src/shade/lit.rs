@@ -209,7 +209,7 @@ impl<C: Levels> Shader<0> for LitFaces<C> {
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, GrayColor}};
 /// use fixel::prelude::*;
-/// static SKIN: Texture<Gray8, 2, 2> = Texture::gray8(&[0x88, 0xee, 0x44, 0xaa]);
+/// static SKIN: TextureArray<Gray8, 2, 2> = TextureArray::gray8(&[0x88, 0xee, 0x44, 0xaa]);
 /// static SQUARE: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
@@ -253,13 +253,13 @@ where
 
     #[inline]
     fn varyings(&self, vertex: &Corner<'_>) -> [i32; 3] {
-        let [u, v] = Textured::<S, A, F>::coordinates(vertex);
+        let [u, v] = self.texture.coordinates(vertex);
         [u, v, self.light.brightness(vertex.normal())]
     }
 
     #[inline]
     fn face(self, corners: &mut [[i32; 3]; 3], face: &Face<'_>) -> Self {
-        Textured::<S, A, F>::place(corners, face);
+        self.texture.place(corners, face);
         self
     }
 
@@ -271,9 +271,9 @@ where
 
 #[cfg(test)]
 mod tests {
-    use super::super::Texture;
     use super::super::trial::{IDENTITY, count, face, scale, shade};
     use super::*;
+    use crate::texture::TextureArray;
     use crate::{Mesh, fx, vec2, vec3};
     use embedded_graphics::pixelcolor::{Gray8, Rgb565, RgbColor};
 
@@ -325,7 +325,7 @@ mod tests {
 
     #[test]
     fn textures_are_lit() {
-        let skin = Texture::from_texels([[Rgb565::WHITE, Rgb565::new(20, 40, 4)]]);
+        let skin = TextureArray::from_texels([[Rgb565::WHITE, Rgb565::new(20, 40, 4)]]);
         let uvs = [vec2!(2.5, 0), vec2!(2.5, 0), vec2!(2, 0)];
         let mesh = mesh().with_normals(&NORMALS, None).unwrap();
         let mesh = mesh.with_uvs(&uvs, None).unwrap();

@@ -15,39 +15,31 @@
 //!
 //! Any of them is turned into another colour format, dithered where it is coarse, by [`Converted`].
 
-mod blend;
 mod converted;
 mod dither;
-mod filter;
 mod flat;
 mod gouraud;
 mod levels;
 mod light;
 mod lit;
 mod modulated;
-mod palette;
 mod pose;
-mod sampler;
 mod shader;
-mod texture;
 mod textured;
 mod views;
 
 #[cfg(test)]
 mod trial;
 
-pub use blend::Blend;
 pub use converted::Converted;
-pub use filter::{Bilinear, Filter, Nearest};
 pub use flat::{FaceColors, Flat};
 pub use gouraud::Gouraud;
 pub use levels::{Channels, Levels};
 pub use light::Light;
 pub use lit::{Lit, LitFaces, LitTexture};
 pub use modulated::Modulated;
-pub use palette::Palette;
-pub use sampler::{MAX_TEXTURE_SIZE, Sampler};
 pub use shader::{Fragment, Shader};
-pub use texture::Texture;
 pub use textured::{Addressing, Clamp, Repeat, Textured};
 pub use views::{DepthView, NormalView};
+
+use crate::texture::{Bilinear, Blend, Filter, Nearest, Sampler};

@@ -13,7 +13,7 @@ use crate::span::Tolerance;
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888, RgbColor}};
 /// use fixel::prelude::*;
-/// static SKIN: Texture<Rgb565, 2, 1> = Texture::from_texels([[Rgb565::YELLOW, Rgb565::BLUE]]);
+/// static SKIN: TextureArray<Rgb565, 2, 1> = TextureArray::from_texels([[Rgb565::YELLOW, Rgb565::BLUE]]);
 /// static SQUARE: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
@@ -58,14 +58,14 @@ macro_rules! modulated {
 
             #[inline]
             fn varyings(&self, vertex: &Corner<'_>) -> [i32; $n] {
-                let [u, v] = Textured::<S, A, F>::coordinates(vertex);
+                let [u, v] = self.texture.coordinates(vertex);
                 let [$($channel),+] = first(S::Color::fractions(vertex.color()));
                 [u, v, $($channel),+]
             }
 
             #[inline]
             fn face(self, corners: &mut [[i32; $n]; 3], face: &Face<'_>) -> Self {
-                Textured::<S, A, F>::place(corners, face);
+                self.texture.place(corners, face);
                 self
             }
 
@@ -83,9 +83,10 @@ modulated!(3 1 l);
 
 #[cfg(test)]
 mod tests {
+    use super::super::Converted;
     use super::super::trial::{IDENTITY, count, face, shade};
-    use super::super::{Converted, Texture};
     use super::*;
+    use crate::texture::TextureArray;
     use crate::{Mesh, Vec3, vec2};
     use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888, RgbColor};
 
@@ -93,7 +94,7 @@ mod tests {
 
     #[test]
     fn texels_are_filtered_by_the_vertex_colour() {
-        let skin = Texture::from_texels([[Rgb565::WHITE, Rgb565::new(20, 21, 22)]]);
+        let skin = TextureArray::from_texels([[Rgb565::WHITE, Rgb565::new(20, 21, 22)]]);
         let uvs = [vec2!(7.5, 0), vec2!(7.5, 0), vec2!(7, 0)];
         let colors = [
             Rgb888::WHITE,
@@ -117,11 +118,11 @@ mod tests {
 
     #[test]
     fn the_number_of_varyings_follows_from_the_colour() {
-        let skin = Texture::from_texels([[Rgb565::WHITE]]);
+        let skin = TextureArray::from_texels([[Rgb565::WHITE]]);
         let shader = Textured::new(&skin).modulated();
         assert_eq!(count(&shader), 5);
         assert_eq!(count(&Converted::<_, BinaryColor>::new(shader)), 5);
-        let skin = Texture::from_texels([[Gray8::new(200)]]);
+        let skin = TextureArray::from_texels([[Gray8::new(200)]]);
         let shader = Textured::new(&skin).clamped().modulated();
         assert_eq!(count(&shader), 3);
         assert_eq!(shade(&shader, [0, 0, 1 << 15]), Gray8::new(100));

@@ -22,7 +22,7 @@ use crate::span::Tolerance;
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, GrayColor}};
 /// use fixel::prelude::*;
-/// static SKIN: Texture<Gray8, 2, 2> = Texture::gray8(&[0x11, 0x22, 0x33, 0x44]);
+/// static SKIN: TextureArray<Gray8, 2, 2> = TextureArray::gray8(&[0x11, 0x22, 0x33, 0x44]);
 /// static SQUARE: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
@@ -49,7 +49,7 @@ pub struct Textured<S, A = Repeat, F = Nearest> {
 /// use fixel::shade::Addressing;
 ///
 /// /// Takes any texture of a size, whichever way it goes on beyond its edges.
-/// fn skin<A: Addressing>(textured: Textured<&Texture<Rgb565, 64, 64>, A>) {
+/// fn skin<A: Addressing>(textured: Textured<&TextureArray<Rgb565, 64, 64>, A>) {
 ///     let _ = textured;
 /// }
 /// ```
@@ -78,7 +78,7 @@ mod sealed {
 /// ```
 /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
 /// use fixel::{prelude::*, shade::Repeat};
-/// static SKIN: Texture<Gray8, 2, 1> = Texture::gray8(&[10, 20]);
+/// static SKIN: TextureArray<Gray8, 2, 1> = TextureArray::gray8(&[10, 20]);
 /// let skin: Textured<_, Repeat> = Textured::new(&SKIN);
 /// let pixel = Fragment { point: Point::zero(), depth: 0 };
 /// let texels = [-1, 0, 1, 2, 3].map(|column| skin.shade(&pixel, [column << 16, 0]));
@@ -92,7 +92,7 @@ pub struct Repeat;
 /// ```
 /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
 /// use fixel::{prelude::*, shade::Clamp};
-/// static SKIN: Texture<Gray8, 2, 1> = Texture::gray8(&[10, 20]);
+/// static SKIN: TextureArray<Gray8, 2, 1> = TextureArray::gray8(&[10, 20]);
 /// let skin: Textured<_, Clamp> = Textured::new(&SKIN).clamped();
 /// let pixel = Fragment { point: Point::zero(), depth: 0 };
 /// let texels = [-1, 0, 1, 2, 3].map(|column| skin.shade(&pixel, [column << 16, 0]));
@@ -154,7 +154,7 @@ impl Addressing for Clamp {
 }
 
 impl<S: Sampler> Textured<S> {
-    /// A shader of a repeating texture, usually of a reference to a [`Texture`](super::Texture).
+    /// A shader of a repeating texture, usually of a reference to a [`Texture`](crate::Texture).
     #[must_use]
     pub const fn new(sampler: S) -> Self {
         Self {
@@ -183,7 +183,7 @@ impl<S: Sampler, A: Addressing> Textured<S, A> {
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, GrayColor}};
     /// use fixel::prelude::*;
-    /// static SKIN: Texture<Gray8, 2, 2> = Texture::gray8(&[0x00, 0x88, 0x88, 0xff]);
+    /// static SKIN: TextureArray<Gray8, 2, 2> = TextureArray::gray8(&[0x00, 0x88, 0x88, 0xff]);
     /// static SQUARE: Mesh = shape!(plane(1, 1));
     /// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
     /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
@@ -223,18 +223,21 @@ impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Textured<S, A, F> {
 
     /// Column and row at a vertex, in texels with 16 fraction bits.
     #[inline]
-    pub(super) fn coordinates(vertex: &Corner<'_>) -> [i32; 2] {
+    pub(super) fn coordinates(&self, vertex: &Corner<'_>) -> [i32; 2] {
         let [u, v] = vertex.uv().to_bits().map(i64::from);
-        [texels(u, S::WIDTH_LOG2), texels(v, S::HEIGHT_LOG2)]
+        [
+            texels(u, self.sampler.width_log2()),
+            texels(v, self.sampler.height_log2()),
+        ]
     }
 
     /// Moves the first two varyings of a triangle's corners to where they are small.
     #[inline]
-    pub(super) fn place<const N: usize>(corners: &mut [[i32; N]; 3], face: &Face<'_>) {
+    pub(super) fn place<const N: usize>(&self, corners: &mut [[i32; N]; 3], face: &Face<'_>) {
         // From the mesh, not from the corners: those may be saturated.
         let uvs = face.uvs();
-        let us = A::texels(uvs.map(|uv| uv.x.to_bits()), S::WIDTH_LOG2);
-        let vs = A::texels(uvs.map(|uv| uv.y.to_bits()), S::HEIGHT_LOG2);
+        let us = A::texels(uvs.map(|uv| uv.x.to_bits()), self.sampler.width_log2());
+        let vs = A::texels(uvs.map(|uv| uv.y.to_bits()), self.sampler.height_log2());
         for (corner, (at_u, at_v)) in corners.iter_mut().zip(us.into_iter().zip(vs)) {
             if let [u, v, ..] = &mut corner[..] {
                 (*u, *v) = (at_u, at_v);
@@ -256,12 +259,12 @@ impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Shader<2> for Textured<S, A
 
     #[inline]
     fn varyings(&self, vertex: &Corner<'_>) -> [i32; 2] {
-        Self::coordinates(vertex)
+        self.coordinates(vertex)
     }
 
     #[inline]
     fn face(self, corners: &mut [[i32; 2]; 3], face: &Face<'_>) -> Self {
-        Self::place(corners, face);
+        self.place(corners, face);
         self
     }
 
@@ -273,14 +276,14 @@ impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Shader<2> for Textured<S, A
 
 #[cfg(test)]
 mod tests {
-    use super::super::Texture;
     use super::super::trial::{IDENTITY, edge, face, shade};
     use super::*;
+    use crate::texture::TextureArray;
     use crate::{Mesh, Vec2, Vec3, vec2};
     use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 
     /// Four columns and two rows; a texel is its column plus ten times its row.
-    static SKIN: Texture<Gray8, 4, 2> = Texture::gray8(&[0, 1, 2, 3, 10, 11, 12, 13]);
+    static SKIN: TextureArray<Gray8, 4, 2> = TextureArray::gray8(&[0, 1, 2, 3, 10, 11, 12, 13]);
     static POSITIONS: [Vec3; 3] = [Vec3::ZERO, Vec3::X, Vec3::Y];
 
     fn mesh(uvs: &[Vec2; 3]) -> Mesh<'_> {
@@ -291,7 +294,7 @@ mod tests {
     }
 
     fn corners<A: Addressing>(
-        skin: Textured<&'static Texture<Gray8, 4, 2>, A>,
+        skin: Textured<&'static TextureArray<Gray8, 4, 2>, A>,
         uvs: [Vec2; 3],
     ) -> [[i32; 2]; 3] {
         face(skin, &IDENTITY, &mesh(&uvs), 0).1

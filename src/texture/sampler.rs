@@ -4,12 +4,12 @@ use embedded_graphics::pixelcolor::PixelColor;
 
 /// Texels by column and row, repeated in both directions, of a size that is a power of two.
 ///
-/// Implemented for references to [`Texture`](super::Texture), [`Palette`](super::Palette) and
+/// Implemented for references to [`Texture`](crate::Texture), [`Palette`](crate::Palette) and
 /// plain rows of texels, for texels that are read at run time:
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb888;
-/// use fixel::shade::Sampler;
+/// use fixel::texture::Sampler;
 /// let rows: Vec<[Rgb888; 256]> = (0..=255).map(|y| [Rgb888::new(y, 0, 0); 256]).collect();
 /// let image: &[[Rgb888; 256]; 256] = rows.as_slice().try_into().unwrap();
 /// assert_eq!(image.texel(0, 3), Rgb888::new(3, 0, 0));
@@ -19,7 +19,7 @@ use embedded_graphics::pixelcolor::PixelColor;
 /// Another size does not compile:
 ///
 /// ```compile_fail
-/// use fixel::shade::Sampler;
+/// use fixel::texture::Sampler;
 /// use embedded_graphics::pixelcolor::Gray8;
 /// let image = [[Gray8::new(0); 100]; 64];
 /// let _ = (&image).texel(0, 0);
@@ -29,10 +29,10 @@ pub trait Sampler: Copy {
     type Color: PixelColor;
 
     /// The width is 2 to this power; at most 15.
-    const WIDTH_LOG2: u32;
+    fn width_log2(&self) -> u32;
 
     /// The height is 2 to this power; at most 15.
-    const HEIGHT_LOG2: u32;
+    fn height_log2(&self) -> u32;
 
     /// The texel of column `u` and row `v`, (0, 0) being the top left one, each taken modulo the size.
     fn texel(&self, u: i32, v: i32) -> Self::Color;
@@ -66,8 +66,15 @@ pub(super) fn wrapped<T: Copy, const W: usize, const H: usize>(
 impl<C: PixelColor, const W: usize, const H: usize> Sampler for &[[C; W]; H] {
     type Color = C;
 
-    const WIDTH_LOG2: u32 = log2(W);
-    const HEIGHT_LOG2: u32 = log2(H);
+    #[inline]
+    fn width_log2(&self) -> u32 {
+        const { log2(W) }
+    }
+
+    #[inline]
+    fn height_log2(&self) -> u32 {
+        const { log2(H) }
+    }
 
     #[inline]
     fn texel(&self, u: i32, v: i32) -> C {

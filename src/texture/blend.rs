@@ -10,11 +10,11 @@ use embedded_graphics::pixelcolor::{
 ///
 /// Implemented for [`Gray8`] and the RGB and BGR colours of embedded-graphics. Coarser greys have no
 /// colours between to speak of: keep such a texture in [`Gray8`], and let
-/// [`Converted`](super::Converted) dither what comes out.
+/// [`Converted`](crate::Converted) dither what comes out.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-/// use fixel::shade::Blend;
+/// use fixel::texture::Blend;
 /// let quad = [[Rgb565::BLACK, Rgb565::RED], [Rgb565::BLACK, Rgb565::RED]];
 /// // A quarter of the way to the right, in 32nds.
 /// assert_eq!(Rgb565::blend(quad, [8, 0]), Rgb565::new(8, 0, 0));

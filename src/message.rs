@@ -47,7 +47,7 @@ impl Message {
 /// # Panics
 ///
 /// If it is an error, in words as close to the error's own as a const fn can put them.
-pub(super) const fn checked<T: Copy>(result: Result<T, Error>, name: &str) -> T {
+pub(crate) const fn checked<T: Copy>(result: Result<T, Error>, name: &str) -> T {
     let message = Message {
         bytes: [0; ROOM],
         len: 0,

@@ -2,18 +2,19 @@
 
 use embedded_graphics::pixelcolor::PixelColor;
 
+use super::Sampler;
 use super::blend::Blend;
-use super::{Addressing, Sampler};
+use crate::shade::Addressing;
 
 /// What colour a texture has between the centres of its texels: [`Nearest`] or [`Bilinear`].
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
 /// use fixel::prelude::*;
-/// use fixel::shade::{Filter, Repeat};
+/// use fixel::{shade::Repeat, texture::Filter};
 ///
 /// /// Takes a texture of a size, however it is filtered.
-/// fn skin<F: Filter<Rgb565>>(textured: Textured<&Texture<Rgb565, 64, 64>, Repeat, F>) {
+/// fn skin<F: Filter<Rgb565>>(textured: Textured<&TextureArray<Rgb565, 64, 64>, Repeat, F>) {
 ///     let _ = textured;
 /// }
 /// ```
@@ -33,8 +34,8 @@ mod sealed {
 ///
 /// ```
 /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
-/// use fixel::{prelude::*, shade::{Nearest, Repeat}};
-/// static SKIN: Texture<Gray8, 2, 1> = Texture::gray8(&[10, 20]);
+/// use fixel::{prelude::*, shade::Repeat, texture::Nearest};
+/// static SKIN: TextureArray<Gray8, 2, 1> = TextureArray::gray8(&[10, 20]);
 /// let skin: Textured<_, Repeat, Nearest> = Textured::new(&SKIN);
 /// let pixel = Fragment { point: Point::zero(), depth: 0 };
 /// // In quarters of a texel.
@@ -45,17 +46,17 @@ mod sealed {
 pub struct Nearest;
 
 /// Blended of the four texels around, by how near their centres are: smooth where a texture is magnified.
-/// Asked for by [`Textured::bilinear`](super::Textured::bilinear).
+/// Asked for by [`Textured::bilinear`](crate::Textured::bilinear).
 ///
 /// Centres are at halves: a texture's first texel is itself half a texel from its corner. Beyond the
 /// centres at the edge a repeating texture is blended with the other edge, a
-/// [`clamped`](super::Textured::clamped) one goes on with the texels of the edge. Where a texture is
+/// [`clamped`](crate::Textured::clamped) one goes on with the texels of the edge. Where a texture is
 /// made smaller, it flickers as with [`Nearest`]: there are no mipmaps.
 ///
 /// ```
 /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
-/// use fixel::{prelude::*, shade::{Bilinear, Clamp}};
-/// static SKIN: Texture<Gray8, 2, 1> = Texture::gray8(&[10, 20]);
+/// use fixel::{prelude::*, shade::Clamp, texture::Bilinear};
+/// static SKIN: TextureArray<Gray8, 2, 1> = TextureArray::gray8(&[10, 20]);
 /// let skin: Textured<_, Clamp, Bilinear> = Textured::new(&SKIN).clamped().bilinear();
 /// let pixel = Fragment { point: Point::zero(), depth: 0 };
 /// // In quarters of a texel.
@@ -81,7 +82,7 @@ pub struct Nearest;
 /// |---|---:|---:|---:|---:|
 /// | Rgb565 | 43 to 48 | 63 to 68 | 112 | 140 |
 /// | Rgb565, clamped | 55 to 57 | 81 to 86 | | |
-/// | Rgb565 of a [`Palette`](super::Palette) | 49 to 51 | 71 to 98 | | |
+/// | Rgb565 of a [`Palette`](super::PaletteArray) | 49 to 51 | 71 to 98 | | |
 /// | Rgb888 | 60 to 65 | 97 to 111 | 164 | 200 |
 /// | Gray8 | 32 to 33 | 41 to 47 | 76 | 88 |
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,8 +92,8 @@ impl<C: PixelColor> Filter<C> for Nearest {
     #[inline]
     fn color<S: Sampler<Color = C>, A: Addressing>(sampler: &S, [u, v]: [i32; 2]) -> C {
         sampler.texel(
-            A::index(u >> 16, S::WIDTH_LOG2),
-            A::index(v >> 16, S::HEIGHT_LOG2),
+            A::index(u >> 16, sampler.width_log2()),
+            A::index(v >> 16, sampler.height_log2()),
         )
     }
 }
@@ -106,8 +107,8 @@ impl<C: Blend> Filter<C> for Bilinear {
                 "weights must have 1 to 15 bits"
             );
         }
-        let ([left, right], x) = between::<A>(u, S::WIDTH_LOG2, C::WEIGHT_BITS);
-        let ([upper, lower], y) = between::<A>(v, S::HEIGHT_LOG2, C::WEIGHT_BITS);
+        let ([left, right], x) = between::<A>(u, sampler.width_log2(), C::WEIGHT_BITS);
+        let ([upper, lower], y) = between::<A>(v, sampler.height_log2(), C::WEIGHT_BITS);
         let row = |v| [sampler.texel(left, v), sampler.texel(right, v)];
         C::blend([row(upper), row(lower)], [x, y])
     }

@@ -7,13 +7,13 @@ use super::sampler::{log2, wrapped};
 
 /// `H` rows of `W` indices into 256 colours: a texture in a byte per texel, whatever its colour.
 ///
-/// Sizes as for [`Texture`](super::Texture).
+/// Sizes as for [`Texture`](crate::Texture).
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
 /// use fixel::prelude::*;
-/// static TILES: Palette<Rgb565, 2, 2> =
-///     Palette::new(&[0, 1, 1, 2], &[Rgb565::BLACK, Rgb565::RED, Rgb565::WHITE]);
+/// static TILES: PaletteArray<Rgb565, 2, 2> =
+///     PaletteArray::new(&[0, 1, 1, 2], &[Rgb565::BLACK, Rgb565::RED, Rgb565::WHITE]);
 /// static SQUARE: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
@@ -31,15 +31,15 @@ use super::sampler::{log2, wrapped};
 /// ```compile_fail
 /// # use embedded_graphics::pixelcolor::Rgb565;
 /// # use fixel::prelude::*;
-/// static TILES: Palette<Rgb565, 2, 2> = Palette::new(&[0, 1, 1], &[Rgb565::new(0, 0, 0)]);
+/// static TILES: PaletteArray<Rgb565, 2, 2> = PaletteArray::new(&[0, 1, 1], &[Rgb565::new(0, 0, 0)]);
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Palette<C, const W: usize, const H: usize> {
+pub struct PaletteArray<C, const W: usize, const H: usize> {
     indices: [[u8; W]; H],
     colors: [C; 256],
 }
 
-impl<C: Copy, const W: usize, const H: usize> Palette<C, W, H> {
+impl<C: Copy, const W: usize, const H: usize> PaletteArray<C, W, H> {
     /// A texture of indices, row by row from the top, and of up to 256 colours; indices beyond
     /// those mean the last one.
     #[must_use]
@@ -89,11 +89,18 @@ impl<C: Copy, const W: usize, const H: usize> Palette<C, W, H> {
     }
 }
 
-impl<C: PixelColor, const W: usize, const H: usize> Sampler for &Palette<C, W, H> {
+impl<C: PixelColor, const W: usize, const H: usize> Sampler for &PaletteArray<C, W, H> {
     type Color = C;
 
-    const WIDTH_LOG2: u32 = log2(W);
-    const HEIGHT_LOG2: u32 = log2(H);
+    #[inline]
+    fn width_log2(&self) -> u32 {
+        const { log2(W) }
+    }
+
+    #[inline]
+    fn height_log2(&self) -> u32 {
+        const { log2(H) }
+    }
 
     #[inline]
     fn texel(&self, u: i32, v: i32) -> C {
@@ -108,7 +115,8 @@ mod tests {
 
     #[test]
     fn indices_beyond_the_colours_mean_the_last() {
-        let palette: Palette<_, 2, 1> = Palette::new(&[1, 255], &[Gray8::new(5), Gray8::new(6)]);
+        let palette: PaletteArray<_, 2, 1> =
+            PaletteArray::new(&[1, 255], &[Gray8::new(5), Gray8::new(6)]);
         assert_eq!((&palette).texel(0, 7), Gray8::new(6));
         assert_eq!((&palette).texel(-1, 0), Gray8::new(6));
         let palette = palette.with_colors([Gray8::new(9); 256]);

@@ -24,11 +24,11 @@ use crate::Error;
 /// use embedded_graphics::pixelcolor::{Gray4, Rgb565};
 /// use fixel::prelude::*;
 /// // Usually of include_bytes!("skin.rgb565").
-/// static SKIN: Texture<Rgb565, 2, 1> = Texture::rgb565(&[0xf8, 0x00, 0x00, 0x1f]);
-/// static SAME: Texture<Rgb565, 2, 1> = Texture::rgb565_le(&[0x00, 0xf8, 0x1f, 0x00]);
+/// static SKIN: TextureArray<Rgb565, 2, 1> = TextureArray::rgb565(&[0xf8, 0x00, 0x00, 0x1f]);
+/// static SAME: TextureArray<Rgb565, 2, 1> = TextureArray::rgb565_le(&[0x00, 0xf8, 0x1f, 0x00]);
 /// assert_eq!(SKIN.texels(), &[[Rgb565::new(31, 0, 0), Rgb565::new(0, 0, 31)]]);
 /// assert_eq!(SKIN, SAME);
-/// static GRAY: Texture<Gray4, 2, 2> = Texture::gray4(&[0x12, 0x34]);
+/// static GRAY: TextureArray<Gray4, 2, 2> = TextureArray::gray4(&[0x12, 0x34]);
 /// assert_eq!(GRAY.texels(), &[[Gray4::new(1), Gray4::new(2)], [Gray4::new(3), Gray4::new(4)]]);
 /// ```
 ///
@@ -38,19 +38,19 @@ use crate::Error;
 /// ```compile_fail
 /// # use embedded_graphics::pixelcolor::Rgb565;
 /// # use fixel::prelude::*;
-/// static SKIN: Texture<Rgb565, 2, 1> = Texture::rgb565(&[0; 5]);
+/// static SKIN: TextureArray<Rgb565, 2, 1> = TextureArray::rgb565(&[0; 5]);
 /// ```
 /// ```compile_fail
 /// # use embedded_graphics::pixelcolor::Rgb565;
 /// # use fixel::prelude::*;
-/// static SKIN: Texture<Rgb565, 3, 1> = Texture::rgb565(&[0; 6]);
+/// static SKIN: TextureArray<Rgb565, 3, 1> = TextureArray::rgb565(&[0; 6]);
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Texture<C, const W: usize, const H: usize> {
+pub struct TextureArray<C, const W: usize, const H: usize> {
     texels: [[C; W]; H],
 }
 
-impl<C: Copy, const W: usize, const H: usize> Texture<C, W, H> {
+impl<C: Copy, const W: usize, const H: usize> TextureArray<C, W, H> {
     /// A texture of these rows.
     #[must_use]
     pub const fn from_texels(texels: [[C; W]; H]) -> Self {
@@ -65,7 +65,7 @@ impl<C: Copy, const W: usize, const H: usize> Texture<C, W, H> {
     }
 }
 
-impl<C, const W: usize, const H: usize> Texture<C, W, H>
+impl<C, const W: usize, const H: usize> TextureArray<C, W, H>
 where
     C: PixelColor + From<C::Raw>,
 {
@@ -75,7 +75,7 @@ where
     /// ```
     /// use embedded_graphics::pixelcolor::{raw::LittleEndian, Rgb565};
     /// use fixel::prelude::*;
-    /// type Skin = Texture<Rgb565, 2, 1>;
+    /// type Skin = TextureArray<Rgb565, 2, 1>;
     /// let skin = Skin::try_from_raw::<LittleEndian>(&[0x00, 0xf8, 0x1f, 0x00])?;
     /// assert_eq!(skin.texels()[0][0], Rgb565::new(31, 0, 0));
     /// let error = Skin::try_from_raw::<LittleEndian>(&[0; 3]).unwrap_err();
@@ -109,11 +109,18 @@ where
     }
 }
 
-impl<C: PixelColor, const W: usize, const H: usize> Sampler for &Texture<C, W, H> {
+impl<C: PixelColor, const W: usize, const H: usize> Sampler for &TextureArray<C, W, H> {
     type Color = C;
 
-    const WIDTH_LOG2: u32 = log2(W);
-    const HEIGHT_LOG2: u32 = log2(H);
+    #[inline]
+    fn width_log2(&self) -> u32 {
+        const { log2(W) }
+    }
+
+    #[inline]
+    fn height_log2(&self) -> u32 {
+        const { log2(H) }
+    }
 
     #[inline]
     fn texel(&self, u: i32, v: i32) -> C {
@@ -175,7 +182,7 @@ macro_rules! constructor {
 /// RGB colours: bytes, and positions of the channels as embedded-graphics has them.
 macro_rules! rgb {
     ($($color:ident $be:ident $le:ident $bytes:literal $r:literal $g:literal $b:literal;)+) => {$(
-        impl<const W: usize, const H: usize> Texture<$color, W, H> {
+        impl<const W: usize, const H: usize> TextureArray<$color, W, H> {
             const fn color(raw: u32) -> $color {
                 // `new` masks what is above the channel.
                 $color::new((raw >> $r) as u8, (raw >> $g) as u8, (raw >> $b) as u8)
@@ -205,7 +212,7 @@ rgb! {
 /// Colours of a byte and less.
 macro_rules! packed {
     ($($color:ident $name:ident $bits:literal |$raw:ident| $new:expr;)+) => {$(
-        impl<const W: usize, const H: usize> Texture<$color, W, H> {
+        impl<const W: usize, const H: usize> TextureArray<$color, W, H> {
             const fn color($raw: u8) -> $color {
                 $new
             }
@@ -250,13 +257,13 @@ mod tests {
                     raw.copy_from_slice(BYTES.split_at(N).0);
                     raw
                 };
-                const TEXTURE: Texture<$color, 8, 4> = Texture::$from(&RAW);
+                const TEXTURE: TextureArray<$color, 8, 4> = TextureArray::$from(&RAW);
                 let image = ImageRaw::<$color, $order>::new(&RAW, 8);
                 for (at, v, u) in (0..32).map(|i| (Point::new(i % 8, i / 8), i / 8, i % 8)) {
                     assert_eq!(Some((&TEXTURE).texel(u, v)), image.pixel(at), "{at}");
                 }
-                assert_eq!(Texture::<$color, 8, 4>::try_from_raw::<$order>(&RAW), Ok(TEXTURE));
-                let short = Texture::<$color, 8, 4>::try_from_raw::<$order>(&RAW[1..]);
+                assert_eq!(TextureArray::<$color, 8, 4>::try_from_raw::<$order>(&RAW), Ok(TEXTURE));
+                let short = TextureArray::<$color, 8, 4>::try_from_raw::<$order>(&RAW[1..]);
                 assert_eq!(short, Err(Error::Length { given: N - 1, needed: N }));
             })+};
         }
@@ -283,7 +290,7 @@ mod tests {
     #[test]
     fn texels_repeat_in_both_directions() {
         let texture =
-            Texture::from_texels([[0, 1, 2, 3], [4, 5, 6, 7]].map(|row| row.map(Gray8::new)));
+            TextureArray::from_texels([[0, 1, 2, 3], [4, 5, 6, 7]].map(|row| row.map(Gray8::new)));
         let texel = |u, v| (&texture).texel(u, v).luma();
         assert_eq!([texel(0, 0), texel(3, 1), texel(4, 2)], [0, 7, 0]);
         assert_eq!([texel(-1, -1), texel(i32::MIN, i32::MAX)], [7, 4]);
@@ -291,7 +298,7 @@ mod tests {
 
     #[test]
     fn as_large_as_documented() {
-        const LARGE: Texture<Rgb565, 512, 512> = Texture::rgb565(&[0x12; 512 * 512 * 2]);
+        const LARGE: TextureArray<Rgb565, 512, 512> = TextureArray::rgb565(&[0x12; 512 * 512 * 2]);
         assert_eq!((&LARGE).texel(511, 511), Rgb565::new(2, 16, 18));
     }
 }
