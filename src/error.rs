@@ -86,6 +86,15 @@ pub enum Error {
         /// Largest width and height allowed, in pixels.
         max: u32,
     },
+    /// A width or height of a texture that is not a power of two, or too large.
+    PowerOfTwo {
+        /// Which of them.
+        of: &'static str,
+        /// Texels as given.
+        given: u32,
+        /// Most allowed.
+        max: u32,
+    },
     /// A viewport too far from its canvas.
     Place {
         /// Column of the left edge as given.
@@ -156,6 +165,22 @@ pub enum Error {
         /// Greatest allowed.
         max: Scalar,
     },
+    /// An image file of a kind that cannot be read.
+    Image {
+        /// The field of its header.
+        of: &'static str,
+        /// Value of the field as given.
+        given: u32,
+        /// The values that can be read.
+        needed: &'static str,
+    },
+    /// An image file that ends before its picture.
+    Truncated {
+        /// Bytes given.
+        given: usize,
+        /// Bytes needed, as its header says.
+        needed: usize,
+    },
     /// OBJ text that cannot be read.
     Obj {
         /// Line, the first being 1.
@@ -219,6 +244,10 @@ impl fmt::Display for Error {
                 f,
                 "size is {width}x{height}: width and height must lie between 1 and {max}"
             ),
+            Self::PowerOfTwo { of, given, max } => write!(
+                f,
+                "{of} is {given}: it must be a power of two, at most {max}"
+            ),
             Self::Place { x, y, max } => write!(
                 f,
                 "viewport is at ({x}, {y}): both must lie between -{max} and {max}"
@@ -263,6 +292,12 @@ impl fmt::Display for Error {
             }
             Self::Extent { of, given, max } => {
                 write!(f, "{of} is {given}: it must be above 0 and at most {max}")
+            }
+            Self::Image { of, given, needed } => {
+                write!(f, "{of} is {given}: it must be {needed}")
+            }
+            Self::Truncated { given, needed } => {
+                write!(f, "file has {given} bytes: it needs at least {needed}")
             }
             Self::Obj { line, problem } => write!(f, "line {line}: {problem}"),
         }

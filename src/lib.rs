@@ -189,7 +189,7 @@ pub use shade::{
     LitTexture, Modulated, NormalView, Shader, Textured,
 };
 pub use target::Canvas;
-pub use texture::{PaletteArray, TextureArray};
+pub use texture::{Palette, PaletteArray, Texture, TextureArray};
 pub use view::{Aspect, Camera, Mvp, Projection, Viewport};
 
 /// The program in the README works.
@@ -209,7 +209,7 @@ pub mod prelude {
     };
     pub use crate::{
         Converted, DepthView, FaceColors, Flat, Gouraud, Levels, Light, Lit, LitFaces, LitTexture,
-        Modulated, NormalView, PaletteArray, TextureArray, Textured,
+        Modulated, NormalView, Palette, PaletteArray, Texture, TextureArray, Textured,
     };
-    pub use crate::{fx, include_obj, shape, vec2, vec3};
+    pub use crate::{fx, include_bmp, include_obj, include_tga, shape, vec2, vec3};
 }

@@ -96,7 +96,7 @@ impl Bench {
             depths,
             lists,
         } = self;
-        let mvp = scene.chain()?;
+        let mvp = scene.mvp()?;
         let (rows, mut figures) = (layout.rows(), Figures::default());
         let models = if let Layout::Prepared = layout {
             let (clock, lists, mvp) = (&mut *clock, &mut **lists, &mvp);
@@ -137,7 +137,7 @@ impl Bench {
     /// The checksum of a scene with a depth buffer, drawn in a way.
     pub fn checksum(&mut self, way: Way) -> Result<u32, Error> {
         let Way { scene, rows, .. } = way;
-        let (pass, mvp) = (DrawOptions::new(), scene.chain()?);
+        let (pass, mvp) = (DrawOptions::new(), scene.mvp()?);
         let models = if way.is_prepared {
             Models::Prepared(scene.prepare(self.lists, &pass, &mvp)?)
         } else {

@@ -7,9 +7,10 @@ use embedded_graphics::pixelcolor::{
     Rgb666, Rgb888,
 };
 
-use super::Sampler;
-use super::sampler::{log2, wrapped};
+use super::sampler::{Grid, log2, wrapped};
+use super::{Sampler, Texture};
 use crate::Error;
+use crate::message;
 
 /// `H` rows of `W` texels of any colour, the top row first; both are powers of two, at most [`MAX_TEXTURE_SIZE`](super::MAX_TEXTURE_SIZE).
 ///
@@ -54,7 +55,7 @@ impl<C: Copy, const W: usize, const H: usize> TextureArray<C, W, H> {
     /// A texture of these rows.
     #[must_use]
     pub const fn from_texels(texels: [[C; W]; H]) -> Self {
-        const { (log2(W), log2(H)) };
+        const { (log2("width", W), log2("height", H)) };
         Self { texels }
     }
 
@@ -62,6 +63,12 @@ impl<C: Copy, const W: usize, const H: usize> TextureArray<C, W, H> {
     #[must_use]
     pub const fn texels(&self) -> &[[C; W]; H] {
         &self.texels
+    }
+
+    /// The same without its size in the type.
+    #[must_use]
+    pub const fn as_texture(&self) -> Texture<'_, C> {
+        Texture::of(Grid::of(&self.texels))
     }
 }
 
@@ -114,12 +121,12 @@ impl<C: PixelColor, const W: usize, const H: usize> Sampler for &TextureArray<C,
 
     #[inline]
     fn width_log2(&self) -> u32 {
-        const { log2(W) }
+        const { log2("width", W) }
     }
 
     #[inline]
     fn height_log2(&self) -> u32 {
-        const { log2(H) }
+        const { log2("height", H) }
     }
 
     #[inline]
@@ -163,10 +170,10 @@ macro_rules! constructor {
         #[must_use]
         pub const fn $name<const LENGTH: usize>($bytes: &[u8; LENGTH]) -> Self {
             const {
-                assert!(
-                    LENGTH == bytes_for::<W, H>($bits),
-                    "the number of bytes does not fit the size of the texture"
-                );
+                let needed = bytes_for::<W, H>($bits);
+                if LENGTH != needed {
+                    message::wrong_length([W, H], "bytes", LENGTH, needed);
+                }
             }
             let mut texels = [[$black; W]; H];
             let mut $index = 0;

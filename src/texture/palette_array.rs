@@ -2,8 +2,9 @@
 
 use embedded_graphics::pixelcolor::PixelColor;
 
-use super::Sampler;
-use super::sampler::{log2, wrapped};
+use super::sampler::{Grid, log2, wrapped};
+use super::{Palette, Sampler, palette_colors};
+use crate::message;
 
 /// `H` rows of `W` indices into 256 colours: a texture in a byte per texel, whatever its colour.
 ///
@@ -48,21 +49,9 @@ impl<C: Copy, const W: usize, const H: usize> PaletteArray<C, W, H> {
         colors: &[C; COLORS],
     ) -> Self {
         const {
-            let _ = (log2(W), log2(H));
-            assert!(
-                LENGTH == W * H,
-                "the indices do not fit the size of the texture"
-            );
-            assert!(
-                COLORS >= 1 && COLORS <= 256,
-                "a palette must have 1 to 256 colours"
-            );
-        }
-        let mut all = [colors[COLORS - 1]; 256];
-        let mut i = 0;
-        while i < COLORS {
-            all[i] = colors[i];
-            i += 1;
+            if LENGTH != W * H {
+                message::wrong_length([W, H], "indices", LENGTH, W * H);
+            }
         }
         let mut rows = [[0; W]; H];
         let mut i = 0;
@@ -70,10 +59,18 @@ impl<C: Copy, const W: usize, const H: usize> PaletteArray<C, W, H> {
             rows[i / W][i % W] = indices[i];
             i += 1;
         }
-        Self {
-            indices: rows,
-            colors: all,
-        }
+        Self::from_rows(rows, palette_colors(colors))
+    }
+
+    pub(super) const fn from_rows(indices: [[u8; W]; H], colors: [C; 256]) -> Self {
+        const { (log2("width", W), log2("height", H)) };
+        Self { indices, colors }
+    }
+
+    /// The same without its size in the type.
+    #[must_use]
+    pub const fn as_palette(&self) -> Palette<'_, C> {
+        Palette::of(Grid::of(&self.indices), &self.colors)
     }
 
     /// The colours, one for each index.
@@ -94,12 +91,12 @@ impl<C: PixelColor, const W: usize, const H: usize> Sampler for &PaletteArray<C,
 
     #[inline]
     fn width_log2(&self) -> u32 {
-        const { log2(W) }
+        const { log2("width", W) }
     }
 
     #[inline]
     fn height_log2(&self) -> u32 {
-        const { log2(H) }
+        const { log2("height", H) }
     }
 
     #[inline]

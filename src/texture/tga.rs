@@ -1,0 +1,100 @@
+//! TGA files, as Truevision's specification 2.0 has them.
+
+use super::image::{Entry, Image, Pixel, Table, at_least, u16_at};
+use crate::Error;
+
+const HEADER: usize = 18;
+
+/// An error about a field of the header.
+const fn refused<T>(of: &'static str, given: u32, needed: &'static str) -> Result<T, Error> {
+    Err(Error::Image { of, given, needed })
+}
+
+/// The picture in the bytes of a file.
+pub(super) const fn read(bytes: &[u8]) -> Result<Image<'_>, Error> {
+    if let Err(error) = at_least(bytes, HEADER as u64) {
+        return Err(error);
+    }
+    let (id, tables, image_type) = (bytes[0] as usize, bytes[1] as usize, bytes[2] as u32);
+    if tables > 1 {
+        return refused("color map type", tables as u32, "0 or 1");
+    }
+    let (first, count, entry_bits) = (u16_at(bytes, 3), u16_at(bytes, 5), bytes[7] as u32);
+    let (width, height) = (u16_at(bytes, 12), u16_at(bytes, 14));
+    let (bits, descriptor) = (bytes[16] as u32, bytes[17] as u32);
+    if width == 0 {
+        return refused("width", 0, "at least 1");
+    }
+    if height == 0 {
+        return refused("height", 0, "at least 1");
+    }
+    if descriptor & 0xc0 != 0 {
+        let needed = "below 64: rows must not be interleaved";
+        return refused("image descriptor", descriptor, needed);
+    }
+    // A map may be there and not be used.
+    let step = entry_bits.div_ceil(8) as usize;
+    let map = HEADER + id;
+    let start = map + tables * count as usize * step;
+
+    let pixel = match (image_type, bits) {
+        (2, 24 | 32) => Pixel::Bytes([2, 1, 0]),
+        (2, 15 | 16) => Pixel::Rgb555,
+        (2, _) => return refused("bits per pixel", bits, "15, 16, 24 or 32"),
+        (3, 8) => Pixel::Bytes([0, 0, 0]),
+        (3, _) => return refused("bits per gray pixel", bits, "8"),
+        (1, 8) => {
+            let entry = match entry_bits {
+                24 | 32 => Entry::Bytes,
+                15 | 16 => Entry::Rgb555,
+                _ => return refused("bits per color", entry_bits, "15, 16, 24 or 32"),
+            };
+            let count = tables * count as usize;
+            if count == 0 {
+                return refused("number of colors", 0, "at least 1");
+            }
+            let table = Table {
+                at: map,
+                step,
+                first: first as usize,
+                count,
+                entry,
+            };
+            Pixel::Index(8, table)
+        }
+        (1, _) => return refused("bits per index", bits, "8"),
+        (9..=11, _) => {
+            let needed = "1, 2 or 3: the file must not be compressed";
+            return refused("image type", image_type, needed);
+        }
+        _ => return refused("image type of the TGA file", image_type, "1, 2 or 3"),
+    };
+
+    let right = bits.div_ceil(8) as usize;
+    let row = width as usize * right;
+    let needed = start as u64 + row as u64 * height as u64;
+    if let Err(error) = at_least(bytes, needed) {
+        return Err(error);
+    }
+    // All that follows lies in the file. The descriptor says on which side the first pixel is.
+    let (last_column, last_row) = (right * (width as usize - 1), row * (height as usize - 1));
+    let (first, right) = if descriptor & 0x10 == 0 {
+        (start, right as isize)
+    } else {
+        (start + last_column, -(right as isize))
+    };
+    let (first, down) = if descriptor & 0x20 != 0 {
+        (first, row as isize)
+    } else {
+        (first + last_row, -(row as isize))
+    };
+    Ok(Image {
+        bytes,
+        width,
+        height,
+        first,
+        right,
+        down,
+        pixel,
+    })
+}
