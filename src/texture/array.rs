@@ -12,14 +12,19 @@ use super::{Sampler, Texture};
 use crate::Error;
 use crate::message;
 
-/// `H` rows of `W` texels of any colour, the top row first; both are powers of two, at most [`MAX_TEXTURE_SIZE`](super::MAX_TEXTURE_SIZE).
+/// A texture that owns its texels, with its size in the type: `H` rows of `W` texels, the top row first.
 ///
-/// A `static` one lives in flash, in two bytes a texel for `Rgb565`, four for `Rgb888` and one for grey. While compiling it is made of the raw bytes of an image by the
-/// constructor of its colour's name: [`rgb565`](Self::rgb565) takes the high byte first, as panels and
-/// embedded-graphics' `ImageRaw` do, [`rgb565_le`](Self::rgb565_le) the low byte first, and so on.
-/// Colours of less than a byte are packed, the first texel in the high bits, without a gap
-/// between rows. (Compilers stop at two million steps unless `long_running_const_eval` is allowed: that
-/// is beyond 512x512 texels.) At run time there is [`try_from_raw`](Self::try_from_raw), for any colour.
+/// Width and height are powers of two, at most [`MAX_TEXTURE_SIZE`](super::MAX_TEXTURE_SIZE). The compiler knows
+/// the size, so a shader reads a texel in fewer instructions than from a [`Texture`], which
+/// [`as_texture`](Self::as_texture) makes of it.
+///
+/// A `static` one lives in flash. A texel takes two bytes in `Rgb565`, four in `Rgb888` and one in gray.
+/// [`include_bmp!`](crate::include_bmp) and [`include_tga!`](crate::include_tga) make one of an image file while compiling. The
+/// constructors named after colors make one of raw bytes: [`rgb565`](Self::rgb565) takes the high byte of a texel first, as
+/// panels and embedded-graphics' `ImageRaw` do; [`rgb565_le`](Self::rgb565_le) takes the low byte first; and so on. Texels of
+/// less than a byte are packed: the first lies in the high bits, and rows follow without a gap. (The compiler stops a
+/// constant after two million steps unless `long_running_const_eval` is allowed; 512x512 texels stay below.)
+/// [`try_from_raw`](Self::try_from_raw) makes one at run time, of any color.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray4, Rgb565};
@@ -33,8 +38,8 @@ use crate::message;
 /// assert_eq!(GRAY.texels(), &[[Gray4::new(1), Gray4::new(2)], [Gray4::new(3), Gray4::new(4)]]);
 /// ```
 ///
-/// A length that does not fit, or a size that is not a power of two, does not compile; the
-/// compiler names the size and the length:
+/// Too few or too many bytes do not compile, nor does a size that is not a power of two. The compiler's error
+/// names the numbers, and what to write:
 ///
 /// ```compile_fail
 /// # use embedded_graphics::pixelcolor::Rgb565;
@@ -76,8 +81,8 @@ impl<C, const W: usize, const H: usize> TextureArray<C, W, H>
 where
     C: PixelColor + From<C::Raw>,
 {
-    /// A texture of raw bytes that are known at run time only, in the byte order `O`: embedded-graphics'
-    /// `BigEndian` or `LittleEndian`. It is returned by value, so mind the stack.
+    /// A texture of raw bytes that come at run time. `O` is their byte order: embedded-graphics'
+    /// `BigEndian` or `LittleEndian`. The texture is returned by value, so it passes through the stack.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{raw::LittleEndian, Rgb565};
@@ -135,7 +140,7 @@ impl<C: PixelColor, const W: usize, const H: usize> Sampler for &TextureArray<C,
     }
 }
 
-/// The number in two or three bytes from `at` on; without calls, which the compiler counts.
+/// The number in the two or three bytes at `at`. It makes no calls, since the compiler counts them.
 const fn word(bytes: &[u8], at: usize, size: usize, big_endian: bool) -> u32 {
     let last = at + size - 1;
     let (first, second) = if big_endian {
@@ -150,23 +155,23 @@ const fn word(bytes: &[u8], at: usize, size: usize, big_endian: bool) -> u32 {
     pair << 8 | bytes[if big_endian { last } else { at }] as u32
 }
 
-/// The number in `bits` bits, the `index`th of such from the high bit of the first byte on.
+/// Number `index` in a list of numbers of `bits` bits each, which begins at the high bit of the first byte.
 const fn packed(bytes: &[u8], index: usize, bits: usize) -> u8 {
     let at = index * bits;
     (bytes[at / 8] >> (8 - bits - at % 8)) & (0xff >> (8 - bits))
 }
 
-/// How many bytes texels of so many bits take.
+/// The bytes that the texels take, of `bits` bits each.
 const fn bytes_for<const W: usize, const H: usize>(bits: usize) -> usize {
     (W * H * bits).div_ceil(8)
 }
 
-/// A constructor from raw bytes: `$texel` of the bytes and the texel's number.
+/// A constructor from raw bytes: `$texel` is computed from the bytes and the texel's number.
 macro_rules! constructor {
     ($name:ident $order:literal $bits:expr, $black:expr, |$bytes:ident, $index:ident| $texel:expr) => {
         #[doc = concat!("A texture of raw bytes", $order, ".")]
         ///
-        /// It does not compile if there are not exactly as many as the texels need.
+        /// Too few or too many bytes do not compile.
         #[must_use]
         pub const fn $name<const LENGTH: usize>($bytes: &[u8; LENGTH]) -> Self {
             const {
@@ -186,7 +191,7 @@ macro_rules! constructor {
     };
 }
 
-/// RGB colours: bytes, and positions of the channels as embedded-graphics has them.
+/// RGB colors: bytes of a texel, and the lowest bits of its channels in embedded-graphics' format.
 macro_rules! rgb {
     ($($color:ident $be:ident $le:ident $bytes:literal $r:literal $g:literal $b:literal;)+) => {$(
         impl<const W: usize, const H: usize> TextureArray<$color, W, H> {
@@ -216,7 +221,7 @@ rgb! {
     Bgr888 bgr888 bgr888_le 3 0 8 16;
 }
 
-/// Colours of a byte and less.
+/// Colors of a byte and less.
 macro_rules! packed {
     ($($color:ident $name:ident $bits:literal |$raw:ident| $new:expr;)+) => {$(
         impl<const W: usize, const H: usize> TextureArray<$color, W, H> {

@@ -1,4 +1,4 @@
-//! From a place between texels to a colour.
+//! The color at a point between texels.
 
 use embedded_graphics::pixelcolor::PixelColor;
 
@@ -6,20 +6,20 @@ use super::Sampler;
 use super::blend::Blend;
 use crate::shade::Addressing;
 
-/// What colour a texture has between the centres of its texels: [`Nearest`] or [`Bilinear`].
+/// The color of a texture between the centers of its texels: [`Nearest`] or [`Bilinear`].
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
 /// use fixel::prelude::*;
 /// use fixel::{shade::Repeat, texture::Filter};
 ///
-/// /// Takes a texture of a size, however it is filtered.
+/// /// Takes a texture of one size, with either filter.
 /// fn skin<F: Filter<Rgb565>>(textured: Textured<&TextureArray<Rgb565, 64, 64>, Repeat, F>) {
 ///     let _ = textured;
 /// }
 /// ```
 pub trait Filter<C: PixelColor>: Copy + sealed::Sealed {
-    /// The colour at a column and a row, in texels with 16 fraction bits from the first texel's corner.
+    /// The color at a column and a row: distances from the first texel's corner, in texels with 16 fraction bits.
     #[doc(hidden)]
     fn color<S: Sampler<Color = C>, A: Addressing>(sampler: &S, at: [i32; 2]) -> C;
 }
@@ -30,7 +30,7 @@ mod sealed {
     impl Sealed for super::Bilinear {}
 }
 
-/// The texel whose centre is nearest: sharp, and squares where a texture is magnified.
+/// Takes the texel whose center is nearest. A magnified texture shows its texels as sharp squares.
 ///
 /// ```
 /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
@@ -45,13 +45,12 @@ mod sealed {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Nearest;
 
-/// Blended of the four texels around, by how near their centres are: smooth where a texture is magnified.
-/// Asked for by [`Textured::bilinear`](crate::Textured::bilinear).
+/// Blends the four texels around a point, by the distances of their centers. A magnified texture is smooth.
+/// [`Textured::bilinear`](crate::Textured::bilinear) selects it.
 ///
-/// Centres are at halves: a texture's first texel is itself half a texel from its corner. Beyond the
-/// centres at the edge a repeating texture is blended with the other edge, a
-/// [`clamped`](crate::Textured::clamped) one goes on with the texels of the edge. Where a texture is
-/// made smaller, it flickers as with [`Nearest`]: there are no mipmaps.
+/// The first texel's center lies half a texel from the texture's corner. Beyond the outermost centers, a
+/// repeating texture blends with its other edge, and a [`clamped`](crate::Textured::clamped) one keeps the color
+/// of its edge. A reduced texture flickers as with [`Nearest`], because there are no mipmaps.
 ///
 /// ```
 /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
@@ -66,17 +65,18 @@ pub struct Nearest;
 ///
 /// # Rounding
 ///
-/// The place between the centres is rounded to the nearest 32nd of a texel for colours of 16 bits
-/// ([`Rgb565`](embedded_graphics::pixelcolor::Rgb565) and its like), whose channels are blended all at once in
-/// one word, and to the nearest 256th for the others ([`Blend::WEIGHT_BITS`]). Rows are blended
-/// first and rounded to a whole step, then what is between them. So a channel is off by at
-/// most one step, and a 32nd (a 256th) of the difference between the four texels: two steps of red and
-/// three of green from black to white in Rgb565, two of 255 in Rgb888. At the centres of texels it is exact.
+/// The position between the centers is rounded to the nearest 1/32 texel for colors of 16 bits
+/// (such as [`Rgb565`](embedded_graphics::pixelcolor::Rgb565)), because one word holds all their channels
+/// during a blend. For other colors it is rounded to the nearest 1/256 texel ([`Blend::WEIGHT_BITS`]). Two blends along rows come first, each rounded to
+/// a whole step; then one blend between the rows. A channel's error is at most one step, plus 1/32 (1/256) of the
+/// difference between the four texels. From black to white that is two steps of red and three of green in Rgb565, and two
+/// steps of 255 in Rgb888. At the centers of texels there is no error.
 ///
 /// # Cost
 ///
-/// What a pixel takes beyond the nearest texel, in instructions, with `opt-level = 3` (of the measured floor with
-/// a texture of 64x64 in flash, exact and affine; in the default mode Rgb565 takes 48 and 75); and bytes of code with `opt-level = "s"`:
+/// Instructions per pixel more than [`Nearest`] takes, with `opt-level = 3`, for the measured floor with
+/// a texture of 64x64 in flash, in the modes `Exact` and `Affine` (in the default mode Rgb565 takes 48 on the M4 and 75 on the M0+);
+/// and bytes of code with `opt-level = "s"`:
 ///
 /// | | Cortex-M4 | Cortex-M0+ | code, M4 | code, M0+ |
 /// |---|---:|---:|---:|---:|
@@ -114,14 +114,14 @@ impl<C: Blend> Filter<C> for Bilinear {
     }
 }
 
-/// The columns or rows whose centres `at` lies between, and how far it is beyond the first.
+/// The two columns or rows whose centers enclose `at`, and its distance from the first.
 #[inline]
 fn between<A: Addressing>(at: i32, log2: u32, weight_bits: u32) -> ([i32; 2], u32) {
-    // Centres are at halves. Half a unit of the weight less is taken off, so that what is cut is rounded.
+    // Centers lie at halves. Subtracting half a unit of the weight less makes the cut below round to nearest.
     let at = A::back(at, (1 << 15) - (1 << (15 - weight_bits)));
     let first = at >> 16;
     let weight = (at.cast_unsigned() & 0xffff) >> (16 - weight_bits);
-    // Of 16 bits, so there is a next one.
+    // `first` has 16 bits, so adding 1 cannot overflow.
     let both = [A::index(first, log2), A::index(first + 1, log2)];
     (both, weight)
 }

