@@ -143,7 +143,7 @@ mod tests {
     /// Points all over and far beyond, in sixteenths of a texel and not in the first repeat only.
     fn points() -> impl Iterator<Item = [i32; 2]> {
         let ends = [i32::MIN, i32::MIN + 1, i32::MAX];
-        let along = || (-40..200).step_by(3).map(|at| at << 12).chain(ends);
+        let along = move || (-40..200).step_by(3).map(|at| at << 12).chain(ends);
         along().flat_map(move |v| along().map(move |u| [u, v]))
     }
 
