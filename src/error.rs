@@ -106,6 +106,16 @@ pub enum Error {
         /// Largest width and height allowed, in pixels.
         max: u32,
     },
+    /// A width or height of a texture that is not a power of two, or too large.
+    #[non_exhaustive]
+    PowerOfTwo {
+        /// The name of the side.
+        of: &'static str,
+        /// The refused number of texels.
+        given: u32,
+        /// Largest number allowed.
+        max: u32,
+    },
     /// A viewport too far from the corner of its frame.
     #[non_exhaustive]
     Offset {
@@ -184,6 +194,24 @@ pub enum Error {
         /// Largest length allowed.
         max: Scalar,
     },
+    /// An image file of a kind that cannot be read.
+    #[non_exhaustive]
+    Image {
+        /// The field of its header.
+        of: &'static str,
+        /// Value of the field as given.
+        given: u32,
+        /// The values that can be read.
+        needed: &'static str,
+    },
+    /// An image file that ends before its picture.
+    #[non_exhaustive]
+    Truncated {
+        /// Bytes given.
+        given: usize,
+        /// Bytes needed, as its header says.
+        needed: usize,
+    },
     /// OBJ text that cannot be read.
     #[non_exhaustive]
     Obj {
@@ -253,6 +281,10 @@ impl fmt::Display for Error {
                 f,
                 "size is {width}x{height}: width and height must lie between 1 and {max}"
             ),
+            Self::PowerOfTwo { of, given, max } => write!(
+                f,
+                "{of} is {given}: it must be a power of two, at most {max}"
+            ),
             Self::Offset { x, y, max } => write!(
                 f,
                 "viewport is at ({x}, {y}): both must lie between -{max} and {max}"
@@ -290,6 +322,12 @@ impl fmt::Display for Error {
             ),
             Self::Extent { of, given, max } => {
                 write!(f, "{of} is {given}: it must be above 0 and at most {max}")
+            }
+            Self::Image { of, given, needed } => {
+                write!(f, "{of} is {given}: it must be {needed}")
+            }
+            Self::Truncated { given, needed } => {
+                write!(f, "file has {given} bytes: it needs at least {needed}")
             }
             Self::Obj { line, problem } => write!(f, "line {line}: {problem}"),
         }

@@ -18,8 +18,8 @@
 //!
 //! // Made while compiling, in flash: a shape, or include_obj!("model.obj"); texels, or include_bytes!.
 //! static MODEL: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
-//! static SKIN: Texture<Rgb565, 2, 2> =
-//!     Texture::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x00, 0x1f, 0xff, 0xff]);
+//! static SKIN: TextureArray<Rgb565, 2, 2> =
+//!     TextureArray::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x00, 0x1f, 0xff, 0xff]);
 //!
 //! fn frame(now_ms: u64, display: &mut MockDisplay<Rgb565>) -> Result<(), Error> {
 //!     let projection = Projection::perspective(
@@ -168,6 +168,7 @@ mod error;
 pub mod guide;
 pub mod math;
 pub mod mesh;
+mod message;
 pub mod num;
 mod pipeline;
 mod raster;
@@ -180,6 +181,7 @@ pub mod mode {
 }
 
 pub mod target;
+pub mod texture;
 pub mod view;
 
 pub use error::{Error, RefusedFloat};
@@ -190,9 +192,10 @@ pub use pipeline::{DrawOptions, Drawn, Prepared, ScreenPoint, TriangleList};
 pub use raster::Cull;
 pub use shade::{
     Converted, DepthView, FaceColors, FaceLit, Flat, Fragment, Gouraud, Levels, Light, Lit, Map,
-    NormalView, Palette, Shader, Texture, Textured, Tinted,
+    NormalView, Shader, Textured, Tinted,
 };
 pub use target::Canvas;
+pub use texture::{Palette, PaletteArray, Texture, TextureArray};
 pub use view::{Aspect, Camera, Mvp, Projection, Viewport, Window};
 
 /// The program in the README works.
@@ -211,7 +214,8 @@ pub mod prelude {
         Vec2, Vec3, Viewport, Window,
     };
     pub use crate::{
-        DepthView, FaceColors, Flat, Gouraud, Levels, Light, NormalView, Palette, Texture, Textured,
+        DepthView, FaceColors, Flat, Gouraud, Levels, Light, NormalView, Palette, PaletteArray,
+        Texture, TextureArray, Textured,
     };
-    pub use crate::{deg, fx, include_obj, shape, vec2, vec3};
+    pub use crate::{deg, fx, include_bmp, include_obj, include_tga, shape, vec2, vec3};
 }

@@ -7,8 +7,8 @@ use std::any::type_name;
 use embedded_graphics::pixelcolor::Rgb888;
 use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
-use fixel::view::ProjectionKind;
 use fixel::target::Float;
+use fixel::view::ProjectionKind;
 
 use proptest::prelude::*;
 

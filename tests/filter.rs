@@ -12,7 +12,7 @@ use embedded_graphics::pixelcolor::{
     RgbColor,
 };
 use fixel::prelude::*;
-use fixel::shade::Blend;
+use fixel::texture::Blend;
 use proptest::prelude::*;
 use reference::texture::{Blended, Wrap, bilinear};
 
@@ -196,11 +196,11 @@ proptest! {
         colors in texels::<Rgb565, 256, 1>(),
         place in place(),
     ) {
-        let palette: Palette<Rgb565, 4, 2> = Palette::new(&indices, &colors[0]);
+        let palette: PaletteArray<Rgb565, 4, 2> = PaletteArray::new(&indices, &colors[0]);
         let mut list = indices.iter().map(|&index| colors[0][usize::from(index)]);
         let rows: [[Rgb565; 4]; 2] =
             std::array::from_fn(|_| std::array::from_fn(|_| list.next().unwrap()));
-        let texture = Texture::from_texels(rows);
+        let texture = TextureArray::from_texels(rows);
         let plain = Textured::new(&rows).bilinear();
         let color = shade(&plain, place);
         let edge = shade(&plain.clamped(), place);

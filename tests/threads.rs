@@ -20,7 +20,7 @@ use common::scenes::{self, HEIGHT, WIDTH};
 /// the crate stands in the way, so both are asked of everything.
 const _: () = {
     const fn both<T: Send + Sync>() {}
-    type Skin = Texture<Rgb565, 64, 64>;
+    type Skin = TextureArray<Rgb565, 64, 64>;
     both::<Canvas<'static, Rgb565>>();
     both::<Canvas<'static, Rgb565, Native, Depth<'static>>>();
     both::<Canvas<'static, Rgb565, BigEndian, NoDepth>>();
@@ -46,7 +46,7 @@ const _: () = {
     both::<Lit<Rgb565>>();
     both::<LitFaces<Rgb565>>();
     both::<Textured<&'static Skin>>();
-    both::<Textured<&'static Palette<Rgb565, 64, 64>>>();
+    both::<Textured<&'static PaletteArray<Rgb565, 64, 64>>>();
     both::<LitTexture<&'static Skin>>();
     both::<Modulated<&'static Skin>>();
     both::<Converted<Lit<Gray4>, Rgb565>>();

@@ -11,7 +11,7 @@ use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::{Alignment, Text};
 use fixel::mode::Mode;
 use fixel::prelude::*;
-use fixel::shade::{Converted, Levels, Light, Texture, Textured};
+use fixel::shade::{Levels, Light, Textured};
 use fixel::target::{DepthBuffer, Storage};
 use fixel::view::{Aspect, Perspective, ProjectionKind};
 use fixel::{Drawn, Vec2};
@@ -19,8 +19,8 @@ use fixel::{Drawn, Vec2};
 /// The island and what stands on it; texture coordinates fit [`SKIN`].
 pub static ISLAND: Mesh = include_obj!("../assets/lighthouse.obj");
 /// The texture of the island.
-pub static SKIN: Texture<Rgb565, 128, 128> =
-    Texture::rgb565(include_bytes!("../assets/lighthouse.rgb565"));
+pub static SKIN: TextureArray<Rgb565, 128, 128> =
+    TextureArray::rgb565(include_bytes!("../assets/lighthouse.rgb565"));
 
 /// The sea: a level disc about the island, 112 units wide each way.
 pub static SEA: Mesh = {
@@ -61,7 +61,8 @@ static SEA_FACES: [[u16; 3]; SEA_SIDES] = {
     faces
 };
 /// The texture of the sea, which repeats.
-pub static WAVES: Texture<Rgb565, 64, 64> = Texture::rgb565(include_bytes!("../assets/sea.rgb565"));
+pub static WAVES: TextureArray<Rgb565, 64, 64> =
+    TextureArray::rgb565(include_bytes!("../assets/sea.rgb565"));
 
 /// A projection that has the whole lighthouse in the picture.
 ///

@@ -7,8 +7,9 @@
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, WebColors};
 use fixel::mode::Mode;
 use fixel::prelude::*;
-use fixel::shade::{FaceColors, Gouraud, Texture, Textured};
+use fixel::shade::{FaceColors, Gouraud, Textured};
 use fixel::target::{DepthBuffer, Storage};
+use fixel::texture::TextureArray;
 use fixel::view::Perspective;
 use fixel::{Drawn, Vec2};
 
@@ -20,7 +21,7 @@ pub const HEIGHT: u32 = 240;
 pub const POSES: i32 = 8;
 
 /// 64x64 texels, squares of 8 in two colours.
-pub static CHECKER: Texture<Rgb565, 64, 64> = {
+pub static CHECKER: TextureArray<Rgb565, 64, 64> = {
     let mut texels = [[Rgb565::CSS_IVORY; 64]; 64];
     let mut at = 0;
     while at < 64 * 64 {
@@ -30,7 +31,7 @@ pub static CHECKER: Texture<Rgb565, 64, 64> = {
         }
         at += 1;
     }
-    Texture::from_texels(texels)
+    TextureArray::from_texels(texels)
 };
 
 /// A floor from one unit before the eye to twenty, partly outside the picture.

@@ -18,7 +18,6 @@ use super::paint::{Board, Posed, Shown, add};
 use super::view::{Lens, View};
 use crate::args::{Args, DepthFormat, SceneName, Shade};
 use crate::dump::{Record, Recorder};
-use crate::skin::Texels;
 
 /// Some rows of a frame, to be drawn.
 #[derive(Debug)]
@@ -96,18 +95,18 @@ impl Model<'_> {
         &self,
         strip: Strip<'_, C>,
         frame: u32,
-        texels: &Texels<C::Texel>,
+        texture: &Texture<'_, C::Texel>,
     ) -> Result<Done> {
         let (canvas, depth) = strip.canvas()?;
         match self.view.depth {
-            DepthFormat::Linear => self.paint_on(canvas.with_depth(depth)?, frame, texels),
+            DepthFormat::Linear => self.paint_on(canvas.with_depth(depth)?, frame, texture),
             DepthFormat::Float => {
                 let canvas = canvas.with_depth_format::<Float>(depth)?;
-                self.paint_on(canvas, frame, texels)
+                self.paint_on(canvas, frame, texture)
             }
             DepthFormat::Wide => {
                 let canvas = canvas.with_depth_format::<WideFloat>(depth)?;
-                self.paint_on(canvas, frame, texels)
+                self.paint_on(canvas, frame, texture)
             }
         }
     }
@@ -116,7 +115,7 @@ impl Model<'_> {
         &self,
         mut canvas: Board<'_, C, D>,
         frame: u32,
-        texels: &Texels<C::Texel>,
+        texture: &Texture<'_, C::Texel>,
     ) -> Result<Done> {
         let posed = self.posed(frame);
         let Some(shade) = self.shade else {
@@ -140,7 +139,7 @@ impl Model<'_> {
             return Ok((add(sea, island), time));
         };
         canvas.clear(background(shade));
-        Ok(timed(|| posed.paint(&mut canvas, shade, texels)))
+        Ok(timed(|| posed.paint(&mut canvas, shade, texture)))
     }
 
     /// Records a strip of a frame.

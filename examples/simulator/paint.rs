@@ -3,14 +3,14 @@
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
 use fixel::prelude::*;
-use fixel::shade::{Blend, DepthView, Flat, Levels, NormalView, Textured};
+use fixel::shade::{DepthView, Flat, Levels, NormalView, Textured};
 use fixel::target::{DepthBuffer, Native};
+use fixel::texture::Blend;
 use fixel::{Drawn, Mesh};
 
 use super::mode::{Mode, in_mode};
 use super::view::{Lens, View};
 use crate::args::{Filter, Shade};
-use crate::skin::Texels;
 
 /// A canvas as the simulator has it.
 pub type Board<'a, C, D> = Canvas<'a, C, Native, D>;
@@ -111,19 +111,15 @@ impl Posed<'_> {
     fn textured<C: Shown, D: DepthBuffer>(
         &self,
         canvas: &mut Board<'_, C, D>,
-        texels: &Texels<C::Texel>,
+        texture: &Texture<'_, C::Texel>,
         lit: bool,
     ) -> Drawn {
-        let (skin, light) = (Textured::new(texels), self.view.light);
+        let (skin, light) = (Textured::new(texture), self.view.light);
         match (self.view.filter, lit) {
-            (Filter::Nearest, false) => self.draw(canvas, &C::shown(texels.scaled(skin))),
-            (Filter::Nearest, true) => self.draw(canvas, &C::shown(texels.scaled(skin.lit(light)))),
-            (Filter::Bilinear, false) => {
-                self.draw(canvas, &C::shown(texels.scaled(skin.bilinear())))
-            }
-            (Filter::Bilinear, true) => {
-                self.draw(canvas, &C::shown(texels.scaled(skin.bilinear().lit(light))))
-            }
+            (Filter::Nearest, false) => self.draw(canvas, &C::shown(skin)),
+            (Filter::Nearest, true) => self.draw(canvas, &C::shown(skin.lit(light))),
+            (Filter::Bilinear, false) => self.draw(canvas, &C::shown(skin.bilinear())),
+            (Filter::Bilinear, true) => self.draw(canvas, &C::shown(skin.bilinear().lit(light))),
         }
     }
 
@@ -132,13 +128,13 @@ impl Posed<'_> {
         &self,
         canvas: &mut Board<'_, C, D>,
         shade: Shade,
-        texels: &Texels<C::Texel>,
+        texture: &Texture<'_, C::Texel>,
     ) -> Drawn {
         const CLAY: Rgb888 = Rgb888::new(236, 214, 190);
         let light = self.view.light;
         match shade {
-            Shade::Texture => self.textured(canvas, texels, false),
-            Shade::Lit => self.textured(canvas, texels, true),
+            Shade::Texture => self.textured(canvas, texture, false),
+            Shade::Lit => self.textured(canvas, texture, true),
             Shade::Gouraud => self.draw(canvas, &Flat::<C>::rgb(CLAY).lit(light)),
             Shade::Flat => self.draw(canvas, &Flat::<C>::rgb(CLAY).lit_faces(light)),
             Shade::Normal => self.draw(canvas, &NormalView::new()),

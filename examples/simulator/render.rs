@@ -68,9 +68,10 @@ fn picture_in<C: Shown>(
     targets: Targets<'_>,
 ) -> Result<()> {
     let texels = skin.texels();
+    let texture = texels.texture()?;
     targets.fill(
         args.size,
         |strip, frame| model.record(strip, frame),
-        |strip, frame| model.paint::<C>(strip, frame, &texels),
+        |strip, frame| model.paint::<C>(strip, frame, &texture),
     )
 }

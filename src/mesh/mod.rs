@@ -4,7 +4,6 @@ mod attribute;
 mod buffers;
 mod mesh;
 pub mod obj;
-mod panic;
 mod positions;
 mod primitive;
 mod shapes;

@@ -19,10 +19,8 @@
 //! | [`.map(effect)`](Shader::map) | a function of the surface's color | none more |
 //! | [`.converted()`](Shader::converted) | the surface in another color format, dithered where it is coarse | none more |
 
-mod blend;
 mod converted;
 mod dither;
-mod filter;
 mod flat;
 mod gouraud;
 mod lanes;
@@ -30,10 +28,7 @@ mod levels;
 mod light;
 mod lit;
 mod map;
-mod palette;
-mod sampler;
 mod shader;
-mod texture;
 mod textured;
 mod tinted;
 mod varyings;
@@ -42,9 +37,7 @@ mod views;
 #[cfg(test)]
 mod trial;
 
-pub use blend::Blend;
 pub use converted::Converted;
-pub use filter::{Bilinear, Filter, Nearest};
 pub use flat::{FaceColors, Flat};
 pub use gouraud::Gouraud;
 pub(crate) use lanes::MOST as MOST_VARYINGS;
@@ -53,11 +46,10 @@ pub use levels::{Channels, Levels};
 pub use light::Light;
 pub use lit::{FaceLit, Lit};
 pub use map::Map;
-pub use palette::Palette;
-pub use sampler::{MAX_TEXTURE_SIZE, Sampler};
 pub use shader::{Fragment, Shader};
-pub use texture::Texture;
 pub use textured::{Addressing, Clamp, Repeat, Textured};
 pub use tinted::Tinted;
 pub use varyings::{PerFace, Texels, Tolerance, Varyings, Within};
 pub use views::{DepthView, NormalView};
+
+use crate::texture::{Bilinear, Blend, Filter, Nearest, Sampler};

@@ -20,7 +20,7 @@ use crate::mesh::Primitive;
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, GrayColor}};
 /// use fixel::prelude::*;
-/// static SKIN: Texture<Gray8, 2, 2> = Texture::gray8(&[0x11, 0x22, 0x33, 0x44]);
+/// static SKIN: TextureArray<Gray8, 2, 2> = TextureArray::gray8(&[0x11, 0x22, 0x33, 0x44]);
 /// static SQUARE: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
@@ -47,7 +47,7 @@ pub struct Textured<S, A = Repeat, F = Nearest> {
 /// use fixel::shade::Addressing;
 ///
 /// /// Takes any texture of a size, whichever way it goes on beyond its edges.
-/// fn skin<A: Addressing>(textured: Textured<&Texture<Rgb565, 64, 64>, A>) {
+/// fn skin<A: Addressing>(textured: Textured<&TextureArray<Rgb565, 64, 64>, A>) {
 ///     let _ = textured;
 /// }
 /// ```
@@ -76,7 +76,7 @@ mod sealed {
 /// ```
 /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
 /// use fixel::{prelude::*, shade::{Repeat, Texels}};
-/// static SKIN: Texture<Gray8, 2, 1> = Texture::gray8(&[10, 20]);
+/// static SKIN: TextureArray<Gray8, 2, 1> = TextureArray::gray8(&[10, 20]);
 /// let skin: Textured<_, Repeat> = Textured::new(&SKIN);
 /// let pixel = Fragment { point: Point::zero(), depth: 0 };
 /// let texels = [-1, 0, 1, 2, 3].map(|column| skin.shade(&pixel, Texels([column << 16, 0])));
@@ -90,7 +90,7 @@ pub struct Repeat;
 /// ```
 /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
 /// use fixel::{prelude::*, shade::{Clamp, Texels}};
-/// static SKIN: Texture<Gray8, 2, 1> = Texture::gray8(&[10, 20]);
+/// static SKIN: TextureArray<Gray8, 2, 1> = TextureArray::gray8(&[10, 20]);
 /// let skin: Textured<_, Clamp> = Textured::new(&SKIN).clamped();
 /// let pixel = Fragment { point: Point::zero(), depth: 0 };
 /// let texels = [-1, 0, 1, 2, 3].map(|column| skin.shade(&pixel, Texels([column << 16, 0])));
@@ -152,7 +152,7 @@ impl Addressing for Clamp {
 }
 
 impl<S: Sampler> Textured<S> {
-    /// A shader of a repeating texture, usually of a reference to a [`Texture`](super::Texture).
+    /// A shader of a repeating texture, usually of a reference to a [`Texture`](crate::Texture).
     #[must_use]
     pub const fn new(sampler: S) -> Self {
         Self {
@@ -181,7 +181,7 @@ impl<S: Sampler, A: Addressing> Textured<S, A> {
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, GrayColor}};
     /// use fixel::prelude::*;
-    /// static SKIN: Texture<Gray8, 2, 2> = Texture::gray8(&[0x00, 0x88, 0x88, 0xff]);
+    /// static SKIN: TextureArray<Gray8, 2, 2> = TextureArray::gray8(&[0x00, 0x88, 0x88, 0xff]);
     /// static SQUARE: Mesh = shape!(plane(1, 1));
     /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
     /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
@@ -222,8 +222,8 @@ impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Shader for Textured<S, A, F
                 bits.map(|bits| texels(bits.into(), log2))
             }
         };
-        let us = coordinates([a[0], b[0], c[0]], S::WIDTH_LOG2);
-        let vs = coordinates([a[1], b[1], c[1]], S::HEIGHT_LOG2);
+        let us = coordinates([a[0], b[0], c[0]], self.sampler.width_log2());
+        let vs = coordinates([a[1], b[1], c[1]], self.sampler.height_log2());
         [
             Texels([us[0], vs[0]]),
             Texels([us[1], vs[1]]),
@@ -239,14 +239,14 @@ impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Shader for Textured<S, A, F
 
 #[cfg(test)]
 mod tests {
-    use super::super::Texture;
     use super::super::trial::{IDENTITY, edge, face, shade};
     use super::*;
+    use crate::texture::TextureArray;
     use crate::{Mesh, Vec2, Vec3, vec2};
     use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 
     /// Four columns and two rows; a texel is its column plus ten times its row.
-    static SKIN: Texture<Gray8, 4, 2> = Texture::gray8(&[0, 1, 2, 3, 10, 11, 12, 13]);
+    static SKIN: TextureArray<Gray8, 4, 2> = TextureArray::gray8(&[0, 1, 2, 3, 10, 11, 12, 13]);
     static POSITIONS: [Vec3; 3] = [Vec3::ZERO, Vec3::X, Vec3::Y];
 
     fn mesh(uvs: &[Vec2; 3]) -> Mesh<'_> {

@@ -56,10 +56,7 @@ pub(super) fn rolled() {
 }
 
 /// A pixel in memory.
-pub(super) type Cell<'c, C, O, D> = (
-    &'c mut <O as Storage<C>>::Cell,
-    <D as Buffer>::Cell<'c>,
-);
+pub(super) type Cell<'c, C, O, D> = (&'c mut <O as Storage<C>>::Cell, <D as Buffer>::Cell<'c>);
 
 /// Tests and shades the pixels of a span, one after the other.
 pub(super) struct Pixels<S: Shader, Z> {

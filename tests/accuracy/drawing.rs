@@ -5,9 +5,8 @@ use std::cell::RefCell;
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::mode::Tolerance;
 use fixel::prelude::*;
-use fixel::view::ProjectionKind;
 use fixel::target::DepthFormat;
-
+use fixel::view::ProjectionKind;
 
 use crate::mode::Mode;
 

@@ -1,9 +1,8 @@
 //! One triangle drawn by the crate and by the model.
 
 use fixel::prelude::*;
-use fixel::view::ProjectionKind;
 use fixel::target::DepthFormat;
-
+use fixel::view::ProjectionKind;
 
 use crate::drawing::{Drawing, Seen};
 use crate::mode::Mode;

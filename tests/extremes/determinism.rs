@@ -15,8 +15,8 @@ use crate::scene::Random;
 
 const SIZE: (u32, u32) = (320, 240);
 
-static SKIN: Texture<Rgb565, 2, 2> =
-    Texture::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x07, 0xe0, 0xf8, 0x00]);
+static SKIN: TextureArray<Rgb565, 2, 2> =
+    TextureArray::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x07, 0xe0, 0xf8, 0x00]);
 static RING: Mesh = shape!(torus(fx!(0.4), 24, 12), short);
 static BALL: Mesh = shape!(sphere(16, 12), short);
 static FLOOR: Mesh = shape!(plane(8, 8), short);

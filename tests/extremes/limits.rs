@@ -6,8 +6,9 @@ use embedded_graphics::pixelcolor::Gray8;
 use fixel::mesh::Shape;
 use fixel::num::{scalar, tex_coord};
 use fixel::prelude::*;
-use fixel::shade::{MAX_TEXTURE_SIZE, Sampler};
 use fixel::target::MAX_SIZE;
+use fixel::texture::{MAX_TEXTURE_SIZE, Sampler};
+use fixel::view::{Kind, Perspective};
 use fixel::view::{Perspective, ProjectionKind};
 
 use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
@@ -135,10 +136,10 @@ fn vertices_of_a_list() {
 /// One row of the widest texture, and one column of the highest; one more of either does not compile.
 #[test]
 fn textures() {
-    static WIDE: Texture<Gray8, MAX_TEXTURE_SIZE, 1> =
-        Texture::from_texels([[Gray8::new(7); MAX_TEXTURE_SIZE]; 1]);
-    static HIGH: Texture<Gray8, 1, MAX_TEXTURE_SIZE> =
-        Texture::from_texels([[Gray8::new(9)]; MAX_TEXTURE_SIZE]);
+    static WIDE: TextureArray<Gray8, MAX_TEXTURE_SIZE, 1> =
+        TextureArray::from_texels([[Gray8::new(7); MAX_TEXTURE_SIZE]; 1]);
+    static HIGH: TextureArray<Gray8, 1, MAX_TEXTURE_SIZE> =
+        TextureArray::from_texels([[Gray8::new(9)]; MAX_TEXTURE_SIZE]);
     for at in [i32::MIN, -1, 0, 32_767, 32_768, i32::MAX] {
         assert_eq!((&WIDE).texel(at, at), Gray8::new(7));
         assert_eq!((&HIGH).texel(at, at), Gray8::new(9));

@@ -94,7 +94,7 @@ static SMALL: [[Rgb565; 4]; 2] = texels();
 static LARGE: [[Rgb565; 64]; 128] = texels();
 /// As wide as a texture can be.
 static WIDE: [[Rgb565; 32_768]; 1] = texels();
-static INDICES: Palette<Rgb565, 4, 2> = Palette::new(
+static INDICES: PaletteArray<Rgb565, 4, 2> = PaletteArray::new(
     &[0, 1, 2, 3, 2, 1, 0, 200],
     &[
         Rgb565::new(31, 0, 0),

@@ -7,54 +7,60 @@ use embedded_graphics::pixelcolor::{
     Rgb666, Rgb888,
 };
 
-use super::Sampler;
-use super::sampler::{log2, wrapped};
+use super::sampler::{Grid, log2, wrapped};
+use super::{Sampler, Texture};
 use crate::Error;
+use crate::message;
 
-/// `H` rows of `W` texels of any colour, the top row first; both are powers of two, at most [`MAX_TEXTURE_SIZE`](super::MAX_TEXTURE_SIZE).
+/// A texture that owns its texels, with its size in the type: `H` rows of `W` texels, the top row first.
 ///
-/// A `static` one lives in flash, in two bytes a texel for `Rgb565`, four for `Rgb888` and one for grey. While compiling it is made of the raw bytes of an image by the
-/// constructor of its colour's name: [`rgb565`](Self::rgb565) takes the high byte first, as panels and
-/// embedded-graphics' `ImageRaw` do, [`rgb565_le`](Self::rgb565_le) the low byte first, and so on.
-/// Colours of less than a byte are packed, the first texel in the high bits, without a gap
-/// between rows. (Compilers stop at two million steps unless `long_running_const_eval` is allowed: that
-/// is beyond 512x512 texels.) At run time there is [`try_from_raw`](Self::try_from_raw), for any colour.
+/// Width and height are powers of two, at most [`MAX_TEXTURE_SIZE`](super::MAX_TEXTURE_SIZE). The compiler knows
+/// the size, so a shader reads a texel in fewer instructions than from a [`Texture`], which
+/// [`as_texture`](Self::as_texture) makes of it.
+///
+/// A `static` one lives in flash. A texel takes two bytes in `Rgb565`, four in `Rgb888` and one in gray.
+/// [`include_bmp!`](crate::include_bmp) and [`include_tga!`](crate::include_tga) make one of an image file while compiling. The
+/// constructors named after colors make one of raw bytes: [`rgb565`](Self::rgb565) takes the high byte of a texel first, as
+/// panels and embedded-graphics' `ImageRaw` do; [`rgb565_le`](Self::rgb565_le) takes the low byte first; and so on. Texels of
+/// less than a byte are packed: the first lies in the high bits, and rows follow without a gap. (The compiler stops a
+/// constant after two million steps unless `long_running_const_eval` is allowed; 512x512 texels stay below.)
+/// [`try_from_raw`](Self::try_from_raw) makes one at run time, of any color.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray4, Rgb565};
 /// use fixel::prelude::*;
 /// // Usually of include_bytes!("skin.rgb565").
-/// static SKIN: Texture<Rgb565, 2, 1> = Texture::rgb565(&[0xf8, 0x00, 0x00, 0x1f]);
-/// static SAME: Texture<Rgb565, 2, 1> = Texture::rgb565_le(&[0x00, 0xf8, 0x1f, 0x00]);
+/// static SKIN: TextureArray<Rgb565, 2, 1> = TextureArray::rgb565(&[0xf8, 0x00, 0x00, 0x1f]);
+/// static SAME: TextureArray<Rgb565, 2, 1> = TextureArray::rgb565_le(&[0x00, 0xf8, 0x1f, 0x00]);
 /// assert_eq!(SKIN.texels(), &[[Rgb565::new(31, 0, 0), Rgb565::new(0, 0, 31)]]);
 /// assert_eq!(SKIN, SAME);
-/// static GRAY: Texture<Gray4, 2, 2> = Texture::gray4(&[0x12, 0x34]);
+/// static GRAY: TextureArray<Gray4, 2, 2> = TextureArray::gray4(&[0x12, 0x34]);
 /// assert_eq!(GRAY.texels(), &[[Gray4::new(1), Gray4::new(2)], [Gray4::new(3), Gray4::new(4)]]);
 /// ```
 ///
-/// A length that does not fit, or a size that is not a power of two, does not compile; the
-/// compiler names the size and the length:
+/// Too few or too many bytes do not compile, nor does a size that is not a power of two. The compiler's error
+/// names the numbers, and what to write:
 ///
 /// ```compile_fail
 /// # use embedded_graphics::pixelcolor::Rgb565;
 /// # use fixel::prelude::*;
-/// static SKIN: Texture<Rgb565, 2, 1> = Texture::rgb565(&[0; 5]);
+/// static SKIN: TextureArray<Rgb565, 2, 1> = TextureArray::rgb565(&[0; 5]);
 /// ```
 /// ```compile_fail
 /// # use embedded_graphics::pixelcolor::Rgb565;
 /// # use fixel::prelude::*;
-/// static SKIN: Texture<Rgb565, 3, 1> = Texture::rgb565(&[0; 6]);
+/// static SKIN: TextureArray<Rgb565, 3, 1> = TextureArray::rgb565(&[0; 6]);
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Texture<C, const W: usize, const H: usize> {
+pub struct TextureArray<C, const W: usize, const H: usize> {
     texels: [[C; W]; H],
 }
 
-impl<C: Copy, const W: usize, const H: usize> Texture<C, W, H> {
+impl<C: Copy, const W: usize, const H: usize> TextureArray<C, W, H> {
     /// A texture of these rows.
     #[must_use]
     pub const fn from_texels(texels: [[C; W]; H]) -> Self {
-        const { (log2(W), log2(H)) };
+        const { (log2("width", W), log2("height", H)) };
         Self { texels }
     }
 
@@ -63,19 +69,25 @@ impl<C: Copy, const W: usize, const H: usize> Texture<C, W, H> {
     pub const fn texels(&self) -> &[[C; W]; H] {
         &self.texels
     }
+
+    /// The same without its size in the type.
+    #[must_use]
+    pub const fn as_texture(&self) -> Texture<'_, C> {
+        Texture::of(Grid::of(&self.texels))
+    }
 }
 
-impl<C, const W: usize, const H: usize> Texture<C, W, H>
+impl<C, const W: usize, const H: usize> TextureArray<C, W, H>
 where
     C: PixelColor + From<C::Raw>,
 {
-    /// A texture of raw bytes that are known at run time only, in the byte order `O`: embedded-graphics'
-    /// `BigEndian` or `LittleEndian`. It is returned by value, so mind the stack.
+    /// A texture of raw bytes that come at run time. `O` is their byte order: embedded-graphics'
+    /// `BigEndian` or `LittleEndian`. The texture is returned by value, so it passes through the stack.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{raw::LittleEndian, Rgb565};
     /// use fixel::prelude::*;
-    /// type Skin = Texture<Rgb565, 2, 1>;
+    /// type Skin = TextureArray<Rgb565, 2, 1>;
     /// let skin = Skin::try_from_raw::<LittleEndian>(&[0x00, 0xf8, 0x1f, 0x00])?;
     /// assert_eq!(skin.texels()[0][0], Rgb565::new(31, 0, 0));
     /// let error = Skin::try_from_raw::<LittleEndian>(&[0; 3]).unwrap_err();
@@ -109,11 +121,18 @@ where
     }
 }
 
-impl<C: PixelColor, const W: usize, const H: usize> Sampler for &Texture<C, W, H> {
+impl<C: PixelColor, const W: usize, const H: usize> Sampler for &TextureArray<C, W, H> {
     type Color = C;
 
-    const WIDTH_LOG2: u32 = log2(W);
-    const HEIGHT_LOG2: u32 = log2(H);
+    #[inline]
+    fn width_log2(&self) -> u32 {
+        const { log2("width", W) }
+    }
+
+    #[inline]
+    fn height_log2(&self) -> u32 {
+        const { log2("height", H) }
+    }
 
     #[inline]
     fn texel(&self, u: i32, v: i32) -> C {
@@ -121,7 +140,7 @@ impl<C: PixelColor, const W: usize, const H: usize> Sampler for &Texture<C, W, H
     }
 }
 
-/// The number in two or three bytes from `at` on; without calls, which the compiler counts.
+/// The number in the two or three bytes at `at`. It makes no calls, since the compiler counts them.
 const fn word(bytes: &[u8], at: usize, size: usize, big_endian: bool) -> u32 {
     let last = at + size - 1;
     let (first, second) = if big_endian {
@@ -136,30 +155,30 @@ const fn word(bytes: &[u8], at: usize, size: usize, big_endian: bool) -> u32 {
     pair << 8 | bytes[if big_endian { last } else { at }] as u32
 }
 
-/// The number in `bits` bits, the `index`th of such from the high bit of the first byte on.
+/// Number `index` in a list of numbers of `bits` bits each, which begins at the high bit of the first byte.
 const fn packed(bytes: &[u8], index: usize, bits: usize) -> u8 {
     let at = index * bits;
     (bytes[at / 8] >> (8 - bits - at % 8)) & (0xff >> (8 - bits))
 }
 
-/// How many bytes texels of so many bits take.
+/// The bytes that the texels take, of `bits` bits each.
 const fn bytes_for<const W: usize, const H: usize>(bits: usize) -> usize {
     (W * H * bits).div_ceil(8)
 }
 
-/// A constructor from raw bytes: `$texel` of the bytes and the texel's number.
+/// A constructor from raw bytes: `$texel` is computed from the bytes and the texel's number.
 macro_rules! constructor {
     ($name:ident $order:literal $bits:expr, $black:expr, |$bytes:ident, $index:ident| $texel:expr) => {
         #[doc = concat!("A texture of raw bytes", $order, ".")]
         ///
-        /// It does not compile if there are not exactly as many as the texels need.
+        /// Too few or too many bytes do not compile.
         #[must_use]
         pub const fn $name<const LENGTH: usize>($bytes: &[u8; LENGTH]) -> Self {
             const {
-                assert!(
-                    LENGTH == bytes_for::<W, H>($bits),
-                    "the number of bytes does not fit the size of the texture"
-                );
+                let needed = bytes_for::<W, H>($bits);
+                if LENGTH != needed {
+                    message::wrong_length([W, H], "bytes", LENGTH, needed);
+                }
             }
             let mut texels = [[$black; W]; H];
             let mut $index = 0;
@@ -172,10 +191,10 @@ macro_rules! constructor {
     };
 }
 
-/// RGB colours: bytes, and positions of the channels as embedded-graphics has them.
+/// RGB colors: bytes of a texel, and the lowest bits of its channels in embedded-graphics' format.
 macro_rules! rgb {
     ($($color:ident $be:ident $le:ident $bytes:literal $r:literal $g:literal $b:literal;)+) => {$(
-        impl<const W: usize, const H: usize> Texture<$color, W, H> {
+        impl<const W: usize, const H: usize> TextureArray<$color, W, H> {
             const fn color(raw: u32) -> $color {
                 // `new` masks what is above the channel.
                 $color::new((raw >> $r) as u8, (raw >> $g) as u8, (raw >> $b) as u8)
@@ -202,10 +221,10 @@ rgb! {
     Bgr888 bgr888 bgr888_le 3 0 8 16;
 }
 
-/// Colours of a byte and less.
+/// Colors of a byte and less.
 macro_rules! packed {
     ($($color:ident $name:ident $bits:literal |$raw:ident| $new:expr;)+) => {$(
-        impl<const W: usize, const H: usize> Texture<$color, W, H> {
+        impl<const W: usize, const H: usize> TextureArray<$color, W, H> {
             const fn color($raw: u8) -> $color {
                 $new
             }
@@ -250,13 +269,13 @@ mod tests {
                     raw.copy_from_slice(BYTES.split_at(N).0);
                     raw
                 };
-                const TEXTURE: Texture<$color, 8, 4> = Texture::$from(&RAW);
+                const TEXTURE: TextureArray<$color, 8, 4> = TextureArray::$from(&RAW);
                 let image = ImageRaw::<$color, $order>::new(&RAW, 8);
                 for (at, v, u) in (0..32).map(|i| (Point::new(i % 8, i / 8), i / 8, i % 8)) {
                     assert_eq!(Some((&TEXTURE).texel(u, v)), image.pixel(at), "{at}");
                 }
-                assert_eq!(Texture::<$color, 8, 4>::try_from_raw::<$order>(&RAW), Ok(TEXTURE));
-                let short = Texture::<$color, 8, 4>::try_from_raw::<$order>(&RAW[1..]);
+                assert_eq!(TextureArray::<$color, 8, 4>::try_from_raw::<$order>(&RAW), Ok(TEXTURE));
+                let short = TextureArray::<$color, 8, 4>::try_from_raw::<$order>(&RAW[1..]);
                 assert_eq!(short, Err(Error::Length { given: N - 1, needed: N }));
             })+};
         }
@@ -283,7 +302,7 @@ mod tests {
     #[test]
     fn texels_repeat_in_both_directions() {
         let texture =
-            Texture::from_texels([[0, 1, 2, 3], [4, 5, 6, 7]].map(|row| row.map(Gray8::new)));
+            TextureArray::from_texels([[0, 1, 2, 3], [4, 5, 6, 7]].map(|row| row.map(Gray8::new)));
         let texel = |u, v| (&texture).texel(u, v).luma();
         assert_eq!([texel(0, 0), texel(3, 1), texel(4, 2)], [0, 7, 0]);
         assert_eq!([texel(-1, -1), texel(i32::MIN, i32::MAX)], [7, 4]);
@@ -291,7 +310,7 @@ mod tests {
 
     #[test]
     fn as_large_as_documented() {
-        const LARGE: Texture<Rgb565, 512, 512> = Texture::rgb565(&[0x12; 512 * 512 * 2]);
+        const LARGE: TextureArray<Rgb565, 512, 512> = TextureArray::rgb565(&[0x12; 512 * 512 * 2]);
         assert_eq!((&LARGE).texel(511, 511), Rgb565::new(2, 16, 18));
     }
 }

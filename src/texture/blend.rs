@@ -1,32 +1,31 @@
-//! Colours between four colours.
+//! Colors between four colors.
 
 use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, Gray8, GrayColor, IntoStorage, PixelColor, Rgb555, Rgb565,
     Rgb666, Rgb888, raw::RawU16, raw::RawU24,
 };
 
-/// A colour that [`Bilinear`](super::Bilinear) filtering can blend, channel by channel, of the colour values as
-/// they are (no gamma).
+/// A color that [`Bilinear`](super::Bilinear) filtering can blend. Each channel is blended as it is stored, without
+/// gamma.
 ///
-/// Implemented for [`Gray8`] and the RGB and BGR colours of embedded-graphics. Coarser greys have no
-/// colours between to speak of: keep such a texture in [`Gray8`], and let
-/// [`Converted`](super::Converted) dither what comes out.
+/// [`Gray8`] and the RGB and BGR colors of embedded-graphics implement it. Coarser grays have too few
+/// steps to blend: keep such a texture in [`Gray8`], and let [`Converted`](crate::Converted) dither the result.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-/// use fixel::shade::Blend;
+/// use fixel::texture::Blend;
 /// let quad = [[Rgb565::BLACK, Rgb565::RED], [Rgb565::BLACK, Rgb565::RED]];
 /// // A quarter of the way to the right, in 32nds.
 /// assert_eq!(Rgb565::blend(quad, [8, 0]), Rgb565::new(8, 0, 0));
 /// ```
 pub trait Blend: PixelColor {
-    /// How finely [`blend`](Self::blend) divides the way from a texel to the next: into 2 to this power,
+    /// [`blend`](Self::blend) divides the distance between two texels into 2 to this power steps;
     /// at least 1 and at most 15.
     const WEIGHT_BITS: u32;
 
-    /// The colour at a place between four texels, upper ones first and left ones first in a row: as far right
-    /// and down of the first as `weights` say, in units of 2^-[`WEIGHT_BITS`](Self::WEIGHT_BITS),
-    /// from 0 to less than 1. With weights of 0 it must be the first texel exactly.
+    /// The color at a point between four texels. The upper row comes first, and in a row the left texel.
+    /// `weights` are the point's distances to the right of the first texel and below it, in units of
+    /// 2^-[`WEIGHT_BITS`](Self::WEIGHT_BITS), from 0 to less than 1. With weights of 0 the result must be the first texel exactly.
     #[must_use]
     fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self;
 }
@@ -36,7 +35,7 @@ const fn roomy(mask: u32, bits: u32) -> bool {
     let mut room = 0;
     let mut above = mask;
     while room < bits {
-        // The first bits of lanes, and none that the word has lost.
+        // Neither does a lane reach the lowest bit of another, nor has the word lost a bit.
         if above >> 31 != 0 || (above << 1) & lowest(mask) != 0 {
             return false;
         }
@@ -51,17 +50,16 @@ const fn lowest(mask: u32) -> u32 {
     mask & !(mask << 1)
 }
 
-/// Something of each of four texels; spelled out, as a map would stay a loop where code is optimised for size.
+/// Applies `of` to each of four texels. Written out, because a map stays a loop in code optimized for size.
 #[inline]
 fn each<T, U>([[a, b], [c, d]]: [[T; 2]; 2], of: impl Fn(T) -> U) -> [[U; 2]; 2] {
     [[of(a), of(b)], [of(c), of(d)]]
 }
 
-/// Blends the channels of four texels that lie in lanes of a word, the ones of `MASK`: along the
-/// upper and the lower row, then between the two, each to the nearest, halves up.
+/// Blends the channels of four texels. A word holds a texel's channels in lanes, the ones of `MASK`. Blends along the
+/// upper and the lower row come first, then one between them, each rounded to nearest, halves up.
 ///
-/// So a channel is within one step of the sum weighted by `x` and `y` exactly, half a step for the
-/// rows and half for what is between them.
+/// Each of the two roundings is within half a step, so a channel is within one step of the exact sum weighted by `x` and `y`.
 #[inline]
 fn bilinear<const MASK: u32, const BITS: u32>(
     [upper, lower]: [[u32; 2]; 2],
@@ -69,15 +67,15 @@ fn bilinear<const MASK: u32, const BITS: u32>(
 ) -> u32 {
     const { assert!(roomy(MASK, BITS), "lanes overlap when weighted") };
     let mix = |[a, b]: [u32; 2], weight: u32| {
-        // a · (2^BITS − weight) + b · weight, for all lanes at once: what lanes of the difference borrow
-        // from their neighbours they give back in the sum, where no lane is negative.
+        // a · (2^BITS − weight) + b · weight, for all lanes at once. Lanes of the difference may borrow
+        // from their neighbors; they give it back in the sum, where no lane is negative.
         let sum = (a << BITS).wrapping_add(b.wrapping_sub(a).wrapping_mul(weight));
         (sum.wrapping_add(lowest(MASK) << (BITS - 1)) >> BITS) & MASK
     };
     mix([mix(upper, x), mix(lower, x)], y)
 }
 
-/// Colours whose channels fit one word with five bits of room each: the middle one in the upper half.
+/// Colors whose channels fit in one word with five bits of room each: the middle channel in the upper half.
 macro_rules! one_word {
     ($($color:ident $mask:literal)+) => {$(
         impl Blend for $color {
@@ -103,7 +101,7 @@ one_word! {
     Bgr555 0x03e0_7c1f
 }
 
-/// Colours of more bits: the outer channels in one word, 16 bits apart, the middle one in another.
+/// Colors of more bits: the outer channels in one word, 16 bits apart, the middle channel in another.
 macro_rules! two_words {
     ($($color:ident $channel:literal $bits:literal)+) => {$(
         impl Blend for $color {
@@ -111,7 +109,7 @@ macro_rules! two_words {
 
             #[inline]
             fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self {
-                /// From the place of the upper channel to the upper half.
+                /// Shifts the upper channel to the upper half.
                 const UP: u32 = 16 - 2 * $bits;
                 const OUTER: u32 = $channel << 16 | $channel;
                 let raw = each(texels, IntoStorage::into_storage);
