@@ -84,6 +84,8 @@ pub trait IntoScalar: sealed::Sealed {
     fn into_scalar(self) -> Scalar;
 }
 
+// Keeps the spelled-out type of `Scalar` out of the message.
+#[diagnostic::do_not_recommend]
 impl IntoScalar for Scalar {
     #[inline]
     fn into_scalar(self) -> Scalar {

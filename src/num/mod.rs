@@ -5,18 +5,18 @@
 //! | coordinates, distances | [`Scalar`] (`I16F16`) | ±32768 | 1.5e-5 |
 //! | texture coordinates | [`TexCoord`] (`I12F20` repeats) | ±2048 | 9.5e-7 |
 //! | sine, cosine, unit vectors | [`Unit`] (`I2F30`) | ±2 | 9.3e-10 |
-//! | angle | `u32` fraction of a turn ([`Angle`](crate::Angle)) | one turn, wraps | 8.4e-8 degrees |
-//! | speed of rotation | `i64` thousandths of a turn per minute ([`Rate`](crate::Rate)) | ±2.1 million turns per minute, 60 times that in hertz | 1/1000 |
+//! | angle | `u32` fraction of a turn ([`Angle`]) | one turn, wraps | 8.4e-8 degrees |
+//! | speed of rotation | `i64` thousandths of a turn per minute ([`Rate`]) | ±2.1 million turns per minute, 60 times that in hertz | 1/1000 |
 //! | time | `u64` milliseconds | 584 million years | 1 ms |
 //! | transform, projection | 30 bits and a sign, with a shared exponent ([`Transform`](crate::Transform)) | ±2^62 | 2^-30 of the largest |
 //! | clip space | `i64` with a binary point per draw call | every [`Scalar`] under every transform | 2^-16 of a model's unit or finer |
 //! | screen | [`Subpixel`] (`I24F8` pixels) | 2048 about the viewport's center, beyond which triangles are clipped | 1/256 pixel |
 //! | 1/w, or depth under a parallel projection | `u32`, 31 bits at the nearest corner of a primitive | 2^23 to 1 in a primitive | 2^-31 of the largest |
 //! | attribute/w | `i32`, scaled in the same way | half of 1/w | 2^-30 of the attribute's largest value |
-//! | reciprocal of 1/w | 31 bits ([`reciprocal`](crate::num::reciprocal)) | | exact, rounded down |
-//! | depth as stored | `u16`, floor(65535 · near / w) | 65535 at the near plane, 0 infinitely far | 1/65535 of near/w |
-//! | the same in [floating point](crate::target::Float) | `u16`: 4 bits of exponent, 12 of mantissa | 65535 at the near plane, 0 from 65,536 times as far | 2^-12 of the distance |
-//! | the same over a [wider range](crate::target::WideFloat) | `u16`: 5 bits of exponent, 11 of mantissa | 65535 at the near plane, 0 from 2^32 times as far | 2^-11 of the distance |
+//! | reciprocal of 1/w | 31 bits ([`reciprocal`]) | | exact, rounded down |
+//! | stored depth | `u16`, floor(65535 · near / w) | 65535 at the near plane, 0 infinitely far | 1/65535 of near/w |
+//! | stored depth in [floating point](crate::target::Float) | `u16`: 4 bits of exponent, 12 of mantissa | 65535 at the near plane, 0 from 65,536 times as far | 2^-12 of the distance |
+//! | stored depth over a [wider range](crate::target::WideFloat) | `u16`: 5 bits of exponent, 11 of mantissa | 65535 at the near plane, 0 from 2^32 times as far | 2^-11 of the distance |
 //! | [short](crate::Mesh::short) positions | `[i16; 3]`, 0 to 16 fraction bits | ±2^15 units | 2^-fraction |
 //! | varyings of a shader | `i32` in a unit of the shader's choice | ±2^31 | rounded down to that unit |
 //! | … texels | 16 fraction bits ([`Textured`](crate::Textured)) | ±32768 texels | 1/65536 texel |
