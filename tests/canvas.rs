@@ -150,22 +150,11 @@ fn fill_contiguous_ends() {
 
 /// A picture with a triangle in it, and with depth.
 fn triangle<C: PixelColor>(canvas: &mut Canvas<'_, C, Native, Depth<'_>>, color: C, distance: i16) {
-    #[derive(Clone, Copy)]
-    struct One<C>(C);
-    impl<C: PixelColor> Shader<0> for One<C> {
-        type Color = C;
-        fn varyings(&self, _: &Corner) -> [i32; 0] {
-            []
-        }
-        fn shade(&self, _: &Fragment, []: [i32; 0]) -> Option<C> {
-            Some(self.0)
-        }
-    }
     let projection =
         Projection::orthographic(fx!(0), fx!(8), fx!(-8), fx!(0), fx!(0), fx!(10)).unwrap();
     let positions = [(0, 0), (0, -8), (8, -8)].map(|(x, y)| Vec3::from_ints(x, y, -distance));
     let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
-    canvas.draw(&mesh, &projection.into(), &One(color));
+    canvas.draw(&mesh, &projection.into(), &Flat::new(color));
 }
 
 /// Text goes over the picture and leaves the depth as it is.

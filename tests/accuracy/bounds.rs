@@ -60,7 +60,7 @@ pub fn perspective(
         Mode::Fast(_) => {
             exact(corners, corners_w, farthest) + mode.tolerance() * TEXEL + fast(corners)
         }
-        Mode::Affine | Mode::Linear => panic!("{mode:?} does not divide by w"),
+        Mode::Affine => panic!("{mode:?} does not divide by w"),
     }
 }
 
