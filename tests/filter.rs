@@ -12,8 +12,8 @@ use embedded_graphics::pixelcolor::{
     RgbColor,
 };
 use fixel::prelude::*;
-use fixel::shade::{Lanes, Varyings};
 use fixel::shade::Blend;
+use fixel::shade::{Lanes, Varyings};
 use proptest::prelude::*;
 use reference::texture::{Blended, Wrap, bilinear};
 

@@ -47,7 +47,12 @@ fn picture(model: Transform) -> Vec<String> {
     let mut pixels = [BinaryColor::Off; (SIZE * SIZE) as usize];
     let mut canvas = Canvas::new(&mut pixels, SIZE, SIZE).unwrap();
     let mvp = projection() * model;
-    canvas.draw_edges(&DrawOptions::new(), &mesh, &mvp, &Flat::new(BinaryColor::On));
+    canvas.draw_edges(
+        &DrawOptions::new(),
+        &mesh,
+        &mvp,
+        &Flat::new(BinaryColor::On),
+    );
     let ink = |color: &BinaryColor| if color.is_on() { '#' } else { '.' };
     pixels
         .chunks(SIZE as usize)
