@@ -10,10 +10,10 @@
 mod common;
 mod reference;
 
-use std::cell::RefCell;
 use std::collections::HashMap;
 
 use common::meshes::{Point, triangulation};
+use common::recorder::{Probe, Seen, record};
 use common::{BOTH_SIDES, Counter};
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
@@ -151,27 +151,6 @@ fn count(positions: &[Vec3], faces: &[[u16; 3]], pass: &DrawOptions) -> (Vec<u32
     (counter.take(), drawn)
 }
 
-/// A pixel as it was drawn: the face, the distance ahead and the depth.
-type Drawing = RefCell<Vec<([i32; 2], i32, u16)>>;
-
-/// Records the distance ahead as it is interpolated.
-#[derive(Clone, Copy)]
-struct Record<'a>(&'a Drawing);
-
-impl Shader for Record<'_> {
-    type Color = Gray8;
-
-    fn varyings(&self, vertex: &Corner) -> [i32; 1] {
-        [vertex.distance().to_bits()]
-    }
-
-    fn shade(&self, sample: &Fragment, [distance]: [i32; 1]) -> Option<Gray8> {
-        let point = [sample.point.x, sample.point.y];
-        self.0.borrow_mut().push((point, distance, sample.depth));
-        None
-    }
-}
-
 /// In units of 2⁻¹⁶.
 const UNIT: i32 = 1 << 16;
 
@@ -225,13 +204,16 @@ proptest! {
         let all: u32 = counts.iter().sum();
         prop_assert!(drawn.drawn > 0 || all == 0);
 
-        let drawing = Drawing::default();
         let mut pixels = vec![Gray8::new(0); counts.len()];
         let mesh = Mesh::new(&corners, &[[0, 1, 2]]).unwrap();
-        Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap()
-            .draw_with(&BOTH_SIDES, &mesh, &projection().into(), &Record(&drawing));
+        let mut canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
+        // The distance ahead as it is interpolated.
+        let probe = Probe { values: &|corner| [corner.distance().to_bits()], color: None };
+        let record = record(probe, |recorder| {
+            canvas.draw_with(&BOTH_SIDES, &mesh, &projection().into(), recorder);
+        });
         let plane = inverse_w(corners);
-        for (pixel, distance, depth) in drawing.into_inner() {
+        for Seen { pixel, values: [distance], depth, .. } in record.seen {
             let w = f64::from(distance) / 65536.;
             // The corners' distances are below 64, 2^22 units, so the interpolant is distance · q · 2^-24. It and q are off
             // by at most 34 units (corner, plane and steps, see `RUN`), q being at least 2^30 · near/w.

@@ -9,6 +9,8 @@ mod course {
     mod given;
     mod pictures;
     mod projection;
+    #[path = "../common/recorder.rs"]
+    mod recorder;
     mod segment;
     mod time;
     mod triangle;

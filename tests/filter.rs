@@ -12,6 +12,7 @@ use embedded_graphics::pixelcolor::{
     RgbColor,
 };
 use fixel::prelude::*;
+use fixel::shade::{Lanes, Varyings};
 use fixel::texture::Blend;
 use proptest::prelude::*;
 use reference::texture::{Blended, Wrap, bilinear};
@@ -74,12 +75,16 @@ fn channel<C: Parts, const W: usize, const H: usize>(
     texels.iter().map(row).collect()
 }
 
-/// The colour that a shader gives texels that are looked up at (u, v), in texels of 16 fraction bits.
-fn shade<F: Shader>(shader: &F, varyings: [i32; N]) -> F::Color {
+/// What a shader has interpolated.
+type Numbers<F> = <<<F as Shader>::Varyings as Varyings>::Lanes as Lanes>::Of<i32>;
+
+/// The color that a shader gives texels that are looked up at (u, v), in texels of 16 fraction bits.
+fn shade<F: Shader>(shader: &F, numbers: Numbers<F>) -> F::Color {
     let sample = Fragment {
         point: Point::zero(),
         depth: 0,
     };
+    let varyings = F::Varyings::join(numbers, Default::default());
     shader.shade(&sample, varyings).unwrap()
 }
 
@@ -213,7 +218,7 @@ proptest! {
         let sun = Light::new(Vec3::Y, fx!(0), fx!(1)).unwrap();
         prop_assert_eq!(shade(&skin.bilinear().lit(sun), [u, v, 1 << 16]), color);
         let white = [u, v, 1 << 16, 1 << 16, 1 << 16];
-        prop_assert_eq!(shade(&skin.bilinear().modulated(), white), color);
+        prop_assert_eq!(shade(&skin.bilinear().tinted(), white), color);
     }
 }
 

@@ -3,8 +3,7 @@
 mod common;
 mod reference;
 
-use std::cell::RefCell;
-
+use common::recorder::{Probe, Seen, record};
 use common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
@@ -140,41 +139,27 @@ proptest! {
 /// A pixel as it was drawn, with its attribute and depth.
 type Drawn = ([i32; 2], i32, u16);
 
-/// Records the position's x as it is interpolated.
-#[derive(Clone, Copy)]
-struct Record<'a>(&'a RefCell<Vec<Drawn>>);
-
-impl Shader for Record<'_> {
-    type Color = Gray8;
-
-    fn varyings(&self, vertex: &Corner) -> [i32; 1] {
-        [vertex.position().x.to_bits()]
-    }
-
-    fn shade(&self, sample: &Fragment, [x]: [i32; 1]) -> Option<Gray8> {
-        self.0
-            .borrow_mut()
-            .push(([sample.point.x, sample.point.y], x, sample.depth));
-        Some(Gray8::new(1))
-    }
-}
-
+/// A line's pixels with the position's x as it is interpolated.
 fn recorded<K: ProjectionKind>(
     mvp: &Mvp<K>,
     ends: [Vec3; 2],
     edge: [u16; 2],
 ) -> (Vec<Drawn>, Vec<u16>) {
-    let drawing = RefCell::default();
     let pixels = (SIZE.0 * SIZE.1) as usize;
     let (mut colors, mut depths) = (vec![Gray8::new(0); pixels], vec![0; pixels]);
     let edges = [edge];
     let mesh = Mesh::new(&ends, &[]).unwrap().with_edges(&edges).unwrap();
     let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
-    canvas
-        .with_depth(&mut depths)
-        .unwrap()
-        .draw_edges(&BOTH_SIDES, &mesh, mvp, &Record(&drawing));
-    (drawing.into_inner(), depths)
+    let mut canvas = canvas.with_depth(&mut depths).unwrap();
+    let probe = Probe {
+        values: &|corner| [corner.position().x.to_bits()],
+        color: Some(Gray8::new(1)),
+    };
+    let record = record(probe, |recorder| {
+        canvas.draw_edges(&BOTH_SIDES, &mesh, mvp, recorder);
+    });
+    let drawn = |seen: Seen<1>| (seen.pixel, seen.values[0], seen.depth);
+    (record.seen.into_iter().map(drawn).collect(), depths)
 }
 
 const NEAR: f64 = 0.25;

@@ -15,6 +15,8 @@ mod mode;
 #[path = "accuracy/moves.rs"]
 #[allow(dead_code)]
 mod moves;
+#[path = "common/recorder.rs"]
+mod recorder;
 #[path = "reference/mod.rs"]
 mod reference;
 

@@ -56,7 +56,7 @@ fn drawn<K: ProjectionKind, I: Mode>(
     let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
     let mut canvas: Board<'_> = canvas.with_depth(&mut depths).unwrap();
     let light = Light::new(vec3!(1, 2, 3), fx!(0.2), fx!(0.8)).unwrap();
-    let clay = Lit::new(Rgb888::new(236, 214, 190), light);
+    let clay = Flat::rgb(Rgb888::new(236, 214, 190)).lit(light);
     let pass = DrawOptions::new().mode(mode).cull(Cull::Nothing);
     let counts = [
         canvas.draw_with(&pass, mesh, mvp, &clay),

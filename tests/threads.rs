@@ -4,11 +4,12 @@ use std::sync::Barrier;
 use std::thread;
 
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
-use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, RgbColor};
+use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, Rgb888, RgbColor};
 use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 use fixel::target::{Depth, Native, NoDepth};
 use fixel::view::{Parallel, Perspective};
+use fixel::{Converted, FaceLit, Lit, Tinted};
 
 #[path = "../examples/common/mod.rs"]
 mod common;
@@ -37,19 +38,18 @@ const _: () = {
     both::<DrawOptions<Newton>>();
     both::<DrawOptions<Fast>>();
     both::<DrawOptions<Affine>>();
-    both::<DrawOptions<Linear>>();
     both::<Skin>();
     both::<Light>();
     both::<Flat<Rgb565>>();
     both::<Gouraud<Rgb565>>();
     both::<FaceColors<'static, Rgb565>>();
-    both::<Lit<Rgb565>>();
-    both::<LitFaces<Rgb565>>();
+    both::<Lit<Converted<Flat<Rgb888>, Rgb565>>>();
+    both::<FaceLit<Converted<Flat<Rgb888>, Rgb565>>>();
     both::<Textured<&'static Skin>>();
     both::<Textured<&'static PaletteArray<Rgb565, 64, 64>>>();
-    both::<LitTexture<&'static Skin>>();
-    both::<Modulated<&'static Skin>>();
-    both::<Converted<Lit<Gray4>, Rgb565>>();
+    both::<Lit<Textured<&'static Skin>>>();
+    both::<Tinted<Textured<&'static Skin>>>();
+    both::<Converted<Lit<Flat<Gray4>>, Rgb565>>();
     both::<DepthView<Rgb565>>();
     both::<NormalView<Rgb565>>();
     both::<Drawn>();
@@ -151,7 +151,6 @@ fn textured_and_shaded_with_depth_in_every_mode() {
     scenes_in(Fast::within(fx!(0.25)));
     scenes_in(Fast::within(fx!(4)));
     scenes_in(Affine);
-    scenes_in(Linear);
 }
 
 #[test]

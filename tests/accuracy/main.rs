@@ -5,6 +5,8 @@
 // f64 holds every integer used here, and no pixel is left of or above the picture.
 #![allow(clippy::cast_precision_loss, clippy::cast_sign_loss)]
 
+#[path = "../common/recorder.rs"]
+mod recorder;
 #[path = "../reference/mod.rs"]
 mod reference;
 

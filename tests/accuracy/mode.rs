@@ -14,7 +14,6 @@ pub enum Mode {
     /// To so many texels.
     Fast(Scalar),
     Affine,
-    Linear,
 }
 
 impl Mode {
@@ -33,18 +32,17 @@ impl Mode {
     ];
 
     /// Those that differ in a parallel projection, and those that are to be the same as they.
-    pub const PARALLEL: [Self; 5] = [
+    pub const PARALLEL: [Self; 4] = [
         Self::Exact,
         Self::Newton,
         Self::Fast(fx!(0.25)),
         Self::Affine,
-        Self::Linear,
     ];
 
     /// The mode that this one is in a parallel projection.
     pub fn in_parallel(self) -> Self {
         match self {
-            Self::Exact | Self::Linear => Self::Linear,
+            Self::Exact => Self::Exact,
             Self::Newton | Self::Fast(_) | Self::Affine => Self::Affine,
         }
     }
@@ -54,7 +52,7 @@ impl Mode {
         match self {
             Self::Exact | Self::Newton => 0.001,
             Self::Fast(_) => self.tolerance() + 1. / 32.,
-            Self::Affine | Self::Linear => f64::INFINITY,
+            Self::Affine => f64::INFINITY,
         }
     }
 
@@ -82,7 +80,6 @@ impl Mode {
                 canvas.draw_with(&pass.mode(Fast::within(texels)), mesh, mvp, shader)
             }
             Self::Affine => canvas.draw_with(&pass.mode(Affine), mesh, mvp, shader),
-            Self::Linear => canvas.draw_with(&pass.mode(Linear), mesh, mvp, shader),
         };
     }
 }

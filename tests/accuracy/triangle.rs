@@ -6,6 +6,7 @@ use fixel::view::ProjectionKind;
 
 use crate::drawing::{Drawing, Seen};
 use crate::mode::Mode;
+use crate::recorder::Few;
 use crate::reference::attributes::at_pixel_snapped;
 use crate::reference::coverage::{Snapped, covered};
 
@@ -86,7 +87,10 @@ impl<K: ProjectionKind, const N: usize> Triangle<K, N> {
     }
 
     /// The crate's pixels in a mode, row by row.
-    pub fn draw(&self, mode: Mode) -> Vec<Seen<N>> {
+    pub fn draw(&self, mode: Mode) -> Vec<Seen<N>>
+    where
+        [(); N]: Few<N>,
+    {
         let mut seen = self.drawing(mode).all(&|vertex| {
             let corner = self.positions.iter().position(|&p| p == vertex.position());
             self.values.map(|value| value[corner.unwrap()])

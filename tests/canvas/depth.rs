@@ -18,8 +18,17 @@ fn triangle<C: PixelColor, D: DepthBuffer>(
     color: C,
     distance: i16,
 ) {
-    let projection =
-        Projection::orthographic(fx!(0), fx!(8), fx!(-8), fx!(0), fx!(0), fx!(10)).unwrap();
+    let projection = Projection::orthographic(
+        Window {
+            left: fx!(0),
+            right: fx!(8),
+            bottom: fx!(-8),
+            top: fx!(0),
+        },
+        fx!(0),
+        fx!(10),
+    )
+    .unwrap();
     let positions = [(0, 0), (0, -8), (8, -8)].map(|(x, y)| Vec3::from_ints(x, y, -distance));
     let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
     canvas.draw(&mesh, &projection.into(), &Flat::new(color));

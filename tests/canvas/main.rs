@@ -113,6 +113,27 @@ fn byte_orders() {
     assert_eq!(canvas.as_bytes(), [7]);
 }
 
+/// Elements given and needed.
+fn length(error: Option<Error>) -> (usize, usize) {
+    match error {
+        Some(Error::Length { given, needed, .. }) => (given, needed),
+        other => panic!("{other:?} is no wrong length"),
+    }
+}
+
+/// First row and number of rows of the band, and rows of the frame.
+fn rows(error: Option<Error>) -> (u32, u32, u32) {
+    match error {
+        Some(Error::Rows {
+            first,
+            rows,
+            height,
+            ..
+        }) => (first, rows, height),
+        other => panic!("{other:?} is no band outside its frame"),
+    }
+}
+
 /// What is refused, with the numbers that the message is to name.
 #[test]
 fn errors_name_the_numbers() {
@@ -129,41 +150,33 @@ fn errors_name_the_numbers() {
         (1, MAX_SIZE + 1),
         (u32::MAX, u32::MAX),
     ] {
-        let error = Some(Error::Size {
-            width,
-            height,
-            max: MAX_SIZE,
-        });
-        assert_eq!(new(4, width, height), error);
-        assert_eq!(band(4, width, height, 0), error);
+        for error in [new(4, width, height), band(4, width, height, 0)] {
+            let Some(Error::Size {
+                width: w,
+                height: h,
+                max,
+                ..
+            }) = error
+            else {
+                panic!("{width}x{height} gave {error:?}");
+            };
+            assert_eq!((w, h, max), (width, height, MAX_SIZE));
+        }
     }
     assert_eq!(new(MAX_SIZE as usize, MAX_SIZE, 1), None);
 
     for given in [0, 11, 13] {
-        assert_eq!(new(given, 4, 3), Some(Error::Length { given, needed: 12 }));
+        assert_eq!(length(new(given, 4, 3)), (given, 12));
     }
     assert_eq!(new(12, 4, 3), None);
 
-    let rows = |first, rows| {
-        Some(Error::Rows {
-            first,
-            rows,
-            height: 3,
-        })
-    };
-    assert_eq!(band(0, 4, 3, 0), rows(0, 0));
-    assert_eq!(band(3, 4, 3, 0), rows(0, 0), "less than a row");
-    assert_eq!(band(8, 4, 3, 2), rows(2, 2));
-    assert_eq!(band(16, 4, 3, 0), rows(0, 4));
-    assert_eq!(band(4, 4, 3, 3), rows(3, 1));
-    assert_eq!(band(4, 4, 3, u32::MAX), rows(u32::MAX, 1));
-    assert_eq!(
-        band(9, 4, 3, 1),
-        Some(Error::Length {
-            given: 9,
-            needed: 8
-        })
-    );
+    assert_eq!(rows(band(0, 4, 3, 0)), (0, 0, 3));
+    assert_eq!(rows(band(3, 4, 3, 0)), (0, 0, 3), "less than a row");
+    assert_eq!(rows(band(8, 4, 3, 2)), (2, 2, 3));
+    assert_eq!(rows(band(16, 4, 3, 0)), (0, 4, 3));
+    assert_eq!(rows(band(4, 4, 3, 3)), (3, 1, 3));
+    assert_eq!(rows(band(4, 4, 3, u32::MAX)), (u32::MAX, 1, 3));
+    assert_eq!(length(band(9, 4, 3, 1)), (9, 8));
     assert_eq!(
         (band(4, 4, 3, 2), band(8, 4, 3, 1), band(12, 4, 3, 0)),
         (None, None, None)
@@ -175,30 +188,15 @@ fn errors_name_the_numbers() {
         band.with_depth(&mut vec![0; given]).err()
     };
     assert_eq!(
-        with_depth(12, 1),
-        Some(Error::Length {
-            given: 12,
-            needed: 8
-        }),
+        length(with_depth(12, 1)),
+        (12, 8),
         "of the band, not the frame"
     );
     assert_eq!(with_depth(8, 1), None);
 
     let mut cells = [[0; 2]; 5];
-    let error = |error| Some(error);
-    assert_eq!(
-        Canvas::<Rgb565, BigEndian>::big_endian(&mut cells, 2, 2).err(),
-        error(Error::Length {
-            given: 5,
-            needed: 4
-        })
-    );
-    assert_eq!(
-        Canvas::<Rgb565, LittleEndian>::little_endian_band(&mut cells, 5, 2, 2).err(),
-        error(Error::Rows {
-            first: 2,
-            rows: 1,
-            height: 2
-        })
-    );
+    let error = Canvas::<Rgb565, BigEndian>::big_endian(&mut cells, 2, 2).err();
+    assert_eq!(length(error), (5, 4));
+    let error = Canvas::<Rgb565, LittleEndian>::little_endian_band(&mut cells, 5, 2, 2).err();
+    assert_eq!(rows(error), (2, 1, 2));
 }

@@ -4,65 +4,48 @@
 #![allow(dead_code)]
 
 pub mod meshes;
-
-use std::cell::Cell;
+pub mod recorder;
 
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
 use fixel::view::{Parallel, ProjectionKind};
 use fixel::{Drawn, ScreenPoint};
 
-/// Counts how often each pixel of a frame is drawn, and draws it white.
-#[derive(Clone, Copy)]
-pub struct Count<'a> {
-    counts: &'a [Cell<u32>],
-    width: u32,
-}
+use recorder::{Recorder, record};
 
-impl Shader for Count<'_> {
-    type Color = Gray8;
-
-    fn varyings(&self, _: &Corner) -> [i32; 0] {
-        []
-    }
-
-    fn shade(&self, sample: &Fragment, []: [i32; 0]) -> Option<Gray8> {
-        let [x, y] = [sample.point.x, sample.point.y].map(|at| usize::try_from(at).unwrap());
-        assert!(x < self.width as usize, "column {x} of {}", self.width);
-        let count = &self.counts[y * self.width as usize + x];
-        count.set(count.get() + 1);
-        Some(Gray8::new(255))
-    }
-}
-
-/// A white frame's worth of counters, to be drawn into without a depth buffer.
+/// How often each pixel of a frame is drawn, without a depth buffer.
 pub struct Counter {
     pixels: Vec<Gray8>,
-    counts: Vec<Cell<u32>>,
+    counts: Vec<u32>,
     /// Width and height of the frame.
     pub size: (u32, u32),
 }
+
+/// A shader that writes down where it is asked for a color.
+type Count<'a> = Recorder<'a, Flat<Gray8>, 0>;
 
 impl Counter {
     pub fn new(size: (u32, u32)) -> Self {
         let pixels = size.0 as usize * size.1 as usize;
         Self {
             pixels: vec![Gray8::new(0); pixels],
-            counts: vec![Cell::new(0); pixels],
+            counts: vec![0; pixels],
             size,
         }
     }
 
-    fn with<T>(&mut self, draw: impl FnOnce(&mut Canvas<'_, Gray8>, &Count<'_>) -> T) -> T {
+    fn with(&mut self, draw: impl FnOnce(&mut Canvas<'_, Gray8>, &Count<'_>) -> Drawn) -> Drawn {
         let (width, height) = self.size;
-        let count = Count {
-            counts: &self.counts,
-            width,
-        };
-        draw(
-            &mut Canvas::new(&mut self.pixels, width, height).unwrap(),
-            &count,
-        )
+        let mut canvas = Canvas::new(&mut self.pixels, width, height).unwrap();
+        let mut drawn = Drawn::default();
+        let white = Flat::new(Gray8::new(255));
+        let record = record(white, |count| drawn = draw(&mut canvas, count));
+        for seen in record.seen {
+            let [x, y] = seen.pixel.map(|at| usize::try_from(at).unwrap());
+            assert!(x < width as usize, "column {x} of {width}");
+            self.counts[y * width as usize + x] += 1;
+        }
+        drawn
     }
 
     /// Draws a mesh's triangles.
@@ -101,8 +84,10 @@ impl Counter {
         pass: &DrawOptions,
         mvp: &Mvp<K>,
         point: Vec3,
-    ) -> Option<Place> {
-        self.with(|canvas, _| canvas.project(pass, mvp, point))
+    ) -> Option<ScreenPoint> {
+        let (width, height) = self.size;
+        let canvas = Canvas::new(&mut self.pixels, width, height).unwrap();
+        canvas.project(pass, mvp, point)
     }
 
     /// Where the crate puts a point, in 24.8.
@@ -113,7 +98,7 @@ impl Counter {
 
     /// How often each pixel was drawn, in row order, since the last time this was asked.
     pub fn take(&mut self) -> Vec<u32> {
-        self.counts.iter().map(Cell::take).collect()
+        self.counts.iter_mut().map(std::mem::take).collect()
     }
 
     /// The counts as text, a line per row: `.` for none.

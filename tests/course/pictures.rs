@@ -8,22 +8,6 @@ use super::given::floats;
 
 const SIZE: u32 = 28;
 
-/// Paints every pixel of a line.
-#[derive(Clone, Copy)]
-struct Ink;
-
-impl Shader for Ink {
-    type Color = BinaryColor;
-
-    fn varyings(&self, _: &Corner<'_>) -> [i32; 0] {
-        []
-    }
-
-    fn shade(&self, _: &Fragment, []: [i32; 0]) -> Option<BinaryColor> {
-        Some(BinaryColor::On)
-    }
-}
-
 static CUBE: [Vec3; 8] = [
     vec3!(-1, -1, 1),
     vec3!(1, -1, 1),
@@ -62,7 +46,13 @@ fn picture(model: Transform) -> Vec<String> {
         .unwrap();
     let mut pixels = [BinaryColor::Off; (SIZE * SIZE) as usize];
     let mut canvas = Canvas::new(&mut pixels, SIZE, SIZE).unwrap();
-    canvas.draw_edges(&DrawOptions::new(), &mesh, &(projection() * model), &Ink);
+    let mvp = projection() * model;
+    canvas.draw_edges(
+        &DrawOptions::new(),
+        &mesh,
+        &mvp,
+        &Flat::new(BinaryColor::On),
+    );
     let ink = |color: &BinaryColor| if color.is_on() { '#' } else { '.' };
     pixels
         .chunks(SIZE as usize)

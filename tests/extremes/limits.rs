@@ -8,7 +8,6 @@ use fixel::num::{scalar, tex_coord};
 use fixel::prelude::*;
 use fixel::target::MAX_SIZE;
 use fixel::texture::{MAX_TEXTURE_SIZE, Sampler};
-use fixel::view::{Kind, Perspective};
 use fixel::view::{Perspective, ProjectionKind};
 
 use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};

@@ -42,3 +42,5 @@ mod table;
 mod textures;
 mod total;
 mod verdict;
+
+use common::recorder;

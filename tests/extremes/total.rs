@@ -2,9 +2,10 @@
 //! made of, nothing panics (tests check for overflow), and bands are still the frame.
 
 use embedded_graphics::pixelcolor::{Gray8, Rgb888};
-use fixel::mode::{Affine, Exact, Fast, Mode, Newton, Tolerance};
+use fixel::mode::{self, Affine, Exact, Fast, Newton};
 use fixel::prelude::*;
-use fixel::target::{DepthBuffer, Native};
+use fixel::shade::{Tolerance, Varyings};
+use fixel::target::{DepthBuffer, Float, Native, NoDepth, WideFloat};
 use fixel::view::ProjectionKind;
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -86,7 +87,7 @@ const CORNERS: usize = 6;
 
 /// Any way to interpolate, with any tolerance.
 fn modes() -> impl Strategy<Value = Mode> {
-    let plain = vec![Mode::Newton, Mode::Exact, Mode::Affine, Mode::Linear];
+    let plain = vec![Mode::Newton, Mode::Exact, Mode::Affine];
     prop_oneof![select(plain), scalar().prop_map(Mode::Fast)]
 }
 
@@ -162,30 +163,49 @@ fn scene() -> impl Strategy<Value = Scene> {
         })
 }
 
+/// Numbers of three tolerances.
+#[derive(Clone, Copy)]
+struct Rough([i32; 3]);
+
+impl Varyings for Rough {
+    type Lanes = [(); 3];
+    type Face = ();
+
+    fn tolerances() -> [Tolerance; 3] {
+        [
+            Tolerance::Texels,
+            Tolerance::Units(1 << 20),
+            Tolerance::Units(u32::MAX),
+        ]
+    }
+
+    fn split(self) -> ([i32; 3], ()) {
+        (self.0, ())
+    }
+
+    fn join(numbers: [i32; 3], (): ()) -> Self {
+        Self(numbers)
+    }
+}
+
 /// Varyings of any magnitude, and one that jumps from end to end of its format.
 #[derive(Clone, Copy)]
 struct Raw;
 
 impl Shader for Raw {
     type Color = Gray8;
+    type Varyings = Rough;
 
-    const TOLERANCES: [Tolerance; 3] = [
-        Tolerance::Texels,
-        Tolerance::Units(1 << 20),
-        Tolerance::Units(u32::MAX),
-    ];
-
-    fn varyings(&self, vertex: &Corner) -> [i32; 3] {
-        let [x, y, _] = vertex.position().to_bits();
-        [
-            x,
-            vertex.uv().x.to_bits(),
-            if y & 1 == 0 { i32::MIN } else { i32::MAX },
-        ]
+    fn varyings(&self, primitive: &Primitive<'_>) -> [Rough; 3] {
+        primitive.corners(|corner| {
+            let [x, y, _] = corner.position().to_bits();
+            let end = if y & 1 == 0 { i32::MIN } else { i32::MAX };
+            Rough([x, corner.uv().x.to_bits(), end])
+        })
     }
 
-    fn shade(&self, sample: &Fragment, [a, b, c]: [i32; 3]) -> Option<Gray8> {
-        let [mixed, ..] = (a ^ a >> 16 ^ b ^ c ^ i32::from(sample.depth)).to_le_bytes();
+    fn shade(&self, at: &Fragment, Rough([a, b, c]): Rough) -> Option<Gray8> {
+        let [mixed, ..] = (a ^ a >> 16 ^ b ^ c ^ i32::from(at.depth)).to_le_bytes();
         Some(Gray8::new(mixed))
     }
 }
@@ -204,11 +224,10 @@ impl Scene {
                 self.draw_in(&pass.mode(Fast::within(texels)), canvas, projection);
             }
             Mode::Affine => self.draw_in(&pass.mode(Affine), canvas, projection),
-            Mode::Linear => self.draw_in(&pass.mode(Linear), canvas, projection),
         }
     }
 
-    fn draw_in<I: Mode, K: ProjectionKind, D: DepthBuffer>(
+    fn draw_in<I: mode::Mode, K: ProjectionKind, D: DepthBuffer>(
         &self,
         pass: &DrawOptions<I>,
         canvas: &mut Canvas<'_, Gray8, Native, D>,
@@ -231,7 +250,7 @@ impl Scene {
             What::Normals => canvas.draw_with(pass, mesh, mvp, &NormalView::new()),
             What::Lit => {
                 let white = Rgb888::new(255, 255, 255);
-                canvas.draw_with(pass, mesh, mvp, &Lit::new(white, light))
+                canvas.draw_with(pass, mesh, mvp, &Flat::rgb(white).lit(light))
             }
             What::Depth => canvas.draw_with(pass, mesh, mvp, &DepthView::new()),
         };
@@ -241,7 +260,7 @@ impl Scene {
         }
     }
 
-    fn draw_with_depth<K: Kind>(
+    fn draw_with_depth<K: ProjectionKind>(
         &self,
         canvas: Canvas<'_, Gray8, Native, NoDepth>,
         depths: &mut [u16],

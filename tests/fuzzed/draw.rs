@@ -1,17 +1,18 @@
 //! A scene in every mode, or with a shader of the crate's.
 
 use embedded_graphics::pixelcolor::Rgb565;
-use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
+use fixel::mode::{self, Affine, Exact, Fast, Newton};
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 
 use super::model::Truth;
 use super::projection::Projected;
 use super::scene::{Scene, What};
-use super::shaders::{Bits, Record};
+use super::shaders::Bits;
 use super::shades::{self, Draw, Shade};
 use super::ways::Call;
 use crate::mode::Mode;
+use crate::recorder::{Few, Record};
 
 /// Draws the scene that these bytes stand for, if constructors take its numbers, and checks all that must hold.
 ///
@@ -97,16 +98,20 @@ struct Ways<'a, 'c, K> {
 
 impl<K: ProjectionKind> Draw for Ways<'_, '_, K> {
     fn draw<F: Shader<Color = Rgb565>>(self, shader: &F) {
-        self.call.check(&self.pass, shader);
+        // As many as a shader can have.
+        let _: Record<8, _> = self.call.check(&self.pass, shader);
     }
 }
 
 /// Checks every mode, and that each draws the same pixels at the same depths.
-fn check_modes<K: ProjectionKind, const N: usize>(call: &Call<'_, K>, pass: DrawOptions) {
+fn check_modes<K: ProjectionKind, const N: usize>(call: &Call<'_, K>, pass: DrawOptions)
+where
+    [(); N]: Few<N>,
+{
     let tolerance = call.scene.tolerance;
     let truth = (call.scene.what == What::Triangles).then(|| Truth::new(call, &pass));
     let mut first = None;
-    let mut check = |mode, record: Record<Rgb565, N>| {
+    let mut check = |mode, record: Record<N, Rgb565>| {
         if let Some(truth) = &truth {
             truth.check(mode, &record);
         }
@@ -114,7 +119,7 @@ fn check_modes<K: ProjectionKind, const N: usize>(call: &Call<'_, K>, pass: Draw
             first = Some(record);
             return;
         };
-        let places = |record: &Record<Rgb565, N>| -> Vec<_> {
+        let places = |record: &Record<N, Rgb565>| -> Vec<_> {
             let seen = record.seen.iter();
             seen.map(|seen| (seen.face, seen.pixel, seen.depth))
                 .collect()
@@ -129,14 +134,16 @@ fn check_modes<K: ProjectionKind, const N: usize>(call: &Call<'_, K>, pass: Draw
     let fast = checked(call, pass.mode(Fast::within(tolerance)));
     check(Mode::Fast(tolerance.max(fx!(0))), fast);
     check(Mode::Affine, checked(call, pass.mode(Affine)));
-    check(Mode::checked(call, pass.mode(Linear)));
 }
 
-fn checked<I: Mode, K: ProjectionKind, const N: usize>(
+fn checked<I: mode::Mode, K: ProjectionKind, const N: usize>(
     call: &Call<'_, K>,
     pass: DrawOptions<I>,
-) -> Record<Rgb565, N> {
-    let record = call.check(&pass, &Bits);
+) -> Record<N, Rgb565>
+where
+    [(); N]: Few<N>,
+{
+    let record = call.check(&pass, &Bits::<N>);
     call.check_bytes(&pass, &Bits::<N>);
     record
 }

@@ -7,11 +7,11 @@ use embedded_graphics::pixelcolor::Rgb565;
 use fixel::prelude::{Canvas, Cull, DrawOptions, Vec3};
 
 use super::knowledge::Knowledge;
-use super::shaders::{Record, Seen};
 use super::ways::Call;
 use crate::bounds;
 use crate::mode::Mode;
 use crate::moves::exact;
+use crate::recorder::{Record, Seen};
 use crate::reference::attributes::at_pixel_snapped;
 use crate::reference::coverage::{Bounds, Snapped, area2, centre, covered_in, covers_f64};
 use crate::reference::distance::to_triangle;
@@ -103,7 +103,7 @@ impl Truth {
     }
 
     /// Compares what was seen in a mode.
-    pub fn check<const N: usize>(&self, mode: Mode, record: &Record<Rgb565, N>) {
+    pub fn check<const N: usize>(&self, mode: Mode, record: &Record<N, Rgb565>) {
         // A face's pixels come one after the other.
         let mut faces = record.seen.chunk_by(|a, b| a.face == b.face).peekable();
         for (face, whole) in self.whole.iter().enumerate() {
@@ -151,11 +151,11 @@ impl Ahead {
         &self,
         mode: Mode,
         screen: Snapped,
-        seen: &[Seen<Rgb565, N>],
+        seen: &[Seen<N, Rgb565>],
         corners: &[[i32; N]; 3],
     ) {
         let attributes = corners.map(|corner| corner.map(f64::from));
-        let divides = !self.parallel && !matches!(mode, Mode::Affine | Mode::Linear);
+        let divides = !self.parallel && !matches!(mode, Mode::Affine);
         let weights = if divides { self.w } else { [1.; 3] };
         let at = |pixel| at_pixel_snapped(screen, weights, &attributes, pixel).unwrap();
         for row in seen.chunk_by(|a, b| a.pixel[1] == b.pixel[1]) {

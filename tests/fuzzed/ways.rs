@@ -1,7 +1,5 @@
 //! One draw call in every way that must come to the same: with depth and without, twice, in bands, as bytes, prepared.
 
-use std::cell::RefCell;
-
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
 use fixel::mode::Mode;
@@ -11,7 +9,7 @@ use fixel::view::ProjectionKind;
 use fixel::{Drawn, Prepared};
 
 use super::scene::{Scene, What};
-use super::shaders::{Record, Recorder, Seen};
+use crate::recorder::{Record, Seen, record};
 
 /// A scene that could be made.
 #[derive(Clone, Copy, Debug)]
@@ -37,7 +35,7 @@ type List = TriangleList<16, 200>;
 
 impl<K: ProjectionKind> Call<'_, K> {
     /// Draws in one way.
-    fn draw<I, F, O, D, const N: usize>(
+    fn draw<I, F, O, D>(
         &self,
         canvas: &mut Canvas<'_, Rgb565, O, D>,
         pass: &DrawOptions<I>,
@@ -63,22 +61,17 @@ impl<K: ProjectionKind> Call<'_, K> {
         &self,
         pass: &DrawOptions<I>,
         shader: F,
-    ) -> Record<Rgb565, N>
+    ) -> Record<N, Rgb565>
     where
         I: Mode,
         F: Shader<Color = Rgb565>,
     {
         let mut colors = vec![BACKGROUND; self.scene.pixels()];
-        let record = RefCell::default();
-        let recorder = Recorder {
-            shader,
-            record: &record,
-            face: 0,
-        };
         let (width, height) = self.scene.size;
         let mut canvas = Canvas::new(&mut colors, width, height).unwrap();
-        self.draw(&mut canvas, pass, &recorder);
-        let record = record.into_inner();
+        let record = record(shader, |recorder| {
+            self.draw(&mut canvas, pass, recorder);
+        });
 
         // The last colour at a place is what shows, and where there is none nothing was touched.
         let mut expected = vec![BACKGROUND; colors.len()];
@@ -127,7 +120,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         &self,
         pass: &DrawOptions<I>,
         shader: &F,
-    ) -> Record<Rgb565, N>
+    ) -> Record<N, Rgb565>
     where
         I: Mode,
         F: Shader<Color = Rgb565>,
@@ -158,7 +151,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         &self,
         pass: &DrawOptions<I>,
         shader: F,
-        seen: &[Seen<Rgb565, N>],
+        seen: &[Seen<N, Rgb565>],
     ) -> Picture
     where
         I: Mode,
@@ -178,23 +171,16 @@ impl<K: ProjectionKind> Call<'_, K> {
         }
 
         let mut frame = self.blank();
-        let record = RefCell::default();
-        let recorder = Recorder {
-            shader,
-            record: &record,
-            face: 0,
-        };
-        self.on_frame(&mut frame, |canvas| self.draw(canvas, pass, &recorder));
-        assert!(
-            record.into_inner().seen == visible,
-            "other pixels with depth"
-        );
+        let record = record(shader, |recorder| {
+            self.on_frame(&mut frame, |canvas| self.draw(canvas, pass, recorder));
+        });
+        assert!(record.seen == visible, "other pixels with depth");
         assert!(frame == expected, "what is drawn is not what was seen");
         expected
     }
 
     /// Triangles that were prepared, in a frame and in bands.
-    fn check_prepared<I, F, const N: usize>(
+    fn check_prepared<I, F>(
         &self,
         pass: &DrawOptions<I>,
         shader: &F,
@@ -205,7 +191,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         F: Shader<Color = Rgb565>,
     {
         let mut list = List::new();
-        let prepared: Prepared<'_, K, I> = list
+        let prepared: Prepared<'_, K, I, _> = list
             .prepare(pass, self.scene.size, self.mesh, &self.mvp)
             .unwrap();
         let mut frame = self.blank();
@@ -224,7 +210,7 @@ impl<K: ProjectionKind> Call<'_, K> {
     }
 
     /// Checks that a canvas of bytes shows the same, in either order and without depths.
-    pub fn check_bytes<I, F, const N: usize>(&self, pass: &DrawOptions<I>, shader: &F)
+    pub fn check_bytes<I, F>(&self, pass: &DrawOptions<I>, shader: &F)
     where
         I: Mode,
         F: Shader<Color = Rgb565>,
