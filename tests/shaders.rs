@@ -6,7 +6,7 @@ mod recorder;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
-use fixel::shade::PerFace;
+use fixel::shade::{PerFace, Within};
 use fixel::target::{Depth, Native};
 use fixel::view::Perspective;
 use recorder::record;
@@ -74,21 +74,27 @@ impl<S: Shader> Shader for Same<S> {
 }
 
 /// A wrapper with varyings of its own beside those of the shader inside.
+///
+/// These may be a little off. Exact ones would make the whole triangle exact, where it hardly changes in depth.
 #[derive(Clone, Copy)]
 struct WithFace<S>(S);
 
 impl<S: Shader> Shader for WithFace<S> {
     type Color = S::Color;
-    type Varyings = (PerFace<usize>, (S::Varyings, [i32; 2]));
+    type Varyings = (PerFace<usize>, (S::Varyings, Within<64, [i32; 2]>));
 
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
         let face = PerFace(primitive.index());
         self.0
             .varyings(primitive)
-            .map(|corner| (face, (corner, [7, -7])))
+            .map(|corner| (face, (corner, Within([7, -7]))))
     }
 
-    fn shade(&self, at: &Fragment, (face, (inside, own)): Self::Varyings) -> Option<S::Color> {
+    fn shade(
+        &self,
+        at: &Fragment,
+        (face, (inside, Within(own))): Self::Varyings,
+    ) -> Option<S::Color> {
         // A value that is the same at all corners may be off by as much as is rounded.
         assert!(face.0 < 12 && own[0].abs_diff(7) <= 60 && own[1].abs_diff(-7) <= 60);
         self.0.shade(at, inside)

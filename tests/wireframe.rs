@@ -101,7 +101,7 @@ proptest! {
     fn edges_over_the_mesh_are_whole(
         mesh in prop::sample::select(vec![BOX, BALL, CAN]),
         turn: [u32; 3],
-        distance in 2.0..9.0,
+        distance in 3.0..9.0,
         near in 0.05..0.5,
     ) {
         let (distance, near): (f64, f64) = (distance, near);
