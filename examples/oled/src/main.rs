@@ -2,7 +2,7 @@
 //! board, a Cortex-M3 with 64 KiB of RAM, and its OLED of 128x64 pixels in 16 greys.
 //!
 //! ```sh
-//! cargo run --config .cargo/oled.toml --release --example oled --target thumbv7m-none-eabi
+//! cargo run --config .cargo/oled.toml --release -p oled --target thumbv7m-none-eabi
 //! ```
 //!
 //! runs it on the board that QEMU emulates. Where QEMU has a desktop to draw on (Debian:
@@ -15,14 +15,14 @@
 //! the panel's `DrawTarget`. `board` has the chip's registers, `ssd0323` the controller's commands.
 //!
 //! ```sh
-//! cargo run --release --example oled
+//! cargo run --release -p oled
 //! ```
 //!
 //! draws the last frame on your computer, whole, into oled.png as QEMU's window shows it; `--frame`
 //! draws another one. `.ci/oled` compares that picture with QEMU's, pixel by pixel.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
-#[path = "../common/mod.rs"]
+#[path = "../../common/mod.rs"]
 mod common;
 
 #[cfg(target_os = "none")]

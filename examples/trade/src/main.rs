@@ -1,6 +1,6 @@
 //! Speed against accuracy: every mode of interpolation, measured.
 //!
-//! `cargo run --release --example trade` draws the four measured scenes and sets of random and
+//! `cargo run --release -p trade` draws the four measured scenes and sets of random and
 //! adversarial planes in every mode, compares each pixel with a model in f64 that is given the same
 //! snapped vertices, and takes the time of the drawing calls. Into target/trade/ go
 //!
@@ -13,9 +13,9 @@
 //! Cortex-M's cost is taken from what the example `firmware` prints:
 //!
 //! ```sh
-//! cargo run --release --example firmware --target thumbv7em-none-eabi > target/thumbv7em
+//! cargo run --release -p firmware --target thumbv7em-none-eabi > target/thumbv7em
 //! .ci/sizes --modes > target/sizes
-//! cargo run --release --example trade -- --firmware target/thumbv7em --sizes thumbv7em=target/sizes
+//! cargo run --release -p trade -- --firmware target/thumbv7em --sizes thumbv7em=target/sizes
 //! ```
 //!
 //! Code is that of the smallest firmware which draws textured triangles with a depth buffer in the mode, beyond one that draws
@@ -31,7 +31,7 @@
 
 mod args;
 mod case;
-#[path = "../common/mod.rs"]
+#[path = "../../common/mod.rs"]
 mod common;
 mod firmware;
 mod measure;
@@ -41,7 +41,7 @@ mod paint;
 mod planes;
 mod plot;
 mod record;
-#[path = "../../tests/reference/mod.rs"]
+#[path = "../../../tests/reference/mod.rs"]
 mod reference;
 mod run;
 mod spread;

@@ -1,6 +1,6 @@
 //! What the inner loops take on a microcontroller: a pixel in each mode, and the set-up of a triangle.
 //!
-//! `cargo run --release --example kernels --target thumbv7em-none-eabi` runs it under QEMU, which counts
+//! `cargo run --release -p kernels --target thumbv7em-none-eabi` runs it under QEMU, which counts
 //! instructions; on a chip it counts the core's cycles. The first line says which, and how many a tick is. Then
 //! a line for each kernel: in so many units (pixels or triangles) it took so many ticks, and so `each` took so
 //! many instructions or cycles.
@@ -15,10 +15,10 @@
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
-#[path = "../firmware/board/mod.rs"]
+#[path = "../../firmware/src/board/mod.rs"]
 mod board;
 #[cfg(target_os = "none")]
-#[path = "../common/mod.rs"]
+#[path = "../../common/mod.rs"]
 mod common;
 #[cfg(target_os = "none")]
 mod pieces;

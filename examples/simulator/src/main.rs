@@ -1,11 +1,11 @@
 //! Draws models on a computer as a microcontroller would: into a framebuffer, with integers only.
 //!
-//! `cargo run --release --example simulator -- --help` tells what it can do.
+//! `cargo run --release -p simulator -- --help` tells what it can do.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 #![cfg(not(target_os = "none"))]
 
 mod args;
-#[path = "../common/mod.rs"]
+#[path = "../../common/mod.rs"]
 mod common;
 mod complete;
 mod dump;

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Parser, ValueEnum};
 
 const EXAMPLES: &str = "\
-Examples (`cargo run --release --example simulator -- ` goes before the arguments):
+Examples (`cargo run --release -p simulator -- ` goes before the arguments):
   simulator                                             the project's own scene, to lighthouse.png
   simulator cow.obj --texture cow.png                   a model of yours, textured and lit
   simulator teapot.obj --shade gouraud --frames 60 --out teapot.gif

@@ -1,7 +1,7 @@
 //! The measured scenes on a microcontroller: the same pixels as on the host, in whole frames and in
 //! bands.
 //!
-//! `cargo run --release --example firmware --target thumbv7em-none-eabi` runs it under QEMU, which must
+//! `cargo run --release -p firmware --target thumbv7em-none-eabi` runs it under QEMU, which must
 //! be installed with its Arm and RISC-V boards, as must be `ld.lld`. Other targets: thumbv6m-none-eabi,
 //! thumbv7m-none-eabi, thumbv8m.main-none-eabi, riscv32imc-unknown-none-elf.
 //!
@@ -18,7 +18,7 @@ mod bench;
 #[cfg(target_os = "none")]
 mod board;
 #[cfg(target_os = "none")]
-#[path = "../common/mod.rs"]
+#[path = "../../common/mod.rs"]
 mod common;
 #[cfg(target_os = "none")]
 mod nested;

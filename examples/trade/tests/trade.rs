@@ -30,19 +30,9 @@ fn directory(test: &str) -> PathBuf {
     directory
 }
 
-/// Runs the example's program, which `cargo test` builds before it runs the tests.
+/// Runs the program.
 fn run(directory: &Path, arguments: &str) -> Output {
-    let test = std::env::current_exe().unwrap();
-    let profile = test.parent().and_then(Path::parent).unwrap();
-    let program = profile
-        .join("examples")
-        .join(format!("trade{}", std::env::consts::EXE_SUFFIX));
-    assert!(
-        program.exists(),
-        "run `cargo test`, or `cargo build --example trade` first: {} is not there",
-        program.display()
-    );
-    Command::new(program)
+    Command::new(env!("CARGO_BIN_EXE_trade"))
         .args(LITTLE.split_whitespace())
         .args(arguments.split_whitespace())
         .current_dir(directory)

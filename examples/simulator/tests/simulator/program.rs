@@ -1,4 +1,4 @@
-//! The example's program, run in a directory of its own.
+//! The program, run in a directory of its own.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -12,23 +12,8 @@ pub fn directory(test: &str) -> PathBuf {
     directory
 }
 
-/// The example's program, which `cargo test` builds before it runs the tests.
-pub fn program() -> PathBuf {
-    let test = std::env::current_exe().unwrap();
-    let profile = test.parent().and_then(Path::parent).unwrap();
-    let program = profile
-        .join("examples")
-        .join(format!("simulator{}", std::env::consts::EXE_SUFFIX));
-    assert!(
-        program.exists(),
-        "run `cargo test`, or `cargo build --example simulator` first: {} is not there",
-        program.display()
-    );
-    program
-}
-
 pub fn run(directory: &Path, arguments: &str) -> Output {
-    Command::new(program())
+    Command::new(env!("CARGO_BIN_EXE_simulator"))
         .args(arguments.split_whitespace())
         .current_dir(directory)
         .output()

@@ -71,7 +71,7 @@ pub fn open(size: (u32, u32)) -> super::Result<Screen> {
         let _ = size;
         Err(
             "--window: this build has no window; install SDL2's development files and use \
-             `cargo run --release --features sdl --example simulator`, or write a file with --out"
+             `cargo run --release -p simulator --features sdl`, or write a file with --out"
                 .into(),
         )
     }
