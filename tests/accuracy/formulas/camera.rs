@@ -1,4 +1,4 @@
-//! Rows 13 and 15 to 19: cameras, and the mvp.
+//! Cameras, and the mvp.
 
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
@@ -15,7 +15,7 @@ fn foreshortening(camera: &Camera) -> [f64; 3] {
 }
 
 #[test]
-fn row_13_axonometric_views() {
+fn axonometric_views() {
     let (target, distance) = (vec3!(1, 2, 3), fx!(10));
     let alike = (2.0_f64 / 3.0).sqrt();
     // Two coordinates rounded to half a step.
@@ -74,7 +74,7 @@ fn points() -> impl Strategy<Value = Vec3> {
 
 proptest! {
     #[test]
-    fn row_15_look_at(eye in points(), target in points(), up in points(), p in points()) {
+    fn look_at(eye in points(), target in points(), up in points(), p in points()) {
         let Ok(camera) = Camera::look_at(eye, target, up) else {
             return Err(TestCaseError::reject("no view"));
         };
@@ -95,7 +95,7 @@ proptest! {
     }
 
     #[test]
-    fn row_16_inverse_of_a_rigid_transform(
+    fn inverse_of_a_rigid_transform(
         turns in any::<[u32; 3]>(), by in points(), p in points(),
     ) {
         let [a, b, c] = turns.map(Angle::from_bits);
@@ -114,7 +114,7 @@ proptest! {
     }
 
     #[test]
-    fn row_17_camera_by_composed_moves(
+    fn camera_by_composed_moves(
         eye in points(), turn in any::<u32>(), tilt in -80..80, p in points(),
     ) {
         let (turn, tilt) = (Angle::from_bits(turn), Angle::from_degrees(tilt));
@@ -134,7 +134,7 @@ proptest! {
 }
 
 #[test]
-fn row_15_useless_cameras_are_refused() {
+fn useless_cameras_are_refused() {
     let eye = vec3!(1, 2, 3);
     let refused = Camera::look_at(eye, eye, Vec3::Y);
     assert_eq!(refused, Err(Error::EyeAtTarget { eye }));
@@ -152,7 +152,7 @@ fn canvas(pixels: &mut [Gray8]) -> Canvas<'_, Gray8> {
 }
 
 #[test]
-fn row_18_the_chain_from_right_to_left() {
+fn the_chain_from_right_to_left() {
     let mut pixels = vec![Gray8::new(0); 320 * 240];
     let canvas = canvas(&mut pixels);
     let projection =
@@ -185,7 +185,7 @@ fn row_18_the_chain_from_right_to_left() {
 
 proptest! {
     #[test]
-    fn row_19_a_line_projects_to_a_line(
+    fn a_line_projects_to_a_line(
         p in [-3.0..3.0, -3.0..3.0, -9.0..-4.0],
         v in [-1.0..1.0, -1.0..1.0, -1.0..1.0],
     ) {
@@ -209,7 +209,7 @@ proptest! {
     }
 
     #[test]
-    fn row_19_lines_across_the_view_keep_their_slope(
+    fn lines_across_the_view_keep_their_slope(
         p in [-3.0..3.0, -3.0..3.0, -9.0..-2.0],
         v in [0.5..2.0, -2.0..2.0],
     ) {

@@ -1,8 +1,7 @@
-//! What the course notes on projection and interpolation say, row by row, as checks of the crate.
+//! The textbook's formulas of projection, cameras, interpolation and time, as checks of the crate.
 //!
-//! Expected numbers are those of the notes, or computed here in f64 from the formula that a row
-//! gives; each test is named by its row. Right-handed, camera at the origin looking down −z, y up;
-//! n and f are distances.
+//! Expected numbers were worked by hand, or are computed here in f64 from the formula itself; each test is
+//! named by what it checks. Right-handed, camera at the origin looking down −z, y up; n and f are distances.
 
 mod camera;
 mod given;

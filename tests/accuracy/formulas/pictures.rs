@@ -1,4 +1,4 @@
-//! Rows 6 and 22: wireframes, as pictures.
+//! Wireframes, as pictures.
 
 use embedded_graphics::pixelcolor::BinaryColor;
 use fixel::prelude::*;
@@ -141,7 +141,7 @@ fn expect(model: Transform, expected: &[&str]) {
 const BACK: Vec3 = vec3!(0, 0, -4);
 
 #[test]
-fn rows_6_and_22_the_practice_cube_in_one_point_perspective() {
+fn the_practice_cube_in_one_point_perspective() {
     let model = Transform::translate(BACK);
     assert_eq!(vanishing_points(model), 1);
     expect(
@@ -180,7 +180,7 @@ fn rows_6_and_22_the_practice_cube_in_one_point_perspective() {
 }
 
 #[test]
-fn row_22_two_point_perspective() {
+fn two_point_perspective() {
     let model = Transform::translate(BACK) * Transform::rotate_y(Angle::from_degrees(-30));
     assert_eq!(vanishing_points(model), 2);
     expect(
@@ -219,7 +219,7 @@ fn row_22_two_point_perspective() {
 }
 
 #[test]
-fn row_22_three_point_perspective() {
+fn three_point_perspective() {
     let model = Transform::translate(BACK)
         * Transform::rotate_x(Angle::from_degrees(35))
         * Transform::rotate_y(Angle::from_degrees(-30));

@@ -1,4 +1,4 @@
-//! Rows 5 to 12, 14 and 20: projections.
+//! Projections: matrices, fields of view, and vanishing points.
 
 use core::f64::consts::TAU;
 
@@ -14,13 +14,13 @@ fn degrees(angle: Angle) -> f64 {
     f64::from(angle.to_bits()) / 4_294_967_296.0 * 360.0
 }
 
-/// The projection of row 7.
+/// 60° high, 3 : 2, from 2 to 10.
 fn projection() -> Projection<Perspective> {
     Projection::perspective(Angle::from_degrees(60), fx!(1.5), fx!(2), fx!(10)).unwrap()
 }
 
 #[test]
-fn row_5_points_beside_and_behind_the_eye_have_no_image() {
+fn points_beside_and_behind_the_eye_have_no_image() {
     let projection = projection();
     let mut pixels = [Gray8::new(0); 64];
     let canvas = Canvas::new(&mut pixels, 8, 8).unwrap();
@@ -40,7 +40,7 @@ fn row_5_points_beside_and_behind_the_eye_have_no_image() {
 }
 
 #[test]
-fn row_6_the_practice_cube() {
+fn the_practice_cube() {
     let projection =
         Projection::frustum(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(2), fx!(10)).unwrap();
     for (z, size) in [(-3.0, 2.0 / 3.0), (-5.0, 2.0 / 5.0)] {
@@ -55,7 +55,7 @@ fn row_6_the_practice_cube() {
 }
 
 #[test]
-fn row_7_perspective_by_field_of_view() {
+fn perspective_by_field_of_view() {
     let projection = projection();
     let edges = [
         projection.top(),
@@ -68,13 +68,13 @@ fn row_7_perspective_by_field_of_view() {
     // Rounded once, from 30 bits.
     let expected = [top, top * 1.5, -top, -top * 1.5];
     all_close(edges, expected, 0.51 * STEP);
-    // As the notes print them, with four decimals.
+    // As tables print them, with four decimals.
     all_close(edges, [1.1547, 1.7321, -1.1547, -1.7321], 0.5e-4);
     assert_eq!((projection.near(), projection.far()), (fx!(2), fx!(10)));
 }
 
 #[test]
-fn row_8_frustum_and_back() {
+fn frustum_and_back() {
     let seven = projection();
     let [l, r, b, t] = [seven.left(), seven.right(), seven.bottom(), seven.top()];
     let eight = Projection::frustum(l, r, b, t, seven.near(), seven.far()).unwrap();
@@ -104,7 +104,7 @@ fn row_8_frustum_and_back() {
     );
 }
 
-/// The matrix of row 9.
+/// The matrix of a frustum.
 fn frustum([l, r, b, t, n, f]: [f64; 6]) -> [[f64; 4]; 4] {
     [
         [2.0 * n / (r - l), 0.0, (r + l) / (r - l), 0.0],
@@ -116,7 +116,7 @@ fn frustum([l, r, b, t, n, f]: [f64; 6]) -> [[f64; 4]; 4] {
 
 proptest! {
     #[test]
-    fn rows_9_and_10_the_matrix_and_the_product(
+    fn the_matrix_and_the_product(
         l in -4.0..0.0, w in 0.5..4.0, b in -4.0..0.0, h in 0.5..4.0, n in 0.5..4.0, d in 1.0..50.0,
     ) {
         let edges = [l, l + w, b, b + h, n, n + d].map(|v| float(fx(v)));
@@ -146,7 +146,7 @@ proptest! {
 }
 
 #[test]
-fn row_11_the_other_depth_mapping() {
+fn the_other_depth_mapping() {
     let (n, f) = (2.0, 10.0);
     // With z positive ahead: the transform's depth is that with the sign turned.
     let depth = |z: f64| {
@@ -165,7 +165,7 @@ fn row_11_the_other_depth_mapping() {
 }
 
 #[test]
-fn row_12_orthographic_box() {
+fn orthographic_box() {
     let edges = [-3.0, 5.0, -1.0, 1.0, 2.0, 10.0];
     let [l, r, b, t, n, f] = edges.map(fx);
     let projection = Projection::orthographic(l, r, b, t, n, f).unwrap();
@@ -203,7 +203,7 @@ fn receding(projection: &Projection<Parallel>) -> (f64, f64) {
 }
 
 #[test]
-fn row_14_oblique() {
+fn oblique() {
     let (low, high, near, far) = (fx!(-1), fx!(1), fx!(1), fx!(10));
     for angle in [0, 30, 45, 63, 120, 225] {
         let turn = Angle::from_degrees(angle);
@@ -231,7 +231,7 @@ fn row_14_oblique() {
 
 proptest! {
     #[test]
-    fn row_20_vanishing_points(
+    fn vanishing_points(
         v in [-100.0..100.0, -100.0..100.0],
         z in prop_oneof![-100.0..-0.1, 0.1..100.0],
     ) {
@@ -243,7 +243,7 @@ proptest! {
     }
 
     #[test]
-    fn row_20_lines_approach_theirs(p in [-10.0..10.0, -10.0..10.0], v in [-1.0..1.0, -1.0..1.0]) {
+    fn lines_approach_theirs(p in [-10.0..10.0, -10.0..10.0], v in [-1.0..1.0, -1.0..1.0]) {
         let projection = projection();
         let end = projection.vanishing_point(vec(v[0], v[1], -1.0)).unwrap().map(float);
         // From (p, −1) along v for so far that the line's start is 1/20000 of it.
@@ -255,7 +255,7 @@ proptest! {
 }
 
 #[test]
-fn row_20_no_vanishing_point_across_the_view() {
+fn no_vanishing_point_across_the_view() {
     for direction in [vec3!(1, 0, 0), vec3!(0, 1, 0), vec3!(3, -2, 0)] {
         assert_eq!(projection().vanishing_point(direction), None);
     }

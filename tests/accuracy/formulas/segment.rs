@@ -1,4 +1,4 @@
-//! Rows 1, 2, 3 and 21: along a projected segment.
+//! Depth, fractions, values and speed along a projected segment.
 
 use fixel::prelude::*;
 use fixel::view::{Segment, speed};
@@ -11,14 +11,14 @@ fn segment(z0: f64, z1: f64) -> Segment {
 }
 
 #[test]
-fn row_1_depth_along_a_projected_segment() {
+fn depth_along_a_projected_segment() {
     // q = 1/2 is exact, 1.6 is rounded to half a step.
     let z = segment(1.0, 4.0).distance(unit(0.5)).unwrap();
     close(float(z), 1.6, STEP / 2.0);
 }
 
 #[test]
-fn row_2_the_fraction_in_space() {
+fn the_fraction_in_space() {
     let segment = segment(1.0, 4.0);
     let t = segment.in_space(unit(0.5)).unwrap();
     close(t.to_num(), 0.2, UNIT_STEP / 2.0);
@@ -29,7 +29,7 @@ fn row_2_the_fraction_in_space() {
 
 proptest! {
     #[test]
-    fn rows_1_and_2_for_any_segment(z in [0.1..1000.0, 0.1..1000.0], q in 0.0..1.0) {
+    fn depth_and_fraction_of_any_segment(z in [0.1..1000.0, 0.1..1000.0], q in 0.0..1.0) {
         let s = segment(z[0], z[1]);
         // What the crate was given, after rounding.
         let [z0, z1] = z.map(|z| float(fx(z)));
@@ -44,7 +44,7 @@ proptest! {
     }
 
     #[test]
-    fn row_3_both_forms_give_the_same_point(
+    fn both_forms_give_the_same_point(
         w in [0.1..100.0, 0.1..100.0],
         ends in [-100.0..100.0, -100.0..100.0],
         f in 0.0..1.0,
@@ -62,7 +62,7 @@ proptest! {
     }
 
     #[test]
-    fn row_21_speed_along_a_line(
+    fn speed_along_a_line(
         n in 0.1..10.0,
         p in [-50.0..50.0, -50.0..50.0, -50.0..-1.0],
         v in [-10.0..10.0, -10.0..10.0, -10.0..0.0],
@@ -80,7 +80,7 @@ proptest! {
 }
 
 #[test]
-fn row_21_equal_steps_in_depth_shrink_on_screen() {
+fn equal_steps_in_depth_shrink_on_screen() {
     let projection =
         Projection::perspective(Angle::from_degrees(90), (1, 1), fx!(1), fx!(1000)).unwrap();
     let at = |t: f64| float(projection.image(vec(0.0, -1.0, -1.0 - t)).unwrap()[1]);

@@ -1,4 +1,4 @@
-//! Row 23: time of a scene.
+//! Time of a scene.
 
 use core::f64::consts::TAU;
 
@@ -11,7 +11,7 @@ use super::given::close;
 const SINE: f64 = 3e-9;
 
 #[test]
-fn row_23_a_sine_once_a_second() {
+fn a_sine_once_a_second() {
     for ms in 0..2_000_u32 {
         let expected = (TAU * f64::from(ms) / 1_000.0).sin();
         let found = Rate::hertz(1).angle_at(ms.into()).sin();
@@ -20,7 +20,7 @@ fn row_23_a_sine_once_a_second() {
 }
 
 #[test]
-fn row_23_rotations_a_minute_to_radians_a_millisecond() {
+fn rotations_a_minute_to_radians_a_millisecond() {
     let per_ms = 10.0 * TAU / (60.0 * 1_000.0);
     for ms in [1_u32, 16, 1_000, 1_499, 5_999] {
         let found = f64::from(Rate::rpm(10).angle_at(ms.into()).to_bits()) / 4_294_967_296.0 * TAU;
@@ -29,7 +29,7 @@ fn row_23_rotations_a_minute_to_radians_a_millisecond() {
 }
 
 #[test]
-fn row_23_absolute_time_is_exact_after_days() {
+fn absolute_time_is_exact_after_days() {
     // Ten turns a minute are one in 6000 ms.
     let rate = Rate::rpm(10);
     for hours in [1, 24, 30 * 24, 365 * 24 * 1_000] {
@@ -42,7 +42,7 @@ fn row_23_absolute_time_is_exact_after_days() {
 
 proptest! {
     #[test]
-    fn row_23_frames_of_any_length_add_up(
+    fn frames_of_any_length_add_up(
         rpm in -10_000..10_000,
         frames in prop::collection::vec(0_u64..1_000, 1..500),
     ) {

@@ -1,4 +1,4 @@
-//! Row 4: attributes over a triangle, as drawn.
+//! Attributes over a triangle, as drawn.
 
 use embedded_graphics::pixelcolor::PixelColor;
 use embedded_graphics::pixelcolor::raw::RawU32;
@@ -41,7 +41,7 @@ fn area(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
 
 proptest! {
     #[test]
-    fn row_4_attributes_over_z_are_linear_on_screen(
+    fn attributes_over_z_are_linear_on_screen(
         // Pixels from the middle, and sixteenths of a unit ahead: products with 1/64 are exact
         // coordinates, and the screen's too, so that no vertex is moved by rounding.
         screen in [[-32..32, -32..32], [-32..32, -32..32], [-32..32, -32..32]],

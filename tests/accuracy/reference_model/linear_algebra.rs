@@ -48,7 +48,7 @@ fn the_last_factor_acts_first() {
 }
 
 #[test]
-fn look_at_is_course_row_15() {
+fn look_at_faces_the_target() {
     // From (3, 0, 0) towards the origin: right is −z, ahead is −x.
     let m = look_at([3., 0., 0.], [0.; 3], [0., 1., 0.]).unwrap();
     close_matrix(
@@ -83,7 +83,7 @@ fn inverse_undoes() {
     let m = projection::frustum(-1., 2., -1., 1., 1., 5.).matrix;
     close_matrix(&multiply(&inverse(&m).unwrap(), &m), &IDENTITY);
     assert_eq!(inverse(&scale([1., 0., 1.])), None);
-    // Rigid: the transposed rotation times the opposite translation (row 16).
+    // Rigid: the transposed rotation times the opposite translation.
     let turn = rotate([1., 1., 0.], 0.4);
     close_matrix(
         &inverse(&multiply(&translate([1., 2., 3.]), &turn)).unwrap(),

@@ -1,4 +1,4 @@
-//! Lenses, by the rows of course.md.
+//! Projections, by their formulas.
 
 use std::f64::consts::{FRAC_PI_4, FRAC_PI_6, PI};
 
@@ -12,7 +12,7 @@ fn ndc(projection: &Lens, p: Vec3) -> Vec3 {
 }
 
 #[test]
-fn perspective_is_course_rows_7_and_9() {
+fn perspective_is_a_symmetric_frustum() {
     let [l, r, b, t] = window(PI / 3., 1.5, 2.);
     let expected = [-1.732_050_8, 1.732_050_8, -1.154_700_5, 1.154_700_5];
     for (a, b) in [l, r, b, t].into_iter().zip(expected) {
@@ -34,7 +34,7 @@ fn a_frustum_may_be_off_centre() {
 
 #[test]
 fn a_frustum_is_a_product() {
-    // Course rows 10 and 11; the orthographic matrix is a scale after a translation.
+    // The perspective transform, then an orthographic projection, which is a scale after a translation.
     let (l, r, b, t, n, f) = (-1., 3., -2., 1., 1.5, 4.);
     let straight = orthographic(l, r, b, t, n, f).matrix;
     close_matrix(

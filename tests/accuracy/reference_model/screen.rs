@@ -18,7 +18,7 @@ fn ndc_to_pixels() {
 
 #[test]
 fn the_scenes_focal_length() {
-    // scenes.md: x = 160 + 200·x/−z, y = 120 − 200·y/−z.
+    // The focal length is 200 pixels: x = 160 + 200·x/−z, y = 120 − 200·y/−z.
     let view = View {
         eye: linear::translate([0., 0., -1.]),
         projection: projection::focal(200., (320, 240), 0.25, 100.),

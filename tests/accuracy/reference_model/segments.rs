@@ -4,7 +4,7 @@ use super::*;
 use lines::*;
 
 #[test]
-fn course_rows_1_to_3() {
+fn depths_fractions_and_values() {
     close([depth(1., 4., 0.5)], [1.6]);
     close([fraction_in_space(1., 4., 0.5)], [0.2]);
     close([fraction_on_screen(1., 4., 0.2)], [0.5]);
