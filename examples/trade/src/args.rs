@@ -21,7 +21,7 @@ pub struct Args {
     #[arg(long)]
     pub quick: bool,
 
-    /// What the example `firmware` printed on a target; the file's name is the target's unless one is
+    /// What the program `firmware` printed on a target; the file's name is the target's unless one is
     /// given. May be repeated.
     #[arg(long, value_name = "[TARGET=]FILE", value_parser = named)]
     pub firmware: Vec<Named>,

@@ -1,4 +1,4 @@
-//! What was measured elsewhere: the example `firmware` prints instructions, another tool sizes of code.
+//! What was measured elsewhere: the program `firmware` prints instructions, another tool sizes of code.
 
 use std::collections::HashMap;
 use std::fs;

@@ -21,7 +21,7 @@ const LENS: Lens = Lens {
     far: 100.,
 };
 
-/// The scenes, each with the name that the example `firmware` prints.
+/// The scenes, each with the name that the program `firmware` prints.
 pub fn cases() -> Result<Vec<Case>> {
     let floor = Shot::of_mesh(
         &scenes::FLOOR,

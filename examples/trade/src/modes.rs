@@ -13,7 +13,7 @@ pub trait Visitor {
 
 macro_rules! modes {
     ($($name:literal => $mode:expr,)*) => {
-        /// What the modes are called: in tables, plots, and by the example `firmware`.
+        /// What the modes are called: in tables, plots, and by the program `firmware`.
         pub const NAMES: &[&str] = &[$($name),*];
 
         /// Visits each mode.
