@@ -1,26 +1,39 @@
-//! The crate's pixels against the f64 model: coverage, attributes, distance and depth.
+//! What needs the f64 model: pixels, values, depths and places, held against it.
 //!
-//! `cargo test --test accuracy -- --nocapture` prints the figures.
+//! `cargo test --test accuracy -- --nocapture` prints the figures. What takes too long unoptimized, every triangle on
+//! a grid and every sine: `cargo test --release --test accuracy -- --ignored`.
 
 // f64 holds every integer used here, and no pixel is left of or above the picture.
 #![allow(clippy::cast_precision_loss, clippy::cast_sign_loss)]
 
-#[path = "../common/recorder.rs"]
-mod recorder;
+#[path = "../common/mod.rs"]
+mod common;
+#[path = "../fuzzed/mod.rs"]
+mod fuzzed;
 #[path = "../reference/mod.rs"]
 mod reference;
 
+use common::recorder;
+
 mod bounds;
 mod bumpy;
-mod clipped;
+mod clipped_values;
+mod clipping;
 mod comparison;
+mod coverage;
 mod drawing;
+mod extremes;
+mod filter;
 mod float_depth;
+mod formulas;
+mod lines;
 mod mode;
 mod moves;
 mod mvps;
-mod pictures;
 mod promises;
+mod reference_model;
+mod replay;
+mod scenes;
 mod sine;
 mod spread;
 mod triangle;

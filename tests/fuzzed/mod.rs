@@ -1,6 +1,6 @@
 //! What is fuzzed: bytes to an input, the input to the crate, and what must hold of what comes of it.
 //!
-//! The fuzz targets in tests/fuzz call [`draw`] and [`obj`] with bytes that libFuzzer makes up; tests/replay.rs calls
+//! The fuzz targets in tests/fuzz call [`draw`] and [`obj`] with bytes that libFuzzer makes up; tests/accuracy/replay.rs calls
 //! them with those that were worth keeping. A mistake is a panic.
 //!
 //! | file | idea |

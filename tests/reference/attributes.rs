@@ -1,6 +1,6 @@
 //! Perspective-correct values at a point of a triangle, and how they change from pixel to pixel.
 //!
-//! 1/w and attribute/w are linear on the screen (course.md row 4). With the weights λᵢ of the
+//! 1/w and attribute/w are linear on the screen. With the weights λᵢ of the
 //! corners, linear in x and y, N = Σ λᵢ aᵢ/wᵢ and D = Σ λᵢ/wᵢ, the attribute is a = N/D, and by the
 //! quotient rule ∂a/∂x = (∂N/∂x − a ∂D/∂x)/D.
 

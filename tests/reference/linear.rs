@@ -1,4 +1,4 @@
-//! Vectors and 4x4 matrices, in the textbook forms of course.md.
+//! Vectors and 4x4 matrices, in their textbook forms.
 
 /// A point or direction in three dimensions.
 pub type Vec3 = [f64; 3];
@@ -159,7 +159,7 @@ pub fn rotate(axis: Vec3, angle: f64) -> Matrix {
     m
 }
 
-/// World to eye: k = (eye − target)/‖·‖, i = up × k/‖·‖, j = k × i (course.md row 15).
+/// World to eye: k = (eye − target)/‖·‖, i = up × k/‖·‖, j = k × i.
 ///
 /// `None` where eye and target coincide or `up` is parallel to the view, to within 1e-12.
 pub fn look_at(eye: Vec3, target: Vec3, up: Vec3) -> Option<Matrix> {

@@ -1,4 +1,4 @@
-//! Values along a projected segment (course.md rows 1 to 3).
+//! Values along a projected segment, whose 1/z is linear on the screen.
 
 use super::clip::{ALL_PLANES, ClipVertex, Plane, segment};
 use super::distance::closest;
@@ -24,12 +24,12 @@ pub fn lerp(a: f64, b: f64, q: f64) -> f64 {
     a + q * (b - a)
 }
 
-/// Row 3's fraction g in space: q / lerp(w1/w0, 1, q).
+/// The fraction g in space of homogeneous coordinates: q / lerp(w1/w0, 1, q).
 pub fn homogeneous_fraction(w0: f64, w1: f64, q: f64) -> f64 {
     q / lerp(w1 / w0, 1., q)
 }
 
-/// Row 3's value: lerp(A/w0, B/w1, q) / lerp(1/w0, 1/w1, q).
+/// The value there: lerp(A/w0, B/w1, q) / lerp(1/w0, 1/w1, q).
 pub fn interpolate(a: f64, b: f64, w0: f64, w1: f64, q: f64) -> f64 {
     lerp(a / w0, b / w1, q) / lerp(1. / w0, 1. / w1, q)
 }

@@ -60,7 +60,7 @@ impl Lens {
     }
 }
 
-/// Off-centre perspective (course.md row 9); the edges are those of the window on the near plane.
+/// Off-centre perspective, as OpenGL has it; the edges are those of the window on the near plane.
 pub fn frustum(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Lens {
     Lens {
         matrix: [
@@ -76,7 +76,7 @@ pub fn frustum(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Lens {
 }
 
 /// Left, right, bottom and top of the window on the near plane for a vertical field of view in
-/// radians and width/height (course.md row 7).
+/// radians and width/height.
 pub fn window(fov: f64, aspect: f64, near: f64) -> [f64; 4] {
     let top = near * (fov / 2.).tan();
     let right = top * aspect;
@@ -90,14 +90,14 @@ pub fn perspective(fov: f64, aspect: f64, near: f64, far: f64) -> Lens {
 }
 
 /// Symmetric perspective of a focal length in pixels on a picture of width x height pixels:
-/// x = width/2 + focal·x/−z on the screen, as scenes.md has it.
+/// x = width/2 + focal·x/−z on the screen.
 pub fn focal(focal: f64, size: (u32, u32), near: f64, far: f64) -> Lens {
     let right = near * f64::from(size.0) / (2. * focal);
     let top = near * f64::from(size.1) / (2. * focal);
     frustum(-right, right, -top, top, near, far)
 }
 
-/// Parallel rays along −z: the box to the canonical cube (course.md row 12).
+/// Parallel rays along −z: the box to the canonical cube.
 pub fn orthographic(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Lens {
     Lens {
         matrix: [
@@ -138,7 +138,7 @@ pub fn cabinet(angle: f64, window: (f64, f64, f64, f64), near: f64, far: f64) ->
 }
 
 /// The perspective transform alone: (n·x, n·y)/−z, and −z to (n + f) − nf/−z, in eye space with z
-/// negative ahead; an orthographic projection after it makes a [`frustum`] (course.md rows 10 and 11).
+/// negative ahead; an orthographic projection after it makes a [`frustum`].
 pub fn perspective_transform(n: f64, f: f64) -> Matrix {
     [
         [n, 0., 0., 0.],
@@ -148,18 +148,17 @@ pub fn perspective_transform(n: f64, f: f64) -> Matrix {
     ]
 }
 
-/// (−n x/z, −n y/z): a point projected on the plane at distance n; `None` at z = 0 (course.md row 5).
+/// (−n x/z, −n y/z): a point projected on the plane at distance n; `None` at z = 0.
 pub fn project_on_plane(p: Vec3, n: f64) -> Option<[f64; 2]> {
     (p[2] != 0.).then(|| [-n * p[0] / p[2], -n * p[1] / p[2]])
 }
 
-/// Where lines of a direction meet on the plane at distance n; `None` for lines parallel to it
-/// (course.md row 20).
+/// Where lines of a direction meet on the plane at distance n; `None` for lines parallel to it.
 pub fn vanishing_point(direction: Vec3, n: f64) -> Option<[f64; 2]> {
     project_on_plane(direction, n)
 }
 
-/// ∂x'/∂t of a point P + t·v projected on the plane at distance n (course.md row 21).
+/// ∂x'/∂t of a point P + t·v projected on the plane at distance n.
 pub fn speed(p: Vec3, v: Vec3, t: f64, n: f64) -> f64 {
     -n * (v[0] * p[2] - p[0] * v[2]) / (p[2] + v[2] * t).powi(2)
 }

@@ -1,4 +1,4 @@
-//! The measured scenes of scenes.md: 320x240 pixels, focal length 200, near 0.25, far 100.
+//! The measured scenes: 320x240 pixels, focal length 200, near 0.25, far 100.
 //!
 //! Attributes are u and v, v down as a texture is stored.
 

@@ -1,0 +1,105 @@
+//! The measured scenes on a microcontroller: the same pixels as on the host, in whole frames and in
+//! bands.
+//!
+//! `cargo run --release -p firmware --target thumbv7em-none-eabi` runs it under QEMU, which must
+//! be installed with its Arm and RISC-V boards, as must be `ld.lld`. Other targets: thumbv6m-none-eabi,
+//! thumbv7m-none-eabi, thumbv8m.main-none-eabi, riscv32imc-unknown-none-elf.
+//!
+//! First it says how many instructions a tick is. Then, for each mode, scene and layout, what the models
+//! cover and what drawing them took, with a checksum of the picture: `simulator --mode MODE --scene NAME --crc`
+//! prints the host's. Mode fast is within a quarter of a texel.
+//!
+//! Then, for some of the scenes, the checksum of what must be the same picture (`same`): in bands of any height,
+//! drawn again or over itself, with the triangles in the reverse order.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+
+#[cfg(target_os = "none")]
+mod bench;
+#[cfg(target_os = "none")]
+mod board;
+#[cfg(target_os = "none")]
+#[path = "../../common/mod.rs"]
+mod common;
+#[cfg(target_os = "none")]
+mod nested;
+#[cfg(target_os = "none")]
+mod same;
+#[cfg(target_os = "none")]
+mod scene;
+
+#[cfg(not(target_os = "none"))]
+fn main() {
+    println!("firmware runs on a microcontroller: add --target thumbv7em-none-eabi");
+}
+
+#[cfg(target_os = "none")]
+mod firmware {
+    use core::panic::PanicInfo;
+
+    use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
+    use fixel::prelude::*;
+    use semihosting::{println, process};
+
+    use super::bench::{Bench, Figures, Layout};
+    use super::board::{self, Clock};
+    use super::same::Way;
+    use super::scene::Scene;
+
+    fn run() -> Result<(), Error> {
+        let mut clock = Clock::take().expect("taken once");
+        println!(
+            "tick={} instructions",
+            board::instructions_per_tick(&mut clock)
+        );
+        let mut bench = Bench::new(clock);
+        run_mode(&mut bench, "exact", Exact)?;
+        run_mode(&mut bench, "newton", Newton)?;
+        run_mode(&mut bench, "fast", Fast::within(fx!(0.25)))?;
+        run_mode(&mut bench, "affine", Affine)?;
+        for way in Way::all() {
+            let (name, crc) = (way.scene.name(), bench.checksum(way)?);
+            println!("same scene={name} mode=newton way={way} crc={crc:08x}");
+        }
+        Ok(())
+    }
+
+    /// Measures everything in one way of interpolating.
+    fn run_mode<I: Mode>(bench: &mut Bench, mode: &str, way: I) -> Result<(), Error> {
+        let pass = DrawOptions::new().mode(way);
+        for scene in Scene::ALL {
+            for layout in Layout::ALL {
+                let (name, layout_name) = (scene.name(), layout.name());
+                let case = format_args!("scene={name} mode={mode} layout={layout_name}");
+                let Figures {
+                    pixels,
+                    triangles,
+                    ticks,
+                    stack,
+                    crc,
+                } = bench.measure(scene, &pass, layout)?;
+                println!(
+                    "{case} pixels={pixels} triangles={triangles} ticks={ticks} crc={crc:08x}"
+                );
+                println!("{case} stack={stack}");
+            }
+        }
+        Ok(())
+    }
+
+    #[board::entry]
+    fn main() -> ! {
+        match run() {
+            Ok(()) => process::exit(0),
+            Err(error) => {
+                println!("{error}");
+                process::exit(1)
+            }
+        }
+    }
+
+    #[panic_handler]
+    fn panic(info: &PanicInfo<'_>) -> ! {
+        println!("{info}");
+        process::exit(1)
+    }
+}

@@ -1,0 +1,100 @@
+//! What the inner loops take on a microcontroller: a pixel in each mode, and the set-up of a triangle.
+//!
+//! `cargo run --release -p kernels --target thumbv7em-none-eabi` runs it under QEMU, which counts
+//! instructions; on a chip it counts the core's cycles. The first line says which, and how many a tick is. Then
+//! a line for each kernel: in so many units (pixels or triangles) it took so many ticks, and so `each` took so
+//! many instructions or cycles.
+//!
+//! A pixel's share is the difference of two drawings of one triangle that covers the frame, of 64 rows: in a
+//! frame of 16 columns and in one of 48 (`unit=pixel`: within a run, so the inner loop alone), in one of 48 and
+//! in one of 240 (`unit=long-pixel`: each of 64 with its share of a run's start). A triangle's is that of two
+//! lists, prepared before, of which one has more of the same.
+//!
+//! RGB565 in the processor's order of bytes, the nearest texel of 64x64. `depth-pass` and `depth-fail` have a
+//! depth buffer in which all pixels are nearer or none is, the others have none.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+
+#[cfg(target_os = "none")]
+#[path = "../../firmware/src/board/mod.rs"]
+mod board;
+#[cfg(target_os = "none")]
+#[path = "../../common/mod.rs"]
+mod common;
+#[cfg(target_os = "none")]
+mod pieces;
+#[cfg(target_os = "none")]
+mod setup;
+#[cfg(target_os = "none")]
+mod ticks;
+#[cfg(target_os = "none")]
+mod wall;
+
+#[cfg(not(target_os = "none"))]
+fn main() {
+    println!("kernels runs on a microcontroller: add --target thumbv7em-none-eabi");
+}
+
+#[cfg(target_os = "none")]
+mod firmware {
+    use core::panic::PanicInfo;
+
+    use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+    use fixel::mode::{Affine, Exact, Fast, Newton};
+    use fixel::prelude::*;
+    use semihosting::{println, process};
+
+    use super::board::{self, Clock};
+    use super::common::scenes::CHECKER;
+    use super::pieces;
+    use super::setup::{self, Kind};
+    use super::ticks::Stopwatch;
+    use super::wall::{Bench, Depths};
+
+    fn run() -> Result<(), Error> {
+        let mut watch = Stopwatch::new(Clock::take().expect("taken once"));
+        println!("{}", watch.tick());
+        for (name, kind) in [
+            ("setup-no-pixel", Kind::Missing),
+            ("setup-one-pixel", Kind::Covering),
+        ] {
+            let (triangles, ticks) = setup::measure(&mut watch, kind)?;
+            watch.print(name, "triangle", triangles, ticks);
+        }
+
+        // Within half a texel pieces of this wall have 16 pixels.
+        let fast = Fast::within(fx!(0.5));
+        let mut bench = Bench::new(watch);
+        let length = pieces::length(&mut bench, fast)?;
+        assert_eq!(length, Some(16), "pixels in a piece");
+
+        let (skin, flat) = (Textured::new(&CHECKER), Flat::new(Rgb565::RED));
+        bench.kernel("flat", Newton, &flat, Depths::None)?;
+        bench.kernel("affine", Affine, &skin, Depths::None)?;
+        bench.kernel("fast-16", fast, &skin, Depths::None)?;
+        bench.kernel("newton", Newton, &skin, Depths::None)?;
+        bench.kernel("newton-depth-pass", Newton, &skin, Depths::Far)?;
+        bench.kernel("newton-depth-fail", Newton, &skin, Depths::Near)?;
+        bench.kernel("narrow", Fast::NARROW, &skin, Depths::None)?;
+        bench.kernel("narrow-depth-pass", Fast::NARROW, &skin, Depths::Far)?;
+        bench.kernel("narrow-depth-fail", Fast::NARROW, &skin, Depths::Near)?;
+        bench.kernel("exact", Exact, &skin, Depths::None)?;
+        Ok(())
+    }
+
+    #[board::entry]
+    fn main() -> ! {
+        match run() {
+            Ok(()) => process::exit(0),
+            Err(error) => {
+                println!("{error}");
+                process::exit(1)
+            }
+        }
+    }
+
+    #[panic_handler]
+    fn panic(info: &PanicInfo<'_>) -> ! {
+        println!("{info}");
+        process::exit(1)
+    }
+}

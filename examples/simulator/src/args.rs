@@ -1,0 +1,305 @@
+//! What can be asked for on the command line, and the checks that need no library.
+
+use std::path::PathBuf;
+
+use clap::{Parser, ValueEnum};
+
+const EXAMPLES: &str = "\
+Examples (`cargo run --release -p simulator -- ` goes before the arguments):
+  simulator                                             the project's own scene, to lighthouse.png
+  simulator cow.obj --texture cow.png                   a model of yours, textured and lit
+  simulator teapot.obj --shade gouraud --frames 60 --out teapot.gif
+                                                        a turntable: 60 frames, one turn
+  simulator cow.obj --shade wire --size 128x64 --color mono
+                                                        as an OLED would show it
+  simulator cow.obj --eye 2,1,-2 --look-at 0,0,0 --fov 40
+                                                        from where you like
+  simulator --scene floor --dump floor.csv --crc        a measured scene, pixel by pixel
+
+Distances are in the model's own units. Drawing is in fixed point: every coordinate, distance and
+position must lie between -32768 and 32768, with a resolution of 1/65536.";
+
+/// Draws a 3D model with integers only, as a microcontroller would, and saves the picture.
+///
+/// Without a model it draws the project's own scene. What is not given is chosen so that the
+/// model fills the picture.
+#[derive(Clone, Debug, Parser)]
+#[command(name = "simulator", version, after_help = EXAMPLES, max_term_width = 100)]
+pub struct Args {
+    /// Model to draw: Wavefront OBJ with any mix of v, vt and vn, polygons, negative indices.
+    ///
+    /// Missing normals are computed; missing texture coordinates are laid around the model.
+    #[arg(value_name = "MODEL.obj", conflicts_with = "scene")]
+    pub model: Option<PathBuf>,
+
+    /// PNG or JPEG to lay over the model; resampled to power-of-two sides up to 1024.
+    ///
+    /// [default: a checker]
+    #[arg(
+        long,
+        value_name = "FILE.png",
+        help_heading = "Scene",
+        conflicts_with = "scene"
+    )]
+    pub texture: Option<PathBuf>,
+
+    /// One of the four measured scenes instead of a model.
+    #[arg(long, value_enum, help_heading = "Scene")]
+    pub scene: Option<SceneName>,
+
+    /// Where the camera stands. [default: in front, a little right and above]
+    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true,
+        help_heading = "Camera", conflicts_with = "scene")]
+    pub eye: Option<[f64; 3]>,
+
+    /// What the camera looks at. [default: the middle of the model]
+    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true,
+        help_heading = "Camera", conflicts_with = "scene")]
+    pub look_at: Option<[f64; 3]>,
+
+    /// Which way is up for the camera; it need not be at right angles to the line of sight.
+    /// [default: 0,1,0]
+    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true,
+        help_heading = "Camera", conflicts_with = "scene")]
+    pub up: Option<[f64; 3]>,
+
+    /// Vertical field of view in degrees, above 0 and below 180.
+    /// [default: 40, or with --eye what takes in the model]
+    #[arg(long, value_name = "DEG", value_parser = field_of_view, allow_hyphen_values = true,
+        help_heading = "Camera", conflicts_with = "scene")]
+    pub fov: Option<f64>,
+
+    /// Distance of the near plane, above 0. [default: just before the model]
+    #[arg(long, value_name = "N", value_parser = number, allow_hyphen_values = true,
+        help_heading = "Camera", conflicts_with = "scene")]
+    pub near: Option<f64>,
+
+    /// Distance of the far plane, beyond the near plane. [default: just behind the model]
+    #[arg(long, value_name = "F", value_parser = number, allow_hyphen_values = true,
+        help_heading = "Camera", conflicts_with = "scene")]
+    pub far: Option<f64>,
+
+    /// How space is projected to the picture.
+    #[arg(
+        long,
+        value_enum,
+        default_value = "perspective",
+        help_heading = "Camera",
+        conflicts_with = "scene"
+    )]
+    pub projection: Kind,
+
+    /// How the surface is coloured.
+    /// [default: lit, where the model has texture coordinates or --texture is given; else gouraud]
+    #[arg(long, value_enum, help_heading = "Look", conflicts_with = "scene")]
+    pub shade: Option<Shade>,
+
+    /// What colour the texture has between the centres of its texels.
+    #[arg(
+        long,
+        value_enum,
+        default_value = "nearest",
+        help_heading = "Look",
+        conflicts_with = "scene"
+    )]
+    pub filter: Filter,
+
+    /// How attributes are interpolated: speed against accuracy.
+    #[arg(long, value_enum, default_value = "newton", help_heading = "Look")]
+    pub mode: Mode,
+
+    /// Texels that mode fast may be off by.
+    #[arg(long, value_name = "TEXELS", value_parser = number, default_value = "0.25",
+        allow_hyphen_values = true, help_heading = "Look")]
+    pub tolerance: f64,
+
+    /// How depths are stored, to be tested: over what range what is in front hides what is behind.
+    #[arg(long, value_enum, default_value = "linear", help_heading = "Look")]
+    pub depth: DepthFormat,
+
+    /// Draw back faces too.
+    #[arg(long, help_heading = "Look", conflicts_with = "scene")]
+    pub two_sided: bool,
+
+    /// Pixel format to draw in.
+    #[arg(long, value_enum, default_value = "rgb565", help_heading = "Look")]
+    pub color: Color,
+
+    /// Picture size in pixels.
+    #[arg(long, value_name = "WxH", value_parser = size, default_value = "320x240",
+        allow_hyphen_values = true, help_heading = "Picture", conflicts_with = "scene")]
+    pub size: (u32, u32),
+
+    /// Draw in strips of so many rows, as a microcontroller short of memory does; the same picture.
+    #[arg(long, value_name = "ROWS", value_parser = clap::value_parser!(u32).range(1..), help_heading = "Picture")]
+    pub bands: Option<u32>,
+
+    /// Number of frames to draw; more than one makes a .gif.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000),
+        default_value = "1", help_heading = "Animation")]
+    pub frames: u32,
+
+    /// Turns of the model per minute; frames are 40 ms apart. [default: one turn over the frames]
+    #[arg(long, value_name = "R", value_parser = number, allow_hyphen_values = true,
+        help_heading = "Animation", conflicts_with = "scene")]
+    pub rpm: Option<f64>,
+
+    /// Where the picture goes: a .png, or a .gif for an animation. [default: named after the model]
+    #[arg(long, value_name = "FILE.png|FILE.gif", help_heading = "Output")]
+    pub out: Option<PathBuf>,
+
+    /// Also write a row x,y,u,v,w,depth for each covered pixel, exact, of the last frame.
+    ///
+    /// u and v are the texture coordinate, w the distance ahead of the eye, depth in linear steps.
+    #[arg(long, value_name = "FILE.csv", help_heading = "Output")]
+    pub dump: Option<PathBuf>,
+
+    /// Print the CRC-32 of the last frame's pixels as big-endian RGB565, row by row from the top.
+    #[arg(long, help_heading = "Output")]
+    pub crc: bool,
+
+    /// Show the picture in a window (needs SDL2 and a build with `--features sdl`).
+    #[arg(long, help_heading = "Output")]
+    pub window: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum SceneName {
+    /// A checkered floor to the horizon
+    Floor,
+    /// A checkered cube
+    Cube,
+    /// A sphere of 1,984 triangles, Gouraud
+    Sphere,
+    /// The same sphere, one colour per triangle, no depth buffer
+    SphereFlat,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Kind {
+    /// Far is small
+    Perspective,
+    /// Parallel, straight ahead
+    Orthographic,
+    /// Parallel, depth drawn slanted at half its length
+    Cabinet,
+    /// Parallel, depth drawn slanted at its full length
+    Cavalier,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Shade {
+    /// The texture as it is, a checker without --texture
+    Texture,
+    /// Clay in light: lit at the vertices, blended over each triangle
+    Gouraud,
+    /// Clay in light, one colour per triangle
+    Flat,
+    /// The texture in light
+    Lit,
+    /// Edges only
+    Wire,
+    /// Depth as grey: near white, far black
+    Depth,
+    /// Normals as colours: x red, y green, z blue
+    Normal,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Filter {
+    /// That of the nearest texel: squares where the texture is magnified
+    Nearest,
+    /// Blended of the four texels around: smooth
+    Bilinear,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Mode {
+    /// Exact at every pixel
+    Exact,
+    /// Within a thousandth of a texel: the library's default
+    Newton,
+    /// By straight pieces, within --tolerance
+    Fast,
+    /// Without perspective within triangles
+    Affine,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum DepthFormat {
+    /// In equal steps of 1/distance: finest near by
+    Linear,
+    /// In floating point: steps of 0.024 % of the distance, up to 65,536 times the near plane
+    Float,
+    /// In floating point over a wider range: steps of 0.049 % of the distance, however far
+    Wide,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Color {
+    /// 16-bit colour
+    Rgb565,
+    /// 24-bit colour
+    Rgb888,
+    /// 256 greys
+    Gray8,
+    /// 16 greys, dithered
+    Gray4,
+    /// Black and white, dithered
+    Mono,
+}
+
+impl Args {
+    /// Which way is up.
+    pub fn up(&self) -> [f64; 3] {
+        self.up.unwrap_or([0.0, 1.0, 0.0])
+    }
+
+    /// Whether anything about the camera was given.
+    pub fn has_camera(&self) -> bool {
+        self.eye.is_some()
+            || self.look_at.is_some()
+            || self.up.is_some()
+            || self.fov.is_some()
+            || self.near.is_some()
+            || self.far.is_some()
+            || self.projection != Kind::Perspective
+    }
+}
+
+fn number(text: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(value) if value.is_finite() => Ok(value),
+        Ok(_) => Err("it must be a finite number".into()),
+        Err(_) => Err("it must be a number, such as 1.5".into()),
+    }
+}
+
+fn field_of_view(text: &str) -> Result<f64, String> {
+    let degrees = number(text)?;
+    // Here and not in the library, where 400 degrees are 40: an angle is a fraction of a turn.
+    if degrees > 0.0 && degrees < 180.0 {
+        Ok(degrees)
+    } else {
+        Err(format!(
+            "field of view is {degrees} degrees: it must be above 0 and below 180 degrees"
+        ))
+    }
+}
+
+fn point(text: &str) -> Result<[f64; 3], String> {
+    let numbers: Vec<f64> = text
+        .split(',')
+        .map(|part| number(part).map_err(|problem| format!("'{part}': {problem}")))
+        .collect::<Result<_, _>>()?;
+    numbers
+        .try_into()
+        .map_err(|_| "it must be three numbers with commas between, such as 0,1.5,-2".into())
+}
+
+fn size(text: &str) -> Result<(u32, u32), String> {
+    let parse = |part: &str| part.trim().parse().ok();
+    text.split_once(['x', 'X'])
+        .and_then(|(width, height)| Some((parse(width)?, parse(height)?)))
+        .ok_or_else(|| "it must be width x height in whole pixels, such as 320x240".into())
+}

@@ -1,0 +1,44 @@
+//! Draws models on a computer as a microcontroller would: into a framebuffer, with integers only.
+//!
+//! `cargo run --release -p simulator -- --help` tells what it can do.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+#![cfg(not(target_os = "none"))]
+
+mod args;
+#[path = "../../common/mod.rs"]
+mod common;
+mod complete;
+mod dump;
+mod framing;
+mod job;
+mod load;
+mod mode;
+mod output;
+mod paint;
+mod parts;
+mod render;
+mod skin;
+mod subject;
+mod targets;
+mod view;
+mod window;
+
+use std::error::Error;
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use args::Args;
+
+/// What went wrong, in words for the user.
+type Result<T, E = Box<dyn Error>> = std::result::Result<T, E>;
+
+fn main() -> ExitCode {
+    match render::run(&Args::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}

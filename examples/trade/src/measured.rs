@@ -1,0 +1,80 @@
+//! The four measured scenes, in all of their poses.
+
+use std::f64::consts::TAU;
+
+use fixel::prelude::*;
+use fixel::view::Perspective;
+
+use super::Result;
+use super::case::{Case, Lens, Shot};
+use super::common::scenes::{
+    self, CUBE_AT, FLOOR_AT, FLOOR_PITCH, HEIGHT, POSES, SPHERE_AT, WIDTH, cube_turn, sphere_turn,
+};
+use super::paint::Paint;
+use super::reference::linear::{Matrix, multiply, product, rotate_x, rotate_y, translate};
+
+/// The scenes' projection.
+const LENS: Lens = Lens {
+    focal: 200.,
+    size: (WIDTH, HEIGHT),
+    near: 0.25,
+    far: 100.,
+};
+
+/// The scenes, each with the name that the program `firmware` prints.
+pub fn cases() -> Result<Vec<Case>> {
+    let floor = Shot::of_mesh(
+        &scenes::FLOOR,
+        scenes::floor_chain(0)?,
+        multiply(&rotate_x(radians(FLOOR_PITCH)), &moved(FLOOR_AT)),
+        LENS,
+    );
+    let cube = poses(&scenes::CUBE, scenes::cube_chain, CUBE_AT, cube_turn)?;
+    let sphere = || {
+        poses(
+            &scenes::SPHERE,
+            scenes::sphere_chain,
+            SPHERE_AT,
+            sphere_turn,
+        )
+    };
+    let case = |name, paint, shots| Case {
+        name,
+        size: (WIDTH, HEIGHT),
+        paint,
+        texels_log2: 8,
+        interpolates: paint != Paint::Faceted,
+        shots,
+    };
+    Ok(vec![
+        case("floor", Paint::Checkered, vec![floor]),
+        case("cube", Paint::Checkered, cube),
+        case("sphere", Paint::Shaded, sphere()?),
+        case("sphere-flat", Paint::Faceted, sphere()?),
+    ])
+}
+
+/// All poses of what is turned, then moved.
+fn poses(
+    mesh: &'static Mesh<'static>,
+    mvp: impl Fn(i32) -> Result<Mvp<Perspective>, Error>,
+    at: Vec3,
+    turn: impl Fn(i32) -> [Angle; 2],
+) -> Result<Vec<Shot>> {
+    (0..POSES)
+        .map(|k| {
+            let [x, y] = turn(k).map(radians);
+            let eye = product(&[moved(at), rotate_x(x), rotate_y(y)]);
+            Ok(Shot::of_mesh(mesh, mvp(k)?, eye, LENS))
+        })
+        .collect()
+}
+
+/// What an angle is in radians, to the last bit of an f64.
+fn radians(angle: Angle) -> f64 {
+    f64::from(angle.to_bits()) / 2_f64.powi(32) * TAU
+}
+
+fn moved(by: Vec3) -> Matrix {
+    translate([by.x, by.y, by.z].map(Scalar::to_num))
+}

@@ -1,0 +1,422 @@
+//! Clipping: what is drawn is inside the view volume, covers each pixel once, and is where the f64 model has it.
+//!
+//! Tolerances. A corner is rounded to 1/256 pixel, by at most half of that in each direction, so an edge
+//! moves by at most √2/512 = 0.0028 pixel; clip space adds less than 0.001 pixel for scenes of some
+//! hundred units (coefficients of 30 bits: 2⁻²⁹ · 256 units / 0.25 of the near plane · 100 pixels from the
+//! centre = 5e-5). So pixels nearer than [`EDGE`] = 1/256 pixel to an edge may go either way.
+//! The crate's near and far planes are those of the projection to 28 bits; the model is asked with planes a little
+//! nearer and a little farther, [`PLANES`] of themselves, and only where both agree.
+
+use std::collections::HashMap;
+
+use crate::common::meshes::{Point, triangulation};
+use crate::common::recorder::{Probe, Seen, record};
+use crate::common::{BOTH_SIDES, Counter};
+use crate::reference::coverage::{Bounds, centre};
+use crate::reference::distance::to_segment;
+use crate::reference::linear::{self, IDENTITY};
+use crate::reference::silhouette::{Place, Silhouette};
+use crate::reference::{projection, raster, view};
+use embedded_graphics::pixelcolor::Gray8;
+use fixel::prelude::*;
+use proptest::prelude::*;
+
+const SIZE: (u32, u32) = (48, 32);
+const NEAR: f64 = 0.25;
+const FAR: f64 = 24.;
+const FOCAL: u16 = 30;
+/// In pixels.
+const EDGE: f64 = 1. / 256.;
+/// In pixels: √2/512 and what clip space adds. Sides of triangles that are both so near to a centre may have been
+/// exchanged by rounding.
+const FOLD: f64 = 0.0029;
+/// 2⁻²⁴.
+const PLANES: f64 = 1. / 16_777_216.;
+
+fn projection() -> Projection<fixel::view::Perspective> {
+    Projection::from_focal_length(Scalar::from_num(FOCAL), SIZE, fx!(0.25), fx!(24)).unwrap()
+}
+
+/// The model's view with planes moved outwards by a fraction of their distance.
+fn model_view(outwards: f64) -> view::View {
+    let (near, far) = (NEAR * (1. - outwards), FAR * (1. + outwards));
+    view::View {
+        eye: IDENTITY,
+        projection: projection::focal(FOCAL.into(), SIZE, near, far),
+        viewport: view::Viewport::new(SIZE.0, SIZE.1),
+    }
+}
+
+fn floats(positions: &[Vec3]) -> Vec<[f64; 3]> {
+    let float = |bits: i32| f64::from(bits) / 65536.;
+    positions.iter().map(|p| p.to_bits().map(float)).collect()
+}
+
+/// What the model knows of some triangles, for planes a little inwards and a little outwards.
+struct Model {
+    inner: Silhouette,
+    outer: Silhouette,
+    /// Sides of the clipped triangles, each once.
+    sides: Vec<[[f64; 2]; 2]>,
+}
+
+/// The sides of what is left of each face; not those between the pieces of one.
+fn sides<const N: usize>(pieces: &[raster::Piece<N>]) -> Vec<[[f64; 2]; 2]> {
+    let key = |side: [[f64; 2]; 2]| side.map(|end| end.map(f64::to_bits));
+    let mut all = HashMap::new();
+    for face in pieces.chunk_by(|a, b| a.face == b.face) {
+        let mut own = HashMap::new();
+        for [a, b, c] in face.iter().map(|piece| piece.screen) {
+            for (from, to) in [(a, b), (b, c), (c, a)] {
+                let side = if from < to { [from, to] } else { [to, from] };
+                own.entry(key(side)).or_insert((side, 0)).1 += 1;
+            }
+        }
+        all.extend(own.into_iter().filter(|&(_, (_, times))| times == 1));
+    }
+    all.into_values().map(|(side, _)| side).collect()
+}
+
+impl Model {
+    fn new(positions: &[Vec3], faces: &[[u16; 3]]) -> Self {
+        let positions = floats(positions);
+        let faces: Vec<_> = faces.iter().map(|face| face.map(usize::from)).collect();
+        let pieces = |outwards: f64| {
+            let mesh = raster::Mesh {
+                positions: &positions,
+                faces: &faces,
+                attributes: &vec![[[0.; 0]; 3]; faces.len()],
+            };
+            raster::pieces(&mesh, &model_view(outwards))
+        };
+        let outline = |pieces: &[raster::Piece<0>]| {
+            let corners: Vec<_> = pieces.iter().map(|piece| piece.screen).collect();
+            Silhouette::new(&corners, SIZE.0, SIZE.1)
+        };
+        let inner = pieces(-PLANES);
+        Self {
+            inner: outline(&inner),
+            outer: outline(&pieces(PLANES)),
+            sides: sides(&inner),
+        }
+    }
+
+    /// Whether a pixel is covered; `None` where rounding may decide.
+    fn covers(&self, pixel: [i32; 2]) -> Option<bool> {
+        if self.inner.classify(centre(pixel), EDGE) == Place::Inside {
+            Some(true)
+        } else if self.outer.classify(centre(pixel), EDGE) == Place::Outside {
+            Some(false)
+        } else {
+            None
+        }
+    }
+
+    /// Whether two sides pass so near to a pixel's centre that rounding their ends may have exchanged them:
+    /// a triangle so thin may be turned over, and lies on its neighbours then.
+    fn may_fold(&self, pixel: [i32; 2]) -> bool {
+        let near = |[a, b]: &[[f64; 2]; 2]| to_segment(*a, *b, centre(pixel)) < FOLD;
+        self.sides.iter().filter(|side| near(side)).count() > 1
+    }
+
+    /// Counts of pixels as drawn against the model; also, never twice.
+    fn check(&self, counts: &[u32]) -> Result<(), TestCaseError> {
+        for (&count, pixel) in counts.iter().zip(Bounds::new(SIZE.0, SIZE.1).pixels()) {
+            let expected = self.covers(pixel);
+            prop_assert!(
+                expected.is_none_or(|covered| covered == (count > 0)),
+                "{:?}: drawn {} times, model {:?}",
+                pixel,
+                count,
+                expected
+            );
+            prop_assert!(
+                count < 2 || self.may_fold(pixel),
+                "{:?}: drawn {} times",
+                pixel,
+                count
+            );
+        }
+        Ok(())
+    }
+}
+
+fn count(positions: &[Vec3], faces: &[[u16; 3]], pass: &DrawOptions) -> (Vec<u32>, fixel::Drawn) {
+    let mut counter = Counter::new(SIZE);
+    let mesh = Mesh::new(positions, faces).unwrap();
+    let drawn = counter.draw(pass, &mesh, &projection().into());
+    (counter.take(), drawn)
+}
+
+/// In units of 2⁻¹⁶.
+const UNIT: i32 = 1 << 16;
+
+/// Positions all about the eye: some close to the near plane, some at the far plane, some behind,
+/// some far to the side.
+fn around() -> impl Strategy<Value = Vec3> {
+    let z = prop_oneof![
+        4 => -30 * UNIT..10 * UNIT,
+        2 => -UNIT / 2..UNIT / 8,
+        1 => -26 * UNIT..-22 * UNIT,
+        1 => Just(-UNIT / 4),
+        1 => Just(0),
+    ];
+    let side = || {
+        prop_oneof![
+            4 => -3 * UNIT..3 * UNIT,
+            2 => -30 * UNIT..30 * UNIT,
+            1 => -200 * UNIT..200 * UNIT,
+        ]
+    };
+    (side(), side(), z).prop_map(|(x, y, z)| Vec3::from_bits([x, y, z]))
+}
+
+/// Twice the volume between the eye and a triangle, and the gradient of 1/w on the screen: with
+/// the plane N·P = D and the ray through a pixel (dx, dy, −1), 1/w = N·ray / D.
+fn inverse_w(corners: [Vec3; 3]) -> impl Fn([f64; 2]) -> (f64, f64) {
+    let p = floats(&corners);
+    let n = linear::cross(linear::subtract(p[1], p[0]), linear::subtract(p[2], p[0]));
+    let d = linear::dot(n, p[0]);
+    move |[x, y]: [f64; 2]| {
+        let focal = f64::from(FOCAL);
+        let ray = [
+            (x - f64::from(SIZE.0) / 2.) / focal,
+            (f64::from(SIZE.1) / 2. - y) / focal,
+            -1.,
+        ];
+        let gradient = (n[0] / focal / d).hypot(n[1] / focal / d);
+        (linear::dot(n, ray) / d, gradient)
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(512))]
+
+    /// One triangle anywhere about the eye: where the model has it and nowhere else, inside the planes,
+    /// as far away as its plane is at each pixel.
+    #[test]
+    fn triangles_about_the_eye(corners in [around(), around(), around()]) {
+        let (counts, drawn) = count(&corners, &[[0, 1, 2]], &BOTH_SIDES);
+        Model::new(&corners, &[[0, 1, 2]]).check(&counts)?;
+        let all: u32 = counts.iter().sum();
+        prop_assert!(drawn.drawn > 0 || all == 0);
+
+        let mut pixels = vec![Gray8::new(0); counts.len()];
+        let mesh = Mesh::new(&corners, &[[0, 1, 2]]).unwrap();
+        let mut canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
+        // The distance ahead as it is interpolated.
+        let probe = Probe { values: &|corner| [corner.distance().to_bits()], color: None };
+        let record = record(probe, |recorder| {
+            canvas.draw_with(&BOTH_SIDES, &mesh, &projection().into(), recorder);
+        });
+        let plane = inverse_w(corners);
+        for Seen { pixel, values: [distance], depth, .. } in record.seen {
+            let w = f64::from(distance) / 65536.;
+            // The corners' distances are below 64, 2^22 units, so the interpolant is distance · q · 2^-24. It and q are off
+            // by at most 34 units (corner, plane and steps, see `RUN`), q being at least 2^30 · near/w.
+            let q = f64::from(1 << 30) * NEAR / FAR;
+            let format = (f64::from(1 << 24) * 34. * 1.5 / q + 4.) / 65536.;
+            prop_assert!((NEAR - format..=FAR + format).contains(&w), "{:?}: {}", pixel, w);
+            // Corners moved by less than EDGE: the value is the plane's that near to the pixel.
+            let (exact, gradient) = plane(centre(pixel));
+            let room = gradient * EDGE + 1e-6;
+            let nearest = 1. / (exact + room);
+            prop_assert!(w > nearest - format, "{:?}: {} is nearer than {}", pixel, w, nearest);
+            if exact > room {
+                let farthest = 1. / (exact - room);
+                prop_assert!(w < farthest + format, "{:?}: {} is farther than {}", pixel, w, farthest);
+            }
+            // Rounded down, from a 1/w that is off by 34 units of 2^-15 of a step.
+            let step = 65535. * NEAR;
+            let (least, most) = (step * (exact - room) - 1.01, step * (exact + room) + 0.01);
+            prop_assert!((least..=most).contains(&f64::from(depth)), "{:?}: {} not in {}..{}", pixel, depth, least, most);
+        }
+    }
+}
+
+/// A plane through the eye's surroundings, as a map from the mesh's places to space.
+#[derive(Clone, Copy, Debug)]
+struct Slope {
+    /// The mesh's origin.
+    origin: [i32; 3],
+    /// What a step along x and y adds.
+    steps: [[i32; 3]; 2],
+}
+
+impl Slope {
+    fn position(&self, [u, v]: Point) -> Vec3 {
+        let [a, b] = self.steps;
+        Vec3::from_bits([0, 1, 2].map(|i| self.origin[i] + u * a[i] + v * b[i]))
+    }
+}
+
+/// Floors, ceilings, walls and tilted ground that reach from behind the eye to beyond the far plane.
+fn slopes() -> impl Strategy<Value = Slope> {
+    let height = prop_oneof![Just(1), Just(-1)]
+        .prop_flat_map(|side| (UNIT / 8..2 * UNIT).prop_map(move |height| side * height));
+    (height, -6..=6i32, -6..=6i32, any::<bool>()).prop_map(|(height, across, along, wall)| {
+        // v runs ahead; the tilt is small, so that the horizon is in view.
+        let (x, y) = ([32, across, 0], [0, along, -32]);
+        let turn = |[a, b, c]: [i32; 3]| if wall { [b, a, c] } else { [a, b, c] };
+        Slope {
+            origin: turn([0, height, 0]),
+            steps: [turn(x), turn(y)],
+        }
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(128))]
+
+    /// Ground that goes on below the eye and behind it, in triangles of every shape.
+    #[test]
+    fn meshes_through_the_near_plane(
+        slope in slopes(),
+        points in prop::collection::vec(
+            prop_oneof![
+                // 2^11 mesh units are a unit of space.
+                [-8000..8000i32, -8000..8000],
+                [-2000..2000i32, 0..3000],
+                [-30_000..30_000i32, -20_000..60_000],
+            ],
+            0..16,
+        ),
+        seed: u64,
+    ) {
+        let (left, right, back, front) = (-40_000, 40_000, -20_000, 60_000);
+        let corners = [[left, front], [left, back], [right, back], [right, front]];
+        let corners = corners.map(|[x, y]| [x, -y]);
+        let mesh = triangulation(corners, &points.iter().map(|&[x, y]| [x, -y]).collect::<Vec<_>>());
+        let mesh = mesh.shuffled(seed, true);
+        let positions: Vec<Vec3> = mesh.points.iter().map(|&[x, y]| slope.position([x, -y])).collect();
+        let (counts, drawn) = count(&positions, &mesh.faces, &BOTH_SIDES);
+        prop_assert!(drawn.clipped > 0);
+        Model::new(&positions, &mesh.faces).check(&counts)?;
+    }
+}
+
+/// A thin triangle that both the near and the far plane cut: four of its corners are new and rounded, and the
+/// outline, which is some subpixels across at its far end, crosses itself there. The parts that it is drawn in, a fan
+/// about one corner, then lie over each other; still each pixel is drawn once.
+#[test]
+fn thin_clipped_triangles() {
+    // Which of them fold over a pixel's centre depends on every rounding: so many, and the others are plain.
+    let mut drawn = 0;
+    for height in (10_000..60_000).step_by(100) {
+        let place = |[u, v]: Point| Vec3::from_bits([32 * u, height + u + 5 * v, -32 * v]);
+        // The third corner is 96 to 24 mesh units from the line between the others.
+        for across in [96, 72, 48, 24] {
+            let corners = [
+                [40_000, -20_000],
+                [-40_000, 60_000],
+                [-17_121 + across, 37_121],
+            ]
+            .map(place);
+            for face in [[0, 1, 2], [1, 2, 0], [2, 0, 1]] {
+                let (counts, _) = count(&corners, &[face], &BOTH_SIDES);
+                assert!(
+                    counts.iter().all(|&count| count <= 1),
+                    "{corners:?}, {face:?}"
+                );
+                drawn += counts.iter().sum::<u32>();
+            }
+        }
+    }
+    // They are thin, but not so thin that none has a pixel: there are 921 in all.
+    assert!(drawn > 800, "{drawn} pixels");
+}
+
+/// Inside the view volume, and for each plane three places beyond it: near (also behind the eye), far, left, right,
+/// bottom, top. The sides are those of the guard band, ±2048 pixels: at a distance of 4 and 30 pixels of
+/// focal length 273 units from the axis.
+const INSIDE: [[f64; 3]; 3] = [[-1., -1., -4.], [1.5, -0.5, -5.], [0., 1., -3.]];
+const BEYOND: [[[f64; 3]; 3]; 6] = [
+    [[-0.5, 0.25, -0.125], [0.5, 0.5, 2.], [1., -1., 0.]],
+    [[-3., 1., -40.], [5., 2., -25.], [0., -6., -100.]],
+    [[-400., 1., -4.], [-300., 50., -4.], [-500., -100., -4.5]],
+    [[400., 1., -4.], [300., 50., -4.], [500., -100., -4.5]],
+    [[1., -400., -4.], [50., -300., -4.], [-100., -500., -4.5]],
+    [[1., 400., -4.], [50., 300., -4.], [-100., 500., -4.5]],
+];
+
+/// One, two and three corners beyond each plane.
+#[test]
+fn each_plane_by_one_two_and_three_corners() {
+    for (plane, beyond) in BEYOND.iter().enumerate() {
+        for outside in 0..=3 {
+            let corners = [0, 1, 2].map(|i| if i < outside { beyond[i] } else { INSIDE[i] });
+            let corners = corners.map(|p| Vec3::try_from(p).unwrap());
+            for face in [[0, 1, 2], [1, 2, 0], [2, 1, 0]] {
+                let (counts, drawn) = count(&corners, &[face], &BOTH_SIDES);
+                Model::new(&corners, &[face]).check(&counts).unwrap();
+                let (seen, clipped) = (outside < 3, outside == 1 || outside == 2);
+                assert_eq!(
+                    (drawn.drawn, drawn.clipped),
+                    (u32::from(seen), u32::from(clipped)),
+                    "{outside} beyond plane {plane}"
+                );
+                assert_eq!(counts.iter().any(|&count| count > 0), seen);
+            }
+        }
+    }
+}
+
+/// A thing behind the eye has a mirror image under the bare formula; it must not show.
+#[test]
+fn nothing_behind_the_eye_is_drawn() {
+    let mirrored = INSIDE.map(|[x, y, z]| [-x, -y, -z]);
+    let touching = [[-1., -1., 0.], [1., -1., 0.], [0., 1., 0.25]];
+    for corners in [mirrored, touching] {
+        let corners = corners.map(|p| Vec3::try_from(p).unwrap());
+        let edges = [[0, 1], [1, 2], [2, 0]];
+        let mesh = Mesh::new(&corners, &[[0, 1, 2]])
+            .unwrap()
+            .with_edges(&edges)
+            .unwrap();
+        let mut counter = Counter::new(SIZE);
+        let mvp = projection().into();
+        assert_eq!(counter.draw(&BOTH_SIDES, &mesh, &mvp).drawn, 0);
+        assert_eq!(counter.draw_edges(&BOTH_SIDES, &mesh, &mvp).drawn, 0);
+        assert_eq!(counter.draw_points(&BOTH_SIDES, &mesh, &mvp).drawn, 0);
+        assert!(counter.take().iter().all(|&count| count == 0));
+    }
+}
+
+/// Ground below the eye, from far behind it to the far plane: below the horizon only. The far plane, 24 units
+/// away, is 30/24 = 1¼ rows below the middle, so centres from 17.5 on are ground.
+#[test]
+fn ground_fills_the_picture_up_to_the_far_plane() {
+    let ground = [
+        [-100., -1., 100.],
+        [100., -1., 100.],
+        [100., -1., -100.],
+        [-100., -1., -100.],
+    ];
+    let ground = ground.map(|p| Vec3::try_from(p).unwrap());
+    let (counts, drawn) = count(&ground, &[[0, 1, 2], [0, 2, 3]], &DrawOptions::new());
+    assert!(drawn.clipped > 0);
+    for (&count, [x, y]) in counts.iter().zip(Bounds::new(SIZE.0, SIZE.1).pixels()) {
+        assert_eq!(count, u32::from(y >= 17), "column {x}, row {y}");
+    }
+}
+
+/// A viewport of full size has the guard band for its edges: there, too, nothing is lost or doubled.
+#[test]
+fn a_viewport_as_wide_as_the_guard_band_is_filled_once() {
+    let size = (2048, 24);
+    let wide = DrawOptions::new().viewport(Viewport::new(-1024, -12, 4096, 48).unwrap());
+    let projection =
+        Projection::perspective(Angle::from_degrees(90), (4096, 48), fx!(0.25), fx!(24)).unwrap();
+    let wall = [
+        [-9000., -900., -3.],
+        [9000., -800., -3.],
+        [8000., 700., -3.],
+        [-7000., 900., -3.],
+    ];
+    let wall = wall.map(|p| Vec3::try_from(p).unwrap());
+    let mut counter = Counter::new(size);
+    let faces = [[0, 1, 2], [0, 2, 3]];
+    let mesh = Mesh::new(&wall, &faces).unwrap();
+    assert!(counter.draw(&wide, &mesh, &projection.into()).clipped > 0);
+    assert!(counter.take().iter().all(|&count| count == 1));
+}

@@ -1,0 +1,344 @@
+//! Which pixels a triangle covers: the exact half-space model, for every kind of mesh.
+//!
+//! The crate walks edges with remainders; the model tests every pixel centre against three exact
+//! half-spaces. Given the same snapped corners the two must agree in every pixel, so nothing here has
+//! a tolerance but the tests of triangles that are clipped, which get new corners.
+
+use std::collections::HashMap;
+
+use crate::common::meshes::{Flat, Point, fan, grid, triangulation};
+use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
+use crate::reference::coverage::{self, Bounds, Snapped, area2, centre};
+use crate::reference::distance::to_segment;
+use crate::reference::view::unsnap;
+use fixel::prelude::*;
+use fixel::view::ProjectionKind;
+use proptest::prelude::*;
+
+/// Draws a mesh through the pixel projection, having checked that each vertex is where it should be.
+fn draw(mesh: &Flat, size: (u32, u32), pass: &DrawOptions) -> Vec<u32> {
+    let projection = pixel_lens(size);
+    let mut counter = Counter::new(size);
+    let positions: Vec<Vec3> = mesh.points.iter().copied().map(at_subpixel).collect();
+    for (&point, &position) in mesh.points.iter().zip(&positions) {
+        assert_eq!(counter.snapped(&projection, position), Some(point));
+    }
+    let mesh = Mesh::new(&positions, &mesh.faces).unwrap();
+    let drawn = counter.draw(pass, &mesh, &projection);
+    assert_eq!(drawn.clipped, 0);
+    counter.take()
+}
+
+/// Where vertices may be: on pixel corners, on sixteenths, on any of 256 places, or mostly on
+/// centres, where the rule for ties decides.
+fn places(range: std::ops::Range<i32>) -> impl Strategy<Value = Vec<Point>> {
+    let grain = prop_oneof![
+        Just((256, 0)),
+        Just((16, 0)),
+        Just((1, 0)),
+        Just((256, 128)),
+        Just((128, 0))
+    ];
+    grain.prop_flat_map(move |(step, offset)| {
+        let place = (range.start * 256 / step..range.end * 256 / step)
+            .prop_map(move |at| at * step + offset);
+        prop::collection::vec([place.clone(), place], 3..24)
+    })
+}
+
+fn check_against_model(mesh: &Flat, size: (u32, u32)) -> Result<(), TestCaseError> {
+    let (width, height) = size;
+    let drawn = draw(mesh, size, &BOTH_SIDES);
+    let model = coverage::counts(&mesh.triangles(), width, height);
+    prop_assert_eq!(
+        coverage::picture(&drawn, width),
+        coverage::picture(&model, width)
+    );
+    Ok(())
+}
+
+const SIZE: (u32, u32) = (32, 24);
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(256))]
+
+    /// Triangles of any shape over each other, many reaching out of the picture.
+    #[test]
+    fn loose_triangles_cover_what_the_model_covers(points in places(-20..50)) {
+        let faces = (0..u16::try_from(points.len()).unwrap() / 3)
+            .map(|i| [3 * i, 3 * i + 1, 3 * i + 2])
+            .collect();
+        check_against_model(&Flat { points, faces }, SIZE)?;
+    }
+
+    /// Slivers: two corners anywhere, the third within a pixel of the line between them.
+    #[test]
+    fn slivers_cover_what_the_model_covers(
+        slivers in prop::collection::vec(
+            ([-2000..12_000i32, -2000..9000], [-2000..12_000i32, -2000..9000], 0..=64i32, [-3..=3i32, -3..=3]),
+            1..12,
+        )
+    ) {
+        let mut mesh = Flat { points: vec![], faces: vec![] };
+        for (a, b, part, off) in slivers {
+            let first = u16::try_from(mesh.points.len()).unwrap();
+            let c = [0, 1].map(|i| a[i] + (b[i] - a[i]) * part / 64 + off[i]);
+            mesh.points.extend([a, b, c]);
+            mesh.faces.push([first, first + 1, first + 2]);
+        }
+        check_against_model(&mesh, SIZE)?;
+    }
+
+    /// Corners anywhere in the guard band of ±2048 pixels, edges up to 4095 pixels long.
+    #[test]
+    fn huge_triangles_cover_what_the_model_covers(
+        points in prop::collection::vec([-524_000..524_000i32, -524_000..524_000], 3..9)
+    ) {
+        let center = [i32::try_from(SIZE.0).unwrap() * 128, i32::try_from(SIZE.1).unwrap() * 128];
+        let points: Vec<Point> = points.iter().map(|p| [0, 1].map(|i| p[i] + center[i])).collect();
+        let faces = (0..u16::try_from(points.len()).unwrap() - 2).map(|i| [i, i + 1, i + 2]).collect();
+        check_against_model(&Flat { points, faces }, SIZE)?;
+    }
+
+    /// A triangulated rectangle covers what the rectangle covers, each pixel once; so does each
+    /// way of seeing it: from behind, or with triangles that face both ways.
+    #[test]
+    fn triangulations_cover_each_pixel_once(
+        points in places(0..32), offset in [-300..300i32, -300..300], seed: u64,
+    ) {
+        let [left, top] = offset;
+        let (right, bottom) = (left + 32 * 256, top + 24 * 256);
+        let inside: Vec<Point> = points
+            .into_iter()
+            .filter(|[x, y]| (left..=right).contains(x) && (top..=bottom).contains(y))
+            .collect();
+        let corners = [[left, top], [left, bottom], [right, bottom], [right, top]];
+        let mesh = triangulation(corners, &inside);
+        let centers = |axis: usize, [x, y]: [i32; 2]| {
+            let center = [x, y][axis] * 256 + 128;
+            let (from, to) = ([left, top][axis], [right, bottom][axis]);
+            (from..to).contains(&center)
+        };
+        let expected: Vec<u32> = Bounds::new(SIZE.0, SIZE.1)
+            .pixels()
+            .map(|pixel| u32::from(centers(0, pixel) && centers(1, pixel)))
+            .collect();
+        let once = |mesh: &Flat, pass: &DrawOptions| {
+            prop_assert_eq!(
+                coverage::picture(&draw(mesh, SIZE, pass), SIZE.0),
+                coverage::picture(&expected, SIZE.0)
+            );
+            Ok(())
+        };
+        let mesh = mesh.shuffled(seed, false);
+        once(&mesh, &DrawOptions::new())?;
+        prop_assert!(draw(&mesh, SIZE, &DrawOptions::new().cull(Cull::Front)).iter().all(|&n| n == 0));
+        once(&mesh.shuffled(seed, true), &BOTH_SIDES)?;
+    }
+
+    /// Fans: a hub with spokes, which all meet in one place.
+    #[test]
+    fn fans_cover_each_pixel_once(points in places(-8..40), seed: u64) {
+        let mesh = fan(points[0], points[1..].to_vec());
+        let drawn = draw(&mesh, SIZE, &DrawOptions::new());
+        prop_assert!(drawn.iter().all(|&count| count <= 1), "{:#?}", coverage::picture(&drawn, SIZE.0));
+        check_against_model(&mesh.shuffled(seed, true), SIZE)?;
+    }
+
+    /// Strips and grids: the rectangle, each pixel once.
+    #[test]
+    fn grids_cover_each_pixel_once(
+        columns in 1..=20u16, rows in 1..=16u16, strip: bool, moves in places(0..32), seed: u64
+    ) {
+        let cells = [columns, rows].map(i32::from);
+        // Whole subpixels to the cell.
+        let area = [32 / cells[0] * cells[0], 24 / cells[1] * cells[1]];
+        let mesh = grid(columns, rows, area, &moves, strip).shuffled(seed, false);
+        let expected: Vec<u32> = Bounds::new(SIZE.0, SIZE.1)
+            .pixels()
+            .map(|[x, y]| u32::from(x < area[0] && y < area[1]))
+            .collect();
+        prop_assert_eq!(
+            coverage::picture(&draw(&mesh, SIZE, &DrawOptions::new()), SIZE.0),
+            coverage::picture(&expected, SIZE.0)
+        );
+    }
+}
+
+/// Every triangle with its corners on half-pixels of a small picture, moved by some subpixels.
+#[test]
+fn all_small_triangles() {
+    const SIDE: i32 = 7;
+    let size = (4, 4);
+    let mut counter = Counter::new(size);
+    let projection = pixel_lens(size);
+    for offset in [[0, 0], [1, 127], [-128, 0], [129, -1], [64, 200]] {
+        let points: Vec<Point> = (0..SIDE * SIDE)
+            .map(|i| [i % SIDE * 128 + offset[0], i / SIDE * 128 + offset[1]])
+            .collect();
+        every_triangle(&mut counter, &projection, &points);
+    }
+}
+
+/// Every triangle with its corners within two subpixels of a pixel's centre or corner.
+#[test]
+fn all_tiny_triangles() {
+    const SIDE: i32 = 5;
+    let size = (2, 2);
+    let mut counter = Counter::new(size);
+    let projection = pixel_lens(size);
+    for center in [[128, 128], [256, 256], [384, 128]] {
+        let points: Vec<Point> = (0..SIDE * SIDE)
+            .map(|i| [i % SIDE - 2 + center[0], i / SIDE - 2 + center[1]])
+            .collect();
+        every_triangle(&mut counter, &projection, &points);
+    }
+}
+
+fn every_triangle<K: ProjectionKind>(counter: &mut Counter, projection: &Mvp<K>, points: &[Point]) {
+    let (width, height) = counter.size;
+    let positions: Vec<Vec3> = points.iter().copied().map(at_subpixel).collect();
+    let count = u16::try_from(points.len()).unwrap();
+    for a in 0..count {
+        for b in a + 1..count {
+            for c in b + 1..count {
+                let corners = [a, b, c].map(|i| points[usize::from(i)]);
+                let model = coverage::counts(&[corners], width, height);
+                for (face, front) in [
+                    ([a, b, c], area2(corners) < 0),
+                    ([c, b, a], area2(corners) > 0),
+                ] {
+                    let faces = [face];
+                    let mesh = Mesh::new(&positions, &faces).unwrap();
+                    counter.draw(&DrawOptions::new(), &mesh, projection);
+                    let expected = if front {
+                        model.clone()
+                    } else {
+                        vec![0; model.len()]
+                    };
+                    assert_eq!(counter.take(), expected, "{corners:?}, front {front}");
+                    counter.draw(&BOTH_SIDES, &mesh, projection);
+                    assert_eq!(counter.take(), model, "{corners:?}");
+                }
+            }
+        }
+    }
+}
+
+/// Positions in space, seen in perspective: whatever the crate rounds them to, it covers what the
+/// model covers.
+fn check_in_perspective(positions: &[[i32; 3]], seed: u64) -> Result<(), TestCaseError> {
+    let size = (48, 32);
+    let projection =
+        Projection::perspective(Angle::from_degrees(70), size, fx!(0.5), fx!(60)).unwrap();
+    let mvp = projection
+        * Transform::translate(vec3!(0, 0, -8))
+        * Transform::rotate_y(Angle::from_bits(seed as u32));
+    let mut counter = Counter::new(size);
+    let positions: Vec<Vec3> = positions
+        .iter()
+        .map(|&bits| Vec3::from_bits(bits))
+        .collect();
+    let count = u16::try_from(positions.len()).unwrap();
+    let faces: Vec<[u16; 3]> = (0..count)
+        .map(|i| [i, (i + 1) % count, (i + 2) % count])
+        .collect();
+    let places: HashMap<u16, Point> = (0..count)
+        .filter_map(|i| Some((i, counter.snapped(&mvp, positions[usize::from(i)])?)))
+        .collect();
+    // Those that are clipped get new corners; they are looked at elsewhere.
+    let whole: Vec<[u16; 3]> = faces
+        .into_iter()
+        .filter(|face| face.iter().all(|index| places.contains_key(index)))
+        .collect();
+    let triangles: Vec<Snapped> = whole.iter().map(|face| face.map(|i| places[&i])).collect();
+    let mesh = Mesh::new(&positions, &whole).unwrap();
+    for cull in [Cull::Nothing, Cull::Back, Cull::Front] {
+        let drawn = counter.draw(&DrawOptions::new().cull(cull), &mesh, &mvp);
+        prop_assert_eq!(drawn.clipped, 0);
+        let kept: Vec<Snapped> = triangles
+            .iter()
+            .copied()
+            .filter(|&t| match cull {
+                Cull::Nothing => true,
+                Cull::Back => area2(t) < 0,
+                Cull::Front => area2(t) > 0,
+            })
+            .collect();
+        prop_assert_eq!(
+            coverage::picture(&counter.take(), size.0),
+            coverage::picture(&coverage::counts(&kept, size.0, size.1), size.0)
+        );
+    }
+    Ok(())
+}
+
+/// In units of 2⁻¹⁶.
+const METRE: i32 = 1 << 16;
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(128))]
+
+    #[test]
+    fn triangles_in_perspective_cover_what_the_model_covers(
+        positions in prop::collection::vec([-6 * METRE..6 * METRE, -5 * METRE..5 * METRE, -6 * METRE..6 * METRE], 3..16),
+        seed: u64,
+    ) {
+        check_in_perspective(&positions, seed)?;
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(192))]
+
+    /// Beyond the guard band triangles are clipped and get new corners, rounded to half of 1/256 pixel in
+    /// each direction: a point of an edge moves by at most √2/512 = 0.0028 pixel, and with what clip
+    /// space rounds (a fraction of 2⁻³¹ of an edge of 65,536 pixels at most: 3e-5 pixel) by less than
+    /// 1/256. So pixels may differ from the exact model only that near to an edge.
+    #[test]
+    fn triangles_beyond_the_guard_band(
+        corners in prop::collection::vec(
+            prop_oneof![
+                3 => [-32_000..32_000i32, -32_000..32_000].prop_map(|p| p.map(|at| at * 256)),
+                1 => [-1000..9000i32, -1000..7000],
+            ],
+            3,
+        )
+    ) {
+        let corners = [corners[0], corners[1], corners[2]];
+        let mut counter = Counter::new(SIZE);
+        let positions = corners.map(at_subpixel);
+        counter.draw(&BOTH_SIDES, &Mesh::new(&positions, &[[0, 1, 2]]).unwrap(), &pixel_lens(SIZE));
+        let drawn = counter.take();
+        for (count, pixel) in drawn.into_iter().zip(Bounds::new(SIZE.0, SIZE.1).pixels()) {
+            let model = u32::from(coverage::covers(corners, pixel));
+            if count != model {
+                let [a, b, c] = corners.map(unsnap);
+                let near = [(a, b), (b, c), (c, a)]
+                    .into_iter()
+                    .map(|(a, b)| to_segment(a, b, centre(pixel)))
+                    .fold(f64::MAX, f64::min);
+                prop_assert!(count < 2 && near < 1. / 256., "{:?}: {} of {}, {} from an edge", pixel, count, model, near);
+            }
+        }
+    }
+
+    /// A mesh that reaches far beyond the guard band on all sides still covers the picture once.
+    #[test]
+    fn clipped_triangulations_cover_each_pixel_once(
+        far in prop::collection::vec([-31_000..31_000i32, -31_000..31_000].prop_map(|p| p.map(|at| at * 256)), 0..8),
+        near in places(-4..36),
+        seed: u64,
+    ) {
+        const EDGE: i32 = 32_000 * 256;
+        let corners = [[-EDGE, -EDGE], [-EDGE, EDGE], [EDGE, EDGE], [EDGE, -EDGE]];
+        let points: Vec<Point> = far.into_iter().chain(near).collect();
+        let mesh = triangulation(corners, &points).shuffled(seed, false);
+        let mut counter = Counter::new(SIZE);
+        let positions: Vec<Vec3> = mesh.points.iter().copied().map(at_subpixel).collect();
+        let drawn = counter.draw(&DrawOptions::new(), &Mesh::new(&positions, &mesh.faces).unwrap(), &pixel_lens(SIZE));
+        prop_assert!(drawn.clipped > 0);
+        let picture = counter.picture();
+        prop_assert!(picture.iter().all(|row| row.chars().all(|c| c == '1')), "{:#?}", picture);
+    }
+}

@@ -1,0 +1,148 @@
+//! Coordinates and offsets up to the format's ends, and triangles that are far larger than the screen.
+//!
+//! Bounds as for [`planes`](super::planes): clip space has 30 bits of the largest that goes into a sum, so that
+//! coordinates and offsets that add up to S move what is w ahead by up to S/w · 2⁻¹⁶ · 0.15 pixels
+//! (`Scene::moved`), and its texels by as much of theirs.
+
+use super::scene::{Corners, Lens, Random, worst};
+use super::table::{Cases, picture};
+use super::verdict::Verdict;
+use crate::moves::{to, y};
+
+/// Triangles as wide as the picture, and some that are not, at distances about four.
+fn triangles(projection: &Lens, count: usize) -> Vec<Corners> {
+    let mut random = Random(2);
+    let corner = |random: &mut Random| {
+        let at = [random.between(-120., 120.), random.between(-90., 90.)];
+        let w = random.between(2., 8.);
+        projection.at(at, w)
+    };
+    (0..count)
+        .map(|_| [0; 3].map(|_| corner(&mut random)))
+        .collect()
+}
+
+/// Models far from their own origin, put before the eye.
+fn placed(at: f64) -> Verdict {
+    let projection = Lens {
+        moves: vec![to([-at, at, -at])],
+        ..Lens::ROOM
+    };
+    let model = |[x, y, z]: [f64; 3]| [x + at, y - at, z + at];
+    let triangles = triangles(&projection, 40).into_iter();
+    worst(triangles.map(|corners| projection.judge(corners.map(model))))
+}
+
+/// The same, and turned about in the world: a camera that is far from the world's origin.
+fn turned(at: f64) -> Verdict {
+    let turn = 0.7_f64;
+    let projection = Lens {
+        moves: vec![y(turn), to([-at, at / 2., at / 4.])],
+        ..Lens::ROOM
+    };
+    let (sin, cos) = turn.sin_cos();
+    let model = |[x, y, z]: [f64; 3]| {
+        [
+            cos * x - sin * z + at,
+            y - at / 2.,
+            sin * x + cos * z - at / 4.,
+        ]
+    };
+    let triangles = triangles(&projection, 40).into_iter();
+    worst(triangles.map(|corners| projection.judge(corners.map(model))))
+}
+
+/// What is far away for what it is: a focal length of 2000 pixels.
+fn far_away(w: f64) -> Verdict {
+    let projection = Lens {
+        focal: 2000.,
+        far: 32_767.,
+        ..Lens::ROOM
+    };
+    let mut random = Random(3);
+    worst((0..40).map(|_| {
+        let mut corner = || {
+            let at = [random.between(-120., 120.), random.between(-90., 90.)];
+            projection.at(at, w * random.between(0.5, 1.))
+        };
+        projection.judge([corner(), corner(), corner()])
+    }))
+}
+
+/// Triangles whose sides are so many times as long as the picture is wide, through its middle.
+fn large(times: f64) -> Verdict {
+    let projection = Lens::ROOM;
+    let mut random = Random(4);
+    worst((0..60).map(|_| {
+        let turn = random.between(0., std::f64::consts::TAU);
+        let corner = |third: f64, random: &mut Random| {
+            let (sin, cos) = (turn + third * std::f64::consts::TAU / 3.).sin_cos();
+            let reach = 160. * times * random.between(0.3, 0.6);
+            projection.at([reach * cos, reach * sin], random.between(0.5, 0.6))
+        };
+        let mut corners = [0., 1., 2.].map(|third| corner(third, &mut random));
+        // A side through the middle, or the middle well inside.
+        if random.next() < 0.5 {
+            let [a, b, _] = corners;
+            corners[2] = [0, 1, 2].map(|i: usize| -(a[i] + b[i]) / 2. * 0.9);
+            corners[2][2] = -0.7;
+        }
+        projection.judge(corners)
+    }))
+}
+
+/// All corners in one place or in two, far outside the guard band or inside.
+fn beyond_the_guard_band() -> Verdict {
+    let projection = Lens::ROOM;
+    let sides = [
+        -3000., -2049., -2048., -2047., 0., 2047., 2048., 2049., 3000.,
+    ];
+    worst(sides.into_iter().flat_map(|x| {
+        sides.map(|y| {
+            let corners = [
+                projection.at([x, y], 4.),
+                projection.at([30., 20.], 3.),
+                projection.at([-40., 35.], 5.),
+            ];
+            projection.judge(corners)
+        })
+    }))
+}
+
+pub static CASES: Cases = Cases::new(|| {
+    vec![
+        picture(
+            "model 64 from its origin, moved before the eye",
+            placed(64.),
+        ),
+        picture(
+            "model 10⁴ from its origin, moved before the eye",
+            placed(1e4),
+        ),
+        picture(
+            "model 32,700 from its origin, moved before the eye",
+            placed(32_700.),
+        ),
+        picture("camera 10⁴ from the world's origin, turned", turned(1e4)),
+        picture(
+            "camera 32,000 from the world's origin, turned",
+            turned(32_000.),
+        ),
+        picture("10⁴ away, focal length 2000", far_away(1e4)),
+        picture("32,767 away, focal length 2000", far_away(32_767.)),
+        picture("triangles 100 times as large as the screen", large(100.)),
+        picture(
+            "triangles 10,000 times as large as the screen",
+            large(10_000.),
+        ),
+        picture(
+            "corners at and beyond the guard band",
+            beyond_the_guard_band(),
+        ),
+    ]
+});
+
+#[test]
+fn large_numbers_cost_what_they_are_to_cost() {
+    assert_eq!(CASES.len(), 10);
+}

@@ -1,0 +1,163 @@
+//! Depth ranges: far/near from 10 to 10⁶, and two surfaces 1 % apart.
+//!
+//! A step of the depth buffer is w²/(65,535 · near) at a distance of w: 1 % of w is one step up to 655 times the near plane's
+//! distance, whatever that of the far plane. Up to there the nearer one shows; farther off, what shows is behind
+//! what is nearest by less than a step and what two depths are off by (`bounds::DEPTH`).
+
+use fixel::prelude::*;
+use fixel::view::Perspective;
+
+use super::scene::{Lens, Random, worst};
+use super::table::{Cases, figure, picture};
+use super::verdict::{Verdict, Worst};
+use crate::bounds;
+use crate::drawing::Drawing;
+use crate::mode::Mode;
+use crate::moves::{exact, quantised};
+use crate::reference::linear::{Vec3 as Vector, cross, dot, subtract};
+
+/// Near planes whose far planes are so many times as far.
+const RATIOS: [(&str, f64, f64); 6] = [
+    ("10", 4., 40.),
+    ("10²", 4., 400.),
+    ("10³", 4., 4000.),
+    ("10⁴", 2., 20_000.),
+    ("10⁵", 0.25, 25_000.),
+    ("10⁶", 0.031_25, 31_250.),
+];
+/// How much farther the second surface is.
+const APART: f64 = 1.01;
+
+fn projection(near: f64, far: f64) -> Lens {
+    Lens {
+        near,
+        far,
+        ..Lens::ROOM
+    }
+}
+
+/// Triangles that reach from near to far.
+fn reaching(projection: &Lens) -> Verdict {
+    let mut random = Random(5);
+    worst((0..12).map(|_| {
+        let end = (projection.far / projection.near).ln() - 1e-3;
+        let corner = |part: f64, random: &mut Random| {
+            let w = projection.near * (1e-3 + part * end).exp();
+            projection.at([random.between(-60., 60.), random.between(-50., 50.)], w)
+        };
+        let parts = [0., random.next(), 1.];
+        projection.judge(parts.map(|part| corner(part, &mut random)))
+    }))
+}
+
+/// 1/w of a plane at a pixel.
+fn inverse_w(corners: [Vec3; 3], projection: &Lens, [x, y]: [i32; 2]) -> f64 {
+    let [a, b, c]: [Vector; 3] = corners.map(exact);
+    let normal = cross(subtract(b, a), subtract(c, a));
+    let at =
+        |pixel: i32, size: u32| (f64::from(pixel) + 0.5 - f64::from(size) / 2.) / projection.focal;
+    dot(
+        normal,
+        [at(x, projection.size.0), -at(y, projection.size.1), -1.],
+    ) / dot(normal, a)
+}
+
+/// By how many steps what shows is behind the nearest, of two surfaces about a distance, in either order; and
+/// whether the farther one shows anywhere.
+fn behind(projection: &Lens, w: f64) -> (Worst, bool) {
+    let mut all = Worst::default();
+    let mut hidden = false;
+    for tilt in [-0.2, 0., 0.3] {
+        let corners = [[-60., -50.], [90., -40.], [-20., 80.]];
+        let surface = |times: f64| {
+            let depth = |[x, _]: [f64; 2]| w * times * (1. + tilt * x / 100.);
+            corners.map(|at| quantised(projection.at(at, depth(at))))
+        };
+        let surfaces = [surface(1.), surface(APART)];
+        let scene = projection.scene([[0.; 3]; 3], [[0; 2]; 3]);
+        let mvp: Mvp<Perspective> = scene.mvp;
+        for order in [[0, 1], [1, 0]] {
+            let positions: Vec<Vec3> = order.iter().flat_map(|&i: &usize| surfaces[i]).collect();
+            let drawing = Drawing {
+                size: projection.size,
+                pass: scene.pass,
+                mode: Mode::Newton,
+                mesh: Mesh::new(&positions, &[[0, 1, 2], [3, 4, 5]]).unwrap(),
+                mvp,
+            };
+            let mut shown = std::collections::HashMap::new();
+            for seen in drawing.shown(&|_: &Corner<'_>| [0; 0]) {
+                shown.insert(seen.pixel, order[seen.face]);
+            }
+            for (pixel, surface) in shown {
+                let depths =
+                    surfaces.map(|s| 65535. * projection.near * inverse_w(s, projection, pixel));
+                // Only where both are, which is where the first is but for its edge.
+                let error = (depths[0].max(depths[1]) - depths[surface]).max(0.);
+                if surface == 1 && is_inside(pixel, corners, projection) {
+                    hidden = true;
+                    let bound = 1. + 2. * bounds::depth([w, 2. * w, 2. * w]);
+                    all.add(error, bound, || {
+                        format!("{pixel:?} at {w} of {projection:?}")
+                    });
+                }
+            }
+        }
+    }
+    if all.bound == 0. {
+        all.bound = 1. + 2. * bounds::DEPTH;
+    }
+    (all, hidden)
+}
+
+/// Whether a pixel is inside of a triangle on the screen, by a pixel and more.
+fn is_inside([x, y]: [i32; 2], corners: [[f64; 2]; 3], projection: &Lens) -> bool {
+    let p = [
+        f64::from(x) + 0.5 - f64::from(projection.size.0) / 2.,
+        f64::from(projection.size.1) / 2. - f64::from(y) - 0.5,
+    ];
+    [0, 1, 2].iter().all(|&i: &usize| {
+        let (a, b) = (corners[i], corners[(i + 1) % 3]);
+        let side = [b[0] - a[0], b[1] - a[1]];
+        (side[0] * (p[1] - a[1]) - side[1] * (p[0] - a[0])) / side[0].hypot(side[1]) > 1.
+    })
+}
+
+/// What shows is behind the nearest by so many steps at most, from the near plane to the far one.
+fn order(projection: &Lens) -> Worst {
+    let mut worst = Worst::default();
+    let mut w = projection.near * 1.5;
+    while w < projection.far / 1.5 {
+        let (steps, hidden) = behind(projection, w);
+        worst.merge(steps);
+        // The farthest pixel is 1.3 times as far as w.
+        if w * 1.3 * APART < 650. * projection.near {
+            assert!(
+                !hidden,
+                "what is 1 % farther shows at {w} of {projection:?}"
+            );
+        }
+        w *= 1.7;
+    }
+    worst
+}
+
+pub static CASES: Cases = Cases::new(|| {
+    let pictures = RATIOS.map(|(name, near, far)| {
+        picture(
+            &format!("near to far in one triangle, far/near {name}"),
+            reaching(&projection(near, far)),
+        )
+    });
+    let orders = RATIOS.map(|(name, near, far)| {
+        let case =
+            format!("what shows of surfaces 1 % apart is behind the nearest, far/near {name}");
+        figure(&case, "steps", order(&projection(near, far)))
+    });
+    pictures.into_iter().chain(orders).collect()
+});
+
+#[test]
+fn the_nearer_surface_shows_as_far_as_a_step_tells() {
+    assert_eq!(CASES.len(), 12);
+}

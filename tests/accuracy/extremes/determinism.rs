@@ -1,0 +1,228 @@
+//! One picture, however it is drawn: again, in bands, with its triangles in another order, with depth of either kind, of
+//! positions of 16 bits or of 32.
+//!
+//! Firmware does the like on every target, and is held against the host: `examples/firmware`, `.ci/run`.
+
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics::pixelcolor::raw::BigEndian;
+use fixel::mesh::{Buffers, Shape};
+use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
+use fixel::prelude::*;
+use fixel::target::{Depth, DepthBuffer, Float, NoDepth};
+use fixel::view::Perspective;
+
+use super::scene::Random;
+
+const SIZE: (u32, u32) = (320, 240);
+
+static SKIN: TextureArray<Rgb565, 2, 2> =
+    TextureArray::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x07, 0xe0, 0xf8, 0x00]);
+static RING: Mesh = shape!(torus(fx!(0.4), 24, 12), short);
+static BALL: Mesh = shape!(sphere(16, 12), short);
+static FLOOR: Mesh = shape!(plane(8, 8), short);
+
+/// A mesh of short positions, and the same numbers at full length.
+struct Model {
+    short: &'static Mesh<'static>,
+    positions: Vec<Vec3>,
+    uvs: Vec<Vec2>,
+    place: Transform,
+}
+
+impl Model {
+    fn new(short: &'static Mesh<'static>, shape: Result<Shape, Error>, place: Transform) -> Self {
+        let shape = shape.unwrap();
+        let counts = shape.counts();
+        let mut positions = vec![Vec3::ZERO; counts.positions];
+        let mut faces = vec![[0; 3]; counts.faces];
+        let mut uvs = vec![vec2!(0, 0); counts.uvs];
+        let buffers = Buffers {
+            uvs: &mut uvs,
+            ..Buffers::new(&mut positions, &mut faces)
+        };
+        shape.build(buffers).unwrap();
+        assert_eq!(short.faces(), faces);
+        Self {
+            short,
+            positions: short.positions().iter().collect(),
+            uvs,
+            place,
+        }
+    }
+
+    fn mesh(&self, numbers: Numbers) -> Mesh<'_> {
+        match numbers {
+            Numbers::Short => *self.short,
+            Numbers::Long => Mesh::new(&self.positions, self.short.faces())
+                .and_then(|mesh| mesh.with_uvs(&self.uvs, None))
+                .unwrap(),
+        }
+    }
+}
+
+/// How a mesh's positions are kept.
+#[derive(Clone, Copy, Debug)]
+enum Numbers {
+    Short,
+    Long,
+}
+
+/// Rings before and behind a ball, over a floor that reaches behind the eye. No two are in one place.
+fn models() -> [Model; 4] {
+    let at = |x: Scalar, y: Scalar, z: Scalar| Transform::translate(Vec3::new(x, y, z));
+    let tilt = |degrees: i32| Transform::rotate_x(Angle::from_degrees(degrees));
+    let ring = |place| Model::new(&RING, Shape::torus(fx!(0.4), 24, 12), place);
+    [
+        ring(at(fx!(-0.3), fx!(0.2), fx!(-3)) * tilt(70)),
+        Model::new(
+            &BALL,
+            Shape::sphere(16, 12),
+            at(fx!(0.2), fx!(0.3), fx!(-5.5)) * tilt(10),
+        ),
+        ring(at(fx!(1), fx!(0.5), fx!(-8)) * tilt(-60)),
+        Model::new(
+            &FLOOR,
+            Shape::plane(8, 8),
+            at(fx!(0), fx!(-2), fx!(0)) * Transform::scale(fx!(20)),
+        ),
+    ]
+}
+
+type Target<'a, D> = Canvas<'a, Rgb565, BigEndian, D>;
+
+/// A kind of depth buffer.
+trait Kept {
+    type Depth<'d>: DepthBuffer;
+
+    fn with<'a>(canvas: Target<'a, NoDepth>, depths: &'a mut [u16]) -> Target<'a, Self::Depth<'a>>;
+}
+
+struct Linear;
+struct Floating;
+
+impl Kept for Linear {
+    type Depth<'d> = Depth<'d>;
+
+    fn with<'a>(canvas: Target<'a, NoDepth>, depths: &'a mut [u16]) -> Target<'a, Depth<'a>> {
+        canvas.with_depth(depths).unwrap()
+    }
+}
+
+impl Kept for Floating {
+    type Depth<'d> = Depth<'d, Float>;
+
+    fn with<'a>(
+        canvas: Target<'a, NoDepth>,
+        depths: &'a mut [u16],
+    ) -> Target<'a, Depth<'a, Float>> {
+        canvas.with_depth_format::<Float>(depths).unwrap()
+    }
+}
+
+/// Checksums of a frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Sums {
+    colors: u32,
+    depths: u32,
+}
+
+/// A frame in bands of so many rows.
+fn sums<B: Kept>(
+    rows: u32,
+    mut draw: impl FnMut(&mut Target<'_, B::Depth<'_>>, &Projection<Perspective>),
+) -> Sums {
+    let projection = Projection::from_focal_length(fx!(200), SIZE, fx!(0.25), fx!(100)).unwrap();
+    let mut colors = crc32fast::Hasher::new();
+    let mut depths = crc32fast::Hasher::new();
+    for first in (0..SIZE.1).step_by(rows as usize) {
+        let pixels = (SIZE.0 * rows.min(SIZE.1 - first)) as usize;
+        // What was there before must not show.
+        let (mut color, mut depth) = (vec![[9; 2]; pixels], vec![7; pixels]);
+        let band = Canvas::big_endian_band(&mut color, SIZE.0, SIZE.1, first).unwrap();
+        let mut band = B::with(band, &mut depth);
+        band.clear(Rgb565::new(1, 2, 3));
+        draw(&mut band, &projection);
+        colors.update(band.as_bytes());
+        drop(band);
+        for depth in depth {
+            depths.update(&depth.to_le_bytes());
+        }
+    }
+    Sums {
+        colors: colors.finalize(),
+        depths: depths.finalize(),
+    }
+}
+
+fn frame<B: Kept>(mode: impl Mode, rows: u32, numbers: Numbers) -> Sums {
+    let pass = DrawOptions::new().mode(mode);
+    let models = models();
+    sums::<B>(rows, |band, projection| {
+        for model in &models {
+            let mvp = *projection * model.place;
+            band.draw_with(&pass, &model.mesh(numbers), &mvp, &Textured::new(&SKIN));
+        }
+    })
+}
+
+/// Twice, in bands of any height, and of positions of either kind; returns what they all are.
+fn bands<B: Kept>(mode: impl Mode) -> Sums {
+    let whole = frame::<B>(mode, SIZE.1, Numbers::Long);
+    for rows in [1, 7, 16, 240] {
+        for numbers in [Numbers::Long, Numbers::Short] {
+            let drawn = frame::<B>(mode, rows, numbers);
+            assert_eq!(drawn, whole, "bands of {rows}, {numbers:?}");
+        }
+    }
+    whole
+}
+
+#[test]
+fn bands_are_the_frame() {
+    fn with_either_depth(mode: impl Mode) {
+        let [linear, floating] = [bands::<Linear>(mode), bands::<Floating>(mode)];
+        // Depths are other numbers, but nowhere are surfaces so near each other that the colours show it.
+        assert_eq!(linear.colors, floating.colors);
+        assert_ne!(linear.depths, floating.depths);
+    }
+    with_either_depth(Newton);
+    with_either_depth(Exact);
+    with_either_depth(Fast::within(fx!(0.25)));
+    with_either_depth(Affine);
+}
+
+/// The same order every time, and another than before.
+fn shuffled<T>(list: &mut [T], random: &mut Random) {
+    for i in (1..list.len()).rev() {
+        list.swap(i, random.below(i + 1));
+    }
+}
+
+/// The models in another order, and the triangles of each: depth decides what shows. Of two triangles in one place, at
+/// one depth, the last would show: that is not for depth to decide, and here there are none.
+fn orders<B: Kept>() -> Sums {
+    let draw = |rows: u32, parts: &[(Vec<[u16; 3]>, Model)]| {
+        sums::<B>(rows, |band, projection| {
+            for (faces, model) in parts {
+                let mesh = Mesh::new(&model.positions, faces).unwrap();
+                band.draw(&mesh, &(*projection * model.place), &NormalView::new());
+            }
+        })
+    };
+    let mut parts = models().map(|model| (model.short.faces().to_vec(), model));
+    let whole = draw(SIZE.1, &parts);
+    let mut random = Random(12);
+    for rows in [1, 7, 16, 240] {
+        shuffled(&mut parts, &mut random);
+        for (faces, ..) in &mut parts {
+            shuffled(faces, &mut random);
+        }
+        assert_eq!(draw(rows, &parts), whole, "bands of {rows}");
+    }
+    whole
+}
+
+#[test]
+fn order_does_not_show() {
+    assert_eq!(orders::<Linear>().colors, orders::<Floating>().colors);
+}

@@ -1,0 +1,393 @@
+//! A mesh drawn by the crate and by the model, and by how much they differ.
+//!
+//! Two ways to judge a value. Where nothing is clipped, the model interpolates between the crate's own snapped corners.
+//! Where something is, corners are new ones that nobody is told of; then a value has to be one that the model has
+//! within [`Scene::snap`] and [`Scene::moved`] of the pixel's centre. Interpolants are linear on the screen, and a linear function through
+//! corners that are each moved by up to so much has what the unmoved one has within so much. A quotient of two of
+//! them is monotonic along any line, so of all places in a square around the centre its corners have the extremes.
+
+use std::collections::HashMap;
+
+use fixel::prelude::*;
+
+use super::parts::{gap, nearest, outline};
+use super::scene::Scene;
+use super::verdict::{MODES, Verdict, Worst};
+use crate::bounds;
+use crate::drawing::{Drawing, Seen};
+use crate::mode::Mode;
+use crate::moves::exact;
+use crate::reference::attributes::{interpolate, weights};
+use crate::reference::clip::{FAR, NEAR};
+use crate::reference::coverage::{Bounds, centre};
+use crate::reference::distance::to_segment;
+use crate::reference::raster::{self, Piece, pieces_clipped};
+use crate::reference::view;
+
+/// Units of a texel.
+const TEXEL: f64 = 65536.;
+/// Half the guard band, in pixels.
+const GUARD: f64 = 2048.;
+/// Half a subpixel: what a corner is moved by along each axis.
+const SNAP: f64 = 1. / 512.;
+
+/// What clip space may be off by, in parts of the largest coefficient for each unit of a coordinate: half a unit of
+/// 2⁻²⁹ where a matrix' mantissas are rounded, for the model's, the projection' and their product's; and of
+/// 2⁻²⁸ where the last bit of those is dropped.
+const CLIP: f64 = 5. / (1 << 30) as f64;
+
+impl Scene {
+    /// Draws in each of the modes, and judges every pixel.
+    pub fn judge(&self) -> Verdict {
+        let mesh = Mesh::new(&self.positions, &self.faces).unwrap();
+        let mut drawing = Drawing {
+            size: self.size,
+            pass: self.pass,
+            mode: Mode::Exact,
+            mesh,
+            mvp: self.mvp,
+        };
+        let places = drawing.places(&self.positions);
+        let pieces = self.pieces();
+        let is_whole = places.iter().all(Option::is_some);
+        let mut verdict = Verdict::default();
+        let judged: Vec<Piece<2>> = if is_whole {
+            let at = |index: usize| places[index].unwrap();
+            self.corners(&places, &mut verdict.coverage);
+            let snap = |piece: &Piece<2>| piece.snap(|source, _| at(source.unwrap()));
+            pieces.iter().map(snap).collect()
+        } else {
+            pieces
+        };
+        let values = |vertex: &Corner<'_>| self.texels[self.index(vertex.position())];
+        let first = drawing.all(&values);
+        verdict.pixels = first.len();
+        if is_whole {
+            self.exact_coverage(&first, &judged);
+        } else {
+            self.coverage(&first, &judged, &mut verdict.coverage);
+        }
+        let models = self.models(&first, &judged);
+        for (mode, worst) in MODES.into_iter().zip(&mut verdict.texels) {
+            drawing.mode = mode;
+            let seen = drawing.all(&values);
+            let pixels = |seen: &[Seen<2>]| -> Vec<_> {
+                seen.iter()
+                    .map(|seen| (seen.face, seen.pixel, seen.depth))
+                    .collect()
+            };
+            assert_eq!(pixels(&seen), pixels(&first), "{mode:?} differs");
+            for (seen, (piece, about)) in seen.iter().zip(&models) {
+                if let Some(about) = about {
+                    self.values(mode, seen, piece, about, worst);
+                }
+            }
+        }
+        for (seen, (_, about)) in first.iter().zip(&models) {
+            if let Some(about) = about {
+                self.depth(seen, about, &mut verdict.depth);
+            }
+        }
+        verdict
+    }
+
+    /// What the view volume and the guard band leave of each face.
+    pub fn pieces(&self) -> Vec<Piece<2>> {
+        let positions: Vec<_> = self.positions.iter().map(|&p| exact(p)).collect();
+        let faces: Vec<_> = self
+            .faces
+            .iter()
+            .map(|face| face.map(usize::from))
+            .collect();
+        let texels = |index: usize| self.texels[index].map(f64::from);
+        let attributes: Vec<_> = faces.iter().map(|face| face.map(texels)).collect();
+        let mesh = raster::Mesh {
+            positions: &positions,
+            faces: &faces,
+            attributes: &attributes,
+        };
+        let viewport = self.view.viewport;
+        let side = |pixels: u32| f64::from(pixels) / 2. / GUARD;
+        let (x, y) = (side(viewport.width), side(viewport.height));
+        let sides = [
+            [x, 0., 0., 1.],
+            [-x, 0., 0., 1.],
+            [0., y, 0., 1.],
+            [0., -y, 0., 1.],
+        ];
+        pieces_clipped(&mesh, &self.view, &[&[NEAR, FAR], &sides[..]].concat())
+    }
+
+    /// By how much rounding in clip space may move a point of a clipped triangle at a distance, in pixels: the largest
+    /// sum over the distance, both in units of the near plane's, in a guard band of 2048.
+    fn moved(&self, w: f64) -> f64 {
+        GUARD * self.off(w)
+    }
+
+    /// What w itself may be off by there, in parts of itself.
+    fn off(&self, w: f64) -> f64 {
+        CLIP * self.sums.iter().copied().fold(0., f64::max) / w
+    }
+
+    /// The same for the corner that is off by most of a triangle that is not clipped.
+    fn off_at_corners(&self) -> f64 {
+        let parts = self.positions.iter().zip(&self.sums);
+        let parts = parts.map(|(&p, sum)| sum / self.view.project(exact(p)).w);
+        CLIP * parts.fold(0., f64::max)
+    }
+
+    /// By how much snapping may move a corner along an axis: half a subpixel, but on the right and lower side of the
+    /// guard band, where the last subpixel there is has to do, a whole one.
+    fn snap(&self, piece: &Piece<2>) -> f64 {
+        if piece.screen.into_iter().any(|corner| self.is_last(corner)) {
+            2. * SNAP
+        } else {
+            SNAP
+        }
+    }
+
+    /// Whether a point is at the right or lower side of the guard band.
+    fn is_last(&self, [x, y]: [f64; 2]) -> bool {
+        let view::Viewport {
+            x: left,
+            y: top,
+            width,
+            height,
+        } = self.view.viewport;
+        let last = |at: f64, first: i32, pixels: u32| {
+            at - f64::from(first) - f64::from(pixels) / 2. > GUARD - 2. * SNAP
+        };
+        last(x, left, width) || last(y, top, height)
+    }
+
+    /// How far corners are from where they should be, along each axis.
+    fn corners(&self, places: &[Option<[i32; 2]>], worst: &mut Worst) {
+        for ((&position, sum), place) in self.positions.iter().zip(&self.sums).zip(places) {
+            let wanted = self.view.project(exact(position));
+            let place = place.unwrap().map(|at| f64::from(at) / 256.);
+            let snap = if self.is_last(wanted.screen) {
+                2. * SNAP
+            } else {
+                SNAP
+            };
+            for (at, wanted_at) in place.into_iter().zip(wanted.screen) {
+                let what = || format!("{position:?} at {place:?}, not {:?}", wanted.screen);
+                let moved = GUARD * CLIP * sum / wanted.w;
+                worst.add((at - wanted_at).abs(), snap + moved, what);
+            }
+        }
+    }
+
+    /// Given snapped corners, what is covered is what the model covers.
+    fn exact_coverage(&self, seen: &[Seen<2>], pieces: &[Piece<2>]) {
+        let mut drawn: Vec<_> = seen.iter().map(|seen| (seen.face, seen.pixel)).collect();
+        drawn.sort_unstable();
+        let bounds = self.bounds();
+        let mut model: Vec<_> = pieces
+            .iter()
+            .flat_map(|piece| {
+                let pixels = bounds.around(&piece.screen, 0.).pixels();
+                pixels.filter(|&p| piece.covers(p)).map(|p| (piece.face, p))
+            })
+            .collect();
+        model.sort_unstable();
+        assert_eq!(drawn, model);
+    }
+
+    /// The pixels that may be drawn.
+    fn bounds(&self) -> Bounds {
+        let viewport = self.view.viewport;
+        Bounds::new(self.size.0, self.size.1).intersect(Bounds {
+            left: viewport.x,
+            top: viewport.y,
+            right: viewport.x + viewport.width.cast_signed(),
+            bottom: viewport.y + viewport.height.cast_signed(),
+        })
+    }
+
+    /// Each centre is drawn that is inside a face by more than its corners may be moved, and once; none is that is
+    /// farther outside.
+    fn coverage(&self, seen: &[Seen<2>], pieces: &[Piece<2>], worst: &mut Worst) {
+        let mut drawn: HashMap<(usize, [i32; 2]), usize> = HashMap::new();
+        for seen in seen {
+            *drawn.entry((seen.face, seen.pixel)).or_default() += 1;
+        }
+        for (&(face, pixel), &times) in &drawn {
+            assert_eq!(times, 1, "{pixel:?} of {face}");
+            let own = pieces.iter().filter(|piece| piece.face == face);
+            let Some((piece, gap)) = nearest(own, centre(pixel)) else {
+                panic!("{pixel:?} of {face} is drawn, and the model has nothing");
+            };
+            let reach = self.edge_reach(piece);
+            worst.add(gap, reach, || {
+                format!("{pixel:?} of {face} outside: {self:?}")
+            });
+        }
+        for face in pieces.chunk_by(|a, b| a.face == b.face) {
+            let index = face[0].face;
+            let outline = outline(face);
+            for piece in face {
+                for pixel in self.bounds().around(&piece.screen, 0.).pixels() {
+                    let p = centre(pixel);
+                    if drawn.contains_key(&(index, pixel)) || gap(piece, p) > 0. {
+                        continue;
+                    }
+                    let depth = outline
+                        .iter()
+                        .map(|&[a, b]| to_segment(a, b, p))
+                        .fold(f64::MAX, f64::min);
+                    let reach = self.edge_reach(piece);
+                    worst.add(depth, reach, || {
+                        format!("{pixel:?} of {index} inside, not drawn: {self:?}")
+                    });
+                }
+            }
+        }
+    }
+
+    /// By how much an edge may be moved, across it.
+    fn edge_reach(&self, piece: &Piece<2>) -> f64 {
+        let nearest = piece.w.into_iter().fold(f64::MAX, f64::min);
+        (self.snap(piece) + self.moved(nearest)) * 2_f64.sqrt()
+    }
+
+    /// What the model has about a pixel: least and greatest of attributes and of 1/w, `None` beyond the horizon.
+    fn about(&self, piece: &Piece<2>, pixel: [i32; 2]) -> Option<About> {
+        if piece.snapped.is_some() {
+            let value = piece.at(pixel)?;
+            return Some(About::new(value.w, value.attributes));
+        }
+        let [x, y] = centre(pixel);
+        let at = |[dx, dy]: [f64; 2]| {
+            let weights = weights(&piece.screen, [x + dx, y + dy])?;
+            let value = interpolate(&weights, piece.w, &piece.attributes);
+            (value.w > 0. && value.w.is_finite()).then_some(value)
+        };
+        let middle = at([0., 0.])?;
+        let r = self.snap(piece) + self.moved(middle.w);
+        let mut about = About::new(middle.w, middle.attributes);
+        for corner in [[-r, -r], [r, -r], [-r, r], [r, r]] {
+            let value = at(corner)?;
+            for (range, value) in about.values.iter_mut().zip(value.attributes) {
+                widen(range, value);
+            }
+            widen(&mut about.inverse_w, 1. / value.w);
+        }
+        Some(about)
+    }
+
+    /// What the model has at each pixel, and the part of the face that it is of.
+    fn models<'a>(
+        &self,
+        seen: &[Seen<2>],
+        pieces: &'a [Piece<2>],
+    ) -> Vec<(&'a Piece<2>, Option<About>)> {
+        let mut farthest: HashMap<(usize, i32), f64> = HashMap::new();
+        let off_at_corners = self.off_at_corners();
+        let mut models: Vec<_> = seen
+            .iter()
+            .map(|seen| {
+                let own = pieces.iter().filter(|piece| piece.face == seen.face);
+                let (piece, _) = nearest(own.clone(), centre(seen.pixel)).unwrap();
+                let ends = own
+                    .flat_map(|piece| piece.w)
+                    .fold([f64::MAX, 0.], |[least, most], w| {
+                        [least.min(w), most.max(w)]
+                    });
+                let about = self.about(piece, seen.pixel).map(|about| About {
+                    ends,
+                    off: match piece.snapped {
+                        Some(_) => off_at_corners,
+                        None => self.off(ends[0]),
+                    },
+                    ..about
+                });
+                let row = farthest.entry((seen.face, seen.pixel[1])).or_default();
+                *row = about.as_ref().map_or(*row, |about| row.max(about.w));
+                (piece, about)
+            })
+            .collect();
+        for (seen, (_, about)) in seen.iter().zip(&mut models) {
+            if let Some(about) = about {
+                about.farthest = farthest[&(seen.face, seen.pixel[1])];
+            }
+        }
+        models
+    }
+
+    fn values(
+        &self,
+        mode: Mode,
+        seen: &Seen<2>,
+        piece: &Piece<2>,
+        about: &About,
+        worst: &mut Worst,
+    ) {
+        let [near, far] = about.ends;
+        for (k, [least, most]) in about.values.into_iter().enumerate() {
+            let corners = self.faces[seen.face].map(|i| self.texels[usize::from(i)][k]);
+            let value = f64::from(seen.values[k]);
+            let error = (least - value).max(value - most).max(0.);
+            let formats =
+                bounds::perspective(mode, corners, [near, far, far], about.w, about.farthest);
+            // A cut is rounded down twice, its weights to 2⁻³⁰ at each of six planes; and what w is off by in clip
+            // space an attribute is, in parts of itself, at both ends.
+            let [a, b, c] = corners.map(i32::unsigned_abs);
+            let size = f64::from(a.max(b).max(c));
+            let cut = match piece.snapped {
+                Some(_) => 0.,
+                None => 2. + 12. * size / 2_f64.powi(30),
+            };
+            let off = 2. * size * about.off;
+            worst.add(error / TEXEL, (formats + cut + off) / TEXEL, || {
+                let at = seen.pixel;
+                format!("{mode:?}: {value} at {at:?}, not {least} to {most}: {self:?}")
+            });
+        }
+    }
+
+    fn depth(&self, seen: &Seen<2>, about: &About, worst: &mut Worst) {
+        let scale = 65535. * self.view.projection.near;
+        let [least, most] = about.inverse_w.map(|q| q * scale);
+        let stored = f64::from(seen.depth);
+        let [near, far] = about.ends;
+        let bound = bounds::depth([near, far, far]) + 2. * most * about.off;
+        let error = (stored - most).max(least - stored - 1.).max(0.);
+        worst.add(error, bound, || {
+            let at = seen.pixel;
+            format!("depth {stored} at {at:?}, not {least} to {most}: {self:?}")
+        });
+    }
+}
+
+/// What there is about a pixel.
+struct About {
+    w: f64,
+    /// The greatest w of the face's pixels in the row.
+    farthest: f64,
+    /// The least and the greatest w of the face.
+    ends: [f64; 2],
+    /// What w may be off by, in parts of itself.
+    off: f64,
+    /// The least and the greatest within reach.
+    values: [[f64; 2]; 2],
+    inverse_w: [f64; 2],
+}
+
+impl About {
+    fn new(w: f64, values: [f64; 2]) -> Self {
+        Self {
+            w,
+            farthest: w,
+            ends: [w; 2],
+            off: 0.,
+            values: values.map(|value| [value; 2]),
+            inverse_w: [1. / w; 2],
+        }
+    }
+}
+
+fn widen([least, most]: &mut [f64; 2], value: f64) {
+    *least = least.min(value);
+    *most = most.max(value);
+}

@@ -1,0 +1,111 @@
+//! Meshes of as many vertices as there can be.
+//!
+//! Bounds as for [`planes`](super::planes).
+
+use fixel::prelude::*;
+
+use super::scene::{Lens, ONCE, Random};
+use super::table::{Cases, picture};
+use super::verdict::{Verdict, Worst};
+use crate::common::{BOTH_SIDES, Counter};
+use crate::moves::exact;
+
+/// Columns and rows of vertices, and whether there are as many as there can be.
+const GRIDS: [(u16, u16); 2] = [(255, 257), (256, 256)];
+
+/// A rug with waves, somewhat askew before the eye, from edge to edge of the picture and beyond: its vertices, and the
+/// two triangles of each cell.
+fn rug(columns: u16, rows: u16) -> (Vec<Vec3>, Vec<[u16; 3]>) {
+    let mut random = Random(11);
+    let projection = Lens::ROOM;
+    let mut positions = Vec::new();
+    for row in 0..rows {
+        for column in 0..columns {
+            let part = |at: u16, count: u16| f64::from(at) / f64::from(count - 1) * 2. - 1.;
+            let (x, y) = (part(column, columns), part(row, rows));
+            // Moved by up to a quarter of a cell, of 0.4 pixels.
+            let mut aside = || random.between(-0.1, 0.1);
+            let at = [52. * x + aside(), 40. * y + aside()];
+            let w = 4. + x + 0.1 * (9. * x + 5. * y).sin();
+            let [x, y, z] = projection.at(at, w).map(|x| fixel::num::scalar(x).unwrap());
+            positions.push(Vec3::new(x, y, z));
+        }
+    }
+    let mut faces = Vec::new();
+    for row in 0..rows - 1 {
+        for column in 0..columns - 1 {
+            let [a, b] = [row, row + 1].map(|row| row * columns + column);
+            faces.extend([[a, a + 1, b + 1], [a, b + 1, b]]);
+        }
+    }
+    (positions, faces)
+}
+
+/// Every vertex where it should be, and every pixel covered once.
+fn covered_once((columns, rows): (u16, u16)) -> Verdict {
+    let (positions, faces) = rug(columns, rows);
+    assert!(positions.len() >= 65_535);
+    let scene = Lens::ROOM.scene([[0., 0., -1.]; 3], ONCE);
+    let mut counter = Counter::new(Lens::ROOM.size);
+    let mut coverage = Worst::default();
+    for &position in &positions {
+        let place = counter.snapped(&scene.mvp, position).unwrap();
+        let wanted = scene.view.project(exact(position)).screen;
+        for (at, wanted) in place.into_iter().zip(wanted) {
+            let error = (f64::from(at) / 256. - wanted).abs();
+            // Coordinates below 8, at a distance of 3 and more.
+            coverage.add(error, 1. / 512. + 1e-4, || format!("{position:?}"));
+        }
+    }
+    let mesh = Mesh::new(&positions, &faces).unwrap();
+    let drawn = counter.draw(&BOTH_SIDES, &mesh, &scene.mvp);
+    let triangles = usize::try_from(drawn.submitted).unwrap();
+    assert_eq!(triangles, faces.len());
+    let counts = counter.take();
+    assert!(
+        counts.iter().all(|&count| count == 1),
+        "a pixel not drawn, or twice"
+    );
+    Verdict {
+        coverage,
+        pixels: counts.len(),
+        ..Verdict::default()
+    }
+}
+
+pub static CASES: Cases = Cases::new(|| {
+    GRIDS
+        .map(|grid| {
+            let vertices = u32::from(grid.0) * u32::from(grid.1);
+            picture(&format!("mesh of {vertices} vertices"), covered_once(grid))
+        })
+        .into()
+});
+
+#[test]
+fn the_largest_meshes_cover_each_pixel_once() {
+    assert_eq!(CASES.len(), 2);
+}
+
+/// The last vertices are drawn as the first are: with all others in between unused.
+#[test]
+fn every_index_is_a_vertex_of_its_own() {
+    let mut positions = vec![Vec3::ZERO; Mesh::MAX_POSITIONS];
+    let corners = [
+        vec3!(-0.4, -0.4, -1),
+        vec3!(0.4, -0.4, -1),
+        vec3!(0, 0.4, -1),
+    ];
+    positions[..3].copy_from_slice(&corners);
+    positions[65_533..].copy_from_slice(&corners);
+    let mvp = Lens::ROOM.scene([[0., 0., -1.]; 3], ONCE).mvp;
+    let counts = [[0, 1, 2], [65_533, 65_534, 65_535]].map(|face| {
+        let mut counter = Counter::new(Lens::ROOM.size);
+        let faces = [face];
+        let mesh = Mesh::new(&positions, &faces).unwrap();
+        counter.draw(&BOTH_SIDES, &mesh, &mvp);
+        counter.take()
+    });
+    assert_eq!(counts[0], counts[1]);
+    assert!(counts[0].iter().sum::<u32>() > 100);
+}

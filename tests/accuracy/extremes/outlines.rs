@@ -1,0 +1,71 @@
+//! Triangles that all six planes cut: outlines of nine corners.
+//!
+//! A plane through the view volume meets its six sides in a hexagon, and a triangle in that plane may cut off three of the
+//! hexagon's corners. Bounds as for [`planes`](super::planes).
+
+use std::f64::consts::TAU;
+
+use fixel::prelude::*;
+
+use super::scene::{Corners, Lens, ONCE, Random};
+use super::table::{Cases, picture};
+use super::verdict::Verdict;
+
+/// The guard band, 2048 pixels to each side of the middle, is as wide as the planes are far: 1 and 2.
+fn projection(viewport: Viewport) -> Lens {
+    Lens {
+        size: (64, 64),
+        focal: 2000.,
+        near: 1.,
+        far: 2.,
+        viewport: Some(viewport),
+        moves: Vec::new(),
+    }
+}
+
+/// Corners in the plane x + y = 2w − 3, about its middle.
+fn triangle(random: &mut Random) -> Corners {
+    let turn = random.next();
+    [0., 1., 2.].map(|third: f64| {
+        let (sin, cos) = ((turn + third / 3.) * TAU).sin_cos();
+        let reach = random.between(1.1, 2.);
+        let (x, w) = (1.5 * reach * cos, 1.5 + 0.5 * reach * sin);
+        [x, 2. * w - 3. - x, -w]
+    })
+}
+
+/// Ten such triangles, about each of their nine corners.
+fn nine_corners() -> Verdict {
+    let mut random = Random(14);
+    let mut verdict = Verdict::default();
+    let mut found = 0;
+    while found < 10 {
+        let corners = triangle(&mut random);
+        let whole = projection(Viewport::new(0, 0, 4096, 4096).unwrap()).scene(corners, ONCE);
+        let pieces = whole.pieces();
+        // A fan of seven.
+        if pieces.len() < 7 {
+            continue;
+        }
+        found += 1;
+        for [x, y] in pieces.iter().flat_map(|piece| piece.screen) {
+            // The corner in the middle of the canvas.
+            let [x, y] = [x, y].map(|at| 32 - at as i32);
+            let viewport = Viewport::new(x, y, 4096, 4096).unwrap();
+            verdict.merge(projection(viewport).scene(corners, ONCE).judge());
+        }
+    }
+    verdict
+}
+
+pub static CASES: Cases = Cases::new(|| {
+    vec![picture(
+        "outlines of nine corners, by all six planes",
+        nine_corners(),
+    )]
+});
+
+#[test]
+fn all_corners_of_an_outline_are_there() {
+    assert_eq!(CASES.len(), 1);
+}

@@ -1,0 +1,185 @@
+//! The eye, and the planes before and behind it.
+//!
+//! Bounds: a corner is rounded to half a subpixel along each axis, and by what clip space adds (`Scene::moved`), so that
+//! an edge is moved by up to √2 of that; values and depths by what the formats allow, see `bounds`.
+
+use std::f64::consts::TAU;
+
+use fixel::prelude::*;
+
+use super::scene::{Lens, ONCE, Random, worst};
+use super::table::{Cases, picture};
+use super::verdict::{MODES, Verdict};
+use crate::drawing::Drawing;
+
+const NEAR: f64 = 0.25;
+
+/// Triangles of many slopes with so many corners behind the near plane.
+fn crossing(behind: usize) -> Verdict {
+    worst((0..24).map(|step| {
+        let s = f64::from(step);
+        let ahead = [
+            [-1.5, -0.5 - s / 40., -2.],
+            [1.2, -0.9, -3. - s],
+            [s / 20. - 0.5, 0.2, -1.5],
+        ];
+        let beyond = [
+            [-0.7, -0.3, 0.1 + s],
+            [0.8 + s / 4., 0.4, 3.],
+            [0.1, 0.6, -0.125],
+        ];
+        let corner = |i: usize| if i < behind { beyond[i] } else { ahead[i] };
+        Lens::ROOM.judge([corner(0), corner(1), corner(2)])
+    }))
+}
+
+/// In planes that the eye lies in, or a little beside it. On the screen they are a line, or next to the eye all of it.
+fn through_the_eye() -> Verdict {
+    let turns = (0..32).map(|step| (f64::from(step) / 32. * TAU).sin_cos());
+    worst(turns.flat_map(|(sin, cos)| {
+        [0., 1. / 65536., 0.25].map(|off| {
+            let at = |along: f64, z: f64| [along * cos - off * sin, along * sin + off * cos, z];
+            worst([
+                Lens::ROOM.judge([at(-4., -8.), at(5., -6.), at(0.5, 7.)]),
+                Lens::ROOM.judge([at(0., 0.), at(3., -8.), at(-4., -8.)]),
+            ])
+        })
+    }))
+}
+
+/// With corners and sides on the near plane, and wholly in it.
+fn on_the_plane() -> Verdict {
+    worst([
+        Lens::ROOM.judge([[0., 0.1, -NEAR], [-2., -1., -4.], [2., -1., -5.]]),
+        Lens::ROOM.judge([[-0.2, 0.1, -NEAR], [0.15, 0.12, -NEAR], [0.3, -1., -5.]]),
+        Lens::ROOM.judge([[-0.2, 0.1, -NEAR], [0.15, 0.12, -NEAR], [0.1, -0.1, -NEAR]]),
+    ])
+}
+
+/// A near plane at the least distance there is, 2⁻¹⁶, and corners one to a hundred such units away.
+fn just_above_zero() -> Verdict {
+    let unit = 1. / 65536.;
+    let projection = Lens {
+        near: unit,
+        far: 1.,
+        ..Lens::ROOM
+    };
+    let mut random = Random(1);
+    worst((0..200).map(|_| {
+        let mut corner = || {
+            let w = (random.between(0., 100_f64.ln()).exp() + 0.5).floor() * unit;
+            projection.at(
+                [random.between(-300., 300.), random.between(-200., 200.)],
+                w,
+            )
+        };
+        projection.judge([corner(), corner(), corner()])
+    }))
+}
+
+/// Floors from the feet to the horizon: 1/w falls to one part in so many of what it is nearest.
+fn grazing(near: f64, height: f64) -> Verdict {
+    let projection = Lens {
+        near,
+        far: 32_767.,
+        ..Lens::ROOM
+    };
+    worst((-3..=3).map(|tilt| {
+        let side = |y: f64| [32_000. * f64::from(tilt) / 8., y, -32_700.];
+        worst([
+            projection.judge([
+                [-2. * near, -height, -near],
+                [2. * near, -height, -near],
+                side(-height),
+            ]),
+            projection.judge([[-2., -height, 1.], [2., -height, 1.], side(-height)]),
+            // Beyond the far plane, and to the side of the guard band.
+            projection.judge([
+                [-2., -height, 1.],
+                [32_000., -height, -32_000.],
+                side(-height - 1.),
+            ]),
+        ])
+    }))
+}
+
+pub static CASES: Cases = Cases::new(|| {
+    vec![
+        picture("one of three corners behind the near plane", crossing(1)),
+        picture("two of three corners behind the near plane", crossing(2)),
+        picture(
+            "planes through the eye and 2⁻¹⁶ beside it",
+            through_the_eye(),
+        ),
+        picture(
+            "corners, sides, triangles in the near plane",
+            on_the_plane(),
+        ),
+        picture(
+            "near plane at 2⁻¹⁶, corners 1 to 100 · 2⁻¹⁶ away",
+            just_above_zero(),
+        ),
+        picture(
+            "floor to the horizon, 1/w to 2⁻¹⁷ of the nearest",
+            grazing(0.25, 0.5),
+        ),
+        picture(
+            "floor to the horizon, 1/w to 2⁻²¹ of the nearest",
+            grazing(1. / 64., 1. / 32.),
+        ),
+    ]
+});
+
+#[test]
+fn planes_are_cut_where_the_model_cuts_them() {
+    assert_eq!(CASES.len(), 7);
+}
+
+/// Nothing of what is behind is drawn, however near.
+#[test]
+fn all_behind_is_nothing() {
+    assert_eq!(crossing(3).pixels, 0);
+}
+
+/// Distances from 2⁻¹⁴ to 2¹⁵ in one triangle: more than interpolants tell apart, so that a corner is taken for nearer than
+/// it is. Values are those of other places then, but not of none.
+///
+/// Where 1/w is least it has 2048 units, less the 40 that it may be off by, and numerators are off by 56½ (see `bounds`): a
+/// value may be outside of what the corners have by 56½/2008 of 2^bits, at most four times the greatest of them.
+#[test]
+fn values_stay_between_those_of_the_corners() {
+    let projection = Lens {
+        near: 1. / 16_384.,
+        far: 32_767.,
+        ..Lens::ROOM
+    };
+    let mut random = Random(13);
+    for _ in 0..200 {
+        let spread = random.between(12., 28.);
+        let mut corner = |y: f64, part: f64| {
+            let w = 2_f64.powf(-13.9 + part * spread + random.between(0., 0.7));
+            projection.at([random.between(-60., 60.), y], w)
+        };
+        // The far side is on the centres of a row.
+        let scene = projection.scene([corner(-30., 0.), corner(0.5, 1.), corner(0.5, 1.)], ONCE);
+        for mode in MODES {
+            let drawing = Drawing {
+                size: scene.size,
+                pass: scene.pass,
+                mode,
+                mesh: Mesh::new(&scene.positions, &scene.faces).unwrap(),
+                mvp: scene.mvp,
+            };
+            let values = |vertex: &Corner<'_>| scene.texels[scene.index(vertex.position())];
+            let (most, room) = (256 << 16, 4 * (256 << 16) / 35);
+            for seen in drawing.all(&values) {
+                for value in seen.values {
+                    assert!(
+                        (-room..=most + room).contains(&value),
+                        "{seen:?} of {scene:?}"
+                    );
+                }
+            }
+        }
+    }
+}

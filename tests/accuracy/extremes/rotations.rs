@@ -1,0 +1,114 @@
+//! Long mvps of rotations: a million increments, with and without making the matrix rigid again.
+//!
+//! A product rounds each of its entries to half of 2⁻²⁹; a rotation has entries of that and of its sine, 1.6·10⁻⁹ at most
+//! off. Rows and columns have three: a million products may take lengths and right angles off by 10⁶ · 3 · (2 · 2⁻³⁰ +
+//! 1.6·10⁻⁹) = 1 %, if all roundings went one way. Made rigid again they are orthogonal to a unit of 2⁻²⁹ in
+//! each entry, 4·10⁻⁹ in what a row's products add up to, whatever was before.
+
+use fixel::prelude::*;
+
+use super::table::{Cases, figure};
+use super::verdict::Worst;
+use crate::moves::radians;
+use crate::reference::linear::{self, Matrix};
+
+/// The unit of a matrix' entries and of its axes.
+const ONE: f64 = 1_073_741_824.;
+const STEPS: u32 = 1_000_000;
+/// What one product may add to each entry of R·Rᵀ − I: see above.
+const DRIFT: f64 = 3. * (2. / ONE + 1.6e-9);
+/// What is left of it after making the matrix rigid.
+const RIGID: f64 = 4e-9;
+
+/// The entries of a rotation, from where it takes the axes: by 2⁻¹⁶ · 2⁻¹⁴, as axes are 16,384 long.
+fn matrix(transform: &Transform) -> [[f64; 3]; 3] {
+    let axis = |i: usize| {
+        let mut bits = [0; 3];
+        bits[i] = 1 << 30;
+        transform
+            .direction(Vec3::from_bits(bits))
+            .to_bits()
+            .map(|v| f64::from(v) / ONE)
+    };
+    let columns = [axis(0), axis(1), axis(2)];
+    [0, 1, 2].map(|row: usize| [0, 1, 2].map(|column: usize| columns[column][row]))
+}
+
+/// The largest entry of R·Rᵀ − I.
+fn from_rigid(transform: &Transform) -> f64 {
+    let rows = matrix(transform);
+    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let mut worst = 0_f64;
+    for (i, &a) in rows.iter().enumerate() {
+        for (j, &b) in rows.iter().enumerate() {
+            worst = worst.max((dot(a, b) - if i == j { 1. } else { 0. }).abs());
+        }
+    }
+    worst
+}
+
+/// The largest difference of an entry.
+fn from_model(transform: &Transform, model: &Matrix) -> f64 {
+    let rows = matrix(transform);
+    let entries = rows.iter().zip(model).flat_map(|(a, b)| a.iter().zip(b));
+    entries.fold(0., |worst, (a, b)| worst.max((a - b).abs()))
+}
+
+/// A million of the same three small turns, and how far from rigid and from the model it gets on the way.
+fn turned(renormalised_every: Option<u32>) -> [Worst; 2] {
+    let angles = [0.001, 0.000_7, 0.002_3].map(|a| Angle::try_from_radians(a).unwrap());
+    let step = Transform::rotate_x(angles[0])
+        * Transform::rotate_y(angles[1])
+        * Transform::rotate_z(angles[2]);
+    let [x, y, z] = angles.map(radians);
+    let turn = linear::product(&[
+        linear::rotate_x(x),
+        linear::rotate_y(y),
+        linear::rotate_z(z),
+    ]);
+    let (mut transform, mut model) = (Transform::IDENTITY, linear::IDENTITY);
+    let (mut rigid, mut place) = (Worst::default(), Worst::default());
+    for i in 1..=STEPS {
+        transform = step * transform;
+        model = linear::multiply(&turn, &model);
+        if renormalised_every.is_some_and(|every| i % every == 0) {
+            transform = transform.renormalized();
+        }
+        if i % 10_000 == 0 {
+            let bound = match renormalised_every {
+                None => f64::from(i) * DRIFT,
+                Some(_) => RIGID,
+            };
+            rigid.add(from_rigid(&transform), bound, || format!("after {i}"));
+            let bound = f64::from(i) * DRIFT;
+            place.add(from_model(&transform, &model), bound, || {
+                format!("after {i}")
+            });
+        }
+    }
+    [rigid, place]
+}
+
+pub static CASES: Cases = Cases::new(|| {
+    let [drifted, place] = turned(None);
+    let [rigid, renormalised] = turned(Some(1000));
+    vec![
+        figure("10⁶ rotations multiplied: entries of R·Rᵀ − I", "", drifted),
+        figure("10⁶ rotations multiplied: entries of R", "", place),
+        figure(
+            "the same, `renormalized` every 1000: entries of R·Rᵀ − I",
+            "",
+            rigid,
+        ),
+        figure(
+            "the same, `renormalized` every 1000: entries of R",
+            "",
+            renormalised,
+        ),
+    ]
+});
+
+#[test]
+fn a_million_rotations() {
+    assert_eq!(CASES.len(), 4);
+}

@@ -1,0 +1,154 @@
+//! Triangles before a projection, for the crate and for the model.
+
+use fixel::num::scalar;
+use fixel::prelude::*;
+use fixel::view::Perspective;
+
+use super::verdict::Verdict;
+use crate::common::BOTH_SIDES;
+use crate::moves::{Move, exact, product, quantised};
+use crate::reference::projection::focal;
+use crate::reference::view::{self, View};
+
+/// A triangle's corners.
+pub type Corners = [[f64; 3]; 3];
+
+/// A texture of 256 texels, once: columns and rows at three corners, with 16 fraction bits.
+pub const ONCE: [[i32; 2]; 3] = [[0, 0], [256 << 16, 0], [0, 256 << 16]];
+
+/// A picture, what is before it, and how it is seen.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    pub size: (u32, u32),
+    pub pass: DrawOptions,
+    pub positions: Vec<Vec3>,
+    pub faces: Vec<[u16; 3]>,
+    /// Columns and rows of the texture, with 16 fraction bits; as many as positions.
+    pub texels: Vec<[i32; 2]>,
+    pub mvp: Mvp<Perspective>,
+    pub view: View,
+    /// What each position's coordinates in eye space are sums of: its magnitudes, and those of all offsets.
+    pub sums: Vec<f64>,
+}
+
+/// How triangles are seen. All of its numbers must be some that the crate has.
+#[derive(Clone, Debug)]
+pub struct Lens {
+    pub size: (u32, u32),
+    /// Pixels.
+    pub focal: f64,
+    pub near: f64,
+    pub far: f64,
+    /// From model to eye space, the last applied first.
+    pub moves: Vec<Move>,
+    pub viewport: Option<Viewport>,
+}
+
+impl Lens {
+    /// A small picture of a room.
+    pub const ROOM: Self = Self {
+        size: (96, 72),
+        focal: 60.,
+        near: 0.25,
+        far: 100.,
+        moves: Vec::new(),
+        viewport: None,
+    };
+
+    /// A triangle, whose corners are put on the nearest places that there are.
+    pub fn scene(&self, corners: Corners, texels: [[i32; 2]; 3]) -> Scene {
+        let positions = corners.map(quantised).to_vec();
+        let (transform, eye) = product(&self.moves);
+        let number = |x| scalar(x).unwrap();
+        let (width, height) = self
+            .viewport
+            .map_or(self.size, |viewport| (viewport.width(), viewport.height()));
+        let projection = Projection::from_focal_length(
+            number(self.focal),
+            (width, height),
+            number(self.near),
+            number(self.far),
+        );
+        let sum = |p: &Vec3| exact(*p).map(f64::abs).iter().sum::<f64>();
+        let offset: f64 = self
+            .moves
+            .iter()
+            .map(|part| match part {
+                Move::To(offset) => sum(offset),
+                _ => 0.,
+            })
+            .sum();
+        Scene {
+            size: self.size,
+            pass: self
+                .viewport
+                .map_or(BOTH_SIDES, |viewport| BOTH_SIDES.viewport(viewport)),
+            sums: positions.iter().map(|p| sum(p) + offset).collect(),
+            positions,
+            faces: vec![[0, 1, 2]],
+            texels: texels.to_vec(),
+            mvp: projection.unwrap() * transform,
+            view: View {
+                eye,
+                projection: focal(self.focal, (width, height), self.near, self.far),
+                viewport: view::Viewport {
+                    x: self.viewport.map_or(0, |viewport| viewport.x()),
+                    y: self.viewport.map_or(0, |viewport| viewport.y()),
+                    width,
+                    height,
+                },
+            },
+        }
+    }
+
+    /// Judges a triangle with a texture on it once, each corner first in turn: the fan of a clipped triangle is about that.
+    pub fn judge(&self, [a, b, c]: Corners) -> Verdict {
+        let mut verdict = Verdict::default();
+        for corners in [[a, b, c], [b, c, a], [c, a, b]] {
+            verdict.merge(self.scene(corners, ONCE).judge());
+        }
+        verdict
+    }
+
+    /// The place at a distance that is seen at a point of the screen, in pixels from the middle, y up.
+    pub fn at(&self, [x, y]: [f64; 2], w: f64) -> [f64; 3] {
+        [x * w / self.focal, y * w / self.focal, -w]
+    }
+}
+
+impl Scene {
+    /// Which of the positions this is.
+    pub fn index(&self, position: Vec3) -> usize {
+        self.positions.iter().position(|&p| p == position).unwrap()
+    }
+}
+
+/// The worst of many.
+pub fn worst(verdicts: impl IntoIterator<Item = Verdict>) -> Verdict {
+    let mut all = Verdict::default();
+    for verdict in verdicts {
+        all.merge(verdict);
+    }
+    all
+}
+
+/// Pseudo-random numbers from 0 to 1, the same at every run: the upper bits of Knuth's MMIX generator.
+pub struct Random(pub u64);
+
+impl Random {
+    pub fn next(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 32) as f64 / 2_f64.powi(32)
+    }
+
+    pub fn below(&mut self, end: usize) -> usize {
+        (self.next() * end as f64) as usize
+    }
+
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.next()
+    }
+}

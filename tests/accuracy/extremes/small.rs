@@ -1,0 +1,163 @@
+//! Triangles without area, or hardly any.
+//!
+//! Corners are snapped to 1/256 pixel. Given those, what is covered is exact, and values are what the formats
+//! allow, however thin the triangle.
+
+use std::f64::consts::TAU;
+
+use fixel::prelude::*;
+
+use super::scene::{Lens, ONCE, Random, worst};
+use super::table::{Cases, picture};
+use super::verdict::Verdict;
+use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
+
+/// Triangles of 5 to 100 pixels' length, so wide in their middle, at every slope.
+fn slivers(width: f64) -> Verdict {
+    let projection = Lens::ROOM;
+    let mut random = Random(6);
+    worst((0..120).map(|step| {
+        let (sin, cos) = (f64::from(step) / 120. * TAU).sin_cos();
+        let half = random.between(2.5, 50.);
+        let middle = [random.between(-10., 10.), random.between(-8., 8.)];
+        let at = |along: f64, across: f64, w: f64| {
+            let [x, y] = middle;
+            projection.at(
+                [
+                    x + along * cos - across * sin,
+                    y + along * sin + across * cos,
+                ],
+                w,
+            )
+        };
+        let between = random.between(-half, half);
+        let corners = [
+            at(-half, 0., random.between(1., 4.)),
+            at(half, 0., random.between(1., 4.)),
+            at(between, width, random.between(1., 4.)),
+        ];
+        projection.scene(corners, ONCE).judge()
+    }))
+}
+
+/// Triangles of less than a pixel.
+fn specks() -> Verdict {
+    let projection = Lens::ROOM;
+    let mut random = Random(7);
+    worst((0..2000).map(|_| {
+        let at = [random.between(-40., 40.), random.between(-30., 30.)];
+        let mut corner = || {
+            let away = [random.between(-0.7, 0.7), random.between(-0.7, 0.7)];
+            projection.at([at[0] + away[0], at[1] + away[1]], random.between(1., 4.))
+        };
+        projection
+            .scene([corner(), corner(), corner()], ONCE)
+            .judge()
+    }))
+}
+
+pub static CASES: Cases = Cases::new(|| {
+    vec![
+        picture("slivers 1 pixel wide", slivers(1.)),
+        picture("slivers 1/4 pixel wide", slivers(0.25)),
+        picture("slivers 1/16 pixel wide", slivers(1. / 16.)),
+        picture("triangles within a pixel", specks()),
+    ]
+});
+
+#[test]
+fn thin_triangles_are_drawn_as_others_are() {
+    assert_eq!(CASES.len(), 4);
+}
+
+const SIZE: (u32, u32) = (24, 24);
+
+/// How many pixels triangles cover, and how many are said to be drawn, of places in 24.8.
+fn drawn(triangles: &[[[i32; 2]; 3]]) -> (usize, u32) {
+    let positions: Vec<Vec3> = triangles
+        .iter()
+        .flatten()
+        .copied()
+        .map(at_subpixel)
+        .collect();
+    let faces: Vec<[u16; 3]> = (0..u16::try_from(triangles.len()).unwrap())
+        .map(|i| [3 * i, 3 * i + 1, 3 * i + 2])
+        .collect();
+    let mut counter = Counter::new(SIZE);
+    let mesh = Mesh::new(&positions, &faces).unwrap();
+    let drawn = counter.draw(&BOTH_SIDES, &mesh, &pixel_lens(SIZE));
+    let pixels = counter
+        .take()
+        .into_iter()
+        .filter(|&count| count > 0)
+        .count();
+    (pixels, drawn.drawn)
+}
+
+/// Three corners in a line, at every slope there is between places a quarter of a pixel apart.
+#[test]
+fn corners_in_a_line_are_nothing() {
+    let mut triangles = Vec::new();
+    for dx in -24..=24 {
+        for dy in -24..=24 {
+            for (first, second) in [(1, 3), (-2, 1), (0, 2), (3, 3)] {
+                // On centres, where the rule for ties decides, and beside them.
+                for origin in [[3200, 2944], [3000, 3001]] {
+                    let at =
+                        |times: i32| [origin[0] + 32 * dx * times, origin[1] + 32 * dy * times];
+                    triangles.push([at(0), at(first), at(second)]);
+                }
+            }
+        }
+    }
+    for triangles in triangles.chunks(20_000) {
+        assert_eq!(drawn(triangles), (0, 0));
+    }
+}
+
+/// The same place twice or three times, as the same vertex or another.
+#[test]
+fn corners_in_one_place_are_nothing() {
+    let places = [[128, 128], [1000, 2000], [3333, 17]];
+    let twice = places
+        .iter()
+        .flat_map(|&a| places.map(|b| [[a, a, b], [a, b, a], [b, a, a]]));
+    let all: Vec<_> = twice.flatten().collect();
+    assert_eq!(drawn(&all), (0, 0));
+    let positions = places.map(at_subpixel);
+    let faces = [[0, 0, 0], [0, 0, 1], [1, 0, 0], [0, 1, 0], [2, 2, 2]];
+    let mut counter = Counter::new(SIZE);
+    let mesh = Mesh::new(&positions, &faces).unwrap();
+    assert_eq!(counter.draw(&BOTH_SIDES, &mesh, &pixel_lens(SIZE)).drawn, 0);
+}
+
+/// A mesh of as many vertices as there can be, all in one place.
+#[test]
+fn every_vertex_in_one_place() {
+    for place in [
+        Vec3::ZERO,
+        vec3!(0, 0, -2),
+        Vec3::from_bits([i32::MAX; 3]),
+        Vec3::from_bits([i32::MIN; 3]),
+    ] {
+        let positions = vec![place; 65_536];
+        let faces: Vec<[u16; 3]> = (0..65_534).map(|i| [i, i + 1, i + 2]).collect();
+        let edges: Vec<[u16; 2]> = (0..65_535).map(|i| [i, i + 1]).collect();
+        let mesh = Mesh::new(&positions, &faces)
+            .unwrap()
+            .with_edges(&edges)
+            .unwrap();
+        let projection = Projection::perspective(Angle::from_degrees(60), SIZE, fx!(0.1), fx!(100));
+        let mvp = projection.unwrap().into();
+        let mut counter = Counter::new(SIZE);
+        assert_eq!(counter.draw(&BOTH_SIDES, &mesh, &mvp).drawn, 0);
+        counter.draw_edges(&DrawOptions::new(), &mesh, &mvp);
+        assert!(counter.take().iter().all(|&count| count == 0));
+        counter.draw_points(&DrawOptions::new(), &mesh, &mvp);
+        let counts = counter.take();
+        // Each of the points is drawn, in the same pixel, if it is before the eye.
+        let seen: u32 = if place == vec3!(0, 0, -2) { 65_536 } else { 0 };
+        assert_eq!(counts.iter().copied().max(), Some(seen));
+        assert_eq!(counts.iter().sum::<u32>(), seen);
+    }
+}

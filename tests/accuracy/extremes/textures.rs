@@ -1,0 +1,81 @@
+//! Texture coordinates of ±32,000 texels, and textures that are smaller than a pixel.
+//!
+//! An attribute has 30 bits of the largest in its triangle, so that 32,000 texels' resolution is 1/16,384 of one: bounds
+//! are 125 times what they are for 256. `Fast` has 16 bits of it, 1/2 texel; and its tolerance.
+
+use super::scene::{Lens, Random, worst};
+use super::table::{Cases, picture};
+use super::verdict::Verdict;
+
+/// A texture from one end of its range to the other, at many slopes.
+fn wide(most: i32) -> Verdict {
+    let projection = Lens::ROOM;
+    let mut random = Random(9);
+    let ends = [-most, most].map(|texel| texel << 16);
+    worst((0..80).map(|step: usize| {
+        let corner = |random: &mut Random| {
+            let at = [random.between(-70., 70.), random.between(-50., 50.)];
+            projection.at(at, random.between(1., 4.))
+        };
+        let corners = [0; 3].map(|_| corner(&mut random));
+        let pick = |bit: usize| ends[step >> bit & 1];
+        let texels = [[pick(0), pick(3)], [pick(1), pick(4)], [pick(2), pick(5)]];
+        projection.scene(corners, texels).judge()
+    }))
+}
+
+/// Whole textures within some pixels, so far off.
+fn tiny(w: f64) -> Verdict {
+    let projection = Lens {
+        far: 32_767.,
+        focal: 60.,
+        ..Lens::ROOM
+    };
+    let mut random = Random(10);
+    worst((0..300).map(|_| {
+        let [x, y] = [random.between(-40., 40.), random.between(-30., 30.)];
+        let mut corner = || {
+            let at = [x + random.between(-2., 2.), y + random.between(-2., 2.)];
+            projection.at(at, w * random.between(0.7, 1.))
+        };
+        projection
+            .scene([corner(), corner(), corner()], super::scene::ONCE)
+            .judge()
+    }))
+}
+
+/// Ground under a camera that rolls by hardly anything: along a row 1/w changes by 2⁻²⁸ to 2⁻²¹ of itself a pixel, and the
+/// texture, of up to 1000 texels, by many texels. A row that is taken for straight must be.
+fn level() -> Verdict {
+    let projection = Lens {
+        far: 32_767.,
+        ..Lens::ROOM
+    };
+    let mut random = Random(15);
+    worst((0..80).map(|_| {
+        let roll = 2_f64.powf(random.between(-28., -21.));
+        let corner = |[x, y]: [f64; 2]| projection.at([x, y], 4000. / (1. + roll * x + 0.01 * y));
+        let corners = [[-47., 31.], [45., 29.], [3., -33.]].map(corner);
+        let texels = [random.between(100., 1000.) as i32 * 32_768; 2];
+        let [u, v] = texels;
+        projection
+            .scene(corners, [[-u, v], [u, 0], [0, -v]])
+            .judge()
+    }))
+}
+
+pub static CASES: Cases = Cases::new(|| {
+    vec![
+        picture("texture coordinates of ±256 texels", wide(256)),
+        picture("texture coordinates of ±4,000 texels", wide(4000)),
+        picture("texture coordinates of ±32,000 texels", wide(32_000)),
+        picture("texture of ±500 texels along level rows", level()),
+        picture("texture of 256 in 4 pixels, 100 away", tiny(100.)),
+        picture("texture of 256 in 4 pixels, 32,000 away", tiny(32_000.)),
+    ]
+});
+
+#[test]
+fn textures_of_any_range() {
+    assert_eq!(CASES.len(), 6);
+}

@@ -1,0 +1,286 @@
+//! Textures between their texels: the crate's colours against the f64 model.
+
+use std::fmt::Debug;
+
+use crate::reference::texture::{Blended, Wrap, bilinear};
+use embedded_graphics::geometry::Point;
+use embedded_graphics::pixelcolor::raw::RawData;
+use embedded_graphics::pixelcolor::{
+    Bgr555, Bgr565, Bgr666, Bgr888, Gray8, GrayColor, PixelColor, Rgb555, Rgb565, Rgb666, Rgb888,
+    RgbColor,
+};
+use fixel::prelude::*;
+use fixel::shade::{Lanes, Varyings};
+use fixel::texture::Blend;
+use proptest::prelude::*;
+
+/// A colour that can be taken apart.
+trait Parts: Blend + Debug {
+    /// Units of weight from one texel to the next.
+    const UNITS: f64;
+
+    fn of(raw: u32) -> Self;
+
+    /// The channels in steps.
+    fn parts(self) -> [f64; 3];
+}
+
+macro_rules! parts {
+    ($($color:ident $units:literal |$c:ident| $parts:expr;)+) => {$(
+        impl Parts for $color {
+            const UNITS: f64 = $units;
+
+            fn of(raw: u32) -> Self {
+                Self::from(<$color as PixelColor>::Raw::from_u32(raw))
+            }
+
+            fn parts(self) -> [f64; 3] {
+                let $c = self;
+                $parts.map(f64::from)
+            }
+        }
+    )+};
+}
+parts! {
+    Rgb555 32. |c| [c.r(), c.g(), c.b()];
+    Bgr555 32. |c| [c.r(), c.g(), c.b()];
+    Rgb565 32. |c| [c.r(), c.g(), c.b()];
+    Bgr565 32. |c| [c.r(), c.g(), c.b()];
+    Rgb666 256. |c| [c.r(), c.g(), c.b()];
+    Bgr666 256. |c| [c.r(), c.g(), c.b()];
+    Rgb888 256. |c| [c.r(), c.g(), c.b()];
+    Bgr888 256. |c| [c.r(), c.g(), c.b()];
+    Gray8 256. |c| [c.luma(); 3];
+}
+
+/// What the documentation promises of a channel, in steps.
+///
+/// The place is rounded to the nearest of `units` between two centres, so it is off by half a unit at most
+/// along each axis, and stays between the same centres. There the colour changes, along either axis, by
+/// no more per texel than the texels around differ: together by their difference / `units`. Rounding the two
+/// rows takes half a step at most, and as their mean keeps that, rounding what is between them another half.
+fn allowed<C: Parts>(model: &Blended) -> f64 {
+    1. + (model.most - model.least) / C::UNITS
+}
+
+/// The rows of one channel.
+fn channel<C: Parts, const W: usize, const H: usize>(
+    texels: &[[C; W]; H],
+    k: usize,
+) -> Vec<Vec<f64>> {
+    let row = |row: &[C; W]| row.iter().map(|texel| texel.parts()[k]).collect();
+    texels.iter().map(row).collect()
+}
+
+/// What a shader has interpolated.
+type Numbers<F> = <<<F as Shader>::Varyings as Varyings>::Lanes as Lanes>::Of<i32>;
+
+/// The color that a shader gives texels that are looked up at (u, v), in texels of 16 fraction bits.
+fn shade<F: Shader>(shader: &F, numbers: Numbers<F>) -> F::Color {
+    let sample = Fragment {
+        point: Point::zero(),
+        depth: 0,
+    };
+    let varyings = F::Varyings::join(numbers, Default::default());
+    shader.shade(&sample, varyings).unwrap()
+}
+
+/// Both wraps of a texture at a place against the model.
+fn compare<C: Parts, const W: usize, const H: usize>(
+    texels: &[[C; W]; H],
+    place: [i32; 2],
+) -> Result<(), TestCaseError> {
+    let skin = Textured::new(texels).bilinear();
+    let shown = [
+        (Wrap::Repeat, shade(&skin, place)),
+        (Wrap::Clamp, shade(&skin.clamped(), place)),
+    ];
+    for (wrap, color) in shown {
+        for (k, part) in color.parts().into_iter().enumerate() {
+            let at = place.map(|bits| f64::from(bits) / 65536.);
+            let model = bilinear(&channel(texels, k), wrap, at);
+            let error = (part - model.value).abs();
+            prop_assert!(
+                error <= allowed::<C>(&model),
+                "{wrap:?} channel {k} at {at:?}: {part} for {model:?}"
+            );
+        }
+    }
+    Ok(())
+}
+
+/// Texels of any colour, or of the darkest and the brightest.
+fn texels<C: Parts, const W: usize, const H: usize>() -> impl Strategy<Value = [[C; W]; H]> {
+    let raw = prop_oneof![any::<u32>(), Just(0), Just(!0)];
+    proptest::collection::vec(raw, W * H).prop_map(|list| {
+        let mut list = list.into_iter();
+        std::array::from_fn(|_| std::array::from_fn(|_| C::of(list.next().unwrap())))
+    })
+}
+
+/// A place near the texture's edges or within it, anywhere, or at the very end.
+fn place() -> impl Strategy<Value = [i32; 2]> {
+    let axis = || {
+        let ends = i32::MAX - 100_000;
+        prop_oneof![
+            4 => -200_000..1_200_000,
+            2 => any::<i32>(),
+            1 => ends..=i32::MAX,
+            1 => i32::MIN..=-ends,
+        ]
+    };
+    [axis(), axis()]
+}
+
+/// A test for a colour: sizes down to a single texel, which is its own neighbour.
+macro_rules! against_the_model {
+    ($($name:ident $color:ident)+) => {proptest! {$(
+        #[test]
+        fn $name(
+            large in texels::<$color, 16, 8>(),
+            narrow in texels::<$color, 1, 4>(),
+            pair in texels::<$color, 2, 1>(),
+            single in texels::<$color, 1, 1>(),
+            places in proptest::collection::vec(place(), 32),
+        ) {
+            for place in places {
+                compare(&large, place)?;
+                compare(&narrow, place)?;
+                compare(&pair, place)?;
+                compare(&single, place)?;
+            }
+        }
+    )+}};
+}
+against_the_model! {
+    rgb555 Rgb555
+    bgr555 Bgr555
+    rgb565 Rgb565
+    bgr565 Bgr565
+    rgb666 Rgb666
+    bgr666 Bgr666
+    rgb888 Rgb888
+    bgr888 Bgr888
+    gray8 Gray8
+}
+
+fn exact_at_centres<C: Parts>(texels: &[[C; 4]; 2]) {
+    let skin = Textured::new(texels).bilinear();
+    for v in -5..7 {
+        for u in -9..13 {
+            let centre = [u, v].map(|at| (at << 16) + (1 << 15));
+            let texel = |wrap: Wrap| texels[wrap.index(v.into(), 2)][wrap.index(u.into(), 4)];
+            assert_eq!(shade(&skin, centre), texel(Wrap::Repeat), "({u}, {v})");
+            let clamped = shade(&skin.clamped(), centre);
+            assert_eq!(clamped, texel(Wrap::Clamp), "({u}, {v})");
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn centres_are_the_texels(
+        rgb565 in texels::<Rgb565, 4, 2>(),
+        rgb666 in texels::<Rgb666, 4, 2>(),
+        rgb888 in texels::<Rgb888, 4, 2>(),
+        gray8 in texels::<Gray8, 4, 2>(),
+    ) {
+        exact_at_centres(&rgb565);
+        exact_at_centres(&rgb666);
+        exact_at_centres(&rgb888);
+        exact_at_centres(&gray8);
+    }
+
+    /// However the texels are stored, and whatever is done with the colour afterwards.
+    #[test]
+    fn palettes_light_and_vertex_colours(
+        indices in any::<[u8; 8]>(),
+        colors in texels::<Rgb565, 256, 1>(),
+        place in place(),
+    ) {
+        let palette: PaletteArray<Rgb565, 4, 2> = PaletteArray::new(&indices, &colors[0]);
+        let mut list = indices.iter().map(|&index| colors[0][usize::from(index)]);
+        let rows: [[Rgb565; 4]; 2] =
+            std::array::from_fn(|_| std::array::from_fn(|_| list.next().unwrap()));
+        let texture = TextureArray::from_texels(rows);
+        let plain = Textured::new(&rows).bilinear();
+        let color = shade(&plain, place);
+        let edge = shade(&plain.clamped(), place);
+        let [u, v] = place;
+        prop_assert_eq!(shade(&Textured::new(&texture).bilinear(), place), color);
+        let skin = Textured::new(&palette);
+        prop_assert_eq!(shade(&skin.bilinear(), place), color);
+        prop_assert_eq!(shade(&skin.clamped().bilinear(), place), edge);
+        prop_assert_eq!(shade(&skin.bilinear().clamped(), place), edge);
+        let sun = Light::new(Vec3::Y, fx!(0), fx!(1)).unwrap();
+        prop_assert_eq!(shade(&skin.bilinear().lit(sun), [u, v, 1 << 16]), color);
+        let white = [u, v, 1 << 16, 1 << 16, 1 << 16];
+        prop_assert_eq!(shade(&skin.bilinear().tinted(), white), color);
+    }
+}
+
+/// Pixels along the picture of the next test, and texels along its texture.
+const SIDE: u32 = RATIO * 4;
+const TEXELS: usize = 4;
+/// Pixels for a texel.
+const RATIO: u32 = 16;
+
+/// A square that fills the picture.
+fn picture<F: Shader<Color = Rgb888>>(shader: &F) -> Vec<[f64; 3]> {
+    static SQUARE: Mesh = shape!(plane(1, 1));
+    let window = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2));
+    let mvp = window.unwrap() * Camera::top(Vec3::ZERO, fx!(1));
+    let mut pixels = vec![Rgb888::BLACK; (SIDE * SIDE) as usize];
+    let mut canvas = Canvas::new(&mut pixels, SIDE, SIDE).unwrap();
+    canvas.draw(&SQUARE, &mvp, shader);
+    pixels.into_iter().map(Parts::parts).collect()
+}
+
+/// The largest difference between pixels side by side or one above the other.
+fn steepest(picture: &[[f64; 3]]) -> f64 {
+    let differ =
+        |a: &[f64; 3], b: &[f64; 3]| (0..3).map(|k| (a[k] - b[k]).abs()).fold(0., f64::max);
+    let rows = picture.chunks(SIDE as usize);
+    let across = rows.flat_map(|row| row.windows(2).map(|pair| differ(&pair[0], &pair[1])));
+    let down = picture.iter().zip(&picture[SIDE as usize..]);
+    let down = down.map(|(a, b)| differ(a, b));
+    across.chain(down).fold(0., f64::max)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(32))]
+
+    #[test]
+    fn a_magnified_texture_is_smooth(texels in texels::<Rgb888, TEXELS, TEXELS>()) {
+        let scale = 1. / f64::from(RATIO);
+        let skin = Textured::new(&texels).clamped();
+        let (nearest, smooth) = (picture(&skin), picture(&skin.bilinear()));
+        for (i, colors) in smooth.iter().enumerate() {
+            let i = u32::try_from(i).unwrap();
+            let at = [i % SIDE, i / SIDE].map(|at| (f64::from(at) + 0.5) * scale);
+            for (k, part) in colors.iter().enumerate() {
+                let model = bilinear(&channel(&texels, k), Wrap::Clamp, at);
+                // The picture's own u and v are within 0.001 texel.
+                let allowed = allowed::<Rgb888>(&model) + 0.002 * (model.most - model.least);
+                prop_assert!((part - model.value).abs() <= allowed, "{at:?}: {part} for {model:?}");
+            }
+        }
+        // From pixel to pixel a part of what it is from texel to texel, and each pixel's error: of its place,
+        // by 0.001 and half a 256th along each axis, and a step.
+        let most = steepest(&nearest);
+        prop_assert!(steepest(&smooth) <= most * (scale + 4. * (0.001 + 1. / 512.)) + 2.);
+    }
+}
+
+/// Against the nearest texel, of which squares can be seen.
+#[test]
+fn the_nearest_texel_is_not() {
+    let (black, white) = (Rgb888::BLACK, Rgb888::WHITE);
+    let texels: [[Rgb888; TEXELS]; TEXELS] = std::array::from_fn(|v| {
+        std::array::from_fn(|u| if (u + v) % 2 == 0 { black } else { white })
+    });
+    let skin = Textured::new(&texels).clamped();
+    assert!(steepest(&picture(&skin)) >= 255.);
+    // 255/16, and each of two pixels off by less than a step: their places are whole 256ths of a texel.
+    assert!(steepest(&picture(&skin.bilinear())) <= 17.);
+}

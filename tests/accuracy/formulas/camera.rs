@@ -1,0 +1,227 @@
+//! Cameras, and the mvp.
+
+use embedded_graphics::pixelcolor::Gray8;
+use fixel::prelude::*;
+use proptest::prelude::*;
+
+use super::given::{STEP, all_close, close, float, floats, vec};
+
+/// The length on screen of an edge of length one along an axis, in an orthographic view.
+fn foreshortening(camera: &Camera) -> [f64; 3] {
+    [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| {
+        let [x, y, _] = floats(camera.view().direction(axis));
+        x.hypot(y)
+    })
+}
+
+#[test]
+fn axonometric_views() {
+    let (target, distance) = (vec3!(1, 2, 3), fx!(10));
+    let alike = (2.0_f64 / 3.0).sqrt();
+    // Two coordinates rounded to half a step.
+    all_close(
+        foreshortening(&Camera::isometric(target, distance)),
+        [alike; 3],
+        STEP,
+    );
+    let [x, y, z] = foreshortening(&Camera::dimetric(target, distance, Angle::from_degrees(20)));
+    close(x, z, 2.0 * STEP);
+    close(y, 20_f64.to_radians().cos(), STEP);
+    assert!((x - y).abs() > 0.1);
+    let (turn, tilt) = (Angle::from_degrees(30), Angle::from_degrees(20));
+    let [x, y, z] = foreshortening(&Camera::trimetric(target, distance, turn, tilt));
+    assert!((x - y).abs() > 0.05 && (y - z).abs() > 0.05 && (z - x).abs() > 0.05);
+    for camera in [
+        Camera::isometric(target, distance),
+        Camera::front(target, distance),
+        Camera::side(target, distance),
+        Camera::top(target, distance),
+    ] {
+        // The target is in the middle, so far ahead.
+        assert_eq!(camera.view().point(target), vec3!(0, 0, -10));
+    }
+    // Which axes run right and up in the picture.
+    for (camera, right, up) in [
+        (Camera::front(target, distance), Vec3::X, Vec3::Y),
+        (Camera::side(target, distance), -Vec3::Z, Vec3::Y),
+        (Camera::top(target, distance), Vec3::X, -Vec3::Z),
+    ] {
+        assert_eq!(camera.view().direction(right), Vec3::X);
+        assert_eq!(camera.view().direction(up), Vec3::Y);
+    }
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|i| a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3])
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+fn normalised(v: [f64; 3]) -> [f64; 3] {
+    let length = dot(v, v).sqrt();
+    v.map(|v| v / length)
+}
+
+fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|i| a[i] - b[i])
+}
+
+fn points() -> impl Strategy<Value = Vec3> {
+    [-50.0..50.0, -50.0..50.0, -50.0..50.0].prop_map(|v| Vec3::try_from(v).unwrap())
+}
+
+proptest! {
+    #[test]
+    fn look_at(eye in points(), target in points(), up in points(), p in points()) {
+        let Ok(camera) = Camera::look_at(eye, target, up) else {
+            return Err(TestCaseError::reject("no view"));
+        };
+        let k = normalised(sub(floats(eye), floats(target)));
+        let side = cross(floats(up), k);
+        // Where up is near the view, its rounding counts.
+        prop_assume!(dot(side, side) > 1e-4 * dot(floats(up), floats(up)));
+        let i = normalised(side);
+        let j = cross(k, i);
+        let offset = sub(floats(p), floats(eye));
+        // Axes are good to 2^-28/0.01, over at most 174: below 2^-13 of a step; rounded once.
+        let expected = [i, j, k].map(|axis| dot(axis, offset));
+        all_close(floats(camera.view().point(p)), expected, 0.51 * STEP + 174.0 * 100.0 * 4e-9);
+        // The eye is at the origin, and what it looks at ahead, on the axis.
+        all_close(floats(camera.view().point(eye)), [0.0; 3], STEP);
+        let distance = dot(sub(floats(eye), floats(target)), k);
+        all_close(floats(camera.view().point(target)), [0.0, 0.0, -distance], STEP);
+    }
+
+    #[test]
+    fn inverse_of_a_rigid_transform(
+        turns in any::<[u32; 3]>(), by in points(), p in points(),
+    ) {
+        let [a, b, c] = turns.map(Angle::from_bits);
+        let turns = Transform::rotate_y(b) * Transform::rotate_z(c);
+        let pose = Transform::rotate_x(a) * Transform::translate(by) * turns;
+        for both in [pose * pose.inverse_rigid(), pose.inverse_rigid() * pose] {
+            let identity = both.to_matrix();
+            for (i, row) in identity.rows().iter().enumerate() {
+                for (j, &entry) in row.iter().enumerate() {
+                    // 30 bits of at most 100 are below 2^-22.
+                    close(float(entry), f64::from(u8::from(i == j)), STEP);
+                }
+            }
+            all_close(floats(both.point(p)), floats(p), STEP);
+        }
+    }
+
+    #[test]
+    fn camera_by_composed_moves(
+        eye in points(), turn in any::<u32>(), tilt in -80..80, p in points(),
+    ) {
+        let (turn, tilt) = (Angle::from_bits(turn), Angle::from_degrees(tilt));
+        let turns = Transform::rotate_y(turn) * Transform::rotate_x(tilt);
+        let pose = Transform::translate(eye) * turns;
+        let composed = Camera::at_pose(pose);
+        // The inverse of a product: inverses in reverse order.
+        let turns = Transform::rotate_x(-tilt) * Transform::rotate_y(-turn);
+        let reverse = turns * Transform::translate(-eye);
+        all_close(floats(composed.view().point(p)), floats(reverse.point(p)), STEP);
+        // The same pose by look-at: the target is 100 ahead, rounded to half a step of 100 in each
+        // axis.
+        let camera = Camera::look_at(eye, pose.point(vec3!(0, 0, -100)), Vec3::Y).unwrap();
+        let slack = STEP + 174.0 * (STEP / 100.0) * 2.0 / 80_f64.to_radians().cos();
+        all_close(floats(composed.view().point(p)), floats(camera.view().point(p)), slack);
+    }
+}
+
+#[test]
+fn useless_cameras_are_refused() {
+    let eye = vec3!(1, 2, 3);
+    let refused = Camera::look_at(eye, eye, Vec3::Y);
+    assert!(matches!(refused, Err(Error::EyeAtTarget { eye: at, .. }) if at == eye));
+    for up in [vec3!(0, 0, 0), vec3!(1, 2, 3), vec3!(-2, -4, -6)] {
+        let refused = Camera::look_at(eye, Vec3::ZERO, up);
+        assert!(matches!(refused, Err(Error::UpAlongView { up: along, .. }) if along == up));
+    }
+}
+
+/// The middle of the picture.
+const MIDDLE: [f64; 2] = [160.0, 120.0];
+
+fn canvas(pixels: &mut [Gray8]) -> Canvas<'_, Gray8> {
+    Canvas::new(pixels, 320, 240).unwrap()
+}
+
+#[test]
+fn the_chain_from_right_to_left() {
+    let mut pixels = vec![Gray8::new(0); 320 * 240];
+    let canvas = canvas(&mut pixels);
+    let projection =
+        Projection::perspective(Angle::from_degrees(90), (4, 3), fx!(0.5), fx!(100)).unwrap();
+    let camera = Camera::look_at(vec3!(0, 0, 5), Vec3::ZERO, Vec3::Y).unwrap();
+    let pass = DrawOptions::new().viewport(Viewport::new(32, 16, 160, 120).unwrap());
+    let place = |mvp: &_, p| {
+        let place = canvas.project(&pass, mvp, p).unwrap();
+        [place.x.to_num::<f64>(), place.y.to_num()]
+    };
+    let (turn, shift) = (
+        Transform::rotate_z(Angle::from_degrees(90)),
+        Transform::translate(vec3!(2, 0, 0)),
+    );
+    // The model point (1, 0, 0) is turned to (0, 1, 0), moved to (2, 1, 0), is at (2, 1, −5) before
+    // the eye, at (2/5 / (4/3), 1/5) = (0.3, 0.2) of the picture, whose middle is (112, 76) and
+    // whose halves are 80 by 60.
+    let mvp = projection * camera * (shift * turn);
+    all_close(
+        place(&mvp, Vec3::X),
+        [112.0 + 24.0, 76.0 - 12.0],
+        1.0 / 256.0,
+    );
+    let apart = projection * camera * shift * turn;
+    all_close(place(&apart, Vec3::X), place(&mvp, Vec3::X), 0.0);
+    // Swapped, it is moved to (3, 0, 0) and turned to (0, 3, 0).
+    let swapped = projection * camera * (turn * shift);
+    all_close(place(&swapped, Vec3::X), [112.0, 76.0 - 36.0], 1.0 / 256.0);
+}
+
+proptest! {
+    #[test]
+    fn a_line_projects_to_a_line(
+        p in [-3.0..3.0, -3.0..3.0, -9.0..-4.0],
+        v in [-1.0..1.0, -1.0..1.0, -1.0..1.0],
+    ) {
+        let mut pixels = vec![Gray8::new(0); 320 * 240];
+        let canvas = canvas(&mut pixels);
+        let size = (320, 240);
+        let projection = Projection::from_focal_length(fx!(100), size, fx!(0.5), fx!(100)).unwrap();
+        // Multiples of four steps, so that every quarter of the way is a point of the format.
+        let [p, v] = [p, v].map(|v: [f64; 3]| v.map(|v| (v * 16_384.0).round() / 16_384.0));
+        for t in 0..=8 {
+            let t = f64::from(t) / 4.0;
+            let point = [0, 1, 2].map(|i| p[i] + t * v[i]);
+            let [x, y] = [100.0 * point[0] / -point[2], 100.0 * point[1] / -point[2]];
+            let mvp = projection * Transform::IDENTITY;
+            let place = canvas.project(&DrawOptions::new(), &mvp, Vec3::try_from(point).unwrap());
+            let place = place.expect("the point is ahead");
+            // Half a subpixel.
+            let expected = [MIDDLE[0] + x, MIDDLE[1] - y];
+            all_close([place.x.to_num(), place.y.to_num()], expected, 0.51 / 256.0);
+        }
+    }
+
+    #[test]
+    fn lines_across_the_view_keep_their_slope(
+        p in [-3.0..3.0, -3.0..3.0, -9.0..-2.0],
+        v in [0.5..2.0, -2.0..2.0],
+    ) {
+        let fov = Angle::from_degrees(90);
+        let projection = Projection::perspective(fov, (1, 1), fx!(1), fx!(100)).unwrap();
+        let point = |t: f64| vec(p[0] + t * v[0], p[1] + t * v[1], p[2]);
+        let at = |t| projection.image(point(t)).unwrap().map(float);
+        let (a, b) = (at(0.0), at(4.0));
+        // Over a run of 4·0.5/9 at least, both ends are rounded to half a step in space and again
+        // on screen.
+        let run = 4.0 * v[0] / -p[2];
+        let slack = 4.0 * STEP * (1.0 + 4.0) / run;
+        close((b[1] - a[1]) / (b[0] - a[0]), v[1] / v[0], slack);
+    }
+}

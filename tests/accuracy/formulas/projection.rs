@@ -1,0 +1,265 @@
+//! Projections: matrices, fields of view, and vanishing points.
+
+use core::f64::consts::TAU;
+
+use embedded_graphics::pixelcolor::Gray8;
+use fixel::Matrix4;
+use fixel::prelude::*;
+use fixel::view::{Parallel, Perspective};
+use proptest::prelude::*;
+
+use super::given::{STEP, all_close, close, float, fx, same_matrix, vec};
+
+fn degrees(angle: Angle) -> f64 {
+    f64::from(angle.to_bits()) / 4_294_967_296.0 * 360.0
+}
+
+/// 60° high, 3 : 2, from 2 to 10.
+fn projection() -> Projection<Perspective> {
+    Projection::perspective(Angle::from_degrees(60), fx!(1.5), fx!(2), fx!(10)).unwrap()
+}
+
+#[test]
+fn points_beside_and_behind_the_eye_have_no_image() {
+    let projection = projection();
+    let mut pixels = [Gray8::new(0); 64];
+    let canvas = Canvas::new(&mut pixels, 8, 8).unwrap();
+    for z in [0.0, 1.0 / 65_536.0, 5.0] {
+        let point = vec(0.1, 0.1, z);
+        assert_eq!(projection.image(point), None);
+        assert_eq!(projection.to_matrix().project(point), None);
+        let place = canvas.project(
+            &DrawOptions::new(),
+            &(projection * Transform::IDENTITY),
+            point,
+        );
+        assert_eq!(place, None);
+    }
+    let image = projection.image(vec(1.0, -0.5, -4.0)).unwrap();
+    assert_eq!(image, [fx!(0.5), fx!(-0.25)]);
+}
+
+#[test]
+fn the_practice_cube() {
+    let projection =
+        Projection::frustum(Window::centered(fx!(2), fx!(2)), fx!(2), fx!(10)).unwrap();
+    for (z, size) in [(-3.0, 2.0 / 3.0), (-5.0, 2.0 / 5.0)] {
+        for (x, y) in [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)] {
+            let image = projection.image(vec(x, y, z)).unwrap().map(float);
+            all_close(image, [x * size, y * size], STEP / 2.0);
+            // The window is ±1, and so are normalised device coordinates.
+            let ndc = projection.to_matrix().project(vec(x, y, z)).unwrap();
+            all_close([ndc.x, ndc.y].map(float), [x * size, y * size], STEP / 2.0);
+        }
+    }
+}
+
+#[test]
+fn perspective_by_field_of_view() {
+    let projection = projection();
+    let Window {
+        left,
+        right,
+        bottom,
+        top,
+    } = projection.window();
+    let edges = [top, right, bottom, left].map(float);
+    let top = 2.0 * (TAU / 12.0).tan();
+    // Rounded once, from 30 bits.
+    let expected = [top, top * 1.5, -top, -top * 1.5];
+    all_close(edges, expected, 0.51 * STEP);
+    // As tables print them, with four decimals.
+    all_close(edges, [1.1547, 1.7321, -1.1547, -1.7321], 0.5e-4);
+    assert_eq!((projection.near(), projection.far()), (fx!(2), fx!(10)));
+}
+
+#[test]
+fn frustum_and_back() {
+    let seven = projection();
+    let eight = Projection::frustum(seven.window(), seven.near(), seven.far()).unwrap();
+    // Edges rounded to half a step, of 1.15.
+    let relative = STEP / 2.0 / 1.15;
+    close(
+        float(eight.aspect()),
+        1.5,
+        1.5 * 2.0 * relative + STEP / 2.0,
+    );
+    // d(2·atan(h))/dh = 2/(1 + h²), with h = 0.577.
+    let slack = (2.0 / (1.0 + 1.0 / 3.0) * 0.577 * relative).to_degrees();
+    close(degrees(eight.fov()), 60.0, slack + 1e-6);
+    let again = Projection::perspective(eight.fov(), eight.aspect(), fx!(2), fx!(10)).unwrap();
+    let expected = seven.to_matrix().rows().map(|row| row.map(float));
+    same_matrix(&again.to_matrix(), expected, 2.0 * 4.0 * relative + STEP);
+
+    // Off the centre: the edges are as they were given.
+    let window = Window {
+        left: fx!(-1),
+        right: fx!(3),
+        bottom: fx!(0.5),
+        top: fx!(2.5),
+    };
+    let off = Projection::frustum(window, fx!(2), fx!(10)).unwrap();
+    assert_eq!(off.window(), window);
+    assert_eq!(off.aspect(), fx!(2));
+    close(
+        degrees(off.fov()),
+        (2.0 * 0.5_f64.atan()).to_degrees(),
+        1e-6,
+    );
+}
+
+/// The matrix of a frustum.
+fn frustum([l, r, b, t, n, f]: [f64; 6]) -> [[f64; 4]; 4] {
+    [
+        [2.0 * n / (r - l), 0.0, (r + l) / (r - l), 0.0],
+        [0.0, 2.0 * n / (t - b), (t + b) / (t - b), 0.0],
+        [0.0, 0.0, -(f + n) / (f - n), -2.0 * f * n / (f - n)],
+        [0.0, 0.0, -1.0, 0.0],
+    ]
+}
+
+proptest! {
+    #[test]
+    fn the_matrix_and_the_product(
+        l in -4.0..0.0, w in 0.5..4.0, b in -4.0..0.0, h in 0.5..4.0, n in 0.5..4.0, d in 1.0..50.0,
+    ) {
+        let edges = [l, l + w, b, b + h, n, n + d].map(|v| float(fx(v)));
+        let [left, right, bottom, top, near, far] = edges.map(fx);
+        let window = Window { left, right, bottom, top };
+        let projection = Projection::frustum(window, near, far).unwrap();
+        let expected = frustum(edges);
+        // Rounded once, from 28 bits of at most 64.
+        same_matrix(&projection.to_matrix(), expected, 0.52 * STEP);
+
+        // z = −n → −1 and z = −f → +1: two entries rounded to half a step, one of them times z,
+        // over w = −z.
+        let depth = |z: f64| float(projection.to_matrix().project(vec(0.0, 0.0, z)).unwrap().z);
+        let [.., n, f] = edges;
+        close(depth(-n), -1.0, STEP * (2.0 / n + 1.0));
+        close(depth(-f), 1.0, STEP * (2.0 / f + 1.0));
+
+        // A box from the window on the near plane, depths −n to −f, to ±1: scaled, then moved.
+        let [l, r, b, t, n, f] = edges;
+        let perspective = Matrix4::perspective_transform(near, far);
+        let scale = Matrix4::scale(vec(2.0 / (r - l), 2.0 / (t - b), -2.0 / (f - n)));
+        let middle = vec(-(r + l) / (r - l), -(t + b) / (t - b), -(f + n) / (f - n));
+        let middle = Matrix4::translate(middle);
+        // Factors are rounded to half a step, and multiplied with up to n·f < 217.
+        let slack = 0.51 * STEP * (2.0 + (n + f).max(n * f));
+        same_matrix(&(middle * scale * perspective), expected, slack);
+    }
+}
+
+#[test]
+fn the_other_depth_mapping() {
+    let (n, f) = (2.0, 10.0);
+    // With z positive ahead: the transform's depth is that with the sign turned.
+    let depth = |z: f64| {
+        let matrix = Matrix4::perspective_transform(fx(n), fx(f));
+        -float(matrix.project(vec(0.0, 0.0, -z)).unwrap().z)
+    };
+    close(depth(n), n, 0.0);
+    close(depth(f), f, 0.0);
+    let mut last = f64::NEG_INFINITY;
+    for i in 0..=1_000 {
+        let z = float(fx(n + (f - n) * f64::from(i) / 1_000.0));
+        close(depth(z), (n + f) - n * f / z, STEP / 2.0);
+        assert!(depth(z) > last);
+        last = depth(z);
+    }
+}
+
+#[test]
+fn orthographic_box() {
+    let edges = [-3.0, 5.0, -1.0, 1.0, 2.0, 10.0];
+    let [l, r, b, t, n, f] = edges.map(fx);
+    let window = Window {
+        left: l,
+        right: r,
+        bottom: b,
+        top: t,
+    };
+    let projection = Projection::orthographic(window, n, f).unwrap();
+    assert_eq!(projection.window(), window);
+    let [l, r, b, t, n, f] = edges;
+    let corner = |i: usize, low: f64, high: f64| if i == 0 { (low, -1.0) } else { (high, 1.0) };
+    for i in 0..8 {
+        let (x, nx) = corner(i & 1, l, r);
+        let (y, ny) = corner(i & 2, b, t);
+        let (z, nz) = corner(i & 4, -n, -f);
+        let ndc = projection.to_matrix().project(vec(x, y, z)).unwrap();
+        assert_eq!(ndc, vec(nx, ny, nz));
+    }
+    // Parallel lines stay parallel: the same direction from anywhere is the same on screen.
+    let at = |x, y, z| projection.to_matrix().project(vec(x, y, z)).unwrap();
+    let first = at(1.0, 0.5, -7.0) - at(0.0, 0.25, -3.0);
+    let second = at(-1.0, 0.0, -9.0) - at(-2.0, -0.25, -5.0);
+    assert_eq!(first, second);
+}
+
+/// How far and in which direction an edge of length one along the view runs on screen, in degrees.
+fn receding(projection: &Projection<Parallel>) -> (f64, f64) {
+    let at = |z| projection.to_matrix().project(vec(0.25, 0.25, z)).unwrap();
+    // The window is ±1, and so are normalised device coordinates.
+    let [x, y] = [at(-3.0) - at(-2.0)].map(|d| [float(d.x), float(d.y)])[0];
+    (x.hypot(y), y.atan2(x).to_degrees())
+}
+
+#[test]
+fn oblique() {
+    let (window, near, far) = (Window::centered(fx!(2), fx!(2)), fx!(1), fx!(10));
+    for angle in [0, 30, 45, 63, 120, 225] {
+        let turn = Angle::from_degrees(angle);
+        let cavalier = Projection::cavalier(turn, window, near, far).unwrap();
+        let cabinet = Projection::cabinet(turn, window, near, far).unwrap();
+        let any = Projection::oblique(turn, fx!(0.75), window, near, far).unwrap();
+        for (projection, length) in [(cavalier, 1.0), (cabinet, 0.5), (any, 0.75)] {
+            let (found, direction) = receding(&projection);
+            // Entries of the matrix rounded to half a step, times z = 3 and 2; images too.
+            let slack = STEP * 3.5;
+            close(found, length, slack);
+            let off = (direction - f64::from(angle)).rem_euclid(360.0);
+            close(off.min(360.0 - off), 0.0, (slack / length).to_degrees());
+            // What is in the near plane appears as it is.
+            let ndc = projection
+                .to_matrix()
+                .project(vec(0.5, -0.25, -1.0))
+                .unwrap();
+            all_close([ndc.x, ndc.y].map(float), [0.5, -0.25], 2.0 * STEP);
+            let Window { left, top, .. } = projection.window();
+            all_close([left, top].map(float), [-1.0, 1.0], STEP);
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn vanishing_points(
+        v in [-100.0..100.0, -100.0..100.0],
+        z in prop_oneof![-100.0..-0.1, 0.1..100.0],
+    ) {
+        let projection = projection();
+        let direction = vec(v[0], v[1], z);
+        let found = projection.vanishing_point(direction).unwrap().map(float);
+        let [x, y, z] = [v[0], v[1], z].map(|v| float(fx(v)));
+        all_close(found, [-2.0 * x / z, -2.0 * y / z], 0.501 * STEP);
+    }
+
+    #[test]
+    fn lines_approach_theirs(p in [-10.0..10.0, -10.0..10.0], v in [-1.0..1.0, -1.0..1.0]) {
+        let projection = projection();
+        let end = projection.vanishing_point(vec(v[0], v[1], -1.0)).unwrap().map(float);
+        // From (p, −1) along v for so far that the line's start is 1/20000 of it.
+        let t = 20_000.0;
+        let far = projection.image(vec(p[0] + t * v[0], p[1] + t * v[1], -1.0 - t)).unwrap().map(float);
+        // n·(|p| + |v|)/t, two roundings, and that of v times n.
+        all_close(far, end, 2.0 * 11.0 / t + 3.0 * STEP);
+    }
+}
+
+#[test]
+fn no_vanishing_point_across_the_view() {
+    for direction in [vec3!(1, 0, 0), vec3!(0, 1, 0), vec3!(3, -2, 0)] {
+        assert_eq!(projection().vanishing_point(direction), None);
+    }
+}

@@ -1,0 +1,99 @@
+//! Depth, fractions, values and speed along a projected segment.
+
+use fixel::prelude::*;
+use fixel::view::{Segment, speed};
+use proptest::prelude::*;
+
+use super::given::{STEP, UNIT_STEP, close, float, fx, unit, vec};
+
+fn segment(z0: f64, z1: f64) -> Segment {
+    Segment::new(fx(z0), fx(z1)).unwrap()
+}
+
+#[test]
+fn depth_along_a_projected_segment() {
+    // q = 1/2 is exact, 1.6 is rounded to half a step.
+    let z = segment(1.0, 4.0).distance(unit(0.5)).unwrap();
+    close(float(z), 1.6, STEP / 2.0);
+}
+
+#[test]
+fn the_fraction_in_space() {
+    let segment = segment(1.0, 4.0);
+    let t = segment.in_space(unit(0.5)).unwrap();
+    close(t.to_num(), 0.2, UNIT_STEP / 2.0);
+    let q = segment.on_screen(t).unwrap();
+    // The error of t, half a step, times dq/dt = z0·z1/(z0 + t(z1 − z0))² = 4/1.6².
+    close(q.to_num(), 0.5, UNIT_STEP * (0.5 + 0.5 * 4.0 / 2.56));
+}
+
+proptest! {
+    #[test]
+    fn depth_and_fraction_of_any_segment(z in [0.1..1000.0, 0.1..1000.0], q in 0.0..1.0) {
+        let s = segment(z[0], z[1]);
+        // What the crate was given, after rounding.
+        let [z0, z1] = z.map(|z| float(fx(z)));
+        let q: f64 = unit(q).to_num();
+        let depth = 1.0 / (1.0 / z0 + q * (1.0 / z1 - 1.0 / z0));
+        // Rounded once; f64 itself is good to 1e-13 of these.
+        close(float(s.distance(unit(q)).unwrap()), depth, 0.501 * STEP);
+        let t = q * z0 / (z1 - q * (z1 - z0));
+        close(s.in_space(unit(q)).unwrap().to_num(), t, 0.501 * UNIT_STEP);
+        let back = q * z1 / (z0 + q * (z1 - z0));
+        close(s.on_screen(unit(q)).unwrap().to_num(), back, 0.501 * UNIT_STEP);
+    }
+
+    #[test]
+    fn both_forms_give_the_same_point(
+        w in [0.1..100.0, 0.1..100.0],
+        ends in [-100.0..100.0, -100.0..100.0],
+        f in 0.0..1.0,
+    ) {
+        let segment = segment(w[0], w[1]);
+        let f = unit(f);
+        let [a, b] = ends.map(fx);
+        // R = lerp(a/w0, b/w1, f) / lerp(1/w0, 1/w1, f).
+        let homogeneous = segment.attribute(a, b, f).unwrap();
+        // g = f / lerp(w1/w0, 1, f), then in space.
+        let g: f64 = segment.in_space(f).unwrap().to_num();
+        let in_space = float(a) + g * (float(b) - float(a));
+        // One rounding of the point; one of g, over at most 200.
+        close(float(homogeneous), in_space, 0.501 * STEP + 200.0 * UNIT_STEP);
+    }
+
+    #[test]
+    fn speed_along_a_line(
+        n in 0.1..10.0,
+        p in [-50.0..50.0, -50.0..50.0, -50.0..-1.0],
+        v in [-10.0..10.0, -10.0..10.0, -10.0..0.0],
+        t in 0.0..10.0,
+    ) {
+        let found = speed(fx(n), vec(p[0], p[1], p[2]), vec(v[0], v[1], v[2]), fx(t)).unwrap();
+        let [n, t] = [n, t].map(|x| float(fx(x)));
+        let [p, v] = [p, v].map(|x| x.map(|x| float(fx(x))));
+        for i in 0..2 {
+            let expected = -n * (v[i] * p[2] - p[i] * v[2]) / (p[2] + v[2] * t).powi(2);
+            // Rounded once.
+            close(float(found[i]), expected, 0.501 * STEP);
+        }
+    }
+}
+
+#[test]
+fn equal_steps_in_depth_shrink_on_screen() {
+    let projection =
+        Projection::perspective(Angle::from_degrees(90), (1, 1), fx!(1), fx!(1000)).unwrap();
+    let at = |t: f64| float(projection.image(vec(0.0, -1.0, -1.0 - t)).unwrap()[1]);
+    let speed = |t: f64| float(speed(fx!(1), vec3!(0, -1, -1), vec3!(0, 0, -1), fx(t)).unwrap()[1]);
+    let mut last = f64::INFINITY;
+    // Up to where a step's change, 2/t³, is twice the rounding of three points.
+    for t in 0..25 {
+        let t = f64::from(t);
+        let step = at(t + 1.0) - at(t);
+        assert!(step < last && step > 0.0, "step {step} after {last} at {t}");
+        // The step lies between the speeds at its ends; all four are rounded to half a step.
+        assert!(step <= speed(t) + 2.0 * STEP && step >= speed(t + 1.0) - 2.0 * STEP);
+        last = step;
+    }
+    close(speed(999.0), 1e-6, STEP / 2.0);
+}

@@ -1,0 +1,57 @@
+//! Time of a scene.
+
+use core::f64::consts::TAU;
+
+use fixel::prelude::*;
+use proptest::prelude::*;
+
+use super::given::close;
+
+/// A sine is within 1.6e-9, a 2^-32 of a turn is 1.5e-9 radians.
+const SINE: f64 = 3e-9;
+
+#[test]
+fn a_sine_once_a_second() {
+    for ms in 0..2_000_u32 {
+        let expected = (TAU * f64::from(ms) / 1_000.0).sin();
+        let found = Rate::hertz(1).angle_at(ms.into()).sin();
+        close(found.to_num(), expected, SINE);
+    }
+}
+
+#[test]
+fn rotations_a_minute_to_radians_a_millisecond() {
+    let per_ms = 10.0 * TAU / (60.0 * 1_000.0);
+    for ms in [1_u32, 16, 1_000, 1_499, 5_999] {
+        let found = f64::from(Rate::rpm(10).angle_at(ms.into()).to_bits()) / 4_294_967_296.0 * TAU;
+        close(found, per_ms * f64::from(ms), 1.5e-9);
+    }
+}
+
+#[test]
+fn absolute_time_is_exact_after_days() {
+    // Ten turns a minute are one in 6000 ms.
+    let rate = Rate::rpm(10);
+    for hours in [1, 24, 30 * 24, 365 * 24 * 1_000] {
+        let turns = hours * 600;
+        for ms in [0, 1, 17, 3_000, 5_999] {
+            assert_eq!(rate.angle_at(turns * 6_000 + ms), rate.angle_at(ms));
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn frames_of_any_length_add_up(
+        rpm in -10_000..10_000,
+        frames in prop::collection::vec(0_u64..1_000, 1..500),
+    ) {
+        let rate = Rate::rpm(rpm);
+        let mut spin = rate.spin();
+        let mut now = 0;
+        for ms in frames {
+            now += ms;
+            prop_assert_eq!(spin.advance(ms), rate.angle_at(now));
+        }
+    }
+}

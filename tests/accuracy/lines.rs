@@ -1,0 +1,278 @@
+//! Lines and points: which pixels, in exact integers; depth and attributes along a line against the f64 model.
+
+use crate::common::recorder::{Probe, Seen, record};
+use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
+use crate::reference::clip::{ClipVertex, DEPTH_PLANES};
+use crate::reference::coverage::{Bounds, picture};
+use crate::reference::linear::IDENTITY;
+use crate::reference::lines::Line;
+use crate::reference::{projection, view};
+use embedded_graphics::pixelcolor::Gray8;
+use fixel::prelude::*;
+use fixel::view::{Perspective, ProjectionKind};
+use proptest::prelude::*;
+
+/// A place in 24.8.
+type Point = [i32; 2];
+
+/// Wider than a run of 64 pixels, at which values are found afresh.
+const SIZE: (u32, u32) = (150, 28);
+
+/// The pixels of a line between two snapped ends: for each column whose centre it passes the pixel that it
+/// passes it in (rows, for a line that is steeper than 45°), the end with the lesser coordinate included
+/// and the other one not. In exact integers, for each pixel by itself.
+fn on_line([a, b]: [Point; 2], pixel: [i32; 2]) -> bool {
+    let [dx, dy] = [0, 1].map(|i| i64::from(b[i]) - i64::from(a[i]));
+    let major = usize::from(dy.abs() > dx.abs());
+    let minor = 1 - major;
+    let (a, b) = if a[major] <= b[major] { (a, b) } else { (b, a) };
+    let center = pixel[major] * 256 + 128;
+    if center < a[major] || center >= b[major] {
+        return false;
+    }
+    // Where it passes the centre: a + (center - a) · slope, a rational number; the floor of it.
+    let length = i64::from(b[major] - a[major]);
+    let rise = i64::from(b[minor] - a[minor]);
+    let over = i64::from(a[minor]) * length + i64::from(center - a[major]) * rise;
+    over.div_euclid(length * 256) == i64::from(pixel[minor])
+}
+
+/// How often each pixel is drawn by lines through the pixel projection, from mesh edges.
+fn drawn(points: &[Point], edges: &[[u16; 2]]) -> Vec<u32> {
+    let projection = pixel_lens(SIZE);
+    let mut counter = Counter::new(SIZE);
+    let positions: Vec<Vec3> = points.iter().copied().map(at_subpixel).collect();
+    let mesh = Mesh::new(&positions, &[])
+        .unwrap()
+        .with_edges(edges)
+        .unwrap();
+    assert_eq!(
+        counter
+            .draw_edges(&DrawOptions::new(), &mesh, &projection)
+            .clipped,
+        0
+    );
+    counter.take()
+}
+
+fn modelled(points: &[Point], edges: &[[u16; 2]]) -> Vec<u32> {
+    let ends = |edge: &[u16; 2]| edge.map(|index| points[usize::from(index)]);
+    Bounds::new(SIZE.0, SIZE.1)
+        .pixels()
+        .map(|pixel| {
+            edges
+                .iter()
+                .map(|edge| u32::from(on_line(ends(edge), pixel)))
+                .sum()
+        })
+        .collect()
+}
+
+/// On pixel corners, on centres, on any subpixel; in the picture and about it.
+fn places() -> impl Strategy<Value = Point> {
+    prop_oneof![
+        [-10..160i32, -10..40].prop_map(|p| p.map(|at| at * 256)),
+        [-10..160i32, -10..40].prop_map(|p| p.map(|at| at * 256 + 128)),
+        [-3000..42_000i32, -3000..10_000],
+        [-500_000..500_000i32, -500_000..500_000],
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(512))]
+
+    /// Exactly the model's pixels, once each, and the same in the other direction.
+    #[test]
+    fn lines_are_the_models(ends in [places(), places()]) {
+        let model = modelled(&ends, &[[0, 1]]);
+        for edge in [[0, 1], [1, 0]] {
+            prop_assert_eq!(picture(&drawn(&ends, &[edge]), SIZE.0), picture(&model, SIZE.0));
+        }
+    }
+
+    /// Lines end to end that keep their direction (within 45° of an axis) draw no pixel twice and leave no gap:
+    /// a pixel for each centre from the first end to the last.
+    #[test]
+    fn polylines_draw_no_pixel_twice(
+        start in places(), steps in prop::collection::vec((0..900i32, -256..=256i32), 1..12), steep: bool, back: bool
+    ) {
+        let mut points = vec![start];
+        for (along, slope) in steps {
+            let last = points[points.len() - 1];
+            let across = (along * slope) >> 8;
+            // Exactly 45° counts as flat.
+            let across = if across.abs() == along { 0 } else { across };
+            let step = if steep { [across, along] } else { [along, across] };
+            points.push([0, 1].map(|i| last[i] + if back { -step[i] } else { step[i] }));
+        }
+        prop_assume!(points.iter().flatten().all(|at| at.abs() < 520_000));
+        let edges: Vec<[u16; 2]> = (1..u16::try_from(points.len()).unwrap()).map(|i| [i - 1, i]).collect();
+        let counts = drawn(&points, &edges);
+        prop_assert!(counts.iter().all(|&count| count <= 1));
+// Nothing missing: each part has its pixels, but for those of the next.
+        prop_assert_eq!(picture(&counts, SIZE.0), picture(&modelled(&points, &edges), SIZE.0));
+    }
+
+    /// A point is the pixel that it lies in: its left and top edges belong to it.
+    #[test]
+    fn points_are_the_pixels_they_lie_in(points in prop::collection::vec(places(), 0..20)) {
+        let projection = pixel_lens(SIZE);
+        let mut counter = Counter::new(SIZE);
+        let positions: Vec<Vec3> = points.iter().copied().map(at_subpixel).collect();
+        let drawn = counter.draw_points(&DrawOptions::new(), &Mesh::new(&positions, &[]).unwrap(), &projection);
+        prop_assert_eq!((drawn.submitted as usize, drawn.drawn as usize), (points.len(), points.len()));
+        let mut expected = vec![0; (SIZE.0 * SIZE.1) as usize];
+        for [x, y] in points.iter().map(|point| point.map(|at| at.div_euclid(256))) {
+            if let (Ok(x), Ok(y)) = (u32::try_from(x), u32::try_from(y)) {
+                if x < SIZE.0 && y < SIZE.1 {
+                    expected[(y * SIZE.0 + x) as usize] += 1;
+                }
+            }
+        }
+        prop_assert_eq!(picture(&counter.take(), SIZE.0), picture(&expected, SIZE.0));
+    }
+}
+
+/// A pixel as it was drawn, with its attribute and depth.
+type Drawn = ([i32; 2], i32, u16);
+
+/// A line's pixels with the position's x as it is interpolated.
+fn recorded<K: ProjectionKind>(
+    mvp: &Mvp<K>,
+    ends: [Vec3; 2],
+    edge: [u16; 2],
+) -> (Vec<Drawn>, Vec<u16>) {
+    let pixels = (SIZE.0 * SIZE.1) as usize;
+    let (mut colors, mut depths) = (vec![Gray8::new(0); pixels], vec![0; pixels]);
+    let edges = [edge];
+    let mesh = Mesh::new(&ends, &[]).unwrap().with_edges(&edges).unwrap();
+    let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
+    let mut canvas = canvas.with_depth(&mut depths).unwrap();
+    let probe = Probe {
+        values: &|corner| [corner.position().x.to_bits()],
+        color: Some(Gray8::new(1)),
+    };
+    let record = record(probe, |recorder| {
+        canvas.draw_edges(&BOTH_SIDES, &mesh, mvp, recorder);
+    });
+    let drawn = |seen: Seen<1>| (seen.pixel, seen.values[0], seen.depth);
+    (record.seen.into_iter().map(drawn).collect(), depths)
+}
+
+const NEAR: f64 = 0.25;
+const FAR: f64 = 32.;
+const FOCAL: f64 = 30.;
+
+fn projection() -> Projection<Perspective> {
+    Projection::from_focal_length(fx!(30), SIZE, fx!(0.25), fx!(32)).unwrap()
+}
+
+/// In units of 2⁻¹⁶.
+const UNIT: i32 = 1 << 16;
+
+/// About the eye: before it, behind it, beyond the far plane.
+fn around() -> impl Strategy<Value = Vec3> {
+    let z = prop_oneof![4 => -40 * UNIT..10 * UNIT, 2 => -2 * UNIT..-UNIT / 4];
+    (-12 * UNIT..12 * UNIT, -8 * UNIT..8 * UNIT, z).prop_map(|(x, y, z)| Vec3::from_bits([x, y, z]))
+}
+
+/// Any two ends, or two that make a line of more than 64 pixels in one row: y is below 1/32, at a distance above 3 less
+/// than half a pixel from the middle.
+fn ends() -> impl Strategy<Value = [Vec3; 2]> {
+    let end = |x: std::ops::Range<i32>| {
+        (x, UNIT / 64..UNIT / 32, -8 * UNIT..-3 * UNIT)
+            .prop_map(|(x, y, z)| Vec3::from_bits([x, y, z]))
+    };
+    prop_oneof![
+        3 => [around(), around()],
+        1 => (end(-12 * UNIT..-9 * UNIT), end(9 * UNIT..12 * UNIT)).prop_map(|(a, b)| [a, b]),
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1024))]
+
+    /// In perspective, clipped or not: every pixel is on the model's line with the depth and the attribute that the
+    /// model has there, and no pixel of it is missing.
+    ///
+    /// The ends are rounded to 1/256 pixel, which moves the line, along and across, by less than 1/256: so where
+    /// it passes a centre it may be in the next pixel if it is that near to its edge, and its values are those of a
+    /// place that near.
+    #[test]
+    fn lines_in_perspective(ends in ends()) {
+        const ROUNDING: f64 = 1. / 256.;
+        let mvp = projection().into();
+        let (pixels, depths) = recorded(&mvp, ends, [0, 1]);
+        // From its other end it is the same line. A clipped end's attribute is mixed of both ends', which differ by less
+        // than 2^21 units, by a weight in units of 2^-30: from either side it is rounded to the nearest unit, which may
+        // be the next one, and so may a pixel's, rounded down.
+        let (others, other_depths) = recorded(&mvp, ends, [1, 0]);
+        let places = |pixels: &[Drawn]| pixels.iter().map(|&(at, _, depth)| (at, depth)).collect::<Vec<_>>();
+        prop_assert_eq!((places(&pixels), &depths), (places(&others), &other_depths), "the other direction");
+        let apart = pixels.iter().zip(&others).map(|(a, b)| a.1.abs_diff(b.1)).max();
+        prop_assert!(apart.unwrap_or(0) <= 2, "{apart:?} units apart in the other direction");
+
+        let view = view::View {
+            eye: IDENTITY,
+            projection: projection::focal(FOCAL, SIZE, NEAR, FAR),
+            viewport: view::Viewport::new(SIZE.0, SIZE.1),
+        };
+        let float = |p: Vec3| p.to_bits().map(|bits| f64::from(bits) / 65536.);
+        let line = Line::clipped(
+            ends.map(|end| ClipVertex { position: view.clip(float(end)), attributes: [float(end)[0]], source: None }),
+            &view,
+            &DEPTH_PLANES,
+        );
+        let Some(line) = line else {
+            prop_assert!(pixels.is_empty());
+            return Ok(());
+        };
+        let extent = [0, 1].map(|i| (line.screen[1][i] - line.screen[0][i]).abs());
+        // Neither steep nor flat for sure, or hardly a line.
+        prop_assume!((extent[0] - extent[1]).abs() > 0.02 && extent[0].max(extent[1]) > 0.05);
+        // Beyond the guard band new ends are found, which the line's length in pixels makes no worse.
+        let major = usize::from(extent[1] > extent[0]);
+        let minor = 1 - major;
+        let length = extent[major];
+        let low = line.screen[0][major].min(line.screen[1][major]);
+        let high = line.screen[0][major].max(line.screen[1][major]);
+
+        for &([x, y], attribute, depth) in &pixels {
+            let pixel = [f64::from(x), f64::from(y)];
+            let q = line.fraction_at(major, pixel[major] + 0.5);
+            let value = line.at(q.clamp(0., 1.));
+            // Off the line's end, or across from it, by rounding at most; across also what the slope makes of that.
+            prop_assert!((low - ROUNDING..=high + ROUNDING).contains(&(pixel[major] + 0.5)));
+            let across = value.screen[minor] - pixel[minor];
+            prop_assert!((-2. * ROUNDING..=1. + 2. * ROUNDING).contains(&across), "{:?}: {} across", [x, y], across);
+
+            // 1/w runs linearly: a place off by ROUNDING has it off by so much.
+            let inverse = 1. / value.w;
+            let room = (1. / line.w[0] - 1. / line.w[1]).abs() / length * ROUNDING * 1.01 + 1e-6;
+            let (least, most) = (65535. * NEAR * (inverse - room) - 1.01, 65535. * NEAR * (inverse + room) + 0.01);
+            prop_assert!((least..=most).contains(&f64::from(depth)), "{:?}: depth {} not in {}..{}", [x, y], depth, least, most);
+
+            // So is attribute/w; their quotient by the sum of both. On top of that the format: attributes below 2^20
+            // units, scaled by 2^-21, and q, both off by at most 34 units (ends, plane, steps), q at least
+            // 2^30 · near/far; two units for the clip.
+            let over_w = |i: usize| line.attributes[i][0] / line.w[i];
+            let room_over = (over_w(0) - over_w(1)).abs() / length * ROUNDING * 1.01;
+            let format = (f64::from(1 << 21) * 34. * 1.5 / (f64::from(1 << 30) * NEAR / FAR) + 4.) / 65536.;
+            let room = (room_over + value.attributes[0].abs() * room) / (inverse - room) + format;
+            let off = (f64::from(attribute) / 65536. - value.attributes[0]).abs();
+            prop_assert!(off <= room, "{:?}: x {} instead of {}: off by {}, not {}", [x, y], attribute, value.attributes[0], off, room);
+        }
+
+        // Each centre passed, if the line is inside the picture there, has its pixel.
+        let (count, others) = if major == 0 { (SIZE.0, SIZE.1) } else { (SIZE.1, SIZE.0) };
+        for step in 0..i32::try_from(count).unwrap() {
+            let center = f64::from(step) + 0.5;
+            let across = line.at(line.fraction_at(major, center).clamp(0., 1.)).screen[minor];
+            let sure = (low + ROUNDING..=high - ROUNDING).contains(&center)
+                && (2. * ROUNDING..=f64::from(others) - 2. * ROUNDING).contains(&across);
+            let pixels = pixels.iter().filter(|(pixel, ..)| pixel[major] == step).count();
+            prop_assert!(pixels <= 1);
+            prop_assert!(!sure || pixels == 1, "nothing at {} of axis {}", step, major);
+        }
+    }
+}

@@ -1,0 +1,25 @@
+//! The f64 model against numbers worked by hand, so that it may judge the crate.
+
+// As in the model: textbook names, and f64 holds every integer used here.
+#![allow(clippy::many_single_char_names, clippy::cast_precision_loss)]
+
+mod given;
+
+mod clipping;
+mod covering;
+mod interpolation;
+mod linear_algebra;
+mod measured;
+mod outline;
+mod pictures;
+mod projecting;
+mod screen;
+mod segments;
+
+use crate::reference::coverage::{Bounds, Corners, centre};
+use crate::reference::linear::{IDENTITY, Matrix, Vec3};
+use crate::reference::{
+    attributes, clip, coverage, distance, linear, lines, projection, raster, scenes, silhouette,
+    view,
+};
+use given::{EPSILON, Random, Torus, close, close_matrix};

@@ -1,0 +1,34 @@
+//! What fuzzing found worth keeping, once more.
+//!
+//! tests/fuzz/README.md tells how these inputs came about.
+
+use std::panic;
+
+use base64::prelude::{BASE64_STANDARD, Engine};
+
+use crate::fuzzed;
+
+/// Checks each input, one in base64 a line; fails with those that do.
+fn replay(inputs: &str, check: fn(&[u8])) {
+    let fails = |line: &&str| {
+        let input = BASE64_STANDARD.decode(line).unwrap();
+        panic::catch_unwind(|| check(&input)).is_err()
+    };
+    let failed: Vec<&str> = inputs.lines().filter(fails).collect();
+    assert!(failed.is_empty(), "{failed:#?}");
+}
+
+#[test]
+fn what_failed_once() {
+    replay(include_str!("../fuzzed/mended.base64"), fuzzed::draw::check);
+}
+
+#[test]
+fn draw() {
+    replay(include_str!("../fuzzed/draw.base64"), fuzzed::draw::check);
+}
+
+#[test]
+fn obj() {
+    replay(include_str!("../fuzzed/obj.base64"), fuzzed::obj::check);
+}

@@ -1,0 +1,362 @@
+//! Bands put together are the frame, bit for bit, in every mode; and with depth the order of triangles does not matter.
+
+use std::any::type_name;
+
+use embedded_graphics::pixelcolor::Rgb888;
+use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
+use fixel::prelude::*;
+use fixel::shade::PerFace;
+use fixel::target::Float;
+use fixel::view::ProjectionKind;
+use proptest::prelude::*;
+
+use crate::common;
+
+const WIDTH: u32 = 70;
+const HEIGHT: u32 = 37;
+/// Rows of the bands.
+const BANDS: [u32; 3] = [1, 7, 16];
+
+/// Every bit of the interpolated values shows in the colour: any difference between two drawings does.
+#[derive(Clone, Copy)]
+struct Bits;
+
+impl Shader for Bits {
+    type Color = Rgb888;
+    type Varyings = [i32; 3];
+
+    fn varyings(&self, primitive: &Primitive<'_>) -> [[i32; 3]; 3] {
+        primitive.corners(|corner| {
+            let p = corner.position();
+            [
+                p.x.to_bits(),
+                p.y.to_bits().wrapping_mul(77),
+                corner.distance().to_bits(),
+            ]
+        })
+    }
+
+    fn shade(&self, sample: &Fragment, [a, b, c]: [i32; 3]) -> Option<Rgb888> {
+        let mix = [a, b, c, sample.point.x, sample.point.y].iter().fold(
+            0x811c_9dc5_u32,
+            |mix, &value| {
+                (mix ^ value.cast_unsigned())
+                    .wrapping_mul(0x0100_0193)
+                    .rotate_left(7)
+            },
+        );
+        let [red, green, blue, holes] = mix.to_be_bytes();
+        // Some pixels are left out: those keep their depth, too.
+        (holes > 5).then_some(Rgb888::new(red, green, blue))
+    }
+}
+
+/// The triangle's place in the mesh, as a colour.
+#[derive(Clone, Copy)]
+struct Index;
+
+impl Shader for Index {
+    type Color = Rgb888;
+    type Varyings = PerFace<u8>;
+
+    fn varyings(&self, primitive: &Primitive<'_>) -> [PerFace<u8>; 3] {
+        [PerFace(u8::try_from(primitive.index()).unwrap()); 3]
+    }
+
+    fn shade(&self, _: &Fragment, PerFace(index): PerFace<u8>) -> Option<Rgb888> {
+        Some(Rgb888::new(255, 0, index))
+    }
+}
+
+/// A mesh about the origin, as large as the view and larger.
+#[derive(Clone, Debug)]
+struct Scene {
+    positions: Vec<Vec3>,
+    faces: Vec<[u16; 3]>,
+    edges: Vec<[u16; 2]>,
+}
+
+impl Scene {
+    fn mesh(&self) -> Mesh<'_> {
+        Mesh::new(&self.positions, &self.faces)
+            .unwrap()
+            .with_edges(&self.edges)
+            .unwrap()
+    }
+
+    fn draw<I: Mode, K: ProjectionKind>(&self, mode: I, canvas: &mut Band<'_>, mvp: &Mvp<K>) {
+        canvas.clear(Rgb888::new(1, 2, 3));
+        let mesh = self.mesh();
+        canvas.draw_with(&common::BOTH_SIDES.mode(mode), &mesh, mvp, &Bits);
+        canvas.draw_edges(&DrawOptions::new().mode(mode), &mesh, mvp, &Bits);
+        canvas.draw_points(&DrawOptions::new().mode(mode), &mesh, mvp, &Bits);
+    }
+}
+
+/// What is drawn into a band.
+type Band<'b> = Canvas<'b, Rgb888, fixel::target::Native, fixel::target::Depth<'b>>;
+
+/// A frame in bands of so many rows, the last of what is left.
+fn bands(rows: u32, mut draw: impl FnMut(&mut Band<'_>)) -> (Vec<Rgb888>, Vec<u16>) {
+    let (mut colors, mut depths) = (vec![], vec![]);
+    for first in (0..HEIGHT).step_by(rows as usize) {
+        let pixels = (WIDTH * rows.min(HEIGHT - first)) as usize;
+        // Not cleared: whatever was there before must not show.
+        let (mut color, mut depth) = (vec![Rgb888::new(9, 9, 9); pixels], vec![7; pixels]);
+        let band = Canvas::band(&mut color, WIDTH, HEIGHT, first).unwrap();
+        draw(&mut band.with_depth(&mut depth).unwrap());
+        colors.extend(color);
+        depths.extend(depth);
+    }
+    (colors, depths)
+}
+
+impl Scene {
+    /// Checks the scene in every mode.
+    fn check<K: ProjectionKind>(&self, mvp: &Mvp<K>) -> Result<(), TestCaseError> {
+        self.check_mode(Exact, mvp)?;
+        self.check_mode(Newton, mvp)?;
+        // All of a run at once, a few pixels at once, one by one.
+        self.check_mode(Fast::within(fx!(4)), mvp)?;
+        self.check_mode(Fast::within(fx!(0.0625)), mvp)?;
+        self.check_mode(Fast::within(fx!(0)), mvp)?;
+        self.check_mode(Affine, mvp)
+    }
+
+    fn check_mode<I: Mode, K: ProjectionKind>(
+        &self,
+        mode: I,
+        mvp: &Mvp<K>,
+    ) -> Result<(), TestCaseError> {
+        let name = type_name::<I>();
+        let frame = bands(HEIGHT, |band| self.draw(mode, band, mvp));
+        for rows in BANDS {
+            let bands = bands(rows, |band| self.draw(mode, band, mvp));
+            let differs =
+                (0..frame.0.len()).find(|&i| (frame.0[i], frame.1[i]) != (bands.0[i], bands.1[i]));
+            prop_assert!(
+                differs.is_none(),
+                "{name}: bands of {} rows differ at pixel {:?} of row order",
+                rows,
+                differs
+            );
+        }
+        self.check_prepared(mode, mvp)
+    }
+
+    /// Triangles that were prepared are drawn as they are without, and counted alike.
+    fn check_prepared<I: Mode, K: ProjectionKind>(
+        &self,
+        mode: I,
+        mvp: &Mvp<K>,
+    ) -> Result<(), TestCaseError> {
+        let name = type_name::<I>();
+        let mesh = self.mesh();
+        let window = Viewport::new(-9, 3, 64, 48).unwrap();
+        let mut list: TriangleList<12, 250> = TriangleList::new();
+        for pass in [
+            common::BOTH_SIDES,
+            DrawOptions::new().viewport(window),
+            DrawOptions::new().cull(Cull::Front),
+        ] {
+            let pass = pass.mode(mode);
+            let prepared = list.prepare(&pass, (WIDTH, HEIGHT), &mesh, mvp).unwrap();
+            for rows in [HEIGHT].into_iter().chain(BANDS) {
+                let mut counts = [vec![], vec![]];
+                let given = bands(rows, |band| {
+                    band.clear(Rgb888::new(1, 2, 3));
+                    counts[0].push(band.draw_prepared(&prepared, &Bits));
+                });
+                let expected = bands(rows, |band| {
+                    band.clear(Rgb888::new(1, 2, 3));
+                    counts[1].push(band.draw_with(&pass, &mesh, mvp, &Bits));
+                });
+                prop_assert!(given == expected, "{name}: bands of {rows} rows differ");
+                prop_assert_eq!(&counts[0], &counts[1]);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// In units of 2⁻¹⁶.
+const UNIT: i32 = 1 << 16;
+
+fn scenes() -> impl Strategy<Value = Scene> {
+    let reach = prop_oneof![3 => Just(3 * UNIT), 1 => Just(40 * UNIT), 1 => Just(3000 * UNIT)];
+    let position = reach.prop_flat_map(|reach| {
+        let along = || -reach..reach;
+        (along(), along(), along()).prop_map(|(x, y, z)| Vec3::from_bits([x, y, z]))
+    });
+    prop::collection::vec(position, 3..12).prop_flat_map(|positions| {
+        let index = 0..u16::try_from(positions.len()).unwrap();
+        let faces = prop::collection::vec([index.clone(), index.clone(), index.clone()], 0..12);
+        let edges = prop::collection::vec([index.clone(), index], 0..12);
+        (faces, edges).prop_map(move |(faces, edges)| Scene {
+            positions: positions.clone(),
+            faces,
+            edges,
+        })
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(256))]
+
+    #[test]
+    fn bands_are_the_frame_in_perspective(scene in scenes(), turn: u32, fov in 10..150i32) {
+        let projection = Projection::perspective(Angle::from_degrees(fov), (WIDTH, HEIGHT), fx!(0.1), fx!(50)).unwrap();
+        let model = Transform::translate(vec3!(0, 0, -4)) * Transform::rotate_y(Angle::from_bits(turn));
+        scene.check(&(projection * model))?;
+    }
+
+    #[test]
+    fn bands_are_the_frame_in_parallel(scene in scenes(), turn: u32) {
+        let projection = Projection::cabinet(Angle::from_degrees(30), Window::centered(fx!(8), fx!(4)), fx!(-20), fx!(20)).unwrap();
+        scene.check(&(projection * Transform::rotate_x(Angle::from_bits(turn))))?;
+    }
+
+    /// The same with depths in floating point, drawn anew and prepared.
+    #[test]
+    fn bands_are_the_frame_in_floating_depth(scene in scenes(), turn: u32) {
+        let projection = Projection::perspective(Angle::from_degrees(70), (WIDTH, HEIGHT), fx!(0.01), fx!(600)).unwrap();
+        let model = Transform::translate(vec3!(0, 0, -4)) * Transform::rotate_y(Angle::from_bits(turn));
+        let (mesh, mvp) = (scene.mesh(), projection * model);
+        let mut list: TriangleList<12, 250> = TriangleList::new();
+        let prepared = list.prepare(&common::BOTH_SIDES, (WIDTH, HEIGHT), &mesh, &mvp).unwrap();
+        let draw = |rows: u32, is_prepared: bool| {
+            let (mut colors, mut depths) = (vec![], vec![]);
+            for first in (0..HEIGHT).step_by(rows as usize) {
+                let pixels = (WIDTH * rows.min(HEIGHT - first)) as usize;
+                let (mut color, mut depth) = (vec![Rgb888::new(9, 9, 9); pixels], vec![7; pixels]);
+                let band = Canvas::band(&mut color, WIDTH, HEIGHT, first).unwrap();
+                let mut band = band.with_depth_format::<Float>(&mut depth).unwrap();
+                band.clear(Rgb888::new(1, 2, 3));
+                if is_prepared {
+                    band.draw_prepared(&prepared, &Bits);
+                } else {
+                    band.draw_with(&common::BOTH_SIDES, &mesh, &mvp, &Bits);
+                }
+                colors.extend(color);
+                depths.extend(depth);
+            }
+            (colors, depths)
+        };
+        let frame = draw(HEIGHT, false);
+        for rows in [HEIGHT].into_iter().chain(BANDS) {
+            prop_assert!(draw(rows, false) == frame, "bands of {rows} rows differ");
+            prop_assert!(draw(rows, true) == frame, "prepared bands of {rows} rows differ");
+        }
+    }
+
+    /// Each triangle drawn alone tells its depths; the nearest must show, of equals the last drawn, in
+    /// whatever order they are drawn.
+    #[test]
+    fn the_nearest_triangle_shows_in_any_order(scene in scenes(), seed: u64) {
+        let projection = Projection::perspective(Angle::from_degrees(70), (WIDTH, HEIGHT), fx!(0.1), fx!(50)).unwrap();
+        let mvp = projection * Transform::translate(vec3!(0, 0, -4));
+        let draw = |faces: &[[u16; 3]]| {
+            let pixels = (WIDTH * HEIGHT) as usize;
+            let (mut color, mut depth) = (vec![Rgb888::default(); pixels], vec![0; pixels]);
+            let canvas = Canvas::new(&mut color, WIDTH, HEIGHT).unwrap();
+            let mesh = Mesh::new(&scene.positions, faces).unwrap();
+            canvas.with_depth(&mut depth).unwrap().draw_with(&common::BOTH_SIDES, &mesh, &mvp, &Index);
+            (color, depth)
+        };
+        let mut faces = scene.faces.clone();
+        for _ in 0..2 {
+            let alone: Vec<_> = faces.iter().map(|&face| draw(&[face])).collect();
+            let (color, depth) = draw(&faces);
+            for pixel in 0..depth.len() {
+                let mut shown = (Rgb888::default(), 0);
+                for (index, (alone, depths)) in alone.iter().enumerate() {
+                    if alone[pixel] != Rgb888::default() && depths[pixel] >= shown.1 {
+                        shown = (Rgb888::new(255, 0, u8::try_from(index).unwrap()), depths[pixel]);
+                    }
+                }
+                prop_assert_eq!((color[pixel], depth[pixel]), shown);
+            }
+            faces.reverse();
+            let by = usize::try_from(seed).unwrap_or(0) % faces.len().max(1);
+            faces.rotate_left(by);
+        }
+    }
+}
+
+/// A ball before the eye, and how many triangles and vertices of it a list must have room for.
+fn prepare<const TRIANGLES: usize, const VERTICES: usize>() -> Result<u32, Error> {
+    static BALL: Mesh = shape!(sphere(8, 6));
+    let projection =
+        Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(10))?;
+    let mvp = projection * Transform::translate(vec3!(0, 0, -2));
+    let mut list: TriangleList<TRIANGLES, VERTICES> = TriangleList::new();
+    let ball = list.prepare(&DrawOptions::new(), (WIDTH, HEIGHT), &BALL, &mvp)?;
+    let mut drawn = 0;
+    bands(HEIGHT, |band| {
+        drawn = band.draw_prepared(&ball, &Bits).drawn;
+    });
+    Ok(drawn)
+}
+
+/// More vertices than are kept projected at a time.
+#[test]
+fn a_large_mesh_prepared_is_the_frame() {
+    static BALL: Mesh = shape!(sphere(40, 20));
+    let projection =
+        Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(10)).unwrap();
+    // The near plane cuts it.
+    let mvp = projection * Transform::translate(vec3!(0, 0, -1.875));
+    let mut list: TriangleList<1600, 3000> = TriangleList::new();
+    let ball = list.prepare(&common::BOTH_SIDES, (WIDTH, HEIGHT), &BALL, &mvp);
+    let ball = ball.unwrap();
+    let mut clipped = 0;
+    let frame = bands(HEIGHT, |band| {
+        clipped = band
+            .draw_with(&common::BOTH_SIDES, &BALL, &mvp, &Bits)
+            .clipped;
+    });
+    assert!(clipped > 10, "{clipped}");
+    let given = bands(5, |band| {
+        band.draw_prepared(&ball, &Bits);
+    });
+    assert!(given == frame);
+}
+
+#[test]
+fn a_list_that_is_too_short_says_what_is_needed() {
+    let Err(Error::Full {
+        of, needed, room, ..
+    }) = prepare::<1, 1>()
+    else {
+        panic!("one triangle is not enough");
+    };
+    assert_eq!((of, room), ("triangles", 1));
+    assert_eq!(needed, 16);
+    let Err(error) = prepare::<16, 1>() else {
+        panic!("one vertex is not enough");
+    };
+    assert_eq!(
+        error.to_string(),
+        "20 vertices are visible: the list has room for 1"
+    );
+    assert!(prepare::<15, 20>().is_err());
+    assert!(prepare::<16, 19>().is_err());
+    assert_eq!(prepare::<16, 20>(), Ok(16));
+}
+
+#[test]
+fn a_frame_that_cannot_be_is_refused() {
+    let mut list: TriangleList<1, 1> = TriangleList::new();
+    let mesh = Mesh::new(&[], &[]).unwrap();
+    let projection =
+        Projection::perspective(Angle::from_degrees(60), (1, 1), fx!(1), fx!(10)).unwrap();
+    let mvp = projection * Transform::IDENTITY;
+    let prepared = list.prepare(&DrawOptions::new(), (2049, 1), &mesh, &mvp);
+    let Err(Error::Size {
+        width, height, max, ..
+    }) = prepared
+    else {
+        panic!("a frame of 2049 columns");
+    };
+    assert_eq!((width, height, max), (2049, 1, 2048));
+}

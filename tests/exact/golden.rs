@@ -1,0 +1,139 @@
+//! The pictures of the measured scenes and of the project's own, to the last bit.
+//!
+//! A checksum that changes is no failure by itself, but it has to be meant: look at the picture
+//! (`simulator --scene NAME --out NAME.png`), say in the commit why it changed, and put the new one
+//! here. Firmware draws the same (`.ci/run`).
+
+use embedded_graphics::pixelcolor::raw::BigEndian;
+use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
+use fixel::prelude::*;
+use fixel::target::Depth;
+
+use crate::examples::lighthouse;
+use crate::examples::scenes::{self, HEIGHT, WIDTH};
+
+/// The way of interpolating that is the specification of the others.
+const PASS: DrawOptions<Exact> = DrawOptions::new().mode(Exact);
+
+type Target<'a> = Canvas<'a, Rgb565, BigEndian, Depth<'a>>;
+
+/// CRC-32 of the bytes, most significant first, and how many pixels were drawn.
+fn picture(draw: impl FnOnce(&mut Target<'_>)) -> (u32, usize) {
+    let mut pixels = vec![[0; 2]; (WIDTH * HEIGHT) as usize];
+    let mut depths = vec![0; pixels.len()];
+    let canvas = Canvas::big_endian(&mut pixels, WIDTH, HEIGHT).unwrap();
+    let mut canvas = canvas.with_depth(&mut depths).unwrap();
+    canvas.clear(Rgb565::BLACK);
+    draw(&mut canvas);
+    let crc = crc32fast::hash(canvas.as_bytes());
+    (crc, depths.iter().filter(|&&depth| depth > 0).count())
+}
+
+/// Checksums of the eight poses of a scene, and the mean number of pixels.
+fn poses(draw: impl Fn(i32, &mut Target<'_>)) -> ([u32; 8], usize) {
+    let poses = [0, 1, 2, 3, 4, 5, 6, 7].map(|k| picture(|canvas| draw(k, canvas)));
+    let pixels: usize = poses.iter().map(|pose| pose.1).sum();
+    (poses.map(|pose| pose.0), pixels.div_ceil(8))
+}
+
+#[test]
+fn floor() {
+    let drawn = picture(|canvas| {
+        scenes::floor(canvas, &PASS, &scenes::floor_chain(0).unwrap());
+    });
+    assert_eq!(drawn, (0xcea2_0ac4, 47_610));
+}
+
+#[test]
+fn cube() {
+    const CRC: [u32; 8] = [
+        0xa794_e6c7,
+        0x5a50_131f,
+        0x9303_8f3d,
+        0x74ea_8a67,
+        0x977b_e121,
+        0x5be7_c2f5,
+        0x0c11_f830,
+        0xedad_0d90,
+    ];
+    let drawn = poses(|k, canvas| {
+        scenes::cube(canvas, &PASS, &scenes::cube_chain(k).unwrap());
+    });
+    assert_eq!(drawn, (CRC, 30_716));
+}
+
+#[test]
+fn sphere() {
+    const CRC: [u32; 8] = [
+        0xd3f0_8325,
+        0xef45_08f4,
+        0xbd91_40cb,
+        0x793a_5379,
+        0x5146_da60,
+        0x1b3a_5808,
+        0x25c1_80f4,
+        0x6570_3ab7,
+    ];
+    let drawn = poses(|k, canvas| {
+        scenes::sphere(canvas, &PASS, &scenes::sphere_chain(k).unwrap());
+    });
+    assert_eq!(drawn, (CRC, 30_526));
+}
+
+#[test]
+fn sphere_flat() {
+    const CRC: [u32; 8] = [
+        0xed76_e033,
+        0xfdbf_f1fe,
+        0x5d7e_ec78,
+        0xe9b9_1ad0,
+        0x702a_973f,
+        0x0249_32c5,
+        0xf707_4a99,
+        0x7d26_1f71,
+    ];
+    let drawn = poses(|k, canvas| {
+        scenes::sphere_flat(canvas, &PASS, &scenes::sphere_chain(k).unwrap());
+    });
+    assert_eq!(drawn, (CRC, 30_526));
+}
+
+#[test]
+fn lighthouse() {
+    let (crc, _) = picture(|canvas| {
+        let projection = lighthouse::projection((WIDTH, HEIGHT)).unwrap();
+        let mvp = projection * lighthouse::camera().unwrap() * Transform::IDENTITY;
+        lighthouse::sky(canvas);
+        lighthouse::draw(canvas, &PASS, &mvp).unwrap();
+        lighthouse::caption(canvas);
+    });
+    assert_eq!(crc, 0xe0c7_b9cd);
+}
+
+/// Checksums of the scenes in a mode: the floor, and a pose of the cube and of the sphere each.
+fn scenes_in<I: Mode>(mode: I) -> [u32; 3] {
+    let pass = DrawOptions::new().mode(mode);
+    let (floor, _) = picture(|canvas| {
+        scenes::floor(canvas, &pass, &scenes::floor_chain(0).unwrap());
+    });
+    let (cube, _) = picture(|canvas| {
+        scenes::cube(canvas, &pass, &scenes::cube_chain(2).unwrap());
+    });
+    let (sphere, _) = picture(|canvas| {
+        scenes::sphere(canvas, &pass, &scenes::sphere_chain(1).unwrap());
+    });
+    [floor, cube, sphere]
+}
+
+#[test]
+fn modes() {
+    assert_eq!(scenes_in(Exact), [0xcea2_0ac4, 0x9303_8f3d, 0xef45_08f4]);
+    // The sphere's colours are a sixteenth of a step off here and there, for want of a division.
+    assert_eq!(scenes_in(Newton), [0xcea2_0ac4, 0x9303_8f3d, 0x2d5c_67c0]);
+    assert_eq!(
+        scenes_in(Fast::within(fx!(0.25))),
+        [0xcea2_0ac4, 0xad31_9453, 0x2d5c_67c0]
+    );
+    assert_eq!(scenes_in(Affine), [0x96f7_ce3f, 0x713d_66be, 0x398d_3770]);
+}

@@ -1,0 +1,80 @@
+//! Faces and edges, and what they name.
+
+use fixel::prelude::*;
+use proptest::prelude::*;
+
+use super::reading::{SQUARE, ok};
+
+#[test]
+fn polygon_becomes_fan_with_its_own_edges() {
+    let mesh = ok(&format!("{SQUARE}v -1 0.5 0\nf 1 2 3 4 5"));
+    assert_eq!(mesh.faces, [[0, 1, 2], [0, 2, 3], [0, 3, 4]]);
+    assert_eq!(mesh.edges, [[0, 1], [0, 4], [1, 2], [2, 3], [3, 4]]);
+}
+
+#[test]
+fn shared_edge_occurs_once() {
+    let mesh = ok(&format!("{SQUARE}f 1 2 3\nf 1 3 4\nl 4 3 2\nl 2 4"));
+    assert_eq!(mesh.edges, [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]]);
+}
+
+/// Many edges that differ in their last byte only, in reverse order and twice.
+#[test]
+fn edges_about_a_hub_are_sorted() {
+    let mut text = "v 0 0 0\n".repeat(601);
+    for i in (2..=600).rev() {
+        text += &format!("f 1 {i} {}\n", i + 1);
+    }
+    let spokes = (1..=600).map(|i| [0, i]);
+    let rim = (1..600).map(|i| [i, i + 1]);
+    assert_eq!(ok(&text).edges, spokes.chain(rim).collect::<Vec<_>>());
+}
+
+#[test]
+fn negative_indices_count_back_from_their_line() {
+    let expected = ok(&format!("{SQUARE}f 1 2 3\nf 1 3 4"));
+    let text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 1 0\nf -4 -2 -1";
+    assert_eq!(ok(text), expected);
+}
+
+#[test]
+fn positive_index_may_look_ahead() {
+    assert_eq!(
+        ok(&format!("f 1 2 3 4\n{SQUARE}")),
+        ok(&format!("{SQUARE}f 1 2 3 4"))
+    );
+}
+
+/// In flash as at run time.
+#[test]
+fn included_house() {
+    static HOUSE: Mesh = include_obj!("../../models/house.obj");
+    let mesh = ok(include_str!("../../models/house.obj"));
+    assert!(HOUSE.positions().iter().eq(mesh.positions.iter().copied()));
+    assert_eq!(HOUSE.faces(), mesh.faces);
+    // Euler: 10 corners and 7 polygons, the ground being one; and the antenna.
+    assert_eq!(HOUSE.edges(), mesh.edges);
+    assert_eq!(mesh.edges.len(), 15 + 1);
+    assert!(HOUSE.has_uvs());
+}
+
+proptest! {
+    /// Edges: sorted, each once, those of the polygons.
+    #[test]
+    fn edges_are_a_sorted_set(polygons in prop::collection::vec(prop::collection::vec(0..400_u16, 3..6), 1..300)) {
+        let mut text = "v 0 0 0\n".repeat(400);
+        let mut expected = std::collections::BTreeSet::new();
+        for polygon in &polygons {
+            text += "f";
+            for (i, &a) in polygon.iter().enumerate() {
+                let b = polygon[(i + 1) % polygon.len()];
+                text += &format!(" {}", a + 1);
+                if a != b {
+                    expected.insert([a.min(b), a.max(b)]);
+                }
+            }
+            text += "\n";
+        }
+        prop_assert_eq!(ok(&text).edges, expected.into_iter().collect::<Vec<_>>());
+    }
+}

@@ -1,0 +1,400 @@
+//! Raster cases as pictures: how often each pixel is drawn, `.` for not at all.
+//!
+//! Corners are given in pixels, quarters and halves of them; a pixel's centre is at a half.
+
+use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
+use fixel::prelude::*;
+use fixel::view::Parallel;
+
+const SIZE: (u32, u32) = (8, 6);
+const EMPTY: &str = "
+            ........
+            ........
+            ........
+            ........
+            ........
+            ........
+        ";
+
+/// Places on the screen, in pixels; must be whole subpixels.
+fn positions(points: &[[f64; 2]]) -> Vec<Vec3> {
+    let subpixels = |at: f64| (at * 256.) as i32;
+    points
+        .iter()
+        .map(|point| at_subpixel(point.map(subpixels)))
+        .collect()
+}
+
+/// Draws triangles, corners in turn, and compares the counts.
+#[track_caller]
+fn assert_picture(points: &[[f64; 2]], pass: &DrawOptions, expected: &str) {
+    let positions = positions(points);
+    let faces: Vec<[u16; 3]> = (0..u16::try_from(points.len()).unwrap() / 3)
+        .map(|i| [3 * i, 3 * i + 1, 3 * i + 2])
+        .collect();
+    assert_mesh(
+        &Mesh::new(&positions, &faces).unwrap(),
+        &pixel_lens(SIZE),
+        pass,
+        expected,
+    );
+}
+
+#[track_caller]
+fn assert_mesh(mesh: &Mesh, projection: &Mvp<Parallel>, pass: &DrawOptions, expected: &str) {
+    let mut counter = Counter::new(SIZE);
+    counter.draw(pass, mesh, projection);
+    assert_counts(&mut counter, expected);
+}
+
+#[track_caller]
+fn assert_counts(counter: &mut Counter, expected: &str) {
+    let picture = counter.picture();
+    let expected: Vec<&str> = expected.split_whitespace().collect();
+    assert_eq!(picture, expected, "\ndrawn:\n{}\n", picture.join("\n"));
+}
+
+/// Corners on centres: the top and the left edge own theirs, the long edge from the top right to the
+/// bottom left does not.
+#[test]
+fn corners_on_centres() {
+    assert_picture(
+        &[[1.5, 0.5], [1.5, 4.5], [5.5, 0.5]],
+        &DrawOptions::new(),
+        "
+            .1111...
+            .111....
+            .11.....
+            .1......
+            ........
+            ........
+        ",
+    );
+}
+
+/// The other half of that square: the long edge is its left one, bottom and right edge own nothing.
+#[test]
+fn the_other_half() {
+    assert_picture(
+        &[[1.5, 4.5], [5.5, 4.5], [5.5, 0.5]],
+        &DrawOptions::new(),
+        "
+            ........
+            ....1...
+            ...11...
+            ..111...
+            ........
+            ........
+        ",
+    );
+}
+
+/// Both together: the square without its right and bottom edge, nothing twice.
+#[test]
+fn two_halves_make_a_square() {
+    assert_picture(
+        &[
+            [1.5, 0.5],
+            [1.5, 4.5],
+            [5.5, 0.5],
+            [1.5, 4.5],
+            [5.5, 4.5],
+            [5.5, 0.5],
+        ],
+        &DrawOptions::new(),
+        "
+            .1111...
+            .1111...
+            .1111...
+            .1111...
+            ........
+            ........
+        ",
+    );
+}
+
+/// Level edges on centres: the row belongs to the triangle below the edge.
+#[test]
+fn a_level_edge_on_centres() {
+    let (upper, lower) = (
+        [[3.5, 0.], [0.5, 2.5], [6.5, 2.5]],
+        [[0.5, 2.5], [3.5, 5.], [6.5, 2.5]],
+    );
+    assert_picture(
+        &upper,
+        &DrawOptions::new(),
+        "
+            ...1....
+            ..111...
+            ........
+            ........
+            ........
+            ........
+        ",
+    );
+    assert_picture(
+        &lower,
+        &DrawOptions::new(),
+        "
+            ........
+            ........
+            111111..
+            ..111...
+            ...1....
+            ........
+        ",
+    );
+}
+
+/// Upright edges on centres: the column belongs to the triangle to the right of the edge.
+#[test]
+fn an_upright_edge_on_centres() {
+    let (left, right) = (
+        [[4.5, 0.], [0., 3.], [4.5, 6.]],
+        [[4.5, 0.], [4.5, 6.], [8., 3.]],
+    );
+    assert_picture(
+        &left,
+        &DrawOptions::new(),
+        "
+            ........
+            ..11....
+            .111....
+            .111....
+            ..11....
+            ........
+        ",
+    );
+    assert_picture(
+        &right,
+        &DrawOptions::new(),
+        "
+            ....1...
+            ....11..
+            ....111.
+            ....111.
+            ....11..
+            ....1...
+        ",
+    );
+}
+
+/// Six triangles about one centre: one of them has it.
+#[test]
+fn a_hub_on_a_centre() {
+    let hub = [3.5, 2.5];
+    let rim = [
+        [7.5, 2.5],
+        [5.5, 0.5],
+        [1.5, 0.5],
+        [0.5, 2.5],
+        [1.5, 5.5],
+        [5.5, 5.5],
+    ];
+    let fan: Vec<_> = (0..6)
+        .flat_map(|i| [hub, rim[i], rim[(i + 1) % 6]])
+        .collect();
+    assert_picture(
+        &fan,
+        &DrawOptions::new(),
+        "
+            .1111...
+            .11111..
+            1111111.
+            .111111.
+            .11111..
+            ........
+        ",
+    );
+}
+
+/// Triangles smaller than a pixel: only those that hold a centre.
+#[test]
+fn one_pixel_triangles() {
+    assert_picture(
+        &[
+            // About a centre.
+            [1.5, 1.25],
+            [1.25, 1.75],
+            [1.75, 1.75],
+            // Between centres.
+            [3.75, 1.75],
+            [3.75, 2.25],
+            [4.25, 2.25],
+            // The left top corner on a centre, the right bottom corner on a centre.
+            [5.5, 1.5],
+            [5.5, 1.75],
+            [5.75, 1.5],
+            [5.25, 3.5],
+            [5.5, 3.5],
+            [5.5, 3.25],
+            // A sliver past many centres that holds none, and one along an edge with three, of which its ends are not its own.
+            [0., 4.515_625],
+            [7.75, 4.75],
+            [7.75, 4.515_625],
+            [0.5, 3.5],
+            [2.5, 5.5],
+            [2.5, 5.4375],
+        ],
+        &BOTH_SIDES,
+        "
+            ........
+            .1...1..
+            ........
+            ........
+            .1......
+            ........
+        ",
+    );
+}
+
+/// A triangle without area draws nothing, whatever it lies on.
+#[test]
+fn no_area_no_pixel() {
+    assert_picture(
+        &[
+            [0.5, 0.5],
+            [3.5, 3.5],
+            [6.5, 6.5],
+            [0.5, 2.5],
+            [7.5, 2.5],
+            [3.5, 2.5],
+            [4.5, 0.5],
+            [4.5, 0.5],
+            [4.5, 0.5],
+        ],
+        &BOTH_SIDES,
+        EMPTY,
+    );
+}
+
+/// By default back faces are left out; each mode draws what it says.
+#[test]
+fn cull_modes() {
+    let front = [[0., 0.], [0., 4.], [4., 0.]];
+    let turned = [[8., 6.], [4., 6.], [8., 2.]];
+    let both = [front, turned].concat();
+    let upper = "
+            111.....
+            11......
+            1.......
+            ........
+            ........
+            ........
+        ";
+    let lower = "
+            ........
+            ........
+            .......1
+            ......11
+            .....111
+            ....1111
+        ";
+    // Both long edges run through centres; that of the lower triangle is its left one, and owns them.
+    assert_picture(&both, &DrawOptions::new(), upper);
+    assert_picture(&both, &DrawOptions::new().cull(Cull::Back), upper);
+    assert_picture(&both, &DrawOptions::new().cull(Cull::Front), lower);
+    assert_picture(
+        &both,
+        &BOTH_SIDES,
+        "
+            111.....
+            11......
+            1......1
+            ......11
+            .....111
+            ....1111
+        ",
+    );
+}
+
+/// Nothing outside the viewport, even of what reaches far beyond it.
+#[test]
+fn a_viewport_cuts_off() {
+    let everywhere = positions(&[[-900., -900.], [-900., 900.], [900., 900.], [900., -900.]]);
+    let mesh = Mesh::new(&everywhere, &[[0, 1, 2], [0, 2, 3]]).unwrap();
+    let projection = pixel_lens(SIZE);
+    let within = |x, y, w, h| DrawOptions::new().viewport(Viewport::new(x, y, w, h).unwrap());
+    assert_mesh(
+        &mesh,
+        &projection,
+        &within(2, 1, 3, 4),
+        "
+            ........
+            ..111...
+            ..111...
+            ..111...
+            ..111...
+            ........
+        ",
+    );
+    // Partly outside the frame.
+    assert_mesh(
+        &mesh,
+        &projection,
+        &within(-2, 4, 4, 9),
+        "
+            ........
+            ........
+            ........
+            ........
+            11......
+            11......
+        ",
+    );
+    // Outside altogether.
+    assert_mesh(&mesh, &projection, &within(8, 0, 4, 4), EMPTY);
+    assert_mesh(&mesh, &projection, &within(-4, -4, 4, 4), EMPTY);
+}
+
+/// The picture is spread over the viewport: half as wide, half as many columns.
+#[test]
+fn a_viewport_scales() {
+    let half = positions(&[[0., 0.], [0., 6.], [8., 6.]]);
+    let mesh = Mesh::new(&half, &[[0, 1, 2]]).unwrap();
+    let right = DrawOptions::new().viewport(Viewport::new(4, 0, 4, 6).unwrap());
+    assert_mesh(
+        &mesh,
+        &pixel_lens(SIZE),
+        &right,
+        "
+            ........
+            ....1...
+            ....11..
+            ....11..
+            ....111.
+            ....1111
+        ",
+    );
+}
+
+/// Lines: a pixel per column, or per row if steeper than 45°; without their last one.
+#[test]
+fn lines() {
+    let positions = positions(&[
+        [0.5, 0.5],
+        [7.5, 3.5],
+        [1.5, 5.5],
+        [0.5, 1.5],
+        [7.5, 4.5],
+        [2.5, 4.5],
+    ]);
+    let edges = [[0, 1], [2, 3], [4, 5]];
+    let mesh = Mesh::new(&positions, &[])
+        .unwrap()
+        .with_edges(&edges)
+        .unwrap();
+    let mut counter = Counter::new(SIZE);
+    counter.draw_edges(&DrawOptions::new(), &mesh, &pixel_lens(SIZE));
+    assert_counts(
+        &mut counter,
+        "
+            11......
+            1.11....
+            1...11..
+            .1....1.
+            .111111.
+            ........
+        ",
+    );
+}

@@ -1,0 +1,190 @@
+//! Two cores: the bands of a frame drawn on two threads at once are the frame, bit for bit.
+
+use std::sync::Barrier;
+use std::thread;
+
+use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
+use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, Rgb888, RgbColor};
+use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
+use fixel::prelude::*;
+use fixel::target::{Depth, Native, NoDepth};
+use fixel::view::{Parallel, Perspective};
+use fixel::{Converted, FaceLit, Lit, Tinted};
+
+use crate::examples::lighthouse;
+use crate::examples::scenes::{self, HEIGHT, WIDTH};
+
+/// What both cores draw from must be `Sync`, what is handed from one to the other `Send`: nothing in
+/// the crate stands in the way, so both are asked of everything.
+const _: () = {
+    const fn both<T: Send + Sync>() {}
+    type Skin = TextureArray<Rgb565, 64, 64>;
+    both::<Canvas<'static, Rgb565>>();
+    both::<Canvas<'static, Rgb565, Native, Depth<'static>>>();
+    both::<Canvas<'static, Rgb565, BigEndian, NoDepth>>();
+    both::<Canvas<'static, Rgb565, LittleEndian, Depth<'static>>>();
+    both::<Canvas<'static, BinaryColor>>();
+    both::<Mesh<'static>>();
+    both::<Mvp<Perspective>>();
+    both::<Mvp<Parallel>>();
+    both::<Projection<Perspective>>();
+    both::<Camera>();
+    both::<Transform>();
+    both::<Viewport>();
+    both::<DrawOptions<Exact>>();
+    both::<DrawOptions<Newton>>();
+    both::<DrawOptions<Fast>>();
+    both::<DrawOptions<Affine>>();
+    both::<Skin>();
+    both::<Light>();
+    both::<Flat<Rgb565>>();
+    both::<Gouraud<Rgb565>>();
+    both::<FaceColors<'static, Rgb565>>();
+    both::<Lit<Converted<Flat<Rgb888>, Rgb565>>>();
+    both::<FaceLit<Converted<Flat<Rgb888>, Rgb565>>>();
+    both::<Textured<&'static Skin>>();
+    both::<Textured<&'static PaletteArray<Rgb565, 64, 64>>>();
+    both::<Lit<Textured<&'static Skin>>>();
+    both::<Tinted<Textured<&'static Skin>>>();
+    both::<Converted<Lit<Flat<Gray4>>, Rgb565>>();
+    both::<DepthView<Rgb565>>();
+    both::<NormalView<Rgb565>>();
+    both::<Drawn>();
+    both::<Error>();
+};
+
+/// Draws so many rows of the frame as there are pixels for, from the given one on.
+trait Paint: Fn(&mut [[u8; 2]], &mut [u16], u32) + Sync {}
+
+impl<F: Fn(&mut [[u8; 2]], &mut [u16], u32) + Sync> Paint for F {}
+
+/// A band's first row, and where its pixels go.
+type Band<'a> = (u32, &'a mut [[u8; 2]]);
+
+/// Draws bands one after the other, with one depth strip for all of them, as a core would.
+fn work(paint: &impl Paint, rows: u32, bands: Vec<Band<'_>>) {
+    let mut depth = vec![7; (WIDTH * rows) as usize];
+    for (first, pixels) in bands {
+        let depth = &mut depth[..pixels.len()];
+        paint(pixels, depth, first);
+    }
+}
+
+/// The bands of a frame on two threads that start together: every other band, and the upper half
+/// beside the lower.
+fn check(paint: &impl Paint) {
+    let mut frame = vec![[0; 2]; (WIDTH * HEIGHT) as usize];
+    let mut depth = vec![0; frame.len()];
+    paint(&mut frame, &mut depth, 0);
+    assert!(
+        frame.iter().any(|pixel| *pixel != frame[0]),
+        "nothing drawn"
+    );
+
+    // 37 does not divide the height: the last band is lower.
+    for rows in [16, 37] {
+        let count = HEIGHT.div_ceil(rows);
+        let splits: [(&str, &dyn Fn(u32) -> bool); 2] = [
+            ("every other", &|band| band % 2 == 0),
+            ("halves", &|band| band < count / 2),
+        ];
+        for (name, is_first) in splits {
+            // Not what it was before: whatever is not drawn must show.
+            let mut pixels = vec![[0xa5, 0x5a]; frame.len()];
+            let bands = (0..).zip(pixels.chunks_mut((WIDTH * rows) as usize));
+            let (first, second): (Vec<_>, Vec<_>) = bands.partition(|(band, _)| is_first(*band));
+            let start = Barrier::new(2);
+            thread::scope(|scope| {
+                for core in [first, second] {
+                    let bands = core.into_iter().map(|(band, pixels)| (band * rows, pixels));
+                    let bands = bands.collect();
+                    scope.spawn(|| {
+                        start.wait();
+                        work(paint, rows, bands);
+                    });
+                }
+            });
+            let differs = (0..frame.len()).find(|&at| pixels[at] != frame[at]);
+            assert_eq!(differs, None, "{name} of {rows} rows: pixel of row order");
+        }
+    }
+}
+
+fn with_depth(draw: impl Fn(&mut Canvas<'_, Rgb565, BigEndian, Depth<'_>>) + Sync) {
+    check(&|pixels: &mut [[u8; 2]], depth: &mut [u16], first: u32| {
+        let band = Canvas::big_endian_band(pixels, WIDTH, HEIGHT, first).unwrap();
+        let mut band = band.with_depth(depth).unwrap();
+        band.clear(Rgb565::BLACK);
+        draw(&mut band);
+    });
+}
+
+fn without_depth(draw: impl Fn(&mut Canvas<'_, Rgb565, BigEndian>) + Sync) {
+    check(&|pixels: &mut [[u8; 2]], _: &mut [u16], first: u32| {
+        let mut band = Canvas::big_endian_band(pixels, WIDTH, HEIGHT, first).unwrap();
+        band.clear(Rgb565::BLACK);
+        draw(&mut band);
+    });
+}
+
+/// Textures and colours, with depth.
+fn scenes_in<I: Mode + Sync>(mode: I) {
+    let pass = DrawOptions::new().mode(mode);
+    let [floor, cube] = [scenes::floor_chain(0), scenes::cube_chain(3)].map(Result::unwrap);
+    with_depth(|canvas| {
+        scenes::floor(canvas, &pass, &floor);
+        scenes::cube(canvas, &pass, &cube);
+    });
+    let mvp = scenes::sphere_chain(1).unwrap();
+    with_depth(|canvas| {
+        scenes::sphere(canvas, &pass, &mvp);
+    });
+}
+
+#[test]
+fn textured_and_shaded_with_depth_in_every_mode() {
+    scenes_in(Exact);
+    scenes_in(Newton);
+    scenes_in(Fast::within(fx!(0.25)));
+    scenes_in(Fast::within(fx!(4)));
+    scenes_in(Affine);
+}
+
+#[test]
+fn flat_without_depth() {
+    let mvp = scenes::sphere_chain(2).unwrap();
+    without_depth(|canvas| {
+        scenes::sphere_flat(canvas, &DrawOptions::new(), &mvp);
+    });
+}
+
+/// Lines and points have no triangle's rows to go by.
+#[test]
+fn lines_and_points_without_depth() {
+    let mvp = scenes::sphere_chain(0).unwrap();
+    without_depth(|canvas| {
+        canvas.draw_edges(
+            &DrawOptions::new(),
+            &scenes::CUBE,
+            &mvp,
+            &Flat::new(Rgb565::RED),
+        );
+        canvas.draw_points(
+            &DrawOptions::new(),
+            &scenes::SPHERE,
+            &mvp,
+            &Flat::new(Rgb565::WHITE),
+        );
+    });
+}
+
+#[test]
+fn the_lighthouse_with_its_caption() {
+    let projection = lighthouse::projection((WIDTH, HEIGHT)).unwrap();
+    let mvp = projection * lighthouse::camera().unwrap() * Transform::IDENTITY;
+    with_depth(|canvas| {
+        lighthouse::sky(canvas);
+        lighthouse::draw(canvas, &DrawOptions::new(), &mvp).unwrap();
+        lighthouse::caption(canvas);
+    });
+}
