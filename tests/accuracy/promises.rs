@@ -277,12 +277,8 @@ fn textured_triangles() {
 fn deep_triangles() {
     let about = || [-40.0..360.0, -40.0..280.0];
     let along = || [0.0..=1., 0.0..=1., 0.0..=1.];
-    let deep = (
-        [about(), about(), about()],
-        8.01..9.96,
-        0.0..1.0,
-        [along(), along()],
-    );
+    let shape = [about(), about(), about()];
+    let deep = (shape, 8.01..9.96_f64, 0.0..1.0_f64, [along(), along()]);
     let deep = deep.prop_map(|(screen, most, other, uv)| Case {
         screen,
         inverse_w: [1., (-most * other).exp2(), (-most).exp2()],
