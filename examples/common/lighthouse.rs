@@ -29,7 +29,7 @@ pub static SEA: Mesh = {
         error => Mesh::checked(error),
     }
 };
-/// Corners of the disc; the last is its centre.
+/// Corners of the disc; the last is its center.
 const SEA_SIDES: usize = 32;
 static SEA_CORNERS: ([Vec3; SEA_SIDES + 1], [Vec2; SEA_SIDES + 1]) = {
     let mut positions = [Vec3::ZERO; SEA_SIDES + 1];
@@ -49,7 +49,7 @@ static SEA_CORNERS: ([Vec3; SEA_SIDES + 1], [Vec2; SEA_SIDES + 1]) = {
     }
     (positions, uvs)
 };
-/// A fan about the centre.
+/// A fan about the center.
 static SEA_FACES: [[u16; 3]; SEA_SIDES] = {
     const CENTER: u16 = SEA_SIDES as u16;
     let mut faces = [[0; 3]; SEA_SIDES];
@@ -141,7 +141,7 @@ pub fn skin<C: Levels>() -> Result<impl Shader<Color = C>, Error> {
 /// None: the light's numbers are constant.
 pub fn draw<C, I, K, O, D>(
     canvas: &mut Canvas<'_, C, O, D>,
-    pass: &DrawOptions<I>,
+    options: &DrawOptions<I>,
     mvp: &Mvp<K>,
 ) -> Result<[Drawn; 2], Error>
 where
@@ -151,8 +151,8 @@ where
     O: Storage<C>,
     D: DepthBuffer,
 {
-    let sea = canvas.draw_with(pass, &SEA, mvp, &waves());
-    let island = canvas.draw_with(pass, &ISLAND, mvp, &skin()?);
+    let sea = canvas.draw_with(options, &SEA, mvp, &waves());
+    let island = canvas.draw_with(options, &ISLAND, mvp, &skin()?);
     Ok([sea, island])
 }
 
@@ -164,8 +164,8 @@ where
     D: DepthBuffer,
 {
     let bottom = canvas.frame_size().height.cast_signed();
-    for (offset, grey) in [(1, 0), (0, 255)] {
-        let color = C::from_rgb(Rgb888::new(grey, grey, grey), Point::zero());
+    for (offset, gray) in [(1, 0), (0, 255)] {
+        let color = C::from_rgb(Rgb888::new(gray, gray, gray), Point::zero());
         let at = Point::new(5 + offset, bottom - 6 + offset);
         let style = MonoTextStyle::new(&FONT_6X10, color);
         let text = Text::with_alignment(

@@ -24,7 +24,7 @@ type Values<'a, const N: usize> = &'a dyn Fn(&Corner<'_>) -> [i32; N];
 pub struct Drawing<'a, K> {
     pub size: (u32, u32),
     /// All but the mode.
-    pub pass: DrawOptions,
+    pub options: DrawOptions,
     pub mode: Mode,
     pub mesh: Mesh<'a>,
     pub mvp: Mvp<K>,
@@ -59,14 +59,17 @@ impl<K: ProjectionKind> Drawing<'_, K> {
             .with_depth(&mut depth)
             .unwrap();
         let Self {
-            mode, pass, mesh, ..
+            mode,
+            options,
+            mesh,
+            ..
         } = self;
         let probe = Probe {
             values: &|corner| Coordinates(values(corner)),
             color: draws.then_some(Gray8::new(255)),
         };
         let record = record(probe, |recorder| {
-            mode.draw(&mut canvas, pass, mesh, &self.mvp, recorder);
+            mode.draw(&mut canvas, options, mesh, &self.mvp, recorder);
         });
         record.seen
     }
@@ -79,10 +82,13 @@ impl<K: ProjectionKind> Drawing<'_, K> {
         let canvas = Canvas::new(&mut pixels, width, height).unwrap();
         let mut canvas = canvas.with_depth_format::<F>(&mut depth).unwrap();
         let Self {
-            mode, pass, mesh, ..
+            mode,
+            options,
+            mesh,
+            ..
         } = self;
         // Varyings of its own make the modes do what they do.
-        mode.draw(&mut canvas, pass, mesh, &self.mvp, &Gouraud::new());
+        mode.draw(&mut canvas, options, mesh, &self.mvp, &Gouraud::new());
         depth
     }
 
@@ -102,7 +108,7 @@ impl<K: ProjectionKind> Drawing<'_, K> {
         points
             .iter()
             .map(|&point| {
-                let place = canvas.project(&self.pass, &self.mvp, point)?;
+                let place = canvas.project(&self.options, &self.mvp, point)?;
                 Some(Spot {
                     x: place.x.to_bits(),
                     y: place.y.to_bits(),

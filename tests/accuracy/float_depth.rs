@@ -50,10 +50,10 @@ fn wrong<D: DepthBuffer>(
     gap: f64,
 ) -> usize {
     canvas.clear(Gray8::new(0));
-    for (grey, scale) in [(1, 1.), (2, 1. + gap)] {
+    for (gray, scale) in [(1, 1.), (2, 1. + gap)] {
         let positions = wall(distances.map(|w| w * scale));
         let mesh = Mesh::new(&positions, &[[0, 1, 2], [0, 2, 3]]).unwrap();
-        let shade = Flat::new(Gray8::new(grey));
+        let shade = Flat::new(Gray8::new(gray));
         mode.draw(
             &mut canvas,
             &DrawOptions::new(),

@@ -18,7 +18,7 @@ type Point = [i32; 2];
 /// Wider than a run of 64 pixels, at which values are found afresh.
 const SIZE: (u32, u32) = (150, 28);
 
-/// The pixels of a line between two snapped ends: for each column whose centre it passes the pixel that it
+/// The pixels of a line between two snapped ends: for each column whose center it passes the pixel that it
 /// passes it in (rows, for a line that is steeper than 45°), the end with the lesser coordinate included
 /// and the other one not. In exact integers, for each pixel by itself.
 fn on_line([a, b]: [Point; 2], pixel: [i32; 2]) -> bool {
@@ -30,7 +30,7 @@ fn on_line([a, b]: [Point; 2], pixel: [i32; 2]) -> bool {
     if center < a[major] || center >= b[major] {
         return false;
     }
-    // Where it passes the centre: a + (center - a) · slope, a rational number; the floor of it.
+    // Where it passes the center: a + (center - a) · slope, a rational number; the floor of it.
     let length = i64::from(b[major] - a[major]);
     let rise = i64::from(b[minor] - a[minor]);
     let over = i64::from(a[minor]) * length + i64::from(center - a[major]) * rise;
@@ -68,7 +68,7 @@ fn modelled(points: &[Point], edges: &[[u16; 2]]) -> Vec<u32> {
         .collect()
 }
 
-/// On pixel corners, on centres, on any subpixel; in the picture and about it.
+/// On pixel corners, on centers, on any subpixel; in the picture and about it.
 fn places() -> impl Strategy<Value = Point> {
     prop_oneof![
         [-10..160i32, -10..40].prop_map(|p| p.map(|at| at * 256)),
@@ -91,7 +91,7 @@ proptest! {
     }
 
     /// Lines end to end that keep their direction (within 45° of an axis) draw no pixel twice and leave no gap:
-    /// a pixel for each centre from the first end to the last.
+    /// a pixel for each center from the first end to the last.
     #[test]
     fn polylines_draw_no_pixel_twice(
         start in places(), steps in prop::collection::vec((0..900i32, -256..=256i32), 1..12), steep: bool, back: bool
@@ -196,7 +196,7 @@ proptest! {
     /// model has there, and no pixel of it is missing.
     ///
     /// The ends are rounded to 1/256 pixel, which moves the line, along and across, by less than 1/256: so where
-    /// it passes a centre it may be in the next pixel if it is that near to its edge, and its values are those of a
+    /// it passes a center it may be in the next pixel if it is that near to its edge, and its values are those of a
     /// place that near.
     #[test]
     fn lines_in_perspective(ends in ends()) {
@@ -263,7 +263,7 @@ proptest! {
             prop_assert!(off <= room, "{:?}: x {} instead of {}: off by {}, not {}", [x, y], attribute, value.attributes[0], off, room);
         }
 
-        // Each centre passed, if the line is inside the picture there, has its pixel.
+        // Each center passed, if the line is inside the picture there, has its pixel.
         let (count, others) = if major == 0 { (SIZE.0, SIZE.1) } else { (SIZE.1, SIZE.0) };
         for step in 0..i32::try_from(count).unwrap() {
             let center = f64::from(step) + 0.5;

@@ -68,18 +68,18 @@ impl Mode {
     pub fn draw<K: ProjectionKind, F: Shader<Color = Gray8>, D: DepthBuffer>(
         self,
         canvas: &mut Canvas<'_, Gray8, Native, D>,
-        pass: &DrawOptions,
+        options: &DrawOptions,
         mesh: &Mesh<'_>,
         mvp: &Mvp<K>,
         shader: &F,
     ) {
         match self {
-            Self::Exact => canvas.draw_with(&pass.mode(Exact), mesh, mvp, shader),
-            Self::Newton => canvas.draw_with(&pass.mode(Newton), mesh, mvp, shader),
+            Self::Exact => canvas.draw_with(&options.mode(Exact), mesh, mvp, shader),
+            Self::Newton => canvas.draw_with(&options.mode(Newton), mesh, mvp, shader),
             Self::Fast(texels) => {
-                canvas.draw_with(&pass.mode(Fast::within(texels)), mesh, mvp, shader)
+                canvas.draw_with(&options.mode(Fast::within(texels)), mesh, mvp, shader)
             }
-            Self::Affine => canvas.draw_with(&pass.mode(Affine), mesh, mvp, shader),
+            Self::Affine => canvas.draw_with(&options.mode(Affine), mesh, mvp, shader),
         };
     }
 }

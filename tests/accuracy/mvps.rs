@@ -63,7 +63,7 @@ fn compare<K: ProjectionKind>(
     let (transform, eye) = product(moves);
     let drawing = Drawing {
         size: SIZE,
-        pass: DrawOptions::new().viewport(viewport),
+        options: DrawOptions::new().viewport(viewport),
         mode: Mode::Exact,
         mesh: Mesh::new(&[], &[]).unwrap(),
         mvp: projection * transform,
@@ -269,7 +269,7 @@ proptest! {
         let (transform, _) = product(&moves);
         let drawing = Drawing {
             size: SIZE,
-            pass: DrawOptions::new(),
+            options: DrawOptions::new(),
             mode: Mode::Exact,
             mesh: Mesh::new(&[], &[]).unwrap(),
             mvp: projection.0 * transform,

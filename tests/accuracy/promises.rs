@@ -205,7 +205,7 @@ impl Case {
                     let allowed = bounds::perspective(mode, corners, triangle.w, w, far_w);
                     assert!(error <= allowed, "{}, over {allowed}", at());
                     worst.allowed = worst.allowed.max(error / allowed);
-                    // Whatever the tolerance: or a colour would wrap from white to black. What is straight is so between
+                    // Whatever the tolerance: or a color would wrap from white to black. What is straight is so between
                     // places in the triangle, where an attribute is between those of the corners.
                     let [least, most] = [corners.iter().min(), corners.iter().max()]
                         .map(|end| f64::from(*end.unwrap()));

@@ -56,7 +56,7 @@ fn distances() -> impl Strategy<Value = [f64; 3]> {
     ]
 }
 
-/// A value at three corners: like a colour, like a texture coordinate, anything, the ends of the
+/// A value at three corners: like a color, like a texture coordinate, anything, the ends of the
 /// format, just below powers of two, which is where a scale has the least room.
 fn corners() -> impl Strategy<Value = [i32; 3]> {
     let triple = |range: std::ops::Range<i32>| [range.clone(), range.clone(), range];

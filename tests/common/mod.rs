@@ -51,43 +51,43 @@ impl Counter {
     /// Draws a mesh's triangles.
     pub fn draw<K: ProjectionKind>(
         &mut self,
-        pass: &DrawOptions,
+        options: &DrawOptions,
         mesh: &Mesh,
         mvp: &Mvp<K>,
     ) -> Drawn {
-        self.with(|canvas, count| canvas.draw_with(pass, mesh, mvp, count))
+        self.with(|canvas, count| canvas.draw_with(options, mesh, mvp, count))
     }
 
     /// Draws a mesh's edges.
     pub fn draw_edges<K: ProjectionKind>(
         &mut self,
-        pass: &DrawOptions,
+        options: &DrawOptions,
         mesh: &Mesh,
         mvp: &Mvp<K>,
     ) -> Drawn {
-        self.with(|canvas, count| canvas.draw_edges(pass, mesh, mvp, count))
+        self.with(|canvas, count| canvas.draw_edges(options, mesh, mvp, count))
     }
 
     /// Draws a mesh's positions.
     pub fn draw_points<K: ProjectionKind>(
         &mut self,
-        pass: &DrawOptions,
+        options: &DrawOptions,
         mesh: &Mesh,
         mvp: &Mvp<K>,
     ) -> Drawn {
-        self.with(|canvas, count| canvas.draw_points(pass, mesh, mvp, count))
+        self.with(|canvas, count| canvas.draw_points(options, mesh, mvp, count))
     }
 
     /// Where the crate puts a point, before culling and the guard band.
     pub fn place<K: ProjectionKind>(
         &mut self,
-        pass: &DrawOptions,
+        options: &DrawOptions,
         mvp: &Mvp<K>,
         point: Vec3,
     ) -> Option<ScreenPoint> {
         let (width, height) = self.size;
         let canvas = Canvas::new(&mut self.pixels, width, height).unwrap();
-        canvas.project(pass, mvp, point)
+        canvas.project(options, mvp, point)
     }
 
     /// Where the crate puts a point, in 24.8.

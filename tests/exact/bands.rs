@@ -17,7 +17,7 @@ const HEIGHT: u32 = 37;
 /// Rows of the bands.
 const BANDS: [u32; 3] = [1, 7, 16];
 
-/// Every bit of the interpolated values shows in the colour: any difference between two drawings does.
+/// Every bit of the interpolated values shows in the color: any difference between two drawings does.
 #[derive(Clone, Copy)]
 struct Bits;
 
@@ -51,7 +51,7 @@ impl Shader for Bits {
     }
 }
 
-/// The triangle's place in the mesh, as a colour.
+/// The triangle's place in the mesh, as a color.
 #[derive(Clone, Copy)]
 struct Index;
 
@@ -154,13 +154,13 @@ impl Scene {
         let mesh = self.mesh();
         let window = Viewport::new(-9, 3, 64, 48).unwrap();
         let mut list: TriangleList<12, 250> = TriangleList::new();
-        for pass in [
+        for options in [
             common::BOTH_SIDES,
             DrawOptions::new().viewport(window),
             DrawOptions::new().cull(Cull::Front),
         ] {
-            let pass = pass.mode(mode);
-            let prepared = list.prepare(&pass, (WIDTH, HEIGHT), &mesh, mvp).unwrap();
+            let options = options.mode(mode);
+            let prepared = list.prepare(&options, (WIDTH, HEIGHT), &mesh, mvp).unwrap();
             for rows in [HEIGHT].into_iter().chain(BANDS) {
                 let mut counts = [vec![], vec![]];
                 let given = bands(rows, |band| {
@@ -169,7 +169,7 @@ impl Scene {
                 });
                 let expected = bands(rows, |band| {
                     band.clear(Rgb888::new(1, 2, 3));
-                    counts[1].push(band.draw_with(&pass, &mesh, mvp, &Bits));
+                    counts[1].push(band.draw_with(&options, &mesh, mvp, &Bits));
                 });
                 prop_assert!(given == expected, "{name}: bands of {rows} rows differ");
                 prop_assert_eq!(&counts[0], &counts[1]);

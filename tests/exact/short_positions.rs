@@ -57,14 +57,14 @@ fn drawn<K: ProjectionKind, I: Mode>(
     let mut canvas: Board<'_> = canvas.with_depth(&mut depths).unwrap();
     let light = Light::new(vec3!(1, 2, 3), fx!(0.2), fx!(0.8)).unwrap();
     let clay = Flat::rgb(Rgb888::new(236, 214, 190)).lit(light);
-    let pass = DrawOptions::new().mode(mode).cull(Cull::Nothing);
+    let options = DrawOptions::new().mode(mode).cull(Cull::Nothing);
     let counts = [
-        canvas.draw_with(&pass, mesh, mvp, &clay),
-        canvas.draw_edges(&pass, mesh, mvp, &Flat::new(Rgb565::RED)),
-        canvas.draw_points(&pass, mesh, mvp, &Flat::new(Rgb565::BLUE)),
+        canvas.draw_with(&options, mesh, mvp, &clay),
+        canvas.draw_edges(&options, mesh, mvp, &Flat::new(Rgb565::RED)),
+        canvas.draw_points(&options, mesh, mvp, &Flat::new(Rgb565::BLUE)),
     ];
     let mut list: TriangleList<16, 400> = TriangleList::new();
-    let prepared = list.prepare(&pass, SIZE, mesh, mvp).unwrap();
+    let prepared = list.prepare(&options, SIZE, mesh, mvp).unwrap();
     canvas.draw_prepared(&prepared, &NormalView::new());
     (colors, depths, counts)
 }

@@ -127,17 +127,17 @@ fn without_depth(draw: impl Fn(&mut Canvas<'_, Rgb565, BigEndian>) + Sync) {
     });
 }
 
-/// Textures and colours, with depth.
+/// Textures and colors, with depth.
 fn scenes_in<I: Mode + Sync>(mode: I) {
-    let pass = DrawOptions::new().mode(mode);
+    let options = DrawOptions::new().mode(mode);
     let [floor, cube] = [scenes::floor_chain(0), scenes::cube_chain(3)].map(Result::unwrap);
     with_depth(|canvas| {
-        scenes::floor(canvas, &pass, &floor);
-        scenes::cube(canvas, &pass, &cube);
+        scenes::floor(canvas, &options, &floor);
+        scenes::cube(canvas, &options, &cube);
     });
     let mvp = scenes::sphere_chain(1).unwrap();
     with_depth(|canvas| {
-        scenes::sphere(canvas, &pass, &mvp);
+        scenes::sphere(canvas, &options, &mvp);
     });
 }
 

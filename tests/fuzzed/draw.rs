@@ -40,7 +40,7 @@ impl Drop for Told<'_> {
 
 fn check_scene(scene: &Scene) -> Result<(), Error> {
     let mesh = &scene.mesh()?;
-    let (pass, window) = (scene.pass()?, scene.window()?);
+    let (options, window) = (scene.options()?, scene.window()?);
     let (camera, place) = (scene.eye.camera()?, scene.place.transform());
     match scene.projection.projection(scene.size)? {
         Projected::Perspective(projection) => {
@@ -52,7 +52,7 @@ fn check_scene(scene: &Scene) -> Result<(), Error> {
                     mvp,
                     window,
                 },
-                pass,
+                options,
             )
         }
         Projected::Parallel(projection) => {
@@ -64,16 +64,16 @@ fn check_scene(scene: &Scene) -> Result<(), Error> {
                     mvp,
                     window,
                 },
-                pass,
+                options,
             )
         }
     }
 }
 
-fn check_call<K: ProjectionKind>(call: &Call<'_, K>, pass: DrawOptions) -> Result<(), Error> {
+fn check_call<K: ProjectionKind>(call: &Call<'_, K>, options: DrawOptions) -> Result<(), Error> {
     match call.scene.shade {
-        Shade::Bits(0) => check_modes::<K, 0>(call, pass),
-        Shade::Bits(_) => check_modes::<K, 3>(call, pass),
+        Shade::Bits(0) => check_modes::<K, 0>(call, options),
+        Shade::Bits(_) => check_modes::<K, 3>(call, options),
         Shade::Crate {
             which,
             light,
@@ -84,7 +84,7 @@ fn check_call<K: ProjectionKind>(call: &Call<'_, K>, pass: DrawOptions) -> Resul
                 Some(light) => light.light()?,
                 None => Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?,
             };
-            shades::draw(which, light, color, between, Ways { call, pass });
+            shades::draw(which, light, color, between, Ways { call, options });
         }
     }
     Ok(())
@@ -93,23 +93,23 @@ fn check_call<K: ProjectionKind>(call: &Call<'_, K>, pass: DrawOptions) -> Resul
 /// Checks a shader in the default mode.
 struct Ways<'a, 'c, K> {
     call: &'a Call<'c, K>,
-    pass: DrawOptions,
+    options: DrawOptions,
 }
 
 impl<K: ProjectionKind> Draw for Ways<'_, '_, K> {
     fn draw<F: Shader<Color = Rgb565>>(self, shader: &F) {
         // As many as a shader can have.
-        let _: Record<8, _> = self.call.check(&self.pass, shader);
+        let _: Record<8, _> = self.call.check(&self.options, shader);
     }
 }
 
 /// Checks every mode, and that each draws the same pixels at the same depths.
-fn check_modes<K: ProjectionKind, const N: usize>(call: &Call<'_, K>, pass: DrawOptions)
+fn check_modes<K: ProjectionKind, const N: usize>(call: &Call<'_, K>, options: DrawOptions)
 where
     [(); N]: Few<N>,
 {
     let tolerance = call.scene.tolerance;
-    let truth = (call.scene.what == What::Triangles).then(|| Truth::new(call, &pass));
+    let truth = (call.scene.what == What::Triangles).then(|| Truth::new(call, &options));
     let mut first = None;
     let mut check = |mode, record: Record<N, Rgb565>| {
         if let Some(truth) = &truth {
@@ -129,21 +129,21 @@ where
             "{mode:?}: other pixels or depths"
         );
     };
-    check(Mode::Exact, checked(call, pass.mode(Exact)));
-    check(Mode::Newton, checked(call, pass.mode(Newton)));
-    let fast = checked(call, pass.mode(Fast::within(tolerance)));
+    check(Mode::Exact, checked(call, options.mode(Exact)));
+    check(Mode::Newton, checked(call, options.mode(Newton)));
+    let fast = checked(call, options.mode(Fast::within(tolerance)));
     check(Mode::Fast(tolerance.max(fx!(0))), fast);
-    check(Mode::Affine, checked(call, pass.mode(Affine)));
+    check(Mode::Affine, checked(call, options.mode(Affine)));
 }
 
 fn checked<I: mode::Mode, K: ProjectionKind, const N: usize>(
     call: &Call<'_, K>,
-    pass: DrawOptions<I>,
+    options: DrawOptions<I>,
 ) -> Record<N, Rgb565>
 where
     [(); N]: Few<N>,
 {
-    let record = call.check(&pass, &Bits::<N>);
-    call.check_bytes(&pass, &Bits::<N>);
+    let record = call.check(&options, &Bits::<N>);
+    call.check_bytes(&options, &Bits::<N>);
     record
 }

@@ -13,7 +13,7 @@ use crate::mode::Mode;
 use crate::moves::exact;
 use crate::recorder::{Record, Seen};
 use crate::reference::attributes::at_pixel_snapped;
-use crate::reference::coverage::{Bounds, Snapped, area2, centre, covered_in, covers_f64};
+use crate::reference::coverage::{Bounds, Snapped, area2, center, covered_in, covers_f64};
 use crate::reference::distance::to_triangle;
 use crate::reference::raster::{Mesh, Piece, pieces_clipped};
 
@@ -56,7 +56,7 @@ struct Ahead {
 }
 
 impl Truth {
-    pub fn new<K: fixel::view::ProjectionKind>(call: &Call<'_, K>, pass: &DrawOptions) -> Self {
+    pub fn new<K: fixel::view::ProjectionKind>(call: &Call<'_, K>, options: &DrawOptions) -> Self {
         let (width, height) = call.scene.size;
         let mut pixels = vec![Rgb565::new(0, 0, 0); call.scene.pixels()];
         let canvas = Canvas::new(&mut pixels, width, height).unwrap();
@@ -66,7 +66,7 @@ impl Truth {
         let projection = call.scene.projection.model(call.scene.size);
         let place = |index: u16| {
             let position = call.mesh.positions().get(index.into()).unwrap();
-            let place = canvas.project(pass, &call.mvp, position)?;
+            let place = canvas.project(options, &call.mvp, position)?;
             Some([place.x.to_bits(), place.y.to_bits()])
         };
         let whole = |&[a, b, c]: &[u16; 3]| {
@@ -282,7 +282,7 @@ impl Clipped {
         let mut drawn = drawn.iter().peekable();
         for pixel in window.pixels() {
             let is_drawn = drawn.next_if(|at| **at == pixel).is_some();
-            let [x, y] = centre(pixel);
+            let [x, y] = center(pixel);
             let must = || {
                 around.iter().all(|[right, down]| {
                     let at = [x + right, y + down];

@@ -5,7 +5,7 @@ use fixel::prelude::*;
 
 use crate::recorder::{Coordinates, Few};
 
-/// Every bit of up to three values, mixed into the colour; some pixels are left out.
+/// Every bit of up to three values, mixed into the color; some pixels are left out.
 ///
 /// The first two are texture coordinates, as wide as they come, the third jumps from end to end of its format.
 #[derive(Clone, Copy, Debug)]

@@ -40,7 +40,7 @@ impl Layout {
         }
     }
 
-    /// Rows that are in memory at a time. A band takes 10 KiB of colour and as much of depth.
+    /// Rows that are in memory at a time. A band takes 10 KiB of color and as much of depth.
     fn rows(self) -> u32 {
         match self {
             Self::Frame => HEIGHT,
@@ -87,7 +87,7 @@ impl Bench {
     pub fn measure<I: Mode>(
         &mut self,
         scene: Scene,
-        pass: &DrawOptions<I>,
+        options: &DrawOptions<I>,
         layout: Layout,
     ) -> Result<Figures, Error> {
         let Self {
@@ -101,11 +101,11 @@ impl Bench {
         let models = if let Layout::Prepared = layout {
             let (clock, lists, mvp) = (&mut *clock, &mut **lists, &mvp);
             let ((prepared, ticks), stack) =
-                stack::deepest(move || clock.time(move || scene.prepare(lists, pass, mvp)));
+                stack::deepest(move || clock.time(move || scene.prepare(lists, options, mvp)));
             figures.add(ticks, stack);
             Models::Prepared(prepared?)
         } else {
-            Models::Meshes(scene, pass, &mvp)
+            Models::Meshes(scene, options, &mvp)
         };
         let mut crc = Hasher::new();
         for first_row in (0..HEIGHT).step_by(rows as usize) {
@@ -137,11 +137,11 @@ impl Bench {
     /// The checksum of a scene with a depth buffer, drawn in a way.
     pub fn checksum(&mut self, way: Way) -> Result<u32, Error> {
         let Way { scene, rows, .. } = way;
-        let (pass, mvp) = (DrawOptions::new(), scene.mvp()?);
+        let (options, mvp) = (DrawOptions::new(), scene.mvp()?);
         let models = if way.is_prepared {
-            Models::Prepared(scene.prepare(self.lists, &pass, &mvp)?)
+            Models::Prepared(scene.prepare(self.lists, &options, &mvp)?)
         } else {
-            Models::Meshes(scene, &pass, &mvp)
+            Models::Meshes(scene, &options, &mvp)
         };
         let mut crc = Hasher::new();
         for first_row in (0..HEIGHT).step_by(rows as usize) {
@@ -184,7 +184,7 @@ enum Models<'a, I> {
 impl<I: Mode> Models<'_, I> {
     fn draw<D: DepthBuffer>(&self, canvas: &mut Target<'_, D>) -> Result<u32, Error> {
         match self {
-            Self::Meshes(scene, pass, mvp) => scene.draw(canvas, pass, mvp),
+            Self::Meshes(scene, options, mvp) => scene.draw(canvas, options, mvp),
             Self::Prepared(prepared) => prepared.draw(canvas),
         }
     }

@@ -79,20 +79,20 @@ impl Scene {
     pub fn draw<I: Mode, D: DepthBuffer>(
         self,
         canvas: &mut Target<'_, D>,
-        pass: &DrawOptions<I>,
+        options: &DrawOptions<I>,
         mvp: &Mvp<Perspective>,
     ) -> Result<u32, Error> {
         Ok(match self {
-            Self::Floor => scenes::floor(canvas, pass, mvp).drawn,
-            Self::Cube => scenes::cube(canvas, pass, mvp).drawn,
-            Self::Sphere => scenes::sphere(canvas, pass, mvp).drawn,
-            Self::SphereFlat => scenes::sphere_flat(canvas, pass, mvp).drawn,
+            Self::Floor => scenes::floor(canvas, options, mvp).drawn,
+            Self::Cube => scenes::cube(canvas, options, mvp).drawn,
+            Self::Sphere => scenes::sphere(canvas, options, mvp).drawn,
+            Self::SphereFlat => scenes::sphere_flat(canvas, options, mvp).drawn,
             Self::Lighthouse => {
-                let [sea, island] = lighthouse::draw(canvas, pass, mvp)?;
+                let [sea, island] = lighthouse::draw(canvas, options, mvp)?;
                 sea.drawn + island.drawn
             }
-            Self::Inwards => drawn_cubes(canvas, pass, mvp, &INWARDS),
-            Self::Outwards => drawn_cubes(canvas, pass, mvp, &OUTWARDS),
+            Self::Inwards => drawn_cubes(canvas, options, mvp, &INWARDS),
+            Self::Outwards => drawn_cubes(canvas, options, mvp, &OUTWARDS),
         })
     }
 
@@ -100,7 +100,7 @@ impl Scene {
     pub fn prepare<'l, I: Mode>(
         self,
         lists: &'l mut Lists,
-        pass: &DrawOptions<I>,
+        options: &DrawOptions<I>,
         mvp: &Mvp<Perspective>,
     ) -> Result<PreparedScene<'l, I>, Error> {
         let frame = (WIDTH, HEIGHT);
@@ -116,9 +116,9 @@ impl Scene {
             scene: self,
             sea: match sea {
                 None => None,
-                Some(sea) => Some(lists.sea.prepare(pass, frame, sea, mvp)?),
+                Some(sea) => Some(lists.sea.prepare(options, frame, sea, mvp)?),
             },
-            model: lists.model.prepare(pass, frame, mesh, mvp)?,
+            model: lists.model.prepare(options, frame, mesh, mvp)?,
         })
     }
 
@@ -132,12 +132,12 @@ impl Scene {
 
 fn drawn_cubes<I: Mode, D: DepthBuffer>(
     canvas: &mut Target<'_, D>,
-    pass: &DrawOptions<I>,
+    options: &DrawOptions<I>,
     mvp: &Mvp<Perspective>,
     cubes: &Mesh<'_>,
 ) -> u32 {
     canvas
-        .draw_with(pass, cubes, mvp, &scenes::checkered())
+        .draw_with(options, cubes, mvp, &scenes::checkered())
         .drawn
 }
 

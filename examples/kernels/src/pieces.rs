@@ -7,7 +7,7 @@ use fixel::prelude::*;
 
 use super::wall::Bench;
 
-/// A pixel's column of the texture in the place of its colour: its lower 16 bits, of a texel.
+/// A pixel's column of the texture in the place of its color: its lower 16 bits, of a texel.
 #[derive(Clone, Copy)]
 struct Column;
 

@@ -135,9 +135,9 @@ fn draw<I: Mode, F: Shader<Color = Rgb565>, D: DepthBuffer>(
     let (positions, mvp) = (positions(width), mvp(width)?);
     let wall = Mesh::new(&positions, &[[0, 1, 2]])?.with_uvs(&UVS, None)?;
     // What a user has is not known while compiling.
-    let (pass, shader) = black_box((DrawOptions::new().mode(mode), shader));
+    let (options, shader) = black_box((DrawOptions::new().mode(mode), shader));
     watch.time(|| {
-        let drawn = canvas.draw_with(&pass, &wall, &mvp, shader);
+        let drawn = canvas.draw_with(&options, &wall, &mvp, shader);
         assert_eq!((drawn.drawn, drawn.clipped), (1, 0));
         Ok(())
     })
@@ -147,7 +147,7 @@ fn draw<I: Mode, F: Shader<Color = Rgb565>, D: DepthBuffer>(
 fn positions(width: u32) -> [Vec3; 3] {
     let center = [width, ROWS].map(u32::cast_signed);
     CORNERS.map(|([x, y], distance)| {
-        // To the frame's centre, in half pixels.
+        // To the frame's center, in half pixels.
         let (x, y) = (2 * x - center[0], center[1] - 2 * y);
         let eye = |half_pixels: i32| Scalar::from_num(half_pixels * distance) / (2 * FOCAL);
         Vec3::new(eye(x), eye(y), -Scalar::from_num(distance))

@@ -8,7 +8,7 @@ use fixel::{Fragment, Primitive, Shader, TexCoord};
 
 use super::Result;
 
-/// A "colour" that says what was interpolated for a pixel; so the canvas keeps the one in front.
+/// A "color" that says what was interpolated for a pixel; so the canvas keeps the one in front.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Record {
     pub covered: bool,

@@ -124,8 +124,8 @@ impl Model<'_> {
             let start = Instant::now();
             let [sea, island] = match self.view.projection {
                 Lens::Perspective(projection) => {
-                    in_mode!(self.view.mode, DrawOptions::new(), |pass| {
-                        lighthouse::draw(&mut canvas, pass, &(projection * camera * posed.pose))?
+                    in_mode!(self.view.mode, DrawOptions::new(), |options| {
+                        lighthouse::draw(&mut canvas, options, &(projection * camera * posed.pose))?
                     })
                 }
                 Lens::Parallel(projection) => lighthouse::draw(
@@ -236,16 +236,16 @@ impl Measured {
             strip,
             self,
             Rgb565::default(),
-            |canvas| in_mode!(self.mode, DrawOptions::new(), |pass| match self.scene {
-                SceneName::Floor => scenes::floor(canvas, pass, &mvp),
-                SceneName::Cube => scenes::cube(canvas, pass, &mvp),
-                SceneName::Sphere => scenes::sphere(canvas, pass, &mvp),
-                SceneName::SphereFlat => scenes::sphere_flat(canvas, pass, &mvp),
+            |canvas| in_mode!(self.mode, DrawOptions::new(), |options| match self.scene {
+                SceneName::Floor => scenes::floor(canvas, options, &mvp),
+                SceneName::Cube => scenes::cube(canvas, options, &mvp),
+                SceneName::Sphere => scenes::sphere(canvas, options, &mvp),
+                SceneName::SphereFlat => scenes::sphere_flat(canvas, options, &mvp),
             })
         ))
     }
 
-    /// Draws a strip of it in another colour.
+    /// Draws a strip of it in another color.
     pub fn paint_in<C: Levels>(self, strip: Strip<'_, C>, frame: u32) -> Result<Done> {
         let mvp = mvp(self.scene, frame)?;
         let black = C::from_rgb(Rgb888::new(0, 0, 0), Point::zero());
@@ -254,13 +254,13 @@ impl Measured {
         Ok(on_canvas!(strip, self, black, |canvas| in_mode!(
             self.mode,
             DrawOptions::new(),
-            |pass| match self.scene {
-                SceneName::Floor => canvas.draw_with(pass, &scenes::FLOOR, &mvp, &checker),
-                SceneName::Cube => canvas.draw_with(pass, &scenes::CUBE, &mvp, &checker),
+            |options| match self.scene {
+                SceneName::Floor => canvas.draw_with(options, &scenes::FLOOR, &mvp, &checker),
+                SceneName::Cube => canvas.draw_with(options, &scenes::CUBE, &mvp, &checker),
                 SceneName::Sphere => {
-                    canvas.draw_with(pass, &scenes::SPHERE, &mvp, &Gouraud::new())
+                    canvas.draw_with(options, &scenes::SPHERE, &mvp, &Gouraud::new())
                 }
-                SceneName::SphereFlat => canvas.draw_with(pass, &scenes::SPHERE, &mvp, &faces),
+                SceneName::SphereFlat => canvas.draw_with(options, &scenes::SPHERE, &mvp, &faces),
             }
         )))
     }

@@ -1,4 +1,4 @@
-//! A model in each look and each colour.
+//! A model in each look and each color.
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
@@ -15,13 +15,13 @@ use crate::args::{Filter, Shade};
 /// A canvas as the simulator has it.
 pub type Board<'a, C, D> = Canvas<'a, C, Native, D>;
 
-/// A canvas's colour, and how it takes a texture.
+/// A canvas's color, and how it takes a texture.
 pub trait Shown: Levels + Into<Rgb888> + Default {
-    /// The colour that a texture is kept in: for dithered colours a finer one, as it is the
+    /// The color that a texture is kept in: for dithered colors a finer one, as it is the
     /// picture that is to be dithered and not the texture.
     type Texel: Levels + Blend;
 
-    /// The shader in the canvas's colour.
+    /// The shader in the canvas's color.
     fn shown<F: Shader<Color = Self::Texel>>(shader: F) -> impl Shader<Color = Self>;
 }
 
@@ -71,16 +71,16 @@ impl Posed<'_> {
         let View {
             projection,
             camera,
-            pass,
+            options,
             mode,
             ..
         } = self.view;
         self.each(|mesh| match *projection {
-            Lens::Perspective(projection) => in_mode!(*mode, pass, |pass| {
-                canvas.draw_with(pass, mesh, &(projection * *camera * self.pose), shader)
+            Lens::Perspective(projection) => in_mode!(*mode, options, |options| {
+                canvas.draw_with(options, mesh, &(projection * *camera * self.pose), shader)
             }),
             Lens::Parallel(projection) => {
-                canvas.draw_with(pass, mesh, &(projection * *camera * self.pose), shader)
+                canvas.draw_with(options, mesh, &(projection * *camera * self.pose), shader)
             }
         })
     }
@@ -94,15 +94,15 @@ impl Posed<'_> {
         let View {
             projection,
             camera,
-            pass,
+            options,
             ..
         } = self.view;
         self.each(|mesh| match *projection {
             Lens::Perspective(projection) => {
-                canvas.draw_edges(pass, mesh, &(projection * *camera * self.pose), shader)
+                canvas.draw_edges(options, mesh, &(projection * *camera * self.pose), shader)
             }
             Lens::Parallel(projection) => {
-                canvas.draw_edges(pass, mesh, &(projection * *camera * self.pose), shader)
+                canvas.draw_edges(options, mesh, &(projection * *camera * self.pose), shader)
             }
         })
     }

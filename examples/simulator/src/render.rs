@@ -1,4 +1,4 @@
-//! From arguments to pictures: the whole run, in each colour.
+//! From arguments to pictures: the whole run, in each color.
 
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
 

@@ -60,7 +60,7 @@ impl Skin {
         Self(image.unwrap_or_default())
     }
 
-    /// 64x64 texels, squares of 8 in two colours.
+    /// 64x64 texels, squares of 8 in two colors.
     pub fn checker() -> Self {
         Self(RgbImage::from_fn(64, 64, |x, y| {
             image::Rgb(if (x / 8 + y / 8) % 2 == 0 {
@@ -71,7 +71,7 @@ impl Skin {
         }))
     }
 
-    /// The texels in the colour `C`.
+    /// The texels in the color `C`.
     pub fn texels<C: Levels>(&self) -> Texels<C> {
         let (width, height) = self.0.dimensions();
         let color = |&image::Rgb([r, g, b]): &image::Rgb<u8>| {

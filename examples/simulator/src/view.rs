@@ -22,7 +22,7 @@ pub enum Lens {
 pub struct View {
     pub projection: Lens,
     pub camera: Camera,
-    pub pass: DrawOptions,
+    pub options: DrawOptions,
     pub light: Light,
     pub filter: Filter,
     pub mode: Mode,
@@ -123,7 +123,7 @@ impl View {
         Ok(Self {
             projection,
             camera,
-            pass: DrawOptions::new().cull(cull),
+            options: DrawOptions::new().cull(cull),
             light: if args.two_sided {
                 light.two_sided()
             } else {

@@ -1,4 +1,4 @@
-//! Shaders that write down what they are given, in place of a colour.
+//! Shaders that write down what they are given, in place of a color.
 
 use std::cell::RefCell;
 

@@ -33,7 +33,7 @@ impl Times {
         self.0.resize(case.shots.len(), Vec::new());
         let timing = Timing {
             case,
-            pass: &DrawOptions::new().mode(mode),
+            options: &DrawOptions::new().mode(mode),
             repeats,
             times: self,
         };
@@ -43,7 +43,7 @@ impl Times {
 
 struct Timing<'a, I> {
     case: &'a Case,
-    pass: &'a DrawOptions<I>,
+    options: &'a DrawOptions<I>,
     repeats: u32,
     times: &'a mut Times,
 }
@@ -64,7 +64,7 @@ impl<I: Mode> Job for Timing<'_, I> {
                 let start = Instant::now();
                 for _ in 0..times {
                     let (mesh, mvp) = (black_box(&mesh), black_box(&shot.mvp));
-                    black_box(canvas.draw_with(self.pass, mesh, mvp, shader));
+                    black_box(canvas.draw_with(self.options, mesh, mvp, shader));
                 }
                 let time = start.elapsed();
                 if repeat >= WARM {

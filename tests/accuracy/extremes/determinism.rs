@@ -155,12 +155,12 @@ fn sums<B: Kept>(
 }
 
 fn frame<B: Kept>(mode: impl Mode, rows: u32, numbers: Numbers) -> Sums {
-    let pass = DrawOptions::new().mode(mode);
+    let options = DrawOptions::new().mode(mode);
     let models = models();
     sums::<B>(rows, |band, projection| {
         for model in &models {
             let mvp = *projection * model.place;
-            band.draw_with(&pass, &model.mesh(numbers), &mvp, &Textured::new(&SKIN));
+            band.draw_with(&options, &model.mesh(numbers), &mvp, &Textured::new(&SKIN));
         }
     })
 }
@@ -181,7 +181,7 @@ fn bands<B: Kept>(mode: impl Mode) -> Sums {
 fn bands_are_the_frame() {
     fn with_either_depth(mode: impl Mode) {
         let [linear, floating] = [bands::<Linear>(mode), bands::<Floating>(mode)];
-        // Depths are other numbers, but nowhere are surfaces so near each other that the colours show it.
+        // Depths are other numbers, but nowhere are surfaces so near each other that the colors show it.
         assert_eq!(linear.colors, floating.colors);
         assert_ne!(linear.depths, floating.depths);
     }

@@ -243,7 +243,7 @@ fn near_and_far() {
     }
 }
 
-/// Screen coordinates reach 2048 pixels from the viewport's centre: within, a triangle is drawn as it is, beyond it is
+/// Screen coordinates reach 2048 pixels from the viewport's center: within, a triangle is drawn as it is, beyond it is
 /// clipped, and covers the same.
 #[test]
 fn guard_band() {
@@ -286,7 +286,7 @@ fn guard_band() {
     }
 }
 
-/// Places on the screen are from 2048 pixels before the viewport's centre to a subpixel less after it: 20 bits, which is
+/// Places on the screen are from 2048 pixels before the viewport's center to a subpixel less after it: 20 bits, which is
 /// what edges are walked with.
 #[test]
 fn places_are_within_the_guard_band() {

@@ -54,7 +54,7 @@ struct Scene {
     uvs: Vec<Vec2>,
     faces: Vec<[u16; 3]>,
     edges: Vec<[u16; 2]>,
-    pass: DrawOptions,
+    options: DrawOptions,
     size: (u32, u32),
     /// Rows of a band.
     rows: u32,
@@ -108,7 +108,7 @@ fn scene() -> impl Strategy<Value = Scene> {
         1 => (-40..40, -40..40, 1_u32..80, 1_u32..80).prop_map(Some),
     ];
     let cull = select(vec![Cull::Back, Cull::Nothing, Cull::Front]);
-    let pass = (viewport, cull).prop_map(|(viewport, cull)| match viewport {
+    let options = (viewport, cull).prop_map(|(viewport, cull)| match viewport {
         None => DrawOptions::new().cull(cull),
         Some((x, y, width, height)) => DrawOptions::new()
             .cull(cull)
@@ -134,7 +134,7 @@ fn scene() -> impl Strategy<Value = Scene> {
             vec(prop::array::uniform2(index()), 4),
         ),
         (
-            pass,
+            options,
             size,
             1_u32..8,
             select(vec![Format::Linear, Format::Float, Format::WideFloat]),
@@ -144,14 +144,14 @@ fn scene() -> impl Strategy<Value = Scene> {
         ),
     )
         .prop_map(|((positions, short, uvs, faces, edges), rest)| {
-            let (pass, size, rows, depth, (what, mode), model, camera) = rest;
+            let (options, size, rows, depth, (what, mode), model, camera) = rest;
             Scene {
                 positions,
                 short,
                 uvs,
                 faces,
                 edges,
-                pass,
+                options,
                 size,
                 rows,
                 depth,
@@ -216,20 +216,20 @@ impl Scene {
         canvas: &mut Canvas<'_, Gray8, Native, D>,
         projection: Projection<K>,
     ) {
-        let pass = &self.pass;
+        let options = &self.options;
         match self.mode {
-            Mode::Newton => self.draw_in(&pass.mode(Newton), canvas, projection),
-            Mode::Exact => self.draw_in(&pass.mode(Exact), canvas, projection),
+            Mode::Newton => self.draw_in(&options.mode(Newton), canvas, projection),
+            Mode::Exact => self.draw_in(&options.mode(Exact), canvas, projection),
             Mode::Fast(texels) => {
-                self.draw_in(&pass.mode(Fast::within(texels)), canvas, projection);
+                self.draw_in(&options.mode(Fast::within(texels)), canvas, projection);
             }
-            Mode::Affine => self.draw_in(&pass.mode(Affine), canvas, projection),
+            Mode::Affine => self.draw_in(&options.mode(Affine), canvas, projection),
         }
     }
 
     fn draw_in<I: mode::Mode, K: ProjectionKind, D: DepthBuffer>(
         &self,
-        pass: &DrawOptions<I>,
+        options: &DrawOptions<I>,
         canvas: &mut Canvas<'_, Gray8, Native, D>,
         projection: Projection<K>,
     ) {
@@ -244,19 +244,19 @@ impl Scene {
             .unwrap();
         let light = Light::new(vec3!(1, 2, 3), fx!(0.5), fx!(0.5)).unwrap();
         let drawn = match self.what {
-            What::Triangles => canvas.draw_with(pass, mesh, mvp, &Raw),
-            What::Edges => canvas.draw_edges(pass, mesh, mvp, &Raw),
-            What::Points => canvas.draw_points(pass, mesh, mvp, &Raw),
-            What::Normals => canvas.draw_with(pass, mesh, mvp, &NormalView::new()),
+            What::Triangles => canvas.draw_with(options, mesh, mvp, &Raw),
+            What::Edges => canvas.draw_edges(options, mesh, mvp, &Raw),
+            What::Points => canvas.draw_points(options, mesh, mvp, &Raw),
+            What::Normals => canvas.draw_with(options, mesh, mvp, &NormalView::new()),
             What::Lit => {
                 let white = Rgb888::new(255, 255, 255);
-                canvas.draw_with(pass, mesh, mvp, &Flat::rgb(white).lit(light))
+                canvas.draw_with(options, mesh, mvp, &Flat::rgb(white).lit(light))
             }
-            What::Depth => canvas.draw_with(pass, mesh, mvp, &DepthView::new()),
+            What::Depth => canvas.draw_with(options, mesh, mvp, &DepthView::new()),
         };
         assert!(drawn.clipped <= drawn.drawn && drawn.drawn <= drawn.submitted);
         for &position in &self.positions {
-            let _ = canvas.project(pass, mvp, position);
+            let _ = canvas.project(options, mvp, position);
         }
     }
 
@@ -321,7 +321,7 @@ proptest! {
     }
 
     #[test]
-    fn off_centre_perspective_is_total(scene in scene(), edges in prop::array::uniform6(scalar())) {
+    fn off_center_perspective_is_total(scene in scene(), edges in prop::array::uniform6(scalar())) {
         let [l, r, b, t, n, f] = edges;
         let window = Window { left: l.min(r), right: l.max(r), bottom: b.min(t), top: b.max(t) };
         scene.check(Projection::frustum(window, n, f))?;

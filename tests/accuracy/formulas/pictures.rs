@@ -93,7 +93,7 @@ fn check(model: Transform, picture: &[String]) {
         let axis = usize::from(steep);
         let (from, to) = (a[axis].min(b[axis]), a[axis].max(b[axis]));
         for along in 0..size {
-            // Pixels' centres that are well between the ends.
+            // Pixels' centers that are well between the ends.
             if along as f64 + 0.49 < from || along as f64 + 0.51 > to {
                 continue;
             }

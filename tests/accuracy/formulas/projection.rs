@@ -47,7 +47,7 @@ fn the_practice_cube() {
         for (x, y) in [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)] {
             let image = projection.image(vec(x, y, z)).unwrap().map(float);
             all_close(image, [x * size, y * size], STEP / 2.0);
-            // The window is ±1, and so are normalised device coordinates.
+            // The window is ±1, and so are normalized device coordinates.
             let ndc = projection.to_matrix().project(vec(x, y, z)).unwrap();
             all_close([ndc.x, ndc.y].map(float), [x * size, y * size], STEP / 2.0);
         }
@@ -91,7 +91,7 @@ fn frustum_and_back() {
     let expected = seven.to_matrix().rows().map(|row| row.map(float));
     same_matrix(&again.to_matrix(), expected, 2.0 * 4.0 * relative + STEP);
 
-    // Off the centre: the edges are as they were given.
+    // Off the center: the edges are as they were given.
     let window = Window {
         left: fx!(-1),
         right: fx!(3),
@@ -200,7 +200,7 @@ fn orthographic_box() {
 /// How far and in which direction an edge of length one along the view runs on screen, in degrees.
 fn receding(projection: &Projection<Parallel>) -> (f64, f64) {
     let at = |z| projection.to_matrix().project(vec(0.25, 0.25, z)).unwrap();
-    // The window is ±1, and so are normalised device coordinates.
+    // The window is ±1, and so are normalized device coordinates.
     let [x, y] = [at(-3.0) - at(-2.0)].map(|d| [float(d.x), float(d.y)])[0];
     (x.hypot(y), y.atan2(x).to_degrees())
 }

@@ -1,4 +1,4 @@
-//! Shades, colours, filters and depths.
+//! Shades, colors, filters and depths.
 
 use std::fs;
 
