@@ -1,7 +1,7 @@
 //! 3D scenes in microcontroller framebuffers, in fixed point.
 //!
 //! `fixel` (fixed + pixel) projects, clips, rasterizes and shades triangles, lines and points with integers
-//! only: textures and colours are correct in perspective, every pixel is the same on every
+//! only: textures and colors are correct in perspective, every pixel is the same on every
 //! processor, and the memory is yours. It is `no_std`, without allocation and without `unsafe`.
 //!
 //! # A picture
@@ -59,8 +59,8 @@
 //!
 //! ```text
 //! mesh ──▶ transform ──▶ clip ──▶ viewport ──▶ set-up ──▶ edges/spans ──▶ interpolate ──▶ shade ──▶ target
-//! (flash)  model·view·   six planes, clip to    gradients   top-left rule   1/w ▸ w, then    shader  colour + depth
-//!          projection    homogeneous screen 24.8 per tri.   integer DDA     attr/w · w       colour    rows, bands
+//! (flash)  model·view·   six planes, clip to    gradients   top-left rule   1/w ▸ w, then    shader  color + depth
+//!          projection    homogeneous screen 24.8 per tri.   integer DDA     attr/w · w       color    rows, bands
 //! ```
 //!
 //! | what | made by | goes where |
@@ -70,7 +70,7 @@
 //! | [`Shader`] | [`shade`], or ten lines of your own | third |
 //! | [`DrawOptions`]: culling, viewport, interpolation | [`DrawOptions::new`] | [`Canvas::draw_with`], [`draw_edges`](Canvas::draw_edges), [`draw_points`](Canvas::draw_points) |
 //! | [`TriangleList`]: triangles transformed once for all bands | [`TriangleList::new`], [`prepare`](TriangleList::prepare) | [`Canvas::draw_prepared`] |
-//! | [`Canvas`]: colours, depth, rows | [`Canvas::new`], [`Canvas::band`], [`Canvas::big_endian`] and so on, over your slices | a display, by [`Canvas::show`] or [`Canvas::as_bytes`] |
+//! | [`Canvas`]: colors, depth, rows | [`Canvas::new`], [`Canvas::band`], [`Canvas::big_endian`] and so on, over your slices | a display, by [`Canvas::show`] or [`Canvas::as_bytes`] |
 //!
 //! # Spaces
 //!
@@ -80,7 +80,7 @@
 //! | world | right-handed, y up; lights are here | yours, [`Scalar`] | [`Transform`] |
 //! | eye | right-handed: x right, y up, the view down −z | the world's | [`Camera`] |
 //! | clip | x right, y up, w = −z of eye space, or 1 under a parallel projection; what is seen has −w ≤ x, y ≤ w between the near and the far plane | homogeneous, 64 bits inside the crate | [`Projection`] |
-//! | screen | x right, y down from the frame's top left corner; pixel centres at halves | pixels, [`Subpixel`](number::Subpixel): 1/256 | [`Viewport`] |
+//! | screen | x right, y down from the frame's top left corner; pixel centers at halves | pixels, [`Subpixel`](number::Subpixel): 1/256 | [`Viewport`] |
 //! | depth | 65535 at the near plane, falling towards 0 with the distance; greater is nearer | floor(65535 · near / w), linear in the distance under a parallel projection | [`Fragment::depth`] |
 //! | texture | u right, v down from the top left corner | one repeat, [`TexCoord`] | [`Corner::uv`] |
 //!
@@ -95,7 +95,7 @@
 //! 3. **Total.** For every input that the types admit, drawing neither panics nor writes outside the
 //!    canvas. What cannot be drawn is refused by a constructor, with an [`Error`] that says what and why.
 //!    How far accuracy is promised, and what is beyond, is said in [`guide::limits`].
-//! 4. **Watertight.** Triangles that share an edge cover each pixel centre between them exactly once,
+//! 4. **Watertight.** Triangles that share an edge cover each pixel center between them exactly once,
 //!    clipped or not.
 //! 5. **Bands equal frames.** A frame drawn in strips is the same, bit for bit.
 //! 6. **Pay for what is used.** Texture, depth buffer, lines, byte order, way of interpolation are type
@@ -103,7 +103,7 @@
 //!
 //! # Drawing to a display
 //!
-//! A frame of 320x240 takes 150 KiB of colour and 150 KiB of depth. Where there is not so much, the
+//! A frame of 320x240 takes 150 KiB of color and 150 KiB of depth. Where there is not so much, the
 //! scene is drawn strip by strip into the same memory, each sent off when it is finished.
 //!
 //! ```

@@ -30,7 +30,7 @@ pub struct Counts {
     pub normals: usize,
     /// Triangles in normals; 0 if these are indexed like the positions.
     pub normal_faces: usize,
-    /// Colours.
+    /// Colors.
     pub colors: usize,
 }
 
@@ -77,7 +77,7 @@ pub struct Buffers<'a> {
     pub normals: &'a mut [Vec3],
     /// For triangles in normals.
     pub normal_faces: &'a mut [[Index; 3]],
-    /// For colours.
+    /// For colors.
     pub colors: &'a mut [Rgb888],
 }
 

@@ -1,5 +1,7 @@
 //! The mesh: slices that live in flash, checked once.
 
+use core::ops::Range;
+
 use embedded_graphics::pixelcolor::Rgb888;
 
 use super::attribute::Attribute;
@@ -17,7 +19,7 @@ use crate::{Error, Vec2, Vec3};
 pub type Index = u16;
 
 /// A triangle mesh over the caller's slices: positions and faces, optionally texture coordinates,
-/// normals, colours and edges.
+/// normals, colors and edges.
 ///
 /// Attributes are indexed like positions, unless they come with faces of their own (as in OBJ
 /// files, where a position may have another texture coordinate in each face). A corner without a
@@ -88,7 +90,7 @@ const fn check<const K: usize>(
 
 impl<'a> Mesh<'a> {
     /// An index in the `faces` of an attribute that says: this corner has no value. The texture
-    /// coordinate is then (0, 0), the normal the triangle's own, the colour white.
+    /// coordinate is then (0, 0), the normal the triangle's own, the color white.
     ///
     /// (A list of 65,536 values does have one of this index.)
     pub const NO_VALUE: Index = Index::MAX;
@@ -278,7 +280,7 @@ impl<'a> Mesh<'a> {
         }
     }
 
-    /// The mesh with colours: one per position, or with `faces`, three indices per triangle.
+    /// The mesh with colors: one per position, or with `faces`, three indices per triangle.
     ///
     /// # Errors
     ///
@@ -353,6 +355,41 @@ impl<'a> Mesh<'a> {
         self.edges
     }
 
+    /// The mesh of some of the triangles, with all positions and attributes and without a new check; a range beyond the
+    /// end is cut. Edges are left out.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+    /// // Two of twelve triangles.
+    /// assert_eq!(BOX.part(4..6).faces().len(), 2);
+    /// assert_eq!(BOX.part(11..99).faces(), &BOX.faces()[11..]);
+    /// ```
+    #[must_use]
+    pub fn part(&self, faces: Range<usize>) -> Self {
+        let end = faces.end.min(self.faces.len());
+        let range = faces.start.min(end)..end;
+        let own =
+            |faces: Option<&'a [[Index; 3]]>| faces.and_then(|faces| faces.get(range.clone()));
+        Self {
+            faces: self.faces.get(range.clone()).unwrap_or_default(),
+            edges: &[],
+            uvs: Attribute {
+                faces: own(self.uvs.faces),
+                ..self.uvs
+            },
+            normals: Attribute {
+                faces: own(self.normals.faces),
+                ..self.normals
+            },
+            colors: Attribute {
+                faces: own(self.colors.faces),
+                ..self.colors
+            },
+            ..*self
+        }
+    }
+
     /// Whether there are texture coordinates.
     #[must_use]
     pub const fn has_uvs(&self) -> bool {
@@ -365,7 +402,7 @@ impl<'a> Mesh<'a> {
         !self.normals.values.is_empty()
     }
 
-    /// Whether there are colours.
+    /// Whether there are colors.
     #[must_use]
     pub const fn has_colors(&self) -> bool {
         !self.colors.values.is_empty()

@@ -16,5 +16,5 @@ pub use mesh::{Index, Mesh};
 pub(crate) use positions::Place;
 pub use positions::Positions;
 pub(crate) use primitive::Placement;
-pub use primitive::{Corner, Primitive};
+pub use primitive::{Corner, Missing, Primitive};
 pub use shapes::Shape;

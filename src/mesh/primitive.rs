@@ -1,6 +1,6 @@
 //! A mesh as a shader sees it: a triangle, edge or point, and its corners.
 
-use core::cell::OnceCell;
+use core::cell::{Cell, OnceCell};
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
@@ -17,6 +17,34 @@ pub(crate) struct Placement {
     view: Transform,
     /// Computed for the first normal that a shader asks for.
     normals: OnceCell<NormalMatrix>,
+    missing: Cell<Missing>,
+}
+
+/// Attributes that a shader asked for and the mesh lacks: part of what a draw call returns.
+///
+/// A mesh without texture coordinates shows a single texel all over, and one without colors is white. Neither is an error,
+/// as both may be meant; here it is said.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use fixel::prelude::*;
+/// static SKIN: TextureArray<Gray8, 2, 1> = TextureArray::gray8(&[10, 20]);
+/// let positions = [vec3!(-1, -1, -2), vec3!(1, -1, -2), vec3!(0, 1, -2)];
+/// let bare = Mesh::new(&positions, &[[0, 1, 2]])?;
+/// let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.1), fx!(100))?;
+/// let mut pixels = [Gray8::new(0); 12];
+/// let mut canvas = Canvas::new(&mut pixels, 4, 3)?;
+/// let drawn = canvas.draw(&bare, &projection, &Textured::new(&SKIN));
+/// assert!(drawn.missing.uvs);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub struct Missing {
+    /// Texture coordinates, which were taken to be (0, 0).
+    pub uvs: bool,
+    /// Colors, which were taken to be white.
+    pub colors: bool,
 }
 
 impl Placement {
@@ -26,7 +54,37 @@ impl Placement {
             model,
             view,
             normals: OnceCell::new(),
+            missing: Cell::new(Missing {
+                uvs: false,
+                colors: false,
+            }),
         }
+    }
+
+    /// What shaders asked for and the mesh lacks.
+    #[inline]
+    pub(crate) const fn missing(&self) -> Missing {
+        self.missing.get()
+    }
+
+    #[cold]
+    fn lacks_uvs(&self) -> Vec2 {
+        let missing = self.missing.get();
+        self.missing.set(Missing {
+            uvs: true,
+            ..missing
+        });
+        Vec2::default()
+    }
+
+    #[cold]
+    fn lacks_colors(&self) -> Rgb888 {
+        let missing = self.missing.get();
+        self.missing.set(Missing {
+            colors: true,
+            ..missing
+        });
+        Rgb888::WHITE
     }
 }
 
@@ -204,7 +262,7 @@ impl Corner<'_> {
         self.primitive
             .mesh
             .uv(self.primitive.element, self.corner)
-            .unwrap_or_default()
+            .unwrap_or_else(|| self.primitive.placement.lacks_uvs())
     }
 
     /// The normal in model space, of any length; where the mesh has none, the triangle's own.
@@ -221,14 +279,14 @@ impl Corner<'_> {
         }
     }
 
-    /// The colour; white where the mesh has none.
+    /// The color; white where the mesh has none.
     #[must_use]
     #[inline]
     pub fn color(&self) -> Rgb888 {
         self.primitive
             .mesh
             .color(self.primitive.element, self.corner)
-            .unwrap_or(Rgb888::WHITE)
+            .unwrap_or_else(|| self.primitive.placement.lacks_colors())
     }
 
     /// The direction of [`normal`](Self::normal) in world space, where lights are; upright also on a model that is

@@ -4,7 +4,7 @@ use super::DrawOptions;
 use super::vertex::Projector;
 use crate::mesh::{Element, Mesh, Placement, Primitive};
 use crate::raster::{Cull, DepthShift};
-use crate::view::{Mvp, ProjectionKind, Viewport};
+use crate::view::{ModelToPicture, ProjectionKind, Viewport};
 
 /// A mesh on its way to the screen: what all of its primitives share.
 #[derive(Clone, Debug)]
@@ -16,17 +16,17 @@ pub(super) struct Call<'m, K> {
 }
 
 impl<'m, K: ProjectionKind> Call<'m, K> {
-    pub(super) fn new<M: Copy, Z: Copy>(
+    pub(super) fn new<M: Copy, Z: Copy, V: ModelToPicture<Kind = K>>(
         options: &DrawOptions<M, Z>,
         mesh: &'m Mesh<'m>,
-        mvp: &Mvp<K>,
+        mvp: &V,
         viewport: &Viewport,
     ) -> Self {
-        let view = mvp.model_view();
+        let view = mvp.model_view_of();
         Self {
             mesh,
-            projector: Projector::new(mesh.positions(), &mvp.projection, &view, viewport),
-            placement: Placement::new(mvp.model, view),
+            projector: Projector::new(mesh.positions(), mvp.projection_of(), &view, viewport),
+            placement: Placement::new(mvp.model_of(), view),
             cull: options.cull,
         }
     }

@@ -1,5 +1,6 @@
 //! Triangles prepared once for all bands of a frame.
 
+use core::marker::PhantomData;
 use core::ops::Range;
 
 use embedded_graphics::geometry::Size;
@@ -12,13 +13,14 @@ use super::clip::ClippedPolygon;
 use super::run::{self, Draw};
 use super::{DrawOptions, Drawn};
 use crate::Error;
+use crate::math::Transform;
 use crate::mesh::{Element, Index, Mesh, Placement};
 use crate::raster::{
     Barycentric, Blitter, ClippedVertex, Cull, DepthShift, Polygon, Scissor, ScreenVertex, Triangle,
 };
 use crate::span::{Mode, Newton};
 use crate::target::{DepthTest, TestAndWrite, check_size};
-use crate::view::{Mvp, Perspective, ProjectionKind, Viewport};
+use crate::view::{ModelToPicture, Perspective, ProjectionKind, Viewport};
 
 /// Memory for the triangles of a frame that is drawn in bands: transformed, culled and clipped
 /// once, walked by every band.
@@ -26,7 +28,7 @@ use crate::view::{Mvp, Perspective, ProjectionKind, Viewport};
 /// Without it each band transforms the whole mesh again, which for a mesh of many small triangles
 /// takes longer than to draw it. Room is needed for the triangles that are to be seen (16 bytes
 /// each), and for their vertices (16 bytes each): about half as many in a closed mesh whose
-/// triangles are in the order of neighbours, at most three times as many, and up to 18 for each
+/// triangles are in the order of neighbors, at most three times as many, and up to 18 for each
 /// triangle that is clipped. Where there is too little, [`prepare`](Self::prepare) says how much
 /// is needed.
 ///
@@ -150,7 +152,9 @@ impl Slot {
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<'a, K = Perspective, M = Newton, Z = TestAndWrite> {
     mesh: &'a Mesh<'a>,
-    mvp: Mvp<K>,
+    model: Transform,
+    model_view: Transform,
+    kind: PhantomData<K>,
     viewport: Viewport,
     cull: Cull,
     triangles: &'a [Entry],
@@ -186,13 +190,13 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
     ///
     /// [`Error::Full`] if the list is too short for what is to be seen, with the length that is
     /// needed; [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`](crate::target::MAX_SIZE).
-    pub fn prepare<'a, M: Mode, Z: DepthTest, K: ProjectionKind>(
+    pub fn prepare<'a, M: Mode, Z: DepthTest, V: ModelToPicture>(
         &'a mut self,
         options: &DrawOptions<M, Z>,
         frame: impl Into<Size>,
         mesh: &'a Mesh<'a>,
-        mvp: &Mvp<K>,
-    ) -> Result<Prepared<'a, K, M, Z>, Error> {
+        mvp: &V,
+    ) -> Result<Prepared<'a, V::Kind, M, Z>, Error> {
         let frame = frame.into();
         check_size(frame.width, frame.height)?;
         let viewport = options.viewport_in(frame);
@@ -222,7 +226,9 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
         }
         Ok(Prepared {
             mesh,
-            mvp: *mvp,
+            model: mvp.model_of(),
+            model_view: mvp.model_view_of(),
+            kind: PhantomData,
             viewport,
             cull: call.cull,
             triangles: &self.triangles,
@@ -321,7 +327,7 @@ impl<K: ProjectionKind, M, Z> Prepared<'_, K, M, Z> {
     #[inline(never)]
     pub(super) fn draw(&self, blitter: &mut dyn Blitter, width: u32, rows: &Range<u32>) -> Drawn {
         let scissor = Scissor::new(&self.viewport, width, rows);
-        let placement = Placement::new(self.mvp.model, self.mvp.model_view());
+        let placement = Placement::new(self.model, self.model_view);
         let mut draw = Draw {
             blitter,
             mesh: self.mesh,
@@ -358,6 +364,7 @@ impl<K: ProjectionKind, M, Z> Prepared<'_, K, M, Z> {
             }
         }
         draw.drawn.submitted = self.mesh.faces().len() as u32;
+        draw.drawn.missing = placement.missing();
         draw.drawn
     }
 

@@ -17,13 +17,13 @@ use run::Draw;
 use vertex::Projector;
 
 use crate::Vec3;
-use crate::mesh::{Mesh, Positions};
+use crate::mesh::{Mesh, Missing, Positions};
 use crate::num::Subpixel;
 use crate::raster::{DepthShift, Scissor, ScreenVertex};
 use crate::shade::Shader;
 use crate::span::{Blit, Mode};
 use crate::target::{Canvas, DepthBuffer, DepthTest, Storage};
-use crate::view::{Mvp, ProjectionKind};
+use crate::view::{ModelToPicture, ProjectionKind};
 
 /// What became of a draw call's triangles, edges or points.
 ///
@@ -49,6 +49,8 @@ pub struct Drawn {
     pub drawn: u32,
     /// How many of those drawn were cut by a plane of the view volume or of the guard band.
     pub clipped: u32,
+    /// What the shader asked for and the mesh lacks.
+    pub missing: Missing,
 }
 
 /// Where a point of model space is on the screen.
@@ -59,14 +61,14 @@ pub struct Drawn {
 /// let mut pixels = [Gray8::new(0); 64];
 /// let canvas = Canvas::new(&mut pixels, 8, 8)?;
 /// let projection = Projection::perspective(Angle::from_degrees(90), (1, 1), fx!(0.5), fx!(10))?;
-/// let at = canvas.project(&DrawOptions::new(), &projection.into(), vec3!(0.5, 1, -2)).unwrap();
+/// let at = canvas.project(&DrawOptions::new(), &projection, vec3!(0.5, 1, -2)).unwrap();
 /// assert_eq!((at.x.to_num(), at.y.to_num()), (5, 2));
 /// assert_eq!(at.depth, 65535 / 4);
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ScreenPoint {
-    /// Columns from the frame's left edge, to the nearest 1/256: a pixel's centre is half a column
+    /// Columns from the frame's left edge, to the nearest 1/256: a pixel's center is half a column
     /// from its edges.
     pub x: Subpixel,
     /// Rows from the frame's top edge.
@@ -80,25 +82,25 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     /// perspective.
     ///
     /// Cannot fail: hidden parts are left out, and what is partly in the view is clipped.
-    pub fn draw<K: ProjectionKind, S: Shader<Color = C>>(
+    pub fn draw<V: ModelToPicture, S: Shader<Color = C>>(
         &mut self,
         mesh: &Mesh<'_>,
-        mvp: &Mvp<K>,
+        mvp: &V,
         shader: &S,
     ) -> Drawn {
         self.draw_with(&DrawOptions::new(), mesh, mvp, shader)
     }
 
     /// Draws a mesh's triangles as [`draw`](Self::draw) does, with options.
-    pub fn draw_with<M: Mode, Z: DepthTest, K: ProjectionKind, S: Shader<Color = C>>(
+    pub fn draw_with<M: Mode, Z: DepthTest, V: ModelToPicture, S: Shader<Color = C>>(
         &mut self,
         options: &DrawOptions<M, Z>,
         mesh: &Mesh<'_>,
-        mvp: &Mvp<K>,
+        mvp: &V,
         shader: &S,
     ) -> Drawn {
         let (call, scissor) = self.call(options, mesh, mvp);
-        let mut blit = self.blit::<K, _, _, _>(options, shader, call.depth_shift());
+        let mut blit = self.blit::<V::Kind, _, _, _>(options, shader, call.depth_shift());
         draw_triangles(&call, &mut blit, &scissor)
     }
 
@@ -117,28 +119,28 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     }
 
     /// Draws a mesh's [edges](Mesh::edges) as lines, one pixel wide.
-    pub fn draw_edges<M: Mode, Z: DepthTest, K: ProjectionKind, S: Shader<Color = C>>(
+    pub fn draw_edges<M: Mode, Z: DepthTest, V: ModelToPicture, S: Shader<Color = C>>(
         &mut self,
         options: &DrawOptions<M, Z>,
         mesh: &Mesh<'_>,
-        mvp: &Mvp<K>,
+        mvp: &V,
         shader: &S,
     ) -> Drawn {
         let (call, scissor) = self.call(options, mesh, mvp);
-        let mut blit = self.blit::<K, _, _, _>(options, shader, call.depth_shift());
+        let mut blit = self.blit::<V::Kind, _, _, _>(options, shader, call.depth_shift());
         run::edges(&call, &mut blit, &scissor)
     }
 
     /// Draws a mesh's positions as points, one pixel each.
-    pub fn draw_points<M: Mode, Z: DepthTest, K: ProjectionKind, S: Shader<Color = C>>(
+    pub fn draw_points<M: Mode, Z: DepthTest, V: ModelToPicture, S: Shader<Color = C>>(
         &mut self,
         options: &DrawOptions<M, Z>,
         mesh: &Mesh<'_>,
-        mvp: &Mvp<K>,
+        mvp: &V,
         shader: &S,
     ) -> Drawn {
         let (call, scissor) = self.call(options, mesh, mvp);
-        let mut blit = self.blit::<K, _, _, _>(options, shader, call.depth_shift());
+        let mut blit = self.blit::<V::Kind, _, _, _>(options, shader, call.depth_shift());
         run::points(&call, &mut blit, &scissor)
     }
 
@@ -148,17 +150,17 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     ///
     /// For a label beside a thing, or a touch upon it.
     #[must_use]
-    pub fn project<M: Copy, Z: Copy, K: ProjectionKind>(
+    pub fn project<M: Copy, Z: Copy, V: ModelToPicture>(
         &self,
         options: &DrawOptions<M, Z>,
-        mvp: &Mvp<K>,
+        mvp: &V,
         point: Vec3,
     ) -> Option<ScreenPoint> {
         let viewport = options.viewport_in(self.frame_size());
         let projector = Projector::new(
             Positions::of_one(&point),
-            &mvp.projection,
-            &mvp.model_view(),
+            mvp.projection_of(),
+            &mvp.model_view_of(),
             &viewport,
         );
         let mut at = ScreenVertex::NONE;
@@ -176,12 +178,12 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
 
     /// The geometry of a draw call, and the pixels that it may draw to.
     #[inline(never)]
-    fn call<'m, M: Copy, Z: Copy, K: ProjectionKind>(
+    fn call<'m, M: Copy, Z: Copy, V: ModelToPicture>(
         &self,
         options: &DrawOptions<M, Z>,
         mesh: &'m Mesh<'m>,
-        mvp: &Mvp<K>,
-    ) -> (Call<'m, K>, Scissor) {
+        mvp: &V,
+    ) -> (Call<'m, V::Kind>, Scissor) {
         let frame = self.frame_size();
         let viewport = options.viewport_in(frame);
         (
@@ -219,5 +221,6 @@ fn draw_triangles<K: ProjectionKind>(
     };
     draw.drawn.submitted = call.mesh.faces().len() as u32;
     run::triangles(call, &mut draw);
+    draw.drawn.missing = call.placement.missing();
     draw.drawn
 }

@@ -46,6 +46,7 @@ pub(super) fn edges<K: ProjectionKind>(
             drawn.clipped += u32::from(is_clipped);
         }
     }
+    drawn.missing = call.placement.missing();
     drawn
 }
 
@@ -74,6 +75,7 @@ pub(super) fn points<K: ProjectionKind>(
             drawn.drawn += 1;
         }
     }
+    drawn.missing = call.placement.missing();
     drawn
 }
 

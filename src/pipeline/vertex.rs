@@ -11,7 +11,7 @@ use crate::num::wide::{IS_NARROW, dot, product, short_dot};
 use crate::raster::{DepthShift, ScreenVertex};
 use crate::view::{Projection, ProjectionKind, Row, Viewport};
 
-/// Half the width and height of the guard band, in pixels: the room about the viewport's centre in
+/// Half the width and height of the guard band, in pixels: the room about the viewport's center in
 /// which screen coordinates are exact, and to which triangles are clipped.
 const GUARD: i32 = 2048;
 /// The guard band's half width, 2^19 units of 1/256 pixel.
@@ -42,7 +42,7 @@ pub(crate) struct Projector<'m, K> {
     /// The least t inside, and how much above it the greatest is.
     least: i64,
     depth: u64,
-    /// The viewport's centre, in units of 1/256 pixel.
+    /// The viewport's center, in units of 1/256 pixel.
     center: [i32; 2],
     kind: PhantomData<K>,
 }

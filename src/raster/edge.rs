@@ -2,7 +2,7 @@
 
 use core::num::NonZeroU32;
 
-/// Where an edge crosses the centres of rows, stepped exactly.
+/// Where an edge crosses the centers of rows, stepped exactly.
 ///
 /// Positions are in units of 1/256 pixel. The crossing is the rational number
 /// `x` − 127 − `short` / `dy`, the last part below one; `x` is therefore its ceiling but for what
@@ -17,7 +17,7 @@ pub(super) struct Edge {
     dy: NonZeroU32,
 }
 
-/// The first row (or column) whose centre is at or after a position in units of 1/256 pixel:
+/// The first row (or column) whose center is at or after a position in units of 1/256 pixel:
 /// the position itself belongs to the pixel, so that of two adjoining triangles one has it.
 #[inline]
 pub(super) const fn first_center(position: i32) -> i32 {
@@ -27,8 +27,8 @@ pub(super) const fn first_center(position: i32) -> i32 {
 impl Edge {
     /// The edge down from `from` to `to`, at `row`.
     ///
-    /// Ends differ by at most 4096 pixels in each direction, and `row` is one whose centre the
-    /// edge crosses, so that everything fits in 32 bits. Of an edge that crosses no centre the
+    /// Ends differ by at most 4096 pixels in each direction, and `row` is one whose center the
+    /// edge crosses, so that everything fits in 32 bits. Of an edge that crosses no center the
     /// result has no meaning.
     #[inline(never)]
     pub(super) fn new(from: [i32; 2], to: [i32; 2], row: i32) -> Self {
@@ -43,7 +43,7 @@ impl Edge {
             if sign < 0 { dy.get() - 1 - rest } else { rest },
         );
 
-        // Less than a pixel down to the first centre, for which that much of a step will do: what
+        // Less than a pixel down to the first center, for which that much of a step will do: what
         // the step was rounded by is less than a unit, and so is what that takes from the product,
         // which then lacks one at most. The remainder tells; it is below 2 · dy, so whether products
         // wrap does not matter.
@@ -100,7 +100,7 @@ impl Edge {
         self.add(self.step, self.rest);
     }
 
-    /// The first column whose centre is on the crossing or to the right of it.
+    /// The first column whose center is on the crossing or to the right of it.
     #[inline]
     pub(super) const fn column(&self) -> i32 {
         self.x >> 8

@@ -3,7 +3,7 @@
 use crate::num::reciprocal;
 use crate::num::wide::{IS_NARROW, product, times_short, upper};
 
-/// An interpolant over a triangle: what it is at every pixel's centre, to a unit.
+/// An interpolant over a triangle: what it is at every pixel's center, to a unit.
 ///
 /// Where the triangle is [near](Basis::is_near), that is `start` and so many steps. Elsewhere those would
 /// add up too much rounding, and it is a quotient: its numerator is linear over the screen, its
@@ -16,9 +16,9 @@ pub(crate) struct Gradient {
     pub(crate) step: i32,
     /// What it gains from one row to the next; of a near triangle.
     row: i32,
-    /// The value at the centre of the pixel that corner 0 lies in; of a near triangle.
+    /// The value at the center of the pixel that corner 0 lies in; of a near triangle.
     start: i32,
-    /// The numerator at the centre of that pixel, and what it gains for a column and a row; of others.
+    /// The numerator at the center of that pixel, and what it gains for a column and a row; of others.
     numerator: i64,
     dx: i64,
     dy: i64,
@@ -52,7 +52,7 @@ impl Gradient {
 pub(crate) struct Basis {
     /// From corner 0 to corners 1 and 2.
     sides: [[i32; 2]; 2],
-    /// From corner 0 to the centre of the pixel it lies in.
+    /// From corner 0 to the center of the pixel it lies in.
     to_center: [i32; 2],
     /// What numerators are multiplied with, 2^0 to 2^31, and then shifted down by.
     up: u32,

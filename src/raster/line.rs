@@ -3,7 +3,7 @@
 use super::edge::{Edge, first_center};
 use super::{Blitter, ClippedVertex, Patch, Scissor, spans};
 
-/// Draws a line: along its longer axis every pixel whose centre is passed. A centre at the left (of
+/// Draws a line: along its longer axis every pixel whose center is passed. A center at the left (of
 /// steep lines: upper) end belongs to the line, one at the right (lower) end does not, so that
 /// lines end to end draw no pixel twice while they go on along the same axis.
 ///

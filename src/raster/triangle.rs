@@ -31,7 +31,7 @@ pub(crate) fn area([a, b, c]: &[[i32; 2]; 3]) -> i64 {
     product(bx, cy) - product(cx, by)
 }
 
-/// [`area`] of a triangle that is not culled and covers a pixel centre of the scissor; 0 of others.
+/// [`area`] of a triangle that is not culled and covers a pixel center of the scissor; 0 of others.
 #[inline(never)]
 pub(super) fn area_in(corners: &[ScreenVertex; 3], cull: Cull, scissor: &Scissor) -> i64 {
     let area = area(&ScreenVertex::screens(corners));
@@ -41,7 +41,7 @@ pub(super) fn area_in(corners: &[ScreenVertex; 3], cull: Cull, scissor: &Scissor
     area
 }
 
-/// Whether a pixel centre of the scissor is within a triangle's bounds.
+/// Whether a pixel center of the scissor is within a triangle's bounds.
 #[inline(never)]
 fn meets(corners: &[ScreenVertex; 3], scissor: &Scissor) -> bool {
     let [a, b, c] = ScreenVertex::screens(corners);
@@ -52,7 +52,7 @@ fn meets(corners: &[ScreenVertex; 3], scissor: &Scissor) -> bool {
     meets([a[1], b[1], c[1]], &scissor.rows) && meets([a[0], b[0], c[0]], &scissor.columns)
 }
 
-/// The columns or rows whose centres lie between corners.
+/// The columns or rows whose centers lie between corners.
 #[inline]
 fn centers([a, b, c]: [i32; 3]) -> Range<i32> {
     first_center(a.min(b).min(c))..first_center(a.max(b).max(c))
@@ -89,7 +89,7 @@ pub(super) fn covers([a, b, c]: &[[i32; 2]; 3], area: i64, [x, row]: [i32; 2]) -
 }
 
 impl<'a> Triangle<'a> {
-    /// A mesh's triangle of an area that is known, unless it covers no pixel centre of the scissor.
+    /// A mesh's triangle of an area that is known, unless it covers no pixel center of the scissor.
     #[inline]
     pub(crate) fn of_area(
         vertices: &'a [ScreenVertex; 3],
@@ -103,7 +103,7 @@ impl<'a> Triangle<'a> {
         })
     }
 
-    /// A mesh's triangle, unless it is culled or covers no pixel centre of the scissor.
+    /// A mesh's triangle, unless it is culled or covers no pixel center of the scissor.
     #[inline]
     pub(crate) fn new(
         vertices: &'a [ScreenVertex; 3],
@@ -133,7 +133,7 @@ impl<'a> Triangle<'a> {
 
 /// Draws a triangle, or what `part` says is its own, row by row.
 ///
-/// A centre on a left or top edge belongs to the triangle, one on a right or bottom edge does not.
+/// A center on a left or top edge belongs to the triangle, one on a right or bottom edge does not.
 #[inline(never)]
 pub(super) fn draw(
     blitter: &mut dyn Blitter,

@@ -1,4 +1,4 @@
-//! Any shader on a canvas of another colour.
+//! Any shader on a canvas of another color.
 
 use core::marker::PhantomData;
 
@@ -8,11 +8,11 @@ use super::levels::{Levels, dimmed};
 use super::{Fragment, Shader};
 use crate::mesh::Primitive;
 
-/// The colours of shader `S` in the canvas's format `C`: rounded, or dithered where `C` is
+/// The colors of shader `S` in the canvas's format `C`: rounded, or dithered where `C` is
 /// coarse (see [`Levels`]).
 ///
-/// A texture of another colour than the canvas's is converted pixel by pixel this way; to store
-/// it in the canvas's colour is faster.
+/// A texture of another color than the canvas's is converted pixel by pixel this way; to store
+/// it in the canvas's color is faster.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888}};
@@ -42,7 +42,7 @@ pub struct Converted<S, C> {
 }
 
 impl<S, C> Converted<S, C> {
-    /// `shader`, for a canvas of colour `C`.
+    /// `shader`, for a canvas of color `C`.
     #[must_use]
     pub(super) const fn new(shader: S) -> Self {
         Self {
@@ -103,11 +103,11 @@ mod tests {
     }
 
     #[test]
-    fn coarse_colours_are_dithered() {
-        let grey = Converted::<_, Gray4>::new(super::super::Flat::new(Rgb888::new(8, 8, 8)));
+    fn coarse_colors_are_dithered() {
+        let gray = Converted::<_, Gray4>::new(super::super::Flat::new(Rgb888::new(8, 8, 8)));
         // 8/255 of 15 steps is 0.47 of a step.
         let lit =
-            (0..64).filter(|i| grey.shade(&fragment(i % 8, i / 8), ()) == Some(Gray4::new(1)));
+            (0..64).filter(|i| gray.shade(&fragment(i % 8, i / 8), ()) == Some(Gray4::new(1)));
         assert_eq!(lit.count(), 30);
         let white = Converted::<_, BinaryColor>::new(super::super::Flat::new(Rgb565::WHITE));
         assert!((0..64).all(|i| white.shade(&fragment(i % 8, i / 8), ()) == Some(BinaryColor::On)));

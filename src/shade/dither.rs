@@ -2,7 +2,7 @@
 
 use embedded_graphics::geometry::Point;
 
-/// The 8x8 matrix of Bayer (1973): each of 0 to 63 once, neighbours far apart.
+/// The 8x8 matrix of Bayer (1973): each of 0 to 63 once, neighbors far apart.
 ///
 /// Built from bits: the bits of x ^ y and of y interleaved, in reverse order.
 static BAYER: [[u8; 8]; 8] = bayer();

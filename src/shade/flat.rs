@@ -1,11 +1,11 @@
-//! Colours that are constant over a mesh or a triangle.
+//! Colors that are constant over a mesh or a triangle.
 
 use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
 
 use super::{Converted, Fragment, PerFace, Shader};
 use crate::mesh::Primitive;
 
-/// One colour for everything.
+/// One color for everything.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -47,7 +47,7 @@ impl<C> Flat<C> {
 }
 
 impl<C: PixelColor> Flat<C> {
-    /// A shader of this colour.
+    /// A shader of this color.
     #[must_use]
     pub const fn new(color: C) -> Self {
         Self { color }
@@ -71,10 +71,10 @@ impl<C: PixelColor> Shader for Flat<C> {
     }
 }
 
-/// One colour per triangle, in the order of the mesh's faces.
+/// One color per triangle, in the order of the mesh's faces.
 ///
-/// Triangles beyond the end of the list have its last colour; without any colours they are
-/// black (the colour's default). Edges and points have the first.
+/// Triangles beyond the end of the list have its last color; without any colors they are
+/// black (the color's default). Edges and points have the first.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
@@ -140,7 +140,7 @@ mod tests {
     use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 
     #[test]
-    fn colours_go_by_the_face() {
+    fn colors_go_by_the_face() {
         let positions = [Vec3::ZERO, Vec3::X, Vec3::Y];
         let mesh = Mesh::new(&positions, &[[0, 1, 2]; 4]).unwrap();
         let colors = [Gray8::new(10), Gray8::new(20), Gray8::new(30)];

@@ -1,4 +1,4 @@
-//! Corner colours, interpolated.
+//! Corner colors, interpolated.
 
 use core::marker::PhantomData;
 
@@ -6,9 +6,9 @@ use super::levels::{Channels, HALF, LEVEL, Levels, dimmed};
 use super::{Fragment, Shader, Within};
 use crate::mesh::Primitive;
 
-/// The mesh's vertex colours, interpolated in perspective; white where the mesh has none.
+/// The mesh's vertex colors, interpolated in perspective; white where the mesh has none.
 ///
-/// The colour of the canvas says how: see [`Levels`](super::Levels). Grey is interpolated as one value.
+/// The color of the canvas says how: see [`Levels`](super::Levels). Gray is interpolated as one value.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor}};
@@ -37,7 +37,7 @@ pub struct Gouraud<C> {
 }
 
 impl<C> Gouraud<C> {
-    /// A shader for a canvas of colour `C`.
+    /// A shader for a canvas of color `C`.
     #[must_use]
     pub const fn new() -> Self {
         Self { color: PhantomData }
@@ -78,7 +78,7 @@ mod tests {
     use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888, RgbColor};
 
     #[test]
-    fn corners_have_their_own_colours() {
+    fn corners_have_their_own_colors() {
         let positions = [Vec3::ZERO, Vec3::X, Vec3::Y];
         let colors = [Rgb888::RED, Rgb888::new(0, 128, 255), Rgb888::WHITE];
         let mesh = Mesh::new(&positions, &[[0, 1, 2]])

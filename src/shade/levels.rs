@@ -1,4 +1,4 @@
-//! Colours as interpolated numbers, and back: rounding and dithering.
+//! Colors as interpolated numbers, and back: rounding and dithering.
 
 use embedded_graphics::geometry::Point;
 
@@ -10,17 +10,17 @@ use embedded_graphics::pixelcolor::{
 use super::Varyings;
 use super::dither::threshold;
 
-/// A colour that light and interpolated colour can be turned into.
+/// A color that light and interpolated color can be turned into.
 ///
-/// A *level* is a channel in steps of the colour's own format, with 16 fraction bits: red of
+/// A *level* is a channel in steps of the color's own format, with 16 fraction bits: red of
 /// [`Rgb565`] runs from 0 to 31 · 65,536. So the work per pixel is one addition and one shift per
 /// channel. A *fraction* is a channel as part of full brightness: 65,536 is 1.
 ///
-/// There are up to three channels: red, green, blue; or grey, thrice the same, of which only the
-/// first counts. Grey is BT.601 luma, 0.299 red + 0.587 green + 0.114 blue, weights rounded to
-/// 2⁻¹⁴, of the colour values as they are (no gamma).
+/// There are up to three channels: red, green, blue; or gray, thrice the same, of which only the
+/// first counts. Gray is BT.601 luma, 0.299 red + 0.587 green + 0.114 blue, weights rounded to
+/// 2⁻¹⁴, of the color values as they are (no gamma).
 ///
-/// The colours of embedded-graphics are implemented. Those with 5 bits per channel and more round
+/// The colors of embedded-graphics are implemented. Those with 5 bits per channel and more round
 /// to the nearest; [`Gray4`], [`Gray2`] and [`BinaryColor`] (on is white) are dithered by an 8x8
 /// ordered matrix, fixed to the frame: a constant level's mean over 8x8 pixels is within 1/128 step of it,
 /// black stays black and white stays white.
@@ -41,21 +41,21 @@ pub trait Levels: PixelColor {
     /// The channels that are interpolated.
     type Channels: Channels;
 
-    /// The channels of `color` as fractions, 0 to 65,536; for grey, its luma.
+    /// The channels of `color` as fractions, 0 to 65,536; for gray, its luma.
     fn fractions(color: Rgb888) -> [i32; 3];
 
     /// The channels in whole steps, 0 to [`MAX_STEPS`](Self::MAX_STEPS).
     fn steps(self) -> [i32; 3];
 
-    /// The colour of `levels` at a pixel of the frame: rounded to nearest, or dithered.
+    /// The color of `levels` at a pixel of the frame: rounded to nearest, or dithered.
     ///
     /// Levels may be outside black to white by 511 units of 2⁻¹⁶, far more than interpolation errs;
-    /// beyond that the colour is unspecified.
+    /// beyond that the color is unspecified.
     #[must_use]
     fn from_levels(levels: [i32; 3], at: Point) -> Self;
 
-    /// The colour of levels that have half a step, 2^15, added to each, so that to round is to cut: what is added once
-    /// to a vertex's colour need not be added at each pixel.
+    /// The color of levels that have half a step, 2^15, added to each, so that to round is to cut: what is added once
+    /// to a vertex's color need not be added at each pixel.
     #[must_use]
     #[inline]
     fn from_raised(levels: [i32; 3], at: Point) -> Self {
@@ -69,21 +69,21 @@ pub trait Levels: PixelColor {
         scale(Self::MAX_STEPS, Self::fractions(color))
     }
 
-    /// The nearest colour to `color`, or its dithered value at a pixel of the frame.
+    /// The nearest color to `color`, or its dithered value at a pixel of the frame.
     #[must_use]
     #[inline]
     fn from_rgb(color: Rgb888, at: Point) -> Self {
         Self::from_levels(Self::levels(color), at)
     }
 
-    /// This colour under a light of `fractions`, channel by channel.
+    /// This color under a light of `fractions`, channel by channel.
     #[must_use]
     #[inline]
     fn filtered(self, fractions: [i32; 3], at: Point) -> Self {
         Self::from_levels(scale(self.steps(), fractions), at)
     }
 
-    /// This colour under white light of brightness `light`, 65,536 being full.
+    /// This color under white light of brightness `light`, 65,536 being full.
     #[must_use]
     #[inline]
     fn lit(self, light: i32, at: Point) -> Self {
@@ -142,7 +142,7 @@ impl Channels for [i32; 1] {
 #[inline]
 fn scale([a, b, c]: [i32; 3], [x, y, z]: [i32; 3]) -> [i32; 3] {
     // Below 2^24 for what interpolation yields; wrapping, so that a user's own numbers cannot panic.
-    // Element by element: optimised for size, a loop over indices would keep its checks.
+    // Element by element: optimized for size, a loop over indices would keep its checks.
     [a.wrapping_mul(x), b.wrapping_mul(y), c.wrapping_mul(z)]
 }
 

@@ -6,7 +6,7 @@ use super::{Bilinear, Blend, Filter, Fragment, Nearest, Sampler, Shader, Texels}
 use crate::TexCoord;
 use crate::mesh::Primitive;
 
-/// The texel under each pixel, the nearest to its centre, or [`bilinear`](Self::bilinear) between the four around.
+/// The texel under each pixel, the nearest to its center, or [`bilinear`](Self::bilinear) between the four around.
 ///
 /// The texture repeats, or is [`clamped`](Self::clamped) to its edge. It may be
 /// [`lit`](Shader::lit) or [`tinted`](Shader::tinted) by vertex colors.
@@ -187,7 +187,7 @@ impl<S: Sampler, A: Addressing> Textured<S, A> {
     /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
     /// let mut pixels = [Gray8::BLACK; 64];
     /// let mut canvas = Canvas::new(&mut pixels, 8, 8)?;
-    /// // Eight pixels for two texels: four from centre to centre, two on from there to the edge.
+    /// // Eight pixels for two texels: four from center to center, two on from there to the edge.
     /// canvas.draw(&SQUARE, &mvp, &Textured::new(&SKIN).clamped().bilinear());
     /// let shown: Vec<u8> = pixels.iter().map(|pixel| pixel.luma()).collect();
     /// assert_eq!(shown[..8], [0, 0, 17, 51, 85, 119, 136, 136]);

@@ -24,6 +24,9 @@ pub enum Tolerance {
 /// | `(A, B)` | both |
 /// | `()` | nothing |
 ///
+/// One exact number makes all numbers of a shader exact, also where a texture alone would be drawn linearly; so prefer
+/// [`Within`] where a small error is not seen.
+///
 /// There are at most eight interpolated numbers; a shader with more does not compile.
 ///
 /// The unit of an interpolated number is the shader's own. The default mode returns it within about 60 units, so let

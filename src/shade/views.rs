@@ -8,7 +8,7 @@ use super::levels::{Channels, LEVEL, Levels};
 use super::{Fragment, Shader, Within};
 use crate::mesh::Primitive;
 
-/// Depth as grey: white is near, black is far.
+/// Depth as gray: white is near, black is far.
 ///
 /// Depth is shown in linear steps, as a plain depth buffer has them, from 65535 at the near plane towards 0. In perspective that is linear in
 /// 1/distance, so that most scenes are dark; [`between`](Self::between) spreads a part of it.
@@ -94,11 +94,11 @@ impl<C: Levels> Shader for DepthView<C> {
     }
 }
 
-/// The direction of normals in world space as a colour: red is x, green y and blue z, from dark
+/// The direction of normals in world space as a color: red is x, green y and blue z, from dark
 /// for −1 over half to bright for +1. Grey canvases show its luma.
 ///
 /// Normals are the mesh's, or where it has none the triangles' own; one without a direction is
-/// mid-grey. Colours, not directions, are interpolated.
+/// mid-gray. Colors, not directions, are interpolated.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb888;
@@ -168,7 +168,7 @@ mod tests {
     use embedded_graphics::geometry::Point;
     use embedded_graphics::pixelcolor::{BinaryColor, Gray8, GrayColor};
 
-    fn grey(view: DepthView<Gray8>, depth: u16) -> u8 {
+    fn gray(view: DepthView<Gray8>, depth: u16) -> u8 {
         let point = Point::zero();
         view.shade(&Fragment { point, depth }, ()).unwrap().luma()
     }
@@ -176,17 +176,17 @@ mod tests {
     #[test]
     fn depth_is_linear_and_saturates() {
         for depth in 0..=u16::MAX {
-            let error = f64::from(grey(DepthView::new(), depth)) - f64::from(depth) / 257.0;
+            let error = f64::from(gray(DepthView::new(), depth)) - f64::from(depth) / 257.0;
             // Two units of 2^-16 of white beyond the rounding.
             assert!(error.abs() < 0.5 + 2.0 * 255.0 / 65536.0, "{depth}");
         }
         let view = DepthView::between(1000, 1255);
-        assert_eq!([0, 1000, 1001, 1128].map(|d| grey(view, d)), [0, 0, 1, 128]);
-        assert_eq!([1254, 1255, 65535].map(|d| grey(view, d)), [254, 255, 255]);
+        assert_eq!([0, 1000, 1001, 1128].map(|d| gray(view, d)), [0, 0, 1, 128]);
+        assert_eq!([1254, 1255, 65535].map(|d| gray(view, d)), [254, 255, 255]);
         for far in [0, 7, 65535] {
-            assert_eq!(grey(DepthView::between(far, far), far), 0);
+            assert_eq!(gray(DepthView::between(far, far), far), 0);
             assert_eq!(
-                grey(DepthView::between(far, 0), far.saturating_add(1)),
+                gray(DepthView::between(far, 0), far.saturating_add(1)),
                 if far < 65535 { 255 } else { 0 }
             );
         }
@@ -204,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn normals_have_the_colour_of_their_direction() {
+    fn normals_have_the_color_of_their_direction() {
         let positions = [Vec3::ZERO, Vec3::X, Vec3::Y];
         let normals = [vec3!(5, 0, 0), vec3!(0, -1, 0), Vec3::ZERO];
         let mesh = Mesh::new(&positions, &[[0, 1, 2]])

@@ -92,8 +92,8 @@ pub(super) const WHOLE: u32 = 30;
 /// δ is at most 2^-6 where a reciprocal is found from those before it.
 const STEEPEST: u32 = 6;
 
-/// A corner's q below this is over 128 times as far as the nearest one. Interpolants are rounded to half a unit at the
-/// nearest corner's scale, and a span's steps add 32; so far away that is 0.001 texels of 256.
+/// A corner's q below this is over 128 times as far as the nearest one, or over 256 times, as that one's q is from 2^30 to
+/// 2^31. Interpolants are rounded to half a unit at the nearest corner's scale, and a span's steps add up to 32 units.
 pub(super) const STEEP: u32 = 1 << 23;
 
 /// By how many bits a span's interpolants can be shifted up so that q is from 2^29 to 2^31 in all its pixels; `None` if
@@ -111,7 +111,7 @@ fn room(q: u32, step: i32, count: usize) -> Option<u32> {
 /// Perspective-correct at every pixel, by the exact [`reciprocal`](crate::num::reciprocal) of 1/w.
 ///
 /// No pixel depends on one before it. From the span's interpolants an attribute is rounded down to its unit; the
-/// reciprocal adds less than 2⁻³⁰ of it. In a triangle with a corner over 128 times as far as its nearest one, each
+/// reciprocal adds less than 2⁻³⁰ of it. In a triangle with a corner over 128 to 256 times as far as its nearest one, each
 /// pixel's interpolants are found anew in 64 bits: the mode stays within a thousandth of a texel of 256 to a depth ratio
 /// of 1,000 in a triangle.
 ///

@@ -46,6 +46,81 @@ impl<K: ProjectionKind> Mvp<K> {
     }
 }
 
+mod sealed {
+    use super::{Mvp, Projection};
+
+    pub trait Sealed {}
+    impl<K> Sealed for Mvp<K> {}
+    impl<K> Sealed for Projection<K> {}
+}
+
+/// What takes a model to the picture: an [`Mvp`], or a [`Projection`] alone for a model that is in eye space as it is.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use fixel::prelude::*;
+/// let positions = [vec3!(-1, -1, -2), vec3!(1, -1, -2), vec3!(0, 1, -2)];
+/// let mesh = Mesh::new(&positions, &[[0, 1, 2]])?;
+/// let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.1), fx!(100))?;
+/// let mut pixels = [Gray8::new(0); 12];
+/// let mut canvas = Canvas::new(&mut pixels, 4, 3)?;
+/// assert_eq!(canvas.draw(&mesh, &projection, &Flat::new(Gray8::new(9))).drawn, 1);
+/// # Ok::<(), Error>(())
+/// ```
+pub trait ModelToPicture: sealed::Sealed {
+    /// The kind of projection.
+    type Kind: ProjectionKind;
+
+    #[doc(hidden)]
+    fn projection_of(&self) -> &Projection<Self::Kind>;
+
+    /// From model to world space.
+    #[doc(hidden)]
+    fn model_of(&self) -> Transform;
+
+    /// From model to eye space.
+    #[doc(hidden)]
+    fn model_view_of(&self) -> Transform;
+}
+
+impl<K: ProjectionKind> ModelToPicture for Mvp<K> {
+    type Kind = K;
+
+    #[inline]
+    fn projection_of(&self) -> &Projection<K> {
+        &self.projection
+    }
+
+    #[inline]
+    fn model_of(&self) -> Transform {
+        self.model
+    }
+
+    #[inline]
+    fn model_view_of(&self) -> Transform {
+        self.model_view()
+    }
+}
+
+impl<K: ProjectionKind> ModelToPicture for Projection<K> {
+    type Kind = K;
+
+    #[inline]
+    fn projection_of(&self) -> &Self {
+        self
+    }
+
+    #[inline]
+    fn model_of(&self) -> Transform {
+        Transform::IDENTITY
+    }
+
+    #[inline]
+    fn model_view_of(&self) -> Transform {
+        Transform::IDENTITY
+    }
+}
+
 impl<K: ProjectionKind> From<Projection<K>> for Mvp<K> {
     /// Shows eye space itself: neither camera nor model moves anything.
     fn from(projection: Projection<K>) -> Self {

@@ -211,7 +211,7 @@ proptest! {
         // The distance ahead as it is interpolated.
         let probe = Probe { values: &|corner| [corner.distance().to_bits()], color: None };
         let record = record(probe, |recorder| {
-            canvas.draw_with(&BOTH_SIDES, &mesh, &projection().into(), recorder);
+            canvas.draw_with(&BOTH_SIDES, &mesh, &projection(), recorder);
         });
         let plane = inverse_w(corners);
         for Seen { pixel, values: [distance], depth, .. } in record.seen {

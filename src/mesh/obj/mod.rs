@@ -6,7 +6,7 @@
 //! | statement | meaning |
 //! |---|---|
 //! | `v x y z`, `v x y z w` | a position; the weight is ignored |
-//! | `v x y z r g b` | a position with a colour, 0 to 1 each; if all positions have one, the mesh has colours |
+//! | `v x y z r g b` | a position with a color, 0 to 1 each; if all positions have one, the mesh has colors |
 //! | `vt u`, `vt u v`, `vt u v w` | a texture coordinate; OBJ's v runs up and [`Vec2`]'s down, so v becomes 1 − v; w is ignored |
 //! | `vn x y z` | a normal, of any length |
 //! | `f 1 2 3`, `f 1/1 …`, `f 1//1 …`, `f 1/1/1 …` | a polygon of three or more corners, cut into a fan of triangles from its first |
@@ -108,7 +108,7 @@ const fn read(text: &[u8], buffers: &mut Buffers<'_>) -> Result<Counts, Error> {
 
 /// Reads a text into the caller's memory, of which [`count`] tells the size.
 ///
-/// Texture coordinates, normals, colours and edges for which there is an empty slice are left out.
+/// Texture coordinates, normals, colors and edges for which there is an empty slice are left out.
 ///
 /// # Errors
 ///
@@ -151,7 +151,7 @@ struct Writer<'t, 'b, 'a> {
     corners: usize,
     /// Edges so far, each as often as it occurs.
     edges: usize,
-    /// Positions with colours so far.
+    /// Positions with colors so far.
     colors: usize,
     uvs: Usage,
     normals: Usage,

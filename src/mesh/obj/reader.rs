@@ -6,7 +6,7 @@ use crate::{Error, Mesh, TexCoord};
 /// What a line says.
 #[derive(Clone, Copy)]
 pub(super) enum Statement {
-    /// `v`, with its colour if it has one.
+    /// `v`, with its color if it has one.
     Position([i32; 3], Option<[u8; 3]>),
     /// `vt` in 2⁻²⁰, v running down.
     Uv([i32; 2]),
@@ -74,7 +74,7 @@ macro_rules! blank {
     };
 }
 
-/// A colour component of 0..1 as 0..255, rounded to nearest.
+/// A color component of 0..1 as 0..255, rounded to nearest.
 const fn component(bits: i32) -> Option<u8> {
     if bits < 0 || bits > 1 << 16 {
         return None;
@@ -243,9 +243,9 @@ impl<'a> Reader<'a> {
             3 | 4 => None,
             6 | 7 => match (component(n[3]), component(n[4]), component(n[5])) {
                 (Some(r), Some(g), Some(b)) => Some([r, g, b]),
-                _ => return self.error("a colour is out of range: it must lie between 0 and 1"),
+                _ => return self.error("a color is out of range: it must lie between 0 and 1"),
             },
-            _ => return self.error("a position needs 3 numbers, or 6 with its colour"),
+            _ => return self.error("a position needs 3 numbers, or 6 with its color"),
         };
         match self.see(0) {
             Ok(()) => Ok(Statement::Position([n[0], n[1], n[2]], color)),

@@ -14,7 +14,7 @@ use pen::Pen;
 /// A shape that a mesh can be made of: by [`shape!`](crate::shape) for flash, by
 /// [`build`](Self::build) at run time.
 ///
-/// All shapes are centred on the origin and have positions, unit normals, texture coordinates from
+/// All shapes are centerd on the origin and have positions, unit normals, texture coordinates from
 /// 0 to 1 and edges, which are a wireframe without the diagonals of quads. Triangles are
 /// counter-clockwise as seen from outside. Where the texture or the normal jumps, positions repeat.
 /// A transform makes another size of them.

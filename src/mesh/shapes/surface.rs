@@ -200,7 +200,7 @@ pub(super) const fn cylinder(pen: &mut Pen<'_>, slices: u32) {
 
 /// A fan of triangles about the end of a cylinder at `y`.
 const fn cap(pen: &mut Pen<'_>, slices: u32, y: i64) {
-    let centre = pen.next();
+    let center = pen.next();
     let half = TexCoord::from_bits(UNIT.to_bits() / 2);
     pen.vertex(&Corner {
         position: [0, ONE * y, 0],
@@ -217,11 +217,11 @@ const fn cap(pen: &mut Pen<'_>, slices: u32, y: i64) {
             normal: [0, ONE * y, 0],
             uv: [texture(sin), texture(down)],
         });
-        let (this, next) = (centre + 1 + slice, centre + 1 + (slice + 1) % slices);
+        let (this, next) = (center + 1 + slice, center + 1 + (slice + 1) % slices);
         if y > 0 {
-            pen.triangle([centre, this, next]);
+            pen.triangle([center, this, next]);
         } else {
-            pen.triangle([centre, next, this]);
+            pen.triangle([center, next, this]);
         }
         slice += 1;
     }

@@ -31,7 +31,7 @@ fn triangle<C: PixelColor, D: DepthBuffer>(
     .unwrap();
     let positions = [(0, 0), (0, -8), (8, -8)].map(|(x, y)| Vec3::from_ints(x, y, -distance));
     let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
-    canvas.draw(&mesh, &projection.into(), &Flat::new(color));
+    canvas.draw(&mesh, &projection, &Flat::new(color));
 }
 
 /// Text goes over the picture and leaves the depth as it is.
@@ -143,7 +143,7 @@ fn plates<F: DepthFormat>() -> MockDisplay<BinaryColor> {
             Vec3::new(x, y, z)
         });
         let mesh = Mesh::new(&positions, &[[0, 1, 2], [0, 2, 3]]).unwrap();
-        canvas.draw(&mesh, &projection.into(), &Flat::new(color));
+        canvas.draw(&mesh, &projection, &Flat::new(color));
     };
     for (left, distance) in [(1, 0.125), (10, 100.), (19, 16_320.)] {
         let front = [left + 1, 1, left + 5, 5];
