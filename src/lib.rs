@@ -4,6 +4,37 @@
 //! only: textures and colors are correct in perspective, every pixel is the same on every
 //! processor, and the memory is yours. It is `no_std`, without allocation and without `unsafe`.
 //!
+//! # The path of a pixel
+//!
+//! ```text
+//!  mesh       in flash: positions, faces, attributes                                          folder
+//!   │  Canvas::draw             1  a draw call: mesh, model-view-projection, shader           pipeline/
+//!   │  run::triangles           2  each triangle in turn
+//!   ▼
+//!  vertex     VertexCache::vertex     3  projected now, or lately for a neighbor
+//!   │         Projector::project      4  model space → clip space → screen, and an outcode
+//!   ▼
+//!  assemble   assemble::triangle      5  culled, whole, or clipped (clip::clip)
+//!   │         Draw::whole             6  inside the scissor?
+//!   ▼
+//!  raster     Blit::primitive         7  the shader's varyings at the three corners           shade/
+//!   │         triangle::draw          8  top-left rule, row by row (Edge::step)               raster/
+//!   │         Setup::lay              9  1/w and attributes over w as gradients
+//!   ▼
+//!  span       Blit::span             10  1/w and attributes at the span's first pixel         span/
+//!   │         Policy::of_span        11  which kernel: straight, pieces, Newton, divide
+//!   │         newton::newton         12  the attributes of each pixel
+//!   ▼
+//!  pixel      Pixels::visible        13  depth test                                           target/
+//!   │         Pixels::shade          14
+//!   │         Shader::shade          15  varyings → color                                     shade/
+//!   ▼         Storage::store         16  as a color or as bytes                               target/
+//!  canvas     the caller's memory: a frame, or a band of one
+//! ```
+//!
+//! A folder knows only those that this list has before it: `num`, `math`, `view`, `mesh`, `texture`, `shade`, `target`,
+//! `raster`, `span`, `pipeline`.
+//!
 //! # A picture
 //!
 //! ```
@@ -55,20 +86,14 @@
 //!
 //! Items of embedded-graphics are best named one by one: its prelude has an `Angle` and a `Transform` of its own.
 //!
-//! # The way of the data
-//!
-//! ```text
-//! mesh ──▶ transform ──▶ clip ──▶ viewport ──▶ set-up ──▶ edges/spans ──▶ interpolate ──▶ shade ──▶ target
-//! (flash)  model·view·   six planes, clip to    gradients   top-left rule   1/w ▸ w, then    shader  color + depth
-//!          projection    homogeneous screen 24.8 per tri.   integer DDA     attr/w · w       color    rows, bands
-//! ```
+//! # Parts
 //!
 //! | what | made by | goes where |
 //! |---|---|---|
-//! | [`Mesh`] | [`include_obj!`], [`shape!`], [`geometry::obj`], [`geometry::Shape`], slices of your own | first argument of [`Canvas::draw`] |
+//! | [`Mesh`] | [`include_obj!`], [`shape!`], [`mesh::obj`], [`mesh::Shape`], slices of your own | first argument of [`Canvas::draw`] |
 //! | [`Mvp`]: projection · camera · model | `projection * camera * spin` of a [`Projection`], a [`Camera`] and [`Transform`]s | second |
 //! | [`Shader`] | [`shade`], or ten lines of your own | third |
-//! | [`DrawOptions`]: culling, viewport, interpolation | [`DrawOptions::new`] | [`Canvas::draw_with`], [`draw_edges`](Canvas::draw_edges), [`draw_points`](Canvas::draw_points) |
+//! | [`DrawOptions`]: culling, viewport, interpolation, depth test | [`DrawOptions::new`] | [`Canvas::draw_with`], [`draw_edges`](Canvas::draw_edges), [`draw_points`](Canvas::draw_points) |
 //! | [`TriangleList`]: triangles transformed once for all bands | [`TriangleList::new`], [`prepare`](TriangleList::prepare) | [`Canvas::draw_prepared`] |
 //! | [`Canvas`]: colors, depth, rows | [`Canvas::new`], [`Canvas::band`], [`Canvas::big_endian`] and so on, over your slices | a display, by [`Canvas::show`] or [`Canvas::as_bytes`] |
 //!
@@ -80,11 +105,11 @@
 //! | world | right-handed, y up; lights are here | yours, [`Scalar`] | [`Transform`] |
 //! | eye | right-handed: x right, y up, the view down −z | the world's | [`Camera`] |
 //! | clip | x right, y up, w = −z of eye space, or 1 under a parallel projection; what is seen has −w ≤ x, y ≤ w between the near and the far plane | homogeneous, 64 bits inside the crate | [`Projection`] |
-//! | screen | x right, y down from the frame's top left corner; pixel centers at halves | pixels, [`Subpixel`](number::Subpixel): 1/256 | [`Viewport`] |
+//! | screen | x right, y down from the frame's top left corner; pixel centers at halves | pixels, [`Subpixel`](num::Subpixel): 1/256 | [`Viewport`] |
 //! | depth | 65535 at the near plane, falling towards 0 with the distance; greater is nearer | floor(65535 · near / w), linear in the distance under a parallel projection | [`Fragment::depth`] |
 //! | texture | u right, v down from the top left corner | one repeat, [`TexCoord`] | [`Corner::uv`] |
 //!
-//! The formats, with range and resolution, are listed in [`number`].
+//! The formats, with range and resolution, are listed in [`num`].
 //!
 //! # Promises
 //!
@@ -92,19 +117,19 @@
 //!    them for convenience, and as the first guess of [`Angle::atan2`]; never per vertex or per pixel.
 //! 2. **Same bits everywhere.** Nothing depends on the target's word length or instructions, so a host's
 //!    picture is the board's.
-//! 3. **Total.** For every input that the types admit, drawing neither panics nor writes outside the
-//!    canvas. What cannot be drawn is refused by a constructor, with an [`Error`] that says what and why.
-//!    How far accuracy is promised, and what is beyond, is said in [`guide::limits`].
+//! 3. **Total.** No accepted value can cause a panic or a write outside the canvas. Constructors refuse
+//!    what cannot be drawn, with an [`Error`] that names the value and the bound. [`guide::limits`] tells how far accuracy is
+//!    promised, and what happens beyond.
 //! 4. **Watertight.** Triangles that share an edge cover each pixel center between them exactly once,
 //!    clipped or not.
-//! 5. **Bands equal frames.** A frame drawn in strips is the same, bit for bit.
-//! 6. **Pay for what is used.** Texture, depth buffer, lines, byte order, way of interpolation are type
-//!    parameters: what a program does not name is not linked. There are no feature flags.
+//! 5. **Bands equal frames.** A frame drawn in bands is the same, bit for bit.
+//! 6. **Pay for what is used.** Texture, depth buffer, lines, byte order and mode are type parameters: what a
+//!    program does not name is not linked. There are no feature flags.
 //!
 //! # Drawing to a display
 //!
 //! A frame of 320x240 takes 150 KiB of color and 150 KiB of depth. Where there is not so much, the
-//! scene is drawn strip by strip into the same memory, each sent off when it is finished.
+//! scene is drawn band by band into the same memory, and each band is sent off when it is finished.
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888}};
@@ -145,8 +170,8 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! Here every strip transforms the whole mesh again. Where that takes longer than to draw it, a
-//! [`TriangleList`] is prepared once for the frame, and every strip walks the list:
+//! Here every band transforms the whole mesh again. Where that takes longer than drawing it, prepare a
+//! [`TriangleList`] once for the frame, and let every band walk the list:
 //! [`TriangleList::prepare`], [`Canvas::draw_prepared`].
 //!
 //! For DMA let the canvas keep its pixels as the bytes that the bus wants: [`Canvas::big_endian`]
@@ -155,8 +180,8 @@
 //!
 //! # Speed against accuracy
 //!
-//! How attributes are interpolated is a type, chosen per draw call: see [`interpolate`]. The [guide to
-//! modes](guide::modes) has which one is for which scene and core, and where the bounds of their errors come from.
+//! How attributes are interpolated is a type, chosen per draw call: see [`Mode`](mode::Mode). The
+//! [guide to modes](guide::modes) tells which mode suits which scene and core, and derives the bounds of their errors.
 #![no_std]
 #![forbid(unsafe_code)]
 

@@ -67,6 +67,11 @@ impl Placement {
         self.missing.get()
     }
 
+    #[inline]
+    pub(crate) fn set_missing(&self, missing: Missing) {
+        self.missing.set(missing);
+    }
+
     #[cold]
     fn lacks_uvs(&self) -> Vec2 {
         let missing = self.missing.get();

@@ -119,8 +119,13 @@ impl Assembly for Draw<'_> {
     #[inline(never)]
     fn clipped(&mut self, element: Element, polygon: &[ClippedVertex]) {
         if let Some(polygon) = Polygon::new(polygon, self.cull) {
+            let missing = self.placement.missing();
             self.start(element);
             let drawn = u32::from(polygon.draw(self.blitter, self.scissor));
+            if drawn == 0 {
+                // What is not drawn lacks nothing.
+                self.placement.set_missing(missing);
+            }
             self.drawn.drawn += drawn;
             self.drawn.clipped += drawn;
         }

@@ -47,9 +47,7 @@ pub use light::Light;
 pub use lit::{FaceLit, Lit};
 pub use map::Map;
 pub use shader::{Fragment, Shader};
-pub use textured::{Addressing, Clamp, Repeat, Textured};
+pub use textured::Textured;
 pub use tinted::Tinted;
 pub use varyings::{PerFace, Texels, Tolerance, Varyings, Within};
 pub use views::{DepthView, NormalView};
-
-use crate::texture::{Bilinear, Blend, Filter, Nearest, Sampler};

@@ -133,7 +133,7 @@ pub trait Shader: Copy {
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
     /// use fixel::prelude::*;
     /// static SQUARE: Mesh = shape!(plane(1, 1));
-    /// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+    /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
     /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
     /// let mut pixels = [Gray8::BLACK; 2];
     /// let mut canvas = Canvas::new(&mut pixels, 2, 1)?;

@@ -15,7 +15,7 @@ use crate::mesh::Primitive;
 /// use fixel::prelude::*;
 /// static SKIN: TextureArray<Rgb565, 2, 1> = TextureArray::from_texels([[Rgb565::YELLOW, Rgb565::BLUE]]);
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Rgb565::BLACK; 8];
 /// let mut canvas = Canvas::new(&mut pixels, 4, 2)?;

@@ -170,7 +170,7 @@ where
         } else {
             self.mode.of_triangle(&self.slopes)
         };
-        if M::IS_PRECISE && self.setup.least < STEEP {
+        if Self::OVER_W && M::IS_PRECISE && self.setup.least < STEEP {
             self.setup.lay_precise(self.attributes.as_mut(), patch);
         }
         SPAN

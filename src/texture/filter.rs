@@ -2,16 +2,16 @@
 
 use embedded_graphics::pixelcolor::PixelColor;
 
+use super::Addressing;
 use super::Sampler;
 use super::blend::Blend;
-use crate::shade::Addressing;
 
 /// The color of a texture between the centers of its texels: [`Nearest`] or [`Bilinear`].
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
 /// use fixel::prelude::*;
-/// use fixel::{shade::Repeat, texture::Filter};
+/// use fixel::texture::{Filter, Repeat};
 ///
 /// /// Takes a texture of one size, with either filter.
 /// fn skin<F: Filter<Rgb565>>(textured: Textured<&TextureArray<Rgb565, 64, 64>, Repeat, F>) {
@@ -34,7 +34,7 @@ mod sealed {
 ///
 /// ```
 /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
-/// use fixel::{prelude::*, shade::Repeat, texture::Nearest};
+/// use fixel::{prelude::*, texture::{Nearest, Repeat}};
 /// static SKIN: TextureArray<Gray8, 2, 1> = TextureArray::gray8(&[10, 20]);
 /// let skin: Textured<_, Repeat, Nearest> = Textured::new(&SKIN);
 /// let pixel = Fragment { point: Point::zero(), depth: 0 };
@@ -54,7 +54,7 @@ pub struct Nearest;
 ///
 /// ```
 /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
-/// use fixel::{prelude::*, shade::Clamp, texture::Bilinear};
+/// use fixel::{prelude::*, texture::{Bilinear, Clamp}};
 /// static SKIN: TextureArray<Gray8, 2, 1> = TextureArray::gray8(&[10, 20]);
 /// let skin: Textured<_, Clamp, Bilinear> = Textured::new(&SKIN).clamped().bilinear();
 /// let pixel = Fragment { point: Point::zero(), depth: 0 };

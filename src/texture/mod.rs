@@ -11,6 +11,7 @@
 //! compiling; [`Image`] reads a file at run time. A shader takes a reference to any of them, or to a
 //! [`Sampler`] of your own, and a [`Filter`] tells what lies between texels.
 
+mod addressing;
 mod array;
 mod blend;
 mod bmp;
@@ -26,6 +27,8 @@ mod sampler;
 mod texture;
 mod tga;
 
+pub(crate) use addressing::texels;
+pub use addressing::{Addressing, Clamp, Repeat};
 pub use array::TextureArray;
 pub use blend::Blend;
 pub use color::ImageColor;

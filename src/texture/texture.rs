@@ -33,10 +33,10 @@ use crate::Error;
 ///
 /// | | `TextureArray` | `Texture` | `&Texture` |
 /// |---|---:|---:|---:|
-/// | Cortex-M4, `Newton` | 1,434,560 | 2,341,920 | 2,435,560 |
-/// | Cortex-M4, `Affine` | 1,155,200 | 1,402,960 | 1,965,760 |
-/// | Cortex-M0+, `Newton` | 2,833,680 | 3,517,800 | 3,659,040 |
-/// | Cortex-M0+, `Affine` | 2,225,320 | 2,288,960 | 3,181,960 |
+/// | Cortex-M4, `Newton` | 1,386,960 | 1,538,720 | 2,387,200 |
+/// | Cortex-M4, `Affine` | 1,202,040 | 1,406,040 | 2,060,960 |
+/// | Cortex-M0+, `Newton` | 2,787,600 | 3,007,200 | 3,514,680 |
+/// | Cortex-M0+, `Affine` | 2,180,000 | 2,247,480 | 2,992,280 |
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Texture<'a, C> {
     grid: Grid<'a, C>,
@@ -135,8 +135,8 @@ impl<C: PixelColor> Sampler for &Texture<'_, C> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::{Clamp, Repeat};
     use super::*;
-    use crate::shade::{Clamp, Repeat};
     use crate::texture::{Bilinear, Filter, Nearest, PaletteArray, TextureArray};
     use embedded_graphics::pixelcolor::Rgb565;
 

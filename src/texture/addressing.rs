@@ -1,0 +1,156 @@
+//! Beyond a texture's edges.
+
+use crate::TexCoord;
+
+/// What lies beyond the first repeat of a texture: [`Repeat`] or [`Clamp`].
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Rgb565;
+/// use fixel::prelude::*;
+/// use fixel::texture::Addressing;
+///
+/// /// Takes any texture of a size, whichever way it goes on beyond its edges.
+/// fn skin<A: Addressing>(textured: Textured<&TextureArray<Rgb565, 64, 64>, A>) {
+///     let _ = textured;
+/// }
+/// ```
+pub trait Addressing: Copy + sealed::Sealed {
+    /// The texels of three corners, of the bits of their texture coordinates.
+    #[doc(hidden)]
+    fn texels(bits: [i32; 3], log2: u32) -> [i32; 3];
+
+    /// The column or row at a whole number of texels.
+    #[doc(hidden)]
+    fn index(texel: i32, log2: u32) -> i32;
+
+    /// A little less than `texels`, with 16 fraction bits, where there may be no less.
+    #[doc(hidden)]
+    fn back(texels: i32, little: i32) -> i32;
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for super::Repeat {}
+    impl Sealed for super::Clamp {}
+}
+
+/// Beyond its edge a texture begins anew.
+///
+/// ```
+/// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
+/// use fixel::{prelude::*, shade::Texels, texture::Repeat};
+/// static SKIN: TextureArray<Gray8, 2, 1> = TextureArray::gray8(&[10, 20]);
+/// let skin: Textured<_, Repeat> = Textured::new(&SKIN);
+/// let pixel = Fragment { point: Point::zero(), depth: 0 };
+/// let texels = [-1, 0, 1, 2, 3].map(|column| skin.shade(&pixel, Texels([column << 16, 0])));
+/// assert_eq!(texels, [20, 10, 20, 10, 20].map(|luma| Some(Gray8::new(luma))));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Repeat;
+
+/// Beyond its edge a texture goes on with the texels of the edge.
+///
+/// ```
+/// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
+/// use fixel::{prelude::*, shade::Texels, texture::Clamp};
+/// static SKIN: TextureArray<Gray8, 2, 1> = TextureArray::gray8(&[10, 20]);
+/// let skin: Textured<_, Clamp> = Textured::new(&SKIN).clamped();
+/// let pixel = Fragment { point: Point::zero(), depth: 0 };
+/// let texels = [-1, 0, 1, 2, 3].map(|column| skin.shade(&pixel, Texels([column << 16, 0])));
+/// assert_eq!(texels, [10, 10, 20, 20, 20].map(|luma| Some(Gray8::new(luma))));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Clamp;
+
+/// Fraction bits of a texture coordinate that texels do not have.
+const FINER: u32 = TexCoord::FRAC_NBITS - 16;
+
+/// Texture coordinate in 2⁻²⁰ repeats to texels with 16 fraction bits, to nearest, saturating.
+///
+/// Whole repeats are whole texels, so coordinates that differ by some round alike.
+#[inline]
+pub(crate) fn texels(bits: i64, log2: u32) -> i32 {
+    // At most 33 bits by a texture's 15.
+    let texels = ((bits << log2) + (1 << (FINER - 1))) >> FINER;
+    texels.clamp(i32::MIN.into(), i32::MAX.into()) as i32
+}
+
+impl Addressing for Repeat {
+    #[inline]
+    fn texels(bits: [i32; 3], log2: u32) -> [i32; 3] {
+        let [a, b, c] = bits;
+        // The whole repeats that all three have in common; what is left begins in the first.
+        let whole = a.min(b).min(c) >> TexCoord::FRAC_NBITS << TexCoord::FRAC_NBITS;
+        bits.map(|bits| texels(i64::from(bits) - i64::from(whole), log2))
+    }
+
+    #[inline]
+    fn index(texel: i32, _: u32) -> i32 {
+        // A sampler repeats by itself.
+        texel
+    }
+
+    #[inline]
+    fn back(texels: i32, little: i32) -> i32 {
+        // What is lost is a whole number of repeats.
+        texels.wrapping_sub(little)
+    }
+}
+
+impl Addressing for Clamp {
+    #[inline]
+    fn texels(bits: [i32; 3], log2: u32) -> [i32; 3] {
+        bits.map(|bits| texels(bits.into(), log2))
+    }
+
+    #[inline]
+    fn index(texel: i32, log2: u32) -> i32 {
+        texel.clamp(0, (1 << log2) - 1)
+    }
+
+    #[inline]
+    fn back(texels: i32, little: i32) -> i32 {
+        texels.saturating_sub(little)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Few texels round, many saturate.
+    #[test]
+    fn any_size_of_texture() {
+        let bits = [-25, -24, -23, -8, -7, 7, 8, 23, 24];
+        assert_eq!(
+            bits.map(|bits| texels(bits, 0)),
+            [-2, -1, -1, 0, 0, 0, 1, 1, 2]
+        );
+        assert_eq!(
+            bits.map(|bits| texels(bits, 4)),
+            bits.map(|bits| bits as i32)
+        );
+        let (low, high) = (i64::from(i32::MIN), i64::from(i32::MAX));
+        assert_eq!(
+            [low, high].map(|bits| texels(bits, 4)),
+            [i32::MIN, i32::MAX]
+        );
+        // 4096 columns: eight repeats each way, and not one unit more.
+        let ends = [(-8 << 20) - 1, -8 << 20, (8 << 20) - 1, 8 << 20];
+        assert_eq!(
+            ends.map(|bits| texels(bits, 12)),
+            [i32::MIN, i32::MIN, i32::MAX - 255, i32::MAX]
+        );
+        assert_eq!(
+            [low - high, high - low].map(|bits| texels(bits, 15)),
+            [i32::MIN, i32::MAX]
+        );
+        // As far apart as can be, in one row.
+        let bits = [i32::MIN, i32::MAX, 0];
+        assert_eq!(Repeat::texels(bits, 0), [0, 1 << 28, 1 << 27]);
+        assert_eq!(
+            Repeat::texels([-1, (1 << 20) - 1, 1 << 20], 2),
+            [1 << 18, 2 << 18, 2 << 18]
+        );
+    }
+}
