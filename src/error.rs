@@ -1,146 +1,183 @@
-//! What can be wrong with an input, and how it is said.
+//! The error type: which value was refused, and why.
 
 use core::convert::Infallible;
 use core::fmt;
 
 use crate::{Angle, Scalar, Vec3};
 
-/// Why a value was refused. The message names the value and what is allowed.
+/// Why a value was refused. The message names the value and the allowed range.
 ///
-/// Errors come from constructors and from preparation: drawing cannot fail.
+/// Constructors and preparation return errors. Drawing cannot fail.
 ///
 /// ```
 /// use fixel::prelude::*;
-/// let error = Projection::perspective(Angle::from_degrees(180), (4, 3), fx!(0.1), fx!(100)).unwrap_err();
+/// let error = Projection::perspective(deg!(180), (4, 3), fx!(0.1), fx!(100)).unwrap_err();
 /// assert_eq!(error.to_string(), "field of view is 180 degrees: it must be above 0 and below 180 degrees");
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Error {
-    /// A number that the format cannot hold.
+    /// A number outside the range of its format.
+    #[non_exhaustive]
     NotRepresentable {
-        /// The number as given.
-        value: Given,
-        /// Where the format ends, up and down; `None` if it takes every finite number.
+        /// The refused number.
+        value: RefusedFloat,
+        /// The format holds numbers from −`limit` to just below `limit`; `None` if it holds every
+        /// finite number.
         limit: Option<u32>,
     },
-    /// A field of view of nothing, or of half a turn and more.
+    /// A field of view that is zero, or half a turn or more.
+    #[non_exhaustive]
     FieldOfView {
-        /// The angle as given.
+        /// The refused angle.
         angle: Angle,
     },
     /// An aspect ratio or a size that is not positive.
+    #[non_exhaustive]
     Aspect {
-        /// Width as given.
+        /// The refused width.
         width: Scalar,
-        /// Height as given.
+        /// The refused height.
         height: Scalar,
     },
     /// A focal length that is not positive.
+    #[non_exhaustive]
     FocalLength {
-        /// The length as given, in pixels.
+        /// The refused length in pixels.
         pixels: Scalar,
     },
     /// A near plane that is not in front of the eye.
+    #[non_exhaustive]
     Near {
-        /// The distance as given.
+        /// The refused distance.
         near: Scalar,
     },
     /// A far plane that is not behind the near plane.
+    #[non_exhaustive]
     Far {
-        /// The near distance as given.
+        /// The distance of the near plane.
         near: Scalar,
-        /// The far distance as given.
+        /// The refused distance of the far plane.
         far: Scalar,
     },
-    /// A frustum or box that holds nothing, because an edge is not beyond its opposite.
-    EmptyFrustum {
-        /// Left or bottom edge as given.
+    /// A window without width or height, because an edge is not beyond its opposite.
+    #[non_exhaustive]
+    EmptyWindow {
+        /// The refused left or bottom edge.
         low: Scalar,
-        /// Right or top edge as given.
+        /// The refused right or top edge.
         high: Scalar,
     },
-    /// A camera that stands on what it looks at.
+    /// A camera whose eye is at its target.
+    #[non_exhaustive]
     EyeAtTarget {
-        /// The eye as given.
+        /// The position of both.
         eye: Vec3,
     },
     /// An up direction that is zero or along the line of sight.
+    #[non_exhaustive]
     UpAlongView {
-        /// The direction as given.
+        /// The refused direction.
         up: Vec3,
     },
-    /// A vector without a direction where one is needed.
+    /// A zero vector where a direction is needed.
     ZeroDirection,
-    /// A brightness of light below nothing or above full.
+    /// A zero quaternion where a rotation is needed.
+    ZeroQuaternion,
+    /// A matrix whose last row is not 0 0 0 1 where an affine transform is needed.
+    #[non_exhaustive]
+    NotAffine {
+        /// The refused last row.
+        last_row: [Scalar; 4],
+    },
+    /// A brightness below 0 or above 1.
+    #[non_exhaustive]
     Brightness {
-        /// The brightness as given, 1 being full.
+        /// The refused brightness; 1 is full.
         value: Scalar,
     },
-    /// A canvas, texture or viewport of a size that cannot be drawn into.
+    /// A canvas, texture or viewport whose size is zero or too large.
+    #[non_exhaustive]
     Size {
-        /// Width as given, in pixels.
+        /// The refused width in pixels.
         width: u32,
-        /// Height as given, in pixels.
+        /// The refused height in pixels.
         height: u32,
         /// Largest width and height allowed, in pixels.
         max: u32,
     },
-    /// A viewport too far from its canvas.
-    Place {
-        /// Column of the left edge as given.
+    /// A width or height of a texture that is not a power of two, or too large.
+    #[non_exhaustive]
+    PowerOfTwo {
+        /// The name of the side.
+        of: &'static str,
+        /// The refused number of texels.
+        given: u32,
+        /// Largest number allowed.
+        max: u32,
+    },
+    /// A viewport too far from the corner of its frame.
+    #[non_exhaustive]
+    Offset {
+        /// The refused column of the left edge.
         x: i32,
-        /// Row of the top edge as given.
+        /// The refused row of the top edge.
         y: i32,
-        /// Largest magnitude of either.
+        /// Largest magnitude allowed for either.
         max: u32,
     },
     /// A slice of the wrong length.
+    #[non_exhaustive]
     Length {
-        /// Elements given.
+        /// Number of elements in the slice.
         given: usize,
-        /// Elements needed.
+        /// Number of elements needed.
         needed: usize,
     },
-    /// A strip whose rows are not inside its frame.
+    /// A band whose rows are not inside its frame.
+    #[non_exhaustive]
     Rows {
-        /// First row of the strip.
+        /// First row of the band.
         first: u32,
-        /// Number of rows of the strip.
+        /// Number of rows of the band.
         rows: u32,
         /// Number of rows of the frame.
         height: u32,
     },
-    /// An index that names no element.
+    /// An index that is out of range.
+    #[non_exhaustive]
     Index {
-        /// The face, edge or entry that holds it.
+        /// The face, edge or entry that holds the index.
         at: usize,
-        /// The index as given.
+        /// The refused index.
         index: u32,
-        /// Number of elements there are.
+        /// Number of elements the index can choose from.
         len: usize,
     },
-    /// More elements than an index can name.
+    /// More elements than an index can address.
+    #[non_exhaustive]
     TooMany {
-        /// Elements given.
+        /// The refused number of elements.
         given: usize,
-        /// Elements allowed.
+        /// Largest number allowed.
         max: usize,
     },
-    /// A list that is too short for what is to be seen.
+    /// A list that is too short for the visible part of a scene.
+    #[non_exhaustive]
     Full {
-        /// What there is no room for.
+        /// The kind of element that the list holds.
         of: &'static str,
-        /// How many there are.
+        /// Number of visible elements.
         needed: usize,
-        /// How many there is room for.
+        /// Number of elements the list can hold.
         room: usize,
     },
     /// A shape of too few or too many parts.
+    #[non_exhaustive]
     Parts {
-        /// What there are so many of.
+        /// The kind of part.
         of: &'static str,
-        /// Number as given.
+        /// The refused number of parts.
         given: u32,
         /// Fewest allowed.
         min: u32,
@@ -148,19 +185,39 @@ pub enum Error {
         max: u32,
     },
     /// A dimension of a shape that is not positive, or too large.
+    #[non_exhaustive]
     Extent {
-        /// Which dimension.
+        /// The name of the dimension.
         of: &'static str,
-        /// Length as given.
+        /// The refused length.
         given: Scalar,
-        /// Greatest allowed.
+        /// Largest length allowed.
         max: Scalar,
     },
+    /// An image file of a kind that cannot be read.
+    #[non_exhaustive]
+    Image {
+        /// The field of its header.
+        of: &'static str,
+        /// Value of the field as given.
+        given: u32,
+        /// The values that can be read.
+        needed: &'static str,
+    },
+    /// An image file that ends before its picture.
+    #[non_exhaustive]
+    Truncated {
+        /// Bytes given.
+        given: usize,
+        /// Bytes needed, as its header says.
+        needed: usize,
+    },
     /// OBJ text that cannot be read.
+    #[non_exhaustive]
     Obj {
-        /// Line, the first being 1.
+        /// The line number, counted from 1.
         line: usize,
-        /// What is wrong with it.
+        /// The mistake in the line.
         problem: &'static str,
     },
 }
@@ -171,7 +228,7 @@ impl fmt::Display for Error {
             Self::NotRepresentable { value, limit } => {
                 write!(f, "{value} cannot be represented: it must ")?;
                 match limit {
-                    // Whatever the format's resolution, it has this number; and rounded, the last.
+                    // Every format holds this upper bound without rounding it up to the limit.
                     Some(limit) => write!(f, "lie between -{limit} and {}.99999", limit - 1),
                     None => f.write_str("be finite"),
                 }
@@ -187,21 +244,17 @@ impl fmt::Display for Error {
             Self::FocalLength { pixels } => {
                 write!(f, "focal length is {pixels} pixels: it must be above 0")
             }
-            Self::Near { near } => {
-                write!(
-                    f,
-                    "near plane is at {near}: it must be above 0, in front of the eye"
-                )
-            }
-            Self::Far { near, far } => {
-                write!(
-                    f,
-                    "far plane is at {far}: it must be beyond the near plane at {near}"
-                )
-            }
-            Self::EmptyFrustum { low, high } => write!(
+            Self::Near { near } => write!(
                 f,
-                "frustum from {low} to {high} is empty: left must be below right and bottom below top"
+                "near plane is at {near}: it must be above 0, in front of the eye"
+            ),
+            Self::Far { near, far } => write!(
+                f,
+                "far plane is at {far}: it must be beyond the near plane at {near}"
+            ),
+            Self::EmptyWindow { low, high } => write!(
+                f,
+                "window from {low} to {high} is empty: left must be below right and bottom below top"
             ),
             Self::EyeAtTarget { eye } => write!(
                 f,
@@ -209,9 +262,18 @@ impl fmt::Display for Error {
             ),
             Self::UpAlongView { up } => write!(
                 f,
-                "up is {up}, which is zero or parallel to the line of sight: it must point to the side of it"
+                "up is {up}, which is zero or parallel to the line of sight: it must point away from that line"
             ),
             Self::ZeroDirection => f.write_str("direction is (0, 0, 0): it must have a length"),
+            Self::ZeroQuaternion => {
+                f.write_str("quaternion is (0, 0, 0, 0): at least one part must not be 0")
+            }
+            Self::NotAffine {
+                last_row: [x, y, z, w],
+            } => write!(
+                f,
+                "last row is ({x}, {y}, {z}, {w}): it must be (0, 0, 0, 1) in an affine matrix"
+            ),
             Self::Brightness { value } => {
                 write!(f, "brightness is {value}: it must lie between 0 and 1")
             }
@@ -219,7 +281,11 @@ impl fmt::Display for Error {
                 f,
                 "size is {width}x{height}: width and height must lie between 1 and {max}"
             ),
-            Self::Place { x, y, max } => write!(
+            Self::PowerOfTwo { of, given, max } => write!(
+                f,
+                "{of} is {given}: it must be a power of two, at most {max}"
+            ),
+            Self::Offset { x, y, max } => write!(
                 f,
                 "viewport is at ({x}, {y}): both must lie between -{max} and {max}"
             ),
@@ -232,37 +298,36 @@ impl fmt::Display for Error {
                 height,
             } => write!(
                 f,
-                "strip has {rows} rows from row {first}: it must have at least one and lie within the {height} rows of the frame"
+                "band has {rows} rows from row {first}: it must have at least one and lie within the {height} rows of the frame"
             ),
             Self::Index { at, index, len } => write!(
                 f,
-                "index {index} in element {at} is out of range: there are {len}, the first is 0"
+                "index {index} in element {at} is out of range: there are {len} elements and the first is 0"
             ),
-            Self::TooMany { given, max } => {
-                write!(
-                    f,
-                    "{given} elements are too many: at most {max} are allowed"
-                )
-            }
+            Self::TooMany { given, max } => write!(
+                f,
+                "{given} elements are too many: at most {max} are allowed"
+            ),
             Self::Full { of, needed, room } => {
-                write!(
-                    f,
-                    "{needed} {of} are to be seen: the list has room for {room}"
-                )
+                write!(f, "{needed} {of} are visible: the list has room for {room}")
             }
             Self::Parts {
                 of,
                 given,
                 min,
                 max,
-            } => {
-                write!(
-                    f,
-                    "number of {of} is {given}: it must lie between {min} and {max}"
-                )
-            }
+            } => write!(
+                f,
+                "number of {of} is {given}: it must lie between {min} and {max}"
+            ),
             Self::Extent { of, given, max } => {
                 write!(f, "{of} is {given}: it must be above 0 and at most {max}")
+            }
+            Self::Image { of, given, needed } => {
+                write!(f, "{of} is {given}: it must be {needed}")
+            }
+            Self::Truncated { given, needed } => {
+                write!(f, "file has {given} bytes: it needs at least {needed}")
             }
             Self::Obj { line, problem } => write!(f, "line {line}: {problem}"),
         }
@@ -271,31 +336,32 @@ impl fmt::Display for Error {
 
 impl core::error::Error for Error {}
 
-/// Drawing onto a canvas by embedded-graphics cannot fail; so `?` may stand there too.
+/// Lets `?` follow operations of embedded-graphics on a canvas, which cannot fail.
 impl From<Infallible> for Error {
     fn from(never: Infallible) -> Self {
         match never {}
     }
 }
 
-/// A float as it was given, for a message.
+/// A float that was refused, in the precision that a message needs.
 ///
-/// Kept in thousandths, so that a program that prints errors does not link the formatting of floats.
+/// It is kept in thousandths: a program that prints errors does not link the formatting of floats.
 ///
 /// ```
 /// use fixel::Vec3;
 /// let error = Vec3::try_from([0.0, 40_000.5_f64, 0.0]).unwrap_err();
 /// assert!(error.to_string().starts_with("40000.5 cannot be represented"));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Given {
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum RefusedFloat {
     /// Not a number.
     Nan,
-    /// A number in thousandths, rounded towards zero; at the ends of the format it is that or beyond.
+    /// A number in thousandths, rounded towards zero and saturated.
     Thousandths(i64),
 }
 
-impl Given {
+impl RefusedFloat {
     pub(crate) const fn new(value: f64) -> Self {
         if value.is_nan() {
             Self::Nan
@@ -306,7 +372,7 @@ impl Given {
     }
 }
 
-impl fmt::Display for Given {
+impl fmt::Display for RefusedFloat {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::Nan => f.write_str("NaN"),

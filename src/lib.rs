@@ -18,8 +18,8 @@
 //!
 //! // Made while compiling, in flash: a shape, or include_obj!("model.obj"); texels, or include_bytes!.
 //! static MODEL: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
-//! static SKIN: Texture<Rgb565, 2, 2> =
-//!     Texture::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x00, 0x1f, 0xff, 0xff]);
+//! static SKIN: TextureArray<Rgb565, 2, 2> =
+//!     TextureArray::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x00, 0x1f, 0xff, 0xff]);
 //!
 //! fn frame(now_ms: u64, display: &mut MockDisplay<Rgb565>) -> Result<(), Error> {
 //!     let projection = Projection::perspective(
@@ -70,7 +70,7 @@
 //! | [`Shader`] | [`shade`], or ten lines of your own | third |
 //! | [`DrawOptions`]: culling, viewport, interpolation | [`DrawOptions::new`] | [`Canvas::draw_with`], [`draw_edges`](Canvas::draw_edges), [`draw_points`](Canvas::draw_points) |
 //! | [`TriangleList`]: triangles transformed once for all bands | [`TriangleList::new`], [`prepare`](TriangleList::prepare) | [`Canvas::draw_prepared`] |
-//! | [`Canvas`]: colours, depth, rows | [`Canvas::new`], [`Canvas::band`], [`Canvas::big_endian`] and so on, over your slices | a display, by [`Canvas::show`] or [`Canvas::bytes`] |
+//! | [`Canvas`]: colours, depth, rows | [`Canvas::new`], [`Canvas::band`], [`Canvas::big_endian`] and so on, over your slices | a display, by [`Canvas::show`] or [`Canvas::as_bytes`] |
 //!
 //! # Spaces
 //!
@@ -118,7 +118,7 @@
 //! let projection = Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(10))?;
 //! let mvp = projection * Transform::translate(vec3!(0, 0, -2.5));
 //! let sun = Light::new(vec3!(1, 2, 3), fx!(0), fx!(1))?;
-//! let white = Lit::new(Rgb888::new(255, 255, 255), sun);
+//! let white = Flat::rgb(Rgb888::new(255, 255, 255)).lit(sun);
 //! let mut display = MockDisplay::new();
 //! let mut color = [BinaryColor::Off; (WIDTH * ROWS) as usize];
 //! let mut depth = [0; (WIDTH * ROWS) as usize];
@@ -126,7 +126,7 @@
 //!     let mut band = Canvas::band(&mut color, WIDTH, HEIGHT, first_row)?.with_depth(&mut depth)?;
 //!     band.clear(BinaryColor::Off);
 //!     band.draw(&BALL, &mvp, &white);
-//!     band.show(&mut display)?; // or DMA from band.bytes() of a canvas of bytes
+//!     band.show(&mut display)?; // or DMA from band.as_bytes() of a canvas of bytes
 //! }
 //! display.assert_pattern(&[
 //!     "................",
@@ -150,7 +150,7 @@
 //! [`TriangleList::prepare`], [`Canvas::draw_prepared`].
 //!
 //! For DMA let the canvas keep its pixels as the bytes that the bus wants: [`Canvas::big_endian`]
-//! and its relatives, [`Canvas::bytes`]. The [guide for firmware](guide::firmware) goes all the way
+//! and its relatives, [`Canvas::as_bytes`]. The [guide for firmware](guide::firmware) goes all the way
 //! from `cargo new` to a picture on an SPI panel: memory, bands, DMA, two cores, clocks.
 //!
 //! # Speed against accuracy
@@ -168,26 +168,35 @@ mod error;
 pub mod guide;
 pub mod math;
 pub mod mesh;
+mod message;
 pub mod num;
 mod pipeline;
 mod raster;
 pub mod shade;
-pub mod span;
-pub use span as mode;
+mod span;
+
+/// How attributes are interpolated: [`Mode`](mode::Mode) and its five implementations.
+pub mod mode {
+    pub use crate::span::{Affine, Exact, Fast, Mode, Newton};
+}
+
 pub mod target;
+pub mod texture;
 pub mod view;
 
-pub use error::{Error, Given};
+pub use error::{Error, RefusedFloat};
 pub use math::{Matrix4, Transform, Vec2, Vec3};
-pub use mesh::{Corner, Face, Index, Mesh};
+pub use mesh::{Corner, Index, Mesh, Primitive};
 pub use num::{Angle, Rate, Scalar, Spin, TexCoord, Unit};
-pub use pipeline::{Cull, DrawOptions, Drawn, Place, Prepared, TriangleList};
+pub use pipeline::{DrawOptions, Drawn, Prepared, ScreenPoint, TriangleList};
+pub use raster::Cull;
 pub use shade::{
-    Converted, DepthView, FaceColors, Flat, Fragment, Gouraud, Levels, Light, Lit, LitFaces,
-    LitTexture, Modulated, NormalView, Palette, Shader, Texture, Textured,
+    Converted, DepthView, FaceColors, FaceLit, Flat, Fragment, Gouraud, Levels, Light, Lit, Map,
+    NormalView, Shader, Textured, Tinted,
 };
 pub use target::Canvas;
-pub use view::{Aspect, Camera, Mvp, Projection, Viewport};
+pub use texture::{Palette, PaletteArray, Texture, TextureArray};
+pub use view::{Aspect, Camera, Mvp, Projection, Viewport, Window};
 
 /// The program in the README works.
 #[cfg(doctest)]
@@ -200,13 +209,13 @@ struct Readme;
 /// preludes must say which it means.
 pub mod prelude {
     pub use crate::{
-        Angle, Aspect, Camera, Canvas, Corner, Cull, DrawOptions, Drawn, Error, Face, Fragment,
-        Mesh, Mvp, Projection, Rate, Scalar, Shader, Spin, TexCoord, Transform, TriangleList, Vec2,
-        Vec3, Viewport,
+        Angle, Aspect, Camera, Canvas, Corner, Cull, DrawOptions, Drawn, Error, Fragment, Mesh,
+        Mvp, Primitive, Projection, Rate, Scalar, Shader, Spin, TexCoord, Transform, TriangleList,
+        Vec2, Vec3, Viewport, Window,
     };
     pub use crate::{
-        Converted, DepthView, FaceColors, Flat, Gouraud, Levels, Light, Lit, LitFaces, LitTexture,
-        Modulated, NormalView, Palette, Texture, Textured,
+        DepthView, FaceColors, Flat, Gouraud, Levels, Light, NormalView, Palette, PaletteArray,
+        Texture, TextureArray, Textured,
     };
-    pub use crate::{fx, include_obj, shape, vec2, vec3};
+    pub use crate::{deg, fx, include_bmp, include_obj, include_tga, shape, vec2, vec3};
 }

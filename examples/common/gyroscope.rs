@@ -1,5 +1,5 @@
 //! The scene of the example `oled`: a cube in two rings that turn at rates of their own, and a
-//! caption with the number of the frame, for a panel of 128x64 pixels in 16 greys.
+//! caption with the number of the frame, for a panel of 128x64 pixels in 16 grays.
 //!
 //! `no_std`: the board draws it in bands, the host as a whole frame.
 
@@ -54,7 +54,7 @@ impl Lists {
     /// None: its numbers are constant, and there is room in every frame.
     pub fn prepare(&mut self, frame: u32) -> Result<Gyroscope<'_>, Error> {
         let half = Viewport::new(i32::try_from(WIDTH / 2).unwrap_or(0), 0, WIDTH / 2, HEIGHT)?;
-        let pass: DrawOptions = DrawOptions::new().viewport(half);
+        let options: DrawOptions = DrawOptions::new().viewport(half);
         let projection = Projection::perspective(
             Angle::from_degrees(40),
             (WIDTH / 2, HEIGHT),
@@ -77,9 +77,18 @@ impl Lists {
             frame,
             sun: Light::new(vec3!(-2, 4, 3), fx!(0.2), fx!(0.8))?,
             parts: [
-                (self.outer.prepare(&pass, size, &RING, &(view * outer))?, 15),
-                (self.inner.prepare(&pass, size, &RING, &(view * inner))?, 9),
-                (self.cube.prepare(&pass, size, &CUBE, &(view * cube))?, 15),
+                (
+                    self.outer.prepare(&options, size, &RING, &(view * outer))?,
+                    15,
+                ),
+                (
+                    self.inner.prepare(&options, size, &RING, &(view * inner))?,
+                    9,
+                ),
+                (
+                    self.cube.prepare(&options, size, &CUBE, &(view * cube))?,
+                    15,
+                ),
             ],
         })
     }
@@ -89,7 +98,7 @@ impl Lists {
 pub struct Gyroscope<'l> {
     frame: u32,
     sun: Light,
-    /// Each with its grey.
+    /// Each with its gray.
     parts: [(Prepared<'l>, u8); 3],
 }
 
@@ -102,8 +111,8 @@ impl Gyroscope<'_> {
         D: DepthBuffer,
     {
         canvas.clear(Gray4::BLACK);
-        for (part, grey) in &self.parts {
-            canvas.draw_prepared(part, &Lit::new(Gray4::new(*grey), self.sun));
+        for (part, gray) in &self.parts {
+            canvas.draw_prepared(part, &Flat::<Gray4>::rgb(Gray4::new(*gray)).lit(self.sun));
         }
         caption(canvas, self.frame);
     }
@@ -119,12 +128,12 @@ where
     let _ = write!(number, "frame {frame}");
     let mut rate = heapless::String::<16>::new();
     let _ = write!(rate, "{RPM} rpm");
-    for (text, font, grey, baseline) in [
+    for (text, font, gray, baseline) in [
         ("fixel", &ascii::FONT_9X18_BOLD, 15, 22),
         (rate.as_str(), &ascii::FONT_6X10, 11, 42),
         (number.as_str(), &ascii::FONT_6X10, 11, 54),
     ] {
-        let style = MonoTextStyle::new(font, Gray4::new(grey));
+        let style = MonoTextStyle::new(font, Gray4::new(gray));
         let Ok(_) = Text::new(text, Point::new(4, baseline), style).draw(canvas);
     }
 }

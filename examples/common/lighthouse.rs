@@ -9,18 +9,18 @@ use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::{Alignment, Text};
-use fixel::mode::Interpolate;
+use fixel::mode::Mode;
 use fixel::prelude::*;
-use fixel::shade::{Converted, Levels, Light, Texture, Textured};
+use fixel::shade::{Levels, Light, Textured};
 use fixel::target::{DepthBuffer, Storage};
-use fixel::view::{Aspect, Kind, Perspective};
+use fixel::view::{Aspect, Perspective, ProjectionKind};
 use fixel::{Drawn, Vec2};
 
 /// The island and what stands on it; texture coordinates fit [`SKIN`].
 pub static ISLAND: Mesh = include_obj!("../assets/lighthouse.obj");
 /// The texture of the island.
-pub static SKIN: Texture<Rgb565, 128, 128> =
-    Texture::rgb565(include_bytes!("../assets/lighthouse.rgb565"));
+pub static SKIN: TextureArray<Rgb565, 128, 128> =
+    TextureArray::rgb565(include_bytes!("../assets/lighthouse.rgb565"));
 
 /// The sea: a level disc about the island, 112 units wide each way.
 pub static SEA: Mesh = {
@@ -29,7 +29,7 @@ pub static SEA: Mesh = {
         error => Mesh::checked(error),
     }
 };
-/// Corners of the disc; the last is its centre.
+/// Corners of the disc; the last is its center.
 const SEA_SIDES: usize = 32;
 static SEA_CORNERS: ([Vec3; SEA_SIDES + 1], [Vec2; SEA_SIDES + 1]) = {
     let mut positions = [Vec3::ZERO; SEA_SIDES + 1];
@@ -49,7 +49,7 @@ static SEA_CORNERS: ([Vec3; SEA_SIDES + 1], [Vec2; SEA_SIDES + 1]) = {
     }
     (positions, uvs)
 };
-/// A fan about the centre.
+/// A fan about the center.
 static SEA_FACES: [[u16; 3]; SEA_SIDES] = {
     const CENTER: u16 = SEA_SIDES as u16;
     let mut faces = [[0; 3]; SEA_SIDES];
@@ -61,7 +61,8 @@ static SEA_FACES: [[u16; 3]; SEA_SIDES] = {
     faces
 };
 /// The texture of the sea, which repeats.
-pub static WAVES: Texture<Rgb565, 64, 64> = Texture::rgb565(include_bytes!("../assets/sea.rgb565"));
+pub static WAVES: TextureArray<Rgb565, 64, 64> =
+    TextureArray::rgb565(include_bytes!("../assets/sea.rgb565"));
 
 /// A projection that has the whole lighthouse in the picture.
 ///
@@ -120,8 +121,8 @@ where
 }
 
 /// What the sea is painted with.
-pub fn waves<C: Levels>() -> impl Shader<2, Color = C> {
-    Converted::new(Textured::new(&WAVES))
+pub fn waves<C: Levels>() -> impl Shader<Color = C> {
+    Textured::new(&WAVES).converted()
 }
 
 /// What the island is painted with.
@@ -129,8 +130,8 @@ pub fn waves<C: Levels>() -> impl Shader<2, Color = C> {
 /// # Errors
 ///
 /// None: the light's numbers are constant.
-pub fn skin<C: Levels>() -> Result<impl Shader<3, Color = C>, Error> {
-    Ok(Converted::new(Textured::new(&SKIN).lit(sun()?)))
+pub fn skin<C: Levels>() -> Result<impl Shader<Color = C>, Error> {
+    Ok(Textured::new(&SKIN).lit(sun()?).converted())
 }
 
 /// Draws sea and island; `mvp` takes them to the picture.
@@ -140,18 +141,18 @@ pub fn skin<C: Levels>() -> Result<impl Shader<3, Color = C>, Error> {
 /// None: the light's numbers are constant.
 pub fn draw<C, I, K, O, D>(
     canvas: &mut Canvas<'_, C, O, D>,
-    pass: &DrawOptions<I>,
+    options: &DrawOptions<I>,
     mvp: &Mvp<K>,
 ) -> Result<[Drawn; 2], Error>
 where
     C: Levels,
-    I: Interpolate,
-    K: Kind,
+    I: Mode,
+    K: ProjectionKind,
     O: Storage<C>,
     D: DepthBuffer,
 {
-    let sea = canvas.draw_with(pass, &SEA, mvp, &waves());
-    let island = canvas.draw_with(pass, &ISLAND, mvp, &skin()?);
+    let sea = canvas.draw_with(options, &SEA, mvp, &waves());
+    let island = canvas.draw_with(options, &ISLAND, mvp, &skin()?);
     Ok([sea, island])
 }
 
@@ -163,8 +164,8 @@ where
     D: DepthBuffer,
 {
     let bottom = canvas.frame_size().height.cast_signed();
-    for (offset, grey) in [(1, 0), (0, 255)] {
-        let color = C::from_rgb(Rgb888::new(grey, grey, grey), Point::zero());
+    for (offset, gray) in [(1, 0), (0, 255)] {
+        let color = C::from_rgb(Rgb888::new(gray, gray, gray), Point::zero());
         let at = Point::new(5 + offset, bottom - 6 + offset);
         let style = MonoTextStyle::new(&FONT_6X10, color);
         let text = Text::with_alignment(

@@ -5,10 +5,11 @@
 //! is not. `no_std`, so that a microcontroller draws the very same.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, WebColors};
-use fixel::mode::Interpolate;
+use fixel::mode::Mode;
 use fixel::prelude::*;
-use fixel::shade::{FaceColors, Gouraud, Texture, Textured};
+use fixel::shade::{FaceColors, Gouraud, Textured};
 use fixel::target::{DepthBuffer, Storage};
+use fixel::texture::TextureArray;
 use fixel::view::Perspective;
 use fixel::{Drawn, Vec2};
 
@@ -19,8 +20,8 @@ pub const HEIGHT: u32 = 240;
 /// Number of poses.
 pub const POSES: i32 = 8;
 
-/// 64x64 texels, squares of 8 in two colours.
-pub static CHECKER: Texture<Rgb565, 64, 64> = {
+/// 64x64 texels, squares of 8 in two colors.
+pub static CHECKER: TextureArray<Rgb565, 64, 64> = {
     let mut texels = [[Rgb565::CSS_IVORY; 64]; 64];
     let mut at = 0;
     while at < 64 * 64 {
@@ -30,7 +31,7 @@ pub static CHECKER: Texture<Rgb565, 64, 64> = {
         }
         at += 1;
     }
-    Texture::from_texels(texels)
+    TextureArray::from_texels(texels)
 };
 
 /// A floor from one unit before the eye to twenty, partly outside the picture.
@@ -53,7 +54,7 @@ pub static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 
 static BALL: Mesh = shape!(sphere(32, 32));
 
-/// A sphere of 1,984 triangles, its colours baked from one directional light.
+/// A sphere of 1,984 triangles, its colors baked from one directional light.
 pub static SPHERE: Mesh = Mesh::checked(BALL.with_colors(&VERTEX_COLORS, None));
 
 static VERTEX_COLORS: [Rgb888; 33 * 33] = {
@@ -68,7 +69,7 @@ static VERTEX_COLORS: [Rgb888; 33 * 33] = {
     colors
 };
 
-/// One colour per triangle of the sphere.
+/// One color per triangle of the sphere.
 pub static FACE_COLORS: [Rgb565; 1984] = {
     let mut colors = [Rgb565::new(0, 0, 0); 1984];
     let mut at = 0;
@@ -181,52 +182,52 @@ pub fn sphere_chain(k: i32) -> Result<Mvp<Perspective>, Error> {
 }
 
 /// What the floor and the cube are painted with.
-pub fn checkered() -> impl Shader<2, Color = Rgb565> {
+pub fn checkered() -> impl Shader<Color = Rgb565> {
     Textured::new(&CHECKER)
 }
 
-/// What the sphere is painted with: its vertices' colours.
-pub fn shaded() -> impl Shader<3, Color = Rgb565> {
+/// What the sphere is painted with: its vertices' colors.
+pub fn shaded() -> impl Shader<Color = Rgb565> {
     Gouraud::new()
 }
 
-/// What the flat sphere is painted with: its triangles' colours.
-pub fn faceted() -> impl Shader<0, Color = Rgb565> {
+/// What the flat sphere is painted with: its triangles' colors.
+pub fn faceted() -> impl Shader<Color = Rgb565> {
     FaceColors::new(&FACE_COLORS)
 }
 
 /// Draws the floor.
-pub fn floor<I: Interpolate, O: Storage<Rgb565>, D: DepthBuffer>(
+pub fn floor<I: Mode, O: Storage<Rgb565>, D: DepthBuffer>(
     canvas: &mut Canvas<'_, Rgb565, O, D>,
-    pass: &DrawOptions<I>,
+    options: &DrawOptions<I>,
     mvp: &Mvp<Perspective>,
 ) -> Drawn {
-    canvas.draw_with(pass, &FLOOR, mvp, &checkered())
+    canvas.draw_with(options, &FLOOR, mvp, &checkered())
 }
 
 /// Draws the cube.
-pub fn cube<I: Interpolate, O: Storage<Rgb565>, D: DepthBuffer>(
+pub fn cube<I: Mode, O: Storage<Rgb565>, D: DepthBuffer>(
     canvas: &mut Canvas<'_, Rgb565, O, D>,
-    pass: &DrawOptions<I>,
+    options: &DrawOptions<I>,
     mvp: &Mvp<Perspective>,
 ) -> Drawn {
-    canvas.draw_with(pass, &CUBE, mvp, &checkered())
+    canvas.draw_with(options, &CUBE, mvp, &checkered())
 }
 
-/// Draws the sphere with interpolated colours.
-pub fn sphere<I: Interpolate, O: Storage<Rgb565>, D: DepthBuffer>(
+/// Draws the sphere with interpolated colors.
+pub fn sphere<I: Mode, O: Storage<Rgb565>, D: DepthBuffer>(
     canvas: &mut Canvas<'_, Rgb565, O, D>,
-    pass: &DrawOptions<I>,
+    options: &DrawOptions<I>,
     mvp: &Mvp<Perspective>,
 ) -> Drawn {
-    canvas.draw_with(pass, &SPHERE, mvp, &shaded())
+    canvas.draw_with(options, &SPHERE, mvp, &shaded())
 }
 
-/// Draws the sphere with a colour per triangle; meant for a canvas without depth.
-pub fn sphere_flat<I: Interpolate, O: Storage<Rgb565>, D: DepthBuffer>(
+/// Draws the sphere with a color per triangle; meant for a canvas without depth.
+pub fn sphere_flat<I: Mode, O: Storage<Rgb565>, D: DepthBuffer>(
     canvas: &mut Canvas<'_, Rgb565, O, D>,
-    pass: &DrawOptions<I>,
+    options: &DrawOptions<I>,
     mvp: &Mvp<Perspective>,
 ) -> Drawn {
-    canvas.draw_with(pass, &SPHERE, mvp, &faceted())
+    canvas.draw_with(options, &SPHERE, mvp, &faceted())
 }

@@ -1,7 +1,7 @@
 //! How deep the stack of a piece of work is, on a microcontroller.
 //!
 //! The free stack is painted, the work done, and the deepest word that lost its paint looked for. An
-//! interrupt on the way counts too. A word that happens to be left in the paint's colour, or that was
+//! interrupt on the way counts too. A word that happens to be left in the paint's color, or that was
 //! reserved and never written, does not.
 
 use core::hint::black_box;

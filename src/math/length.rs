@@ -1,87 +1,170 @@
 //! Products, lengths and directions of vectors.
 
-use core::ops::Mul;
-
 use super::Vec3;
 use crate::Scalar;
 use crate::num::block;
 use crate::num::rsqrt::{measure, unit};
 
 impl Vec3 {
-    /// The dot product, rounded to nearest; saturates.
+    /// Returns the dot product, rounded to nearest (half up); saturates.
     ///
     /// ```
     /// use fixel::{fx, vec3};
     /// assert_eq!(vec3!(1, 2, 3).dot(vec3!(4, 0.5, -1)), fx!(2));
     /// ```
     #[must_use]
-    pub fn dot(self, other: Self) -> Scalar {
-        let [a, b] = [self, other].map(|v| v.to_bits().map(i64::from));
+    pub const fn dot(self, other: Self) -> Scalar {
+        let ([a, b, c], [x, y, z]) = (self.to_wide_bits(), other.to_wide_bits());
         // Products reach 2^62; a sum that saturates is beyond the format anyway.
-        let sum = (a[0] * b[0])
-            .saturating_add(a[1] * b[1])
-            .saturating_add(a[2] * b[2]);
+        let sum = (a * x).saturating_add(b * y).saturating_add(c * z);
         Scalar::from_bits(block::fixed(sum, 32, 16))
     }
 
-    /// The cross product, rounded to nearest; saturates.
+    /// Returns the cross product, rounded to nearest (half up); saturates.
     ///
     /// ```
     /// use fixel::Vec3;
     /// assert_eq!(Vec3::X.cross(Vec3::Y), Vec3::Z);
     /// ```
     #[must_use]
-    pub fn cross(self, other: Self) -> Self {
-        let [a, b] = [self, other].map(|v| v.to_bits().map(i64::from));
-        let part =
-            |i: usize, j: usize| block::fixed((a[i] * b[j]).saturating_sub(a[j] * b[i]), 32, 16);
-        Self::from_bits([part(1, 2), part(2, 0), part(0, 1)])
+    pub const fn cross(self, other: Self) -> Self {
+        let ([a, b, c], [x, y, z]) = (self.to_wide_bits(), other.to_wide_bits());
+        Self::from_bits([
+            block::fixed((b * z).saturating_sub(c * y), 32, 16),
+            block::fixed((c * x).saturating_sub(a * z), 32, 16),
+            block::fixed((a * y).saturating_sub(b * x), 32, 16),
+        ])
     }
 
-    /// The length, to 2⁻²⁹ of itself and rounded; saturates.
+    /// Returns the length; saturates.
+    ///
+    /// The relative error is at most 2⁻²⁹, before the result is rounded to the nearest 2⁻¹⁶.
     ///
     /// ```
     /// use fixel::{fx, vec3};
     /// assert_eq!(vec3!(3, 0, -4).length(), fx!(5));
     /// ```
     #[must_use]
-    pub fn length(self) -> Scalar {
-        let Some(of) = measure(self.to_bits().map(i64::from)) else {
-            return Scalar::ZERO;
-        };
-        // √x = x · 1/√x, in units of 2^-62: below 2^63.
-        let length = (u64::from(of.square) * u64::from(of.root)).cast_signed();
-        let exp = 16 + of.up + 30 + of.half.cast_signed();
-        Scalar::from_bits(block::fixed(length, exp, 16))
+    pub const fn length(self) -> Scalar {
+        length(self.to_wide_bits())
     }
 
-    /// The vector of length one in this direction, however short or long this is; `None` for zero.
+    /// Returns the distance between two points; saturates.
     ///
-    /// Components are rounded to 2⁻¹⁶, so that the length is within 2⁻¹⁶ of one.
+    /// It is as exact as [`length`](Self::length), also where `self - other` would saturate.
     ///
     /// ```
-    /// use fixel::{vec3, Vec3};
-    /// assert_eq!(vec3!(0, 0.001, 0).normalised(), Some(Vec3::Y));
-    /// assert_eq!(Vec3::ZERO.normalised(), None);
+    /// use fixel::{fx, vec3};
+    /// assert_eq!(vec3!(1, 2, 3).distance(vec3!(4, 2, -1)), fx!(5));
     /// ```
     #[must_use]
-    pub fn normalised(self) -> Option<Self> {
-        let unit = unit(self.to_bits().map(i64::from))?;
-        Some(Self::from_bits(
-            unit.map(|v| block::fixed(v.into(), 30, 16)),
-        ))
+    pub const fn distance(self, other: Self) -> Scalar {
+        let ([a, b, c], [x, y, z]) = (self.to_wide_bits(), other.to_wide_bits());
+        length([a - x, b - y, c - z])
+    }
+
+    /// Returns the vector of length one in this direction, however short or long this vector is;
+    /// `None` for zero.
+    ///
+    /// Components are rounded to the nearest 2⁻¹⁶, so the length is within 2⁻¹⁶ of one.
+    ///
+    /// ```
+    /// use fixel::{Vec3, vec3};
+    /// assert_eq!(vec3!(0, 0.001, 0).normalized(), Some(Vec3::Y));
+    /// assert_eq!(Vec3::ZERO.normalized(), None);
+    /// ```
+    #[must_use]
+    pub const fn normalized(self) -> Option<Self> {
+        let Some([x, y, z]) = unit(self.to_wide_bits()) else {
+            return None;
+        };
+        Some(Self::from_bits([
+            block::fixed(x as i64, 30, 16),
+            block::fixed(y as i64, 30, 16),
+            block::fixed(z as i64, 30, 16),
+        ]))
+    }
+
+    /// Returns the bits of the components in 64 bits each.
+    const fn to_wide_bits(self) -> [i64; 3] {
+        let [x, y, z] = self.to_bits();
+        [x as i64, y as i64, z as i64]
     }
 }
 
-impl Mul<Scalar> for Vec3 {
-    type Output = Self;
+/// The length of a vector in units of 2^-16; saturates.
+const fn length(vector: [i64; 3]) -> Scalar {
+    let Some(of) = measure(vector) else {
+        return Scalar::ZERO;
+    };
+    // √x = x · 1/√x, in units of 2^-62: below 2^63.
+    let length = (of.square as u64 * of.root as u64).cast_signed();
+    let exp = 16 + of.up + 30 + of.half.cast_signed();
+    Scalar::from_bits(block::fixed(length, exp, 16))
+}
 
-    /// The vector so many times as long, rounded to nearest; saturates.
-    fn mul(self, times: Scalar) -> Self {
-        let times = i64::from(times.to_bits());
-        Self::from_bits(
-            self.to_bits()
-                .map(|v| block::fixed(i64::from(v) * times, 32, 16)),
-        )
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn vectors() -> impl Strategy<Value = [i32; 3]> {
+        (any::<[i32; 3]>(), [0_u32..32, 0..32, 0..32])
+            .prop_map(|(v, cut)| core::array::from_fn(|i| v[i] >> cut[i]))
+    }
+
+    /// The length in units of 2^-16, saturated.
+    fn real_length(v: [f64; 3]) -> f64 {
+        let length = v.iter().map(|x| x * x).sum::<f64>().sqrt();
+        length.min(i32::MAX.into())
+    }
+
+    proptest! {
+        #[test]
+        fn lengths_are_right(v in vectors()) {
+            let length = real_length(v.map(f64::from));
+            let found = f64::from(Vec3::from_bits(v).length().to_bits());
+            // Rounded to a unit; before that 29 bits.
+            prop_assert!((found - length).abs() <= 0.5 + length * f64::from(-29).exp2());
+        }
+
+        #[test]
+        fn distances_are_right(a in vectors(), b in vectors()) {
+            // Differences have 33 bits, which an f64 holds.
+            let difference = core::array::from_fn(|i| f64::from(a[i]) - f64::from(b[i]));
+            let length = real_length(difference);
+            let (a, b) = (Vec3::from_bits(a), Vec3::from_bits(b));
+            let found = f64::from(a.distance(b).to_bits());
+            prop_assert!((found - length).abs() <= 0.5 + length * f64::from(-29).exp2());
+            prop_assert_eq!(a.distance(b), b.distance(a));
+        }
+
+        #[test]
+        fn products_are_right(a in vectors(), b in vectors()) {
+            let (u, v) = (Vec3::from_bits(a), Vec3::from_bits(b));
+            let [x, y] = [a, b].map(|v| v.map(i128::from));
+            // Rounded half up and saturated, in integers wide enough.
+            let fixed = |p: i128| i32::try_from((p + (1 << 15)) >> 16)
+                .unwrap_or(if p < 0 { i32::MIN } else { i32::MAX });
+            prop_assert_eq!(u.dot(v).to_bits(), fixed(x[0] * y[0] + x[1] * y[1] + x[2] * y[2]));
+            let cross = |i: usize, j: usize| fixed(x[i] * y[j] - x[j] * y[i]);
+            prop_assert_eq!(u.cross(v).to_bits(), [cross(1, 2), cross(2, 0), cross(0, 1)]);
+        }
+    }
+
+    #[test]
+    fn distances_do_not_saturate_before_the_end() {
+        // Differences of 40,000 in a format that ends at 32,768; the length is 40,000 as well.
+        let (a, b) = (
+            Vec3::from_ints(20_000, 0, 0),
+            Vec3::from_ints(-20_000, 0, 0),
+        );
+        assert_eq!(a.distance(b), Scalar::MAX);
+        let (a, b) = (
+            Vec3::from_bits([i32::MAX; 3]),
+            Vec3::from_bits([i32::MIN; 3]),
+        );
+        assert_eq!(a.distance(b), Scalar::MAX);
+        assert_eq!(a.distance(a), Scalar::ZERO);
     }
 }

@@ -8,9 +8,9 @@ use crate::num::block;
 
 /// A 4×4 matrix of [`Scalar`]s by rows, for column vectors.
 ///
-/// For reading, comparing and exchanging: what draws uses [`Transform`](crate::Transform) and
-/// [`Projection`](crate::Projection), which keep more digits. Products accumulate in 64 bits, round
-/// once to the nearest 2⁻¹⁶ and saturate.
+/// Use it to read, compare and exchange matrices. Drawing takes a [`Transform`](crate::Transform) and
+/// a [`Projection`](crate::Projection), which keep more digits. Products accumulate in 64 bits, round
+/// once to the nearest 2⁻¹⁶ (half up) and saturate.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -20,7 +20,7 @@ use crate::num::block;
 /// assert_eq!((halve * move_up).rows()[1][3], fx!(1));
 /// assert_eq!(move_up * Matrix4::IDENTITY, move_up);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Matrix4 {
     rows: [[Scalar; 4]; 4],
 }
@@ -32,19 +32,19 @@ impl Matrix4 {
     /// The matrix that changes nothing.
     pub const IDENTITY: Self = Self::scale(Vec3::from_ints(1, 1, 1));
 
-    /// A matrix of its rows.
+    /// Makes a matrix from its rows.
     #[must_use]
     pub const fn new(rows: [[Scalar; 4]; 4]) -> Self {
         Self { rows }
     }
 
-    /// The rows.
+    /// Returns the rows.
     #[must_use]
     pub const fn rows(&self) -> &[[Scalar; 4]; 4] {
         &self.rows
     }
 
-    /// Moves by an offset.
+    /// Makes the matrix that moves by `offset`.
     #[must_use]
     pub const fn translate(offset: Vec3) -> Self {
         Self::new([
@@ -55,7 +55,7 @@ impl Matrix4 {
         ])
     }
 
-    /// Scales each axis about the origin.
+    /// Makes the matrix that scales each axis about the origin.
     #[must_use]
     pub const fn scale(factors: Vec3) -> Self {
         Self::new([
@@ -66,12 +66,12 @@ impl Matrix4 {
         ])
     }
 
-    /// The perspective transform onto the near plane: it takes (x, y, z) to
-    /// (−n·x/z, −n·y/z, −(n + f) − n·f/z), a frustum to the box of its near window, and leaves the
-    /// depth of the planes at −n and −f.
+    /// Makes the perspective transform onto the near plane, which maps (x, y, z) to
+    /// (−n·x/z, −n·y/z, −(n + f) − n·f/z).
     ///
-    /// Then scaling and moving that box to ±1 gives the frustum's matrix.
-    /// The product n·f is rounded to nearest and saturates.
+    /// It maps a frustum to a box as wide as its window on the near plane; the near and far planes
+    /// stay at −n and −f. Scaling and moving that box to ±1 completes the frustum's matrix. The
+    /// product n·f is rounded to nearest; it and the sum n + f saturate.
     #[must_use]
     pub const fn perspective_transform(near: Scalar, far: Scalar) -> Self {
         let product = near.to_bits() as i64 * far.to_bits() as i64;
@@ -88,17 +88,17 @@ impl Matrix4 {
         ])
     }
 
-    /// The matrix times a point (x, y, z, 1), in homogeneous coordinates.
+    /// Multiplies the matrix by a point (x, y, z, 1), in homogeneous coordinates.
     #[must_use]
     pub fn homogeneous(&self, point: Vec3) -> [Scalar; 4] {
         *self * [point.x, point.y, point.z, I]
     }
 
-    /// The matrix times a point (x, y, z, 1), divided by its fourth coordinate w: rounded to
-    /// nearest.
+    /// Multiplies the matrix by a point (x, y, z, 1) and divides by the fourth coordinate w; rounded
+    /// to nearest (half away from zero).
     ///
-    /// `None` if w is not above 0, where there is no picture of the point or a mirrored one, or if
-    /// the point is beyond ±32768.
+    /// `None` unless w is above 0, because the picture of the point would be missing or mirrored,
+    /// and if a coordinate is beyond ±32768.
     #[must_use]
     pub fn project(&self, point: Vec3) -> Option<Vec3> {
         let [x, y, z, w] = self.homogeneous(point);
@@ -112,9 +112,9 @@ impl Matrix4 {
     }
 }
 
-/// The sum of products of two rows, rounded once.
+/// Returns the dot product of two rows, rounded once.
 ///
-/// The partial sums saturate at 2^63, sixteen bits above the largest result.
+/// Partial sums saturate at 2^63, sixteen bits above the largest result.
 fn dot(a: [Scalar; 4], b: [Scalar; 4]) -> Scalar {
     let sum = a.iter().zip(&b).fold(0_i64, |sum, (a, b)| {
         sum.saturating_add(i64::from(a.to_bits()) * i64::from(b.to_bits()))
@@ -123,10 +123,16 @@ fn dot(a: [Scalar; 4], b: [Scalar; 4]) -> Scalar {
     Scalar::from_bits(rounded.clamp(i32::MIN.into(), i32::MAX.into()) as i32)
 }
 
+impl Default for Matrix4 {
+    fn default() -> Self {
+        Self::IDENTITY
+    }
+}
+
 impl Mul for Matrix4 {
     type Output = Self;
 
-    /// The matrix that applies `other` first, then `self`.
+    /// Returns the matrix that applies `other` first, then `self`.
     fn mul(self, other: Self) -> Self {
         let columns = [0, 1, 2, 3].map(|i| other.rows.map(|row| row[i]));
         Self::new(self.rows.map(|row| columns.map(|column| dot(row, column))))
@@ -169,7 +175,7 @@ mod tests {
         }
 
         #[test]
-        fn any_projection_is_survived(m in any::<[[i32; 4]; 4]>(), p in any::<[i32; 3]>()) {
+        fn projecting_never_panics(m in any::<[[i32; 4]; 4]>(), p in any::<[i32; 3]>()) {
             let m = Matrix4::new(m.map(|row| row.map(Scalar::from_bits)));
             let _ = m.project(Vec3::from_bits(p));
         }

@@ -1,11 +1,17 @@
 //! Vectors, matrices and transforms.
 
+mod direction;
 mod length;
 mod matrix;
+mod operators;
 mod transform;
-mod vector;
+mod vec2;
+mod vec3;
 
+pub use direction::Direction;
+pub(crate) use direction::NormalMatrix;
 pub use matrix::Matrix4;
 pub use transform::Transform;
-pub(crate) use transform::{Line, compose};
-pub use vector::{Vec2, Vec3};
+pub(crate) use transform::{AffineRow, compose};
+pub use vec2::Vec2;
+pub use vec3::Vec3;

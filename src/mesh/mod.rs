@@ -4,10 +4,9 @@ mod attribute;
 mod buffers;
 mod mesh;
 pub mod obj;
-mod panic;
 mod positions;
+mod primitive;
 mod shapes;
-mod vertex;
 
 #[doc(hidden)]
 pub use buffers::Arrays;
@@ -16,5 +15,6 @@ pub(crate) use mesh::Element;
 pub use mesh::{Index, Mesh};
 pub(crate) use positions::Place;
 pub use positions::Positions;
+pub(crate) use primitive::Placement;
+pub use primitive::{Corner, Primitive};
 pub use shapes::Shape;
-pub use vertex::{Corner, Face};

@@ -5,36 +5,38 @@ use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
 use micromath::F32Ext;
 
-use crate::error::Given;
+use crate::error::RefusedFloat;
 use crate::num::Unit;
 use crate::num::rsqrt as unit;
 use crate::{Error, Scalar};
 
-/// An angle, in units of 2⁻³² of a turn: 8.4e-8 degrees, 1.5e-9 radians.
+/// An angle in units of 2⁻³² of a turn: 8.4e-8 degrees, 1.5e-9 radians.
 ///
-/// Whole turns drop out, so that arithmetic wraps as angles do; −90° and 270° are the same.
+/// Arithmetic wraps at a whole turn: −90° and 270° are the same angle. [`deg!`](crate::deg) writes
+/// a literal.
 ///
 /// ```
 /// use fixel::prelude::*;
 /// use fixel::Unit;
-/// const QUARTER: Angle = Angle::from_degrees(90);
+/// const QUARTER: Angle = deg!(90);
 /// assert_eq!(QUARTER, Angle::from_turns(fx!(0.25)));
 /// assert_eq!(QUARTER * 3, -QUARTER);
 /// assert_eq!(QUARTER.sin_cos(), (Unit::ONE, Unit::ZERO));
-/// assert_eq!(Angle::try_from_degrees(62.5)?.to_string(), "62.5 degrees");
+/// assert_eq!(Angle::try_from_degrees(62.5)?, deg!(62.5));
+/// assert_eq!(deg!(62.5).to_string(), "62.5 degrees");
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Angle(u32);
 
-/// Units of an angle in a turn.
+/// The units in a turn.
 const TURN: f64 = 4_294_967_296.0;
 
 /// Coefficients of sin(πx/2) / x in powers of x² over \[−1, 1\], lowest first, with their fraction
-/// bits: as many as leave them 31 bits, so that a step adds nothing to the error.
+/// bits.
 ///
-/// Minimax in the relative error, 2.4e-11, under the condition that they sum to 1 (Remez's
-/// exchange).
+/// Each has 31 significant bits, so its rounding adds nothing to the error. The relative error of
+/// 2.4e-11 is minimax under the condition that the coefficients sum to 1 (Remez exchange).
 const SINE: [(i32, u32); 6] = [
     (1_686_629_713, 30),
     (-1_387_197_331, 31),
@@ -45,26 +47,29 @@ const SINE: [(i32, u32); 6] = [
 ];
 
 impl Angle {
-    /// No angle.
+    /// Zero degrees.
     pub const ZERO: Self = Self(0);
     /// A quarter of a turn, 90 degrees.
     pub const QUARTER: Self = Self(1 << 30);
     /// Half a turn, 180 degrees.
     pub const HALF: Self = Self(1 << 31);
 
-    /// The angle of so many 2⁻³² of a turn.
+    /// Makes an angle from its bits, in units of 2⁻³² of a turn.
     #[must_use]
     pub const fn from_bits(bits: u32) -> Self {
         Self(bits)
     }
 
-    /// In units of 2⁻³² of a turn.
+    /// Returns the bits, in units of 2⁻³² of a turn.
     #[must_use]
     pub const fn to_bits(self) -> u32 {
         self.0
     }
 
-    /// An angle of so many degrees, rounded to nearest; multiples of 45° are exact.
+    /// Makes an angle from whole degrees, rounded to the nearest unit; multiples of 45° are exact.
+    ///
+    /// For a fraction of a degree write [`deg!`](crate::deg) or call
+    /// [`try_from_degrees`](Self::try_from_degrees).
     #[must_use]
     pub const fn from_degrees(degrees: i32) -> Self {
         let degrees = degrees.rem_euclid(360) as u64;
@@ -72,14 +77,14 @@ impl Angle {
         Self((((degrees << 32) + 180) / 360) as u32)
     }
 
-    /// An angle of so many turns; exact.
+    /// Makes an angle from turns; exact. Whole turns drop out.
     #[must_use]
     pub const fn from_turns(turns: Scalar) -> Self {
         #[allow(clippy::cast_sign_loss)] // whole turns drop out
         Self((turns.to_bits() as u32) << 16)
     }
 
-    /// An angle of so many radians, to the nearest 2⁻³² of a turn.
+    /// Makes an angle from radians, within one unit. Whole turns drop out.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -88,7 +93,7 @@ impl Angle {
     /// ```
     #[must_use]
     pub const fn from_radians(radians: Scalar) -> Self {
-        // 2^32 / 2π / 2^16 units for each of the scalar's, in its whole part and 2^-32.
+        // A unit of the scalar is 2^16 / 2π units: a whole part and a fraction in units of 2^-32.
         const WHOLE: i64 = 10_430;
         const FRACTION: i64 = 1_625_002_897;
         let bits = radians.to_bits() as i64;
@@ -97,37 +102,37 @@ impl Angle {
         Self(units.cast_unsigned() as u32)
     }
 
-    /// The angle of a float in degrees, rounded to nearest; whole turns drop out.
+    /// Makes an angle from a float in degrees, rounded to the nearest unit. Whole turns drop out.
     ///
     /// # Errors
     ///
     /// [`Error::NotRepresentable`] if `degrees` is infinite or not a number.
-    pub fn try_from_degrees(degrees: f64) -> Result<Self, Error> {
+    pub const fn try_from_degrees(degrees: f64) -> Result<Self, Error> {
         Self::try_from_float(degrees, 360.0)
     }
 
-    /// The angle of a float in radians, rounded to nearest; whole turns drop out.
+    /// Makes an angle from a float in radians, rounded to the nearest unit. Whole turns drop out.
     ///
     /// # Errors
     ///
     /// [`Error::NotRepresentable`] if `radians` is infinite or not a number.
-    pub fn try_from_radians(radians: f64) -> Result<Self, Error> {
+    pub const fn try_from_radians(radians: f64) -> Result<Self, Error> {
         Self::try_from_float(radians, core::f64::consts::TAU)
     }
 
-    /// The angle of a float in turns, rounded to nearest; whole turns drop out.
+    /// Makes an angle from a float in turns, rounded to the nearest unit. Whole turns drop out.
     ///
     /// # Errors
     ///
     /// [`Error::NotRepresentable`] if `turns` is infinite or not a number.
-    pub fn try_from_turns(turns: f64) -> Result<Self, Error> {
+    pub const fn try_from_turns(turns: f64) -> Result<Self, Error> {
         Self::try_from_float(turns, 1.0)
     }
 
-    fn try_from_float(value: f64, turn: f64) -> Result<Self, Error> {
+    const fn try_from_float(value: f64, turn: f64) -> Result<Self, Error> {
         if !value.is_finite() {
             return Err(Error::NotRepresentable {
-                value: Given::new(value),
+                value: RefusedFloat::new(value),
                 limit: None,
             });
         }
@@ -137,10 +142,10 @@ impl Angle {
         Ok(Self(((units + half) as i64).cast_unsigned() as u32))
     }
 
-    /// The angle from the x axis to the point (x, y), counter-clockwise; 0 for the origin.
+    /// Returns the angle from the x axis to the point (x, y), counter-clockwise; 0 for the origin.
     ///
-    /// Within 2e-9 radians. `micromath` gives the first guess, good to about 1e-3 radians and not
-    /// more, and two steps in integers make it exact.
+    /// The error is at most 2e-9 radians. `micromath` gives a first guess within about 1e-3 radians;
+    /// three integer steps refine it.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -148,21 +153,22 @@ impl Angle {
     /// ```
     #[must_use]
     pub fn atan2(y: Scalar, x: Scalar) -> Self {
-        Self::of_point(y.to_bits().into(), x.to_bits().into())
+        Self::atan2_bits(y.to_bits().into(), x.to_bits().into())
     }
 
-    /// [`atan2`](Self::atan2) of integers in any common unit.
-    pub(crate) fn of_point(y: i64, x: i64) -> Self {
+    /// Returns [`atan2`](Self::atan2) of integers in any common unit.
+    pub(crate) fn atan2_bits(y: i64, x: i64) -> Self {
         // 2^32 / 2π, for a sine in units of 2^-30.
         const UNITS: i64 = 683_565_276;
         let Some([x, y, _]) = unit::unit([x, y, 0]) else {
             return Self::ZERO;
         };
-        #[allow(clippy::cast_precision_loss)] // a guess
+        #[allow(clippy::cast_precision_loss)] // only a guess
         let guess = F32Ext::atan2(y as f32, x as f32);
-        // A guess is finite; if it were not, the steps below would start from zero.
+        // The guess is finite. If it were not, the steps below would start from zero.
         let mut angle = Self::try_from_radians(guess.into()).unwrap_or_default();
-        // The remaining angle d by its sine: sin d = d − d³/6. From 1e-1 to 2e-4, 1e-12.
+        // Each step adds the sine of the remaining angle d, sin d = d − d³/6: an error of 1e-1 becomes
+        // 2e-4, then 1e-12.
         for _ in 0..3 {
             let (sin, cos) = angle.sin_cos();
             let rest =
@@ -174,12 +180,12 @@ impl Angle {
         angle
     }
 
-    /// The sine.
+    /// Returns the sine.
     ///
-    /// Odd polynomial of degree 11 on a quarter of a turn: within 1.6e-9, 0, 1 and −1 exact at
-    /// multiples of 90°, symmetric to the last bit. In a picture of 320x240 nothing is to be seen of that
-    /// error; with `micromath`'s sine, good to 1.1e-3, vertices of the measured cube and sphere
-    /// would be off by up to 0.35 and 0.26 pixels.
+    /// The error is at most 1.6e-9; 0, 1 and −1 are exact at multiples of 90°, and the symmetries hold
+    /// to the last bit. An odd polynomial of degree 11 covers a quarter of a turn. In a picture of
+    /// 320x240 its error is invisible; the error of `micromath`'s sine, 1.1e-3, would move vertices of
+    /// the measured cube and sphere by up to 0.35 and 0.26 pixels.
     ///
     /// ```
     /// use fixel::{Angle, Unit};
@@ -188,20 +194,20 @@ impl Angle {
     #[must_use]
     pub const fn sin(self) -> Unit {
         let wide = self.wide_sine();
-        // Rounding the magnitude, at most 2^30, keeps the symmetry.
+        // The magnitude is rounded, which keeps the symmetry. It is at most 2^30.
         let sine = ((wide.abs() + (1 << 29)) >> 30) as i32;
         Unit::from_bits(if wide < 0 { -sine } else { sine })
     }
 
-    /// The sine in units of 2^-60, its relative error 2e-9 however small it is.
+    /// Returns the sine in units of 2^-60, with a relative error of 2e-9 however small it is.
     const fn wide_sine(self) -> i64 {
-        /// 2^30, a quarter of a turn as well as one.
+        /// 2^30: a quarter of a turn, and also the number one.
         const ONE: u32 = 1 << 30;
         #[allow(clippy::cast_possible_wrap)] // to −1/2..1/2 of a turn
         let signed = self.0 as i32;
         let mut x = signed.unsigned_abs();
         if x > ONE {
-            // Mirrored at a quarter turn.
+            // Mirror at a quarter turn.
             x = 2 * ONE - x;
         }
         let x = x as i64;
@@ -217,21 +223,21 @@ impl Angle {
         if signed < 0 { -sum * x } else { sum * x }
     }
 
-    /// Sine and cosine of half of this angle, in units of 2^-60.
+    /// Returns the sine and the cosine of half this angle, in units of 2^-60.
     ///
-    /// Half a unit is dropped: 7e-10 radians.
+    /// Half a unit of an odd angle is dropped: 7e-10 radians.
     pub(crate) const fn half_wide(self) -> (i64, i64) {
         let half = Self(self.0 >> 1);
         (half.wide_sine(), Self(half.0 + (1 << 30)).wide_sine())
     }
 
-    /// The cosine, as exact as the [sine](Self::sin).
+    /// Returns the cosine, as exact as the [sine](Self::sin).
     #[must_use]
     pub const fn cos(self) -> Unit {
         Self(self.0.wrapping_add(1 << 30)).sin()
     }
 
-    /// Sine and cosine.
+    /// Returns the sine and the cosine.
     #[must_use]
     pub const fn sin_cos(self) -> (Unit, Unit) {
         (self.sin(), self.cos())
@@ -239,7 +245,7 @@ impl Angle {
 }
 
 impl fmt::Display for Angle {
-    /// In degrees from 0 to 360, rounded to four decimals.
+    /// Writes degrees from 0 to 360, rounded to four decimals.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         // In units of 1/10000 degree.
         let parts = (u64::from(self.0) * 3_600_000 + (1 << 31)) >> 32;

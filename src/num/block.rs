@@ -1,27 +1,27 @@
 //! Block floating point: a few numbers that share one exponent.
 //!
-//! Every value is mantissa · 2^−exponent. Mantissas have 30 bits and a sign, so that the product of
-//! two fits in 60 bits and three products are summed in an `i64` without a thought.
+//! Every value is mantissa · 2^−exponent. A mantissa has 30 bits and a sign, so a product has 60 bits
+//! and an `i64` holds the sum of three products.
 
 use crate::num::reciprocal;
 
-/// Bits of a mantissa: magnitudes stay below 2^30.
+/// The bits of a mantissa: magnitudes stay below 2^30.
 const BITS: i32 = 30;
-/// Lowest exponent: values reach up to 2^62, beyond that they saturate.
+/// The lowest exponent: values up to 2^62; larger ones saturate.
 pub(crate) const MIN_EXP: i32 = -32;
-/// Highest exponent: values below 2^-33 have fewer than 30 bits, below 2^-63 they are zero.
+/// The highest exponent: values below 2^-33 have fewer than 30 bits, those below 2^-63 are zero.
 pub(crate) const MAX_EXP: i32 = 62;
 
 const LIMIT: i32 = (1 << BITS) - 1;
 
-// The functions below are calls, not copies, and take slices: they run a few dozen times a draw
-// call, and would else be most of a small program's code.
+// The functions below stay out of line and take slices: they run a few dozen times per draw call,
+// and copies of them would be most of a small program's code.
 
-/// `value · 2^shift`, rounded to nearest (half up); saturates.
+/// Returns `value` · 2^`shift`, rounded to nearest (half up); saturates.
 #[inline(never)]
 pub(crate) const fn shift(value: i64, shift: i32) -> i64 {
     if shift >= 0 {
-        // A bit is kept for the sign.
+        // One bit is left for the sign.
         if value == 0 || shift < magnitude(value).leading_zeros().cast_signed() {
             value << (shift & 63)
         } else if value < 0 {
@@ -30,7 +30,7 @@ pub(crate) const fn shift(value: i64, shift: i32) -> i64 {
             i64::MAX
         }
     } else if shift > -64 {
-        // Half is added after the next to last bit is dropped, where it cannot overflow.
+        // Half is added after all dropped bits but one are gone, where it cannot overflow.
         ((value >> (-shift - 1)) + 1) >> 1
     } else {
         0
@@ -42,14 +42,14 @@ const fn magnitude(value: i64) -> u64 {
     value.unsigned_abs()
 }
 
-/// A number of up to 62 bits, before it is rounded to a mantissa: `value` · 2^−`exp`.
+/// A number `value` · 2^−`exp` of up to 62 bits, before it is rounded to a mantissa.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Number {
+pub(crate) struct BlockFloat {
     pub(crate) value: i64,
     pub(crate) exp: i32,
 }
 
-impl Number {
+impl BlockFloat {
     pub(crate) const ZERO: Self = Self::new(0, 0);
 
     #[inline]
@@ -57,28 +57,28 @@ impl Number {
         Self { value, exp }
     }
 
-    /// The finest exponent at which the value stays below 2^`bits`; `i32::MAX` if it is zero.
+    /// Returns the highest exponent at which the value stays below 2^`bits`; `i32::MAX` for zero.
     #[inline]
     const fn finest(self, bits: i32) -> i32 {
         if self.value == 0 {
             return i32::MAX;
         }
         let room = magnitude(self.value).leading_zeros().cast_signed() + bits - 64;
-        // Saturating, as the exponent may come from anywhere.
+        // Saturating: the exponent may be any number.
         self.exp.saturating_add(room)
     }
 
-    /// The value at another exponent, rounded to nearest; saturates.
+    /// Returns the value at another exponent, rounded to nearest (half up); saturates.
     #[inline]
     pub(crate) const fn at(self, exp: i32) -> i64 {
         shift(self.value, exp.saturating_sub(self.exp))
     }
 
-    /// As a mantissa and its exponent.
+    /// Rounds to a mantissa and its exponent.
     #[inline(never)]
     pub(crate) fn rounded(self) -> (i32, i32) {
         let mut mantissa = [0];
-        let exp = normalise(&mut mantissa, &[self]);
+        let exp = normalize(&mut mantissa, &[self]);
         (mantissa[0], exp)
     }
 
@@ -87,7 +87,7 @@ impl Number {
         Self::new(-self.value, self.exp)
     }
 
-    /// The product of the two mantissas: 60 bits.
+    /// Multiplies the two mantissas: 60 bits.
     #[inline(never)]
     pub(crate) fn times(self, other: Self) -> Self {
         let (a, a_exp) = self.rounded();
@@ -95,21 +95,22 @@ impl Number {
         Self::new(i64::from(a) * i64::from(b), a_exp + b_exp)
     }
 
-    /// The sum, in 61 bits.
+    /// Adds, in 61 bits.
     #[inline(never)]
     pub(crate) fn plus(self, other: Self) -> Self {
         let exp = self.finest(61).min(other.finest(61));
         Self::new(self.at(exp) + other.at(exp), exp)
     }
 
-    /// The quotient, to 30 bits: operands are rounded to 31 first. The divisor is taken for its
-    /// magnitude, and zero for the smallest there is.
+    /// Divides by the magnitude of `divisor`; a zero counts as its smallest unit.
+    ///
+    /// Both operands are rounded to 31 bits; the relative error is at most 1.3 · 2^-30.
     #[inline(never)]
     pub(crate) fn over(self, divisor: Self) -> Self {
         let (top, top_exp) = operand(self.value);
         let (bottom, bottom_exp) = operand(divisor.value.saturating_abs().max(1));
         let r = i64::from(reciprocal(bottom.unsigned_abs()));
-        // What the reciprocal lacks, as a part of `r` in units of 2^-31: (2^61 − r · bottom) / 2^61.
+        // The reciprocal's relative deficit (2^61 − r · bottom) / 2^61, times r, in units of 2^-30.
         let lacks = (((1 << 61) - r * i64::from(bottom)) * r) >> 31;
         let top = i64::from(top);
         Self::new(
@@ -119,22 +120,23 @@ impl Number {
     }
 }
 
-/// A value as 31 bits and a sign, the upper one set unless it is zero, rounded to nearest but that
-/// 2^31 − ½ and more is 2^31 − 1; and its exponent.
+/// Rounds a value to 31 bits and a sign; returns it and its exponent.
+///
+/// Bit 30 is set unless the value is zero. Values that round up to 2^31 become 2^31 − 1.
 #[inline(never)]
 fn operand(value: i64) -> (i32, i32) {
     let up = magnitude(value).leading_zeros().cast_signed() - 33;
     (saturated(shift(value, up)), up)
 }
 
-/// A block of numbers: their mantissas, rounded to nearest, but that one of 2^30 − ½ and more is
-/// 2^30 − 1; gives their exponent.
+/// Rounds numbers to mantissas of one common exponent, and returns the exponent.
 ///
-/// The largest mantissa has bit 29 set, except where the exponent is at [`MAX_EXP`]: all zero, or
-/// too small to be represented fully. At [`MIN_EXP`], mantissas saturate at ±(2^30 − 1).
+/// Mantissas are rounded to nearest; those that round up to 2^30 become 2^30 − 1. The largest
+/// mantissa has bit 29 set, unless the exponent is [`MAX_EXP`]: then all are small or zero. At
+/// [`MIN_EXP`], mantissas saturate at ±(2^30 − 1).
 #[inline(never)]
-pub(crate) fn normalise(mantissas: &mut [i32], numbers: &[Number]) -> i32 {
-    let finest = |exp: i32, number: &Number| exp.min(number.finest(BITS));
+pub(crate) fn normalize(mantissas: &mut [i32], numbers: &[BlockFloat]) -> i32 {
+    let finest = |exp: i32, number: &BlockFloat| exp.min(number.finest(BITS));
     let exp = numbers.iter().fold(MAX_EXP, finest).max(MIN_EXP);
     for (mantissa, number) in mantissas.iter_mut().zip(numbers) {
         *mantissa = saturated(number.at(exp)).clamp(-LIMIT, LIMIT);
@@ -142,7 +144,7 @@ pub(crate) fn normalise(mantissas: &mut [i32], numbers: &[Number]) -> i32 {
     exp
 }
 
-/// The nearest that 32 bits hold.
+/// Saturates to 32 bits.
 #[inline]
 const fn saturated(value: i64) -> i32 {
     if value > i32::MAX as i64 {
@@ -154,13 +156,15 @@ const fn saturated(value: i64) -> i32 {
     }
 }
 
-/// `value · 2^-exp` in units of 2^-`fraction`, rounded to nearest; saturates.
+/// Returns `value` · 2^-`exp` in units of 2^-`fraction`, rounded to nearest (half up); saturates.
 pub(crate) const fn fixed(value: i64, exp: i32, fraction: i32) -> i32 {
     saturated(shift(value, fraction - exp))
 }
 
-/// The quotient rounded to nearest, half away from zero; `None` if the denominator is zero or the
-/// quotient needs more than 32 bits. For magnitudes below 2^62.
+/// Divides, rounded to nearest (half away from zero); `None` if the denominator is zero or the
+/// quotient needs more than 32 bits.
+///
+/// Magnitudes must not exceed 2^62.
 pub(crate) fn divide(numerator: i64, denominator: i64) -> Option<i32> {
     if denominator == 0 {
         return None;
@@ -179,36 +183,36 @@ mod tests {
         value as f64 * f64::from(-exp).exp2()
     }
 
-    fn normalised<const N: usize>(values: [i64; N], exp: i32) -> ([i32; N], i32) {
+    fn normalized<const N: usize>(values: [i64; N], exp: i32) -> ([i32; N], i32) {
         let mut mantissas = [0; N];
-        let exp = normalise(&mut mantissas, &values.map(|v| Number::new(v, exp)));
+        let exp = normalize(&mut mantissas, &values.map(|v| BlockFloat::new(v, exp)));
         (mantissas, exp)
     }
 
     #[test]
     fn mantissas_are_thirty_bits_and_exponents_bounded() {
-        assert_eq!(normalised([1 << 16], 16), ([1 << 29], 29));
-        assert_eq!(normalised([0, 0], 3), ([0, 0], MAX_EXP));
-        assert_eq!(normalised([-(1 << 62)], 0), ([-(1 << 30) + 1], MIN_EXP));
-        assert_eq!(normalised([i64::MIN, 1], i32::MAX), ([0, 0], MAX_EXP));
-        // Rounding up to a power of two would take one more bit.
-        assert_eq!(normalised([(1 << 31) - 1], 0), ([(1 << 30) - 1], -1));
+        assert_eq!(normalized([1 << 16], 16), ([1 << 29], 29));
+        assert_eq!(normalized([0, 0], 3), ([0, 0], MAX_EXP));
+        assert_eq!(normalized([-(1 << 62)], 0), ([-(1 << 30) + 1], MIN_EXP));
+        assert_eq!(normalized([i64::MIN, 1], i32::MAX), ([0, 0], MAX_EXP));
+        // Rounding up to 2^30 would take one more bit.
+        assert_eq!(normalized([(1 << 31) - 1], 0), ([(1 << 30) - 1], -1));
     }
 
     proptest! {
         #[test]
-        fn normalising_rounds_to_nearest(
+        fn normalizing_rounds_to_nearest(
             v in any::<[i64; 3]>(),
             cut in [0_u32..64, 0..64, 0..64],
             exp in -20..70,
         ) {
             let v: [i64; 3] = core::array::from_fn(|i| v[i] >> cut[i]);
-            let (m, e) = normalised(v, exp);
+            let (m, e) = normalized(v, exp);
             prop_assert!((MIN_EXP..=MAX_EXP).contains(&e));
             for (&v, &m) in v.iter().zip(&m) {
                 prop_assert!(m.unsigned_abs() < 1 << 30);
                 if e > MIN_EXP {
-                    // Half a unit of the last place, or one at the end; and f64's own rounding.
+                    // Half a unit of the last place, or a whole one where it is clamped; and f64's own rounding.
                     let error = (real(v, exp) - real(m.into(), e)).abs();
                     let units = if m.abs() == LIMIT { 1.0 } else { 0.5 };
                     prop_assert!(error <= (units + 1e-6) * f64::from(-e).exp2());
@@ -220,17 +224,17 @@ mod tests {
         }
 
         #[test]
-        fn any_exponent_is_survived(
+        fn no_exponent_panics(
             v in any::<[i64; 3]>(),
             w in any::<[i64; 3]>(),
             exp in any::<i32>(),
             other in -200..200,
         ) {
-            let (m, e) = normalised(v, exp);
+            let (m, e) = normalized(v, exp);
             prop_assert!((MIN_EXP..=MAX_EXP).contains(&e));
             prop_assert!(m.iter().all(|m| m.unsigned_abs() < 1 << 30));
             for (v, w) in v.into_iter().zip(w) {
-                let _ = Number::new(v, 100).plus(Number::new(w, other));
+                let _ = BlockFloat::new(v, 100).plus(BlockFloat::new(w, other));
             }
             let _ = fixed(v[0], other, 16);
         }
@@ -244,7 +248,7 @@ mod tests {
             b_exp in -99..99,
         ) {
             let b = b >> cut;
-            let sum = Number::new(a, a_exp).plus(Number::new(b, b_exp));
+            let sum = BlockFloat::new(a, a_exp).plus(BlockFloat::new(b, b_exp));
             let expected = real(a, a_exp) + real(b, b_exp);
             let size = real(a, a_exp).abs() + real(b, b_exp).abs();
             prop_assert!((real(sum.value, sum.exp) - expected).abs() <= size * f64::from(-50).exp2());
@@ -257,10 +261,10 @@ mod tests {
             cut in [0_u32..63, 0..63],
         ) {
             let (a, b) = (a >> cut[0], (b >> cut[1]).saturating_abs().max(1));
-            let q = Number::new(a, 0).over(Number::new(b, 0));
+            let q = BlockFloat::new(a, 0).over(BlockFloat::new(b, 0));
             #[allow(clippy::cast_precision_loss)]
             let expected = a as f64 / b as f64;
-            // Two operands of 31 bits, and what the quotient is rounded by is far less.
+            // Two operands rounded to 31 bits; the rounding of the quotient is far smaller.
             let error = (real(q.value, q.exp) - expected).abs();
             prop_assert!(error <= 1.3 * f64::from(-30).exp2() * expected.abs());
         }

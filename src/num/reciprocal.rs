@@ -1,12 +1,13 @@
-//! The reciprocal that every division by depth goes through.
+//! The reciprocal behind every division by depth.
 
 use crate::num::wide::{IS_NARROW, product, upper};
 
-/// ⌊(2⁶¹ − 1) / q⌋, for a `q` of 31 bits: from 2³⁰ to 2³¹ − 1, as is the result.
+/// Returns ⌊(2⁶¹ − 1) / q⌋ for a `q` from 2³⁰ to 2³¹ − 1; the result has the same range.
 ///
-/// Exact in every bit and the same on every target: a core with a 64-bit divider divides. Others begin with the
-/// 17 bits that a 32-bit divider gives, or where there is none a table of 32 bytes and two short Newton steps; one more
-/// step doubles these bits, and the remainder corrects the last one. Of any other `q` the result has no meaning.
+/// It is exact in every bit and the same on every target. A core with a 64-bit divider divides. Other
+/// cores take 17 bits from a 32-bit divider, or without one from a table of 32 bytes and two short
+/// Newton steps; one more Newton step doubles these bits and the remainder corrects the last one.
+/// For any other `q` the result has no meaning, but there is no panic.
 ///
 /// ```
 /// use fixel::num::reciprocal;
@@ -24,25 +25,26 @@ pub const fn reciprocal(q: u32) -> u32 {
     }
 }
 
-/// The bit that is set in any `q`; to say so again spares a check for division by zero.
+/// The top bit of every `q`. Setting it again tells the compiler that `q` is not zero.
 const TOP: u32 = 1 << 30;
 
 const fn by_division(q: u32) -> u32 {
     (((1 << 61) - 1) / (q | TOP) as u64) as u32
 }
 
-/// q to the nearest 16 bits, off by at most 2^-17 of itself where it is least.
+/// Rounds q to 16 bits: the relative error is at most 2^-17, for the smallest q.
 const fn coarse(q: u32) -> u32 {
     (q >> 15 & 0xffff | 1 << 15) + (q >> 14 & 1)
 }
 
-/// 2^48 / q to 17 or 18 bits, by a division.
+/// Returns 2^48 / q to 17 or 18 bits, by a division.
 const fn divided_seed(q: u32) -> u32 {
-    // In the middle of 17 bits: off by 2^-18 where q is least, by 2^-17 where it is greatest.
+    // The middle of an interval of 17 bits: the relative error is 2^-18 for the smallest q, 2^-17
+    // for the largest.
     ((u32::MAX / coarse(q)) << 1) | 1
 }
 
-/// 2^8 / c in the middle of each 32nd of c from 1 to 2, to the nearest.
+/// 2^8 / c, rounded to nearest, at the middle of each 32nd of c from 1 to 2.
 const SEEDS: [u8; 32] = {
     let mut seeds = [0; 32];
     let mut i = 0;
@@ -54,47 +56,47 @@ const SEEDS: [u8; 32] = {
     seeds
 };
 
-/// 2^48 / q to 17 or 18 bits, without a division and in products of 32 bits.
+/// Returns 2^48 / q to 17 or 18 bits, without a division and in products of 32 bits.
 const fn seed(q: u32) -> u32 {
     let coarse = coarse(q);
     let seed = SEEDS[(q >> 25 & 31) as usize] as u32;
-    // Off by up to 2^-5.8; squared that is 2^-11.6, in 16 bits.
+    // The table's relative error is at most 2^-5.8; the step squares it to 2^-11.6, in 16 bits.
     let lacks = (1 << 23) - (coarse * seed).cast_signed();
     let seed = (seed * ((1 << 23) + lacks).cast_unsigned()) >> 15;
-    // Squared once more 2^-23, far below a unit.
+    // The next step squares it to 2^-23, far below a unit.
     let lacks = (1_u32 << 31).wrapping_sub(coarse * seed).cast_signed();
-    // Rounded down, so that it stays below 2^18.
+    // Rounded down, so the result stays below 2^18.
     let more = (seed.cast_signed() * (lacks >> 5)) >> 24;
     (seed << 2).wrapping_add_signed(more)
 }
 
 const fn by_newton(q: u32, seed: u32) -> u32 {
-    // Together with q's rounding off by less than 1.25 * 2^-16; a Newton step squares that, to less than 0.8 units of the
-    // result and never above it. seed * q is 2^48 but for less than 2^33, so modulo 2^34 will do.
+    // With q's rounding, the seed's relative error is below 1.25 * 2^-16. A Newton step squares it: the
+    // result is too small by less than 0.8 units, and never too large. seed * q is within 2^33 of
+    // 2^48, so the residual modulo 2^34 determines it.
     let residual = !(upper(seed, q) << 30 | seed.wrapping_mul(q) >> 2);
     let seed = (seed << 13).cast_signed();
-    // No sum wraps, but of a `q` that is out of range.
+    // The sum wraps only for a `q` out of range.
     let r = seed.wrapping_add((product(seed, residual.cast_signed()) >> 46) as i32);
     let r = r.cast_unsigned();
-    // Rounded down, r is right or one short. The remainder is then below 2q < 2^32, and need not
-    // be known but modulo that.
+    // Rounded down, r is exact or one too small. The remainder is below 2q < 2^32, so 32 bits hold it.
     let remainder = !r.wrapping_mul(q);
     r.wrapping_add((remainder >= q) as u32)
 }
 
-/// ⌊2³¹ / d⌋, for a `d` of 15 or 16 bits.
+/// Returns ⌊2³¹ / d⌋ for a `d` of 15 or 16 bits.
 #[inline]
 pub(crate) const fn short_reciprocal(d: u32) -> u32 {
     if IS_NARROW {
         short_by_table(d)
     } else {
-        // Said so, that no division by zero need be looked out for.
+        // The bound tells the compiler that the divisor is not zero.
         (1 << 31) / if d < 1 << 14 { 1 << 14 } else { d }
     }
 }
 
 const fn short_by_table(d: u32) -> u32 {
-    // A seed is right to a unit and never above, as all bits of d are in it; r is then right or one short.
+    // The seed uses all bits of d: it is exact or one unit too small, and so is r.
     let up = d >> 15 & 1 ^ 1;
     let r = seed(d << 15 << up) >> (2 - up);
     r + ((1_u32 << 31).wrapping_sub(r.wrapping_mul(d)) >= d) as u32
@@ -105,8 +107,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn both_ways_are_the_specification() {
-        // Prime steps meet every residue of the seed; both ends are tried one by one.
+    fn every_path_meets_the_specification() {
+        // A prime step meets every residue of the seed; both ends are tested value by value.
         let all = (1 << 30..1 << 31).step_by(1009);
         for q in all
             .chain(1 << 30..(1 << 30) + 200_000)
@@ -119,9 +121,9 @@ mod tests {
         }
     }
 
-    /// On every target, with the checks for overflow that a build for development has.
+    /// A debug build checks for overflow, on every target.
     #[test]
-    fn a_number_out_of_range_is_survived() {
+    fn a_number_out_of_range_does_not_panic() {
         let ends = (0..32).flat_map(|bit| [(1 << bit) - 1, 1 << bit, (1 << bit) + 1]);
         for q in ends.chain((0..=u32::MAX).step_by(0xf_4241)) {
             let _ = [by_division(q), by_newton(q, seed(q))];
@@ -130,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn short_ones_are_right() {
+    fn short_reciprocals_are_exact() {
         for d in 1 << 14..1 << 16 {
             let exact = (1 << 31) / d;
             assert_eq!([short_by_table(d), short_reciprocal(d)], [exact; 2], "{d}");

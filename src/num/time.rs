@@ -1,31 +1,31 @@
-//! Time of a scene: from rotations a minute to an angle.
+//! Speeds of rotation: from turns per minute and milliseconds to an angle.
 
 use crate::Angle;
 
 /// A speed of rotation.
 ///
-/// In thousandths of a turn a minute; hertz are turns a second. Negative turns clockwise.
+/// The unit is a thousandth of a turn per minute. A negative rate turns clockwise.
 ///
 /// ```
 /// use fixel::{Angle, Rate};
 /// let rate = Rate::rpm(10);
 /// assert_eq!(rate.angle_at(1_500), Angle::from_degrees(90));
-/// // After 30 days, still to the last bit.
+/// // Exact to the last bit, even after 30 days.
 /// assert_eq!(rate.angle_at(30 * 24 * 3_600_000 + 1_500), Angle::from_degrees(90));
-/// // f(t) = sin(2πt), once a second.
+/// // One turn per second: sin(2πt).
 /// assert_eq!(Rate::hertz(1).angle_at(250).sin(), fixel::Unit::ONE);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Rate {
-    /// In units of 1/1000 turn a minute.
+    /// In thousandths of a turn per minute.
     milli_rpm: i64,
 }
 
-/// Thousandths of a turn a minute, times milliseconds, in one turn.
+/// One turn, in thousandths of a turn per minute times milliseconds.
 const TURN: u32 = 60_000_000;
 
 impl Rate {
-    /// So many turns a minute.
+    /// Makes a rate from turns per minute.
     #[must_use]
     pub const fn rpm(turns: i32) -> Self {
         Self {
@@ -33,11 +33,11 @@ impl Rate {
         }
     }
 
-    /// So many thousandths of a turn a minute.
+    /// Makes a rate from thousandths of a turn per minute.
     ///
     /// ```
     /// use fixel::{Angle, Rate};
-    /// // A record player: 33⅓, within a hundred-thousandth.
+    /// // A record player, at 33⅓ turns per minute to 1e-5 of it.
     /// assert_eq!(Rate::milli_rpm(33_333).angle_at(60_000_000), Angle::ZERO);
     /// ```
     #[must_use]
@@ -47,7 +47,7 @@ impl Rate {
         }
     }
 
-    /// So many turns a second.
+    /// Makes a rate from turns per second.
     #[must_use]
     pub const fn hertz(turns: i32) -> Self {
         Self {
@@ -55,7 +55,7 @@ impl Rate {
         }
     }
 
-    /// So many thousandths of a turn a second.
+    /// Makes a rate from thousandths of a turn per second.
     #[must_use]
     pub const fn millihertz(thousandths: i32) -> Self {
         Self {
@@ -63,16 +63,16 @@ impl Rate {
         }
     }
 
-    /// The angle turned through in `ms` milliseconds, from 0 on.
+    /// Returns the angle that has been turned through after `ms` milliseconds, from 0.
     ///
-    /// Exact for any time whatever: whole turns drop out before the one rounding, down to a
+    /// It is exact for any time: whole turns drop out, then the angle is rounded down once, to a
     /// multiple of 2⁻³² of a turn.
     #[must_use]
     pub const fn angle_at(self, ms: u64) -> Angle {
         angle(self.phase(ms))
     }
 
-    /// A turning thing that is moved on frame by frame, by the time since the last.
+    /// Makes an angle that turns at this rate and advances frame by frame, from 0.
     #[must_use]
     pub const fn spin(self) -> Spin {
         Spin {
@@ -81,9 +81,9 @@ impl Rate {
         }
     }
 
-    /// The fraction of a turn after `ms` milliseconds, in units of 1/[`TURN`]: exact.
+    /// Returns the fraction of a turn after `ms` milliseconds, in units of 1/[`TURN`]; exact.
     const fn phase(self, ms: u64) -> u32 {
-        // Both factors may be reduced by whole turns first; each is then below 2^26.
+        // Both factors are reduced by whole turns first: each is then below 2^26.
         let speed = rest(self.milli_rpm.unsigned_abs());
         let phase = rest(speed as u64 * rest(ms) as u64);
         if self.milli_rpm < 0 && phase > 0 {
@@ -94,10 +94,10 @@ impl Rate {
     }
 }
 
-/// `high` · 2^32 + `low` divided by [`TURN`], and what is left over; `high` is below it.
+/// Divides `high` · 2^32 + `low` by [`TURN`]; returns the quotient and the remainder.
 ///
-/// Bit by bit, as it is done once a frame: the code of a 64-bit division would cost more flash than
-/// its speed is worth.
+/// `high` must be below `TURN`. The division goes bit by bit: it runs once per frame, and a 64-bit
+/// division routine would cost more flash than its speed is worth.
 const fn divide(high: u32, low: u32) -> (u32, u32) {
     let (mut quotient, mut rest) = (low, high);
     let mut bit = 0;
@@ -114,21 +114,21 @@ const fn divide(high: u32, low: u32) -> (u32, u32) {
     (quotient, rest)
 }
 
-/// What is left over of `value` when whole turns are dropped.
+/// Returns `value` modulo [`TURN`].
 const fn rest(value: u64) -> u32 {
     let (high, low) = ((value >> 32) as u32, value as u32);
     divide(high % TURN, low).1
 }
 
-/// The angle of a fraction of a turn, in units of 1/[`TURN`].
+/// Converts a fraction of a turn, in units of 1/[`TURN`], to an angle; rounds down.
 const fn angle(phase: u32) -> Angle {
     Angle::from_bits(divide(phase, 0).0)
 }
 
-/// An angle that turns at a [`Rate`] and is moved on by the time between frames.
+/// An angle that turns at a [`Rate`] and advances by the time between frames.
 ///
-/// What a frame's angle loses in rounding is carried to the next: however the time is cut into
-/// frames, the angle is that of [`Rate::angle_at`] to the last bit.
+/// The rounding error of a frame carries over to the next. However time is divided into frames, the
+/// angle equals [`Rate::angle_at`] to the last bit.
 ///
 /// ```
 /// use fixel::Rate;
@@ -142,24 +142,24 @@ const fn angle(phase: u32) -> Angle {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Spin {
     rate: Rate,
-    /// Fraction of a turn, in units of 1/[`TURN`].
+    /// The fraction of a turn, in units of 1/[`TURN`].
     phase: u32,
 }
 
 impl Spin {
-    /// Moves on by `ms` milliseconds; gives the new angle.
+    /// Advances by `ms` milliseconds and returns the new angle.
     pub const fn advance(&mut self, ms: u64) -> Angle {
         self.phase = (self.phase + self.rate.phase(ms)) % TURN;
         self.angle()
     }
 
-    /// The angle now.
+    /// Returns the current angle.
     #[must_use]
     pub const fn angle(&self) -> Angle {
         angle(self.phase)
     }
 
-    /// Turns at another rate from now on, from the angle that has been reached.
+    /// Changes the rate; the angle continues from its current value.
     pub const fn set_rate(&mut self, rate: Rate) {
         self.rate = rate;
     }
@@ -170,8 +170,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// The bits of the angle of milli · ms / 60,000,000 turns, in integers without bounds that
-    /// matter.
+    /// The bits of an angle of milli · ms / 60,000,000 turns, in integers wide enough.
     fn exact(milli: i32, ms: u64) -> u32 {
         let turns = i128::from(milli) * i128::from(ms);
         let bits = (turns.rem_euclid(60_000_000) << 32) / 60_000_000;
@@ -179,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn rates_are_what_they_say() {
+    fn units_of_rates_agree() {
         assert_eq!(Rate::rpm(60), Rate::hertz(1));
         assert_eq!(Rate::milli_rpm(60_000), Rate::millihertz(1_000));
         assert_eq!(Rate::rpm(1).angle_at(15_000), Angle::QUARTER);
@@ -192,7 +191,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn angles_are_exact_for_ever(milli in any::<i32>(), ms in any::<u64>()) {
+        fn angles_are_exact_at_any_time(milli in any::<i32>(), ms in any::<u64>()) {
             prop_assert_eq!(Rate::milli_rpm(milli).angle_at(ms).to_bits(), exact(milli, ms));
         }
 

@@ -1,12 +1,12 @@
-//! Products of 32 bits by 32, in 64.
+//! Products of two 32-bit numbers in 64 bits, on cores with and without the instruction.
 
-/// Whether the core multiplies to 32 bits only, as those of Armv6-M do.
+/// Whether the core multiplies to 32 bits only, such as a core of Armv6-M.
 ///
-/// What their compiler calls for more multiplies 64 bits by 64; four products of 16 bits take half
-/// as long. (No other Arm is without atomics and of so few instructions.)
+/// There the compiler calls a routine that multiplies 64 bits by 64. Four products of 16 bits take half
+/// as long. (A missing 32-bit atomic tells Armv6-M from the larger Arm targets.)
 pub(crate) const IS_NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
-/// The product.
+/// Multiplies.
 #[inline]
 pub(crate) const fn product(a: i32, b: i32) -> i64 {
     if IS_NARROW {
@@ -16,7 +16,7 @@ pub(crate) const fn product(a: i32, b: i32) -> i64 {
     }
 }
 
-/// The upper half of a product of numbers without a sign, the second below 2^31.
+/// Returns the upper half of an unsigned product; `b` must be below 2^31.
 #[inline]
 pub(crate) const fn upper(a: u32, b: u32) -> u32 {
     if IS_NARROW {
@@ -26,16 +26,16 @@ pub(crate) const fn upper(a: u32, b: u32) -> u32 {
     }
 }
 
-/// The same from the product of signed numbers.
+/// Returns [`upper`] by a signed product.
 #[inline]
 const fn upper_of_signed(a: u32, b: u32) -> u32 {
     let product = product(a.cast_signed(), b.cast_signed()).cast_unsigned();
     let upper = (product >> 32) as u32;
-    // As a signed number `a` is less by 2^32 if its upper bit is set.
+    // If its upper bit is set, the signed `a` is 2^32 too small.
     upper.wrapping_add(b & (a.cast_signed() >> 31).cast_unsigned())
 }
 
-/// The product with a number of 16 bits, wrapping.
+/// Multiplies by a number of 16 bits; wraps.
 #[inline]
 pub(crate) const fn times_short(a: i64, b: i32) -> i64 {
     if IS_NARROW {
@@ -45,7 +45,7 @@ pub(crate) const fn times_short(a: i64, b: i32) -> i64 {
     }
 }
 
-/// The same from products of 32 bits.
+/// Returns [`times_short`] by products of 32 bits.
 #[inline]
 const fn by_halves(a: i64, b: i32) -> i64 {
     let (high, low) = ((a >> 32) as i32, a.cast_unsigned() as u32);
@@ -53,6 +53,19 @@ const fn by_halves(a: i64, b: i32) -> i64 {
     let low = first.wrapping_mul(b) as i64 + ((second.wrapping_mul(b) as i64) << 16);
     let high = high.wrapping_mul(b).cast_unsigned();
     low.wrapping_add(((high as u64) << 32).cast_signed())
+}
+
+/// a · b / 2^14, rounded down, for a `b` of up to 17 bits and a product of up to 45.
+#[inline]
+pub(crate) fn times_17_bits(a: i32, b: u32) -> i32 {
+    let b = b.cast_signed();
+    if IS_NARROW {
+        (a >> 14)
+            .wrapping_mul(b)
+            .wrapping_add((a & 0x3fff).wrapping_mul(b) >> 14)
+    } else {
+        ((i64::from(a) * i64::from(b)) >> 14) as i32
+    }
 }
 
 /// The dot product; the caller sees to it that it fits, as that of mantissas of 30 bits by 31 does.
@@ -65,12 +78,14 @@ pub(crate) fn dot(a: &[i32; 3], b: &[i32; 3]) -> i64 {
     }
 }
 
-/// The dot product of coefficients below 2^29 and numbers of 16 bits shifted `up`, by 0 to 16, in 32 bits as far as that
-/// goes: twice as fast as [`dot`] on a core that multiplies to 32 bits only.
+/// Returns the dot product of coefficients of at most 2^29 with 16-bit numbers shifted left by `up`, from
+/// 0 to 16.
+///
+/// It works in 32 bits: twice as fast as [`dot`] on a core that multiplies to 32 bits only.
 #[inline]
 pub(crate) fn short_dot(a: &[i32; 3], b: [i16; 3], up: u32) -> i64 {
-    // Coefficients are halves of 15 bits, high · 2^15 + low, of at most 2^14 in magnitude: three products with
-    // 2^15 are at most 3 · 2^29.
+    // Each coefficient is split into high · 2^15 + low, both at most 2^14 in magnitude. Three products
+    // with 2^15 sum to at most 3 · 2^29.
     let (mut high, mut low) = (0, 0);
     for (&a, b) in a.iter().zip(b) {
         let a_high = (a + (1 << 14)) >> 15;
@@ -78,14 +93,14 @@ pub(crate) fn short_dot(a: &[i32; 3], b: [i16; 3], up: u32) -> i64 {
         low += (a - (a_high << 15)) * i32::from(b);
     }
     let sum = (i64::from(high) << 15) + i64::from(low);
-    // By halves, as a shift of 64 bits is a call.
+    // In halves, because a shift of 64 bits is a call.
     let (upper, lower) = ((sum >> 32) as i32, sum.cast_unsigned() as u32);
     let upper =
         (upper << (up & 31)).cast_unsigned() | (lower >> 1 >> (31u32.wrapping_sub(up) & 31));
     ((u64::from(upper) << 32) | u64::from(lower << (up & 31))).cast_signed()
 }
 
-// Calls: they are as long as what they stand for.
+// Out of line: a copy would be longer than the call.
 
 #[inline(never)]
 const fn narrow_product(a: i32, b: i32) -> i64 {
@@ -97,13 +112,13 @@ fn narrow_dot(a: &[i32; 3], b: &[i32; 3]) -> i64 {
     a.iter().zip(b).map(|(&a, &b)| of_halves(a, b)).sum()
 }
 
-/// The product of two numbers, from those of their halves.
+/// Multiplies two numbers by the products of their halves.
 #[inline]
 const fn of_halves(a: i32, b: i32) -> i64 {
     let ([a_high, a_low], [b_high, b_low]) = ([a >> 16, a & 0xffff], [b >> 16, b & 0xffff]);
     let low = a_low.cast_unsigned() * b_low.cast_unsigned();
-    // A half with a sign times one without is at most 2^31 - 2^15 in magnitude, so that 16 bits more
-    // are no overflow.
+    // A signed half times an unsigned half is at most 2^31 - 2^15 in magnitude: adding 16 bits does
+    // not overflow.
     let cross = a_high * b_low + (low >> 16).cast_signed();
     let other = a_low * b_high + (cross & 0xffff);
     let high = a_high * b_high + (cross >> 16) + (other >> 16);
@@ -117,7 +132,7 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn halves_make_the_product_at_the_ends() {
+    fn products_of_halves_are_exact_at_the_ends() {
         let ends = [
             0,
             1,
@@ -171,7 +186,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn short_products_are_those_of_longer_numbers(
+        fn short_dot_products_equal_long_ones(
             a in prop::array::uniform3(-(1 << 29)..=1 << 29),
             b in any::<[i16; 3]>(),
             up in 0_u32..=16,
@@ -180,13 +195,13 @@ mod tests {
         }
 
         #[test]
-        fn halves_make_the_product_with_a_short_number(a in any::<i64>(), b in any::<i16>()) {
+        fn products_with_short_numbers_are_exact(a in any::<i64>(), b in any::<i16>()) {
             let b = i32::from(b);
             prop_assert_eq!(by_halves(a, b), a.wrapping_mul(b.into()));
         }
 
         #[test]
-        fn halves_make_the_product(a in any::<i32>(), b in any::<i32>()) {
+        fn products_of_halves_are_exact(a in any::<i32>(), b in any::<i32>()) {
             prop_assert_eq!(of_halves(a, b), i64::from(a) * i64::from(b));
             let (a, b) = (a.cast_unsigned(), b.cast_unsigned() & (u32::MAX >> 1));
             let upper = (u64::from(a) * u64::from(b)) >> 32;

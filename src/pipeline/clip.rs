@@ -2,51 +2,24 @@
 
 use heapless::Vec;
 
-use super::project::{ClipPosition, Projector};
-use super::projected::Projected;
+use super::vertex::{ClipPosition, Projector};
 use crate::mesh::Index;
 use crate::num::reciprocal;
-use crate::view::Kind;
-
-/// Where a point lies in its triangle: how much of the second and of the third corner it has, in
-/// units of 2⁻³⁰; the first has the rest.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Weights([i32; 2]);
-
-impl Weights {
-    /// Those of the corners themselves.
-    pub(crate) const CORNERS: [Self; 3] = [Self([0, 0]), Self([1 << 30, 0]), Self([0, 1 << 30])];
-
-    /// A varying of the point, of those of the corners: to the nearest unit but for the rounding of the weights.
-    pub(crate) fn mix(self, [value, second, third]: &[i32; 3]) -> i32 {
-        let way = |to: &i32| i64::from(*to) - i64::from(*value);
-        let [b, c] = self.0.map(i64::from);
-        // Ways take 33 bits, and the weights are together at most 2^30 and a few units.
-        let sum = way(second) * b + way(third) * c;
-        let mixed = i64::from(*value) + ((sum + (1 << 29)) >> 30);
-        mixed.clamp(i32::MIN.into(), i32::MAX.into()) as i32
-    }
-}
+use crate::raster::{Barycentric, ClippedVertex, ScreenVertex};
+use crate::view::ProjectionKind;
 
 /// Most corners of a clipped triangle: each of six planes adds one at most.
 const MOST_CORNERS: usize = 9;
 
-/// A corner of a clipped triangle or an end of a line, and where in the mesh's triangle it lies.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct ClippedCorner {
-    pub(crate) vertex: Projected,
-    pub(crate) weights: Weights,
-}
-
 /// A clipped triangle or line on the screen.
-pub(crate) type Outline = Vec<ClippedCorner, MOST_CORNERS>;
+pub(crate) type ClippedPolygon = Vec<ClippedVertex, MOST_CORNERS>;
 
 /// A corner on its way to be clipped.
 #[derive(Clone, Copy)]
 struct ClipVertex {
     position: ClipPosition,
-    /// [`Weights`], as wide as the position, as they are cut in the same way.
-    weights: [i64; 2],
+    /// [`Barycentric`] weights, as wide as the position, as they are cut in the same way.
+    barycentric: [i64; 2],
 }
 
 type Polygon = Vec<ClipVertex, MOST_CORNERS>;
@@ -57,16 +30,16 @@ type Polygon = Vec<ClipVertex, MOST_CORNERS>;
 /// An edge is cut by the planes that its own ends are outside of, in the order of the planes, from
 /// its inside end: so two triangles that share an edge get the same new corners.
 #[inline(never)]
-pub(crate) fn clip<K: Kind>(
+pub(crate) fn clip<K: ProjectionKind>(
     projector: &Projector<'_, K>,
     corners: &[Index],
     planes: u8,
-) -> Outline {
+) -> ClippedPolygon {
     let (mut polygon, mut inside) = (&mut Polygon::new(), &mut Polygon::new());
-    for (&index, weights) in corners.iter().zip(Weights::CORNERS) {
+    for (&index, weights) in corners.iter().zip(Barycentric::CORNERS) {
         let _ = polygon.push(ClipVertex {
             position: projector.clip_position(index),
-            weights: weights.0.map(i64::from),
+            barycentric: weights.0.map(i64::from),
         });
     }
     let closed = corners.len() > 2;
@@ -75,22 +48,22 @@ pub(crate) fn clip<K: Kind>(
         cut_off(projector, plane, (polygon, closed), inside);
         (polygon, inside) = (inside, polygon);
     }
-    let mut outline = Outline::new();
+    let mut clipped = ClippedPolygon::new();
     for corner in polygon {
-        let mut vertex = Projected::NONE;
+        let mut vertex = ScreenVertex::NONE;
         projector.project_inside(&corner.position, &mut vertex);
-        let _ = outline.push(ClippedCorner {
+        let _ = clipped.push(ClippedVertex {
             vertex,
             // At most 2^30.
-            weights: Weights(corner.weights.map(|weight| weight as i32)),
+            barycentric: Barycentric(corner.barycentric.map(|weight| weight as i32)),
         });
     }
-    outline
+    clipped
 }
 
 /// Gives `inside` the part of a polygon or, if it is not `closed`, of a line that is inside a plane.
 #[inline(never)]
-fn cut_off<K: Kind>(
+fn cut_off<K: ProjectionKind>(
     projector: &Projector<'_, K>,
     plane: u32,
     (polygon, closed): (&[ClipVertex], bool),
@@ -119,7 +92,7 @@ fn cut_off<K: Kind>(
 
 /// Where `plane` cuts an edge of which one end is inside, the other outside; they come with their
 /// distances from it.
-fn cut<K: Kind>(
+fn cut<K: ProjectionKind>(
     projector: &Projector<'_, K>,
     plane: u32,
     [mut inside, mut outside]: [(&ClipVertex, i64); 2],
@@ -137,8 +110,8 @@ fn cut<K: Kind>(
         .cast_signed();
 
     let (mut vertex, outside) = (*inside.0, outside.0);
-    let values = vertex.position.iter_mut().chain(&mut vertex.weights);
-    let others = outside.position.iter().chain(&outside.weights);
+    let values = vertex.position.iter_mut().chain(&mut vertex.barycentric);
+    let others = outside.position.iter().chain(&outside.barycentric);
     for (from, to) in values.zip(others) {
         let way = to.saturating_sub(*from);
         // The fraction of 64 bits, from the halves; below 2^63 as the fraction is below 2^31.

@@ -1,34 +1,29 @@
-//! The draw call: a mesh through a mvp of transforms onto a canvas.
+//! The draw call: a mesh through its stages onto a canvas.
 
+mod assemble;
 mod cache;
+mod call;
 mod clip;
-mod cull;
-mod geometry;
-mod painter;
-mod pass;
-mod prepared;
-mod project;
-mod projected;
+mod list;
+mod options;
+mod run;
+mod vertex;
 
-pub(crate) use clip::{ClippedCorner, Outline, Weights, clip};
-pub use cull::Cull;
-pub use pass::DrawOptions;
-pub use prepared::{Prepared, TriangleList};
-pub(crate) use project::Projector;
-pub(crate) use projected::{DepthShift, Projected};
+pub use list::{Prepared, TriangleList};
+pub use options::DrawOptions;
 
-use geometry::Geometry;
-use painter::Painter;
+use call::Call;
+use run::Draw;
+use vertex::Projector;
 
 use crate::Vec3;
-use crate::math::Transform;
 use crate::mesh::{Mesh, Positions};
 use crate::num::Subpixel;
-use crate::raster::Paint;
+use crate::raster::{DepthShift, Scissor, ScreenVertex};
 use crate::shade::Shader;
-use crate::span::Interpolate;
-use crate::target::{Canvas, DepthBuffer, Storage};
-use crate::view::{Kind, Mvp};
+use crate::span::{Blit, Mode};
+use crate::target::{Canvas, DepthBuffer, DepthTest, Storage};
+use crate::view::{Mvp, ProjectionKind};
 
 /// What became of a draw call's triangles, edges or points.
 ///
@@ -64,13 +59,13 @@ pub struct Drawn {
 /// let mut pixels = [Gray8::new(0); 64];
 /// let canvas = Canvas::new(&mut pixels, 8, 8)?;
 /// let projection = Projection::perspective(Angle::from_degrees(90), (1, 1), fx!(0.5), fx!(10))?;
-/// let place = canvas.project(&DrawOptions::new(), &(projection * Transform::IDENTITY), vec3!(0.5, 1, -2)).unwrap();
-/// assert_eq!((place.x.to_num(), place.y.to_num()), (5, 2));
-/// assert_eq!(place.depth, 65535 / 4);
+/// let at = canvas.project(&DrawOptions::new(), &projection.into(), vec3!(0.5, 1, -2)).unwrap();
+/// assert_eq!((at.x.to_num(), at.y.to_num()), (5, 2));
+/// assert_eq!(at.depth, 65535 / 4);
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct ScreenPoint {
     /// Columns from the frame's left edge, to the nearest 1/256: a pixel's centre is half a column
     /// from its edges.
     pub x: Subpixel,
@@ -81,126 +76,148 @@ pub struct Place {
 }
 
 impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
-    /// Draws a mesh's triangles: through `mvp` into the whole frame, without back faces, each
-    /// pixel correct in perspective.
+    /// Draws a mesh's triangles: through `mvp` into the whole frame, without back faces, each pixel correct in
+    /// perspective.
     ///
-    /// Cannot fail: what cannot be seen is left out, what is partly to be seen is clipped.
-    pub fn draw<K: Kind, F: Shader<N, Color = C>, const N: usize>(
+    /// Cannot fail: hidden parts are left out, and what is partly in the view is clipped.
+    pub fn draw<K: ProjectionKind, S: Shader<Color = C>>(
         &mut self,
         mesh: &Mesh<'_>,
         mvp: &Mvp<K>,
-        shader: &F,
+        shader: &S,
     ) -> Drawn {
         self.draw_with(&DrawOptions::new(), mesh, mvp, shader)
     }
 
-    /// Draws a mesh's triangles as [`draw`](Self::draw) does, in the way that `pass` says.
-    pub fn draw_with<I: Interpolate, K: Kind, F: Shader<N, Color = C>, const N: usize>(
+    /// Draws a mesh's triangles as [`draw`](Self::draw) does, with options.
+    pub fn draw_with<M: Mode, Z: DepthTest, K: ProjectionKind, S: Shader<Color = C>>(
         &mut self,
-        pass: &DrawOptions<I>,
+        options: &DrawOptions<M, Z>,
         mesh: &Mesh<'_>,
         mvp: &Mvp<K>,
-        shader: &F,
+        shader: &S,
     ) -> Drawn {
-        let mut painter = self.painter(pass, mesh, mvp);
-        let mut brush = self.brush(pass.mode, &painter.geometry, shader, &mvp.model);
-        painter.triangles(&mut brush);
-        painter.drawn
+        let (call, scissor) = self.call(options, mesh, mvp);
+        let mut blit = self.blit::<K, _, _, _>(options, shader, call.depth_shift());
+        draw_triangles(&call, &mut blit, &scissor)
     }
 
     /// Draws triangles that were [prepared](TriangleList::prepare) for this frame, as far as they
     /// are in these rows: the same pixels as [`draw_with`](Self::draw_with), without another transform.
-    pub fn draw_prepared<I: Interpolate, K: Kind, F: Shader<N, Color = C>, const N: usize>(
+    pub fn draw_prepared<M: Mode, Z: DepthTest, K: ProjectionKind, S: Shader<Color = C>>(
         &mut self,
-        prepared: &Prepared<'_, K, I>,
-        shader: &F,
+        prepared: &Prepared<'_, K, M, Z>,
+        shader: &S,
     ) -> Drawn {
         let (width, rows) = (self.frame_size().width, self.rows().clone());
-        let mut brush = self.brush(prepared.mode, &prepared.geometry, shader, &prepared.model);
-        prepared.draw(&mut brush, width, &rows)
+        let (mode, test) = (prepared.mode, prepared.test);
+        let mut blit =
+            Blit::<_, _, _, K, _, _>::new((mode, test), self, *shader, prepared.depth_shift);
+        prepared.draw(&mut blit, width, &rows)
     }
 
     /// Draws a mesh's [edges](Mesh::edges) as lines, one pixel wide.
-    pub fn draw_edges<I: Interpolate, K: Kind, F: Shader<N, Color = C>, const N: usize>(
+    pub fn draw_edges<M: Mode, Z: DepthTest, K: ProjectionKind, S: Shader<Color = C>>(
         &mut self,
-        pass: &DrawOptions<I>,
+        options: &DrawOptions<M, Z>,
         mesh: &Mesh<'_>,
         mvp: &Mvp<K>,
-        shader: &F,
+        shader: &S,
     ) -> Drawn {
-        let mut painter = self.painter(pass, mesh, mvp);
-        let mut brush = self.brush(pass.mode, &painter.geometry, shader, &mvp.model);
-        painter.lines(&mut brush);
-        painter.drawn
+        let (call, scissor) = self.call(options, mesh, mvp);
+        let mut blit = self.blit::<K, _, _, _>(options, shader, call.depth_shift());
+        run::edges(&call, &mut blit, &scissor)
+    }
+
+    /// Draws a mesh's positions as points, one pixel each.
+    pub fn draw_points<M: Mode, Z: DepthTest, K: ProjectionKind, S: Shader<Color = C>>(
+        &mut self,
+        options: &DrawOptions<M, Z>,
+        mesh: &Mesh<'_>,
+        mvp: &Mvp<K>,
+        shader: &S,
+    ) -> Drawn {
+        let (call, scissor) = self.call(options, mesh, mvp);
+        let mut blit = self.blit::<K, _, _, _>(options, shader, call.depth_shift());
+        run::points(&call, &mut blit, &scissor)
     }
 
     /// Where a point of model space comes to lie, to the last bit as when it is drawn; `None` if it
     /// is nearer than the near plane, beyond the far plane or more than 2048 pixels from the
-    /// viewport's centre. It may be outside the viewport.
+    /// viewport's center. It may be outside the viewport.
     ///
     /// For a label beside a thing, or a touch upon it.
     #[must_use]
-    pub fn project<I: Copy, K: Kind>(
+    pub fn project<M: Copy, Z: Copy, K: ProjectionKind>(
         &self,
-        pass: &DrawOptions<I>,
+        options: &DrawOptions<M, Z>,
         mvp: &Mvp<K>,
         point: Vec3,
-    ) -> Option<Place> {
-        let viewport = pass.viewport_in(self.frame_size());
+    ) -> Option<ScreenPoint> {
+        let viewport = options.viewport_in(self.frame_size());
         let projector = Projector::new(
             Positions::of_one(&point),
             &mvp.projection,
             &mvp.model_view(),
             &viewport,
         );
-        let mut at = Projected::NONE;
+        let mut at = ScreenVertex::NONE;
         projector.project(0, &mut at);
-        if at.outside != 0 {
+        if at.outcode != 0 {
             return None;
         }
         let [x, y] = at.screen.map(Subpixel::from_bits);
-        Some(Place {
+        Some(ScreenPoint {
             x,
             y,
             depth: D::encode(at.q, projector.depth_shift().of(at.exponent)) as u16,
         })
     }
 
-    /// Draws a mesh's positions as points, one pixel each.
-    pub fn draw_points<I: Interpolate, K: Kind, F: Shader<N, Color = C>, const N: usize>(
-        &mut self,
-        pass: &DrawOptions<I>,
-        mesh: &Mesh<'_>,
-        mvp: &Mvp<K>,
-        shader: &F,
-    ) -> Drawn {
-        let mut painter = self.painter(pass, mesh, mvp);
-        let mut brush = self.brush(pass.mode, &painter.geometry, shader, &mvp.model);
-        painter.points(&mut brush);
-        painter.drawn
-    }
-
-    /// What a draw call needs to know but for what it paints with.
-    #[inline]
-    fn painter<'m, I: Copy, K: Kind>(
+    /// The geometry of a draw call, and the pixels that it may draw to.
+    #[inline(never)]
+    fn call<'m, M: Copy, Z: Copy, K: ProjectionKind>(
         &self,
-        pass: &DrawOptions<I>,
+        options: &DrawOptions<M, Z>,
         mesh: &'m Mesh<'m>,
         mvp: &Mvp<K>,
-    ) -> Painter<'m, K> {
-        Painter::new(pass, (self.frame_size(), self.rows()), mesh, mvp)
+    ) -> (Call<'m, K>, Scissor) {
+        let frame = self.frame_size();
+        let viewport = options.viewport_in(frame);
+        (
+            Call::new(options, mesh, mvp, &viewport),
+            Scissor::new(&viewport, frame.width, self.rows()),
+        )
     }
 
-    /// What a draw call paints with.
+    /// What a draw call draws with.
     #[inline]
-    fn brush<'p, I: Interpolate, K: Kind, F: Shader<N, Color = C>, const N: usize>(
+    fn blit<'p, K: ProjectionKind, M: Mode, Z: DepthTest, S: Shader<Color = C>>(
         &'p mut self,
-        mode: I,
-        geometry: &Geometry<'_, K>,
-        shader: &F,
-        model: &Transform,
-    ) -> Paint<'p, 'c, K::Mode<I>, F, O, D, N> {
-        let depth_shift = geometry.projector.depth_shift();
-        Paint::new(K::mode(mode), self, shader.begin(model), depth_shift)
+        options: &DrawOptions<M, Z>,
+        shader: &S,
+        shift: DepthShift,
+    ) -> Blit<'p, 'c, S, O, D, K, M, Z> {
+        Blit::new((options.mode, options.depth), self, *shader, shift)
     }
+}
+
+/// All triangles, in code that exists once for all shaders and canvases.
+#[inline(never)]
+fn draw_triangles<K: ProjectionKind>(
+    call: &Call<'_, K>,
+    blitter: &mut dyn crate::raster::Blitter,
+    scissor: &Scissor,
+) -> Drawn {
+    let mut draw = Draw {
+        blitter,
+        mesh: call.mesh,
+        placement: &call.placement,
+        cull: call.cull,
+        scissor,
+        drawn: Drawn::default(),
+    };
+    draw.drawn.submitted = call.mesh.faces().len() as u32;
+    run::triangles(call, &mut draw);
+    draw.drawn
 }

@@ -1,16 +1,14 @@
 //! Lines: one pixel per column or row, whichever is longer.
 
 use super::edge::{Edge, first_center};
-use super::triangle::spans;
-use super::{Brush, Triangle, Window};
-use crate::pipeline::{ClippedCorner, Projected};
+use super::{Blitter, ClippedVertex, Patch, Scissor, spans};
 
 /// Draws a line: along its longer axis every pixel whose centre is passed. A centre at the left (of
 /// steep lines: upper) end belongs to the line, one at the right (lower) end does not, so that
 /// lines end to end draw no pixel twice while they go on along the same axis.
 ///
 /// Which pixels does not depend on the line's direction. Across, the pixel is the one the line is in.
-pub(crate) fn line(brush: &mut dyn Brush, window: &Window, ends: [&ClippedCorner; 2]) {
+pub(crate) fn line(blitter: &mut dyn Blitter, scissor: &Scissor, ends: [&ClippedVertex; 2]) {
     let [mut from, mut to] = ends;
     let steep = {
         let ([x0, y0], [x1, y1]) = (from.vertex.screen, to.vertex.screen);
@@ -25,28 +23,20 @@ pub(crate) fn line(brush: &mut dyn Brush, window: &Window, ends: [&ClippedCorner
         (start, aside, end, aside_end) = (end, aside_end, start, aside);
     }
     let (along, across) = if steep {
-        (&window.rows, &window.columns)
+        (&scissor.rows, &scissor.columns)
     } else {
-        (&window.columns, &window.rows)
+        (&scissor.columns, &scissor.rows)
     };
     let steps = first_center(start).max(along.start)..first_center(end).min(along.end);
     if steps.is_empty() {
         return;
     }
 
-    // Interpolants depend on the place along the line alone: as those of a triangle one unit high
-    // with one side along the line, that has the same values above each other.
-    let corner = |end: &ClippedCorner, x: i32, y: i32| Projected {
-        screen: [x, y],
-        ..end.vertex
-    };
-    let longest = brush.triangle(&Triangle {
-        corners: &[
-            corner(from, start, 128),
-            corner(to, end, 128),
-            corner(to, end, 129),
-        ],
-        weights: Some(&[from.weights, to.weights, to.weights]),
+    // Values change along the longer axis only: their plane is the one of a sliver along the line, one unit high.
+    let longest = blitter.set_up(&Patch {
+        vertices: &[from.vertex, to.vertex, to.vertex],
+        barycentric: Some(&[from.barycentric, to.barycentric, to.barycentric]),
+        screen: &[[start, 128], [end, 128], [end, 129]],
         area: i64::from(end - start),
     });
 
@@ -65,7 +55,7 @@ pub(crate) fn line(brush: &mut dyn Brush, window: &Window, ends: [&ClippedCorner
                 } else {
                     (offset, first..step + 1)
                 };
-                spans(brush, row, columns, [first - (start >> 8), 0], longest);
+                spans(blitter, row, columns, [first - (start >> 8), 0], longest);
             }
             (first, offset) = (step + 1, next);
         }

@@ -1,40 +1,73 @@
-//! From a primitive on the screen to runs of pixels.
+//! From primitives on the screen to spans of pixels.
 
-mod brush;
+mod cull;
 mod edge;
-mod fan;
+mod gradient;
 mod line;
-mod planes;
 mod point;
+mod polygon;
+mod scale;
+mod scissor;
+mod setup;
 mod triangle;
+mod vertex;
 
 use core::ops::Range;
 
-use crate::view::Viewport;
+use crate::mesh::Primitive;
 
-pub(crate) use brush::{Brush, Paint};
-pub(crate) use fan::Fan;
+pub use cull::Cull;
 pub(crate) use line::line;
 pub(crate) use point::point;
+pub(crate) use polygon::Polygon;
+pub(crate) use scissor::Scissor;
+pub(crate) use setup::{Attribute, FAR, SPAN, Scale, Setup};
 pub(crate) use triangle::{Triangle, area};
+pub(crate) use vertex::{Barycentric, ClippedVertex, DepthShift, ScreenVertex};
 
-/// The part of the canvas that may be drawn into; nothing outside is.
-#[derive(Clone, Debug)]
-pub(crate) struct Window {
-    pub(crate) columns: Range<i32>,
-    pub(crate) rows: Range<i32>,
+/// Three vertices and where on the screen their values belong: the plane that each interpolant is laid through.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Patch<'a> {
+    pub(crate) vertices: &'a [ScreenVertex; 3],
+    /// Where the vertices lie in the mesh's triangle; `None` if they are its corners.
+    pub(crate) barycentric: Option<&'a [Barycentric; 3]>,
+    /// Where the values belong, in units of 1/256 pixel: of a triangle, the vertices' own places.
+    pub(crate) screen: &'a [[i32; 2]; 3],
+    /// Twice the area between these places, positive if they run clockwise as seen.
+    pub(crate) area: i64,
 }
 
-impl Window {
-    /// Where a viewport and `rows` of a frame so wide meet.
-    pub(crate) fn new(viewport: &Viewport, width: u32, rows: &Range<u32>) -> Self {
-        let [across, down] = viewport.pixels();
-        let meet = |a: Range<i32>, start: u32, end: u32| {
-            a.start.max(start.cast_signed())..a.end.min(end.cast_signed())
-        };
-        Self {
-            columns: meet(across, 0, width),
-            rows: meet(down, rows.start, rows.end),
-        }
+/// What the rasterizer draws spans with: a shader, a mode and a canvas.
+///
+/// All that comes before, from the mesh's indices to rows of pixels, calls it through a `dyn`. So that code exists once
+/// in a program, whatever the number of shaders and canvases. A call costs a few instructions.
+pub(crate) trait Blitter {
+    /// Goes on to another triangle, edge or point of the mesh.
+    fn primitive(&mut self, primitive: &Primitive<'_>);
+
+    /// Lays the interpolants over a patch, all or a part of the primitive; gives the longest span in pixels.
+    fn set_up(&mut self, patch: &Patch<'_>) -> i32;
+
+    /// Draws `columns` of `row`, which lie within the canvas and are no longer than [`set_up`](Self::set_up) said.
+    ///
+    /// The span begins `x` columns and `y` rows from the pixel in which the patch's first place lies.
+    fn span(&mut self, row: i32, columns: Range<i32>, x: i32, y: i32);
+}
+
+/// Draws columns that may be more than the `longest` span.
+#[inline(never)]
+fn spans(
+    blitter: &mut dyn Blitter,
+    row: i32,
+    mut columns: Range<i32>,
+    [mut x, y]: [i32; 2],
+    longest: i32,
+) {
+    while columns.start < columns.end {
+        let count = longest.min(columns.end - columns.start);
+        let stop = columns.start + count;
+        blitter.span(row, columns.start..stop, x, y);
+        x += count;
+        columns.start = stop;
     }
 }

@@ -1,28 +1,19 @@
 //! Points: one pixel each.
 
-use super::{Brush, Triangle, Window};
-use crate::pipeline::Projected;
+use super::{Blitter, Patch, Scissor, ScreenVertex};
 
 /// Draws the pixel that a point lies in.
-pub(crate) fn point(brush: &mut dyn Brush, window: &Window, at: &Projected) {
+pub(crate) fn point(blitter: &mut dyn Blitter, scissor: &Scissor, at: &ScreenVertex) {
     let [x, y] = at.screen.map(|position| position >> 8);
-    if window.columns.contains(&x) && window.rows.contains(&y) {
-        // The planes are level, so any triangle that begins in the pixel will do.
-        let corner = |x, y| Projected {
-            screen: [x, y],
-            ..*at
-        };
+    if scissor.columns.contains(&x) && scissor.rows.contains(&y) {
         let [left, top] = [x << 8, y << 8];
-        let corners = [
-            corner(left, top),
-            corner(left + 256, top),
-            corner(left, top + 1),
-        ];
-        brush.triangle(&Triangle {
-            corners: &corners,
-            weights: None,
+        // All values are the point's, so any places that begin in the pixel will do.
+        blitter.set_up(&Patch {
+            vertices: &[*at; 3],
+            barycentric: None,
+            screen: &[[left, top], [left + 256, top], [left, top + 1]],
             area: 256,
         });
-        brush.span(y, x..x + 1, 0, 0);
+        blitter.span(y, x..x + 1, 0, 0);
     }
 }

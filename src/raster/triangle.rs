@@ -4,17 +4,16 @@ use core::mem::swap;
 use core::ops::Range;
 
 use super::edge::{Edge, first_center};
-use super::fan::Part;
-use super::{Brush, Window};
+use super::polygon::Part;
+use super::{Barycentric, Blitter, Cull, Patch, Scissor, ScreenVertex, spans};
 use crate::num::wide::{IS_NARROW, product};
-use crate::pipeline::{Cull, Projected, Weights};
 
 /// A triangle on the screen.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Triangle<'a> {
-    pub(crate) corners: &'a [Projected; 3],
+    pub(crate) vertices: &'a [ScreenVertex; 3],
     /// Where its corners lie in the mesh's triangle, if they are not the corners of that.
-    pub(crate) weights: Option<&'a [Weights; 3]>,
+    pub(crate) barycentric: Option<&'a [Barycentric; 3]>,
     /// Twice the area, in units of (1/256 pixel)²: positive for corners that run clockwise as seen.
     pub(crate) area: i64,
 }
@@ -32,25 +31,25 @@ pub(crate) fn area([a, b, c]: &[[i32; 2]; 3]) -> i64 {
     product(bx, cy) - product(cx, by)
 }
 
-/// [`area`] of a triangle that is not culled and covers a pixel centre of the window; 0 of others.
+/// [`area`] of a triangle that is not culled and covers a pixel centre of the scissor; 0 of others.
 #[inline(never)]
-pub(super) fn area_in(corners: &[Projected; 3], cull: Cull, window: &Window) -> i64 {
-    let area = area(&Projected::screens(corners));
-    if cull.leaves_out(area) || !meets(corners, window) {
+pub(super) fn area_in(corners: &[ScreenVertex; 3], cull: Cull, scissor: &Scissor) -> i64 {
+    let area = area(&ScreenVertex::screens(corners));
+    if cull.leaves_out(area) || !meets(corners, scissor) {
         return 0;
     }
     area
 }
 
-/// Whether a pixel centre of the window is within a triangle's bounds.
+/// Whether a pixel centre of the scissor is within a triangle's bounds.
 #[inline(never)]
-fn meets(corners: &[Projected; 3], window: &Window) -> bool {
-    let [a, b, c] = Projected::screens(corners);
-    let meets = |corners: [i32; 3], window: &Range<i32>| {
+fn meets(corners: &[ScreenVertex; 3], scissor: &Scissor) -> bool {
+    let [a, b, c] = ScreenVertex::screens(corners);
+    let meets = |corners: [i32; 3], scissor: &Range<i32>| {
         let centers = centers(corners);
-        centers.start.max(window.start) < centers.end.min(window.end)
+        centers.start.max(scissor.start) < centers.end.min(scissor.end)
     };
-    meets([a[1], b[1], c[1]], &window.rows) && meets([a[0], b[0], c[0]], &window.columns)
+    meets([a[1], b[1], c[1]], &scissor.rows) && meets([a[0], b[0], c[0]], &scissor.columns)
 }
 
 /// The columns or rows whose centres lie between corners.
@@ -59,61 +58,76 @@ fn centers([a, b, c]: [i32; 3]) -> Range<i32> {
     first_center(a.min(b).min(c))..first_center(a.max(b).max(c))
 }
 
-/// The rows that a triangle may have pixels in, whatever the window.
+/// The rows that a triangle may have pixels in, whatever the scissor.
 #[inline]
-pub(super) fn row_range(corners: &[Projected; 3]) -> Range<i32> {
-    let [a, b, c] = Projected::screens(corners);
+pub(super) fn row_range(corners: &[ScreenVertex; 3]) -> Range<i32> {
+    let [a, b, c] = ScreenVertex::screens(corners);
     centers([a[1], b[1], c[1]])
 }
 
-/// Whether the centre of a pixel is the triangle's, by the same rule as [`draw`] has it.
-pub(super) fn covers([a, b, c]: &[[i32; 2]; 3], area: i64, pixel: [i32; 2]) -> bool {
-    let [x, y] = pixel.map(|at| (at << 8) + 128);
+/// Whether the center of a pixel is the triangle's: by the same edges as [`draw`], so by the same rule.
+pub(super) fn covers([a, b, c]: &[[i32; 2]; 3], area: i64, [x, row]: [i32; 2]) -> bool {
+    // Clockwise, an edge that runs down is on the right.
     let edges = if area > 0 {
         [(a, b), (b, c), (c, a)]
     } else {
         [(a, c), (c, b), (b, a)]
     };
-    edges.iter().all(|&(from, to)| {
-        let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
-        let inside = product(dx, y - from[1]) - product(dy, x - from[0]);
-        // A left edge runs up, a top edge to the right.
-        inside > 0 || inside == 0 && (dy < 0 || dy == 0 && dx > 0)
-    })
+    let mut crossed = false;
+    for (from, to) in edges {
+        let is_right = to[1] > from[1];
+        let (top, bottom) = if is_right { (from, to) } else { (to, from) };
+        if (first_center(top[1])..first_center(bottom[1])).contains(&row) {
+            crossed = true;
+            let is_beyond = x >= Edge::new(*top, *bottom, row).column();
+            if is_beyond == is_right {
+                return false;
+            }
+        }
+    }
+    crossed
 }
 
 impl<'a> Triangle<'a> {
-    /// A mesh's triangle of an area that is known, unless it covers no pixel centre of the window.
+    /// A mesh's triangle of an area that is known, unless it covers no pixel centre of the scissor.
     #[inline]
-    pub(crate) fn of_area(corners: &'a [Projected; 3], area: i64, window: &Window) -> Option<Self> {
-        meets(corners, window).then_some(Self {
-            corners,
-            weights: None,
+    pub(crate) fn of_area(
+        vertices: &'a [ScreenVertex; 3],
+        area: i64,
+        scissor: &Scissor,
+    ) -> Option<Self> {
+        meets(vertices, scissor).then_some(Self {
+            vertices,
+            barycentric: None,
             area,
         })
     }
 
-    /// A mesh's triangle, unless it is culled or covers no pixel centre of the window.
+    /// A mesh's triangle, unless it is culled or covers no pixel centre of the scissor.
     #[inline]
-    pub(crate) fn new(corners: &'a [Projected; 3], cull: Cull, window: &Window) -> Option<Self> {
-        let area = area_in(corners, cull, window);
+    pub(crate) fn new(
+        vertices: &'a [ScreenVertex; 3],
+        cull: Cull,
+        scissor: &Scissor,
+    ) -> Option<Self> {
+        let area = area_in(vertices, cull, scissor);
         (area != 0).then_some(Self {
-            corners,
-            weights: None,
+            vertices,
+            barycentric: None,
             area,
         })
     }
 
-    /// The rows that it may have pixels in, whatever the window.
+    /// The rows that it may have pixels in, whatever the scissor.
     #[inline]
     pub(crate) fn row_range(&self) -> Range<i32> {
-        row_range(self.corners)
+        row_range(self.vertices)
     }
 
     /// Draws it.
     #[inline]
-    pub(crate) fn draw(&self, brush: &mut dyn Brush, window: &Window) {
-        draw(brush, window, self, None);
+    pub(crate) fn draw(&self, blitter: &mut dyn Blitter, scissor: &Scissor) {
+        draw(blitter, scissor, self, None);
     }
 }
 
@@ -122,13 +136,18 @@ impl<'a> Triangle<'a> {
 /// A centre on a left or top edge belongs to the triangle, one on a right or bottom edge does not.
 #[inline(never)]
 pub(super) fn draw(
-    brush: &mut dyn Brush,
-    window: &Window,
+    blitter: &mut dyn Blitter,
+    scissor: &Scissor,
     triangle: &Triangle<'_>,
     part: Option<&Part<'_>>,
 ) {
-    let longest = brush.triangle(triangle);
-    let screen = Projected::screens(triangle.corners);
+    let screen = ScreenVertex::screens(triangle.vertices);
+    let longest = blitter.set_up(&Patch {
+        vertices: triangle.vertices,
+        barycentric: triangle.barycentric,
+        screen: &screen,
+        area: triangle.area,
+    });
     // The pixel that interpolants are counted from.
     let [origin_x, origin_y] = screen[0].map(|at| at >> 8);
 
@@ -146,8 +165,8 @@ pub(super) fn draw(
     sort(&mut middle, &mut bottom);
     sort(&mut top, &mut middle);
 
-    let mut row = first_center(top[1]).max(window.rows.start);
-    let end = first_center(bottom[1]).min(window.rows.end);
+    let mut row = first_center(top[1]).max(scissor.rows.start);
+    let end = first_center(bottom[1]).min(scissor.rows.end);
     let mut turn = first_center(middle[1]).min(end);
     let long = Edge::new(top, bottom, row);
     let [mut left, mut right] = [long; 2];
@@ -158,38 +177,19 @@ pub(super) fn draw(
         let short = if long_is_left { &mut right } else { &mut left };
         *short = Edge::new(top, middle, row);
         while row < turn {
-            let start = left.column().max(window.columns.start);
-            let end = right.column().min(window.columns.end);
+            let start = left.column().max(scissor.columns.start);
+            let end = right.column().min(scissor.columns.end);
             if start < end {
                 let (x, y) = (start - origin_x, row - origin_y);
                 match part {
-                    None if end - start <= longest => brush.span(row, start..end, x, y),
-                    None => spans(brush, row, start..end, [x, y], longest),
-                    Some(part) => part.span(brush, row, start..end, [x, y]),
+                    None if end - start <= longest => blitter.span(row, start..end, x, y),
+                    None => spans(blitter, row, start..end, [x, y], longest),
+                    Some(part) => part.span(blitter, row, start..end, [x, y]),
                 }
             }
             left.step();
             right.step();
             row += 1;
         }
-    }
-}
-
-/// Paints columns that are more than the brush does at a time.
-#[inline(never)]
-pub(super) fn spans(
-    brush: &mut dyn Brush,
-    row: i32,
-    mut columns: Range<i32>,
-    [mut x, y]: [i32; 2],
-    longest: i32,
-) {
-    while columns.start < columns.end {
-        // Columns are of a canvas.
-        let count = longest.min(columns.end - columns.start);
-        let stop = columns.start + count;
-        brush.span(row, columns.start..stop, x, y);
-        x += count;
-        columns.start = stop;
     }
 }

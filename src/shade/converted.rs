@@ -4,12 +4,11 @@ use core::marker::PhantomData;
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use super::{Fragment, Levels, Shader};
-use crate::math::Transform;
-use crate::mesh::{Corner, Face};
-use crate::span::Tolerance;
+use super::levels::{Levels, dimmed};
+use super::{Fragment, Shader};
+use crate::mesh::Primitive;
 
-/// The colours of shader `F` in the canvas's format `C`: rounded, or dithered where `C` is
+/// The colours of shader `S` in the canvas's format `C`: rounded, or dithered where `C` is
 /// coarse (see [`Levels`]).
 ///
 /// A texture of another colour than the canvas's is converted pixel by pixel this way; to store
@@ -18,14 +17,14 @@ use crate::span::Tolerance;
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888}};
 /// use fixel::prelude::*;
-/// static SKIN: Texture<Rgb888, 2, 1> = Texture::rgb888(&[255, 255, 255, 0, 128, 0]);
+/// static SKIN: TextureArray<Rgb888, 2, 1> = TextureArray::rgb888(&[255, 255, 255, 0, 128, 0]);
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [BinaryColor::Off; 48];
 /// let mut canvas = Canvas::new(&mut pixels, 12, 4)?;
 /// let skin = Textured::new(&SKIN);
-/// canvas.draw(&SQUARE, &mvp, &Converted::new(skin));
+/// canvas.draw(&SQUARE, &mvp, &skin.converted());
 /// let mut display = MockDisplay::new();
 /// canvas.show(&mut display)?;
 /// display.assert_pattern(&[
@@ -37,15 +36,15 @@ use crate::span::Tolerance;
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Converted<F, C> {
-    shader: F,
+pub struct Converted<S, C> {
+    shader: S,
     color: PhantomData<C>,
 }
 
-impl<F, C> Converted<F, C> {
+impl<S, C> Converted<S, C> {
     /// `shader`, for a canvas of colour `C`.
     #[must_use]
-    pub const fn new(shader: F) -> Self {
+    pub(super) const fn new(shader: S) -> Self {
         Self {
             shader,
             color: PhantomData,
@@ -53,43 +52,42 @@ impl<F, C> Converted<F, C> {
     }
 }
 
-impl<F, C, const N: usize> Shader<N> for Converted<F, C>
+impl<S, C> Shader for Converted<S, C>
 where
-    F: Shader<N>,
-    F::Color: Into<Rgb888>,
+    S: Shader<Color: Into<Rgb888>>,
     C: Levels,
 {
     type Color = C;
+    type Varyings = S::Varyings;
 
-    const READS_DEPTH: bool = F::READS_DEPTH;
-    const TOLERANCES: [Tolerance; N] = F::TOLERANCES;
+    const READS_DEPTH: bool = S::READS_DEPTH;
 
     #[inline]
-    fn varyings(&self, vertex: &Corner<'_>) -> [i32; N] {
-        self.shader.varyings(vertex)
+    fn varyings(&self, primitive: &Primitive<'_>) -> [S::Varyings; 3] {
+        self.shader.varyings(primitive)
     }
 
     #[inline]
-    fn shade(&self, sample: &Fragment, varyings: [i32; N]) -> Option<C> {
-        let color = self.shader.shade(sample, varyings)?;
-        Some(C::from_rgb(color.into(), sample.point))
+    fn shade(&self, at: &Fragment, varyings: S::Varyings) -> Option<C> {
+        let color = self.shader.shade(at, varyings)?;
+        Some(C::from_rgb(color.into(), at.point))
     }
 
+    /// The color becomes levels of the canvas's color before it is dimmed, so that it is rounded or dithered once.
     #[inline]
-    fn begin(self, model: &Transform) -> Self {
-        Self::new(self.shader.begin(model))
-    }
-
-    #[inline]
-    fn face(self, corners: &mut [[i32; N]; 3], face: &Face<'_>) -> Self {
-        Self::new(self.shader.face(corners, face))
+    fn shade_lit(&self, at: &Fragment, varyings: S::Varyings, light: i32) -> Option<C> {
+        let color = self.shader.shade(at, varyings)?;
+        Some(C::from_levels(
+            dimmed(C::levels(color.into()), light),
+            at.point,
+        ))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::FaceColors;
-    use super::super::trial::{IDENTITY, face, sample, shade};
+    use super::super::trial::{IDENTITY, face, fragment, shade};
     use super::*;
     use crate::{Mesh, Vec3};
     use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, RgbColor};
@@ -99,22 +97,19 @@ mod tests {
         let positions = [Vec3::ZERO, Vec3::X, Vec3::Y];
         let mesh = Mesh::new(&positions, &[[0, 1, 2]; 2]).unwrap();
         let colors = [Rgb888::BLACK, Rgb888::new(8, 120, 200)];
-        let (shader, _) = face(
-            Converted::new(FaceColors::new(&colors)),
-            &IDENTITY,
-            &mesh,
-            1,
-        );
-        assert_eq!(shade::<_, Rgb565, 0>(&shader, []), Rgb565::new(1, 30, 24));
+        let shader = Converted::<_, Rgb565>::new(FaceColors::new(&colors));
+        let (shader, [corner, ..]) = face(shader, &IDENTITY, &mesh, 1);
+        assert_eq!(shade(&shader, corner), Rgb565::new(1, 30, 24));
     }
 
     #[test]
     fn coarse_colours_are_dithered() {
         let grey = Converted::<_, Gray4>::new(super::super::Flat::new(Rgb888::new(8, 8, 8)));
         // 8/255 of 15 steps is 0.47 of a step.
-        let lit = (0..64).filter(|i| grey.shade(&sample(i % 8, i / 8), []) == Some(Gray4::new(1)));
+        let lit =
+            (0..64).filter(|i| grey.shade(&fragment(i % 8, i / 8), ()) == Some(Gray4::new(1)));
         assert_eq!(lit.count(), 30);
         let white = Converted::<_, BinaryColor>::new(super::super::Flat::new(Rgb565::WHITE));
-        assert!((0..64).all(|i| white.shade(&sample(i % 8, i / 8), []) == Some(BinaryColor::On)));
+        assert!((0..64).all(|i| white.shade(&fragment(i % 8, i / 8), ()) == Some(BinaryColor::On)));
     }
 }

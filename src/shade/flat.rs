@@ -1,9 +1,9 @@
 //! Colours that are constant over a mesh or a triangle.
 
-use embedded_graphics::pixelcolor::PixelColor;
+use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
 
-use super::{Fragment, Shader};
-use crate::mesh::{Corner, Face};
+use super::{Converted, Fragment, PerFace, Shader};
+use crate::mesh::Primitive;
 
 /// One colour for everything.
 ///
@@ -11,7 +11,7 @@ use crate::mesh::{Corner, Face};
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
 /// use fixel::prelude::*;
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [BinaryColor::Off; 32];
 /// let mut canvas = Canvas::new(&mut pixels, 8, 4)?;
@@ -27,6 +27,25 @@ pub struct Flat<C> {
     color: C,
 }
 
+impl<C> Flat<C> {
+    /// A shader of a color given as red, green and blue, on a canvas of color `C`: rounded, or dithered where `C` is
+    /// coarse, after light has dimmed it.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+    /// use fixel::prelude::*;
+    /// let sun = Light::new(vec3!(1, 2, 3), fx!(0.2), fx!(0.8))?;
+    /// let clay = Flat::<Rgb565>::rgb(Rgb888::new(200, 120, 90)).lit(sun);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn rgb(color: impl Into<Rgb888>) -> Converted<Flat<Rgb888>, C> {
+        Converted::new(Flat {
+            color: color.into(),
+        })
+    }
+}
+
 impl<C: PixelColor> Flat<C> {
     /// A shader of this colour.
     #[must_use]
@@ -35,18 +54,19 @@ impl<C: PixelColor> Flat<C> {
     }
 }
 
-impl<C: PixelColor> Shader<0> for Flat<C> {
+impl<C: PixelColor> Shader for Flat<C> {
     type Color = C;
+    type Varyings = ();
 
     const READS_DEPTH: bool = false;
 
     #[inline]
-    fn varyings(&self, _: &Corner<'_>) -> [i32; 0] {
-        []
+    fn varyings(&self, _: &Primitive<'_>) -> [(); 3] {
+        [(); 3]
     }
 
     #[inline]
-    fn shade(&self, _: &Fragment, _: [i32; 0]) -> Option<C> {
+    fn shade(&self, _: &Fragment, (): ()) -> Option<C> {
         Some(self.color)
     }
 }
@@ -60,7 +80,7 @@ impl<C: PixelColor> Shader<0> for Flat<C> {
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
 /// use fixel::prelude::*;
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Rgb565::BLACK; 16];
 /// let mut canvas = Canvas::new(&mut pixels, 4, 4)?;
@@ -79,42 +99,36 @@ impl<C: PixelColor> Shader<0> for Flat<C> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FaceColors<'a, C> {
     colors: &'a [C],
-    current: C,
+    /// The color of faces beyond the end of the list.
+    last: C,
 }
 
 impl<'a, C: PixelColor + Default> FaceColors<'a, C> {
-    /// A shader of these colours.
+    /// A shader of these colors.
     #[must_use]
     pub fn new(colors: &'a [C]) -> Self {
         Self {
             colors,
-            current: colors.first().copied().unwrap_or_default(),
+            last: colors.last().copied().unwrap_or_default(),
         }
     }
 }
 
-impl<C: PixelColor> Shader<0> for FaceColors<'_, C> {
+impl<C: PixelColor + Default> Shader for FaceColors<'_, C> {
     type Color = C;
+    type Varyings = PerFace<C>;
 
     const READS_DEPTH: bool = false;
 
     #[inline]
-    fn varyings(&self, _: &Corner<'_>) -> [i32; 0] {
-        []
+    fn varyings(&self, primitive: &Primitive<'_>) -> [PerFace<C>; 3] {
+        let color = self.colors.get(primitive.index());
+        [PerFace(*color.unwrap_or(&self.last)); 3]
     }
 
     #[inline]
-    fn face(self, _: &mut [[i32; 0]; 3], face: &Face<'_>) -> Self {
-        let color = self.colors.get(face.index()).or(self.colors.last());
-        Self {
-            current: color.copied().unwrap_or(self.current),
-            ..self
-        }
-    }
-
-    #[inline]
-    fn shade(&self, _: &Fragment, _: [i32; 0]) -> Option<C> {
-        Some(self.current)
+    fn shade(&self, _: &Fragment, PerFace(color): PerFace<C>) -> Option<C> {
+        Some(color)
     }
 }
 
@@ -132,8 +146,8 @@ mod tests {
         let colors = [Gray8::new(10), Gray8::new(20), Gray8::new(30)];
         let shown = |colors: &[Gray8]| {
             [0, 1, 2, 3].map(|i| {
-                let (shader, _) = face(FaceColors::new(colors), &IDENTITY, &mesh, i);
-                shade(&shader, []).luma()
+                let (shader, corners) = face(FaceColors::new(colors), &IDENTITY, &mesh, i);
+                shade(&shader, corners[0]).luma()
             })
         };
         assert_eq!(shown(&colors), [10, 20, 30, 30]);

@@ -2,10 +2,9 @@
 
 use core::marker::PhantomData;
 
-use super::levels::{Channels, HALF, LEVEL, all, first};
-use super::{Fragment, Shader};
-use crate::mesh::Corner;
-use crate::span::Tolerance;
+use super::levels::{Channels, HALF, LEVEL, Levels, dimmed};
+use super::{Fragment, Shader, Within};
+use crate::mesh::Primitive;
 
 /// The mesh's vertex colours, interpolated in perspective; white where the mesh has none.
 ///
@@ -15,7 +14,7 @@ use crate::span::Tolerance;
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor}};
 /// use fixel::prelude::*;
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Gray4::BLACK; 16];
 /// let mut canvas = Canvas::new(&mut pixels, 8, 2)?;
@@ -45,19 +44,29 @@ impl<C> Gouraud<C> {
     }
 }
 
-impl<C: Channels<K>, const K: usize> Shader<K> for Gouraud<C> {
+impl<C: Levels> Shader for Gouraud<C> {
     type Color = C;
-
-    const TOLERANCES: [Tolerance; K] = [LEVEL; K];
+    type Varyings = Within<LEVEL, C::Channels>;
 
     #[inline]
-    fn varyings(&self, vertex: &Corner<'_>) -> [i32; K] {
-        first(C::levels(vertex.color()).map(|level| level.wrapping_add(HALF)))
+    fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
+        primitive.corners(|corner| {
+            let levels = C::levels(corner.color());
+            Within(C::Channels::first(
+                levels.map(|level| level.wrapping_add(HALF)),
+            ))
+        })
     }
 
     #[inline]
-    fn shade(&self, sample: &Fragment, levels: [i32; K]) -> Option<C> {
-        Some(C::from_raised(all(levels), sample.point))
+    fn shade(&self, at: &Fragment, Within(levels): Self::Varyings) -> Option<C> {
+        Some(C::from_raised(levels.all(), at.point))
+    }
+
+    #[inline]
+    fn shade_lit(&self, at: &Fragment, Within(levels): Self::Varyings, light: i32) -> Option<C> {
+        let levels = levels.all().map(|level| level.wrapping_sub(HALF));
+        Some(C::from_levels(dimmed(levels, light), at.point))
     }
 }
 
@@ -75,11 +84,11 @@ mod tests {
         let mesh = Mesh::new(&positions, &[[0, 1, 2]])
             .and_then(|mesh| mesh.with_colors(&colors, None))
             .unwrap();
-        let (shader, corners) = face(Gouraud::new(), &IDENTITY, &mesh, 0);
-        let shown = corners.map(|corner| shade::<_, Rgb565, 3>(&shader, corner));
+        let (shader, corners) = face(Gouraud::<Rgb565>::new(), &IDENTITY, &mesh, 0);
+        let shown = corners.map(|corner| shade(&shader, corner));
         assert_eq!(shown, [Rgb565::RED, Rgb565::new(0, 32, 31), Rgb565::WHITE]);
         let (shader, corners) = face(Gouraud::<Gray8>::new(), &IDENTITY, &mesh, 0);
-        let shown = corners.map(|[level]| shade(&shader, [level]));
+        let shown = corners.map(|corner| shade(&shader, corner));
         assert_eq!(shown, [76, 104, 255].map(Gray8::new));
     }
 

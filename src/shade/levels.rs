@@ -2,12 +2,12 @@
 
 use embedded_graphics::geometry::Point;
 
-use crate::span::Tolerance;
 use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor,
     Rgb555, Rgb565, Rgb666, Rgb888, RgbColor,
 };
 
+use super::Varyings;
 use super::dither::threshold;
 
 /// A colour that light and interpolated colour can be turned into.
@@ -37,6 +37,9 @@ use super::dither::threshold;
 pub trait Levels: PixelColor {
     /// White, in whole steps: 31, 63, 31 for [`Rgb565`]; at most 255 each.
     const MAX_STEPS: [i32; 3];
+
+    /// The channels that are interpolated.
+    type Channels: Channels;
 
     /// The channels of `color` as fractions, 0 to 65,536; for grey, its luma.
     fn fractions(color: Rgb888) -> [i32; 3];
@@ -88,15 +91,52 @@ pub trait Levels: PixelColor {
     }
 }
 
-/// How many channels of a colour differ, and so are worth interpolating: 3, or 1 for grey.
+/// The channels of a color that differ, and so are worth interpolating: three, or one for gray.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, Rgb565};
-/// use fixel::shade::Channels;
-/// fn count<C: Channels<K>, const K: usize>() -> usize { K }
-/// assert_eq!((count::<Rgb565, _>(), count::<Gray8, _>()), (3, 1));
+/// use fixel::shade::{Channels, Levels};
+/// let gray = <Gray8 as Levels>::Channels::first([7, 7, 7]);
+/// let color = <Rgb565 as Levels>::Channels::first([1, 2, 3]);
+/// assert_eq!((gray, color), ([7], [1, 2, 3]));
 /// ```
-pub trait Channels<const K: usize>: Levels {}
+pub trait Channels: Varyings + sealed::Sealed {
+    /// Those of three that differ.
+    fn first(channels: [i32; 3]) -> Self;
+
+    /// Three channels; those that do not count are 0.
+    fn all(self) -> [i32; 3];
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for [i32; 3] {}
+    impl Sealed for [i32; 1] {}
+}
+
+impl Channels for [i32; 3] {
+    #[inline]
+    fn first(channels: [i32; 3]) -> Self {
+        channels
+    }
+
+    #[inline]
+    fn all(self) -> [i32; 3] {
+        self
+    }
+}
+
+impl Channels for [i32; 1] {
+    #[inline]
+    fn first([channel, ..]: [i32; 3]) -> Self {
+        [channel]
+    }
+
+    #[inline]
+    fn all(self) -> [i32; 3] {
+        [self[0], 0, 0]
+    }
+}
 
 /// Whole steps (at most 255) times fractions (about 65,536): levels.
 #[inline]
@@ -110,29 +150,19 @@ fn scale([a, b, c]: [i32; 3], [x, y, z]: [i32; 3]) -> [i32; 3] {
 #[inline]
 pub(super) fn dimmed(levels: [i32; 3], light: i32) -> [i32; 3] {
     // 16 bits times 15 bits, so that cores without a long multiply need none.
-    levels.map(|level| (level >> 8).wrapping_mul(light >> 2) >> 6)
+    let dim = |level: i32| (level >> 8).wrapping_mul(light >> 2) >> 6;
+    let [r, g, b] = levels;
+    [dim(r), dim(g), dim(b)]
 }
 
 /// Half a step.
 pub(super) const HALF: i32 = 1 << 15;
 
-/// By how much levels may be off unseen: 1/8 of a step.
-pub(super) const LEVEL: Tolerance = Tolerance::Units(1 << 13);
+/// How far levels may be off without being seen: 1/8 of a step.
+pub(super) const LEVEL: u32 = 1 << 13;
 
-/// The same of fractions and brightness, 65,536 being full: 1/16 of a step of 6 bits, 1/4 of one of 8.
-pub(super) const FRACTION: Tolerance = Tolerance::Units(1 << 6);
-
-/// The first `K` channels.
-#[inline]
-pub(super) fn first<const K: usize>(channels: [i32; 3]) -> [i32; K] {
-    core::array::from_fn(|k| channels.get(k).copied().unwrap_or(0))
-}
-
-/// Three channels from the first `K`; those that are missing do not count.
-#[inline]
-pub(super) fn all<const K: usize>(channels: [i32; K]) -> [i32; 3] {
-    core::array::from_fn(|k| channels.get(k).copied().unwrap_or(0))
-}
+/// The same for fractions and brightness, 65,536 being full: 1/16 of a step of 6 bits, 1/4 of one of 8.
+pub(super) const FRACTION: u32 = 1 << 6;
 
 /// c/255 in units of 2⁻¹⁶, within half a unit: 0 for 0, 65,536 for 255.
 #[inline]
@@ -174,6 +204,8 @@ fn dither(level: i32, at: Point) -> u8 {
 macro_rules! rgb {
     ($($color:ident)+) => {$(
         impl Levels for $color {
+            type Channels = [i32; 3];
+
             const MAX_STEPS: [i32; 3] = [
                 $color::MAX_R as i32,
                 $color::MAX_G as i32,
@@ -203,13 +235,14 @@ macro_rules! rgb {
             }
         }
 
-        impl Channels<3> for $color {}
     )+};
 }
 
 macro_rules! gray {
     ($($color:ident $white:literal |$level:ident, $at:pat_param| $from:expr;)+) => {$(
         impl Levels for $color {
+            type Channels = [i32; 1];
+
             const MAX_STEPS: [i32; 3] = [$white; 3];
 
             #[inline]
@@ -228,7 +261,6 @@ macro_rules! gray {
             }
         }
 
-        impl Channels<1> for $color {}
     )+};
 }
 
@@ -240,6 +272,8 @@ gray! {
 }
 
 impl Levels for BinaryColor {
+    type Channels = [i32; 1];
+
     const MAX_STEPS: [i32; 3] = [1; 3];
 
     #[inline]
@@ -257,8 +291,6 @@ impl Levels for BinaryColor {
         Self::from(dither(level, at) & 1 != 0)
     }
 }
-
-impl Channels<1> for BinaryColor {}
 
 #[cfg(test)]
 mod tests {
@@ -301,7 +333,7 @@ mod tests {
         }
     }
 
-    fn dithers<C: Channels<1>>(step: impl Fn(C) -> i32) {
+    fn dithers<C: Levels>(step: impl Fn(C) -> i32) {
         let [white, ..] = C::MAX_STEPS;
         for level in (0..=white << 16).step_by(97) {
             let sum: i32 = pixels()

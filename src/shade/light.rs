@@ -1,67 +1,44 @@
 //! Light from afar.
 
-use super::pose::Pose;
+use crate::math::Direction;
+use crate::num::wide::dot;
 use crate::{Error, Scalar, Vec3};
-use crate::{
-    math::Transform,
-    num::{rsqrt::unit, wide::dot},
-};
 
 /// White light: from all sides (ambient), and from one direction in world space, as the sun's.
 ///
 /// A surface with unit normal n has brightness ambient + diffuse · max(0, n·l), l being the unit
 /// vector towards the light (Lambert), saturated at 1. It is found in fixed point, within 1e-5.
 ///
-/// It is also what a shader of your own needs:
+/// [`Shader::lit`](super::Shader::lit) and [`Shader::lit_faces`](super::Shader::lit_faces) put any surface under it.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
-/// use fixel::{prelude::*, linear::Transform};
-///
-/// #[derive(Clone, Copy)]
-/// struct Clay(Light);
-///
-/// impl Shader<1> for Clay {
-///     type Color = Gray8;
-///
-///     fn begin(self, model: &Transform) -> Self {
-///         Self(self.0.begin(model))
-///     }
-///
-///     fn varyings(&self, vertex: &Corner) -> [i32; 1] {
-///         [self.0.brightness(vertex.normal())]
-///     }
-///
-///     fn shade(&self, sample: &Fragment, [light]: [i32; 1]) -> Option<Gray8> {
-///         Some(Gray8::new(200).lit(light, sample.point))
-///     }
-/// }
+/// use fixel::{math::Direction, prelude::*};
 ///
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Gray8::new(0); 4];
 /// let mut canvas = Canvas::new(&mut pixels, 2, 2)?;
 /// let sun = Light::new(vec3!(0, 4, 3), fx!(0.25), fx!(0.5))?;
-/// canvas.draw(&SQUARE, &mvp, &Clay(sun));
+/// canvas.draw(&SQUARE, &mvp, &Flat::new(Gray8::new(200)).lit(sun));
 /// assert!(canvas.pixels().all(|pixel| pixel == Gray8::new(130))); // 0.65 of 200
 ///
-/// assert_eq!(sun.brightness(vec3!(0, 7, 0)), 42598); // 0.25 + 0.5 · 0.8 = 0.65
-/// assert_eq!(sun.brightness(vec3!(0, -1, 0)), 16384);
+/// assert_eq!(sun.brightness(Direction::of(vec3!(0, 7, 0))), 42598); // 0.25 + 0.5 · 0.8 = 0.65
+/// assert_eq!(sun.brightness(Direction::of(vec3!(0, -1, 0))), 16384);
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Light {
     /// Towards the light, as long as its brightness; in units of 2⁻³⁰.
     direction: [i32; 3],
     /// In units of 2⁻¹⁶.
     ambient: i32,
     two_sided: bool,
-    pose: Pose,
 }
 
 /// Full brightness.
-const FULL: i32 = 1 << 16;
+pub(super) const FULL: i32 = 1 << 16;
 
 impl Light {
     /// A light that comes from `direction` (from the surface towards the light, of any length) in world
@@ -78,10 +55,10 @@ impl Light {
         if diffuse.to_bits() < 0 || diffuse.to_bits() > FULL {
             return Err(Error::Brightness { value: diffuse });
         }
-        let [x, y, z] = direction.to_bits();
-        let Some([x, y, z]) = unit([x as i64, y as i64, z as i64]) else {
+        let [x, y, z] = Direction::of(direction).to_bits();
+        if x == 0 && y == 0 && z == 0 {
             return Err(Error::ZeroDirection);
-        };
+        }
         let diffuse = diffuse.to_bits() as i64;
         // No longer than the unit vector.
         let direction = [
@@ -93,7 +70,6 @@ impl Light {
             direction,
             ambient: ambient.to_bits(),
             two_sided: false,
-            pose: Pose::IDENTITY,
         })
     }
 
@@ -107,24 +83,12 @@ impl Light {
         }
     }
 
-    /// The light for normals in the space of a model in this pose; to be called where a draw call begins.
-    #[must_use]
-    pub fn begin(self, model: &Transform) -> Self {
-        Self {
-            pose: Pose::of(model),
-            ..self
-        }
-    }
-
-    /// The brightness of a surface with this normal, of any length: 0 to 65,536, which is 1.
+    /// The brightness of a surface that faces this direction of world space: 0 to 65,536, which is full.
     ///
-    /// The normal is in the space of the model given to [`begin`](Self::begin), or without that
-    /// in world space. Without a direction it has ambient light only.
+    /// A surface without a direction has ambient light only.
     #[must_use]
-    pub fn brightness(&self, normal: Vec3) -> i32 {
-        let Some(normal) = self.pose.unit(normal) else {
-            return self.ambient;
-        };
+    pub fn brightness(&self, normal: Direction) -> i32 {
+        let normal = normal.to_bits();
         // Unit vectors in Q30: the product of two is within 2^60, to Q16 by 44 bits at most 65,537.
         let facing = ((dot(&normal, &self.direction) + (1 << 43)) >> 44) as i32;
         let diffuse = if self.two_sided {
@@ -140,11 +104,12 @@ impl Light {
 mod tests {
     use super::super::trial::scale;
     use super::*;
+    use crate::math::NormalMatrix;
     use crate::{fx, vec3};
 
     /// Brightness is rounded to 2⁻¹⁶; directions err by 2⁻²⁸.
     fn close(light: &Light, normal: Vec3, expected: f64) {
-        let got = f64::from(light.brightness(normal)) / 65536.0;
+        let got = f64::from(light.brightness(Direction::of(normal))) / 65536.0;
         assert!(
             (got - expected).abs() < 1e-5,
             "{normal:?}: {got}, not {expected}"
@@ -169,24 +134,31 @@ mod tests {
     #[test]
     fn brightness_saturates() {
         let sun = Light::new(Vec3::from_bits([0, 1, 0]), fx!(1), fx!(1)).unwrap();
-        assert_eq!(sun.brightness(Vec3::Y), 65536);
+        assert_eq!(sun.brightness(Direction::of(Vec3::Y)), 65536);
         let sun = Light::new(vec3!(0, 0, -32768), fx!(0.5), fx!(0.5)).unwrap();
-        assert_eq!(sun.brightness(-Vec3::Z), 65536);
+        assert_eq!(sun.brightness(Direction::of(-Vec3::Z)), 65536);
     }
 
     #[test]
     fn normals_stay_upright_on_stretched_and_mirrored_models() {
         let sun = Light::new(vec3!(0, 1, 0), fx!(0), fx!(1)).unwrap();
+        let on = |model, normal| sun.brightness(NormalMatrix::of(&model).direction(normal));
+        let close = |found: i32, expected: f64| {
+            assert!(
+                (f64::from(found) / 65536.0 - expected).abs() < 1e-5,
+                "{found}"
+            );
+        };
         // The plane x + y = 0 stretched fourfold along x becomes x + 4y = 0.
-        let wide = sun.begin(&scale([1 << 29, 1 << 27, 1 << 27]));
-        close(&wide, vec3!(1, 1, 0), 4.0 / 17_f64.sqrt());
+        let wide = scale([1 << 29, 1 << 27, 1 << 27]);
+        close(on(wide, vec3!(1, 1, 0)), 4.0 / 17_f64.sqrt());
         // Mirrored: what looked up looks down.
-        let mirrored = sun.begin(&scale([1 << 29, -(1 << 29), 1 << 29]));
-        close(&mirrored, vec3!(0, -1, 0), 1.0);
-        close(&mirrored, vec3!(0, 1, 0), 0.0);
+        let mirrored = scale([1 << 29, -(1 << 29), 1 << 29]);
+        close(on(mirrored, vec3!(0, -1, 0)), 1.0);
+        close(on(mirrored, vec3!(0, 1, 0)), 0.0);
         // Flattened to nothing: total nevertheless.
-        close(&sun.begin(&scale([0; 3])), Vec3::Y, 0.0);
-        assert_eq!(sun.begin(&scale([1, 0, 1])).brightness(Vec3::Y), 65536);
+        close(on(scale([0; 3]), Vec3::Y), 0.0);
+        assert_eq!(on(scale([1, 0, 1]), Vec3::Y), 65536);
     }
 
     #[test]

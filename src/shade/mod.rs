@@ -1,53 +1,55 @@
-//! From interpolated values to a colour: the shader trait and the shaders that come with the crate.
+//! From interpolated values to a color: the shader trait and the shaders that come with the crate.
 //!
-//! | shader | a pixel is | varyings |
+//! | surface | a pixel is | varyings |
 //! |---|---|---|
-//! | [`Flat`] | one colour for all | 0 |
-//! | [`FaceColors`] | one colour per triangle | 0 |
-//! | [`Gouraud`] | the mesh's vertex colours | 3, or 1 for grey |
-//! | [`Lit`] | one surface colour × light at the vertices | 1 |
-//! | [`LitFaces`] | one surface colour × light at the triangle | 0 |
+//! | [`Flat`] | one color for all | none |
+//! | [`FaceColors`] | one color per triangle | none |
+//! | [`Gouraud`] | the mesh's vertex colors | 3, or 1 for gray |
 //! | [`Textured`] | a texel or bilinear between four, repeated or clamped | 2 |
-//! | [`LitTexture`] | a texel × light at the vertices | 3 |
-//! | [`Modulated`] | a texel × the mesh's vertex colours | 5, or 3 for grey |
-//! | [`DepthView`] | grey by depth | 0 |
-//! | [`NormalView`] | the normal's direction as a colour | 3, or 1 for grey |
+//! | [`DepthView`] | gray by depth | none |
+//! | [`NormalView`] | the normal's direction as a color | 3, or 1 for gray |
 //!
-//! Any of them is turned into another colour format, dithered where it is coarse, by [`Converted`].
+//! Each can be wrapped, in any order and number:
+//!
+//! | adapter | a pixel is | varyings |
+//! |---|---|---|
+//! | [`.lit(light)`](Shader::lit) | the surface × light at the vertices | 1 more |
+//! | [`.lit_faces(light)`](Shader::lit_faces) | the surface × light at the triangle | none more |
+//! | [`.tinted()`](Shader::tinted) | the surface × the mesh's vertex colors | 3 more, or 1 for gray |
+//! | [`.map(effect)`](Shader::map) | a function of the surface's color | none more |
+//! | [`.converted()`](Shader::converted) | the surface in another color format, dithered where it is coarse | none more |
 
-mod blend;
 mod converted;
 mod dither;
-mod filter;
 mod flat;
 mod gouraud;
+mod lanes;
 mod levels;
 mod light;
 mod lit;
-mod modulated;
-mod palette;
-mod pose;
-mod sampler;
+mod map;
 mod shader;
-mod texture;
 mod textured;
+mod tinted;
+mod varyings;
 mod views;
 
 #[cfg(test)]
 mod trial;
 
-pub use blend::Blend;
 pub use converted::Converted;
-pub use filter::{Bilinear, Filter, Nearest};
 pub use flat::{FaceColors, Flat};
 pub use gouraud::Gouraud;
+pub(crate) use lanes::MOST as MOST_VARYINGS;
+pub use lanes::{Lanes, TooMany};
 pub use levels::{Channels, Levels};
 pub use light::Light;
-pub use lit::{Lit, LitFaces, LitTexture};
-pub use modulated::Modulated;
-pub use palette::Palette;
-pub use sampler::{MAX_TEXTURE_SIZE, Sampler};
+pub use lit::{FaceLit, Lit};
+pub use map::Map;
 pub use shader::{Fragment, Shader};
-pub use texture::Texture;
 pub use textured::{Addressing, Clamp, Repeat, Textured};
+pub use tinted::Tinted;
+pub use varyings::{PerFace, Texels, Tolerance, Varyings, Within};
 pub use views::{DepthView, NormalView};
+
+use crate::texture::{Bilinear, Blend, Filter, Nearest, Sampler};

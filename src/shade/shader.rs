@@ -1,11 +1,10 @@
-//! The seam between geometry and colour: what a shader wants interpolated, and what it makes of it.
+//! The seam between geometry and color: what a shader has interpolated, and the color it makes of it.
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::PixelColor;
 
-use crate::math::Transform;
-use crate::mesh::{Corner, Face};
-use crate::span::Tolerance;
+use super::{Converted, FaceLit, Levels, Light, Lit, Map, Tinted, Varyings};
+use crate::mesh::Primitive;
 
 /// A pixel about to be shaded.
 ///
@@ -13,23 +12,22 @@ use crate::span::Tolerance;
 /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
 /// use fixel::prelude::*;
 /// let pixel = Fragment { point: Point::new(4, 2), depth: 65535 };
-/// assert_eq!(Flat::new(Gray8::new(7)).shade(&pixel, []), Some(Gray8::new(7)));
+/// assert_eq!(Flat::new(Gray8::new(7)).shade(&pixel, ()), Some(Gray8::new(7)));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Fragment {
     /// Column and row in the frame, (0, 0) at the top left.
     pub point: Point,
-    /// Depth in linear steps of 1/w, whatever the depth buffer: near plane 65535, falling towards 0 with distance.
+    /// Depth in linear steps of 1/w, whatever the depth buffer's format: 65535 at the near plane, falling towards 0
+    /// with the distance.
     pub depth: u16,
 }
 
-/// How a surface is coloured: `N` values per vertex, interpolated in perspective, to a colour.
+/// How a surface is colored: values at the corners of each triangle, and the color of a pixel from the values there.
 ///
-/// Two methods are needed: [`varyings`](Self::varyings) says what to interpolate, and
-/// [`shade`](Self::shade) makes a colour of it, or `None` to leave the pixel as it is.
-/// A varying is an `i32` in whatever unit the shader likes; it comes back in the same unit, off by
-/// what the [mode](crate::span) may be: 60 units or so in the default one, and by as much it may exceed the range
-/// of its triangle's corners. So let a unit be far below what is seen, such as 2⁻¹⁶.
+/// [`varyings`](Self::varyings) runs once for each triangle, edge or point. [`shade`](Self::shade) runs once for each
+/// visible pixel, with the values interpolated in perspective, and returns `None` to leave the pixel as it is.
+/// [`Varyings`] lists the types of values.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
@@ -39,11 +37,12 @@ pub struct Fragment {
 /// #[derive(Clone, Copy)]
 /// struct Stripes;
 ///
-/// impl Shader<1> for Stripes {
+/// impl Shader for Stripes {
 ///     type Color = Rgb565;
+///     type Varyings = [i32; 1];
 ///
-///     fn varyings(&self, vertex: &Corner) -> [i32; 1] {
-///         [vertex.uv().x.to_bits()] // 2^20 is 1
+///     fn varyings(&self, primitive: &Primitive) -> [[i32; 1]; 3] {
+///         primitive.corners(|corner| [corner.uv().x.to_bits()]) // 2^20 is 1
 ///     }
 ///
 ///     fn shade(&self, _: &Fragment, [u]: [i32; 1]) -> Option<Rgb565> {
@@ -52,7 +51,7 @@ pub struct Fragment {
 /// }
 ///
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Rgb565::BLACK; 16];
 /// let mut canvas = Canvas::new(&mut pixels, 8, 2)?;
@@ -62,46 +61,101 @@ pub struct Fragment {
 /// display.assert_pattern(&["WWRRWWRR", "WWRRWWRR"]);
 /// # Ok::<(), Error>(())
 /// ```
-pub trait Shader<const N: usize>: Copy {
-    /// The colour that comes out; the canvas must have the same.
+///
+/// A shader around another one passes on its [`Varyings`](Self::Varyings), alone or in a pair with its own, and calls
+/// its two methods. There is nothing else to pass on, and so nothing to forget. Most effects need no type at all: see
+/// [`map`](Self::map).
+pub trait Shader: Copy {
+    /// The color that results. The canvas must have the same.
     type Color: PixelColor;
 
-    /// Whether [`shade`](Self::shade) looks at [`Fragment::depth`].
+    /// The values to interpolate.
+    type Varyings: Varyings;
+
+    /// Whether [`shade`](Self::shade) reads [`Fragment::depth`].
     ///
-    /// Where neither it nor a depth buffer does, and there are no varyings, depth is not worked
-    /// out, and the sample's is 0.
+    /// Where neither the shader nor a depth buffer needs depth and nothing is interpolated, depth is not computed, and
+    /// is 0. The default is always right; `false` makes such shaders faster.
     const READS_DEPTH: bool = true;
 
-    /// By how much each varying may be off where that spares dividing by w at every pixel, as it does in triangles that
-    /// hardly change in depth: what is not seen. The modes [`Newton`](crate::span::Newton) and
-    /// [`Fast`](crate::span::Fast) go by it.
+    /// The values at the three corners of a triangle; at the two ends of an edge and again the second; three times at
+    /// a point.
+    fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3];
+
+    /// The color of a pixel, or `None` to leave both its color and its depth as they are.
+    fn shade(&self, at: &Fragment, varyings: Self::Varyings) -> Option<Self::Color>;
+
+    /// The color of a pixel under white light of this brightness, 65,536 being full.
     ///
-    /// By default nothing. A shader around another one passes on that one's.
-    const TOLERANCES: [Tolerance; N] = [Tolerance::Units(0); N];
-
-    /// The values to interpolate, at one corner of a triangle or end of a line.
-    fn varyings(&self, vertex: &Corner<'_>) -> [i32; N];
-
-    /// The colour of a pixel, or `None` to leave both its colour and its depth as they are.
-    fn shade(&self, sample: &Fragment, varyings: [i32; N]) -> Option<Self::Color>;
-
-    /// This shader made ready for a draw call; `model` takes the mesh to world space.
-    ///
-    /// For what depends on the pose but not on the vertex, such as the transform of normals.
-    #[must_use]
+    /// By default the color that [`shade`](Self::shade) gives, dimmed. A surface that knows its color more exactly
+    /// than the canvas stores it dims that.
     #[inline]
-    fn begin(self, model: &Transform) -> Self {
-        let _ = model;
-        self
+    fn shade_lit(&self, at: &Fragment, varyings: Self::Varyings, light: i32) -> Option<Self::Color>
+    where
+        Self::Color: Levels,
+    {
+        Some(self.shade(at, varyings)?.lit(light, at.point))
     }
 
-    /// This shader made ready for one triangle, before clipping; it may change the `corners`' varyings.
-    ///
-    /// For what is constant over a triangle, such as its colour.
+    /// This surface under a light whose brightness is found at the vertices and interpolated (Gouraud shading).
     #[must_use]
     #[inline]
-    fn face(self, corners: &mut [[i32; N]; 3], face: &Face<'_>) -> Self {
-        let _ = (corners, face);
-        self
+    fn lit(self, light: Light) -> Lit<Self>
+    where
+        Self::Color: Levels,
+    {
+        Lit::new(self, light)
+    }
+
+    /// This surface under a light, with one brightness for each triangle, by the triangle's own normal.
+    #[must_use]
+    #[inline]
+    fn lit_faces(self, light: Light) -> FaceLit<Self>
+    where
+        Self::Color: Levels,
+    {
+        FaceLit::new(self, light)
+    }
+
+    /// This surface times the mesh's vertex colors.
+    #[must_use]
+    #[inline]
+    fn tinted(self) -> Tinted<Self>
+    where
+        Self::Color: Levels,
+    {
+        Tinted::new(self)
+    }
+
+    /// This surface with a function of each pixel and its color: any effect in a line.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+    /// use fixel::prelude::*;
+    /// static SQUARE: Mesh = shape!(plane(1, 1));
+    /// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+    /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
+    /// let mut pixels = [Gray8::BLACK; 2];
+    /// let mut canvas = Canvas::new(&mut pixels, 2, 1)?;
+    /// // The left column is left out.
+    /// let right = Flat::new(Gray8::WHITE).map(|at, color| (at.point.x > 0).then_some(color));
+    /// canvas.draw(&SQUARE, &mvp, &right);
+    /// assert_eq!(pixels, [Gray8::BLACK, Gray8::WHITE]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    #[inline]
+    fn map<C: PixelColor, F: Fn(&Fragment, Self::Color) -> Option<C> + Copy>(
+        self,
+        effect: F,
+    ) -> Map<Self, F> {
+        Map::new(self, effect)
+    }
+
+    /// This surface on a canvas of another color, rounded, or dithered where that color is coarse.
+    #[must_use]
+    #[inline]
+    fn converted<C: Levels>(self) -> Converted<Self, C> {
+        Converted::new(self)
     }
 }

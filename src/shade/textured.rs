@@ -2,16 +2,14 @@
 
 use core::marker::PhantomData;
 
-use super::light::Light;
-use super::{Bilinear, Blend, Filter, Fragment, LitTexture, Modulated, Nearest, Sampler, Shader};
+use super::{Bilinear, Blend, Filter, Fragment, Nearest, Sampler, Shader, Texels};
 use crate::TexCoord;
-use crate::mesh::{Corner, Face};
-use crate::span::Tolerance;
+use crate::mesh::Primitive;
 
 /// The texel under each pixel, the nearest to its centre, or [`bilinear`](Self::bilinear) between the four around.
 ///
 /// The texture repeats, or is [`clamped`](Self::clamped) to its edge. It may be
-/// [`lit`](Self::lit) or [`modulated`](Self::modulated) by vertex colours.
+/// [`lit`](Shader::lit) or [`tinted`](Shader::tinted) by vertex colors.
 ///
 /// Varyings are columns and rows, in texels with 16 fraction bits: exact for the texture coordinates
 /// as given if the texture has 16 texels or more that way, else rounded to nearest. Their range is
@@ -22,9 +20,9 @@ use crate::span::Tolerance;
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, GrayColor}};
 /// use fixel::prelude::*;
-/// static SKIN: Texture<Gray8, 2, 2> = Texture::gray8(&[0x11, 0x22, 0x33, 0x44]);
+/// static SKIN: TextureArray<Gray8, 2, 2> = TextureArray::gray8(&[0x11, 0x22, 0x33, 0x44]);
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Gray8::BLACK; 16];
 /// let mut canvas = Canvas::new(&mut pixels, 4, 4)?;
@@ -49,7 +47,7 @@ pub struct Textured<S, A = Repeat, F = Nearest> {
 /// use fixel::shade::Addressing;
 ///
 /// /// Takes any texture of a size, whichever way it goes on beyond its edges.
-/// fn skin<A: Addressing>(textured: Textured<&Texture<Rgb565, 64, 64>, A>) {
+/// fn skin<A: Addressing>(textured: Textured<&TextureArray<Rgb565, 64, 64>, A>) {
 ///     let _ = textured;
 /// }
 /// ```
@@ -77,11 +75,11 @@ mod sealed {
 ///
 /// ```
 /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
-/// use fixel::{prelude::*, shade::Repeat};
-/// static SKIN: Texture<Gray8, 2, 1> = Texture::gray8(&[10, 20]);
+/// use fixel::{prelude::*, shade::{Repeat, Texels}};
+/// static SKIN: TextureArray<Gray8, 2, 1> = TextureArray::gray8(&[10, 20]);
 /// let skin: Textured<_, Repeat> = Textured::new(&SKIN);
 /// let pixel = Fragment { point: Point::zero(), depth: 0 };
-/// let texels = [-1, 0, 1, 2, 3].map(|column| skin.shade(&pixel, [column << 16, 0]));
+/// let texels = [-1, 0, 1, 2, 3].map(|column| skin.shade(&pixel, Texels([column << 16, 0])));
 /// assert_eq!(texels, [20, 10, 20, 10, 20].map(|luma| Some(Gray8::new(luma))));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,11 +89,11 @@ pub struct Repeat;
 ///
 /// ```
 /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
-/// use fixel::{prelude::*, shade::Clamp};
-/// static SKIN: Texture<Gray8, 2, 1> = Texture::gray8(&[10, 20]);
+/// use fixel::{prelude::*, shade::{Clamp, Texels}};
+/// static SKIN: TextureArray<Gray8, 2, 1> = TextureArray::gray8(&[10, 20]);
 /// let skin: Textured<_, Clamp> = Textured::new(&SKIN).clamped();
 /// let pixel = Fragment { point: Point::zero(), depth: 0 };
-/// let texels = [-1, 0, 1, 2, 3].map(|column| skin.shade(&pixel, [column << 16, 0]));
+/// let texels = [-1, 0, 1, 2, 3].map(|column| skin.shade(&pixel, Texels([column << 16, 0])));
 /// assert_eq!(texels, [10, 10, 20, 20, 20].map(|luma| Some(Gray8::new(luma))));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -154,7 +152,7 @@ impl Addressing for Clamp {
 }
 
 impl<S: Sampler> Textured<S> {
-    /// A shader of a repeating texture, usually of a reference to a [`Texture`](super::Texture).
+    /// A shader of a repeating texture, usually of a reference to a [`Texture`](crate::Texture).
     #[must_use]
     pub const fn new(sampler: S) -> Self {
         Self {
@@ -183,9 +181,9 @@ impl<S: Sampler, A: Addressing> Textured<S, A> {
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, GrayColor}};
     /// use fixel::prelude::*;
-    /// static SKIN: Texture<Gray8, 2, 2> = Texture::gray8(&[0x00, 0x88, 0x88, 0xff]);
+    /// static SKIN: TextureArray<Gray8, 2, 2> = TextureArray::gray8(&[0x00, 0x88, 0x88, 0xff]);
     /// static SQUARE: Mesh = shape!(plane(1, 1));
-    /// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+    /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
     /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
     /// let mut pixels = [Gray8::BLACK; 64];
     /// let mut canvas = Canvas::new(&mut pixels, 8, 8)?;
@@ -208,79 +206,47 @@ impl<S: Sampler, A: Addressing> Textured<S, A> {
     }
 }
 
-impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Textured<S, A, F> {
-    /// The same, under a light.
-    #[must_use]
-    pub const fn lit(self, light: Light) -> LitTexture<S, A, F> {
-        LitTexture::new(self, light)
-    }
-
-    /// The same, times the mesh's vertex colours.
-    #[must_use]
-    pub const fn modulated(self) -> Modulated<S, A, F> {
-        Modulated::new(self)
-    }
-
-    /// Column and row at a vertex, in texels with 16 fraction bits.
-    #[inline]
-    pub(super) fn coordinates(vertex: &Corner<'_>) -> [i32; 2] {
-        let [u, v] = vertex.uv().to_bits().map(i64::from);
-        [texels(u, S::WIDTH_LOG2), texels(v, S::HEIGHT_LOG2)]
-    }
-
-    /// Moves the first two varyings of a triangle's corners to where they are small.
-    #[inline]
-    pub(super) fn place<const N: usize>(corners: &mut [[i32; N]; 3], face: &Face<'_>) {
-        // From the mesh, not from the corners: those may be saturated.
-        let uvs = face.uvs();
-        let us = A::texels(uvs.map(|uv| uv.x.to_bits()), S::WIDTH_LOG2);
-        let vs = A::texels(uvs.map(|uv| uv.y.to_bits()), S::HEIGHT_LOG2);
-        for (corner, (at_u, at_v)) in corners.iter_mut().zip(us.into_iter().zip(vs)) {
-            if let [u, v, ..] = &mut corner[..] {
-                (*u, *v) = (at_u, at_v);
-            }
-        }
-    }
-
-    /// The colour at a column and row with 16 fraction bits.
-    #[inline]
-    pub(super) fn color(&self, u: i32, v: i32) -> S::Color {
-        F::color::<S, A>(&self.sampler, [u, v])
-    }
-}
-
-impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Shader<2> for Textured<S, A, F> {
+impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Shader for Textured<S, A, F> {
     type Color = S::Color;
+    type Varyings = Texels;
 
-    const TOLERANCES: [Tolerance; 2] = [Tolerance::Texels; 2];
+    const READS_DEPTH: bool = false;
 
     #[inline]
-    fn varyings(&self, vertex: &Corner<'_>) -> [i32; 2] {
-        Self::coordinates(vertex)
+    fn varyings(&self, primitive: &Primitive<'_>) -> [Texels; 3] {
+        let [a, b, c] = primitive.uvs().map(|uv| uv.to_bits());
+        let coordinates = |bits: [i32; 3], log2| {
+            if primitive.is_face() {
+                A::texels(bits, log2)
+            } else {
+                bits.map(|bits| texels(bits.into(), log2))
+            }
+        };
+        let us = coordinates([a[0], b[0], c[0]], self.sampler.width_log2());
+        let vs = coordinates([a[1], b[1], c[1]], self.sampler.height_log2());
+        [
+            Texels([us[0], vs[0]]),
+            Texels([us[1], vs[1]]),
+            Texels([us[2], vs[2]]),
+        ]
     }
 
     #[inline]
-    fn face(self, corners: &mut [[i32; 2]; 3], face: &Face<'_>) -> Self {
-        Self::place(corners, face);
-        self
-    }
-
-    #[inline]
-    fn shade(&self, _: &Fragment, [u, v]: [i32; 2]) -> Option<S::Color> {
-        Some(self.color(u, v))
+    fn shade(&self, _: &Fragment, Texels(at): Texels) -> Option<S::Color> {
+        Some(F::color::<S, A>(&self.sampler, at))
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::Texture;
     use super::super::trial::{IDENTITY, edge, face, shade};
     use super::*;
+    use crate::texture::TextureArray;
     use crate::{Mesh, Vec2, Vec3, vec2};
     use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 
     /// Four columns and two rows; a texel is its column plus ten times its row.
-    static SKIN: Texture<Gray8, 4, 2> = Texture::gray8(&[0, 1, 2, 3, 10, 11, 12, 13]);
+    static SKIN: TextureArray<Gray8, 4, 2> = TextureArray::gray8(&[0, 1, 2, 3, 10, 11, 12, 13]);
     static POSITIONS: [Vec3; 3] = [Vec3::ZERO, Vec3::X, Vec3::Y];
 
     fn mesh(uvs: &[Vec2; 3]) -> Mesh<'_> {
@@ -290,11 +256,8 @@ mod tests {
             .unwrap()
     }
 
-    fn corners<A: Addressing>(
-        skin: Textured<&'static Texture<Gray8, 4, 2>, A>,
-        uvs: [Vec2; 3],
-    ) -> [[i32; 2]; 3] {
-        face(skin, &IDENTITY, &mesh(&uvs), 0).1
+    fn corners<S: Sampler, A: Addressing>(skin: Textured<S, A>, uvs: [Vec2; 3]) -> [[i32; 2]; 3] {
+        face(skin, &IDENTITY, &mesh(&uvs), 0).1.map(|Texels(at)| at)
     }
 
     #[test]
@@ -304,7 +267,8 @@ mod tests {
         let expected = [[0, 0], [1 << 16, 2 << 16], [3, 3]];
         assert_eq!(corners(Textured::new(&SKIN), uvs), expected);
         assert_eq!(corners(Textured::new(&SKIN).clamped(), uvs), expected);
-        assert_eq!(edge(Textured::new(&SKIN), &mesh(&uvs), 0), expected[..2]);
+        let ends = edge(Textured::new(&SKIN), &mesh(&uvs), 0);
+        assert_eq!(ends.map(|Texels(at)| at), expected[..2]);
     }
 
     #[test]
@@ -371,20 +335,20 @@ mod tests {
         let (low, high) = (i32::MIN, i32::MAX);
         let uvs = [[low, high], [high, low], [0, 0]].map(Vec2::from_bits);
         let skin = Textured::new(&WIDE);
-        let repeated = face(skin, &IDENTITY, &mesh(&uvs), 0).1;
+        let repeated = corners(skin, uvs);
         assert_eq!(repeated, [[0, high], [high, 0], [high, high]]);
-        let clamped = face(skin.clamped(), &IDENTITY, &mesh(&uvs), 0).1;
+        let clamped = corners(skin.clamped(), uvs);
         assert_eq!(clamped, [[low, high], [high, low], [0, 0]]);
         let line = edge(skin, &mesh(&uvs), 0);
-        assert_eq!(line, clamped[..2]);
+        assert_eq!(line.map(|Texels(at)| at), clamped[..2]);
     }
 
     #[test]
     fn texels_repeat_or_clamp() {
         let at = |u: i32, v: i32| {
             let at = [u << 14, v << 14]; // in quarters
-            let repeated = shade(&Textured::new(&SKIN), at).luma();
-            let clamped = shade(&Textured::new(&SKIN).clamped(), at).luma();
+            let repeated = shade(&Textured::new(&SKIN), Texels(at)).luma();
+            let clamped = shade(&Textured::new(&SKIN).clamped(), Texels(at)).luma();
             [repeated, clamped]
         };
         assert_eq!(at(0, 0), [0, 0]);
@@ -393,7 +357,10 @@ mod tests {
         assert_eq!(at(-1, -1), [13, 0]);
         assert_eq!(at(-17, 12), [13, 10]);
         let ends = [i32::MIN, i32::MAX];
-        assert_eq!(shade(&Textured::new(&SKIN), ends).luma(), 10);
-        assert_eq!(shade(&Textured::new(&SKIN).clamped(), ends).luma(), 10);
+        assert_eq!(shade(&Textured::new(&SKIN), Texels(ends)).luma(), 10);
+        assert_eq!(
+            shade(&Textured::new(&SKIN).clamped(), Texels(ends)).luma(),
+            10
+        );
     }
 }

@@ -4,12 +4,9 @@ use core::marker::PhantomData;
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use super::levels::{Channels, LEVEL, Levels, all, first};
-use super::pose::Pose;
-use super::{Fragment, Shader};
-use crate::math::Transform;
-use crate::mesh::Corner;
-use crate::span::Tolerance;
+use super::levels::{Channels, LEVEL, Levels};
+use super::{Fragment, Shader, Within};
+use crate::mesh::Primitive;
 
 /// Depth as grey: white is near, black is far.
 ///
@@ -20,7 +17,7 @@ use crate::span::Tolerance;
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
 /// use fixel::prelude::*;
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Gray4::BLACK; 16];
 /// let mut canvas = Canvas::new(&mut pixels, 8, 2)?;
@@ -78,21 +75,22 @@ impl<C> Default for DepthView<C> {
     }
 }
 
-impl<C: Levels> Shader<0> for DepthView<C> {
+impl<C: Levels> Shader for DepthView<C> {
     type Color = C;
+    type Varyings = ();
 
     #[inline]
-    fn varyings(&self, _: &Corner<'_>) -> [i32; 0] {
-        []
+    fn varyings(&self, _: &Primitive<'_>) -> [(); 3] {
+        [(); 3]
     }
 
     #[inline]
-    fn shade(&self, sample: &Fragment, _: [i32; 0]) -> Option<C> {
-        let above = sample.depth.saturating_sub(self.far).min(self.range);
+    fn shade(&self, at: &Fragment, (): ()) -> Option<C> {
+        let above = at.depth.saturating_sub(self.far).min(self.range);
         // At most 2^31 before the last shift, then 65,536 less at most two: the gain is rounded down.
         let fraction = ((u32::from(above) << self.shift) * self.gain) >> 15;
         let levels = C::MAX_STEPS.map(|white| white * fraction.cast_signed());
-        Some(C::from_levels(levels, sample.point))
+        Some(C::from_levels(levels, at.point))
     }
 }
 
@@ -106,7 +104,7 @@ impl<C: Levels> Shader<0> for DepthView<C> {
 /// use embedded_graphics::pixelcolor::Rgb888;
 /// use fixel::prelude::*;
 /// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let projection = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2))?;
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Rgb888::new(0, 0, 0); 4];
 /// let mut canvas = Canvas::new(&mut pixels, 2, 2)?;
@@ -117,18 +115,14 @@ impl<C: Levels> Shader<0> for DepthView<C> {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NormalView<C> {
-    pose: Pose,
     color: PhantomData<C>,
 }
 
 impl<C> NormalView<C> {
-    /// A shader for a canvas of colour `C`.
+    /// A shader for a canvas of color `C`.
     #[must_use]
     pub const fn new() -> Self {
-        Self {
-            pose: Pose::IDENTITY,
-            color: PhantomData,
-        }
+        Self { color: PhantomData }
     }
 }
 
@@ -138,38 +132,31 @@ impl<C> Default for NormalView<C> {
     }
 }
 
-impl<C: Channels<K>, const K: usize> Shader<K> for NormalView<C> {
+impl<C: Levels> Shader for NormalView<C> {
     type Color = C;
+    type Varyings = Within<LEVEL, C::Channels>;
 
-    const TOLERANCES: [Tolerance; K] = [LEVEL; K];
-
-    #[inline]
-    fn begin(self, model: &Transform) -> Self {
-        Self {
-            pose: Pose::of(model),
-            ..self
-        }
-    }
+    const READS_DEPTH: bool = false;
 
     #[inline]
-    fn varyings(&self, vertex: &Corner<'_>) -> [i32; K] {
+    fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
         // (n + 1)/2 of 255: 127.5 steps for 2^30, rounded; the clamp is for a unit vector's last bits.
-        let [r, g, b] = self
-            .pose
-            .unit(vertex.normal())
-            .unwrap_or_default()
-            .map(|n| {
-                let steps = (255 * (i64::from(n) + (1 << 30)) + (1 << 30)) >> 31;
-                #[allow(clippy::cast_sign_loss)]
-                let steps = steps.clamp(0, 255) as u8;
-                steps
-            });
-        first(C::levels(Rgb888::new(r, g, b)))
+        let channel = |n: i32| {
+            let steps = (255 * (i64::from(n) + (1 << 30)) + (1 << 30)) >> 31;
+            #[allow(clippy::cast_sign_loss)]
+            let steps = steps.clamp(0, 255) as u8;
+            steps
+        };
+        primitive.corners(|corner| {
+            let [x, y, z] = corner.world_normal().to_bits();
+            let color = Rgb888::new(channel(x), channel(y), channel(z));
+            Within(C::Channels::first(C::levels(color)))
+        })
     }
 
     #[inline]
-    fn shade(&self, sample: &Fragment, levels: [i32; K]) -> Option<C> {
-        Some(C::from_levels(all(levels), sample.point))
+    fn shade(&self, at: &Fragment, Within(levels): Self::Varyings) -> Option<C> {
+        Some(C::from_levels(levels.all(), at.point))
     }
 }
 
@@ -183,7 +170,7 @@ mod tests {
 
     fn grey(view: DepthView<Gray8>, depth: u16) -> u8 {
         let point = Point::zero();
-        view.shade(&Fragment { point, depth }, []).unwrap().luma()
+        view.shade(&Fragment { point, depth }, ()).unwrap().luma()
     }
 
     #[test]
@@ -210,7 +197,7 @@ mod tests {
         for i in 0..64 {
             for (depth, color) in [(0, BinaryColor::Off), (65535, BinaryColor::On)] {
                 let point = Point::new(i % 8, i / 8);
-                let shown = DepthView::<BinaryColor>::new().shade(&Fragment { point, depth }, []);
+                let shown = DepthView::<BinaryColor>::new().shade(&Fragment { point, depth }, ());
                 assert_eq!(shown, Some(color));
             }
         }

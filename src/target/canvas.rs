@@ -9,8 +9,8 @@ use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
 use embedded_graphics::primitives::Rectangle;
 
 use super::depth::{Depth, DepthBuffer, NoDepth, first};
-use super::float_depth::FloatDepth;
-use super::storage::{Bytes, Native, Storage};
+use super::format::{DepthFormat, Linear};
+use super::storage::{ByteArray, Bytes, Native, Storage};
 use crate::Error;
 
 /// Largest width and height of a frame, in pixels.
@@ -18,14 +18,21 @@ pub const MAX_SIZE: u32 = 2048;
 
 /// A frame's pixels, or those of a horizontal band of it, in memory that belongs to the caller.
 ///
-/// Column 0, row 0 is the top left of the frame. A band knows which rows of which frame it holds;
-/// everything is drawn in the frame's coordinates and what falls outside the band is left out, so
-/// that the bands of a frame put together are the frame, bit for bit.
+/// Column 0, row 0 is the frame's top left pixel. A band knows which rows of which frame it holds.
+/// Everything is drawn in the frame's coordinates, and what falls outside the band is left out: the
+/// bands of a frame, put together, are the frame, bit for bit.
 ///
-/// `C` is the colour, `O` how it is stored ([`Native`], or bytes in an order that a display
-/// wants), `D` the depth buffer ([`NoDepth`], [`Depth`] or [`FloatDepth`]).
+/// `C` is the color, `O` how it is stored and `D` the depth buffer, [`NoDepth`] or [`Depth`].
 ///
-/// It is an embedded-graphics [`DrawTarget`], so text and gauges go over the picture.
+/// | pixels in memory | a whole frame | a band of it |
+/// |---|---|---|
+/// | colors ([`Native`]) | [`new`](Self::new) | [`band`](Self::band) |
+/// | bytes, most significant first ([`BigEndian`]) | [`big_endian`](Self::big_endian) | [`big_endian_band`](Self::big_endian_band) |
+/// | bytes, least significant first ([`LittleEndian`]) | [`little_endian`](Self::little_endian) | [`little_endian_band`](Self::little_endian_band) |
+///
+/// [`with_depth`](Self::with_depth) and [`with_depth_format`](Self::with_depth_format) add a depth buffer.
+///
+/// A canvas is an embedded-graphics [`DrawTarget`], so text and gauges go over the picture.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -50,7 +57,7 @@ pub struct Canvas<'a, C, O: Storage<C> = Native, D = NoDepth> {
 }
 
 impl<'a, C: PixelColor> Canvas<'a, C> {
-    /// A canvas of `width` x `height` pixels, stored as colours, row by row from the top.
+    /// A canvas of `width` x `height` pixels, stored as colors, row by row from the top.
     ///
     /// # Errors
     ///
@@ -60,14 +67,14 @@ impl<'a, C: PixelColor> Canvas<'a, C> {
         Self::over(pixels, width, height)
     }
 
-    /// A canvas of some rows of a frame of `width` x `height` pixels: as many as `pixels` holds,
-    /// from `first_row` down.
+    /// A band of a frame of `width` x `height` pixels: as many rows as `pixels` holds, from
+    /// `first_row` down.
     ///
     /// # Errors
     ///
     /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`]; [`Error::Length`] if
-    /// `pixels` is no whole number of rows; [`Error::Rows`] if there is no row or one is outside
-    /// the frame.
+    /// `pixels` is not a whole number of rows; [`Error::Rows`] if it holds no row, or one outside the
+    /// frame.
     pub fn band(
         pixels: &'a mut [C],
         width: u32,
@@ -82,7 +89,7 @@ impl<'a, C> Canvas<'a, C, BigEndian>
 where
     BigEndian: Storage<C>,
 {
-    /// A canvas of pixels stored as bytes, most significant first, as most displays want them.
+    /// A canvas of pixels stored as bytes, most significant first, the order that most displays take.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -90,7 +97,7 @@ where
     /// let mut bytes = [[0; 2]; 4];
     /// let mut canvas: Canvas<Rgb565, _> = Canvas::big_endian(&mut bytes, 2, 2)?;
     /// canvas.clear(Rgb565::RED);
-    /// assert_eq!(canvas.bytes()[..2], [0xf8, 0x00]);
+    /// assert_eq!(canvas.as_bytes()[..2], [0xf8, 0x00]);
     /// # Ok::<(), Error>(())
     /// ```
     ///
@@ -172,7 +179,7 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
         first: u32,
     ) -> Result<Self, Error> {
         check_size(width, height)?;
-        // A frame has fewer than 2^32 pixels, so a longer slice is refused whatever it is cut to.
+        // A frame has fewer than 2^32 pixels, so a longer slice is refused at any row count.
         let rows = u32::try_from(cells.len() / width as usize).unwrap_or(u32::MAX);
         match first.checked_add(rows) {
             Some(end) if rows > 0 && end <= height => {
@@ -193,29 +200,29 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
         }
     }
 
-    /// The canvas with a depth buffer: one `u16` for each of its pixels.
+    /// Adds a depth buffer in [`Linear`] format: one `u16` per pixel.
     ///
-    /// It is cleared together with the canvas; fill it with 0 (infinitely far) otherwise.
+    /// [`clear`](Canvas::clear) and [`clear_depth`](Canvas::clear_depth) clear it. A new buffer must
+    /// be all 0 (infinitely far) or be cleared before the first draw call.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] if there is not exactly one per pixel.
+    /// [`Error::Length`] if `depth` does not have exactly one element per pixel.
     pub fn with_depth<'d>(
         self,
         depth: &'d mut [u16],
     ) -> Result<Canvas<'a, C, O, Depth<'d>>, Error> {
-        let depth = self.checked(depth)?;
-        Ok(self.over_depth(depth))
+        self.with_depth_format::<Linear>(depth)
     }
 
-    /// The canvas with a depth buffer that is as fine far off as near by, for scenes whose far plane is a thousand
-    /// times as far as the near one and more: [`FloatDepth`] says what it costs.
+    /// Adds a depth buffer in a format of your choice. [`Depth`] compares the formats.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;
     /// use fixel::prelude::*;
+    /// use fixel::target::Float;
     /// let (mut pixels, mut depths) = ([Gray8::new(0); 4], [0; 4]);
-    /// let mut canvas = Canvas::new(&mut pixels, 2, 2)?.with_float_depth(&mut depths)?;
+    /// let mut canvas = Canvas::new(&mut pixels, 2, 2)?.with_depth_format::<Float>(&mut depths)?;
     /// canvas.clear(Gray8::new(0));
     /// # Ok::<(), Error>(())
     /// ```
@@ -223,28 +230,18 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     /// # Errors
     ///
     /// As for [`with_depth`](Self::with_depth).
-    pub fn with_float_depth<'d>(
+    pub fn with_depth_format<'d, F: DepthFormat>(
         self,
         depth: &'d mut [u16],
-    ) -> Result<Canvas<'a, C, O, FloatDepth<'d>>, Error> {
-        let depth = self.checked(depth)?;
-        Ok(self.over_depth(FloatDepth(depth)))
-    }
-
-    /// A depth buffer of the canvas' size.
-    fn checked<'d>(&self, depth: &'d mut [u16]) -> Result<Depth<'d>, Error> {
+    ) -> Result<Canvas<'a, C, O, Depth<'d, F>>, Error> {
         check_length(depth.len(), self.width, self.row_count())?;
-        Ok(Depth(depth))
-    }
-
-    fn over_depth<D>(self, depth: D) -> Canvas<'a, C, O, D> {
-        Canvas {
+        Ok(Canvas {
             cells: self.cells,
-            depth,
+            depth: Depth::new(depth),
             width: self.width,
             height: self.height,
             rows: self.rows,
-        }
+        })
     }
 }
 
@@ -255,7 +252,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         Size::new(self.width, self.height)
     }
 
-    /// The rows of the frame that are in memory; all of them unless this is a band.
+    /// The rows of the frame that are in memory: all of them, unless the canvas is a band.
     #[must_use]
     pub const fn rows(&self) -> &Range<u32> {
         &self.rows
@@ -265,32 +262,32 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         self.rows.end - self.rows.start
     }
 
-    /// The colours in memory, row by row from the top, each from the left.
+    /// The colors in memory, row by row from the top, each row from the left.
     pub fn pixels(&self) -> impl ExactSizeIterator<Item = C> {
         self.cells.iter().map(|&cell| O::load(cell))
     }
 
-    /// The pixels as they are stored.
+    /// The pixels in their stored form, in the same order.
     #[must_use]
-    pub const fn cells(&self) -> &[O::Cell] {
+    pub const fn as_cells(&self) -> &[O::Cell] {
         self.cells
     }
 
-    /// The bytes in memory, in the order in which a bus would send them; nothing is copied.
+    /// The pixels as bytes, in the order in which a bus sends them. This is a view, not a copy.
     #[must_use]
-    pub fn bytes(&self) -> &[u8]
+    pub fn as_bytes(&self) -> &[u8]
     where
         O::Cell: Bytes,
     {
-        Bytes::flatten(self.cells)
+        ByteArray::flatten(self.cells)
     }
 
-    /// Shows the canvas on a display of the same colour, in one
-    /// [`fill_contiguous`](DrawTarget::fill_contiguous); a band goes where it belongs in the frame.
+    /// Shows the canvas on a display of the same color, in one
+    /// [`fill_contiguous`](DrawTarget::fill_contiguous). A band goes to its place in the frame.
     ///
     /// # Errors
     ///
-    /// The display's own.
+    /// Those of the display.
     pub fn show<T>(&self, display: &mut T) -> Result<(), T::Error>
     where
         C: PixelColor,
@@ -307,7 +304,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         )
     }
 
-    /// Where in memory `columns` of `row` are; both must lie within [`area`](Self::area).
+    /// The place of `columns` of `row` in memory; both must lie within [`area`](Self::area).
     #[inline]
     pub(super) const fn range(&self, row: u32, columns: &Range<u32>) -> Range<usize> {
         let start = (row - self.rows.start) * self.width;
@@ -323,14 +320,35 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
 }
 
 impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
-    /// Makes every pixel `color` and, where there is a depth buffer, infinitely far.
+    /// Sets every pixel to `color` and every depth, if there is a depth buffer, to infinity.
+    ///
+    /// embedded-graphics' [`DrawTarget::clear`] does the same.
     pub fn clear(&mut self, color: C) {
         self.cells.fill(O::store(color));
+        self.clear_depth();
+    }
+
+    /// Sets every depth to infinity and leaves the colors: what is drawn next covers what is there.
+    ///
+    /// For a second scene over the first, such as a gun or a gauge that no wall may hide. Without a
+    /// depth buffer it does nothing.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::Gray8;
+    /// use fixel::prelude::*;
+    /// let (mut pixels, mut depths) = ([Gray8::new(5); 4], [7; 4]);
+    /// let mut canvas = Canvas::new(&mut pixels, 2, 2)?.with_depth(&mut depths)?;
+    /// canvas.clear_depth();
+    /// assert!(canvas.pixels().all(|pixel| pixel == Gray8::new(5)));
+    /// assert_eq!(depths, [0; 4]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn clear_depth(&mut self) {
         self.depth.clear();
     }
 
-    /// The pixels of `columns` of `row` with their depths; both must lie within [`area`](Self::area), as what the
-    /// rasterizer asks for does. `None` where memory ends before them, in place of a panic.
+    /// The pixels of `columns` of `row` with their depths. Both must lie within [`area`](Self::area),
+    /// as the rasterizer's do. `None`, not a panic, if memory ends before them.
     #[inline]
     pub(crate) fn run(&mut self, row: u32, columns: Range<u32>) -> Option<Cells<'_, C, O, D>> {
         let range = self.range(row, &columns);
@@ -341,7 +359,7 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     }
 }
 
-/// Pixels of a row in memory: colours and depths.
+/// Pixels of a row in memory: colors and depths.
 pub(crate) struct Cells<'a, C, O: Storage<C>, D: DepthBuffer + 'a> {
     colors: &'a mut [O::Cell],
     depths: D::Cells<'a>,
@@ -353,7 +371,7 @@ impl<'a, C, O: Storage<C>, D: DepthBuffer + 'a> Cells<'a, C, O, D> {
         self.colors.len()
     }
 
-    /// Takes the first `count`, or all that are left.
+    /// Splits off the first `count` pixels, or all that are left.
     #[inline]
     pub(crate) fn first(
         &mut self,

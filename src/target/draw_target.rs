@@ -1,6 +1,7 @@
 //! The canvas as an embedded-graphics target: text and shapes over the picture.
 
 use core::convert::Infallible;
+use core::ops::Range;
 
 use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
@@ -9,10 +10,13 @@ use embedded_graphics::pixelcolor::PixelColor;
 use embedded_graphics::primitives::Rectangle;
 
 use super::canvas::Canvas;
+use super::depth::DepthBuffer;
 use super::storage::Storage;
 
-/// Drawing through embedded-graphics leaves the depth buffer as it is and cannot fail.
-impl<C: PixelColor, O: Storage<C>, D> DrawTarget for Canvas<'_, C, O, D> {
+/// Drawing cannot fail, and leaves the depth buffer alone, except that `clear` clears both.
+///
+/// Any point and any rectangle may be given, even one that reaches beyond the range of `i32`.
+impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Canvas<'_, C, O, D> {
     type Color = C;
     type Error = Infallible;
 
@@ -37,24 +41,22 @@ impl<C: PixelColor, O: Storage<C>, D> DrawTarget for Canvas<'_, C, O, D> {
     where
         I: IntoIterator<Item = C>,
     {
-        let inside = area.intersection(&self.bounding_box());
-        if inside.is_zero_sized() {
+        let Some(inside) = self.inside(area) else {
             return Ok(());
-        }
+        };
         let mut colors = colors.into_iter();
-        // Colours that fall outside are taken and dropped: first the rows above, then those to
-        // the left and right of each row.
-        let above = inside.top_left.y.abs_diff(area.top_left.y) as usize;
-        let left = inside.top_left.x.abs_diff(area.top_left.x) as usize;
+        // Colors of pixels outside are taken and dropped: first the rows above, then, row by row,
+        // the pixels on the left and on the right.
+        let above = inside.rows.start.cast_signed().abs_diff(area.top_left.y) as usize;
+        let left = inside.columns.start.cast_signed().abs_diff(area.top_left.x) as usize;
         let width = area.size.width as usize;
-        let right = width - left - inside.size.width as usize;
+        let right = width - left - inside.columns.len();
         skip(&mut colors, above.saturating_mul(width));
-        let columns = columns(&inside);
-        for y in inside.rows() {
+        for y in inside.rows {
             skip(&mut colors, left);
-            // The colours come second: `zip` must not take one more than there are cells.
+            // The colors come second: `zip` must not take one more than there are cells.
             for (cell, color) in self
-                .cells_mut(y.cast_unsigned(), &columns)
+                .cells_mut(y, &inside.columns)
                 .iter_mut()
                 .zip(&mut colors)
             {
@@ -66,24 +68,47 @@ impl<C: PixelColor, O: Storage<C>, D> DrawTarget for Canvas<'_, C, O, D> {
     }
 
     fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
-        let inside = area.intersection(&self.bounding_box());
-        let columns = columns(&inside);
-        for y in inside.rows() {
-            self.cells_mut(y.cast_unsigned(), &columns)
-                .fill(O::store(color));
+        if let Some(inside) = self.inside(area) {
+            for y in inside.rows {
+                self.cells_mut(y, &inside.columns).fill(O::store(color));
+            }
         }
         Ok(())
     }
 
+    /// Clears the depth buffer too, as [`Canvas::clear`] does. Adapters such as
+    /// [`clipped`](embedded_graphics::draw_target::DrawTargetExt::clipped) turn a `clear` into a
+    /// fill, which leaves the depth buffer alone.
     fn clear(&mut self, color: C) -> Result<(), Infallible> {
-        self.fill_solid(&self.bounding_box(), color)
+        Canvas::clear(self, color);
+        Ok(())
     }
 }
 
-/// The columns of a rectangle that lies within a canvas.
-fn columns(inside: &Rectangle) -> core::ops::Range<u32> {
-    let left = inside.top_left.x.cast_unsigned();
-    left..left + inside.size.width
+/// The pixels of a rectangle that a canvas has in memory.
+struct Inside {
+    columns: Range<u32>,
+    rows: Range<u32>,
+}
+
+impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
+    /// The part of `area` that is in memory; `None` if it is empty.
+    ///
+    /// [`Rectangle::intersection`] adds a size to a corner in `i32`, which overflows for large areas.
+    fn inside(&self, area: &Rectangle) -> Option<Inside> {
+        let columns = overlap(area.top_left.x, area.size.width, 0..self.frame_size().width)?;
+        let rows = overlap(area.top_left.y, area.size.height, self.rows().clone())?;
+        Some(Inside { columns, rows })
+    }
+}
+
+/// The part of `bounds` within `length` from `start`; `None` if it is empty. `bounds` ends at 2048 or before.
+fn overlap(start: i32, length: u32, bounds: Range<u32>) -> Option<Range<u32>> {
+    // The end saturates at i32::MAX, which is beyond all bounds.
+    let end = start.saturating_add_unsigned(length);
+    let [start, end] = [start, end].map(|at| at.max(0).cast_unsigned());
+    let (start, end) = (start.max(bounds.start), end.min(bounds.end));
+    (start < end).then_some(start..end)
 }
 
 /// Drops the next `count` items.

@@ -1,14 +1,17 @@
-//! Where pixels go: the caller's memory as a canvas, with or without depth, whole or in bands.
+//! Where pixels go: the caller's memory as a canvas, whole or a band, with or without a depth buffer.
 
 mod canvas;
 mod depth;
+mod depth_test;
 mod draw_target;
-mod float_depth;
+mod format;
 mod storage;
 
 pub use canvas::{Canvas, MAX_SIZE};
 pub(crate) use canvas::{Cells, check_size};
-pub(crate) use depth::linear;
+pub(crate) use depth::Buffer;
 pub use depth::{Depth, DepthBuffer, NoDepth};
-pub use float_depth::FloatDepth;
+pub use depth_test::{Biased, DepthTest, NoTest, TestAndWrite, TestOnly, WriteOnly};
+pub(crate) use format::linear;
+pub use format::{DepthFormat, Float, Linear, WideFloat};
 pub use storage::{Bytes, Native, Storage};

@@ -1,11 +1,11 @@
-//! How a colour lies in memory.
+//! How a color lies in memory.
 
 use embedded_graphics::pixelcolor::PixelColor;
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, RawData, ToBytes};
 
-/// How a canvas stores colours of type `C`.
+/// How a canvas stores colors of type `C`. Sealed: these three types implement it.
 ///
-/// [`Native`] keeps the colour itself; embedded-graphics' [`BigEndian`] and [`LittleEndian`] keep
+/// [`Native`] keeps the color itself. embedded-graphics' [`BigEndian`] and [`LittleEndian`] keep
 /// its raw bytes in that order, ready for a display's bus.
 ///
 /// ```
@@ -13,19 +13,20 @@ use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, RawData, ToByt
 /// use fixel::target::Storage;
 /// let cell = <BigEndian as Storage<Rgb565>>::store(Rgb565::RED);
 /// assert_eq!(cell, [0xf8, 0x00]);
+/// assert_eq!(<BigEndian as Storage<Rgb565>>::load(cell), Rgb565::RED);
 /// ```
-pub trait Storage<C> {
+pub trait Storage<C>: Sealed {
     /// One pixel in memory.
     type Cell: Copy;
 
-    /// A colour as it is stored.
+    /// Converts a color to its stored form.
     fn store(color: C) -> Self::Cell;
 
-    /// A stored colour.
+    /// Converts a stored pixel back to its color.
     fn load(cell: Self::Cell) -> C;
 }
 
-/// A [`Storage`] that keeps each colour as the type that it is.
+/// A [`Storage`] that keeps each color unconverted, in its own type.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -34,42 +35,53 @@ pub trait Storage<C> {
 /// let canvas: Canvas<Gray8, Native> = Canvas::new(&mut pixels, 2, 2)?;
 /// # Ok::<(), fixel::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Native {}
 
-impl<C: PixelColor> Storage<C> for Native {
-    type Cell = C;
-
-    #[inline]
-    fn store(color: C) -> C {
-        color
-    }
-
-    #[inline]
-    fn load(cell: C) -> C {
-        cell
-    }
-}
-
-/// The bytes of a pixel: `[u8; N]`, as a number and as part of a slice.
+/// A pixel stored as bytes: an array `[u8; N]`. Sealed.
+///
+/// The bound of code that sends canvases of any color in either byte order.
 ///
 /// ```
-/// use fixel::target::Bytes;
-/// assert_eq!([0x12, 0x34].be_number(), 0x1234);
-/// assert_eq!(Bytes::flatten(&[[1, 2], [3, 4]]), [1, 2, 3, 4]);
+/// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+/// use fixel::prelude::*;
+/// use fixel::target::{Bytes, Storage};
+///
+/// fn send<C, O: Storage<C, Cell: Bytes>>(canvas: &Canvas<'_, C, O>, bus: &mut Vec<u8>) {
+///     bus.extend_from_slice(canvas.as_bytes());
+/// }
+///
+/// let (mut pixels, mut bus) = ([[0; 2]; 2], Vec::new());
+/// let mut canvas: Canvas<Rgb565, _> = Canvas::big_endian(&mut pixels, 2, 1)?;
+/// canvas.clear(Rgb565::RED);
+/// send(&canvas, &mut bus);
+/// assert_eq!(bus, [0xf8, 0x00, 0xf8, 0x00]);
+/// # Ok::<(), Error>(())
 /// ```
-pub trait Bytes: Copy {
-    /// The number that these bytes are, the first being the most significant.
+pub trait Bytes: ByteArray {}
+
+impl<const N: usize> Bytes for [u8; N] {}
+
+/// Public in name only: it keeps other crates from implementing [`Storage`].
+pub trait Sealed {}
+
+impl Sealed for Native {}
+impl Sealed for BigEndian {}
+impl Sealed for LittleEndian {}
+
+/// The working part of [`Bytes`], public in name only.
+pub trait ByteArray: Copy {
+    /// Reads the number whose most significant byte comes first.
     fn be_number(self) -> u32;
 
-    /// The number that these bytes are, the first being the least significant.
+    /// Reads the number whose least significant byte comes first.
     fn le_number(self) -> u32;
 
-    /// The bytes of a slice of pixels, without a copy.
+    /// Views a slice of pixels as its bytes, without a copy.
     fn flatten(cells: &[Self]) -> &[u8];
 }
 
-impl<const N: usize> Bytes for [u8; N] {
+impl<const N: usize> ByteArray for [u8; N] {
     #[inline]
     fn be_number(self) -> u32 {
         self.iter().fold(0, |all, &byte| all << 8 | u32::from(byte))
@@ -85,6 +97,20 @@ impl<const N: usize> Bytes for [u8; N] {
     #[inline]
     fn flatten(cells: &[Self]) -> &[u8] {
         cells.as_flattened()
+    }
+}
+
+impl<C: PixelColor> Storage<C> for Native {
+    type Cell = C;
+
+    #[inline]
+    fn store(color: C) -> C {
+        color
+    }
+
+    #[inline]
+    fn load(cell: C) -> C {
+        cell
     }
 }
 
@@ -119,5 +145,17 @@ where
     #[inline]
     fn load(cell: C::Bytes) -> C {
         C::Raw::from_u32(cell.le_number()).into()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_byte_is_the_highest_or_the_lowest() {
+        let bytes = [0x12, 0x34, 0x56];
+        assert_eq!(bytes.be_number(), 0x12_3456);
+        assert_eq!(bytes.le_number(), 0x56_3412);
     }
 }

@@ -1,12 +1,12 @@
-//! The shape of a picture.
+//! The aspect ratio of a picture.
 
 use embedded_graphics::geometry::Size;
 
 use crate::{Error, Scalar};
 
-/// Width to height of a picture, as a ratio of two numbers.
+/// The width of a picture relative to its height.
 ///
-/// From a size in pixels, or from the ratio itself.
+/// It converts from a size in pixels, or from the ratio itself.
 ///
 /// ```
 /// use embedded_graphics::geometry::Size;
@@ -14,7 +14,7 @@ use crate::{Error, Scalar};
 /// assert_eq!(Aspect::from((320, 240)), Aspect::from(Size::new(320, 240)));
 /// let wide: Aspect = fx!(1.5).into();
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Aspect {
     /// In units of 2^-16.
     width: i64,
@@ -23,7 +23,11 @@ pub struct Aspect {
 }
 
 impl Aspect {
-    /// Width and height in a common unit, both above zero.
+    /// Returns width and height in a common unit, both above zero.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Aspect`] otherwise.
     pub(super) fn checked(self) -> Result<(i64, i64), Error> {
         if self.width > 0 && self.height > 0 {
             Ok((self.width, self.height))

@@ -1,43 +1,43 @@
-//! Cameras: where the eye is, and which way it looks.
+//! Cameras: the position of the eye and its direction of view.
 
-use crate::num::block::{self, Number};
+use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt as unit;
 use crate::{Angle, Error, Scalar, Transform, Vec3};
 
-/// An eye in the world: the rigid transform from world space to eye space.
+/// A camera: the rigid transform from world space to eye space.
 ///
-/// In eye space the eye is at the origin and looks down −z, x is to the right and y up.
+/// In eye space the eye is at the origin and looks down −z; x runs to the right and y up.
 ///
 /// ```
 /// use fixel::prelude::*;
 /// let camera = Camera::look_at(vec3!(0, 0, 5), Vec3::ZERO, Vec3::Y)?;
 /// assert_eq!(camera.view().point(Vec3::ZERO), vec3!(0, 0, -5));
-/// // The same camera, put where it is by a move.
+/// // The same camera, placed by a transform.
 /// assert_eq!(camera, Camera::at_pose(Transform::translate(vec3!(0, 0, 5))));
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Camera {
     view: Transform,
 }
 
-/// The tilt at which the three axes are foreshortened alike: atan(1/√2), 35.26 degrees.
+/// The tilt that foreshortens all three axes equally: atan(1/√2), 35.26 degrees.
 const ISOMETRIC_TILT: Angle = Angle::from_bits(420_720_557);
 
 impl Camera {
-    /// A camera at `eye` that has `target` in the middle of its picture, and `up` upwards.
+    /// Makes a camera at `eye` that shows `target` in the middle of the picture, with `up` upwards.
     ///
-    /// With k = (eye − target)/‖·‖, i = up × k/‖·‖ and j = k × i, these are the axes of eye space.
-    /// `up` need not be orthogonal to the line of sight, nor of length one.
+    /// The axes of eye space are k = (eye − target)/‖·‖, i = up × k/‖·‖ and j = k × i. `up` need not be
+    /// orthogonal to the line of sight, nor have length one.
     ///
     /// # Errors
     ///
-    /// [`Error::EyeAtTarget`] if the two are the same; [`Error::UpAlongView`] if `up` is zero, or
-    /// parallel to the line of sight to 1e-6 radians (0.2 seconds of arc), where the roll would be
-    /// noise.
+    /// [`Error::EyeAtTarget`] if eye and target are equal; [`Error::UpAlongView`] if `up` is zero, or
+    /// so close to the line of sight that the roll would be noise. That is always the case within
+    /// 5e-7 radians (0.1 seconds of arc), and never beyond 8e-6.
     pub fn look_at(eye: Vec3, target: Vec3, up: Vec3) -> Result<Self, Error> {
-        /// Mantissas' largest component is from 2^29 to 2^30, so that this is 2^-20 or less of a
-        /// product of lengths.
+        /// The largest mantissa of each vector is from 2^29 to 2^30. The product of lengths is at least
+        /// 2^58, and a component of this size at most 2^-19 of it.
         const PARALLEL: i64 = 1 << 39;
         let [ex, ey, ez] = eye.to_bits().map(i64::from);
         let [tx, ty, tz] = target.to_bits().map(i64::from);
@@ -45,7 +45,7 @@ impl Camera {
         let k = unit::unit(back).ok_or(Error::EyeAtTarget { eye })?;
         let mantissas = |v: [i64; 3]| {
             let mut mantissas = [0; 3];
-            block::normalise(&mut mantissas, &v.map(|v| Number::new(v, 0)));
+            block::normalize(&mut mantissas, &v.map(|v| BlockFloat::new(v, 0)));
             mantissas
         };
         let side = unit::cross(mantissas(up.to_bits().map(i64::from)), mantissas(back));
@@ -55,12 +55,14 @@ impl Camera {
         let i = unit::unit(side).ok_or(Error::UpAlongView { up })?;
         let j = unit::cross(k, i).map(|v| (v + (1 << 29)) >> 30);
         Ok(Self {
-            view: Transform::of_pose([i.map(i64::from), j, k.map(i64::from)], eye),
+            view: Transform::from_pose([i.map(i64::from), j, k.map(i64::from)], eye),
         })
     }
 
-    /// A camera placed in the world as a model is, by composed moves: the inverse of `pose`, which
-    /// must be rigid.
+    /// Makes a camera that is placed in the world by `pose`, as a model is.
+    ///
+    /// `pose` must be rigid, a product of rotations and translations; of any other transform the
+    /// picture is distorted.
     #[must_use]
     pub fn at_pose(pose: Transform) -> Self {
         Self {
@@ -68,28 +70,29 @@ impl Camera {
         }
     }
 
-    /// A camera of its transform from world to eye space.
+    /// Makes a camera from its transform from world space to eye space.
     #[must_use]
     pub const fn from_view(view: Transform) -> Self {
         Self { view }
     }
 
-    /// The transform from world to eye space.
+    /// Returns the transform from world space to eye space.
     #[must_use]
     pub const fn view(&self) -> Transform {
         self.view
     }
 
-    /// The transform from eye to world space, which places the camera.
+    /// Returns the transform from eye space to world space, which places the camera.
     #[must_use]
     pub fn pose(&self) -> Transform {
         self.view.inverse_rigid()
     }
 
-    /// A camera about `target` at a `distance`: from the front, turned by `turn` to the right and
-    /// raised by `tilt`.
+    /// Makes a camera at a `distance` from `target` that looks at it: from the front, turned to the
+    /// right by `turn` and raised by `tilt`.
     ///
-    /// With an orthographic projection and angles that are all different, this is a trimetric view.
+    /// Under an orthographic projection it is a trimetric view, unless the angles foreshorten two axes
+    /// equally.
     #[must_use]
     pub fn trimetric(target: Vec3, distance: Scalar, turn: Angle, tilt: Angle) -> Self {
         let back = Vec3::new(Scalar::ZERO, Scalar::ZERO, distance.saturating_neg());
@@ -101,33 +104,33 @@ impl Camera {
         }
     }
 
-    /// [`trimetric`](Self::trimetric), turned by 45°: x and z are foreshortened alike, and y by the
-    /// cosine of `tilt`.
+    /// Makes a [trimetric](Self::trimetric) camera turned by 45°: x and z are foreshortened equally, and
+    /// y by the cosine of `tilt`.
     #[must_use]
     pub fn dimetric(target: Vec3, distance: Scalar, tilt: Angle) -> Self {
         Self::trimetric(target, distance, Angle::from_degrees(45), tilt)
     }
 
-    /// [`dimetric`](Self::dimetric), raised by atan(1/√2) ≈ 35.26°: all axes are foreshortened by
-    /// √(2/3).
+    /// Makes a [dimetric](Self::dimetric) camera raised by atan(1/√2) ≈ 35.26°: all axes are
+    /// foreshortened by √(2/3).
     #[must_use]
     pub fn isometric(target: Vec3, distance: Scalar) -> Self {
         Self::dimetric(target, distance, ISOMETRIC_TILT)
     }
 
-    /// From the front: down −z.
+    /// Makes a camera in front of `target`, which looks down −z.
     #[must_use]
     pub fn front(target: Vec3, distance: Scalar) -> Self {
         Self::trimetric(target, distance, Angle::ZERO, Angle::ZERO)
     }
 
-    /// From the right side: down −x.
+    /// Makes a camera to the right of `target`, which looks down −x.
     #[must_use]
     pub fn side(target: Vec3, distance: Scalar) -> Self {
         Self::trimetric(target, distance, Angle::QUARTER, Angle::ZERO)
     }
 
-    /// From the top: down −y, with −z upwards in the picture.
+    /// Makes a camera above `target`, which looks down −y, with −z upwards in the picture.
     #[must_use]
     pub fn top(target: Vec3, distance: Scalar) -> Self {
         Self::trimetric(target, distance, Angle::ZERO, Angle::QUARTER)
@@ -175,7 +178,7 @@ mod tests {
                 Err(Error::EyeAtTarget { .. }) => prop_assert_eq!(eye, target),
                 Err(error) => {
                     prop_assert_eq!(error, Error::UpAlongView { up: above });
-                    // 2^-20, as the largest components are between 2^29 and 2^30.
+                    // √3 · 2^39 in a product of lengths of at least 2^58, and rounding.
                     prop_assert!(up == [0; 3] || sine < 8e-6, "{}", sine);
                 }
                 Ok(camera) => {
@@ -187,7 +190,7 @@ mod tests {
                     let view = camera.view();
                     let (unit, scale) = (f64::from(-28).exp2(), f64::from(-view.linear_exp).exp2());
                     for (row, (axis, noise)) in view.linear.iter().zip([
-                        // Operands of 30 bits, whose error the sine of a small angle magnifies.
+                        // Operands have 30 bits; a small sine magnifies their error.
                         (i, unit / sine), (j, unit / sine), (k, 0.0)
                     ]) {
                         for (m, v) in row.iter().zip(axis) {
@@ -223,7 +226,7 @@ mod tests {
                 Err(Error::UpAlongView { up })
             );
         }
-        let off = target - eye + Vec3::from_bits([6, 0, 0]);
-        assert!(Camera::look_at(eye, target, off).is_ok());
+        let aside = target - eye + Vec3::from_bits([6, 0, 0]);
+        assert!(Camera::look_at(eye, target, aside).is_ok());
     }
 }

@@ -1,4 +1,4 @@
-//! From the world to the picture: camera, projection, viewport, and the mvp they form.
+//! From the world to the picture: camera, projection and viewport, and their product.
 
 mod aspect;
 mod camera;
@@ -6,12 +6,14 @@ mod mvp;
 mod projection;
 mod segment;
 mod viewport;
+mod window;
 
 pub use aspect::Aspect;
 pub use camera::Camera;
 pub use mvp::Mvp;
-pub use projection::{Kind, Parallel, Perspective, Projection};
+pub use projection::{Parallel, Perspective, Projection, ProjectionKind};
 pub use segment::{Segment, speed};
 pub use viewport::Viewport;
+pub use window::Window;
 
 pub(crate) use projection::Row;

@@ -1,27 +1,29 @@
-//! The mvp from a model to the picture: projection · camera · model.
+//! The product from a model to the picture: projection · camera · model.
 
 use core::ops::Mul;
 
-use super::{Camera, Kind, Perspective, Projection};
+use super::{Camera, Perspective, Projection, ProjectionKind};
 use crate::Transform;
 
-/// A projection, a camera and the transform of a model, applied from right to left.
+/// A model-view-projection: a projection, a camera and the transform of a model, applied from right to
+/// left.
 ///
-/// Written as a product, `projection * camera * model`; the viewport, leftmost, belongs to the canvas.
-/// The camera stays apart from the model, because light is in world space, between the two.
+/// It is written as a product, `projection * camera * model`. The viewport, which would stand leftmost,
+/// belongs to the canvas. Camera and model are stored apart, because lights are in world space, between
+/// the two.
 ///
 /// ```
 /// use fixel::prelude::*;
-/// let projection = Projection::perspective(Angle::from_degrees(60), (4, 3), fx!(0.1), fx!(100))?;
+/// let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.1), fx!(100))?;
 /// let camera = Camera::look_at(vec3!(0, 2, 5), Vec3::ZERO, Vec3::Y)?;
 /// let spin = Transform::rotate_y(Angle::from_degrees(30));
 /// let mvp = projection * camera * spin;
-/// // The same, with the world's transform given first and the part's within it after.
+/// // The same product, with a transform of the world before the transform of the model.
 /// let again = projection * camera * Transform::IDENTITY * spin;
 /// assert_eq!(mvp.model_view(), again.model_view());
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Mvp<K = Perspective> {
     pub(crate) projection: Projection<K>,
     /// From world to eye space.
@@ -30,22 +32,22 @@ pub struct Mvp<K = Perspective> {
     pub(crate) model: Transform,
 }
 
-impl<K: Kind> Mvp<K> {
-    /// The transform from model space to eye space.
+impl<K: ProjectionKind> Mvp<K> {
+    /// Returns the transform from model space to eye space.
     #[must_use]
     pub fn model_view(&self) -> Transform {
         self.camera * self.model
     }
 
-    /// The projection.
+    /// Returns the projection.
     #[must_use]
     pub const fn projection(&self) -> Projection<K> {
         self.projection
     }
 }
 
-impl<K: Kind> From<Projection<K>> for Mvp<K> {
-    /// A picture of eye space itself.
+impl<K: ProjectionKind> From<Projection<K>> for Mvp<K> {
+    /// Shows eye space itself: neither camera nor model moves anything.
     fn from(projection: Projection<K>) -> Self {
         Self {
             projection,
@@ -55,7 +57,7 @@ impl<K: Kind> From<Projection<K>> for Mvp<K> {
     }
 }
 
-impl<K: Kind> Mul<Camera> for Projection<K> {
+impl<K: ProjectionKind> Mul<Camera> for Projection<K> {
     type Output = Mvp<K>;
 
     fn mul(self, camera: Camera) -> Mvp<K> {
@@ -66,10 +68,10 @@ impl<K: Kind> Mul<Camera> for Projection<K> {
     }
 }
 
-impl<K: Kind> Mul<Transform> for Projection<K> {
+impl<K: ProjectionKind> Mul<Transform> for Projection<K> {
     type Output = Mvp<K>;
 
-    /// The mvp of a model that is placed before the eye, without a camera.
+    /// Shows a model placed in eye space, without a camera.
     fn mul(self, model: Transform) -> Mvp<K> {
         Mvp {
             model,
@@ -78,10 +80,10 @@ impl<K: Kind> Mul<Transform> for Projection<K> {
     }
 }
 
-impl<K: Kind> Mul<Transform> for Mvp<K> {
+impl<K: ProjectionKind> Mul<Transform> for Mvp<K> {
     type Output = Self;
 
-    /// The mvp that applies `part` first.
+    /// Applies `part` first: the model becomes `model * part`.
     fn mul(self, part: Transform) -> Self {
         Self {
             model: self.model * part,

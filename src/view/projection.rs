@@ -2,8 +2,8 @@
 
 use core::marker::PhantomData;
 
-use crate::num::block::{self, Number};
-use crate::span::Interpolate;
+use super::Window;
+use crate::num::block::{self, BlockFloat};
 use crate::{Error, Matrix4, Scalar};
 
 mod parallel;
@@ -19,69 +19,53 @@ mod sealed {
 ///
 /// ```
 /// use fixel::prelude::*;
-/// use fixel::view::Kind;
+/// use fixel::view::ProjectionKind;
 ///
-/// /// Works for both.
-/// fn depth_of_view<K: Kind>(projection: &Projection<K>) -> Scalar {
-///     projection.far() - projection.near()
+/// /// Works for both kinds.
+/// fn depth_of_view<K: ProjectionKind>(projection: &Projection<K>) -> Scalar {
+///     projection.far().saturating_sub(projection.near())
 /// }
 /// ```
-pub trait Kind: sealed::Sealed + Copy + core::fmt::Debug {
+pub trait ProjectionKind: sealed::Sealed + Copy + core::fmt::Debug {
     /// Whether the picture shrinks with distance.
     const PERSPECTIVE: bool;
-
-    /// The way attributes are interpolated when a draw call asks for `I`.
-    type Mode<I: Interpolate>: Interpolate;
-
-    /// That way, of the one asked for.
-    fn mode<I: Interpolate>(mode: I) -> Self::Mode<I>;
 }
 
-/// Lines of sight meet in the eye: what is far is small.
+/// The kind of projection whose lines of sight meet in the eye: distant things are small.
 ///
 /// ```
-/// use fixel::{Angle, Projection, fx, view::Perspective};
+/// use fixel::{Projection, deg, fx, view::Perspective};
 /// let projection: Projection<Perspective> =
-///     Projection::perspective(Angle::from_degrees(60), (4, 3), fx!(0.1), fx!(100))?;
+///     Projection::perspective(deg!(60), (4, 3), fx!(0.1), fx!(100))?;
 /// # Ok::<(), fixel::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Perspective;
 
-/// Lines of sight are parallel: what is far keeps its size.
+/// The kind of projection whose lines of sight are parallel: distant things keep their size.
 ///
 /// ```
-/// use fixel::{Projection, fx, view::Parallel};
+/// use fixel::{Projection, Window, fx, view::Parallel};
 /// let plan: Projection<Parallel> =
-///     Projection::orthographic(fx!(-4), fx!(4), fx!(-3), fx!(3), fx!(0), fx!(100))?;
+///     Projection::orthographic(Window::centered(fx!(8), fx!(6)), fx!(0), fx!(100))?;
 /// # Ok::<(), fixel::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Parallel;
 
 impl sealed::Sealed for Perspective {}
 impl sealed::Sealed for Parallel {}
 
-impl Kind for Perspective {
+impl ProjectionKind for Perspective {
     const PERSPECTIVE: bool = true;
-    type Mode<I: Interpolate> = I;
-
-    fn mode<I: Interpolate>(mode: I) -> I {
-        mode
-    }
 }
 
-impl Kind for Parallel {
+impl ProjectionKind for Parallel {
     const PERSPECTIVE: bool = false;
-    type Mode<I: Interpolate> = I::Parallel;
-
-    fn mode<I: Interpolate>(mode: I) -> I::Parallel {
-        mode.parallel()
-    }
 }
 
 /// A row of a projection matrix: coefficients of eye space's x, y, z and 1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Row {
     /// Mantissas, below 2^30 in magnitude.
     pub(crate) m: [i32; 4],
@@ -90,37 +74,37 @@ pub(crate) struct Row {
 }
 
 impl Row {
-    /// A row of its numbers.
-    fn new(entries: [Number; 4]) -> Self {
+    /// Makes a row from its coefficients, each rounded once.
+    fn new(entries: [BlockFloat; 4]) -> Self {
         let mut m = [0; 4];
-        let exp = block::normalise(&mut m, &entries);
+        let exp = block::normalize(&mut m, &entries);
         Self { m, exp }
     }
 
-    /// A coefficient as a number.
-    fn real(&self, i: usize) -> Number {
-        Number::new(self.m[i].into(), self.exp)
+    /// Returns one coefficient.
+    fn coefficient(&self, i: usize) -> BlockFloat {
+        BlockFloat::new(self.m[i].into(), self.exp)
     }
 }
 
-/// What of eye space comes into the picture, and where.
+/// The part of eye space that is visible, and how it maps to the picture.
 ///
-/// Eye space is right-handed: x to the right, y up, and the view down −z. `near` and `far` are
-/// distances ahead of the eye. A projection takes its frustum or box to normalised device
+/// Eye space is right-handed: x runs to the right and y up, and the eye looks down −z. `near` and
+/// `far` are distances ahead of the eye. A projection maps its frustum or box to normalized device
 /// coordinates, ±1 from edge to edge.
 ///
-/// Coefficients have 30 bits, whatever their size.
+/// The coefficients have 30 significant bits, whatever their size.
 ///
 /// ```
 /// use fixel::prelude::*;
-/// let projection = Projection::perspective(Angle::from_degrees(60), (320, 240), fx!(0.1), fx!(100))?;
-/// let plan = Projection::orthographic(fx!(-4), fx!(4), fx!(-3), fx!(3), fx!(0), fx!(10))?;
-/// assert!(Projection::perspective(Angle::from_degrees(60), (4, 3), fx!(0), fx!(100)).is_err());
+/// let projection = Projection::perspective(deg!(60), (320, 240), fx!(0.1), fx!(100))?;
+/// let plan = Projection::orthographic(Window::centered(fx!(8), fx!(6)), fx!(0), fx!(10))?;
+/// assert!(Projection::perspective(deg!(60), (4, 3), fx!(0), fx!(100)).is_err());
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Projection<K = Perspective> {
-    /// Normalised device coordinates x and y, times w: −z for a perspective, else 1.
+    /// Normalized device coordinates x and y, times w: −z under a perspective, else 1.
     pub(crate) rows: [Row; 2],
     pub(crate) near: Scalar,
     pub(crate) far: Scalar,
@@ -131,12 +115,12 @@ fn bits(value: Scalar) -> i64 {
     value.to_bits().into()
 }
 
-fn number(value: Scalar) -> Number {
-    Number::new(bits(value), 16)
+fn number(value: Scalar) -> BlockFloat {
+    BlockFloat::new(bits(value), 16)
 }
 
-/// A number to the nearest [`Scalar`]; saturates.
-fn scalar(number: Number) -> Scalar {
+/// Rounds to the nearest [`Scalar`]; saturates.
+fn scalar(number: BlockFloat) -> Scalar {
     Scalar::from_bits(block::fixed(number.value, number.exp, 16))
 }
 
@@ -148,87 +132,83 @@ fn check_far(near: Scalar, far: Scalar) -> Result<(), Error> {
     }
 }
 
-/// Size and sum of a pair of edges, in units of 2^-16: 33 bits.
+/// Returns the difference and the sum of a pair of edges, in units of 2^-16: 33 bits.
 fn extent(low: Scalar, high: Scalar) -> Result<(i64, i64), Error> {
     if low < high {
         Ok((bits(high) - bits(low), bits(high) + bits(low)))
     } else {
-        Err(Error::EmptyFrustum { low, high })
+        Err(Error::EmptyWindow { low, high })
     }
 }
 
-impl<K: Kind> Projection<K> {
-    /// The distance of the near plane.
+impl<K: ProjectionKind> Projection<K> {
+    /// Returns the distance of the near plane.
     #[must_use]
     pub const fn near(&self) -> Scalar {
         self.near
     }
 
-    /// The distance of the far plane.
+    /// Returns the distance of the far plane.
     #[must_use]
     pub const fn far(&self) -> Scalar {
         self.far
     }
 
-    /// The left edge of the window on the near plane; to 2⁻³⁰ of the largest of the four,
-    /// saturated.
+    /// Returns the window on the near plane.
+    ///
+    /// Its edges are good to 2⁻³⁰ of the largest of the four, then rounded to the nearest 2⁻¹⁶;
+    /// they saturate.
     #[must_use]
-    pub fn left(&self) -> Scalar {
-        self.edge(0, -1)
+    pub fn window(&self) -> Window {
+        Window {
+            left: self.edge(0, -1),
+            right: self.edge(0, 1),
+            bottom: self.edge(1, -1),
+            top: self.edge(1, 1),
+        }
     }
 
-    /// The right edge of the window on the near plane, as [`left`](Self::left).
-    #[must_use]
-    pub fn right(&self) -> Scalar {
-        self.edge(0, 1)
-    }
-
-    /// The bottom edge of the window on the near plane, as [`left`](Self::left).
-    #[must_use]
-    pub fn bottom(&self) -> Scalar {
-        self.edge(1, -1)
-    }
-
-    /// The top edge of the window on the near plane, as [`left`](Self::left).
-    #[must_use]
-    pub fn top(&self) -> Scalar {
-        self.edge(1, 1)
-    }
-
-    /// Where on the near plane, at z = −n, the numerator a·x + c·z + d is ±w.
+    /// Returns the x or y at which a·x + c·z + d = ±w on the near plane, where z = −n.
     fn edge(&self, axis: usize, sign: i64) -> Scalar {
         let row = &self.rows[axis];
         let near = number(self.near);
         let w = if K::PERSPECTIVE {
             near
         } else {
-            Number::new(1, 0)
+            BlockFloat::new(1, 0)
         };
-        let moved = row.real(2).times(near).plus(row.real(3).negated());
-        let edge = Number::new(sign * w.value, w.exp).plus(moved);
-        scalar(edge.over(row.real(axis)))
+        let moved = row
+            .coefficient(2)
+            .times(near)
+            .plus(row.coefficient(3).negated());
+        let edge = BlockFloat::new(sign * w.value, w.exp).plus(moved);
+        scalar(edge.over(row.coefficient(axis)))
     }
 
-    /// Width to height of the window, (right − left) / (top − bottom); saturated.
+    /// Returns the window's width divided by its height, rounded to the nearest 2⁻¹⁶; saturates.
     #[must_use]
     pub fn aspect(&self) -> Scalar {
-        scalar(self.rows[1].real(1).over(self.rows[0].real(0)))
+        scalar(
+            self.rows[1]
+                .coefficient(1)
+                .over(self.rows[0].coefficient(0)),
+        )
     }
 
-    /// The projection as a matrix to homogeneous clip coordinates: entries are rounded to 2⁻¹⁶ and
-    /// saturate.
+    /// Returns the matrix from eye space to homogeneous clip coordinates: entries are rounded to the
+    /// nearest 2⁻¹⁶ and saturate.
     ///
-    /// Depth goes from −1 at the near plane to 1 at the far plane.
+    /// Depth runs from −1 at the near plane to 1 at the far plane.
     #[must_use]
-    pub fn matrix(&self) -> Matrix4 {
+    pub fn to_matrix(&self) -> Matrix4 {
         let [x, y] =
-            [0, 1].map(|axis: usize| [0, 1, 2, 3].map(|i| scalar(self.rows[axis].real(i))));
+            [0, 1].map(|axis: usize| [0, 1, 2, 3].map(|i| scalar(self.rows[axis].coefficient(i))));
         let (near, far) = (bits(self.near), bits(self.far));
-        let depth = Number::new(far - near, 16);
-        let middle = Number::new(-(far + near), 16).over(depth);
+        let depth = BlockFloat::new(far - near, 16);
+        let middle = BlockFloat::new(-(far + near), 16).over(depth);
         let (zero, one) = (Scalar::ZERO, Scalar::ONE);
         if K::PERSPECTIVE {
-            let offset = Number::new(-2 * near, 16)
+            let offset = BlockFloat::new(-2 * near, 16)
                 .times(number(self.far))
                 .over(depth);
             let z = [zero, zero, scalar(middle), scalar(offset)];
@@ -237,7 +217,7 @@ impl<K: Kind> Projection<K> {
             let z = [
                 zero,
                 zero,
-                scalar(Number::new(-2, 0).over(depth)),
+                scalar(BlockFloat::new(-2, 0).over(depth)),
                 scalar(middle),
             ];
             Matrix4::new([x, y, z, [zero, zero, zero, one]])

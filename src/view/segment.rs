@@ -1,16 +1,15 @@
-//! A segment in perspective: from a fraction on screen to one in space, and back.
+//! A segment in perspective: fractions of its picture, and fractions of the segment itself.
 
 use crate::num::Unit;
 use crate::{Scalar, Vec3};
 
-/// A segment in space by the distances of its two ends ahead of the eye, for questions about its
-/// picture.
+/// A segment in space, given by the distances of its two ends ahead of the eye.
 ///
 /// A distance is −z in eye space, or the homogeneous coordinate w. Halfway along the picture is not
 /// halfway along the segment: 1/w is linear on screen, and so is every attribute over w.
 ///
-/// For set-up, for checking and for learning; pixels have a faster way to the same numbers.
-/// Fractions are from 0 at the start to 1 at the end. Results are rounded to nearest, half away
+/// Use it for preparation, tests and learning; drawing has a faster path to the same numbers.
+/// Fractions run from 0 at the start to 1 at the end. Results are rounded to nearest, half away
 /// from zero.
 ///
 /// ```
@@ -23,7 +22,7 @@ use crate::{Scalar, Vec3};
 /// assert_eq!(segment.on_screen(Unit::lit("0.2")), Some(half));
 /// assert_eq!(segment.attribute(fx!(10), fx!(20), half), Some(fx!(12)));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Segment {
     start: Scalar,
     end: Scalar,
@@ -31,8 +30,8 @@ pub struct Segment {
 
 const ONE: i128 = 1 << 30;
 
-/// The quotient rounded to nearest, half away from zero; `None` if the denominator is not above
-/// zero or the quotient needs more than 32 bits.
+/// Divides, rounded to nearest (half away from zero); `None` unless the denominator is above zero and
+/// the quotient fits in 32 bits.
 fn divide(numerator: i128, denominator: i128) -> Option<i32> {
     if denominator <= 0 {
         return None;
@@ -46,49 +45,50 @@ fn bits(value: Scalar) -> i128 {
 }
 
 impl Segment {
-    /// A segment of the distances of its ends; `None` unless both are above 0, ahead of the eye.
+    /// Makes a segment from the distances of its ends; `None` unless both are above 0, ahead of the eye.
     #[must_use]
-    pub fn new(start: Scalar, end: Scalar) -> Option<Self> {
-        if start > Scalar::ZERO && end > Scalar::ZERO {
+    pub const fn new(start: Scalar, end: Scalar) -> Option<Self> {
+        if start.to_bits() > 0 && end.to_bits() > 0 {
             Some(Self { start, end })
         } else {
             None
         }
     }
 
-    /// What the two ends weigh at a fraction of the picture, (1 − q)/w₀ and q/w₁, both times
-    /// w₀·w₁·2^46.
+    /// Returns the weights of the two ends at a fraction q of the picture: (1 − q)/w₀ and q/w₁, both
+    /// times w₀·w₁·2^46.
     fn weights(self, on_screen: Unit) -> (i128, i128) {
         let q = i128::from(on_screen.to_bits());
         ((ONE - q) * bits(self.end), q * bits(self.start))
     }
 
-    /// The distance at a fraction of the picture: 1/w = 1/w₀ + q·(1/w₁ − 1/w₀).
+    /// Returns the distance at a fraction q of the picture: 1/w = 1/w₀ + q·(1/w₁ − 1/w₀).
     ///
-    /// `None` if the line through the picture does not meet that of the segment ahead of the eye,
-    /// which only fractions below 0 and above 1 bring about, and if the distance is beyond the
-    /// format.
+    /// `None` if the line of sight does not meet the segment's line ahead of the eye, which happens
+    /// only for fractions below 0 or above 1; and if the distance is out of range.
     #[must_use]
     pub fn distance(self, on_screen: Unit) -> Option<Scalar> {
         let (a, b) = self.weights(on_screen);
         divide(bits(self.start) * bits(self.end) * ONE, a + b).map(Scalar::from_bits)
     }
 
-    /// The fraction of the segment at a fraction q of its picture: t = q·w₀ / (w₁ − q·(w₁ − w₀)).
+    /// Returns the fraction of the segment at a fraction q of its picture:
+    /// t = q·w₀ / (w₁ − q·(w₁ − w₀)).
     ///
-    /// `None` as for [`distance`](Self::distance).
+    /// `None` in the cases of [`distance`](Self::distance).
     #[must_use]
     pub fn in_space(self, on_screen: Unit) -> Option<Unit> {
         let (a, b) = self.weights(on_screen);
         divide(b * ONE, a + b).map(Unit::from_bits)
     }
 
-    /// The fraction of the picture at a fraction t of the segment: q = t·w₁ / (w₀ + t·(w₁ − w₀)).
+    /// Returns the fraction of the picture at a fraction t of the segment:
+    /// q = t·w₁ / (w₀ + t·(w₁ − w₀)).
     ///
-    /// `None` as for [`distance`](Self::distance).
+    /// `None` in the cases of [`distance`](Self::distance).
     #[must_use]
     pub fn on_screen(self, in_space: Unit) -> Option<Unit> {
-        // The other way round, the same with the ends' distances exchanged.
+        // The inverse is the same formula with the distances exchanged.
         let swapped = Self {
             start: self.end,
             end: self.start,
@@ -96,10 +96,10 @@ impl Segment {
         swapped.in_space(in_space)
     }
 
-    /// The value at a fraction f of the picture of what is `a` at the start and `b` at the end, the
-    /// homogeneous form: lerp(a/w₀, b/w₁, f) / lerp(1/w₀, 1/w₁, f).
+    /// Interpolates an attribute, `a` at the start and `b` at the end, at a fraction q of the picture:
+    /// lerp(a/w₀, b/w₁, q) / lerp(1/w₀, 1/w₁, q).
     ///
-    /// `None` as for [`distance`](Self::distance).
+    /// `None` in the cases of [`distance`](Self::distance).
     #[must_use]
     pub fn attribute(self, a: Scalar, b: Scalar, on_screen: Unit) -> Option<Scalar> {
         let (at_start, at_end) = self.weights(on_screen);
@@ -107,15 +107,16 @@ impl Segment {
     }
 }
 
-/// The velocity on the near plane of a point that moves through eye space along `point` + t ·
-/// `velocity`: −n·(vₓ·Pz − Pₓ·vz) / (Pz + vz·t)², and likewise for y, rounded to nearest.
+/// Returns the velocity on the near plane of a point that moves through eye space along `point` + t ·
+/// `velocity`, rounded to nearest (half away from zero).
 ///
-/// `None` where the point is not ahead of the eye, and if the speed is beyond the format.
+/// Its x is −n·(vₓ·Pz − Pₓ·vz) / (Pz + vz·t)², with n = `near`; y likewise. `None` if the point is not
+/// ahead of the eye at time t, and if a component is out of range.
 ///
 /// ```
 /// use fixel::view::speed;
 /// use fixel::{fx, vec3, Vec3};
-/// // A train on a track below, as it goes off into the distance.
+/// // A train on a track below the eye, on its way into the distance.
 /// let (track, ahead) = (vec3!(0, -1, -1), -Vec3::Z);
 /// assert_eq!(speed(fx!(1), track, ahead, fx!(0)), Some([fx!(0), fx!(1)]));
 /// assert_eq!(speed(fx!(1), track, ahead, fx!(3)), Some([fx!(0), fx!(0.0625)]));
@@ -128,7 +129,7 @@ pub fn speed(near: Scalar, point: Vec3, velocity: Vec3, t: Scalar) -> Option<[Sc
         return None;
     }
     let part = |p: Scalar, v: Scalar| {
-        // Units of 2^-48 over 2^-64, and wanted are 2^-16: 32 bits are missing.
+        // The quotient of units of 2^-48 and 2^-64 lacks 32 bits to units of 2^-16.
         let top = -bits(near) * (bits(v) * bits(point.z) - bits(p) * bits(velocity.z));
         let bottom = z * z;
         if top.unsigned_abs().leading_zeros() > 34 {
@@ -148,7 +149,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn any_input_is_survived(
+        fn no_input_panics(
             w in any::<[i32; 2]>(),
             f in any::<i32>(),
             v in any::<[i32; 8]>(),
@@ -165,7 +166,7 @@ mod tests {
     }
 
     #[test]
-    fn the_ends_of_the_formats_are_survived() {
+    fn the_ends_of_the_formats_do_not_panic() {
         let far = Vec3::from_bits([i32::MIN; 3]);
         let mixed = Vec3::from_bits([i32::MAX, i32::MAX, i32::MIN]);
         for near in [Scalar::MAX, Scalar::MIN, Scalar::DELTA] {

@@ -6,9 +6,9 @@ use embedded_graphics::geometry::Size;
 
 use crate::Error;
 
-/// A rectangle of pixels that normalised device coordinates are spread over.
+/// A rectangle of pixels to which normalized device coordinates are mapped.
 ///
-/// It may reach beyond the canvas: what is outside is not drawn.
+/// It may reach beyond the canvas; pixels outside are not drawn.
 ///
 /// ```
 /// use fixel::{Error, Viewport};
@@ -17,7 +17,7 @@ use crate::Error;
 /// assert!(Viewport::new(0, 0, 0, 240).is_err());
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Viewport {
     pub(crate) x: i32,
     pub(crate) y: i32,
@@ -26,15 +26,15 @@ pub struct Viewport {
 }
 
 impl Viewport {
-    /// Largest width and height, and largest distance of the top left corner from that of the
-    /// frame, in pixels.
+    /// The largest width and height, and the largest distance of its top left corner from the top left
+    /// corner of the frame in x and in y; in pixels.
     pub const MAX: u32 = 4096;
 
-    /// A viewport with its top left corner at (x, y), y down, in pixels of the frame.
+    /// Makes a viewport with its top left corner at (x, y), in pixels of the frame; y runs down.
     ///
     /// # Errors
     ///
-    /// [`Error::Size`] unless width and height are from 1 to [`MAX`](Self::MAX); [`Error::Place`]
+    /// [`Error::Size`] unless width and height are from 1 to [`MAX`](Self::MAX); [`Error::Offset`]
     /// unless x and y are within ±[`MAX`](Self::MAX).
     pub const fn new(x: i32, y: i32, width: u32, height: u32) -> Result<Self, Error> {
         let max = Self::MAX;
@@ -42,7 +42,7 @@ impl Viewport {
             return Err(Error::Size { width, height, max });
         }
         if x.unsigned_abs() > max || y.unsigned_abs() > max {
-            return Err(Error::Place { x, y, max });
+            return Err(Error::Offset { x, y, max });
         }
         Ok(Self {
             x,
@@ -52,31 +52,31 @@ impl Viewport {
         })
     }
 
-    /// Column of the left edge.
+    /// Returns the column of the left edge.
     #[must_use]
     pub const fn x(&self) -> i32 {
         self.x
     }
 
-    /// Row of the top edge.
+    /// Returns the row of the top edge.
     #[must_use]
     pub const fn y(&self) -> i32 {
         self.y
     }
 
-    /// Width in pixels.
+    /// Returns the width in pixels.
     #[must_use]
     pub const fn width(&self) -> u32 {
         self.width
     }
 
-    /// Height in pixels.
+    /// Returns the height in pixels.
     #[must_use]
     pub const fn height(&self) -> u32 {
         self.height
     }
 
-    /// The viewport that is all of a frame.
+    /// Returns the viewport that covers a whole frame.
     pub(crate) const fn whole(frame: Size) -> Self {
         Self {
             x: 0,
@@ -86,12 +86,12 @@ impl Viewport {
         }
     }
 
-    /// Width and height in pixels.
+    /// Returns width and height in pixels.
     pub(crate) const fn size(&self) -> [u32; 2] {
         [self.width, self.height]
     }
 
-    /// The point that the view's axis goes through, in units of 1/256 pixel.
+    /// Returns the center, where the view's axis meets the picture, in units of 1/256 pixel.
     pub(crate) const fn center(&self) -> [i32; 2] {
         [
             self.x * 256 + self.width.cast_signed() * 128,
@@ -99,7 +99,7 @@ impl Viewport {
         ]
     }
 
-    /// The columns and rows that it covers.
+    /// Returns the covered columns and rows.
     pub(crate) const fn pixels(&self) -> [Range<i32>; 2] {
         [
             self.x..self.x + self.width.cast_signed(),

@@ -56,16 +56,58 @@ pub fn perspective(
 ) -> f64 {
     match mode {
         Mode::Exact => exact(corners, corners_w, w),
-        Mode::Newton => exact(corners, corners_w, w) + newton(corners, corners_w),
+        Mode::Newton => stepped(corners, corners_w, w) + newton(corners, corners_w),
         Mode::Fast(_) => {
-            exact(corners, corners_w, farthest) + mode.tolerance() * TEXEL + fast(corners)
+            stepped(corners, corners_w, farthest) + mode.tolerance() * TEXEL + fast(corners)
         }
-        Mode::Affine | Mode::Linear => panic!("{mode:?} does not divide by w"),
+        Mode::Affine => panic!("{mode:?} does not divide by w"),
     }
 }
 
 /// The same where every pixel is divided by the exact reciprocal.
 fn exact(corners: [i32; 3], corners_w: [f64; 3], w: f64) -> f64 {
+    if is_precise(corners_w) {
+        anew(corners, corners_w, w)
+    } else {
+        stepped(corners, corners_w, w)
+    }
+}
+
+/// Whether `Exact` finds interpolants anew at each pixel, for sure: with a corner below 2²³ units of 1/w, where the
+/// nearest one has from 2³⁰ to 2³¹.
+pub fn is_precise(corners_w: [f64; 3]) -> bool {
+    let [nearest, farthest] = ends(corners_w);
+    farthest > 256.001 * nearest
+}
+
+/// Whether it may.
+fn may_be_precise(corners_w: [f64; 3]) -> bool {
+    let [nearest, farthest] = ends(corners_w);
+    farthest > 127.999 * nearest
+}
+
+/// The same where interpolants are found anew at each pixel, in as many bits as there are: no step, no start and no
+/// area adds to what corners are rounded by.
+///
+/// - A corner's numerator is rounded to the nearest: half a unit, of 2^bits / Q.
+/// - A corner's 1/w is cut by less than a unit, and by up to 4 units of 2⁻³⁰ of itself before. Its numerator has the same
+///   1/w, so that only its weight among the corners is off: a value moves by that part of what the corners differ by.
+/// - Area and reciprocal are one error for all interpolants. What is shifted out of a plane's numerator is below 2⁻²² of a
+///   unit, and a raised interpolant is rounded to half of a raised unit: 0.01 unit is plenty for both.
+/// - The quotient is as above.
+fn anew(corners: [i32; 3], corners_w: [f64; 3], w: f64) -> f64 {
+    let [nearest, farthest] = ends(corners_w);
+    let q = (2_f64.powi(30) * nearest / w).max(LEAST) - 1.;
+    let least = (2_f64.powi(30) * nearest / farthest).max(LEAST);
+    let ends = if bits(corners) < 32 { 0. } else { 128. / least };
+    let [a, b, c] = corners.map(f64::from);
+    let spread = a.max(b).max(c) - a.min(b).min(c);
+    let weights = spread * ((1. + lifted(corners_w)) / q + 2_f64.powi(-28));
+    2_f64.powi(bits(corners)) * (0.51 / q + ends + 2_f64.powi(-29)) + weights + 1.
+}
+
+/// The same where interpolants are stepped along a span.
+fn stepped(corners: [i32; 3], corners_w: [f64; 3], w: f64) -> f64 {
     let [nearest, farthest] = ends(corners_w);
     let q = 2_f64.powi(30) * nearest / w;
     let lifted = lifted(corners_w);
@@ -164,9 +206,10 @@ fn is_far(corners_w: [f64; 3]) -> bool {
 }
 
 /// By how much `Newton` and `Exact` may differ where they have the same interpolants, which is where a corner
-/// is far: both are rounded down to a unit, `Exact` by half of one more.
+/// is far, but not so far that `Exact` finds them anew: both are rounded down to a unit, `Exact` by half of one more.
 pub fn newton_from_exact(corners: [i32; 3], corners_w: [f64; 3]) -> Option<f64> {
-    is_far(corners_w).then(|| newton(corners, corners_w) + 1.5)
+    let is_alike = is_far(corners_w) && !may_be_precise(corners_w);
+    is_alike.then(|| newton(corners, corners_w) + 1.5)
 }
 
 /// What a value may be off by under a parallel projection, where the numerator is a · 2^(30 - bits), and in

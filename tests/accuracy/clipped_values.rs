@@ -7,7 +7,7 @@ use crate::bounds;
 use crate::drawing::Drawing;
 use crate::mode::Mode;
 use crate::moves::{exact, quantised};
-use crate::reference::coverage::centre;
+use crate::reference::coverage::center;
 use crate::reference::distance::to_triangle;
 use crate::reference::linear::IDENTITY;
 use crate::reference::projection::focal;
@@ -26,9 +26,9 @@ fn triangles() -> impl Strategy<Value = [Vec3; 3]> {
     [corner(), corner(), corner()]
 }
 
-/// The piece that passes nearest to a pixel's centre.
+/// The piece that passes nearest to a pixel's center.
 fn nearest<'a>(pieces: &'a [Piece<2>], pixel: [i32; 2]) -> Option<(f64, &'a Piece<2>)> {
-    let gap = |piece: &'a Piece<2>| (to_triangle(&piece.screen, centre(pixel)), piece);
+    let gap = |piece: &'a Piece<2>| (to_triangle(&piece.screen, center(pixel)), piece);
     pieces.iter().map(gap).min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
@@ -46,7 +46,7 @@ proptest! {
     ) {
         let mut drawing = Drawing {
             size: SIZE,
-            pass: DrawOptions::new().cull(Cull::Nothing),
+            options: DrawOptions::new().cull(Cull::Nothing),
             mode: Mode::Exact,
             mesh: Mesh::new(&positions, &[[0, 1, 2]]).unwrap(),
             mvp: Projection::from_focal_length(fx!(100), SIZE, fx!(0.25), fx!(50)).unwrap()
@@ -69,7 +69,7 @@ proptest! {
         };
         let seen = drawing.all(&attributes);
 
-        // Every centre that is farther inside than corners move, and none that is farther outside.
+        // Every center that is farther inside than corners move, and none that is farther outside.
         let mut drawn = vec![0; SIZE.0 as usize * SIZE.1 as usize];
         for seen in &seen {
             let [x, y] = seen.pixel;
@@ -79,7 +79,7 @@ proptest! {
             for x in 0..160 {
                 let count = drawn[usize::try_from(y * 160 + x).unwrap()];
                 let covered = |aside: [f64; 2]| {
-                    let [x, y] = centre([x, y]);
+                    let [x, y] = center([x, y]);
                     pieces.iter().any(|piece| to_triangle(&piece.screen, [x + aside[0], y + aside[1]]) == 0.)
                 };
                 let around = [[-SNAP, 0.], [SNAP, 0.], [0., -SNAP], [0., SNAP]];

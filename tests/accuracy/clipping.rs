@@ -3,16 +3,16 @@
 //! Tolerances. A corner is rounded to 1/256 pixel, by at most half of that in each direction, so an edge
 //! moves by at most √2/512 = 0.0028 pixel; clip space adds less than 0.001 pixel for scenes of some
 //! hundred units (coefficients of 30 bits: 2⁻²⁹ · 256 units / 0.25 of the near plane · 100 pixels from the
-//! centre = 5e-5). So pixels nearer than [`EDGE`] = 1/256 pixel to an edge may go either way.
+//! center = 5e-5). So pixels nearer than [`EDGE`] = 1/256 pixel to an edge may go either way.
 //! The crate's near and far planes are those of the projection to 28 bits; the model is asked with planes a little
 //! nearer and a little farther, [`PLANES`] of themselves, and only where both agree.
 
-use std::cell::RefCell;
 use std::collections::HashMap;
 
 use crate::common::meshes::{Point, triangulation};
+use crate::common::recorder::{Probe, Seen, record};
 use crate::common::{BOTH_SIDES, Counter};
-use crate::reference::coverage::{Bounds, centre};
+use crate::reference::coverage::{Bounds, center};
 use crate::reference::distance::to_segment;
 use crate::reference::linear::{self, IDENTITY};
 use crate::reference::silhouette::{Place, Silhouette};
@@ -27,7 +27,7 @@ const FAR: f64 = 24.;
 const FOCAL: u16 = 30;
 /// In pixels.
 const EDGE: f64 = 1. / 256.;
-/// In pixels: √2/512 and what clip space adds. Sides of triangles that are both so near to a centre may have been
+/// In pixels: √2/512 and what clip space adds. Sides of triangles that are both so near to a center may have been
 /// exchanged by rounding.
 const FOLD: f64 = 0.0029;
 /// 2⁻²⁴.
@@ -103,19 +103,19 @@ impl Model {
 
     /// Whether a pixel is covered; `None` where rounding may decide.
     fn covers(&self, pixel: [i32; 2]) -> Option<bool> {
-        if self.inner.classify(centre(pixel), EDGE) == Place::Inside {
+        if self.inner.classify(center(pixel), EDGE) == Place::Inside {
             Some(true)
-        } else if self.outer.classify(centre(pixel), EDGE) == Place::Outside {
+        } else if self.outer.classify(center(pixel), EDGE) == Place::Outside {
             Some(false)
         } else {
             None
         }
     }
 
-    /// Whether two sides pass so near to a pixel's centre that rounding their ends may have exchanged them:
-    /// a triangle so thin may be turned over, and lies on its neighbours then.
+    /// Whether two sides pass so near to a pixel's center that rounding their ends may have exchanged them:
+    /// a triangle so thin may be turned over, and lies on its neighbors then.
     fn may_fold(&self, pixel: [i32; 2]) -> bool {
-        let near = |[a, b]: &[[f64; 2]; 2]| to_segment(*a, *b, centre(pixel)) < FOLD;
+        let near = |[a, b]: &[[f64; 2]; 2]| to_segment(*a, *b, center(pixel)) < FOLD;
         self.sides.iter().filter(|side| near(side)).count() > 1
     }
 
@@ -141,32 +141,15 @@ impl Model {
     }
 }
 
-fn count(positions: &[Vec3], faces: &[[u16; 3]], pass: &DrawOptions) -> (Vec<u32>, fixel::Drawn) {
+fn count(
+    positions: &[Vec3],
+    faces: &[[u16; 3]],
+    options: &DrawOptions,
+) -> (Vec<u32>, fixel::Drawn) {
     let mut counter = Counter::new(SIZE);
     let mesh = Mesh::new(positions, faces).unwrap();
-    let drawn = counter.draw(pass, &mesh, &projection().into());
+    let drawn = counter.draw(options, &mesh, &projection().into());
     (counter.take(), drawn)
-}
-
-/// A pixel as it was drawn: the face, the distance ahead and the depth.
-type Drawing = RefCell<Vec<([i32; 2], i32, u16)>>;
-
-/// Records the distance ahead as it is interpolated.
-#[derive(Clone, Copy)]
-struct Record<'a>(&'a Drawing);
-
-impl Shader<1> for Record<'_> {
-    type Color = Gray8;
-
-    fn varyings(&self, vertex: &Corner) -> [i32; 1] {
-        [vertex.distance().to_bits()]
-    }
-
-    fn shade(&self, sample: &Fragment, [distance]: [i32; 1]) -> Option<Gray8> {
-        let point = [sample.point.x, sample.point.y];
-        self.0.borrow_mut().push((point, distance, sample.depth));
-        None
-    }
 }
 
 /// In units of 2⁻¹⁶.
@@ -222,13 +205,16 @@ proptest! {
         let all: u32 = counts.iter().sum();
         prop_assert!(drawn.drawn > 0 || all == 0);
 
-        let drawing = Drawing::default();
         let mut pixels = vec![Gray8::new(0); counts.len()];
         let mesh = Mesh::new(&corners, &[[0, 1, 2]]).unwrap();
-        Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap()
-            .draw_with(&BOTH_SIDES, &mesh, &projection().into(), &Record(&drawing));
+        let mut canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
+        // The distance ahead as it is interpolated.
+        let probe = Probe { values: &|corner| [corner.distance().to_bits()], color: None };
+        let record = record(probe, |recorder| {
+            canvas.draw_with(&BOTH_SIDES, &mesh, &projection().into(), recorder);
+        });
         let plane = inverse_w(corners);
-        for (pixel, distance, depth) in drawing.into_inner() {
+        for Seen { pixel, values: [distance], depth, .. } in record.seen {
             let w = f64::from(distance) / 65536.;
             // The corners' distances are below 64, 2^22 units, so the interpolant is distance · q · 2^-24. It and q are off
             // by at most 34 units (corner, plane and steps, see `RUN`), q being at least 2^30 · near/w.
@@ -236,7 +222,7 @@ proptest! {
             let format = (f64::from(1 << 24) * 34. * 1.5 / q + 4.) / 65536.;
             prop_assert!((NEAR - format..=FAR + format).contains(&w), "{:?}: {}", pixel, w);
             // Corners moved by less than EDGE: the value is the plane's that near to the pixel.
-            let (exact, gradient) = plane(centre(pixel));
+            let (exact, gradient) = plane(center(pixel));
             let room = gradient * EDGE + 1e-6;
             let nearest = 1. / (exact + room);
             prop_assert!(w > nearest - format, "{:?}: {} is nearer than {}", pixel, w, nearest);
@@ -318,7 +304,7 @@ proptest! {
 /// about one corner, then lie over each other; still each pixel is drawn once.
 #[test]
 fn thin_clipped_triangles() {
-    // Which of them fold over a pixel's centre depends on every rounding: so many, and the others are plain.
+    // Which of them fold over a pixel's center depends on every rounding: so many, and the others are plain.
     let mut drawn = 0;
     for height in (10_000..60_000).step_by(100) {
         let place = |[u, v]: Point| Vec3::from_bits([32 * u, height + u + 5 * v, -32 * v]);
@@ -401,7 +387,7 @@ fn nothing_behind_the_eye_is_drawn() {
 }
 
 /// Ground below the eye, from far behind it to the far plane: below the horizon only. The far plane, 24 units
-/// away, is 30/24 = 1¼ rows below the middle, so centres from 17.5 on are ground.
+/// away, is 30/24 = 1¼ rows below the middle, so centers from 17.5 on are ground.
 #[test]
 fn ground_fills_the_picture_up_to_the_far_plane() {
     let ground = [

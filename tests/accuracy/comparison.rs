@@ -10,7 +10,7 @@ use crate::bounds;
 use crate::drawing::{Drawing, Seen};
 use crate::mode::Mode;
 use crate::moves::{Move, exact, product, quantised};
-use crate::reference::coverage::{Bounds, centre};
+use crate::reference::coverage::{Bounds, center};
 use crate::reference::raster::{self, Piece, culled, pieces};
 use crate::reference::scenes::{SIZE, Shape, view};
 use crate::reference::silhouette::{self, Silhouette};
@@ -62,9 +62,9 @@ pub struct Comparison {
     pub order: Spread,
     /// Pairs of triangle and pixel that only one of crate and model has, given the snapped vertices.
     pub not_alike: usize,
-    /// Centres more than 1/256 pixel inside the silhouette, and how often each such pixel was drawn: not, once, again.
+    /// Centers more than 1/256 pixel inside the silhouette, and how often each such pixel was drawn: not, once, again.
     pub inside: [usize; 3],
-    /// Centres more than 1/256 pixel outside, drawn nevertheless.
+    /// Centers more than 1/256 pixel outside, drawn nevertheless.
     pub outside: usize,
 }
 
@@ -106,7 +106,7 @@ impl Scene {
     fn drawing(&self, mode: Mode) -> Drawing<'_, Perspective> {
         Drawing {
             size: SIZE,
-            pass: DrawOptions::new(),
+            options: DrawOptions::new(),
             mode,
             mesh: Mesh::new(&self.positions, &self.faces)
                 .unwrap()
@@ -293,7 +293,7 @@ impl Comparison {
         let silhouette = Silhouette::new(&front, SIZE.0, SIZE.1);
         for pixel in bounds.pixels() {
             let count = counts[place(pixel)];
-            match silhouette.classify(centre(pixel), SNAP) {
+            match silhouette.classify(center(pixel), SNAP) {
                 silhouette::Place::Inside => self.inside[count.min(2)] += 1,
                 silhouette::Place::Outside => self.outside += usize::from(count > 0),
                 silhouette::Place::Near => {}

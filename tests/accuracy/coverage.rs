@@ -1,6 +1,6 @@
 //! Which pixels a triangle covers: the exact half-space model, for every kind of mesh.
 //!
-//! The crate walks edges with remainders; the model tests every pixel centre against three exact
+//! The crate walks edges with remainders; the model tests every pixel center against three exact
 //! half-spaces. Given the same snapped corners the two must agree in every pixel, so nothing here has
 //! a tolerance but the tests of triangles that are clipped, which get new corners.
 
@@ -8,15 +8,15 @@ use std::collections::HashMap;
 
 use crate::common::meshes::{Flat, Point, fan, grid, triangulation};
 use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
-use crate::reference::coverage::{self, Bounds, Snapped, area2, centre};
+use crate::reference::coverage::{self, Bounds, Snapped, area2, center};
 use crate::reference::distance::to_segment;
 use crate::reference::view::unsnap;
 use fixel::prelude::*;
-use fixel::view::Kind;
+use fixel::view::ProjectionKind;
 use proptest::prelude::*;
 
 /// Draws a mesh through the pixel projection, having checked that each vertex is where it should be.
-fn draw(mesh: &Flat, size: (u32, u32), pass: &DrawOptions) -> Vec<u32> {
+fn draw(mesh: &Flat, size: (u32, u32), options: &DrawOptions) -> Vec<u32> {
     let projection = pixel_lens(size);
     let mut counter = Counter::new(size);
     let positions: Vec<Vec3> = mesh.points.iter().copied().map(at_subpixel).collect();
@@ -24,13 +24,13 @@ fn draw(mesh: &Flat, size: (u32, u32), pass: &DrawOptions) -> Vec<u32> {
         assert_eq!(counter.snapped(&projection, position), Some(point));
     }
     let mesh = Mesh::new(&positions, &mesh.faces).unwrap();
-    let drawn = counter.draw(pass, &mesh, &projection);
+    let drawn = counter.draw(options, &mesh, &projection);
     assert_eq!(drawn.clipped, 0);
     counter.take()
 }
 
 /// Where vertices may be: on pixel corners, on sixteenths, on any of 256 places, or mostly on
-/// centres, where the rule for ties decides.
+/// centers, where the rule for ties decides.
 fn places(range: std::ops::Range<i32>) -> impl Strategy<Value = Vec<Point>> {
     let grain = prop_oneof![
         Just((256, 0)),
@@ -123,9 +123,9 @@ proptest! {
             .pixels()
             .map(|pixel| u32::from(centers(0, pixel) && centers(1, pixel)))
             .collect();
-        let once = |mesh: &Flat, pass: &DrawOptions| {
+        let once = |mesh: &Flat, options: &DrawOptions| {
             prop_assert_eq!(
-                coverage::picture(&draw(mesh, SIZE, pass), SIZE.0),
+                coverage::picture(&draw(mesh, SIZE, options), SIZE.0),
                 coverage::picture(&expected, SIZE.0)
             );
             Ok(())
@@ -180,7 +180,7 @@ fn all_small_triangles() {
     }
 }
 
-/// Every triangle with its corners within two subpixels of a pixel's centre or corner.
+/// Every triangle with its corners within two subpixels of a pixel's center or corner.
 #[test]
 fn all_tiny_triangles() {
     const SIDE: i32 = 5;
@@ -195,7 +195,7 @@ fn all_tiny_triangles() {
     }
 }
 
-fn every_triangle<K: Kind>(counter: &mut Counter, projection: &Mvp<K>, points: &[Point]) {
+fn every_triangle<K: ProjectionKind>(counter: &mut Counter, projection: &Mvp<K>, points: &[Point]) {
     let (width, height) = counter.size;
     let positions: Vec<Vec3> = points.iter().copied().map(at_subpixel).collect();
     let count = u16::try_from(points.len()).unwrap();
@@ -316,7 +316,7 @@ proptest! {
                 let [a, b, c] = corners.map(unsnap);
                 let near = [(a, b), (b, c), (c, a)]
                     .into_iter()
-                    .map(|(a, b)| to_segment(a, b, centre(pixel)))
+                    .map(|(a, b)| to_segment(a, b, center(pixel)))
                     .fold(f64::MAX, f64::min);
                 prop_assert!(count < 2 && near < 1. / 256., "{:?}: {} of {}, {} from an edge", pixel, count, model, near);
             }

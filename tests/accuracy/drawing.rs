@@ -1,23 +1,13 @@
 //! Drawing with a shader that writes down what it gets.
 
-use std::cell::RefCell;
-
 use embedded_graphics::pixelcolor::Gray8;
-use fixel::mode::Tolerance;
 use fixel::prelude::*;
-use fixel::view::Kind;
+use fixel::target::DepthFormat;
+use fixel::view::ProjectionKind;
 
 use crate::mode::Mode;
-
-/// What a shader was given at a pixel.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Seen<const N: usize> {
-    pub pixel: [i32; 2],
-    /// The triangle's place in the mesh.
-    pub face: usize,
-    pub depth: u16,
-    pub values: [i32; N],
-}
+pub use crate::recorder::Seen;
+use crate::recorder::{Coordinates, Few, Probe, record};
 
 /// Where a point is: in 1/256 pixel, and its depth as it would be stored.
 #[derive(Clone, Copy, Debug)]
@@ -30,65 +20,37 @@ pub struct Spot {
 /// What a test wants interpolated.
 type Values<'a, const N: usize> = &'a dyn Fn(&Corner<'_>) -> [i32; N];
 
-/// A shader that writes down every pixel that it is asked for.
-#[derive(Clone, Copy)]
-struct Recorder<'a, const N: usize> {
-    seen: &'a RefCell<Vec<Seen<N>>>,
-    values: Values<'a, N>,
-    face: usize,
-    /// Whether the pixel is drawn, and its depth with it.
-    draws: bool,
-}
-
-impl<const N: usize> Shader<N> for Recorder<'_, N> {
-    type Color = Gray8;
-
-    const TOLERANCES: [Tolerance; N] = [Tolerance::Texels; N];
-
-    fn varyings(&self, vertex: &Corner<'_>) -> [i32; N] {
-        (self.values)(vertex)
-    }
-
-    fn face(self, _: &mut [[i32; N]; 3], face: &Face<'_>) -> Self {
-        Self {
-            face: face.index(),
-            ..self
-        }
-    }
-
-    fn shade(&self, sample: &Fragment, values: [i32; N]) -> Option<Gray8> {
-        self.seen.borrow_mut().push(Seen {
-            pixel: [sample.point.x, sample.point.y],
-            face: self.face,
-            depth: sample.depth,
-            values,
-        });
-        self.draws.then_some(Gray8::new(255))
-    }
-}
-
 /// What is drawn, and how.
 pub struct Drawing<'a, K> {
     pub size: (u32, u32),
     /// All but the mode.
-    pub pass: DrawOptions,
+    pub options: DrawOptions,
     pub mode: Mode,
     pub mesh: Mesh<'a>,
     pub mvp: Mvp<K>,
 }
 
-impl<K: Kind> Drawing<'_, K> {
+impl<K: ProjectionKind> Drawing<'_, K> {
     /// Every pixel of every triangle, hidden ones too, in the order drawn.
-    pub fn all<const N: usize>(&self, values: Values<'_, N>) -> Vec<Seen<N>> {
+    pub fn all<const N: usize>(&self, values: Values<'_, N>) -> Vec<Seen<N>>
+    where
+        [(); N]: Few<N>,
+    {
         self.record(values, false)
     }
 
     /// Every pixel that passes the depth test as it is drawn; the last at a place is what shows.
-    pub fn shown<const N: usize>(&self, values: Values<'_, N>) -> Vec<Seen<N>> {
+    pub fn shown<const N: usize>(&self, values: Values<'_, N>) -> Vec<Seen<N>>
+    where
+        [(); N]: Few<N>,
+    {
         self.record(values, true)
     }
 
-    fn record<const N: usize>(&self, values: Values<'_, N>, draws: bool) -> Vec<Seen<N>> {
+    fn record<const N: usize>(&self, values: Values<'_, N>, draws: bool) -> Vec<Seen<N>>
+    where
+        [(); N]: Few<N>,
+    {
         let (width, height) = self.size;
         let mut pixels = vec![Gray8::new(0); width as usize * height as usize];
         let mut depth = vec![0; pixels.len()];
@@ -96,32 +58,37 @@ impl<K: Kind> Drawing<'_, K> {
             .unwrap()
             .with_depth(&mut depth)
             .unwrap();
-        let seen = RefCell::new(Vec::new());
-        let recorder = Recorder {
-            seen: &seen,
-            values,
-            face: 0,
-            draws,
-        };
         let Self {
-            mode, pass, mesh, ..
+            mode,
+            options,
+            mesh,
+            ..
         } = self;
-        mode.draw(&mut canvas, pass, mesh, &self.mvp, &recorder);
-        seen.into_inner()
+        let probe = Probe {
+            values: &|corner| Coordinates(values(corner)),
+            color: draws.then_some(Gray8::new(255)),
+        };
+        let record = record(probe, |recorder| {
+            mode.draw(&mut canvas, options, mesh, &self.mvp, recorder);
+        });
+        record.seen
     }
 
-    /// What a depth buffer of floating-point numbers then holds, row by row.
-    pub fn float_depths(&self) -> Vec<u16> {
+    /// The depths that a buffer of this format then holds, row by row.
+    pub fn depths<F: DepthFormat>(&self) -> Vec<u16> {
         let (width, height) = self.size;
         let mut pixels = vec![Gray8::new(0); width as usize * height as usize];
         let mut depth = vec![0; pixels.len()];
         let canvas = Canvas::new(&mut pixels, width, height).unwrap();
-        let mut canvas = canvas.with_float_depth(&mut depth).unwrap();
+        let mut canvas = canvas.with_depth_format::<F>(&mut depth).unwrap();
         let Self {
-            mode, pass, mesh, ..
+            mode,
+            options,
+            mesh,
+            ..
         } = self;
         // Varyings of its own make the modes do what they do.
-        mode.draw(&mut canvas, pass, mesh, &self.mvp, &Gouraud::new());
+        mode.draw(&mut canvas, options, mesh, &self.mvp, &Gouraud::new());
         depth
     }
 
@@ -141,7 +108,7 @@ impl<K: Kind> Drawing<'_, K> {
         points
             .iter()
             .map(|&point| {
-                let place = canvas.project(&self.pass, &self.mvp, point)?;
+                let place = canvas.project(&self.options, &self.mvp, point)?;
                 Some(Spot {
                     x: place.x.to_bits(),
                     y: place.y.to_bits(),

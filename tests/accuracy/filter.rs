@@ -1,4 +1,4 @@
-//! Textures between their texels: the crate's colours against the f64 model.
+//! Textures between their texels: the crate's colors against the f64 model.
 
 use std::fmt::Debug;
 
@@ -10,10 +10,11 @@ use embedded_graphics::pixelcolor::{
     RgbColor,
 };
 use fixel::prelude::*;
-use fixel::shade::Blend;
+use fixel::shade::{Lanes, Varyings};
+use fixel::texture::Blend;
 use proptest::prelude::*;
 
-/// A colour that can be taken apart.
+/// A color that can be taken apart.
 trait Parts: Blend + Debug {
     /// Units of weight from one texel to the next.
     const UNITS: f64;
@@ -54,8 +55,8 @@ parts! {
 
 /// What the documentation promises of a channel, in steps.
 ///
-/// The place is rounded to the nearest of `units` between two centres, so it is off by half a unit at most
-/// along each axis, and stays between the same centres. There the colour changes, along either axis, by
+/// The place is rounded to the nearest of `units` between two centers, so it is off by half a unit at most
+/// along each axis, and stays between the same centers. There the color changes, along either axis, by
 /// no more per texel than the texels around differ: together by their difference / `units`. Rounding the two
 /// rows takes half a step at most, and as their mean keeps that, rounding what is between them another half.
 fn allowed<C: Parts>(model: &Blended) -> f64 {
@@ -71,12 +72,16 @@ fn channel<C: Parts, const W: usize, const H: usize>(
     texels.iter().map(row).collect()
 }
 
-/// The colour that a shader gives texels that are looked up at (u, v), in texels of 16 fraction bits.
-fn shade<F: Shader<N>, const N: usize>(shader: &F, varyings: [i32; N]) -> F::Color {
+/// What a shader has interpolated.
+type Numbers<F> = <<<F as Shader>::Varyings as Varyings>::Lanes as Lanes>::Of<i32>;
+
+/// The color that a shader gives texels that are looked up at (u, v), in texels of 16 fraction bits.
+fn shade<F: Shader>(shader: &F, numbers: Numbers<F>) -> F::Color {
     let sample = Fragment {
         point: Point::zero(),
         depth: 0,
     };
+    let varyings = F::Varyings::join(numbers, Default::default());
     shader.shade(&sample, varyings).unwrap()
 }
 
@@ -104,7 +109,7 @@ fn compare<C: Parts, const W: usize, const H: usize>(
     Ok(())
 }
 
-/// Texels of any colour, or of the darkest and the brightest.
+/// Texels of any color, or of the darkest and the brightest.
 fn texels<C: Parts, const W: usize, const H: usize>() -> impl Strategy<Value = [[C; W]; H]> {
     let raw = prop_oneof![any::<u32>(), Just(0), Just(!0)];
     proptest::collection::vec(raw, W * H).prop_map(|list| {
@@ -127,7 +132,7 @@ fn place() -> impl Strategy<Value = [i32; 2]> {
     [axis(), axis()]
 }
 
-/// A test for a colour: sizes down to a single texel, which is its own neighbour.
+/// A test for a color: sizes down to a single texel, which is its own neighbor.
 macro_rules! against_the_model {
     ($($name:ident $color:ident)+) => {proptest! {$(
         #[test]
@@ -159,14 +164,14 @@ against_the_model! {
     gray8 Gray8
 }
 
-fn exact_at_centres<C: Parts>(texels: &[[C; 4]; 2]) {
+fn exact_at_centers<C: Parts>(texels: &[[C; 4]; 2]) {
     let skin = Textured::new(texels).bilinear();
     for v in -5..7 {
         for u in -9..13 {
-            let centre = [u, v].map(|at| (at << 16) + (1 << 15));
+            let center = [u, v].map(|at| (at << 16) + (1 << 15));
             let texel = |wrap: Wrap| texels[wrap.index(v.into(), 2)][wrap.index(u.into(), 4)];
-            assert_eq!(shade(&skin, centre), texel(Wrap::Repeat), "({u}, {v})");
-            let clamped = shade(&skin.clamped(), centre);
+            assert_eq!(shade(&skin, center), texel(Wrap::Repeat), "({u}, {v})");
+            let clamped = shade(&skin.clamped(), center);
             assert_eq!(clamped, texel(Wrap::Clamp), "({u}, {v})");
         }
     }
@@ -174,30 +179,30 @@ fn exact_at_centres<C: Parts>(texels: &[[C; 4]; 2]) {
 
 proptest! {
     #[test]
-    fn centres_are_the_texels(
+    fn centers_are_the_texels(
         rgb565 in texels::<Rgb565, 4, 2>(),
         rgb666 in texels::<Rgb666, 4, 2>(),
         rgb888 in texels::<Rgb888, 4, 2>(),
         gray8 in texels::<Gray8, 4, 2>(),
     ) {
-        exact_at_centres(&rgb565);
-        exact_at_centres(&rgb666);
-        exact_at_centres(&rgb888);
-        exact_at_centres(&gray8);
+        exact_at_centers(&rgb565);
+        exact_at_centers(&rgb666);
+        exact_at_centers(&rgb888);
+        exact_at_centers(&gray8);
     }
 
-    /// However the texels are stored, and whatever is done with the colour afterwards.
+    /// However the texels are stored, and whatever is done with the color afterwards.
     #[test]
-    fn palettes_light_and_vertex_colours(
+    fn palettes_light_and_vertex_colors(
         indices in any::<[u8; 8]>(),
         colors in texels::<Rgb565, 256, 1>(),
         place in place(),
     ) {
-        let palette: Palette<Rgb565, 4, 2> = Palette::new(&indices, &colors[0]);
+        let palette: PaletteArray<Rgb565, 4, 2> = PaletteArray::new(&indices, &colors[0]);
         let mut list = indices.iter().map(|&index| colors[0][usize::from(index)]);
         let rows: [[Rgb565; 4]; 2] =
             std::array::from_fn(|_| std::array::from_fn(|_| list.next().unwrap()));
-        let texture = Texture::from_texels(rows);
+        let texture = TextureArray::from_texels(rows);
         let plain = Textured::new(&rows).bilinear();
         let color = shade(&plain, place);
         let edge = shade(&plain.clamped(), place);
@@ -210,7 +215,7 @@ proptest! {
         let sun = Light::new(Vec3::Y, fx!(0), fx!(1)).unwrap();
         prop_assert_eq!(shade(&skin.bilinear().lit(sun), [u, v, 1 << 16]), color);
         let white = [u, v, 1 << 16, 1 << 16, 1 << 16];
-        prop_assert_eq!(shade(&skin.bilinear().modulated(), white), color);
+        prop_assert_eq!(shade(&skin.bilinear().tinted(), white), color);
     }
 }
 
@@ -221,9 +226,9 @@ const TEXELS: usize = 4;
 const RATIO: u32 = 16;
 
 /// A square that fills the picture.
-fn picture<F: Shader<2, Color = Rgb888>>(shader: &F) -> Vec<[f64; 3]> {
+fn picture<F: Shader<Color = Rgb888>>(shader: &F) -> Vec<[f64; 3]> {
     static SQUARE: Mesh = shape!(plane(1, 1));
-    let window = Projection::orthographic(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(0), fx!(2));
+    let window = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2));
     let mvp = window.unwrap() * Camera::top(Vec3::ZERO, fx!(1));
     let mut pixels = vec![Rgb888::BLACK; (SIDE * SIDE) as usize];
     let mut canvas = Canvas::new(&mut pixels, SIDE, SIDE).unwrap();

@@ -1,9 +1,9 @@
-//! Depth in floating point and in linear steps, over near and far planes ever farther apart.
+//! Depth in each format, over near and far planes ever farther apart.
 
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::num::scalar;
 use fixel::prelude::*;
-use fixel::target::{DepthBuffer, Native};
+use fixel::target::{DepthBuffer, DepthFormat, Float, Linear, Native, WideFloat};
 use fixel::view::Perspective;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
@@ -50,10 +50,10 @@ fn wrong<D: DepthBuffer>(
     gap: f64,
 ) -> usize {
     canvas.clear(Gray8::new(0));
-    for (grey, scale) in [(1, 1.), (2, 1. + gap)] {
+    for (gray, scale) in [(1, 1.), (2, 1. + gap)] {
         let positions = wall(distances.map(|w| w * scale));
         let mesh = Mesh::new(&positions, &[[0, 1, 2], [0, 2, 3]]).unwrap();
-        let shade = Flat::new(Gray8::new(grey));
+        let shade = Flat::new(Gray8::new(gray));
         mode.draw(
             &mut canvas,
             &DrawOptions::new(),
@@ -67,78 +67,118 @@ fn wrong<D: DepthBuffer>(
     canvas.pixels().filter(wrong).count()
 }
 
-/// Walls a hundredth and a thousandth apart, straight and slanting, in front of each other at all distances that there
-/// are; in floating point each hides the one behind it, in linear steps as far as these are finer than the gap.
+/// Distances from `first` on, each `factor` times as far as the one before.
+fn series(first: f64, factor: f64) -> impl Iterator<Item = f64> {
+    std::iter::successors(Some(first), move |w| Some(w * factor)).take_while(|&w| w < 32_768.)
+}
+
+/// Draws two walls in a mode and format; how many pixels show the one behind.
+fn wrong_in<F: DepthFormat>(
+    mode: Mode,
+    projection: Projection<Perspective>,
+    distances: [f64; 2],
+    gap: f64,
+) -> usize {
+    let mut colors = [Gray8::new(0); 64 * 48];
+    let mut depths = [0; 64 * 48];
+    let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
+    let canvas = canvas.with_depth_format::<F>(&mut depths).unwrap();
+    wrong(mode, canvas, projection, distances, gap)
+}
+
+/// Whether a format with steps of `step` of the distance is certain to tell two walls apart.
+fn is_certain(step: f64, near_end: f64, slant: f64, gap: f64) -> bool {
+    // A vertex is rounded to 2^-17, and to 1/512 pixel of 64, along which w changes by up to a sixteenth a pixel: twice
+    // 2^-17 / near_end and 1/8192 must be well below the gap less a step.
+    gap - step - 2. / 8192. * (slant - 1.) / 3. > 3e-5 / near_end
+}
+
+/// Walls a hundredth and a thousandth apart, straight and slanting, in front of each other at all distances up to the
+/// far plane. In floating point each hides the one behind it, as far as the format reaches; in linear steps it does as
+/// long as they are finer than the gap.
 #[test]
 fn what_is_behind_stays_behind() {
-    const NEAR: f64 = 0.25;
-    for ratio in [10., 100., 1e3, 1e4, 65_536.] {
-        let projection = projection(NEAR, NEAR * ratio);
+    for (near, ratio) in [
+        (0.25, 10.),
+        (0.25, 100.),
+        (0.25, 1e3),
+        (0.25, 1e4),
+        (0.25, 65_536.),
+        (1. / 32., 1e6),
+    ] {
+        let projection = projection(near, near * ratio);
         for gap in [0.01, 0.001] {
-            let (mut walls, mut linear_fails) = (0, 0);
+            let (mut walls, mut linear_fails, mut float_fails) = (0, 0, 0);
             for slant in [1., 4.] {
-                let mut near_end = 1.02 * NEAR;
+                // At all distances; and where 1/w of the two walls have different exponents, as a power of two is between.
+                let near_ends = series(1.02 * near, 1.37).chain(series(1.99 * near, 2.));
                 // At the far plane itself linear depths are all 0; the wall behind is to be before it.
-                while near_end * slant * (1. + gap) < 0.99 * NEAR * ratio {
+                let is_before = |w: &f64| w * slant * (1. + gap) < 0.99 * near * ratio;
+                for near_end in near_ends.filter(is_before) {
                     let distances = [near_end, near_end * slant];
-                    // A vertex is rounded to 2^-17, and to 1/512 pixel of 64, along which w changes by up to
-                    // a sixteenth a pixel: twice 2^-17 / 0.25 and 1/8192 must be well below the gap less a step of 1/4096.
-                    let is_certain =
-                        gap - 1. / 4096. - 2. / 8192. * (slant - 1.) / 3. > 3e-5 / near_end;
+                    // The largest distance that is not stored as 0 is one step short of the end of the range.
+                    let float_reaches = distances[1] * (1. + gap) < 65_500. * near;
+                    let mut fails = false;
                     for mode in Mode::PERSPECTIVE {
-                        let mut colors = [Gray8::new(0); 64 * 48];
-                        let mut depths = [0; 64 * 48];
-                        let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
-                        let canvas = canvas.with_float_depth(&mut depths).unwrap();
-                        let pixels = wrong(mode, canvas, projection, distances, gap);
+                        let pixels = wrong_in::<Float>(mode, projection, distances, gap);
+                        fails |= pixels > 0;
                         assert!(
-                            pixels == 0 || !is_certain,
+                            pixels == 0
+                                || !float_reaches
+                                || !is_certain(1. / 4096., near_end, slant, gap),
                             "{mode:?}: {pixels} wrong at {distances:?}, gap {gap}"
                         );
+                        let pixels = wrong_in::<WideFloat>(mode, projection, distances, gap);
+                        assert!(
+                            pixels == 0 || !is_certain(1. / 2048., near_end, slant, gap),
+                            "wide, {mode:?}: {pixels} wrong at {distances:?}, gap {gap}"
+                        );
                     }
-                    let mut colors = [Gray8::new(0); 64 * 48];
-                    let mut depths = [0; 64 * 48];
-                    let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
-                    let canvas = canvas.with_depth(&mut depths).unwrap();
-                    let pixels = wrong(Mode::Newton, canvas, projection, distances, gap);
-                    let steps = 65535. * NEAR / distances[1] * (1. - 1. / (1. + gap));
+                    let pixels = wrong_in::<Linear>(Mode::Newton, projection, distances, gap);
+                    let steps = 65535. * near / distances[1] * (1. - 1. / (1. + gap));
                     assert!(
                         pixels == 0 || steps < 1.5,
                         "linear: {distances:?}, {steps} steps"
                     );
                     walls += 1;
                     linear_fails += usize::from(pixels > 0);
-                    near_end *= 1.37;
+                    float_fails += usize::from(fails);
                 }
             }
-            println!("far/near {ratio}, gap {gap}: {walls} walls, linear wrong at {linear_fails}");
+            println!(
+                "far/near {ratio}, gap {gap}: {walls} walls, linear wrong at {linear_fails}, float at {float_fails}"
+            );
             // A step of linear depth is 1/65535 of the ratio between near plane and wall.
             let is_too_much = ratio > 2. * 65535. * gap;
             assert!(
                 linear_fails > 0 || !is_too_much,
                 "far/near {ratio}, gap {gap}"
             );
+            assert!(float_fails > 0 || ratio < 2. * 65_536.);
         }
     }
 }
 
-/// What the code of a depth is before it is rounded down: the numbers between those that have one.
-fn code(depth: f64) -> f64 {
+/// The real number that a depth's code is rounded down from, for a format of so many bits of exponent.
+fn code(depth: f64, exponent_bits: i32) -> f64 {
+    let steps = 2_f64.powi(16 - exponent_bits);
     let exponent = depth.log2().floor();
-    4096. * (exponent - 1. + depth / exponent.exp2())
+    // A near plane of 2^16 has the last code.
+    steps * (exponent - 17. + 2_f64.powi(exponent_bits) + depth / exponent.exp2())
 }
 
 /// The near plane of these triangles.
 const NEAR: f64 = 1. / 64.;
 
-/// A triangle in any part of the range, its corners up to 4,096 times as far apart.
-fn triangles() -> impl Strategy<Value = [Vec3; 3]> {
+/// A triangle in any part of the range up to `farthest`, its corners up to 4,096 times as far apart.
+fn triangles(farthest: f64) -> impl Strategy<Value = [Vec3; 3]> {
     let corner = || ([-8_f64..72., -8_f64..56.], 0_f64..1.);
-    ([corner(), corner(), corner()], 0_f64..15., 0_f64..12.).prop_map(
-        |(corners, nearest, octaves)| {
+    let octaves = (farthest / 2000. * 32_768.).log2();
+    ([corner(), corner(), corner()], 0_f64..octaves, 0_f64..12.).prop_map(
+        move |(corners, nearest, octaves)| {
             corners.map(|(at, along)| {
                 let w = NEAR * 1.02 * (nearest + octaves * along).exp2();
-                unproject(at, w.min(2000.))
+                unproject(at, w.min(farthest))
             })
         },
     )
@@ -156,26 +196,28 @@ fn triangle(positions: [Vec3; 3]) -> Triangle<Perspective, 0> {
     }
 }
 
-/// Depths are those of the model, rounded down, in every mode: within a step, and what interpolation may be off by.
-#[test]
-fn float_depths_are_the_models() {
+/// Draws triangles in every mode. Each depth must be the model's, rounded down: within a step and the error of
+/// interpolation.
+fn depths_are_the_models<F: DepthFormat>(exponent_bits: i32, farthest: f64) {
     let mut runner = TestRunner::deterministic();
     let (mut pixels, mut most) = (0, 0_f64);
     for _ in 0..2000 {
-        let triangle = triangle(triangles().new_tree(&mut runner).unwrap().current());
+        let triangle = triangle(triangles(farthest).new_tree(&mut runner).unwrap().current());
         let Some(screen) = triangle.screen() else {
             continue;
         };
         let model = triangle.model(screen);
         let nearest = triangle.w.into_iter().fold(f64::MAX, f64::min);
         for mode in Mode::PERSPECTIVE {
-            let depths = triangle.float_depths(mode);
+            let depths = triangle.depths::<F>(mode);
             for at in &model {
                 let [x, y] = at.pixel.map(|at| usize::try_from(at).unwrap());
                 let stored = f64::from(depths[y * SIZE.0 as usize + x]);
-                // 1/w is off by so much of the nearest corner's, and a step is between 2^-13 and 2^-12 of it.
-                let error = 8192. * bounds::inverse_w(triangle.w) * at.w / nearest;
-                let wanted = code(at.depth);
+                // 1/w is wrong by so much of the nearest corner's, and a code of 16 - e bits of mantissa stands for a
+                // relative step of between 2^-(17 - e) and 2^-(16 - e).
+                let error =
+                    2_f64.powi(17 - exponent_bits) * bounds::inverse_w(triangle.w) * at.w / nearest;
+                let wanted = code(at.depth, exponent_bits);
                 assert!(
                     stored <= wanted.max(0.) + error && wanted < stored + 1. + error,
                     "{mode:?}: {:?} at {:?}: depth {stored} is not {wanted}, within {error}",
@@ -191,6 +233,19 @@ fn float_depths_are_the_models() {
             }
         }
     }
-    println!("{pixels} depths in floating point, {most:.3} outside their step at most");
+    println!(
+        "{pixels} depths with {exponent_bits} bits of exponent, {most:.3} outside their step at most"
+    );
     assert!(pixels > 200_000 && most <= 1., "{pixels} pixels, {most}");
+}
+
+#[test]
+fn float_depths_are_the_models() {
+    depths_are_the_models::<Float>(4, 2000.);
+}
+
+/// Up to two million times as far as the near plane.
+#[test]
+fn wide_float_depths_are_the_models() {
+    depths_are_the_models::<WideFloat>(5, 31_000.);
 }

@@ -1,7 +1,6 @@
 //! Lines and points: which pixels, in exact integers; depth and attributes along a line against the f64 model.
 
-use std::cell::RefCell;
-
+use crate::common::recorder::{Probe, Seen, record};
 use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
 use crate::reference::clip::{ClipVertex, DEPTH_PLANES};
 use crate::reference::coverage::{Bounds, picture};
@@ -10,7 +9,7 @@ use crate::reference::lines::Line;
 use crate::reference::{projection, view};
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
-use fixel::view::{Kind, Perspective};
+use fixel::view::{Perspective, ProjectionKind};
 use proptest::prelude::*;
 
 /// A place in 24.8.
@@ -19,7 +18,7 @@ type Point = [i32; 2];
 /// Wider than a run of 64 pixels, at which values are found afresh.
 const SIZE: (u32, u32) = (150, 28);
 
-/// The pixels of a line between two snapped ends: for each column whose centre it passes the pixel that it
+/// The pixels of a line between two snapped ends: for each column whose center it passes the pixel that it
 /// passes it in (rows, for a line that is steeper than 45°), the end with the lesser coordinate included
 /// and the other one not. In exact integers, for each pixel by itself.
 fn on_line([a, b]: [Point; 2], pixel: [i32; 2]) -> bool {
@@ -31,7 +30,7 @@ fn on_line([a, b]: [Point; 2], pixel: [i32; 2]) -> bool {
     if center < a[major] || center >= b[major] {
         return false;
     }
-    // Where it passes the centre: a + (center - a) · slope, a rational number; the floor of it.
+    // Where it passes the center: a + (center - a) · slope, a rational number; the floor of it.
     let length = i64::from(b[major] - a[major]);
     let rise = i64::from(b[minor] - a[minor]);
     let over = i64::from(a[minor]) * length + i64::from(center - a[major]) * rise;
@@ -69,7 +68,7 @@ fn modelled(points: &[Point], edges: &[[u16; 2]]) -> Vec<u32> {
         .collect()
 }
 
-/// On pixel corners, on centres, on any subpixel; in the picture and about it.
+/// On pixel corners, on centers, on any subpixel; in the picture and about it.
 fn places() -> impl Strategy<Value = Point> {
     prop_oneof![
         [-10..160i32, -10..40].prop_map(|p| p.map(|at| at * 256)),
@@ -92,7 +91,7 @@ proptest! {
     }
 
     /// Lines end to end that keep their direction (within 45° of an axis) draw no pixel twice and leave no gap:
-    /// a pixel for each centre from the first end to the last.
+    /// a pixel for each center from the first end to the last.
     #[test]
     fn polylines_draw_no_pixel_twice(
         start in places(), steps in prop::collection::vec((0..900i32, -256..=256i32), 1..12), steep: bool, back: bool
@@ -137,37 +136,27 @@ proptest! {
 /// A pixel as it was drawn, with its attribute and depth.
 type Drawn = ([i32; 2], i32, u16);
 
-/// Records the position's x as it is interpolated.
-#[derive(Clone, Copy)]
-struct Record<'a>(&'a RefCell<Vec<Drawn>>);
-
-impl Shader<1> for Record<'_> {
-    type Color = Gray8;
-
-    fn varyings(&self, vertex: &Corner) -> [i32; 1] {
-        [vertex.position().x.to_bits()]
-    }
-
-    fn shade(&self, sample: &Fragment, [x]: [i32; 1]) -> Option<Gray8> {
-        self.0
-            .borrow_mut()
-            .push(([sample.point.x, sample.point.y], x, sample.depth));
-        Some(Gray8::new(1))
-    }
-}
-
-fn recorded<K: Kind>(mvp: &Mvp<K>, ends: [Vec3; 2], edge: [u16; 2]) -> (Vec<Drawn>, Vec<u16>) {
-    let drawing = RefCell::default();
+/// A line's pixels with the position's x as it is interpolated.
+fn recorded<K: ProjectionKind>(
+    mvp: &Mvp<K>,
+    ends: [Vec3; 2],
+    edge: [u16; 2],
+) -> (Vec<Drawn>, Vec<u16>) {
     let pixels = (SIZE.0 * SIZE.1) as usize;
     let (mut colors, mut depths) = (vec![Gray8::new(0); pixels], vec![0; pixels]);
     let edges = [edge];
     let mesh = Mesh::new(&ends, &[]).unwrap().with_edges(&edges).unwrap();
     let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
-    canvas
-        .with_depth(&mut depths)
-        .unwrap()
-        .draw_edges(&BOTH_SIDES, &mesh, mvp, &Record(&drawing));
-    (drawing.into_inner(), depths)
+    let mut canvas = canvas.with_depth(&mut depths).unwrap();
+    let probe = Probe {
+        values: &|corner| [corner.position().x.to_bits()],
+        color: Some(Gray8::new(1)),
+    };
+    let record = record(probe, |recorder| {
+        canvas.draw_edges(&BOTH_SIDES, &mesh, mvp, recorder);
+    });
+    let drawn = |seen: Seen<1>| (seen.pixel, seen.values[0], seen.depth);
+    (record.seen.into_iter().map(drawn).collect(), depths)
 }
 
 const NEAR: f64 = 0.25;
@@ -207,7 +196,7 @@ proptest! {
     /// model has there, and no pixel of it is missing.
     ///
     /// The ends are rounded to 1/256 pixel, which moves the line, along and across, by less than 1/256: so where
-    /// it passes a centre it may be in the next pixel if it is that near to its edge, and its values are those of a
+    /// it passes a center it may be in the next pixel if it is that near to its edge, and its values are those of a
     /// place that near.
     #[test]
     fn lines_in_perspective(ends in ends()) {
@@ -274,7 +263,7 @@ proptest! {
             prop_assert!(off <= room, "{:?}: x {} instead of {}: off by {}, not {}", [x, y], attribute, value.attributes[0], off, room);
         }
 
-        // Each centre passed, if the line is inside the picture there, has its pixel.
+        // Each center passed, if the line is inside the picture there, has its pixel.
         let (count, others) = if major == 0 { (SIZE.0, SIZE.1) } else { (SIZE.1, SIZE.0) };
         for step in 0..i32::try_from(count).unwrap() {
             let center = f64::from(step) + 0.5;

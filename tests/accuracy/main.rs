@@ -13,6 +13,8 @@ mod fuzzed;
 #[path = "../reference/mod.rs"]
 mod reference;
 
+use common::recorder;
+
 mod bounds;
 mod bumpy;
 mod clipped_values;

@@ -1,10 +1,10 @@
 //! The modes of interpolation as values, to be gone through.
 
 use embedded_graphics::pixelcolor::Gray8;
-use fixel::mode::{Affine, Exact, Fast, Linear, Newton};
+use fixel::mode::{Affine, Exact, Fast, Newton};
 use fixel::prelude::*;
 use fixel::target::{DepthBuffer, Native};
-use fixel::view::Kind;
+use fixel::view::ProjectionKind;
 
 /// A mode, and what it was asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,7 +14,6 @@ pub enum Mode {
     /// To so many texels.
     Fast(Scalar),
     Affine,
-    Linear,
 }
 
 impl Mode {
@@ -33,18 +32,17 @@ impl Mode {
     ];
 
     /// Those that differ in a parallel projection, and those that are to be the same as they.
-    pub const PARALLEL: [Self; 5] = [
+    pub const PARALLEL: [Self; 4] = [
         Self::Exact,
         Self::Newton,
         Self::Fast(fx!(0.25)),
         Self::Affine,
-        Self::Linear,
     ];
 
     /// The mode that this one is in a parallel projection.
     pub fn in_parallel(self) -> Self {
         match self {
-            Self::Exact | Self::Linear => Self::Linear,
+            Self::Exact => Self::Exact,
             Self::Newton | Self::Fast(_) | Self::Affine => Self::Affine,
         }
     }
@@ -54,7 +52,7 @@ impl Mode {
         match self {
             Self::Exact | Self::Newton => 0.001,
             Self::Fast(_) => self.tolerance() + 1. / 32.,
-            Self::Affine | Self::Linear => f64::INFINITY,
+            Self::Affine => f64::INFINITY,
         }
     }
 
@@ -67,22 +65,21 @@ impl Mode {
     }
 
     /// Draws in this mode, whatever mode the pass has.
-    pub fn draw<K: Kind, F: Shader<N, Color = Gray8>, D: DepthBuffer, const N: usize>(
+    pub fn draw<K: ProjectionKind, F: Shader<Color = Gray8>, D: DepthBuffer>(
         self,
         canvas: &mut Canvas<'_, Gray8, Native, D>,
-        pass: &DrawOptions,
+        options: &DrawOptions,
         mesh: &Mesh<'_>,
         mvp: &Mvp<K>,
         shader: &F,
     ) {
         match self {
-            Self::Exact => canvas.draw_with(&pass.mode(Exact), mesh, mvp, shader),
-            Self::Newton => canvas.draw_with(&pass.mode(Newton), mesh, mvp, shader),
+            Self::Exact => canvas.draw_with(&options.mode(Exact), mesh, mvp, shader),
+            Self::Newton => canvas.draw_with(&options.mode(Newton), mesh, mvp, shader),
             Self::Fast(texels) => {
-                canvas.draw_with(&pass.mode(Fast::within(texels)), mesh, mvp, shader)
+                canvas.draw_with(&options.mode(Fast::within(texels)), mesh, mvp, shader)
             }
-            Self::Affine => canvas.draw_with(&pass.mode(Affine), mesh, mvp, shader),
-            Self::Linear => canvas.draw_with(&pass.mode(Linear), mesh, mvp, shader),
+            Self::Affine => canvas.draw_with(&options.mode(Affine), mesh, mvp, shader),
         };
     }
 }

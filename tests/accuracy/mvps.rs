@@ -2,7 +2,7 @@
 
 use fixel::num::scalar;
 use fixel::prelude::*;
-use fixel::view::{Kind, Parallel, Perspective};
+use fixel::view::{Parallel, Perspective, ProjectionKind};
 use proptest::prelude::*;
 
 use crate::drawing::{Drawing, Spot};
@@ -54,7 +54,7 @@ fn perspective(fov: Angle, near: f64, far: f64) -> (Projection<Perspective>, Len
 }
 
 /// Compares where a point is with the model.
-fn compare<K: Kind>(
+fn compare<K: ProjectionKind>(
     (projection, model): (Projection<K>, Lens),
     moves: &[Move],
     viewport: Viewport,
@@ -63,7 +63,7 @@ fn compare<K: Kind>(
     let (transform, eye) = product(moves);
     let drawing = Drawing {
         size: SIZE,
-        pass: DrawOptions::new().viewport(viewport),
+        options: DrawOptions::new().viewport(viewport),
         mode: Mode::Exact,
         mesh: Mesh::new(&[], &[]).unwrap(),
         mvp: projection * transform,
@@ -211,7 +211,8 @@ proptest! {
     ) {
         let [l, r, b, t, n] = [left, left + size[0], bottom, bottom + size[1], near]
             .map(|x| scalar(x).unwrap());
-        let projection = Projection::frustum(l, r, b, t, n, fx!(100)).unwrap();
+        let window = Window { left: l, right: r, bottom: b, top: t };
+        let projection = Projection::frustum(window, n, fx!(100)).unwrap();
         let [l, r, b, t, n] = [l, r, b, t, n].map(Scalar::to_num);
         let model = projection::frustum(l, r, b, t, n, 100.);
         let viewport = Viewport::new(0, 0, SIZE.0, SIZE.1).unwrap();
@@ -235,18 +236,19 @@ proptest! {
             [left, left + size[0], bottom, bottom + size[1], near, near + length]
                 .map(|x| scalar(x).unwrap());
         let exact = [l, r, b, t, n, f].map(Scalar::to_num::<f64>);
+        let window = Window { left: l, right: r, bottom: b, top: t };
         let projection: (Projection<Parallel>, Lens) = match turn {
             None => {
                 let [l1, r1, b1, t1, n1, f1] = exact;
                 (
-                    Projection::orthographic(l, r, b, t, n, f).unwrap(),
+                    Projection::orthographic(window, n, f).unwrap(),
                     projection::orthographic(l1, r1, b1, t1, n1, f1),
                 )
             }
             Some((angle, ratio)) => {
                 let ratio = scalar(ratio).unwrap();
                 (
-                    Projection::oblique(angle, ratio, l, r, b, t, n, f).unwrap(),
+                    Projection::oblique(angle, ratio, window, n, f).unwrap(),
                     oblique(radians(angle), ratio.to_num(), exact),
                 )
             }
@@ -267,7 +269,7 @@ proptest! {
         let (transform, _) = product(&moves);
         let drawing = Drawing {
             size: SIZE,
-            pass: DrawOptions::new(),
+            options: DrawOptions::new(),
             mode: Mode::Exact,
             mesh: Mesh::new(&[], &[]).unwrap(),
             mvp: projection.0 * transform,

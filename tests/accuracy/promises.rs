@@ -146,6 +146,8 @@ struct Worst {
     allowed: f64,
     texels: f64,
     pixels: usize,
+    /// How many of these are over 256 times as far as the nearest corner.
+    deep: usize,
 }
 
 /// Repeats of a texture times the w of a pixel, in parts of the nearest corner's, up to which the promises hold.
@@ -157,8 +159,13 @@ struct Worst {
 /// roundings that all go one way, in a row as level as may be: up to 16 the promise is tested, and kept.
 /// `Fast` may use 1/32 texel besides its tolerance, of which its reciprocals of 16 bits take up to 0.0297 for one
 /// repeat (see `bounds::fast`), and so many times that for more: its promise is for one, of the run's farthest pixel.
-fn is_promised(mode: Mode, repeats: f64, far: f64) -> bool {
+///
+/// In a triangle so deep that `Exact` finds interpolants anew at each pixel, a numerator is off by half of its unit, which
+/// is 1/32 unit of 2⁻¹⁶ texel for each 1 of the product, and a corner's 1/w that is cut moves a value by 1/64: at 1,000 both
+/// are 47 units, with the quotient's 48½.
+fn is_promised(mode: Mode, is_precise: bool, repeats: f64, far: f64) -> bool {
     match mode {
+        Mode::Exact if is_precise => repeats * far <= 1000.,
         Mode::Fast(texels) if texels > 0 => repeats <= 1. && far <= 16.,
         _ => repeats * far <= 16.,
     }
@@ -198,7 +205,7 @@ impl Case {
                     let allowed = bounds::perspective(mode, corners, triangle.w, w, far_w);
                     assert!(error <= allowed, "{}, over {allowed}", at());
                     worst.allowed = worst.allowed.max(error / allowed);
-                    // Whatever the tolerance: or a colour would wrap from white to black. What is straight is so between
+                    // Whatever the tolerance: or a color would wrap from white to black. What is straight is so between
                     // places in the triangle, where an attribute is between those of the corners.
                     let [least, most] = [corners.iter().min(), corners.iter().max()]
                         .map(|end| f64::from(*end.unwrap()));
@@ -216,11 +223,13 @@ impl Case {
 
                     let most = corners.into_iter().map(i32::unsigned_abs).max();
                     let repeats = (f64::from(most.unwrap()) / REPEAT).max(1.);
-                    if is_promised(mode, repeats, far / nearest) {
+                    if is_promised(mode, bounds::is_precise(triangle.w), repeats, far / nearest) {
                         let texels = error / TEXEL;
                         assert!(texels <= mode.promised(), "{} is {texels} texels", at());
                         worst.texels = worst.texels.max(texels - tolerance);
                         worst.pixels += 1;
+                        let is_deep = bounds::is_precise(triangle.w) && far / nearest > 256.;
+                        worst.deep += usize::from(is_deep);
                     }
                 }
                 // Depths are of 16 bits at the near plane, 1/64 ahead.
@@ -261,6 +270,33 @@ fn textured_triangles() {
         // Hardly any test is about what is beyond the promises.
         assert!(worst.pixels > 200_000, "{}", worst.pixels);
     }
+}
+
+/// Triangles with a corner 256 to 1,000 times as far as another, which `Exact` draws within 0.001 texel to the end.
+#[test]
+fn deep_triangles() {
+    let about = || [-40.0..360.0, -40.0..280.0];
+    let along = || [0.0..=1., 0.0..=1., 0.0..=1.];
+    // The nearest corner is far beyond the picture, so that there are many far pixels.
+    let beyond = || [-1500.0..1800.0, -1500.0..1700.0];
+    let shape = [beyond(), about(), about()];
+    let deep = (shape, 8.01..9.96_f64, 0.5..1.0_f64, [along(), along()]);
+    let deep = deep.prop_map(|(screen, most, other, uv)| Case {
+        screen,
+        inverse_w: [1., (-most * other).exp2(), (-most).exp2()],
+        uv,
+    });
+    let mut runner = TestRunner::deterministic();
+    let mut worst = [Worst::default(); MODES];
+    for _ in 0..200 {
+        deep.new_tree(&mut runner)
+            .unwrap()
+            .current()
+            .check(&mut worst);
+    }
+    print("deep triangles", &worst);
+    let [exact, ..] = worst;
+    assert!(exact.deep > 25_000, "{}", exact.deep);
 }
 
 /// One row of each length there is, on slopes of either sign, the steepest of which is beyond what one pixel's

@@ -17,7 +17,7 @@ fn check(name: &str, scene: &Scene, is_convex: bool) {
         // Of a convex surface no part hides another.
         assert!(
             again == 0 || !is_convex,
-            "centres inside the silhouette that were drawn twice"
+            "centers inside the silhouette that were drawn twice"
         );
     }
 }
@@ -56,11 +56,11 @@ fn check_mode(name: &str, mode: Mode, picture: &Comparison) {
     let [missed, ..] = picture.inside;
     assert_eq!(
         missed, 0,
-        "centres inside the silhouette that were not drawn"
+        "centers inside the silhouette that were not drawn"
     );
     assert_eq!(
         picture.outside, 0,
-        "centres outside the silhouette that were drawn"
+        "centers outside the silhouette that were drawn"
     );
 }
 

@@ -88,7 +88,7 @@ impl Model {
         let place = Transform::translate(quantised(self.place));
         Drawing {
             size: SIZE,
-            pass: DrawOptions::new(),
+            options: DrawOptions::new(),
             mode: Mode::Newton,
             mesh: Mesh::new(&self.positions, &self.faces)
                 .and_then(|mesh| mesh.with_uvs(&self.uvs, Some(&self.uv_faces)))

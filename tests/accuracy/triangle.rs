@@ -1,10 +1,12 @@
 //! One triangle drawn by the crate and by the model.
 
 use fixel::prelude::*;
-use fixel::view::Kind;
+use fixel::target::DepthFormat;
+use fixel::view::ProjectionKind;
 
 use crate::drawing::{Drawing, Seen};
 use crate::mode::Mode;
+use crate::recorder::Few;
 use crate::reference::attributes::at_pixel_snapped;
 use crate::reference::coverage::{Snapped, covered};
 
@@ -32,11 +34,11 @@ pub struct Model<const N: usize> {
     pub depth: f64,
 }
 
-impl<K: Kind, const N: usize> Triangle<K, N> {
+impl<K: ProjectionKind, const N: usize> Triangle<K, N> {
     fn drawing(&self, mode: Mode) -> Drawing<'_, K> {
         Drawing {
             size: self.size,
-            pass: DrawOptions::new().cull(Cull::Nothing),
+            options: DrawOptions::new().cull(Cull::Nothing),
             mode,
             mesh: Mesh::new(&self.positions, &[[0, 1, 2]]).unwrap(),
             mvp: self.mvp,
@@ -79,13 +81,16 @@ impl<K: Kind, const N: usize> Triangle<K, N> {
         pixels
     }
 
-    /// What a depth buffer of floating-point numbers holds of it, row by row.
-    pub fn float_depths(&self, mode: Mode) -> Vec<u16> {
-        self.drawing(mode).float_depths()
+    /// The depths that a buffer of this format holds of it, row by row.
+    pub fn depths<F: DepthFormat>(&self, mode: Mode) -> Vec<u16> {
+        self.drawing(mode).depths::<F>()
     }
 
     /// The crate's pixels in a mode, row by row.
-    pub fn draw(&self, mode: Mode) -> Vec<Seen<N>> {
+    pub fn draw(&self, mode: Mode) -> Vec<Seen<N>>
+    where
+        [(); N]: Few<N>,
+    {
         let mut seen = self.drawing(mode).all(&|vertex| {
             let corner = self.positions.iter().position(|&p| p == vertex.position());
             self.values.map(|value| value[corner.unwrap()])

@@ -4,101 +4,101 @@
 #![allow(dead_code)]
 
 pub mod meshes;
-
-use std::cell::Cell;
+pub mod recorder;
 
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
-use fixel::view::{Kind, Parallel};
-use fixel::{Drawn, Place};
+use fixel::view::{Parallel, ProjectionKind};
+use fixel::{Drawn, ScreenPoint};
 
-/// Counts how often each pixel of a frame is drawn, and draws it white.
-#[derive(Clone, Copy)]
-pub struct Count<'a> {
-    counts: &'a [Cell<u32>],
-    width: u32,
-}
+use recorder::{Recorder, record};
 
-impl Shader<0> for Count<'_> {
-    type Color = Gray8;
-
-    fn varyings(&self, _: &Corner) -> [i32; 0] {
-        []
-    }
-
-    fn shade(&self, sample: &Fragment, []: [i32; 0]) -> Option<Gray8> {
-        let [x, y] = [sample.point.x, sample.point.y].map(|at| usize::try_from(at).unwrap());
-        assert!(x < self.width as usize, "column {x} of {}", self.width);
-        let count = &self.counts[y * self.width as usize + x];
-        count.set(count.get() + 1);
-        Some(Gray8::new(255))
-    }
-}
-
-/// A white frame's worth of counters, to be drawn into without a depth buffer.
+/// How often each pixel of a frame is drawn, without a depth buffer.
 pub struct Counter {
     pixels: Vec<Gray8>,
-    counts: Vec<Cell<u32>>,
+    counts: Vec<u32>,
     /// Width and height of the frame.
     pub size: (u32, u32),
 }
+
+/// A shader that writes down where it is asked for a color.
+type Count<'a> = Recorder<'a, Flat<Gray8>, 0>;
 
 impl Counter {
     pub fn new(size: (u32, u32)) -> Self {
         let pixels = size.0 as usize * size.1 as usize;
         Self {
             pixels: vec![Gray8::new(0); pixels],
-            counts: vec![Cell::new(0); pixels],
+            counts: vec![0; pixels],
             size,
         }
     }
 
-    fn with<T>(&mut self, draw: impl FnOnce(&mut Canvas<'_, Gray8>, &Count<'_>) -> T) -> T {
+    fn with(&mut self, draw: impl FnOnce(&mut Canvas<'_, Gray8>, &Count<'_>) -> Drawn) -> Drawn {
         let (width, height) = self.size;
-        let count = Count {
-            counts: &self.counts,
-            width,
-        };
-        draw(
-            &mut Canvas::new(&mut self.pixels, width, height).unwrap(),
-            &count,
-        )
+        let mut canvas = Canvas::new(&mut self.pixels, width, height).unwrap();
+        let mut drawn = Drawn::default();
+        let white = Flat::new(Gray8::new(255));
+        let record = record(white, |count| drawn = draw(&mut canvas, count));
+        for seen in record.seen {
+            let [x, y] = seen.pixel.map(|at| usize::try_from(at).unwrap());
+            assert!(x < width as usize, "column {x} of {width}");
+            self.counts[y * width as usize + x] += 1;
+        }
+        drawn
     }
 
     /// Draws a mesh's triangles.
-    pub fn draw<K: Kind>(&mut self, pass: &DrawOptions, mesh: &Mesh, mvp: &Mvp<K>) -> Drawn {
-        self.with(|canvas, count| canvas.draw_with(pass, mesh, mvp, count))
+    pub fn draw<K: ProjectionKind>(
+        &mut self,
+        options: &DrawOptions,
+        mesh: &Mesh,
+        mvp: &Mvp<K>,
+    ) -> Drawn {
+        self.with(|canvas, count| canvas.draw_with(options, mesh, mvp, count))
     }
 
     /// Draws a mesh's edges.
-    pub fn draw_edges<K: Kind>(&mut self, pass: &DrawOptions, mesh: &Mesh, mvp: &Mvp<K>) -> Drawn {
-        self.with(|canvas, count| canvas.draw_edges(pass, mesh, mvp, count))
+    pub fn draw_edges<K: ProjectionKind>(
+        &mut self,
+        options: &DrawOptions,
+        mesh: &Mesh,
+        mvp: &Mvp<K>,
+    ) -> Drawn {
+        self.with(|canvas, count| canvas.draw_edges(options, mesh, mvp, count))
     }
 
     /// Draws a mesh's positions.
-    pub fn draw_points<K: Kind>(&mut self, pass: &DrawOptions, mesh: &Mesh, mvp: &Mvp<K>) -> Drawn {
-        self.with(|canvas, count| canvas.draw_points(pass, mesh, mvp, count))
+    pub fn draw_points<K: ProjectionKind>(
+        &mut self,
+        options: &DrawOptions,
+        mesh: &Mesh,
+        mvp: &Mvp<K>,
+    ) -> Drawn {
+        self.with(|canvas, count| canvas.draw_points(options, mesh, mvp, count))
     }
 
     /// Where the crate puts a point, before culling and the guard band.
-    pub fn place<K: Kind>(
+    pub fn place<K: ProjectionKind>(
         &mut self,
-        pass: &DrawOptions,
+        options: &DrawOptions,
         mvp: &Mvp<K>,
         point: Vec3,
-    ) -> Option<Place> {
-        self.with(|canvas, _| canvas.project(pass, mvp, point))
+    ) -> Option<ScreenPoint> {
+        let (width, height) = self.size;
+        let canvas = Canvas::new(&mut self.pixels, width, height).unwrap();
+        canvas.project(options, mvp, point)
     }
 
     /// Where the crate puts a point, in 24.8.
-    pub fn snapped<K: Kind>(&mut self, mvp: &Mvp<K>, point: Vec3) -> Option<[i32; 2]> {
+    pub fn snapped<K: ProjectionKind>(&mut self, mvp: &Mvp<K>, point: Vec3) -> Option<[i32; 2]> {
         let place = self.place(&DrawOptions::new(), mvp, point)?;
         Some([place.x.to_bits(), place.y.to_bits()])
     }
 
     /// How often each pixel was drawn, in row order, since the last time this was asked.
     pub fn take(&mut self) -> Vec<u32> {
-        self.counts.iter().map(Cell::take).collect()
+        self.counts.iter_mut().map(std::mem::take).collect()
     }
 
     /// The counts as text, a line per row: `.` for none.
@@ -128,7 +128,16 @@ pub fn character(count: u32) -> char {
 /// 2⁻²⁹ · 4096 pixels and so by far less than half of 1/256.
 pub fn pixel_lens((width, height): (u32, u32)) -> Mvp<Parallel> {
     let [width, height] = [width, height].map(Scalar::from_num);
-    let projection = Projection::orthographic(fx!(0), width, -height, fx!(0), fx!(-1), fx!(1));
+    let projection = Projection::orthographic(
+        Window {
+            left: fx!(0),
+            right: width,
+            bottom: -height,
+            top: fx!(0),
+        },
+        fx!(-1),
+        fx!(1),
+    );
     projection.unwrap().into()
 }
 

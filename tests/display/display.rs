@@ -59,7 +59,7 @@ fn raw(color: Rgb565) -> u16 {
     RawU16::from(color).into_inner()
 }
 
-/// The whole frame as colours, which is what the panel must show; shows it on the way.
+/// The whole frame as colors, which is what the panel must show; shows it on the way.
 fn frame(
     (width, height): (u32, u32),
     show: impl FnOnce(&Canvas<'_, Rgb565, Native, Depth<'_>>),
@@ -124,7 +124,7 @@ fn assert_same(shown: &[u16], expected: &[u16], width: u32) {
 }
 
 #[test]
-fn a_frame_of_colours_is_what_the_panel_shows() {
+fn a_frame_of_colors_is_what_the_panel_shows() {
     fn check<M>(wires: &Wires, mut display: Driver<'_, M>, size: (u32, u32))
     where
         M: Model<ColorFormat = Rgb565>,
@@ -154,7 +154,7 @@ fn bands_are_what_the_panel_shows() {
     }
 }
 
-/// The driver is given colours; the bytes that it makes of them are those that the canvas of bytes
+/// The driver is given colors; the bytes that it makes of them are those that the canvas of bytes
 /// holds. So a DMA channel that is given `bytes()` sends what the driver would have sent.
 #[test]
 fn bytes_are_those_that_the_driver_sends() {
@@ -166,10 +166,10 @@ fn bytes_are_those_that_the_driver_sends() {
     for rows in [SQUARE.1, 16, 37] {
         let mut bytes = vec![];
         in_bands(SQUARE, rows, |band| {
-            bytes.extend_from_slice(band.bytes());
+            bytes.extend_from_slice(band.as_bytes());
             // Of a band as of a frame.
             band.show(&mut display).unwrap();
-            assert!(written(wires.take()) == [band.bytes()]);
+            assert!(written(wires.take()) == [band.as_bytes()]);
         });
         assert!(sent == [bytes], "bands of {rows} rows");
     }
@@ -190,7 +190,7 @@ fn bands_follow_each_other_through_one_window() {
             .write_command(SetPageAddress::new(0, 239))
             .unwrap();
         interface.write_command(WriteMemoryStart).unwrap();
-        in_bands(SQUARE, 40, |band| wires.write(band.bytes()).unwrap());
+        in_bands(SQUARE, 40, |band| wires.write(band.as_bytes()).unwrap());
     }
     assert_same(&shown(&wires, SQUARE), &frame(SQUARE, |_| ()), SQUARE.0);
 }

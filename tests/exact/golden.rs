@@ -6,7 +6,7 @@
 
 use embedded_graphics::pixelcolor::raw::BigEndian;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use fixel::mode::{Affine, Exact, Fast, Interpolate, Newton};
+use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 use fixel::target::Depth;
 
@@ -26,7 +26,7 @@ fn picture(draw: impl FnOnce(&mut Target<'_>)) -> (u32, usize) {
     let mut canvas = canvas.with_depth(&mut depths).unwrap();
     canvas.clear(Rgb565::BLACK);
     draw(&mut canvas);
-    let crc = crc32fast::hash(canvas.bytes());
+    let crc = crc32fast::hash(canvas.as_bytes());
     (crc, depths.iter().filter(|&&depth| depth > 0).count())
 }
 
@@ -112,16 +112,16 @@ fn lighthouse() {
 }
 
 /// Checksums of the scenes in a mode: the floor, and a pose of the cube and of the sphere each.
-fn scenes_in<I: Interpolate>(mode: I) -> [u32; 3] {
-    let pass = DrawOptions::new().mode(mode);
+fn scenes_in<I: Mode>(mode: I) -> [u32; 3] {
+    let options = DrawOptions::new().mode(mode);
     let (floor, _) = picture(|canvas| {
-        scenes::floor(canvas, &pass, &scenes::floor_chain(0).unwrap());
+        scenes::floor(canvas, &options, &scenes::floor_chain(0).unwrap());
     });
     let (cube, _) = picture(|canvas| {
-        scenes::cube(canvas, &pass, &scenes::cube_chain(2).unwrap());
+        scenes::cube(canvas, &options, &scenes::cube_chain(2).unwrap());
     });
     let (sphere, _) = picture(|canvas| {
-        scenes::sphere(canvas, &pass, &scenes::sphere_chain(1).unwrap());
+        scenes::sphere(canvas, &options, &scenes::sphere_chain(1).unwrap());
     });
     [floor, cube, sphere]
 }
@@ -129,7 +129,7 @@ fn scenes_in<I: Interpolate>(mode: I) -> [u32; 3] {
 #[test]
 fn modes() {
     assert_eq!(scenes_in(Exact), [0xcea2_0ac4, 0x9303_8f3d, 0xef45_08f4]);
-    // The sphere's colours are a sixteenth of a step off here and there, for want of a division.
+    // The sphere's colors are a sixteenth of a step off here and there, for want of a division.
     assert_eq!(scenes_in(Newton), [0xcea2_0ac4, 0x9303_8f3d, 0x2d5c_67c0]);
     assert_eq!(
         scenes_in(Fast::within(fx!(0.25))),

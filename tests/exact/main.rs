@@ -10,5 +10,7 @@ mod canvas;
 mod golden;
 mod import;
 mod raster;
+mod shaders;
 mod short_positions;
 mod threads;
+mod wireframe;

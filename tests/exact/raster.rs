@@ -1,6 +1,6 @@
 //! Raster cases as pictures: how often each pixel is drawn, `.` for not at all.
 //!
-//! Corners are given in pixels, quarters and halves of them; a pixel's centre is at a half.
+//! Corners are given in pixels, quarters and halves of them; a pixel's center is at a half.
 
 use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
 use fixel::prelude::*;
@@ -27,7 +27,7 @@ fn positions(points: &[[f64; 2]]) -> Vec<Vec3> {
 
 /// Draws triangles, corners in turn, and compares the counts.
 #[track_caller]
-fn assert_picture(points: &[[f64; 2]], pass: &DrawOptions, expected: &str) {
+fn assert_picture(points: &[[f64; 2]], options: &DrawOptions, expected: &str) {
     let positions = positions(points);
     let faces: Vec<[u16; 3]> = (0..u16::try_from(points.len()).unwrap() / 3)
         .map(|i| [3 * i, 3 * i + 1, 3 * i + 2])
@@ -35,15 +35,15 @@ fn assert_picture(points: &[[f64; 2]], pass: &DrawOptions, expected: &str) {
     assert_mesh(
         &Mesh::new(&positions, &faces).unwrap(),
         &pixel_lens(SIZE),
-        pass,
+        options,
         expected,
     );
 }
 
 #[track_caller]
-fn assert_mesh(mesh: &Mesh, projection: &Mvp<Parallel>, pass: &DrawOptions, expected: &str) {
+fn assert_mesh(mesh: &Mesh, projection: &Mvp<Parallel>, options: &DrawOptions, expected: &str) {
     let mut counter = Counter::new(SIZE);
-    counter.draw(pass, mesh, projection);
+    counter.draw(options, mesh, projection);
     assert_counts(&mut counter, expected);
 }
 
@@ -54,10 +54,10 @@ fn assert_counts(counter: &mut Counter, expected: &str) {
     assert_eq!(picture, expected, "\ndrawn:\n{}\n", picture.join("\n"));
 }
 
-/// Corners on centres: the top and the left edge own theirs, the long edge from the top right to the
+/// Corners on centers: the top and the left edge own theirs, the long edge from the top right to the
 /// bottom left does not.
 #[test]
-fn corners_on_centres() {
+fn corners_on_centers() {
     assert_picture(
         &[[1.5, 0.5], [1.5, 4.5], [5.5, 0.5]],
         &DrawOptions::new(),
@@ -113,9 +113,9 @@ fn two_halves_make_a_square() {
     );
 }
 
-/// Level edges on centres: the row belongs to the triangle below the edge.
+/// Level edges on centers: the row belongs to the triangle below the edge.
 #[test]
-fn a_level_edge_on_centres() {
+fn a_level_edge_on_centers() {
     let (upper, lower) = (
         [[3.5, 0.], [0.5, 2.5], [6.5, 2.5]],
         [[0.5, 2.5], [3.5, 5.], [6.5, 2.5]],
@@ -146,9 +146,9 @@ fn a_level_edge_on_centres() {
     );
 }
 
-/// Upright edges on centres: the column belongs to the triangle to the right of the edge.
+/// Upright edges on centers: the column belongs to the triangle to the right of the edge.
 #[test]
-fn an_upright_edge_on_centres() {
+fn an_upright_edge_on_centers() {
     let (left, right) = (
         [[4.5, 0.], [0., 3.], [4.5, 6.]],
         [[4.5, 0.], [4.5, 6.], [8., 3.]],
@@ -179,9 +179,9 @@ fn an_upright_edge_on_centres() {
     );
 }
 
-/// Six triangles about one centre: one of them has it.
+/// Six triangles about one center: one of them has it.
 #[test]
-fn a_hub_on_a_centre() {
+fn a_hub_on_a_center() {
     let hub = [3.5, 2.5];
     let rim = [
         [7.5, 2.5],
@@ -208,27 +208,27 @@ fn a_hub_on_a_centre() {
     );
 }
 
-/// Triangles smaller than a pixel: only those that hold a centre.
+/// Triangles smaller than a pixel: only those that hold a center.
 #[test]
 fn one_pixel_triangles() {
     assert_picture(
         &[
-            // About a centre.
+            // About a center.
             [1.5, 1.25],
             [1.25, 1.75],
             [1.75, 1.75],
-            // Between centres.
+            // Between centers.
             [3.75, 1.75],
             [3.75, 2.25],
             [4.25, 2.25],
-            // The left top corner on a centre, the right bottom corner on a centre.
+            // The left top corner on a center, the right bottom corner on a center.
             [5.5, 1.5],
             [5.5, 1.75],
             [5.75, 1.5],
             [5.25, 3.5],
             [5.5, 3.5],
             [5.5, 3.25],
-            // A sliver past many centres that holds none, and one along an edge with three, of which its ends are not its own.
+            // A sliver past many centers that holds none, and one along an edge with three, of which its ends are not its own.
             [0., 4.515_625],
             [7.75, 4.75],
             [7.75, 4.515_625],
@@ -290,7 +290,7 @@ fn cull_modes() {
             .....111
             ....1111
         ";
-    // Both long edges run through centres; that of the lower triangle is its left one, and owns them.
+    // Both long edges run through centers; that of the lower triangle is its left one, and owns them.
     assert_picture(&both, &DrawOptions::new(), upper);
     assert_picture(&both, &DrawOptions::new().cull(Cull::Back), upper);
     assert_picture(&both, &DrawOptions::new().cull(Cull::Front), lower);

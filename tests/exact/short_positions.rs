@@ -1,10 +1,10 @@
 //! Positions of 16 bits: drawn as the same numbers in 32 bits are, and rounded no more than they must be.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use fixel::mode::{Exact, Interpolate};
+use fixel::mode::{Exact, Mode};
 use fixel::prelude::*;
 use fixel::target::{Depth, Native};
-use fixel::view::{Kind, Perspective};
+use fixel::view::{Perspective, ProjectionKind};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
@@ -47,7 +47,7 @@ fn models() -> impl Strategy<Value = Model> {
 type Board<'a> = Canvas<'a, Rgb565, Native, Depth<'a>>;
 
 /// What is drawn of a mesh in all ways, and counted.
-fn drawn<K: Kind, I: Interpolate>(
+fn drawn<K: ProjectionKind, I: Mode>(
     mesh: &Mesh,
     mvp: &Mvp<K>,
     mode: I,
@@ -56,21 +56,21 @@ fn drawn<K: Kind, I: Interpolate>(
     let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
     let mut canvas: Board<'_> = canvas.with_depth(&mut depths).unwrap();
     let light = Light::new(vec3!(1, 2, 3), fx!(0.2), fx!(0.8)).unwrap();
-    let clay = Lit::new(Rgb888::new(236, 214, 190), light);
-    let pass = DrawOptions::new().mode(mode).cull(Cull::Nothing);
+    let clay = Flat::rgb(Rgb888::new(236, 214, 190)).lit(light);
+    let options = DrawOptions::new().mode(mode).cull(Cull::Nothing);
     let counts = [
-        canvas.draw_with(&pass, mesh, mvp, &clay),
-        canvas.draw_edges(&pass, mesh, mvp, &Flat::new(Rgb565::RED)),
-        canvas.draw_points(&pass, mesh, mvp, &Flat::new(Rgb565::BLUE)),
+        canvas.draw_with(&options, mesh, mvp, &clay),
+        canvas.draw_edges(&options, mesh, mvp, &Flat::new(Rgb565::RED)),
+        canvas.draw_points(&options, mesh, mvp, &Flat::new(Rgb565::BLUE)),
     ];
     let mut list: TriangleList<16, 400> = TriangleList::new();
-    let prepared = list.prepare(&pass, SIZE, mesh, mvp).unwrap();
+    let prepared = list.prepare(&options, SIZE, mesh, mvp).unwrap();
     canvas.draw_prepared(&prepared, &NormalView::new());
     (colors, depths, counts)
 }
 
 impl Model {
-    fn check<K: Kind>(&self, mvp: &Mvp<K>) -> Result<(), TestCaseError> {
+    fn check<K: ProjectionKind>(&self, mvp: &Mvp<K>) -> Result<(), TestCaseError> {
         let long: Vec<Vec3> = self
             .positions
             .iter()
@@ -108,7 +108,7 @@ proptest! {
         let pose = place * Transform::rotate_x(x) * Transform::rotate_y(y) * Transform::scale(scale);
         let projection = Projection::perspective(Angle::from_degrees(60), SIZE, fx!(0.1), fx!(100)).unwrap();
         model.check::<Perspective>(&(projection * pose))?;
-        let projection = Projection::orthographic(fx!(-2), fx!(2), fx!(-2), fx!(2), fx!(-9), fx!(9)).unwrap();
+        let projection = Projection::orthographic(Window::centered(fx!(4), fx!(4)), fx!(-9), fx!(9)).unwrap();
         model.check(&(projection * pose))?;
     }
 
@@ -212,7 +212,8 @@ fn what_does_not_fit_is_refused() {
         mesh.shortened::<3>(),
         Err(Error::Length {
             given: 3,
-            needed: 2
+            needed: 2,
+            ..
         })
     ));
     assert_eq!(mesh.positions().get(2), None);

@@ -4,11 +4,12 @@ use std::sync::Barrier;
 use std::thread;
 
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
-use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, RgbColor};
-use fixel::mode::{Affine, Exact, Fast, Interpolate, Linear, Newton};
+use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, Rgb888, RgbColor};
+use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 use fixel::target::{Depth, Native, NoDepth};
 use fixel::view::{Parallel, Perspective};
+use fixel::{Converted, FaceLit, Lit, Tinted};
 
 use crate::examples::lighthouse;
 use crate::examples::scenes::{self, HEIGHT, WIDTH};
@@ -17,7 +18,7 @@ use crate::examples::scenes::{self, HEIGHT, WIDTH};
 /// the crate stands in the way, so both are asked of everything.
 const _: () = {
     const fn both<T: Send + Sync>() {}
-    type Skin = Texture<Rgb565, 64, 64>;
+    type Skin = TextureArray<Rgb565, 64, 64>;
     both::<Canvas<'static, Rgb565>>();
     both::<Canvas<'static, Rgb565, Native, Depth<'static>>>();
     both::<Canvas<'static, Rgb565, BigEndian, NoDepth>>();
@@ -34,19 +35,18 @@ const _: () = {
     both::<DrawOptions<Newton>>();
     both::<DrawOptions<Fast>>();
     both::<DrawOptions<Affine>>();
-    both::<DrawOptions<Linear>>();
     both::<Skin>();
     both::<Light>();
     both::<Flat<Rgb565>>();
     both::<Gouraud<Rgb565>>();
     both::<FaceColors<'static, Rgb565>>();
-    both::<Lit<Rgb565>>();
-    both::<LitFaces<Rgb565>>();
+    both::<Lit<Converted<Flat<Rgb888>, Rgb565>>>();
+    both::<FaceLit<Converted<Flat<Rgb888>, Rgb565>>>();
     both::<Textured<&'static Skin>>();
-    both::<Textured<&'static Palette<Rgb565, 64, 64>>>();
-    both::<LitTexture<&'static Skin>>();
-    both::<Modulated<&'static Skin>>();
-    both::<Converted<Lit<Gray4>, Rgb565>>();
+    both::<Textured<&'static PaletteArray<Rgb565, 64, 64>>>();
+    both::<Lit<Textured<&'static Skin>>>();
+    both::<Tinted<Textured<&'static Skin>>>();
+    both::<Converted<Lit<Flat<Gray4>>, Rgb565>>();
     both::<DepthView<Rgb565>>();
     both::<NormalView<Rgb565>>();
     both::<Drawn>();
@@ -127,17 +127,17 @@ fn without_depth(draw: impl Fn(&mut Canvas<'_, Rgb565, BigEndian>) + Sync) {
     });
 }
 
-/// Textures and colours, with depth.
-fn scenes_in<I: Interpolate + Sync>(mode: I) {
-    let pass = DrawOptions::new().mode(mode);
+/// Textures and colors, with depth.
+fn scenes_in<I: Mode + Sync>(mode: I) {
+    let options = DrawOptions::new().mode(mode);
     let [floor, cube] = [scenes::floor_chain(0), scenes::cube_chain(3)].map(Result::unwrap);
     with_depth(|canvas| {
-        scenes::floor(canvas, &pass, &floor);
-        scenes::cube(canvas, &pass, &cube);
+        scenes::floor(canvas, &options, &floor);
+        scenes::cube(canvas, &options, &cube);
     });
     let mvp = scenes::sphere_chain(1).unwrap();
     with_depth(|canvas| {
-        scenes::sphere(canvas, &pass, &mvp);
+        scenes::sphere(canvas, &options, &mvp);
     });
 }
 
@@ -148,7 +148,6 @@ fn textured_and_shaded_with_depth_in_every_mode() {
     scenes_in(Fast::within(fx!(0.25)));
     scenes_in(Fast::within(fx!(4)));
     scenes_in(Affine);
-    scenes_in(Linear);
 }
 
 #[test]

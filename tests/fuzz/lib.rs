@@ -8,5 +8,7 @@ pub mod fuzzed;
 pub mod mode;
 #[path = "../accuracy/moves.rs"]
 pub mod moves;
+#[path = "../common/recorder.rs"]
+pub mod recorder;
 #[path = "../reference/mod.rs"]
 pub mod reference;

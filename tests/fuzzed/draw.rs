@@ -1,17 +1,18 @@
 //! A scene in every mode, or with a shader of the crate's.
 
 use embedded_graphics::pixelcolor::Rgb565;
-use fixel::mode::{Affine, Exact, Fast, Interpolate, Linear, Newton};
+use fixel::mode::{self, Affine, Exact, Fast, Newton};
 use fixel::prelude::*;
-use fixel::view::Kind;
+use fixel::view::ProjectionKind;
 
 use super::model::Truth;
 use super::projection::Projected;
 use super::scene::{Scene, What};
-use super::shaders::{Bits, Record};
+use super::shaders::Bits;
 use super::shades::{self, Draw, Shade};
 use super::ways::Call;
 use crate::mode::Mode;
+use crate::recorder::{Few, Record};
 
 /// Draws the scene that these bytes stand for, if constructors take its numbers, and checks all that must hold.
 ///
@@ -39,7 +40,7 @@ impl Drop for Told<'_> {
 
 fn check_scene(scene: &Scene) -> Result<(), Error> {
     let mesh = &scene.mesh()?;
-    let (pass, window) = (scene.pass()?, scene.window()?);
+    let (options, window) = (scene.options()?, scene.window()?);
     let (camera, place) = (scene.eye.camera()?, scene.place.transform());
     match scene.projection.projection(scene.size)? {
         Projected::Perspective(projection) => {
@@ -51,7 +52,7 @@ fn check_scene(scene: &Scene) -> Result<(), Error> {
                     mvp,
                     window,
                 },
-                pass,
+                options,
             )
         }
         Projected::Parallel(projection) => {
@@ -63,16 +64,16 @@ fn check_scene(scene: &Scene) -> Result<(), Error> {
                     mvp,
                     window,
                 },
-                pass,
+                options,
             )
         }
     }
 }
 
-fn check_call<K: Kind>(call: &Call<'_, K>, pass: DrawOptions) -> Result<(), Error> {
+fn check_call<K: ProjectionKind>(call: &Call<'_, K>, options: DrawOptions) -> Result<(), Error> {
     match call.scene.shade {
-        Shade::Bits(0) => check_modes::<K, 0>(call, pass),
-        Shade::Bits(_) => check_modes::<K, 3>(call, pass),
+        Shade::Bits(0) => check_modes::<K, 0>(call, options),
+        Shade::Bits(_) => check_modes::<K, 3>(call, options),
         Shade::Crate {
             which,
             light,
@@ -83,7 +84,7 @@ fn check_call<K: Kind>(call: &Call<'_, K>, pass: DrawOptions) -> Result<(), Erro
                 Some(light) => light.light()?,
                 None => Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?,
             };
-            shades::draw(which, light, color, between, Ways { call, pass });
+            shades::draw(which, light, color, between, Ways { call, options });
         }
     }
     Ok(())
@@ -92,21 +93,25 @@ fn check_call<K: Kind>(call: &Call<'_, K>, pass: DrawOptions) -> Result<(), Erro
 /// Checks a shader in the default mode.
 struct Ways<'a, 'c, K> {
     call: &'a Call<'c, K>,
-    pass: DrawOptions,
+    options: DrawOptions,
 }
 
-impl<K: Kind> Draw for Ways<'_, '_, K> {
-    fn draw<F: Shader<N, Color = Rgb565>, const N: usize>(self, shader: &F) {
-        self.call.check(&self.pass, shader);
+impl<K: ProjectionKind> Draw for Ways<'_, '_, K> {
+    fn draw<F: Shader<Color = Rgb565>>(self, shader: &F) {
+        // As many as a shader can have.
+        let _: Record<8, _> = self.call.check(&self.options, shader);
     }
 }
 
 /// Checks every mode, and that each draws the same pixels at the same depths.
-fn check_modes<K: Kind, const N: usize>(call: &Call<'_, K>, pass: DrawOptions) {
+fn check_modes<K: ProjectionKind, const N: usize>(call: &Call<'_, K>, options: DrawOptions)
+where
+    [(); N]: Few<N>,
+{
     let tolerance = call.scene.tolerance;
-    let truth = (call.scene.what == What::Triangles).then(|| Truth::new(call, &pass));
+    let truth = (call.scene.what == What::Triangles).then(|| Truth::new(call, &options));
     let mut first = None;
-    let mut check = |mode, record: Record<Rgb565, N>| {
+    let mut check = |mode, record: Record<N, Rgb565>| {
         if let Some(truth) = &truth {
             truth.check(mode, &record);
         }
@@ -114,7 +119,7 @@ fn check_modes<K: Kind, const N: usize>(call: &Call<'_, K>, pass: DrawOptions) {
             first = Some(record);
             return;
         };
-        let places = |record: &Record<Rgb565, N>| -> Vec<_> {
+        let places = |record: &Record<N, Rgb565>| -> Vec<_> {
             let seen = record.seen.iter();
             seen.map(|seen| (seen.face, seen.pixel, seen.depth))
                 .collect()
@@ -124,19 +129,21 @@ fn check_modes<K: Kind, const N: usize>(call: &Call<'_, K>, pass: DrawOptions) {
             "{mode:?}: other pixels or depths"
         );
     };
-    check(Mode::Exact, checked(call, pass.mode(Exact)));
-    check(Mode::Newton, checked(call, pass.mode(Newton)));
-    let fast = checked(call, pass.mode(Fast::within(tolerance)));
+    check(Mode::Exact, checked(call, options.mode(Exact)));
+    check(Mode::Newton, checked(call, options.mode(Newton)));
+    let fast = checked(call, options.mode(Fast::within(tolerance)));
     check(Mode::Fast(tolerance.max(fx!(0))), fast);
-    check(Mode::Affine, checked(call, pass.mode(Affine)));
-    check(Mode::Linear, checked(call, pass.mode(Linear)));
+    check(Mode::Affine, checked(call, options.mode(Affine)));
 }
 
-fn checked<I: Interpolate, K: Kind, const N: usize>(
+fn checked<I: mode::Mode, K: ProjectionKind, const N: usize>(
     call: &Call<'_, K>,
-    pass: DrawOptions<I>,
-) -> Record<Rgb565, N> {
-    let record = call.check(&pass, &Bits);
-    call.check_bytes(&pass, &Bits::<N>);
+    options: DrawOptions<I>,
+) -> Record<N, Rgb565>
+where
+    [(); N]: Few<N>,
+{
+    let record = call.check(&options, &Bits::<N>);
+    call.check_bytes(&options, &Bits::<N>);
     record
 }

@@ -10,7 +10,7 @@
 //! | `projection` | projections, and the model's of the same numbers |
 //! | `steps` | mvps of transforms, and the model's |
 //! | `draw` | a scene in every mode, and with a shader of the crate |
-//! | `shaders` | a shader that shows every bit, and one that writes down what another does |
+//! | `shaders` | a shader that shows every bit |
 //! | `shades` | the crate's shaders |
 //! | `ways` | a draw call in bands, prepared, as bytes and twice |
 //! | `knowledge` | where the f64 model has a triangle, and how well that is known |

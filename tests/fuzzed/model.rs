@@ -7,13 +7,13 @@ use embedded_graphics::pixelcolor::Rgb565;
 use fixel::prelude::{Canvas, Cull, DrawOptions, Vec3};
 
 use super::knowledge::Knowledge;
-use super::shaders::{Record, Seen};
 use super::ways::Call;
 use crate::bounds;
 use crate::mode::Mode;
 use crate::moves::exact;
+use crate::recorder::{Record, Seen};
 use crate::reference::attributes::at_pixel_snapped;
-use crate::reference::coverage::{Bounds, Snapped, area2, centre, covered_in, covers_f64};
+use crate::reference::coverage::{Bounds, Snapped, area2, center, covered_in, covers_f64};
 use crate::reference::distance::to_triangle;
 use crate::reference::raster::{Mesh, Piece, pieces_clipped};
 
@@ -56,7 +56,7 @@ struct Ahead {
 }
 
 impl Truth {
-    pub fn new<K: fixel::view::Kind>(call: &Call<'_, K>, pass: &DrawOptions) -> Self {
+    pub fn new<K: fixel::view::ProjectionKind>(call: &Call<'_, K>, options: &DrawOptions) -> Self {
         let (width, height) = call.scene.size;
         let mut pixels = vec![Rgb565::new(0, 0, 0); call.scene.pixels()];
         let canvas = Canvas::new(&mut pixels, width, height).unwrap();
@@ -66,7 +66,7 @@ impl Truth {
         let projection = call.scene.projection.model(call.scene.size);
         let place = |index: u16| {
             let position = call.mesh.positions().get(index.into()).unwrap();
-            let place = canvas.project(pass, &call.mvp, position)?;
+            let place = canvas.project(options, &call.mvp, position)?;
             Some([place.x.to_bits(), place.y.to_bits()])
         };
         let whole = |&[a, b, c]: &[u16; 3]| {
@@ -103,7 +103,7 @@ impl Truth {
     }
 
     /// Compares what was seen in a mode.
-    pub fn check<const N: usize>(&self, mode: Mode, record: &Record<Rgb565, N>) {
+    pub fn check<const N: usize>(&self, mode: Mode, record: &Record<N, Rgb565>) {
         // A face's pixels come one after the other.
         let mut faces = record.seen.chunk_by(|a, b| a.face == b.face).peekable();
         for (face, whole) in self.whole.iter().enumerate() {
@@ -151,11 +151,11 @@ impl Ahead {
         &self,
         mode: Mode,
         screen: Snapped,
-        seen: &[Seen<Rgb565, N>],
+        seen: &[Seen<N, Rgb565>],
         corners: &[[i32; N]; 3],
     ) {
         let attributes = corners.map(|corner| corner.map(f64::from));
-        let divides = !self.parallel && !matches!(mode, Mode::Affine | Mode::Linear);
+        let divides = !self.parallel && !matches!(mode, Mode::Affine);
         let weights = if divides { self.w } else { [1.; 3] };
         let at = |pixel| at_pixel_snapped(screen, weights, &attributes, pixel).unwrap();
         for row in seen.chunk_by(|a, b| a.pixel[1] == b.pixel[1]) {
@@ -282,7 +282,7 @@ impl Clipped {
         let mut drawn = drawn.iter().peekable();
         for pixel in window.pixels() {
             let is_drawn = drawn.next_if(|at| **at == pixel).is_some();
-            let [x, y] = centre(pixel);
+            let [x, y] = center(pixel);
             let must = || {
                 around.iter().all(|[right, down]| {
                     let at = [x + right, y + down];

@@ -119,7 +119,7 @@ fn check_text(text: &[u8]) {
         }
         (Err(error), Err(other)) => {
             assert_eq!(error, other);
-            let Error::Obj { line, problem } = *error else {
+            let Error::Obj { line, problem, .. } = *error else {
                 panic!("{error} is no mistake of a text");
             };
             let lines = lines(text);

@@ -92,13 +92,13 @@ impl Lens {
                 Projected::Perspective(Projection::from_focal_length(pixels, frame, near, far)?)
             }
             Self::Frustum([l, r, b, t, n, f]) => {
-                Projected::Perspective(Projection::frustum(l, r, b, t, n, f)?)
+                Projected::Perspective(Projection::frustum(window(l, r, b, t), n, f)?)
             }
             Self::Orthographic([l, r, b, t, n, f]) => {
-                Projected::Parallel(Projection::orthographic(l, r, b, t, n, f)?)
+                Projected::Parallel(Projection::orthographic(window(l, r, b, t), n, f)?)
             }
             Self::Oblique(angle, ratio, [l, r, b, t, n, f]) => {
-                Projected::Parallel(Projection::oblique(angle, ratio, l, r, b, t, n, f)?)
+                Projected::Parallel(Projection::oblique(angle, ratio, window(l, r, b, t), n, f)?)
             }
         })
     }
@@ -133,5 +133,14 @@ impl Lens {
                 projection::oblique(angle, ratio, (l + x, r + x, b + y, t + y), n, f)
             }
         }
+    }
+}
+
+fn window(left: Scalar, right: Scalar, bottom: Scalar, top: Scalar) -> Window {
+    Window {
+        left,
+        right,
+        bottom,
+        top,
     }
 }

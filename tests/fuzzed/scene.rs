@@ -169,11 +169,11 @@ impl Scene {
     }
 
     /// How it is drawn but for the mode, if there is such a viewport.
-    pub fn pass(&self) -> Result<DrawOptions, Error> {
-        let pass = DrawOptions::new().cull(self.cull);
+    pub fn options(&self) -> Result<DrawOptions, Error> {
+        let options = DrawOptions::new().cull(self.cull);
         Ok(match self.viewport {
-            None => pass,
-            Some(_) => pass.viewport(self.window()?),
+            None => options,
+            Some(_) => options.viewport(self.window()?),
         })
     }
 

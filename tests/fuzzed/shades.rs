@@ -2,11 +2,9 @@
 
 use arbitrary::{Result, Unstructured};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
-use fixel::mode::Tolerance;
 use fixel::prelude::*;
 
 use super::numbers::{option, scalar, vector};
-use super::shaders::Wide;
 
 /// A shader of the crate's, or the one that shows every bit.
 #[derive(Clone, Debug)]
@@ -70,7 +68,7 @@ impl Shine {
 
 /// What is done with a shader, whichever it is.
 pub trait Draw {
-    fn draw<F: Shader<N, Color = Rgb565>, const N: usize>(self, shader: &F);
+    fn draw<F: Shader<Color = Rgb565>>(self, shader: &F);
 }
 
 /// Texels that differ from all about them.
@@ -94,7 +92,7 @@ static SMALL: [[Rgb565; 4]; 2] = texels();
 static LARGE: [[Rgb565; 64]; 128] = texels();
 /// As wide as a texture can be.
 static WIDE: [[Rgb565; 32_768]; 1] = texels();
-static INDICES: Palette<Rgb565, 4, 2> = Palette::new(
+static INDICES: PaletteArray<Rgb565, 4, 2> = PaletteArray::new(
     &[0, 1, 2, 3, 2, 1, 0, 200],
     &[
         Rgb565::new(31, 0, 0),
@@ -111,8 +109,8 @@ pub fn draw(which: u8, light: Light, color: Rgb888, [far, near]: [u16; 2], then:
         0 => then.draw(&Flat::new(Rgb565::from(color))),
         1 => then.draw(&FaceColors::new(&faces)),
         2 => then.draw(&Gouraud::<Rgb565>::new()),
-        3 => then.draw(&Lit::<Rgb565>::new(color, light)),
-        4 => then.draw(&LitFaces::<Rgb565>::new(color, light)),
+        3 => then.draw(&Flat::<Rgb565>::rgb(color).lit(light)),
+        4 => then.draw(&Flat::<Rgb565>::rgb(color).lit_faces(light)),
         5 => then.draw(&small),
         6 => then.draw(&small.clamped()),
         7 => then.draw(&small.bilinear()),
@@ -121,43 +119,26 @@ pub fn draw(which: u8, light: Light, color: Rgb888, [far, near]: [u16; 2], then:
         10 => then.draw(&large.clamped().bilinear()),
         11 => then.draw(&large.lit(light)),
         12 => then.draw(&small.clamped().bilinear().lit(light)),
-        13 => then.draw(&small.modulated()),
-        14 => then.draw(&large.clamped().modulated()),
+        13 => then.draw(&small.tinted()),
+        14 => then.draw(&large.clamped().tinted()),
         15 => then.draw(&Textured::new(&WIDE)),
         16 => then.draw(&Textured::new(&WIDE).clamped().bilinear()),
         17 => then.draw(&Textured::new(&INDICES)),
         18 => then.draw(&Textured::new(&ONE).bilinear()),
         19 => then.draw(&DepthView::<Rgb565>::between(far, near)),
         20 => then.draw(&NormalView::<Rgb565>::new()),
-        21 => then.draw(&Wide(Converted::<_, Rgb888>::new(Gouraud::<Gray8>::new()))),
-        22 => then.draw(&Wide(Grey(Lit::<Gray4>::new(color, light)))),
-        _ => then.draw(&Wide(Grey(Converted::<_, BinaryColor>::new(large)))),
+        21 => then.draw(&wide(Gouraud::<Gray8>::new().converted::<Rgb888>())),
+        22 => then.draw(&wide(wide_gray(Flat::<Gray4>::rgb(color).lit(light)))),
+        _ => then.draw(&wide(wide_gray(large.converted::<BinaryColor>()))),
     }
 }
 
-/// A shader of few greys.
-#[derive(Clone, Copy, Debug)]
-struct Grey<F>(F);
+/// A shader's colors, each turned into one of the canvas's.
+fn wide(shader: impl Shader<Color = Rgb888>) -> impl Shader<Color = Rgb565> {
+    shader.map(|_, color| Some(color.into()))
+}
 
-impl<F: Shader<N, Color: Into<Rgb888>>, const N: usize> Shader<N> for Grey<F> {
-    type Color = Rgb888;
-
-    const READS_DEPTH: bool = F::READS_DEPTH;
-    const TOLERANCES: [Tolerance; N] = F::TOLERANCES;
-
-    fn varyings(&self, vertex: &Corner<'_>) -> [i32; N] {
-        self.0.varyings(vertex)
-    }
-
-    fn shade(&self, sample: &Fragment, values: [i32; N]) -> Option<Rgb888> {
-        self.0.shade(sample, values).map(Into::into)
-    }
-
-    fn begin(self, model: &Transform) -> Self {
-        Self(self.0.begin(model))
-    }
-
-    fn face(self, corners: &mut [[i32; N]; 3], face: &Face<'_>) -> Self {
-        Self(self.0.face(corners, face))
-    }
+/// The same of a shader of few grays.
+fn wide_gray(shader: impl Shader<Color: Into<Rgb888>>) -> impl Shader<Color = Rgb888> {
+    shader.map(|_, color| Some(color.into()))
 }

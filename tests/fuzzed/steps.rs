@@ -15,7 +15,7 @@ pub enum Step {
     Rotate(Vec3, Angle),
     /// All before it the other way round.
     Inverse,
-    Renormalised,
+    Renormalized,
 }
 
 impl Step {
@@ -24,7 +24,7 @@ impl Step {
             0 => Self::Uniform(factors(u)?.x),
             1 => Self::Rotate(vector(u)?, angle(u)?),
             2 => Self::Inverse,
-            3 => Self::Renormalised,
+            3 => Self::Renormalized,
             4 => Self::Move(Move::X(angle(u)?)),
             5 => Self::Move(Move::Y(angle(u)?)),
             6 => Self::Move(Move::Z(angle(u)?)),
@@ -43,7 +43,7 @@ impl Step {
                 Err(_) => before,
             },
             Self::Inverse => before.inverse_rigid(),
-            Self::Renormalised => before.renormalised(),
+            Self::Renormalized => before.renormalized(),
         }
     }
 }

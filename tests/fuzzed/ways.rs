@@ -1,17 +1,15 @@
 //! One draw call in every way that must come to the same: with depth and without, twice, in bands, as bytes, prepared.
 
-use std::cell::RefCell;
-
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
-use fixel::mode::Interpolate;
+use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::target::{Depth, DepthBuffer, Native, Storage};
-use fixel::view::Kind;
+use fixel::view::ProjectionKind;
 use fixel::{Drawn, Prepared};
 
 use super::scene::{Scene, What};
-use super::shaders::{Record, Recorder, Seen};
+use crate::recorder::{Record, Seen, record};
 
 /// A scene that could be made.
 #[derive(Clone, Copy, Debug)]
@@ -35,24 +33,24 @@ const BACKGROUND: Rgb565 = Rgb565::new(1, 2, 3);
 /// Room for what clipping makes of so few triangles.
 type List = TriangleList<16, 200>;
 
-impl<K: Kind> Call<'_, K> {
+impl<K: ProjectionKind> Call<'_, K> {
     /// Draws in one way.
-    fn draw<I, F, O, D, const N: usize>(
+    fn draw<I, F, O, D>(
         &self,
         canvas: &mut Canvas<'_, Rgb565, O, D>,
-        pass: &DrawOptions<I>,
+        options: &DrawOptions<I>,
         shader: &F,
     ) -> Drawn
     where
-        I: Interpolate,
-        F: Shader<N, Color = Rgb565>,
+        I: Mode,
+        F: Shader<Color = Rgb565>,
         O: Storage<Rgb565>,
         D: DepthBuffer,
     {
         let drawn = match self.scene.what {
-            What::Triangles => canvas.draw_with(pass, self.mesh, &self.mvp, shader),
-            What::Edges => canvas.draw_edges(pass, self.mesh, &self.mvp, shader),
-            What::Points => canvas.draw_points(pass, self.mesh, &self.mvp, shader),
+            What::Triangles => canvas.draw_with(options, self.mesh, &self.mvp, shader),
+            What::Edges => canvas.draw_edges(options, self.mesh, &self.mvp, shader),
+            What::Points => canvas.draw_points(options, self.mesh, &self.mvp, shader),
         };
         assert!(drawn.clipped <= drawn.drawn && drawn.drawn <= drawn.submitted);
         drawn
@@ -61,26 +59,21 @@ impl<K: Kind> Call<'_, K> {
     /// Every pixel that a shader is asked for where nothing hides another.
     pub fn record<I, F, const N: usize>(
         &self,
-        pass: &DrawOptions<I>,
+        options: &DrawOptions<I>,
         shader: F,
-    ) -> Record<Rgb565, N>
+    ) -> Record<N, Rgb565>
     where
-        I: Interpolate,
-        F: Shader<N, Color = Rgb565>,
+        I: Mode,
+        F: Shader<Color = Rgb565>,
     {
         let mut colors = vec![BACKGROUND; self.scene.pixels()];
-        let record = RefCell::default();
-        let recorder = Recorder {
-            shader,
-            record: &record,
-            face: 0,
-        };
         let (width, height) = self.scene.size;
         let mut canvas = Canvas::new(&mut colors, width, height).unwrap();
-        self.draw(&mut canvas, pass, &recorder);
-        let record = record.into_inner();
+        let record = record(shader, |recorder| {
+            self.draw(&mut canvas, options, recorder);
+        });
 
-        // The last colour at a place is what shows, and where there is none nothing was touched.
+        // The last color at a place is what shows, and where there is none nothing was touched.
         let mut expected = vec![BACKGROUND; colors.len()];
         for seen in &record.seen {
             if let Some(color) = seen.color {
@@ -125,30 +118,30 @@ impl<K: Kind> Call<'_, K> {
     /// Checks all ways, and tells what was seen.
     pub fn check<I, F, const N: usize>(
         &self,
-        pass: &DrawOptions<I>,
+        options: &DrawOptions<I>,
         shader: &F,
-    ) -> Record<Rgb565, N>
+    ) -> Record<N, Rgb565>
     where
-        I: Interpolate,
-        F: Shader<N, Color = Rgb565>,
+        I: Mode,
+        F: Shader<Color = Rgb565>,
     {
-        let record = self.record(pass, *shader);
-        let expected = self.depth_test(pass, *shader, &record.seen);
+        let record = self.record(options, *shader);
+        let expected = self.depth_test(options, *shader, &record.seen);
 
         // Without looking on, and once more over itself: of equal depths the later wins, again.
         let mut frame = self.blank();
         let mut counts = Vec::new();
         for _ in 0..2 {
-            let drawn = self.on_frame(&mut frame, |canvas| self.draw(canvas, pass, shader));
+            let drawn = self.on_frame(&mut frame, |canvas| self.draw(canvas, options, shader));
             assert!(frame == expected, "what is not looked on differs");
             counts.push(drawn);
         }
         assert_eq!(counts[0], counts[1]);
 
-        let bands = self.in_bands(|band| self.draw(band, pass, shader));
+        let bands = self.in_bands(|band| self.draw(band, options, shader));
         assert!(bands == expected, "bands differ");
         if self.scene.what == What::Triangles {
-            self.check_prepared(pass, shader, &expected, counts[0]);
+            self.check_prepared(options, shader, &expected, counts[0]);
         }
         record
     }
@@ -156,13 +149,13 @@ impl<K: Kind> Call<'_, K> {
     /// Draws with depths and checks that of what is `seen` without them just what is not hidden is drawn.
     fn depth_test<I, F, const N: usize>(
         &self,
-        pass: &DrawOptions<I>,
+        options: &DrawOptions<I>,
         shader: F,
-        seen: &[Seen<Rgb565, N>],
+        seen: &[Seen<N, Rgb565>],
     ) -> Picture
     where
-        I: Interpolate,
-        F: Shader<N, Color = Rgb565>,
+        I: Mode,
+        F: Shader<Color = Rgb565>,
     {
         let mut expected = self.blank();
         let mut visible = Vec::new();
@@ -178,35 +171,28 @@ impl<K: Kind> Call<'_, K> {
         }
 
         let mut frame = self.blank();
-        let record = RefCell::default();
-        let recorder = Recorder {
-            shader,
-            record: &record,
-            face: 0,
-        };
-        self.on_frame(&mut frame, |canvas| self.draw(canvas, pass, &recorder));
-        assert!(
-            record.into_inner().seen == visible,
-            "other pixels with depth"
-        );
+        let record = record(shader, |recorder| {
+            self.on_frame(&mut frame, |canvas| self.draw(canvas, options, recorder));
+        });
+        assert!(record.seen == visible, "other pixels with depth");
         assert!(frame == expected, "what is drawn is not what was seen");
         expected
     }
 
     /// Triangles that were prepared, in a frame and in bands.
-    fn check_prepared<I, F, const N: usize>(
+    fn check_prepared<I, F>(
         &self,
-        pass: &DrawOptions<I>,
+        options: &DrawOptions<I>,
         shader: &F,
         expected: &Picture,
         drawn: Drawn,
     ) where
-        I: Interpolate,
-        F: Shader<N, Color = Rgb565>,
+        I: Mode,
+        F: Shader<Color = Rgb565>,
     {
         let mut list = List::new();
-        let prepared: Prepared<'_, K, I> = list
-            .prepare(pass, self.scene.size, self.mesh, &self.mvp)
+        let prepared: Prepared<'_, K, I, _> = list
+            .prepare(options, self.scene.size, self.mesh, &self.mvp)
             .unwrap();
         let mut frame = self.blank();
         let counts = self.on_frame(&mut frame, |canvas| canvas.draw_prepared(&prepared, shader));
@@ -224,26 +210,26 @@ impl<K: Kind> Call<'_, K> {
     }
 
     /// Checks that a canvas of bytes shows the same, in either order and without depths.
-    pub fn check_bytes<I, F, const N: usize>(&self, pass: &DrawOptions<I>, shader: &F)
+    pub fn check_bytes<I, F>(&self, options: &DrawOptions<I>, shader: &F)
     where
-        I: Interpolate,
-        F: Shader<N, Color = Rgb565>,
+        I: Mode,
+        F: Shader<Color = Rgb565>,
     {
         let (width, height) = self.scene.size;
         let mut colors = vec![BACKGROUND; self.scene.pixels()];
         let mut canvas = Canvas::new(&mut colors, width, height).unwrap();
-        self.draw(&mut canvas, pass, shader);
+        self.draw(&mut canvas, options, shader);
 
         let mut bytes = vec![BigEndian::store(BACKGROUND); colors.len()];
         let mut canvas = Canvas::big_endian(&mut bytes, width, height).unwrap();
-        self.draw(&mut canvas, pass, shader);
+        self.draw(&mut canvas, options, shader);
         assert!(canvas.pixels().eq(colors.iter().copied()));
         let sent = colors.iter().flat_map(|color| color.to_be_bytes());
-        assert!(canvas.bytes().iter().copied().eq(sent));
+        assert!(canvas.as_bytes().iter().copied().eq(sent));
 
         let mut bytes = vec![LittleEndian::store(BACKGROUND); colors.len()];
         let mut canvas = Canvas::little_endian(&mut bytes, width, height).unwrap();
-        self.draw(&mut canvas, pass, shader);
+        self.draw(&mut canvas, options, shader);
         assert!(canvas.pixels().eq(colors.iter().copied()));
     }
 

@@ -4,7 +4,7 @@
 //! corners, linear in x and y, N = Σ λᵢ aᵢ/wᵢ and D = Σ λᵢ/wᵢ, the attribute is a = N/D, and by the
 //! quotient rule ∂a/∂x = (∂N/∂x − a ∂D/∂x)/D.
 
-use super::coverage::{Corners, Snapped, area2, area2_f64, centre, centre_snapped, edge};
+use super::coverage::{Corners, Snapped, area2, area2_f64, center, center_snapped, edge};
 
 /// Barycentric weights of a triangle's corners at a point; their sum is 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,14 +32,14 @@ pub fn weights(t: &Corners, p: [f64; 2]) -> Option<Weights> {
     })
 }
 
-/// Weights at a pixel's centre for snapped corners (24.8), from exact integers: each is the quotient
+/// Weights at a pixel's center for snapped corners (24.8), from exact integers: each is the quotient
 /// of two integers, rounded three times.
 pub fn weights_snapped(t: Snapped, pixel: [i32; 2]) -> Option<Weights> {
     let area = area2(t);
     if area == 0 {
         return None;
     }
-    let p = centre_snapped(pixel);
+    let p = center_snapped(pixel);
     let next = |i: usize| t[(i + 1) % 3];
     let after = |i: usize| t[(i + 2) % 3];
     // A difference of coordinates over an area is per 1/256 pixel.
@@ -95,7 +95,7 @@ pub fn interpolate<const N: usize>(
     }
 }
 
-/// The value at a pixel's centre for snapped corners (24.8); `None` for a triangle without area.
+/// The value at a pixel's center for snapped corners (24.8); `None` for a triangle without area.
 pub fn at_pixel_snapped<const N: usize>(
     t: Snapped,
     w: [f64; 3],
@@ -105,12 +105,12 @@ pub fn at_pixel_snapped<const N: usize>(
     weights_snapped(t, pixel).map(|weights| interpolate(&weights, w, attributes))
 }
 
-/// The value at a pixel's centre for corners in pixels; `None` for a triangle without area.
+/// The value at a pixel's center for corners in pixels; `None` for a triangle without area.
 pub fn at_pixel<const N: usize>(
     t: &Corners,
     w: [f64; 3],
     attributes: &[[f64; N]; 3],
     pixel: [i32; 2],
 ) -> Option<Value<N>> {
-    weights(t, centre(pixel)).map(|weights| interpolate(&weights, w, attributes))
+    weights(t, center(pixel)).map(|weights| interpolate(&weights, w, attributes))
 }

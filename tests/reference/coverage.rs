@@ -1,8 +1,8 @@
-//! Which pixel centres a triangle covers, by half-spaces and the top-left rule.
+//! Which pixel centers a triangle covers, by half-spaces and the top-left rule.
 //!
-//! A centre is covered when it is inside all three edges; a centre exactly on an edge is covered
+//! A center is covered when it is inside all three edges; a center exactly on an edge is covered
 //! when the edge is a top edge (horizontal, the triangle below it) or a left edge (the triangle to
-//! its right). Every centre is tested by itself, so nothing can accumulate.
+//! its right). Every center is tested by itself, so nothing can accumulate.
 
 /// Corners on the screen in 24.8 (1/256 pixel), x right and y down.
 pub type Snapped = [[i32; 2]; 3];
@@ -44,7 +44,7 @@ impl Bounds {
         }
     }
 
-    /// The part of these bounds that holds every centre within `margin` pixels of the corners' box.
+    /// The part of these bounds that holds every center within `margin` pixels of the corners' box.
     pub fn around(self, corners: &Corners, margin: f64) -> Self {
         let range = |axis: usize| {
             let low = corners.iter().map(|c| c[axis]).fold(f64::MAX, f64::min);
@@ -69,13 +69,13 @@ impl Bounds {
     }
 }
 
-/// A pixel's centre in 24.8.
-pub fn centre_snapped([x, y]: [i32; 2]) -> [i64; 2] {
+/// A pixel's center in 24.8.
+pub fn center_snapped([x, y]: [i32; 2]) -> [i64; 2] {
     [x, y].map(|at| i64::from(at) * 256 + 128)
 }
 
-/// A pixel's centre in pixels.
-pub fn centre([x, y]: [i32; 2]) -> [f64; 2] {
+/// A pixel's center in pixels.
+pub fn center([x, y]: [i32; 2]) -> [f64; 2] {
     [x, y].map(|at| f64::from(at) + 0.5)
 }
 
@@ -99,13 +99,13 @@ pub fn area2_f64(t: &Corners) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/// Whether an edge of a triangle that runs clockwise on the screen owns the centres on it: a top
+/// Whether an edge of a triangle that runs clockwise on the screen owns the centers on it: a top
 /// edge runs right, a left edge runs up.
 fn is_top_left<T: PartialOrd>(a: &[T; 2], b: &[T; 2]) -> bool {
     b[1] < a[1] || (b[1] == a[1] && b[0] > a[0])
 }
 
-/// Whether a triangle of either winding covers the centre of `pixel`; one without area covers none.
+/// Whether a triangle of either winding covers the center of `pixel`; one without area covers none.
 pub fn covers(t: Snapped, pixel: [i32; 2]) -> bool {
     let [a, b, c] = t;
     let [a, b, c] = match area2(t) {
@@ -113,7 +113,7 @@ pub fn covers(t: Snapped, pixel: [i32; 2]) -> bool {
         1.. => [a, b, c],
         _ => [a, c, b],
     };
-    let p = centre_snapped(pixel);
+    let p = center_snapped(pixel);
     [(a, b), (b, c), (c, a)]
         .into_iter()
         .all(|(from, to)| match edge(from, to, p) {

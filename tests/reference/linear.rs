@@ -42,7 +42,7 @@ pub fn length(v: Vec3) -> f64 {
 }
 
 /// v/‖v‖; not a number for the zero vector.
-pub fn normalised(v: Vec3) -> Vec3 {
+pub fn normalized(v: Vec3) -> Vec3 {
     let length = length(v);
     v.map(|x| x / length)
 }
@@ -87,7 +87,7 @@ pub fn direction(m: &Matrix, v: Vec3) -> Vec3 {
 /// length; `None` if `m` has no inverse.
 pub fn normal(m: &Matrix, n: Vec3) -> Option<Vec3> {
     let inverse = inverse(m)?;
-    Some(normalised(std::array::from_fn(|i| {
+    Some(normalized(std::array::from_fn(|i| {
         (0..3).map(|k| inverse[k][i] * n[k]).sum()
     })))
 }
@@ -145,7 +145,7 @@ pub fn rotate_z(angle: f64) -> Matrix {
 
 /// About any axis, counter-clockwise as seen from the axis' tip (Rodrigues' formula).
 pub fn rotate(axis: Vec3, angle: f64) -> Matrix {
-    let k = normalised(axis);
+    let k = normalized(axis);
     let (s, c) = angle.sin_cos();
     let mut m = IDENTITY;
     for i in 0..3 {
@@ -168,8 +168,8 @@ pub fn look_at(eye: Vec3, target: Vec3, up: Vec3) -> Option<Matrix> {
     if length(back) < 1e-12 || length(side) <= 1e-12 * length(up) * length(back) {
         return None;
     }
-    let k = normalised(back);
-    let i = normalised(side);
+    let k = normalized(back);
+    let i = normalized(side);
     let j = cross(k, i);
     let row = |v: Vec3| [v[0], v[1], v[2], -dot(v, eye)];
     Some([row(i), row(j), row(k), [0., 0., 0., 1.]])

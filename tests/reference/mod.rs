@@ -5,7 +5,7 @@
 //!
 //! Conventions: column vectors, matrices as rows, right-handed, the eye at the origin looking down
 //! −z with y up; angles in radians; screen coordinates in pixels, y down, pixel (0, 0) having its
-//! centre at (½, ½); snapped coordinates in 24.8, that is in 1/256 pixel.
+//! center at (½, ½); snapped coordinates in 24.8, that is in 1/256 pixel.
 //!
 //! | file | idea |
 //! |---|---|
@@ -13,14 +13,14 @@
 //! | `projection` | projections; distance ahead and depth |
 //! | `view` | from a position to a place on the screen |
 //! | `clip` | polygons and segments against planes in homogeneous coordinates |
-//! | `coverage` | which pixel centres a triangle covers |
+//! | `coverage` | which pixel centers a triangle covers |
 //! | `distance` | from a point to a segment or a triangle on the screen |
 //! | `silhouette` | how far a point is inside or outside a union of triangles |
 //! | `attributes` | perspective-correct values and their gradients at a point |
 //! | `raster` | a mesh to a picture: every surface at every pixel |
 //! | `lines` | values along a projected segment |
 //! | `scenes` | the measured scenes |
-//! | `texture` | a texture's colour between its texels |
+//! | `texture` | a texture's color between its texels |
 
 // Each test binary includes the model and uses a part of it.
 #![allow(dead_code)]

@@ -60,7 +60,7 @@ impl Lens {
     }
 }
 
-/// Off-centre perspective, as OpenGL has it; the edges are those of the window on the near plane.
+/// Off-center perspective, as OpenGL has it; the edges are those of the window on the near plane.
 pub fn frustum(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Lens {
     Lens {
         matrix: [

@@ -6,7 +6,7 @@
 
 use super::attributes::{Value, at_pixel, at_pixel_snapped};
 use super::clip::{ClipVertex, DEPTH_PLANES, Plane, fan, polygon};
-use super::coverage::{Bounds, Corners, Snapped, area2, area2_f64, centre, covers, covers_f64};
+use super::coverage::{Bounds, Corners, Snapped, area2, area2_f64, center, covers, covers_f64};
 use super::distance::to_triangle;
 use super::linear::{Vec3, Vec4};
 use super::projection::Lens;
@@ -95,7 +95,7 @@ impl<const N: usize> Piece<N> {
         }
     }
 
-    /// The values at a pixel's centre, inside or not; `None` without area.
+    /// The values at a pixel's center, inside or not; `None` without area.
     pub fn at(&self, pixel: [i32; 2]) -> Option<Value<N>> {
         match self.snapped {
             Some(corners) => at_pixel_snapped(corners, self.w, &self.attributes, pixel),
@@ -103,7 +103,7 @@ impl<const N: usize> Piece<N> {
         }
     }
 
-    /// The distance ahead of the eye at a pixel's centre, inside or not; `None` without area.
+    /// The distance ahead of the eye at a pixel's center, inside or not; `None` without area.
     pub fn distance_at(&self, pixel: [i32; 2]) -> Option<f64> {
         let distance = self.distance.map(|d| [d]);
         let value = match self.snapped {
@@ -113,11 +113,11 @@ impl<const N: usize> Piece<N> {
         value.map(|value| value.attributes[0])
     }
 
-    /// Whether the piece covers a pixel's centre, top-left rule.
+    /// Whether the piece covers a pixel's center, top-left rule.
     pub fn covers(&self, pixel: [i32; 2]) -> bool {
         match self.snapped {
             Some(corners) => covers(corners, pixel),
-            None => covers_f64(&self.screen, centre(pixel)),
+            None => covers_f64(&self.screen, center(pixel)),
         }
     }
 }
@@ -172,7 +172,7 @@ pub struct Hit<const N: usize> {
     pub face: usize,
     /// The piece's place in the list that was rendered.
     pub piece: usize,
-    /// How far the pixel's centre is from the piece, in pixels; 0 if the piece covers it.
+    /// How far the pixel's center is from the piece, in pixels; 0 if the piece covers it.
     pub gap: f64,
     /// Distance ahead of the eye.
     pub distance: f64,
@@ -191,8 +191,8 @@ pub struct Picture<const N: usize> {
 
 /// Evaluates pieces at the pixels of a width x height canvas that are inside the viewport.
 ///
-/// `margin` is in pixels: 0 finds the pieces that cover a centre; above 0 also those that pass
-/// within that distance, with their planes extended to the centre. Such a neighbour is what a
+/// `margin` is in pixels: 0 finds the pieces that cover a center; above 0 also those that pass
+/// within that distance, with their planes extended to the center. Such a neighbor is what a
 /// rounding of vertices by up to `margin` may put there instead.
 pub fn render<const N: usize>(
     pieces: &[Piece<N>],
@@ -213,8 +213,8 @@ pub fn render<const N: usize>(
             let gap = if piece.covers(pixel) {
                 0.
             } else if margin > 0. {
-                // A centre on an edge that belongs to the neighbour is near, not covered.
-                to_triangle(&piece.screen, centre(pixel)).max(f64::MIN_POSITIVE)
+                // A center on an edge that belongs to the neighbor is near, not covered.
+                to_triangle(&piece.screen, center(pixel)).max(f64::MIN_POSITIVE)
             } else {
                 continue;
             };
@@ -281,7 +281,7 @@ impl<const N: usize> Picture<N> {
         covering.max_by(|a, b| a.depth.total_cmp(&b.depth))
     }
 
-    /// Every surface that a depth buffer with a step of `step` may show: those, neighbours within
+    /// Every surface that a depth buffer with a step of `step` may show: those, neighbors within
     /// the margin too, at most `step` behind the nearest covering one; all if none covers.
     ///
     /// Where a surface ends within the margin, the one behind it may show as well: there (see

@@ -1,6 +1,6 @@
-//! The colour of a texture at a point, blended of the texels around.
+//! The color of a texture at a point, blended of the texels around.
 //!
-//! Texel (i, j) has its centre at (i + ½, j + ½) texels. Between centres the colour is linear in u for given v, and
+//! Texel (i, j) has its center at (i + ½, j + ½) texels. Between centers the color is linear in u for given v, and
 //! in v for given u: f(u, v) = Σ tᵢⱼ · max(0, 1 − |u − i − ½|) · max(0, 1 − |v − j − ½|) over all texels
 //! of the endless plane that a wrap makes of the texture.
 
@@ -25,7 +25,7 @@ impl Wrap {
     }
 }
 
-/// One channel of a colour at a point.
+/// One channel of a color at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Blended {
     /// The value.

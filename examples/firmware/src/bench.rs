@@ -1,7 +1,7 @@
 //! Draws a scene in a layout, and takes its figures.
 
 use crc32fast::Hasher;
-use fixel::mode::Interpolate;
+use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::target::DepthBuffer;
 use fixel::view::Perspective;
@@ -40,7 +40,7 @@ impl Layout {
         }
     }
 
-    /// Rows that are in memory at a time. A band takes 10 KiB of colour and as much of depth.
+    /// Rows that are in memory at a time. A band takes 10 KiB of color and as much of depth.
     fn rows(self) -> u32 {
         match self {
             Self::Frame => HEIGHT,
@@ -84,10 +84,10 @@ impl Bench {
     }
 
     /// Draws a scene.
-    pub fn measure<I: Interpolate>(
+    pub fn measure<I: Mode>(
         &mut self,
         scene: Scene,
-        pass: &DrawOptions<I>,
+        options: &DrawOptions<I>,
         layout: Layout,
     ) -> Result<Figures, Error> {
         let Self {
@@ -96,16 +96,16 @@ impl Bench {
             depths,
             lists,
         } = self;
-        let mvp = scene.chain()?;
+        let mvp = scene.mvp()?;
         let (rows, mut figures) = (layout.rows(), Figures::default());
         let models = if let Layout::Prepared = layout {
             let (clock, lists, mvp) = (&mut *clock, &mut **lists, &mvp);
             let ((prepared, ticks), stack) =
-                stack::deepest(move || clock.time(move || scene.prepare(lists, pass, mvp)));
+                stack::deepest(move || clock.time(move || scene.prepare(lists, options, mvp)));
             figures.add(ticks, stack);
             Models::Prepared(prepared?)
         } else {
-            Models::Meshes(scene, pass, &mvp)
+            Models::Meshes(scene, options, &mvp)
         };
         let mut crc = Hasher::new();
         for first_row in (0..HEIGHT).step_by(rows as usize) {
@@ -115,13 +115,13 @@ impl Bench {
                 let mut canvas: Target<_> =
                     Canvas::big_endian_band(colors, WIDTH, HEIGHT, first_row)?;
                 draw(scene, &models, &mut canvas, clock, &mut figures)?;
-                crc.update(canvas.bytes());
+                crc.update(canvas.as_bytes());
             }
             let canvas: Target<_> = Canvas::big_endian_band(colors, WIDTH, HEIGHT, first_row)?;
             let mut canvas = canvas.with_depth(depths)?;
             if scene.has_depth() {
                 draw(scene, &models, &mut canvas, clock, &mut figures)?;
-                crc.update(canvas.bytes());
+                crc.update(canvas.as_bytes());
             } else {
                 // Again, and not measured, only to learn from the depths which pixels are covered.
                 scene.background(&mut canvas);
@@ -137,11 +137,11 @@ impl Bench {
     /// The checksum of a scene with a depth buffer, drawn in a way.
     pub fn checksum(&mut self, way: Way) -> Result<u32, Error> {
         let Way { scene, rows, .. } = way;
-        let (pass, mvp) = (DrawOptions::new(), scene.chain()?);
+        let (options, mvp) = (DrawOptions::new(), scene.mvp()?);
         let models = if way.is_prepared {
-            Models::Prepared(scene.prepare(self.lists, &pass, &mvp)?)
+            Models::Prepared(scene.prepare(self.lists, &options, &mvp)?)
         } else {
-            Models::Meshes(scene, &pass, &mvp)
+            Models::Meshes(scene, &options, &mvp)
         };
         let mut crc = Hasher::new();
         for first_row in (0..HEIGHT).step_by(rows as usize) {
@@ -161,7 +161,7 @@ impl Bench {
                 Repeat::Over => _ = models.draw(&mut canvas)?,
             }
             scene.overlay(&mut canvas);
-            crc.update(canvas.bytes());
+            crc.update(canvas.as_bytes());
         }
         Ok(crc.finalize())
     }
@@ -181,17 +181,17 @@ enum Models<'a, I> {
     Prepared(PreparedScene<'a, I>),
 }
 
-impl<I: Interpolate> Models<'_, I> {
+impl<I: Mode> Models<'_, I> {
     fn draw<D: DepthBuffer>(&self, canvas: &mut Target<'_, D>) -> Result<u32, Error> {
         match self {
-            Self::Meshes(scene, pass, mvp) => scene.draw(canvas, pass, mvp),
+            Self::Meshes(scene, options, mvp) => scene.draw(canvas, options, mvp),
             Self::Prepared(prepared) => prepared.draw(canvas),
         }
     }
 }
 
 /// Draws a scene to a strip, and adds what the drawing took.
-fn draw<I: Interpolate, D: DepthBuffer>(
+fn draw<I: Mode, D: DepthBuffer>(
     scene: Scene,
     models: &Models<'_, I>,
     canvas: &mut Target<'_, D>,

@@ -36,7 +36,7 @@ fn main() {
 mod firmware {
     use core::panic::PanicInfo;
 
-    use fixel::mode::{Affine, Exact, Fast, Interpolate, Newton};
+    use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
     use fixel::prelude::*;
     use semihosting::{println, process};
 
@@ -64,8 +64,8 @@ mod firmware {
     }
 
     /// Measures everything in one way of interpolating.
-    fn run_mode<I: Interpolate>(bench: &mut Bench, mode: &str, way: I) -> Result<(), Error> {
-        let pass = DrawOptions::new().mode(way);
+    fn run_mode<I: Mode>(bench: &mut Bench, mode: &str, way: I) -> Result<(), Error> {
+        let options = DrawOptions::new().mode(way);
         for scene in Scene::ALL {
             for layout in Layout::ALL {
                 let (name, layout_name) = (scene.name(), layout.name());
@@ -76,7 +76,7 @@ mod firmware {
                     ticks,
                     stack,
                     crc,
-                } = bench.measure(scene, &pass, layout)?;
+                } = bench.measure(scene, &options, layout)?;
                 println!(
                     "{case} pixels={pixels} triangles={triangles} ticks={ticks} crc={crc:08x}"
                 );

@@ -3,7 +3,7 @@
 use embedded_graphics::pixelcolor::raw::BigEndian;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::Prepared;
-use fixel::mode::Interpolate;
+use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::target::DepthBuffer;
 use fixel::view::Perspective;
@@ -76,31 +76,31 @@ impl Scene {
     }
 
     /// Draws the models, which is what is measured; returns how many triangles were drawn.
-    pub fn draw<I: Interpolate, D: DepthBuffer>(
+    pub fn draw<I: Mode, D: DepthBuffer>(
         self,
         canvas: &mut Target<'_, D>,
-        pass: &DrawOptions<I>,
+        options: &DrawOptions<I>,
         mvp: &Mvp<Perspective>,
     ) -> Result<u32, Error> {
         Ok(match self {
-            Self::Floor => scenes::floor(canvas, pass, mvp).drawn,
-            Self::Cube => scenes::cube(canvas, pass, mvp).drawn,
-            Self::Sphere => scenes::sphere(canvas, pass, mvp).drawn,
-            Self::SphereFlat => scenes::sphere_flat(canvas, pass, mvp).drawn,
+            Self::Floor => scenes::floor(canvas, options, mvp).drawn,
+            Self::Cube => scenes::cube(canvas, options, mvp).drawn,
+            Self::Sphere => scenes::sphere(canvas, options, mvp).drawn,
+            Self::SphereFlat => scenes::sphere_flat(canvas, options, mvp).drawn,
             Self::Lighthouse => {
-                let [sea, island] = lighthouse::draw(canvas, pass, mvp)?;
+                let [sea, island] = lighthouse::draw(canvas, options, mvp)?;
                 sea.drawn + island.drawn
             }
-            Self::Inwards => drawn_cubes(canvas, pass, mvp, &INWARDS),
-            Self::Outwards => drawn_cubes(canvas, pass, mvp, &OUTWARDS),
+            Self::Inwards => drawn_cubes(canvas, options, mvp, &INWARDS),
+            Self::Outwards => drawn_cubes(canvas, options, mvp, &OUTWARDS),
         })
     }
 
     /// Prepares the models for all bands of the picture.
-    pub fn prepare<'l, I: Interpolate>(
+    pub fn prepare<'l, I: Mode>(
         self,
         lists: &'l mut Lists,
-        pass: &DrawOptions<I>,
+        options: &DrawOptions<I>,
         mvp: &Mvp<Perspective>,
     ) -> Result<PreparedScene<'l, I>, Error> {
         let frame = (WIDTH, HEIGHT);
@@ -116,9 +116,9 @@ impl Scene {
             scene: self,
             sea: match sea {
                 None => None,
-                Some(sea) => Some(lists.sea.prepare(pass, frame, sea, mvp)?),
+                Some(sea) => Some(lists.sea.prepare(options, frame, sea, mvp)?),
             },
-            model: lists.model.prepare(pass, frame, mesh, mvp)?,
+            model: lists.model.prepare(options, frame, mesh, mvp)?,
         })
     }
 
@@ -130,14 +130,14 @@ impl Scene {
     }
 }
 
-fn drawn_cubes<I: Interpolate, D: DepthBuffer>(
+fn drawn_cubes<I: Mode, D: DepthBuffer>(
     canvas: &mut Target<'_, D>,
-    pass: &DrawOptions<I>,
+    options: &DrawOptions<I>,
     mvp: &Mvp<Perspective>,
     cubes: &Mesh<'_>,
 ) -> u32 {
     canvas
-        .draw_with(pass, cubes, mvp, &scenes::checkered())
+        .draw_with(options, cubes, mvp, &scenes::checkered())
         .drawn
 }
 
@@ -164,7 +164,7 @@ pub struct PreparedScene<'l, I> {
     sea: Option<Prepared<'l, Perspective, I>>,
 }
 
-impl<I: Interpolate> PreparedScene<'_, I> {
+impl<I: Mode> PreparedScene<'_, I> {
     /// Draws what is in these rows; returns how many triangles were drawn.
     pub fn draw<D: DepthBuffer>(&self, canvas: &mut Target<'_, D>) -> Result<u32, Error> {
         let Self { scene, model, sea } = self;

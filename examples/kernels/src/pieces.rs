@@ -7,16 +7,17 @@ use fixel::prelude::*;
 
 use super::wall::Bench;
 
-/// A pixel's column of the texture in the place of its colour: its lower 16 bits, of a texel.
+/// A pixel's column of the texture in the place of its color: its lower 16 bits, of a texel.
 #[derive(Clone, Copy)]
 struct Column;
 
-impl Shader<1> for Column {
+impl Shader for Column {
     type Color = Rgb565;
+    type Varyings = [i32; 1];
 
-    fn varyings(&self, vertex: &Corner<'_>) -> [i32; 1] {
+    fn varyings(&self, primitive: &Primitive<'_>) -> [[i32; 1]; 3] {
         // A repeat is 2^20, and 2^6 texels of 2^16.
-        [vertex.uv().x.to_bits() << 2]
+        primitive.corners(|corner| [corner.uv().x.to_bits() << 2])
     }
 
     fn shade(&self, _: &Fragment, [column]: [i32; 1]) -> Option<Rgb565> {

@@ -16,7 +16,7 @@ const FOCAL: i32 = 4;
 /// Corners in sixteenths of a pixel from the only one's top left corner, and their distances: triangles of about 8x8
 /// pixels, as most are, of which the window has one or none.
 const COVERING: [([i32; 2], i32); 3] = [([-48, 3], 4), ([16, 128], 5), ([80, 5], 6)];
-/// The pixel's centre is within its bounds, but outside.
+/// The pixel's center is within its bounds, but outside.
 const MISSING: [([i32; 2], i32); 3] = [([-128, 3], 4), ([-128, 128], 5), ([14, 128], 6)];
 const PALETTE: [Rgb888; 3] = [
     Rgb888::new(255, 100, 0),
@@ -27,7 +27,7 @@ const PALETTE: [Rgb888; 3] = [
 /// What the window has of the triangles.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// No pixel, but a pixel's centre within their bounds.
+    /// No pixel, but a pixel's center within their bounds.
     Missing,
     /// One pixel.
     Covering,
@@ -49,7 +49,7 @@ fn draw(watch: &mut Stopwatch, kind: Kind, faces: &[[u16; 3]]) -> Result<u64, Er
         Kind::Covering => COVERING,
     };
     let positions = corners.map(|([x, y], distance)| {
-        // From the pixel's centre, which is the frame's.
+        // From the pixel's center, which is the frame's.
         let eye = |sixteenths: i32| Scalar::from_num(sixteenths * distance) / (16 * FOCAL);
         Vec3::new(eye(x - 8), eye(8 - y), -Scalar::from_num(distance))
     });

@@ -3,7 +3,7 @@
 use core::hint::black_box;
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use fixel::mode::Interpolate;
+use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::target::DepthBuffer;
 use fixel::view::Perspective;
@@ -60,7 +60,7 @@ impl Bench {
     }
 
     /// Prints what pixels take: 48 columns more than 16, and 240 more than 48.
-    pub fn kernel<I: Interpolate, F: Shader<N, Color = Rgb565>, const N: usize>(
+    pub fn kernel<I: Mode, F: Shader<Color = Rgb565>>(
         &mut self,
         name: &str,
         mode: I,
@@ -82,7 +82,7 @@ impl Bench {
     }
 
     /// Draws a frame and takes its ticks; the wall covers all of it.
-    fn frame<I: Interpolate, F: Shader<N, Color = Rgb565>, const N: usize>(
+    fn frame<I: Mode, F: Shader<Color = Rgb565>>(
         &mut self,
         width: u32,
         mode: I,
@@ -110,7 +110,7 @@ impl Bench {
     }
 
     /// A row of the widest frame, painted with a shader.
-    pub fn row<I: Interpolate, F: Shader<N, Color = Rgb565>, const N: usize>(
+    pub fn row<I: Mode, F: Shader<Color = Rgb565>>(
         &mut self,
         mode: I,
         shader: &F,
@@ -125,7 +125,7 @@ impl Bench {
 }
 
 /// Draws the wall to a canvas of such a width.
-fn draw<I: Interpolate, F: Shader<N, Color = Rgb565>, D: DepthBuffer, const N: usize>(
+fn draw<I: Mode, F: Shader<Color = Rgb565>, D: DepthBuffer>(
     watch: &mut Stopwatch,
     canvas: &mut Canvas<'_, Rgb565, fixel::target::Native, D>,
     width: u32,
@@ -135,9 +135,9 @@ fn draw<I: Interpolate, F: Shader<N, Color = Rgb565>, D: DepthBuffer, const N: u
     let (positions, mvp) = (positions(width), mvp(width)?);
     let wall = Mesh::new(&positions, &[[0, 1, 2]])?.with_uvs(&UVS, None)?;
     // What a user has is not known while compiling.
-    let (pass, shader) = black_box((DrawOptions::new().mode(mode), shader));
+    let (options, shader) = black_box((DrawOptions::new().mode(mode), shader));
     watch.time(|| {
-        let drawn = canvas.draw_with(&pass, &wall, &mvp, shader);
+        let drawn = canvas.draw_with(&options, &wall, &mvp, shader);
         assert_eq!((drawn.drawn, drawn.clipped), (1, 0));
         Ok(())
     })
@@ -147,7 +147,7 @@ fn draw<I: Interpolate, F: Shader<N, Color = Rgb565>, D: DepthBuffer, const N: u
 fn positions(width: u32) -> [Vec3; 3] {
     let center = [width, ROWS].map(u32::cast_signed);
     CORNERS.map(|([x, y], distance)| {
-        // To the frame's centre, in half pixels.
+        // To the frame's center, in half pixels.
         let (x, y) = (2 * x - center[0], center[1] - 2 * y);
         let eye = |half_pixels: i32| Scalar::from_num(half_pixels * distance) / (2 * FOCAL);
         Vec3::new(eye(x), eye(y), -Scalar::from_num(distance))

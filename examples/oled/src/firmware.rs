@@ -18,13 +18,13 @@ const ROWS: u32 = 16;
 const TICKS_PER_MS: u32 = 12_000;
 
 fn spin(panel: &mut Ssd0323, timer: &mut SYST) -> Result<(), Error> {
-    let mut greys = [Gray4::BLACK; (WIDTH * ROWS) as usize];
+    let mut grays = [Gray4::BLACK; (WIDTH * ROWS) as usize];
     let mut depths = [0; (WIDTH * ROWS) as usize];
     let mut lists = Lists::new();
     for frame in 0..FRAMES {
         let gyroscope = lists.prepare(frame)?;
         for first_row in (0..HEIGHT).step_by(ROWS as usize) {
-            let band = Canvas::band(&mut greys, WIDTH, HEIGHT, first_row)?;
+            let band = Canvas::band(&mut grays, WIDTH, HEIGHT, first_row)?;
             let mut band = band.with_depth(&mut depths)?;
             gyroscope.draw(&mut band);
             band.show(panel)?;

@@ -52,16 +52,16 @@ pub fn run() -> Result<(), Box<dyn Error>> {
 }
 
 fn draw(frame: u32) -> Result<SimulatorDisplay<Gray4>, fixel::Error> {
-    let mut greys = vec![Gray4::BLACK; (WIDTH * HEIGHT) as usize];
-    let mut depths = vec![0; greys.len()];
-    let mut canvas = Canvas::new(&mut greys, WIDTH, HEIGHT)?.with_depth(&mut depths)?;
+    let mut grays = vec![Gray4::BLACK; (WIDTH * HEIGHT) as usize];
+    let mut depths = vec![0; grays.len()];
+    let mut canvas = Canvas::new(&mut grays, WIDTH, HEIGHT)?.with_depth(&mut depths)?;
     Lists::new().prepare(frame)?.draw(&mut canvas);
     let mut panel = SimulatorDisplay::new(Size::new(WIDTH, HEIGHT));
     canvas.show(&mut panel)?;
     Ok(panel)
 }
 
-/// Compares grey by grey.
+/// Compares gray by gray.
 ///
 /// # Errors
 ///
@@ -75,11 +75,11 @@ fn compare(panel: &SimulatorDisplay<Gray4>, dump: &Path) -> Result<(), Box<dyn E
     }
     for (x, y, shown) in dump.enumerate_pixels() {
         let at = Point::new(x.cast_signed(), y.cast_signed()) / SCALE.cast_signed();
-        let grey = panel.get_pixel(at).luma();
+        let gray = panel.get_pixel(at).luma();
         // White is 15 on the panel and 255 in the dump.
-        if shown.0 != [grey * 17; 3] {
+        if shown.0 != [gray * 17; 3] {
             let (x, y) = (at.x, at.y);
-            let problem = format!("pixel {x},{y} is {:?}, on the host {}", shown.0, grey * 17);
+            let problem = format!("pixel {x},{y} is {:?}, on the host {}", shown.0, gray * 17);
             return Err(problem.into());
         }
     }

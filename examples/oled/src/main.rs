@@ -1,5 +1,5 @@
 //! A spinning model on a real display controller: the SSD0323 of a Stellaris LM3S6965 evaluation
-//! board, a Cortex-M3 with 64 KiB of RAM, and its OLED of 128x64 pixels in 16 greys.
+//! board, a Cortex-M3 with 64 KiB of RAM, and its OLED of 128x64 pixels in 16 grays.
 //!
 //! ```sh
 //! cargo run --config .cargo/oled.toml --release -p oled --target thumbv7m-none-eabi
@@ -10,7 +10,7 @@
 //! viewer finds it. The model turns for six seconds and then keeps its last pose, which the terminal
 //! says. Ctrl-C or closing the window ends it.
 //!
-//! Each frame is drawn in bands of 16 rows, in 2 KiB of greys and 4 KiB of depths; a band is a
+//! Each frame is drawn in bands of 16 rows, in 2 KiB of grays and 4 KiB of depths; a band is a
 //! [`Canvas`](fixel::Canvas) with text of embedded-graphics over the model, and it shows itself on
 //! the panel's `DrawTarget`. `board` has the chip's registers, `ssd0323` the controller's commands.
 //!

@@ -1,4 +1,4 @@
-//! The SSD0323: a display controller with 16 greys, two pixels to a byte.
+//! The SSD0323: a display controller with 16 grays, two pixels to a byte.
 
 use core::convert::Infallible;
 
@@ -30,7 +30,7 @@ const READY: [&[u8]; 16] = [
     &[0xbf, 0x0d], // voltage of dark segments
     &[0xbe, 0x02], // voltage of idle rows
     &[0xbc, 0x10], // voltage of pre-charge
-    // Pulse widths of the greys: about equal steps.
+    // Pulse widths of the grays: about equal steps.
     &[0xb8, 0x01, 0x11, 0x22, 0x32, 0x43, 0x54, 0x65, 0x76],
     &[0xad, 0x03], // voltage converter on
 ];

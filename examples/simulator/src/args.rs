@@ -89,12 +89,12 @@ pub struct Args {
     )]
     pub projection: Kind,
 
-    /// How the surface is coloured.
+    /// How the surface is colored.
     /// [default: lit, where the model has texture coordinates or --texture is given; else gouraud]
     #[arg(long, value_enum, help_heading = "Look", conflicts_with = "scene")]
     pub shade: Option<Shade>,
 
-    /// What colour the texture has between the centres of its texels.
+    /// What color the texture has between the centers of its texels.
     #[arg(
         long,
         value_enum,
@@ -171,7 +171,7 @@ pub enum SceneName {
     Cube,
     /// A sphere of 1,984 triangles, Gouraud
     Sphere,
-    /// The same sphere, one colour per triangle, no depth buffer
+    /// The same sphere, one color per triangle, no depth buffer
     SphereFlat,
 }
 
@@ -193,15 +193,15 @@ pub enum Shade {
     Texture,
     /// Clay in light: lit at the vertices, blended over each triangle
     Gouraud,
-    /// Clay in light, one colour per triangle
+    /// Clay in light, one color per triangle
     Flat,
     /// The texture in light
     Lit,
     /// Edges only
     Wire,
-    /// Depth as grey: near white, far black
+    /// Depth as gray: near white, far black
     Depth,
-    /// Normals as colours: x red, y green, z blue
+    /// Normals as colors: x red, y green, z blue
     Normal,
 }
 
@@ -229,19 +229,21 @@ pub enum Mode {
 pub enum DepthFormat {
     /// In equal steps of 1/distance: finest near by
     Linear,
-    /// In floating point: steps of 0.024 % of the distance, whatever it is
+    /// In floating point: steps of 0.024 % of the distance, up to 65,536 times the near plane
     Float,
+    /// In floating point over a wider range: steps of 0.049 % of the distance, however far
+    Wide,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Color {
-    /// 16-bit colour
+    /// 16-bit color
     Rgb565,
-    /// 24-bit colour
+    /// 24-bit color
     Rgb888,
-    /// 256 greys
+    /// 256 grays
     Gray8,
-    /// 16 greys, dithered
+    /// 16 grays, dithered
     Gray4,
     /// Black and white, dithered
     Mono,

@@ -3,12 +3,12 @@
 use std::io::Write;
 
 use embedded_graphics::pixelcolor::PixelColor;
-use fixel::mode::Tolerance;
-use fixel::{Corner, Fragment, Shader, TexCoord};
+use fixel::shade::Texels;
+use fixel::{Fragment, Primitive, Shader, TexCoord};
 
 use super::Result;
 
-/// A "colour" that says what was interpolated for a pixel; so the canvas keeps the one in front.
+/// A "color" that says what was interpolated for a pixel; so the canvas keeps the one in front.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Record {
     pub covered: bool,
@@ -43,26 +43,31 @@ impl Recorder {
     }
 }
 
-impl Shader<3> for Recorder {
+impl Shader for Recorder {
     type Color = Record;
 
-    const TOLERANCES: [Tolerance; 3] = [Tolerance::Texels; 3];
+    // All as exact as a texture coordinate.
+    type Varyings = (Texels, Texels);
 
-    fn varyings(&self, vertex: &Corner<'_>) -> [i32; 3] {
-        let [u, v] = vertex
-            .uv()
-            .to_bits()
-            .map(|bits| bits << (self.uv_bits - TexCoord::FRAC_NBITS));
-        [u, v, vertex.distance().to_bits()]
+    fn varyings(&self, primitive: &Primitive<'_>) -> [(Texels, Texels); 3] {
+        let up = self.uv_bits - TexCoord::FRAC_NBITS;
+        primitive.corners(|corner| {
+            let uv = corner.uv().to_bits().map(|bits| bits << up);
+            (Texels(uv), Texels([corner.distance().to_bits(), 0]))
+        })
     }
 
-    fn shade(&self, sample: &Fragment, [u, v, distance]: [i32; 3]) -> Option<Record> {
+    fn shade(
+        &self,
+        at: &Fragment,
+        (Texels(uv), Texels([distance, _])): (Texels, Texels),
+    ) -> Option<Record> {
         Some(Record {
             covered: true,
-            uv: [u, v],
+            uv,
             uv_bits: self.uv_bits,
             distance,
-            depth: sample.depth,
+            depth: at.depth,
         })
     }
 }

@@ -94,25 +94,25 @@ fn basis(back: Point, up: Point) -> Option<[Point; 3]> {
 }
 
 /// The axes of what `args` ask for.
-fn axes(args: &Args, centre: Point) -> Option<[Point; 3]> {
+fn axes(args: &Args, center: Point) -> Option<[Point; 3]> {
     let back = match args.eye {
-        Some(eye) => sub(eye, centre),
+        Some(eye) => sub(eye, center),
         None if shear(args.projection) > 0.0 => FRONT,
         None => FROM,
     };
     basis(back, args.up())
 }
 
-/// Where `points` are from `centre`, along the `axes`.
-fn seen(axes: &[Point; 3], centre: Point, points: &[Point]) -> Vec<Point> {
-    let from = |&p: &Point| axes.map(|axis| dot(axis, sub(p, centre)));
+/// Where `points` are from `center`, along the `axes`.
+fn seen(axes: &[Point; 3], center: Point, points: &[Point]) -> Vec<Point> {
+    let from = |&p: &Point| axes.map(|axis| dot(axis, sub(p, center)));
     points.iter().map(from).collect()
 }
 
-/// What an eye must look at to have all `points` in the middle of its picture, near `centre`.
-fn aim(eye: Point, mut centre: Point, up: Point, points: &[Point]) -> Point {
+/// What an eye must look at to have all `points` in the middle of its picture, near `center`.
+fn aim(eye: Point, mut center: Point, up: Point, points: &[Point]) -> Point {
     for _ in 0..4 {
-        let back = sub(eye, centre);
+        let back = sub(eye, center);
         let Some(axes) = basis(back, up) else {
             break;
         };
@@ -124,10 +124,10 @@ fn aim(eye: Point, mut centre: Point, up: Point, points: &[Point]) -> Point {
         let distance = dot(back, back).sqrt();
         for axis in [0, 1] {
             let (low, high) = range(ahead.iter().map(|p| p[axis] / -p[2]));
-            centre = along(centre, axes[axis], f64::midpoint(low, high) * distance);
+            center = along(center, axes[axis], f64::midpoint(low, high) * distance);
         }
     }
-    centre
+    center
 }
 
 impl Framing {
@@ -136,16 +136,16 @@ impl Framing {
     /// A camera that makes no sense (the eye at its target, up along the view) is passed on as it
     /// is: the library refuses it with a better message than could be given here.
     pub fn new(args: &Args, points: &[Point]) -> Self {
-        let mut centre = args.look_at.unwrap_or_else(|| middle(points));
+        let mut center = args.look_at.unwrap_or_else(|| middle(points));
         if let (Some(eye), None, Kind::Perspective) = (args.eye, args.look_at, args.projection) {
-            centre = aim(eye, centre, args.up(), points);
+            center = aim(eye, center, args.up(), points);
         }
-        let axes = axes(args, centre).unwrap_or(AXES);
-        let seen = seen(&axes, centre, points);
+        let axes = axes(args, center).unwrap_or(AXES);
+        let seen = seen(&axes, center, points);
         let aspect = f64::from(args.size.0.max(1)) / f64::from(args.size.1.max(1));
         let mut framing = match args.projection {
-            Kind::Perspective => Self::perspective(args, centre, axes, &seen, aspect),
-            _ => Self::parallel(args, centre, axes, &seen, aspect),
+            Kind::Perspective => Self::perspective(args, center, axes, &seen, aspect),
+            _ => Self::parallel(args, center, axes, &seen, aspect),
         };
         framing.light = [0, 1, 2].map(|i| axes[2][i] + axes[1][i] * 0.9 - axes[0][i] * 0.6);
         framing.near = args.near.unwrap_or(framing.near);
@@ -155,14 +155,14 @@ impl Framing {
 
     fn perspective(
         args: &Args,
-        centre: Point,
+        center: Point,
         axes: [Point; 3],
         seen: &[Point],
         aspect: f64,
     ) -> Self {
         let (eye, target, distance, fov);
         if let Some(given) = args.eye {
-            distance = dot(axes[2], sub(given, centre));
+            distance = dot(axes[2], sub(given, center));
             let tangent = seen
                 .iter()
                 .filter(|p| distance - p[2] > 0.0)
@@ -171,7 +171,7 @@ impl Framing {
             // Above 100 degrees the picture is all stretch: the eye is in the model or close to it.
             let fitting = (tangent / FILL).atan().to_degrees() * 2.0;
             fov = args.fov.unwrap_or(fitting.clamp(1.0, 100.0));
-            (eye, target) = (given, centre);
+            (eye, target) = (given, center);
         } else {
             fov = args.fov.unwrap_or(FIELD_OF_VIEW);
             let tangent = (fov.to_radians() / 2.0).tan() * FILL;
@@ -193,15 +193,15 @@ impl Framing {
             distance = dx.max(dy).max(closest);
             if args.look_at.is_none() {
                 // The one that has room to spare: to the middle of the picture.
-                for (axis, centre) in [(0, &mut cx), (1, &mut cy)] {
+                for (axis, center) in [(0, &mut cx), (1, &mut cy)] {
                     for _ in 0..8 {
-                        let slope = |p: &Point| (p[axis] - *centre) / (distance - p[2]);
+                        let slope = |p: &Point| (p[axis] - *center) / (distance - p[2]);
                         let (low, high) = range(seen.iter().map(slope));
-                        *centre += f64::midpoint(low, high) * distance;
+                        *center += f64::midpoint(low, high) * distance;
                     }
                 }
             }
-            target = along(along(centre, axes[0], cx), axes[1], cy);
+            target = along(along(center, axes[0], cx), axes[1], cy);
             eye = along(target, axes[2], distance);
         }
         let (nearest, farthest) = Self::planes(seen, distance);
@@ -217,14 +217,14 @@ impl Framing {
         }
     }
 
-    fn parallel(args: &Args, centre: Point, axes: [Point; 3], seen: &[Point], aspect: f64) -> Self {
+    fn parallel(args: &Args, center: Point, axes: [Point; 3], seen: &[Point], aspect: f64) -> Self {
         let depth = range(seen.iter().map(|p| p[2]));
         let reach = seen.iter().map(|p| dot(*p, *p).sqrt()).fold(1e-3, f64::max);
         let (eye, distance) = if let Some(eye) = args.eye {
-            (eye, dot(axes[2], sub(eye, centre)))
+            (eye, dot(axes[2], sub(eye, center)))
         } else {
             let distance = depth.1.max(0.0) + reach * 0.1;
-            (along(centre, axes[2], distance), distance)
+            (along(center, axes[2], distance), distance)
         };
         // The near plane stays where it is and what lies behind it moves: so does the window.
         let (near, far) = Self::planes(seen, distance);
@@ -254,7 +254,7 @@ impl Framing {
         };
         Self {
             eye,
-            target: centre,
+            target: center,
             fov: 0.0,
             window: [x - half * aspect, x + half * aspect, y - half, y + half],
             near,

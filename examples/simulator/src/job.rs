@@ -5,8 +5,8 @@ use std::time::{Duration, Instant};
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::prelude::*;
-use fixel::shade::{Channels, Converted, FaceColors, Gouraud, Levels, Textured};
-use fixel::target::DepthBuffer;
+use fixel::shade::{FaceColors, Gouraud, Levels, Textured};
+use fixel::target::{DepthBuffer, Float, WideFloat};
 use fixel::view::Perspective;
 use fixel::{Drawn, Mesh};
 
@@ -18,7 +18,6 @@ use super::paint::{Board, Posed, Shown, add};
 use super::view::{Lens, View};
 use crate::args::{Args, DepthFormat, SceneName, Shade};
 use crate::dump::{Record, Recorder};
-use crate::skin::Texels;
 
 /// Some rows of a frame, to be drawn.
 #[derive(Debug)]
@@ -92,24 +91,31 @@ impl Model<'_> {
     }
 
     /// Draws a strip of a frame.
-    pub fn paint<C: Shown + Channels<K>, const K: usize>(
+    pub fn paint<C: Shown>(
         &self,
         strip: Strip<'_, C>,
         frame: u32,
-        texels: &Texels<C::Texel>,
+        texture: &Texture<'_, C::Texel>,
     ) -> Result<Done> {
         let (canvas, depth) = strip.canvas()?;
         match self.view.depth {
-            DepthFormat::Linear => self.paint_on(canvas.with_depth(depth)?, frame, texels),
-            DepthFormat::Float => self.paint_on(canvas.with_float_depth(depth)?, frame, texels),
+            DepthFormat::Linear => self.paint_on(canvas.with_depth(depth)?, frame, texture),
+            DepthFormat::Float => {
+                let canvas = canvas.with_depth_format::<Float>(depth)?;
+                self.paint_on(canvas, frame, texture)
+            }
+            DepthFormat::Wide => {
+                let canvas = canvas.with_depth_format::<WideFloat>(depth)?;
+                self.paint_on(canvas, frame, texture)
+            }
         }
     }
 
-    fn paint_on<C: Shown + Channels<K>, D: DepthBuffer, const K: usize>(
+    fn paint_on<C: Shown, D: DepthBuffer>(
         &self,
         mut canvas: Board<'_, C, D>,
         frame: u32,
-        texels: &Texels<C::Texel>,
+        texture: &Texture<'_, C::Texel>,
     ) -> Result<Done> {
         let posed = self.posed(frame);
         let Some(shade) = self.shade else {
@@ -118,8 +124,8 @@ impl Model<'_> {
             let start = Instant::now();
             let [sea, island] = match self.view.projection {
                 Lens::Perspective(projection) => {
-                    in_mode!(self.view.mode, DrawOptions::new(), |pass| {
-                        lighthouse::draw(&mut canvas, pass, &(projection * camera * posed.pose))?
+                    in_mode!(self.view.mode, DrawOptions::new(), |options| {
+                        lighthouse::draw(&mut canvas, options, &(projection * camera * posed.pose))?
                     })
                 }
                 Lens::Parallel(projection) => lighthouse::draw(
@@ -133,7 +139,7 @@ impl Model<'_> {
             return Ok((add(sea, island), time));
         };
         canvas.clear(background(shade));
-        Ok(timed(|| posed.paint(&mut canvas, shade, texels)))
+        Ok(timed(|| posed.paint(&mut canvas, shade, texture)))
     }
 
     /// Records a strip of a frame.
@@ -141,7 +147,12 @@ impl Model<'_> {
         let (canvas, depth) = strip.canvas()?;
         match self.view.depth {
             DepthFormat::Linear => Ok(self.record_on(canvas.with_depth(depth)?, frame)),
-            DepthFormat::Float => Ok(self.record_on(canvas.with_float_depth(depth)?, frame)),
+            DepthFormat::Float => {
+                Ok(self.record_on(canvas.with_depth_format::<Float>(depth)?, frame))
+            }
+            DepthFormat::Wide => {
+                Ok(self.record_on(canvas.with_depth_format::<WideFloat>(depth)?, frame))
+            }
         }
     }
 
@@ -202,7 +213,13 @@ macro_rules! on_canvas {
                 timed(|| $draw)
             }
             (_, DepthFormat::Float) => {
-                let mut canvas = canvas.with_float_depth(depth)?;
+                let mut canvas = canvas.with_depth_format::<Float>(depth)?;
+                canvas.clear($background);
+                let $canvas = &mut canvas;
+                timed(|| $draw)
+            }
+            (_, DepthFormat::Wide) => {
+                let mut canvas = canvas.with_depth_format::<WideFloat>(depth)?;
                 canvas.clear($background);
                 let $canvas = &mut canvas;
                 timed(|| $draw)
@@ -219,35 +236,31 @@ impl Measured {
             strip,
             self,
             Rgb565::default(),
-            |canvas| in_mode!(self.mode, DrawOptions::new(), |pass| match self.scene {
-                SceneName::Floor => scenes::floor(canvas, pass, &mvp),
-                SceneName::Cube => scenes::cube(canvas, pass, &mvp),
-                SceneName::Sphere => scenes::sphere(canvas, pass, &mvp),
-                SceneName::SphereFlat => scenes::sphere_flat(canvas, pass, &mvp),
+            |canvas| in_mode!(self.mode, DrawOptions::new(), |options| match self.scene {
+                SceneName::Floor => scenes::floor(canvas, options, &mvp),
+                SceneName::Cube => scenes::cube(canvas, options, &mvp),
+                SceneName::Sphere => scenes::sphere(canvas, options, &mvp),
+                SceneName::SphereFlat => scenes::sphere_flat(canvas, options, &mvp),
             })
         ))
     }
 
-    /// Draws a strip of it in another colour.
-    pub fn paint_in<C: Channels<K>, const K: usize>(
-        self,
-        strip: Strip<'_, C>,
-        frame: u32,
-    ) -> Result<Done> {
+    /// Draws a strip of it in another color.
+    pub fn paint_in<C: Levels>(self, strip: Strip<'_, C>, frame: u32) -> Result<Done> {
         let mvp = mvp(self.scene, frame)?;
         let black = C::from_rgb(Rgb888::new(0, 0, 0), Point::zero());
-        let checker = Converted::new(Textured::new(&scenes::CHECKER));
-        let faces = Converted::new(FaceColors::new(&scenes::FACE_COLORS));
+        let checker = Textured::new(&scenes::CHECKER).converted();
+        let faces = FaceColors::new(&scenes::FACE_COLORS).converted();
         Ok(on_canvas!(strip, self, black, |canvas| in_mode!(
             self.mode,
             DrawOptions::new(),
-            |pass| match self.scene {
-                SceneName::Floor => canvas.draw_with(pass, &scenes::FLOOR, &mvp, &checker),
-                SceneName::Cube => canvas.draw_with(pass, &scenes::CUBE, &mvp, &checker),
+            |options| match self.scene {
+                SceneName::Floor => canvas.draw_with(options, &scenes::FLOOR, &mvp, &checker),
+                SceneName::Cube => canvas.draw_with(options, &scenes::CUBE, &mvp, &checker),
                 SceneName::Sphere => {
-                    canvas.draw_with(pass, &scenes::SPHERE, &mvp, &Gouraud::new())
+                    canvas.draw_with(options, &scenes::SPHERE, &mvp, &Gouraud::new())
                 }
-                SceneName::SphereFlat => canvas.draw_with(pass, &scenes::SPHERE, &mvp, &faces),
+                SceneName::SphereFlat => canvas.draw_with(options, &scenes::SPHERE, &mvp, &faces),
             }
         )))
     }

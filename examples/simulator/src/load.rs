@@ -178,7 +178,7 @@ fn sorted(statements: &[(usize, String)]) -> String {
         };
         let mut words: Vec<&str> = words.collect();
         match kind {
-            // A fourth number would be divided by, and colours are not drawn.
+            // A fourth number would be divided by, and colors are not drawn.
             "v" => words.truncate(3),
             "vt" if words.len() == 1 => words.push("0"),
             "f" => {

@@ -27,24 +27,24 @@ impl Mode {
     }
 }
 
-/// `$draw`, with a pass in that mode: the library's modes are types, so that a firmware has only what it uses.
+/// `$draw`, with options in that mode: the library's modes are types, so that a firmware has only what it uses.
 macro_rules! in_mode {
-    ($mode:expr, $pass:expr, |$in_mode:ident| $draw:expr) => {
+    ($mode:expr, $options:expr, |$in_mode:ident| $draw:expr) => {
         match $mode {
             Mode::Exact(mode) => {
-                let $in_mode = &$pass.mode(mode);
+                let $in_mode = &$options.mode(mode);
                 $draw
             }
             Mode::Newton(mode) => {
-                let $in_mode = &$pass.mode(mode);
+                let $in_mode = &$options.mode(mode);
                 $draw
             }
             Mode::Fast(mode) => {
-                let $in_mode = &$pass.mode(mode);
+                let $in_mode = &$options.mode(mode);
                 $draw
             }
             Mode::Affine(mode) => {
-                let $in_mode = &$pass.mode(mode);
+                let $in_mode = &$options.mode(mode);
                 $draw
             }
         }

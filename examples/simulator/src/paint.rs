@@ -1,31 +1,28 @@
-//! A model in each look and each colour.
+//! A model in each look and each color.
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
 use fixel::prelude::*;
-use fixel::shade::{Blend, Channels, Levels};
-use fixel::shade::{Converted, DepthView, Flat, Lit, LitFaces, NormalView, Textured};
+use fixel::shade::{DepthView, Flat, Levels, NormalView, Textured};
 use fixel::target::{DepthBuffer, Native};
+use fixel::texture::Blend;
 use fixel::{Drawn, Mesh};
 
 use super::mode::{Mode, in_mode};
 use super::view::{Lens, View};
 use crate::args::{Filter, Shade};
-use crate::skin::Texels;
 
 /// A canvas as the simulator has it.
 pub type Board<'a, C, D> = Canvas<'a, C, Native, D>;
 
-/// A canvas's colour, and how it takes a texture.
+/// A canvas's color, and how it takes a texture.
 pub trait Shown: Levels + Into<Rgb888> + Default {
-    /// The colour that a texture is kept in: for dithered colours a finer one, as it is the
+    /// The color that a texture is kept in: for dithered colors a finer one, as it is the
     /// picture that is to be dithered and not the texture.
     type Texel: Levels + Blend;
 
-    /// The shader in the canvas's colour.
-    fn shown<F: Shader<N, Color = Self::Texel>, const N: usize>(
-        shader: F,
-    ) -> impl Shader<N, Color = Self>;
+    /// The shader in the canvas's color.
+    fn shown<F: Shader<Color = Self::Texel>>(shader: F) -> impl Shader<Color = Self>;
 }
 
 macro_rules! shown {
@@ -33,9 +30,9 @@ macro_rules! shown {
         impl Shown for $color {
             type Texel = $texel;
 
-            fn shown<F: Shader<N, Color = $texel>, const N: usize>(
+            fn shown<F: Shader<Color = $texel>>(
                 $shader: F,
-            ) -> impl Shader<N, Color = Self> {
+            ) -> impl Shader<Color = Self> {
                 $converted
             }
         }
@@ -45,8 +42,8 @@ shown! {
     Rgb565 Rgb565 |shader| shader;
     Rgb888 Rgb888 |shader| shader;
     Gray8 Gray8 |shader| shader;
-    Gray4 Gray8 |shader| Converted::new(shader);
-    BinaryColor Gray8 |shader| Converted::new(shader);
+    Gray4 Gray8 |shader| shader.converted();
+    BinaryColor Gray8 |shader| shader.converted();
 }
 
 /// Meshes, how they are seen and in which pose.
@@ -66,7 +63,7 @@ impl Posed<'_> {
     }
 
     /// Draws the triangles.
-    pub fn draw<F: Shader<N>, D: DepthBuffer, const N: usize>(
+    pub fn draw<F: Shader, D: DepthBuffer>(
         &self,
         canvas: &mut Board<'_, F::Color, D>,
         shader: &F,
@@ -74,22 +71,22 @@ impl Posed<'_> {
         let View {
             projection,
             camera,
-            pass,
+            options,
             mode,
             ..
         } = self.view;
         self.each(|mesh| match *projection {
-            Lens::Perspective(projection) => in_mode!(*mode, pass, |pass| {
-                canvas.draw_with(pass, mesh, &(projection * *camera * self.pose), shader)
+            Lens::Perspective(projection) => in_mode!(*mode, options, |options| {
+                canvas.draw_with(options, mesh, &(projection * *camera * self.pose), shader)
             }),
             Lens::Parallel(projection) => {
-                canvas.draw_with(pass, mesh, &(projection * *camera * self.pose), shader)
+                canvas.draw_with(options, mesh, &(projection * *camera * self.pose), shader)
             }
         })
     }
 
     /// Draws the edges.
-    pub fn draw_edges<F: Shader<N>, D: DepthBuffer, const N: usize>(
+    pub fn draw_edges<F: Shader, D: DepthBuffer>(
         &self,
         canvas: &mut Board<'_, F::Color, D>,
         shader: &F,
@@ -97,15 +94,15 @@ impl Posed<'_> {
         let View {
             projection,
             camera,
-            pass,
+            options,
             ..
         } = self.view;
         self.each(|mesh| match *projection {
             Lens::Perspective(projection) => {
-                canvas.draw_edges(pass, mesh, &(projection * *camera * self.pose), shader)
+                canvas.draw_edges(options, mesh, &(projection * *camera * self.pose), shader)
             }
             Lens::Parallel(projection) => {
-                canvas.draw_edges(pass, mesh, &(projection * *camera * self.pose), shader)
+                canvas.draw_edges(options, mesh, &(projection * *camera * self.pose), shader)
             }
         })
     }
@@ -114,36 +111,32 @@ impl Posed<'_> {
     fn textured<C: Shown, D: DepthBuffer>(
         &self,
         canvas: &mut Board<'_, C, D>,
-        texels: &Texels<C::Texel>,
+        texture: &Texture<'_, C::Texel>,
         lit: bool,
     ) -> Drawn {
-        let (skin, light) = (Textured::new(texels), self.view.light);
+        let (skin, light) = (Textured::new(texture), self.view.light);
         match (self.view.filter, lit) {
-            (Filter::Nearest, false) => self.draw(canvas, &C::shown(texels.scaled(skin))),
-            (Filter::Nearest, true) => self.draw(canvas, &C::shown(texels.scaled(skin.lit(light)))),
-            (Filter::Bilinear, false) => {
-                self.draw(canvas, &C::shown(texels.scaled(skin.bilinear())))
-            }
-            (Filter::Bilinear, true) => {
-                self.draw(canvas, &C::shown(texels.scaled(skin.bilinear().lit(light))))
-            }
+            (Filter::Nearest, false) => self.draw(canvas, &C::shown(skin)),
+            (Filter::Nearest, true) => self.draw(canvas, &C::shown(skin.lit(light))),
+            (Filter::Bilinear, false) => self.draw(canvas, &C::shown(skin.bilinear())),
+            (Filter::Bilinear, true) => self.draw(canvas, &C::shown(skin.bilinear().lit(light))),
         }
     }
 
     /// Draws in the look of `shade`.
-    pub fn paint<C: Shown + Channels<K>, D: DepthBuffer, const K: usize>(
+    pub fn paint<C: Shown, D: DepthBuffer>(
         &self,
         canvas: &mut Board<'_, C, D>,
         shade: Shade,
-        texels: &Texels<C::Texel>,
+        texture: &Texture<'_, C::Texel>,
     ) -> Drawn {
         const CLAY: Rgb888 = Rgb888::new(236, 214, 190);
         let light = self.view.light;
         match shade {
-            Shade::Texture => self.textured(canvas, texels, false),
-            Shade::Lit => self.textured(canvas, texels, true),
-            Shade::Gouraud => self.draw(canvas, &Lit::new(CLAY, light)),
-            Shade::Flat => self.draw(canvas, &LitFaces::new(CLAY, light)),
+            Shade::Texture => self.textured(canvas, texture, false),
+            Shade::Lit => self.textured(canvas, texture, true),
+            Shade::Gouraud => self.draw(canvas, &Flat::<C>::rgb(CLAY).lit(light)),
+            Shade::Flat => self.draw(canvas, &Flat::<C>::rgb(CLAY).lit_faces(light)),
             Shade::Normal => self.draw(canvas, &NormalView::new()),
             Shade::Depth => {
                 let [near, far] = self.view.depths;

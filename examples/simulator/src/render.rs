@@ -1,7 +1,6 @@
-//! From arguments to pictures: the whole run, in each colour.
+//! From arguments to pictures: the whole run, in each color.
 
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
-use fixel::shade::Channels;
 
 use super::Result;
 use super::common::scenes;
@@ -32,10 +31,10 @@ pub fn run(args: &Args) -> Result<()> {
                 |strip, frame| measured.record(strip, frame),
                 |strip, frame| measured.paint(strip, frame),
             ),
-            Color::Rgb888 => measured_in::<Rgb888, _>(measured, targets),
-            Color::Gray8 => measured_in::<Gray8, _>(measured, targets),
-            Color::Gray4 => measured_in::<Gray4, _>(measured, targets),
-            Color::Mono => measured_in::<BinaryColor, _>(measured, targets),
+            Color::Rgb888 => measured_in::<Rgb888>(measured, targets),
+            Color::Gray8 => measured_in::<Gray8>(measured, targets),
+            Color::Gray4 => measured_in::<Gray4>(measured, targets),
+            Color::Mono => measured_in::<BinaryColor>(measured, targets),
         };
     }
     let subject = Subject::load(args)?;
@@ -43,38 +42,36 @@ pub fn run(args: &Args) -> Result<()> {
     let model = subject.model(args, &meshes)?;
     let skin = &subject.skin;
     match args.color {
-        Color::Rgb565 => picture_in::<Rgb565, _>(&model, skin, args, targets),
-        Color::Rgb888 => picture_in::<Rgb888, _>(&model, skin, args, targets),
-        Color::Gray8 => picture_in::<Gray8, _>(&model, skin, args, targets),
-        Color::Gray4 => picture_in::<Gray4, _>(&model, skin, args, targets),
-        Color::Mono => picture_in::<BinaryColor, _>(&model, skin, args, targets),
+        Color::Rgb565 => picture_in::<Rgb565>(&model, skin, args, targets),
+        Color::Rgb888 => picture_in::<Rgb888>(&model, skin, args, targets),
+        Color::Gray8 => picture_in::<Gray8>(&model, skin, args, targets),
+        Color::Gray4 => picture_in::<Gray4>(&model, skin, args, targets),
+        Color::Mono => picture_in::<BinaryColor>(&model, skin, args, targets),
     }
 }
 
 /// The size of the measured scenes.
 const MEASURED: (u32, u32) = (scenes::WIDTH, scenes::HEIGHT);
 
-fn measured_in<C: Shown + Channels<K>, const K: usize>(
-    measured: Measured,
-    targets: Targets<'_>,
-) -> Result<()> {
+fn measured_in<C: Shown>(measured: Measured, targets: Targets<'_>) -> Result<()> {
     targets.fill(
         MEASURED,
         |strip, frame| measured.record(strip, frame),
-        |strip, frame| measured.paint_in::<C, K>(strip, frame),
+        |strip, frame| measured.paint_in::<C>(strip, frame),
     )
 }
 
-fn picture_in<C: Shown + Channels<K>, const K: usize>(
+fn picture_in<C: Shown>(
     model: &Model<'_>,
     skin: &Skin,
     args: &Args,
     targets: Targets<'_>,
 ) -> Result<()> {
     let texels = skin.texels();
+    let texture = texels.texture()?;
     targets.fill(
         args.size,
         |strip, frame| model.record(strip, frame),
-        |strip, frame| model.paint::<C, K>(strip, frame, &texels),
+        |strip, frame| model.paint::<C>(strip, frame, &texture),
     )
 }

@@ -22,7 +22,7 @@ pub enum Lens {
 pub struct View {
     pub projection: Lens,
     pub camera: Camera,
-    pub pass: DrawOptions,
+    pub options: DrawOptions,
     pub light: Light,
     pub filter: Filter,
     pub mode: Mode,
@@ -74,10 +74,14 @@ impl View {
             point(target, framing.target)?,
             direction("--up", args.up())?,
         )
-        .map_err(|error| match (error, point("--up", args.up())) {
-            // As it was written.
-            (Error::UpAlongView { .. }, Ok(up)) => Error::UpAlongView { up },
-            (error, _) => error,
+        .map_err(|mut error| {
+            // The message names the direction as it was written.
+            if let (Error::UpAlongView { up, .. }, Ok(written)) =
+                (&mut error, point("--up", args.up()))
+            {
+                *up = written;
+            }
+            error
         })?;
         let near = what(
             args.near.is_some(),
@@ -97,12 +101,17 @@ impl View {
         } else {
             let edge = |value| number("edge of the picture at", value);
             let [l, r, b, t] = framing.window;
-            let [l, r, b, t] = [edge(l)?, edge(r)?, edge(b)?, edge(t)?];
+            let window = Window {
+                left: edge(l)?,
+                right: edge(r)?,
+                bottom: edge(b)?,
+                top: edge(t)?,
+            };
             let angle = Angle::from_degrees(45);
             Lens::Parallel(match args.projection {
-                Kind::Cabinet => Projection::cabinet(angle, l, r, b, t, near, far)?,
-                Kind::Cavalier => Projection::cavalier(angle, l, r, b, t, near, far)?,
-                _ => Projection::orthographic(l, r, b, t, near, far)?,
+                Kind::Cabinet => Projection::cabinet(angle, window, near, far)?,
+                Kind::Cavalier => Projection::cavalier(angle, window, near, far)?,
+                _ => Projection::orthographic(window, near, far)?,
             })
         };
         let light = Light::new(point("light from", framing.light)?, fx!(0.3), fx!(0.7))?;
@@ -114,7 +123,7 @@ impl View {
         Ok(Self {
             projection,
             camera,
-            pass: DrawOptions::new().cull(cull),
+            options: DrawOptions::new().cull(cull),
             light: if args.two_sided {
                 light.two_sided()
             } else {

@@ -16,14 +16,14 @@ fn draw(pixels: &mut [Rgb565], depths: &mut [u16], now_ms: u64) -> Result<(), Er
     let spin = Transform::translate(PLACE) * Transform::rotate_y(Rate::rpm(10).angle_at(now_ms));
     let mvp = projection()? * camera * spin;
     let sun = Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?;
-    let pass = DrawOptions::new();
+    let options = DrawOptions::new();
     let mut canvas = Canvas::new(pixels, WIDTH, HEIGHT)?.with_depth(depths)?;
     canvas.clear(Rgb565::BLACK);
     canvas.draw(&MODEL, &mvp, &Flat::new(Rgb565::BLUE));
     canvas.draw(&MODEL, &mvp, &Gouraud::new());
     canvas.draw(&MODEL, &mvp, &Textured::new(&SKIN).lit(sun));
-    canvas.draw_edges(&pass, &MODEL, &mvp, &Flat::new(Rgb565::GREEN));
-    canvas.draw_points(&pass, &MODEL, &mvp, &Flat::new(Rgb565::WHITE));
+    canvas.draw_edges(&options, &MODEL, &mvp, &Flat::new(Rgb565::GREEN));
+    canvas.draw_points(&options, &MODEL, &mvp, &Flat::new(Rgb565::WHITE));
     Ok(())
 }
 

@@ -1,4 +1,4 @@
-//! Size probe: triangles of one colour.
+//! Size probe: triangles of one color.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 mod probe;

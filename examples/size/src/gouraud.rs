@@ -1,4 +1,4 @@
-//! Size probe: triangles whose colours are interpolated.
+//! Size probe: triangles whose colors are interpolated.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 mod probe;

@@ -1,4 +1,4 @@
-//! Size probe: points and lines, each of one colour.
+//! Size probe: points and lines, each of one color.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 mod probe;

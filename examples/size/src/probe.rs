@@ -33,8 +33,8 @@ static COLORS: [Rgb888; 17 * 9] = {
 };
 
 /// A texture.
-pub static SKIN: Texture<Rgb565, 2, 2> =
-    Texture::rgb565(&[0xff, 0xff, 0xf8, 0x00, 0xf8, 0x00, 0xff, 0xff]);
+pub static SKIN: TextureArray<Rgb565, 2, 2> =
+    TextureArray::rgb565(&[0xff, 0xff, 0xf8, 0x00, 0xf8, 0x00, 0xff, 0xff]);
 
 /// Before the eye, and so near that the near plane of [`projection`](fn@projection) cuts it: clipping runs.
 pub const PLACE: Vec3 = vec3!(0, 0, -1.5);

@@ -20,12 +20,16 @@ fn draw(pixels: &mut [Rgb565], depths: &mut [u16], now_ms: u64) -> Result<(), Er
     canvas.draw(&MODEL, &mvp, &Flat::new(Rgb565::BLUE));
     canvas.draw(&MODEL, &mvp, &FaceColors::new(&COLORS));
     canvas.draw(&MODEL, &mvp, &Gouraud::new());
-    canvas.draw(&MODEL, &mvp, &Lit::new(Rgb888::RED, sun));
-    canvas.draw(&MODEL, &mvp, &LitFaces::new(Rgb888::RED, sun));
+    canvas.draw(&MODEL, &mvp, &Flat::<Rgb565>::rgb(Rgb888::RED).lit(sun));
+    canvas.draw(
+        &MODEL,
+        &mvp,
+        &Flat::<Rgb565>::rgb(Rgb888::RED).lit_faces(sun),
+    );
     canvas.draw(&MODEL, &mvp, &skin);
     canvas.draw(&MODEL, &mvp, &skin.clamped());
     canvas.draw(&MODEL, &mvp, &skin.lit(sun));
-    canvas.draw(&MODEL, &mvp, &skin.modulated());
+    canvas.draw(&MODEL, &mvp, &skin.tinted());
     Ok(())
 }
 

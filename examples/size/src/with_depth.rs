@@ -1,7 +1,7 @@
 //! What the probes of the modes draw: textured triangles with a depth buffer.
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use fixel::mode::Interpolate;
+use fixel::mode::Mode;
 use fixel::prelude::*;
 
 use super::probe::{HEIGHT, MODEL, PLACE, SKIN, WIDTH, angle, projection};
@@ -12,13 +12,13 @@ pub fn draw(
     pixels: &mut [Rgb565],
     depths: &mut [u16],
     now_ms: u64,
-    mode: impl Interpolate,
+    mode: impl Mode,
 ) -> Result<(), Error> {
     let spin = Transform::translate(PLACE) * Transform::rotate_y(angle(now_ms));
     let mvp = projection()? * spin;
     let mut canvas = Canvas::new(pixels, WIDTH, HEIGHT)?.with_depth(depths)?;
     canvas.clear(Rgb565::BLACK);
-    let pass = DrawOptions::new().mode(mode);
-    canvas.draw_with(&pass, &MODEL, &mvp, &Textured::new(&SKIN));
+    let options = DrawOptions::new().mode(mode);
+    canvas.draw_with(&options, &MODEL, &mvp, &Textured::new(&SKIN));
     Ok(())
 }

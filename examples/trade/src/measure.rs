@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use crc32fast::Hasher;
 use embedded_graphics::pixelcolor::raw::ToBytes;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use fixel::mode::Interpolate;
+use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::target::DepthBuffer;
 
@@ -59,10 +59,10 @@ impl<'a> Subject<'a> {
     }
 
     /// Measures it in a mode; the time is left to be taken.
-    pub fn measure<I: Interpolate>(&self, name: &'static str, mode: I) -> Result<Figures> {
-        let pass = DrawOptions::new().mode(mode);
+    pub fn measure<I: Mode>(&self, name: &'static str, mode: I) -> Result<Figures> {
+        let options = DrawOptions::new().mode(mode);
         let error = if self.case.interpolates {
-            Some(self.errors(&pass)?)
+            Some(self.errors(&options)?)
         } else {
             None
         };
@@ -77,7 +77,7 @@ impl<'a> Subject<'a> {
         };
         let drawing = Drawing {
             subject: self,
-            pass: &pass,
+            options: &options,
             figures: &mut figures,
         };
         self.case.paint.give(self.case.size, drawing)?;
@@ -85,7 +85,7 @@ impl<'a> Subject<'a> {
     }
 
     /// The texel errors of every pixel of every triangle.
-    fn errors<I: Interpolate>(&self, pass: &DrawOptions<I>) -> Result<Spread> {
+    fn errors<I: Mode>(&self, options: &DrawOptions<I>) -> Result<Spread> {
         let Case {
             name,
             size: (width, height),
@@ -101,9 +101,8 @@ impl<'a> Subject<'a> {
             let recorder = Recorder {
                 seen: &seen,
                 texels_log2,
-                face: 0,
             };
-            canvas.draw_with(pass, &shot.mesh()?, &shot.mvp, &recorder);
+            canvas.draw_with(options, &shot.mesh()?, &shot.mvp, &recorder);
             let mut seen = seen.into_inner();
             seen.sort_unstable_by_key(|seen| order(seen.face, seen.pixel));
             let places = |(seen, wanted): (&Seen, &Expected)| {
@@ -126,25 +125,25 @@ impl<'a> Subject<'a> {
 /// The drawing of a subject in a mode, for its pictures.
 struct Drawing<'a, I> {
     subject: &'a Subject<'a>,
-    pass: &'a DrawOptions<I>,
+    options: &'a DrawOptions<I>,
     figures: &'a mut Figures,
 }
 
-impl<I: Interpolate> Job for Drawing<'_, I> {
-    fn run<D: DepthBuffer, F: Shader<N, Color = Rgb565>, const N: usize>(
+impl<I: Mode> Job for Drawing<'_, I> {
+    fn run<D: DepthBuffer, F: Shader<Color = Rgb565>>(
         self,
         canvas: &mut Target<'_, D>,
         shader: &F,
     ) -> Result<()> {
         let Self {
             subject,
-            pass,
+            options,
             figures,
         } = self;
         let mut error = SquareError::default();
         for (i, (shot, truth)) in subject.shots().enumerate() {
             canvas.clear(Rgb565::BLACK);
-            canvas.draw_with(pass, &shot.mesh()?, &shot.mvp, shader);
+            canvas.draw_with(options, &shot.mesh()?, &shot.mvp, shader);
             error.add(canvas.pixels(), &truth.picture);
             if i == 0 {
                 figures.crc = crc(canvas.pixels());

@@ -1,14 +1,14 @@
 //! The modes that are compared. To measure one more, add its line.
 
 use fixel::fx;
-use fixel::mode::{Affine, Exact, Fast, Interpolate, Newton};
+use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 
 use super::Result;
 
 /// Something that is done in each mode.
 pub trait Visitor {
     /// Does it in one mode.
-    fn visit<I: Interpolate>(&mut self, name: &'static str, mode: I) -> Result<()>;
+    fn visit<I: Mode>(&mut self, name: &'static str, mode: I) -> Result<()>;
 }
 
 macro_rules! modes {

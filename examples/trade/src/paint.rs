@@ -13,9 +13,9 @@ use super::texture::checkered;
 pub enum Paint {
     /// The measured scenes' checkered texture, with a depth buffer.
     Checkered,
-    /// Corner colours, with a depth buffer.
+    /// Corner colors, with a depth buffer.
     Shaded,
-    /// A colour per triangle, without a depth buffer.
+    /// A color per triangle, without a depth buffer.
     Faceted,
     /// A checkered texture of so many texels along a side, without a depth buffer.
     Texture(Side),
@@ -49,7 +49,7 @@ pub type Target<'a, D> = Canvas<'a, Rgb565, Native, D>;
 /// Something to be done with a canvas and a shader.
 pub trait Job {
     /// Does it.
-    fn run<D: DepthBuffer, F: Shader<N, Color = Rgb565>, const N: usize>(
+    fn run<D: DepthBuffer, F: Shader<Color = Rgb565>>(
         self,
         canvas: &mut Target<'_, D>,
         shader: &F,
@@ -78,7 +78,7 @@ impl Paint {
         matches!(self, Self::Faceted | Self::Texture(_))
     }
 
-    /// The colour that the model has for u, v, red, green and blue (of 255) on a face.
+    /// The color that the model has for u, v, red, green and blue (of 255) on a face.
     pub fn model(self, face: usize, [u, v, r, g, b]: [f64; 5]) -> Rgb565 {
         // All textures have eight by eight squares, whose edges are edges of texels.
         let odd = |at: f64| (at * 8.).floor().rem_euclid(2.) > 0.5;

@@ -1,10 +1,10 @@
-//! Shaders that write down what they are given, in place of a colour.
+//! Shaders that write down what they are given, in place of a color.
 
 use std::cell::RefCell;
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use fixel::mode::Tolerance;
 use fixel::prelude::*;
+use fixel::shade::{PerFace, Texels};
 
 /// What was interpolated at a pixel.
 #[derive(Clone, Copy, Debug)]
@@ -21,30 +21,28 @@ pub struct Recorder<'a> {
     pub seen: &'a RefCell<Vec<Seen>>,
     /// Texels along the texture, as a power of two: 4 or more, so that no bit of u and v is lost.
     pub texels_log2: u32,
-    pub face: usize,
 }
 
-impl Shader<2> for Recorder<'_> {
+impl Shader for Recorder<'_> {
     type Color = Rgb565;
+    type Varyings = (Texels, PerFace<usize>);
 
-    const TOLERANCES: [Tolerance; 2] = [Tolerance::Texels; 2];
-
-    fn varyings(&self, vertex: &Corner<'_>) -> [i32; 2] {
+    fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
         let up = self.texels_log2 + 16 - TexCoord::FRAC_NBITS;
-        vertex.uv().to_bits().map(|bits| bits << up)
+        primitive.corners(|corner| {
+            let texel = corner.uv().to_bits().map(|bits| bits << up);
+            (Texels(texel), PerFace(primitive.index()))
+        })
     }
 
-    fn face(self, _: &mut [[i32; 2]; 3], face: &Face<'_>) -> Self {
-        Self {
-            face: face.index(),
-            ..self
-        }
-    }
-
-    fn shade(&self, sample: &Fragment, texel: [i32; 2]) -> Option<Rgb565> {
+    fn shade(
+        &self,
+        at: &Fragment,
+        (Texels(texel), PerFace(face)): Self::Varyings,
+    ) -> Option<Rgb565> {
         self.seen.borrow_mut().push(Seen {
-            face: self.face,
-            pixel: [sample.point.x, sample.point.y],
+            face,
+            pixel: [at.point.x, at.point.y],
             texel,
         });
         None
@@ -63,27 +61,24 @@ pub struct Given {
 #[derive(Clone, Copy)]
 pub struct Survey<'a>(pub &'a RefCell<Vec<Given>>);
 
-impl Shader<5> for Survey<'_> {
+impl Shader for Survey<'_> {
     type Color = Rgb565;
+    type Varyings = ();
 
-    fn varyings(&self, vertex: &Corner<'_>) -> [i32; 5] {
-        let ([u, v], color): (_, Rgb888) = (vertex.uv().to_bits(), vertex.color());
-        let [r, g, b] = [color.r(), color.g(), color.b()].map(i32::from);
-        [u, v, r, g, b]
-    }
-
-    fn face(self, corners: &mut [[i32; 5]; 3], face: &Face<'_>) -> Self {
-        let corners = corners.map(|[u, v, r, g, b]| {
+    fn varyings(&self, primitive: &Primitive<'_>) -> [(); 3] {
+        let corners = primitive.corners(|corner| {
+            let [u, v] = corner.uv().to_bits();
             let [u, v] = [u, v].map(|bits| TexCoord::from_bits(bits).to_num());
-            let [r, g, b] = [r, g, b].map(f64::from);
+            let color: Rgb888 = corner.color();
+            let [r, g, b] = [color.r(), color.g(), color.b()].map(f64::from);
             [u, v, r, g, b]
         });
-        let face = face.index();
+        let face = primitive.index();
         self.0.borrow_mut().push(Given { face, corners });
-        self
+        [(); 3]
     }
 
-    fn shade(&self, _: &Fragment, _: [i32; 5]) -> Option<Rgb565> {
+    fn shade(&self, _: &Fragment, (): ()) -> Option<Rgb565> {
         None
     }
 }

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::fs;
 use std::slice::IterMut;
 
-use fixel::mode::Interpolate;
+use fixel::mode::Mode;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::Result;
@@ -175,7 +175,7 @@ struct Looking<'a> {
 }
 
 impl Visitor for Looking<'_> {
-    fn visit<I: Interpolate>(&mut self, name: &'static str, mode: I) -> Result<()> {
+    fn visit<I: Mode>(&mut self, name: &'static str, mode: I) -> Result<()> {
         self.figures.push(self.subject.measure(name, mode)?);
         Ok(())
     }
@@ -189,7 +189,7 @@ struct Timing<'a> {
 }
 
 impl Visitor for Timing<'_> {
-    fn visit<I: Interpolate>(&mut self, _: &'static str, mode: I) -> Result<()> {
+    fn visit<I: Mode>(&mut self, _: &'static str, mode: I) -> Result<()> {
         match self.figures.next() {
             Some(figures) => figures.times.add(self.case, mode, self.repeats),
             None => Ok(()),

@@ -20,7 +20,7 @@ pub struct Row {
     pub per_pixel: f64,
     pub error: Option<Spread>,
     pub psnr: f64,
-    /// Bytes of code, optimised for size.
+    /// Bytes of code, optimized for size.
     pub code: Option<u64>,
 }
 

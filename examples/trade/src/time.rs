@@ -4,7 +4,7 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use fixel::mode::Interpolate;
+use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::target::DepthBuffer;
 
@@ -29,11 +29,11 @@ impl Times {
     }
 
     /// Draws a case so many times more.
-    pub fn add<I: Interpolate>(&mut self, case: &Case, mode: I, repeats: u32) -> Result<()> {
+    pub fn add<I: Mode>(&mut self, case: &Case, mode: I, repeats: u32) -> Result<()> {
         self.0.resize(case.shots.len(), Vec::new());
         let timing = Timing {
             case,
-            pass: &DrawOptions::new().mode(mode),
+            options: &DrawOptions::new().mode(mode),
             repeats,
             times: self,
         };
@@ -43,13 +43,13 @@ impl Times {
 
 struct Timing<'a, I> {
     case: &'a Case,
-    pass: &'a DrawOptions<I>,
+    options: &'a DrawOptions<I>,
     repeats: u32,
     times: &'a mut Times,
 }
 
-impl<I: Interpolate> Job for Timing<'_, I> {
-    fn run<D: DepthBuffer, F: Shader<N, Color = Rgb565>, const N: usize>(
+impl<I: Mode> Job for Timing<'_, I> {
+    fn run<D: DepthBuffer, F: Shader<Color = Rgb565>>(
         self,
         canvas: &mut Target<'_, D>,
         shader: &F,
@@ -64,7 +64,7 @@ impl<I: Interpolate> Job for Timing<'_, I> {
                 let start = Instant::now();
                 for _ in 0..times {
                     let (mesh, mvp) = (black_box(&mesh), black_box(&shot.mvp));
-                    black_box(canvas.draw_with(self.pass, mesh, mvp, shader));
+                    black_box(canvas.draw_with(self.options, mesh, mvp, shader));
                 }
                 let time = start.elapsed();
                 if repeat >= WARM {

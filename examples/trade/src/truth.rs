@@ -82,9 +82,9 @@ fn snapped(case: &Case, shot: &Shot) -> Result<(Vec<Piece<5>>, Vec<usize>)> {
     let mut colors = vec![Rgb565::default(); width as usize * height as usize];
     let mut canvas = Canvas::new(&mut colors, width, height)?;
     // The mode does not matter: nothing is looked at but the corners.
-    let pass = DrawOptions::new().mode(Exact);
+    let options = DrawOptions::new().mode(Exact);
     let given = RefCell::new(Vec::new());
-    canvas.draw_with(&pass, &mesh, &shot.mvp, &Survey(&given));
+    canvas.draw_with(&options, &mesh, &shot.mvp, &Survey(&given));
     let given: Vec<Given> = given.into_inner();
 
     let positions: Vec<Point> = mesh
@@ -104,7 +104,7 @@ fn snapped(case: &Case, shot: &Shot) -> Result<(Vec<Piece<5>>, Vec<usize>)> {
         .positions()
         .iter()
         .map(|point| {
-            let place = canvas.project(&pass, &shot.mvp, point)?;
+            let place = canvas.project(&options, &shot.mvp, point)?;
             Some([place.x.to_bits(), place.y.to_bits()])
         })
         .collect();

@@ -85,7 +85,7 @@ fn number(row: &Row, column: &str) -> f64 {
     value
 }
 
-/// Both forms of a plot are there, and each mode's colour is in it.
+/// Both forms of a plot are there, and each mode's color is in it.
 fn assert_plot(out: &Path, stem: &str) {
     let svg = fs::read_to_string(out.join(format!("{stem}.svg"))).unwrap();
     let picture = image::open(out.join(format!("{stem}.png")))

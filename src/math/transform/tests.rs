@@ -1,19 +1,20 @@
-//! Transforms against their mathematics in f64.
+//! Transforms against their formulas in f64.
 #![allow(clippy::needless_range_loop)] // formulas with indices
 
 use super::*;
+use crate::{Angle, Error, Scalar};
 use core::f64::consts::TAU;
 use proptest::prelude::*;
 use std::vec::Vec;
 
 /// Rows of a 3×4 matrix.
-type Real = [[f64; 4]; 3];
+pub(super) type Real = [[f64; 4]; 3];
 
-fn power(exp: i32) -> f64 {
+pub(super) fn power(exp: i32) -> f64 {
     f64::from(exp).exp2()
 }
 
-fn real(t: &Transform) -> Real {
+pub(super) fn real(t: &Transform) -> Real {
     core::array::from_fn(|i| {
         let [x, y, z] = t.linear[i].map(|m| f64::from(m) * power(-t.linear_exp));
         [
@@ -25,7 +26,7 @@ fn real(t: &Transform) -> Real {
     })
 }
 
-fn multiply(a: &Real, b: &Real) -> Real {
+pub(super) fn multiply(a: &Real, b: &Real) -> Real {
     core::array::from_fn(|i| {
         core::array::from_fn(|j| {
             let moved = if j == 3 { a[i][3] } else { 0.0 };
@@ -34,7 +35,7 @@ fn multiply(a: &Real, b: &Real) -> Real {
     })
 }
 
-/// The largest of the matrix, and of the translation.
+/// The largest entries of the matrix and of the translation.
 fn sizes(m: &Real) -> [f64; 2] {
     let max = |range: core::ops::Range<usize>| {
         m.iter()
@@ -44,8 +45,8 @@ fn sizes(m: &Real) -> [f64; 2] {
     [max(0..3), max(3..4)]
 }
 
-/// The largest errors of the matrix, and of the translation.
-fn errors(found: &Real, expected: &Real) -> [f64; 2] {
+/// The largest errors of the matrix and of the translation.
+pub(super) fn errors(found: &Real, expected: &Real) -> [f64; 2] {
     sizes(&core::array::from_fn(|i| {
         core::array::from_fn(|j| found[i][j] - expected[i][j])
     }))
@@ -74,7 +75,7 @@ impl Step {
     }
 
     fn real(self) -> Real {
-        // Rodrigues' formula for all.
+        // Rodrigues' formula serves all rotations.
         let about = |axis: [f64; 3], angle: u32| {
             let (sin, cos) = (f64::from(angle) / power(32) * TAU).sin_cos();
             let length = axis.iter().map(|v| v * v).sum::<f64>().sqrt();
@@ -132,14 +133,14 @@ fn poses() -> impl Strategy<Value = Transform> {
     })
 }
 
-/// Any transform that the fields admit.
-fn anything() -> impl Strategy<Value = Transform> {
+/// Any transform whose fields are in range.
+fn any_transform() -> impl Strategy<Value = Transform> {
     const M: core::ops::Range<i32> = -(1 << 30) + 1..1 << 30;
     const EXP: core::ops::RangeInclusive<i32> = block::MIN_EXP..=block::MAX_EXP;
     let row = || [M, M, M];
     ([row(), row(), row()], EXP, row(), EXP).prop_map(|(m, e, t, t_exp)| {
-        let numbers = |v: [i32; 3], exp| v.map(|v| Number::new(v.into(), exp));
-        Transform::of_numbers(&m.map(|row| numbers(row, e)), &numbers(t, t_exp))
+        let numbers = |v: [i32; 3], exp| v.map(|v| BlockFloat::new(v.into(), exp));
+        Transform::from_block_floats(&m.map(|row| numbers(row, e)), &numbers(t, t_exp))
     })
 }
 
@@ -153,7 +154,7 @@ fn admissible(t: &Transform) -> bool {
 }
 
 #[test]
-fn identity_is_normalised() {
+fn identity_is_normalized() {
     let scaled = Transform::scale(Scalar::ONE);
     assert_eq!(scaled, Transform::IDENTITY);
     assert_eq!(Transform::IDENTITY * scaled, Transform::IDENTITY);
@@ -175,8 +176,9 @@ fn turns_go_the_right_way() {
 }
 
 #[test]
-fn normals_survive_mirrors_and_uneven_scale() {
-    // The plane x + y = 0, of normal (1, 1, 0), squeezed to 2x' + y' = 0 or mirrored as well.
+fn normals_follow_mirrors_and_uneven_scales() {
+    // The plane x + y = 0 has the normal (1, 1, 0). Squeezed, it is 2x' + y' = 0; mirrored too,
+    // −2x' + y' = 0.
     for x in ["0.5", "-0.5"] {
         let factors = Vec3::new(Scalar::lit(x), Scalar::ONE, Scalar::ONE);
         let rows = Transform::scale_axes(factors).normal_matrix();
@@ -199,34 +201,34 @@ fn drift_is_removed() {
         let product = multiply(&real(&t.inverse_rigid()), &real(t));
         errors(&product, &real(&Transform::IDENTITY))[0]
     };
-    // A thousand turns have made something that is no rotation any more, or the test tests nothing.
+    // After a thousand turns the matrix must have drifted, or the test would show nothing.
     assert!(rigid(&t) > 1e-6, "{:e}", rigid(&t));
     assert!(
-        rigid(&t.renormalised()) < 4e-9,
+        rigid(&t.renormalized()) < 4e-9,
         "{:e}",
-        rigid(&t.renormalised())
+        rigid(&t.renormalized())
     );
     let mirror = Transform::scale_axes(Vec3::from_ints(-1, 1, 1));
-    assert_eq!(mirror.renormalised(), mirror);
+    assert_eq!(mirror.renormalized(), mirror);
     let flat = Transform::scale(Scalar::ZERO);
-    assert_eq!(flat.renormalised(), flat);
+    assert_eq!(flat.renormalized(), flat);
 }
 
 proptest! {
     #[test]
     fn steps_are_good_to_28_bits(step in steps()) {
         let [linear, translation] = errors(&real(&step.transform()), &step.real());
-        // Sine and cosine are within 1.6e-9, axes within 2^-28 and used twice.
+        // Sine and cosine are within 1.6e-9; the axis is within 2^-28 and enters twice.
         prop_assert!(linear <= 3.0 * power(-28), "{:e}", linear);
         prop_assert!(translation <= f64::EPSILON);
         if !matches!(step, Step::About(..)) {
-            // Rounded to half of 2^-29, as one needs 30 bits then.
+            // Rounded to half of 2^-29: an entry of one takes the 30th bit.
             prop_assert!(linear <= 1.6e-9 + power(-30), "{:e}", linear);
         }
     }
 
     #[test]
-    fn products_round_once(a in anything(), b in anything()) {
+    fn products_round_once(a in any_transform(), b in any_transform()) {
         let product = a * b;
         prop_assert!(admissible(&product));
         let expected = multiply(&real(&a), &real(&b));
@@ -236,7 +238,7 @@ proptest! {
             prop_assert!(linear <= 0.501 * power(-product.linear_exp));
         }
         if product.translation_exp > block::MIN_EXP {
-            // The two summands are rounded to 60 bits before.
+            // The two summands were rounded to 60 bits before.
             let summands = sizes(&expected)[1].max(sizes(&real(&a))[1]);
             let slack = 0.501 * power(-product.translation_exp) + summands * power(-50);
             prop_assert!(translation <= slack);
@@ -244,8 +246,8 @@ proptest! {
     }
 
     #[test]
-    fn any_transforms_compose_without_panic(
-        t in proptest::collection::vec(anything(), 1..40),
+    fn composing_never_panics(
+        t in proptest::collection::vec(any_transform(), 1..40),
         p in any::<[i32; 3]>(),
     ) {
         let all: Vec<Transform> = t.iter().scan(Transform::IDENTITY, |all, &t| {
@@ -255,26 +257,26 @@ proptest! {
         let p = Vec3::from_bits(p);
         for t in all.iter().chain(&t) {
             prop_assert!(admissible(t));
-            let _ = (t.point(p), t.direction(p), t.matrix(), t.normal_matrix());
-            prop_assert!(admissible(&t.inverse_rigid()) && admissible(&t.renormalised()));
+            let _ = (t.point(p), t.direction(p), t.to_matrix(), t.normal_matrix());
+            prop_assert!(admissible(&t.inverse_rigid()) && admissible(&t.renormalized()));
         }
     }
 
     #[test]
-    fn points_are_rounded_and_saturated(t in anything(), p in any::<[i32; 3]>()) {
+    fn points_are_rounded_and_saturated(t in any_transform(), p in any::<[i32; 3]>()) {
         let m = real(&t);
         let p_real = p.map(|v| f64::from(v) / 65_536.0);
         let (point, direction) = (t.point(Vec3::from_bits(p)), t.direction(Vec3::from_bits(p)));
         let saturate = |v: f64| (v * 65_536.0).clamp(i32::MIN.into(), i32::MAX.into());
         for i in 0..3 {
             let linear = (0..3).map(|k| m[i][k] * p_real[k]).sum::<f64>();
-            // f64's own rounding: of sums in which large terms cancel.
+            // The f64 sum itself rounds where large terms cancel.
             let size = (0..3).map(|k| (m[i][k] * p_real[k]).abs()).sum::<f64>() + m[i][3].abs();
             let slack = 0.501 + size * 65_536.0 * power(-50);
-            let off = f64::from(direction.to_bits()[i]) - saturate(linear);
-            prop_assert!(off.abs() <= slack);
-            let off = f64::from(point.to_bits()[i]) - saturate(linear + m[i][3]);
-            prop_assert!(off.abs() <= slack);
+            let error = f64::from(direction.to_bits()[i]) - saturate(linear);
+            prop_assert!(error.abs() <= slack);
+            let error = f64::from(point.to_bits()[i]) - saturate(linear + m[i][3]);
+            prop_assert!(error.abs() <= slack);
         }
     }
 
@@ -289,16 +291,16 @@ proptest! {
     }
 
     #[test]
-    fn normals_stay_at_right_angles(t in anything()) {
-        // Columns i of the normal matrix and j of the matrix: the determinant where i = j, up to a
-        // positive factor, else 0.
+    fn normals_stay_at_right_angles(t in any_transform()) {
+        // Column i of the normal matrix times column j of the matrix is 0 unless i = j; there it is
+        // the determinant's magnitude, up to a positive factor.
         let n = t.normal_matrix().map(|row| row.map(f64::from));
         let m = t.linear.map(|row| row.map(f64::from));
         for i in 0..3 {
             for j in 0..3 {
                 let dot = (0..3).map(|k| n[k][i] * m[k][j]).sum::<f64>();
                 let size = (0..3).map(|k| (n[k][i] * m[k][j]).abs()).sum::<f64>();
-                // Cofactors are rounded to half of 2^-30 of the largest.
+                // Cofactors are rounded to 2^-31 of the largest.
                 let slack = power(31) + size * power(-50);
                 if i == j {
                     prop_assert!(dot >= -slack);

@@ -4,7 +4,7 @@ use super::parse;
 use super::reader::MOST;
 use crate::Error;
 use crate::mesh::buffers::{Arrays, Counts};
-use crate::mesh::panic;
+use crate::message;
 
 /// At least as many elements as a text of so many bytes can have, so that it need be read only once.
 #[must_use]
@@ -51,7 +51,7 @@ pub const fn arrays<
         Ok(mesh) => Ok(mesh.counts()),
         Err(error) => Err(error),
     };
-    (arrays, panic::checked(counts, path))
+    (arrays, message::checked(counts, path))
 }
 
 /// A mesh of an OBJ file, read while compiling; it lives in flash.

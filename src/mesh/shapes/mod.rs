@@ -243,7 +243,7 @@ impl Shape {
     #[doc(hidden)]
     #[must_use]
     pub const fn checked(result: Result<Self, Error>, name: &str) -> Self {
-        super::panic::checked(result, name)
+        crate::message::checked(result, name)
     }
 }
 

@@ -1,119 +1,101 @@
-//! Parallel projections: what is far keeps its size.
+//! Parallel projections: distant things keep their size.
 
 use core::marker::PhantomData;
 
 use super::{Parallel, Projection, Row, bits, check_far, extent, number};
 use crate::num::Unit;
-use crate::num::block::Number;
+use crate::num::block::BlockFloat;
+use crate::view::Window;
 use crate::{Angle, Error, Scalar};
 
 impl Projection<Parallel> {
-    /// A parallel projection of a box, along −z.
+    /// Makes a parallel projection of a box, along −z.
     ///
-    /// `near` may be 0 or below: there is no eye to be in the way.
+    /// `near` may be 0 or negative: the box may reach behind the eye.
     ///
     /// # Errors
     ///
-    /// [`Error::Far`] unless `near` < `far`; [`Error::EmptyFrustum`] unless `left` < `right` and
-    /// `bottom` < `top`.
-    pub fn orthographic(
-        left: Scalar,
-        right: Scalar,
-        bottom: Scalar,
-        top: Scalar,
-        near: Scalar,
-        far: Scalar,
-    ) -> Result<Self, Error> {
-        Self::sheared([Number::ZERO; 2], [left, right, bottom, top], near, far)
+    /// [`Error::Far`] unless `near` < `far`; [`Error::EmptyWindow`] unless the window's left <
+    /// right and bottom < top.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// let plan = Projection::orthographic(Window::centered(fx!(8), fx!(6)), fx!(-5), fx!(5))?;
+    /// assert_eq!(plan.to_matrix().project(vec3!(4, 0, 0)), Some(vec3!(1, 0, 0)));
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn orthographic(window: Window, near: Scalar, far: Scalar) -> Result<Self, Error> {
+        Self::sheared([BlockFloat::ZERO; 2], window, near, far)
     }
 
-    /// An oblique projection: the near plane appears as it is, and what lies behind it moves by
-    /// `ratio` times its distance from it in the direction of `angle`, counter-clockwise from the
-    /// right.
+    /// Makes an oblique projection: the near plane is undistorted, and a point behind it moves in
+    /// the picture by `ratio` times its distance from that plane.
+    ///
+    /// It moves in the direction of `angle`, counter-clockwise from the right.
     ///
     /// # Errors
     ///
-    /// As for [`orthographic`](Self::orthographic).
-    #[allow(clippy::too_many_arguments)] // the box, and two
+    /// The same as for [`orthographic`](Self::orthographic).
     pub fn oblique(
         angle: Angle,
         ratio: Scalar,
-        left: Scalar,
-        right: Scalar,
-        bottom: Scalar,
-        top: Scalar,
+        window: Window,
         near: Scalar,
         far: Scalar,
     ) -> Result<Self, Error> {
         let (sin, cos) = angle.sin_cos();
-        let shear = |part: Unit| Number::new(bits(ratio) * i64::from(part.to_bits()), 46);
-        Self::sheared(
-            [shear(cos), shear(sin)],
-            [left, right, bottom, top],
-            near,
-            far,
-        )
+        let shear = |part: Unit| BlockFloat::new(bits(ratio) * i64::from(part.to_bits()), 46);
+        Self::sheared([shear(cos), shear(sin)], window, near, far)
     }
 
-    /// An [oblique](Self::oblique) projection in which depth keeps its full length.
+    /// Makes an [oblique](Self::oblique) projection in which depth keeps its full length.
     ///
     /// # Errors
     ///
-    /// As for [`orthographic`](Self::orthographic).
+    /// The same as for [`orthographic`](Self::orthographic).
     pub fn cavalier(
         angle: Angle,
-        left: Scalar,
-        right: Scalar,
-        bottom: Scalar,
-        top: Scalar,
+        window: Window,
         near: Scalar,
         far: Scalar,
     ) -> Result<Self, Error> {
-        Self::oblique(angle, Scalar::ONE, left, right, bottom, top, near, far)
+        Self::oblique(angle, Scalar::ONE, window, near, far)
     }
 
-    /// An [oblique](Self::oblique) projection in which depth has half its length.
+    /// Makes an [oblique](Self::oblique) projection in which depth has half its length.
     ///
     /// # Errors
     ///
-    /// As for [`orthographic`](Self::orthographic).
-    pub fn cabinet(
-        angle: Angle,
-        left: Scalar,
-        right: Scalar,
-        bottom: Scalar,
-        top: Scalar,
-        near: Scalar,
-        far: Scalar,
-    ) -> Result<Self, Error> {
+    /// The same as for [`orthographic`](Self::orthographic).
+    pub fn cabinet(angle: Angle, window: Window, near: Scalar, far: Scalar) -> Result<Self, Error> {
         let half = Scalar::from_bits(1 << 15);
-        Self::oblique(angle, half, left, right, bottom, top, near, far)
+        Self::oblique(angle, half, window, near, far)
     }
 
-    /// A box's projection in which a point at a distance d appears moved by `shear` · (d − near).
+    /// Makes the projection of a box in which a point at distance d moves by `shear` · (d − near).
     fn sheared(
-        shear: [Number; 2],
-        [left, right, bottom, top]: [Scalar; 4],
+        shear: [BlockFloat; 2],
+        window: Window,
         near: Scalar,
         far: Scalar,
     ) -> Result<Self, Error> {
         check_far(near, far)?;
-        let row = |low, high, shear: Number| -> Result<_, Error> {
+        let row = |low, high, shear: BlockFloat| -> Result<_, Error> {
             let (size, middle) = extent(low, high)?;
-            let size = Number::new(size, 16);
-            let scale = Number::new(2, 0).over(size);
+            let size = BlockFloat::new(size, 16);
+            let scale = BlockFloat::new(2, 0).over(size);
             let slope = scale.times(shear).negated();
-            let offset = Number::new(-middle, 16)
+            let offset = BlockFloat::new(-middle, 16)
                 .over(size)
                 .plus(slope.times(number(near)));
             Ok((scale, slope, offset))
         };
-        let (x, x_slope, x_offset) = row(left, right, shear[0])?;
-        let (y, y_slope, y_offset) = row(bottom, top, shear[1])?;
+        let (x, x_slope, x_offset) = row(window.left, window.right, shear[0])?;
+        let (y, y_slope, y_offset) = row(window.bottom, window.top, shear[1])?;
         Ok(Self {
             rows: [
-                Row::new([x, Number::ZERO, x_slope, x_offset]),
-                Row::new([Number::ZERO, y, y_slope, y_offset]),
+                Row::new([x, BlockFloat::ZERO, x_slope, x_offset]),
+                Row::new([BlockFloat::ZERO, y, y_slope, y_offset]),
             ],
             near,
             far,

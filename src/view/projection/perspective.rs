@@ -1,10 +1,10 @@
-//! Perspectives: what is far is small.
+//! Perspectives: distant things are small.
 
 use core::marker::PhantomData;
 
 use super::{Perspective, Projection, Row, bits, check_far, extent};
-use crate::num::block::{self, Number};
-use crate::view::Aspect;
+use crate::num::block::{self, BlockFloat};
+use crate::view::{Aspect, Window};
 use crate::{Angle, Error, Scalar, Vec3};
 
 fn check_planes(near: Scalar, far: Scalar) -> Result<(), Error> {
@@ -16,7 +16,7 @@ fn check_planes(near: Scalar, far: Scalar) -> Result<(), Error> {
 }
 
 impl Projection<Perspective> {
-    fn of_scales(x: Number, y: Number, near: Scalar, far: Scalar) -> Self {
+    fn from_scales(x: BlockFloat, y: BlockFloat, near: Scalar, far: Scalar) -> Self {
         let ((x, x_exp), (y, y_exp)) = (x.rounded(), y.rounded());
         Self {
             rows: [
@@ -35,9 +35,10 @@ impl Projection<Perspective> {
         }
     }
 
-    /// A symmetric perspective: `fov` is the vertical field of view, `aspect` width to height.
+    /// Makes a symmetric perspective from the vertical field of view and the width to height of the
+    /// picture.
     ///
-    /// top = near · tan(fov / 2), right = top · aspect.
+    /// Its window has top = near · tan(fov / 2) and right = top · aspect.
     ///
     /// # Errors
     ///
@@ -55,13 +56,15 @@ impl Projection<Perspective> {
         let (width, height) = aspect.into().checked()?;
         check_planes(near, far)?;
         let (sine, cosine) = fov.half_wide();
-        let y = Number::new(cosine, 0).over(Number::new(sine, 0));
-        let x = y.times(Number::new(height, 0)).over(Number::new(width, 0));
-        Ok(Self::of_scales(x, y, near, far))
+        let y = BlockFloat::new(cosine, 0).over(BlockFloat::new(sine, 0));
+        let x = y
+            .times(BlockFloat::new(height, 0))
+            .over(BlockFloat::new(width, 0));
+        Ok(Self::from_scales(x, y, near, far))
     }
 
-    /// A symmetric perspective by its focal length: a thing as wide as it is far is so many
-    /// `pixels` wide in a picture of `size` pixels.
+    /// Makes a symmetric perspective from its focal length in pixels: an object as wide as it is
+    /// distant is `pixels` wide in a picture of `size` pixels.
     ///
     /// # Errors
     ///
@@ -71,7 +74,7 @@ impl Projection<Perspective> {
     /// ```
     /// use fixel::prelude::*;
     /// let projection = Projection::from_focal_length(fx!(200), (320, 240), fx!(0.25), fx!(100))?;
-    /// assert_eq!(projection.matrix().rows()[0][0], fx!(1.25));
+    /// assert_eq!(projection.to_matrix().rows()[0][0], fx!(1.25));
     /// # Ok::<(), Error>(())
     /// ```
     pub fn from_focal_length(
@@ -85,37 +88,31 @@ impl Projection<Perspective> {
         }
         let (width, height) = Aspect::from(size).checked()?;
         check_planes(near, far)?;
-        let scale = |size| Number::new(2 * bits(pixels), 0).over(Number::new(size, 0));
-        Ok(Self::of_scales(scale(width), scale(height), near, far))
+        let scale = |size| BlockFloat::new(2 * bits(pixels), 0).over(BlockFloat::new(size, 0));
+        Ok(Self::from_scales(scale(width), scale(height), near, far))
     }
 
-    /// A perspective whose window on the near plane has the given edges; it may lie off the centre.
+    /// Makes a perspective from its window on the near plane, which need not be centered.
     ///
     /// # Errors
     ///
     /// [`Error::Near`] unless 0 < `near`; [`Error::Far`] unless `near` < `far`;
-    /// [`Error::EmptyFrustum`] unless `left` < `right` and `bottom` < `top`.
+    /// [`Error::EmptyWindow`] unless the window's left < right and bottom < top.
     ///
     /// ```
     /// use fixel::prelude::*;
-    /// let projection = Projection::frustum(fx!(-1), fx!(2), fx!(-1), fx!(1), fx!(2), fx!(10))?;
-    /// assert_eq!((projection.left(), projection.right()), (fx!(-1), fx!(2)));
+    /// let window = Window { left: fx!(-1), right: fx!(2), bottom: fx!(-1), top: fx!(1) };
+    /// let projection = Projection::frustum(window, fx!(2), fx!(10))?;
+    /// assert_eq!(projection.window(), window);
     /// assert_eq!(projection.aspect(), fx!(1.5));
     /// # Ok::<(), Error>(())
     /// ```
-    pub fn frustum(
-        left: Scalar,
-        right: Scalar,
-        bottom: Scalar,
-        top: Scalar,
-        near: Scalar,
-        far: Scalar,
-    ) -> Result<Self, Error> {
+    pub fn frustum(window: Window, near: Scalar, far: Scalar) -> Result<Self, Error> {
         check_planes(near, far)?;
-        let (width, across) = extent(left, right)?;
-        let (height, up) = extent(bottom, top)?;
-        let ratio = |value, size| Number::new(value, 0).over(Number::new(size, 0));
-        let (double, zero) = (2 * bits(near), Number::ZERO);
+        let (width, across) = extent(window.left, window.right)?;
+        let (height, up) = extent(window.bottom, window.top)?;
+        let ratio = |value, size| BlockFloat::new(value, 0).over(BlockFloat::new(size, 0));
+        let (double, zero) = (2 * bits(near), BlockFloat::ZERO);
         Ok(Self {
             rows: [
                 Row::new([ratio(double, width), zero, ratio(across, width), zero]),
@@ -127,27 +124,28 @@ impl Projection<Perspective> {
         })
     }
 
-    /// The vertical field of view, 2·atan((top − bottom) / (2·near)); for a window off the centre,
-    /// that of one of the same height about the centre.
+    /// Returns the vertical field of view, 2·atan((top − bottom) / (2·near)).
+    ///
+    /// A window that is not centered counts as a centered one of the same height.
     #[must_use]
     pub fn fov(&self) -> Angle {
-        let Number { value, exp } = self.rows[1].real(1);
-        // The tangent of half of it is 1 / scale.
-        Angle::of_point(
+        let BlockFloat { value, exp } = self.rows[1].coefficient(1);
+        // The tangent of half the angle is 1 / scale.
+        Angle::atan2_bits(
             block::shift(1, exp.max(0)),
             block::shift(value, (-exp).max(0)),
         ) * 2
     }
 
-    /// Where on the near plane all lines of a direction vanish: (−n·x/z, −n·y/z), rounded to
-    /// nearest.
+    /// Returns the point of the near plane in which all lines of a direction vanish:
+    /// (−n·x/z, −n·y/z), rounded to nearest (half away from zero).
     ///
-    /// `None` for a direction parallel to the picture, whose lines stay parallel there, and if the
-    /// point is beyond ±32768.
+    /// `None` if the direction is parallel to the picture, where its lines stay parallel, and if
+    /// the point is beyond ±32768.
     ///
     /// ```
     /// use fixel::prelude::*;
-    /// let projection = Projection::perspective(Angle::from_degrees(90), (1, 1), fx!(2), fx!(9))?;
+    /// let projection = Projection::perspective(deg!(90), (1, 1), fx!(2), fx!(9))?;
     /// assert_eq!(projection.vanishing_point(vec3!(1, 0, -4)), Some([fx!(0.5), fx!(0)]));
     /// assert_eq!(projection.vanishing_point(vec3!(1, 1, 0)), None);
     /// # Ok::<(), Error>(())
@@ -158,10 +156,10 @@ impl Projection<Perspective> {
         Some([at(direction.x)?, at(direction.y)?])
     }
 
-    /// Where on the near plane a point of eye space appears: (−n·x/z, −n·y/z), rounded to nearest.
+    /// Returns the image on the near plane of a point in eye space: (−n·x/z, −n·y/z), rounded to
+    /// nearest (half away from zero).
     ///
-    /// `None` for a point that is not ahead of the eye, where the formula divides by zero or
-    /// mirrors, and if the image is beyond ±32768.
+    /// `None` if the point is not ahead of the eye, and if the image is beyond ±32768.
     #[must_use]
     pub fn image(&self, point: Vec3) -> Option<[Scalar; 2]> {
         if point.z < Scalar::ZERO {

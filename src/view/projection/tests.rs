@@ -1,4 +1,4 @@
-//! Projections' coefficients against their mathematics in f64, and what is refused.
+//! The coefficients of projections against their formulas in f64, and refused arguments.
 
 use super::*;
 use crate::{Angle, Vec3};
@@ -13,7 +13,7 @@ fn float(value: Scalar) -> f64 {
     f64::from(value.to_bits()) / 65_536.0
 }
 
-/// Whether a row is as expected, to 29 bits of its largest coefficient.
+/// Whether a row is within 2^-28 of its largest coefficient.
 fn close(row: &Row, expected: [f64; 4]) -> bool {
     let size = expected.iter().fold(0.0, |max: f64, v| max.max(v.abs()));
     let mut both = real(row).into_iter().zip(expected);
@@ -24,7 +24,7 @@ fn one(value: f64) -> Scalar {
     crate::num::scalar(value).unwrap()
 }
 
-/// Planes ahead of the eye, near and far, of any size.
+/// Distances of a near and a far plane ahead of the eye, of all sizes.
 fn planes() -> impl Strategy<Value = (Scalar, Scalar)> {
     let positive = || (1..i32::MAX, 0_u32..31).prop_map(|(v, cut)| (v >> cut).max(1));
     (positive(), positive()).prop_map(|(a, b)| {
@@ -33,7 +33,7 @@ fn planes() -> impl Strategy<Value = (Scalar, Scalar)> {
     })
 }
 
-/// Two in order, of any size.
+/// Two numbers in ascending order, of all sizes.
 fn ordered() -> impl Strategy<Value = (Scalar, Scalar)> {
     (any::<[i32; 2]>(), 0_u32..31)
         .prop_map(|([a, b], cut)| {
@@ -50,22 +50,22 @@ proptest! {
         let projection = Projection::perspective(fov, (size[0], size[1]), one(0.1), one(100.0)).unwrap();
         let half = f64::from(bits) / f64::from(33).exp2() * TAU;
         let scale = half.cos() / half.sin();
-        // Half a unit of the angle is dropped, which counts at both ends of its range.
+        // Half a unit of the angle is dropped, which matters at both ends of its range.
         let slack = f64::from(-28).exp2() + 8e-10 / (half.sin() * half.cos());
         let found = real(&projection.rows[1])[1];
         prop_assert!((found / scale - 1.0).abs() <= slack, "{} {}", found, scale);
         let x = scale * f64::from(size[1]) / f64::from(size[0]);
         let found = real(&projection.rows[0])[0];
         prop_assert!((found / x - 1.0).abs() <= slack, "{} {}", found, x);
-        let off = (projection.fov() - fov).to_bits().cast_signed();
-        prop_assert!(off.abs() <= 8, "{}", off);
+        let error = (projection.fov() - fov).to_bits().cast_signed();
+        prop_assert!(error.abs() <= 8, "{}", error);
     }
 
     #[test]
     fn frustum_has_28_bits(
         (l, r) in ordered(), (b, t) in ordered(), (n, f) in planes(),
     ) {
-        let projection = Projection::frustum(l, r, b, t, n, f).unwrap();
+        let projection = Projection::frustum(Window { left: l, right: r, bottom: b, top: t }, n, f).unwrap();
         let [lf, rf, bf, tf, nf] = [l, r, b, t, n].map(float);
         prop_assert!(close(&projection.rows[0], [2.0 * nf / (rf - lf), 0.0, (rf + lf) / (rf - lf), 0.0]));
         prop_assert!(close(&projection.rows[1], [0.0, 2.0 * nf / (tf - bf), (tf + bf) / (tf - bf), 0.0]));
@@ -77,12 +77,12 @@ proptest! {
         angle in any::<u32>(), ratio in any::<i32>(),
     ) {
         let (angle, ratio) = (Angle::from_bits(angle), Scalar::from_bits(ratio));
-        let projection = Projection::oblique(angle, ratio, l, r, b, t, n, f).unwrap();
+        let projection = Projection::oblique(angle, ratio, Window { left: l, right: r, bottom: b, top: t }, n, f).unwrap();
         let [lf, rf, bf, tf, nf, k] = [l, r, b, t, n, ratio].map(float);
         let (sin, cos) = (f64::from(angle.to_bits()) / f64::from(32).exp2() * TAU).sin_cos();
         let (x, y) = (2.0 / (rf - lf), 2.0 / (tf - bf));
         let (cx, cy) = (-x * k * cos, -y * k * sin);
-        // A sine is good to 1.6e-9, not to 28 bits of itself; scaled by ratio and distance.
+        // A sine is within 1.6e-9, not within 28 bits of itself; ratio and distance scale it.
         let slack = |scale: f64, middle: f64| {
             f64::from(-28).exp2() * (scale + middle.abs() + scale * k.abs() * (1.0 + nf.abs()))
         };
@@ -96,28 +96,27 @@ proptest! {
     }
 
     #[test]
-    fn every_accessor_survives_everything(
+    fn no_accessor_panics(
         v in any::<[i32; 7]>(), angle in any::<u32>(), size in any::<(u32, u32)>(),
     ) {
         let [l, r, b, t, n, f, k] = v.map(Scalar::from_bits);
         let angle = Angle::from_bits(angle);
+        let window = Window { left: l, right: r, bottom: b, top: t };
         let projections = [
             Projection::perspective(angle, size, n, f),
             Projection::from_focal_length(k, size, n, f),
-            Projection::frustum(l, r, b, t, n, f),
+            Projection::frustum(window, n, f),
         ];
         for projection in projections.into_iter().flatten() {
-            let _ = (projection.left(), projection.right(), projection.bottom(), projection.top());
-            let _ = (projection.aspect(), projection.fov(), projection.matrix());
+            let _ = (projection.window(), projection.aspect(), projection.fov(), projection.to_matrix());
             let _ = (projection.vanishing_point(Vec3::new(l, r, b)), projection.image(Vec3::new(l, r, b)));
         }
         let projections = [
-            Projection::orthographic(l, r, b, t, n, f),
-            Projection::oblique(angle, k, l, r, b, t, n, f),
+            Projection::orthographic(window, n, f),
+            Projection::oblique(angle, k, window, n, f),
         ];
         for projection in projections.into_iter().flatten() {
-            let _ = (projection.left(), projection.right(), projection.bottom(), projection.top());
-            let _ = (projection.aspect(), projection.matrix());
+            let _ = (projection.window(), projection.aspect(), projection.to_matrix());
         }
     }
 }
@@ -127,14 +126,15 @@ fn focal_length_is_exact() {
     let projection =
         Projection::from_focal_length(one(200.0), (320, 240), one(0.25), one(100.0)).unwrap();
     assert!((real(&projection.rows[0])[0] - 1.25).abs() < f64::EPSILON);
-    // 5/3 is not, but to 30 bits.
+    // 5/3 is rounded to 30 bits.
     assert!((real(&projection.rows[1])[1] - 5.0 / 3.0).abs() < f64::from(-29).exp2());
 }
 
 #[test]
-fn nonsense_is_refused() {
+fn invalid_arguments_are_refused() {
     let (zero, low, high) = (Scalar::ZERO, one(1.0), one(2.0));
     let fov = Angle::from_degrees(60);
+    let square = Window::centered(high, high);
     for degrees in [0, 180, 181, 270, -1] {
         let angle = Angle::from_degrees(degrees);
         let refused = Projection::perspective(angle, (4, 3), low, high);
@@ -144,7 +144,7 @@ fn nonsense_is_refused() {
         let refused = [
             Projection::perspective(fov, (4, 3), near, high),
             Projection::from_focal_length(low, (4, 3), near, high),
-            Projection::frustum(-low, low, -low, low, near, high),
+            Projection::frustum(square, near, high),
         ];
         assert_eq!(refused, [Err(Error::Near { near }); 3]);
     }
@@ -152,25 +152,40 @@ fn nonsense_is_refused() {
         let refused = [
             Projection::perspective(fov, (4, 3), high, far),
             Projection::from_focal_length(low, (4, 3), high, far),
-            Projection::frustum(-low, low, -low, low, high, far),
+            Projection::frustum(square, high, far),
         ];
         assert_eq!(refused, [Err(Error::Far { near: high, far }); 3]);
-        let refused = Projection::orthographic(-low, low, -low, low, high, far);
+        let refused = Projection::orthographic(square, high, far);
         assert_eq!(refused, Err(Error::Far { near: high, far }));
     }
-    let empty = Error::EmptyFrustum {
+    let empty = Error::EmptyWindow {
         low: high,
         high: low,
     };
-    for [l, r, b, t] in [[high, low, low, high], [low, high, high, low]] {
-        assert_eq!(Projection::frustum(l, r, b, t, low, high), Err(empty));
-        assert_eq!(Projection::orthographic(l, r, b, t, low, high), Err(empty));
-        let refused = Projection::cabinet(fov, l, r, b, t, low, high);
+    for [left, right, bottom, top] in [[high, low, low, high], [low, high, high, low]] {
+        let window = Window {
+            left,
+            right,
+            bottom,
+            top,
+        };
+        assert_eq!(Projection::frustum(window, low, high), Err(empty));
+        assert_eq!(Projection::orthographic(window, low, high), Err(empty));
+        let refused = Projection::cabinet(fov, window, low, high);
         assert_eq!(refused, Err(empty));
     }
-    let flat = Error::EmptyFrustum { low, high: low };
+    let flat = Error::EmptyWindow { low, high: low };
     assert_eq!(
-        Projection::frustum(low, low, low, high, low, high),
+        Projection::frustum(
+            Window {
+                left: low,
+                right: low,
+                bottom: low,
+                top: high
+            },
+            low,
+            high
+        ),
         Err(flat)
     );
     let flat = Error::Aspect {
@@ -189,15 +204,15 @@ fn nonsense_is_refused() {
 }
 
 #[test]
-fn the_widest_and_narrowest_views_are_survived() {
+fn the_widest_and_narrowest_views_do_not_panic() {
     for bits in [1, 2, 3, (1 << 31) - 1, (1 << 31) - 2] {
         let projection =
             Projection::perspective(Angle::from_bits(bits), (1, 1), one(1.0), one(2.0)).unwrap();
         let _ = (
-            projection.top(),
+            projection.window(),
             projection.fov(),
             projection.aspect(),
-            projection.matrix(),
+            projection.to_matrix(),
         );
     }
 }

@@ -80,7 +80,7 @@ fn behind(projection: &Lens, w: f64) -> (Worst, bool) {
             let positions: Vec<Vec3> = order.iter().flat_map(|&i: &usize| surfaces[i]).collect();
             let drawing = Drawing {
                 size: projection.size,
-                pass: scene.pass,
+                options: scene.options,
                 mode: Mode::Newton,
                 mesh: Mesh::new(&positions, &[[0, 1, 2], [3, 4, 5]]).unwrap(),
                 mvp,

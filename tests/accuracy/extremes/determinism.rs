@@ -6,17 +6,17 @@
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::BigEndian;
 use fixel::mesh::{Buffers, Shape};
-use fixel::mode::{Affine, Exact, Fast, Interpolate, Newton};
+use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
-use fixel::target::{Depth, DepthBuffer, FloatDepth, NoDepth};
+use fixel::target::{Depth, DepthBuffer, Float, NoDepth};
 use fixel::view::Perspective;
 
 use super::scene::Random;
 
 const SIZE: (u32, u32) = (320, 240);
 
-static SKIN: Texture<Rgb565, 2, 2> =
-    Texture::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x07, 0xe0, 0xf8, 0x00]);
+static SKIN: TextureArray<Rgb565, 2, 2> =
+    TextureArray::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x07, 0xe0, 0xf8, 0x00]);
 static RING: Mesh = shape!(torus(fx!(0.4), 24, 12), short);
 static BALL: Mesh = shape!(sphere(16, 12), short);
 static FLOOR: Mesh = shape!(plane(8, 8), short);
@@ -109,10 +109,13 @@ impl Kept for Linear {
 }
 
 impl Kept for Floating {
-    type Depth<'d> = FloatDepth<'d>;
+    type Depth<'d> = Depth<'d, Float>;
 
-    fn with<'a>(canvas: Target<'a, NoDepth>, depths: &'a mut [u16]) -> Target<'a, FloatDepth<'a>> {
-        canvas.with_float_depth(depths).unwrap()
+    fn with<'a>(
+        canvas: Target<'a, NoDepth>,
+        depths: &'a mut [u16],
+    ) -> Target<'a, Depth<'a, Float>> {
+        canvas.with_depth_format::<Float>(depths).unwrap()
     }
 }
 
@@ -139,7 +142,7 @@ fn sums<B: Kept>(
         let mut band = B::with(band, &mut depth);
         band.clear(Rgb565::new(1, 2, 3));
         draw(&mut band, &projection);
-        colors.update(band.bytes());
+        colors.update(band.as_bytes());
         drop(band);
         for depth in depth {
             depths.update(&depth.to_le_bytes());
@@ -151,19 +154,19 @@ fn sums<B: Kept>(
     }
 }
 
-fn frame<B: Kept>(mode: impl Interpolate, rows: u32, numbers: Numbers) -> Sums {
-    let pass = DrawOptions::new().mode(mode);
+fn frame<B: Kept>(mode: impl Mode, rows: u32, numbers: Numbers) -> Sums {
+    let options = DrawOptions::new().mode(mode);
     let models = models();
     sums::<B>(rows, |band, projection| {
         for model in &models {
             let mvp = *projection * model.place;
-            band.draw_with(&pass, &model.mesh(numbers), &mvp, &Textured::new(&SKIN));
+            band.draw_with(&options, &model.mesh(numbers), &mvp, &Textured::new(&SKIN));
         }
     })
 }
 
 /// Twice, in bands of any height, and of positions of either kind; returns what they all are.
-fn bands<B: Kept>(mode: impl Interpolate) -> Sums {
+fn bands<B: Kept>(mode: impl Mode) -> Sums {
     let whole = frame::<B>(mode, SIZE.1, Numbers::Long);
     for rows in [1, 7, 16, 240] {
         for numbers in [Numbers::Long, Numbers::Short] {
@@ -176,9 +179,9 @@ fn bands<B: Kept>(mode: impl Interpolate) -> Sums {
 
 #[test]
 fn bands_are_the_frame() {
-    fn with_either_depth(mode: impl Interpolate) {
+    fn with_either_depth(mode: impl Mode) {
         let [linear, floating] = [bands::<Linear>(mode), bands::<Floating>(mode)];
-        // Depths are other numbers, but nowhere are surfaces so near each other that the colours show it.
+        // Depths are other numbers, but nowhere are surfaces so near each other that the colors show it.
         assert_eq!(linear.colors, floating.colors);
         assert_ne!(linear.depths, floating.depths);
     }

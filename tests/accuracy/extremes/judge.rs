@@ -2,9 +2,9 @@
 //!
 //! Two ways to judge a value. Where nothing is clipped, the model interpolates between the crate's own snapped corners.
 //! Where something is, corners are new ones that nobody is told of; then a value has to be one that the model has
-//! within [`Scene::snap`] and [`Scene::moved`] of the pixel's centre. Interpolants are linear on the screen, and a linear function through
+//! within [`Scene::snap`] and [`Scene::moved`] of the pixel's center. Interpolants are linear on the screen, and a linear function through
 //! corners that are each moved by up to so much has what the unmoved one has within so much. A quotient of two of
-//! them is monotonic along any line, so of all places in a square around the centre its corners have the extremes.
+//! them is monotonic along any line, so of all places in a square around the center its corners have the extremes.
 
 use std::collections::HashMap;
 
@@ -19,7 +19,7 @@ use crate::mode::Mode;
 use crate::moves::exact;
 use crate::reference::attributes::{interpolate, weights};
 use crate::reference::clip::{FAR, NEAR};
-use crate::reference::coverage::{Bounds, centre};
+use crate::reference::coverage::{Bounds, center};
 use crate::reference::distance::to_segment;
 use crate::reference::raster::{self, Piece, pieces_clipped};
 use crate::reference::view;
@@ -42,7 +42,7 @@ impl Scene {
         let mesh = Mesh::new(&self.positions, &self.faces).unwrap();
         let mut drawing = Drawing {
             size: self.size,
-            pass: self.pass,
+            options: self.options,
             mode: Mode::Exact,
             mesh,
             mvp: self.mvp,
@@ -205,7 +205,7 @@ impl Scene {
         })
     }
 
-    /// Each centre is drawn that is inside a face by more than its corners may be moved, and once; none is that is
+    /// Each center is drawn that is inside a face by more than its corners may be moved, and once; none is that is
     /// farther outside.
     fn coverage(&self, seen: &[Seen<2>], pieces: &[Piece<2>], worst: &mut Worst) {
         let mut drawn: HashMap<(usize, [i32; 2]), usize> = HashMap::new();
@@ -215,7 +215,7 @@ impl Scene {
         for (&(face, pixel), &times) in &drawn {
             assert_eq!(times, 1, "{pixel:?} of {face}");
             let own = pieces.iter().filter(|piece| piece.face == face);
-            let Some((piece, gap)) = nearest(own, centre(pixel)) else {
+            let Some((piece, gap)) = nearest(own, center(pixel)) else {
                 panic!("{pixel:?} of {face} is drawn, and the model has nothing");
             };
             let reach = self.edge_reach(piece);
@@ -228,7 +228,7 @@ impl Scene {
             let outline = outline(face);
             for piece in face {
                 for pixel in self.bounds().around(&piece.screen, 0.).pixels() {
-                    let p = centre(pixel);
+                    let p = center(pixel);
                     if drawn.contains_key(&(index, pixel)) || gap(piece, p) > 0. {
                         continue;
                     }
@@ -257,7 +257,7 @@ impl Scene {
             let value = piece.at(pixel)?;
             return Some(About::new(value.w, value.attributes));
         }
-        let [x, y] = centre(pixel);
+        let [x, y] = center(pixel);
         let at = |[dx, dy]: [f64; 2]| {
             let weights = weights(&piece.screen, [x + dx, y + dy])?;
             let value = interpolate(&weights, piece.w, &piece.attributes);
@@ -288,7 +288,7 @@ impl Scene {
             .iter()
             .map(|seen| {
                 let own = pieces.iter().filter(|piece| piece.face == seen.face);
-                let (piece, _) = nearest(own.clone(), centre(seen.pixel)).unwrap();
+                let (piece, _) = nearest(own.clone(), center(seen.pixel)).unwrap();
                 let ends = own
                     .flat_map(|piece| piece.w)
                     .fold([f64::MAX, 0.], |[least, most], w| {

@@ -160,12 +160,12 @@ fn values_stay_between_those_of_the_corners() {
             let w = 2_f64.powf(-13.9 + part * spread + random.between(0., 0.7));
             projection.at([random.between(-60., 60.), y], w)
         };
-        // The far side is on the centres of a row.
+        // The far side is on the centers of a row.
         let scene = projection.scene([corner(-30., 0.), corner(0.5, 1.), corner(0.5, 1.)], ONCE);
         for mode in MODES {
             let drawing = Drawing {
                 size: scene.size,
-                pass: scene.pass,
+                options: scene.options,
                 mode,
                 mesh: Mesh::new(&scene.positions, &scene.faces).unwrap(),
                 mvp: scene.mvp,

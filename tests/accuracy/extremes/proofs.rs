@@ -27,7 +27,7 @@ fn drawn(corners: [Point; 3], counter: &mut Counter) -> u64 {
     mask
 }
 
-/// The pixels that it should cover: exact half-spaces at every centre.
+/// The pixels that it should cover: exact half-spaces at every center.
 fn model(corners: [Point; 3]) -> u64 {
     let pixel = |i: u32| [(i % SIDE).cast_signed(), (i / SIDE).cast_signed()];
     (0..SIDE * SIDE)
@@ -136,7 +136,7 @@ impl Grid {
     }
 }
 
-/// Every triangle on a grid of 6x6 vertices, which are on corners of pixels, on their centres, or anywhere: the pixels
+/// Every triangle on a grid of 6x6 vertices, which are on corners of pixels, on their centers, or anywhere: the pixels
 /// are the model's, two that share an edge share no pixel, and parts make up the whole.
 #[test]
 fn every_triangle_on_a_grid() {

@@ -55,7 +55,7 @@ fn from_model(transform: &Transform, model: &Matrix) -> f64 {
 }
 
 /// A million of the same three small turns, and how far from rigid and from the model it gets on the way.
-fn turned(renormalised_every: Option<u32>) -> [Worst; 2] {
+fn turned(renormalized_every: Option<u32>) -> [Worst; 2] {
     let angles = [0.001, 0.000_7, 0.002_3].map(|a| Angle::try_from_radians(a).unwrap());
     let step = Transform::rotate_x(angles[0])
         * Transform::rotate_y(angles[1])
@@ -71,11 +71,11 @@ fn turned(renormalised_every: Option<u32>) -> [Worst; 2] {
     for i in 1..=STEPS {
         transform = step * transform;
         model = linear::multiply(&turn, &model);
-        if renormalised_every.is_some_and(|every| i % every == 0) {
-            transform = transform.renormalised();
+        if renormalized_every.is_some_and(|every| i % every == 0) {
+            transform = transform.renormalized();
         }
         if i % 10_000 == 0 {
-            let bound = match renormalised_every {
+            let bound = match renormalized_every {
                 None => f64::from(i) * DRIFT,
                 Some(_) => RIGID,
             };
@@ -91,19 +91,19 @@ fn turned(renormalised_every: Option<u32>) -> [Worst; 2] {
 
 pub static CASES: Cases = Cases::new(|| {
     let [drifted, place] = turned(None);
-    let [rigid, renormalised] = turned(Some(1000));
+    let [rigid, renormalized] = turned(Some(1000));
     vec![
         figure("10⁶ rotations multiplied: entries of R·Rᵀ − I", "", drifted),
         figure("10⁶ rotations multiplied: entries of R", "", place),
         figure(
-            "the same, `renormalised` every 1000: entries of R·Rᵀ − I",
+            "the same, `renormalized` every 1000: entries of R·Rᵀ − I",
             "",
             rigid,
         ),
         figure(
-            "the same, `renormalised` every 1000: entries of R",
+            "the same, `renormalized` every 1000: entries of R",
             "",
-            renormalised,
+            renormalized,
         ),
     ]
 });

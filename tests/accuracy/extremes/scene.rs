@@ -20,7 +20,7 @@ pub const ONCE: [[i32; 2]; 3] = [[0, 0], [256 << 16, 0], [0, 256 << 16]];
 #[derive(Clone, Debug)]
 pub struct Scene {
     pub size: (u32, u32),
-    pub pass: DrawOptions,
+    pub options: DrawOptions,
     pub positions: Vec<Vec3>,
     pub faces: Vec<[u16; 3]>,
     /// Columns and rows of the texture, with 16 fraction bits; as many as positions.
@@ -80,7 +80,7 @@ impl Lens {
             .sum();
         Scene {
             size: self.size,
-            pass: self
+            options: self
                 .viewport
                 .map_or(BOTH_SIDES, |viewport| BOTH_SIDES.viewport(viewport)),
             sums: positions.iter().map(|p| sum(p) + offset).collect(),

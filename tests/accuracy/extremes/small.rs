@@ -101,7 +101,7 @@ fn corners_in_a_line_are_nothing() {
     for dx in -24..=24 {
         for dy in -24..=24 {
             for (first, second) in [(1, 3), (-2, 1), (0, 2), (3, 3)] {
-                // On centres, where the rule for ties decides, and beside them.
+                // On centers, where the rule for ties decides, and beside them.
                 for origin in [[3200, 2944], [3000, 3001]] {
                     let at =
                         |times: i32| [origin[0] + 32 * dx * times, origin[1] + 32 * dy * times];

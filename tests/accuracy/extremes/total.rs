@@ -2,10 +2,11 @@
 //! made of, nothing panics (tests check for overflow), and bands are still the frame.
 
 use embedded_graphics::pixelcolor::{Gray8, Rgb888};
-use fixel::mode::{Affine, Exact, Fast, Interpolate, Linear, Newton, Tolerance};
+use fixel::mode::{self, Affine, Exact, Fast, Newton};
 use fixel::prelude::*;
-use fixel::target::{DepthBuffer, Native};
-use fixel::view::Kind;
+use fixel::shade::{Tolerance, Varyings};
+use fixel::target::{DepthBuffer, Float, Native, NoDepth, WideFloat};
+use fixel::view::ProjectionKind;
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -53,16 +54,23 @@ struct Scene {
     uvs: Vec<Vec2>,
     faces: Vec<[u16; 3]>,
     edges: Vec<[u16; 2]>,
-    pass: DrawOptions,
+    options: DrawOptions,
     size: (u32, u32),
     /// Rows of a band.
     rows: u32,
-    /// Whether depths are floating-point numbers.
-    is_float: bool,
+    depth: Format,
     what: What,
     mode: Mode,
     model: Transform,
     camera: Transform,
+}
+
+/// The format of depths.
+#[derive(Clone, Copy, Debug)]
+enum Format {
+    Linear,
+    Float,
+    WideFloat,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -79,7 +87,7 @@ const CORNERS: usize = 6;
 
 /// Any way to interpolate, with any tolerance.
 fn modes() -> impl Strategy<Value = Mode> {
-    let plain = vec![Mode::Newton, Mode::Exact, Mode::Affine, Mode::Linear];
+    let plain = vec![Mode::Newton, Mode::Exact, Mode::Affine];
     prop_oneof![select(plain), scalar().prop_map(Mode::Fast)]
 }
 
@@ -100,7 +108,7 @@ fn scene() -> impl Strategy<Value = Scene> {
         1 => (-40..40, -40..40, 1_u32..80, 1_u32..80).prop_map(Some),
     ];
     let cull = select(vec![Cull::Back, Cull::Nothing, Cull::Front]);
-    let pass = (viewport, cull).prop_map(|(viewport, cull)| match viewport {
+    let options = (viewport, cull).prop_map(|(viewport, cull)| match viewport {
         None => DrawOptions::new().cull(cull),
         Some((x, y, width, height)) => DrawOptions::new()
             .cull(cull)
@@ -126,27 +134,27 @@ fn scene() -> impl Strategy<Value = Scene> {
             vec(prop::array::uniform2(index()), 4),
         ),
         (
-            pass,
+            options,
             size,
             1_u32..8,
-            any::<bool>(),
+            select(vec![Format::Linear, Format::Float, Format::WideFloat]),
             (what, modes()),
             transform(),
             transform(),
         ),
     )
         .prop_map(|((positions, short, uvs, faces, edges), rest)| {
-            let (pass, size, rows, is_float, (what, mode), model, camera) = rest;
+            let (options, size, rows, depth, (what, mode), model, camera) = rest;
             Scene {
                 positions,
                 short,
                 uvs,
                 faces,
                 edges,
-                pass,
+                options,
                 size,
                 rows,
-                is_float,
+                depth,
                 what,
                 mode,
                 model,
@@ -155,55 +163,73 @@ fn scene() -> impl Strategy<Value = Scene> {
         })
 }
 
+/// Numbers of three tolerances.
+#[derive(Clone, Copy)]
+struct Rough([i32; 3]);
+
+impl Varyings for Rough {
+    type Lanes = [(); 3];
+    type Face = ();
+
+    fn tolerances() -> [Tolerance; 3] {
+        [
+            Tolerance::Texels,
+            Tolerance::Units(1 << 20),
+            Tolerance::Units(u32::MAX),
+        ]
+    }
+
+    fn split(self) -> ([i32; 3], ()) {
+        (self.0, ())
+    }
+
+    fn join(numbers: [i32; 3], (): ()) -> Self {
+        Self(numbers)
+    }
+}
+
 /// Varyings of any magnitude, and one that jumps from end to end of its format.
 #[derive(Clone, Copy)]
 struct Raw;
 
-impl Shader<3> for Raw {
+impl Shader for Raw {
     type Color = Gray8;
+    type Varyings = Rough;
 
-    const TOLERANCES: [Tolerance; 3] = [
-        Tolerance::Texels,
-        Tolerance::Units(1 << 20),
-        Tolerance::Units(u32::MAX),
-    ];
-
-    fn varyings(&self, vertex: &Corner) -> [i32; 3] {
-        let [x, y, _] = vertex.position().to_bits();
-        [
-            x,
-            vertex.uv().x.to_bits(),
-            if y & 1 == 0 { i32::MIN } else { i32::MAX },
-        ]
+    fn varyings(&self, primitive: &Primitive<'_>) -> [Rough; 3] {
+        primitive.corners(|corner| {
+            let [x, y, _] = corner.position().to_bits();
+            let end = if y & 1 == 0 { i32::MIN } else { i32::MAX };
+            Rough([x, corner.uv().x.to_bits(), end])
+        })
     }
 
-    fn shade(&self, sample: &Fragment, [a, b, c]: [i32; 3]) -> Option<Gray8> {
-        let [mixed, ..] = (a ^ a >> 16 ^ b ^ c ^ i32::from(sample.depth)).to_le_bytes();
+    fn shade(&self, at: &Fragment, Rough([a, b, c]): Rough) -> Option<Gray8> {
+        let [mixed, ..] = (a ^ a >> 16 ^ b ^ c ^ i32::from(at.depth)).to_le_bytes();
         Some(Gray8::new(mixed))
     }
 }
 
 impl Scene {
-    fn draw<K: Kind, D: DepthBuffer>(
+    fn draw<K: ProjectionKind, D: DepthBuffer>(
         &self,
         canvas: &mut Canvas<'_, Gray8, Native, D>,
         projection: Projection<K>,
     ) {
-        let pass = &self.pass;
+        let options = &self.options;
         match self.mode {
-            Mode::Newton => self.draw_in(&pass.mode(Newton), canvas, projection),
-            Mode::Exact => self.draw_in(&pass.mode(Exact), canvas, projection),
+            Mode::Newton => self.draw_in(&options.mode(Newton), canvas, projection),
+            Mode::Exact => self.draw_in(&options.mode(Exact), canvas, projection),
             Mode::Fast(texels) => {
-                self.draw_in(&pass.mode(Fast::within(texels)), canvas, projection)
+                self.draw_in(&options.mode(Fast::within(texels)), canvas, projection);
             }
-            Mode::Affine => self.draw_in(&pass.mode(Affine), canvas, projection),
-            Mode::Linear => self.draw_in(&pass.mode(Linear), canvas, projection),
+            Mode::Affine => self.draw_in(&options.mode(Affine), canvas, projection),
         }
     }
 
-    fn draw_in<I: Interpolate, K: Kind, D: DepthBuffer>(
+    fn draw_in<I: mode::Mode, K: ProjectionKind, D: DepthBuffer>(
         &self,
-        pass: &DrawOptions<I>,
+        options: &DrawOptions<I>,
         canvas: &mut Canvas<'_, Gray8, Native, D>,
         projection: Projection<K>,
     ) {
@@ -218,24 +244,43 @@ impl Scene {
             .unwrap();
         let light = Light::new(vec3!(1, 2, 3), fx!(0.5), fx!(0.5)).unwrap();
         let drawn = match self.what {
-            What::Triangles => canvas.draw_with(pass, mesh, mvp, &Raw),
-            What::Edges => canvas.draw_edges(pass, mesh, mvp, &Raw),
-            What::Points => canvas.draw_points(pass, mesh, mvp, &Raw),
-            What::Normals => canvas.draw_with(pass, mesh, mvp, &NormalView::new()),
+            What::Triangles => canvas.draw_with(options, mesh, mvp, &Raw),
+            What::Edges => canvas.draw_edges(options, mesh, mvp, &Raw),
+            What::Points => canvas.draw_points(options, mesh, mvp, &Raw),
+            What::Normals => canvas.draw_with(options, mesh, mvp, &NormalView::new()),
             What::Lit => {
                 let white = Rgb888::new(255, 255, 255);
-                canvas.draw_with(pass, mesh, mvp, &Lit::new(white, light))
+                canvas.draw_with(options, mesh, mvp, &Flat::rgb(white).lit(light))
             }
-            What::Depth => canvas.draw_with(pass, mesh, mvp, &DepthView::new()),
+            What::Depth => canvas.draw_with(options, mesh, mvp, &DepthView::new()),
         };
         assert!(drawn.clipped <= drawn.drawn && drawn.drawn <= drawn.submitted);
         for &position in &self.positions {
-            let _ = canvas.project(pass, mvp, position);
+            let _ = canvas.project(options, mvp, position);
+        }
+    }
+
+    fn draw_with_depth<K: ProjectionKind>(
+        &self,
+        canvas: Canvas<'_, Gray8, Native, NoDepth>,
+        depths: &mut [u16],
+        projection: Projection<K>,
+    ) {
+        match self.depth {
+            Format::Linear => self.draw(&mut canvas.with_depth(depths).unwrap(), projection),
+            Format::Float => {
+                let canvas = canvas.with_depth_format::<Float>(depths);
+                self.draw(&mut canvas.unwrap(), projection);
+            }
+            Format::WideFloat => {
+                let canvas = canvas.with_depth_format::<WideFloat>(depths);
+                self.draw(&mut canvas.unwrap(), projection);
+            }
         }
     }
 
     /// Draws the frame, and the frame in bands, and compares all bits of both.
-    fn check<K: Kind>(
+    fn check<K: ProjectionKind>(
         &self,
         projection: Result<Projection<K>, Error>,
     ) -> Result<(), TestCaseError> {
@@ -249,27 +294,16 @@ impl Scene {
         };
         let (mut colors, mut depths) = blank();
         let canvas = Canvas::new(&mut colors, width, height).unwrap();
-        if self.is_float {
-            self.draw(
-                &mut canvas.with_float_depth(&mut depths).unwrap(),
-                projection,
-            );
-        } else {
-            self.draw(&mut canvas.with_depth(&mut depths).unwrap(), projection);
-        }
+        self.draw_with_depth(canvas, &mut depths, projection);
 
         let (mut band_colors, mut band_depths) = blank();
-        let strip = (width * self.rows) as usize;
-        let strips = band_colors
-            .chunks_mut(strip)
-            .zip(band_depths.chunks_mut(strip));
-        for (first_row, (colors, depths)) in (0..height).step_by(self.rows as usize).zip(strips) {
+        let band = (width * self.rows) as usize;
+        let bands = band_colors
+            .chunks_mut(band)
+            .zip(band_depths.chunks_mut(band));
+        for (first_row, (colors, depths)) in (0..height).step_by(self.rows as usize).zip(bands) {
             let canvas = Canvas::band(colors, width, height, first_row).unwrap();
-            if self.is_float {
-                self.draw(&mut canvas.with_float_depth(depths).unwrap(), projection);
-            } else {
-                self.draw(&mut canvas.with_depth(depths).unwrap(), projection);
-            }
+            self.draw_with_depth(canvas, depths, projection);
         }
         prop_assert_eq!(colors, band_colors);
         prop_assert_eq!(depths, band_depths);
@@ -287,16 +321,18 @@ proptest! {
     }
 
     #[test]
-    fn off_centre_perspective_is_total(scene in scene(), edges in prop::array::uniform6(scalar())) {
+    fn off_center_perspective_is_total(scene in scene(), edges in prop::array::uniform6(scalar())) {
         let [l, r, b, t, n, f] = edges;
-        scene.check(Projection::frustum(l.min(r), l.max(r), b.min(t), b.max(t), n, f))?;
+        let window = Window { left: l.min(r), right: l.max(r), bottom: b.min(t), top: b.max(t) };
+        scene.check(Projection::frustum(window, n, f))?;
     }
 
     #[test]
     fn parallel_projections_are_total(scene in scene(), edges in prop::array::uniform6(scalar()), angle: u32) {
         let [l, r, b, t, n, f] = edges;
-        scene.check(Projection::orthographic(l.min(r), l.max(r), b.min(t), b.max(t), n, f))?;
+        let window = Window { left: l.min(r), right: l.max(r), bottom: b.min(t), top: b.max(t) };
+        scene.check(Projection::orthographic(window, n, f))?;
         let angle = Angle::from_bits(angle);
-        scene.check(Projection::cabinet(angle, l.min(r), l.max(r), b.min(t), b.max(t), n, f))?;
+        scene.check(Projection::cabinet(angle, window, n, f))?;
     }
 }

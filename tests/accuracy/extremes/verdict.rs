@@ -37,7 +37,7 @@ impl Worst {
 /// How far a mesh' picture is from the model's.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Verdict {
-    /// In pixels: how far a corner is from where it should be, or of meshes that are clipped, how far inside a centre
+    /// In pixels: how far a corner is from where it should be, or of meshes that are clipped, how far inside a center
     /// is that was left out, or how far outside one that was drawn.
     pub coverage: Worst,
     /// In texels of a texture of 256, in each of [`MODES`].

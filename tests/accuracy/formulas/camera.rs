@@ -59,7 +59,7 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-fn normalised(v: [f64; 3]) -> [f64; 3] {
+fn normalized(v: [f64; 3]) -> [f64; 3] {
     let length = dot(v, v).sqrt();
     v.map(|v| v / length)
 }
@@ -78,11 +78,11 @@ proptest! {
         let Ok(camera) = Camera::look_at(eye, target, up) else {
             return Err(TestCaseError::reject("no view"));
         };
-        let k = normalised(sub(floats(eye), floats(target)));
+        let k = normalized(sub(floats(eye), floats(target)));
         let side = cross(floats(up), k);
         // Where up is near the view, its rounding counts.
         prop_assume!(dot(side, side) > 1e-4 * dot(floats(up), floats(up)));
-        let i = normalised(side);
+        let i = normalized(side);
         let j = cross(k, i);
         let offset = sub(floats(p), floats(eye));
         // Axes are good to 2^-28/0.01, over at most 174: below 2^-13 of a step; rounded once.
@@ -102,7 +102,7 @@ proptest! {
         let turns = Transform::rotate_y(b) * Transform::rotate_z(c);
         let pose = Transform::rotate_x(a) * Transform::translate(by) * turns;
         for both in [pose * pose.inverse_rigid(), pose.inverse_rigid() * pose] {
-            let identity = both.matrix();
+            let identity = both.to_matrix();
             for (i, row) in identity.rows().iter().enumerate() {
                 for (j, &entry) in row.iter().enumerate() {
                     // 30 bits of at most 100 are below 2^-22.
@@ -137,10 +137,10 @@ proptest! {
 fn useless_cameras_are_refused() {
     let eye = vec3!(1, 2, 3);
     let refused = Camera::look_at(eye, eye, Vec3::Y);
-    assert_eq!(refused, Err(Error::EyeAtTarget { eye }));
+    assert!(matches!(refused, Err(Error::EyeAtTarget { eye: at, .. }) if at == eye));
     for up in [vec3!(0, 0, 0), vec3!(1, 2, 3), vec3!(-2, -4, -6)] {
         let refused = Camera::look_at(eye, Vec3::ZERO, up);
-        assert_eq!(refused, Err(Error::UpAlongView { up }));
+        assert!(matches!(refused, Err(Error::UpAlongView { up: along, .. }) if along == up));
     }
 }
 
@@ -158,9 +158,9 @@ fn the_chain_from_right_to_left() {
     let projection =
         Projection::perspective(Angle::from_degrees(90), (4, 3), fx!(0.5), fx!(100)).unwrap();
     let camera = Camera::look_at(vec3!(0, 0, 5), Vec3::ZERO, Vec3::Y).unwrap();
-    let pass = DrawOptions::new().viewport(Viewport::new(32, 16, 160, 120).unwrap());
+    let options = DrawOptions::new().viewport(Viewport::new(32, 16, 160, 120).unwrap());
     let place = |mvp: &_, p| {
-        let place = canvas.project(&pass, mvp, p).unwrap();
+        let place = canvas.project(&options, mvp, p).unwrap();
         [place.x.to_num::<f64>(), place.y.to_num()]
     };
     let (turn, shift) = (

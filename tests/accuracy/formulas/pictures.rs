@@ -8,22 +8,6 @@ use super::given::floats;
 
 const SIZE: u32 = 28;
 
-/// Paints every pixel of a line.
-#[derive(Clone, Copy)]
-struct Ink;
-
-impl Shader<0> for Ink {
-    type Color = BinaryColor;
-
-    fn varyings(&self, _: &Corner<'_>) -> [i32; 0] {
-        []
-    }
-
-    fn shade(&self, _: &Fragment, []: [i32; 0]) -> Option<BinaryColor> {
-        Some(BinaryColor::On)
-    }
-}
-
 static CUBE: [Vec3; 8] = [
     vec3!(-1, -1, 1),
     vec3!(1, -1, 1),
@@ -52,7 +36,7 @@ static EDGES: [[u16; 2]; 12] = [
 
 /// The practice cube's window, ±1 at a distance of 2.
 fn projection() -> Projection<Perspective> {
-    Projection::frustum(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(2), fx!(10)).unwrap()
+    Projection::frustum(Window::centered(fx!(2), fx!(2)), fx!(2), fx!(10)).unwrap()
 }
 
 /// A wireframe of the ±1 cube, `#` on `.`.
@@ -62,7 +46,13 @@ fn picture(model: Transform) -> Vec<String> {
         .unwrap();
     let mut pixels = [BinaryColor::Off; (SIZE * SIZE) as usize];
     let mut canvas = Canvas::new(&mut pixels, SIZE, SIZE).unwrap();
-    canvas.draw_edges(&DrawOptions::new(), &mesh, &(projection() * model), &Ink);
+    let mvp = projection() * model;
+    canvas.draw_edges(
+        &DrawOptions::new(),
+        &mesh,
+        &mvp,
+        &Flat::new(BinaryColor::On),
+    );
     let ink = |color: &BinaryColor| if color.is_on() { '#' } else { '.' };
     pixels
         .chunks(SIZE as usize)
@@ -103,7 +93,7 @@ fn check(model: Transform, picture: &[String]) {
         let axis = usize::from(steep);
         let (from, to) = (a[axis].min(b[axis]), a[axis].max(b[axis]));
         for along in 0..size {
-            // Pixels' centres that are well between the ends.
+            // Pixels' centers that are well between the ends.
             if along as f64 + 0.49 < from || along as f64 + 0.51 > to {
                 continue;
             }

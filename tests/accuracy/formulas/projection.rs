@@ -27,7 +27,7 @@ fn points_beside_and_behind_the_eye_have_no_image() {
     for z in [0.0, 1.0 / 65_536.0, 5.0] {
         let point = vec(0.1, 0.1, z);
         assert_eq!(projection.image(point), None);
-        assert_eq!(projection.matrix().project(point), None);
+        assert_eq!(projection.to_matrix().project(point), None);
         let place = canvas.project(
             &DrawOptions::new(),
             &(projection * Transform::IDENTITY),
@@ -42,13 +42,13 @@ fn points_beside_and_behind_the_eye_have_no_image() {
 #[test]
 fn the_practice_cube() {
     let projection =
-        Projection::frustum(fx!(-1), fx!(1), fx!(-1), fx!(1), fx!(2), fx!(10)).unwrap();
+        Projection::frustum(Window::centered(fx!(2), fx!(2)), fx!(2), fx!(10)).unwrap();
     for (z, size) in [(-3.0, 2.0 / 3.0), (-5.0, 2.0 / 5.0)] {
         for (x, y) in [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)] {
             let image = projection.image(vec(x, y, z)).unwrap().map(float);
             all_close(image, [x * size, y * size], STEP / 2.0);
-            // The window is ±1, and so are normalised device coordinates.
-            let ndc = projection.matrix().project(vec(x, y, z)).unwrap();
+            // The window is ±1, and so are normalized device coordinates.
+            let ndc = projection.to_matrix().project(vec(x, y, z)).unwrap();
             all_close([ndc.x, ndc.y].map(float), [x * size, y * size], STEP / 2.0);
         }
     }
@@ -57,13 +57,13 @@ fn the_practice_cube() {
 #[test]
 fn perspective_by_field_of_view() {
     let projection = projection();
-    let edges = [
-        projection.top(),
-        projection.right(),
-        projection.bottom(),
-        projection.left(),
-    ]
-    .map(float);
+    let Window {
+        left,
+        right,
+        bottom,
+        top,
+    } = projection.window();
+    let edges = [top, right, bottom, left].map(float);
     let top = 2.0 * (TAU / 12.0).tan();
     // Rounded once, from 30 bits.
     let expected = [top, top * 1.5, -top, -top * 1.5];
@@ -76,8 +76,7 @@ fn perspective_by_field_of_view() {
 #[test]
 fn frustum_and_back() {
     let seven = projection();
-    let [l, r, b, t] = [seven.left(), seven.right(), seven.bottom(), seven.top()];
-    let eight = Projection::frustum(l, r, b, t, seven.near(), seven.far()).unwrap();
+    let eight = Projection::frustum(seven.window(), seven.near(), seven.far()).unwrap();
     // Edges rounded to half a step, of 1.15.
     let relative = STEP / 2.0 / 1.15;
     close(
@@ -89,13 +88,18 @@ fn frustum_and_back() {
     let slack = (2.0 / (1.0 + 1.0 / 3.0) * 0.577 * relative).to_degrees();
     close(degrees(eight.fov()), 60.0, slack + 1e-6);
     let again = Projection::perspective(eight.fov(), eight.aspect(), fx!(2), fx!(10)).unwrap();
-    let expected = seven.matrix().rows().map(|row| row.map(float));
-    same_matrix(&again.matrix(), expected, 2.0 * 4.0 * relative + STEP);
+    let expected = seven.to_matrix().rows().map(|row| row.map(float));
+    same_matrix(&again.to_matrix(), expected, 2.0 * 4.0 * relative + STEP);
 
-    // Off the centre: the edges are as they were given.
-    let edges = [fx!(-1), fx!(3), fx!(0.5), fx!(2.5)];
-    let off = Projection::frustum(edges[0], edges[1], edges[2], edges[3], fx!(2), fx!(10)).unwrap();
-    assert_eq!([off.left(), off.right(), off.bottom(), off.top()], edges);
+    // Off the center: the edges are as they were given.
+    let window = Window {
+        left: fx!(-1),
+        right: fx!(3),
+        bottom: fx!(0.5),
+        top: fx!(2.5),
+    };
+    let off = Projection::frustum(window, fx!(2), fx!(10)).unwrap();
+    assert_eq!(off.window(), window);
     assert_eq!(off.aspect(), fx!(2));
     close(
         degrees(off.fov()),
@@ -121,14 +125,15 @@ proptest! {
     ) {
         let edges = [l, l + w, b, b + h, n, n + d].map(|v| float(fx(v)));
         let [left, right, bottom, top, near, far] = edges.map(fx);
-        let projection = Projection::frustum(left, right, bottom, top, near, far).unwrap();
+        let window = Window { left, right, bottom, top };
+        let projection = Projection::frustum(window, near, far).unwrap();
         let expected = frustum(edges);
         // Rounded once, from 28 bits of at most 64.
-        same_matrix(&projection.matrix(), expected, 0.52 * STEP);
+        same_matrix(&projection.to_matrix(), expected, 0.52 * STEP);
 
         // z = −n → −1 and z = −f → +1: two entries rounded to half a step, one of them times z,
         // over w = −z.
-        let depth = |z: f64| float(projection.matrix().project(vec(0.0, 0.0, z)).unwrap().z);
+        let depth = |z: f64| float(projection.to_matrix().project(vec(0.0, 0.0, z)).unwrap().z);
         let [.., n, f] = edges;
         close(depth(-n), -1.0, STEP * (2.0 / n + 1.0));
         close(depth(-f), 1.0, STEP * (2.0 / f + 1.0));
@@ -168,27 +173,25 @@ fn the_other_depth_mapping() {
 fn orthographic_box() {
     let edges = [-3.0, 5.0, -1.0, 1.0, 2.0, 10.0];
     let [l, r, b, t, n, f] = edges.map(fx);
-    let projection = Projection::orthographic(l, r, b, t, n, f).unwrap();
-    assert_eq!(
-        [
-            projection.left(),
-            projection.right(),
-            projection.bottom(),
-            projection.top()
-        ],
-        [l, r, b, t]
-    );
+    let window = Window {
+        left: l,
+        right: r,
+        bottom: b,
+        top: t,
+    };
+    let projection = Projection::orthographic(window, n, f).unwrap();
+    assert_eq!(projection.window(), window);
     let [l, r, b, t, n, f] = edges;
     let corner = |i: usize, low: f64, high: f64| if i == 0 { (low, -1.0) } else { (high, 1.0) };
     for i in 0..8 {
         let (x, nx) = corner(i & 1, l, r);
         let (y, ny) = corner(i & 2, b, t);
         let (z, nz) = corner(i & 4, -n, -f);
-        let ndc = projection.matrix().project(vec(x, y, z)).unwrap();
+        let ndc = projection.to_matrix().project(vec(x, y, z)).unwrap();
         assert_eq!(ndc, vec(nx, ny, nz));
     }
     // Parallel lines stay parallel: the same direction from anywhere is the same on screen.
-    let at = |x, y, z| projection.matrix().project(vec(x, y, z)).unwrap();
+    let at = |x, y, z| projection.to_matrix().project(vec(x, y, z)).unwrap();
     let first = at(1.0, 0.5, -7.0) - at(0.0, 0.25, -3.0);
     let second = at(-1.0, 0.0, -9.0) - at(-2.0, -0.25, -5.0);
     assert_eq!(first, second);
@@ -196,20 +199,20 @@ fn orthographic_box() {
 
 /// How far and in which direction an edge of length one along the view runs on screen, in degrees.
 fn receding(projection: &Projection<Parallel>) -> (f64, f64) {
-    let at = |z| projection.matrix().project(vec(0.25, 0.25, z)).unwrap();
-    // The window is ±1, and so are normalised device coordinates.
+    let at = |z| projection.to_matrix().project(vec(0.25, 0.25, z)).unwrap();
+    // The window is ±1, and so are normalized device coordinates.
     let [x, y] = [at(-3.0) - at(-2.0)].map(|d| [float(d.x), float(d.y)])[0];
     (x.hypot(y), y.atan2(x).to_degrees())
 }
 
 #[test]
 fn oblique() {
-    let (low, high, near, far) = (fx!(-1), fx!(1), fx!(1), fx!(10));
+    let (window, near, far) = (Window::centered(fx!(2), fx!(2)), fx!(1), fx!(10));
     for angle in [0, 30, 45, 63, 120, 225] {
         let turn = Angle::from_degrees(angle);
-        let cavalier = Projection::cavalier(turn, low, high, low, high, near, far).unwrap();
-        let cabinet = Projection::cabinet(turn, low, high, low, high, near, far).unwrap();
-        let any = Projection::oblique(turn, fx!(0.75), low, high, low, high, near, far).unwrap();
+        let cavalier = Projection::cavalier(turn, window, near, far).unwrap();
+        let cabinet = Projection::cabinet(turn, window, near, far).unwrap();
+        let any = Projection::oblique(turn, fx!(0.75), window, near, far).unwrap();
         for (projection, length) in [(cavalier, 1.0), (cabinet, 0.5), (any, 0.75)] {
             let (found, direction) = receding(&projection);
             // Entries of the matrix rounded to half a step, times z = 3 and 2; images too.
@@ -218,13 +221,13 @@ fn oblique() {
             let off = (direction - f64::from(angle)).rem_euclid(360.0);
             close(off.min(360.0 - off), 0.0, (slack / length).to_degrees());
             // What is in the near plane appears as it is.
-            let ndc = projection.matrix().project(vec(0.5, -0.25, -1.0)).unwrap();
+            let ndc = projection
+                .to_matrix()
+                .project(vec(0.5, -0.25, -1.0))
+                .unwrap();
             all_close([ndc.x, ndc.y].map(float), [0.5, -0.25], 2.0 * STEP);
-            all_close(
-                [projection.left(), projection.top()].map(float),
-                [-1.0, 1.0],
-                STEP,
-            );
+            let Window { left, top, .. } = projection.window();
+            all_close([left, top].map(float), [-1.0, 1.0], STEP);
         }
     }
 }

@@ -1,36 +1,11 @@
 //! Attributes over a triangle, as drawn.
 
-use embedded_graphics::pixelcolor::PixelColor;
-use embedded_graphics::pixelcolor::raw::RawU32;
+use embedded_graphics::pixelcolor::Gray8;
 use fixel::mode::Exact;
 use fixel::prelude::*;
 use proptest::prelude::*;
 
-/// A colour that is the interpolated value itself.
-#[derive(Clone, Copy, PartialEq, Debug)]
-struct Value(Option<i32>);
-
-impl PixelColor for Value {
-    type Raw = RawU32;
-}
-
-/// Interpolates a value of each vertex, by the number of its position.
-#[derive(Clone, Copy)]
-struct Values([i32; 3]);
-
-impl Shader<1> for Values {
-    type Color = Value;
-
-    fn varyings(&self, vertex: &Corner<'_>) -> [i32; 1] {
-        let positions = vertex.face().positions();
-        let corner = positions.iter().position(|p| *p == vertex.position());
-        [self.0[corner.unwrap()]]
-    }
-
-    fn shade(&self, _: &Fragment, [value]: [i32; 1]) -> Option<Value> {
-        Some(Value(Some(value)))
-    }
-}
+use crate::common::recorder::{Probe, record};
 
 const SIZE: u32 = 64;
 
@@ -58,16 +33,25 @@ proptest! {
         let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
         let size = (SIZE, SIZE);
         let projection = Projection::from_focal_length(fx!(64), size, fx!(0.5), fx!(100)).unwrap();
-        let mut pixels = vec![Value(None); (SIZE * SIZE) as usize];
+        let mut pixels = vec![Gray8::new(0); (SIZE * SIZE) as usize];
         let mut canvas = Canvas::new(&mut pixels, SIZE, SIZE).unwrap();
         let both_sides = DrawOptions::new().cull(Cull::Nothing).mode(Exact);
-        canvas.draw_with(&both_sides, &mesh, &(projection * Transform::IDENTITY), &Values(values));
+        // A value of each vertex, by the number of its position.
+        let value = |corner: &Corner<'_>| {
+            let positions = corner.primitive().positions();
+            let at = positions.iter().position(|p| *p == corner.position());
+            [values[at.unwrap()]]
+        };
+        let mvp = projection * Transform::IDENTITY;
+        let seen = record(Probe { values: &value, color: None }, |recorder| {
+            canvas.draw_with(&both_sides, &mesh, &mvp, recorder);
+        });
 
         let corners = screen.map(|[x, y]| [f64::from(x) + 32.0, f64::from(y) + 32.0]);
         let whole = area(corners[0], corners[1], corners[2]);
-        for (i, value) in (0_u32..).zip(&pixels) {
-            let Some(found) = value.0 else { continue };
-            let p = [f64::from(i % SIZE) + 0.5, f64::from(i / SIZE) + 0.5];
+        for seen in seen.seen {
+            let [found] = seen.values;
+            let p = seen.pixel.map(|at| f64::from(at) + 0.5);
             let opposite = |i: usize| area(corners[(i + 1) % 3], corners[(i + 2) % 3], p);
             let weights = [0, 1, 2].map(|i| opposite(i) / whole);
             let sum = |of: fn(f64, f64) -> f64| {

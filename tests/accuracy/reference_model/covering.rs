@@ -10,7 +10,7 @@ fn pixels(t: [[i32; 2]; 3]) -> Snapped {
 
 #[test]
 fn a_triangle() {
-    // Centres on the slope x + y = 4 belong to the other side: it is neither top nor left.
+    // Centers on the slope x + y = 4 belong to the other side: it is neither top nor left.
     let t = pixels([[0, 0], [4, 0], [0, 4]]);
     let expected = ["111.", "11..", "1...", "...."];
     assert_eq!(picture(&counts(&[t], 4, 4), 4), expected);
@@ -28,8 +28,8 @@ fn the_other_half() {
 }
 
 #[test]
-fn top_and_left_edges_on_centres_are_in() {
-    // A square from centre (0, 0) to centre (3, 2), as two triangles.
+fn top_and_left_edges_on_centers_are_in() {
+    // A square from center (0, 0) to center (3, 2), as two triangles.
     let corner = |x: i32, y: i32| [x * 256 + 128, y * 256 + 128];
     let [a, b, c, d] = [corner(0, 0), corner(3, 0), corner(3, 2), corner(0, 2)];
     let square = counts(&[[a, b, c], [a, d, c]], 5, 4);
@@ -71,14 +71,14 @@ fn a_fan_covers_each_pixel_once() {
 fn floats_agree_with_integers() {
     let mut random = Random(3);
     for round in 0..2000 {
-        // Vertices at pixel centres too, where ties are.
+        // Vertices at pixel centers too, where ties are.
         let step = [1, 16, 128][round % 3];
         let t = [(); 3].map(|()| [(); 2].map(|()| random.range(-40, 200) * step));
         let corners = t.map(view::unsnap);
         for pixel in Bounds::new(12, 12).pixels() {
             assert_eq!(
                 covers(t, pixel),
-                covers_f64(&corners, centre(pixel)),
+                covers_f64(&corners, center(pixel)),
                 "{t:?}"
             );
         }

@@ -96,6 +96,6 @@ fn a_normal_stays_normal() {
     // The plane x + y = 0 squeezed to x + 2y = 0.
     let squeeze = scale([1., 0.5, 1.]);
     let n = normal(&squeeze, [1., 1., 0.]).unwrap();
-    close(n, normalised([1., 2., 0.]));
+    close(n, normalized([1., 2., 0.]));
     close([dot(n, direction(&squeeze, [1., -1., 0.]))], [0.]);
 }

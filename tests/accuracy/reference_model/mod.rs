@@ -16,7 +16,7 @@ mod projecting;
 mod screen;
 mod segments;
 
-use crate::reference::coverage::{Bounds, Corners, centre};
+use crate::reference::coverage::{Bounds, Corners, center};
 use crate::reference::linear::{IDENTITY, Matrix, Vec3};
 use crate::reference::{
     attributes, clip, coverage, distance, linear, lines, projection, raster, scenes, silhouette,

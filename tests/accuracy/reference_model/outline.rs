@@ -50,7 +50,7 @@ fn surfaces_that_touch_are_one() {
     let touching = Silhouette::new(&touching.concat(), 16, 16);
     assert_eq!(touching.classify([8., 7.3], 0.5), Inside);
     assert_eq!(touching.classify([8.1, 5.], 0.5), Inside);
-    // The same square twice is no neighbour of itself.
+    // The same square twice is no neighbor of itself.
     let twice = [rectangle(2., 2., 8., 8.); 2].concat();
     let twice = Silhouette::new(&twice, 16, 16);
     assert_eq!(twice.classify([2.1, 5.], 0.25), Near);
@@ -70,7 +70,7 @@ fn a_torus_by_trying() {
     let mut hidden = 0;
     let mut found = [0; 3];
     for pixel in Bounds::new(64, 48).pixels() {
-        let p = centre(pixel);
+        let p = center(pixel);
         let place = outline.classify(p, d);
         found[place as usize] += 1;
         hidden += u32::from(place == Inside && outline.contour_within(p, d));

@@ -63,7 +63,7 @@ fn the_nearer_surface_shows() {
 }
 
 #[test]
-fn a_margin_finds_neighbours() {
+fn a_margin_finds_neighbors() {
     let (positions, attributes) = square([-0.25; 2], [0.25; 2], 1.);
     let mesh = Mesh {
         positions: &positions,
@@ -76,7 +76,7 @@ fn a_margin_finds_neighbours() {
     close([hit.gap], [0.5]);
     close(hit.value.attributes, [-0.3125, 0.0625]);
     assert_eq!(picture.nearest([1, 3]), None);
-    // A centre on the diagonal has one owner and one neighbour at no distance.
+    // A center on the diagonal has one owner and one neighbor at no distance.
     let on = picture.at([3, 4]);
     assert_eq!(on.iter().filter(|hit| hit.gap == 0.).count(), 1);
     assert_eq!(on.len(), 2);
@@ -185,7 +185,7 @@ fn a_torus_has_no_seams() {
     let triangles: Vec<_> = pieces.iter().map(|piece| piece.screen).collect();
     let outline = silhouette::Silhouette::new(&triangles, size.0, size.1);
     for pixel in Bounds::new(size.0, size.1).pixels() {
-        match outline.classify(centre(pixel), 1. / 256.) {
+        match outline.classify(center(pixel), 1. / 256.) {
             silhouette::Place::Inside => assert!(picture.nearest(pixel).is_some(), "{pixel:?}"),
             silhouette::Place::Outside => assert!(picture.at(pixel).is_empty(), "{pixel:?}"),
             silhouette::Place::Near => {}
@@ -193,10 +193,10 @@ fn a_torus_has_no_seams() {
     }
     let counts = picture.counts();
     assert!(counts.contains(&2));
-    // Each surface is where the ray through the pixel's centre meets the plane of its face.
+    // Each surface is where the ray through the pixel's center meets the plane of its face.
     for [x, y] in Bounds::new(size.0, size.1).pixels() {
         for hit in picture.at([x, y]) {
-            let [right, down] = centre([x, y]).map(|at| hit.distance * at / 240.);
+            let [right, down] = center([x, y]).map(|at| hit.distance * at / 240.);
             let ray = [
                 right - hit.distance * 160. / 240.,
                 hit.distance * 0.5 - down,
@@ -233,7 +233,7 @@ fn a_torus_has_no_seams() {
         .zip(counts.into_iter().zip(snapped))
     {
         assert!(
-            a == b || outline.contour_within(centre(pixel), 1. / 256.),
+            a == b || outline.contour_within(center(pixel), 1. / 256.),
             "{pixel:?}"
         );
     }

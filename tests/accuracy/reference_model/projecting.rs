@@ -26,7 +26,7 @@ fn perspective_is_a_symmetric_frustum() {
 }
 
 #[test]
-fn a_frustum_may_be_off_centre() {
+fn a_frustum_may_be_off_center() {
     let projection = frustum(-1., 3., -2., 1., 1., 4.);
     close(ndc(&projection, [-1., -2., -1.]), [-1., -1., -1.]);
     close(ndc(&projection, [12., 4., -4.]), [1., 1., 1.]);

@@ -1,4 +1,4 @@
-//! Texture coordinates, normals and colours, and which corners have them.
+//! Texture coordinates, normals and colors, and which corners have them.
 
 use embedded_graphics::pixelcolor::Rgb888;
 use fixel::prelude::*;

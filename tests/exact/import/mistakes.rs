@@ -46,8 +46,8 @@ fn errors_name_their_line() {
     first_at_5("v 1 2", "3 numbers");
     first_at_5("v 1 2 3 4 5", "3 numbers");
     first_at_5("v 1 2 3 4 5 6 7 8", "too many");
-    first_at_5("v 1 2 3 0 0 1.1", "colour");
-    first_at_5("v 1 2 3 0 -0.1 1", "colour");
+    first_at_5("v 1 2 3 0 0 1.1", "color");
+    first_at_5("v 1 2 3 0 -0.1 1", "color");
     first_at_5("vt", "2 numbers");
     first_at_5("vn 1 2", "3 numbers");
     first_at_5("vn 1 2 3 4", "too many");

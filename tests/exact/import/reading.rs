@@ -62,7 +62,9 @@ pub fn ok(text: &str) -> Owned {
 /// Line and a word of the problem.
 pub fn fails(text: &str, line: usize, word: &str) {
     match read(text) {
-        Err(Error::Obj { line: at, problem }) => {
+        Err(Error::Obj {
+            line: at, problem, ..
+        }) => {
             assert_eq!(at, line, "{problem}");
             assert!(problem.contains(word), "{problem}");
         }

@@ -24,7 +24,14 @@ fn room() {
         (4, false, 0)
     );
     let result = obj::parse(&text, Buffers::new(&mut positions[..3], &mut faces));
-    assert!(matches!(result, Err(Error::TooMany { given: 4, max: 3 })));
+    assert!(matches!(
+        result,
+        Err(Error::TooMany {
+            given: 4,
+            max: 3,
+            ..
+        })
+    ));
     let uvs = &mut [Vec2::default()];
     let result = obj::parse(
         &text,
@@ -33,5 +40,12 @@ fn room() {
             ..Buffers::new(&mut positions, &mut faces)
         },
     );
-    assert!(matches!(result, Err(Error::TooMany { given: 1, max: 0 })));
+    assert!(matches!(
+        result,
+        Err(Error::TooMany {
+            given: 1,
+            max: 0,
+            ..
+        })
+    ));
 }

@@ -1,4 +1,4 @@
-//! Shades, colours, filters and depths.
+//! Shades, colors, filters and depths.
 
 use std::fs;
 
@@ -70,6 +70,8 @@ fn float_depth_keeps_the_order_far_off() {
         printed(&said, "crc").to_string()
     };
     assert_eq!(crc("a.obj", "float"), crc("b.obj", "float"));
+    assert_eq!(crc("a.obj", "wide"), crc("b.obj", "wide"));
+    assert_eq!(crc("a.obj", "wide"), crc("b.obj", "float"));
     assert_ne!(crc("a.obj", "linear"), crc("b.obj", "linear"));
     assert_eq!(crc("b.obj", "linear"), crc("b.obj", "float"));
 }

@@ -69,7 +69,7 @@ where
     Ok(paper.present()?)
 }
 
-/// The colour of a mode: Okabe and Ito's, which can be told apart by all eyes.
+/// The color of a mode: Okabe and Ito's, which can be told apart by all eyes.
 fn color(mode: &str) -> RGBColor {
     const COLORS: [RGBColor; 7] = [
         RGBColor(0, 114, 178),

@@ -1,0 +1,275 @@
+//! The operators of vectors: component by component, saturating.
+
+use core::iter::Sum;
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use fixed::FixedI32;
+
+use super::{Vec2, Vec3};
+use crate::Scalar;
+use crate::num::block;
+
+/// `value · factor`, rounded to nearest (half up); saturates.
+fn multiply<F>(value: FixedI32<F>, factor: Scalar) -> FixedI32<F> {
+    let product = i64::from(value.to_bits()) * i64::from(factor.to_bits());
+    FixedI32::from_bits(block::fixed(product, 16, 0))
+}
+
+/// `value / divisor`, rounded to nearest (half away from zero); saturates, and 0/0 is 0.
+fn divide<F>(value: FixedI32<F>, divisor: Scalar) -> FixedI32<F> {
+    let (top, bottom) = (value.to_bits(), divisor.to_bits());
+    let is_negative = (top < 0) != (bottom < 0);
+    // Magnitudes: no quotient of theirs overflows. Both are below 2^48.
+    let [top, bottom] = [top, bottom].map(|v| u64::from(v.unsigned_abs()));
+    let quotient = match ((top << 16) + bottom / 2).checked_div(bottom) {
+        Some(quotient) => quotient.cast_signed(),
+        None if top == 0 => 0,
+        None => i64::MAX,
+    };
+    let quotient = if is_negative { -quotient } else { quotient };
+    FixedI32::from_bits(block::fixed(quotient, 0, 0))
+}
+
+/// `from + (to − from) · t`, rounded to nearest (half up) once; saturates.
+fn interpolate<F>(from: FixedI32<F>, to: FixedI32<F>, t: Scalar) -> FixedI32<F> {
+    let [from, to] = [from, to].map(|v| i64::from(v.to_bits()));
+    // At most (2^32 − 1) · 2^31, which fits; a sum that saturates is far beyond 32 bits.
+    let sum = ((to - from) * i64::from(t.to_bits())).saturating_add(from << 16);
+    FixedI32::from_bits(block::fixed(sum, 16, 0))
+}
+
+macro_rules! operators {
+    ($Vector:ident { $($part:ident),+ }) => {
+        impl $Vector {
+            /// Returns the smaller of each pair of components.
+            #[must_use]
+            pub fn min(self, other: Self) -> Self {
+                Self::new($(self.$part.min(other.$part)),+)
+            }
+
+            /// Returns the larger of each pair of components.
+            #[must_use]
+            pub fn max(self, other: Self) -> Self {
+                Self::new($(self.$part.max(other.$part)),+)
+            }
+
+            /// Interpolates linearly: `self` at `t` = 0, `other` at `t` = 1, extended beyond both.
+            ///
+            /// Each component is rounded to nearest once, halves up, and saturates.
+            #[must_use]
+            pub fn lerp(self, other: Self, t: Scalar) -> Self {
+                Self::new($(interpolate(self.$part, other.$part, t)),+)
+            }
+        }
+
+        impl Add for $Vector {
+            type Output = Self;
+
+            /// Adds; each component saturates.
+            fn add(self, other: Self) -> Self {
+                Self::new($(self.$part.saturating_add(other.$part)),+)
+            }
+        }
+
+        impl Sub for $Vector {
+            type Output = Self;
+
+            /// Subtracts; each component saturates.
+            fn sub(self, other: Self) -> Self {
+                Self::new($(self.$part.saturating_sub(other.$part)),+)
+            }
+        }
+
+        impl Neg for $Vector {
+            type Output = Self;
+
+            /// Negates; the lowest number becomes the highest.
+            fn neg(self) -> Self {
+                Self::new($(self.$part.saturating_neg()),+)
+            }
+        }
+
+        impl Mul<Scalar> for $Vector {
+            type Output = Self;
+
+            /// Multiplies each component, rounds to nearest (half up) and saturates.
+            fn mul(self, factor: Scalar) -> Self {
+                Self::new($(multiply(self.$part, factor)),+)
+            }
+        }
+
+        impl Mul<$Vector> for Scalar {
+            type Output = $Vector;
+
+            /// Multiplies each component, rounds to nearest (half up) and saturates.
+            fn mul(self, vector: $Vector) -> $Vector {
+                vector * self
+            }
+        }
+
+        impl Div<Scalar> for $Vector {
+            type Output = Self;
+
+            /// Divides each component, rounds to nearest (half away from zero) and saturates.
+            ///
+            /// A component divided by zero saturates by its sign; 0/0 is 0.
+            fn div(self, divisor: Scalar) -> Self {
+                Self::new($(divide(self.$part, divisor)),+)
+            }
+        }
+
+        operators!(@assign $Vector: AddAssign add_assign +, Self);
+        operators!(@assign $Vector: SubAssign sub_assign -, Self);
+        operators!(@assign $Vector: MulAssign mul_assign *, Scalar);
+        operators!(@assign $Vector: DivAssign div_assign /, Scalar);
+
+        impl Sum for $Vector {
+            /// Adds all; each partial sum saturates.
+            fn sum<I: Iterator<Item = Self>>(vectors: I) -> Self {
+                vectors.fold(Self::ZERO, Add::add)
+            }
+        }
+
+        impl<'a> Sum<&'a Self> for $Vector {
+            /// Adds all; each partial sum saturates.
+            fn sum<I: Iterator<Item = &'a Self>>(vectors: I) -> Self {
+                vectors.copied().sum()
+            }
+        }
+    };
+    (@assign $Vector:ident: $Trait:ident $method:ident $operator:tt, $Other:ty) => {
+        impl $Trait<$Other> for $Vector {
+            fn $method(&mut self, other: $Other) {
+                *self = *self $operator other;
+            }
+        }
+    };
+}
+
+operators!(Vec3 { x, y, z });
+operators!(Vec2 { x, y });
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{TexCoord, vec2, vec3};
+    use proptest::prelude::*;
+
+    /// The nearest that 32 bits hold.
+    fn saturated(value: i128) -> i32 {
+        value.clamp(i32::MIN.into(), i32::MAX.into()) as i32
+    }
+
+    /// All sizes, and the ends of the format.
+    fn numbers() -> impl Strategy<Value = i32> {
+        prop_oneof![
+            (any::<i32>(), 0_u32..32).prop_map(|(v, cut)| v >> cut),
+            prop_oneof![Just(i32::MIN), Just(i32::MAX), Just(0), Just(1), Just(-1)],
+        ]
+    }
+
+    fn vectors() -> impl Strategy<Value = [i32; 3]> {
+        [numbers(), numbers(), numbers()]
+    }
+
+    /// value · 2^16 / divisor in integers, half away from zero.
+    fn quotient(value: i32, divisor: i32) -> i32 {
+        let top = i128::from(value) << 16;
+        if divisor == 0 {
+            return saturated(top.signum() << 40);
+        }
+        let bottom = i128::from(divisor);
+        let magnitude = (top.abs() + bottom.abs() / 2) / bottom.abs();
+        saturated(magnitude * top.signum() * bottom.signum())
+    }
+
+    proptest! {
+        #[test]
+        fn sums_saturate(a in vectors(), b in vectors()) {
+            let (u, v) = (Vec3::from_bits(a), Vec3::from_bits(b));
+            let [a, b] = [a, b].map(|v| v.map(i128::from));
+            let (sum, difference) = ((u + v).to_bits(), (u - v).to_bits());
+            for i in 0..3 {
+                prop_assert_eq!(sum[i], saturated(a[i] + b[i]));
+                prop_assert_eq!(difference[i], saturated(a[i] - b[i]));
+                prop_assert_eq!((-u).to_bits()[i], saturated(-a[i]));
+                prop_assert_eq!(u.min(v).to_bits()[i], saturated(a[i].min(b[i])));
+                prop_assert_eq!(u.max(v).to_bits()[i], saturated(a[i].max(b[i])));
+            }
+            prop_assert_eq!([u, v].iter().sum::<Vec3>(), u + v);
+            prop_assert_eq!([u, v, u].into_iter().sum::<Vec3>(), u + v + u);
+        }
+
+        #[test]
+        fn products_round_half_up(a in vectors(), k in numbers()) {
+            let expected = a.map(|v| saturated((i128::from(v) * i128::from(k) + (1 << 15)) >> 16));
+            let (v, k) = (Vec3::from_bits(a), Scalar::from_bits(k));
+            prop_assert_eq!((v * k).to_bits(), expected);
+            prop_assert_eq!(k * v, v * k);
+            let uv = Vec2::from_bits([a[0], a[1]]);
+            prop_assert_eq!((uv * k).to_bits(), [expected[0], expected[1]]);
+            prop_assert_eq!(k * uv, uv * k);
+        }
+
+        #[test]
+        fn quotients_round_half_away_from_zero(a in vectors(), k in numbers()) {
+            let expected = a.map(|v| quotient(v, k));
+            let k = Scalar::from_bits(k);
+            prop_assert_eq!((Vec3::from_bits(a) / k).to_bits(), expected);
+            let uv = Vec2::from_bits([a[0], a[1]]) / k;
+            prop_assert_eq!(uv.to_bits(), [expected[0], expected[1]]);
+        }
+
+        #[test]
+        fn interpolation_rounds_once(a in vectors(), b in vectors(), t in numbers()) {
+            let found = Vec3::from_bits(a).lerp(Vec3::from_bits(b), Scalar::from_bits(t)).to_bits();
+            for i in 0..3 {
+                let [from, to] = [a[i], b[i]].map(i128::from);
+                let exact = (from << 16) + (to - from) * i128::from(t);
+                prop_assert_eq!(found[i], saturated((exact + (1 << 15)) >> 16));
+            }
+        }
+
+        #[test]
+        fn assignments_are_the_operators(a in vectors(), b in vectors(), k in numbers()) {
+            let (u, v, k) = (Vec3::from_bits(a), Vec3::from_bits(b), Scalar::from_bits(k));
+            let [mut sum, mut difference, mut product, mut quotient] = [u; 4];
+            sum += v;
+            difference -= v;
+            product *= k;
+            quotient /= k;
+            prop_assert_eq!([sum, difference, product, quotient], [u + v, u - v, u * k, u / k]);
+        }
+    }
+
+    #[test]
+    fn division_by_zero_saturates_by_sign() {
+        let extremes = Vec3::new(Scalar::MAX, Scalar::MIN, Scalar::ZERO);
+        assert_eq!(vec3!(1, -1, 0) / Scalar::ZERO, extremes);
+        let extremes = Vec2::new(TexCoord::MIN, TexCoord::MAX);
+        assert_eq!(vec2!(-1, 1) / Scalar::ZERO, extremes);
+        assert_eq!(
+            Vec3::new(Scalar::MIN, Scalar::MAX, Scalar::ZERO) / -Scalar::DELTA,
+            Vec3::new(Scalar::MAX, Scalar::MIN, Scalar::ZERO)
+        );
+    }
+
+    #[test]
+    fn interpolation_meets_both_ends() {
+        let (a, b) = (vec3!(-30000, 1, 0.1), vec3!(30000, -2, 7));
+        assert_eq!(a.lerp(b, Scalar::ZERO), a);
+        assert_eq!(a.lerp(b, Scalar::ONE), b);
+        assert_eq!(
+            vec2!(0, 1).lerp(vec2!(1, 0.5), Scalar::lit("0.5")),
+            vec2!(0.5, 0.75)
+        );
+    }
+
+    #[test]
+    fn vectors_are_arrays_and_back() {
+        let parts = [Scalar::MIN, Scalar::ZERO, Scalar::MAX];
+        assert_eq!(<[Scalar; 3]>::from(Vec3::from(parts)), parts);
+        let parts = [TexCoord::MIN, TexCoord::MAX];
+        assert_eq!(<[TexCoord; 2]>::from(Vec2::from(parts)), parts);
+    }
+}

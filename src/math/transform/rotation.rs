@@ -1,0 +1,272 @@
+//! Rotations: about an axis, and from Euler angles and quaternions.
+
+use fixed::FixedI32;
+
+use super::Transform;
+use crate::num::Unit;
+use crate::num::block::{self, BlockFloat};
+use crate::num::rsqrt as unit;
+use crate::{Angle, Error, Vec3};
+
+/// One, in units of 2^-29.
+const ONE: i32 = 1 << 29;
+
+impl Transform {
+    /// Makes a rotation from rows in units of 2^-29, whose largest entry is about one.
+    const fn from_rotation_rows(linear: [[i32; 3]; 3]) -> Self {
+        Self {
+            linear,
+            ..Self::IDENTITY
+        }
+    }
+
+    /// Rotates about the x axis, from y towards z.
+    ///
+    /// Entries are within 2.6e-9 of their values.
+    #[must_use]
+    pub const fn rotate_x(angle: Angle) -> Self {
+        let [s, minus, c] = sin_cos_29(angle);
+        Self::from_rotation_rows([[ONE, 0, 0], [0, c, minus], [0, s, c]])
+    }
+
+    /// Rotates about the y axis, from z towards x; as exact as [`rotate_x`](Self::rotate_x).
+    #[must_use]
+    pub const fn rotate_y(angle: Angle) -> Self {
+        let [s, minus, c] = sin_cos_29(angle);
+        Self::from_rotation_rows([[c, 0, s], [0, ONE, 0], [minus, 0, c]])
+    }
+
+    /// Rotates about the z axis, from x towards y; as exact as [`rotate_x`](Self::rotate_x).
+    #[must_use]
+    pub const fn rotate_z(angle: Angle) -> Self {
+        let [s, minus, c] = sin_cos_29(angle);
+        Self::from_rotation_rows([[c, minus, 0], [s, c, 0], [0, 0, ONE]])
+    }
+
+    /// Rotates about an axis through the origin, counter-clockwise as seen from its tip
+    /// (Rodrigues' formula).
+    ///
+    /// The axis need not have length one. Entries are within 3 · 2⁻²⁸ of their values.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::ZeroDirection`] if the axis is zero.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// let third = Transform::rotate(vec3!(1, 1, 1), Angle::from_degrees(120))?;
+    /// assert_eq!(third.point(Vec3::X), Vec3::Y);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn rotate(axis: Vec3, angle: Angle) -> Result<Self, Error> {
+        let u = unit::unit(axis.to_bits().map(i64::from)).ok_or(Error::ZeroDirection)?;
+        let u = u.map(i64::from);
+        let (sin, cos) = angle.sin_cos();
+        let (s, c) = (i64::from(sin.to_bits()), i64::from(cos.to_bits()));
+        // Up to 2 and 1 in units of 2^-30: products stay below 2^62.
+        let entry = |i: usize, j: usize, sine: i64| {
+            let projection = (u[i] * u[j] + (1 << 29)) >> 30;
+            ((1 << 30) - c) * projection + if i == j { c << 30 } else { s * sine }
+        };
+        Ok(Self::from_linear(
+            [
+                [entry(0, 0, 0), entry(0, 1, -u[2]), entry(0, 2, u[1])],
+                [entry(1, 0, u[2]), entry(1, 1, 0), entry(1, 2, -u[0])],
+                [entry(2, 0, -u[1]), entry(2, 1, u[0]), entry(2, 2, 0)],
+            ],
+            60,
+        ))
+    }
+
+    /// Rotates by yaw, pitch and roll, in the order YXZ: the product
+    /// `rotate_y(yaw) * rotate_x(pitch) * rotate_z(roll)`.
+    ///
+    /// The roll about z is applied first, then the pitch about x, then the yaw about y, all about
+    /// the fixed axes. Equivalently, the model turns about its own y axis, then its own x axis,
+    /// then its own z axis. A model that looks down −z turns left with a positive yaw, looks up
+    /// with a positive pitch, and tilts counter-clockwise, seen from behind, with a positive roll.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// let ahead = -Vec3::Z;
+    /// let (quarter, none) = (Angle::QUARTER, Angle::ZERO);
+    /// assert_eq!(Transform::from_euler(quarter, none, none).point(ahead), -Vec3::X);
+    /// assert_eq!(Transform::from_euler(none, quarter, none).point(ahead), Vec3::Y);
+    /// assert_eq!(Transform::from_euler(none, none, quarter).point(Vec3::X), Vec3::Y);
+    /// ```
+    #[must_use]
+    pub fn from_euler(yaw: Angle, pitch: Angle, roll: Angle) -> Self {
+        Self::rotate_y(yaw) * Self::rotate_x(pitch) * Self::rotate_z(roll)
+    }
+
+    /// Rotates by a quaternion, in the order `[x, y, z, w]` with the real part last.
+    ///
+    /// The parts may have any common unit, such as [`Scalar`](crate::Scalar) or [`Unit`]: the
+    /// quaternion is normalized. A sensor's raw integers will do as [`Unit::from_bits`]. Entries
+    /// are within 2⁻²⁷ of their values.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::ZeroQuaternion`] if all four parts are zero.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// // A third of a turn about (1, 1, 1), of length two.
+    /// let third = Transform::from_quaternion([fx!(1); 4])?;
+    /// assert_eq!(third.point(Vec3::X), Vec3::Y);
+    /// assert_eq!(Transform::from_quaternion([fx!(0); 4]), Err(Error::ZeroQuaternion));
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn from_quaternion<F>(quaternion: [FixedI32<F>; 4]) -> Result<Self, Error> {
+        from_quaternion_bits(quaternion.map(FixedI32::to_bits))
+    }
+}
+
+/// Rotates by a quaternion whose parts have any common unit.
+fn from_quaternion_bits(quaternion: [i32; 4]) -> Result<Transform, Error> {
+    if quaternion == [0; 4] {
+        return Err(Error::ZeroQuaternion);
+    }
+    let mut mantissas = [0; 4];
+    block::normalize(
+        &mut mantissas,
+        &quaternion.map(|v| BlockFloat::new(v.into(), 0)),
+    );
+    // Mantissas are below 2^30 and the largest is at least 2^29: squares are below 2^60 and the sum
+    // of the four, the norm, is from 2^58 to 2^62. No entry is larger than the norm.
+    let [x, y, z, w] = mantissas.map(i64::from);
+    let norm = BlockFloat::new(x * x + y * y + z * z + w * w, 0);
+    // In units of 2^-30. Dividing magnitudes makes ±norm / norm exactly ±1.
+    let entry = |numerator: i64| {
+        let magnitude = BlockFloat::new(numerator.abs(), 0).over(norm).at(30);
+        numerator.signum() * magnitude
+    };
+    Ok(Transform::from_linear(
+        [
+            [
+                entry(w * w + x * x - y * y - z * z),
+                entry(2 * (x * y - w * z)),
+                entry(2 * (x * z + w * y)),
+            ],
+            [
+                entry(2 * (x * y + w * z)),
+                entry(w * w - x * x + y * y - z * z),
+                entry(2 * (y * z - w * x)),
+            ],
+            [
+                entry(2 * (x * z - w * y)),
+                entry(2 * (y * z + w * x)),
+                entry(w * w - x * x - y * y + z * z),
+            ],
+        ],
+        30,
+    ))
+}
+
+/// Sine, minus sine and cosine, each rounded to units of 2^-29.
+const fn sin_cos_29(angle: Angle) -> [i32; 3] {
+    let (sin, cos) = angle.sin_cos();
+    let (sin, cos) = (Unit::to_bits(sin), Unit::to_bits(cos));
+    [(sin + 1) >> 1, (1 - sin) >> 1, (cos + 1) >> 1]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{Real, errors, multiply, power, real};
+    use super::*;
+    use crate::Scalar;
+    use core::f64::consts::TAU;
+    use proptest::prelude::*;
+
+    /// The rotation by a quaternion of any length.
+    fn rotation(quaternion: [i32; 4]) -> Real {
+        let [x, y, z, w] = quaternion.map(f64::from);
+        let norm = x * x + y * y + z * z + w * w;
+        let rows = [
+            [
+                norm - 2.0 * (y * y + z * z),
+                2.0 * (x * y - w * z),
+                2.0 * (x * z + w * y),
+            ],
+            [
+                2.0 * (x * y + w * z),
+                norm - 2.0 * (x * x + z * z),
+                2.0 * (y * z - w * x),
+            ],
+            [
+                2.0 * (x * z - w * y),
+                2.0 * (y * z + w * x),
+                norm - 2.0 * (x * x + y * y),
+            ],
+        ];
+        rows.map(|row| [row[0] / norm, row[1] / norm, row[2] / norm, 0.0])
+    }
+
+    /// The rotation about axis 0, 1 or 2, from the next axis towards the one after.
+    fn about(axis: usize, angle: u32) -> Real {
+        let (sin, cos) = (f64::from(angle) / power(32) * TAU).sin_cos();
+        let mut m = [[0.0; 4]; 3];
+        let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+        m[axis][axis] = 1.0;
+        (m[next][next], m[last][last]) = (cos, cos);
+        (m[next][last], m[last][next]) = (-sin, sin);
+        m
+    }
+
+    fn quaternions() -> impl Strategy<Value = [i32; 4]> {
+        (any::<[i32; 4]>(), [0_u32..32, 0..32, 0..32, 0..32])
+            .prop_map(|(v, cut)| core::array::from_fn(|i| v[i] >> cut[i]))
+    }
+
+    proptest! {
+        #[test]
+        fn quaternions_are_good_to_27_bits(quaternion in quaternions()) {
+            match Transform::from_quaternion(quaternion.map(Unit::from_bits)) {
+                Err(error) => {
+                    prop_assert_eq!(error, Error::ZeroQuaternion);
+                    prop_assert_eq!(quaternion, [0; 4]);
+                }
+                Ok(t) => {
+                    // Rounding the parts to 30 bits moves the quaternion by up to 2^-29 of its length,
+                    // and entries by twice as much. Quotients add 1.3 · 2^-30, the last rounding 2^-30.
+                    let [linear, moved] = errors(&real(&t), &rotation(quaternion));
+                    prop_assert!(linear <= power(-28) + 2.3 * power(-30), "{:e}", linear);
+                    prop_assert!(moved <= 0.0);
+                }
+            }
+        }
+
+        #[test]
+        fn euler_angles_turn_about_y_then_x_then_z(angles in any::<[u32; 3]>()) {
+            let [yaw, pitch, roll] = angles.map(Angle::from_bits);
+            let t = Transform::from_euler(yaw, pitch, roll);
+            let expected = multiply(
+                &multiply(&about(1, angles[0]), &about(0, angles[1])),
+                &about(2, angles[2]),
+            );
+            // Three factors of entries within 2.6e-9, whose rows and columns sum to at most √3
+            // twice; two products rounded to 2^-30.
+            let [linear, _] = errors(&real(&t), &expected);
+            prop_assert!(linear <= 9.0 * 2.6e-9 + 2.0 * power(-30), "{:e}", linear);
+        }
+    }
+
+    #[test]
+    fn quaternions_of_quarter_turns_are_exact() {
+        for size in [1, -1, 3, 46_341, (1 << 30) - 1, i32::MAX, i32::MIN] {
+            let from = |q: [i32; 4]| Transform::from_quaternion(q.map(Scalar::from_bits)).unwrap();
+            assert_eq!(from([0, 0, 0, size]), Transform::IDENTITY, "{size}");
+            let half = Transform::rotate_x(Angle::HALF);
+            assert_eq!(from([size, 0, 0, 0]), half, "{size}");
+            let quarter = Transform::rotate_y(Angle::QUARTER);
+            assert_eq!(from([0, size, 0, size]), quarter, "{size}");
+            let third = Transform::rotate(Vec3::from_ints(1, 1, 1), Angle::from_degrees(120));
+            let found = from([size; 4]);
+            assert_eq!(
+                third.map(|t| t.point(Vec3::X)),
+                Ok(found.point(Vec3::X)),
+                "{size}"
+            );
+        }
+    }
+}

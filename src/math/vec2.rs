@@ -1,0 +1,118 @@
+//! Texture coordinates.
+
+use core::fmt;
+
+use crate::num::tex_coord;
+use crate::{Error, TexCoord};
+
+/// A texture coordinate: two [`TexCoord`]s, up to 2048 repeats of the texture each way.
+///
+/// (0, 0) is the top left corner of the texture and (1, 1) the bottom right corner of its first
+/// repeat. `y` runs down, in the order of the stored rows.
+///
+/// It has the operators of [`Vec3`](crate::Vec3), with the same rounding and saturation: none panics.
+/// A [`Scalar`](crate::Scalar) multiplies or divides it.
+///
+/// ```
+/// use fixel::{Vec2, fx, vec2};
+/// let corner = vec2!(0.5, 1);
+/// assert_eq!(corner * fx!(3) - vec2!(1, 1), vec2!(0.5, 2));
+/// assert_eq!(Vec2::try_from([0.5, 1.0]), Ok(corner));
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Vec2 {
+    /// To the right.
+    pub x: TexCoord,
+    /// Down.
+    pub y: TexCoord,
+}
+
+impl Vec2 {
+    /// The top left corner of the texture.
+    pub const ZERO: Self = Self::from_bits([0, 0]);
+
+    /// Makes a texture coordinate from its components.
+    #[must_use]
+    pub const fn new(x: TexCoord, y: TexCoord) -> Self {
+        Self { x, y }
+    }
+
+    /// Makes a texture coordinate from the bits of its components, in units of 2⁻²⁰.
+    #[must_use]
+    pub const fn from_bits(bits: [i32; 2]) -> Self {
+        Self::new(TexCoord::from_bits(bits[0]), TexCoord::from_bits(bits[1]))
+    }
+
+    /// Returns the bits of the components, in units of 2⁻²⁰.
+    #[must_use]
+    pub const fn to_bits(self) -> [i32; 2] {
+        [self.x.to_bits(), self.y.to_bits()]
+    }
+}
+
+impl fmt::Display for Vec2 {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "({}, {})", self.x, self.y)
+    }
+}
+
+impl From<[TexCoord; 2]> for Vec2 {
+    fn from([x, y]: [TexCoord; 2]) -> Self {
+        Self::new(x, y)
+    }
+}
+
+impl From<Vec2> for [TexCoord; 2] {
+    fn from(v: Vec2) -> Self {
+        [v.x, v.y]
+    }
+}
+
+impl TryFrom<[f64; 2]> for Vec2 {
+    type Error = Error;
+
+    /// Rounds each component to the nearest [`TexCoord`].
+    fn try_from([x, y]: [f64; 2]) -> Result<Self, Error> {
+        Ok(Self::new(tex_coord(x)?, tex_coord(y)?))
+    }
+}
+
+impl TryFrom<[f32; 2]> for Vec2 {
+    type Error = Error;
+
+    /// Rounds each component to the nearest [`TexCoord`].
+    fn try_from(v: [f32; 2]) -> Result<Self, Error> {
+        Self::try_from(v.map(f64::from))
+    }
+}
+
+/// A [`Vec2`] from two literals, each rounded to the nearest [`TexCoord`] at compile time.
+///
+/// A literal out of range does not compile. For components that are not literals, use [`Vec2::new`].
+///
+/// ```
+/// use fixel::{TexCoord, vec2};
+/// assert_eq!(vec2!(0.5, -1).x, TexCoord::lit("0.5"));
+/// assert_eq!(vec2!(0.5, 0.2).to_bits(), [524_288, 209_715]);
+/// ```
+/// ```compile_fail
+/// let _ = fixel::vec2!(0, 2048);
+/// ```
+#[macro_export]
+macro_rules! vec2 {
+    ($x:literal, $y:literal $(,)?) => {
+        const {
+            #[allow(clippy::cast_lossless, clippy::unnecessary_cast)]
+            $crate::Vec2::new(
+                $crate::num::literal_tex_coord($x as f64),
+                $crate::num::literal_tex_coord($y as f64),
+            )
+        }
+    };
+    ($($other:tt)*) => {
+        ::core::compile_error!(
+            "vec2! takes two literals, such as vec2!(0.5, 1); write Vec2::new(x, y) for TexCoords, \
+             with num::tex_coord(x)? for a float known at run time"
+        )
+    };
+}

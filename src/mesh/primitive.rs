@@ -1,0 +1,248 @@
+//! A mesh as a shader sees it: a triangle, edge or point, and its corners.
+
+use core::cell::OnceCell;
+
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+
+use super::mesh::{Element, Mesh};
+use crate::math::{Direction, NormalMatrix, Transform};
+use crate::{Scalar, Vec2, Vec3};
+
+/// Where a draw call puts a model.
+#[derive(Clone, Debug)]
+pub(crate) struct Placement {
+    /// From model to world space.
+    model: Transform,
+    /// From model to eye space.
+    view: Transform,
+    /// Computed for the first normal that a shader asks for.
+    normals: OnceCell<NormalMatrix>,
+}
+
+impl Placement {
+    #[inline]
+    pub(crate) const fn new(model: Transform, view: Transform) -> Self {
+        Self {
+            model,
+            view,
+            normals: OnceCell::new(),
+        }
+    }
+}
+
+/// A triangle, edge or point of a mesh on its way to be drawn.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use fixel::prelude::*;
+/// use fixel::shade::PerFace;
+///
+/// /// Faces that look up are light, others dark.
+/// #[derive(Clone, Copy)]
+/// struct Snow;
+///
+/// impl Shader for Snow {
+///     type Color = Gray8;
+///     type Varyings = PerFace<u8>;
+///
+///     fn varyings(&self, face: &Primitive) -> [PerFace<u8>; 3] {
+///         [PerFace(if face.normal().y > 0 { 250 } else { 50 }); 3]
+///     }
+///
+///     fn shade(&self, _: &Fragment, PerFace(luma): PerFace<u8>) -> Option<Gray8> {
+///         Some(Gray8::new(luma))
+///     }
+/// }
+///
+/// let mut pixels = [Gray8::new(0); 1];
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(9))?;
+/// let from_above = Camera::top(Vec3::ZERO, fx!(5));
+/// let positions = [vec3!(-9, 0, 9), vec3!(9, 0, 9), vec3!(0, 0, -9)];
+/// let ground = Mesh::new(&positions, &[[0, 1, 2]])?;
+/// let mut canvas = Canvas::new(&mut pixels, 1, 1)?;
+/// canvas.draw(&ground, &(projection * from_above), &Snow);
+/// assert_eq!(pixels, [Gray8::new(250)]);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Primitive<'a> {
+    pub(crate) mesh: &'a Mesh<'a>,
+    pub(crate) placement: &'a Placement,
+    pub(crate) element: Element,
+}
+
+impl Primitive<'_> {
+    /// Which triangle of the mesh this is, counted from 0; 0 for an edge or point.
+    #[must_use]
+    #[inline]
+    pub const fn index(&self) -> usize {
+        match self.element.face {
+            Some(face) => face,
+            None => 0,
+        }
+    }
+
+    /// Whether this is a triangle, not an edge or a point.
+    #[must_use]
+    #[inline]
+    pub const fn is_face(&self) -> bool {
+        self.element.face.is_some()
+    }
+
+    /// A function of each of the three corners; an edge has its second end twice, a point is three times the same.
+    #[must_use]
+    #[inline]
+    pub fn corners<T>(&self, mut f: impl FnMut(&Corner<'_>) -> T) -> [T; 3] {
+        core::array::from_fn(|corner| {
+            f(&Corner {
+                primitive: self,
+                corner,
+            })
+        })
+    }
+
+    /// The three corners in model space.
+    #[must_use]
+    pub fn positions(&self) -> [Vec3; 3] {
+        self.element.indices.map(|index| self.mesh.position(index))
+    }
+
+    /// The texture coordinates of the corners; (0, 0) where the mesh has none.
+    #[must_use]
+    #[inline]
+    pub fn uvs(&self) -> [Vec2; 3] {
+        self.corners(|corner| corner.uv())
+    }
+
+    /// The plane's normal in model space, (b − a) × (c − a), scaled to a largest component between
+    /// 8192 and 32768, so that a small triangle's direction is as good as a large one's;
+    /// zero for a triangle without area.
+    #[must_use]
+    pub fn normal(&self) -> Vec3 {
+        let [a, b, c] = self.positions().map(Vec3::to_bits);
+        // Differences take 33 bits; halved they fit 32 and the difference of two products 64.
+        let side = |from: i32, to: i32| (i64::from(to) - i64::from(from)) >> 1;
+        let [b, c] = [b, c].map(|p| [side(a[0], p[0]), side(a[1], p[1]), side(a[2], p[2])]);
+        let cross = |i: usize, j: usize| (b[i] * c[j]).saturating_sub(b[j] * c[i]);
+        let normal = [cross(1, 2), cross(2, 0), cross(0, 1)];
+        let bits = normal.iter().fold(0, |all, x| all | x.unsigned_abs());
+        // One leading zero stays, for the sign.
+        let up = bits.leading_zeros().clamp(1, 63) - 1;
+        Vec3::from_bits(normal.map(|x| ((x << up) >> 32) as i32))
+    }
+
+    /// The triangle's normal in world space.
+    #[must_use]
+    pub fn world_normal(&self) -> Direction {
+        self.to_world(self.normal())
+    }
+
+    fn to_world(&self, normal: Vec3) -> Direction {
+        let Placement { model, normals, .. } = self.placement;
+        normals
+            .get_or_init(|| NormalMatrix::of(model))
+            .direction(normal)
+    }
+}
+
+/// A corner of a triangle, an end of an edge, or a point, on its way to be drawn.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use fixel::prelude::*;
+///
+/// /// Black at the eye, white at a distance of ten units.
+/// #[derive(Clone, Copy)]
+/// struct Fog;
+///
+/// impl Shader for Fog {
+///     type Color = Gray8;
+///     type Varyings = [i32; 1];
+///
+///     fn varyings(&self, primitive: &Primitive) -> [[i32; 1]; 3] {
+///         primitive.corners(|corner| [corner.distance().to_bits()])
+///     }
+///
+///     fn shade(&self, _: &Fragment, [distance]: [i32; 1]) -> Option<Gray8> {
+///         Some(Gray8::new((distance / 2570).clamp(0, 255) as u8))
+///     }
+/// }
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Corner<'a> {
+    primitive: &'a Primitive<'a>,
+    corner: usize,
+}
+
+impl Corner<'_> {
+    /// The position in model space.
+    #[must_use]
+    #[inline]
+    pub fn position(&self) -> Vec3 {
+        match self.primitive.element.indices.get(self.corner) {
+            Some(&index) => self.primitive.mesh.position(index),
+            None => Vec3::ZERO,
+        }
+    }
+
+    /// The distance ahead of the eye: −z in eye space, saturated to the format.
+    #[must_use]
+    #[inline]
+    pub fn distance(&self) -> Scalar {
+        self.primitive
+            .placement
+            .view
+            .point(self.position())
+            .z
+            .saturating_neg()
+    }
+
+    /// The texture coordinate; (0, 0) where the mesh has none.
+    #[must_use]
+    #[inline]
+    pub fn uv(&self) -> Vec2 {
+        self.primitive
+            .mesh
+            .uv(self.primitive.element, self.corner)
+            .unwrap_or_default()
+    }
+
+    /// The normal in model space, of any length; where the mesh has none, the triangle's own.
+    #[must_use]
+    #[inline]
+    pub fn normal(&self) -> Vec3 {
+        match self
+            .primitive
+            .mesh
+            .normal(self.primitive.element, self.corner)
+        {
+            Some(normal) => normal,
+            None => self.primitive.normal(),
+        }
+    }
+
+    /// The colour; white where the mesh has none.
+    #[must_use]
+    #[inline]
+    pub fn color(&self) -> Rgb888 {
+        self.primitive
+            .mesh
+            .color(self.primitive.element, self.corner)
+            .unwrap_or(Rgb888::WHITE)
+    }
+
+    /// The direction of [`normal`](Self::normal) in world space, where lights are; upright also on a model that is
+    /// stretched or mirrored.
+    #[must_use]
+    #[inline]
+    pub fn world_normal(&self) -> Direction {
+        self.primitive.to_world(self.normal())
+    }
+
+    /// The triangle, edge or point that this is a corner of.
+    #[must_use]
+    #[inline]
+    pub const fn primitive(&self) -> &Primitive<'_> {
+        self.primitive
+    }
+}

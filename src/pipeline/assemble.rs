@@ -1,0 +1,80 @@
+//! Primitive assembly: from a mesh's indices to triangles and lines on the screen, whole or clipped, or nothing.
+
+use super::cache::VertexCache;
+use super::call::Call;
+use super::clip::clip;
+use crate::mesh::{Element, Index};
+use crate::raster::{self, Barycentric, ClippedVertex, ScreenVertex};
+use crate::view::ProjectionKind;
+
+/// What takes triangles from assembly: drawing, or a list to draw later.
+pub(super) trait Assembly {
+    /// A triangle that is inside all planes and is not culled, and twice its area.
+    fn whole(&mut self, element: Element, corners: &[ScreenVertex; 3], area: i64);
+
+    /// The part of a triangle inside all planes; it may be empty or face away.
+    fn clipped(&mut self, element: Element, polygon: &[ClippedVertex]);
+}
+
+/// Takes one triangle of the mesh as far as its corners tell that it is to be seen.
+#[inline]
+pub(super) fn triangle<K: ProjectionKind>(
+    call: &Call<'_, K>,
+    vertices: &mut VertexCache,
+    (face, indices): (usize, &[Index; 3]),
+    to: &mut impl Assembly,
+) {
+    let [a, b, c] = *indices;
+    let element = || Element {
+        face: Some(face),
+        indices: *indices,
+    };
+    let mut place = |index| {
+        let vertex = vertices.vertex(&call.projector, index);
+        (vertex.screen, vertex.outcode)
+    };
+    let ((a, a_outcode), (b, b_outcode), (c, c_outcode)) = (place(a), place(b), place(c));
+    let planes = a_outcode | b_outcode | c_outcode;
+    if planes == 0 {
+        // Back faces, half of most meshes, are rejected here, before any attribute is read.
+        let area = raster::area(&[a, b, c]);
+        if !call.cull.leaves_out(area) {
+            let corners = vertices.corners(&call.projector, *indices);
+            to.whole(element(), &corners, area);
+        }
+    } else if a_outcode & b_outcode & c_outcode == 0 {
+        to.clipped(element(), &clip(&call.projector, indices, planes));
+    }
+}
+
+/// The part of an edge inside all planes, and whether it was clipped; `None` if there is none.
+#[inline]
+pub(super) fn edge<K: ProjectionKind>(
+    call: &Call<'_, K>,
+    vertices: &mut VertexCache,
+    indices: [Index; 2],
+) -> Option<([ClippedVertex; 2], bool)> {
+    let [vertex, other] = indices.map(|index| *vertices.vertex(&call.projector, index));
+    let planes = vertex.outcode | other.outcode;
+    if vertex.outcode & other.outcode != 0 {
+        return None;
+    }
+    if planes != 0 {
+        return match *clip(&call.projector, &indices, planes) {
+            [from, to] => Some(([from, to], true)),
+            _ => None,
+        };
+    }
+    let [barycentric, other_barycentric, _] = Barycentric::CORNERS;
+    let line = [
+        ClippedVertex {
+            vertex,
+            barycentric,
+        },
+        ClippedVertex {
+            vertex: other,
+            barycentric: other_barycentric,
+        },
+    ];
+    Some((line, false))
+}

@@ -1,0 +1,389 @@
+//! Triangles prepared once for all bands of a frame.
+
+use core::ops::Range;
+
+use embedded_graphics::geometry::Size;
+use heapless::{Vec, VecView};
+
+use super::assemble::Assembly;
+use super::cache;
+use super::call::Call;
+use super::clip::ClippedPolygon;
+use super::run::{self, Draw};
+use super::{DrawOptions, Drawn};
+use crate::Error;
+use crate::mesh::{Element, Index, Mesh, Placement};
+use crate::raster::{
+    Barycentric, Blitter, ClippedVertex, Cull, DepthShift, Polygon, Scissor, ScreenVertex, Triangle,
+};
+use crate::span::{Mode, Newton};
+use crate::target::{DepthTest, TestAndWrite, check_size};
+use crate::view::{Mvp, Perspective, ProjectionKind, Viewport};
+
+/// Memory for the triangles of a frame that is drawn in bands: transformed, culled and clipped
+/// once, walked by every band.
+///
+/// Without it each band transforms the whole mesh again, which for a mesh of many small triangles
+/// takes longer than to draw it. Room is needed for the triangles that are to be seen (16 bytes
+/// each), and for their vertices (16 bytes each): about half as many in a closed mesh whose
+/// triangles are in the order of neighbours, at most three times as many, and up to 18 for each
+/// triangle that is clipped. Where there is too little, [`prepare`](Self::prepare) says how much
+/// is needed.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
+/// use fixel::prelude::*;
+///
+/// static BALL: Mesh = shape!(sphere(12, 8));
+/// const WIDTH: u32 = 16;
+/// const HEIGHT: u32 = 12;
+/// const ROWS: u32 = 4;
+///
+/// let projection = Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(10))?;
+/// let mvp = projection * Transform::translate(vec3!(0, 0, -2.5));
+/// let sun = Light::new(vec3!(1, 2, 3), fx!(0), fx!(1))?;
+/// let white = Flat::rgb(Gray4::WHITE).lit(sun);
+///
+/// let mut list: TriangleList<100, 80> = TriangleList::new(); // on a microcontroller, a static
+/// let ball = list.prepare(&DrawOptions::new(), (WIDTH, HEIGHT), &BALL, &mvp)?;
+///
+/// let mut display = MockDisplay::new();
+/// let mut color = [Gray4::BLACK; (WIDTH * ROWS) as usize];
+/// for first_row in (0..HEIGHT).step_by(ROWS as usize) {
+///     let mut band = Canvas::band(&mut color, WIDTH, HEIGHT, first_row)?;
+///     band.clear(Gray4::BLACK);
+///     band.draw_prepared(&ball, &white); // nothing is transformed here
+///     band.show(&mut display)?;
+/// }
+///
+/// // The same picture at once.
+/// let mut color = [Gray4::BLACK; (WIDTH * HEIGHT) as usize];
+/// let mut frame = Canvas::new(&mut color, WIDTH, HEIGHT)?;
+/// frame.draw(&BALL, &mvp, &white);
+/// let mut whole = MockDisplay::new();
+/// frame.show(&mut whole)?;
+/// display.assert_eq(&whole);
+///
+/// let mut short: TriangleList<20, 80> = TriangleList::new();
+/// let error = short.prepare(&DrawOptions::new(), (WIDTH, HEIGHT), &BALL, &mvp).unwrap_err();
+/// assert_eq!(error.to_string(), "44 triangles are visible: the list has room for 20");
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct TriangleList<const TRIANGLES: usize, const VERTICES: usize> {
+    triangles: Vec<Entry, TRIANGLES>,
+    vertices: Vec<Slot, VERTICES>,
+}
+
+/// A triangle that is to be seen.
+#[derive(Clone, Copy, Debug)]
+struct Entry {
+    /// Its place among the mesh's faces.
+    face: u32,
+    /// The rows of the frame that it may have pixels in, first and last.
+    rows: [u16; 2],
+    corners: Corners,
+}
+
+/// Where in the list a triangle's corners are.
+#[derive(Clone, Copy, Debug)]
+enum Corners {
+    /// All inside: three vertices.
+    Whole([u16; 3]),
+    /// Clipped: this many corners, each a vertex and its barycentric weights.
+    Clipped { first: u16, count: u16 },
+}
+
+/// A vertex on the screen, or where in its triangle the one before it lies.
+///
+/// Fields of their own, and not a [`ScreenVertex`], so that the tag finds room among them.
+#[derive(Clone, Copy, Debug)]
+enum Slot {
+    Vertex {
+        screen: [i32; 2],
+        q: u32,
+        exponent: u8,
+    },
+    Barycentric(Barycentric),
+}
+
+impl From<ScreenVertex> for Slot {
+    fn from(vertex: ScreenVertex) -> Self {
+        Self::Vertex {
+            screen: vertex.screen,
+            q: vertex.q,
+            exponent: vertex.exponent,
+        }
+    }
+}
+
+impl Slot {
+    #[inline]
+    fn vertex(self) -> Option<ScreenVertex> {
+        match self {
+            Self::Vertex {
+                screen,
+                q,
+                exponent,
+            } => Some(ScreenVertex {
+                screen,
+                q,
+                exponent,
+                outcode: 0,
+                index: 0,
+            }),
+            Self::Barycentric(_) => None,
+        }
+    }
+}
+
+/// A mesh's triangles, ready to be drawn into every band of a frame: what
+/// [`TriangleList::prepare`] makes and [`Canvas::draw_prepared`](crate::Canvas::draw_prepared) draws.
+///
+/// It can be shared with another core, which draws other bands of the same frame.
+///
+/// ```
+/// use fixel::{Prepared, prelude::*};
+/// fn is_shared<T: Sync>() {}
+/// is_shared::<Prepared<'static>>();
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Prepared<'a, K = Perspective, M = Newton, Z = TestAndWrite> {
+    mesh: &'a Mesh<'a>,
+    mvp: Mvp<K>,
+    viewport: Viewport,
+    cull: Cull,
+    triangles: &'a [Entry],
+    vertices: &'a [Slot],
+    pub(super) depth_shift: DepthShift,
+    pub(super) mode: M,
+    pub(super) test: Z,
+}
+
+impl<const TRIANGLES: usize, const VERTICES: usize> Default for TriangleList<TRIANGLES, VERTICES> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERTICES> {
+    /// Most vertices that can be used, whatever there is room for: they are counted from 1 in 16 bits.
+    pub const MAX_VERTICES: usize = u16::MAX as usize;
+
+    /// An empty list.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            triangles: Vec::new(),
+            vertices: Vec::new(),
+        }
+    }
+
+    /// Transforms, culls and clips a mesh's triangles for a `frame` of this many columns and rows, as
+    /// [`Canvas::draw_with`](crate::Canvas::draw_with) would for each of its bands. Drops what was in the list before.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Full`] if the list is too short for what is to be seen, with the length that is
+    /// needed; [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`](crate::target::MAX_SIZE).
+    pub fn prepare<'a, M: Mode, Z: DepthTest, K: ProjectionKind>(
+        &'a mut self,
+        options: &DrawOptions<M, Z>,
+        frame: impl Into<Size>,
+        mesh: &'a Mesh<'a>,
+        mvp: &Mvp<K>,
+    ) -> Result<Prepared<'a, K, M, Z>, Error> {
+        let frame = frame.into();
+        check_size(frame.width, frame.height)?;
+        let viewport = options.viewport_in(frame);
+        let call = Call::new(options, mesh, mvp, &viewport);
+        self.triangles.clear();
+        self.vertices.clear();
+        let mut filling = Filling {
+            triangles: self.triangles.as_mut_view(),
+            vertices: self.vertices.as_mut_view(),
+            needed: Needed::default(),
+            cull: call.cull,
+            scissor: Scissor::new(&viewport, frame.width, &(0..frame.height)),
+            numbers: [(0, 0); cache::SIZE],
+        };
+        run::triangles(&call, &mut filling);
+        let Needed {
+            triangles,
+            vertices,
+        } = filling.needed;
+        for (of, needed, room) in [
+            ("triangles", triangles, TRIANGLES),
+            ("vertices", vertices, VERTICES.min(Self::MAX_VERTICES)),
+        ] {
+            if needed > room {
+                return Err(Error::Full { of, needed, room });
+            }
+        }
+        Ok(Prepared {
+            mesh,
+            mvp: *mvp,
+            viewport,
+            cull: call.cull,
+            triangles: &self.triangles,
+            vertices: &self.vertices,
+            depth_shift: call.depth_shift(),
+            mode: options.mode,
+            test: options.depth,
+        })
+    }
+}
+
+/// Elements that a list must have room for.
+#[derive(Clone, Copy, Debug, Default)]
+struct Needed {
+    triangles: usize,
+    vertices: usize,
+}
+
+/// A list that is being filled. When there is no more room it goes on counting.
+struct Filling<'l> {
+    triangles: &'l mut VecView<Entry>,
+    vertices: &'l mut VecView<Slot>,
+    needed: Needed,
+    cull: Cull,
+    scissor: Scissor,
+    /// Positions that were added lately, each with its vertex's number in the list, from 1; 0 is none.
+    numbers: [(Index, u16); cache::SIZE],
+}
+
+impl Filling<'_> {
+    fn add_triangle(&mut self, element: Element, rows: &Range<i32>, corners: Corners) {
+        // Rows of a frame: 0 to 2048.
+        let row = |row: i32| {
+            let inside = row.max(self.scissor.rows.start).min(self.scissor.rows.end);
+            inside.cast_unsigned() as u16
+        };
+        self.needed.triangles += 1;
+        // If there is no room the list is not used.
+        let _ = self.triangles.push(Entry {
+            face: element.face.unwrap_or_default() as u32,
+            rows: [row(rows.start), row(rows.end)],
+            corners,
+        });
+    }
+
+    /// Adds a vertex; its number, which is wrong if there is no room.
+    fn add(&mut self, slot: Slot) -> u16 {
+        self.needed.vertices += 1;
+        let _ = self.vertices.push(slot);
+        self.needed.vertices as u16
+    }
+
+    /// The number of a vertex, added now or lately.
+    fn number(&mut self, vertex: &ScreenVertex) -> u16 {
+        let slot = usize::from(vertex.index) % cache::SIZE;
+        let (index, number) = self.numbers[slot];
+        if number != 0 && index == vertex.index {
+            return number;
+        }
+        let number = self.add((*vertex).into());
+        self.numbers[slot] = (vertex.index, number);
+        number
+    }
+}
+
+impl Assembly for Filling<'_> {
+    fn whole(&mut self, element: Element, corners: &[ScreenVertex; 3], area: i64) {
+        if let Some(triangle) = Triangle::of_area(corners, area, &self.scissor) {
+            let rows = triangle.row_range();
+            let numbers = corners.each_ref().map(|corner| self.number(corner));
+            self.add_triangle(element, &rows, Corners::Whole(numbers));
+        }
+    }
+
+    fn clipped(&mut self, element: Element, polygon: &[ClippedVertex]) {
+        let part = Polygon::new(polygon, self.cull);
+        let Some(rows) = part.and_then(|part| part.row_range(&self.scissor)) else {
+            return;
+        };
+        let first = (self.needed.vertices as u16).wrapping_add(1);
+        for corner in polygon {
+            self.add(corner.vertex.into());
+            self.add(Slot::Barycentric(corner.barycentric));
+        }
+        let corners = Corners::Clipped {
+            first,
+            // At most nine.
+            count: polygon.len() as u16,
+        };
+        self.add_triangle(element, &rows, corners);
+    }
+}
+
+impl<K: ProjectionKind, M, Z> Prepared<'_, K, M, Z> {
+    /// Draws those that meet `rows` of a frame of this width.
+    #[inline(never)]
+    pub(super) fn draw(&self, blitter: &mut dyn Blitter, width: u32, rows: &Range<u32>) -> Drawn {
+        let scissor = Scissor::new(&self.viewport, width, rows);
+        let placement = Placement::new(self.mvp.model, self.mvp.model_view());
+        let mut draw = Draw {
+            blitter,
+            mesh: self.mesh,
+            placement: &placement,
+            cull: self.cull,
+            scissor: &scissor,
+            drawn: Drawn::default(),
+        };
+        for entry in self.triangles {
+            let [start, end] = entry.rows.map(i32::from);
+            if start.max(scissor.rows.start) >= end.min(scissor.rows.end) {
+                continue;
+            }
+            let face = entry.face as usize;
+            let Some(&indices) = self.mesh.faces().get(face) else {
+                continue;
+            };
+            let element = Element {
+                face: Some(face),
+                indices,
+            };
+            match entry.corners {
+                Corners::Whole([a, b, c]) => {
+                    let corners = (self.vertex(a), self.vertex(b), self.vertex(c));
+                    if let (Some(a), Some(b), Some(c)) = corners {
+                        let corners = [a, b, c];
+                        let triangle = Triangle::new(&corners, self.cull, &scissor);
+                        draw.triangle(element, triangle);
+                    }
+                }
+                Corners::Clipped { first, count } => {
+                    draw.clipped(element, &self.polygon(first, count));
+                }
+            }
+        }
+        draw.drawn.submitted = self.mesh.faces().len() as u32;
+        draw.drawn
+    }
+
+    #[inline]
+    fn vertex(&self, number: u16) -> Option<ScreenVertex> {
+        let slot = self.vertices.get(usize::from(number).wrapping_sub(1))?;
+        slot.vertex()
+    }
+
+    fn polygon(&self, first: u16, count: u16) -> ClippedPolygon {
+        let start = usize::from(first).wrapping_sub(1);
+        let slots = self
+            .vertices
+            .get(start..start.wrapping_add(usize::from(2 * count)));
+        let mut polygon = ClippedPolygon::new();
+        for pair in slots.unwrap_or_default().chunks_exact(2) {
+            if let [vertex, Slot::Barycentric(barycentric)] = *pair {
+                if let Some(vertex) = vertex.vertex() {
+                    // At most as many as were clipped.
+                    let _ = polygon.push(ClippedVertex {
+                        vertex,
+                        barycentric,
+                    });
+                }
+            }
+        }
+        polygon
+    }
+}

@@ -1,0 +1,88 @@
+//! How a draw call is done.
+
+use embedded_graphics::geometry::Size;
+
+use crate::raster::Cull;
+use crate::span::{Mode, Newton};
+use crate::target::{DepthTest, TestAndWrite};
+use crate::view::Viewport;
+
+/// How a draw call is done: which faces are culled, to which part of the frame, by which mode, with which depth test.
+///
+/// The default culls back faces, draws to the whole frame in mode [`Newton`], tests depth and stores it.
+///
+/// ```
+/// use fixel::prelude::*;
+/// let left: DrawOptions = DrawOptions::new().viewport(Viewport::new(0, 0, 160, 240)?);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct DrawOptions<M = Newton, Z = TestAndWrite> {
+    pub(super) cull: Cull,
+    pub(super) viewport: Option<Viewport>,
+    pub(super) mode: M,
+    pub(super) depth: Z,
+}
+
+impl Default for DrawOptions {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl DrawOptions {
+    /// The default.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            cull: Cull::Back,
+            viewport: None,
+            mode: Newton,
+            depth: TestAndWrite,
+        }
+    }
+}
+
+impl<M: Copy, Z: Copy> DrawOptions<M, Z> {
+    /// Culls other faces.
+    #[must_use]
+    pub const fn cull(self, cull: Cull) -> Self {
+        Self { cull, ..self }
+    }
+
+    /// Draws into a part of the frame, and into that only.
+    #[must_use]
+    pub const fn viewport(self, viewport: Viewport) -> Self {
+        Self {
+            viewport: Some(viewport),
+            ..self
+        }
+    }
+
+    /// Interpolates in another mode.
+    #[must_use]
+    pub const fn mode<N: Mode>(self, mode: N) -> DrawOptions<N, Z> {
+        DrawOptions {
+            cull: self.cull,
+            viewport: self.viewport,
+            mode,
+            depth: self.depth,
+        }
+    }
+
+    /// Tests and stores depths in another way; nothing changes on a canvas without a depth buffer.
+    #[must_use]
+    pub const fn depth<Y: DepthTest>(self, depth: Y) -> DrawOptions<M, Y> {
+        DrawOptions {
+            cull: self.cull,
+            viewport: self.viewport,
+            mode: self.mode,
+            depth,
+        }
+    }
+
+    /// The viewport in a frame of this size.
+    pub(super) fn viewport_in(&self, frame: Size) -> Viewport {
+        self.viewport.unwrap_or(Viewport::whole(frame))
+    }
+}

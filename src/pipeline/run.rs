@@ -1,0 +1,126 @@
+//! The stages of a draw call, in order.
+//!
+//! ```text
+//! mesh ─▶ vertex ─▶ assemble ─▶ raster ─▶ blit ─▶ canvas
+//! ```
+//!
+//! Vertices are projected once and kept for neighbors ([`vertex`](super::vertex), [`VertexCache`]); triangles are culled
+//! and clipped ([`assemble`]); what is left becomes spans of pixels ([`raster`]), and these become colors
+//! ([`Blitter`]).
+
+use super::Drawn;
+use super::assemble::{self, Assembly};
+use super::cache::VertexCache;
+use super::call::Call;
+use crate::mesh::{Element, Index, Mesh, Placement, Primitive};
+use crate::raster::{self, Blitter, ClippedVertex, Cull, Polygon, Scissor, ScreenVertex, Triangle};
+use crate::view::ProjectionKind;
+
+/// Runs all triangles of a mesh through vertex and assembly stages to drawing, or to a list to draw later.
+#[inline]
+pub(super) fn triangles<K: ProjectionKind>(call: &Call<'_, K>, to: &mut impl Assembly) {
+    let mut vertices = VertexCache::new();
+    for (face, indices) in call.mesh.faces().iter().enumerate() {
+        assemble::triangle(call, &mut vertices, (face, indices), to);
+    }
+}
+
+/// Draws all edges of a mesh as lines.
+#[inline(never)]
+pub(super) fn edges<K: ProjectionKind>(
+    call: &Call<'_, K>,
+    blitter: &mut dyn Blitter,
+    scissor: &Scissor,
+) -> Drawn {
+    let mut drawn = Drawn::default();
+    let mut vertices = VertexCache::new();
+    for &[a, b] in call.mesh.edges() {
+        drawn.submitted += 1;
+        if let Some((line, is_clipped)) = assemble::edge(call, &mut vertices, [a, b]) {
+            blitter.primitive(&call.primitive(Element {
+                face: None,
+                indices: [a, b, b],
+            }));
+            raster::line(blitter, scissor, line.each_ref());
+            drawn.drawn += 1;
+            drawn.clipped += u32::from(is_clipped);
+        }
+    }
+    drawn
+}
+
+/// Draws all positions of a mesh as points.
+#[inline(never)]
+pub(super) fn points<K: ProjectionKind>(
+    call: &Call<'_, K>,
+    blitter: &mut dyn Blitter,
+    scissor: &Scissor,
+) -> Drawn {
+    let mut drawn = Drawn::default();
+    for index in 0..call.mesh.positions().len() {
+        // A mesh has at most 65,536 positions.
+        let Ok(index) = Index::try_from(index) else {
+            break;
+        };
+        drawn.submitted += 1;
+        let mut at = ScreenVertex::NONE;
+        call.projector.project(index, &mut at);
+        if at.outcode == 0 {
+            blitter.primitive(&call.primitive(Element {
+                face: None,
+                indices: [index; 3],
+            }));
+            raster::point(blitter, scissor, &at);
+            drawn.drawn += 1;
+        }
+    }
+    drawn
+}
+
+/// Draws assembled triangles.
+pub(super) struct Draw<'d> {
+    pub(super) blitter: &'d mut dyn Blitter,
+    pub(super) mesh: &'d Mesh<'d>,
+    pub(super) placement: &'d Placement,
+    pub(super) cull: Cull,
+    pub(super) scissor: &'d Scissor,
+    pub(super) drawn: Drawn,
+}
+
+impl Draw<'_> {
+    #[inline]
+    fn start(&mut self, element: Element) {
+        self.blitter.primitive(&Primitive {
+            mesh: self.mesh,
+            placement: self.placement,
+            element,
+        });
+    }
+
+    /// Draws a triangle that is inside all planes.
+    #[inline]
+    pub(super) fn triangle(&mut self, element: Element, triangle: Option<Triangle<'_>>) {
+        if let Some(triangle) = triangle {
+            self.start(element);
+            triangle.draw(self.blitter, self.scissor);
+            self.drawn.drawn += 1;
+        }
+    }
+}
+
+impl Assembly for Draw<'_> {
+    #[inline]
+    fn whole(&mut self, element: Element, corners: &[ScreenVertex; 3], area: i64) {
+        self.triangle(element, Triangle::of_area(corners, area, self.scissor));
+    }
+
+    #[inline(never)]
+    fn clipped(&mut self, element: Element, polygon: &[ClippedVertex]) {
+        if let Some(polygon) = Polygon::new(polygon, self.cull) {
+            self.start(element);
+            let drawn = u32::from(polygon.draw(self.blitter, self.scissor));
+            self.drawn.drawn += drawn;
+            self.drawn.clipped += drawn;
+        }
+    }
+}

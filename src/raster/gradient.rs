@@ -1,0 +1,317 @@
+//! The plane equation of an interpolant, kept as a numerator over a common denominator.
+
+use crate::num::reciprocal;
+use crate::num::wide::{IS_NARROW, product, times_short, upper};
+
+/// An interpolant over a triangle: what it is at every pixel's centre, to a unit.
+///
+/// Where the triangle is [near](Basis::is_near), that is `start` and so many steps. Elsewhere those would
+/// add up too much rounding, and it is a quotient: its numerator is linear over the screen, its
+/// denominator is twice the triangle's area scaled to 32 bits, and the numerators are scaled alike, so
+/// they take 63 bits. Arithmetic on them wraps: within the triangle the result is in
+/// range, and modulo 2⁶⁴ it does not matter by which way it was reached.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Gradient {
+    /// What it gains from one column to the next, to the nearest unit.
+    pub(crate) step: i32,
+    /// What it gains from one row to the next; of a near triangle.
+    row: i32,
+    /// The value at the centre of the pixel that corner 0 lies in; of a near triangle.
+    start: i32,
+    /// The numerator at the centre of that pixel, and what it gains for a column and a row; of others.
+    numerator: i64,
+    dx: i64,
+    dy: i64,
+}
+
+impl Gradient {
+    /// Nothing to interpolate.
+    pub(crate) const NONE: Self = Self {
+        step: 0,
+        row: 0,
+        start: 0,
+        numerator: 0,
+        dx: 0,
+        dy: 0,
+    };
+
+    /// Its value `x` columns and `y` rows from the pixel that corner 0 lies in, of a near triangle.
+    #[inline]
+    pub(crate) const fn near(&self, x: i32, y: i32) -> i32 {
+        let moved = self.step.wrapping_mul(x);
+        moved
+            .wrapping_add(self.row.wrapping_mul(y))
+            .wrapping_add(self.start)
+    }
+}
+
+/// What the interpolants of a triangle have in common: its sides and its area.
+///
+/// Positions are in units of 1/256 pixel.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Basis {
+    /// From corner 0 to corners 1 and 2.
+    sides: [[i32; 2]; 2],
+    /// From corner 0 to the centre of the pixel it lies in.
+    to_center: [i32; 2],
+    /// What numerators are multiplied with, 2^0 to 2^31, and then shifted down by.
+    up: u32,
+    down: u32,
+    /// By how much numerators of near triangles are shifted, 8 to 31: a pixel is 256 units. 0 of others.
+    near: u32,
+    /// Twice the area in 32 bits, the top one set, and its reciprocal, 2⁶² / area.
+    ///
+    /// The area's last bit is left out of it. That is one error for all interpolants of a triangle,
+    /// so their quotients do not know it.
+    area: u32,
+    inverse: i32,
+}
+
+/// A near triangle's columns and rows, together: half a unit of rounding for each comes to 32 units.
+const NEAR: i32 = 64;
+
+impl Basis {
+    /// Nothing to interpolate.
+    pub(crate) const NONE: Self = Self {
+        sides: [[0; 2]; 2],
+        to_center: [0; 2],
+        up: 1,
+        down: 0,
+        near: 1,
+        area: 0,
+        inverse: 0,
+    };
+
+    /// The slope of a triangle of this doubled area, which is not 0: positive if corners run clockwise
+    /// as seen on a screen whose y points down.
+    #[inline]
+    pub(crate) fn new([[x, y], b, c]: [[i32; 2]; 3], area: i64) -> Self {
+        let size = |a: i32, b: i32, c: i32| a.max(b).max(c) - a.min(b).min(c);
+        let [wide, high] = [size(x, b[0], c[0]), size(y, b[1], c[1])];
+        // A pixel may be one further off than the corner that it is next to.
+        let is_small = wide + high <= (NEAR - 2) << 8;
+        // Twice the area is then below 2^28.
+        let small_area = (area as i32).unsigned_abs();
+        // A gradient is at most the range of the values, below 2^31, by one of these, by the area.
+        let is_thick = small_area >> 8 >= wide.max(high).cast_unsigned();
+        let (near, up, down, size) = if is_small && is_thick {
+            let zeros = (small_area | 1).leading_zeros();
+            (
+                (zeros + 8) & 31,
+                1 << (zeros & 31),
+                0,
+                small_area << (zeros & 31),
+            )
+        } else {
+            let size = area.unsigned_abs();
+            let zeros = size.leading_zeros();
+            // Below 2^32 an area is shifted up, above down; numerators that are proportional to it likewise.
+            let up = 1 << (zeros.saturating_sub(32) & 31);
+            let down = 32u32.saturating_sub(zeros);
+            (0, up, down, (size << (zeros & 63) >> 32) as u32)
+        };
+        // An area that is negative makes the numerators so.
+        let sign = if area < 0 { -1 } else { 1 };
+        Self {
+            near,
+            sides: [b, c].map(|[to_x, to_y]| [(to_x - x) * sign, (to_y - y) * sign]),
+            to_center: [128 - (x & 255), 128 - (y & 255)],
+            up,
+            down,
+            area: size,
+            inverse: reciprocal(size >> 1).cast_signed(),
+        }
+    }
+
+    /// Whether the triangle is small enough, and no sliver, so that gradients to the nearest unit will do.
+    #[inline]
+    pub(crate) const fn is_near(&self) -> bool {
+        self.near != 0
+    }
+
+    /// Twice the area in units of a pixel by 1/256 pixel, times what `values` gain for a column and for a row.
+    ///
+    /// Values are within ±2³¹, apart by less than 2³¹.
+    #[inline]
+    fn gains(&self, [a, b, c]: [i32; 3]) -> [i64; 2] {
+        let (b, c) = (b.wrapping_sub(a), c.wrapping_sub(a));
+        let [[bx, by], [cx, cy]] = self.sides;
+        // Differences take 31 bits and a sign, sides 20: with the sum 52 bits.
+        [
+            product(b, cy) - product(c, by),
+            product(c, bx) - product(b, cx),
+        ]
+    }
+
+    /// The same of a near triangle, whose sides take 14 bits: from products of 32 bits.
+    #[inline]
+    fn short_gains(&self, [a, b, c]: [i32; 3]) -> [i64; 2] {
+        let halves = |value: i32| [value >> 16, value & 0xffff];
+        let [b, c] = [b, c].map(|value| halves(value.wrapping_sub(a)));
+        let [[bx, by], [cx, cy]] = self.sides;
+        // Upper halves have 15 bits and a sign, lower ones 16, so that differences of products fit.
+        let gain = |[high, low]: [i32; 2], y, [other_high, other_low]: [i32; 2], other_y| {
+            let (high, low) = (
+                high * y - other_high * other_y,
+                low * y - other_low * other_y,
+            );
+            (i64::from(high) << 16) + i64::from(low)
+        };
+        [gain(b, cy, c, by), gain(c, bx, b, cx)]
+    }
+
+    /// Lays a plane through the values at the corners.
+    #[inline]
+    pub(crate) fn lay(&self, values: [i32; 3], gradient: &mut Gradient) {
+        if self.is_near() {
+            self.lay_near(values, gradient);
+        } else {
+            self.lay_far(values, gradient);
+        }
+    }
+
+    #[inline(never)]
+    fn lay_near(&self, values: [i32; 3], gradient: &mut Gradient) {
+        // Gradients are below 2^31 and areas below 2^32: 63 bits.
+        let gains = if IS_NARROW {
+            self.short_gains(values)
+        } else {
+            self.gains(values)
+        };
+        let gains = gains.map(|gain| shifted(gain, self.near));
+        let [step, row] = gains.map(|gain| self.value(gain));
+        // Half a pixel at most, of gradients that are off by half a unit a pixel.
+        let [x, y] = self.to_center;
+        let moved = moved(step, x).wrapping_add(moved(row, y));
+        let [corner, ..] = values;
+        gradient.step = step;
+        gradient.row = row;
+        gradient.start = corner.wrapping_add(moved);
+    }
+
+    #[inline(never)]
+    fn lay_far(&self, values: [i32; 3], gradient: &mut Gradient) {
+        let [dx, dy] = self.gains(values);
+        let [x, y] = self.to_center.map(i64::from);
+        let moved = self.scale(dx * x + dy * y);
+        let [corner, ..] = values;
+        let corner = i64::from(corner) * i64::from(self.area);
+        // By 256 they take 60 bits.
+        let [dx, dy] = [dx, dy].map(|gain| self.scale(gain << 8));
+        gradient.step = self.value(dx);
+        gradient.numerator = corner.wrapping_add(moved);
+        gradient.dx = dx;
+        gradient.dy = dy;
+    }
+
+    /// The numerator alone, of any triangle: for [`precise`](Self::precise).
+    pub(crate) fn lay_numerator(&self, values: [i32; 3], gradient: &mut Gradient) {
+        let mut far = Gradient::NONE;
+        self.lay_far(values, &mut far);
+        *gradient = Gradient {
+            step: gradient.step,
+            row: gradient.row,
+            start: gradient.start,
+            ..far
+        };
+    }
+
+    /// 2^`up` times the value `x` columns and `y` rows from the pixel that corner 0 lies in, to the nearest unit.
+    pub(crate) fn precise(&self, gradient: &Gradient, [x, y]: [i32; 2], up: u32) -> i32 {
+        let moved = times_short(gradient.dx, x).wrapping_add(times_short(gradient.dy, y));
+        self.value(gradient.numerator.wrapping_add(moved) << (up & 31))
+    }
+
+    /// The most that a value changes from a pixel to the next, across or down.
+    pub(crate) fn steepness(&self, gradient: &Gradient) -> u32 {
+        let row = if self.is_near() {
+            gradient.row
+        } else {
+            self.value(gradient.dy)
+        };
+        gradient.step.unsigned_abs().max(row.unsigned_abs())
+    }
+
+    /// A plane's value `x` columns and `y` rows from the pixel that corner 0 lies in.
+    #[inline(never)]
+    pub(crate) fn far(&self, gradient: &Gradient, x: i32, y: i32) -> i32 {
+        let Gradient {
+            numerator, dx, dy, ..
+        } = gradient;
+        // Within the guard band, 4096 pixels are the most.
+        let moved = times_short(*dx, x).wrapping_add(times_short(*dy, y));
+        self.value(numerator.wrapping_add(moved))
+    }
+
+    /// A numerator in the scale of the area. Bits shifted out at the top are beyond modulo 2⁶⁴;
+    /// those at the bottom, of large triangles only, are below 2⁻²² of a unit of the value.
+    #[inline]
+    const fn scale(&self, numerator: i64) -> i64 {
+        // As a product, which 32-bit cores are faster with than with a shift of 64 bits.
+        numerator.wrapping_mul(self.up as i64) >> (self.down & 31)
+    }
+
+    /// numerator / area, to the nearest, for numerators of values within ±2³¹; others wrap.
+    #[inline]
+    fn value(&self, numerator: i64) -> i32 {
+        // numerator · inverse / 2^62, from the halves of the numerator.
+        let high = product((numerator >> 32) as i32, self.inverse);
+        let low = upper(
+            numerator.cast_unsigned() as u32,
+            self.inverse.cast_unsigned(),
+        );
+        ((high.wrapping_add(low.into()).wrapping_add(1 << 29)) >> 30) as i32
+    }
+}
+
+/// A numerator shifted up by 1 to 31 bits.
+#[inline]
+const fn shifted(numerator: i64, up: u32) -> i64 {
+    if !IS_NARROW {
+        // A product of 32 bits by 64 takes less than a shift by any number.
+        return numerator.wrapping_mul(1 << (up & 31));
+    }
+    // By halves, as that shift is a call.
+    let bits = numerator.cast_unsigned();
+    let (high, low) = ((bits >> 32) as u32, bits as u32);
+    let high = high << (up & 31) | low >> (up.wrapping_neg() & 31);
+    ((high as u64) << 32 | (low << (up & 31)) as u64).cast_signed()
+}
+
+/// gradient · `part` / 256, for a part of up to 128, off by less than a unit.
+#[inline]
+const fn moved(gradient: i32, part: i32) -> i32 {
+    (gradient >> 8) * part + (((gradient & 0xff) * part + 128) >> 8)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// A side of a triangle of up to 62 pixels.
+    fn side() -> impl Strategy<Value = i32> {
+        const MOST: i32 = (NEAR - 2) << 8;
+        prop_oneof![-MOST..=MOST, prop::sample::select(&[-MOST, 0, MOST][..])]
+    }
+
+    /// Values that are apart by less than 2^31.
+    fn value() -> impl Strategy<Value = i32> {
+        const MOST: i32 = (1 << 30) - 1;
+        prop_oneof![
+            -MOST..=MOST,
+            prop::sample::select(&[-MOST, -1, 0, MOST][..])
+        ]
+    }
+
+    proptest! {
+        #[test]
+        fn short_gains_are_those_of_longer_numbers(
+            sides in [[side(), side()], [side(), side()]],
+            values in [value(), value(), value()],
+        ) {
+            let basis = Basis { sides, ..Basis::NONE };
+            prop_assert_eq!(basis.short_gains(values), basis.gains(values));
+        }
+    }
+}

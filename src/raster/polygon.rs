@@ -1,0 +1,140 @@
+//! A clipped triangle as a fan of triangles.
+
+use core::ops::Range;
+
+use super::triangle::{self, Triangle, area, area_in, covers, row_range};
+use super::{Blitter, ClippedVertex, Cull, Scissor, ScreenVertex};
+
+/// The triangles that a clipped one is drawn as: all have the first corner of the outline.
+///
+/// The outline is convex but for the rounding of its corners; where that made it cross itself or
+/// dented it, triangles of the fan turn over and lie upon others: the fan is folded. A pixel is the
+/// outline's if it is in more of them that run clockwise as the whole than in those that do not,
+/// and then the first of those draws it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Polygon<'a> {
+    outline: &'a [ClippedVertex],
+    /// Twice the area of the outline, positive if it runs clockwise as seen.
+    area: i64,
+}
+
+/// Whether twice an area is that of a triangle that runs as one of `whole` does.
+const fn runs_as(whole: i64, area: i64) -> bool {
+    (whole > 0) == (area > 0)
+}
+
+// Taken apart by hand, as in `ScreenVertex::screens`.
+
+fn vertices([a, b, c]: [&ClippedVertex; 3]) -> [ScreenVertex; 3] {
+    [a.vertex, b.vertex, c.vertex]
+}
+
+fn screens([a, b, c]: [&ClippedVertex; 3]) -> [[i32; 2]; 3] {
+    [a.vertex.screen, b.vertex.screen, c.vertex.screen]
+}
+
+impl<'a> Polygon<'a> {
+    /// The fan of an outline, unless it is culled.
+    pub(crate) fn new(outline: &'a [ClippedVertex], cull: Cull) -> Option<Self> {
+        let mut fan = Self { outline, area: 0 };
+        let area = fan.triangles().map(|corners| area(&screens(corners)));
+        fan.area = area.sum();
+        if cull.leaves_out(fan.area) {
+            return None;
+        }
+        Some(fan)
+    }
+
+    /// The triangles.
+    fn triangles(&self) -> impl Iterator<Item = [&'a ClippedVertex; 3]> + use<'a> {
+        let first = self.outline.first();
+        let sides = self.outline.windows(2).skip(1);
+        sides.filter_map(move |side| match (first, side) {
+            (Some(first), [from, to]) => Some([first, from, to]),
+            _ => None,
+        })
+    }
+
+    /// The rows that it may have pixels in; `None` if it has none in the scissor.
+    pub(crate) fn row_range(&self, scissor: &Scissor) -> Option<Range<i32>> {
+        let corners = self.triangles();
+        let corners = corners.map(vertices);
+        let inside = corners.filter(|corners| area_in(corners, Cull::Nothing, scissor) != 0);
+        let rows = inside.map(|corners| row_range(&corners));
+        rows.reduce(|a, b| a.start.min(b.start)..a.end.max(b.end))
+    }
+
+    /// Draws the part in the scissor; whether there is any.
+    pub(crate) fn draw(&self, blitter: &mut dyn Blitter, scissor: &Scissor) -> bool {
+        // Whether or not the triangle that turned over is in the scissor: of a folded fan each pixel is a span of its
+        // own, whose values a band without that triangle would find a unit beside the frame's.
+        let mut folded = false;
+        for corners in self.triangles() {
+            let area = area(&screens(corners));
+            folded |= area != 0 && !runs_as(self.area, area);
+        }
+        let mut drawn = false;
+        for (at, corners) in self.triangles().enumerate() {
+            let area = area_in(&vertices(corners), Cull::Nothing, scissor);
+            if area == 0 || !runs_as(self.area, area) {
+                continue;
+            }
+            let [a, b, c] = corners;
+            let triangle = Triangle {
+                vertices: &vertices(corners),
+                barycentric: Some(&[a.barycentric, b.barycentric, c.barycentric]),
+                area,
+            };
+            let part = Part { fan: self, at };
+            triangle::draw(blitter, scissor, &triangle, folded.then_some(&part));
+            drawn = true;
+        }
+        drawn
+    }
+}
+
+/// One triangle of a folded fan.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Part<'a> {
+    fan: &'a Polygon<'a>,
+    at: usize,
+}
+
+impl Part<'_> {
+    /// Paints those pixels of a span that this triangle is to draw.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn span(
+        &self,
+        blitter: &mut dyn Blitter,
+        row: i32,
+        columns: Range<i32>,
+        [mut x, y]: [i32; 2],
+    ) {
+        for column in columns {
+            if self.has([column, row]) {
+                blitter.span(row, column..column + 1, x, y);
+            }
+            x += 1;
+        }
+    }
+
+    /// Whether this triangle is to draw a pixel.
+    fn has(&self, pixel: [i32; 2]) -> bool {
+        let mut winding = 0;
+        for (i, corners) in self.fan.triangles().enumerate() {
+            let corners = screens(corners);
+            let area = area(&corners);
+            if covers(&corners, area, pixel) {
+                if !runs_as(self.fan.area, area) {
+                    winding -= 1;
+                } else if i < self.at {
+                    return false;
+                } else {
+                    winding += 1;
+                }
+            }
+        }
+        winding > 0
+    }
+}

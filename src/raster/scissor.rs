@@ -1,0 +1,26 @@
+//! The pixels that may be drawn to.
+
+use core::ops::Range;
+
+use crate::view::Viewport;
+
+/// The rectangle in which the viewport meets the canvas; nothing outside is drawn.
+#[derive(Clone, Debug)]
+pub(crate) struct Scissor {
+    pub(crate) columns: Range<i32>,
+    pub(crate) rows: Range<i32>,
+}
+
+impl Scissor {
+    /// The meeting of a viewport and `rows` of a frame of this width.
+    pub(crate) fn new(viewport: &Viewport, width: u32, rows: &Range<u32>) -> Self {
+        let [across, down] = viewport.pixels();
+        let meet = |a: Range<i32>, start: u32, end: u32| {
+            a.start.max(start.cast_signed())..a.end.min(end.cast_signed())
+        };
+        Self {
+            columns: meet(across, 0, width),
+            rows: meet(down, rows.start, rows.end),
+        }
+    }
+}

@@ -1,0 +1,223 @@
+//! The set-up of a primitive: 1/w and the attributes over w as gradients over the screen.
+
+use super::gradient::{Basis, Gradient};
+use super::scale::weigh;
+use super::{DepthShift, Patch};
+use crate::num::wide::product;
+
+pub(crate) use super::scale::Scale;
+
+/// Pixels of a span, after which the interpolants are found afresh.
+///
+/// A step is rounded to half a unit of 2⁻³⁰, so that a span adds at most 32 units. All modes have the same length, and
+/// so the same depths.
+pub(crate) const SPAN: i32 = 64;
+
+/// Where the nearest corner's 1/w is from 2^30 to 2^31, a corner with this or less is far: 1/w may change fourfold
+/// within the triangle. (2^29, and what rounding may take from it at a pixel.)
+pub(crate) const FAR: u32 = (1 << 29) + 64;
+
+/// Lower clamp of 1/w: a span's rounding (at most 40 units) stays below 1/32 of it, for which [`weigh`] leaves room.
+///
+/// It lifts only corners more than half a million times as far as the nearest one.
+const LEAST_WEIGHT: u32 = 1 << 11;
+
+/// Upper clamp of 1/w: rounding may add 40 units, and the sum stays below 2^31.
+const MOST_WEIGHT: u32 = (1 << 31) - 64;
+
+/// An attribute that is interpolated over a primitive.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Attribute {
+    /// Its values at the corners of the mesh's triangle.
+    pub(crate) corners: [i32; 3],
+    /// How far it may be from exact where the triangle is drawn affinely.
+    pub(crate) tolerance: u32,
+    /// The attribute over w, or itself.
+    pub(crate) gradient: Gradient,
+    pub(crate) scale: Scale,
+}
+
+impl Attribute {
+    /// An attribute that is 0 everywhere.
+    pub(crate) const ZERO: Self = Self {
+        corners: [0; 3],
+        tolerance: 0,
+        gradient: Gradient::NONE,
+        scale: Scale::ONE,
+    };
+
+    /// Its values at the vertices of a patch.
+    #[inline]
+    fn at(&self, patch: &Patch<'_>) -> [i32; 3] {
+        match patch.barycentric {
+            None => self.corners,
+            Some([a, b, c]) => [
+                a.mix(&self.corners),
+                b.mix(&self.corners),
+                c.mix(&self.corners),
+            ],
+        }
+    }
+
+    /// Whether it may be interpolated without regard to 1/w, whose least value is `least` and whose range is `change`.
+    ///
+    /// With weights λ that add up to 1, the affine value is Σλf, the exact one Σλqf / Σλq. Their difference is the
+    /// covariance of q and f over the mean of q, which is at most a quarter of the product of their ranges over `least`.
+    #[inline]
+    fn is_affine(&self, least: u32, change: u32) -> bool {
+        let [a, b, c] = self.corners;
+        let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+        low >= -Scale::MOST_AFFINE
+            && high <= Scale::MOST_AFFINE
+            && product(high - low, change.cast_signed())
+                < product((4 * self.tolerance).cast_signed(), least.cast_signed())
+    }
+}
+
+/// The interpolants of a primitive but for its attributes: what these have in common, and 1/w (or depth).
+#[derive(Debug)]
+pub(crate) struct Setup {
+    /// Whether attributes are divided by w; otherwise they are laid as they are, in parts of 2³⁰.
+    over_w: bool,
+    /// The fewest bits of a [`Scale`], where 1/w changes less than fourfold.
+    least_bits: u32,
+    shift: DepthShift,
+    basis: Basis,
+    q: Gradient,
+    /// The least 1/w of a corner; the greatest has bit 30 set.
+    pub(crate) least: u32,
+    /// Whether the attributes were laid as they are, times 2^[`AFFINE_UP`](Scale::AFFINE_UP), in a mode that divides.
+    pub(crate) is_affine: bool,
+    /// A depth is an interpolant of 1/w shifted down by this: 15 to 31.
+    pub(crate) down: u32,
+}
+
+impl Setup {
+    /// The set-up of a draw call, with nothing laid.
+    #[inline]
+    pub(crate) const fn new(over_w: bool, least_bits: u32, shift: DepthShift) -> Self {
+        Self {
+            over_w,
+            least_bits,
+            shift,
+            basis: Basis::NONE,
+            q: Gradient::NONE,
+            least: 0,
+            is_affine: true,
+            down: 0,
+        }
+    }
+
+    /// The vertices' interpolants of depth with one exponent, and that exponent.
+    #[inline]
+    fn weights(patch: &Patch<'_>) -> ([u32; 3], u8) {
+        let [a, b, c] = patch.vertices;
+        let exponent = a.exponent.max(b.exponent).max(c.exponent);
+        let q = [a, b, c].map(|vertex| {
+            let down = u32::from(exponent - vertex.exponent);
+            // Of 31 bits.
+            let q = vertex.q >> down.min(31);
+            q.clamp(LEAST_WEIGHT, MOST_WEIGHT)
+        });
+        (q, exponent)
+    }
+
+    /// Lays all interpolants through the vertices of a patch.
+    ///
+    /// One piece of code for any number of attributes: a copy for each number would be most of a small program.
+    #[inline(never)]
+    pub(crate) fn lay(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) {
+        let (q, exponent) = Self::weights(patch);
+        self.down = self.shift.of(exponent);
+        let [first, second, third] = q;
+        self.least = first.min(second).min(third);
+        self.basis = Basis::new(*patch.screen, patch.area);
+        let basis = &self.basis;
+        basis.lay(q.map(u32::cast_signed), &mut self.q);
+        let (weights, least_bits) = if !self.over_w {
+            ([1 << 30; 3], self.least_bits)
+        } else if self.least > FAR {
+            (q, self.least_bits)
+        } else {
+            (q, 1)
+        };
+        let change = first.max(second).max(third) - self.least;
+        self.is_affine = self.over_w && attributes.iter().all(|p| p.is_affine(self.least, change));
+        for attribute in attributes {
+            let mut values = attribute.at(patch);
+            attribute.scale = if self.is_affine {
+                values = values.map(|value| value << Scale::AFFINE_UP);
+                Scale::AFFINE
+            } else {
+                weigh(&mut values, weights, least_bits)
+            };
+            basis.lay(values, &mut attribute.gradient);
+        }
+    }
+
+    /// Lays what [`precise`](Self::precise) needs beside [`lay`](Self::lay).
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn lay_precise(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) {
+        let (q, _) = Self::weights(patch);
+        self.basis
+            .lay_numerator(q.map(u32::cast_signed), &mut self.q);
+        for attribute in attributes {
+            let mut values = attribute.at(patch);
+            weigh(&mut values, q, 1);
+            self.basis.lay_numerator(values, &mut attribute.gradient);
+        }
+    }
+
+    /// The gain of 1/w from a pixel to the next in its row.
+    #[inline]
+    pub(crate) const fn step(&self) -> i32 {
+        self.q.step
+    }
+
+    /// 1/w at a pixel, and a way to find attributes there.
+    #[inline]
+    pub(crate) fn q(&self, x: i32, y: i32) -> u32 {
+        self.at(&self.q, x, y).cast_unsigned()
+    }
+
+    /// Whether a gradient's value anywhere is its start and a number of steps.
+    #[inline]
+    pub(crate) const fn is_near(&self) -> bool {
+        self.basis.is_near()
+    }
+
+    /// An interpolant `x` columns and `y` rows from the pixel that the patch's first place lies in.
+    #[inline]
+    pub(crate) fn at(&self, gradient: &Gradient, x: i32, y: i32) -> i32 {
+        if self.is_near() {
+            gradient.near(x, y)
+        } else {
+            self.basis.far(gradient, x, y)
+        }
+    }
+
+    /// An interpolant of a primitive that is not near.
+    #[inline]
+    pub(crate) fn far(&self, gradient: &Gradient, x: i32, y: i32) -> i32 {
+        self.basis.far(gradient, x, y)
+    }
+
+    /// 1/w at a pixel, of 31 bits whatever its size, and by how many bits it was raised for that.
+    pub(crate) fn precise_q(&self, at: [i32; 2]) -> (u32, u32) {
+        let coarse = self.basis.precise(&self.q, at, 0).cast_unsigned();
+        // Rounded up it might take a bit more.
+        let up = (coarse | 1).leading_zeros().saturating_sub(2);
+        (self.basis.precise(&self.q, at, up).cast_unsigned(), up)
+    }
+
+    /// An attribute over w at a pixel, raised like 1/w.
+    pub(crate) fn precise(&self, gradient: &Gradient, at: [i32; 2], up: u32) -> i32 {
+        self.basis.precise(gradient, at, up)
+    }
+
+    /// The most that 1/w changes from a pixel to the next, across or down.
+    pub(crate) fn steepness(&self) -> u32 {
+        self.basis.steepness(&self.q)
+    }
+}

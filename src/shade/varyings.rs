@@ -1,0 +1,199 @@
+//! What a shader has interpolated, by type: numbers, how exact they must be, and values that a face has once.
+
+use super::lanes::Lanes;
+
+/// How far a varying may be from its exact value where that spares the division by w.
+///
+/// [`Varyings`] carry it in their types: [`Texels`], [`Within`], and exact numbers otherwise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Tolerance {
+    /// A texture coordinate, in texels times 2^16: as far as the [mode](crate::mode) allows.
+    Texels,
+    /// This many of its own units.
+    Units(u32),
+}
+
+/// Values that a [`Shader`](super::Shader) gives at the corners of a triangle and receives back at each pixel.
+///
+/// | type | value at a pixel |
+/// |---|---|
+/// | `[i32; N]`, N up to 8 | interpolated in perspective |
+/// | [`Within<UNITS, V>`](Within) | the same, and a triangle that hardly changes in depth may be interpolated linearly if that is off by at most `UNITS` |
+/// | [`Texels`] | two texture coordinates, as exact as the [mode](crate::mode) promises |
+/// | [`PerFace<T>`](PerFace) | the first corner's value, whatever its type; nothing is interpolated |
+/// | `(A, B)` | both |
+/// | `()` | nothing |
+///
+/// There are at most eight interpolated numbers; a shader with more does not compile.
+///
+/// The unit of an interpolated number is the shader's own. The default mode returns it within about 60 units, so let
+/// a unit be far below what an eye can see, such as 2⁻¹⁶. By as much it may exceed the range of the triangle's corners.
+///
+/// ```
+/// use fixel::shade::{PerFace, Texels, Varyings, Within};
+/// // A texture, its brightness to 64/65,536, and a color for the whole face.
+/// type Mine = ((Texels, Within<64, [i32; 1]>), PerFace<u8>);
+/// let corner: Mine = ((Texels([1 << 16, 0]), Within([65_536])), PerFace(7));
+/// let (numbers, face) = corner.split();
+/// assert_eq!(numbers, [1 << 16, 0, 65_536]);
+/// assert_eq!(Mine::join(numbers, face), corner);
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be interpolated",
+    note = "varyings are `[i32; N]` with N up to 8, `Texels`, `Within<UNITS, V>`, `PerFace<T>`, `()` or a pair of these"
+)]
+pub trait Varyings: Copy {
+    /// How many numbers are interpolated.
+    type Lanes: Lanes;
+
+    /// What all pixels of a face share.
+    type Face: Copy + Default;
+
+    /// How exact each number must be.
+    fn tolerances() -> <Self::Lanes as Lanes>::Of<Tolerance>;
+
+    /// The numbers, and what belongs to the face.
+    fn split(self) -> (<Self::Lanes as Lanes>::Of<i32>, Self::Face);
+
+    /// The values at a pixel.
+    fn join(numbers: <Self::Lanes as Lanes>::Of<i32>, face: Self::Face) -> Self;
+}
+
+impl<const N: usize> Varyings for [i32; N]
+where
+    [(); N]: Lanes<Of<i32> = [i32; N]>,
+{
+    type Lanes = [(); N];
+    type Face = ();
+
+    #[inline]
+    fn tolerances() -> <[(); N] as Lanes>::Of<Tolerance> {
+        <[(); N]>::splat(Tolerance::Units(0))
+    }
+
+    #[inline]
+    fn split(self) -> (Self, ()) {
+        (self, ())
+    }
+
+    #[inline]
+    fn join(numbers: Self, (): ()) -> Self {
+        numbers
+    }
+}
+
+impl Varyings for () {
+    type Lanes = [(); 0];
+    type Face = ();
+
+    #[inline]
+    fn tolerances() -> [Tolerance; 0] {
+        []
+    }
+
+    #[inline]
+    fn split(self) -> ([i32; 0], ()) {
+        ([], ())
+    }
+
+    #[inline]
+    fn join(_: [i32; 0], (): ()) -> Self {}
+}
+
+/// Column and row in a texture, in texels with 16 fraction bits, as exact as the [mode](crate::mode) promises.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Texels(pub [i32; 2]);
+
+impl Varyings for Texels {
+    type Lanes = [(); 2];
+    type Face = ();
+
+    #[inline]
+    fn tolerances() -> [Tolerance; 2] {
+        [Tolerance::Texels; 2]
+    }
+
+    #[inline]
+    fn split(self) -> ([i32; 2], ()) {
+        (self.0, ())
+    }
+
+    #[inline]
+    fn join(numbers: [i32; 2], (): ()) -> Self {
+        Self(numbers)
+    }
+}
+
+/// Numbers that may be off by `UNITS` of their units where that spares the division by w: what nobody sees.
+///
+/// A color's channel with 16 fraction bits may well be off by 1/8 of a step, `Within<8192, [i32; 3]>`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Within<const UNITS: u32, V>(pub V);
+
+impl<const UNITS: u32, V: Varyings> Varyings for Within<UNITS, V> {
+    type Lanes = V::Lanes;
+    type Face = V::Face;
+
+    #[inline]
+    fn tolerances() -> <V::Lanes as Lanes>::Of<Tolerance> {
+        V::Lanes::splat(Tolerance::Units(UNITS))
+    }
+
+    #[inline]
+    fn split(self) -> (<V::Lanes as Lanes>::Of<i32>, V::Face) {
+        self.0.split()
+    }
+
+    #[inline]
+    fn join(numbers: <V::Lanes as Lanes>::Of<i32>, face: V::Face) -> Self {
+        Self(V::join(numbers, face))
+    }
+}
+
+/// A value that all pixels of a face share: the one of its first corner.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct PerFace<T>(pub T);
+
+impl<T: Copy + Default> Varyings for PerFace<T> {
+    type Lanes = [(); 0];
+    type Face = T;
+
+    #[inline]
+    fn tolerances() -> [Tolerance; 0] {
+        []
+    }
+
+    #[inline]
+    fn split(self) -> ([i32; 0], T) {
+        ([], self.0)
+    }
+
+    #[inline]
+    fn join(_: [i32; 0], face: T) -> Self {
+        Self(face)
+    }
+}
+
+type Both<A, B> = <<A as Varyings>::Lanes as Lanes>::Plus<<B as Varyings>::Lanes>;
+
+impl<A: Varyings, B: Varyings> Varyings for (A, B) {
+    type Lanes = Both<A, B>;
+    type Face = (A::Face, B::Face);
+
+    #[inline]
+    fn tolerances() -> <Both<A, B> as Lanes>::Of<Tolerance> {
+        A::Lanes::join::<B::Lanes, _>(A::tolerances(), B::tolerances())
+    }
+
+    #[inline]
+    fn split(self) -> (<Both<A, B> as Lanes>::Of<i32>, (A::Face, B::Face)) {
+        let ((a, a_face), (b, b_face)) = (self.0.split(), self.1.split());
+        (A::Lanes::join::<B::Lanes, _>(a, b), (a_face, b_face))
+    }
+
+    #[inline]
+    fn join(numbers: <Both<A, B> as Lanes>::Of<i32>, (a_face, b_face): (A::Face, B::Face)) -> Self {
+        let (a, b) = A::Lanes::split::<B::Lanes, _>(numbers);
+        (A::join(a, a_face), B::join(b, b_face))
+    }
+}

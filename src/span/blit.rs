@@ -1,0 +1,238 @@
+//! A draw call's shader, mode and canvas, behind the interface that the rasterizer draws with.
+
+use core::marker::PhantomData;
+use core::ops::Range;
+
+use embedded_graphics::geometry::Point;
+
+use super::divide::{divide, divide_anew, divide_apart};
+use super::mode::{Kernel, Policy, STEEP, Slopes, WHOLE};
+use super::newton::{chord, newton};
+use super::pieces::pieces;
+use super::pixels::{Count, FaceOf, Numbers, Pixels, Span};
+use super::straight::{solid, straight, straight_scaled};
+use crate::mesh::Primitive;
+use crate::raster::{Attribute, Blitter, DepthShift, Patch, SPAN, Scale, Setup};
+use crate::shade::{Lanes, MOST_VARYINGS, Shader, Varyings};
+use crate::target::{Canvas, DepthBuffer, DepthTest, Storage};
+use crate::view::ProjectionKind;
+
+/// More than any attribute that is drawn affinely may have; four times it takes 31 bits.
+const MOST_TOLERANCE: u32 = (1 << 29) - 1;
+
+/// The [`Blitter`] of shader `S` in mode `M` under a projection of kind `K`.
+pub(crate) struct Blit<'p, 'c, S: Shader, O: Storage<S::Color>, D, K, M, Z> {
+    canvas: &'p mut Canvas<'c, S::Color, O, D>,
+    shader: S,
+    mode: M,
+    test: Z,
+    /// The present primitive, and what its pixels share for the shader.
+    setup: Setup,
+    attributes: <Count<S> as Lanes>::Of<Attribute>,
+    slopes: Slopes<Count<S>>,
+    kernel: Option<Kernel>,
+    face: FaceOf<S>,
+    kind: PhantomData<K>,
+}
+
+impl<'p, 'c, S, O, D, K, M, Z> Blit<'p, 'c, S, O, D, K, M, Z>
+where
+    S: Shader,
+    O: Storage<S::Color>,
+    D: DepthBuffer,
+    K: ProjectionKind,
+    M: Policy,
+    Z: DepthTest,
+{
+    /// How many numbers are interpolated.
+    const COUNT: usize = Count::<S>::COUNT;
+
+    /// Whether pixels of a primitive differ in anything but their place, so that there is something to interpolate.
+    const VARIES: bool = Self::COUNT > 0 || D::IS_KEPT && (Z::TESTS || Z::WRITES) || S::READS_DEPTH;
+
+    /// Whether attributes are divided by w.
+    const OVER_W: bool = K::PERSPECTIVE && M::DIVIDES;
+
+    /// The fewest bits of a scale.
+    const LEAST_BITS: u32 = match (Self::OVER_W, K::PERSPECTIVE) {
+        (true, _) => M::LEAST_BITS,
+        (false, true) => WHOLE,
+        (false, false) => M::LEAST_PARALLEL_BITS,
+    };
+
+    #[inline]
+    pub(crate) fn new(
+        (mode, test): (M, Z),
+        canvas: &'p mut Canvas<'c, S::Color, O, D>,
+        shader: S,
+        shift: DepthShift,
+    ) -> Self {
+        const {
+            assert!(
+                Self::COUNT <= MOST_VARYINGS,
+                "a shader has at most eight interpolated numbers"
+            );
+        }
+        let attributes = Count::<S>::map(&S::Varyings::tolerances(), |tolerance| Attribute {
+            tolerance: mode.affine_within(*tolerance).min(MOST_TOLERANCE),
+            ..Attribute::ZERO
+        });
+        Self {
+            canvas,
+            shader,
+            mode,
+            test,
+            setup: Setup::new(Self::OVER_W, Self::LEAST_BITS, shift),
+            attributes,
+            slopes: Slopes {
+                q: 0,
+                p: Count::<S>::splat(0),
+                scales: Count::<S>::splat(Scale::ONE),
+                least: 0,
+            },
+            kernel: None,
+            face: FaceOf::<S>::default(),
+            kind: PhantomData,
+        }
+    }
+}
+
+/// The span that begins `x` columns and `y` rows from the patch's first place.
+#[inline]
+fn start<L: Lanes>(
+    setup: &Setup,
+    attributes: &L::Of<Attribute>,
+    slopes: &Slopes<L>,
+    [x, y]: [i32; 2],
+    count: usize,
+) -> Span<L> {
+    let p = if setup.is_near() {
+        L::map(attributes, |p: &Attribute| p.gradient.near(x, y))
+    } else {
+        L::map(attributes, |p: &Attribute| setup.far(&p.gradient, x, y))
+    };
+    Span {
+        q: setup.q(x, y),
+        p,
+        dq: slopes.q,
+        dp: slopes.p,
+        down: setup.down,
+        count,
+    }
+}
+
+impl<S, O, D, K, M, Z> Blitter for Blit<'_, '_, S, O, D, K, M, Z>
+where
+    S: Shader,
+    O: Storage<S::Color>,
+    D: DepthBuffer,
+    K: ProjectionKind,
+    M: Policy,
+    Z: DepthTest,
+{
+    fn primitive(&mut self, primitive: &Primitive<'_>) {
+        let [a, b, c] = self.shader.varyings(primitive);
+        let ((a, face), (b, _), (c, _)) = (a.split(), b.split(), c.split());
+        self.face = face;
+        let corners = Count::<S>::zip(
+            &Count::<S>::zip(&a, &b, |a, b| [*a, *b]),
+            &c,
+            |[a, b], c| [*a, *b, *c],
+        );
+        let attributes = self.attributes.as_mut().iter_mut();
+        for (attribute, corners) in attributes.zip(corners.as_ref()) {
+            attribute.corners = *corners;
+        }
+    }
+
+    fn set_up(&mut self, patch: &Patch<'_>) -> i32 {
+        if !Self::VARIES {
+            return i32::MAX;
+        }
+        self.setup.lay(self.attributes.as_mut(), patch);
+        self.slopes = Slopes {
+            q: self.setup.step(),
+            p: Count::<S>::map(&self.attributes, |p| p.gradient.step),
+            scales: Count::<S>::map(&self.attributes, |p| p.scale),
+            least: self.setup.least,
+        };
+        if Z::IS_BIASED {
+            self.test.triangle(self.setup.steepness());
+        }
+        if Self::COUNT == 0 {
+            return SPAN;
+        }
+        self.kernel = if !Self::OVER_W {
+            let is_whole = Count::<S>::all(&self.slopes.scales, |scale| scale.bits() == WHOLE);
+            (Self::LEAST_BITS == WHOLE && is_whole).then_some(Kernel::Straight)
+        } else if self.setup.is_affine {
+            Some(Kernel::Straight)
+        } else {
+            self.mode.of_triangle(&self.slopes)
+        };
+        if M::IS_PRECISE && self.setup.least < STEEP {
+            self.setup.lay_precise(self.attributes.as_mut(), patch);
+        }
+        SPAN
+    }
+
+    fn span(&mut self, row: i32, columns: Range<i32>, x: i32, y: i32) {
+        let pixels = Pixels {
+            shader: self.shader,
+            face: self.face,
+            test: self.test,
+            // The first pixel is looked at after one step.
+            point: Point::new(columns.start - 1, row),
+            depth: 0,
+            stored: 0,
+        };
+        let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
+        let count = columns.len();
+        let Some(cells) = self.canvas.run(row.cast_unsigned(), columns) else {
+            return;
+        };
+        if !Self::VARIES {
+            return solid(Count::<S>::splat(0), cells, pixels);
+        }
+        let (setup, attributes, slopes) = (&self.setup, &self.attributes, &self.slopes);
+        let mut span = start::<Count<S>>(setup, attributes, slopes, [x, y], count);
+        if Self::COUNT == 0 {
+            return straight(span, |p| *p, cells, pixels);
+        }
+        let scales = slopes.scales;
+        if !Self::OVER_W {
+            if self.kernel == Some(Kernel::Straight) {
+                return straight(span, |p| *p, cells, pixels);
+            }
+            return straight_scaled(span, scales, cells, pixels);
+        }
+        let kernel = match self.kernel {
+            Some(Kernel::Straight) => Kernel::Straight,
+            kernel => self.mode.of_span(kernel, &mut span, slopes),
+        };
+        match kernel {
+            Kernel::Straight | Kernel::Chord => {
+                if kernel == Kernel::Chord {
+                    chord(&mut span);
+                }
+                let restore = |p: &Numbers<S>| Count::<S>::map(p, |p: &i32| *p >> Scale::AFFINE_UP);
+                straight(span, restore, cells, pixels);
+            }
+            Kernel::Pieces(length) => pieces(span, length, scales, cells, pixels),
+            Kernel::Newton => newton(span, cells, pixels),
+            Kernel::Divide if M::IS_PRECISE && setup.least < STEEP => {
+                let at = |i: i32| {
+                    let at = [x + i, y];
+                    let (q, up) = setup.precise_q(at);
+                    let p = Count::<S>::map(attributes, |p: &Attribute| {
+                        setup.precise(&p.gradient, at, up)
+                    });
+                    (q, p)
+                };
+                divide_anew(span, scales, at, cells, pixels);
+            }
+            Kernel::Divide if M::IS_PRECISE => divide(span, scales, cells, pixels),
+            Kernel::Divide => divide_apart(span, scales, cells, pixels),
+        }
+    }
+}

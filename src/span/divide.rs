@@ -1,0 +1,83 @@
+//! The exact reciprocal of 1/w at every pixel.
+
+use super::pixels::{Count, Numbers, Pixels, Scales, Span};
+use crate::num::reciprocal;
+use crate::num::wide::product;
+use crate::shade::{Lanes, Shader};
+use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
+
+/// Draws a span whose attributes are p / q · 2^bits at each pixel, rounded down.
+#[inline(always)]
+pub(super) fn divide<S, O, D, Z>(
+    mut span: Span<Count<S>>,
+    scales: Scales<S>,
+    mut cells: Cells<'_, S::Color, O, D>,
+    mut pixels: Pixels<S, Z>,
+) where
+    S: Shader,
+    O: Storage<S::Color>,
+    D: DepthBuffer,
+    Z: DepthTest,
+{
+    for cell in cells.first(usize::MAX) {
+        if pixels.visible::<D>(&cell.1, span.q, span.down) {
+            pixels.shade::<O, D>(cell, quotients::<S>(span.q, &span.p, &scales));
+        }
+        span.step();
+    }
+}
+
+/// [`divide`] where it is an exception: apart, as it would take registers from the mode's own kernel.
+#[inline(never)]
+pub(super) fn divide_apart<S, O, D, Z>(
+    span: Span<Count<S>>,
+    scales: Scales<S>,
+    cells: Cells<'_, S::Color, O, D>,
+    pixels: Pixels<S, Z>,
+) where
+    S: Shader,
+    O: Storage<S::Color>,
+    D: DepthBuffer,
+    Z: DepthTest,
+{
+    divide(span, scales, cells, pixels);
+}
+
+/// The same with interpolants that `at` finds anew for each pixel, counted from 0, where steps would add up too much
+/// rounding: in triangles of great depth. Depths are stepped, as in all modes.
+#[cold]
+#[inline(never)]
+pub(super) fn divide_anew<S, O, D, Z>(
+    mut span: Span<Count<S>>,
+    scales: Scales<S>,
+    at: impl Fn(i32) -> (u32, Numbers<S>),
+    mut cells: Cells<'_, S::Color, O, D>,
+    mut pixels: Pixels<S, Z>,
+) where
+    S: Shader,
+    O: Storage<S::Color>,
+    D: DepthBuffer,
+    Z: DepthTest,
+{
+    let mut x = 0;
+    for cell in cells.first(usize::MAX) {
+        if pixels.visible::<D>(&cell.1, span.q, span.down) {
+            let (q, p) = at(x);
+            pixels.shade::<O, D>(cell, quotients::<S>(q, &p, &scales));
+        }
+        x += 1;
+        span.step();
+    }
+}
+
+#[inline]
+fn quotients<S: Shader>(q: u32, p: &Numbers<S>, scales: &Scales<S>) -> Numbers<S> {
+    let up = (q | 1).leading_zeros();
+    // Of 31 bits, so the product is one of signed numbers.
+    let r = reciprocal((q << up) >> 1).cast_signed();
+    Count::<S>::zip(p, scales, |p, scale| {
+        // p' = p << up is at most half of q' = q << up, so below 2^31, and r = 2^62 / q': p' · r is
+        // p/q in units of 2^-62, and its upper half p/q in units of 2^-30.
+        scale.restore((product(*p << up, r) >> 32) as i32)
+    })
+}

@@ -1,0 +1,110 @@
+//! The pixels of a span: what the kernels interpolate, and what becomes of a pixel.
+
+use core::hint::black_box;
+
+use embedded_graphics::geometry::Point;
+
+use crate::raster::Scale;
+use crate::shade::{Fragment, Lanes, Shader, Varyings};
+use crate::target::{Buffer, DepthBuffer, DepthTest, Storage, linear};
+
+/// The interpolated numbers of a shader, one `i32` in each lane.
+pub(super) type Numbers<S> = <Count<S> as Lanes>::Of<i32>;
+
+/// The scales of a shader's numbers.
+pub(super) type Scales<S> = <Count<S> as Lanes>::Of<Scale>;
+
+/// How many they are.
+pub(super) type Count<S> = <<S as Shader>::Varyings as Varyings>::Lanes;
+
+/// What all pixels of a primitive share for a shader.
+pub(super) type FaceOf<S> = <<S as Shader>::Varyings as Varyings>::Face;
+
+/// Interpolants at the first pixel of a span, and what they gain from a pixel to the next.
+///
+/// `q` is 1/w (or depth under a parallel projection), scaled so that its greatest value in the primitive has bit 30 set.
+/// Each `p` is attribute · q · 2^-bits (see [`Scale`](crate::raster::Scale)), so that |p| ≤ q/2 but for rounding.
+pub struct Span<L: Lanes> {
+    pub q: u32,
+    pub p: L::Of<i32>,
+    pub dq: i32,
+    pub dp: L::Of<i32>,
+    /// A pixel's depth of 16 bits is `q` shifted down by this: 15 to 31.
+    pub down: u32,
+    /// How many pixels there are.
+    pub count: usize,
+}
+
+impl<L: Lanes> Span<L> {
+    /// Goes on to the next pixel.
+    ///
+    /// Values wrap: a step beyond `i32` belongs to a sliver one pixel wide, whose next pixel is never looked at.
+    #[inline]
+    pub(super) fn step(&mut self) {
+        self.q = self.q.wrapping_add_signed(self.dq);
+        self.p = L::zip(&self.p, &self.dp, |p, step| p.wrapping_add(*step));
+    }
+}
+
+/// Keeps the compiler from unrolling the loop that it is called in; it takes no instruction.
+///
+/// A loop over pixels takes all registers of a small core. Unrolled it would take more, and loading the steps from the
+/// stack costs more than the branches that unrolling saves.
+#[inline]
+pub(super) fn rolled() {
+    black_box(());
+}
+
+/// A pixel in memory.
+pub(super) type Cell<'c, C, O, D> = (&'c mut <O as Storage<C>>::Cell, <D as Buffer>::Cell<'c>);
+
+/// Tests and shades the pixels of a span, one after the other.
+pub(super) struct Pixels<S: Shader, Z> {
+    pub(super) shader: S,
+    pub(super) face: FaceOf<S>,
+    pub(super) test: Z,
+    /// The present pixel; at first the one before the span.
+    pub(super) point: Point,
+    /// The pixel's depth in linear steps, and as it is stored.
+    pub(super) depth: u32,
+    pub(super) stored: u32,
+}
+
+impl<S: Shader, Z: DepthTest> Pixels<S, Z> {
+    /// Goes on to the next pixel and says whether it is visible, where 1/w is `q`.
+    #[inline]
+    pub(super) fn visible<D: DepthBuffer>(
+        &mut self,
+        depth: &D::Cell<'_>,
+        q: u32,
+        down: u32,
+    ) -> bool {
+        self.point.x += 1;
+        self.depth = linear(q, down);
+        if !D::IS_KEPT {
+            return true;
+        }
+        self.stored = self.test.biased::<D>(q, down);
+        !Z::TESTS || D::passes(depth, self.stored)
+    }
+
+    /// Shades the pixel that was last found visible.
+    #[inline]
+    pub(super) fn shade<'c, O: Storage<S::Color>, D: DepthBuffer + 'c>(
+        &self,
+        (color, depth): Cell<'c, S::Color, O, D>,
+        numbers: Numbers<S>,
+    ) {
+        let at = Fragment {
+            point: self.point,
+            depth: self.depth as u16,
+        };
+        let varyings = S::Varyings::join(numbers, self.face);
+        if let Some(shaded) = self.shader.shade(&at, varyings) {
+            *color = O::store(shaded);
+            if Z::WRITES {
+                D::store(depth, self.stored as u16);
+            }
+        }
+    }
+}

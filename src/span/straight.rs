@@ -1,0 +1,74 @@
+//! Attributes that are linear along the span: additions only.
+
+use super::pixels::{Count, Numbers, Pixels, Scales, Span, rolled};
+use crate::raster::Scale;
+use crate::shade::{Lanes, Shader};
+use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
+
+/// Draws a span whose attributes `restore` makes of their interpolants.
+#[inline(always)]
+pub(super) fn straight<S, O, D, Z>(
+    mut span: Span<Count<S>>,
+    restore: impl Fn(&Numbers<S>) -> Numbers<S>,
+    mut cells: Cells<'_, S::Color, O, D>,
+    mut pixels: Pixels<S, Z>,
+) where
+    S: Shader,
+    O: Storage<S::Color>,
+    D: DepthBuffer,
+    Z: DepthTest,
+{
+    for cell in cells.first(usize::MAX) {
+        rolled();
+        if pixels.visible::<D>(&cell.1, span.q, span.down) {
+            pixels.shade::<O, D>(cell, restore(&span.p));
+        }
+        span.step();
+    }
+}
+
+/// [`straight`] for attributes in parts of 2^30, each by its own scale: apart, as it would take registers from the other.
+#[inline(never)]
+pub(super) fn straight_scaled<S, O, D, Z>(
+    span: Span<Count<S>>,
+    scales: Scales<S>,
+    cells: Cells<'_, S::Color, O, D>,
+    pixels: Pixels<S, Z>,
+) where
+    S: Shader,
+    O: Storage<S::Color>,
+    D: DepthBuffer,
+    Z: DepthTest,
+{
+    let restore =
+        |p: &Numbers<S>| Count::<S>::zip(p, &scales, |p: &i32, scale: &Scale| scale.restore(*p));
+    straight(span, restore, cells, pixels);
+}
+
+/// Pixels that are drawn without looking for the end of the span, where nothing varies between them.
+const BLOCK: usize = 16;
+
+/// Draws a span between whose pixels nothing varies but their place.
+#[inline]
+pub(super) fn solid<S, O, D, Z>(
+    numbers: Numbers<S>,
+    mut cells: Cells<'_, S::Color, O, D>,
+    mut pixels: Pixels<S, Z>,
+) where
+    S: Shader,
+    O: Storage<S::Color>,
+    D: DepthBuffer,
+    Z: DepthTest,
+{
+    let mut draw = |cells: &mut Cells<'_, S::Color, O, D>| {
+        for cell in cells.first(BLOCK) {
+            if pixels.visible::<D>(&cell.1, 0, 0) {
+                pixels.shade::<O, D>(cell, numbers);
+            }
+        }
+    };
+    while cells.len() >= BLOCK {
+        draw(&mut cells);
+    }
+    draw(&mut cells);
+}

@@ -1,0 +1,139 @@
+//! What a draw call does with the depth buffer.
+
+use super::depth::DepthBuffer;
+use crate::Scalar;
+
+mod sealed {
+    pub trait Sealed {}
+}
+
+/// What a draw call does with the canvas's depth buffer: [`TestAndWrite`], [`TestOnly`], [`WriteOnly`], [`NoTest`], or
+/// [`Biased`] around one of these. Chosen by [`DrawOptions::depth`](crate::DrawOptions::depth).
+pub trait DepthTest: Copy + sealed::Sealed {
+    /// Whether what is behind a stored depth is left out.
+    #[doc(hidden)]
+    const TESTS: bool;
+
+    /// Whether depths are stored.
+    #[doc(hidden)]
+    const WRITES: bool;
+
+    /// Whether depths are changed before.
+    #[doc(hidden)]
+    const IS_BIASED: bool = false;
+
+    /// Goes on to a triangle in which 1/w changes by at most `steepness` a pixel.
+    #[doc(hidden)]
+    #[inline]
+    fn triangle(&mut self, steepness: u32) {
+        let _ = steepness;
+    }
+
+    /// The depth that is tested and stored, of an interpolant `q` · 2^-`down`.
+    #[doc(hidden)]
+    #[inline]
+    fn biased<D: DepthBuffer>(&self, q: u32, down: u32) -> u32 {
+        D::encode(q, down)
+    }
+}
+
+macro_rules! depth_tests {
+    ($($(#[$doc:meta])+ $name:ident $tests:literal $writes:literal;)+) => {$(
+        $(#[$doc])+
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+        pub struct $name;
+
+        impl sealed::Sealed for $name {}
+
+        impl DepthTest for $name {
+            const TESTS: bool = $tests;
+            const WRITES: bool = $writes;
+        }
+    )+};
+}
+
+depth_tests! {
+    /// A pixel is drawn if it is at least as near as the stored depth, and its depth is stored: the default.
+    TestAndWrite true true;
+    /// A pixel is drawn if it is at least as near as the stored depth, which stays: for what is seen through.
+    TestOnly true false;
+    /// All pixels are drawn, and their depths are stored.
+    WriteOnly false true;
+    /// All pixels are drawn, and stored depths stay: for a sky or a display over the scene.
+    NoTest false false;
+}
+
+/// Another depth test, with depths that are moved before they are tested and stored.
+///
+/// A mesh that is moved away lets lines and decals that lie upon it come out whole:
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
+/// use fixel::{prelude::*, target::{Biased, TestAndWrite}};
+/// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+/// let projection = Projection::perspective(Angle::from_degrees(60), (1, 1), fx!(0.5), fx!(8))?;
+/// let turn = Transform::rotate_x(Angle::from_degrees(25)) * Transform::rotate_y(Angle::from_degrees(30));
+/// let mvp = projection * Transform::translate(vec3!(0, 0, -1.9)) * turn;
+/// let (mut color, mut depth) = ([BinaryColor::Off; 24 * 24], [0; 24 * 24]);
+/// let mut canvas = Canvas::new(&mut color, 24, 24)?.with_depth(&mut depth)?;
+/// canvas.clear(BinaryColor::Off);
+/// let behind = DrawOptions::new().depth(Biased::behind(TestAndWrite));
+/// canvas.draw_with(&behind, &BOX, &mvp, &Flat::new(BinaryColor::Off));
+/// canvas.draw_edges(&DrawOptions::new(), &BOX, &mvp, &Flat::new(BinaryColor::On));
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Biased<Z = super::TestAndWrite> {
+    test: Z,
+    steps: i32,
+    slope: i32,
+    /// What is added to the present triangle's 1/w.
+    added: i32,
+}
+
+impl<Z> Biased<Z> {
+    /// `test` with depths moved by `steps` of the depth buffer, and by `slope` times the depth between neighboring
+    /// pixels, across or down, whichever differs more. What is positive moves nearer. Depths saturate at both ends.
+    #[must_use]
+    pub const fn new(test: Z, steps: i32, slope: Scalar) -> Self {
+        Self {
+            test,
+            steps,
+            slope: slope.to_bits(),
+            added: 0,
+        }
+    }
+
+    /// `test` with depths moved away by two steps and by the depth between neighboring pixels: so much that edges drawn
+    /// over the mesh come out whole.
+    #[must_use]
+    pub const fn behind(test: Z) -> Self {
+        Self::new(test, -2, crate::fx!(-1))
+    }
+}
+
+impl<Z> sealed::Sealed for Biased<Z> {}
+
+impl<Z: DepthTest> DepthTest for Biased<Z> {
+    const TESTS: bool = Z::TESTS;
+    const WRITES: bool = Z::WRITES;
+    const IS_BIASED: bool = true;
+
+    #[inline]
+    fn triangle(&mut self, steepness: u32) {
+        self.test.triangle(steepness);
+        // 32 bits by 32 fit; the sum with 1/w saturates anyway.
+        let added = (i64::from(self.slope) * i64::from(steepness)) >> 16;
+        self.added = added.clamp(i32::MIN.into(), i32::MAX.into()) as i32;
+    }
+
+    #[inline]
+    fn biased<D: DepthBuffer>(&self, q: u32, down: u32) -> u32 {
+        // 1/w has 31 bits.
+        let q = q.saturating_add_signed(self.added).min(u32::MAX >> 1);
+        let code = self.test.biased::<D>(q, down).cast_signed();
+        code.saturating_add(self.steps)
+            .clamp(0, 0xffff)
+            .cast_unsigned()
+    }
+}

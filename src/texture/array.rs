@@ -1,0 +1,316 @@
+//! Textures that own their texels.
+
+use embedded_graphics::iterator::raw::RawDataSlice;
+use embedded_graphics::pixelcolor::raw::RawData;
+use embedded_graphics::pixelcolor::{
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb555, Rgb565,
+    Rgb666, Rgb888,
+};
+
+use super::sampler::{Grid, log2, wrapped};
+use super::{Sampler, Texture};
+use crate::Error;
+use crate::message;
+
+/// A texture that owns its texels, with its size in the type: `H` rows of `W` texels, the top row first.
+///
+/// Width and height are powers of two, at most [`MAX_TEXTURE_SIZE`](super::MAX_TEXTURE_SIZE). The compiler knows
+/// the size, so a shader reads a texel in fewer instructions than from a [`Texture`], which
+/// [`as_texture`](Self::as_texture) makes of it.
+///
+/// A `static` one lives in flash. A texel takes two bytes in `Rgb565`, four in `Rgb888` and one in gray.
+/// [`include_bmp!`](crate::include_bmp) and [`include_tga!`](crate::include_tga) make one of an image file while compiling. The
+/// constructors named after colors make one of raw bytes: [`rgb565`](Self::rgb565) takes the high byte of a texel first, as
+/// panels and embedded-graphics' `ImageRaw` do; [`rgb565_le`](Self::rgb565_le) takes the low byte first; and so on. Texels of
+/// less than a byte are packed: the first lies in the high bits, and rows follow without a gap. (The compiler stops a
+/// constant after two million steps unless `long_running_const_eval` is allowed; 512x512 texels stay below.)
+/// [`try_from_raw`](Self::try_from_raw) makes one at run time, of any color.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Gray4, Rgb565};
+/// use fixel::prelude::*;
+/// // Usually of include_bytes!("skin.rgb565").
+/// static SKIN: TextureArray<Rgb565, 2, 1> = TextureArray::rgb565(&[0xf8, 0x00, 0x00, 0x1f]);
+/// static SAME: TextureArray<Rgb565, 2, 1> = TextureArray::rgb565_le(&[0x00, 0xf8, 0x1f, 0x00]);
+/// assert_eq!(SKIN.texels(), &[[Rgb565::new(31, 0, 0), Rgb565::new(0, 0, 31)]]);
+/// assert_eq!(SKIN, SAME);
+/// static GRAY: TextureArray<Gray4, 2, 2> = TextureArray::gray4(&[0x12, 0x34]);
+/// assert_eq!(GRAY.texels(), &[[Gray4::new(1), Gray4::new(2)], [Gray4::new(3), Gray4::new(4)]]);
+/// ```
+///
+/// Too few or too many bytes do not compile, nor does a size that is not a power of two. The compiler's error
+/// names the numbers, and what to write:
+///
+/// ```compile_fail
+/// # use embedded_graphics::pixelcolor::Rgb565;
+/// # use fixel::prelude::*;
+/// static SKIN: TextureArray<Rgb565, 2, 1> = TextureArray::rgb565(&[0; 5]);
+/// ```
+/// ```compile_fail
+/// # use embedded_graphics::pixelcolor::Rgb565;
+/// # use fixel::prelude::*;
+/// static SKIN: TextureArray<Rgb565, 3, 1> = TextureArray::rgb565(&[0; 6]);
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TextureArray<C, const W: usize, const H: usize> {
+    texels: [[C; W]; H],
+}
+
+impl<C: Copy, const W: usize, const H: usize> TextureArray<C, W, H> {
+    /// A texture of these rows.
+    #[must_use]
+    pub const fn from_texels(texels: [[C; W]; H]) -> Self {
+        const { (log2("width", W), log2("height", H)) };
+        Self { texels }
+    }
+
+    /// The rows, the top one first.
+    #[must_use]
+    pub const fn texels(&self) -> &[[C; W]; H] {
+        &self.texels
+    }
+
+    /// The same without its size in the type.
+    #[must_use]
+    pub const fn as_texture(&self) -> Texture<'_, C> {
+        Texture::of(Grid::of(&self.texels))
+    }
+}
+
+impl<C, const W: usize, const H: usize> TextureArray<C, W, H>
+where
+    C: PixelColor + From<C::Raw>,
+{
+    /// A texture of raw bytes that come at run time. `O` is their byte order: embedded-graphics'
+    /// `BigEndian` or `LittleEndian`. The texture is returned by value, so it passes through the stack.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{raw::LittleEndian, Rgb565};
+    /// use fixel::prelude::*;
+    /// type Skin = TextureArray<Rgb565, 2, 1>;
+    /// let skin = Skin::try_from_raw::<LittleEndian>(&[0x00, 0xf8, 0x1f, 0x00])?;
+    /// assert_eq!(skin.texels()[0][0], Rgb565::new(31, 0, 0));
+    /// let error = Skin::try_from_raw::<LittleEndian>(&[0; 3]).unwrap_err();
+    /// assert_eq!(error.to_string(), "slice has 3 elements: exactly 4 are needed");
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] if there are not exactly as many bytes as the texels need.
+    pub fn try_from_raw<'a, O>(bytes: &'a [u8]) -> Result<Self, Error>
+    where
+        RawDataSlice<'a, C::Raw, O>: IntoIterator<Item = C::Raw>,
+    {
+        let needed = bytes_for::<W, H>(C::Raw::BITS_PER_PIXEL);
+        let length = Error::Length {
+            given: bytes.len(),
+            needed,
+        };
+        if bytes.len() != needed {
+            return Err(length);
+        }
+        let mut raw = RawDataSlice::new(bytes).into_iter().map(C::from);
+        let first = raw.next().ok_or(length)?;
+        let mut texels = [[first; W]; H];
+        let others = texels.as_flattened_mut().iter_mut().skip(1);
+        for (texel, color) in others.zip(raw) {
+            *texel = color;
+        }
+        Ok(Self::from_texels(texels))
+    }
+}
+
+impl<C: PixelColor, const W: usize, const H: usize> Sampler for &TextureArray<C, W, H> {
+    type Color = C;
+
+    #[inline]
+    fn width_log2(&self) -> u32 {
+        const { log2("width", W) }
+    }
+
+    #[inline]
+    fn height_log2(&self) -> u32 {
+        const { log2("height", H) }
+    }
+
+    #[inline]
+    fn texel(&self, u: i32, v: i32) -> C {
+        wrapped(&self.texels, u, v)
+    }
+}
+
+/// The number in the two or three bytes at `at`. It makes no calls, since the compiler counts them.
+const fn word(bytes: &[u8], at: usize, size: usize, big_endian: bool) -> u32 {
+    let last = at + size - 1;
+    let (first, second) = if big_endian {
+        (at, at + 1)
+    } else {
+        (last, last - 1)
+    };
+    let pair = (bytes[first] as u32) << 8 | bytes[second] as u32;
+    if size == 2 {
+        return pair;
+    }
+    pair << 8 | bytes[if big_endian { last } else { at }] as u32
+}
+
+/// Number `index` in a list of numbers of `bits` bits each, which begins at the high bit of the first byte.
+const fn packed(bytes: &[u8], index: usize, bits: usize) -> u8 {
+    let at = index * bits;
+    (bytes[at / 8] >> (8 - bits - at % 8)) & (0xff >> (8 - bits))
+}
+
+/// The bytes that the texels take, of `bits` bits each.
+const fn bytes_for<const W: usize, const H: usize>(bits: usize) -> usize {
+    (W * H * bits).div_ceil(8)
+}
+
+/// A constructor from raw bytes: `$texel` is computed from the bytes and the texel's number.
+macro_rules! constructor {
+    ($name:ident $order:literal $bits:expr, $black:expr, |$bytes:ident, $index:ident| $texel:expr) => {
+        #[doc = concat!("A texture of raw bytes", $order, ".")]
+        ///
+        /// Too few or too many bytes do not compile.
+        #[must_use]
+        pub const fn $name<const LENGTH: usize>($bytes: &[u8; LENGTH]) -> Self {
+            const {
+                let needed = bytes_for::<W, H>($bits);
+                if LENGTH != needed {
+                    message::wrong_length([W, H], "bytes", LENGTH, needed);
+                }
+            }
+            let mut texels = [[$black; W]; H];
+            let mut $index = 0;
+            while $index < W * H {
+                texels[$index / W][$index % W] = $texel;
+                $index += 1;
+            }
+            Self::from_texels(texels)
+        }
+    };
+}
+
+/// RGB colors: bytes of a texel, and the lowest bits of its channels in embedded-graphics' format.
+macro_rules! rgb {
+    ($($color:ident $be:ident $le:ident $bytes:literal $r:literal $g:literal $b:literal;)+) => {$(
+        impl<const W: usize, const H: usize> TextureArray<$color, W, H> {
+            const fn color(raw: u32) -> $color {
+                // `new` masks what is above the channel.
+                $color::new((raw >> $r) as u8, (raw >> $g) as u8, (raw >> $b) as u8)
+            }
+
+            constructor!($be ", the high byte of a texel first" 8 * $bytes, Self::color(0), |bytes, index| {
+                Self::color(word(bytes, index * $bytes, $bytes, true))
+            });
+            constructor!($le ", the low byte of a texel first" 8 * $bytes, Self::color(0), |bytes, index| {
+                Self::color(word(bytes, index * $bytes, $bytes, false))
+            });
+        }
+    )+};
+}
+
+rgb! {
+    Rgb555 rgb555 rgb555_le 2 10 5 0;
+    Bgr555 bgr555 bgr555_le 2 0 5 10;
+    Rgb565 rgb565 rgb565_le 2 11 5 0;
+    Bgr565 bgr565 bgr565_le 2 0 5 11;
+    Rgb666 rgb666 rgb666_le 3 12 6 0;
+    Bgr666 bgr666 bgr666_le 3 0 6 12;
+    Rgb888 rgb888 rgb888_le 3 16 8 0;
+    Bgr888 bgr888 bgr888_le 3 0 8 16;
+}
+
+/// Colors of a byte and less.
+macro_rules! packed {
+    ($($color:ident $name:ident $bits:literal |$raw:ident| $new:expr;)+) => {$(
+        impl<const W: usize, const H: usize> TextureArray<$color, W, H> {
+            const fn color($raw: u8) -> $color {
+                $new
+            }
+
+            constructor!($name "" $bits, Self::color(0), |bytes, index| {
+                Self::color(packed(bytes, index, $bits))
+            });
+        }
+    )+};
+}
+
+packed! {
+    Gray8 gray8 8 |raw| Gray8::new(raw);
+    Gray4 gray4 4 |raw| Gray4::new(raw);
+    Gray2 gray2 2 |raw| Gray2::new(raw);
+    BinaryColor binary 1 |raw| if raw == 0 { BinaryColor::Off } else { BinaryColor::On };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use embedded_graphics::image::{GetPixel, ImageRaw};
+    use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
+    use embedded_graphics::prelude::*;
+
+    #[test]
+    fn texels_are_those_of_embedded_graphics() {
+        const BYTES: [u8; 96] = {
+            let mut bytes = [0; 96];
+            let mut i = 0_u8;
+            while i < 96 {
+                bytes[i as usize] = i.wrapping_mul(i).wrapping_mul(37) ^ i;
+                i += 1;
+            }
+            bytes
+        };
+        macro_rules! same {
+            ($($color:ident $bits:literal $from:ident $order:ident,)+) => {$({
+                const N: usize = 32 * $bits / 8;
+                const RAW: [u8; N] = {
+                    let mut raw = [0; N];
+                    raw.copy_from_slice(BYTES.split_at(N).0);
+                    raw
+                };
+                const TEXTURE: TextureArray<$color, 8, 4> = TextureArray::$from(&RAW);
+                let image = ImageRaw::<$color, $order>::new(&RAW, 8);
+                for (at, v, u) in (0..32).map(|i| (Point::new(i % 8, i / 8), i / 8, i % 8)) {
+                    assert_eq!(Some((&TEXTURE).texel(u, v)), image.pixel(at), "{at}");
+                }
+                assert_eq!(TextureArray::<$color, 8, 4>::try_from_raw::<$order>(&RAW), Ok(TEXTURE));
+                let short = TextureArray::<$color, 8, 4>::try_from_raw::<$order>(&RAW[1..]);
+                assert_eq!(short, Err(Error::Length { given: N - 1, needed: N }));
+            })+};
+        }
+        same! {
+            Rgb555 16 rgb555 BigEndian,
+            Bgr555 16 bgr555 BigEndian,
+            Rgb565 16 rgb565 BigEndian,
+            Bgr565 16 bgr565 BigEndian,
+            Rgb666 24 rgb666 BigEndian,
+            Bgr666 24 bgr666 BigEndian,
+            Rgb888 24 rgb888 BigEndian,
+            Bgr888 24 bgr888 BigEndian,
+            Rgb565 16 rgb565_le LittleEndian,
+            Bgr565 16 bgr565_le LittleEndian,
+            Rgb888 24 rgb888_le LittleEndian,
+            Bgr666 24 bgr666_le LittleEndian,
+            Gray8 8 gray8 BigEndian,
+            Gray4 4 gray4 BigEndian,
+            Gray2 2 gray2 BigEndian,
+            BinaryColor 1 binary BigEndian,
+        }
+    }
+
+    #[test]
+    fn texels_repeat_in_both_directions() {
+        let texture =
+            TextureArray::from_texels([[0, 1, 2, 3], [4, 5, 6, 7]].map(|row| row.map(Gray8::new)));
+        let texel = |u, v| (&texture).texel(u, v).luma();
+        assert_eq!([texel(0, 0), texel(3, 1), texel(4, 2)], [0, 7, 0]);
+        assert_eq!([texel(-1, -1), texel(i32::MIN, i32::MAX)], [7, 4]);
+    }
+
+    #[test]
+    fn as_large_as_documented() {
+        const LARGE: TextureArray<Rgb565, 512, 512> = TextureArray::rgb565(&[0x12; 512 * 512 * 2]);
+        assert_eq!((&LARGE).texel(511, 511), Rgb565::new(2, 16, 18));
+    }
+}

@@ -1,0 +1,141 @@
+//! Colors between four colors.
+
+use embedded_graphics::pixelcolor::{
+    Bgr555, Bgr565, Bgr666, Bgr888, Gray8, GrayColor, IntoStorage, PixelColor, Rgb555, Rgb565,
+    Rgb666, Rgb888, raw::RawU16, raw::RawU24,
+};
+
+/// A color that [`Bilinear`](super::Bilinear) filtering can blend. Each channel is blended as it is stored, without
+/// gamma.
+///
+/// [`Gray8`] and the RGB and BGR colors of embedded-graphics implement it. Coarser grays have too few
+/// steps to blend: keep such a texture in [`Gray8`], and let [`Converted`](crate::Converted) dither the result.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+/// use fixel::texture::Blend;
+/// let quad = [[Rgb565::BLACK, Rgb565::RED], [Rgb565::BLACK, Rgb565::RED]];
+/// // A quarter of the way to the right, in 32nds.
+/// assert_eq!(Rgb565::blend(quad, [8, 0]), Rgb565::new(8, 0, 0));
+/// ```
+pub trait Blend: PixelColor {
+    /// [`blend`](Self::blend) divides the distance between two texels into 2 to this power steps;
+    /// at least 1 and at most 15.
+    const WEIGHT_BITS: u32;
+
+    /// The color at a point between four texels. The upper row comes first, and in a row the left texel.
+    /// `weights` are the point's distances to the right of the first texel and below it, in units of
+    /// 2^-[`WEIGHT_BITS`](Self::WEIGHT_BITS), from 0 to less than 1. With weights of 0 the result must be the first texel exactly.
+    #[must_use]
+    fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self;
+}
+
+/// Whether every lane of `mask` has `bits` of room above it.
+const fn roomy(mask: u32, bits: u32) -> bool {
+    let mut room = 0;
+    let mut above = mask;
+    while room < bits {
+        // Neither does a lane reach the lowest bit of another, nor has the word lost a bit.
+        if above >> 31 != 0 || (above << 1) & lowest(mask) != 0 {
+            return false;
+        }
+        above <<= 1;
+        room += 1;
+    }
+    true
+}
+
+/// The lowest bit of each lane of `mask`.
+const fn lowest(mask: u32) -> u32 {
+    mask & !(mask << 1)
+}
+
+/// Applies `of` to each of four texels. Written out, because a map stays a loop in code optimized for size.
+#[inline]
+fn each<T, U>([[a, b], [c, d]]: [[T; 2]; 2], of: impl Fn(T) -> U) -> [[U; 2]; 2] {
+    [[of(a), of(b)], [of(c), of(d)]]
+}
+
+/// Blends the channels of four texels. A word holds a texel's channels in lanes, the ones of `MASK`. Blends along the
+/// upper and the lower row come first, then one between them, each rounded to nearest, halves up.
+///
+/// Each of the two roundings is within half a step, so a channel is within one step of the exact sum weighted by `x` and `y`.
+#[inline]
+fn bilinear<const MASK: u32, const BITS: u32>(
+    [upper, lower]: [[u32; 2]; 2],
+    [x, y]: [u32; 2],
+) -> u32 {
+    const { assert!(roomy(MASK, BITS), "lanes overlap when weighted") };
+    let mix = |[a, b]: [u32; 2], weight: u32| {
+        // a · (2^BITS − weight) + b · weight, for all lanes at once. Lanes of the difference may borrow
+        // from their neighbors; they give it back in the sum, where no lane is negative.
+        let sum = (a << BITS).wrapping_add(b.wrapping_sub(a).wrapping_mul(weight));
+        (sum.wrapping_add(lowest(MASK) << (BITS - 1)) >> BITS) & MASK
+    };
+    mix([mix(upper, x), mix(lower, x)], y)
+}
+
+/// Colors whose channels fit in one word with five bits of room each: the middle channel in the upper half.
+macro_rules! one_word {
+    ($($color:ident $mask:literal)+) => {$(
+        impl Blend for $color {
+            const WEIGHT_BITS: u32 = 5;
+
+            #[inline]
+            fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self {
+                let lanes = each(texels, |texel| {
+                    let raw = u32::from(texel.into_storage());
+                    (raw | raw << 16) & $mask
+                });
+                let lanes = bilinear::<$mask, 5>(lanes, weights);
+                Self::from(RawU16::new((lanes | lanes >> 16) as u16))
+            }
+        }
+    )+};
+}
+
+one_word! {
+    Rgb565 0x07e0_f81f
+    Bgr565 0x07e0_f81f
+    Rgb555 0x03e0_7c1f
+    Bgr555 0x03e0_7c1f
+}
+
+/// Colors of more bits: the outer channels in one word, 16 bits apart, the middle channel in another.
+macro_rules! two_words {
+    ($($color:ident $channel:literal $bits:literal)+) => {$(
+        impl Blend for $color {
+            const WEIGHT_BITS: u32 = 8;
+
+            #[inline]
+            fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self {
+                /// Shifts the upper channel to the upper half.
+                const UP: u32 = 16 - 2 * $bits;
+                const OUTER: u32 = $channel << 16 | $channel;
+                let raw = each(texels, IntoStorage::into_storage);
+                let outer = each(raw, |raw| (raw << UP) & ($channel << 16) | raw & $channel);
+                let middle = each(raw, |raw| raw >> $bits & $channel);
+                let outer = bilinear::<OUTER, 8>(outer, weights);
+                let middle = bilinear::<$channel, 8>(middle, weights);
+                Self::from(RawU24::new(outer >> 16 << (2 * $bits) | middle << $bits | outer & $channel))
+            }
+        }
+    )+};
+}
+
+two_words! {
+    Rgb666 0x3f 6
+    Bgr666 0x3f 6
+    Rgb888 0xff 8
+    Bgr888 0xff 8
+}
+
+impl Blend for Gray8 {
+    const WEIGHT_BITS: u32 = 8;
+
+    #[inline]
+    fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self {
+        let lumas = each(texels, |texel| texel.luma().into());
+        Self::new(bilinear::<0xff, 8>(lumas, weights) as u8)
+    }
+}

@@ -1,0 +1,37 @@
+//! Textures: texels in memory, and how a shader reads them.
+//!
+//! | type | size | a texel is |
+//! |---|---|---|
+//! | [`Texture`] | known at run time | a color |
+//! | [`TextureArray`] | in the type | a color |
+//! | [`Palette`] | known at run time | a byte, an index into 256 colors |
+//! | [`PaletteArray`] | in the type | a byte, an index into 256 colors |
+//!
+//! [`include_bmp!`](crate::include_bmp) and [`include_tga!`](crate::include_tga) make any of them of a file while
+//! compiling; [`Image`] reads a file at run time. A shader takes a reference to any of them, or to a
+//! [`Sampler`] of your own, and a [`Filter`] tells what lies between texels.
+
+mod array;
+mod blend;
+mod bmp;
+mod color;
+mod filter;
+mod image;
+#[doc(hidden)]
+pub mod include;
+mod palette;
+mod palette_array;
+mod sampler;
+#[allow(clippy::module_inception)] // one type, one file
+mod texture;
+mod tga;
+
+pub use array::TextureArray;
+pub use blend::Blend;
+pub use color::ImageColor;
+pub use filter::{Bilinear, Filter, Nearest};
+pub use image::Image;
+pub use palette::{Palette, palette_colors};
+pub use palette_array::PaletteArray;
+pub use sampler::{MAX_TEXTURE_SIZE, Sampler};
+pub use texture::Texture;

@@ -1,0 +1,123 @@
+//! Textures of 8-bit indices.
+
+use embedded_graphics::pixelcolor::PixelColor;
+
+use super::sampler::{Grid, log2, wrapped};
+use super::{Palette, Sampler, palette_colors};
+use crate::message;
+
+/// A texture of one byte a texel that owns its indices and its 256 colors, with its size in the type: `H` rows of
+/// `W` indices.
+///
+/// Sizes are those of [`TextureArray`](super::TextureArray). [`as_palette`](Self::as_palette) makes a [`Palette`] of it.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
+/// use fixel::prelude::*;
+/// static TILES: PaletteArray<Rgb565, 2, 2> =
+///     PaletteArray::new(&[0, 1, 1, 2], &[Rgb565::BLACK, Rgb565::RED, Rgb565::WHITE]);
+/// static SQUARE: Mesh = shape!(plane(1, 1));
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
+/// let mut pixels = [Rgb565::GREEN; 16];
+/// let mut canvas = Canvas::new(&mut pixels, 4, 4)?;
+/// canvas.draw(&SQUARE, &mvp, &Textured::new(&TILES));
+/// let mut display = MockDisplay::new();
+/// canvas.show(&mut display)?;
+/// display.assert_pattern(&["KKRR", "KKRR", "RRWW", "RRWW"]);
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// Too few or too many indices do not compile, nor do no colors or more than 256:
+///
+/// ```compile_fail
+/// # use embedded_graphics::pixelcolor::Rgb565;
+/// # use fixel::prelude::*;
+/// static TILES: PaletteArray<Rgb565, 2, 2> = PaletteArray::new(&[0, 1, 1], &[Rgb565::new(0, 0, 0)]);
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PaletteArray<C, const W: usize, const H: usize> {
+    indices: [[u8; W]; H],
+    colors: [C; 256],
+}
+
+impl<C: Copy, const W: usize, const H: usize> PaletteArray<C, W, H> {
+    /// A texture of indices, row by row from the top, and of up to 256 colors. Indices beyond
+    /// the last color mean the last color.
+    #[must_use]
+    pub const fn new<const LENGTH: usize, const COLORS: usize>(
+        indices: &[u8; LENGTH],
+        colors: &[C; COLORS],
+    ) -> Self {
+        const {
+            if LENGTH != W * H {
+                message::wrong_length([W, H], "indices", LENGTH, W * H);
+            }
+        }
+        let mut rows = [[0; W]; H];
+        let mut i = 0;
+        while i < LENGTH {
+            rows[i / W][i % W] = indices[i];
+            i += 1;
+        }
+        Self::from_rows(rows, palette_colors(colors))
+    }
+
+    pub(super) const fn from_rows(indices: [[u8; W]; H], colors: [C; 256]) -> Self {
+        const { (log2("width", W), log2("height", H)) };
+        Self { indices, colors }
+    }
+
+    /// The same without its size in the type.
+    #[must_use]
+    pub const fn as_palette(&self) -> Palette<'_, C> {
+        Palette::of(Grid::of(&self.indices), &self.colors)
+    }
+
+    /// The colors, one for each index.
+    #[must_use]
+    pub const fn colors(&self) -> &[C; 256] {
+        &self.colors
+    }
+
+    /// The same picture in other colors, for example darker ones.
+    #[must_use]
+    pub const fn with_colors(self, colors: [C; 256]) -> Self {
+        Self { colors, ..self }
+    }
+}
+
+impl<C: PixelColor, const W: usize, const H: usize> Sampler for &PaletteArray<C, W, H> {
+    type Color = C;
+
+    #[inline]
+    fn width_log2(&self) -> u32 {
+        const { log2("width", W) }
+    }
+
+    #[inline]
+    fn height_log2(&self) -> u32 {
+        const { log2("height", H) }
+    }
+
+    #[inline]
+    fn texel(&self, u: i32, v: i32) -> C {
+        self.colors[usize::from(wrapped(&self.indices, u, v))]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use embedded_graphics::pixelcolor::Gray8;
+
+    #[test]
+    fn indices_beyond_the_colors_mean_the_last() {
+        let palette: PaletteArray<_, 2, 1> =
+            PaletteArray::new(&[1, 255], &[Gray8::new(5), Gray8::new(6)]);
+        assert_eq!((&palette).texel(0, 7), Gray8::new(6));
+        assert_eq!((&palette).texel(-1, 0), Gray8::new(6));
+        let palette = palette.with_colors([Gray8::new(9); 256]);
+        assert_eq!((&palette).texel(1, 0), Gray8::new(9));
+    }
+}

@@ -1,0 +1,237 @@
+//! The interface between a texture and its shader: texels by column and row.
+
+use embedded_graphics::pixelcolor::PixelColor;
+
+use crate::Error;
+use crate::message;
+
+/// Texels by column and row, repeated in both directions. Width and height are powers of two.
+///
+/// References to [`Texture`](super::Texture), [`TextureArray`](super::TextureArray), [`Palette`](super::Palette),
+/// [`PaletteArray`](super::PaletteArray) and to plain rows of texels implement it:
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Rgb888;
+/// use fixel::texture::Sampler;
+/// let rows: Vec<[Rgb888; 256]> = (0..=255).map(|y| [Rgb888::new(y, 0, 0); 256]).collect();
+/// let image: &[[Rgb888; 256]; 256] = rows.as_slice().try_into().unwrap();
+/// assert_eq!(image.texel(0, 3), Rgb888::new(3, 0, 0));
+/// assert_eq!(image.texel(-1, -1), Rgb888::new(255, 0, 0));
+/// assert_eq!((image.width_log2(), image.height_log2()), (8, 8));
+/// ```
+///
+/// Another size does not compile; the error says which size to write:
+///
+/// ```compile_fail
+/// use fixel::texture::Sampler;
+/// use embedded_graphics::pixelcolor::Gray8;
+/// let image = [[Gray8::new(0); 100]; 64];
+/// let _ = (&image).texel(0, 0);
+/// ```
+pub trait Sampler: Copy {
+    /// The texels' color.
+    type Color: PixelColor;
+
+    /// The width is 2 to this power; at most 15.
+    fn width_log2(&self) -> u32;
+
+    /// The height is 2 to this power; at most 15.
+    fn height_log2(&self) -> u32;
+
+    /// The texel in column `u` and row `v`, each taken modulo the size; (0, 0) is the top left texel.
+    fn texel(&self, u: i32, v: i32) -> Self::Color;
+}
+
+/// Largest width and height of a texture, in texels.
+pub const MAX_TEXTURE_SIZE: usize = 1 << 15;
+
+/// The largest size, as [`Error`] has it.
+const MAX: u32 = MAX_TEXTURE_SIZE as u32;
+
+/// The exponent of a width or height, checked while compiling; `of` names it in the error.
+pub(super) const fn log2(of: &'static str, size: usize) -> u32 {
+    // What does not fit is too large either way.
+    let given = if size > u32::MAX as usize {
+        u32::MAX
+    } else {
+        size as u32
+    };
+    message::checked(exponent(of, given), "texture")
+}
+
+/// The exponent of a width or height; `of` names it in the error.
+const fn exponent(of: &'static str, given: u32) -> Result<u32, Error> {
+    if given.is_power_of_two() && given <= MAX {
+        Ok(given.ilog2())
+    } else {
+        let max = MAX;
+        Err(Error::PowerOfTwo { of, given, max })
+    }
+}
+
+/// The exponents of a width and a height.
+pub(super) const fn exponents(width: u32, height: u32) -> Result<[u32; 2], Error> {
+    match (exponent("width", width), exponent("height", height)) {
+        (Ok(width_log2), Ok(height_log2)) => Ok([width_log2, height_log2]),
+        (Err(error), _) | (_, Err(error)) => Err(error),
+    }
+}
+
+/// The entry at column `u` and row `v`, modulo the size; the mask shows the compiler that
+/// the indices are in range.
+#[inline]
+pub(super) fn wrapped<T: Copy, const W: usize, const H: usize>(
+    rows: &[[T; W]; H],
+    u: i32,
+    v: i32,
+) -> T {
+    const { (log2("width", W), log2("height", H)) };
+    let (u, v) = (u.cast_unsigned() as usize, v.cast_unsigned() as usize);
+    rows[v & (H - 1)][u & (W - 1)]
+}
+
+impl<C: PixelColor, const W: usize, const H: usize> Sampler for &[[C; W]; H] {
+    type Color = C;
+
+    #[inline]
+    fn width_log2(&self) -> u32 {
+        const { log2("width", W) }
+    }
+
+    #[inline]
+    fn height_log2(&self) -> u32 {
+        const { log2("height", H) }
+    }
+
+    #[inline]
+    fn texel(&self, u: i32, v: i32) -> C {
+        wrapped(self, u, v)
+    }
+}
+
+/// Entries row by row, of a size that the program knows at run time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Grid<'a, T> {
+    /// As many as the size needs, so at least one.
+    entries: &'a [T],
+    width_log2: u8,
+    height_log2: u8,
+}
+
+impl<'a, T: Copy> Grid<'a, T> {
+    /// Errors: [`Error::PowerOfTwo`] for the size, [`Error::Length`] for the number of entries.
+    pub(super) const fn new(entries: &'a [T], width: u32, height: u32) -> Result<Self, Error> {
+        let [width_log2, height_log2] = match exponents(width, height) {
+            Ok(log2) => log2,
+            Err(error) => return Err(error),
+        };
+        let (given, needed) = (entries.len(), 1 << (width_log2 + height_log2));
+        if given != needed {
+            return Err(Error::Length { given, needed });
+        }
+        Ok(Self {
+            entries,
+            width_log2: width_log2 as u8,
+            height_log2: height_log2 as u8,
+        })
+    }
+
+    /// The entries of rows whose size is checked already.
+    pub(super) const fn of<const W: usize, const H: usize>(rows: &'a [[T; W]; H]) -> Self {
+        Self {
+            entries: rows.as_flattened(),
+            width_log2: const { log2("width", W) } as u8,
+            height_log2: const { log2("height", H) } as u8,
+        }
+    }
+
+    pub(super) const fn entries(&self) -> &'a [T] {
+        self.entries
+    }
+
+    #[inline]
+    pub(super) const fn width_log2(&self) -> u32 {
+        self.width_log2 as u32
+    }
+
+    #[inline]
+    pub(super) const fn height_log2(&self) -> u32 {
+        self.height_log2 as u32
+    }
+
+    /// The entry at column `u` and row `v`, modulo the size; `None` never happens.
+    ///
+    /// The number of entries is a power of two. The mask with one less cuts the row to the height, and
+    /// shows the compiler that only an empty slice lacks the entry: it tests for that once, before the loop over pixels.
+    #[inline]
+    pub(super) fn get(&self, u: i32, v: i32) -> Option<T> {
+        let (u, v) = (u.cast_unsigned() as usize, v.cast_unsigned() as usize);
+        let row = v.wrapping_shl(self.width_log2());
+        let column = u & (1_usize.wrapping_shl(self.width_log2()) - 1);
+        let index = (row | column) & self.entries.len().wrapping_sub(1);
+        self.entries.get(index).copied()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_are_powers_of_two_and_lengths_fit() {
+        let entries = [7; 200];
+        let grid = |count, width, height| Grid::new(&entries[..count], width, height).map(|_| ());
+        for (width, height) in [(1, 1), (64, 2), (2, 64), (1, 128)] {
+            assert_eq!(grid((width * height) as usize, width, height), Ok(()));
+            let given = (width * height) as usize + 1;
+            let needed = given - 1;
+            assert_eq!(
+                grid(given, width, height),
+                Err(Error::Length { given, needed })
+            );
+        }
+        let error = grid(200, 100, 2).unwrap_err();
+        assert_eq!(
+            std::format!("{error}"),
+            "width is 100: it must be a power of two, at most 32768"
+        );
+        let max = 32768;
+        for given in [0, 3, 65536, u32::MAX] {
+            let (of, other) = ("width", "height");
+            assert_eq!(grid(1, given, 1), Err(Error::PowerOfTwo { of, given, max }));
+            let of = other;
+            assert_eq!(grid(1, 1, given), Err(Error::PowerOfTwo { of, given, max }));
+        }
+        let (given, needed) = (1, 1 << 30);
+        assert_eq!(grid(1, max, max), Err(Error::Length { given, needed }));
+    }
+
+    /// Entry by entry as rows whose size is in their type, far beyond the edges too.
+    #[test]
+    fn a_grid_repeats_as_rows_do() {
+        fn compare<const W: usize, const H: usize>() {
+            let mut rows = [[0; W]; H];
+            for (at, entry) in rows.as_flattened_mut().iter_mut().enumerate() {
+                *entry = at;
+            }
+            let (width, height) = (W as u32, H as u32);
+            let grid = Grid::new(rows.as_flattened(), width, height).unwrap();
+            assert_eq!(grid, Grid::of(&rows));
+            let far = [i32::MIN, i32::MIN + 1, -40_000, 40_000, i32::MAX];
+            for v in (-9..9).chain(far) {
+                for u in (-9..9).chain(far) {
+                    assert_eq!(
+                        grid.get(u, v),
+                        Some(wrapped(&rows, u, v)),
+                        "{W}x{H} {u} {v}"
+                    );
+                }
+            }
+        }
+        compare::<1, 1>();
+        compare::<8, 1>();
+        compare::<1, 8>();
+        compare::<4, 2>();
+        compare::<2, 4>();
+    }
+}

@@ -1,0 +1,67 @@
+//! The rectangle that a projection shows.
+
+use crate::Scalar;
+
+/// The edges of the rectangle in eye space that fills the picture.
+///
+/// Under a perspective the rectangle lies on the near plane; under a parallel projection it is the
+/// cross section of the box. `x` runs to the right and `y` up.
+///
+/// Any numbers are accepted here. A projection refuses a window unless `left` < `right` and
+/// `bottom` < `top`.
+///
+/// ```
+/// use fixel::prelude::*;
+/// let window = Window { left: fx!(-1), right: fx!(2), bottom: fx!(-1), top: fx!(1) };
+/// let projection = Projection::frustum(window, fx!(2), fx!(10))?;
+/// assert_eq!(projection.window(), window);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Window {
+    /// x of the left edge.
+    pub left: Scalar,
+    /// x of the right edge.
+    pub right: Scalar,
+    /// y of the bottom edge.
+    pub bottom: Scalar,
+    /// y of the top edge.
+    pub top: Scalar,
+}
+
+impl Window {
+    /// Makes a window of a width and a height about the line of sight.
+    ///
+    /// Edges are half the size away, rounded towards zero to a multiple of 2⁻¹⁶.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// let window = Window::centered(fx!(4), fx!(3));
+    /// assert_eq!((window.left, window.top), (fx!(-2), fx!(1.5)));
+    /// ```
+    #[must_use]
+    pub const fn centered(width: Scalar, height: Scalar) -> Self {
+        let [x, y] = [width.to_bits() / 2, height.to_bits() / 2];
+        Self {
+            left: Scalar::from_bits(-x),
+            right: Scalar::from_bits(x),
+            bottom: Scalar::from_bits(-y),
+            top: Scalar::from_bits(y),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn centered_windows_are_symmetric_at_the_ends_of_the_format() {
+        let window = Window::centered(Scalar::MAX, Scalar::MIN);
+        // 2^31 − 1 is odd: half of it is rounded towards zero.
+        assert_eq!(window.right.to_bits(), (1 << 30) - 1);
+        assert_eq!(window.left, -window.right);
+        assert_eq!(window.top.to_bits(), -(1 << 30));
+        assert_eq!(window.bottom, -window.top);
+    }
+}

@@ -1,0 +1,132 @@
+//! A shader that writes down what it is given, for all tests that look at more than colors.
+
+// Each test binary uses a part of it.
+#![allow(dead_code)]
+
+use std::cell::RefCell;
+
+use embedded_graphics::pixelcolor::{Gray8, PixelColor};
+use fixel::prelude::*;
+use fixel::shade::{Lanes, PerFace, Tolerance, Varyings};
+
+/// What a shader was given at a pixel, and what it made of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seen<const N: usize, C = Gray8> {
+    pub pixel: [i32; 2],
+    pub depth: u16,
+    /// The triangle's place in the mesh.
+    pub face: usize,
+    /// The first interpolated numbers; 0 where the shader has fewer.
+    pub values: [i32; N],
+    pub color: Option<C>,
+}
+
+/// What was written down of a draw call.
+#[derive(Debug)]
+pub struct Record<const N: usize, C = Gray8> {
+    /// In the order drawn.
+    pub seen: Vec<Seen<N, C>>,
+    /// The numbers at the corners of triangles.
+    pub corners: Vec<(usize, [[i32; N]; 3])>,
+}
+
+/// A shader that writes down what another one is given, and draws what that draws.
+#[derive(Clone, Copy)]
+pub struct Recorder<'a, S: Shader, const N: usize> {
+    shader: S,
+    record: &'a RefCell<Record<N, S::Color>>,
+}
+
+/// What a draw call's shader is given.
+pub fn record<S: Shader, const N: usize>(
+    shader: S,
+    draw: impl FnOnce(&Recorder<'_, S, N>),
+) -> Record<N, S::Color> {
+    let record = RefCell::new(Record {
+        seen: Vec::new(),
+        corners: Vec::new(),
+    });
+    draw(&Recorder {
+        shader,
+        record: &record,
+    });
+    record.into_inner()
+}
+
+fn numbers<V: Varyings, const N: usize>(varyings: V) -> [i32; N] {
+    let (numbers, _) = varyings.split();
+    std::array::from_fn(|i| numbers.as_ref().get(i).copied().unwrap_or_default())
+}
+
+impl<S: Shader, const N: usize> Shader for Recorder<'_, S, N> {
+    type Color = S::Color;
+    type Varyings = (S::Varyings, PerFace<usize>);
+
+    fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
+        let (corners, face) = (self.shader.varyings(primitive), primitive.index());
+        let mut record = self.record.borrow_mut();
+        record.corners.push((face, corners.map(numbers)));
+        corners.map(|corner| (corner, PerFace(face)))
+    }
+
+    fn shade(&self, at: &Fragment, (inside, PerFace(face)): Self::Varyings) -> Option<S::Color> {
+        let color = self.shader.shade(at, inside);
+        self.record.borrow_mut().seen.push(Seen {
+            pixel: [at.point.x, at.point.y],
+            depth: at.depth,
+            face,
+            values: numbers(inside),
+            color,
+        });
+        color
+    }
+}
+
+/// A shader that interpolates whatever a test wants, and draws all pixels in one color or none.
+#[derive(Clone, Copy)]
+pub struct Probe<'a, V, C = Gray8> {
+    pub values: &'a dyn Fn(&Corner<'_>) -> V,
+    pub color: Option<C>,
+}
+
+impl<V: Varyings, C: PixelColor> Shader for Probe<'_, V, C> {
+    type Color = C;
+    type Varyings = V;
+
+    fn varyings(&self, primitive: &Primitive<'_>) -> [V; 3] {
+        primitive.corners(|corner| (self.values)(corner))
+    }
+
+    fn shade(&self, _: &Fragment, _: V) -> Option<C> {
+        self.color
+    }
+}
+
+/// `[(); N]` for an N that can be interpolated.
+pub trait Few<const N: usize>: Lanes<Of<i32> = [i32; N]> {}
+
+impl<const N: usize, L: Lanes<Of<i32> = [i32; N]>> Few<N> for L {}
+
+/// Numbers that are all as exact as texture coordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Coordinates<const N: usize>(pub [i32; N]);
+
+impl<const N: usize> Varyings for Coordinates<N>
+where
+    [(); N]: Few<N>,
+{
+    type Lanes = [(); N];
+    type Face = ();
+
+    fn tolerances() -> <[(); N] as Lanes>::Of<Tolerance> {
+        <[(); N]>::splat(Tolerance::Texels)
+    }
+
+    fn split(self) -> ([i32; N], ()) {
+        (self.0, ())
+    }
+
+    fn join(numbers: [i32; N], (): ()) -> Self {
+        Self(numbers)
+    }
+}

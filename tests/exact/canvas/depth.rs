@@ -1,0 +1,185 @@
+//! The depth buffer of a canvas: cleared and left alone, and what its formats resolve.
+
+use embedded_graphics::Drawable;
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{Dimensions, Point};
+use embedded_graphics::mock_display::MockDisplay;
+use embedded_graphics::mono_font::MonoTextStyle;
+use embedded_graphics::mono_font::ascii::FONT_6X10;
+use embedded_graphics::pixelcolor::{BinaryColor, Gray8, GrayColor, PixelColor};
+use embedded_graphics::text::Text;
+use fixel::num::scalar;
+use fixel::prelude::*;
+use fixel::target::{DepthBuffer, DepthFormat, Float, Linear, Native, WideFloat};
+
+/// Draws a triangle that covers the pixels below the diagonal of an 8x8 canvas.
+fn triangle<C: PixelColor, D: DepthBuffer>(
+    canvas: &mut Canvas<'_, C, Native, D>,
+    color: C,
+    distance: i16,
+) {
+    let projection = Projection::orthographic(
+        Window {
+            left: fx!(0),
+            right: fx!(8),
+            bottom: fx!(-8),
+            top: fx!(0),
+        },
+        fx!(0),
+        fx!(10),
+    )
+    .unwrap();
+    let positions = [(0, 0), (0, -8), (8, -8)].map(|(x, y)| Vec3::from_ints(x, y, -distance));
+    let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
+    canvas.draw(&mesh, &projection.into(), &Flat::new(color));
+}
+
+/// Text goes over the picture and leaves the depth as it is.
+#[test]
+fn text_over_the_picture() {
+    let mut pixels = [BinaryColor::Off; 64];
+    let mut depths = [0; 64];
+    let mut canvas = Canvas::new(&mut pixels, 8, 8)
+        .unwrap()
+        .with_depth(&mut depths)
+        .unwrap();
+    triangle(&mut canvas, BinaryColor::On, 5);
+    let style = MonoTextStyle::new(&FONT_6X10, BinaryColor::On);
+    Text::new("!", Point::new(3, 6), style)
+        .draw(&mut canvas)
+        .unwrap();
+    let mut display = MockDisplay::new();
+    canvas.show(&mut display).unwrap();
+    display.assert_pattern(&[
+        ".....#..", "#....#..", "##...#..", "###..#..", "####.#..", "#####...", "######..",
+        "#######.",
+    ]);
+    let drawn: Vec<bool> = depths.iter().map(|&depth| depth > 0).collect();
+    let covered: Vec<bool> = (0..64).map(|i| i % 8 < i / 8).collect();
+    assert_eq!(drawn, covered);
+}
+
+/// Draws a near triangle, calls `between`, and draws a farther one. Gives the pixels of gray 1 (near) and 2 (far).
+fn shown<F: DepthFormat>(
+    between: impl Fn(&mut Canvas<'_, Gray8, Native, fixel::target::Depth<'_, F>>),
+) -> [usize; 2] {
+    let mut pixels = [Gray8::BLACK; 64];
+    let mut depths = [0; 64];
+    let canvas = Canvas::new(&mut pixels, 8, 8).unwrap();
+    let mut canvas = canvas.with_depth_format::<F>(&mut depths).unwrap();
+    triangle(&mut canvas, Gray8::new(1), 2);
+    between(&mut canvas);
+    triangle(&mut canvas, Gray8::new(2), 3);
+    [1, 2].map(|gray| pixels.iter().filter(|pixel| pixel.luma() == gray).count())
+}
+
+fn clearing<F: DepthFormat>() {
+    assert_eq!(shown::<F>(|_| ()), [28, 0], "the nearer one hides it");
+    let solid = shown::<F>(|canvas| {
+        let Ok(()) = canvas.fill_solid(&canvas.bounding_box(), Gray8::BLACK);
+    });
+    assert_eq!(solid, [0, 0], "a fill leaves the depth");
+    assert_eq!(shown::<F>(|canvas| canvas.clear(Gray8::BLACK)), [0, 28]);
+    let cleared = shown::<F>(|canvas| {
+        let Ok(()) = DrawTarget::clear(canvas, Gray8::BLACK);
+    });
+    assert_eq!(cleared, [0, 28], "embedded-graphics' clear is the same");
+    // The second triangle covers the first one, whose color would have stayed.
+    let uncovered = shown::<F>(|canvas| {
+        canvas.clear_depth();
+    });
+    assert_eq!(uncovered, [0, 28]);
+    assert_eq!(
+        shown::<F>(|canvas| {
+            canvas.clear_depth();
+            triangle(canvas, Gray8::new(1), 2);
+        }),
+        [28, 0],
+        "and depth is tested again"
+    );
+}
+
+#[test]
+fn clearing_forgets_the_depth() {
+    clearing::<Linear>();
+    clearing::<Float>();
+    clearing::<WideFloat>();
+}
+
+/// Without a depth buffer there is nothing to clear.
+#[test]
+fn clearing_no_depth() {
+    let mut pixels = [Gray8::WHITE; 4];
+    let mut canvas = Canvas::new(&mut pixels, 2, 2).unwrap();
+    canvas.clear_depth();
+    assert!(canvas.pixels().all(|pixel| pixel == Gray8::WHITE));
+    let Ok(()) = DrawTarget::clear(&mut canvas, Gray8::BLACK);
+    assert_eq!(pixels, [Gray8::BLACK; 4]);
+}
+
+/// Draws three plates (`#`), at 4, 3,200 and 522,240 times the distance of the near plane, and after each a larger
+/// plate (`.`) that is a hundredth farther. Distance 2^14 lies between the last two, so that their 1/w have different
+/// exponents.
+fn plates<F: DepthFormat>() -> MockDisplay<BinaryColor> {
+    const SIZE: (u32, u32) = (26, 6);
+    const FOCAL: f64 = 16.;
+    let projection = Projection::from_focal_length(
+        scalar(FOCAL).unwrap(),
+        SIZE,
+        scalar(1. / 32.).unwrap(),
+        scalar(31_250.).unwrap(),
+    )
+    .unwrap();
+    let mut pixels = [BinaryColor::Off; 26 * 6];
+    let mut depths = [0; 26 * 6];
+    let canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
+    let mut canvas = canvas.with_depth_format::<F>(&mut depths).unwrap();
+    canvas.clear(BinaryColor::Off);
+    let mut plate = |[left, top, right, bottom]: [i32; 4], distance: f64, color| {
+        let corners = [(left, bottom), (right, bottom), (right, top), (left, top)];
+        let positions = corners.map(|(x, y)| {
+            let [x, y] = [x - 13, 3 - y].map(|at| f64::from(at) * distance / FOCAL);
+            let [x, y, z] = [x, y, -distance].map(|at| scalar(at).unwrap());
+            Vec3::new(x, y, z)
+        });
+        let mesh = Mesh::new(&positions, &[[0, 1, 2], [0, 2, 3]]).unwrap();
+        canvas.draw(&mesh, &projection.into(), &Flat::new(color));
+    };
+    for (left, distance) in [(1, 0.125), (10, 100.), (19, 16_320.)] {
+        let front = [left + 1, 1, left + 5, 5];
+        plate(front, distance, BinaryColor::On);
+        plate([left, 0, left + 6, 6], 1.01 * distance, BinaryColor::Off);
+    }
+    let mut display = MockDisplay::new();
+    canvas.show(&mut display).unwrap();
+    display
+}
+
+/// Where the format does not tell their depths apart, the plate behind wins, as it is drawn last.
+#[test]
+fn plates_a_hundredth_apart() {
+    plates::<Linear>().assert_pattern(&[
+        "..........................",
+        "..####....................",
+        "..####....................",
+        "..####....................",
+        "..####....................",
+        "..........................",
+    ]);
+    plates::<Float>().assert_pattern(&[
+        "..........................",
+        "..####.....####...........",
+        "..####.....####...........",
+        "..####.....####...........",
+        "..####.....####...........",
+        "..........................",
+    ]);
+    plates::<WideFloat>().assert_pattern(&[
+        "..........................",
+        "..####.....####.....####..",
+        "..####.....####.....####..",
+        "..####.....####.....####..",
+        "..####.....####.....####..",
+        "..........................",
+    ]);
+}

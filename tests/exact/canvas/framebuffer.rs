@@ -1,0 +1,234 @@
+//! As an embedded-graphics target the canvas equals embedded-graphics' own frame.
+
+use std::convert::Infallible;
+
+use embedded_graphics::Pixel;
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::framebuffer::{Framebuffer, buffer_size};
+use embedded_graphics::geometry::{Dimensions, Point, Size};
+use embedded_graphics::image::GetPixel;
+use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, RawU16};
+use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb565, RgbColor};
+use embedded_graphics::primitives::Rectangle;
+use fixel::prelude::*;
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+use super::pictures::{self, HEIGHT, WIDTH};
+
+const PIXELS: usize = (WIDTH * HEIGHT) as usize;
+
+/// embedded-graphics' own frame of the same size.
+type Theirs<O> = Framebuffer<
+    Rgb565,
+    RawU16,
+    O,
+    { WIDTH as usize },
+    { HEIGHT as usize },
+    { buffer_size::<Rgb565>(WIDTH as usize, HEIGHT as usize) },
+>;
+
+/// What there is to draw in the picture of this number.
+fn random(number: u64) -> ChaCha8Rng {
+    ChaCha8Rng::seed_from_u64(number)
+}
+
+/// Any picture has the bytes of embedded-graphics' frame, in both orders, and its colors; and bands, put
+/// together, are the frame.
+#[test]
+fn a_canvas_is_a_framebuffer() {
+    let mut in_bands = 0;
+    for number in 0..4000 {
+        let mut random = random(number);
+        let (crops, band) = (random.random(), random.random_range(1..=HEIGHT) * WIDTH);
+        let draw = |target: &mut dyn Draw| target.draw(&mut random.clone(), crops);
+
+        let mut theirs = (Theirs::<BigEndian>::new(), Theirs::<LittleEndian>::new());
+        draw(&mut theirs.0);
+        draw(&mut theirs.1);
+
+        let mut bytes = [[0; 2]; PIXELS];
+        let mut canvas: Canvas<Rgb565, _> = Canvas::big_endian(&mut bytes, WIDTH, HEIGHT).unwrap();
+        draw(&mut canvas);
+        assert!(canvas.as_bytes() == theirs.0.data(), "big-endian {number}");
+
+        let mut bytes = [[0; 2]; PIXELS];
+        let mut canvas: Canvas<Rgb565, _> =
+            Canvas::little_endian(&mut bytes, WIDTH, HEIGHT).unwrap();
+        draw(&mut canvas);
+        assert!(
+            canvas.as_bytes() == theirs.1.data(),
+            "little-endian {number}"
+        );
+
+        let mut colors = [Rgb565::BLACK; PIXELS];
+        draw(&mut Canvas::new(&mut colors, WIDTH, HEIGHT).unwrap());
+        let at = |i: u32| Point::new((i % WIDTH).cast_signed(), (i / WIDTH).cast_signed());
+        let wanted = (0..WIDTH * HEIGHT).map(|i| theirs.0.pixel(at(i)).unwrap());
+        assert!(wanted.eq(colors), "native {number}");
+
+        if crops {
+            continue;
+        }
+        in_bands += 1;
+        let mut native = [Rgb565::BLACK; PIXELS];
+        let mut bytes = [[0; 2]; PIXELS];
+        let mut first = 0;
+        for (native, bytes) in native
+            .chunks_mut(band as usize)
+            .zip(bytes.chunks_mut(band as usize))
+        {
+            let mut canvas = Canvas::band(native, WIDTH, HEIGHT, first).unwrap();
+            let rows = canvas.rows().len() as u32;
+            let place = Point::new(0, first.cast_signed());
+            assert_eq!(
+                canvas.bounding_box(),
+                Rectangle::new(place, Size::new(WIDTH, rows))
+            );
+            draw(&mut canvas);
+            let mut canvas: Canvas<Rgb565, _> =
+                Canvas::big_endian_band(bytes, WIDTH, HEIGHT, first).unwrap();
+            draw(&mut canvas);
+            first += rows;
+        }
+        assert!(native == colors, "native bands {number}");
+        assert!(
+            bytes.as_flattened() == theirs.0.data(),
+            "bands of bytes {number}"
+        );
+    }
+    assert!(in_bands > 1000);
+}
+
+/// A target of any type.
+trait Draw {
+    fn draw(&mut self, random: &mut ChaCha8Rng, crops: bool);
+}
+
+impl<T: DrawTarget<Color = Rgb565, Error = Infallible>> Draw for T {
+    fn draw(&mut self, random: &mut ChaCha8Rng, crops: bool) {
+        pictures::draw(self, random, crops);
+    }
+}
+
+/// `fill_contiguous` takes no more than it needs from an endless iterator.
+#[test]
+fn fill_contiguous_ends() {
+    let mut pixels = [Gray8::BLACK; 12];
+    let mut canvas = Canvas::new(&mut pixels, 4, 3).unwrap();
+    let area = Rectangle::new(Point::new(-1, 1), Size::new(3, 9));
+    let mut taken = 0;
+    let colors = std::iter::repeat_with(|| {
+        taken += 1;
+        Gray8::new(taken)
+    });
+    let Ok(()) = canvas.fill_contiguous(&area, colors);
+    let lumas: Vec<u8> = pixels.iter().map(GrayColor::luma).collect();
+    assert_eq!(lumas, [0, 0, 0, 0, 2, 3, 0, 0, 5, 6, 0, 0]);
+    assert!(taken <= 27);
+}
+
+/// The color of the n-th pixel of an area; it skips any number of pixels at once.
+struct Colors(u64);
+
+fn color(number: u64) -> Gray8 {
+    Gray8::new(1 + (number % 251) as u8)
+}
+
+impl Iterator for Colors {
+    type Item = Gray8;
+
+    fn next(&mut self) -> Option<Gray8> {
+        self.nth(0)
+    }
+
+    fn nth(&mut self, skipped: usize) -> Option<Gray8> {
+        let number = self.0 + skipped as u64;
+        self.0 = number + 1;
+        Some(color(number))
+    }
+}
+
+/// Points at the ends of `i32` are left out.
+#[test]
+fn points_at_the_ends_of_i32() {
+    let mut pixels = [Gray8::BLACK; 4];
+    let mut canvas = Canvas::new(&mut pixels, 2, 2).unwrap();
+    let ends = [i32::MIN, i32::MIN + 1, -1, 0, 1, 2, i32::MAX - 1, i32::MAX];
+    let points = ends
+        .into_iter()
+        .flat_map(|y| ends.map(|x| Point::new(x, y)));
+    let colors = (0..).map(Gray8::new);
+    let Ok(()) = canvas.draw_iter(points.zip(colors).map(|(at, color)| Pixel(at, color)));
+    assert_eq!(pixels.map(|pixel| pixel.luma()), [27, 28, 35, 36]);
+}
+
+/// Areas that begin, end or are longer than `i32` counts are filled like any other, in a debug build too.
+#[test]
+fn areas_beyond_the_range_of_i32() {
+    const WIDTH: u32 = 3;
+    const FIRST: u32 = 1;
+    const END: u32 = 3;
+    const PIXELS: usize = (WIDTH * (END - FIRST)) as usize;
+    let most = i32::MAX.cast_unsigned();
+    let starts = [
+        i32::MIN,
+        i32::MIN + 1,
+        -most.cast_signed(),
+        -5,
+        -1,
+        0,
+        1,
+        2,
+        3,
+        i32::MAX - 1,
+        i32::MAX,
+    ];
+    let lengths = [
+        0,
+        1,
+        2,
+        6,
+        most - 1,
+        most,
+        most + 1,
+        most + 2,
+        most + 4,
+        u32::MAX - 1,
+        u32::MAX,
+    ];
+    // The number of a pixel along a side, where the area has it.
+    let along = |at: u32, start: i32, length: u32| {
+        let number = i64::from(at) - i64::from(start);
+        (0..i64::from(length))
+            .contains(&number)
+            .then_some(number.cast_unsigned())
+    };
+    let sides = starts.map(|start| lengths.map(|length| (start, length)));
+    let sides = sides.as_flattened();
+    for &(x, width) in sides {
+        for &(y, height) in sides {
+            let area = Rectangle::new(Point::new(x, y), Size::new(width, height));
+            let wanted = (FIRST..END).flat_map(|row| (0..WIDTH).map(move |column| (column, row)));
+            let wanted = wanted
+                .map(|(column, row)| Some((along(column, x, width)?, along(row, y, height)?)));
+            let wanted: Vec<_> = wanted.collect();
+
+            let mut pixels = [Gray8::BLACK; PIXELS];
+            let mut canvas = Canvas::band(&mut pixels, WIDTH, 4, FIRST).unwrap();
+            let Ok(()) = canvas.fill_solid(&area, Gray8::WHITE);
+            let solid = wanted
+                .iter()
+                .map(|at| at.map_or(Gray8::BLACK, |_| Gray8::WHITE));
+            assert!(solid.eq(pixels), "solid {area:?}: {pixels:?}");
+
+            let mut pixels = [Gray8::BLACK; PIXELS];
+            let mut canvas = Canvas::band(&mut pixels, WIDTH, 4, FIRST).unwrap();
+            let Ok(()) = canvas.fill_contiguous(&area, Colors(0));
+            // There are at most 2^31 + 2 rows of 2^32 - 1 pixels.
+            let number = |(column, row): (u64, u64)| color(row * u64::from(width) + column);
+            let contiguous = wanted.iter().map(|at| at.map_or(Gray8::BLACK, number));
+            assert!(contiguous.eq(pixels), "contiguous {area:?}: {pixels:?}");
+        }
+    }
+}

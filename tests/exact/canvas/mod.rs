@@ -1,0 +1,202 @@
+//! The canvas as an embedded-graphics target, as bytes, and on a display.
+
+use embedded_graphics::Pixel;
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{OriginDimensions, Point, Size};
+use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
+use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb565, Rgb888, RgbColor};
+use embedded_graphics::primitives::Rectangle;
+use fixel::prelude::*;
+use fixel::target::{MAX_SIZE, Native, NoDepth};
+
+mod depth;
+mod framebuffer;
+mod pictures;
+
+/// A display that records its calls and may fail.
+#[derive(Default)]
+struct Display {
+    calls: Vec<(Rectangle, Vec<Rgb888>)>,
+    broken: bool,
+}
+
+#[derive(Debug, PartialEq)]
+struct BusError(u8);
+
+impl OriginDimensions for Display {
+    fn size(&self) -> Size {
+        Size::new(4, 6)
+    }
+}
+
+impl DrawTarget for Display {
+    type Color = Rgb888;
+    type Error = BusError;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, _: I) -> Result<(), BusError> {
+        panic!("pixels are to come in one piece");
+    }
+
+    fn fill_contiguous<I: IntoIterator<Item = Rgb888>>(
+        &mut self,
+        area: &Rectangle,
+        colors: I,
+    ) -> Result<(), BusError> {
+        if self.broken {
+            return Err(BusError(42));
+        }
+        self.calls.push((*area, colors.into_iter().collect()));
+        Ok(())
+    }
+}
+
+#[test]
+fn a_canvas_shows_itself_in_one_piece() {
+    let picture: Vec<Rgb888> = (0..24).map(|i| Rgb888::new(i, 255 - i, 7 * i)).collect();
+    let mut display = Display::default();
+    Canvas::new(&mut picture.clone(), 4, 6)
+        .unwrap()
+        .show(&mut display)
+        .unwrap();
+    Canvas::band(&mut picture[4..12].to_vec(), 4, 6, 1)
+        .unwrap()
+        .show(&mut display)
+        .unwrap();
+    let mut bytes: Vec<[u8; 3]> = picture.iter().map(|c| c.to_le_bytes()).collect();
+    let swapped: Canvas<Rgb888, _> = Canvas::little_endian(&mut bytes, 4, 6).unwrap();
+    swapped.show(&mut display).unwrap();
+    let whole = Rectangle::new(Point::zero(), Size::new(4, 6));
+    let band = Rectangle::new(Point::new(0, 1), Size::new(4, 2));
+    assert_eq!(
+        display.calls,
+        [
+            (whole, picture.clone()),
+            (band, picture[4..12].to_vec()),
+            (whole, picture)
+        ]
+    );
+}
+
+#[test]
+fn a_failing_displays_error_comes_through() {
+    let mut display = Display {
+        broken: true,
+        ..Display::default()
+    };
+    let mut pixels = [Rgb888::BLACK; 24];
+    let canvas = Canvas::new(&mut pixels, 4, 6).unwrap();
+    assert_eq!(canvas.show(&mut display), Err(BusError(42)));
+}
+
+/// Bytes as on the bus, for each number of bytes to the pixel.
+#[test]
+fn byte_orders() {
+    let mut pixels = [[0; 2]; 2];
+    let mut canvas: Canvas<Rgb565, _> = Canvas::big_endian(&mut pixels, 2, 1).unwrap();
+    canvas.clear(Rgb565::new(1, 2, 3));
+    assert_eq!(canvas.as_bytes(), [0x08, 0x43, 0x08, 0x43]);
+    assert_eq!(canvas.as_cells(), [[0x08, 0x43]; 2]);
+    assert!(canvas.pixels().all(|pixel| pixel == Rgb565::new(1, 2, 3)));
+    let mut canvas: Canvas<Rgb565, _> = Canvas::little_endian(&mut pixels, 2, 1).unwrap();
+    canvas.clear(Rgb565::new(1, 2, 3));
+    assert_eq!(canvas.as_bytes(), [0x43, 0x08, 0x43, 0x08]);
+    let mut pixels = [[0; 3]; 1];
+    let mut canvas: Canvas<Rgb888, _> = Canvas::big_endian(&mut pixels, 1, 1).unwrap();
+    canvas.clear(Rgb888::new(1, 2, 3));
+    assert_eq!(canvas.as_bytes(), [1, 2, 3]);
+    let mut canvas: Canvas<Rgb888, _> = Canvas::little_endian(&mut pixels, 1, 1).unwrap();
+    canvas.clear(Rgb888::new(1, 2, 3));
+    assert_eq!(canvas.as_bytes(), [3, 2, 1]);
+    let mut pixels = [[0; 1]; 1];
+    let mut canvas: Canvas<Gray8, _> = Canvas::big_endian(&mut pixels, 1, 1).unwrap();
+    canvas.clear(Gray8::new(7));
+    assert_eq!(canvas.as_bytes(), [7]);
+}
+
+/// Elements given and needed.
+fn length(error: Option<Error>) -> (usize, usize) {
+    match error {
+        Some(Error::Length { given, needed, .. }) => (given, needed),
+        other => panic!("{other:?} is no wrong length"),
+    }
+}
+
+/// First row and number of rows of the band, and rows of the frame.
+fn rows(error: Option<Error>) -> (u32, u32, u32) {
+    match error {
+        Some(Error::Rows {
+            first,
+            rows,
+            height,
+            ..
+        }) => (first, rows, height),
+        other => panic!("{other:?} is no band outside its frame"),
+    }
+}
+
+/// What is refused, with the numbers that the message is to name.
+#[test]
+fn errors_name_the_numbers() {
+    let pixels = |count: usize| vec![Gray8::BLACK; count];
+    let new = |count, width, height| Canvas::new(&mut pixels(count), width, height).err();
+    let band =
+        |count, width, height, first| Canvas::band(&mut pixels(count), width, height, first).err();
+
+    for (width, height) in [
+        (0, 4),
+        (4, 0),
+        (0, 0),
+        (MAX_SIZE + 1, 1),
+        (1, MAX_SIZE + 1),
+        (u32::MAX, u32::MAX),
+    ] {
+        for error in [new(4, width, height), band(4, width, height, 0)] {
+            let Some(Error::Size {
+                width: w,
+                height: h,
+                max,
+                ..
+            }) = error
+            else {
+                panic!("{width}x{height} gave {error:?}");
+            };
+            assert_eq!((w, h, max), (width, height, MAX_SIZE));
+        }
+    }
+    assert_eq!(new(MAX_SIZE as usize, MAX_SIZE, 1), None);
+
+    for given in [0, 11, 13] {
+        assert_eq!(length(new(given, 4, 3)), (given, 12));
+    }
+    assert_eq!(new(12, 4, 3), None);
+
+    assert_eq!(rows(band(0, 4, 3, 0)), (0, 0, 3));
+    assert_eq!(rows(band(3, 4, 3, 0)), (0, 0, 3), "less than a row");
+    assert_eq!(rows(band(8, 4, 3, 2)), (2, 2, 3));
+    assert_eq!(rows(band(16, 4, 3, 0)), (0, 4, 3));
+    assert_eq!(rows(band(4, 4, 3, 3)), (3, 1, 3));
+    assert_eq!(rows(band(4, 4, 3, u32::MAX)), (u32::MAX, 1, 3));
+    assert_eq!(length(band(9, 4, 3, 1)), (9, 8));
+    assert_eq!(
+        (band(4, 4, 3, 2), band(8, 4, 3, 1), band(12, 4, 3, 0)),
+        (None, None, None)
+    );
+
+    let with_depth = |given: usize, first| {
+        let mut pixels = pixels(8);
+        let band: Canvas<Gray8, Native, NoDepth> = Canvas::band(&mut pixels, 4, 3, first).unwrap();
+        band.with_depth(&mut vec![0; given]).err()
+    };
+    assert_eq!(
+        length(with_depth(12, 1)),
+        (12, 8),
+        "of the band, not the frame"
+    );
+    assert_eq!(with_depth(8, 1), None);
+
+    let mut cells = [[0; 2]; 5];
+    let error = Canvas::<Rgb565, BigEndian>::big_endian(&mut cells, 2, 2).err();
+    assert_eq!(length(error), (5, 4));
+    let error = Canvas::<Rgb565, LittleEndian>::little_endian_band(&mut cells, 5, 2, 2).err();
+    assert_eq!(rows(error), (2, 1, 2));
+}

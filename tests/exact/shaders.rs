@@ -1,0 +1,304 @@
+//! Shaders that a program writes itself, and lists of models with different ones.
+
+use crate::common::recorder::record;
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
+use fixel::prelude::*;
+use fixel::shade::{PerFace, Within};
+use fixel::target::{Depth, Native};
+use fixel::view::Perspective;
+
+const WIDTH: u32 = 48;
+const HEIGHT: u32 = 36;
+
+static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+static BALL: Mesh = shape!(sphere(12, 8));
+static SKIN: TextureArray<Rgb565, 4, 2> = TextureArray::from_texels([
+    [Rgb565::WHITE, Rgb565::RED, Rgb565::GREEN, Rgb565::BLUE],
+    [
+        Rgb565::new(9, 40, 3),
+        Rgb565::CYAN,
+        Rgb565::MAGENTA,
+        Rgb565::YELLOW,
+    ],
+]);
+
+type Screen<'c> = Canvas<'c, Rgb565, Native, Depth<'c>>;
+
+fn sun() -> Light {
+    Light::new(vec3!(1, 2, 3), fx!(0.2), fx!(0.8)).unwrap()
+}
+
+fn projection() -> Projection<Perspective> {
+    Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(20)).unwrap()
+}
+
+/// Turned in front of the eye, some of it cut by the near plane.
+fn pose() -> Transform {
+    let turn =
+        Transform::rotate_x(Angle::from_degrees(25)) * Transform::rotate_y(Angle::from_degrees(50));
+    Transform::translate(vec3!(0, 0, -2.5)) * turn
+}
+
+/// A picture and its depths.
+fn picture(draw: impl FnOnce(&mut Screen<'_>)) -> (Vec<Rgb565>, Vec<u16>) {
+    let pixels = (WIDTH * HEIGHT) as usize;
+    let (mut colors, mut depths) = (vec![Rgb565::BLACK; pixels], vec![0; pixels]);
+    let canvas = Canvas::new(&mut colors, WIDTH, HEIGHT).unwrap();
+    draw(&mut canvas.with_depth(&mut depths).unwrap());
+    assert!(
+        colors.iter().any(|color| *color != Rgb565::BLACK),
+        "nothing is drawn"
+    );
+    (colors, depths)
+}
+
+/// A wrapper as a program writes it: the Varyings and two methods passed on.
+#[derive(Clone, Copy)]
+struct Same<S>(S);
+
+impl<S: Shader> Shader for Same<S> {
+    type Color = S::Color;
+    type Varyings = S::Varyings;
+
+    fn varyings(&self, primitive: &Primitive<'_>) -> [S::Varyings; 3] {
+        self.0.varyings(primitive)
+    }
+
+    fn shade(&self, at: &Fragment, varyings: S::Varyings) -> Option<S::Color> {
+        self.0.shade(at, varyings)
+    }
+}
+
+/// A wrapper with varyings of its own beside those of the shader inside.
+///
+/// These may be a little off. Exact ones would make the whole triangle exact, where it hardly changes in depth.
+#[derive(Clone, Copy)]
+struct WithFace<S>(S);
+
+impl<S: Shader> Shader for WithFace<S> {
+    type Color = S::Color;
+    type Varyings = (PerFace<usize>, (S::Varyings, Within<64, [i32; 2]>));
+
+    fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
+        let face = PerFace(primitive.index());
+        self.0
+            .varyings(primitive)
+            .map(|corner| (face, (corner, Within([7, -7]))))
+    }
+
+    fn shade(
+        &self,
+        at: &Fragment,
+        (face, (inside, Within(own))): Self::Varyings,
+    ) -> Option<S::Color> {
+        // A value that is the same at all corners may be off by as much as is rounded.
+        assert!(face.0 < 12 && own[0].abs_diff(7) <= 60 && own[1].abs_diff(-7) <= 60);
+        self.0.shade(at, inside)
+    }
+}
+
+/// All that a canvas draws, with any shader.
+fn everything<S: Shader<Color = Rgb565>>(canvas: &mut Screen<'_>, mode: impl Mode, shader: &S) {
+    let options = DrawOptions::new().mode(mode);
+    let mvp = projection() * pose();
+    canvas.draw_with(&options, &BOX, &mvp, shader);
+    let aside = mvp * Transform::translate(vec3!(1.5, 0.5, 0));
+    canvas.draw_edges(&options, &BOX, &aside, shader);
+    canvas.draw_points(
+        &options,
+        &BOX,
+        &(aside * Transform::scale(fx!(0.5))),
+        shader,
+    );
+    let mut list: TriangleList<24, 64> = TriangleList::new();
+    let behind = mvp * Transform::translate(vec3!(-2, 0, -1));
+    let prepared = list
+        .prepare(&options, (WIDTH, HEIGHT), &BOX, &behind)
+        .unwrap();
+    canvas.draw_prepared(&prepared, shader);
+}
+
+fn check_wrappers<S: Shader<Color = Rgb565>>(mode: impl Mode, shader: S) {
+    let expected = picture(|canvas| everything(canvas, mode, &shader));
+    assert!(picture(|canvas| everything(canvas, mode, &Same(shader))) == expected);
+    assert!(picture(|canvas| everything(canvas, mode, &Same(Same(shader)))) == expected);
+    assert!(picture(|canvas| everything(canvas, mode, &WithFace(shader))) == expected);
+}
+
+#[test]
+fn a_wrapper_of_ten_lines_draws_the_same() {
+    let skin = Textured::new(&SKIN);
+    check_wrappers(Newton, skin.lit(sun()));
+    check_wrappers(Exact, skin.lit(sun()));
+    check_wrappers(Fast::within(fx!(0.25)), skin.lit(sun()));
+    check_wrappers(Affine, skin.lit(sun()));
+    check_wrappers(Newton, skin.clamped().bilinear().lit_faces(sun()));
+    check_wrappers(
+        Newton,
+        FaceColors::new(&[Rgb565::RED, Rgb565::BLUE]).tinted(),
+    );
+    // From inside, too.
+    let lit = picture(|canvas| everything(canvas, Newton, &skin.lit(sun())));
+    assert!(picture(|canvas| everything(canvas, Newton, &Same(skin).lit(sun()))) == lit);
+}
+
+/// A mesh with its shader.
+struct Model<'m, S> {
+    mesh: &'m Mesh<'m>,
+    place: Transform,
+    shader: S,
+}
+
+/// What a list of models can do, whatever their shaders.
+trait Draw {
+    fn draw(&self, canvas: &mut Screen<'_>, view: &Projection<Perspective>);
+}
+
+impl<S: Shader<Color = Rgb565>> Draw for Model<'_, S> {
+    fn draw(&self, canvas: &mut Screen<'_>, view: &Projection<Perspective>) {
+        canvas.draw(self.mesh, &(*view * self.place), &self.shader);
+    }
+}
+
+#[test]
+fn a_list_holds_models_of_different_shaders() {
+    let at = |x: i16| {
+        Transform::translate(Vec3::from_ints(x, 0, -6))
+            * Transform::rotate_y(Angle::from_degrees(30))
+    };
+    let plain = Model {
+        mesh: &BALL,
+        place: at(-3),
+        shader: Flat::rgb(Rgb888::RED).lit(sun()),
+    };
+    let skin = Model {
+        mesh: &BOX,
+        place: at(0),
+        shader: Textured::new(&SKIN).lit_faces(sun()),
+    };
+    let holes = Model {
+        mesh: &BALL,
+        place: at(3),
+        shader: NormalView::new()
+            .map(|at, color| ((at.point.x + at.point.y) % 2 == 0).then_some(color)),
+    };
+    let scene: [&dyn Draw; 3] = [&plain, &skin, &holes];
+
+    let view = projection();
+    let drawn = picture(|canvas| scene.iter().for_each(|model| model.draw(canvas, &view)));
+    let expected = picture(|canvas| {
+        canvas.draw(plain.mesh, &(view * plain.place), &plain.shader);
+        canvas.draw(skin.mesh, &(view * skin.place), &skin.shader);
+        canvas.draw(holes.mesh, &(view * holes.place), &holes.shader);
+    });
+    assert!(drawn == expected);
+}
+
+/// Gray by the distance: at the near plane nothing of it, far away nothing else.
+fn fogged(depth: u16, color: Rgb565) -> Rgb565 {
+    // Depth is 65535 · near / distance.
+    let mix = |own: u8, fog: u8| {
+        let sum = u32::from(own) * u32::from(depth) + u32::from(fog) * u32::from(65535 - depth);
+        (sum / 65535) as u8
+    };
+    Rgb565::new(mix(color.r(), 20), mix(color.g(), 40), mix(color.b(), 20))
+}
+
+#[test]
+fn fog_is_a_function_of_the_pixel() {
+    let lit = Textured::new(&SKIN).lit(sun());
+    let fog = lit.map(|at, color| Some(fogged(at.depth, color)));
+    let mvp = projection() * pose();
+    let (foggy, _) = picture(|canvas| {
+        canvas.draw(&BOX, &mvp, &fog);
+    });
+    // From what the surface is without fog, pixel by pixel.
+    let mut expected = vec![Rgb565::BLACK; foggy.len()];
+    let mut nearest = vec![0; foggy.len()];
+    let clear = record::<_, 0>(lit, |recorder| {
+        picture(|canvas| {
+            canvas.draw(&BOX, &mvp, recorder);
+        });
+    });
+    for seen in &clear.seen {
+        let [x, y] = seen.pixel.map(|at| usize::try_from(at).unwrap());
+        let at = y * WIDTH as usize + x;
+        if seen.depth >= nearest[at] {
+            nearest[at] = seen.depth;
+            expected[at] = fogged(seen.depth, seen.color.unwrap());
+        }
+    }
+    assert_eq!(foggy, expected);
+    let depths = clear.seen.iter().map(|seen| seen.depth);
+    assert!(
+        depths.clone().max().unwrap() > 2 * depths.min().unwrap(),
+        "all is as far"
+    );
+}
+
+/// Light at the vertices times colors at the vertices, against f64.
+#[test]
+fn vertex_colors_are_lit_as_in_f64() {
+    // A floor that rises to the right, in eye space.
+    let corners: [[f64; 3]; 3] = [[-2.5, -1., -1.5], [3.5, -0.5, -2.], [0.5, 2.5, -9.]];
+    let normals: [[f64; 3]; 3] = [[0., 0., 1.], [0.5, 1., 0.25], [-1., 0.75, 1.]];
+    let colors = [[250_u8, 20, 90], [30, 240, 160], [200, 130, 10]];
+    let (direction, ambient, diffuse) = ([1., 2., 3.], 0.25, 0.75);
+
+    let vectors = |of: [[f64; 3]; 3]| of.map(|vector| Vec3::try_from(vector).unwrap());
+    let (positions, mesh_normals) = (vectors(corners), vectors(normals));
+    let mesh_colors = colors.map(|[r, g, b]| Rgb888::new(r, g, b));
+    let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
+    let mesh = mesh.with_normals(&mesh_normals, None).unwrap();
+    let mesh = mesh.with_colors(&mesh_colors, None).unwrap();
+    let sun = Light::new(vec3!(1, 2, 3), fx!(0.25), fx!(0.75)).unwrap();
+    let focal = Projection::from_focal_length(fx!(40), (WIDTH, HEIGHT), fx!(0.5), fx!(20)).unwrap();
+    let mut pixels = vec![Rgb888::BLACK; (WIDTH * HEIGHT) as usize];
+    let mut canvas = Canvas::new(&mut pixels, WIDTH, HEIGHT).unwrap();
+    canvas.draw(
+        &mesh,
+        &(focal * Transform::IDENTITY),
+        &Gouraud::new().lit(sun),
+    );
+
+    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let cross = |a: [f64; 3], b: [f64; 3]| {
+        [
+            a[1] * b[2] - a[2] * b[1],
+            a[2] * b[0] - a[0] * b[2],
+            a[0] * b[1] - a[1] * b[0],
+        ]
+    };
+    let lights = normals.map(|normal| {
+        let facing =
+            dot(normal, direction) / (dot(normal, normal) * dot(direction, direction)).sqrt();
+        ambient + diffuse * facing.max(0.)
+    });
+    let [a, b, c] = corners;
+    let mut compared = 0;
+    for (i, color) in (0_u32..).zip(&pixels) {
+        let (x, y) = (f64::from(i % WIDTH) + 0.5, f64::from(i / WIDTH) + 0.5);
+        let ray = [
+            (x - f64::from(WIDTH) / 2.) / 40.,
+            (f64::from(HEIGHT) / 2. - y) / 40.,
+            -1.,
+        ];
+        // Volumes between the ray and two corners are the weights in space.
+        let volumes = [cross(b, c), cross(c, a), cross(a, b)].map(|side| dot(ray, side));
+        let weights = volumes.map(|volume| volume / volumes.iter().sum::<f64>());
+        // An outline's pixels may be drawn or not.
+        if weights.iter().any(|weight| *weight < 0.005) {
+            continue;
+        }
+        compared += 1;
+        let light = dot(weights, lights);
+        for (k, found) in [color.r(), color.g(), color.b()].into_iter().enumerate() {
+            let expected = light * dot(weights, colors.map(|color| f64::from(color[k])));
+            // Half a step for the rounding. Corners are rounded to 1/256 pixel, which moves a color less than 0.1 steps.
+            let error = (f64::from(found) - expected).abs();
+            assert!(error <= 0.6, "{found} at {x}, {y} is not {expected}");
+        }
+    }
+    assert!(compared > 300, "{compared}");
+}

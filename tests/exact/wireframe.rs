@@ -1,0 +1,139 @@
+//! A mesh's edges over the mesh itself: none of them has gaps where the mesh is drawn behind them.
+
+use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+use fixel::prelude::*;
+use fixel::target::{Biased, DepthTest, TestAndWrite};
+use fixel::view::ProjectionKind;
+use proptest::prelude::*;
+
+const SIZE: (u32, u32) = (72, 64);
+const PIXELS: usize = (SIZE.0 * SIZE.1) as usize;
+
+const SURFACE: Gray8 = Gray8::new(1);
+const EDGE: Gray8 = Gray8::new(2);
+
+static BOX: Mesh = shape!(cuboid(vec3!(1, 0.7, 0.4)));
+static BALL: Mesh = shape!(sphere(9, 6));
+static CAN: Mesh = shape!(cylinder(7));
+
+/// The edges of a convex mesh with a face beside them that the eye sees.
+///
+/// A face next to edge-on may be seen or not, as corners are rounded: it does not count.
+fn visible_edges(
+    mesh: &Mesh,
+    from_eye: impl Fn([f64; 3]) -> [f64; 3],
+    pose: &Transform,
+) -> Vec<[u16; 2]> {
+    let position = |index: u16| mesh.positions().get(index.into()).unwrap();
+    let seen = |face: &&[u16; 3]| {
+        let [a, b, c] = face.map(|index| pose.point(position(index)).to_bits().map(f64::from));
+        let side = |to: [f64; 3]| [to[0] - a[0], to[1] - a[1], to[2] - a[2]];
+        let (b, c) = (side(b), side(c));
+        let normal = [
+            b[1] * c[2] - b[2] * c[1],
+            b[2] * c[0] - b[0] * c[2],
+            b[0] * c[1] - b[1] * c[0],
+        ];
+        let ray = from_eye(a);
+        let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        dot(normal, ray) < -0.002 * (dot(normal, normal) * dot(ray, ray)).sqrt()
+    };
+    let faces: Vec<_> = mesh.faces().iter().filter(seen).collect();
+    let beside = |&[from, to]: &[u16; 2]| {
+        faces.iter().any(|face| {
+            let has = |end: u16| face.iter().any(|&index| position(index) == position(end));
+            has(from) && has(to)
+        })
+    };
+    mesh.edges().iter().copied().filter(beside).collect()
+}
+
+/// The shaded mesh and its edges over it.
+fn over<K: ProjectionKind>(mesh: &Mesh, mvp: &Mvp<K>, test: impl DepthTest) -> Vec<Gray8> {
+    let (mut colors, mut depths) = (vec![Gray8::BLACK; PIXELS], vec![0; PIXELS]);
+    let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
+    let mut canvas = canvas.with_depth(&mut depths).unwrap();
+    canvas.draw_with(
+        &DrawOptions::new().depth(test),
+        mesh,
+        mvp,
+        &Flat::new(SURFACE),
+    );
+    canvas.draw_edges(&DrawOptions::new(), mesh, mvp, &Flat::new(EDGE));
+    colors
+}
+
+/// The edges alone, without depth.
+fn alone<K: ProjectionKind>(mesh: &Mesh, edges: &[[u16; 2]], mvp: &Mvp<K>) -> Vec<Gray8> {
+    let mesh = mesh.with_edges(edges).unwrap();
+    let mut colors = vec![Gray8::BLACK; PIXELS];
+    let mut canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
+    canvas.draw_edges(&DrawOptions::new(), &mesh, mvp, &Flat::new(EDGE));
+    colors
+}
+
+fn picture(pixels: &[Gray8]) -> String {
+    let rows = pixels.chunks(SIZE.0 as usize);
+    let character = |color: &Gray8| ['.', '-', '#'][usize::from(color.luma())];
+    let row = |row: &[Gray8]| row.iter().map(character).chain(['\n']).collect::<String>();
+    rows.map(row).collect()
+}
+
+/// Pixels of the visible edges, and those of them that are not drawn over the mesh.
+fn missing(drawn: &[Gray8], expected: &[Gray8]) -> [usize; 2] {
+    let edge = expected.iter().filter(|&&color| color == EDGE).count();
+    let missing = |&(a, b): &(&Gray8, &Gray8)| *b == EDGE && *a != EDGE;
+    [edge, drawn.iter().zip(expected).filter(missing).count()]
+}
+
+/// A turn, with the mesh so far ahead.
+fn pose([x, y, z]: [u32; 3], distance: Scalar) -> Transform {
+    Transform::translate(Vec3::new(fx!(0), fx!(0), -distance))
+        * Transform::rotate_x(Angle::from_bits(x))
+        * Transform::rotate_y(Angle::from_bits(y))
+        * Transform::rotate_z(Angle::from_bits(z))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1500))]
+
+    #[test]
+    fn edges_over_the_mesh_are_whole(
+        mesh in prop::sample::select(vec![BOX, BALL, CAN]),
+        turn: [u32; 3],
+        distance in 3.0..9.0,
+        near in 0.05..0.5,
+    ) {
+        let (distance, near): (f64, f64) = (distance, near);
+        let pose = pose(turn, Scalar::from_num(distance));
+        let perspective = Projection::perspective(Angle::from_degrees(50), SIZE, Scalar::from_num(near), fx!(20)).unwrap();
+        let mvp = perspective * pose;
+        let edges = visible_edges(&mesh, |at| at, &pose);
+        let (drawn, expected) = (over(&mesh, &mvp, Biased::behind(TestAndWrite)), alone(&mesh, &edges, &mvp));
+        let [edge, gaps] = missing(&drawn, &expected);
+        prop_assert!(edge > 0 && gaps == 0, "{gaps} gaps\n{}\n{}", picture(&drawn), picture(&expected));
+
+        let parallel = Projection::orthographic(Window::centered(fx!(4), fx!(4)), fx!(0), fx!(20)).unwrap();
+        let mvp = parallel * pose;
+        let edges = visible_edges(&mesh, |_| [0., 0., -1.], &pose);
+        let (drawn, expected) = (over(&mesh, &mvp, Biased::behind(TestAndWrite)), alone(&mesh, &edges, &mvp));
+        let [edge, gaps] = missing(&drawn, &expected);
+        prop_assert!(edge > 0 && gaps == 0, "{gaps} gaps\n{}\n{}", picture(&drawn), picture(&expected));
+    }
+}
+
+/// Against the mesh in its own place, which hides pixels of its edges.
+#[test]
+fn edges_over_a_mesh_in_its_place_have_gaps() {
+    let pose = pose([200_000_000, 500_000_000, 0], fx!(2.5));
+    let mvp =
+        Projection::perspective(Angle::from_degrees(50), SIZE, fx!(0.25), fx!(20)).unwrap() * pose;
+    let expected = alone(&BOX, &visible_edges(&BOX, |at| at, &pose), &mvp);
+    let [edge, gaps] = missing(&over(&BOX, &mvp, TestAndWrite), &expected);
+    assert!(edge > 150 && gaps > 10, "{gaps} of {edge}");
+    let drawn = over(&BOX, &mvp, Biased::behind(TestAndWrite));
+    assert_eq!(missing(&drawn, &expected), [edge, 0]);
+    // The edges behind stay hidden but where they touch those before.
+    let hidden = alone(&BOX, BOX.edges(), &mvp);
+    assert!(missing(&drawn, &hidden)[1] > 30);
+}
