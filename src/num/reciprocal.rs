@@ -1,6 +1,6 @@
 //! The reciprocal behind every division by depth.
 
-use crate::num::wide::{IS_NARROW, product, upper};
+use crate::num::wide::{DIVIDES, product, upper};
 
 /// Returns ⌊(2⁶¹ − 1) / q⌋ for a `q` from 2³⁰ to 2³¹ − 1; the result has the same range.
 ///
@@ -18,10 +18,10 @@ use crate::num::wide::{IS_NARROW, product, upper};
 pub const fn reciprocal(q: u32) -> u32 {
     if cfg!(target_pointer_width = "64") {
         by_division(q)
-    } else if IS_NARROW {
-        by_newton(q, seed(q))
-    } else {
+    } else if DIVIDES {
         by_newton(q, divided_seed(q))
+    } else {
+        by_newton(q, seed(q))
     }
 }
 
@@ -87,7 +87,7 @@ const fn by_newton(q: u32, seed: u32) -> u32 {
 /// Returns ⌊2³¹ / d⌋ for a `d` of 15 or 16 bits.
 #[inline]
 pub(crate) const fn short_reciprocal(d: u32) -> u32 {
-    if IS_NARROW {
+    if !DIVIDES {
         short_by_table(d)
     } else {
         // The bound tells the compiler that the divisor is not zero.

@@ -1,10 +1,22 @@
-//! Products of two 32-bit numbers in 64 bits, on cores with and without the instruction.
+//! What differs on a core that lacks products of 64 bits, a divider or an instruction that counts leading zeros.
+//!
+//! No other file asks which core it runs on. Each function here gives the same bits on all of them.
 
 /// Whether the core multiplies to 32 bits only, such as a core of Armv6-M.
 ///
 /// There the compiler calls a routine that multiplies 64 bits by 64. Four products of 16 bits take half
 /// as long. (A missing 32-bit atomic tells Armv6-M from the larger Arm targets.)
-pub(crate) const IS_NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+const IS_NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+
+/// Whether the core divides: Armv6-M does not.
+pub(crate) const DIVIDES: bool = !IS_NARROW;
+
+/// Whether the core counts leading zeros: Armv6-M does not, nor does RISC-V without Zbb.
+pub(crate) const COUNTS_ZEROS: bool =
+    !IS_NARROW && !cfg!(all(target_arch = "riscv32", not(target_feature = "zbb")));
+
+/// Whether [`short_dot`] is faster than [`dot`].
+pub(crate) const PREFERS_SHORT: bool = IS_NARROW;
 
 /// Multiplies.
 #[inline]
@@ -33,6 +45,56 @@ const fn upper_of_signed(a: u32, b: u32) -> u32 {
     let upper = (product >> 32) as u32;
     // If its upper bit is set, the signed `a` is 2^32 too small.
     upper.wrapping_add(b & (a.cast_signed() >> 31).cast_unsigned())
+}
+
+/// Returns a · d − c · b, twice the area between the sides (a, b) and (c, d), of 21 bits each.
+#[inline]
+pub(crate) fn cross([a, b]: [i32; 2], [c, d]: [i32; 2]) -> i64 {
+    // Sides of less than 64 pixels of 256 units, as most are, take 15 bits: twice the area then takes 31.
+    let is_small = |side: i32| side.wrapping_add(1 << 14).cast_unsigned() < 1 << 15;
+    if IS_NARROW && [a, b, c, d].into_iter().all(is_small) {
+        return i64::from(a * d - c * b);
+    }
+    product(a, d) - product(c, b)
+}
+
+/// Returns a · b − c · d, for a `b` and a `d` of 14 bits.
+#[inline]
+pub(crate) fn short_difference(a: i32, b: i32, c: i32, d: i32) -> i64 {
+    if IS_NARROW {
+        difference_by_halves(a, b, c, d)
+    } else {
+        product(a, b) - product(c, d)
+    }
+}
+
+/// The same from products of 32 bits.
+#[inline]
+fn difference_by_halves(a: i32, b: i32, c: i32, d: i32) -> i64 {
+    let [a, c] = [a, c].map(|value| [value >> 16, value & 0xffff]);
+    // Upper halves have 15 bits and a sign, lower ones 16, so that differences of products fit.
+    let (high, low) = (a[0] * b - c[0] * d, a[1] * b - c[1] * d);
+    (i64::from(high) << 16) + i64::from(low)
+}
+
+/// Shifts up by 1 to 31 bits.
+#[inline]
+pub(crate) const fn shifted(value: i64, up: u32) -> i64 {
+    if IS_NARROW {
+        shifted_by_halves(value, up)
+    } else {
+        // A product of 32 bits by 64 takes less than a shift by any number.
+        value.wrapping_mul(1 << (up & 31))
+    }
+}
+
+/// The same by halves, as that shift is a call.
+#[inline]
+const fn shifted_by_halves(value: i64, up: u32) -> i64 {
+    let bits = value.cast_unsigned();
+    let (high, low) = ((bits >> 32) as u32, bits as u32);
+    let high = high << (up & 31) | low >> (up.wrapping_neg() & 31);
+    ((high as u64) << 32 | (low << (up & 31)) as u64).cast_signed()
 }
 
 /// Multiplies by a number of 16 bits; wraps.
@@ -185,6 +247,22 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn differences_by_halves_are_exact(
+            a in -(1 << 30)..1 << 30,
+            b in -(1 << 14)..=1 << 14,
+            c in -(1 << 30)..1 << 30,
+            d in -(1 << 14)..=1 << 14,
+        ) {
+            let exact = i64::from(a) * i64::from(b) - i64::from(c) * i64::from(d);
+            prop_assert_eq!(difference_by_halves(a, b, c, d), exact);
+        }
+
+        #[test]
+        fn shifts_by_halves_are_exact(value in any::<i64>(), up in 1_u32..32) {
+            prop_assert_eq!(shifted_by_halves(value, up), value << up);
+        }
+
         #[test]
         fn short_dot_products_equal_long_ones(
             a in prop::array::uniform3(-(1 << 29)..=1 << 29),

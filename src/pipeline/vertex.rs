@@ -7,7 +7,7 @@ use crate::math::{AffineRow, Transform, compose};
 use crate::mesh::{Index, Place, Positions};
 use crate::num::block::{self, BlockFloat};
 use crate::num::reciprocal;
-use crate::num::wide::{IS_NARROW, dot, product, short_dot};
+use crate::num::wide::{PREFERS_SHORT, dot, product, short_dot};
 use crate::raster::{DepthShift, ScreenVertex};
 use crate::view::{Projection, ProjectionKind, Row, Viewport};
 
@@ -148,7 +148,9 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     pub(super) fn clip_position(&self, index: Index) -> ClipPosition {
         let place = self.positions.place(index);
         match place {
-            Place::Short { position, up } if IS_NARROW => self.short_clip_position(position, up),
+            Place::Short { position, up } if PREFERS_SHORT => {
+                self.short_clip_position(position, up)
+            }
             _ => {
                 let position = place.to_bits();
                 let ([x, y, t], [ox, oy, ot]) = (&self.rows, self.offsets);
@@ -268,7 +270,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         let position = if let Some(position) = inside {
             *position
         } else {
-            if IS_NARROW && self.positions.are_short() {
+            if PREFERS_SHORT && self.positions.are_short() {
                 return self.place_short(index, to);
             }
             let position = self.clip_position(index);

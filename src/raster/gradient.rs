@@ -1,7 +1,7 @@
 //! The plane equation of an interpolant, kept as a numerator over a common denominator.
 
 use crate::num::reciprocal;
-use crate::num::wide::{IS_NARROW, product, times_short, upper};
+use crate::num::wide::{product, shifted, short_difference, times_short, upper};
 
 /// An interpolant over a triangle: what it is at every pixel's center, to a unit.
 ///
@@ -143,21 +143,15 @@ impl Basis {
         ]
     }
 
-    /// The same of a near triangle, whose sides take 14 bits: from products of 32 bits.
+    /// The same of a near triangle, whose sides take 14 bits.
     #[inline]
     fn short_gains(&self, [a, b, c]: [i32; 3]) -> [i64; 2] {
-        let halves = |value: i32| [value >> 16, value & 0xffff];
-        let [b, c] = [b, c].map(|value| halves(value.wrapping_sub(a)));
+        let (b, c) = (b.wrapping_sub(a), c.wrapping_sub(a));
         let [[bx, by], [cx, cy]] = self.sides;
-        // Upper halves have 15 bits and a sign, lower ones 16, so that differences of products fit.
-        let gain = |[high, low]: [i32; 2], y, [other_high, other_low]: [i32; 2], other_y| {
-            let (high, low) = (
-                high * y - other_high * other_y,
-                low * y - other_low * other_y,
-            );
-            (i64::from(high) << 16) + i64::from(low)
-        };
-        [gain(b, cy, c, by), gain(c, bx, b, cx)]
+        [
+            short_difference(b, cy, c, by),
+            short_difference(c, bx, b, cx),
+        ]
     }
 
     /// Lays a plane through the values at the corners.
@@ -173,12 +167,9 @@ impl Basis {
     #[inline(never)]
     fn lay_near(&self, values: [i32; 3], gradient: &mut Gradient) {
         // Gradients are below 2^31 and areas below 2^32: 63 bits.
-        let gains = if IS_NARROW {
-            self.short_gains(values)
-        } else {
-            self.gains(values)
-        };
-        let gains = gains.map(|gain| shifted(gain, self.near));
+        let gains = self
+            .short_gains(values)
+            .map(|gain| shifted(gain, self.near));
         let [step, row] = gains.map(|gain| self.value(gain));
         // Half a pixel at most, of gradients that are off by half a unit a pixel.
         let [x, y] = self.to_center;
@@ -264,54 +255,8 @@ impl Basis {
     }
 }
 
-/// A numerator shifted up by 1 to 31 bits.
-#[inline]
-const fn shifted(numerator: i64, up: u32) -> i64 {
-    if !IS_NARROW {
-        // A product of 32 bits by 64 takes less than a shift by any number.
-        return numerator.wrapping_mul(1 << (up & 31));
-    }
-    // By halves, as that shift is a call.
-    let bits = numerator.cast_unsigned();
-    let (high, low) = ((bits >> 32) as u32, bits as u32);
-    let high = high << (up & 31) | low >> (up.wrapping_neg() & 31);
-    ((high as u64) << 32 | (low << (up & 31)) as u64).cast_signed()
-}
-
 /// gradient · `part` / 256, for a part of up to 128, off by less than a unit.
 #[inline]
 const fn moved(gradient: i32, part: i32) -> i32 {
     (gradient >> 8) * part + (((gradient & 0xff) * part + 128) >> 8)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use proptest::prelude::*;
-
-    /// A side of a triangle of up to 62 pixels.
-    fn side() -> impl Strategy<Value = i32> {
-        const MOST: i32 = (NEAR - 2) << 8;
-        prop_oneof![-MOST..=MOST, prop::sample::select(&[-MOST, 0, MOST][..])]
-    }
-
-    /// Values that are apart by less than 2^31.
-    fn value() -> impl Strategy<Value = i32> {
-        const MOST: i32 = (1 << 30) - 1;
-        prop_oneof![
-            -MOST..=MOST,
-            prop::sample::select(&[-MOST, -1, 0, MOST][..])
-        ]
-    }
-
-    proptest! {
-        #[test]
-        fn short_gains_are_those_of_longer_numbers(
-            sides in [[side(), side()], [side(), side()]],
-            values in [value(), value(), value()],
-        ) {
-            let basis = Basis { sides, ..Basis::NONE };
-            prop_assert_eq!(basis.short_gains(values), basis.gains(values));
-        }
-    }
 }

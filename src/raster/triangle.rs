@@ -6,7 +6,7 @@ use core::ops::Range;
 use super::edge::{Edge, first_center};
 use super::polygon::Part;
 use super::{Barycentric, Blitter, Cull, Patch, Scissor, ScreenVertex, spans};
-use crate::num::wide::{IS_NARROW, product};
+use crate::num::wide::cross;
 
 /// A triangle on the screen.
 #[derive(Clone, Copy, Debug)]
@@ -22,13 +22,7 @@ pub(crate) struct Triangle<'a> {
 #[inline]
 pub(crate) fn area([a, b, c]: &[[i32; 2]; 3]) -> i64 {
     // Differences of 21 bits.
-    let [[bx, by], [cx, cy]] = [[b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]];
-    // Sides of less than 64 pixels, as most are, take 15 bits: twice the area then takes 31.
-    let is_small = |side: i32| side.wrapping_add(1 << 14).cast_unsigned() < 1 << 15;
-    if IS_NARROW && [bx, by, cx, cy].into_iter().all(is_small) {
-        return i64::from(bx * cy - cx * by);
-    }
-    product(bx, cy) - product(cx, by)
+    cross([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]])
 }
 
 /// [`area`] of a triangle that is not culled and covers a pixel center of the scissor; 0 of others.
