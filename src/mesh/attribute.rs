@@ -1,6 +1,6 @@
 //! A mesh's attributes: what a vertex has besides its place.
 
-use super::mesh::{Element, Index};
+use super::indexed::{Element, Index};
 
 /// Values of one attribute; without faces of its own it is indexed like the positions.
 #[derive(Clone, Copy, Debug)]

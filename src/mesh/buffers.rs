@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use super::mesh::{Index, Mesh};
+use super::indexed::{Index, Mesh};
 use super::positions::Positions;
 use crate::{Error, Vec2, Vec3};
 

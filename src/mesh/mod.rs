@@ -2,7 +2,7 @@
 
 mod attribute;
 mod buffers;
-mod mesh;
+mod indexed;
 pub mod obj;
 mod positions;
 mod primitive;
@@ -11,8 +11,8 @@ mod shapes;
 #[doc(hidden)]
 pub use buffers::Arrays;
 pub use buffers::{Buffers, Counts};
-pub(crate) use mesh::Element;
-pub use mesh::{Index, Mesh};
+pub(crate) use indexed::Element;
+pub use indexed::{Index, Mesh};
 pub(crate) use positions::Place;
 pub use positions::Positions;
 pub(crate) use primitive::Placement;

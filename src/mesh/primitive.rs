@@ -4,7 +4,7 @@ use core::cell::{Cell, OnceCell};
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
-use super::mesh::{Element, Mesh};
+use super::indexed::{Element, Mesh};
 use crate::math::{Direction, NormalMatrix, Transform};
 use crate::{Scalar, Vec2, Vec3};
 
@@ -63,7 +63,7 @@ impl Placement {
 
     /// What shaders asked for and the mesh lacks.
     #[inline]
-    pub(crate) const fn missing(&self) -> Missing {
+    pub(crate) fn missing(&self) -> Missing {
         self.missing.get()
     }
 
@@ -174,6 +174,8 @@ impl Primitive<'_> {
     #[must_use]
     #[inline]
     pub fn uvs(&self) -> [Vec2; 3] {
+        #[allow(clippy::redundant_closure_for_method_calls)]
+        // for any lifetime, which the method's path is not
         self.corners(|corner| corner.uv())
     }
 
@@ -197,10 +199,10 @@ impl Primitive<'_> {
     /// The triangle's normal in world space.
     #[must_use]
     pub fn world_normal(&self) -> Direction {
-        self.to_world(self.normal())
+        self.in_world(self.normal())
     }
 
-    fn to_world(&self, normal: Vec3) -> Direction {
+    fn in_world(&self, normal: Vec3) -> Direction {
         let Placement { model, normals, .. } = self.placement;
         normals
             .get_or_init(|| NormalMatrix::of(model))
@@ -299,7 +301,7 @@ impl Corner<'_> {
     #[must_use]
     #[inline]
     pub fn world_normal(&self) -> Direction {
-        self.primitive.to_world(self.normal())
+        self.primitive.in_world(self.normal())
     }
 
     /// The triangle, edge or point that this is a corner of.

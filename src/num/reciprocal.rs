@@ -87,11 +87,11 @@ const fn by_newton(q: u32, seed: u32) -> u32 {
 /// Returns ⌊2³¹ / d⌋ for a `d` of 15 or 16 bits.
 #[inline]
 pub(crate) const fn short_reciprocal(d: u32) -> u32 {
-    if !DIVIDES {
-        short_by_table(d)
-    } else {
+    if DIVIDES {
         // The bound tells the compiler that the divisor is not zero.
         (1 << 31) / if d < 1 << 14 { 1 << 14 } else { d }
+    } else {
+        short_by_table(d)
     }
 }
 

@@ -3,6 +3,7 @@
 use core::marker::PhantomData;
 
 use super::{Fragment, Shader, Texels};
+use crate::Vec2;
 use crate::mesh::Primitive;
 use crate::texture::{
     Addressing, Bilinear, Blend, Clamp, Filter, Nearest, Repeat, Sampler, texels,
@@ -104,7 +105,7 @@ impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Shader for Textured<S, A, F
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Texels; 3] {
-        let [a, b, c] = primitive.uvs().map(|uv| uv.to_bits());
+        let [a, b, c] = primitive.uvs().map(Vec2::to_bits);
         let coordinates = |bits: [i32; 3], log2| {
             if primitive.is_face() {
                 A::texels(bits, log2)
@@ -132,7 +133,7 @@ mod tests {
     use super::super::trial::{IDENTITY, edge, face, shade};
     use super::*;
     use crate::texture::TextureArray;
-    use crate::{Mesh, Vec2, Vec3, vec2};
+    use crate::{Mesh, Vec3, vec2};
     use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 
     /// Four columns and two rows; a texel is its column plus ten times its row.

@@ -59,13 +59,11 @@ pub(super) fn divide_anew<S, O, D, Z>(
     D: DepthBuffer,
     Z: DepthTest,
 {
-    let mut x = 0;
-    for cell in cells.first(usize::MAX) {
+    for (x, cell) in (0..).zip(cells.first(usize::MAX)) {
         if pixels.visible::<D>(&cell.1, span.q, span.down) {
             let (q, p) = at(x);
             pixels.shade::<O, D>(cell, quotients::<S>(q, &p, &scales));
         }
-        x += 1;
         span.step();
     }
 }

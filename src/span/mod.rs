@@ -4,6 +4,11 @@
 //! adds, [`pieces`] adds and divides at the ends of straight pieces, [`newton`] multiplies at every pixel, [`divide`]
 //! divides there.
 
+// Outlined, a kernel has its interpolants and steps in memory: 8 instructions a pixel more on Cortex-M4 (of 18).
+#![allow(clippy::inline_always)]
+// Kernels take what they change or keep in registers by value.
+#![allow(clippy::needless_pass_by_value)]
+
 mod blit;
 mod divide;
 mod mode;

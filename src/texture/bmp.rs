@@ -107,8 +107,7 @@ const fn pixel(bytes: &[u8], header: usize, bits: u32, compression: u32) -> Resu
             ))
         }
         16 if !masked => Ok(Pixel::Rgb555),
-        24 if !masked => Ok(Pixel::Bytes([2, 1, 0])),
-        32 if !masked => Ok(Pixel::Bytes([2, 1, 0])),
+        24 | 32 if !masked => Ok(Pixel::Bytes([2, 1, 0])),
         16 | 32 => {
             check!(at_least(bytes, MASKS as u64 + 12));
             let red = u32_at(bytes, MASKS);
@@ -228,7 +227,7 @@ mod tests {
     /// Some color for each column and row.
     fn color(x: u32, y: u32) -> [u8; 3] {
         let seed = x * 5 + y * 23;
-        [seed * 7 + 3, u32::MAX - seed * 3, seed * 91 ^ 0x5c].map(|channel| channel as u8)
+        [seed * 7 + 3, u32::MAX - seed * 3, (seed * 91) ^ 0x5c].map(|channel| channel as u8)
     }
 
     fn blue_first(x: u32, y: u32) -> Vec<u8> {

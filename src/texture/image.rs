@@ -334,10 +334,7 @@ impl<'a> Image<'a> {
         indices: &'t mut [u8],
         colors: &'t mut [C; 256],
     ) -> Result<Palette<'t, C>, Error> {
-        let table = match self.table() {
-            Ok(table) => table,
-            Err(error) => return Err(error),
-        };
+        let table = self.table()?;
         Texture::new(indices, self.width, self.height)?;
         let count = indices.len();
         write_indices!(indices[..count] = *self);

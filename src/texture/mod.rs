@@ -11,6 +11,13 @@
 //! compiling; [`Image`] reads a file at run time. A shader takes a reference to any of them, or to a
 //! [`Sampler`] of your own, and a [`Filter`] tells what lies between texels.
 
+// Files are read while compiling, where `From` is not const; offsets lie within a file.
+#![allow(
+    clippy::cast_lossless,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss
+)]
+
 mod addressing;
 mod array;
 mod blend;

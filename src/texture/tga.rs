@@ -181,7 +181,7 @@ mod tests {
 
     fn color(x: u32, y: u32) -> [u8; 3] {
         let seed = x * 5 + y * 23;
-        [seed * 7 + 3, u32::MAX - seed * 3, seed * 91 ^ 0x5c].map(|channel| channel as u8)
+        [seed * 7 + 3, u32::MAX - seed * 3, (seed * 91) ^ 0x5c].map(|channel| channel as u8)
     }
 
     fn blue_first(x: u32, y: u32) -> Vec<u8> {

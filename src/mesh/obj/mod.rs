@@ -34,7 +34,7 @@ mod reader;
 use embedded_graphics::pixelcolor::Rgb888;
 
 use super::buffers::{Buffers, Counts};
-use super::mesh::{Index, Mesh};
+use super::indexed::{Index, Mesh};
 use crate::{Error, Vec2, Vec3};
 use reader::{Corner, MOST, Reader, Statement};
 

@@ -6,7 +6,7 @@ mod surface;
 mod tests;
 
 use super::buffers::{Buffers, Counts};
-use super::mesh::Mesh;
+use super::indexed::Mesh;
 use crate::num::Scalar;
 use crate::{Error, Vec3};
 use pen::Pen;
