@@ -10,11 +10,11 @@ use super::mode::{Kernel, Policy, STEEP, Slopes, WHOLE};
 use super::newton::{chord, newton};
 use super::pieces::pieces;
 use super::pixels::{Count, FaceOf, Numbers, Pixels, Span};
-use super::straight::{solid, straight, straight_scaled};
+use super::straight::{solid, straight};
 use crate::mesh::Primitive;
 use crate::raster::{Attribute, Blitter, DepthShift, Patch, SPAN, Scale, Setup};
 use crate::shade::{Lanes, MOST_VARYINGS, Shader, Varyings};
-use crate::target::{Canvas, DepthBuffer, DepthTest, Storage};
+use crate::target::{Canvas, Cells, DepthBuffer, DepthTest, Storage};
 use crate::view::ProjectionKind;
 
 /// More than any attribute that is drawn affinely may have; four times it takes 31 bits.
@@ -94,6 +94,61 @@ where
             face: FaceOf::<S>::default(),
             kind: PhantomData,
         }
+    }
+
+    /// The pixels of a row from a column on; the first is looked at after one step.
+    #[inline(always)]
+    fn pixels(&self, row: i32, column: i32) -> Pixels<S, Z> {
+        Pixels {
+            shader: self.shader,
+            face: self.face,
+            test: self.test,
+            point: Point::new(column - 1, row),
+            depth: 0,
+            stored: 0,
+        }
+    }
+
+    #[inline(always)]
+    fn cells(&mut self, row: i32, columns: Range<i32>) -> Option<Cells<'_, S::Color, O, D>> {
+        let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
+        self.canvas.run(row.cast_unsigned(), columns)
+    }
+
+    /// A span whose attributes are not divided by w and are in parts of 2^30, each by its own scale.
+    #[inline(never)]
+    fn scaled_span(&mut self, row: i32, columns: Range<i32>, at: [i32; 2]) {
+        let (pixels, scales) = (self.pixels(row, columns.start), self.slopes.scales);
+        let (setup, attributes, slopes) = (&self.setup, &self.attributes, &self.slopes);
+        let span = start::<Count<S>>(setup, attributes, slopes, at, columns.len());
+        if let Some(cells) = self.cells(row, columns) {
+            let restore = |p: &Numbers<S>| {
+                Count::<S>::zip(p, &scales, |p: &i32, scale: &Scale| scale.restore(*p))
+            };
+            straight(span, restore, cells, pixels);
+        }
+    }
+
+    /// A span of a triangle in which steps would add up too much rounding: interpolants are found anew at each pixel.
+    #[cold]
+    #[inline(never)]
+    fn precise_span(&mut self, row: i32, columns: Range<i32>, [x, y]: [i32; 2]) {
+        let (pixels, scales) = (self.pixels(row, columns.start), self.slopes.scales);
+        let (setup, attributes, slopes) = (&self.setup, &self.attributes, &self.slopes);
+        let span = start::<Count<S>>(setup, attributes, slopes, [x, y], columns.len());
+        let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
+        let Some(cells) = self.canvas.run(row.cast_unsigned(), columns) else {
+            return;
+        };
+        let at = |i: i32| {
+            let at = [x + i, y];
+            let (q, up) = setup.precise_q(at);
+            let p = Count::<S>::map(attributes, |p: &Attribute| {
+                setup.precise(&p.gradient, at, up)
+            });
+            (q, p)
+        };
+        divide_anew(span, scales, at, cells, pixels);
     }
 }
 
@@ -177,17 +232,16 @@ where
     }
 
     fn span(&mut self, row: i32, columns: Range<i32>, x: i32, y: i32) {
-        let pixels = Pixels {
-            shader: self.shader,
-            face: self.face,
-            test: self.test,
-            // The first pixel is looked at after one step.
-            point: Point::new(columns.start - 1, row),
-            depth: 0,
-            stored: 0,
-        };
-        let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
+        // Exceptions are calls of their own, before anything is in a register.
+        if Self::COUNT > 0 && !Self::OVER_W && self.kernel.is_none() {
+            return self.scaled_span(row, columns, [x, y]);
+        }
+        if Self::COUNT > 0 && Self::OVER_W && M::IS_PRECISE && self.setup.least < STEEP {
+            return self.precise_span(row, columns, [x, y]);
+        }
         let count = columns.len();
+        let pixels = self.pixels(row, columns.start);
+        let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
         let Some(cells) = self.canvas.run(row.cast_unsigned(), columns) else {
             return;
         };
@@ -196,20 +250,14 @@ where
         }
         let (setup, attributes, slopes) = (&self.setup, &self.attributes, &self.slopes);
         let mut span = start::<Count<S>>(setup, attributes, slopes, [x, y], count);
-        if Self::COUNT == 0 {
+        if Self::COUNT == 0 || !Self::OVER_W {
             return straight(span, |p| *p, cells, pixels);
-        }
-        let scales = slopes.scales;
-        if !Self::OVER_W {
-            if self.kernel == Some(Kernel::Straight) {
-                return straight(span, |p| *p, cells, pixels);
-            }
-            return straight_scaled(span, scales, cells, pixels);
         }
         let kernel = match self.kernel {
             Some(Kernel::Straight) => Kernel::Straight,
             kernel => self.mode.of_span(kernel, &mut span, slopes),
         };
+        let scales = slopes.scales;
         match kernel {
             Kernel::Straight | Kernel::Chord => {
                 if kernel == Kernel::Chord {
@@ -220,17 +268,6 @@ where
             }
             Kernel::Pieces(length) => pieces(span, length, scales, cells, pixels),
             Kernel::Newton => newton(span, cells, pixels),
-            Kernel::Divide if M::IS_PRECISE && setup.least < STEEP => {
-                let at = |i: i32| {
-                    let at = [x + i, y];
-                    let (q, up) = setup.precise_q(at);
-                    let p = Count::<S>::map(attributes, |p: &Attribute| {
-                        setup.precise(&p.gradient, at, up)
-                    });
-                    (q, p)
-                };
-                divide_anew(span, scales, at, cells, pixels);
-            }
             Kernel::Divide if M::IS_PRECISE => divide(span, scales, cells, pixels),
             Kernel::Divide => divide_apart(span, scales, cells, pixels),
         }

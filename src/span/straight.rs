@@ -1,8 +1,7 @@
 //! Attributes that are linear along the span: additions only.
 
-use super::pixels::{Count, Numbers, Pixels, Scales, Span, rolled};
-use crate::raster::Scale;
-use crate::shade::{Lanes, Shader};
+use super::pixels::{Count, Numbers, Pixels, Span, rolled};
+use crate::shade::Shader;
 use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 
 /// Draws a span whose attributes `restore` makes of their interpolants.
@@ -25,24 +24,6 @@ pub(super) fn straight<S, O, D, Z>(
         }
         span.step();
     }
-}
-
-/// [`straight`] for attributes in parts of 2^30, each by its own scale: apart, as it would take registers from the other.
-#[inline(never)]
-pub(super) fn straight_scaled<S, O, D, Z>(
-    span: Span<Count<S>>,
-    scales: Scales<S>,
-    cells: Cells<'_, S::Color, O, D>,
-    pixels: Pixels<S, Z>,
-) where
-    S: Shader,
-    O: Storage<S::Color>,
-    D: DepthBuffer,
-    Z: DepthTest,
-{
-    let restore =
-        |p: &Numbers<S>| Count::<S>::zip(p, &scales, |p: &i32, scale: &Scale| scale.restore(*p));
-    straight(span, restore, cells, pixels);
 }
 
 /// Pixels that are drawn without looking for the end of the span, where nothing varies between them.
