@@ -10,9 +10,9 @@ use crate::{Scalar, Vec2, Vec3};
 
 /// Where a draw call puts a model.
 #[derive(Clone, Debug)]
-pub(crate) struct Placement {
+pub(crate) struct Placement<'a> {
     /// From model to world space.
-    model: Transform,
+    model: &'a Transform,
     /// From model to eye space.
     view: Transform,
     /// Computed for the first normal that a shader asks for.
@@ -47,9 +47,9 @@ pub struct Missing {
     pub colors: bool,
 }
 
-impl Placement {
+impl<'a> Placement<'a> {
     #[inline]
-    pub(crate) const fn new(model: Transform, view: Transform) -> Self {
+    pub(crate) const fn new(model: &'a Transform, view: Transform) -> Self {
         Self {
             model,
             view,
@@ -65,11 +65,6 @@ impl Placement {
     #[inline]
     pub(crate) fn missing(&self) -> Missing {
         self.missing.get()
-    }
-
-    #[inline]
-    pub(crate) fn set_missing(&self, missing: Missing) {
-        self.missing.set(missing);
     }
 
     #[cold]
@@ -130,7 +125,7 @@ impl Placement {
 #[derive(Clone, Copy, Debug)]
 pub struct Primitive<'a> {
     pub(crate) mesh: &'a Mesh<'a>,
-    pub(crate) placement: &'a Placement,
+    pub(crate) placement: &'a Placement<'a>,
     pub(crate) element: Element,
 }
 
@@ -204,9 +199,13 @@ impl Primitive<'_> {
 
     fn in_world(&self, normal: Vec3) -> Direction {
         let Placement { model, normals, .. } = self.placement;
-        normals
-            .get_or_init(|| NormalMatrix::of(model))
-            .direction(normal)
+        // Not `get_or_init`, which panics if it is called by what it calls.
+        if let Some(matrix) = normals.get() {
+            return matrix.direction(normal);
+        }
+        let matrix = NormalMatrix::of(model);
+        let _ = normals.set(matrix);
+        matrix.direction(normal)
     }
 }
 

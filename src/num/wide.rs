@@ -51,8 +51,8 @@ const fn upper_of_signed(a: u32, b: u32) -> u32 {
 #[inline]
 pub(crate) fn cross([a, b]: [i32; 2], [c, d]: [i32; 2]) -> i64 {
     // Sides of less than 64 pixels of 256 units, as most are, take 15 bits: twice the area then takes 31.
-    let is_small = |side: i32| side.wrapping_add(1 << 14).cast_unsigned() < 1 << 15;
-    if IS_NARROW && [a, b, c, d].into_iter().all(is_small) {
+    let raised = |side: i32| side.wrapping_add(1 << 14).cast_unsigned();
+    if IS_NARROW && raised(a) | raised(b) | raised(c) | raised(d) < 1 << 15 {
         return i64::from(a * d - c * b);
     }
     product(a, d) - product(c, b)

@@ -10,7 +10,7 @@ use crate::view::{ModelToPicture, ProjectionKind, Viewport};
 #[derive(Clone, Debug)]
 pub(super) struct Call<'m, K> {
     pub(super) mesh: &'m Mesh<'m>,
-    pub(super) placement: Placement,
+    pub(super) placement: Placement<'m>,
     pub(super) projector: Projector<'m, K>,
     pub(super) cull: Cull,
 }
@@ -19,7 +19,7 @@ impl<'m, K: ProjectionKind> Call<'m, K> {
     pub(super) fn new<M: Copy, Z: Copy, V: ModelToPicture<Kind = K>>(
         options: &DrawOptions<M, Z>,
         mesh: &'m Mesh<'m>,
-        mvp: &V,
+        mvp: &'m V,
         viewport: &Viewport,
     ) -> Self {
         let view = mvp.model_view_of();

@@ -226,7 +226,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
         }
         Ok(Prepared {
             mesh,
-            model: mvp.model_of(),
+            model: *mvp.model_of(),
             model_view: mvp.model_view_of(),
             kind: PhantomData,
             viewport,
@@ -327,7 +327,7 @@ impl<K: ProjectionKind, M, Z> Prepared<'_, K, M, Z> {
     #[inline(never)]
     pub(super) fn draw(&self, blitter: &mut dyn Blitter, width: u32, rows: &Range<u32>) -> Drawn {
         let scissor = Scissor::new(&self.viewport, width, rows);
-        let placement = Placement::new(self.model, self.model_view);
+        let placement = Placement::new(&self.model, self.model_view);
         let mut draw = Draw {
             blitter,
             mesh: self.mesh,

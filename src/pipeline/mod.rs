@@ -182,7 +182,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
         &self,
         options: &DrawOptions<M, Z>,
         mesh: &'m Mesh<'m>,
-        mvp: &V,
+        mvp: &'m V,
     ) -> (Call<'m, V::Kind>, Scissor) {
         let frame = self.frame_size();
         let viewport = options.viewport_in(frame);

@@ -83,7 +83,7 @@ pub(super) fn points<K: ProjectionKind>(
 pub(super) struct Draw<'d> {
     pub(super) blitter: &'d mut dyn Blitter,
     pub(super) mesh: &'d Mesh<'d>,
-    pub(super) placement: &'d Placement,
+    pub(super) placement: &'d Placement<'d>,
     pub(super) cull: Cull,
     pub(super) scissor: &'d Scissor,
     pub(super) drawn: Drawn,
@@ -119,13 +119,8 @@ impl Assembly for Draw<'_> {
     #[inline(never)]
     fn clipped(&mut self, element: Element, polygon: &[ClippedVertex]) {
         if let Some(polygon) = Polygon::new(polygon, self.cull) {
-            let missing = self.placement.missing();
             self.start(element);
             let drawn = u32::from(polygon.draw(self.blitter, self.scissor));
-            if drawn == 0 {
-                // What is not drawn lacks nothing.
-                self.placement.set_missing(missing);
-            }
             self.drawn.drawn += drawn;
             self.drawn.clipped += drawn;
         }

@@ -29,7 +29,7 @@ pub(super) fn face<S: Shader>(
 ) -> (S, [S::Varyings; 3]) {
     let corners = shader.varyings(&Primitive {
         mesh,
-        placement: &Placement::new(*model, Transform::IDENTITY),
+        placement: &Placement::new(model, Transform::IDENTITY),
         element: Element {
             face: Some(index),
             indices: mesh.faces()[index],
@@ -43,7 +43,7 @@ pub(super) fn edge<S: Shader>(shader: S, mesh: &Mesh<'_>, index: usize) -> [S::V
     let [a, b] = mesh.edges()[index];
     let [start, end, _] = shader.varyings(&Primitive {
         mesh,
-        placement: &Placement::new(IDENTITY, Transform::IDENTITY),
+        placement: &Placement::new(&IDENTITY, Transform::IDENTITY),
         element: Element {
             face: None,
             indices: [a, b, b],

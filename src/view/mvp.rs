@@ -76,7 +76,7 @@ pub trait ModelToPicture: sealed::Sealed {
 
     /// From model to world space.
     #[doc(hidden)]
-    fn model_of(&self) -> Transform;
+    fn model_of(&self) -> &Transform;
 
     /// From model to eye space.
     #[doc(hidden)]
@@ -92,8 +92,8 @@ impl<K: ProjectionKind> ModelToPicture for Mvp<K> {
     }
 
     #[inline]
-    fn model_of(&self) -> Transform {
-        self.model
+    fn model_of(&self) -> &Transform {
+        &self.model
     }
 
     #[inline]
@@ -111,8 +111,8 @@ impl<K: ProjectionKind> ModelToPicture for Projection<K> {
     }
 
     #[inline]
-    fn model_of(&self) -> Transform {
-        Transform::IDENTITY
+    fn model_of(&self) -> &Transform {
+        &Transform::IDENTITY
     }
 
     #[inline]
