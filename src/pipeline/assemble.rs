@@ -38,7 +38,7 @@ pub(super) fn triangle<K: ProjectionKind>(
     if planes == 0 {
         // Back faces, half of most meshes, are rejected here, before any attribute is read.
         let area = raster::area(&[a, b, c]);
-        if !call.cull.leaves_out(area) {
+        if !call.shared.cull.leaves_out(area) {
             let corners = vertices.corners(&call.projector, *indices);
             to.whole(element(), &corners, area);
         }

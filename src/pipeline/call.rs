@@ -1,36 +1,25 @@
 //! A draw call, but for what it draws with.
 
+use core::ops::Range;
+
+use embedded_graphics::geometry::Size;
+
 use super::DrawOptions;
 use super::vertex::Projector;
 use crate::mesh::{Element, Mesh, Placement, Primitive};
-use crate::raster::{Cull, DepthShift};
-use crate::view::{ModelToPicture, ProjectionKind, Viewport};
+use crate::raster::{Cull, DepthShift, Scissor};
+use crate::view::{ModelToPicture, ProjectionKind};
 
-/// A mesh on its way to the screen: what all of its primitives share.
+/// What all primitives of a draw call share once they are on the screen.
 #[derive(Clone, Debug)]
-pub(super) struct Call<'m, K> {
+pub(super) struct Shared<'m> {
     pub(super) mesh: &'m Mesh<'m>,
     pub(super) placement: Placement<'m>,
-    pub(super) projector: Projector<'m, K>,
     pub(super) cull: Cull,
+    pub(super) scissor: Scissor,
 }
 
-impl<'m, K: ProjectionKind> Call<'m, K> {
-    pub(super) fn new<M: Copy, Z: Copy, V: ModelToPicture<Kind = K>>(
-        options: &DrawOptions<M, Z>,
-        mesh: &'m Mesh<'m>,
-        mvp: &'m V,
-        viewport: &Viewport,
-    ) -> Self {
-        let view = mvp.model_view_of();
-        Self {
-            mesh,
-            projector: Projector::new(mesh.positions(), mvp.projection_of(), &view, viewport),
-            placement: Placement::new(mvp.model_of(), view),
-            cull: options.cull,
-        }
-    }
-
+impl Shared<'_> {
     /// A triangle, edge or point as shaders see it.
     #[inline]
     pub(super) fn primitive(&self, element: Element) -> Primitive<'_> {
@@ -40,7 +29,38 @@ impl<'m, K: ProjectionKind> Call<'m, K> {
             element,
         }
     }
+}
 
+/// A mesh on its way to the screen.
+#[derive(Clone, Debug)]
+pub(super) struct Call<'m, K> {
+    pub(super) shared: Shared<'m>,
+    pub(super) projector: Projector<'m, K>,
+}
+
+impl<'m, K: ProjectionKind> Call<'m, K> {
+    /// A call that draws to `rows` of a frame.
+    #[inline(never)]
+    pub(super) fn new<M: Copy, Z: Copy, V: ModelToPicture<Kind = K>>(
+        options: &DrawOptions<M, Z>,
+        mesh: &'m Mesh<'m>,
+        mvp: &'m V,
+        (frame, rows): (Size, &Range<u32>),
+    ) -> Self {
+        let viewport = options.viewport_in(frame);
+        let view = mvp.model_view_of();
+        Self {
+            projector: Projector::new(mesh.positions(), mvp.projection_of(), &view, &viewport),
+            shared: Shared {
+                mesh,
+                placement: Placement::new(mvp.model_of(), view),
+                cull: options.cull,
+                scissor: Scissor::new(&viewport, frame.width, rows),
+            },
+        }
+    }
+
+    #[inline]
     pub(super) fn depth_shift(&self) -> DepthShift {
         self.projector.depth_shift()
     }

@@ -8,7 +8,7 @@ use heapless::{Vec, VecView};
 
 use super::assemble::Assembly;
 use super::cache;
-use super::call::Call;
+use super::call::{Call, Shared};
 use super::clip::ClippedPolygon;
 use super::run::{self, Draw};
 use super::{DrawOptions, Drawn};
@@ -200,15 +200,15 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
         let frame = frame.into();
         check_size(frame.width, frame.height)?;
         let viewport = options.viewport_in(frame);
-        let call = Call::new(options, mesh, mvp, &viewport);
+        let call = Call::new(options, mesh, mvp, (frame, &(0..frame.height)));
         self.triangles.clear();
         self.vertices.clear();
         let mut filling = Filling {
             triangles: self.triangles.as_mut_view(),
             vertices: self.vertices.as_mut_view(),
             needed: Needed::default(),
-            cull: call.cull,
-            scissor: Scissor::new(&viewport, frame.width, &(0..frame.height)),
+            cull: call.shared.cull,
+            scissor: &call.shared.scissor,
             numbers: [(0, 0); cache::SIZE],
         };
         run::triangles(&call, &mut filling);
@@ -230,7 +230,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
             model_view: mvp.model_view_of(),
             kind: PhantomData,
             viewport,
-            cull: call.cull,
+            cull: call.shared.cull,
             triangles: &self.triangles,
             vertices: &self.vertices,
             depth_shift: call.depth_shift(),
@@ -253,7 +253,7 @@ struct Filling<'l> {
     vertices: &'l mut VecView<Slot>,
     needed: Needed,
     cull: Cull,
-    scissor: Scissor,
+    scissor: &'l Scissor,
     /// Positions that were added lately, each with its vertex's number in the list, from 1; 0 is none.
     numbers: [(Index, u16); cache::SIZE],
 }
@@ -296,7 +296,7 @@ impl Filling<'_> {
 
 impl Assembly for Filling<'_> {
     fn whole(&mut self, element: Element, corners: &[ScreenVertex; 3], area: i64) {
-        if let Some(triangle) = Triangle::of_area(corners, area, &self.scissor) {
+        if let Some(triangle) = Triangle::of_area(corners, area, self.scissor) {
             let rows = triangle.row_range();
             let numbers = corners.each_ref().map(|corner| self.number(corner));
             self.add_triangle(element, &rows, Corners::Whole(numbers));
@@ -305,7 +305,7 @@ impl Assembly for Filling<'_> {
 
     fn clipped(&mut self, element: Element, polygon: &[ClippedVertex]) {
         let part = Polygon::new(polygon, self.cull);
-        let Some(rows) = part.and_then(|part| part.row_range(&self.scissor)) else {
+        let Some(rows) = part.and_then(|part| part.row_range(self.scissor)) else {
             return;
         };
         let first = (self.needed.vertices as u16).wrapping_add(1);
@@ -326,19 +326,16 @@ impl<K: ProjectionKind, M, Z> Prepared<'_, K, M, Z> {
     /// Draws those that meet `rows` of a frame of this width.
     #[inline(never)]
     pub(super) fn draw(&self, blitter: &mut dyn Blitter, width: u32, rows: &Range<u32>) -> Drawn {
-        let scissor = Scissor::new(&self.viewport, width, rows);
-        let placement = Placement::new(&self.model, self.model_view);
-        let mut draw = Draw {
-            blitter,
+        let shared = Shared {
             mesh: self.mesh,
-            placement: &placement,
+            placement: Placement::new(&self.model, self.model_view),
             cull: self.cull,
-            scissor: &scissor,
-            drawn: Drawn::default(),
+            scissor: Scissor::new(&self.viewport, width, rows),
         };
+        let (mut draw, rows) = (Draw::new(blitter, &shared), &shared.scissor.rows);
         for entry in self.triangles {
             let [start, end] = entry.rows.map(i32::from);
-            if start.max(scissor.rows.start) >= end.min(scissor.rows.end) {
+            if start.max(rows.start) >= end.min(rows.end) {
                 continue;
             }
             let face = entry.face as usize;
@@ -354,7 +351,7 @@ impl<K: ProjectionKind, M, Z> Prepared<'_, K, M, Z> {
                     let corners = (self.vertex(a), self.vertex(b), self.vertex(c));
                     if let (Some(a), Some(b), Some(c)) = corners {
                         let corners = [a, b, c];
-                        let triangle = Triangle::new(&corners, self.cull, &scissor);
+                        let triangle = Triangle::new(&corners, self.cull, &shared.scissor);
                         draw.triangle(element, triangle);
                     }
                 }
@@ -363,9 +360,7 @@ impl<K: ProjectionKind, M, Z> Prepared<'_, K, M, Z> {
                 }
             }
         }
-        draw.drawn.submitted = self.mesh.faces().len() as u32;
-        draw.drawn.missing = placement.missing();
-        draw.drawn
+        draw.drawn()
     }
 
     #[inline]

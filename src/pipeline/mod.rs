@@ -13,13 +13,12 @@ pub use list::{Prepared, TriangleList};
 pub use options::DrawOptions;
 
 use call::Call;
-use run::Draw;
 use vertex::Projector;
 
 use crate::Vec3;
 use crate::mesh::{Mesh, Missing, Positions};
 use crate::num::Subpixel;
-use crate::raster::{DepthShift, Scissor, ScreenVertex};
+use crate::raster::{DepthShift, ScreenVertex};
 use crate::shade::Shader;
 use crate::span::{Blit, Mode};
 use crate::target::{Canvas, DepthBuffer, DepthTest, Storage};
@@ -99,9 +98,9 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
         mvp: &V,
         shader: &S,
     ) -> Drawn {
-        let (call, scissor) = self.call(options, mesh, mvp);
+        let call = Call::new(options, mesh, mvp, (self.frame_size(), self.rows()));
         let mut blit = self.blit::<V::Kind, _, _, _>(options, shader, call.depth_shift());
-        draw_triangles(&call, &mut blit, &scissor)
+        run::draw(&call, &mut blit)
     }
 
     /// Draws triangles that were [prepared](TriangleList::prepare) for this frame, as far as they
@@ -126,9 +125,9 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
         mvp: &V,
         shader: &S,
     ) -> Drawn {
-        let (call, scissor) = self.call(options, mesh, mvp);
+        let call = Call::new(options, mesh, mvp, (self.frame_size(), self.rows()));
         let mut blit = self.blit::<V::Kind, _, _, _>(options, shader, call.depth_shift());
-        run::edges(&call, &mut blit, &scissor)
+        run::edges(&call, &mut blit)
     }
 
     /// Draws a mesh's positions as points, one pixel each.
@@ -139,9 +138,9 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
         mvp: &V,
         shader: &S,
     ) -> Drawn {
-        let (call, scissor) = self.call(options, mesh, mvp);
+        let call = Call::new(options, mesh, mvp, (self.frame_size(), self.rows()));
         let mut blit = self.blit::<V::Kind, _, _, _>(options, shader, call.depth_shift());
-        run::points(&call, &mut blit, &scissor)
+        run::points(&call, &mut blit)
     }
 
     /// Where a point of model space comes to lie, to the last bit as when it is drawn; `None` if it
@@ -176,22 +175,6 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
         })
     }
 
-    /// The geometry of a draw call, and the pixels that it may draw to.
-    #[inline(never)]
-    fn call<'m, M: Copy, Z: Copy, V: ModelToPicture>(
-        &self,
-        options: &DrawOptions<M, Z>,
-        mesh: &'m Mesh<'m>,
-        mvp: &'m V,
-    ) -> (Call<'m, V::Kind>, Scissor) {
-        let frame = self.frame_size();
-        let viewport = options.viewport_in(frame);
-        (
-            Call::new(options, mesh, mvp, &viewport),
-            Scissor::new(&viewport, frame.width, self.rows()),
-        )
-    }
-
     /// What a draw call draws with.
     #[inline]
     fn blit<'p, K: ProjectionKind, M: Mode, Z: DepthTest, S: Shader<Color = C>>(
@@ -202,25 +185,4 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     ) -> Blit<'p, 'c, S, O, D, K, M, Z> {
         Blit::new((options.mode, options.depth), self, *shader, shift)
     }
-}
-
-/// All triangles, in code that exists once for all shaders and canvases.
-#[inline(never)]
-fn draw_triangles<K: ProjectionKind>(
-    call: &Call<'_, K>,
-    blitter: &mut dyn crate::raster::Blitter,
-    scissor: &Scissor,
-) -> Drawn {
-    let mut draw = Draw {
-        blitter,
-        mesh: call.mesh,
-        placement: &call.placement,
-        cull: call.cull,
-        scissor,
-        drawn: Drawn::default(),
-    };
-    draw.drawn.submitted = call.mesh.faces().len() as u32;
-    run::triangles(call, &mut draw);
-    draw.drawn.missing = call.placement.missing();
-    draw.drawn
 }

@@ -11,54 +11,46 @@
 use super::Drawn;
 use super::assemble::{self, Assembly};
 use super::cache::VertexCache;
-use super::call::Call;
-use crate::mesh::{Element, Index, Mesh, Placement, Primitive};
-use crate::raster::{self, Blitter, ClippedVertex, Cull, Polygon, Scissor, ScreenVertex, Triangle};
+use super::call::{Call, Shared};
+use crate::mesh::{Element, Index};
+use crate::raster::{self, Blitter, ClippedVertex, Polygon, ScreenVertex, Triangle};
 use crate::view::ProjectionKind;
 
 /// Runs all triangles of a mesh through vertex and assembly stages to drawing, or to a list to draw later.
 #[inline]
 pub(super) fn triangles<K: ProjectionKind>(call: &Call<'_, K>, to: &mut impl Assembly) {
     let mut vertices = VertexCache::new();
-    for (face, indices) in call.mesh.faces().iter().enumerate() {
+    for (face, indices) in call.shared.mesh.faces().iter().enumerate() {
         assemble::triangle(call, &mut vertices, (face, indices), to);
     }
 }
 
 /// Draws all edges of a mesh as lines.
 #[inline(never)]
-pub(super) fn edges<K: ProjectionKind>(
-    call: &Call<'_, K>,
-    blitter: &mut dyn Blitter,
-    scissor: &Scissor,
-) -> Drawn {
+pub(super) fn edges<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blitter) -> Drawn {
     let mut drawn = Drawn::default();
     let mut vertices = VertexCache::new();
-    for &[a, b] in call.mesh.edges() {
+    for &[a, b] in call.shared.mesh.edges() {
         drawn.submitted += 1;
         if let Some((line, is_clipped)) = assemble::edge(call, &mut vertices, [a, b]) {
-            blitter.primitive(&call.primitive(Element {
+            blitter.primitive(&call.shared.primitive(Element {
                 face: None,
                 indices: [a, b, b],
             }));
-            raster::line(blitter, scissor, line.each_ref());
+            raster::line(blitter, &call.shared.scissor, line.each_ref());
             drawn.drawn += 1;
             drawn.clipped += u32::from(is_clipped);
         }
     }
-    drawn.missing = call.placement.missing();
+    drawn.missing = call.shared.placement.missing();
     drawn
 }
 
 /// Draws all positions of a mesh as points.
 #[inline(never)]
-pub(super) fn points<K: ProjectionKind>(
-    call: &Call<'_, K>,
-    blitter: &mut dyn Blitter,
-    scissor: &Scissor,
-) -> Drawn {
+pub(super) fn points<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blitter) -> Drawn {
     let mut drawn = Drawn::default();
-    for index in 0..call.mesh.positions().len() {
+    for index in 0..call.shared.mesh.positions().len() {
         // A mesh has at most 65,536 positions.
         let Ok(index) = Index::try_from(index) else {
             break;
@@ -67,36 +59,58 @@ pub(super) fn points<K: ProjectionKind>(
         let mut at = ScreenVertex::NONE;
         call.projector.project(index, &mut at);
         if at.outcode == 0 {
-            blitter.primitive(&call.primitive(Element {
+            blitter.primitive(&call.shared.primitive(Element {
                 face: None,
                 indices: [index; 3],
             }));
-            raster::point(blitter, scissor, &at);
+            raster::point(blitter, &call.shared.scissor, &at);
             drawn.drawn += 1;
         }
     }
-    drawn.missing = call.placement.missing();
+    drawn.missing = call.shared.placement.missing();
     drawn
+}
+
+/// Draws all triangles of a mesh, in code that exists once for all shaders and canvases.
+#[inline(never)]
+pub(super) fn draw<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blitter) -> Drawn {
+    let mut draw = Draw::new(blitter, &call.shared);
+    triangles(call, &mut draw);
+    draw.drawn()
 }
 
 /// Draws assembled triangles.
 pub(super) struct Draw<'d> {
-    pub(super) blitter: &'d mut dyn Blitter,
-    pub(super) mesh: &'d Mesh<'d>,
-    pub(super) placement: &'d Placement<'d>,
-    pub(super) cull: Cull,
-    pub(super) scissor: &'d Scissor,
-    pub(super) drawn: Drawn,
+    blitter: &'d mut dyn Blitter,
+    shared: &'d Shared<'d>,
+    drawn: Drawn,
 }
 
-impl Draw<'_> {
+impl<'d> Draw<'d> {
+    #[inline]
+    pub(super) fn new(blitter: &'d mut dyn Blitter, shared: &'d Shared<'d>) -> Self {
+        Self {
+            blitter,
+            shared,
+            drawn: Drawn {
+                submitted: shared.mesh.faces().len() as u32,
+                ..Drawn::default()
+            },
+        }
+    }
+
+    /// What became of the triangles.
+    #[inline]
+    pub(super) fn drawn(self) -> Drawn {
+        Drawn {
+            missing: self.shared.placement.missing(),
+            ..self.drawn
+        }
+    }
+
     #[inline]
     fn start(&mut self, element: Element) {
-        self.blitter.primitive(&Primitive {
-            mesh: self.mesh,
-            placement: self.placement,
-            element,
-        });
+        self.blitter.primitive(&self.shared.primitive(element));
     }
 
     /// Draws a triangle that is inside all planes.
@@ -104,7 +118,7 @@ impl Draw<'_> {
     pub(super) fn triangle(&mut self, element: Element, triangle: Option<Triangle<'_>>) {
         if let Some(triangle) = triangle {
             self.start(element);
-            triangle.draw(self.blitter, self.scissor);
+            triangle.draw(self.blitter, &self.shared.scissor);
             self.drawn.drawn += 1;
         }
     }
@@ -113,14 +127,17 @@ impl Draw<'_> {
 impl Assembly for Draw<'_> {
     #[inline]
     fn whole(&mut self, element: Element, corners: &[ScreenVertex; 3], area: i64) {
-        self.triangle(element, Triangle::of_area(corners, area, self.scissor));
+        self.triangle(
+            element,
+            Triangle::of_area(corners, area, &self.shared.scissor),
+        );
     }
 
     #[inline(never)]
     fn clipped(&mut self, element: Element, polygon: &[ClippedVertex]) {
-        if let Some(polygon) = Polygon::new(polygon, self.cull) {
+        if let Some(polygon) = Polygon::new(polygon, self.shared.cull) {
             self.start(element);
-            let drawn = u32::from(polygon.draw(self.blitter, self.scissor));
+            let drawn = u32::from(polygon.draw(self.blitter, &self.shared.scissor));
             self.drawn.drawn += drawn;
             self.drawn.clipped += drawn;
         }
