@@ -43,6 +43,12 @@ impl VertexCache {
         projector: &Projector<'_, K>,
         indices: [Index; 3],
     ) -> [ScreenVertex; 3] {
-        indices.map(|index| *self.vertex(projector, index))
+        // Taken apart by hand, as in `ScreenVertex::screens`.
+        let [a, b, c] = indices;
+        [
+            *self.vertex(projector, a),
+            *self.vertex(projector, b),
+            *self.vertex(projector, c),
+        ]
     }
 }

@@ -1,6 +1,5 @@
 //! Triangles: which way they face, which pixels are theirs.
 
-use core::mem::swap;
 use core::ops::Range;
 
 use super::edge::{Edge, first_center};
@@ -143,7 +142,7 @@ pub(super) fn draw(
         area: triangle.area,
     });
     // The pixel that interpolants are counted from.
-    let [origin_x, origin_y] = screen[0].map(|at| at >> 8);
+    let (origin_x, origin_y) = (screen[0][0] >> 8, screen[0][1] >> 8);
 
     // With the corners sorted from the top, one edge runs from the first to the last, on the left
     // or on the right, and two on the other side. Every exchange turns the triangle over.
@@ -151,7 +150,8 @@ pub(super) fn draw(
     let mut long_is_left = triangle.area > 0;
     let mut sort = |upper: &mut [i32; 2], lower: &mut [i32; 2]| {
         if lower[1] < upper[1] {
-            swap(upper, lower);
+            // Not `swap`, which optimized for size is a loop over memory, as a `map` of an array is.
+            (*upper, *lower) = (*lower, *upper);
             long_is_left = !long_is_left;
         }
     };
