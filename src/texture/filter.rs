@@ -34,12 +34,12 @@ mod sealed {
 ///
 /// ```
 /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
-/// use fixel::{prelude::*, texture::{Nearest, Repeat}};
+/// use fixel::{prelude::*, shade::Texels, texture::{Nearest, Repeat}};
 /// static SKIN: TextureArray<Gray8, 2, 1> = TextureArray::gray8(&[10, 20]);
 /// let skin: Textured<_, Repeat, Nearest> = Textured::new(&SKIN);
 /// let pixel = Fragment { point: Point::zero(), depth: 0 };
 /// // In quarters of a texel.
-/// let texels = [0, 1, 2, 3, 4].map(|column| skin.shade(&pixel, [column << 14, 0]));
+/// let texels = [0, 1, 2, 3, 4].map(|column| skin.shade(&pixel, Texels([column << 14, 0])));
 /// assert_eq!(texels, [10, 10, 10, 10, 20].map(|luma| Some(Gray8::new(luma))));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,12 +54,12 @@ pub struct Nearest;
 ///
 /// ```
 /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
-/// use fixel::{prelude::*, texture::{Bilinear, Clamp}};
+/// use fixel::{prelude::*, shade::Texels, texture::{Bilinear, Clamp}};
 /// static SKIN: TextureArray<Gray8, 2, 1> = TextureArray::gray8(&[10, 20]);
 /// let skin: Textured<_, Clamp, Bilinear> = Textured::new(&SKIN).clamped().bilinear();
 /// let pixel = Fragment { point: Point::zero(), depth: 0 };
 /// // In quarters of a texel.
-/// let colors = [0, 1, 2, 3, 4, 5, 6].map(|column| skin.shade(&pixel, [column << 14, 0]));
+/// let colors = [0, 1, 2, 3, 4, 5, 6].map(|column| skin.shade(&pixel, Texels([column << 14, 0])));
 /// assert_eq!(colors, [10, 10, 10, 13, 15, 18, 20].map(|luma| Some(Gray8::new(luma))));
 /// ```
 ///
