@@ -147,7 +147,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     /// is nearer than the near plane, beyond the far plane or more than 2048 pixels from the
     /// viewport's center. It may be outside the viewport.
     ///
-    /// For a label beside a thing, or a touch upon it.
+    /// Use it to place a label beside a thing, or to find what a touch meets.
     #[must_use]
     pub fn project<M: Copy, Z: Copy, V: ModelToPicture>(
         &self,

@@ -227,7 +227,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         distance < if plane < 2 { 0 } else { -SIDE_TOLERANCE }
     }
 
-    /// Whether a position is inside all planes, as [`outcode`](Self::outcode) has it.
+    /// Whether a position is inside all planes, as [`outcode`](Self::outcode) decides it.
     #[inline]
     fn is_inside(&self, &[x, y, t]: &ClipPosition) -> bool {
         let ahead = t.wrapping_sub(self.least).cast_unsigned() <= self.depth;

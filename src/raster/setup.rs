@@ -88,7 +88,7 @@ pub(crate) struct Setup {
     pub(crate) least: u32,
     /// Whether the attributes were laid as they are, times 2^[`AFFINE_UP`](Scale::AFFINE_UP), in a mode that divides.
     pub(crate) is_affine: bool,
-    /// A depth is an interpolant of 1/w shifted down by this: 15 to 31.
+    /// A depth is an interpolant of 1/w shifted down by this: 15 to 47.
     pub(crate) down: u32,
 }
 
@@ -175,7 +175,7 @@ impl Setup {
         self.q.step
     }
 
-    /// 1/w at a pixel, and a way to find attributes there.
+    /// 1/w `x` columns and `y` rows from the pixel that the patch's first place lies in.
     #[inline]
     pub(crate) fn q(&self, x: i32, y: i32) -> u32 {
         self.at(&self.q, x, y).cast_unsigned()

@@ -29,7 +29,7 @@ pub struct Span<L: Lanes> {
     pub p: L::Of<i32>,
     pub dq: i32,
     pub dp: L::Of<i32>,
-    /// A pixel's depth of 16 bits is `q` shifted down by this: 15 to 31.
+    /// A pixel's depth of 16 bits is `q` shifted down by this, 15 to 47; from 31 on it is 0 in linear steps.
     pub down: u32,
     /// How many pixels there are.
     pub count: usize,

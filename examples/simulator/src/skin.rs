@@ -102,7 +102,7 @@ pub struct Texels<C> {
 }
 
 impl<C: PixelColor> Texels<C> {
-    /// The texture that they are.
+    /// These texels as a texture.
     pub fn texture(&self) -> Result<Texture<'_, C>> {
         Ok(Texture::new(&self.list, self.width, self.height)?)
     }
