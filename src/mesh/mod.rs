@@ -1,4 +1,4 @@
-//! What is drawn: meshes, and how they get to the screen.
+//! Meshes: vertices, faces and edges, and the sources they come from.
 
 mod attribute;
 mod buffers;

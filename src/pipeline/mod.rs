@@ -80,7 +80,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     /// Draws a mesh's triangles: through `mvp` into the whole frame, without back faces, each pixel correct in
     /// perspective.
     ///
-    /// Cannot fail: hidden parts are left out, and what is partly in the view is clipped.
+    /// Cannot fail: what lies outside the view is clipped away.
     pub fn draw<V: ModelToPicture, S: Shader<Color = C>>(
         &mut self,
         mesh: &Mesh<'_>,

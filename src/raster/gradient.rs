@@ -3,7 +3,7 @@
 use crate::num::reciprocal;
 use crate::num::wide::{product, shifted, short_difference, times_short, upper};
 
-/// An interpolant over a triangle: what it is at every pixel's center, to a unit.
+/// An interpolant over a triangle: its value at every pixel center, to one unit.
 ///
 /// Where the triangle is [near](Basis::is_near), that is `start` and so many steps. Elsewhere those would
 /// add up too much rounding, and it is a quotient: its numerator is linear over the screen, its

@@ -91,7 +91,7 @@ impl Bench {
     ) -> Result<u64, Error> {
         let pixels = (width * ROWS) as usize;
         let (colors, depth) = (&mut self.colors[..pixels], &mut self.depths[..pixels]);
-        // No shader has it.
+        // A color that no shader here draws, so a pixel left undrawn shows.
         colors.fill(Rgb565::BLACK);
         depth.fill(if depths == Depths::Near { u16::MAX } else { 0 });
         let mut canvas = Canvas::new(colors, width, ROWS)?;

@@ -57,7 +57,7 @@ pub const fn arrays<
 /// A mesh of an OBJ file, read while compiling; it lives in flash.
 ///
 /// The path is relative to the source file, as for [`include_str!`]. A mistake in the file stops
-/// compilation with its line. [`mesh::obj`](crate::mesh::obj) tells what is read.
+/// compilation and names its line. [`mesh::obj`](crate::mesh::obj) lists the statements it reads.
 ///
 /// ```
 /// use fixel::prelude::*;
