@@ -10,7 +10,7 @@ use crate::view::ProjectionKind;
 /// What takes triangles from assembly: drawing, or a list to draw later.
 pub(super) trait Assembly {
     /// A triangle that is inside all planes and is not culled, and twice its area.
-    fn whole(&mut self, element: Element, corners: &[ScreenVertex; 3], area: i64);
+    fn whole(&mut self, element: Element, corners: [&ScreenVertex; 3], area: i64);
 
     /// The part of a triangle inside all planes; it may be empty or face away.
     fn clipped(&mut self, element: Element, polygon: &[ClippedVertex]);
@@ -39,8 +39,13 @@ pub(super) fn triangle<K: ProjectionKind>(
         // Back faces, half of most meshes, are rejected here, before any attribute is read.
         let area = raster::area(&[a, b, c]);
         if !call.shared.cull.leaves_out(area) {
-            let corners = vertices.corners(&call.projector, *indices);
-            to.whole(element(), &corners, area);
+            match vertices.corners(*indices) {
+                Some(corners) => to.whole(element(), corners, area),
+                None => {
+                    let [a, b, c] = vertices.copies(&call.projector, *indices);
+                    to.whole(element(), [&a, &b, &c], area);
+                }
+            }
         }
     } else if a_outcode & b_outcode & c_outcode == 0 {
         to.clipped(element(), &clip(&call.projector, indices, planes));

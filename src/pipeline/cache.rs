@@ -36,14 +36,26 @@ impl VertexCache {
         entry
     }
 
-    /// The corners of a triangle.
+    /// The corners of a triangle whose vertices were asked for last, unless two of them share a slot.
     #[inline]
-    pub(super) fn corners<K: ProjectionKind>(
+    pub(super) fn corners(&self, indices: [Index; 3]) -> Option<[&ScreenVertex; 3]> {
+        let [a, b, c] = indices;
+        let kept = |index| {
+            let entry = &self.entries[usize::from(index) % SIZE];
+            (entry.index == index).then_some(entry)
+        };
+        // Taken apart by hand, as in `ScreenVertex::screens`.
+        Some([kept(a)?, kept(b)?, kept(c)?])
+    }
+
+    /// The corners of any triangle.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn copies<K: ProjectionKind>(
         &mut self,
         projector: &Projector<'_, K>,
         indices: [Index; 3],
     ) -> [ScreenVertex; 3] {
-        // Taken apart by hand, as in `ScreenVertex::screens`.
         let [a, b, c] = indices;
         [
             *self.vertex(projector, a),

@@ -295,10 +295,10 @@ impl Filling<'_> {
 }
 
 impl Assembly for Filling<'_> {
-    fn whole(&mut self, element: Element, corners: &[ScreenVertex; 3], area: i64) {
+    fn whole(&mut self, element: Element, corners: [&ScreenVertex; 3], area: i64) {
         if let Some(triangle) = Triangle::of_area(corners, area, self.scissor) {
             let rows = triangle.row_range();
-            let numbers = corners.each_ref().map(|corner| self.number(corner));
+            let numbers = corners.map(|corner| self.number(corner));
             self.add_triangle(element, &rows, Corners::Whole(numbers));
         }
     }
@@ -350,9 +350,7 @@ impl<K: ProjectionKind, M, Z> Prepared<'_, K, M, Z> {
                 Corners::Whole([a, b, c]) => {
                     let corners = (self.vertex(a), self.vertex(b), self.vertex(c));
                     if let (Some(a), Some(b), Some(c)) = corners {
-                        let corners = [a, b, c];
-                        let triangle = Triangle::new(&corners, self.cull, &shared.scissor);
-                        draw.triangle(element, triangle);
+                        draw.triangle(element, &Triangle::new([&a, &b, &c]));
                     }
                 }
                 Corners::Clipped { first, count } => {

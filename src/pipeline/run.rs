@@ -115,22 +115,19 @@ impl<'d> Draw<'d> {
 
     /// Draws a triangle that is inside all planes.
     #[inline]
-    pub(super) fn triangle(&mut self, element: Element, triangle: Option<Triangle<'_>>) {
-        if let Some(triangle) = triangle {
-            self.start(element);
-            triangle.draw(self.blitter, &self.shared.scissor);
-            self.drawn.drawn += 1;
-        }
+    pub(super) fn triangle(&mut self, element: Element, triangle: &Triangle<'_>) {
+        self.start(element);
+        triangle.draw(self.blitter, &self.shared.scissor);
+        self.drawn.drawn += 1;
     }
 }
 
 impl Assembly for Draw<'_> {
     #[inline]
-    fn whole(&mut self, element: Element, corners: &[ScreenVertex; 3], area: i64) {
-        self.triangle(
-            element,
-            Triangle::of_area(corners, area, &self.shared.scissor),
-        );
+    fn whole(&mut self, element: Element, corners: [&ScreenVertex; 3], area: i64) {
+        if let Some(triangle) = Triangle::of_area(corners, area, &self.shared.scissor) {
+            self.triangle(element, &triangle);
+        }
     }
 
     #[inline(never)]

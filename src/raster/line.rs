@@ -34,7 +34,7 @@ pub(crate) fn line(blitter: &mut dyn Blitter, scissor: &Scissor, ends: [&Clipped
 
     // Values change along the longer axis only: their plane is the one of a sliver along the line, one unit high.
     let longest = blitter.set_up(&Patch {
-        vertices: &[from.vertex, to.vertex, to.vertex],
+        vertices: [&from.vertex, &to.vertex, &to.vertex],
         barycentric: Some(&[from.barycentric, to.barycentric, to.barycentric]),
         screen: &[[start, 128], [end, 128], [end, 129]],
         area: i64::from(end - start),

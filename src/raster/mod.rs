@@ -28,7 +28,7 @@ pub(crate) use vertex::{Barycentric, ClippedVertex, DepthShift, ScreenVertex};
 /// Three vertices and where on the screen their values belong: the plane that each interpolant is laid through.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Patch<'a> {
-    pub(crate) vertices: &'a [ScreenVertex; 3],
+    pub(crate) vertices: [&'a ScreenVertex; 3],
     /// Where the vertices lie in the mesh's triangle; `None` if they are its corners.
     pub(crate) barycentric: Option<&'a [Barycentric; 3]>,
     /// Where the values belong, in units of 1/256 pixel: of a triangle, the vertices' own places.

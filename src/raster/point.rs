@@ -9,7 +9,7 @@ pub(crate) fn point(blitter: &mut dyn Blitter, scissor: &Scissor, at: &ScreenVer
         let [left, top] = [x << 8, y << 8];
         // All values are the point's, so any places that begin in the pixel will do.
         blitter.set_up(&Patch {
-            vertices: &[*at; 3],
+            vertices: [at; 3],
             barycentric: None,
             screen: &[[left, top], [left + 256, top], [left, top + 1]],
             area: 256,

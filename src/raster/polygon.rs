@@ -25,8 +25,8 @@ const fn runs_as(whole: i64, area: i64) -> bool {
 
 // Taken apart by hand, as in `ScreenVertex::screens`.
 
-fn vertices([a, b, c]: [&ClippedVertex; 3]) -> [ScreenVertex; 3] {
-    [a.vertex, b.vertex, c.vertex]
+fn vertices([a, b, c]: [&ClippedVertex; 3]) -> [&ScreenVertex; 3] {
+    [&a.vertex, &b.vertex, &c.vertex]
 }
 
 fn screens([a, b, c]: [&ClippedVertex; 3]) -> [[i32; 2]; 3] {
@@ -59,8 +59,8 @@ impl<'a> Polygon<'a> {
     pub(crate) fn row_range(&self, scissor: &Scissor) -> Option<Range<i32>> {
         let corners = self.triangles();
         let corners = corners.map(vertices);
-        let inside = corners.filter(|corners| area_in(corners, Cull::Nothing, scissor) != 0);
-        let rows = inside.map(|corners| row_range(&corners));
+        let inside = corners.filter(|corners| area_in(*corners, scissor) != 0);
+        let rows = inside.map(row_range);
         rows.reduce(|a, b| a.start.min(b.start)..a.end.max(b.end))
     }
 
@@ -75,13 +75,13 @@ impl<'a> Polygon<'a> {
         }
         let mut drawn = false;
         for (at, corners) in self.triangles().enumerate() {
-            let area = area_in(&vertices(corners), Cull::Nothing, scissor);
+            let area = area_in(vertices(corners), scissor);
             if area == 0 || !runs_as(self.area, area) {
                 continue;
             }
             let [a, b, c] = corners;
             let triangle = Triangle {
-                vertices: &vertices(corners),
+                vertices: vertices(corners),
                 barycentric: Some(&[a.barycentric, b.barycentric, c.barycentric]),
                 area,
             };

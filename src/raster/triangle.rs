@@ -4,13 +4,13 @@ use core::ops::Range;
 
 use super::edge::{Edge, first_center};
 use super::polygon::Part;
-use super::{Barycentric, Blitter, Cull, Patch, Scissor, ScreenVertex, spans};
+use super::{Barycentric, Blitter, Patch, Scissor, ScreenVertex, spans};
 use crate::num::wide::cross;
 
 /// A triangle on the screen.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Triangle<'a> {
-    pub(crate) vertices: &'a [ScreenVertex; 3],
+    pub(crate) vertices: [&'a ScreenVertex; 3],
     /// Where its corners lie in the mesh's triangle, if they are not the corners of that.
     pub(crate) barycentric: Option<&'a [Barycentric; 3]>,
     /// Twice the area, in units of (1/256 pixel)²: positive for corners that run clockwise as seen.
@@ -24,19 +24,18 @@ pub(crate) fn area([a, b, c]: &[[i32; 2]; 3]) -> i64 {
     cross([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]])
 }
 
-/// [`area`] of a triangle that is not culled and covers a pixel center of the scissor; 0 of others.
+/// The [`area`] of a triangle whose bounds hold a pixel center of the scissor; 0 of others.
 #[inline(never)]
-pub(super) fn area_in(corners: &[ScreenVertex; 3], cull: Cull, scissor: &Scissor) -> i64 {
-    let area = area(&ScreenVertex::screens(corners));
-    if cull.leaves_out(area) || !meets(corners, scissor) {
+pub(super) fn area_in(corners: [&ScreenVertex; 3], scissor: &Scissor) -> i64 {
+    if !meets(corners, scissor) {
         return 0;
     }
-    area
+    area(&ScreenVertex::screens(corners))
 }
 
 /// Whether a pixel center of the scissor is within a triangle's bounds.
 #[inline(never)]
-fn meets(corners: &[ScreenVertex; 3], scissor: &Scissor) -> bool {
+fn meets(corners: [&ScreenVertex; 3], scissor: &Scissor) -> bool {
     let [a, b, c] = ScreenVertex::screens(corners);
     let meets = |corners: [i32; 3], scissor: &Range<i32>| {
         let centers = centers(corners);
@@ -53,7 +52,7 @@ fn centers([a, b, c]: [i32; 3]) -> Range<i32> {
 
 /// The rows that a triangle may have pixels in, whatever the scissor.
 #[inline]
-pub(super) fn row_range(corners: &[ScreenVertex; 3]) -> Range<i32> {
+pub(super) fn row_range(corners: [&ScreenVertex; 3]) -> Range<i32> {
     let [a, b, c] = ScreenVertex::screens(corners);
     centers([a[1], b[1], c[1]])
 }
@@ -85,7 +84,7 @@ impl<'a> Triangle<'a> {
     /// A mesh's triangle of an area that is known, unless it covers no pixel center of the scissor.
     #[inline]
     pub(crate) fn of_area(
-        vertices: &'a [ScreenVertex; 3],
+        vertices: [&'a ScreenVertex; 3],
         area: i64,
         scissor: &Scissor,
     ) -> Option<Self> {
@@ -96,19 +95,14 @@ impl<'a> Triangle<'a> {
         })
     }
 
-    /// A mesh's triangle, unless it is culled or covers no pixel center of the scissor.
+    /// A mesh's triangle that was of an [area](Self::of_area) and in the scissor before.
     #[inline]
-    pub(crate) fn new(
-        vertices: &'a [ScreenVertex; 3],
-        cull: Cull,
-        scissor: &Scissor,
-    ) -> Option<Self> {
-        let area = area_in(vertices, cull, scissor);
-        (area != 0).then_some(Self {
+    pub(crate) fn new(vertices: [&'a ScreenVertex; 3]) -> Self {
+        Self {
             vertices,
             barycentric: None,
-            area,
-        })
+            area: area(&ScreenVertex::screens(vertices)),
+        }
     }
 
     /// The rows that it may have pixels in, whatever the scissor.

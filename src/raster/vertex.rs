@@ -30,7 +30,7 @@ impl ScreenVertex {
     /// The positions of three vertices.
     // Taken apart by hand: optimized for size, a `map` over references makes arrays and loops of it.
     #[inline]
-    pub(crate) const fn screens([a, b, c]: &[Self; 3]) -> [[i32; 2]; 3] {
+    pub(crate) const fn screens([a, b, c]: [&Self; 3]) -> [[i32; 2]; 3] {
         [a.screen, b.screen, c.screen]
     }
 }
