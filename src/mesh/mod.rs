@@ -1,4 +1,4 @@
-//! Meshes: vertices, faces and edges, and the sources they come from.
+//! Meshes: positions, faces, attributes and edges, and where they come from.
 
 mod attribute;
 mod buffers;
