@@ -202,9 +202,8 @@ impl<'a> Lists<'a> {
     }
 }
 
-/// The lists of a mesh in arrays of exactly the right lengths, for a `static` in
-/// [`include_obj!`](crate::include_obj) and
-/// [`shape!`](crate::shape).
+/// The lists of a mesh in arrays of exactly the right lengths, for a `static` in [`include_obj!`](crate::include_obj)
+/// and [`shape!`](crate::shape).
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Arrays<

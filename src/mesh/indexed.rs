@@ -18,13 +18,11 @@ use crate::{Error, Vec2, Vec3};
 /// ```
 pub type Index = u16;
 
-/// A triangle mesh over the caller's slices: positions and faces, and optionally texture coordinates, normals,
-/// colors and
-/// edges.
+/// A triangle mesh over the caller's slices: positions and faces, and optionally texture coordinates, normals, colors
+/// and edges.
 ///
-/// Attributes are indexed like positions, unless they come with faces of their own. OBJ files do this, because
-/// there a
-/// position may have a different texture coordinate in each face. A corner without a value has the index
+/// Attributes are indexed like positions, unless they come with faces of their own. OBJ files do this, because there
+/// a position may have a different texture coordinate in each face. A corner without a value has the index
 /// [`NO_VALUE`](Self::NO_VALUE) there. Front faces are counter-clockwise as seen by the viewer.
 ///
 /// The constructors check every index; for a `static`, this happens at compile time:
@@ -90,8 +88,7 @@ const fn check<const K: usize>(
 }
 
 impl<'a> Mesh<'a> {
-    /// The index, in the `faces` of an attribute, of a corner that has no value. The corner then gets the
-    /// texture
+    /// The index, in the `faces` of an attribute, of a corner that has no value. The corner then gets the texture
     /// coordinate (0, 0), the normal of its triangle, or white.
     ///
     /// (In a list of 65,536 values, this index names the last value.)
@@ -111,8 +108,7 @@ impl<'a> Mesh<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Index`] if a face names a position that does not exist; [`Error::TooMany`] if there are more
-    /// than
+    /// [`Error::Index`] if a face names a position that does not exist; [`Error::TooMany`] if there are more than
     /// [`MAX_POSITIONS`](Self::MAX_POSITIONS) positions.
     pub const fn new(positions: &'a [Vec3], faces: &'a [[Index; 3]]) -> Result<Self, Error> {
         Self::of(Positions::long(positions), faces)
@@ -120,21 +116,17 @@ impl<'a> Mesh<'a> {
 
     /// A mesh of 16-bit positions, in units of 2^-`fraction`, and the triangles between them.
     ///
-    /// These positions take half the flash and draw the same pixels, bit for bit, as [`Scalar`](crate::Scalar)s
-    /// of the same
-    /// value. With 14 fraction bits, for example, they range from −2 to almost 2 in steps of 1/16384.
+    /// These positions take half the flash and draw the same pixels, bit for bit, as [`Scalar`](crate::Scalar)s of
+    /// the same value. With 14 fraction bits, for example, they range from −2 to almost 2 in steps of 1/16384.
     ///
-    /// Rounding to these units moves a position by up to half a unit along each axis. On the screen, this is up
-    /// to √3/2
-    /// units times focal length / w, and as much again times the slope x/w or y/w at which the position is
-    /// seen. For a sphere
-    /// that fills 320x240, with 14 fraction bits, it is 0.008 pixels. Compared with 32-bit positions,
-    /// transforming one takes
-    /// 7 more instructions on Cortex-M4, and 47 fewer on Cortex-M0+, which has no products beyond 32 bits.
+    /// Rounding to these units moves a position by up to half a unit along each axis. On the screen, this is up to
+    /// √3/2 units times focal length / w, and as much again times the slope x/w or y/w at which the position is seen.
+    /// For a sphere that fills 320x240, with 14 fraction bits, it is 0.008 pixels. Compared with 32-bit positions,
+    /// transforming one takes 7 more instructions on Cortex-M4, and 47 fewer on Cortex-M0+, which has no products
+    /// beyond 32 bits.
     ///
     /// [`shape!`](crate::shape) and [`include_obj!`](crate::include_obj) produce such meshes with the argument
-    /// `short`;
-    /// [`Mesh::shortened`] converts the positions of any mesh.
+    /// `short`; [`Mesh::shortened`] converts the positions of any mesh.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -258,8 +250,7 @@ impl<'a> Mesh<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] if there is not one value per position or, with `faces`, not one entry of it per
-    /// triangle;
+    /// [`Error::Length`] if there is not one value per position or, with `faces`, not one entry of it per triangle;
     /// [`Error::Index`] if an entry names a value that does not exist.
     pub const fn with_uvs(
         self,
@@ -272,9 +263,8 @@ impl<'a> Mesh<'a> {
         }
     }
 
-    /// Adds normals in model space, of any length: one per position, or, with `faces`, any number and three
-    /// indices per
-    /// triangle.
+    /// Adds normals in model space, of any length: one per position, or, with `faces`, any number and three indices
+    /// per triangle.
     ///
     /// # Errors
     ///
@@ -366,8 +356,7 @@ impl<'a> Mesh<'a> {
     }
 
     /// The mesh reduced to a range of its triangles; a range beyond the end is cut. It keeps all positions and
-    /// attributes,
-    /// drops the edges, and needs no new check.
+    /// attributes, drops the edges, and needs no new check.
     ///
     /// ```
     /// use fixel::prelude::*;

@@ -6,10 +6,8 @@ use crate::{Error, Vec3};
 /// The positions of a mesh, with 32-bit or 16-bit components.
 ///
 /// The 16-bit positions of [`Mesh::short`](crate::Mesh::short) take half the flash: 6 bytes instead of 12. Each
-/// component
-/// is a whole number of units of 2^-`fraction`, which a [`Scalar`](crate::Scalar) holds exactly. Such a mesh
-/// draws the
-/// same pixels, bit for bit, as a mesh of those `Scalar`s.
+/// component is a whole number of units of 2^-`fraction`, which a [`Scalar`](crate::Scalar) holds exactly. Such a
+/// mesh draws the same pixels, bit for bit, as a mesh of those `Scalar`s.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -107,8 +105,8 @@ impl<'a> Positions<'a> {
     pub(crate) const fn are_short(&self) -> bool {
         matches!(self.list, List::Short { .. })
     }
-    /// The position at an index, ready to be transformed; the origin for an index that no checked list holds.
-    /// One of them as it is transformed; the origin for an index that no checked list holds.
+    /// The position at an index, ready to be transformed; the origin for an index that no checked list holds. One of
+    /// them as it is transformed; the origin for an index that no checked list holds.
     #[inline]
     pub(crate) fn place(&self, index: Index) -> Place<'a> {
         let index = usize::from(index);
@@ -155,8 +153,7 @@ impl Place<'_> {
 }
 
 /// The most fraction bits, up to 16, with which every component fits into 16 bits. The result is also 0 if a
-/// component of
-/// 32767.5 or more does not fit at all.
+/// component of 32767.5 or more does not fit at all.
 pub(crate) const fn finest(positions: Positions<'_>) -> u32 {
     let mut fraction = FRACTION;
     let mut at = 0;

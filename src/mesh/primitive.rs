@@ -22,9 +22,8 @@ pub(crate) struct Placement<'a> {
 
 /// The attributes that a shader asked for and the mesh lacks; a draw call returns it.
 ///
-/// Without texture coordinates, a mesh shows a single texel all over; without colors, it is white. Neither is
-/// an error,
-/// because both may be intended.
+/// Without texture coordinates, a mesh shows a single texel all over; without colors, it is white. Neither is an
+/// error, because both may be intended.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -148,8 +147,8 @@ impl Primitive<'_> {
         self.element.face.is_some()
     }
 
-    /// Calls `f` with each of the three corners and returns the results. For an edge, the second end comes twice; for a
-    /// point, all three corners are the same.
+    /// Calls `f` with each of the three corners and returns the results. For an edge, the second end comes twice; for
+    /// a point, all three corners are the same.
     #[must_use]
     #[inline]
     pub fn corners<T>(&self, mut f: impl FnMut(&Corner<'_>) -> T) -> [T; 3] {
@@ -252,8 +251,7 @@ impl Corner<'_> {
         }
     }
 
-    /// The distance from the eye along its line of sight: −z in eye space, saturated to the range of
-    /// [`Scalar`].
+    /// The distance from the eye along its line of sight: −z in eye space, saturated to the range of [`Scalar`].
     #[must_use]
     #[inline]
     pub fn distance(&self) -> Scalar {
@@ -299,9 +297,8 @@ impl Corner<'_> {
             .unwrap_or_else(|| self.primitive.placement.lacks_colors())
     }
 
-    /// The direction of [`normal`](Self::normal) in world space, where lights are. It stays perpendicular to
-    /// the surface if
-    /// the model is stretched or mirrored.
+    /// The direction of [`normal`](Self::normal) in world space, where lights are. It stays perpendicular to the
+    /// surface if the model is stretched or mirrored.
     #[must_use]
     #[inline]
     pub fn world_normal(&self) -> Direction {

@@ -5,8 +5,8 @@ use core::num::NonZeroU32;
 /// Where an edge crosses the centers of rows, stepped exactly from row to row.
 ///
 /// Positions are in units of 1/256 pixel. The crossing is the rational number `x` − 127 − `short` / `dy`, where
-/// 0 ≤ `short` / `dy` < 1. So `x` is its ceiling plus the 127 that [`first_center`] adds, and rounding to
-/// pixels is exact.
+/// 0 ≤ `short` / `dy` < 1. So `x` is its ceiling plus the 127 that [`first_center`] adds, and rounding to pixels is
+/// exact.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
     x: i32,
@@ -30,14 +30,13 @@ impl Edge {
     /// The edge from `from` down to `to`, at `row`.
     ///
     /// The ends differ by at most 4096 pixels in each direction, and the edge crosses the center of `row`, so
-    /// everything
-    /// fits in 32 bits. For an edge that crosses no center, the result is meaningless.
+    /// everything fits in 32 bits. For an edge that crosses no center, the result is meaningless.
     #[inline(never)]
     pub(super) fn new(from: [i32; 2], to: [i32; 2], row: i32) -> Self {
         let dx = to[0] - from[0];
         let dy = NonZeroU32::new((to[1] - from[1]).cast_unsigned()).unwrap_or(NonZeroU32::MIN);
-        // step = floor(256 · dx / dy). A negative numerator n is divided by way of its complement: floor(n / d)
-        // = !floor(!n / d).
+        // step = floor(256 · dx / dy). A negative numerator n is divided by way of its complement:
+        // floor(n / d) = !floor(!n / d).
         let sign = dx >> 31;
         let size = ((dx ^ sign).cast_unsigned() << 8) | (sign & 255).cast_unsigned();
         let (quotient, rest) = (size / dy, size % dy);
@@ -46,13 +45,10 @@ impl Edge {
             if sign < 0 { dy.get() - 1 - rest } else { rest },
         );
 
-        // The first center is `down` < 256 units below `from`, and the edge moves by dx · down / dy on the way
-        // there.
-        // `moved` = floor(step · down / 256) is less than 2 units below that: the rounding of `step` takes less
-        // than one unit,
-        // and the floor less than another. So `short` = moved · dy − dx · down is above −2 · dy and at most 0,
-        // which is correct
-        // even if the products wrap, and at most two corrections bring it to 0..dy.
+        // The first center is `down` < 256 units below `from`, and the edge moves by dx · down / dy on the way there.
+        // `moved` = floor(step · down / 256) is less than 2 units below that: the rounding of `step` takes less than
+        // one unit, and the floor less than another. So `short` = moved · dy − dx · down is above −2 · dy and at most
+        // 0, which is correct even if the products wrap, and at most two corrections bring it to 0..dy.
         let first = first_center(from[1]);
         let down = (first << 8) + 128 - from[1];
         let moved = (step >> 8) * down + (((step & 255) * down) >> 8);
@@ -79,8 +75,8 @@ impl Edge {
 
         let skipped = (row - first).cast_unsigned();
         if skipped > 0 {
-            // Skips rows above the scissor, such as those of earlier bands: at most 4095, each with a rest
-            // below 2^20.
+            // Skips rows above the scissor, such as those of earlier bands: at most 4095, each with a rest below
+            // 2^20.
             let rest = skipped.wrapping_mul(edge.rest);
             let units = skipped.cast_signed() * edge.step + (rest / dy).cast_signed();
             edge.add(units, rest % dy);

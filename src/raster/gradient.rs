@@ -5,15 +5,11 @@ use crate::num::wide::{product, shifted, short_difference, times_short, upper};
 
 /// An interpolant over a triangle: its value at every pixel center, to within one unit.
 ///
-/// If the triangle is [near](Basis::is_near), which means small and not a sliver, the value is `start` plus a
-/// number of
-/// steps. In other triangles, the steps would accumulate too much rounding, and the value is a quotient. Its
-/// numerator is
-/// linear over the screen; its denominator is twice the triangle's area, scaled to 32 bits. The numerators are
-/// scaled by
-/// the same factor, so they take 63 bits. Their arithmetic wraps: the result within the triangle is in range,
-/// and modulo
-/// 2⁶⁴ intermediate values do not matter.
+/// If the triangle is [near](Basis::is_near), which means small and not a sliver, the value is `start` plus a number
+/// of steps. In other triangles, the steps would accumulate too much rounding, and the value is a quotient. Its
+/// numerator is linear over the screen; its denominator is twice the triangle's area, scaled to 32 bits. The
+/// numerators are scaled by the same factor, so they take 63 bits. Their arithmetic wraps: the result within the
+/// triangle is in range, and modulo 2⁶⁴ intermediate values do not matter.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Gradient {
     /// Change from one column to the next, rounded to the nearest unit.
@@ -22,8 +18,7 @@ pub(crate) struct Gradient {
     row: i32,
     /// Value at the center of the pixel that contains corner 0; near triangles only.
     start: i32,
-    /// Numerator at the center of that pixel, and its change per column and per row; other triangles, and
-    /// `precise`.
+    /// Numerator at the center of that pixel, and its change per column and per row; other triangles, and `precise`.
     numerator: i64,
     dx: i64,
     dy: i64,
@@ -66,8 +61,7 @@ pub(crate) struct Basis {
     near: u32,
     /// Twice the area in 32 bits, with the top bit set, and its reciprocal, 2⁶² / area.
     ///
-    /// The reciprocal ignores the area's last bit. The same relative error scales all interpolants of a
-    /// triangle and
+    /// The reciprocal ignores the area's last bit. The same relative error scales all interpolants of a triangle and
     /// cancels in their quotients.
     area: u32,
     inverse: i32,
@@ -88,9 +82,8 @@ impl Basis {
         inverse: 0,
     };
 
-    /// The basis of a triangle with these corners and this doubled area, which is not 0. The area is positive
-    /// if the corners
-    /// run clockwise on a screen whose y points down.
+    /// The basis of a triangle with these corners and this doubled area, which is not 0. The area is positive if the
+    /// corners run clockwise on a screen whose y points down.
     #[inline]
     pub(crate) fn new([[x, y], b, c]: [[i32; 2]; 3], area: i64) -> Self {
         let size = |a: i32, b: i32, c: i32| a.max(b).max(c) - a.min(b).min(c);
@@ -99,9 +92,8 @@ impl Basis {
         let is_small = wide + high <= (NEAR - 2) << 8;
         // Twice the area is then below 2^28.
         let small_area = (area as i32).unsigned_abs();
-        // A gradient per pixel is at most 256 · range · extent / area, where the range of the values is below
-        // 2^31 and the
-        // extent is one of these. So it is below 2^31, too.
+        // A gradient per pixel is at most 256 · range · extent / area, where the range of the values is below 2^31
+        // and the extent is one of these. So it is below 2^31, too.
         let is_thick = small_area >> 8 >= wide.max(high).cast_unsigned();
         let (near, up, down, size) = if is_small && is_thick {
             let zeros = (small_area | 1).leading_zeros();
@@ -114,8 +106,8 @@ impl Basis {
         } else {
             let size = area.unsigned_abs();
             let zeros = size.leading_zeros();
-            // An area below 2^32 is shifted left, a greater one right. Numerators are proportional to the area
-            // and scale alike.
+            // An area below 2^32 is shifted left, a greater one right. Numerators are proportional to the area and
+            // scale alike.
             let up = 1 << (zeros.saturating_sub(32) & 31);
             let down = 32u32.saturating_sub(zeros);
             (0, up, down, (size << (zeros & 63) >> 32) as u32)
@@ -139,8 +131,7 @@ impl Basis {
         self.near != 0
     }
 
-    /// The change of `values` per column and per row, times twice the area in units of one pixel by 1/256
-    /// pixel.
+    /// The change of `values` per column and per row, times twice the area in units of one pixel by 1/256 pixel.
     ///
     /// Values lie within ±2³¹ and differ by less than 2³¹.
     #[inline]
@@ -218,8 +209,7 @@ impl Basis {
         };
     }
 
-    /// 2^`up` times the value `x` columns and `y` rows from the pixel that contains corner 0, to the nearest
-    /// unit.
+    /// 2^`up` times the value `x` columns and `y` rows from the pixel that contains corner 0, to the nearest unit.
     pub(crate) fn precise(&self, gradient: &Gradient, [x, y]: [i32; 2], up: u32) -> i32 {
         let moved = times_short(gradient.dx, x).wrapping_add(times_short(gradient.dy, y));
         self.value(gradient.numerator.wrapping_add(moved) << (up & 31))
@@ -235,8 +225,7 @@ impl Basis {
         gradient.step.unsigned_abs().max(row.unsigned_abs())
     }
 
-    /// The value `x` columns and `y` rows from the pixel that contains corner 0, for triangles that are not
-    /// near.
+    /// The value `x` columns and `y` rows from the pixel that contains corner 0, for triangles that are not near.
     #[inline(never)]
     pub(crate) fn far(&self, gradient: &Gradient, x: i32, y: i32) -> i32 {
         let Gradient {
@@ -247,9 +236,8 @@ impl Basis {
         self.value(numerator.wrapping_add(moved))
     }
 
-    /// Scales a numerator like the area. Bits shifted out at the top do not count modulo 2⁶⁴. Bits shifted out
-    /// at the bottom,
-    /// in large triangles only, are below 2⁻²² of a unit of the value.
+    /// Scales a numerator like the area. Bits shifted out at the top do not count modulo 2⁶⁴. Bits shifted out at the
+    /// bottom, in large triangles only, are below 2⁻²² of a unit of the value.
     #[inline]
     const fn scale(&self, numerator: i64) -> i64 {
         // A product, because 32-bit cores compute it faster than a shift of 64 bits.

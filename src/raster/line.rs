@@ -5,11 +5,9 @@ use super::{Blitter, ClippedVertex, Patch, Scissor, spans};
 
 /// Draws a line.
 ///
-/// Along its longer axis, the line gets one pixel for each pixel center that it passes; across, it is the pixel
-/// that
-/// contains the line there. A center at the left end (of steep lines, the upper end) belongs to the line, a
-/// center at the
-/// right (lower) end does not. So lines that continue each other along the same axis draw no pixel twice.
+/// Along its longer axis, the line gets one pixel for each pixel center that it passes; across, it is the pixel that
+/// contains the line there. A center at the left end (of steep lines, the upper end) belongs to the line, a center at
+/// the right (lower) end does not. So lines that continue each other along the same axis draw no pixel twice.
 ///
 /// The pixels do not depend on the line's direction.
 pub(crate) fn line(blitter: &mut dyn Blitter, scissor: &Scissor, ends: [&ClippedVertex; 2]) {

@@ -7,13 +7,10 @@ use super::{Blitter, ClippedVertex, Cull, Scissor, ScreenVertex};
 
 /// The fan of triangles that a clipped triangle is drawn as; all share the first corner of its outline.
 ///
-/// The outline is convex except for the rounding of its corners. Where rounding dents it or makes it cross
-/// itself, some
-/// triangles of the fan turn over and overlap others: the fan is folded. A pixel belongs to the outline if more
-/// triangles
-/// that cover it have the winding of the whole than the opposite one. The first triangle with the winding of
-/// the whole
-/// draws it.
+/// The outline is convex except for the rounding of its corners. Where rounding dents it or makes it cross itself,
+/// some triangles of the fan turn over and overlap others: the fan is folded. A pixel belongs to the outline if more
+/// triangles that cover it have the winding of the whole than the opposite one. The first triangle with the winding
+/// of the whole draws it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Polygon<'a> {
     outline: &'a [ClippedVertex],
@@ -69,10 +66,9 @@ impl<'a> Polygon<'a> {
 
     /// Draws the part in the scissor; returns whether there is any.
     pub(crate) fn draw(&self, blitter: &mut dyn Blitter, scissor: &Scissor) -> bool {
-        // A triangle that turned over counts even if it is outside the scissor. In a folded fan, every pixel is
-        // a span of its
-        // own. A band that ignored this triangle would draw longer spans, whose values may differ from the
-        // frame's by a unit.
+        // A triangle that turned over counts even if it is outside the scissor. In a folded fan, every pixel is a
+        // span of its own. A band that ignored this triangle would draw longer spans, whose values may differ from
+        // the frame's by a unit.
         let mut folded = false;
         for corners in self.triangles() {
             let area = area(&screens(corners));

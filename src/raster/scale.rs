@@ -40,9 +40,8 @@ impl Scale {
         self.bits
     }
 
-    /// The left shift and the right shift, in this order, that turn an interpolant into one of `bits` bits over
-    /// a 1/w that
-    /// is shifted left by `up`.
+    /// The left shift and the right shift, in this order, that turn an interpolant into one of `bits` bits over a 1/w
+    /// that is shifted left by `up`.
     #[inline]
     pub(crate) const fn to(self, bits: u32, up: u32) -> (u32, u32) {
         let left = up + self.bits;
@@ -66,9 +65,8 @@ impl Scale {
     }
 }
 
-/// Replaces an attribute's values at the corners by attribute · weight · 2^-bits, rounded to nearest, and
-/// returns that
-/// scale. Weights are below 2³¹.
+/// Replaces an attribute's values at the corners by attribute · weight · 2^-bits, rounded to nearest, and returns
+/// that scale. Weights are below 2³¹.
 #[inline]
 pub(crate) fn weigh(values: &mut [i32; 3], weights: [u32; 3], least_bits: u32) -> Scale {
     let [a, b, c] = values.map(i32::unsigned_abs);
@@ -86,8 +84,7 @@ pub(crate) fn weigh(values: &mut [i32; 3], weights: [u32; 3], least_bits: u32) -
     scale
 }
 
-/// Clamps values of 31 bits away from the ends of `i32`, by as much as rounding may add to them where the
-/// weight is
+/// Clamps values of 31 bits away from the ends of `i32`, by as much as rounding may add to them where the weight is
 /// least. One step beyond the ends would wrap around.
 #[cold]
 fn draw_in(values: &mut [i32; 3], weights: [u32; 3]) {
@@ -104,8 +101,7 @@ mod tests {
     use super::*;
 
     /// The error of an interpolant is at most 40 units, the error of a numerator 36½. Together they may bring a
-    /// numerator
-    /// 56½ units nearer to half of the interpolant, beyond which it wraps.
+    /// numerator 56½ units nearer to half of the interpolant, beyond which it wraps.
     #[test]
     fn numerators_leave_room_for_rounding() {
         for bits in 0..=31 {

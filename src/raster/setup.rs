@@ -9,14 +9,12 @@ pub(crate) use super::scale::Scale;
 
 /// Most pixels of a span; every span computes its interpolants afresh.
 ///
-/// A step is rounded by up to half a unit of 2⁻³⁰, so a span adds at most 32 units of error. All modes use the
-/// same
+/// A step is rounded by up to half a unit of 2⁻³⁰, so a span adds at most 32 units of error. All modes use the same
 /// length and so get the same depths.
 pub(crate) const SPAN: i32 = 64;
 
 /// The nearest corner's 1/w lies between 2^30 and 2^31. A corner with this 1/w or less is far: 1/w may change
-/// fourfold
-/// within the triangle. (The value is 2^29 plus the rounding error at a pixel.)
+/// fourfold within the triangle. (The value is 2^29 plus the rounding error at a pixel.)
 pub(crate) const FAR: u32 = (1 << 29) + 64;
 
 /// Lower clamp of 1/w: a span's rounding (at most 40 units) stays below 1/32 of it, for which [`weigh`] leaves room.
@@ -64,14 +62,11 @@ impl Attribute {
     /// Whether it may be interpolated without regard to 1/w, whose least value is `least` and whose range is
     /// `change`.
     ///
-    /// Let q be 1/w and f the attribute, both at the corners, and λ the barycentric weights of a pixel, which
-    /// add up to 1.
-    /// The affine value is Σλf, the exact value Σλqf / Σλq. Their difference is the covariance of q and f,
-    /// weighted by λ,
-    /// divided by the mean Σλq. The covariance is at most a quarter of the product of the ranges of q and f,
-    /// and the mean is
-    /// at least `least`. So the error is at most `change` · range of f / (4 · `least`), which must be below the
-    /// tolerance.
+    /// Let q be 1/w and f the attribute, both at the corners, and λ the barycentric weights of a pixel, which add up
+    /// to 1. The affine value is Σλf, the exact value Σλqf / Σλq. Their difference is the covariance of q and f,
+    /// weighted by λ, divided by the mean Σλq. The covariance is at most a quarter of the product of the ranges of q
+    /// and f, and the mean is at least `least`. So the error is at most `change` · range of f / (4 · `least`), which
+    /// must be below the tolerance.
     #[inline]
     fn is_affine(&self, least: u32, change: u32) -> bool {
         let [a, b, c] = self.corners;
@@ -86,8 +81,8 @@ impl Attribute {
 /// The set-up that all attributes of a primitive share, and the interpolant of 1/w (or depth).
 #[derive(Debug)]
 pub(crate) struct Setup {
-    /// Whether attributes are divided by w; otherwise they are interpolated as they are, as fractions in units
-    /// of 2⁻³⁰.
+    /// Whether attributes are divided by w; otherwise they are interpolated as they are, as fractions in units of
+    /// 2⁻³⁰.
     over_w: bool,
     /// The least number of bits of a [`Scale`] in triangles where 1/w changes less than fourfold.
     least_bits: u32,
@@ -96,8 +91,8 @@ pub(crate) struct Setup {
     q: Gradient,
     /// The least 1/w of a corner; the greatest has bit 30 set.
     pub(crate) least: u32,
-    /// Whether the attributes are interpolated as they are, times 2^[`AFFINE_UP`](Scale::AFFINE_UP), in a mode
-    /// that divides.
+    /// Whether the attributes are interpolated as they are, times 2^[`AFFINE_UP`](Scale::AFFINE_UP), in a mode that
+    /// divides.
     pub(crate) is_affine: bool,
     /// Right shift that turns an interpolant of 1/w into a depth: 15 to 47.
     pub(crate) down: u32,

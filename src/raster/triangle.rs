@@ -17,8 +17,7 @@ pub(crate) struct Triangle<'a> {
     pub(crate) area: i64,
 }
 
-/// Twice the area of a triangle, in units of (1/256 pixel)²: positive for corners that run clockwise on the
-/// screen.
+/// Twice the area of a triangle, in units of (1/256 pixel)²: positive for corners that run clockwise on the screen.
 #[inline]
 pub(crate) fn area([a, b, c]: &[[i32; 2]; 3]) -> i64 {
     // Differences take 21 bits.
@@ -59,8 +58,7 @@ pub(super) fn row_range(corners: &[ScreenVertex; 3]) -> Range<i32> {
     centers([a[1], b[1], c[1]])
 }
 
-/// Whether a triangle covers the center of a pixel. It uses the same edges as [`draw`], and so follows the same
-/// rule.
+/// Whether a triangle covers the center of a pixel. It uses the same edges as [`draw`], and so follows the same rule.
 pub(super) fn covers([a, b, c]: &[[i32; 2]; 3], area: i64, [x, row]: [i32; 2]) -> bool {
     // With clockwise corners, an edge that runs down is on the right.
     let edges = if area > 0 {
@@ -146,9 +144,8 @@ pub(super) fn draw(
     // Interpolants are counted from this pixel.
     let (origin_x, origin_y) = (screen[0][0] >> 8, screen[0][1] >> 8);
 
-    // With the corners sorted from top to bottom, one long edge runs from the first to the last, on the left or
-    // on the
-    // right; two short edges are on the other side. Every exchange of corners swaps the sides.
+    // With the corners sorted from top to bottom, one long edge runs from the first to the last, on the left or on
+    // the right; two short edges are on the other side. Every exchange of corners swaps the sides.
     let [mut top, mut middle, mut bottom] = screen;
     let mut long_is_left = triangle.area > 0;
     let mut sort = |upper: &mut [i32; 2], lower: &mut [i32; 2]| {

@@ -7,8 +7,7 @@ use crate::mesh::Index;
 pub(crate) struct ScreenVertex {
     /// Column and row in units of 1/256 pixel, from the frame's top left.
     pub(crate) screen: [i32; 2],
-    /// The interpolant of depth, 31 bits: 1/w with its top bit set or, under a parallel projection, the depth
-    /// itself.
+    /// The interpolant of depth, 31 bits: 1/w with its top bit set or, under a parallel projection, the depth itself.
     pub(crate) q: u32,
     /// 1/w is `q` · 2^`exponent` times a constant of the draw call; 0 under a parallel projection.
     pub(crate) exponent: u8,
@@ -36,9 +35,8 @@ impl ScreenVertex {
     }
 }
 
-/// A point of a triangle: the barycentric weights of the second and the third corner, in units of 2⁻³⁰. The
-/// first corner
-/// has the rest of 1.
+/// A point of a triangle: the barycentric weights of the second and the third corner, in units of 2⁻³⁰. The first
+/// corner has the rest of 1.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Barycentric(pub(crate) [i32; 2]);
 
@@ -46,9 +44,8 @@ impl Barycentric {
     /// The corners themselves.
     pub(crate) const CORNERS: [Self; 3] = [Self([0, 0]), Self([1 << 30, 0]), Self([0, 1 << 30])];
 
-    /// The value, at this point, of a varying that has these values at the corners. It is rounded to the
-    /// nearest unit, apart
-    /// from the rounding of the weights.
+    /// The value, at this point, of a varying that has these values at the corners. It is rounded to the nearest
+    /// unit, apart from the rounding of the weights.
     pub(crate) fn mix(self, [value, second, third]: &[i32; 3]) -> i32 {
         let difference = |to: &i32| i64::from(*to) - i64::from(*value);
         let [b, c] = self.0.map(i64::from);
@@ -71,11 +68,10 @@ pub(crate) struct ClippedVertex {
 pub(crate) struct DepthShift(pub(crate) i32);
 
 impl DepthShift {
-    /// How far an interpolant with this `exponent` is shifted right to become a depth, 2^16 at the near plane:
-    /// 15 to 47.
+    /// How far an interpolant with this `exponent` is shifted right to become a depth, 2^16 at the near plane: 15 to
+    /// 47.
     ///
-    /// At 47, the largest interpolant, below 2^31, becomes a depth below 2^-16, which no format can tell from
-    /// 0.
+    /// At 47, the largest interpolant, below 2^31, becomes a depth below 2^-16, which no format can tell from 0.
     #[inline]
     pub(crate) fn of(self, exponent: u8) -> u32 {
         (self.0 - i32::from(exponent)).clamp(15, 47).cast_unsigned()

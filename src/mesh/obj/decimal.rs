@@ -30,10 +30,8 @@ pub(super) const TEX_COORD: Format = Format {
 /// Fraction bits that are computed before rounding: the 20 of the finest format, and one more for its halves.
 const BITS: u32 = 21;
 
-/// Decimal places that are read: a multiple of 2⁻²¹ has at most 21, so whatever follows them can only raise a
-/// number
-/// that lies between two such multiples. Later places are dropped, because halves round away from zero. The 21
-/// digits
+/// Decimal places that are read: a multiple of 2⁻²¹ has at most 21, so whatever follows them can only raise a number
+/// that lies between two such multiples. Later places are dropped, because halves round away from zero. The 21 digits
 /// do not fit into 64 bits, so they are kept as two integers.
 const PLACES: usize = HIGH + LOW;
 const HIGH: usize = 17;
@@ -70,9 +68,8 @@ pub(super) use byte;
 
 /// A fraction given by its first 17 decimal places and the next 4, in units of 2⁻²¹, rounded down.
 const fn bits(high: u64, low: u64) -> u64 {
-    // 10⁻¹⁷ = 2⁻¹⁷ / 5¹⁷, so `high` has `whole` units of 2⁻¹⁷ and a remainder `rest`. In units of 2⁻²¹, the
-    // remainder is
-    // rest · 2⁴ / 5¹⁷ = rest · 10⁴ / 5²¹, and `low` is low · 2²¹ / 10²¹ = low / 5²¹.
+    // 10⁻¹⁷ = 2⁻¹⁷ / 5¹⁷, so `high` has `whole` units of 2⁻¹⁷ and a remainder `rest`. In units of 2⁻²¹, the remainder
+    // is rest · 2⁴ / 5¹⁷ = rest · 10⁴ / 5²¹, and `low` is low · 2²¹ / 10²¹ = low / 5²¹.
     let (whole, rest) = (high / HIGH_FIVES, high % HIGH_FIVES);
     (whole << (BITS - 17)) + (rest * POWERS[LOW] + low) / FIVES
 }
@@ -171,8 +168,7 @@ const fn power(text: &[u8], mut at: usize) -> Result<(i64, usize), &'static str>
     Ok((if negative { -power } else { power }, at))
 }
 
-/// Moves the point of the digits from `start` to `end` to `point` digits after the first. Returns the whole
-/// part, the
+/// Moves the point of the digits from `start` to `end` to `point` digits after the first. Returns the whole part, the
 /// first 17 decimal places and the next 4.
 const fn shifted(text: &[u8], start: usize, end: usize, point: i64) -> (u64, u64, u64) {
     let (mut whole, mut high, mut low) = (0, 0, 0);

@@ -7,8 +7,7 @@ const FEW: usize = 24;
 
 /// Sorts the edges in place, moves one of each to the front and returns how many there are.
 ///
-/// A radix sort takes linear time. It matters because this runs in the compiler, where a step costs a
-/// microsecond.
+/// A radix sort takes linear time. It matters because this runs in the compiler, where a step costs a microsecond.
 pub(super) const fn unique(edges: &mut [[Index; 2]]) -> usize {
     sort(edges, 0, edges.len(), 24);
     let mut kept = 0;
@@ -27,8 +26,8 @@ pub(super) const fn unique(edges: &mut [[Index; 2]]) -> usize {
 /// Sorts the edges from `start` to before `end`. Their keys (first index, then second) agree in all bits above
 /// `shift` + 8.
 ///
-/// An American flag sort: the next eight bits distribute the edges in place into 256 buckets, and each bucket
-/// is sorted.
+/// An American flag sort: the next eight bits distribute the edges in place into 256 buckets, and each bucket is
+/// sorted.
 const fn sort(edges: &mut [[Index; 2]], start: usize, end: usize, shift: u32) {
     if end - start <= FEW {
         insertion(edges, start, end);
@@ -56,8 +55,7 @@ const fn sort(edges: &mut [[Index; 2]], start: usize, end: usize, shift: u32) {
     bucket = 0;
     while bucket < 256 {
         while next[bucket] < ends[bucket] {
-            // Puts an edge into its bucket and picks up the one it displaces, until one belongs in this
-            // bucket.
+            // Puts an edge into its bucket and picks up the one it displaces, until one belongs in this bucket.
             let mut edge = edges[next[bucket]];
             loop {
                 let home = (edge[part] >> low) as usize & 0xFF;

@@ -12,9 +12,8 @@ pub const fn room(bytes: usize) -> Counts {
     const fn at_most(count: usize, most: usize) -> usize {
         if count < most { count } else { most }
     }
-    // The shortest statements are "v 0 0 0", "vt 0" and "vn 0 0 0", each with a line feed; a corner takes a
-    // blank and a
-    // digit.
+    // The shortest statements are "v 0 0 0", "vt 0" and "vn 0 0 0", each with a line feed; a corner takes a blank and
+    // a digit.
     let positions = at_most(bytes / 8 + 1, MOST[0]);
     let corners = bytes / 2 + 1;
     Counts {

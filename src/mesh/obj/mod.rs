@@ -1,7 +1,6 @@
 //! Meshes from Wavefront OBJ text, at compile time or at run time, without floats or allocation.
 //!
-//! [`include_obj!`](crate::include_obj) turns a file into a `static` mesh; [`parse`] fills the caller's memory.
-//! Both
+//! [`include_obj!`](crate::include_obj) turns a file into a `static` mesh; [`parse`] fills the caller's memory. Both
 //! read this dialect:
 //!
 //! | statement | meaning |
@@ -15,22 +14,17 @@
 //! | `# …` | a comment, to the end of the line |
 //! | any other | ignored, whether OBJ defines it (`o`, `g`, `s`, `p`, `usemtl`, `mtllib`, …) or not |
 //!
-//! - Indices count from 1 up, or from −1, the last element so far, down. A positive index may name an element
-//!   that
+//! - Indices count from 1 up, or from −1, the last element so far, down. A positive index may name an element that
 //!   comes later in the text.
 //! - Numbers are decimal, with or without an exponent. Each is rounded exactly to the nearest
-//!   [`Scalar`](crate::Scalar),
-//!   after `vt` to the nearest [`TexCoord`](crate::TexCoord); halves round away from zero.
+//!   [`Scalar`](crate::Scalar), after `vt` to the nearest [`TexCoord`](crate::TexCoord); halves round away from zero.
 //! - Lines end in LF, CR or both. A backslash at the end of a line joins the next line to it. Extra blanks are
 //!   ignored.
-//! - If some corners have texture coordinates, the others get (0, 0). If some have normals, the others get the
-//!   normal
+//! - If some corners have texture coordinates, the others get (0, 0). If some have normals, the others get the normal
 //!   of their triangle. Attributes that no corner names are left out.
-//! - Edges are the sides of the polygons (not the diagonals of the fan) and the lines. Each occurs once, from
-//!   the
+//! - Edges are the sides of the polygons (not the diagonals of the fan) and the lines. Each occurs once, from the
 //!   smaller index to the greater, in ascending order.
-//! - The text is bytes, because comments and names may be in any encoding. A UTF-8 byte-order mark at the start
-//!   is
+//! - The text is bytes, because comments and names may be in any encoding. A UTF-8 byte-order mark at the start is
 //!   skipped.
 
 mod decimal;
@@ -61,8 +55,7 @@ impl Usage {
         self.differs |= index != position;
     }
 
-    /// How many values and how many triangles the attribute's lists need, for a text with so many values,
-    /// positions,
+    /// How many values and how many triangles the attribute's lists need, for a text with so many values, positions,
     /// corners and triangles.
     const fn counts(
         self,
@@ -85,9 +78,8 @@ impl Usage {
 ///
 /// # Errors
 ///
-/// [`Error::Obj`] with the line of the first mistake. Indices that name no element are reported only if there
-/// is no other
-/// mistake.
+/// [`Error::Obj`] with the line of the first mistake. Indices that name no element are reported only if there is no
+/// other mistake.
 ///
 /// ```
 /// use fixel::mesh::obj;

@@ -42,8 +42,7 @@ pub(super) struct Reader<'a> {
     named: [usize; 3],
 }
 
-/// The most elements of each kind that 16-bit indices can name; `Mesh::NO_VALUE` takes one index from the
-/// attributes.
+/// The most elements of each kind that 16-bit indices can name; `Mesh::NO_VALUE` takes one index from the attributes.
 pub(super) const MOST: [usize; 3] = [
     Mesh::MAX_POSITIONS,
     Mesh::NO_VALUE as usize,

@@ -11,14 +11,12 @@ use crate::num::Scalar;
 use crate::{Error, Vec3};
 use pen::Pen;
 
-/// A generated shape: [`shape!`](crate::shape) turns it into a mesh in flash, [`build`](Self::build) does so at
-/// run time.
+/// A generated shape: [`shape!`](crate::shape) turns it into a mesh in flash, [`build`](Self::build) does so at run
+/// time.
 ///
-/// All shapes are centered on the origin. They have positions, unit normals, texture coordinates from 0 to 1,
-/// and edges:
-/// a wireframe without the diagonals of quads. Triangles are counter-clockwise as seen from outside. Positions
-/// repeat
-/// where the texture or the normal jumps. To resize a shape, scale it with a [`Transform`](crate::Transform).
+/// All shapes are centered on the origin. They have positions, unit normals, texture coordinates from 0 to 1, and
+/// edges: a wireframe without the diagonals of quads. Triangles are counter-clockwise as seen from outside. Positions
+/// repeat where the texture or the normal jumps. To resize a shape, scale it with a [`Transform`](crate::Transform).
 ///
 /// ```
 /// use fixel::mesh::{Buffers, Shape};
@@ -82,8 +80,7 @@ const fn extent(of: &'static str, given: Scalar, max: Scalar) -> Result<(), Erro
 }
 
 impl Shape {
-    /// Most parts in one direction: with the fewest parts in the other direction, the indices still fit into 16
-    /// bits.
+    /// Most parts in one direction: with the fewest parts in the other direction, the indices still fit into 16 bits.
     pub const MAX_PARTS: u32 = 16_384;
 
     /// A box from −`corner` to `corner`; the texture fills each of its six sides.
@@ -102,15 +99,13 @@ impl Shape {
 
     /// A sphere of radius 1 with its poles on the y axis.
     ///
-    /// It has `slices` sides around the axis, counted from z over x, and `stacks` rows from the upper pole to
-    /// the lower. The
-    /// texture wraps around it once.
+    /// It has `slices` sides around the axis, counted from z over x, and `stacks` rows from the upper pole to the
+    /// lower. The texture wraps around it once.
     ///
     /// # Errors
     ///
-    /// [`Error::Parts`] below 3 slices or 2 stacks; [`Error::TooMany`] if the (`slices` + 1)(`stacks` + 1)
-    /// positions are more
-    /// than 65,536.
+    /// [`Error::Parts`] below 3 slices or 2 stacks; [`Error::TooMany`] if the (`slices` + 1)(`stacks` + 1) positions
+    /// are more than 65,536.
     pub const fn sphere(slices: u32, stacks: u32) -> Result<Self, Error> {
         let checks = [parts("slices", slices, 3), parts("stacks", stacks, 2)];
         Self::of(Kind::Sphere { slices, stacks }, &checks)
@@ -118,14 +113,12 @@ impl Shape {
 
     /// A torus around the y axis: a tube of radius `tube` about a circle of radius 1.
     ///
-    /// It has `slices` sides around the axis and `sides` around the tube. The texture wraps once around each,
-    /// with its seam
-    /// on the inside.
+    /// It has `slices` sides around the axis and `sides` around the tube. The texture wraps once around each, with
+    /// its seam on the inside.
     ///
     /// # Errors
     ///
-    /// [`Error::Parts`] below 3 slices or sides; [`Error::Extent`] unless 0 < `tube` < 1; [`Error::TooMany`] if
-    /// the
+    /// [`Error::Parts`] below 3 slices or sides; [`Error::Extent`] unless 0 < `tube` < 1; [`Error::TooMany`] if the
     /// (`slices` + 1)(`sides` + 1) positions are more than 65,536.
     pub const fn torus(tube: Scalar, slices: u32, sides: u32) -> Result<Self, Error> {
         let max = Scalar::from_bits(Scalar::ONE.to_bits() - 1);
@@ -142,15 +135,13 @@ impl Shape {
         Self::of(kind, &checks)
     }
 
-    /// A horizontal square from −1 to 1 in x and z that faces up, as a grid of `columns` along x and `rows`
-    /// along z. The
-    /// texture fills it; its top edge is at z = −1.
+    /// A horizontal square from −1 to 1 in x and z that faces up, as a grid of `columns` along x and `rows` along z.
+    /// The texture fills it; its top edge is at z = −1.
     ///
     /// # Errors
     ///
-    /// [`Error::Parts`] below 1 column or row; [`Error::TooMany`] if the (`columns` + 1)(`rows` + 1) positions
-    /// are more than
-    /// 65,536.
+    /// [`Error::Parts`] below 1 column or row; [`Error::TooMany`] if the (`columns` + 1)(`rows` + 1) positions are
+    /// more than 65,536.
     pub const fn plane(columns: u32, rows: u32) -> Result<Self, Error> {
         let checks = [parts("columns", columns, 1), parts("rows", rows, 1)];
         Self::of(Kind::Plane { columns, rows }, &checks)
@@ -162,8 +153,7 @@ impl Shape {
     ///
     /// # Errors
     ///
-    /// [`Error::Parts`] below 3 slices; [`Error::TooMany`] if the 4(`slices` + 1) positions are more than
-    /// 65,536.
+    /// [`Error::Parts`] below 3 slices; [`Error::TooMany`] if the 4(`slices` + 1) positions are more than 65,536.
     pub const fn cylinder(slices: u32) -> Result<Self, Error> {
         Self::of(Kind::Cylinder { slices }, &[parts("slices", slices, 3)])
     }
@@ -223,9 +213,8 @@ impl Shape {
     ///
     /// # Errors
     ///
-    /// [`Error::TooMany`] if a slice is neither empty nor as long as [`counts`](Self::counts) says, or if the
-    /// slice for
-    /// positions or faces is too short.
+    /// [`Error::TooMany`] if a slice is neither empty nor as long as [`counts`](Self::counts) says, or if the slice
+    /// for positions or faces is too short.
     pub const fn build(self, buffers: Buffers<'_>) -> Result<Mesh<'_>, Error> {
         let mut pen = match Pen::new(buffers, self.counts()) {
             Ok(pen) => pen,
@@ -259,8 +248,7 @@ impl Shape {
 
 /// A mesh of a [`Shape`](crate::mesh::Shape), built at compile time and stored in flash.
 ///
-/// The argument is a constructor of `Shape` with constant arguments. Arguments that the constructor refuses do
-/// not
+/// The argument is a constructor of `Shape` with constant arguments. Arguments that the constructor refuses do not
 /// compile.
 ///
 /// ```

@@ -6,9 +6,8 @@ use crate::{Angle, Scalar, TexCoord, Vec3};
 const ZERO: TexCoord = TexCoord::ZERO;
 const UNIT: TexCoord = TexCoord::ONE;
 
-/// `part` / `parts` of a turn, or of half a turn if `half`. A whole turn is 0 again, so that a seam closes to
-/// the last
-/// bit.
+/// `part` / `parts` of a turn, or of half a turn if `half`. A whole turn is 0 again, so that a seam closes to the
+/// last bit.
 const fn angle(part: u32, parts: u32, half: bool) -> Angle {
     let bits = ((part as u64) << (32 - half as u32)) / parts as u64;
     // Whole turns overflow and drop out.
@@ -48,9 +47,8 @@ struct Grid {
     across: u32,
 }
 
-/// Writes the triangles and edges between the vertices of a grid, which are numbered row by row from `first`.
-/// Seen from
-/// outside, columns run to the right and rows run down.
+/// Writes the triangles and edges between the vertices of a grid, which are numbered row by row from `first`. Seen
+/// from outside, columns run to the right and rows run down.
 const fn weave(pen: &mut Pen<'_>, first: u32, grid: &Grid) {
     let width = grid.columns + 1;
     let mut row = 0;
@@ -236,8 +234,7 @@ const fn texture(unit: i64) -> TexCoord {
 }
 
 pub(super) const fn cuboid(pen: &mut Pen<'_>, corner: Vec3) {
-    /// Normal, right and down of each side as seen from outside; each is an axis and whether it points along
-    /// it.
+    /// Normal, right and down of each side as seen from outside; each is an axis and whether it points along it.
     const SIDES: [[(usize, bool); 3]; 6] = [
         [(2, true), (0, true), (1, false)],
         [(0, true), (2, false), (1, false)],
