@@ -214,9 +214,10 @@ const LEVEL: u32 = 8;
 /// Whether 1/w changes so little along a row that attributes are linear to within 2^-12 texel, which is 2^4 units.
 ///
 /// In the middle of 64 pixels, take the line that touches f. At the ends, 32 pixels away, f deviates from it by
-/// |f′| · δ · 32². As a fraction of 2^28 units, |f| is at most half, so f′ = (p′ − f · q′) / q is at most (|p′|
-/// + |q′|) / q. With δ = |q′| / q and q ≥ 2^29, the deviation is at most 2^28 · (|p′| + |q′|) · |q′| · 2^10 / 2^58
-/// units. It is below 2^4 units if (|p′| + |q′|) · |q′| is below 2^(4 + 58 − 28 − 10) = 2^24.
+/// |f′| · δ · 32². As a fraction of 2^28 units, |f| is at most half, so f′ = (p′ − f · q′) / q is at most
+/// (|p′| + |q′|) / q. With δ = |q′| / q and q ≥ 2^29, the deviation is at most
+/// 2^28 · (|p′| + |q′|) · |q′| · 2^10 / 2^58 units. It is below 2^4 units if (|p′| + |q′|) · |q′| is below
+/// 2^(4 + 58 − 28 − 10) = 2^24.
 #[inline]
 pub(super) fn is_level<L: Lanes>(span: &Span<L>) -> bool {
     let step = span.dq.unsigned_abs();
@@ -340,7 +341,8 @@ impl Fast {
         let step = slopes.q.unsigned_abs();
         let mut most = 0;
         L::zip(&slopes.p, &slopes.scales, |p, scale| {
-            // |f′| = |p′ − f · q′| / q, where |f| is at most half as a fraction of 2^bits units: at most gain / q. `most` is in units of 2^28 / q.
+            // |f′| = |p′ − f · q′| / q, where |f| is at most half as a fraction of 2^bits units: at most gain / q.
+            // `most` is in units of 2^28 / q.
             let gain = p.unsigned_abs().saturating_add(step >> 1);
             most = most.max((gain >> (MOST_BITS.wrapping_sub(scale.bits()) & 31)) + 1);
         });
