@@ -1,4 +1,4 @@
-//! Where pixels go: the caller's memory as a canvas, whole or a band, with or without a depth buffer.
+//! The canvas: the caller's memory for a frame or a band of it, with or without a depth buffer.
 
 mod canvas;
 mod depth;
