@@ -3,7 +3,8 @@
 use super::Index;
 use crate::{Error, Vec3};
 
-/// The positions of a mesh, with 32-bit or 16-bit components.
+/// The positions of a mesh, with 32-bit or 16-bit components; [`Mesh::positions`](crate::Mesh::positions) returns
+/// them.
 ///
 /// The 16-bit positions of [`Mesh::short`](crate::Mesh::short) take half the flash: 6 bytes instead of 12. Each
 /// component is a whole number of units of 2^-`fraction`, which a [`Scalar`](crate::Scalar) holds exactly. Such a
@@ -105,8 +106,7 @@ impl<'a> Positions<'a> {
     pub(crate) const fn are_short(&self) -> bool {
         matches!(self.list, List::Short { .. })
     }
-    /// The position at an index, ready to be transformed; the origin for an index that no checked list holds. One of
-    /// them as it is transformed; the origin for an index that no checked list holds.
+    /// The position at an index, in its stored format; the origin for an index that no checked list holds.
     #[inline]
     pub(crate) fn place(&self, index: Index) -> Place<'a> {
         let index = usize::from(index);

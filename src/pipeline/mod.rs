@@ -41,12 +41,12 @@ use crate::view::{ModelToPicture, ProjectionKind};
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Drawn {
-    /// How many the draw call was given.
+    /// The number of triangles, edges or points in the mesh.
     pub submitted: u32,
-    /// How many may have changed a pixel: triangles that are not culled and that meet the viewport and the canvas's
-    /// rows, and lines and points that are not entirely outside the guard band.
+    /// The number of these that may have changed a pixel: triangles that are not culled and that meet the viewport
+    /// and the canvas's rows, and lines and points that are not entirely outside the guard band.
     pub drawn: u32,
-    /// How many of the drawn ones were clipped by a plane of the view volume or of the guard band.
+    /// The number of drawn ones that were clipped by a plane of the view volume or of the guard band.
     pub clipped: u32,
     /// The attributes that the shader asked for and the mesh lacks.
     pub missing: Missing,
@@ -80,7 +80,8 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     /// Draws a mesh's triangles through `mvp` to the whole frame. Back faces are culled, and every pixel is correct
     /// in perspective.
     ///
-    /// Drawing cannot fail: parts outside the view are clipped away.
+    /// `mvp` is a [`Projection`](crate::Projection) times a camera and a model transform (an [`Mvp`](crate::Mvp)), or
+    /// a projection alone. Drawing cannot fail: parts outside the view are clipped away.
     pub fn draw<V: ModelToPicture, S: Shader<Color = C>>(
         &mut self,
         mesh: &Mesh<'_>,
@@ -118,6 +119,9 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     }
 
     /// Draws a mesh's [edges](Mesh::edges) as lines, one pixel wide.
+    ///
+    /// A line gets one pixel for each pixel center that it passes along its longer axis. Its right end (lower end, if
+    /// it is steep) does not belong to it, so lines that continue each other draw no pixel twice.
     pub fn draw_edges<M: Mode, Z: DepthTest, V: ModelToPicture, S: Shader<Color = C>>(
         &mut self,
         options: &DrawOptions<M, Z>,
@@ -130,7 +134,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
         run::edges(&call, &mut blit)
     }
 
-    /// Draws a mesh's positions as points, one pixel each.
+    /// Draws a mesh's positions as points: the pixel that contains each.
     pub fn draw_points<M: Mode, Z: DepthTest, V: ModelToPicture, S: Shader<Color = C>>(
         &mut self,
         options: &DrawOptions<M, Z>,

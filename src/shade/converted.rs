@@ -8,8 +8,8 @@ use super::levels::{Levels, dimmed};
 use super::{Fragment, Shader};
 use crate::mesh::Primitive;
 
-/// The colors of shader `S` in the canvas's color `C`: rounded, or dithered if `C` is coarse (see [`Levels`]). See
-/// [`Shader::converted`].
+/// Shader `S` on a canvas of color `C`; [`Shader::converted`] returns it. Colors are rounded, or dithered if `C` is
+/// coarse (see [`Levels`]).
 ///
 /// It can draw a texture whose color differs from the canvas's. Each pixel is then converted; a texture stored in the
 /// canvas's color is faster.

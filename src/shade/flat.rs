@@ -5,7 +5,7 @@ use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
 use super::{Converted, Fragment, PerFace, Shader};
 use crate::mesh::Primitive;
 
-/// One color for everything.
+/// One color for all pixels.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -28,8 +28,8 @@ pub struct Flat<C> {
 }
 
 impl<C> Flat<C> {
-    /// A shader of a color given as red, green and blue, on a canvas of color `C`. After light has dimmed it, the
-    /// color is rounded, or dithered if `C` is coarse.
+    /// A shader with one color, given as red, green and blue, for a canvas of color `C`. Light dims this color first;
+    /// then it is rounded, or dithered if `C` is coarse.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, Rgb888};

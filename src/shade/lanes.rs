@@ -60,7 +60,7 @@ pub trait Lanes: Copy + sealed::Sealed {
     fn split<B: Lanes, T: Copy>(both: <Self::Plus<B> as Lanes>::Of<T>) -> (Self::Of<T>, B::Of<T>);
 }
 
-/// The number after eight: a shader with this many varyings does not compile.
+/// Any number above eight: a shader with this many varyings does not compile.
 ///
 /// ```
 /// use fixel::shade::{Lanes, TooMany};

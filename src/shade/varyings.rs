@@ -6,6 +6,13 @@ use super::lanes::Lanes;
 /// How large a varying's error may be if that saves the division by w.
 ///
 /// [`Varyings`] carry it in their types: [`Texels`], [`Within`], or plain numbers, which are exact.
+///
+/// ```
+/// use fixel::shade::{Texels, Tolerance, Varyings, Within};
+/// assert_eq!(Texels::tolerances(), [Tolerance::Texels; 2]);
+/// assert_eq!(Within::<64, [i32; 1]>::tolerances(), [Tolerance::Units(64)]);
+/// assert_eq!(<[i32; 1]>::tolerances(), [Tolerance::Units(0)]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Tolerance {
     /// A texture coordinate, in texels times 2^16; the [mode](crate::mode) decides.

@@ -27,6 +27,16 @@ use crate::shade::{Lanes, Tolerance};
 /// exactly like frames, and the same pixels on every target. Depths are the same in all modes.
 ///
 /// For each span of up to 64 pixels, a mode chooses among four kernels: straight, pieces, Newton, divide.
+///
+/// ```
+/// use fixel::{DrawOptions, mode::{Exact, Mode}};
+///
+/// /// Options for any mode.
+/// fn options<M: Mode>(mode: M) -> DrawOptions<M> {
+///     DrawOptions::new().mode(mode)
+/// }
+/// let exact = options(Exact);
+/// ```
 pub trait Mode: Policy {}
 
 impl<M: Policy> Mode for M {}

@@ -45,8 +45,8 @@ pub struct NoDepth;
 ///
 /// `F` is the format of a depth: [`Linear`], [`Float`](super::Float) or [`WideFloat`](super::WideFloat). In each
 /// format, a nearer depth is a greater number, so the depth test is the same comparison. The formats differ in cost,
-/// and in the ratio far/near that they resolve. The table lists the greatest depth step relative to the distance;
-/// "none" means that the far end has no depth but 0.
+/// and in the ratio far/near that they resolve. The table lists the greatest depth step, relative to the distance, at
+/// the far end; "none" means that every depth there is stored as 0.
 ///
 /// | far / near | [`Linear`] | [`Float`](super::Float) | [`WideFloat`](super::WideFloat) |
 /// |---:|---:|---:|---:|

@@ -7,9 +7,10 @@ use crate::Error;
 
 /// A picture inside the bytes of an uncompressed BMP or TGA file.
 ///
-/// It is for files that are read at run time, for example from a memory card. It checks the file once, and converts
-/// it into memory of the caller. For files that are known at compile time, use [`include_bmp!`](crate::include_bmp)
-/// or [`include_tga!`](crate::include_tga).
+/// It is for files that are read at run time, for example from a memory card. The constructors check the file;
+/// [`read_texture`](Self::read_texture) and [`read_palette`](Self::read_palette) convert it into the caller's memory.
+/// For files that are known at compile time, use [`include_bmp!`](crate::include_bmp) or
+/// [`include_tga!`](crate::include_tga).
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
@@ -258,7 +259,7 @@ macro_rules! write_indices {
 pub(super) use {byte, channels, entry, index, rgb, widened, word, write_colors, write_indices};
 
 impl<'a> Image<'a> {
-    /// Reads the header of a BMP file.
+    /// Reads the header of a BMP file, and checks that all pixels are there.
     ///
     /// # Errors
     ///
@@ -267,7 +268,7 @@ impl<'a> Image<'a> {
         bmp::read(bytes)
     }
 
-    /// Reads the header of a TGA file.
+    /// Reads the header of a TGA file, and checks that all pixels are there.
     ///
     /// # Errors
     ///

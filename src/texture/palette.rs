@@ -100,7 +100,7 @@ impl<'a, C: Copy> Palette<'a, C> {
 /// assert_eq!([0, 1, 2, 255].map(|index| colors[index]), [3, 5, 5, 5].map(Gray8::new));
 /// ```
 ///
-/// No color, or more than 256, does not compile.
+/// An empty list, or one of more than 256 colors, does not compile.
 #[must_use]
 pub const fn palette_colors<C: Copy, const COLORS: usize>(colors: &[C; COLORS]) -> [C; 256] {
     const {

@@ -14,8 +14,8 @@
 //! | `# …` | a comment, to the end of the line |
 //! | any other | ignored, whether OBJ defines it (`o`, `g`, `s`, `p`, `usemtl`, `mtllib`, …) or not |
 //!
-//! - Indices count from 1 up, or from −1, the last element so far, down. A positive index may name an element that
-//!   comes later in the text.
+//! - Indices count from 1 up; −1 is the last element so far, −2 the one before. A positive index may name an element
+//!   that comes later in the text.
 //! - Numbers are decimal, with or without an exponent. Each is rounded exactly to the nearest
 //!   [`Scalar`](crate::Scalar), after `vt` to the nearest [`TexCoord`](crate::TexCoord); halves round away from zero.
 //! - Lines end in LF, CR or both. A backslash at the end of a line joins the next line to it. Extra blanks are
@@ -116,7 +116,8 @@ const fn read(text: &[u8], buffers: &mut Buffers<'_>) -> Result<Counts, Error> {
 ///
 /// # Errors
 ///
-/// [`Error::Obj`] as for [`count`]; [`Error::TooMany`] if a slice is too short.
+/// [`Error::Obj`] as for [`count`]; [`Error::TooMany`] if a slice is too short (an empty slice for attributes or
+/// edges is not).
 ///
 /// ```
 /// use fixel::mesh::{obj, Buffers};

@@ -99,8 +99,8 @@ impl Shape {
 
     /// A sphere of radius 1 with its poles on the y axis.
     ///
-    /// It has `slices` sides around the axis, counted from z over x, and `stacks` rows from the upper pole to the
-    /// lower. The texture wraps around it once.
+    /// It has `slices` sides around the axis, which start at +z and continue toward +x, and `stacks` rows from the
+    /// upper pole to the lower. The texture wraps around it once.
     ///
     /// # Errors
     ///
@@ -111,7 +111,7 @@ impl Shape {
         Self::of(Kind::Sphere { slices, stacks }, &checks)
     }
 
-    /// A torus around the y axis: a tube of radius `tube` about a circle of radius 1.
+    /// A torus around the y axis: a tube of radius `tube` whose center line is a circle of radius 1.
     ///
     /// It has `slices` sides around the axis and `sides` around the tube. The texture wraps once around each, with
     /// its seam on the inside.
@@ -213,8 +213,8 @@ impl Shape {
     ///
     /// # Errors
     ///
-    /// [`Error::TooMany`] if a slice is neither empty nor as long as [`counts`](Self::counts) says, or if the slice
-    /// for positions or faces is too short.
+    /// [`Error::TooMany`] if the slice for positions or for faces is shorter than [`counts`](Self::counts) says, or
+    /// if another slice is shorter but not empty.
     pub const fn build(self, buffers: Buffers<'_>) -> Result<Mesh<'_>, Error> {
         let mut pen = match Pen::new(buffers, self.counts()) {
             Ok(pen) => pen,
