@@ -45,7 +45,7 @@ pub(crate) fn clip<K: ProjectionKind>(
     let closed = corners.len() > 2;
     for plane in (0..6).filter(|plane| planes >> plane & 1 != 0) {
         inside.clear();
-        cut_off(projector, plane, (polygon, closed), inside);
+        clip_to_plane(projector, plane, (polygon, closed), inside);
         (polygon, inside) = (inside, polygon);
     }
     let mut clipped = ClippedPolygon::new();
@@ -63,7 +63,7 @@ pub(crate) fn clip<K: ProjectionKind>(
 
 /// Writes to `inside` the part of a polygon that is inside a plane, or of a line if it is not `closed`.
 #[inline(never)]
-fn cut_off<K: ProjectionKind>(
+fn clip_to_plane<K: ProjectionKind>(
     projector: &Projector<'_, K>,
     plane: u32,
     (polygon, closed): (&[ClipVertex], bool),
@@ -113,10 +113,11 @@ fn cut<K: ProjectionKind>(
     let values = vertex.position.iter_mut().chain(&mut vertex.barycentric);
     let others = outside.position.iter().chain(&outside.barycentric);
     for (from, to) in values.zip(others) {
-        let way = to.saturating_sub(*from);
-        // The product of 64 bits and the fraction, from the halves of `way`: below 2^63, because the fraction is
-        // below 2^31.
-        *from += (((way >> 32) * fraction) << 1) + (((way & 0xffff_ffff) * fraction) >> 31);
+        let difference = to.saturating_sub(*from);
+        // The product of 64 bits and the fraction, from the halves of `difference`: below 2^63, because the fraction
+        // is below 2^31.
+        *from += (((difference >> 32) * fraction) << 1)
+            + (((difference & 0xffff_ffff) * fraction) >> 31);
     }
     projector.put_onto(&mut vertex.position, plane);
     vertex

@@ -17,12 +17,14 @@ pub(crate) fn line(blitter: &mut dyn Blitter, scissor: &Scissor, ends: [&Clipped
         x0.abs_diff(x1) < y0.abs_diff(y1)
     };
     // The coordinates along the longer axis and across it.
-    let turn = |[x, y]: [i32; 2]| if steep { [y, x] } else { [x, y] };
-    let ([mut start, mut aside], [mut end, mut aside_end]) =
-        (turn(from.vertex.screen), turn(to.vertex.screen));
+    let major_first = |[x, y]: [i32; 2]| if steep { [y, x] } else { [x, y] };
+    let ([mut start, mut minor], [mut end, mut minor_end]) = (
+        major_first(from.vertex.screen),
+        major_first(to.vertex.screen),
+    );
     if end < start {
         (from, to) = (to, from);
-        (start, aside, end, aside_end) = (end, aside_end, start, aside);
+        (start, minor, end, minor_end) = (end, minor_end, start, minor);
     }
     let (along, across) = if steep {
         (&scissor.rows, &scissor.columns)
@@ -43,7 +45,7 @@ pub(crate) fn line(blitter: &mut dyn Blitter, scissor: &Scissor, ends: [&Clipped
     });
 
     // An edge runs along its second coordinate, which is the longer axis here.
-    let mut edge = Edge::new([aside, start], [aside_end, end], steps.start);
+    let mut edge = Edge::new([minor, start], [minor_end, end], steps.start);
     // Consecutive pixels of one row are drawn as one span, which starts at `first`.
     let mut first = steps.start;
     let mut offset = edge.inside();

@@ -19,7 +19,7 @@ pub(crate) struct Polygon<'a> {
 }
 
 /// Whether an area has the sign, and so the winding, of `whole`.
-const fn runs_as(whole: i64, area: i64) -> bool {
+const fn same_winding(whole: i64, area: i64) -> bool {
     (whole > 0) == (area > 0)
 }
 
@@ -72,12 +72,12 @@ impl<'a> Polygon<'a> {
         let mut folded = false;
         for corners in self.triangles() {
             let area = area(&screens(corners));
-            folded |= area != 0 && !runs_as(self.area, area);
+            folded |= area != 0 && !same_winding(self.area, area);
         }
         let mut drawn = false;
         for (at, corners) in self.triangles().enumerate() {
             let area = area_in(&vertices(corners), Cull::Nothing, scissor);
-            if area == 0 || !runs_as(self.area, area) {
+            if area == 0 || !same_winding(self.area, area) {
                 continue;
             }
             let [a, b, c] = corners;
@@ -127,7 +127,7 @@ impl Part<'_> {
             let corners = screens(corners);
             let area = area(&corners);
             if covers(&corners, area, pixel) {
-                if !runs_as(self.fan.area, area) {
+                if !same_winding(self.fan.area, area) {
                     winding -= 1;
                 } else if i < self.at {
                     return false;

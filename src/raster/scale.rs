@@ -72,7 +72,7 @@ pub(crate) fn weigh(values: &mut [i32; 3], weights: [u32; 3], least_bits: u32) -
     let [a, b, c] = values.map(i32::unsigned_abs);
     let scale = Scale::of(a.max(b).max(c), least_bits);
     if scale.bits == 32 {
-        draw_in(values, weights);
+        leave_room(values, weights);
     }
     for (value, weight) in values.iter_mut().zip(weights) {
         // The value, shifted to fill 32 bits, times the weight; then the upper half of the product, rounded to
@@ -87,7 +87,7 @@ pub(crate) fn weigh(values: &mut [i32; 3], weights: [u32; 3], least_bits: u32) -
 /// Clamps values of 31 bits away from the ends of `i32`, by as much as rounding may add to them where the weight is
 /// least. One step beyond the ends would wrap around.
 #[cold]
-fn draw_in(values: &mut [i32; 3], weights: [u32; 3]) {
+fn leave_room(values: &mut [i32; 3], weights: [u32; 3]) {
     let least = weights.into_iter().fold(1 << 30, u32::min);
     // The error of an interpolant is below 64 units, and a unit is 2^32 / weight of the value.
     let room = 1 << 7 << least.leading_zeros().min(20);

@@ -161,16 +161,16 @@ pub(super) fn draw(
 
     let mut row = first_center(top[1]).max(scissor.rows.start);
     let end = first_center(bottom[1]).min(scissor.rows.end);
-    let mut turn = first_center(middle[1]).min(end);
+    let mut short_end = first_center(middle[1]).min(end);
     let long = Edge::new(top, bottom, row);
     let [mut left, mut right] = [long; 2];
     while row < end {
-        if row >= turn {
-            (top, middle, turn) = (middle, bottom, end);
+        if row >= short_end {
+            (top, middle, short_end) = (middle, bottom, end);
         }
         let short = if long_is_left { &mut right } else { &mut left };
         *short = Edge::new(top, middle, row);
-        while row < turn {
+        while row < short_end {
             let start = left.column().max(scissor.columns.start);
             let end = right.column().min(scissor.columns.end);
             if start < end {

@@ -36,15 +36,15 @@ pub(super) fn pieces<S, O, D, Z>(
         let count = 1 << length;
         let is_last = left <= count;
         let pixels_on = if is_last { left.wrapping_sub(1) } else { count };
-        let far = pixels_on.cast_signed();
-        let q_end = q.wrapping_add_signed(dq.wrapping_mul(far));
-        let p_end = Count::<S>::zip(&p, &dp, |p, step| p.wrapping_add(step.wrapping_mul(far)));
+        let ahead = pixels_on.cast_signed();
+        let q_end = q.wrapping_add_signed(dq.wrapping_mul(ahead));
+        let p_end = Count::<S>::zip(&p, &dp, |p, step| p.wrapping_add(step.wrapping_mul(ahead)));
         inverse = refined(q_end, inverse);
         let at_end = attributes::<S>(&p_end, &scales, inverse);
         let gains = Count::<S>::zip(&at_end, &values, |end, value| {
             let change = end.wrapping_sub(*value);
             if is_last {
-                part_of(change, pixels_on)
+                divided(change, pixels_on)
             } else {
                 change >> length
             }
@@ -73,17 +73,17 @@ fn refined(q: u32, mut inverse: u32) -> u32 {
     let q = q >> 15;
     for _ in 0..2 {
         // The product is near 2^31, and its difference from 2^31 has 28 bits.
-        let lacks = (1_u32 << 31)
+        let residual = (1_u32 << 31)
             .wrapping_sub(q.wrapping_mul(inverse))
             .cast_signed();
-        let more = inverse.cast_signed().wrapping_mul(lacks >> 13) >> 18;
+        let more = inverse.cast_signed().wrapping_mul(residual >> 13) >> 18;
         inverse = inverse.wrapping_add_signed(more);
     }
     inverse
 }
 
 /// 2^30 / n; entry 0 is for a piece of no length.
-const PARTS: [i32; 64] = {
+const RECIPROCALS: [i32; 64] = {
     let mut parts = [0; 64];
     let (mut at, mut n) = (1, 1);
     while at < parts.len() {
@@ -95,8 +95,8 @@ const PARTS: [i32; 64] = {
 
 /// `change` / n, rounded down, for an n below 64.
 #[inline]
-fn part_of(change: i32, n: u32) -> i32 {
-    (product(change, PARTS[(n & 63) as usize]) >> 30) as i32
+fn divided(change: i32, n: u32) -> i32 {
+    (product(change, RECIPROCALS[(n & 63) as usize]) >> 30) as i32
 }
 
 /// The attributes at a pixel, where `inverse` is the reciprocal of 1/w.
@@ -127,10 +127,10 @@ mod tests {
             // Apart from rounding, the error is greatest at one of the two ends. Every eighth guess is tested for the
             // rounding.
             for guess in (least..=most).step_by(8).chain([most]) {
-                let lacks = exact - f64::from(refined(q << 15 | q & 0x7fff, guess));
+                let residual = exact - f64::from(refined(q << 15 | q & 0x7fff, guess));
                 assert!(
-                    (0. ..=allowed).contains(&lacks),
-                    "{q} from {guess}: {lacks}"
+                    (0. ..=allowed).contains(&residual),
+                    "{q} from {guess}: {residual}"
                 );
             }
         }

@@ -9,8 +9,8 @@ use crate::message;
 /// A texture with one byte per texel that owns its indices and its 256 colors, with its size in the type: `H` rows of
 /// `W` indices.
 ///
-/// Sizes are those of [`TextureArray`](super::TextureArray). [`as_palette`](Self::as_palette) borrows it as a
-/// [`Palette`].
+/// The rules for sizes are the same as for [`TextureArray`](super::TextureArray). [`as_palette`](Self::as_palette)
+/// borrows it as a [`Palette`].
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};

@@ -49,7 +49,7 @@ struct Grid {
 
 /// Writes the triangles and edges between the vertices of a grid, which are numbered row by row from `first`. Seen
 /// from outside, columns run to the right and rows run down.
-const fn weave(pen: &mut Pen<'_>, first: u32, grid: &Grid) {
+const fn write_grid(pen: &mut Pen<'_>, first: u32, grid: &Grid) {
     let width = grid.columns + 1;
     let mut row = 0;
     while row <= grid.rows {
@@ -113,7 +113,7 @@ pub(super) const fn sphere(pen: &mut Pen<'_>, slices: u32, stacks: u32) {
         along: [1, stacks],
         across: slices,
     };
-    weave(pen, first, &grid);
+    write_grid(pen, first, &grid);
 }
 
 pub(super) const fn torus(pen: &mut Pen<'_>, tube: Scalar, slices: u32, sides: u32) {
@@ -143,7 +143,7 @@ pub(super) const fn torus(pen: &mut Pen<'_>, tube: Scalar, slices: u32, sides: u
         along: [0, sides],
         across: slices,
     };
-    weave(pen, first, &grid);
+    write_grid(pen, first, &grid);
 }
 
 pub(super) const fn plane(pen: &mut Pen<'_>, columns: u32, rows: u32) {
@@ -166,7 +166,7 @@ pub(super) const fn plane(pen: &mut Pen<'_>, columns: u32, rows: u32) {
         along: [0, rows + 1],
         across: columns + 1,
     };
-    weave(pen, first, &grid);
+    write_grid(pen, first, &grid);
 }
 
 pub(super) const fn cylinder(pen: &mut Pen<'_>, slices: u32) {
@@ -193,7 +193,7 @@ pub(super) const fn cylinder(pen: &mut Pen<'_>, slices: u32) {
         along: [0, 2],
         across: slices,
     };
-    weave(pen, first, &grid);
+    write_grid(pen, first, &grid);
     cap(pen, slices, ONE);
     cap(pen, slices, -ONE);
 }
