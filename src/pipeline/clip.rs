@@ -92,6 +92,11 @@ fn clip_to_plane<K: ProjectionKind>(
 
 /// The point where `plane` cuts an edge that has one end inside and one outside. Each end comes with its distance
 /// from the plane.
+///
+/// ```text
+///  inside          plane          outside
+///    ●───── inner ───┼─── outer ─────○
+/// ```
 fn cut<K: ProjectionKind>(
     projector: &Projector<'_, K>,
     plane: u32,

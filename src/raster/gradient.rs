@@ -112,7 +112,7 @@ impl Basis {
             let down = 32u32.saturating_sub(zeros);
             (0, up, down, (size << (zeros & 63) >> 32) as u32)
         };
-        // A negative area would make the numerators negative as well.
+        // The area is stored without its sign, so the sides take it over.
         let sign = if area < 0 { -1 } else { 1 };
         Self {
             near,
@@ -125,7 +125,8 @@ impl Basis {
         }
     }
 
-    /// Whether the triangle is small enough, and no sliver, so that gradients to the nearest unit will do.
+    /// Whether the triangle is near: so small, and so little of a sliver, that gradients rounded to the nearest unit
+    /// suffice.
     #[inline]
     pub(crate) const fn is_near(&self) -> bool {
         self.near != 0

@@ -9,6 +9,12 @@ use super::{Blitter, ClippedVertex, Patch, Scissor, spans};
 /// contains the line there. A center at the left end (of steep lines, the upper end) belongs to the line, a center at
 /// the right (lower) end does not. So lines that continue each other along the same axis draw no pixel twice.
 ///
+/// ```text
+///  pixels  |   ·   |   ·   |   ·   |   ·   |
+///  line        ●───────────────────────●
+///  drawn   |#######|#######|#######|       |
+/// ```
+///
 /// The pixels do not depend on the line's direction.
 pub(crate) fn line(blitter: &mut dyn Blitter, scissor: &Scissor, ends: [&ClippedVertex; 2]) {
     let [mut from, mut to] = ends;

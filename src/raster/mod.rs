@@ -39,8 +39,8 @@ pub(crate) struct Patch<'a> {
 
 /// Draws the rasterizer's spans: a shader, a mode and a canvas.
 ///
-/// Everything before it, from the mesh's indices to rows of pixels, calls it through a `dyn`. So that code exists
-/// once in a program, however many shaders and canvases there are. A call costs a few instructions.
+/// Everything before it, from the mesh's indices to rows of pixels, calls it through a `dyn`. This keeps a single
+/// copy of that code in a program, however many shaders and canvases there are. A call costs a few instructions.
 pub(crate) trait Blitter {
     /// Starts another triangle, edge or point of the mesh.
     fn primitive(&mut self, primitive: &Primitive<'_>);

@@ -5,7 +5,8 @@ use core::ops::Range;
 use super::triangle::{self, Triangle, area, area_in, covers, row_range};
 use super::{Blitter, ClippedVertex, Cull, Scissor, ScreenVertex};
 
-/// The fan of triangles that a clipped triangle is drawn as; all share the first corner of its outline.
+/// The fan of triangles that a clipped triangle is drawn as; all share the first corner of its outline. For example,
+/// the corners 0 to 4 make the triangles 0 1 2, 0 2 3 and 0 3 4.
 ///
 /// The outline is convex except for the rounding of its corners. Where rounding dents it or makes it cross itself,
 /// some triangles of the fan turn over and overlap others: the fan is folded. A pixel belongs to the outline if more
@@ -14,7 +15,7 @@ use super::{Blitter, ClippedVertex, Cull, Scissor, ScreenVertex};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Polygon<'a> {
     outline: &'a [ClippedVertex],
-    /// Twice the area of the outline, positive if it runs clockwise as seen.
+    /// Twice the area of the outline, positive if it runs clockwise on the screen.
     area: i64,
 }
 

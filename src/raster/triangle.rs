@@ -146,6 +146,12 @@ pub(super) fn draw(
 
     // With the corners sorted from top to bottom, one long edge runs from the first to the last, on the left or on
     // the right; two short edges are on the other side. Every exchange of corners swaps the sides.
+    //
+    //        top ●
+    //           ╱ ╲
+    //          ╱   ● middle
+    //         ╱ ╱
+    // bottom ●            `long_is_left` is true
     let [mut top, mut middle, mut bottom] = screen;
     let mut long_is_left = triangle.area > 0;
     let mut sort = |upper: &mut [i32; 2], lower: &mut [i32; 2]| {

@@ -296,11 +296,12 @@ impl Policy for Newton {
 ///
 /// In a piece of L pixels, let f′ be the change of an attribute per pixel, and δ the relative change of 1/w per
 /// pixel. The straight line has an error of |f′| · δ · L² / 4. Pieces have 64, 32, 16, 8, 4 or 2 pixels: the greatest
-/// length that keeps this error below the tolerance everywhere in the triangle, and δ · L below 1/16. The reciprocals
-/// at the ends have 16 bits, and two Newton steps compute each from the last one. So a piece takes no division and no
-/// 64-bit product. This makes it the mode for cores that are slow at those, such as Cortex-M0+; it is fast on all
-/// cores. If 1/w changes by 1/64 of itself per pixel, or by a factor of two along a span, the span is divided at each
-/// pixel.
+/// length that keeps this error below the tolerance everywhere in the triangle, and δ · L below 1/16.
+///
+/// The reciprocals at the ends have 16 bits, and two Newton steps compute each from the last one. So a piece takes no
+/// division and no 64-bit product. This makes it the mode for cores that are slow at those, such as Cortex-M0+; it is
+/// fast on all cores. If 1/w changes by 1/64 of itself per pixel, or by a factor of two along a span, the span is
+/// divided at each pixel.
 ///
 /// The tolerance is in texels, whatever the texture's size. For colors, it is the same number of steps of their
 /// channels (a channel of an [`Rgb565`](embedded_graphics::pixelcolor::Rgb565) has 32 or 64 steps); for other
