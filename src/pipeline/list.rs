@@ -22,8 +22,9 @@ use crate::span::{Mode, Newton};
 use crate::target::{DepthTest, TestAndWrite, check_size};
 use crate::view::{ModelToPicture, Perspective, ProjectionKind, Viewport};
 
-/// Memory for the triangles of a frame that is drawn in bands. They are transformed, culled and clipped once, and
-/// every band draws them from here.
+/// Memory for the triangles of a frame that is drawn in bands.
+///
+/// The triangles are transformed, culled and clipped once, and every band draws them from here.
 ///
 /// Without it, each band transforms the whole mesh again. For a mesh of many small triangles, this takes longer than
 /// drawing them.
@@ -140,8 +141,9 @@ impl Slot {
     }
 }
 
-/// A mesh's triangles, ready to be drawn to every band of a frame. [`TriangleList::prepare`] returns it, and
-/// [`Canvas::draw_prepared`](crate::Canvas::draw_prepared) draws it.
+/// A mesh's triangles, ready to be drawn to every band of a frame.
+///
+/// [`TriangleList::prepare`] returns it, and [`Canvas::draw_prepared`](crate::Canvas::draw_prepared) draws it.
 ///
 /// It can be shared with another core that draws other bands of the same frame.
 ///

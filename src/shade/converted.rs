@@ -8,8 +8,9 @@ use super::levels::{Levels, dimmed};
 use super::{Fragment, Shader};
 use crate::mesh::Primitive;
 
-/// Shader `S` on a canvas of color `C`; [`Shader::converted`] returns it. Colors are rounded, or dithered if `C` is
-/// coarse (see [`Levels`]).
+/// Shader `S` on a canvas of color `C`; see [`Shader::converted`].
+///
+/// Colors are rounded, or dithered if `C` is coarse (see [`Levels`]).
 ///
 /// It can draw a texture whose color differs from the canvas's. Each pixel is then converted; a texture stored in the
 /// canvas's color is faster.

@@ -4,8 +4,9 @@ use super::levels::{Channels, FRACTION, Levels};
 use super::{Fragment, Shader, Within};
 use crate::mesh::Primitive;
 
-/// A surface times the interpolated vertex color, channel by channel; see [`Shader::tinted`]. A white vertex leaves
-/// the surface as it is, a black vertex makes it black.
+/// A surface times the interpolated vertex color, channel by channel; see [`Shader::tinted`].
+///
+/// A white vertex leaves the surface as it is, a black vertex makes it black.
 ///
 /// The fractions of the vertex color (65,536 is 1) are interpolated after the surface's own varyings: three, or one
 /// for a gray surface.

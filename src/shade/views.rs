@@ -96,8 +96,10 @@ impl<C: Levels> Shader for DepthView<C> {
     }
 }
 
-/// The direction of normals in world space as a color: red is x, green is y and blue is z, from dark for −1 over half
-/// for 0 to bright for +1. Gray canvases show the luma of this color.
+/// The direction of normals in world space as a color.
+///
+/// Red is x, green is y and blue is z, each from dark for −1 over half for 0 to bright for +1. Gray canvases show the
+/// luma of this color.
 ///
 /// Normals are the mesh's, or the triangle's own if the mesh has none. A normal without a direction is mid-gray. The
 /// colors are interpolated, not the directions.

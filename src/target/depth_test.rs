@@ -7,8 +7,10 @@ mod sealed {
     pub trait Sealed {}
 }
 
-/// How a draw call uses the canvas's depth buffer: [`TestAndWrite`], [`TestOnly`], [`WriteOnly`], [`NoTest`], or
-/// [`Biased`] around one of these. [`DrawOptions::depth`](crate::DrawOptions::depth) chooses it.
+/// How a draw call uses the canvas's depth buffer.
+///
+/// It is [`TestAndWrite`], [`TestOnly`], [`WriteOnly`], [`NoTest`], or [`Biased`] around one of these.
+/// [`DrawOptions::depth`](crate::DrawOptions::depth) chooses it.
 ///
 /// ```
 /// use fixel::{prelude::*, target::TestOnly};

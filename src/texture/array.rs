@@ -12,7 +12,9 @@ use super::{Sampler, Texture};
 use crate::Error;
 use crate::message;
 
-/// A texture that owns its texels, with its size in the type: `H` rows of `W` texels, the top row first.
+/// A texture that owns its texels; its size is part of the type.
+///
+/// There are `H` rows of `W` texels, the top row first.
 ///
 /// Width and height are powers of two, at most [`MAX_TEXTURE_SIZE`](super::MAX_TEXTURE_SIZE). The compiler knows the
 /// size, so a shader reads a texel in fewer instructions than from a [`Texture`]. [`as_texture`](Self::as_texture)

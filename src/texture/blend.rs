@@ -5,8 +5,9 @@ use embedded_graphics::pixelcolor::{
     Rgb666, Rgb888, raw::RawU16, raw::RawU24,
 };
 
-/// A color that [`Bilinear`](super::Bilinear) filtering can blend. Each channel is blended as it is stored, without
-/// gamma.
+/// A color that [`Bilinear`](super::Bilinear) filtering can blend.
+///
+/// Each channel is blended as it is stored, without gamma.
 ///
 /// It is implemented for [`Gray8`] and the RGB and BGR colors of embedded-graphics. Coarser grays have too few steps
 /// to blend: store such a texture in [`Gray8`], and let [`Converted`](crate::Converted) dither the result.

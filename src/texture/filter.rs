@@ -30,7 +30,9 @@ mod sealed {
     impl Sealed for super::Bilinear {}
 }
 
-/// Takes the texel whose center is nearest. A magnified texture shows its texels as sharp squares.
+/// Takes the texel whose center is nearest.
+///
+/// A magnified texture shows its texels as sharp squares.
 ///
 /// ```
 /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
@@ -45,8 +47,9 @@ mod sealed {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Nearest;
 
-/// Blends the four texels around a point, by the distances of their centers. A magnified texture is smooth.
-/// [`Textured::bilinear`](crate::Textured::bilinear) selects it.
+/// Blends the four texels around a point, by the distances of their centers.
+///
+/// A magnified texture is smooth. [`Textured::bilinear`](crate::Textured::bilinear) selects it.
 ///
 /// The first texel's center lies half a texel from the texture's corner. Beyond the outermost centers, a
 /// repeating texture blends with its other edge, and a [`clamped`](crate::Textured::clamped) one keeps the color

@@ -6,8 +6,9 @@ use super::Sampler;
 use super::sampler::Grid;
 use crate::Error;
 
-/// A texture with one byte per texel: an index into 256 colors. It borrows both the indices and the colors, and its
-/// size is known at run time.
+/// A texture with one byte per texel, an index into 256 colors; its size is known at run time.
+///
+/// It borrows both the indices and the colors.
 ///
 /// Sizes, the order of texels and the cost are the same as for [`Texture`](super::Texture). The same macros create
 /// it, from a file with a color table; [`PaletteArray::as_palette`](super::PaletteArray::as_palette) borrows an array

@@ -6,8 +6,9 @@ use super::sampler::{Grid, log2, wrapped};
 use super::{Palette, Sampler, palette_colors};
 use crate::message;
 
-/// A texture with one byte per texel that owns its indices and its 256 colors, with its size in the type: `H` rows of
-/// `W` indices.
+/// A texture with one byte per texel, an index into its own 256 colors; its size is part of the type.
+///
+/// There are `H` rows of `W` indices.
 ///
 /// The rules for sizes are the same as for [`TextureArray`](super::TextureArray). [`as_palette`](Self::as_palette)
 /// borrows it as a [`Palette`].

@@ -5,7 +5,9 @@ use embedded_graphics::pixelcolor::PixelColor;
 use crate::Error;
 use crate::message;
 
-/// Texels by column and row, which repeat in both directions. Width and height are powers of two.
+/// Texels by column and row, which repeat in both directions.
+///
+/// Width and height are powers of two.
 ///
 /// It is implemented for [`Texture`](super::Texture) and [`Palette`](super::Palette), for references to them, and for
 /// references to [`TextureArray`](super::TextureArray), [`PaletteArray`](super::PaletteArray) and plain rows of
