@@ -1,4 +1,4 @@
-//! The canvas: the caller's memory as a picture, whole or a band of one.
+//! The canvas: the caller's memory as a frame or a band of it.
 
 use core::ops::Range;
 

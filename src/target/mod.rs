@@ -1,7 +1,8 @@
 //! The canvas: the caller's memory for a frame or a band of it, with or without a depth buffer.
 //!
-//! A [`Canvas`] has three type parameters: its color, how the color is stored, and its depth buffer. Their types follow
-//! from its constructor, so most programs need to name only the color. A draw call adds how it uses the depth buffer.
+//! A [`Canvas`] has three type parameters: its color, how the color is stored, and its depth buffer. Their types
+//! follow from its constructor, so most programs need to name only the color. A draw call adds how it uses the depth
+//! buffer.
 //!
 //! | choice | types |
 //! |---|---|

@@ -18,7 +18,7 @@ use crate::message;
 ///
 /// Width and height are powers of two, at most [`MAX_TEXTURE_SIZE`](super::MAX_TEXTURE_SIZE). The compiler knows the
 /// size, so a shader reads a texel in fewer instructions than from a [`Texture`]. [`as_texture`](Self::as_texture)
-/// borrows it as one.
+/// borrows it as a [`Texture`].
 ///
 /// A `static` texture array is stored in flash. A texel takes two bytes in `Rgb565`, four in `Rgb888` and one in
 /// gray.
@@ -80,7 +80,7 @@ impl<C: Copy, const W: usize, const H: usize> TextureArray<C, W, H> {
         &self.texels
     }
 
-    /// Borrows the texture as one whose size is not in the type.
+    /// Borrows the texture as a [`Texture`], whose size is not part of the type.
     #[must_use]
     pub const fn as_texture(&self) -> Texture<'_, C> {
         Texture::of(Grid::of(&self.texels))

@@ -12,7 +12,7 @@ use crate::Error;
 ///
 /// Sizes, the order of texels and the cost are the same as for [`Texture`](super::Texture). The same macros create
 /// it, from a file with a color table; [`PaletteArray::as_palette`](super::PaletteArray::as_palette) borrows an array
-/// as one.
+/// as a palette.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;

@@ -70,7 +70,7 @@ impl<C: Copy, const W: usize, const H: usize> PaletteArray<C, W, H> {
         Self { indices, colors }
     }
 
-    /// Borrows the texture as one whose size is not in the type.
+    /// Borrows the texture as a [`Palette`], whose size is not part of the type.
     #[must_use]
     pub const fn as_palette(&self) -> Palette<'_, C> {
         Palette::of(Grid::of(&self.indices), &self.colors)

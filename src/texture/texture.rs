@@ -11,8 +11,8 @@ use crate::Error;
 /// Width and height are powers of two, at most [`MAX_TEXTURE_SIZE`](super::MAX_TEXTURE_SIZE). The texels lie row by
 /// row, the top row first. There are three ways to create one: [`include_bmp!`](crate::include_bmp) and
 /// [`include_tga!`](crate::include_tga) convert a file at compile time;
-/// [`TextureArray::as_texture`](super::TextureArray::as_texture) borrows an array as one; [`new`](Self::new) takes a
-/// slice. Textures of different sizes fit in one list:
+/// [`TextureArray::as_texture`](super::TextureArray::as_texture) borrows an array as a texture; [`new`](Self::new)
+/// takes a slice. Textures of different sizes fit in one list:
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
