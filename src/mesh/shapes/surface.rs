@@ -210,7 +210,7 @@ const fn cap(pen: &mut Pen<'_>, slices: u32, y: i64) {
     let mut slice = 0;
     while slice < slices {
         let (sin, cos) = sin_cos(angle(slice, slices, false));
-        // A disc of the texture; v points to z on the upper cap and to −z on the lower.
+        // A disc of the texture; v grows toward +z on the upper cap and toward −z on the lower.
         let down = if y > 0 { cos } else { -cos };
         pen.vertex(&Corner {
             position: [ONE * sin, ONE * y, ONE * cos],
