@@ -1,8 +1,8 @@
-//! A mesh's attributes: what a vertex has besides its place.
+//! A mesh's attributes: the data that a vertex has besides its position.
 
 use super::indexed::{Element, Index};
 
-/// Values of one attribute; without faces of its own it is indexed like the positions.
+/// The values of one attribute. Without `faces` of its own, it is indexed like the positions.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Attribute<'a, T> {
     pub(super) values: &'a [T],

@@ -1,4 +1,4 @@
-//! Where generated and imported meshes are written.
+//! Memory for generated and imported meshes.
 
 use embedded_graphics::pixelcolor::Rgb888;
 
@@ -6,7 +6,7 @@ use super::indexed::{Index, Mesh};
 use super::positions::Positions;
 use crate::{Error, Vec2, Vec3};
 
-/// How many elements a mesh has, list by list: the room that it needs in [`Buffers`].
+/// How many elements each list of a mesh has: the room that it needs in [`Buffers`].
 ///
 /// ```
 /// use fixel::mesh::Shape;
@@ -20,15 +20,15 @@ pub struct Counts {
     pub positions: usize,
     /// Triangles.
     pub faces: usize,
-    /// Edges; for OBJ text an upper bound, as edges that occur twice are not yet found.
+    /// Edges. For OBJ text this is an upper bound, because duplicates are not yet removed.
     pub edges: usize,
     /// Texture coordinates.
     pub uvs: usize,
-    /// Triangles in texture coordinates; 0 if these are indexed like the positions.
+    /// Triangles as indices of texture coordinates; 0 if texture coordinates are indexed like the positions.
     pub uv_faces: usize,
     /// Normals.
     pub normals: usize,
-    /// Triangles in normals; 0 if these are indexed like the positions.
+    /// Triangles as indices of normals; 0 if normals are indexed like the positions.
     pub normal_faces: usize,
     /// Colors.
     pub colors: usize,
@@ -48,9 +48,9 @@ impl Counts {
     };
 }
 
-/// Memory for a mesh made at run time: one slice per list, at least as long as its [`Counts`] say.
+/// Memory for a mesh that is built at run time: one slice per list, each at least as long as [`Counts`] says.
 ///
-/// An attribute, or the edges, for which there is an empty slice is left out.
+/// Attributes and edges are left out if their slice is empty.
 ///
 /// ```
 /// use fixel::mesh::{Buffers, Shape};
@@ -71,18 +71,18 @@ pub struct Buffers<'a> {
     pub edges: &'a mut [[Index; 2]],
     /// For texture coordinates.
     pub uvs: &'a mut [Vec2],
-    /// For triangles in texture coordinates.
+    /// For triangles as indices of texture coordinates.
     pub uv_faces: &'a mut [[Index; 3]],
     /// For normals.
     pub normals: &'a mut [Vec3],
-    /// For triangles in normals.
+    /// For triangles as indices of normals.
     pub normal_faces: &'a mut [[Index; 3]],
     /// For colors.
     pub colors: &'a mut [Rgb888],
 }
 
 impl<'a> Buffers<'a> {
-    /// Room for positions and triangles, none for edges and attributes.
+    /// Room for positions and triangles only.
     #[must_use]
     pub const fn new(positions: &'a mut [Vec3], faces: &'a mut [[Index; 3]]) -> Self {
         Self {
@@ -97,7 +97,7 @@ impl<'a> Buffers<'a> {
         }
     }
 
-    /// What of `counts` is wanted, which is what there are slices for.
+    /// `counts` without the lists whose slices are empty; an error if another slice is too short.
     pub(super) const fn wanted(&self, counts: Counts) -> Result<Counts, Error> {
         let mut wanted = counts;
         if self.edges.is_empty() {
@@ -135,7 +135,7 @@ impl<'a> Buffers<'a> {
         Ok(wanted)
     }
 
-    /// The mesh of the first so many elements of each list.
+    /// The mesh of the first elements of each list, as many as `counts` says.
     pub(super) const fn mesh(self, counts: Counts) -> Result<Mesh<'a>, Error> {
         Lists {
             positions: Positions::long(first(self.positions, counts.positions)),
@@ -164,7 +164,7 @@ struct Lists<'a> {
     colors: &'a [Rgb888],
 }
 
-/// The first elements of a list; all of them if there are not so many.
+/// The first `count` elements of a list, or all if it is shorter.
 const fn first<T>(list: &[T], count: usize) -> &[T] {
     match list.split_at_checked(count) {
         Some((first, _)) => first,
@@ -172,7 +172,7 @@ const fn first<T>(list: &[T], count: usize) -> &[T] {
     }
 }
 
-/// The list of triangles of an attribute, if it has its own.
+/// The triangles of an attribute that has its own; `None` if it is indexed like the positions.
 const fn own(list: &[[Index; 3]], count: usize) -> Option<&[[Index; 3]]> {
     if count == 0 {
         None
@@ -202,8 +202,8 @@ impl<'a> Lists<'a> {
     }
 }
 
-/// The lists of a mesh in arrays of just the right lengths, for a `static`; made by
-/// [`include_obj!`](crate::include_obj) and [`shape!`](crate::shape).
+/// The lists of a mesh in arrays of exactly the right lengths, for a `static` in [`include_obj!`](crate::include_obj)
+/// and [`shape!`](crate::shape).
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Arrays<
@@ -248,7 +248,7 @@ impl<
         colors: [Rgb888::new(0, 0, 0); C],
     };
 
-    /// Everything as room to fill.
+    /// All lists, to be filled.
     #[must_use]
     pub const fn buffers(&mut self) -> Buffers<'_> {
         Buffers {
@@ -263,11 +263,11 @@ impl<
         }
     }
 
-    /// The first elements of each list, as many as the result has.
+    /// The first elements of each list, as many as the result's lengths say.
     ///
     /// # Panics
     ///
-    /// If that is more than there are.
+    /// If a list of the result is longer than here.
     #[must_use]
     pub const fn trim<
         const P2: usize,
@@ -282,7 +282,9 @@ impl<
         &self,
     ) -> Arrays<P2, F2, E2, U2, UF2, N2, NF2, C2> {
         const fn chunk<T: Copy, const N: usize>(list: &[T]) -> [T; N] {
-            *list.first_chunk().expect("a list is longer than its text")
+            *list
+                .first_chunk()
+                .expect("a trimmed list is longer than the original")
         }
         Arrays {
             positions: chunk(&self.positions),
@@ -296,12 +298,12 @@ impl<
         }
     }
 
-    /// The positions in 16 bits each, and their fraction bits.
+    /// The positions with 16-bit components, and their number of fraction bits.
     #[must_use]
     pub const fn shortened(&self) -> ([[i16; 3]; P], u32) {
         match self.mesh().shortened() {
             Ok(short) => short,
-            // There are as many as there are.
+            // The lengths are equal, so this never happens.
             Err(_) => ([[0; 3]; P], 0),
         }
     }
@@ -312,11 +314,11 @@ impl<
         self.mesh_of(Positions::long(&self.positions))
     }
 
-    /// The mesh of all elements but positions, and of these in units of 2^-`fraction`.
+    /// The mesh of all lists, with positions in units of 2^-`fraction` instead of its own.
     ///
     /// # Panics
     ///
-    /// If there are not as many as the other lists need, or more than 16 fraction bits.
+    /// If there are fewer positions than the other lists need, or more than 16 fraction bits.
     #[must_use]
     pub const fn short_mesh<'a>(&'a self, positions: &'a [[i16; 3]], fraction: u32) -> Mesh<'a> {
         match Positions::short(positions, fraction) {

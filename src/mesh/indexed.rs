@@ -1,4 +1,4 @@
-//! The mesh: slices that live in flash, checked once.
+//! The mesh: borrowed slices, usually in flash, checked once.
 
 use core::ops::Range;
 
@@ -9,7 +9,7 @@ use super::buffers::Counts;
 use super::positions::{self, Positions};
 use crate::{Error, Vec2, Vec3};
 
-/// Corners of a triangle or ends of an edge, as indices into a mesh's positions.
+/// An index into a mesh's positions or attributes: a corner of a triangle or an end of an edge.
 ///
 /// ```
 /// use fixel::{Index, Mesh, Vec3};
@@ -18,15 +18,14 @@ use crate::{Error, Vec2, Vec3};
 /// ```
 pub type Index = u16;
 
-/// A triangle mesh over the caller's slices: positions and faces, optionally texture coordinates,
-/// normals, colors and edges.
+/// A triangle mesh over the caller's slices: positions and faces, and optionally texture coordinates, normals, colors
+/// and edges.
 ///
-/// Attributes are indexed like positions, unless they come with faces of their own (as in OBJ
-/// files, where a position may have another texture coordinate in each face). A corner without a
-/// value has [`NO_VALUE`](Self::NO_VALUE) there.
-/// Front faces run counter-clockwise as seen.
+/// Attributes are indexed like positions, unless they come with faces of their own. OBJ files do this, because there
+/// a position may have a different texture coordinate in each face. A corner without a value has the index
+/// [`NO_VALUE`](Self::NO_VALUE) there. Front faces are counter-clockwise as seen by the viewer.
 ///
-/// Every index is checked when the mesh is made, for a `static` at compile time:
+/// The constructors check every index; for a `static`, this happens at compile time:
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -47,34 +46,34 @@ pub struct Mesh<'a> {
     colors: Attribute<'a, Rgb888>,
 }
 
-/// What is being drawn: its place in the mesh's list and its positions' indices.
+/// The primitive being drawn: its index in the mesh's list of faces, and its vertices.
 ///
-/// An edge or a point has no face, and attributes with faces of their own have no value there;
-/// its `indices` repeat the last one.
+/// An edge or a point has no face, so attributes with faces of their own have no value there; its last index is
+/// repeated.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Element {
-    /// The triangle's place among the faces; `None` for an edge or a point.
+    /// The triangle's index among the faces; `None` for an edge or a point.
     pub(crate) face: Option<usize>,
-    /// Positions' indices.
+    /// Indices of the three positions.
     pub(crate) indices: [Index; 3],
 }
 
-/// Checks that every index of `lists` names one of `len` elements, or is `but`.
+/// Checks that every index of `lists` is below `len` or equal to `exception`.
 const fn check<const K: usize>(
     lists: &[[Index; K]],
     len: usize,
-    but: Option<Index>,
+    exception: Option<Index>,
 ) -> Result<(), Error> {
     let mut at = 0;
     while at < lists.len() {
         let mut corner = 0;
         while corner < K {
             let index = lists[at][corner];
-            let excused = match but {
-                Some(but) => index == but,
+            let excepted = match exception {
+                Some(exception) => index == exception,
                 None => false,
             };
-            if index as usize >= len && !excused {
+            if index as usize >= len && !excepted {
                 return Err(Error::Index {
                     at,
                     index: index as u32,
@@ -89,13 +88,13 @@ const fn check<const K: usize>(
 }
 
 impl<'a> Mesh<'a> {
-    /// An index in the `faces` of an attribute that says: this corner has no value. The texture
-    /// coordinate is then (0, 0), the normal the triangle's own, the color white.
+    /// The index, in the `faces` of an attribute, of a corner that has no value. The corner then gets the texture
+    /// coordinate (0, 0), the normal of its triangle, or white.
     ///
-    /// (A list of 65,536 values does have one of this index.)
+    /// (In a list of 65,536 values, this index names the last value.)
     pub const NO_VALUE: Index = Index::MAX;
 
-    /// Most positions, as an [`Index`] counts from 0.
+    /// The most positions that an [`Index`] can count.
     ///
     /// ```
     /// use fixel::{Error, Mesh, Vec3};
@@ -109,24 +108,25 @@ impl<'a> Mesh<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Index`] if a face names a position that is not there; [`Error::TooMany`] if there
-    /// are more than [`MAX_POSITIONS`](Self::MAX_POSITIONS).
+    /// [`Error::Index`] if a face names a position that does not exist; [`Error::TooMany`] if there are more than
+    /// [`MAX_POSITIONS`](Self::MAX_POSITIONS) positions.
     pub const fn new(positions: &'a [Vec3], faces: &'a [[Index; 3]]) -> Result<Self, Error> {
         Self::of(Positions::long(positions), faces)
     }
 
-    /// A mesh of positions of 16 bits, in units of 2^-`fraction`, and the triangles between them.
+    /// A mesh of 16-bit positions, in units of 2^-`fraction`, and the triangles between them.
     ///
-    /// They take half the flash of others, and are drawn as those of the same numbers are, bit for bit. With 14 fraction
-    /// bits, say, they reach up to ±2 in steps of 1/16384.
+    /// These positions take half the flash and draw the same pixels, bit for bit, as [`Scalar`](crate::Scalar)s of
+    /// the same value. With 14 fraction bits, for example, they range from −2 to almost 2 in steps of 1/16384.
     ///
-    /// A position rounded to these units is off by up to half of one along each axis, and on the screen by up to
-    /// √3/2 of one times focal length / w, and by as much again times the slope x/w or y/w at which it is seen: of a sphere that fills
-    /// 320x240, with 14 fraction bits, by 0.008 pixels. To transform a position takes 7 instructions more than others on Cortex-M4,
-    /// and 47 fewer on Cortex-M0+, which has no products beyond 32 bits.
+    /// Rounding to these units moves a position by up to half a unit along each axis. On the screen, this is up to
+    /// √3/2 units times focal length / w, and as much again times the slope x/w or y/w at which the position is seen.
+    /// For a sphere that fills 320x240, with 14 fraction bits, it is 0.008 pixels. Compared with 32-bit positions,
+    /// transforming one takes 7 more instructions on Cortex-M4, and 47 fewer on Cortex-M0+, which has no products
+    /// beyond 32 bits.
     ///
-    /// [`shape!`](crate::shape) and [`include_obj!`](crate::include_obj) make such meshes if told so;
-    /// [`Mesh::shortened`] makes such positions of a mesh's own.
+    /// [`shape!`](crate::shape) and [`include_obj!`](crate::include_obj) produce such meshes with the argument
+    /// `short`; [`Mesh::shortened`] converts the positions of any mesh.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -155,8 +155,8 @@ impl<'a> Mesh<'a> {
         }
     }
 
-    /// The mesh's positions, each component rounded to the nearest of 16 bits, and their fraction bits: the most
-    /// with which the largest fits, up to 16, so that the largest has 15 bits or more. For [`short`](Self::short).
+    /// The mesh's positions rounded to the nearest 16-bit components, and their number of fraction bits, for
+    /// [`short`](Self::short). It uses as many fraction bits as the largest component permits, at most 16.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -170,7 +170,7 @@ impl<'a> Mesh<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] if there are not `N` positions.
+    /// [`Error::Length`] unless the mesh has exactly `N` positions.
     pub const fn shortened<const N: usize>(&self) -> Result<([[i16; 3]; N], u32), Error> {
         let (given, needed) = (N, self.positions.len());
         if given != needed {
@@ -214,16 +214,16 @@ impl<'a> Mesh<'a> {
         })
     }
 
-    /// Unwraps a mesh that is made in a `const` or `static`, where an error stops compilation.
+    /// Unwraps a mesh in a `const` or `static`, where an error stops compilation.
     ///
     /// # Panics
     ///
-    /// If `result` is an error; so call it at compile time only.
+    /// If `result` is an error; so call it only at compile time.
     #[must_use]
     pub const fn checked(result: Result<Self, Error>) -> Self {
         match result {
             Ok(mesh) => mesh,
-            Err(Error::Index { .. }) => panic!("a mesh index names an element that is not there"),
+            Err(Error::Index { .. }) => panic!("a mesh index names an element that does not exist"),
             Err(Error::Length { .. }) => {
                 panic!("a mesh attribute has the wrong number of elements")
             }
@@ -234,11 +234,11 @@ impl<'a> Mesh<'a> {
         }
     }
 
-    /// The mesh with edges, for drawing lines.
+    /// Adds edges, for [`Canvas::draw_edges`](crate::Canvas::draw_edges).
     ///
     /// # Errors
     ///
-    /// [`Error::Index`] if an edge names a position that is not there.
+    /// [`Error::Index`] if an edge names a position that does not exist.
     pub const fn with_edges(self, edges: &'a [[Index; 2]]) -> Result<Self, Error> {
         match check(edges, self.positions.len(), None) {
             Ok(()) => Ok(Self { edges, ..self }),
@@ -246,12 +246,12 @@ impl<'a> Mesh<'a> {
         }
     }
 
-    /// The mesh with texture coordinates: one per position, or with `faces`, three indices per triangle.
+    /// Adds texture coordinates: one per position, or, with `faces`, any number and three indices per triangle.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] if there is not one value per position, or not one entry of `faces` per
-    /// triangle; [`Error::Index`] if an entry names a value that is not there.
+    /// [`Error::Length`] if there is not one value per position or, with `faces`, not one entry of it per triangle;
+    /// [`Error::Index`] if an entry names a value that does not exist.
     pub const fn with_uvs(
         self,
         values: &'a [Vec2],
@@ -263,8 +263,8 @@ impl<'a> Mesh<'a> {
         }
     }
 
-    /// The mesh with normals in model space, of any length: one per position, or with `faces`,
-    /// three indices per triangle.
+    /// Adds normals in model space, of any length: one per position, or, with `faces`, any number and three indices
+    /// per triangle.
     ///
     /// # Errors
     ///
@@ -280,7 +280,7 @@ impl<'a> Mesh<'a> {
         }
     }
 
-    /// The mesh with colors: one per position, or with `faces`, three indices per triangle.
+    /// Adds colors: one per position, or, with `faces`, any number and three indices per triangle.
     ///
     /// # Errors
     ///
@@ -337,26 +337,26 @@ impl<'a> Mesh<'a> {
         }
     }
 
-    /// Positions, in model space.
+    /// The positions, in model space.
     #[must_use]
     pub const fn positions(&self) -> Positions<'a> {
         self.positions
     }
 
-    /// Triangles, as indices of positions.
+    /// The triangles, as indices of positions.
     #[must_use]
     pub const fn faces(&self) -> &'a [[Index; 3]] {
         self.faces
     }
 
-    /// Edges, as indices of positions.
+    /// The edges, as indices of positions.
     #[must_use]
     pub const fn edges(&self) -> &'a [[Index; 2]] {
         self.edges
     }
 
-    /// The mesh of some of the triangles, with all positions and attributes and without a new check; a range beyond the
-    /// end is cut. Edges are left out.
+    /// The mesh reduced to a range of its triangles; a range beyond the end is cut. It keeps all positions and
+    /// attributes, drops the edges, and needs no new check.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -423,7 +423,7 @@ impl<'a> Mesh<'a> {
         self.colors.at(element, corner)
     }
 
-    /// The position of `index`; the origin for an index that no checked list holds.
+    /// The position at `index`; the origin for an index that no checked list holds.
     #[inline]
     pub(crate) fn position(&self, index: Index) -> Vec3 {
         self.positions.at(index)

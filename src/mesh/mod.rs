@@ -1,4 +1,12 @@
-//! Meshes: vertices, faces and edges, and the sources they come from.
+//! Meshes: positions, faces, attributes and edges, and where they come from.
+//!
+//! | source | at compile time, in flash | at run time, in the caller's memory |
+//! |---|---|---|
+//! | an OBJ file | [`include_obj!`](crate::include_obj) | [`obj::parse`] |
+//! | a generated shape | [`shape!`](crate::shape) | [`Shape::build`] |
+//! | your own slices | [`Mesh::new`] in a `static`, unwrapped by [`Mesh::checked`] | [`Mesh::new`] |
+//!
+//! A shader reads a mesh as a [`Primitive`] and its [`Corner`]s.
 
 mod attribute;
 mod buffers;

@@ -1,13 +1,14 @@
-//! A mesh's positions, of 32 or of 16 bits.
+//! A mesh's positions, with 32-bit or 16-bit components.
 
 use super::Index;
 use crate::{Error, Vec3};
 
-/// The positions of a mesh, of 32 bits a component or of 16.
+/// The positions of a mesh, with 32-bit or 16-bit components; [`Mesh::positions`](crate::Mesh::positions) returns
+/// them.
 ///
-/// Those of 16 bits, [`Mesh::short`](crate::Mesh::short), take half the flash: 6 bytes in place of 12. Each component is a
-/// whole number of 2^-`fraction`, and so a [`Scalar`](crate::Scalar) without loss; what such a mesh draws is, bit for bit,
-/// what one of these `Scalar`s draws.
+/// The 16-bit positions of [`Mesh::short`](crate::Mesh::short) take half the flash: 6 bytes instead of 12. Each
+/// component is a whole number of units of 2^-`fraction`, which a [`Scalar`](crate::Scalar) holds exactly. Such a
+/// mesh draws the same pixels, bit for bit, as a mesh of those `Scalar`s.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -26,7 +27,7 @@ enum List<'a> {
     Long(&'a [Vec3]),
     Short {
         positions: &'a [[i16; 3]],
-        /// How far up a component is shifted to be one of 16 fraction bits.
+        /// The left shift that turns a component into the bits of a `Scalar`.
         up: u32,
     },
 }
@@ -41,12 +42,12 @@ impl<'a> Positions<'a> {
         }
     }
 
-    /// Of one point.
+    /// A single point.
     pub(crate) const fn of_one(point: &'a Vec3) -> Self {
         Self::long(core::slice::from_ref(point))
     }
 
-    /// Those in units of 2^-`fraction`.
+    /// Positions in units of 2^-`fraction`.
     pub(crate) const fn short(positions: &'a [[i16; 3]], fraction: u32) -> Result<Self, Error> {
         if fraction > FRACTION {
             return Err(Error::Parts {
@@ -62,7 +63,7 @@ impl<'a> Positions<'a> {
         })
     }
 
-    /// How many there are.
+    /// The number of positions.
     #[must_use]
     pub const fn len(&self) -> usize {
         match self.list {
@@ -71,13 +72,13 @@ impl<'a> Positions<'a> {
         }
     }
 
-    /// Whether there are none.
+    /// Whether there are no positions.
     #[must_use]
     pub const fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// One of them.
+    /// The position at an index; `None` past the end.
     #[must_use]
     pub const fn get(&self, index: usize) -> Option<Vec3> {
         if index >= self.len() {
@@ -92,21 +93,20 @@ impl<'a> Positions<'a> {
         })
     }
 
-    /// All of them, in order.
+    /// All positions, in order.
     #[must_use]
     pub fn iter(&self) -> impl ExactSizeIterator<Item = Vec3> + use<'a> {
         let all = *self;
-        // None is left out: each index is of one.
+        // Every index is in range, so the default is never used.
         (0..all.len()).map(move |index| all.get(index).unwrap_or_default())
     }
 
-    /// Whether they are of 16 bits.
+    /// Whether the components have 16 bits.
     #[inline]
     pub(crate) const fn are_short(&self) -> bool {
         matches!(self.list, List::Short { .. })
     }
-
-    /// One of them as it is transformed; the origin for an index that no checked list holds.
+    /// The position at an index, in its stored format; the origin for an index that no checked list holds.
     #[inline]
     pub(crate) fn place(&self, index: Index) -> Place<'a> {
         let index = usize::from(index);
@@ -119,7 +119,7 @@ impl<'a> Positions<'a> {
         }
     }
 
-    /// One of them; the origin for an index that no checked list holds.
+    /// The position at an index; the origin for an index that no checked list holds.
     #[inline(never)]
     pub(crate) fn at(&self, index: Index) -> Vec3 {
         Vec3::from_bits(self.place(index).to_bits())
@@ -127,13 +127,13 @@ impl<'a> Positions<'a> {
 }
 
 impl PartialEq for Positions<'_> {
-    /// Whether they are the same points.
+    /// Whether both are the same points in the same order.
     fn eq(&self, other: &Self) -> bool {
         self.iter().eq(other.iter())
     }
 }
 
-/// A position on its way to be transformed.
+/// A position about to be transformed, still in its stored format.
 #[derive(Clone, Copy)]
 pub(crate) enum Place<'a> {
     Long(&'a Vec3),
@@ -146,14 +146,14 @@ impl Place<'_> {
     pub(crate) fn to_bits(self) -> [i32; 3] {
         match self {
             Self::Long(position) => position.to_bits(),
-            // Sixteen bits, by up to sixteen.
+            // 16 bits shifted by at most 16.
             Self::Short { position, up } => position.map(|x| i32::from(x) << (up & 31)),
         }
     }
 }
 
-/// The most fraction bits, up to 16, with which every component fits into 16 bits; 0 also if one does not fit without any,
-/// being 32767.5 or more.
+/// The most fraction bits, up to 16, with which every component fits into 16 bits. The result is also 0 if a
+/// component of 32767.5 or more does not fit at all.
 pub(crate) const fn finest(positions: Positions<'_>) -> u32 {
     let mut fraction = FRACTION;
     let mut at = 0;
@@ -167,10 +167,10 @@ pub(crate) const fn finest(positions: Positions<'_>) -> u32 {
     fraction
 }
 
-/// A component in units of 2^-`fraction`, to the nearest.
+/// A component in units of 2^-`fraction`, rounded to nearest.
 const fn units(bits: i32, fraction: u32) -> i64 {
     let down = FRACTION - fraction;
-    // Half a unit is added to twice as many.
+    // Twice the units, plus one half unit, halved.
     (bits as i64 * 2 + (1 << down)) >> (down + 1)
 }
 
@@ -179,13 +179,13 @@ const fn fits(bits: i32, fraction: u32) -> bool {
     units == units as i16 as i64
 }
 
-/// The nearest that 16 bits hold.
+/// The nearest number of units that 16 bits hold.
 pub(crate) const fn rounded(bits: i32, fraction: u32) -> i16 {
     let units = units(bits, fraction);
     if units > i16::MAX as i64 {
         i16::MAX
     } else {
-        // None is below the least.
+        // Components are at least −32768, so nothing lies below the range.
         units as i16
     }
 }

@@ -1,4 +1,4 @@
-//! A mesh as a shader sees it: a triangle, edge or point, and its corners.
+//! A shader's view of a mesh: a triangle, edge or point, and its corners.
 
 use core::cell::{Cell, OnceCell};
 
@@ -8,22 +8,22 @@ use super::indexed::{Element, Mesh};
 use crate::math::{Direction, NormalMatrix, Transform};
 use crate::{Scalar, Vec2, Vec3};
 
-/// Where a draw call puts a model.
+/// Where a draw call puts a model, and what its shader missed there.
 #[derive(Clone, Debug)]
 pub(crate) struct Placement<'a> {
     /// From model to world space.
     model: &'a Transform,
     /// From model to eye space.
     view: Transform,
-    /// Computed for the first normal that a shader asks for.
+    /// Computed when a shader asks for the first normal.
     normals: OnceCell<NormalMatrix>,
     missing: Cell<Missing>,
 }
 
-/// Attributes that a shader asked for and the mesh lacks: part of what a draw call returns.
+/// The attributes that a shader asked for and the mesh lacks; a draw call returns it.
 ///
-/// A mesh without texture coordinates shows a single texel all over, and one without colors is white. Neither is an error,
-/// as both may be meant; here it is said.
+/// Without texture coordinates, a mesh shows a single texel all over; without colors, it is white. Neither is an
+/// error, because both may be intended.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -41,9 +41,9 @@ pub(crate) struct Placement<'a> {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub struct Missing {
-    /// Texture coordinates, which were taken to be (0, 0).
+    /// Texture coordinates; (0, 0) was used instead.
     pub uvs: bool,
-    /// Colors, which were taken to be white.
+    /// Colors; white was used instead.
     pub colors: bool,
 }
 
@@ -61,7 +61,7 @@ impl<'a> Placement<'a> {
         }
     }
 
-    /// What shaders asked for and the mesh lacks.
+    /// The attributes that shaders asked for and the mesh lacks.
     #[inline]
     pub(crate) fn missing(&self) -> Missing {
         self.missing.get()
@@ -88,7 +88,7 @@ impl<'a> Placement<'a> {
     }
 }
 
-/// A triangle, edge or point of a mesh on its way to be drawn.
+/// A triangle, edge or point of a mesh that is about to be drawn.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -130,7 +130,7 @@ pub struct Primitive<'a> {
 }
 
 impl Primitive<'_> {
-    /// Which triangle of the mesh this is, counted from 0; 0 for an edge or point.
+    /// The index of the triangle in the mesh; 0 for an edge or a point.
     #[must_use]
     #[inline]
     pub const fn index(&self) -> usize {
@@ -140,14 +140,15 @@ impl Primitive<'_> {
         }
     }
 
-    /// Whether this is a triangle, not an edge or a point.
+    /// Whether this is a triangle rather than an edge or a point.
     #[must_use]
     #[inline]
     pub const fn is_face(&self) -> bool {
         self.element.face.is_some()
     }
 
-    /// A function of each of the three corners; an edge has its second end twice, a point is three times the same.
+    /// Calls `f` with each of the three corners and returns the results. For an edge, the second end comes twice; for
+    /// a point, all three corners are the same.
     #[must_use]
     #[inline]
     pub fn corners<T>(&self, mut f: impl FnMut(&Corner<'_>) -> T) -> [T; 3] {
@@ -159,7 +160,7 @@ impl Primitive<'_> {
         })
     }
 
-    /// The three corners in model space.
+    /// The positions of the three corners in model space.
     #[must_use]
     pub fn positions(&self) -> [Vec3; 3] {
         self.element.indices.map(|index| self.mesh.position(index))
@@ -170,28 +171,29 @@ impl Primitive<'_> {
     #[inline]
     pub fn uvs(&self) -> [Vec2; 3] {
         #[allow(clippy::redundant_closure_for_method_calls)]
-        // for any lifetime, which the method's path is not
+        // The closure works for any lifetime, the path `Corner::uv` does not.
         self.corners(|corner| corner.uv())
     }
 
-    /// The plane's normal in model space, (b − a) × (c − a), scaled to a largest component between
-    /// 8192 and 32768, so that a small triangle's direction is as good as a large one's;
-    /// zero for a triangle without area.
+    /// The normal of the triangle's plane in model space: (b − a) × (c − a) for the corners a, b and c.
+    ///
+    /// Its largest component is scaled to between 8192 and 32768, so a small triangle's direction is as accurate as a
+    /// large one's. It is zero for a triangle without area.
     #[must_use]
     pub fn normal(&self) -> Vec3 {
         let [a, b, c] = self.positions().map(Vec3::to_bits);
-        // Differences take 33 bits; halved they fit 32 and the difference of two products 64.
+        // Differences take 33 bits. Halved, they fit into 32, and the difference of two products fits into 64.
         let side = |from: i32, to: i32| (i64::from(to) - i64::from(from)) >> 1;
         let [b, c] = [b, c].map(|p| [side(a[0], p[0]), side(a[1], p[1]), side(a[2], p[2])]);
         let cross = |i: usize, j: usize| (b[i] * c[j]).saturating_sub(b[j] * c[i]);
         let normal = [cross(1, 2), cross(2, 0), cross(0, 1)];
         let bits = normal.iter().fold(0, |all, x| all | x.unsigned_abs());
-        // One leading zero stays, for the sign.
+        // One leading zero remains, for the sign.
         let up = bits.leading_zeros().clamp(1, 63) - 1;
         Vec3::from_bits(normal.map(|x| ((x << up) >> 32) as i32))
     }
 
-    /// The triangle's normal in world space.
+    /// The direction of [`normal`](Self::normal) in world space, where lights are.
     #[must_use]
     pub fn world_normal(&self) -> Direction {
         self.in_world(self.normal())
@@ -199,7 +201,7 @@ impl Primitive<'_> {
 
     fn in_world(&self, normal: Vec3) -> Direction {
         let Placement { model, normals, .. } = self.placement;
-        // Not `get_or_init`, which panics if it is called by what it calls.
+        // Not `get_or_init`, which has a panic path for reentrant initialization.
         if let Some(matrix) = normals.get() {
             return matrix.direction(normal);
         }
@@ -209,7 +211,7 @@ impl Primitive<'_> {
     }
 }
 
-/// A corner of a triangle, an end of an edge, or a point, on its way to be drawn.
+/// A corner of a triangle, an end of an edge, or a point that is about to be drawn.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -249,7 +251,7 @@ impl Corner<'_> {
         }
     }
 
-    /// The distance ahead of the eye: −z in eye space, saturated to the format.
+    /// The distance from the eye along its line of sight: −z in eye space, saturated to the range of [`Scalar`].
     #[must_use]
     #[inline]
     pub fn distance(&self) -> Scalar {
@@ -261,7 +263,7 @@ impl Corner<'_> {
             .saturating_neg()
     }
 
-    /// The texture coordinate; (0, 0) where the mesh has none.
+    /// The texture coordinate; (0, 0) if the mesh has none here.
     #[must_use]
     #[inline]
     pub fn uv(&self) -> Vec2 {
@@ -271,7 +273,7 @@ impl Corner<'_> {
             .unwrap_or_else(|| self.primitive.placement.lacks_uvs())
     }
 
-    /// The normal in model space, of any length; where the mesh has none, the triangle's own.
+    /// The normal in model space, of any length; the triangle's own if the mesh has none here.
     #[must_use]
     #[inline]
     pub fn normal(&self) -> Vec3 {
@@ -285,7 +287,7 @@ impl Corner<'_> {
         }
     }
 
-    /// The color; white where the mesh has none.
+    /// The color; white if the mesh has none here.
     #[must_use]
     #[inline]
     pub fn color(&self) -> Rgb888 {
@@ -295,15 +297,15 @@ impl Corner<'_> {
             .unwrap_or_else(|| self.primitive.placement.lacks_colors())
     }
 
-    /// The direction of [`normal`](Self::normal) in world space, where lights are; upright also on a model that is
-    /// stretched or mirrored.
+    /// The direction of [`normal`](Self::normal) in world space, where lights are. It stays perpendicular to the
+    /// surface if the model is stretched or mirrored.
     #[must_use]
     #[inline]
     pub fn world_normal(&self) -> Direction {
         self.primitive.in_world(self.normal())
     }
 
-    /// The triangle, edge or point that this is a corner of.
+    /// The triangle, edge or point that has this corner.
     #[must_use]
     #[inline]
     pub const fn primitive(&self) -> &Primitive<'_> {

@@ -1,4 +1,5 @@
-//! Primitive assembly: from a mesh's indices to triangles and lines on the screen, whole or clipped, or nothing.
+//! Primitive assembly: from a mesh's indices to triangles and lines on the screen, which are whole, clipped or
+//! rejected.
 
 use super::cache::VertexCache;
 use super::call::Call;
@@ -7,16 +8,16 @@ use crate::mesh::{Element, Index};
 use crate::raster::{self, Barycentric, ClippedVertex, ScreenVertex};
 use crate::view::ProjectionKind;
 
-/// What takes triangles from assembly: drawing, or a list to draw later.
+/// Receives assembled triangles, to draw them or to list them.
 pub(super) trait Assembly {
-    /// A triangle that is inside all planes and is not culled, and twice its area.
+    /// Receives a triangle that is inside all planes and not culled, and twice its area.
     fn whole(&mut self, element: Element, corners: [&ScreenVertex; 3], area: i64);
 
-    /// The part of a triangle inside all planes; it may be empty or face away.
+    /// Receives the part of a triangle that is inside all planes; it may be empty or face away.
     fn clipped(&mut self, element: Element, polygon: &[ClippedVertex]);
 }
 
-/// Takes one triangle of the mesh as far as its corners tell that it is to be seen.
+/// Assembles one triangle of the mesh: rejects it, passes it on whole, or clips it.
 #[inline]
 pub(super) fn triangle<K: ProjectionKind>(
     call: &Call<'_, K>,
@@ -52,7 +53,7 @@ pub(super) fn triangle<K: ProjectionKind>(
     }
 }
 
-/// The part of an edge inside all planes, and whether it was clipped; `None` if there is none.
+/// The part of an edge that is inside all planes, and whether it was clipped; `None` if nothing is inside.
 #[inline]
 pub(super) fn edge<K: ProjectionKind>(
     call: &Call<'_, K>,

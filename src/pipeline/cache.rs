@@ -1,16 +1,17 @@
-//! Vertices that need not be projected again.
+//! A cache of projected vertices.
 
 use super::vertex::Projector;
 use crate::mesh::Index;
 use crate::raster::ScreenVertex;
 use crate::view::ProjectionKind;
 
-/// Vertices that were projected lately, as neighboring triangles share them.
+/// Recently projected vertices, because neighboring triangles share them.
 pub(super) struct VertexCache {
     entries: [ScreenVertex; SIZE],
 }
 
-/// A power of two. Rows of a mesh up to 31 vertices apart are projected once; 1 KiB of stack.
+/// A power of two. Vertices of a mesh whose rows are up to 31 vertices apart are projected only once. The cache takes
+/// 1 KiB of stack.
 pub(super) const SIZE: usize = 64;
 
 impl VertexCache {
@@ -21,14 +22,14 @@ impl VertexCache {
         Self { entries }
     }
 
-    /// A vertex, projected now or lately.
+    /// A vertex, from the cache or projected now.
     #[inline]
     pub(super) fn vertex<K: ProjectionKind>(
         &mut self,
         projector: &Projector<'_, K>,
         index: Index,
     ) -> &ScreenVertex {
-        // Never more than the size less one.
+        // The remainder is below `SIZE`, so there is no bounds check.
         let entry = &mut self.entries[usize::from(index) % SIZE];
         if entry.index != index {
             projector.project(index, entry);
@@ -44,7 +45,7 @@ impl VertexCache {
             let entry = &self.entries[usize::from(index) % SIZE];
             (entry.index == index).then_some(entry)
         };
-        // Taken apart by hand, as in `ScreenVertex::screens`.
+        // Destructured by hand, as in `ScreenVertex::screens`.
         Some([kept(a)?, kept(b)?, kept(c)?])
     }
 

@@ -1,4 +1,4 @@
-//! A draw call, but for what it draws with.
+//! The inputs of a draw call, except shader and canvas.
 
 use core::ops::Range;
 
@@ -10,7 +10,7 @@ use crate::mesh::{Element, Mesh, Placement, Primitive};
 use crate::raster::{Cull, DepthShift, Scissor};
 use crate::view::{ModelToPicture, ProjectionKind};
 
-/// What all primitives of a draw call share once they are on the screen.
+/// The data that all primitives of a draw call share once they are on the screen.
 #[derive(Clone, Debug)]
 pub(super) struct Shared<'m> {
     pub(super) mesh: &'m Mesh<'m>,
@@ -20,7 +20,7 @@ pub(super) struct Shared<'m> {
 }
 
 impl Shared<'_> {
-    /// A triangle, edge or point as shaders see it.
+    /// A triangle, edge or point in the form that shaders receive.
     #[inline]
     pub(super) fn primitive(&self, element: Element) -> Primitive<'_> {
         Primitive {
@@ -31,7 +31,7 @@ impl Shared<'_> {
     }
 }
 
-/// A mesh on its way to the screen.
+/// A mesh, and the transform that takes it to the screen.
 #[derive(Clone, Debug)]
 pub(super) struct Call<'m, K> {
     pub(super) shared: Shared<'m>,
@@ -39,7 +39,7 @@ pub(super) struct Call<'m, K> {
 }
 
 impl<'m, K: ProjectionKind> Call<'m, K> {
-    /// A call that draws to `rows` of a frame.
+    /// A draw call to `rows` of a frame.
     #[inline(never)]
     pub(super) fn new<M: Copy, Z: Copy, V: ModelToPicture<Kind = K>>(
         options: &DrawOptions<M, Z>,

@@ -8,27 +8,27 @@ use crate::num::reciprocal;
 use crate::raster::{Barycentric, ClippedVertex, ScreenVertex};
 use crate::view::ProjectionKind;
 
-/// Most corners of a clipped triangle: each of six planes adds one at most.
+/// Most corners of a clipped triangle: three, and at most one more for each of six planes.
 const MOST_CORNERS: usize = 9;
 
 /// A clipped triangle or line on the screen.
 pub(crate) type ClippedPolygon = Vec<ClippedVertex, MOST_CORNERS>;
 
-/// A corner on its way to be clipped.
+/// A corner of a triangle or line while it is clipped.
 #[derive(Clone, Copy)]
 struct ClipVertex {
     position: ClipPosition,
-    /// [`Barycentric`] weights, as wide as the position, as they are cut in the same way.
+    /// [`Barycentric`] weights, as wide as the position, because they are cut in the same way.
     barycentric: [i64; 2],
 }
 
 type Polygon = Vec<ClipVertex, MOST_CORNERS>;
 
-/// The part of a line between two of the positions or of a triangle of three that is inside the `planes` (a bit
-/// each) that any of the corners is outside of; no corners if there is none.
+/// Clips a line between two positions, or a triangle of three, to the inside of `planes`. This mask has a bit for
+/// each plane that any of the corners is outside of. The result has no corners if nothing is inside.
 ///
-/// An edge is cut by the planes that its own ends are outside of, in the order of the planes, from
-/// its inside end: so two triangles that share an edge get the same new corners.
+/// An edge is cut only by the planes that its own ends are outside of, in the order of the planes, and from its
+/// inside end. So two triangles that share an edge get the same new corners.
 #[inline(never)]
 pub(crate) fn clip<K: ProjectionKind>(
     projector: &Projector<'_, K>,
@@ -45,7 +45,7 @@ pub(crate) fn clip<K: ProjectionKind>(
     let closed = corners.len() > 2;
     for plane in (0..6).filter(|plane| planes >> plane & 1 != 0) {
         inside.clear();
-        cut_off(projector, plane, (polygon, closed), inside);
+        clip_to_plane(projector, plane, (polygon, closed), inside);
         (polygon, inside) = (inside, polygon);
     }
     let mut clipped = ClippedPolygon::new();
@@ -54,24 +54,24 @@ pub(crate) fn clip<K: ProjectionKind>(
         projector.project_inside(&corner.position, &mut vertex);
         let _ = clipped.push(ClippedVertex {
             vertex,
-            // At most 2^30.
+            // Weights are at most 2^30.
             barycentric: Barycentric(corner.barycentric.map(|weight| weight as i32)),
         });
     }
     clipped
 }
 
-/// Gives `inside` the part of a polygon or, if it is not `closed`, of a line that is inside a plane.
+/// Writes to `inside` the part of a polygon that is inside a plane, or of a line if it is not `closed`.
 #[inline(never)]
-fn cut_off<K: ProjectionKind>(
+fn clip_to_plane<K: ProjectionKind>(
     projector: &Projector<'_, K>,
     plane: u32,
     (polygon, closed): (&[ClipVertex], bool),
     inside: &mut Polygon,
 ) {
-    // There is room: a plane cuts a convex polygon's outline twice.
+    // There is room, because a plane cuts the outline of a convex polygon twice.
     let mut add = |vertex: ClipVertex| inside.push(vertex).unwrap_or(());
-    // A triangle's last corner is joined to the first, a line's is not.
+    // A polygon's last corner is joined to its first, a line's is not.
     let mut from = polygon.last().filter(|_| closed);
     for to in polygon {
         let to_distance = projector.distance(&to.position, plane);
@@ -90,8 +90,13 @@ fn cut_off<K: ProjectionKind>(
     }
 }
 
-/// Where `plane` cuts an edge of which one end is inside, the other outside; they come with their
-/// distances from it.
+/// The point where `plane` cuts an edge that has one end inside and one outside. Each end comes with its distance
+/// from the plane.
+///
+/// ```text
+///  inside          plane          outside
+///    ●───── inner ───┼─── outer ─────○
+/// ```
 fn cut<K: ProjectionKind>(
     projector: &Projector<'_, K>,
     plane: u32,
@@ -100,7 +105,7 @@ fn cut<K: ProjectionKind>(
     if inside.1 < outside.1 {
         (inside, outside) = (outside, inside);
     }
-    // The fraction of the way, inner / (inner - outer), in units of 2^-31 and rounded down.
+    // The fraction of the way from inside to outside, inner / (inner + outer), in units of 2^-31, rounded down.
     let (inner, outer) = (inside.1.max(0).unsigned_abs(), outside.1.unsigned_abs());
     let sum = ((inner >> 1) + (outer >> 1)) | 1;
     let up = sum.leading_zeros();
@@ -113,9 +118,11 @@ fn cut<K: ProjectionKind>(
     let values = vertex.position.iter_mut().chain(&mut vertex.barycentric);
     let others = outside.position.iter().chain(&outside.barycentric);
     for (from, to) in values.zip(others) {
-        let way = to.saturating_sub(*from);
-        // The fraction of 64 bits, from the halves; below 2^63 as the fraction is below 2^31.
-        *from += (((way >> 32) * fraction) << 1) + (((way & 0xffff_ffff) * fraction) >> 31);
+        let difference = to.saturating_sub(*from);
+        // The product of 64 bits and the fraction, from the halves of `difference`: below 2^63, because the fraction
+        // is below 2^31.
+        *from += (((difference >> 32) * fraction) << 1)
+            + (((difference & 0xffff_ffff) * fraction) >> 31);
     }
     projector.put_onto(&mut vertex.position, plane);
     vertex

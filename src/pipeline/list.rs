@@ -22,15 +22,17 @@ use crate::span::{Mode, Newton};
 use crate::target::{DepthTest, TestAndWrite, check_size};
 use crate::view::{ModelToPicture, Perspective, ProjectionKind, Viewport};
 
-/// Memory for the triangles of a frame that is drawn in bands: transformed, culled and clipped
-/// once, walked by every band.
+/// Memory for the triangles of a frame that is drawn in bands.
 ///
-/// Without it each band transforms the whole mesh again, which for a mesh of many small triangles
-/// takes longer than to draw it. Room is needed for the triangles that are to be seen (16 bytes
-/// each), and for their vertices (16 bytes each): about half as many in a closed mesh whose
-/// triangles are in the order of neighbors, at most three times as many, and up to 18 for each
-/// triangle that is clipped. Where there is too little, [`prepare`](Self::prepare) says how much
-/// is needed.
+/// The triangles are transformed, culled and clipped once, and every band draws them from here.
+///
+/// Without it, each band transforms the whole mesh again. For a mesh of many small triangles, this takes longer than
+/// drawing them.
+///
+/// The list needs room for the visible triangles (16 bytes each) and for their vertices (16 bytes each). A closed
+/// mesh whose triangles are in the order of neighbors needs about half as many vertices as triangles. Other meshes
+/// need at most three times as many, and up to 18 for each clipped triangle. If there is too little room,
+/// [`prepare`](Self::prepare) returns how much is needed.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
@@ -58,7 +60,7 @@ use crate::view::{ModelToPicture, Perspective, ProjectionKind, Viewport};
 ///     band.show(&mut display)?;
 /// }
 ///
-/// // The same picture at once.
+/// // The same picture, drawn at once.
 /// let mut color = [Gray4::BLACK; (WIDTH * HEIGHT) as usize];
 /// let mut frame = Canvas::new(&mut color, WIDTH, HEIGHT)?;
 /// frame.draw(&BALL, &mvp, &white);
@@ -77,28 +79,28 @@ pub struct TriangleList<const TRIANGLES: usize, const VERTICES: usize> {
     vertices: Vec<Slot, VERTICES>,
 }
 
-/// A triangle that is to be seen.
+/// A visible triangle.
 #[derive(Clone, Copy, Debug)]
 struct Entry {
-    /// Its place among the mesh's faces.
+    /// Its index among the mesh's faces.
     face: u32,
-    /// The rows of the frame that it may have pixels in, first and last.
+    /// The rows of the frame in which it may have pixels: the first, and the one after the last.
     rows: [u16; 2],
     corners: Corners,
 }
 
-/// Where in the list a triangle's corners are.
+/// The numbers of a triangle's corners in the list of vertices, counted from 1.
 #[derive(Clone, Copy, Debug)]
 enum Corners {
-    /// All inside: three vertices.
+    /// A triangle that is inside all planes: its three vertices.
     Whole([u16; 3]),
-    /// Clipped: this many corners, each a vertex and its barycentric weights.
+    /// A clipped triangle: `count` corners from `first` on, each a vertex and its barycentric weights.
     Clipped { first: u16, count: u16 },
 }
 
-/// A vertex on the screen, or where in its triangle the one before it lies.
+/// A vertex on the screen, or the barycentric weights of the vertex before it.
 ///
-/// Fields of their own, and not a [`ScreenVertex`], so that the tag finds room among them.
+/// It has fields of its own instead of a [`ScreenVertex`], so that the tag fits in between them.
 #[derive(Clone, Copy, Debug)]
 enum Slot {
     Vertex {
@@ -139,10 +141,11 @@ impl Slot {
     }
 }
 
-/// A mesh's triangles, ready to be drawn into every band of a frame: what
-/// [`TriangleList::prepare`] makes and [`Canvas::draw_prepared`](crate::Canvas::draw_prepared) draws.
+/// A mesh's triangles, ready to be drawn to every band of a frame.
 ///
-/// It can be shared with another core, which draws other bands of the same frame.
+/// [`TriangleList::prepare`] returns it, and [`Canvas::draw_prepared`](crate::Canvas::draw_prepared) draws it.
+///
+/// It can be shared with another core that draws other bands of the same frame.
 ///
 /// ```
 /// use fixel::{Prepared, prelude::*};
@@ -171,7 +174,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> Default for TriangleList<TRI
 }
 
 impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERTICES> {
-    /// Most vertices that can be used, whatever there is room for: they are counted from 1 in 16 bits.
+    /// The most vertices that a list can use, however long it is: 16-bit numbers count them from 1.
     pub const MAX_VERTICES: usize = u16::MAX as usize;
 
     /// An empty list.
@@ -184,12 +187,13 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
     }
 
     /// Transforms, culls and clips a mesh's triangles for a `frame` of this many columns and rows, as
-    /// [`Canvas::draw_with`](crate::Canvas::draw_with) would for each of its bands. Drops what was in the list before.
+    /// [`Canvas::draw_with`](crate::Canvas::draw_with) would for each of its bands. The previous contents of the list
+    /// are dropped.
     ///
     /// # Errors
     ///
-    /// [`Error::Full`] if the list is too short for what is to be seen, with the length that is
-    /// needed; [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`](crate::target::MAX_SIZE).
+    /// [`Error::Full`], with the length that is needed, if the list is too short for the visible triangles;
+    /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`](crate::target::MAX_SIZE).
     pub fn prepare<'a, M: Mode, Z: DepthTest, V: ModelToPicture>(
         &'a mut self,
         options: &DrawOptions<M, Z>,
@@ -240,33 +244,33 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
     }
 }
 
-/// Elements that a list must have room for.
+/// How many elements a list must have room for.
 #[derive(Clone, Copy, Debug, Default)]
 struct Needed {
     triangles: usize,
     vertices: usize,
 }
 
-/// A list that is being filled. When there is no more room it goes on counting.
+/// A list that is being filled. Once it is full, it only counts.
 struct Filling<'l> {
     triangles: &'l mut VecView<Entry>,
     vertices: &'l mut VecView<Slot>,
     needed: Needed,
     cull: Cull,
     scissor: &'l Scissor,
-    /// Positions that were added lately, each with its vertex's number in the list, from 1; 0 is none.
+    /// Recently added positions, each with its vertex's number in the list, counted from 1; 0 means none.
     numbers: [(Index, u16); cache::SIZE],
 }
 
 impl Filling<'_> {
     fn add_triangle(&mut self, element: Element, rows: &Range<i32>, corners: Corners) {
-        // Rows of a frame: 0 to 2048.
+        // Rows of a frame are 0 to 2048.
         let row = |row: i32| {
             let inside = row.max(self.scissor.rows.start).min(self.scissor.rows.end);
             inside.cast_unsigned() as u16
         };
         self.needed.triangles += 1;
-        // If there is no room the list is not used.
+        // If there is no room, the list will not be used.
         let _ = self.triangles.push(Entry {
             face: element.face.unwrap_or_default() as u32,
             rows: [row(rows.start), row(rows.end)],
@@ -274,14 +278,14 @@ impl Filling<'_> {
         });
     }
 
-    /// Adds a vertex; its number, which is wrong if there is no room.
+    /// Adds a vertex and returns its number, which is wrong if there is no room.
     fn add(&mut self, slot: Slot) -> u16 {
         self.needed.vertices += 1;
         let _ = self.vertices.push(slot);
         self.needed.vertices as u16
     }
 
-    /// The number of a vertex, added now or lately.
+    /// The number of a vertex; it is added unless it was added recently.
     fn number(&mut self, vertex: &ScreenVertex) -> u16 {
         let slot = usize::from(vertex.index) % cache::SIZE;
         let (index, number) = self.numbers[slot];
@@ -323,7 +327,7 @@ impl Assembly for Filling<'_> {
 }
 
 impl<K: ProjectionKind, M, Z> Prepared<'_, K, M, Z> {
-    /// Draws those that meet `rows` of a frame of this width.
+    /// Draws the triangles that meet `rows` of a frame of this width.
     #[inline(never)]
     pub(super) fn draw(&self, blitter: &mut dyn Blitter, width: u32, rows: &Range<u32>) -> Drawn {
         let shared = Shared {

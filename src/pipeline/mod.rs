@@ -24,7 +24,7 @@ use crate::span::{Blit, Mode};
 use crate::target::{Canvas, DepthBuffer, DepthTest, Storage};
 use crate::view::{ModelToPicture, ProjectionKind};
 
-/// What became of a draw call's triangles, edges or points.
+/// The result of a draw call: how many triangles, edges or points there were, and how many were drawn.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -41,18 +41,18 @@ use crate::view::{ModelToPicture, ProjectionKind};
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Drawn {
-    /// How many there were.
+    /// The number of triangles, edges or points in the mesh.
     pub submitted: u32,
-    /// How many may have left a pixel: triangles that face the right way and meet the viewport and the
-    /// canvas' rows, lines and points that are not outside the guard band.
+    /// The number of these that may have changed a pixel: triangles that are not culled and that meet the viewport
+    /// and the canvas's rows, and lines and points that are not entirely outside the guard band.
     pub drawn: u32,
-    /// How many of those drawn were cut by a plane of the view volume or of the guard band.
+    /// The number of drawn ones that were clipped by a plane of the view volume or of the guard band.
     pub clipped: u32,
-    /// What the shader asked for and the mesh lacks.
+    /// The attributes that the shader asked for and the mesh lacks.
     pub missing: Missing,
 }
 
-/// Where a point of model space is on the screen.
+/// The screen position of a point of model space; [`Canvas::project`] returns it.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -67,20 +67,21 @@ pub struct Drawn {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ScreenPoint {
-    /// Columns from the frame's left edge, to the nearest 1/256: a pixel's center is half a column
-    /// from its edges.
+    /// Columns from the frame's left edge, rounded to the nearest 1/256. A pixel's center is half a column from its
+    /// edges.
     pub x: Subpixel,
-    /// Rows from the frame's top edge.
+    /// Rows from the frame's top edge, rounded to the nearest 1/256.
     pub y: Subpixel,
-    /// Depth as it would be stored in the canvas' depth buffer, or in a linear one if it has none.
+    /// The depth as the canvas's depth buffer would store it; linear if the canvas has none.
     pub depth: u16,
 }
 
 impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
-    /// Draws a mesh's triangles: through `mvp` into the whole frame, without back faces, each pixel correct in
-    /// perspective.
+    /// Draws a mesh's triangles through `mvp` to the whole frame. Back faces are culled, and every pixel is correct
+    /// in perspective.
     ///
-    /// Cannot fail: what lies outside the view is clipped away.
+    /// `mvp` is a [`Projection`](crate::Projection) times a camera and a model transform (an [`Mvp`](crate::Mvp)), or
+    /// a projection alone. Drawing cannot fail: parts outside the view are clipped away.
     pub fn draw<V: ModelToPicture, S: Shader<Color = C>>(
         &mut self,
         mesh: &Mesh<'_>,
@@ -90,7 +91,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
         self.draw_with(&DrawOptions::new(), mesh, mvp, shader)
     }
 
-    /// Draws a mesh's triangles as [`draw`](Self::draw) does, with options.
+    /// Draws a mesh's triangles like [`draw`](Self::draw), with options.
     pub fn draw_with<M: Mode, Z: DepthTest, V: ModelToPicture, S: Shader<Color = C>>(
         &mut self,
         options: &DrawOptions<M, Z>,
@@ -103,8 +104,8 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
         run::draw(&call, &mut blit)
     }
 
-    /// Draws triangles that were [prepared](TriangleList::prepare) for this frame, as far as they
-    /// are in these rows: the same pixels as [`draw_with`](Self::draw_with), without another transform.
+    /// Draws triangles that were [prepared](TriangleList::prepare) for this frame, as far as they lie in this
+    /// canvas's rows. The pixels are those of [`draw_with`](Self::draw_with), but nothing is transformed again.
     pub fn draw_prepared<M: Mode, Z: DepthTest, K: ProjectionKind, S: Shader<Color = C>>(
         &mut self,
         prepared: &Prepared<'_, K, M, Z>,
@@ -118,6 +119,9 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     }
 
     /// Draws a mesh's [edges](Mesh::edges) as lines, one pixel wide.
+    ///
+    /// A line gets one pixel for each pixel center that it passes along its longer axis. Its right end (lower end, if
+    /// it is steep) does not belong to it, so lines that continue each other draw no pixel twice.
     pub fn draw_edges<M: Mode, Z: DepthTest, V: ModelToPicture, S: Shader<Color = C>>(
         &mut self,
         options: &DrawOptions<M, Z>,
@@ -130,7 +134,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
         run::edges(&call, &mut blit)
     }
 
-    /// Draws a mesh's positions as points, one pixel each.
+    /// Draws a mesh's positions as points: the pixel that contains each.
     pub fn draw_points<M: Mode, Z: DepthTest, V: ModelToPicture, S: Shader<Color = C>>(
         &mut self,
         options: &DrawOptions<M, Z>,
@@ -143,11 +147,12 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
         run::points(&call, &mut blit)
     }
 
-    /// Where a point of model space comes to lie, to the last bit as when it is drawn; `None` if it
-    /// is nearer than the near plane, beyond the far plane or more than 2048 pixels from the
-    /// viewport's center. It may be outside the viewport.
+    /// The screen position of a point of model space, with the same bits as when it is drawn.
     ///
-    /// Use it to place a label beside a thing, or to find what a touch meets.
+    /// The result is `None` if the point is nearer than the near plane, beyond the far plane, or more than 2048
+    /// pixels left or right of, above or below the viewport's center. The position may lie outside the viewport.
+    ///
+    /// Use it to place a label beside an object, or to find the object under a touch.
     #[must_use]
     pub fn project<M: Copy, Z: Copy, V: ModelToPicture>(
         &self,
@@ -175,7 +180,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
         })
     }
 
-    /// What a draw call draws with.
+    /// The blitter of a draw call.
     #[inline]
     fn blit<'p, K: ProjectionKind, M: Mode, Z: DepthTest, S: Shader<Color = C>>(
         &'p mut self,

@@ -1,4 +1,4 @@
-//! How a draw call is done.
+//! The options of a draw call.
 
 use embedded_graphics::geometry::Size;
 
@@ -7,9 +7,11 @@ use crate::span::{Mode, Newton};
 use crate::target::{DepthTest, TestAndWrite};
 use crate::view::Viewport;
 
-/// How a draw call is done: which faces are culled, to which part of the frame, by which mode, with which depth test.
+/// The options of a draw call: which faces are culled, which part of the frame is drawn to, the interpolation mode,
+/// and the depth test.
 ///
-/// The default culls back faces, draws to the whole frame in mode [`Newton`], tests depth and stores it.
+/// By default, a draw call culls back faces, draws to the whole frame in mode [`Newton`], and tests and stores
+/// depths.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -31,7 +33,7 @@ impl Default for DrawOptions {
 }
 
 impl DrawOptions {
-    /// The default.
+    /// The default options.
     #[must_use]
     pub const fn new() -> Self {
         Self {
@@ -44,13 +46,13 @@ impl DrawOptions {
 }
 
 impl<M: Copy, Z: Copy> DrawOptions<M, Z> {
-    /// Culls other faces.
+    /// Sets which faces are culled.
     #[must_use]
     pub const fn cull(self, cull: Cull) -> Self {
         Self { cull, ..self }
     }
 
-    /// Draws into a part of the frame, and into that only.
+    /// Projects to this part of the frame, and draws only there.
     #[must_use]
     pub const fn viewport(self, viewport: Viewport) -> Self {
         Self {
@@ -59,7 +61,7 @@ impl<M: Copy, Z: Copy> DrawOptions<M, Z> {
         }
     }
 
-    /// Interpolates in another mode.
+    /// Sets the interpolation mode.
     #[must_use]
     pub const fn mode<N: Mode>(self, mode: N) -> DrawOptions<N, Z> {
         DrawOptions {
@@ -70,7 +72,7 @@ impl<M: Copy, Z: Copy> DrawOptions<M, Z> {
         }
     }
 
-    /// Tests and stores depths in another way; nothing changes on a canvas without a depth buffer.
+    /// Sets how depths are tested and stored. On a canvas without a depth buffer, this has no effect.
     #[must_use]
     pub const fn depth<Y: DepthTest>(self, depth: Y) -> DrawOptions<M, Y> {
         DrawOptions {

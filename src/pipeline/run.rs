@@ -4,9 +4,9 @@
 //! mesh ─▶ vertex ─▶ assemble ─▶ raster ─▶ blit ─▶ canvas
 //! ```
 //!
-//! Vertices are projected once and kept for neighbors ([`vertex`](super::vertex), [`VertexCache`]); triangles are culled
-//! and clipped ([`assemble`]); what is left becomes spans of pixels ([`raster`]), and these become colors
-//! ([`Blitter`]).
+//! Vertices are projected once and kept for neighboring triangles ([`vertex`](super::vertex), [`VertexCache`]).
+//! Triangles are culled and clipped ([`assemble`]). The rest becomes spans of pixels ([`raster`]), which become
+//! colors ([`Blitter`]).
 
 use super::Drawn;
 use super::assemble::{self, Assembly};
@@ -16,7 +16,8 @@ use crate::mesh::{Element, Index};
 use crate::raster::{self, Blitter, ClippedVertex, Polygon, ScreenVertex, Triangle};
 use crate::view::ProjectionKind;
 
-/// Runs all triangles of a mesh through vertex and assembly stages to drawing, or to a list to draw later.
+/// Runs all triangles of a mesh through the vertex and assembly stages; `to` draws them or lists them to be drawn
+/// later.
 #[inline]
 pub(super) fn triangles<K: ProjectionKind>(call: &Call<'_, K>, to: &mut impl Assembly) {
     let mut vertices = VertexCache::new();
@@ -51,7 +52,7 @@ pub(super) fn edges<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Bli
 pub(super) fn points<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blitter) -> Drawn {
     let mut drawn = Drawn::default();
     for index in 0..call.shared.mesh.positions().len() {
-        // A mesh has at most 65,536 positions.
+        // A mesh has at most 65,536 positions, so this never happens.
         let Ok(index) = Index::try_from(index) else {
             break;
         };
@@ -99,7 +100,7 @@ impl<'d> Draw<'d> {
         }
     }
 
-    /// What became of the triangles.
+    /// The result of the draw call.
     #[inline]
     pub(super) fn drawn(self) -> Drawn {
         Drawn {

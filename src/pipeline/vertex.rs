@@ -1,4 +1,4 @@
-//! From model space to the screen: one matrix per draw call, one reciprocal per vertex.
+//! Vertex projection, from model space to the screen: one matrix per draw call, one reciprocal per vertex.
 
 use core::marker::PhantomData;
 
@@ -11,27 +11,27 @@ use crate::num::wide::{PREFERS_SHORT, dot, product, short_dot};
 use crate::raster::{DepthShift, ScreenVertex};
 use crate::view::{Projection, ProjectionKind, Row, Viewport};
 
-/// Half the width and height of the guard band, in pixels: the room about the viewport's center in
+/// Half the width and height of the guard band, in pixels. The guard band is the area around the viewport's center in
 /// which screen coordinates are exact, and to which triangles are clipped.
 const GUARD: i32 = 2048;
-/// The guard band's half width, 2^19 units of 1/256 pixel.
+/// The guard band's half width is 2 to this power units of 1/256 pixel: 19.
 const GUARD_BITS: u32 = GUARD.trailing_zeros() + 8;
 
-/// A position in clip space: x and y to the right and down in units of the guard band, and t, which
-/// is w under a perspective and depth under a parallel projection. All three times 2^`fraction`.
+/// A position in clip space: x to the right and y down, in units of the guard band, and t, which is w in perspective
+/// and depth under a parallel projection. Each is an integer, multiplied by 2^`fraction`.
 pub(crate) type ClipPosition = [i64; 3];
 
-/// How many units a clip coordinate may be beyond a side plane and count as inside: what rounding
-/// may take a point that was cut from an edge with both ends inside.
+/// How many units a clip coordinate may lie beyond a side plane and still count as inside. By up to this much,
+/// rounding may move a point that was cut from an edge with both ends inside.
 const SIDE_TOLERANCE: i64 = 8;
 
-/// The upper half.
+/// The upper half of 64 bits.
 #[inline]
 const fn upper(value: i64) -> i32 {
     (value >> 32) as i32
 }
 
-/// The way from model space to the screen, made once for a draw call.
+/// The transform from model space to the screen, computed once per draw call.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Projector<'m, K> {
     positions: Positions<'m>,
@@ -39,15 +39,16 @@ pub(crate) struct Projector<'m, K> {
     offsets: [i64; 3],
     /// Fraction bits of clip coordinates.
     fraction: i32,
-    /// The least t inside, and how much above it the greatest is.
+    /// The least t that is inside.
     least: i64,
+    /// The greatest t that is inside, minus the least.
     depth: u64,
     /// The viewport's center, in units of 1/256 pixel.
     center: [i32; 2],
     kind: PhantomData<K>,
 }
 
-/// `row` times `unit` and `size`, in units of 2^-12 as sizes are in parts of the guard band.
+/// `row` times `unit` and `size`. `size` counts units of 2^-12, because the guard band is 2^12 pixels wide.
 fn scaled(row: &Row, unit: BlockFloat, size: i32) -> AffineRow {
     let factor = unit.times(BlockFloat::new(size.into(), 12));
     let (factor, exp) = factor.rounded();
@@ -65,7 +66,7 @@ fn scaled(row: &Row, unit: BlockFloat, size: i32) -> AffineRow {
 }
 
 impl<'m, K: ProjectionKind> Projector<'m, K> {
-    /// The way of `positions` through `view` and `projection` to the pixels of `viewport`.
+    /// The transform of `positions` through `view` and `projection` to the pixels of `viewport`.
     pub(crate) fn new(
         positions: Positions<'m>,
         projection: &Projection<K>,
@@ -73,10 +74,10 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         viewport: &Viewport,
     ) -> Self {
         let [near, far] = [projection.near, projection.far].map(Scalar::to_bits);
-        // The row of t and what it is multiplied with, and what x and y are beside the viewport's scale.
+        // The row of t and its factor, and the factor of x and y in addition to the viewport's size.
         let (depth, depth_unit, unit) = if K::PERSPECTIVE {
-            // t = w / near, a little above 1 at the near plane: the greatest 1/t, 1 - 2^-16, leaves
-            // room for rounding before a depth of 65536.
+            // t = w / near · (1 + 2^-16), slightly above 1 at the near plane: the greatest 1/t is 1 − 2^-16, which
+            // leaves room for rounding below a depth of 65536.
             let one = BlockFloat::new((1 << 16) + 1, 0).over(BlockFloat::new(near.into(), 0));
             let toward = Row {
                 m: [0, 0, -(1 << 29), 0],
@@ -84,8 +85,8 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             };
             (toward, one, one)
         } else {
-            // t = (far - distance) / (far - near), a little below 1 at the near plane. The row is the
-            // dividend alone: in it the far plane keeps its bits whatever the length between them.
+            // t = (far − distance) / (far − near), slightly below 1 at the near plane. The row is only the dividend,
+            // so that the far plane keeps its bits however close together the planes are.
             let length = i64::from(far) - i64::from(near);
             let exp = 14
                 + far
@@ -110,13 +111,14 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         .map(|(row, unit, size)| scaled(row, unit, size));
         let clip = compose(&lines, view);
 
-        // The finest exponent at which coefficients keep below 2^29 and offsets below 2^60. With
-        // coordinates of 31 bits a sum stays below 3 · 2^60 + 2^60 = 2^62. Mantissas have 30 bits.
+        // The finest exponent at which coefficients stay below 2^29 and offsets below 2^60. Positions have 31 bits
+        // and a sign, so the sum of three products and an offset stays below 3 · 2^60 + 2^60 = 2^62. Mantissas have
+        // 30 bits.
         let exp = (clip.linear_exp - 1)
             .min(clip.translation_exp + 60 - 16 - 30)
             .clamp(0, 40);
         let fraction = exp + 16;
-        // Where the exponent would have been below 0, they are taken for smaller than they are.
+        // If the exponent was clamped to 0, coefficients and offsets are treated as smaller than they are.
         let (down, up) = (
             (clip.linear_exp - exp).max(1),
             (fraction - clip.translation_exp).min(30),
@@ -143,7 +145,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         }
     }
 
-    /// A position of model space in clip space; the origin's for an index that no checked list holds.
+    /// The clip position of a position of model space; of the origin for an index that no checked list holds.
     #[inline]
     pub(super) fn clip_position(&self, index: Index) -> ClipPosition {
         let place = self.positions.place(index);
@@ -163,7 +165,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         }
     }
 
-    /// The same of a short position, where products of 16 bits are the faster ones.
+    /// [`clip_position`](Self::clip_position) of a short position, for cores on which 16-bit products are faster.
     #[inline(never)]
     fn short_clip_position(&self, position: [i16; 3], up: u32) -> ClipPosition {
         let ([x, y, t], [ox, oy, ot]) = (&self.rows, self.offsets);
@@ -174,7 +176,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         ]
     }
 
-    /// The homogeneous coordinate: w, or 1 under a parallel projection.
+    /// The homogeneous coordinate: w in perspective, 1 under a parallel projection.
     #[inline]
     fn w(&self, t: i64) -> i64 {
         if K::PERSPECTIVE {
@@ -184,8 +186,8 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         }
     }
 
-    /// The bound of a coordinate at each of the planes 0 to 5: near or far, far or near, left, right,
-    /// top, bottom. The first two bound t, the next x, the last y.
+    /// The bound of a coordinate at a plane. Planes 0 and 1 are near and far, or far and near, and bound t; 2 and 3
+    /// are left and right and bound x; 4 and 5 are top and bottom and bound y.
     #[inline]
     fn bound(&self, t: i64, plane: u32) -> i64 {
         match plane {
@@ -196,7 +198,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         }
     }
 
-    /// How far inside a plane a position is.
+    /// How far inside a plane a position lies; negative outside.
     #[inline(never)]
     pub(super) fn distance(&self, position: &ClipPosition, plane: u32) -> i64 {
         let [x, y, t] = *position;
@@ -206,11 +208,11 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             _ => y,
         };
         let distance = value - self.bound(t, plane);
-        // All are below 2^62.
+        // All values are below 2^62.
         if plane & 1 == 0 { distance } else { -distance }
     }
 
-    /// Puts a position on an edge that `plane` cuts onto the plane.
+    /// Moves a position, where `plane` cuts an edge, exactly onto the plane.
     #[inline]
     pub(super) fn put_onto(&self, [x, y, t]: &mut ClipPosition, plane: u32) {
         let bound = self.bound(*t, plane);
@@ -227,21 +229,21 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         distance < if plane < 2 { 0 } else { -SIDE_TOLERANCE }
     }
 
-    /// Whether a position is inside all planes, as [`outcode`](Self::outcode) decides it.
+    /// Whether a position is inside all planes, by the rule of [`outcode`](Self::outcode).
     #[inline]
     fn is_inside(&self, &[x, y, t]: &ClipPosition) -> bool {
         let ahead = t.wrapping_sub(self.least).cast_unsigned() <= self.depth;
         let w = self.w(t);
-        // The upper halves suffice for all but what is next to a side plane.
+        // The upper halves decide, unless the position is next to a side plane.
         let size = |x: i64| upper(x) ^ (upper(x) >> 31);
         ahead
             && (size(x).max(size(y)) < upper(w)
                 || x.unsigned_abs().max(y.unsigned_abs()) <= (w + SIDE_TOLERANCE).cast_unsigned())
     }
 
-    /// A bit for each plane that a position is outside of.
+    /// One bit for each plane that a position is outside of.
     ///
-    /// A call, as it takes long; few vertices of what is to be seen need it.
+    /// Out of line, because it is long and few vertices of visible triangles need it.
     #[inline(never)]
     fn outcode(&self, position: &ClipPosition) -> u8 {
         (0..6).fold(0, |outcode, plane| {
@@ -250,21 +252,21 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         })
     }
 
-    /// Finds one of the positions on the screen.
+    /// Projects one of the positions to the screen.
     #[inline]
     pub(crate) fn project(&self, index: Index, to: &mut ScreenVertex) {
         self.place(index, None, to);
     }
 
-    /// Finds a position of clip space that is inside on the screen, such as a corner of a clipped polygon.
+    /// Projects a position of clip space that is inside all planes, such as a corner of a clipped polygon.
     #[inline]
     pub(super) fn project_inside(&self, position: &ClipPosition, to: &mut ScreenVertex) {
         self.place(0, Some(position), to);
     }
 
-    /// The one or the other.
+    /// Projects `inside`, or the position at `index` if it is `None`.
     ///
-    /// A call, and one that writes where it is told to: what asks for a vertex is short, and the vertex not copied.
+    /// Out of line, with an out-parameter: callers stay short, and the vertex is not copied.
     #[inline(never)]
     fn place(&self, index: Index, inside: Option<&ClipPosition>, to: &mut ScreenVertex) {
         let position = if let Some(position) = inside {
@@ -281,11 +283,11 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             position
         };
         let (screen, q, exponent) = if K::PERSPECTIVE {
-            // t is positive and below 2^62. With t' = t · 2^up / 2^33 of 31 bits and x' half so
-            // large, x / t = x' · r / 2^60.
+            // t is positive and below 2^62. Let t' = t · 2^up / 2^33, which has 31 bits, r = 2^61 / t' and
+            // x' = x · 2^up / 2^34. Then x / t = x' · r / 2^60.
             //
-            // What is inside has 16 bits of t at least, so that its upper half, shifted by 30 if
-            // need be, is not zero: all that follows is of 32 bits.
+            // Inside all planes, t has at least 16 bits. So its upper half is not zero, after a shift by 30 if need
+            // be, and everything that follows needs only 32 bits.
             let (mut position, mut coarse) = (position, 0);
             if upper(position[2]) == 0 {
                 position = position.map(|x| x << 30);
@@ -315,7 +317,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             ([on_screen(x), on_screen(y)], q.cast_unsigned() as u32, 0)
         };
         let [cx, cy] = self.center;
-        // What is inside by the tolerance alone may be a little beyond the guard band.
+        // A position that is inside only by the tolerance may lie slightly beyond the guard band.
         let [x, y] = screen.map(|x| x.clamp(-(1 << GUARD_BITS), (1 << GUARD_BITS) - 1));
         *to = ScreenVertex {
             screen: [x + cx, y + cy],
@@ -326,7 +328,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         };
     }
 
-    /// A short position on the screen, apart from the others so that it takes no registers from them.
+    /// Projects a short position, out of line so that it takes no registers from the others.
     #[inline(never)]
     fn place_short(&self, index: Index, to: &mut ScreenVertex) {
         let position = self.clip_position(index);
@@ -346,14 +348,14 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         }
     }
 
-    /// An interpolant is shifted down by this less its exponent to be a depth, 2^16 at the near plane.
+    /// The right shift that turns an interpolant of exponent 0 into a depth, where 2^16 is the near plane.
     #[inline]
     pub(crate) fn depth_shift(&self) -> DepthShift {
         DepthShift(if K::PERSPECTIVE {
-            // 1/t = q · 2^(exponent + fraction - 94), and depth is 2^16 times that.
+            // 1/t = q · 2^(exponent + fraction − 94), and the depth is 2^16 times that.
             78 - self.fraction
         } else {
-            // Exponents are 0.
+            // All exponents are 0.
             15
         })
     }

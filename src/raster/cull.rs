@@ -1,8 +1,8 @@
-//! Which faces are left out.
+//! Face culling.
 
-/// Which triangles are left out, by the way they face.
+/// Which triangles are not drawn, depending on the side they show.
 ///
-/// A triangle whose corners run counter-clockwise as seen faces the viewer.
+/// A triangle shows its front if its corners run counter-clockwise on the screen.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -10,17 +10,17 @@
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Cull {
-    /// None: both sides are drawn.
+    /// No triangles: both sides are drawn.
     Nothing,
-    /// Those seen from behind.
+    /// Triangles seen from behind.
     #[default]
     Back,
-    /// Those seen from the front.
+    /// Triangles seen from the front.
     Front,
 }
 
 impl Cull {
-    /// Whether a triangle is left out whose area is positive if its corners run clockwise as seen.
+    /// Whether a triangle is culled; `area` is positive if its corners run clockwise on the screen.
     #[inline]
     pub(crate) const fn leaves_out(self, area: i64) -> bool {
         match self {

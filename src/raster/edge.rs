@@ -2,102 +2,108 @@
 
 use core::num::NonZeroU32;
 
-/// Where an edge crosses the centers of rows, stepped exactly.
+/// Where an edge crosses the centers of rows, stepped exactly from row to row.
 ///
-/// Positions are in units of 1/256 pixel. The crossing is the rational number
-/// `x` − 127 − `short` / `dy`, the last part below one; `x` is therefore its ceiling but for what
-/// [`first_center`] adds, and rounding to pixels is exact.
+/// Positions are in units of 1/256 pixel. The crossing is the rational number `x` − 127 − `deficit` / `dy`, where
+/// 0 ≤ `deficit` / `dy` < 1. So `x` is its ceiling plus the 127 that [`first_center`] adds, and rounding to pixels is
+/// exact.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
     x: i32,
-    /// The complement of `short`, so that what is added to it and is more than `short` carries.
-    full: u32,
+    /// The bitwise complement of `deficit`: an addition of more than `deficit` carries.
+    complement: u32,
+    /// The crossing moves right by `step` + `remainder` / `dy` for each row.
     step: i32,
-    rest: u32,
+    remainder: u32,
     dy: NonZeroU32,
 }
 
-/// The first row (or column) whose center is at or after a position in units of 1/256 pixel:
-/// the position itself belongs to the pixel, so that of two adjoining triangles one has it.
+/// The first row (or column) whose center is at or after a position in units of 1/256 pixel.
+///
+/// A center exactly at the position counts. So of two triangles that adjoin there, exactly one covers it.
 #[inline]
 pub(super) const fn first_center(position: i32) -> i32 {
     (position + 127) >> 8
 }
 
 impl Edge {
-    /// The edge down from `from` to `to`, at `row`.
+    /// The edge from `from` down to `to`, at `row`.
     ///
-    /// Ends differ by at most 4096 pixels in each direction, and `row` is one whose center the
-    /// edge crosses, so that everything fits in 32 bits. Of an edge that crosses no center the
-    /// result has no meaning.
+    /// The ends differ by at most 4096 pixels in each direction, and the edge crosses the center of `row`, so
+    /// everything fits in 32 bits. For an edge that crosses no center, the result is meaningless.
     #[inline(never)]
     pub(super) fn new(from: [i32; 2], to: [i32; 2], row: i32) -> Self {
         let dx = to[0] - from[0];
         let dy = NonZeroU32::new((to[1] - from[1]).cast_unsigned()).unwrap_or(NonZeroU32::MIN);
-        // step = floor(256 · dx / dy), of a negative dx by way of its complement.
+        // step = floor(256 · dx / dy). A negative numerator n is divided by way of its complement:
+        // floor(n / d) = !floor(!n / d).
         let sign = dx >> 31;
         let size = ((dx ^ sign).cast_unsigned() << 8) | (sign & 255).cast_unsigned();
-        let (quotient, rest) = (size / dy, size % dy);
-        let (step, rest) = (
+        let (quotient, remainder) = (size / dy, size % dy);
+        let (step, remainder) = (
             quotient.cast_signed() ^ sign,
-            if sign < 0 { dy.get() - 1 - rest } else { rest },
+            if sign < 0 {
+                dy.get() - 1 - remainder
+            } else {
+                remainder
+            },
         );
 
-        // Less than a pixel down to the first center, for which that much of a step will do: what
-        // the step was rounded by is less than a unit, and so is what that takes from the product,
-        // which then lacks one at most. The remainder tells; it is below 2 · dy, so whether products
-        // wrap does not matter.
+        // The first center is `down` < 256 units below `from`, and the edge moves by dx · down / dy on the way there.
+        // `moved` = floor(step · down / 256) is less than 2 units below that: the rounding of `step` takes less than
+        // one unit, and the floor less than another. So `deficit` = moved · dy − dx · down is above −2 · dy and at
+        // most 0, which is correct even if the products wrap, and at most two corrections bring it to 0..dy.
         let first = first_center(from[1]);
         let down = (first << 8) + 128 - from[1];
         let moved = (step >> 8) * down + (((step & 255) * down) >> 8);
         let height = dy.get().cast_signed();
-        let (mut x, mut short) = (
+        let (mut x, mut deficit) = (
             from[0] + 127 + moved,
             moved
                 .wrapping_mul(height)
                 .wrapping_sub(dx.wrapping_mul(down)),
         );
         for _ in 0..2 {
-            if short < 0 {
-                short += height;
+            if deficit < 0 {
+                deficit += height;
                 x += 1;
             }
         }
         let mut edge = Self {
             x,
-            full: !short.cast_unsigned(),
+            complement: !deficit.cast_unsigned(),
             step,
-            rest,
+            remainder,
             dy,
         };
 
         let skipped = (row - first).cast_unsigned();
         if skipped > 0 {
-            // Rows before the target's first, such as those of bands above: at most 4095, each
-            // with a rest below 2^20.
-            let rest = skipped.wrapping_mul(edge.rest);
-            let units = skipped.cast_signed() * edge.step + (rest / dy).cast_signed();
-            edge.add(units, rest % dy);
+            // Skips rows above the scissor, such as those of earlier bands: at most 4095, each with a remainder below
+            // 2^20.
+            let remainder = skipped.wrapping_mul(edge.remainder);
+            let units = skipped.cast_signed() * edge.step + (remainder / dy).cast_signed();
+            edge.add(units, remainder % dy);
         }
         edge
     }
 
-    /// Moves the crossing right by `units` and `rest` / `dy`, less than one unit.
+    /// Moves the crossing right by `units` + `remainder` / `dy`, where `remainder` < `dy`.
     #[inline]
-    const fn add(&mut self, units: i32, rest: u32) {
-        let (full, carry) = self.full.overflowing_add(rest);
+    const fn add(&mut self, units: i32, remainder: u32) {
+        let (complement, carry) = self.complement.overflowing_add(remainder);
         self.x += units + carry as i32;
-        self.full = if carry {
-            full.wrapping_sub(self.dy.get())
+        self.complement = if carry {
+            complement.wrapping_sub(self.dy.get())
         } else {
-            full
+            complement
         };
     }
 
     /// Goes to the next row.
     #[inline]
     pub(super) const fn step(&mut self) {
-        self.add(self.step, self.rest);
+        self.add(self.step, self.remainder);
     }
 
     /// The first column whose center is on the crossing or to the right of it.
@@ -106,11 +112,11 @@ impl Edge {
         self.x >> 8
     }
 
-    /// The column that the crossing lies in.
+    /// The column that contains the crossing.
     #[inline]
     pub(super) const fn inside(&self) -> i32 {
-        // The floor is one less than the ceiling unless the crossing is whole.
-        (self.x - 127 - (self.full != u32::MAX) as i32) >> 8
+        // The floor is one less than the ceiling unless the crossing is a whole number.
+        (self.x - 127 - (self.complement != u32::MAX) as i32) >> 8
     }
 }
 
@@ -118,7 +124,7 @@ impl Edge {
 mod tests {
     use super::*;
 
-    /// Every row of every edge against the rational crossing, from every row it may start at.
+    /// Compares every row of every edge with the rational crossing, for every row it may start at.
     #[test]
     fn crossings_are_exact() {
         let ends = [

@@ -3,11 +3,19 @@
 use super::edge::{Edge, first_center};
 use super::{Blitter, ClippedVertex, Patch, Scissor, spans};
 
-/// Draws a line: along its longer axis every pixel whose center is passed. A center at the left (of
-/// steep lines: upper) end belongs to the line, one at the right (lower) end does not, so that
-/// lines end to end draw no pixel twice while they go on along the same axis.
+/// Draws a line.
 ///
-/// Which pixels does not depend on the line's direction. Across, the pixel is the one the line is in.
+/// Along its longer axis, the line gets one pixel for each pixel center that it passes; across, it is the pixel that
+/// contains the line there. A center at the left end (of steep lines, the upper end) belongs to the line, a center at
+/// the right (lower) end does not. So lines that continue each other along the same axis draw no pixel twice.
+///
+/// ```text
+///  pixels  |   ·   |   ·   |   ·   |   ·   |
+///  line        ●───────────────────────●
+///  drawn   |#######|#######|#######|       |
+/// ```
+///
+/// The pixels do not depend on the line's direction.
 pub(crate) fn line(blitter: &mut dyn Blitter, scissor: &Scissor, ends: [&ClippedVertex; 2]) {
     let [mut from, mut to] = ends;
     let steep = {
@@ -15,12 +23,14 @@ pub(crate) fn line(blitter: &mut dyn Blitter, scissor: &Scissor, ends: [&Clipped
         x0.abs_diff(x1) < y0.abs_diff(y1)
     };
     // The coordinates along the longer axis and across it.
-    let turn = |[x, y]: [i32; 2]| if steep { [y, x] } else { [x, y] };
-    let ([mut start, mut aside], [mut end, mut aside_end]) =
-        (turn(from.vertex.screen), turn(to.vertex.screen));
+    let major_first = |[x, y]: [i32; 2]| if steep { [y, x] } else { [x, y] };
+    let ([mut start, mut minor], [mut end, mut minor_end]) = (
+        major_first(from.vertex.screen),
+        major_first(to.vertex.screen),
+    );
     if end < start {
         (from, to) = (to, from);
-        (start, aside, end, aside_end) = (end, aside_end, start, aside);
+        (start, minor, end, minor_end) = (end, minor_end, start, minor);
     }
     let (along, across) = if steep {
         (&scissor.rows, &scissor.columns)
@@ -32,7 +42,7 @@ pub(crate) fn line(blitter: &mut dyn Blitter, scissor: &Scissor, ends: [&Clipped
         return;
     }
 
-    // Values change along the longer axis only: their plane is the one of a sliver along the line, one unit high.
+    // Values change along the longer axis only. A sliver along that axis, one unit high, defines their plane.
     let longest = blitter.set_up(&Patch {
         vertices: [&from.vertex, &to.vertex, &to.vertex],
         barycentric: Some(&[from.barycentric, to.barycentric, to.barycentric]),
@@ -40,9 +50,9 @@ pub(crate) fn line(blitter: &mut dyn Blitter, scissor: &Scissor, ends: [&Clipped
         area: i64::from(end - start),
     });
 
-    // The edge runs down its second coordinate: the major axis.
-    let mut edge = Edge::new([aside, start], [aside_end, end], steps.start);
-    // Columns of one row are drawn together, from `first` on.
+    // An edge runs along its second coordinate, which is the longer axis here.
+    let mut edge = Edge::new([minor, start], [minor_end, end], steps.start);
+    // Consecutive pixels of one row are drawn as one span, which starts at `first`.
     let mut first = steps.start;
     let mut offset = edge.inside();
     for step in steps.clone() {

@@ -25,36 +25,38 @@ pub(crate) use setup::{Attribute, FAR, SPAN, Scale, Setup};
 pub(crate) use triangle::{Triangle, area};
 pub(crate) use vertex::{Barycentric, ClippedVertex, DepthShift, ScreenVertex};
 
-/// Three vertices and where on the screen their values belong: the plane that each interpolant is laid through.
+/// Three vertices and the screen positions of their values; each interpolant is the plane through these values.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Patch<'a> {
     pub(crate) vertices: [&'a ScreenVertex; 3],
-    /// Where the vertices lie in the mesh's triangle; `None` if they are its corners.
+    /// The vertices' places in the mesh's triangle; `None` if they are its corners.
     pub(crate) barycentric: Option<&'a [Barycentric; 3]>,
-    /// Where the values belong, in units of 1/256 pixel: of a triangle, the vertices' own places.
+    /// Screen positions of the values, in units of 1/256 pixel; for a triangle, the vertices' own.
     pub(crate) screen: &'a [[i32; 2]; 3],
-    /// Twice the area between these places, positive if they run clockwise as seen.
+    /// Twice the area between these positions, positive if they run clockwise on the screen.
     pub(crate) area: i64,
 }
 
-/// What the rasterizer draws spans with: a shader, a mode and a canvas.
+/// Draws the rasterizer's spans: a shader, a mode and a canvas.
 ///
-/// All that comes before, from the mesh's indices to rows of pixels, calls it through a `dyn`. So that code exists once
-/// in a program, whatever the number of shaders and canvases. A call costs a few instructions.
+/// Everything before it, from the mesh's indices to rows of pixels, calls it through a `dyn`. This keeps a single
+/// copy of that code in a program, however many shaders and canvases there are. A call costs a few instructions.
 pub(crate) trait Blitter {
-    /// Goes on to another triangle, edge or point of the mesh.
+    /// Starts another triangle, edge or point of the mesh.
     fn primitive(&mut self, primitive: &Primitive<'_>);
 
-    /// Lays the interpolants over a patch, all or a part of the primitive; gives the longest span in pixels.
+    /// Lays the interpolants over a patch, which is all or a part of the primitive; returns the longest span in
+    /// pixels.
     fn set_up(&mut self, patch: &Patch<'_>) -> i32;
 
-    /// Draws `columns` of `row`, which lie within the canvas and are no longer than [`set_up`](Self::set_up) said.
+    /// Draws `columns` of `row`, which lie within the canvas and are no longer than [`set_up`](Self::set_up)
+    /// returned.
     ///
-    /// The span begins `x` columns and `y` rows from the pixel in which the patch's first place lies.
+    /// The span begins `x` columns and `y` rows from the pixel that contains the patch's first position.
     fn span(&mut self, row: i32, columns: Range<i32>, x: i32, y: i32);
 }
 
-/// Draws columns that may be more than the `longest` span.
+/// Splits columns into spans of at most `longest` pixels and draws them.
 #[inline(never)]
 fn spans(
     blitter: &mut dyn Blitter,

@@ -2,12 +2,12 @@
 
 use super::{Blitter, Patch, Scissor, ScreenVertex};
 
-/// Draws the pixel that a point lies in.
+/// Draws the pixel that contains a point.
 pub(crate) fn point(blitter: &mut dyn Blitter, scissor: &Scissor, at: &ScreenVertex) {
     let [x, y] = at.screen.map(|position| position >> 8);
     if scissor.columns.contains(&x) && scissor.rows.contains(&y) {
         let [left, top] = [x << 8, y << 8];
-        // All values are the point's, so any places that begin in the pixel will do.
+        // All three values are the point's, so any triangle that begins in the pixel will do.
         blitter.set_up(&Patch {
             vertices: [at; 3],
             barycentric: None,

@@ -1,29 +1,30 @@
-//! A clipped triangle as a fan of triangles.
+//! A clipped triangle, drawn as a fan of triangles.
 
 use core::ops::Range;
 
 use super::triangle::{self, Triangle, area, area_in, covers, row_range};
 use super::{Blitter, ClippedVertex, Cull, Scissor, ScreenVertex};
 
-/// The triangles that a clipped one is drawn as: all have the first corner of the outline.
+/// The fan of triangles that a clipped triangle is drawn as; all share the first corner of its outline. For example,
+/// the corners 0 to 4 make the triangles 0 1 2, 0 2 3 and 0 3 4.
 ///
-/// The outline is convex but for the rounding of its corners; where that made it cross itself or
-/// dented it, triangles of the fan turn over and lie upon others: the fan is folded. A pixel is the
-/// outline's if it is in more of them that run clockwise as the whole than in those that do not,
-/// and then the first of those draws it.
+/// The outline is convex except for the rounding of its corners. Where rounding dents it or makes it cross itself,
+/// some triangles of the fan turn over and overlap others: the fan is folded. A pixel belongs to the outline if more
+/// triangles that cover it have the winding of the whole than the opposite one. The first triangle with the winding
+/// of the whole draws it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Polygon<'a> {
     outline: &'a [ClippedVertex],
-    /// Twice the area of the outline, positive if it runs clockwise as seen.
+    /// Twice the area of the outline, positive if it runs clockwise on the screen.
     area: i64,
 }
 
-/// Whether twice an area is that of a triangle that runs as one of `whole` does.
-const fn runs_as(whole: i64, area: i64) -> bool {
+/// Whether an area has the sign, and so the winding, of `whole`.
+const fn same_winding(whole: i64, area: i64) -> bool {
     (whole > 0) == (area > 0)
 }
 
-// Taken apart by hand, as in `ScreenVertex::screens`.
+// Destructured by hand, as in `ScreenVertex::screens`.
 
 fn vertices([a, b, c]: [&ClippedVertex; 3]) -> [&ScreenVertex; 3] {
     [&a.vertex, &b.vertex, &c.vertex]
@@ -34,7 +35,7 @@ fn screens([a, b, c]: [&ClippedVertex; 3]) -> [[i32; 2]; 3] {
 }
 
 impl<'a> Polygon<'a> {
-    /// The fan of an outline, unless it is culled.
+    /// The fan of an outline; `None` if it is culled.
     pub(crate) fn new(outline: &'a [ClippedVertex], cull: Cull) -> Option<Self> {
         let mut fan = Self { outline, area: 0 };
         let area = fan.triangles().map(|corners| area(&screens(corners)));
@@ -45,7 +46,7 @@ impl<'a> Polygon<'a> {
         Some(fan)
     }
 
-    /// The triangles.
+    /// The triangles of the fan.
     fn triangles(&self) -> impl Iterator<Item = [&'a ClippedVertex; 3]> + use<'a> {
         let first = self.outline.first();
         let sides = self.outline.windows(2).skip(1);
@@ -55,7 +56,7 @@ impl<'a> Polygon<'a> {
         })
     }
 
-    /// The rows that it may have pixels in; `None` if it has none in the scissor.
+    /// The rows in which it may have pixels; `None` if it has none in the scissor.
     pub(crate) fn row_range(&self, scissor: &Scissor) -> Option<Range<i32>> {
         let corners = self.triangles();
         let corners = corners.map(vertices);
@@ -64,19 +65,20 @@ impl<'a> Polygon<'a> {
         rows.reduce(|a, b| a.start.min(b.start)..a.end.max(b.end))
     }
 
-    /// Draws the part in the scissor; whether there is any.
+    /// Draws the part in the scissor; returns whether there is any.
     pub(crate) fn draw(&self, blitter: &mut dyn Blitter, scissor: &Scissor) -> bool {
-        // Whether or not the triangle that turned over is in the scissor: of a folded fan each pixel is a span of its
-        // own, whose values a band without that triangle would find a unit beside the frame's.
+        // A triangle that turned over counts even if it is outside the scissor. In a folded fan, every pixel is a
+        // span of its own. A band that ignored this triangle would draw longer spans, whose values may differ from
+        // the frame's by a unit.
         let mut folded = false;
         for corners in self.triangles() {
             let area = area(&screens(corners));
-            folded |= area != 0 && !runs_as(self.area, area);
+            folded |= area != 0 && !same_winding(self.area, area);
         }
         let mut drawn = false;
         for (at, corners) in self.triangles().enumerate() {
             let area = area_in(vertices(corners), scissor);
-            if area == 0 || !runs_as(self.area, area) {
+            if area == 0 || !same_winding(self.area, area) {
                 continue;
             }
             let [a, b, c] = corners;
@@ -101,7 +103,7 @@ pub(super) struct Part<'a> {
 }
 
 impl Part<'_> {
-    /// Paints those pixels of a span that this triangle is to draw.
+    /// Draws those pixels of a span that this triangle has to draw.
     #[cold]
     #[inline(never)]
     pub(super) fn span(
@@ -119,14 +121,14 @@ impl Part<'_> {
         }
     }
 
-    /// Whether this triangle is to draw a pixel.
+    /// Whether this triangle has to draw a pixel.
     fn has(&self, pixel: [i32; 2]) -> bool {
         let mut winding = 0;
         for (i, corners) in self.fan.triangles().enumerate() {
             let corners = screens(corners);
             let area = area(&corners);
             if covers(&corners, area, pixel) {
-                if !runs_as(self.fan.area, area) {
+                if !same_winding(self.fan.area, area) {
                     winding -= 1;
                 } else if i < self.at {
                     return false;

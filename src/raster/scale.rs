@@ -1,31 +1,30 @@
-//! Attributes as fractions of a power of two, which is how they are interpolated.
+//! Attributes as fractions of a power of two, the form in which they are interpolated.
 
 use crate::num::wide::product;
 
-/// The power of two between an attribute and a fraction of it: 2^bits, 1 to 32 bits.
+/// The power of two 2^bits, 1 to 32 bits, that an attribute is divided by to become a fraction.
 ///
-/// |attribute| · 17/16 < 2^(bits − 1), so the fraction attribute · 2^-bits is below half, and stays so
-/// with what interpolation rounds.
-///
+/// |attribute| · 17/16 < 2^(bits − 1), so the fraction attribute · 2^-bits is below 1/2, and stays below it with the
+/// rounding of interpolation added.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Scale {
     bits: u32,
 }
 
 impl Scale {
-    /// That of an attribute that is 0 everywhere.
+    /// The scale of an attribute that is 0 everywhere.
     pub(crate) const ONE: Self = Self { bits: 1 };
 
-    /// That of all attributes of a triangle that is [affine](Steps::is_affine) in a mode that divides.
+    /// The scale of all attributes of a triangle that is drawn affinely in a mode that divides.
     pub(crate) const AFFINE: Self = Self { bits: 28 };
 
-    /// By how much such a triangle's interpolants are shifted up, so that rounding is of their fractions.
+    /// Left shift of such a triangle's attributes, so that interpolation rounds only fractions of them.
     pub(crate) const AFFINE_UP: u32 = 30 - Self::AFFINE.bits;
 
-    /// The greatest magnitude for which that is enough, or a little less.
+    /// The greatest magnitude that fits this scale, or a little less.
     pub(crate) const MOST_AFFINE: i32 = (1 << (Self::AFFINE.bits - 1)) / 17 * 16;
 
-    /// That of an attribute of this greatest magnitude, of so many bits at least.
+    /// The scale, of at least `least_bits`, for an attribute whose greatest magnitude is `most`.
     #[inline]
     fn of(most: u32, least_bits: u32) -> Self {
         let bits = 33 - (most + (most >> 4)).leading_zeros();
@@ -34,15 +33,15 @@ impl Scale {
         }
     }
 
-    /// Bits of the attribute, 1 to 32: its magnitude is below 2^(bits − 1).
+    /// The number of bits of the attribute, 1 to 32: its magnitude is below 2^(bits − 1).
     #[inline]
     #[must_use]
     pub(crate) const fn bits(self) -> u32 {
         self.bits
     }
 
-    /// By how much an interpolant is shifted left, and then right, to be one of so many `bits` of a 1/w
-    /// that is shifted `up`.
+    /// The left shift and the right shift, in this order, that turn an interpolant into one of `bits` bits over a 1/w
+    /// that is shifted left by `up`.
     #[inline]
     pub(crate) const fn to(self, bits: u32, up: u32) -> (u32, u32) {
         let left = up + self.bits;
@@ -54,7 +53,7 @@ impl Scale {
 
     /// The attribute of a fraction in units of 2^-30, rounded down.
     ///
-    /// Interpolants have 30 bits, so nothing is lost where an attribute of more is shifted up again.
+    /// Interpolants have 30 bits, so the left shift for an attribute of more bits loses nothing.
     #[inline]
     #[must_use]
     pub(crate) const fn restore(self, fraction: i32) -> i32 {
@@ -66,17 +65,18 @@ impl Scale {
     }
 }
 
-/// Makes the values of an attribute at the corners those of attribute · weight · 2^-bits, where weights
-/// are below 2³¹; gives the scale of the result.
+/// Replaces an attribute's values at the corners by attribute · weight · 2^-bits, rounded to nearest, and returns
+/// that scale. Weights are below 2³¹.
 #[inline]
 pub(crate) fn weigh(values: &mut [i32; 3], weights: [u32; 3], least_bits: u32) -> Scale {
     let [a, b, c] = values.map(i32::unsigned_abs);
     let scale = Scale::of(a.max(b).max(c), least_bits);
     if scale.bits == 32 {
-        draw_in(values, weights);
+        leave_room(values, weights);
     }
     for (value, weight) in values.iter_mut().zip(weights) {
-        // The value shifted to fill 32 bits times the weight, and the upper half of that to the nearest.
+        // The value, shifted to fill 32 bits, times the weight; then the upper half of the product, rounded to
+        // nearest.
         let filled = *value << ((32 - scale.bits) & 31);
         let product = product(filled, weight.cast_signed());
         *value = ((product + (1 << 31)) >> 32) as i32;
@@ -84,12 +84,12 @@ pub(crate) fn weigh(values: &mut [i32; 3], weights: [u32; 3], least_bits: u32) -
     scale
 }
 
-/// Draws values of 31 bits in from the ends of `i32`, by what rounding may add to them where the
-/// weight is least: a step more would wrap around.
+/// Clamps values of 31 bits away from the ends of `i32`, by as much as rounding may add to them where the weight is
+/// least. One step beyond the ends would wrap around.
 #[cold]
-fn draw_in(values: &mut [i32; 3], weights: [u32; 3]) {
+fn leave_room(values: &mut [i32; 3], weights: [u32; 3]) {
     let least = weights.into_iter().fold(1 << 30, u32::min);
-    // An interpolant is off by less than 64 units, each of them 2^32 / weight of the value.
+    // The error of an interpolant is below 64 units, and a unit is 2^32 / weight of the value.
     let room = 1 << 7 << least.leading_zeros().min(20);
     for value in values {
         *value = (*value).clamp(i32::MIN + room, i32::MAX - room);
@@ -100,7 +100,7 @@ fn draw_in(values: &mut [i32; 3], weights: [u32; 3]) {
 mod tests {
     use super::*;
 
-    /// An interpolant is off by 40 units at most, a numerator by 36½: together they may take a
+    /// The error of an interpolant is at most 40 units, the error of a numerator 36½. Together they may bring a
     /// numerator 56½ units nearer to half of the interpolant, beyond which it wraps.
     #[test]
     fn numerators_leave_room_for_rounding() {

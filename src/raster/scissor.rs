@@ -1,10 +1,10 @@
-//! The pixels that may be drawn to.
+//! The pixels that a draw call may write.
 
 use core::ops::Range;
 
 use crate::view::Viewport;
 
-/// The rectangle in which the viewport meets the canvas; nothing outside is drawn.
+/// The intersection of viewport and canvas; nothing outside is drawn.
 #[derive(Clone, Debug)]
 pub(crate) struct Scissor {
     pub(crate) columns: Range<i32>,
@@ -12,7 +12,7 @@ pub(crate) struct Scissor {
 }
 
 impl Scissor {
-    /// The meeting of a viewport and `rows` of a frame of this width.
+    /// Intersects a viewport with `rows` of a frame of this width.
     pub(crate) fn new(viewport: &Viewport, width: u32, rows: &Range<u32>) -> Self {
         let [across, down] = viewport.pixels();
         let meet = |a: Range<i32>, start: u32, end: u32| {

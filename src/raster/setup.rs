@@ -7,19 +7,19 @@ use crate::num::wide::product;
 
 pub(crate) use super::scale::Scale;
 
-/// Pixels of a span, after which the interpolants are found afresh.
+/// Most pixels of a span; every span computes its interpolants afresh.
 ///
-/// A step is rounded to half a unit of 2⁻³⁰, so that a span adds at most 32 units. All modes have the same length, and
-/// so the same depths.
+/// A step is rounded by up to half a unit of 2⁻³⁰, so a span adds at most 32 units of error. All modes use the same
+/// length and so get the same depths.
 pub(crate) const SPAN: i32 = 64;
 
-/// Where the nearest corner's 1/w is from 2^30 to 2^31, a corner with this or less is far: 1/w may change fourfold
-/// within the triangle. (2^29, and what rounding may take from it at a pixel.)
+/// The nearest corner's 1/w lies between 2^30 and 2^31. A corner with this 1/w or less is far: 1/w may change
+/// fourfold within the triangle. (The value is 2^29 plus the rounding error at a pixel.)
 pub(crate) const FAR: u32 = (1 << 29) + 64;
 
 /// Lower clamp of 1/w: a span's rounding (at most 40 units) stays below 1/32 of it, for which [`weigh`] leaves room.
 ///
-/// It lifts only corners more than half a million times as far as the nearest one.
+/// It changes only corners that are more than half a million times as far away as the nearest one.
 const LEAST_WEIGHT: u32 = 1 << 11;
 
 /// Upper clamp of 1/w: rounding may add 40 units, and the sum stays below 2^31.
@@ -30,9 +30,9 @@ const MOST_WEIGHT: u32 = (1 << 31) - 64;
 pub(crate) struct Attribute {
     /// Its values at the corners of the mesh's triangle.
     pub(crate) corners: [i32; 3],
-    /// How far it may be from exact where the triangle is drawn affinely.
+    /// The greatest error that it may have if the triangle is drawn affinely.
     pub(crate) tolerance: u32,
-    /// The attribute over w, or itself.
+    /// The attribute over w, or the attribute itself.
     pub(crate) gradient: Gradient,
     pub(crate) scale: Scale,
 }
@@ -59,10 +59,14 @@ impl Attribute {
         }
     }
 
-    /// Whether it may be interpolated without regard to 1/w, whose least value is `least` and whose range is `change`.
+    /// Whether it may be interpolated without regard to 1/w, whose least value is `least` and whose range is
+    /// `change`.
     ///
-    /// With weights λ that add up to 1, the affine value is Σλf, the exact one Σλqf / Σλq. Their difference is the
-    /// covariance of q and f over the mean of q, which is at most a quarter of the product of their ranges over `least`.
+    /// Let q be 1/w and f the attribute, both at the corners, and λ the barycentric weights of a pixel, which add up
+    /// to 1. The affine value is Σλf, the exact value Σλqf / Σλq. Their difference is the covariance of q and f,
+    /// weighted by λ, divided by the mean Σλq. The covariance is at most a quarter of the product of the ranges of q
+    /// and f, and the mean is at least `least`. So the error is at most `change` · range of f / (4 · `least`), which
+    /// must be below the tolerance.
     #[inline]
     fn is_affine(&self, least: u32, change: u32) -> bool {
         let [a, b, c] = self.corners;
@@ -74,26 +78,28 @@ impl Attribute {
     }
 }
 
-/// The interpolants of a primitive but for its attributes: what these have in common, and 1/w (or depth).
+/// The set-up that all attributes of a primitive share, and the interpolant of 1/w (or depth).
 #[derive(Debug)]
 pub(crate) struct Setup {
-    /// Whether attributes are divided by w; otherwise they are laid as they are, in parts of 2³⁰.
+    /// Whether attributes are divided by w; otherwise they are interpolated as they are, as fractions in units of
+    /// 2⁻³⁰.
     over_w: bool,
-    /// The fewest bits of a [`Scale`], where 1/w changes less than fourfold.
+    /// The least number of bits of a [`Scale`] in triangles where 1/w changes less than fourfold.
     least_bits: u32,
     shift: DepthShift,
     basis: Basis,
     q: Gradient,
     /// The least 1/w of a corner; the greatest has bit 30 set.
     pub(crate) least: u32,
-    /// Whether the attributes were laid as they are, times 2^[`AFFINE_UP`](Scale::AFFINE_UP), in a mode that divides.
+    /// Whether the attributes are interpolated as they are, times 2^[`AFFINE_UP`](Scale::AFFINE_UP), in a mode that
+    /// divides.
     pub(crate) is_affine: bool,
-    /// A depth is an interpolant of 1/w shifted down by this: 15 to 47.
+    /// Right shift that turns an interpolant of 1/w into a depth: 15 to 47.
     pub(crate) down: u32,
 }
 
 impl Setup {
-    /// The set-up of a draw call, with nothing laid.
+    /// The set-up for a draw call, before the first patch.
     #[inline]
     pub(crate) const fn new(over_w: bool, least_bits: u32, shift: DepthShift) -> Self {
         Self {
@@ -108,14 +114,14 @@ impl Setup {
         }
     }
 
-    /// The vertices' interpolants of depth with one exponent, and that exponent.
+    /// The vertices' interpolants of depth, brought to one exponent, and that exponent.
     #[inline]
     fn weights(patch: &Patch<'_>) -> ([u32; 3], u8) {
         let [a, b, c] = patch.vertices;
         let exponent = a.exponent.max(b.exponent).max(c.exponent);
         let q = [a, b, c].map(|vertex| {
             let down = u32::from(exponent - vertex.exponent);
-            // Of 31 bits.
+            // 31 bits.
             let q = vertex.q >> down.min(31);
             q.clamp(LEAST_WEIGHT, MOST_WEIGHT)
         });
@@ -124,7 +130,7 @@ impl Setup {
 
     /// Lays all interpolants through the vertices of a patch.
     ///
-    /// One piece of code for any number of attributes: a copy for each number would be most of a small program.
+    /// The same code serves any number of attributes: a copy for each number would be most of a small program.
     #[inline(never)]
     pub(crate) fn lay(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) {
         let (q, exponent) = Self::weights(patch);
@@ -155,7 +161,7 @@ impl Setup {
         }
     }
 
-    /// Lays what [`precise`](Self::precise) needs beside [`lay`](Self::lay).
+    /// Computes the numerators that [`precise`](Self::precise) needs in addition to [`lay`](Self::lay).
     #[cold]
     #[inline(never)]
     pub(crate) fn lay_precise(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) {
@@ -169,25 +175,25 @@ impl Setup {
         }
     }
 
-    /// The gain of 1/w from a pixel to the next in its row.
+    /// The change of 1/w from a pixel to the next in its row.
     #[inline]
     pub(crate) const fn step(&self) -> i32 {
         self.q.step
     }
 
-    /// 1/w `x` columns and `y` rows from the pixel that the patch's first place lies in.
+    /// 1/w `x` columns and `y` rows from the pixel that contains the patch's first position.
     #[inline]
     pub(crate) fn q(&self, x: i32, y: i32) -> u32 {
         self.at(&self.q, x, y).cast_unsigned()
     }
 
-    /// Whether a gradient's value anywhere is its start and a number of steps.
+    /// Whether a gradient's value is its start plus a number of steps.
     #[inline]
     pub(crate) const fn is_near(&self) -> bool {
         self.basis.is_near()
     }
 
-    /// An interpolant `x` columns and `y` rows from the pixel that the patch's first place lies in.
+    /// An interpolant `x` columns and `y` rows from the pixel that contains the patch's first position.
     #[inline]
     pub(crate) fn at(&self, gradient: &Gradient, x: i32, y: i32) -> i32 {
         if self.is_near() {
@@ -203,20 +209,20 @@ impl Setup {
         self.basis.far(gradient, x, y)
     }
 
-    /// 1/w at a pixel, of 31 bits whatever its size, and by how many bits it was raised for that.
+    /// 1/w at a pixel, shifted left to 31 bits, and by how many bits it was shifted.
     pub(crate) fn precise_q(&self, at: [i32; 2]) -> (u32, u32) {
         let coarse = self.basis.precise(&self.q, at, 0).cast_unsigned();
-        // Rounded up it might take a bit more.
+        // Rounding up may add a bit.
         let up = (coarse | 1).leading_zeros().saturating_sub(2);
         (self.basis.precise(&self.q, at, up).cast_unsigned(), up)
     }
 
-    /// An attribute over w at a pixel, raised like 1/w.
+    /// An attribute over w at a pixel, shifted left like 1/w.
     pub(crate) fn precise(&self, gradient: &Gradient, at: [i32; 2], up: u32) -> i32 {
         self.basis.precise(gradient, at, up)
     }
 
-    /// The most that 1/w changes from a pixel to the next, across or down.
+    /// The greatest change of 1/w from a pixel to the next, across or down.
     pub(crate) fn steepness(&self) -> u32 {
         self.basis.steepness(&self.q)
     }

@@ -1,4 +1,4 @@
-//! Triangles: which way they face, which pixels are theirs.
+//! Triangles: which way they face and which pixels they cover.
 
 use core::ops::Range;
 
@@ -11,20 +11,20 @@ use crate::num::wide::cross;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Triangle<'a> {
     pub(crate) vertices: [&'a ScreenVertex; 3],
-    /// Where its corners lie in the mesh's triangle, if they are not the corners of that.
+    /// The corners' places in the mesh's triangle; `None` if they are its corners.
     pub(crate) barycentric: Option<&'a [Barycentric; 3]>,
-    /// Twice the area, in units of (1/256 pixel)²: positive for corners that run clockwise as seen.
+    /// Twice the area, in units of (1/256 pixel)²: positive for corners that run clockwise on the screen.
     pub(crate) area: i64,
 }
 
-/// Twice the area of a triangle, in units of (1/256 pixel)²: positive for corners that run clockwise as seen.
+/// Twice the area of a triangle, in units of (1/256 pixel)²: positive for corners that run clockwise on the screen.
 #[inline]
 pub(crate) fn area([a, b, c]: &[[i32; 2]; 3]) -> i64 {
-    // Differences of 21 bits.
+    // Differences take 21 bits.
     cross([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]])
 }
 
-/// The [`area`] of a triangle whose bounds hold a pixel center of the scissor; 0 of others.
+/// The [`area`] of a triangle; 0 if its bounds contain no pixel center of the scissor.
 #[inline(never)]
 pub(super) fn area_in(corners: [&ScreenVertex; 3], scissor: &Scissor) -> i64 {
     if !meets(corners, scissor) {
@@ -33,7 +33,7 @@ pub(super) fn area_in(corners: [&ScreenVertex; 3], scissor: &Scissor) -> i64 {
     area(&ScreenVertex::screens(corners))
 }
 
-/// Whether a pixel center of the scissor is within a triangle's bounds.
+/// Whether a triangle's bounds contain a pixel center of the scissor.
 #[inline(never)]
 fn meets(corners: [&ScreenVertex; 3], scissor: &Scissor) -> bool {
     let [a, b, c] = ScreenVertex::screens(corners);
@@ -44,22 +44,22 @@ fn meets(corners: [&ScreenVertex; 3], scissor: &Scissor) -> bool {
     meets([a[1], b[1], c[1]], &scissor.rows) && meets([a[0], b[0], c[0]], &scissor.columns)
 }
 
-/// The columns or rows whose centers lie between corners.
+/// The columns or rows whose centers lie between the corners.
 #[inline]
 fn centers([a, b, c]: [i32; 3]) -> Range<i32> {
     first_center(a.min(b).min(c))..first_center(a.max(b).max(c))
 }
 
-/// The rows that a triangle may have pixels in, whatever the scissor.
+/// The rows in which a triangle may have pixels, regardless of the scissor.
 #[inline]
 pub(super) fn row_range(corners: [&ScreenVertex; 3]) -> Range<i32> {
     let [a, b, c] = ScreenVertex::screens(corners);
     centers([a[1], b[1], c[1]])
 }
 
-/// Whether the center of a pixel is the triangle's: by the same edges as [`draw`], so by the same rule.
+/// Whether a triangle covers the center of a pixel. It uses the same edges as [`draw`], and so follows the same rule.
 pub(super) fn covers([a, b, c]: &[[i32; 2]; 3], area: i64, [x, row]: [i32; 2]) -> bool {
-    // Clockwise, an edge that runs down is on the right.
+    // With clockwise corners, an edge that runs down is on the right.
     let edges = if area > 0 {
         [(a, b), (b, c), (c, a)]
     } else {
@@ -81,7 +81,7 @@ pub(super) fn covers([a, b, c]: &[[i32; 2]; 3], area: i64, [x, row]: [i32; 2]) -
 }
 
 impl<'a> Triangle<'a> {
-    /// A mesh's triangle of an area that is known, unless it covers no pixel center of the scissor.
+    /// A mesh's triangle whose area is known; `None` if its bounds contain no pixel center of the scissor.
     #[inline]
     pub(crate) fn of_area(
         vertices: [&'a ScreenVertex; 3],
@@ -95,7 +95,7 @@ impl<'a> Triangle<'a> {
         })
     }
 
-    /// A mesh's triangle that was of an [area](Self::of_area) and in the scissor before.
+    /// A mesh's triangle that an earlier [`of_area`](Self::of_area) accepted.
     #[inline]
     pub(crate) fn new(vertices: [&'a ScreenVertex; 3]) -> Self {
         Self {
@@ -105,20 +105,20 @@ impl<'a> Triangle<'a> {
         }
     }
 
-    /// The rows that it may have pixels in, whatever the scissor.
+    /// The rows in which it may have pixels, regardless of the scissor.
     #[inline]
     pub(crate) fn row_range(&self) -> Range<i32> {
         row_range(self.vertices)
     }
 
-    /// Draws it.
+    /// Draws the part in the scissor.
     #[inline]
     pub(crate) fn draw(&self, blitter: &mut dyn Blitter, scissor: &Scissor) {
         draw(blitter, scissor, self, None);
     }
 }
 
-/// Draws a triangle, or what `part` says is its own, row by row.
+/// Draws a triangle row by row, or only those pixels that `part` selects.
 ///
 /// A center on a left or top edge belongs to the triangle, one on a right or bottom edge does not.
 #[inline(never)]
@@ -135,16 +135,22 @@ pub(super) fn draw(
         screen: &screen,
         area: triangle.area,
     });
-    // The pixel that interpolants are counted from.
+    // Interpolants are counted from this pixel.
     let (origin_x, origin_y) = (screen[0][0] >> 8, screen[0][1] >> 8);
 
-    // With the corners sorted from the top, one edge runs from the first to the last, on the left
-    // or on the right, and two on the other side. Every exchange turns the triangle over.
+    // With the corners sorted from top to bottom, one long edge runs from the first to the last, on the left or on
+    // the right; two short edges are on the other side. Every exchange of corners swaps the sides.
+    //
+    //        top ●
+    //           ╱ ╲
+    //          ╱   ● middle
+    //         ╱ ╱
+    // bottom ●            `long_is_left` is true
     let [mut top, mut middle, mut bottom] = screen;
     let mut long_is_left = triangle.area > 0;
     let mut sort = |upper: &mut [i32; 2], lower: &mut [i32; 2]| {
         if lower[1] < upper[1] {
-            // Not `swap`, which optimized for size is a loop over memory, as a `map` of an array is.
+            // Not `swap`: optimized for size, it is a loop over memory, like a `map` of an array.
             (*upper, *lower) = (*lower, *upper);
             long_is_left = !long_is_left;
         }
@@ -155,16 +161,16 @@ pub(super) fn draw(
 
     let mut row = first_center(top[1]).max(scissor.rows.start);
     let end = first_center(bottom[1]).min(scissor.rows.end);
-    let mut turn = first_center(middle[1]).min(end);
+    let mut short_end = first_center(middle[1]).min(end);
     let long = Edge::new(top, bottom, row);
     let [mut left, mut right] = [long; 2];
     while row < end {
-        if row >= turn {
-            (top, middle, turn) = (middle, bottom, end);
+        if row >= short_end {
+            (top, middle, short_end) = (middle, bottom, end);
         }
         let short = if long_is_left { &mut right } else { &mut left };
         *short = Edge::new(top, middle, row);
-        while row < turn {
+        while row < short_end {
             let start = left.column().max(scissor.columns.start);
             let end = right.column().min(scissor.columns.end);
             if start < end {

@@ -2,18 +2,18 @@
 
 use crate::mesh::Index;
 
-/// A vertex on the screen, or the planes that it is outside of.
+/// A vertex on the screen, or the clipping planes that it is outside of.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ScreenVertex {
     /// Column and row in units of 1/256 pixel, from the frame's top left.
     pub(crate) screen: [i32; 2],
-    /// The interpolant of depth, 31 bits: 1/w with its top bit set, or under a parallel projection depth itself.
+    /// The interpolant of depth, 31 bits: 1/w with its top bit set or, under a parallel projection, the depth itself.
     pub(crate) q: u32,
     /// 1/w is `q` · 2^`exponent` times a constant of the draw call; 0 under a parallel projection.
     pub(crate) exponent: u8,
-    /// A bit for each plane that the vertex is outside of. The other fields mean nothing unless it is 0.
+    /// One bit for each plane that the vertex is outside of. The other fields are valid only if it is 0.
     pub(crate) outcode: u8,
-    /// Which of the mesh's positions this is; 0 for a vertex that clipping made.
+    /// Index of the mesh's position; 0 for a vertex that clipping created.
     pub(crate) index: Index,
 }
 
@@ -27,16 +27,16 @@ impl ScreenVertex {
         index: 0,
     };
 
-    /// The positions of three vertices.
-    // Taken apart by hand: optimized for size, a `map` over references makes arrays and loops of it.
+    /// The screen positions of three vertices.
+    // Destructured by hand: optimized for size, a `map` over references compiles to arrays and loops.
     #[inline]
     pub(crate) const fn screens([a, b, c]: [&Self; 3]) -> [[i32; 2]; 3] {
         [a.screen, b.screen, c.screen]
     }
 }
 
-/// Where a point lies in its triangle: the barycentric weights of the second and the third corner in units of 2⁻³⁰;
-/// the first has the rest.
+/// A point of a triangle: the barycentric weights of the second and the third corner, in units of 2⁻³⁰. The first
+/// corner has the rest of 1.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Barycentric(pub(crate) [i32; 2]);
 
@@ -44,33 +44,34 @@ impl Barycentric {
     /// The corners themselves.
     pub(crate) const CORNERS: [Self; 3] = [Self([0, 0]), Self([1 << 30, 0]), Self([0, 1 << 30])];
 
-    /// The value at the point of a varying that has these values at the corners, to the nearest unit but for the
-    /// rounding of the weights.
+    /// The value, at this point, of a varying that has these values at the corners. It is rounded to the nearest
+    /// unit, apart from the rounding of the weights.
     pub(crate) fn mix(self, [value, second, third]: &[i32; 3]) -> i32 {
         let difference = |to: &i32| i64::from(*to) - i64::from(*value);
         let [b, c] = self.0.map(i64::from);
-        // Differences take 33 bits, and the weights are together at most 2^30 and a few units.
+        // Differences take 33 bits, and the weights add up to at most 2^30 and a few units.
         let sum = difference(second) * b + difference(third) * c;
         let mixed = i64::from(*value) + ((sum + (1 << 29)) >> 30);
         mixed.clamp(i32::MIN.into(), i32::MAX.into()) as i32
     }
 }
 
-/// A corner of a clipped polygon or an end of a line, and where in the mesh's triangle it lies.
+/// A corner of a clipped polygon or an end of a line, and its place in the mesh's triangle.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ClippedVertex {
     pub(crate) vertex: ScreenVertex,
     pub(crate) barycentric: Barycentric,
 }
 
-/// How interpolants become depths.
+/// The right shift that turns an interpolant of exponent 0 into a depth; a greater exponent shifts less.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DepthShift(pub(crate) i32);
 
 impl DepthShift {
-    /// How far an interpolant with this `exponent` is shifted down to be a depth, 2^16 at the near plane: 15 to 47.
+    /// How far an interpolant with this `exponent` is shifted right to become a depth, 2^16 at the near plane: 15 to
+    /// 47.
     ///
-    /// At 47 the largest interpolant, below 2^31, is a depth below 2^-16, which no format tells from 0.
+    /// At 47, the largest interpolant, below 2^31, becomes a depth below 2^-16, which no format can tell from 0.
     #[inline]
     pub(crate) fn of(self, exponent: u8) -> u32 {
         (self.0 - i32::from(exponent)).clamp(15, 47).cast_unsigned()

@@ -8,11 +8,12 @@ use super::levels::{Levels, dimmed};
 use super::{Fragment, Shader};
 use crate::mesh::Primitive;
 
-/// The colors of shader `S` in the canvas's format `C`: rounded, or dithered where `C` is
-/// coarse (see [`Levels`]).
+/// Shader `S` on a canvas of color `C`; see [`Shader::converted`].
 ///
-/// A texture of another color than the canvas's is converted pixel by pixel this way; to store
-/// it in the canvas's color is faster.
+/// Colors are rounded, or dithered if `C` is coarse (see [`Levels`]).
+///
+/// It can draw a texture whose color differs from the canvas's. Each pixel is then converted; a texture stored in the
+/// canvas's color is faster.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888}};
@@ -73,7 +74,8 @@ where
         Some(C::from_rgb(color.into(), at.point))
     }
 
-    /// The color becomes levels of the canvas's color before it is dimmed, so that it is rounded or dithered once.
+    /// The color becomes levels of the canvas's color before it is dimmed, so that it is rounded or dithered only
+    /// once.
     #[inline]
     fn shade_lit(&self, at: &Fragment, varyings: S::Varyings, light: i32) -> Option<C> {
         let color = self.shader.shade(at, varyings)?;
@@ -93,7 +95,7 @@ mod tests {
     use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, RgbColor};
 
     #[test]
-    fn the_fragment_inside_is_asked() {
+    fn the_inner_shader_computes_the_color() {
         let positions = [Vec3::ZERO, Vec3::X, Vec3::Y];
         let mesh = Mesh::new(&positions, &[[0, 1, 2]; 2]).unwrap();
         let colors = [Rgb888::BLACK, Rgb888::new(8, 120, 200)];

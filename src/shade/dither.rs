@@ -2,9 +2,9 @@
 
 use embedded_graphics::geometry::Point;
 
-/// The 8x8 matrix of Bayer (1973): each of 0 to 63 once, neighbors far apart.
+/// The 8x8 matrix of Bayer (1973): each number from 0 to 63 once, with consecutive numbers far apart.
 ///
-/// Built from bits: the bits of x ^ y and of y interleaved, in reverse order.
+/// Each number is built from bits: those of x ^ y and of y, interleaved and in reverse order.
 static BAYER: [[u8; 8]; 8] = bayer();
 
 const fn bayer() -> [[u8; 8]; 8] {
@@ -28,13 +28,13 @@ const fn bayer() -> [[u8; 8]; 8] {
     matrix
 }
 
-/// What to add to a level in units of 2⁻¹⁶ step before it is cut to whole steps: (m + ½)/64 of a
-/// step, m being the matrix at this pixel; so 512 to 65,024, mean half a step.
+/// The number to add to a level, in units of 2⁻¹⁶ step, before it is cut to whole steps: (m + ½)/64 of a step, where
+/// m is the matrix at this pixel. It lies between 512 and 65,024; its mean is half a step.
 ///
-/// A whole step stays itself even with an error of 511 units either way.
+/// A whole step keeps its value even with an error of up to 511 units in either direction.
 #[inline]
 pub(super) fn threshold(at: Point) -> i32 {
-    #[allow(clippy::cast_sign_loss)] // the low three bits are the same
+    #[allow(clippy::cast_sign_loss)] // the sign does not affect the low three bits
     let (x, y) = (at.x as usize & 7, at.y as usize & 7);
     i32::from(BAYER[y][x]) * 1024 + 512
 }
@@ -44,8 +44,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_matrix_is_bayers() {
-        // As printed by Bayer for 4x4 and doubled: the first row of the 8x8 form.
+    fn the_matrix_is_the_one_bayer_published() {
+        // The first two rows of the 8x8 matrix, which follows from Bayer's printed 4x4 matrix by doubling.
         assert_eq!(BAYER[0], [0, 32, 8, 40, 2, 34, 10, 42]);
         assert_eq!(BAYER[1], [48, 16, 56, 24, 50, 18, 58, 26]);
         let mut all: std::vec::Vec<u8> = BAYER.as_flattened().into();

@@ -5,7 +5,7 @@ use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
 use super::{Converted, Fragment, PerFace, Shader};
 use crate::mesh::Primitive;
 
-/// One color for everything.
+/// One color for all pixels.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -28,8 +28,8 @@ pub struct Flat<C> {
 }
 
 impl<C> Flat<C> {
-    /// A shader of a color given as red, green and blue, on a canvas of color `C`: rounded, or dithered where `C` is
-    /// coarse, after light has dimmed it.
+    /// A shader with one color, given as red, green and blue, for a canvas of color `C`. Light dims this color first;
+    /// then it is rounded, or dithered if `C` is coarse.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
@@ -73,8 +73,8 @@ impl<C: PixelColor> Shader for Flat<C> {
 
 /// One color per triangle, in the order of the mesh's faces.
 ///
-/// Triangles beyond the end of the list have its last color; without any colors they are
-/// black (the color's default). Edges and points have the first.
+/// Triangles beyond the end of the list have its last color; if the list is empty, all are black (the color's
+/// default). Edges and points have the first color.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
@@ -140,7 +140,7 @@ mod tests {
     use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 
     #[test]
-    fn colors_go_by_the_face() {
+    fn each_face_has_its_own_color() {
         let positions = [Vec3::ZERO, Vec3::X, Vec3::Y];
         let mesh = Mesh::new(&positions, &[[0, 1, 2]; 4]).unwrap();
         let colors = [Gray8::new(10), Gray8::new(20), Gray8::new(30)];

@@ -1,4 +1,4 @@
-//! Corner colors, interpolated.
+//! Interpolated vertex colors.
 
 use core::marker::PhantomData;
 
@@ -6,9 +6,10 @@ use super::levels::{Channels, HALF, LEVEL, Levels, dimmed};
 use super::{Fragment, Shader, Within};
 use crate::mesh::Primitive;
 
-/// The mesh's vertex colors, interpolated in perspective; white where the mesh has none.
+/// The mesh's vertex colors, interpolated in perspective; white if the mesh has none.
 ///
-/// The color of the canvas says how: see [`Levels`](super::Levels). Gray is interpolated as one value.
+/// The canvas's color decides how they are interpolated and rounded: see [`Levels`](super::Levels). Gray is
+/// interpolated as one value.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor}};
@@ -24,7 +25,7 @@ use crate::mesh::Primitive;
 /// canvas.draw(&mesh, &mvp, &Gouraud::new());
 /// let mut display = MockDisplay::new();
 /// canvas.show(&mut display)?;
-/// // Sixteen greys are few, so they are dithered.
+/// // Sixteen grays are few, so they are dithered.
 /// display.assert_pattern(&[
 ///     "03478ACE",
 ///     "13569ADE",
@@ -93,7 +94,7 @@ mod tests {
     }
 
     #[test]
-    fn grey_is_one_value() {
+    fn gray_is_one_value() {
         assert_eq!(count(&Gouraud::<Rgb565>::new()), 3);
         assert_eq!(count(&Gouraud::<BinaryColor>::new()), 1);
     }

@@ -1,16 +1,17 @@
-//! Arrays of up to eight values whose operations are written out.
+//! Arrays of up to eight values whose operations are unrolled by hand.
 //!
-//! A loop over `[T; N]` stays a loop over memory where code is optimized for size. These operations have no loop,
-//! so the values stay in registers at every optimization level.
+//! Optimized for size, a loop over `[T; N]` remains a loop over memory. These operations have no loop, so the values
+//! stay in registers at every optimization level.
 
 mod sealed {
     pub trait Sealed {}
 }
 
-/// A number of values, 0 to 8, written as the type `[(); N]`; an array of that length for each type of value.
+/// A number of values from 0 to 8, written as the type `[(); N]`; it names an array of this length for any type of
+/// value.
 ///
-/// Numbers can be added, which the length of an array cannot on stable Rust: an adapter of a
-/// [`Shader`](super::Shader) appends its own varyings to those of the shader inside.
+/// These numbers can be added, which array lengths cannot be on stable Rust. An adapter of a
+/// [`Shader`](super::Shader) needs the sum to append its own varyings to those of the inner shader.
 ///
 /// ```
 /// use fixel::shade::Lanes;
@@ -18,25 +19,25 @@ mod sealed {
 /// assert_eq!(both, [1, 2, 3]);
 /// ```
 pub trait Lanes: Copy + sealed::Sealed {
-    /// `[T; N]`.
+    /// The array `[T; N]`.
     type Of<T: Copy>: Copy + AsRef<[T]> + AsMut<[T]>;
 
-    /// How many there are.
+    /// The number N.
     const COUNT: usize;
 
-    /// One more.
+    /// N + 1.
     type Next: Lanes;
 
-    /// The sum with another number.
+    /// The sum of both numbers.
     type Plus<B: Lanes>: Lanes;
 
-    /// The same value in each.
+    /// An array of equal values.
     fn splat<T: Copy>(value: T) -> Self::Of<T>;
 
-    /// A function of each value.
+    /// Applies a function to each value.
     fn map<T: Copy, U: Copy>(lanes: &Self::Of<T>, f: impl FnMut(&T) -> U) -> Self::Of<U>;
 
-    /// A function of each pair of values.
+    /// Applies a function to each pair of values.
     fn zip<T: Copy, U: Copy, V: Copy>(
         a: &Self::Of<T>,
         b: &Self::Of<U>,
@@ -46,24 +47,29 @@ pub trait Lanes: Copy + sealed::Sealed {
     /// Whether a condition holds for all values.
     fn all<T: Copy>(lanes: &Self::Of<T>, f: impl FnMut(&T) -> bool) -> bool;
 
-    /// One value more, before the others.
+    /// Inserts a value before the others.
     fn prepend<T: Copy>(first: T, rest: Self::Of<T>) -> <Self::Next as Lanes>::Of<T>;
 
-    /// The first value, and the others.
+    /// Splits off the first value.
     fn behead<T: Copy>(lanes: <Self::Next as Lanes>::Of<T>) -> (T, Self::Of<T>);
 
-    /// These values and then the others.
+    /// Appends the values of `b` to those of `a`.
     fn join<B: Lanes, T: Copy>(a: Self::Of<T>, b: B::Of<T>) -> <Self::Plus<B> as Lanes>::Of<T>;
 
-    /// What [`join`](Self::join) put together.
+    /// Splits the values that [`join`](Self::join) joined.
     fn split<B: Lanes, T: Copy>(both: <Self::Plus<B> as Lanes>::Of<T>) -> (Self::Of<T>, B::Of<T>);
 }
 
-/// What follows on eight: a shader of so many varyings does not compile.
+/// Any number above eight: a shader with this many varyings does not compile.
+///
+/// ```
+/// use fixel::shade::{Lanes, TooMany};
+/// assert_eq!(<TooMany as Lanes>::COUNT, 9);
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct TooMany;
 
-/// The most varyings.
+/// The most numbers that a shader may interpolate.
 pub(crate) const MOST: usize = 8;
 
 impl sealed::Sealed for TooMany {}
@@ -164,7 +170,8 @@ impl Lanes for [(); 0] {
     }
 }
 
-/// A number above 0: itself, the one below, the one above, and a name for each value but the first.
+/// Implements a number above 0 from itself, its predecessor, its successor, and two names for each value but the
+/// first.
 macro_rules! lanes {
     ($($n:tt after $less:tt before $next:ty: $($x:ident $y:ident)*;)+) => {$(
         impl sealed::Sealed for [(); $n] {}
@@ -258,7 +265,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_add_and_come_apart_again() {
+    fn numbers_are_added_and_split_again() {
         let both = <[(); 3] as Lanes>::join::<[(); 5], _>([1, 2, 3], [4, 5, 6, 7, 8]);
         assert_eq!(both, [1, 2, 3, 4, 5, 6, 7, 8]);
         let parts = <[(); 3] as Lanes>::split::<[(); 5], _>(both);

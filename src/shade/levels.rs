@@ -1,4 +1,4 @@
-//! Colors as interpolated numbers, and back: rounding and dithering.
+//! Colors as numbers to interpolate, and back by rounding or dithering.
 
 use embedded_graphics::geometry::Point;
 
@@ -10,27 +10,27 @@ use embedded_graphics::pixelcolor::{
 use super::Varyings;
 use super::dither::threshold;
 
-/// A color that light and interpolated color can be turned into.
+/// A color that can be computed with: interpolated, lit, tinted and dithered.
 ///
-/// A *level* is a channel in steps of the color's own format, with 16 fraction bits: red of
-/// [`Rgb565`] runs from 0 to 31 · 65,536. So the work per pixel is one addition and one shift per
-/// channel. A *fraction* is a channel as part of full brightness: 65,536 is 1.
+/// A *level* is a channel in steps of the color's own format, with 16 fraction bits: red of [`Rgb565`] runs from 0 to
+/// 31 · 65,536. With levels, the work per pixel is one addition and one shift per channel. A *fraction* is a channel
+/// relative to full brightness, which is 65,536.
 ///
-/// There are up to three channels: red, green, blue; or gray, thrice the same, of which only the
-/// first counts. Gray is BT.601 luma, 0.299 red + 0.587 green + 0.114 blue, weights rounded to
-/// 2⁻¹⁴, of the color values as they are (no gamma).
+/// There are up to three channels: red, green and blue. A gray color has three equal channels, of which only the
+/// first counts. Gray is the BT.601 luma of the stored values (without gamma): 0.299 red + 0.587 green + 0.114 blue,
+/// with weights rounded to 2⁻¹⁴.
 ///
-/// The colors of embedded-graphics are implemented. Those with 5 bits per channel and more round
-/// to the nearest; [`Gray4`], [`Gray2`] and [`BinaryColor`] (on is white) are dithered by an 8x8
-/// ordered matrix, fixed to the frame: a constant level's mean over 8x8 pixels is within 1/128 step of it,
-/// black stays black and white stays white.
+/// This trait is implemented for the colors of embedded-graphics. Colors with 5 or more bits per channel are rounded
+/// to nearest. [`Gray4`], [`Gray2`] and [`BinaryColor`] (on is white) are dithered by an 8x8 ordered matrix that is
+/// fixed to the frame. The mean of a constant level over 8x8 pixels is within 1/128 step of it; black stays black,
+/// and white stays white.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{BinaryColor, Rgb565, Rgb888}, prelude::*};
 /// use fixel::prelude::*;
 /// let orange = Rgb888::new(255, 128, 0);
 /// assert_eq!(Rgb565::from_rgb(orange, Point::zero()), Rgb565::new(31, 32, 0));
-/// // Orange is about 0.6 white: so many pixels are on.
+/// // Orange is about 0.6 white, so this share of the pixels is on.
 /// let on = (0..64).filter(|i| BinaryColor::from_rgb(orange, Point::new(i % 8, i / 8)).is_on());
 /// assert_eq!(on.count(), 38);
 /// ```
@@ -38,7 +38,7 @@ pub trait Levels: PixelColor {
     /// White, in whole steps: 31, 63, 31 for [`Rgb565`]; at most 255 each.
     const MAX_STEPS: [i32; 3];
 
-    /// The channels that are interpolated.
+    /// The channels that are interpolated: `[i32; 3]`, or `[i32; 1]` for gray.
     type Channels: Channels;
 
     /// The channels of `color` as fractions, 0 to 65,536; for gray, its luma.
@@ -49,27 +49,27 @@ pub trait Levels: PixelColor {
 
     /// The color of `levels` at a pixel of the frame: rounded to nearest, or dithered.
     ///
-    /// Levels may be outside black to white by 511 units of 2⁻¹⁶, far more than interpolation errs;
-    /// beyond that the color is unspecified.
+    /// Levels may lie outside black to white by up to 511 units of 2⁻¹⁶, far more than the error of interpolation.
+    /// Beyond that, the color is unspecified.
     #[must_use]
     fn from_levels(levels: [i32; 3], at: Point) -> Self;
 
-    /// The color of levels that have half a step, 2^15, added to each, so that to round is to cut: what is added once
-    /// to a vertex's color need not be added at each pixel.
+    /// The color of levels that have been raised by half a step, 2^15. Cutting such levels rounds them, so the
+    /// addition is needed once per vertex and not at every pixel.
     #[must_use]
     #[inline]
     fn from_raised(levels: [i32; 3], at: Point) -> Self {
         Self::from_levels(levels.map(|level| level.wrapping_sub(HALF)), at)
     }
 
-    /// The levels of `color`, within 0.003 of a step; exact for black and white.
+    /// The levels of `color`, with an error of at most 0.003 step; exact for black and white.
     #[must_use]
     #[inline]
     fn levels(color: Rgb888) -> [i32; 3] {
         scale(Self::MAX_STEPS, Self::fractions(color))
     }
 
-    /// The nearest color to `color`, or its dithered value at a pixel of the frame.
+    /// The color nearest to `color`, or its dithered value at a pixel of the frame.
     #[must_use]
     #[inline]
     fn from_rgb(color: Rgb888, at: Point) -> Self {
@@ -83,7 +83,7 @@ pub trait Levels: PixelColor {
         Self::from_levels(scale(self.steps(), fractions), at)
     }
 
-    /// This color under white light of brightness `light`, 65,536 being full.
+    /// This color under white light of brightness `light`; 65,536 is full brightness.
     #[must_use]
     #[inline]
     fn lit(self, light: i32, at: Point) -> Self {
@@ -91,7 +91,7 @@ pub trait Levels: PixelColor {
     }
 }
 
-/// The channels of a color that differ, and so are worth interpolating: three, or one for gray.
+/// The channels of a color that are worth interpolating, because they differ: three, or one for gray.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, Rgb565};
@@ -101,10 +101,10 @@ pub trait Levels: PixelColor {
 /// assert_eq!((gray, color), ([7], [1, 2, 3]));
 /// ```
 pub trait Channels: Varyings + sealed::Sealed {
-    /// Those of three that differ.
+    /// The channels that differ, of three.
     fn first(channels: [i32; 3]) -> Self;
 
-    /// Three channels; those that do not count are 0.
+    /// All three channels; those that do not count are 0.
     fn all(self) -> [i32; 3];
 }
 
@@ -138,18 +138,19 @@ impl Channels for [i32; 1] {
     }
 }
 
-/// Whole steps (at most 255) times fractions (about 65,536): levels.
+/// Whole steps (at most 255) times fractions (up to about 65,536): levels.
 #[inline]
 fn scale([a, b, c]: [i32; 3], [x, y, z]: [i32; 3]) -> [i32; 3] {
-    // Below 2^24 for what interpolation yields; wrapping, so that a user's own numbers cannot panic.
-    // Element by element: optimized for size, a loop over indices would keep its checks.
+    // Products of interpolated values are below 2^24. Wrapping, so that numbers from a user's shader cannot panic.
+    // Element by element: optimized for size, a loop over indices would keep its bounds checks.
     [a.wrapping_mul(x), b.wrapping_mul(y), c.wrapping_mul(z)]
 }
 
-/// Levels times a brightness of 0 to 65,536, give or take two; to 1/32 of a step, exact for full brightness and whole steps.
+/// Levels times a brightness between 0 and 65,536, give or take two. The error is at most 1/32 step; full brightness
+/// is exact for whole steps.
 #[inline]
 pub(super) fn dimmed(levels: [i32; 3], light: i32) -> [i32; 3] {
-    // 16 bits times 15 bits, so that cores without a long multiply need none.
+    // 16 bits times 15 bits, so that cores without a long multiply do not need one.
     let dim = |level: i32| (level >> 8).wrapping_mul(light >> 2) >> 6;
     let [r, g, b] = levels;
     [dim(r), dim(g), dim(b)]
@@ -158,13 +159,14 @@ pub(super) fn dimmed(levels: [i32; 3], light: i32) -> [i32; 3] {
 /// Half a step.
 pub(super) const HALF: i32 = 1 << 15;
 
-/// How far levels may be off without being seen: 1/8 of a step.
+/// Error of a level that cannot be seen: 1/8 step.
 pub(super) const LEVEL: u32 = 1 << 13;
 
-/// The same for fractions and brightness, 65,536 being full: 1/16 of a step of 6 bits, 1/4 of one of 8.
+/// Error of a fraction or a brightness that cannot be seen, in units of 1/65,536: 1/16 step of 6 bits, 1/4 step of 8
+/// bits.
 pub(super) const FRACTION: u32 = 1 << 6;
 
-/// c/255 in units of 2⁻¹⁶, within half a unit: 0 for 0, 65,536 for 255.
+/// c/255 in units of 2⁻¹⁶, with an error of at most half a unit: 0 for 0, 65,536 for 255.
 #[inline]
 const fn fraction(c: u8) -> i32 {
     // 65,536/255 = 257 + 1/255, and c/255 rounds to the top bit of c.
@@ -182,12 +184,12 @@ fn rgb_fractions(color: Rgb888) -> [i32; 3] {
 
 #[inline]
 fn luma(color: Rgb888) -> [i32; 3] {
-    // The weights' sum is 2^14, and white's luma 2^30.
+    // The sum of the weights is 2^14, and the luma of white is 2^30.
     let [r, g, b] = rgb_fractions(color);
     [(4899 * r + 9617 * g + 1868 * b + (1 << 13)) >> 14; 3]
 }
 
-/// To the nearest step; half a step absorbs any error of interpolation below 0 and above white.
+/// The nearest step. The half step absorbs interpolation errors below 0 and above white.
 #[inline]
 #[allow(clippy::cast_sign_loss)] // in range as documented
 fn round(level: i32) -> u8 {
@@ -197,7 +199,7 @@ fn round(level: i32) -> u8 {
 #[inline]
 #[allow(clippy::cast_sign_loss)] // in range as documented
 fn dither(level: i32, at: Point) -> u8 {
-    // Thresholds leave little room below black.
+    // The least threshold is small, so the clamp keeps negative levels from wrapping.
     (level.wrapping_add(threshold(at)).max(0) >> 16) as u8
 }
 
@@ -299,7 +301,7 @@ mod tests {
     const ORIGIN: Point = Point::zero();
 
     fn pixels() -> impl Iterator<Item = Point> {
-        // Not at the origin: the pattern belongs to the frame.
+        // Away from the origin, because the pattern belongs to the frame.
         (0..64).map(|i| Point::new(3 + i % 8, i / 8 - 5))
     }
 
@@ -321,14 +323,14 @@ mod tests {
     }
 
     #[test]
-    fn grey_is_luma() {
+    fn gray_is_luma() {
         for (color, weight) in [
             (Rgb888::RED, 0.299),
             (Rgb888::GREEN, 0.587),
             (Rgb888::BLUE, 0.114),
         ] {
             let [level, ..] = Gray8::levels(color);
-            // Weights are off by up to 2^-15, 0.008 of a step.
+            // The error of a weight is at most 2^-15, which is 0.008 step.
             assert!((f64::from(level) / 65536.0 - weight * 255.0).abs() < 0.012);
         }
     }
@@ -339,7 +341,7 @@ mod tests {
             let sum: i32 = pixels()
                 .map(|at| step(C::from_levels([level; 3], at)))
                 .sum();
-            // 64 steps of the mean are one step of the sum; off by half of one at most.
+            // One step of the sum is 1/64 step of the mean; the error is at most half a step of the sum.
             let error = (sum << 16) - level * 64;
             assert!(error.abs() <= 1 << 15, "level {level}: sum {sum}");
         }
@@ -393,7 +395,7 @@ mod tests {
     }
 
     #[test]
-    fn light_scales_and_any_number_is_survived() {
+    fn light_scales_and_no_number_panics() {
         assert_eq!(
             Rgb565::new(30, 40, 11).lit(1 << 15, ORIGIN),
             Rgb565::new(15, 20, 6)

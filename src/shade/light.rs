@@ -1,15 +1,16 @@
-//! Light from afar.
+//! Directional and ambient light.
 
 use crate::math::Direction;
 use crate::num::wide::dot;
 use crate::{Error, Scalar, Vec3};
 
-/// White light: from all sides (ambient), and from one direction in world space, as the sun's.
+/// White light that comes from all sides (ambient) and from one direction in world space (diffuse), like the sun's.
 ///
-/// A surface with unit normal n has brightness ambient + diffuse · max(0, n·l), l being the unit
-/// vector towards the light (Lambert), saturated at 1. It is found in fixed point, within 1e-5.
+/// A surface with unit normal n has the brightness ambient + diffuse · max(0, n·l), saturated at 1, where l is the
+/// unit vector toward the light (Lambert's law). It is computed in fixed point, with an error of at most 1e-5.
 ///
-/// [`Shader::lit`](super::Shader::lit) and [`Shader::lit_faces`](super::Shader::lit_faces) put any surface under it.
+/// [`Shader::lit`](super::Shader::lit) and [`Shader::lit_faces`](super::Shader::lit_faces) put any surface under a
+/// light.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -30,7 +31,7 @@ use crate::{Error, Scalar, Vec3};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Light {
-    /// Towards the light, as long as its brightness; in units of 2⁻³⁰.
+    /// The vector toward the light, as long as the diffuse brightness, in units of 2⁻³⁰.
     direction: [i32; 3],
     /// In units of 2⁻¹⁶.
     ambient: i32,
@@ -41,13 +42,15 @@ pub struct Light {
 pub(super) const FULL: i32 = 1 << 16;
 
 impl Light {
-    /// A light that comes from `direction` (from the surface towards the light, of any length) in world
-    /// space, with the brightness `diffuse` where it meets a surface squarely, on top of
-    /// `ambient` everywhere.
+    /// A light from `direction`, a vector of any length in world space that points from the surface toward the light.
+    ///
+    /// A surface that squarely faces the light gets the brightness `diffuse`, in addition to `ambient` for all
+    /// surfaces. Both are between 0 and 1.
     ///
     /// # Errors
     ///
-    /// [`Error::ZeroDirection`]; [`Error::Brightness`] if `ambient` or `diffuse` is not between 0 and 1.
+    /// [`Error::ZeroDirection`] if `direction` is zero; [`Error::Brightness`] if `ambient` or `diffuse` is not
+    /// between 0 and 1.
     pub const fn new(direction: Vec3, ambient: Scalar, diffuse: Scalar) -> Result<Self, Error> {
         if ambient.to_bits() < 0 || ambient.to_bits() > FULL {
             return Err(Error::Brightness { value: ambient });
@@ -73,8 +76,8 @@ impl Light {
         })
     }
 
-    /// The same light, which also lights surfaces from behind: |n·l| in place of max(0, n·l), for
-    /// meshes of single sheets.
+    /// The same light, but it also lights surfaces from behind: |n·l| instead of max(0, n·l). For meshes that are
+    /// single sheets.
     #[must_use]
     pub const fn two_sided(self) -> Self {
         Self {
@@ -83,13 +86,14 @@ impl Light {
         }
     }
 
-    /// The brightness of a surface that faces this direction of world space: 0 to 65,536, which is full.
+    /// The brightness of a surface with this normal in world space: 0 to 65,536, which is full brightness.
     ///
-    /// A surface without a direction has ambient light only.
+    /// If the normal is the zero direction, the brightness is the ambient light.
     #[must_use]
     pub fn brightness(&self, normal: Direction) -> i32 {
         let normal = normal.to_bits();
-        // Unit vectors in Q30: the product of two is within 2^60, to Q16 by 44 bits at most 65,537.
+        // Both vectors are in Q30 and at most of length 1, so the product is within 2^60; shifted by 44 to Q16, at
+        // most 65,537.
         let facing = ((dot(&normal, &self.direction) + (1 << 43)) >> 44) as i32;
         let diffuse = if self.two_sided {
             facing.abs()
@@ -107,7 +111,7 @@ mod tests {
     use crate::math::NormalMatrix;
     use crate::{fx, vec3};
 
-    /// Brightness is rounded to 2⁻¹⁶; directions err by 2⁻²⁸.
+    /// Brightness is rounded to 2⁻¹⁶; the error of directions is 2⁻²⁸.
     fn close(light: &Light, normal: Vec3, expected: f64) {
         let got = f64::from(light.brightness(Direction::of(normal))) / 65536.0;
         assert!(
@@ -117,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn lambert() {
+    fn brightness_follows_lambert() {
         let sun = Light::new(vec3!(1, 2, 2), fx!(0.125), fx!(0.75)).unwrap();
         close(&sun, vec3!(1, 2, 2), 0.875);
         close(&sun, vec3!(0, 0, 300), 0.125 + 0.75 * 2.0 / 3.0);
@@ -140,7 +144,7 @@ mod tests {
     }
 
     #[test]
-    fn normals_stay_upright_on_stretched_and_mirrored_models() {
+    fn normals_stay_perpendicular_on_stretched_and_mirrored_models() {
         let sun = Light::new(vec3!(0, 1, 0), fx!(0), fx!(1)).unwrap();
         let on = |model, normal| sun.brightness(NormalMatrix::of(&model).direction(normal));
         let close = |found: i32, expected: f64| {
@@ -152,17 +156,17 @@ mod tests {
         // The plane x + y = 0 stretched fourfold along x becomes x + 4y = 0.
         let wide = scale([1 << 29, 1 << 27, 1 << 27]);
         close(on(wide, vec3!(1, 1, 0)), 4.0 / 17_f64.sqrt());
-        // Mirrored: what looked up looks down.
+        // Mirrored: a surface that looked up looks down.
         let mirrored = scale([1 << 29, -(1 << 29), 1 << 29]);
         close(on(mirrored, vec3!(0, -1, 0)), 1.0);
         close(on(mirrored, vec3!(0, 1, 0)), 0.0);
-        // Flattened to nothing: total nevertheless.
+        // Flattened to nothing: still no panic.
         close(on(scale([0; 3]), Vec3::Y), 0.0);
         assert_eq!(on(scale([1, 0, 1]), Vec3::Y), 65536);
     }
 
     #[test]
-    fn nonsense_is_refused() {
+    fn bad_arguments_are_refused() {
         let half = fx!(0.5);
         assert_eq!(
             Light::new(Vec3::ZERO, half, half),

@@ -5,11 +5,11 @@ use super::light::{FULL, Light};
 use super::{Fragment, PerFace, Shader, Within};
 use crate::mesh::Primitive;
 
-/// A surface under a [`Light`], whose brightness is found at the vertices and interpolated (Gouraud shading). Made by
+/// A surface under a [`Light`] whose brightness is computed at the vertices and interpolated (Gouraud shading); see
 /// [`Shader::lit`].
 ///
-/// Normals are the mesh's, or the triangle's own where the mesh has none. The brightness, 65,536 being full, is
-/// interpolated after the surface's own varyings.
+/// Normals are the mesh's, or the triangle's own if the mesh has none. The brightness is interpolated after the
+/// surface's own varyings; 65,536 is full brightness.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor}};
@@ -51,7 +51,7 @@ impl<S> Lit<S> {
     }
 }
 
-/// A brightness as it is interpolated.
+/// The interpolated brightness.
 type Brightness = Within<FRACTION, [i32; 1]>;
 
 impl<S: Shader<Color: Levels>> Shader for Lit<S> {
@@ -73,7 +73,8 @@ impl<S: Shader<Color: Levels>> Shader for Lit<S> {
     }
 }
 
-/// A surface under a [`Light`], each triangle evenly, by its own normal. Made by [`Shader::lit_faces`].
+/// A surface under a [`Light`], with one brightness per triangle, computed from the triangle's own normal; see
+/// [`Shader::lit_faces`].
 ///
 /// Edges and points are in full light.
 ///
@@ -160,7 +161,7 @@ mod tests {
         Mesh::new(&POSITIONS, &[[0, 1, 2], [0, 2, 1]]).unwrap()
     }
 
-    /// The brightness at three corners.
+    /// The brightness at the three corners.
     fn lights<S: Shader<Color: Levels>>(lit: Lit<S>, mesh: &Mesh<'_>, index: usize) -> [i32; 3] {
         let (_, corners) = face(lit, &IDENTITY, mesh, index);
         corners.map(|(_, Within([light]))| light)
@@ -170,7 +171,7 @@ mod tests {
     fn vertices_are_lit_by_their_normals() {
         let mesh = mesh().with_normals(&NORMALS, None).unwrap();
         let lit = Flat::<Gray8>::rgb(Rgb888::WHITE).lit(sun());
-        // 0.75, 0.65 and 0.25 in units of 2^-16, rounded; then of 255.
+        // 0.75, 0.65 and 0.25, first in units of 2^-16 and rounded, then of 255.
         assert_eq!(lights(lit, &mesh, 0), [49152, 42598, 16384]);
         let (shader, corners) = face(lit, &IDENTITY, &mesh, 0);
         assert_eq!(
@@ -180,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn without_normals_the_triangle_s_own_counts() {
+    fn without_vertex_normals_the_triangle_normal_counts() {
         let lit = Flat::new(Rgb565::WHITE).lit(sun());
         assert_eq!(lights(lit, &mesh(), 0), [49152; 3]);
         assert_eq!(lights(lit, &mesh(), 1), [16384; 3]);
@@ -189,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn faces_are_lit_evenly_in_their_pose() {
+    fn faces_are_lit_evenly_in_world_space() {
         let lit = Flat::<Rgb565>::rgb(Rgb565::WHITE).lit_faces(sun());
         let shown = |model, index| {
             let (shader, [corner, ..]) = face(lit, model, &mesh(), index);
@@ -222,9 +223,9 @@ mod tests {
         assert_eq!(count(&shader), 3);
     }
 
-    /// Light and vertex color are interpolated apart, so that their product is rounded once.
+    /// Light and vertex colors are separate varyings, so that their product is rounded once.
     #[test]
-    fn vertex_colors_are_lit() {
+    fn vertex_colors_are_lit_and_rounded_once() {
         let colors = [Rgb888::new(200, 100, 0); 3];
         let mesh = mesh().with_colors(&colors, None).unwrap();
         let (shader, [corner, ..]) = face(Gouraud::<Rgb888>::new().lit(sun()), &IDENTITY, &mesh, 0);

@@ -1,11 +1,11 @@
-//! An effect on the pixels of any shader.
+//! A function of the color of each pixel.
 
 use embedded_graphics::pixelcolor::PixelColor;
 
 use super::{Fragment, Shader};
 use crate::mesh::Primitive;
 
-/// A shader and a function of each pixel that it colors. Made by [`Shader::map`].
+/// A shader and a function of each pixel that it colors; see [`Shader::map`].
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};

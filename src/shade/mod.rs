@@ -1,23 +1,25 @@
-//! From interpolated values to a color: the shader trait and the shaders that come with the crate.
+//! Shaders: from interpolated values to a color.
 //!
-//! | surface | a pixel is | varyings |
+//! A surface gives each pixel a color. The last column counts the values that it interpolates.
+//!
+//! | surface | color of a pixel | varyings |
 //! |---|---|---|
-//! | [`Flat`] | one color for all | none |
-//! | [`FaceColors`] | one color per triangle | none |
+//! | [`Flat`] | one color for all | 0 |
+//! | [`FaceColors`] | one color per triangle | 0 |
 //! | [`Gouraud`] | the mesh's vertex colors | 3, or 1 for gray |
-//! | [`Textured`] | a texel or bilinear between four, repeated or clamped | 2 |
-//! | [`DepthView`] | gray by depth | none |
-//! | [`NormalView`] | the normal's direction as a color | 3, or 1 for gray |
+//! | [`Textured`] | the nearest texel or a blend of four; the texture repeats or is clamped | 2 |
+//! | [`DepthView`] | depth as gray | 0 |
+//! | [`NormalView`] | the direction of the normal as a color | 3, or 1 for gray |
 //!
-//! Each can be wrapped, in any order and number:
+//! An adapter changes a surface. Adapters can be stacked in any order and number:
 //!
-//! | adapter | a pixel is | varyings |
+//! | adapter | color of a pixel | more varyings |
 //! |---|---|---|
-//! | [`.lit(light)`](Shader::lit) | the surface × light at the vertices | 1 more |
-//! | [`.lit_faces(light)`](Shader::lit_faces) | the surface × light at the triangle | none more |
-//! | [`.tinted()`](Shader::tinted) | the surface × the mesh's vertex colors | 3 more, or 1 for gray |
-//! | [`.map(effect)`](Shader::map) | a function of the surface's color | none more |
-//! | [`.converted()`](Shader::converted) | the surface in another color format, dithered where it is coarse | none more |
+//! | [`.lit(light)`](Shader::lit) | the surface × light at the vertices | 1 |
+//! | [`.lit_faces(light)`](Shader::lit_faces) | the surface × light at the triangle | 0 |
+//! | [`.tinted()`](Shader::tinted) | the surface × the mesh's vertex colors | 3, or 1 for gray |
+//! | [`.map(effect)`](Shader::map) | a function of the surface's color | 0 |
+//! | [`.converted()`](Shader::converted) | the surface in another color format, dithered if that format is coarse | 0 |
 
 mod converted;
 mod dither;

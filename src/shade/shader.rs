@@ -1,4 +1,5 @@
-//! The seam between geometry and color: what a shader has interpolated, and the color it makes of it.
+//! The interface between geometry and color: the values that a shader interpolates, and the color it computes from
+//! them.
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::PixelColor;
@@ -18,16 +19,16 @@ use crate::mesh::Primitive;
 pub struct Fragment {
     /// Column and row in the frame, (0, 0) at the top left.
     pub point: Point,
-    /// Depth in linear steps of 1/w, whatever the depth buffer's format: 65535 at the near plane, falling towards 0
+    /// Depth, in linear steps of 1/w whatever the depth buffer's format: 65535 at the near plane, falling toward 0
     /// with the distance.
     pub depth: u16,
 }
 
-/// How a surface is colored: values at the corners of each triangle, and the color of a pixel from the values there.
+/// Colors a surface: it computes values at the corners of each triangle, and a pixel's color from the values there.
 ///
 /// [`varyings`](Self::varyings) runs once for each triangle, edge or point. [`shade`](Self::shade) runs once for each
-/// visible pixel, with the values interpolated in perspective, and returns `None` to leave the pixel as it is.
-/// [`Varyings`] lists the types of values.
+/// visible pixel, with the values interpolated in perspective; it returns `None` to leave the pixel as it is.
+/// [`Varyings`] lists the types that can be interpolated.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
@@ -62,11 +63,11 @@ pub struct Fragment {
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// A shader around another one passes on its [`Varyings`](Self::Varyings), alone or in a pair with its own, and calls
-/// its two methods. There is nothing else to pass on, and so nothing to forget. Most effects need no type at all: see
+/// A shader that wraps another one passes on the inner [`Varyings`](Self::Varyings), alone or in a pair with its own,
+/// and calls the two inner methods. Nothing else needs to be passed on. Most effects need no type of their own: see
 /// [`map`](Self::map).
 pub trait Shader: Copy {
-    /// The color that results. The canvas must have the same.
+    /// The color of a pixel; the canvas must have the same color type.
     type Color: PixelColor;
 
     /// The values to interpolate.
@@ -74,21 +75,21 @@ pub trait Shader: Copy {
 
     /// Whether [`shade`](Self::shade) reads [`Fragment::depth`].
     ///
-    /// Where neither the shader nor a depth buffer needs depth and nothing is interpolated, depth is not computed, and
-    /// is 0. The default is always right; `false` makes such shaders faster.
+    /// Depth is not computed, and is 0, if this is `false`, if no depth buffer needs depth, and if nothing is
+    /// interpolated. The default, `true`, is always correct; `false` makes such shaders faster.
     const READS_DEPTH: bool = true;
 
-    /// The values at the three corners of a triangle; at the two ends of an edge and again the second; three times at
-    /// a point.
+    /// The values at the three corners of a triangle. For an edge, they are the values at its first end, its second
+    /// end, and its second end again; for a point, three times the same.
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3];
 
     /// The color of a pixel, or `None` to leave both its color and its depth as they are.
     fn shade(&self, at: &Fragment, varyings: Self::Varyings) -> Option<Self::Color>;
 
-    /// The color of a pixel under white light of this brightness, 65,536 being full.
+    /// The color of a pixel under white light of brightness `light`; 65,536 is full brightness.
     ///
-    /// By default the color that [`shade`](Self::shade) gives, dimmed. A surface that knows its color more exactly
-    /// than the canvas stores it dims that.
+    /// By default, this dims the color that [`shade`](Self::shade) returns. A surface that knows its color more
+    /// exactly than the canvas stores it should override this method and dim the exact color.
     #[inline]
     fn shade_lit(&self, at: &Fragment, varyings: Self::Varyings, light: i32) -> Option<Self::Color>
     where
@@ -97,7 +98,8 @@ pub trait Shader: Copy {
         Some(self.shade(at, varyings)?.lit(light, at.point))
     }
 
-    /// This surface under a light whose brightness is found at the vertices and interpolated (Gouraud shading).
+    /// Puts this surface under a light. The brightness is computed at the vertices and interpolated (Gouraud
+    /// shading).
     #[must_use]
     #[inline]
     fn lit(self, light: Light) -> Lit<Self>
@@ -107,7 +109,8 @@ pub trait Shader: Copy {
         Lit::new(self, light)
     }
 
-    /// This surface under a light, with one brightness for each triangle, by the triangle's own normal.
+    /// Puts this surface under a light, with one brightness for each triangle, computed from the triangle's own
+    /// normal.
     #[must_use]
     #[inline]
     fn lit_faces(self, light: Light) -> FaceLit<Self>
@@ -117,7 +120,7 @@ pub trait Shader: Copy {
         FaceLit::new(self, light)
     }
 
-    /// This surface times the mesh's vertex colors.
+    /// Multiplies this surface by the mesh's vertex colors.
     #[must_use]
     #[inline]
     fn tinted(self) -> Tinted<Self>
@@ -127,7 +130,7 @@ pub trait Shader: Copy {
         Tinted::new(self)
     }
 
-    /// This surface with a function of each pixel and its color: any effect in a line.
+    /// Applies a function to each pixel and its color: any effect in one line. `None` leaves the pixel as it is.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -137,7 +140,7 @@ pub trait Shader: Copy {
     /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
     /// let mut pixels = [Gray8::BLACK; 2];
     /// let mut canvas = Canvas::new(&mut pixels, 2, 1)?;
-    /// // The left column is left out.
+    /// // The effect skips the left column.
     /// let right = Flat::new(Gray8::WHITE).map(|at, color| (at.point.x > 0).then_some(color));
     /// canvas.draw(&SQUARE, &mvp, &right);
     /// assert_eq!(pixels, [Gray8::BLACK, Gray8::WHITE]);
@@ -152,7 +155,7 @@ pub trait Shader: Copy {
         Map::new(self, effect)
     }
 
-    /// This surface on a canvas of another color, rounded, or dithered where that color is coarse.
+    /// Converts this surface to another color: rounded, or dithered if that color is coarse.
     #[must_use]
     #[inline]
     fn converted<C: Levels>(self) -> Converted<Self, C> {

@@ -1,4 +1,4 @@
-//! Textures: where in the texture a pixel is.
+//! Textured surfaces: which texels a pixel shows.
 
 use core::marker::PhantomData;
 
@@ -9,16 +9,17 @@ use crate::texture::{
     Addressing, Bilinear, Blend, Clamp, Filter, Nearest, Repeat, Sampler, texels,
 };
 
-/// The texel under each pixel, the nearest to its center, or [`bilinear`](Self::bilinear) between the four around.
+/// A texture: each pixel shows the texel nearest to its center, or a blend of the four around it
+/// ([`bilinear`](Self::bilinear)).
 ///
-/// The texture repeats, or is [`clamped`](Self::clamped) to its edge. It may be
-/// [`lit`](Shader::lit) or [`tinted`](Shader::tinted) by vertex colors.
+/// The texture repeats, or is [`clamped`](Self::clamped) to its edge. It may be [`lit`](Shader::lit), or
+/// [`tinted`](Shader::tinted) by vertex colors.
 ///
-/// Varyings are columns and rows, in texels with 16 fraction bits: exact for the texture coordinates
-/// as given if the texture has 16 texels or more that way, else rounded to nearest. Their range is
-/// ±32,768 texels, beyond which they saturate: 128 repeats of 256 texels, 8 of 4096. But a triangle of a
-/// repeating texture is first moved by whole repeats to begin in the first
-/// one, so that only its extent counts, not its place (lines and points are not moved).
+/// The varyings are a column and a row, in texels with 16 fraction bits. They hold the texture coordinates exactly
+/// along a side of 16 or more texels, and rounded to nearest along a shorter side. Their range is ±32,768 texels (128
+/// repeats of 256 texels, 8 of 4096), beyond which they saturate. A triangle of a repeating texture is first moved by
+/// whole repeats so that it begins in the first repeat. So only the extent of a triangle is limited, not its place in
+/// the texture. Lines and points are not moved.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, GrayColor}};
@@ -43,7 +44,7 @@ pub struct Textured<S, A = Repeat, F = Nearest> {
 }
 
 impl<S: Sampler> Textured<S> {
-    /// A shader of a repeating texture, usually of a reference to a [`Texture`](crate::Texture).
+    /// A shader of a repeating texture. The argument is usually a reference to a [`Texture`](crate::Texture).
     #[must_use]
     pub const fn new(sampler: S) -> Self {
         Self {
@@ -55,7 +56,7 @@ impl<S: Sampler> Textured<S> {
 }
 
 impl<S: Sampler, F> Textured<S, Repeat, F> {
-    /// The same, clamped to the texture's edge.
+    /// Clamps the texture to its edge instead of repeating it.
     #[must_use]
     pub const fn clamped(self) -> Textured<S, Clamp, F> {
         Textured {
@@ -67,7 +68,7 @@ impl<S: Sampler, F> Textured<S, Repeat, F> {
 }
 
 impl<S: Sampler, A: Addressing> Textured<S, A> {
-    /// The same, blended of the four texels around each pixel: see [`Bilinear`] for accuracy and cost.
+    /// Blends the four texels around each pixel; [`Bilinear`] describes accuracy and cost.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, GrayColor}};
@@ -78,7 +79,7 @@ impl<S: Sampler, A: Addressing> Textured<S, A> {
     /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
     /// let mut pixels = [Gray8::BLACK; 64];
     /// let mut canvas = Canvas::new(&mut pixels, 8, 8)?;
-    /// // Eight pixels for two texels: four from center to center, two on from there to the edge.
+    /// // Eight pixels show two texels: four from center to center, and two from each center to the edge.
     /// canvas.draw(&SQUARE, &mvp, &Textured::new(&SKIN).clamped().bilinear());
     /// let shown: Vec<u8> = pixels.iter().map(|pixel| pixel.luma()).collect();
     /// assert_eq!(shown[..8], [0, 0, 17, 51, 85, 119, 136, 136]);
@@ -152,8 +153,8 @@ mod tests {
     }
 
     #[test]
-    fn coordinates_are_texels_exactly() {
-        // 2^-18 and 3 · 2^-19 repeats are 1 and 1.5 · 2^-17 texels of four columns or two rows, each rounded.
+    fn coordinates_are_exact_in_texels() {
+        // 12 and 24 units of 2^-20 repeat are 3 · 2^-16 texels each, of four columns and of two rows.
         let uvs = [vec2!(0, 0), vec2!(0.25, 1), Vec2::from_bits([12, 24])];
         let expected = [[0, 0], [1 << 16, 2 << 16], [3, 3]];
         assert_eq!(corners(Textured::new(&SKIN), uvs), expected);

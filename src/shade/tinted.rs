@@ -4,11 +4,12 @@ use super::levels::{Channels, FRACTION, Levels};
 use super::{Fragment, Shader, Within};
 use crate::mesh::Primitive;
 
-/// A surface times the interpolated vertex color, channel by channel: a white vertex leaves the surface as it is, a
-/// black one makes it black. Made by [`Shader::tinted`].
+/// A surface times the interpolated vertex color, channel by channel; see [`Shader::tinted`].
 ///
-/// The vertex color's fractions (65,536 is 1) are interpolated after the surface's own varyings: three, or one for a
-/// gray surface.
+/// A white vertex leaves the surface as it is, a black vertex makes it black.
+///
+/// The fractions of the vertex color (65,536 is 1) are interpolated after the surface's own varyings: three, or one
+/// for a gray surface.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888, RgbColor}};
@@ -101,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn the_number_of_varyings_follows_from_the_color() {
+    fn the_color_decides_the_number_of_varyings() {
         let skin = TextureArray::from_texels([[Rgb565::WHITE]]);
         let shader = Textured::new(&skin).tinted();
         assert_eq!(count(&shader), 5);

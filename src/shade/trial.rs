@@ -1,4 +1,4 @@
-//! For the tests of shaders: a mesh taken to the point where the rasterizer takes over.
+//! Helpers for tests of shaders: they run a shader without the rasterizer.
 
 use embedded_graphics::geometry::Point;
 
@@ -7,10 +7,10 @@ use crate::Mesh;
 use crate::math::Transform;
 use crate::mesh::{Element, Placement, Primitive};
 
-/// The identity.
+/// The identity transform.
 pub(super) const IDENTITY: Transform = scale([1 << 29; 3]);
 
-/// A scale along the axes, 2^29 being 1.
+/// A scale along the axes, in units of 2^-29.
 pub(super) const fn scale([x, y, z]: [i32; 3]) -> Transform {
     Transform {
         linear: [[x, 0, 0], [0, y, 0], [0, 0, z]],
@@ -20,7 +20,7 @@ pub(super) const fn scale([x, y, z]: [i32; 3]) -> Transform {
     }
 }
 
-/// The shader and the varyings of a mesh's triangle.
+/// The shader, and its varyings at the corners of a triangle of a mesh.
 pub(super) fn face<S: Shader>(
     shader: S,
     model: &Transform,
@@ -38,7 +38,7 @@ pub(super) fn face<S: Shader>(
     (shader, corners)
 }
 
-/// The varyings of an edge's ends.
+/// The varyings at the ends of an edge.
 pub(super) fn edge<S: Shader>(shader: S, mesh: &Mesh<'_>, index: usize) -> [S::Varyings; 2] {
     let [a, b] = mesh.edges()[index];
     let [start, end, _] = shader.varyings(&Primitive {
@@ -60,12 +60,12 @@ pub(super) const fn fragment(x: i32, y: i32) -> Fragment {
     }
 }
 
-/// The color at (0, 0).
+/// The color of the pixel at (0, 0).
 pub(super) fn shade<S: Shader>(shader: &S, varyings: S::Varyings) -> S::Color {
     shader.shade(&fragment(0, 0), varyings).unwrap()
 }
 
-/// How many numbers a shader has interpolated.
+/// How many numbers a shader interpolates.
 pub(super) fn count<S: Shader>(_: &S) -> usize {
     <S::Varyings as Varyings>::Lanes::COUNT
 }

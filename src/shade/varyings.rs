@@ -1,40 +1,49 @@
-//! What a shader has interpolated, by type: numbers, how exact they must be, and values that a face has once.
+//! The values that a shader interpolates, with types that say how exact each must be and which belong to a whole
+//! face.
 
 use super::lanes::Lanes;
 
-/// How far a varying may be from its exact value where that spares the division by w.
+/// How large a varying's error may be if that saves the division by w.
 ///
-/// [`Varyings`] carry it in their types: [`Texels`], [`Within`], and exact numbers otherwise.
+/// [`Varyings`] carry it in their types: [`Texels`], [`Within`], or plain numbers, which are exact.
+///
+/// ```
+/// use fixel::shade::{Texels, Tolerance, Varyings, Within};
+/// assert_eq!(Texels::tolerances(), [Tolerance::Texels; 2]);
+/// assert_eq!(Within::<64, [i32; 1]>::tolerances(), [Tolerance::Units(64)]);
+/// assert_eq!(<[i32; 1]>::tolerances(), [Tolerance::Units(0)]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Tolerance {
-    /// A texture coordinate, in texels times 2^16: as far as the [mode](crate::mode) allows.
+    /// A texture coordinate, in texels times 2^16; the [mode](crate::mode) decides.
     Texels,
-    /// This many of its own units.
+    /// This many units of the varying.
     Units(u32),
 }
 
-/// Values that a [`Shader`](super::Shader) gives at the corners of a triangle and receives back at each pixel.
+/// Values that a [`Shader`](super::Shader) computes at the corners of a triangle and receives back at each pixel.
 ///
 /// | type | value at a pixel |
 /// |---|---|
 /// | `[i32; N]`, N up to 8 | interpolated in perspective |
-/// | [`Within<UNITS, V>`](Within) | the same, and a triangle that hardly changes in depth may be interpolated linearly if that is off by at most `UNITS` |
+/// | [`Within<UNITS, V>`](Within) | the same; but a triangle that hardly changes in depth may be interpolated linearly if the error is at most `UNITS` |
 /// | [`Texels`] | two texture coordinates, as exact as the [mode](crate::mode) promises |
-/// | [`PerFace<T>`](PerFace) | the first corner's value, whatever its type; nothing is interpolated |
+/// | [`PerFace<T>`](PerFace) | the value of the first corner, of any type; nothing is interpolated |
 /// | `(A, B)` | both |
 /// | `()` | nothing |
 ///
-/// One exact number makes all numbers of a shader exact, also where a texture alone would be drawn linearly; so prefer
-/// [`Within`] where a small error is not seen.
+/// A shader interpolates at most eight numbers; a shader with more does not compile.
 ///
-/// There are at most eight interpolated numbers; a shader with more does not compile.
+/// A single exact number makes all numbers of a shader exact, even in triangles that a texture alone would draw
+/// linearly. So prefer [`Within`] if a small error cannot be seen.
 ///
-/// The unit of an interpolated number is the shader's own. The default mode returns it within about 60 units, so let
-/// a unit be far below what an eye can see, such as 2⁻¹⁶. By as much it may exceed the range of the triangle's corners.
+/// The shader chooses the unit of an interpolated number. The default mode returns a number with an error of up to
+/// about 60 units, and the number may exceed the range of the corners by the same amount. So choose a unit far below
+/// anything that an eye can see, such as 2⁻¹⁶.
 ///
 /// ```
 /// use fixel::shade::{PerFace, Texels, Varyings, Within};
-/// // A texture, its brightness to 64/65,536, and a color for the whole face.
+/// // A texture, its brightness to within 64/65,536, and a color for the whole face.
 /// type Mine = ((Texels, Within<64, [i32; 1]>), PerFace<u8>);
 /// let corner: Mine = ((Texels([1 << 16, 0]), Within([65_536])), PerFace(7));
 /// let (numbers, face) = corner.split();
@@ -49,16 +58,16 @@ pub trait Varyings: Copy {
     /// How many numbers are interpolated.
     type Lanes: Lanes;
 
-    /// What all pixels of a face share.
+    /// The values that all pixels of a face share.
     type Face: Copy + Default;
 
     /// How exact each number must be.
     fn tolerances() -> <Self::Lanes as Lanes>::Of<Tolerance>;
 
-    /// The numbers, and what belongs to the face.
+    /// Splits a corner's values into the numbers to interpolate and the values that belong to the face.
     fn split(self) -> (<Self::Lanes as Lanes>::Of<i32>, Self::Face);
 
-    /// The values at a pixel.
+    /// Joins the numbers at a pixel and the face's values.
     fn join(numbers: <Self::Lanes as Lanes>::Of<i32>, face: Self::Face) -> Self;
 }
 
@@ -103,7 +112,13 @@ impl Varyings for () {
     fn join(_: [i32; 0], (): ()) -> Self {}
 }
 
-/// Column and row in a texture, in texels with 16 fraction bits, as exact as the [mode](crate::mode) promises.
+/// A column and a row of a texture, in texels with 16 fraction bits, as exact as the [mode](crate::mode) promises.
+///
+/// ```
+/// use fixel::shade::Texels;
+/// let Texels([column, row]) = Texels([3 << 16, 1 << 15]); // column 3, row ½
+/// assert_eq!((column >> 16, row >> 16), (3, 0));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Texels(pub [i32; 2]);
 
@@ -127,9 +142,15 @@ impl Varyings for Texels {
     }
 }
 
-/// Numbers that may be off by `UNITS` of their units where that spares the division by w: what nobody sees.
+/// Numbers that may have an error of `UNITS` units each if that saves the division by w.
 ///
-/// A color's channel with 16 fraction bits may well be off by 1/8 of a step, `Within<8192, [i32; 3]>`.
+/// A color channel with 16 fraction bits, for example, may have an error of 1/8 step that nobody sees:
+///
+/// ```
+/// use fixel::shade::Within;
+/// type Color = Within<8192, [i32; 3]>;
+/// let white: Color = Within([31 << 16, 63 << 16, 31 << 16]);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Within<const UNITS: u32, V>(pub V);
 
@@ -153,7 +174,13 @@ impl<const UNITS: u32, V: Varyings> Varyings for Within<UNITS, V> {
     }
 }
 
-/// A value that all pixels of a face share: the one of its first corner.
+/// A value that all pixels of a face share: the value of its first corner.
+///
+/// ```
+/// use fixel::shade::{PerFace, Varyings};
+/// // Nothing is interpolated.
+/// assert_eq!(PerFace('a').split(), ([], 'a'));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct PerFace<T>(pub T);
 

@@ -1,4 +1,4 @@
-//! Pictures of what is otherwise not seen: depth and normals.
+//! Shaders for debugging: they show depth and normals.
 
 use core::marker::PhantomData;
 
@@ -10,8 +10,9 @@ use crate::mesh::Primitive;
 
 /// Depth as gray: white is near, black is far.
 ///
-/// Depth is shown in linear steps, as a plain depth buffer has them, from 65535 at the near plane towards 0. In perspective that is linear in
-/// 1/distance, so that most scenes are dark; [`between`](Self::between) spreads a part of it.
+/// It shows depth in linear steps, from 65535 at the near plane toward 0, whatever the depth buffer's format. In
+/// perspective these steps are linear in 1/distance, so most scenes are dark; [`between`](Self::between) spreads a
+/// part of the range.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
@@ -21,7 +22,7 @@ use crate::mesh::Primitive;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Gray4::BLACK; 16];
 /// let mut canvas = Canvas::new(&mut pixels, 8, 2)?;
-/// // Turned out of the plane: the right side is nearer.
+/// // Tilted out of the plane: the right side is nearer.
 /// let slope = Transform::rotate_z(Angle::from_degrees(45)) * Transform::scale(fx!(1.414));
 /// canvas.draw(&SQUARE, &(mvp * slope), &DepthView::new());
 /// let mut display = MockDisplay::new();
@@ -36,22 +37,22 @@ use crate::mesh::Primitive;
 pub struct DepthView<C> {
     far: u16,
     range: u16,
-    /// Puts the range's highest bit into bit 15.
+    /// Left shift that moves the range's highest bit to bit 15.
     shift: u32,
-    /// 2^31 by the range so shifted: 2^15 to 2^16.
+    /// 2^31 divided by the shifted range: 2^15 to 2^16.
     gain: u32,
     color: PhantomData<C>,
 }
 
 impl<C> DepthView<C> {
-    /// Black for 0, white for 65535.
+    /// Black for depth 0, white for depth 65535.
     #[must_use]
     pub const fn new() -> Self {
         Self::between(0, u16::MAX)
     }
 
-    /// Black for the depth `far` and below, white for `near` and above; if `near` is not above
-    /// `far`, white above `far`.
+    /// Black for the depth `far` and below, white for `near` and above. If `near` is not greater than `far`, every
+    /// depth above `far` is white.
     #[must_use]
     pub const fn between(far: u16, near: u16) -> Self {
         let range = match near.saturating_sub(far) {
@@ -87,18 +88,21 @@ impl<C: Levels> Shader for DepthView<C> {
     #[inline]
     fn shade(&self, at: &Fragment, (): ()) -> Option<C> {
         let above = at.depth.saturating_sub(self.far).min(self.range);
-        // At most 2^31 before the last shift, then 65,536 less at most two: the gain is rounded down.
+        // Before the last shift at most 2^31; white becomes 65,536 less at most two, because the gain is rounded
+        // down.
         let fraction = ((u32::from(above) << self.shift) * self.gain) >> 15;
         let levels = C::MAX_STEPS.map(|white| white * fraction.cast_signed());
         Some(C::from_levels(levels, at.point))
     }
 }
 
-/// The direction of normals in world space as a color: red is x, green y and blue z, from dark
-/// for −1 over half to bright for +1. Grey canvases show its luma.
+/// The direction of normals in world space as a color.
 ///
-/// Normals are the mesh's, or where it has none the triangles' own; one without a direction is
-/// mid-gray. Colors, not directions, are interpolated.
+/// Red is x, green is y and blue is z, each from dark for −1 over half for 0 to bright for +1. Gray canvases show the
+/// luma of this color.
+///
+/// Normals are the mesh's, or the triangle's own if the mesh has none. A normal without a direction is mid-gray. The
+/// colors are interpolated, not the directions.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb888;
@@ -140,7 +144,7 @@ impl<C: Levels> Shader for NormalView<C> {
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
-        // (n + 1)/2 of 255: 127.5 steps for 2^30, rounded; the clamp is for a unit vector's last bits.
+        // 255 · (n + 1)/2, so 127.5 steps for n = 1.0 = 2^30, rounded; the clamp covers a unit vector's last bits.
         let channel = |n: i32| {
             let steps = (255 * (i64::from(n) + (1 << 30)) + (1 << 30)) >> 31;
             #[allow(clippy::cast_sign_loss)]
@@ -177,7 +181,7 @@ mod tests {
     fn depth_is_linear_and_saturates() {
         for depth in 0..=u16::MAX {
             let error = f64::from(gray(DepthView::new(), depth)) - f64::from(depth) / 257.0;
-            // Two units of 2^-16 of white beyond the rounding.
+            // The tolerance beyond rounding is two units, each 2^-16 of white.
             assert!(error.abs() < 0.5 + 2.0 * 255.0 / 65536.0, "{depth}");
         }
         let view = DepthView::between(1000, 1255);

@@ -1,4 +1,4 @@
-//! A draw call's shader, mode and canvas, behind the interface that the rasterizer draws with.
+//! A draw call's shader, mode and canvas, behind the interface that the rasterizer calls.
 
 use core::marker::PhantomData;
 use core::ops::Range;
@@ -17,7 +17,7 @@ use crate::shade::{Lanes, MOST_VARYINGS, Shader, Varyings};
 use crate::target::{Canvas, Cells, DepthBuffer, DepthTest, Storage};
 use crate::view::ProjectionKind;
 
-/// More than any attribute that is drawn affinely may have; four times it takes 31 bits.
+/// Upper clamp of a tolerance: four times this takes 31 bits, and no attribute that is drawn affinely is as great.
 const MOST_TOLERANCE: u32 = (1 << 29) - 1;
 
 /// The [`Blitter`] of shader `S` in mode `M` under a projection of kind `K`.
@@ -26,7 +26,7 @@ pub(crate) struct Blit<'p, 'c, S: Shader, O: Storage<S::Color>, D, K, M, Z> {
     shader: S,
     mode: M,
     test: Z,
-    /// The present primitive, and what its pixels share for the shader.
+    /// The current primitive, and the values that its pixels share for the shader.
     setup: Setup,
     attributes: <Count<S> as Lanes>::Of<Attribute>,
     slopes: Slopes<Count<S>>,
@@ -47,13 +47,14 @@ where
     /// How many numbers are interpolated.
     const COUNT: usize = Count::<S>::COUNT;
 
-    /// Whether pixels of a primitive differ in anything but their place, so that there is something to interpolate.
+    /// Whether the pixels of a primitive differ in anything but their position, so that something must be
+    /// interpolated.
     const VARIES: bool = Self::COUNT > 0 || D::IS_KEPT && (Z::TESTS || Z::WRITES) || S::READS_DEPTH;
 
     /// Whether attributes are divided by w.
     const OVER_W: bool = K::PERSPECTIVE && M::DIVIDES;
 
-    /// The fewest bits of a scale.
+    /// The least number of bits of a scale.
     const LEAST_BITS: u32 = match (Self::OVER_W, K::PERSPECTIVE) {
         (true, _) => M::LEAST_BITS,
         (false, true) => WHOLE,
@@ -96,7 +97,7 @@ where
         }
     }
 
-    /// The pixels of a row from a column on; the first is looked at after one step.
+    /// The pixels of a row from `column` on; [`Pixels`] starts one pixel before it.
     #[inline(always)]
     fn pixels(&self, row: i32, column: i32) -> Pixels<S, Z> {
         Pixels {
@@ -115,7 +116,8 @@ where
         self.canvas.run(row.cast_unsigned(), columns)
     }
 
-    /// A span whose attributes are not divided by w and are in parts of 2^30, each by its own scale.
+    /// Draws a span whose attributes are not divided by w and are fractions in units of 2^-30, each with its own
+    /// scale.
     #[inline(never)]
     fn scaled_span(&mut self, row: i32, columns: Range<i32>, at: [i32; 2]) {
         let (pixels, scales) = (self.pixels(row, columns.start), self.slopes.scales);
@@ -129,7 +131,8 @@ where
         }
     }
 
-    /// A span of a triangle in which steps would add up too much rounding: interpolants are found anew at each pixel.
+    /// Draws a span of a triangle in which steps would accumulate too much rounding: each pixel computes its
+    /// interpolants anew.
     #[cold]
     #[inline(never)]
     fn precise_span(&mut self, row: i32, columns: Range<i32>, [x, y]: [i32; 2]) {
@@ -152,7 +155,7 @@ where
     }
 }
 
-/// The span that begins `x` columns and `y` rows from the patch's first place.
+/// The span that begins `x` columns and `y` rows from the pixel that contains the patch's first position.
 #[inline]
 fn start<L: Lanes>(
     setup: &Setup,
@@ -232,7 +235,7 @@ where
     }
 
     fn span(&mut self, row: i32, columns: Range<i32>, x: i32, y: i32) {
-        // Exceptions are calls of their own, before anything is in a register.
+        // Exceptions are separate calls, made before anything is in a register.
         if Self::COUNT > 0 && !Self::OVER_W && self.kernel.is_none() {
             return self.scaled_span(row, columns, [x, y]);
         }

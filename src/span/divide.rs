@@ -27,7 +27,8 @@ pub(super) fn divide<S, O, D, Z>(
     }
 }
 
-/// [`divide`] where it is an exception: apart, as it would take registers from the mode's own kernel.
+/// [`divide`], out of line for modes where it is the exception: inlined, it would take registers from the mode's own
+/// kernel.
 #[inline(never)]
 pub(super) fn divide_apart<S, O, D, Z>(
     span: Span<Count<S>>,
@@ -43,8 +44,8 @@ pub(super) fn divide_apart<S, O, D, Z>(
     divide(span, scales, cells, pixels);
 }
 
-/// The same with interpolants that `at` finds anew for each pixel, counted from 0, where steps would add up too much
-/// rounding: in triangles of great depth. Depths are stepped, as in all modes.
+/// [`divide`] with interpolants that `at` computes anew for each pixel, counted from 0. For triangles of great depth,
+/// where steps would accumulate too much rounding. Depths are stepped, as in all modes.
 #[cold]
 #[inline(never)]
 pub(super) fn divide_anew<S, O, D, Z>(
@@ -71,11 +72,11 @@ pub(super) fn divide_anew<S, O, D, Z>(
 #[inline]
 fn quotients<S: Shader>(q: u32, p: &Numbers<S>, scales: &Scales<S>) -> Numbers<S> {
     let up = (q | 1).leading_zeros();
-    // Of 31 bits, so the product is one of signed numbers.
+    // 31 bits, so that the product below is one of signed numbers.
     let r = reciprocal((q << up) >> 1).cast_signed();
     Count::<S>::zip(p, scales, |p, scale| {
-        // p' = p << up is at most half of q' = q << up, so below 2^31, and r = 2^62 / q': p' · r is
-        // p/q in units of 2^-62, and its upper half p/q in units of 2^-30.
+        // Let p' = p << up and q' = q << up. p' is at most half of q' and so below 2^31, and r = 2^62 / q'. So p' · r
+        // is p/q in units of 2^-62, and its upper half is p/q in units of 2^-30.
         scale.restore((product(*p << up, r) >> 32) as i32)
     })
 }

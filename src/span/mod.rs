@@ -1,12 +1,13 @@
-//! From spans of pixels to pixels: interpolation, depth test, shader, store.
+//! From spans to pixels: interpolation, depth test, shader, store.
 //!
-//! [`Blit`] starts each span, asks the [mode](mode) which of four kernels draws it, and calls that: [`straight`]
-//! adds, [`pieces`] adds and divides at the ends of straight pieces, [`newton`] multiplies at every pixel, [`divide`]
-//! divides there.
+//! [`Blit`] starts each span, asks the [mode](mode) which of four kernels draws it, and calls that kernel:
+//! [`straight`] adds, [`pieces`] adds and computes a reciprocal at the ends of straight pieces, [`newton`] refines a
+//! reciprocal at every pixel, [`divide`] divides at every pixel.
 
-// Outlined, a kernel has its interpolants and steps in memory: 8 instructions a pixel more on Cortex-M4 (of 18).
+// Out of line, a kernel keeps its interpolants and steps in memory: 8 more instructions per pixel on Cortex-M4 (of
+// 18).
 #![allow(clippy::inline_always)]
-// Kernels take what they change or keep in registers by value.
+// Kernels take by value what they change or keep in registers.
 #![allow(clippy::needless_pass_by_value)]
 
 mod blit;

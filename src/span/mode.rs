@@ -1,7 +1,8 @@
 //! Which kernel draws a span: each mode's choice, and the inequalities behind it.
 //!
-//! Notation: f is an attribute, q is 1/w and p is f · q, all along a row of pixels; f′, q′ and p′ are their gains from a
-//! pixel to the next, δ = |q′| / q. q is scaled so that its greatest value in a triangle has bit 30 set.
+//! Notation, for values along a row of pixels: f is an attribute, q is 1/w, and p is f · q. f′, q′ and p′ are their
+//! changes from one pixel to the next, and δ = |q′| / q. q is scaled so that its greatest value in a triangle has bit
+//! 30 set.
 
 use super::newton::FRACTION;
 use super::pixels::Span;
@@ -9,75 +10,86 @@ use crate::Scalar;
 use crate::raster::{FAR, Scale};
 use crate::shade::{Lanes, Tolerance};
 
-/// How the attributes of a pixel are found between a triangle's corners: where speed is traded for accuracy.
+/// How attributes are interpolated between a triangle's corners, which trades accuracy for speed.
 ///
-/// Chosen for each draw call by [`DrawOptions::mode`](crate::DrawOptions::mode). What a program does not name it does not
-/// link.
+/// [`DrawOptions::mode`](crate::DrawOptions::mode) chooses the mode of a draw call. A program links only the modes
+/// that it names.
 ///
-/// | mode | error in texels, of 256x256 at 320x240 | work at each pixel | for |
+/// | mode | error in texels (256x256 texture, 320x240 frame) | work per pixel | for |
 /// |---|---|---|---|
-/// | [`Newton`], the default | 0.001 | a step towards the reciprocal | all but the smallest cores |
-/// | [`Fast`] | a tolerance, and 1/32 | additions | Cortex-M0+, large triangles |
-/// | [`Fast::NARROW`] | 1/16 | additions | Cortex-M0+, where that is to be seen |
-/// | [`Exact`] | 0.001, in triangles of any depth | a reciprocal of 31 bits | a standard to compare with; 64-bit computers |
-/// | [`Affine`] | without a bound | additions | what faces the eye, or is small |
+/// | [`Newton`], the default | 0.001 | one Newton step of a reciprocal | all but the smallest cores |
+/// | [`Fast`] | its tolerance, plus 1/32 | additions | Cortex-M0+, large triangles |
+/// | [`Fast::NARROW`] | 1/16 | additions | Cortex-M0+, where a larger error would show |
+/// | [`Exact`] | 0.001, in triangles of any depth | a 31-bit reciprocal | a reference to compare with; 64-bit computers |
+/// | [`Affine`] | no bound | additions | surfaces that face the eye or are small |
 ///
-/// Under a parallel projection attributes are linear on the screen, and every mode adds. All modes draw the same in bands
-/// as in frames, and the same on every target; depths are the same in all of them.
+/// Under a parallel projection, attributes are linear on the screen, so every mode only adds. Each mode draws bands
+/// exactly like frames, and the same pixels on every target. Depths are the same in all modes.
 ///
-/// A mode chooses among four kernels for each span of up to 64 pixels: straight, pieces, Newton, divide.
+/// For each span of up to 64 pixels, a mode chooses among four kernels: straight, pieces, Newton, divide.
+///
+/// ```
+/// use fixel::{DrawOptions, mode::{Exact, Mode}};
+///
+/// /// Options for any mode.
+/// fn options<M: Mode>(mode: M) -> DrawOptions<M> {
+///     DrawOptions::new().mode(mode)
+/// }
+/// let exact = options(Exact);
+/// ```
 pub trait Mode: Policy {}
 
 impl<M: Policy> Mode for M {}
 
-/// What draws a span.
+/// The code that draws a span.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kernel {
-    /// Attributes that are linear along the span, in parts of 4.
+    /// Attributes are linear along the span; they are stored times 4.
     Straight,
-    /// The line that touches attributes in the middle of the span.
+    /// Attributes are replaced by the line that touches them in the middle of the span.
     Chord,
-    /// Pieces of 2 to this power pixels.
+    /// Straight pieces; their length is 2 to this power pixels.
     Pieces(u32),
-    /// A Newton step at each pixel.
+    /// One Newton step per pixel.
     Newton,
-    /// A division at each pixel.
+    /// One division per pixel.
     Divide,
 }
 
-/// What set-up knows of a triangle: the gains of its interpolants along a row, and their scales.
+/// The changes of a triangle's interpolants along a row, and their scales.
 pub struct Slopes<L: Lanes> {
     /// q′.
     pub q: i32,
-    /// p′ of each attribute, in units of 2^(bits − 30) of it.
+    /// p′ of each attribute; its unit is 2^(bits − 30) units of the attribute.
     pub p: L::Of<i32>,
     pub scales: L::Of<Scale>,
-    /// The least q of a corner.
+    /// The least q at a corner.
     pub least: u32,
 }
 
-/// What a mode decides.
+/// The decisions of a mode.
 pub trait Policy: Copy {
     /// Whether attributes are divided by w at all.
     const DIVIDES: bool = true;
 
-    /// The fewest bits of a [`Scale`] in triangles in which q changes less than fourfold. With b bits an interpolant's
-    /// unit is 2^(b − 30) of the attribute's; more bits than an attribute has lose accuracy, and spare scaling.
+    /// The least number of bits of a [`Scale`] in triangles in which q changes less than fourfold. With b bits, an
+    /// interpolant's unit is 2^(b − 30) units of the attribute. More bits than an attribute has lose accuracy, but
+    /// save scaling.
     const LEAST_BITS: u32 = 1;
 
-    /// The same under a parallel projection. With [`WHOLE`] bits an interpolant's unit is the attribute's.
+    /// The same under a parallel projection. With [`WHOLE`] bits, an interpolant's unit is the attribute's unit.
     const LEAST_PARALLEL_BITS: u32 = WHOLE;
 
-    /// Whether interpolants are found anew at each pixel of triangles with a corner of a q below [`STEEP`].
+    /// Whether triangles with a corner whose q is below [`STEEP`] compute their interpolants anew at each pixel.
     const IS_PRECISE: bool = false;
 
-    /// How far an attribute may be from exact, in its units, where that spares all division. 0 is never.
+    /// The greatest error that an attribute may have, in its units, if that saves all division; 0 never saves it.
     fn affine_within(self, tolerance: Tolerance) -> u32;
 
-    /// The kernel of all spans of a triangle that is not affine; `None` if each span has its own.
+    /// The kernel for all spans of a triangle that is not affine; `None` if it is chosen span by span.
     fn of_triangle<L: Lanes>(self, slopes: &Slopes<L>) -> Option<Kernel>;
 
-    /// The kernel of a span, which may be scaled for it.
+    /// The kernel for a span; it may scale the span for that kernel.
     fn of_span<L: Lanes>(
         self,
         of_triangle: Option<Kernel>,
@@ -86,18 +98,19 @@ pub trait Policy: Copy {
     ) -> Kernel;
 }
 
-/// Bits at which an interpolant's unit is an attribute's.
+/// The number of bits of a scale at which an interpolant's unit is the attribute's unit.
 pub(super) const WHOLE: u32 = 30;
 
-/// δ is at most 2^-6 where a reciprocal is found from those before it.
+/// Kernels that compute a reciprocal from earlier ones require δ ≤ 2^-6.
 const STEEPEST: u32 = 6;
 
-/// A corner's q below this is over 128 times as far as the nearest one, or over 256 times, as that one's q is from 2^30 to
-/// 2^31. Interpolants are rounded to half a unit at the nearest corner's scale, and a span's steps add up to 32 units.
+/// A corner whose q is below this is more than 128 to 256 times as far away as the nearest corner, whose q is from
+/// 2^30 to 2^31. Interpolants are rounded to half a unit at the nearest corner's scale, and a span's steps add up to
+/// 32 units.
 pub(super) const STEEP: u32 = 1 << 23;
 
-/// By how many bits a span's interpolants can be shifted up so that q is from 2^29 to 2^31 in all its pixels; `None` if
-/// q changes twofold along the span, or δ exceeds 2^-6.
+/// The left shift of a span's interpolants that brings q to 2^29 to 2^31 at all its pixels; `None` if q changes
+/// twofold along the span, or if δ exceeds 2^-6.
 #[inline(never)]
 fn room(q: u32, step: i32, count: usize) -> Option<u32> {
     let others = (count as u32).cast_signed().wrapping_sub(1);
@@ -108,12 +121,12 @@ fn room(q: u32, step: i32, count: usize) -> Option<u32> {
     is_gentle.then(|| (most | 1).leading_zeros().wrapping_sub(1) & 31)
 }
 
-/// Perspective-correct at every pixel, by the exact [`reciprocal`](crate::num::reciprocal) of 1/w.
+/// Perspective-correct, with the exact [`reciprocal`](crate::num::reciprocal) of 1/w at every pixel.
 ///
-/// No pixel depends on one before it. From the span's interpolants an attribute is rounded down to its unit; the
-/// reciprocal adds less than 2⁻³⁰ of it. In a triangle with a corner over 128 to 256 times as far as its nearest one, each
-/// pixel's interpolants are found anew in 64 bits: the mode stays within a thousandth of a texel of 256 to a depth ratio
-/// of 1,000 in a triangle.
+/// No pixel depends on the pixels before it. An attribute is computed from the span's interpolants and rounded down
+/// to its unit; the reciprocal adds a relative error below 2⁻³⁰. In a triangle with a corner more than 128 to 256
+/// times as far away as its nearest corner, each pixel computes its interpolants anew in 64 bits. So the error stays
+/// within a thousandth of a texel, for a texture of 256 texels and a depth ratio of up to 1,000 in a triangle.
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Exact};
@@ -142,11 +155,11 @@ impl Policy for Exact {
     }
 }
 
-/// Linear on the screen, which is right under a parallel projection.
+/// Linear on the screen, which is correct under a parallel projection.
 ///
-/// Under perspective it bends textures, as no other mode does: right for surfaces that face the eye, are small, or are
-/// far for their size. An attribute is off by up to 37 of its units besides (a texture coordinate by a two-thousandth of
-/// a texel).
+/// Under perspective, it bends textures, which no other mode does. Use it for surfaces that face the eye, are small,
+/// or are far away for their size. In addition, rounding adds an error of up to 37 units to an attribute (a
+/// two-thousandth of a texel to a texture coordinate).
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Affine};
@@ -174,22 +187,26 @@ impl Policy for Affine {
     }
 }
 
-/// Perspective-correct at every pixel, by one Newton step from the two pixels before it: the default.
+/// Perspective-correct, with one Newton step per pixel from the two pixels before it: the default.
 ///
-/// The line through two pixels' reciprocals of 1/w has a relative error of 2δ² at the third, where 1/w changes by δ of
-/// itself from pixel to pixel. A Newton step squares that, and δ is at most 2⁻⁶, so the reciprocal is right to 2⁻²¹ of
-/// itself. Where 1/w changes faster, or to less than half along a span, the span is divided at each pixel. An attribute
-/// is off by up to 57 of its units besides (a texture coordinate by less than 0.0008 texels), and by what [`Exact`] may be.
+/// Let δ be the relative change of 1/w from one pixel to the next. Linear extrapolation from the reciprocals of 1/w
+/// at two pixels has a relative error of 2δ² at the third; one Newton step squares it. δ is at most 2⁻⁶, so the
+/// reciprocal has a relative error of at most 2⁻²¹. If 1/w changes faster, or by a factor of two along a span, the
+/// span is divided at each pixel. In addition, rounding adds an error of up to 57 units to an attribute (less than
+/// 0.0008 texels to a texture coordinate), on top of the error of [`Exact`].
 ///
-/// Where division makes no difference, nothing is divided. A row in which 1/w hardly changes, such as of a floor under a
-/// camera that does not roll, is drawn straight where that is off by 16 units at most. A triangle that hardly changes in
-/// depth is drawn straight where that is off by what its shader allows ([`Varyings`](crate::shade::Varyings)): 16 units
-/// of a texture coordinate, an eighth of a step of colors. So are nearly all triangles of a model with a color at each vertex.
+/// Nothing is divided where division makes no visible difference:
 ///
-/// A span begins with the exact reciprocal, every 64 pixels and at every triangle's edge, so that bands and frames are
-/// alike.
+/// - A row in which 1/w hardly changes, such as a row of a floor under a camera that does not roll, is drawn linearly
+///   if the error is at most 16 units.
+/// - A triangle that hardly changes in depth is drawn linearly if the error is within the shader's tolerance
+///   ([`Varyings`](crate::shade::Varyings)): 16 units of a texture coordinate, an eighth of a step of a color. This
+///   covers nearly all triangles of a model with vertex colors.
 ///
-/// On a core without 64-bit products and without a divider, such as Cortex-M0+, take [`Fast`].
+/// Each span begins with the exact reciprocal, at every triangle's edge and every 64 pixels, so that bands equal
+/// frames.
+///
+/// On a core without 64-bit products and without a divider, such as Cortex-M0+, use [`Fast`].
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Newton};
@@ -198,17 +215,19 @@ impl Policy for Affine {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Newton;
 
-/// What a texture coordinate may be off by where nothing is divided: 1/4096 of a texel.
+/// The error that a texture coordinate may have where nothing is divided: 1/4096 texel.
 const TEXEL_TOLERANCE: u32 = 16;
 
-/// Bits of the step of a 1/w that hardly changes along a row.
+/// Most bits of |q′| in a row along which 1/w hardly changes.
 const LEVEL: u32 = 8;
 
-/// Whether 1/w changes so little along a row that attributes are straight to 2^-12 of a texel.
+/// Whether 1/w changes so little along a row that attributes are linear to within 2^-12 texel, which is 2^4 units.
 ///
-/// From the line that touches them in the middle of 64 pixels they deviate by |f′| · δ · 32² at the ends. With f′ =
-/// (p′ − f · q′) / q, |f| at most half in units of 2^28, and q at least 2^29, the product of the dividends is to be below
-/// 2^4 · 2^(58 − 28 − 10).
+/// In the middle of 64 pixels, take the line that touches f. At the ends, 32 pixels away, f deviates from it by
+/// |f′| · δ · 32². As a fraction of 2^28 units, |f| is at most half, so f′ = (p′ − f · q′) / q is at most
+/// (|p′| + |q′|) / q. With δ = |q′| / q and q ≥ 2^29, the deviation is at most
+/// 2^28 · (|p′| + |q′|) · |q′| · 2^10 / 2^58 units. It is below 2^4 units if (|p′| + |q′|) · |q′| is below
+/// 2^(4 + 58 − 28 − 10) = 2^24.
 #[inline]
 pub(super) fn is_level<L: Lanes>(span: &Span<L>) -> bool {
     let step = span.dq.unsigned_abs();
@@ -219,7 +238,7 @@ pub(super) fn is_level<L: Lanes>(span: &Span<L>) -> bool {
         })
 }
 
-/// `value` / 2^`down`, to the nearest.
+/// `value` / 2^`down`, rounded to nearest.
 #[inline]
 fn nearest(value: i32, down: u32) -> i32 {
     value.wrapping_add(1 << down >> 1) >> down
@@ -273,22 +292,26 @@ impl Policy for Newton {
     }
 }
 
-/// Perspective by straight pieces between pixels that are right, as long as a tolerance allows.
+/// Perspective-correct at the ends of straight pieces, which are as long as a tolerance allows.
 ///
-/// Along a piece of L pixels, where an attribute changes by f′ a pixel and 1/w by δ of itself, the straight line is off by
-/// |f′| · δ · L² / 4. Pieces have 64, 32, 16, 8, 4 or 2 pixels: the most that keeps this below the tolerance everywhere in
-/// the triangle, and δ · L below 1/16. The ends' reciprocals have 16 bits, each found by two Newton steps from the last, so
-/// that a piece takes no division and no product of 64 bits: the mode for cores that are slow at those, such as Cortex-M0+,
-/// and fast on all. Where 1/w changes by 1/64 of itself a pixel or to less than half along a span, the span is divided at
-/// each pixel.
+/// In a piece of L pixels, let f′ be the change of an attribute per pixel, and δ the relative change of 1/w per
+/// pixel. The straight line has an error of |f′| · δ · L² / 4. Pieces have 64, 32, 16, 8, 4 or 2 pixels: the greatest
+/// length that keeps this error below the tolerance everywhere in the triangle, and δ · L below 1/16.
 ///
-/// A tolerance is in texels, whatever the texture's size. Besides, an attribute is off by up to 2^-13 of its greatest value
-/// in the triangle: 1/32 of a texel where a texture of 256 is seen once, more where it repeats. Pieces hold colors
-/// to the same number in steps of their channels (32 or 64 of an [`Rgb565`](embedded_graphics::pixelcolor::Rgb565)), and
-/// other varyings in units of 2^16. A triangle that hardly changes in depth is one piece, where its texture coordinates may
-/// be off by the tolerance and other varyings by what the shader allows ([`Varyings`](crate::shade::Varyings)).
+/// The reciprocals at the ends have 16 bits, and two Newton steps compute each from the last one. So a piece takes no
+/// division and no 64-bit product. This makes it the mode for cores that are slow at those, such as Cortex-M0+; it is
+/// fast on all cores. If 1/w changes by 1/64 of itself per pixel, or by a factor of two along a span, the span is
+/// divided at each pixel.
 ///
-/// Pieces end within the triangle, so that no attribute exceeds those of the corners but by rounding.
+/// The tolerance is in texels, whatever the texture's size. For colors, it is the same number of steps of their
+/// channels (a channel of an [`Rgb565`](embedded_graphics::pixelcolor::Rgb565) has 32 or 64 steps); for other
+/// varyings, of units of 2^16. In addition, an attribute has an error of up to 2^-13 of its greatest value in the
+/// triangle: 1/32 texel where a texture of 256 is seen once, more where it repeats.
+///
+/// A triangle that hardly changes in depth is a single piece, if the error of texture coordinates is within the
+/// tolerance and the error of other varyings is within what the shader allows ([`Varyings`](crate::shade::Varyings)).
+///
+/// Pieces end within the triangle, so only rounding takes an attribute beyond the values at the corners.
 ///
 /// ```
 /// use fixel::mode::Fast;
@@ -305,11 +328,12 @@ pub struct Fast {
 const MOST_BITS: u32 = 28;
 
 impl Fast {
-    /// The counterpart of [`Newton`] in products of 16 bits, for cores without longer ones: off by up to 1/32 of a texel
-    /// and, of a texture of 256, by 1/16 in all.
+    /// A tolerance of 1/32 texel: the counterpart of [`Newton`] with 16-bit products, for cores without longer ones.
+    /// For a texture of 256 texels, the total error is up to 1/16 texel.
     pub const NARROW: Self = Self::within(crate::fx!(0.031_25));
 
-    /// Pieces that are off by this many texels at most, besides rounding; 0 and less are exact at every pixel.
+    /// Pieces with an error of at most this many texels, in addition to rounding; with 0 or less, every pixel is
+    /// divided.
     #[must_use]
     pub const fn within(texels: Scalar) -> Self {
         let bits = texels.to_bits();
@@ -318,8 +342,8 @@ impl Fast {
         }
     }
 
-    /// The exponent of the most pixels that a piece may have, where q is `least` or more and all is to be shifted `up`;
-    /// `None` if even two are too many, or attributes have too many bits.
+    /// The exponent of the most pixels that a piece may have, where q is at least `least` and all values will be
+    /// shifted left by `up`; `None` if even two pixels are too many, or if attributes have too many bits.
     #[inline]
     fn length<L: Lanes>(self, least: u32, slopes: &Slopes<L>, up: u32) -> Option<u32> {
         if self.tolerance == 0 || !L::all(&slopes.scales, |scale| scale.bits() <= MOST_BITS) {
@@ -328,7 +352,8 @@ impl Fast {
         let step = slopes.q.unsigned_abs();
         let mut most = 0;
         L::zip(&slopes.p, &slopes.scales, |p, scale| {
-            // f′ = (p′ − f · q′) / q, where |f| is at most half in units of 2^bits; in units of 2^28 / q.
+            // |f′| = |p′ − f · q′| / q, where |f| is at most half as a fraction of 2^bits units: at most gain / q.
+            // `most` is in units of 2^28 / q.
             let gain = p.unsigned_abs().saturating_add(step >> 1);
             most = most.max((gain >> (MOST_BITS.wrapping_sub(scale.bits()) & 31)) + 1);
         });
@@ -338,11 +363,12 @@ impl Fast {
 
     #[inline(never)]
     fn length_at(self, least: u32, step: u32, gain: u32) -> Option<u32> {
-        // δ and f′ in units of 2^-16 and of the attribute, rounded up; `least` has 30 or 31 bits.
+        // δ in units of 2^-16, and f′ in units of the attribute, both rounded up; `least` has 30 or 31 bits.
         let divisor = (least >> 15).max(1 << 14);
         let slope = u64::from(step.div_ceil(divisor >> 1));
         let gain = u64::from(gain / divisor + 1) << (MOST_BITS - 15);
-        // For 64 pixels that is times 2^10 for a tolerance of 2^-16 units.
+        // For L = 64, the error f′ · δ · L² / 4 is 2^(12 − 2 − 16) · `error`, which must be within the tolerance.
+        // Every halving of L allows four times as much. The other condition is δ · L ≤ 1/16.
         let (error, mut allowed) = (gain * slope, u64::from(self.tolerance) << 6);
         (1..=6).rev().find(|length| {
             let fits = error <= allowed && slope << length <= 1 << 12;
@@ -407,16 +433,16 @@ mod tests {
     #[test]
     fn pieces_are_as_long_as_the_tolerance_allows() {
         let quarter = Fast::within(fx!(0.25));
-        // f′ a texel a pixel, and δ as many of 2^-16: 2^16 · δ · L² / 4 is to be a quarter of 2^16.
+        // f′ is a texel per pixel and δ is `delta` · 2^-16; f′ · δ · L² / 4 may be at most a quarter of a texel.
         let texel = |delta: u32| quarter.length_at(1 << 30, delta << 14, 1 << 18);
-        // Rounded up, both are a little more than that, so that a power of two less is found.
+        // Both are rounded up to a little more than that, so the result is the next power of two below.
         assert_eq!(
             [16, 63, 255, 1023].map(texel),
             [Some(5), Some(4), Some(3), Some(2)]
         );
-        // Where 1/w does not change a piece has all 64.
+        // If 1/w does not change, a piece has all 64 pixels.
         assert_eq!(quarter.length_at(1 << 30, 0, 1 << 18), Some(6));
-        // No step of a sliver, however steep, is taken for a small one.
+        // The step of a sliver, however steep, must not wrap to a small one.
         assert_eq!(quarter.length_at(1 << 30, 1 << 31, 1 << 18), None);
     }
 }

@@ -1,4 +1,4 @@
-//! The reciprocal of 1/w at one pixel from those at the two before it.
+//! The reciprocal of 1/w at a pixel, from the reciprocals at the two pixels before it.
 
 use super::pixels::{Count, Pixels, Span, rolled};
 use crate::num::reciprocal;
@@ -7,12 +7,12 @@ use crate::raster::Scale;
 use crate::shade::{Lanes, Shader};
 use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 
-/// Bits of a fraction p/q as it comes out.
+/// The number of bits in an attribute's scale, and so the bits of a fraction p/q.
 pub(super) const FRACTION: u32 = Scale::AFFINE.bits();
 
-/// Draws a span with one Newton step a pixel, from the line through the last two reciprocals.
+/// Draws a span with one Newton step per pixel; the initial guess is on the line through the last two reciprocals.
 ///
-/// 1/w is from 2^29 to 2^31 in all pixels and changes by at most 2^-6 of itself from one to the next; attributes have
+/// 1/w is from 2^29 to 2^31 at all pixels and changes by at most 2^-6 of itself per pixel; attributes have
 /// [`FRACTION`] bits.
 #[inline(always)]
 pub(super) fn newton<S, O, D, Z>(
@@ -26,17 +26,18 @@ pub(super) fn newton<S, O, D, Z>(
     Z: DepthTest,
 {
     let Span { dq, dp, down, .. } = span;
-    // q from 2^29 to 2^31, r = 2^60 / q from 2^29 to 2^31; p is 2^-28 q times the attribute.
+    // q is from 2^29 to 2^31, and so is r = 2^60 / q; p is 2^-28 q times the attribute.
     let (mut q, mut p) = (span.q.cast_signed(), span.p);
     let mut r = inverse(q);
-    // r changes by -dq · r² / 2^60.
+    // r changes by about −dq · r² / 2^60 per pixel; so this is r one pixel before the span.
     let change = high(r, dq);
     let mut guess = r;
     r = r.wrapping_add(high(r, change) << 4);
     for cell in cells.first(usize::MAX) {
         rolled();
-        let lacks = (1 << FRACTION) - high(q, guess);
-        let next = guess.wrapping_add(high(guess, lacks << 4));
+        // One Newton step: next = guess · (2 − q · guess / 2^60).
+        let residual = (1 << FRACTION) - high(q, guess);
+        let next = guess.wrapping_add(high(guess, residual << 4));
         guess = (next << 1).wrapping_sub(r);
         r = next;
         if pixels.visible::<D>(&cell.1, q.cast_unsigned(), down) {
@@ -47,13 +48,15 @@ pub(super) fn newton<S, O, D, Z>(
     }
 }
 
+/// The upper half of a product: a · b / 2^32, rounded down.
 #[inline]
 fn high(a: i32, b: i32) -> i32 {
     (product(a, b) >> 32) as i32
 }
 
-/// Makes of interpolants the attributes at the first pixel, times 4, and what a pixel adds to them: the straight line that
-/// touches them in the middle of the span, rounded by up to 12½ units of an attribute.
+/// Replaces the interpolants of a span by four times its attributes at the first pixel, and their change per pixel.
+/// They lie on the line that touches the exact attributes in the middle of the span, and rounding adds up to 12½
+/// units of an attribute.
 #[inline(always)]
 pub(super) fn chord<L: Lanes>(span: &mut Span<L>) {
     let middle = (span.count as u32 >> 1).cast_signed();
@@ -66,7 +69,7 @@ pub(super) fn chord<L: Lanes>(span: &mut Span<L>) {
     let values = L::zip(&span.p, &span.dp, |p, gain| {
         fine(p.wrapping_add(gain.wrapping_mul(middle)), r)
     });
-    // f' = (p' - f · q') / q.
+    // f' = (p' - f · q') / q, where a prime is the change per pixel.
     span.dp = L::zip(&span.dp, &values, |gain, value| {
         fine(gain.wrapping_sub(fine(*value, dq)), r)
     });
@@ -75,7 +78,7 @@ pub(super) fn chord<L: Lanes>(span: &mut Span<L>) {
     });
 }
 
-/// a · b / 2^30, to the nearest.
+/// a · b / 2^30, rounded to nearest.
 #[inline]
 fn fine(a: i32, b: i32) -> i32 {
     ((product(a, b) + (1 << 29)) >> 30) as i32
@@ -95,10 +98,11 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// The line is 16 units away at its ends (and 2^-16 of that, as 1/w changes by up to 2^-16 from the middle), and
-        /// 12½ are of rounding, as the tests' `bounds` derive. Most where 1/w is near 2^29, as it is in most cases here.
+        /// At its ends, the line deviates by up to 16 units (and 2^-16 of that, because 1/w changes by up to 2^-16 of
+        /// itself from the middle). Rounding adds up to 12½ units; the module `bounds` of the tests derives them. The
+        /// error is greatest where 1/w is near 2^29, as in most cases here.
         #[test]
-        fn a_level_row_is_off_by_28_units_and_a_half(
+        fn the_error_of_a_level_row_is_at_most_28_and_a_half_units(
             size in 0_u32..30,
             rest in 0_i32..1 << 30,
             dq in -255_i32..=255,
@@ -106,9 +110,9 @@ mod tests {
             p in -(1_i32 << 27)..1 << 27,
         ) {
             let (pixels, middle) = (64, 32);
-            // 1/w is from 2^29 in all pixels.
+            // 1/w is at least 2^29 at all pixels.
             let q = (1 << 29) + (64 << 8) + (rest & ((1 << size) - 1));
-            // Attributes over w stay within half of that.
+            // Attributes over w stay within half of 1/w.
             let most = ((1 << 24) / dq.abs().max(1)).min(1 << 22) - dq.abs() - 1;
             let step = if gain == 0 { rest % most } else { gain * most };
             let mut span: Span<[(); 1]> = Span {
@@ -135,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn a_number_out_of_range_is_survived() {
+    fn no_number_out_of_range_panics() {
         for q in [i32::MIN, -1, 0, 1, (1 << 29) - 1] {
             let _ = inverse(q);
         }

@@ -1,4 +1,4 @@
-//! Straight pieces between pixels that are right.
+//! Straight pieces between pixels that are correct in perspective.
 
 use super::pixels::{Count, Numbers, Pixels, Scales, Span, rolled};
 use crate::num::short_reciprocal;
@@ -6,10 +6,10 @@ use crate::num::wide::{product, times_17_bits};
 use crate::shade::{Lanes, Shader};
 use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 
-/// Draws a span in straight pieces of 2^`length` pixels, 1 to 6.
+/// Draws a span in straight pieces of 2^`length` pixels, where `length` is 1 to 6.
 ///
-/// 1/w is from 2^29 to 2^31 in all pixels. The reciprocals at the ends of pieces have 16 bits, each found by two Newton
-/// steps from the last.
+/// 1/w is from 2^29 to 2^31 at all pixels. The reciprocals at the ends of pieces have 16 bits; two Newton steps
+/// compute each from the last one.
 #[inline(always)]
 pub(super) fn pieces<S, O, D, Z>(
     mut span: Span<Count<S>>,
@@ -23,7 +23,7 @@ pub(super) fn pieces<S, O, D, Z>(
     D: DepthBuffer,
     Z: DepthTest,
 {
-    // For a reciprocal of up to 17 bits.
+    // Makes room for a reciprocal of up to 17 bits.
     span.p = Count::<S>::map(&span.p, |p| p >> 2);
     span.dp = Count::<S>::map(&span.dp, |p| p >> 2);
     let (dq, dp, down) = (span.dq, span.dp, span.down);
@@ -31,19 +31,20 @@ pub(super) fn pieces<S, O, D, Z>(
     let mut inverse = short_reciprocal(q >> 15);
     let mut values = attributes::<S>(&p, &scales, inverse);
     loop {
-        // A piece ends where the next begins, or with the span's last pixel: beyond it attributes may have any value.
+        // A piece ends where the next one begins, or at the span's last pixel: beyond it, attributes may have any
+        // value.
         let count = 1 << length;
         let is_last = left <= count;
         let pixels_on = if is_last { left.wrapping_sub(1) } else { count };
-        let far = pixels_on.cast_signed();
-        let q_end = q.wrapping_add_signed(dq.wrapping_mul(far));
-        let p_end = Count::<S>::zip(&p, &dp, |p, step| p.wrapping_add(step.wrapping_mul(far)));
+        let ahead = pixels_on.cast_signed();
+        let q_end = q.wrapping_add_signed(dq.wrapping_mul(ahead));
+        let p_end = Count::<S>::zip(&p, &dp, |p, step| p.wrapping_add(step.wrapping_mul(ahead)));
         inverse = refined(q_end, inverse);
         let at_end = attributes::<S>(&p_end, &scales, inverse);
         let gains = Count::<S>::zip(&at_end, &values, |end, value| {
             let change = end.wrapping_sub(*value);
             if is_last {
-                part_of(change, pixels_on)
+                divided(change, pixels_on)
             } else {
                 change >> length
             }
@@ -65,23 +66,24 @@ pub(super) fn pieces<S, O, D, Z>(
     }
 }
 
-/// 2^31 / (q / 2^15), from that of a `q` which is off by up to 1/16: two Newton steps, which make that 2^-16.
+/// 2^31 / (q / 2^15), from an `inverse` with a relative error of up to 1/16. Two Newton steps reduce the error to
+/// 2^-16.
 #[inline]
 fn refined(q: u32, mut inverse: u32) -> u32 {
     let q = q >> 15;
     for _ in 0..2 {
-        // The product is near 2^31, and what it lacks has 28 bits.
-        let lacks = (1_u32 << 31)
+        // The product is near 2^31, and its difference from 2^31 has 28 bits.
+        let residual = (1_u32 << 31)
             .wrapping_sub(q.wrapping_mul(inverse))
             .cast_signed();
-        let more = inverse.cast_signed().wrapping_mul(lacks >> 13) >> 18;
+        let more = inverse.cast_signed().wrapping_mul(residual >> 13) >> 18;
         inverse = inverse.wrapping_add_signed(more);
     }
     inverse
 }
 
-/// 2^30 / n; the first one is of a piece of no length.
-const PARTS: [i32; 64] = {
+/// 2^30 / n; entry 0 is for a piece of no length.
+const RECIPROCALS: [i32; 64] = {
     let mut parts = [0; 64];
     let (mut at, mut n) = (1, 1);
     while at < parts.len() {
@@ -91,17 +93,17 @@ const PARTS: [i32; 64] = {
     parts
 };
 
-/// An n-th of a change, rounded down, for an n below 64.
+/// `change` / n, rounded down, for an n below 64.
 #[inline]
-fn part_of(change: i32, n: u32) -> i32 {
-    (product(change, PARTS[(n & 63) as usize]) >> 30) as i32
+fn divided(change: i32, n: u32) -> i32 {
+    (product(change, RECIPROCALS[(n & 63) as usize]) >> 30) as i32
 }
 
-/// The attributes where the reciprocal of 1/w is `inverse`.
+/// The attributes at a pixel, where `inverse` is the reciprocal of 1/w.
 #[inline]
 fn attributes<S: Shader>(p: &Numbers<S>, scales: &Scales<S>, inverse: u32) -> Numbers<S> {
     Count::<S>::zip(p, scales, |p, scale| {
-        // With 2^31 / (q / 2^15) the product of p / 4 is p / q in units of 2^-44.
+        // `inverse` is 2^46 / q, and p is already divided by 4, so the product is p / q in units of 2^-44.
         times_17_bits(*p, inverse) >> (30u32.wrapping_sub(scale.bits()) & 31)
     })
 }
@@ -110,23 +112,25 @@ fn attributes<S: Shader>(p: &Numbers<S>, scales: &Scales<S>, inverse: u32) -> Nu
 mod tests {
     use super::*;
 
-    /// Every divisor there is, from every guess that is off by a sixteenth at most.
+    /// Every divisor, from guesses with a relative error of up to a sixteenth.
     ///
-    /// The first step leaves 2^-8 and what its products cut, a unit and 2^-18; the second the square of that, 1.02 of
-    /// 2^-16, and cuts as much itself. A step never goes beyond what is exact, so that no guess has more than 17 bits.
+    /// The first step leaves a relative error of 2^-8, and its products cut off one unit and 2^-18. The second step
+    /// leaves the square of that, 1.02 · 2^-16, and cuts off as much itself. A step never exceeds the exact value, so
+    /// no guess has more than 17 bits.
     #[test]
-    fn every_reciprocal() {
+    fn two_steps_refine_every_reciprocal_to_16_bits() {
         for q in 1_u32 << 14..1 << 16 {
             let exact = 2_f64.powi(31) / f64::from(q);
             let allowed = exact * (1.02 * 2_f64.powi(-16) + 2_f64.powi(-18)) + 1.;
             let least = (15_u32 << 27).div_ceil(q);
             let most = ((17 << 27) / q).min(1 << 17);
-            // Off by most at one of the ends, but for roundings: those are every eighth one's.
+            // Apart from rounding, the error is greatest at one of the two ends. Every eighth guess is tested for the
+            // rounding.
             for guess in (least..=most).step_by(8).chain([most]) {
-                let lacks = exact - f64::from(refined(q << 15 | q & 0x7fff, guess));
+                let residual = exact - f64::from(refined(q << 15 | q & 0x7fff, guess));
                 assert!(
-                    (0. ..=allowed).contains(&lacks),
-                    "{q} from {guess}: {lacks}"
+                    (0. ..=allowed).contains(&residual),
+                    "{q} from {guess}: {residual}"
                 );
             }
         }

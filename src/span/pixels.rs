@@ -1,4 +1,4 @@
-//! The pixels of a span: what the kernels interpolate, and what becomes of a pixel.
+//! The pixels of a span: the values that the kernels interpolate, and how a pixel is tested and shaded.
 
 use core::hint::black_box;
 
@@ -14,31 +14,33 @@ pub(super) type Numbers<S> = <Count<S> as Lanes>::Of<i32>;
 /// The scales of a shader's numbers.
 pub(super) type Scales<S> = <Count<S> as Lanes>::Of<Scale>;
 
-/// How many they are.
+/// The number of a shader's interpolated numbers.
 pub(super) type Count<S> = <<S as Shader>::Varyings as Varyings>::Lanes;
 
-/// What all pixels of a primitive share for a shader.
+/// The values that all pixels of a primitive share for a shader.
 pub(super) type FaceOf<S> = <<S as Shader>::Varyings as Varyings>::Face;
 
-/// Interpolants at the first pixel of a span, and what they gain from a pixel to the next.
+/// Interpolants at the first pixel of a span, and their change from one pixel to the next.
 ///
-/// `q` is 1/w (or depth under a parallel projection), scaled so that its greatest value in the primitive has bit 30 set.
-/// Each `p` is attribute · q · 2^-bits (see [`Scale`](crate::raster::Scale)), so that |p| ≤ q/2 but for rounding.
+/// `q` is 1/w (or depth under a parallel projection), scaled so that its greatest value in the primitive has bit 30
+/// set. Each `p` is attribute · q · 2^-bits (see [`Scale`](crate::raster::Scale)), so that |p| ≤ q/2 apart from
+/// rounding.
 pub struct Span<L: Lanes> {
     pub q: u32,
     pub p: L::Of<i32>,
     pub dq: i32,
     pub dp: L::Of<i32>,
-    /// A pixel's depth of 16 bits is `q` shifted down by this, 15 to 47; from 31 on it is 0 in linear steps.
+    /// The right shift that turns `q` into a pixel's 16-bit depth: 15 to 47. From 31 on, the depth is 0 in linear
+    /// steps.
     pub down: u32,
-    /// How many pixels there are.
+    /// The number of pixels.
     pub count: usize,
 }
 
 impl<L: Lanes> Span<L> {
-    /// Goes on to the next pixel.
+    /// Moves to the next pixel.
     ///
-    /// Values wrap: a step beyond `i32` belongs to a sliver one pixel wide, whose next pixel is never looked at.
+    /// Values wrap. Only a sliver one pixel wide has a step beyond `i32`, and its next pixel is never read.
     #[inline]
     pub(super) fn step(&mut self) {
         self.q = self.q.wrapping_add_signed(self.dq);
@@ -46,10 +48,10 @@ impl<L: Lanes> Span<L> {
     }
 }
 
-/// Keeps the compiler from unrolling the loop that it is called in; it takes no instruction.
+/// Keeps the compiler from unrolling the loop that calls it; it takes no instruction.
 ///
-/// A loop over pixels takes all registers of a small core. Unrolled it would take more, and loading the steps from the
-/// stack costs more than the branches that unrolling saves.
+/// A loop over pixels takes all registers of a small core. Unrolled, it would need more, and loading the steps from
+/// the stack costs more than the branches that unrolling saves.
 #[inline]
 pub(super) fn rolled() {
     black_box(());
@@ -63,15 +65,15 @@ pub(super) struct Pixels<S: Shader, Z> {
     pub(super) shader: S,
     pub(super) face: FaceOf<S>,
     pub(super) test: Z,
-    /// The present pixel; at first the one before the span.
+    /// The current pixel; at first, the pixel before the span.
     pub(super) point: Point,
-    /// The pixel's depth in linear steps, and as it is stored.
+    /// The current pixel's depth, in linear steps (`depth`) and in the format of the depth buffer (`stored`).
     pub(super) depth: u32,
     pub(super) stored: u32,
 }
 
 impl<S: Shader, Z: DepthTest> Pixels<S, Z> {
-    /// Goes on to the next pixel and says whether it is visible, where 1/w is `q`.
+    /// Moves to the next pixel, where 1/w is `q`, and returns whether it is visible.
     #[inline]
     pub(super) fn visible<D: DepthBuffer>(
         &mut self,
@@ -88,7 +90,7 @@ impl<S: Shader, Z: DepthTest> Pixels<S, Z> {
         !Z::TESTS || D::passes(depth, self.stored)
     }
 
-    /// Shades the pixel that was last found visible.
+    /// Shades the current pixel, after [`visible`](Self::visible) returned `true`.
     #[inline]
     pub(super) fn shade<'c, O: Storage<S::Color>, D: DepthBuffer + 'c>(
         &self,

@@ -1,10 +1,10 @@
-//! Attributes that are linear along the span: additions only.
+//! Attributes that are linear along the span: only additions.
 
 use super::pixels::{Count, Numbers, Pixels, Span, rolled};
 use crate::shade::Shader;
 use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 
-/// Draws a span whose attributes `restore` makes of their interpolants.
+/// Draws a span; `restore` turns interpolants into attributes.
 #[inline(always)]
 pub(super) fn straight<S, O, D, Z>(
     mut span: Span<Count<S>>,
@@ -26,10 +26,10 @@ pub(super) fn straight<S, O, D, Z>(
     }
 }
 
-/// Pixels that are drawn without looking for the end of the span, where nothing varies between them.
+/// If nothing varies between pixels, this many are drawn without a check for the end of the span.
 const BLOCK: usize = 16;
 
-/// Draws a span between whose pixels nothing varies but their place.
+/// Draws a span whose pixels differ in nothing but their position.
 #[inline]
 pub(super) fn solid<S, O, D, Z>(
     numbers: Numbers<S>,

@@ -1,4 +1,4 @@
-//! The canvas: the caller's memory as a picture, whole or a band of one.
+//! The canvas: the caller's memory as a frame or a band of it.
 
 use core::ops::Range;
 
@@ -18,9 +18,9 @@ pub const MAX_SIZE: u32 = 2048;
 
 /// A frame's pixels, or those of a horizontal band of it, in memory that belongs to the caller.
 ///
-/// Column 0, row 0 is the frame's top left pixel. A band knows which rows of which frame it holds.
-/// Everything is drawn in the frame's coordinates, and what falls outside the band is left out: the
-/// bands of a frame, put together, are the frame, bit for bit.
+/// Column 0, row 0 is the frame's top left pixel. A band knows which rows of which frame it holds. Everything is
+/// drawn in the frame's coordinates, and pixels outside the band are skipped. Put together, the bands of a frame
+/// equal the whole frame, bit for bit.
 ///
 /// `C` is the color, `O` how it is stored and `D` the depth buffer, [`NoDepth`] or [`Depth`].
 ///
@@ -32,7 +32,7 @@ pub const MAX_SIZE: u32 = 2048;
 ///
 /// [`with_depth`](Self::with_depth) and [`with_depth_format`](Self::with_depth_format) add a depth buffer.
 ///
-/// A canvas is an embedded-graphics [`DrawTarget`], so text and gauges go over the picture.
+/// A canvas is an embedded-graphics [`DrawTarget`], so text and gauges can be drawn over the picture.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -67,14 +67,12 @@ impl<'a, C: PixelColor> Canvas<'a, C> {
         Self::over(pixels, width, height)
     }
 
-    /// A band of a frame of `width` x `height` pixels: as many rows as `pixels` holds, from
-    /// `first_row` down.
+    /// A band of a frame of `width` x `height` pixels: as many rows as `pixels` holds, starting at `first_row`.
     ///
     /// # Errors
     ///
-    /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`]; [`Error::Length`] if
-    /// `pixels` is not a whole number of rows; [`Error::Rows`] if it holds no row, or one outside the
-    /// frame.
+    /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`]; [`Error::Length`] if `pixels` is not a
+    /// whole number of rows; [`Error::Rows`] if it holds no row, or a row outside the frame.
     pub fn band(
         pixels: &'a mut [C],
         width: u32,
@@ -89,7 +87,7 @@ impl<'a, C> Canvas<'a, C, BigEndian>
 where
     BigEndian: Storage<C>,
 {
-    /// A canvas of pixels stored as bytes, most significant first, the order that most displays take.
+    /// A canvas of pixels stored as bytes, most significant first: the order that most displays expect.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -179,7 +177,7 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
         first: u32,
     ) -> Result<Self, Error> {
         check_size(width, height)?;
-        // A frame has fewer than 2^32 pixels, so a longer slice is refused at any row count.
+        // A frame has fewer than 2^32 pixels, so a longer slice is refused with any row count.
         let rows = u32::try_from(cells.len() / width as usize).unwrap_or(u32::MAX);
         match first.checked_add(rows) {
             Some(end) if rows > 0 && end <= height => {
@@ -287,7 +285,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     ///
     /// # Errors
     ///
-    /// Those of the display.
+    /// The display's own errors.
     pub fn show<T>(&self, display: &mut T) -> Result<(), T::Error>
     where
         C: PixelColor,
@@ -328,10 +326,10 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         self.clear_depth();
     }
 
-    /// Sets every depth to infinity and leaves the colors: what is drawn next covers what is there.
+    /// Sets every depth to infinity and keeps the colors, so that the next draw call covers them.
     ///
-    /// For a second scene over the first, such as a gun or a gauge that no wall may hide. Without a
-    /// depth buffer it does nothing.
+    /// Use it for a second scene over the first, such as a gun or a gauge that no wall may hide. Without a depth
+    /// buffer, it does nothing.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;
@@ -347,8 +345,8 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         self.depth.clear();
     }
 
-    /// The pixels of `columns` of `row` with their depths. Both must lie within [`area`](Self::area),
-    /// as the rasterizer's do. `None`, not a panic, if memory ends before them.
+    /// The pixels of `columns` of `row` with their depths. Both must lie within [`area`](Self::area), as the
+    /// rasterizer's do. It returns `None` and does not panic if memory ends before them.
     #[inline]
     pub(crate) fn run(&mut self, row: u32, columns: Range<u32>) -> Option<Cells<'_, C, O, D>> {
         let range = self.range(row, &columns);

@@ -6,10 +6,10 @@ use core::ops::Range;
 
 use super::format::{DepthFormat, Linear, linear};
 
-/// A canvas' depth buffer: [`NoDepth`] or [`Depth`]. Sealed.
+/// A canvas's depth buffer: [`NoDepth`] or [`Depth`]. Sealed.
 ///
-/// The bound of code that draws with or without one. A fragment is drawn if it is at least as near
-/// as the stored depth, so of two equal depths the later one wins.
+/// Use it as the bound of code that draws with or without one. A fragment is drawn if it is at least as near as the
+/// stored depth, so of two equal depths the later one wins.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -41,25 +41,25 @@ pub trait DepthBuffer: Buffer {}
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct NoDepth;
 
-/// The caller's depth buffer, 16 bits a pixel. 65535 is the near plane, 0 is infinitely far.
+/// The caller's depth buffer, 16 bits per pixel. 65535 is the near plane, 0 is infinitely far.
 ///
-/// `F` is the format of a depth: [`Linear`], [`Float`](super::Float) or [`WideFloat`](super::WideFloat).
-/// In each a nearer depth is the greater number, so the depth test is the same comparison. They
-/// differ in the far/near that they resolve and in their cost. A depth step, relative to the
-/// distance, is at most:
+/// `F` is the format of a depth: [`Linear`], [`Float`](super::Float) or [`WideFloat`](super::WideFloat). In each
+/// format, a nearer depth is a greater number, so the depth test is the same comparison. The formats differ in cost,
+/// and in the ratio far/near that they resolve. The table lists the greatest depth step, relative to the distance, at
+/// the far end; "none" means that every depth there is stored as 0.
 ///
 /// | far / near | [`Linear`] | [`Float`](super::Float) | [`WideFloat`](super::WideFloat) |
 /// |---:|---:|---:|---:|
 /// | 100 | 0.15 % | 0.024 % | 0.049 % |
 /// | 1,000 | 1.5 % | 0.024 % | 0.049 % |
 /// | 10,000 | 15 % | 0.024 % | 0.049 % |
-/// | 65,536 | all | 0.024 % | 0.049 % |
-/// | 1,000,000 | all | all | 0.049 % |
+/// | 65,536 | none | 0.024 % | 0.049 % |
+/// | 1,000,000 | none | none | 0.049 % |
 ///
 /// Surfaces that are closer together than a step have equal depths, and the later one wins.
 ///
-/// Under a parallel projection depth is linear in the distance itself: take [`Linear`]. Shaders see
-/// the same linear [`Fragment::depth`](crate::Fragment::depth) with every format.
+/// Under a parallel projection, depth is linear in the distance itself: use [`Linear`]. Shaders see the same linear
+/// [`Fragment::depth`](crate::Fragment::depth) with every format.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;

@@ -1,4 +1,4 @@
-//! What a draw call does with the depth buffer.
+//! How a draw call uses the depth buffer.
 
 use super::depth::DepthBuffer;
 use crate::Scalar;
@@ -7,10 +7,17 @@ mod sealed {
     pub trait Sealed {}
 }
 
-/// What a draw call does with the canvas's depth buffer: [`TestAndWrite`], [`TestOnly`], [`WriteOnly`], [`NoTest`], or
-/// [`Biased`] around one of these. Chosen by [`DrawOptions::depth`](crate::DrawOptions::depth).
+/// How a draw call uses the canvas's depth buffer.
+///
+/// It is [`TestAndWrite`], [`TestOnly`], [`WriteOnly`], [`NoTest`], or [`Biased`] around one of these.
+/// [`DrawOptions::depth`](crate::DrawOptions::depth) chooses it.
+///
+/// ```
+/// use fixel::{prelude::*, target::TestOnly};
+/// let glass = DrawOptions::new().depth(TestOnly);
+/// ```
 pub trait DepthTest: Copy + sealed::Sealed {
-    /// Whether what is behind a stored depth is left out.
+    /// Whether a pixel behind the stored depth is skipped.
     #[doc(hidden)]
     const TESTS: bool;
 
@@ -18,18 +25,18 @@ pub trait DepthTest: Copy + sealed::Sealed {
     #[doc(hidden)]
     const WRITES: bool;
 
-    /// Whether depths are changed before.
+    /// Whether depths are moved before they are tested and stored.
     #[doc(hidden)]
     const IS_BIASED: bool = false;
 
-    /// Goes on to a triangle in which 1/w changes by at most `steepness` a pixel.
+    /// Starts a triangle in which 1/w changes by at most `steepness` per pixel.
     #[doc(hidden)]
     #[inline]
     fn triangle(&mut self, steepness: u32) {
         let _ = steepness;
     }
 
-    /// The depth that is tested and stored, of an interpolant `q` · 2^-`down`.
+    /// The depth to test and store, from an interpolant `q` · 2^-`down`.
     #[doc(hidden)]
     #[inline]
     fn biased<D: DepthBuffer>(&self, q: u32, down: u32) -> u32 {
@@ -53,19 +60,40 @@ macro_rules! depth_tests {
 }
 
 depth_tests! {
-    /// A pixel is drawn if it is at least as near as the stored depth, and its depth is stored: the default.
-    TestAndWrite true true;
-    /// A pixel is drawn if it is at least as near as the stored depth, which stays: for what is seen through.
-    TestOnly true false;
-    /// All pixels are drawn, and their depths are stored.
-    WriteOnly false true;
-    /// All pixels are drawn, and stored depths stay: for a sky or a display over the scene.
-    NoTest false false;
+        /// Draws a pixel if it is at least as near as the stored depth, and stores its depth: the default.
+        ///
+        /// ```
+        /// use fixel::{prelude::*, target::TestAndWrite};
+        /// assert_eq!(DrawOptions::new(), DrawOptions::new().depth(TestAndWrite));
+        /// ```
+        TestAndWrite true true;
+        /// Draws a pixel if it is at least as near as the stored depth, and keeps the stored depth: for glass and
+        /// other surfaces that must not hide what is drawn later.
+        ///
+        /// ```
+        /// use fixel::{prelude::*, target::TestOnly};
+        /// let glass = DrawOptions::new().depth(TestOnly);
+        /// ```
+        TestOnly true false;
+        /// Draws every pixel and stores its depth.
+        ///
+        /// ```
+        /// use fixel::{prelude::*, target::WriteOnly};
+        /// let first_in_the_frame = DrawOptions::new().depth(WriteOnly);
+        /// ```
+        WriteOnly false true;
+        /// Draws every pixel and keeps the stored depths: for a sky, or a display over the scene.
+        ///
+        /// ```
+        /// use fixel::{prelude::*, target::NoTest};
+        /// let sky = DrawOptions::new().cull(Cull::Nothing).depth(NoTest);
+        /// ```
+        NoTest false false;
 }
 
 /// Another depth test, with depths that are moved before they are tested and stored.
 ///
-/// A mesh that is moved away lets lines and decals that lie upon it come out whole:
+/// If a mesh is moved away, lines and decals on its surface are drawn whole:
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -87,13 +115,14 @@ pub struct Biased<Z = super::TestAndWrite> {
     test: Z,
     steps: i32,
     slope: i32,
-    /// What is added to the present triangle's 1/w.
+    /// The change of the current triangle's 1/w.
     added: i32,
 }
 
 impl<Z> Biased<Z> {
-    /// `test` with depths moved by `steps` of the depth buffer, and by `slope` times the depth between neighboring
-    /// pixels, across or down, whichever differs more. What is positive moves nearer. Depths saturate at both ends.
+    /// `test` with depths moved by `steps` of the depth buffer, plus `slope` times the depth difference between
+    /// neighboring pixels, across or down, whichever is greater. Positive values move nearer. Depths saturate at both
+    /// ends.
     #[must_use]
     pub const fn new(test: Z, steps: i32, slope: Scalar) -> Self {
         Self {
@@ -104,8 +133,8 @@ impl<Z> Biased<Z> {
         }
     }
 
-    /// `test` with depths moved away by two steps and by the depth between neighboring pixels: so much that edges drawn
-    /// over the mesh come out whole.
+    /// `test` with depths moved away by two steps and by the depth difference between neighboring pixels. This is
+    /// enough for edges that are drawn over the mesh to be whole.
     #[must_use]
     pub const fn behind(test: Z) -> Self {
         Self::new(test, -2, crate::fx!(-1))
@@ -122,7 +151,7 @@ impl<Z: DepthTest> DepthTest for Biased<Z> {
     #[inline]
     fn triangle(&mut self, steepness: u32) {
         self.test.triangle(steepness);
-        // 32 bits by 32 fit; the sum with 1/w saturates anyway.
+        // 32 bits by 32 bits fit; the sum with 1/w saturates anyway.
         let added = (i64::from(self.slope) * i64::from(steepness)) >> 16;
         self.added = added.clamp(i32::MIN.into(), i32::MAX.into()) as i32;
     }

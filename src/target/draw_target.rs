@@ -13,9 +13,9 @@ use super::canvas::Canvas;
 use super::depth::DepthBuffer;
 use super::storage::Storage;
 
-/// Drawing cannot fail, and leaves the depth buffer alone, except that `clear` clears both.
+/// Drawing cannot fail. It does not touch the depth buffer, except that `clear` clears both.
 ///
-/// Any point and any rectangle may be given, even one that reaches beyond the range of `i32`.
+/// Any point and any rectangle is allowed, even one that reaches beyond the range of `i32`.
 impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Canvas<'_, C, O, D> {
     type Color = C;
     type Error = Infallible;
@@ -45,8 +45,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Canvas<'_, C, 
             return Ok(());
         };
         let mut colors = colors.into_iter();
-        // Colors of pixels outside are taken and dropped: first the rows above, then, row by row,
-        // the pixels on the left and on the right.
+        // Colors of pixels outside are consumed and dropped: first for the rows above, then, row by row, for the
+        // pixels on the left and on the right.
         let above = inside.rows.start.cast_signed().abs_diff(area.top_left.y) as usize;
         let left = inside.columns.start.cast_signed().abs_diff(area.top_left.x) as usize;
         let width = area.size.width as usize;
@@ -54,7 +54,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Canvas<'_, C, 
         skip(&mut colors, above.saturating_mul(width));
         for y in inside.rows {
             skip(&mut colors, left);
-            // The colors come second: `zip` must not take one more than there are cells.
+            // The colors come second, so that `zip` does not consume one more than there are cells.
             for (cell, color) in self
                 .cells_mut(y, &inside.columns)
                 .iter_mut()

@@ -23,7 +23,7 @@ pub trait DepthFormat: Encode {}
 
 /// Depth in equal steps of 1/w: floor(65535 · near / w). The default.
 ///
-/// Up to 8 · near it is the finest format, from 16 · near on the coarsest. Its step, relative to the
+/// At distances up to 8 · near it is the finest format, from 16 · near on the coarsest. Its step, relative to the
 /// distance w, is w / (65535 · near).
 ///
 /// ```
@@ -37,18 +37,18 @@ pub trait DepthFormat: Encode {}
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Linear {}
 
-/// Depth in floating point, 4 bits of exponent and 12 of mantissa, for far/near up to 65,536.
+/// Depth in floating point, with 4 bits of exponent and 12 of mantissa, for far/near up to 65,536.
 ///
-/// A step is 2⁻¹³ to 2⁻¹² of the distance (0.012 to 0.024 %) everywhere in the range: each halving of
-/// 1/w lowers the code by 4096. Surfaces at 65,536 · near or beyond are stored as 0.
+/// A step is 2⁻¹³ to 2⁻¹² of the distance (0.012 to 0.024 %) everywhere in the range: each halving of 1/w lowers the
+/// code by 4096. Surfaces at 65,536 · near or beyond are stored as 0.
 ///
-/// Within one triangle 1/w is interpolated to 2⁻²⁴ of its largest value. If a triangle's far end is
-/// more than 3,000 times as far as its near end, this error exceeds half a step there.
+/// Within one triangle, the error of the interpolated 1/w is 2⁻²⁴ of its largest value. If a triangle's far end is
+/// more than 3,000 times as far away as its near end, this error exceeds half a step there.
 ///
-/// A tested fragment takes 4 to 9 instructions more than with [`Linear`] on Cortex-M4: the benchmark
-/// floor and cube take 1.77 and 1.43 million instructions a frame in the default mode, instead of 1.43
-/// and 1.24. On Cortex-M0+, which cannot count leading zeros, it takes 12 to 26 more: 3.53 and 6.15
-/// million, instead of 2.83 and 5.51.
+/// A tested fragment takes 4 to 9 instructions more than with [`Linear`] on Cortex-M4. In the default mode, the
+/// benchmark's floor and cube take 1.77 and 1.43 million instructions per frame, instead of 1.43 and 1.24. On
+/// Cortex-M0+, which cannot count leading zeros, a fragment takes 12 to 26 more: 3.53 and 6.15 million, instead of
+/// 2.83 and 5.51.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -61,15 +61,15 @@ pub enum Linear {}
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Float {}
 
-/// Depth in floating point, 5 bits of exponent and 11 of mantissa, for every far/near that a
+/// Depth in floating point, with 5 bits of exponent and 11 of mantissa, for every far/near that a
 /// [`Projection`](crate::Projection) accepts.
 ///
-/// A step is 2⁻¹² to 2⁻¹¹ of the distance (0.024 to 0.049 %) up to 2³² · near: twice as coarse as
-/// [`Float`], at the same cost: 7 instructions a textured fragment more than [`Linear`] on Cortex-M4, 13
-/// on Cortex-M0+.
+/// A step is 2⁻¹² to 2⁻¹¹ of the distance (0.024 to 0.049 %) up to 2³² · near. This is twice as coarse as [`Float`],
+/// at the same cost: a textured fragment takes 7 instructions more than with [`Linear`] on Cortex-M4, 13 on
+/// Cortex-M0+.
 ///
-/// Within one triangle 1/w is interpolated to 2⁻²⁴ of its largest value. If a triangle's far end is
-/// more than 6,000 times as far as its near end, this error exceeds half a step there.
+/// Within one triangle, the error of the interpolated 1/w is 2⁻²⁴ of its largest value. If a triangle's far end is
+/// more than 6,000 times as far away as its near end, this error exceeds half a step there.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -118,22 +118,23 @@ impl Encode for WideFloat {
 /// Encodes a depth in linear steps.
 #[inline]
 pub(crate) const fn linear(q: u32, down: u32) -> u32 {
-    // 31 bits shifted down by 31 are already 0.
+    // 31 bits shifted right by 31 are already 0.
     q >> if down < 31 { down } else { 31 }
 }
 
-// Of 16 bits over 32 octaves a logarithm makes the most: log2(1 + m) ≈ m + 0.344 m (1 - m) has steps of 0.036 % instead of
-// 0.049 %. It was measured at 23 instructions a textured fragment more than `Linear` on Cortex-M4, where a float takes 7
-// more, and at 24 instead of 13 on Cortex-M0+: surfaces a hundredth apart do not need it.
-/// Encodes a depth as a float of `EXPONENT` bits of exponent and 16 - `EXPONENT` of mantissa.
+// With 16 bits for 32 octaves, a logarithm would be the finest: log2(1 + m) ≈ m + 0.344 m (1 − m) has steps of 0.036
+// % instead of 0.049 %. But it was measured at 23 more instructions per textured fragment than `Linear` on Cortex-M4,
+// where a float takes 7 more, and at 24 instead of 13 on Cortex-M0+. Surfaces that are 1 % apart do not need it.
+/// Encodes a depth as a float with `EXPONENT` bits of exponent and 16 − `EXPONENT` bits of mantissa.
 ///
-/// With the depth as 2^e · 1.m, an all-ones code stands for e = 15, as the near plane is 2^16. The
-/// least exponent that is stored is then e = 16 - 2^EXPONENT.
+/// Let the depth be 2^e · 1.m. The greatest exponent code stands for e = 15, because the near plane is 2^16 and
+/// depths are below it. So the least exponent that is stored is e = 16 − 2^EXPONENT.
 #[inline]
 fn float<const EXPONENT: u32>(q: u32, down: u32) -> u32 {
     let mantissa = 16 - EXPONENT;
-    // Shifted up by its leading zeros, q is the mantissa in 32 bits, and e = 31 - zeros - down. The
-    // mantissa keeps its upper bit, which adds one to the exponent; `normalize` adds another.
+    // Let zeros be the leading zeros of q. Shifted left by them, q is the mantissa in 32 bits, and
+    // e = 31 − zeros − down. So the exponent's code is e − (16 − 2^EXPONENT) = 15 + 2^EXPONENT − zeros − down. The
+    // mantissa keeps its top bit, which adds one to this code, and `normalize` adds another, so the bias is 2 less.
     let bias = 13 + (1 << EXPONENT);
     let exponent = u32::wrapping_sub(bias, down) << mantissa;
     let (normal, exponent) = if COUNTS_ZEROS {
@@ -142,21 +143,21 @@ fn float<const EXPONENT: u32>(q: u32, down: u32) -> u32 {
         narrow_normalize(q, exponent, mantissa)
     };
     let code = (normal >> (31 - mantissa)).wrapping_add(exponent);
-    // Depths below the least exponent come out negative.
+    // Depths below the least exponent give negative codes.
     code.cast_signed().max(0).cast_unsigned()
 }
 
-/// Shifts `q` up until its upper bit is set, and lowers the exponent by the number of bits less one.
+/// Shifts `q` left until its top bit is set, and lowers the exponent's code by the number of bits less one.
 #[inline]
 fn normalize(q: u32, exponent: u32, mantissa: u32) -> (u32, u32) {
-    // The lowest bit keeps the shift of a zero at 31.
+    // The lowest bit limits the shift of a zero to 31.
     let zeros = (q | 1).leading_zeros();
     let exponent = exponent.wrapping_sub(zeros << mantissa);
     (q << zeros, exponent.wrapping_add(1 << mantissa))
 }
 
-/// The same for cores that do not count zeros. Most of a triangle's `q` have 31 bits or 30, as the
-/// scale is the triangle's own, so that shifting by single bits is fast.
+/// [`normalize`] for cores that cannot count zeros. Most `q` of a triangle have 30 or 31 bits, because the scale is
+/// the triangle's own, so shifting by single bits is fast.
 #[inline]
 fn narrow_normalize(q: u32, mut exponent: u32, mantissa: u32) -> (u32, u32) {
     let mut normal = q << 1;
@@ -181,8 +182,8 @@ mod tests {
     /// The largest shift of the tests: past the range of the wide format.
     const MOST_DOWN: u32 = 63;
 
-    /// Checks every code at its lower end and just below it, at every shift. Codes then rise with
-    /// 1/w, and one 1/w has one code however its triangle is scaled.
+    /// Checks every code at its lower end and just below it, at every shift. So codes rise with 1/w, and a value of
+    /// 1/w has one code however its triangle is scaled.
     fn codes_rise<F: Encode, const EXPONENT: u32>() {
         let mantissa = 16 - EXPONENT;
         for code in 0..=0xffff_u32 {
@@ -197,7 +198,7 @@ mod tests {
                     continue;
                 };
                 assert_eq!(F::encode(q, down), code, "{q} >> {down}");
-                // One less of fewer bits than a mantissa may be two codes below.
+                // If q has fewer bits than a mantissa, q − 1 may be two codes below.
                 if q > 1 << mantissa {
                     let before = code.saturating_sub(1);
                     assert_eq!(F::encode(q - 1, down), before, "{q} - 1 >> {down}");
@@ -217,10 +218,10 @@ mod tests {
         codes_rise::<WideFloat, 5>();
     }
 
-    /// Depths below 1 in the narrow formats, and below 2^-16 in the wide one, are infinitely far at
-    /// every shift.
+    /// Depths below 1 in the narrow formats, and below 2^-16 in the wide one, are encoded as infinitely far at every
+    /// shift.
     #[test]
-    fn below_the_range_is_zero() {
+    fn depths_below_the_range_are_zero() {
         for down in 15..=MOST_DOWN {
             for q in [0, 1, 2, 1 << 14, (1 << 31) - 1] {
                 let depth = f64::from(q) / 2_f64.powi(down.cast_signed());
@@ -257,7 +258,7 @@ mod tests {
         }
     }
 
-    /// No number panics, not even one that no canvas gives.
+    /// No number panics, not even one that no canvas produces.
     #[test]
     fn no_number_panics() {
         for q in [0, 1, 1 << 31, u32::MAX] {

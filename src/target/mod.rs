@@ -1,4 +1,14 @@
-//! Where pixels go: the caller's memory as a canvas, whole or a band, with or without a depth buffer.
+//! The canvas: the caller's memory for a frame or a band of it, with or without a depth buffer.
+//!
+//! A [`Canvas`] has three type parameters: its color, how the color is stored, and its depth buffer. Their types
+//! follow from its constructor, so most programs need to name only the color. A draw call adds how it uses the depth
+//! buffer.
+//!
+//! | choice | types |
+//! |---|---|
+//! | storage of a color | [`Native`], or bytes: embedded-graphics' `BigEndian` and `LittleEndian` |
+//! | depth buffer | [`NoDepth`], or [`Depth`] in format [`Linear`], [`Float`] or [`WideFloat`] |
+//! | depth test of a draw call | [`TestAndWrite`], [`TestOnly`], [`WriteOnly`], [`NoTest`], or [`Biased`] around one of these |
 
 mod canvas;
 mod depth;

@@ -1,12 +1,12 @@
-//! How a color lies in memory.
+//! How colors are stored in memory.
 
 use embedded_graphics::pixelcolor::PixelColor;
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, RawData, ToBytes};
 
-/// How a canvas stores colors of type `C`. Sealed: these three types implement it.
+/// How a canvas stores colors of type `C`. Sealed: three types implement it.
 ///
-/// [`Native`] keeps the color itself. embedded-graphics' [`BigEndian`] and [`LittleEndian`] keep
-/// its raw bytes in that order, ready for a display's bus.
+/// [`Native`] keeps the color itself. embedded-graphics' [`BigEndian`] and [`LittleEndian`] keep its raw bytes in
+/// that order, ready for a display's bus.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor, raw::BigEndian};
@@ -40,7 +40,7 @@ pub enum Native {}
 
 /// A pixel stored as bytes: an array `[u8; N]`. Sealed.
 ///
-/// The bound of code that sends canvases of any color in either byte order.
+/// Use it as the bound of code that sends canvases of any color in either byte order.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};

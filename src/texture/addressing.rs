@@ -1,29 +1,30 @@
-//! Beyond a texture's edges.
+//! What a texture shows beyond its edges.
 
 use crate::TexCoord;
 
-/// What lies beyond the first repeat of a texture: [`Repeat`] or [`Clamp`].
+/// What a texture shows beyond its edges: [`Repeat`] or [`Clamp`].
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
 /// use fixel::prelude::*;
 /// use fixel::texture::Addressing;
 ///
-/// /// Takes any texture of a size, whichever way it goes on beyond its edges.
+/// /// Takes any texture of this size, with either addressing.
 /// fn skin<A: Addressing>(textured: Textured<&TextureArray<Rgb565, 64, 64>, A>) {
 ///     let _ = textured;
 /// }
 /// ```
 pub trait Addressing: Copy + sealed::Sealed {
-    /// The texels of three corners, of the bits of their texture coordinates.
+    /// The texels of three corners, from the bits of their texture coordinates.
     #[doc(hidden)]
     fn texels(bits: [i32; 3], log2: u32) -> [i32; 3];
 
-    /// The column or row at a whole number of texels.
+    /// The column or row for a whole number of texels, which may lie beyond the edges.
     #[doc(hidden)]
     fn index(texel: i32, log2: u32) -> i32;
 
-    /// A little less than `texels`, with 16 fraction bits, where there may be no less.
+    /// `texels` minus `little`, both with 16 fraction bits. Near the least number, it wraps or saturates, whichever
+    /// shows the right texel.
     #[doc(hidden)]
     fn back(texels: i32, little: i32) -> i32;
 }
@@ -34,7 +35,7 @@ mod sealed {
     impl Sealed for super::Clamp {}
 }
 
-/// Beyond its edge a texture begins anew.
+/// Beyond its edge, a texture begins again.
 ///
 /// ```
 /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
@@ -48,7 +49,7 @@ mod sealed {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Repeat;
 
-/// Beyond its edge a texture goes on with the texels of the edge.
+/// Beyond its edge, a texture continues with the texels of the edge.
 ///
 /// ```
 /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
@@ -62,15 +63,16 @@ pub struct Repeat;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Clamp;
 
-/// Fraction bits of a texture coordinate that texels do not have.
+/// The fraction bits that a texture coordinate has more than texels.
 const FINER: u32 = TexCoord::FRAC_NBITS - 16;
 
-/// Texture coordinate in 2⁻²⁰ repeats to texels with 16 fraction bits, to nearest, saturating.
+/// Converts a texture coordinate, in units of 2⁻²⁰ repeat, to texels with 16 fraction bits: rounded to nearest,
+/// saturated.
 ///
-/// Whole repeats are whole texels, so coordinates that differ by some round alike.
+/// A whole repeat is a whole number of texels, so coordinates that differ by whole repeats round alike.
 #[inline]
 pub(crate) fn texels(bits: i64, log2: u32) -> i32 {
-    // At most 33 bits by a texture's 15.
+    // At most 33 bits, shifted by at most 15.
     let texels = ((bits << log2) + (1 << (FINER - 1))) >> FINER;
     texels.clamp(i32::MIN.into(), i32::MAX.into()) as i32
 }
@@ -79,7 +81,8 @@ impl Addressing for Repeat {
     #[inline]
     fn texels(bits: [i32; 3], log2: u32) -> [i32; 3] {
         let [a, b, c] = bits;
-        // The whole repeats that all three have in common; what is left begins in the first.
+        // The whole repeats that all three corners have in common; without them, the least corner lies in the first
+        // repeat.
         let whole = a.min(b).min(c) >> TexCoord::FRAC_NBITS << TexCoord::FRAC_NBITS;
         bits.map(|bits| texels(i64::from(bits) - i64::from(whole), log2))
     }
@@ -92,7 +95,7 @@ impl Addressing for Repeat {
 
     #[inline]
     fn back(texels: i32, little: i32) -> i32 {
-        // What is lost is a whole number of repeats.
+        // A wrap changes the position by a whole number of repeats.
         texels.wrapping_sub(little)
     }
 }
@@ -118,9 +121,9 @@ impl Addressing for Clamp {
 mod tests {
     use super::*;
 
-    /// Few texels round, many saturate.
+    /// Textures of few texels round, textures of many texels saturate.
     #[test]
-    fn any_size_of_texture() {
+    fn coordinates_round_or_saturate_for_any_size_of_texture() {
         let bits = [-25, -24, -23, -8, -7, 7, 8, 23, 24];
         assert_eq!(
             bits.map(|bits| texels(bits, 0)),
@@ -135,7 +138,7 @@ mod tests {
             [low, high].map(|bits| texels(bits, 4)),
             [i32::MIN, i32::MAX]
         );
-        // 4096 columns: eight repeats each way, and not one unit more.
+        // 4096 columns: eight repeats in each direction, and not one unit more.
         let ends = [(-8 << 20) - 1, -8 << 20, (8 << 20) - 1, 8 << 20];
         assert_eq!(
             ends.map(|bits| texels(bits, 12)),
@@ -145,7 +148,7 @@ mod tests {
             [low - high, high - low].map(|bits| texels(bits, 15)),
             [i32::MIN, i32::MAX]
         );
-        // As far apart as can be, in one row.
+        // A triangle with corners as far apart as possible.
         let bits = [i32::MIN, i32::MAX, 0];
         assert_eq!(Repeat::texels(bits, 0), [0, 1 << 28, 1 << 27]);
         assert_eq!(

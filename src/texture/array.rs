@@ -12,24 +12,34 @@ use super::{Sampler, Texture};
 use crate::Error;
 use crate::message;
 
-/// A texture that owns its texels, with its size in the type: `H` rows of `W` texels, the top row first.
+/// A texture that owns its texels; its size is part of the type.
 ///
-/// Width and height are powers of two, at most [`MAX_TEXTURE_SIZE`](super::MAX_TEXTURE_SIZE). The compiler knows
-/// the size, so a shader reads a texel in fewer instructions than from a [`Texture`], which
-/// [`as_texture`](Self::as_texture) makes of it.
+/// There are `H` rows of `W` texels, the top row first.
 ///
-/// A `static` one lives in flash. A texel takes two bytes in `Rgb565`, four in `Rgb888` and one in gray.
-/// [`include_bmp!`](crate::include_bmp) and [`include_tga!`](crate::include_tga) make one of an image file while compiling. The
-/// constructors named after colors make one of raw bytes: [`rgb565`](Self::rgb565) takes the high byte of a texel first, as
-/// panels and embedded-graphics' `ImageRaw` do; [`rgb565_le`](Self::rgb565_le) takes the low byte first; and so on. Texels of
-/// less than a byte are packed: the first lies in the high bits, and rows follow without a gap. (The compiler stops a
-/// constant after two million steps unless `long_running_const_eval` is allowed; 512x512 texels stay below.)
-/// [`try_from_raw`](Self::try_from_raw) makes one at run time, of any color.
+/// Width and height are powers of two, at most [`MAX_TEXTURE_SIZE`](super::MAX_TEXTURE_SIZE). The compiler knows the
+/// size, so a shader reads a texel in fewer instructions than from a [`Texture`]. [`as_texture`](Self::as_texture)
+/// borrows it as a [`Texture`].
+///
+/// A `static` texture array is stored in flash. A texel takes two bytes in `Rgb565`, four in `Rgb888` and one in
+/// gray.
+///
+/// There are three ways to create one:
+///
+/// - [`include_bmp!`](crate::include_bmp) and [`include_tga!`](crate::include_tga) convert an image file at compile
+///   time.
+/// - Constructors named after colors convert raw bytes. [`rgb565`](Self::rgb565) expects the high byte of a texel
+///   first, like displays and embedded-graphics' `ImageRaw`; [`rgb565_le`](Self::rgb565_le) expects the low byte
+///   first; and so on. Texels smaller than a byte are packed: the first lies in the high bits, and rows follow each
+///   other without a gap.
+/// - [`try_from_raw`](Self::try_from_raw) converts raw bytes of any color at run time.
+///
+/// (The compiler stops the evaluation of a constant after two million steps unless `long_running_const_eval` is
+/// allowed. Up to 512x512 texels stay below this limit.)
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray4, Rgb565};
 /// use fixel::prelude::*;
-/// // Usually of include_bytes!("skin.rgb565").
+/// // Usually, the bytes come from include_bytes!("skin.rgb565").
 /// static SKIN: TextureArray<Rgb565, 2, 1> = TextureArray::rgb565(&[0xf8, 0x00, 0x00, 0x1f]);
 /// static SAME: TextureArray<Rgb565, 2, 1> = TextureArray::rgb565_le(&[0x00, 0xf8, 0x1f, 0x00]);
 /// assert_eq!(SKIN.texels(), &[[Rgb565::new(31, 0, 0), Rgb565::new(0, 0, 31)]]);
@@ -38,8 +48,8 @@ use crate::message;
 /// assert_eq!(GRAY.texels(), &[[Gray4::new(1), Gray4::new(2)], [Gray4::new(3), Gray4::new(4)]]);
 /// ```
 ///
-/// Too few or too many bytes do not compile, nor does a size that is not a power of two. The compiler's error
-/// names the numbers, and what to write:
+/// Too few or too many bytes do not compile, nor does a size that is not a power of two. The compiler's error names
+/// the numbers and the remedy:
 ///
 /// ```compile_fail
 /// # use embedded_graphics::pixelcolor::Rgb565;
@@ -57,7 +67,7 @@ pub struct TextureArray<C, const W: usize, const H: usize> {
 }
 
 impl<C: Copy, const W: usize, const H: usize> TextureArray<C, W, H> {
-    /// A texture of these rows.
+    /// A texture with these rows, the top one first.
     #[must_use]
     pub const fn from_texels(texels: [[C; W]; H]) -> Self {
         const { (log2("width", W), log2("height", H)) };
@@ -70,7 +80,7 @@ impl<C: Copy, const W: usize, const H: usize> TextureArray<C, W, H> {
         &self.texels
     }
 
-    /// The same without its size in the type.
+    /// Borrows the texture as a [`Texture`], whose size is not part of the type.
     #[must_use]
     pub const fn as_texture(&self) -> Texture<'_, C> {
         Texture::of(Grid::of(&self.texels))
@@ -81,8 +91,8 @@ impl<C, const W: usize, const H: usize> TextureArray<C, W, H>
 where
     C: PixelColor + From<C::Raw>,
 {
-    /// A texture of raw bytes that come at run time. `O` is their byte order: embedded-graphics'
-    /// `BigEndian` or `LittleEndian`. The texture is returned by value, so it passes through the stack.
+    /// A texture from raw bytes at run time. `O` is their byte order: embedded-graphics' `BigEndian` or
+    /// `LittleEndian`. The texture is returned by value, so it passes through the stack.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{raw::LittleEndian, Rgb565};
@@ -97,7 +107,7 @@ where
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] if there are not exactly as many bytes as the texels need.
+    /// [`Error::Length`] unless there are exactly as many bytes as the texels need.
     pub fn try_from_raw<'a, O>(bytes: &'a [u8]) -> Result<Self, Error>
     where
         RawDataSlice<'a, C::Raw, O>: IntoIterator<Item = C::Raw>,
@@ -140,7 +150,7 @@ impl<C: PixelColor, const W: usize, const H: usize> Sampler for &TextureArray<C,
     }
 }
 
-/// The number in the two or three bytes at `at`. It makes no calls, since the compiler counts them.
+/// The number in the two or three bytes at `at`. It makes no calls, because the compiler counts them as steps.
 const fn word(bytes: &[u8], at: usize, size: usize, big_endian: bool) -> u32 {
     let last = at + size - 1;
     let (first, second) = if big_endian {
@@ -155,21 +165,21 @@ const fn word(bytes: &[u8], at: usize, size: usize, big_endian: bool) -> u32 {
     pair << 8 | bytes[if big_endian { last } else { at }] as u32
 }
 
-/// Number `index` in a list of numbers of `bits` bits each, which begins at the high bit of the first byte.
+/// Number `index` in a list of numbers of `bits` bits each; the list begins at the high bit of the first byte.
 const fn packed(bytes: &[u8], index: usize, bits: usize) -> u8 {
     let at = index * bits;
     (bytes[at / 8] >> (8 - bits - at % 8)) & (0xff >> (8 - bits))
 }
 
-/// The bytes that the texels take, of `bits` bits each.
+/// How many bytes the texels take, with `bits` bits each.
 const fn bytes_for<const W: usize, const H: usize>(bits: usize) -> usize {
     (W * H * bits).div_ceil(8)
 }
 
-/// A constructor from raw bytes: `$texel` is computed from the bytes and the texel's number.
+/// A constructor from raw bytes: `$texel` computes a texel from the bytes and the texel's index.
 macro_rules! constructor {
     ($name:ident $order:literal $bits:expr, $black:expr, |$bytes:ident, $index:ident| $texel:expr) => {
-        #[doc = concat!("A texture of raw bytes", $order, ".")]
+        #[doc = concat!("A texture from raw bytes", $order, ".")]
         ///
         /// Too few or too many bytes do not compile.
         #[must_use]
@@ -191,12 +201,12 @@ macro_rules! constructor {
     };
 }
 
-/// RGB colors: bytes of a texel, and the lowest bits of its channels in embedded-graphics' format.
+/// RGB colors: bytes per texel, and the lowest bits of the channels in embedded-graphics' format.
 macro_rules! rgb {
     ($($color:ident $be:ident $le:ident $bytes:literal $r:literal $g:literal $b:literal;)+) => {$(
         impl<const W: usize, const H: usize> TextureArray<$color, W, H> {
             const fn color(raw: u32) -> $color {
-                // `new` masks what is above the channel.
+                // `new` masks the bits above the channel.
                 $color::new((raw >> $r) as u8, (raw >> $g) as u8, (raw >> $b) as u8)
             }
 
@@ -221,7 +231,7 @@ rgb! {
     Bgr888 bgr888 bgr888_le 3 0 8 16;
 }
 
-/// Colors of a byte and less.
+/// Colors of a byte or less.
 macro_rules! packed {
     ($($color:ident $name:ident $bits:literal |$raw:ident| $new:expr;)+) => {$(
         impl<const W: usize, const H: usize> TextureArray<$color, W, H> {
@@ -251,7 +261,7 @@ mod tests {
     use embedded_graphics::prelude::*;
 
     #[test]
-    fn texels_are_those_of_embedded_graphics() {
+    fn texels_equal_those_of_embedded_graphics() {
         const BYTES: [u8; 96] = {
             let mut bytes = [0; 96];
             let mut i = 0_u8;
@@ -309,7 +319,7 @@ mod tests {
     }
 
     #[test]
-    fn as_large_as_documented() {
+    fn the_documented_size_compiles() {
         const LARGE: TextureArray<Rgb565, 512, 512> = TextureArray::rgb565(&[0x12; 512 * 512 * 2]);
         assert_eq!((&LARGE).texel(511, 511), Rgb565::new(2, 16, 18));
     }

@@ -1,15 +1,16 @@
-//! Colors between four colors.
+//! Colors between four texels.
 
 use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, Gray8, GrayColor, IntoStorage, PixelColor, Rgb555, Rgb565,
     Rgb666, Rgb888, raw::RawU16, raw::RawU24,
 };
 
-/// A color that [`Bilinear`](super::Bilinear) filtering can blend. Each channel is blended as it is stored, without
-/// gamma.
+/// A color that [`Bilinear`](super::Bilinear) filtering can blend.
 ///
-/// [`Gray8`] and the RGB and BGR colors of embedded-graphics implement it. Coarser grays have too few
-/// steps to blend: keep such a texture in [`Gray8`], and let [`Converted`](crate::Converted) dither the result.
+/// Each channel is blended as it is stored, without gamma.
+///
+/// It is implemented for [`Gray8`] and the RGB and BGR colors of embedded-graphics. Coarser grays have too few steps
+/// to blend: store such a texture in [`Gray8`], and let [`Converted`](crate::Converted) dither the result.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -23,19 +24,20 @@ pub trait Blend: PixelColor {
     /// at least 1 and at most 15.
     const WEIGHT_BITS: u32;
 
-    /// The color at a point between four texels. The upper row comes first, and in a row the left texel.
-    /// `weights` are the point's distances to the right of the first texel and below it, in units of
-    /// 2^-[`WEIGHT_BITS`](Self::WEIGHT_BITS), from 0 to less than 1. With weights of 0 the result must be the first texel exactly.
+    /// The color at a point between four texels. The upper row comes first, and the left texel comes first in a row.
+    ///
+    /// `weights` are the point's distances to the right of the first texel and below it, from 0 to less than 1, in
+    /// units of 2^-[`WEIGHT_BITS`](Self::WEIGHT_BITS). With weights of 0, the result must be exactly the first texel.
     #[must_use]
     fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self;
 }
 
-/// Whether every lane of `mask` has `bits` of room above it.
+/// Whether every lane of `mask` has `bits` unused bits above it.
 const fn roomy(mask: u32, bits: u32) -> bool {
     let mut room = 0;
     let mut above = mask;
     while room < bits {
-        // Neither does a lane reach the lowest bit of another, nor has the word lost a bit.
+        // No lane may reach the lowest bit of another, and the word may not lose a bit.
         if above >> 31 != 0 || (above << 1) & lowest(mask) != 0 {
             return false;
         }
@@ -50,16 +52,18 @@ const fn lowest(mask: u32) -> u32 {
     mask & !(mask << 1)
 }
 
-/// Applies `of` to each of four texels. Written out, because a map stays a loop in code optimized for size.
+/// Applies `of` to each of four texels. Written out, because optimized for size, a `map` remains a loop.
 #[inline]
 fn each<T, U>([[a, b], [c, d]]: [[T; 2]; 2], of: impl Fn(T) -> U) -> [[U; 2]; 2] {
     [[of(a), of(b)], [of(c), of(d)]]
 }
 
-/// Blends the channels of four texels. A word holds a texel's channels in lanes, the ones of `MASK`. Blends along the
-/// upper and the lower row come first, then one between them, each rounded to nearest, halves up.
+/// Blends the channels of four texels. A word holds a texel's channels in lanes, which are the runs of ones in
+/// `MASK`. It blends along the upper and the lower row first, and then between them; each result is rounded to
+/// nearest, halves up.
 ///
-/// Each of the two roundings is within half a step, so a channel is within one step of the exact sum weighted by `x` and `y`.
+/// Each of the two roundings has an error of at most half a step, so a channel is within one step of the exact sum
+/// weighted by `x` and `y`.
 #[inline]
 fn bilinear<const MASK: u32, const BITS: u32>(
     [upper, lower]: [[u32; 2]; 2],
@@ -67,15 +71,15 @@ fn bilinear<const MASK: u32, const BITS: u32>(
 ) -> u32 {
     const { assert!(roomy(MASK, BITS), "lanes overlap when weighted") };
     let mix = |[a, b]: [u32; 2], weight: u32| {
-        // a · (2^BITS − weight) + b · weight, for all lanes at once. Lanes of the difference may borrow
-        // from their neighbors; they give it back in the sum, where no lane is negative.
+        // a · (2^BITS − weight) + b · weight, for all lanes at once. Lanes of the difference may borrow from their
+        // neighbors; they give it back in the sum, where no lane is negative.
         let sum = (a << BITS).wrapping_add(b.wrapping_sub(a).wrapping_mul(weight));
         (sum.wrapping_add(lowest(MASK) << (BITS - 1)) >> BITS) & MASK
     };
     mix([mix(upper, x), mix(lower, x)], y)
 }
 
-/// Colors whose channels fit in one word with five bits of room each: the middle channel in the upper half.
+/// Colors whose channels fit in one word with five unused bits above each: the middle channel is in the upper half.
 macro_rules! one_word {
     ($($color:ident $mask:literal)+) => {$(
         impl Blend for $color {
@@ -101,7 +105,7 @@ one_word! {
     Bgr555 0x03e0_7c1f
 }
 
-/// Colors of more bits: the outer channels in one word, 16 bits apart, the middle channel in another.
+/// Colors with more bits: the outer channels are in one word, 16 bits apart, and the middle channel is in another.
 macro_rules! two_words {
     ($($color:ident $channel:literal $bits:literal)+) => {$(
         impl Blend for $color {

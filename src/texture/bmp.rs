@@ -3,10 +3,10 @@
 use super::image::{Entry, Image, Pixel, Table, at_least, u16_at, u32_at};
 use crate::Error;
 
-/// The file header: signature, length, and where the pixels are.
+/// Length of the file header: signature, file size, and offset of the pixels.
 const FILE_HEADER: usize = 14;
 
-/// `BI_RGB` and `BI_BITFIELDS`: not compressed.
+/// `BI_RGB` and `BI_BITFIELDS`: the uncompressed formats.
 const RGB: u32 = 0;
 const BIT_FIELDS: u32 = 3;
 
@@ -42,7 +42,7 @@ pub(super) const fn read(bytes: &[u8]) -> Result<Image<'_>, Error> {
     if width == 0 || width > i32::MAX as u32 {
         return refused("width", width, "at least 1 and at most 2147483647");
     }
-    // A negative height says that the top row comes first.
+    // A negative height means that the top row comes first.
     let height = u32_at(bytes, 22).cast_signed();
     let (top_down, height) = (height < 0, height.unsigned_abs());
     if height == 0 {
@@ -56,11 +56,11 @@ pub(super) const fn read(bytes: &[u8]) -> Result<Image<'_>, Error> {
     let pixel = check!(pixel(bytes, header as usize, bits, compression));
 
     let start = u32_at(bytes, 10) as u64;
-    // Rows are filled up to 4 bytes.
+    // Rows are padded to 4 bytes.
     let row = (width as u64 * bits as u64).div_ceil(32) * 4;
     let needed = start.saturating_add(row.saturating_mul(height as u64));
     check!(at_least(bytes, needed));
-    // All that follows lies in the file.
+    // Every offset below lies in the file.
     let (start, row) = (start as usize, row as usize);
     let (first, down) = if top_down {
         (start, row as isize)
@@ -79,9 +79,9 @@ pub(super) const fn read(bytes: &[u8]) -> Result<Image<'_>, Error> {
     })
 }
 
-/// How pixels of `bits` bits are written.
+/// How pixels of `bits` bits are stored.
 const fn pixel(bytes: &[u8], header: usize, bits: u32, compression: u32) -> Result<Pixel, Error> {
-    // The masks follow the 40 bytes that all headers have in common, in the longer ones as a part of them.
+    // The masks follow the 40 bytes that all headers share; longer headers contain them.
     const MASKS: usize = FILE_HEADER + 40;
     let masked = compression == BIT_FIELDS;
     match bits {
@@ -134,7 +134,7 @@ const fn pixel(bytes: &[u8], header: usize, bits: u32, compression: u32) -> Resu
     }
 }
 
-/// Which byte of a pixel a mask is, the lowest being 0.
+/// The byte of a pixel that a mask selects; 0 is the lowest.
 const fn byte_of(mask: u32) -> Option<u8> {
     match mask {
         0x0000_00ff => Some(0),
@@ -152,7 +152,7 @@ mod tests {
     use std::format;
     use std::vec::Vec;
 
-    /// Columns and rows of the pictures: an odd row length, so that rows are filled up.
+    /// Columns and rows of the pictures: the row length is odd, so that rows are padded.
     const SIZE: (u32, u32) = (5, 3);
 
     /// A file, field by field.
@@ -168,12 +168,12 @@ mod tests {
         masks: [u32; 3],
         /// Blue, green, red and nothing.
         table: Vec<[u8; 4]>,
-        /// The rows in the order of the file, without what fills them up.
+        /// The rows in the order of the file, without padding.
         rows: Vec<Vec<u8>>,
     }
 
     impl Fields {
-        /// Of `pixel` for each column and row, the bottom row first.
+        /// A file with `pixel` for each column and row, the bottom row first.
         fn of(bits: u32, pixel: impl Fn(u32, u32) -> Vec<u8>) -> Self {
             let row = |y| (0..SIZE.0).flat_map(|x| pixel(x, y)).collect();
             Self {
@@ -234,20 +234,20 @@ mod tests {
         color(x, y).into_iter().rev().collect()
     }
 
-    /// Blue, green, red and a byte that is nothing.
+    /// Blue, green, red and an unused byte.
     fn padded(x: u32, y: u32) -> Vec<u8> {
         let mut pixel = blue_first(x, y);
         pixel.push(0x77);
         pixel
     }
 
-    /// A word whose channels are narrower than those of [`color`]: red begins at `red`, green has `green` bits.
+    /// A word with narrower channels than [`color`]: red begins at bit `red`, green has `green` bits.
     fn word(x: u32, y: u32, red: u32, green: u32) -> u32 {
         let [r, g, b] = color(x, y).map(u32::from);
         (r >> 3) << red | (g >> (8 - green)) << 5 | b >> 3
     }
 
-    /// What both read is `expected`.
+    /// Checks that this crate and the image crate both read `expected`.
     fn holds(bytes: &[u8], expected: impl Fn(u32, u32) -> [u8; 3]) {
         let image = Image::from_bmp(bytes).unwrap();
         let other = image::load_from_memory_with_format(bytes, image::ImageFormat::Bmp)
@@ -291,7 +291,7 @@ mod tests {
             (fields.header, fields.compression) = (header, 3);
             fields.masks = [0xff_0000, 0xff00, 0xff];
             holds(&fields.bytes(), color);
-            // Red first.
+            // Red comes first.
             let mut fields = Fields::of(32, |x, y| padded(x, y).into_iter().rev().collect());
             (fields.header, fields.compression) = (header, 3);
             fields.masks = [0xff00, 0xff_0000, 0xff00_0000];
@@ -322,7 +322,7 @@ mod tests {
         });
     }
 
-    /// Pixels of `bits` bits with the index (x + 2 y) mod `colors`, packed.
+    /// Packed pixels of `bits` bits with the index (x + 2 y) mod `colors`.
     fn indexed(bits: u32, used: u32, colors: u32) -> Fields {
         let mut fields = Fields::of(bits, |_, _| Vec::new());
         let row = |y: u32| {
@@ -356,7 +356,7 @@ mod tests {
     }
 
     #[test]
-    fn read_at_run_time() {
+    fn a_file_is_read_at_run_time() {
         let mut fields = indexed(4, 3, 3);
         // The first rows, of four columns.
         (fields.width, fields.height) = (4, 2);
@@ -379,7 +379,7 @@ mod tests {
             let luma = crate::texture::ImageColor::nearest([r, g, b]);
             assert_eq!(palette.colors()[usize::from(index)], luma);
         }
-        // Beyond the table, its last color.
+        // Beyond the table, the last color repeats.
         assert_eq!(palette.colors()[255], palette.colors()[2]);
 
         let mut short = [Rgb888::BLACK; 7];
@@ -391,7 +391,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_a_texture_or_palette() {
+    fn unsuitable_pictures_are_refused() {
         let bytes = Fields::of(24, blue_first).bytes();
         let image = Image::from_bmp(&bytes).unwrap();
         let mut texels = [Rgb888::BLACK; 15];
@@ -451,7 +451,7 @@ mod tests {
             |fields| (fields.bits, fields.compression, fields.masks) = (16, 3, [0xf00, 0xf0, 0xf]),
             "red mask is 3840: it must be 31744 (5-5-5) or 63488 (5-6-5), green and blue below it",
         );
-        // 5 · 3 bytes filled up to 16, four rows in place of three.
+        // 5 · 3 bytes padded to 16, four rows instead of three.
         says(
             |fields| fields.height = 4,
             "file has 102 bytes: it needs at least 118",
@@ -482,7 +482,7 @@ mod tests {
 
     /// Whatever the header says, reading neither panics nor leaves the file.
     #[test]
-    fn any_header_is_survived() {
+    fn no_header_panics() {
         let files = [
             Fields::of(24, blue_first),
             Fields::of(32, padded),

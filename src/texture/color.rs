@@ -1,4 +1,4 @@
-//! Colors of files as colors of textures, at run time and while compiling.
+//! Colors of files as colors of textures, at run time and at compile time.
 
 use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb555, Rgb565,
@@ -9,11 +9,11 @@ use super::image::{Entry, Pixel, byte, channels, entry, index, rgb, widened, wor
 use super::include::{Convert, File};
 use crate::message;
 
-/// A color that the pixels of a file can be converted to: all of embedded-graphics.
+/// A color that the pixels of a file can be converted to: any color of embedded-graphics.
 ///
 /// Each channel is rounded to the nearest step, as embedded-graphics does it too. Gray is the BT.601 luma that
-/// [`Levels`](crate::shade::Levels) has (0.299 red + 0.587 green + 0.114 blue), rounded once to the nearest step, without
-/// dithering; [`BinaryColor`] is on from half of white on.
+/// [`Levels`](crate::shade::Levels) uses (0.299 red + 0.587 green + 0.114 blue), rounded once to the nearest step and
+/// not dithered. [`BinaryColor`] is on if the luma is at least half of white.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565};
@@ -24,7 +24,7 @@ use crate::message;
 /// assert_eq!(BinaryColor::nearest(orange), BinaryColor::On);
 /// ```
 pub trait ImageColor: PixelColor + sealed::Sealed {
-    /// The color nearest to red, green and blue, 255 being full.
+    /// The color nearest to red, green and blue, where 255 is full.
     #[must_use]
     fn nearest(rgb: [u8; 3]) -> Self;
 }
@@ -33,22 +33,22 @@ mod sealed {
     pub trait Sealed {}
 }
 
-/// c/255 in units of 2⁻¹⁶, within half a unit: 0 for 0, 65,536 for 255. Like all below a macro, since the
-/// compiler counts calls.
+/// c/255 in units of 2⁻¹⁶, with an error of at most half a unit: 0 for 0, 65,536 for 255. A macro, like the following
+/// ones, because the compiler counts calls as steps.
 macro_rules! fraction {
     ($channel:expr) => {
         ($channel as u32 * 257 + ($channel >> 7) as u32)
     };
 }
 
-/// A fraction in steps of which `max` are full, to nearest.
+/// A fraction in steps, rounded to nearest; `max` steps are full.
 macro_rules! steps {
     ($fraction:expr, $max:expr) => {
         (($fraction * $max as u32 + (1 << 15)) >> 16) as u8
     };
 }
 
-/// The luma of red, green and blue as a fraction. The weights' sum is 2^14.
+/// The luma of red, green and blue as a fraction. The weights add up to 2^14.
 macro_rules! luma {
     ($rgb:ident) => {
         (4899 * fraction!($rgb[0])
@@ -124,7 +124,7 @@ mod tests {
     use embedded_graphics::geometry::Point;
     use embedded_graphics::pixelcolor::GrayColor;
 
-    /// Every value of each channel beside all kinds of others.
+    /// Every value of each channel, with different values of the other channels.
     fn samples() -> impl Iterator<Item = [u8; 3]> {
         (0..=255).flat_map(|c: u8| {
             let d = c.wrapping_mul(37) ^ 0x5a;
@@ -158,7 +158,7 @@ mod tests {
         for rgb in samples() {
             let [r, g, b] = rgb.map(f64::from);
             let luma = (0.299 * r + 0.587 * g + 0.114 * b) / 255.0;
-            // Each of three weights is off by at most 2^-15, as in Levels.
+            // The error of each of the three weights is at most 2^-15, as in Levels.
             let near = |steps: u8, max: f64| {
                 (f64::from(steps) - luma * max).abs() <= 0.5 + max * 3.0 / 32768.0
             };

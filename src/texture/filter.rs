@@ -30,7 +30,9 @@ mod sealed {
     impl Sealed for super::Bilinear {}
 }
 
-/// Takes the texel whose center is nearest. A magnified texture shows its texels as sharp squares.
+/// Takes the texel whose center is nearest.
+///
+/// A magnified texture shows its texels as sharp squares.
 ///
 /// ```
 /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
@@ -45,8 +47,9 @@ mod sealed {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Nearest;
 
-/// Blends the four texels around a point, by the distances of their centers. A magnified texture is smooth.
-/// [`Textured::bilinear`](crate::Textured::bilinear) selects it.
+/// Blends the four texels around a point, by the distances of their centers.
+///
+/// A magnified texture is smooth. [`Textured::bilinear`](crate::Textured::bilinear) selects it.
 ///
 /// The first texel's center lies half a texel from the texture's corner. Beyond the outermost centers, a
 /// repeating texture blends with its other edge, and a [`clamped`](crate::Textured::clamped) one keeps the color
@@ -65,18 +68,21 @@ pub struct Nearest;
 ///
 /// # Rounding
 ///
-/// The position between the centers is rounded to the nearest 1/32 texel for colors of 16 bits
-/// (such as [`Rgb565`](embedded_graphics::pixelcolor::Rgb565)), because one word holds all their channels
-/// during a blend. For other colors it is rounded to the nearest 1/256 texel ([`Blend::WEIGHT_BITS`]). Two blends along rows come first, each rounded to
-/// a whole step; then one blend between the rows. A channel's error is at most one step, plus 1/32 (1/256) of the
-/// difference between the four texels. From black to white that is two steps of red and three of green in Rgb565, and two
-/// steps of 255 in Rgb888. At the centers of texels there is no error.
+/// The position between the centers is rounded to the nearest 1/32 texel for colors of 16 bits (such as
+/// [`Rgb565`](embedded_graphics::pixelcolor::Rgb565)), because one word holds all their channels during a blend. For
+/// other colors it is rounded to the nearest 1/256 texel ([`Blend::WEIGHT_BITS`]).
+///
+/// Two blends along rows come first, each rounded to a whole step; then one blend between the rows. A channel's error
+/// is at most one step, plus 1/32 (or 1/256) of the difference between the four texels. From black to white, this is
+/// two steps of red and three of green in Rgb565, and two steps of 255 in Rgb888. At the centers of texels there is
+/// no error.
 ///
 /// # Cost
 ///
-/// Instructions per pixel more than [`Nearest`] takes, with `opt-level = 3`, for the measured floor with
-/// a texture of 64x64 in flash, in the modes `Exact` and `Affine` (in the default mode Rgb565 takes 48 on the M4 and 75 on the M0+);
-/// and bytes of code with `opt-level = "s"`:
+/// The table lists how many more instructions a pixel takes than with [`Nearest`], with `opt-level = 3`, for the
+/// benchmark's floor with a 64x64 texture in flash. The range covers the modes `Exact` and `Affine`; in the default
+/// mode, Rgb565 takes 48 more on the M4 and 75 more on the M0+. The last columns are bytes of code with
+/// `opt-level = "s"`.
 ///
 /// | | Cortex-M4 | Cortex-M0+ | code, M4 | code, M0+ |
 /// |---|---:|---:|---:|---:|
@@ -114,10 +120,10 @@ impl<C: Blend> Filter<C> for Bilinear {
     }
 }
 
-/// The two columns or rows whose centers enclose `at`, and its distance from the first.
+/// The two columns or rows whose centers enclose `at`, and the distance of `at` from the first center.
 #[inline]
 fn between<A: Addressing>(at: i32, log2: u32, weight_bits: u32) -> ([i32; 2], u32) {
-    // Centers lie at halves. Subtracting half a unit of the weight less makes the cut below round to nearest.
+    // Centers lie at halves. Half a unit of the weight stays, so that the cut below rounds to nearest.
     let at = A::back(at, (1 << 15) - (1 << (15 - weight_bits)));
     let first = at >> 16;
     let weight = (at.cast_unsigned() & 0xffff) >> (16 - weight_bits);

@@ -1,20 +1,21 @@
-//! A picture inside the bytes of a file: where each pixel lies, and what it says.
+//! A picture inside the bytes of a file: where each pixel is and how it is read.
 
 use embedded_graphics::pixelcolor::Rgb888;
 
 use super::{ImageColor, Palette, Texture, bmp, tga};
 use crate::Error;
 
-/// A picture in the bytes of a BMP or TGA file, uncompressed.
+/// A picture inside the bytes of an uncompressed BMP or TGA file.
 ///
-/// [`include_bmp!`](crate::include_bmp) and [`include_tga!`](crate::include_tga) read a file while compiling. This is for
-/// files that come at run time, for example from a memory card: it checks the file once, and converts it into memory that the
-/// caller owns.
+/// It is for files that are read at run time, for example from a memory card. The constructors check the file;
+/// [`read_texture`](Self::read_texture) and [`read_palette`](Self::read_palette) convert it into the caller's memory.
+/// For files that are known at compile time, use [`include_bmp!`](crate::include_bmp) or
+/// [`include_tga!`](crate::include_tga).
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
 /// use fixel::{prelude::*, texture::Image};
-/// let bytes = include_bytes!("samples/brick.bmp"); // or what was read at run time
+/// let bytes = include_bytes!("samples/brick.bmp"); // or bytes read at run time
 /// let image = Image::from_bmp(bytes)?;
 /// assert_eq!((image.width(), image.height()), (8, 4));
 /// let mut texels = [Rgb565::new(0, 0, 0); 8 * 4];
@@ -30,8 +31,8 @@ use crate::Error;
 ///
 /// | | pixels |
 /// |---|---|
-/// | BMP | 24 and 32 bits; 16 bits (5-5-5 and 5-6-5); 8, 4 and 1 bits with a color table. With a header of 40, 108 or 124 bytes, bottom row or top row first |
-/// | TGA | 24 and 32 bits; 15 and 16 bits (5-5-5); 8 bits gray; 8 bits with a color table. Any corner first |
+/// | BMP | 24 and 32 bits; 16 bits (5-5-5 and 5-6-5); 8, 4 and 1 bits with a color table. The header has 40, 108 or 124 bytes; the bottom or the top row comes first |
+/// | TGA | 24 and 32 bits; 15 and 16 bits (5-5-5); 8 bits gray; 8 bits with a color table. Any corner comes first |
 ///
 /// An alpha channel is ignored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,14 +43,14 @@ pub struct Image<'a> {
     pub(super) height: u32,
     /// Offset of the top left pixel.
     pub(super) first: usize,
-    /// From a pixel to the next one on the right, in bytes; 0 where pixels are smaller.
+    /// From a pixel to the next one on the right, in bytes; 0 if pixels are smaller than a byte.
     pub(super) right: isize,
     /// From a row to the next one below, in bytes.
     pub(super) down: isize,
     pub(super) pixel: Pixel,
 }
 
-/// How a pixel or an entry of a color table is written.
+/// How a pixel is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Pixel {
     /// Bytes, at these offsets for red, green and blue.
@@ -58,16 +59,16 @@ pub(super) enum Pixel {
     Rgb555,
     /// The same with 6 bits of green.
     Rgb565,
-    /// An index of so many bits: 8, 4 or 1, the first pixel in the high bits.
+    /// An index of this many bits: 8, 4 or 1, the first pixel in the high bits.
     Index(u32, Table),
 }
 
-/// Where the colors of indices lie.
+/// The color table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Table {
     /// Offset of the first entry.
     pub(super) at: usize,
-    /// Bytes of an entry.
+    /// Bytes per entry.
     pub(super) step: usize,
     /// The index that means the first entry.
     pub(super) first: usize,
@@ -76,7 +77,7 @@ pub(super) struct Table {
     pub(super) entry: Entry,
 }
 
-/// How an entry of a color table is written.
+/// How an entry of a color table is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Entry {
     /// Blue, green, red.
@@ -85,11 +86,11 @@ pub(super) enum Entry {
     Rgb555,
 }
 
-// Below are macros in place of functions: while compiling, a call takes longer than all that these do, and
-// the compiler stops after two million calls and rounds of loops.
+// The following macros stand in place of functions: at compile time, a call takes longer than all their operations,
+// and the compiler stops after two million calls and loop iterations.
 
-/// The byte at an offset. `$length` is the number of bytes; a reader has checked that the picture lies
-/// within them, so the 0 is never seen.
+/// The byte at an offset. `$length` is the number of bytes. A reader has checked that the picture lies within them,
+/// so the 0 is never used.
 macro_rules! byte {
     ($bytes:expr, $length:expr, $at:expr) => {{
         let at = $at;
@@ -105,7 +106,7 @@ macro_rules! word {
     }};
 }
 
-/// A channel of 5 or 6 bits in 255 steps, to nearest.
+/// Widens a channel of 5 or 6 bits to 255 steps, rounded to nearest.
 macro_rules! widened {
     ($word:expr, $shift:literal, 5) => {
         ((($word >> $shift & 0x1f) * 527 + 23) >> 6) as u8
@@ -115,7 +116,7 @@ macro_rules! widened {
     };
 }
 
-/// Red, green and blue of 16 bits: the upper two channels begin at these bits.
+/// Red, green and blue of 16 bits; the numbers are the lowest bits of red and green.
 macro_rules! channels {
     ($word:expr, 10, 5) => {{
         let word = $word;
@@ -135,7 +136,8 @@ macro_rules! channels {
     }};
 }
 
-/// The index of the pixel in column `$x`, at most 2^31, of the row that begins at offset `$row`; 0 if pixels are no indices.
+/// The index of the pixel in column `$x`, at most 2^31, of the row that begins at offset `$row`; 0 if pixels are not
+/// indices.
 macro_rules! index {
     ($image:expr, $length:expr, $row:expr, $x:expr) => {
         match $image.pixel {
@@ -156,7 +158,7 @@ macro_rules! index {
     };
 }
 
-/// Red, green and blue of an index; beyond the ends of the table, of its first or last entry.
+/// Red, green and blue of an index; an index beyond the ends of the table has its first or last color.
 macro_rules! entry {
     ($table:expr, $bytes:expr, $length:expr, $index:expr) => {{
         let (table, index) = ($table, $index as usize);
@@ -198,15 +200,15 @@ macro_rules! rgb {
     }};
 }
 
-/// Writes to each of `$count` elements of a list the color `$value` made of `$rgb`: red, green and blue of the
-/// pixels of `$image`, row by row from the top.
+/// Writes a color to each of `$count` elements of a list: `$value`, computed from `$rgb`, which is red, green and
+/// blue of the pixels of `$image`, row by row from the top.
 macro_rules! write_colors {
     ($list:ident[..$count:expr] = $image:expr, |$rgb:ident| $value:expr) => {
         let image = $image;
         let (bytes, length) = (image.bytes, image.bytes.len());
         let (mut row, mut written) = (image.first as isize, 0);
         while written < $count {
-            // The most frequent kind by itself: that halves the time of compilation.
+            // The most frequent format has its own loop, which halves the compile time.
             if let Pixel::Bytes([r, g, b]) = image.pixel {
                 let (r, g, b) = (r as usize, g as usize, b as usize);
                 let (mut at, mut x) = (row, 0);
@@ -257,16 +259,16 @@ macro_rules! write_indices {
 pub(super) use {byte, channels, entry, index, rgb, widened, word, write_colors, write_indices};
 
 impl<'a> Image<'a> {
-    /// The picture in the bytes of a BMP file.
+    /// Reads the header of a BMP file, and checks that all pixels are there.
     ///
     /// # Errors
     ///
-    /// [`Error::Image`] if a field of its header has a value that cannot be read, [`Error::Truncated`] if bytes are missing.
+    /// [`Error::Image`] if a field of the header has an unsupported value; [`Error::Truncated`] if bytes are missing.
     pub const fn from_bmp(bytes: &'a [u8]) -> Result<Self, Error> {
         bmp::read(bytes)
     }
 
-    /// The picture in the bytes of a TGA file.
+    /// Reads the header of a TGA file, and checks that all pixels are there.
     ///
     /// # Errors
     ///
@@ -275,13 +277,13 @@ impl<'a> Image<'a> {
         tga::read(bytes)
     }
 
-    /// Number of columns; any number from 1 on.
+    /// Number of columns, at least 1.
     #[must_use]
     pub const fn width(&self) -> u32 {
         self.width
     }
 
-    /// Number of rows; any number from 1 on.
+    /// Number of rows, at least 1.
     #[must_use]
     pub const fn height(&self) -> u32 {
         self.height
@@ -293,7 +295,7 @@ impl<'a> Image<'a> {
         matches!(self.pixel, Pixel::Index(..))
     }
 
-    /// The pixel in column `x` and row `y`, (0, 0) being the top left one; `None` outside the picture.
+    /// The pixel in column `x` and row `y`, where (0, 0) is the top left; `None` outside the picture.
     #[must_use]
     pub const fn pixel(&self, x: u32, y: u32) -> Option<Rgb888> {
         if x < self.width && y < self.height {
@@ -305,30 +307,31 @@ impl<'a> Image<'a> {
         }
     }
 
-    /// The picture as a texture in `texels`, each color rounded as [`ImageColor`] tells.
+    /// Converts the picture to a texture in `texels`; [`ImageColor`] describes how colors are rounded.
     ///
     /// # Errors
     ///
-    /// [`Error::PowerOfTwo`] if the width or the height is not a power of two, at most 32,768;
-    /// [`Error::Length`] if the number of texels is not that of the pixels.
+    /// [`Error::PowerOfTwo`] unless the width and the height are powers of two, at most 32,768; [`Error::Length`]
+    /// unless there are as many texels as pixels. Then nothing is written.
     pub fn read_texture<'t, C: ImageColor>(
         &self,
         texels: &'t mut [C],
     ) -> Result<Texture<'t, C>, Error> {
-        // Refused before anything is written.
+        // Checked before anything is written.
         Texture::new(texels, self.width, self.height)?;
         let count = texels.len();
         write_colors!(texels[..count] = *self, |pixel| C::nearest(pixel));
         Texture::new(texels, self.width, self.height)
     }
 
-    /// The picture as a texture of indices: the pixels' in `indices`, those of its color table in `colors`.
+    /// Converts the picture to a texture of indices: it writes the pixels to `indices` and the color table to
+    /// `colors`.
     ///
-    /// Colors beyond the end of the table are its last one.
+    /// Colors beyond the end of the table repeat its last one.
     ///
     /// # Errors
     ///
-    /// Those of [`read_texture`](Self::read_texture), and [`Error::Image`] if pixels are not indices.
+    /// As for [`read_texture`](Self::read_texture), and [`Error::Image`] if pixels are not indices.
     pub fn read_palette<'t, C: ImageColor>(
         &self,
         indices: &'t mut [u8],
@@ -344,14 +347,14 @@ impl<'a> Image<'a> {
         Palette::new(indices, colors, self.width, self.height)
     }
 
-    /// The color table; an error if there is none, as a palette needs one.
+    /// The color table; an error for a palette if there is none.
     pub(super) const fn table(&self) -> Result<Table, Error> {
         let of = "bits per pixel";
         let needed = "8 (BMP: or 4 or 1) with a color table, for a palette";
         let given = match self.pixel {
             Pixel::Index(_, table) => return Ok(table),
             Pixel::Rgb555 | Pixel::Rgb565 => 16,
-            // The neighbor may be on either side.
+            // `right` may be negative.
             Pixel::Bytes(_) => 8 * self.right.unsigned_abs() as u32,
         };
         Err(Error::Image { of, given, needed })
@@ -374,7 +377,7 @@ pub(super) const fn at_least(bytes: &[u8], needed: u64) -> Result<(), Error> {
     if given as u64 >= needed {
         return Ok(());
     }
-    // A number that a word cannot hold is given as the largest it can.
+    // Saturated, because a word may not hold the number.
     let needed = if needed > usize::MAX as u64 {
         usize::MAX
     } else {

@@ -1,4 +1,4 @@
-//! Textures of files, converted while compiling.
+//! Textures from files, converted at compile time.
 
 use super::image::{Image, Pixel, byte, index, write_indices};
 use super::sampler::{Grid, exponents};
@@ -8,12 +8,13 @@ use crate::message;
 
 /// A file that a macro has read.
 ///
-/// A trait's functions cannot run while compiling, but its constants can depend on types. The macro makes a type for the
-/// file; the compiler infers the color's type from where the macro stands; a constant of the two holds the converted pixels.
+/// A trait's functions cannot run at compile time, but its constants can depend on types. So the macro declares a
+/// type for the file, the compiler infers the color's type from the place of the macro, and a constant of the two
+/// holds the converted pixels.
 pub trait File {
     /// The file's name, for errors.
     const PATH: &'static str;
-    /// Its picture, of a size that a texture may have.
+    /// Its picture, whose size a texture may have.
     const IMAGE: Image<'static>;
 }
 
@@ -25,7 +26,7 @@ pub trait Convert<F: File, const N: usize>: Copy + 'static {
     const COLORS: &'static [Self; 256];
 }
 
-/// What can be made of file `F` with `N` pixels.
+/// A texture that can be created from file `F` with `N` pixels.
 #[diagnostic::on_unimplemented(
     message = "an image file cannot become a `{Self}`",
     label = "a texture of a color of embedded-graphics is needed here",
@@ -47,13 +48,13 @@ impl<F: File, const N: usize> Indices<F, N> {
     };
 }
 
-/// Entries row by row as a grid, of the size of the file's picture.
+/// Entries, row by row, as a grid of the picture's size.
 const fn grid<F: File, T: Copy>(entries: &[T]) -> Grid<'_, T> {
     let image = F::IMAGE;
     message::checked(Grid::new(entries, image.width, image.height), F::PATH)
 }
 
-/// Entries row by row as rows, if the file's picture has the size `W` x `H`.
+/// Entries, row by row, as an array of rows; the picture must have the size `W` x `H`.
 const fn rows<F: File, T: Copy, const W: usize, const H: usize>(entries: &[T]) -> [[T; W]; H] {
     let image = F::IMAGE;
     if image.width as usize != W || image.height as usize != H {
@@ -89,11 +90,11 @@ impl<F: File, C: Convert<F, N>, const N: usize, const W: usize, const H: usize> 
         PaletteArray::from_rows(rows::<F, u8, W, H>(Indices::<F, N>::ALL), *C::COLORS);
 }
 
-/// The picture of a file, if it may be a texture.
+/// The picture of a file, if its size is allowed for a texture.
 ///
 /// # Panics
 ///
-/// At a mistake, naming the file.
+/// If the file or its size is not valid; the message names the file.
 #[must_use]
 pub const fn checked(image: Result<Image<'static>, Error>, path: &str) -> Image<'static> {
     let image = message::checked(image, path);
@@ -101,21 +102,22 @@ pub const fn checked(image: Result<Image<'static>, Error>, path: &str) -> Image<
     image
 }
 
-/// Number of pixels of a picture.
+/// The number of pixels of a picture.
 #[must_use]
 pub const fn len(image: Image<'static>) -> usize {
     image.width as usize * image.height as usize
 }
 
-/// A texture of a BMP file, converted while compiling; it lives in flash.
+/// A texture from a BMP file, converted at compile time and stored in flash.
 ///
-/// The type where the macro stands decides what it makes: a [`Texture`]; a [`TextureArray`] of the
-/// file's size; or, of a file with a color table, a [`Palette`] or a [`PaletteArray`]. The color is any of
-/// embedded-graphics'; [`ImageColor`](crate::texture::ImageColor) tells how it is rounded. Only the texels get into flash, not the file.
+/// The expected type decides the result: a [`Texture`]; a [`TextureArray`] of the file's size; or, for a file with a
+/// color table, a [`Palette`] or a [`PaletteArray`]. The color may be any of embedded-graphics';
+/// [`ImageColor`](crate::texture::ImageColor) describes how it is rounded. Only the texels are stored in flash, not
+/// the file.
 ///
-/// The path is relative to the source file, as for [`include_bytes!`]. [`Image`] lists the kinds of
-/// files; width and height must be powers of two. A mistake in the file stops compilation with an error
-/// that names the file, as in "skin.bmp: width is 100: it must be a power of two, at most 32768".
+/// The path is relative to the source file, as for [`include_bytes!`]. [`Image`] lists the supported formats; width
+/// and height must be powers of two. A mistake in the file stops compilation with an error that names the file, for
+/// example "skin.bmp: width is 100: it must be a power of two, at most 32768".
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, Rgb565};
@@ -131,7 +133,7 @@ pub const fn len(image: Image<'static>) -> usize {
 /// # assert_eq!((GRAY.texels().len(), TILES.indices().len()), (32, 8));
 /// ```
 ///
-/// A file without a color table cannot become a palette, and no file an array of another size:
+/// A file without a color table cannot become a palette, and a file cannot become an array of another size:
 ///
 /// ```compile_fail
 /// # use embedded_graphics::pixelcolor::Rgb565;
@@ -144,11 +146,11 @@ pub const fn len(image: Image<'static>) -> usize {
 /// static FAST: TextureArray<Rgb565, 4, 8> = include_bmp!("samples/brick.bmp");
 /// ```
 ///
-/// # Time
+/// # Compile time
 ///
-/// A picture of 256x256 pixels takes about three seconds of compilation, once: an incremental build keeps the result. The
-/// compiler stops a constant after two million steps unless the crate allows `long_running_const_eval`; up to 512x512
-/// pixels stay below.
+/// A picture of 256x256 pixels adds about three seconds to the first build; incremental builds keep the result. The
+/// compiler stops the evaluation of a constant after two million steps unless the crate allows
+/// `long_running_const_eval`. Up to 512x512 pixels stay below this limit.
 #[macro_export]
 macro_rules! include_bmp {
     ($path:expr $(,)?) => {
@@ -156,7 +158,7 @@ macro_rules! include_bmp {
     };
 }
 
-/// A texture of a TGA file, converted while compiling: see [`include_bmp!`].
+/// A texture from a TGA file, converted at compile time: see [`include_bmp!`].
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
@@ -172,7 +174,7 @@ macro_rules! include_tga {
     };
 }
 
-/// What the macros for files have in common: `$read` is the constructor of [`Image`].
+/// The part that the macros for files share; `$read` is the constructor of [`Image`].
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __include_image {

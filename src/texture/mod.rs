@@ -1,17 +1,17 @@
 //! Textures: texels in memory, and how a shader reads them.
 //!
-//! | type | size | a texel is |
+//! | type | size | texel |
 //! |---|---|---|
 //! | [`Texture`] | known at run time | a color |
 //! | [`TextureArray`] | in the type | a color |
 //! | [`Palette`] | known at run time | a byte, an index into 256 colors |
 //! | [`PaletteArray`] | in the type | a byte, an index into 256 colors |
 //!
-//! [`include_bmp!`](crate::include_bmp) and [`include_tga!`](crate::include_tga) make any of them of a file while
-//! compiling; [`Image`] reads a file at run time. A shader takes a reference to any of them, or to a
-//! [`Sampler`] of your own, and a [`Filter`] tells what lies between texels.
+//! [`include_bmp!`](crate::include_bmp) and [`include_tga!`](crate::include_tga) turn a file into any of these at
+//! compile time; [`Image`] reads a file at run time. A shader takes a reference to any of them, or to your own
+//! [`Sampler`]. A [`Filter`] chooses the color between the centers of texels.
 
-// Files are read while compiling, where `From` is not const; offsets lie within a file.
+// Files are read at compile time, where `From` is not const; offsets lie within a file.
 #![allow(
     clippy::cast_lossless,
     clippy::cast_possible_wrap,

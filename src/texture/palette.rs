@@ -1,4 +1,4 @@
-//! Textures of 8-bit indices whose size is not in the type.
+//! Textures of 8-bit indices whose size is known at run time.
 
 use embedded_graphics::pixelcolor::PixelColor;
 
@@ -6,11 +6,13 @@ use super::Sampler;
 use super::sampler::Grid;
 use crate::Error;
 
-/// A texture of one byte a texel: indices into 256 colors. Both are kept elsewhere, and the size is known at run time.
+/// A texture with one byte per texel, an index into 256 colors; its size is known at run time.
 ///
-/// Sizes, order of texels and cost are those of [`Texture`](super::Texture), and it may be made by the same macros,
-/// of a file with a color table. A [`PaletteArray`](super::PaletteArray) becomes one by
-/// [`as_palette`](super::PaletteArray::as_palette).
+/// It borrows both the indices and the colors.
+///
+/// Sizes, the order of texels and the cost are the same as for [`Texture`](super::Texture). The same macros create
+/// it, from a file with a color table; [`PaletteArray::as_palette`](super::PaletteArray::as_palette) borrows an array
+/// as a palette.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
@@ -72,7 +74,7 @@ impl<'a, C: Copy> Palette<'a, C> {
         self.colors
     }
 
-    /// The same picture in other colors, for example darker ones.
+    /// The same texture with other colors, for example darker ones.
     #[must_use]
     pub const fn with_colors(self, colors: &'a [C; 256]) -> Self {
         Self { colors, ..self }
@@ -91,7 +93,7 @@ impl<'a, C: Copy> Palette<'a, C> {
     }
 }
 
-/// A color for each of 256 indices: those given, and the last of them for all further indices.
+/// A color for each of 256 indices: the given colors, and their last one for all further indices.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -100,13 +102,13 @@ impl<'a, C: Copy> Palette<'a, C> {
 /// assert_eq!([0, 1, 2, 255].map(|index| colors[index]), [3, 5, 5, 5].map(Gray8::new));
 /// ```
 ///
-/// No color, or more than 256, does not compile.
+/// An empty list, or one of more than 256 colors, does not compile.
 #[must_use]
 pub const fn palette_colors<C: Copy, const COLORS: usize>(colors: &[C; COLORS]) -> [C; 256] {
     const {
         assert!(
             COLORS >= 1 && COLORS <= 256,
-            "a palette must have 1 to 256 colors: write so many in the list of colors"
+            "a palette must have 1 to 256 colors: write that many in the list of colors"
         );
     }
     let mut all = [colors[COLORS - 1]; 256];

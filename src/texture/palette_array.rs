@@ -1,4 +1,4 @@
-//! Textures of 8-bit indices.
+//! Textures of 8-bit indices that own them.
 
 use embedded_graphics::pixelcolor::PixelColor;
 
@@ -6,10 +6,12 @@ use super::sampler::{Grid, log2, wrapped};
 use super::{Palette, Sampler, palette_colors};
 use crate::message;
 
-/// A texture of one byte a texel that owns its indices and its 256 colors, with its size in the type: `H` rows of
-/// `W` indices.
+/// A texture with one byte per texel, an index into its own 256 colors; its size is part of the type.
 ///
-/// Sizes are those of [`TextureArray`](super::TextureArray). [`as_palette`](Self::as_palette) makes a [`Palette`] of it.
+/// There are `H` rows of `W` indices.
+///
+/// The rules for sizes are the same as for [`TextureArray`](super::TextureArray). [`as_palette`](Self::as_palette)
+/// borrows it as a [`Palette`].
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
@@ -28,7 +30,7 @@ use crate::message;
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// Too few or too many indices do not compile, nor do no colors or more than 256:
+/// Too few or too many indices do not compile, nor do zero colors or more than 256:
 ///
 /// ```compile_fail
 /// # use embedded_graphics::pixelcolor::Rgb565;
@@ -42,8 +44,8 @@ pub struct PaletteArray<C, const W: usize, const H: usize> {
 }
 
 impl<C: Copy, const W: usize, const H: usize> PaletteArray<C, W, H> {
-    /// A texture of indices, row by row from the top, and of up to 256 colors. Indices beyond
-    /// the last color mean the last color.
+    /// A texture of indices, row by row from the top, with 1 to 256 colors. Indices beyond the last color show the
+    /// last color.
     #[must_use]
     pub const fn new<const LENGTH: usize, const COLORS: usize>(
         indices: &[u8; LENGTH],
@@ -68,7 +70,7 @@ impl<C: Copy, const W: usize, const H: usize> PaletteArray<C, W, H> {
         Self { indices, colors }
     }
 
-    /// The same without its size in the type.
+    /// Borrows the texture as a [`Palette`], whose size is not part of the type.
     #[must_use]
     pub const fn as_palette(&self) -> Palette<'_, C> {
         Palette::of(Grid::of(&self.indices), &self.colors)
@@ -80,7 +82,7 @@ impl<C: Copy, const W: usize, const H: usize> PaletteArray<C, W, H> {
         &self.colors
     }
 
-    /// The same picture in other colors, for example darker ones.
+    /// The same texture with other colors, for example darker ones.
     #[must_use]
     pub const fn with_colors(self, colors: [C; 256]) -> Self {
         Self { colors, ..self }
@@ -112,7 +114,7 @@ mod tests {
     use embedded_graphics::pixelcolor::Gray8;
 
     #[test]
-    fn indices_beyond_the_colors_mean_the_last() {
+    fn indices_beyond_the_colors_show_the_last() {
         let palette: PaletteArray<_, 2, 1> =
             PaletteArray::new(&[1, 255], &[Gray8::new(5), Gray8::new(6)]);
         assert_eq!((&palette).texel(0, 7), Gray8::new(6));

@@ -5,10 +5,13 @@ use embedded_graphics::pixelcolor::PixelColor;
 use crate::Error;
 use crate::message;
 
-/// Texels by column and row, repeated in both directions. Width and height are powers of two.
+/// Texels by column and row, which repeat in both directions.
 ///
-/// References to [`Texture`](super::Texture), [`TextureArray`](super::TextureArray), [`Palette`](super::Palette),
-/// [`PaletteArray`](super::PaletteArray) and to plain rows of texels implement it:
+/// Width and height are powers of two.
+///
+/// It is implemented for [`Texture`](super::Texture) and [`Palette`](super::Palette), for references to them, and for
+/// references to [`TextureArray`](super::TextureArray), [`PaletteArray`](super::PaletteArray) and plain rows of
+/// texels:
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb888;
@@ -20,7 +23,7 @@ use crate::message;
 /// assert_eq!((image.width_log2(), image.height_log2()), (8, 8));
 /// ```
 ///
-/// Another size does not compile; the error says which size to write:
+/// Other sizes do not compile; the error names a size that does:
 ///
 /// ```compile_fail
 /// use fixel::texture::Sampler;
@@ -38,19 +41,19 @@ pub trait Sampler: Copy {
     /// The height is 2 to this power; at most 15.
     fn height_log2(&self) -> u32;
 
-    /// The texel in column `u` and row `v`, each taken modulo the size; (0, 0) is the top left texel.
+    /// The texel in column `u` and row `v`, both modulo the size; (0, 0) is the top left texel.
     fn texel(&self, u: i32, v: i32) -> Self::Color;
 }
 
 /// Largest width and height of a texture, in texels.
 pub const MAX_TEXTURE_SIZE: usize = 1 << 15;
 
-/// The largest size, as [`Error`] has it.
+/// The largest size, in the type that [`Error`] uses.
 const MAX: u32 = MAX_TEXTURE_SIZE as u32;
 
-/// The exponent of a width or height, checked while compiling; `of` names it in the error.
+/// The exponent of a width or height, checked at compile time; `of` names the size in the error.
 pub(super) const fn log2(of: &'static str, size: usize) -> u32 {
-    // What does not fit is too large either way.
+    // A size that does not fit into 32 bits is too large anyway.
     let given = if size > u32::MAX as usize {
         u32::MAX
     } else {
@@ -59,7 +62,7 @@ pub(super) const fn log2(of: &'static str, size: usize) -> u32 {
     message::checked(exponent(of, given), "texture")
 }
 
-/// The exponent of a width or height; `of` names it in the error.
+/// The exponent of a width or height; `of` names the size in the error.
 const fn exponent(of: &'static str, given: u32) -> Result<u32, Error> {
     if given.is_power_of_two() && given <= MAX {
         Ok(given.ilog2())
@@ -77,8 +80,8 @@ pub(super) const fn exponents(width: u32, height: u32) -> Result<[u32; 2], Error
     }
 }
 
-/// The entry at column `u` and row `v`, modulo the size; the mask shows the compiler that
-/// the indices are in range.
+/// The entry at column `u` and row `v`, both modulo the size. The mask shows the compiler that the indices are in
+/// range.
 #[inline]
 pub(super) fn wrapped<T: Copy, const W: usize, const H: usize>(
     rows: &[[T; W]; H],
@@ -109,7 +112,7 @@ impl<C: PixelColor, const W: usize, const H: usize> Sampler for &[[C; W]; H] {
     }
 }
 
-/// Entries row by row, of a size that the program knows at run time.
+/// Entries, row by row, of a size that is known at run time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Grid<'a, T> {
     /// As many as the size needs, so at least one.
@@ -159,10 +162,10 @@ impl<'a, T: Copy> Grid<'a, T> {
         self.height_log2 as u32
     }
 
-    /// The entry at column `u` and row `v`, modulo the size; `None` never happens.
+    /// The entry at column `u` and row `v`, both modulo the size; never `None`.
     ///
-    /// The number of entries is a power of two. The mask with one less cuts the row to the height, and
-    /// shows the compiler that only an empty slice lacks the entry: it tests for that once, before the loop over pixels.
+    /// The number of entries is a power of two. The mask with one less limits the row to the height. It also shows
+    /// the compiler that only an empty slice lacks the entry, so it tests for that once, before the loop over pixels.
     #[inline]
     pub(super) fn get(&self, u: i32, v: i32) -> Option<T> {
         let (u, v) = (u.cast_unsigned() as usize, v.cast_unsigned() as usize);
@@ -206,9 +209,9 @@ mod tests {
         assert_eq!(grid(1, max, max), Err(Error::Length { given, needed }));
     }
 
-    /// Entry by entry as rows whose size is in their type, far beyond the edges too.
+    /// Compares every entry with rows whose size is in their type, even far beyond the edges.
     #[test]
-    fn a_grid_repeats_as_rows_do() {
+    fn a_grid_repeats_like_rows() {
         fn compare<const W: usize, const H: usize>() {
             let mut rows = [[0; W]; H];
             for (at, entry) in rows.as_flattened_mut().iter_mut().enumerate() {

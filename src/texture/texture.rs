@@ -1,4 +1,4 @@
-//! Textures whose size is not in the type.
+//! Textures whose size is known at run time.
 
 use embedded_graphics::pixelcolor::PixelColor;
 
@@ -6,13 +6,13 @@ use super::Sampler;
 use super::sampler::Grid;
 use crate::Error;
 
-/// A texture: texels that are kept elsewhere, of a size that the program knows at run time.
+/// A texture that borrows its texels; its size is known at run time.
 ///
-/// Width and height are powers of two, at most [`MAX_TEXTURE_SIZE`](super::MAX_TEXTURE_SIZE). The texels lie row by row, the
-/// top row first. [`include_bmp!`](crate::include_bmp) and [`include_tga!`](crate::include_tga) make a texture of
-/// a file while compiling; a [`TextureArray`](super::TextureArray) becomes one by
-/// [`as_texture`](super::TextureArray::as_texture); [`new`](Self::new) takes a slice. Textures of different sizes fit in
-/// one list:
+/// Width and height are powers of two, at most [`MAX_TEXTURE_SIZE`](super::MAX_TEXTURE_SIZE). The texels lie row by
+/// row, the top row first. There are three ways to create one: [`include_bmp!`](crate::include_bmp) and
+/// [`include_tga!`](crate::include_tga) convert a file at compile time;
+/// [`TextureArray::as_texture`](super::TextureArray::as_texture) borrows an array as a texture; [`new`](Self::new)
+/// takes a slice. Textures of different sizes fit in one list:
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
@@ -27,9 +27,10 @@ use crate::Error;
 ///
 /// # Cost
 ///
-/// Reading a texel takes a shift and two masks more than in a [`TextureArray`](super::TextureArray), and holds more
-/// registers. Instructions of the measured floor, 47,610 pixels of a texture of 64x64, in a frame. A shader holds either the
-/// texture itself, `Textured::new(SKIN)`, or a reference to it, whose size it reads anew at each pixel:
+/// Reading a texel takes a shift and two masks more than from a [`TextureArray`](super::TextureArray), and uses more
+/// registers. The table lists instructions per frame for the benchmark's floor: 47,610 pixels with a 64x64 texture. A
+/// shader holds either the texture itself, `Textured::new(SKIN)`, or a reference to it, whose size is read again at
+/// each pixel:
 ///
 /// | | `TextureArray` | `Texture` | `&Texture` |
 /// |---|---:|---:|---:|
@@ -40,7 +41,7 @@ use crate::Error;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Texture<'a, C> {
     grid: Grid<'a, C>,
-    /// What an empty slice would show; there is none.
+    /// The color for an empty slice, which cannot occur.
     first: C,
 }
 
@@ -140,7 +141,7 @@ mod tests {
     use crate::texture::{Bilinear, Filter, Nearest, PaletteArray, TextureArray};
     use embedded_graphics::pixelcolor::Rgb565;
 
-    /// Points all over and far beyond, in sixteenths of a texel and not in the first repeat only.
+    /// Points in sixteenths of a texel, in several repeats and far beyond.
     fn points() -> impl Iterator<Item = [i32; 2]> {
         let ends = [i32::MIN, i32::MIN + 1, i32::MAX];
         let along = move || (-40..200).step_by(3).map(|at| at << 12).chain(ends);
@@ -163,7 +164,7 @@ mod tests {
     }
 
     #[test]
-    fn every_color_is_that_of_an_array() {
+    fn every_color_equals_that_of_an_array() {
         fn compare<const W: usize, const H: usize>() {
             let (mut texels, mut indices) = ([[Rgb565::new(0, 0, 0); W]; H], [[0; W]; H]);
             let mut colors = [Rgb565::new(0, 0, 0); 256];

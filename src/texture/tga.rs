@@ -1,4 +1,4 @@
-//! TGA files, as Truevision's specification 2.0 has them.
+//! TGA files, according to Truevision's specification 2.0.
 
 use super::image::{Entry, Image, Pixel, Table, at_least, u16_at};
 use crate::Error;
@@ -32,7 +32,7 @@ pub(super) const fn read(bytes: &[u8]) -> Result<Image<'_>, Error> {
         let needed = "below 64: rows must not be interleaved";
         return refused("image descriptor", descriptor, needed);
     }
-    // A map may be there and not be used.
+    // A file may have a map without using it.
     let step = entry_bits.div_ceil(8) as usize;
     let map = HEADER + id;
     let start = map + tables * count as usize * step;
@@ -76,7 +76,7 @@ pub(super) const fn read(bytes: &[u8]) -> Result<Image<'_>, Error> {
     if let Err(error) = at_least(bytes, needed) {
         return Err(error);
     }
-    // All that follows lies in the file. The descriptor says on which side the first pixel is.
+    // Every offset below lies in the file. The descriptor tells on which side the first pixel is.
     let (last_column, last_row) = (right * (width as usize - 1), row * (height as usize - 1));
     let (first, right) = if descriptor & 0x10 == 0 {
         (start, right as isize)
@@ -124,7 +124,7 @@ mod tests {
     }
 
     impl Fields {
-        /// Of `pixel` for each column and row, from the corner that the descriptor names.
+        /// A file with `pixel` for each column and row, in the order that the descriptor names.
         fn of(
             image_type: u8,
             bits: u8,
@@ -164,7 +164,7 @@ mod tests {
             let mapped = u8::from(!self.table.is_empty());
             let mut bytes = std::vec![self.id.len() as u8, mapped, self.image_type];
             bytes.extend([self.first, 0, self.table.len() as u8, 0, self.entry_bits]);
-            bytes.extend([0; 4]); // where on a screen
+            bytes.extend([0; 4]); // position on a screen
             for size in [self.width, SIZE.1 as u16] {
                 bytes.extend(size.to_le_bytes());
             }
@@ -176,7 +176,7 @@ mod tests {
         }
     }
 
-    /// The corners that can come first.
+    /// Descriptors for each corner that can come first.
     const ORIGINS: [u8; 4] = [0x00, 0x10, 0x20, 0x30];
 
     fn color(x: u32, y: u32) -> [u8; 3] {
@@ -203,7 +203,7 @@ mod tests {
         [word >> 10 & 31, word >> 5 & 31, word & 31].map(|value| ((value * 510 + 31) / 62) as u8)
     }
 
-    /// This crate reads `expected`; so does the image crate, if it `can`.
+    /// Checks that this crate reads `expected`, and that the image crate does if it `can`.
     fn holds(fields: &Fields, can: bool, expected: impl Fn(u32, u32) -> [u8; 3]) {
         let bytes = fields.bytes();
         let image = Image::from_tga(&bytes).unwrap();
@@ -269,7 +269,7 @@ mod tests {
             fields.table = (0..6).map(entry).collect();
             holds(&fields, false, |x, y| of_word(word(index(x, y), 0)));
         }
-        // Of three entries from index 2 on, the ends stand for all beyond.
+        // Three entries from index 2 on: lower indices show the first, higher ones the last.
         let mut fields = Fields::of(1, 8, 0, |x, y| [index(x, y) as u8].to_vec());
         (fields.first, fields.entry_bits) = (2, 24);
         fields.table = (2..5).map(|index| blue_first(index, 0)).collect();
@@ -344,7 +344,7 @@ mod tests {
 
     /// Whatever the header says, reading neither panics nor leaves the file.
     #[test]
-    fn any_header_is_survived() {
+    fn no_header_panics() {
         let mut mapped = Fields::of(1, 8, 0, |x, y| [(x + y) as u8].to_vec());
         mapped.entry_bits = 24;
         mapped.table = (0..6).map(|index| blue_first(index, 0)).collect();

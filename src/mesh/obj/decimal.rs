@@ -1,18 +1,18 @@
-//! Decimal numbers to the nearest in fixed point, exactly and without floats.
+//! Decimal text to the nearest fixed-point number, exactly and without floats.
 
 use crate::{Scalar, TexCoord};
 
-/// The bits of the nearest number and the place after it in the text.
+/// The bits of the nearest number and the index of the byte after it; or what is wrong with the text.
 pub(super) type Decimal = Result<(i32, usize), &'static str>;
 
 pub(super) const MALFORMED: &str = "a number is malformed: it must be like 1, -0.25 or 2.5e-3";
 
-/// A format of 32 bits.
+/// A fixed-point format of 32 bits.
 #[derive(Clone, Copy)]
 pub(super) struct Format {
     /// Fraction bits; 20 at most.
     fraction: u32,
-    /// What to say of a number beyond its ends.
+    /// The message for a number outside the format.
     pub(super) range: &'static str,
 }
 
@@ -21,17 +21,18 @@ pub(super) const SCALAR: Format = Format {
     range: "a number is out of range: it must lie between -32768 and 32767.99999",
 };
 
-/// For v there must be 1 − v, too.
+/// The bounds hold for 1 − v, too, which is what the mesh stores.
 pub(super) const TEX_COORD: Format = Format {
     fraction: TexCoord::FRAC_NBITS,
     range: "a texture coordinate is out of range: u, v and 1 - v must lie between -2048 and 2047.99999",
 };
 
-/// Fraction bits that decide: half a unit of the finest format.
+/// Fraction bits that are computed before rounding: the 20 of the finest format, and one more for its halves.
 const BITS: u32 = 21;
 
-/// Decimal places that decide: as many as the last of those bits has. Places beyond may be dropped,
-/// as halves are rounded up in magnitude. They are in two numbers, as 64 bits cannot hold them all.
+/// Decimal places that are read: a multiple of 2⁻²¹ has at most 21, so whatever follows them can only raise a number
+/// that lies between two such multiples. Later places are dropped, because halves round away from zero. The 21 digits
+/// do not fit into 64 bits, so they are kept as two integers.
 const PLACES: usize = HIGH + LOW;
 const HIGH: usize = 17;
 const LOW: usize = 4;
@@ -42,7 +43,7 @@ const HIGH_FIVES: u64 = 5_u64.pow(17);
 /// 10^21 / 2^21.
 const FIVES: u64 = 5_u64.pow(21);
 
-/// Greater than any magnitude in range, so large enough to stop at.
+/// Greater than any magnitude in range: the whole part stops growing here.
 const LARGE: u64 = 1 << 16;
 
 const POWERS: [u64; HIGH + 1] = {
@@ -55,9 +56,9 @@ const POWERS: [u64; HIGH + 1] = {
     powers
 };
 
-/// The byte at a place; a line's end after the text.
+/// The byte at an index; a line feed past the end of the text.
 ///
-/// A macro, as a compiler that runs this takes as long for a call as for a dozen operations.
+/// A macro, because a compile-time call takes as long as a dozen operations.
 macro_rules! byte {
     ($text:expr, $at:expr) => {
         if $at < $text.len() { $text[$at] } else { b'\n' }
@@ -65,9 +66,10 @@ macro_rules! byte {
 }
 pub(super) use byte;
 
-/// A fraction of 21 decimal places, the first 17 and the last 4, in units of 2⁻²¹, rounded down.
+/// A fraction given by its first 17 decimal places and the next 4, in units of 2⁻²¹, rounded down.
 const fn bits(high: u64, low: u64) -> u64 {
-    // 10^-17 = 2^-17 / 5^17; of the rest, 2^4 · 10^-4 / 5^17 = 1 / 5^21.
+    // 10⁻¹⁷ = 2⁻¹⁷ / 5¹⁷, so `high` has `whole` units of 2⁻¹⁷ and a remainder `rest`. In units of 2⁻²¹, the remainder
+    // is rest · 2⁴ / 5¹⁷ = rest · 10⁴ / 5²¹, and `low` is low · 2²¹ / 10²¹ = low / 5²¹.
     let (whole, rest) = (high / HIGH_FIVES, high % HIGH_FIVES);
     (whole << (BITS - 17)) + (rest * POWERS[LOW] + low) / FIVES
 }
@@ -121,7 +123,7 @@ pub(super) const fn decimal(text: &[u8], mut at: usize, format: Format) -> Decim
             Ok(power) => (exponent, at) = power,
             Err(problem) => return Err(problem),
         }
-        #[allow(clippy::cast_possible_wrap)] // no text is as long
+        #[allow(clippy::cast_possible_wrap)] // no text is that long
         let point = point as i64;
         (whole, high, low) = shifted(text, start, end, point + exponent);
     } else if places < HIGH {
@@ -129,7 +131,7 @@ pub(super) const fn decimal(text: &[u8], mut at: usize, format: Format) -> Decim
     } else if places < PLACES {
         low *= POWERS[PLACES - places];
     }
-    // In half units, then rounded to whole ones.
+    // In half units, then rounded to whole units.
     let halves = bits(high, low) >> (BITS - 1 - format.fraction);
     let magnitude = (whole << format.fraction) + ((halves + 1) >> 1);
     let limit = if negative { 1 << 31 } else { (1 << 31) - 1 };
@@ -145,7 +147,7 @@ pub(super) const fn decimal(text: &[u8], mut at: usize, format: Format) -> Decim
     Ok((bits, at))
 }
 
-/// Reads an exponent, saturated, and the place after it.
+/// Reads an exponent; returns it, saturated, and the index of the byte after it.
 const fn power(text: &[u8], mut at: usize) -> Result<(i64, usize), &'static str> {
     let negative = byte!(text, at) == b'-';
     if negative || byte!(text, at) == b'+' {
@@ -154,7 +156,7 @@ const fn power(text: &[u8], mut at: usize) -> Result<(i64, usize), &'static str>
     let start = at;
     let mut power = 0;
     while byte!(text, at).is_ascii_digit() {
-        // Beyond a text's possible number of digits, it may be anything.
+        // No text has this many digits, so the exact value no longer matters.
         if power < 1 << 40 {
             power = power * 10 + (byte!(text, at) - b'0') as i64;
         }
@@ -166,8 +168,8 @@ const fn power(text: &[u8], mut at: usize) -> Result<(i64, usize), &'static str>
     Ok((if negative { -power } else { power }, at))
 }
 
-/// Whole part, 17 decimal places and 4 more of the digits from `start` to `end` with the point moved
-/// to `point` digits after the first.
+/// Moves the point of the digits from `start` to `end` to `point` digits after the first. Returns the whole part, the
+/// first 17 decimal places and the next 4.
 const fn shifted(text: &[u8], start: usize, end: usize, point: i64) -> (u64, u64, u64) {
     let (mut whole, mut high, mut low) = (0, 0, 0);
     let mut left = point;

@@ -1,14 +1,13 @@
-//! Each edge once.
+//! Removes duplicate edges.
 
 use crate::mesh::Index;
 
-/// Below so many edges, insertion sorts faster than distribution.
+/// Up to this many edges, insertion sort is faster than distribution.
 const FEW: usize = 24;
 
-/// Sorts the edges in place and moves each different one to the front; their number.
+/// Sorts the edges in place, moves one of each to the front and returns how many there are.
 ///
-/// Time is linear but for a logarithm's worth; it matters as this runs while compiling, where a
-/// step costs a microsecond.
+/// A radix sort takes linear time. It matters because this runs in the compiler, where a step costs a microsecond.
 pub(super) const fn unique(edges: &mut [[Index; 2]]) -> usize {
     sort(edges, 0, edges.len(), 24);
     let mut kept = 0;
@@ -24,14 +23,17 @@ pub(super) const fn unique(edges: &mut [[Index; 2]]) -> usize {
     kept
 }
 
-/// Sorts the edges from `start` to before `end`, which agree in the bits above `shift` + 8 of their
-/// keys: distributes them by the next eight bits, in place ("American flag sort"), and sorts each share.
+/// Sorts the edges from `start` to before `end`. Their keys (first index, then second) agree in all bits above
+/// `shift` + 8.
+///
+/// An American flag sort: the next eight bits distribute the edges in place into 256 buckets, and each bucket is
+/// sorted.
 const fn sort(edges: &mut [[Index; 2]], start: usize, end: usize, shift: u32) {
     if end - start <= FEW {
         insertion(edges, start, end);
         return;
     }
-    // The upper bytes first; of each pair, the first index.
+    // The first index is the upper half of the key; within an index, the upper byte comes first.
     let (part, low) = ((shift < 16) as usize, shift % 16);
     let mut counts = [0; 256];
     let mut at = start;
@@ -39,27 +41,27 @@ const fn sort(edges: &mut [[Index; 2]], start: usize, end: usize, shift: u32) {
         counts[(edges[at][part] >> low) as usize & 0xFF] += 1;
         at += 1;
     }
-    // Where each share is to be filled next, and where it ends.
+    // For each bucket, where the next edge goes and where the bucket ends.
     let mut next = [start; 256];
     let mut ends = [start; 256];
     let mut sum = start;
-    let mut share = 0;
-    while share < 256 {
-        next[share] = sum;
-        sum += counts[share];
-        ends[share] = sum;
-        share += 1;
+    let mut bucket = 0;
+    while bucket < 256 {
+        next[bucket] = sum;
+        sum += counts[bucket];
+        ends[bucket] = sum;
+        bucket += 1;
     }
-    share = 0;
-    while share < 256 {
-        while next[share] < ends[share] {
-            // Carries an edge to its share, takes up the one that is there, until one belongs here.
-            let mut edge = edges[next[share]];
+    bucket = 0;
+    while bucket < 256 {
+        while next[bucket] < ends[bucket] {
+            // Puts an edge into its bucket and picks up the one it displaces, until one belongs in this bucket.
+            let mut edge = edges[next[bucket]];
             loop {
                 let home = (edge[part] >> low) as usize & 0xFF;
                 let place = next[home];
                 next[home] = place + 1;
-                if home == share {
+                if home == bucket {
                     edges[place] = edge;
                     break;
                 }
@@ -68,21 +70,26 @@ const fn sort(edges: &mut [[Index; 2]], start: usize, end: usize, shift: u32) {
                 edge = other;
             }
         }
-        share += 1;
+        bucket += 1;
     }
     if shift == 0 {
         return;
     }
-    share = 0;
-    while share < 256 {
-        if counts[share] > 1 {
-            sort(edges, ends[share] - counts[share], ends[share], shift - 8);
+    bucket = 0;
+    while bucket < 256 {
+        if counts[bucket] > 1 {
+            sort(
+                edges,
+                ends[bucket] - counts[bucket],
+                ends[bucket],
+                shift - 8,
+            );
         }
-        share += 1;
+        bucket += 1;
     }
 }
 
-/// Sorts the edges from `start` to before `end`.
+/// Sorts the edges from `start` to before `end` by insertion.
 const fn insertion(edges: &mut [[Index; 2]], start: usize, end: usize) {
     let mut at = start + 1;
     while at < end {

@@ -1,4 +1,4 @@
-//! What [`include_obj!`](crate::include_obj) expands to.
+//! The code that [`include_obj!`](crate::include_obj) expands to.
 
 use super::parse;
 use super::reader::MOST;
@@ -6,13 +6,14 @@ use crate::Error;
 use crate::mesh::buffers::{Arrays, Counts};
 use crate::message;
 
-/// At least as many elements as a text of so many bytes can have, so that it need be read only once.
+/// Upper bounds of what a text of `bytes` bytes can hold, so that the text has to be read only once.
 #[must_use]
 pub const fn room(bytes: usize) -> Counts {
     const fn at_most(count: usize, most: usize) -> usize {
         if count < most { count } else { most }
     }
-    // As in "v 0 0 0", "vt 0", "vn 0 0 0" with a line's end; a corner takes a blank and a digit.
+    // The shortest statements are "v 0 0 0", "vt 0" and "vn 0 0 0", each with a line feed; a corner takes a blank and
+    // a digit.
     let positions = at_most(bytes / 8 + 1, MOST[0]);
     let corners = bytes / 2 + 1;
     Counts {
@@ -27,11 +28,11 @@ pub const fn room(bytes: usize) -> Counts {
     }
 }
 
-/// The lists with room, and how many elements there are.
+/// The mesh's lists, longer than needed, and how many elements each really has.
 ///
 /// # Panics
 ///
-/// At a mistake, naming path and line.
+/// If the text is not valid; the message names the path and the line.
 #[must_use]
 pub const fn arrays<
     const P: usize,
@@ -54,7 +55,7 @@ pub const fn arrays<
     (arrays, message::checked(counts, path))
 }
 
-/// A mesh of an OBJ file, read while compiling; it lives in flash.
+/// A mesh from an OBJ file, read at compile time and stored in flash.
 ///
 /// The path is relative to the source file, as for [`include_str!`]. A mistake in the file stops
 /// compilation and names its line. [`mesh::obj`](crate::mesh::obj) lists the statements it reads.
@@ -64,7 +65,7 @@ pub const fn arrays<
 /// static MODEL: Mesh = include_obj!("../../../tests/models/house.obj");
 /// assert_eq!(MODEL.faces().len(), 14);
 ///
-/// // Positions of 16 bits, in half the flash: see Mesh::short.
+/// // With 16-bit positions, which take half the flash: see Mesh::short.
 /// static SMALL: Mesh = include_obj!("../../../tests/models/house.obj", short);
 /// assert_eq!(SMALL.positions().len(), MODEL.positions().len());
 /// ```
@@ -93,7 +94,8 @@ macro_rules! include_obj {
     }};
 }
 
-/// What both forms of [`include_obj!`](crate::include_obj) read: `READ`, its `COUNTS`, and the type of its `Arrays`.
+/// The part that both forms of [`include_obj!`](crate::include_obj) share: `READ`, its `COUNTS`, and the type
+/// `Arrays`.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __read_obj {

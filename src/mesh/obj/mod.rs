@@ -1,29 +1,31 @@
-//! Wavefront OBJ text as a mesh, at compile time or at run time, without floats or allocation.
+//! Meshes from Wavefront OBJ text, at compile time or at run time, without floats or allocation.
 //!
-//! [`include_obj!`](crate::include_obj) makes a `static` mesh of a file; [`parse`] fills the
-//! caller's memory. Both read this dialect:
+//! [`include_obj!`](crate::include_obj) turns a file into a `static` mesh; [`parse`] fills the caller's memory. Both
+//! read this dialect:
 //!
 //! | statement | meaning |
 //! |---|---|
 //! | `v x y z`, `v x y z w` | a position; the weight is ignored |
-//! | `v x y z r g b` | a position with a color, 0 to 1 each; if all positions have one, the mesh has colors |
-//! | `vt u`, `vt u v`, `vt u v w` | a texture coordinate; OBJ's v runs up and [`Vec2`]'s down, so v becomes 1 − v; w is ignored |
+//! | `v x y z r g b` | a position with a color, each component from 0 to 1; the mesh has colors if every position has one |
+//! | `vt u`, `vt u v`, `vt u v w` | a texture coordinate; OBJ's v points up and [`Vec2`]'s points down, so v becomes 1 − v; w is ignored |
 //! | `vn x y z` | a normal, of any length |
-//! | `f 1 2 3`, `f 1/1 …`, `f 1//1 …`, `f 1/1/1 …` | a polygon of three or more corners, cut into a fan of triangles from its first |
+//! | `f 1 2 3`, `f 1/1 …`, `f 1//1 …`, `f 1/1/1 …` | a polygon of three or more corners, cut into a fan of triangles around its first corner |
 //! | `l 1 2 3` | edges between positions |
 //! | `# …` | a comment, to the end of the line |
-//! | any other | ignored, known to OBJ (`o`, `g`, `s`, `p`, `usemtl`, `mtllib`, …) or not |
+//! | any other | ignored, whether OBJ defines it (`o`, `g`, `s`, `p`, `usemtl`, `mtllib`, …) or not |
 //!
-//! - Indices count from 1, or back from −1, the last element so far. A positive index may name an element
+//! - Indices count from 1 up; −1 is the last element so far, −2 the one before. A positive index may name an element
 //!   that comes later in the text.
-//! - Numbers are decimal, with exponent or without, rounded exactly to the nearest
-//!   [`Scalar`](crate::Scalar), those of `vt` to the nearest [`TexCoord`](crate::TexCoord), halves away from zero.
-//! - Lines end in LF, CR or both; a backslash at the end joins the next. Blanks do not matter.
-//! - A corner without a texture coordinate gets (0, 0), one without a normal its triangle's own, if
-//!   other corners have them; attributes that no corner names are left out.
-//! - Edges are the sides of the polygons, not of the triangles, and the lines; each once, from the
+//! - Numbers are decimal, with or without an exponent. Each is rounded exactly to the nearest
+//!   [`Scalar`](crate::Scalar), after `vt` to the nearest [`TexCoord`](crate::TexCoord); halves round away from zero.
+//! - Lines end in LF, CR or both. A backslash at the end of a line joins the next line to it. Extra blanks are
+//!   ignored.
+//! - If some corners have texture coordinates, the others get (0, 0). If some have normals, the others get the normal
+//!   of their triangle. Attributes that no corner names are left out.
+//! - Edges are the sides of the polygons (not the diagonals of the fan) and the lines. Each occurs once, from the
 //!   smaller index to the greater, in ascending order.
-//! - The text is bytes, as comments and names may be in any encoding; a UTF-8 mark at the start is skipped.
+//! - The text is bytes, because comments and names may be in any encoding. A UTF-8 byte-order mark at the start is
+//!   skipped.
 
 mod decimal;
 mod edges;
@@ -38,12 +40,12 @@ use super::indexed::{Index, Mesh};
 use crate::{Error, Vec2, Vec3};
 use reader::{Corner, MOST, Reader, Statement};
 
-/// The indices of one attribute over all corners: whether they need a list of their own.
+/// How the corners use an attribute, which decides whether it needs indices of its own.
 #[derive(Clone, Copy)]
 struct Usage {
-    /// How many corners have one.
+    /// How many corners name a value.
     corners: usize,
-    /// Whether any is not the position's.
+    /// Whether any of these indices differs from the corner's position index.
     differs: bool,
 }
 
@@ -53,7 +55,8 @@ impl Usage {
         self.differs |= index != position;
     }
 
-    /// Numbers of values and of triangles, if there are so many values, positions and so on in the text.
+    /// How many values and how many triangles the attribute's lists need, for a text with so many values, positions,
+    /// corners and triangles.
     const fn counts(
         self,
         values: usize,
@@ -71,11 +74,12 @@ impl Usage {
     }
 }
 
-/// Counts what a text holds: how much memory [`parse`] needs.
+/// Counts the elements of a text: the room that [`parse`] needs.
 ///
 /// # Errors
 ///
-/// [`Error::Obj`] with the line of the first mistake; indices that name nothing come after all others.
+/// [`Error::Obj`] with the line of the first mistake. Indices that name no element are reported only if there is no
+/// other mistake.
 ///
 /// ```
 /// use fixel::mesh::obj;
@@ -88,7 +92,7 @@ pub const fn count(text: &[u8]) -> Result<Counts, Error> {
     read(text, &mut nothing)
 }
 
-/// Reads a text into as much of the buffers as there is, and counts.
+/// Reads a text and counts its elements; writes as many of them as the buffers hold.
 const fn read(text: &[u8], buffers: &mut Buffers<'_>) -> Result<Counts, Error> {
     let mut writer = Writer::new(Reader::new(text, MOST), buffers);
     if let Err(error) = writer.write() {
@@ -98,7 +102,7 @@ const fn read(text: &[u8], buffers: &mut Buffers<'_>) -> Result<Counts, Error> {
     if !writer.reader.missed() {
         return Ok(counts);
     }
-    // Where was it? Now it is known how many of each there are.
+    // An index was too great. The totals are known now, so a second reading finds its line.
     let seen = writer.reader.seen();
     match Writer::new(Reader::new(text, seen), buffers).write() {
         Ok(()) => Ok(counts),
@@ -106,13 +110,14 @@ const fn read(text: &[u8], buffers: &mut Buffers<'_>) -> Result<Counts, Error> {
     }
 }
 
-/// Reads a text into the caller's memory, of which [`count`] tells the size.
+/// Reads a text into the caller's memory; [`count`] tells how much it needs.
 ///
-/// Texture coordinates, normals, colors and edges for which there is an empty slice are left out.
+/// Texture coordinates, normals, colors and edges are left out if their slice is empty.
 ///
 /// # Errors
 ///
-/// [`Error::Obj`] as for [`count`]; [`Error::TooMany`] if a slice is too short.
+/// [`Error::Obj`] as for [`count`]; [`Error::TooMany`] if a slice is too short (an empty slice for attributes or
+/// edges is not).
 ///
 /// ```
 /// use fixel::mesh::{obj, Buffers};
@@ -141,15 +146,15 @@ pub const fn parse<'a>(text: &[u8], mut buffers: Buffers<'a>) -> Result<Mesh<'a>
     buffers.mesh(counts)
 }
 
-/// Writes the elements in the order of the text, as far as there is room.
+/// Writes the elements in the order of the text, as long as there is room.
 struct Writer<'t, 'b, 'a> {
     reader: Reader<'t>,
     buffers: &'b mut Buffers<'a>,
     /// Triangles so far.
     faces: usize,
-    /// Their polygons' corners so far.
+    /// Corners of all polygons so far.
     corners: usize,
-    /// Edges so far, each as often as it occurs.
+    /// Edges so far, duplicates included.
     edges: usize,
     /// Positions with colors so far.
     colors: usize,
@@ -157,7 +162,7 @@ struct Writer<'t, 'b, 'a> {
     normals: Usage,
 }
 
-/// Writes to a list if it has room.
+/// Writes to a list if there is room.
 macro_rules! put {
     ($list:expr, $at:expr, $value:expr) => {
         if $at < $list.len() {
@@ -209,7 +214,7 @@ impl<'t, 'b, 'a> Writer<'t, 'b, 'a> {
                 Ok(statement) => statement,
                 Err(error) => return Err(error),
             };
-            // Elements are counted as they are read, so this one is the last.
+            // The reader has counted this element already, so it is the last.
             let [positions, uvs, normals] = self.reader.seen();
             let corners = match statement {
                 Statement::Position(position, color) => {
@@ -239,7 +244,7 @@ impl<'t, 'b, 'a> Writer<'t, 'b, 'a> {
         }
     }
 
-    /// The corners of a polygon, as a fan of triangles and as edges, or the ends of a line.
+    /// Reads the corners of a polygon and writes its triangles and edges, or reads a line and writes its edges.
     const fn polygon(&mut self, face: bool) -> Result<(), Error> {
         let mut first = None;
         let mut last = None;
@@ -282,7 +287,7 @@ impl<'t, 'b, 'a> Writer<'t, 'b, 'a> {
 
     const fn edge(&mut self, from: Corner, to: Corner) {
         let (from, to) = (from.position, to.position);
-        // A side from a corner to itself is none.
+        // A side from a position to itself is no edge.
         if from != to {
             let edge = if from < to { [from, to] } else { [to, from] };
             put!(self.buffers.edges, self.edges, edge);

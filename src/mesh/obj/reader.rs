@@ -1,26 +1,26 @@
-//! OBJ text, statement by statement.
+//! Reads OBJ text, statement by statement.
 
 use super::decimal::{Format, SCALAR, TEX_COORD, byte, decimal};
 use crate::{Error, Mesh, TexCoord};
 
-/// What a line says.
+/// One statement of the text.
 #[derive(Clone, Copy)]
 pub(super) enum Statement {
     /// `v`, with its color if it has one.
     Position([i32; 3], Option<[u8; 3]>),
-    /// `vt` in 2⁻²⁰, v running down.
+    /// `vt` in units of 2⁻²⁰, with v already pointing down.
     Uv([i32; 2]),
     /// `vn`.
     Normal([i32; 3]),
-    /// `f`; its corners are to be read.
+    /// `f`; the caller reads its corners next.
     Face,
-    /// `l`; its corners are to be read.
+    /// `l`; the caller reads its corners next.
     Line,
-    /// There is no more.
+    /// The end of the text.
     End,
 }
 
-/// Indices of a corner, the first element being 0.
+/// The indices of a corner, counted from 0.
 #[derive(Clone, Copy)]
 pub(super) struct Corner {
     pub(super) position: u16,
@@ -32,17 +32,17 @@ pub(super) struct Corner {
 pub(super) struct Reader<'a> {
     text: &'a [u8],
     at: usize,
-    /// Where the reader is, the first line being 1.
+    /// The current line, counted from 1.
     line: usize,
-    /// Positions, texture coordinates and normals so far.
+    /// How many positions, texture coordinates and normals have been read.
     seen: [usize; 3],
-    /// Positions, texture coordinates and normals that an index may name.
+    /// How many positions, texture coordinates and normals an index may refer to.
     known: [usize; 3],
-    /// Positions, texture coordinates and normals that indices did name.
+    /// One more than the greatest index of a position, texture coordinate and normal so far.
     named: [usize; 3],
 }
 
-/// As many as a 16-bit index can name, less one attribute value for `Mesh::NO_VALUE`.
+/// The most elements of each kind that 16-bit indices can name; `Mesh::NO_VALUE` takes one index from the attributes.
 pub(super) const MOST: [usize; 3] = [
     Mesh::MAX_POSITIONS,
     Mesh::NO_VALUE as usize,
@@ -67,14 +67,14 @@ const fn ends_line(c: u8) -> bool {
     c == b'\n' || c == b'\r'
 }
 
-/// What a word ends with.
+/// The bytes that end a word.
 macro_rules! blank {
     () => {
         b' ' | b'\t' | b'\n' | b'\r' | b'\\' | b'#'
     };
 }
 
-/// A color component of 0..1 as 0..255, rounded to nearest.
+/// A color component from 0..1 to 0..255, rounded to nearest; `None` outside 0..1.
 const fn component(bits: i32) -> Option<u8> {
     if bits < 0 || bits > 1 << 16 {
         return None;
@@ -84,9 +84,9 @@ const fn component(bits: i32) -> Option<u8> {
 }
 
 impl<'a> Reader<'a> {
-    /// A reader of a text in which indices may name so many elements of each kind.
+    /// A reader of `text`; `known` says how many elements of each kind an index may refer to.
     pub(super) const fn new(text: &'a [u8], known: [usize; 3]) -> Self {
-        // Some programs put a byte-order mark.
+        // Some programs write a byte-order mark.
         let marked = text.len() >= 3 && text[0] == 0xEF && text[1] == 0xBB && text[2] == 0xBF;
         Self {
             text,
@@ -98,12 +98,12 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Positions, texture coordinates and normals so far.
+    /// How many positions, texture coordinates and normals have been read.
     pub(super) const fn seen(&self) -> [usize; 3] {
         self.seen
     }
 
-    /// Whether an index named something that is not in the text.
+    /// Whether an index named an element that the text does not have.
     pub(super) const fn missed(&self) -> bool {
         self.named[0] > self.seen[0] || self.named[1] > self.seen[1] || self.named[2] > self.seen[2]
     }
@@ -115,7 +115,7 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// Goes past a line's end, which is LF, CR or both.
+    /// Skips a line's end, which is LF, CR or both.
     const fn end_line(&mut self) {
         if byte!(self.text, self.at) == b'\r' && byte!(self.text, self.at + 1) == b'\n' {
             self.at += 1;
@@ -124,7 +124,7 @@ impl<'a> Reader<'a> {
         self.line += 1;
     }
 
-    /// Goes past a backslash at a line's end, which makes the next line part of this one.
+    /// Skips a backslash at a line's end, which joins the next line to this one; returns whether there was one.
     const fn continuation(&mut self) -> bool {
         let next = self.at + 1;
         if byte!(self.text, self.at) == b'\\'
@@ -139,7 +139,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Goes past blanks; whether another word follows in this statement.
+    /// Skips blanks; returns whether another word of this statement follows.
     const fn word(&mut self) -> bool {
         loop {
             match byte!(self.text, self.at) {
@@ -151,7 +151,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Goes to the end of this line; of a statement that goes on in the next, to that one's.
+    /// Skips to the end of the statement, across continued lines; a comment ends with its line.
     const fn skip(&mut self, comment: bool) {
         loop {
             let c = byte!(self.text, self.at);
@@ -164,7 +164,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The next statement that says something about the mesh.
+    /// Reads the next statement that matters to the mesh.
     pub(super) const fn statement(&mut self) -> Result<Statement, Error> {
         loop {
             if !self.word() {
@@ -200,7 +200,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The numbers up to the statement's end and how many there are.
+    /// Reads the numbers up to the end of the statement; returns them and how many there are.
     const fn numbers<const MAX: usize>(
         &mut self,
         format: Format,
@@ -224,7 +224,7 @@ impl<'a> Reader<'a> {
         Ok((numbers, count))
     }
 
-    /// Counts an element of a kind.
+    /// Counts one more element of a kind.
     const fn see(&mut self, kind: usize) -> Result<(), Error> {
         if self.seen[kind] == MOST[kind] {
             return self.error(TOO_MANY[kind]);
@@ -239,7 +239,7 @@ impl<'a> Reader<'a> {
             Err(error) => return Err(error),
         };
         let color = match count {
-            // A fourth number is a weight for curves, a seventh an opacity.
+            // A fourth number is a weight for curves, a seventh is an opacity.
             3 | 4 => None,
             6 | 7 => match (component(n[3]), component(n[4]), component(n[5])) {
                 (Some(r), Some(g), Some(b)) => Some([r, g, b]),
@@ -279,7 +279,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The next corner of a face or line; `None` at its end.
+    /// Reads the next corner of a face or line; `None` at its end.
     pub(super) const fn corner(&mut self) -> Result<Option<Corner>, Error> {
         if !self.word() {
             return Ok(None);
@@ -315,7 +315,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reads an index into the elements of a kind: from 1 up, or from −1, the last so far, down.
+    /// Reads an index of a kind of element: 1 is the first, −1 the last so far.
     const fn index(&mut self, kind: usize) -> Result<u16, Error> {
         let text = self.text;
         let mut at = self.at;

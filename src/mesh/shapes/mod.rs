@@ -11,13 +11,12 @@ use crate::num::Scalar;
 use crate::{Error, Vec3};
 use pen::Pen;
 
-/// A shape that a mesh can be made of: by [`shape!`](crate::shape) for flash, by
-/// [`build`](Self::build) at run time.
+/// A generated shape: [`shape!`](crate::shape) turns it into a mesh in flash, [`build`](Self::build) does so at run
+/// time.
 ///
-/// All shapes are centerd on the origin and have positions, unit normals, texture coordinates from
-/// 0 to 1 and edges, which are a wireframe without the diagonals of quads. Triangles are
-/// counter-clockwise as seen from outside. Where the texture or the normal jumps, positions repeat.
-/// A transform makes another size of them.
+/// All shapes are centered on the origin. They have positions, unit normals, texture coordinates from 0 to 1, and
+/// edges: a wireframe without the diagonals of quads. Triangles are counter-clockwise as seen from outside. Positions
+/// repeat where the texture or the normal jumps. To resize a shape, scale it with a [`Transform`](crate::Transform).
 ///
 /// ```
 /// use fixel::mesh::{Buffers, Shape};
@@ -81,7 +80,7 @@ const fn extent(of: &'static str, given: Scalar, max: Scalar) -> Result<(), Erro
 }
 
 impl Shape {
-    /// Most parts in one direction: with the fewest in the other they do not overflow an index.
+    /// Most parts in one direction: with the fewest parts in the other direction, the indices still fit into 16 bits.
     pub const MAX_PARTS: u32 = 16_384;
 
     /// A box from −`corner` to `corner`; the texture fills each of its six sides.
@@ -100,27 +99,27 @@ impl Shape {
 
     /// A sphere of radius 1 with its poles on the y axis.
     ///
-    /// It has `slices` sides around the axis, from z over x, and `stacks` rows from the upper pole to
-    /// the lower; the texture is wrapped around once.
+    /// It has `slices` sides around the axis, which start at +z and continue toward +x, and `stacks` rows from the
+    /// upper pole to the lower. The texture wraps around it once.
     ///
     /// # Errors
     ///
-    /// [`Error::Parts`] below 3 slices or 2 stacks; [`Error::TooMany`] above 65,536 positions, of
-    /// which there are (`slices` + 1)(`stacks` + 1).
+    /// [`Error::Parts`] below 3 slices or 2 stacks; [`Error::TooMany`] if the (`slices` + 1)(`stacks` + 1) positions
+    /// are more than 65,536.
     pub const fn sphere(slices: u32, stacks: u32) -> Result<Self, Error> {
         let checks = [parts("slices", slices, 3), parts("stacks", stacks, 2)];
         Self::of(Kind::Sphere { slices, stacks }, &checks)
     }
 
-    /// A torus around the y axis: a tube of radius `tube` about a circle of radius 1.
+    /// A torus around the y axis: a tube of radius `tube` whose center line is a circle of radius 1.
     ///
-    /// It has `slices` sides around the axis and `sides` around the tube; the texture is wrapped once
-    /// around each, its seam inside.
+    /// It has `slices` sides around the axis and `sides` around the tube. The texture wraps once around each, with
+    /// its seam on the inside.
     ///
     /// # Errors
     ///
-    /// [`Error::Parts`] below 3 slices or sides; [`Error::Extent`] if `tube` is not between 0 and 1;
-    /// [`Error::TooMany`] above 65,536 positions, of which there are (`slices` + 1)(`sides` + 1).
+    /// [`Error::Parts`] below 3 slices or sides; [`Error::Extent`] unless 0 < `tube` < 1; [`Error::TooMany`] if the
+    /// (`slices` + 1)(`sides` + 1) positions are more than 65,536.
     pub const fn torus(tube: Scalar, slices: u32, sides: u32) -> Result<Self, Error> {
         let max = Scalar::from_bits(Scalar::ONE.to_bits() - 1);
         let checks = [
@@ -136,26 +135,25 @@ impl Shape {
         Self::of(kind, &checks)
     }
 
-    /// A level square from −1 to 1 in x and z that faces up, as a grid of `columns` along x and `rows`
-    /// along z; the texture fills it, its top on the side of −z.
+    /// A horizontal square from −1 to 1 in x and z that faces up, as a grid of `columns` along x and `rows` along z.
+    /// The texture fills it; its top edge is at z = −1.
     ///
     /// # Errors
     ///
-    /// [`Error::Parts`] below 1 column or row; [`Error::TooMany`] above 65,536 positions, of which
-    /// there are (`columns` + 1)(`rows` + 1).
+    /// [`Error::Parts`] below 1 column or row; [`Error::TooMany`] if the (`columns` + 1)(`rows` + 1) positions are
+    /// more than 65,536.
     pub const fn plane(columns: u32, rows: u32) -> Result<Self, Error> {
         let checks = [parts("columns", columns, 1), parts("rows", rows, 1)];
         Self::of(Kind::Plane { columns, rows }, &checks)
     }
 
-    /// A closed cylinder of radius 1 about the y axis, from −1 to 1, of `slices` sides.
+    /// A closed cylinder of radius 1 around the y axis, from y = −1 to y = 1, with `slices` sides.
     ///
-    /// The texture is wrapped around the side once, and each cap is a disc cut from it.
+    /// The texture wraps around the side once, and each cap is a disc cut from it.
     ///
     /// # Errors
     ///
-    /// [`Error::Parts`] below 3 slices; [`Error::TooMany`] above 65,536 positions, of which there are
-    /// 4(`slices` + 1).
+    /// [`Error::Parts`] below 3 slices; [`Error::TooMany`] if the 4(`slices` + 1) positions are more than 65,536.
     pub const fn cylinder(slices: u32) -> Result<Self, Error> {
         Self::of(Kind::Cylinder { slices }, &[parts("slices", slices, 3)])
     }
@@ -177,10 +175,10 @@ impl Shape {
         Ok(shape)
     }
 
-    /// How many elements the mesh has, and so what room it needs.
+    /// How many elements the mesh has: the room that [`build`](Self::build) needs.
     #[must_use]
     pub const fn counts(self) -> Counts {
-        // Below 2^15 each, so that products fit 32 bits.
+        // The factors are below 2^15, so products fit into 32 bits.
         let (positions, faces, edges) = match self.kind {
             Kind::Cuboid { .. } => (24, 12, 12),
             Kind::Sphere { slices, stacks } => (
@@ -211,11 +209,12 @@ impl Shape {
         }
     }
 
-    /// Makes the mesh in the caller's memory.
+    /// Builds the mesh in the caller's memory. Lists with an empty slice are left out.
     ///
     /// # Errors
     ///
-    /// [`Error::TooMany`] if a slice is shorter than [`counts`](Self::counts) says and not empty.
+    /// [`Error::TooMany`] if the slice for positions or for faces is shorter than [`counts`](Self::counts) says, or
+    /// if another slice is shorter but not empty.
     pub const fn build(self, buffers: Buffers<'_>) -> Result<Mesh<'_>, Error> {
         let mut pen = match Pen::new(buffers, self.counts()) {
             Ok(pen) => pen,
@@ -235,7 +234,7 @@ impl Shape {
         pen.mesh()
     }
 
-    /// Unwraps a shape while compiling; used by [`shape!`](crate::shape).
+    /// Unwraps a shape at compile time; for [`shape!`](crate::shape).
     ///
     /// # Panics
     ///
@@ -247,9 +246,10 @@ impl Shape {
     }
 }
 
-/// A mesh of a [`Shape`](crate::mesh::Shape), made while compiling; it lives in flash.
+/// A mesh of a [`Shape`](crate::mesh::Shape), built at compile time and stored in flash.
 ///
-/// The argument is a constructor of `Shape` with constant arguments; what that refuses does not compile.
+/// The argument is a constructor of `Shape` with constant arguments. Arguments that the constructor refuses do not
+/// compile.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -258,7 +258,8 @@ impl Shape {
 /// assert!(CRATE.has_uvs() && RING.has_normals());
 /// ```
 ///
-/// With `short` after it positions are of 16 bits, in half the flash: [`Mesh::short`](crate::Mesh::short).
+/// A second argument, `short`, stores 16-bit positions, which take half the flash:
+/// [`Mesh::short`](crate::Mesh::short).
 ///
 /// ```
 /// use fixel::prelude::*;

@@ -1,4 +1,4 @@
-//! Writes vertices, triangles and edges one after the other.
+//! Writes the vertices, triangles and edges of a shape one after the other.
 
 use crate::mesh::{Buffers, Counts, Index, Mesh};
 use crate::{Error, TexCoord, Vec2, Vec3};
@@ -6,14 +6,14 @@ use crate::{Error, TexCoord, Vec2, Vec3};
 /// One, in the bits of a `Unit`.
 pub(super) const ONE: i64 = 1 << 30;
 
-/// A vertex; the components of its vectors in 2⁻⁶⁰.
+/// A vertex; its position and normal are in units of 2⁻⁶⁰.
 pub(super) struct Corner {
     pub(super) position: [i64; 3],
     pub(super) normal: [i64; 3],
     pub(super) uv: [TexCoord; 2],
 }
 
-/// Where the next elements go.
+/// Writes a mesh into buffers and knows where the next elements go.
 pub(super) struct Pen<'a> {
     buffers: Buffers<'a>,
     counts: Counts,
@@ -22,10 +22,10 @@ pub(super) struct Pen<'a> {
     edges: usize,
 }
 
-/// The nearest `Scalar`s of components in 2⁻⁶⁰.
+/// The nearest vector of `Scalar`s to components in units of 2⁻⁶⁰.
 const fn rounded([x, y, z]: [i64; 3]) -> Vec3 {
     const HALF: i64 = 1 << 43;
-    // Magnitudes are up to 2.
+    // Magnitudes are at most 2.
     Vec3::from_bits([
         ((x + HALF) >> 44) as i32,
         ((y + HALF) >> 44) as i32,
@@ -33,7 +33,7 @@ const fn rounded([x, y, z]: [i64; 3]) -> Vec3 {
     ])
 }
 
-/// A vertex's number as an index; a shape's positions are counted before.
+/// A vertex number as an index; it fits, because `Shape` limits the number of positions.
 const fn index(number: u32) -> Index {
     number as Index
 }
@@ -52,7 +52,7 @@ impl<'a> Pen<'a> {
         }
     }
 
-    /// The number that the next vertex gets.
+    /// The number of the next vertex.
     pub(super) const fn next(&self) -> u32 {
         self.positions
     }

@@ -1,4 +1,4 @@
-//! The surfaces of the shapes, mostly grids bent round.
+//! The surfaces of the shapes; most are bent grids.
 
 use super::pen::{Corner, ONE, Pen};
 use crate::{Angle, Scalar, TexCoord, Vec3};
@@ -6,22 +6,22 @@ use crate::{Angle, Scalar, TexCoord, Vec3};
 const ZERO: TexCoord = TexCoord::ZERO;
 const UNIT: TexCoord = TexCoord::ONE;
 
-/// The `part`th of `parts` of a turn, and of half a turn if `half`; whole turns are none, so that
-/// a seam closes to the last bit.
+/// `part` / `parts` of a turn, or of half a turn if `half`. A whole turn is 0 again, so that a seam closes to the
+/// last bit.
 const fn angle(part: u32, parts: u32, half: bool) -> Angle {
     let bits = ((part as u64) << (32 - half as u32)) / parts as u64;
-    // Whole turns drop out.
+    // Whole turns overflow and drop out.
     Angle::from_bits(bits as u32)
 }
 
-/// Sine and cosine in 2⁻³⁰.
+/// Sine and cosine in units of 2⁻³⁰.
 const fn sin_cos(angle: Angle) -> (i64, i64) {
     (angle.sin().to_bits() as i64, angle.cos().to_bits() as i64)
 }
 
-/// `part` / `parts` to the nearest with so many fraction bits.
+/// `part` / `parts` with `fraction` fraction bits, rounded to nearest.
 const fn nearest(part: u32, parts: u32, fraction: u32) -> i32 {
-    // At most one.
+    // At most 1.
     (((part as u64) << (fraction + 1)) / parts as u64).div_ceil(2) as i32
 }
 
@@ -30,26 +30,26 @@ const fn ratio(part: u32, parts: u32) -> TexCoord {
     TexCoord::from_bits(nearest(part, parts, TexCoord::FRAC_NBITS))
 }
 
-/// The nearest `Scalar` to where 0..1 becomes −1..1.
+/// Maps `part` / `parts` from 0..1 to −1..1, rounded to the nearest `Scalar`.
 const fn across(part: u32, parts: u32) -> Scalar {
     Scalar::from_bits(2 * nearest(part, parts, Scalar::FRAC_NBITS) - Scalar::ONE.to_bits())
 }
 
-/// Which edges and triangles of a grid to draw.
+/// Which edges and triangles of a grid to write.
 struct Grid {
     columns: u32,
     rows: u32,
     /// Whether the first and the last row of vertices are one point each.
     poles: bool,
-    /// Rows of vertices with edges along them, from and to before.
+    /// The rows of vertices that are joined by edges, from the first to before the second.
     along: [u32; 2],
-    /// Columns of vertices with edges along them.
+    /// How many columns of vertices are joined by edges.
     across: u32,
 }
 
-/// Triangles and edges of the vertices that were written last, row by row: columns to the right
-/// and rows down as seen from outside.
-const fn weave(pen: &mut Pen<'_>, first: u32, grid: &Grid) {
+/// Writes the triangles and edges between the vertices of a grid, which are numbered row by row from `first`. Seen
+/// from outside, columns run to the right and rows run down.
+const fn write_grid(pen: &mut Pen<'_>, first: u32, grid: &Grid) {
     let width = grid.columns + 1;
     let mut row = 0;
     while row <= grid.rows {
@@ -65,7 +65,7 @@ const fn weave(pen: &mut Pen<'_>, first: u32, grid: &Grid) {
                 pen.edge([a, c]);
             }
             if inside && row < grid.rows {
-                // A pole's vertices lie each between two of the next row's.
+                // Each vertex of a pole's row lies between two vertices of the next row.
                 if grid.poles && row + 1 == grid.rows {
                     pen.triangle([a, c, b]);
                 } else {
@@ -91,7 +91,7 @@ pub(super) const fn sphere(pen: &mut Pen<'_>, slices: u32, stacks: u32) {
         while column <= slices {
             let (sin, cos) = sin_cos(angle(column, slices, false));
             let point = [radius * sin, y * ONE, radius * cos];
-            // The texture of a pole's triangle narrows to its middle.
+            // At a pole, u lies halfway between the two other corners of the triangle.
             let u = if pole && column < slices {
                 ratio(2 * column + 1, 2 * slices)
             } else {
@@ -113,7 +113,7 @@ pub(super) const fn sphere(pen: &mut Pen<'_>, slices: u32, stacks: u32) {
         along: [1, stacks],
         across: slices,
     };
-    weave(pen, first, &grid);
+    write_grid(pen, first, &grid);
 }
 
 pub(super) const fn torus(pen: &mut Pen<'_>, tube: Scalar, slices: u32, sides: u32) {
@@ -121,7 +121,7 @@ pub(super) const fn torus(pen: &mut Pen<'_>, tube: Scalar, slices: u32, sides: u
     let tube = tube.to_bits() as i64;
     let mut row = 0;
     while row <= sides {
-        // From inside over the top to outside.
+        // From the inside over the top to the outside.
         let (up, inwards) = sin_cos(angle(row, sides, false));
         let radius = ONE - ((tube * inwards) >> 16);
         let mut column = 0;
@@ -143,7 +143,7 @@ pub(super) const fn torus(pen: &mut Pen<'_>, tube: Scalar, slices: u32, sides: u
         along: [0, sides],
         across: slices,
     };
-    weave(pen, first, &grid);
+    write_grid(pen, first, &grid);
 }
 
 pub(super) const fn plane(pen: &mut Pen<'_>, columns: u32, rows: u32) {
@@ -166,7 +166,7 @@ pub(super) const fn plane(pen: &mut Pen<'_>, columns: u32, rows: u32) {
         along: [0, rows + 1],
         across: columns + 1,
     };
-    weave(pen, first, &grid);
+    write_grid(pen, first, &grid);
 }
 
 pub(super) const fn cylinder(pen: &mut Pen<'_>, slices: u32) {
@@ -193,12 +193,12 @@ pub(super) const fn cylinder(pen: &mut Pen<'_>, slices: u32) {
         along: [0, 2],
         across: slices,
     };
-    weave(pen, first, &grid);
+    write_grid(pen, first, &grid);
     cap(pen, slices, ONE);
     cap(pen, slices, -ONE);
 }
 
-/// A fan of triangles about the end of a cylinder at `y`.
+/// Closes a cylinder at `y` with a fan of triangles.
 const fn cap(pen: &mut Pen<'_>, slices: u32, y: i64) {
     let center = pen.next();
     let half = TexCoord::from_bits(UNIT.to_bits() / 2);
@@ -210,7 +210,7 @@ const fn cap(pen: &mut Pen<'_>, slices: u32, y: i64) {
     let mut slice = 0;
     while slice < slices {
         let (sin, cos) = sin_cos(angle(slice, slices, false));
-        // The disc of the texture, down being z on the upper cap and −z on the lower.
+        // A disc of the texture; v grows toward +z on the upper cap and toward −z on the lower.
         let down = if y > 0 { cos } else { -cos };
         pen.vertex(&Corner {
             position: [ONE * sin, ONE * y, ONE * cos],
@@ -227,14 +227,14 @@ const fn cap(pen: &mut Pen<'_>, slices: u32, y: i64) {
     }
 }
 
-/// −1..1 in 2⁻³⁰ to 0..1.
+/// Maps −1..1 in units of 2⁻³⁰ to 0..1.
 const fn texture(unit: i64) -> TexCoord {
-    // Half of it, rounded from 2⁻³⁰ to 2⁻²⁰; at most 1.
+    // Halved, and rounded from 2⁻³⁰ to 2⁻²⁰; at most 1.
     TexCoord::from_bits(((unit + ONE + (1 << 10)) >> 11) as i32)
 }
 
 pub(super) const fn cuboid(pen: &mut Pen<'_>, corner: Vec3) {
-    /// Normal, right and down of each side as seen from outside: axis and sign.
+    /// Normal, right and down of each side as seen from outside; each is an axis and whether it points along it.
     const SIDES: [[(usize, bool); 3]; 6] = [
         [(2, true), (0, true), (1, false)],
         [(0, true), (2, false), (1, false)],
@@ -270,7 +270,7 @@ pub(super) const fn cuboid(pen: &mut Pen<'_>, corner: Vec3) {
         let (b, c, d) = (a + 1, a + 2, a + 3);
         pen.triangle([a, c, d]);
         pen.triangle([a, d, b]);
-        // The four upright edges from the four sides, the others from top and bottom.
+        // Each of the four upright sides writes one upright edge; top and bottom write the rest.
         pen.edge([a, c]);
         if out.0 == 1 {
             pen.edge([b, d]);

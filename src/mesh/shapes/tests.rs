@@ -1,4 +1,4 @@
-//! What every shape keeps: closed, outwards, unit normals, textured within 0..1.
+//! Properties of every shape: closed, facing outwards, with unit normals and texture coordinates within 0..1.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::vec::Vec;
@@ -28,7 +28,7 @@ fn points(mesh: &Mesh) -> Vec<Point> {
     mesh.positions().iter().map(Vec3::to_bits).collect()
 }
 
-/// Directed sides of all triangles by position, and how often each occurs.
+/// The directed sides of all triangles, by position, and how often each occurs.
 fn sides(mesh: &Mesh) -> BTreeMap<(Point, Point), usize> {
     let points = points(mesh);
     let mut sides = BTreeMap::new();
@@ -59,7 +59,7 @@ fn float(v: Vec3) -> [f64; 3] {
 }
 
 #[test]
-fn closed_with_euler_characteristic() {
+fn surfaces_are_closed_and_have_the_right_euler_characteristic() {
     for (name, mesh) in &SHAPES {
         let sides = sides(mesh);
         let open = *name == "plane";
@@ -82,7 +82,7 @@ fn closed_with_euler_characteristic() {
 }
 
 #[test]
-fn edges_are_sides_once_each() {
+fn each_edge_is_a_side_and_occurs_once() {
     for (name, mesh) in &SHAPES {
         let sides = sides(mesh);
         let points = points(mesh);
@@ -99,9 +99,9 @@ fn edges_are_sides_once_each() {
     assert_eq!(SHAPES[0].1.edges().len(), 12);
 }
 
-/// Triangles and their corners' normals point outwards, and these are of length 1.
+/// Triangles and the normals of their corners point outwards, and these normals have length 1.
 #[test]
-fn normals() {
+fn normals_are_unit_vectors_that_point_outwards() {
     for (name, mesh) in &SHAPES {
         for (face, indices) in mesh.faces().iter().enumerate() {
             let [a, b, c] = indices.map(|i| float(mesh.position(i)));
@@ -125,14 +125,14 @@ fn normals() {
     }
 }
 
-/// On their mathematical surfaces; positions are rounded by up to 2^-17 per component.
+/// Each component of a position is rounded by up to 2^-17.
 #[test]
-fn positions() {
+fn positions_lie_on_the_mathematical_surface() {
     let tolerance = 4.0 / 65536.0;
     for (name, mesh) in &SHAPES {
         for p in mesh.positions().iter() {
             let [x, y, z] = float(p);
-            let off = match *name {
+            let distance = match *name {
                 "cube" => x.abs().max(y.abs()).max(z.abs()) - 1.0,
                 "sphere" | "smallest sphere" | "odd sphere" => {
                     dot([x, y, z], [x, y, z]).sqrt() - 1.0
@@ -141,14 +141,14 @@ fn positions() {
                 "cylinder" => (x * x + z * z).sqrt().max(y.abs()) - 1.0,
                 _ => 0.0,
             };
-            assert!(off.abs() < tolerance, "{name}: {p:?}");
+            assert!(distance.abs() < tolerance, "{name}: {p:?}");
         }
     }
 }
 
-/// In range, and not mirrored: u to the right and v down as seen from outside.
+/// Seen from outside, u points to the right and v down.
 #[test]
-fn texture_coordinates() {
+fn texture_coordinates_are_in_range_and_not_mirrored() {
     for (name, mesh) in &SHAPES {
         for (face, indices) in mesh.faces().iter().enumerate() {
             let element = Element {
@@ -185,7 +185,7 @@ fn counts_are_exact() {
             edges: &mut edges,
             ..Buffers::new(&mut positions, &mut faces)
         };
-        // Unwritten elements would be refused, or for positions be the same.
+        // `build` refuses indices that were not written.
         let mesh = shape.build(buffers).unwrap();
         assert_eq!(mesh.edges().len(), counts.edges);
         assert!(!mesh.has_uvs() && !mesh.has_normals());
@@ -196,7 +196,7 @@ fn counts_are_exact() {
 }
 
 #[test]
-fn nonsense_is_refused() {
+fn bad_arguments_are_refused() {
     let message = |shape: Result<Shape, Error>| std::format!("{}", shape.unwrap_err());
     assert_eq!(
         message(Shape::sphere(2, 8)),
