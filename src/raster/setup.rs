@@ -1,7 +1,7 @@
 //! The set-up of a primitive: 1/w and the attributes over w as gradients over the screen.
 
 use super::gradient::{Basis, Gradient};
-use super::scale::weigh;
+use super::scale::{spread, weigh};
 use super::{DepthShift, Patch};
 use crate::num::wide::product;
 
@@ -140,12 +140,10 @@ impl Setup {
         self.basis = Basis::new(*patch.screen, patch.area);
         let basis = &self.basis;
         basis.lay(q.map(u32::cast_signed), &mut self.q);
-        let (weights, least_bits) = if !self.over_w {
-            ([1 << 30; 3], self.least_bits)
-        } else if self.least > FAR {
-            (q, self.least_bits)
+        let least_bits = if self.over_w && self.least <= FAR {
+            1
         } else {
-            (q, 1)
+            self.least_bits
         };
         let change = first.max(second).max(third) - self.least;
         self.is_affine = self.over_w && attributes.iter().all(|p| p.is_affine(self.least, change));
@@ -154,8 +152,10 @@ impl Setup {
             attribute.scale = if self.is_affine {
                 values = values.map(|value| value << Scale::AFFINE_UP);
                 Scale::AFFINE
+            } else if self.over_w {
+                weigh(&mut values, q, least_bits)
             } else {
-                weigh(&mut values, weights, least_bits)
+                spread(&mut values, least_bits)
             };
             basis.lay(values, &mut attribute.gradient);
         }
