@@ -3,7 +3,7 @@
 
 use super::cache::VertexCache;
 use super::call::Call;
-use super::clip::clip;
+use super::clip::{ClippedPolygon, clip};
 use crate::mesh::{Element, Index};
 use crate::raster::{self, Barycentric, ClippedVertex, ScreenVertex};
 use crate::view::ProjectionKind;
@@ -40,16 +40,20 @@ pub(super) fn triangle<K: ProjectionKind>(
         // Back faces, half of most meshes, are rejected here, before any attribute is read.
         let area = raster::area(&[a, b, c]);
         if !call.shared.cull.leaves_out(area) {
-            match vertices.corners(*indices) {
-                Some(corners) => to.whole(element(), corners, area),
-                None => {
-                    let [a, b, c] = vertices.copies(&call.projector, *indices);
-                    to.whole(element(), [&a, &b, &c], area);
-                }
-            }
+            let copies;
+            let corners = if let Some(corners) = vertices.corners(*indices) {
+                corners
+            } else {
+                copies = vertices.copies(&call.projector, *indices);
+                let [a, b, c] = &copies;
+                [a, b, c]
+            };
+            to.whole(element(), corners, area);
         }
     } else if a_outcode & b_outcode & c_outcode == 0 {
-        to.clipped(element(), &clip(&call.projector, indices, planes));
+        let mut polygon = ClippedPolygon::new();
+        clip(&call.projector, indices, planes, &mut polygon);
+        to.clipped(element(), &polygon);
     }
 }
 
@@ -66,7 +70,9 @@ pub(super) fn edge<K: ProjectionKind>(
         return None;
     }
     if planes != 0 {
-        return match *clip(&call.projector, &indices, planes) {
+        let mut line = ClippedPolygon::new();
+        clip(&call.projector, &indices, planes, &mut line);
+        return match *line {
             [from, to] => Some(([from, to], true)),
             _ => None,
         };

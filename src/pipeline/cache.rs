@@ -15,11 +15,15 @@ pub(super) struct VertexCache {
 pub(super) const SIZE: usize = 64;
 
 impl VertexCache {
+    #[inline]
     pub(super) const fn new() -> Self {
-        let mut entries = [ScreenVertex::NONE; SIZE];
+        // All bits 0 but one, which is set in place: any other array is built twice, and copied, on the stack.
+        let mut cache = Self {
+            entries: [ScreenVertex::UNSET; SIZE],
+        };
         // Index 1 never maps to slot 0, so it marks slot 0 as empty; index 0 marks the others.
-        entries[0].index = 1;
-        Self { entries }
+        cache.entries[0].index = 1;
+        cache
     }
 
     /// A vertex, from the cache or projected now.
@@ -57,11 +61,6 @@ impl VertexCache {
         projector: &Projector<'_, K>,
         indices: [Index; 3],
     ) -> [ScreenVertex; 3] {
-        let [a, b, c] = indices;
-        [
-            *self.vertex(projector, a),
-            *self.vertex(projector, b),
-            *self.vertex(projector, c),
-        ]
+        indices.map(|index| *self.vertex(projector, index))
     }
 }

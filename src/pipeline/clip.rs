@@ -25,7 +25,8 @@ struct ClipVertex {
 type Polygon = Vec<ClipVertex, MOST_CORNERS>;
 
 /// Clips a line between two positions, or a triangle of three, to the inside of `planes`. This mask has a bit for
-/// each plane that any of the corners is outside of. The result has no corners if nothing is inside.
+/// each plane that any of the corners is outside of. Adds the corners of the result to `clipped`: none if nothing is
+/// inside. (An out-parameter saves a copy of 220 bytes, and the routine that copies.)
 ///
 /// An edge is cut only by the planes that its own ends are outside of, in the order of the planes, and from its
 /// inside end. So two triangles that share an edge get the same new corners.
@@ -34,7 +35,8 @@ pub(crate) fn clip<K: ProjectionKind>(
     projector: &Projector<'_, K>,
     corners: &[Index],
     planes: u8,
-) -> ClippedPolygon {
+    clipped: &mut ClippedPolygon,
+) {
     let (mut polygon, mut inside) = (&mut Polygon::new(), &mut Polygon::new());
     for (&index, weights) in corners.iter().zip(Barycentric::CORNERS) {
         let _ = polygon.push(ClipVertex {
@@ -48,9 +50,8 @@ pub(crate) fn clip<K: ProjectionKind>(
         clip_to_plane(projector, plane, (polygon, closed), inside);
         (polygon, inside) = (inside, polygon);
     }
-    let mut clipped = ClippedPolygon::new();
     for corner in polygon {
-        let mut vertex = ScreenVertex::NONE;
+        let mut vertex = ScreenVertex::UNSET;
         projector.project_inside(&corner.position, &mut vertex);
         let _ = clipped.push(ClippedVertex {
             vertex,
@@ -58,7 +59,6 @@ pub(crate) fn clip<K: ProjectionKind>(
             barycentric: Barycentric(corner.barycentric.map(|weight| weight as i32)),
         });
     }
-    clipped
 }
 
 /// Writes to `inside` the part of a polygon that is inside a plane, or of a line if it is not `closed`.

@@ -167,7 +167,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
             &mvp.model_view_of(),
             &viewport,
         );
-        let mut at = ScreenVertex::NONE;
+        let mut at = ScreenVertex::UNSET;
         projector.project(0, &mut at);
         if at.outcode != 0 {
             return None;

@@ -57,7 +57,7 @@ pub(super) fn points<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Bl
             break;
         };
         drawn.submitted += 1;
-        let mut at = ScreenVertex::NONE;
+        let mut at = ScreenVertex::UNSET;
         call.projector.project(index, &mut at);
         if at.outcode == 0 {
             blitter.primitive(&call.shared.primitive(Element {

@@ -344,7 +344,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         ScreenVertex {
             outcode: self.outcode(position),
             index,
-            ..ScreenVertex::NONE
+            ..ScreenVertex::UNSET
         }
     }
 

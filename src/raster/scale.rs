@@ -24,11 +24,9 @@ impl Scale {
     /// The greatest magnitude that fits this scale, or a little less.
     pub(crate) const MOST_AFFINE: i32 = (1 << (Self::AFFINE.bits - 1)) / 17 * 16;
 
-    /// The scale, of at least `least_bits`, for an attribute of these values.
+    /// The scale, of at least `least_bits`, for an attribute whose greatest magnitude is `most`.
     #[inline]
-    fn of_all(values: &[i32; 3], least_bits: u32) -> Self {
-        let [a, b, c] = values.map(i32::unsigned_abs);
-        let most = a.max(b).max(c);
+    fn of(most: u32, least_bits: u32) -> Self {
         let bits = 33 - (most + (most >> 4)).leading_zeros();
         Self {
             bits: bits.max(least_bits).min(32),
@@ -65,31 +63,23 @@ impl Scale {
         );
         (fraction >> (down & 31)) << (up & 31)
     }
-
-    /// The inverse of [`restore`](Self::restore), to the nearest.
-    #[cold]
-    #[inline(never)]
-    fn shift(self, values: &mut [i32; 3]) {
-        if self.bits == 32 {
-            leave_room(values, [1 << 30; 3]);
-        }
-        let (down, up) = (
-            self.bits.saturating_sub(30),
-            30u32.saturating_sub(self.bits),
-        );
-        for value in values {
-            *value = (*value << (up & 31)).wrapping_add(1 << down >> 1) >> (down & 31);
-        }
-    }
 }
+
+/// Weights of attributes that are not divided by w.
+pub(crate) const EQUAL: [u32; 3] = [1 << 30; 3];
 
 /// Replaces an attribute's values at the corners by attribute · weight · 2^-bits, rounded to nearest, and returns
 /// that scale. Weights are below 2³¹.
 #[inline]
 pub(crate) fn weigh(values: &mut [i32; 3], weights: [u32; 3], least_bits: u32) -> Scale {
-    let scale = Scale::of_all(values, least_bits);
+    let [a, b, c] = values.map(i32::unsigned_abs);
+    let scale = Scale::of(a.max(b).max(c), least_bits);
     if scale.bits == 32 {
         leave_room(values, weights);
+    }
+    if scale.bits == 30 && weights == EQUAL {
+        // The products below would return the values themselves.
+        return scale;
     }
     for (value, weight) in values.iter_mut().zip(weights) {
         // The value, shifted to fill 32 bits, times the weight; then the upper half of the product, rounded to
@@ -97,17 +87,6 @@ pub(crate) fn weigh(values: &mut [i32; 3], weights: [u32; 3], least_bits: u32) -
         let filled = *value << ((32 - scale.bits) & 31);
         let product = product(filled, weight.cast_signed());
         *value = ((product + (1 << 31)) >> 32) as i32;
-    }
-    scale
-}
-
-/// [`weigh`] with three weights of 2³⁰, without a product.
-#[inline]
-pub(crate) fn spread(values: &mut [i32; 3], least_bits: u32) -> Scale {
-    let scale = Scale::of_all(values, least_bits);
-    // With 30 bits values are their own fractions, as nearly all are that no depth divides.
-    if scale.bits != 30 {
-        scale.shift(values);
     }
     scale
 }
@@ -127,21 +106,6 @@ fn leave_room(values: &mut [i32; 3], weights: [u32; 3]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn spreading_is_weighing_with_equal_weights() {
-        for bits in 0..=31 {
-            let value = i32::MAX >> (31 - bits);
-            for values in [[value, -value, !value], [value / 3, value - 1, 0]] {
-                for least_bits in [1, 28, 30] {
-                    let (mut spread_out, mut weighed) = (values, values);
-                    let scale = spread(&mut spread_out, least_bits);
-                    assert_eq!(scale, weigh(&mut weighed, [1 << 30; 3], least_bits));
-                    assert_eq!(spread_out, weighed, "{values:?}");
-                }
-            }
-        }
-    }
 
     /// The error of an interpolant is at most 40 units, the error of a numerator 36½. Together they may bring a
     /// numerator 56½ units nearer to half of the interpolant, beyond which it wraps.

@@ -1,7 +1,7 @@
 //! The set-up of a primitive: 1/w and the attributes over w as gradients over the screen.
 
 use super::gradient::{Basis, Gradient};
-use super::scale::{spread, weigh};
+use super::scale::{EQUAL, weigh};
 use super::{DepthShift, Patch};
 use crate::num::wide::product;
 
@@ -140,10 +140,12 @@ impl Setup {
         self.basis = Basis::new(*patch.screen, patch.area);
         let basis = &self.basis;
         basis.lay(q.map(u32::cast_signed), &mut self.q);
-        let least_bits = if self.over_w && self.least <= FAR {
-            1
+        let (weights, least_bits) = if !self.over_w {
+            (EQUAL, self.least_bits)
+        } else if self.least > FAR {
+            (q, self.least_bits)
         } else {
-            self.least_bits
+            (q, 1)
         };
         let change = first.max(second).max(third) - self.least;
         self.is_affine = self.over_w && attributes.iter().all(|p| p.is_affine(self.least, change));
@@ -152,10 +154,8 @@ impl Setup {
             attribute.scale = if self.is_affine {
                 values = values.map(|value| value << Scale::AFFINE_UP);
                 Scale::AFFINE
-            } else if self.over_w {
-                weigh(&mut values, q, least_bits)
             } else {
-                spread(&mut values, least_bits)
+                weigh(&mut values, weights, least_bits)
             };
             basis.lay(values, &mut attribute.gradient);
         }

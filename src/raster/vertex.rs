@@ -18,12 +18,12 @@ pub(crate) struct ScreenVertex {
 }
 
 impl ScreenVertex {
-    /// A vertex that is not on the screen.
-    pub(crate) const NONE: Self = Self {
+    /// All bits 0: a vertex that is not projected yet.
+    pub(crate) const UNSET: Self = Self {
         screen: [0; 2],
         q: 0,
         exponent: 0,
-        outcode: u8::MAX,
+        outcode: 0,
         index: 0,
     };
 
