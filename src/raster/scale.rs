@@ -65,8 +65,8 @@ impl Scale {
     }
 }
 
-/// Weights of attributes that are not divided by w.
-pub(crate) const EQUAL: [u32; 3] = [1 << 30; 3];
+/// The weight of an attribute that is not divided by w.
+pub(crate) const ONE: u32 = 1 << 30;
 
 /// Replaces an attribute's values at the corners by attribute · weight · 2^-bits, rounded to nearest, and returns
 /// that scale. Weights are below 2³¹.
@@ -77,7 +77,7 @@ pub(crate) fn weigh(values: &mut [i32; 3], weights: [u32; 3], least_bits: u32) -
     if scale.bits == 32 {
         leave_room(values, weights);
     }
-    if scale.bits == 30 && weights == EQUAL {
+    if scale.bits == 30 && weights.iter().all(|weight| *weight == ONE) {
         // The products below would return the values themselves.
         return scale;
     }

@@ -1,7 +1,7 @@
 //! The set-up of a primitive: 1/w and the attributes over w as gradients over the screen.
 
 use super::gradient::{Basis, Gradient};
-use super::scale::{EQUAL, weigh};
+use super::scale::{ONE, weigh};
 use super::{DepthShift, Patch};
 use crate::num::wide::product;
 
@@ -141,7 +141,7 @@ impl Setup {
         let basis = &self.basis;
         basis.lay(q.map(u32::cast_signed), &mut self.q);
         let (weights, least_bits) = if !self.over_w {
-            (EQUAL, self.least_bits)
+            ([ONE; 3], self.least_bits)
         } else if self.least > FAR {
             (q, self.least_bits)
         } else {
