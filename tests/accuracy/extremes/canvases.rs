@@ -67,7 +67,7 @@ pub static CASES: Cases = Cases::new(|| {
         picture("canvas 2048x3", on((2048, 3), None, 20)),
         picture("canvas 3x2048", on((3, 2048), None, 20)),
         picture("canvas 2048x2048, its corners", corners_of_the_largest()),
-        picture("viewport in part or wholly off the canvas", beside()),
+        picture("viewport partly or wholly outside the canvas", beside()),
         picture("viewport 4096x4096, canvas 40x30", largest_viewport()),
     ]
 });

@@ -112,15 +112,15 @@ fn beyond_the_guard_band() -> Verdict {
 pub static CASES: Cases = Cases::new(|| {
     vec![
         picture(
-            "model 64 from its origin, moved before the eye",
+            "model 64 from its origin, moved in front of the eye",
             placed(64.),
         ),
         picture(
-            "model 10⁴ from its origin, moved before the eye",
+            "model 10⁴ from its origin, moved in front of the eye",
             placed(1e4),
         ),
         picture(
-            "model 32,700 from its origin, moved before the eye",
+            "model 32,700 from its origin, moved in front of the eye",
             placed(32_700.),
         ),
         picture("camera 10⁴ from the world's origin, turned", turned(1e4)),

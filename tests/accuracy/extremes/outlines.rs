@@ -60,7 +60,7 @@ fn nine_corners() -> Verdict {
 
 pub static CASES: Cases = Cases::new(|| {
     vec![picture(
-        "outlines of nine corners, by all six planes",
+        "outlines of nine corners, clipped by all six planes",
         nine_corners(),
     )]
 });

@@ -79,7 +79,7 @@ fn markdown(rows: &[&Row]) -> String {
             .unwrap();
         }
     }
-    text.push_str("\n| case | off by at most |\n|---|---|\n");
+    text.push_str("\n| case | error |\n|---|---|\n");
     for row in rows {
         if let Cells::Figure(unit, worst) = row.cells {
             writeln!(text, "| {} | {} {unit} |", row.case, cell(worst)).unwrap();
