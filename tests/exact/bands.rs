@@ -337,7 +337,7 @@ fn a_list_that_is_too_short_says_what_is_needed() {
     };
     assert_eq!(
         error.to_string(),
-        "20 vertices are visible: the list has room for 1"
+        "20 vertices are visible: the list must have room for all, and has room for 1"
     );
     assert!(prepare::<15, 20>().is_err());
     assert!(prepare::<16, 19>().is_err());

@@ -128,7 +128,8 @@ fn vertices_of_a_list() {
     };
     assert_eq!(prepare(MAX - 1), Ok(()));
     assert_eq!(prepare(MAX), Ok(()));
-    let refused = "65536 vertices are visible: the list has room for 65535";
+    let refused =
+        "65536 vertices are visible: the list must have room for all, and has room for 65535";
     assert_eq!(prepare(MAX + 1), Err(refused.to_owned()));
 }
 

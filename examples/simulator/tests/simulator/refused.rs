@@ -30,7 +30,7 @@ fn cameras_without_sense_are_refused() {
         ("--far 1e9", ["--far 1000000000", "between -32768"]),
         (
             "--eye 1,2,3 --look-at 1,2,3",
-            ["eye and target are both at (1, 2, 3)", "look at"],
+            ["eye and target are both at (1, 2, 3)", "they must differ"],
         ),
         (
             "--eye 0,0,5 --look-at 0,0,0 --up 0,0,1",
