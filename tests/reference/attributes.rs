@@ -1,4 +1,4 @@
-//! Perspective-correct values at a point of a triangle, and how they change from pixel to pixel.
+//! Perspective-correct values at a point of a triangle, and their change from pixel to pixel.
 //!
 //! 1/w and attribute/w are linear on the screen. With the weights λᵢ of the
 //! corners, linear in x and y, N = Σ λᵢ aᵢ/wᵢ and D = Σ λᵢ/wᵢ, the attribute is a = N/D, and by the
@@ -51,7 +51,7 @@ pub fn weights_snapped(t: Snapped, pixel: [i32; 2]) -> Option<Weights> {
     })
 }
 
-/// What a triangle has at a point.
+/// The values of a triangle at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Value<const N: usize> {
     /// Homogeneous w.
@@ -68,8 +68,8 @@ pub struct Value<const N: usize> {
 
 /// The perspective-correct value for given weights; `w` and `attributes` are the corners'.
 ///
-/// Where all w are equal this is plain linear interpolation. Outside the triangle 1/w may reach 0,
-/// and the value means nothing from there on.
+/// If all w are equal, this is linear interpolation. Outside the triangle 1/w may reach 0; beyond that point the
+/// value has no meaning.
 pub fn interpolate<const N: usize>(
     weights: &Weights,
     w: [f64; 3],

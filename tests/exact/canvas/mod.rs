@@ -78,7 +78,7 @@ fn a_canvas_shows_itself_in_one_piece() {
 }
 
 #[test]
-fn a_failing_displays_error_comes_through() {
+fn a_display_error_is_passed_on() {
     let mut display = Display {
         broken: true,
         ..Display::default()
@@ -88,7 +88,7 @@ fn a_failing_displays_error_comes_through() {
     assert_eq!(canvas.show(&mut display), Err(BusError(42)));
 }
 
-/// Bytes as on the bus, for each number of bytes to the pixel.
+/// Bytes in bus order, for each number of bytes per pixel.
 #[test]
 fn byte_orders() {
     let mut pixels = [[0; 2]; 2];
@@ -134,7 +134,7 @@ fn rows(error: Option<Error>) -> (u32, u32, u32) {
     }
 }
 
-/// What is refused, with the numbers that the message is to name.
+/// Refused arguments, with the numbers that the message must name.
 #[test]
 fn errors_name_the_numbers() {
     let pixels = |count: usize| vec![Gray8::BLACK; count];
