@@ -15,7 +15,7 @@ use crate::common::{BOTH_SIDES, Counter};
 use crate::reference::coverage::{Bounds, center};
 use crate::reference::distance::to_segment;
 use crate::reference::linear::{self, IDENTITY};
-use crate::reference::silhouette::{Place, Silhouette};
+use crate::reference::silhouette::{Position, Silhouette};
 use crate::reference::{projection, raster, view};
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
@@ -103,9 +103,9 @@ impl Model {
 
     /// Whether a pixel is covered; `None` where rounding may decide.
     fn covers(&self, pixel: [i32; 2]) -> Option<bool> {
-        if self.inner.classify(center(pixel), EDGE) == Place::Inside {
+        if self.inner.classify(center(pixel), EDGE) == Position::Inside {
             Some(true)
-        } else if self.outer.classify(center(pixel), EDGE) == Place::Outside {
+        } else if self.outer.classify(center(pixel), EDGE) == Position::Outside {
             Some(false)
         } else {
             None
@@ -241,14 +241,14 @@ proptest! {
 
 /// A plane near the eye, as a map from the mesh's positions to space.
 #[derive(Clone, Copy, Debug)]
-struct Slope {
+struct Ground {
     /// The mesh's origin.
     origin: [i32; 3],
     /// The steps along x and y.
     steps: [[i32; 3]; 2],
 }
 
-impl Slope {
+impl Ground {
     fn position(&self, [u, v]: Point) -> Vec3 {
         let [a, b] = self.steps;
         Vec3::from_bits([0, 1, 2].map(|i| self.origin[i] + u * a[i] + v * b[i]))
@@ -256,14 +256,14 @@ impl Slope {
 }
 
 /// Floors, ceilings, walls and tilted ground that reach from behind the eye to beyond the far plane.
-fn slopes() -> impl Strategy<Value = Slope> {
+fn grounds() -> impl Strategy<Value = Ground> {
     let height = prop_oneof![Just(1), Just(-1)]
         .prop_flat_map(|side| (UNIT / 8..2 * UNIT).prop_map(move |height| side * height));
     (height, -6..=6i32, -6..=6i32, any::<bool>()).prop_map(|(height, across, along, wall)| {
         // v runs ahead; the tilt is small, so that the horizon is visible.
         let (x, y) = ([32, across, 0], [0, along, -32]);
         let turn = |[a, b, c]: [i32; 3]| if wall { [b, a, c] } else { [a, b, c] };
-        Slope {
+        Ground {
             origin: turn([0, height, 0]),
             steps: [turn(x), turn(y)],
         }
@@ -276,7 +276,7 @@ proptest! {
     /// Ground that continues below the eye and behind it, in triangles of every shape.
     #[test]
     fn meshes_through_the_near_plane(
-        slope in slopes(),
+        slope in grounds(),
         points in prop::collection::vec(
             prop_oneof![
                 // 2^11 mesh units are a unit of space.

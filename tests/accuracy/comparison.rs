@@ -295,9 +295,9 @@ impl Comparison {
         for pixel in bounds.pixels() {
             let count = counts[place(pixel)];
             match silhouette.classify(center(pixel), SNAP) {
-                silhouette::Place::Inside => self.inside[count.min(2)] += 1,
-                silhouette::Place::Outside => self.outside += usize::from(count > 0),
-                silhouette::Place::Near => {}
+                silhouette::Position::Inside => self.inside[count.min(2)] += 1,
+                silhouette::Position::Outside => self.outside += usize::from(count > 0),
+                silhouette::Position::Near => {}
             }
         }
     }

@@ -53,27 +53,27 @@ const _: () = {
 };
 
 /// Draws rows of the frame, as many as there are pixels for, from the given row.
-trait Paint: Fn(&mut [[u8; 2]], &mut [u16], u32) + Sync {}
+trait DrawRows: Fn(&mut [[u8; 2]], &mut [u16], u32) + Sync {}
 
-impl<F: Fn(&mut [[u8; 2]], &mut [u16], u32) + Sync> Paint for F {}
+impl<F: Fn(&mut [[u8; 2]], &mut [u16], u32) + Sync> DrawRows for F {}
 
 /// A band's first row, and its pixels.
 type Band<'a> = (u32, &'a mut [[u8; 2]]);
 
 /// Draws bands one after the other, with one depth buffer for all of them, as a core would.
-fn work(paint: &impl Paint, rows: u32, bands: Vec<Band<'_>>) {
+fn work(draw: &impl DrawRows, rows: u32, bands: Vec<Band<'_>>) {
     let mut depth = vec![7; (WIDTH * rows) as usize];
     for (first, pixels) in bands {
         let depth = &mut depth[..pixels.len()];
-        paint(pixels, depth, first);
+        draw(pixels, depth, first);
     }
 }
 
 /// The bands of a frame on two threads that start together: alternating bands, and the upper half beside the lower.
-fn check(paint: &impl Paint) {
+fn check(draw: &impl DrawRows) {
     let mut frame = vec![[0; 2]; (WIDTH * HEIGHT) as usize];
     let mut depth = vec![0; frame.len()];
-    paint(&mut frame, &mut depth, 0);
+    draw(&mut frame, &mut depth, 0);
     assert!(
         frame.iter().any(|pixel| *pixel != frame[0]),
         "nothing drawn"
@@ -98,7 +98,7 @@ fn check(paint: &impl Paint) {
                     let bands = bands.collect();
                     scope.spawn(|| {
                         start.wait();
-                        work(paint, rows, bands);
+                        work(draw, rows, bands);
                     });
                 }
             });

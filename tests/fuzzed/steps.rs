@@ -81,7 +81,7 @@ impl Steps {
 pub enum Eye {
     AtOrigin,
     View(Steps),
-    Pose(Steps),
+    Placed(Steps),
     LookAt([Vec3; 3]),
     Trimetric(Vec3, Scalar, [Angle; 2]),
 }
@@ -90,7 +90,7 @@ impl Eye {
     pub fn arbitrary(u: &mut Unstructured<'_>) -> Result<Self> {
         Ok(match u.int_in_range(0..=7)? {
             0 => Self::View(Steps::arbitrary(u)?),
-            1 => Self::Pose(Steps::arbitrary(u)?),
+            1 => Self::Placed(Steps::arbitrary(u)?),
             2 => Self::LookAt([vector(u)?, vector(u)?, vector(u)?]),
             3 => Self::Trimetric(vector(u)?, scalar(u)?, [angle(u)?, angle(u)?]),
             4 => Self::AtOrigin,
@@ -108,7 +108,7 @@ impl Eye {
         match self {
             Self::AtOrigin => Ok(Camera::from_view(Transform::IDENTITY)),
             Self::View(steps) => Ok(Camera::from_view(steps.transform())),
-            Self::Pose(steps) => Ok(Camera::at_pose(steps.transform())),
+            Self::Placed(steps) => Ok(Camera::at_pose(steps.transform())),
             &Self::LookAt([eye, target, up]) => Camera::look_at(eye, target, up),
             &Self::Trimetric(target, distance, [turn, tilt]) => {
                 Ok(Camera::trimetric(target, distance, turn, tilt))

@@ -29,7 +29,7 @@ const HOLE: f64 = 1e-7;
 
 /// The position of a point relative to the union.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum Position {
     /// Inside, with the outline farther away than the given distance.
     Inside,
     /// Outside, with the outline farther away than the given distance.
@@ -107,7 +107,7 @@ impl Silhouette {
     /// # Panics
     ///
     /// If `d` is over [`REACH`] or the point outside the picture.
-    pub fn classify(&self, p: [f64; 2], d: f64) -> Place {
+    pub fn classify(&self, p: [f64; 2], d: f64) -> Position {
         let tile = self.tile(p, d);
         let distance = tile
             .triangles
@@ -115,15 +115,15 @@ impl Silhouette {
             .map(|&i| to_triangle(&self.triangles[i], p))
             .fold(f64::MAX, f64::min);
         if distance > d {
-            Place::Outside
+            Position::Outside
         } else if distance > ACROSS
             || self
                 .contour_near(tile, p, d)
                 .any(|e| self.exposed(tile, e, p, d))
         {
-            Place::Near
+            Position::Near
         } else {
-            Place::Inside
+            Position::Inside
         }
     }
 

@@ -1,7 +1,7 @@
 //! Distances from the outline of a union.
 
 use super::*;
-use silhouette::{Place::*, Silhouette};
+use silhouette::{Position::*, Silhouette};
 
 fn rectangle(left: f64, top: f64, right: f64, bottom: f64) -> [Corners; 2] {
     let [a, b, c, d] = [[left, top], [right, top], [right, bottom], [left, bottom]];

@@ -186,9 +186,9 @@ fn a_torus_has_no_seams() {
     let outline = silhouette::Silhouette::new(&triangles, size.0, size.1);
     for pixel in Bounds::new(size.0, size.1).pixels() {
         match outline.classify(center(pixel), 1. / 256.) {
-            silhouette::Place::Inside => assert!(picture.nearest(pixel).is_some(), "{pixel:?}"),
-            silhouette::Place::Outside => assert!(picture.at(pixel).is_empty(), "{pixel:?}"),
-            silhouette::Place::Near => {}
+            silhouette::Position::Inside => assert!(picture.nearest(pixel).is_some(), "{pixel:?}"),
+            silhouette::Position::Outside => assert!(picture.at(pixel).is_empty(), "{pixel:?}"),
+            silhouette::Position::Near => {}
         }
     }
     let counts = picture.counts();
