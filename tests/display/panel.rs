@@ -118,7 +118,7 @@ impl Panel {
                 // MADCTL: bit 5 exchanges rows and columns, 7 and 6 mirror them, so that the host counts from the
                 // upper left corner of the rotated panel; bit 3 puts blue before red.
                 (0x36, &[mode]) => {
-                    assert_eq!(mode & 0b1000, 0, "blue in the place of red");
+                    assert_eq!(mode & 0b1000, 0, "blue and red are exchanged");
                     self.exchanged = mode & 0b10_0000 != 0;
                 }
                 // COLMOD: bits 2 to 0, the format on the bus.
@@ -127,7 +127,7 @@ impl Panel {
                         0b011 => 12,
                         0b101 => 16,
                         0b110 => 18,
-                        other => panic!("no such pixel format: {other:#b}"),
+                        other => panic!("unknown pixel format: {other:#b}"),
                     };
                 }
                 (0x2a, data) => self.columns = window(data, self.size().0),

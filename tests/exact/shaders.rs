@@ -234,7 +234,7 @@ fn fog_is_a_function_of_the_pixel() {
     let depths = clear.seen.iter().map(|seen| seen.depth);
     assert!(
         depths.clone().max().unwrap() > 2 * depths.min().unwrap(),
-        "all is as far"
+        "all pixels are equally far"
     );
 }
 

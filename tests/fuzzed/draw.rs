@@ -126,7 +126,7 @@ where
         };
         assert!(
             places(first) == places(&record),
-            "{mode:?}: other pixels or depths"
+            "{mode:?}: pixels or depths differ"
         );
     };
     check(Mode::Exact, checked(call, options.mode(Exact)));

@@ -113,7 +113,7 @@ impl Truth {
             let mut pixels: Vec<[i32; 2]> = seen.iter().map(|seen| seen.pixel).collect();
             pixels.sort_unstable_by_key(|&[x, y]| (y, x));
             let once = pixels.windows(2).all(|pair| pair[0] != pair[1]);
-            assert!(once, "{mode:?}: a pixel twice in triangle {face}");
+            assert!(once, "{mode:?}: a pixel is drawn twice in triangle {face}");
             if let Some(clipped) = &self.clipped[face] {
                 clipped.check(mode, self.window, &pixels);
             }
@@ -174,7 +174,7 @@ impl Ahead {
                     let error = (f64::from(got) - model.attributes[k]).abs();
                     assert!(
                         error <= bound,
-                        "{mode:?}: {corners:?} at {:?} on {screen:?} gives {got} at {:?}, not {}: off by {error}, over {bound}",
+                        "{mode:?}: {corners:?} at {:?} on {screen:?} gives {got} at {:?}, not {}: an error of {error}, over {bound}",
                         self.w,
                         seen.pixel,
                         model.attributes[k],

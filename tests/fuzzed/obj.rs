@@ -120,7 +120,7 @@ fn check_text(text: &[u8]) {
         (Err(error), Err(other)) => {
             assert_eq!(error, other);
             let Error::Obj { line, problem, .. } = *error else {
-                panic!("{error} is no mistake of a text");
+                panic!("{error} is not an error of OBJ text");
             };
             let lines = lines(text);
             assert!((1..=lines).contains(&line), "line {line} of {lines}");

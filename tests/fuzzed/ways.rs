@@ -134,7 +134,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         let mut counts = Vec::new();
         for _ in 0..2 {
             let drawn = self.on_frame(&mut frame, |canvas| self.draw(canvas, options, shader));
-            assert!(frame == expected, "what is not looked on differs");
+            assert!(frame == expected, "the picture without recording differs");
             counts.push(drawn);
         }
         assert_eq!(counts[0], counts[1]);
@@ -176,8 +176,8 @@ impl<K: ProjectionKind> Call<'_, K> {
         let record = record(shader, |recorder| {
             self.on_frame(&mut frame, |canvas| self.draw(canvas, options, recorder));
         });
-        assert!(record.seen == visible, "other pixels with depth");
-        assert!(frame == expected, "what is drawn is not what was seen");
+        assert!(record.seen == visible, "pixels differ with depth");
+        assert!(frame == expected, "the picture differs from the recorded pixels");
         expected
     }
 

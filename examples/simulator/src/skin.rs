@@ -36,7 +36,7 @@ impl Skin {
         let (width, height) = image.dimensions();
         if width == 0 || height == 0 {
             return Err(refuse(&format!(
-                "it is {width}x{height} pixels: there must be some"
+                "it is {width}x{height} pixels: both must be at least 1"
             ))
             .into());
         }

@@ -151,7 +151,7 @@ impl<'a> Targets<'a> {
         }
         println!("{what} {submitted} in, {drawn} drawn, {clipped} of them clipped");
         if total.pixels == 0 {
-            println!("pixels 0 covered: nothing of it is in the picture");
+            println!("pixels 0 covered: the model is outside the picture");
         } else {
             #[allow(clippy::cast_precision_loss)] // three digits are shown
             let each = total.time.as_nanos() as f64 / total.pixels as f64;

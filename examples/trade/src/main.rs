@@ -9,7 +9,7 @@
 //! | trade.png, trade.svg | texel error against cost |
 //! | sweeps.csv, sweep-….png, sweep-….svg | error and cost against depth ratio, slope of 1/w, size of the texture, resolution |
 //!
-//! Cortex-M's cost is taken from what the program `firmware` prints:
+//! The cost on a Cortex-M comes from the output of the program `firmware`:
 //!
 //! ```sh
 //! cargo run --release -p firmware --target thumbv7em-none-eabi > target/thumbv7em

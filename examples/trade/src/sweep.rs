@@ -120,7 +120,7 @@ pub fn sweeps(quick: bool) -> Result<Vec<Sweep>> {
         Sweep {
             name: "slope",
             title: "Slope of 1/w (strips side by side, each from a distance to twice that)",
-            axis: "change of 1/w per pixel at the far end, in parts of it",
+            axis: "relative change of 1/w per pixel at the far end",
             stepped: false,
             cases: at(strips, &|width| {
                 Ok((1. / width, case(SIZE, Side::T64, 8, strips_of(width)?)?))

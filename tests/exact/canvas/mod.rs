@@ -34,7 +34,7 @@ impl DrawTarget for Display {
     type Error = BusError;
 
     fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, _: I) -> Result<(), BusError> {
-        panic!("pixels are to come in one piece");
+        panic!("pixels must come in one piece");
     }
 
     fn fill_contiguous<I: IntoIterator<Item = Rgb888>>(
@@ -117,7 +117,7 @@ fn byte_orders() {
 fn length(error: Option<Error>) -> (usize, usize) {
     match error {
         Some(Error::Length { given, needed, .. }) => (given, needed),
-        other => panic!("{other:?} is no wrong length"),
+        other => panic!("{other:?} is not an error of the length"),
     }
 }
 
@@ -130,7 +130,7 @@ fn rows(error: Option<Error>) -> (u32, u32, u32) {
             height,
             ..
         }) => (first, rows, height),
-        other => panic!("{other:?} is no band outside its frame"),
+        other => panic!("{other:?} is not an error of the rows"),
     }
 }
 

@@ -131,7 +131,7 @@ fn the_widest_view_and_an_empty_one_are_drawn() {
     let said = good(&directory, "t.obj --fov 170");
     assert_ne!(printed(&said, "pixels"), "0");
     let said = good(&directory, "t.obj --near 100 --far 200");
-    assert!(said.contains("nothing of it is in the picture"), "{said}");
+    assert!(said.contains("the model is outside the picture"), "{said}");
 }
 
 #[test]
