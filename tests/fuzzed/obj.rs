@@ -102,11 +102,11 @@ impl Owned {
     }
 }
 
-/// Reads a text, and checks how much room it needs.
+/// Counts and reads a text, and checks both results.
 fn check_text(text: &[u8]) {
     let counted = obj::count(text);
     let room = obj::import::room(text.len());
-    // At compile time a text is read once, into lists with the same room as the text needs at most.
+    // As at compile time: the text is read once, into lists with room for any text of this length.
     let read = Owned::read(text, room);
     match (&counted, &read) {
         (Ok(counts), Ok(mesh)) => {
@@ -132,7 +132,7 @@ fn check_text(text: &[u8]) {
     check_line_ends(text, &read);
 }
 
-/// Elements without room are left out, and the rest does not change.
+/// Lists that the caller does not supply stay empty, and the rest does not change.
 fn check_parts(text: &[u8], mesh: &Owned) {
     let (mut positions, mut faces) = (mesh.positions.clone(), mesh.faces.clone());
     positions.fill(Vec3::X);
