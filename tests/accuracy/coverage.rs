@@ -273,14 +273,14 @@ fn check_in_perspective(positions: &[[i32; 3]], seed: u64) -> Result<(), TestCas
 }
 
 /// In units of 2⁻¹⁶.
-const METRE: i32 = 1 << 16;
+const METER: i32 = 1 << 16;
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(128))]
 
     #[test]
     fn triangles_in_perspective_cover_what_the_model_covers(
-        positions in prop::collection::vec([-6 * METRE..6 * METRE, -5 * METRE..5 * METRE, -6 * METRE..6 * METRE], 3..16),
+        positions in prop::collection::vec([-6 * METER..6 * METER, -5 * METER..5 * METER, -6 * METER..6 * METER], 3..16),
         seed: u64,
     ) {
         check_in_perspective(&positions, seed)?;

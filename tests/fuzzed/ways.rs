@@ -177,7 +177,10 @@ impl<K: ProjectionKind> Call<'_, K> {
             self.on_frame(&mut frame, |canvas| self.draw(canvas, options, recorder));
         });
         assert!(record.seen == visible, "pixels differ with depth");
-        assert!(frame == expected, "the picture differs from the recorded pixels");
+        assert!(
+            frame == expected,
+            "the picture differs from the recorded pixels"
+        );
         expected
     }
 

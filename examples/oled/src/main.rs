@@ -8,8 +8,8 @@
 //! ```
 //!
 //! If QEMU has a desktop to draw on (Debian: qemu-system-gui), it opens a window with the panel, each pixel 4x4;
-//! otherwise it prints the address for a VNC viewer. The model turns for six seconds and then keeps its last pose, which
-//! the terminal reports. Ctrl-C or closing the window ends the program.
+//! otherwise it prints the address for a VNC viewer. The model turns for six seconds and then keeps its last pose,
+//! which the terminal reports. Ctrl-C or closing the window ends the program.
 //!
 //! Each frame is drawn in bands of 16 rows, in 2 KiB of grays and 4 KiB of depths. A band is a
 //! [`Canvas`](fixel::Canvas), with text by embedded-graphics over the model; it copies itself to the panel's
