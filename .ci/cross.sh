@@ -1,5 +1,5 @@
-# For the scripts beside it: builds for other targets, and what to run them on. Sourced in the project's root.
-# A target that rustup has brought is preferred; elsewhere Debian's compiler builds core itself.
+# Helpers of the other scripts: builds for other targets, and installs the emulators. Sourced in the project's root.
+# Uses a target that rustup has installed; without one, Debian's compiler builds core itself.
 targets=(thumbv6m-none-eabi thumbv7m-none-eabi thumbv7em-none-eabi thumbv8m.main-none-eabi riscv32imc-unknown-none-elf)
 
 has_target() { [ -d "$(rustc --print target-libdir --target "$1")" ]; }
@@ -27,13 +27,13 @@ cross() {
   fi
 }
 
-# The compiler that `cross` takes for a target.
+# The compiler that `cross` uses for a target.
 compiler() {
   if has_target "$1"; then rustc --version; else /usr/bin/rustc --version; fi
 }
 
-# What no program may link, by names: float routines (Arm's, those of the other compilers' runtimes, and
-# Rust's own conversions to text and back), an allocator.
+# Names that no program may link: float routines (Arm's, those of other compilers' runtimes, and
+# Rust's own conversions to text and back), and an allocator.
 floats='__aeabi_c?[fd]r?(add|sub|mul|div|neg|cmp|2)|__aeabi_u?[il]2[fd]|__aeabi_h2f'
 floats+='|[a-z][sd]f[23]?$|__fix(uns)?[sd]f[sd]i|flt2dec|dec2flt'
 allocator='__rust_alloc|__rg_alloc|__rdl_alloc'

@@ -1,9 +1,9 @@
-"""What is in a program: sections and functions of little-endian 32-bit ELF files.
+"""The contents of a program: sections and functions of little-endian 32-bit ELF files.
 
-elf.py measure BASELINE PROBE       prints bytes of code, of those the compiler's routines, bytes of constants
-elf.py functions BASELINE PROBE     prints functions by the size that they have beyond the baseline's of that name
+elf.py measure BASELINE PROBE       prints bytes of code, the compiler's routines among them, and bytes of constants
+elf.py functions BASELINE PROBE     prints functions by size, less the baseline's function of that name
 elf.py sources PROBE                prints the library's functions by size, inlined or not (needs llvm-symbolizer)
-elf.py names PROBE                  prints the names of all functions, a line each
+elf.py names PROBE                  prints the names of all functions, one per line
 """
 import collections
 import re
@@ -13,7 +13,7 @@ import subprocess
 import sys
 
 FUNCTION = 2  # STT_FUNC
-# Routines that the compiler calls by itself; those that Rust names in full come from this crate.
+# Routines that the compiler calls implicitly; those with a full Rust name come from this crate.
 ROUTINE = re.compile(r"compiler_builtins|^__aeabi_|^__[a-z]+[sdt]i[234]$|^mem(cpy|set|move|cmp)$")
 
 
@@ -55,7 +55,7 @@ def measure(baseline, probe):
 
 
 def readable(text):
-    """Without the hashes of crates, nor the paths within them."""
+    """Removes the hashes of crates and the paths within them."""
     text = re.sub(r"\[[0-9a-f]{8,}\]|: usize\b", "", text)
     return re.sub(r"\b(?:[a-z_0-9]+::)+(?=[A-Z])", "", text)
 
@@ -73,13 +73,13 @@ def functions(baseline, probe):
     try:
         text = subprocess.run(["c++filt"], input=text, capture_output=True, text=True).stdout
     except FileNotFoundError:
-        pass  # binutils make names readable; without them they are told as they are
+        pass  # binutils make names readable; without them, print the raw names
     print(readable(text.rstrip()))
     print(f"{sum(size for size, _ in rows):6} in all")
 
 
 def sources(path):
-    """Each two bytes of code belong to the innermost function of this project that they were inlined from."""
+    """Counts every two bytes of code for the innermost function of this project that they were inlined from."""
     ranges = ((at & ~1, size) for at, (size, _) in read(path)[1].items())
     addresses = sorted({at for start, size in ranges for at in range(start, start + size, 2)})
     command = ["llvm-symbolizer", "--obj=" + path, "--inlines", "--demangle"]
@@ -89,7 +89,7 @@ def sources(path):
     for block in text.strip().split("\n\n"):
         lines = block.splitlines()
         frames = list(zip(lines[::2], lines[1::2]))
-        # Of a crate of this project the paths are not those of dependencies and of the compiler.
+        # The paths of this project's crates differ from those of dependencies and of the compiler.
         own = [name for name, at in frames if re.search(r"/(src|examples)/", at)
                and "/registry/" not in at and "/library/" not in at]
         sizes[readable((own or [frames[0][0]])[0])] += 2

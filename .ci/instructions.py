@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Holds what programs took on each target against tests/instructions.csv, and prints what has changed.
+"""Compares the instructions of programs on each target with tests/instructions.csv, and prints the changes.
 
-Arguments: `--renew` to write the targets' part of the file anew; the folder with what was printed, named as
-the targets, and beside each, ending in .rustc, what its compiler says that it is; the targets. Fails where
-anything takes over 2 % more instructions, or is not in the file. Another compiler makes other code: a target whose
-compiler is not the one of the file is told, and not held against it."""
+Arguments: `--renew`, to rewrite the targets' part of the file; the folder with a file of output for each target,
+and a file ending in .rustc with its compiler's version; the targets. Fails if anything takes over 2 % more
+instructions, or is not in the file. Another compiler makes other code: if a target's compiler is not the file's,
+the target is reported but not compared."""
 import csv
 import re
 import sys
@@ -17,7 +17,7 @@ COUNTED = 1000  # pixels or triangles of a kernel
 
 
 def measured(text):
-    """Instructions by mode, what was drawn, and what they are for."""
+    """Returns instructions by mode, by the thing drawn, and by unit."""
     unit = re.search(r"^tick=(\d+) instructions$", text, re.M)
     found = {}
     for line in text.splitlines() if unit else []:
@@ -34,7 +34,7 @@ def measured(text):
 
 
 def read():
-    """The compiler of each target, and instructions by target and case."""
+    """Returns the compiler of each target, and instructions by target and case."""
     compilers, kept = {}, {}
     lines = FILE.read_text().splitlines() if FILE.exists() else []
     for line in lines:
@@ -56,7 +56,7 @@ def write(compilers, kept):
 
 
 def compare(target, before, now):
-    """What is wrong, and how many cases are better."""
+    """Returns the failures, and the number of cases that are better."""
     wrong, better = [], 0
     for case in before.keys() | now.keys():
         mode, what, per = case
@@ -94,7 +94,7 @@ def main():
             failed = True
             print(f"{target} is not in {FILE}: .ci/firmware --renew {target}")
         elif compilers.get(target) != compiler:
-            print(f"{target}: NOT HELD against {FILE}, whose counts are of\n  {compilers.get(target)},\nthese of\n  {compiler}.")
+            print(f"{target}: NOT COMPARED with {FILE}, whose counts are from\n  {compilers.get(target)},\nthese from\n  {compiler}.")
         else:
             wrong, better = compare(target, kept[target], now)
             failed |= bool(wrong)
@@ -104,7 +104,7 @@ def main():
     if renew:
         write(compilers, kept)
     elif failed:
-        print("If it has to be: .ci/firmware --renew writes the file anew.")
+        print("If the growth is intended, .ci/firmware --renew rewrites the file.")
     sys.exit(failed)
 
 

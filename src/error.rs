@@ -1,13 +1,13 @@
-//! The error type: which value was refused, and why.
+//! The error type: the value that was refused, and the reason.
 
 use core::convert::Infallible;
 use core::fmt;
 
 use crate::{Angle, Scalar, Vec3};
 
-/// Why a value was refused. The message names the value and the allowed range.
+/// The reason why a value was refused. The message names the value and the allowed range.
 ///
-/// Constructors and preparation return errors. Drawing cannot fail.
+/// Constructors and [`TriangleList::prepare`](crate::TriangleList::prepare) return errors. Drawing cannot fail.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -26,7 +26,7 @@ pub enum Error {
         /// finite number.
         limit: Option<u32>,
     },
-    /// A field of view that is zero, or half a turn or more.
+    /// A field of view of zero, or of half a turn or more.
     #[non_exhaustive]
     FieldOfView {
         /// The refused angle.
@@ -87,13 +87,13 @@ pub enum Error {
     /// A matrix whose last row is not 0 0 0 1 where an affine transform is needed.
     #[non_exhaustive]
     NotAffine {
-        /// The refused last row.
+        /// The refused row.
         last_row: [Scalar; 4],
     },
     /// A brightness below 0 or above 1.
     #[non_exhaustive]
     Brightness {
-        /// The refused brightness; 1 is full.
+        /// The refused brightness; 1 is full brightness.
         value: Scalar,
     },
     /// A canvas, texture or viewport whose size is zero or too large.
@@ -106,24 +106,24 @@ pub enum Error {
         /// Largest width and height allowed, in pixels.
         max: u32,
     },
-    /// A width or height of a texture that is not a power of two, or too large.
+    /// A width or height of a texture that is not a power of two, or is too large.
     #[non_exhaustive]
     PowerOfTwo {
-        /// The name of the side.
+        /// The name of the side, width or height.
         of: &'static str,
         /// The refused number of texels.
         given: u32,
         /// Largest number allowed.
         max: u32,
     },
-    /// A viewport too far from the corner of its frame.
+    /// A viewport too far from the top left corner of its frame.
     #[non_exhaustive]
     Offset {
         /// The refused column of the left edge.
         x: i32,
         /// The refused row of the top edge.
         y: i32,
-        /// Largest magnitude allowed for either.
+        /// Largest magnitude allowed for both.
         max: u32,
     },
     /// A slice of the wrong length.
@@ -134,7 +134,7 @@ pub enum Error {
         /// Number of elements needed.
         needed: usize,
     },
-    /// A band whose rows are not inside its frame.
+    /// A band without rows, or with rows outside its frame.
     #[non_exhaustive]
     Rows {
         /// First row of the band.
@@ -151,10 +151,10 @@ pub enum Error {
         at: usize,
         /// The refused index.
         index: u32,
-        /// Number of elements the index can choose from.
+        /// Number of elements; the index must be below it.
         len: usize,
     },
-    /// More elements than an index can address.
+    /// More elements than indices can address.
     #[non_exhaustive]
     TooMany {
         /// The refused number of elements.
@@ -162,17 +162,17 @@ pub enum Error {
         /// Largest number allowed.
         max: usize,
     },
-    /// A list that is too short for the visible part of a scene.
+    /// A list that is too short for the visible part of a mesh.
     #[non_exhaustive]
     Full {
-        /// The kind of element that the list holds.
+        /// The kind of element in the list.
         of: &'static str,
         /// Number of visible elements.
         needed: usize,
-        /// Number of elements the list can hold.
+        /// Number of elements that the list can hold.
         room: usize,
     },
-    /// A shape of too few or too many parts.
+    /// A shape with too few or too many parts.
     #[non_exhaustive]
     Parts {
         /// The kind of part.
@@ -194,22 +194,22 @@ pub enum Error {
         /// Largest length allowed.
         max: Scalar,
     },
-    /// An image file of a kind that cannot be read.
+    /// An image file in a format that cannot be read.
     #[non_exhaustive]
     Image {
-        /// The field of its header.
+        /// The field of the file's header.
         of: &'static str,
-        /// Value of the field as given.
+        /// The refused value of the field.
         given: u32,
         /// The values that can be read.
         needed: &'static str,
     },
-    /// An image file that ends before its picture.
+    /// An image file that ends before its picture does.
     #[non_exhaustive]
     Truncated {
-        /// Bytes given.
+        /// Number of bytes in the file.
         given: usize,
-        /// Bytes needed, as its header says.
+        /// Number of bytes needed, according to the file's header.
         needed: usize,
     },
     /// OBJ text that cannot be read.
@@ -223,7 +223,7 @@ pub enum Error {
 }
 
 impl fmt::Display for Error {
-    #[allow(clippy::too_many_lines)] // a message for each
+    #[allow(clippy::too_many_lines)] // a message for each variant
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::NotRepresentable { value, limit } => {
@@ -259,15 +259,17 @@ impl fmt::Display for Error {
             ),
             Self::EyeAtTarget { eye } => write!(
                 f,
-                "eye and target are both at {eye}: a camera needs something to look at"
+                "eye and target are both at {eye}: they must differ, to give the camera a direction to look in"
             ),
             Self::UpAlongView { up } => write!(
                 f,
                 "up is {up}, which is zero or parallel to the line of sight: it must point away from that line"
             ),
-            Self::ZeroDirection => f.write_str("direction is (0, 0, 0): it must have a length"),
+            Self::ZeroDirection => {
+                f.write_str("direction is (0, 0, 0): at least one component must not be 0")
+            }
             Self::ZeroQuaternion => {
-                f.write_str("quaternion is (0, 0, 0, 0): at least one part must not be 0")
+                f.write_str("quaternion is (0, 0, 0, 0): at least one component must not be 0")
             }
             Self::NotAffine {
                 last_row: [x, y, z, w],
@@ -288,7 +290,7 @@ impl fmt::Display for Error {
             ),
             Self::Offset { x, y, max } => write!(
                 f,
-                "viewport is at ({x}, {y}): both must lie between -{max} and {max}"
+                "viewport is at ({x}, {y}): both coordinates must lie between -{max} and {max}"
             ),
             Self::Length { given, needed } => {
                 write!(f, "slice has {given} elements: exactly {needed} are needed")
@@ -303,15 +305,16 @@ impl fmt::Display for Error {
             ),
             Self::Index { at, index, len } => write!(
                 f,
-                "index {index} in element {at} is out of range: there are {len} elements and the first is 0"
+                "index {index} in element {at} is out of range: it must be below {len}"
             ),
             Self::TooMany { given, max } => write!(
                 f,
                 "{given} elements are too many: at most {max} are allowed"
             ),
-            Self::Full { of, needed, room } => {
-                write!(f, "{needed} {of} are visible: the list has room for {room}")
-            }
+            Self::Full { of, needed, room } => write!(
+                f,
+                "{needed} {of} are visible: the list must have room for all, and has room for {room}"
+            ),
             Self::Parts {
                 of,
                 given,
@@ -344,9 +347,9 @@ impl From<Infallible> for Error {
     }
 }
 
-/// A float that was refused, in the precision that a message needs.
+/// A float that was refused, with the precision that a message needs.
 ///
-/// It is kept in thousandths: a program that prints errors does not link the formatting of floats.
+/// It is stored in thousandths, so that a program that prints errors does not link the formatting of floats.
 ///
 /// ```
 /// use fixel::Vec3;
@@ -358,7 +361,7 @@ impl From<Infallible> for Error {
 pub enum RefusedFloat {
     /// Not a number.
     Nan,
-    /// A number in thousandths, rounded towards zero and saturated.
+    /// A number in thousandths, rounded towards zero; saturates.
     Thousandths(i64),
 }
 

@@ -1,8 +1,8 @@
 //! 3D scenes in microcontroller framebuffers, in fixed point.
 //!
 //! `fixel` (fixed + pixel) projects, clips, rasterizes and shades triangles, lines and points with integers
-//! only: textures and colors are correct in perspective, every pixel is the same on every
-//! processor, and the memory is yours. It is `no_std`, without allocation and without `unsafe`.
+//! only. Textures and colors are correct in perspective, every pixel is the same on every
+//! processor, and you supply the memory. The crate is `no_std`, without allocation and without `unsafe`.
 //!
 //! # The path of a pixel
 //!
@@ -11,7 +11,7 @@
 //!   │  Canvas::draw             1  a draw call: mesh, model-view-projection, shader           pipeline/
 //!   │  run::triangles           2  each triangle in turn
 //!   ▼
-//!  vertex     VertexCache::vertex     3  projected now, or lately for a neighbor
+//!  vertex     VertexCache::vertex     3  projected now, or already for a neighbor
 //!   │         Projector::project      4  model space → clip space → screen, and an outcode
 //!   ▼
 //!  assemble   assemble::triangle      5  culled, whole, or clipped (clip::clip)
@@ -19,20 +19,20 @@
 //!   ▼
 //!  raster     Blit::primitive         7  the shader's varyings at the three corners           shade/
 //!   │         triangle::draw          8  top-left rule, row by row (Edge::step)               raster/
-//!   │         Setup::lay              9  1/w and attributes over w as gradients
+//!   │         Setup::lay              9  gradients of 1/w and of attributes over w
 //!   ▼
 //!  span       Blit::span             10  1/w and attributes at the span's first pixel         span/
-//!   │         Policy::of_span        11  which kernel: straight, pieces, Newton, divide
+//!   │         Policy::of_span        11  the kernel: straight, pieces, Newton or divide
 //!   │         newton::newton         12  the attributes of each pixel
 //!   ▼
 //!  pixel      Pixels::visible        13  depth test                                           target/
 //!   │         Pixels::shade          14
 //!   │         Shader::shade          15  varyings → color                                     shade/
 //!   ▼         Storage::store         16  as a color or as bytes                               target/
-//!  canvas     the caller's memory: a frame, or a band of one
+//!  canvas     your memory: a frame, or a band of one
 //! ```
 //!
-//! A folder knows only those that this list has before it: `num`, `math`, `view`, `mesh`, `texture`, `shade`, `target`,
+//! A folder uses only folders before it in this list: `num`, `math`, `view`, `mesh`, `texture`, `shade`, `target`,
 //! `raster`, `span`, `pipeline`.
 //!
 //! # A picture
@@ -47,26 +47,26 @@
 //! const WIDTH: u32 = 64;
 //! const HEIGHT: u32 = 48;
 //!
-//! // Made while compiling, in flash: a shape, or include_obj!("model.obj"); texels, or include_bytes!.
+//! // Built by the compiler, stored in flash. For your own: include_obj!("model.obj"), include_bytes!.
 //! static MODEL: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 //! static SKIN: TextureArray<Rgb565, 2, 2> =
 //!     TextureArray::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x00, 0x1f, 0xff, 0xff]);
 //!
 //! fn frame(now_ms: u64, display: &mut MockDisplay<Rgb565>) -> Result<(), Error> {
 //!     let projection = Projection::perspective(
-//!         Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(0.1), fx!(100))?; // Err on nonsense
+//!         Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(0.1), fx!(100))?; // Err if near is 0
 //!     let camera = Camera::look_at(vec3!(0, 1.5, 4), Vec3::ZERO, Vec3::Y)?;
 //!     let spin = Transform::rotate_y(Rate::rpm(10).angle_at(now_ms)); // time in, angle out
 //!     let sun = Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?;
 //!
-//!     let mut color = [Rgb565::BLACK; (WIDTH * HEIGHT) as usize]; // memory is the caller's
+//!     let mut color = [Rgb565::BLACK; (WIDTH * HEIGHT) as usize]; // your memory
 //!     let mut depth = [0; (WIDTH * HEIGHT) as usize];
 //!     let mut canvas = Canvas::new(&mut color, WIDTH, HEIGHT)?.with_depth(&mut depth)?;
 //!     canvas.clear(Rgb565::BLACK);
 //!     let drawn = canvas.draw(&MODEL, &(projection * camera * spin), &Textured::new(&SKIN).lit(sun));
 //!     assert_eq!((drawn.submitted, drawn.drawn), (12, 4)); // cannot fail; here, the top and one side
 //!
-//!     // A canvas is an embedded-graphics DrawTarget, and it shows itself on another.
+//!     // A canvas is an embedded-graphics DrawTarget, and copies itself to another one.
 //!     let style = MonoTextStyle::new(&FONT_4X6, Rgb565::YELLOW);
 //!     Text::new("60 fps", Point::new(1, 6), style).draw(&mut canvas)?;
 //!     canvas.show(display)?;
@@ -76,7 +76,7 @@
 //! # let mut display = MockDisplay::new();
 //! # frame(0, &mut display).unwrap();
 //! # let is = |x, y, color| assert_eq!(display.get_pixel(Point::new(x, y)), Some(color));
-//! # // The middle of the front is where the four texels meet, white above to the left and blue to the right.
+//! # // The four texels meet in the middle of the front, white above to the left and blue to the right.
 //! # let [left, right] = [28, 36].map(|x| display.get_pixel(Point::new(x, 21)).unwrap());
 //! # assert!(left.r() > 10 && left.r() == left.b());
 //! # assert!(right.r() == 0 && right.g() == 0 && right.b() > 10);
@@ -84,52 +84,52 @@
 //! # assert!((0..24).any(|x| display.get_pixel(Point::new(x, 3)) == Some(Rgb565::YELLOW)));
 //! ```
 //!
-//! Items of embedded-graphics are best named one by one: its prelude has an `Angle` and a `Transform` of its own.
+//! Import items of embedded-graphics one by one: its prelude has an `Angle` and a `Transform` of its own.
 //!
 //! # Parts
 //!
-//! | what | made by | goes where |
+//! | part | made by | used as |
 //! |---|---|---|
 //! | [`Mesh`] | [`include_obj!`], [`shape!`], [`mesh::obj`], [`mesh::Shape`], slices of your own | first argument of [`Canvas::draw`] |
-//! | [`Mvp`]: projection · camera · model | `projection * camera * spin` of a [`Projection`], a [`Camera`] and [`Transform`]s | second |
-//! | [`Shader`] | [`shade`], or ten lines of your own | third |
-//! | [`DrawOptions`]: culling, viewport, interpolation, depth test | [`DrawOptions::new`] | [`Canvas::draw_with`], [`draw_edges`](Canvas::draw_edges), [`draw_points`](Canvas::draw_points) |
-//! | [`TriangleList`]: triangles transformed once for all bands | [`TriangleList::new`], [`prepare`](TriangleList::prepare) | [`Canvas::draw_prepared`] |
-//! | [`Canvas`]: colors, depth, rows | [`Canvas::new`], [`Canvas::band`], [`Canvas::big_endian`] and so on, over your slices | a display, by [`Canvas::show`] or [`Canvas::as_bytes`] |
+//! | [`Mvp`], the model-view-projection | `projection * camera * spin` of a [`Projection`], a [`Camera`] and [`Transform`]s | second argument |
+//! | [`Shader`] | [`shade`], or ten lines of your own | third argument |
+//! | [`DrawOptions`]: culling, viewport, interpolation mode, depth test | [`DrawOptions::new`] | first argument of [`Canvas::draw_with`], [`draw_edges`](Canvas::draw_edges), [`draw_points`](Canvas::draw_points) |
+//! | [`TriangleList`]: triangles transformed once for all bands | [`TriangleList::new`], [`prepare`](TriangleList::prepare) | argument of [`Canvas::draw_prepared`] |
+//! | [`Canvas`]: colors, depth, rows | [`Canvas::new`], [`Canvas::band`], [`Canvas::big_endian`] and so on, over your slices | picture for a display, by [`Canvas::show`] or [`Canvas::as_bytes`] |
 //!
 //! # Spaces
 //!
-//! | space | axes | units | comes from |
+//! | space | axes | units | type |
 //! |---|---|---|---|
 //! | model | right-handed, counter-clockwise triangles face outwards | the mesh's, [`Scalar`] | [`Mesh`] |
 //! | world | right-handed, y up; lights are here | yours, [`Scalar`] | [`Transform`] |
-//! | eye | right-handed: x right, y up, the view down −z | the world's | [`Camera`] |
-//! | clip | x right, y up, w = −z of eye space, or 1 under a parallel projection; what is seen has −w ≤ x, y ≤ w between the near and the far plane | homogeneous, 64 bits inside the crate | [`Projection`] |
+//! | eye | right-handed: x right, y up, looking along −z | the world's | [`Camera`] |
+//! | clip | x right, y up, w = −z of eye space, or 1 under a parallel projection; a point is visible if −w ≤ x ≤ w, −w ≤ y ≤ w and it lies between the near and the far plane | homogeneous, 64 bits inside the crate | [`Projection`] |
 //! | screen | x right, y down from the frame's top left corner; pixel centers at halves | pixels, [`Subpixel`](num::Subpixel): 1/256 | [`Viewport`] |
-//! | depth | 65535 at the near plane, falling towards 0 with the distance; greater is nearer | floor(65535 · near / w), linear in the distance under a parallel projection | [`Fragment::depth`] |
+//! | depth | 65535 at the near plane, falling towards 0 with distance: greater is nearer | floor(65535 · near / w); under a parallel projection linear in the distance | [`Fragment::depth`] |
 //! | texture | u right, v down from the top left corner | one repeat, [`TexCoord`] | [`Corner::uv`] |
 //!
-//! The formats, with range and resolution, are listed in [`num`].
+//! The module [`num`] lists all formats with their range and resolution.
 //!
 //! # Promises
 //!
 //! 1. **No floating point, no allocation, no `unsafe`.** Floats appear in constructors that take
 //!    them for convenience, and as the first guess of [`Angle::atan2`]; never per vertex or per pixel.
-//! 2. **Same bits everywhere.** Nothing depends on the target's word length or instructions, so a host's
-//!    picture is the board's.
-//! 3. **Total.** No accepted value can cause a panic or a write outside the canvas. Constructors refuse
-//!    what cannot be drawn, with an [`Error`] that names the value and the bound. [`guide::limits`] tells how far accuracy is
-//!    promised, and what happens beyond.
+//! 2. **Same bits everywhere.** Results do not depend on the target's word length or instructions: the host and the
+//!    board draw the same picture.
+//! 3. **Total.** No accepted value can cause a panic or a write outside the canvas. Constructors refuse values that
+//!    cannot be drawn, with an [`Error`] that names the value and the bound. [`guide::limits`] gives the ranges in
+//!    which accuracy is promised, and the behavior beyond them.
 //! 4. **Watertight.** Triangles that share an edge cover each pixel center between them exactly once,
 //!    clipped or not.
-//! 5. **Bands equal frames.** A frame drawn in bands is the same, bit for bit.
-//! 6. **Pay for what is used.** Texture, depth buffer, lines, byte order and mode are type parameters: what a
+//! 5. **Bands equal frames.** A frame drawn in bands equals the frame drawn whole, bit for bit.
+//! 6. **Pay for what you use.** Texture, depth buffer, lines, byte order and mode are type parameters. Code that a
 //!    program does not name is not linked. There are no feature flags.
 //!
 //! # Drawing to a display
 //!
-//! A frame of 320x240 takes 150 KiB of color and 150 KiB of depth. Where there is not so much, the
-//! scene is drawn band by band into the same memory, and each band is sent off when it is finished.
+//! A frame of 320x240 takes 150 KiB of color and 150 KiB of depth. With less memory, draw the scene band by band
+//! into the same memory, and send each band to the display when it is finished.
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888}};
@@ -170,17 +170,17 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! Here every band transforms the whole mesh again. Where that takes longer than drawing it, prepare a
-//! [`TriangleList`] once for the frame, and let every band walk the list:
-//! [`TriangleList::prepare`], [`Canvas::draw_prepared`].
+//! Here every band transforms the whole mesh again. If that takes longer than drawing, prepare a
+//! [`TriangleList`] once a frame with [`TriangleList::prepare`], and let every band draw from the list with
+//! [`Canvas::draw_prepared`].
 //!
-//! For DMA let the canvas keep its pixels as the bytes that the bus wants: [`Canvas::big_endian`]
-//! and its relatives, [`Canvas::as_bytes`]. The [guide for firmware](guide::firmware) goes all the way
-//! from `cargo new` to a picture on an SPI panel: memory, bands, DMA, two cores, clocks.
+//! For DMA, let the canvas store its pixels as the bytes that the bus needs: [`Canvas::big_endian`] and
+//! [`Canvas::little_endian`] do so, and [`Canvas::as_bytes`] returns them. The [guide for firmware](guide::firmware)
+//! leads from `cargo new` to a picture on an SPI panel: memory, bands, DMA, two cores, clocks.
 //!
 //! # Speed against accuracy
 //!
-//! How attributes are interpolated is a type, chosen per draw call: see [`Mode`](mode::Mode). The
+//! The [`Mode`](mode::Mode) that interpolates attributes is a type, chosen per draw call. The
 //! [guide to modes](guide::modes) tells which mode suits which scene and core, and derives the bounds of their errors.
 #![no_std]
 #![forbid(unsafe_code)]
@@ -200,7 +200,7 @@ mod raster;
 pub mod shade;
 mod span;
 
-/// How attributes are interpolated: [`Mode`](mode::Mode) and its five implementations.
+/// How attributes are interpolated: the trait [`Mode`](mode::Mode) and the modes.
 pub mod mode {
     pub use crate::span::{Affine, Exact, Fast, Mode, Newton};
 }
@@ -223,15 +223,15 @@ pub use target::Canvas;
 pub use texture::{Palette, PaletteArray, Texture, TextureArray};
 pub use view::{Aspect, Camera, Mvp, Projection, Viewport, Window};
 
-/// The program in the README works.
+/// Compiles and runs the program in the README.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
 
 /// Everything a drawing program needs.
 ///
-/// Its `Angle` and `Transform` are not those of embedded-graphics' prelude: a program that has both
-/// preludes must say which it means.
+/// The prelude of embedded-graphics also has an `Angle` and a `Transform`. A program that imports both
+/// preludes must name the ones it means.
 pub mod prelude {
     pub use crate::{
         Angle, Aspect, Camera, Canvas, Corner, Cull, DrawOptions, Drawn, Error, Fragment, Mesh,

@@ -1,11 +1,11 @@
-//! Errors that stop compilation, in words.
+//! The messages of errors that stop compilation.
 
-use crate::Error;
+use crate::{Error, Scalar};
 
 /// Longest message, in bytes; the rest is cut off.
 const ROOM: usize = 512;
 
-/// Text put together while compiling, where there is no formatting.
+/// Text assembled at compile time, when `format_args!` cannot run.
 struct Message {
     bytes: [u8; ROOM],
     len: usize,
@@ -40,20 +40,38 @@ impl Message {
         before.push(digit.split_at(1).0)
     }
 
+    /// Pushes a number with up to five decimals.
+    const fn scalar(self, value: Scalar) -> Self {
+        let sign = if value.to_bits() < 0 { "-" } else { "" };
+        // In units of 1/100000, rounded to nearest.
+        let parts = (value.to_bits().unsigned_abs() as u64 * 100_000 + (1 << 15)) >> 16;
+        let mut message = self.push(sign).number((parts / 100_000) as usize);
+        let (mut decimals, mut unit) = (parts as usize % 100_000, 10_000);
+        if decimals > 0 {
+            message = message.push(".");
+        }
+        while decimals > 0 {
+            message = message.number(decimals / unit);
+            decimals %= unit;
+            unit /= 10;
+        }
+        message
+    }
+
     const fn text(&self) -> &str {
         match core::str::from_utf8(self.bytes.split_at(self.len).0) {
             Ok(text) => text,
-            // The cut went through a character, of a very long path.
-            Err(_) => "a file or shape is in error",
+            // The path is so long that the message was cut within a character.
+            Err(_) => "a file or shape is wrong, and its path is too long to name",
         }
     }
 }
 
-/// Unwraps what was made of the source called `name` while compiling.
+/// Unwraps a value made at compile time from the file, shape or texture called `name`.
 ///
 /// # Panics
 ///
-/// If it is an error, in words as close to the error's own as a const fn can put them.
+/// If `result` is an error. The message resembles the error's own.
 pub(crate) const fn checked<T: Copy>(result: Result<T, Error>, name: &str) -> T {
     let message = Message::new().push(name).push(": ");
     let message = match result {
@@ -80,9 +98,12 @@ pub(crate) const fn checked<T: Copy>(result: Result<T, Error>, name: &str) -> T 
             .number(min as usize)
             .push(" and ")
             .number(max as usize),
-        Err(Error::Extent { of, .. }) => message
+        Err(Error::Extent { of, given, max }) => message
             .push(of)
-            .push(" is out of range: it must be above 0 and not too large"),
+            .push(" is ")
+            .scalar(given)
+            .push(": it must be above 0 and at most ")
+            .scalar(max),
         Err(Error::PowerOfTwo { of, given, max }) => message
             .push(of)
             .push(" is ")
@@ -102,12 +123,12 @@ pub(crate) const fn checked<T: Copy>(result: Result<T, Error>, name: &str) -> T 
             .number(given)
             .push(" bytes: it needs at least ")
             .number(needed),
-        Err(_) => message.push("its indices do not fit its lists"),
+        Err(_) => message.push("its indices must be below the lengths of its lists"),
     };
     panic!("{}", message.text())
 }
 
-/// The power of two that follows, or the largest.
+/// Returns the least power of two that is not below `given`, or `max`.
 const fn nearest(given: u32, max: u32) -> u32 {
     if given > max {
         max
@@ -116,7 +137,7 @@ const fn nearest(given: u32, max: u32) -> u32 {
     }
 }
 
-/// Stops compilation where an array of `width` x `height` texels is given too few or too many elements.
+/// Stops compilation when an array of `width` x `height` texels receives too few or too many elements.
 ///
 /// # Panics
 ///
@@ -142,7 +163,7 @@ pub(crate) const fn wrong_length(
     panic!("{}", message.text())
 }
 
-/// Stops compilation where a file's picture has another size than the type.
+/// Stops compilation when the size of a file's picture differs from the size in the type.
 ///
 /// # Panics
 ///
@@ -164,4 +185,24 @@ pub(crate) const fn wrong_size(
         .number(type_height)
         .push(": write the file's size in the type");
     panic!("{}", message.text())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fx;
+
+    #[test]
+    fn scalars_have_five_decimals() {
+        for (value, text) in [
+            (fx!(0), "0"),
+            (fx!(-2), "-2"),
+            (fx!(-0.25), "-0.25"),
+            (fx!(0.001), "0.00101"), // 66/65536
+            (Scalar::MAX, "32767.99998"),
+            (Scalar::MIN, "-32768"),
+        ] {
+            assert_eq!(Message::new().scalar(value).text(), text);
+        }
+    }
 }

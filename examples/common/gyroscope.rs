@@ -1,5 +1,5 @@
-//! The scene of the example `oled`: a cube in two rings that turn at rates of their own, and a
-//! caption with the number of the frame, for a panel of 128x64 pixels in 16 grays.
+//! The scene of the program `oled`: a cube inside two rings, each turning at its own rate, and a caption with the
+//! frame number, for a panel of 128x64 pixels in 16 grays.
 //!
 //! `no_std`: the board draws it in bands, the host as a whole frame.
 
@@ -20,18 +20,18 @@ pub const WIDTH: u32 = 128;
 /// Height of the panel in pixels.
 pub const HEIGHT: u32 = 64;
 
-/// Milliseconds from one frame to the next. The picture depends on the number of the frame alone, so
-/// that it is the same wherever and however fast it is drawn.
+/// Milliseconds from one frame to the next. The picture depends only on the frame number, so it is the same wherever
+/// and however fast it is drawn.
 pub const FRAME_MS: u32 = 30;
-/// How many frames there are: a turn of the outer ring, and on to a pose that shows all three parts.
+/// Number of frames: one turn of the outer ring, and on to a pose that shows all three parts.
 pub const FRAMES: u32 = 211;
-/// Turns a minute of the outer ring; the inner does twice as many, the cube three times.
+/// Turns per minute of the outer ring. The inner ring turns twice as fast, the cube three times as fast.
 const RPM: i32 = 10;
 
 static RING: Mesh = shape!(torus(fx!(0.12), 32, 8));
 static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 
-/// Memory for the triangles that are to be seen in a frame: 19 KiB.
+/// Memory for the visible triangles of a frame: 19 KiB.
 pub struct Lists {
     outer: TriangleList<280, 280>,
     inner: TriangleList<280, 280>,
@@ -47,11 +47,11 @@ impl Lists {
         }
     }
 
-    /// Transforms what a frame shows, once for all of its bands.
+    /// Transforms the parts of a frame, once for all of its bands.
     ///
     /// # Errors
     ///
-    /// None: its numbers are constant, and there is room in every frame.
+    /// None: the numbers are constant, and every frame fits.
     pub fn prepare(&mut self, frame: u32) -> Result<Gyroscope<'_>, Error> {
         let half = Viewport::new(i32::try_from(WIDTH / 2).unwrap_or(0), 0, WIDTH / 2, HEIGHT)?;
         let options: DrawOptions = DrawOptions::new().viewport(half);
@@ -65,7 +65,7 @@ impl Lists {
 
         let now_ms = u64::from(frame) * u64::from(FRAME_MS);
         let turned = |rpm: i32| Rate::rpm(rpm).angle_at(now_ms);
-        // A ring lies about its y axis: the outer is stood up, the inner is at right angles to it.
+        // A ring's axis is y. The outer ring is turned upright; the inner one is at right angles to it.
         let upright = Transform::rotate_x(Angle::from_degrees(90));
         let outer = Transform::rotate_y(turned(RPM)) * upright;
         let inner =
@@ -98,13 +98,13 @@ impl Lists {
 pub struct Gyroscope<'l> {
     frame: u32,
     sun: Light,
-    /// Each with its gray.
+    /// The prepared parts, each with its gray.
     parts: [(Prepared<'l>, u8); 3],
 }
 
 impl Gyroscope<'_> {
-    /// Draws all of the frame that the canvas holds: the model in its right half, the caption in
-    /// the left.
+    /// Draws the part of the frame that the canvas holds: the model in the right half of the frame, the caption in
+    /// the left half.
     pub fn draw<O, D>(&self, canvas: &mut Canvas<'_, Gray4, O, D>)
     where
         O: Storage<Gray4>,
@@ -123,7 +123,7 @@ where
     O: Storage<Gray4>,
     D: DepthBuffer,
 {
-    // Long enough for any number: at most ten digits.
+    // Room for any number: at most ten digits.
     let mut number = heapless::String::<16>::new();
     let _ = write!(number, "frame {frame}");
     let mut rate = heapless::String::<16>::new();

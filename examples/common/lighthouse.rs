@@ -16,13 +16,13 @@ use fixel::target::{DepthBuffer, Storage};
 use fixel::view::{Aspect, Perspective, ProjectionKind};
 use fixel::{Drawn, Vec2};
 
-/// The island and what stands on it; texture coordinates fit [`SKIN`].
+/// The island with the lighthouse; texture coordinates fit [`SKIN`].
 pub static ISLAND: Mesh = include_obj!("../assets/lighthouse.obj");
 /// The texture of the island.
 pub static SKIN: TextureArray<Rgb565, 128, 128> =
     TextureArray::rgb565(include_bytes!("../assets/lighthouse.rgb565"));
 
-/// The sea: a level disc about the island, 112 units wide each way.
+/// The sea: a level disc around the island, 112 units wide each way.
 pub static SEA: Mesh = {
     match Mesh::new(&SEA_CORNERS.0, &SEA_FACES) {
         Ok(mesh) => Mesh::checked(mesh.with_uvs(&SEA_CORNERS.1, None)),
@@ -39,17 +39,17 @@ static SEA_CORNERS: ([Vec3; SEA_SIDES + 1], [Vec2; SEA_SIDES + 1]) = {
         #[allow(clippy::cast_possible_truncation)] // 32 corners
         let angle = Angle::from_bits((at << (32 - SEA_SIDES.ilog2())) as u32);
         let (sin, cos) = angle.sin_cos();
-        // From 2^-30 to 2^-16: 112 units, and a repeat of the texture for each four, which in a triangle
-        // comes to less than the 1,900 texels up to which the faster modes go.
+        // From 2^-30 to 2^-16: 112 units, and one repeat of the texture for every four. Each triangle then has fewer
+        // than the 1,900 texels up to which the faster modes keep their accuracy.
         let (x, z) = ((sin.to_bits() >> 14) * 112, (cos.to_bits() >> 14) * 112);
         positions[at] = Vec3::from_bits([x, 0, z]);
-        // A quarter, from 2^-16 to 2^-20.
+        // A quarter of it, from 2^-16 to 2^-20.
         uvs[at] = Vec2::from_bits([x * 4, z * 4]);
         at += 1;
     }
     (positions, uvs)
 };
-/// A fan about the center.
+/// A fan around the center.
 static SEA_FACES: [[u16; 3]; SEA_SIDES] = {
     const CENTER: u16 = SEA_SIDES as u16;
     let mut faces = [[0; 3]; SEA_SIDES];
@@ -64,7 +64,7 @@ static SEA_FACES: [[u16; 3]; SEA_SIDES] = {
 pub static WAVES: TextureArray<Rgb565, 64, 64> =
     TextureArray::rgb565(include_bytes!("../assets/sea.rgb565"));
 
-/// A projection that has the whole lighthouse in the picture.
+/// A projection that shows the whole lighthouse.
 ///
 /// # Errors
 ///
@@ -73,11 +73,11 @@ pub fn projection(size: impl Into<Aspect>) -> Result<Projection<Perspective>, Er
     Projection::perspective(Angle::from_degrees(40), size, fx!(1), fx!(140))
 }
 
-/// Before the island, a little above it.
+/// A camera in front of the island, a little above it.
 ///
 /// # Errors
 ///
-/// None: its numbers are constant.
+/// None: the numbers are constant.
 pub fn camera() -> Result<Camera, Error> {
     Camera::look_at(vec3!(3.4, 3.1, 8.4), vec3!(0.45, 1.62, 0), Vec3::Y)
 }
@@ -86,7 +86,7 @@ pub fn camera() -> Result<Camera, Error> {
 ///
 /// # Errors
 ///
-/// None: its numbers are constant.
+/// None: the numbers are constant.
 pub fn sun() -> Result<Light, Error> {
     Light::new(vec3!(5, 5, 4), fx!(0.4), fx!(0.6))
 }
@@ -101,7 +101,7 @@ where
     canvas.clear(C::from_rgb(Rgb888::new(0, 0, 0), Point::zero()));
     let frame = canvas.frame_size();
     let rows = canvas.rows().clone();
-    // The height is at least 1, products fit: at most 2048 · 256.
+    // The height is at least 1. Products are at most 2048 · 256.
     let mix = |from: u32, to: u32, y: u32| (from * (frame.height - y) + to * y) / frame.height;
     let colors = rows.clone().flat_map(|y| {
         #[allow(clippy::cast_possible_truncation)] // between two bytes
@@ -120,12 +120,12 @@ where
     let Ok(()) = canvas.fill_contiguous(&area, colors);
 }
 
-/// What the sea is painted with.
+/// The shader of the sea.
 pub fn waves<C: Levels>() -> impl Shader<Color = C> {
     Textured::new(&WAVES).converted()
 }
 
-/// What the island is painted with.
+/// The shader of the island.
 ///
 /// # Errors
 ///
@@ -156,7 +156,7 @@ where
     Ok([sea, island])
 }
 
-/// Writes what this is into the lower left corner.
+/// Writes the name of the project into the lower left corner.
 pub fn caption<C, O, D>(canvas: &mut Canvas<'_, C, O, D>)
 where
     C: Levels,

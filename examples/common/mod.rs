@@ -1,11 +1,11 @@
-//! What the examples and tests draw in common.
+//! Scenes and tools that examples and tests share.
 
-// Not every example uses all of it.
+// Not every example uses all of them.
 #![allow(dead_code)]
 
 pub mod gyroscope;
 pub mod lighthouse;
 pub mod scenes;
-/// Measured on the bare stack of a microcontroller.
+/// Only used on a microcontroller without an operating system.
 #[cfg(target_os = "none")]
 pub mod stack;

@@ -1,8 +1,8 @@
-//! The four measured scenes: the same work for every measurement, here and by others.
+//! The four measured scenes, the same in every measurement, of this crate and of others.
 //!
-//! 320x240 pixels, focal length 200 pixels, near 0.25, far 100. Each has a mesh, a mvp for each
-//! of its poses `k` = 0..8, and a function that draws it, which is all that is measured: clearing
-//! is not. `no_std`, so that a microcontroller draws the very same.
+//! 320x240 pixels, focal length 200 pixels, near 0.25, far 100. Each scene has a mesh, an mvp for each of its poses
+//! `k` = 0..8, and a function that draws it. Only this function is measured; clearing is not. `no_std`, so that a
+//! microcontroller draws the same.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, WebColors};
 use fixel::mode::Mode;
@@ -34,7 +34,7 @@ pub static CHECKER: TextureArray<Rgb565, 64, 64> = {
     TextureArray::from_texels(texels)
 };
 
-/// A floor from one unit before the eye to twenty, partly outside the picture.
+/// A floor from one unit to twenty units in front of the eye, partly outside the picture.
 pub static FLOOR: Mesh = {
     const POSITIONS: [Vec3; 4] = [
         vec3!(-10, 0, -1),
@@ -49,12 +49,12 @@ pub static FLOOR: Mesh = {
     }
 };
 
-/// From −1 to 1, the texture on each side.
+/// A cube from −1 to 1, with the texture on each side.
 pub static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 
 static BALL: Mesh = shape!(sphere(32, 32));
 
-/// A sphere of 1,984 triangles, its colors baked from one directional light.
+/// A sphere of 1,984 triangles, with colors baked from one directional light.
 pub static SPHERE: Mesh = Mesh::checked(BALL.with_colors(&VERTEX_COLORS, None));
 
 static VERTEX_COLORS: [Rgb888; 33 * 33] = {
@@ -105,7 +105,7 @@ const fn place(at: usize) -> [i32; 3] {
 const fn lit([x, y, z]: [i32; 3]) -> [u8; 3] {
     let facing = (2 * x + 3 * y + 6 * z) / 7;
     let light = if facing > 0 { facing } else { 0 };
-    // A quarter of ambient light.
+    // An ambient light of a quarter.
     let light = (1 << 14) + light / 4 * 3;
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most the factor
     [
@@ -119,7 +119,7 @@ const fn lit([x, y, z]: [i32; 3]) -> [u8; 3] {
 ///
 /// # Errors
 ///
-/// None: its numbers are constant.
+/// None: the numbers are constant.
 fn projection() -> Result<Projection<Perspective>, Error> {
     Projection::from_focal_length(fx!(200), (WIDTH, HEIGHT), fx!(0.25), fx!(100))
 }
@@ -129,16 +129,16 @@ fn turned([x, y]: [Angle; 2]) -> Transform {
     Transform::rotate_x(x) * Transform::rotate_y(y)
 }
 
-/// How far the floor is pitched down, after it was moved by [`FLOOR_AT`]: atan 0.2.
+/// The floor's pitch downwards, applied after the move by [`FLOOR_AT`]: atan 0.2.
 pub const FLOOR_PITCH: Angle = Angle::from_bits(134_932_750);
-/// Where the floor is moved to: below the eye.
+/// The floor's place, below the eye.
 pub const FLOOR_AT: Vec3 = vec3!(0, -1, 0);
-/// Where the cube is moved to, after it was [turned](cube_turn).
+/// The cube's place; it is [turned](cube_turn) first.
 pub const CUBE_AT: Vec3 = vec3!(0, 0, -3.133_832_458);
-/// Where the spheres are moved to, after they were [turned](sphere_turn).
+/// The spheres' place; they are [turned](sphere_turn) first.
 pub const SPHERE_AT: Vec3 = vec3!(0, 0, -2.256_239_223_7);
 
-/// What the cube is turned by in pose `k`, about x after y.
+/// The cube's turn in pose `k`: about y, then about x.
 pub fn cube_turn(k: i32) -> [Angle; 2] {
     [
         Angle::from_radians(fx!(0.3)) + Angle::from_turns(fx!(0.0625)) * k,
@@ -146,7 +146,7 @@ pub fn cube_turn(k: i32) -> [Angle; 2] {
     ]
 }
 
-/// What the spheres are turned by in pose `k`, about x after y.
+/// The spheres' turn in pose `k`: about y, then about x.
 pub fn sphere_turn(k: i32) -> [Angle; 2] {
     [
         Angle::from_radians(fx!(0.35)) + Angle::from_radians(fx!(0.3)) * k,
@@ -154,11 +154,11 @@ pub fn sphere_turn(k: i32) -> [Angle; 2] {
     ]
 }
 
-/// The floor's mvp, the same for all poses: one unit above, pitched down.
+/// The floor's mvp, the same in all poses: the eye is one unit above the floor and looks down.
 ///
 /// # Errors
 ///
-/// None: its numbers are constant.
+/// None: the numbers are constant.
 pub fn floor_chain(_: i32) -> Result<Mvp<Perspective>, Error> {
     Ok(projection()? * (Transform::rotate_x(FLOOR_PITCH) * Transform::translate(FLOOR_AT)))
 }
@@ -167,7 +167,7 @@ pub fn floor_chain(_: i32) -> Result<Mvp<Perspective>, Error> {
 ///
 /// # Errors
 ///
-/// None: its numbers are constant.
+/// None: the numbers are constant.
 pub fn cube_chain(k: i32) -> Result<Mvp<Perspective>, Error> {
     Ok(projection()? * (Transform::translate(CUBE_AT) * turned(cube_turn(k))))
 }
@@ -176,22 +176,22 @@ pub fn cube_chain(k: i32) -> Result<Mvp<Perspective>, Error> {
 ///
 /// # Errors
 ///
-/// None: its numbers are constant.
+/// None: the numbers are constant.
 pub fn sphere_chain(k: i32) -> Result<Mvp<Perspective>, Error> {
     Ok(projection()? * (Transform::translate(SPHERE_AT) * turned(sphere_turn(k))))
 }
 
-/// What the floor and the cube are painted with.
+/// The shader of the floor and the cube.
 pub fn checkered() -> impl Shader<Color = Rgb565> {
     Textured::new(&CHECKER)
 }
 
-/// What the sphere is painted with: its vertices' colors.
+/// The shader of the sphere: its vertices' colors.
 pub fn shaded() -> impl Shader<Color = Rgb565> {
     Gouraud::new()
 }
 
-/// What the flat sphere is painted with: its triangles' colors.
+/// The shader of the flat sphere: its triangles' colors.
 pub fn faceted() -> impl Shader<Color = Rgb565> {
     FaceColors::new(&FACE_COLORS)
 }
@@ -223,7 +223,7 @@ pub fn sphere<I: Mode, O: Storage<Rgb565>, D: DepthBuffer>(
     canvas.draw_with(options, &SPHERE, mvp, &shaded())
 }
 
-/// Draws the sphere with a color per triangle; meant for a canvas without depth.
+/// Draws the sphere with one color per triangle; meant for a canvas without depth.
 pub fn sphere_flat<I: Mode, O: Storage<Rgb565>, D: DepthBuffer>(
     canvas: &mut Canvas<'_, Rgb565, O, D>,
     options: &DrawOptions<I>,

@@ -1,4 +1,4 @@
-//! Guides: longer than the page of an item, and all of their drawing code is compiled and run.
+//! Guides, longer than an item's page. Their drawing code is compiled and run as doctests.
 
 #[doc = include_str!("firmware.md")]
 pub mod firmware {}

@@ -1,4 +1,4 @@
-//! Directions in world space, and how a model's normals come there.
+//! Directions in world space, and the matrix that takes a model's normals there.
 
 use crate::num::Unit;
 use crate::num::rsqrt::unit;
@@ -7,7 +7,7 @@ use crate::{Transform, Vec3};
 
 /// A vector of length one, or of length zero where there is no direction.
 ///
-/// Components have 30 fraction bits and are within 2⁻²⁸.
+/// Each component has 30 fraction bits and is within 2⁻²⁸ of its exact value.
 ///
 /// ```
 /// use fixel::{Unit, math::Direction, vec3};
@@ -18,10 +18,10 @@ use crate::{Transform, Vec3};
 pub struct Direction([i32; 3]);
 
 impl Direction {
-    /// No direction.
+    /// No direction: the vector of length zero.
     pub const NONE: Self = Self([0; 3]);
 
-    /// The direction of a vector of any length.
+    /// Returns the direction of a vector of any length; [`NONE`](Self::NONE) for zero.
     #[must_use]
     pub const fn of(vector: Vec3) -> Self {
         let [x, y, z] = vector.to_bits();
@@ -31,21 +31,21 @@ impl Direction {
         }
     }
 
-    /// x, y and z.
+    /// Returns x, y and z.
     #[must_use]
     pub fn components(self) -> [Unit; 3] {
         self.0.map(Unit::from_bits)
     }
 
-    /// In units of 2⁻³⁰.
+    /// Returns x, y and z in units of 2⁻³⁰.
     #[inline]
     pub(crate) const fn to_bits(self) -> [i32; 3] {
         self.0
     }
 }
 
-/// Takes normals of a model to world space: the inverse transpose of the model's linear part, up to a positive
-/// factor, so that they stay upright on a surface that is stretched or mirrored.
+/// The matrix that takes a model's normals to world space: the inverse transpose of the model's linear part, up to a
+/// positive factor. With it, normals stay at right angles to a surface that is stretched or mirrored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct NormalMatrix {
     /// Rows, below 2^30.
@@ -59,9 +59,9 @@ impl NormalMatrix {
         }
     }
 
-    /// The direction in world space of a model's normal of any length.
+    /// Returns the direction in world space of a model's normal, which may have any length.
     pub(crate) fn direction(&self, normal: Vec3) -> Direction {
-        // 30 bits times 31, thrice: below 2^63.
+        // Three products of 30 by 31 bits: below 2^63.
         let normal = normal.to_bits();
         let components = unit(self.rows.map(|row| dot(&row, &normal)));
         Direction(components.unwrap_or_default())

@@ -51,7 +51,7 @@ impl Vec3 {
 
     /// Returns the distance between two points; saturates.
     ///
-    /// It is as exact as [`length`](Self::length), also where `self - other` would saturate.
+    /// It is as exact as [`length`](Self::length), even where `self - other` would saturate.
     ///
     /// ```
     /// use fixel::{fx, vec3};
@@ -124,7 +124,7 @@ mod tests {
         fn lengths_are_right(v in vectors()) {
             let length = real_length(v.map(f64::from));
             let found = f64::from(Vec3::from_bits(v).length().to_bits());
-            // Rounded to a unit; before that 29 bits.
+            // 29 bits, then rounded to a unit.
             prop_assert!((found - length).abs() <= 0.5 + length * f64::from(-29).exp2());
         }
 
@@ -143,7 +143,7 @@ mod tests {
         fn products_are_right(a in vectors(), b in vectors()) {
             let (u, v) = (Vec3::from_bits(a), Vec3::from_bits(b));
             let [x, y] = [a, b].map(|v| v.map(i128::from));
-            // Rounded half up and saturated, in integers wide enough.
+            // Rounded half up and saturated, in 128 bits.
             let fixed = |p: i128| i32::try_from((p + (1 << 15)) >> 16)
                 .unwrap_or(if p < 0 { i32::MIN } else { i32::MAX });
             prop_assert_eq!(u.dot(v).to_bits(), fixed(x[0] * y[0] + x[1] * y[1] + x[2] * y[2]));
@@ -154,7 +154,7 @@ mod tests {
 
     #[test]
     fn distances_do_not_saturate_before_the_end() {
-        // Differences of 40,000 in a format that ends at 32,768; the length is 40,000 as well.
+        // The difference, 40,000, is beyond the format, which ends at 32,768; so is the length.
         let (a, b) = (
             Vec3::from_ints(20_000, 0, 0),
             Vec3::from_ints(-20_000, 0, 0),

@@ -19,7 +19,7 @@ fn multiply<F>(value: FixedI32<F>, factor: Scalar) -> FixedI32<F> {
 fn divide<F>(value: FixedI32<F>, divisor: Scalar) -> FixedI32<F> {
     let (top, bottom) = (value.to_bits(), divisor.to_bits());
     let is_negative = (top < 0) != (bottom < 0);
-    // Magnitudes: no quotient of theirs overflows. Both are below 2^48.
+    // Magnitudes below 2^48, whose quotients cannot overflow.
     let [top, bottom] = [top, bottom].map(|v| u64::from(v.unsigned_abs()));
     let quotient = match ((top << 16) + bottom / 2).checked_div(bottom) {
         Some(quotient) => quotient.cast_signed(),
@@ -155,12 +155,12 @@ mod tests {
     use crate::{TexCoord, vec2, vec3};
     use proptest::prelude::*;
 
-    /// The nearest that 32 bits hold.
+    /// The nearest value that 32 bits hold.
     fn saturated(value: i128) -> i32 {
         value.clamp(i32::MIN.into(), i32::MAX.into()) as i32
     }
 
-    /// All sizes, and the ends of the format.
+    /// Numbers of all sizes, and the ends of the format.
     fn numbers() -> impl Strategy<Value = i32> {
         prop_oneof![
             (any::<i32>(), 0_u32..32).prop_map(|(v, cut)| v >> cut),

@@ -1,4 +1,4 @@
-//! Affine transforms: they place a model in the world, and the world before the eye.
+//! Affine transforms: they place a model in the world, and the world in front of the eye.
 
 use core::ops::Mul;
 
@@ -41,7 +41,7 @@ pub struct Transform {
 }
 
 fn transpose([x, y, z]: [[i32; 3]; 3]) -> [[i32; 3]; 3] {
-    // Constant indices: a loop over them would keep its bounds checks where the build is for size.
+    // Constant indices: in a build for size, a loop over them would keep its bounds checks.
     [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]]
 }
 
@@ -131,7 +131,7 @@ impl Transform {
         Self::from_linear([[x, 0, 0], [0, y, 0], [0, 0, z]], 16)
     }
 
-    /// Makes a rotation, from rows in units of 2^-30, of the space about `origin`.
+    /// Makes the transform that moves `origin` to zero, then rotates by `rows`, in units of 2^-30.
     pub(crate) fn from_pose(rows: [[i64; 3]; 3], origin: Vec3) -> Self {
         let rotation = Self::from_linear(rows, 30);
         rotation * Self::translate(-origin)

@@ -65,10 +65,10 @@ mod sealed {
     impl Sealed for super::Scalar {}
 }
 
-/// Implemented by [`Scalar`] alone: a bound whose error message says how to write one.
+/// A bound that only [`Scalar`] meets. The compiler's message for other types says how to write a `Scalar`.
 ///
-/// For a parameter of the plain type, the compiler would answer a float with a long type of the
-/// package `fixed`. The bound converts nothing and costs nothing.
+/// With a parameter of type `Scalar`, the compiler's message for a float would show a long type name of
+/// the package `fixed`. The bound converts nothing and costs nothing.
 ///
 /// ```compile_fail
 /// // error: expected a `Scalar`, found `{float}`; note: for a literal write `fx!(0.5)`; …

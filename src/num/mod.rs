@@ -6,30 +6,30 @@
 //! | texture coordinates | [`TexCoord`] (`I12F20` repeats) | ±2048 | 9.5e-7 |
 //! | sine, cosine, unit vectors | [`Unit`] (`I2F30`) | ±2 | 9.3e-10 |
 //! | angle | `u32` fraction of a turn ([`Angle`]) | one turn, wraps | 8.4e-8 degrees |
-//! | speed of rotation | `i64` thousandths of a turn per minute ([`Rate`]) | ±2.1 million turns per minute, 60 times that in hertz | 1/1000 |
+//! | speed of rotation | `i64` thousandths of a turn per minute ([`Rate`]) | ±2.1 billion turns per minute or per second; ±2.1 million from thousandths | 1/1000 turn per minute |
 //! | time | `u64` milliseconds | 584 million years | 1 ms |
 //! | transform, projection | 30 bits and a sign, with a shared exponent ([`Transform`](crate::Transform)) | ±2^62 | 2^-30 of the largest |
 //! | clip space | `i64` with a binary point per draw call | every [`Scalar`] under every transform | 2^-16 of a model's unit or finer |
-//! | screen | [`Subpixel`] (`I24F8` pixels) | 2048 about the viewport's center, beyond which triangles are clipped | 1/256 pixel |
+//! | screen | [`Subpixel`] (`I24F8` pixels) | 2048 around the viewport's center; triangles are clipped beyond | 1/256 pixel |
 //! | 1/w, or depth under a parallel projection | `u32`, 31 bits at the nearest corner of a primitive | 2^23 to 1 in a primitive | 2^-31 of the largest |
-//! | attribute/w | `i32`, scaled in the same way | half of 1/w | 2^-30 of the attribute's largest value |
+//! | attribute/w | `i32`, scaled in the same way | at most half of 1/w | 2^-30 of the attribute's largest value |
 //! | reciprocal of 1/w | 31 bits ([`reciprocal`]) | | exact, rounded down |
 //! | stored depth | `u16`, floor(65535 · near / w) | 65535 at the near plane, 0 infinitely far | 1/65535 of near/w |
 //! | stored depth in [floating point](crate::target::Float) | `u16`: 4 bits of exponent, 12 of mantissa | 65535 at the near plane, 0 from 65,536 times as far | 2^-12 of the distance |
 //! | stored depth over a [wider range](crate::target::WideFloat) | `u16`: 5 bits of exponent, 11 of mantissa | 65535 at the near plane, 0 from 2^32 times as far | 2^-11 of the distance |
 //! | [short](crate::Mesh::short) positions | `[i16; 3]`, 0 to 16 fraction bits | ±2^15 units | 2^-fraction |
-//! | varyings of a shader | `i32` in a unit of the shader's choice | ±2^31 | rounded down to that unit |
-//! | … texels | 16 fraction bits ([`Textured`](crate::Textured)) | ±32768 texels | 1/65536 texel |
-//! | … color levels | 16 fraction bits of a step ([`Levels`](crate::Levels)) | 0 to 255 steps | 1/65536 step |
-//! | brightness, color fractions | `i32` ([`Light::brightness`](crate::Light::brightness)) | 0 to 65,536, which is 1 | 1/65536 |
+//! | varyings of a shader, in general | `i32` in a unit of the shader's choice | ±2^31 | rounded down to that unit |
+//! | varyings: texels | 16 fraction bits ([`Textured`](crate::Textured)) | ±32768 texels | 1/65536 texel |
+//! | varyings: color levels | 16 fraction bits of a step ([`Levels`](crate::Levels)) | 0 to 255 steps | 1/65536 step |
+//! | brightness, color fractions | `i32` ([`Light::brightness`](crate::Light::brightness)) | 0 to 65,536, which stands for 1 | 1/65536 |
 //!
 //! # Overflow and rounding
 //!
 //! Everything in this crate saturates at the ends of its range and never panics. Only angles and the
 //! turns of a repeating texture wrap. Products accumulate in 64 bits and round once, to nearest.
-//! A function that rounds in another way says so.
+//! The documentation of a function says so if it rounds differently.
 //!
-//! **The operators of a single number are not ours.** [`Scalar`], [`TexCoord`], [`Subpixel`] and
+//! **The operators of single numbers belong to another package.** [`Scalar`], [`TexCoord`], [`Subpixel`] and
 //! [`Unit`] are types of the package [`fixed`]. When a result of their `+`, `-`, `*` or `/` is out of
 //! range, a debug build panics and a release build wraps; `/` by zero panics in both. `*` rounds
 //! down and `/` rounds towards zero. Where a result may leave the range, call the methods that
@@ -41,7 +41,7 @@
 //! assert_eq!(fx!(2) * fx!(0.25), fx!(0.5));
 //! // 40,000 is beyond the range. `fx!(200) * fx!(200)` would panic, or be -25,536 in a release build.
 //! assert_eq!(fx!(200).saturating_mul(fx!(200)), Scalar::MAX);
-//! // The operators of vectors are ours, and saturate.
+//! // The operators of vectors belong to this crate, and saturate.
 //! assert_eq!((vec3!(200, 0, 0) * fx!(200)).x, Scalar::MAX);
 //! ```
 
@@ -106,7 +106,7 @@ pub type Unit = fixed::types::I2F30;
 mod tests {
     use super::*;
 
-    /// The module's documentation states these.
+    /// The module's documentation states these roundings.
     #[test]
     fn operators_of_the_package_fixed_round_down_and_towards_zero() {
         let (least, half) = (Scalar::from_bits(-1), Scalar::from_bits(1 << 15));

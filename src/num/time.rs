@@ -63,16 +63,16 @@ impl Rate {
         }
     }
 
-    /// Returns the angle that has been turned through after `ms` milliseconds, from 0.
+    /// Returns the angle reached after `ms` milliseconds, starting from 0.
     ///
-    /// It is exact for any time: whole turns drop out, then the angle is rounded down once, to a
+    /// The result is exact for any time: whole turns drop out, then the angle is rounded down once, to a
     /// multiple of 2⁻³² of a turn.
     #[must_use]
     pub const fn angle_at(self, ms: u64) -> Angle {
         angle(self.phase(ms))
     }
 
-    /// Makes an angle that turns at this rate and advances frame by frame, from 0.
+    /// Makes an angle that turns at this rate and advances frame by frame, starting from 0.
     #[must_use]
     pub const fn spin(self) -> Spin {
         Spin {
@@ -170,7 +170,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// The bits of an angle of milli · ms / 60,000,000 turns, in integers wide enough.
+    /// The bits of an angle of milli · ms / 60,000,000 turns, computed in 128 bits.
     fn exact(milli: i32, ms: u64) -> u32 {
         let turns = i128::from(milli) * i128::from(ms);
         let bits = (turns.rem_euclid(60_000_000) << 32) / 60_000_000;

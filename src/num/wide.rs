@@ -1,8 +1,8 @@
-//! What differs on a core that lacks products of 64 bits, a divider or an instruction that counts leading zeros.
+//! Everything that differs on cores without 64-bit products, a divider or an instruction that counts leading zeros.
 //!
 //! No other file asks which core it runs on. Each function here gives the same bits on all of them.
 
-/// Whether the core multiplies to 32 bits only, such as a core of Armv6-M.
+/// Whether the core's products have only 32 bits, as on Armv6-M.
 ///
 /// There the compiler calls a routine that multiplies 64 bits by 64. Four products of 16 bits take half
 /// as long. (A missing 32-bit atomic tells Armv6-M from the larger Arm targets.)
@@ -18,7 +18,7 @@ pub(crate) const COUNTS_ZEROS: bool =
 /// Whether [`short_dot`] is faster than [`dot`].
 pub(crate) const PREFERS_SHORT: bool = IS_NARROW;
 
-/// Multiplies.
+/// Returns the exact product.
 #[inline]
 pub(crate) const fn product(a: i32, b: i32) -> i64 {
     if IS_NARROW {
@@ -43,7 +43,7 @@ pub(crate) const fn upper(a: u32, b: u32) -> u32 {
 const fn upper_of_signed(a: u32, b: u32) -> u32 {
     let product = product(a.cast_signed(), b.cast_signed()).cast_unsigned();
     let upper = (product >> 32) as u32;
-    // If its upper bit is set, the signed `a` is 2^32 too small.
+    // If the top bit of `a` is set, the signed `a` is 2^32 too small.
     upper.wrapping_add(b & (a.cast_signed() >> 31).cast_unsigned())
 }
 
@@ -68,7 +68,7 @@ pub(crate) fn short_difference(a: i32, b: i32, c: i32, d: i32) -> i64 {
     }
 }
 
-/// The same from products of 32 bits.
+/// Returns [`short_difference`] by products of 32 bits.
 #[inline]
 fn difference_by_halves(a: i32, b: i32, c: i32, d: i32) -> i64 {
     let [a, c] = [a, c].map(|value| [value >> 16, value & 0xffff]);
@@ -83,12 +83,12 @@ pub(crate) const fn shifted(value: i64, up: u32) -> i64 {
     if IS_NARROW {
         shifted_by_halves(value, up)
     } else {
-        // A product of 32 bits by 64 takes less than a shift by any number.
+        // A product of 64 by 32 bits takes fewer instructions than a shift by a variable number.
         value.wrapping_mul(1 << (up & 31))
     }
 }
 
-/// The same by halves, as that shift is a call.
+/// Returns [`shifted`] by halves: a 64-bit shift by a variable number is a call.
 #[inline]
 const fn shifted_by_halves(value: i64, up: u32) -> i64 {
     let bits = value.cast_unsigned();
@@ -117,7 +117,7 @@ const fn by_halves(a: i64, b: i32) -> i64 {
     low.wrapping_add(((high as u64) << 32).cast_signed())
 }
 
-/// a · b / 2^14, rounded down, for a `b` of up to 17 bits and a product of up to 45.
+/// Returns a · b / 2^14, rounded down, for a `b` of up to 17 bits and a product of up to 45 bits.
 #[inline]
 pub(crate) fn times_17_bits(a: i32, b: u32) -> i32 {
     let b = b.cast_signed();
@@ -130,7 +130,7 @@ pub(crate) fn times_17_bits(a: i32, b: u32) -> i32 {
     }
 }
 
-/// The dot product; the caller sees to it that it fits, as that of mantissas of 30 bits by 31 does.
+/// Returns the dot product, which must fit in 64 bits: mantissas of 30 bits times numbers of 31 bits do.
 #[inline]
 pub(crate) fn dot(a: &[i32; 3], b: &[i32; 3]) -> i64 {
     if IS_NARROW {
@@ -155,7 +155,7 @@ pub(crate) fn short_dot(a: &[i32; 3], b: [i16; 3], up: u32) -> i64 {
         low += (a - (a_high << 15)) * i32::from(b);
     }
     let sum = (i64::from(high) << 15) + i64::from(low);
-    // In halves, because a shift of 64 bits is a call.
+    // By halves, because a 64-bit shift is a call.
     let (upper, lower) = ((sum >> 32) as i32, sum.cast_unsigned() as u32);
     let upper =
         (upper << (up & 31)).cast_unsigned() | (lower >> 1 >> (31u32.wrapping_sub(up) & 31));

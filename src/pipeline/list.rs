@@ -70,7 +70,7 @@ use crate::view::{ModelToPicture, Perspective, ProjectionKind, Viewport};
 ///
 /// let mut short: TriangleList<20, 80> = TriangleList::new();
 /// let error = short.prepare(&DrawOptions::new(), (WIDTH, HEIGHT), &BALL, &mvp).unwrap_err();
-/// assert_eq!(error.to_string(), "44 triangles are visible: the list has room for 20");
+/// assert_eq!(error.to_string(), "44 triangles are visible: the list must have room for all, and has room for 20");
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Debug)]

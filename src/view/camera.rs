@@ -59,10 +59,10 @@ impl Camera {
         })
     }
 
-    /// Makes a camera that is placed in the world by `pose`, as a model is.
+    /// Makes a camera that `pose` places in the world, as it would place a model.
     ///
-    /// `pose` must be rigid, a product of rotations and translations; of any other transform the
-    /// picture is distorted.
+    /// `pose` must be rigid, a product of rotations and translations; any other transform distorts
+    /// the picture.
     #[must_use]
     pub fn at_pose(pose: Transform) -> Self {
         Self {
@@ -88,10 +88,10 @@ impl Camera {
         self.view.inverse_rigid()
     }
 
-    /// Makes a camera at a `distance` from `target` that looks at it: from the front, turned to the
-    /// right by `turn` and raised by `tilt`.
+    /// Makes a camera at a `distance` from `target` that looks at it. The camera starts in front of the
+    /// target, turns to the right by `turn` and rises by `tilt`.
     ///
-    /// Under an orthographic projection it is a trimetric view, unless the angles foreshorten two axes
+    /// Under an orthographic projection this is a trimetric view, unless the angles foreshorten two axes
     /// equally.
     #[must_use]
     pub fn trimetric(target: Vec3, distance: Scalar, turn: Angle, tilt: Angle) -> Self {

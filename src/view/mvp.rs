@@ -1,4 +1,4 @@
-//! The product from a model to the picture: projection · camera · model.
+//! The transform from a model to the picture: projection · camera · model.
 
 use core::ops::Mul;
 
@@ -26,7 +26,7 @@ use crate::Transform;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Mvp<K = Perspective> {
     pub(crate) projection: Projection<K>,
-    /// From world to eye space.
+    /// The transform from world to eye space.
     pub(crate) camera: Transform,
     /// From model to world space.
     pub(crate) model: Transform,
@@ -54,7 +54,8 @@ mod sealed {
     impl<K> Sealed for Projection<K> {}
 }
 
-/// What takes a model to the picture: an [`Mvp`], or a [`Projection`] alone for a model that is in eye space as it is.
+/// The transform from a model to the picture: an [`Mvp`], or a [`Projection`] alone for a model that is already in eye
+/// space.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;

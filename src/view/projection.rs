@@ -27,11 +27,11 @@ mod sealed {
 /// }
 /// ```
 pub trait ProjectionKind: sealed::Sealed + Copy + core::fmt::Debug {
-    /// Whether the picture shrinks with distance.
+    /// Whether objects shrink with distance.
     const PERSPECTIVE: bool;
 }
 
-/// The kind of projection whose lines of sight meet in the eye: distant things are small.
+/// The kind of projection whose lines of sight meet in the eye: distant objects are small.
 ///
 /// ```
 /// use fixel::{Projection, deg, fx, view::Perspective};
@@ -42,7 +42,7 @@ pub trait ProjectionKind: sealed::Sealed + Copy + core::fmt::Debug {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Perspective;
 
-/// The kind of projection whose lines of sight are parallel: distant things keep their size.
+/// The kind of projection whose lines of sight are parallel: distant objects keep their size.
 ///
 /// ```
 /// use fixel::{Projection, Window, fx, view::Parallel};

@@ -65,7 +65,7 @@ impl Segment {
     /// Returns the distance at a fraction q of the picture: 1/w = 1/w₀ + q·(1/w₁ − 1/w₀).
     ///
     /// `None` if the line of sight does not meet the segment's line ahead of the eye, which happens
-    /// only for fractions below 0 or above 1; and if the distance is out of range.
+    /// only for fractions below 0 or above 1; or if the distance is out of range.
     #[must_use]
     pub fn distance(self, on_screen: Unit) -> Option<Scalar> {
         let (a, b) = self.weights(on_screen);
@@ -111,7 +111,7 @@ impl Segment {
 /// `velocity`, rounded to nearest (half away from zero).
 ///
 /// Its x is −n·(vₓ·Pz − Pₓ·vz) / (Pz + vz·t)², with n = `near`; y likewise. `None` if the point is not
-/// ahead of the eye at time t, and if a component is out of range.
+/// ahead of the eye at time t, or if a component is out of range.
 ///
 /// ```
 /// use fixel::view::speed;

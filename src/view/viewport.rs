@@ -91,7 +91,7 @@ impl Viewport {
         [self.width, self.height]
     }
 
-    /// Returns the center, where the view's axis meets the picture, in units of 1/256 pixel.
+    /// Returns the center, where the line of sight meets the picture, in units of 1/256 pixel.
     pub(crate) const fn center(&self) -> [i32; 2] {
         [
             self.x * 256 + self.width.cast_signed() * 128,

@@ -7,7 +7,7 @@ use crate::Scalar;
 /// Under a perspective the rectangle lies on the near plane; under a parallel projection it is the
 /// cross section of the box. `x` runs to the right and `y` up.
 ///
-/// Any numbers are accepted here. A projection refuses a window unless `left` < `right` and
+/// The window itself may hold any numbers. A projection refuses it unless `left` < `right` and
 /// `bottom` < `top`.
 ///
 /// ```
@@ -30,9 +30,9 @@ pub struct Window {
 }
 
 impl Window {
-    /// Makes a window of a width and a height about the line of sight.
+    /// Makes a window of this width and height, centered on the line of sight.
     ///
-    /// Edges are half the size away, rounded towards zero to a multiple of 2⁻¹⁶.
+    /// Each edge is half the size away from the center, rounded towards zero to a multiple of 2⁻¹⁶.
     ///
     /// ```
     /// use fixel::prelude::*;

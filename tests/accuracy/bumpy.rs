@@ -1,11 +1,10 @@
-//! A closed surface with bumps that hide one another: as many triangles as a small model has.
+//! A closed surface with bumps that hide one another, with as many triangles as a small model.
 
 use std::f64::consts::{PI, TAU};
 
 use crate::reference::scenes::Shape;
 
-/// 5,984 triangles: 68 columns, 45 rows, texture coordinates from 0 to 1 about it and from top to
-/// bottom.
+/// 5,984 triangles: 68 columns, 45 rows, texture coordinates from 0 to 1 around it and from top to bottom.
 pub fn bumpy() -> Shape {
     const COLUMNS: usize = 68;
     const ROWS: usize = 45;

@@ -1,4 +1,4 @@
-//! Values over triangles that the view volume or the guard band cuts.
+//! Values over triangles that the view volume or the guard band clips.
 
 use fixel::prelude::*;
 use proptest::prelude::*;
@@ -16,11 +16,11 @@ use crate::reference::view::{View, Viewport};
 
 const SIZE: (u32, u32) = (160, 96);
 
-/// What a corner is off by at most, and a little: it is rounded to 1/512 pixel along each axis, from
-/// a place that is off by parts of that.
+/// The bound of a corner's error, and a little more: the corner is rounded to 1/512 pixel along each axis, from a
+/// position whose own error is far smaller.
 const SNAP: f64 = 1. / 256.;
 
-/// Triangles about the eye.
+/// Triangles around the eye.
 fn triangles() -> impl Strategy<Value = [Vec3; 3]> {
     let corner = || [-30_f64..30., -30_f64..30., -60_f64..20.].prop_map(quantised);
     [corner(), corner(), corner()]
@@ -69,7 +69,7 @@ proptest! {
         };
         let seen = drawing.all(&attributes);
 
-        // Every center that is farther inside than corners move, and none that is farther outside.
+        // All centers farther inside than corners may move, and none farther outside.
         let mut drawn = vec![0; SIZE.0 as usize * SIZE.1 as usize];
         for seen in &seen {
             let [x, y] = seen.pixel;
@@ -98,7 +98,7 @@ proptest! {
         let mut models = Vec::with_capacity(seen.len());
         for seen in &seen {
             let Some((gap, piece)) = nearest(&pieces, seen.pixel) else {
-                return Err(TestCaseError::fail("the model has nothing"));
+                return Err(TestCaseError::fail("the model covers nothing there"));
             };
             prop_assert!(gap <= SNAP, "{gap} outside at {:?}", seen.pixel);
             let model = piece.at(seen.pixel).unwrap();
@@ -116,13 +116,13 @@ proptest! {
                 for (k, &corners) in values.iter().enumerate() {
                     let error = (f64::from(seen.values[k]) - model.attributes[k]).abs();
                     let gradient = model.dx[k].hypot(model.dy[k]);
-                    // A cut is rounded down twice.
+                    // A corner made by clipping is rounded down twice.
                     let bound = SNAP * gradient + 2. + bounds::perspective(
                         mode, corners, [ends[0], ends[1], ends[1]], model.w, farthest[row],
                     );
                     prop_assert!(
                         error <= bound,
-                        "{mode:?}: {:?} gives {} at {:?}, not {}: off by {error}, over {bound}",
+                        "{mode:?}: {:?} gives {} at {:?}, not {}: an error of {error}, over {bound}",
                         positions, seen.values[k], seen.pixel, model.attributes[k],
                     );
                 }

@@ -1,11 +1,11 @@
-//! Clipping: what is drawn is inside the view volume, covers each pixel once, and is where the f64 model has it.
+//! Clipping: the drawn pixels lie inside the view volume, are drawn once, and agree with the f64 model.
 //!
-//! Tolerances. A corner is rounded to 1/256 pixel, by at most half of that in each direction, so an edge
-//! moves by at most √2/512 = 0.0028 pixel; clip space adds less than 0.001 pixel for scenes of some
-//! hundred units (coefficients of 30 bits: 2⁻²⁹ · 256 units / 0.25 of the near plane · 100 pixels from the
-//! center = 5e-5). So pixels nearer than [`EDGE`] = 1/256 pixel to an edge may go either way.
-//! The crate's near and far planes are those of the projection to 28 bits; the model is asked with planes a little
-//! nearer and a little farther, [`PLANES`] of themselves, and only where both agree.
+//! Tolerances. A corner is rounded to 1/256 pixel, by at most half of that in each direction, so an edge moves by at
+//! most √2/512 = 0.0028 pixel. Clip space adds less than 0.001 pixel for scenes of some hundred units (coefficients
+//! of 30 bits: 2⁻²⁹ · 256 units / 0.25 of the near plane · 100 pixels from the center = 5e-5). So pixels nearer than
+//! [`EDGE`] = 1/256 pixel to an edge may be drawn or not. The crate's near and far planes equal the projection's to
+//! 28 bits. The model is run with planes a little nearer and a little farther, by the fraction [`PLANES`], and
+//! consulted only where both results agree.
 
 use std::collections::HashMap;
 
@@ -15,7 +15,7 @@ use crate::common::{BOTH_SIDES, Counter};
 use crate::reference::coverage::{Bounds, center};
 use crate::reference::distance::to_segment;
 use crate::reference::linear::{self, IDENTITY};
-use crate::reference::silhouette::{Place, Silhouette};
+use crate::reference::silhouette::{Position, Silhouette};
 use crate::reference::{projection, raster, view};
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
@@ -27,8 +27,8 @@ const FAR: f64 = 24.;
 const FOCAL: u16 = 30;
 /// In pixels.
 const EDGE: f64 = 1. / 256.;
-/// In pixels: √2/512 and what clip space adds. Sides of triangles that are both so near to a center may have been
-/// exchanged by rounding.
+/// In pixels: √2/512 and the error of clip space. Where two sides of a triangle are this near to a center, rounding
+/// may have exchanged them.
 const FOLD: f64 = 0.0029;
 /// 2⁻²⁴.
 const PLANES: f64 = 1. / 16_777_216.;
@@ -37,7 +37,7 @@ fn projection() -> Projection<fixel::view::Perspective> {
     Projection::from_focal_length(Scalar::from_num(FOCAL), SIZE, fx!(0.25), fx!(24)).unwrap()
 }
 
-/// The model's view with planes moved outwards by a fraction of their distance.
+/// The model's view, with planes moved outwards by a fraction of their distance.
 fn model_view(outwards: f64) -> view::View {
     let (near, far) = (NEAR * (1. - outwards), FAR * (1. + outwards));
     view::View {
@@ -52,7 +52,7 @@ fn floats(positions: &[Vec3]) -> Vec<[f64; 3]> {
     positions.iter().map(|p| p.to_bits().map(float)).collect()
 }
 
-/// What the model knows of some triangles, for planes a little inwards and a little outwards.
+/// The model's triangles, for planes a little inwards and a little outwards.
 struct Model {
     inner: Silhouette,
     outer: Silhouette,
@@ -60,7 +60,7 @@ struct Model {
     sides: Vec<[[f64; 2]; 2]>,
 }
 
-/// The sides of what is left of each face; not those between the pieces of one.
+/// The sides of the visible part of each face, without the sides between its pieces.
 fn sides<const N: usize>(pieces: &[raster::Piece<N>]) -> Vec<[[f64; 2]; 2]> {
     let key = |side: [[f64; 2]; 2]| side.map(|end| end.map(f64::to_bits));
     let mut all = HashMap::new();
@@ -103,23 +103,23 @@ impl Model {
 
     /// Whether a pixel is covered; `None` where rounding may decide.
     fn covers(&self, pixel: [i32; 2]) -> Option<bool> {
-        if self.inner.classify(center(pixel), EDGE) == Place::Inside {
+        if self.inner.classify(center(pixel), EDGE) == Position::Inside {
             Some(true)
-        } else if self.outer.classify(center(pixel), EDGE) == Place::Outside {
+        } else if self.outer.classify(center(pixel), EDGE) == Position::Outside {
             Some(false)
         } else {
             None
         }
     }
 
-    /// Whether two sides pass so near to a pixel's center that rounding their ends may have exchanged them:
-    /// a triangle so thin may be turned over, and lies on its neighbors then.
+    /// Whether two sides pass so near to a pixel's center that rounding their ends may have exchanged them. Such a
+    /// thin triangle may be turned over, and then overlaps its neighbors.
     fn may_fold(&self, pixel: [i32; 2]) -> bool {
         let near = |[a, b]: &[[f64; 2]; 2]| to_segment(*a, *b, center(pixel)) < FOLD;
         self.sides.iter().filter(|side| near(side)).count() > 1
     }
 
-    /// Counts of pixels as drawn against the model; also, never twice.
+    /// Checks counts of drawn pixels against the model; no pixel may be drawn twice.
     fn check(&self, counts: &[u32]) -> Result<(), TestCaseError> {
         for (&count, pixel) in counts.iter().zip(Bounds::new(SIZE.0, SIZE.1).pixels()) {
             let expected = self.covers(pixel);
@@ -155,8 +155,8 @@ fn count(
 /// In units of 2⁻¹⁶.
 const UNIT: i32 = 1 << 16;
 
-/// Positions all about the eye: some close to the near plane, some at the far plane, some behind,
-/// some far to the side.
+/// Positions all around the eye: some close to the near plane, some at the far plane, some behind, some far to the
+/// side.
 fn around() -> impl Strategy<Value = Vec3> {
     let z = prop_oneof![
         4 => -30 * UNIT..10 * UNIT,
@@ -175,8 +175,8 @@ fn around() -> impl Strategy<Value = Vec3> {
     (side(), side(), z).prop_map(|(x, y, z)| Vec3::from_bits([x, y, z]))
 }
 
-/// Twice the volume between the eye and a triangle, and the gradient of 1/w on the screen: with
-/// the plane N·P = D and the ray through a pixel (dx, dy, −1), 1/w = N·ray / D.
+/// Twice the volume between the eye and a triangle, and 1/w over the screen: with the plane N·P = D and the ray
+/// through a pixel (dx, dy, −1), 1/w = N·ray / D.
 fn inverse_w(corners: [Vec3; 3]) -> impl Fn([f64; 2]) -> (f64, f64) {
     let p = floats(&corners);
     let n = linear::cross(linear::subtract(p[1], p[0]), linear::subtract(p[2], p[0]));
@@ -196,10 +196,10 @@ fn inverse_w(corners: [Vec3; 3]) -> impl Fn([f64; 2]) -> (f64, f64) {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(512))]
 
-    /// One triangle anywhere about the eye: where the model has it and nowhere else, inside the planes,
-    /// as far away as its plane is at each pixel.
+    /// A triangle anywhere around the eye is drawn exactly where the model covers it, between the planes, and at each
+    /// pixel with the distance of its plane.
     #[test]
-    fn triangles_about_the_eye(corners in [around(), around(), around()]) {
+    fn triangles_around_the_eye(corners in [around(), around(), around()]) {
         let (counts, drawn) = count(&corners, &[[0, 1, 2]], &BOTH_SIDES);
         Model::new(&corners, &[[0, 1, 2]]).check(&counts)?;
         let all: u32 = counts.iter().sum();
@@ -208,7 +208,7 @@ proptest! {
         let mut pixels = vec![Gray8::new(0); counts.len()];
         let mesh = Mesh::new(&corners, &[[0, 1, 2]]).unwrap();
         let mut canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
-        // The distance ahead as it is interpolated.
+        // The interpolated distance.
         let probe = Probe { values: &|corner| [corner.distance().to_bits()], color: None };
         let record = record(probe, |recorder| {
             canvas.draw_with(&BOTH_SIDES, &mesh, &projection(), recorder);
@@ -216,12 +216,13 @@ proptest! {
         let plane = inverse_w(corners);
         for Seen { pixel, values: [distance], depth, .. } in record.seen {
             let w = f64::from(distance) / 65536.;
-            // The corners' distances are below 64, 2^22 units, so the interpolant is distance · q · 2^-24. It and q are off
-            // by at most 34 units (corner, plane and steps, see `RUN`), q being at least 2^30 · near/w.
+            // The corners' distances are below 64, 2^22 units, so the interpolant is distance · q · 2^-24. Its error
+            // and that of q are at most 34 units (corner, gradients and steps, see `RUN`), and q is at least 2^30 ·
+            // near/w.
             let q = f64::from(1 << 30) * NEAR / FAR;
             let format = (f64::from(1 << 24) * 34. * 1.5 / q + 4.) / 65536.;
             prop_assert!((NEAR - format..=FAR + format).contains(&w), "{:?}: {}", pixel, w);
-            // Corners moved by less than EDGE: the value is the plane's that near to the pixel.
+            // Corners moved by less than EDGE, so the value is the plane's within that distance of the pixel.
             let (exact, gradient) = plane(center(pixel));
             let room = gradient * EDGE + 1e-6;
             let nearest = 1. / (exact + room);
@@ -230,7 +231,7 @@ proptest! {
                 let farthest = 1. / (exact - room);
                 prop_assert!(w < farthest + format, "{:?}: {} is farther than {}", pixel, w, farthest);
             }
-            // Rounded down, from a 1/w that is off by 34 units of 2^-15 of a step.
+            // Rounded down, from a 1/w with an error of up to 34 units of 2^-15 of a step.
             let step = 65535. * NEAR;
             let (least, most) = (step * (exact - room) - 1.01, step * (exact + room) + 0.01);
             prop_assert!((least..=most).contains(&f64::from(depth)), "{:?}: {} not in {}..{}", pixel, depth, least, most);
@@ -238,16 +239,16 @@ proptest! {
     }
 }
 
-/// A plane through the eye's surroundings, as a map from the mesh's places to space.
+/// A plane near the eye, as a map from the mesh's positions to space.
 #[derive(Clone, Copy, Debug)]
-struct Slope {
+struct Ground {
     /// The mesh's origin.
     origin: [i32; 3],
-    /// What a step along x and y adds.
+    /// The steps along x and y.
     steps: [[i32; 3]; 2],
 }
 
-impl Slope {
+impl Ground {
     fn position(&self, [u, v]: Point) -> Vec3 {
         let [a, b] = self.steps;
         Vec3::from_bits([0, 1, 2].map(|i| self.origin[i] + u * a[i] + v * b[i]))
@@ -255,14 +256,14 @@ impl Slope {
 }
 
 /// Floors, ceilings, walls and tilted ground that reach from behind the eye to beyond the far plane.
-fn slopes() -> impl Strategy<Value = Slope> {
+fn grounds() -> impl Strategy<Value = Ground> {
     let height = prop_oneof![Just(1), Just(-1)]
         .prop_flat_map(|side| (UNIT / 8..2 * UNIT).prop_map(move |height| side * height));
     (height, -6..=6i32, -6..=6i32, any::<bool>()).prop_map(|(height, across, along, wall)| {
-        // v runs ahead; the tilt is small, so that the horizon is in view.
+        // v runs ahead; the tilt is small, so that the horizon is visible.
         let (x, y) = ([32, across, 0], [0, along, -32]);
         let turn = |[a, b, c]: [i32; 3]| if wall { [b, a, c] } else { [a, b, c] };
-        Slope {
+        Ground {
             origin: turn([0, height, 0]),
             steps: [turn(x), turn(y)],
         }
@@ -272,10 +273,10 @@ fn slopes() -> impl Strategy<Value = Slope> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(128))]
 
-    /// Ground that goes on below the eye and behind it, in triangles of every shape.
+    /// Ground that continues below the eye and behind it, in triangles of every shape.
     #[test]
     fn meshes_through_the_near_plane(
-        slope in slopes(),
+        slope in grounds(),
         points in prop::collection::vec(
             prop_oneof![
                 // 2^11 mesh units are a unit of space.
@@ -299,16 +300,16 @@ proptest! {
     }
 }
 
-/// A thin triangle that both the near and the far plane cut: four of its corners are new and rounded, and the
-/// outline, which is some subpixels across at its far end, crosses itself there. The parts that it is drawn in, a fan
-/// about one corner, then lie over each other; still each pixel is drawn once.
+/// A thin triangle that both the near and the far plane clip. Four of its corners are new and rounded, and the
+/// outline, a few subpixels wide at its far end, crosses itself there. The triangles it is drawn as, a fan around one
+/// corner, then overlap; still each pixel is drawn once.
 #[test]
 fn thin_clipped_triangles() {
-    // Which of them fold over a pixel's center depends on every rounding: so many, and the others are plain.
+    // Which of them fold over a pixel's center depends on every rounding, so there are many; most do not.
     let mut drawn = 0;
     for height in (10_000..60_000).step_by(100) {
         let place = |[u, v]: Point| Vec3::from_bits([32 * u, height + u + 5 * v, -32 * v]);
-        // The third corner is 96 to 24 mesh units from the line between the others.
+        // The third corner is 96 to 24 mesh units away from the line between the others.
         for across in [96, 72, 48, 24] {
             let corners = [
                 [40_000, -20_000],
@@ -326,13 +327,13 @@ fn thin_clipped_triangles() {
             }
         }
     }
-    // They are thin, but not so thin that none has a pixel: there are 921 in all.
+    // They are thin, but some have pixels: 921 in all.
     assert!(drawn > 800, "{drawn} pixels");
 }
 
-/// Inside the view volume, and for each plane three places beyond it: near (also behind the eye), far, left, right,
-/// bottom, top. The sides are those of the guard band, ±2048 pixels: at a distance of 4 and 30 pixels of
-/// focal length 273 units from the axis.
+/// Positions inside the view volume, and for each plane three positions beyond it: near (also behind the eye), far,
+/// left, right, bottom, top. The sides are those of the guard band, ±2048 pixels: at a distance of 4 and with a focal
+/// length of 30 pixels, 273 units from the axis.
 const INSIDE: [[f64; 3]; 3] = [[-1., -1., -4.], [1.5, -0.5, -5.], [0., 1., -3.]];
 const BEYOND: [[[f64; 3]; 3]; 6] = [
     [[-0.5, 0.25, -0.125], [0.5, 0.5, 2.], [1., -1., 0.]],
@@ -365,7 +366,7 @@ fn each_plane_by_one_two_and_three_corners() {
     }
 }
 
-/// A thing behind the eye has a mirror image under the bare formula; it must not show.
+/// An object behind the eye has a mirror image under the formula without clipping; it must not show.
 #[test]
 fn nothing_behind_the_eye_is_drawn() {
     let mirrored = INSIDE.map(|[x, y, z]| [-x, -y, -z]);
@@ -386,8 +387,8 @@ fn nothing_behind_the_eye_is_drawn() {
     }
 }
 
-/// Ground below the eye, from far behind it to the far plane: below the horizon only. The far plane, 24 units
-/// away, is 30/24 = 1¼ rows below the middle, so centers from 17.5 on are ground.
+/// Ground below the eye, from far behind it to the far plane, covers only pixels below the horizon. The far plane, 24
+/// units away, is 30/24 = 1¼ rows below the middle, so centers from 17.5 down are ground.
 #[test]
 fn ground_fills_the_picture_up_to_the_far_plane() {
     let ground = [
@@ -404,7 +405,7 @@ fn ground_fills_the_picture_up_to_the_far_plane() {
     }
 }
 
-/// A viewport of full size has the guard band for its edges: there, too, nothing is lost or doubled.
+/// A viewport of full size ends where the guard band does: there, too, no pixel is lost or drawn twice.
 #[test]
 fn a_viewport_as_wide_as_the_guard_band_is_filled_once() {
     let size = (2048, 24);

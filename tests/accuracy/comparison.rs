@@ -1,4 +1,4 @@
-//! A scene drawn by the crate and by the model, and all that differs.
+//! A scene drawn by the crate and by the model, and all differences.
 
 use std::collections::HashMap;
 
@@ -19,14 +19,14 @@ use crate::spread::Spread;
 
 /// Texels along a texture.
 const TEXELS: f64 = 256.;
-/// Fraction bits of u and v as they are interpolated: 4 more than those of a vertex.
+/// Fraction bits of the interpolated u and v: 4 more than those of a vertex.
 const UV_BITS: i32 = 24;
-/// Texels that rounding a vertex' u or v moves it by at most.
+/// The most texels that rounding a vertex's u or v moves it by.
 pub const ROUNDING: f64 = TEXELS / (2 << TexCoord::FRAC_NBITS) as f64;
-/// What a vertex is off by at most, and a little: it is rounded to 1/512 pixel along each axis.
+/// The bound of a vertex's error, and a little more: it is rounded to 1/512 pixel along each axis.
 const SNAP: f64 = 1. / 256.;
 
-/// A shape in the crate's numbers, before the crate's and the model's projection of the measured scenes.
+/// A shape in the crate's numbers, with its transforms to the picture for the crate and for the model.
 pub struct Scene {
     positions: Vec<Vec3>,
     faces: Vec<[u16; 3]>,
@@ -40,9 +40,9 @@ pub struct Scene {
     view: View,
 }
 
-/// The least of what the crate's pixels may differ by, and what they do.
+/// The differences between the crate's pixels and the model's.
 pub struct Comparison {
-    /// Pixels drawn, hidden ones too.
+    /// Pixels drawn, including hidden ones.
     pub pixels: Vec<Seen<3>>,
     /// Texels, given the crate's snapped vertices.
     pub snapped: Spread,
@@ -50,26 +50,27 @@ pub struct Comparison {
     pub unrounded: Spread,
     /// Texels, given the model's own vertices.
     pub unsnapped: Spread,
-    /// What of that exceeds 1/256 pixel's worth of the texels' gradient.
+    /// The part of that beyond 1/256 pixel's worth of the texels' gradient.
     pub excess: Spread,
-    /// Distance ahead, in units of the vertices' 2⁻¹⁶, given the snapped vertices.
+    /// Distance, in units of the vertices' 2⁻¹⁶, given the snapped vertices.
     pub distance: Spread,
-    /// The errors of u, v and distance given the snapped vertices, in parts of what the formats allow.
+    /// The errors of u, v and distance given the snapped vertices, relative to the bounds of the formats.
     pub allowed: Spread,
-    /// By how much the depth is outside the step that it stands for, given the snapped vertices.
+    /// Distance of the depth from the step that it stands for, given the snapped vertices.
     pub depth: Spread,
-    /// By how many steps what shows is behind the nearest, given the snapped vertices.
+    /// Distance in steps of the visible surface behind the nearest one, given the snapped vertices.
     pub order: Spread,
-    /// Pairs of triangle and pixel that only one of crate and model has, given the snapped vertices.
+    /// Pairs of triangle and pixel that only the crate or only the model draws, given the snapped vertices.
     pub not_alike: usize,
-    /// Centers more than 1/256 pixel inside the silhouette, and how often each such pixel was drawn: not, once, again.
+    /// Centers more than 1/256 pixel inside the silhouette, by how often the pixel was drawn: never, once, more
+    /// often.
     pub inside: [usize; 3],
-    /// Centers more than 1/256 pixel outside, drawn nevertheless.
+    /// Centers more than 1/256 pixel outside that were drawn.
     pub outside: usize,
 }
 
 impl Scene {
-    /// A shape after some moves, every number the nearest that the crate has.
+    /// Makes a scene of a shape after some moves, with every number rounded to the crate's nearest.
     pub fn new(shape: &Shape, moves: &[Move]) -> Self {
         let positions: Vec<Vec3> = shape.positions.iter().map(|&p| quantised(p)).collect();
         let uvs: Vec<Vec2> = shape
@@ -126,7 +127,7 @@ impl Scene {
         all
     }
 
-    /// The same in one mode. What is covered must be what it is in another one that was compared before.
+    /// The same in one mode. Coverage must equal that of another mode that was compared before.
     fn compare_in(&self, mode: Mode, other: Option<&Comparison>) -> Comparison {
         let Self { shape, view, .. } = self;
         let drawing = self.drawing(mode);
@@ -183,11 +184,11 @@ impl Scene {
     }
 }
 
-/// Hits of the model at a pixel, from which it makes its values.
+/// The model's hits at a pixel, which give its values.
 fn at(pieces: &[Piece<2>], seen: &Seen<3>) -> raster::Hit<2> {
     let piece = &pieces[seen.face];
-    assert_eq!(piece.face, seen.face, "a face was clipped");
-    let value = piece.at(seen.pixel).expect("no area");
+    assert_eq!(piece.face, seen.face, "the face is clipped");
+    let value = piece.at(seen.pixel).expect("the triangle has no area");
     raster::Hit {
         face: seen.face,
         piece: seen.face,
@@ -232,7 +233,7 @@ impl Comparison {
                 let allowed = allowed(piece.attributes.map(|corner| corner[k]), TEXELS / unit);
                 self.allowed.add(error / unit / allowed, i);
             }
-            // A vertex' distance is rounded, half a unit, from mantissas of 30 bits and numbers below 64.
+            // A vertex's distance is rounded to half a unit, from mantissas of 30 bits and numbers below 64.
             let allowed = 0.51 + allowed(piece.w, 65536.);
             self.allowed.add(distance / allowed, i);
             let depth = view.projection.depth(hit.distance);
@@ -294,9 +295,9 @@ impl Comparison {
         for pixel in bounds.pixels() {
             let count = counts[place(pixel)];
             match silhouette.classify(center(pixel), SNAP) {
-                silhouette::Place::Inside => self.inside[count.min(2)] += 1,
-                silhouette::Place::Outside => self.outside += usize::from(count > 0),
-                silhouette::Place::Near => {}
+                silhouette::Position::Inside => self.inside[count.min(2)] += 1,
+                silhouette::Position::Outside => self.outside += usize::from(count > 0),
+                silhouette::Position::Near => {}
             }
         }
     }
@@ -317,7 +318,7 @@ impl Comparison {
             assert_eq!(
                 *nearest > 0.,
                 last.is_some(),
-                "pixel {i} is drawn in one picture only"
+                "pixel {i} is drawn in only one picture"
             );
             if let Some(seen) = last {
                 self.order.add(nearest - depth(seen), i);
@@ -354,17 +355,17 @@ impl Comparison {
             self.excess.max()
         );
         println!("{}", self.distance.line("distance", "of 2^-16"));
-        println!("  in parts of what is allowed: {:.5}", self.allowed.max());
+        println!("  relative to the bound: {:.5}", self.allowed.max());
         println!("{}", self.depth.line("depth outside its step", "steps"));
         println!("  behind the nearest: {:.5} steps", self.order.max());
         println!(
-            "  not alike {}; inside drawn not, once, again: {:?}; outside drawn {}",
+            "  different {}; inside drawn not, once, again: {:?}; outside drawn {}",
             self.not_alike, self.inside, self.outside
         );
     }
 }
 
-/// How many of sorted `a` are not in sorted `b`, twice as often counting as one more.
+/// The number of entries of sorted `a` that are not in sorted `b`; repeated entries count.
 fn difference<T: Ord>(a: &[T], b: &[T]) -> usize {
     let mut b = b.iter().peekable();
     a.iter()

@@ -1,8 +1,8 @@
-//! Which pixels a triangle covers: the exact half-space model, for every kind of mesh.
+//! The pixels that a triangle covers, against the exact half-space model, for every kind of mesh.
 //!
-//! The crate walks edges with remainders; the model tests every pixel center against three exact
-//! half-spaces. Given the same snapped corners the two must agree in every pixel, so nothing here has
-//! a tolerance but the tests of triangles that are clipped, which get new corners.
+//! The crate walks edges with remainders; the model tests every pixel center against three exact half-spaces. Given
+//! the same snapped corners, the two must agree in every pixel. So no test here has a tolerance, except those of
+//! clipped triangles, which get new corners.
 
 use std::collections::HashMap;
 
@@ -15,7 +15,7 @@ use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 use proptest::prelude::*;
 
-/// Draws a mesh through the pixel projection, having checked that each vertex is where it should be.
+/// Draws a mesh through the pixel projection, after checking that each vertex is where it should be.
 fn draw(mesh: &Flat, size: (u32, u32), options: &DrawOptions) -> Vec<u32> {
     let projection = pixel_lens(size);
     let mut counter = Counter::new(size);
@@ -29,8 +29,8 @@ fn draw(mesh: &Flat, size: (u32, u32), options: &DrawOptions) -> Vec<u32> {
     counter.take()
 }
 
-/// Where vertices may be: on pixel corners, on sixteenths, on any of 256 places, or mostly on
-/// centers, where the rule for ties decides.
+/// Positions of vertices: on pixel corners, on sixteenths, on any of 256 subpixels, or mostly on centers, where the
+/// rule for ties decides.
 fn places(range: std::ops::Range<i32>) -> impl Strategy<Value = Vec<Point>> {
     let grain = prop_oneof![
         Just((256, 0)),
@@ -62,7 +62,7 @@ const SIZE: (u32, u32) = (32, 24);
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(256))]
 
-    /// Triangles of any shape over each other, many reaching out of the picture.
+    /// Overlapping triangles of any shape, many of them partly outside the picture.
     #[test]
     fn loose_triangles_cover_what_the_model_covers(points in places(-20..50)) {
         let faces = (0..u16::try_from(points.len()).unwrap() / 3)
@@ -100,8 +100,8 @@ proptest! {
         check_against_model(&Flat { points, faces }, SIZE)?;
     }
 
-    /// A triangulated rectangle covers what the rectangle covers, each pixel once; so does each
-    /// way of seeing it: from behind, or with triangles that face both ways.
+    /// A triangulated rectangle covers the pixels of the rectangle, each once. So it does from behind, and with
+    /// triangles that face both ways.
     #[test]
     fn triangulations_cover_each_pixel_once(
         points in places(0..32), offset in [-300..300i32, -300..300], seed: u64,
@@ -136,7 +136,7 @@ proptest! {
         once(&mesh.shuffled(seed, true), &BOTH_SIDES)?;
     }
 
-    /// Fans: a hub with spokes, which all meet in one place.
+    /// Fans: a hub with spokes, which all meet in one point.
     #[test]
     fn fans_cover_each_pixel_once(points in places(-8..40), seed: u64) {
         let mesh = fan(points[0], points[1..].to_vec());
@@ -145,7 +145,7 @@ proptest! {
         check_against_model(&mesh.shuffled(seed, true), SIZE)?;
     }
 
-    /// Strips and grids: the rectangle, each pixel once.
+    /// Strips and grids cover the rectangle, each pixel once.
     #[test]
     fn grids_cover_each_pixel_once(
         columns in 1..=20u16, rows in 1..=16u16, strip: bool, moves in places(0..32), seed: u64
@@ -225,8 +225,7 @@ fn every_triangle<K: ProjectionKind>(counter: &mut Counter, projection: &Mvp<K>,
     }
 }
 
-/// Positions in space, seen in perspective: whatever the crate rounds them to, it covers what the
-/// model covers.
+/// Positions in space, seen in perspective: whatever the crate rounds them to, it covers the model's pixels.
 fn check_in_perspective(positions: &[[i32; 3]], seed: u64) -> Result<(), TestCaseError> {
     let size = (48, 32);
     let projection =
@@ -246,7 +245,7 @@ fn check_in_perspective(positions: &[[i32; 3]], seed: u64) -> Result<(), TestCas
     let places: HashMap<u16, Point> = (0..count)
         .filter_map(|i| Some((i, counter.snapped(&mvp, positions[usize::from(i)])?)))
         .collect();
-    // Those that are clipped get new corners; they are looked at elsewhere.
+    // Clipped triangles get new corners; other tests check them.
     let whole: Vec<[u16; 3]> = faces
         .into_iter()
         .filter(|face| face.iter().all(|index| places.contains_key(index)))
@@ -274,14 +273,14 @@ fn check_in_perspective(positions: &[[i32; 3]], seed: u64) -> Result<(), TestCas
 }
 
 /// In units of 2⁻¹⁶.
-const METRE: i32 = 1 << 16;
+const METER: i32 = 1 << 16;
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(128))]
 
     #[test]
     fn triangles_in_perspective_cover_what_the_model_covers(
-        positions in prop::collection::vec([-6 * METRE..6 * METRE, -5 * METRE..5 * METRE, -6 * METRE..6 * METRE], 3..16),
+        positions in prop::collection::vec([-6 * METER..6 * METER, -5 * METER..5 * METER, -6 * METER..6 * METER], 3..16),
         seed: u64,
     ) {
         check_in_perspective(&positions, seed)?;
@@ -291,10 +290,10 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(192))]
 
-    /// Beyond the guard band triangles are clipped and get new corners, rounded to half of 1/256 pixel in
-    /// each direction: a point of an edge moves by at most √2/512 = 0.0028 pixel, and with what clip
-    /// space rounds (a fraction of 2⁻³¹ of an edge of 65,536 pixels at most: 3e-5 pixel) by less than
-    /// 1/256. So pixels may differ from the exact model only that near to an edge.
+    /// Beyond the guard band triangles are clipped and get new corners, rounded to half of 1/256 pixel in each
+    /// direction. A point of an edge moves by at most √2/512 = 0.0028 pixel; with the rounding of clip space (a
+    /// fraction of 2⁻³¹ of an edge of at most 65,536 pixels: 3e-5 pixel) by less than 1/256. So pixels may differ
+    /// from the exact model only that near to an edge.
     #[test]
     fn triangles_beyond_the_guard_band(
         corners in prop::collection::vec(

@@ -1,4 +1,4 @@
-//! Drawing with a shader that writes down what it gets.
+//! Drawing with a shader that records its input.
 
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
@@ -9,7 +9,7 @@ use crate::mode::Mode;
 pub use crate::recorder::Seen;
 use crate::recorder::{Coordinates, Few, Probe, record};
 
-/// Where a point is: in 1/256 pixel, and its depth as it would be stored.
+/// A point on the screen: position in 1/256 pixel, and depth as it would be stored.
 #[derive(Clone, Copy, Debug)]
 pub struct Spot {
     pub x: i32,
@@ -17,13 +17,13 @@ pub struct Spot {
     pub depth: u16,
 }
 
-/// What a test wants interpolated.
+/// The values that a test wants interpolated.
 type Values<'a, const N: usize> = &'a dyn Fn(&Corner<'_>) -> [i32; N];
 
-/// What is drawn, and how.
+/// A mesh and the way to draw it.
 pub struct Drawing<'a, K> {
     pub size: (u32, u32),
-    /// All but the mode.
+    /// All options but the mode.
     pub options: DrawOptions,
     pub mode: Mode,
     pub mesh: Mesh<'a>,
@@ -31,7 +31,7 @@ pub struct Drawing<'a, K> {
 }
 
 impl<K: ProjectionKind> Drawing<'_, K> {
-    /// Every pixel of every triangle, hidden ones too, in the order drawn.
+    /// Every pixel of every triangle, including hidden ones, in drawing order.
     pub fn all<const N: usize>(&self, values: Values<'_, N>) -> Vec<Seen<N>>
     where
         [(); N]: Few<N>,
@@ -39,7 +39,7 @@ impl<K: ProjectionKind> Drawing<'_, K> {
         self.record(values, false)
     }
 
-    /// Every pixel that passes the depth test as it is drawn; the last at a place is what shows.
+    /// Every pixel that passes the depth test when it is drawn; the last one at each position is visible.
     pub fn shown<const N: usize>(&self, values: Values<'_, N>) -> Vec<Seen<N>>
     where
         [(); N]: Few<N>,
@@ -87,12 +87,12 @@ impl<K: ProjectionKind> Drawing<'_, K> {
             mesh,
             ..
         } = self;
-        // Varyings of its own make the modes do what they do.
+        // A shader of its own, with varyings, makes the modes interpolate.
         mode.draw(&mut canvas, options, mesh, &self.mvp, &Gouraud::new());
         depth
     }
 
-    /// Where the crate puts points, in 1/256 pixel; `None` for what it would clip.
+    /// The crate's positions of points, in 1/256 pixel; `None` for points that it would clip.
     pub fn places(&self, points: &[Vec3]) -> Vec<Option<[i32; 2]>> {
         let spots = self.spots(points).into_iter();
         spots

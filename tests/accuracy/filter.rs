@@ -1,4 +1,4 @@
-//! Textures between their texels: the crate's colors against the f64 model.
+//! Textures between the centers of texels: the crate's colors against the f64 model.
 
 use std::fmt::Debug;
 
@@ -14,7 +14,7 @@ use fixel::shade::{Lanes, Varyings};
 use fixel::texture::Blend;
 use proptest::prelude::*;
 
-/// A color that can be taken apart.
+/// A color with access to its channels.
 trait Parts: Blend + Debug {
     /// Units of weight from one texel to the next.
     const UNITS: f64;
@@ -53,12 +53,12 @@ parts! {
     Gray8 256. |c| [c.luma(); 3];
 }
 
-/// What the documentation promises of a channel, in steps.
+/// The bound that the documentation promises for a channel, in steps.
 ///
-/// The place is rounded to the nearest of `units` between two centers, so it is off by half a unit at most
-/// along each axis, and stays between the same centers. There the color changes, along either axis, by
-/// no more per texel than the texels around differ: together by their difference / `units`. Rounding the two
-/// rows takes half a step at most, and as their mean keeps that, rounding what is between them another half.
+/// The position is rounded to the nearest of `units` between two centers, so its error is at most half a unit along
+/// each axis, and it stays between the same centers. There the color changes along either axis by no more per texel
+/// than the texels around differ: for both axes together, by their difference / `units`. Rounding the two rows adds
+/// at most half a step, which their mean keeps; rounding the mean adds another half.
 fn allowed<C: Parts>(model: &Blended) -> f64 {
     1. + (model.most - model.least) / C::UNITS
 }
@@ -72,10 +72,10 @@ fn channel<C: Parts, const W: usize, const H: usize>(
     texels.iter().map(row).collect()
 }
 
-/// What a shader has interpolated.
+/// A shader with its interpolated values.
 type Numbers<F> = <<<F as Shader>::Varyings as Varyings>::Lanes as Lanes>::Of<i32>;
 
-/// The color that a shader gives texels that are looked up at (u, v), in texels of 16 fraction bits.
+/// The color of a shader whose texels are looked up at (u, v), in texels with 16 fraction bits.
 fn shade<F: Shader>(shader: &F, numbers: Numbers<F>) -> F::Color {
     let sample = Fragment {
         point: Point::zero(),
@@ -85,7 +85,7 @@ fn shade<F: Shader>(shader: &F, numbers: Numbers<F>) -> F::Color {
     shader.shade(&sample, varyings).unwrap()
 }
 
-/// Both wraps of a texture at a place against the model.
+/// Compares both addressing modes of a texture at a position with the model.
 fn compare<C: Parts, const W: usize, const H: usize>(
     texels: &[[C; W]; H],
     place: [i32; 2],
@@ -118,7 +118,7 @@ fn texels<C: Parts, const W: usize, const H: usize>() -> impl Strategy<Value = [
     })
 }
 
-/// A place near the texture's edges or within it, anywhere, or at the very end.
+/// A position near the texture's edges or within it, anywhere, or at the very end of the format.
 fn place() -> impl Strategy<Value = [i32; 2]> {
     let axis = || {
         let ends = i32::MAX - 100_000;
@@ -132,7 +132,7 @@ fn place() -> impl Strategy<Value = [i32; 2]> {
     [axis(), axis()]
 }
 
-/// A test for a color: sizes down to a single texel, which is its own neighbor.
+/// A test for a color, with sizes down to a single texel, which is its own neighbor.
 macro_rules! against_the_model {
     ($($name:ident $color:ident)+) => {proptest! {$(
         #[test]
@@ -191,7 +191,7 @@ proptest! {
         exact_at_centers(&gray8);
     }
 
-    /// However the texels are stored, and whatever is done with the color afterwards.
+    /// Every storage of texels, and every use of the color afterwards.
     #[test]
     fn palettes_light_and_vertex_colors(
         indices in any::<[u8; 8]>(),
@@ -222,7 +222,7 @@ proptest! {
 /// Pixels along the picture of the next test, and texels along its texture.
 const SIDE: u32 = RATIO * 4;
 const TEXELS: usize = 4;
-/// Pixels for a texel.
+/// Pixels to a texel.
 const RATIO: u32 = 16;
 
 /// A square that fills the picture.
@@ -236,7 +236,7 @@ fn picture<F: Shader<Color = Rgb888>>(shader: &F) -> Vec<[f64; 3]> {
     pixels.into_iter().map(Parts::parts).collect()
 }
 
-/// The largest difference between pixels side by side or one above the other.
+/// The largest difference between neighboring pixels of a row or a column.
 fn steepest(picture: &[[f64; 3]]) -> f64 {
     let differ =
         |a: &[f64; 3], b: &[f64; 3]| (0..3).map(|k| (a[k] - b[k]).abs()).fold(0., f64::max);
@@ -265,22 +265,22 @@ proptest! {
                 prop_assert!((part - model.value).abs() <= allowed, "{at:?}: {part} for {model:?}");
             }
         }
-        // From pixel to pixel a part of what it is from texel to texel, and each pixel's error: of its place,
-        // by 0.001 and half a 256th along each axis, and a step.
+        // The difference from pixel to pixel is a fraction of the one from texel to texel, plus each pixel's error:
+        // of its position, by 0.001 and half a 256th along each axis, and a step.
         let most = steepest(&nearest);
         prop_assert!(steepest(&smooth) <= most * (scale + 4. * (0.001 + 1. / 512.)) + 2.);
     }
 }
 
-/// Against the nearest texel, of which squares can be seen.
+/// In contrast, the nearest texel shows squares.
 #[test]
-fn the_nearest_texel_is_not() {
+fn the_nearest_texel_is_not_smooth() {
     let (black, white) = (Rgb888::BLACK, Rgb888::WHITE);
     let texels: [[Rgb888; TEXELS]; TEXELS] = std::array::from_fn(|v| {
         std::array::from_fn(|u| if (u + v) % 2 == 0 { black } else { white })
     });
     let skin = Textured::new(&texels).clamped();
     assert!(steepest(&picture(&skin)) >= 255.);
-    // 255/16, and each of two pixels off by less than a step: their places are whole 256ths of a texel.
+    // 255/16, and each of two pixels has an error below a step: their positions are whole 256ths of a texel.
     assert!(steepest(&picture(&skin.bilinear())) <= 17.);
 }

@@ -14,10 +14,10 @@ use crate::mode::Mode;
 use crate::triangle::Triangle;
 
 const SIZE: (u32, u32) = (64, 48);
-/// Pixels at distance 1.
+/// Pixels of a unit at distance 1.
 const FOCAL: f64 = 40.;
 
-/// A point of the picture at a distance.
+/// A point of eye space at a position on the picture and a distance.
 fn unproject([x, y]: [f64; 2], w: f64) -> Vec3 {
     let middle = [f64::from(SIZE.0) / 2., f64::from(SIZE.1) / 2.];
     let at = [(x - middle[0]) * w / FOCAL, (middle[1] - y) * w / FOCAL, -w];
@@ -30,7 +30,7 @@ fn projection(near: f64, far: f64) -> Projection<Perspective> {
     Projection::from_focal_length(focal, SIZE, near, far).unwrap()
 }
 
-/// A rectangle that fills the picture and more, at these distances on its left and right.
+/// A rectangle that fills more than the picture, with these distances on its left and right.
 fn wall([left, right]: [f64; 2]) -> [Vec3; 4] {
     let [wide, high] = [f64::from(SIZE.0), f64::from(SIZE.1)];
     [
@@ -41,7 +41,8 @@ fn wall([left, right]: [f64; 2]) -> [Vec3; 4] {
     ]
 }
 
-/// Draws a wall and, after it, one behind it, farther by `gap` of its distance; how many pixels show the wrong one.
+/// Draws a wall and then one behind it, farther by `gap` of its distance; returns the number of pixels that show the
+/// wrong one.
 fn wrong<D: DepthBuffer>(
     mode: Mode,
     mut canvas: Canvas<'_, Gray8, Native, D>,
@@ -72,7 +73,7 @@ fn series(first: f64, factor: f64) -> impl Iterator<Item = f64> {
     std::iter::successors(Some(first), move |w| Some(w * factor)).take_while(|&w| w < 32_768.)
 }
 
-/// Draws two walls in a mode and format; how many pixels show the one behind.
+/// Draws two walls in a mode and format; returns the number of pixels that show the one behind.
 fn wrong_in<F: DepthFormat>(
     mode: Mode,
     projection: Projection<Perspective>,
@@ -88,16 +89,16 @@ fn wrong_in<F: DepthFormat>(
 
 /// Whether a format with steps of `step` of the distance is certain to tell two walls apart.
 fn is_certain(step: f64, near_end: f64, slant: f64, gap: f64) -> bool {
-    // A vertex is rounded to 2^-17, and to 1/512 pixel of 64, along which w changes by up to a sixteenth a pixel: twice
-    // 2^-17 / near_end and 1/8192 must be well below the gap less a step.
+    // A vertex is rounded to 2^-17, and to 1/512 pixel of 64, along which w changes by up to a sixteenth per pixel.
+    // So twice 2^-17 / near_end and 1/8192 must be well below the gap less a step.
     gap - step - 2. / 8192. * (slant - 1.) / 3. > 3e-5 / near_end
 }
 
-/// Walls a hundredth and a thousandth apart, straight and slanting, in front of each other at all distances up to the
-/// far plane. In floating point each hides the one behind it, as far as the format reaches; in linear steps it does as
-/// long as they are finer than the gap.
+/// Walls a hundredth and a thousandth apart, facing the eye or slanting, at all distances up to the far plane. In
+/// floating point each wall hides the one behind it, as far as the format reaches; in linear steps it does as long as
+/// the steps are finer than the gap.
 #[test]
-fn what_is_behind_stays_behind() {
+fn surfaces_behind_stay_hidden() {
     for (near, ratio) in [
         (0.25, 10.),
         (0.25, 100.),
@@ -110,13 +111,14 @@ fn what_is_behind_stays_behind() {
         for gap in [0.01, 0.001] {
             let (mut walls, mut linear_fails, mut float_fails) = (0, 0, 0);
             for slant in [1., 4.] {
-                // At all distances; and where 1/w of the two walls have different exponents, as a power of two is between.
+                // At all distances; and where 1/w of the two walls have different exponents, because a power of two
+                // lies between them.
                 let near_ends = series(1.02 * near, 1.37).chain(series(1.99 * near, 2.));
-                // At the far plane itself linear depths are all 0; the wall behind is to be before it.
+                // At the far plane all linear depths are 0; the wall behind must lie in front of it.
                 let is_before = |w: &f64| w * slant * (1. + gap) < 0.99 * near * ratio;
                 for near_end in near_ends.filter(is_before) {
                     let distances = [near_end, near_end * slant];
-                    // The largest distance that is not stored as 0 is one step short of the end of the range.
+                    // The largest distance whose depth is not stored as 0 is one step short of the end of the range.
                     let float_reaches = distances[1] * (1. + gap) < 65_500. * near;
                     let mut fails = false;
                     for mode in Mode::PERSPECTIVE {
@@ -148,7 +150,7 @@ fn what_is_behind_stays_behind() {
             println!(
                 "far/near {ratio}, gap {gap}: {walls} walls, linear wrong at {linear_fails}, float at {float_fails}"
             );
-            // A step of linear depth is 1/65535 of the ratio between near plane and wall.
+            // A step of linear depth is 1/65535 of the ratio of near plane and wall.
             let is_too_much = ratio > 2. * 65535. * gap;
             assert!(
                 linear_fails > 0 || !is_too_much,
@@ -159,7 +161,7 @@ fn what_is_behind_stays_behind() {
     }
 }
 
-/// The real number that a depth's code is rounded down from, for a format of so many bits of exponent.
+/// The real number from which a depth's code is rounded down, for a format with this many bits of exponent.
 fn code(depth: f64, exponent_bits: i32) -> f64 {
     let steps = 2_f64.powi(16 - exponent_bits);
     let exponent = depth.log2().floor();
@@ -213,8 +215,8 @@ fn depths_are_the_models<F: DepthFormat>(exponent_bits: i32, farthest: f64) {
             for at in &model {
                 let [x, y] = at.pixel.map(|at| usize::try_from(at).unwrap());
                 let stored = f64::from(depths[y * SIZE.0 as usize + x]);
-                // 1/w is wrong by so much of the nearest corner's, and a code of 16 - e bits of mantissa stands for a
-                // relative step of between 2^-(17 - e) and 2^-(16 - e).
+                // 1/w has an error relative to the nearest corner's, and a code with 16 - e bits of mantissa stands
+                // for a relative step between 2^-(17 - e) and 2^-(16 - e).
                 let error =
                     2_f64.powi(17 - exponent_bits) * bounds::inverse_w(triangle.w) * at.w / nearest;
                 let wanted = code(at.depth, exponent_bits);
@@ -226,7 +228,7 @@ fn depths_are_the_models<F: DepthFormat>(exponent_bits: i32, farthest: f64) {
                 );
                 pixels += 1;
                 let beyond = (stored - wanted.max(0.)).max(wanted - stored - 1.);
-                // Of what reaches no farther than the figures in the documentation promise.
+                // For triangles within the range of the documentation's figures.
                 if at.w <= 3000. * nearest {
                     most = most.max(beyond);
                 }

@@ -1,4 +1,4 @@
-//! Lines and points: which pixels, in exact integers; depth and attributes along a line against the f64 model.
+//! Lines and points: their pixels in exact integers; depth and attributes along a line against the f64 model.
 
 use crate::common::recorder::{Probe, Seen, record};
 use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
@@ -12,15 +12,15 @@ use fixel::prelude::*;
 use fixel::view::{Perspective, ProjectionKind};
 use proptest::prelude::*;
 
-/// A place in 24.8.
+/// A position in 24.8.
 type Point = [i32; 2];
 
-/// Wider than a run of 64 pixels, at which values are found afresh.
+/// Wider than a span of 64 pixels, after which values are computed afresh.
 const SIZE: (u32, u32) = (150, 28);
 
-/// The pixels of a line between two snapped ends: for each column whose center it passes the pixel that it
-/// passes it in (rows, for a line that is steeper than 45°), the end with the lesser coordinate included
-/// and the other one not. In exact integers, for each pixel by itself.
+/// Whether a pixel belongs to the line between two snapped ends. For each column whose center the line crosses (or
+/// row, if the line is steeper than 45°), it is the pixel in which the line crosses it. The end with the lesser
+/// coordinate counts, the other end does not. Computed in exact integers, for each pixel on its own.
 fn on_line([a, b]: [Point; 2], pixel: [i32; 2]) -> bool {
     let [dx, dy] = [0, 1].map(|i| i64::from(b[i]) - i64::from(a[i]));
     let major = usize::from(dy.abs() > dx.abs());
@@ -30,14 +30,14 @@ fn on_line([a, b]: [Point; 2], pixel: [i32; 2]) -> bool {
     if center < a[major] || center >= b[major] {
         return false;
     }
-    // Where it passes the center: a + (center - a) · slope, a rational number; the floor of it.
+    // The crossing: a + (center - a) · slope, a rational number, rounded down.
     let length = i64::from(b[major] - a[major]);
     let rise = i64::from(b[minor] - a[minor]);
     let over = i64::from(a[minor]) * length + i64::from(center - a[major]) * rise;
     over.div_euclid(length * 256) == i64::from(pixel[minor])
 }
 
-/// How often each pixel is drawn by lines through the pixel projection, from mesh edges.
+/// How often lines through the pixel projection draw each pixel, from mesh edges.
 fn drawn(points: &[Point], edges: &[[u16; 2]]) -> Vec<u32> {
     let projection = pixel_lens(SIZE);
     let mut counter = Counter::new(SIZE);
@@ -68,7 +68,7 @@ fn modelled(points: &[Point], edges: &[[u16; 2]]) -> Vec<u32> {
         .collect()
 }
 
-/// On pixel corners, on centers, on any subpixel; in the picture and about it.
+/// On pixel corners, on centers, on any subpixel; in and around the picture.
 fn places() -> impl Strategy<Value = Point> {
     prop_oneof![
         [-10..160i32, -10..40].prop_map(|p| p.map(|at| at * 256)),
@@ -81,7 +81,7 @@ fn places() -> impl Strategy<Value = Point> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(512))]
 
-    /// Exactly the model's pixels, once each, and the same in the other direction.
+    /// Draws exactly the model's pixels, once each, and the same pixels in the other direction.
     #[test]
     fn lines_are_the_models(ends in [places(), places()]) {
         let model = modelled(&ends, &[[0, 1]]);
@@ -90,8 +90,8 @@ proptest! {
         }
     }
 
-    /// Lines end to end that keep their direction (within 45° of an axis) draw no pixel twice and leave no gap:
-    /// a pixel for each center from the first end to the last.
+    /// Lines end to end that keep their direction (within 45° of an axis) draw no pixel twice and leave no gap: one
+    /// pixel for each center from the first end to the last.
     #[test]
     fn polylines_draw_no_pixel_twice(
         start in places(), steps in prop::collection::vec((0..900i32, -256..=256i32), 1..12), steep: bool, back: bool
@@ -109,11 +109,11 @@ proptest! {
         let edges: Vec<[u16; 2]> = (1..u16::try_from(points.len()).unwrap()).map(|i| [i - 1, i]).collect();
         let counts = drawn(&points, &edges);
         prop_assert!(counts.iter().all(|&count| count <= 1));
-// Nothing missing: each part has its pixels, but for those of the next.
+// No pixel is missing: each part has its pixels, except those of the next part.
         prop_assert_eq!(picture(&counts, SIZE.0), picture(&modelled(&points, &edges), SIZE.0));
     }
 
-    /// A point is the pixel that it lies in: its left and top edges belong to it.
+    /// A point is the pixel that contains it; a pixel's left and top edges belong to it.
     #[test]
     fn points_are_the_pixels_they_lie_in(points in prop::collection::vec(places(), 0..20)) {
         let projection = pixel_lens(SIZE);
@@ -133,10 +133,10 @@ proptest! {
     }
 }
 
-/// A pixel as it was drawn, with its attribute and depth.
+/// A drawn pixel, with its attribute and depth.
 type Drawn = ([i32; 2], i32, u16);
 
-/// A line's pixels with the position's x as it is interpolated.
+/// The pixels of a line, with the interpolated x of the position.
 fn recorded<K: ProjectionKind>(
     mvp: &Mvp<K>,
     ends: [Vec3; 2],
@@ -170,14 +170,14 @@ fn projection() -> Projection<Perspective> {
 /// In units of 2⁻¹⁶.
 const UNIT: i32 = 1 << 16;
 
-/// About the eye: before it, behind it, beyond the far plane.
+/// Positions around the eye: in front of it, behind it, beyond the far plane.
 fn around() -> impl Strategy<Value = Vec3> {
     let z = prop_oneof![4 => -40 * UNIT..10 * UNIT, 2 => -2 * UNIT..-UNIT / 4];
     (-12 * UNIT..12 * UNIT, -8 * UNIT..8 * UNIT, z).prop_map(|(x, y, z)| Vec3::from_bits([x, y, z]))
 }
 
-/// Any two ends, or two that make a line of more than 64 pixels in one row: y is below 1/32, at a distance above 3 less
-/// than half a pixel from the middle.
+/// Any two ends, or two that make a line of more than 64 pixels in one row: y is below 1/32, so at a distance above 3
+/// it is less than half a pixel from the middle.
 fn ends() -> impl Strategy<Value = [Vec3; 2]> {
     let end = |x: std::ops::Range<i32>| {
         (x, UNIT / 64..UNIT / 32, -8 * UNIT..-3 * UNIT)
@@ -192,20 +192,20 @@ fn ends() -> impl Strategy<Value = [Vec3; 2]> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(1024))]
 
-    /// In perspective, clipped or not: every pixel is on the model's line with the depth and the attribute that the
-    /// model has there, and no pixel of it is missing.
+    /// In perspective, clipped or not: every pixel is on the model's line, with the depth and the attribute of the
+    /// model there, and no pixel is missing.
     ///
-    /// The ends are rounded to 1/256 pixel, which moves the line, along and across, by less than 1/256: so where
-    /// it passes a center it may be in the next pixel if it is that near to its edge, and its values are those of a
-    /// place that near.
+    /// The ends are rounded to 1/256 pixel, which moves the line, along and across, by less than 1/256. So where it
+    /// crosses a center that near to a pixel's edge, it may be in the next pixel; its values belong to a point that
+    /// near.
     #[test]
     fn lines_in_perspective(ends in ends()) {
         const ROUNDING: f64 = 1. / 256.;
         let mvp = projection().into();
         let (pixels, depths) = recorded(&mvp, ends, [0, 1]);
-        // From its other end it is the same line. A clipped end's attribute is mixed of both ends', which differ by less
-        // than 2^21 units, by a weight in units of 2^-30: from either side it is rounded to the nearest unit, which may
-        // be the next one, and so may a pixel's, rounded down.
+        // Drawn from its other end it is the same line. A clipped end's attribute is mixed from both ends', which
+        // differ by less than 2^21 units, with a weight in units of 2^-30. From either side it is rounded to the
+        // nearest unit, so the results may differ by one unit, and so may a pixel's, rounded down.
         let (others, other_depths) = recorded(&mvp, ends, [1, 0]);
         let places = |pixels: &[Drawn]| pixels.iter().map(|&(at, _, depth)| (at, depth)).collect::<Vec<_>>();
         prop_assert_eq!((places(&pixels), &depths), (places(&others), &other_depths), "the other direction");
@@ -228,9 +228,9 @@ proptest! {
             return Ok(());
         };
         let extent = [0, 1].map(|i| (line.screen[1][i] - line.screen[0][i]).abs());
-        // Neither steep nor flat for sure, or hardly a line.
+        // Skip lines that may count as steep or as flat, and lines of hardly any length.
         prop_assume!((extent[0] - extent[1]).abs() > 0.02 && extent[0].max(extent[1]) > 0.05);
-        // Beyond the guard band new ends are found, which the line's length in pixels makes no worse.
+        // Beyond the guard band ends are new; the line's length in pixels does not make them worse.
         let major = usize::from(extent[1] > extent[0]);
         let minor = 1 - major;
         let length = extent[major];
@@ -241,29 +241,30 @@ proptest! {
             let pixel = [f64::from(x), f64::from(y)];
             let q = line.fraction_at(major, pixel[major] + 0.5);
             let value = line.at(q.clamp(0., 1.));
-            // Off the line's end, or across from it, by rounding at most; across also what the slope makes of that.
+            // The distance beyond the line's end, or across from it, comes from rounding; across, the slope adds its
+            // part.
             prop_assert!((low - ROUNDING..=high + ROUNDING).contains(&(pixel[major] + 0.5)));
             let across = value.screen[minor] - pixel[minor];
             prop_assert!((-2. * ROUNDING..=1. + 2. * ROUNDING).contains(&across), "{:?}: {} across", [x, y], across);
 
-            // 1/w runs linearly: a place off by ROUNDING has it off by so much.
+            // 1/w is linear: this is its error at a position with an error of ROUNDING.
             let inverse = 1. / value.w;
             let room = (1. / line.w[0] - 1. / line.w[1]).abs() / length * ROUNDING * 1.01 + 1e-6;
             let (least, most) = (65535. * NEAR * (inverse - room) - 1.01, 65535. * NEAR * (inverse + room) + 0.01);
             prop_assert!((least..=most).contains(&f64::from(depth)), "{:?}: depth {} not in {}..{}", [x, y], depth, least, most);
 
-            // So is attribute/w; their quotient by the sum of both. On top of that the format: attributes below 2^20
-            // units, scaled by 2^-21, and q, both off by at most 34 units (ends, plane, steps), q at least
-            // 2^30 · near/far; two units for the clip.
+            // Attribute/w is linear too; the error of their quotient is the sum of both. The format adds: attributes
+            // below 2^20 units, scaled by 2^-21, and q, each with an error of at most 34 units (ends, gradients,
+            // steps), with q at least 2^30 · near/far; and two units for clipping.
             let over_w = |i: usize| line.attributes[i][0] / line.w[i];
             let room_over = (over_w(0) - over_w(1)).abs() / length * ROUNDING * 1.01;
             let format = (f64::from(1 << 21) * 34. * 1.5 / (f64::from(1 << 30) * NEAR / FAR) + 4.) / 65536.;
             let room = (room_over + value.attributes[0].abs() * room) / (inverse - room) + format;
             let off = (f64::from(attribute) / 65536. - value.attributes[0]).abs();
-            prop_assert!(off <= room, "{:?}: x {} instead of {}: off by {}, not {}", [x, y], attribute, value.attributes[0], off, room);
+            prop_assert!(off <= room, "{:?}: x {} instead of {}: an error of {}, not {}", [x, y], attribute, value.attributes[0], off, room);
         }
 
-        // Each center passed, if the line is inside the picture there, has its pixel.
+        // Each center that the line crosses, if it is inside the picture there, has its pixel.
         let (count, others) = if major == 0 { (SIZE.0, SIZE.1) } else { (SIZE.1, SIZE.0) };
         for step in 0..i32::try_from(count).unwrap() {
             let center = f64::from(step) + 0.5;

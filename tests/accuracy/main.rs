@@ -1,9 +1,9 @@
-//! What needs the f64 model: pixels, values, depths and places, held against it.
+//! All tests that need the f64 model: pixels, values, depths and positions, compared with it.
 //!
-//! `cargo test --test accuracy -- --nocapture` prints the figures. What takes too long unoptimized, every triangle on
-//! a grid and every sine: `cargo test --release --test accuracy -- --ignored`.
+//! `cargo test --test accuracy -- --nocapture` prints the figures. `cargo test --release --test accuracy --
+//! --ignored` runs the tests that take too long unoptimized: every triangle on a grid, and every sine.
 
-// f64 holds every integer used here, and no pixel is left of or above the picture.
+// f64 holds every integer used here, and no pixel lies left of or above the picture.
 #![allow(clippy::cast_precision_loss, clippy::cast_sign_loss)]
 
 #[path = "../common/mod.rs"]

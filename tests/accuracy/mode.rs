@@ -1,4 +1,4 @@
-//! The modes of interpolation as values, to be gone through.
+//! The interpolation modes as values, to iterate over.
 
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::mode::{Affine, Exact, Fast, Newton};
@@ -6,21 +6,21 @@ use fixel::prelude::*;
 use fixel::target::{DepthBuffer, Native};
 use fixel::view::ProjectionKind;
 
-/// A mode, and what it was asked for.
+/// A mode with its tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mode {
     Exact,
     Newton,
-    /// To so many texels.
+    /// With a tolerance in texels.
     Fast(Scalar),
     Affine,
 }
 
 impl Mode {
-    /// `Fast::NARROW`, of which 1/16 is promised: 1/32 as any, and 1/32 more.
+    /// `Fast::NARROW`, which promises 1/16: its tolerance of 1/32, and 1/32 more as in any `Fast`.
     pub const NARROW: Self = Self::Fast(fx!(0.03125));
 
-    /// Those that are right in perspective.
+    /// The modes that are correct in perspective.
     pub const PERSPECTIVE: [Self; 7] = [
         Self::Exact,
         Self::Newton,
@@ -31,7 +31,7 @@ impl Mode {
         Self::Fast(fx!(4)),
     ];
 
-    /// Those that differ in a parallel projection, and those that are to be the same as they.
+    /// The modes that differ under a parallel projection; each of the others equals one of them.
     pub const PARALLEL: [Self; 4] = [
         Self::Exact,
         Self::Newton,
@@ -39,7 +39,7 @@ impl Mode {
         Self::Affine,
     ];
 
-    /// The mode that this one is in a parallel projection.
+    /// The mode that this one equals under a parallel projection.
     pub fn in_parallel(self) -> Self {
         match self {
             Self::Exact => Self::Exact,
@@ -47,7 +47,7 @@ impl Mode {
         }
     }
 
-    /// Texels of 256 that it promises to be off by at most, in a picture of 320x240, given where vertices are.
+    /// The promised bound in texels of 256, in a picture of 320x240, given the snapped vertices.
     pub fn promised(self) -> f64 {
         match self {
             Self::Exact | Self::Newton => 0.001,
@@ -56,7 +56,7 @@ impl Mode {
         }
     }
 
-    /// Texels that it was told it may be off by.
+    /// The tolerance in texels that this mode was given.
     pub fn tolerance(self) -> f64 {
         match self {
             Self::Fast(texels) => texels.to_num(),
@@ -64,7 +64,7 @@ impl Mode {
         }
     }
 
-    /// Draws in this mode, whatever mode the pass has.
+    /// Draws in this mode, whatever mode the options have.
     pub fn draw<K: ProjectionKind, F: Shader<Color = Gray8>, D: DepthBuffer>(
         self,
         canvas: &mut Canvas<'_, Gray8, Native, D>,

@@ -1,4 +1,4 @@
-//! Transforms made twice: the crate's, and the f64 matrix of the same numbers.
+//! Transforms made twice: by the crate, and as an f64 matrix of the same numbers.
 
 use std::f64::consts::TAU;
 
@@ -7,7 +7,7 @@ use fixel::{Angle, Scalar, Transform, Vec3};
 
 use crate::reference::linear::{self, IDENTITY, Matrix, multiply};
 
-/// A step of a mvp of transforms.
+/// A factor in a product of transforms.
 #[derive(Clone, Copy, Debug)]
 pub enum Move {
     To(Vec3),
@@ -17,7 +17,7 @@ pub enum Move {
     Scale(Vec3),
 }
 
-/// A translation by the nearest numbers that there are.
+/// A translation by the crate's nearest numbers.
 pub fn to(offset: [f64; 3]) -> Move {
     Move::To(quantised(offset))
 }
@@ -32,18 +32,18 @@ pub fn y(radians: f64) -> Move {
     Move::Y(Angle::try_from_radians(radians).unwrap())
 }
 
-/// The nearest point that there is.
+/// The crate's nearest point.
 pub fn quantised(point: [f64; 3]) -> Vec3 {
     let [x, y, z] = point.map(|x| scalar(x).unwrap());
     Vec3::new(x, y, z)
 }
 
-/// What a point of the crate is, exactly.
+/// The exact value of a crate's point.
 pub fn exact(point: Vec3) -> [f64; 3] {
     [point.x, point.y, point.z].map(Scalar::to_num)
 }
 
-/// What an angle is in radians, to the last bit of an f64.
+/// The radians of an angle, to the last bit of an f64.
 pub fn radians(angle: Angle) -> f64 {
     f64::from(angle.to_bits()) / 2_f64.powi(32) * TAU
 }
@@ -70,7 +70,7 @@ impl Move {
     }
 }
 
-/// The product of moves, the last applied first, both ways.
+/// The product of moves, the last applied first, by the crate and in f64.
 pub fn product(moves: &[Move]) -> (Transform, Matrix) {
     moves.iter().fold(
         (Transform::IDENTITY, IDENTITY),
@@ -83,7 +83,7 @@ pub fn product(moves: &[Move]) -> (Transform, Matrix) {
     )
 }
 
-/// How far from the origin a point may be on its way through a mvp: what errors are relative to.
+/// The largest distance from the origin that a point may have on its way through the moves: the scale of errors.
 pub fn size(moves: &[Move], p: Vec3) -> f64 {
     let length = |v: Vec3| linear::length(exact(v));
     let largest = |v: Vec3| {
@@ -98,9 +98,10 @@ pub fn size(moves: &[Move], p: Vec3) -> f64 {
     })
 }
 
-/// The error of clip coordinates, relative to [`size`] and the largest coefficient: for each move 2⁻³⁰ for
-/// its mantissas, a sine and the product's mantissas; the projection', its product's, its scale's and the common
-/// exponent's, which has one bit less and so counts twice. A point has three coordinates, √3 times its length together.
+/// The bound of the error of clip coordinates, relative to [`size`] and the largest coefficient. For each move 2⁻³⁰
+/// for its mantissas, a sine and the product's mantissas; then for the projection, for its product, for its scale,
+/// and for the common exponent, which has one bit less and so counts twice. A point has three coordinates: together
+/// √3 times its length.
 pub fn relative(moves: &[Move]) -> f64 {
     2_f64.powi(-30) * 3_f64.sqrt() * (3 * moves.len() + 5) as f64
 }

@@ -1,4 +1,4 @@
-//! Chains of transforms and projections against f64: where a point comes to lie, and how deep.
+//! Products of transforms and projections against f64: the position of a point, and its depth.
 
 use fixel::num::scalar;
 use fixel::prelude::*;
@@ -34,7 +34,7 @@ fn step() -> impl Strategy<Value = Move> {
     ]
 }
 
-/// A mvp that puts what is about the origin at some distance before the eye.
+/// An mvp that puts the surroundings of the origin at some distance in front of the eye.
 fn mvps() -> impl Strategy<Value = Vec<Move>> {
     (0.0..60_f64, prop::collection::vec(step(), 0..4)).prop_map(
         |(distance, mut moves): (f64, Vec<Move>)| {
@@ -44,7 +44,7 @@ fn mvps() -> impl Strategy<Value = Vec<Move>> {
     )
 }
 
-/// One projection, both ways.
+/// One projection, made by the crate and by the model.
 fn perspective(fov: Angle, near: f64, far: f64) -> (Projection<Perspective>, Lens) {
     let [near, far] = [near, far].map(|x| scalar(x).unwrap());
     (
@@ -53,7 +53,7 @@ fn perspective(fov: Angle, near: f64, far: f64) -> (Projection<Perspective>, Len
     )
 }
 
-/// Compares where a point is with the model.
+/// Compares the position of a point with the model's.
 fn compare<K: ProjectionKind>(
     (projection, model): (Projection<K>, Lens),
     moves: &[Move],
@@ -95,19 +95,19 @@ fn compare<K: ProjectionKind>(
         let scale = pixels(0, viewport.width())
             .max(pixels(1, viewport.height()))
             .max(of_depth);
-        // A projection' own offset counts as a way too.
+        // A projection's own offset counts as a distance too.
         let size = size(moves, p)
             + if parallel {
                 model.near.abs().max(model.far.abs()).max(1.)
             } else {
                 0.
             };
-        // Off the middle, an error of w is one of x.
+        // Away from the middle, an error of w causes one of x.
         let off = [0, 1].map(|axis: usize| (wanted.screen[axis] - middle[axis]).abs());
         let aside = 1. + off[0].max(off[1]) / GUARD;
         let error = relative(moves) * size * scale / wanted.w * aside;
         let depth = model.depth(wanted.distance);
-        // Beside t's error that of its reciprocal, of the near plane's and of the scale of 65536, 2^-30 each.
+        // Besides the error of t: those of its reciprocal, of the near plane's and of the scale of 65536, 2^-30 each.
         let depth_error = relative(moves)
             * size
             * 65536.
@@ -131,7 +131,7 @@ fn compare<K: ProjectionKind>(
         else {
             prop_assert!(
                 !(wanted.w > 0. && clear(margin)),
-                "{p:?} is at {:?}, {} ahead, and was taken for outside",
+                "{p:?} is at {:?}, {} ahead, and was clipped",
                 wanted.screen,
                 wanted.distance
             );
@@ -143,7 +143,7 @@ fn compare<K: ProjectionKind>(
             let by = (f64::from(got) - exact).abs();
             prop_assert!(
                 by <= 0.5 + 256. * error,
-                "{p:?}: {got} is not {exact}: off by {by} subpixels, allowed {}",
+                "{p:?}: {got} is not {exact}: an error of {by} subpixels, allowed {}",
                 0.5 + 256. * error
             );
         }
@@ -156,7 +156,7 @@ fn compare<K: ProjectionKind>(
     Ok(())
 }
 
-/// Close to a plane, in parts of the size: the near plane counts 2⁻¹⁶ of its distance farther than it is.
+/// Close to a plane, relative to the size: the near plane counts as 2⁻¹⁶ of its distance farther away than it is.
 const SIDE: f64 = 1. / 16384.;
 
 fn viewports() -> impl Strategy<Value = Viewport> {
@@ -179,11 +179,11 @@ proptest! {
     fn points_through_transforms(moves in prop::collection::vec(step(), 0..6), p in places(100.)) {
         let (transform, matrix) = product(&moves);
         let (got, wanted) = (exact(transform.point(p)), point(&matrix, exact(p)));
-        // Half a unit of the result, beside the mantissas.
+        // Half a unit of the result, besides the mantissas.
         let error = 2_f64.powi(-17) + relative(&moves) * size(&moves, p);
         for axis in 0..3 {
             let by = (got[axis] - wanted[axis]).abs();
-            prop_assert!(by <= error, "{p:?} goes to {got:?}, not {wanted:?}: off by {by}, over {error}");
+            prop_assert!(by <= error, "{p:?} goes to {got:?}, not {wanted:?}: an error of {by}, over {error}");
         }
     }
 
@@ -279,7 +279,7 @@ proptest! {
             .zip(drawing.spots(&points))
             .filter_map(|(&p, spot)| Some((transform.point(p).z.to_bits(), spot?.depth)))
             .collect();
-        // From far to near, as z rises. Points less than one unit apart may be either way round.
+        // From far to near, as z rises. Points less than one unit apart may have either order.
         depths.sort_unstable();
         for pair in depths.windows(2) {
             let [(far, far_depth), (near, near_depth)] = pair else { continue };
@@ -291,7 +291,7 @@ proptest! {
     }
 }
 
-/// The crate's oblique view leaves the near plane in place, the model's the plane through the eye.
+/// The crate's oblique view leaves the near plane in place; the model's leaves the plane through the eye in place.
 fn oblique(angle: f64, ratio: f64, [l, r, b, t, n, f]: [f64; 6]) -> Lens {
     let (x, y) = (n * ratio * angle.cos(), n * ratio * angle.sin());
     projection::oblique(angle, ratio, (l + x, r + x, b + y, t + y), n, f)

@@ -1,4 +1,4 @@
-//! What modes promise of textured triangles: any that 320x240 pixels may show, and those that are hardest.
+//! The promises of the modes for textured triangles: any that 320x240 pixels may show, and the hardest ones.
 
 use std::ops::Range;
 
@@ -28,7 +28,7 @@ struct Case {
     uv: [[f64; 3]; 2],
 }
 
-/// Corners in the picture and about it, thin, small, of few rows, or with a row of any length.
+/// Corners in and around the picture; thin, small, of few rows, or with a row of any length.
 fn shapes() -> impl Strategy<Value = [[f64; 2]; 3]> {
     let about = || [-40.0..360.0, -40.0..280.0];
     let offset = || [-6.0..6.0, -6.0..6.0];
@@ -55,13 +55,13 @@ fn shapes() -> impl Strategy<Value = [[f64; 2]; 3]> {
     ]
 }
 
-/// How 1/w changes from left to right and from top to bottom of the picture, by how much of its
-/// least per pixel.
+/// The change of 1/w per pixel, from left to right and from top to bottom of the picture, relative to its least
+/// value.
 fn slopes() -> impl Strategy<Value = [f64; 2]> {
     let sign = prop::sample::select(vec![-1., 1.]);
     let steep = prop_oneof![
         2 => (-14.0..-4_f64).prop_map(f64::exp2),
-        // About where the reciprocal is no longer had from those before.
+        // Around the slope beyond which a reciprocal is not computed from earlier ones.
         2 => (0.97..1.01).prop_map(|part| part / 64.),
         1 => (-5.0..2_f64).prop_map(f64::exp2),
     ];
@@ -75,7 +75,7 @@ fn slopes() -> impl Strategy<Value = [f64; 2]> {
     prop_oneof![3 => along, 1 => floor]
 }
 
-/// 1/w at three corners: on a slope across the picture, or anything up to a ratio of 1000.
+/// 1/w at three corners: on a slope across the picture, or any values up to a ratio of 1000.
 fn cases() -> impl Strategy<Value = Case> {
     let apart = (0.0..10_f64, [0.0..1.0, 0.0..1.0, 0.0..1.0])
         .prop_map(|(spread, at)| at.map(|at: f64| (-spread * at).exp2()));
@@ -85,7 +85,7 @@ fn cases() -> impl Strategy<Value = Case> {
     let uv = prop_oneof![
         3 => both(along(0., 1.)),
         1 => both(along(0., 4.)),
-        // Of 28 bits each.
+        // 28 bits each.
         2 => both(along(4., 7.)),
         1 => [ends(), ends()],
     ];
@@ -139,8 +139,8 @@ impl Case {
     }
 }
 
-/// The worst that a mode does, in parts of what the formats allow; in texels beyond its tolerance where
-/// it makes a promise; and there how many pixels.
+/// A mode's worst errors: relative to the bound of the formats; in texels beyond its tolerance, where it makes a
+/// promise; and the number of pixels there.
 #[derive(Clone, Copy, Debug, Default)]
 struct Worst {
     allowed: f64,
@@ -150,19 +150,20 @@ struct Worst {
     deep: usize,
 }
 
-/// Repeats of a texture times the w of a pixel, in parts of the nearest corner's, up to which the promises hold.
+/// Repeats of a texture times the w of a pixel, relative to the nearest corner's, up to which the promises hold.
 ///
-/// An interpolant's unit is at most 4¼ repeats of 2⁻³⁰ · w, or 2⁻⁶ · 4¼ units of 2⁻¹⁶ texel for each w and repeat: 56½
-/// are 3¾ units. `Exact` is then within 61½ + 1 units up to 16 of this product, and 0.001 texel is 65½.
-/// `Newton` adds 28½ units where a row is straight or, if that is more, 8 for each repeat; besides 16, or for one repeat of which
-/// no corner is far, 21.2: by derivation the promise holds up to 4 for one repeat, or up to 5 for two. That takes
-/// roundings that all go one way, in a row as level as may be: up to 16 the promise is tested, and kept.
-/// `Fast` may use 1/32 texel besides its tolerance, of which its reciprocals of 16 bits take up to 0.0297 for one
-/// repeat (see `bounds::fast`), and so many times that for more: its promise is for one, of the run's farthest pixel.
+/// An interpolant's unit is at most 4¼ repeats of 2⁻³⁰ · w, or 2⁻⁶ · 4¼ units of 2⁻¹⁶ texel for each w and repeat:
+/// 56½ of these are 3¾ units. Up to 16 of this product, the error of `Exact` is at most 61½ + 1 units; 0.001 texel is
+/// 65½. `Newton` adds 28½ units where a row is straight or, if that is more, 8 for each repeat; besides 16, or 21.2
+/// for one repeat with no far corner. So by derivation the promise holds up to 4 for one repeat, and up to 5 for two.
+/// A larger error needs roundings that all have the same sign, in a row as level as possible: up to 16 the promise is
+/// tested, and kept. `Fast` may use 1/32 texel besides its tolerance. Its reciprocals of 16 bits take up to 0.0297 of
+/// that for one repeat (see `bounds::fast`), and proportionally more for more: its promise is for one repeat, at the
+/// span's farthest pixel.
 ///
-/// In a triangle so deep that `Exact` finds interpolants anew at each pixel, a numerator is off by half of its unit, which
-/// is 1/32 unit of 2⁻¹⁶ texel for each 1 of the product, and a corner's 1/w that is cut moves a value by 1/64: at 1,000 both
-/// are 47 units, with the quotient's 48½.
+/// In a triangle so deep that `Exact` computes interpolants anew at each pixel, a numerator is rounded by half of its
+/// unit, which is 1/32 unit of 2⁻¹⁶ texel for each 1 of the product, and a corner's 1/w that is cut moves a value by
+/// 1/64. At 1,000 both are 47 units, and with the quotient 48½.
 fn is_promised(mode: Mode, is_precise: bool, repeats: f64, far: f64) -> bool {
     match mode {
         Mode::Exact if is_precise => repeats * far <= 1000.,
@@ -172,8 +173,8 @@ fn is_promised(mode: Mode, is_precise: bool, repeats: f64, far: f64) -> bool {
 }
 
 impl Case {
-    /// Draws the triangle in every mode, and holds each pixel to what the formats allow, and to the
-    /// promise where they allow for one.
+    /// Draws the triangle in every mode, and compares each pixel with the bound of the formats, and with the promise
+    /// where there is one.
     fn check(&self, worst: &mut [Worst; MODES]) {
         let Some(triangle) = self.triangle() else {
             return;
@@ -205,8 +206,8 @@ impl Case {
                     let allowed = bounds::perspective(mode, corners, triangle.w, w, far_w);
                     assert!(error <= allowed, "{}, over {allowed}", at());
                     worst.allowed = worst.allowed.max(error / allowed);
-                    // Whatever the tolerance: or a color would wrap from white to black. What is straight is so between
-                    // places in the triangle, where an attribute is between those of the corners.
+                    // Beyond the corners, whatever the tolerance, a color could wrap from white to black. Straight
+                    // pieces end within the triangle, where an attribute is between those of the corners.
                     let [least, most] = [corners.iter().min(), corners.iter().max()]
                         .map(|end| f64::from(*end.unwrap()));
                     let (value, beyond) = (f64::from(seen.values[k]), allowed - tolerance * TEXEL);
@@ -218,7 +219,7 @@ impl Case {
                     let from_exact = bounds::newton_from_exact(corners, triangle.w);
                     if let (Mode::Newton, Some(allowed)) = (mode, from_exact) {
                         let by = seen.values[k].abs_diff(exact.values[k]);
-                        assert!(f64::from(by) <= allowed, "{}, {by} from exact", at());
+                        assert!(f64::from(by) <= allowed, "{}, an error of {by}", at());
                     }
 
                     let most = corners.into_iter().map(i32::unsigned_abs).max();
@@ -232,7 +233,7 @@ impl Case {
                         worst.deep += usize::from(is_deep);
                     }
                 }
-                // Depths are of 16 bits at the near plane, 1/64 ahead.
+                // Depths have 16 bits at the near plane, at a distance of 1/64.
                 let (stored, depth) = (f64::from(seen.depth), model.depth);
                 assert!(
                     stored <= depth + bounds::DEPTH && depth < stored + 1. + bounds::DEPTH,
@@ -250,13 +251,13 @@ fn print(name: &str, worst: &[Worst; MODES]) {
     println!("{name}");
     for (mode, worst) in Mode::PERSPECTIVE.iter().zip(worst) {
         println!(
-            "  {mode:?}: {:.6} texels beyond its tolerance, at {} values; {:.3} of what is allowed",
+            "  {mode:?}: {:.6} texels beyond its tolerance, at {} values; {:.3} of the bound",
             worst.texels, worst.pixels, worst.allowed
         );
     }
 }
 
-/// The same triangles at every run.
+/// The same triangles in every run.
 #[test]
 fn textured_triangles() {
     let mut runner = TestRunner::deterministic();
@@ -267,17 +268,17 @@ fn textured_triangles() {
     }
     print("random triangles", &worst);
     for worst in worst {
-        // Hardly any test is about what is beyond the promises.
+        // Hardly any of the values are beyond the promises.
         assert!(worst.pixels > 200_000, "{}", worst.pixels);
     }
 }
 
-/// Triangles with a corner 256 to 1,000 times as far as another, which `Exact` draws within 0.001 texel to the end.
+/// Triangles with a corner 256 to 1,000 times as far as another, which `Exact` draws within 0.001 texel throughout.
 #[test]
 fn deep_triangles() {
     let about = || [-40.0..360.0, -40.0..280.0];
     let along = || [0.0..=1., 0.0..=1., 0.0..=1.];
-    // The nearest corner is far beyond the picture, so that there are many far pixels.
+    // The nearest corner is far outside the picture, so that there are many far pixels.
     let beyond = || [-1500.0..1800.0, -1500.0..1700.0];
     let shape = [beyond(), about(), about()];
     let deep = (shape, 8.01..9.96_f64, 0.5..1.0_f64, [along(), along()]);
@@ -299,8 +300,8 @@ fn deep_triangles() {
     assert!(exact.deep > 25_000, "{}", exact.deep);
 }
 
-/// One row of each length there is, on slopes of either sign, the steepest of which is beyond what one pixel's
-/// reciprocal is had from those before it.
+/// A row of each possible length, on slopes of either sign, up to one too steep to compute a reciprocal from the ones
+/// before it.
 #[test]
 fn spans_of_every_length() {
     let mut worst = [Worst::default(); MODES];
@@ -334,12 +335,12 @@ fn spans_of_every_length() {
     print("spans of every length", &worst);
 }
 
-/// Rows along an edge on which 1/w changes by less than rounding may add, where it has no more room:
-/// at the nearest corner of all 31 bits, or at the farthest of a quarter of that.
+/// Rows along an edge on which 1/w changes by less than rounding may add, where the format leaves no room: at the
+/// nearest corner with all 31 bits set, or at the farthest with a quarter of that.
 #[test]
 fn ends_of_the_format() {
-    // 1/w of a corner has all bits set where the depth that is w / near in units that put the near plane
-    // at 65,535/65,536 is a power of two.
+    // 1/w of a corner has all bits set if the depth w / near, in units that put the near plane at 65,535/65,536, is a
+    // power of two.
     const NEAREST: f64 = 4096. * 65535. / 65536.;
     let unit = 1. / 65536.;
     let mut worst = [Worst::default(); MODES];

@@ -1,6 +1,6 @@
-//! What fuzzing found worth keeping, once more.
+//! Replays the inputs that fuzzing found worth keeping.
 //!
-//! tests/fuzz/README.md tells how these inputs came about.
+//! tests/fuzz/README.md explains the origin of these inputs.
 
 use std::panic;
 
@@ -8,7 +8,7 @@ use base64::prelude::{BASE64_STANDARD, Engine};
 
 use crate::fuzzed;
 
-/// Checks each input, one in base64 a line; fails with those that do.
+/// Checks each input, one per line in base64; fails with a list of those that fail.
 fn replay(inputs: &str, check: fn(&[u8])) {
     let fails = |line: &&str| {
         let input = BASE64_STANDARD.decode(line).unwrap();
@@ -19,7 +19,7 @@ fn replay(inputs: &str, check: fn(&[u8])) {
 }
 
 #[test]
-fn what_failed_once() {
+fn inputs_that_failed_once() {
     replay(include_str!("../fuzzed/mended.base64"), fuzzed::draw::check);
 }
 

@@ -9,12 +9,12 @@ use crate::mode::Mode;
 use crate::moves::{to, x, y};
 use crate::reference::scenes::{POSES, cube, floor, sphere};
 
-/// Holds pictures in every mode to what the formats allow, and to what the modes promise.
+/// Compares pictures in every mode with the bounds of the formats and with the modes' promises.
 fn check(name: &str, scene: &Scene, is_convex: bool) {
     for (mode, picture) in scene.compare(&Mode::PERSPECTIVE) {
         check_mode(&format!("{name}, {mode:?}"), mode, &picture);
         let [_, _, again] = picture.inside;
-        // Of a convex surface no part hides another.
+        // No part of a convex surface hides another.
         assert!(
             again == 0 || !is_convex,
             "centers inside the silhouette that were drawn twice"
@@ -22,7 +22,7 @@ fn check(name: &str, scene: &Scene, is_convex: bool) {
     }
 }
 
-/// Holds a picture to what the formats allow, and to what its mode promises.
+/// Compares a picture with the bounds of the formats and with its mode's promise.
 fn check_mode(name: &str, mode: Mode, picture: &Comparison) {
     picture.print(name);
     assert!(picture.allowed.max() <= 1., "{name}: attributes");
@@ -31,8 +31,8 @@ fn check_mode(name: &str, mode: Mode, picture: &Comparison) {
         picture.snapped.max() <= promised,
         "{name}: texels, given snapped vertices"
     );
-    // What a picture shows is what its u and v were meant to be: a corner's is off by its rounding,
-    // and so is what lies between corners. The rest is as above.
+    // Compared with unrounded u and v: a corner's coordinates have the error of their rounding, and so have those
+    // between corners. The rest is as above.
     assert!(
         picture.unrounded.max() <= promised + ROUNDING,
         "{name}: texels, given snapped vertices and unrounded u and v"
@@ -41,13 +41,13 @@ fn check_mode(name: &str, mode: Mode, picture: &Comparison) {
         picture.unrounded.within(promised) >= 0.999,
         "{name}: pixels within the promise of unrounded u and v"
     );
-    // Vertices move by up to 1/512 pixel along each axis, less than 1/256 altogether; the rest is as above.
+    // Rounding moves vertices by up to 1/512 pixel along each axis, less than 1/256 altogether; the rest is as above.
     assert!(
         picture.excess.max() <= 0.001 + promised,
         "{name}: texels, given unsnapped vertices"
     );
     assert!(picture.depth.max() <= bounds::DEPTH, "depth");
-    // Two depths that are the same step, each with its error.
+    // Two depths of the same step, each with its error.
     assert!(
         picture.order.max() <= 1. + 2. * bounds::DEPTH,
         "depth order"

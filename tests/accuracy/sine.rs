@@ -1,4 +1,5 @@
-//! What a sine is worth in pixels: a model that tumbles by the crate's polynomial, and by micromath's approximation.
+//! The effect of a sine's error in pixels: a model tumbles by the crate's polynomial, and by micromath's
+//! approximation.
 
 use std::collections::HashMap;
 
@@ -14,24 +15,24 @@ use crate::reference::linear::{self, Matrix};
 use crate::reference::scenes::{SIZE, Shape, cube, sphere, view};
 use crate::spread::Spread;
 
-/// Angles in a turn; no divisor of it, so that quadrants are met at different places.
+/// Angles in a turn; not a multiple of four, so that the quadrants have different angles.
 const ANGLES: u32 = 719;
 /// Focal length in pixels, of the measured scenes.
 const FOCAL: f64 = 200.;
 /// Texels along a texture.
 const TEXELS: f64 = 64.;
 
-/// Sine and cosine by micromath. By the trait's name: with std linked, `x.sin()` is std's.
+/// Sine and cosine by micromath. Called through the trait's name: with std linked, `x.sin()` is std's.
 fn approximate(angle: f64) -> [f64; 2] {
     let x = angle as f32;
     [F32Ext::sin(x), F32Ext::cos(x)].map(f64::from)
 }
 
-/// Axes that a model turns about, in the order in which a mvp has them.
+/// The axes that a model turns about, in the order of the product.
 const AXES: [fn(Angle) -> Transform; 2] = [Transform::rotate_x, Transform::rotate_y];
 
-/// The transform that turns about an axis by a sine and a cosine that need not lie on the unit circle: one that
-/// does, and their distance from the middle as a scale of the two other axes. To 2⁻³³ of a turn and 2⁻¹⁷.
+/// The transform that turns about an axis by a sine and a cosine that need not lie on the unit circle: a rotation by
+/// the direction of that point, and its length as a scale of the two other axes. To 2⁻³³ of a turn and 2⁻¹⁷.
 fn turn(axis: usize, [sin, cos]: [f64; 2]) -> Transform {
     let scale = scalar(sin.hypot(cos)).unwrap();
     let angle = Angle::try_from_radians(sin.atan2(cos)).unwrap();
@@ -42,7 +43,7 @@ fn turn(axis: usize, [sin, cos]: [f64; 2]) -> Transform {
     AXES[axis](angle) * Transform::scale_axes(scales)
 }
 
-/// The angles about x and y in a step of the way: two turns of the one to five of the other.
+/// The angles about x and y in a step: two turns of one to five of the other.
 fn angles(step: u32) -> [Angle; 2] {
     let turn = ((u64::from(step) << 32) / u64::from(ANGLES)) as u32;
     [2, 5].map(|turns| Angle::from_bits(turn.wrapping_mul(turns)))
@@ -58,7 +59,7 @@ fn approximation([x, y]: [Angle; 2]) -> Transform {
     turn(0, approximate(radians(x))) * turn(1, approximate(radians(y)))
 }
 
-/// A model on its way to the picture, without its turn.
+/// A model with its transforms to the picture, except for its turn.
 struct Model {
     positions: Vec<Vec3>,
     faces: Vec<[u16; 3]>,
@@ -97,7 +98,7 @@ impl Model {
         }
     }
 
-    /// The same in f64.
+    /// The same transform in f64.
     fn eye(&self, [x, y]: [f64; 2]) -> Matrix {
         linear::product(&[
             linear::translate(self.place),
@@ -106,7 +107,7 @@ impl Model {
         ])
     }
 
-    /// The texel that shows at each pixel.
+    /// The texel visible at each pixel.
     fn picture(&self, turn: Transform) -> HashMap<[i32; 2], [i32; 2]> {
         let uv = |vertex: &Corner<'_>| vertex.uv().to_bits();
         let seen = self.drawing(turn).shown(&uv).into_iter();
@@ -116,11 +117,11 @@ impl Model {
     }
 }
 
-/// How far vertices are from where f64 has them, in pixels, over the whole way.
+/// The distances of vertices from their positions in f64, in pixels, over all steps.
 struct Displaced {
     polynomial: Spread,
     approximation: Spread,
-    /// The latter in parts of what the errors of the sine and the cosine explain.
+    /// The same, relative to the bound from the errors of sine and cosine.
     explained: Spread,
 }
 
@@ -136,7 +137,7 @@ fn displaced(model: &Model) -> Displaced {
         let view = view(model.eye(exact));
         let errors = exact.map(|angle| {
             let [sin, cos] = approximate(angle);
-            // And the scale's.
+            // The error of the scale is added.
             (sin - angle.sin()).hypot(cos - angle.cos()) + 2_f64.powi(-17)
         });
         let places = [polynomial, approximation]
@@ -152,13 +153,13 @@ fn displaced(model: &Model) -> Displaced {
             all.polynomial.add(exactly, i);
             all.approximation.add(nearly, i);
             // A point at a distance ρ from an axis is moved by ρ times the errors of sine and cosine together: first
-            // by the turn about y, then by that about x, which makes it longer by its own error at most.
+            // by the turn about y, then by the one about x. The first turn makes ρ larger by at most its own error.
             let [x, y, z] = linear::point(&view.eye, position);
             let after = [y, z - model.place[2]];
             let moved = position[0].hypot(position[2]) * errors[1] * (1. + errors[0])
                 + after[0].hypot(after[1]) * errors[0];
-            // On the screen, s = f p/w, that is f/w (dp − p/w dw): at most f d/w √(1 + |p/w|²), and as w itself
-            // is off by d at most, 1/(w − d). Besides it is rounded to 1/512 pixel along each axis.
+            // On the screen s = f p/w, so ds = f/w (dp − p/w dw), at most f d/w √(1 + |p/w|²). As w itself has an
+            // error of up to d, replace 1/w by 1/(w − d). Besides, s is rounded to 1/512 pixel along each axis.
             let slope = (1. + (x * x + y * y) / (z * z)).sqrt();
             let allowed = FOCAL * moved / (-z - moved) * slope + 2_f64.sqrt() / 512. + 1e-4;
             all.explained.add(nearly / allowed, i);
@@ -167,8 +168,8 @@ fn displaced(model: &Model) -> Displaced {
     all
 }
 
-/// Reports how far a turning model is off, and how much of its picture differs, and holds both to what
-/// is known of the two sines.
+/// Prints how far a turning model's vertices move, and how much of its picture differs, and compares both with the
+/// known errors of the two sines.
 fn check(name: &str, model: &Model) {
     let all = displaced(model);
     let pictures = (0..ANGLES).step_by(45).map(|step| {
@@ -190,8 +191,9 @@ fn check(name: &str, model: &Model) {
     // Half of 1/256 pixel along each axis: the sine's 2e-9 are 2e-6 pixel.
     assert!(all.polynomial.max() <= 2_f64.sqrt() / 512. + 1e-4);
     assert!(all.explained.max() <= 1.);
-    // Sine or cosine off by 1.1e-3, at a radius of 1 or more, a length of 200 and a distance of 1.5 or less, is 0.15
-    // pixel, and both turns' together above twice that. Were it std's sine, it would be the polynomial's 0.003.
+    // An error of 1.1e-3 in sine or cosine, at a radius of at least 1, a focal length of 200 and a distance of at
+    // most 1.5, is 0.15 pixel; both turns together exceed twice that. With std's sine by mistake, it would be the
+    // polynomial's 0.003.
     assert!((0.15..=0.40).contains(&all.approximation.max()));
     assert!(part > 0.01);
 }

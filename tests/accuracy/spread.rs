@@ -1,6 +1,6 @@
-//! Figures of many errors: the largest, the mean, and what most stay below.
+//! Statistics of many errors: the largest, the mean, and the 99.9th percentile.
 
-/// Errors, each with the place it was found at.
+/// Errors, each with the position at which it was found.
 #[derive(Clone, Debug, Default)]
 pub struct Spread(Vec<(f64, usize)>);
 
@@ -10,7 +10,7 @@ impl Spread {
         self.0.push((error, at));
     }
 
-    /// The largest error, and where.
+    /// The largest error, with its position.
     pub fn worst(&self) -> (f64, usize) {
         let worst = self.0.iter().max_by(|a, b| a.0.total_cmp(&b.0));
         *worst.expect("nothing was drawn")
@@ -24,12 +24,12 @@ impl Spread {
         self.0.iter().map(|(error, _)| error).sum::<f64>() / self.0.len() as f64
     }
 
-    /// The part of the errors that are at most `limit`.
+    /// The fraction of the errors that are at most `limit`.
     pub fn within(&self, limit: f64) -> f64 {
         self.0.iter().filter(|(error, _)| *error <= limit).count() as f64 / self.0.len() as f64
     }
 
-    /// What 999 of 1,000 errors do not exceed.
+    /// The value that 999 of 1,000 errors do not exceed.
     pub fn permille(&self) -> f64 {
         let mut all: Vec<f64> = self.0.iter().map(|(error, _)| *error).collect();
         all.sort_by(f64::total_cmp);

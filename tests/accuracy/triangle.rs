@@ -10,7 +10,7 @@ use crate::recorder::Few;
 use crate::reference::attributes::at_pixel_snapped;
 use crate::reference::coverage::{Snapped, covered};
 
-/// A triangle, and what the model needs to know of it.
+/// A triangle, with everything that the model needs.
 #[derive(Clone, Copy)]
 pub struct Triangle<K, const N: usize> {
     pub size: (u32, u32),
@@ -18,13 +18,13 @@ pub struct Triangle<K, const N: usize> {
     pub positions: [Vec3; 3],
     /// Each value at the three corners.
     pub values: [[i32; 3]; N],
-    /// What values are divided by.
+    /// The values' divisors at the corners.
     pub w: [f64; 3],
-    /// The corners' depths as the projection has them, which are linear on the screen.
+    /// The corners' depths according to the projection, which are linear on the screen.
     pub depth: [f64; 3],
 }
 
-/// What the model has at a pixel.
+/// The model's values at a pixel.
 pub struct Model<const N: usize> {
     pub pixel: [i32; 2],
     pub w: f64,
@@ -45,7 +45,7 @@ impl<K: ProjectionKind, const N: usize> Triangle<K, N> {
         }
     }
 
-    /// Where its corners are, in 24.8; `None` if it is clipped or two are at one place.
+    /// The corners' positions in 24.8; `None` if the triangle is clipped or two corners coincide.
     pub fn screen(&self) -> Option<Snapped> {
         match self.drawing(Mode::Exact).places(&self.positions)[..] {
             [Some(a), Some(b), Some(c)] if a != b && b != c && c != a => Some([a, b, c]),
@@ -53,7 +53,7 @@ impl<K: ProjectionKind, const N: usize> Triangle<K, N> {
         }
     }
 
-    /// What there is at the pixels of a triangle with these corners, row by row.
+    /// The model's values at the pixels of a triangle with these corners, row by row.
     pub fn model(&self, screen: Snapped) -> Vec<Model<N>> {
         let attributes = [0, 1, 2].map(|corner: usize| self.values.map(|v| f64::from(v[corner])));
         let depth = self.depth.map(|depth| [depth]);
@@ -81,7 +81,7 @@ impl<K: ProjectionKind, const N: usize> Triangle<K, N> {
         pixels
     }
 
-    /// The depths that a buffer of this format holds of it, row by row.
+    /// The triangle's depths in a buffer of this format, row by row.
     pub fn depths<F: DepthFormat>(&self, mode: Mode) -> Vec<u16> {
         self.drawing(mode).depths::<F>()
     }

@@ -1,4 +1,4 @@
-//! Values over random triangles: given the places of the corners, interpolation by itself.
+//! Values over random triangles: interpolation alone, given the corners' positions.
 
 use fixel::num::scalar;
 use fixel::prelude::*;
@@ -10,10 +10,10 @@ use crate::drawing::Seen;
 use crate::mode::Mode;
 use crate::triangle::{Model, Triangle};
 
-/// More than two runs wide.
+/// More than two spans wide.
 const SIZE: (u32, u32) = (160, 48);
 const FOCAL: i16 = 200;
-/// Distances go from 2^-13 to 2^11.
+/// Distances from 2^-13 to 2^11.
 const NEAR: Scalar = fx!(0.000_061_035_156_25);
 /// Values at a corner.
 const VALUES: usize = 3;
@@ -21,7 +21,7 @@ const VALUES: usize = 3;
 /// A triangle on the screen, in pixels.
 type Shape = [[f64; 2]; 3];
 
-/// Corners on and about the picture, far beyond it, all within a pixel or two, or nearly in line.
+/// Corners in and around the picture, far outside it, all within a pixel or two, or nearly in line.
 fn shapes() -> impl Strategy<Value = Shape> {
     let about = || [-40.0..200.0, -20.0..68.0];
     let beyond = || [-1900.0..1900.0, -1900.0..1900.0];
@@ -41,7 +41,7 @@ fn shapes() -> impl Strategy<Value = Shape> {
     ]
 }
 
-/// Three distances: alike, nearly alike, as in a picture, or as far apart as can be.
+/// Three distances: equal, nearly equal, as in a picture, or as different as possible.
 fn distances() -> impl Strategy<Value = [f64; 3]> {
     let apart = |low: f64, high: f64, spread: f64| {
         (low..high, [0.0..spread, 0.0..spread, 0.0..spread])
@@ -56,8 +56,8 @@ fn distances() -> impl Strategy<Value = [f64; 3]> {
     ]
 }
 
-/// A value at three corners: like a color, like a texture coordinate, anything, the ends of the
-/// format, just below powers of two, which is where a scale has the least room.
+/// A value at three corners: like a color, like a texture coordinate, any value, the ends of the format, or just
+/// below powers of two, where a scale has the least room.
 fn corners() -> impl Strategy<Value = [i32; 3]> {
     let triple = |range: std::ops::Range<i32>| [range.clone(), range.clone(), range];
     prop_oneof![
@@ -73,7 +73,7 @@ fn corners() -> impl Strategy<Value = [i32; 3]> {
     ]
 }
 
-/// Attributes that have nothing to do with one another, or that are all of a size, as u and v are.
+/// Attributes independent of one another, or all of similar size, as u and v are.
 fn values() -> impl Strategy<Value = [[i32; 3]; VALUES]> {
     prop_oneof![
         prop::array::uniform3(corners()),
@@ -84,8 +84,8 @@ fn values() -> impl Strategy<Value = [[i32; 3]; VALUES]> {
     ]
 }
 
-/// Draws a triangle in some modes, and compares every pixel with the model and with `bound`, which
-/// tells what a value may be off by; a depth may be by `depth_error`, before it is rounded down.
+/// Draws a triangle in some modes, and compares every pixel with the model. `bound` returns the bound of a value's
+/// error; `depth_error` is the bound of a depth's error, before it is rounded down.
 fn compare<K: ProjectionKind>(
     triangle: &Triangle<K, VALUES>,
     modes: &[Mode],
@@ -93,7 +93,7 @@ fn compare<K: ProjectionKind>(
     bound: impl Fn(Mode, [i32; 3], &Model<VALUES>) -> f64,
 ) -> Result<(), TestCaseError> {
     let Some(screen) = triangle.screen() else {
-        // Rounding took a corner out of the guard band, or to another.
+        // Skip if rounding took a corner out of the guard band, or onto another one.
         return Err(TestCaseError::reject("clipped"));
     };
     let model = triangle.model(screen);
@@ -102,7 +102,7 @@ fn compare<K: ProjectionKind>(
     let exact = depths(&triangle.draw(Mode::Exact));
     for &mode in modes {
         let seen = triangle.draw(mode);
-        // Or what is drawn in different modes would not meet where it should.
+        // If depths differed, drawings in different modes would not meet where they should.
         prop_assert!(depths(&seen) == exact, "{mode:?}: depths differ");
         let pixels = seen.iter().map(|seen| seen.pixel);
         prop_assert!(pixels.eq(model.iter().map(|model| model.pixel)));
@@ -112,7 +112,7 @@ fn compare<K: ProjectionKind>(
                 let bound = bound(mode, value, model);
                 prop_assert!(
                     error <= bound,
-                    "{mode:?}: {value:?} at {:?} on {screen:?} gives {} at {:?}, not {}: off by {error}, over {bound}",
+                    "{mode:?}: {value:?} at {:?} on {screen:?} gives {} at {:?}, not {}: an error of {error}, over {bound}",
                     triangle.w,
                     seen.values[k],
                     seen.pixel,
@@ -163,7 +163,7 @@ proptest! {
         compare(&triangle, &Mode::PERSPECTIVE, bounds::depth(w), |mode, corners, at| {
             bounds::perspective(mode, corners, w, at.w, at.farthest)
         })?;
-        // What does not divide is linear on the screen under any projection.
+        // A value that is not divided is linear on the screen under any projection.
         let triangle = Triangle { w: [1.; 3], ..triangle };
         compare(&triangle, &[Mode::Affine], bounds::depth(w), |mode, corners, _| {
             bounds::parallel(mode, corners)

@@ -17,7 +17,7 @@ impl Flat {
         self.faces.iter().map(|face| face.map(corner)).collect()
     }
 
-    /// The triangles in another order, with other corners first, some of them turned over.
+    /// The triangles in another order, with other corners first, and some of them turned over.
     pub fn shuffled(mut self, mut seed: u64, turn: bool) -> Self {
         let mut below = |n: usize| {
             // Knuth's MMIX generator.
@@ -39,10 +39,10 @@ impl Flat {
     }
 }
 
-/// A triangulation of a rectangle that has `points` among its vertices, which it may take in any
-/// place and number: each splits the triangles that it lies in.
+/// A triangulation of a rectangle with `points` among its vertices. It accepts points anywhere and in any number:
+/// each one splits the triangles that contain it.
 ///
-/// Exact, with triangles as thin as they come. All face the viewer.
+/// Exact, for triangles as thin as possible. All face the viewer.
 pub fn triangulation(corners: [Point; 4], points: &[Point]) -> Flat {
     let mut mesh = Flat {
         points: corners.to_vec(),
@@ -76,21 +76,21 @@ pub fn triangulation(corners: [Point; 4], points: &[Point]) -> Flat {
     mesh
 }
 
-/// A fan about the first point: the others in the order of their angles about it.
+/// A fan around the first point: the others in the order of their angles around it.
 pub fn fan(center: Point, mut rim: Vec<Point>) -> Flat {
     let angle = |p: &Point| {
         let [x, y] = [0, 1].map(|i| f64::from(p[i] - center[i]));
         (-y).atan2(x)
     };
     rim.retain(|&p| p != center);
-    // One point per direction, or two triangles would lie on each other.
+    // One point per direction, because otherwise two triangles would overlap.
     rim.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
     rim.dedup_by(|a, b| angle(a).total_cmp(&angle(b)).is_eq());
     let count = u16::try_from(rim.len()).unwrap();
     let points: Vec<Point> = std::iter::once(center).chain(rim).collect();
     let faces = (0..count)
         .map(|i| [0, i + 1, (i + 1) % count + 1])
-        // A step of half a turn and more is not a triangle of the fan.
+        // Across a step of half a turn or more the fan has no triangle.
         .filter(|face| turn(face.map(|index| points[usize::from(index)])) < 0)
         .collect();
     Flat { points, faces }
@@ -123,7 +123,7 @@ pub fn grid(columns: u16, rows: u16, area: [i32; 2], moves: &[Point], strip: boo
         for i in 0..columns {
             let at = j * (columns + 1) + i;
             let below = at + columns + 1;
-            // A strip has its diagonals all one way, a grid in turns.
+            // In a strip all diagonals have the same direction; in a grid the directions alternate.
             if strip || (i + j) % 2 == 0 {
                 faces.extend([[at, below, at + 1], [at + 1, below, below + 1]]);
             } else {

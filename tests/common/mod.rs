@@ -1,6 +1,6 @@
-//! What the raster tests share: a shader that counts, and a projection whose pixels are model units.
+//! Helpers that the raster tests share: a shader that counts, and a projection whose pixels are model units.
 
-// Each test binary includes this and uses a part of it.
+// Each test binary includes this and uses part of it.
 #![allow(dead_code)]
 
 pub mod meshes;
@@ -21,7 +21,7 @@ pub struct Counter {
     pub size: (u32, u32),
 }
 
-/// A shader that writes down where it is asked for a color.
+/// A shader that records the pixels it is asked to color.
 type Count<'a> = Recorder<'a, Flat<Gray8>, 0>;
 
 impl Counter {
@@ -78,7 +78,7 @@ impl Counter {
         self.with(|canvas, count| canvas.draw_points(options, mesh, mvp, count))
     }
 
-    /// Where the crate puts a point, before culling and the guard band.
+    /// The crate's position of a point, before culling and the guard band.
     pub fn place<K: ProjectionKind>(
         &mut self,
         options: &DrawOptions,
@@ -90,13 +90,13 @@ impl Counter {
         canvas.project(options, mvp, point)
     }
 
-    /// Where the crate puts a point, in 24.8.
+    /// The crate's position of a point, in 24.8.
     pub fn snapped<K: ProjectionKind>(&mut self, mvp: &Mvp<K>, point: Vec3) -> Option<[i32; 2]> {
         let place = self.place(&DrawOptions::new(), mvp, point)?;
         Some([place.x.to_bits(), place.y.to_bits()])
     }
 
-    /// How often each pixel was drawn, in row order, since the last time this was asked.
+    /// How often each pixel was drawn since the last call, in row order.
     pub fn take(&mut self) -> Vec<u32> {
         self.counts.iter_mut().map(std::mem::take).collect()
     }
@@ -119,13 +119,12 @@ pub fn character(count: u32) -> char {
     }
 }
 
-/// A projection through which model space is the picture itself: a unit is a pixel, x to the right from
-/// the left edge, y *up* from the top edge, so that a point of the picture has a negative y;
-/// z from -1 to 1.
+/// A projection through which model space is the picture itself: a unit is a pixel, with x to the right from the left
+/// edge and y *up* from the top edge, so that a point of the picture has a negative y; z from -1 to 1.
 ///
-/// Pixel coordinates are exact to the last of their eight bits: the projection takes x to
-/// (2/width)·x − 1 with a factor rounded to 30 bits, the viewport back to pixels, off by less than
-/// 2⁻²⁹ · 4096 pixels and so by far less than half of 1/256.
+/// Pixel coordinates are exact to the last of their eight bits. The projection takes x to (2/width)·x − 1 with a
+/// factor rounded to 30 bits, and the viewport back to pixels; the error is less than 2⁻²⁹ · 4096 pixels, and so far
+/// less than half of 1/256.
 pub fn pixel_lens((width, height): (u32, u32)) -> Mvp<Parallel> {
     let [width, height] = [width, height].map(Scalar::from_num);
     let projection = Projection::orthographic(
@@ -141,10 +140,10 @@ pub fn pixel_lens((width, height): (u32, u32)) -> Mvp<Parallel> {
     projection.unwrap().into()
 }
 
-/// A point of the picture in 24.8 as a position before [`pixel_lens`].
+/// A point of the picture in 24.8, as a position for [`pixel_lens`].
 pub fn at_subpixel([x, y]: [i32; 2]) -> Vec3 {
     Vec3::from_bits([x << 8, -y << 8, 0])
 }
 
-/// A pass that draws both sides.
+/// Draw options that draw both sides.
 pub const BOTH_SIDES: DrawOptions = DrawOptions::new().cull(Cull::Nothing);

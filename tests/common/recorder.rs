@@ -1,6 +1,6 @@
-//! A shader that writes down what it is given, for all tests that look at more than colors.
+//! A shader that records its input, for all tests that check more than colors.
 
-// Each test binary uses a part of it.
+// Each test binary uses part of it.
 #![allow(dead_code)]
 
 use std::cell::RefCell;
@@ -9,19 +9,19 @@ use embedded_graphics::pixelcolor::{Gray8, PixelColor};
 use fixel::prelude::*;
 use fixel::shade::{Lanes, PerFace, Tolerance, Varyings};
 
-/// What a shader was given at a pixel, and what it made of it.
+/// A shader's input and output at a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seen<const N: usize, C = Gray8> {
     pub pixel: [i32; 2],
     pub depth: u16,
-    /// The triangle's place in the mesh.
+    /// The triangle's index in the mesh.
     pub face: usize,
     /// The first interpolated numbers; 0 where the shader has fewer.
     pub values: [i32; N],
     pub color: Option<C>,
 }
 
-/// What was written down of a draw call.
+/// The record of a draw call.
 #[derive(Debug)]
 pub struct Record<const N: usize, C = Gray8> {
     /// In the order drawn.
@@ -30,14 +30,14 @@ pub struct Record<const N: usize, C = Gray8> {
     pub corners: Vec<(usize, [[i32; N]; 3])>,
 }
 
-/// A shader that writes down what another one is given, and draws what that draws.
+/// A shader that records the input of another one, and draws its output.
 #[derive(Clone, Copy)]
 pub struct Recorder<'a, S: Shader, const N: usize> {
     shader: S,
     record: &'a RefCell<Record<N, S::Color>>,
 }
 
-/// What a draw call's shader is given.
+/// Records the input of a draw call's shader.
 pub fn record<S: Shader, const N: usize>(
     shader: S,
     draw: impl FnOnce(&Recorder<'_, S, N>),
@@ -82,7 +82,7 @@ impl<S: Shader, const N: usize> Shader for Recorder<'_, S, N> {
     }
 }
 
-/// A shader that interpolates whatever a test wants, and draws all pixels in one color or none.
+/// A shader that interpolates any values, and draws all pixels in one color or none.
 #[derive(Clone, Copy)]
 pub struct Probe<'a, V, C = Gray8> {
     pub values: &'a dyn Fn(&Corner<'_>) -> V,

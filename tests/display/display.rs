@@ -1,5 +1,5 @@
-//! The picture on a real panel: a driver that others keep writes the canvas to recorded wires, and
-//! what the wires said, read by the controller's data sheet, is the canvas again.
+//! The picture on a real panel. A display driver from another project writes the canvas to recorded wires; read
+//! according to the controller's data sheet, the record is the canvas again.
 
 mod panel;
 
@@ -24,7 +24,7 @@ use panel::{Command, NoDelay, Panel, Wires};
 
 type Driver<'b, M> = Display<SpiInterface<'b, Wires, Wires>, M, NoResetPin>;
 
-/// A square panel as it is, 240x240.
+/// A square panel in its own orientation, 240x240.
 const SQUARE: (u32, u32) = (240, 240);
 
 fn square<'b>(wires: &Wires, buffer: &'b mut [u8]) -> Driver<'b, ST7789> {
@@ -35,7 +35,7 @@ fn square<'b>(wires: &Wires, buffer: &'b mut [u8]) -> Driver<'b, ST7789> {
         .unwrap()
 }
 
-/// A panel of 240x320 turned by a quarter.
+/// A panel of 240x320, rotated by a quarter turn.
 const WIDE: (u32, u32) = (scenes::WIDTH, scenes::HEIGHT);
 
 fn wide<'b>(wires: &Wires, buffer: &'b mut [u8]) -> Driver<'b, ILI9341Rgb565> {
@@ -59,7 +59,7 @@ fn raw(color: Rgb565) -> u16 {
     RawU16::from(color).into_inner()
 }
 
-/// The whole frame as colors, which is what the panel must show; shows it on the way.
+/// Draws the whole frame as colors, which the panel must show, and passes it to `show`.
 fn frame(
     (width, height): (u32, u32),
     show: impl FnOnce(&Canvas<'_, Rgb565, Native, Depth<'_>>),
@@ -80,8 +80,8 @@ fn frame(
     pixels
 }
 
-/// Draws the frame in bands of so many rows, the last of what is left, all in the same memory, and
-/// shows each on the way.
+/// Draws the frame in bands of this many rows, the last one with the rest, all in the same memory, and passes each to
+/// `show`.
 fn in_bands(size: (u32, u32), rows: u32, mut show: impl FnMut(&Bytes<'_>)) {
     let (width, height) = size;
     let mut pixels = vec![[0; 2]; (width * rows) as usize];
@@ -98,7 +98,7 @@ fn in_bands(size: (u32, u32), rows: u32, mut show: impl FnMut(&Bytes<'_>)) {
 /// Pixels in the order of the bus.
 type Bytes<'a> = Canvas<'a, Rgb565, BigEndian, Depth<'a>>;
 
-/// What the panel shows after all that was sent to it.
+/// The panel's picture after all commands.
 fn shown(wires: &Wires, size: (u32, u32)) -> Vec<u16> {
     let mut panel = Panel::default();
     panel.read(&wires.take());
@@ -124,7 +124,7 @@ fn assert_same(shown: &[u16], expected: &[u16], width: u32) {
 }
 
 #[test]
-fn a_frame_of_colors_is_what_the_panel_shows() {
+fn the_panel_shows_a_frame_of_colors() {
     fn check<M>(wires: &Wires, mut display: Driver<'_, M>, size: (u32, u32))
     where
         M: Model<ColorFormat = Rgb565>,
@@ -133,14 +133,14 @@ fn a_frame_of_colors_is_what_the_panel_shows() {
         assert_same(&shown(wires, size), &frame, size.0);
     }
     let wires = Wires::default();
-    // A buffer that no row fits and no pixel fills: what the driver does with it is its own affair.
+    // A buffer that no row fits and no whole number of pixels fills: the driver must handle it.
     check(&wires, square(&wires, &mut [0; 101]), SQUARE);
     let wires = Wires::default();
     check(&wires, wide(&wires, &mut [0; 512]), WIDE);
 }
 
 #[test]
-fn bands_are_what_the_panel_shows() {
+fn the_panel_shows_bands() {
     for rows in [16, 37] {
         let (wires, mut buffer) = (Wires::default(), [0; 512]);
         let mut display = square(&wires, &mut buffer);
@@ -154,10 +154,10 @@ fn bands_are_what_the_panel_shows() {
     }
 }
 
-/// The driver is given colors; the bytes that it makes of them are those that the canvas of bytes
-/// holds. So a DMA channel that is given `bytes()` sends what the driver would have sent.
+/// The driver receives colors and makes bytes of them; these equal the bytes of a canvas of bytes. So a DMA channel
+/// that receives `as_bytes()` sends what the driver would send.
 #[test]
-fn bytes_are_those_that_the_driver_sends() {
+fn bytes_equal_those_that_the_driver_sends() {
     let (wires, mut buffer) = (Wires::default(), [0; 512]);
     let mut display = square(&wires, &mut buffer);
     wires.take();
@@ -167,7 +167,7 @@ fn bytes_are_those_that_the_driver_sends() {
         let mut bytes = vec![];
         in_bands(SQUARE, rows, |band| {
             bytes.extend_from_slice(band.as_bytes());
-            // Of a band as of a frame.
+            // For bands as for frames.
             band.show(&mut display).unwrap();
             assert!(written(wires.take()) == [band.as_bytes()]);
         });
@@ -175,8 +175,8 @@ fn bytes_are_those_that_the_driver_sends() {
     }
 }
 
-/// As the guide for firmware does it: the driver sets the panel up and opens one window as large as
-/// the frame; then nothing but the bytes of the bands, one band after the other.
+/// As in the guide for firmware: the driver sets the panel up and opens one window as large as the frame; then come
+/// only the bytes of the bands, one band after the other.
 #[test]
 fn bands_follow_each_other_through_one_window() {
     let (mut wires, mut buffer) = (Wires::default(), [0; 512]);

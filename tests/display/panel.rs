@@ -1,8 +1,8 @@
 //! A panel of the ST7789 and ILI9341 family at the end of recorded wires.
 //!
-//! The driver is given a bus and pins that write down every byte with the level of the D/C line
-//! (low: command, high: data). [`Panel::read`] then does with the bytes what the controllers' data
-//! sheets say: nothing of the driver's or of this crate's own code is used for it.
+//! The driver gets a bus and pins that record every byte with the level of the D/C line (low: command, high: data).
+//! [`Panel::read`] then handles the bytes as the controllers' data sheets specify; it uses no code of the driver or
+//! of this crate.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -13,7 +13,7 @@ use embedded_hal::delay::DelayNs;
 use embedded_hal::digital::{self, OutputPin};
 use embedded_hal::spi::{self, Operation, SpiDevice};
 
-/// Both ends of the wires, still in the hand of whoever connected them.
+/// Both ends of the wires, shared with the code that connected them.
 #[derive(Clone, Default)]
 pub struct Wires(Rc<RefCell<Record>>);
 
@@ -30,7 +30,7 @@ pub struct Command {
 }
 
 impl Wires {
-    /// Everything that was sent since this was last asked.
+    /// Everything that was sent since the last call.
     pub fn take(&self) -> Vec<Command> {
         std::mem::take(&mut self.0.borrow_mut().commands)
     }
@@ -63,7 +63,7 @@ impl SpiDevice for Wires {
     }
 }
 
-/// As the D/C line.
+/// The D/C line.
 impl digital::ErrorType for Wires {
     type Error = Infallible;
 }
@@ -90,7 +90,7 @@ impl DelayNs for NoDelay {
 /// Columns and rows of the controllers' memory when rows and columns are not exchanged.
 const MEMORY: (u16, u16) = (240, 320);
 
-/// What a controller's registers and memory hold.
+/// The contents of a controller's registers and memory.
 #[derive(Default)]
 pub struct Panel {
     awake: bool,
@@ -100,12 +100,12 @@ pub struct Panel {
     /// First and last, both inclusive.
     columns: (u16, u16),
     rows: (u16, u16),
-    /// Where something was written: column, row, RGB565.
+    /// The pixels written so far: column, row, RGB565.
     memory: BTreeMap<(u16, u16), u16>,
 }
 
 impl Panel {
-    /// Carries out commands; panics at one that no data sheet allows here.
+    /// Executes commands; panics at one that no data sheet allows here.
     pub fn read(&mut self, commands: &[Command]) {
         for Command { code, data } in commands {
             match (code, data.as_slice()) {
@@ -113,13 +113,12 @@ impl Panel {
                 (0x01, []) => *self = Self::default(),
                 (0x11, []) => self.awake = true,
                 (0x29, []) => self.on = true,
-                // NORON, INVOFF, INVON, and the ILI9341's inversion control: how it shines, not what it
-                // holds.
+                // NORON, INVOFF, INVON, and the ILI9341's inversion control change only the display, not the memory.
                 (0x13 | 0x20 | 0x21, []) | (0xb4, &[0]) => {}
                 // MADCTL: bit 5 exchanges rows and columns, 7 and 6 mirror them, so that the host counts from the
-                // corner that is the upper left one of the turned panel; bit 3 has blue in front of red.
+                // upper left corner of the rotated panel; bit 3 puts blue before red.
                 (0x36, &[mode]) => {
-                    assert_eq!(mode & 0b1000, 0, "blue in the place of red");
+                    assert_eq!(mode & 0b1000, 0, "blue and red are exchanged");
                     self.exchanged = mode & 0b10_0000 != 0;
                 }
                 // COLMOD: bits 2 to 0, the format on the bus.
@@ -128,7 +127,7 @@ impl Panel {
                         0b011 => 12,
                         0b101 => 16,
                         0b110 => 18,
-                        other => panic!("no such pixel format: {other:#b}"),
+                        other => panic!("unknown pixel format: {other:#b}"),
                     };
                 }
                 (0x2a, data) => self.columns = window(data, self.size().0),
@@ -149,9 +148,9 @@ impl Panel {
         }
     }
 
-    /// RAMWR: the pointer starts at the window's upper left corner, goes right, at the end of a row to
-    /// the start of the next, at the end of the window back to its start. Red has the upper five of the
-    /// first byte's bits.
+    /// RAMWR: the pointer starts at the window's upper left corner and moves right; at the end of a row it goes to
+    /// the start of the next one, and at the end of the window back to its start. Red is in the upper five bits of
+    /// the first byte.
     fn write(&mut self, data: &[u8]) {
         assert_eq!(self.bits_per_pixel, 16);
         let (mut column, mut row) = (self.columns.0, self.rows.0);
@@ -170,8 +169,8 @@ impl Panel {
         }
     }
 
-    /// The `width` x `height` pixels from the upper left corner on; panics if it shows nothing, if one was never
-    /// written, or one outside of them was.
+    /// The `width` x `height` pixels from the upper left corner. Panics if the panel is dark, if one of them was
+    /// never written, or if one outside was.
     pub fn picture(&self, (width, height): (u32, u32)) -> Vec<u16> {
         assert!(self.awake && self.on, "the panel is dark");
         let picture: Vec<_> = (0..height)
@@ -193,7 +192,7 @@ impl Panel {
     }
 }
 
-/// First and last, each of two bytes, the first of which is the upper one.
+/// First and last, each in two bytes, the upper one first.
 fn window(data: &[u8], size: u16) -> (u16, u16) {
     let &[a, b, c, d] = data else {
         panic!("a window takes four bytes, not {data:02x?}");

@@ -1,4 +1,5 @@
-//! Bands put together are the frame, bit for bit, in every mode; and with depth the order of triangles does not matter.
+//! Bands put together equal the frame, bit for bit, in every mode; and with depth the order of triangles does not
+//! matter.
 
 use std::any::type_name;
 
@@ -17,7 +18,8 @@ const HEIGHT: u32 = 37;
 /// Rows of the bands.
 const BANDS: [u32; 3] = [1, 7, 16];
 
-/// Every bit of the interpolated values shows in the color: any difference between two drawings does.
+/// A shader whose color depends on every bit of the interpolated values, so any difference between two drawings
+/// shows.
 #[derive(Clone, Copy)]
 struct Bits;
 
@@ -46,12 +48,12 @@ impl Shader for Bits {
             },
         );
         let [red, green, blue, holes] = mix.to_be_bytes();
-        // Some pixels are left out: those keep their depth, too.
+        // Some pixels are not drawn; they keep their depth, too.
         (holes > 5).then_some(Rgb888::new(red, green, blue))
     }
 }
 
-/// The triangle's place in the mesh, as a color.
+/// A shader whose color is the triangle's index in the mesh.
 #[derive(Clone, Copy)]
 struct Index;
 
@@ -68,7 +70,7 @@ impl Shader for Index {
     }
 }
 
-/// A mesh about the origin, as large as the view and larger.
+/// A mesh around the origin, as large as the view and larger.
 #[derive(Clone, Debug)]
 struct Scene {
     positions: Vec<Vec3>,
@@ -93,15 +95,15 @@ impl Scene {
     }
 }
 
-/// What is drawn into a band.
+/// The band of a frame.
 type Band<'b> = Canvas<'b, Rgb888, fixel::target::Native, fixel::target::Depth<'b>>;
 
-/// A frame in bands of so many rows, the last of what is left.
+/// Draws a frame in bands of this many rows, the last one with the rest.
 fn bands(rows: u32, mut draw: impl FnMut(&mut Band<'_>)) -> (Vec<Rgb888>, Vec<u16>) {
     let (mut colors, mut depths) = (vec![], vec![]);
     for first in (0..HEIGHT).step_by(rows as usize) {
         let pixels = (WIDTH * rows.min(HEIGHT - first)) as usize;
-        // Not cleared: whatever was there before must not show.
+        // Not cleared: the earlier contents must not show.
         let (mut color, mut depth) = (vec![Rgb888::new(9, 9, 9); pixels], vec![7; pixels]);
         let band = Canvas::band(&mut color, WIDTH, HEIGHT, first).unwrap();
         draw(&mut band.with_depth(&mut depth).unwrap());
@@ -116,7 +118,7 @@ impl Scene {
     fn check<K: ProjectionKind>(&self, mvp: &Mvp<K>) -> Result<(), TestCaseError> {
         self.check_mode(Exact, mvp)?;
         self.check_mode(Newton, mvp)?;
-        // All of a run at once, a few pixels at once, one by one.
+        // Whole spans at once, a few pixels at once, one by one.
         self.check_mode(Fast::within(fx!(4)), mvp)?;
         self.check_mode(Fast::within(fx!(0.0625)), mvp)?;
         self.check_mode(Fast::within(fx!(0)), mvp)?;
@@ -144,7 +146,7 @@ impl Scene {
         self.check_prepared(mode, mvp)
     }
 
-    /// Triangles that were prepared are drawn as they are without, and counted alike.
+    /// Prepared triangles are drawn and counted like others.
     fn check_prepared<I: Mode, K: ProjectionKind>(
         &self,
         mode: I,
@@ -204,21 +206,21 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(256))]
 
     #[test]
-    fn bands_are_the_frame_in_perspective(scene in scenes(), turn: u32, fov in 10..150i32) {
+    fn bands_equal_the_frame_in_perspective(scene in scenes(), turn: u32, fov in 10..150i32) {
         let projection = Projection::perspective(Angle::from_degrees(fov), (WIDTH, HEIGHT), fx!(0.1), fx!(50)).unwrap();
         let model = Transform::translate(vec3!(0, 0, -4)) * Transform::rotate_y(Angle::from_bits(turn));
         scene.check(&(projection * model))?;
     }
 
     #[test]
-    fn bands_are_the_frame_in_parallel(scene in scenes(), turn: u32) {
+    fn bands_equal_the_frame_in_parallel(scene in scenes(), turn: u32) {
         let projection = Projection::cabinet(Angle::from_degrees(30), Window::centered(fx!(8), fx!(4)), fx!(-20), fx!(20)).unwrap();
         scene.check(&(projection * Transform::rotate_x(Angle::from_bits(turn))))?;
     }
 
     /// The same with depths in floating point, drawn anew and prepared.
     #[test]
-    fn bands_are_the_frame_in_floating_depth(scene in scenes(), turn: u32) {
+    fn bands_equal_the_frame_in_floating_depth(scene in scenes(), turn: u32) {
         let projection = Projection::perspective(Angle::from_degrees(70), (WIDTH, HEIGHT), fx!(0.01), fx!(600)).unwrap();
         let model = Transform::translate(vec3!(0, 0, -4)) * Transform::rotate_y(Angle::from_bits(turn));
         let (mesh, mvp) = (scene.mesh(), projection * model);
@@ -249,8 +251,8 @@ proptest! {
         }
     }
 
-    /// Each triangle drawn alone tells its depths; the nearest must show, of equals the last drawn, in
-    /// whatever order they are drawn.
+    /// Draws each triangle alone to find its depths. Of all triangles the nearest must show, and of equal ones the
+    /// last drawn, in whatever order they are drawn.
     #[test]
     fn the_nearest_triangle_shows_in_any_order(scene in scenes(), seed: u64) {
         let projection = Projection::perspective(Angle::from_degrees(70), (WIDTH, HEIGHT), fx!(0.1), fx!(50)).unwrap();
@@ -283,7 +285,7 @@ proptest! {
     }
 }
 
-/// A ball before the eye, and how many triangles and vertices of it a list must have room for.
+/// Prepares a ball in front of the eye, in a list with room for this many triangles and vertices.
 fn prepare<const TRIANGLES: usize, const VERTICES: usize>() -> Result<u32, Error> {
     static BALL: Mesh = shape!(sphere(8, 6));
     let projection =
@@ -298,9 +300,9 @@ fn prepare<const TRIANGLES: usize, const VERTICES: usize>() -> Result<u32, Error
     Ok(drawn)
 }
 
-/// More vertices than are kept projected at a time.
+/// More vertices than the cache holds.
 #[test]
-fn a_large_mesh_prepared_is_the_frame() {
+fn a_large_prepared_mesh_equals_the_frame() {
     static BALL: Mesh = shape!(sphere(40, 20));
     let projection =
         Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(10)).unwrap();
@@ -337,7 +339,7 @@ fn a_list_that_is_too_short_says_what_is_needed() {
     };
     assert_eq!(
         error.to_string(),
-        "20 vertices are visible: the list has room for 1"
+        "20 vertices are visible: the list must have room for all, and has room for 1"
     );
     assert!(prepare::<15, 20>().is_err());
     assert!(prepare::<16, 19>().is_err());
@@ -345,7 +347,7 @@ fn a_list_that_is_too_short_says_what_is_needed() {
 }
 
 #[test]
-fn a_frame_that_cannot_be_is_refused() {
+fn an_impossible_frame_is_refused() {
     let mut list: TriangleList<1, 1> = TriangleList::new();
     let mesh = Mesh::new(&[], &[]).unwrap();
     let projection =

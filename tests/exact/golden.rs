@@ -1,8 +1,7 @@
-//! The pictures of the measured scenes and of the project's own, to the last bit.
+//! The pictures of the measured scenes and of the project's own scene, to the last bit.
 //!
-//! A checksum that changes is no failure by itself, but it has to be meant: look at the picture
-//! (`simulator --scene NAME --out NAME.png`), say in the commit why it changed, and put the new one
-//! here. Firmware draws the same (`.ci/run`).
+//! A checksum may change, but only on purpose: look at the picture (`simulator --scene NAME --out NAME.png`), explain
+//! the change in the commit, and put the new checksum here. Firmware draws the same pictures (`.ci/run`).
 
 use embedded_graphics::pixelcolor::raw::BigEndian;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -13,12 +12,12 @@ use fixel::target::Depth;
 use crate::examples::lighthouse;
 use crate::examples::scenes::{self, HEIGHT, WIDTH};
 
-/// The way of interpolating that is the specification of the others.
+/// The mode that specifies the others.
 const PASS: DrawOptions<Exact> = DrawOptions::new().mode(Exact);
 
 type Target<'a> = Canvas<'a, Rgb565, BigEndian, Depth<'a>>;
 
-/// CRC-32 of the bytes, most significant first, and how many pixels were drawn.
+/// CRC-32 of the bytes, most significant first, and the number of pixels drawn.
 fn picture(draw: impl FnOnce(&mut Target<'_>)) -> (u32, usize) {
     let mut pixels = vec![[0; 2]; (WIDTH * HEIGHT) as usize];
     let mut depths = vec![0; pixels.len()];
@@ -111,7 +110,7 @@ fn lighthouse() {
     assert_eq!(crc, 0xe0c7_b9cd);
 }
 
-/// Checksums of the scenes in a mode: the floor, and a pose of the cube and of the sphere each.
+/// Checksums of the scenes in a mode: the floor, and one pose of the cube and of the sphere.
 fn scenes_in<I: Mode>(mode: I) -> [u32; 3] {
     let options = DrawOptions::new().mode(mode);
     let (floor, _) = picture(|canvas| {
@@ -129,7 +128,7 @@ fn scenes_in<I: Mode>(mode: I) -> [u32; 3] {
 #[test]
 fn modes() {
     assert_eq!(scenes_in(Exact), [0xcea2_0ac4, 0x9303_8f3d, 0xef45_08f4]);
-    // The sphere's colors are a sixteenth of a step off here and there, for want of a division.
+    // Without a division, some of the sphere's colors have an error of a sixteenth of a step.
     assert_eq!(scenes_in(Newton), [0xcea2_0ac4, 0x9303_8f3d, 0x2d5c_67c0]);
     assert_eq!(
         scenes_in(Fast::within(fx!(0.25))),

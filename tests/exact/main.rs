@@ -1,4 +1,4 @@
-//! What needs no model: it is the same to the last bit, or the expected value stands beside it.
+//! Tests that need no model: results must be the same to the last bit, or the expected value stands beside them.
 
 #[path = "../common/mod.rs"]
 mod common;

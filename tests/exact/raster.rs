@@ -1,4 +1,4 @@
-//! Raster cases as pictures: how often each pixel is drawn, `.` for not at all.
+//! Raster cases as pictures: how often each pixel is drawn, `.` for never.
 //!
 //! Corners are given in pixels, quarters and halves of them; a pixel's center is at a half.
 
@@ -16,7 +16,7 @@ const EMPTY: &str = "
             ........
         ";
 
-/// Places on the screen, in pixels; must be whole subpixels.
+/// Positions on the screen, in pixels; must be whole subpixels.
 fn positions(points: &[[f64; 2]]) -> Vec<Vec3> {
     let subpixels = |at: f64| (at * 256.) as i32;
     points
@@ -25,7 +25,7 @@ fn positions(points: &[[f64; 2]]) -> Vec<Vec3> {
         .collect()
 }
 
-/// Draws triangles, corners in turn, and compares the counts.
+/// Draws triangles, three corners each, and compares the counts.
 #[track_caller]
 fn assert_picture(points: &[[f64; 2]], options: &DrawOptions, expected: &str) {
     let positions = positions(points);
@@ -54,8 +54,8 @@ fn assert_counts(counter: &mut Counter, expected: &str) {
     assert_eq!(picture, expected, "\ndrawn:\n{}\n", picture.join("\n"));
 }
 
-/// Corners on centers: the top and the left edge own theirs, the long edge from the top right to the
-/// bottom left does not.
+/// Corners on centers: the top edge and the left edge own theirs; the long edge from the top right to the bottom left
+/// does not.
 #[test]
 fn corners_on_centers() {
     assert_picture(
@@ -72,7 +72,7 @@ fn corners_on_centers() {
     );
 }
 
-/// The other half of that square: the long edge is its left one, bottom and right edge own nothing.
+/// The other half of that square: the long edge is its left one; the bottom edge and the right edge own nothing.
 #[test]
 fn the_other_half() {
     assert_picture(
@@ -89,7 +89,7 @@ fn the_other_half() {
     );
 }
 
-/// Both together: the square without its right and bottom edge, nothing twice.
+/// Both together: the square without its right and bottom edge, and no pixel twice.
 #[test]
 fn two_halves_make_a_square() {
     assert_picture(
@@ -113,9 +113,9 @@ fn two_halves_make_a_square() {
     );
 }
 
-/// Level edges on centers: the row belongs to the triangle below the edge.
+/// Horizontal edges on centers: the row belongs to the triangle below the edge.
 #[test]
-fn a_level_edge_on_centers() {
+fn a_horizontal_edge_on_centers() {
     let (upper, lower) = (
         [[3.5, 0.], [0.5, 2.5], [6.5, 2.5]],
         [[0.5, 2.5], [3.5, 5.], [6.5, 2.5]],
@@ -146,9 +146,9 @@ fn a_level_edge_on_centers() {
     );
 }
 
-/// Upright edges on centers: the column belongs to the triangle to the right of the edge.
+/// Vertical edges on centers: the column belongs to the triangle to the right of the edge.
 #[test]
-fn an_upright_edge_on_centers() {
+fn a_vertical_edge_on_centers() {
     let (left, right) = (
         [[4.5, 0.], [0., 3.], [4.5, 6.]],
         [[4.5, 0.], [4.5, 6.], [8., 3.]],
@@ -179,7 +179,7 @@ fn an_upright_edge_on_centers() {
     );
 }
 
-/// Six triangles about one center: one of them has it.
+/// Six triangles around one center: one of them owns it.
 #[test]
 fn a_hub_on_a_center() {
     let hub = [3.5, 2.5];
@@ -208,12 +208,12 @@ fn a_hub_on_a_center() {
     );
 }
 
-/// Triangles smaller than a pixel: only those that hold a center.
+/// Triangles smaller than a pixel: only those that contain a center draw it.
 #[test]
 fn one_pixel_triangles() {
     assert_picture(
         &[
-            // About a center.
+            // Around a center.
             [1.5, 1.25],
             [1.25, 1.75],
             [1.75, 1.75],
@@ -228,7 +228,8 @@ fn one_pixel_triangles() {
             [5.25, 3.5],
             [5.5, 3.5],
             [5.5, 3.25],
-            // A sliver past many centers that holds none, and one along an edge with three, of which its ends are not its own.
+            // A sliver that passes many centers and contains none, and one along an edge with three centers, of which
+            // it does not own the ends.
             [0., 4.515_625],
             [7.75, 4.75],
             [7.75, 4.515_625],
@@ -248,7 +249,7 @@ fn one_pixel_triangles() {
     );
 }
 
-/// A triangle without area draws nothing, whatever it lies on.
+/// A triangle without area draws nothing, wherever it lies.
 #[test]
 fn no_area_no_pixel() {
     assert_picture(
@@ -268,7 +269,7 @@ fn no_area_no_pixel() {
     );
 }
 
-/// By default back faces are left out; each mode draws what it says.
+/// By default back faces are culled; each cull mode draws its faces.
 #[test]
 fn cull_modes() {
     let front = [[0., 0.], [0., 4.], [4., 0.]];
@@ -290,7 +291,7 @@ fn cull_modes() {
             .....111
             ....1111
         ";
-    // Both long edges run through centers; that of the lower triangle is its left one, and owns them.
+    // Both long edges run through centers. The lower triangle's is its left edge, and owns them.
     assert_picture(&both, &DrawOptions::new(), upper);
     assert_picture(&both, &DrawOptions::new().cull(Cull::Back), upper);
     assert_picture(&both, &DrawOptions::new().cull(Cull::Front), lower);
@@ -308,9 +309,9 @@ fn cull_modes() {
     );
 }
 
-/// Nothing outside the viewport, even of what reaches far beyond it.
+/// Nothing is drawn outside the viewport, even if the mesh reaches far beyond it.
 #[test]
-fn a_viewport_cuts_off() {
+fn a_viewport_clips() {
     let everywhere = positions(&[[-900., -900.], [-900., 900.], [900., 900.], [900., -900.]]);
     let mesh = Mesh::new(&everywhere, &[[0, 1, 2], [0, 2, 3]]).unwrap();
     let projection = pixel_lens(SIZE);
@@ -342,12 +343,12 @@ fn a_viewport_cuts_off() {
             11......
         ",
     );
-    // Outside altogether.
+    // Outside completely.
     assert_mesh(&mesh, &projection, &within(8, 0, 4, 4), EMPTY);
     assert_mesh(&mesh, &projection, &within(-4, -4, 4, 4), EMPTY);
 }
 
-/// The picture is spread over the viewport: half as wide, half as many columns.
+/// The picture is scaled to the viewport: half the width, half as many columns.
 #[test]
 fn a_viewport_scales() {
     let half = positions(&[[0., 0.], [0., 6.], [8., 6.]]);
@@ -368,7 +369,7 @@ fn a_viewport_scales() {
     );
 }
 
-/// Lines: a pixel per column, or per row if steeper than 45°; without their last one.
+/// Lines: a pixel per column, or per row if steeper than 45°, without the last one.
 #[test]
 fn lines() {
     let positions = positions(&[

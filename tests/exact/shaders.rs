@@ -1,4 +1,4 @@
-//! Shaders that a program writes itself, and lists of models with different ones.
+//! Shaders that a program implements itself, and lists of models with different shaders.
 
 use crate::common::recorder::record;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
@@ -33,7 +33,7 @@ fn projection() -> Projection<Perspective> {
     Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(20)).unwrap()
 }
 
-/// Turned in front of the eye, some of it cut by the near plane.
+/// Turned in front of the eye; the near plane clips part of it.
 fn pose() -> Transform {
     let turn =
         Transform::rotate_x(Angle::from_degrees(25)) * Transform::rotate_y(Angle::from_degrees(50));
@@ -53,7 +53,7 @@ fn picture(draw: impl FnOnce(&mut Screen<'_>)) -> (Vec<Rgb565>, Vec<u16>) {
     (colors, depths)
 }
 
-/// A wrapper as a program writes it: the Varyings and two methods passed on.
+/// A wrapper as a program might write it: it passes on the Varyings and two methods.
 #[derive(Clone, Copy)]
 struct Same<S>(S);
 
@@ -70,9 +70,10 @@ impl<S: Shader> Shader for Same<S> {
     }
 }
 
-/// A wrapper with varyings of its own beside those of the shader inside.
+/// A wrapper with varyings of its own besides those of the inner shader.
 ///
-/// These may be a little off. Exact ones would make the whole triangle exact, where it hardly changes in depth.
+/// Its own varyings have a tolerance. Without one, triangles that hardly change in depth would have to be drawn
+/// exactly.
 #[derive(Clone, Copy)]
 struct WithFace<S>(S);
 
@@ -92,13 +93,13 @@ impl<S: Shader> Shader for WithFace<S> {
         at: &Fragment,
         (face, (inside, Within(own))): Self::Varyings,
     ) -> Option<S::Color> {
-        // A value that is the same at all corners may be off by as much as is rounded.
+        // A value that is equal at all corners may have the error of rounding.
         assert!(face.0 < 12 && own[0].abs_diff(7) <= 60 && own[1].abs_diff(-7) <= 60);
         self.0.shade(at, inside)
     }
 }
 
-/// All that a canvas draws, with any shader.
+/// Everything that a canvas can draw with a shader.
 fn everything<S: Shader<Color = Rgb565>>(canvas: &mut Screen<'_>, mode: impl Mode, shader: &S) {
     let options = DrawOptions::new().mode(mode);
     let mvp = projection() * pose();
@@ -150,7 +151,7 @@ struct Model<'m, S> {
     shader: S,
 }
 
-/// What a list of models can do, whatever their shaders.
+/// The operations of a list of models, whatever their shaders.
 trait Draw {
     fn draw(&self, canvas: &mut Screen<'_>, view: &Projection<Perspective>);
 }
@@ -195,7 +196,7 @@ fn a_list_holds_models_of_different_shaders() {
     assert!(drawn == expected);
 }
 
-/// Gray by the distance: at the near plane nothing of it, far away nothing else.
+/// Gray fog by distance: none at the near plane, full far away.
 fn fogged(depth: u16, color: Rgb565) -> Rgb565 {
     // Depth is 65535 · near / distance.
     let mix = |own: u8, fog: u8| {
@@ -213,7 +214,7 @@ fn fog_is_a_function_of_the_pixel() {
     let (foggy, _) = picture(|canvas| {
         canvas.draw(&BOX, &mvp, &fog);
     });
-    // From what the surface is without fog, pixel by pixel.
+    // Compare with the surface without fog, pixel by pixel.
     let mut expected = vec![Rgb565::BLACK; foggy.len()];
     let mut nearest = vec![0; foggy.len()];
     let clear = record::<_, 0>(lit, |recorder| {
@@ -233,7 +234,7 @@ fn fog_is_a_function_of_the_pixel() {
     let depths = clear.seen.iter().map(|seen| seen.depth);
     assert!(
         depths.clone().max().unwrap() > 2 * depths.min().unwrap(),
-        "all is as far"
+        "all pixels are equally far"
     );
 }
 
@@ -284,10 +285,10 @@ fn vertex_colors_are_lit_as_in_f64() {
             (f64::from(HEIGHT) / 2. - y) / 40.,
             -1.,
         ];
-        // Volumes between the ray and two corners are the weights in space.
+        // The volumes between the ray and two corners are the barycentric weights in space.
         let volumes = [cross(b, c), cross(c, a), cross(a, b)].map(|side| dot(ray, side));
         let weights = volumes.map(|volume| volume / volumes.iter().sum::<f64>());
-        // An outline's pixels may be drawn or not.
+        // Pixels at the outline may be drawn or not.
         if weights.iter().any(|weight| *weight < 0.005) {
             continue;
         }
@@ -295,7 +296,8 @@ fn vertex_colors_are_lit_as_in_f64() {
         let light = dot(weights, lights);
         for (k, found) in [color.r(), color.g(), color.b()].into_iter().enumerate() {
             let expected = light * dot(weights, colors.map(|color| f64::from(color[k])));
-            // Half a step for the rounding. Corners are rounded to 1/256 pixel, which moves a color less than 0.1 steps.
+            // Half a step for rounding. Corners are rounded to 1/256 pixel, which changes a color by less than 0.1
+            // steps.
             let error = (f64::from(found) - expected).abs();
             assert!(error <= 0.6, "{found} at {x}, {y} is not {expected}");
         }

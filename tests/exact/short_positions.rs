@@ -1,4 +1,4 @@
-//! Positions of 16 bits: drawn as the same numbers in 32 bits are, and rounded no more than they must be.
+//! Positions of 16 bits are drawn like the same numbers in 32 bits, and are rounded no more than necessary.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::mode::{Exact, Mode};
@@ -11,7 +11,7 @@ use proptest::prelude::*;
 const SIZE: (u32, u32) = (64, 48);
 const PIXELS: usize = 64 * 48;
 
-/// Numbers of 16 bits, with a liking for the ends and for zero.
+/// Numbers of 16 bits, preferably the ends and zero.
 fn component() -> impl Strategy<Value = i16> {
     prop_oneof![
         Just(i16::MIN),
@@ -46,7 +46,7 @@ fn models() -> impl Strategy<Value = Model> {
 
 type Board<'a> = Canvas<'a, Rgb565, Native, Depth<'a>>;
 
-/// What is drawn of a mesh in all ways, and counted.
+/// Draws a mesh in all ways; returns pictures and counts.
 fn drawn<K: ProjectionKind, I: Mode>(
     mesh: &Mesh,
     mvp: &Mvp<K>,
@@ -92,12 +92,12 @@ impl Model {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(1500))]
 
-    /// Bit for bit, from the origin and from within, and with a clipping plane through it.
+    /// Bit for bit: seen from outside and from inside, and with a clipping plane through it.
     #[test]
-    fn what_is_drawn_is_what_long_positions_draw(
+    fn short_positions_draw_what_long_positions_draw(
         model in models(),
         turn: [u32; 2],
-        // As large as what is seen, or much smaller or larger.
+        // As large as the view, or much smaller or larger.
         scale in -4_i32..6,
         away in 0_i32..4,
     ) {
@@ -112,7 +112,7 @@ proptest! {
         model.check(&(projection * pose))?;
     }
 
-    /// Positions in 16 bits are the nearest that there are, with the largest of them in 15 bits or more.
+    /// Positions are rounded to the nearest in 16 bits, of which the largest takes 15 bits or more.
     #[test]
     fn shortened_positions_are_the_nearest(bits in prop::array::uniform3(any::<i32>()), cut in 0_u32..32) {
         let position = bits.map(|bits| bits >> cut);
@@ -124,18 +124,18 @@ proptest! {
         let most = position.into_iter().map(i64::from).max_by_key(|x| x.abs()).unwrap();
         for (short, long) in short.into_iter().zip(position) {
             let (short, long) = (i64::from(short), i64::from(long));
-            // What is beyond the last number of whole units, 32767.5, is taken for it.
+            // Numbers beyond the last whole one, 32767.5, saturate to it.
             let off = if long > (i64::from(i16::MAX) << 16) { unit } else { unit / 2 };
             prop_assert!((short * unit - long).abs() <= off, "{long} as {short} of {unit}");
         }
-        // With another fraction bit it would not fit: half of what fits, less what rounding takes.
+        // Another fraction bit would not fit: the largest is at least half of what fits, less its rounding.
         let is_full = fraction == 16 || most.abs() * 4 / unit >= (1 << 16) - 2;
         prop_assert!(is_full, "{most} in units of {unit}");
     }
 }
 
-/// Rounding moves a point by up to half a unit along each axis, √3/2 units, and its picture by up to that times
-/// focal length / w, and by as much again for each unit of its slope x / w or y / w.
+/// Rounding moves a point by up to half a unit along each axis, √3/2 units in all. Its image moves by up to that
+/// times focal length / w, and by as much again for each unit of its slope x / w or y / w.
 #[test]
 fn rounding_moves_a_sphere_by_less_than_a_hundredth_of_a_pixel() {
     static LONG: Mesh = shape!(sphere(32, 32));
@@ -162,7 +162,7 @@ fn rounding_moves_a_sphere_by_less_than_a_hundredth_of_a_pixel() {
             let unit = 2_f64.powi(-14);
             let slope = side.to_num::<f64>().abs() / w;
             let moved = 0.75_f64.sqrt() * unit * 200. / w * (1. + slope);
-            // Either is rounded to 1/512 pixel.
+            // Both are rounded to 1/512 pixel.
             assert!((a - b).abs() <= moved + 1. / 256., "{long}: {a} and {b}");
             worst = worst.max((a - b).abs());
         }
@@ -191,7 +191,7 @@ fn macros_make_the_same_meshes() {
 }
 
 #[test]
-fn what_does_not_fit_is_refused() {
+fn numbers_that_do_not_fit_are_refused() {
     let positions = [[0; 3]; 2];
     assert!(Mesh::short(&positions, 16, &[[0, 1, 1]]).is_ok());
     let error = Mesh::short(&positions, 17, &[]).unwrap_err();
@@ -222,6 +222,6 @@ fn what_does_not_fit_is_refused() {
 
 #[test]
 #[should_panic(expected = "more than 16 fraction bits")]
-fn what_is_refused_while_compiling_says_why() {
+fn compile_time_refusals_say_why() {
     let _ = Mesh::checked(Mesh::short(&[], 17, &[]));
 }

@@ -1,4 +1,4 @@
-//! Two cores: the bands of a frame drawn on two threads at once are the frame, bit for bit.
+//! Two cores: bands of a frame drawn on two threads at once equal the frame, bit for bit.
 
 use std::sync::Barrier;
 use std::thread;
@@ -14,8 +14,7 @@ use fixel::{Converted, FaceLit, Lit, Tinted};
 use crate::examples::lighthouse;
 use crate::examples::scenes::{self, HEIGHT, WIDTH};
 
-/// What both cores draw from must be `Sync`, what is handed from one to the other `Send`: nothing in
-/// the crate stands in the way, so both are asked of everything.
+/// Values shared by both cores must be `Sync`, values handed over must be `Send`. All types of the crate are both.
 const _: () = {
     const fn both<T: Send + Sync>() {}
     type Skin = TextureArray<Rgb565, 64, 64>;
@@ -53,35 +52,34 @@ const _: () = {
     both::<Error>();
 };
 
-/// Draws so many rows of the frame as there are pixels for, from the given one on.
-trait Paint: Fn(&mut [[u8; 2]], &mut [u16], u32) + Sync {}
+/// Draws rows of the frame, as many as there are pixels for, from the given row.
+trait DrawRows: Fn(&mut [[u8; 2]], &mut [u16], u32) + Sync {}
 
-impl<F: Fn(&mut [[u8; 2]], &mut [u16], u32) + Sync> Paint for F {}
+impl<F: Fn(&mut [[u8; 2]], &mut [u16], u32) + Sync> DrawRows for F {}
 
-/// A band's first row, and where its pixels go.
+/// A band's first row, and its pixels.
 type Band<'a> = (u32, &'a mut [[u8; 2]]);
 
-/// Draws bands one after the other, with one depth strip for all of them, as a core would.
-fn work(paint: &impl Paint, rows: u32, bands: Vec<Band<'_>>) {
+/// Draws bands one after the other, with one depth buffer for all of them, as a core would.
+fn work(draw: &impl DrawRows, rows: u32, bands: Vec<Band<'_>>) {
     let mut depth = vec![7; (WIDTH * rows) as usize];
     for (first, pixels) in bands {
         let depth = &mut depth[..pixels.len()];
-        paint(pixels, depth, first);
+        draw(pixels, depth, first);
     }
 }
 
-/// The bands of a frame on two threads that start together: every other band, and the upper half
-/// beside the lower.
-fn check(paint: &impl Paint) {
+/// The bands of a frame on two threads that start together: alternating bands, and the upper half beside the lower.
+fn check(draw: &impl DrawRows) {
     let mut frame = vec![[0; 2]; (WIDTH * HEIGHT) as usize];
     let mut depth = vec![0; frame.len()];
-    paint(&mut frame, &mut depth, 0);
+    draw(&mut frame, &mut depth, 0);
     assert!(
         frame.iter().any(|pixel| *pixel != frame[0]),
         "nothing drawn"
     );
 
-    // 37 does not divide the height: the last band is lower.
+    // 37 does not divide the height: the last band has fewer rows.
     for rows in [16, 37] {
         let count = HEIGHT.div_ceil(rows);
         let splits: [(&str, &dyn Fn(u32) -> bool); 2] = [
@@ -89,7 +87,7 @@ fn check(paint: &impl Paint) {
             ("halves", &|band| band < count / 2),
         ];
         for (name, is_first) in splits {
-            // Not what it was before: whatever is not drawn must show.
+            // Different from the earlier contents, so that an undrawn pixel shows.
             let mut pixels = vec![[0xa5, 0x5a]; frame.len()];
             let bands = (0..).zip(pixels.chunks_mut((WIDTH * rows) as usize));
             let (first, second): (Vec<_>, Vec<_>) = bands.partition(|(band, _)| is_first(*band));
@@ -100,7 +98,7 @@ fn check(paint: &impl Paint) {
                     let bands = bands.collect();
                     scope.spawn(|| {
                         start.wait();
-                        work(paint, rows, bands);
+                        work(draw, rows, bands);
                     });
                 }
             });
@@ -158,7 +156,7 @@ fn flat_without_depth() {
     });
 }
 
-/// Lines and points have no triangle's rows to go by.
+/// Lines and points are not drawn row by row.
 #[test]
 fn lines_and_points_without_depth() {
     let mvp = scenes::sphere_chain(0).unwrap();

@@ -1,4 +1,4 @@
-//! A mesh's edges over the mesh itself: none of them has gaps where the mesh is drawn behind them.
+//! A mesh's edges drawn over the mesh itself: no edge has gaps where the mesh is behind it.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use fixel::prelude::*;
@@ -16,9 +16,9 @@ static BOX: Mesh = shape!(cuboid(vec3!(1, 0.7, 0.4)));
 static BALL: Mesh = shape!(sphere(9, 6));
 static CAN: Mesh = shape!(cylinder(7));
 
-/// The edges of a convex mesh with a face beside them that the eye sees.
+/// The edges of a convex mesh that have a face visible from the eye.
 ///
-/// A face next to edge-on may be seen or not, as corners are rounded: it does not count.
+/// A face nearly edge-on may be visible or not, because corners are rounded: it does not count.
 fn visible_edges(
     mesh: &Mesh,
     from_eye: impl Fn([f64; 3]) -> [f64; 3],
@@ -79,14 +79,14 @@ fn picture(pixels: &[Gray8]) -> String {
     rows.map(row).collect()
 }
 
-/// Pixels of the visible edges, and those of them that are not drawn over the mesh.
+/// The number of pixels of the visible edges, and of those among them that are not drawn over the mesh.
 fn missing(drawn: &[Gray8], expected: &[Gray8]) -> [usize; 2] {
     let edge = expected.iter().filter(|&&color| color == EDGE).count();
     let missing = |&(a, b): &(&Gray8, &Gray8)| *b == EDGE && *a != EDGE;
     [edge, drawn.iter().zip(expected).filter(missing).count()]
 }
 
-/// A turn, with the mesh so far ahead.
+/// A turn, with the mesh at this distance.
 fn pose([x, y, z]: [u32; 3], distance: Scalar) -> Transform {
     Transform::translate(Vec3::new(fx!(0), fx!(0), -distance))
         * Transform::rotate_x(Angle::from_bits(x))
@@ -122,7 +122,7 @@ proptest! {
     }
 }
 
-/// Against the mesh in its own place, which hides pixels of its edges.
+/// In contrast: the mesh in its own place hides pixels of its edges.
 #[test]
 fn edges_over_a_mesh_in_its_place_have_gaps() {
     let pose = pose([200_000_000, 500_000_000, 0], fx!(2.5));
@@ -133,7 +133,7 @@ fn edges_over_a_mesh_in_its_place_have_gaps() {
     assert!(edge > 150 && gaps > 10, "{gaps} of {edge}");
     let drawn = over(&BOX, &mvp, Biased::behind(TestAndWrite));
     assert_eq!(missing(&drawn, &expected), [edge, 0]);
-    // The edges behind stay hidden but where they touch those before.
+    // The edges behind stay hidden, except where they touch those in front.
     let hidden = alone(&BOX, BOX.edges(), &mvp);
     assert!(missing(&drawn, &hidden)[1] > 30);
 }

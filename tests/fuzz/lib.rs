@@ -1,4 +1,4 @@
-//! What is fuzzed, and what of the crate's tests it needs.
+//! The checks that are fuzzed, and the parts of the crate's tests that they need.
 
 #[path = "../accuracy/bounds.rs"]
 pub mod bounds;

@@ -1,4 +1,4 @@
-//! A scene in every mode, or with a shader of the crate's.
+//! A scene in every mode, or with one of the crate's shaders.
 
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::mode::{self, Affine, Exact, Fast, Newton};
@@ -14,20 +14,20 @@ use super::ways::Call;
 use crate::mode::Mode;
 use crate::recorder::{Few, Record};
 
-/// Draws the scene that these bytes stand for, if constructors take its numbers, and checks all that must hold.
+/// Draws the scene that these bytes encode, if constructors accept its numbers, and checks all invariants.
 ///
 /// # Panics
 ///
-/// If something does not.
+/// If an invariant does not hold.
 pub fn check(bytes: &[u8]) {
     if let Ok(scene) = Scene::of(bytes) {
         let told = Told(&scene);
-        // What a constructor refuses is not drawn.
+        // A scene that a constructor refuses is not drawn.
         let _ = check_scene(told.0);
     }
 }
 
-/// A scene that is told if something does not hold.
+/// A scene that is printed if a check panics.
 struct Told<'a>(&'a Scene);
 
 impl Drop for Told<'_> {
@@ -126,7 +126,7 @@ where
         };
         assert!(
             places(first) == places(&record),
-            "{mode:?}: other pixels or depths"
+            "{mode:?}: pixels or depths differ"
         );
     };
     check(Mode::Exact, checked(call, options.mode(Exact)));

@@ -1,4 +1,4 @@
-//! Where the f64 model has a triangle, and how far the crate may be from that.
+//! The f64 model's triangles, and bounds of the crate's deviation from them.
 
 use fixel::prelude::*;
 
@@ -10,15 +10,14 @@ use crate::reference::view::{Projected, View, Viewport as ModelViewport};
 /// Half the guard band's width in pixels.
 const GUARD: f64 = 2048.;
 
-/// Where a triangle's corners are, and how far the crate may be from that: errors are those of
-/// tests/accuracy/mvps.rs.
+/// The corners of a triangle, and the bounds of the crate's errors; the bounds are those of tests/accuracy/mvps.rs.
 pub struct Knowledge {
     pub view: View,
     pub at: [Projected; 3],
     /// The largest of the coefficients of x and y in pixels and of depth, which has the guard band's scale: clip
-    /// coordinates have a common exponent.
+    /// coordinates share an exponent.
     scale: f64,
-    /// By how much each corner's clip coordinates may be off, in units of a distance times the scale.
+    /// The bound of the error of each corner's clip coordinates, in units of a distance times the scale.
     errors: [f64; 3],
 }
 
@@ -48,7 +47,7 @@ impl Knowledge {
         let scale = pixels(0, window.width())
             .max(pixels(1, window.height()))
             .max(of_depth);
-        // A projection' own offset counts as a way too.
+        // A projection's own offset counts as a distance too.
         let offset = if parallel {
             projection.near.abs().max(projection.far.abs()).max(1.)
         } else {
@@ -66,13 +65,13 @@ impl Knowledge {
         self.view.projection.kind == Kind::Parallel
     }
 
-    /// By how much a corner's distance may be off, or its depth in parts of all depths.
+    /// The bound of the error of a corner's distance, or of its depth relative to the depth range.
     pub fn of_depth(&self, corner: usize) -> f64 {
         self.errors[corner] * self.scale / GUARD
     }
 
-    /// By how many pixels what clipping leaves may be off before it is rounded, wherever in the guard band: off the
-    /// middle an error of w is one of x.
+    /// The bound of the error in pixels of a clipped outline, before rounding, anywhere in the guard band: away from
+    /// the middle an error of w causes one of x.
     pub fn of_place(&self) -> f64 {
         let most = self.errors.into_iter().fold(0., f64::max);
         let nearest = if self.is_parallel() {
@@ -83,10 +82,10 @@ impl Knowledge {
         2. * most * self.scale / nearest
     }
 
-    /// The planes that leave what is ahead from `near` to `far` times the distances of the projection' own planes.
+    /// The planes that keep distances from `near` to `far` times those of the projection's own planes.
     ///
-    /// z = a·w − b, where a = (f + n)/(f − n) and b = 2fn/(f − n), is above −k·w from the distance n′ on if
-    /// k = b/n′ − a.
+    /// z = a·w − b, where a = (f + n)/(f − n) and b = 2fn/(f − n), is above −k·w beyond the distance n′ if k = b/n′ −
+    /// a.
     pub fn planes(&self, near: f64, far: f64) -> [Plane; 2] {
         let Lens {
             near: n, far: f, ..

@@ -1,21 +1,21 @@
-//! What is fuzzed: bytes to an input, the input to the crate, and what must hold of what comes of it.
+//! The fuzzed checks: from bytes to an input, from the input to the crate, and the invariants of the result.
 //!
-//! The fuzz targets in tests/fuzz call [`draw`] and [`obj`] with bytes that libFuzzer makes up; tests/accuracy/replay.rs calls
-//! them with those that were worth keeping. A mistake is a panic.
+//! The fuzz targets in tests/fuzz call [`draw`] and [`obj`] with bytes from libFuzzer; tests/accuracy/replay.rs calls
+//! them with inputs that were worth keeping. An error is a panic.
 //!
 //! | file | idea |
 //! |---|---|
 //! | `numbers` | numbers of every magnitude |
-//! | `scene` | a draw call: mesh, mvp, canvas, and what is drawn how |
-//! | `projection` | projections, and the model's of the same numbers |
-//! | `steps` | mvps of transforms, and the model's |
-//! | `draw` | a scene in every mode, and with a shader of the crate |
-//! | `shaders` | a shader that shows every bit |
+//! | `scene` | a draw call: mesh, mvp, canvas, and options |
+//! | `projection` | projections, by the crate and by the model |
+//! | `steps` | products of transforms, by the crate and by the model |
+//! | `draw` | a scene in every mode, and with one of the crate's shaders |
+//! | `shaders` | a shader whose color depends on every bit |
 //! | `shades` | the crate's shaders |
 //! | `ways` | a draw call in bands, prepared, as bytes and twice |
-//! | `knowledge` | where the f64 model has a triangle, and how well that is known |
-//! | `model` | the pixels against the f64 model |
-//! | `obj` | OBJ text, of any bytes or nearly right |
+//! | `knowledge` | the f64 model's triangles, and bounds of their error |
+//! | `model` | the pixels, compared with the f64 model |
+//! | `obj` | OBJ text of arbitrary bytes, or almost correct |
 
 pub mod draw;
 pub mod knowledge;

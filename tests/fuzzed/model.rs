@@ -1,7 +1,7 @@
-//! The pixels of triangles against the f64 model.
+//! Compares the pixels of triangles with the f64 model.
 //!
-//! Where all corners of a triangle are in view, which pixels it covers follows from where the crate says that its
-//! corners are, exactly, whatever its numbers. What it has at them is compared where the model knows its mvp.
+//! If all corners of a triangle are visible, the pixels it covers follow exactly from the corners that the crate
+//! reports, whatever its numbers. The values at these pixels are compared where the model knows the mvp.
 
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::prelude::{Canvas, Cull, DrawOptions, Vec3};
@@ -19,17 +19,17 @@ use crate::reference::raster::{Mesh, Piece, pieces_clipped};
 
 /// The depth ratio within a triangle up to which the promise holds.
 const MOST_RATIO: f64 = 128.;
-/// The relative error of a distance up to which what comes of it is compared: here a corner that is off by so much
-/// is still where the model has it, but for a pixel's thousandth.
+/// The relative error of a distance up to which its consequences are compared: with this error, a corner is still
+/// within a thousandth of a pixel of the model's.
 const MOST_ERROR: f64 = 1. / 65536.;
-/// The same of a depth.
+/// The same for a depth.
 const MOST_DEPTH_ERROR: f64 = 4.;
-/// What the reciprocals of a depth, of the near plane and the scale of 65536 are off by, 2⁻³⁰ each.
+/// The error of the reciprocals of a depth and of the near plane and of the scale of 65536, 2⁻³⁰ each.
 const DEPTH_SCALE: f64 = 65536. / (1 << 28) as f64;
 
-/// What is known of a scene's triangles.
+/// The known triangles of a scene.
 pub struct Truth {
-    /// By their places in the mesh, those whose corners are all in view.
+    /// The triangles whose corners are all visible, by their index in the mesh.
     whole: Vec<Option<Whole>>,
     /// The others, where the model knows enough of them.
     clipped: Vec<Option<Clipped>>,
@@ -43,15 +43,15 @@ struct Whole {
     ahead: Option<Ahead>,
 }
 
-/// How far ahead the corners of a triangle are.
+/// The distances of a triangle's corners.
 #[derive(Clone, Copy)]
 struct Ahead {
     parallel: bool,
     w: [f64; 3],
     depth: [f64; 3],
-    /// How much of itself a w may be off by.
+    /// The bound of the relative error of w.
     w_error: f64,
-    /// How much a depth may be off by, before it is rounded down.
+    /// The bound of a depth's error, before it is rounded down.
     depth_error: f64,
 }
 
@@ -102,9 +102,9 @@ impl Truth {
         }
     }
 
-    /// Compares what was seen in a mode.
+    /// Compares the pixels recorded in a mode.
     pub fn check<const N: usize>(&self, mode: Mode, record: &Record<N, Rgb565>) {
-        // A face's pixels come one after the other.
+        // The pixels of a face are consecutive.
         let mut faces = record.seen.chunk_by(|a, b| a.face == b.face).peekable();
         for (face, whole) in self.whole.iter().enumerate() {
             let seen = faces
@@ -113,7 +113,7 @@ impl Truth {
             let mut pixels: Vec<[i32; 2]> = seen.iter().map(|seen| seen.pixel).collect();
             pixels.sort_unstable_by_key(|&[x, y]| (y, x));
             let once = pixels.windows(2).all(|pair| pair[0] != pair[1]);
-            assert!(once, "{mode:?}: a pixel twice in triangle {face}");
+            assert!(once, "{mode:?}: a pixel is drawn twice in triangle {face}");
             if let Some(clipped) = &self.clipped[face] {
                 clipped.check(mode, self.window, &pixels);
             }
@@ -174,7 +174,7 @@ impl Ahead {
                     let error = (f64::from(got) - model.attributes[k]).abs();
                     assert!(
                         error <= bound,
-                        "{mode:?}: {corners:?} at {:?} on {screen:?} gives {got} at {:?}, not {}: off by {error}, over {bound}",
+                        "{mode:?}: {corners:?} at {:?} on {screen:?} gives {got} at {:?}, not {}: an error of {error}, over {bound}",
                         self.w,
                         seen.pixel,
                         model.attributes[k],
@@ -185,10 +185,10 @@ impl Ahead {
         }
     }
 
-    /// By how much a value moves if each w is off.
+    /// How far a value may move if each w has an error.
     ///
-    /// A w that is off by ε of itself moves the weights of the corners by up to 2ε/(1 − ε) of themselves, and the
-    /// value by that of what corners differ by.
+    /// If each w has a relative error of ε, the barycentric weights change by a relative 2ε/(1 − ε), and the value by
+    /// that part of its range over the corners.
     fn moved(&self, corners: [i32; 3]) -> f64 {
         let [a, b, c] = corners;
         let spread = a.max(b).max(c).abs_diff(a.min(b).min(c));
@@ -208,7 +208,7 @@ impl Ahead {
 }
 
 impl Knowledge {
-    /// How far ahead the corners are, unless that is known too badly or their distances are too different.
+    /// The distances of the corners; `None` if their errors or their ratio are too large.
     fn ahead(&self) -> Option<Ahead> {
         let most = |of: &dyn Fn(usize) -> f64| of(0).max(of(1)).max(of(2));
         let w = self.at.map(|at| at.w);
@@ -231,21 +231,21 @@ impl Knowledge {
     }
 }
 
-/// What is left of a triangle that is cut.
+/// The visible part of a triangle that is clipped.
 struct Clipped {
-    /// All that must be drawn, but for what is next to its outline, and all that may be.
+    /// The pixels that must be drawn, except those next to its outline, and the pixels that may be.
     inner: Vec<Piece<0>>,
     outer: Vec<Piece<0>>,
-    /// How far off the outline may be, in pixels.
+    /// The bound of the outline's error, in pixels.
     margin: f64,
 }
 
-/// What a corner is off by at most, and a little: it is rounded to 1/512 pixel along each axis.
+/// The bound of a corner's error, and a little more: it is rounded to 1/512 pixel along each axis.
 const SNAP: f64 = 1. / 256.;
-/// The most that it may be off by otherwise for a triangle to be compared.
+/// The largest other error with which a triangle is compared.
 const MOST_MOVED: f64 = 1. / 64.;
-/// What is so close to the near or the far plane, in parts of their distance, may be drawn or not: the crate's are off
-/// by 2⁻¹⁶ and an error.
+/// A pixel this close to the near or the far plane, relative to its distance, may be drawn or not: the crate's planes
+/// deviate by 2⁻¹⁶ and an error.
 const CLOSE: f64 = 1.01;
 
 impl Clipped {

@@ -1,4 +1,4 @@
-//! Numbers of every magnitude, with a liking for the ends of a format and for small ones on a grid.
+//! Numbers of every magnitude, preferably the ends of a format and small ones on a grid.
 
 use arbitrary::{Result, Unstructured};
 use fixel::prelude::*;
@@ -20,7 +20,7 @@ pub fn bits(u: &mut Unstructured<'_>) -> Result<i32> {
         0 => u.arbitrary()?,
         1 => u.arbitrary::<i32>()? >> u.int_in_range(0..=31)?,
         2 => *u.choose(&ENDS)?,
-        // ±8 in 16.16, on a grid on which some are alike and some in line.
+        // ±8 in 16.16, on a grid, so that some are equal and some in line.
         3 => i32::from(u.arbitrary::<i8>()?) << 12,
         _ => i32::from(u.arbitrary::<i16>()?) << 4,
     })
@@ -40,7 +40,7 @@ fn small(u: &mut Unstructured<'_>) -> Result<i32> {
     Ok(i32::from(u.arbitrary::<i16>()?) << 4)
 }
 
-/// Mostly about the origin.
+/// Mostly around the origin.
 pub fn vector(u: &mut Unstructured<'_>) -> Result<Vec3> {
     Ok(Vec3::from_bits(if u.ratio(1, 8)? {
         [bits(u)?, bits(u)?, bits(u)?]
@@ -59,7 +59,7 @@ pub fn factors(u: &mut Unstructured<'_>) -> Result<Vec3> {
 }
 
 pub fn tex_coords(u: &mut Unstructured<'_>) -> Result<Vec2> {
-    // 16.16's units are a sixteenth of a texture coordinate's: some are within a repeat or two.
+    // A unit of 16.16 is a sixteenth of a texture coordinate's: some are within a repeat or two.
     Ok(Vec2::from_bits([bits(u)?, bits(u)?]))
 }
 
@@ -67,12 +67,12 @@ pub fn angle(u: &mut Unstructured<'_>) -> Result<Angle> {
     Ok(if u.arbitrary()? {
         Angle::from_bits(u.arbitrary()?)
     } else {
-        // 32nds of a turn, and so right angles.
+        // 32nds of a turn, among them right angles.
         Angle::from_bits(u32::from(u.arbitrary::<u8>()?) << 27)
     })
 }
 
-/// Up to `most` of something.
+/// A list of up to `most` values.
 pub fn list<T>(
     u: &mut Unstructured<'_>,
     most: usize,
@@ -82,7 +82,7 @@ pub fn list<T>(
     few(u, count, one)
 }
 
-/// So many of something.
+/// A list of a few values.
 pub fn few<T>(
     u: &mut Unstructured<'_>,
     count: usize,
@@ -91,7 +91,7 @@ pub fn few<T>(
     (0..count).map(|_| one(u)).collect()
 }
 
-/// Something or nothing.
+/// A value or none.
 pub fn option<T>(
     u: &mut Unstructured<'_>,
     one: impl FnOnce(&mut Unstructured<'_>) -> Result<T>,

@@ -1,18 +1,18 @@
-//! OBJ text of any bytes, or as it is written but for mistakes.
+//! OBJ text of arbitrary bytes, or plausible text with mistakes.
 
 use arbitrary::{Result, Unstructured};
 use embedded_graphics::pixelcolor::Rgb888;
 use fixel::mesh::{Buffers, Counts, obj};
 use fixel::prelude::*;
 
-/// Reads the text that these bytes stand for, and checks what comes of it.
+/// Reads the text that these bytes encode, and checks the result.
 ///
 /// # Panics
 ///
-/// If something does not hold.
+/// If an invariant does not hold.
 pub fn check(bytes: &[u8]) {
     match bytes.split_first() {
-        // As it is.
+        // The bytes themselves.
         Some((b'=', text)) => check_text(text),
         // Statements by number.
         _ => {
@@ -23,7 +23,7 @@ pub fn check(bytes: &[u8]) {
     }
 }
 
-/// A mesh that owns what it was read into.
+/// A mesh that owns its lists.
 #[derive(Debug, PartialEq)]
 struct Owned {
     counts: Counts,
@@ -52,7 +52,7 @@ impl Owned {
         }
     }
 
-    /// Reads text, for which `counts` elements are known to be enough.
+    /// Reads text into lists with room for `counts` elements.
     fn read(text: &[u8], counts: Counts) -> Result<Self, Error> {
         let mut owned = Self::new(counts);
         let mesh = obj::parse(
@@ -81,7 +81,7 @@ impl Owned {
         Ok(owned)
     }
 
-    /// Every index names something, every edge is there once, and in order.
+    /// Every index is in range, and edges are sorted, each once.
     fn check(&self) {
         let below = |index: u16, list: usize| usize::from(index) < list;
         let or_none = |index: u16, list: usize| index == Mesh::NO_VALUE || below(index, list);
@@ -102,11 +102,11 @@ impl Owned {
     }
 }
 
-/// What a text is read as, and by how much room is known to be enough.
+/// Counts and reads a text, and checks both results.
 fn check_text(text: &[u8]) {
     let counted = obj::count(text);
     let room = obj::import::room(text.len());
-    // While compiling, a text is read once, into lists of as much room.
+    // As at compile time: the text is read once, into lists with room for any text of this length.
     let read = Owned::read(text, room);
     match (&counted, &read) {
         (Ok(counts), Ok(mesh)) => {
@@ -120,7 +120,7 @@ fn check_text(text: &[u8]) {
         (Err(error), Err(other)) => {
             assert_eq!(error, other);
             let Error::Obj { line, problem, .. } = *error else {
-                panic!("{error} is no mistake of a text");
+                panic!("{error} is not an error of OBJ text");
             };
             let lines = lines(text);
             assert!((1..=lines).contains(&line), "line {line} of {lines}");
@@ -132,7 +132,7 @@ fn check_text(text: &[u8]) {
     check_line_ends(text, &read);
 }
 
-/// What there is no room for is left out, and the rest the same.
+/// Lists that the caller does not supply stay empty, and the rest does not change.
 fn check_parts(text: &[u8], mesh: &Owned) {
     let (mut positions, mut faces) = (mesh.positions.clone(), mesh.faces.clone());
     positions.fill(Vec3::X);
@@ -149,7 +149,7 @@ fn check_parts(text: &[u8], mesh: &Owned) {
     }
 }
 
-/// How lines end does not matter.
+/// The kind of line end does not matter.
 fn check_line_ends(text: &[u8], read: &Result<Owned, Error>) {
     if text.contains(&b'\r') {
         return;
@@ -166,7 +166,7 @@ fn check_line_ends(text: &[u8], read: &Result<Owned, Error>) {
     }
 }
 
-/// Lines of a text, the last of which may be empty; they end in LF, CR or both.
+/// The number of lines, of which the last may be empty; they end in LF, CR or both.
 fn lines(text: &[u8]) -> usize {
     let ends = (0..text.len()).filter(|&at| match text[at] {
         b'\n' => at == 0 || text[at - 1] != b'\r',
@@ -205,7 +205,7 @@ fn text(u: &mut Unstructured<'_>) -> Result<Vec<u8>> {
     Ok(text)
 }
 
-/// A statement of one of so many words.
+/// A statement with one of these words.
 fn words(
     u: &mut Unstructured<'_>,
     text: &mut Vec<u8>,
@@ -251,7 +251,7 @@ fn number(u: &mut Unstructured<'_>, text: &mut Vec<u8>) -> Result<()> {
         1 => format!("{}e{}", u.arbitrary::<i32>()?, u.int_in_range(-12..=6)?),
         2 => format!("{:e}", f32::from_bits(u.arbitrary()?)),
         3 => f64::from(u.arbitrary::<f32>()?).to_string(),
-        // A half of a unit, where it is rounded one way or the other.
+        // Half a unit, which decides the rounding.
         4 => (f64::from(u.arbitrary::<i32>()?) / 131_072.).to_string(),
         5 | 6 => (f64::from(u.arbitrary::<u8>()?) / 255.).to_string(),
         _ => u.arbitrary::<i8>()?.to_string(),

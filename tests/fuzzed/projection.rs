@@ -1,4 +1,4 @@
-//! Projections of any numbers, and the model's of the same.
+//! Projections of arbitrary numbers, by the crate and by the model.
 
 use arbitrary::{Result, Unstructured};
 use fixel::prelude::*;
@@ -8,7 +8,7 @@ use super::numbers::{angle, scalar, size};
 use crate::moves::radians;
 use crate::reference::projection::{self, Lens as Model};
 
-/// What a projection is made of.
+/// The numbers of a projection.
 #[derive(Clone, Copy, Debug)]
 pub enum Lens {
     Perspective(Angle, Option<Scalar>, [Scalar; 2]),
@@ -26,7 +26,7 @@ pub enum Projected {
     Parallel(Projection<Parallel>),
 }
 
-/// Left, right, bottom, top, near and far: of any numbers, or those of a view of what is about the origin.
+/// Left, right, bottom, top, near and far: arbitrary, or those of a view around the origin.
 fn six(u: &mut Unstructured<'_>) -> Result<[Scalar; 6]> {
     if u.ratio(1, 2)? {
         let [l, r, b, t] = u
@@ -74,14 +74,14 @@ impl Lens {
             1 => Self::Orthographic(six(u)?),
             2 => Self::Oblique(angle(u)?, scalar(u)?, six(u)?),
             3 => Self::Focal(size(u)?, planes(u)?),
-            // Pixels that are as many as those of a small canvas.
+            // As many pixels as a small canvas has.
             4 => Self::Focal(Scalar::from_num(u.int_in_range(1..=200_u8)?), planes(u)?),
             5 => Self::Perspective(field_of_view(u)?, Some(scalar(u)?), planes(u)?),
             _ => Self::Perspective(field_of_view(u)?, None, planes(u)?),
         })
     }
 
-    /// The crate's, if it takes these numbers.
+    /// The crate's projection, if it accepts these numbers.
     pub fn projection(self, frame: (u32, u32)) -> Result<Projected, Error> {
         Ok(match self {
             Self::Perspective(fov, aspect, [near, far]) => Projected::Perspective(match aspect {
@@ -103,7 +103,7 @@ impl Lens {
         })
     }
 
-    /// The model's, of numbers that the crate took.
+    /// The model's projection, of numbers that the crate accepted.
     pub fn model(self, frame: (u32, u32)) -> Model {
         let exact = |numbers: [Scalar; 6]| numbers.map(Scalar::to_num::<f64>);
         match self {
@@ -127,7 +127,8 @@ impl Lens {
             }
             Self::Oblique(angle, ratio, edges) => {
                 let [l, r, b, t, n, f] = exact(edges);
-                // The crate's leaves the near plane in place, the model's the plane through the eye.
+                // The crate's projection leaves the near plane in place; the model's leaves the plane through the eye
+                // in place.
                 let (angle, ratio) = (radians(angle), ratio.to_num::<f64>());
                 let (x, y) = (n * ratio * angle.cos(), n * ratio * angle.sin());
                 projection::oblique(angle, ratio, (l + x, r + x, b + y, t + y), n, f)

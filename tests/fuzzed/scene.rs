@@ -1,4 +1,4 @@
-//! A draw call made of bytes.
+//! A draw call made from bytes.
 
 use arbitrary::{Result, Unstructured};
 use embedded_graphics::pixelcolor::Rgb888;
@@ -9,7 +9,7 @@ use super::projection::Lens;
 use super::shades::Shade;
 use super::steps::{Eye, Steps};
 
-/// Most positions and most triangles of a mesh.
+/// The most positions and the most triangles of a mesh.
 const MOST: usize = 10;
 
 /// The values of an attribute, with faces of their own or without.
@@ -44,13 +44,13 @@ impl<T> Attribute<T> {
     }
 }
 
-/// Indices of what is there.
+/// Indices in range.
 fn indices<const K: usize>(u: &mut Unstructured<'_>, count: usize) -> Result<[u16; K]> {
     let indices = u.arbitrary::<[u8; K]>()?;
     Ok(indices.map(|index| u16::from(index) % u16::try_from(count.max(1)).unwrap()))
 }
 
-/// Those of an attribute, some of which have no value.
+/// Indices of an attribute, some of which stand for no value.
 fn corners(u: &mut Unstructured<'_>, count: usize) -> Result<[u16; 3]> {
     Ok(if u.ratio(1, 8)? {
         let [a, b, _] = indices(u, count)?;
@@ -60,7 +60,7 @@ fn corners(u: &mut Unstructured<'_>, count: usize) -> Result<[u16; 3]> {
     })
 }
 
-/// What of a mesh is drawn.
+/// The elements of a mesh that are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum What {
     Triangles,
@@ -84,21 +84,21 @@ pub struct Scene {
     pub size: (u32, u32),
     pub viewport: Option<[i32; 4]>,
     pub cull: Cull,
-    /// Rows of bands, over and over.
+    /// Rows of bands, repeated.
     pub bands: Vec<u8>,
     pub what: What,
     pub shade: Shade,
-    /// Of mode `Fast`, in texels.
+    /// Tolerance of mode `Fast`, in texels.
     pub tolerance: Scalar,
-    /// What is in the depth buffer, in the upper and in the lower half.
+    /// The contents of the depth buffer, in the upper and in the lower half.
     pub depths: [u16; 2],
 }
 
 impl Scene {
-    /// The scene that these bytes stand for.
+    /// The scene that these bytes encode.
     pub fn of(bytes: &[u8]) -> Result<Self> {
         let u = &mut Unstructured::new(bytes);
-        // What says most about a picture comes first.
+        // The parts that affect a picture most come first.
         let what = *u.choose(&[
             What::Triangles,
             What::Triangles,
@@ -153,7 +153,7 @@ impl Scene {
         })
     }
 
-    /// The mesh, if its indices are of what is there.
+    /// The mesh, if its indices are in range.
     pub fn mesh(&self) -> Result<Mesh<'_>, Error> {
         let mut mesh = Mesh::new(&self.positions, &self.faces)?.with_edges(&self.edges)?;
         if let Some(uvs) = &self.uvs {
@@ -168,7 +168,7 @@ impl Scene {
         Ok(mesh)
     }
 
-    /// How it is drawn but for the mode, if there is such a viewport.
+    /// The draw options without the mode, if the viewport is possible.
     pub fn options(&self) -> Result<DrawOptions, Error> {
         let options = DrawOptions::new().cull(self.cull);
         Ok(match self.viewport {
@@ -177,7 +177,7 @@ impl Scene {
         })
     }
 
-    /// The viewport, which is the whole canvas if none is given.
+    /// The viewport; the whole canvas if none is given.
     pub fn window(&self) -> Result<Viewport, Error> {
         match self.viewport {
             None => Viewport::new(0, 0, self.size.0, self.size.1),
@@ -193,7 +193,7 @@ impl Scene {
     }
 }
 
-/// About the canvas, or anywhere and of any size.
+/// Around the canvas, or anywhere and of any size.
 fn viewport(u: &mut Unstructured<'_>, (width, height): (u32, u32)) -> Result<[i32; 4]> {
     let (width, height) = (width.cast_signed(), height.cast_signed());
     Ok(match u.int_in_range(0..=3)? {

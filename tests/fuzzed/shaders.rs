@@ -1,13 +1,13 @@
-//! A shader that shows what it is given.
+//! A shader whose color shows its input.
 
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::prelude::*;
 
 use crate::recorder::{Coordinates, Few};
 
-/// Every bit of up to three values, mixed into the color; some pixels are left out.
+/// The color depends on every bit of up to three values; some pixels are not drawn.
 ///
-/// The first two are texture coordinates, as wide as they come, the third jumps from end to end of its format.
+/// The first two are texture coordinates over their whole range; the third jumps from end to end of its format.
 #[derive(Clone, Copy, Debug)]
 pub struct Bits<const N: usize>;
 

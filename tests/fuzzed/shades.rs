@@ -1,4 +1,4 @@
-//! The crate's shaders, one chosen by number.
+//! The crate's shaders, selected by number.
 
 use arbitrary::{Result, Unstructured};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
@@ -6,10 +6,10 @@ use fixel::prelude::*;
 
 use super::numbers::{option, scalar, vector};
 
-/// A shader of the crate's, or the one that shows every bit.
+/// A shader of the crate's, or the one whose color shows every bit.
 #[derive(Clone, Debug)]
 pub enum Shade {
-    /// With so many values.
+    /// The number of its values.
     Bits(u8),
     Crate {
         which: u8,
@@ -19,7 +19,7 @@ pub enum Shade {
     },
 }
 
-/// What a light is made of.
+/// The numbers of a light.
 #[derive(Clone, Copy, Debug)]
 pub struct Shine {
     direction: Vec3,
@@ -28,7 +28,7 @@ pub struct Shine {
     two_sided: bool,
 }
 
-/// How many shaders [`draw`](Shade::draw) knows.
+/// The number of shaders that [`draw`](Shade::draw) knows.
 const FRAGMENTS: u8 = 24;
 
 impl Shade {
@@ -55,7 +55,7 @@ impl Shade {
 }
 
 impl Shine {
-    /// The light, if there is one of such numbers.
+    /// The light, if these numbers make one.
     pub fn light(self) -> Result<Light, Error> {
         let light = Light::new(self.direction, self.ambient, self.diffuse)?;
         Ok(if self.two_sided {
@@ -66,12 +66,12 @@ impl Shine {
     }
 }
 
-/// What is done with a shader, whichever it is.
+/// Work to be done with any shader.
 pub trait Draw {
     fn draw<F: Shader<Color = Rgb565>>(self, shader: &F);
 }
 
-/// Texels that differ from all about them.
+/// Texels that all differ from their neighbors.
 const fn texels<const W: usize, const H: usize>() -> [[Rgb565; W]; H] {
     let mut texels = [[Rgb565::new(0, 0, 0); W]; H];
     let mut row = 0;
@@ -90,7 +90,7 @@ const fn texels<const W: usize, const H: usize>() -> [[Rgb565; W]; H] {
 static ONE: [[Rgb565; 1]; 1] = texels();
 static SMALL: [[Rgb565; 4]; 2] = texels();
 static LARGE: [[Rgb565; 64]; 128] = texels();
-/// As wide as a texture can be.
+/// The largest width of a texture.
 static WIDE: [[Rgb565; 32_768]; 1] = texels();
 static INDICES: PaletteArray<Rgb565, 4, 2> = PaletteArray::new(
     &[0, 1, 2, 3, 2, 1, 0, 200],
@@ -101,7 +101,7 @@ static INDICES: PaletteArray<Rgb565, 4, 2> = PaletteArray::new(
     ],
 );
 
-/// Draws with a shader of the crate's.
+/// Draws with one of the crate's shaders.
 pub fn draw(which: u8, light: Light, color: Rgb888, [far, near]: [u16; 2], then: impl Draw) {
     let faces = [Rgb565::new(31, 0, 0), color.into(), Rgb565::new(0, 0, 31)];
     let (small, large) = (Textured::new(&SMALL), Textured::new(&LARGE));
@@ -133,12 +133,12 @@ pub fn draw(which: u8, light: Light, color: Rgb888, [far, near]: [u16; 2], then:
     }
 }
 
-/// A shader's colors, each turned into one of the canvas's.
+/// A shader with its colors converted to the canvas's.
 fn wide(shader: impl Shader<Color = Rgb888>) -> impl Shader<Color = Rgb565> {
     shader.map(|_, color| Some(color.into()))
 }
 
-/// The same of a shader of few grays.
+/// The same for a shader of few grays.
 fn wide_gray(shader: impl Shader<Color: Into<Rgb888>>) -> impl Shader<Color = Rgb888> {
     shader.map(|_, color| Some(color.into()))
 }

@@ -1,4 +1,4 @@
-//! Chains of transforms.
+//! Products of transforms.
 
 use arbitrary::{Result, Unstructured};
 use fixel::prelude::*;
@@ -6,14 +6,14 @@ use fixel::prelude::*;
 use super::numbers::{angle, factors, few, scalar, vector};
 use crate::moves::Move;
 
-/// A step of a mvp of transforms.
+/// A factor in a product of transforms.
 #[derive(Clone, Copy, Debug)]
 pub enum Step {
-    /// What the model follows.
+    /// A transform that acts after the ones before.
     Move(Move),
     Uniform(Scalar),
     Rotate(Vec3, Angle),
-    /// All before it the other way round.
+    /// The inverse of all before it.
     Inverse,
     Renormalized,
 }
@@ -37,7 +37,7 @@ impl Step {
         match self {
             Self::Move(step) => before * step.transform(),
             Self::Uniform(factor) => before * Transform::scale(factor),
-            // About no axis there is no rotation.
+            // A zero axis gives no rotation.
             Self::Rotate(axis, angle) => match Transform::rotate(axis, angle) {
                 Ok(rotation) => before * rotation,
                 Err(_) => before,
@@ -66,7 +66,7 @@ impl Steps {
         transform
     }
 
-    /// The steps as the model takes them, if it can.
+    /// The steps as f64 matrices, if the model supports them.
     pub fn moves(&self) -> Option<Vec<Move>> {
         let known = |step: &Step| match step {
             Step::Move(step) => Some(*step),
@@ -76,12 +76,12 @@ impl Steps {
     }
 }
 
-/// Where the eye is.
+/// The camera's place.
 #[derive(Clone, Debug)]
 pub enum Eye {
     AtOrigin,
     View(Steps),
-    Pose(Steps),
+    Placed(Steps),
     LookAt([Vec3; 3]),
     Trimetric(Vec3, Scalar, [Angle; 2]),
 }
@@ -90,11 +90,11 @@ impl Eye {
     pub fn arbitrary(u: &mut Unstructured<'_>) -> Result<Self> {
         Ok(match u.int_in_range(0..=7)? {
             0 => Self::View(Steps::arbitrary(u)?),
-            1 => Self::Pose(Steps::arbitrary(u)?),
+            1 => Self::Placed(Steps::arbitrary(u)?),
             2 => Self::LookAt([vector(u)?, vector(u)?, vector(u)?]),
             3 => Self::Trimetric(vector(u)?, scalar(u)?, [angle(u)?, angle(u)?]),
             4 => Self::AtOrigin,
-            // Up to 16 back, so that what is about the origin is seen.
+            // Up to 16 back, to see the surroundings of the origin.
             _ => {
                 let distance = i32::from(u.arbitrary::<u8>()?) << 12;
                 let back = Vec3::from_bits([0, 0, -distance]);
@@ -108,7 +108,7 @@ impl Eye {
         match self {
             Self::AtOrigin => Ok(Camera::from_view(Transform::IDENTITY)),
             Self::View(steps) => Ok(Camera::from_view(steps.transform())),
-            Self::Pose(steps) => Ok(Camera::at_pose(steps.transform())),
+            Self::Placed(steps) => Ok(Camera::at_pose(steps.transform())),
             &Self::LookAt([eye, target, up]) => Camera::look_at(eye, target, up),
             &Self::Trimetric(target, distance, [turn, tilt]) => {
                 Ok(Camera::trimetric(target, distance, turn, tilt))
@@ -116,7 +116,7 @@ impl Eye {
         }
     }
 
-    /// Its steps as the model takes them, if it can.
+    /// The camera's steps as f64 matrices, if the model supports them.
     pub fn moves(&self) -> Option<Vec<Move>> {
         match self {
             Self::AtOrigin => Some(Vec::new()),

@@ -1,4 +1,5 @@
-//! One draw call in every way that must come to the same: with depth and without, twice, in bands, as bytes, prepared.
+//! One draw call in all ways that must give the same picture: with depth and without, twice, in bands, as bytes,
+//! prepared.
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
@@ -11,7 +12,7 @@ use fixel::{Drawn, Prepared};
 use super::scene::{Scene, What};
 use crate::recorder::{Record, Seen, record};
 
-/// A scene that could be made.
+/// A scene whose parts were accepted.
 #[derive(Clone, Copy, Debug)]
 pub struct Call<'a, K> {
     pub scene: &'a Scene,
@@ -27,10 +28,10 @@ struct Picture {
     depths: Vec<u16>,
 }
 
-/// What is there before anything is drawn.
+/// The contents before drawing.
 const BACKGROUND: Rgb565 = Rgb565::new(1, 2, 3);
 
-/// Room for what clipping makes of so few triangles.
+/// Room for all pieces that clipping makes of so few triangles.
 type List = TriangleList<16, 200>;
 
 impl<K: ProjectionKind> Call<'_, K> {
@@ -56,7 +57,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         drawn
     }
 
-    /// Every pixel that a shader is asked for where nothing hides another.
+    /// Every pixel that a shader is asked for without a depth buffer.
     pub fn record<I, F, const N: usize>(
         &self,
         options: &DrawOptions<I>,
@@ -73,7 +74,7 @@ impl<K: ProjectionKind> Call<'_, K> {
             self.draw(&mut canvas, options, recorder);
         });
 
-        // The last color at a place is what shows, and where there is none nothing was touched.
+        // The last color at each position must show; positions without one must be unchanged.
         let mut expected = vec![BACKGROUND; colors.len()];
         for seen in &record.seen {
             if let Some(color) = seen.color {
@@ -84,7 +85,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         record
     }
 
-    /// Where a pixel is in memory; it must lie within canvas and viewport.
+    /// The index of a pixel in memory; the pixel must lie within canvas and viewport.
     fn index(&self, [x, y]: [i32; 2]) -> usize {
         let (width, height) = self.scene.size;
         let window = &self.window;
@@ -115,7 +116,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         }
     }
 
-    /// Checks all ways, and tells what was seen.
+    /// Checks all ways, and returns the recorded pixels.
     pub fn check<I, F, const N: usize>(
         &self,
         options: &DrawOptions<I>,
@@ -128,12 +129,12 @@ impl<K: ProjectionKind> Call<'_, K> {
         let record = self.record(options, *shader);
         let expected = self.depth_test(options, *shader, &record.seen);
 
-        // Without looking on, and once more over itself: of equal depths the later wins, again.
+        // Without recording, and once more over itself: of equal depths the later one shows again.
         let mut frame = self.blank();
         let mut counts = Vec::new();
         for _ in 0..2 {
             let drawn = self.on_frame(&mut frame, |canvas| self.draw(canvas, options, shader));
-            assert!(frame == expected, "what is not looked on differs");
+            assert!(frame == expected, "the picture without recording differs");
             counts.push(drawn);
         }
         assert_eq!(counts[0], counts[1]);
@@ -146,7 +147,8 @@ impl<K: ProjectionKind> Call<'_, K> {
         record
     }
 
-    /// Draws with depths and checks that of what is `seen` without them just what is not hidden is drawn.
+    /// Draws with depths, and checks that exactly those of the pixels `seen` without depths are drawn that are not
+    /// hidden.
     fn depth_test<I, F, const N: usize>(
         &self,
         options: &DrawOptions<I>,
@@ -174,12 +176,15 @@ impl<K: ProjectionKind> Call<'_, K> {
         let record = record(shader, |recorder| {
             self.on_frame(&mut frame, |canvas| self.draw(canvas, options, recorder));
         });
-        assert!(record.seen == visible, "other pixels with depth");
-        assert!(frame == expected, "what is drawn is not what was seen");
+        assert!(record.seen == visible, "pixels differ with depth");
+        assert!(
+            frame == expected,
+            "the picture differs from the recorded pixels"
+        );
         expected
     }
 
-    /// Triangles that were prepared, in a frame and in bands.
+    /// Draws prepared triangles, in a frame and in bands.
     fn check_prepared<I, F>(
         &self,
         options: &DrawOptions<I>,
@@ -197,7 +202,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         let mut frame = self.blank();
         let counts = self.on_frame(&mut frame, |canvas| canvas.draw_prepared(&prepared, shader));
         assert!(frame == *expected, "prepared triangles differ");
-        // A triangle that is clipped to nothing asks for what it lacks only where it is not prepared.
+        // A triangle that clipping removes reports missing attributes only if it is not prepared.
         let missing = drawn.missing;
         assert_eq!(Drawn { missing, ..counts }, drawn);
         let bands = self.in_bands(|band| band.draw_prepared(&prepared, shader));
@@ -239,7 +244,7 @@ impl<K: ProjectionKind> Call<'_, K> {
     fn in_bands<T>(&self, mut draw: impl FnMut(&mut Frame<'_>) -> T) -> Picture {
         let mut picture = self.blank();
         let (width, height) = self.scene.size;
-        // Many bands take long and tell little.
+        // Many bands take long and find little.
         let least = height.div_ceil(12);
         let mut heights = self.scene.bands.iter().cycle();
         let (mut colors, mut depths) = (&mut picture.colors[..], &mut picture.depths[..]);

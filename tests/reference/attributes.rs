@@ -1,4 +1,4 @@
-//! Perspective-correct values at a point of a triangle, and how they change from pixel to pixel.
+//! Perspective-correct values at a point of a triangle, and their change from pixel to pixel.
 //!
 //! 1/w and attribute/w are linear on the screen. With the weights λᵢ of the
 //! corners, linear in x and y, N = Σ λᵢ aᵢ/wᵢ and D = Σ λᵢ/wᵢ, the attribute is a = N/D, and by the
@@ -8,7 +8,7 @@ use super::coverage::{Corners, Snapped, area2, area2_f64, center, center_snapped
 
 /// Barycentric weights of a triangle's corners at a point; their sum is 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Weights {
+pub struct Barycentric {
     /// The weights; negative for a corner whose opposite edge is between it and the point.
     pub value: [f64; 3],
     /// Change per pixel to the right.
@@ -17,24 +17,24 @@ pub struct Weights {
     pub dy: [f64; 3],
 }
 
-/// Weights at a point; `None` for a triangle without area.
-pub fn weights(t: &Corners, p: [f64; 2]) -> Option<Weights> {
+/// Barycentric weights at a point; `None` for a triangle without area.
+pub fn weights(t: &Corners, p: [f64; 2]) -> Option<Barycentric> {
     let area = area2_f64(t);
     if area == 0. || !area.is_finite() {
         return None;
     }
     let next = |i: usize| t[(i + 1) % 3];
     let after = |i: usize| t[(i + 2) % 3];
-    Some(Weights {
+    Some(Barycentric {
         value: std::array::from_fn(|i| area2_f64(&[next(i), after(i), p]) / area),
         dx: std::array::from_fn(|i| (next(i)[1] - after(i)[1]) / area),
         dy: std::array::from_fn(|i| (after(i)[0] - next(i)[0]) / area),
     })
 }
 
-/// Weights at a pixel's center for snapped corners (24.8), from exact integers: each is the quotient
+/// Barycentric weights at a pixel's center for snapped corners (24.8), from exact integers: each is the quotient
 /// of two integers, rounded three times.
-pub fn weights_snapped(t: Snapped, pixel: [i32; 2]) -> Option<Weights> {
+pub fn weights_snapped(t: Snapped, pixel: [i32; 2]) -> Option<Barycentric> {
     let area = area2(t);
     if area == 0 {
         return None;
@@ -44,14 +44,14 @@ pub fn weights_snapped(t: Snapped, pixel: [i32; 2]) -> Option<Weights> {
     let after = |i: usize| t[(i + 2) % 3];
     // A difference of coordinates over an area is per 1/256 pixel.
     let per_pixel = |a: i32, b: i32| (f64::from(a) - f64::from(b)) * 256. / area as f64;
-    Some(Weights {
+    Some(Barycentric {
         value: std::array::from_fn(|i| edge(next(i), after(i), p) as f64 / area as f64),
         dx: std::array::from_fn(|i| per_pixel(next(i)[1], after(i)[1])),
         dy: std::array::from_fn(|i| per_pixel(after(i)[0], next(i)[0])),
     })
 }
 
-/// What a triangle has at a point.
+/// The values of a triangle at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Value<const N: usize> {
     /// Homogeneous w.
@@ -68,10 +68,10 @@ pub struct Value<const N: usize> {
 
 /// The perspective-correct value for given weights; `w` and `attributes` are the corners'.
 ///
-/// Where all w are equal this is plain linear interpolation. Outside the triangle 1/w may reach 0,
-/// and the value means nothing from there on.
+/// If all w are equal, this is linear interpolation. Outside the triangle 1/w may reach 0; beyond that point the
+/// value has no meaning.
 pub fn interpolate<const N: usize>(
-    weights: &Weights,
+    weights: &Barycentric,
     w: [f64; 3],
     attributes: &[[f64; N]; 3],
 ) -> Value<N> {

@@ -23,7 +23,7 @@ pub const DEPTH_PLANES: [Plane; 2] = [NEAR, FAR];
 /// All six planes of the view volume.
 pub const ALL_PLANES: [Plane; 6] = [NEAR, FAR, LEFT, RIGHT, BOTTOM, TOP];
 
-/// A vertex in clip space with what it carries.
+/// A vertex in clip space with its values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ClipVertex<const N: usize> {
     /// Clip space.
@@ -39,8 +39,8 @@ pub fn side(plane: &Plane, position: &Vec4) -> f64 {
     plane.iter().zip(position).map(|(a, b)| a * b).sum()
 }
 
-/// The point where an edge meets a plane, always worked from the inside end to the outside end, so
-/// that two polygons sharing the edge get the same bits.
+/// The point where an edge meets a plane, always computed from the inside end to the outside end, so that two
+/// polygons sharing the edge get the same bits.
 fn cut<const N: usize>(
     inside: &ClipVertex<N>,
     outside: &ClipVertex<N>,
@@ -59,7 +59,7 @@ fn cut<const N: usize>(
     }
 }
 
-/// The part of a convex polygon that is inside all `planes`, winding kept; empty if nothing is.
+/// The part of a convex polygon inside all `planes`, with its winding; empty if there is none.
 pub fn polygon<const N: usize>(vertices: &[ClipVertex<N>], planes: &[Plane]) -> Vec<ClipVertex<N>> {
     let mut inside = vertices.to_vec();
     for plane in planes {
@@ -81,7 +81,7 @@ pub fn polygon<const N: usize>(vertices: &[ClipVertex<N>], planes: &[Plane]) -> 
     inside
 }
 
-/// The part of a segment that is inside all `planes`; `None` if nothing is.
+/// The part of a segment inside all `planes`; `None` if there is none.
 pub fn segment<const N: usize>(
     ends: [ClipVertex<N>; 2],
     planes: &[Plane],
@@ -101,7 +101,7 @@ pub fn segment<const N: usize>(
     Some([start, end])
 }
 
-/// A convex polygon as triangles that all start at its first vertex, winding kept.
+/// A convex polygon as triangles that all start at its first vertex, with its winding.
 pub fn fan<const N: usize>(polygon: &[ClipVertex<N>]) -> Vec<[ClipVertex<N>; 3]> {
     (1..polygon.len().max(2) - 1)
         .map(|i| [polygon[0], polygon[i], polygon[i + 1]])

@@ -1,8 +1,8 @@
-//! Which pixel centers a triangle covers, by half-spaces and the top-left rule.
+//! The pixel centers that a triangle covers, by half-spaces and the top-left rule.
 //!
-//! A center is covered when it is inside all three edges; a center exactly on an edge is covered
-//! when the edge is a top edge (horizontal, the triangle below it) or a left edge (the triangle to
-//! its right). Every center is tested by itself, so nothing can accumulate.
+//! A center is covered if it is inside all three edges. A center exactly on an edge is covered if the edge is a top
+//! edge (horizontal, with the triangle below it) or a left edge (with the triangle to its right). Every center is
+//! tested on its own, so no error can accumulate.
 
 /// Corners on the screen in 24.8 (1/256 pixel), x right and y down.
 pub type Snapped = [[i32; 2]; 3];
@@ -34,7 +34,7 @@ impl Bounds {
         }
     }
 
-    /// What two rectangles share; empty (right ≤ left or bottom ≤ top) if nothing.
+    /// The intersection of two rectangles; empty (right ≤ left or bottom ≤ top) if they do not overlap.
     pub fn intersect(self, other: Self) -> Self {
         Self {
             left: self.left.max(other.left),
@@ -49,7 +49,7 @@ impl Bounds {
         let range = |axis: usize| {
             let low = corners.iter().map(|c| c[axis]).fold(f64::MAX, f64::min);
             let high = corners.iter().map(|c| c[axis]).fold(f64::MIN, f64::max);
-            // `as` saturates, and one pixel more on each side spares the care about ties.
+            // `as` saturates; one more pixel on each side makes ties irrelevant.
             let low = (low - margin).floor() as i32;
             let high = (high + margin).ceil() as i32;
             (low.saturating_sub(1), high.saturating_add(1))
@@ -155,8 +155,8 @@ pub fn covered(t: Snapped, width: u32, height: u32) -> impl Iterator<Item = [i32
     covered_in(t, Bounds::new(width, height))
 }
 
-/// How many of the triangles cover each pixel, in row order: 1 throughout the interior of a mesh
-/// whose triangles adjoin, whatever its vertices.
+/// How many of the triangles cover each pixel, in row order: 1 throughout the interior of a mesh whose triangles
+/// adjoin, whatever its vertices.
 pub fn counts(triangles: &[Snapped], width: u32, height: u32) -> Vec<u32> {
     let mut counts = vec![0; width as usize * height as usize];
     for &triangle in triangles {

@@ -1,4 +1,4 @@
-//! From a point to a segment or a triangle on the screen, in pixels.
+//! Distances from a point to a segment or a triangle on the screen, in pixels.
 
 use super::coverage::{Corners, area2_f64};
 

@@ -9,7 +9,7 @@ pub type Vec4 = [f64; 4];
 /// Four rows; a column vector stands on the right: `M · v`.
 pub type Matrix = [[f64; 4]; 4];
 
-/// The matrix that changes nothing.
+/// The identity matrix.
 pub const IDENTITY: Matrix = [
     [1., 0., 0., 0.],
     [0., 1., 0., 0.],
@@ -54,7 +54,7 @@ pub fn multiply(a: &Matrix, b: &Matrix) -> Matrix {
     })
 }
 
-/// The product of all, as written: the last one acts first. `IDENTITY` for none.
+/// The product of all matrices in the order written: the last one acts first. `IDENTITY` for none.
 pub fn product(matrices: &[Matrix]) -> Matrix {
     matrices
         .iter()
@@ -175,7 +175,7 @@ pub fn look_at(eye: Vec3, target: Vec3, up: Vec3) -> Option<Matrix> {
     Some([row(i), row(j), row(k), [0., 0., 0., 1.]])
 }
 
-/// Rows become columns.
+/// The transpose.
 pub fn transpose(m: &Matrix) -> Matrix {
     std::array::from_fn(|row| std::array::from_fn(|column| m[column][row]))
 }

@@ -47,10 +47,10 @@ pub struct Line<const N: usize> {
     pub attributes: [[f64; N]; 2],
 }
 
-/// What a line has at a fraction of its way on the screen.
+/// The values of a line at a fraction of its way on the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineValue<const N: usize> {
-    /// Place in pixels.
+    /// Position in pixels.
     pub screen: [f64; 2],
     /// Homogeneous w.
     pub w: f64,
@@ -92,8 +92,8 @@ impl<const N: usize> Line<N> {
         }
     }
 
-    /// The fraction where the line, made endless, has this x (axis 0) or y (axis 1) in pixels:
-    /// for lines drawn by column or by row. Infinite or no number where it never has.
+    /// The fraction where the line, extended to infinity, has this x (axis 0) or y (axis 1) in pixels, for lines
+    /// drawn by column or by row. Infinite or not a number if it never has.
     pub fn fraction_at(&self, axis: usize, at: f64) -> f64 {
         let [start, end] = self.screen.map(|point| point[axis]);
         (at - start) / (end - start)

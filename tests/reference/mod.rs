@@ -1,20 +1,20 @@
-//! The whole rendering mvp in f64, written from the mathematics and sharing no code with the crate.
+//! The whole rendering pipeline in f64, written from the mathematics and sharing no code with the crate.
 //!
-//! It is the judge of the integer mvp, so each part takes the plainest textbook form rather than
-//! a fast one, and parts whose answer is exact (coverage of snapped vertices) are exact integers.
+//! It judges the integer pipeline. So each part takes the plainest textbook form rather than a fast one, and parts
+//! whose answer is exact (coverage of snapped vertices) are computed in exact integers.
 //!
-//! Conventions: column vectors, matrices as rows, right-handed, the eye at the origin looking down
-//! −z with y up; angles in radians; screen coordinates in pixels, y down, pixel (0, 0) having its
-//! center at (½, ½); snapped coordinates in 24.8, that is in 1/256 pixel.
+//! Conventions: column vectors, matrices as rows, right-handed, the eye at the origin looking down −z with y up;
+//! angles in radians; screen coordinates in pixels, y down, with the center of pixel (0, 0) at (½, ½); snapped
+//! coordinates in 24.8, that is in 1/256 pixel.
 //!
 //! | file | idea |
 //! |---|---|
 //! | `linear` | vectors and 4x4 matrices |
 //! | `projection` | projections; distance ahead and depth |
-//! | `view` | from a position to a place on the screen |
+//! | `view` | from a position in space to one on the screen |
 //! | `clip` | polygons and segments against planes in homogeneous coordinates |
-//! | `coverage` | which pixel centers a triangle covers |
-//! | `distance` | from a point to a segment or a triangle on the screen |
+//! | `coverage` | the pixel centers that a triangle covers |
+//! | `distance` | distances from a point to a segment or a triangle on the screen |
 //! | `silhouette` | how far a point is inside or outside a union of triangles |
 //! | `attributes` | perspective-correct values and their gradients at a point |
 //! | `raster` | a mesh to a picture: every surface at every pixel |
@@ -22,7 +22,7 @@
 //! | `scenes` | the measured scenes |
 //! | `texture` | a texture's color between its texels |
 
-// Each test binary includes the model and uses a part of it.
+// Each test binary includes the model and uses part of it.
 #![allow(dead_code)]
 // The formulas keep the names that they have in textbooks, and f64 holds every integer used here.
 #![allow(clippy::many_single_char_names, clippy::similar_names)]

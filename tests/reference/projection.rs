@@ -1,11 +1,11 @@
-//! Lenses: eye space to clip space, and what becomes of distance.
+//! Projections from eye space to clip space, and the depth of a distance.
 
 use super::linear::{IDENTITY, Matrix, Vec3, Vec4, multiply};
 
 /// Depth as stored at the near plane.
 pub const DEPTH_MAX: f64 = 65535.;
 
-/// How rays run, and so how depth falls.
+/// The direction of rays, which determines how depth falls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Through the eye; homogeneous w is the distance ahead.
@@ -51,7 +51,7 @@ impl Lens {
         }
     }
 
-    /// The distance ahead that has this depth: the inverse of [`depth`](Self::depth).
+    /// The distance with this depth: the inverse of [`depth`](Self::depth).
     pub fn distance_at_depth(&self, depth: f64) -> f64 {
         match self.kind {
             Kind::Perspective => DEPTH_MAX * self.near / depth,
@@ -60,7 +60,7 @@ impl Lens {
     }
 }
 
-/// Off-center perspective, as OpenGL has it; the edges are those of the window on the near plane.
+/// Off-center perspective, as in OpenGL; the edges are those of the window on the near plane.
 pub fn frustum(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Lens {
     Lens {
         matrix: [
@@ -112,10 +112,10 @@ pub fn orthographic(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Lens {
     }
 }
 
-/// Parallel rays askew: an orthographic view after a shear that leaves the plane z = 0 in place.
+/// Oblique parallel rays: an orthographic view after a shear that leaves the plane z = 0 in place.
 ///
-/// What lies d ahead is moved by d·ratio towards `angle` (radians, from +x towards +y, so that
-/// edges recede to the upper right for 0 < angle < π/2); distance ahead is not changed.
+/// A point at distance d moves by d·ratio towards `angle` (radians, from +x towards +y, so that edges recede to the
+/// upper right for 0 < angle < π/2); its distance does not change.
 pub fn oblique(angle: f64, ratio: f64, (l, r, b, t): (f64, f64, f64, f64), n: f64, f: f64) -> Lens {
     let mut shear = IDENTITY;
     shear[0][2] = -ratio * angle.cos();
@@ -153,7 +153,7 @@ pub fn project_on_plane(p: Vec3, n: f64) -> Option<[f64; 2]> {
     (p[2] != 0.).then(|| [-n * p[0] / p[2], -n * p[1] / p[2]])
 }
 
-/// Where lines of a direction meet on the plane at distance n; `None` for lines parallel to it.
+/// The point where lines of a direction meet on the plane at distance n; `None` for lines parallel to it.
 pub fn vanishing_point(direction: Vec3, n: f64) -> Option<[f64; 2]> {
     project_on_plane(direction, n)
 }

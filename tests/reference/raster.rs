@@ -1,8 +1,8 @@
 //! A mesh to a picture: every surface at every pixel, with its values.
 //!
-//! Two steps, so that a test may look or step in between: [`pieces`] projects, clips and culls;
-//! [`render`] evaluates each piece at each pixel. To judge a rasterizer apart from its rounding of
-//! vertices, give the pieces its own snapped corners: [`Piece::snap`].
+//! There are two steps, so that a test may inspect or modify the pieces in between: [`pieces`] projects, clips and
+//! culls; [`render`] evaluates each piece at each pixel. To judge a rasterizer apart from its rounding of vertices,
+//! give the pieces its own snapped corners: [`Piece::snap`].
 
 use super::attributes::{Value, at_pixel, at_pixel_snapped};
 use super::clip::{ClipVertex, DEPTH_PLANES, Plane, fan, polygon};
@@ -12,19 +12,19 @@ use super::linear::{Vec3, Vec4};
 use super::projection::Lens;
 use super::view::{View, Viewport, unsnap};
 
-/// Which faces are left out. Front faces run counter-clockwise as seen.
+/// The faces that are culled. Front faces run counter-clockwise as seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cull {
     /// None.
     Nothing,
-    /// Those that run clockwise.
+    /// Faces that run clockwise.
     Back,
-    /// Those that run counter-clockwise.
+    /// Faces that run counter-clockwise.
     Front,
 }
 
 impl Cull {
-    /// Whether a triangle is kept whose area has this sign (positive: clockwise on the screen).
+    /// Whether a triangle with this winding is kept.
     fn keeps(self, clockwise: bool) -> bool {
         match self {
             Cull::Nothing => true,
@@ -48,13 +48,13 @@ pub struct Mesh<'a, const N: usize> {
 /// A triangle on the screen: a face of the mesh, or a part of one that was clipped.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece<const N: usize> {
-    /// The face's place in the mesh.
+    /// The face's index in the mesh.
     pub face: usize,
     /// Each corner's position index; `None` for a corner that clipping made.
     pub sources: [Option<usize>; 3],
     /// Corners in clip space.
     pub clip: [Vec4; 3],
-    /// Corners in pixels: as projected, or where they were snapped to.
+    /// Corners in pixels: as projected, or after snapping.
     pub screen: Corners,
     /// Corners in 24.8, if they were snapped.
     pub snapped: Option<Snapped>,
@@ -67,7 +67,7 @@ pub struct Piece<const N: usize> {
 }
 
 impl<const N: usize> Piece<N> {
-    /// The piece with its corners where `snap` puts them, in 24.8; w, distance and attributes stay.
+    /// The piece with its corners snapped by `snap`, in 24.8; w, distance and attributes stay.
     pub fn snap(self, snap: impl Fn(Option<usize>, Vec4) -> [i32; 2]) -> Self {
         self.snapped_to(std::array::from_fn(|i| snap(self.sources[i], self.clip[i])))
     }
@@ -122,8 +122,8 @@ impl<const N: usize> Piece<N> {
     }
 }
 
-/// The mesh's triangles on the screen, clipped to the near and far planes and not yet culled; the
-/// sides of the view are left to [`render`]'s bounds.
+/// The mesh's triangles on the screen, clipped to the near and far planes and not yet culled; the bounds of
+/// [`render`] take care of the view's sides.
 pub fn pieces<const N: usize>(mesh: &Mesh<'_, N>, view: &View) -> Vec<Piece<N>> {
     pieces_clipped(mesh, view, &DEPTH_PLANES)
 }
@@ -159,7 +159,7 @@ pub fn pieces_clipped<const N: usize>(
     pieces
 }
 
-/// The pieces that a culling mode keeps; those without area go in any mode.
+/// The pieces that a culling mode keeps; pieces without area are dropped in any mode.
 pub fn culled<const N: usize>(mut pieces: Vec<Piece<N>>, cull: Cull) -> Vec<Piece<N>> {
     pieces.retain(|piece| piece.clockwise().is_some_and(|side| cull.keeps(side)));
     pieces
@@ -168,11 +168,11 @@ pub fn culled<const N: usize>(mut pieces: Vec<Piece<N>>, cull: Cull) -> Vec<Piec
 /// A surface at a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit<const N: usize> {
-    /// The face's place in the mesh.
+    /// The face's index in the mesh.
     pub face: usize,
-    /// The piece's place in the list that was rendered.
+    /// The piece's index in the list that was rendered.
     pub piece: usize,
-    /// How far the pixel's center is from the piece, in pixels; 0 if the piece covers it.
+    /// The distance of the pixel's center from the piece, in pixels; 0 if the piece covers it.
     pub gap: f64,
     /// Distance ahead of the eye.
     pub distance: f64,
@@ -182,7 +182,7 @@ pub struct Hit<const N: usize> {
     pub value: Value<N>,
 }
 
-/// Every surface at every pixel of the canvas, hidden ones too.
+/// Every surface at every pixel of the canvas, including hidden ones.
 #[derive(Clone, Debug)]
 pub struct Picture<const N: usize> {
     width: u32,
@@ -191,9 +191,9 @@ pub struct Picture<const N: usize> {
 
 /// Evaluates pieces at the pixels of a width x height canvas that are inside the viewport.
 ///
-/// `margin` is in pixels: 0 finds the pieces that cover a center; above 0 also those that pass
-/// within that distance, with their planes extended to the center. Such a neighbor is what a
-/// rounding of vertices by up to `margin` may put there instead.
+/// `margin` is in pixels. 0 finds the pieces that cover a center; a larger one also finds those within that distance,
+/// with their planes extended to the center. Rounding vertices by up to `margin` may put such a neighbor there
+/// instead.
 pub fn render<const N: usize>(
     pieces: &[Piece<N>],
     projection: &Lens,
@@ -224,7 +224,7 @@ pub fn render<const N: usize>(
             let (Some(value), Some(distance)) = (piece.at(pixel), piece.distance_at(pixel)) else {
                 continue;
             };
-            // A plane extended past its horizon.
+            // The plane is extended past its horizon.
             if !(value.w > 0. && value.w.is_finite()) {
                 continue;
             }
@@ -241,8 +241,8 @@ pub fn render<const N: usize>(
     Picture { width, hits }
 }
 
-/// Project, clip to near and far, cull, render: the unsnapped picture of a mesh in one call, on a
-/// canvas that just holds the viewport.
+/// Projects, clips to near and far, culls and renders: the unsnapped picture of a mesh in one call, on a canvas of
+/// the viewport's size.
 pub fn draw<const N: usize>(
     mesh: &Mesh<'_, N>,
     view: &View,
@@ -275,17 +275,17 @@ impl<const N: usize> Picture<N> {
         &self.hits[y as usize * self.width as usize + x as usize]
     }
 
-    /// The surface that shows: of those that cover the pixel the nearest, of equals the last drawn.
+    /// The visible surface: of those that cover the pixel the nearest, of equal ones the last drawn.
     pub fn nearest(&self, pixel: [i32; 2]) -> Option<&Hit<N>> {
         let covering = self.at(pixel).iter().filter(|hit| hit.gap == 0.);
         covering.max_by(|a, b| a.depth.total_cmp(&b.depth))
     }
 
-    /// Every surface that a depth buffer with a step of `step` may show: those, neighbors within
-    /// the margin too, at most `step` behind the nearest covering one; all if none covers.
+    /// Every surface that a depth buffer with a step of `step` may show: surfaces, including neighbors within the
+    /// margin, at most `step` behind the nearest covering one; all if none covers.
     ///
-    /// Where a surface ends within the margin, the one behind it may show as well: there (see
-    /// `Silhouette::contour_within`) take all of [`at`](Self::at).
+    /// If a surface ends within the margin, the one behind it may show as well: there (see
+    /// `Silhouette::contour_within`) use all of [`at`](Self::at).
     pub fn candidates(&self, pixel: [i32; 2], step: f64) -> impl Iterator<Item = &Hit<N>> {
         let least = self
             .nearest(pixel)

@@ -1,6 +1,6 @@
 //! The measured scenes: 320x240 pixels, focal length 200, near 0.25, far 100.
 //!
-//! Attributes are u and v, v down as a texture is stored.
+//! Attributes are u and v, with v running down as textures are stored.
 
 use std::f64::consts::{FRAC_PI_4, FRAC_PI_8, PI, TAU};
 
@@ -14,7 +14,7 @@ pub const SIZE: (u32, u32) = (320, 240);
 /// Poses of the cube and of the sphere.
 pub const POSES: u32 = 8;
 
-/// A mesh of its own with texture coordinates.
+/// A mesh that owns its lists, with texture coordinates.
 #[derive(Clone, Debug, Default)]
 pub struct Shape {
     /// Positions in model space.

@@ -1,22 +1,21 @@
-//! How far a point of the screen is inside or outside the union of many triangles.
+//! The distance of a point of the screen from the outline of a union of triangles, inside or outside.
 //!
-//! The union's outline is worked out exactly, up to f64 rounding. Its raw material are the *contour*
-//! edges: with each triangle on the left of its own edges, those whose opposite edge (same two
-//! places, other direction) no triangle has. On both sides of every other edge there is a triangle,
-//! so no other edge bounds the union. For the front faces of a closed mesh, contour edges are those
-//! between a front and a back face, and those that the near plane cut. A contour edge bounds the
-//! union only where no other triangle lies across it (the front of the mesh may hide it, or the
-//! back of a fold lie under it), and just that part is counted.
+//! The union's outline is exact, up to f64 rounding. It consists of parts of the *contour* edges. With each triangle
+//! on the left of its own edges, a contour edge is one whose opposite edge (same two ends, other direction) belongs
+//! to no triangle. Every other edge has triangles on both sides, so it does not bound the union. For the front faces
+//! of a closed mesh, contour edges lie between a front and a back face, or on the near plane. A contour edge bounds
+//! the union only where no other triangle lies across it (the front of the mesh may hide it, or the back of a fold
+//! lie under it), and only that part counts.
 //!
-//! Edges are recognised by the bits of their ends, so vertices that two triangles share must have
-//! been projected alike; an unshared twin, such as a T-junction, costs nothing but time.
+//! Edges are compared by the bits of their ends, so vertices that two triangles share must be projected identically.
+//! An edge whose twin is not shared, such as at a T-junction, costs only time.
 
 use std::collections::HashSet;
 
 use super::coverage::{Corners, area2_f64};
 use super::distance::{to_segment, to_triangle};
 
-/// Beyond this distance in pixels nothing is answered; the triangles of a tile are listed so far out.
+/// Distances beyond this one, in pixels, are not supported; the triangles of a tile are listed up to it.
 pub const REACH: f64 = 1.;
 
 /// Pixels along a tile.
@@ -25,15 +24,15 @@ const TILE: usize = 8;
 /// triangle rounding may put a point inside the union: far above f64 rounding at coordinates of
 /// thousands (1e-12), far below anything that shows.
 const ACROSS: f64 = 1e-9;
-/// A hole in the covering of an edge that is shorter than this, in pixels, is rounding.
+/// A gap in the covering of an edge that is shorter than this, in pixels, comes from rounding.
 const HOLE: f64 = 1e-7;
 
-/// Where a point is with respect to the union.
+/// The position of a point relative to the union.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
-    /// Inside, the outline being farther than the given distance.
+pub enum Position {
+    /// Inside, with the outline farther away than the given distance.
     Inside,
-    /// Outside, the outline being farther than the given distance.
+    /// Outside, with the outline farther away than the given distance.
     Outside,
     /// Within the given distance of the outline.
     Near,
@@ -63,7 +62,7 @@ impl Silhouette {
         let triangles: Vec<Corners> = triangles
             .iter()
             .filter_map(|t| {
-                // −0 and 0 are one place.
+                // −0 and 0 are the same position.
                 let [a, b, c] = t.map(|corner| corner.map(|x| x + 0.));
                 match area2_f64(&[a, b, c]) {
                     area if area > 0. => Some([a, b, c]),
@@ -103,12 +102,12 @@ impl Silhouette {
         }
     }
 
-    /// The place of a point of the picture, `d` being the distance in pixels from the outline that counts as near.
+    /// Classifies a point of the picture; the outline counts as near within `d` pixels.
     ///
     /// # Panics
     ///
     /// If `d` is over [`REACH`] or the point outside the picture.
-    pub fn classify(&self, p: [f64; 2], d: f64) -> Place {
+    pub fn classify(&self, p: [f64; 2], d: f64) -> Position {
         let tile = self.tile(p, d);
         let distance = tile
             .triangles
@@ -116,25 +115,25 @@ impl Silhouette {
             .map(|&i| to_triangle(&self.triangles[i], p))
             .fold(f64::MAX, f64::min);
         if distance > d {
-            Place::Outside
+            Position::Outside
         } else if distance > ACROSS
             || self
                 .contour_near(tile, p, d)
                 .any(|e| self.exposed(tile, e, p, d))
         {
-            Place::Near
+            Position::Near
         } else {
-            Place::Inside
+            Position::Inside
         }
     }
 
-    /// Whether a contour edge passes within `d` pixels, be it part of the outline or not.
+    /// Whether a contour edge passes within `d` pixels, whether it is part of the outline or not.
     ///
-    /// There a surface ends, and a rounding of its vertices may show what is behind it.
+    /// There a surface ends, and rounding its vertices may show the surface behind it.
     ///
     /// # Panics
     ///
-    /// As [`classify`](Self::classify).
+    /// As for [`classify`](Self::classify).
     pub fn contour_within(&self, p: [f64; 2], d: f64) -> bool {
         self.contour_near(self.tile(p, d), p, d).next().is_some()
     }
@@ -205,7 +204,7 @@ fn inside(
         // Distance inside this side is height + length along · slope.
         let height = (side[0] * (origin[1] - from[1]) - side[1] * (origin[0] - from[0])) / length;
         let slope = (side[0] * unit[1] - side[1] * unit[0]) / length;
-        // Parallel to within rounding: all of it is on one side.
+        // Parallel to within rounding: the line is on one side as a whole.
         if slope.abs() < 1e-14 {
             if height < 0. {
                 return None;
@@ -219,7 +218,7 @@ fn inside(
     (start < end).then_some((start, end))
 }
 
-/// The tiles whose pixels may be within [`REACH`] of the box about `points`.
+/// The tiles whose pixels may be within [`REACH`] of the box around `points`.
 fn tiles_around(points: &[[f64; 2]], columns: usize, rows: usize) -> Vec<usize> {
     let range = |axis: usize, count: usize| {
         let low = points.iter().map(|p| p[axis]).fold(f64::MAX, f64::min) - REACH;

@@ -1,20 +1,20 @@
-//! The color of a texture at a point, blended of the texels around.
+//! The color of a texture at a point, interpolated between the texels around it.
 //!
 //! Texel (i, j) has its center at (i + ½, j + ½) texels. Between centers the color is linear in u for given v, and
 //! in v for given u: f(u, v) = Σ tᵢⱼ · max(0, 1 − |u − i − ½|) · max(0, 1 − |v − j − ½|) over all texels
 //! of the endless plane that a wrap makes of the texture.
 
-/// What lies beyond a texture's edge.
+/// The addressing beyond a texture's edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wrap {
     /// The texture again.
     Repeat,
-    /// The nearest texel of the edge.
+    /// The nearest texel at the edge.
     Clamp,
 }
 
 impl Wrap {
-    /// The column or row of `size` that stands for any of the plane's.
+    /// The column or row of `size` that stands for one of the plane's.
     pub fn index(self, at: i64, size: usize) -> usize {
         let size = size as i64;
         let inside = match self {
@@ -30,7 +30,7 @@ impl Wrap {
 pub struct Blended {
     /// The value.
     pub value: f64,
-    /// The least of the texels that have a part in it, or touch it with a weight of 0.
+    /// The least of the texels that contribute to it, or touch it with a weight of 0.
     pub least: f64,
     /// The greatest of them.
     pub most: f64,

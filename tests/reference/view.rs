@@ -1,9 +1,9 @@
-//! From a position to a place on the screen.
+//! From a position in space to one on the screen.
 
 use super::linear::{Matrix, Vec3, Vec4, apply, apply_point, multiply};
 use super::projection::Lens;
 
-/// Where on the canvas the picture goes, in whole pixels; y down.
+/// The part of the canvas for the picture, in whole pixels; y down.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Viewport {
     /// Column of the left edge.
@@ -43,13 +43,13 @@ pub struct Projected {
     pub clip: Vec4,
     /// Pixels, y down; meaningless where w ≤ 0.
     pub screen: [f64; 2],
-    /// Homogeneous w: the distance ahead for perspective, 1 for parallel rays.
+    /// Homogeneous w: the distance under perspective, 1 for parallel rays.
     pub w: f64,
     /// Distance ahead of the eye.
     pub distance: f64,
 }
 
-/// All that lies between a mesh and the screen.
+/// All transforms between a mesh and the screen.
 #[derive(Clone, Copy, Debug)]
 pub struct View {
     /// Model space to eye space: camera · model.

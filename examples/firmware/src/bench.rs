@@ -1,4 +1,4 @@
-//! Draws a scene in a layout, and takes its figures.
+//! Draws a scene in a layout and measures it.
 
 use crc32fast::Hasher;
 use fixel::mode::Mode;
@@ -18,14 +18,14 @@ static COLORS: ConstStaticCell<[[u8; 2]; PIXELS]> = ConstStaticCell::new([[0; 2]
 static LISTS: ConstStaticCell<Lists> = ConstStaticCell::new(Lists::new());
 static DEPTHS: ConstStaticCell<[u16; PIXELS]> = ConstStaticCell::new([0; PIXELS]);
 
-/// How a picture is divided.
+/// How a picture is divided into bands.
 #[derive(Clone, Copy)]
 pub enum Layout {
-    /// Not at all.
+    /// One frame.
     Frame,
-    /// Strips, one after the other in the same memory; each transforms all of the models.
+    /// Bands drawn one after the other into the same memory; each band transforms all of the models.
     Bands,
-    /// Strips, of triangles that were transformed once.
+    /// Bands of triangles that were transformed once.
     Prepared,
 }
 
@@ -40,7 +40,7 @@ impl Layout {
         }
     }
 
-    /// Rows that are in memory at a time. A band takes 10 KiB of color and as much of depth.
+    /// Rows in memory at a time. A band takes 10 KiB of color and 10 KiB of depth.
     fn rows(self) -> u32 {
         match self {
             Self::Frame => HEIGHT,
@@ -49,22 +49,22 @@ impl Layout {
     }
 }
 
-/// What a picture took.
+/// The figures of a picture.
 #[derive(Default)]
 pub struct Figures {
     /// Pixels that the models cover.
     pub pixels: usize,
-    /// Triangles drawn; in bands, by each again.
+    /// Triangles drawn; a triangle counts once for each band it is in.
     pub triangles: u32,
-    /// Ticks of the clock around the drawing calls alone.
+    /// Ticks of the clock during the draw calls alone.
     pub ticks: u64,
-    /// The deepest stack of the drawing calls, in bytes.
+    /// The deepest stack of the draw calls, in bytes.
     pub stack: usize,
     /// CRC-32 of the pixels, row by row, the more significant byte first.
     pub crc: u32,
 }
 
-/// The memory that is drawn to, and the clock.
+/// The memory to draw into, and the clock.
 pub struct Bench {
     clock: Clock,
     colors: &'static mut [[u8; 2]; PIXELS],
@@ -73,7 +73,7 @@ pub struct Bench {
 }
 
 impl Bench {
-    /// Takes the memory: can be called once.
+    /// Takes the memory; can be called once.
     pub fn new(clock: Clock) -> Self {
         Self {
             clock,
@@ -123,18 +123,18 @@ impl Bench {
                 draw(scene, &models, &mut canvas, clock, &mut figures)?;
                 crc.update(canvas.as_bytes());
             } else {
-                // Again, and not measured, only to learn from the depths which pixels are covered.
+                // Draw once more, unmeasured, to count the covered pixels by their depths.
                 scene.background(&mut canvas);
                 models.draw(&mut canvas)?;
             }
-            // What is drawn is nearer than the far plane, and above 0.
+            // Covered pixels are nearer than the far plane, so their depth is above 0.
             figures.pixels += depths.iter().filter(|&&depth| depth > 0).count();
         }
         figures.crc = crc.finalize();
         Ok(figures)
     }
 
-    /// The checksum of a scene with a depth buffer, drawn in a way.
+    /// The checksum of a scene with a depth buffer, drawn in a given way.
     pub fn checksum(&mut self, way: Way) -> Result<u32, Error> {
         let Way { scene, rows, .. } = way;
         let (options, mvp) = (DrawOptions::new(), scene.mvp()?);
@@ -168,14 +168,14 @@ impl Bench {
 }
 
 impl Figures {
-    /// Adds what a piece of drawing took.
+    /// Adds the figures of one draw call.
     fn add(&mut self, ticks: u64, stack: usize) {
         self.ticks += ticks;
         self.stack = self.stack.max(stack);
     }
 }
 
-/// What a strip is drawn from.
+/// The models of a band: as meshes, or prepared.
 enum Models<'a, I> {
     Meshes(Scene, &'a DrawOptions<I>, &'a Mvp<Perspective>),
     Prepared(PreparedScene<'a, I>),
@@ -190,7 +190,7 @@ impl<I: Mode> Models<'_, I> {
     }
 }
 
-/// Draws a scene to a strip, and adds what the drawing took.
+/// Draws a scene into a band, and adds the figures of its draw calls.
 fn draw<I: Mode, D: DepthBuffer>(
     scene: Scene,
     models: &Models<'_, I>,

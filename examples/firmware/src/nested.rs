@@ -1,21 +1,22 @@
-//! The measured cube with a smaller one in it, its triangles in two orders.
+//! The measured cube with a smaller one inside it, its triangles in two orders.
 //!
-//! Depth alone keeps the inner one from showing, wherever it is drawn: backs are culled, and no two fronts that share a
-//! pixel are near each other, so that nowhere equal depths leave it to the order.
+//! Only the depth test hides the inner cube, whatever the order: back faces are culled, and front faces that share a
+//! pixel are far enough apart that their stored depths differ.
 
 use fixel::mesh::{Buffers, Counts, Shape};
 use fixel::prelude::*;
 
-/// From without to within.
+/// The outer cube, then the inner one.
 pub static INWARDS: Mesh = mesh(Mesh::new(&CUBES.positions, &CUBES.faces));
-/// The last first, and of positions of 16 bits, which are the same numbers and on Cortex-M0+ take a way of their own.
+/// The same in reverse order, with positions of 16 bits: the same numbers, which Cortex-M0+ transforms in a way of
+/// its own.
 pub static OUTWARDS: Mesh = mesh(Mesh::short(&SHORT.0, SHORT.1, &REVERSED));
 
 const SHAPES: [Result<Shape, Error>; 2] = [
     Shape::cuboid(vec3!(1, 1, 1)),
     Shape::cuboid(vec3!(0.5, 0.5, 0.5)),
 ];
-/// Of one cube.
+/// Counts of one cube.
 const COUNTS: Counts = match SHAPES[0] {
     Ok(cube) => cube.counts(),
     Err(_) => panic!("no cube"),
@@ -38,7 +39,7 @@ static CUBES: Cubes = {
     let (outer_faces, inner_faces) = cubes.faces.split_at_mut(COUNTS.faces);
     build(SHAPES[0], outer_positions, outer_uvs, outer_faces);
     build(SHAPES[1], inner_positions, inner_uvs, inner_faces);
-    // The inner cube's vertices come after the outer one's.
+    // The inner cube's vertices follow the outer one's.
     let mut at = 0;
     while at < COUNTS.faces {
         let [a, b, c] = inner_faces[at];

@@ -1,4 +1,4 @@
-//! Ways to a picture that must not show in it.
+//! Ways to draw a picture that must not change it.
 
 use core::fmt;
 
@@ -9,26 +9,27 @@ use super::scene::Scene;
 #[derive(Clone, Copy)]
 pub struct Way {
     pub scene: Scene,
-    /// Rows of a band; the last may have fewer.
+    /// Rows of a band; the last band may have fewer.
     pub rows: u32,
     pub repeat: Repeat,
     /// Whether the triangles are transformed once for all bands.
     pub is_prepared: bool,
 }
 
-/// How often a band is drawn.
+/// How often each band is drawn.
 #[derive(Clone, Copy)]
 pub enum Repeat {
     Once,
     /// Twice, cleared in between.
     Again,
-    /// Twice, the second time over the first: of what is at equal depths the last shows, and the last is the same.
+    /// Twice, the second time over the first. Of triangles at equal depths the last one shows, and it is the same one
+    /// both times.
     Over,
 }
 
 impl Way {
-    /// All of them. The lighthouse's triangles are not drawn in another order: where the sea meets the island, a few
-    /// pixels have equal depths, of which the last drawn shows.
+    /// All ways. The lighthouse's triangles are not drawn in another order: where the sea meets the island, a few
+    /// pixels have equal depths, and the last triangle shows.
     pub fn all() -> impl Iterator<Item = Self> {
         let whole = (HEIGHT, Repeat::Once);
         let bands = [1, 7, 16].map(|rows| (rows, Repeat::Once));

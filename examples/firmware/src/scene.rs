@@ -1,4 +1,5 @@
-//! What is drawn: the four measured scenes and the project's own, each in its first pose, and the cube with more in it.
+//! The scenes: the four measured ones and the project's own, each in its first pose, and the cube with another one
+//! inside.
 
 use embedded_graphics::pixelcolor::raw::BigEndian;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -22,14 +23,15 @@ pub enum Scene {
     Sphere,
     SphereFlat,
     Lighthouse,
-    /// The cube with one in it that depth hides, from without to within: the picture of the cube.
+    /// The cube with another one inside, which the depth test hides; the outer one is drawn first. Its picture is the
+    /// cube's.
     Inwards,
-    /// The same triangles, the last first, of short positions.
+    /// The same triangles in reverse order, with short positions.
     Outwards,
 }
 
 impl Scene {
-    /// Those that are measured.
+    /// The scenes that are measured.
     pub const ALL: [Self; 5] = [
         Self::Floor,
         Self::Cube,
@@ -38,7 +40,7 @@ impl Scene {
         Self::Lighthouse,
     ];
 
-    /// As the simulator knows it: what it draws by default, it does not name.
+    /// The scene's name in the simulator, which does not name its default scene.
     pub fn name(self) -> &'static str {
         match self {
             Self::Floor => "floor",
@@ -54,7 +56,7 @@ impl Scene {
         !matches!(self, Self::SphereFlat)
     }
 
-    /// Takes the scene's models to the picture.
+    /// The mvp of the scene's models.
     pub fn mvp(self) -> Result<Mvp<Perspective>, Error> {
         match self {
             Self::Floor => scenes::floor_chain(0),
@@ -67,7 +69,7 @@ impl Scene {
         }
     }
 
-    /// What is there before the models.
+    /// Fills the canvas with the scene's background.
     pub fn background<D: DepthBuffer>(self, canvas: &mut Target<'_, D>) {
         match self {
             Self::Lighthouse => lighthouse::sky(canvas),
@@ -75,7 +77,7 @@ impl Scene {
         }
     }
 
-    /// Draws the models, which is what is measured; returns how many triangles were drawn.
+    /// Draws the models; only this is measured. Returns the number of triangles drawn.
     pub fn draw<I: Mode, D: DepthBuffer>(
         self,
         canvas: &mut Target<'_, D>,
@@ -122,7 +124,7 @@ impl Scene {
         })
     }
 
-    /// What is written over the models.
+    /// Writes the scene's caption over the models.
     pub fn overlay<D: DepthBuffer>(self, canvas: &mut Target<'_, D>) {
         if let Self::Lighthouse = self {
             lighthouse::caption(canvas);
@@ -141,7 +143,7 @@ fn drawn_cubes<I: Mode, D: DepthBuffer>(
         .drawn
 }
 
-/// Memory for the prepared triangles of any of the scenes: 23 KiB.
+/// Memory for the prepared triangles of any scene: 23 KiB.
 pub struct Lists {
     model: TriangleList<640, 600>,
     /// Of the lighthouse alone.
@@ -157,7 +159,7 @@ impl Lists {
     }
 }
 
-/// A scene's models, ready for every band.
+/// A scene's models, prepared for every band.
 pub struct PreparedScene<'l, I> {
     scene: Scene,
     model: Prepared<'l, Perspective, I>,
@@ -165,7 +167,7 @@ pub struct PreparedScene<'l, I> {
 }
 
 impl<I: Mode> PreparedScene<'_, I> {
-    /// Draws what is in these rows; returns how many triangles were drawn.
+    /// Draws the rows of this canvas; returns the number of triangles drawn.
     pub fn draw<D: DepthBuffer>(&self, canvas: &mut Target<'_, D>) -> Result<u32, Error> {
         let Self { scene, model, sea } = self;
         let behind = match sea {

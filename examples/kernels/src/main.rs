@@ -1,17 +1,16 @@
-//! What the inner loops take on a microcontroller: a pixel in each mode, and the set-up of a triangle.
+//! The cost of the inner loops on a microcontroller: a pixel in each mode, and the set-up of a triangle.
 //!
-//! `cargo run --release -p kernels --target thumbv7em-none-eabi` runs it under QEMU, which counts
-//! instructions; on a chip it counts the core's cycles. The first line says which, and how many a tick is. Then
-//! a line for each kernel: in so many units (pixels or triangles) it took so many ticks, and so `each` took so
-//! many instructions or cycles.
+//! `cargo run --release -p kernels --target thumbv7em-none-eabi` runs it under QEMU, which counts instructions; on a
+//! chip it counts the core's cycles. The first line says which, and how many a tick has. Then follows a line for each
+//! kernel, with its units (pixels or triangles), the ticks they took, and the instructions or cycles of `each`.
 //!
-//! A pixel's share is the difference of two drawings of one triangle that covers the frame, of 64 rows: in a
-//! frame of 16 columns and in one of 48 (`unit=pixel`: within a run, so the inner loop alone), in one of 48 and
-//! in one of 240 (`unit=long-pixel`: each of 64 with its share of a run's start). A triangle's is that of two
-//! lists, prepared before, of which one has more of the same.
+//! The cost of a pixel is the difference between two drawings of one triangle that covers a frame of 64 rows.
+//! `unit=pixel` compares frames of 16 and 48 columns, which lie within one span: the inner loop alone.
+//! `unit=long-pixel` compares 48 and 240 columns: each of 64 pixels with its share of a span's start. The cost of a
+//! triangle is the difference between two prepared lists, of which one has more of the same triangles.
 //!
-//! RGB565 in the processor's order of bytes, the nearest texel of 64x64. `depth-pass` and `depth-fail` have a
-//! depth buffer in which all pixels are nearer or none is, the others have none.
+//! Pixels are RGB565 in the processor's byte order, with the nearest texel of 64x64. `depth-pass` and `depth-fail`
+//! have a depth buffer that lets all pixels pass or none; the other kernels have no depth buffer.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
@@ -61,7 +60,7 @@ mod firmware {
             watch.print(name, "triangle", triangles, ticks);
         }
 
-        // Within half a texel pieces of this wall have 16 pixels.
+        // Within half a texel, pieces of this wall have 16 pixels.
         let fast = Fast::within(fx!(0.5));
         let mut bench = Bench::new(watch);
         let length = pieces::length(&mut bench, fast)?;

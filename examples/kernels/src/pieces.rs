@@ -1,4 +1,4 @@
-//! How long the pieces of mode `Fast` are.
+//! Measures how long the pieces of mode `Fast` are.
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::{RawData, RawU16};
@@ -7,7 +7,7 @@ use fixel::prelude::*;
 
 use super::wall::Bench;
 
-/// A pixel's column of the texture in the place of its color: its lower 16 bits, of a texel.
+/// A shader whose color is the pixel's column of the texture: the lower 16 bits, in units of a texel's fraction.
 #[derive(Clone, Copy)]
 struct Column;
 
@@ -16,7 +16,7 @@ impl Shader for Column {
     type Varyings = [i32; 1];
 
     fn varyings(&self, primitive: &Primitive<'_>) -> [[i32; 1]; 3] {
-        // A repeat is 2^20, and 2^6 texels of 2^16.
+        // A repeat is 2^20, and also 2^6 texels of 2^16 each.
         primitive.corners(|corner| [corner.uv().x.to_bits() << 2])
     }
 
@@ -25,14 +25,15 @@ impl Shader for Column {
     }
 }
 
-/// Along a piece every pixel gains as much, but for the last: it gains what is missing to the next piece's
-/// start, up to a unit for each pixel. From a piece of the wall to the next the gain changes by more.
+/// The column gains the same at every pixel of a piece except the last, which gains the rest up to the next piece's
+/// start: a difference of up to a unit for each pixel. From one piece of the wall to the next, the gain changes by
+/// more.
 const ROUNDING: u16 = 64;
 
-/// Pixels of a row's first run but the last one, with which its last piece ends.
+/// Pixels of a row's first span, except the last one, at which its last piece ends.
 const RUN: usize = 63;
 
-/// Pixels of a row of the wall from one bend to the next, if all pieces are alike.
+/// Pixels of a row of the wall from one bend to the next, if all pieces have the same length.
 pub fn length(bench: &mut Bench, mode: Fast) -> Result<Option<usize>, Error> {
     let row = bench.row(mode, &Column)?;
     let columns = row
@@ -43,7 +44,7 @@ pub fn length(bench: &mut Bench, mode: Fast) -> Result<Option<usize>, Error> {
     let gains = gains.map(|(from, to)| to.wrapping_sub(from));
     let changes = gains.clone().zip(gains.skip(1));
     let changes = changes.map(|(before, after)| after.wrapping_sub(before).cast_signed());
-    // That at pixel 1 is the first.
+    // The first gain is the one at pixel 1.
     let bends = (1..)
         .zip(changes)
         .filter(|(_, change)| change.unsigned_abs() > ROUNDING);

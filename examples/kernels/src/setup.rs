@@ -1,4 +1,4 @@
-//! Triangles of which there is hardly anything to see.
+//! Triangles that cover at most one pixel, to measure their set-up.
 
 use core::hint::black_box;
 
@@ -7,16 +7,16 @@ use fixel::prelude::*;
 
 use super::ticks::Stopwatch;
 
-/// The triangles of the lists that are compared.
+/// Numbers of triangles in the two lists that are compared.
 const COUNTS: [usize; 2] = [32, 160];
 const FACES: [[u16; 3]; COUNTS[1]] = [[0, 1, 2]; COUNTS[1]];
 
 /// Pixels from the eye to the screen.
 const FOCAL: i32 = 4;
-/// Corners in sixteenths of a pixel from the only one's top left corner, and their distances: triangles of about 8x8
-/// pixels, as most are, of which the window has one or none.
+/// Corners in sixteenths of a pixel from the top left corner of the window's only pixel, and their distances:
+/// triangles of about 8x8 pixels, a usual size, of which the window shows one pixel or none.
 const COVERING: [([i32; 2], i32); 3] = [([-48, 3], 4), ([16, 128], 5), ([80, 5], 6)];
-/// The pixel's center is within its bounds, but outside.
+/// The pixel's center is inside the triangle's bounds, but outside the triangle.
 const MISSING: [([i32; 2], i32); 3] = [([-128, 3], 4), ([-128, 128], 5), ([14, 128], 6)];
 const PALETTE: [Rgb888; 3] = [
     Rgb888::new(255, 100, 0),
@@ -24,16 +24,17 @@ const PALETTE: [Rgb888; 3] = [
     Rgb888::new(100, 0, 255),
 ];
 
-/// What the window has of the triangles.
+/// The part of the triangles that the window shows.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// No pixel, but a pixel's center within their bounds.
+    /// No pixel, although a pixel's center is inside their bounds.
     Missing,
     /// One pixel.
     Covering,
 }
 
-/// Triangles with three attributes, and the ticks that they take from a list of prepared ones, in the default mode.
+/// Draws triangles with three attributes from a prepared list, in the default mode; returns their number and the
+/// ticks.
 pub fn measure(watch: &mut Stopwatch, kind: Kind) -> Result<(u32, u64), Error> {
     let [few, many] = COUNTS;
     let ticks = |watch: &mut Stopwatch, count: usize| draw(watch, kind, &FACES[..count]);
@@ -49,7 +50,7 @@ fn draw(watch: &mut Stopwatch, kind: Kind, faces: &[[u16; 3]]) -> Result<u64, Er
         Kind::Covering => COVERING,
     };
     let positions = corners.map(|([x, y], distance)| {
-        // From the pixel's center, which is the frame's.
+        // Relative to the pixel's center, which is the frame's center.
         let eye = |sixteenths: i32| Scalar::from_num(sixteenths * distance) / (16 * FOCAL);
         Vec3::new(eye(x - 8), eye(8 - y), -Scalar::from_num(distance))
     });

@@ -6,26 +6,26 @@ use semihosting::println;
 
 use super::board::{self, Clock};
 
-/// SysTick counts through 24 bits; nothing here takes that long.
+/// SysTick counts through 24 bits; no measurement here takes that long.
 const ROUND: u64 = 1 << 24;
 
-/// Takes the time of pieces of work.
+/// Measures the time of pieces of work.
 pub struct Stopwatch {
     clock: Clock,
     tick: Tick,
 }
 
-/// What a tick is.
+/// The unit of a tick.
 #[derive(Clone, Copy)]
 pub enum Tick {
-    /// So many instructions, under QEMU.
+    /// This many instructions, under QEMU.
     Instructions(u64),
-    /// A cycle of the core. It has no fewer cycles than instructions.
+    /// A cycle of the core. No core takes fewer cycles than instructions.
     Cycle,
 }
 
 impl Tick {
-    /// In instructions or cycles.
+    /// Instructions or cycles in a tick.
     fn size(self) -> u64 {
         match self {
             Self::Instructions(count) => count,
@@ -44,9 +44,9 @@ impl fmt::Display for Tick {
 }
 
 impl Stopwatch {
-    /// Learns what a tick of the clock is.
+    /// Determines the unit of the clock's ticks.
     pub fn new(mut clock: Clock) -> Self {
-        // Two instructions take more than two cycles, as one of them is a branch.
+        // On a chip, two instructions take more than two cycles, because one of them is a branch.
         let ((), ticks) = clock.time(|| board::instructions(1 << 16));
         let tick = if ticks % ROUND > (1 << 16) + (1 << 12) {
             Tick::Cycle
@@ -56,7 +56,7 @@ impl Stopwatch {
         Self { clock, tick }
     }
 
-    /// What a tick is.
+    /// Returns the unit of a tick.
     pub fn tick(&self) -> Tick {
         self.tick
     }
@@ -64,11 +64,11 @@ impl Stopwatch {
     /// Does `work`, which may fail; returns the ticks that it took.
     pub fn time<E>(&mut self, work: impl FnOnce() -> Result<(), E>) -> Result<u64, E> {
         let (result, ticks) = self.clock.time(work);
-        // A simulator may have no interrupt that counts the rounds of its timer.
+        // A simulator may not raise the interrupt that counts the timer's rounds.
         result.map(|()| ticks % ROUND)
     }
 
-    /// Prints what so many units of a kernel took.
+    /// Prints the ticks of a kernel for this number of units.
     pub fn print(&self, kernel: &str, unit: &str, units: u32, ticks: u64) {
         let hundredths = ticks * self.tick.size() * 100 / u64::from(units);
         let (each, part) = (hundredths / 100, hundredths % 100);

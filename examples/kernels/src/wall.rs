@@ -1,4 +1,4 @@
-//! A triangle that covers the frame, however wide that is.
+//! A triangle that covers the frame, however wide the frame is.
 
 use core::hint::black_box;
 
@@ -11,7 +11,7 @@ use static_cell::ConstStaticCell;
 
 use super::ticks::Stopwatch;
 
-/// Columns of the frames that are compared: a part of a run, another, and three runs more.
+/// Columns of the frames that are compared: part of a span, another part, and three more spans.
 const WIDTHS: [u32; 3] = [16, 48, 240];
 const ROWS: u32 = 64;
 /// How often a frame is drawn: a tick may be many instructions.
@@ -22,8 +22,9 @@ const PIXELS: usize = 240 * ROWS as usize;
 /// Pixels from the eye to the screen.
 const FOCAL: i32 = 256;
 
-/// Corners, in pixels from the frame's top left, and their distances. 1/w falls to half over 640 columns, by
-/// 1/1280 of itself per pixel to 1/640: less than any mode minds, and too much for none to notice.
+/// Corners, in pixels from the frame's top left, and their distances. 1/w falls to half over 640 columns. Its
+/// relative change per pixel grows from 1/1280 to 1/640: too little for any mode to fall back to division, and too
+/// much for any mode to do without.
 const CORNERS: [([i32; 2], i32); 3] = [([-16, -16], 1), ([-16, 144], 1), ([624, -16], 2)];
 /// Half a texel of 64x64 to two a column.
 const UVS: [Vec2; 3] = [vec2!(0, 0), vec2!(0, 2), vec2!(10, 1)];
@@ -31,18 +32,18 @@ const UVS: [Vec2; 3] = [vec2!(0, 0), vec2!(0, 2), vec2!(10, 1)];
 static COLORS: ConstStaticCell<[Rgb565; PIXELS]> = ConstStaticCell::new([Rgb565::BLACK; PIXELS]);
 static DEPTHS: ConstStaticCell<[u16; PIXELS]> = ConstStaticCell::new([0; PIXELS]);
 
-/// What the depth buffer holds before.
+/// The depth buffer before the draw call.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Depths {
-    /// There is none.
+    /// No depth buffer.
     None,
-    /// What is farther than the wall.
+    /// Depths farther than the wall.
     Far,
-    /// What is nearer.
+    /// Depths nearer than the wall.
     Near,
 }
 
-/// The memory that is drawn to, and the time.
+/// The memory to draw into, and the time.
 pub struct Bench {
     watch: Stopwatch,
     colors: &'static mut [Rgb565; PIXELS],
@@ -50,7 +51,7 @@ pub struct Bench {
 }
 
 impl Bench {
-    /// Takes the memory: can be called once.
+    /// Takes the memory; can be called once.
     pub fn new(watch: Stopwatch) -> Self {
         Self {
             watch,
@@ -59,7 +60,7 @@ impl Bench {
         }
     }
 
-    /// Prints what pixels take: 48 columns more than 16, and 240 more than 48.
+    /// Prints the cost of pixels: of 48 columns beyond 16, and of 240 beyond 48.
     pub fn kernel<I: Mode, F: Shader<Color = Rgb565>>(
         &mut self,
         name: &str,
@@ -81,7 +82,7 @@ impl Bench {
         Ok(())
     }
 
-    /// Draws a frame and takes its ticks; the wall covers all of it.
+    /// Draws a frame, which the wall covers completely, and returns its ticks.
     fn frame<I: Mode, F: Shader<Color = Rgb565>>(
         &mut self,
         width: u32,
@@ -91,7 +92,7 @@ impl Bench {
     ) -> Result<u64, Error> {
         let pixels = (width * ROWS) as usize;
         let (colors, depth) = (&mut self.colors[..pixels], &mut self.depths[..pixels]);
-        // A color that no shader here draws, so a pixel left undrawn shows.
+        // A color that no shader here draws, to find pixels left undrawn.
         colors.fill(Rgb565::BLACK);
         depth.fill(if depths == Depths::Near { u16::MAX } else { 0 });
         let mut canvas = Canvas::new(colors, width, ROWS)?;
@@ -109,7 +110,7 @@ impl Bench {
         Ok(ticks)
     }
 
-    /// A row of the widest frame, painted with a shader.
+    /// A row of the widest frame, drawn with a shader.
     pub fn row<I: Mode, F: Shader<Color = Rgb565>>(
         &mut self,
         mode: I,
@@ -124,7 +125,7 @@ impl Bench {
     }
 }
 
-/// Draws the wall to a canvas of such a width.
+/// Draws the wall to a canvas of this width.
 fn draw<I: Mode, F: Shader<Color = Rgb565>, D: DepthBuffer>(
     watch: &mut Stopwatch,
     canvas: &mut Canvas<'_, Rgb565, fixel::target::Native, D>,
@@ -134,7 +135,7 @@ fn draw<I: Mode, F: Shader<Color = Rgb565>, D: DepthBuffer>(
 ) -> Result<u64, Error> {
     let (positions, mvp) = (positions(width), mvp(width)?);
     let wall = Mesh::new(&positions, &[[0, 1, 2]])?.with_uvs(&UVS, None)?;
-    // What a user has is not known while compiling.
+    // Hide the numbers from the compiler, which does not know a user's either.
     let (options, shader) = black_box((DrawOptions::new().mode(mode), shader));
     watch.time(|| {
         let drawn = canvas.draw_with(&options, &wall, &mvp, shader);
@@ -143,11 +144,11 @@ fn draw<I: Mode, F: Shader<Color = Rgb565>, D: DepthBuffer>(
     })
 }
 
-/// The wall's corners before a frame of such a width.
+/// The wall's corners in front of a frame of this width.
 fn positions(width: u32) -> [Vec3; 3] {
     let center = [width, ROWS].map(u32::cast_signed);
     CORNERS.map(|([x, y], distance)| {
-        // To the frame's center, in half pixels.
+        // Relative to the frame's center, in half pixels.
         let (x, y) = (2 * x - center[0], center[1] - 2 * y);
         let eye = |half_pixels: i32| Scalar::from_num(half_pixels * distance) / (2 * FOCAL);
         Vec3::new(eye(x), eye(y), -Scalar::from_num(distance))

@@ -1,7 +1,7 @@
-//! The registers of the LM3S6965 that reach the panel, by the names of its data sheet.
+//! The registers of the LM3S6965 that drive the panel, with the names of its data sheet.
 //!
-//! The panel's clock, select and data are pins A2, A3 and A5, which are the serial interface SSI0's
-//! own; C7 says whether a byte is a command. D0 selects the SD card on the same wires.
+//! The panel's clock, select and data are pins A2, A3 and A5, which belong to the serial interface SSI0; pin C7 tells
+//! whether a byte is a command. D0 selects the SD card on the same wires.
 
 use cortex_m::asm;
 
@@ -12,16 +12,16 @@ impl Register {
     #[allow(unsafe_code)]
     fn read(&self) -> u32 {
         let address = self.0 as *const u32;
-        // SAFETY: the constants below, of which there are no others, are aligned addresses of the
-        // chip's registers. Reading those changes nothing but the peripheral.
+        // SAFETY: every address is one of the constants below, which are aligned addresses of the chip's registers.
+        // Reading a register changes only its peripheral.
         unsafe { address.read_volatile() }
     }
 
     #[allow(unsafe_code)]
     fn write(&self, value: u32) {
         let address = self.0 as *mut u32;
-        // SAFETY: as above. The peripherals that are written to have no way to memory: neither DMA
-        // nor an interrupt is switched on.
+        // SAFETY: as above. The peripherals that are written to cannot reach memory: neither DMA nor an interrupt is
+        // enabled.
         unsafe { address.write_volatile(value) }
     }
 
@@ -41,7 +41,7 @@ impl Port {
         self.write(pin, high);
     }
 
-    /// Gives `pins` to the peripheral that the chip has behind them.
+    /// Gives `pins` to the peripheral that the chip connects to them.
     fn alternate(&self, pins: u32) {
         Register(self.0 + 0x420).set(pins); // GPIOAFSEL
         Register(self.0 + 0x51c).set(pins); // GPIODEN
@@ -67,12 +67,12 @@ const SSIDR: Register = Register(0x4000_8008);
 const SSISR: Register = Register(0x4000_800c);
 const SSICPSR: Register = Register(0x4000_8010);
 
-/// Bits of SSISR: room to transmit, something received, still at it.
+/// Bits of SSISR: room to transmit, something received, busy.
 const TNF: u32 = 1 << 1;
 const RNE: u32 = 1 << 2;
 const BSY: u32 = 1 << 4;
 
-/// The wires to the panel, of which the board has one set.
+/// The wires to the panel. The board has one set of them.
 pub struct Oled(());
 
 impl Oled {
@@ -87,10 +87,10 @@ impl Oled {
         PORT_C.output(7, true);
         PORT_A.alternate(1 << 2 | 1 << 3 | 1 << 5);
 
-        // Of the 12 MHz that the chip starts with, a quarter; the panel takes 4 MHz.
+        // The chip starts with 12 MHz; take a quarter, because the panel allows 4 MHz.
         SSICR1.write(0);
         SSICPSR.write(4);
-        // Eight bits; the clock rests high and the panel samples its rising edge.
+        // Eight bits; the clock is high when idle, and the panel samples at its rising edge.
         SSICR0.write(1 << 7 | 1 << 6 | 7);
         SSICR1.write(1 << 1);
         Self(())
@@ -108,13 +108,13 @@ impl Oled {
         self.send(bytes);
     }
 
-    /// Returns when all is on the wire, since pin C7 is sampled with the last bit of a byte.
-    #[allow(clippy::unused_self)] // it is `self` that has the interface to itself
+    /// Returns when everything has been sent, because the panel samples pin C7 with the last bit of a byte.
+    #[allow(clippy::unused_self)] // `self` owns the interface
     fn send(&mut self, bytes: &[u8]) {
         for &byte in bytes {
             while SSISR.read() & TNF == 0 {}
             SSIDR.write(byte.into());
-            // As many bytes come back, which nobody sends. QEMU's interface waits for them to be read.
+            // The interface receives as many bytes, although nobody sends them. QEMU waits for them to be read.
             while SSISR.read() & RNE != 0 {
                 SSIDR.read();
             }

@@ -1,4 +1,4 @@
-//! What the board does: frame after frame in bands, one every 30 ms.
+//! The board's part: draws frame after frame in bands, one frame every 30 ms.
 
 use cortex_m::asm;
 use cortex_m::peripheral::{SYST, syst::SystClkSource};
@@ -29,7 +29,7 @@ fn spin(panel: &mut Ssd0323, timer: &mut SYST) -> Result<(), Error> {
             gyroscope.draw(&mut band);
             band.show(panel)?;
         }
-        // A frame that took longer is followed by the next at once.
+        // A frame that takes longer is followed by the next one at once.
         while !timer.has_wrapped() {}
     }
     Ok(())

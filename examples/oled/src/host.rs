@@ -1,4 +1,4 @@
-//! What the host does: draws a frame as a whole, and compares it with the emulator's panel.
+//! The host's part: draws a frame whole, and compares it with the emulator's panel.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -11,10 +11,10 @@ use fixel::prelude::*;
 
 use super::common::gyroscope::{FRAMES, HEIGHT, Lists, WIDTH};
 
-/// QEMU draws a pixel of the panel as so many in either direction.
+/// QEMU draws each pixel of the panel this many pixels wide and high.
 const SCALE: u32 = 4;
 
-/// Draws what the board's panel shows.
+/// Draws the picture of the board's panel.
 #[derive(Parser)]
 #[command(name = "oled", version)]
 struct Args {
@@ -61,11 +61,11 @@ fn draw(frame: u32) -> Result<SimulatorDisplay<Gray4>, fixel::Error> {
     Ok(panel)
 }
 
-/// Compares gray by gray.
+/// Compares each gray.
 ///
 /// # Errors
 ///
-/// The dump is no picture of the panel, or its first pixel that differs.
+/// The dump is not a picture of the panel, or the first pixel that differs.
 fn compare(panel: &SimulatorDisplay<Gray4>, dump: &Path) -> Result<(), Box<dyn Error>> {
     let dump = image::open(dump)?.to_rgb8();
     let (width, height) = (WIDTH * SCALE, HEIGHT * SCALE);

@@ -13,16 +13,16 @@ use super::board::Oled;
 const WIDTH: usize = 128;
 const HEIGHT: usize = 64;
 
-/// Commands that ready the controller for the board's panel, an OSRAM Pictiva. QEMU's panel has no
-/// use for most of them, but a real one has.
+/// Commands that prepare the controller for the board's panel, an OSRAM Pictiva. QEMU's panel ignores most of them,
+/// but a real one needs them.
 const READY: [&[u8]; 16] = [
     &[0xae],       // display off
-    &[0x81, 50],   // contrast, of 127
+    &[0x81, 50],   // contrast, of at most 127
     &[0x85],       // half of the current range
     &[0xa0, 0x52], // odd and even rows on either side, from below; left pixel in the high nibble; by rows
     &[0xa1, 0],    // first line
-    &[0xa2, 76],   // offset of the lines, on account of the order of rows
-    &[0xa4],       // shows its memory
+    &[0xa2, 76],   // offset of the lines, because of the order of rows
+    &[0xa4],       // show the memory
     &[0xa8, 63],   // rows, less one
     &[0xb1, 0x22], // clocks of reset and pre-charge
     &[0xb2, 70],   // clocks of a row
@@ -40,14 +40,14 @@ const ON: u8 = 0xaf;
 
 /// The panel.
 ///
-/// It cannot be read, and a byte is two pixels: what it shows is kept here also, 4 KiB.
+/// The controller cannot be read, and a byte holds two pixels, so a copy of the picture is kept here: 4 KiB.
 pub struct Ssd0323 {
     wires: Oled,
     shown: [[u8; WIDTH / 2]; HEIGHT],
 }
 
 impl Ssd0323 {
-    /// Readies the controller, and switches the panel on with all pixels black.
+    /// Prepares the controller, and switches the panel on with all pixels black.
     pub fn new(wires: Oled) -> Self {
         let mut panel = Self {
             wires,
@@ -61,7 +61,7 @@ impl Ssd0323 {
         panel
     }
 
-    /// Keeps what is on the panel, and leaves out what is not.
+    /// Stores pixels that are on the panel, and ignores others.
     fn keep(&mut self, point: Point, color: Gray4) {
         let Ok(x) = usize::try_from(point.x) else {
             return;
@@ -77,7 +77,7 @@ impl Ssd0323 {
         }
     }
 
-    /// Sends what is kept of an area, grown to whole bytes.
+    /// Sends an area of the stored picture, enlarged to whole bytes.
     fn send(&mut self, area: &Rectangle) {
         let area = area.intersection(&self.bounding_box());
         let Some(end) = area.bottom_right() else {

@@ -1,4 +1,4 @@
-//! What can be asked for on the command line, and the checks that need no library.
+//! The command line's arguments, and the checks that do not need the library.
 
 use std::path::PathBuf;
 
@@ -20,8 +20,8 @@ Distances are in the model's own units. Drawing is in fixed point: every coordin
 position must lie between -32768 and 32768, with a resolution of 1/65536.";
 
 /// Draws a 3D model with integers only, as a microcontroller would, and saves the picture.
-///
-/// Without a model it draws the project's own scene. What is not given is chosen so that the
+/// Without a model it draws the project's own scene. Options that are not given are chosen so that the model fills
+/// the picture.
 /// model fills the picture.
 #[derive(Clone, Debug, Parser)]
 #[command(name = "simulator", version, after_help = EXAMPLES, max_term_width = 100)]
@@ -32,7 +32,7 @@ pub struct Args {
     #[arg(value_name = "MODEL.obj", conflicts_with = "scene")]
     pub model: Option<PathBuf>,
 
-    /// PNG or JPEG to lay over the model; resampled to power-of-two sides up to 1024.
+    /// PNG or JPEG to put on the model; resampled to power-of-two sides up to 1024.
     ///
     /// [default: a checker]
     #[arg(
@@ -47,29 +47,28 @@ pub struct Args {
     #[arg(long, value_enum, help_heading = "Scene")]
     pub scene: Option<SceneName>,
 
-    /// Where the camera stands. [default: in front, a little right and above]
+    /// Position of the camera. [default: in front, a little right and above]
     #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true,
         help_heading = "Camera", conflicts_with = "scene")]
     pub eye: Option<[f64; 3]>,
 
-    /// What the camera looks at. [default: the middle of the model]
+    /// Point that the camera looks at. [default: the middle of the model]
     #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true,
         help_heading = "Camera", conflicts_with = "scene")]
     pub look_at: Option<[f64; 3]>,
 
-    /// Which way is up for the camera; it need not be at right angles to the line of sight.
-    /// [default: 0,1,0]
+    /// Direction that is up for the camera; it need not be at right angles to the line of sight. [default: 0,1,0]
     #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true,
         help_heading = "Camera", conflicts_with = "scene")]
     pub up: Option<[f64; 3]>,
 
-    /// Vertical field of view in degrees, above 0 and below 180.
-    /// [default: 40, or with --eye what takes in the model]
+    /// Vertical field of view in degrees, above 0 and below 180. [default: 40, or with --eye one that shows the whole
+    /// model]
     #[arg(long, value_name = "DEG", value_parser = field_of_view, allow_hyphen_values = true,
         help_heading = "Camera", conflicts_with = "scene")]
     pub fov: Option<f64>,
 
-    /// Distance of the near plane, above 0. [default: just before the model]
+    /// Distance of the near plane, above 0. [default: just in front of the model]
     #[arg(long, value_name = "N", value_parser = number, allow_hyphen_values = true,
         help_heading = "Camera", conflicts_with = "scene")]
     pub near: Option<f64>,
@@ -79,7 +78,7 @@ pub struct Args {
         help_heading = "Camera", conflicts_with = "scene")]
     pub far: Option<f64>,
 
-    /// How space is projected to the picture.
+    /// Projection from space to the picture.
     #[arg(
         long,
         value_enum,
@@ -89,12 +88,11 @@ pub struct Args {
     )]
     pub projection: Kind,
 
-    /// How the surface is colored.
-    /// [default: lit, where the model has texture coordinates or --texture is given; else gouraud]
+    /// Color of the surface. [default: lit, if the model has texture coordinates or --texture is given; else gouraud]
     #[arg(long, value_enum, help_heading = "Look", conflicts_with = "scene")]
     pub shade: Option<Shade>,
 
-    /// What color the texture has between the centers of its texels.
+    /// Color of the texture between the centers of its texels.
     #[arg(
         long,
         value_enum,
@@ -104,16 +102,16 @@ pub struct Args {
     )]
     pub filter: Filter,
 
-    /// How attributes are interpolated: speed against accuracy.
+    /// Interpolation mode: speed against accuracy.
     #[arg(long, value_enum, default_value = "newton", help_heading = "Look")]
     pub mode: Mode,
 
-    /// Texels that mode fast may be off by.
+    /// Largest texel error of mode fast.
     #[arg(long, value_name = "TEXELS", value_parser = number, default_value = "0.25",
         allow_hyphen_values = true, help_heading = "Look")]
     pub tolerance: f64,
 
-    /// How depths are stored, to be tested: over what range what is in front hides what is behind.
+    /// Format of the depth buffer, which determines over what range of distances near surfaces hide far ones.
     #[arg(long, value_enum, default_value = "linear", help_heading = "Look")]
     pub depth: DepthFormat,
 
@@ -130,7 +128,7 @@ pub struct Args {
         allow_hyphen_values = true, help_heading = "Picture", conflicts_with = "scene")]
     pub size: (u32, u32),
 
-    /// Draw in strips of so many rows, as a microcontroller short of memory does; the same picture.
+    /// Draw in bands of this many rows, as a microcontroller short of memory does; the picture is the same.
     #[arg(long, value_name = "ROWS", value_parser = clap::value_parser!(u32).range(1..), help_heading = "Picture")]
     pub bands: Option<u32>,
 
@@ -144,13 +142,13 @@ pub struct Args {
         help_heading = "Animation", conflicts_with = "scene")]
     pub rpm: Option<f64>,
 
-    /// Where the picture goes: a .png, or a .gif for an animation. [default: named after the model]
+    /// File for the picture: a .png, or a .gif for an animation. [default: named after the model]
     #[arg(long, value_name = "FILE.png|FILE.gif", help_heading = "Output")]
     pub out: Option<PathBuf>,
 
-    /// Also write a row x,y,u,v,w,depth for each covered pixel, exact, of the last frame.
+    /// Also write a row x,y,u,v,w,depth for each covered pixel of the last frame, with all digits.
     ///
-    /// u and v are the texture coordinate, w the distance ahead of the eye, depth in linear steps.
+    /// u and v are the texture coordinate, w is the distance to the eye's plane, depth is in linear steps.
     #[arg(long, value_name = "FILE.csv", help_heading = "Output")]
     pub dump: Option<PathBuf>,
 
@@ -177,7 +175,7 @@ pub enum SceneName {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Kind {
-    /// Far is small
+    /// Distant objects are small
     Perspective,
     /// Parallel, straight ahead
     Orthographic,
@@ -189,13 +187,13 @@ pub enum Kind {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Shade {
-    /// The texture as it is, a checker without --texture
+    /// The texture without light; a checker without --texture
     Texture,
-    /// Clay in light: lit at the vertices, blended over each triangle
+    /// Lit clay: lit at the vertices, interpolated over each triangle
     Gouraud,
-    /// Clay in light, one color per triangle
+    /// Lit clay, one color per triangle
     Flat,
-    /// The texture in light
+    /// The texture, lit
     Lit,
     /// Edges only
     Wire,
@@ -207,9 +205,9 @@ pub enum Shade {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Filter {
-    /// That of the nearest texel: squares where the texture is magnified
+    /// The nearest texel: squares where the texture is magnified
     Nearest,
-    /// Blended of the four texels around: smooth
+    /// A blend of the four nearest texels: smooth
     Bilinear,
 }
 
@@ -219,7 +217,7 @@ pub enum Mode {
     Exact,
     /// Within a thousandth of a texel: the library's default
     Newton,
-    /// By straight pieces, within --tolerance
+    /// Straight pieces, within --tolerance
     Fast,
     /// Without perspective within triangles
     Affine,
@@ -227,11 +225,11 @@ pub enum Mode {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum DepthFormat {
-    /// In equal steps of 1/distance: finest near by
+    /// Equal steps of 1/distance: finest near the eye
     Linear,
-    /// In floating point: steps of 0.024 % of the distance, up to 65,536 times the near plane
+    /// Floating point: steps of 0.024 % of the distance, up to 65,536 times the near plane
     Float,
-    /// In floating point over a wider range: steps of 0.049 % of the distance, however far
+    /// Floating point over a wider range: steps of 0.049 % of the distance, however far
     Wide,
 }
 
@@ -250,12 +248,12 @@ pub enum Color {
 }
 
 impl Args {
-    /// Which way is up.
+    /// The direction that is up.
     pub fn up(&self) -> [f64; 3] {
         self.up.unwrap_or([0.0, 1.0, 0.0])
     }
 
-    /// Whether anything about the camera was given.
+    /// Whether any option of the camera was given.
     pub fn has_camera(&self) -> bool {
         self.eye.is_some()
             || self.look_at.is_some()
@@ -277,7 +275,7 @@ fn number(text: &str) -> Result<f64, String> {
 
 fn field_of_view(text: &str) -> Result<f64, String> {
     let degrees = number(text)?;
-    // Here and not in the library, where 400 degrees are 40: an angle is a fraction of a turn.
+    // The library would accept 400 degrees as 40, because an angle is a fraction of a turn. So it is checked here.
     if degrees > 0.0 && degrees < 180.0 {
         Ok(degrees)
     } else {

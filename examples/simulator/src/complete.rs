@@ -1,11 +1,11 @@
-//! Makes up what a model leaves out: normals and texture coordinates.
+//! Adds the normals and texture coordinates that a model lacks.
 
 use std::collections::HashMap;
 
 use super::load::{Corner, Model};
 
 impl Model {
-    /// The normal of a triangle, as long as twice its area.
+    /// The normal of a triangle; its length is twice the triangle's area.
     fn area_normal(&self, triangle: &[Corner; 3]) -> [f64; 3] {
         let [a, b, c] = triangle.map(|corner| self.positions[corner.position]);
         let [u, v] = [b, c].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
@@ -16,8 +16,8 @@ impl Model {
         ]
     }
 
-    /// Normals for the corners that have none: the mean of the faces around the point, weighted by
-    /// area, but only of those within 60 degrees, so that the edges of a box stay sharp.
+    /// Computes normals for the corners that have none: the mean of the faces around the point, weighted by area.
+    /// Only faces within 60 degrees count, so that the edges of a box stay sharp.
     pub fn make_normals(&mut self) {
         const CREASE: f64 = 0.5; // cosine of 60 degrees
         let faces: Vec<[f64; 3]> = self
@@ -25,7 +25,7 @@ impl Model {
             .iter()
             .map(|triangle| self.area_normal(triangle))
             .collect();
-        // By place, not by index: models often repeat a point along a seam of their texture.
+        // Points are compared by position, not by index: models often repeat a point along a seam of their texture.
         let place = |position: [f64; 3]| position.map(f64::to_bits);
         let mut around: HashMap<[u64; 3], Vec<usize>> = HashMap::new();
         for (at, triangle) in self.triangles.iter().enumerate() {
@@ -67,8 +67,8 @@ impl Model {
         }
     }
 
-    /// Texture coordinates for the triangles that have none: the model is put in a box, and each
-    /// triangle takes the coordinates on the side of the box that it faces most.
+    /// Computes texture coordinates for the triangles that have none: the model is put in a box, and each triangle
+    /// takes the coordinates on the side of the box that it faces most.
     pub fn make_uvs(&mut self) {
         let low = |axis: usize| {
             self.positions

@@ -1,4 +1,4 @@
-//! What was interpolated for each pixel, as numbers.
+//! Writes the interpolated values of each pixel as numbers.
 
 use std::io::Write;
 
@@ -8,7 +8,7 @@ use fixel::{Fragment, Primitive, Shader, TexCoord};
 
 use super::Result;
 
-/// A "color" that says what was interpolated for a pixel; so the canvas keeps the one in front.
+/// A "color" that holds the interpolated values of a pixel. So the depth test selects the visible ones.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Record {
     pub covered: bool,
@@ -24,14 +24,15 @@ impl PixelColor for Record {
     type Raw = ();
 }
 
-/// Records what is interpolated, with as many fraction bits as the texture coordinates leave room for.
+/// A shader that records the interpolated values, with as many fraction bits as texture coordinates leave room for.
 #[derive(Clone, Copy, Debug)]
 pub struct Recorder {
     uv_bits: u32,
 }
 
 impl Recorder {
-    /// For texture coordinates of magnitude up to `largest`: 24 fraction bits up to 127, else their own 20.
+    /// Makes a shader for texture coordinates of magnitude up to `largest`: 24 fraction bits up to 127, else their
+    /// own 20.
     pub fn new(largest: f64) -> Self {
         Self {
             uv_bits: if largest < 127.0 {
@@ -46,7 +47,7 @@ impl Recorder {
 impl Shader for Recorder {
     type Color = Record;
 
-    // All as exact as a texture coordinate.
+    // All values are as exact as a texture coordinate.
     type Varyings = (Texels, Texels);
 
     fn varyings(&self, primitive: &Primitive<'_>) -> [(Texels, Texels); 3] {
@@ -72,11 +73,11 @@ impl Shader for Recorder {
     }
 }
 
-/// Writes a header, and a row for each pixel that is covered, in row order.
+/// Writes a header, and a row for each covered pixel, in row order.
 ///
 /// # Errors
 ///
-/// Something could not be written.
+/// The output cannot be written.
 pub fn write(records: &[Record], width: usize, out: &mut impl Write) -> Result<()> {
     writeln!(out, "x,y,u,v,w,depth")?;
     for (y, row) in records.chunks(width).enumerate() {
@@ -89,11 +90,11 @@ pub fn write(records: &[Record], width: usize, out: &mut impl Write) -> Result<(
     Ok(())
 }
 
-/// `bits` · 2^-`fraction` in decimal, every digit of it.
+/// Returns `bits` · 2^-`fraction` in decimal, with every digit.
 fn decimal(bits: i32, fraction: u32) -> String {
     let magnitude = u64::from(bits.unsigned_abs());
     let mask = (1 << fraction) - 1;
-    // 10^n / 2^n = 5^n: so many fraction bits make as many decimals.
+    // 10^n / 2^n = 5^n: n fraction bits make n decimals.
     let digits = u128::from(magnitude & mask) * 5_u128.pow(fraction);
     let digits = format!("{digits:0width$}", width = fraction as usize);
     let digits = digits.trim_end_matches('0');

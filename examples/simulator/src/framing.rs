@@ -1,21 +1,21 @@
-//! The camera that nobody asked for: what is not given is chosen so that the model fills the picture.
+//! Chooses the parts of the camera that the user did not give, so that the model fills the picture.
 //!
-//! Host set-up in f64; what comes of it is handed to the library, which checks it.
+//! Set-up on the host, in f64. The library receives the results and checks them.
 
 use crate::args::{Args, Kind};
 
-/// Part of the picture's width and height that the model takes.
+/// Part of the picture's width and height that the model fills.
 const FILL: f64 = 0.94;
-/// Field of view where none is given, in degrees.
+/// Default field of view, in degrees.
 const FIELD_OF_VIEW: f64 = 40.0;
-/// From the model to the eye where none is given: in front, a little right and above.
+/// Default direction from the model to the eye: in front, a little right and above.
 const FROM: [f64; 3] = [0.55, 0.6, 1.0];
-/// The same for the slanted projections, which show top and side of what is seen from the front.
+/// The same for the oblique projections, which show top and side of a model seen from the front.
 const FRONT: [f64; 3] = [0.0, 0.0, 1.0];
 
 type Point = [f64; 3];
 
-/// A camera and what it takes in.
+/// A camera and its view.
 #[derive(Clone, Copy, Debug)]
 pub struct Framing {
     pub eye: Point,
@@ -57,14 +57,14 @@ fn unit(a: Point) -> Option<Point> {
     (length > 1e-12).then(|| a.map(|x| x / length))
 }
 
-/// Least and largest of `values`.
+/// Returns the smallest and the largest of `values`.
 fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
         (low.min(x), high.max(x))
     })
 }
 
-/// The middle of the box around `points`.
+/// Returns the middle of the box around `points`.
 pub fn middle(points: &[Point]) -> Point {
     [0, 1, 2].map(|axis| {
         let (low, high) = range(points.iter().map(|p| p[axis]));
@@ -72,8 +72,8 @@ pub fn middle(points: &[Point]) -> Point {
     })
 }
 
-/// By how much the slanted projections move a point up and right on the picture, per unit that it
-/// lies behind the near plane: their depth recedes at 45 degrees.
+/// Returns how far the oblique projections move a point right and up in the picture, for each unit that it lies
+/// behind the near plane. Depth recedes at 45 degrees.
 fn shear(kind: Kind) -> f64 {
     let ratio = match kind {
         Kind::Perspective | Kind::Orthographic => 0.0,
@@ -83,7 +83,7 @@ fn shear(kind: Kind) -> f64 {
     ratio * std::f64::consts::FRAC_1_SQRT_2
 }
 
-/// Axes where there are none of use.
+/// Axes to use if `args` give no usable ones.
 const AXES: [Point; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// The camera's axes: to the right, up, and back to the eye.
@@ -93,7 +93,7 @@ fn basis(back: Point, up: Point) -> Option<[Point; 3]> {
     Some([right, cross(back, right), back])
 }
 
-/// The axes of what `args` ask for.
+/// Returns the axes that `args` ask for.
 fn axes(args: &Args, center: Point) -> Option<[Point; 3]> {
     let back = match args.eye {
         Some(eye) => sub(eye, center),
@@ -103,13 +103,13 @@ fn axes(args: &Args, center: Point) -> Option<[Point; 3]> {
     basis(back, args.up())
 }
 
-/// Where `points` are from `center`, along the `axes`.
+/// Returns the positions of `points` relative to `center`, along the `axes`.
 fn seen(axes: &[Point; 3], center: Point, points: &[Point]) -> Vec<Point> {
     let from = |&p: &Point| axes.map(|axis| dot(axis, sub(p, center)));
     points.iter().map(from).collect()
 }
 
-/// What an eye must look at to have all `points` in the middle of its picture, near `center`.
+/// Returns the point near `center` that an eye must look at to see `points` in the middle of its picture.
 fn aim(eye: Point, mut center: Point, up: Point, points: &[Point]) -> Point {
     for _ in 0..4 {
         let back = sub(eye, center);
@@ -118,7 +118,7 @@ fn aim(eye: Point, mut center: Point, up: Point, points: &[Point]) -> Point {
         };
         let ahead: Vec<Point> = seen(&axes, eye, points);
         if ahead.iter().any(|p| p[2] > -1e-3) {
-            // The eye is among them.
+            // The eye is among the points.
             break;
         }
         let distance = dot(back, back).sqrt();
@@ -131,10 +131,10 @@ fn aim(eye: Point, mut center: Point, up: Point, points: &[Point]) -> Point {
 }
 
 impl Framing {
-    /// Chooses what `args` leaves open so that all `points` are seen as large as can be.
+    /// Chooses the options that `args` leave open so that all `points` are visible and as large as possible.
     ///
-    /// A camera that makes no sense (the eye at its target, up along the view) is passed on as it
-    /// is: the library refuses it with a better message than could be given here.
+    /// Passes on a camera that makes no sense (the eye at its target, up along the view): the library refuses it with
+    /// a better message than this function could give.
     pub fn new(args: &Args, points: &[Point]) -> Self {
         let mut center = args.look_at.unwrap_or_else(|| middle(points));
         if let (Some(eye), None, Kind::Perspective) = (args.eye, args.look_at, args.projection) {
@@ -168,14 +168,14 @@ impl Framing {
                 .filter(|p| distance - p[2] > 0.0)
                 .map(|p| (p[1].abs()).max(p[0].abs() / aspect) / (distance - p[2]))
                 .fold(0.0, f64::max);
-            // Above 100 degrees the picture is all stretch: the eye is in the model or close to it.
+            // Beyond 100 degrees the picture is mostly distortion: the eye is in the model or close to it.
             let fitting = (tangent / FILL).atan().to_degrees() * 2.0;
             fov = args.fov.unwrap_or(fitting.clamp(1.0, 100.0));
             (eye, target) = (given, center);
         } else {
             fov = args.fov.unwrap_or(FIELD_OF_VIEW);
             let tangent = (fov.to_radians() / 2.0).tan() * FILL;
-            // All of |x − cx| ≤ k·(d − z): two lines in (cx, d) that meet at the smallest d.
+            // All of |x − cx| ≤ k·(d − z): two lines in (cx, d), which meet at the smallest d.
             let fit = |axis: usize, k: f64| {
                 let high = range(seen.iter().map(|p| p[axis] + k * p[2])).1;
                 let low = range(seen.iter().map(|p| p[axis] - k * p[2])).0;
@@ -187,12 +187,12 @@ impl Framing {
             };
             let (dx, mut cx) = fit(0, tangent * aspect);
             let (dy, mut cy) = fit(1, tangent);
-            // Not into the model, however wide the view.
+            // Keep the eye out of the model, however wide the view.
             let (back, front) = range(seen.iter().map(|p| p[2]));
             let closest = front + (front - back) * 0.01 + 1e-3;
             distance = dx.max(dy).max(closest);
             if args.look_at.is_none() {
-                // The one that has room to spare: to the middle of the picture.
+                // The axis with room to spare: center the model.
                 for (axis, center) in [(0, &mut cx), (1, &mut cy)] {
                     for _ in 0..8 {
                         let slope = |p: &Point| (p[axis] - *center) / (distance - p[2]);
@@ -226,7 +226,7 @@ impl Framing {
             let distance = depth.1.max(0.0) + reach * 0.1;
             (along(center, axes[2], distance), distance)
         };
-        // The near plane stays where it is and what lies behind it moves: so does the window.
+        // The near plane does not move, but points behind it do: move the window with them.
         let (near, far) = Self::planes(seen, distance);
         let near = args.near.unwrap_or(near);
         let shear = shear(args.projection);
@@ -264,22 +264,22 @@ impl Framing {
         }
     }
 
-    /// Distances of the nearest and the farthest point, of places `seen` from the eye's `distance`.
+    /// Returns the distances of the nearest and the farthest point; the points are `seen` from the eye's `distance`.
     fn distances(seen: &[Point], distance: f64) -> [f64; 2] {
         let (low, high) = range(seen.iter().map(|p| distance - p[2]));
         [low, high]
     }
 
-    /// Near and far plane a little before and behind all points.
+    /// Returns the near and far plane, a little in front of and behind all points.
     fn planes(seen: &[Point], distance: f64) -> (f64, f64) {
         let [low, high] = Self::distances(seen, distance);
         let margin = (high - low) * 0.02 + high.abs() * 0.001;
         let far = (high + margin).max(0.01);
-        // 16-bit depth wants far / near below 1000; an eye inside the model sees what it can.
+        // 16-bit depth needs a far / near below 1000. An eye inside the model may not see all of it.
         ((low - margin).max(far / 500.0), far)
     }
 
-    /// The model's nearest and farthest depth, as they are stored.
+    /// Returns the model's nearest and farthest stored depth.
     pub fn depths(&self, kind: Kind) -> [u16; 2] {
         self.range.map(|distance| {
             let depth = match kind {

@@ -1,4 +1,4 @@
-//! What is to be drawn, a frame at a time.
+//! The work of a run, a frame at a time.
 
 use std::time::{Duration, Instant};
 
@@ -19,16 +19,16 @@ use super::view::{Lens, View};
 use crate::args::{Args, DepthFormat, SceneName, Shade};
 use crate::dump::{Record, Recorder};
 
-/// Some rows of a frame, to be drawn.
+/// A band of a frame, to be drawn.
 #[derive(Debug)]
-pub struct Strip<'a, C> {
+pub struct Band<'a, C> {
     pub pixels: &'a mut [C],
     pub depth: &'a mut [u16],
     pub size: (u32, u32),
     pub first_row: u32,
 }
 
-/// What became of a strip, and how long the draw calls took.
+/// The result of drawing a band, and the time of the draw calls.
 pub type Done = (Drawn, Duration);
 
 fn timed(draw: impl FnOnce() -> Drawn) -> Done {
@@ -37,7 +37,7 @@ fn timed(draw: impl FnOnce() -> Drawn) -> Done {
     (drawn, start.elapsed())
 }
 
-impl<'a, C: embedded_graphics::pixelcolor::PixelColor> Strip<'a, C> {
+impl<'a, C: embedded_graphics::pixelcolor::PixelColor> Band<'a, C> {
     fn canvas(self) -> Result<(Canvas<'a, C>, &'a mut [u16])> {
         let (width, height) = self.size;
         let canvas = Canvas::band(self.pixels, width, height, self.first_row)?;
@@ -55,7 +55,7 @@ pub struct Turn {
 }
 
 impl Turn {
-    /// The pose in one of the frames.
+    /// Returns the pose in one of the frames.
     fn pose(&self, frame: u32) -> Transform {
         let angle = if let Some(rate) = self.rate {
             rate.angle_at(u64::from(frame) * FRAME_MS)
@@ -90,14 +90,14 @@ impl Model<'_> {
         }
     }
 
-    /// Draws a strip of a frame.
+    /// Draws a band of a frame.
     pub fn paint<C: Shown>(
         &self,
-        strip: Strip<'_, C>,
+        band: Band<'_, C>,
         frame: u32,
         texture: &Texture<'_, C::Texel>,
     ) -> Result<Done> {
-        let (canvas, depth) = strip.canvas()?;
+        let (canvas, depth) = band.canvas()?;
         match self.view.depth {
             DepthFormat::Linear => self.paint_on(canvas.with_depth(depth)?, frame, texture),
             DepthFormat::Float => {
@@ -142,9 +142,9 @@ impl Model<'_> {
         Ok(timed(|| posed.paint(&mut canvas, shade, texture)))
     }
 
-    /// Records a strip of a frame.
-    pub fn record(&self, strip: Strip<'_, Record>, frame: u32) -> Result<Done> {
-        let (canvas, depth) = strip.canvas()?;
+    /// Records a band of a frame.
+    pub fn record(&self, band: Band<'_, Record>, frame: u32) -> Result<Done> {
+        let (canvas, depth) = band.canvas()?;
         match self.view.depth {
             DepthFormat::Linear => Ok(self.record_on(canvas.with_depth(depth)?, frame)),
             DepthFormat::Float => {
@@ -167,7 +167,7 @@ impl Model<'_> {
     }
 }
 
-/// What is behind a model: nothing to mistake for its shading.
+/// The background of a model, unlike any of its shades.
 fn background<C: Levels>(shade: Shade) -> C {
     let color = match shade {
         Shade::Wire | Shade::Depth => Rgb888::new(0, 0, 0),
@@ -188,7 +188,7 @@ fn mvp(scene: SceneName, k: u32) -> Result<Mvp<Perspective>> {
     })
 }
 
-/// One of the measured scenes, and how it is drawn.
+/// A measured scene, and its options.
 #[derive(Clone, Copy, Debug)]
 pub struct Measured {
     pub scene: SceneName,
@@ -196,10 +196,10 @@ pub struct Measured {
     pub depth: DepthFormat,
 }
 
-/// Gives `draw` the strip as a canvas, with depth unless the scene has none.
+/// Gives `draw` the band as a canvas, with depth unless the scene has none.
 macro_rules! on_canvas {
-    ($strip:expr, $measured:expr, $background:expr, |$canvas:ident| $draw:expr) => {{
-        let (mut canvas, depth) = $strip.canvas()?;
+    ($band:expr, $measured:expr, $background:expr, |$canvas:ident| $draw:expr) => {{
+        let (mut canvas, depth) = $band.canvas()?;
         match ($measured.scene, $measured.depth) {
             (SceneName::SphereFlat, _) => {
                 canvas.clear($background);
@@ -229,11 +229,11 @@ macro_rules! on_canvas {
 }
 
 impl Measured {
-    /// Draws a strip of it as it is measured.
-    pub fn paint(self, strip: Strip<'_, Rgb565>, frame: u32) -> Result<Done> {
+    /// Draws a band of the scene as it is measured.
+    pub fn paint(self, band: Band<'_, Rgb565>, frame: u32) -> Result<Done> {
         let mvp = mvp(self.scene, frame)?;
         Ok(on_canvas!(
-            strip,
+            band,
             self,
             Rgb565::default(),
             |canvas| in_mode!(self.mode, DrawOptions::new(), |options| match self.scene {
@@ -245,13 +245,13 @@ impl Measured {
         ))
     }
 
-    /// Draws a strip of it in another color.
-    pub fn paint_in<C: Levels>(self, strip: Strip<'_, C>, frame: u32) -> Result<Done> {
+    /// Draws a band of the scene in another color.
+    pub fn paint_in<C: Levels>(self, band: Band<'_, C>, frame: u32) -> Result<Done> {
         let mvp = mvp(self.scene, frame)?;
         let black = C::from_rgb(Rgb888::new(0, 0, 0), Point::zero());
         let checker = Textured::new(&scenes::CHECKER).converted();
         let faces = FaceColors::new(&scenes::FACE_COLORS).converted();
-        Ok(on_canvas!(strip, self, black, |canvas| in_mode!(
+        Ok(on_canvas!(band, self, black, |canvas| in_mode!(
             self.mode,
             DrawOptions::new(),
             |options| match self.scene {
@@ -265,8 +265,8 @@ impl Measured {
         )))
     }
 
-    /// Records a strip of it.
-    pub fn record(self, strip: Strip<'_, Record>, frame: u32) -> Result<Done> {
+    /// Records a band of the scene.
+    pub fn record(self, band: Band<'_, Record>, frame: u32) -> Result<Done> {
         let mvp = mvp(self.scene, frame)?;
         let mesh = match self.scene {
             SceneName::Floor => &scenes::FLOOR,
@@ -274,17 +274,17 @@ impl Measured {
             SceneName::Sphere | SceneName::SphereFlat => &scenes::SPHERE,
         };
         let recorder = Recorder::new(1.0);
-        Ok(on_canvas!(strip, self, Record::default(), |canvas| {
+        Ok(on_canvas!(band, self, Record::default(), |canvas| {
             canvas.draw(mesh, &mvp, &recorder)
         }))
     }
 }
 
-/// How fast the model turns, of what was asked for.
+/// Returns the rate at which the model turns.
 ///
 /// # Errors
 ///
-/// Too fast for the format.
+/// The rate is too fast for the format.
 pub fn rate(args: &Args) -> Result<Option<Rate>> {
     const MOST: f64 = 2_000_000.0;
     let Some(rpm) = args.rpm else {
@@ -293,6 +293,6 @@ pub fn rate(args: &Args) -> Result<Option<Rate>> {
     if rpm.abs() > MOST {
         return Err(format!("--rpm {rpm}: it must be between -{MOST} and {MOST}").into());
     }
-    #[allow(clippy::cast_possible_truncation)] // rounded, and in range as was checked
+    #[allow(clippy::cast_possible_truncation)] // rounded, and in range as checked
     Ok(Some(Rate::milli_rpm((rpm * 1000.0).round() as i32)))
 }

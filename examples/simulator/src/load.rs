@@ -1,4 +1,4 @@
-//! Reads OBJ models and makes up what they leave out.
+//! Reads OBJ models and adds what they lack.
 
 use std::collections::HashMap;
 use std::fs;
@@ -10,17 +10,17 @@ use fixel::{Vec2, Vec3};
 
 use super::Result;
 
-/// As many elements of a kind as the library's reader takes; larger models are cut into parts here.
+/// Largest number of elements of a kind that the library's reader accepts; larger models are cut into parts here.
 const MOST: usize = 65_535;
 
-/// A model as read, in f64: nothing is rounded yet.
+/// A model as read, in f64, before any rounding.
 #[derive(Debug, Default)]
 pub struct Model {
     pub positions: Vec<[f64; 3]>,
     pub uvs: Vec<[f64; 2]>,
     pub normals: Vec<[f64; 3]>,
     pub triangles: Vec<[Corner; 3]>,
-    /// Outlines of the polygons as they were in the file, each edge once.
+    /// The outlines of the file's polygons, each edge once.
     pub edges: Vec<[usize; 2]>,
     /// Whether the file itself had texture coordinates on every face.
     pub had_uvs: bool,
@@ -38,12 +38,12 @@ pub struct Corner {
 ///
 /// # Errors
 ///
-/// The file cannot be read, a line is malformed, an index or a number is out of range, or there
-/// is nothing to draw; the message names the file and, where it can, the line.
+/// The file cannot be read, a line is malformed, an index or a number is out of range, or there is nothing to draw.
+/// The message names the file and, if possible, the line.
 pub fn model(path: &Path) -> Result<Model> {
     let name = path.display();
     let bytes = fs::read(path).map_err(|error| format!("cannot read model {name}: {error}"))?;
-    // Comments in old encodings do no harm; a number in them is malformed and found below.
+    // Comments in old encodings do no harm. A number in one of them is malformed, and is found below.
     let text = String::from_utf8_lossy(&bytes);
     parse(&text).map_err(|problem| format!("model {name}: {problem}").into())
 }
@@ -110,7 +110,7 @@ fn statements(text: &str) -> Vec<(usize, String)> {
     statements
 }
 
-/// Refuses what tobj lets pass: numbers that the library's format cannot hold, faces without area.
+/// Refuses what tobj accepts: numbers that the library's format cannot hold, and faces without area.
 fn check(statement: &str) -> Result<(), String> {
     let mut words = statement.split_whitespace();
     let numbers = match words.next() {
@@ -125,7 +125,7 @@ fn check(statement: &str) -> Result<(), String> {
         let value: f64 = word
             .parse()
             .map_err(|_| format!("'{word}' is not a number"))?;
-        // The number as it was written: an error's own is rounded, and it is 1 - v that is stored.
+        // Print the number as it was written: an error's own number is rounded, and 1 - v is stored, not v.
         let (fits, range) = match (numbers, at) {
             (2, 0) => (tex_coord(value).is_ok(), "-2048 and 2047.99999"),
             (2, _) => (
@@ -143,8 +143,8 @@ fn check(statement: &str) -> Result<(), String> {
     Ok(())
 }
 
-/// Has the library's own reader look at the text: it knows the line of what is wrong, which tobj does
-/// not tell, and finds an index of nothing where tobj sees none.
+/// Lets the library's own reader check the text. It knows the line of an error, which tobj does not report, and finds
+/// indices out of range that tobj does not notice.
 fn check_all(text: &str) -> Result<(), String> {
     let read = || -> Result<(), fixel::Error> {
         let counts = obj::count(text.as_bytes())?;
@@ -164,10 +164,10 @@ fn check_all(text: &str) -> Result<(), String> {
     read().map_err(|error| error.to_string())
 }
 
-/// The text for tobj: only what is drawn, and faces of different form in objects of their own.
+/// Returns the text for tobj: only the parts that are drawn, with faces of different forms in objects of their own.
 ///
-/// tobj gives a face without texture coordinates those of the face before, if others of its object
-/// have some; here the object's name says what its faces have. Materials and groups do not matter.
+/// tobj gives a face without texture coordinates those of the face before it, if other faces of its object have some.
+/// So an object's name says what its faces have. Materials and groups do not matter.
 fn sorted(statements: &[(usize, String)]) -> String {
     let mut out = String::new();
     let mut form = "";
@@ -178,7 +178,7 @@ fn sorted(statements: &[(usize, String)]) -> String {
         };
         let mut words: Vec<&str> = words.collect();
         match kind {
-            // A fourth number would be divided by, and colors are not drawn.
+            // tobj would divide by a fourth number, and colors are not drawn.
             "v" => words.truncate(3),
             "vt" if words.len() == 1 => words.push("0"),
             "f" => {
@@ -206,7 +206,7 @@ fn sorted(statements: &[(usize, String)]) -> String {
     out
 }
 
-/// Polygons of a tobj mesh, as ranges of its index lists.
+/// Returns the polygons of a tobj mesh, as ranges of its index lists.
 fn polygons(mesh: &tobj::Mesh) -> Vec<std::ops::Range<usize>> {
     let triangles = vec![3; mesh.indices.len() / 3];
     let sizes = if mesh.face_arities.is_empty() {
@@ -236,7 +236,7 @@ fn append(model: &mut Model, mesh: &tobj::Mesh, name: &str) {
     let has_uv = name.contains("uv") && mesh.texcoord_indices.len() == mesh.indices.len();
     let has_normal = name.contains("normal") && mesh.normal_indices.len() == mesh.indices.len();
     if has_uv {
-        // In OBJ files v runs up, here down as the rows of an image are stored.
+        // In OBJ files v runs up. Here it runs down, in the order of an image's rows.
         let flip = |v: &[f32]| [f64::from(v[0]), 1.0 - f64::from(v[1])];
         model.uvs.extend(mesh.texcoords.chunks_exact(2).map(flip));
     } else {

@@ -1,6 +1,6 @@
 //! Draws models on a computer as a microcontroller would: into a framebuffer, with integers only.
 //!
-//! `cargo run --release -p simulator -- --help` tells what it can do.
+//! `cargo run --release -p simulator -- --help` lists its options.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 #![cfg(not(target_os = "none"))]
 
@@ -30,7 +30,7 @@ use clap::Parser;
 
 use args::Args;
 
-/// What went wrong, in words for the user.
+/// An error, in words for the user.
 type Result<T, E = Box<dyn Error>> = std::result::Result<T, E>;
 
 fn main() -> ExitCode {

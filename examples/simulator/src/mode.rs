@@ -1,4 +1,4 @@
-//! Modes that are chosen at run time.
+//! Modes chosen at run time.
 
 use fixel::mode::{Affine, Exact, Fast, Newton};
 use fixel::num::scalar;
@@ -6,7 +6,7 @@ use fixel::num::scalar;
 use super::Result;
 use crate::args::{self, Args};
 
-/// A way of interpolating.
+/// An interpolation mode.
 #[derive(Clone, Copy, Debug)]
 pub enum Mode {
     Exact(Exact),
@@ -16,7 +16,7 @@ pub enum Mode {
 }
 
 impl Mode {
-    /// The one that was asked for.
+    /// Returns the mode that the user asked for.
     pub fn new(args: &Args) -> Result<Self> {
         Ok(match args.mode {
             args::Mode::Exact => Self::Exact(Exact),
@@ -27,7 +27,8 @@ impl Mode {
     }
 }
 
-/// `$draw`, with options in that mode: the library's modes are types, so that a firmware has only what it uses.
+/// Runs `$draw` with options in that mode. The library's modes are types, so that firmware links only the ones it
+/// uses.
 macro_rules! in_mode {
     ($mode:expr, $options:expr, |$in_mode:ident| $draw:expr) => {
         match $mode {

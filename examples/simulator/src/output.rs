@@ -1,4 +1,4 @@
-//! Files that are either whole or not there.
+//! Output files, which are complete or do not exist.
 
 use std::fs::{self, File};
 use std::io::{BufWriter, Write};
@@ -15,7 +15,7 @@ use super::Result;
 /// Time between frames of an animation, in milliseconds.
 pub const FRAME_MS: u64 = 40;
 
-/// What kind of picture a file name asks for.
+/// The kind of picture that a file name asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     Png,
@@ -23,11 +23,11 @@ pub enum Format {
 }
 
 impl Format {
-    /// The format that the name of `path` ends in.
+    /// Returns the format that the ending of `path` stands for.
     ///
     /// # Errors
     ///
-    /// Neither .png nor .gif.
+    /// The ending is neither .png nor .gif.
     pub fn of(path: &Path) -> Result<Self> {
         let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
         match extension.to_str() {
@@ -42,8 +42,8 @@ impl Format {
     }
 }
 
-/// A file under another name beside its place; it takes its own name when [finished](Self::finish)
-/// and is removed if it never is.
+/// A file under a temporary name in the same directory. [`finish`](Self::finish) gives it its own name; without
+/// `finish` it is removed.
 #[derive(Debug)]
 pub struct Output {
     path: PathBuf,
@@ -52,11 +52,11 @@ pub struct Output {
 }
 
 impl Output {
-    /// Opens a file that is to be at `path`.
+    /// Opens a file for `path`.
     ///
     /// # Errors
     ///
-    /// Nothing can be written there.
+    /// The file cannot be created.
     pub fn create(path: &Path) -> Result<Self> {
         let refuse = |problem: String| format!("cannot write {}: {problem}", path.display());
         if path.is_dir() {
@@ -79,7 +79,7 @@ impl Output {
     ///
     /// # Errors
     ///
-    /// Something could not be written, or renamed.
+    /// The file cannot be written or renamed.
     pub fn finish(mut self) -> Result<()> {
         let refuse =
             |error: std::io::Error| format!("cannot write {}: {error}", self.path.display());
@@ -107,7 +107,7 @@ impl Write for Output {
 impl Drop for Output {
     fn drop(&mut self) {
         drop(self.file.take());
-        // After `finish` there is none of that name.
+        // After `finish`, no file has that name.
         let _ = fs::remove_file(&self.partial);
     }
 }
@@ -116,18 +116,18 @@ impl Drop for Output {
 ///
 /// # Errors
 ///
-/// It could not be written; then there is no file.
+/// It cannot be written; then there is no file.
 pub fn png(picture: &RgbImage, mut output: Output) -> Result<()> {
     let (width, height) = picture.dimensions();
     PngEncoder::new(&mut output).write_image(picture, width, height, ExtendedColorType::Rgb8)?;
     output.finish()
 }
 
-/// An animation on its way to a file; it plays for ever.
+/// Returns an encoder of an animation that plays forever.
 ///
 /// # Errors
 ///
-/// It could not be written.
+/// The file cannot be written.
 pub fn gif(output: &mut Output) -> Result<GifEncoder<&mut Output>> {
     let mut gif = GifEncoder::new_with_speed(output, 10);
     gif.set_repeat(Repeat::Infinite)?;

@@ -1,4 +1,4 @@
-//! A model in each look and each color.
+//! Draws a model in each look and each color.
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
@@ -12,16 +12,16 @@ use super::mode::{Mode, in_mode};
 use super::view::{Lens, View};
 use crate::args::{Filter, Shade};
 
-/// A canvas as the simulator has it.
+/// The simulator's canvas.
 pub type Board<'a, C, D> = Canvas<'a, C, Native, D>;
 
-/// A canvas's color, and how it takes a texture.
+/// A canvas's color, and the texture's color for it.
 pub trait Shown: Levels + Into<Rgb888> + Default {
-    /// The color that a texture is kept in: for dithered colors a finer one, as it is the
-    /// picture that is to be dithered and not the texture.
+    /// The color that a texture is stored in. For dithered colors it is a finer one, because the picture is to be
+    /// dithered, not the texture.
     type Texel: Levels + Blend;
 
-    /// The shader in the canvas's color.
+    /// The shader, converted to the canvas's color.
     fn shown<F: Shader<Color = Self::Texel>>(shader: F) -> impl Shader<Color = Self>;
 }
 
@@ -46,7 +46,7 @@ shown! {
     BinaryColor Gray8 |shader| shader.converted();
 }
 
-/// Meshes, how they are seen and in which pose.
+/// Meshes, their view and their pose.
 #[derive(Clone, Copy)]
 pub struct Posed<'a> {
     pub meshes: &'a [Mesh<'a>],
@@ -107,7 +107,7 @@ impl Posed<'_> {
         })
     }
 
-    /// Draws with the texture as it is, or lit.
+    /// Draws with the texture, lit or not.
     fn textured<C: Shown, D: DepthBuffer>(
         &self,
         canvas: &mut Board<'_, C, D>,
@@ -140,7 +140,7 @@ impl Posed<'_> {
             Shade::Normal => self.draw(canvas, &NormalView::new()),
             Shade::Depth => {
                 let [near, far] = self.view.depths;
-                // The farthest point stays visible on black.
+                // Keeps the farthest point visible on black.
                 let far = far.saturating_sub((near.saturating_sub(far)) / 6);
                 self.draw(canvas, &DepthView::between(far, near))
             }

@@ -7,10 +7,10 @@ use fixel::{Mesh, Vec2, Vec3};
 use super::Result;
 use super::load::Model;
 
-/// Indices are 16 bits wide, and the last one says that there is no value.
+/// Indices have 16 bits, and the last one stands for no value.
 const MOST: usize = 65_535;
 
-/// What one [`Mesh`] borrows.
+/// The lists that one [`Mesh`] borrows.
 #[derive(Debug, Default)]
 pub struct Part {
     positions: Vec<Vec3>,
@@ -23,11 +23,11 @@ pub struct Part {
 }
 
 impl Part {
-    /// The mesh over this part's lists.
+    /// Returns the mesh over this part's lists.
     ///
     /// # Errors
     ///
-    /// None that a model's [`split`] leaves open; the library checks all the same.
+    /// None for the parts that [`split`] makes; the library checks them all the same.
     pub fn mesh(&self) -> Result<Mesh<'_>> {
         let mut mesh = Mesh::new(&self.positions, &self.faces)?.with_edges(&self.edges)?;
         if !self.faces.is_empty() {
@@ -39,7 +39,7 @@ impl Part {
     }
 }
 
-/// A list being filled, and where the model's entries went in it.
+/// A list being filled, and the indices in it of the model's entries.
 struct List<T> {
     values: Vec<T>,
     places: HashMap<usize, u16>,
@@ -72,7 +72,7 @@ impl<T> List<T> {
 ///
 /// # Errors
 ///
-/// A number that the format cannot hold.
+/// The format cannot hold one of the numbers.
 pub fn split(model: &Model) -> Result<Vec<Part>> {
     let position = |index: usize| -> Result<Vec3> { Ok(Vec3::try_from(model.positions[index])?) };
     let mut parts = Vec::new();
@@ -101,7 +101,7 @@ pub fn split(model: &Model) -> Result<Vec<Part>> {
         part.normals = normals.values;
         parts.push(part);
     }
-    // Edges apart: an edge may join points that went to different parts.
+    // Edges are cut separately: an edge may join points that went to different parts.
     let mut edges = model.edges.iter().peekable();
     while edges.peek().is_some() {
         let mut positions = List::new();
@@ -121,7 +121,7 @@ pub fn split(model: &Model) -> Result<Vec<Part>> {
     Ok(parts)
 }
 
-/// The normal at unit length, so that none is too small for the format; zero stays zero.
+/// Returns the normal at unit length, so that it is not too small for the format; zero stays zero.
 fn unit(normal: [f64; 3]) -> [f64; 3] {
     let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
     if length > 0.0 {

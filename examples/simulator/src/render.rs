@@ -1,4 +1,4 @@
-//! From arguments to pictures: the whole run, in each color.
+//! The whole run, from arguments to pictures, in each color.
 
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
 
@@ -12,11 +12,11 @@ use crate::skin::Skin;
 use crate::subject::Subject;
 use crate::targets::Targets;
 
-/// Does what `args` ask for.
+/// Runs the program with `args`.
 ///
 /// # Errors
 ///
-/// Anything that is wrong with them or with a file, in words.
+/// Any problem with the arguments or a file, in words.
 pub fn run(args: &Args) -> Result<()> {
     let targets = Targets::open(args)?;
     if let Some(scene) = args.scene {
@@ -28,8 +28,8 @@ pub fn run(args: &Args) -> Result<()> {
         return match args.color {
             Color::Rgb565 => targets.fill(
                 MEASURED,
-                |strip, frame| measured.record(strip, frame),
-                |strip, frame| measured.paint(strip, frame),
+                |band, frame| measured.record(band, frame),
+                |band, frame| measured.paint(band, frame),
             ),
             Color::Rgb888 => measured_in::<Rgb888>(measured, targets),
             Color::Gray8 => measured_in::<Gray8>(measured, targets),
@@ -56,8 +56,8 @@ const MEASURED: (u32, u32) = (scenes::WIDTH, scenes::HEIGHT);
 fn measured_in<C: Shown>(measured: Measured, targets: Targets<'_>) -> Result<()> {
     targets.fill(
         MEASURED,
-        |strip, frame| measured.record(strip, frame),
-        |strip, frame| measured.paint_in::<C>(strip, frame),
+        |band, frame| measured.record(band, frame),
+        |band, frame| measured.paint_in::<C>(band, frame),
     )
 }
 
@@ -71,7 +71,7 @@ fn picture_in<C: Shown>(
     let texture = texels.texture()?;
     targets.fill(
         args.size,
-        |strip, frame| model.record(strip, frame),
-        |strip, frame| model.paint::<C>(strip, frame, &texture),
+        |band, frame| model.record(band, frame),
+        |band, frame| model.paint::<C>(band, frame, &texture),
     )
 }

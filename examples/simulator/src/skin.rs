@@ -1,4 +1,4 @@
-//! Textures whose size is known at run time only.
+//! Textures whose size is known only at run time.
 
 use std::path::Path;
 
@@ -22,7 +22,7 @@ impl Skin {
     ///
     /// # Errors
     ///
-    /// The file cannot be read or is no such image.
+    /// The file cannot be read or is not a PNG or JPEG.
     pub fn read(path: &Path) -> Result<Self> {
         let refuse = |problem: &dyn std::fmt::Display| {
             format!("cannot read texture {}: {problem}", path.display())
@@ -36,7 +36,7 @@ impl Skin {
         let (width, height) = image.dimensions();
         if width == 0 || height == 0 {
             return Err(refuse(&format!(
-                "it is {width}x{height} pixels: there must be some"
+                "it is {width}x{height} pixels: both must be at least 1"
             ))
             .into());
         }
@@ -48,14 +48,14 @@ impl Skin {
         }))
     }
 
-    /// A texture that is compiled in.
+    /// Returns a texture that is compiled in.
     pub fn of<const W: usize, const H: usize>(texture: &TextureArray<Rgb565, W, H>) -> Self {
         let bytes = texture.texels().as_flattened().iter().flat_map(|&texel| {
             let color = Rgb888::from(texel);
             [color.r(), color.g(), color.b()]
         });
         let side = |side: usize| u32::try_from(side).unwrap_or(0);
-        // There are as many bytes as the size needs.
+        // The number of bytes fits the size.
         let image = RgbImage::from_raw(side(W), side(H), bytes.collect());
         Self(image.unwrap_or_default())
     }
@@ -71,7 +71,7 @@ impl Skin {
         }))
     }
 
-    /// The texels in the color `C`.
+    /// Returns the texels in the color `C`.
     pub fn texels<C: Levels>(&self) -> Texels<C> {
         let (width, height) = self.0.dimensions();
         let color = |&image::Rgb([r, g, b]): &image::Rgb<u8>| {
@@ -85,7 +85,7 @@ impl Skin {
     }
 }
 
-/// The power of two that is nearest by ratio, at most 1024.
+/// Returns the power of two that is nearest by ratio, at most 1024.
 fn nearest(side: u32) -> u32 {
     let exponent = f64::from(side).log2().round();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a side's logarithm
@@ -102,7 +102,7 @@ pub struct Texels<C> {
 }
 
 impl<C: PixelColor> Texels<C> {
-    /// These texels as a texture.
+    /// Returns these texels as a texture.
     pub fn texture(&self) -> Result<Texture<'_, C>> {
         Ok(Texture::new(&self.list, self.width, self.height)?)
     }

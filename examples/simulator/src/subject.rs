@@ -1,4 +1,4 @@
-//! The model that is drawn: read from a file or the project's own, and how it is placed.
+//! The model to draw, read from a file or the project's own, and its place.
 
 use fixel::prelude::*;
 
@@ -12,9 +12,9 @@ use crate::parts::{self, Part};
 use crate::skin::Skin;
 use crate::view::{Lens, View};
 
-/// A model, with all that belongs to it.
+/// A model, with everything that belongs to it.
 pub struct Subject {
-    /// Empty for the project's own.
+    /// Empty for the project's own scene.
     parts: Vec<Part>,
     points: Vec<[f64; 3]>,
     pub skin: Skin,
@@ -23,7 +23,7 @@ pub struct Subject {
 }
 
 impl Subject {
-    /// Reads what `args` name.
+    /// Reads the files that `args` name.
     ///
     /// # Errors
     ///
@@ -69,11 +69,11 @@ impl Subject {
         })
     }
 
-    /// Its meshes.
+    /// Returns the meshes.
     ///
     /// # Errors
     ///
-    /// None that reading leaves open.
+    /// None for a model that was read without one.
     pub fn meshes(&self) -> Result<Vec<Mesh<'_>>> {
         if self.parts.is_empty() {
             return Ok(match self.shade {
@@ -84,11 +84,11 @@ impl Subject {
         self.parts.iter().map(Part::mesh).collect()
     }
 
-    /// All that is drawn, with `meshes` of its own and the camera that `args` ask for.
+    /// Returns the job of drawing it, with `meshes` of its own and the camera that `args` ask for.
     ///
     /// # Errors
     ///
-    /// What the library refuses.
+    /// The library refuses the camera.
     pub fn model<'a>(&self, args: &Args, meshes: &'a [Mesh<'a>]) -> Result<Model<'a>> {
         let rate = job::rate(args)?;
         let about = if self.parts.is_empty() {
@@ -112,7 +112,7 @@ impl Subject {
         let mut framing = frame(args);
         let own = self.shade.is_none();
         if own && args.has_camera() {
-            // The sea begins before the island and goes on behind it.
+            // The sea begins in front of the island and continues behind it.
             let near = match args.projection {
                 Kind::Perspective => 0.25,
                 _ => framing.near - 120.0,
@@ -138,7 +138,7 @@ impl Subject {
     }
 }
 
-/// The points that a turning model passes: each on its circle about the axis, a step of the turn apart.
+/// Returns the points that a turning model passes: each on its circle around the axis, a step of the turn apart.
 fn ring(points: &[[f64; 3]], about: [f64; 3]) -> Vec<[f64; 3]> {
     const STEPS: u32 = 24;
     let turned = |p: &[f64; 3], step: u32| {
@@ -156,8 +156,8 @@ fn ring(points: &[[f64; 3]], about: [f64; 3]) -> Vec<[f64; 3]> {
         .collect()
 }
 
-/// What to scale a model by that is too large to be seen whole from a representable place, or so
-/// small that the format's steps show. Only where nothing was given in the model's own units.
+/// Returns the factor to scale a model by if it is too large to be seen whole from a representable place, or so small
+/// that the format's steps show. A model is scaled only if no option was given in its own units.
 fn scale(args: &Args, points: &[[f64; 3]]) -> Option<f64> {
     if args.has_camera() {
         return None;

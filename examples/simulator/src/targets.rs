@@ -1,4 +1,4 @@
-//! Where pictures go, and what is said about them.
+//! Output files, and the report about them.
 
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -14,12 +14,12 @@ use indicatif::{ProgressBar, ProgressStyle};
 use super::Result;
 use crate::args::{Args, SceneName, Shade};
 use crate::dump::{self, Record};
-use crate::job::{Done, Strip};
+use crate::job::{Band, Done};
 use crate::output::{self, Format, Output};
 use crate::paint::add;
 use crate::window::{self, Screen};
 
-/// Where pictures go.
+/// The output files.
 pub struct Targets<'a> {
     args: &'a Args,
     path: PathBuf,
@@ -29,7 +29,7 @@ pub struct Targets<'a> {
 }
 
 impl<'a> Targets<'a> {
-    /// Opens everything that will be written, so that nothing is drawn in vain.
+    /// Opens all output files first, so that no frame is drawn in vain.
     pub fn open(args: &'a Args) -> Result<Self> {
         let mut name: OsString = match (&args.model, args.scene) {
             (Some(model), _) => model.file_stem().unwrap_or_default().into(),
@@ -63,30 +63,30 @@ impl<'a> Targets<'a> {
         })
     }
 
-    /// Draws all frames, writes what there is to write and says what was done.
+    /// Draws all frames, writes the files and prints a report.
     pub fn fill<C: PixelColor + Into<Rgb888> + Default>(
         mut self,
         size: (u32, u32),
-        record: impl Fn(Strip<'_, Record>, u32) -> Result<Done>,
-        paint: impl Fn(Strip<'_, C>, u32) -> Result<Done>,
+        record: impl Fn(Band<'_, Record>, u32) -> Result<Done>,
+        paint: impl Fn(Band<'_, C>, u32) -> Result<Done>,
     ) -> Result<()> {
         let args = self.args;
         let rows = args.bands.unwrap_or(size.1);
         let mut total = Total::default();
         let mut colors = Vec::new();
         let mut draw = |frame| -> Result<RgbImage> {
-            let (drawn, (_, mut time)) = in_bands(size, rows, |strip| paint(strip, frame))?;
-            // One frame alone is measured with cold caches: draw it again for the time only.
+            let (drawn, (_, mut time)) = in_bands(size, rows, |band| paint(band, frame))?;
+            // A single frame is measured with cold caches. Draw it again, only for the time.
             for _ in 1..if args.frames == 1 && !args.window {
                 10
             } else {
                 1
             } {
-                let (_, (_, again)) = in_bands(size, rows, |strip| paint(strip, frame))?;
+                let (_, (_, again)) = in_bands(size, rows, |band| paint(band, frame))?;
                 time = time.min(again);
             }
             colors = drawn.into_iter().map(Into::into).collect();
-            let (records, (counts, _)) = in_bands(size, size.1, |strip| record(strip, frame))?;
+            let (records, (counts, _)) = in_bands(size, size.1, |band| record(band, frame))?;
             total.add(counts, time, &records);
             Ok(picture(size, &colors))
         };
@@ -119,7 +119,7 @@ impl<'a> Targets<'a> {
         }
         if let Some(mut out) = self.dump.take() {
             let last = args.frames - 1;
-            let (records, _) = in_bands(size, rows, |strip| record(strip, last))?;
+            let (records, _) = in_bands(size, rows, |band| record(band, last))?;
             dump::write(&records, size.0 as usize, &mut out)?;
             out.finish()?;
         }
@@ -151,7 +151,7 @@ impl<'a> Targets<'a> {
         }
         println!("{what} {submitted} in, {drawn} drawn, {clipped} of them clipped");
         if total.pixels == 0 {
-            println!("pixels 0 covered: nothing of it is in the picture");
+            println!("pixels 0 covered: the model is outside the picture");
         } else {
             #[allow(clippy::cast_precision_loss)] // three digits are shown
             let each = total.time.as_nanos() as f64 / total.pixels as f64;
@@ -167,7 +167,7 @@ impl<'a> Targets<'a> {
     }
 }
 
-/// What a picture of a measured scene is called.
+/// Returns the name of a measured scene's picture.
 fn file_name(scene: SceneName) -> &'static str {
     match scene {
         SceneName::Floor => "floor",
@@ -177,7 +177,7 @@ fn file_name(scene: SceneName) -> &'static str {
     }
 }
 
-/// What was drawn in all frames.
+/// The sums over all frames.
 #[derive(Default)]
 struct Total {
     counts: Drawn,
@@ -193,11 +193,11 @@ impl Total {
     }
 }
 
-/// Draws a frame in strips of some `rows`; gives the pixels of all.
+/// Draws a frame in bands of `rows` rows; returns the pixels of all bands.
 fn in_bands<C: PixelColor + Default>(
     size: (u32, u32),
     rows: u32,
-    paint: impl Fn(Strip<'_, C>) -> Result<Done>,
+    paint: impl Fn(Band<'_, C>) -> Result<Done>,
 ) -> Result<(Vec<C>, Done)> {
     let width = size.0 as usize;
     let rows = rows.min(size.1) as usize;
@@ -205,10 +205,10 @@ fn in_bands<C: PixelColor + Default>(
     let mut depth = vec![0; width * rows];
     let mut sum = (Drawn::default(), Duration::ZERO);
     let mut first_row = 0;
-    for strip in pixels.chunks_mut(width * rows) {
-        let len = strip.len();
-        let (drawn, time) = paint(Strip {
-            pixels: strip,
+    for band in pixels.chunks_mut(width * rows) {
+        let len = band.len();
+        let (drawn, time) = paint(Band {
+            pixels: band,
             depth: &mut depth[..len],
             size,
             first_row,

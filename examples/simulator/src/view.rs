@@ -1,4 +1,4 @@
-//! From what was asked for to the library's camera, projection and light.
+//! Makes the library's camera, projection and light from the framing.
 
 use fixel::num::scalar;
 use fixel::prelude::*;
@@ -17,7 +17,7 @@ pub enum Lens {
     Parallel(Projection<Parallel>),
 }
 
-/// All that is the same for each frame.
+/// Everything that is the same for each frame.
 #[derive(Clone, Copy, Debug)]
 pub struct View {
     pub projection: Lens,
@@ -39,10 +39,10 @@ fn point(what: &str, [x, y, z]: [f64; 3]) -> Result<Vec3> {
     Ok(Vec3::try_from([x, y, z]).map_err(|error| format!("{what} {x},{y},{z}: {error}"))?)
 }
 
-/// A direction by all the bits of the format: its length does not matter, so it is made long first.
+/// A direction, scaled up to use all bits of the format: its length does not matter.
 fn direction(what: &str, [x, y, z]: [f64; 3]) -> Result<Vec3> {
     let size = x.abs().max(y.abs()).max(z.abs());
-    // A power of two, so that nothing is rounded by it.
+    // A power of two, so that scaling does not round.
     let scale = if size > 0.0 && size.is_finite() {
         2_f64.powf(13.0 - size.log2().floor())
     } else {
@@ -52,11 +52,11 @@ fn direction(what: &str, [x, y, z]: [f64; 3]) -> Result<Vec3> {
 }
 
 impl View {
-    /// The view of `framing`.
+    /// Makes the view of `framing`.
     ///
     /// # Errors
     ///
-    /// What the library refuses.
+    /// The library refuses the camera, the projection or the light.
     pub fn new(args: &Args, framing: &Framing) -> Result<Self> {
         let what = |given: bool, option, chosen| if given { option } else { chosen };
         let eye = what(

@@ -1,5 +1,5 @@
-//! The window, where the build has one: SDL2 is a library of the system, and neither building nor
-//! testing should need it, so it is behind the feature `sdl`, which is used here only.
+//! The window, if the build has one. SDL2 is a library of the system, and neither building nor testing should need
+//! it. So it is behind the feature `sdl`, which is used only here.
 
 #[cfg(feature = "sdl")]
 mod sdl {
@@ -11,7 +11,7 @@ mod sdl {
     };
     use image::RgbImage;
 
-    /// A window of a picture's size, enlarged if the picture is small.
+    /// Opens a window of a picture's size, enlarged if the picture is small.
     pub struct Screen {
         window: Window,
         display: SimulatorDisplay<Rgb888>,
@@ -27,7 +27,7 @@ mod sdl {
             }
         }
 
-        /// Shows the picture; tells whether the window is still open.
+        /// Shows the picture; returns whether the window is still open.
         pub fn show(&mut self, picture: &RgbImage) -> bool {
             let colors = picture
                 .pixels()
@@ -46,7 +46,7 @@ mod sdl {
 #[cfg(feature = "sdl")]
 pub use sdl::Screen;
 
-/// No window can be made of this.
+/// A window that cannot exist.
 #[cfg(not(feature = "sdl"))]
 pub enum Screen {}
 
@@ -61,8 +61,8 @@ impl Screen {
 ///
 /// # Errors
 ///
-/// The build has no window.
-#[allow(clippy::unnecessary_wraps)] // in the build that has one
+/// The build cannot open windows.
+#[allow(clippy::unnecessary_wraps)] // can fail in the build without windows
 pub fn open(size: (u32, u32)) -> super::Result<Screen> {
     #[cfg(feature = "sdl")]
     return Ok(Screen::open(size));

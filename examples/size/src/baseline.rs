@@ -1,4 +1,4 @@
-//! Size probe: no drawing, all of the rest. What other probes have beyond it is what drawing takes.
+//! Size probe: everything but drawing. The code that another probe has beyond this one is the cost of drawing.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 mod probe;
@@ -7,7 +7,7 @@ use embedded_graphics::pixelcolor::Rgb565;
 use fixel::Error;
 
 /// Draws nothing.
-#[allow(clippy::unnecessary_wraps)] // as those that draw
+#[allow(clippy::unnecessary_wraps)] // the same signature as in the other probes
 fn draw(_: &mut [Rgb565], _: &mut [u16], _: u64) -> Result<(), Error> {
     Ok(())
 }

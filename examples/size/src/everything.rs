@@ -1,8 +1,8 @@
-//! Size probe: every stage of the way once, on one canvas with a depth buffer.
+//! Size probe: every stage of the pipeline once, on one canvas with a depth buffer.
 //!
-//! A camera, time, a light; points, lines, and triangles that are flat, Gouraud shaded, textured and
-//! lit; clipping, depth, perspective. One canvas, one projection: other combinations of the type
-//! parameters are other code, which is paid for when it is used (`shades` has more).
+//! A camera, time, a light; points, lines, and triangles that are flat, Gouraud shaded, textured and lit; clipping,
+//! depth, perspective. It has one canvas and one projection: other combinations of type parameters are other code,
+//! which a program links only if it uses them (`shades` has more).
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 mod probe;

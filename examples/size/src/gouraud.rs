@@ -1,4 +1,4 @@
-//! Size probe: triangles whose colors are interpolated.
+//! Size probe: triangles with interpolated colors.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 mod probe;

@@ -1,9 +1,9 @@
-//! What the size probes have in common: a model, memory, time, and how deep the stack went.
+//! The parts that all size probes share: a model, memory, time, and a report of the deepest stack.
 //!
-//! Every probe links all of the model and the texture, the baseline too, so that what a probe has
-//! beyond the baseline is code of the library and of the few lines that call it.
+//! Every probe, the baseline too, links the whole model and the texture. So the code that a probe has beyond the
+//! baseline belongs to the library, and to the few lines that call it.
 
-// The baseline has no use for what is drawn.
+// The baseline does not use the drawing parts.
 #![allow(dead_code)]
 
 use core::hint::black_box;
@@ -36,7 +36,7 @@ static COLORS: [Rgb888; 17 * 9] = {
 pub static SKIN: TextureArray<Rgb565, 2, 2> =
     TextureArray::rgb565(&[0xff, 0xff, 0xf8, 0x00, 0xf8, 0x00, 0xff, 0xff]);
 
-/// Before the eye, and so near that the near plane of [`projection`](fn@projection) cuts it: clipping runs.
+/// In front of the eye, so near that the near plane of [`projection`](fn@projection) cuts it: clipping runs.
 pub const PLACE: Vec3 = vec3!(0, 0, -1.5);
 
 /// The projection of the probes.
@@ -44,28 +44,28 @@ pub fn projection() -> Result<Projection<fixel::view::Perspective>, Error> {
     Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(100))
 }
 
-/// A turn every 5 seconds, or nearly so: `now_ms` in units of 2^-32 of a turn.
+/// A turn every 5 seconds, approximately: `now_ms` in units of 2^-32 of a turn.
 pub fn angle(now_ms: u64) -> Angle {
     Angle::from_bits((now_ms as u32).wrapping_mul(858_993))
 }
 
-/// Frames of one second, by the probe's `draw`: it is given pixels, depths and milliseconds.
+/// Draws the frames of one second with the probe's `draw`, which receives pixels, depths and milliseconds.
 fn frames(pixels: &mut [Rgb565], depths: &mut [u16]) {
     const FRAMES: u64 = 4;
     for frame in 0..FRAMES {
-        // Nothing can be worked out while compiling that is known at run time only.
+        // Hide run-time values from the compiler, so that it cannot compute with them.
         let now_ms = black_box(frame * 250);
         black_box((&MODEL, &SKIN));
         if super::draw(pixels, depths, now_ms).is_err() {
-            // Constant numbers, which the constructors accept.
-            #[allow(clippy::empty_loop)] // `.ci/sizes` ends a program that does not end
+            // The numbers are constant, and the constructors accept them.
+            #[allow(clippy::empty_loop)] // `.ci/sizes` stops a program that does not end
             loop {}
         }
         black_box((&*pixels, &*depths));
     }
 }
 
-/// What a probe does on the host: the same frames, for the compiler to see.
+/// The probe on the host: draws the same frames, so that the compiler checks the code.
 #[cfg(not(target_os = "none"))]
 pub fn host() {
     let mut pixels = vec![Rgb565::new(0, 0, 0); PIXELS];
@@ -100,7 +100,7 @@ mod board {
         process::exit(0)
     }
 
-    /// Prints a number, without the formatting of core, which can panic.
+    /// Prints a number without the formatting of `core`, which can panic.
     fn report(mut number: usize) {
         let mut line = *b"stack=0000000\n";
         for digit in line[6..13].iter_mut().rev() {

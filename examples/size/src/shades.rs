@@ -1,6 +1,6 @@
-//! Size probe: triangles in every shade of `fixel::shade`, each a draw call of its own.
+//! Size probe: triangles with every shader of `fixel::shade`, each in its own draw call.
 //!
-//! No firmware needs them all on one canvas; this is what the most varied would pay.
+//! No firmware needs them all on one canvas; the probe shows the cost of the most varied one.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 mod probe;

@@ -1,4 +1,4 @@
-//! What the probes of the modes draw: textured triangles with a depth buffer.
+//! Shared by the probes of the modes: textured triangles with a depth buffer.
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::mode::Mode;
@@ -6,7 +6,7 @@ use fixel::prelude::*;
 
 use super::probe::{HEIGHT, MODEL, PLACE, SKIN, WIDTH, angle, projection};
 
-/// Draws them in a mode.
+/// Draws the triangles in a mode.
 #[inline]
 pub fn draw(
     pixels: &mut [Rgb565],

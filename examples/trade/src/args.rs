@@ -13,7 +13,7 @@ Examples:
   trade --firmware target/thumbv7em --sizes thumbv7em=target/sizes
                                                and the code that each mode takes";
 
-/// Measures every mode of interpolation: its error against a model in f64, and its cost.
+/// Measures every interpolation mode: its error against a model in f64, and its cost.
 #[derive(Clone, Debug, Parser)]
 #[command(name = "trade", version, after_help = EXAMPLES, max_term_width = 100)]
 pub struct Args {
@@ -21,8 +21,8 @@ pub struct Args {
     #[arg(long)]
     pub quick: bool,
 
-    /// What the program `firmware` printed on a target; the file's name is the target's unless one is
-    /// given. May be repeated.
+    /// Output of the program `firmware` on a target. Without TARGET=, the file's name is the target's. May be
+    /// repeated.
     #[arg(long, value_name = "[TARGET=]FILE", value_parser = named)]
     pub firmware: Vec<Named>,
 
@@ -35,7 +35,7 @@ pub struct Args {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub planes: Option<u32>,
 
-    /// Repetitions of each drawing, of which the median time counts. [default: 41, with --quick 9]
+    /// Repetitions of each drawing; their median time counts. [default: 41, with --quick 9]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000))]
     pub repeats: Option<u32>,
 
@@ -43,12 +43,12 @@ pub struct Args {
     #[arg(long)]
     pub no_sweeps: bool,
 
-    /// Where the results go.
+    /// Directory for the results.
     #[arg(long, value_name = "DIR", default_value = "target/trade")]
     pub out: PathBuf,
 }
 
-/// A file of a target.
+/// A file for a target.
 #[derive(Clone, Debug)]
 pub struct Named {
     pub target: String,
@@ -71,7 +71,7 @@ fn named(text: &str) -> Result<Named, String> {
     } else {
         let file = Path::new(text);
         let name = file.file_name().unwrap_or_default().to_string_lossy();
-        // Not the stem: thumbv8m.main is a target.
+        // Not the file stem: thumbv8m.main is a target.
         let endings = [".txt", ".log", ".csv"].into_iter();
         let target = endings.fold(name.as_ref(), |name, end| {
             name.strip_suffix(end).unwrap_or(name)

@@ -1,26 +1,27 @@
-//! What is drawn and measured: meshes with all that leads to the screen, for the crate and for the model.
+//! The cases that are drawn and measured: meshes with everything that leads to the screen, for the crate and for the
+//! model.
 
 use fixel::num::{scalar, tex_coord};
 use fixel::prelude::*;
 use fixel::view::Perspective;
 
 use super::Result;
-use super::paint::Paint;
 use super::reference::linear::{IDENTITY, Matrix};
 use super::reference::projection::focal;
 use super::reference::view::{View, Viewport};
+use super::surface::Surface;
 
-/// Something to be measured as a whole.
+/// A case, which is measured as a whole.
 pub struct Case {
     pub name: &'static str,
     /// Width and height of the frame.
     pub size: (u32, u32),
-    pub paint: Paint,
-    /// Texels along the texture that errors are stated for, as a power of two.
+    pub surface: Surface,
+    /// Texels along the side of the texture that errors refer to, as a power of two.
     pub texels_log2: u32,
-    /// Whether anything but the depth is interpolated.
+    /// Whether any attribute is interpolated besides depth.
     pub interpolates: bool,
-    /// Drawings, each to a frame of its own.
+    /// Drawings, each into a frame of its own.
     pub shots: Vec<Shot>,
 }
 
@@ -28,7 +29,7 @@ pub struct Case {
 pub struct Shot {
     body: Body,
     pub mvp: Mvp<Perspective>,
-    /// The same for the model.
+    /// The same scene for the model.
     pub view: View,
 }
 
@@ -38,7 +39,7 @@ enum Body {
 }
 
 impl Shot {
-    /// A mesh, given what takes it to eye space, twice.
+    /// A mesh and its transform to eye space, in the crate's numbers and in the model's.
     pub fn of_mesh(
         mesh: &'static Mesh<'static>,
         mvp: Mvp<Perspective>,
@@ -52,7 +53,7 @@ impl Shot {
         }
     }
 
-    /// The triangles as they are to be seen through a projection.
+    /// The triangles as a projection is to show them.
     pub fn of_triangles(triangles: Triangles, projection: Lens) -> Result<Self> {
         Ok(Self {
             body: Body::Made(triangles),
@@ -71,7 +72,7 @@ impl Shot {
     }
 }
 
-/// A projection by its focal length, in pixels.
+/// A projection given by its focal length, in pixels.
 #[derive(Clone, Copy, Debug)]
 pub struct Lens {
     pub focal: f64,
@@ -101,7 +102,7 @@ impl Lens {
         }
     }
 
-    /// The point of eye space that is seen at a place on the screen, `w` ahead.
+    /// Returns the point of eye space at a position on the screen and a distance `w`.
     pub fn point(self, [x, y]: [f64; 2], w: f64) -> [f64; 3] {
         let [cx, cy] = [self.size.0, self.size.1].map(|size| f64::from(size) / 2.);
         let scale = w / self.focal;
@@ -109,7 +110,7 @@ impl Lens {
     }
 }
 
-/// A corner as it is to be seen: place on the screen in pixels, distance ahead, u and v.
+/// A corner as it is to appear: position on the screen in pixels, distance, u and v.
 #[derive(Clone, Copy, Debug)]
 pub struct Corner {
     pub at: [f64; 2],

@@ -1,4 +1,4 @@
-//! What was measured elsewhere: the program `firmware` prints instructions, another tool sizes of code.
+//! Figures measured elsewhere: instructions that the program `firmware` printed, and sizes of code from another tool.
 
 use std::collections::HashMap;
 use std::fs;
@@ -6,7 +6,7 @@ use std::fs;
 use super::Result;
 use super::args::Named;
 
-/// What a scene took on a target, in a mode.
+/// The cost of a scene on a target, in a mode.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cost {
     pub scene: String,
@@ -17,8 +17,8 @@ pub struct Cost {
     pub crc: Option<u32>,
 }
 
-/// Reads what the firmware printed: `tick=N instructions`, and of each `scene=… mode=… layout=frame pixels=…
-/// ticks=… crc=…`. Other lines and layouts are left alone.
+/// Reads the firmware's output: `tick=N instructions`, and for each scene `scene=… mode=… layout=frame pixels=…
+/// ticks=… crc=…`. Ignores other lines and layouts.
 pub fn costs(named: &Named) -> Result<Vec<Cost>> {
     let text = read(named)?;
     let costs = parse(&text).map_err(|problem| format!("{}: {problem}", named.file.display()))?;

@@ -1,16 +1,15 @@
-//! Speed against accuracy: every mode of interpolation, measured.
+//! Speed against accuracy: measures every interpolation mode.
 //!
-//! `cargo run --release -p trade` draws the four measured scenes and sets of random and
-//! adversarial planes in every mode, compares each pixel with a model in f64 that is given the same
-//! snapped vertices, and takes the time of the drawing calls. Into target/trade/ go
-//!
+//! `cargo run --release -p trade` draws the four measured scenes and sets of random and adversarial planes in every
+//! mode. It compares each pixel with a model in f64 that receives the same snapped vertices, and measures the time of
+//! the draw calls. It writes to target/trade/:
 //! | file | what |
 //! |---|---|
 //! | trade.csv, trade.md | a row for each scene, mode and target: cost, texel error, PSNR, code |
 //! | trade.png, trade.svg | texel error against cost |
 //! | sweeps.csv, sweep-….png, sweep-….svg | error and cost against depth ratio, slope of 1/w, size of the texture, resolution |
 //!
-//! Cortex-M's cost is taken from what the program `firmware` prints:
+//! The cost on a Cortex-M comes from the output of the program `firmware`:
 //!
 //! ```sh
 //! cargo run --release -p firmware --target thumbv7em-none-eabi > target/thumbv7em
@@ -18,15 +17,15 @@
 //! cargo run --release -p trade -- --firmware target/thumbv7em --sizes thumbv7em=target/sizes
 //! ```
 //!
-//! Code is that of the smallest firmware which draws textured triangles with a depth buffer in the mode, beyond one that draws
-//! nothing, at opt-level "s"; instructions are those of opt-level 3.
+//! Code is the smallest firmware that draws textured triangles with a depth buffer in the mode, less one that draws
+//! nothing, at opt-level "s"; instructions are counted at opt-level 3.
 //!
-//! Texel errors are the greater of column's and row's, on a texture of 256x256, whatever the scene is
-//! painted with. PSNR is that of the RGB565 picture against the model's, of the pixels that the scene
-//! covers; the background would only flatter it.
+//! A texel error is the greater of its column and its row, on a texture of 256x256, whatever shader the scene has.
+//! PSNR compares the RGB565 picture with the model's, over the pixels that the scene covers; the background would
+//! only improve it.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 #![cfg(not(target_os = "none"))]
-// f64 holds every integer used here, and no pixel is left of or above the picture.
+// f64 holds every integer used here, and no pixel lies left of or above the picture.
 #![allow(clippy::cast_precision_loss, clippy::cast_sign_loss)]
 
 mod args;
@@ -37,7 +36,6 @@ mod firmware;
 mod measure;
 mod measured;
 mod modes;
-mod paint;
 mod planes;
 mod plot;
 mod record;
@@ -45,6 +43,7 @@ mod record;
 mod reference;
 mod run;
 mod spread;
+mod surface;
 mod sweep;
 mod table;
 mod texture;
@@ -58,7 +57,7 @@ use clap::Parser;
 
 use args::Args;
 
-/// What went wrong, in words for the user.
+/// An error, in words for the user.
 type Result<T, E = Box<dyn Error>> = std::result::Result<T, E>;
 
 fn main() -> ExitCode {

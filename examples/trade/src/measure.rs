@@ -1,4 +1,4 @@
-//! A case in a mode: how far off it is, in texels and as a picture.
+//! Measures a case in a mode: its error in texels and as a picture.
 
 use std::cell::RefCell;
 
@@ -11,25 +11,25 @@ use fixel::target::DepthBuffer;
 
 use super::Result;
 use super::case::{Case, Shot};
-use super::paint::{Job, Target};
 use super::record::{Recorder, Seen};
 use super::spread::Spread;
+use super::surface::{Job, Target};
 use super::time::Times;
 use super::truth::{Expected, Truth, order};
 
-/// A case's figures in a mode.
+/// The figures of a case in a mode.
 #[derive(Clone, Debug)]
 pub struct Figures {
     pub mode: &'static str,
-    /// Pixels drawn, of all drawings.
+    /// Pixels drawn, in all drawings.
     pub pixels: usize,
-    /// Drawings.
+    /// Number of drawings.
     pub frames: usize,
-    /// Texel errors; none where nothing is interpolated.
+    /// Texel errors; `None` if no attribute is interpolated.
     pub error: Option<Spread>,
-    /// Of the covered pixels, in dB; infinite if all are alike.
+    /// PSNR of the covered pixels, in dB; infinite if all are equal.
     pub psnr: f64,
-    /// How long each drawing took.
+    /// The time of each drawing.
     pub times: Times,
     /// CRC-32 of the first picture's pixels, row by row, the more significant byte first.
     pub crc: u32,
@@ -41,7 +41,7 @@ impl Figures {
     }
 }
 
-/// A case with what it should look like.
+/// A case with its exact pictures.
 pub struct Subject<'a> {
     case: &'a Case,
     truths: Vec<Truth>,
@@ -58,7 +58,7 @@ impl<'a> Subject<'a> {
         self.case.shots.iter().zip(&self.truths)
     }
 
-    /// Measures it in a mode; the time is left to be taken.
+    /// Measures the case in a mode, except for its time.
     pub fn measure<I: Mode>(&self, name: &'static str, mode: I) -> Result<Figures> {
         let options = DrawOptions::new().mode(mode);
         let error = if self.case.interpolates {
@@ -80,7 +80,7 @@ impl<'a> Subject<'a> {
             options: &options,
             figures: &mut figures,
         };
-        self.case.paint.give(self.case.size, drawing)?;
+        self.case.surface.give(self.case.size, drawing)?;
         Ok(figures)
     }
 
@@ -122,7 +122,7 @@ impl<'a> Subject<'a> {
     }
 }
 
-/// The drawing of a subject in a mode, for its pictures.
+/// Draws a subject in a mode, for its pictures.
 struct Drawing<'a, I> {
     subject: &'a Subject<'a>,
     options: &'a DrawOptions<I>,
@@ -154,7 +154,7 @@ impl<I: Mode> Job for Drawing<'_, I> {
     }
 }
 
-/// The sum of squares by which pictures differ.
+/// The sum of the squared differences of pictures.
 #[derive(Default)]
 struct SquareError {
     sum: f64,
@@ -162,7 +162,7 @@ struct SquareError {
 }
 
 impl SquareError {
-    /// Adds the pixels where something should be drawn, each channel in parts of its range.
+    /// Adds the pixels that should be drawn; each channel is relative to its range.
     fn add(&mut self, drawn: impl Iterator<Item = Rgb565>, wanted: &[Option<Rgb565>]) {
         let channels = |color: Rgb565| {
             [(color.r(), 31.), (color.g(), 63.), (color.b(), 31.)]
@@ -182,7 +182,7 @@ impl SquareError {
     }
 }
 
-/// As the firmware works it out.
+/// The same checksum as the firmware's.
 fn crc(pixels: impl Iterator<Item = Rgb565>) -> u32 {
     let mut crc = Hasher::new();
     for pixel in pixels {

@@ -10,8 +10,8 @@ use super::case::{Case, Lens, Shot};
 use super::common::scenes::{
     self, CUBE_AT, FLOOR_AT, FLOOR_PITCH, HEIGHT, POSES, SPHERE_AT, WIDTH, cube_turn, sphere_turn,
 };
-use super::paint::Paint;
 use super::reference::linear::{Matrix, multiply, product, rotate_x, rotate_y, translate};
+use super::surface::Surface;
 
 /// The scenes' projection.
 const LENS: Lens = Lens {
@@ -38,23 +38,23 @@ pub fn cases() -> Result<Vec<Case>> {
             sphere_turn,
         )
     };
-    let case = |name, paint, shots| Case {
+    let case = |name, surface, shots| Case {
         name,
         size: (WIDTH, HEIGHT),
-        paint,
+        surface,
         texels_log2: 8,
-        interpolates: paint != Paint::Faceted,
+        interpolates: surface != Surface::Faceted,
         shots,
     };
     Ok(vec![
-        case("floor", Paint::Checkered, vec![floor]),
-        case("cube", Paint::Checkered, cube),
-        case("sphere", Paint::Shaded, sphere()?),
-        case("sphere-flat", Paint::Faceted, sphere()?),
+        case("floor", Surface::Checkered, vec![floor]),
+        case("cube", Surface::Checkered, cube),
+        case("sphere", Surface::Shaded, sphere()?),
+        case("sphere-flat", Surface::Faceted, sphere()?),
     ])
 }
 
-/// All poses of what is turned, then moved.
+/// All poses of a mesh that is turned, then moved.
 fn poses(
     mesh: &'static Mesh<'static>,
     mvp: impl Fn(i32) -> Result<Mvp<Perspective>, Error>,
@@ -70,7 +70,7 @@ fn poses(
         .collect()
 }
 
-/// What an angle is in radians, to the last bit of an f64.
+/// Returns the angle in radians, to the last bit of an f64.
 fn radians(angle: Angle) -> f64 {
     f64::from(angle.to_bits()) / 2_f64.powi(32) * TAU
 }

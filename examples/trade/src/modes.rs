@@ -1,19 +1,19 @@
-//! The modes that are compared. To measure one more, add its line.
+//! The modes that are compared. To measure another one, add a line.
 
 use fixel::fx;
 use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 
 use super::Result;
 
-/// Something that is done in each mode.
+/// Work to be done in each mode.
 pub trait Visitor {
-    /// Does it in one mode.
+    /// Does the work in one mode.
     fn visit<I: Mode>(&mut self, name: &'static str, mode: I) -> Result<()>;
 }
 
 macro_rules! modes {
     ($($name:literal => $mode:expr,)*) => {
-        /// What the modes are called: in tables, plots, and by the program `firmware`.
+        /// The names of the modes, in tables, in plots, and in the output of the program `firmware`.
         pub const NAMES: &[&str] = &[$($name),*];
 
         /// Visits each mode.

@@ -1,22 +1,22 @@
-//! Random and adversarial planes: textured triangles of which each asks something else of a mode.
+//! Random and adversarial planes: sets of textured triangles, each of which is hard for a mode in another way.
 //!
-//! | set | what |
+//! | set | triangles |
 //! |---|---|
 //! | planes-tilted | seen at 60 degrees, over the whole of 320 pixels |
 //! | planes-grazing | 1/w changes by up to 1/32 of itself from one pixel of a row to the next |
 //! | planes-slivers | a fraction of a pixel to a pixel and a half wide, up to 320 long, distances up to 1 : 8 |
 //! | planes-deep | distances 1 : 10 to 1 : 1000 |
 //!
-//! They are drawn from a generator with a fixed seed: every run has the same ones, of which fewer are
-//! the first ones.
+//! A generator with a fixed seed makes them, so every run has the same ones. A run with fewer triangles takes the
+//! first ones.
 
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::Result;
 use super::case::{Case, Corner, Lens, Shot, Triangles};
-use super::paint::{Paint, Side};
 use super::reference::coverage::area2_f64;
+use super::surface::{Side, Surface};
 
 const LENS: Lens = Lens {
     focal: 200.,
@@ -25,10 +25,10 @@ const LENS: Lens = Lens {
     far: 8000.,
 };
 
-/// What makes a plane of a set.
+/// A function that makes a plane of a set.
 type Plane = fn(&mut Dice) -> [Corner; 3];
 
-/// The sets, so many triangles each.
+/// The sets; each has this many triangles.
 pub fn cases(count: u32) -> Result<Vec<Case>> {
     let sets: [(&str, Plane); 4] = [
         ("planes-tilted", tilted),
@@ -48,7 +48,7 @@ pub fn cases(count: u32) -> Result<Vec<Case>> {
         cases.push(Case {
             name,
             size: LENS.size,
-            paint: Paint::Texture(Side::T64),
+            surface: Surface::Texture(Side::T64),
             texels_log2: 8,
             interpolates: true,
             shots,
@@ -60,22 +60,22 @@ pub fn cases(count: u32) -> Result<Vec<Case>> {
 struct Dice(ChaCha8Rng);
 
 impl Dice {
-    /// Evenly between two numbers.
+    /// Returns a number evenly distributed between two numbers.
     fn between(&mut self, low: f64, high: f64) -> f64 {
         self.0.random_range(low..high)
     }
 
-    /// Evenly in its logarithm.
+    /// Returns a number whose logarithm is evenly distributed.
     fn scale(&mut self, low: f64, high: f64) -> f64 {
         self.between(low.ln(), high.ln()).exp()
     }
 
-    /// A place in the picture.
+    /// Returns a position in the picture.
     fn place(&mut self) -> [f64; 2] {
         [self.between(0., 320.), self.between(0., 240.)]
     }
 
-    /// A triangle that takes up an eighth of the picture or more.
+    /// Returns a triangle that covers at least an eighth of the picture.
     fn places(&mut self) -> [[f64; 2]; 3] {
         loop {
             let places = [self.place(), self.place(), self.place()];
@@ -85,14 +85,14 @@ impl Dice {
         }
     }
 
-    /// Corners with a texture laid on at random, turned to the eye.
+    /// Corners with a random texture mapping, turned to face the eye.
     fn corners(&mut self, at: [[f64; 2]; 3], w: [f64; 3]) -> [Corner; 3] {
         let [a, b, c] = [0, 1, 2].map(|i: usize| Corner {
             at: at[i],
             w: w[i],
             uv: [self.between(0., 1.), self.between(0., 1.)],
         });
-        // A front face is counter-clockwise as seen, and so has a negative area with y down.
+        // A front face is counter-clockwise as seen, so its area is negative with y down.
         if area2_f64(&at) < 0. {
             [a, b, c]
         } else {
@@ -111,7 +111,7 @@ fn tilted(dice: &mut Dice) -> [Corner; 3] {
         if area2_f64(&at).abs() < 320. * 240. / 4. {
             continue;
         }
-        // The plane is met by the ray through (x, y, −1) at 1/w = (cos tilt − sin tilt · (x, y) · way) / distance.
+        // The ray through (x, y, −1) meets the plane at 1/w = (cos tilt − sin tilt · (x, y) · way) / distance.
         let q = at.map(|at| {
             let [x, y, _] = LENS.point(at, 1.);
             tilt_cos - tilt_sin * (cos * x + sin * y)
@@ -120,7 +120,7 @@ fn tilted(dice: &mut Dice) -> [Corner; 3] {
             q.into_iter().fold(0., f64::max),
             q.into_iter().fold(f64::MAX, f64::min),
         );
-        // Short of the horizon.
+        // Stay clear of the horizon.
         if far > near / 100. {
             let distance = dice.scale(0.5, 4.);
             return dice.corners(at, q.map(|q| distance * near / q));
@@ -130,7 +130,7 @@ fn tilted(dice: &mut Dice) -> [Corner; 3] {
 
 fn grazing(dice: &mut Dice) -> [Corner; 3] {
     let at = dice.places();
-    // What 1/w gains per pixel away from the far corner, where it is 1.
+    // The gain of 1/w per pixel away from the far corner, where 1/w is 1.
     let slope = [dice.between(0., 1. / 32.), dice.between(0., 1. / 128.)];
     let far = [0, 1].map(|axis: usize| {
         let ends = at.map(|at| at[axis]).into_iter();

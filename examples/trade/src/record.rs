@@ -1,4 +1,4 @@
-//! Shaders that write down what they are given, in place of a color.
+//! Shaders that record their input in place of a color.
 
 use std::cell::RefCell;
 
@@ -6,7 +6,7 @@ use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::prelude::*;
 use fixel::shade::{PerFace, Texels};
 
-/// What was interpolated at a pixel.
+/// The interpolated values of a pixel.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen {
     pub face: usize,
@@ -15,11 +15,11 @@ pub struct Seen {
     pub texel: [i32; 2],
 }
 
-/// Writes down the texel under every pixel of every triangle: the varyings are those of a texture.
+/// Records the texel under every pixel of every triangle; it has the varyings of a texture.
 #[derive(Clone, Copy)]
 pub struct Recorder<'a> {
     pub seen: &'a RefCell<Vec<Seen>>,
-    /// Texels along the texture, as a power of two: 4 or more, so that no bit of u and v is lost.
+    /// Texels along the side of the texture, as a power of two: 4 or more, so that no bit of u and v is lost.
     pub texels_log2: u32,
 }
 
@@ -49,17 +49,17 @@ impl Shader for Recorder<'_> {
     }
 }
 
-/// What a triangle's corners were given to the crate as.
+/// A triangle's corners, as given to the crate.
 #[derive(Clone, Copy, Debug)]
-pub struct Given {
+pub struct Recorded {
     pub face: usize,
     /// u, v, and red, green and blue of 255.
     pub corners: [[f64; 5]; 3],
 }
 
-/// Writes down the corners of the triangles that are drawn.
+/// Records the corners of the triangles that are drawn.
 #[derive(Clone, Copy)]
-pub struct Survey<'a>(pub &'a RefCell<Vec<Given>>);
+pub struct Survey<'a>(pub &'a RefCell<Vec<Recorded>>);
 
 impl Shader for Survey<'_> {
     type Color = Rgb565;
@@ -74,7 +74,7 @@ impl Shader for Survey<'_> {
             [u, v, r, g, b]
         });
         let face = primitive.index();
-        self.0.borrow_mut().push(Given { face, corners });
+        self.0.borrow_mut().push(Recorded { face, corners });
         [(); 3]
     }
 

@@ -1,4 +1,4 @@
-//! The whole of it: measure, write, plot.
+//! The whole run: measure, write, plot.
 
 use std::collections::HashMap;
 use std::fs;
@@ -18,19 +18,19 @@ use super::sweep::{self, Point, Sweep};
 use super::table::{self, HOST, Row};
 use super::{measured, planes};
 
-/// Rounds in which the repetitions are done.
+/// Rounds over which the repetitions are spread.
 const ROUNDS: u32 = 3;
 
-/// What was measured on other targets, in the order given.
+/// The figures of other targets, in the order given.
 struct Elsewhere {
     target: String,
     costs: Vec<firmware::Cost>,
     code: HashMap<String, u64>,
 }
 
-/// Does everything that the command line asks for.
+/// Runs everything that the command line asks for.
 pub fn run(args: &Args) -> Result<()> {
-    // Before anything is measured in vain.
+    // Check first, so that nothing is measured in vain.
     let elsewhere = read(args)?;
     fs::create_dir_all(&args.out)?;
     let mut cases = measured::cases()?;
@@ -50,7 +50,7 @@ pub fn run(args: &Args) -> Result<()> {
             add_rows(&mut rows, case.name, figures, &elsewhere)?;
         }
     }
-    // Targets apart from each other, the host first.
+    // Targets are kept apart, the host first.
     let rank = |row: &Row| {
         elsewhere
             .iter()
@@ -93,7 +93,7 @@ pub fn run(args: &Args) -> Result<()> {
     Ok(())
 }
 
-/// What the command line names files of.
+/// The files that the command line names.
 fn read(args: &Args) -> Result<Vec<Elsewhere>> {
     let mut all: Vec<Elsewhere> = Vec::new();
     let mut of = |target: &str| -> usize {
@@ -131,10 +131,10 @@ fn read(args: &Args) -> Result<Vec<Elsewhere>> {
     Ok(all)
 }
 
-/// Measures cases in every mode: of each case the figures of each mode.
+/// Measures cases in every mode; returns, for each case, the figures of each mode.
 ///
-/// First what they look like; then the time, in rounds of all cases and modes, so that what else the computer
-/// does for a while slows down few repetitions of each, which a median does not see.
+/// It compares pictures first and then measures time, in rounds over all cases and modes. So a temporary load on the
+/// computer slows down only a few repetitions of each, which the median ignores.
 fn measure(cases: &[&Case], args: &Args) -> Result<Vec<Vec<Figures>>> {
     let rounds = args.repeats().min(ROUNDS);
     let steps = cases.len() as u64 * u64::from(1 + rounds);
@@ -181,7 +181,7 @@ impl Visitor for Looking<'_> {
     }
 }
 
-/// Takes the time of a case, for its figures of the modes in turn.
+/// Measures the time of a case, for its figures in each mode in turn.
 struct Timing<'a> {
     case: &'a Case,
     repeats: u32,
@@ -197,7 +197,7 @@ impl Visitor for Timing<'_> {
     }
 }
 
-/// A row for the host, and one for each other target that has drawn the same.
+/// Returns a row for the host, and one for each other target that has drawn the same picture.
 fn add_rows(
     rows: &mut Vec<Row>,
     scene: &'static str,
@@ -222,7 +222,7 @@ fn add_rows(
         code,
     } in elsewhere
     {
-        // The last, as one that was measured again is after those before.
+        // Take the last one: a repeated measurement follows the earlier ones.
         let mut costs = costs.iter().rev();
         let Some(cost) = costs.find(|cost| cost.scene == scene && cost.mode == mode) else {
             continue;

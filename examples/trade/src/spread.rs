@@ -2,7 +2,7 @@
 
 use super::Result;
 
-/// The largest error, what 99 of 100 do not exceed, and the mean.
+/// The largest error, the 99th percentile, and the mean.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
     pub max: f64,
@@ -11,7 +11,7 @@ pub struct Spread {
 }
 
 impl Spread {
-    /// The figures of these errors.
+    /// Returns the figures of these errors.
     ///
     /// # Errors
     ///
@@ -29,7 +29,7 @@ impl Spread {
     }
 }
 
-/// The middle value, of an even number of them the lower of two; 0 of none.
+/// Returns the median, the lower of two middle values; 0 for no values.
 pub fn median(mut values: Vec<f64>) -> f64 {
     if values.is_empty() {
         return 0.;

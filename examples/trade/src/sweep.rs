@@ -1,28 +1,28 @@
-//! Sweeps: one property of a wall at a time, all else the same.
+//! Sweeps: vary one property of a wall at a time.
 //!
-//! The wall fills the frame, 320x240 unless that is what is swept, with a texture once across it; one
-//! corner is nearest, the opposite one farthest.
+//! The wall fills the frame, 320x240 unless the resolution is swept, and shows a texture once. One corner is the
+//! nearest, and the opposite one the farthest.
 
 use std::path::Path;
 
 use super::Result;
 use super::case::{Case, Corner, Lens, Shot, Triangles};
 use super::measure::Figures;
-use super::paint::{Paint, Side};
 use super::spread::Spread;
+use super::surface::{Side, Surface};
 use super::table::number;
 
-/// Something that is swept.
+/// A property to sweep.
 pub struct Sweep {
-    /// In file names and in the CSV.
+    /// Name in files and in the CSV.
     pub name: &'static str,
-    /// Over the plot.
+    /// Title of the plot.
     pub title: &'static str,
-    /// Along the plot's horizontal axis.
+    /// Name of the plot's horizontal axis.
     pub axis: &'static str,
-    /// Whether each step's own number is to be written there.
+    /// Whether the axis is labeled with each step's own number.
     pub stepped: bool,
-    /// Where on that axis each case is.
+    /// Each case, with its position on that axis.
     pub cases: Vec<(f64, Case)>,
 }
 
@@ -36,7 +36,7 @@ impl Sweep {
 #[derive(Clone, Debug)]
 pub struct Point {
     pub sweep: &'static str,
-    /// Where on the sweep's axis.
+    /// Position on the sweep's axis.
     pub at: f64,
     pub mode: &'static str,
     pub ns_per_pixel: f64,
@@ -88,7 +88,7 @@ pub fn write_csv(path: &Path, points: &[Point]) -> Result<()> {
     Ok(out.flush()?)
 }
 
-/// Distances of a wall, unless they are swept: the farthest corner to the nearest.
+/// Ratio of a wall's farthest to its nearest distance, unless it is swept.
 const RATIO: f64 = 8.;
 /// The frame, unless it is swept.
 const SIZE: (u32, u32) = (320, 240);
@@ -120,7 +120,7 @@ pub fn sweeps(quick: bool) -> Result<Vec<Sweep>> {
         Sweep {
             name: "slope",
             title: "Slope of 1/w (strips side by side, each from a distance to twice that)",
-            axis: "change of 1/w per pixel at the far end, in parts of it",
+            axis: "relative change of 1/w per pixel at the far end",
             stepped: false,
             cases: at(strips, &|width| {
                 Ok((1. / width, case(SIZE, Side::T64, 8, strips_of(width)?)?))
@@ -166,15 +166,15 @@ fn case(size: (u32, u32), side: Side, texels_log2: u32, wall: Triangles) -> Resu
     Ok(Case {
         name: "sweep",
         size,
-        paint: Paint::Texture(side),
+        surface: Surface::Texture(side),
         texels_log2,
         interpolates: true,
         shots: vec![Shot::of_triangles(wall, projection(size))?],
     })
 }
 
-/// A wall over the frame, nearest at the top left, `ratio` times as far at the bottom right; three
-/// quarters of the change of 1/w are along a row.
+/// A wall over the frame, nearest at the top left, `ratio` times as far at the bottom right; three quarters of the
+/// change of 1/w are along a row.
 fn wall(size: (u32, u32), ratio: f64) -> Result<Triangles> {
     let [width, height] = [size.0, size.1].map(f64::from);
     let corner = |u: f64, v: f64| Corner {
@@ -193,8 +193,8 @@ fn wall(size: (u32, u32), ratio: f64) -> Result<Triangles> {
     Ok(wall)
 }
 
-/// Strips from the top to the bottom, so many pixels wide, each twice as far at its right as at its left, with
-/// the texture once across each.
+/// Strips from top to bottom, each this many pixels wide, twice as far at its right as at its left, and with the
+/// whole texture on it.
 fn strips_of(width: f64) -> Result<Triangles> {
     let [right, bottom] = [SIZE.0, SIZE.1].map(f64::from);
     let mut strips = Triangles::default();

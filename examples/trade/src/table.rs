@@ -6,7 +6,7 @@ use std::path::Path;
 use super::Result;
 use super::spread::Spread;
 
-/// The computer that this runs on, among the targets.
+/// The name of the computer that this runs on, among the targets.
 pub const HOST: &str = "host";
 
 /// A scene in a mode on a target.
@@ -15,7 +15,7 @@ pub struct Row {
     pub scene: &'static str,
     pub mode: &'static str,
     pub target: String,
-    /// Of one frame, in nanoseconds on the host and in instructions elsewhere.
+    /// Cost of one frame, in nanoseconds on the host and in instructions elsewhere.
     pub per_frame: f64,
     pub per_pixel: f64,
     pub error: Option<Spread>,
@@ -30,12 +30,12 @@ impl Row {
     }
 }
 
-/// What cost is counted in on a target.
+/// Returns the unit of cost on a target.
 pub fn unit(target: &str) -> &'static str {
     if target == HOST { "ns" } else { "instructions" }
 }
 
-/// Writes every row, a column for each figure; what does not exist is empty.
+/// Writes every row, with a column for each figure; missing figures are empty.
 pub fn write_csv(path: &Path, rows: &[Row]) -> Result<()> {
     let mut out = csv::Writer::from_path(path)?;
     out.write_record([
@@ -72,7 +72,7 @@ pub fn write_csv(path: &Path, rows: &[Row]) -> Result<()> {
     Ok(out.flush()?)
 }
 
-/// A number with four digits that count, in full: no exponents.
+/// Formats a number with four significant digits, without an exponent.
 pub fn number(value: f64) -> String {
     if value == 0. {
         return "0".into();
@@ -81,7 +81,7 @@ pub fn number(value: f64) -> String {
     format!("{value:.*}", digits.clamp(0, 12) as usize)
 }
 
-/// A row for each scene and mode, a column of cost for each target.
+/// A row for each scene and mode, and a column of cost for each target.
 pub fn markdown(rows: &[Row]) -> String {
     let mut targets: Vec<&str> = rows.iter().map(|row| row.target.as_str()).collect();
     let mut seen = std::collections::HashSet::new();
@@ -147,7 +147,7 @@ pub fn markdown(rows: &[Row]) -> String {
     text
 }
 
-/// A number with two digits that count.
+/// Formats a number with two significant digits.
 fn short(value: f64) -> String {
     if value == 0. {
         return "0".into();

@@ -1,4 +1,4 @@
-//! Textures of some sizes, checkered in eight by eight squares, whose texels are read at run time.
+//! Textures of several sizes, checkered in eight by eight squares, whose texels are read at run time.
 
 use embedded_graphics::pixelcolor::{Rgb565, WebColors};
 use fixel::prelude::*;

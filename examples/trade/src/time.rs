@@ -1,4 +1,4 @@
-//! How long drawing takes: the drawing calls only, the median of repetitions.
+//! Measures the time of draw calls: the median of repetitions.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -10,25 +10,25 @@ use fixel::target::DepthBuffer;
 
 use super::Result;
 use super::case::Case;
-use super::paint::{Job, Target};
 use super::spread::median;
+use super::surface::{Job, Target};
 
-/// Drawings before the first that counts, so that caches and branches are known, as they are from frame to frame.
+/// Drawings before the first that counts. They fill caches and branch predictors, as earlier frames would.
 const WARM: u32 = 4;
-/// The least time that is measured at once: the clock's own is then a thousandth.
+/// The shortest time that is measured at once: a thousand times the clock's resolution.
 const LEAST: Duration = Duration::from_micros(50);
 
-/// Nanoseconds that each drawing of a case took, each time.
+/// Nanoseconds of each drawing of a case, in each repetition.
 #[derive(Clone, Debug, Default)]
 pub struct Times(Vec<Vec<f64>>);
 
 impl Times {
-    /// Nanoseconds for all drawings: the sum of their medians.
+    /// Returns the nanoseconds of all drawings: the sum of their medians.
     pub fn ns(&self) -> f64 {
         self.0.iter().map(|samples| median(samples.clone())).sum()
     }
 
-    /// Draws a case so many times more.
+    /// Draws a case this many times more.
     pub fn add<I: Mode>(&mut self, case: &Case, mode: I, repeats: u32) -> Result<()> {
         self.0.resize(case.shots.len(), Vec::new());
         let timing = Timing {
@@ -37,7 +37,7 @@ impl Times {
             repeats,
             times: self,
         };
-        case.paint.give(case.size, timing)
+        case.surface.give(case.size, timing)
     }
 }
 
@@ -56,8 +56,8 @@ impl<I: Mode> Job for Timing<'_, I> {
     ) -> Result<()> {
         for (shot, samples) in self.case.shots.iter().zip(&mut self.times.0) {
             let mesh = shot.mesh()?;
-            // How often in a row, so that it takes long enough. With a depth buffer once: what is drawn
-            // again would be hidden.
+            // Repeat the drawing until it takes long enough. With a depth buffer draw once, because a second drawing
+            // would be hidden.
             let mut times = 1_u32;
             for repeat in 0..WARM + self.repeats {
                 canvas.clear(Rgb565::BLACK);
@@ -69,7 +69,7 @@ impl<I: Mode> Job for Timing<'_, I> {
                 let time = start.elapsed();
                 if repeat >= WARM {
                     samples.push(time.as_secs_f64() * 1e9 / f64::from(times));
-                } else if self.case.paint.may_repeat() {
+                } else if self.case.surface.may_repeat() {
                     let once = time.as_nanos() / u128::from(times);
                     times = u32::try_from(LEAST.as_nanos() / once.max(1))? + 1;
                 }

@@ -1,4 +1,4 @@
-//! What each pixel should be: the model in f64, given the crate's snapped vertices.
+//! The exact pixels: the model in f64, given the crate's snapped vertices.
 
 use std::cell::RefCell;
 
@@ -8,20 +8,20 @@ use fixel::prelude::*;
 
 use super::Result;
 use super::case::{Case, Shot};
-use super::record::{Given, Survey};
+use super::record::{Recorded, Survey};
 use super::reference::coverage::{Bounds, covered_in};
 use super::reference::linear::Vec3 as Point;
 use super::reference::raster::{self, Piece, pieces};
 
-/// What a drawing should be.
+/// The exact drawing.
 pub struct Truth {
     /// Every pixel of every triangle that is drawn, by face, row and column.
     pub pixels: Vec<Expected>,
-    /// The picture, where anything is drawn.
+    /// The picture: the color of each covered pixel.
     pub picture: Vec<Option<Rgb565>>,
 }
 
-/// What a pixel of a triangle should be.
+/// The exact values of a triangle's pixel.
 #[derive(Clone, Copy, Debug)]
 pub struct Expected {
     pub face: usize,
@@ -31,11 +31,11 @@ pub struct Expected {
 }
 
 impl Truth {
-    /// The model's drawing of a shot.
+    /// Draws a shot with the model.
     ///
     /// # Errors
     ///
-    /// The crate refuses the mesh, or clips it: there the vertices are its own, not those given.
+    /// The crate refuses the mesh, or clips it: then it draws other vertices than those given.
     pub fn of(case: &Case, shot: &Shot) -> Result<Self> {
         let (width, height) = case.size;
         let mut truth = Self {
@@ -59,7 +59,7 @@ impl Truth {
                 let place = pixel[1] as usize * width as usize + pixel[0] as usize;
                 if value.w < nearest[place] {
                     nearest[place] = value.w;
-                    truth.picture[place] = Some(case.paint.model(face, value.attributes));
+                    truth.picture[place] = Some(case.surface.model(face, value.attributes));
                 }
             }
         }
@@ -75,26 +75,26 @@ pub fn order(face: usize, [x, y]: [i32; 2]) -> (usize, i32, i32) {
     (face, y, x)
 }
 
-/// The triangles that the crate draws, where it puts their corners; and for each its place in the mesh.
+/// Returns the triangles that the crate draws, with their snapped corners and their index in the mesh.
 fn snapped(case: &Case, shot: &Shot) -> Result<(Vec<Piece<5>>, Vec<usize>)> {
     let mesh = shot.mesh()?;
     let (width, height) = case.size;
     let mut colors = vec![Rgb565::default(); width as usize * height as usize];
     let mut canvas = Canvas::new(&mut colors, width, height)?;
-    // The mode does not matter: nothing is looked at but the corners.
+    // The mode does not matter: only the corners are used.
     let options = DrawOptions::new().mode(Exact);
-    let given = RefCell::new(Vec::new());
-    canvas.draw_with(&options, &mesh, &shot.mvp, &Survey(&given));
-    let given: Vec<Given> = given.into_inner();
+    let recorded = RefCell::new(Vec::new());
+    canvas.draw_with(&options, &mesh, &shot.mvp, &Survey(&recorded));
+    let recorded: Vec<Recorded> = recorded.into_inner();
 
     let positions: Vec<Point> = mesh
         .positions()
         .iter()
         .map(|p| [p.x, p.y, p.z].map(Scalar::to_num))
         .collect();
-    let corners = |given: &Given| mesh.faces()[given.face].map(usize::from);
-    let faces: Vec<[usize; 3]> = given.iter().map(corners).collect();
-    let attributes: Vec<[[f64; 5]; 3]> = given.iter().map(|given| given.corners).collect();
+    let corners = |recorded: &Recorded| mesh.faces()[recorded.face].map(usize::from);
+    let faces: Vec<[usize; 3]> = recorded.iter().map(corners).collect();
+    let attributes: Vec<[[f64; 5]; 3]> = recorded.iter().map(|recorded| recorded.corners).collect();
     let model = raster::Mesh {
         positions: &positions,
         faces: &faces,
@@ -116,6 +116,6 @@ fn snapped(case: &Case, shot: &Shot) -> Result<(Vec<Piece<5>>, Vec<usize>)> {
         };
         snapped.push(piece.snapped_to([a, b, c]));
     }
-    let faces = given.iter().map(|given| given.face).collect();
+    let faces = recorded.iter().map(|recorded| recorded.face).collect();
     Ok((snapped, faces))
 }

@@ -1,4 +1,4 @@
-//! Runs the measurement of modes as a user would, on little, and looks at what it makes.
+//! Runs the measurement of modes as a user would, with few planes, and checks its output.
 #![cfg(not(target_os = "none"))]
 
 use std::collections::HashMap;
@@ -19,10 +19,10 @@ const SCENES: [&str; 8] = [
     "planes-deep",
 ];
 
-/// A row by its columns' names.
+/// A row's values by the names of their columns.
 type Row = HashMap<String, String>;
 
-/// An empty directory of the test's own.
+/// Makes an empty directory for a test.
 fn directory(test: &str) -> PathBuf {
     let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("trade-{test}"));
     let _ = fs::remove_dir_all(&directory);
@@ -40,7 +40,7 @@ fn run(directory: &Path, arguments: &str) -> Output {
         .unwrap()
 }
 
-/// Runs what must succeed, into target/trade of the directory.
+/// Runs the program, which must succeed, with output to target/trade of the directory.
 fn good(directory: &Path, arguments: &str) -> PathBuf {
     let output = run(directory, arguments);
     let errors = String::from_utf8_lossy(&output.stderr);
@@ -48,7 +48,7 @@ fn good(directory: &Path, arguments: &str) -> PathBuf {
     directory.join("target").join("trade")
 }
 
-/// Runs what must be refused with a message that has `says` in it.
+/// Runs the program, which must refuse its arguments with a message that contains `says`.
 fn refused(directory: &Path, arguments: &str, says: &str) {
     let output = run(directory, arguments);
     let message = String::from_utf8_lossy(&output.stderr);
@@ -59,7 +59,7 @@ fn refused(directory: &Path, arguments: &str, says: &str) {
     );
 }
 
-/// The rows of a CSV that has these columns.
+/// Returns the rows of a CSV with these columns.
 fn rows(file: &Path, columns: &str) -> Vec<Row> {
     let mut reader = csv::Reader::from_path(file).unwrap();
     let header: Vec<&str> = columns.split(' ').collect();
@@ -85,7 +85,7 @@ fn number(row: &Row, column: &str) -> f64 {
     value
 }
 
-/// Both forms of a plot are there, and each mode's color is in it.
+/// Checks that both forms of a plot exist and contain each mode's color.
 fn assert_plot(out: &Path, stem: &str) {
     let svg = fs::read_to_string(out.join(format!("{stem}.svg"))).unwrap();
     let picture = image::open(out.join(format!("{stem}.png")))
@@ -102,11 +102,11 @@ fn assert_plot(out: &Path, stem: &str) {
     }
 }
 
-/// The most that a mode's texel error may be.
+/// Returns the bound of a mode's texel error.
 fn promised(scene: &str) -> f64 {
     if scene == "planes-deep" {
-        // At 1 : 1000 the farthest 1/w has 2^30 / 1000 units, of which 56.5 may be off (tests/accuracy/bounds.rs); of
-        // corners of less than 2^24, which are shifted by 26 bits, in units of 2^-16 texel.
+        // At 1 : 1000 the farthest 1/w has 2^30 / 1000 units, with an error of up to 56.5 (tests/accuracy/bounds.rs).
+        // Attributes of corners are below 2^24 and shifted by 26 bits, in units of 2^-16 texel.
         56.5 * 1000. / 2_f64.powi(30) * 2_f64.powi(26 - 16)
     } else {
         0.001
@@ -114,7 +114,7 @@ fn promised(scene: &str) -> f64 {
 }
 
 #[test]
-fn scenes_in_every_mode() {
+fn scenes_are_measured_in_every_mode() {
     let out = good(&directory("scenes"), "--no-sweeps");
     let rows = trade(&out);
     let of = |mode: &str| -> Vec<&Row> { rows.iter().filter(|row| row["mode"] == mode).collect() };
@@ -133,7 +133,7 @@ fn scenes_in_every_mode() {
         let psnr = number(row, "psnr_db");
         let errors = ["max", "p99", "mean"].map(|part| format!("texel_error_{part}"));
         if scene == "sphere-flat" {
-            // Nothing is interpolated, so the model's picture is met.
+            // No attribute is interpolated, so the picture equals the model's.
             assert!(psnr.is_infinite() && errors.iter().all(|column| row[column].is_empty()));
             continue;
         }
@@ -177,7 +177,7 @@ fn sweeps() {
 }
 
 #[test]
-fn figures_of_other_targets() {
+fn figures_of_other_targets_are_read() {
     let directory = directory("targets");
     let write = |name: &str, text: &str| fs::write(directory.join(name), text).unwrap();
     write(

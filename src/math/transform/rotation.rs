@@ -102,7 +102,7 @@ impl Transform {
     /// Rotates by a quaternion, in the order `[x, y, z, w]` with the real part last.
     ///
     /// The parts may have any common unit, such as [`Scalar`](crate::Scalar) or [`Unit`]: the
-    /// quaternion is normalized. A sensor's raw integers will do as [`Unit::from_bits`]. Entries
+    /// quaternion is normalized. For a sensor's raw integers, use [`Unit::from_bits`]. Entries
     /// are within 2⁻²⁷ of their values.
     ///
     /// # Errors

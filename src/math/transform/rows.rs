@@ -57,7 +57,7 @@ impl From<Transform> for Matrix4 {
 impl TryFrom<Matrix4> for Transform {
     type Error = Error;
 
-    /// Takes the upper three rows of an affine matrix, as [`from_rows`](Transform::from_rows).
+    /// Converts the upper three rows of an affine matrix, as [`from_rows`](Transform::from_rows) does.
     ///
     /// # Errors
     ///
@@ -91,7 +91,7 @@ mod tests {
             for i in 0..3 {
                 let expected = [rows[i][0], rows[i][1], rows[i][2], moved[i]].map(|v| v >> cut);
                 for (found, expected) in matrix.rows()[i].iter().zip(expected) {
-                    // Mantissas have 30 bits: 31 and 32 bits lose up to half of their last two.
+                    // Mantissas have 30 bits: numbers of 31 or 32 bits lose their last one or two.
                     let slack = if cut < 2 { 2 } else { 0 };
                     let error = i64::from(found.to_bits()) - i64::from(expected);
                     prop_assert!(error.abs() <= slack, "{}", error);
@@ -102,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn a_last_row_of_a_projection_is_refused() {
+    fn the_last_row_of_a_projection_is_refused() {
         let (zero, one) = (Scalar::ZERO, Scalar::ONE);
         let mut rows = *Matrix4::IDENTITY.rows();
         for i in 0..4 {

@@ -1,4 +1,4 @@
-//! Parallel projections: distant things keep their size.
+//! Parallel projections: distant objects keep their size.
 
 use core::marker::PhantomData;
 

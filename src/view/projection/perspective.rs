@@ -1,4 +1,4 @@
-//! Perspectives: distant things are small.
+//! Perspective projections: distant objects are small.
 
 use core::marker::PhantomData;
 
@@ -35,7 +35,7 @@ impl Projection<Perspective> {
         }
     }
 
-    /// Makes a symmetric perspective from the vertical field of view and the width to height of the
+    /// Makes a symmetric perspective from the vertical field of view and the aspect ratio of the
     /// picture.
     ///
     /// Its window has top = near · tan(fov / 2) and right = top · aspect.
@@ -140,7 +140,7 @@ impl Projection<Perspective> {
     /// Returns the point of the near plane in which all lines of a direction vanish:
     /// (−n·x/z, −n·y/z), rounded to nearest (half away from zero).
     ///
-    /// `None` if the direction is parallel to the picture, where its lines stay parallel, and if
+    /// `None` if the direction is parallel to the picture, where its lines stay parallel, or if
     /// the point is beyond ±32768.
     ///
     /// ```
@@ -159,7 +159,7 @@ impl Projection<Perspective> {
     /// Returns the image on the near plane of a point in eye space: (−n·x/z, −n·y/z), rounded to
     /// nearest (half away from zero).
     ///
-    /// `None` if the point is not ahead of the eye, and if the image is beyond ±32768.
+    /// `None` if the point is not ahead of the eye, or if the image is beyond ±32768.
     #[must_use]
     pub fn image(&self, point: Vec3) -> Option<[Scalar; 2]> {
         if point.z < Scalar::ZERO {

@@ -1,6 +1,7 @@
-//! Canvases from one pixel to the largest, and viewports beside them.
+//! Canvases from one pixel to the largest, and viewports in and around them.
 //!
-//! Bounds as for [`planes`](super::planes); nothing depends on the size of the canvas or on where the viewport is.
+//! Bounds as for [`planes`](super::planes): they depend neither on the size of the canvas nor on the viewport's
+//! place.
 
 use fixel::prelude::*;
 
@@ -8,13 +9,13 @@ use super::scene::{Lens, Random, worst};
 use super::table::{Cases, picture};
 use super::verdict::Verdict;
 
-/// Triangles all over a viewport, and beyond.
+/// Triangles all over a viewport, and beyond it.
 fn on(size: (u32, u32), viewport: Option<Viewport>, count: usize) -> Verdict {
     let (width, height) = viewport.map_or(size, |viewport| (viewport.width(), viewport.height()));
     let projection = Lens {
         size,
         viewport,
-        // A focal length as long as the smaller side, but for the smallest of them.
+        // A focal length equal to the smaller side, except on the smallest canvases.
         focal: f64::from(width.min(height).max(8)),
         ..Lens::ROOM
     };
@@ -31,7 +32,7 @@ fn on(size: (u32, u32), viewport: Option<Viewport>, count: usize) -> Verdict {
     }))
 }
 
-/// Viewports of 64x48 about a canvas of 40x30: in it in part, or beyond.
+/// Viewports of 64x48 around a canvas of 40x30: partly on it, or wholly outside.
 fn beside() -> Verdict {
     let places = [
         (-20, -10),
@@ -52,7 +53,7 @@ fn beside() -> Verdict {
     }))
 }
 
-/// The largest viewport there is, in any direction from a small canvas.
+/// The largest viewport, in any direction from a small canvas.
 fn largest_viewport() -> Verdict {
     let places = [(0, 0), (-4056, -4066), (-2048, -2048), (-4095, -1000)];
     worst(places.map(|(x, y)| on((40, 30), Some(Viewport::new(x, y, 4096, 4096).unwrap()), 60)))
@@ -67,12 +68,12 @@ pub static CASES: Cases = Cases::new(|| {
         picture("canvas 2048x3", on((2048, 3), None, 20)),
         picture("canvas 3x2048", on((3, 2048), None, 20)),
         picture("canvas 2048x2048, its corners", corners_of_the_largest()),
-        picture("viewport in part or wholly off the canvas", beside()),
+        picture("viewport partly or wholly outside the canvas", beside()),
         picture("viewport 4096x4096, canvas 40x30", largest_viewport()),
     ]
 });
 
-/// Triangles of some pixels in the corners of the largest canvas, and one through all of it.
+/// Triangles of some pixels in the corners of the largest canvas, and one that covers it all.
 fn corners_of_the_largest() -> Verdict {
     let projection = Lens {
         size: (2048, 2048),

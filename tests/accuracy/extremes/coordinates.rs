@@ -1,15 +1,15 @@
-//! Coordinates and offsets up to the format's ends, and triangles that are far larger than the screen.
+//! Coordinates and offsets up to the ends of the format, and triangles far larger than the screen.
 //!
-//! Bounds as for [`planes`](super::planes): clip space has 30 bits of the largest that goes into a sum, so that
-//! coordinates and offsets that add up to S move what is w ahead by up to S/w · 2⁻¹⁶ · 0.15 pixels
-//! (`Scene::moved`), and its texels by as much of theirs.
+//! Bounds as for [`planes`](super::planes). Clip space has 30 bits of the largest term of a sum. So coordinates and
+//! offsets that add up to S move a point at distance w by up to S/w · 2⁻¹⁶ · 0.15 pixels (`Scene::moved`), and its
+//! texels in proportion.
 
 use super::scene::{Corners, Lens, Random, worst};
 use super::table::{Cases, picture};
 use super::verdict::Verdict;
 use crate::moves::{to, y};
 
-/// Triangles as wide as the picture, and some that are not, at distances about four.
+/// Triangles as wide as the picture, and smaller ones, at distances around four.
 fn triangles(projection: &Lens, count: usize) -> Vec<Corners> {
     let mut random = Random(2);
     let corner = |random: &mut Random| {
@@ -22,7 +22,7 @@ fn triangles(projection: &Lens, count: usize) -> Vec<Corners> {
         .collect()
 }
 
-/// Models far from their own origin, put before the eye.
+/// Models far from their own origin, moved in front of the eye.
 fn placed(at: f64) -> Verdict {
     let projection = Lens {
         moves: vec![to([-at, at, -at])],
@@ -33,7 +33,7 @@ fn placed(at: f64) -> Verdict {
     worst(triangles.map(|corners| projection.judge(corners.map(model))))
 }
 
-/// The same, and turned about in the world: a camera that is far from the world's origin.
+/// The same, turned in the world: a camera far from the world's origin.
 fn turned(at: f64) -> Verdict {
     let turn = 0.7_f64;
     let projection = Lens {
@@ -52,7 +52,7 @@ fn turned(at: f64) -> Verdict {
     worst(triangles.map(|corners| projection.judge(corners.map(model))))
 }
 
-/// What is far away for what it is: a focal length of 2000 pixels.
+/// Distant objects under a focal length of 2000 pixels.
 fn far_away(w: f64) -> Verdict {
     let projection = Lens {
         focal: 2000.,
@@ -69,7 +69,7 @@ fn far_away(w: f64) -> Verdict {
     }))
 }
 
-/// Triangles whose sides are so many times as long as the picture is wide, through its middle.
+/// Triangles through the middle of the picture whose sides are `times` as long as the picture is wide.
 fn large(times: f64) -> Verdict {
     let projection = Lens::ROOM;
     let mut random = Random(4);
@@ -91,7 +91,7 @@ fn large(times: f64) -> Verdict {
     }))
 }
 
-/// All corners in one place or in two, far outside the guard band or inside.
+/// All corners in one region or in two, far outside the guard band or inside.
 fn beyond_the_guard_band() -> Verdict {
     let projection = Lens::ROOM;
     let sides = [
@@ -112,15 +112,15 @@ fn beyond_the_guard_band() -> Verdict {
 pub static CASES: Cases = Cases::new(|| {
     vec![
         picture(
-            "model 64 from its origin, moved before the eye",
+            "model 64 from its origin, moved in front of the eye",
             placed(64.),
         ),
         picture(
-            "model 10⁴ from its origin, moved before the eye",
+            "model 10⁴ from its origin, moved in front of the eye",
             placed(1e4),
         ),
         picture(
-            "model 32,700 from its origin, moved before the eye",
+            "model 32,700 from its origin, moved in front of the eye",
             placed(32_700.),
         ),
         picture("camera 10⁴ from the world's origin, turned", turned(1e4)),
@@ -143,6 +143,6 @@ pub static CASES: Cases = Cases::new(|| {
 });
 
 #[test]
-fn large_numbers_cost_what_they_are_to_cost() {
+fn errors_of_large_numbers_are_within_their_bounds() {
     assert_eq!(CASES.len(), 10);
 }

@@ -1,8 +1,8 @@
 //! Depth ranges: far/near from 10 to 10⁶, and two surfaces 1 % apart.
 //!
-//! A step of the depth buffer is w²/(65,535 · near) at a distance of w: 1 % of w is one step up to 655 times the near plane's
-//! distance, whatever that of the far plane. Up to there the nearer one shows; farther off, what shows is behind
-//! what is nearest by less than a step and what two depths are off by (`bounds::DEPTH`).
+//! At a distance of w, a step of the depth buffer is w²/(65,535 · near). So 1 % of w is one step up to 655 times the
+//! near plane's distance, whatever the far plane's. Up to there the nearer of two surfaces shows. Beyond, the visible
+//! one is behind the nearest by less than a step and the error of two depths (`bounds::DEPTH`).
 
 use fixel::prelude::*;
 use fixel::view::Perspective;
@@ -16,7 +16,7 @@ use crate::mode::Mode;
 use crate::moves::{exact, quantised};
 use crate::reference::linear::{Vec3 as Vector, cross, dot, subtract};
 
-/// Near planes whose far planes are so many times as far.
+/// Near planes, each with a far plane at this ratio.
 const RATIOS: [(&str, f64, f64); 6] = [
     ("10", 4., 40.),
     ("10²", 4., 400.),
@@ -25,7 +25,7 @@ const RATIOS: [(&str, f64, f64); 6] = [
     ("10⁵", 0.25, 25_000.),
     ("10⁶", 0.031_25, 31_250.),
 ];
-/// How much farther the second surface is.
+/// How much farther the second surface is, relative to the first.
 const APART: f64 = 1.01;
 
 fn projection(near: f64, far: f64) -> Lens {
@@ -36,7 +36,7 @@ fn projection(near: f64, far: f64) -> Lens {
     }
 }
 
-/// Triangles that reach from near to far.
+/// Triangles that reach from the near to the far plane.
 fn reaching(projection: &Lens) -> Verdict {
     let mut random = Random(5);
     worst((0..12).map(|_| {
@@ -62,8 +62,8 @@ fn inverse_w(corners: [Vec3; 3], projection: &Lens, [x, y]: [i32; 2]) -> f64 {
     ) / dot(normal, a)
 }
 
-/// By how many steps what shows is behind the nearest, of two surfaces about a distance, in either order; and
-/// whether the farther one shows anywhere.
+/// For two surfaces around a distance, drawn in either order: how many steps the visible one is behind the nearest,
+/// and whether the farther one shows anywhere.
 fn behind(projection: &Lens, w: f64) -> (Worst, bool) {
     let mut all = Worst::default();
     let mut hidden = false;
@@ -92,7 +92,7 @@ fn behind(projection: &Lens, w: f64) -> (Worst, bool) {
             for (pixel, surface) in shown {
                 let depths =
                     surfaces.map(|s| 65535. * projection.near * inverse_w(s, projection, pixel));
-                // Only where both are, which is where the first is but for its edge.
+                // Only where both are: where the first one is, except at its edge.
                 let error = (depths[0].max(depths[1]) - depths[surface]).max(0.);
                 if surface == 1 && is_inside(pixel, corners, projection) {
                     hidden = true;
@@ -110,7 +110,7 @@ fn behind(projection: &Lens, w: f64) -> (Worst, bool) {
     (all, hidden)
 }
 
-/// Whether a pixel is inside of a triangle on the screen, by a pixel and more.
+/// Whether a pixel is inside a triangle on the screen, by at least a pixel.
 fn is_inside([x, y]: [i32; 2], corners: [[f64; 2]; 3], projection: &Lens) -> bool {
     let p = [
         f64::from(x) + 0.5 - f64::from(projection.size.0) / 2.,
@@ -123,7 +123,7 @@ fn is_inside([x, y]: [i32; 2], corners: [[f64; 2]; 3], projection: &Lens) -> boo
     })
 }
 
-/// What shows is behind the nearest by so many steps at most, from the near plane to the far one.
+/// The most steps that the visible surface is behind the nearest one, from the near plane to the far one.
 fn order(projection: &Lens) -> Worst {
     let mut worst = Worst::default();
     let mut w = projection.near * 1.5;
@@ -134,7 +134,7 @@ fn order(projection: &Lens) -> Worst {
         if w * 1.3 * APART < 650. * projection.near {
             assert!(
                 !hidden,
-                "what is 1 % farther shows at {w} of {projection:?}"
+                "the surface 1 % farther shows at {w} of {projection:?}"
             );
         }
         w *= 1.7;
@@ -150,14 +150,13 @@ pub static CASES: Cases = Cases::new(|| {
         )
     });
     let orders = RATIOS.map(|(name, near, far)| {
-        let case =
-            format!("what shows of surfaces 1 % apart is behind the nearest, far/near {name}");
+        let case = format!("surfaces 1 % apart: visible one behind the nearest, far/near {name}");
         figure(&case, "steps", order(&projection(near, far)))
     });
     pictures.into_iter().chain(orders).collect()
 });
 
 #[test]
-fn the_nearer_surface_shows_as_far_as_a_step_tells() {
+fn the_nearer_surface_shows_while_steps_are_fine_enough() {
     assert_eq!(CASES.len(), 12);
 }

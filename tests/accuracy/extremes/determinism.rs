@@ -1,7 +1,7 @@
-//! One picture, however it is drawn: again, in bands, with its triangles in another order, with depth of either kind, of
-//! positions of 16 bits or of 32.
+//! One picture, however it is drawn: again, in bands, with its triangles in another order, with either kind of depth,
+//! with positions of 16 or of 32 bits.
 //!
-//! Firmware does the like on every target, and is held against the host: `examples/firmware`, `.ci/run`.
+//! Firmware does the same on every target, and `.ci/run` compares it with the host: `examples/firmware`.
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::BigEndian;
@@ -21,7 +21,7 @@ static RING: Mesh = shape!(torus(fx!(0.4), 24, 12), short);
 static BALL: Mesh = shape!(sphere(16, 12), short);
 static FLOOR: Mesh = shape!(plane(8, 8), short);
 
-/// A mesh of short positions, and the same numbers at full length.
+/// A mesh of short positions, and the same numbers in 32 bits.
 struct Model {
     short: &'static Mesh<'static>,
     positions: Vec<Vec3>,
@@ -60,14 +60,14 @@ impl Model {
     }
 }
 
-/// How a mesh's positions are kept.
+/// The format of a mesh's positions.
 #[derive(Clone, Copy, Debug)]
 enum Numbers {
     Short,
     Long,
 }
 
-/// Rings before and behind a ball, over a floor that reaches behind the eye. No two are in one place.
+/// Rings in front of and behind a ball, over a floor that reaches behind the eye. No two surfaces coincide.
 fn models() -> [Model; 4] {
     let at = |x: Scalar, y: Scalar, z: Scalar| Transform::translate(Vec3::new(x, y, z));
     let tilt = |degrees: i32| Transform::rotate_x(Angle::from_degrees(degrees));
@@ -126,7 +126,7 @@ struct Sums {
     depths: u32,
 }
 
-/// A frame in bands of so many rows.
+/// A frame in bands of this many rows.
 fn sums<B: Kept>(
     rows: u32,
     mut draw: impl FnMut(&mut Target<'_, B::Depth<'_>>, &Projection<Perspective>),
@@ -136,7 +136,7 @@ fn sums<B: Kept>(
     let mut depths = crc32fast::Hasher::new();
     for first in (0..SIZE.1).step_by(rows as usize) {
         let pixels = (SIZE.0 * rows.min(SIZE.1 - first)) as usize;
-        // What was there before must not show.
+        // The earlier contents must not show.
         let (mut color, mut depth) = (vec![[9; 2]; pixels], vec![7; pixels]);
         let band = Canvas::big_endian_band(&mut color, SIZE.0, SIZE.1, first).unwrap();
         let mut band = B::with(band, &mut depth);
@@ -165,7 +165,7 @@ fn frame<B: Kept>(mode: impl Mode, rows: u32, numbers: Numbers) -> Sums {
     })
 }
 
-/// Twice, in bands of any height, and of positions of either kind; returns what they all are.
+/// Draws twice, in bands of any height, with positions of either kind; all must agree. Returns the picture.
 fn bands<B: Kept>(mode: impl Mode) -> Sums {
     let whole = frame::<B>(mode, SIZE.1, Numbers::Long);
     for rows in [1, 7, 16, 240] {
@@ -178,10 +178,10 @@ fn bands<B: Kept>(mode: impl Mode) -> Sums {
 }
 
 #[test]
-fn bands_are_the_frame() {
+fn bands_equal_the_frame() {
     fn with_either_depth(mode: impl Mode) {
         let [linear, floating] = [bands::<Linear>(mode), bands::<Floating>(mode)];
-        // Depths are other numbers, but nowhere are surfaces so near each other that the colors show it.
+        // Depths have other values, but nowhere are surfaces near enough to each other for the colors to show it.
         assert_eq!(linear.colors, floating.colors);
         assert_ne!(linear.depths, floating.depths);
     }
@@ -191,15 +191,15 @@ fn bands_are_the_frame() {
     with_either_depth(Affine);
 }
 
-/// The same order every time, and another than before.
+/// A shuffled order, the same every time.
 fn shuffled<T>(list: &mut [T], random: &mut Random) {
     for i in (1..list.len()).rev() {
         list.swap(i, random.below(i + 1));
     }
 }
 
-/// The models in another order, and the triangles of each: depth decides what shows. Of two triangles in one place, at
-/// one depth, the last would show: that is not for depth to decide, and here there are none.
+/// The models in another order, and so the triangles of each: depth decides which ones show. Of two triangles at the
+/// same place and depth the last would show. Depth cannot decide between those, and there are none here.
 fn orders<B: Kept>() -> Sums {
     let draw = |rows: u32, parts: &[(Vec<[u16; 3]>, Model)]| {
         sums::<B>(rows, |band, projection| {
@@ -223,6 +223,6 @@ fn orders<B: Kept>() -> Sums {
 }
 
 #[test]
-fn order_does_not_show() {
+fn order_does_not_matter() {
     assert_eq!(orders::<Linear>().colors, orders::<Floating>().colors);
 }

@@ -1,10 +1,11 @@
-//! A mesh drawn by the crate and by the model, and by how much they differ.
+//! A mesh drawn by the crate and by the model, and the differences.
 //!
-//! Two ways to judge a value. Where nothing is clipped, the model interpolates between the crate's own snapped corners.
-//! Where something is, corners are new ones that nobody is told of; then a value has to be one that the model has
-//! within [`Scene::snap`] and [`Scene::moved`] of the pixel's center. Interpolants are linear on the screen, and a linear function through
-//! corners that are each moved by up to so much has what the unmoved one has within so much. A quotient of two of
-//! them is monotonic along any line, so of all places in a square around the center its corners have the extremes.
+//! There are two ways to judge a value. If nothing is clipped, the model interpolates between the crate's own snapped
+//! corners. If a triangle is clipped, it has new corners, which the crate does not report. Then the value must be one
+//! that the model has within [`Scene::snap`] and [`Scene::moved`] of the pixel's center. The reason: interpolants are
+//! linear on the screen, and a linear function through corners that are each moved by at most d takes values that the
+//! unmoved function has within d. A quotient of two of them is monotonic along any line, so over a square around the
+//! center its extremes are at the square's corners.
 
 use std::collections::HashMap;
 
@@ -28,12 +29,12 @@ use crate::reference::view;
 const TEXEL: f64 = 65536.;
 /// Half the guard band, in pixels.
 const GUARD: f64 = 2048.;
-/// Half a subpixel: what a corner is moved by along each axis.
+/// Half a subpixel: the most that a corner is moved along each axis.
 const SNAP: f64 = 1. / 512.;
 
-/// What clip space may be off by, in parts of the largest coefficient for each unit of a coordinate: half a unit of
-/// 2⁻²⁹ where a matrix' mantissas are rounded, for the model's, the projection' and their product's; and of
-/// 2⁻²⁸ where the last bit of those is dropped.
+/// The bound of clip space's error, relative to the largest coefficient, for each unit of a coordinate: half a unit
+/// of 2⁻²⁹ for the rounding of a matrix's mantissas, for the model's, the projection's and their product's; and of
+/// 2⁻²⁸ where their last bit is dropped.
 const CLIP: f64 = 5. / (1 << 30) as f64;
 
 impl Scene {
@@ -91,7 +92,7 @@ impl Scene {
         verdict
     }
 
-    /// What the view volume and the guard band leave of each face.
+    /// The part of each face inside the view volume and the guard band.
     pub fn pieces(&self) -> Vec<Piece<2>> {
         let positions: Vec<_> = self.positions.iter().map(|&p| exact(p)).collect();
         let faces: Vec<_> = self
@@ -118,26 +119,26 @@ impl Scene {
         pieces_clipped(&mesh, &self.view, &[&[NEAR, FAR], &sides[..]].concat())
     }
 
-    /// By how much rounding in clip space may move a point of a clipped triangle at a distance, in pixels: the largest
+    /// How far rounding in clip space may move a point of a clipped triangle at a distance, in pixels: the largest
     /// sum over the distance, both in units of the near plane's, in a guard band of 2048.
     fn moved(&self, w: f64) -> f64 {
         GUARD * self.off(w)
     }
 
-    /// What w itself may be off by there, in parts of itself.
+    /// The bound of the relative error of w there.
     fn off(&self, w: f64) -> f64 {
         CLIP * self.sums.iter().copied().fold(0., f64::max) / w
     }
 
-    /// The same for the corner that is off by most of a triangle that is not clipped.
+    /// The same for the worst corner of a triangle that is not clipped.
     fn off_at_corners(&self) -> f64 {
         let parts = self.positions.iter().zip(&self.sums);
         let parts = parts.map(|(&p, sum)| sum / self.view.project(exact(p)).w);
         CLIP * parts.fold(0., f64::max)
     }
 
-    /// By how much snapping may move a corner along an axis: half a subpixel, but on the right and lower side of the
-    /// guard band, where the last subpixel there is has to do, a whole one.
+    /// How far snapping may move a corner along an axis: half a subpixel; but a whole one at the right and lower side
+    /// of the guard band, where the position is rounded down to the last subpixel.
     fn snap(&self, piece: &Piece<2>) -> f64 {
         if piece.screen.into_iter().any(|corner| self.is_last(corner)) {
             2. * SNAP
@@ -160,7 +161,7 @@ impl Scene {
         last(x, left, width) || last(y, top, height)
     }
 
-    /// How far corners are from where they should be, along each axis.
+    /// The distance of corners from their exact positions, along each axis.
     fn corners(&self, places: &[Option<[i32; 2]>], worst: &mut Worst) {
         for ((&position, sum), place) in self.positions.iter().zip(&self.sums).zip(places) {
             let wanted = self.view.project(exact(position));
@@ -178,7 +179,7 @@ impl Scene {
         }
     }
 
-    /// Given snapped corners, what is covered is what the model covers.
+    /// Given the snapped corners, coverage must equal the model's.
     fn exact_coverage(&self, seen: &[Seen<2>], pieces: &[Piece<2>]) {
         let mut drawn: Vec<_> = seen.iter().map(|seen| (seen.face, seen.pixel)).collect();
         drawn.sort_unstable();
@@ -205,8 +206,8 @@ impl Scene {
         })
     }
 
-    /// Each center is drawn that is inside a face by more than its corners may be moved, and once; none is that is
-    /// farther outside.
+    /// Every center is drawn once if it is farther inside a face than its corners may move, and none is drawn if it
+    /// is farther outside.
     fn coverage(&self, seen: &[Seen<2>], pieces: &[Piece<2>], worst: &mut Worst) {
         let mut drawn: HashMap<(usize, [i32; 2]), usize> = HashMap::new();
         for seen in seen {
@@ -216,7 +217,7 @@ impl Scene {
             assert_eq!(times, 1, "{pixel:?} of {face}");
             let own = pieces.iter().filter(|piece| piece.face == face);
             let Some((piece, gap)) = nearest(own, center(pixel)) else {
-                panic!("{pixel:?} of {face} is drawn, and the model has nothing");
+                panic!("{pixel:?} of {face} is drawn, but the model covers nothing");
             };
             let reach = self.edge_reach(piece);
             worst.add(gap, reach, || {
@@ -245,13 +246,13 @@ impl Scene {
         }
     }
 
-    /// By how much an edge may be moved, across it.
+    /// How far an edge may move, across its direction.
     fn edge_reach(&self, piece: &Piece<2>) -> f64 {
         let nearest = piece.w.into_iter().fold(f64::MAX, f64::min);
         (self.snap(piece) + self.moved(nearest)) * 2_f64.sqrt()
     }
 
-    /// What the model has about a pixel: least and greatest of attributes and of 1/w, `None` beyond the horizon.
+    /// The model's values around a pixel: least and greatest of attributes and of 1/w, `None` beyond the horizon.
     fn about(&self, piece: &Piece<2>, pixel: [i32; 2]) -> Option<About> {
         if piece.snapped.is_some() {
             let value = piece.at(pixel)?;
@@ -276,7 +277,7 @@ impl Scene {
         Some(about)
     }
 
-    /// What the model has at each pixel, and the part of the face that it is of.
+    /// The model's values at each pixel, with the part of the face that they belong to.
     fn models<'a>(
         &self,
         seen: &[Seen<2>],
@@ -330,8 +331,8 @@ impl Scene {
             let error = (least - value).max(value - most).max(0.);
             let formats =
                 bounds::perspective(mode, corners, [near, far, far], about.w, about.farthest);
-            // A cut is rounded down twice, its weights to 2⁻³⁰ at each of six planes; and what w is off by in clip
-            // space an attribute is, in parts of itself, at both ends.
+            // A corner made by clipping is rounded down twice, its weights to 2⁻³⁰ at each of six planes. The
+            // relative error of w in clip space is also the attribute's, at both ends.
             let [a, b, c] = corners.map(i32::unsigned_abs);
             let size = f64::from(a.max(b).max(c));
             let cut = match piece.snapped {
@@ -360,16 +361,16 @@ impl Scene {
     }
 }
 
-/// What there is about a pixel.
+/// The model's values around a pixel.
 struct About {
     w: f64,
     /// The greatest w of the face's pixels in the row.
     farthest: f64,
     /// The least and the greatest w of the face.
     ends: [f64; 2],
-    /// What w may be off by, in parts of itself.
+    /// The bound of the relative error of w.
     off: f64,
-    /// The least and the greatest within reach.
+    /// The least and the greatest value within reach.
     values: [[f64; 2]; 2],
     inverse_w: [f64; 2],
 }

@@ -1,4 +1,4 @@
-//! Every limit that a constant names, from one below it to one above.
+//! Every limit that has a constant, from one below it to one above it.
 
 use std::sync::Mutex;
 
@@ -37,7 +37,7 @@ fn canvas() {
     assert_eq!(new(MAX_SIZE, MAX_SIZE), Ok(()));
 }
 
-/// The same for what a list of triangles is prepared for.
+/// The same for frames that a list of triangles is prepared for.
 #[test]
 fn prepared_frames() {
     let mesh = Mesh::new(&[], &[]).unwrap();
@@ -89,7 +89,7 @@ fn positions_of_a_mesh() {
 #[test]
 fn parts_of_a_shape() {
     let max = Shape::MAX_PARTS;
-    // A row of four vertices for each but one: as many as there can be.
+    // A row of four vertices for each column but one: as many as possible.
     assert!(Shape::cylinder(max - 1).is_ok());
     assert!(Shape::plane(max - 1, 1).is_ok());
     assert!(Shape::plane(max, 1).is_ok());
@@ -107,15 +107,15 @@ fn parts_of_a_shape() {
     assert!(matches!(Shape::plane(255, 256), Err(Error::TooMany { .. })));
 }
 
-/// More vertices than 16 bits count are to be seen, and there would be room for them.
+/// More visible vertices than 16 bits can count, in a list with room for them.
 #[test]
 fn vertices_of_a_list() {
-    // Not on the stack.
+    // Too large for the stack.
     static LIST: Mutex<TriangleList<65_600, 65_600>> = Mutex::new(TriangleList::new());
     const MAX: usize = TriangleList::<65_600, 65_600>::MAX_VERTICES;
     let size = (64, 64);
     let prepare = |seen: usize| {
-        // Any three that follow one another are a triangle.
+        // Any three consecutive vertices are a triangle.
         let corners = [[10, 10], [10, 50], [50, 10]].map(|at| at_subpixel(at.map(|x| x * 256)));
         let positions: Vec<Vec3> = corners.into_iter().cycle().take(seen).collect();
         let faces: Vec<[u16; 3]> = (2..seen)
@@ -128,7 +128,8 @@ fn vertices_of_a_list() {
     };
     assert_eq!(prepare(MAX - 1), Ok(()));
     assert_eq!(prepare(MAX), Ok(()));
-    let refused = "65536 vertices are visible: the list has room for 65535";
+    let refused =
+        "65536 vertices are visible: the list must have room for all, and has room for 65535";
     assert_eq!(prepare(MAX + 1), Err(refused.to_owned()));
 }
 
@@ -210,13 +211,14 @@ fn projections() {
     assert!(edges(i32::MIN, i32::MAX));
 }
 
-/// Whether a point straight ahead is seen.
+/// Whether a point straight ahead is visible.
 fn seen<K: ProjectionKind>(mvp: &Mvp<K>, bits: i32) -> bool {
     let point = Vec3::from_bits([0, 0, -bits]);
     Counter::new((4, 4)).snapped(mvp, point).is_some()
 }
 
-/// Points a unit before and behind each plane. One in the plane may go either way: planes have 28 bits.
+/// Points a unit in front of and behind each plane. A point in the plane may go either way, because planes have 28
+/// bits.
 #[test]
 fn near_and_far() {
     for (near, far) in [
@@ -229,7 +231,7 @@ fn near_and_far() {
         let projection =
             Projection::<Perspective>::from_focal_length(fx!(4), (4, 4), s(near), s(far));
         let mvp = projection.unwrap().into();
-        // What the planes may be off by: coefficients have 28 bits at least.
+        // The error of the planes: coefficients have 28 bits at least.
         let units = |at: i32| (at >> 27) + 1;
         assert!(
             !seen(&mvp, near - units(near)) && seen(&mvp, near + units(near)),
@@ -243,8 +245,8 @@ fn near_and_far() {
     }
 }
 
-/// Screen coordinates reach 2048 pixels from the viewport's center: within, a triangle is drawn as it is, beyond it is
-/// clipped, and covers the same.
+/// Screen coordinates reach 2048 pixels from the viewport's center. A triangle within is drawn unclipped; one that
+/// reaches beyond is clipped, and covers the same pixels.
 #[test]
 fn guard_band() {
     let size = (64, 48);
@@ -273,7 +275,7 @@ fn guard_band() {
                 }
                 let counts = counter.take();
                 let covered = counts.iter().sum::<u32>();
-                // About as much of a triangle 2048 long and 12 wide as is in the picture.
+                // Approximately the visible part of a triangle 2048 long and 12 wide.
                 let length = [32., 24.][axis];
                 let area = 12. * length * (1. - length / 2048. / 2.);
                 assert!(
@@ -286,10 +288,10 @@ fn guard_band() {
     }
 }
 
-/// Places on the screen are from 2048 pixels before the viewport's center to a subpixel less after it: 20 bits, which is
-/// what edges are walked with.
+/// Screen positions run from 2048 pixels before the viewport's center to a subpixel less after it: 20 bits, with
+/// which edges are walked.
 #[test]
-fn places_are_within_the_guard_band() {
+fn screen_positions_are_within_the_guard_band() {
     let size = (64, 48);
     let band = 2048 * 256;
     let mut ends = [0; 2];
@@ -299,7 +301,7 @@ fn places_are_within_the_guard_band() {
             let mut counter = Counter::new(size);
             for point in [[at, 0], [0, at], [at, at]] {
                 let [x, y] = [point[0] + 32 * 256, point[1] + 24 * 256];
-                // In halves of a subpixel, too: what is rounded up is the last that there is.
+                // Also in halves of a subpixel: the last one is not rounded up.
                 for half in [-128, 0, 127] {
                     let position = at_subpixel([x, y]) + Vec3::from_bits([half, half, 0]);
                     let Some(place) = counter.snapped(&pixel_lens(size), position) else {

@@ -1,7 +1,7 @@
 //! Triangles that all six planes cut: outlines of nine corners.
 //!
-//! A plane through the view volume meets its six sides in a hexagon, and a triangle in that plane may cut off three of the
-//! hexagon's corners. Bounds as for [`planes`](super::planes).
+//! A plane through the view volume meets its six sides in a hexagon, and a triangle in that plane may cut off three of
+//! the hexagon's corners. Bounds as for [`planes`](super::planes).
 
 use std::f64::consts::TAU;
 
@@ -60,7 +60,7 @@ fn nine_corners() -> Verdict {
 
 pub static CASES: Cases = Cases::new(|| {
     vec![picture(
-        "outlines of nine corners, by all six planes",
+        "outlines of nine corners, clipped by all six planes",
         nine_corners(),
     )]
 });

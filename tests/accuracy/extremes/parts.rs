@@ -1,10 +1,10 @@
-//! The parts that are left of a face, as places on the screen.
+//! The visible parts of a face, as polygons on the screen.
 
 use crate::reference::coverage::area2_f64;
 use crate::reference::distance::{to_segment, to_triangle};
 use crate::reference::raster::Piece;
 
-/// The part of a face that passes nearest to a point, and how far from it.
+/// The part of a face nearest to a point, and its distance from it.
 pub fn nearest<'a>(
     pieces: impl Iterator<Item = &'a Piece<2>>,
     p: [f64; 2],
@@ -13,9 +13,9 @@ pub fn nearest<'a>(
     gaps.min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-/// How far a point is from a triangle, which may be a line.
+/// The distance of a point from a triangle, which may be a line.
 pub fn gap(piece: &Piece<2>, p: [f64; 2]) -> f64 {
-    // So thin that f64 does not tell inside from outside: to be a pixel long it is less than 10⁻⁶ wide.
+    // So thin that f64 cannot tell inside from outside: for a length of a pixel, its width is below 10⁻⁶.
     if area2_f64(&piece.screen).abs() < 1e-6 {
         let [a, b, c] = piece.screen;
         let sides = [(a, b), (b, c), (c, a)];
@@ -27,7 +27,7 @@ pub fn gap(piece: &Piece<2>, p: [f64; 2]) -> f64 {
     to_triangle(&piece.screen, p)
 }
 
-/// The sides of the triangles that make up a face, but for those between two of them.
+/// The sides of the triangles that make up a face, without those between two of them.
 pub fn outline(face: &[Piece<2>]) -> Vec<[[f64; 2]; 2]> {
     let key = |side: [[f64; 2]; 2]| side.map(|end| end.map(f64::to_bits));
     let sides = |[a, b, c]: [[f64; 2]; 3]| [[a, b], [b, c], [c, a]];

@@ -1,7 +1,7 @@
-//! The eye, and the planes before and behind it.
+//! The eye, and the near and far planes.
 //!
-//! Bounds: a corner is rounded to half a subpixel along each axis, and by what clip space adds (`Scene::moved`), so that
-//! an edge is moved by up to √2 of that; values and depths by what the formats allow, see `bounds`.
+//! Bounds: a corner is rounded to half a subpixel along each axis, and moved by the error of clip space
+//! (`Scene::moved`), so an edge moves by up to √2 of that. For values and depths see `bounds`.
 
 use std::f64::consts::TAU;
 
@@ -14,7 +14,7 @@ use crate::drawing::Drawing;
 
 const NEAR: f64 = 0.25;
 
-/// Triangles of many slopes with so many corners behind the near plane.
+/// Triangles of many slopes with this many corners behind the near plane.
 fn crossing(behind: usize) -> Verdict {
     worst((0..24).map(|step| {
         let s = f64::from(step);
@@ -33,7 +33,7 @@ fn crossing(behind: usize) -> Verdict {
     }))
 }
 
-/// In planes that the eye lies in, or a little beside it. On the screen they are a line, or next to the eye all of it.
+/// Triangles in planes through the eye, or a little beside it. On the screen they are a line, or cover all of it.
 fn through_the_eye() -> Verdict {
     let turns = (0..32).map(|step| (f64::from(step) / 32. * TAU).sin_cos());
     worst(turns.flat_map(|(sin, cos)| {
@@ -47,7 +47,7 @@ fn through_the_eye() -> Verdict {
     }))
 }
 
-/// With corners and sides on the near plane, and wholly in it.
+/// Triangles with corners and sides on the near plane, and wholly in it.
 fn on_the_plane() -> Verdict {
     worst([
         Lens::ROOM.judge([[0., 0.1, -NEAR], [-2., -1., -4.], [2., -1., -5.]]),
@@ -56,7 +56,7 @@ fn on_the_plane() -> Verdict {
     ])
 }
 
-/// A near plane at the least distance there is, 2⁻¹⁶, and corners one to a hundred such units away.
+/// A near plane at the least distance, 2⁻¹⁶, and corners one to a hundred such units away.
 fn just_above_zero() -> Verdict {
     let unit = 1. / 65536.;
     let projection = Lens {
@@ -77,7 +77,7 @@ fn just_above_zero() -> Verdict {
     }))
 }
 
-/// Floors from the feet to the horizon: 1/w falls to one part in so many of what it is nearest.
+/// Floors from the feet to the horizon: 1/w falls to a small fraction of its nearest value.
 fn grazing(near: f64, height: f64) -> Verdict {
     let projection = Lens {
         near,
@@ -93,7 +93,7 @@ fn grazing(near: f64, height: f64) -> Verdict {
                 side(-height),
             ]),
             projection.judge([[-2., -height, 1.], [2., -height, 1.], side(-height)]),
-            // Beyond the far plane, and to the side of the guard band.
+            // Beyond the far plane, and beyond the side of the guard band.
             projection.judge([
                 [-2., -height, 1.],
                 [32_000., -height, -32_000.],
@@ -135,17 +135,18 @@ fn planes_are_cut_where_the_model_cuts_them() {
     assert_eq!(CASES.len(), 7);
 }
 
-/// Nothing of what is behind is drawn, however near.
+/// Triangles behind the eye are not drawn, however near.
 #[test]
-fn all_behind_is_nothing() {
+fn triangles_behind_the_eye_are_not_drawn() {
     assert_eq!(crossing(3).pixels, 0);
 }
 
-/// Distances from 2⁻¹⁴ to 2¹⁵ in one triangle: more than interpolants tell apart, so that a corner is taken for nearer than
-/// it is. Values are those of other places then, but not of none.
+/// Distances from 2⁻¹⁴ to 2¹⁵ in one triangle exceed the range of interpolants, so a corner is treated as nearer than
+/// it is. Values are then those of other positions in the triangle, but not of positions outside it.
 ///
-/// Where 1/w is least it has 2048 units, less the 40 that it may be off by, and numerators are off by 56½ (see `bounds`): a
-/// value may be outside of what the corners have by 56½/2008 of 2^bits, at most four times the greatest of them.
+/// Where 1/w is least, it has 2048 units with an error of up to 40, and numerators have an error of 56½ (see
+/// `bounds`). So a value may exceed the corners' range by 56½/2008 of 2^bits, and 2^bits is at most four times the
+/// greatest of them.
 #[test]
 fn values_stay_between_those_of_the_corners() {
     let projection = Lens {
@@ -160,7 +161,7 @@ fn values_stay_between_those_of_the_corners() {
             let w = 2_f64.powf(-13.9 + part * spread + random.between(0., 0.7));
             projection.at([random.between(-60., 60.), y], w)
         };
-        // The far side is on the centers of a row.
+        // The far side runs through the centers of a row.
         let scene = projection.scene([corner(-30., 0.), corner(0.5, 1.), corner(0.5, 1.)], ONCE);
         for mode in MODES {
             let drawing = Drawing {

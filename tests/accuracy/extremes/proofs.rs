@@ -1,4 +1,4 @@
-//! What can be tried in full.
+//! Exhaustive tests.
 
 use fixel::prelude::*;
 
@@ -14,7 +14,7 @@ const PLACES: usize = GRID * GRID;
 
 type Point = [i32; 2];
 
-/// The pixels that a triangle covers as it is drawn, a bit each.
+/// The pixels that the crate draws for a triangle, a bit each.
 fn drawn(corners: [Point; 3], counter: &mut Counter) -> u64 {
     let positions = corners.map(at_subpixel);
     let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
@@ -27,7 +27,7 @@ fn drawn(corners: [Point; 3], counter: &mut Counter) -> u64 {
     mask
 }
 
-/// The pixels that it should cover: exact half-spaces at every center.
+/// The pixels that the model covers: exact half-spaces at every center.
 fn model(corners: [Point; 3]) -> u64 {
     let pixel = |i: u32| [(i % SIDE).cast_signed(), (i / SIDE).cast_signed()];
     (0..SIDE * SIDE)
@@ -39,15 +39,15 @@ fn turn([a, b, c]: [Point; 3]) -> i32 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/// All triangles on a grid of vertices, with each of its corners first and either way around.
+/// All triangles on a grid of vertices, with each of their corners first, in both windings.
 struct Grid {
     places: [Point; PLACES],
-    /// By the indices of the corners, in any order.
+    /// Masks of pixels by the indices of the corners, in any order.
     masks: Vec<u64>,
 }
 
 impl Grid {
-    /// Vertices a `cell` apart from `origin` on, each moved by what `aside` makes of its place in the grid.
+    /// Vertices a `cell` apart, starting at `origin`, each moved by `aside` of its index in the grid.
     fn new(cell: i32, origin: i32, aside: impl Fn(usize) -> Point) -> Self {
         let place = |i: usize| {
             let at = [i % GRID, i / GRID].map(|at| i32::try_from(at).unwrap() * cell + origin);
@@ -60,7 +60,7 @@ impl Grid {
         for a in 0..PLACES {
             for b in 0..PLACES {
                 for c in 0..PLACES {
-                    // Each with two of its six orders, so that each order occurs somewhere.
+                    // Each in two of its six orders, so that each order occurs.
                     if a < b && b < c || c < b && b < a || b < c && c < a {
                         let corners = [a, b, c].map(|i| places[i]);
                         let mask = drawn(corners, &mut counter);
@@ -90,8 +90,8 @@ impl Grid {
         turn([self.places[a], self.places[b], self.places[c]]).signum()
     }
 
-    /// Two triangles on either side of an edge share no pixel, whatever their third corners.
-    fn edges_are_shared_once(&self) {
+    /// Two triangles on either side of an edge share no pixel, whatever their third corners are.
+    fn edges_are_owned_once(&self) {
         for a in 0..PLACES {
             for b in 0..a {
                 let (mut left, mut right) = (0, 0);
@@ -107,8 +107,9 @@ impl Grid {
         }
     }
 
-    /// A triangle split by a point in it is covered by its three parts, each pixel once; the same with a point on a side.
-    fn parts_are_the_whole(&self) -> usize {
+    /// The three parts of a triangle that is split at a point inside cover it, each pixel once; so do the two parts
+    /// if the point is on a side.
+    fn parts_cover_the_whole(&self) -> usize {
         let mut splits = 0;
         for a in 0..PLACES {
             for b in 0..a {
@@ -136,12 +137,13 @@ impl Grid {
     }
 }
 
-/// Every triangle on a grid of 6x6 vertices, which are on corners of pixels, on their centers, or anywhere: the pixels
-/// are the model's, two that share an edge share no pixel, and parts make up the whole.
+/// Every triangle on a grid of 6x6 vertices, which lie on corners of pixels, on their centers, or anywhere: its
+/// pixels are the model's, two triangles that share an edge share no pixel, and the parts of a triangle cover the
+/// whole.
 #[test]
 fn every_triangle_on_a_grid() {
     let none = |_: usize| [0, 0];
-    // Odd multipliers of the place modulo 2^8: all over the pixel.
+    // Odd multipliers of the index modulo 2^8: all over the pixel.
     let anywhere = |i: usize| {
         let i = i32::try_from(i).unwrap();
         [(i * 151 + 37) % 256 - 128, (i * 89 + 201) % 256 - 128]
@@ -156,13 +158,13 @@ fn every_triangle_on_a_grid() {
         Grid::new(256, 384, nearly),
         Grid::new(256, 384, anywhere),
     ] {
-        grid.edges_are_shared_once();
-        assert!(grid.parts_are_the_whole() > 5000);
+        grid.edges_are_owned_once();
+        assert!(grid.parts_cover_the_whole() > 5000);
     }
 }
 
-/// The sine of every angle there is, against that of f64: 1.542e-9 was found, of a polynomial, three roundings to 2⁻³⁰
-/// and that of its square.
+/// The sine of every angle, against f64's: the largest error found is 1.542e-9, from a polynomial, three roundings to
+/// 2⁻³⁰ and the rounding of the square.
 #[test]
 #[ignore = "all 2^32 angles take three minutes"]
 fn sine_of_every_angle() {

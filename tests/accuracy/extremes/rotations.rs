@@ -1,9 +1,9 @@
-//! Long mvps of rotations: a million increments, with and without making the matrix rigid again.
+//! Long products of rotations: a million increments, with and without making the matrix rigid again.
 //!
-//! A product rounds each of its entries to half of 2⁻²⁹; a rotation has entries of that and of its sine, 1.6·10⁻⁹ at most
-//! off. Rows and columns have three: a million products may take lengths and right angles off by 10⁶ · 3 · (2 · 2⁻³⁰ +
-//! 1.6·10⁻⁹) = 1 %, if all roundings went one way. Made rigid again they are orthogonal to a unit of 2⁻²⁹ in
-//! each entry, 4·10⁻⁹ in what a row's products add up to, whatever was before.
+//! A product rounds each of its entries by half of 2⁻²⁹; a rotation's entries have this error and the sine's, at most
+//! 1.6·10⁻⁹. Rows and columns have three entries. So a million products may change lengths and right angles by 10⁶ ·
+//! 3 · (2 · 2⁻³⁰ + 1.6·10⁻⁹) = 1 %, if all roundings had the same sign. After renormalization they are orthogonal to
+//! a unit of 2⁻²⁹ in each entry, 4·10⁻⁹ in the sums of a row's products, whatever the error was before.
 
 use fixel::prelude::*;
 
@@ -12,15 +12,15 @@ use super::verdict::Worst;
 use crate::moves::radians;
 use crate::reference::linear::{self, Matrix};
 
-/// The unit of a matrix' entries and of its axes.
+/// The unit of a matrix's entries and of its axes.
 const ONE: f64 = 1_073_741_824.;
 const STEPS: u32 = 1_000_000;
-/// What one product may add to each entry of R·Rᵀ − I: see above.
+/// The most that one product adds to each entry of R·Rᵀ − I: see above.
 const DRIFT: f64 = 3. * (2. / ONE + 1.6e-9);
-/// What is left of it after making the matrix rigid.
+/// The error of an entry after renormalization.
 const RIGID: f64 = 4e-9;
 
-/// The entries of a rotation, from where it takes the axes: by 2⁻¹⁶ · 2⁻¹⁴, as axes are 16,384 long.
+/// The entries of a rotation, measured by the images of axes 16,384 long: in units of 2⁻¹⁶ · 2⁻¹⁴.
 fn matrix(transform: &Transform) -> [[f64; 3]; 3] {
     let axis = |i: usize| {
         let mut bits = [0; 3];
@@ -47,14 +47,15 @@ fn from_rigid(transform: &Transform) -> f64 {
     worst
 }
 
-/// The largest difference of an entry.
+/// The largest difference of an entry from the model's.
 fn from_model(transform: &Transform, model: &Matrix) -> f64 {
     let rows = matrix(transform);
     let entries = rows.iter().zip(model).flat_map(|(a, b)| a.iter().zip(b));
     entries.fold(0., |worst, (a, b)| worst.max((a - b).abs()))
 }
 
-/// A million of the same three small turns, and how far from rigid and from the model it gets on the way.
+/// Multiplies a million times by the same three small turns; returns the largest errors on the way: from rigid, and
+/// from the model.
 fn turned(renormalized_every: Option<u32>) -> [Worst; 2] {
     let angles = [0.001, 0.000_7, 0.002_3].map(|a| Angle::try_from_radians(a).unwrap());
     let step = Transform::rotate_x(angles[0])

@@ -1,4 +1,4 @@
-//! Triangles before a projection, for the crate and for the model.
+//! Triangles in front of a projection, for the crate and for the model.
 
 use fixel::num::scalar;
 use fixel::prelude::*;
@@ -13,25 +13,25 @@ use crate::reference::view::{self, View};
 /// A triangle's corners.
 pub type Corners = [[f64; 3]; 3];
 
-/// A texture of 256 texels, once: columns and rows at three corners, with 16 fraction bits.
+/// A texture of 256 texels, shown once: columns and rows at three corners, with 16 fraction bits.
 pub const ONCE: [[i32; 2]; 3] = [[0, 0], [256 << 16, 0], [0, 256 << 16]];
 
-/// A picture, what is before it, and how it is seen.
+/// A scene: triangles, their texture coordinates, and their view.
 #[derive(Clone, Debug)]
 pub struct Scene {
     pub size: (u32, u32),
     pub options: DrawOptions,
     pub positions: Vec<Vec3>,
     pub faces: Vec<[u16; 3]>,
-    /// Columns and rows of the texture, with 16 fraction bits; as many as positions.
+    /// Columns and rows of the texture, with 16 fraction bits; one for each position.
     pub texels: Vec<[i32; 2]>,
     pub mvp: Mvp<Perspective>,
     pub view: View,
-    /// What each position's coordinates in eye space are sums of: its magnitudes, and those of all offsets.
+    /// The magnitudes of the terms that add up to a position's coordinates in eye space, including all offsets.
     pub sums: Vec<f64>,
 }
 
-/// How triangles are seen. All of its numbers must be some that the crate has.
+/// The view of triangles. All of its numbers must be numbers of the crate's formats.
 #[derive(Clone, Debug)]
 pub struct Lens {
     pub size: (u32, u32),
@@ -39,7 +39,7 @@ pub struct Lens {
     pub focal: f64,
     pub near: f64,
     pub far: f64,
-    /// From model to eye space, the last applied first.
+    /// Moves from model to eye space, the last applied first.
     pub moves: Vec<Move>,
     pub viewport: Option<Viewport>,
 }
@@ -55,7 +55,7 @@ impl Lens {
         viewport: None,
     };
 
-    /// A triangle, whose corners are put on the nearest places that there are.
+    /// A triangle whose corners are rounded to the nearest representable positions.
     pub fn scene(&self, corners: Corners, texels: [[i32; 2]; 3]) -> Scene {
         let positions = corners.map(quantised).to_vec();
         let (transform, eye) = product(&self.moves);
@@ -101,7 +101,8 @@ impl Lens {
         }
     }
 
-    /// Judges a triangle with a texture on it once, each corner first in turn: the fan of a clipped triangle is about that.
+    /// Judges a triangle that shows a texture once, with each corner first in turn: the fan of a clipped triangle
+    /// starts there.
     pub fn judge(&self, [a, b, c]: Corners) -> Verdict {
         let mut verdict = Verdict::default();
         for corners in [[a, b, c], [b, c, a], [c, a, b]] {
@@ -110,20 +111,20 @@ impl Lens {
         verdict
     }
 
-    /// The place at a distance that is seen at a point of the screen, in pixels from the middle, y up.
+    /// The position at a distance that appears at a point of the screen, in pixels from the middle, y up.
     pub fn at(&self, [x, y]: [f64; 2], w: f64) -> [f64; 3] {
         [x * w / self.focal, y * w / self.focal, -w]
     }
 }
 
 impl Scene {
-    /// Which of the positions this is.
+    /// The index of a position.
     pub fn index(&self, position: Vec3) -> usize {
         self.positions.iter().position(|&p| p == position).unwrap()
     }
 }
 
-/// The worst of many.
+/// The worst of many verdicts.
 pub fn worst(verdicts: impl IntoIterator<Item = Verdict>) -> Verdict {
     let mut all = Verdict::default();
     for verdict in verdicts {
@@ -132,7 +133,7 @@ pub fn worst(verdicts: impl IntoIterator<Item = Verdict>) -> Verdict {
     all
 }
 
-/// Pseudo-random numbers from 0 to 1, the same at every run: the upper bits of Knuth's MMIX generator.
+/// Pseudo-random numbers from 0 to 1, the same in every run: the upper bits of Knuth's MMIX generator.
 pub struct Random(pub u64);
 
 impl Random {

@@ -1,7 +1,7 @@
-//! Triangles without area, or hardly any.
+//! Triangles with no area, or hardly any.
 //!
-//! Corners are snapped to 1/256 pixel. Given those, what is covered is exact, and values are what the formats
-//! allow, however thin the triangle.
+//! Corners are snapped to 1/256 pixel. Given the snapped corners, coverage is exact, and values are within the bounds
+//! of the formats, however thin the triangle.
 
 use std::f64::consts::TAU;
 
@@ -12,7 +12,7 @@ use super::table::{Cases, picture};
 use super::verdict::Verdict;
 use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
 
-/// Triangles of 5 to 100 pixels' length, so wide in their middle, at every slope.
+/// Triangles 5 to 100 pixels long and this wide in their middle, at every slope.
 fn slivers(width: f64) -> Verdict {
     let projection = Lens::ROOM;
     let mut random = Random(6);
@@ -66,13 +66,13 @@ pub static CASES: Cases = Cases::new(|| {
 });
 
 #[test]
-fn thin_triangles_are_drawn_as_others_are() {
+fn thin_triangles_are_drawn_like_others() {
     assert_eq!(CASES.len(), 4);
 }
 
 const SIZE: (u32, u32) = (24, 24);
 
-/// How many pixels triangles cover, and how many are said to be drawn, of places in 24.8.
+/// The number of pixels that triangles cover, and of triangles reported as drawn; corners in 24.8.
 fn drawn(triangles: &[[[i32; 2]; 3]]) -> (usize, u32) {
     let positions: Vec<Vec3> = triangles
         .iter()
@@ -94,9 +94,9 @@ fn drawn(triangles: &[[[i32; 2]; 3]]) -> (usize, u32) {
     (pixels, drawn.drawn)
 }
 
-/// Three corners in a line, at every slope there is between places a quarter of a pixel apart.
+/// Three corners in a line, at every slope between positions a quarter of a pixel apart.
 #[test]
-fn corners_in_a_line_are_nothing() {
+fn corners_in_a_line_draw_nothing() {
     let mut triangles = Vec::new();
     for dx in -24..=24 {
         for dy in -24..=24 {
@@ -115,9 +115,9 @@ fn corners_in_a_line_are_nothing() {
     }
 }
 
-/// The same place twice or three times, as the same vertex or another.
+/// The same position two or three times, as the same vertex or another.
 #[test]
-fn corners_in_one_place_are_nothing() {
+fn corners_in_one_place_draw_nothing() {
     let places = [[128, 128], [1000, 2000], [3333, 17]];
     let twice = places
         .iter()
@@ -131,7 +131,7 @@ fn corners_in_one_place_are_nothing() {
     assert_eq!(counter.draw(&BOTH_SIDES, &mesh, &pixel_lens(SIZE)).drawn, 0);
 }
 
-/// A mesh of as many vertices as there can be, all in one place.
+/// A mesh with the largest number of vertices, all at one position.
 #[test]
 fn every_vertex_in_one_place() {
     for place in [
@@ -155,7 +155,7 @@ fn every_vertex_in_one_place() {
         assert!(counter.take().iter().all(|&count| count == 0));
         counter.draw_points(&DrawOptions::new(), &mesh, &mvp);
         let counts = counter.take();
-        // Each of the points is drawn, in the same pixel, if it is before the eye.
+        // Each of the points is drawn, in the same pixel, if it is in front of the eye.
         let seen: u32 = if place == vec3!(0, 0, -2) { 65_536 } else { 0 };
         assert_eq!(counts.iter().copied().max(), Some(seen));
         assert_eq!(counts.iter().sum::<u32>(), seen);

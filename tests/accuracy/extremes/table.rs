@@ -1,4 +1,4 @@
-//! The table of the worst errors: written by every run, and to be no worse than what the guide shows.
+//! The table of the worst errors: every run writes it, and it must be no worse than the guide's.
 
 use std::fmt::Write;
 use std::sync::LazyLock;
@@ -6,7 +6,7 @@ use std::{env, fs};
 
 use super::verdict::{Verdict, Worst};
 
-/// What is measured once, for its own test and for the table.
+/// Rows that are measured once, for their own test and for the table.
 pub type Cases = LazyLock<Vec<Row>>;
 
 /// A line of the table.
@@ -15,15 +15,15 @@ pub struct Row {
     pub cells: Cells,
 }
 
-/// What was measured.
+/// The measured errors of a row.
 pub enum Cells {
     /// A picture against the model's.
     Picture(Verdict),
-    /// Anything else, in a unit of its own.
+    /// Any other error, with its unit.
     Figure(&'static str, Worst),
 }
 
-/// A line for a picture, which must not be empty.
+/// A row for a picture, which must not be empty.
 pub fn picture(case: &str, verdict: Verdict) -> Row {
     assert!(verdict.pixels > 0, "{case}: nothing was drawn");
     Row {
@@ -32,7 +32,7 @@ pub fn picture(case: &str, verdict: Verdict) -> Row {
     }
 }
 
-/// A line for a figure.
+/// A row for another error.
 pub fn figure(case: &str, unit: &'static str, worst: Worst) -> Row {
     assert!(worst.measured <= worst.bound, "{case}: {worst:?}");
     Row {
@@ -41,7 +41,7 @@ pub fn figure(case: &str, unit: &'static str, worst: Worst) -> Row {
     }
 }
 
-/// Two digits that count.
+/// Two significant digits.
 fn digits(x: f64) -> String {
     match x {
         0. => "0".to_owned(),
@@ -55,7 +55,7 @@ fn digits(x: f64) -> String {
 }
 
 fn cell(worst: Worst) -> String {
-    // What was never compared has no bound.
+    // An error that was never measured has no bound.
     if worst.bound == 0. {
         return "–".to_owned();
     }
@@ -79,7 +79,7 @@ fn markdown(rows: &[&Row]) -> String {
             .unwrap();
         }
     }
-    text.push_str("\n| case | off by at most |\n|---|---|\n");
+    text.push_str("\n| case | error |\n|---|---|\n");
     for row in rows {
         if let Cells::Figure(unit, worst) = row.cells {
             writeln!(text, "| {} | {} {unit} |", row.case, cell(worst)).unwrap();
@@ -88,9 +88,9 @@ fn markdown(rows: &[&Row]) -> String {
     text
 }
 
-/// Whether a table has the lines that another shows, and no error that is larger than the one shown there by over a fifth
-/// and 10⁻⁴: sines that are another computer's put a corner elsewhere by the last bit. A smaller error may be one of
-/// another place, so its bound may be another too.
+/// Whether a table has the same rows as another one, and no error that exceeds the other's by more than a fifth and
+/// 10⁻⁴: another computer's sines may move a corner by the last bit. If an error is smaller, it may be from another
+/// pixel, so its bound may differ.
 fn is_no_worse(found: &str, shown: &str) -> bool {
     let found: Vec<&str> = found.split_whitespace().collect();
     let shown: Vec<&str> = shown.split_whitespace().collect();
@@ -135,7 +135,7 @@ fn only_larger_errors_and_other_lines_are_worse() {
     }
 }
 
-/// The table's state in the guide.
+/// The table in the guide.
 const SHOWN: &str = include_str!("../../../src/guide/extremes.md");
 
 #[test]
@@ -159,7 +159,7 @@ fn nothing_is_worse_than_the_guide_shows() {
     fs::write(&path, &text).unwrap();
     assert!(
         is_no_worse(&text, SHOWN),
-        "worse than src/guide/extremes.md: look at {0}, and if it has to be so, copy it there",
+        "worse than src/guide/extremes.md: look at {0}, and if the change is intended, copy it there",
         path.display()
     );
 }

@@ -1,7 +1,7 @@
 //! Texture coordinates of ±32,000 texels, and textures that are smaller than a pixel.
 //!
-//! An attribute has 30 bits of the largest in its triangle, so that 32,000 texels' resolution is 1/16,384 of one: bounds
-//! are 125 times what they are for 256. `Fast` has 16 bits of it, 1/2 texel; and its tolerance.
+//! An attribute has 30 bits of the largest in its triangle, so for 32,000 texels the resolution is 1/16,384 texel:
+//! bounds are 125 times those for 256. `Fast` has 16 of these bits, 1/2 texel, and its tolerance.
 
 use super::scene::{Lens, Random, worst};
 use super::table::{Cases, picture};
@@ -24,7 +24,7 @@ fn wide(most: i32) -> Verdict {
     }))
 }
 
-/// Whole textures within some pixels, so far off.
+/// Whole textures within a few pixels, at this distance.
 fn tiny(w: f64) -> Verdict {
     let projection = Lens {
         far: 32_767.,
@@ -44,8 +44,8 @@ fn tiny(w: f64) -> Verdict {
     }))
 }
 
-/// Ground under a camera that rolls by hardly anything: along a row 1/w changes by 2⁻²⁸ to 2⁻²¹ of itself a pixel, and the
-/// texture, of up to 1000 texels, by many texels. A row that is taken for straight must be.
+/// Ground under a camera that hardly rolls. Along a row 1/w changes by 2⁻²⁸ to 2⁻²¹ of itself per pixel, and the
+/// texture, of up to 1000 texels, by many texels. A row that is drawn straight must be straight.
 fn level() -> Verdict {
     let projection = Lens {
         far: 32_767.,

@@ -1,5 +1,5 @@
-//! Drawing is total: whatever bits the vertices, matrices, textures coordinates and varyings are
-//! made of, nothing panics (tests check for overflow), and bands are still the frame.
+//! Drawing is total: no bits of vertices, matrices, texture coordinates and varyings cause a panic (tests check for
+//! overflow), and bands still equal the frame.
 
 use embedded_graphics::pixelcolor::{Gray8, Rgb888};
 use fixel::mode::{self, Affine, Exact, Fast, Newton};
@@ -13,7 +13,7 @@ use proptest::sample::select;
 
 use crate::mode::Mode;
 
-/// Any bits, with a liking for the ends of the format, the middle, and every magnitude between.
+/// Any bits, preferably the ends of the format, the middle, and every magnitude between.
 fn bits() -> impl Strategy<Value = i32> {
     prop_oneof![
         select(vec![i32::MAX, i32::MIN, 0, 1 << 16, -(1 << 16)]),
@@ -29,7 +29,7 @@ fn vector() -> impl Strategy<Value = Vec3> {
     prop::array::uniform3(bits()).prop_map(Vec3::from_bits)
 }
 
-/// A mvp of a few moves, each by anything.
+/// A product of a few moves, each by any numbers.
 fn transform() -> impl Strategy<Value = Transform> {
     let angle = || any::<u32>().prop_map(Angle::from_bits);
     let one = prop_oneof![
@@ -49,7 +49,7 @@ fn transform() -> impl Strategy<Value = Transform> {
 #[derive(Clone, Debug)]
 struct Scene {
     positions: Vec<Vec3>,
-    /// In their place positions of 16 bits, and their fraction bits.
+    /// If present, positions of 16 bits with their fraction bits, in place of the others.
     short: Option<(Vec<[i16; 3]>, u32)>,
     uvs: Vec<Vec2>,
     faces: Vec<[u16; 3]>,
@@ -85,7 +85,7 @@ enum What {
 
 const CORNERS: usize = 6;
 
-/// Any way to interpolate, with any tolerance.
+/// Any mode, with any tolerance.
 fn modes() -> impl Strategy<Value = Mode> {
     let plain = vec![Mode::Newton, Mode::Exact, Mode::Affine];
     prop_oneof![select(plain), scalar().prop_map(Mode::Fast)]
@@ -163,7 +163,7 @@ fn scene() -> impl Strategy<Value = Scene> {
         })
 }
 
-/// Numbers of three tolerances.
+/// Numbers with three tolerances.
 #[derive(Clone, Copy)]
 struct Rough([i32; 3]);
 
@@ -188,7 +188,7 @@ impl Varyings for Rough {
     }
 }
 
-/// Varyings of any magnitude, and one that jumps from end to end of its format.
+/// Varyings of any magnitude, one of which jumps from end to end of its format.
 #[derive(Clone, Copy)]
 struct Raw;
 
@@ -279,7 +279,7 @@ impl Scene {
         }
     }
 
-    /// Draws the frame, and the frame in bands, and compares all bits of both.
+    /// Draws the frame, and the frame in bands, and compares all bits.
     fn check<K: ProjectionKind>(
         &self,
         projection: Result<Projection<K>, Error>,

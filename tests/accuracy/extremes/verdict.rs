@@ -6,7 +6,7 @@ use fixel::fx;
 /// The modes that are measured.
 pub const MODES: [Mode; 3] = [Mode::Newton, Mode::Exact, Mode::Fast(fx!(0.25))];
 
-/// The largest of some errors, and what was allowed there.
+/// The largest of some errors, with its bound.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Worst {
     pub measured: f64,
@@ -14,10 +14,14 @@ pub struct Worst {
 }
 
 impl Worst {
-    /// Adds an error that has to be within its bound.
+    /// Adds an error, which must be within its bound.
     #[track_caller]
     pub fn add(&mut self, error: f64, bound: f64, what: impl FnOnce() -> String) {
-        assert!(error <= bound, "{}: off by {error}, over {bound}", what());
+        assert!(
+            error <= bound,
+            "{}: an error of {error}, over {bound}",
+            what()
+        );
         if error > self.measured || self.bound == 0. {
             *self = Self {
                 measured: error,
@@ -34,15 +38,15 @@ impl Worst {
     }
 }
 
-/// How far a mesh' picture is from the model's.
+/// The differences between a mesh's picture and the model's.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Verdict {
-    /// In pixels: how far a corner is from where it should be, or of meshes that are clipped, how far inside a center
-    /// is that was left out, or how far outside one that was drawn.
+    /// In pixels: the distance of a corner from its exact position; for clipped meshes, how far inside the center of
+    /// an omitted pixel is, or how far outside the center of a drawn one.
     pub coverage: Worst,
     /// In texels of a texture of 256, in each of [`MODES`].
     pub texels: [Worst; 3],
-    /// In steps of the depth buffer, outside the one that is stored.
+    /// In steps of the depth buffer, beyond the stored step.
     pub depth: Worst,
     /// Pixels drawn.
     pub pixels: usize,

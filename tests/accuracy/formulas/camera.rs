@@ -1,4 +1,4 @@
-//! Cameras, and the mvp.
+//! Cameras, and the model-view-projection.
 
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
@@ -6,7 +6,7 @@ use proptest::prelude::*;
 
 use super::given::{STEP, all_close, close, float, floats, vec};
 
-/// The length on screen of an edge of length one along an axis, in an orthographic view.
+/// The length on the screen of an edge of length one along an axis, in an orthographic view.
 fn foreshortening(camera: &Camera) -> [f64; 3] {
     [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| {
         let [x, y, _] = floats(camera.view().direction(axis));
@@ -37,10 +37,10 @@ fn axonometric_views() {
         Camera::side(target, distance),
         Camera::top(target, distance),
     ] {
-        // The target is in the middle, so far ahead.
+        // The target is in the middle, at this distance.
         assert_eq!(camera.view().point(target), vec3!(0, 0, -10));
     }
-    // Which axes run right and up in the picture.
+    // The axes that run right and up in the picture.
     for (camera, right, up) in [
         (Camera::front(target, distance), Vec3::X, Vec3::Y),
         (Camera::side(target, distance), -Vec3::Z, Vec3::Y),
@@ -80,15 +80,15 @@ proptest! {
         };
         let k = normalized(sub(floats(eye), floats(target)));
         let side = cross(floats(up), k);
-        // Where up is near the view, its rounding counts.
+        // If up is nearly parallel to the view, its rounding counts.
         prop_assume!(dot(side, side) > 1e-4 * dot(floats(up), floats(up)));
         let i = normalized(side);
         let j = cross(k, i);
         let offset = sub(floats(p), floats(eye));
-        // Axes are good to 2^-28/0.01, over at most 174: below 2^-13 of a step; rounded once.
+        // Axes are accurate to 2^-28/0.01, over at most 174: below 2^-13 of a step; rounded once.
         let expected = [i, j, k].map(|axis| dot(axis, offset));
         all_close(floats(camera.view().point(p)), expected, 0.51 * STEP + 174.0 * 100.0 * 4e-9);
-        // The eye is at the origin, and what it looks at ahead, on the axis.
+        // The eye is at the origin, and the target ahead on the axis.
         all_close(floats(camera.view().point(eye)), [0.0; 3], STEP);
         let distance = dot(sub(floats(eye), floats(target)), k);
         all_close(floats(camera.view().point(target)), [0.0, 0.0, -distance], STEP);
@@ -152,7 +152,7 @@ fn canvas(pixels: &mut [Gray8]) -> Canvas<'_, Gray8> {
 }
 
 #[test]
-fn the_chain_from_right_to_left() {
+fn the_mvp_applies_from_right_to_left() {
     let mut pixels = vec![Gray8::new(0); 320 * 240];
     let canvas = canvas(&mut pixels);
     let projection =
@@ -167,9 +167,8 @@ fn the_chain_from_right_to_left() {
         Transform::rotate_z(Angle::from_degrees(90)),
         Transform::translate(vec3!(2, 0, 0)),
     );
-    // The model point (1, 0, 0) is turned to (0, 1, 0), moved to (2, 1, 0), is at (2, 1, −5) before
-    // the eye, at (2/5 / (4/3), 1/5) = (0.3, 0.2) of the picture, whose middle is (112, 76) and
-    // whose halves are 80 by 60.
+    // The model point (1, 0, 0) is turned to (0, 1, 0), moved to (2, 1, 0), is at (2, 1, −5) in front of the eye, and
+    // at (2/5 / (4/3), 1/5) = (0.3, 0.2) of the picture, whose middle is (112, 76) and whose halves are 80 by 60.
     let mvp = projection * camera * (shift * turn);
     all_close(
         place(&mvp, Vec3::X),
@@ -218,8 +217,7 @@ proptest! {
         let point = |t: f64| vec(p[0] + t * v[0], p[1] + t * v[1], p[2]);
         let at = |t| projection.image(point(t)).unwrap().map(float);
         let (a, b) = (at(0.0), at(4.0));
-        // Over a run of 4·0.5/9 at least, both ends are rounded to half a step in space and again
-        // on screen.
+        // Over a distance of at least 4·0.5/9, both ends are rounded to half a step in space and again on the screen.
         let run = 4.0 * v[0] / -p[2];
         let slack = 4.0 * STEP * (1.0 + 4.0) / run;
         close((b[1] - a[1]) / (b[0] - a[0]), v[1] / v[0], slack);

@@ -1,9 +1,9 @@
-//! What the rows' tests have in common: floats of the crate's formats, and their resolution.
+//! Helpers of the formulas' tests: floats of the crate's formats, and their resolution.
 
 use fixel::num::scalar;
 use fixel::{Matrix4, Scalar, Unit, Vec3};
 
-/// A step of the coordinates' format: a value rounded once is off by half of it.
+/// A step of the coordinates' format: a value rounded once has an error of half a step.
 pub const STEP: f64 = 1.0 / 65_536.0;
 /// A step of sines, cosines and fractions.
 pub const UNIT_STEP: f64 = 1.0 / 1_073_741_824.0;
@@ -41,7 +41,7 @@ pub fn all_close<const N: usize>(found: [f64; N], expected: [f64; N], tolerance:
     }
 }
 
-/// Compares entry by entry.
+/// Compares each entry.
 pub fn same_matrix(found: &Matrix4, expected: [[f64; 4]; 4], tolerance: f64) {
     for (found, expected) in found.rows().iter().zip(expected) {
         all_close(found.map(float), expected, tolerance);

@@ -60,7 +60,7 @@ fn picture(model: Transform) -> Vec<String> {
         .collect()
 }
 
-/// Where a point of the model is in the picture, in f64 from the transform's images of the axes.
+/// The position of a model's point in the picture, in f64 from the transform's images of the axes.
 fn place(model: Transform, point: Vec3) -> [f64; 2] {
     let [x, y, z] = floats(model.point(point));
     let half = f64::from(SIZE) / 2.0;
@@ -74,7 +74,7 @@ fn distance(p: [f64; 2], [a, b]: [[f64; 2]; 2]) -> f64 {
     (to[0] - t * along[0]).hypot(to[1] - t * along[1])
 }
 
-/// Every pixel is on an edge, and every edge has a pixel in each row or column that it passes.
+/// Every pixel is on an edge, and every edge has a pixel in each row or column that it crosses.
 #[allow(clippy::cast_precision_loss)] // below 28
 fn check(model: Transform, picture: &[String]) {
     let edges = EDGES.map(|edge| edge.map(|i| place(model, CUBE[usize::from(i)])));
@@ -85,7 +85,7 @@ fn check(model: Transform, picture: &[String]) {
         let near = edges
             .iter()
             .any(|&edge| distance(center(x, y), edge) <= 0.51);
-        // Half a pixel across a line's shorter direction, a subpixel of rounding.
+        // Half a pixel across a line's shorter direction, and a subpixel of rounding.
         assert!(!on(x, y) || near, "({x}, {y}) is on no edge");
     }
     for [a, b] in edges {
@@ -93,7 +93,7 @@ fn check(model: Transform, picture: &[String]) {
         let axis = usize::from(steep);
         let (from, to) = (a[axis].min(b[axis]), a[axis].max(b[axis]));
         for along in 0..size {
-            // Pixels' centers that are well between the ends.
+            // Pixel centers well between the ends.
             if along as f64 + 0.49 < from || along as f64 + 0.51 > to {
                 continue;
             }
@@ -110,7 +110,7 @@ fn check(model: Transform, picture: &[String]) {
     }
 }
 
-/// How many of the model's axes have a vanishing point.
+/// The number of the model's axes that have a vanishing point.
 fn vanishing_points(model: Transform) -> usize {
     [Vec3::X, Vec3::Y, Vec3::Z]
         .into_iter()

@@ -68,7 +68,7 @@ fn perspective_by_field_of_view() {
     // Rounded once, from 30 bits.
     let expected = [top, top * 1.5, -top, -top * 1.5];
     all_close(edges, expected, 0.51 * STEP);
-    // As tables print them, with four decimals.
+    // As printed in tables, with four decimals.
     all_close(edges, [1.1547, 1.7321, -1.1547, -1.7321], 0.5e-4);
     assert_eq!((projection.near(), projection.far()), (fx!(2), fx!(10)));
 }
@@ -91,7 +91,7 @@ fn frustum_and_back() {
     let expected = seven.to_matrix().rows().map(|row| row.map(float));
     same_matrix(&again.to_matrix(), expected, 2.0 * 4.0 * relative + STEP);
 
-    // Off the center: the edges are as they were given.
+    // Off the center: the edges as they were given.
     let window = Window {
         left: fx!(-1),
         right: fx!(3),
@@ -153,7 +153,7 @@ proptest! {
 #[test]
 fn the_other_depth_mapping() {
     let (n, f) = (2.0, 10.0);
-    // With z positive ahead: the transform's depth is that with the sign turned.
+    // With z positive ahead, the depth of the transform is the same with the opposite sign.
     let depth = |z: f64| {
         let matrix = Matrix4::perspective_transform(fx(n), fx(f));
         -float(matrix.project(vec(0.0, 0.0, -z)).unwrap().z)
@@ -190,14 +190,14 @@ fn orthographic_box() {
         let ndc = projection.to_matrix().project(vec(x, y, z)).unwrap();
         assert_eq!(ndc, vec(nx, ny, nz));
     }
-    // Parallel lines stay parallel: the same direction from anywhere is the same on screen.
+    // Parallel lines stay parallel: a direction from any point is the same on the screen.
     let at = |x, y, z| projection.to_matrix().project(vec(x, y, z)).unwrap();
     let first = at(1.0, 0.5, -7.0) - at(0.0, 0.25, -3.0);
     let second = at(-1.0, 0.0, -9.0) - at(-2.0, -0.25, -5.0);
     assert_eq!(first, second);
 }
 
-/// How far and in which direction an edge of length one along the view runs on screen, in degrees.
+/// Length and direction, in degrees, of the image of an edge of length one along the view.
 fn receding(projection: &Projection<Parallel>) -> (f64, f64) {
     let at = |z| projection.to_matrix().project(vec(0.25, 0.25, z)).unwrap();
     // The window is ±1, and so are normalized device coordinates.
@@ -220,7 +220,7 @@ fn oblique() {
             close(found, length, slack);
             let off = (direction - f64::from(angle)).rem_euclid(360.0);
             close(off.min(360.0 - off), 0.0, (slack / length).to_degrees());
-            // What is in the near plane appears as it is.
+            // Points in the near plane do not move.
             let ndc = projection
                 .to_matrix()
                 .project(vec(0.5, -0.25, -1.0))
@@ -249,10 +249,10 @@ proptest! {
     fn lines_approach_theirs(p in [-10.0..10.0, -10.0..10.0], v in [-1.0..1.0, -1.0..1.0]) {
         let projection = projection();
         let end = projection.vanishing_point(vec(v[0], v[1], -1.0)).unwrap().map(float);
-        // From (p, −1) along v for so far that the line's start is 1/20000 of it.
+        // From (p, −1) along v, until the line's start is 1/20000 of the distance.
         let t = 20_000.0;
         let far = projection.image(vec(p[0] + t * v[0], p[1] + t * v[1], -1.0 - t)).unwrap().map(float);
-        // n·(|p| + |v|)/t, two roundings, and that of v times n.
+        // n·(|p| + |v|)/t, two roundings, and the rounding of v times n.
         all_close(far, end, 2.0 * 11.0 / t + 3.0 * STEP);
     }
 }

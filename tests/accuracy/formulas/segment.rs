@@ -31,11 +31,11 @@ proptest! {
     #[test]
     fn depth_and_fraction_of_any_segment(z in [0.1..1000.0, 0.1..1000.0], q in 0.0..1.0) {
         let s = segment(z[0], z[1]);
-        // What the crate was given, after rounding.
+        // The crate's arguments, after rounding.
         let [z0, z1] = z.map(|z| float(fx(z)));
         let q: f64 = unit(q).to_num();
         let depth = 1.0 / (1.0 / z0 + q * (1.0 / z1 - 1.0 / z0));
-        // Rounded once; f64 itself is good to 1e-13 of these.
+        // Rounded once; f64 itself is accurate to 1e-13 of these.
         close(float(s.distance(unit(q)).unwrap()), depth, 0.501 * STEP);
         let t = q * z0 / (z1 - q * (z1 - z0));
         close(s.in_space(unit(q)).unwrap().to_num(), t, 0.501 * UNIT_STEP);

@@ -1,4 +1,4 @@
-//! Time of a scene.
+//! The time of a scene.
 
 use core::f64::consts::TAU;
 
@@ -20,7 +20,7 @@ fn a_sine_once_a_second() {
 }
 
 #[test]
-fn rotations_a_minute_to_radians_a_millisecond() {
+fn rotations_per_minute_to_radians_per_millisecond() {
     let per_ms = 10.0 * TAU / (60.0 * 1_000.0);
     for ms in [1_u32, 16, 1_000, 1_499, 5_999] {
         let found = f64::from(Rate::rpm(10).angle_at(ms.into()).to_bits()) / 4_294_967_296.0 * TAU;

@@ -17,8 +17,8 @@ fn area(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
 proptest! {
     #[test]
     fn attributes_over_z_are_linear_on_screen(
-        // Pixels from the middle, and sixteenths of a unit ahead: products with 1/64 are exact
-        // coordinates, and the screen's too, so that no vertex is moved by rounding.
+        // Pixels from the middle, and distances in sixteenths: products with 1/64 are exact coordinates, in space and
+        // on the screen, so that rounding moves no vertex.
         screen in [[-32..32, -32..32], [-32..32, -32..32], [-32..32, -32..32]],
         z in [16..256, 16..256, 16..256],
         values in [-1_000_000..1_000_000, -1_000_000..1_000_000, -1_000_000..1_000_000],
@@ -36,7 +36,7 @@ proptest! {
         let mut pixels = vec![Gray8::new(0); (SIZE * SIZE) as usize];
         let mut canvas = Canvas::new(&mut pixels, SIZE, SIZE).unwrap();
         let both_sides = DrawOptions::new().cull(Cull::Nothing).mode(Exact);
-        // A value of each vertex, by the number of its position.
+        // A value for each vertex, by its position's index.
         let value = |corner: &Corner<'_>| {
             let positions = corner.primitive().positions();
             let at = positions.iter().position(|p| *p == corner.position());

@@ -13,7 +13,7 @@ fn vertex<const N: usize>(position: [f64; 4], attributes: [f64; N]) -> ClipVerte
 
 #[test]
 fn a_corner_behind_the_near_plane() {
-    // Two corners 1 inside the near plane, one 1 outside: the cuts are half-way.
+    // Two corners 1 inside the near plane, one 1 outside: the new corners are halfway.
     let inside = polygon(
         &[
             vertex([0., 0., 0., 1.], [0.]),
@@ -48,7 +48,7 @@ fn inside_stays_and_outside_goes() {
 
 #[test]
 fn a_triangle_over_all_six_planes() {
-    // Everything of the plane z = 0 that is in view: the square.
+    // The visible part of the plane z = 0: the square.
     let big = [[-9., -9., 0., 1.], [9., -9., 0., 1.], [0., 9., 0., 1.]];
     let inside = polygon(&big.map(|p| vertex(p, [p[0], p[1]])), &ALL_PLANES);
     assert_eq!(inside.len(), 4);

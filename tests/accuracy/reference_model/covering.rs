@@ -47,7 +47,7 @@ fn the_widest_coordinates() {
     let all = [i32::MIN, i32::MAX];
     let t = [[all[0], all[0]], [all[1], all[0]], [all[0], all[1]]];
     assert_eq!(area2(t), ((1_i128 << 32) - 1).pow(2));
-    // The slope passes x + y = −1/256 pixel.
+    // The slope crosses x + y = −1/256 pixel.
     assert_eq!(covered(t, 3, 3).count(), 0);
     assert!(covers(t, [-1, -1]) && !covers(t, [-1, 0]));
 }
@@ -71,7 +71,7 @@ fn a_fan_covers_each_pixel_once() {
 fn floats_agree_with_integers() {
     let mut random = Random(3);
     for round in 0..2000 {
-        // Vertices at pixel centers too, where ties are.
+        // Also vertices at pixel centers, where ties occur.
         let step = [1, 16, 128][round % 3];
         let t = [(); 3].map(|()| [(); 2].map(|()| random.range(-40, 200) * step));
         let corners = t.map(view::unsnap);

@@ -1,9 +1,8 @@
-//! What the tests draw, and how they compare.
+//! Helpers of the model's tests: shapes and comparisons.
 
 use super::*;
 
-/// f64 keeps 2⁻⁵² ≈ 2e-16 of a value; a mvp of a few hundred operations on values up to a
-/// thousand stays well below this.
+/// f64 keeps 2⁻⁵² ≈ 2e-16 of a value; a few hundred operations on values up to a thousand stay well below this.
 pub const EPSILON: f64 = 1e-9;
 
 #[track_caller]

@@ -19,8 +19,8 @@ fn weights_are_areas() {
 
 #[test]
 fn half_way_between_depths_1_and_4() {
-    // 1/z is linear on the screen. In the middle of the edge from 0 to 1, z is 1/(1/2 + 1/8) = 1.6, which is
-    // (1.6 − 1)/3 = 0.2 of the way in space.
+    // 1/z is linear on the screen. In the middle of the edge from 0 to 1, z is 1/(1/2 + 1/8) = 1.6, which is (1.6 −
+    // 1)/3 = 0.2 of the way in space.
     let w = weights(&T, [2., 0.]).unwrap();
     let value = interpolate(&w, [1., 4., 9.], &[[0.], [1.], [7.]]);
     close([value.w, value.attributes[0]], [1.6, 0.2]);

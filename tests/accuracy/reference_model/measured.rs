@@ -1,4 +1,4 @@
-//! The measured scenes: how many faces are kept, and how many pixels they cover.
+//! The measured scenes: the number of faces kept, and of pixels covered.
 
 use super::*;
 use raster::*;
@@ -7,7 +7,7 @@ use raster::*;
 fn count((shape, view): (scenes::Shape, view::View), cull: Cull) -> (usize, usize) {
     let (pieces, picture) = draw(&shape.mesh(), &view, cull, 0.);
     let counts = picture.counts();
-    // Convex or flat: nothing twice.
+    // Convex or flat: no pixel is covered twice.
     assert!(counts.iter().all(|&n| n <= 1));
     (pieces.len(), counts.iter().filter(|&&n| n > 0).count())
 }

@@ -1,4 +1,4 @@
-//! The f64 model against numbers worked by hand, so that it may judge the crate.
+//! The f64 model against numbers worked out by hand, so that it may judge the crate.
 
 // As in the model: textbook names, and f64 holds every integer used here.
 #![allow(clippy::many_single_char_names, clippy::cast_precision_loss)]

@@ -1,7 +1,7 @@
 //! Distances from the outline of a union.
 
 use super::*;
-use silhouette::{Place::*, Silhouette};
+use silhouette::{Position::*, Silhouette};
 
 fn rectangle(left: f64, top: f64, right: f64, bottom: f64) -> [Corners; 2] {
     let [a, b, c, d] = [[left, top], [right, top], [right, bottom], [left, bottom]];
@@ -57,8 +57,8 @@ fn surfaces_that_touch_are_one() {
 }
 
 #[test]
-fn a_torus_by_trying() {
-    // Points of a small disc about each pixel: all in the union, none, or some of each.
+fn a_torus_by_sampling() {
+    // Points of a small disc around each pixel: all in the union, none, or some of each.
     let torus = Torus::new(40, 20);
     let d = 0.4;
     let pieces = raster::culled(
@@ -90,7 +90,7 @@ fn a_torus_by_trying() {
         match place {
             Inside => assert_eq!(counts, [64; 4], "{p:?}"),
             Outside => assert_eq!(counts, [0; 4], "{p:?}"),
-            // Trying may miss what only just enters the disc.
+            // Sampling may miss triangles that barely enter the disc.
             Near => {
                 let all = counts == [64; 4] || counts == [0; 4];
                 let sure = outline.classify(p, d * 0.9) == Near;
@@ -98,7 +98,7 @@ fn a_torus_by_trying() {
             }
         }
     }
-    // Each case was there, surfaces that end in front of others too.
+    // Each case occurred, surfaces that end in front of others too.
     assert!(
         found.iter().all(|&n| n > 50) && hidden > 10,
         "{found:?} {hidden}"

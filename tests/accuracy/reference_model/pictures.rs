@@ -58,7 +58,7 @@ fn the_nearer_surface_shows() {
     assert_eq!(picture.candidates([3, 4], 1.).count(), 1);
     assert_eq!(picture.candidates([3, 4], 8192.).count(), 2);
     assert_eq!(picture.nearest([7, 7]), None);
-    // All of it is front.
+    // All of it faces the eye.
     assert!(draw(&mesh, &view(), Cull::Front, 0.).0.is_empty());
 }
 
@@ -71,19 +71,19 @@ fn a_margin_finds_neighbors() {
         attributes: &attributes,
     };
     let (_, picture) = draw(&mesh, &view(), Cull::Back, 0.6);
-    // Half a pixel out, extended in the plane.
+    // Half a pixel outside, extended in the plane.
     let hit = picture.candidates([1, 3], 0.).next().unwrap();
     close([hit.gap], [0.5]);
     close(hit.value.attributes, [-0.3125, 0.0625]);
     assert_eq!(picture.nearest([1, 3]), None);
-    // A center on the diagonal has one owner and one neighbor at no distance.
+    // A center on the diagonal has one owner, and one neighbor at distance 0.
     let on = picture.at([3, 4]);
     assert_eq!(on.iter().filter(|hit| hit.gap == 0.).count(), 1);
     assert_eq!(on.len(), 2);
 }
 
 #[test]
-fn snapped_corners_are_taken_as_they_are() {
+fn snapped_corners_are_used_unchanged() {
     let (positions, attributes) = square([-0.25; 2], [0.25; 2], 1.);
     let mesh = Mesh {
         positions: &positions,
@@ -93,7 +93,7 @@ fn snapped_corners_are_taken_as_they_are() {
     let view = view();
     let snapped = pieces(&mesh, &view)
         .into_iter()
-        // One pixel to the right of where they belong, by index.
+        // One pixel to the right of their own positions, by index.
         .map(|piece| {
             piece.snap(|source, _| {
                 let [x, y] = view::snap(view.project(positions[source.unwrap()]).screen);
@@ -104,7 +104,7 @@ fn snapped_corners_are_taken_as_they_are() {
     let pieces = culled(snapped, Cull::Back);
     let picture = render(&pieces, &view.projection, view.viewport, (8, 8), 0.);
     assert_eq!(picture.counts().iter().sum::<u32>(), 16);
-    // Where pixel (2, 2)'s value was.
+    // Where pixel (2, 2) had its value.
     close(
         picture.nearest([3, 2]).unwrap().value.attributes,
         [-0.1875, 0.1875],
@@ -186,14 +186,14 @@ fn a_torus_has_no_seams() {
     let outline = silhouette::Silhouette::new(&triangles, size.0, size.1);
     for pixel in Bounds::new(size.0, size.1).pixels() {
         match outline.classify(center(pixel), 1. / 256.) {
-            silhouette::Place::Inside => assert!(picture.nearest(pixel).is_some(), "{pixel:?}"),
-            silhouette::Place::Outside => assert!(picture.at(pixel).is_empty(), "{pixel:?}"),
-            silhouette::Place::Near => {}
+            silhouette::Position::Inside => assert!(picture.nearest(pixel).is_some(), "{pixel:?}"),
+            silhouette::Position::Outside => assert!(picture.at(pixel).is_empty(), "{pixel:?}"),
+            silhouette::Position::Near => {}
         }
     }
     let counts = picture.counts();
     assert!(counts.contains(&2));
-    // Each surface is where the ray through the pixel's center meets the plane of its face.
+    // Each surface lies where the ray through the pixel's center meets the plane of its face.
     for [x, y] in Bounds::new(size.0, size.1).pixels() {
         for hit in picture.at([x, y]) {
             let [right, down] = center([x, y]).map(|at| hit.distance * at / 240.);
@@ -221,7 +221,7 @@ fn a_torus_has_no_seams() {
             }
         }
     }
-    // Snapped, its fronts overlap or gape no more than its contours move.
+    // After snapping, its front faces overlap or gape no more than its contours move.
     let snapped = pieces
         .into_iter()
         .map(|piece| piece.snap(|_, clip| view::snap(view.place(clip).screen)))

@@ -78,7 +78,7 @@ fn orthographic_takes_the_box_to_the_cube() {
     let projection = orthographic(-1., 3., -2., 1., 1., 4.);
     close(ndc(&projection, [-1., -2., -1.]), [-1., -1., -1.]);
     close(ndc(&projection, [3., 1., -4.]), [1., 1., 1.]);
-    // Isometric: 45° about y, then down by atan(1/√2); each axis seen at √(2/3).
+    // Isometric: 45° about y, then down by atan(1/√2); each axis appears at √(2/3).
     let turn = linear::multiply(
         &linear::rotate_x((0.5_f64).sqrt().atan()),
         &linear::rotate_y(-FRAC_PI_4),

@@ -1,4 +1,4 @@
-//! The depth buffer of a canvas: cleared and left alone, and what its formats resolve.
+//! The depth buffer of a canvas: cleared and kept, and the resolution of its formats.
 
 use embedded_graphics::Drawable;
 use embedded_graphics::draw_target::DrawTarget;
@@ -34,7 +34,7 @@ fn triangle<C: PixelColor, D: DepthBuffer>(
     canvas.draw(&mesh, &projection, &Flat::new(color));
 }
 
-/// Text goes over the picture and leaves the depth as it is.
+/// Text is drawn over the picture and does not change the depth.
 #[test]
 fn text_over_the_picture() {
     let mut pixels = [BinaryColor::Off; 64];
@@ -59,7 +59,7 @@ fn text_over_the_picture() {
     assert_eq!(drawn, covered);
 }
 
-/// Draws a near triangle, calls `between`, and draws a farther one. Gives the pixels of gray 1 (near) and 2 (far).
+/// Draws a near triangle, calls `between`, and draws a farther one. Returns the pixels of gray 1 (near) and 2 (far).
 fn shown<F: DepthFormat>(
     between: impl Fn(&mut Canvas<'_, Gray8, Native, fixel::target::Depth<'_, F>>),
 ) -> [usize; 2] {
@@ -84,7 +84,7 @@ fn clearing<F: DepthFormat>() {
         let Ok(()) = DrawTarget::clear(canvas, Gray8::BLACK);
     });
     assert_eq!(cleared, [0, 28], "embedded-graphics' clear is the same");
-    // The second triangle covers the first one, whose color would have stayed.
+    // The second triangle covers the first one, whose color would have stayed otherwise.
     let uncovered = shown::<F>(|canvas| {
         canvas.clear_depth();
     });
@@ -117,9 +117,9 @@ fn clearing_no_depth() {
     assert_eq!(pixels, [Gray8::BLACK; 4]);
 }
 
-/// Draws three plates (`#`), at 4, 3,200 and 522,240 times the distance of the near plane, and after each a larger
-/// plate (`.`) that is a hundredth farther. Distance 2^14 lies between the last two, so that their 1/w have different
-/// exponents.
+/// Draws three plates (`#`), at 4, 3,200 and 522,240 times the distance of the near plane, and after each one a
+/// larger plate (`.`) that is a hundredth farther. Distance 2^14 lies between the last two, so their 1/w have
+/// different exponents.
 fn plates<F: DepthFormat>() -> MockDisplay<BinaryColor> {
     const SIZE: (u32, u32) = (26, 6);
     const FOCAL: f64 = 16.;
@@ -155,7 +155,7 @@ fn plates<F: DepthFormat>() -> MockDisplay<BinaryColor> {
     display
 }
 
-/// Where the format does not tell their depths apart, the plate behind wins, as it is drawn last.
+/// If the format cannot tell their depths apart, the plate behind shows, because it is drawn last.
 #[test]
 fn plates_a_hundredth_apart() {
     plates::<Linear>().assert_pattern(&[

@@ -1,4 +1,4 @@
-//! As an embedded-graphics target the canvas equals embedded-graphics' own frame.
+//! As an embedded-graphics target, the canvas equals embedded-graphics' own frame.
 
 use std::convert::Infallible;
 
@@ -28,13 +28,13 @@ type Theirs<O> = Framebuffer<
     { buffer_size::<Rgb565>(WIDTH as usize, HEIGHT as usize) },
 >;
 
-/// What there is to draw in the picture of this number.
+/// The contents of the picture with this number.
 fn random(number: u64) -> ChaCha8Rng {
     ChaCha8Rng::seed_from_u64(number)
 }
 
-/// Any picture has the bytes of embedded-graphics' frame, in both orders, and its colors; and bands, put
-/// together, are the frame.
+/// Any picture has the bytes of embedded-graphics' frame, in both orders, and its colors. Bands put together equal
+/// the frame.
 #[test]
 fn a_canvas_is_a_framebuffer() {
     let mut in_bands = 0;
@@ -111,7 +111,7 @@ impl<T: DrawTarget<Color = Rgb565, Error = Infallible>> Draw for T {
     }
 }
 
-/// `fill_contiguous` takes no more than it needs from an endless iterator.
+/// `fill_contiguous` reads no more than it needs from an endless iterator.
 #[test]
 fn fill_contiguous_ends() {
     let mut pixels = [Gray8::BLACK; 12];
@@ -128,7 +128,7 @@ fn fill_contiguous_ends() {
     assert!(taken <= 27);
 }
 
-/// The color of the n-th pixel of an area; it skips any number of pixels at once.
+/// The color of the n-th pixel of an area; skips any number of pixels at once.
 struct Colors(u64);
 
 fn color(number: u64) -> Gray8 {
@@ -149,7 +149,7 @@ impl Iterator for Colors {
     }
 }
 
-/// Points at the ends of `i32` are left out.
+/// Points at the ends of `i32` are ignored.
 #[test]
 fn points_at_the_ends_of_i32() {
     let mut pixels = [Gray8::BLACK; 4];
@@ -163,7 +163,7 @@ fn points_at_the_ends_of_i32() {
     assert_eq!(pixels.map(|pixel| pixel.luma()), [27, 28, 35, 36]);
 }
 
-/// Areas that begin, end or are longer than `i32` counts are filled like any other, in a debug build too.
+/// Areas that begin, end or reach beyond the range of `i32` are filled like any other, in a debug build too.
 #[test]
 fn areas_beyond_the_range_of_i32() {
     const WIDTH: u32 = 3;
@@ -197,7 +197,7 @@ fn areas_beyond_the_range_of_i32() {
         u32::MAX - 1,
         u32::MAX,
     ];
-    // The number of a pixel along a side, where the area has it.
+    // The number of a pixel along a side, if the area contains it.
     let along = |at: u32, start: i32, length: u32| {
         let number = i64::from(at) - i64::from(start);
         (0..i64::from(length))

@@ -34,7 +34,7 @@ impl DrawTarget for Display {
     type Error = BusError;
 
     fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, _: I) -> Result<(), BusError> {
-        panic!("pixels are to come in one piece");
+        panic!("pixels must come in one piece");
     }
 
     fn fill_contiguous<I: IntoIterator<Item = Rgb888>>(
@@ -78,7 +78,7 @@ fn a_canvas_shows_itself_in_one_piece() {
 }
 
 #[test]
-fn a_failing_displays_error_comes_through() {
+fn a_display_error_is_passed_on() {
     let mut display = Display {
         broken: true,
         ..Display::default()
@@ -88,7 +88,7 @@ fn a_failing_displays_error_comes_through() {
     assert_eq!(canvas.show(&mut display), Err(BusError(42)));
 }
 
-/// Bytes as on the bus, for each number of bytes to the pixel.
+/// Bytes in bus order, for each number of bytes per pixel.
 #[test]
 fn byte_orders() {
     let mut pixels = [[0; 2]; 2];
@@ -117,7 +117,7 @@ fn byte_orders() {
 fn length(error: Option<Error>) -> (usize, usize) {
     match error {
         Some(Error::Length { given, needed, .. }) => (given, needed),
-        other => panic!("{other:?} is no wrong length"),
+        other => panic!("{other:?} is not an error of the length"),
     }
 }
 
@@ -130,11 +130,11 @@ fn rows(error: Option<Error>) -> (u32, u32, u32) {
             height,
             ..
         }) => (first, rows, height),
-        other => panic!("{other:?} is no band outside its frame"),
+        other => panic!("{other:?} is not an error of the rows"),
     }
 }
 
-/// What is refused, with the numbers that the message is to name.
+/// Refused arguments, with the numbers that the message must name.
 #[test]
 fn errors_name_the_numbers() {
     let pixels = |count: usize| vec![Gray8::BLACK; count];

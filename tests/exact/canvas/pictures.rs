@@ -22,7 +22,7 @@ use rand_chacha::ChaCha8Rng;
 pub const WIDTH: u32 = 41;
 pub const HEIGHT: u32 = 31;
 
-/// A target behind one type: shapes are then compiled once, for all targets and adapters.
+/// A target behind one type, so that shapes are compiled only once for all targets and adapters.
 trait Sink {
     fn area(&self) -> Rectangle;
     fn pixels(&mut self, pixels: &mut dyn Iterator<Item = Pixel<Rgb565>>);
@@ -92,10 +92,10 @@ impl DrawTarget for Target<'_> {
     }
 }
 
-/// Draws the picture that `random` describes; it is the same on every target of one size.
+/// Draws the picture that `random` describes. It is the same on every target of one size.
 ///
-/// Without `crops`, it is also the same in a band: `cropped` counts its coordinates from the corner of what the
-/// target has of the area, so a crop of a band is not a band of the crop.
+/// Without `crops` it is also the same in a band. `cropped` counts its coordinates from the corner of the area's part
+/// on the target, so a crop of a band is not a band of the crop.
 pub fn draw(
     target: &mut impl DrawTarget<Color = Rgb565, Error = Infallible>,
     random: &mut ChaCha8Rng,
@@ -122,7 +122,7 @@ pub fn draw(
     }
 }
 
-/// Draws a shape, text, an image, or calls a target's method itself.
+/// Draws a shape, text or an image, or calls one of the target's methods.
 fn element(target: &mut Target<'_>, random: &mut ChaCha8Rng) {
     let style = style(random);
     let Rectangle { top_left, size } = area(random);

@@ -1,4 +1,4 @@
-//! Faces and edges, and what they name.
+//! Faces and edges, and the elements they refer to.
 
 use fixel::prelude::*;
 use proptest::prelude::*;
@@ -18,7 +18,7 @@ fn shared_edge_occurs_once() {
     assert_eq!(mesh.edges, [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]]);
 }
 
-/// Many edges that differ in their last byte only, in reverse order and twice.
+/// Many edges that differ only in their last byte, in reverse order and twice.
 #[test]
 fn edges_about_a_hub_are_sorted() {
     let mut text = "v 0 0 0\n".repeat(601);
@@ -52,14 +52,14 @@ fn included_house() {
     let mesh = ok(include_str!("../../models/house.obj"));
     assert!(HOUSE.positions().iter().eq(mesh.positions.iter().copied()));
     assert_eq!(HOUSE.faces(), mesh.faces);
-    // Euler: 10 corners and 7 polygons, the ground being one; and the antenna.
+    // Euler: 10 corners and 7 polygons, one of them the ground; and the antenna.
     assert_eq!(HOUSE.edges(), mesh.edges);
     assert_eq!(mesh.edges.len(), 15 + 1);
     assert!(HOUSE.has_uvs());
 }
 
 proptest! {
-    /// Edges: sorted, each once, those of the polygons.
+    /// The edges of the polygons: sorted, each once.
     #[test]
     fn edges_are_a_sorted_set(polygons in prop::collection::vec(prop::collection::vec(0..400_u16, 3..6), 1..300)) {
         let mut text = "v 0 0 0\n".repeat(400);

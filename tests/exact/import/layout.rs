@@ -1,4 +1,4 @@
-//! Lines, comments and statements that say nothing about the mesh.
+//! Lines, comments and statements that do not affect the mesh.
 
 use fixel::mesh::{Counts, obj};
 

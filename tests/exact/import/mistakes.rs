@@ -1,4 +1,4 @@
-//! What is no model, and how that is told.
+//! Text that is not a model, and the messages about it.
 
 use fixel::mesh::{Buffers, obj};
 use fixel::prelude::*;
@@ -51,16 +51,16 @@ fn errors_name_their_line() {
     first_at_5("vt", "2 numbers");
     first_at_5("vn 1 2", "3 numbers");
     first_at_5("vn 1 2 3 4", "too many");
-    // A statement over several lines is where it goes wrong; comments do not go on.
+    // An error in a statement over several lines is reported in the line where it occurs; comments do not continue.
     fails("# a\\\nv 0 0\\\n", 3, "3 numbers");
     fails("\r\n\r\nv", 3, "3 numbers");
     fails("\r\rv", 3, "3 numbers");
 }
 
 proptest! {
-    /// Whatever it is fed, it returns.
+    /// Any input is read without a panic.
     #[test]
-    fn any_bytes_return(bytes in prop::collection::vec(prop::sample::select(&b"vvftnl 0123456789./-+eE\\\r\n\n#\t\xff"[..]), 0..200)) {
+    fn any_bytes_are_read(bytes in prop::collection::vec(prop::sample::select(&b"vvftnl 0123456789./-+eE\\\r\n\n#\t\xff"[..]), 0..200)) {
         if let Ok(counts) = obj::count(&bytes) {
             let (mut positions, mut faces) = (vec![Vec3::ZERO; counts.positions], vec![[0; 3]; counts.faces]);
             let mut edges = vec![[0; 2]; counts.edges];

@@ -1,4 +1,4 @@
-//! OBJ text in all its forms, its mistakes, and as another reader understands it.
+//! OBJ text in all its forms, its mistakes, and compared with another reader.
 #![allow(clippy::format_push_string)] // clearer here, and speed is no matter
 
 mod attributes;

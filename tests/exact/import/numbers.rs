@@ -1,18 +1,18 @@
-//! Numbers: how they are rounded, and how far they go.
+//! Numbers: their rounding and their range.
 
 use fixel::prelude::*;
 use proptest::prelude::*;
 
 use super::reading::{SQUARE, fails, read};
 
-/// The x of the position in a text of this one number.
+/// The x of the position in a text with this one number.
 fn number(text: &str) -> Result<Scalar, Error> {
     read(&format!("v {text} 0 0")).map(|mesh| mesh.positions[0].x)
 }
 
-/// The texture coordinate in a text of this one u and v, whose bits are those of u and 1 − v.
+/// The texture coordinate in a text with this one u and v: the bits of u and 1 − v.
 fn tex_coord(u: &str, v: &str) -> Result<[i32; 2], Error> {
-    // Of three corners, as what no corner names is left out.
+    // With three corners, because values that no corner uses are dropped.
     read(&format!("{SQUARE}vt {u} {v}\nf 1/1 2/1 3/1")).map(|mesh| mesh.uvs[0].to_bits())
 }
 
@@ -31,7 +31,7 @@ fn numbers() {
         ("1e-400", 0),
         ("-1e-99999999999999999999999", 0),
         ("0e99999999999999999999999", 0),
-        // Half a unit away from zero, and less by 10^-30.
+        // Half a unit is rounded away from zero; 10^-30 less is not.
         ("0.00000762939453125", 1),
         ("-0.00000762939453125", -1),
         ("0.000007629394531249999999999999", 0),
@@ -68,7 +68,7 @@ fn texture_coordinates() {
         ("2.5e-1", ONE / 4),
         ("25E-2", ONE / 4),
         ("2046.5", 2046 * ONE + ONE / 2),
-        // Half a unit away from zero, and less by 10^-21 and 10^-30.
+        // Half a unit is rounded away from zero; 10^-21 or 10^-30 less is not.
         ("0.000000476837158203125", 1),
         ("-0.000000476837158203125", -1),
         ("0.000000476837158203124", 0),
@@ -97,7 +97,7 @@ fn texture_coordinates_out_of_range() {
         "40000 0",
         "1e300 0",
         "0 2048",
-        // 1 − v is not there.
+        // 1 − v is out of range.
         "0 -2047",
         "0 -2048",
     ] {
@@ -110,7 +110,7 @@ fn texture_coordinates_out_of_range() {
 }
 
 proptest! {
-    /// To the nearest, halves away from zero, as the sum of exact fractions says.
+    /// Rounded to nearest, halves away from zero, as computed with exact fractions.
     #[test]
     fn numbers_round_exactly(value in -327_670_000_000_000_i64..327_670_000_000_000, point in 0..12_u32) {
         // value · 10^-10 in f64 is not exact; 128-bit integers are.
@@ -126,7 +126,7 @@ proptest! {
         prop_assert_eq!(i128::from(number(&padded).unwrap().to_bits()), nearest);
     }
 
-    /// The same with the bits of a texture coordinate.
+    /// The same for the bits of a texture coordinate.
     #[test]
     fn texture_coordinates_round_exactly(
         value in -204_600_000_000_000_000_i64..204_600_000_000_000_000,
@@ -140,7 +140,7 @@ proptest! {
         prop_assert_eq!(i128::from(tex_coord(&plain, "0").unwrap()[0]), nearest);
         let padded = format!("{value}{:0<width$}E-{}", "", 14 + point, width = point as usize);
         prop_assert_eq!(i128::from(tex_coord(&padded, "0").unwrap()[0]), nearest);
-        // As many places as decide.
+        // Enough digits to decide the rounding.
         let nearest = ((fine << 21) / 10_u128.pow(21)).div_ceil(2) as i32;
         for text in [format!("0.{fine:021}"), format!("{fine}e-21"), format!("0.{fine:021}9e0")] {
             prop_assert_eq!(tex_coord(&text, "0").unwrap()[0], nearest, "{}", text);

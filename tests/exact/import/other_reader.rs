@@ -1,4 +1,4 @@
-//! The crate `tobj` reads the same.
+//! The crate `tobj` reads the same mesh.
 
 use fixel::prelude::*;
 use proptest::prelude::*;
@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use super::reading::ok;
 
 /// Compares with `tobj`: the values at each triangle's corners.
-fn as_tobj_reads(text: &str) -> Result<(), TestCaseError> {
+fn agrees_with_tobj(text: &str) -> Result<(), TestCaseError> {
     let mine = ok(text);
     let options = tobj::LoadOptions {
         triangulate: true,
@@ -67,7 +67,7 @@ fn as_tobj_reads(text: &str) -> Result<(), TestCaseError> {
 
 #[test]
 fn tobj_agrees_on_the_house() {
-    as_tobj_reads(include_str!("../../models/house.obj")).unwrap();
+    agrees_with_tobj(include_str!("../../models/house.obj")).unwrap();
 }
 
 /// A number as programs write them.
@@ -133,6 +133,6 @@ fn text() -> impl Strategy<Value = String> {
 proptest! {
     #[test]
     fn tobj_agrees(text in text()) {
-        as_tobj_reads(&text)?;
+        agrees_with_tobj(&text)?;
     }
 }

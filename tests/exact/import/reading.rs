@@ -4,7 +4,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 use fixel::mesh::{Buffers, Counts, obj};
 use fixel::prelude::*;
 
-/// A mesh that owns what it was read into; the attributes as their values at the corners of the triangles.
+/// A mesh that owns its lists; the attributes as their values at the corners of the triangles.
 #[derive(Debug, PartialEq)]
 pub struct Owned {
     pub counts: Counts,
@@ -59,7 +59,7 @@ pub fn ok(text: &str) -> Owned {
     read(text).unwrap()
 }
 
-/// Line and a word of the problem.
+/// The line, and a word of the problem.
 pub fn fails(text: &str, line: usize, word: &str) {
     match read(text) {
         Err(Error::Obj {

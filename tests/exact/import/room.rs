@@ -1,4 +1,4 @@
-//! How much a mesh may have, and what of it the caller has room for.
+//! The limits of a mesh's size, and lists that are too short.
 
 use fixel::mesh::{Buffers, obj};
 use fixel::prelude::*;

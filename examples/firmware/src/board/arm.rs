@@ -8,13 +8,13 @@ use cortex_m::peripheral::{Peripherals, SCB, SYST, syst::SystClkSource};
 pub use cortex_m_rt::entry;
 use cortex_m_rt::exception;
 
-/// SysTick counts down through 24 bits, to zero and then on from here.
+/// SysTick counts down in 24 bits: to zero, then from here again.
 const MOST: u32 = 0x00ff_ffff;
 /// Ticks of one round.
 const ROUND: u64 = 1 << 24;
 
-/// Rounds that SysTick has ended since the clock was set to zero. Only the exception adds to it, so
-/// that it needs no more of a core than to load and to store.
+/// Rounds that SysTick has completed since the clock was set to zero. Only the exception handler adds to it, so loads
+/// and stores suffice.
 static ROUNDS: AtomicU32 = AtomicU32::new(0);
 
 #[exception]
@@ -25,11 +25,11 @@ fn SysTick() {
     );
 }
 
-/// SysTick at the core's frequency, with its rounds counted: 2^56 ticks.
+/// SysTick at the core's frequency; with its rounds counted, it reaches 2^56 ticks.
 pub struct Clock(SYST);
 
 impl Clock {
-    /// The clock. Can be taken once.
+    /// Takes the clock; can be called once.
     pub fn take() -> Option<Self> {
         let mut timer = Peripherals::take()?.SYST;
         timer.set_clock_source(SystClkSource::Core);
@@ -42,7 +42,7 @@ impl Clock {
 
     /// Does `work`; returns its result and the ticks that it took.
     pub fn time<T>(&mut self, work: impl FnOnce() -> T) -> (T, u64) {
-        // From zero: nothing interrupts the first round, which so counts the work and nothing else.
+        // Start from zero: no exception interrupts the first round, so it counts only the work.
         interrupt::free(|_| {
             self.0.clear_current();
             SCB::clear_pendst();
@@ -55,8 +55,9 @@ impl Clock {
 
     /// Ticks since the clock was set to zero.
     fn ticks(&self) -> u64 {
-        // No round is counted meanwhile. One that ends is pending, and the timer, read once more,
-        // then surely is in the next; if none is pending even now, the first reading was before it.
+        // No round is counted during this block. If a round ends, its exception is pending, and a second reading of
+        // the timer belongs to the next round. If none is pending even now, the first reading belongs to the current
+        // round.
         let (rounds, left) = interrupt::free(|_| {
             let (rounds, left) = (ROUNDS.load(Ordering::Relaxed), self.left());
             if SCB::is_pendst_pending() {
@@ -68,8 +69,8 @@ impl Clock {
         u64::from(rounds) * ROUND + (ROUND - u64::from(left))
     }
 
-    /// Ticks left of the round, from 1. Zero lasts for one tick, in which the exception comes, or after
-    /// which a timer that was set anew starts: it is waited for.
+    /// Ticks left in the round, from 1. Zero lasts for one tick, in which the exception is raised, or after which a
+    /// timer that was just set starts: wait for that tick to pass.
     fn left(&self) -> u32 {
         loop {
             let left = self.0.cvr.read();

@@ -1,6 +1,6 @@
-//! What differs from core to core: the entry of a program, and the clock.
+//! Everything that differs from core to core: the entry of a program, and the clock.
 //!
-//! The console and the exit are semihosting's, the same for all.
+//! Console and exit go through semihosting on all of them.
 
 #[cfg(target_arch = "arm")]
 mod arm;
@@ -12,10 +12,10 @@ pub use self::arm::{Clock, entry, instructions};
 #[cfg(target_arch = "riscv32")]
 pub use self::riscv::{Clock, entry, instructions};
 
-/// Instructions to a tick of the clock, measured on a loop of known length.
+/// Instructions in a tick of the clock, measured on a loop of known length.
 ///
-/// Under QEMU with `-icount shift=0` an instruction takes a nanosecond, so it is the clock's period; on
-/// a chip it is near 1, for both count the core's cycles.
+/// Under QEMU with `-icount shift=0` an instruction takes a nanosecond, so the result is the clock's period. On a
+/// chip it is near 1, because both count the core's cycles.
 pub fn instructions_per_tick(clock: &mut Clock) -> u64 {
     const COUNT: u32 = 1 << 20;
     let ((), ticks) = clock.time(|| instructions(COUNT));

@@ -5,18 +5,18 @@ use core::arch::asm;
 use riscv::register::mcycle;
 pub use riscv_rt::entry;
 
-/// The core's cycles, all 64 bits of them; under QEMU with `-icount shift=0`, instructions.
+/// The core's cycle counter, 64 bits; under QEMU with `-icount shift=0` it counts instructions.
 pub struct Clock(());
 
 impl Clock {
-    /// The clock. It counts from reset, and may be taken any number of times.
-    #[allow(clippy::unnecessary_wraps)] // elsewhere there is one
+    /// Takes the clock, which counts from reset. Can be called any number of times.
+    #[allow(clippy::unnecessary_wraps)] // the same signature as on Arm, where it can fail
     pub fn take() -> Option<Self> {
         Some(Self(()))
     }
 
     /// Does `work`; returns its result and the ticks that it took.
-    #[allow(clippy::unused_self)] // elsewhere it is a device
+    #[allow(clippy::unused_self)] // the same signature as on Arm
     pub fn time<T>(&mut self, work: impl FnOnce() -> T) -> (T, u64) {
         let start = mcycle::read64();
         let result = work();

@@ -1,4 +1,4 @@
-//! What is written, and where: pictures, animations, help.
+//! Output: pictures, animations, help.
 
 use std::fs;
 

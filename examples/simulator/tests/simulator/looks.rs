@@ -33,7 +33,7 @@ fn every_look_projection_and_color_gives_a_picture() {
 }
 
 #[test]
-fn a_filter_changes_colors_only() {
+fn a_filter_changes_only_colors() {
     let directory = directory("filter");
     fs::write(directory.join("t.obj"), TRIANGLE).unwrap();
     for shade in ["texture", "lit"] {
@@ -51,10 +51,10 @@ fn a_filter_changes_colors_only() {
     }
 }
 
-/// Two plates, one a hundredth behind the other, 60,000 times as far as the near plane: in linear steps they are
-/// at one depth, so that the last in the file shows.
+/// Two plates, one a hundredth behind the other, at 60,000 times the distance of the near plane. In linear steps they
+/// have the same depth, so the last one in the file shows.
 #[test]
-fn float_depth_keeps_the_order_far_off() {
+fn float_depth_keeps_the_order_of_distant_surfaces() {
     let directory = directory("far");
     let (front, back) = ("f 1//1 2//1 3//1 4//1\n", "f 5//2 6//2 7//2 8//2\n");
     let plates = "v -9 -9 0\nv 9 -9 0\nv 9 9 0\nv -9 9 0\nv -9 -9 -6\nv 9 -9 -6\nv 9 9 -6\nv -9 9 -6\n\

@@ -1,4 +1,4 @@
-//! Runs the simulator as a user would: what it makes of good input, and what it says to bad.
+//! Runs the simulator as a user would: its output for good input, and its messages for bad input.
 #![cfg(not(target_os = "none"))]
 
 mod dumps;

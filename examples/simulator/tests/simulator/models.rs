@@ -1,4 +1,4 @@
-//! Models: those that cannot be read, and those that are seen whole.
+//! Models that cannot be read, and models that are visible as a whole.
 
 use std::fmt::Write;
 use std::fs;
@@ -108,7 +108,7 @@ fn a_model_fills_the_picture() {
             let all = || places.iter().map(|place| place[axis]);
             (all().min().unwrap(), all().max().unwrap())
         };
-        // It takes 94 % of the width or of the height, in the middle.
+        // It fills 94 % of the width or of the height, in the middle.
         let ((left, right), (top, bottom)) = (range(0), range(1));
         let fills = right - left > 145 || bottom - top > 71;
         assert!(fills, "{projection}: {left}..{right}, {top}..{bottom}");
@@ -127,17 +127,17 @@ fn a_model_fills_the_picture() {
 fn the_widest_view_and_an_empty_one_are_drawn() {
     let directory = directory("wide");
     fs::write(directory.join("t.obj"), TRIANGLE).unwrap();
-    // The chosen eye is next to the model, but not in it.
+    // The chosen eye is next to the model, but not inside it.
     let said = good(&directory, "t.obj --fov 170");
     assert_ne!(printed(&said, "pixels"), "0");
     let said = good(&directory, "t.obj --near 100 --far 200");
-    assert!(said.contains("nothing of it is in the picture"), "{said}");
+    assert!(said.contains("the model is outside the picture"), "{said}");
 }
 
 #[test]
 fn a_model_of_many_points_is_drawn_in_parts() {
     let directory = directory("many");
-    // 300 x 300 points, more than 16-bit indices can name.
+    // 300 x 300 points, more than 16-bit indices can address.
     let mut model = String::new();
     for y in 0..300 {
         for x in 0..300 {
@@ -153,7 +153,7 @@ fn a_model_of_many_points_is_drawn_in_parts() {
     fs::write(directory.join("grid.obj"), model).unwrap();
     let view = "--eye 149.5,149.5,400 --look-at 149.5,149.5,0 --size 100x100 --fov 40";
     let said = good(&directory, &format!("grid.obj {view}"));
-    // 2 · 400 · tan 20° = 291.2 units of the plate's 299 are seen: every pixel, each once.
+    // 2 · 400 · tan 20° = 291.2 of the plate's 299 units are visible: every pixel, each once.
     assert_eq!(printed(&said, "pixels"), "10000");
     assert_eq!(printed(&said, "triangles"), (299 * 299 * 2).to_string());
 }

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// An empty directory of the test's own.
+/// Makes an empty directory for a test.
 pub fn directory(test: &str) -> PathBuf {
     let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("simulator-{test}"));
     let _ = fs::remove_dir_all(&directory);
@@ -20,7 +20,7 @@ pub fn run(directory: &Path, arguments: &str) -> Output {
         .unwrap()
 }
 
-/// Runs what must succeed; gives what it printed.
+/// Runs the program, which must succeed; returns what it printed.
 pub fn good(directory: &Path, arguments: &str) -> String {
     let output = run(directory, arguments);
     let errors = String::from_utf8_lossy(&output.stderr);
@@ -37,7 +37,8 @@ pub fn files(directory: &Path) -> Vec<String> {
     names
 }
 
-/// Runs what must be refused with a message that has all of `says` in it, and leave no file.
+/// Runs the program, which must refuse its arguments with a message that contains all of `says`, and must leave no
+/// file.
 pub fn refused(directory: &Path, arguments: &str, says: &[&str]) {
     let before = files(directory);
     let output = run(directory, arguments);
@@ -59,7 +60,7 @@ pub fn refused(directory: &Path, arguments: &str, says: &[&str]) {
 
 pub const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
-/// The word after `label` in what the simulator printed.
+/// Returns the word after `label` in the simulator's output.
 pub fn printed<'a>(text: &'a str, label: &str) -> &'a str {
     let (_, after) = text
         .split_once(label)
@@ -67,7 +68,7 @@ pub fn printed<'a>(text: &'a str, label: &str) -> &'a str {
     after.split_whitespace().next().unwrap()
 }
 
-/// Width and height of a PNG, of its header.
+/// Returns the width and height from a PNG's header.
 pub fn png_size(path: &Path) -> (u32, u32) {
     let bytes = fs::read(path).unwrap();
     assert_eq!(&bytes[..8], b"\x89PNG\r\n\x1a\n");

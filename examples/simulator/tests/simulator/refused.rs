@@ -1,11 +1,11 @@
-//! Cameras and pictures that cannot be.
+//! Cameras and pictures that are refused.
 
 use std::fs;
 
 use super::program::{TRIANGLE, directory, refused};
 
 #[test]
-fn cameras_without_sense_are_refused() {
+fn senseless_cameras_are_refused() {
     let directory = directory("cameras");
     fs::write(directory.join("t.obj"), TRIANGLE).unwrap();
     let range = "above 0 and below 180 degrees";
@@ -13,7 +13,7 @@ fn cameras_without_sense_are_refused() {
         ("--fov 0", ["field of view is 0 degrees", range]),
         ("--fov 180", ["field of view is 180 degrees", range]),
         ("--fov -60", ["field of view is -60 degrees", range]),
-        // 400 degrees are 40 after a turn, but nobody means that.
+        // A turn of 400 degrees equals 40, but nobody means that.
         ("--fov 400", ["field of view is 400 degrees", range]),
         ("--fov nan", ["--fov", "finite number"]),
         ("--near 0", ["near plane is at 0", "above 0"]),
@@ -30,7 +30,7 @@ fn cameras_without_sense_are_refused() {
         ("--far 1e9", ["--far 1000000000", "between -32768"]),
         (
             "--eye 1,2,3 --look-at 1,2,3",
-            ["eye and target are both at (1, 2, 3)", "look at"],
+            ["eye and target are both at (1, 2, 3)", "they must differ"],
         ),
         (
             "--eye 0,0,5 --look-at 0,0,0 --up 0,0,1",
@@ -46,7 +46,7 @@ fn cameras_without_sense_are_refused() {
         ("--look-at 0;0;0", ["0;0;0", "must be a number"]),
     ] {
         refused(&directory, &format!("t.obj {arguments}"), &says);
-        // A parallel projection has no eye that the near plane must be in front of.
+        // Under a parallel projection the near plane need not be in front of the eye.
         if !says[0].starts_with("near") {
             let parallel = format!("t.obj --projection orthographic {arguments}");
             refused(&directory, &parallel, &says);
@@ -55,7 +55,7 @@ fn cameras_without_sense_are_refused() {
 }
 
 #[test]
-fn pictures_that_cannot_be_are_refused() {
+fn impossible_pictures_are_refused() {
     let directory = directory("pictures");
     fs::write(directory.join("t.obj"), TRIANGLE).unwrap();
     fs::create_dir(directory.join("folder.png")).unwrap();
@@ -87,7 +87,7 @@ fn pictures_that_cannot_be_are_refused() {
     ] {
         refused(&directory, &format!("t.obj {arguments}"), &says);
     }
-    // The eye that was chosen is beyond the number format.
+    // The chosen eye is beyond the number format.
     let far = ["to see the whole model, the eye must be at", "-32768"];
     refused(&directory, "t.obj --fov 0.0001", &far);
     refused(&directory, "--scene moon", &["moon", "possible values"]);

@@ -1,9 +1,9 @@
 //! Logarithmic axes with round numbers.
 
-/// Below this no error is told from none: half a unit of a texel as it is interpolated is 2⁻¹⁷.
+/// Errors below this count as none: half a unit of an interpolated texel is 2⁻¹⁷.
 pub const LEAST_ERROR: f64 = 1e-5;
 
-/// A logarithmic axis: its range, and the numbers that are written at it.
+/// A logarithmic axis: its range and its labels.
 #[derive(Clone, Debug)]
 pub struct Axis {
     pub low: f64,
@@ -12,10 +12,10 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// Whole decades that hold all of the values.
+    /// Makes an axis of whole decades that hold all of the values.
     pub fn decades(values: impl Iterator<Item = f64>) -> Self {
         let (low, high) = ends(values);
-        // A little more than the greatest, so that a mark there is not cut.
+        // A little more than the greatest value, so that its mark is not cut off.
         let (low, high) = (
             low.log10().floor() as i32,
             (high * 1.2).log10().ceil() as i32,
@@ -27,7 +27,7 @@ impl Axis {
         }
     }
 
-    /// A range a little larger than that of the values, with as many round numbers as have room.
+    /// Makes an axis a little longer than the range of the values, with as many round numbers as fit.
     pub fn around(values: impl Iterator<Item = f64>) -> Self {
         const DIGITS: [&[f64]; 4] = [
             &[1.],
@@ -51,7 +51,7 @@ impl Axis {
         }
     }
 
-    /// The same, with the values themselves written at it.
+    /// The same axis, labeled with the values themselves.
     pub fn at(values: impl Iterator<Item = f64>) -> Self {
         let mut ticks: Vec<f64> = values.collect();
         ticks.sort_by(f64::total_cmp);
@@ -63,7 +63,7 @@ impl Axis {
     }
 }
 
-/// The least and the greatest; 1 and 1 if there are none.
+/// Returns the smallest and the largest value; 1 and 1 if there are none.
 fn ends(values: impl Iterator<Item = f64>) -> (f64, f64) {
     values
         .fold(None, |ends: Option<(f64, f64)>, value| {
@@ -73,7 +73,7 @@ fn ends(values: impl Iterator<Item = f64>) -> (f64, f64) {
         .unwrap_or((1., 1.))
 }
 
-/// A tick's number without what is not needed: 0.001, 1.5, 20, 1024.
+/// Formats a tick's number without superfluous zeros: 0.001, 1.5, 20, 1024.
 pub fn label(value: f64) -> String {
     let digits = (1. - value.log10().floor()).max(0.) as usize;
     let text = format!("{value:.digits$}");
@@ -84,7 +84,7 @@ pub fn label(value: f64) -> String {
     }
 }
 
-/// The number of an error's tick: at the least what is below is drawn too.
+/// Formats the number of an error's tick; smaller errors are drawn at the lowest one.
 pub fn error_label(value: f64) -> String {
     if value < LEAST_ERROR * 1.01 {
         format!("≤ {}", label(value))

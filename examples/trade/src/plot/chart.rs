@@ -7,22 +7,22 @@ use super::axis::Axis;
 use super::{GRID, INK, LABEL, NAME};
 use crate::Result;
 
-/// A chart ready to be drawn in.
+/// A chart that is ready for drawing.
 pub type Chart<'a, DB> = ChartContext<'a, DB, Cartesian2d<Scale, Scale>>;
 type Scale = WithKeyPoints<LogCoord<f64>>;
 
-/// An axis and what is written at it.
+/// An axis and its labels.
 pub struct Side<'a> {
     pub axis: Axis,
     pub name: &'a str,
-    /// The number of a tick.
+    /// Formats the number of a tick.
     pub label_of: fn(f64) -> String,
 }
 
 /// Width of the numbers and the name left of a chart.
 const LEFT: u32 = 130;
 
-/// Draws the axes of a chart, which has its margins, and `below` pixels for what is written there.
+/// Draws the axes of a chart, with margins and with `below` pixels for the labels below it.
 pub fn draw<'a, DB: DrawingBackend>(
     chart: &mut ChartBuilder<'a, '_, DB>,
     below: u32,

@@ -20,16 +20,16 @@ const COST: u32 = 490;
 /// The plot of a sweep.
 pub struct Curves<'a> {
     pub title: &'a str,
-    /// What is along the horizontal axis.
+    /// Name of the horizontal axis.
     pub axis: &'a str,
-    /// Whether each step's own number is written there.
+    /// Whether the axis is labeled with each step's own number.
     pub stepped: bool,
     pub points: &'a [Point],
 }
 
-/// What is in a panel.
+/// The content of a panel.
 struct Panel<'a> {
-    /// Name of the horizontal axis; none in the upper panel, which has the lower one's.
+    /// Name of the horizontal axis; none in the upper panel, which shares the lower one's.
     along: &'a str,
     up: Side<'a>,
     lines: Vec<Line>,
@@ -58,7 +58,7 @@ impl Curves<'_> {
         modes::NAMES.iter().map(line).collect()
     }
 
-    /// A panel, on a part of the paper.
+    /// Draws a panel on a part of the paper.
     fn panel<DB: DrawingBackend>(
         &self,
         paper: &DrawingArea<DB, Shift>,

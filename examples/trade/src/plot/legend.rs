@@ -1,4 +1,4 @@
-//! What marks and lines mean: a row under a plot.
+//! The meaning of marks and lines: a row under a plot.
 
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -17,11 +17,11 @@ pub enum Mark {
     Wedge,
     Plus,
     Cross,
-    /// A piece of a line, whole.
+    /// A solid piece of a line.
     Line,
-    /// The same, dashed.
+    /// A dashed piece of a line.
     Dashes,
-    /// How far errors reach down from a mark.
+    /// The range of errors below a mark.
     Reach,
 }
 
@@ -37,7 +37,7 @@ impl Mark {
         Self::Cross,
     ];
 
-    /// Draws it about a place on the paper.
+    /// Draws it around a point on the paper.
     pub fn draw<DB: DrawingBackend>(
         self,
         paper: &DrawingArea<DB, Shift>,
@@ -47,7 +47,7 @@ impl Mark {
     where
         DB::ErrorType: 'static,
     {
-        // With a white rim, where marks lie over each other.
+        // With a white rim, for marks that overlap.
         let polygon = |points: &[(i32, i32)]| {
             let mut points: Vec<_> = points.iter().map(|(dx, dy)| (x + dx, y + dy)).collect();
             paper.draw(&Polygon::new(points.clone(), color.filled()))?;
@@ -85,7 +85,7 @@ impl Mark {
     }
 }
 
-/// Writes entries in rows, each a mark and a word, as many in a row as have room.
+/// Writes entries in rows, each a mark and a word, with as many in a row as fit.
 pub fn draw<DB: DrawingBackend>(
     paper: &DrawingArea<DB, Shift>,
     rows: &[Vec<(Mark, RGBColor, String)>],

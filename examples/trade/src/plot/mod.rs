@@ -19,7 +19,7 @@ use super::modes;
 pub use curves::Curves;
 pub use scatter::Scatter;
 
-/// Something that can be drawn, on paper of any kind.
+/// A figure that can be drawn on paper of any kind.
 pub trait Figure {
     /// Width and height in pixels.
     fn size(&self) -> (u32, u32);
@@ -29,20 +29,20 @@ pub trait Figure {
         DB::ErrorType: 'static;
 }
 
-/// The letters.
+/// The font's name.
 const FONT: &str = "sans-serif";
-/// Those of titles, axes' names, and numbers: for pictures that are looked at at half their size.
+/// Font sizes of titles, axis names and numbers, for pictures that are viewed at half their size.
 const TITLE: (&str, i32) = (FONT, 32);
 const NAME: (&str, i32) = (FONT, 27);
 const LABEL: (&str, i32) = (FONT, 24);
 
-/// Makes letters known. To be called once, before the first plot.
+/// Registers the font. Call it once, before the first plot.
 pub fn fonts() -> Result<()> {
     register_font(FONT, FontStyle::Normal, dejavu::sans::regular())
         .map_err(|_| "the font cannot be read".into())
 }
 
-/// Saves a figure; `stem` lacks the ending.
+/// Saves a figure; `stem` is the path without its ending.
 pub fn save(stem: &Path, figure: &impl Figure) -> Result<()> {
     let (width, height) = figure.size();
     let mut bytes = vec![0; 3 * width as usize * height as usize];
@@ -69,7 +69,7 @@ where
     Ok(paper.present()?)
 }
 
-/// The color of a mode: Okabe and Ito's, which can be told apart by all eyes.
+/// The color of a mode, from Okabe and Ito's palette, which color-blind readers can tell apart.
 fn color(mode: &str) -> RGBColor {
     const COLORS: [RGBColor; 7] = [
         RGBColor(0, 114, 178),
@@ -84,7 +84,7 @@ fn color(mode: &str) -> RGBColor {
     COLORS[place.unwrap_or(0) % COLORS.len()]
 }
 
-/// Lines of the grid.
+/// Color of the grid.
 const GRID: RGBColor = RGBColor(225, 225, 225);
-/// Axes and letters.
+/// Color of axes and letters.
 const INK: RGBColor = RGBColor(40, 40, 40);

@@ -15,7 +15,7 @@ use crate::table::{HOST, Row, unit};
 /// Width and height of a panel.
 const PANEL: (u32, u32) = (880, 720);
 const LEGEND: u32 = 136;
-/// What joins the modes of a scene that no other is both cheaper and more exact than.
+/// A line through the modes of a scene that no other mode beats in both cost and error.
 const THREAD: RGBColor = RGBColor(195, 195, 195);
 
 /// The plot: a panel for the measured scenes on each target, and one for the planes on the host.
@@ -31,7 +31,7 @@ struct Panel<'a> {
 }
 
 impl<'a> Scatter<'a> {
-    /// Of the rows that have an error.
+    /// Keeps the rows that have an error.
     pub fn new(rows: &'a [Row]) -> Self {
         let mut panels: Vec<Panel> = Vec::new();
         let mut scenes = Vec::new();
@@ -70,13 +70,13 @@ impl<'a> Scatter<'a> {
         Mark::POINTS[place.unwrap_or(0) % Mark::POINTS.len()]
     }
 
-    /// Columns and rows of panels.
+    /// Returns the columns and rows of panels.
     fn grid(&self) -> (u32, u32) {
         let rows = self.panels.len().div_ceil(2).max(1);
         (2, u32::try_from(rows).unwrap_or(1))
     }
 
-    /// A panel, on a part of the paper.
+    /// Draws a panel on a part of the paper.
     fn panel<DB: DrawingBackend>(
         &self,
         paper: &DrawingArea<DB, Shift>,
@@ -133,7 +133,7 @@ impl<'a> Scatter<'a> {
                 line([(x - 6, y), (x + 6, y)])?;
             }
         }
-        // Over all lines.
+        // Draw the points over all lines.
         for (row, error) in &panel.points {
             let mark = self.mark(row.scene);
             mark.draw(paper, at(row, error.max), color(row.mode))?;

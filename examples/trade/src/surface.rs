@@ -1,4 +1,4 @@
-//! What a case is painted with, by the crate and by the model.
+//! The shaders of the cases, for the crate and for the model.
 
 use embedded_graphics::pixelcolor::{Rgb565, WebColors};
 use fixel::prelude::*;
@@ -8,16 +8,16 @@ use super::Result;
 use super::common::scenes;
 use super::texture::checkered;
 
-/// What a case is painted with.
+/// The shader of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Paint {
+pub enum Surface {
     /// The measured scenes' checkered texture, with a depth buffer.
     Checkered,
     /// Corner colors, with a depth buffer.
     Shaded,
     /// A color per triangle, without a depth buffer.
     Faceted,
-    /// A checkered texture of so many texels along a side, without a depth buffer.
+    /// A checkered texture with this many texels along a side, without a depth buffer.
     Texture(Side),
 }
 
@@ -43,12 +43,12 @@ impl Side {
     }
 }
 
-/// A canvas as the cases are drawn to.
+/// The canvas of the cases.
 pub type Target<'a, D> = Canvas<'a, Rgb565, Native, D>;
 
-/// Something to be done with a canvas and a shader.
+/// Work to be done with a canvas and a shader.
 pub trait Job {
-    /// Does it.
+    /// Does the work.
     fn run<D: DepthBuffer, F: Shader<Color = Rgb565>>(
         self,
         canvas: &mut Target<'_, D>,
@@ -56,8 +56,8 @@ pub trait Job {
     ) -> Result<()>;
 }
 
-impl Paint {
-    /// Does a job with a canvas of this size and with the paint's shader.
+impl Surface {
+    /// Does a job with a canvas of this size and with this shader.
     pub fn give(self, (width, height): (u32, u32), job: impl Job) -> Result<()> {
         let mut colors = vec![Rgb565::default(); width as usize * height as usize];
         let mut depths = vec![0; colors.len()];
@@ -73,12 +73,12 @@ impl Paint {
         }
     }
 
-    /// Whether the same may be drawn again over itself: with a depth buffer it would be hidden.
+    /// Whether the case can be drawn again over itself. With a depth buffer the second drawing would be hidden.
     pub fn may_repeat(self) -> bool {
         matches!(self, Self::Faceted | Self::Texture(_))
     }
 
-    /// The color that the model has for u, v, red, green and blue (of 255) on a face.
+    /// Returns the model's color for u, v, red, green and blue (of 255) on a face.
     pub fn model(self, face: usize, [u, v, r, g, b]: [f64; 5]) -> Rgb565 {
         // All textures have eight by eight squares, whose edges are edges of texels.
         let odd = |at: f64| (at * 8.).floor().rem_euclid(2.) > 0.5;
