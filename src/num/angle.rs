@@ -144,7 +144,7 @@ impl Angle {
 
     /// Returns the angle from the x axis to the point (x, y), counter-clockwise; 0 for the origin.
     ///
-    /// The error is at most 2e-9 radians. `micromath` gives a first guess within about 1e-3 radians;
+    /// The error is at most 2.4e-9 radians. `micromath` gives a first guess within about 1e-3 radians;
     /// three integer steps refine it.
     ///
     /// ```

@@ -137,6 +137,10 @@ mod tests {
             let exact = (1 << 31) / d;
             assert_eq!([short_by_table(d), short_reciprocal(d)], [exact; 2], "{d}");
         }
+        // Smaller ones are taken for the least, as none may divide by zero.
+        for d in [0, 1, (1 << 14) - 1] {
+            assert_eq!(short_reciprocal(d), 1 << 17, "{d}");
+        }
     }
 
     #[test]

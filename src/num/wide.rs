@@ -50,12 +50,23 @@ const fn upper_of_signed(a: u32, b: u32) -> u32 {
 /// Returns a · d − c · b, twice the area between the sides (a, b) and (c, d), of 21 bits each.
 #[inline]
 pub(crate) fn cross([a, b]: [i32; 2], [c, d]: [i32; 2]) -> i64 {
-    // Sides of less than 64 pixels of 256 units, as most are, take 15 bits: twice the area then takes 31.
-    let raised = |side: i32| side.wrapping_add(1 << 14).cast_unsigned();
-    if IS_NARROW && raised(a) | raised(b) | raised(c) | raised(d) < 1 << 15 {
-        return i64::from(a * d - c * b);
+    if IS_NARROW && are_short([a, b], [c, d]) {
+        return short_cross([a, b], [c, d]);
     }
     product(a, d) - product(c, b)
+}
+
+/// Whether sides are of less than 64 pixels of 256 units, as most are.
+#[inline]
+fn are_short([a, b]: [i32; 2], [c, d]: [i32; 2]) -> bool {
+    let raised = |side: i32| side.wrapping_add(1 << 14).cast_unsigned();
+    raised(a) | raised(b) | raised(c) | raised(d) < 1 << 15
+}
+
+/// Returns [`cross`] of sides that [are short](are_short): they take 15 bits, and twice the area then takes 31.
+#[inline]
+fn short_cross([a, b]: [i32; 2], [c, d]: [i32; 2]) -> i64 {
+    i64::from(a * d - c * b)
 }
 
 /// Returns a · b − c · d, for a `b` and a `d` of 14 bits.
@@ -122,12 +133,18 @@ const fn by_halves(a: i64, b: i32) -> i64 {
 pub(crate) fn times_17_bits(a: i32, b: u32) -> i32 {
     let b = b.cast_signed();
     if IS_NARROW {
-        (a >> 14)
-            .wrapping_mul(b)
-            .wrapping_add((a & 0x3fff).wrapping_mul(b) >> 14)
+        narrow_times_17_bits(a, b)
     } else {
         ((i64::from(a) * i64::from(b)) >> 14) as i32
     }
+}
+
+/// Returns [`times_17_bits`] by products of 32 bits.
+#[inline]
+fn narrow_times_17_bits(a: i32, b: i32) -> i32 {
+    (a >> 14)
+        .wrapping_mul(b)
+        .wrapping_add((a & 0x3fff).wrapping_mul(b) >> 14)
 }
 
 /// Returns the dot product, which must fit in 64 bits: mantissas of 30 bits times numbers of 31 bits do.
@@ -246,7 +263,54 @@ mod tests {
         }
     }
 
+    /// The ends of what is short, and one beyond.
+    #[test]
+    fn short_sides_have_15_bits() {
+        let (least, most) = (-(1 << 14), (1 << 14) - 1);
+        let ends = [least, -1, 0, 1, most];
+        for a in ends {
+            for b in ends {
+                for c in ends {
+                    for d in ends {
+                        assert!(are_short([a, b], [c, d]));
+                        let exact = i64::from(a) * i64::from(d) - i64::from(c) * i64::from(b);
+                        assert_eq!(short_cross([a, b], [c, d]), exact);
+                        assert_eq!(cross([a, b], [c, d]), exact);
+                    }
+                }
+            }
+        }
+        for beyond in [least - 1, most + 1, i32::MIN, i32::MAX] {
+            for at in 0..4 {
+                let mut sides = [0; 4];
+                sides[at] = beyond;
+                let [a, b, c, d] = sides;
+                assert!(!are_short([a, b], [c, d]), "{sides:?}");
+            }
+        }
+    }
+
     proptest! {
+        #[test]
+        fn narrow_dot_products_are_exact(
+            a in prop::array::uniform3(-(1 << 29)..=1 << 29),
+            b in any::<[i32; 3]>(),
+        ) {
+            let exact: i64 = a.iter().zip(b).map(|(&a, b)| i64::from(a) * i64::from(b)).sum();
+            prop_assert_eq!(narrow_dot(&a, &b), exact);
+            prop_assert_eq!(dot(&a, &b), exact);
+        }
+
+        #[test]
+        fn narrow_products_with_17_bits_are_exact(a in any::<i32>(), b in 0_u32..=1 << 17, cut in 0_u32..17) {
+            let b = b >> cut;
+            // A product of 45 bits with its sign.
+            let a = (i64::from(a) % ((1 << 44) / i64::from(b.max(1)))) as i32;
+            let exact = (i64::from(a) * i64::from(b)) >> 14;
+            prop_assert_eq!(i64::from(times_17_bits(a, b)), exact);
+            prop_assert_eq!(i64::from(narrow_times_17_bits(a, b.cast_signed())), exact);
+        }
+
         #[test]
         fn differences_by_halves_are_exact(
             a in -(1 << 30)..1 << 30,

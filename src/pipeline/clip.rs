@@ -127,3 +127,152 @@ fn cut<K: ProjectionKind>(
     projector.put_onto(&mut vertex.position, plane);
     vertex
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::{Transform, Vec3};
+    use crate::raster::picture::Picture;
+    use crate::raster::{Cull, Polygon, area};
+    use crate::view::{Parallel, Projection, Viewport, Window};
+    use crate::{Mesh, Scalar, fx};
+
+    /// A triangle of pixels and depths, clipped. Seen are depths from -1 to 1.
+    fn clip_triangle(corners: [[Scalar; 3]; 3]) -> ClippedPolygon {
+        let positions = corners.map(|[x, y, z]| Vec3::new(x, -y, z));
+        let mesh = Mesh::new(&positions, &[]).unwrap();
+        let window = Window {
+            left: fx!(0),
+            right: fx!(12),
+            bottom: fx!(-8),
+            top: fx!(0),
+        };
+        let projection = Projection::orthographic(window, fx!(-1), fx!(1)).unwrap();
+        let viewport = Viewport::new(0, 0, 12, 8).unwrap();
+        let projector = Projector::<Parallel>::new(
+            mesh.positions(),
+            &projection,
+            &Transform::IDENTITY,
+            &viewport,
+        );
+        let planes = [0, 1, 2].map(|index| {
+            let mut vertex = ScreenVertex::UNSET;
+            projector.project(index, &mut vertex);
+            vertex.outcode
+        });
+        let mut clipped = ClippedPolygon::new();
+        let planes = planes[0] | planes[1] | planes[2];
+        clip(&projector, &[0, 1, 2], planes, &mut clipped);
+        clipped
+    }
+
+    /// Depth rises by a quarter for each column, so that the near and the far plane cut columns 2 to 9 out.
+    #[test]
+    fn three_to_five_corners_between_near_and_far() {
+        let cases = [
+            (
+                [[8, 1], [14, 3], [14, 7]],
+                3,
+                [
+                    "............",
+                    "........#...",
+                    ".........#..",
+                    "............",
+                    "............",
+                    "............",
+                    "............",
+                    "............",
+                ],
+            ),
+            (
+                [[4, 1], [14, 2], [7, 7]],
+                4,
+                [
+                    "............",
+                    "....#####...",
+                    ".....#####..",
+                    ".....#####..",
+                    "......####..",
+                    "......###...",
+                    ".......#....",
+                    "............",
+                ],
+            ),
+            (
+                [[-2, 2], [14, 1], [6, 8]],
+                5,
+                [
+                    "............",
+                    "......####..",
+                    "..########..",
+                    "..########..",
+                    "..########..",
+                    "...######...",
+                    "....####....",
+                    ".....##.....",
+                ],
+            ),
+        ];
+        for (corners, count, expected) in cases {
+            let corners = corners.map(|[x, y]| {
+                let depth = Scalar::from_num(x - 6) / 4;
+                [Scalar::from_num(x), Scalar::from_num(y), depth]
+            });
+            let polygon = clip_triangle(corners);
+            assert_eq!(polygon.len(), count);
+            let mut picture = Picture::new(12, 8);
+            let scissor = picture.scissor();
+            let fan = Polygon::new(&polygon, Cull::Nothing).unwrap();
+            fan.draw(&mut picture, &scissor);
+            picture.assert(&expected);
+        }
+    }
+
+    /// Each corner is beyond one side of the guard band, or one of them beyond two.
+    #[test]
+    fn six_and_seven_corners_at_the_guard_band() {
+        // Twice the areas, in pixels, are those of exact clipping.
+        for (corners, count, exact) in [
+            ([[-3000, 0], [1000, -3000], [1000, 3000]], 6, 20_206_500.67),
+            ([[-3000, 500], [3000, -500], [0, 3000]], 6, 14_338_557.49),
+            (
+                [[-3000, -1200], [2900, -3000], [1500, 2900]],
+                7,
+                25_819_565.06,
+            ),
+            (
+                [[-2900, -2300], [2900, -900], [-900, 2900]],
+                7,
+                23_729_605.82,
+            ),
+        ] {
+            let corners = corners.map(|[x, y]| [Scalar::from_num(x), Scalar::from_num(y), fx!(0)]);
+            let polygon = clip_triangle(corners);
+            assert_eq!(polygon.len(), count, "{corners:?}");
+            let places: std::vec::Vec<_> =
+                polygon.iter().map(|corner| corner.vertex.screen).collect();
+            for [x, y] in &places {
+                assert!(x.abs_diff(6 << 8) <= 2048 << 8 && y.abs_diff(4 << 8) <= 2048 << 8);
+            }
+            let triangles = places.windows(2).skip(1);
+            let sum: i64 = triangles
+                .map(|side| area(&[places[0], side[0], side[1]]))
+                .sum();
+            #[allow(clippy::cast_precision_loss)] // of 42 bits
+            let found = sum as f64 / 65_536.;
+            // Half of a 256th of a pixel along an outline of up to 16,000 pixels.
+            assert!((found - exact).abs() < 64., "{found} is not {exact}");
+        }
+    }
+
+    #[test]
+    fn nothing_is_left_of_what_is_beyond() {
+        // In front of the near plane; and beyond one side or another, but nowhere inside.
+        let near = [[1, 1, 2], [5, 1, 3], [1, 5, 2]];
+        let corner = [[-2100, 2000, 0], [-2100, 4000, 0], [-1000, 3100, 0]];
+        for corners in [near, corner] {
+            let corners = corners.map(|corner| corner.map(Scalar::from_num));
+            assert!(clip_triangle(corners).is_empty());
+        }
+    }
+}

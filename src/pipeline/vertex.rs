@@ -360,3 +360,66 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::view::Window;
+    use crate::{Angle, Mesh, fx, vec3};
+
+    /// What cores that prefer short products do with short positions, against what others do.
+    fn alike<K: ProjectionKind>(projection: &Projection<K>) {
+        let ends = [i16::MIN, -12_345, -1, 0, 1, 777, i16::MAX];
+        let turn = Transform::rotate(vec3!(1, 2, 3), Angle::from_degrees(50)).unwrap();
+        let view = Transform::translate(vec3!(0, 0, -40)) * turn;
+        let viewport = Viewport::new(3, 5, 320, 240).unwrap();
+        let (mut inside, mut outside) = (0, 0);
+        for fraction in [0, 3, 10, 16] {
+            for x in ends {
+                let positions = ends.map(|y| [x, y, y.wrapping_mul(7) >> 1]);
+                let mesh = Mesh::short(&positions, fraction, &[]).unwrap();
+                let projector = Projector::new(mesh.positions(), projection, &view, &viewport);
+                for index in 0..7 {
+                    let Place::Short { position, up } = mesh.positions().place(index) else {
+                        panic!("a long position");
+                    };
+                    let short = projector.short_clip_position(position, up);
+                    assert_eq!(short, projector.clip_position(index));
+
+                    let [mut short, mut wide] = [ScreenVertex::UNSET; 2];
+                    projector.place_short(index, &mut short);
+                    projector.project(index, &mut wide);
+                    let fields = |v: ScreenVertex| (v.screen, v.q, v.exponent, v.outcode);
+                    assert_eq!(fields(short), fields(wide));
+                    // What clipping makes is inside, and has no index.
+                    *(if wide.outcode == 0 {
+                        &mut inside
+                    } else {
+                        &mut outside
+                    }) += 1;
+                }
+            }
+        }
+        assert!(
+            inside > 20 && outside > 20,
+            "{inside} inside, {outside} outside"
+        );
+    }
+
+    #[test]
+    fn short_positions_in_perspective() {
+        let fov = Angle::from_degrees(60);
+        alike(&Projection::perspective(fov, (320, 240), fx!(1), fx!(100)).unwrap());
+    }
+
+    #[test]
+    fn short_positions_in_parallel() {
+        let window = Window {
+            left: fx!(-20),
+            right: fx!(20),
+            bottom: fx!(-15),
+            top: fx!(15),
+        };
+        alike(&Projection::orthographic(window, fx!(1), fx!(100)).unwrap());
+    }
+}

@@ -71,3 +71,110 @@ pub(crate) fn line(blitter: &mut dyn Blitter, scissor: &Scissor, ends: [&Clipped
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::picture::{Picture, clipped};
+    use super::*;
+
+    /// Draws a line between two places in quarters of a pixel.
+    fn draw(picture: &mut Picture, scissor: &Scissor, ends: [[i32; 2]; 2]) {
+        let [from, to] = ends.map(|end| clipped(end.map(|at| at * 64)));
+        line(picture, scissor, [&from, &to]);
+    }
+
+    /// A line in each octant, from either end.
+    #[test]
+    fn a_line_in_each_octant() {
+        // From the center of pixel (6, 6): right, down, left and up, and a third of that aside to both sides.
+        let ends = [
+            [[34, 26], [46, 30]],
+            [[30, 34], [34, 46]],
+            [[22, 34], [18, 46]],
+            [[18, 30], [6, 34]],
+            [[18, 22], [6, 18]],
+            [[22, 18], [18, 6]],
+            [[30, 18], [34, 6]],
+            [[34, 22], [46, 18]],
+        ];
+        let expected = [
+            ".............",
+            "....7...8....",
+            "....7...8....",
+            ".....7.8.....",
+            ".66.......9..",
+            "...6....99...",
+            "........22...",
+            "...5......2..",
+            ".55..4.3.....",
+            ".....4.3.....",
+            "....4...3....",
+            ".............",
+            ".............",
+        ];
+        let mut picture = Picture::new(13, 13);
+        let mut turned = Picture::new(13, 13);
+        let scissor = picture.scissor();
+        for (ink, [from, to]) in ('2'..).zip(ends) {
+            (picture.ink, turned.ink) = (ink, ink);
+            draw(&mut picture, &scissor, [from, to]);
+            draw(&mut turned, &scissor, [to, from]);
+        }
+        picture.assert(&expected);
+        turned.assert(&expected);
+    }
+
+    /// The end of a line is the start of the next: it is drawn once, on a pixel's center or beside it.
+    #[test]
+    fn lines_end_to_end_draw_no_pixel_twice() {
+        let mut picture = Picture::new(12, 4);
+        let scissor = picture.scissor();
+        let places = [[2, 2], [14, 6], [26, 6], [38, 14], [46, 10]];
+        for (ink, ends) in ('a'..).zip(places.windows(2)) {
+            picture.ink = ink;
+            draw(&mut picture, &scissor, [ends[0], ends[1]]);
+        }
+        picture.assert(&[
+            "aa..........",
+            "..abbbc.....",
+            ".......cc...",
+            ".........dd.",
+        ]);
+    }
+
+    #[test]
+    fn a_line_is_cut_at_the_scissor_and_at_bands() {
+        let ends = [[2, 3], [46, 13]];
+        let mut frame = Picture::new(12, 4);
+        let scissor = frame.scissor();
+        draw(&mut frame, &scissor, ends);
+        let mut bands = Picture::new(12, 4);
+        for row in 0..4 {
+            let rows = row..row + 1;
+            let band = Scissor {
+                rows,
+                ..scissor.clone()
+            };
+            draw(&mut bands, &band, ends);
+        }
+        assert_eq!(frame.text(), bands.text());
+        frame.assert(&[
+            "##..........",
+            "..####......",
+            "......####..",
+            "..........#.",
+        ]);
+        let mut inner = Picture::new(12, 4);
+        let scissor = Scissor {
+            columns: 3..8,
+            rows: 1..3,
+        };
+        draw(&mut inner, &scissor, ends);
+        inner.assert(&[
+            "............",
+            "...###......",
+            "......##....",
+            "............",
+        ]);
+    }
+}

@@ -4,6 +4,8 @@ mod cull;
 mod edge;
 mod gradient;
 mod line;
+#[cfg(test)]
+pub(crate) mod picture;
 mod point;
 mod polygon;
 mod scale;
@@ -71,5 +73,20 @@ fn spans(
         blitter.span(row, columns.start..stop, x, y);
         x += count;
         columns.start = stop;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::picture::Picture;
+    use super::*;
+
+    #[test]
+    fn a_long_span_is_drawn_in_pieces_without_gaps() {
+        let mut picture = Picture::new(9, 1);
+        spans(&mut picture, 0, 1..8, [5, 2], 3);
+        picture.assert(&[".#######."]);
+        let expected = [(0, 1..4, [5, 2]), (0, 4..7, [8, 2]), (0, 7..8, [11, 2])];
+        assert_eq!(picture.spans, expected);
     }
 }

@@ -17,3 +17,40 @@ pub(crate) fn point(blitter: &mut dyn Blitter, scissor: &Scissor, at: &ScreenVer
         blitter.span(y, x..x + 1, 0, 0);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::picture::{Picture, vertex};
+    use super::*;
+
+    /// Draws points, each over the last.
+    fn drawn(places: &[[i32; 2]], scissor: &Scissor) -> Picture {
+        let mut picture = Picture::new(5, 3);
+        for &place in places {
+            point(&mut picture, scissor, &vertex(place));
+        }
+        picture
+    }
+
+    #[test]
+    fn a_border_belongs_to_the_pixel_on_its_right_and_below() {
+        let whole = Picture::new(5, 3).scissor();
+        // Of pixel (1, 1) the first corner and the last place, and beside it a border of two pixels.
+        let picture = drawn(&[[256, 256], [511, 511], [768, 511]], &whole);
+        picture.assert(&[".....", ".!.#.", "....."]);
+        // Its values are those of the pixel that the span begins in.
+        assert_eq!(picture.screen, [[768, 256], [1024, 256], [768, 257]]);
+        assert_eq!(picture.spans[2], (1, 3..4, [0, 0]));
+    }
+
+    #[test]
+    fn nothing_is_drawn_beyond_the_scissor() {
+        let scissor = Scissor {
+            columns: 1..4,
+            rows: 1..2,
+        };
+        let all = (-1..6).flat_map(|x| (-1..4).map(move |y| [x * 256 + 255, y * 256]));
+        let places: std::vec::Vec<_> = all.collect();
+        drawn(&places, &scissor).assert(&[".....", ".###.", "....."]);
+    }
+}

@@ -140,3 +140,105 @@ impl Part<'_> {
         winding > 0
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::picture::{Picture, clipped};
+    use super::*;
+    use std::vec::Vec;
+
+    /// Draws an outline with its corners in quarters of a pixel.
+    fn drawn(corners: &[[i32; 2]]) -> Picture {
+        let outline: Vec<_> = corners
+            .iter()
+            .map(|corner| clipped(corner.map(|at| at * 64)))
+            .collect();
+        let mut picture = Picture::new(9, 7);
+        let scissor = picture.scissor();
+        let polygon = Polygon::new(&outline, Cull::Nothing).unwrap();
+        assert!(polygon.draw(&mut picture, &scissor));
+        picture
+    }
+
+    /// Corners that clipping may leave, of an octagon of which one edge after the other is cut away.
+    #[test]
+    fn outlines_of_three_to_seven_corners_have_each_pixel_once() {
+        let corners = [
+            [9, 1],
+            [1, 9],
+            [1, 19],
+            [9, 27],
+            [27, 27],
+            [35, 19],
+            [35, 9],
+        ];
+        let pictures: [[&str; 7]; 5] = [
+            [
+                ".........",
+                ".#.......",
+                "#........",
+                "#........",
+                ".........",
+                ".........",
+                ".........",
+            ],
+            [
+                ".........",
+                ".#.......",
+                "##.......",
+                "##.......",
+                "##.......",
+                ".#.......",
+                ".........",
+            ],
+            [
+                ".........",
+                ".##......",
+                "####.....",
+                "####.....",
+                "#####....",
+                ".#####...",
+                "..#####..",
+            ],
+            [
+                "..#......",
+                ".###.....",
+                "#####....",
+                "#######..",
+                "########.",
+                ".#######.",
+                "..#####..",
+            ],
+            [
+                "..#......",
+                ".#####...",
+                "#########",
+                "#########",
+                "#########",
+                ".#######.",
+                "..#####..",
+            ],
+        ];
+        for (count, expected) in (3..).zip(pictures) {
+            let mut corners = corners[..count].to_vec();
+            drawn(&corners).assert(&expected);
+            corners.reverse();
+            drawn(&corners).assert(&expected);
+        }
+    }
+
+    /// Rounding may dent an outline: a triangle of the fan then turns over and lies upon others.
+    #[test]
+    fn a_folded_fan_has_each_pixel_once() {
+        let dented = [[2, 2], [2, 26], [14, 8], [34, 26], [34, 2]];
+        drawn(&dented).assert(&[
+            "########.",
+            "########.",
+            "###.####.",
+            "##...###.",
+            "##....##.",
+            "#......#.",
+            ".........",
+        ]);
+    }
+}

@@ -187,3 +187,128 @@ pub(super) fn draw(
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::picture::{Picture, vertex};
+    use super::*;
+
+    /// Draws a triangle with its corners in quarters of a pixel; whether it is thought to have a pixel.
+    fn draw(picture: &mut Picture, scissor: &Scissor, corners: [[i32; 2]; 3]) -> bool {
+        let vertices = corners.map(|corner| vertex(corner.map(|at| at * 64)));
+        let area = area(&vertices.map(|vertex| vertex.screen));
+        let triangle = Triangle::of_area(vertices.each_ref(), area, scissor);
+        if let Some(triangle) = &triangle {
+            triangle.draw(picture, scissor);
+        }
+        triangle.is_some()
+    }
+
+    fn drawn(width: usize, height: usize, triangles: &[[[i32; 2]; 3]]) -> Picture {
+        let mut picture = Picture::new(width, height);
+        let scissor = picture.scissor();
+        for (ink, &corners) in ('a'..).zip(triangles) {
+            picture.ink = ink;
+            draw(&mut picture, &scissor, corners);
+        }
+        picture
+    }
+
+    /// The corners are centers of pixels: left and top edges have theirs, right and bottom ones have not.
+    #[test]
+    fn centers_on_edges_belong_to_the_left_and_the_top() {
+        let [left, right, top, bottom] = [6, 22, 6, 18];
+        let a = [[left, top], [left, bottom], [right, top]];
+        let b = [[right, top], [left, bottom], [right, bottom]];
+        let expected = [".......", ".aaaa..", ".aaab..", ".aabb..", "......."];
+        drawn(7, 5, &[a, b]).assert(&expected);
+        // Whichever corner comes first, and whichever way they run.
+        for turn in 0..3 {
+            let [mut a, mut b] = [a, b];
+            a.rotate_left(turn);
+            b.rotate_right(turn);
+            drawn(7, 5, &[a, b]).assert(&expected);
+            a.reverse();
+            b.swap(0, 1);
+            drawn(7, 5, &[a, b]).assert(&expected);
+        }
+    }
+
+    #[test]
+    fn four_triangles_about_a_center_have_each_pixel_once() {
+        let [a, b, c, d, middle] = [[2, 2], [22, 2], [22, 22], [2, 22], [10, 14]];
+        let fan = [
+            [a, middle, b],
+            [b, middle, c],
+            [c, middle, d],
+            [d, middle, a],
+        ];
+        drawn(6, 6, &fan).assert(&["aaaaa.", "daaab.", "ddabb.", "ddbbb.", "dcccb.", "......"]);
+    }
+
+    #[test]
+    fn a_triangle_between_centers_covers_nothing() {
+        let mut picture = Picture::new(4, 4);
+        let scissor = picture.scissor();
+        // Between two rows, and between two columns.
+        assert!(!draw(&mut picture, &scissor, [[1, 3], [15, 4], [8, 5]]));
+        assert!(!draw(&mut picture, &scissor, [[3, 1], [4, 15], [5, 8]]));
+        // Within a pixel, beside its center.
+        assert!(!draw(&mut picture, &scissor, [[7, 7], [7, 8], [8, 7]]));
+        // Along a diagonal of centers: bounds do not tell.
+        assert!(draw(&mut picture, &scissor, [[0, 1], [14, 15], [13, 15]]));
+        picture.assert(&["....", "....", "....", "...."]);
+        assert!(picture.spans.is_empty());
+    }
+
+    /// Its pixels in a part of the picture are those that it has in the whole.
+    #[test]
+    fn a_scissor_and_bands_cut_a_triangle() {
+        let corners = [[1, 0], [39, 13], [9, 31]];
+        let whole = drawn(10, 8, &[corners]);
+        whole.assert(&[
+            "aa........",
+            ".aaaa.....",
+            ".aaaaaaa..",
+            ".aaaaaaaa.",
+            ".aaaaaaa..",
+            "..aaaa....",
+            "..aa......",
+            "..a.......",
+        ]);
+        let scissor = whole.scissor();
+        let mut bands = Picture::new(10, 8);
+        bands.ink = 'a';
+        for first in [0, 3, 6] {
+            let rows = first..(first + 3).min(8);
+            let columns = scissor.columns.clone();
+            draw(&mut bands, &Scissor { columns, rows }, corners);
+        }
+        assert_eq!(bands.text(), whole.text());
+        // Interpolants are counted from the same pixel.
+        assert_eq!(bands.spans, whole.spans);
+
+        let mut inner = Picture::new(10, 8);
+        let scissor = Scissor {
+            columns: 3..6,
+            rows: 2..6,
+        };
+        assert!(draw(&mut inner, &scissor, corners));
+        inner.assert(&[
+            "..........",
+            "..........",
+            "...###....",
+            "...###....",
+            "...###....",
+            "...###....",
+            "..........",
+            "..........",
+        ]);
+        // Beside it there is nothing to set up.
+        let scissor = Scissor {
+            columns: 0..10,
+            rows: 8..9,
+        };
+        assert!(!draw(&mut inner, &scissor, corners));
+    }
+}

@@ -17,6 +17,8 @@ mod newton;
 mod pieces;
 mod pixels;
 mod straight;
+#[cfg(test)]
+mod tests;
 
 pub(crate) use blit::Blit;
 pub use mode::{Affine, Exact, Fast, Mode, Newton};

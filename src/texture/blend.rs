@@ -143,3 +143,33 @@ impl Blend for Gray8 {
         Self::new(bilinear::<0xff, 8>(lumas, weights) as u8)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lanes_have_room_up_to_the_next_lane_and_the_end_of_the_word() {
+        for (mask, most) in [
+            (0xff, 24),
+            (0x1f, 27),
+            (0x00ff_00ff, 8),
+            (0x003f_003f, 10),
+            // Green in the upper half: blue has 6 bits up to red, red 5 up to green, green 5 up to the end.
+            (0x07e0_f81f, 5),
+            (0x03e0_7c1f, 5),
+            (0x8000_0000, 0),
+            (3, 30),
+        ] {
+            for bits in 0..40 {
+                assert_eq!(roomy(mask, bits), bits <= most, "{mask:#x}: {bits} bits");
+            }
+        }
+    }
+
+    #[test]
+    fn lowest_bits() {
+        assert_eq!(lowest(0x07e0_f81f), 0x0020_0801);
+        assert_eq!(lowest(0x00ff_00ff), 0x0001_0001);
+    }
+}

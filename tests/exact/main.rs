@@ -8,6 +8,7 @@ mod examples;
 mod bands;
 mod canvas;
 mod golden;
+mod images;
 mod import;
 mod raster;
 mod shaders;

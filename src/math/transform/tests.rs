@@ -2,7 +2,7 @@
 #![allow(clippy::needless_range_loop)] // formulas with indices
 
 use super::*;
-use crate::{Angle, Error, Scalar};
+use crate::{Angle, Error, Scalar, vec3};
 use core::f64::consts::TAU;
 use proptest::prelude::*;
 use std::vec::Vec;
@@ -187,6 +187,16 @@ fn normals_follow_mirrors_and_uneven_scales() {
         assert!(normal[1] > 0.0);
         assert!((normal[0] / normal[1] - slope).abs() < 1e-8);
         assert!(normal[2].abs() < f64::EPSILON);
+    }
+}
+
+/// Only rotations drift: a translation, large or small, stays where it is to the last bit.
+#[test]
+fn renormalizing_keeps_the_translation() {
+    let turn = Transform::rotate(Vec3::from_ints(1, 2, 3), Angle::from_degrees(40)).unwrap();
+    for place in [vec3!(1, 2, 3), vec3!(-0.001, 0, 0.5), vec3!(30000, -7, 1)] {
+        let pose = Transform::translate(place) * turn;
+        assert_eq!(pose.renormalized().point(Vec3::ZERO), place);
     }
 }
 

@@ -129,3 +129,34 @@ fn micromath_is_only_a_guess() {
     let error = (F32Ext::sin(x) - 0.841_471).abs();
     assert!(error > 1e-4 && error < 2e-3, "{error}");
 }
+
+#[test]
+fn assignments_are_the_operators() {
+    let (mut sum, mut difference) = (Angle::QUARTER, Angle::QUARTER);
+    sum += Angle::HALF;
+    difference -= Angle::HALF;
+    assert_eq!(sum, Angle::from_degrees(270));
+    assert_eq!(difference, Angle::from_degrees(-90));
+    difference -= Angle::from_bits(3);
+    assert_eq!(difference.to_bits(), (3 << 30) - 3);
+}
+
+/// Against f64, of points of all magnitudes. Of four million 2.377e-9 was the most.
+#[test]
+fn arc_tangent_is_within_2_4e_minus_9() {
+    let mut worst = 0_f64;
+    for step in 0_u32..40_000 {
+        let bits = step.wrapping_mul(0x9e37_79b9);
+        let [x, y] = [bits, bits.wrapping_mul(0x85eb_ca6b) ^ step]
+            .map(|bits| i64::from(bits.cast_signed()) >> (step & 15));
+        if [x, y] == [0, 0] {
+            continue;
+        }
+        #[allow(clippy::cast_precision_loss)] // of 32 bits
+        let expected = (y as f64).atan2(x as f64);
+        let found = radians(Angle::atan2_bits(y, x));
+        let error = (found - expected).rem_euclid(core::f64::consts::TAU);
+        worst = worst.max(error.min(core::f64::consts::TAU - error));
+    }
+    assert!(worst < 2.4e-9, "{worst:e}");
+}

@@ -1,0 +1,245 @@
+//! Each kernel's spans against exact quotients, and which of two pixels shows.
+
+use std::cell::RefCell;
+use std::string::String;
+use std::vec::Vec;
+
+use embedded_graphics::geometry::Point;
+use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+
+use super::divide::{divide, divide_anew};
+use super::newton::newton;
+use super::pieces::pieces;
+use super::pixels::{Pixels, Span};
+use super::straight::{solid, straight};
+use crate::mesh::Primitive;
+use crate::raster::Scale;
+use crate::shade::{Flat, Fragment, Shader};
+use crate::target::{Canvas, Cells, Native, NoDepth, NoTest, TestAndWrite};
+
+/// Writes down the column and the number of each pixel.
+#[derive(Clone, Copy)]
+struct Note<'a>(&'a RefCell<Vec<(i32, i32)>>);
+
+impl Shader for Note<'_> {
+    type Color = Gray8;
+    type Varyings = [i32; 1];
+
+    fn varyings(&self, _: &Primitive<'_>) -> [[i32; 1]; 3] {
+        [[0]; 3]
+    }
+
+    fn shade(&self, at: &Fragment, [number]: [i32; 1]) -> Option<Gray8> {
+        assert_eq!(at.point.y, 0);
+        self.0.borrow_mut().push((at.point.x, number));
+        Some(Gray8::WHITE)
+    }
+}
+
+type Row<'a> = Cells<'a, Gray8, Native, NoDepth>;
+
+/// The first column of spans.
+const FIRST: u32 = 3;
+
+/// The numbers of a span of `count` pixels, which alone are drawn.
+fn numbers(count: u32, draw: impl FnOnce(Row<'_>, Pixels<Note<'_>, NoTest>)) -> Vec<i32> {
+    let (mut colors, seen) = ([Gray8::BLACK; 70], RefCell::new(Vec::new()));
+    let mut canvas = Canvas::new(&mut colors, 70, 1).unwrap();
+    let columns = FIRST..FIRST + count;
+    let pixels = Pixels {
+        shader: Note(&seen),
+        face: (),
+        test: NoTest,
+        point: Point::new(FIRST.cast_signed() - 1, 0),
+        depth: 0,
+        stored: 0,
+    };
+    draw(canvas.run(0, columns.clone()).unwrap(), pixels);
+    for (column, color) in (0..).zip(colors) {
+        assert_eq!(color == Gray8::WHITE, columns.contains(&column), "{column}");
+    }
+    let (places, numbers): (Vec<i32>, Vec<i32>) = seen.into_inner().into_iter().unzip();
+    assert!(places.into_iter().eq(columns.map(u32::cast_signed)));
+    numbers
+}
+
+/// Spans of every length whose 1/w and attribute over w rise, fall or stay, and the change of 1/w a pixel.
+fn spans() -> impl Iterator<Item = (u32, Span<[(); 1]>, f64)> {
+    // Of 1/w from 2^29 to 2^31, and at most half of that.
+    let starts = [(1 << 30, 1 << 28), ((1 << 31) - (1 << 27), -(1 << 28))];
+    let steps = [0, 1, -250, 40_000, -(1 << 20), 1 << 20];
+    let gains = [0, 7, -100_000, 1 << 21];
+    let all = starts
+        .into_iter()
+        .flat_map(move |start| steps.into_iter().map(move |dq| (start, dq)));
+    let all = all.flat_map(move |all| gains.into_iter().map(move |dp| (all, dp)));
+    all.flat_map(|(((q, p), dq), dp)| {
+        (1..=64).map(move |count| {
+            let span = Span {
+                q,
+                p: [p],
+                dq,
+                dp: [dp],
+                down: 15,
+                count: count as usize,
+            };
+            (count, span, f64::from(dq.abs()) / f64::from(1 << 30))
+        })
+    })
+}
+
+/// The exact attribute at each pixel of a span, in units of 2^-28.
+fn exact(span: &Span<[(); 1]>) -> impl Fn(u32) -> f64 + use<> {
+    let [q, p, dq, dp] = [
+        f64::from(span.q),
+        span.p[0].into(),
+        span.dq.into(),
+        span.dp[0].into(),
+    ];
+    move |pixel| {
+        let pixel = f64::from(pixel);
+        (p + dp * pixel) / (q + dq * pixel) * 2_f64.powi(28)
+    }
+}
+
+/// Checks that what is lacking at each pixel is within a range.
+fn lacks(
+    found: &[i32],
+    exact: impl Fn(u32) -> f64,
+    range: impl core::ops::RangeBounds<f64> + core::fmt::Debug,
+) {
+    for (pixel, &found) in (0..).zip(found) {
+        let lacks = exact(pixel) - f64::from(found);
+        let count = found;
+        assert!(
+            range.contains(&lacks),
+            "pixel {pixel}: {count} lacks {lacks}, not {range:?}"
+        );
+    }
+}
+
+#[test]
+fn straight_spans_are_sums() {
+    for (count, span, _) in spans() {
+        let [p, dp] = [span.p[0], span.dp[0]];
+        let restore = |p: &[i32; 1]| p.map(|p| p >> Scale::AFFINE_UP);
+        let found = numbers(count, |cells, pixels| {
+            straight(span, restore, cells, pixels);
+        });
+        let expected = (0..count.cast_signed()).map(|pixel| (p + dp * pixel) >> 2);
+        assert!(found.into_iter().eq(expected));
+    }
+}
+
+#[test]
+fn solid_spans_have_one_number() {
+    for count in 1..=64 {
+        let found = numbers(count, |cells, pixels| solid([5], cells, pixels));
+        assert!(found.into_iter().eq((0..count).map(|_| 5)));
+    }
+}
+
+/// Rounded down, but for the reciprocal's last bits: 2^-30 of an attribute below 2^27.
+#[test]
+fn divided_spans_are_exact_quotients() {
+    for (count, span, _) in spans() {
+        let exact = exact(&span);
+        let found = numbers(count, |cells, pixels| {
+            divide(span, [Scale::AFFINE], cells, pixels);
+        });
+        lacks(&found, exact, -0.26..1.26);
+    }
+}
+
+/// The same of interpolants that are found for each pixel, whatever the span's are.
+#[test]
+fn spans_divided_anew_are_exact_quotients() {
+    for (count, span, _) in spans() {
+        let ([q, dq], [p, dp]) = ([span.q.cast_signed(), span.dq], [span.p[0], span.dp[0]]);
+        let exact = exact(&span);
+        let at = |pixel: i32| ((q + dq * pixel).cast_unsigned(), [p + dp * pixel]);
+        let steps = Span {
+            p: [0],
+            dp: [0],
+            ..span
+        };
+        let found = numbers(count, |cells, pixels| {
+            divide_anew(steps, [Scale::AFFINE], at, cells, pixels);
+        });
+        lacks(&found, exact, -0.26..1.26);
+    }
+}
+
+/// An attribute is below 2^27, and a reciprocal is right to 2^-26 of itself and 12 δ⁴, as at the second pixel its guess is
+/// off by 3 δ². The attribute is rounded down.
+#[test]
+fn newton_spans_are_quotients_to_a_few_units() {
+    for (count, span, delta) in spans() {
+        let exact = exact(&span);
+        let off = 2_f64.powi(27) * (2_f64.powi(-26) + 12. * delta.powi(4));
+        let found = numbers(count, |cells, pixels| newton(span, cells, pixels));
+        lacks(&found, exact, -off..=off + 1.);
+    }
+}
+
+/// A line of L pixels is off by |f′| δ L² / 4, and the ends by 2^-13 of the most that an attribute may be.
+#[test]
+fn pieces_are_quotients_to_their_tolerance() {
+    for length in 1..=6 {
+        for (count, span, delta) in spans() {
+            let pixels = f64::from(1 << length);
+            if delta * pixels > 1. / 16. {
+                continue;
+            }
+            let exact = exact(&span);
+            let steepest = (0..count)
+                .map(|pixel| (exact(pixel + 1) - exact(pixel)).abs())
+                .fold(0., f64::max);
+            let off = steepest * delta * pixels * pixels / 4. * 1.2 + 2_f64.powi(27 - 13);
+            let found = numbers(count, |cells, pixels| {
+                pieces(span, length, [Scale::AFFINE], cells, pixels);
+            });
+            lacks(&found, exact, -off..=off);
+        }
+    }
+}
+
+/// Of pixels at one depth the last drawn shows, of others the nearest.
+#[test]
+fn the_later_of_two_pixels_at_one_depth_shows() {
+    let (mut colors, mut depths) = ([Gray8::BLACK; 8], [0; 8]);
+    let canvas = Canvas::new(&mut colors, 8, 1).unwrap();
+    let mut canvas = canvas.with_depth(&mut depths).unwrap();
+    let mut draw = |ink: u8, columns: core::ops::Range<u32>, q: u32| {
+        let pixels = Pixels {
+            shader: Flat::new(Gray8::new(ink)),
+            face: (),
+            test: TestAndWrite,
+            point: Point::new(columns.start.cast_signed() - 1, 0),
+            depth: 0,
+            stored: 0,
+        };
+        let span: Span<[(); 0]> = Span {
+            q,
+            p: [],
+            dq: 0,
+            dp: [],
+            down: 15,
+            count: columns.len(),
+        };
+        straight(span, |none| *none, canvas.run(0, columns).unwrap(), pixels);
+    };
+    let depth = 1 << 30;
+    draw(b'a', 0..6, depth);
+    // At the same depth, as what is less than a step nearer is stored as.
+    draw(b'b', 1..3, depth);
+    draw(b'c', 2..4, depth + (1 << 15) - 1);
+    // A step behind, and a step before.
+    draw(b'd', 4..8, depth - 1);
+    draw(b'e', 5..6, depth + (1 << 15));
+    let text: String = colors
+        .iter()
+        .map(|color| char::from(color.luma()))
+        .collect();
+    assert_eq!(text, "abccaedd");
+}

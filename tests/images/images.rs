@@ -1,0 +1,45 @@
+//! The files by which tests/exact/images judges the crate show the same to a reader that others keep.
+
+#[path = "../image_files/mod.rs"]
+mod files;
+
+use files::{File, SIZE, bmp, tga};
+use image::{ImageFormat, Rgb};
+
+/// Checks that the `image` crate finds the files' pixels, in those that it reads.
+fn holds(format: ImageFormat, kinds: impl IntoIterator<Item = Vec<File>>) {
+    let mut count = 0;
+    for file in kinds.into_iter().flatten().filter(|file| file.others_agree) {
+        let name = &file.name;
+        let image = image::load_from_memory_with_format(&file.bytes, format).unwrap();
+        let image = image.into_rgb8();
+        assert_eq!(image.dimensions(), SIZE, "{name}");
+        for ((x, y, &Rgb(found)), expected) in image.enumerate_pixels().zip(&file.pixels) {
+            assert_eq!(found, *expected, "{name}: column {x}, row {y}");
+        }
+        count += 1;
+    }
+    assert!(count > 10, "{count} files");
+}
+
+#[test]
+fn bmp_files() {
+    let kinds = [
+        bmp::bytes_of_24_and_32_bits(),
+        bmp::bit_fields_of_32_bits(),
+        bmp::words_of_16_bits(),
+        bmp::indices_of_8_4_and_1_bits(),
+    ];
+    holds(ImageFormat::Bmp, kinds);
+}
+
+#[test]
+fn tga_files() {
+    let kinds = [
+        tga::true_color_from_any_corner(),
+        tga::gray_from_any_corner(),
+        tga::indices_with_a_color_map(),
+        tga::a_map_of_true_color(),
+    ];
+    holds(ImageFormat::Tga, kinds);
+}
