@@ -1,6 +1,6 @@
 # Helpers of the other scripts: builds for other targets, and installs the emulators. Sourced in the project's root.
 # Uses a target that rustup has installed; without one, Debian's compiler builds core itself.
-targets=(thumbv6m-none-eabi thumbv7m-none-eabi thumbv7em-none-eabi thumbv8m.main-none-eabi riscv32imc-unknown-none-elf)
+targets=(thumbv6m-none-eabi thumbv7m-none-eabi thumbv7em-none-eabi thumbv8m.base-none-eabi thumbv8m.main-none-eabi riscv32imc-unknown-none-elf)
 
 has_target() { [ -d "$(rustc --print target-libdir --target "$1")" ]; }
 

@@ -2,16 +2,16 @@
 //!
 //! No other file asks which core it runs on. Each function here gives the same bits on all of them.
 
-/// Whether the core's products have only 32 bits, as on Armv6-M.
+/// Whether the core's products have only 32 bits, as on Armv6-M and the baseline of Armv8-M: Cortex-M0, M0+, M1 and M23.
+/// `src/build.rs` tells from the target's name.
 ///
-/// There the compiler calls a routine that multiplies 64 bits by 64. Four products of 16 bits take half
-/// as long. (A missing 32-bit atomic tells Armv6-M from the larger Arm targets.)
-const IS_NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+/// There the compiler calls a routine that multiplies 64 bits by 64. Four products of 16 bits take half as long.
+const IS_NARROW: bool = cfg!(narrow_core);
 
-/// Whether the core divides: Armv6-M does not.
+/// Whether the core divides. Armv6-M does not, and Cortex-M23 takes up to 34 cycles, longer than the way without.
 pub(crate) const DIVIDES: bool = !IS_NARROW;
 
-/// Whether the core counts leading zeros: Armv6-M does not, nor does RISC-V without Zbb.
+/// Whether the core counts leading zeros: the narrow ones do not, nor does RISC-V without Zbb.
 pub(crate) const COUNTS_ZEROS: bool =
     !IS_NARROW && !cfg!(all(target_arch = "riscv32", not(target_feature = "zbb")));
 

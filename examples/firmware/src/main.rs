@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release -p firmware --target thumbv7em-none-eabi` runs it under QEMU. QEMU must be installed with its
 //! Arm and RISC-V boards, and so must `ld.lld`. Other targets: thumbv6m-none-eabi, thumbv7m-none-eabi,
-//! thumbv8m.main-none-eabi, riscv32imc-unknown-none-elf.
+//! thumbv8m.base-none-eabi, thumbv8m.main-none-eabi, riscv32imc-unknown-none-elf.
 //!
 //! The program first prints the number of instructions in a tick. For each mode, scene and layout it then prints the
 //! pixels that the models cover, the ticks of the draw calls, and a checksum of the picture. `simulator --mode MODE
