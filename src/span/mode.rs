@@ -206,7 +206,7 @@ impl Policy for Affine {
 /// Each span begins with the exact reciprocal, at every triangle's edge and every 64 pixels, so that bands equal
 /// frames.
 ///
-/// On a core without 64-bit products and without a divider, such as Cortex-M0+, use [`Fast`] (Cortex-M23, which divides slowly, counts as one).
+/// On a core without 64-bit products, such as Cortex-M0+ and M23, use [`Fast`].
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Newton};
