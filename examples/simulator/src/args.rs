@@ -22,7 +22,6 @@ position must lie between -32768 and 32768, with a resolution of 1/65536.";
 /// Draws a 3D model with integers only, as a microcontroller would, and saves the picture.
 /// Without a model it draws the project's own scene. Options that are not given are chosen so that the model fills
 /// the picture.
-/// model fills the picture.
 #[derive(Clone, Debug, Parser)]
 #[command(name = "simulator", version, after_help = EXAMPLES, max_term_width = 100)]
 pub struct Args {
