@@ -124,7 +124,8 @@
 //!    clipped or not.
 //! 5. **Bands equal frames.** A frame drawn in bands is the same, bit for bit.
 //! 6. **Pay for what is used.** Texture, depth buffer, lines, byte order and mode are type parameters: what a
-//!    program does not name is not linked. There are no feature flags.
+//!    program does not name is not linked. The only feature flag is `defmt`, which is off by default: it implements
+//!    `defmt::Format` for what a program may want to log, such as [`Error`], [`Vec3`] and [`Drawn`].
 //!
 //! # Drawing to a display
 //!
@@ -191,6 +192,8 @@ extern crate std;
 mod error;
 #[cfg(any(doc, doctest))]
 pub mod guide;
+#[cfg(feature = "defmt")]
+mod log;
 pub mod math;
 pub mod mesh;
 mod message;

@@ -15,6 +15,7 @@ use crate::{Error, Vec2, Vec3};
 /// # Ok::<(), fixel::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Counts {
     /// Positions.
     pub positions: usize,

@@ -39,6 +39,7 @@ pub(crate) struct Placement<'a> {
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct Missing {
     /// Texture coordinates, which were taken to be (0, 0).

@@ -40,6 +40,7 @@ use crate::view::{ModelToPicture, ProjectionKind};
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Drawn {
     /// How many there were.
     pub submitted: u32,

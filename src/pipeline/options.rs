@@ -17,6 +17,7 @@ use crate::view::Viewport;
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DrawOptions<M = Newton, Z = TestAndWrite> {
     pub(super) cull: Cull,
     pub(super) viewport: Option<Viewport>,

@@ -9,6 +9,7 @@
 /// let both_sides: DrawOptions = DrawOptions::new().cull(Cull::Nothing);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Cull {
     /// None: both sides are drawn.
     Nothing,

@@ -29,6 +29,7 @@ use crate::{Error, Scalar, Vec3};
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Light {
     /// Towards the light, as long as its brightness; in units of 2⁻³⁰.
     direction: [i32; 3],

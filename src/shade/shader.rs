@@ -15,6 +15,7 @@ use crate::mesh::Primitive;
 /// assert_eq!(Flat::new(Gray8::new(7)).shade(&pixel, ()), Some(Gray8::new(7)));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Fragment {
     /// Column and row in the frame, (0, 0) at the top left.
     pub point: Point,

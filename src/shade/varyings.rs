@@ -6,6 +6,7 @@ use super::lanes::Lanes;
 ///
 /// [`Varyings`] carry it in their types: [`Texels`], [`Within`], and exact numbers otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Tolerance {
     /// A texture coordinate, in texels times 2^16: as far as the [mode](crate::mode) allows.
     Texels,
@@ -105,6 +106,7 @@ impl Varyings for () {
 
 /// Column and row in a texture, in texels with 16 fraction bits, as exact as the [mode](crate::mode) promises.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Texels(pub [i32; 2]);
 
 impl Varyings for Texels {
@@ -131,6 +133,7 @@ impl Varyings for Texels {
 ///
 /// A color's channel with 16 fraction bits may well be off by 1/8 of a step, `Within<8192, [i32; 3]>`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Within<const UNITS: u32, V>(pub V);
 
 impl<const UNITS: u32, V: Varyings> Varyings for Within<UNITS, V> {
@@ -155,6 +158,7 @@ impl<const UNITS: u32, V: Varyings> Varyings for Within<UNITS, V> {
 
 /// A value that all pixels of a face share: the one of its first corner.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PerFace<T>(pub T);
 
 impl<T: Copy + Default> Varyings for PerFace<T> {

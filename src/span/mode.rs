@@ -120,6 +120,7 @@ fn room(q: u32, step: i32, count: usize) -> Option<u32> {
 /// let options = DrawOptions::new().mode(Exact);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Exact;
 
 impl Policy for Exact {
@@ -153,6 +154,7 @@ impl Policy for Exact {
 /// let hud = DrawOptions::new().mode(Affine);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Affine;
 
 impl Policy for Affine {
@@ -196,6 +198,7 @@ impl Policy for Affine {
 /// let default: DrawOptions<Newton> = DrawOptions::new();
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Newton;
 
 /// What a texture coordinate may be off by where nothing is divided: 1/4096 of a texel.
@@ -296,6 +299,7 @@ impl Policy for Newton {
 /// let options = DrawOptions::new().mode(Fast::within(fx!(0.25)));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Fast {
     /// In units of 2^-16.
     tolerance: u32,

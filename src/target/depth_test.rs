@@ -41,6 +41,7 @@ macro_rules! depth_tests {
     ($($(#[$doc:meta])+ $name:ident $tests:literal $writes:literal;)+) => {$(
         $(#[$doc])+
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         pub struct $name;
 
         impl sealed::Sealed for $name {}
@@ -83,6 +84,7 @@ depth_tests! {
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Biased<Z = super::TestAndWrite> {
     test: Z,
     steps: i32,

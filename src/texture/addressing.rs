@@ -46,6 +46,7 @@ mod sealed {
 /// assert_eq!(texels, [20, 10, 20, 10, 20].map(|luma| Some(Gray8::new(luma))));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Repeat;
 
 /// Beyond its edge a texture goes on with the texels of the edge.
@@ -60,6 +61,7 @@ pub struct Repeat;
 /// assert_eq!(texels, [10, 10, 20, 20, 20].map(|luma| Some(Gray8::new(luma))));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Clamp;
 
 /// Fraction bits of a texture coordinate that texels do not have.

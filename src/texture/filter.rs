@@ -43,6 +43,7 @@ mod sealed {
 /// assert_eq!(texels, [10, 10, 10, 10, 20].map(|luma| Some(Gray8::new(luma))));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Nearest;
 
 /// Blends the four texels around a point, by the distances of their centers. A magnified texture is smooth.
@@ -86,6 +87,7 @@ pub struct Nearest;
 /// | Rgb888 | 60 to 65 | 97 to 111 | 164 | 200 |
 /// | Gray8 | 32 to 33 | 41 to 47 | 76 | 88 |
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bilinear;
 
 impl<C: PixelColor> Filter<C> for Nearest {

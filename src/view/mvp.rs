@@ -24,6 +24,7 @@ use crate::Transform;
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Mvp<K = Perspective> {
     pub(crate) projection: Projection<K>,
     /// From world to eye space.
