@@ -213,18 +213,23 @@ pub mod texture;
 pub mod view;
 
 pub use error::{Error, RefusedFloat};
-pub use math::{Matrix4, Transform, Vec2, Vec3};
-pub use mesh::{Corner, Index, Mesh, Primitive};
-pub use num::{Angle, Rate, Scalar, Spin, TexCoord, Unit};
 pub use pipeline::{DrawOptions, Drawn, Prepared, ScreenPoint, TriangleList};
 pub use raster::Cull;
-pub use shade::{
-    Converted, DepthView, FaceColors, FaceLit, Flat, Fragment, Gouraud, Levels, Light, Lit, Map,
-    NormalView, Shader, Textured, Tinted,
+
+// The documentation of these is in their modules.
+#[doc(no_inline)]
+pub use {
+    math::{Matrix4, Transform, Vec2, Vec3},
+    mesh::{Corner, Index, Mesh, Primitive},
+    num::{Angle, Rate, Scalar, Spin, TexCoord, Unit},
+    shade::{
+        Converted, DepthView, FaceColors, FaceLit, Flat, Fragment, Gouraud, Levels, Light, Lit,
+        Map, NormalView, Shader, Textured, Tinted,
+    },
+    target::Canvas,
+    texture::{Palette, PaletteArray, Texture, TextureArray},
+    view::{Aspect, Camera, Mvp, Projection, Viewport, Window},
 };
-pub use target::Canvas;
-pub use texture::{Palette, PaletteArray, Texture, TextureArray};
-pub use view::{Aspect, Camera, Mvp, Projection, Viewport, Window};
 
 /// The program in the README works.
 #[cfg(doctest)]
@@ -236,14 +241,13 @@ struct Readme;
 /// Its `Angle` and `Transform` are not those of embedded-graphics' prelude: a program that has both
 /// preludes must say which it means.
 pub mod prelude {
+    #[doc(no_inline)]
     pub use crate::{
-        Angle, Aspect, Camera, Canvas, Corner, Cull, DrawOptions, Drawn, Error, Fragment, Mesh,
-        Mvp, Primitive, Projection, Rate, Scalar, Shader, Spin, TexCoord, Transform, TriangleList,
-        Vec2, Vec3, Viewport, Window,
+        Angle, Aspect, Camera, Canvas, Corner, Cull, DepthView, DrawOptions, Drawn, Error,
+        FaceColors, Flat, Fragment, Gouraud, Levels, Light, Mesh, Mvp, NormalView, Palette,
+        PaletteArray, Primitive, Projection, Rate, Scalar, Shader, Spin, TexCoord, Texture,
+        TextureArray, Textured, Transform, TriangleList, Vec2, Vec3, Viewport, Window,
     };
-    pub use crate::{
-        DepthView, FaceColors, Flat, Gouraud, Levels, Light, NormalView, Palette, PaletteArray,
-        Texture, TextureArray, Textured,
-    };
+    #[doc(no_inline)]
     pub use crate::{deg, fx, include_bmp, include_obj, include_tga, shape, vec2, vec3};
 }

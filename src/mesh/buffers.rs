@@ -14,7 +14,7 @@ use crate::{Error, Vec2, Vec3};
 /// assert_eq!((cube.positions, cube.faces, cube.edges), (24, 12, 12));
 /// # Ok::<(), fixel::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Counts {
     /// Positions.

@@ -37,7 +37,7 @@ pub type Index = u16;
 /// assert_eq!(TRIANGLE.faces().len(), 1);
 /// assert!(Mesh::new(&[Vec3::ZERO], &[[0, 0, 1]]).is_err());
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Mesh<'a> {
     positions: Positions<'a>,
     faces: &'a [[Index; 3]],

@@ -126,6 +126,8 @@ impl<'a> Positions<'a> {
     }
 }
 
+impl Eq for Positions<'_> {}
+
 impl PartialEq for Positions<'_> {
     /// Whether they are the same points.
     fn eq(&self, other: &Self) -> bool {

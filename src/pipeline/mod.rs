@@ -19,7 +19,7 @@ use crate::Vec3;
 use crate::mesh::{Mesh, Missing, Positions};
 use crate::num::Subpixel;
 use crate::raster::{DepthShift, ScreenVertex};
-use crate::shade::Shader;
+use crate::shade::{Shader, ShaderFor};
 use crate::span::{Blit, Mode};
 use crate::target::{Canvas, DepthBuffer, DepthTest, Storage};
 use crate::view::{ModelToPicture, ProjectionKind};
@@ -39,7 +39,7 @@ use crate::view::{ModelToPicture, ProjectionKind};
 /// assert_eq!((drawn.submitted, drawn.drawn, drawn.clipped), (2, 1, 0));
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Drawn {
     /// How many there were.
@@ -66,7 +66,7 @@ pub struct Drawn {
 /// assert_eq!(at.depth, 65535 / 4);
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ScreenPoint {
     /// Columns from the frame's left edge, to the nearest 1/256: a pixel's center is half a column
     /// from its edges.
@@ -82,7 +82,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     /// perspective.
     ///
     /// Cannot fail: what lies outside the view is clipped away.
-    pub fn draw<V: ModelToPicture, S: Shader<Color = C>>(
+    pub fn draw<V: ModelToPicture, S: ShaderFor<C>>(
         &mut self,
         mesh: &Mesh<'_>,
         mvp: &V,
@@ -92,7 +92,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     }
 
     /// Draws a mesh's triangles as [`draw`](Self::draw) does, with options.
-    pub fn draw_with<M: Mode, Z: DepthTest, V: ModelToPicture, S: Shader<Color = C>>(
+    pub fn draw_with<M: Mode, Z: DepthTest, V: ModelToPicture, S: ShaderFor<C>>(
         &mut self,
         options: &DrawOptions<M, Z>,
         mesh: &Mesh<'_>,
@@ -106,7 +106,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
 
     /// Draws triangles that were [prepared](TriangleList::prepare) for this frame, as far as they
     /// are in these rows: the same pixels as [`draw_with`](Self::draw_with), without another transform.
-    pub fn draw_prepared<M: Mode, Z: DepthTest, K: ProjectionKind, S: Shader<Color = C>>(
+    pub fn draw_prepared<M: Mode, Z: DepthTest, K: ProjectionKind, S: ShaderFor<C>>(
         &mut self,
         prepared: &Prepared<'_, K, M, Z>,
         shader: &S,
@@ -119,7 +119,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     }
 
     /// Draws a mesh's [edges](Mesh::edges) as lines, one pixel wide.
-    pub fn draw_edges<M: Mode, Z: DepthTest, V: ModelToPicture, S: Shader<Color = C>>(
+    pub fn draw_edges<M: Mode, Z: DepthTest, V: ModelToPicture, S: ShaderFor<C>>(
         &mut self,
         options: &DrawOptions<M, Z>,
         mesh: &Mesh<'_>,
@@ -132,7 +132,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     }
 
     /// Draws a mesh's positions as points, one pixel each.
-    pub fn draw_points<M: Mode, Z: DepthTest, V: ModelToPicture, S: Shader<Color = C>>(
+    pub fn draw_points<M: Mode, Z: DepthTest, V: ModelToPicture, S: ShaderFor<C>>(
         &mut self,
         options: &DrawOptions<M, Z>,
         mesh: &Mesh<'_>,

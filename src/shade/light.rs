@@ -84,6 +84,12 @@ impl Light {
         }
     }
 
+    /// Returns whether surfaces are also lit from behind.
+    #[must_use]
+    pub const fn is_two_sided(&self) -> bool {
+        self.two_sided
+    }
+
     /// The brightness of a surface that faces this direction of world space: 0 to 65,536, which is full.
     ///
     /// A surface without a direction has ambient light only.
@@ -103,7 +109,7 @@ impl Light {
 
 #[cfg(test)]
 mod tests {
-    use super::super::trial::scale;
+    use super::super::fixture::scale;
     use super::*;
     use crate::math::NormalMatrix;
     use crate::{fx, vec3};

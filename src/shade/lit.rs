@@ -142,7 +142,7 @@ impl<S: Shader<Color: Levels>> Shader for FaceLit<S> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::trial::{IDENTITY, count, face, scale, shade};
+    use super::super::fixture::{IDENTITY, count, face, scale, shade};
     use super::super::{Flat, Gouraud, Texels, Textured, Varyings};
     use super::*;
     use crate::texture::TextureArray;

@@ -35,7 +35,7 @@ mod varyings;
 mod views;
 
 #[cfg(test)]
-mod trial;
+mod fixture;
 
 pub use converted::Converted;
 pub use flat::{FaceColors, Flat};
@@ -46,7 +46,7 @@ pub use levels::{Channels, Levels};
 pub use light::Light;
 pub use lit::{FaceLit, Lit};
 pub use map::Map;
-pub use shader::{Fragment, Shader};
+pub use shader::{Fragment, Shader, ShaderFor};
 pub use textured::Textured;
 pub use tinted::Tinted;
 pub use varyings::{PerFace, Texels, Tolerance, Varyings, Within};

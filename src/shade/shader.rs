@@ -160,3 +160,26 @@ pub trait Shader: Copy {
         Converted::new(self)
     }
 }
+
+/// A [`Shader`] whose color a canvas of color `C` stores: what the draw calls of a [`Canvas`](crate::Canvas) take.
+///
+/// Every shader of that color implements it. For another color the compiler says what to write:
+///
+/// ```compile_fail
+/// use embedded_graphics::pixelcolor::{Gray8, Rgb565};
+/// use fixel::prelude::*;
+/// fn draw(canvas: &mut Canvas<'_, Rgb565>, mesh: &Mesh, mvp: &Mvp) {
+///     // error: the color of `Flat<Gray8>` is not the canvas's color `Rgb565`; …
+///     canvas.draw(mesh, mvp, &Flat::new(Gray8::new(9)));
+/// }
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "the color of `{Self}` is not the canvas's color `{C}`",
+    label = "not a shader of color `{C}`",
+    note = "write `&shader.converted()` to convert the color of each pixel, or make the canvas of the shader's color"
+)]
+pub trait ShaderFor<C>: Shader<Color = C> {}
+
+// Keeps the mismatch of associated types out of the message.
+#[diagnostic::do_not_recommend]
+impl<C, S: Shader<Color = C>> ShaderFor<C> for S {}

@@ -66,7 +66,7 @@ impl<S: Shader<Color: Levels>> Shader for Tinted<S> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::trial::{IDENTITY, count, face, shade};
+    use super::super::fixture::{IDENTITY, count, face, shade};
     use super::super::{Converted, Textured};
     use super::*;
     use crate::texture::TextureArray;

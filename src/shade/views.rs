@@ -32,7 +32,7 @@ use crate::mesh::Primitive;
 /// ]);
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct DepthView<C> {
     far: u16,
     range: u16,
@@ -113,7 +113,7 @@ impl<C: Levels> Shader for DepthView<C> {
 /// assert!(canvas.pixels().all(|pixel| pixel == Rgb888::new(128, 255, 128)));
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct NormalView<C> {
     color: PhantomData<C>,
 }
@@ -162,7 +162,7 @@ impl<C: Levels> Shader for NormalView<C> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::trial::{IDENTITY, face, scale, shade};
+    use super::super::fixture::{IDENTITY, face, scale, shade};
     use super::*;
     use crate::{Mesh, Vec3, vec3};
     use embedded_graphics::geometry::Point;

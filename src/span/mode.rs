@@ -11,7 +11,7 @@ use crate::shade::{Lanes, Tolerance};
 
 /// How the attributes of a pixel are found between a triangle's corners: where speed is traded for accuracy.
 ///
-/// Chosen for each draw call by [`DrawOptions::mode`](crate::DrawOptions::mode). What a program does not name it does not
+/// Chosen for each draw call by [`DrawOptions::with_mode`](crate::DrawOptions::with_mode). What a program does not name it does not
 /// link.
 ///
 /// | mode | error in texels, of 256x256 at 320x240 | work at each pixel | for |
@@ -117,7 +117,7 @@ fn room(q: u32, step: i32, count: usize) -> Option<u32> {
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Exact};
-/// let options = DrawOptions::new().mode(Exact);
+/// let options = DrawOptions::new().with_mode(Exact);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -151,7 +151,7 @@ impl Policy for Exact {
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Affine};
-/// let hud = DrawOptions::new().mode(Affine);
+/// let hud = DrawOptions::new().with_mode(Affine);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -296,7 +296,7 @@ impl Policy for Newton {
 /// ```
 /// use fixel::mode::Fast;
 /// use fixel::{DrawOptions, fx};
-/// let options = DrawOptions::new().mode(Fast::within(fx!(0.25)));
+/// let options = DrawOptions::new().with_mode(Fast::within(fx!(0.25)));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

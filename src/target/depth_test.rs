@@ -8,7 +8,7 @@ mod sealed {
 }
 
 /// What a draw call does with the canvas's depth buffer: [`TestAndWrite`], [`TestOnly`], [`WriteOnly`], [`NoTest`], or
-/// [`Biased`] around one of these. Chosen by [`DrawOptions::depth`](crate::DrawOptions::depth).
+/// [`Biased`] around one of these. Chosen by [`DrawOptions::with_depth`](crate::DrawOptions::with_depth).
 pub trait DepthTest: Copy + sealed::Sealed {
     /// Whether what is behind a stored depth is left out.
     #[doc(hidden)]
@@ -78,7 +78,7 @@ depth_tests! {
 /// let (mut color, mut depth) = ([BinaryColor::Off; 24 * 24], [0; 24 * 24]);
 /// let mut canvas = Canvas::new(&mut color, 24, 24)?.with_depth(&mut depth)?;
 /// canvas.clear(BinaryColor::Off);
-/// let behind = DrawOptions::new().depth(Biased::behind(TestAndWrite));
+/// let behind = DrawOptions::new().with_depth(Biased::behind(TestAndWrite));
 /// canvas.draw_with(&behind, &BOX, &mvp, &Flat::new(BinaryColor::Off));
 /// canvas.draw_edges(&DrawOptions::new(), &BOX, &mvp, &Flat::new(BinaryColor::On));
 /// # Ok::<(), Error>(())

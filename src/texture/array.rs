@@ -51,7 +51,7 @@ use crate::message;
 /// # use fixel::prelude::*;
 /// static SKIN: TextureArray<Rgb565, 3, 1> = TextureArray::rgb565(&[0; 6]);
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct TextureArray<C, const W: usize, const H: usize> {
     texels: [[C; W]; H],
 }

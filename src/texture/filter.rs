@@ -42,7 +42,7 @@ mod sealed {
 /// let texels = [0, 1, 2, 3, 4].map(|column| skin.shade(&pixel, Texels([column << 14, 0])));
 /// assert_eq!(texels, [10, 10, 10, 10, 20].map(|luma| Some(Gray8::new(luma))));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Nearest;
 
@@ -86,7 +86,7 @@ pub struct Nearest;
 /// | Rgb565 of a [`Palette`](super::PaletteArray) | 49 to 51 | 71 to 98 | | |
 /// | Rgb888 | 60 to 65 | 97 to 111 | 164 | 200 |
 /// | Gray8 | 32 to 33 | 41 to 47 | 76 | 88 |
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bilinear;
 

@@ -34,7 +34,7 @@ use crate::Error;
 /// | TGA | 24 and 32 bits; 15 and 16 bits (5-5-5); 8 bits gray; 8 bits with a color table. Any corner first |
 ///
 /// An alpha channel is ignored.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Image<'a> {
     pub(super) bytes: &'a [u8],
     /// At least 1, like the height.
@@ -50,7 +50,7 @@ pub struct Image<'a> {
 }
 
 /// How a pixel or an entry of a color table is written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Pixel {
     /// Bytes, at these offsets for red, green and blue.
     Bytes([u8; 3]),
@@ -63,7 +63,7 @@ pub(super) enum Pixel {
 }
 
 /// Where the colors of indices lie.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Table {
     /// Offset of the first entry.
     pub(super) at: usize,
@@ -77,7 +77,7 @@ pub(super) struct Table {
 }
 
 /// How an entry of a color table is written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Entry {
     /// Blue, green, red.
     Bytes,

@@ -20,7 +20,7 @@ use crate::Error;
 /// assert_eq!(TILES.indices()[..4], [0, 1, 2, 3]);
 /// assert_eq!((&TILES).texel(1, 0), Rgb565::new(31, 0, 0));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Palette<'a, C> {
     indices: Grid<'a, u8>,
     colors: &'a [C; 256],

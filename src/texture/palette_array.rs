@@ -35,7 +35,7 @@ use crate::message;
 /// # use fixel::prelude::*;
 /// static TILES: PaletteArray<Rgb565, 2, 2> = PaletteArray::new(&[0, 1, 1], &[Rgb565::new(0, 0, 0)]);
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct PaletteArray<C, const W: usize, const H: usize> {
     indices: [[u8; W]; H],
     colors: [C; 256],

@@ -110,7 +110,7 @@ impl<C: PixelColor, const W: usize, const H: usize> Sampler for &[[C; W]; H] {
 }
 
 /// Entries row by row, of a size that the program knows at run time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Grid<'a, T> {
     /// As many as the size needs, so at least one.
     entries: &'a [T],

@@ -37,7 +37,7 @@ use crate::Error;
 /// | Cortex-M4, `Affine` | 1,202,040 | 1,406,040 | 2,060,960 |
 /// | Cortex-M0+, `Newton` | 2,787,600 | 3,007,200 | 3,514,680 |
 /// | Cortex-M0+, `Affine` | 2,180,000 | 2,247,480 | 2,992,280 |
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Texture<'a, C> {
     grid: Grid<'a, C>,
     /// What an empty slice would show; there is none.

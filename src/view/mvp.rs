@@ -68,6 +68,22 @@ mod sealed {
 /// assert_eq!(canvas.draw(&mesh, &projection, &Flat::new(Gray8::new(9))).drawn, 1);
 /// # Ok::<(), Error>(())
 /// ```
+///
+/// A camera or a model's transform alone has no projection:
+///
+/// ```compile_fail
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use fixel::prelude::*;
+/// fn draw(canvas: &mut Canvas<'_, Gray8>, mesh: &Mesh, camera: Camera) {
+///     // error: `Camera` lacks a projection; note: write `projection * camera * model`, …
+///     canvas.draw(mesh, &camera, &Flat::new(Gray8::new(9)));
+/// }
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` lacks a projection",
+    label = "not a way from the model to the picture",
+    note = "write `projection * camera * model`, or a `Projection` alone for a model in eye space"
+)]
 pub trait ModelToPicture: sealed::Sealed {
     /// The kind of projection.
     type Kind: ProjectionKind;

@@ -13,4 +13,5 @@ mod raster;
 mod shaders;
 mod short_positions;
 mod threads;
+mod traits;
 mod wireframe;

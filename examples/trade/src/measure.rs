@@ -60,7 +60,7 @@ impl<'a> Subject<'a> {
 
     /// Measures it in a mode; the time is left to be taken.
     pub fn measure<I: Mode>(&self, name: &'static str, mode: I) -> Result<Figures> {
-        let options = DrawOptions::new().mode(mode);
+        let options = DrawOptions::new().with_mode(mode);
         let error = if self.case.interpolates {
             Some(self.errors(&options)?)
         } else {

@@ -1,15 +1,15 @@
 //! Generated shapes: meshes that need no file.
 
-mod pen;
 mod surface;
 #[cfg(test)]
 mod tests;
+mod writer;
 
 use super::buffers::{Buffers, Counts};
 use super::indexed::Mesh;
 use crate::num::Scalar;
 use crate::{Error, Vec3};
-use pen::Pen;
+use writer::MeshWriter;
 
 /// A shape that a mesh can be made of: by [`shape!`](crate::shape) for flash, by
 /// [`build`](Self::build) at run time.
@@ -32,12 +32,12 @@ use pen::Pen;
 /// assert_eq!(ball.positions(), BALL.positions());
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Shape {
     kind: Kind,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Kind {
     Cuboid {
         corner: Vec3,
@@ -217,22 +217,22 @@ impl Shape {
     ///
     /// [`Error::TooMany`] if a slice is shorter than [`counts`](Self::counts) says and not empty.
     pub const fn build(self, buffers: Buffers<'_>) -> Result<Mesh<'_>, Error> {
-        let mut pen = match Pen::new(buffers, self.counts()) {
-            Ok(pen) => pen,
+        let mut writer = match MeshWriter::new(buffers, self.counts()) {
+            Ok(writer) => writer,
             Err(error) => return Err(error),
         };
         match self.kind {
-            Kind::Cuboid { corner } => surface::cuboid(&mut pen, corner),
-            Kind::Sphere { slices, stacks } => surface::sphere(&mut pen, slices, stacks),
+            Kind::Cuboid { corner } => surface::cuboid(&mut writer, corner),
+            Kind::Sphere { slices, stacks } => surface::sphere(&mut writer, slices, stacks),
             Kind::Torus {
                 tube,
                 slices,
                 sides,
-            } => surface::torus(&mut pen, tube, slices, sides),
-            Kind::Plane { columns, rows } => surface::plane(&mut pen, columns, rows),
-            Kind::Cylinder { slices } => surface::cylinder(&mut pen, slices),
+            } => surface::torus(&mut writer, tube, slices, sides),
+            Kind::Plane { columns, rows } => surface::plane(&mut writer, columns, rows),
+            Kind::Cylinder { slices } => surface::cylinder(&mut writer, slices),
         }
-        pen.mesh()
+        writer.mesh()
     }
 
     /// Unwraps a shape while compiling; used by [`shape!`](crate::shape).

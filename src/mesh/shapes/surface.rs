@@ -1,6 +1,6 @@
 //! The surfaces of the shapes, mostly grids bent round.
 
-use super::pen::{Corner, ONE, Pen};
+use super::writer::{MeshWriter, ONE, Vertex};
 use crate::{Angle, Scalar, TexCoord, Vec3};
 
 const ZERO: TexCoord = TexCoord::ZERO;
@@ -49,7 +49,7 @@ struct Grid {
 
 /// Triangles and edges of the vertices that were written last, row by row: columns to the right
 /// and rows down as seen from outside.
-const fn weave(pen: &mut Pen<'_>, first: u32, grid: &Grid) {
+const fn weave(writer: &mut MeshWriter<'_>, first: u32, grid: &Grid) {
     let width = grid.columns + 1;
     let mut row = 0;
     while row <= grid.rows {
@@ -59,19 +59,19 @@ const fn weave(pen: &mut Pen<'_>, first: u32, grid: &Grid) {
             let (b, c, d) = (a + 1, a + width, a + width + 1);
             let inside = column < grid.columns;
             if inside && row >= grid.along[0] && row < grid.along[1] {
-                pen.edge([a, b]);
+                writer.edge([a, b]);
             }
             if row < grid.rows && column < grid.across {
-                pen.edge([a, c]);
+                writer.edge([a, c]);
             }
             if inside && row < grid.rows {
                 // A pole's vertices lie each between two of the next row's.
                 if grid.poles && row + 1 == grid.rows {
-                    pen.triangle([a, c, b]);
+                    writer.triangle([a, c, b]);
                 } else {
-                    pen.triangle([a, c, d]);
+                    writer.triangle([a, c, d]);
                     if !grid.poles || row > 0 {
-                        pen.triangle([a, d, b]);
+                        writer.triangle([a, d, b]);
                     }
                 }
             }
@@ -81,8 +81,8 @@ const fn weave(pen: &mut Pen<'_>, first: u32, grid: &Grid) {
     }
 }
 
-pub(super) const fn sphere(pen: &mut Pen<'_>, slices: u32, stacks: u32) {
-    let first = pen.next();
+pub(super) const fn sphere(writer: &mut MeshWriter<'_>, slices: u32, stacks: u32) {
+    let first = writer.next();
     let mut row = 0;
     while row <= stacks {
         let (radius, y) = sin_cos(angle(row, stacks, true));
@@ -97,7 +97,7 @@ pub(super) const fn sphere(pen: &mut Pen<'_>, slices: u32, stacks: u32) {
             } else {
                 ratio(column, slices)
             };
-            pen.vertex(&Corner {
+            writer.vertex(&Vertex {
                 position: point,
                 normal: point,
                 uv: [u, ratio(row, stacks)],
@@ -113,11 +113,11 @@ pub(super) const fn sphere(pen: &mut Pen<'_>, slices: u32, stacks: u32) {
         along: [1, stacks],
         across: slices,
     };
-    weave(pen, first, &grid);
+    weave(writer, first, &grid);
 }
 
-pub(super) const fn torus(pen: &mut Pen<'_>, tube: Scalar, slices: u32, sides: u32) {
-    let first = pen.next();
+pub(super) const fn torus(writer: &mut MeshWriter<'_>, tube: Scalar, slices: u32, sides: u32) {
+    let first = writer.next();
     let tube = tube.to_bits() as i64;
     let mut row = 0;
     while row <= sides {
@@ -127,7 +127,7 @@ pub(super) const fn torus(pen: &mut Pen<'_>, tube: Scalar, slices: u32, sides: u
         let mut column = 0;
         while column <= slices {
             let (sin, cos) = sin_cos(angle(column, slices, false));
-            pen.vertex(&Corner {
+            writer.vertex(&Vertex {
                 position: [radius * sin, (tube * up) << 14, radius * cos],
                 normal: [-inwards * sin, up * ONE, -inwards * cos],
                 uv: [ratio(column, slices), ratio(row, sides)],
@@ -143,18 +143,18 @@ pub(super) const fn torus(pen: &mut Pen<'_>, tube: Scalar, slices: u32, sides: u
         along: [0, sides],
         across: slices,
     };
-    weave(pen, first, &grid);
+    weave(writer, first, &grid);
 }
 
-pub(super) const fn plane(pen: &mut Pen<'_>, columns: u32, rows: u32) {
-    let first = pen.next();
+pub(super) const fn plane(writer: &mut MeshWriter<'_>, columns: u32, rows: u32) {
+    let first = writer.next();
     let mut row = 0;
     while row <= rows {
         let mut column = 0;
         while column <= columns {
             let place = Vec3::new(across(column, columns), Scalar::ZERO, across(row, rows));
             let uv = [ratio(column, columns), ratio(row, rows)];
-            pen.place(place, Vec3::Y, uv);
+            writer.place(place, Vec3::Y, uv);
             column += 1;
         }
         row += 1;
@@ -166,18 +166,18 @@ pub(super) const fn plane(pen: &mut Pen<'_>, columns: u32, rows: u32) {
         along: [0, rows + 1],
         across: columns + 1,
     };
-    weave(pen, first, &grid);
+    weave(writer, first, &grid);
 }
 
-pub(super) const fn cylinder(pen: &mut Pen<'_>, slices: u32) {
-    let first = pen.next();
+pub(super) const fn cylinder(writer: &mut MeshWriter<'_>, slices: u32) {
+    let first = writer.next();
     let mut row = 0;
     while row <= 1 {
         let y = if row == 0 { ONE } else { -ONE };
         let mut column = 0;
         while column <= slices {
             let (sin, cos) = sin_cos(angle(column, slices, false));
-            pen.vertex(&Corner {
+            writer.vertex(&Vertex {
                 position: [ONE * sin, ONE * y, ONE * cos],
                 normal: [ONE * sin, 0, ONE * cos],
                 uv: [ratio(column, slices), ratio(row, 1)],
@@ -193,16 +193,16 @@ pub(super) const fn cylinder(pen: &mut Pen<'_>, slices: u32) {
         along: [0, 2],
         across: slices,
     };
-    weave(pen, first, &grid);
-    cap(pen, slices, ONE);
-    cap(pen, slices, -ONE);
+    weave(writer, first, &grid);
+    cap(writer, slices, ONE);
+    cap(writer, slices, -ONE);
 }
 
 /// A fan of triangles about the end of a cylinder at `y`.
-const fn cap(pen: &mut Pen<'_>, slices: u32, y: i64) {
-    let center = pen.next();
+const fn cap(writer: &mut MeshWriter<'_>, slices: u32, y: i64) {
+    let center = writer.next();
     let half = TexCoord::from_bits(UNIT.to_bits() / 2);
-    pen.vertex(&Corner {
+    writer.vertex(&Vertex {
         position: [0, ONE * y, 0],
         normal: [0, ONE * y, 0],
         uv: [half, half],
@@ -212,16 +212,16 @@ const fn cap(pen: &mut Pen<'_>, slices: u32, y: i64) {
         let (sin, cos) = sin_cos(angle(slice, slices, false));
         // The disc of the texture, down being z on the upper cap and −z on the lower.
         let down = if y > 0 { cos } else { -cos };
-        pen.vertex(&Corner {
+        writer.vertex(&Vertex {
             position: [ONE * sin, ONE * y, ONE * cos],
             normal: [0, ONE * y, 0],
             uv: [texture(sin), texture(down)],
         });
         let (this, next) = (center + 1 + slice, center + 1 + (slice + 1) % slices);
         if y > 0 {
-            pen.triangle([center, this, next]);
+            writer.triangle([center, this, next]);
         } else {
-            pen.triangle([center, next, this]);
+            writer.triangle([center, next, this]);
         }
         slice += 1;
     }
@@ -233,7 +233,7 @@ const fn texture(unit: i64) -> TexCoord {
     TexCoord::from_bits(((unit + ONE + (1 << 10)) >> 11) as i32)
 }
 
-pub(super) const fn cuboid(pen: &mut Pen<'_>, corner: Vec3) {
+pub(super) const fn cuboid(writer: &mut MeshWriter<'_>, corner: Vec3) {
     /// Normal, right and down of each side as seen from outside: axis and sign.
     const SIDES: [[(usize, bool); 3]; 6] = [
         [(2, true), (0, true), (1, false)],
@@ -247,7 +247,7 @@ pub(super) const fn cuboid(pen: &mut Pen<'_>, corner: Vec3) {
     let mut side = 0;
     while side < SIDES.len() {
         let [out, right, down] = SIDES[side];
-        let a = pen.next();
+        let a = writer.next();
         let mut normal = [0; 3];
         normal[out.0] = if out.1 { 1 << 16 } else { -(1 << 16) };
         let mut vertex = 0;
@@ -264,18 +264,18 @@ pub(super) const fn cuboid(pen: &mut Pen<'_>, corner: Vec3) {
                 position[down.0] = -position[down.0];
             }
             let uv = [if u { UNIT } else { ZERO }, if v { UNIT } else { ZERO }];
-            pen.place(Vec3::from_bits(position), Vec3::from_bits(normal), uv);
+            writer.place(Vec3::from_bits(position), Vec3::from_bits(normal), uv);
             vertex += 1;
         }
         let (b, c, d) = (a + 1, a + 2, a + 3);
-        pen.triangle([a, c, d]);
-        pen.triangle([a, d, b]);
+        writer.triangle([a, c, d]);
+        writer.triangle([a, d, b]);
         // The four upright edges from the four sides, the others from top and bottom.
-        pen.edge([a, c]);
+        writer.edge([a, c]);
         if out.0 == 1 {
-            pen.edge([b, d]);
-            pen.edge([a, b]);
-            pen.edge([c, d]);
+            writer.edge([b, d]);
+            writer.edge([a, b]);
+            writer.edge([c, d]);
         }
         side += 1;
     }

@@ -7,14 +7,14 @@ use crate::{Error, TexCoord, Vec2, Vec3};
 pub(super) const ONE: i64 = 1 << 30;
 
 /// A vertex; the components of its vectors in 2⁻⁶⁰.
-pub(super) struct Corner {
+pub(super) struct Vertex {
     pub(super) position: [i64; 3],
     pub(super) normal: [i64; 3],
     pub(super) uv: [TexCoord; 2],
 }
 
 /// Where the next elements go.
-pub(super) struct Pen<'a> {
+pub(super) struct MeshWriter<'a> {
     buffers: Buffers<'a>,
     counts: Counts,
     positions: u32,
@@ -38,7 +38,7 @@ const fn index(number: u32) -> Index {
     number as Index
 }
 
-impl<'a> Pen<'a> {
+impl<'a> MeshWriter<'a> {
     pub(super) const fn new(buffers: Buffers<'a>, counts: Counts) -> Result<Self, Error> {
         match buffers.wanted(counts) {
             Ok(counts) => Ok(Self {
@@ -57,7 +57,7 @@ impl<'a> Pen<'a> {
         self.positions
     }
 
-    pub(super) const fn vertex(&mut self, vertex: &Corner) {
+    pub(super) const fn vertex(&mut self, vertex: &Vertex) {
         let position = rounded(vertex.position);
         self.place(position, rounded(vertex.normal), vertex.uv);
     }

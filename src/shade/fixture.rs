@@ -1,4 +1,4 @@
-//! For the tests of shaders: a mesh taken to the point where the rasterizer takes over.
+//! Fixtures for the tests of shaders: varyings at the corners of a mesh, and a fragment to shade.
 
 use embedded_graphics::geometry::Point;
 
