@@ -7,6 +7,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 use super::attribute::Attribute;
 use super::buffers::Counts;
 use super::positions::{self, Positions};
+use crate::error::ok;
 use crate::{Error, Vec2, Vec3};
 
 /// Corners of a triangle or ends of an edge, as indices into a mesh's positions.
@@ -149,10 +150,8 @@ impl<'a> Mesh<'a> {
         fraction: u32,
         faces: &'a [[Index; 3]],
     ) -> Result<Self, Error> {
-        match Positions::short(positions, fraction) {
-            Ok(positions) => Self::of(positions, faces),
-            Err(error) => Err(error),
-        }
+        let positions = ok!(Positions::short(positions, fraction));
+        Self::of(positions, faces)
     }
 
     /// The mesh's positions, each component rounded to the nearest of 16 bits, and their fraction bits: the most
@@ -201,9 +200,7 @@ impl<'a> Mesh<'a> {
                 max: Self::MAX_POSITIONS,
             });
         }
-        if let Err(error) = check(faces, positions.len(), None) {
-            return Err(error);
-        }
+        ok!(check(faces, positions.len(), None));
         Ok(Self {
             positions,
             faces,
@@ -240,10 +237,8 @@ impl<'a> Mesh<'a> {
     ///
     /// [`Error::Index`] if an edge names a position that is not there.
     pub const fn with_edges(self, edges: &'a [[Index; 2]]) -> Result<Self, Error> {
-        match check(edges, self.positions.len(), None) {
-            Ok(()) => Ok(Self { edges, ..self }),
-            Err(error) => Err(error),
-        }
+        ok!(check(edges, self.positions.len(), None));
+        Ok(Self { edges, ..self })
     }
 
     /// The mesh with texture coordinates: one per position, or with `faces`, three indices per triangle.
@@ -257,10 +252,8 @@ impl<'a> Mesh<'a> {
         values: &'a [Vec2],
         faces: Option<&'a [[Index; 3]]>,
     ) -> Result<Self, Error> {
-        match self.attribute(values, faces) {
-            Ok(uvs) => Ok(Self { uvs, ..self }),
-            Err(error) => Err(error),
-        }
+        let uvs = ok!(self.attribute(values, faces));
+        Ok(Self { uvs, ..self })
     }
 
     /// The mesh with normals in model space, of any length: one per position, or with `faces`,
@@ -274,10 +267,8 @@ impl<'a> Mesh<'a> {
         values: &'a [Vec3],
         faces: Option<&'a [[Index; 3]]>,
     ) -> Result<Self, Error> {
-        match self.attribute(values, faces) {
-            Ok(normals) => Ok(Self { normals, ..self }),
-            Err(error) => Err(error),
-        }
+        let normals = ok!(self.attribute(values, faces));
+        Ok(Self { normals, ..self })
     }
 
     /// The mesh with colors: one per position, or with `faces`, three indices per triangle.
@@ -290,10 +281,8 @@ impl<'a> Mesh<'a> {
         values: &'a [Rgb888],
         faces: Option<&'a [[Index; 3]]>,
     ) -> Result<Self, Error> {
-        match self.attribute(values, faces) {
-            Ok(colors) => Ok(Self { colors, ..self }),
-            Err(error) => Err(error),
-        }
+        let colors = ok!(self.attribute(values, faces));
+        Ok(Self { colors, ..self })
     }
 
     const fn attribute<T>(
@@ -309,9 +298,7 @@ impl<'a> Mesh<'a> {
             return Err(Error::Length { given, needed });
         }
         if let Some(faces) = faces {
-            if let Err(error) = check(faces, values.len(), Some(Self::NO_VALUE)) {
-                return Err(error);
-            }
+            ok!(check(faces, values.len(), Some(Self::NO_VALUE)));
         }
         Ok(Attribute { values, faces })
     }

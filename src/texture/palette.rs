@@ -5,6 +5,7 @@ use embedded_graphics::pixelcolor::PixelColor;
 use super::Sampler;
 use super::sampler::Grid;
 use crate::Error;
+use crate::error::ok;
 
 /// A texture of one byte a texel: indices into 256 colors. Both are kept elsewhere, and the size is known at run time.
 ///
@@ -50,10 +51,8 @@ impl<'a, C: Copy> Palette<'a, C> {
         width: u32,
         height: u32,
     ) -> Result<Self, Error> {
-        match Grid::new(indices, width, height) {
-            Ok(indices) => Ok(Self::of(indices, colors)),
-            Err(error) => Err(error),
-        }
+        let indices = ok!(Grid::new(indices, width, height));
+        Ok(Self::of(indices, colors))
     }
 
     pub(super) const fn of(indices: Grid<'a, u8>, colors: &'a [C; 256]) -> Self {

@@ -3,6 +3,7 @@
 use embedded_graphics::pixelcolor::PixelColor;
 
 use crate::Error;
+use crate::error::ok;
 use crate::message;
 
 /// Texels by column and row, repeated in both directions. Width and height are powers of two.
@@ -121,10 +122,7 @@ pub(super) struct Grid<'a, T> {
 impl<'a, T: Copy> Grid<'a, T> {
     /// Errors: [`Error::PowerOfTwo`] for the size, [`Error::Length`] for the number of entries.
     pub(super) const fn new(entries: &'a [T], width: u32, height: u32) -> Result<Self, Error> {
-        let [width_log2, height_log2] = match exponents(width, height) {
-            Ok(log2) => log2,
-            Err(error) => return Err(error),
-        };
+        let [width_log2, height_log2] = ok!(exponents(width, height));
         let (given, needed) = (entries.len(), 1 << (width_log2 + height_log2));
         if given != needed {
             return Err(Error::Length { given, needed });

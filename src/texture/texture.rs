@@ -5,6 +5,7 @@ use embedded_graphics::pixelcolor::PixelColor;
 use super::Sampler;
 use super::sampler::Grid;
 use crate::Error;
+use crate::error::ok;
 
 /// A texture: texels that are kept elsewhere, of a size that the program knows at run time.
 ///
@@ -65,10 +66,8 @@ impl<'a, C: Copy> Texture<'a, C> {
     /// [`Error::PowerOfTwo`] if the width or the height is not a power of two or is too large;
     /// [`Error::Length`] if the number of texels is not their product.
     pub const fn new(texels: &'a [C], width: u32, height: u32) -> Result<Self, Error> {
-        match Grid::new(texels, width, height) {
-            Ok(grid) => Ok(Self::of(grid)),
-            Err(error) => Err(error),
-        }
+        let grid = ok!(Grid::new(texels, width, height));
+        Ok(Self::of(grid))
     }
 
     pub(super) const fn of(grid: Grid<'a, C>) -> Self {

@@ -102,10 +102,25 @@ impl Owned {
     }
 }
 
+/// As much room as a text is given while compiling.
+fn room(text: &[u8]) -> Counts {
+    let most = obj::import::room(text.len());
+    Counts {
+        positions: most,
+        faces: most,
+        edges: most,
+        uvs: most,
+        uv_faces: most,
+        normals: most,
+        normal_faces: most,
+        colors: most,
+    }
+}
+
 /// What a text is read as, and by how much room is known to be enough.
 fn check_text(text: &[u8]) {
     let counted = obj::count(text);
-    let room = obj::import::room(text.len());
+    let room = room(text);
     // While compiling, a text is read once, into lists of as much room.
     let read = Owned::read(text, room);
     match (&counted, &read) {
@@ -162,7 +177,7 @@ fn check_line_ends(text: &[u8], read: &Result<Owned, Error>) {
                 _ => other.push(byte),
             }
         }
-        assert_eq!(&Owned::read(&other, obj::import::room(other.len())), read);
+        assert_eq!(&Owned::read(&other, room(&other)), read);
     }
 }
 

@@ -7,6 +7,7 @@ mod writer;
 
 use super::buffers::{Buffers, Counts};
 use super::indexed::Mesh;
+use crate::error::ok;
 use crate::num::Scalar;
 use crate::{Error, Vec3};
 use writer::MeshWriter;
@@ -163,9 +164,7 @@ impl Shape {
     const fn of(kind: Kind, checks: &[Result<(), Error>]) -> Result<Self, Error> {
         let mut i = 0;
         while i < checks.len() {
-            if let Err(error) = checks[i] {
-                return Err(error);
-            }
+            ok!(checks[i]);
             i += 1;
         }
         let shape = Self { kind };
@@ -217,10 +216,7 @@ impl Shape {
     ///
     /// [`Error::TooMany`] if a slice is shorter than [`counts`](Self::counts) says and not empty.
     pub const fn build(self, buffers: Buffers<'_>) -> Result<Mesh<'_>, Error> {
-        let mut writer = match MeshWriter::new(buffers, self.counts()) {
-            Ok(writer) => writer,
-            Err(error) => return Err(error),
-        };
+        let mut writer = ok!(MeshWriter::new(buffers, self.counts()));
         match self.kind {
             Kind::Cuboid { corner } => surface::cuboid(&mut writer, corner),
             Kind::Sphere { slices, stacks } => surface::sphere(&mut writer, slices, stacks),
@@ -270,61 +266,18 @@ impl Shape {
 /// ```
 #[macro_export]
 macro_rules! shape {
-    ($name:ident($($argument:expr),* $(,)?)) => {{
+    ($name:ident($($argument:expr),* $(,)?) $(, $short:ident)? $(,)?) => {{
         const SHAPE: $crate::mesh::Shape = $crate::mesh::Shape::checked(
             $crate::mesh::Shape::$name($($argument),*),
             ::core::stringify!($name($($argument),*)),
         );
         const COUNTS: $crate::mesh::Counts = SHAPE.counts();
-        type Arrays = $crate::mesh::Arrays<
-            { COUNTS.positions },
-            { COUNTS.faces },
-            { COUNTS.edges },
-            { COUNTS.uvs },
-            0,
-            { COUNTS.normals },
-            0,
-            0,
-        >;
         #[allow(long_running_const_eval)]
-        static ARRAYS: Arrays = {
-            let mut arrays = Arrays::ZERO;
-            let _ = $crate::Mesh::checked(SHAPE.build(arrays.buffers()));
-            arrays
+        const ROOM: $crate::mesh::flash::Room<{ COUNTS.positions + COUNTS.faces + COUNTS.edges }> = {
+            let mut room = $crate::mesh::flash::Room::EMPTY;
+            let _ = $crate::Mesh::checked(SHAPE.build(room.buffers()));
+            room
         };
-        #[allow(long_running_const_eval)]
-        static MESH: $crate::Mesh<'static> = ARRAYS.mesh();
-        MESH
-    }};
-    ($name:ident($($argument:expr),* $(,)?), short $(,)?) => {{
-        const SHAPE: $crate::mesh::Shape = $crate::mesh::Shape::checked(
-            $crate::mesh::Shape::$name($($argument),*),
-            ::core::stringify!($name($($argument),*)),
-        );
-        const COUNTS: $crate::mesh::Counts = SHAPE.counts();
-        type Arrays<const POSITIONS: usize> = $crate::mesh::Arrays<
-            POSITIONS,
-            { COUNTS.faces },
-            { COUNTS.edges },
-            { COUNTS.uvs },
-            0,
-            { COUNTS.normals },
-            0,
-            0,
-        >;
-        #[allow(long_running_const_eval)]
-        const ALL: Arrays<{ COUNTS.positions }> = {
-            let mut arrays = Arrays::ZERO;
-            let _ = $crate::Mesh::checked(SHAPE.build(arrays.buffers()));
-            arrays
-        };
-        #[allow(long_running_const_eval)]
-        const SHORT: ([[i16; 3]; COUNTS.positions], u32) = ALL.shortened();
-        static POSITIONS: [[i16; 3]; COUNTS.positions] = SHORT.0;
-        #[allow(long_running_const_eval)]
-        static ARRAYS: Arrays<0> = ALL.trim();
-        #[allow(long_running_const_eval)]
-        static MESH: $crate::Mesh<'static> = ARRAYS.short_mesh(&POSITIONS, SHORT.1);
-        MESH
+        $crate::__mesh!(ROOM, COUNTS $(, $short)?)
     }};
 }

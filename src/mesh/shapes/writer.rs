@@ -1,5 +1,6 @@
 //! Writes vertices, triangles and edges one after the other.
 
+use crate::error::ok;
 use crate::mesh::{Buffers, Counts, Index, Mesh};
 use crate::{Error, TexCoord, Vec2, Vec3};
 
@@ -40,16 +41,14 @@ const fn index(number: u32) -> Index {
 
 impl<'a> MeshWriter<'a> {
     pub(super) const fn new(buffers: Buffers<'a>, counts: Counts) -> Result<Self, Error> {
-        match buffers.wanted(counts) {
-            Ok(counts) => Ok(Self {
-                buffers,
-                counts,
-                positions: 0,
-                faces: 0,
-                edges: 0,
-            }),
-            Err(error) => Err(error),
-        }
+        let counts = ok!(buffers.wanted(counts));
+        Ok(Self {
+            buffers,
+            counts,
+            positions: 0,
+            faces: 0,
+            edges: 0,
+        })
     }
 
     /// The number that the next vertex gets.
