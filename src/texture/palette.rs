@@ -135,22 +135,3 @@ impl<C: PixelColor> Sampler for Palette<'_, C> {
         self.colors[usize::from(self.indices.get(u, v).unwrap_or(0))]
     }
 }
-
-impl<C: PixelColor> Sampler for &Palette<'_, C> {
-    type Color = C;
-
-    #[inline]
-    fn width_log2(&self) -> u32 {
-        self.indices.width_log2()
-    }
-
-    #[inline]
-    fn height_log2(&self) -> u32 {
-        self.indices.height_log2()
-    }
-
-    #[inline]
-    fn texel(&self, u: i32, v: i32) -> C {
-        (**self).texel(u, v)
-    }
-}

@@ -91,6 +91,25 @@ pub(super) fn wrapped<T: Copy, const W: usize, const H: usize>(
     rows[v & (H - 1)][u & (W - 1)]
 }
 
+impl<S: Sampler> Sampler for &S {
+    type Color = S::Color;
+
+    #[inline]
+    fn width_log2(&self) -> u32 {
+        (**self).width_log2()
+    }
+
+    #[inline]
+    fn height_log2(&self) -> u32 {
+        (**self).height_log2()
+    }
+
+    #[inline]
+    fn texel(&self, u: i32, v: i32) -> S::Color {
+        (**self).texel(u, v)
+    }
+}
+
 impl<C: PixelColor, const W: usize, const H: usize> Sampler for &[[C; W]; H] {
     type Color = C;
 

@@ -113,25 +113,6 @@ impl<C: PixelColor> Sampler for Texture<'_, C> {
     }
 }
 
-impl<C: PixelColor> Sampler for &Texture<'_, C> {
-    type Color = C;
-
-    #[inline]
-    fn width_log2(&self) -> u32 {
-        self.grid.width_log2()
-    }
-
-    #[inline]
-    fn height_log2(&self) -> u32 {
-        self.grid.height_log2()
-    }
-
-    #[inline]
-    fn texel(&self, u: i32, v: i32) -> C {
-        (**self).texel(u, v)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::{Clamp, Repeat};

@@ -10,6 +10,7 @@ use super::indexed::Mesh;
 use crate::error::ok;
 use crate::num::Scalar;
 use crate::{Error, Vec3};
+use surface::Surface;
 use writer::MeshWriter;
 
 /// A shape that a mesh can be made of: by [`shape!`](crate::shape) for flash, by
@@ -35,30 +36,10 @@ use writer::MeshWriter;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Shape {
-    kind: Kind,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-enum Kind {
-    Cuboid {
-        corner: Vec3,
-    },
-    Sphere {
-        slices: u32,
-        stacks: u32,
-    },
-    Torus {
-        tube: Scalar,
-        slices: u32,
-        sides: u32,
-    },
-    Plane {
-        columns: u32,
-        rows: u32,
-    },
-    Cylinder {
-        slices: u32,
-    },
+    surface: Surface,
+    /// Of the grid that is bent to the surface.
+    columns: u32,
+    rows: u32,
 }
 
 const fn parts(of: &'static str, given: u32, min: u32) -> Result<(), Error> {
@@ -96,7 +77,7 @@ impl Shape {
             extent("half the height", corner.y, Scalar::MAX),
             extent("half the depth", corner.z, Scalar::MAX),
         ];
-        Self::of(Kind::Cuboid { corner }, &checks)
+        Self::of(Surface::Cuboid(corner), [0; 2], &checks)
     }
 
     /// A sphere of radius 1 with its poles on the y axis.
@@ -110,7 +91,7 @@ impl Shape {
     /// which there are (`slices` + 1)(`stacks` + 1).
     pub const fn sphere(slices: u32, stacks: u32) -> Result<Self, Error> {
         let checks = [parts("slices", slices, 3), parts("stacks", stacks, 2)];
-        Self::of(Kind::Sphere { slices, stacks }, &checks)
+        Self::of(Surface::Sphere, [slices, stacks], &checks)
     }
 
     /// A torus around the y axis: a tube of radius `tube` about a circle of radius 1.
@@ -129,12 +110,7 @@ impl Shape {
             parts("slices", slices, 3),
             parts("sides", sides, 3),
         ];
-        let kind = Kind::Torus {
-            tube,
-            slices,
-            sides,
-        };
-        Self::of(kind, &checks)
+        Self::of(Surface::Torus(tube), [slices, sides], &checks)
     }
 
     /// A level square from −1 to 1 in x and z that faces up, as a grid of `columns` along x and `rows`
@@ -146,7 +122,7 @@ impl Shape {
     /// there are (`columns` + 1)(`rows` + 1).
     pub const fn plane(columns: u32, rows: u32) -> Result<Self, Error> {
         let checks = [parts("columns", columns, 1), parts("rows", rows, 1)];
-        Self::of(Kind::Plane { columns, rows }, &checks)
+        Self::of(Surface::Plane, [columns, rows], &checks)
     }
 
     /// A closed cylinder of radius 1 about the y axis, from −1 to 1, of `slices` sides.
@@ -158,16 +134,28 @@ impl Shape {
     /// [`Error::Parts`] below 3 slices; [`Error::TooMany`] above 65,536 positions, of which there are
     /// 4(`slices` + 1).
     pub const fn cylinder(slices: u32) -> Result<Self, Error> {
-        Self::of(Kind::Cylinder { slices }, &[parts("slices", slices, 3)])
+        Self::of(
+            Surface::Cylinder,
+            [slices, 1],
+            &[parts("slices", slices, 3)],
+        )
     }
 
-    const fn of(kind: Kind, checks: &[Result<(), Error>]) -> Result<Self, Error> {
+    const fn of(
+        surface: Surface,
+        [columns, rows]: [u32; 2],
+        checks: &[Result<(), Error>],
+    ) -> Result<Self, Error> {
         let mut i = 0;
         while i < checks.len() {
             ok!(checks[i]);
             i += 1;
         }
-        let shape = Self { kind };
+        let shape = Self {
+            surface,
+            columns,
+            rows,
+        };
         let given = shape.counts().positions;
         let max = Mesh::MAX_POSITIONS;
         if given > max {
@@ -180,24 +168,18 @@ impl Shape {
     #[must_use]
     pub const fn counts(self) -> Counts {
         // Below 2^15 each, so that products fit 32 bits.
-        let (positions, faces, edges) = match self.kind {
-            Kind::Cuboid { .. } => (24, 12, 12),
-            Kind::Sphere { slices, stacks } => (
-                (slices + 1) * (stacks + 1),
-                2 * slices * (stacks - 1),
-                slices * (2 * stacks - 1),
-            ),
-            Kind::Torus { slices, sides, .. } => (
-                (slices + 1) * (sides + 1),
-                2 * slices * sides,
-                2 * slices * sides,
-            ),
-            Kind::Plane { columns, rows } => (
-                (columns + 1) * (rows + 1),
+        let Self { columns, rows, .. } = self;
+        let grid = (columns + 1) * (rows + 1);
+        let (positions, faces, edges) = match self.surface {
+            Surface::Cuboid(_) => (24, 12, 12),
+            Surface::Sphere => (grid, 2 * columns * (rows - 1), columns * (2 * rows - 1)),
+            Surface::Torus(_) => (grid, 2 * columns * rows, 2 * columns * rows),
+            Surface::Plane => (
+                grid,
                 2 * columns * rows,
-                columns * (rows + 1) + (columns + 1) * rows,
+                2 * columns * rows + columns + rows,
             ),
-            Kind::Cylinder { slices } => (4 * (slices + 1), 4 * slices, 3 * slices),
+            Surface::Cylinder => (4 * (columns + 1), 4 * columns, 3 * columns),
         };
         let positions = positions as usize;
         Counts {
@@ -217,17 +199,7 @@ impl Shape {
     /// [`Error::TooMany`] if a slice is shorter than [`counts`](Self::counts) says and not empty.
     pub const fn build(self, buffers: Buffers<'_>) -> Result<Mesh<'_>, Error> {
         let mut writer = ok!(MeshWriter::new(buffers, self.counts()));
-        match self.kind {
-            Kind::Cuboid { corner } => surface::cuboid(&mut writer, corner),
-            Kind::Sphere { slices, stacks } => surface::sphere(&mut writer, slices, stacks),
-            Kind::Torus {
-                tube,
-                slices,
-                sides,
-            } => surface::torus(&mut writer, tube, slices, sides),
-            Kind::Plane { columns, rows } => surface::plane(&mut writer, columns, rows),
-            Kind::Cylinder { slices } => surface::cylinder(&mut writer, slices),
-        }
+        surface::write(&mut writer, self);
         writer.mesh()
     }
 

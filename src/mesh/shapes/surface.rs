@@ -1,5 +1,6 @@
 //! The surfaces of the shapes, mostly grids bent round.
 
+use super::Shape;
 use super::writer::{MeshWriter, ONE, Vertex};
 use crate::{Angle, Scalar, TexCoord, Vec3};
 
@@ -35,42 +36,125 @@ const fn across(part: u32, parts: u32) -> Scalar {
     Scalar::from_bits(2 * nearest(part, parts, Scalar::FRAC_NBITS) - Scalar::ONE.to_bits())
 }
 
-/// Which edges and triangles of a grid to draw.
-struct Grid {
-    columns: u32,
-    rows: u32,
-    /// Whether the first and the last row of vertices are one point each.
-    poles: bool,
-    /// Rows of vertices with edges along them, from and to before.
-    along: [u32; 2],
-    /// Columns of vertices with edges along them.
-    across: u32,
+/// What the grid of a shape is bent to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Surface {
+    /// None: six sides about this corner and its opposite.
+    Cuboid(Vec3),
+    Sphere,
+    /// A tube of this radius.
+    Torus(Scalar),
+    Plane,
+    Cylinder,
 }
 
-/// Triangles and edges of the vertices that were written last, row by row: columns to the right
-/// and rows down as seen from outside.
-const fn weave(writer: &mut MeshWriter<'_>, first: u32, grid: &Grid) {
-    let width = grid.columns + 1;
+/// A row of vertices around the y axis: its radius, and the parts of its normals outwards and up, in 2⁻³⁰; its height in
+/// 2⁻⁶⁰.
+struct Ring {
+    radius: i64,
+    y: i64,
+    out: i64,
+    up: i64,
+}
+
+const fn ring(shape: Shape, row: u32) -> Ring {
+    let (radius, y, out, up) = match shape.surface {
+        Surface::Torus(tube) => {
+            let tube = tube.to_bits() as i64;
+            // From inside over the top to outside.
+            let (up, inwards) = sin_cos(angle(row, shape.rows, false));
+            let radius = ONE - ((tube * inwards) >> 16);
+            (radius, (tube * up) << 14, -inwards, up)
+        }
+        Surface::Cylinder if row == 0 => (ONE, ONE * ONE, ONE, 0),
+        Surface::Cylinder => (ONE, -ONE * ONE, ONE, 0),
+        _ => {
+            let (radius, y) = sin_cos(angle(row, shape.rows, true));
+            (radius, y * ONE, radius, y)
+        }
+    };
+    Ring { radius, y, out, up }
+}
+
+/// Writes the elements of a shape.
+pub(super) const fn write(writer: &mut MeshWriter<'_>, shape: Shape) {
+    if let Surface::Cuboid(corner) = shape.surface {
+        cuboid(writer, corner);
+        return;
+    }
+    let Shape { columns, rows, .. } = shape;
     let mut row = 0;
-    while row <= grid.rows {
+    while row <= rows {
+        let ring = ring(shape, row);
+        // The texture of a pole's triangle narrows to its middle.
+        let is_pole = matches!(shape.surface, Surface::Sphere) && (row == 0 || row == rows);
         let mut column = 0;
-        while column <= grid.columns {
-            let a = first + row * width + column;
-            let (b, c, d) = (a + 1, a + width, a + width + 1);
-            let inside = column < grid.columns;
-            if inside && row >= grid.along[0] && row < grid.along[1] {
+        while column <= columns {
+            let u = if is_pole && column < columns {
+                ratio(2 * column + 1, 2 * columns)
+            } else {
+                ratio(column, columns)
+            };
+            let uv = [u, ratio(row, rows)];
+            if let Surface::Plane = shape.surface {
+                let place = Vec3::new(across(column, columns), Scalar::ZERO, across(row, rows));
+                writer.place(place, Vec3::Y, uv);
+            } else {
+                let (sin, cos) = sin_cos(angle(column, columns, false));
+                writer.vertex(&Vertex {
+                    position: [ring.radius * sin, ring.y, ring.radius * cos],
+                    normal: [ring.out * sin, ring.up * ONE, ring.out * cos],
+                    uv,
+                });
+            }
+            column += 1;
+        }
+        row += 1;
+    }
+    weave(writer, shape);
+    if let Surface::Cylinder = shape.surface {
+        cap(writer, columns, ONE);
+        cap(writer, columns, -ONE);
+    }
+}
+
+/// Triangles and edges between the vertices of a shape's grid, row by row: columns to the right and rows down as seen
+/// from outside.
+const fn weave(writer: &mut MeshWriter<'_>, shape: Shape) {
+    let Shape {
+        surface,
+        columns,
+        rows,
+    } = shape;
+    // The first and the last row of vertices are one point each.
+    let poles = matches!(surface, Surface::Sphere);
+    // Rows of vertices with edges along them, from and to before, and columns of such.
+    let along = match surface {
+        Surface::Sphere => [1, rows],
+        Surface::Torus(_) => [0, rows],
+        _ => [0, rows + 1],
+    };
+    let across = columns + matches!(surface, Surface::Plane) as u32;
+    let mut row = 0;
+    while row <= rows {
+        let mut column = 0;
+        while column <= columns {
+            let a = row * (columns + 1) + column;
+            let (b, c, d) = (a + 1, a + columns + 1, a + columns + 2);
+            let inside = column < columns;
+            if inside && row >= along[0] && row < along[1] {
                 writer.edge([a, b]);
             }
-            if row < grid.rows && column < grid.across {
+            if row < rows && column < across {
                 writer.edge([a, c]);
             }
-            if inside && row < grid.rows {
+            if inside && row < rows {
                 // A pole's vertices lie each between two of the next row's.
-                if grid.poles && row + 1 == grid.rows {
+                if poles && row + 1 == rows {
                     writer.triangle([a, c, b]);
                 } else {
                     writer.triangle([a, c, d]);
-                    if !grid.poles || row > 0 {
+                    if !poles || row > 0 {
                         writer.triangle([a, d, b]);
                     }
                 }
@@ -79,123 +163,6 @@ const fn weave(writer: &mut MeshWriter<'_>, first: u32, grid: &Grid) {
         }
         row += 1;
     }
-}
-
-pub(super) const fn sphere(writer: &mut MeshWriter<'_>, slices: u32, stacks: u32) {
-    let first = writer.next();
-    let mut row = 0;
-    while row <= stacks {
-        let (radius, y) = sin_cos(angle(row, stacks, true));
-        let pole = row == 0 || row == stacks;
-        let mut column = 0;
-        while column <= slices {
-            let (sin, cos) = sin_cos(angle(column, slices, false));
-            let point = [radius * sin, y * ONE, radius * cos];
-            // The texture of a pole's triangle narrows to its middle.
-            let u = if pole && column < slices {
-                ratio(2 * column + 1, 2 * slices)
-            } else {
-                ratio(column, slices)
-            };
-            writer.vertex(&Vertex {
-                position: point,
-                normal: point,
-                uv: [u, ratio(row, stacks)],
-            });
-            column += 1;
-        }
-        row += 1;
-    }
-    let grid = Grid {
-        columns: slices,
-        rows: stacks,
-        poles: true,
-        along: [1, stacks],
-        across: slices,
-    };
-    weave(writer, first, &grid);
-}
-
-pub(super) const fn torus(writer: &mut MeshWriter<'_>, tube: Scalar, slices: u32, sides: u32) {
-    let first = writer.next();
-    let tube = tube.to_bits() as i64;
-    let mut row = 0;
-    while row <= sides {
-        // From inside over the top to outside.
-        let (up, inwards) = sin_cos(angle(row, sides, false));
-        let radius = ONE - ((tube * inwards) >> 16);
-        let mut column = 0;
-        while column <= slices {
-            let (sin, cos) = sin_cos(angle(column, slices, false));
-            writer.vertex(&Vertex {
-                position: [radius * sin, (tube * up) << 14, radius * cos],
-                normal: [-inwards * sin, up * ONE, -inwards * cos],
-                uv: [ratio(column, slices), ratio(row, sides)],
-            });
-            column += 1;
-        }
-        row += 1;
-    }
-    let grid = Grid {
-        columns: slices,
-        rows: sides,
-        poles: false,
-        along: [0, sides],
-        across: slices,
-    };
-    weave(writer, first, &grid);
-}
-
-pub(super) const fn plane(writer: &mut MeshWriter<'_>, columns: u32, rows: u32) {
-    let first = writer.next();
-    let mut row = 0;
-    while row <= rows {
-        let mut column = 0;
-        while column <= columns {
-            let place = Vec3::new(across(column, columns), Scalar::ZERO, across(row, rows));
-            let uv = [ratio(column, columns), ratio(row, rows)];
-            writer.place(place, Vec3::Y, uv);
-            column += 1;
-        }
-        row += 1;
-    }
-    let grid = Grid {
-        columns,
-        rows,
-        poles: false,
-        along: [0, rows + 1],
-        across: columns + 1,
-    };
-    weave(writer, first, &grid);
-}
-
-pub(super) const fn cylinder(writer: &mut MeshWriter<'_>, slices: u32) {
-    let first = writer.next();
-    let mut row = 0;
-    while row <= 1 {
-        let y = if row == 0 { ONE } else { -ONE };
-        let mut column = 0;
-        while column <= slices {
-            let (sin, cos) = sin_cos(angle(column, slices, false));
-            writer.vertex(&Vertex {
-                position: [ONE * sin, ONE * y, ONE * cos],
-                normal: [ONE * sin, 0, ONE * cos],
-                uv: [ratio(column, slices), ratio(row, 1)],
-            });
-            column += 1;
-        }
-        row += 1;
-    }
-    let grid = Grid {
-        columns: slices,
-        rows: 1,
-        poles: false,
-        along: [0, 2],
-        across: slices,
-    };
-    weave(writer, first, &grid);
-    cap(writer, slices, ONE);
-    cap(writer, slices, -ONE);
 }
 
 /// A fan of triangles about the end of a cylinder at `y`.
@@ -233,7 +200,7 @@ const fn texture(unit: i64) -> TexCoord {
     TexCoord::from_bits(((unit + ONE + (1 << 10)) >> 11) as i32)
 }
 
-pub(super) const fn cuboid(writer: &mut MeshWriter<'_>, corner: Vec3) {
+const fn cuboid(writer: &mut MeshWriter<'_>, corner: Vec3) {
     /// Normal, right and down of each side as seen from outside: axis and sign.
     const SIDES: [[(usize, bool); 3]; 6] = [
         [(2, true), (0, true), (1, false)],
