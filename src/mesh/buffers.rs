@@ -175,6 +175,10 @@ pub struct Attributes<'a> {
 
 impl<'a> Attributes<'a> {
     /// The mesh with these attributes.
+    ///
+    /// # Errors
+    ///
+    /// That of `mesh`, and those of [`Mesh::with_edges`] and [`Mesh::with_uvs`].
     pub const fn of(self, mesh: Result<Mesh<'a>, Error>) -> Result<Mesh<'a>, Error> {
         /// The list of triangles of an attribute, if it has its own.
         const fn own(list: &[[Index; 3]]) -> Option<&[[Index; 3]]> {

@@ -43,9 +43,9 @@ pub struct Mesh<'a> {
     positions: Positions<'a>,
     faces: &'a [[Index; 3]],
     edges: &'a [[Index; 2]],
-    uvs: Attribute<'a, Vec2>,
-    normals: Attribute<'a, Vec3>,
-    colors: Attribute<'a, Rgb888>,
+    pub(super) uvs: Attribute<'a, Vec2>,
+    pub(super) normals: Attribute<'a, Vec3>,
+    pub(super) colors: Attribute<'a, Rgb888>,
 }
 
 /// What is being drawn: its place in the mesh's list and its positions' indices.
@@ -393,21 +393,6 @@ impl<'a> Mesh<'a> {
     #[must_use]
     pub const fn has_colors(&self) -> bool {
         !self.colors.values.is_empty()
-    }
-
-    #[inline]
-    pub(super) fn uv(&self, element: Element, corner: usize) -> Option<Vec2> {
-        self.uvs.at(element, corner)
-    }
-
-    #[inline]
-    pub(super) fn normal(&self, element: Element, corner: usize) -> Option<Vec3> {
-        self.normals.at(element, corner)
-    }
-
-    #[inline]
-    pub(super) fn color(&self, element: Element, corner: usize) -> Option<Rgb888> {
-        self.colors.at(element, corner)
     }
 
     /// The position of `index`; the origin for an index that no checked list holds.

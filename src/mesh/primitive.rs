@@ -268,7 +268,8 @@ impl Corner<'_> {
     pub fn uv(&self) -> Vec2 {
         self.primitive
             .mesh
-            .uv(self.primitive.element, self.corner)
+            .uvs
+            .at(self.primitive.element, self.corner)
             .unwrap_or_else(|| self.primitive.placement.lacks_uvs())
     }
 
@@ -279,7 +280,8 @@ impl Corner<'_> {
         match self
             .primitive
             .mesh
-            .normal(self.primitive.element, self.corner)
+            .normals
+            .at(self.primitive.element, self.corner)
         {
             Some(normal) => normal,
             None => self.primitive.normal(),
@@ -292,7 +294,8 @@ impl Corner<'_> {
     pub fn color(&self) -> Rgb888 {
         self.primitive
             .mesh
-            .color(self.primitive.element, self.corner)
+            .colors
+            .at(self.primitive.element, self.corner)
             .unwrap_or_else(|| self.primitive.placement.lacks_colors())
     }
 

@@ -41,14 +41,8 @@ use crate::mesh::Primitive;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Lit<S> {
-    surface: S,
-    light: Light,
-}
-
-impl<S> Lit<S> {
-    pub(super) const fn new(surface: S, light: Light) -> Self {
-        Self { surface, light }
-    }
+    pub(super) surface: S,
+    pub(super) light: Light,
 }
 
 /// A brightness as it is interpolated.
@@ -107,14 +101,8 @@ impl<S: Shader<Color: Levels>> Shader for Lit<S> {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct FaceLit<S> {
-    surface: S,
-    light: Light,
-}
-
-impl<S> FaceLit<S> {
-    pub(super) const fn new(surface: S, light: Light) -> Self {
-        Self { surface, light }
-    }
+    pub(super) surface: S,
+    pub(super) light: Light,
 }
 
 impl<S: Shader<Color: Levels>> Shader for FaceLit<S> {

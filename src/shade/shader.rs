@@ -105,7 +105,10 @@ pub trait Shader: Copy {
     where
         Self::Color: Levels,
     {
-        Lit::new(self, light)
+        Lit {
+            surface: self,
+            light,
+        }
     }
 
     /// This surface under a light, with one brightness for each triangle, by the triangle's own normal.
@@ -115,7 +118,10 @@ pub trait Shader: Copy {
     where
         Self::Color: Levels,
     {
-        FaceLit::new(self, light)
+        FaceLit {
+            surface: self,
+            light,
+        }
     }
 
     /// This surface times the mesh's vertex colors.
@@ -125,7 +131,7 @@ pub trait Shader: Copy {
     where
         Self::Color: Levels,
     {
-        Tinted::new(self)
+        Tinted { surface: self }
     }
 
     /// This surface with a function of each pixel and its color: any effect in a line.
@@ -150,7 +156,10 @@ pub trait Shader: Copy {
         self,
         effect: F,
     ) -> Map<Self, F> {
-        Map::new(self, effect)
+        Map {
+            shader: self,
+            effect,
+        }
     }
 
     /// This surface on a canvas of another color, rounded, or dithered where that color is coarse.

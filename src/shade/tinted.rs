@@ -29,13 +29,7 @@ use crate::mesh::Primitive;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Tinted<S> {
-    surface: S,
-}
-
-impl<S> Tinted<S> {
-    pub(super) const fn new(surface: S) -> Self {
-        Self { surface }
-    }
+    pub(super) surface: S,
 }
 
 impl<S: Shader<Color: Levels>> Shader for Tinted<S> {

@@ -1,6 +1,6 @@
 //! What a shader has interpolated, by type: numbers, how exact they must be, and values that a face has once.
 
-use super::lanes::Lanes;
+use super::lanes::{Lanes, MOST};
 
 /// How far a varying may be from its exact value where that spares the division by w.
 ///
@@ -28,7 +28,16 @@ pub enum Tolerance {
 /// One exact number makes all numbers of a shader exact, also where a texture alone would be drawn linearly; so prefer
 /// [`Within`] where a small error is not seen.
 ///
-/// There are at most eight interpolated numbers; a shader with more does not compile.
+/// There are at most eight interpolated numbers; a shader with more does not compile:
+///
+/// ```compile_fail
+/// use fixel::shade::{Texels, Varyings};
+/// let _ = <(Texels, ([i32; 4], [i32; 3]))>::tolerances(); // nine
+/// ```
+/// ```
+/// # use fixel::shade::{Texels, Varyings};
+/// let _ = <(Texels, ([i32; 3], [i32; 3]))>::tolerances();
+/// ```
 ///
 /// The unit of an interpolated number is the shader's own. The default mode returns it within about 60 units, so let
 /// a unit be far below what an eye can see, such as 2⁻¹⁶. By as much it may exceed the range of the triangle's corners.
@@ -189,6 +198,12 @@ impl<A: Varyings, B: Varyings> Varyings for (A, B) {
 
     #[inline]
     fn tolerances() -> <Both<A, B> as Lanes>::Of<Tolerance> {
+        const {
+            assert!(
+                A::Lanes::COUNT + B::Lanes::COUNT <= MOST,
+                "a shader interpolates at most eight numbers"
+            );
+        }
         A::Lanes::join::<B::Lanes, _>(A::tolerances(), B::tolerances())
     }
 

@@ -113,7 +113,7 @@ impl<C: Levels> Shader for DepthView<C> {
 /// assert!(canvas.pixels().all(|pixel| pixel == Rgb888::new(128, 255, 128)));
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct NormalView<C> {
     color: PhantomData<C>,
 }
@@ -123,12 +123,6 @@ impl<C> NormalView<C> {
     #[must_use]
     pub const fn new() -> Self {
         Self { color: PhantomData }
-    }
-}
-
-impl<C> Default for NormalView<C> {
-    fn default() -> Self {
-        Self::new()
     }
 }
 

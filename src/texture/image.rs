@@ -354,8 +354,17 @@ impl<'a> Image<'a> {
             // The neighbor may be on either side.
             Pixel::Bytes(_) => 8 * self.right.unsigned_abs() as u32,
         };
-        Err(Error::Image { of, given, needed })
+        refused(of, given, needed)
     }
+}
+
+/// An error about a field of a file's header.
+pub(super) const fn refused<T>(
+    of: &'static str,
+    given: u32,
+    needed: &'static str,
+) -> Result<T, Error> {
+    Err(Error::Image { of, given, needed })
 }
 
 /// The number in two bytes, the low one first.

@@ -1,15 +1,10 @@
 //! TGA files, as Truevision's specification 2.0 has them.
 
-use super::image::{Entry, Image, Pixel, Table, at_least, u16_at};
+use super::image::{Entry, Image, Pixel, Table, at_least, refused, u16_at};
 use crate::Error;
 use crate::error::ok;
 
 const HEADER: usize = 18;
-
-/// An error about a field of the header.
-const fn refused<T>(of: &'static str, given: u32, needed: &'static str) -> Result<T, Error> {
-    Err(Error::Image { of, given, needed })
-}
 
 /// The picture in the bytes of a file.
 pub(super) const fn read(bytes: &[u8]) -> Result<Image<'_>, Error> {
