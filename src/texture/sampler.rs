@@ -110,23 +110,43 @@ impl<S: Sampler> Sampler for &S {
     }
 }
 
-impl<C: PixelColor, const W: usize, const H: usize> Sampler for &[[C; W]; H] {
-    type Color = C;
+/// A sampler whose size is in its type: the color of column `$u` and row `$v` of a `$Type`.
+macro_rules! sampler_of_rows {
+    ($Type:ty, |$texels:ident, $u:ident, $v:ident| $texel:expr) => {
+        impl<C: PixelColor, const W: usize, const H: usize> Sampler for &$Type {
+            type Color = C;
 
-    #[inline]
-    fn width_log2(&self) -> u32 {
-        const { log2("width", W) }
-    }
+            #[inline]
+            fn width_log2(&self) -> u32 {
+                const { log2("width", W) }
+            }
 
-    #[inline]
-    fn height_log2(&self) -> u32 {
-        const { log2("height", H) }
-    }
+            #[inline]
+            fn height_log2(&self) -> u32 {
+                const { log2("height", H) }
+            }
 
-    #[inline]
-    fn texel(&self, u: i32, v: i32) -> C {
-        wrapped(self, u, v)
+            #[inline]
+            fn texel(&self, $u: i32, $v: i32) -> C {
+                let $texels = *self;
+                $texel
+            }
+        }
+    };
+}
+pub(super) use sampler_of_rows;
+
+sampler_of_rows!([[C; W]; H], |rows, u, v| wrapped(rows, u, v));
+
+/// Entries row by row as rows.
+pub(super) const fn rows<T: Copy, const W: usize, const H: usize>(entries: &[T]) -> [[T; W]; H] {
+    let mut rows = [[entries[0]; W]; H];
+    let mut at = 0;
+    while at < W * H {
+        rows[at / W][at % W] = entries[at];
+        at += 1;
     }
+    rows
 }
 
 /// Entries row by row, of a size that the program knows at run time.
