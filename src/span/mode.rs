@@ -11,8 +11,8 @@ use crate::shade::{Lanes, Tolerance};
 
 /// How the attributes of a pixel are found between a triangle's corners: where speed is traded for accuracy.
 ///
-/// Chosen for each draw call by [`DrawOptions::with_mode`](crate::DrawOptions::with_mode). What a program does not name it does not
-/// link.
+/// Chosen for each draw call by [`DrawOptions::with_mode`](crate::DrawOptions::with_mode). What a program does not
+/// name it does not link.
 ///
 /// | mode | error in texels, of 256x256 at 320x240 | work at each pixel | for |
 /// |---|---|---|---|

@@ -11,7 +11,8 @@ pub const fn room(bytes: usize) -> usize {
     bytes / 2 + 1
 }
 
-/// The elements of a text, in room that is enough for any text of its length, and how many there are: it is read only once.
+/// The elements of a text, in room that is enough for any text of its length, and how many there are. The text is read
+/// once.
 ///
 /// # Panics
 ///

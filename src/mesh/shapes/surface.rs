@@ -48,8 +48,8 @@ pub(super) enum Surface {
     Cylinder,
 }
 
-/// A row of vertices around the y axis: its radius, and the parts of its normals outwards and up, in 2⁻³⁰; its height in
-/// 2⁻⁶⁰.
+/// A row of vertices around the y axis: its radius, and the parts of its normals outwards and up, in 2⁻³⁰; its height,
+/// in 2⁻⁶⁰.
 struct Ring {
     radius: i64,
     y: i64,
