@@ -10,11 +10,11 @@ mod sealed {
 /// How a draw call uses the canvas's depth buffer.
 ///
 /// It is [`TestAndWrite`], [`TestOnly`], [`WriteOnly`], [`NoTest`], or [`Biased`] around one of these.
-/// [`DrawOptions::depth`](crate::DrawOptions::depth) chooses it.
+/// [`DrawOptions::with_depth`](crate::DrawOptions::with_depth) chooses it.
 ///
 /// ```
 /// use fixel::{prelude::*, target::TestOnly};
-/// let glass = DrawOptions::new().depth(TestOnly);
+/// let glass = DrawOptions::new().with_depth(TestOnly);
 /// ```
 pub trait DepthTest: Copy + sealed::Sealed {
     /// Whether a pixel behind the stored depth is skipped.
@@ -48,6 +48,7 @@ macro_rules! depth_tests {
     ($($(#[$doc:meta])+ $name:ident $tests:literal $writes:literal;)+) => {$(
         $(#[$doc])+
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         pub struct $name;
 
         impl sealed::Sealed for $name {}
@@ -105,12 +106,13 @@ depth_tests! {
 /// let (mut color, mut depth) = ([BinaryColor::Off; 24 * 24], [0; 24 * 24]);
 /// let mut canvas = Canvas::new(&mut color, 24, 24)?.with_depth(&mut depth)?;
 /// canvas.clear(BinaryColor::Off);
-/// let behind = DrawOptions::new().depth(Biased::behind(TestAndWrite));
+/// let behind = DrawOptions::new().with_depth(Biased::behind(TestAndWrite));
 /// canvas.draw_with(&behind, &BOX, &mvp, &Flat::new(BinaryColor::Off));
 /// canvas.draw_edges(&DrawOptions::new(), &BOX, &mvp, &Flat::new(BinaryColor::On));
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Biased<Z = super::TestAndWrite> {
     test: Z,
     steps: i32,
