@@ -5,99 +5,124 @@ use core::fmt;
 
 use crate::{Angle, Scalar, Vec3};
 
-/// The reason why a value was refused. The message names the value and the allowed range.
-///
-/// Constructors and [`TriangleList::prepare`](crate::TriangleList::prepare) return errors. Drawing cannot fail.
-///
-/// ```
-/// use fixel::prelude::*;
-/// let error = Projection::perspective(deg!(180), (4, 3), fx!(0.1), fx!(100)).unwrap_err();
-/// assert_eq!(error.to_string(), "field of view is 180 degrees: it must be above 0 and below 180 degrees");
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Error {
+/// Takes the value of a result, or returns its error: `?` in a const fn.
+macro_rules! ok {
+    ($result:expr) => {
+        match $result {
+            Ok(value) => value,
+            Err(error) => return Err(error),
+        }
+    };
+}
+pub(crate) use ok;
+
+/// Declares [`Error`]: its variants with fields, then those without, each with its message.
+macro_rules! errors {
+    ($(#[$about:meta])+ pub enum Error; $(
+        $(#[$doc:meta])+
+        $Variant:ident { $($(#[$field_doc:meta])+ $field:ident: $Type:ty,)+ }
+            = $message:literal $(, $value:expr)*;
+    )+ without fields: $(
+        $(#[$unit_doc:meta])+
+        $Unit:ident = $unit_message:literal;
+    )+) => {
+        $(#[$about])+
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[non_exhaustive]
+        pub enum Error {
+            $($(#[$doc])+ #[non_exhaustive] $Variant { $($(#[$field_doc])+ $field: $Type,)+ },)+
+            $($(#[$unit_doc])+ $Unit,)+
+        }
+
+        impl fmt::Display for Error {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                match *self {
+                    $(Self::$Variant { $($field),+ } => write!(f, $message $(, $value)*),)+
+                    $(Self::$Unit => f.write_str($unit_message),)+
+                }
+            }
+        }
+    };
+}
+
+errors! {
+    /// The reason why a value was refused. The message names the value and the allowed range.
+    ///
+    /// Constructors and [`TriangleList::prepare`](crate::TriangleList::prepare) return errors. Drawing cannot fail.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// let error = Projection::perspective(deg!(180), (4, 3), fx!(0.1), fx!(100)).unwrap_err();
+    /// assert_eq!(error.to_string(), "field of view is 180 degrees: it must be above 0 and below 180 degrees");
+    /// ```
+    pub enum Error;
+
     /// A number outside the range of its format.
-    #[non_exhaustive]
     NotRepresentable {
         /// The refused number.
         value: RefusedFloat,
         /// The format holds numbers from −`limit` to just below `limit`; `None` if it holds every
         /// finite number.
         limit: Option<u32>,
-    },
+    } = "{value} cannot be represented: it must {}", Range(limit);
     /// A field of view of zero, or of half a turn or more.
-    #[non_exhaustive]
     FieldOfView {
         /// The refused angle.
         angle: Angle,
-    },
+    } = "field of view is {angle}: it must be above 0 and below 180 degrees";
     /// An aspect ratio or a size that is not positive.
-    #[non_exhaustive]
     Aspect {
         /// The refused width.
         width: Scalar,
         /// The refused height.
         height: Scalar,
-    },
+    } = "aspect ratio is {width} to {height}: both must be above 0";
     /// A focal length that is not positive.
-    #[non_exhaustive]
     FocalLength {
         /// The refused length in pixels.
         pixels: Scalar,
-    },
+    } = "focal length is {pixels} pixels: it must be above 0";
     /// A near plane that is not in front of the eye.
-    #[non_exhaustive]
     Near {
         /// The refused distance.
         near: Scalar,
-    },
+    } = "near plane is at {near}: it must be above 0, in front of the eye";
     /// A far plane that is not behind the near plane.
-    #[non_exhaustive]
     Far {
         /// The distance of the near plane.
         near: Scalar,
         /// The refused distance of the far plane.
         far: Scalar,
-    },
+    } = "far plane is at {far}: it must be beyond the near plane at {near}";
     /// A window without width or height, because an edge is not beyond its opposite.
-    #[non_exhaustive]
     EmptyWindow {
         /// The refused left or bottom edge.
         low: Scalar,
         /// The refused right or top edge.
         high: Scalar,
-    },
+    } = "window from {low} to {high} is empty: left must be below right and bottom below top";
     /// A camera whose eye is at its target.
-    #[non_exhaustive]
     EyeAtTarget {
         /// The position of both.
         eye: Vec3,
-    },
+    } = "eye and target are both at {eye}: they must differ, to give the camera a direction to look in";
     /// An up direction that is zero or along the line of sight.
-    #[non_exhaustive]
     UpAlongView {
         /// The refused direction.
         up: Vec3,
-    },
-    /// A zero vector where a direction is needed.
-    ZeroDirection,
-    /// A zero quaternion where a rotation is needed.
-    ZeroQuaternion,
+    } = "up is {up}, which is zero or parallel to the line of sight: it must point away from that line";
     /// A matrix whose last row is not 0 0 0 1 where an affine transform is needed.
-    #[non_exhaustive]
     NotAffine {
         /// The refused row.
         last_row: [Scalar; 4],
-    },
+    } = "last row is ({}, {}, {}, {}): it must be (0, 0, 0, 1) in an affine matrix",
+        last_row[0], last_row[1], last_row[2], last_row[3];
     /// A brightness below 0 or above 1.
-    #[non_exhaustive]
     Brightness {
         /// The refused brightness; 1 is full brightness.
         value: Scalar,
-    },
+    } = "brightness is {value}: it must lie between 0 and 1";
     /// A canvas, texture or viewport whose size is zero or too large.
-    #[non_exhaustive]
     Size {
         /// The refused width in pixels.
         width: u32,
@@ -105,9 +130,8 @@ pub enum Error {
         height: u32,
         /// Largest width and height allowed, in pixels.
         max: u32,
-    },
+    } = "size is {width}x{height}: width and height must lie between 1 and {max}";
     /// A width or height of a texture that is not a power of two, or is too large.
-    #[non_exhaustive]
     PowerOfTwo {
         /// The name of the side, width or height.
         of: &'static str,
@@ -115,9 +139,8 @@ pub enum Error {
         given: u32,
         /// Largest number allowed.
         max: u32,
-    },
+    } = "{of} is {given}: it must be a power of two, at most {max}";
     /// A viewport too far from the top left corner of its frame.
-    #[non_exhaustive]
     Offset {
         /// The refused column of the left edge.
         x: i32,
@@ -125,17 +148,15 @@ pub enum Error {
         y: i32,
         /// Largest magnitude allowed for both.
         max: u32,
-    },
+    } = "viewport is at ({x}, {y}): both coordinates must lie between -{max} and {max}";
     /// A slice of the wrong length.
-    #[non_exhaustive]
     Length {
         /// Number of elements in the slice.
         given: usize,
         /// Number of elements needed.
         needed: usize,
-    },
+    } = "slice has {given} elements: exactly {needed} are needed";
     /// A band without rows, or with rows outside its frame.
-    #[non_exhaustive]
     Rows {
         /// First row of the band.
         first: u32,
@@ -143,9 +164,8 @@ pub enum Error {
         rows: u32,
         /// Number of rows of the frame.
         height: u32,
-    },
+    } = "band has {rows} rows from row {first}: it must have at least one and lie within the {height} rows of the frame";
     /// An index that is out of range.
-    #[non_exhaustive]
     Index {
         /// The face, edge or entry that holds the index.
         at: usize,
@@ -153,17 +173,15 @@ pub enum Error {
         index: u32,
         /// Number of elements; the index must be below it.
         len: usize,
-    },
+    } = "index {index} in element {at} is out of range: it must be below {len}";
     /// More elements than indices can address.
-    #[non_exhaustive]
     TooMany {
         /// The refused number of elements.
         given: usize,
         /// Largest number allowed.
         max: usize,
-    },
+    } = "{given} elements are too many: at most {max} are allowed";
     /// A list that is too short for the visible part of a mesh.
-    #[non_exhaustive]
     Full {
         /// The kind of element in the list.
         of: &'static str,
@@ -171,9 +189,8 @@ pub enum Error {
         needed: usize,
         /// Number of elements that the list can hold.
         room: usize,
-    },
+    } = "{needed} {of} are visible: the list must have room for all, and has room for {room}";
     /// A shape with too few or too many parts.
-    #[non_exhaustive]
     Parts {
         /// The kind of part.
         of: &'static str,
@@ -183,9 +200,8 @@ pub enum Error {
         min: u32,
         /// Most allowed.
         max: u32,
-    },
+    } = "number of {of} is {given}: it must lie between {min} and {max}";
     /// A dimension of a shape that is not positive, or too large.
-    #[non_exhaustive]
     Extent {
         /// The name of the dimension.
         of: &'static str,
@@ -193,9 +209,8 @@ pub enum Error {
         given: Scalar,
         /// Largest length allowed.
         max: Scalar,
-    },
+    } = "{of} is {given}: it must be above 0 and at most {max}";
     /// An image file in a format that cannot be read.
-    #[non_exhaustive]
     Image {
         /// The field of the file's header.
         of: &'static str,
@@ -203,137 +218,38 @@ pub enum Error {
         given: u32,
         /// The values that can be read.
         needed: &'static str,
-    },
+    } = "{of} is {given}: it must be {needed}";
     /// An image file that ends before its picture does.
-    #[non_exhaustive]
     Truncated {
         /// Number of bytes in the file.
         given: usize,
         /// Number of bytes needed, according to the file's header.
         needed: usize,
-    },
+    } = "file has {given} bytes: it needs at least {needed}";
     /// OBJ text that cannot be read.
-    #[non_exhaustive]
     Obj {
         /// The line number, counted from 1.
         line: usize,
         /// The mistake in the line.
         problem: &'static str,
-    },
+    } = "line {line}: {problem}";
+
+    without fields:
+    /// A zero vector where a direction is needed.
+    ZeroDirection = "direction is (0, 0, 0): at least one component must not be 0";
+    /// A zero quaternion where a rotation is needed.
+    ZeroQuaternion = "quaternion is (0, 0, 0, 0): at least one component must not be 0";
 }
 
-impl fmt::Display for Error {
-    #[allow(clippy::too_many_lines)] // a message for each variant
+/// The range of a format, as [`Error::NotRepresentable`] names it.
+struct Range(Option<u32>);
+
+impl fmt::Display for Range {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::NotRepresentable { value, limit } => {
-                write!(f, "{value} cannot be represented: it must ")?;
-                match limit {
-                    // Every format holds this upper bound without rounding it up to the limit.
-                    Some(limit) => write!(f, "lie between -{limit} and {}.99999", limit - 1),
-                    None => f.write_str("be finite"),
-                }
-            }
-            Self::FieldOfView { angle } => write!(
-                f,
-                "field of view is {angle}: it must be above 0 and below 180 degrees"
-            ),
-            Self::Aspect { width, height } => write!(
-                f,
-                "aspect ratio is {width} to {height}: both must be above 0"
-            ),
-            Self::FocalLength { pixels } => {
-                write!(f, "focal length is {pixels} pixels: it must be above 0")
-            }
-            Self::Near { near } => write!(
-                f,
-                "near plane is at {near}: it must be above 0, in front of the eye"
-            ),
-            Self::Far { near, far } => write!(
-                f,
-                "far plane is at {far}: it must be beyond the near plane at {near}"
-            ),
-            Self::EmptyWindow { low, high } => write!(
-                f,
-                "window from {low} to {high} is empty: left must be below right and bottom below top"
-            ),
-            Self::EyeAtTarget { eye } => write!(
-                f,
-                "eye and target are both at {eye}: they must differ, to give the camera a direction to look in"
-            ),
-            Self::UpAlongView { up } => write!(
-                f,
-                "up is {up}, which is zero or parallel to the line of sight: it must point away from that line"
-            ),
-            Self::ZeroDirection => {
-                f.write_str("direction is (0, 0, 0): at least one component must not be 0")
-            }
-            Self::ZeroQuaternion => {
-                f.write_str("quaternion is (0, 0, 0, 0): at least one component must not be 0")
-            }
-            Self::NotAffine {
-                last_row: [x, y, z, w],
-            } => write!(
-                f,
-                "last row is ({x}, {y}, {z}, {w}): it must be (0, 0, 0, 1) in an affine matrix"
-            ),
-            Self::Brightness { value } => {
-                write!(f, "brightness is {value}: it must lie between 0 and 1")
-            }
-            Self::Size { width, height, max } => write!(
-                f,
-                "size is {width}x{height}: width and height must lie between 1 and {max}"
-            ),
-            Self::PowerOfTwo { of, given, max } => write!(
-                f,
-                "{of} is {given}: it must be a power of two, at most {max}"
-            ),
-            Self::Offset { x, y, max } => write!(
-                f,
-                "viewport is at ({x}, {y}): both coordinates must lie between -{max} and {max}"
-            ),
-            Self::Length { given, needed } => {
-                write!(f, "slice has {given} elements: exactly {needed} are needed")
-            }
-            Self::Rows {
-                first,
-                rows,
-                height,
-            } => write!(
-                f,
-                "band has {rows} rows from row {first}: it must have at least one and lie within the {height} rows of the frame"
-            ),
-            Self::Index { at, index, len } => write!(
-                f,
-                "index {index} in element {at} is out of range: it must be below {len}"
-            ),
-            Self::TooMany { given, max } => write!(
-                f,
-                "{given} elements are too many: at most {max} are allowed"
-            ),
-            Self::Full { of, needed, room } => write!(
-                f,
-                "{needed} {of} are visible: the list must have room for all, and has room for {room}"
-            ),
-            Self::Parts {
-                of,
-                given,
-                min,
-                max,
-            } => write!(
-                f,
-                "number of {of} is {given}: it must lie between {min} and {max}"
-            ),
-            Self::Extent { of, given, max } => {
-                write!(f, "{of} is {given}: it must be above 0 and at most {max}")
-            }
-            Self::Image { of, given, needed } => {
-                write!(f, "{of} is {given}: it must be {needed}")
-            }
-            Self::Truncated { given, needed } => {
-                write!(f, "file has {given} bytes: it needs at least {needed}")
-            }
-            Self::Obj { line, problem } => write!(f, "line {line}: {problem}"),
+        match self.0 {
+            // Every format holds this upper bound without rounding it up to the limit.
+            Some(limit) => write!(f, "lie between -{limit} and {}.99999", limit - 1),
+            None => f.write_str("be finite"),
         }
     }
 }

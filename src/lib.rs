@@ -124,7 +124,9 @@
 //!    clipped or not.
 //! 5. **Bands equal frames.** A frame drawn in bands equals the frame drawn whole, bit for bit.
 //! 6. **Pay for what you use.** Texture, depth buffer, lines, byte order and mode are type parameters. Code that a
-//!    program does not name is not linked. There are no feature flags.
+//!    program does not name is not linked. The only feature flag is `defmt`, which is off by default: it
+//!    implements `defmt::Format` for the types that a program may want to log, for example [`Error`], [`Vec3`] and
+//!    [`Drawn`].
 //!
 //! # Drawing to a display
 //!
@@ -191,6 +193,8 @@ extern crate std;
 mod error;
 #[cfg(any(doc, doctest))]
 pub mod guide;
+#[cfg(feature = "defmt")]
+mod log;
 pub mod math;
 pub mod mesh;
 mod message;
@@ -200,7 +204,7 @@ mod raster;
 pub mod shade;
 mod span;
 
-/// How attributes are interpolated: the trait [`Mode`](mode::Mode) and the modes.
+/// How attributes are interpolated: the trait [`Mode`](mode::Mode) and its four implementations.
 pub mod mode {
     pub use crate::span::{Affine, Exact, Fast, Mode, Newton};
 }
@@ -210,18 +214,23 @@ pub mod texture;
 pub mod view;
 
 pub use error::{Error, RefusedFloat};
-pub use math::{Matrix4, Transform, Vec2, Vec3};
-pub use mesh::{Corner, Index, Mesh, Primitive};
-pub use num::{Angle, Rate, Scalar, Spin, TexCoord, Unit};
 pub use pipeline::{DrawOptions, Drawn, Prepared, ScreenPoint, TriangleList};
 pub use raster::Cull;
-pub use shade::{
-    Converted, DepthView, FaceColors, FaceLit, Flat, Fragment, Gouraud, Levels, Light, Lit, Map,
-    NormalView, Shader, Textured, Tinted,
+
+// These items are documented in their modules.
+#[doc(no_inline)]
+pub use {
+    math::{Matrix4, Transform, Vec2, Vec3},
+    mesh::{Corner, Index, Mesh, Primitive},
+    num::{Angle, Rate, Scalar, Spin, TexCoord, Unit},
+    shade::{
+        Converted, DepthView, FaceColors, FaceLit, Flat, Fragment, Gouraud, Levels, Light, Lit,
+        Map, NormalView, Shader, Textured, Tinted,
+    },
+    target::Canvas,
+    texture::{Palette, PaletteArray, Texture, TextureArray},
+    view::{Aspect, Camera, Mvp, Projection, Viewport, Window},
 };
-pub use target::Canvas;
-pub use texture::{Palette, PaletteArray, Texture, TextureArray};
-pub use view::{Aspect, Camera, Mvp, Projection, Viewport, Window};
 
 /// Compiles and runs the program in the README.
 #[cfg(doctest)]
@@ -233,14 +242,13 @@ struct Readme;
 /// The prelude of embedded-graphics also has an `Angle` and a `Transform`. A program that imports both
 /// preludes must name the ones it means.
 pub mod prelude {
+    #[doc(no_inline)]
     pub use crate::{
-        Angle, Aspect, Camera, Canvas, Corner, Cull, DrawOptions, Drawn, Error, Fragment, Mesh,
-        Mvp, Primitive, Projection, Rate, Scalar, Shader, Spin, TexCoord, Transform, TriangleList,
-        Vec2, Vec3, Viewport, Window,
+        Angle, Aspect, Camera, Canvas, Corner, Cull, DepthView, DrawOptions, Drawn, Error,
+        FaceColors, Flat, Fragment, Gouraud, Levels, Light, Mesh, Mvp, NormalView, Palette,
+        PaletteArray, Primitive, Projection, Rate, Scalar, Shader, Spin, TexCoord, Texture,
+        TextureArray, Textured, Transform, TriangleList, Vec2, Vec3, Viewport, Window,
     };
-    pub use crate::{
-        DepthView, FaceColors, Flat, Gouraud, Levels, Light, NormalView, Palette, PaletteArray,
-        Texture, TextureArray, Textured,
-    };
+    #[doc(no_inline)]
     pub use crate::{deg, fx, include_bmp, include_obj, include_tga, shape, vec2, vec3};
 }

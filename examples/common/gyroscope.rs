@@ -54,7 +54,7 @@ impl Lists {
     /// None: the numbers are constant, and every frame fits.
     pub fn prepare(&mut self, frame: u32) -> Result<Gyroscope<'_>, Error> {
         let half = Viewport::new(i32::try_from(WIDTH / 2).unwrap_or(0), 0, WIDTH / 2, HEIGHT)?;
-        let options: DrawOptions = DrawOptions::new().viewport(half);
+        let options: DrawOptions = DrawOptions::new().with_viewport(half);
         let projection = Projection::perspective(
             Angle::from_degrees(40),
             (WIDTH / 2, HEIGHT),

@@ -15,6 +15,7 @@ use crate::{Transform, Vec3};
 /// assert_eq!(up.components(), [Unit::ZERO, Unit::ONE, Unit::ZERO]);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Direction([i32; 3]);
 
 impl Direction {

@@ -1,13 +1,14 @@
-//! The operators of vectors: component by component, saturating.
+//! The operators and conversions of vectors: component by component. Operators saturate.
 
+use core::fmt;
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use fixed::FixedI32;
 
 use super::{Vec2, Vec3};
-use crate::Scalar;
-use crate::num::block;
+use crate::num::{block, scalar, tex_coord};
+use crate::{Error, Scalar, TexCoord};
 
 /// `value · factor`, rounded to nearest (half up); saturates.
 fn multiply<F>(value: FixedI32<F>, factor: Scalar) -> FixedI32<F> {
@@ -39,7 +40,43 @@ fn interpolate<F>(from: FixedI32<F>, to: FixedI32<F>, t: Scalar) -> FixedI32<F> 
 }
 
 macro_rules! operators {
-    ($Vector:ident { $($part:ident),+ }) => {
+    ($Vector:ident of $len:literal $Number:ident { $($part:ident),+ }, $convert:path, $format:literal) => {
+        impl fmt::Display for $Vector {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                write!(f, $format, $(self.$part),+)
+            }
+        }
+
+        impl From<[$Number; $len]> for $Vector {
+            fn from([$($part),+]: [$Number; $len]) -> Self {
+                Self::new($($part),+)
+            }
+        }
+
+        impl From<$Vector> for [$Number; $len] {
+            fn from(v: $Vector) -> Self {
+                [$(v.$part),+]
+            }
+        }
+
+        impl TryFrom<[f64; $len]> for $Vector {
+            type Error = Error;
+
+            #[doc = concat!("Rounds each component to the nearest [`", stringify!($Number), "`].")]
+            fn try_from([$($part),+]: [f64; $len]) -> Result<Self, Error> {
+                Ok(Self::new($($convert($part)?),+))
+            }
+        }
+
+        impl TryFrom<[f32; $len]> for $Vector {
+            type Error = Error;
+
+            #[doc = concat!("Rounds each component to the nearest [`", stringify!($Number), "`].")]
+            fn try_from(v: [f32; $len]) -> Result<Self, Error> {
+                Self::try_from(v.map(f64::from))
+            }
+        }
+
         impl $Vector {
             /// Returns the smaller of each pair of components.
             #[must_use]
@@ -146,13 +183,13 @@ macro_rules! operators {
     };
 }
 
-operators!(Vec3 { x, y, z });
-operators!(Vec2 { x, y });
+operators!(Vec3 of 3 Scalar { x, y, z }, scalar, "({}, {}, {})");
+operators!(Vec2 of 2 TexCoord { x, y }, tex_coord, "({}, {})");
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{TexCoord, vec2, vec3};
+    use crate::{vec2, vec3};
     use proptest::prelude::*;
 
     /// The nearest value that 32 bits hold.

@@ -29,6 +29,7 @@ mod tests;
 /// assert_eq!((quarter * up).point(Vec3::X), vec3!(-2, 1, 0));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Transform {
     /// Mantissas by rows, below 2^30 in magnitude.
     pub(crate) linear: [[i32; 3]; 3],

@@ -1,9 +1,6 @@
 //! Texture coordinates.
 
-use core::fmt;
-
-use crate::num::tex_coord;
-use crate::{Error, TexCoord};
+use crate::TexCoord;
 
 /// A texture coordinate: two [`TexCoord`]s, up to 2048 repeats of the texture each way.
 ///
@@ -47,42 +44,6 @@ impl Vec2 {
     #[must_use]
     pub const fn to_bits(self) -> [i32; 2] {
         [self.x.to_bits(), self.y.to_bits()]
-    }
-}
-
-impl fmt::Display for Vec2 {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "({}, {})", self.x, self.y)
-    }
-}
-
-impl From<[TexCoord; 2]> for Vec2 {
-    fn from([x, y]: [TexCoord; 2]) -> Self {
-        Self::new(x, y)
-    }
-}
-
-impl From<Vec2> for [TexCoord; 2] {
-    fn from(v: Vec2) -> Self {
-        [v.x, v.y]
-    }
-}
-
-impl TryFrom<[f64; 2]> for Vec2 {
-    type Error = Error;
-
-    /// Rounds each component to the nearest [`TexCoord`].
-    fn try_from([x, y]: [f64; 2]) -> Result<Self, Error> {
-        Ok(Self::new(tex_coord(x)?, tex_coord(y)?))
-    }
-}
-
-impl TryFrom<[f32; 2]> for Vec2 {
-    type Error = Error;
-
-    /// Rounds each component to the nearest [`TexCoord`].
-    fn try_from(v: [f32; 2]) -> Result<Self, Error> {
-        Self::try_from(v.map(f64::from))
     }
 }
 

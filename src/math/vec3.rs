@@ -1,9 +1,6 @@
 //! Points and directions in space.
 
-use core::fmt;
-
-use crate::num::scalar;
-use crate::{Error, Scalar};
+use crate::Scalar;
 
 /// A point or a direction in model, world or eye space: three [`Scalar`]s.
 ///
@@ -71,42 +68,6 @@ impl Vec3 {
     #[must_use]
     pub const fn to_bits(self) -> [i32; 3] {
         [self.x.to_bits(), self.y.to_bits(), self.z.to_bits()]
-    }
-}
-
-impl fmt::Display for Vec3 {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "({}, {}, {})", self.x, self.y, self.z)
-    }
-}
-
-impl From<[Scalar; 3]> for Vec3 {
-    fn from([x, y, z]: [Scalar; 3]) -> Self {
-        Self::new(x, y, z)
-    }
-}
-
-impl From<Vec3> for [Scalar; 3] {
-    fn from(v: Vec3) -> Self {
-        [v.x, v.y, v.z]
-    }
-}
-
-impl TryFrom<[f64; 3]> for Vec3 {
-    type Error = Error;
-
-    /// Rounds each component to the nearest [`Scalar`].
-    fn try_from([x, y, z]: [f64; 3]) -> Result<Self, Error> {
-        Ok(Self::new(scalar(x)?, scalar(y)?, scalar(z)?))
-    }
-}
-
-impl TryFrom<[f32; 3]> for Vec3 {
-    type Error = Error;
-
-    /// Rounds each component to the nearest [`Scalar`].
-    fn try_from(v: [f32; 3]) -> Result<Self, Error> {
-        Self::try_from(v.map(f64::from))
     }
 }
 

@@ -3,7 +3,7 @@
 use super::indexed::{Element, Index};
 
 /// The values of one attribute. Without `faces` of its own, it is indexed like the positions.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Attribute<'a, T> {
     pub(super) values: &'a [T],
     pub(super) faces: Option<&'a [[Index; 3]]>,

@@ -3,7 +3,7 @@
 use embedded_graphics::pixelcolor::Rgb888;
 
 use super::indexed::{Index, Mesh};
-use super::positions::Positions;
+use crate::error::ok;
 use crate::{Error, Vec2, Vec3};
 
 /// How many elements each list of a mesh has: the room that it needs in [`Buffers`].
@@ -14,7 +14,8 @@ use crate::{Error, Vec2, Vec3};
 /// assert_eq!((cube.positions, cube.faces, cube.edges), (24, 12, 12));
 /// # Ok::<(), fixel::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Counts {
     /// Positions.
     pub positions: usize,
@@ -137,31 +138,19 @@ impl<'a> Buffers<'a> {
 
     /// The mesh of the first elements of each list, as many as `counts` says.
     pub(super) const fn mesh(self, counts: Counts) -> Result<Mesh<'a>, Error> {
-        Lists {
-            positions: Positions::long(first(self.positions, counts.positions)),
-            faces: self.faces,
-            edges: self.edges,
-            uvs: self.uvs,
-            uv_faces: self.uv_faces,
-            normals: self.normals,
-            normal_faces: self.normal_faces,
-            colors: self.colors,
-        }
-        .mesh(counts)
+        let attributes = Attributes {
+            edges: first(self.edges, counts.edges),
+            uvs: first(self.uvs, counts.uvs),
+            uv_faces: first(self.uv_faces, counts.uv_faces),
+            normals: first(self.normals, counts.normals),
+            normal_faces: first(self.normal_faces, counts.normal_faces),
+            colors: first(self.colors, counts.colors),
+        };
+        attributes.of(Mesh::new(
+            first(self.positions, counts.positions),
+            first(self.faces, counts.faces),
+        ))
     }
-}
-
-/// The lists of a mesh, filled.
-#[derive(Clone, Copy)]
-struct Lists<'a> {
-    positions: Positions<'a>,
-    faces: &'a [[Index; 3]],
-    edges: &'a [[Index; 2]],
-    uvs: &'a [Vec2],
-    uv_faces: &'a [[Index; 3]],
-    normals: &'a [Vec3],
-    normal_faces: &'a [[Index; 3]],
-    colors: &'a [Rgb888],
 }
 
 /// The first `count` elements of a list, or all if it is shorter.
@@ -172,182 +161,39 @@ const fn first<T>(list: &[T], count: usize) -> &[T] {
     }
 }
 
-/// The triangles of an attribute that has its own; `None` if it is indexed like the positions.
-const fn own(list: &[[Index; 3]], count: usize) -> Option<&[[Index; 3]]> {
-    if count == 0 {
-        None
-    } else {
-        Some(first(list, count))
-    }
-}
-
-impl<'a> Lists<'a> {
-    const fn mesh(self, counts: Counts) -> Result<Mesh<'a>, Error> {
-        let mut mesh = Mesh::of(self.positions, first(self.faces, counts.faces));
-        if let Ok(plain) = mesh {
-            mesh = plain.with_edges(first(self.edges, counts.edges));
-        }
-        if let (Ok(plain), true) = (mesh, counts.uvs > 0) {
-            let values = first(self.uvs, counts.uvs);
-            mesh = plain.with_uvs(values, own(self.uv_faces, counts.uv_faces));
-        }
-        if let (Ok(plain), true) = (mesh, counts.normals > 0) {
-            let values = first(self.normals, counts.normals);
-            mesh = plain.with_normals(values, own(self.normal_faces, counts.normal_faces));
-        }
-        if let (Ok(plain), true) = (mesh, counts.colors > 0) {
-            mesh = plain.with_colors(first(self.colors, counts.colors), None);
-        }
-        mesh
-    }
-}
-
-/// The lists of a mesh in arrays of exactly the right lengths, for a `static` in [`include_obj!`](crate::include_obj)
-/// and [`shape!`](crate::shape).
+/// The lists that a mesh has besides positions and faces. It lacks those that are empty.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
-pub struct Arrays<
-    const P: usize,
-    const F: usize,
-    const E: usize,
-    const U: usize,
-    const UF: usize,
-    const N: usize,
-    const NF: usize,
-    const C: usize,
-> {
-    positions: [Vec3; P],
-    faces: [[Index; 3]; F],
-    edges: [[Index; 2]; E],
-    uvs: [Vec2; U],
-    uv_faces: [[Index; 3]; UF],
-    normals: [Vec3; N],
-    normal_faces: [[Index; 3]; NF],
-    colors: [Rgb888; C],
+pub struct Attributes<'a> {
+    pub edges: &'a [[Index; 2]],
+    pub uvs: &'a [Vec2],
+    pub uv_faces: &'a [[Index; 3]],
+    pub normals: &'a [Vec3],
+    pub normal_faces: &'a [[Index; 3]],
+    pub colors: &'a [Rgb888],
 }
 
-impl<
-    const P: usize,
-    const F: usize,
-    const E: usize,
-    const U: usize,
-    const UF: usize,
-    const N: usize,
-    const NF: usize,
-    const C: usize,
-> Arrays<P, F, E, U, UF, N, NF, C>
-{
-    pub const ZERO: Self = Self {
-        positions: [Vec3::ZERO; P],
-        faces: [[0; 3]; F],
-        edges: [[0; 2]; E],
-        uvs: [Vec2::from_bits([0; 2]); U],
-        uv_faces: [[0; 3]; UF],
-        normals: [Vec3::ZERO; N],
-        normal_faces: [[0; 3]; NF],
-        colors: [Rgb888::new(0, 0, 0); C],
-    };
-
-    /// All lists, to be filled.
-    #[must_use]
-    pub const fn buffers(&mut self) -> Buffers<'_> {
-        Buffers {
-            positions: &mut self.positions,
-            faces: &mut self.faces,
-            edges: &mut self.edges,
-            uvs: &mut self.uvs,
-            uv_faces: &mut self.uv_faces,
-            normals: &mut self.normals,
-            normal_faces: &mut self.normal_faces,
-            colors: &mut self.colors,
-        }
-    }
-
-    /// The first elements of each list, as many as the result's lengths say.
+impl<'a> Attributes<'a> {
+    /// The mesh with these attributes.
     ///
-    /// # Panics
+    /// # Errors
     ///
-    /// If a list of the result is longer than here.
-    #[must_use]
-    pub const fn trim<
-        const P2: usize,
-        const F2: usize,
-        const E2: usize,
-        const U2: usize,
-        const UF2: usize,
-        const N2: usize,
-        const NF2: usize,
-        const C2: usize,
-    >(
-        &self,
-    ) -> Arrays<P2, F2, E2, U2, UF2, N2, NF2, C2> {
-        const fn chunk<T: Copy, const N: usize>(list: &[T]) -> [T; N] {
-            *list
-                .first_chunk()
-                .expect("a trimmed list is longer than the original")
+    /// That of `mesh`, and those of [`Mesh::with_edges`] and [`Mesh::with_uvs`].
+    pub const fn of(self, mesh: Result<Mesh<'a>, Error>) -> Result<Mesh<'a>, Error> {
+        /// The triangles of an attribute that has its own; `None` if it is indexed like the positions.
+        const fn own(list: &[[Index; 3]]) -> Option<&[[Index; 3]]> {
+            if list.is_empty() { None } else { Some(list) }
         }
-        Arrays {
-            positions: chunk(&self.positions),
-            faces: chunk(&self.faces),
-            edges: chunk(&self.edges),
-            uvs: chunk(&self.uvs),
-            uv_faces: chunk(&self.uv_faces),
-            normals: chunk(&self.normals),
-            normal_faces: chunk(&self.normal_faces),
-            colors: chunk(&self.colors),
+        let mut mesh = ok!(ok!(mesh).with_edges(self.edges));
+        if !self.uvs.is_empty() {
+            mesh = ok!(mesh.with_uvs(self.uvs, own(self.uv_faces)));
         }
-    }
-
-    /// The positions with 16-bit components, and their number of fraction bits.
-    #[must_use]
-    pub const fn shortened(&self) -> ([[i16; 3]; P], u32) {
-        match self.mesh().shortened() {
-            Ok(short) => short,
-            // The lengths are equal, so this never happens.
-            Err(_) => ([[0; 3]; P], 0),
+        if !self.normals.is_empty() {
+            mesh = ok!(mesh.with_normals(self.normals, own(self.normal_faces)));
         }
-    }
-
-    /// The mesh of all elements.
-    #[must_use]
-    pub const fn mesh(&self) -> Mesh<'_> {
-        self.mesh_of(Positions::long(&self.positions))
-    }
-
-    /// The mesh of all lists, with positions in units of 2^-`fraction` instead of its own.
-    ///
-    /// # Panics
-    ///
-    /// If there are fewer positions than the other lists need, or more than 16 fraction bits.
-    #[must_use]
-    pub const fn short_mesh<'a>(&'a self, positions: &'a [[i16; 3]], fraction: u32) -> Mesh<'a> {
-        match Positions::short(positions, fraction) {
-            Ok(positions) => self.mesh_of(positions),
-            Err(error) => Mesh::checked(Err(error)),
+        if !self.colors.is_empty() {
+            mesh = ok!(mesh.with_colors(self.colors, None));
         }
-    }
-
-    const fn mesh_of<'a>(&'a self, positions: Positions<'a>) -> Mesh<'a> {
-        let counts = Counts {
-            positions: positions.len(),
-            faces: F,
-            edges: E,
-            uvs: U,
-            uv_faces: UF,
-            normals: N,
-            normal_faces: NF,
-            colors: C,
-        };
-        let lists = Lists {
-            positions,
-            faces: &self.faces,
-            edges: &self.edges,
-            uvs: &self.uvs,
-            uv_faces: &self.uv_faces,
-            normals: &self.normals,
-            normal_faces: &self.normal_faces,
-            colors: &self.colors,
-        };
-        Mesh::checked(lists.mesh(counts))
+        Ok(mesh)
     }
 }

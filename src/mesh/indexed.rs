@@ -7,6 +7,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 use super::attribute::Attribute;
 use super::buffers::Counts;
 use super::positions::{self, Positions};
+use crate::error::ok;
 use crate::{Error, Vec2, Vec3};
 
 /// An index into a mesh's positions or attributes: a corner of a triangle or an end of an edge.
@@ -36,14 +37,14 @@ pub type Index = u16;
 /// assert_eq!(TRIANGLE.faces().len(), 1);
 /// assert!(Mesh::new(&[Vec3::ZERO], &[[0, 0, 1]]).is_err());
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Mesh<'a> {
     positions: Positions<'a>,
     faces: &'a [[Index; 3]],
     edges: &'a [[Index; 2]],
-    uvs: Attribute<'a, Vec2>,
-    normals: Attribute<'a, Vec3>,
-    colors: Attribute<'a, Rgb888>,
+    pub(super) uvs: Attribute<'a, Vec2>,
+    pub(super) normals: Attribute<'a, Vec3>,
+    pub(super) colors: Attribute<'a, Rgb888>,
 }
 
 /// The primitive being drawn: its index in the mesh's list of faces, and its vertices.
@@ -149,10 +150,8 @@ impl<'a> Mesh<'a> {
         fraction: u32,
         faces: &'a [[Index; 3]],
     ) -> Result<Self, Error> {
-        match Positions::short(positions, fraction) {
-            Ok(positions) => Self::of(positions, faces),
-            Err(error) => Err(error),
-        }
+        let positions = ok!(Positions::short(positions, fraction));
+        Self::of(positions, faces)
     }
 
     /// The mesh's positions rounded to the nearest 16-bit components, and their number of fraction bits, for
@@ -201,9 +200,7 @@ impl<'a> Mesh<'a> {
                 max: Self::MAX_POSITIONS,
             });
         }
-        if let Err(error) = check(faces, positions.len(), None) {
-            return Err(error);
-        }
+        ok!(check(faces, positions.len(), None));
         Ok(Self {
             positions,
             faces,
@@ -240,10 +237,8 @@ impl<'a> Mesh<'a> {
     ///
     /// [`Error::Index`] if an edge names a position that does not exist.
     pub const fn with_edges(self, edges: &'a [[Index; 2]]) -> Result<Self, Error> {
-        match check(edges, self.positions.len(), None) {
-            Ok(()) => Ok(Self { edges, ..self }),
-            Err(error) => Err(error),
-        }
+        ok!(check(edges, self.positions.len(), None));
+        Ok(Self { edges, ..self })
     }
 
     /// Adds texture coordinates: one per position, or, with `faces`, any number and three indices per triangle.
@@ -257,10 +252,8 @@ impl<'a> Mesh<'a> {
         values: &'a [Vec2],
         faces: Option<&'a [[Index; 3]]>,
     ) -> Result<Self, Error> {
-        match self.attribute(values, faces) {
-            Ok(uvs) => Ok(Self { uvs, ..self }),
-            Err(error) => Err(error),
-        }
+        let uvs = ok!(self.attribute(values, faces));
+        Ok(Self { uvs, ..self })
     }
 
     /// Adds normals in model space, of any length: one per position, or, with `faces`, any number and three indices
@@ -274,10 +267,8 @@ impl<'a> Mesh<'a> {
         values: &'a [Vec3],
         faces: Option<&'a [[Index; 3]]>,
     ) -> Result<Self, Error> {
-        match self.attribute(values, faces) {
-            Ok(normals) => Ok(Self { normals, ..self }),
-            Err(error) => Err(error),
-        }
+        let normals = ok!(self.attribute(values, faces));
+        Ok(Self { normals, ..self })
     }
 
     /// Adds colors: one per position, or, with `faces`, any number and three indices per triangle.
@@ -290,10 +281,8 @@ impl<'a> Mesh<'a> {
         values: &'a [Rgb888],
         faces: Option<&'a [[Index; 3]]>,
     ) -> Result<Self, Error> {
-        match self.attribute(values, faces) {
-            Ok(colors) => Ok(Self { colors, ..self }),
-            Err(error) => Err(error),
-        }
+        let colors = ok!(self.attribute(values, faces));
+        Ok(Self { colors, ..self })
     }
 
     const fn attribute<T>(
@@ -309,9 +298,7 @@ impl<'a> Mesh<'a> {
             return Err(Error::Length { given, needed });
         }
         if let Some(faces) = faces {
-            if let Err(error) = check(faces, values.len(), Some(Self::NO_VALUE)) {
-                return Err(error);
-            }
+            ok!(check(faces, values.len(), Some(Self::NO_VALUE)));
         }
         Ok(Attribute { values, faces })
     }
@@ -406,21 +393,6 @@ impl<'a> Mesh<'a> {
     #[must_use]
     pub const fn has_colors(&self) -> bool {
         !self.colors.values.is_empty()
-    }
-
-    #[inline]
-    pub(super) fn uv(&self, element: Element, corner: usize) -> Option<Vec2> {
-        self.uvs.at(element, corner)
-    }
-
-    #[inline]
-    pub(super) fn normal(&self, element: Element, corner: usize) -> Option<Vec3> {
-        self.normals.at(element, corner)
-    }
-
-    #[inline]
-    pub(super) fn color(&self, element: Element, corner: usize) -> Option<Rgb888> {
-        self.colors.at(element, corner)
     }
 
     /// The position at `index`; the origin for an index that no checked list holds.

@@ -10,14 +10,14 @@
 
 mod attribute;
 mod buffers;
+#[doc(hidden)]
+pub mod flash;
 mod indexed;
 pub mod obj;
 mod positions;
 mod primitive;
 mod shapes;
 
-#[doc(hidden)]
-pub use buffers::Arrays;
 pub use buffers::{Buffers, Counts};
 pub(crate) use indexed::Element;
 pub use indexed::{Index, Mesh};

@@ -126,6 +126,8 @@ impl<'a> Positions<'a> {
     }
 }
 
+impl Eq for Positions<'_> {}
+
 impl PartialEq for Positions<'_> {
     /// Whether both are the same points in the same order.
     fn eq(&self, other: &Self) -> bool {

@@ -39,6 +39,7 @@ pub(crate) struct Placement<'a> {
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct Missing {
     /// Texture coordinates; (0, 0) was used instead.
@@ -269,7 +270,8 @@ impl Corner<'_> {
     pub fn uv(&self) -> Vec2 {
         self.primitive
             .mesh
-            .uv(self.primitive.element, self.corner)
+            .uvs
+            .at(self.primitive.element, self.corner)
             .unwrap_or_else(|| self.primitive.placement.lacks_uvs())
     }
 
@@ -280,7 +282,8 @@ impl Corner<'_> {
         match self
             .primitive
             .mesh
-            .normal(self.primitive.element, self.corner)
+            .normals
+            .at(self.primitive.element, self.corner)
         {
             Some(normal) => normal,
             None => self.primitive.normal(),
@@ -293,7 +296,8 @@ impl Corner<'_> {
     pub fn color(&self) -> Rgb888 {
         self.primitive
             .mesh
-            .color(self.primitive.element, self.corner)
+            .colors
+            .at(self.primitive.element, self.corner)
             .unwrap_or_else(|| self.primitive.placement.lacks_colors())
     }
 

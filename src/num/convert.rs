@@ -2,7 +2,7 @@
 
 use super::{Scalar, TexCoord};
 use crate::Error;
-use crate::error::RefusedFloat;
+use crate::error::{RefusedFloat, ok};
 
 /// Converts a float to the nearest [`Scalar`], halves away from zero.
 ///
@@ -16,10 +16,8 @@ use crate::error::RefusedFloat;
 /// assert!(scalar(40_000.0).is_err());
 /// ```
 pub const fn scalar(value: f64) -> Result<Scalar, Error> {
-    match nearest(value, Scalar::FRAC_NBITS) {
-        Ok(bits) => Ok(Scalar::from_bits(bits)),
-        Err(error) => Err(error),
-    }
+    let bits = ok!(nearest(value, Scalar::FRAC_NBITS));
+    Ok(Scalar::from_bits(bits))
 }
 
 /// Converts a float to the nearest [`TexCoord`], halves away from zero.
@@ -35,10 +33,8 @@ pub const fn scalar(value: f64) -> Result<Scalar, Error> {
 /// assert_eq!(error.to_string(), "3000 cannot be represented: it must lie between -2048 and 2047.99999");
 /// ```
 pub const fn tex_coord(value: f64) -> Result<TexCoord, Error> {
-    match nearest(value, TexCoord::FRAC_NBITS) {
-        Ok(bits) => Ok(TexCoord::from_bits(bits)),
-        Err(error) => Err(error),
-    }
+    let bits = ok!(nearest(value, TexCoord::FRAC_NBITS));
+    Ok(TexCoord::from_bits(bits))
 }
 
 /// Returns the bits of the nearest number with `fraction` fraction bits, below 31.

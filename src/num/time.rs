@@ -16,6 +16,7 @@ use crate::Angle;
 /// assert_eq!(Rate::hertz(1).angle_at(250).sin(), fixel::Unit::ONE);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Rate {
     /// In thousandths of a turn per minute.
     milli_rpm: i64,
@@ -140,6 +141,7 @@ const fn angle(phase: u32) -> Angle {
 /// assert_eq!(spin.angle(), rate.angle_at(333));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Spin {
     rate: Rate,
     /// The fraction of a turn, in units of 1/[`TURN`].

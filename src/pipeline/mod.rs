@@ -19,7 +19,7 @@ use crate::Vec3;
 use crate::mesh::{Mesh, Missing, Positions};
 use crate::num::Subpixel;
 use crate::raster::{DepthShift, ScreenVertex};
-use crate::shade::Shader;
+use crate::shade::{Shader, ShaderFor};
 use crate::span::{Blit, Mode};
 use crate::target::{Canvas, DepthBuffer, DepthTest, Storage};
 use crate::view::{ModelToPicture, ProjectionKind};
@@ -39,7 +39,8 @@ use crate::view::{ModelToPicture, ProjectionKind};
 /// assert_eq!((drawn.submitted, drawn.drawn, drawn.clipped), (2, 1, 0));
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Drawn {
     /// The number of triangles, edges or points in the mesh.
     pub submitted: u32,
@@ -65,7 +66,7 @@ pub struct Drawn {
 /// assert_eq!(at.depth, 65535 / 4);
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ScreenPoint {
     /// Columns from the frame's left edge, rounded to the nearest 1/256. A pixel's center is half a column from its
     /// edges.
@@ -82,7 +83,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     ///
     /// `mvp` is a [`Projection`](crate::Projection) times a camera and a model transform (an [`Mvp`](crate::Mvp)), or
     /// a projection alone. Drawing cannot fail: parts outside the view are clipped away.
-    pub fn draw<V: ModelToPicture, S: Shader<Color = C>>(
+    pub fn draw<V: ModelToPicture, S: ShaderFor<C>>(
         &mut self,
         mesh: &Mesh<'_>,
         mvp: &V,
@@ -92,7 +93,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     }
 
     /// Draws a mesh's triangles like [`draw`](Self::draw), with options.
-    pub fn draw_with<M: Mode, Z: DepthTest, V: ModelToPicture, S: Shader<Color = C>>(
+    pub fn draw_with<M: Mode, Z: DepthTest, V: ModelToPicture, S: ShaderFor<C>>(
         &mut self,
         options: &DrawOptions<M, Z>,
         mesh: &Mesh<'_>,
@@ -106,7 +107,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
 
     /// Draws triangles that were [prepared](TriangleList::prepare) for this frame, as far as they lie in this
     /// canvas's rows. The pixels are those of [`draw_with`](Self::draw_with), but nothing is transformed again.
-    pub fn draw_prepared<M: Mode, Z: DepthTest, K: ProjectionKind, S: Shader<Color = C>>(
+    pub fn draw_prepared<M: Mode, Z: DepthTest, K: ProjectionKind, S: ShaderFor<C>>(
         &mut self,
         prepared: &Prepared<'_, K, M, Z>,
         shader: &S,
@@ -122,7 +123,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     ///
     /// A line gets one pixel for each pixel center that it passes along its longer axis. Its right end (lower end, if
     /// it is steep) does not belong to it, so lines that continue each other draw no pixel twice.
-    pub fn draw_edges<M: Mode, Z: DepthTest, V: ModelToPicture, S: Shader<Color = C>>(
+    pub fn draw_edges<M: Mode, Z: DepthTest, V: ModelToPicture, S: ShaderFor<C>>(
         &mut self,
         options: &DrawOptions<M, Z>,
         mesh: &Mesh<'_>,
@@ -135,7 +136,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
     }
 
     /// Draws a mesh's positions as points: the pixel that contains each.
-    pub fn draw_points<M: Mode, Z: DepthTest, V: ModelToPicture, S: Shader<Color = C>>(
+    pub fn draw_points<M: Mode, Z: DepthTest, V: ModelToPicture, S: ShaderFor<C>>(
         &mut self,
         options: &DrawOptions<M, Z>,
         mesh: &Mesh<'_>,

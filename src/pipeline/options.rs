@@ -15,10 +15,12 @@ use crate::view::Viewport;
 ///
 /// ```
 /// use fixel::prelude::*;
-/// let left: DrawOptions = DrawOptions::new().viewport(Viewport::new(0, 0, 160, 240)?);
+/// let left: DrawOptions = DrawOptions::new().with_viewport(Viewport::new(0, 0, 160, 240)?);
+/// assert_eq!(left.viewport(), Some(Viewport::new(0, 0, 160, 240)?));
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DrawOptions<M = Newton, Z = TestAndWrite> {
     pub(super) cull: Cull,
     pub(super) viewport: Option<Viewport>,
@@ -48,13 +50,13 @@ impl DrawOptions {
 impl<M: Copy, Z: Copy> DrawOptions<M, Z> {
     /// Sets which faces are culled.
     #[must_use]
-    pub const fn cull(self, cull: Cull) -> Self {
+    pub const fn with_cull(self, cull: Cull) -> Self {
         Self { cull, ..self }
     }
 
     /// Projects to this part of the frame, and draws only there.
     #[must_use]
-    pub const fn viewport(self, viewport: Viewport) -> Self {
+    pub const fn with_viewport(self, viewport: Viewport) -> Self {
         Self {
             viewport: Some(viewport),
             ..self
@@ -63,7 +65,7 @@ impl<M: Copy, Z: Copy> DrawOptions<M, Z> {
 
     /// Sets the interpolation mode.
     #[must_use]
-    pub const fn mode<N: Mode>(self, mode: N) -> DrawOptions<N, Z> {
+    pub const fn with_mode<N: Mode>(self, mode: N) -> DrawOptions<N, Z> {
         DrawOptions {
             cull: self.cull,
             viewport: self.viewport,
@@ -74,13 +76,37 @@ impl<M: Copy, Z: Copy> DrawOptions<M, Z> {
 
     /// Sets how depths are tested and stored. On a canvas without a depth buffer, this has no effect.
     #[must_use]
-    pub const fn depth<Y: DepthTest>(self, depth: Y) -> DrawOptions<M, Y> {
+    pub const fn with_depth<Y: DepthTest>(self, depth: Y) -> DrawOptions<M, Y> {
         DrawOptions {
             cull: self.cull,
             viewport: self.viewport,
             mode: self.mode,
             depth,
         }
+    }
+
+    /// Returns which faces are culled.
+    #[must_use]
+    pub const fn cull(&self) -> Cull {
+        self.cull
+    }
+
+    /// Returns the part of the frame that is drawn to; `None` for the whole frame.
+    #[must_use]
+    pub const fn viewport(&self) -> Option<Viewport> {
+        self.viewport
+    }
+
+    /// Returns how attributes are interpolated.
+    #[must_use]
+    pub const fn mode(&self) -> M {
+        self.mode
+    }
+
+    /// Returns how depths are tested and stored.
+    #[must_use]
+    pub const fn depth(&self) -> Z {
+        self.depth
     }
 
     /// The viewport in a frame of this size.

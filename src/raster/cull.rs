@@ -6,9 +6,10 @@
 ///
 /// ```
 /// use fixel::prelude::*;
-/// let both_sides: DrawOptions = DrawOptions::new().cull(Cull::Nothing);
+/// let both_sides: DrawOptions = DrawOptions::new().with_cull(Cull::Nothing);
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Cull {
     /// No triangles: both sides are drawn.
     Nothing,

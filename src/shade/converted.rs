@@ -36,7 +36,7 @@ use crate::mesh::Primitive;
 /// ]);
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Converted<S, C> {
     shader: S,
     color: PhantomData<C>,
@@ -89,7 +89,7 @@ where
 #[cfg(test)]
 mod tests {
     use super::super::FaceColors;
-    use super::super::trial::{IDENTITY, face, fragment, shade};
+    use super::super::fixture::{IDENTITY, face, fragment, shade};
     use super::*;
     use crate::{Mesh, Vec3};
     use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, RgbColor};

@@ -22,7 +22,7 @@ use crate::mesh::Primitive;
 /// display.assert_pattern(&["........", "..####..", "..####..", "........"]);
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Flat<C> {
     color: C,
 }
@@ -96,7 +96,7 @@ impl<C: PixelColor> Shader for Flat<C> {
 /// ]);
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct FaceColors<'a, C> {
     colors: &'a [C],
     /// The color of faces beyond the end of the list.
@@ -134,7 +134,7 @@ impl<C: PixelColor + Default> Shader for FaceColors<'_, C> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::trial::{IDENTITY, face, shade};
+    use super::super::fixture::{IDENTITY, face, shade};
     use super::*;
     use crate::{Mesh, Vec3};
     use embedded_graphics::pixelcolor::{Gray8, GrayColor};

@@ -32,7 +32,7 @@ use crate::mesh::Primitive;
 /// ]);
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Gouraud<C> {
     color: PhantomData<C>,
 }
@@ -73,7 +73,7 @@ impl<C: Levels> Shader for Gouraud<C> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::trial::{IDENTITY, count, face, shade};
+    use super::super::fixture::{IDENTITY, count, face, shade};
     use super::*;
     use crate::{Mesh, Vec3};
     use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888, RgbColor};

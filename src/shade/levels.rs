@@ -241,7 +241,7 @@ macro_rules! rgb {
 }
 
 macro_rules! gray {
-    ($($color:ident $white:literal |$level:ident, $at:pat_param| $from:expr;)+) => {$(
+    ($($color:ident $white:literal $step:ident |$level:ident, $at:pat_param| $from:expr;)+) => {$(
         impl Levels for $color {
             type Channels = [i32; 1];
 
@@ -254,44 +254,23 @@ macro_rules! gray {
 
             #[inline]
             fn steps(self) -> [i32; 3] {
-                [i32::from(self.luma()); 3]
+                [i32::from(self.$step()); 3]
             }
 
             #[inline]
             fn from_levels([$level, ..]: [i32; 3], $at: Point) -> Self {
-                Self::new($from)
+                $from
             }
         }
-
     )+};
 }
 
 rgb!(Rgb555 Bgr555 Rgb565 Bgr565 Rgb666 Bgr666 Rgb888 Bgr888);
 gray! {
-    Gray2 3 |level, at| dither(level, at);
-    Gray4 15 |level, at| dither(level, at);
-    Gray8 255 |level, _| round(level);
-}
-
-impl Levels for BinaryColor {
-    type Channels = [i32; 1];
-
-    const MAX_STEPS: [i32; 3] = [1; 3];
-
-    #[inline]
-    fn fractions(color: Rgb888) -> [i32; 3] {
-        luma(color)
-    }
-
-    #[inline]
-    fn steps(self) -> [i32; 3] {
-        [i32::from(self.is_on()); 3]
-    }
-
-    #[inline]
-    fn from_levels([level, ..]: [i32; 3], at: Point) -> Self {
-        Self::from(dither(level, at) & 1 != 0)
-    }
+    Gray2 3 luma |level, at| Self::new(dither(level, at));
+    Gray4 15 luma |level, at| Self::new(dither(level, at));
+    Gray8 255 luma |level, _| Self::new(round(level));
+    BinaryColor 1 is_on |level, at| Self::from(dither(level, at) & 1 != 0);
 }
 
 #[cfg(test)]

@@ -30,6 +30,7 @@ use crate::{Error, Scalar, Vec3};
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Light {
     /// The vector toward the light, as long as the diffuse brightness, in units of 2⁻³⁰.
     direction: [i32; 3],
@@ -86,6 +87,12 @@ impl Light {
         }
     }
 
+    /// Returns whether surfaces are also lit from behind.
+    #[must_use]
+    pub const fn is_two_sided(&self) -> bool {
+        self.two_sided
+    }
+
     /// The brightness of a surface with this normal in world space: 0 to 65,536, which is full brightness.
     ///
     /// If the normal is the zero direction, the brightness is the ambient light.
@@ -106,7 +113,7 @@ impl Light {
 
 #[cfg(test)]
 mod tests {
-    use super::super::trial::scale;
+    use super::super::fixture::scale;
     use super::*;
     use crate::math::NormalMatrix;
     use crate::{fx, vec3};

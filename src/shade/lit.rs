@@ -41,14 +41,8 @@ use crate::mesh::Primitive;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Lit<S> {
-    surface: S,
-    light: Light,
-}
-
-impl<S> Lit<S> {
-    pub(super) const fn new(surface: S, light: Light) -> Self {
-        Self { surface, light }
-    }
+    pub(super) surface: S,
+    pub(super) light: Light,
 }
 
 /// The interpolated brightness.
@@ -108,14 +102,8 @@ impl<S: Shader<Color: Levels>> Shader for Lit<S> {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct FaceLit<S> {
-    surface: S,
-    light: Light,
-}
-
-impl<S> FaceLit<S> {
-    pub(super) const fn new(surface: S, light: Light) -> Self {
-        Self { surface, light }
-    }
+    pub(super) surface: S,
+    pub(super) light: Light,
 }
 
 impl<S: Shader<Color: Levels>> Shader for FaceLit<S> {
@@ -143,7 +131,7 @@ impl<S: Shader<Color: Levels>> Shader for FaceLit<S> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::trial::{IDENTITY, count, face, scale, shade};
+    use super::super::fixture::{IDENTITY, count, face, scale, shade};
     use super::super::{Flat, Gouraud, Texels, Textured, Varyings};
     use super::*;
     use crate::texture::TextureArray;

@@ -28,14 +28,8 @@ use crate::mesh::Primitive;
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Map<S, F> {
-    shader: S,
-    effect: F,
-}
-
-impl<S, F> Map<S, F> {
-    pub(super) const fn new(shader: S, effect: F) -> Self {
-        Self { shader, effect }
-    }
+    pub(super) shader: S,
+    pub(super) effect: F,
 }
 
 impl<S, C, F> Shader for Map<S, F>

@@ -37,18 +37,18 @@ mod varyings;
 mod views;
 
 #[cfg(test)]
-mod trial;
+mod fixture;
 
 pub use converted::Converted;
 pub use flat::{FaceColors, Flat};
 pub use gouraud::Gouraud;
+pub use lanes::Lanes;
 pub(crate) use lanes::MOST as MOST_VARYINGS;
-pub use lanes::{Lanes, TooMany};
 pub use levels::{Channels, Levels};
 pub use light::Light;
 pub use lit::{FaceLit, Lit};
 pub use map::Map;
-pub use shader::{Fragment, Shader};
+pub use shader::{Fragment, Shader, ShaderFor};
 pub use textured::Textured;
 pub use tinted::Tinted;
 pub use varyings::{PerFace, Texels, Tolerance, Varyings, Within};

@@ -16,6 +16,7 @@ use crate::mesh::Primitive;
 /// assert_eq!(Flat::new(Gray8::new(7)).shade(&pixel, ()), Some(Gray8::new(7)));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Fragment {
     /// Column and row in the frame, (0, 0) at the top left.
     pub point: Point,
@@ -106,7 +107,10 @@ pub trait Shader: Copy {
     where
         Self::Color: Levels,
     {
-        Lit::new(self, light)
+        Lit {
+            surface: self,
+            light,
+        }
     }
 
     /// Puts this surface under a light, with one brightness for each triangle, computed from the triangle's own
@@ -117,7 +121,10 @@ pub trait Shader: Copy {
     where
         Self::Color: Levels,
     {
-        FaceLit::new(self, light)
+        FaceLit {
+            surface: self,
+            light,
+        }
     }
 
     /// Multiplies this surface by the mesh's vertex colors.
@@ -127,7 +134,7 @@ pub trait Shader: Copy {
     where
         Self::Color: Levels,
     {
-        Tinted::new(self)
+        Tinted { surface: self }
     }
 
     /// Applies a function to each pixel and its color: any effect in one line. `None` leaves the pixel as it is.
@@ -152,7 +159,10 @@ pub trait Shader: Copy {
         self,
         effect: F,
     ) -> Map<Self, F> {
-        Map::new(self, effect)
+        Map {
+            shader: self,
+            effect,
+        }
     }
 
     /// Converts this surface to another color: rounded, or dithered if that color is coarse.
@@ -162,3 +172,26 @@ pub trait Shader: Copy {
         Converted::new(self)
     }
 }
+
+/// A [`Shader`] that a canvas of color `C` accepts: its color is `C`. Draw calls of [`Canvas`](crate::Canvas) require it.
+///
+/// Every shader of that color implements this trait. For another color, the compiler's message says what to write:
+///
+/// ```compile_fail
+/// use embedded_graphics::pixelcolor::{Gray8, Rgb565};
+/// use fixel::prelude::*;
+/// fn draw(canvas: &mut Canvas<'_, Rgb565>, mesh: &Mesh, mvp: &Mvp) {
+///     // error: the color of `Flat<Gray8>` is not the canvas's color `Rgb565`; …
+///     canvas.draw(mesh, mvp, &Flat::new(Gray8::new(9)));
+/// }
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "the color of `{Self}` is not the canvas's color `{C}`",
+    label = "not a shader of color `{C}`",
+    note = "write `&shader.converted()` to convert the color of each pixel, or make the canvas of the shader's color"
+)]
+pub trait ShaderFor<C>: Shader<Color = C> {}
+
+// Without this, the message would only tell that the associated types differ.
+#[diagnostic::do_not_recommend]
+impl<C, S: Shader<Color = C>> ShaderFor<C> for S {}

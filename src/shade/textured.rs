@@ -36,7 +36,7 @@ use crate::texture::{
 /// display.assert_pattern(&["1122", "1122", "3344", "3344"]);
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Textured<S, A = Repeat, F = Nearest> {
     sampler: S,
     addressing: PhantomData<A>,
@@ -131,7 +131,7 @@ impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Shader for Textured<S, A, F
 
 #[cfg(test)]
 mod tests {
-    use super::super::trial::{IDENTITY, edge, face, shade};
+    use super::super::fixture::{IDENTITY, edge, face, shade};
     use super::*;
     use crate::texture::TextureArray;
     use crate::{Mesh, Vec3, vec2};

@@ -30,13 +30,7 @@ use crate::mesh::Primitive;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Tinted<S> {
-    surface: S,
-}
-
-impl<S> Tinted<S> {
-    pub(super) const fn new(surface: S) -> Self {
-        Self { surface }
-    }
+    pub(super) surface: S,
 }
 
 impl<S: Shader<Color: Levels>> Shader for Tinted<S> {
@@ -67,7 +61,7 @@ impl<S: Shader<Color: Levels>> Shader for Tinted<S> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::trial::{IDENTITY, count, face, shade};
+    use super::super::fixture::{IDENTITY, count, face, shade};
     use super::super::{Converted, Textured};
     use super::*;
     use crate::texture::TextureArray;

@@ -1,7 +1,7 @@
 //! The values that a shader interpolates, with types that say how exact each must be and which belong to a whole
 //! face.
 
-use super::lanes::Lanes;
+use super::lanes::{Lanes, MOST};
 
 /// How large a varying's error may be if that saves the division by w.
 ///
@@ -14,6 +14,7 @@ use super::lanes::Lanes;
 /// assert_eq!(<[i32; 1]>::tolerances(), [Tolerance::Units(0)]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Tolerance {
     /// A texture coordinate, in texels times 2^16; the [mode](crate::mode) decides.
     Texels,
@@ -33,6 +34,15 @@ pub enum Tolerance {
 /// | `()` | nothing |
 ///
 /// A shader interpolates at most eight numbers; a shader with more does not compile.
+///
+/// ```compile_fail
+/// use fixel::shade::{Texels, Varyings};
+/// let _ = <(Texels, ([i32; 4], [i32; 3]))>::tolerances(); // nine
+/// ```
+/// ```
+/// # use fixel::shade::{Texels, Varyings};
+/// let _ = <(Texels, ([i32; 3], [i32; 3]))>::tolerances();
+/// ```
 ///
 /// A single exact number makes all numbers of a shader exact, even in triangles that a texture alone would draw
 /// linearly. So prefer [`Within`] if a small error cannot be seen.
@@ -120,6 +130,7 @@ impl Varyings for () {
 /// assert_eq!((column >> 16, row >> 16), (3, 0));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Texels(pub [i32; 2]);
 
 impl Varyings for Texels {
@@ -152,6 +163,7 @@ impl Varyings for Texels {
 /// let white: Color = Within([31 << 16, 63 << 16, 31 << 16]);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Within<const UNITS: u32, V>(pub V);
 
 impl<const UNITS: u32, V: Varyings> Varyings for Within<UNITS, V> {
@@ -182,6 +194,7 @@ impl<const UNITS: u32, V: Varyings> Varyings for Within<UNITS, V> {
 /// assert_eq!(PerFace('a').split(), ([], 'a'));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PerFace<T>(pub T);
 
 impl<T: Copy + Default> Varyings for PerFace<T> {
@@ -212,6 +225,12 @@ impl<A: Varyings, B: Varyings> Varyings for (A, B) {
 
     #[inline]
     fn tolerances() -> <Both<A, B> as Lanes>::Of<Tolerance> {
+        const {
+            assert!(
+                A::Lanes::COUNT + B::Lanes::COUNT <= MOST,
+                "a shader interpolates at most eight numbers"
+            );
+        }
         A::Lanes::join::<B::Lanes, _>(A::tolerances(), B::tolerances())
     }
 

@@ -33,7 +33,7 @@ use crate::mesh::Primitive;
 /// ]);
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct DepthView<C> {
     far: u16,
     range: u16,
@@ -117,7 +117,7 @@ impl<C: Levels> Shader for DepthView<C> {
 /// assert!(canvas.pixels().all(|pixel| pixel == Rgb888::new(128, 255, 128)));
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct NormalView<C> {
     color: PhantomData<C>,
 }
@@ -127,12 +127,6 @@ impl<C> NormalView<C> {
     #[must_use]
     pub const fn new() -> Self {
         Self { color: PhantomData }
-    }
-}
-
-impl<C> Default for NormalView<C> {
-    fn default() -> Self {
-        Self::new()
     }
 }
 
@@ -166,7 +160,7 @@ impl<C: Levels> Shader for NormalView<C> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::trial::{IDENTITY, face, scale, shade};
+    use super::super::fixture::{IDENTITY, face, scale, shade};
     use super::*;
     use crate::{Mesh, Vec3, vec3};
     use embedded_graphics::geometry::Point;

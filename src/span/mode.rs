@@ -12,8 +12,8 @@ use crate::shade::{Lanes, Tolerance};
 
 /// How attributes are interpolated between a triangle's corners, which trades accuracy for speed.
 ///
-/// [`DrawOptions::mode`](crate::DrawOptions::mode) chooses the mode of a draw call. A program links only the modes
-/// that it names.
+/// [`DrawOptions::with_mode`](crate::DrawOptions::with_mode) chooses the mode of a draw call. A program links only the
+/// modes that it names.
 ///
 /// | mode | error in texels (256x256 texture, 320x240 frame) | work per pixel | for |
 /// |---|---|---|---|
@@ -33,7 +33,7 @@ use crate::shade::{Lanes, Tolerance};
 ///
 /// /// Options for any mode.
 /// fn options<M: Mode>(mode: M) -> DrawOptions<M> {
-///     DrawOptions::new().mode(mode)
+///     DrawOptions::new().with_mode(mode)
 /// }
 /// let exact = options(Exact);
 /// ```
@@ -130,9 +130,10 @@ fn room(q: u32, step: i32, count: usize) -> Option<u32> {
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Exact};
-/// let options = DrawOptions::new().mode(Exact);
+/// let options = DrawOptions::new().with_mode(Exact);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Exact;
 
 impl Policy for Exact {
@@ -163,9 +164,10 @@ impl Policy for Exact {
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Affine};
-/// let hud = DrawOptions::new().mode(Affine);
+/// let hud = DrawOptions::new().with_mode(Affine);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Affine;
 
 impl Policy for Affine {
@@ -213,6 +215,7 @@ impl Policy for Affine {
 /// let default: DrawOptions<Newton> = DrawOptions::new();
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Newton;
 
 /// The error that a texture coordinate may have where nothing is divided: 1/4096 texel.
@@ -316,9 +319,10 @@ impl Policy for Newton {
 /// ```
 /// use fixel::mode::Fast;
 /// use fixel::{DrawOptions, fx};
-/// let options = DrawOptions::new().mode(Fast::within(fx!(0.25)));
+/// let options = DrawOptions::new().with_mode(Fast::within(fx!(0.25)));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Fast {
     /// In units of 2^-16.
     tolerance: u32,

@@ -39,6 +39,7 @@ pub trait DepthBuffer: Buffer {}
 /// # Ok::<(), fixel::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct NoDepth;
 
 /// The caller's depth buffer, 16 bits per pixel. 65535 is the near plane, 0 is infinitely far.

@@ -10,11 +10,11 @@ mod sealed {
 /// How a draw call uses the canvas's depth buffer.
 ///
 /// It is [`TestAndWrite`], [`TestOnly`], [`WriteOnly`], [`NoTest`], or [`Biased`] around one of these.
-/// [`DrawOptions::depth`](crate::DrawOptions::depth) chooses it.
+/// [`DrawOptions::with_depth`](crate::DrawOptions::with_depth) chooses it.
 ///
 /// ```
 /// use fixel::{prelude::*, target::TestOnly};
-/// let glass = DrawOptions::new().depth(TestOnly);
+/// let glass = DrawOptions::new().with_depth(TestOnly);
 /// ```
 pub trait DepthTest: Copy + sealed::Sealed {
     /// Whether a pixel behind the stored depth is skipped.
@@ -48,6 +48,7 @@ macro_rules! depth_tests {
     ($($(#[$doc:meta])+ $name:ident $tests:literal $writes:literal;)+) => {$(
         $(#[$doc])+
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         pub struct $name;
 
         impl sealed::Sealed for $name {}
@@ -64,7 +65,7 @@ depth_tests! {
         ///
         /// ```
         /// use fixel::{prelude::*, target::TestAndWrite};
-        /// assert_eq!(DrawOptions::new(), DrawOptions::new().depth(TestAndWrite));
+        /// assert_eq!(DrawOptions::new(), DrawOptions::new().with_depth(TestAndWrite));
         /// ```
         TestAndWrite true true;
         /// Draws a pixel if it is at least as near as the stored depth, and keeps the stored depth: for glass and
@@ -72,21 +73,21 @@ depth_tests! {
         ///
         /// ```
         /// use fixel::{prelude::*, target::TestOnly};
-        /// let glass = DrawOptions::new().depth(TestOnly);
+        /// let glass = DrawOptions::new().with_depth(TestOnly);
         /// ```
         TestOnly true false;
         /// Draws every pixel and stores its depth.
         ///
         /// ```
         /// use fixel::{prelude::*, target::WriteOnly};
-        /// let first_in_the_frame = DrawOptions::new().depth(WriteOnly);
+        /// let first_in_the_frame = DrawOptions::new().with_depth(WriteOnly);
         /// ```
         WriteOnly false true;
         /// Draws every pixel and keeps the stored depths: for a sky, or a display over the scene.
         ///
         /// ```
         /// use fixel::{prelude::*, target::NoTest};
-        /// let sky = DrawOptions::new().cull(Cull::Nothing).depth(NoTest);
+        /// let sky = DrawOptions::new().with_cull(Cull::Nothing).with_depth(NoTest);
         /// ```
         NoTest false false;
 }
@@ -105,12 +106,13 @@ depth_tests! {
 /// let (mut color, mut depth) = ([BinaryColor::Off; 24 * 24], [0; 24 * 24]);
 /// let mut canvas = Canvas::new(&mut color, 24, 24)?.with_depth(&mut depth)?;
 /// canvas.clear(BinaryColor::Off);
-/// let behind = DrawOptions::new().depth(Biased::behind(TestAndWrite));
+/// let behind = DrawOptions::new().with_depth(Biased::behind(TestAndWrite));
 /// canvas.draw_with(&behind, &BOX, &mvp, &Flat::new(BinaryColor::Off));
 /// canvas.draw_edges(&DrawOptions::new(), &BOX, &mvp, &Flat::new(BinaryColor::On));
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Biased<Z = super::TestAndWrite> {
     test: Z,
     steps: i32,

@@ -46,7 +46,8 @@ mod sealed {
 /// let texels = [-1, 0, 1, 2, 3].map(|column| skin.shade(&pixel, Texels([column << 16, 0])));
 /// assert_eq!(texels, [20, 10, 20, 10, 20].map(|luma| Some(Gray8::new(luma))));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Repeat;
 
 /// Beyond its edge, a texture continues with the texels of the edge.
@@ -60,7 +61,8 @@ pub struct Repeat;
 /// let texels = [-1, 0, 1, 2, 3].map(|column| skin.shade(&pixel, Texels([column << 16, 0])));
 /// assert_eq!(texels, [10, 10, 20, 20, 20].map(|luma| Some(Gray8::new(luma))));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Clamp;
 
 /// The fraction bits that a texture coordinate has more than texels.

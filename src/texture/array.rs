@@ -7,7 +7,7 @@ use embedded_graphics::pixelcolor::{
     Rgb666, Rgb888,
 };
 
-use super::sampler::{Grid, log2, wrapped};
+use super::sampler::{Grid, log2, sampler_of_rows, wrapped};
 use super::{Sampler, Texture};
 use crate::Error;
 use crate::message;
@@ -61,7 +61,7 @@ use crate::message;
 /// # use fixel::prelude::*;
 /// static SKIN: TextureArray<Rgb565, 3, 1> = TextureArray::rgb565(&[0; 6]);
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct TextureArray<C, const W: usize, const H: usize> {
     texels: [[C; W]; H],
 }
@@ -131,24 +131,7 @@ where
     }
 }
 
-impl<C: PixelColor, const W: usize, const H: usize> Sampler for &TextureArray<C, W, H> {
-    type Color = C;
-
-    #[inline]
-    fn width_log2(&self) -> u32 {
-        const { log2("width", W) }
-    }
-
-    #[inline]
-    fn height_log2(&self) -> u32 {
-        const { log2("height", H) }
-    }
-
-    #[inline]
-    fn texel(&self, u: i32, v: i32) -> C {
-        wrapped(&self.texels, u, v)
-    }
-}
+sampler_of_rows!(TextureArray<C, W, H>, |array, u, v| wrapped(&array.texels, u, v));
 
 /// The number in the two or three bytes at `at`. It makes no calls, because the compiler counts them as steps.
 const fn word(bytes: &[u8], at: usize, size: usize, big_endian: bool) -> u32 {

@@ -1,7 +1,8 @@
 //! BMP files: Microsoft's `BITMAPFILEHEADER`, then a `BITMAPINFOHEADER` or its versions 4 and 5.
 
-use super::image::{Entry, Image, Pixel, Table, at_least, u16_at, u32_at};
+use super::image::{Entry, Image, Pixel, Table, at_least, refused, u16_at, u32_at};
 use crate::Error;
+use crate::error::ok;
 
 /// Length of the file header: signature, file size, and offset of the pixels.
 const FILE_HEADER: usize = 14;
@@ -10,23 +11,9 @@ const FILE_HEADER: usize = 14;
 const RGB: u32 = 0;
 const BIT_FIELDS: u32 = 3;
 
-/// An error about a field of the header.
-const fn refused<T>(of: &'static str, given: u32, needed: &'static str) -> Result<T, Error> {
-    Err(Error::Image { of, given, needed })
-}
-
-macro_rules! check {
-    ($result:expr) => {
-        match $result {
-            Ok(value) => value,
-            Err(error) => return Err(error),
-        }
-    };
-}
-
 /// The picture in the bytes of a file.
 pub(super) const fn read(bytes: &[u8]) -> Result<Image<'_>, Error> {
-    check!(at_least(bytes, FILE_HEADER as u64 + 40));
+    ok!(at_least(bytes, FILE_HEADER as u64 + 40));
     if u16_at(bytes, 0) != 0x4d42 {
         return refused(
             "signature of the BMP file",
@@ -53,13 +40,13 @@ pub(super) const fn read(bytes: &[u8]) -> Result<Image<'_>, Error> {
         let needed = "0 or 3: the file must not be compressed";
         return refused("compression", compression, needed);
     }
-    let pixel = check!(pixel(bytes, header as usize, bits, compression));
+    let pixel = ok!(pixel(bytes, header as usize, bits, compression));
 
     let start = u32_at(bytes, 10) as u64;
     // Rows are padded to 4 bytes.
     let row = (width as u64 * bits as u64).div_ceil(32) * 4;
     let needed = start.saturating_add(row.saturating_mul(height as u64));
-    check!(at_least(bytes, needed));
+    ok!(at_least(bytes, needed));
     // Every offset below lies in the file.
     let (start, row) = (start as usize, row as usize);
     let (first, down) = if top_down {
@@ -94,7 +81,7 @@ const fn pixel(bytes: &[u8], header: usize, bits: u32, compression: u32) -> Resu
                 return refused("number of colors", count as u32, needed);
             }
             let at = FILE_HEADER + header;
-            check!(at_least(bytes, (at + 4 * count) as u64));
+            ok!(at_least(bytes, (at + 4 * count) as u64));
             Ok(Pixel::Index(
                 bits,
                 Table {
@@ -109,7 +96,7 @@ const fn pixel(bytes: &[u8], header: usize, bits: u32, compression: u32) -> Resu
         16 if !masked => Ok(Pixel::Rgb555),
         24 | 32 if !masked => Ok(Pixel::Bytes([2, 1, 0])),
         16 | 32 => {
-            check!(at_least(bytes, MASKS as u64 + 12));
+            ok!(at_least(bytes, MASKS as u64 + 12));
             let red = u32_at(bytes, MASKS);
             let green = u32_at(bytes, MASKS + 4);
             let blue = u32_at(bytes, MASKS + 8);

@@ -44,7 +44,8 @@ mod sealed {
 /// let texels = [0, 1, 2, 3, 4].map(|column| skin.shade(&pixel, Texels([column << 14, 0])));
 /// assert_eq!(texels, [10, 10, 10, 10, 20].map(|luma| Some(Gray8::new(luma))));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Nearest;
 
 /// Blends the four texels around a point, by the distances of their centers.
@@ -91,7 +92,8 @@ pub struct Nearest;
 /// | Rgb565 of a [`Palette`](super::PaletteArray) | 49 to 51 | 71 to 98 | | |
 /// | Rgb888 | 60 to 65 | 97 to 111 | 164 | 200 |
 /// | Gray8 | 32 to 33 | 41 to 47 | 76 | 88 |
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bilinear;
 
 impl<C: PixelColor> Filter<C> for Nearest {

@@ -35,7 +35,7 @@ use crate::Error;
 /// | TGA | 24 and 32 bits; 15 and 16 bits (5-5-5); 8 bits gray; 8 bits with a color table. Any corner comes first |
 ///
 /// An alpha channel is ignored.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Image<'a> {
     pub(super) bytes: &'a [u8],
     /// At least 1, like the height.
@@ -51,7 +51,7 @@ pub struct Image<'a> {
 }
 
 /// How a pixel is stored.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Pixel {
     /// Bytes, at these offsets for red, green and blue.
     Bytes([u8; 3]),
@@ -64,7 +64,7 @@ pub(super) enum Pixel {
 }
 
 /// The color table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Table {
     /// Offset of the first entry.
     pub(super) at: usize,
@@ -78,7 +78,7 @@ pub(super) struct Table {
 }
 
 /// How an entry of a color table is stored.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Entry {
     /// Blue, green, red.
     Bytes,
@@ -357,8 +357,17 @@ impl<'a> Image<'a> {
             // `right` may be negative.
             Pixel::Bytes(_) => 8 * self.right.unsigned_abs() as u32,
         };
-        Err(Error::Image { of, given, needed })
+        refused(of, given, needed)
     }
+}
+
+/// An error about a field of a file's header.
+pub(super) const fn refused<T>(
+    of: &'static str,
+    given: u32,
+    needed: &'static str,
+) -> Result<T, Error> {
+    Err(Error::Image { of, given, needed })
 }
 
 /// The number in two bytes, the low one first.

@@ -1,7 +1,7 @@
 //! Textures from files, converted at compile time.
 
 use super::image::{Image, Pixel, byte, index, write_indices};
-use super::sampler::{Grid, exponents};
+use super::sampler::{self, Grid, exponents};
 use super::{Palette, PaletteArray, Texture, TextureArray};
 use crate::Error;
 use crate::message;
@@ -60,13 +60,7 @@ const fn rows<F: File, T: Copy, const W: usize, const H: usize>(entries: &[T]) -
     if image.width as usize != W || image.height as usize != H {
         message::wrong_size(F::PATH, [image.width, image.height], [W, H]);
     }
-    let mut rows = [[entries[0]; W]; H];
-    let mut at = 0;
-    while at < W * H {
-        rows[at / W][at % W] = entries[at];
-        at += 1;
-    }
-    rows
+    sampler::rows(entries)
 }
 
 impl<F: File, C: Convert<F, N>, const N: usize> FromFile<F, N> for Texture<'static, C> {

@@ -5,6 +5,7 @@ use embedded_graphics::pixelcolor::PixelColor;
 use super::Sampler;
 use super::sampler::Grid;
 use crate::Error;
+use crate::error::ok;
 
 /// A texture with one byte per texel, an index into 256 colors; its size is known at run time.
 ///
@@ -22,7 +23,7 @@ use crate::Error;
 /// assert_eq!(TILES.indices()[..4], [0, 1, 2, 3]);
 /// assert_eq!((&TILES).texel(1, 0), Rgb565::new(31, 0, 0));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Palette<'a, C> {
     indices: Grid<'a, u8>,
     colors: &'a [C; 256],
@@ -52,10 +53,8 @@ impl<'a, C: Copy> Palette<'a, C> {
         width: u32,
         height: u32,
     ) -> Result<Self, Error> {
-        match Grid::new(indices, width, height) {
-            Ok(indices) => Ok(Self::of(indices, colors)),
-            Err(error) => Err(error),
-        }
+        let indices = ok!(Grid::new(indices, width, height));
+        Ok(Self::of(indices, colors))
     }
 
     pub(super) const fn of(indices: Grid<'a, u8>, colors: &'a [C; 256]) -> Self {
@@ -136,24 +135,5 @@ impl<C: PixelColor> Sampler for Palette<'_, C> {
     #[inline]
     fn texel(&self, u: i32, v: i32) -> C {
         self.colors[usize::from(self.indices.get(u, v).unwrap_or(0))]
-    }
-}
-
-impl<C: PixelColor> Sampler for &Palette<'_, C> {
-    type Color = C;
-
-    #[inline]
-    fn width_log2(&self) -> u32 {
-        self.indices.width_log2()
-    }
-
-    #[inline]
-    fn height_log2(&self) -> u32 {
-        self.indices.height_log2()
-    }
-
-    #[inline]
-    fn texel(&self, u: i32, v: i32) -> C {
-        (**self).texel(u, v)
     }
 }

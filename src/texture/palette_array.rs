@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::PixelColor;
 
-use super::sampler::{Grid, log2, wrapped};
+use super::sampler::{Grid, log2, rows, sampler_of_rows, wrapped};
 use super::{Palette, Sampler, palette_colors};
 use crate::message;
 
@@ -37,7 +37,7 @@ use crate::message;
 /// # use fixel::prelude::*;
 /// static TILES: PaletteArray<Rgb565, 2, 2> = PaletteArray::new(&[0, 1, 1], &[Rgb565::new(0, 0, 0)]);
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct PaletteArray<C, const W: usize, const H: usize> {
     indices: [[u8; W]; H],
     colors: [C; 256],
@@ -56,13 +56,7 @@ impl<C: Copy, const W: usize, const H: usize> PaletteArray<C, W, H> {
                 message::wrong_length([W, H], "indices", LENGTH, W * H);
             }
         }
-        let mut rows = [[0; W]; H];
-        let mut i = 0;
-        while i < LENGTH {
-            rows[i / W][i % W] = indices[i];
-            i += 1;
-        }
-        Self::from_rows(rows, palette_colors(colors))
+        Self::from_rows(rows(indices), palette_colors(colors))
     }
 
     pub(super) const fn from_rows(indices: [[u8; W]; H], colors: [C; 256]) -> Self {
@@ -89,24 +83,9 @@ impl<C: Copy, const W: usize, const H: usize> PaletteArray<C, W, H> {
     }
 }
 
-impl<C: PixelColor, const W: usize, const H: usize> Sampler for &PaletteArray<C, W, H> {
-    type Color = C;
-
-    #[inline]
-    fn width_log2(&self) -> u32 {
-        const { log2("width", W) }
-    }
-
-    #[inline]
-    fn height_log2(&self) -> u32 {
-        const { log2("height", H) }
-    }
-
-    #[inline]
-    fn texel(&self, u: i32, v: i32) -> C {
-        self.colors[usize::from(wrapped(&self.indices, u, v))]
-    }
-}
+sampler_of_rows!(PaletteArray<C, W, H>, |array, u, v| {
+    array.colors[usize::from(wrapped(&array.indices, u, v))]
+});
 
 #[cfg(test)]
 mod tests {

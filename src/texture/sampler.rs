@@ -3,6 +3,7 @@
 use embedded_graphics::pixelcolor::PixelColor;
 
 use crate::Error;
+use crate::error::ok;
 use crate::message;
 
 /// Texels by column and row, which repeat in both directions.
@@ -93,27 +94,66 @@ pub(super) fn wrapped<T: Copy, const W: usize, const H: usize>(
     rows[v & (H - 1)][u & (W - 1)]
 }
 
-impl<C: PixelColor, const W: usize, const H: usize> Sampler for &[[C; W]; H] {
-    type Color = C;
+impl<S: Sampler> Sampler for &S {
+    type Color = S::Color;
 
     #[inline]
     fn width_log2(&self) -> u32 {
-        const { log2("width", W) }
+        (**self).width_log2()
     }
 
     #[inline]
     fn height_log2(&self) -> u32 {
-        const { log2("height", H) }
+        (**self).height_log2()
     }
 
     #[inline]
-    fn texel(&self, u: i32, v: i32) -> C {
-        wrapped(self, u, v)
+    fn texel(&self, u: i32, v: i32) -> S::Color {
+        (**self).texel(u, v)
     }
 }
 
+/// Implements a sampler whose size is in its type: `$texel` is the color at column `$u` and row `$v` of a `$Type`.
+macro_rules! sampler_of_rows {
+    ($Type:ty, |$texels:ident, $u:ident, $v:ident| $texel:expr) => {
+        impl<C: PixelColor, const W: usize, const H: usize> Sampler for &$Type {
+            type Color = C;
+
+            #[inline]
+            fn width_log2(&self) -> u32 {
+                const { log2("width", W) }
+            }
+
+            #[inline]
+            fn height_log2(&self) -> u32 {
+                const { log2("height", H) }
+            }
+
+            #[inline]
+            fn texel(&self, $u: i32, $v: i32) -> C {
+                let $texels = *self;
+                $texel
+            }
+        }
+    };
+}
+pub(super) use sampler_of_rows;
+
+sampler_of_rows!([[C; W]; H], |rows, u, v| wrapped(rows, u, v));
+
+/// Entries, row by row, as an array of rows.
+pub(super) const fn rows<T: Copy, const W: usize, const H: usize>(entries: &[T]) -> [[T; W]; H] {
+    let mut rows = [[entries[0]; W]; H];
+    let mut at = 0;
+    while at < W * H {
+        rows[at / W][at % W] = entries[at];
+        at += 1;
+    }
+    rows
+}
+
 /// Entries, row by row, of a size that is known at run time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Grid<'a, T> {
     /// As many as the size needs, so at least one.
     entries: &'a [T],
@@ -124,10 +164,7 @@ pub(super) struct Grid<'a, T> {
 impl<'a, T: Copy> Grid<'a, T> {
     /// Errors: [`Error::PowerOfTwo`] for the size, [`Error::Length`] for the number of entries.
     pub(super) const fn new(entries: &'a [T], width: u32, height: u32) -> Result<Self, Error> {
-        let [width_log2, height_log2] = match exponents(width, height) {
-            Ok(log2) => log2,
-            Err(error) => return Err(error),
-        };
+        let [width_log2, height_log2] = ok!(exponents(width, height));
         let (given, needed) = (entries.len(), 1 << (width_log2 + height_log2));
         if given != needed {
             return Err(Error::Length { given, needed });

@@ -5,6 +5,7 @@ use embedded_graphics::pixelcolor::PixelColor;
 use super::Sampler;
 use super::sampler::Grid;
 use crate::Error;
+use crate::error::ok;
 
 /// A texture that borrows its texels; its size is known at run time.
 ///
@@ -38,7 +39,7 @@ use crate::Error;
 /// | Cortex-M4, `Affine` | 1,202,040 | 1,406,040 | 2,060,960 |
 /// | Cortex-M0+, `Newton` | 2,787,600 | 3,007,200 | 3,514,680 |
 /// | Cortex-M0+, `Affine` | 2,180,000 | 2,247,480 | 2,992,280 |
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Texture<'a, C> {
     grid: Grid<'a, C>,
     /// The color for an empty slice, which cannot occur.
@@ -66,10 +67,8 @@ impl<'a, C: Copy> Texture<'a, C> {
     /// [`Error::PowerOfTwo`] if the width or the height is not a power of two or is too large;
     /// [`Error::Length`] if the number of texels is not their product.
     pub const fn new(texels: &'a [C], width: u32, height: u32) -> Result<Self, Error> {
-        match Grid::new(texels, width, height) {
-            Ok(grid) => Ok(Self::of(grid)),
-            Err(error) => Err(error),
-        }
+        let grid = ok!(Grid::new(texels, width, height));
+        Ok(Self::of(grid))
     }
 
     pub(super) const fn of(grid: Grid<'a, C>) -> Self {
@@ -112,25 +111,6 @@ impl<C: PixelColor> Sampler for Texture<'_, C> {
     #[inline]
     fn texel(&self, u: i32, v: i32) -> C {
         self.grid.get(u, v).unwrap_or(self.first)
-    }
-}
-
-impl<C: PixelColor> Sampler for &Texture<'_, C> {
-    type Color = C;
-
-    #[inline]
-    fn width_log2(&self) -> u32 {
-        self.grid.width_log2()
-    }
-
-    #[inline]
-    fn height_log2(&self) -> u32 {
-        self.grid.height_log2()
-    }
-
-    #[inline]
-    fn texel(&self, u: i32, v: i32) -> C {
-        (**self).texel(u, v)
     }
 }
 

@@ -1,20 +1,14 @@
 //! TGA files, according to Truevision's specification 2.0.
 
-use super::image::{Entry, Image, Pixel, Table, at_least, u16_at};
+use super::image::{Entry, Image, Pixel, Table, at_least, refused, u16_at};
 use crate::Error;
+use crate::error::ok;
 
 const HEADER: usize = 18;
 
-/// An error about a field of the header.
-const fn refused<T>(of: &'static str, given: u32, needed: &'static str) -> Result<T, Error> {
-    Err(Error::Image { of, given, needed })
-}
-
 /// The picture in the bytes of a file.
 pub(super) const fn read(bytes: &[u8]) -> Result<Image<'_>, Error> {
-    if let Err(error) = at_least(bytes, HEADER as u64) {
-        return Err(error);
-    }
+    ok!(at_least(bytes, HEADER as u64));
     let (id, tables, image_type) = (bytes[0] as usize, bytes[1] as usize, bytes[2] as u32);
     if tables > 1 {
         return refused("color map type", tables as u32, "0 or 1");
@@ -73,9 +67,7 @@ pub(super) const fn read(bytes: &[u8]) -> Result<Image<'_>, Error> {
     let right = bits.div_ceil(8) as usize;
     let row = width as usize * right;
     let needed = start as u64 + row as u64 * height as u64;
-    if let Err(error) = at_least(bytes, needed) {
-        return Err(error);
-    }
+    ok!(at_least(bytes, needed));
     // Every offset below lies in the file. The descriptor tells on which side the first pixel is.
     let (last_column, last_row) = (right * (width as usize - 1), row * (height as usize - 1));
     let (first, right) = if descriptor & 0x10 == 0 {

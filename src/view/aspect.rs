@@ -15,6 +15,7 @@ use crate::{Error, Scalar};
 /// let wide: Aspect = fx!(1.5).into();
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Aspect {
     /// In units of 2^-16.
     width: i64,

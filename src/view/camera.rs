@@ -17,6 +17,7 @@ use crate::{Angle, Error, Scalar, Transform, Vec3};
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Camera {
     view: Transform,
 }

@@ -24,6 +24,7 @@ use crate::Transform;
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Mvp<K = Perspective> {
     pub(crate) projection: Projection<K>,
     /// The transform from world to eye space.
@@ -68,6 +69,22 @@ mod sealed {
 /// assert_eq!(canvas.draw(&mesh, &projection, &Flat::new(Gray8::new(9))).drawn, 1);
 /// # Ok::<(), Error>(())
 /// ```
+///
+/// A camera or a model transform alone does not compile, because it lacks a projection:
+///
+/// ```compile_fail
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use fixel::prelude::*;
+/// fn draw(canvas: &mut Canvas<'_, Gray8>, mesh: &Mesh, camera: Camera) {
+///     // error: `Camera` lacks a projection; note: write `projection * camera * model`, …
+///     canvas.draw(mesh, &camera, &Flat::new(Gray8::new(9)));
+/// }
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` lacks a projection",
+    label = "this is not a model-view-projection",
+    note = "write `projection * camera * model`, or a `Projection` alone for a model in eye space"
+)]
 pub trait ModelToPicture: sealed::Sealed {
     /// The kind of projection.
     type Kind: ProjectionKind;

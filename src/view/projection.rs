@@ -40,6 +40,7 @@ pub trait ProjectionKind: sealed::Sealed + Copy + core::fmt::Debug {
 /// # Ok::<(), fixel::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Perspective;
 
 /// The kind of projection whose lines of sight are parallel: distant objects keep their size.
@@ -51,6 +52,7 @@ pub struct Perspective;
 /// # Ok::<(), fixel::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Parallel;
 
 impl sealed::Sealed for Perspective {}

@@ -46,7 +46,7 @@ proptest! {
     ) {
         let mut drawing = Drawing {
             size: SIZE,
-            options: DrawOptions::new().cull(Cull::Nothing),
+            options: DrawOptions::new().with_cull(Cull::Nothing),
             mode: Mode::Exact,
             mesh: Mesh::new(&positions, &[[0, 1, 2]]).unwrap(),
             mvp: Projection::from_focal_length(fx!(100), SIZE, fx!(0.25), fx!(50)).unwrap()

@@ -409,7 +409,7 @@ fn ground_fills_the_picture_up_to_the_far_plane() {
 #[test]
 fn a_viewport_as_wide_as_the_guard_band_is_filled_once() {
     let size = (2048, 24);
-    let wide = DrawOptions::new().viewport(Viewport::new(-1024, -12, 4096, 48).unwrap());
+    let wide = DrawOptions::new().with_viewport(Viewport::new(-1024, -12, 4096, 48).unwrap());
     let projection =
         Projection::perspective(Angle::from_degrees(90), (4096, 48), fx!(0.25), fx!(24)).unwrap();
     let wall = [

@@ -132,7 +132,7 @@ proptest! {
         };
         let mesh = mesh.shuffled(seed, false);
         once(&mesh, &DrawOptions::new())?;
-        prop_assert!(draw(&mesh, SIZE, &DrawOptions::new().cull(Cull::Front)).iter().all(|&n| n == 0));
+        prop_assert!(draw(&mesh, SIZE, &DrawOptions::new().with_cull(Cull::Front)).iter().all(|&n| n == 0));
         once(&mesh.shuffled(seed, true), &BOTH_SIDES)?;
     }
 
@@ -253,7 +253,7 @@ fn check_in_perspective(positions: &[[i32; 3]], seed: u64) -> Result<(), TestCas
     let triangles: Vec<Snapped> = whole.iter().map(|face| face.map(|i| places[&i])).collect();
     let mesh = Mesh::new(&positions, &whole).unwrap();
     for cull in [Cull::Nothing, Cull::Back, Cull::Front] {
-        let drawn = counter.draw(&DrawOptions::new().cull(cull), &mesh, &mvp);
+        let drawn = counter.draw(&DrawOptions::new().with_cull(cull), &mesh, &mvp);
         prop_assert_eq!(drawn.clipped, 0);
         let kept: Vec<Snapped> = triangles
             .iter()

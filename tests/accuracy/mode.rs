@@ -74,12 +74,12 @@ impl Mode {
         shader: &F,
     ) {
         match self {
-            Self::Exact => canvas.draw_with(&options.mode(Exact), mesh, mvp, shader),
-            Self::Newton => canvas.draw_with(&options.mode(Newton), mesh, mvp, shader),
+            Self::Exact => canvas.draw_with(&options.with_mode(Exact), mesh, mvp, shader),
+            Self::Newton => canvas.draw_with(&options.with_mode(Newton), mesh, mvp, shader),
             Self::Fast(texels) => {
-                canvas.draw_with(&options.mode(Fast::within(texels)), mesh, mvp, shader)
+                canvas.draw_with(&options.with_mode(Fast::within(texels)), mesh, mvp, shader)
             }
-            Self::Affine => canvas.draw_with(&options.mode(Affine), mesh, mvp, shader),
+            Self::Affine => canvas.draw_with(&options.with_mode(Affine), mesh, mvp, shader),
         };
     }
 }

@@ -63,7 +63,7 @@ fn compare<K: ProjectionKind>(
     let (transform, eye) = product(moves);
     let drawing = Drawing {
         size: SIZE,
-        options: DrawOptions::new().viewport(viewport),
+        options: DrawOptions::new().with_viewport(viewport),
         mode: Mode::Exact,
         mesh: Mesh::new(&[], &[]).unwrap(),
         mvp: projection * transform,

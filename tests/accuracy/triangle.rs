@@ -38,7 +38,7 @@ impl<K: ProjectionKind, const N: usize> Triangle<K, N> {
     fn drawing(&self, mode: Mode) -> Drawing<'_, K> {
         Drawing {
             size: self.size,
-            options: DrawOptions::new().cull(Cull::Nothing),
+            options: DrawOptions::new().with_cull(Cull::Nothing),
             mode,
             mesh: Mesh::new(&self.positions, &[[0, 1, 2]]).unwrap(),
             mvp: self.mvp,

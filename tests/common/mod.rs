@@ -146,4 +146,4 @@ pub fn at_subpixel([x, y]: [i32; 2]) -> Vec3 {
 }
 
 /// Draw options that draw both sides.
-pub const BOTH_SIDES: DrawOptions = DrawOptions::new().cull(Cull::Nothing);
+pub const BOTH_SIDES: DrawOptions = DrawOptions::new().with_cull(Cull::Nothing);

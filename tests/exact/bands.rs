@@ -89,9 +89,9 @@ impl Scene {
     fn draw<I: Mode, K: ProjectionKind>(&self, mode: I, canvas: &mut Band<'_>, mvp: &Mvp<K>) {
         canvas.clear(Rgb888::new(1, 2, 3));
         let mesh = self.mesh();
-        canvas.draw_with(&common::BOTH_SIDES.mode(mode), &mesh, mvp, &Bits);
-        canvas.draw_edges(&DrawOptions::new().mode(mode), &mesh, mvp, &Bits);
-        canvas.draw_points(&DrawOptions::new().mode(mode), &mesh, mvp, &Bits);
+        canvas.draw_with(&common::BOTH_SIDES.with_mode(mode), &mesh, mvp, &Bits);
+        canvas.draw_edges(&DrawOptions::new().with_mode(mode), &mesh, mvp, &Bits);
+        canvas.draw_points(&DrawOptions::new().with_mode(mode), &mesh, mvp, &Bits);
     }
 }
 
@@ -158,10 +158,10 @@ impl Scene {
         let mut list: TriangleList<12, 250> = TriangleList::new();
         for options in [
             common::BOTH_SIDES,
-            DrawOptions::new().viewport(window),
-            DrawOptions::new().cull(Cull::Front),
+            DrawOptions::new().with_viewport(window),
+            DrawOptions::new().with_cull(Cull::Front),
         ] {
-            let options = options.mode(mode);
+            let options = options.with_mode(mode);
             let prepared = list.prepare(&options, (WIDTH, HEIGHT), &mesh, mvp).unwrap();
             for rows in [HEIGHT].into_iter().chain(BANDS) {
                 let mut counts = [vec![], vec![]];

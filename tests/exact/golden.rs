@@ -13,7 +13,7 @@ use crate::examples::lighthouse;
 use crate::examples::scenes::{self, HEIGHT, WIDTH};
 
 /// The mode that specifies the others.
-const PASS: DrawOptions<Exact> = DrawOptions::new().mode(Exact);
+const PASS: DrawOptions<Exact> = DrawOptions::new().with_mode(Exact);
 
 type Target<'a> = Canvas<'a, Rgb565, BigEndian, Depth<'a>>;
 
@@ -112,7 +112,7 @@ fn lighthouse() {
 
 /// Checksums of the scenes in a mode: the floor, and one pose of the cube and of the sphere.
 fn scenes_in<I: Mode>(mode: I) -> [u32; 3] {
-    let options = DrawOptions::new().mode(mode);
+    let options = DrawOptions::new().with_mode(mode);
     let (floor, _) = picture(|canvas| {
         scenes::floor(canvas, &options, &scenes::floor_chain(0).unwrap());
     });

@@ -14,4 +14,5 @@ mod raster;
 mod shaders;
 mod short_positions;
 mod threads;
+mod traits;
 mod wireframe;

@@ -293,8 +293,8 @@ fn cull_modes() {
         ";
     // Both long edges run through centers. The lower triangle's is its left edge, and owns them.
     assert_picture(&both, &DrawOptions::new(), upper);
-    assert_picture(&both, &DrawOptions::new().cull(Cull::Back), upper);
-    assert_picture(&both, &DrawOptions::new().cull(Cull::Front), lower);
+    assert_picture(&both, &DrawOptions::new().with_cull(Cull::Back), upper);
+    assert_picture(&both, &DrawOptions::new().with_cull(Cull::Front), lower);
     assert_picture(
         &both,
         &BOTH_SIDES,
@@ -315,7 +315,7 @@ fn a_viewport_clips() {
     let everywhere = positions(&[[-900., -900.], [-900., 900.], [900., 900.], [900., -900.]]);
     let mesh = Mesh::new(&everywhere, &[[0, 1, 2], [0, 2, 3]]).unwrap();
     let projection = pixel_lens(SIZE);
-    let within = |x, y, w, h| DrawOptions::new().viewport(Viewport::new(x, y, w, h).unwrap());
+    let within = |x, y, w, h| DrawOptions::new().with_viewport(Viewport::new(x, y, w, h).unwrap());
     assert_mesh(
         &mesh,
         &projection,
@@ -353,7 +353,7 @@ fn a_viewport_clips() {
 fn a_viewport_scales() {
     let half = positions(&[[0., 0.], [0., 6.], [8., 6.]]);
     let mesh = Mesh::new(&half, &[[0, 1, 2]]).unwrap();
-    let right = DrawOptions::new().viewport(Viewport::new(4, 0, 4, 6).unwrap());
+    let right = DrawOptions::new().with_viewport(Viewport::new(4, 0, 4, 6).unwrap());
     assert_mesh(
         &mesh,
         &pixel_lens(SIZE),

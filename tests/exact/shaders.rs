@@ -101,7 +101,7 @@ impl<S: Shader> Shader for WithFace<S> {
 
 /// Everything that a canvas can draw with a shader.
 fn everything<S: Shader<Color = Rgb565>>(canvas: &mut Screen<'_>, mode: impl Mode, shader: &S) {
-    let options = DrawOptions::new().mode(mode);
+    let options = DrawOptions::new().with_mode(mode);
     let mvp = projection() * pose();
     canvas.draw_with(&options, &BOX, &mvp, shader);
     let aside = mvp * Transform::translate(vec3!(1.5, 0.5, 0));

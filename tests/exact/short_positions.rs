@@ -57,7 +57,7 @@ fn drawn<K: ProjectionKind, I: Mode>(
     let mut canvas: Board<'_> = canvas.with_depth(&mut depths).unwrap();
     let light = Light::new(vec3!(1, 2, 3), fx!(0.2), fx!(0.8)).unwrap();
     let clay = Flat::rgb(Rgb888::new(236, 214, 190)).lit(light);
-    let options = DrawOptions::new().mode(mode).cull(Cull::Nothing);
+    let options = DrawOptions::new().with_mode(mode).with_cull(Cull::Nothing);
     let counts = [
         canvas.draw_with(&options, mesh, mvp, &clay),
         canvas.draw_edges(&options, mesh, mvp, &Flat::new(Rgb565::RED)),

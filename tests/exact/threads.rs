@@ -127,7 +127,7 @@ fn without_depth(draw: impl Fn(&mut Canvas<'_, Rgb565, BigEndian>) + Sync) {
 
 /// Textures and colors, with depth.
 fn scenes_in<I: Mode + Sync>(mode: I) {
-    let options = DrawOptions::new().mode(mode);
+    let options = DrawOptions::new().with_mode(mode);
     let [floor, cube] = [scenes::floor_chain(0), scenes::cube_chain(3)].map(Result::unwrap);
     with_depth(|canvas| {
         scenes::floor(canvas, &options, &floor);

@@ -54,7 +54,7 @@ fn over<K: ProjectionKind>(mesh: &Mesh, mvp: &Mvp<K>, test: impl DepthTest) -> V
     let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
     let mut canvas = canvas.with_depth(&mut depths).unwrap();
     canvas.draw_with(
-        &DrawOptions::new().depth(test),
+        &DrawOptions::new().with_depth(test),
         mesh,
         mvp,
         &Flat::new(SURFACE),

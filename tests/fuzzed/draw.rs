@@ -129,11 +129,11 @@ where
             "{mode:?}: pixels or depths differ"
         );
     };
-    check(Mode::Exact, checked(call, options.mode(Exact)));
-    check(Mode::Newton, checked(call, options.mode(Newton)));
-    let fast = checked(call, options.mode(Fast::within(tolerance)));
+    check(Mode::Exact, checked(call, options.with_mode(Exact)));
+    check(Mode::Newton, checked(call, options.with_mode(Newton)));
+    let fast = checked(call, options.with_mode(Fast::within(tolerance)));
     check(Mode::Fast(tolerance.max(fx!(0))), fast);
-    check(Mode::Affine, checked(call, options.mode(Affine)));
+    check(Mode::Affine, checked(call, options.with_mode(Affine)));
 }
 
 fn checked<I: mode::Mode, K: ProjectionKind, const N: usize>(

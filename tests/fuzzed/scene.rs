@@ -170,10 +170,10 @@ impl Scene {
 
     /// The draw options without the mode, if the viewport is possible.
     pub fn options(&self) -> Result<DrawOptions, Error> {
-        let options = DrawOptions::new().cull(self.cull);
+        let options = DrawOptions::new().with_cull(self.cull);
         Ok(match self.viewport {
             None => options,
-            Some(_) => options.viewport(self.window()?),
+            Some(_) => options.with_viewport(self.window()?),
         })
     }
 

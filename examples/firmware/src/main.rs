@@ -64,7 +64,7 @@ mod firmware {
 
     /// Measures everything in one mode.
     fn run_mode<I: Mode>(bench: &mut Bench, mode: &str, way: I) -> Result<(), Error> {
-        let options = DrawOptions::new().mode(way);
+        let options = DrawOptions::new().with_mode(way);
         for scene in Scene::ALL {
             for layout in Layout::ALL {
                 let (name, layout_name) = (scene.name(), layout.name());

@@ -120,7 +120,7 @@ impl Bench {
         let mut canvas = Canvas::new(&mut self.colors[..], width, ROWS)?;
         let (positions, mvp) = (positions(width), mvp(width)?);
         let wall = Mesh::new(&positions, &[[0, 1, 2]])?.with_uvs(&UVS, None)?;
-        canvas.draw_with(&DrawOptions::new().mode(mode), &wall, &mvp, shader);
+        canvas.draw_with(&DrawOptions::new().with_mode(mode), &wall, &mvp, shader);
         Ok(&self.colors[..width as usize])
     }
 }
@@ -136,7 +136,7 @@ fn draw<I: Mode, F: Shader<Color = Rgb565>, D: DepthBuffer>(
     let (positions, mvp) = (positions(width), mvp(width)?);
     let wall = Mesh::new(&positions, &[[0, 1, 2]])?.with_uvs(&UVS, None)?;
     // Hide the numbers from the compiler, which does not know a user's either.
-    let (options, shader) = black_box((DrawOptions::new().mode(mode), shader));
+    let (options, shader) = black_box((DrawOptions::new().with_mode(mode), shader));
     watch.time(|| {
         let drawn = canvas.draw_with(&options, &wall, &mvp, shader);
         assert_eq!((drawn.drawn, drawn.clipped), (1, 0));

@@ -33,19 +33,19 @@ macro_rules! in_mode {
     ($mode:expr, $options:expr, |$in_mode:ident| $draw:expr) => {
         match $mode {
             Mode::Exact(mode) => {
-                let $in_mode = &$options.mode(mode);
+                let $in_mode = &$options.with_mode(mode);
                 $draw
             }
             Mode::Newton(mode) => {
-                let $in_mode = &$options.mode(mode);
+                let $in_mode = &$options.with_mode(mode);
                 $draw
             }
             Mode::Fast(mode) => {
-                let $in_mode = &$options.mode(mode);
+                let $in_mode = &$options.with_mode(mode);
                 $draw
             }
             Mode::Affine(mode) => {
-                let $in_mode = &$options.mode(mode);
+                let $in_mode = &$options.with_mode(mode);
                 $draw
             }
         }

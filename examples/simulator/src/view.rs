@@ -123,7 +123,7 @@ impl View {
         Ok(Self {
             projection,
             camera,
-            options: DrawOptions::new().cull(cull),
+            options: DrawOptions::new().with_cull(cull),
             light: if args.two_sided {
                 light.two_sided()
             } else {

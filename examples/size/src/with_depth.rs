@@ -18,7 +18,7 @@ pub fn draw(
     let mvp = projection()? * spin;
     let mut canvas = Canvas::new(pixels, WIDTH, HEIGHT)?.with_depth(depths)?;
     canvas.clear(Rgb565::BLACK);
-    let options = DrawOptions::new().mode(mode);
+    let options = DrawOptions::new().with_mode(mode);
     canvas.draw_with(&options, &MODEL, &mvp, &Textured::new(&SKIN));
     Ok(())
 }

@@ -60,7 +60,7 @@ impl<'a> Subject<'a> {
 
     /// Measures the case in a mode, except for its time.
     pub fn measure<I: Mode>(&self, name: &'static str, mode: I) -> Result<Figures> {
-        let options = DrawOptions::new().mode(mode);
+        let options = DrawOptions::new().with_mode(mode);
         let error = if self.case.interpolates {
             Some(self.errors(&options)?)
         } else {

@@ -33,7 +33,7 @@ impl Times {
         self.0.resize(case.shots.len(), Vec::new());
         let timing = Timing {
             case,
-            options: &DrawOptions::new().mode(mode),
+            options: &DrawOptions::new().with_mode(mode),
             repeats,
             times: self,
         };

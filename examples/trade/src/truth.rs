@@ -82,7 +82,7 @@ fn snapped(case: &Case, shot: &Shot) -> Result<(Vec<Piece<5>>, Vec<usize>)> {
     let mut colors = vec![Rgb565::default(); width as usize * height as usize];
     let mut canvas = Canvas::new(&mut colors, width, height)?;
     // The mode does not matter: only the corners are used.
-    let options = DrawOptions::new().mode(Exact);
+    let options = DrawOptions::new().with_mode(Exact);
     let recorded = RefCell::new(Vec::new());
     canvas.draw_with(&options, &mesh, &shot.mvp, &Survey(&recorded));
     let recorded: Vec<Recorded> = recorded.into_inner();

@@ -37,6 +37,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 
 use super::buffers::{Buffers, Counts};
 use super::indexed::{Index, Mesh};
+use crate::error::ok;
 use crate::{Error, Vec2, Vec3};
 use reader::{Corner, MOST, Reader, Statement};
 
@@ -95,19 +96,15 @@ pub const fn count(text: &[u8]) -> Result<Counts, Error> {
 /// Reads a text and counts its elements; writes as many of them as the buffers hold.
 const fn read(text: &[u8], buffers: &mut Buffers<'_>) -> Result<Counts, Error> {
     let mut writer = Writer::new(Reader::new(text, MOST), buffers);
-    if let Err(error) = writer.write() {
-        return Err(error);
-    }
+    ok!(writer.write());
     let counts = writer.counts();
     if !writer.reader.missed() {
         return Ok(counts);
     }
     // An index was too great. The totals are known now, so a second reading finds its line.
     let seen = writer.reader.seen();
-    match Writer::new(Reader::new(text, seen), buffers).write() {
-        Ok(()) => Ok(counts),
-        Err(error) => Err(error),
-    }
+    ok!(Writer::new(Reader::new(text, seen), buffers).write());
+    Ok(counts)
 }
 
 /// Reads a text into the caller's memory; [`count`] tells how much it needs.
@@ -134,14 +131,8 @@ const fn read(text: &[u8], buffers: &mut Buffers<'_>) -> Result<Counts, Error> {
 /// # Ok::<(), Error>(())
 /// ```
 pub const fn parse<'a>(text: &[u8], mut buffers: Buffers<'a>) -> Result<Mesh<'a>, Error> {
-    let counts = match read(text, &mut buffers) {
-        Ok(counts) => counts,
-        Err(error) => return Err(error),
-    };
-    let mut counts = match buffers.wanted(counts) {
-        Ok(counts) => counts,
-        Err(error) => return Err(error),
-    };
+    let counts = ok!(read(text, &mut buffers));
+    let mut counts = ok!(buffers.wanted(counts));
     counts.edges = edges::unique(buffers.edges.split_at_mut(counts.edges).0);
     buffers.mesh(counts)
 }
@@ -210,10 +201,7 @@ impl<'t, 'b, 'a> Writer<'t, 'b, 'a> {
 
     const fn write(&mut self) -> Result<(), Error> {
         loop {
-            let statement = match self.reader.statement() {
-                Ok(statement) => statement,
-                Err(error) => return Err(error),
-            };
+            let statement = ok!(self.reader.statement());
             // The reader has counted this element already, so it is the last.
             let [positions, uvs, normals] = self.reader.seen();
             let corners = match statement {
@@ -238,9 +226,7 @@ impl<'t, 'b, 'a> Writer<'t, 'b, 'a> {
                 Statement::Line => self.polygon(false),
                 Statement::End => return Ok(()),
             };
-            if let Err(error) = corners {
-                return Err(error);
-            }
+            ok!(corners);
         }
     }
 
@@ -249,12 +235,7 @@ impl<'t, 'b, 'a> Writer<'t, 'b, 'a> {
         let mut first = None;
         let mut last = None;
         let mut count = 0;
-        loop {
-            let corner = match self.reader.corner() {
-                Ok(Some(corner)) => corner,
-                Ok(None) => break,
-                Err(error) => return Err(error),
-            };
+        while let Some(corner) = ok!(self.reader.corner()) {
             count += 1;
             if let (Some(uv), true) = (corner.uv, face) {
                 self.uvs.see(uv, corner.position);

@@ -1,6 +1,7 @@
 //! Reads OBJ text, statement by statement.
 
 use super::decimal::{Format, SCALAR, TEX_COORD, byte, decimal};
+use crate::error::ok;
 use crate::{Error, Mesh, TexCoord};
 
 /// One statement of the text.
@@ -234,10 +235,7 @@ impl<'a> Reader<'a> {
     }
 
     const fn position(&mut self) -> Result<Statement, Error> {
-        let (n, count) = match self.numbers::<7>(SCALAR) {
-            Ok(numbers) => numbers,
-            Err(error) => return Err(error),
-        };
+        let (n, count) = ok!(self.numbers::<7>(SCALAR));
         let color = match count {
             // A fourth number is a weight for curves, a seventh is an opacity.
             3 | 4 => None,
@@ -247,36 +245,27 @@ impl<'a> Reader<'a> {
             },
             _ => return self.error("a position needs 3 numbers, or 6 with its color"),
         };
-        match self.see(0) {
-            Ok(()) => Ok(Statement::Position([n[0], n[1], n[2]], color)),
-            Err(error) => Err(error),
-        }
+        ok!(self.see(0));
+        Ok(Statement::Position([n[0], n[1], n[2]], color))
     }
 
     const fn uv(&mut self) -> Result<Statement, Error> {
-        let [u, up, _] = match self.numbers(TEX_COORD) {
-            Ok((_, 0)) => return self.error("a texture coordinate needs 2 numbers"),
-            Ok((numbers, _)) => numbers,
-            Err(error) => return Err(error),
+        let ([u, up, _], 1..) = ok!(self.numbers(TEX_COORD)) else {
+            return self.error("a texture coordinate needs 2 numbers");
         };
         let Some(down) = TexCoord::ONE.to_bits().checked_sub(up) else {
             return self.error(TEX_COORD.range);
         };
-        match self.see(1) {
-            Ok(()) => Ok(Statement::Uv([u, down])),
-            Err(error) => Err(error),
-        }
+        ok!(self.see(1));
+        Ok(Statement::Uv([u, down]))
     }
 
     const fn normal(&mut self) -> Result<Statement, Error> {
-        match self.numbers::<3>(SCALAR) {
-            Ok((n, 3)) => match self.see(2) {
-                Ok(()) => Ok(Statement::Normal(n)),
-                Err(error) => Err(error),
-            },
-            Ok(_) => self.error("a normal needs 3 numbers"),
-            Err(error) => Err(error),
-        }
+        let (n, 3) = ok!(self.numbers::<3>(SCALAR)) else {
+            return self.error("a normal needs 3 numbers");
+        };
+        ok!(self.see(2));
+        Ok(Statement::Normal(n))
     }
 
     /// Reads the next corner of a face or line; `None` at its end.
@@ -295,10 +284,7 @@ impl<'a> Reader<'a> {
             let c = byte!(self.text, self.at);
             let given = kind == 0 || c != b'/' && !matches!(c, blank!());
             if given {
-                let index = match self.index(kind) {
-                    Ok(index) => index,
-                    Err(error) => return Err(error),
-                };
+                let index = ok!(self.index(kind));
                 match kind {
                     0 => corner.position = index,
                     1 => corner.uv = Some(index),

@@ -1,15 +1,17 @@
 //! Generated shapes: meshes that need no file.
 
-mod pen;
 mod surface;
 #[cfg(test)]
 mod tests;
+mod writer;
 
 use super::buffers::{Buffers, Counts};
 use super::indexed::Mesh;
+use crate::error::ok;
 use crate::num::Scalar;
 use crate::{Error, Vec3};
-use pen::Pen;
+use surface::Surface;
+use writer::MeshWriter;
 
 /// A generated shape: [`shape!`](crate::shape) turns it into a mesh in flash, [`build`](Self::build) does so at run
 /// time.
@@ -31,32 +33,12 @@ use pen::Pen;
 /// assert_eq!(ball.positions(), BALL.positions());
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Shape {
-    kind: Kind,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    Cuboid {
-        corner: Vec3,
-    },
-    Sphere {
-        slices: u32,
-        stacks: u32,
-    },
-    Torus {
-        tube: Scalar,
-        slices: u32,
-        sides: u32,
-    },
-    Plane {
-        columns: u32,
-        rows: u32,
-    },
-    Cylinder {
-        slices: u32,
-    },
+    surface: Surface,
+    /// The size of the grid that is bent to the surface; 0 for a cuboid, which is not a grid.
+    columns: u32,
+    rows: u32,
 }
 
 const fn parts(of: &'static str, given: u32, min: u32) -> Result<(), Error> {
@@ -94,7 +76,7 @@ impl Shape {
             extent("half the height", corner.y, Scalar::MAX),
             extent("half the depth", corner.z, Scalar::MAX),
         ];
-        Self::of(Kind::Cuboid { corner }, &checks)
+        Self::of(Surface::Cuboid(corner), [0; 2], &checks)
     }
 
     /// A sphere of radius 1 with its poles on the y axis.
@@ -108,7 +90,7 @@ impl Shape {
     /// are more than 65,536.
     pub const fn sphere(slices: u32, stacks: u32) -> Result<Self, Error> {
         let checks = [parts("slices", slices, 3), parts("stacks", stacks, 2)];
-        Self::of(Kind::Sphere { slices, stacks }, &checks)
+        Self::of(Surface::Sphere, [slices, stacks], &checks)
     }
 
     /// A torus around the y axis: a tube of radius `tube` whose center line is a circle of radius 1.
@@ -127,12 +109,7 @@ impl Shape {
             parts("slices", slices, 3),
             parts("sides", sides, 3),
         ];
-        let kind = Kind::Torus {
-            tube,
-            slices,
-            sides,
-        };
-        Self::of(kind, &checks)
+        Self::of(Surface::Torus(tube), [slices, sides], &checks)
     }
 
     /// A horizontal square from −1 to 1 in x and z that faces up, as a grid of `columns` along x and `rows` along z.
@@ -144,7 +121,7 @@ impl Shape {
     /// more than 65,536.
     pub const fn plane(columns: u32, rows: u32) -> Result<Self, Error> {
         let checks = [parts("columns", columns, 1), parts("rows", rows, 1)];
-        Self::of(Kind::Plane { columns, rows }, &checks)
+        Self::of(Surface::Plane, [columns, rows], &checks)
     }
 
     /// A closed cylinder of radius 1 around the y axis, from y = −1 to y = 1, with `slices` sides.
@@ -155,18 +132,28 @@ impl Shape {
     ///
     /// [`Error::Parts`] below 3 slices; [`Error::TooMany`] if the 4(`slices` + 1) positions are more than 65,536.
     pub const fn cylinder(slices: u32) -> Result<Self, Error> {
-        Self::of(Kind::Cylinder { slices }, &[parts("slices", slices, 3)])
+        Self::of(
+            Surface::Cylinder,
+            [slices, 1],
+            &[parts("slices", slices, 3)],
+        )
     }
 
-    const fn of(kind: Kind, checks: &[Result<(), Error>]) -> Result<Self, Error> {
+    const fn of(
+        surface: Surface,
+        [columns, rows]: [u32; 2],
+        checks: &[Result<(), Error>],
+    ) -> Result<Self, Error> {
         let mut i = 0;
         while i < checks.len() {
-            if let Err(error) = checks[i] {
-                return Err(error);
-            }
+            ok!(checks[i]);
             i += 1;
         }
-        let shape = Self { kind };
+        let shape = Self {
+            surface,
+            columns,
+            rows,
+        };
         let given = shape.counts().positions;
         let max = Mesh::MAX_POSITIONS;
         if given > max {
@@ -179,24 +166,18 @@ impl Shape {
     #[must_use]
     pub const fn counts(self) -> Counts {
         // The factors are below 2^15, so products fit into 32 bits.
-        let (positions, faces, edges) = match self.kind {
-            Kind::Cuboid { .. } => (24, 12, 12),
-            Kind::Sphere { slices, stacks } => (
-                (slices + 1) * (stacks + 1),
-                2 * slices * (stacks - 1),
-                slices * (2 * stacks - 1),
-            ),
-            Kind::Torus { slices, sides, .. } => (
-                (slices + 1) * (sides + 1),
-                2 * slices * sides,
-                2 * slices * sides,
-            ),
-            Kind::Plane { columns, rows } => (
-                (columns + 1) * (rows + 1),
+        let Self { columns, rows, .. } = self;
+        let grid = (columns + 1) * (rows + 1);
+        let (positions, faces, edges) = match self.surface {
+            Surface::Cuboid(_) => (24, 12, 12),
+            Surface::Sphere => (grid, 2 * columns * (rows - 1), columns * (2 * rows - 1)),
+            Surface::Torus(_) => (grid, 2 * columns * rows, 2 * columns * rows),
+            Surface::Plane => (
+                grid,
                 2 * columns * rows,
-                columns * (rows + 1) + (columns + 1) * rows,
+                2 * columns * rows + columns + rows,
             ),
-            Kind::Cylinder { slices } => (4 * (slices + 1), 4 * slices, 3 * slices),
+            Surface::Cylinder => (4 * (columns + 1), 4 * columns, 3 * columns),
         };
         let positions = positions as usize;
         Counts {
@@ -216,22 +197,9 @@ impl Shape {
     /// [`Error::TooMany`] if the slice for positions or for faces is shorter than [`counts`](Self::counts) says, or
     /// if another slice is shorter but not empty.
     pub const fn build(self, buffers: Buffers<'_>) -> Result<Mesh<'_>, Error> {
-        let mut pen = match Pen::new(buffers, self.counts()) {
-            Ok(pen) => pen,
-            Err(error) => return Err(error),
-        };
-        match self.kind {
-            Kind::Cuboid { corner } => surface::cuboid(&mut pen, corner),
-            Kind::Sphere { slices, stacks } => surface::sphere(&mut pen, slices, stacks),
-            Kind::Torus {
-                tube,
-                slices,
-                sides,
-            } => surface::torus(&mut pen, tube, slices, sides),
-            Kind::Plane { columns, rows } => surface::plane(&mut pen, columns, rows),
-            Kind::Cylinder { slices } => surface::cylinder(&mut pen, slices),
-        }
-        pen.mesh()
+        let mut writer = ok!(MeshWriter::new(buffers, self.counts()));
+        surface::write(&mut writer, self);
+        writer.mesh()
     }
 
     /// Unwraps a shape at compile time; for [`shape!`](crate::shape).
@@ -271,61 +239,18 @@ impl Shape {
 /// ```
 #[macro_export]
 macro_rules! shape {
-    ($name:ident($($argument:expr),* $(,)?)) => {{
+    ($name:ident($($argument:expr),* $(,)?) $(, $short:ident)? $(,)?) => {{
         const SHAPE: $crate::mesh::Shape = $crate::mesh::Shape::checked(
             $crate::mesh::Shape::$name($($argument),*),
             ::core::stringify!($name($($argument),*)),
         );
         const COUNTS: $crate::mesh::Counts = SHAPE.counts();
-        type Arrays = $crate::mesh::Arrays<
-            { COUNTS.positions },
-            { COUNTS.faces },
-            { COUNTS.edges },
-            { COUNTS.uvs },
-            0,
-            { COUNTS.normals },
-            0,
-            0,
-        >;
         #[allow(long_running_const_eval)]
-        static ARRAYS: Arrays = {
-            let mut arrays = Arrays::ZERO;
-            let _ = $crate::Mesh::checked(SHAPE.build(arrays.buffers()));
-            arrays
+        const ROOM: $crate::mesh::flash::Room<{ COUNTS.positions + COUNTS.faces + COUNTS.edges }> = {
+            let mut room = $crate::mesh::flash::Room::EMPTY;
+            let _ = $crate::Mesh::checked(SHAPE.build(room.buffers()));
+            room
         };
-        #[allow(long_running_const_eval)]
-        static MESH: $crate::Mesh<'static> = ARRAYS.mesh();
-        MESH
-    }};
-    ($name:ident($($argument:expr),* $(,)?), short $(,)?) => {{
-        const SHAPE: $crate::mesh::Shape = $crate::mesh::Shape::checked(
-            $crate::mesh::Shape::$name($($argument),*),
-            ::core::stringify!($name($($argument),*)),
-        );
-        const COUNTS: $crate::mesh::Counts = SHAPE.counts();
-        type Arrays<const POSITIONS: usize> = $crate::mesh::Arrays<
-            POSITIONS,
-            { COUNTS.faces },
-            { COUNTS.edges },
-            { COUNTS.uvs },
-            0,
-            { COUNTS.normals },
-            0,
-            0,
-        >;
-        #[allow(long_running_const_eval)]
-        const ALL: Arrays<{ COUNTS.positions }> = {
-            let mut arrays = Arrays::ZERO;
-            let _ = $crate::Mesh::checked(SHAPE.build(arrays.buffers()));
-            arrays
-        };
-        #[allow(long_running_const_eval)]
-        const SHORT: ([[i16; 3]; COUNTS.positions], u32) = ALL.shortened();
-        static POSITIONS: [[i16; 3]; COUNTS.positions] = SHORT.0;
-        #[allow(long_running_const_eval)]
-        static ARRAYS: Arrays<0> = ALL.trim();
-        #[allow(long_running_const_eval)]
-        static MESH: $crate::Mesh<'static> = ARRAYS.short_mesh(&POSITIONS, SHORT.1);
-        MESH
+        $crate::__mesh!(ROOM, COUNTS $(, $short)?)
     }};
 }

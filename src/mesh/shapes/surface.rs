@@ -1,6 +1,7 @@
 //! The surfaces of the shapes; most are bent grids.
 
-use super::pen::{Corner, ONE, Pen};
+use super::Shape;
+use super::writer::{MeshWriter, ONE, Vertex};
 use crate::{Angle, Scalar, TexCoord, Vec3};
 
 const ZERO: TexCoord = TexCoord::ZERO;
@@ -35,43 +36,129 @@ const fn across(part: u32, parts: u32) -> Scalar {
     Scalar::from_bits(2 * nearest(part, parts, Scalar::FRAC_NBITS) - Scalar::ONE.to_bits())
 }
 
-/// Which edges and triangles of a grid to write.
-struct Grid {
-    columns: u32,
-    rows: u32,
-    /// Whether the first and the last row of vertices are one point each.
-    poles: bool,
-    /// The rows of vertices that are joined by edges, from the first to before the second.
-    along: [u32; 2],
-    /// How many columns of vertices are joined by edges.
-    across: u32,
+/// The surface that the grid of a shape is bent to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Surface {
+    /// Not a grid: six sides between this corner and the opposite one.
+    Cuboid(Vec3),
+    Sphere,
+    /// A tube of this radius.
+    Torus(Scalar),
+    Plane,
+    Cylinder,
 }
 
-/// Writes the triangles and edges between the vertices of a grid, which are numbered row by row from `first`. Seen
-/// from outside, columns run to the right and rows run down.
-const fn write_grid(pen: &mut Pen<'_>, first: u32, grid: &Grid) {
-    let width = grid.columns + 1;
+/// A row of vertices around the y axis.
+struct Ring {
+    /// In units of 2⁻³⁰.
+    radius: i64,
+    /// The height, in units of 2⁻⁶⁰.
+    y: i64,
+    /// The parts of the normals that point away from the axis and along it, in units of 2⁻³⁰.
+    out: i64,
+    up: i64,
+}
+
+const fn ring(shape: Shape, row: u32) -> Ring {
+    let (radius, y, out, up) = match shape.surface {
+        Surface::Torus(tube) => {
+            let tube = tube.to_bits() as i64;
+            // From the inside over the top to the outside.
+            let (up, inwards) = sin_cos(angle(row, shape.rows, false));
+            let radius = ONE - ((tube * inwards) >> 16);
+            (radius, (tube * up) << 14, -inwards, up)
+        }
+        Surface::Cylinder if row == 0 => (ONE, ONE * ONE, ONE, 0),
+        Surface::Cylinder => (ONE, -ONE * ONE, ONE, 0),
+        _ => {
+            let (radius, y) = sin_cos(angle(row, shape.rows, true));
+            (radius, y * ONE, radius, y)
+        }
+    };
+    Ring { radius, y, out, up }
+}
+
+/// Writes the elements of a shape.
+pub(super) const fn write(writer: &mut MeshWriter<'_>, shape: Shape) {
+    if let Surface::Cuboid(corner) = shape.surface {
+        cuboid(writer, corner);
+        return;
+    }
+    let Shape { columns, rows, .. } = shape;
     let mut row = 0;
-    while row <= grid.rows {
+    while row <= rows {
+        let ring = ring(shape, row);
+        let is_pole = matches!(shape.surface, Surface::Sphere) && (row == 0 || row == rows);
         let mut column = 0;
-        while column <= grid.columns {
-            let a = first + row * width + column;
-            let (b, c, d) = (a + 1, a + width, a + width + 1);
-            let inside = column < grid.columns;
-            if inside && row >= grid.along[0] && row < grid.along[1] {
-                pen.edge([a, b]);
+        while column <= columns {
+            // At a pole, u lies halfway between the two other corners of the triangle.
+            let u = if is_pole && column < columns {
+                ratio(2 * column + 1, 2 * columns)
+            } else {
+                ratio(column, columns)
+            };
+            let uv = [u, ratio(row, rows)];
+            if let Surface::Plane = shape.surface {
+                let place = Vec3::new(across(column, columns), Scalar::ZERO, across(row, rows));
+                writer.place(place, Vec3::Y, uv);
+            } else {
+                let (sin, cos) = sin_cos(angle(column, columns, false));
+                writer.vertex(&Vertex {
+                    position: [ring.radius * sin, ring.y, ring.radius * cos],
+                    normal: [ring.out * sin, ring.up * ONE, ring.out * cos],
+                    uv,
+                });
             }
-            if row < grid.rows && column < grid.across {
-                pen.edge([a, c]);
+            column += 1;
+        }
+        row += 1;
+    }
+    write_grid(writer, shape);
+    if let Surface::Cylinder = shape.surface {
+        cap(writer, columns, ONE);
+        cap(writer, columns, -ONE);
+    }
+}
+
+/// Writes the triangles and edges between the vertices of a shape's grid, which are numbered row by row from 0. Seen
+/// from outside, columns run to the right and rows run down.
+const fn write_grid(writer: &mut MeshWriter<'_>, shape: Shape) {
+    let Shape {
+        surface,
+        columns,
+        rows,
+    } = shape;
+    // The first and the last row of vertices are one point each.
+    let poles = matches!(surface, Surface::Sphere);
+    // The rows of vertices that are joined by edges, from the first to before the second; then, how many columns of
+    // vertices are.
+    let along = match surface {
+        Surface::Sphere => [1, rows],
+        Surface::Torus(_) => [0, rows],
+        _ => [0, rows + 1],
+    };
+    let across = columns + matches!(surface, Surface::Plane) as u32;
+    let mut row = 0;
+    while row <= rows {
+        let mut column = 0;
+        while column <= columns {
+            let a = row * (columns + 1) + column;
+            let (b, c, d) = (a + 1, a + columns + 1, a + columns + 2);
+            let inside = column < columns;
+            if inside && row >= along[0] && row < along[1] {
+                writer.edge([a, b]);
             }
-            if inside && row < grid.rows {
+            if row < rows && column < across {
+                writer.edge([a, c]);
+            }
+            if inside && row < rows {
                 // Each vertex of a pole's row lies between two vertices of the next row.
-                if grid.poles && row + 1 == grid.rows {
-                    pen.triangle([a, c, b]);
+                if poles && row + 1 == rows {
+                    writer.triangle([a, c, b]);
                 } else {
-                    pen.triangle([a, c, d]);
-                    if !grid.poles || row > 0 {
-                        pen.triangle([a, d, b]);
+                    writer.triangle([a, c, d]);
+                    if !poles || row > 0 {
+                        writer.triangle([a, d, b]);
                     }
                 }
             }
@@ -81,128 +168,11 @@ const fn write_grid(pen: &mut Pen<'_>, first: u32, grid: &Grid) {
     }
 }
 
-pub(super) const fn sphere(pen: &mut Pen<'_>, slices: u32, stacks: u32) {
-    let first = pen.next();
-    let mut row = 0;
-    while row <= stacks {
-        let (radius, y) = sin_cos(angle(row, stacks, true));
-        let pole = row == 0 || row == stacks;
-        let mut column = 0;
-        while column <= slices {
-            let (sin, cos) = sin_cos(angle(column, slices, false));
-            let point = [radius * sin, y * ONE, radius * cos];
-            // At a pole, u lies halfway between the two other corners of the triangle.
-            let u = if pole && column < slices {
-                ratio(2 * column + 1, 2 * slices)
-            } else {
-                ratio(column, slices)
-            };
-            pen.vertex(&Corner {
-                position: point,
-                normal: point,
-                uv: [u, ratio(row, stacks)],
-            });
-            column += 1;
-        }
-        row += 1;
-    }
-    let grid = Grid {
-        columns: slices,
-        rows: stacks,
-        poles: true,
-        along: [1, stacks],
-        across: slices,
-    };
-    write_grid(pen, first, &grid);
-}
-
-pub(super) const fn torus(pen: &mut Pen<'_>, tube: Scalar, slices: u32, sides: u32) {
-    let first = pen.next();
-    let tube = tube.to_bits() as i64;
-    let mut row = 0;
-    while row <= sides {
-        // From the inside over the top to the outside.
-        let (up, inwards) = sin_cos(angle(row, sides, false));
-        let radius = ONE - ((tube * inwards) >> 16);
-        let mut column = 0;
-        while column <= slices {
-            let (sin, cos) = sin_cos(angle(column, slices, false));
-            pen.vertex(&Corner {
-                position: [radius * sin, (tube * up) << 14, radius * cos],
-                normal: [-inwards * sin, up * ONE, -inwards * cos],
-                uv: [ratio(column, slices), ratio(row, sides)],
-            });
-            column += 1;
-        }
-        row += 1;
-    }
-    let grid = Grid {
-        columns: slices,
-        rows: sides,
-        poles: false,
-        along: [0, sides],
-        across: slices,
-    };
-    write_grid(pen, first, &grid);
-}
-
-pub(super) const fn plane(pen: &mut Pen<'_>, columns: u32, rows: u32) {
-    let first = pen.next();
-    let mut row = 0;
-    while row <= rows {
-        let mut column = 0;
-        while column <= columns {
-            let place = Vec3::new(across(column, columns), Scalar::ZERO, across(row, rows));
-            let uv = [ratio(column, columns), ratio(row, rows)];
-            pen.place(place, Vec3::Y, uv);
-            column += 1;
-        }
-        row += 1;
-    }
-    let grid = Grid {
-        columns,
-        rows,
-        poles: false,
-        along: [0, rows + 1],
-        across: columns + 1,
-    };
-    write_grid(pen, first, &grid);
-}
-
-pub(super) const fn cylinder(pen: &mut Pen<'_>, slices: u32) {
-    let first = pen.next();
-    let mut row = 0;
-    while row <= 1 {
-        let y = if row == 0 { ONE } else { -ONE };
-        let mut column = 0;
-        while column <= slices {
-            let (sin, cos) = sin_cos(angle(column, slices, false));
-            pen.vertex(&Corner {
-                position: [ONE * sin, ONE * y, ONE * cos],
-                normal: [ONE * sin, 0, ONE * cos],
-                uv: [ratio(column, slices), ratio(row, 1)],
-            });
-            column += 1;
-        }
-        row += 1;
-    }
-    let grid = Grid {
-        columns: slices,
-        rows: 1,
-        poles: false,
-        along: [0, 2],
-        across: slices,
-    };
-    write_grid(pen, first, &grid);
-    cap(pen, slices, ONE);
-    cap(pen, slices, -ONE);
-}
-
 /// Closes a cylinder at `y` with a fan of triangles.
-const fn cap(pen: &mut Pen<'_>, slices: u32, y: i64) {
-    let center = pen.next();
+const fn cap(writer: &mut MeshWriter<'_>, slices: u32, y: i64) {
+    let center = writer.next();
     let half = TexCoord::from_bits(UNIT.to_bits() / 2);
-    pen.vertex(&Corner {
+    writer.vertex(&Vertex {
         position: [0, ONE * y, 0],
         normal: [0, ONE * y, 0],
         uv: [half, half],
@@ -212,16 +182,16 @@ const fn cap(pen: &mut Pen<'_>, slices: u32, y: i64) {
         let (sin, cos) = sin_cos(angle(slice, slices, false));
         // A disc of the texture; v grows toward +z on the upper cap and toward −z on the lower.
         let down = if y > 0 { cos } else { -cos };
-        pen.vertex(&Corner {
+        writer.vertex(&Vertex {
             position: [ONE * sin, ONE * y, ONE * cos],
             normal: [0, ONE * y, 0],
             uv: [texture(sin), texture(down)],
         });
         let (this, next) = (center + 1 + slice, center + 1 + (slice + 1) % slices);
         if y > 0 {
-            pen.triangle([center, this, next]);
+            writer.triangle([center, this, next]);
         } else {
-            pen.triangle([center, next, this]);
+            writer.triangle([center, next, this]);
         }
         slice += 1;
     }
@@ -233,7 +203,7 @@ const fn texture(unit: i64) -> TexCoord {
     TexCoord::from_bits(((unit + ONE + (1 << 10)) >> 11) as i32)
 }
 
-pub(super) const fn cuboid(pen: &mut Pen<'_>, corner: Vec3) {
+const fn cuboid(writer: &mut MeshWriter<'_>, corner: Vec3) {
     /// Normal, right and down of each side as seen from outside; each is an axis and whether it points along it.
     const SIDES: [[(usize, bool); 3]; 6] = [
         [(2, true), (0, true), (1, false)],
@@ -247,7 +217,7 @@ pub(super) const fn cuboid(pen: &mut Pen<'_>, corner: Vec3) {
     let mut side = 0;
     while side < SIDES.len() {
         let [out, right, down] = SIDES[side];
-        let a = pen.next();
+        let a = writer.next();
         let mut normal = [0; 3];
         normal[out.0] = if out.1 { 1 << 16 } else { -(1 << 16) };
         let mut vertex = 0;
@@ -264,18 +234,18 @@ pub(super) const fn cuboid(pen: &mut Pen<'_>, corner: Vec3) {
                 position[down.0] = -position[down.0];
             }
             let uv = [if u { UNIT } else { ZERO }, if v { UNIT } else { ZERO }];
-            pen.place(Vec3::from_bits(position), Vec3::from_bits(normal), uv);
+            writer.place(Vec3::from_bits(position), Vec3::from_bits(normal), uv);
             vertex += 1;
         }
         let (b, c, d) = (a + 1, a + 2, a + 3);
-        pen.triangle([a, c, d]);
-        pen.triangle([a, d, b]);
+        writer.triangle([a, c, d]);
+        writer.triangle([a, d, b]);
         // Each of the four upright sides writes one upright edge; top and bottom write the rest.
-        pen.edge([a, c]);
+        writer.edge([a, c]);
         if out.0 == 1 {
-            pen.edge([b, d]);
-            pen.edge([a, b]);
-            pen.edge([c, d]);
+            writer.edge([b, d]);
+            writer.edge([a, b]);
+            writer.edge([c, d]);
         }
         side += 1;
     }

@@ -112,7 +112,7 @@ fn normals_are_unit_vectors_that_point_outwards() {
                     face: Some(face),
                     indices: *indices,
                 };
-                let normal = float(mesh.normal(element, corner).unwrap());
+                let normal = float(mesh.normals.at(element, corner).unwrap());
                 // Three components rounded by up to 2^-17 each: √3 · 2^-17.
                 let length = dot(normal, normal).sqrt();
                 assert!((length - 1.0).abs() < 1.0 / 32768.0, "{name}: {length}");
@@ -155,7 +155,7 @@ fn texture_coordinates_are_in_range_and_not_mirrored() {
                 face: Some(face),
                 indices: *indices,
             };
-            let uv = [0, 1, 2].map(|corner| mesh.uv(element, corner).unwrap());
+            let uv = [0, 1, 2].map(|corner| mesh.uvs.at(element, corner).unwrap());
             for Vec2 { x, y } in uv {
                 assert!((0..=1 << 20).contains(&x.to_bits()), "{name}");
                 assert!((0..=1 << 20).contains(&y.to_bits()), "{name}");

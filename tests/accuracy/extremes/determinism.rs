@@ -155,7 +155,7 @@ fn sums<B: Kept>(
 }
 
 fn frame<B: Kept>(mode: impl Mode, rows: u32, numbers: Numbers) -> Sums {
-    let options = DrawOptions::new().mode(mode);
+    let options = DrawOptions::new().with_mode(mode);
     let models = models();
     sums::<B>(rows, |band, projection| {
         for model in &models {

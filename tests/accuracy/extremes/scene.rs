@@ -82,7 +82,7 @@ impl Lens {
             size: self.size,
             options: self
                 .viewport
-                .map_or(BOTH_SIDES, |viewport| BOTH_SIDES.viewport(viewport)),
+                .map_or(BOTH_SIDES, |viewport| BOTH_SIDES.with_viewport(viewport)),
             sums: positions.iter().map(|p| sum(p) + offset).collect(),
             positions,
             faces: vec![[0, 1, 2]],

@@ -109,10 +109,10 @@ fn scene() -> impl Strategy<Value = Scene> {
     ];
     let cull = select(vec![Cull::Back, Cull::Nothing, Cull::Front]);
     let options = (viewport, cull).prop_map(|(viewport, cull)| match viewport {
-        None => DrawOptions::new().cull(cull),
+        None => DrawOptions::new().with_cull(cull),
         Some((x, y, width, height)) => DrawOptions::new()
-            .cull(cull)
-            .viewport(Viewport::new(x, y, width, height).unwrap()),
+            .with_cull(cull)
+            .with_viewport(Viewport::new(x, y, width, height).unwrap()),
     });
     let what = select(vec![
         What::Triangles,
@@ -218,12 +218,12 @@ impl Scene {
     ) {
         let options = &self.options;
         match self.mode {
-            Mode::Newton => self.draw_in(&options.mode(Newton), canvas, projection),
-            Mode::Exact => self.draw_in(&options.mode(Exact), canvas, projection),
+            Mode::Newton => self.draw_in(&options.with_mode(Newton), canvas, projection),
+            Mode::Exact => self.draw_in(&options.with_mode(Exact), canvas, projection),
             Mode::Fast(texels) => {
-                self.draw_in(&options.mode(Fast::within(texels)), canvas, projection);
+                self.draw_in(&options.with_mode(Fast::within(texels)), canvas, projection);
             }
-            Mode::Affine => self.draw_in(&options.mode(Affine), canvas, projection),
+            Mode::Affine => self.draw_in(&options.with_mode(Affine), canvas, projection),
         }
     }
 

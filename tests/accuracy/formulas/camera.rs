@@ -158,7 +158,7 @@ fn the_mvp_applies_from_right_to_left() {
     let projection =
         Projection::perspective(Angle::from_degrees(90), (4, 3), fx!(0.5), fx!(100)).unwrap();
     let camera = Camera::look_at(vec3!(0, 0, 5), Vec3::ZERO, Vec3::Y).unwrap();
-    let options = DrawOptions::new().viewport(Viewport::new(32, 16, 160, 120).unwrap());
+    let options = DrawOptions::new().with_viewport(Viewport::new(32, 16, 160, 120).unwrap());
     let place = |mvp: &_, p| {
         let place = canvas.project(&options, mvp, p).unwrap();
         [place.x.to_num::<f64>(), place.y.to_num()]

@@ -35,7 +35,7 @@ proptest! {
         let projection = Projection::from_focal_length(fx!(64), size, fx!(0.5), fx!(100)).unwrap();
         let mut pixels = vec![Gray8::new(0); (SIZE * SIZE) as usize];
         let mut canvas = Canvas::new(&mut pixels, SIZE, SIZE).unwrap();
-        let both_sides = DrawOptions::new().cull(Cull::Nothing).mode(Exact);
+        let both_sides = DrawOptions::new().with_cull(Cull::Nothing).with_mode(Exact);
         // A value for each vertex, by its position's index.
         let value = |corner: &Corner<'_>| {
             let positions = corner.primitive().positions();

@@ -1,5 +1,6 @@
 //! Writes the vertices, triangles and edges of a shape one after the other.
 
+use crate::error::ok;
 use crate::mesh::{Buffers, Counts, Index, Mesh};
 use crate::{Error, TexCoord, Vec2, Vec3};
 
@@ -7,14 +8,14 @@ use crate::{Error, TexCoord, Vec2, Vec3};
 pub(super) const ONE: i64 = 1 << 30;
 
 /// A vertex; its position and normal are in units of 2⁻⁶⁰.
-pub(super) struct Corner {
+pub(super) struct Vertex {
     pub(super) position: [i64; 3],
     pub(super) normal: [i64; 3],
     pub(super) uv: [TexCoord; 2],
 }
 
 /// Writes a mesh into buffers and knows where the next elements go.
-pub(super) struct Pen<'a> {
+pub(super) struct MeshWriter<'a> {
     buffers: Buffers<'a>,
     counts: Counts,
     positions: u32,
@@ -38,18 +39,16 @@ const fn index(number: u32) -> Index {
     number as Index
 }
 
-impl<'a> Pen<'a> {
+impl<'a> MeshWriter<'a> {
     pub(super) const fn new(buffers: Buffers<'a>, counts: Counts) -> Result<Self, Error> {
-        match buffers.wanted(counts) {
-            Ok(counts) => Ok(Self {
-                buffers,
-                counts,
-                positions: 0,
-                faces: 0,
-                edges: 0,
-            }),
-            Err(error) => Err(error),
-        }
+        let counts = ok!(buffers.wanted(counts));
+        Ok(Self {
+            buffers,
+            counts,
+            positions: 0,
+            faces: 0,
+            edges: 0,
+        })
     }
 
     /// The number of the next vertex.
@@ -57,7 +56,7 @@ impl<'a> Pen<'a> {
         self.positions
     }
 
-    pub(super) const fn vertex(&mut self, vertex: &Corner) {
+    pub(super) const fn vertex(&mut self, vertex: &Vertex) {
         let position = rounded(vertex.position);
         self.place(position, rounded(vertex.normal), vertex.uv);
     }

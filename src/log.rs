@@ -1,0 +1,48 @@
+//! `defmt::Format` for types that contain numbers of the package `fixed`, which do not implement it themselves.
+
+use defmt::{Debug2Format, Display2Format, Format, Formatter};
+
+use crate::error::RefusedFloat;
+use crate::mesh::Shape;
+use crate::view::{Projection, ProjectionKind, Segment, Window};
+use crate::{Angle, Error, Matrix4, ScreenPoint, Vec2, Vec3};
+
+macro_rules! format {
+    ($adapter:ident: $($({$K:ident: $bound:path})? $Type:ty),+) => {$(
+        impl$(<$K: $bound>)? Format for $Type {
+            fn format(&self, f: Formatter<'_>) {
+                defmt::write!(f, "{}", $adapter(self));
+            }
+        }
+    )+};
+}
+
+format!(Display2Format: Error, RefusedFloat, Angle, Vec2, Vec3);
+format!(Debug2Format: Matrix4, ScreenPoint, Segment, Shape, Window, {K: ProjectionKind} Projection<K>);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{Counts, Missing};
+    use crate::mode::{Affine, Exact, Fast, Newton};
+    use crate::shade::{PerFace, Texels, Tolerance, Within};
+    use crate::target::{Biased, NoDepth, NoTest, TestAndWrite, TestOnly, WriteOnly};
+    use crate::texture::{Bilinear, Clamp, Nearest, Repeat};
+    use crate::{Aspect, Camera, Cull, DrawOptions, Drawn, Fragment, Light, Mvp, Rate, Spin};
+    use crate::{Transform, Viewport, math::Direction};
+
+    const fn logs<T: Format>() {}
+
+    /// Compiles only if every type that a program may want to log implements `Format`.
+    #[test]
+    fn values_can_be_logged() {
+        macro_rules! all {
+            ($($Type:ty)+) => { $(logs::<$Type>();)+ };
+        }
+        all!(Error RefusedFloat Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform);
+        all!(Counts Missing Shape Fragment Light Tolerance Texels Within<8, Texels> PerFace<u8>);
+        all!(Drawn DrawOptions ScreenPoint Cull Exact Affine Newton Fast);
+        all!(NoDepth NoTest TestAndWrite TestOnly WriteOnly Biased);
+        all!(Repeat Clamp Nearest Bilinear Aspect Camera Mvp Projection Segment Viewport Window);
+    }
+}

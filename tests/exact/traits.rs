@@ -1,0 +1,75 @@
+//! The traits that every public type must implement; this file does not compile if one is missing.
+
+use core::error::Error as StdError;
+use core::fmt::{Debug, Display};
+use core::hash::Hash;
+
+use embedded_graphics::pixelcolor::Rgb565;
+use fixel::math::Direction;
+use fixel::mesh::{Buffers, Counts, Missing, Positions, Shape};
+use fixel::mode::{Affine, Exact, Fast, Newton};
+use fixel::prelude::*;
+use fixel::shade::{Converted, FaceLit, Lit, Map, PerFace, Texels, Tinted, Tolerance, Within};
+use fixel::target::{Biased, Depth, Float, Linear, Native, NoDepth, NoTest};
+use fixel::target::{TestAndWrite, TestOnly, WideFloat, WriteOnly};
+use fixel::texture::{Bilinear, Clamp, Image, Nearest, Repeat};
+use fixel::view::{Parallel, Perspective, Segment};
+use fixel::{Index, Matrix4, Prepared, RefusedFloat, ScreenPoint, Unit};
+
+const fn any<T: Debug + Send + Sync + Unpin>() {}
+const fn shared<T: Clone + Debug + Send + Sync>() {}
+const fn value<T: Copy + Debug + Eq + Hash + Send + Sync + 'static>() {}
+const fn borrowed<T: Copy + Debug + Eq + Send + Sync>() {}
+const fn default<T: Default>() {}
+const fn shown<T: Display>() {}
+const fn error<T: StdError + Display>() {}
+
+macro_rules! all {
+    ($check:ident: $($Type:ty)+) => { const _: () = { $($check::<$Type>();)+ }; };
+}
+
+all!(value: Error RefusedFloat Scalar TexCoord Unit Index Angle Rate Spin);
+all!(value: Vec2 Vec3 Direction Matrix4 Transform);
+all!(value: Aspect Camera Mvp Mvp<Parallel> Parallel Perspective Projection Projection<Parallel>);
+all!(value: Segment Viewport Window);
+all!(value: Counts Missing Shape);
+all!(value: Affine Exact Fast Newton Cull DrawOptions DrawOptions<Fast, Biased> Drawn ScreenPoint);
+all!(value: Flat<Rgb565> Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> Fragment Light);
+all!(value: Converted<Flat<Rgb565>, Rgb565> FaceLit<Flat<Rgb565>> Lit<Flat<Rgb565>> Tinted<Flat<Rgb565>>);
+all!(value: Textured<Texture<'static, Rgb565>> FaceColors<'static, Rgb565>);
+all!(value: PerFace<u8> Texels Tolerance Within<1, Texels>);
+all!(value: Biased Float Linear Native NoDepth NoTest TestAndWrite TestOnly WideFloat WriteOnly);
+all!(value: Bilinear Clamp Nearest Repeat);
+all!(value: Image<'static> Palette<'static, Rgb565> Texture<'static, Rgb565>);
+all!(borrowed: Mesh<'static> Positions<'static>);
+all!(shared: Map<Flat<Rgb565>, fn(&Fragment, Rgb565) -> Option<Rgb565>> Prepared<'static>);
+all!(shared: TriangleList<1, 1> TextureArray<Rgb565, 1, 1> PaletteArray<Rgb565, 1, 1>);
+all!(any: Buffers<'static> Canvas<'static, Rgb565> Canvas<'static, Rgb565, Native, Depth<'static>>);
+
+all!(default: Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform Camera Counts Cull DrawOptions);
+all!(default: Drawn Missing Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> TriangleList<1, 1>);
+all!(shown: Error RefusedFloat Angle Vec2 Vec3);
+all!(error: Error);
+
+/// The Rust API guidelines ask for messages in lowercase, without punctuation at the end.
+#[test]
+fn messages_of_errors_are_lowercase_without_a_full_stop() {
+    let errors = [
+        Projection::perspective(deg!(0), (4, 3), fx!(0.1), fx!(100)).unwrap_err(),
+        Projection::perspective(deg!(60), (4, 0), fx!(0.1), fx!(100)).unwrap_err(),
+        Projection::perspective(deg!(60), (4, 3), fx!(0), fx!(100)).unwrap_err(),
+        Projection::perspective(deg!(60), (4, 3), fx!(2), fx!(1)).unwrap_err(),
+        Camera::look_at(Vec3::X, Vec3::X, Vec3::Y).unwrap_err(),
+        Camera::look_at(Vec3::X, Vec3::ZERO, Vec3::X).unwrap_err(),
+        Light::new(Vec3::ZERO, fx!(0), fx!(0)).unwrap_err(),
+        Mesh::new(&[Vec3::ZERO], &[[0, 0, 1]]).unwrap_err(),
+        Viewport::new(0, 0, 0, 1).unwrap_err(),
+        Angle::try_from_degrees(f64::INFINITY).unwrap_err(),
+    ];
+    for error in errors {
+        let message = error.to_string();
+        assert!(!message.starts_with(char::is_uppercase), "{message}");
+        assert!(!message.ends_with(['.', '!', ':']), "{message}");
+        assert!(!format!("{error:?}").is_empty());
+    }
+}
