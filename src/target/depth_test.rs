@@ -65,7 +65,7 @@ depth_tests! {
         ///
         /// ```
         /// use fixel::{prelude::*, target::TestAndWrite};
-        /// assert_eq!(DrawOptions::new(), DrawOptions::new().depth(TestAndWrite));
+        /// assert_eq!(DrawOptions::new(), DrawOptions::new().with_depth(TestAndWrite));
         /// ```
         TestAndWrite true true;
         /// Draws a pixel if it is at least as near as the stored depth, and keeps the stored depth: for glass and
@@ -73,21 +73,21 @@ depth_tests! {
         ///
         /// ```
         /// use fixel::{prelude::*, target::TestOnly};
-        /// let glass = DrawOptions::new().depth(TestOnly);
+        /// let glass = DrawOptions::new().with_depth(TestOnly);
         /// ```
         TestOnly true false;
         /// Draws every pixel and stores its depth.
         ///
         /// ```
         /// use fixel::{prelude::*, target::WriteOnly};
-        /// let first_in_the_frame = DrawOptions::new().depth(WriteOnly);
+        /// let first_in_the_frame = DrawOptions::new().with_depth(WriteOnly);
         /// ```
         WriteOnly false true;
         /// Draws every pixel and keeps the stored depths: for a sky, or a display over the scene.
         ///
         /// ```
         /// use fixel::{prelude::*, target::NoTest};
-        /// let sky = DrawOptions::new().cull(Cull::Nothing).depth(NoTest);
+        /// let sky = DrawOptions::new().with_cull(Cull::Nothing).with_depth(NoTest);
         /// ```
         NoTest false false;
 }
