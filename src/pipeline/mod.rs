@@ -18,7 +18,7 @@ use vertex::Projector;
 use crate::Vec3;
 use crate::mesh::{Mesh, Missing, Positions};
 use crate::num::Subpixel;
-use crate::raster::{DepthShift, ScreenVertex};
+use crate::raster::{Blitter, ScreenVertex};
 use crate::shade::{Shader, ShaderFor};
 use crate::span::{Blit, Mode};
 use crate::target::{Canvas, DepthBuffer, DepthTest, Storage};
@@ -100,13 +100,13 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
         mvp: &V,
         shader: &S,
     ) -> Drawn {
-        let call = Call::new(options, mesh, mvp, (self.frame_size(), self.rows()));
-        let mut blit = self.blit::<V::Kind, _, _, _>(options, shader, call.depth_shift());
-        run::draw(&call, &mut blit)
+        self.call(options, (mesh, mvp), shader, run::draw)
     }
 
     /// Draws triangles that were [prepared](TriangleList::prepare) for this frame, as far as they lie in this
     /// canvas's rows. The pixels are those of [`draw_with`](Self::draw_with), but nothing is transformed again.
+    ///
+    /// A canvas that is narrower than this frame draws the columns that it has.
     pub fn draw_prepared<M: Mode, Z: DepthTest, K: ProjectionKind, S: ShaderFor<C>>(
         &mut self,
         prepared: &Prepared<'_, K, M, Z>,
@@ -130,9 +130,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
         mvp: &V,
         shader: &S,
     ) -> Drawn {
-        let call = Call::new(options, mesh, mvp, (self.frame_size(), self.rows()));
-        let mut blit = self.blit::<V::Kind, _, _, _>(options, shader, call.depth_shift());
-        run::edges(&call, &mut blit)
+        self.call(options, (mesh, mvp), shader, run::edges)
     }
 
     /// Draws a mesh's positions as points: the pixel that contains each.
@@ -143,9 +141,7 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
         mvp: &V,
         shader: &S,
     ) -> Drawn {
-        let call = Call::new(options, mesh, mvp, (self.frame_size(), self.rows()));
-        let mut blit = self.blit::<V::Kind, _, _, _>(options, shader, call.depth_shift());
-        run::points(&call, &mut blit)
+        self.call(options, (mesh, mvp), shader, run::points)
     }
 
     /// The screen position of a point of model space, with the same bits as when it is drawn.
@@ -181,14 +177,19 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
         })
     }
 
-    /// The blitter of a draw call.
+    /// Sets up a draw call and runs it.
     #[inline]
-    fn blit<'p, K: ProjectionKind, M: Mode, Z: DepthTest, S: Shader<Color = C>>(
-        &'p mut self,
+    fn call<M: Mode, Z: DepthTest, V: ModelToPicture, S: Shader<Color = C>>(
+        &mut self,
         options: &DrawOptions<M, Z>,
+        (mesh, mvp): (&Mesh<'_>, &V),
         shader: &S,
-        shift: DepthShift,
-    ) -> Blit<'p, 'c, S, O, D, K, M, Z> {
-        Blit::new((options.mode, options.depth), self, *shader, shift)
+        stages: impl FnOnce(&Call<'_, V::Kind>, &mut dyn Blitter) -> Drawn,
+    ) -> Drawn {
+        let call = Call::new(options, mesh, mvp, (self.frame_size(), self.rows()));
+        let modes = (options.mode, options.depth);
+        let mut blit =
+            Blit::<_, _, _, V::Kind, _, _>::new(modes, self, *shader, call.depth_shift());
+        stages(&call, &mut blit)
     }
 }
