@@ -108,11 +108,13 @@ impl<'a> Positions<'a> {
     }
     /// The position at an index, in its stored format; the origin for an index that no checked list holds.
     #[inline]
-    pub(crate) fn place(&self, index: Index) -> Place<'a> {
+    pub(crate) fn stored(&self, index: Index) -> StoredPosition<'a> {
         let index = usize::from(index);
         match self.list {
-            List::Long(positions) => Place::Long(positions.get(index).unwrap_or(&Vec3::ZERO)),
-            List::Short { positions, up } => Place::Short {
+            List::Long(positions) => {
+                StoredPosition::Long(positions.get(index).unwrap_or(&Vec3::ZERO))
+            }
+            List::Short { positions, up } => StoredPosition::Short {
                 position: *positions.get(index).unwrap_or(&[0; 3]),
                 up,
             },
@@ -122,7 +124,7 @@ impl<'a> Positions<'a> {
     /// The position at an index; the origin for an index that no checked list holds.
     #[inline(never)]
     pub(crate) fn at(&self, index: Index) -> Vec3 {
-        Vec3::from_bits(self.place(index).to_bits())
+        Vec3::from_bits(self.stored(index).to_bits())
     }
 }
 
@@ -137,12 +139,12 @@ impl PartialEq for Positions<'_> {
 
 /// A position about to be transformed, still in its stored format.
 #[derive(Clone, Copy)]
-pub(crate) enum Place<'a> {
+pub(crate) enum StoredPosition<'a> {
     Long(&'a Vec3),
     Short { position: [i16; 3], up: u32 },
 }
 
-impl Place<'_> {
+impl StoredPosition<'_> {
     /// In units of 2^-16.
     #[inline]
     pub(crate) fn to_bits(self) -> [i32; 3] {

@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use crate::Scalar;
 use crate::math::{AffineRow, Transform, compose};
-use crate::mesh::{Index, Place, Positions};
+use crate::mesh::{Index, Positions, StoredPosition};
 use crate::num::block::{self, BlockFloat};
 use crate::num::reciprocal;
 use crate::num::wide::{PREFERS_SHORT, dot, product, short_dot};
@@ -148,13 +148,13 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     /// The clip position of a position of model space; of the origin for an index that no checked list holds.
     #[inline]
     pub(super) fn clip_position(&self, index: Index) -> ClipPosition {
-        let place = self.positions.place(index);
-        match place {
-            Place::Short { position, up } if PREFERS_SHORT => {
+        let stored = self.positions.stored(index);
+        match stored {
+            StoredPosition::Short { position, up } if PREFERS_SHORT => {
                 self.short_clip_position(position, up)
             }
             _ => {
-                let position = place.to_bits();
+                let position = stored.to_bits();
                 let ([x, y, t], [ox, oy, ot]) = (&self.rows, self.offsets);
                 [
                     ox + dot(x, &position),
@@ -380,7 +380,8 @@ mod tests {
                 let mesh = Mesh::short(&positions, fraction, &[]).unwrap();
                 let projector = Projector::new(mesh.positions(), projection, &view, &viewport);
                 for index in 0..7 {
-                    let Place::Short { position, up } = mesh.positions().place(index) else {
+                    let StoredPosition::Short { position, up } = mesh.positions().stored(index)
+                    else {
                         panic!("a long position");
                     };
                     let short = projector.short_clip_position(position, up);

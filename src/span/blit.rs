@@ -7,7 +7,7 @@ use embedded_graphics::geometry::Point;
 
 use super::divide::{divide, divide_anew, divide_apart};
 use super::mode::{Kernel, Policy, STEEP, Slopes, WHOLE};
-use super::newton::{chord, newton};
+use super::newton::{newton, tangent};
 use super::pieces::pieces;
 use super::pixels::{Count, FaceOf, Numbers, Pixels, Span};
 use super::straight::{solid, straight};
@@ -262,9 +262,9 @@ where
         };
         let scales = slopes.scales;
         match kernel {
-            Kernel::Straight | Kernel::Chord => {
-                if kernel == Kernel::Chord {
-                    chord(&mut span);
+            Kernel::Straight | Kernel::Tangent => {
+                if kernel == Kernel::Tangent {
+                    tangent(&mut span);
                 }
                 let restore = |p: &Numbers<S>| Count::<S>::map(p, |p: &i32| *p >> Scale::AFFINE_UP);
                 straight(span, restore, cells, pixels);

@@ -47,7 +47,7 @@ pub enum Kernel {
     /// Attributes are linear along the span; they are stored times 4.
     Straight,
     /// Attributes are replaced by the line that touches them in the middle of the span.
-    Chord,
+    Tangent,
     /// Straight pieces; their length is 2 to this power pixels.
     Pieces(u32),
     /// One Newton step per pixel.
@@ -288,7 +288,7 @@ impl Policy for Newton {
             span.dp = L::zip(&span.dp, &slopes.scales, scaled);
         }
         if is_level(span) {
-            Kernel::Chord
+            Kernel::Tangent
         } else {
             Kernel::Newton
         }

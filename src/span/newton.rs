@@ -58,7 +58,7 @@ fn high(a: i32, b: i32) -> i32 {
 /// They lie on the line that touches the exact attributes in the middle of the span, and rounding adds up to 12½
 /// units of an attribute.
 #[inline(always)]
-pub(super) fn chord<L: Lanes>(span: &mut Span<L>) {
+pub(super) fn tangent<L: Lanes>(span: &mut Span<L>) {
     let middle = (span.count as u32 >> 1).cast_signed();
     let q = span
         .q
@@ -129,7 +129,7 @@ mod tests {
                 (p + step * pixel) / (q + dq * pixel) * 2_f64.powi(28)
             };
             let exact = [0, 63].map(at);
-            chord(&mut span);
+            tangent(&mut span);
             for (pixel, exact) in [0, 63].into_iter().zip(exact) {
                 let straight = span.p[0].wrapping_add(span.dp[0].wrapping_mul(pixel));
                 let straight = f64::from(straight) / 4.;
