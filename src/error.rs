@@ -48,7 +48,8 @@ macro_rules! errors {
 errors! {
     /// The reason why a value was refused. The message names the value and the allowed range.
     ///
-    /// Constructors and [`TriangleList::prepare`](crate::TriangleList::prepare) return errors. Drawing cannot fail.
+    /// Functions that build or check a value return errors, and so does
+    /// [`TriangleList::prepare`](crate::TriangleList::prepare). Draw calls cannot fail.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -94,7 +95,7 @@ errors! {
         /// The refused distance of the far plane.
         far: Scalar,
     } = "far plane is at {far}: it must be beyond the near plane at {near}";
-    /// A window without width or height, because an edge is not beyond its opposite.
+    /// A window without width or height: left is not below right, or bottom is not below top.
     EmptyWindow {
         /// The refused left or bottom edge.
         low: Scalar,
@@ -110,7 +111,7 @@ errors! {
     UpAlongView {
         /// The refused direction.
         up: Vec3,
-    } = "up is {up}, which is zero or parallel to the line of sight: it must point away from that line";
+    } = "up is {up}, which is zero or parallel to the line of sight: it must not be zero or along that line";
     /// A matrix whose last row is not 0 0 0 1 where an affine transform is needed.
     NotAffine {
         /// The refused row.

@@ -32,8 +32,9 @@
 //!  canvas     your memory: a frame, or a band of one
 //! ```
 //!
-//! A folder uses only folders before it in this list: `num`, `math`, `view`, `mesh`, `texture`, `shade`, `target`,
-//! `raster`, `span`, `pipeline`.
+//! A folder depends only on folders before it in this list: `num`, `math`, `view`, `mesh`, `texture`, `shade`, `target`,
+//! `raster`, `span`, `pipeline`. An outcode has a bit for each clip plane that a vertex is outside of; varyings are the
+//! values that a shader wants interpolated. The four kernels are private: each [mode](crate::mode) chooses among them.
 //!
 //! # A picture
 //!
@@ -54,7 +55,7 @@
 //!
 //! fn frame(now_ms: u64, display: &mut MockDisplay<Rgb565>) -> Result<(), Error> {
 //!     let projection = Projection::perspective(
-//!         Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(0.1), fx!(100))?; // Err if near is 0
+//!         deg!(60), (WIDTH, HEIGHT), fx!(0.1), fx!(100))?; // Err if near is 0
 //!     let camera = Camera::look_at(vec3!(0, 1.5, 4), Vec3::ZERO, Vec3::Y)?;
 //!     let spin = Transform::rotate_y(Rate::rpm(10).angle_at(now_ms)); // time in, angle out
 //!     let sun = Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?;
@@ -120,11 +121,10 @@
 //! 3. **Total.** No accepted value can cause a panic or a write outside the canvas. Constructors refuse values that
 //!    cannot be drawn, with an [`Error`] that names the value and the bound. [`guide::limits`] gives the ranges in
 //!    which accuracy is promised, and the behavior beyond them.
-//! 4. **Watertight.** Triangles that share an edge cover each pixel center between them exactly once,
-//!    clipped or not.
+//! 4. **Watertight.** Triangles that share an edge cover each pixel center exactly once, clipped or not.
 //! 5. **Bands equal frames.** A frame drawn in bands equals the frame drawn whole, bit for bit.
-//! 6. **Pay for what you use.** Texture, depth buffer, lines, byte order and mode are type parameters. Code that a
-//!    program does not name is not linked. The only feature flag is `defmt`, which is off by default: it
+//! 6. **Pay for what you use.** Depth, storage, color, shading and interpolation mode are type parameters. What your
+//!    program does not use adds no code. The only feature flag is `defmt`, which is off by default: it
 //!    implements `defmt::Format` for the types that a program may want to log, for example [`Error`], [`Vec3`] and
 //!    [`Drawn`].
 //!
@@ -142,7 +142,7 @@
 //! const HEIGHT: u32 = 12;
 //! const ROWS: u32 = 4;
 //!
-//! let projection = Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(10))?;
+//! let projection = Projection::perspective(deg!(60), (WIDTH, HEIGHT), fx!(1), fx!(10))?;
 //! let mvp = projection * Transform::translate(vec3!(0, 0, -2.5));
 //! let sun = Light::new(vec3!(1, 2, 3), fx!(0), fx!(1))?;
 //! let white = Flat::rgb(Rgb888::new(255, 255, 255)).lit(sun);

@@ -45,9 +45,10 @@ pub struct Drawn {
     /// The number of triangles, edges or points in the mesh.
     pub submitted: u32,
     /// The number of these that may have changed a pixel: triangles that are not culled and that meet the viewport
-    /// and the canvas's rows, and lines and points that are not entirely outside the guard band.
+    /// and the canvas's rows, and lines and points that are not entirely outside the guard band, ±2048 pixels around
+    /// the viewport's center.
     pub drawn: u32,
-    /// The number of drawn ones that were clipped by a plane of the view volume or of the guard band.
+    /// The number of these that were clipped by a plane of the view volume or of the guard band.
     pub clipped: u32,
     /// The attributes that the shader asked for and the mesh lacks.
     pub missing: Missing,
@@ -78,8 +79,8 @@ pub struct ScreenPoint {
 }
 
 impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
-    /// Draws a mesh's triangles through `mvp` to the whole frame. Back faces are culled, and every pixel is correct
-    /// in perspective.
+    /// Projects a mesh's triangles with `mvp` to the whole frame, and draws the part in this canvas. Back faces are
+    /// culled, and every pixel is correct in perspective.
     ///
     /// `mvp` is a [`Projection`](crate::Projection) times a camera and a model transform (an [`Mvp`](crate::Mvp)), or
     /// a projection alone. Drawing cannot fail: parts outside the view are clipped away.
@@ -103,8 +104,8 @@ impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
         self.call(options, (mesh, mvp), shader, run::draw)
     }
 
-    /// Draws triangles that were [prepared](TriangleList::prepare) for this frame, as far as they lie in this
-    /// canvas's rows. The pixels are those of [`draw_with`](Self::draw_with), but nothing is transformed again.
+    /// Draws the triangles that were [prepared](TriangleList::prepare) for this frame and meet this canvas's rows. The
+    /// pixels are those of [`draw_with`](Self::draw_with), but nothing is transformed again.
     ///
     /// A canvas that is narrower than this frame draws the columns that it has.
     pub fn draw_prepared<M: Mode, Z: DepthTest, K: ProjectionKind, S: ShaderFor<C>>(

@@ -25,7 +25,7 @@ pub struct Fragment {
     pub depth: u16,
 }
 
-/// Colors a surface: it computes values at the corners of each triangle, and a pixel's color from the values there.
+/// Colors a surface: it computes values at the corners of each triangle, and a pixel's color from the interpolated values.
 ///
 /// [`varyings`](Self::varyings) runs once for each triangle, edge or point. [`shade`](Self::shade) runs once for each
 /// visible pixel, with the values interpolated in perspective; it returns `None` to leave the pixel as it is.
@@ -76,12 +76,12 @@ pub trait Shader: Copy {
 
     /// Whether [`shade`](Self::shade) reads [`Fragment::depth`].
     ///
-    /// Depth is not computed, and is 0, if this is `false`, if no depth buffer needs depth, and if nothing is
-    /// interpolated. The default, `true`, is always correct; `false` makes such shaders faster.
+    /// Depth is not computed, and reads as 0, only if all three hold: this is `false`, no depth buffer needs depth, and
+    /// nothing is interpolated. The default, `true`, is always correct; `false` makes such shaders faster.
     const READS_DEPTH: bool = true;
 
     /// The values at the three corners of a triangle. For an edge, they are the values at its first end, its second
-    /// end, and its second end again; for a point, three times the same.
+    /// end, and its second end again; for a point, they are the same value three times.
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3];
 
     /// The color of a pixel, or `None` to leave both its color and its depth as they are.
@@ -165,7 +165,7 @@ pub trait Shader: Copy {
         }
     }
 
-    /// Converts this surface to another color: rounded, or dithered if that color is coarse.
+    /// Converts this surface to another color type: rounded, or dithered if that type is coarse.
     #[must_use]
     #[inline]
     fn converted<C: Levels>(self) -> Converted<Self, C> {
@@ -188,10 +188,10 @@ pub trait Shader: Copy {
 #[diagnostic::on_unimplemented(
     message = "the color of `{Self}` is not the canvas's color `{C}`",
     label = "not a shader of color `{C}`",
-    note = "write `&shader.converted()` to convert the color of each pixel, or make the canvas of the shader's color"
+    note = "write `&shader.converted()` to convert the color of each pixel, or give the canvas the shader's color type"
 )]
 pub trait ShaderFor<C>: Shader<Color = C> {}
 
-// Without this, the message would only tell that the associated types differ.
+// Without this, the message would only say that the associated types differ.
 #[diagnostic::do_not_recommend]
 impl<C, S: Shader<Color = C>> ShaderFor<C> for S {}

@@ -83,7 +83,7 @@ depth_tests! {
         /// let first_in_the_frame = DrawOptions::new().with_depth(WriteOnly);
         /// ```
         WriteOnly false true;
-        /// Draws every pixel and keeps the stored depths: for a sky, or a display over the scene.
+        /// Draws every pixel and keeps the stored depths: for a sky, or an overlay.
         ///
         /// ```
         /// use fixel::{prelude::*, target::NoTest};
@@ -97,7 +97,7 @@ depth_tests! {
 /// It costs 10 to 13 instructions for each drawn pixel on a Cortex-M4 and 7 for each hidden one; 6 to 12 and 7 to 9 on a
 /// Cortex-M0+.
 ///
-/// If a mesh is moved away, lines and decals on its surface are drawn whole:
+/// With a mesh moved away from the eye, lines and decals on its surface are drawn without gaps:
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -125,8 +125,8 @@ pub struct Biased<Z = super::TestAndWrite> {
 }
 
 impl<Z> Biased<Z> {
-    /// `test` with depths moved by `steps` of the depth buffer, plus `slope` times the depth difference between
-    /// neighboring pixels, across or down, whichever is greater. Positive values move nearer. Depths saturate at both
+    /// `test` with depths moved by `steps` steps of the depth buffer plus `slope` times the depth difference between
+    /// neighboring pixels, the greater of those across and down. Positive values move nearer. Depths saturate at both
     /// ends.
     #[must_use]
     pub const fn new(test: Z, steps: i32, slope: Scalar) -> Self {
