@@ -34,7 +34,7 @@
 //!
 //! A folder depends only on folders before it in this list: `num`, `math`, `view`, `mesh`, `texture`, `shade`, `target`,
 //! `raster`, `span`, `pipeline`. An outcode has a bit for each clip plane that a vertex is outside of; varyings are the
-//! values that a shader wants interpolated. The four kernels are private: each [mode](crate::mode) chooses among them.
+//! values that a shader wants interpolated. The four kernels are private: each [mode] chooses among them.
 //!
 //! # A picture
 //!

@@ -78,7 +78,7 @@ pub struct ScreenPoint {
     pub depth: u16,
 }
 
-impl<'c, C, O: Storage<C>, D: DepthBuffer> Canvas<'c, C, O, D> {
+impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// Projects a mesh's triangles with `mvp` to the whole frame, and draws the part in this canvas. Back faces are
     /// culled, and every pixel is correct in perspective.
     ///
