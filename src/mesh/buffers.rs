@@ -178,7 +178,7 @@ impl<'a> Attributes<'a> {
     ///
     /// # Errors
     ///
-    /// That of `mesh`, and those of [`Mesh::with_edges`] and [`Mesh::with_uvs`].
+    /// Returns the error in `mesh`, or one of those of [`Mesh::with_edges`] and [`Mesh::with_uvs`].
     pub const fn of(self, mesh: Result<Mesh<'a>, Error>) -> Result<Mesh<'a>, Error> {
         /// The triangles of an attribute that has its own; `None` if it is indexed like the positions.
         const fn own(list: &[[Index; 3]]) -> Option<&[[Index; 3]]> {

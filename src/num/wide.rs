@@ -263,7 +263,7 @@ mod tests {
         }
     }
 
-    /// The ends of what is short, and one beyond.
+    /// Sides at both ends of the short range, and one unit beyond them.
     #[test]
     fn short_sides_have_15_bits() {
         let (least, most) = (-(1 << 14), (1 << 14) - 1);

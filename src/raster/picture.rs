@@ -1,4 +1,4 @@
-//! A blitter that draws characters, for pictures of what is covered.
+//! A blitter that draws characters, for pictures of the covered pixels.
 
 use core::ops::Range;
 use std::string::String;

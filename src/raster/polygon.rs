@@ -227,7 +227,7 @@ mod tests {
         }
     }
 
-    /// Rounding may dent an outline: a triangle of the fan then turns over and lies upon others.
+    /// Rounding may dent an outline. One triangle of the fan then has the opposite winding and overlaps others.
     #[test]
     fn a_folded_fan_has_each_pixel_once() {
         let dented = [[2, 2], [2, 26], [14, 8], [34, 26], [34, 2]];

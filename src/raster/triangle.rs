@@ -222,7 +222,7 @@ mod tests {
         let b = [[right, top], [left, bottom], [right, bottom]];
         let expected = [".......", ".aaaa..", ".aaab..", ".aabb..", "......."];
         drawn(7, 5, &[a, b]).assert(&expected);
-        // Whichever corner comes first, and whichever way they run.
+        // The picture depends neither on the first corner nor on the winding.
         for turn in 0..3 {
             let [mut a, mut b] = [a, b];
             a.rotate_left(turn);

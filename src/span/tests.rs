@@ -102,7 +102,7 @@ fn exact(span: &Span<[(); 1]>) -> impl Fn(u32) -> f64 + use<> {
     }
 }
 
-/// Checks that what is lacking at each pixel is within a range.
+/// Checks that each pixel's value differs from the exact one by an amount within a range.
 fn lacks(
     found: &[i32],
     exact: impl Fn(u32) -> f64,
@@ -231,7 +231,7 @@ fn the_later_of_two_pixels_at_one_depth_shows() {
     };
     let depth = 1 << 30;
     draw(b'a', 0..6, depth);
-    // At the same depth, as what is less than a step nearer is stored as.
+    // At the same depth, and nearer by less than one step, which is stored as the same depth.
     draw(b'b', 1..3, depth);
     draw(b'c', 2..4, depth + (1 << 15) - 1);
     // A step behind, and a step before.

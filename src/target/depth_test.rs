@@ -69,7 +69,7 @@ depth_tests! {
         /// ```
         TestAndWrite true true;
         /// Draws a pixel if it is at least as near as the stored depth, and keeps the stored depth: for glass and
-        /// other surfaces that must not hide what is drawn later.
+        /// other surfaces that must not hide later ones.
         ///
         /// ```
         /// use fixel::{prelude::*, target::TestOnly};

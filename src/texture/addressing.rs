@@ -23,8 +23,8 @@ pub trait Addressing: Copy + sealed::Sealed {
     #[doc(hidden)]
     fn index(texel: i32, log2: u32) -> i32;
 
-    /// `texels` minus `little`, both with 16 fraction bits. Near the least number, it wraps or saturates, whichever
-    /// shows the right texel.
+    /// `texels` minus `little`, both with 16 fraction bits. A difference below `i32::MIN` wraps if texels repeat, and
+    /// saturates if they are clamped.
     #[doc(hidden)]
     fn back(texels: i32, little: i32) -> i32;
 }

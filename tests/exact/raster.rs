@@ -3,6 +3,7 @@
 //! Corners are given in pixels, quarters and halves of them; a pixel's center is at a half.
 
 use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
+use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::prelude::*;
 use fixel::view::Parallel;
 
@@ -398,4 +399,25 @@ fn lines() {
             ........
         ",
     );
+}
+
+/// The vertex cache has 64 slots: the indices 0, 64 and 128 share one, and the corners must not take each other's place.
+#[test]
+fn corners_that_share_a_slot_of_the_vertex_cache() {
+    let corners = [vec3!(-1, -1, -2), vec3!(1, -1, -3), vec3!(0, 1, -4)];
+    let mut positions = [Vec3::ZERO; 129];
+    for (corner, position) in corners.into_iter().enumerate() {
+        positions[64 * corner] = position;
+    }
+    let projection = Projection::perspective(deg!(60), (16, 16), fx!(0.1), fx!(10)).unwrap();
+    let draw = |positions: &[Vec3], face| {
+        let mesh = Mesh::new(positions, std::slice::from_ref(&face)).unwrap();
+        let (mut pixels, mut depth) = ([Rgb565::BLACK; 256], [0; 256]);
+        let canvas = Canvas::new(&mut pixels, 16, 16).unwrap();
+        let mut canvas = canvas.with_depth(&mut depth).unwrap();
+        let drawn = canvas.draw(&mesh, &projection, &Flat::new(Rgb565::WHITE));
+        assert_eq!((drawn.drawn, drawn.clipped), (1, 0));
+        (pixels, depth)
+    };
+    assert!(draw(&corners, [0, 1, 2]) == draw(&positions, [0, 64, 128]));
 }

@@ -2,7 +2,7 @@
 
 use crate::{Scalar, TexCoord};
 
-/// The bits of the nearest number and the index of the byte after it; or what is wrong with the text.
+/// The bits of the nearest number and the index of the byte after it, or a message that says why the text is refused.
 pub(super) type Decimal = Result<(i32, usize), &'static str>;
 
 pub(super) const MALFORMED: &str = "a number is malformed: it must be like 1, -0.25 or 2.5e-3";

@@ -56,8 +56,8 @@ impl Usage {
         self.differs |= index != position;
     }
 
-    /// How many values and how many triangles the attribute's lists need, for a text with so many values, positions,
-    /// corners and triangles.
+    /// The lengths that the attribute's lists of values and of triangles need. The arguments count the values, positions,
+    /// corners and triangles in the text.
     const fn counts(
         self,
         values: usize,
