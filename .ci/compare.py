@@ -34,7 +34,7 @@ for target in targets:
         fields = dict(re.findall(r"(\S+)=(\S+)", line))
         if line.startswith("same "):
             same[fields["scene"], fields["mode"], fields["way"]] = fields["crc"]
-        elif "scene" in fields:
+        elif fields.get("layout") in LAYOUTS:
             figures[fields["scene"], fields["mode"], fields["layout"]].update(fields)
     unit = re.search(r"^tick=(\d+) instructions$", printed, re.M)
     cases = {(*drawn, layout) for drawn in host for layout in LAYOUTS}

@@ -2,7 +2,8 @@
 """Compares the instructions of programs on each target with tests/instructions.csv, and prints the changes.
 
 Arguments: `--renew`, to rewrite the targets' part of the file; the folder with a file of output for each target,
-and a file ending in .rustc with its compiler's version; the targets. Fails if anything takes over 2 % more
+another ending in .size of the programs that are optimized for size, and a file ending in .rustc with the compiler's
+version; the targets. Fails if anything takes over 2 % more
 instructions, or is not in the file. Another compiler makes other code: if a target's compiler is not the file's,
 the target is reported but not compared."""
 import csv
@@ -12,12 +13,23 @@ from pathlib import Path
 
 MOST = 1.02
 FILE = Path("tests/instructions.csv")
-HEAD = ["target", "mode", "what", "per", "instructions"]
+HEAD = ["target", "optimization", "mode", "what", "per", "instructions"]
+OUTPUTS = {"3": "", "s": ".size"}  # of a target's programs, by opt-level: what the file's name ends with
 COUNTED = 1000  # pixels or triangles of a kernel
 
 
-def measured(text):
-    """Returns instructions by mode, by the thing drawn, and by unit."""
+def measured(folder, target):
+    """Returns instructions by optimization, mode, the thing drawn, and unit."""
+    found = {}
+    for optimization, end in OUTPUTS.items():
+        path = Path(folder, target + end)
+        for case, instructions in (counts(path.read_text()) if path.exists() else {}).items():
+            found[optimization, *case] = instructions
+    return found
+
+
+def counts(text):
+    """Returns instructions by mode, the thing drawn, and unit."""
     unit = re.search(r"^tick=(\d+) instructions$", text, re.M)
     found = {}
     for line in text.splitlines() if unit else []:
@@ -26,7 +38,7 @@ def measured(text):
             continue
         instructions = int(fields["ticks"]) * int(unit[1])
         if "scene" in fields:
-            found[fields["mode"], fields["scene"], fields["layout"]] = instructions
+            found[fields["mode"], fields["scene"], fields["layout"]] = round(instructions / int(fields.get("frames", 1)))
         else:
             per = f"{COUNTED} {fields['unit']}s"
             found["kernel", fields["kernel"], per] = round(instructions * COUNTED / int(fields["units"]))
@@ -59,8 +71,10 @@ def compare(target, before, now):
     """Returns the failures, and the number of cases that are better."""
     wrong, better = [], 0
     for case in before.keys() | now.keys():
-        mode, what, per = case
-        name = f"{target}: {what} in mode {mode}, {per}," if mode != "kernel" else f"{target}: kernel {what}, {per},"
+        optimization, mode, what, per = case
+        name = f"{target} at {optimization}: {what} in mode {mode}, {per},"
+        if mode == "kernel":
+            name = f"{target} at {optimization}: kernel {what}, {per},"
         if case not in now:
             wrong.append(f"{name} is in the file and was not measured")
         elif case not in before:
@@ -82,7 +96,7 @@ def main():
     compilers, kept = read()
     failed = False
     for target in targets:
-        now = measured(Path(folder, target).read_text())
+        now = measured(folder, target)
         compiler = Path(folder, f"{target}.rustc").read_text().strip()
         if not now:
             failed = True

@@ -1,16 +1,20 @@
-//! The cost of the inner loops on a microcontroller: a pixel in each mode, and the set-up of a triangle.
+//! The cost of the inner loops on a microcontroller: a pixel in each mode, and the set-up of a triangle. And the cost of
+//! frames: the mean of the eight poses of each measured scene.
 //!
 //! `cargo run --release -p kernels --target thumbv7em-none-eabi` runs it under QEMU, which counts instructions; on a
 //! chip it counts the core's cycles. The first line says which, and how many a tick has. Then follows a line for each
-//! kernel, with its units (pixels or triangles), the ticks they took, and the instructions or cycles of `each`.
+//! kernel, with its units (pixels or triangles), the ticks they took, and the instructions or cycles of `each`; and for
+//! each scene, with its frames and the instructions or cycles of `each`. `--profile size` in place of `--release`
+//! optimizes for size.
 //!
 //! The cost of a pixel is the difference between two drawings of one triangle that covers a frame of 64 rows.
 //! `unit=pixel` compares frames of 16 and 48 columns, which lie within one span: the inner loop alone.
 //! `unit=long-pixel` compares 48 and 240 columns: each of 64 pixels with its share of a span's start. The cost of a
 //! triangle is the difference between two prepared lists, of which one has more of the same triangles.
 //!
-//! Pixels are RGB565 in the processor's byte order, with the nearest texel of 64x64. `depth-pass` and `depth-fail`
-//! have a depth buffer that lets all pixels pass or none; the other kernels have no depth buffer.
+//! Pixels are RGB565 in the processor's byte order, textures 64x64 with the nearest texel, and only draw calls are
+//! measured. `depth-pass` and `depth-fail` have a depth buffer that lets all pixels pass or none; the other kernels have
+//! no depth buffer.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
@@ -19,6 +23,8 @@ mod board;
 #[cfg(target_os = "none")]
 #[path = "../../common/mod.rs"]
 mod common;
+#[cfg(target_os = "none")]
+mod frames;
 #[cfg(target_os = "none")]
 mod pieces;
 #[cfg(target_os = "none")]
@@ -44,6 +50,7 @@ mod firmware {
 
     use super::board::{self, Clock};
     use super::common::scenes::CHECKER;
+    use super::frames::Frame;
     use super::pieces;
     use super::setup::{self, Kind};
     use super::ticks::Stopwatch;
@@ -59,6 +66,10 @@ mod firmware {
             let (triangles, ticks) = setup::measure(&mut watch, kind)?;
             watch.print(name, "triangle", triangles, ticks);
         }
+
+        let mut frame = Frame::take();
+        frame.measure(&mut watch, "newton", Newton)?;
+        frame.measure(&mut watch, "fast", Fast::within(fx!(0.25)))?;
 
         // Within half a texel, pieces of this wall have 16 pixels.
         let fast = Fast::within(fx!(0.5));

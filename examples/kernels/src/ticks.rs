@@ -74,4 +74,12 @@ impl Stopwatch {
         let (each, part) = (hundredths / 100, hundredths % 100);
         println!("kernel={kernel} unit={unit} units={units} ticks={ticks} each={each}.{part:02}");
     }
+
+    /// Prints the ticks of this number of frames of a scene.
+    pub fn print_frames(&self, mode: &str, scene: &str, frames: u32, ticks: u64) {
+        let each = ticks * self.tick.size() / u64::from(frames);
+        println!(
+            "scene={scene} mode={mode} layout=mean-of-poses frames={frames} ticks={ticks} each={each}"
+        );
+    }
 }

@@ -1,0 +1,81 @@
+//! Whole frames of the measured scenes: the mean of their eight poses.
+
+use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use fixel::mode::Mode;
+use fixel::prelude::*;
+use fixel::view::Perspective;
+use static_cell::ConstStaticCell;
+
+use super::common::scenes::{self, HEIGHT, POSES, WIDTH};
+use super::ticks::Stopwatch;
+
+const PIXELS: usize = (WIDTH * HEIGHT) as usize;
+static COLORS: ConstStaticCell<[Rgb565; PIXELS]> = ConstStaticCell::new([Rgb565::BLACK; PIXELS]);
+static DEPTHS: ConstStaticCell<[u16; PIXELS]> = ConstStaticCell::new([0; PIXELS]);
+
+/// Memory for a frame in the processor's byte order, and for its depths.
+pub struct Frame {
+    colors: &'static mut [Rgb565; PIXELS],
+    depths: &'static mut [u16; PIXELS],
+}
+
+/// A pose's model-view-projection product.
+type Chain = fn(i32) -> Result<Mvp<Perspective>, Error>;
+
+impl Frame {
+    /// Takes the memory; can be called once.
+    pub fn take() -> Self {
+        Self {
+            colors: COLORS.take(),
+            depths: DEPTHS.take(),
+        }
+    }
+
+    /// Draws all poses of all scenes, and prints the ticks of the draw calls.
+    pub fn measure<M: Mode>(
+        &mut self,
+        watch: &mut Stopwatch,
+        mode_name: &str,
+        mode: M,
+    ) -> Result<(), Error> {
+        let options = DrawOptions::new().with_mode(mode);
+        for (name, chain) in [
+            ("floor", scenes::floor_chain as Chain),
+            ("cube", scenes::cube_chain),
+            ("sphere", scenes::sphere_chain),
+            ("sphere-flat", scenes::sphere_chain),
+        ] {
+            let mut ticks = 0;
+            for pose in 0..POSES {
+                ticks += self.pose(watch, name, &options, &chain(pose)?)?;
+            }
+            watch.print_frames(mode_name, name, POSES.cast_unsigned(), ticks);
+        }
+        Ok(())
+    }
+
+    /// Draws a scene; returns the ticks.
+    fn pose<M: Mode>(
+        &mut self,
+        watch: &mut Stopwatch,
+        name: &str,
+        options: &DrawOptions<M>,
+        mvp: &Mvp<Perspective>,
+    ) -> Result<u64, Error> {
+        let mut canvas = Canvas::new(&mut *self.colors, WIDTH, HEIGHT)?;
+        canvas.clear(Rgb565::BLACK);
+        if name == "sphere-flat" {
+            return watch.time(|| Ok(_ = scenes::sphere_flat(&mut canvas, options, mvp)));
+        }
+        let mut canvas = canvas.with_depth(&mut *self.depths)?;
+        canvas.clear_depth();
+        watch.time(|| {
+            _ = match name {
+                "floor" => scenes::floor(&mut canvas, options, mvp),
+                "cube" => scenes::cube(&mut canvas, options, mvp),
+                _ => scenes::sphere(&mut canvas, options, mvp),
+            };
+            Ok(())
+        })
+    }
+}
