@@ -18,12 +18,13 @@
 //!   │         Draw::whole             6  inside the scissor?
 //!   ▼
 //!  raster     Blit::primitive         7  the shader's varyings at the three corners           shade/
-//!   │         triangle::draw          8  top-left rule, row by row (Edge::step)               raster/
+//!   │         Triangle::draw          8                                                       raster/
 //!   │         Setup::lay              9  gradients of 1/w and of attributes over w
+//!   │         scan_convert           10  top-left rule, row by row (Edge::step)
 //!   ▼
-//!  span       Blit::span             10  1/w and attributes at the span's first pixel         span/
-//!   │         Policy::of_span        11  the kernel: straight, pieces, Newton or divide
-//!   │         newton::newton         12  the attributes of each pixel
+//!  span       Blit::rows             11  1/w and attributes at a row's first pixel            span/
+//!   │         straight::straight     12  the attributes of each pixel; or pieces, Newton or
+//!   │                                    divide, as Policy::of_span chooses
 //!   ▼
 //!  pixel      Pixels::visible        13  depth test                                           target/
 //!   │         Pixels::shade          14

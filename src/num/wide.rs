@@ -69,45 +69,6 @@ fn short_cross([a, b]: [i32; 2], [c, d]: [i32; 2]) -> i64 {
     i64::from(a * d - c * b)
 }
 
-/// Returns a · b − c · d, for a `b` and a `d` of 14 bits.
-#[inline]
-pub(crate) fn short_difference(a: i32, b: i32, c: i32, d: i32) -> i64 {
-    if IS_NARROW {
-        difference_by_halves(a, b, c, d)
-    } else {
-        product(a, b) - product(c, d)
-    }
-}
-
-/// Returns [`short_difference`] by products of 32 bits.
-#[inline]
-fn difference_by_halves(a: i32, b: i32, c: i32, d: i32) -> i64 {
-    let [a, c] = [a, c].map(|value| [value >> 16, value & 0xffff]);
-    // Upper halves have 15 bits and a sign, lower ones 16, so that differences of products fit.
-    let (high, low) = (a[0] * b - c[0] * d, a[1] * b - c[1] * d);
-    (i64::from(high) << 16) + i64::from(low)
-}
-
-/// Shifts up by 1 to 31 bits.
-#[inline]
-pub(crate) const fn shifted(value: i64, up: u32) -> i64 {
-    if IS_NARROW {
-        shifted_by_halves(value, up)
-    } else {
-        // A product of 64 by 32 bits takes fewer instructions than a shift by a variable number.
-        value.wrapping_mul(1 << (up & 31))
-    }
-}
-
-/// Returns [`shifted`] by halves: a 64-bit shift by a variable number is a call.
-#[inline]
-const fn shifted_by_halves(value: i64, up: u32) -> i64 {
-    let bits = value.cast_unsigned();
-    let (high, low) = ((bits >> 32) as u32, bits as u32);
-    let high = high << (up & 31) | low >> (up.wrapping_neg() & 31);
-    ((high as u64) << 32 | (low << (up & 31)) as u64).cast_signed()
-}
-
 /// Multiplies by a number of 16 bits; wraps.
 #[inline]
 pub(crate) const fn times_short(a: i64, b: i32) -> i64 {
@@ -309,22 +270,6 @@ mod tests {
             let exact = (i64::from(a) * i64::from(b)) >> 14;
             prop_assert_eq!(i64::from(times_17_bits(a, b)), exact);
             prop_assert_eq!(i64::from(narrow_times_17_bits(a, b.cast_signed())), exact);
-        }
-
-        #[test]
-        fn differences_by_halves_are_exact(
-            a in -(1 << 30)..1 << 30,
-            b in -(1 << 14)..=1 << 14,
-            c in -(1 << 30)..1 << 30,
-            d in -(1 << 14)..=1 << 14,
-        ) {
-            let exact = i64::from(a) * i64::from(b) - i64::from(c) * i64::from(d);
-            prop_assert_eq!(difference_by_halves(a, b, c, d), exact);
-        }
-
-        #[test]
-        fn shifts_by_halves_are_exact(value in any::<i64>(), up in 1_u32..32) {
-            prop_assert_eq!(shifted_by_halves(value, up), value << up);
         }
 
         #[test]

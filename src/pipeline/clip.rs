@@ -132,6 +132,7 @@ fn cut<K: ProjectionKind>(
 mod tests {
     use super::*;
     use crate::math::{Transform, Vec3};
+    use crate::raster::Rasterizer;
     use crate::raster::picture::Picture;
     use crate::raster::{Cull, Polygon, area};
     use crate::view::{Parallel, Projection, Viewport, Window};
@@ -223,7 +224,7 @@ mod tests {
             let mut picture = Picture::new(12, 8);
             let scissor = picture.scissor();
             let fan = Polygon::new(&polygon, Cull::Nothing).unwrap();
-            fan.draw(&mut picture, &scissor);
+            fan.draw(&mut Rasterizer::new(&mut picture, &scissor));
             picture.assert(&expected);
         }
     }

@@ -16,7 +16,8 @@ use crate::Error;
 use crate::math::Transform;
 use crate::mesh::{Element, Index, Mesh, Placement};
 use crate::raster::{
-    Barycentric, Blitter, ClippedVertex, Cull, DepthShift, Polygon, Scissor, ScreenVertex, Triangle,
+    self, Barycentric, Blitter, ClippedVertex, Cull, DepthShift, Polygon, Scissor, ScreenVertex,
+    Triangle,
 };
 use crate::span::{Mode, Newton};
 use crate::target::{DepthTest, TestAndWrite, check_size};
@@ -300,8 +301,8 @@ impl Filling<'_> {
 
 impl Assembly for Filling<'_> {
     fn whole(&mut self, element: Element, corners: [&ScreenVertex; 3], area: i64) {
-        if let Some(triangle) = Triangle::of_area(corners, area, self.scissor) {
-            let rows = triangle.row_range();
+        if let Some(triangle) = Triangle::new(corners, None, area, self.scissor) {
+            let rows = triangle.rows();
             let numbers = corners.map(|corner| self.number(corner));
             self.add_triangle(element, &rows, Corners::Whole(numbers));
         }
@@ -309,7 +310,7 @@ impl Assembly for Filling<'_> {
 
     fn clipped(&mut self, element: Element, polygon: &[ClippedVertex]) {
         let part = Polygon::new(polygon, self.cull);
-        let Some(rows) = part.and_then(|part| part.row_range(self.scissor)) else {
+        let Some(rows) = part.and_then(|part| part.rows(self.scissor)) else {
             return;
         };
         let first = (self.needed.vertices as u16).wrapping_add(1);
@@ -354,7 +355,9 @@ impl<K: ProjectionKind, M, Z> Prepared<'_, K, M, Z> {
                 Corners::Whole([a, b, c]) => {
                     let corners = (self.vertex(a), self.vertex(b), self.vertex(c));
                     if let (Some(a), Some(b), Some(c)) = corners {
-                        draw.triangle(element, &Triangle::new([&a, &b, &c]));
+                        let corners = [&a, &b, &c];
+                        let area = raster::area(&ScreenVertex::screens(corners));
+                        draw.whole(element, corners, area);
                     }
                 }
                 Corners::Clipped { first, count } => {

@@ -13,7 +13,7 @@ use super::assemble::{self, Assembly};
 use super::cache::VertexCache;
 use super::call::{Call, Shared};
 use crate::mesh::{Element, Index};
-use crate::raster::{self, Blitter, ClippedVertex, Polygon, ScreenVertex, Triangle};
+use crate::raster::{self, Blitter, ClippedVertex, Polygon, Rasterizer, ScreenVertex, Triangle};
 use crate::view::ProjectionKind;
 
 /// Runs all triangles of a mesh through the vertex and assembly stages; `to` draws them or lists them to be drawn
@@ -30,15 +30,16 @@ pub(super) fn triangles<K: ProjectionKind>(call: &Call<'_, K>, to: &mut impl Ass
 #[inline(never)]
 pub(super) fn edges<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blitter) -> Drawn {
     let mut drawn = Drawn::default();
+    let mut raster = Rasterizer::new(blitter, &call.shared.scissor);
     let mut vertices = VertexCache::new();
     for &[a, b] in call.shared.mesh.edges() {
         drawn.submitted += 1;
         if let Some((line, is_clipped)) = assemble::edge(call, &mut vertices, [a, b]) {
-            blitter.primitive(&call.shared.primitive(Element {
+            raster.start(&call.shared.primitive(Element {
                 face: None,
                 indices: [a, b, b],
             }));
-            raster::line(blitter, &call.shared.scissor, line.each_ref());
+            raster::line(&mut raster, line.each_ref());
             drawn.drawn += 1;
             drawn.clipped += u32::from(is_clipped);
         }
@@ -51,6 +52,7 @@ pub(super) fn edges<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Bli
 #[inline(never)]
 pub(super) fn points<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blitter) -> Drawn {
     let mut drawn = Drawn::default();
+    let mut raster = Rasterizer::new(blitter, &call.shared.scissor);
     for index in 0..call.shared.mesh.positions().len() {
         // A mesh has at most 65,536 positions, so this never happens.
         let Ok(index) = Index::try_from(index) else {
@@ -60,11 +62,11 @@ pub(super) fn points<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Bl
         let mut at = ScreenVertex::UNSET;
         call.projector.project(index, &mut at);
         if at.outcode == 0 {
-            blitter.primitive(&call.shared.primitive(Element {
+            raster.start(&call.shared.primitive(Element {
                 face: None,
                 indices: [index; 3],
             }));
-            raster::point(blitter, &call.shared.scissor, &at);
+            raster::point(&mut raster, &at);
             drawn.drawn += 1;
         }
     }
@@ -82,7 +84,7 @@ pub(super) fn draw<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blit
 
 /// Draws assembled triangles.
 pub(super) struct Draw<'d> {
-    blitter: &'d mut dyn Blitter,
+    raster: Rasterizer<'d>,
     shared: &'d Shared<'d>,
     drawn: Drawn,
 }
@@ -91,7 +93,7 @@ impl<'d> Draw<'d> {
     #[inline]
     pub(super) fn new(blitter: &'d mut dyn Blitter, shared: &'d Shared<'d>) -> Self {
         Self {
-            blitter,
+            raster: Rasterizer::new(blitter, &shared.scissor),
             shared,
             drawn: Drawn {
                 submitted: shared.mesh.faces().len() as u32,
@@ -111,14 +113,14 @@ impl<'d> Draw<'d> {
 
     #[inline]
     fn start(&mut self, element: Element) {
-        self.blitter.primitive(&self.shared.primitive(element));
+        self.raster.start(&self.shared.primitive(element));
     }
 
     /// Draws a triangle that is inside all planes.
     #[inline]
     pub(super) fn triangle(&mut self, element: Element, triangle: &Triangle<'_>) {
         self.start(element);
-        triangle.draw(self.blitter, &self.shared.scissor);
+        triangle.draw(&mut self.raster);
         self.drawn.drawn += 1;
     }
 }
@@ -126,7 +128,7 @@ impl<'d> Draw<'d> {
 impl Assembly for Draw<'_> {
     #[inline]
     fn whole(&mut self, element: Element, corners: [&ScreenVertex; 3], area: i64) {
-        if let Some(triangle) = Triangle::of_area(corners, area, &self.shared.scissor) {
+        if let Some(triangle) = Triangle::new(corners, None, area, &self.shared.scissor) {
             self.triangle(element, &triangle);
         }
     }
@@ -135,7 +137,7 @@ impl Assembly for Draw<'_> {
     fn clipped(&mut self, element: Element, polygon: &[ClippedVertex]) {
         if let Some(polygon) = Polygon::new(polygon, self.shared.cull) {
             self.start(element);
-            let drawn = u32::from(polygon.draw(self.blitter, &self.shared.scissor));
+            let drawn = u32::from(polygon.draw(&mut self.raster));
             self.drawn.drawn += drawn;
             self.drawn.clipped += drawn;
         }

@@ -8,7 +8,7 @@ use crate::mesh::{Index, Positions, StoredPosition};
 use crate::num::block::{self, BlockFloat};
 use crate::num::reciprocal;
 use crate::num::wide::{PREFERS_SHORT, dot, product, short_dot};
-use crate::raster::{DepthShift, ScreenVertex};
+use crate::raster::{DepthShift, LEAST_WEIGHT, MOST_WEIGHT, ScreenVertex};
 use crate::view::{Projection, ProjectionKind, Row, Viewport};
 
 /// Half the width and height of the guard band, in pixels. The guard band is the area around the viewport's center in
@@ -306,7 +306,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             };
             (
                 [on_screen(x), on_screen(y)],
-                r.cast_unsigned(),
+                r.cast_unsigned().min(MOST_WEIGHT),
                 (up + coarse) as u8,
             )
         } else {
@@ -314,7 +314,8 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             let down = GUARD_BITS.cast_signed() - self.fraction;
             let on_screen = |x: i64| block::shift(x, down) as i32;
             let q = block::shift(t, 31 - self.fraction);
-            ([on_screen(x), on_screen(y)], q.cast_unsigned() as u32, 0)
+            let q = (q.cast_unsigned() as u32).clamp(LEAST_WEIGHT, MOST_WEIGHT);
+            ([on_screen(x), on_screen(y)], q, 0)
         };
         let [cx, cy] = self.center;
         // A position that is inside only by the tolerance may lie slightly beyond the guard band.

@@ -10,12 +10,11 @@ use core::num::NonZeroU32;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
     x: i32,
-    /// The bitwise complement of `deficit`: an addition of more than `deficit` carries.
-    complement: u32,
+    deficit: i32,
     /// The crossing moves right by `step` + `remainder` / `dy` for each row.
     step: i32,
-    remainder: u32,
-    dy: NonZeroU32,
+    remainder: i32,
+    dy: i32,
 }
 
 /// The first row (or column) whose center is at or after a position in units of 1/256 pixel.
@@ -31,7 +30,7 @@ impl Edge {
     ///
     /// The ends differ by at most 4096 pixels in each direction, and the edge crosses the center of `row`, so
     /// everything fits in 32 bits. For an edge that crosses no center, the result is meaningless.
-    #[inline(never)]
+    #[inline]
     pub(super) fn new(from: [i32; 2], to: [i32; 2], row: i32) -> Self {
         let dx = to[0] - from[0];
         let dy = NonZeroU32::new((to[1] - from[1]).cast_unsigned()).unwrap_or(NonZeroU32::MIN);
@@ -71,33 +70,32 @@ impl Edge {
         }
         let mut edge = Self {
             x,
-            complement: !deficit.cast_unsigned(),
+            deficit,
             step,
-            remainder,
-            dy,
+            remainder: remainder.cast_signed(),
+            dy: height,
         };
 
         let skipped = (row - first).cast_unsigned();
         if skipped > 0 {
             // Skips rows above the scissor, such as those of earlier bands: at most 4095, each with a remainder below
             // 2^20.
-            let remainder = skipped.wrapping_mul(edge.remainder);
-            let units = skipped.cast_signed() * edge.step + (remainder / dy).cast_signed();
-            edge.add(units, remainder % dy);
+            let moved = skipped.wrapping_mul(remainder);
+            let units = skipped.cast_signed() * step + (moved / dy).cast_signed();
+            edge.add(units, (moved % dy).cast_signed());
         }
         edge
     }
 
     /// Moves the crossing right by `units` + `remainder` / `dy`, where `remainder` < `dy`.
     #[inline]
-    const fn add(&mut self, units: i32, remainder: u32) {
-        let (complement, carry) = self.complement.overflowing_add(remainder);
-        self.x += units + carry as i32;
-        self.complement = if carry {
-            complement.wrapping_sub(self.dy.get())
-        } else {
-            complement
-        };
+    const fn add(&mut self, units: i32, remainder: i32) {
+        self.x += units;
+        self.deficit -= remainder;
+        if self.deficit < 0 {
+            self.deficit += self.dy;
+            self.x += 1;
+        }
     }
 
     /// Goes to the next row.
@@ -116,7 +114,7 @@ impl Edge {
     #[inline]
     pub(super) const fn inside(&self) -> i32 {
         // The floor is one less than the ceiling unless the crossing is a whole number.
-        (self.x - 127 - (self.complement != u32::MAX) as i32) >> 8
+        (self.x - 127 - (self.deficit != 0) as i32) >> 8
     }
 }
 

@@ -1,25 +1,31 @@
-//! The plane equation of an interpolant, kept as a numerator over a common denominator.
+//! The plane equations of interpolants.
 
+use super::Patch;
 use crate::num::reciprocal;
-use crate::num::wide::{product, shifted, short_difference, times_short, upper};
+use crate::num::wide::{product, times_short, upper};
 
 /// An interpolant over a triangle: its value at every pixel center, to within one unit.
 ///
-/// If the triangle is [near](Basis::is_near), which means small and not a sliver, the value is `start` plus a number
-/// of steps. In other triangles, the steps would accumulate too much rounding, and the value is a quotient. Its
-/// numerator is linear over the screen; its denominator is twice the triangle's area, scaled to 32 bits. The
-/// numerators are scaled by the same factor, so they take 63 bits. Their arithmetic wraps: the result within the
-/// triangle is in range, and modulo 2⁶⁴ intermediate values do not matter.
+/// A near plane, that of a small triangle which is not a sliver, is `start` plus a number of steps. In other
+/// triangles, the steps would accumulate too much rounding: their planes are far, and have 30 bits more.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Gradient {
     /// Change from one column to the next, rounded to the nearest unit.
     pub(crate) step: i32,
-    /// Change from one row to the next, rounded to the nearest unit; near triangles only.
-    row: i32,
-    /// Value at the center of the pixel that contains corner 0; near triangles only.
+    /// Change from one row to the next, rounded to the nearest unit; near planes only.
+    pub(crate) row: i32,
+    /// Value at the center of pixel (0, 0), modulo 2³²; near planes only.
     start: i32,
-    /// Numerator at the center of that pixel, and its change per column and per row; other triangles, and `precise`.
-    numerator: i64,
+    pub(crate) far: FarPlane,
+    pub(crate) is_near: bool,
+}
+
+/// The value at the center of pixel (0, 0), and its change per column and per row, in units of 2⁻³⁰.
+///
+/// All are modulo 2⁶⁴, of which a value within the triangle takes 62 bits.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct FarPlane {
+    start: i64,
     dx: i64,
     dy: i64,
 }
@@ -30,12 +36,30 @@ impl Gradient {
         step: 0,
         row: 0,
         start: 0,
-        numerator: 0,
-        dx: 0,
-        dy: 0,
+        far: FarPlane::NONE,
+        is_near: false,
     };
 
-    /// The value `x` columns and `y` rows from the pixel that contains corner 0; near triangles only.
+    /// The value at a pixel.
+    #[inline]
+    pub(crate) fn at(&self, x: i32, y: i32) -> i32 {
+        if self.is_near {
+            self.near(x, y)
+        } else {
+            self.far.at(x, y)
+        }
+    }
+
+    /// The change per row, rounded to the nearest unit.
+    pub(crate) const fn row(&self) -> i32 {
+        if self.is_near {
+            self.row
+        } else {
+            rounded(self.far.dy)
+        }
+    }
+
+    /// The value of a near plane at a pixel.
     #[inline]
     pub(crate) const fn near(&self, x: i32, y: i32) -> i32 {
         let moved = self.step.wrapping_mul(x);
@@ -52,84 +76,107 @@ impl Gradient {
 pub(crate) struct Basis {
     /// From corner 0 to corners 1 and 2.
     sides: [[i32; 2]; 2],
-    /// From corner 0 to the center of the pixel that contains it.
+    /// From corner 0 to the center of pixel (0, 0).
     to_center: [i32; 2],
-    /// Scale of the numerators: they are multiplied by `up`, 2^0 to 2^31, and then shifted right by `down`.
+    /// Of a small triangle: the change of the barycentric weights of corners 1 and 2, per column and per row, in
+    /// units of 2^(`up` - 32).
+    weights: [[i32; 2]; 2],
     up: u32,
-    down: u32,
-    /// Left shift of a near triangle's numerators, 8 to 31, since a pixel is 256 units. 0 for other triangles.
-    near: u32,
-    /// Twice the area in 32 bits, with the top bit set, and its reciprocal, 2⁶² / area.
+    /// Values whose range is below this make a near plane; 0 if the triangle's shape does not allow any.
+    limit: u32,
+    far: Far,
+}
+
+/// The reciprocal of a triangle's area, for far planes.
+#[derive(Clone, Copy, Debug)]
+struct Far {
+    /// Twice the area is 2^-`shift` times a number of 32 bits with the top bit set, and `inverse` is 2⁶² / number.
     ///
-    /// The reciprocal ignores the area's last bit. The same relative error scales all interpolants of a triangle and
-    /// cancels in their quotients.
-    area: u32,
+    /// The reciprocal ignores the number's last bit. The same relative error scales all interpolants of a triangle
+    /// and cancels in their quotients.
+    shift: i32,
     inverse: i32,
 }
 
-/// Limit for the columns plus the rows of a near triangle: half a unit of rounding for each comes to 32 units.
-const NEAR: i32 = 64;
+/// Limit for the width plus the height of a near triangle, in units of 1/256 pixel.
+///
+/// A step to the next column or row has an error of at most ¾ unit: ½ from its own rounding, and (|b| + |c|) · 2^-33
+/// from the rounding of the weights, which is at most ¼ because b and c, the shifted differences between corners, are
+/// below 2^30. From the first corner to the center of any pixel there are at most 43 steps. The rounding of `start`
+/// adds ½, and the reciprocal of the area, with an error of 2^-30, less than a unit of a range below 2^30. In all 33¾
+/// units.
+const NEAR: i32 = 43 << 8;
+
+/// The most bits by which the differences between corners are shifted left.
+const MOST_UP: u32 = 7;
 
 impl Basis {
     /// Nothing to interpolate.
     pub(crate) const NONE: Self = Self {
         sides: [[0; 2]; 2],
         to_center: [0; 2],
-        up: 1,
-        down: 0,
-        near: 1,
-        area: 0,
-        inverse: 0,
+        weights: [[0; 2]; 2],
+        up: 0,
+        limit: 0,
+        far: Far {
+            shift: 0,
+            inverse: 0,
+        },
     };
 
-    /// The basis of a triangle with these corners and this doubled area, which is not 0. The area is positive if the
-    /// corners run clockwise on a screen whose y points down.
+    /// Starts a triangle.
     #[inline]
-    pub(crate) fn new([[x, y], b, c]: [[i32; 2]; 3], area: i64) -> Self {
-        let size = |a: i32, b: i32, c: i32| a.max(b).max(c) - a.min(b).min(c);
-        let [wide, high] = [size(x, b[0], c[0]), size(y, b[1], c[1])];
-        // A pixel may lie one column or row beyond the corner that it is next to.
-        let is_small = wide + high <= (NEAR - 2) << 8;
-        // Twice the area is then below 2^28.
-        let small_area = (area as i32).unsigned_abs();
-        // A gradient per pixel is at most 256 · range · extent / area, where the range of the values is below 2^31
-        // and the extent is one of these. So it is below 2^31, too.
-        let is_thick = small_area >> 8 >= wide.max(high).cast_unsigned();
-        let (near, up, down, size) = if is_small && is_thick {
-            let zeros = (small_area | 1).leading_zeros();
-            (
-                (zeros + 8) & 31,
-                1 << (zeros & 31),
-                0,
-                small_area << (zeros & 31),
-            )
-        } else {
-            let size = area.unsigned_abs();
-            let zeros = size.leading_zeros();
-            // An area below 2^32 is shifted left, a greater one right. Numerators are proportional to the area and
-            // scale alike.
-            let up = 1 << (zeros.saturating_sub(32) & 31);
-            let down = 32u32.saturating_sub(zeros);
-            (0, up, down, (size << (zeros & 63) >> 32) as u32)
-        };
-        // The area is stored without its sign, so the sides take it over.
-        let sign = if area < 0 { -1 } else { 1 };
-        Self {
-            near,
-            sides: [b, c].map(|[to_x, to_y]| [(to_x - x) * sign, (to_y - y) * sign]),
-            to_center: [128 - (x & 255), 128 - (y & 255)],
-            up,
-            down,
-            area: size,
-            inverse: reciprocal(size >> 1).cast_signed(),
+    pub(crate) fn start(&mut self, patch: &Patch<'_>) {
+        self.limit = 0;
+        self.far.inverse = 0;
+        let [[x, y], b, c] = *patch.screen;
+        // Areas are stored without a sign, so the sides take it over.
+        let sign = if patch.area < 0 { -1 } else { 1 };
+        let [[bx, by], [cx, cy]] =
+            [b, c].map(|[to_x, to_y]| [(to_x - x) * sign, (to_y - y) * sign]);
+        self.sides = [[bx, by], [cx, cy]];
+        self.to_center = [128 - x, 128 - y];
+        let [wide, high] = patch.bounds.size();
+        if wide + high > NEAR {
+            return;
         }
+        // Twice the area is then below 2^27. Let r be 2^62 / (area · 2^zeros), and s = side · 2^(zeros + 8 - up).
+        // Then s · r / 2^30 is side · 2^(40 - up) / area, the change of a weight per pixel in units of 2^(up - 32).
+        // By the choice of `up`, s has 30 bits, and the result has 31.
+        let area = (patch.area as i32).unsigned_abs().max(1);
+        let zeros = area.leading_zeros();
+        let most = wide.max(high).cast_unsigned();
+        let up = (zeros + 10).saturating_sub(most.leading_zeros());
+        if up > MOST_UP {
+            return;
+        }
+        let inverse = reciprocal(area << (zeros & 31) >> 1).cast_signed();
+        let left = (zeros + 8 - up) & 31;
+        let weight = |side: i32| ((product(side << left, inverse) + (1 << 29)) >> 30) as i32;
+        self.weights = [[weight(cy), weight(-cx)], [weight(-by), weight(bx)]];
+        self.up = up;
+        self.limit = 1 << (30 - up);
     }
 
-    /// Whether the triangle is near: so small, and so little of a sliver, that gradients rounded to the nearest unit
-    /// suffice.
+    /// Whether values of this range make a near plane.
     #[inline]
-    pub(crate) const fn is_near(&self) -> bool {
-        self.near != 0
+    pub(crate) const fn is_near(&self, range: u32) -> bool {
+        range < self.limit
+    }
+
+    /// Prepares for far planes, unless that is done already.
+    #[inline(never)]
+    pub(crate) fn start_far(&mut self, area: i64) {
+        if self.far.inverse != 0 {
+            return;
+        }
+        let area = area.unsigned_abs();
+        let zeros = area.leading_zeros();
+        let number = (area << (zeros & 63) >> 32) as u32;
+        self.far = Far {
+            shift: zeros.cast_signed() - 32,
+            inverse: reciprocal(number >> 1).cast_signed(),
+        };
     }
 
     /// The change of `values` per column and per row, times twice the area in units of one pixel by 1/256 pixel.
@@ -146,120 +193,256 @@ impl Basis {
         ]
     }
 
-    /// [`gains`](Self::gains) for a near triangle, whose sides take 14 bits.
-    #[inline]
-    fn short_gains(&self, [a, b, c]: [i32; 3]) -> [i64; 2] {
-        let (b, c) = (b.wrapping_sub(a), c.wrapping_sub(a));
-        let [[bx, by], [cx, cy]] = self.sides;
-        [
-            short_difference(b, cy, c, by),
-            short_difference(c, bx, b, cx),
-        ]
+    /// Lays a plane through values at the corners whose range [is near](Self::is_near).
+    #[inline(never)]
+    pub(crate) fn lay_near(&self, [a, b, c]: [i32; 3], gradient: &mut Gradient) {
+        let (b, c) = (b.wrapping_sub(a) << self.up, c.wrapping_sub(a) << self.up);
+        let [[b_step, b_row], [c_step, c_row]] = self.weights;
+        // Factors are below 2^30 and 2^31.
+        let gain = |weight_b: i32, weight_c: i32| {
+            ((product(b, weight_b) + product(c, weight_c) + (1 << 31)) >> 32) as i32
+        };
+        let (step, row) = (gain(b_step, c_step), gain(b_row, c_row));
+        gradient.is_near = true;
+        gradient.step = step;
+        gradient.row = row;
+        gradient.start = a.wrapping_add(moved([step, row], self.to_center));
     }
 
-    /// Lays a plane through the values at the corners.
+    /// Lays a near plane through the values at the corners, if their range allows that, or a far one.
     #[inline]
-    pub(crate) fn lay(&self, values: [i32; 3], gradient: &mut Gradient) {
-        if self.is_near() {
+    pub(crate) fn lay(&mut self, values: [i32; 3], area: i64, gradient: &mut Gradient) {
+        let [a, b, c] = values;
+        let range = a.max(b).max(c).wrapping_sub(a.min(b).min(c));
+        if self.is_near(range.cast_unsigned()) {
             self.lay_near(values, gradient);
         } else {
+            self.start_far(area);
             self.lay_far(values, gradient);
         }
     }
 
+    /// Lays a plane through the values at the corners of any triangle; needs [`start_far`](Self::start_far).
     #[inline(never)]
-    fn lay_near(&self, values: [i32; 3], gradient: &mut Gradient) {
-        // Gradients are below 2^31 and areas below 2^32, so the products take 63 bits.
-        let gains = self
-            .short_gains(values)
-            .map(|gain| shifted(gain, self.near));
-        let [step, row] = gains.map(|gain| self.value(gain));
-        // The center is at most half a pixel away, and the error of the gradients is half a unit per pixel.
-        let [x, y] = self.to_center;
-        let moved = moved(step, x).wrapping_add(moved(row, y));
-        let [corner, ..] = values;
-        gradient.step = step;
-        gradient.row = row;
-        gradient.start = corner.wrapping_add(moved);
-    }
-
-    #[inline(never)]
-    fn lay_far(&self, values: [i32; 3], gradient: &mut Gradient) {
+    pub(crate) fn lay_far(&self, values: [i32; 3], gradient: &mut Gradient) {
         let [dx, dy] = self.gains(values);
-        let [x, y] = self.to_center.map(i64::from);
-        let moved = self.scale(dx * x + dy * y);
-        let [corner, ..] = values;
-        let corner = i64::from(corner) * i64::from(self.area);
+        let [x, y] = self.to_center;
+        // First to the center of the pixel that contains the corner.
+        let [near_x, near_y] = [x, y].map(|way| i64::from(((way + 127) & 255) - 127));
+        let moved = self.far.quotient(dx * near_x + dy * near_y);
         // Times 256, they take 60 bits.
-        let [dx, dy] = [dx, dy].map(|gain| self.scale(gain << 8));
-        gradient.step = self.value(dx);
-        gradient.numerator = corner.wrapping_add(moved);
-        gradient.dx = dx;
-        gradient.dy = dy;
-    }
-
-    /// Computes only the numerator, for any triangle, as [`precise`](Self::precise) needs it.
-    pub(crate) fn lay_numerator(&self, values: [i32; 3], gradient: &mut Gradient) {
-        let mut far = Gradient::NONE;
-        self.lay_far(values, &mut far);
-        *gradient = Gradient {
-            step: gradient.step,
-            row: gradient.row,
-            start: gradient.start,
-            ..far
+        let [dx, dy] = [dx, dy].map(|gain| self.far.quotient(gain << 8));
+        let [columns, rows] = [x, y].map(|way| (way + 127) >> 8);
+        let rest = times_short(dx, columns).wrapping_add(times_short(dy, rows));
+        let [corner, ..] = values;
+        gradient.is_near = false;
+        gradient.step = rounded(dx);
+        gradient.far = FarPlane {
+            start: (i64::from(corner) << 30)
+                .wrapping_add(moved)
+                .wrapping_add(rest),
+            dx,
+            dy,
         };
-    }
-
-    /// 2^`up` times the value `x` columns and `y` rows from the pixel that contains corner 0, to the nearest unit.
-    pub(crate) fn precise(&self, gradient: &Gradient, [x, y]: [i32; 2], up: u32) -> i32 {
-        let moved = times_short(gradient.dx, x).wrapping_add(times_short(gradient.dy, y));
-        self.value(gradient.numerator.wrapping_add(moved) << (up & 31))
-    }
-
-    /// The greatest change of the value from a pixel to the next, across or down.
-    pub(crate) fn steepness(&self, gradient: &Gradient) -> u32 {
-        let row = if self.is_near() {
-            gradient.row
-        } else {
-            self.value(gradient.dy)
-        };
-        gradient.step.unsigned_abs().max(row.unsigned_abs())
-    }
-
-    /// The value `x` columns and `y` rows from the pixel that contains corner 0, for triangles that are not near.
-    #[inline(never)]
-    pub(crate) fn far(&self, gradient: &Gradient, x: i32, y: i32) -> i32 {
-        let Gradient {
-            numerator, dx, dy, ..
-        } = gradient;
-        // The guard band is at most 4096 pixels wide and high.
-        let moved = times_short(*dx, x).wrapping_add(times_short(*dy, y));
-        self.value(numerator.wrapping_add(moved))
-    }
-
-    /// Scales a numerator like the area. Bits shifted out at the top do not count modulo 2⁶⁴. Bits shifted out at the
-    /// bottom, in large triangles only, are below 2⁻²² of a unit of the value.
-    #[inline]
-    const fn scale(&self, numerator: i64) -> i64 {
-        // A product, because 32-bit cores compute it faster than a shift of 64 bits.
-        numerator.wrapping_mul(self.up as i64) >> (self.down & 31)
-    }
-
-    /// numerator / area, rounded to nearest, for values within ±2³¹; others wrap.
-    #[inline]
-    fn value(&self, numerator: i64) -> i32 {
-        // numerator · inverse / 2^62, from the halves of the numerator.
-        let high = product((numerator >> 32) as i32, self.inverse);
-        let low = upper(
-            numerator.cast_unsigned() as u32,
-            self.inverse.cast_unsigned(),
-        );
-        ((high.wrapping_add(low.into()).wrapping_add(1 << 29)) >> 30) as i32
     }
 }
 
-/// gradient · `part` / 256, for a `part` of magnitude up to 128, with an error below one unit.
+impl Far {
+    /// `numerator` / area in units of 2^-30, rounded down, modulo 2⁶⁴.
+    #[inline(never)]
+    fn quotient(self, numerator: i64) -> i64 {
+        // numerator · inverse · 2^(shift - 32), from the halves of the numerator; the product takes 91 bits.
+        let inverse = self.inverse.cast_unsigned();
+        let (high, low) = ((numerator >> 32) as i32, numerator.cast_unsigned() as u32);
+        let upper = product(high, self.inverse) + i64::from(upper(low, inverse));
+        let lower = u64::from(low.wrapping_mul(inverse));
+        let up = self.shift.cast_unsigned();
+        if self.shift < 0 {
+            upper >> (up.wrapping_neg() & 31)
+        } else {
+            (upper << (up & 31)).wrapping_add((lower << (up & 31) >> 32).cast_signed())
+        }
+    }
+}
+
+impl FarPlane {
+    /// Nothing to interpolate.
+    const NONE: Self = Self {
+        start: 0,
+        dx: 0,
+        dy: 0,
+    };
+
+    /// The value at a pixel, in units of 2^-30.
+    #[inline]
+    fn fine(&self, x: i32, y: i32) -> i64 {
+        // Columns and rows of a canvas have 11 bits; a product with a number without a sign is shorter.
+        self.start
+            .wrapping_add(times_short(self.dx, x & 0x7fff))
+            .wrapping_add(times_short(self.dy, y & 0x7fff))
+    }
+
+    /// The value at a pixel.
+    #[inline]
+    fn at(&self, x: i32, y: i32) -> i32 {
+        rounded(self.fine(x, y))
+    }
+
+    /// 2^`up` times the value at a pixel, to the nearest unit.
+    pub(crate) fn precise(&self, [x, y]: [i32; 2], up: u32) -> i32 {
+        rounded(self.fine(x, y) << (up & 31))
+    }
+}
+
+/// A value in units of 2^-30, rounded to the nearest unit, modulo 2³².
 #[inline]
-const fn moved(gradient: i32, part: i32) -> i32 {
-    (gradient >> 8) * part + (((gradient & 0xff) * part + 128) >> 8)
+const fn rounded(fine: i64) -> i32 {
+    (fine.wrapping_add(1 << 29) >> 30) as i32
+}
+
+/// The change of a value along a way in units of 1/256 pixel, rounded to the nearest unit, modulo 2³².
+#[inline]
+const fn moved([step, row]: [i32; 2], [x, y]: [i32; 2]) -> i32 {
+    // A way takes 21 bits, so sums of its products with 8 bits take 30.
+    let fine = (step & 0xff) * x + (row & 0xff) * y;
+    let coarse = (step >> 8)
+        .wrapping_mul(x)
+        .wrapping_add((row >> 8).wrapping_mul(y));
+    coarse.wrapping_add((fine + 128) >> 8)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::picture::vertex;
+    use super::super::{Bounds, Scissor, ScreenVertex};
+    use super::*;
+    use proptest::prelude::*;
+
+    fn bounds(screen: &[[i32; 2]; 3]) -> Option<Bounds> {
+        let all = Scissor {
+            columns: -4096..4096,
+            rows: -4096..4096,
+        };
+        Bounds::in_scissor(screen, &all)
+    }
+
+    /// Lays a plane through `values` at places on the screen; `None` if there is no pixel between them.
+    fn laid(screen: [[i32; 2]; 3], values: [i32; 3]) -> Option<Gradient> {
+        let vertices = screen.map(vertex);
+        let vertices: [&ScreenVertex; 3] = vertices.each_ref();
+        let area = super::super::area(&screen);
+        let patch = Patch {
+            vertices,
+            barycentric: None,
+            screen: &screen,
+            bounds: bounds(&screen)?,
+            area,
+        };
+        let (mut basis, mut gradient) = (Basis::NONE, Gradient::NONE);
+        basis.start(&patch);
+        if area != 0 {
+            basis.lay(values, area, &mut gradient);
+        }
+        (area != 0).then_some(gradient)
+    }
+
+    /// The plane through `values` at the center of a pixel, in units of 1/100.
+    fn hundredths(screen: [[i32; 2]; 3], values: [i32; 3], pixel: [i32; 2]) -> i128 {
+        let [a, b, c] = screen.map(|place| place.map(i128::from));
+        let [x, y] = pixel.map(|at| i128::from(256 * at + 128));
+        let cross = |p: [i128; 2], q: [i128; 2]| p[0] * q[1] - q[0] * p[1];
+        let from_a = |p: [i128; 2]| [p[0] - a[0], p[1] - a[1]];
+        let (to_b, to_c, to_pixel) = (from_a(b), from_a(c), from_a([x, y]));
+        let area = cross(to_b, to_c);
+        let weights = [cross(to_pixel, to_c), cross(to_b, to_pixel)];
+        let [first, second, third] = values.map(i128::from);
+        let sum = (second - first) * weights[0] + (third - first) * weights[1];
+        100 * first + 100 * sum / area
+    }
+
+    /// The pixels whose centers are in a triangle, or on its border.
+    fn pixels(screen: [[i32; 2]; 3]) -> impl Iterator<Item = [i32; 2]> {
+        let bounds = bounds(&screen).unwrap();
+        let rows = bounds.rows();
+        let all = bounds
+            .columns()
+            .flat_map(move |x| rows.clone().map(move |y| [x, y]));
+        all.filter(move |[x, y]| {
+            let center = [256 * x + 128, 256 * y + 128];
+            let [a, b, c] = screen;
+            let areas = [[center, b, c], [a, center, c], [a, b, center]]
+                .map(|corners| super::super::area(&corners));
+            areas.iter().all(|area| *area >= 0) || areas.iter().all(|area| *area <= 0)
+        })
+    }
+
+    /// Values whose greatest magnitude has up to 30 bits, and whose range may be small.
+    fn values() -> impl Strategy<Value = [i32; 3]> {
+        let about = |bits: u32, range: u32| {
+            let least = -(1_i32 << bits >> 1);
+            (
+                least..=-least,
+                prop::array::uniform3(0..=1_i32 << range >> 1),
+            )
+                .prop_map(|(base, parts)| parts.map(|part| base + part))
+        };
+        (0..30_u32, 0..31_u32).prop_flat_map(move |(bits, range)| about(bits, range))
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 2000, ..ProptestConfig::default() })]
+
+        /// A far plane's reciprocal has an error of 2^-30, which is two units of a range below 2^31; rounding adds ½.
+        #[test]
+        fn near_planes_are_within_33_and_far_ones_within_two_units(
+            at in prop::array::uniform2(-(2048_i32 << 8)..2048 << 8),
+            size in 4_u32..15,
+            parts in prop::array::uniform2(prop::array::uniform2(-1_i32 << 14..=1 << 14)),
+            values in values(),
+        ) {
+            let [x, y] = at;
+            let place = |part: [i32; 2]| [x + (part[0] >> (14 - size.min(14))), y + (part[1] >> (14 - size.min(14)))];
+            let screen = [at, place(parts[0]), place(parts[1])];
+            let Some(gradient) = laid(screen, values) else { return Ok(()) };
+            let most = if gradient.is_near { 3375 } else { 250 };
+            for [x, y] in pixels(screen) {
+                let value = if gradient.is_near {
+                    gradient.near(x, y)
+                } else {
+                    rounded(gradient.far.start
+                        .wrapping_add(gradient.far.dx.wrapping_mul(x.into()))
+                        .wrapping_add(gradient.far.dy.wrapping_mul(y.into())))
+                };
+                let error = 100 * i128::from(value) - hundredths(screen, values, [x, y]);
+                prop_assert!(error.abs() <= most, "{error} / 100 at {x}, {y}: {gradient:?}");
+            }
+        }
+    }
+
+    /// The limits of shape and range, from both sides.
+    #[test]
+    fn what_is_near() {
+        let is_near = |screen, values| laid(screen, values).unwrap().is_near;
+        let square = |side: i32| [[0, 0], [side, 0], [0, side]];
+        // Width and height of 43 pixels, and a unit more.
+        assert!(is_near(square(NEAR / 2), [0, 1 << 29, 0]));
+        assert!(!is_near(square(NEAR / 2 + 1), [0, 1 << 29, 0]));
+        // A range of 30 bits.
+        assert!(is_near(square(4096), [-(1 << 29), (1 << 29) - 1, 0]));
+        assert!(!is_near(square(4096), [-(1 << 29), 1 << 29, 0]));
+        // A sliver ten pixels long: the thinner, the less the values may change.
+        let sliver = |high: i32| [[0, 127], [2560, 127], [0, 127 + high]];
+        for (high, bits) in [
+            (2560, 30),
+            (512, 29),
+            (256, 28),
+            (128, 27),
+            (16, 24),
+            (8, 23),
+        ] {
+            assert!(is_near(sliver(high), [0, (1 << bits) - 1, 0]), "{high}");
+            assert!(!is_near(sliver(high), [0, 1 << bits, 0]), "{high}");
+        }
+        assert!(!is_near(sliver(4), [0, 1, 0]));
+    }
 }

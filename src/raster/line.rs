@@ -1,7 +1,7 @@
 //! Lines: one pixel per column or row, whichever is longer.
 
 use super::edge::{Edge, first_center};
-use super::{Blitter, ClippedVertex, Patch, Scissor, spans};
+use super::{Bounds, ClippedVertex, Patch, Rasterizer};
 
 /// Draws a line.
 ///
@@ -16,7 +16,8 @@ use super::{Blitter, ClippedVertex, Patch, Scissor, spans};
 /// ```
 ///
 /// The pixels do not depend on the line's direction.
-pub(crate) fn line(blitter: &mut dyn Blitter, scissor: &Scissor, ends: [&ClippedVertex; 2]) {
+pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
+    let scissor = raster.scissor;
     let [mut from, mut to] = ends;
     let steep = {
         let ([x0, y0], [x1, y1]) = (from.vertex.screen, to.vertex.screen);
@@ -42,12 +43,19 @@ pub(crate) fn line(blitter: &mut dyn Blitter, scissor: &Scissor, ends: [&Clipped
         return;
     }
 
-    // Values change along the longer axis only. A sliver along that axis, one unit high, defines their plane.
-    let longest = blitter.set_up(&Patch {
+    // Values change along the longer axis only. A sliver along that axis, one unit wide, defines their plane.
+    let sliver = [[start, 128], [end, 128], [end, 129]];
+    let (screen, area) = if steep {
+        (sliver.map(|[along, across]| [across, along]), start - end)
+    } else {
+        (sliver, end - start)
+    };
+    raster.blitter.set_up(&Patch {
         vertices: [&from.vertex, &to.vertex, &to.vertex],
         barycentric: Some(&[from.barycentric, to.barycentric, to.barycentric]),
-        screen: &[[start, 128], [end, 128], [end, 129]],
-        area: i64::from(end - start),
+        bounds: Bounds::ANY,
+        screen: &screen,
+        area: area.into(),
     });
 
     // An edge runs along its second coordinate, which is the longer axis here.
@@ -65,7 +73,7 @@ pub(crate) fn line(blitter: &mut dyn Blitter, scissor: &Scissor, ends: [&Clipped
                 } else {
                     (offset, first..step + 1)
                 };
-                spans(blitter, row, columns, [first - (start >> 8), 0], longest);
+                raster.span(row, &columns);
             }
             (first, offset) = (step + 1, next);
         }
@@ -74,13 +82,14 @@ pub(crate) fn line(blitter: &mut dyn Blitter, scissor: &Scissor, ends: [&Clipped
 
 #[cfg(test)]
 mod tests {
+    use super::super::Scissor;
     use super::super::picture::{Picture, clipped};
     use super::*;
 
     /// Draws a line between two places in quarters of a pixel.
     fn draw(picture: &mut Picture, scissor: &Scissor, ends: [[i32; 2]; 2]) {
         let [from, to] = ends.map(|end| clipped(end.map(|at| at * 64)));
-        line(picture, scissor, [&from, &to]);
+        line(&mut Rasterizer::new(picture, scissor), [&from, &to]);
     }
 
     /// A line in each octant, from either end.

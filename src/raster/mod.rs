@@ -1,5 +1,6 @@
 //! From primitives on the screen to spans of pixels.
 
+mod bounds;
 mod cull;
 mod edge;
 mod gradient;
@@ -8,22 +9,23 @@ mod line;
 pub(crate) mod picture;
 mod point;
 mod polygon;
+mod rasterizer;
 mod scale;
 mod scissor;
 mod setup;
 mod triangle;
 mod vertex;
 
-use core::ops::Range;
-
 use crate::mesh::Primitive;
 
+pub(crate) use bounds::Bounds;
 pub use cull::Cull;
 pub(crate) use line::line;
 pub(crate) use point::point;
 pub(crate) use polygon::Polygon;
+pub(crate) use rasterizer::Rasterizer;
 pub(crate) use scissor::Scissor;
-pub(crate) use setup::{Attribute, FAR, SPAN, Scale, Setup};
+pub(crate) use setup::{Attribute, FAR, LEAST_WEIGHT, MOST_WEIGHT, SPAN, Scale, Setup};
 pub(crate) use triangle::{Triangle, area};
 pub(crate) use vertex::{Barycentric, ClippedVertex, DepthShift, ScreenVertex};
 
@@ -35,9 +37,13 @@ pub(crate) struct Patch<'a> {
     pub(crate) barycentric: Option<&'a [Barycentric; 3]>,
     /// Screen positions of the values, in units of 1/256 pixel; for a triangle, the vertices' own.
     pub(crate) screen: &'a [[i32; 2]; 3],
+    pub(crate) bounds: Bounds,
     /// Twice the area between these positions, positive if they run clockwise on the screen.
     pub(crate) area: i64,
 }
+
+/// The columns of a row that are drawn: the first, and the one after the last. They lie within ±2^15.
+pub(crate) type Columns = [i16; 2];
 
 /// Draws the rasterizer's spans: a shader, a mode and a canvas.
 ///
@@ -47,46 +53,9 @@ pub(crate) trait Blitter {
     /// Starts another triangle, edge or point of the mesh.
     fn primitive(&mut self, primitive: &Primitive<'_>);
 
-    /// Lays the interpolants over a patch, which is all or a part of the primitive; returns the longest span in
-    /// pixels.
-    fn set_up(&mut self, patch: &Patch<'_>) -> i32;
+    /// Lays the interpolants over a patch, which is all or a part of the primitive.
+    fn set_up(&mut self, patch: &Patch<'_>);
 
-    /// Draws `columns` of `row`, which lie within the canvas and are no longer than [`set_up`](Self::set_up)
-    /// returned.
-    ///
-    /// The span begins `x` columns and `y` rows from the pixel that contains the patch's first position.
-    fn span(&mut self, row: i32, columns: Range<i32>, x: i32, y: i32);
-}
-
-/// Splits columns into spans of at most `longest` pixels and draws them.
-#[inline(never)]
-fn spans(
-    blitter: &mut dyn Blitter,
-    row: i32,
-    mut columns: Range<i32>,
-    [mut x, y]: [i32; 2],
-    longest: i32,
-) {
-    while columns.start < columns.end {
-        let count = longest.min(columns.end - columns.start);
-        let stop = columns.start + count;
-        blitter.span(row, columns.start..stop, x, y);
-        x += count;
-        columns.start = stop;
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::picture::Picture;
-    use super::*;
-
-    #[test]
-    fn a_long_span_is_drawn_in_pieces_without_gaps() {
-        let mut picture = Picture::new(9, 1);
-        spans(&mut picture, 0, 1..8, [5, 2], 3);
-        picture.assert(&[".#######."]);
-        let expected = [(0, 1..4, [5, 2]), (0, 4..7, [8, 2]), (0, 7..8, [11, 2])];
-        assert_eq!(picture.spans, expected);
-    }
+    /// Draws these columns of consecutive rows, which lie within the canvas; some may be empty.
+    fn rows(&mut self, first: i32, columns: &[Columns]);
 }

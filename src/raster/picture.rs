@@ -4,7 +4,7 @@ use core::ops::Range;
 use std::string::String;
 use std::vec::Vec;
 
-use super::{Barycentric, Blitter, ClippedVertex, Patch, Scissor, ScreenVertex};
+use super::{Barycentric, Blitter, ClippedVertex, Columns, Patch, Scissor, ScreenVertex};
 use crate::mesh::Primitive;
 
 /// Rows of characters: `.` where nothing was drawn, `!` where something was drawn twice.
@@ -12,12 +12,10 @@ pub(crate) struct Picture {
     rows: Vec<Vec<char>>,
     /// What pixels are drawn as.
     pub(crate) ink: char,
-    /// The most pixels of a span.
-    pub(crate) longest: i32,
     /// The places of the last patch.
     pub(crate) screen: [[i32; 2]; 3],
-    /// Each span with the column and the row that it begins from the patch's first place.
-    pub(crate) spans: Vec<(i32, Range<i32>, [i32; 2])>,
+    /// The rows and columns of all spans.
+    pub(crate) spans: Vec<(i32, Range<i32>)>,
 }
 
 impl Picture {
@@ -25,7 +23,6 @@ impl Picture {
         Self {
             rows: std::vec![std::vec!['.'; width]; height],
             ink: '#',
-            longest: i32::MAX,
             screen: [[0; 2]; 3],
             spans: Vec::new(),
         }
@@ -53,19 +50,21 @@ impl Picture {
 impl Blitter for Picture {
     fn primitive(&mut self, _: &Primitive<'_>) {}
 
-    fn set_up(&mut self, patch: &Patch<'_>) -> i32 {
+    fn set_up(&mut self, patch: &Patch<'_>) {
         self.screen = *patch.screen;
-        self.longest
     }
 
-    fn span(&mut self, row: i32, columns: Range<i32>, x: i32, y: i32) {
-        assert!(columns.end - columns.start <= self.longest);
-        for column in columns.clone() {
-            let [at_row, at_column] = [row, column].map(|at| usize::try_from(at).unwrap());
-            let pixel = &mut self.rows[at_row][at_column];
-            *pixel = if *pixel == '.' { self.ink } else { '!' };
+    fn rows(&mut self, first: i32, columns: &[Columns]) {
+        for (row, [start, end]) in (first..).zip(columns.iter().map(|ends| ends.map(i32::from))) {
+            for column in start..end {
+                let [at_row, at_column] = [row, column].map(|at| usize::try_from(at).unwrap());
+                let pixel = &mut self.rows[at_row][at_column];
+                *pixel = if *pixel == '.' { self.ink } else { '!' };
+            }
+            if start < end {
+                self.spans.push((row, start..end));
+            }
         }
-        self.spans.push((row, columns, [x, y]));
     }
 }
 

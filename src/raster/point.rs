@@ -1,25 +1,29 @@
 //! Points: one pixel each.
 
-use super::{Blitter, Patch, Scissor, ScreenVertex};
+use super::{Bounds, Patch, Rasterizer, ScreenVertex};
 
 /// Draws the pixel that contains a point.
-pub(crate) fn point(blitter: &mut dyn Blitter, scissor: &Scissor, at: &ScreenVertex) {
+pub(crate) fn point(raster: &mut Rasterizer<'_>, at: &ScreenVertex) {
+    let scissor = raster.scissor;
     let [x, y] = at.screen.map(|position| position >> 8);
     if scissor.columns.contains(&x) && scissor.rows.contains(&y) {
         let [left, top] = [x << 8, y << 8];
         // All three values are the point's, so any triangle that begins in the pixel will do.
-        blitter.set_up(&Patch {
+        let screen = [[left, top], [left + 256, top], [left, top + 1]];
+        raster.blitter.set_up(&Patch {
             vertices: [at; 3],
             barycentric: None,
-            screen: &[[left, top], [left + 256, top], [left, top + 1]],
+            bounds: Bounds::ANY,
+            screen: &screen,
             area: 256,
         });
-        blitter.span(y, x..x + 1, 0, 0);
+        raster.span(y, &(x..x + 1));
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::Scissor;
     use super::super::picture::{Picture, vertex};
     use super::*;
 
@@ -27,7 +31,7 @@ mod tests {
     fn drawn(places: &[[i32; 2]], scissor: &Scissor) -> Picture {
         let mut picture = Picture::new(5, 3);
         for &place in places {
-            point(&mut picture, scissor, &vertex(place));
+            point(&mut Rasterizer::new(&mut picture, scissor), &vertex(place));
         }
         picture
     }
@@ -40,7 +44,7 @@ mod tests {
         picture.assert(&[".....", ".!.#.", "....."]);
         // Its values are those of the pixel that the span begins in.
         assert_eq!(picture.screen, [[768, 256], [1024, 256], [768, 257]]);
-        assert_eq!(picture.spans[2], (1, 3..4, [0, 0]));
+        assert_eq!(picture.spans[2], (1, 3..4));
     }
 
     #[test]

@@ -2,8 +2,8 @@
 
 use core::ops::Range;
 
-use super::triangle::{self, Triangle, area, area_in, covers, row_range};
-use super::{Blitter, ClippedVertex, Cull, Scissor, ScreenVertex};
+use super::triangle::{Triangle, area, covers};
+use super::{Blitter, ClippedVertex, Columns, Cull, Rasterizer, Scissor, ScreenVertex};
 
 /// The fan of triangles that a clipped triangle is drawn as; all share the first corner of its outline. For example,
 /// the corners 0 to 4 make the triangles 0 1 2, 0 2 3 and 0 3 4.
@@ -17,6 +17,10 @@ pub(crate) struct Polygon<'a> {
     outline: &'a [ClippedVertex],
     /// Twice the area of the outline, positive if it runs clockwise on the screen.
     area: i64,
+    /// Whether a triangle has turned over. It counts even outside the scissor: in a folded fan, every pixel is a span
+    /// of its own, and a band that ignored this triangle would draw longer spans, whose values may differ from the
+    /// frame's by a unit.
+    is_folded: bool,
 }
 
 /// Whether an area has the sign, and so the winding, of `whole`.
@@ -37,61 +41,77 @@ fn screens([a, b, c]: [&ClippedVertex; 3]) -> [[i32; 2]; 3] {
 impl<'a> Polygon<'a> {
     /// The fan of an outline; `None` if it is culled.
     pub(crate) fn new(outline: &'a [ClippedVertex], cull: Cull) -> Option<Self> {
-        let mut fan = Self { outline, area: 0 };
-        let area = fan.triangles().map(|corners| area(&screens(corners)));
-        fan.area = area.sum();
+        let mut fan = Self {
+            outline,
+            area: 0,
+            is_folded: false,
+        };
+        let (mut least, mut most) = (0, 0);
+        for (_, area) in fan.triangles() {
+            fan.area += area;
+            (least, most) = (area.min(least), area.max(most));
+        }
+        fan.is_folded = if fan.area > 0 { least < 0 } else { most > 0 };
         if cull.leaves_out(fan.area) {
             return None;
         }
         Some(fan)
     }
 
-    /// The triangles of the fan.
-    fn triangles(&self) -> impl Iterator<Item = [&'a ClippedVertex; 3]> + use<'a> {
-        let first = self.outline.first();
-        let sides = self.outline.windows(2).skip(1);
-        sides.filter_map(move |side| match (first, side) {
-            (Some(first), [from, to]) => Some([first, from, to]),
+    /// The triangles of the fan, and their doubled areas.
+    #[inline]
+    fn triangles(&self) -> impl Iterator<Item = ([&'a ClippedVertex; 3], i64)> + use<'a> {
+        let (first, rest) = match self.outline {
+            [first, rest @ ..] => (Some(first), rest),
+            [] => (None, self.outline),
+        };
+        rest.windows(2).filter_map(move |side| match (first, side) {
+            (Some(first), [from, to]) => {
+                let corners = [first, from, to];
+                Some((corners, area(&screens(corners))))
+            }
             _ => None,
         })
     }
 
+    /// Whether a triangle of this area may have pixels, unlike one that has turned over.
+    #[inline]
+    const fn has(&self, area: i64) -> bool {
+        area != 0 && same_winding(self.area, area)
+    }
+
     /// The rows in which it may have pixels; `None` if it has none in the scissor.
-    pub(crate) fn row_range(&self, scissor: &Scissor) -> Option<Range<i32>> {
-        let corners = self.triangles();
-        let corners = corners.map(vertices);
-        let inside = corners.filter(|corners| area_in(*corners, scissor) != 0);
-        let rows = inside.map(row_range);
-        rows.reduce(|a, b| a.start.min(b.start)..a.end.max(b.end))
+    pub(crate) fn rows(&self, scissor: &Scissor) -> Option<Range<i32>> {
+        let mut all: Option<Range<i32>> = None;
+        for (corners, area) in self.triangles() {
+            if !self.has(area) {
+                continue;
+            }
+            if let Some(triangle) = Triangle::new(vertices(corners), None, area, scissor) {
+                let (rows, all) = (triangle.rows(), all.get_or_insert(triangle.rows()));
+                *all = all.start.min(rows.start)..all.end.max(rows.end);
+            }
+        }
+        all
     }
 
     /// Draws the part in the scissor; returns whether there is any.
-    pub(crate) fn draw(&self, blitter: &mut dyn Blitter, scissor: &Scissor) -> bool {
-        // A triangle that turned over counts even if it is outside the scissor. In a folded fan, every pixel is a
-        // span of its own. A band that ignored this triangle would draw longer spans, whose values may differ from
-        // the frame's by a unit.
-        let mut folded = false;
-        for corners in self.triangles() {
-            let area = area(&screens(corners));
-            folded |= area != 0 && !same_winding(self.area, area);
-        }
-        let mut drawn = false;
-        for (at, corners) in self.triangles().enumerate() {
-            let area = area_in(vertices(corners), scissor);
-            if area == 0 || !same_winding(self.area, area) {
+    pub(crate) fn draw(&self, raster: &mut Rasterizer<'_>) -> bool {
+        let mut is_drawn = false;
+        for (at, (corners, area)) in self.triangles().enumerate() {
+            if !self.has(area) {
                 continue;
             }
             let [a, b, c] = corners;
-            let triangle = Triangle {
-                vertices: vertices(corners),
-                barycentric: Some(&[a.barycentric, b.barycentric, c.barycentric]),
-                area,
-            };
-            let part = Part { fan: self, at };
-            triangle::draw(blitter, scissor, &triangle, folded.then_some(&part));
-            drawn = true;
+            let places = [a.barycentric, b.barycentric, c.barycentric];
+            let triangle = Triangle::new(vertices(corners), Some(&places), area, raster.scissor);
+            if let Some(triangle) = triangle {
+                let part = Part { fan: self, at };
+                triangle.draw_part(raster, self.is_folded.then_some(&part));
+                is_drawn = true;
+            }
         }
-        drawn
+        is_drawn
     }
 }
 
@@ -103,31 +123,24 @@ pub(super) struct Part<'a> {
 }
 
 impl Part<'_> {
-    /// Draws those pixels of a span that this triangle has to draw.
+    /// Draws those pixels of some rows that this triangle has to draw.
     #[cold]
     #[inline(never)]
-    pub(super) fn span(
-        &self,
-        blitter: &mut dyn Blitter,
-        row: i32,
-        columns: Range<i32>,
-        [mut x, y]: [i32; 2],
-    ) {
-        for column in columns {
-            if self.has([column, row]) {
-                blitter.span(row, column..column + 1, x, y);
+    pub(super) fn rows(&self, blitter: &mut dyn Blitter, first: i32, rows: &[Columns]) {
+        for (row, &[start, end]) in (first..).zip(rows) {
+            for column in start..end {
+                if self.has([column.into(), row]) {
+                    blitter.rows(row, &[[column, column + 1]]);
+                }
             }
-            x += 1;
         }
     }
 
     /// Whether this triangle has to draw a pixel.
     fn has(&self, pixel: [i32; 2]) -> bool {
         let mut winding = 0;
-        for (i, corners) in self.fan.triangles().enumerate() {
-            let corners = screens(corners);
-            let area = area(&corners);
-            if covers(&corners, area, pixel) {
+        for (i, (corners, area)) in self.fan.triangles().enumerate() {
+            if covers(&screens(corners), area, pixel) {
                 if !same_winding(self.fan.area, area) {
                     winding -= 1;
                 } else if i < self.at {
@@ -156,7 +169,7 @@ mod tests {
         let mut picture = Picture::new(9, 7);
         let scissor = picture.scissor();
         let polygon = Polygon::new(&outline, Cull::Nothing).unwrap();
-        assert!(polygon.draw(&mut picture, &scissor));
+        assert!(polygon.draw(&mut Rasterizer::new(&mut picture, &scissor)));
         picture
     }
 

@@ -2,7 +2,7 @@
 
 use super::gradient::{Basis, Gradient};
 use super::scale::{ONE, weigh};
-use super::{DepthShift, Patch};
+use super::{Barycentric, DepthShift, Patch, ScreenVertex};
 use crate::num::wide::product;
 
 pub(crate) use super::scale::Scale;
@@ -20,10 +20,10 @@ pub(crate) const FAR: u32 = (1 << 29) + 64;
 /// Lower clamp of 1/w: a span's rounding (at most 40 units) stays below 1/32 of it, for which [`weigh`] leaves room.
 ///
 /// It changes only corners that are more than half a million times as far away as the nearest one.
-const LEAST_WEIGHT: u32 = 1 << 11;
+pub(crate) const LEAST_WEIGHT: u32 = 1 << 11;
 
 /// Upper clamp of 1/w: rounding may add 40 units, and the sum stays below 2^31.
-const MOST_WEIGHT: u32 = (1 << 31) - 64;
+pub(crate) const MOST_WEIGHT: u32 = (1 << 31) - 64;
 
 /// An attribute that is interpolated over a primitive.
 #[derive(Clone, Copy, Debug)]
@@ -51,12 +51,18 @@ impl Attribute {
     fn at(&self, patch: &Patch<'_>) -> [i32; 3] {
         match patch.barycentric {
             None => self.corners,
-            Some([a, b, c]) => [
-                a.mix(&self.corners),
-                b.mix(&self.corners),
-                c.mix(&self.corners),
-            ],
+            Some(places) => self.mixed(places),
         }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn mixed(&self, [a, b, c]: &[Barycentric; 3]) -> [i32; 3] {
+        [
+            a.mix(&self.corners),
+            b.mix(&self.corners),
+            c.mix(&self.corners),
+        ]
     }
 
     /// Whether it may be interpolated without regard to 1/w, whose least value is `least` and whose range is
@@ -88,7 +94,9 @@ pub(crate) struct Setup {
     least_bits: u32,
     shift: DepthShift,
     basis: Basis,
-    q: Gradient,
+    pub(crate) q: Gradient,
+    /// Whether all gradients are near: a value is its start plus a number of steps.
+    pub(crate) is_near: bool,
     /// The least 1/w of a corner; the greatest has bit 30 set.
     pub(crate) least: u32,
     /// Whether the attributes are interpolated as they are, times 2^[`AFFINE_UP`](Scale::AFFINE_UP), in a mode that
@@ -108,6 +116,7 @@ impl Setup {
             shift,
             basis: Basis::NONE,
             q: Gradient::NONE,
+            is_near: false,
             least: 0,
             is_affine: true,
             down: 0,
@@ -118,14 +127,15 @@ impl Setup {
     #[inline]
     fn weights(patch: &Patch<'_>) -> ([u32; 3], u8) {
         let [a, b, c] = patch.vertices;
+        if a.exponent == b.exponent && b.exponent == c.exponent {
+            return ([a.q, b.q, c.q], a.exponent);
+        }
         let exponent = a.exponent.max(b.exponent).max(c.exponent);
-        let q = [a, b, c].map(|vertex| {
+        let shifted = |vertex: &ScreenVertex| {
             let down = u32::from(exponent - vertex.exponent);
-            // 31 bits.
-            let q = vertex.q >> down.min(31);
-            q.clamp(LEAST_WEIGHT, MOST_WEIGHT)
-        });
-        (q, exponent)
+            (vertex.q >> down.min(31)).max(LEAST_WEIGHT)
+        };
+        ([shifted(a), shifted(b), shifted(c)], exponent)
     }
 
     /// Lays all interpolants through the vertices of a patch.
@@ -137,9 +147,11 @@ impl Setup {
         self.down = self.shift.of(exponent);
         let [first, second, third] = q;
         self.least = first.min(second).min(third);
-        self.basis = Basis::new(*patch.screen, patch.area);
-        let basis = &self.basis;
-        basis.lay(q.map(u32::cast_signed), &mut self.q);
+        let change = first.max(second).max(third) - self.least;
+        self.basis.start(patch);
+        self.basis
+            .lay(q.map(u32::cast_signed), patch.area, &mut self.q);
+        self.is_affine = self.over_w && attributes.iter().all(|p| p.is_affine(self.least, change));
         let (weights, least_bits) = if !self.over_w {
             ([ONE; 3], self.least_bits)
         } else if self.least > FAR {
@@ -147,31 +159,33 @@ impl Setup {
         } else {
             (q, 1)
         };
-        let change = first.max(second).max(third) - self.least;
-        self.is_affine = self.over_w && attributes.iter().all(|p| p.is_affine(self.least, change));
+        self.is_near = self.q.is_near;
         for attribute in attributes {
             let mut values = attribute.at(patch);
             attribute.scale = if self.is_affine {
-                values = values.map(|value| value << Scale::AFFINE_UP);
+                let [a, b, c] = values;
+                let up = Scale::AFFINE_UP;
+                values = [a << up, b << up, c << up];
                 Scale::AFFINE
             } else {
                 weigh(&mut values, weights, least_bits)
             };
-            basis.lay(values, &mut attribute.gradient);
+            self.basis.lay(values, patch.area, &mut attribute.gradient);
+            self.is_near &= attribute.gradient.is_near;
         }
     }
 
-    /// Computes the numerators that [`precise`](Self::precise) needs in addition to [`lay`](Self::lay).
+    /// Lays the planes that [`precise`](Self::precise) needs in addition to [`lay`](Self::lay).
     #[cold]
     #[inline(never)]
     pub(crate) fn lay_precise(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) {
         let (q, _) = Self::weights(patch);
-        self.basis
-            .lay_numerator(q.map(u32::cast_signed), &mut self.q);
+        self.basis.start_far(patch.area);
+        self.basis.lay_far(q.map(u32::cast_signed), &mut self.q);
         for attribute in attributes {
             let mut values = attribute.at(patch);
             weigh(&mut values, q, 1);
-            self.basis.lay_numerator(values, &mut attribute.gradient);
+            self.basis.lay_far(values, &mut attribute.gradient);
         }
     }
 
@@ -181,49 +195,16 @@ impl Setup {
         self.q.step
     }
 
-    /// 1/w `x` columns and `y` rows from the pixel that contains the patch's first position.
-    #[inline]
-    pub(crate) fn q(&self, x: i32, y: i32) -> u32 {
-        self.at(&self.q, x, y).cast_unsigned()
-    }
-
-    /// Whether a gradient's value is its start plus a number of steps.
-    #[inline]
-    pub(crate) const fn is_near(&self) -> bool {
-        self.basis.is_near()
-    }
-
-    /// An interpolant `x` columns and `y` rows from the pixel that contains the patch's first position.
-    #[inline]
-    pub(crate) fn at(&self, gradient: &Gradient, x: i32, y: i32) -> i32 {
-        if self.is_near() {
-            gradient.near(x, y)
-        } else {
-            self.basis.far(gradient, x, y)
-        }
-    }
-
-    /// An interpolant of a primitive that is not near.
-    #[inline]
-    pub(crate) fn far(&self, gradient: &Gradient, x: i32, y: i32) -> i32 {
-        self.basis.far(gradient, x, y)
-    }
-
     /// 1/w at a pixel, shifted left to 31 bits, and by how many bits it was shifted.
     pub(crate) fn precise_q(&self, at: [i32; 2]) -> (u32, u32) {
-        let coarse = self.basis.precise(&self.q, at, 0).cast_unsigned();
+        let coarse = self.q.far.precise(at, 0).cast_unsigned();
         // Rounding up may add a bit.
         let up = (coarse | 1).leading_zeros().saturating_sub(2);
-        (self.basis.precise(&self.q, at, up).cast_unsigned(), up)
-    }
-
-    /// An attribute over w at a pixel, shifted left like 1/w.
-    pub(crate) fn precise(&self, gradient: &Gradient, at: [i32; 2], up: u32) -> i32 {
-        self.basis.precise(gradient, at, up)
+        (self.q.far.precise(at, up).cast_unsigned(), up)
     }
 
     /// The greatest change of 1/w from a pixel to the next, across or down.
     pub(crate) fn steepness(&self) -> u32 {
-        self.basis.steepness(&self.q)
+        self.q.step.unsigned_abs().max(self.q.row().unsigned_abs())
     }
 }

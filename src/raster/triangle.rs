@@ -2,9 +2,9 @@
 
 use core::ops::Range;
 
-use super::edge::{Edge, first_center};
 use super::polygon::Part;
-use super::{Barycentric, Blitter, Patch, Scissor, ScreenVertex, spans};
+use super::rasterizer::scan_convert;
+use super::{Barycentric, Bounds, Patch, Rasterizer, Scissor, ScreenVertex};
 use crate::num::wide::cross;
 
 /// A triangle on the screen.
@@ -13,6 +13,8 @@ pub(crate) struct Triangle<'a> {
     pub(crate) vertices: [&'a ScreenVertex; 3],
     /// The corners' places in the mesh's triangle; `None` if they are its corners.
     pub(crate) barycentric: Option<&'a [Barycentric; 3]>,
+    pub(super) screen: [[i32; 2]; 3],
+    pub(super) bounds: Bounds,
     /// Twice the area, in units of (1/256 pixel)²: positive for corners that run clockwise on the screen.
     pub(crate) area: i64,
 }
@@ -24,167 +26,74 @@ pub(crate) fn area([a, b, c]: &[[i32; 2]; 3]) -> i64 {
     cross([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]])
 }
 
-/// The [`area`] of a triangle; 0 if its bounds contain no pixel center of the scissor.
-#[inline(never)]
-pub(super) fn area_in(corners: [&ScreenVertex; 3], scissor: &Scissor) -> i64 {
-    if !meets(corners, scissor) {
-        return 0;
-    }
-    area(&ScreenVertex::screens(corners))
-}
-
-/// Whether a triangle's bounds contain a pixel center of the scissor.
-#[inline(never)]
-fn meets(corners: [&ScreenVertex; 3], scissor: &Scissor) -> bool {
-    let [a, b, c] = ScreenVertex::screens(corners);
-    let meets = |corners: [i32; 3], scissor: &Range<i32>| {
-        let centers = centers(corners);
-        centers.start.max(scissor.start) < centers.end.min(scissor.end)
-    };
-    meets([a[1], b[1], c[1]], &scissor.rows) && meets([a[0], b[0], c[0]], &scissor.columns)
-}
-
-/// The columns or rows whose centers lie between the corners.
+/// The corners in clockwise order, from the order in which the doubled area is `area`.
 #[inline]
-fn centers([a, b, c]: [i32; 3]) -> Range<i32> {
-    first_center(a.min(b).min(c))..first_center(a.max(b).max(c))
+const fn clockwise([a, b, c]: [[i32; 2]; 3], area: i64) -> [[i32; 2]; 3] {
+    if area > 0 { [a, b, c] } else { [a, c, b] }
 }
 
-/// The rows in which a triangle may have pixels, regardless of the scissor.
-#[inline]
-pub(super) fn row_range(corners: [&ScreenVertex; 3]) -> Range<i32> {
-    let [a, b, c] = ScreenVertex::screens(corners);
-    centers([a[1], b[1], c[1]])
-}
-
-/// Whether a triangle covers the center of a pixel. It uses the same edges as [`draw`], and so follows the same rule.
-pub(super) fn covers([a, b, c]: &[[i32; 2]; 3], area: i64, [x, row]: [i32; 2]) -> bool {
-    // With clockwise corners, an edge that runs down is on the right.
-    let edges = if area > 0 {
-        [(a, b), (b, c), (c, a)]
-    } else {
-        [(a, c), (c, b), (b, a)]
-    };
-    let mut crossed = false;
-    for (from, to) in edges {
-        let is_right = to[1] > from[1];
-        let (top, bottom) = if is_right { (from, to) } else { (to, from) };
-        if (first_center(top[1])..first_center(bottom[1])).contains(&row) {
-            crossed = true;
-            let is_beyond = x >= Edge::new(*top, *bottom, row).column();
-            if is_beyond == is_right {
-                return false;
-            }
-        }
-    }
-    crossed
+/// Whether a triangle covers the center of a pixel.
+pub(super) fn covers(corners: &[[i32; 2]; 3], area: i64, [x, row]: [i32; 2]) -> bool {
+    let mut columns = [[0; 2]];
+    scan_convert(&mut columns, row, &clockwise(*corners, area));
+    let [[start, end]] = columns;
+    (i32::from(start)..i32::from(end)).contains(&x)
 }
 
 impl<'a> Triangle<'a> {
-    /// A mesh's triangle whose area is known; `None` if its bounds contain no pixel center of the scissor.
-    #[inline]
-    pub(crate) fn of_area(
+    /// A triangle, which is a mesh's if no places are given; `None` if its bounds contain no pixel center of the scissor.
+    #[inline(never)]
+    pub(crate) fn new(
         vertices: [&'a ScreenVertex; 3],
+        barycentric: Option<&'a [Barycentric; 3]>,
         area: i64,
         scissor: &Scissor,
     ) -> Option<Self> {
-        meets(vertices, scissor).then_some(Self {
+        let screen = ScreenVertex::screens(vertices);
+        let bounds = Bounds::in_scissor(&screen, scissor)?;
+        Some(Self {
             vertices,
-            barycentric: None,
+            barycentric,
+            screen,
+            bounds,
             area,
         })
     }
 
-    /// A mesh's triangle that an earlier [`of_area`](Self::of_area) accepted.
-    #[inline]
-    pub(crate) fn new(vertices: [&'a ScreenVertex; 3]) -> Self {
-        Self {
-            vertices,
-            barycentric: None,
-            area: area(&ScreenVertex::screens(vertices)),
-        }
-    }
-
     /// The rows in which it may have pixels, regardless of the scissor.
     #[inline]
-    pub(crate) fn row_range(&self) -> Range<i32> {
-        row_range(self.vertices)
+    pub(crate) fn rows(&self) -> Range<i32> {
+        self.bounds.rows()
     }
 
     /// Draws the part in the scissor.
+    ///
+    /// A center on a left or top edge belongs to the triangle, one on a right or bottom edge does not.
     #[inline]
-    pub(crate) fn draw(&self, blitter: &mut dyn Blitter, scissor: &Scissor) {
-        draw(blitter, scissor, self, None);
+    pub(crate) fn draw(&self, raster: &mut Rasterizer<'_>) {
+        self.draw_part(raster, None);
     }
-}
 
-/// Draws a triangle row by row, or only those pixels that `part` selects.
-///
-/// A center on a left or top edge belongs to the triangle, one on a right or bottom edge does not.
-#[inline(never)]
-pub(super) fn draw(
-    blitter: &mut dyn Blitter,
-    scissor: &Scissor,
-    triangle: &Triangle<'_>,
-    part: Option<&Part<'_>>,
-) {
-    let screen = ScreenVertex::screens(triangle.vertices);
-    let longest = blitter.set_up(&Patch {
-        vertices: triangle.vertices,
-        barycentric: triangle.barycentric,
-        screen: &screen,
-        area: triangle.area,
-    });
-    // Interpolants are counted from this pixel.
-    let (origin_x, origin_y) = (screen[0][0] >> 8, screen[0][1] >> 8);
-
-    // With the corners sorted from top to bottom, one long edge runs from the first to the last, on the left or on
-    // the right; two short edges are on the other side. Every exchange of corners swaps the sides.
-    //
-    //        top ●
-    //           ╱ ╲
-    //          ╱   ● middle
-    //         ╱ ╱
-    // bottom ●            `long_is_left` is true
-    let [mut top, mut middle, mut bottom] = screen;
-    let mut long_is_left = triangle.area > 0;
-    let mut sort = |upper: &mut [i32; 2], lower: &mut [i32; 2]| {
-        if lower[1] < upper[1] {
-            // Not `swap`: optimized for size, it is a loop over memory, like a `map` of an array.
-            (*upper, *lower) = (*lower, *upper);
-            long_is_left = !long_is_left;
-        }
-    };
-    sort(&mut top, &mut middle);
-    sort(&mut middle, &mut bottom);
-    sort(&mut top, &mut middle);
-
-    let mut row = first_center(top[1]).max(scissor.rows.start);
-    let end = first_center(bottom[1]).min(scissor.rows.end);
-    let mut short_end = first_center(middle[1]).min(end);
-    let long = Edge::new(top, bottom, row);
-    let [mut left, mut right] = [long; 2];
-    while row < end {
-        if row >= short_end {
-            (top, middle, short_end) = (middle, bottom, end);
-        }
-        let short = if long_is_left { &mut right } else { &mut left };
-        *short = Edge::new(top, middle, row);
-        while row < short_end {
-            let start = left.column().max(scissor.columns.start);
-            let end = right.column().min(scissor.columns.end);
-            if start < end {
-                let (x, y) = (start - origin_x, row - origin_y);
-                match part {
-                    None if end - start <= longest => blitter.span(row, start..end, x, y),
-                    None => spans(blitter, row, start..end, [x, y], longest),
-                    Some(part) => part.span(blitter, row, start..end, [x, y]),
-                }
-            }
-            left.step();
-            right.step();
-            row += 1;
-        }
+    /// Draws only those pixels that `part` selects.
+    #[inline(never)]
+    pub(super) fn draw_part(&self, raster: &mut Rasterizer<'_>, part: Option<&Part<'_>>) {
+        raster.blitter.set_up(&Patch {
+            vertices: self.vertices,
+            barycentric: self.barycentric,
+            screen: &self.screen,
+            bounds: self.bounds,
+            area: self.area,
+        });
+        let [a, b, c] = self.screen;
+        let clockwise = if self.area > 0 { [a, b, c] } else { [a, c, b] };
+        raster.fill(
+            &clockwise,
+            &self.bounds,
+            |blitter, first, columns| match part {
+                None => blitter.rows(first, columns),
+                Some(part) => part.rows(blitter, first, columns),
+            },
+        );
     }
 }
 
@@ -197,9 +106,9 @@ mod tests {
     fn draw(picture: &mut Picture, scissor: &Scissor, corners: [[i32; 2]; 3]) -> bool {
         let vertices = corners.map(|corner| vertex(corner.map(|at| at * 64)));
         let area = area(&vertices.map(|vertex| vertex.screen));
-        let triangle = Triangle::of_area(vertices.each_ref(), area, scissor);
+        let triangle = Triangle::new(vertices.each_ref(), None, area, scissor);
         if let Some(triangle) = &triangle {
-            triangle.draw(picture, scissor);
+            triangle.draw(&mut Rasterizer::new(picture, scissor));
         }
         triangle.is_some()
     }
@@ -310,5 +219,24 @@ mod tests {
             rows: 8..9,
         };
         assert!(!draw(&mut inner, &scissor, corners));
+    }
+
+    /// More rows than the rasterizer remembers: in one go and row by row.
+    #[test]
+    fn a_tall_triangle_has_the_rows_of_its_bands() {
+        let corners = [[7, -20], [43, 301], [-9, 777]];
+        let whole = drawn(12, 200, &[corners]);
+        assert_eq!(whole.spans.len(), 167);
+        let mut bands = Picture::new(12, 200);
+        bands.ink = 'a';
+        for row in 0..200 {
+            let scissor = Scissor {
+                columns: 0..12,
+                rows: row..row + 1,
+            };
+            draw(&mut bands, &scissor, corners);
+        }
+        assert_eq!(bands.text(), whole.text());
+        assert_eq!(bands.spans, whole.spans);
     }
 }

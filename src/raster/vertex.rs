@@ -1,6 +1,7 @@
 //! A vertex on the screen.
 
 use crate::mesh::Index;
+use crate::num::wide::dot;
 
 /// A vertex on the screen, or the clipping planes that it is outside of.
 #[derive(Clone, Copy, Debug)]
@@ -46,12 +47,11 @@ impl Barycentric {
 
     /// The value, at this point, of a varying that has these values at the corners. It is rounded to the nearest
     /// unit, apart from the rounding of the weights.
-    pub(crate) fn mix(self, [value, second, third]: &[i32; 3]) -> i32 {
-        let difference = |to: &i32| i64::from(*to) - i64::from(*value);
-        let [b, c] = self.0.map(i64::from);
-        // Differences take 33 bits, and the weights add up to at most 2^30 and a few units.
-        let sum = difference(second) * b + difference(third) * c;
-        let mixed = i64::from(*value) + ((sum + (1 << 29)) >> 30);
+    #[inline(never)]
+    pub(crate) fn mix(self, values: &[i32; 3]) -> i32 {
+        let [b, c] = self.0;
+        // The weights add up to 2^30, and the last two to at most 2^30 and a few units.
+        let mixed = (dot(values, &[(1 << 30) - b - c, b, c]) + (1 << 29)) >> 30;
         mixed.clamp(i32::MIN.into(), i32::MAX.into()) as i32
     }
 }

@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::levels::{Channels, HALF, LEVEL, Levels, dimmed};
+use super::levels::{Channels, HALF, LEVEL, Levels, dimmed, each};
 use super::{Fragment, Shader, Within};
 use crate::mesh::Primitive;
 
@@ -53,9 +53,9 @@ impl<C: Levels> Shader for Gouraud<C> {
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
         primitive.corners(|corner| {
             let levels = C::levels(corner.color());
-            Within(C::Channels::first(
-                levels.map(|level| level.wrapping_add(HALF)),
-            ))
+            Within(C::Channels::first(each(levels, |level| {
+                level.wrapping_add(HALF)
+            })))
         })
     }
 
@@ -66,7 +66,7 @@ impl<C: Levels> Shader for Gouraud<C> {
 
     #[inline]
     fn shade_lit(&self, at: &Fragment, Within(levels): Self::Varyings, light: i32) -> Option<C> {
-        let levels = levels.all().map(|level| level.wrapping_sub(HALF));
+        let levels = each(levels.all(), |level| level.wrapping_sub(HALF));
         Some(C::from_levels(dimmed(levels, light), at.point))
     }
 }

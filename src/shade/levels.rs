@@ -59,7 +59,7 @@ pub trait Levels: PixelColor {
     #[must_use]
     #[inline]
     fn from_raised(levels: [i32; 3], at: Point) -> Self {
-        Self::from_levels(levels.map(|level| level.wrapping_sub(HALF)), at)
+        Self::from_levels(each(levels, |level| level.wrapping_sub(HALF)), at)
     }
 
     /// The levels of `color`, with an error of at most 0.003 step; exact for black and white.
@@ -136,6 +136,12 @@ impl Channels for [i32; 1] {
     fn all(self) -> [i32; 3] {
         [self[0], 0, 0]
     }
+}
+
+/// Converts three channels. Not `array::map`: optimized for size, that is a loop over memory.
+#[inline]
+pub(super) fn each<T>([r, g, b]: [i32; 3], f: impl Fn(i32) -> T) -> [T; 3] {
+    [f(r), f(g), f(b)]
 }
 
 /// Whole steps (at most 255) times fractions (up to about 65,536): levels.
@@ -221,7 +227,7 @@ macro_rules! rgb {
 
             #[inline]
             fn steps(self) -> [i32; 3] {
-                [self.r(), self.g(), self.b()].map(i32::from)
+                [self.r().into(), self.g().into(), self.b().into()]
             }
 
             #[inline]
@@ -232,7 +238,7 @@ macro_rules! rgb {
             #[inline]
             #[allow(clippy::cast_sign_loss)] // in range as documented
             fn from_raised(levels: [i32; 3], _: Point) -> Self {
-                let [r, g, b] = levels.map(|level| (level >> 16) as u8);
+                let [r, g, b] = each(levels, |level| (level >> 16) as u8);
                 Self::new(r, g, b)
             }
         }

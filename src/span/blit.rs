@@ -1,5 +1,6 @@
 //! A draw call's shader, mode and canvas, behind the interface that the rasterizer calls.
 
+use core::hint::black_box;
 use core::marker::PhantomData;
 use core::ops::Range;
 
@@ -12,7 +13,7 @@ use super::pieces::pieces;
 use super::pixels::{Count, FaceOf, Numbers, Pixels, Span};
 use super::straight::{solid, straight};
 use crate::mesh::Primitive;
-use crate::raster::{Attribute, Blitter, DepthShift, Patch, SPAN, Scale, Setup};
+use crate::raster::{Attribute, Blitter, Columns, DepthShift, Patch, SPAN, Scale, Setup};
 use crate::shade::{Lanes, MOST_VARYINGS, Shader, Varyings};
 use crate::target::{Canvas, Cells, DepthBuffer, DepthTest, Storage};
 use crate::view::ProjectionKind;
@@ -131,6 +132,125 @@ where
         }
     }
 
+    /// Draws rows of one color.
+    #[inline(always)]
+    fn solid_rows(&mut self, first: i32, rows: &[Columns]) {
+        for (row, &[start, end]) in (first..).zip(rows) {
+            let columns = start.into()..end.into();
+            let pixels = self.pixels(row, columns.start);
+            if let Some(cells) = self.cells(row, columns) {
+                solid(Count::<S>::splat(0), cells, pixels);
+            }
+        }
+    }
+
+    /// Draws rows of a near triangle whose attributes are linear.
+    #[inline(always)]
+    fn near_rows(&mut self, first: i32, rows: &[Columns]) {
+        let mut rest = (self, (first..).zip(rows));
+        loop {
+            // In memory: a loop over pixels takes all registers of a small core, and the compiler would rather keep
+            // this between rows in them.
+            let (blit, rows) = black_box(&mut rest);
+            let Some((row, &[start, end])) = rows.next() else {
+                return;
+            };
+            let columns = i32::from(start)..i32::from(end);
+            if columns.start >= columns.end {
+                continue;
+            }
+            let (x, y) = (columns.start, row);
+            let pixels = blit.pixels(row, x);
+            let span = Span::<Count<S>> {
+                q: blit.setup.q.near(x, y).cast_unsigned(),
+                p: Count::<S>::map(&blit.attributes, |p: &Attribute| p.gradient.near(x, y)),
+                dq: blit.setup.q.step,
+                dp: Count::<S>::map(&blit.attributes, |p: &Attribute| p.gradient.step),
+                down: blit.setup.down,
+                count: columns.len(),
+            };
+            if let Some(cells) = blit.cells(row, columns) {
+                straight(span, Self::restored, cells, pixels);
+            }
+        }
+    }
+
+    /// Draws rows of any triangle.
+    #[inline(always)]
+    fn any_rows(&mut self, first: i32, rows: &[Columns]) {
+        for (row, &[start, end]) in (first..).zip(rows) {
+            let (mut start, end) = (i32::from(start), i32::from(end));
+            while start < end {
+                let stop = end.min(start + SPAN);
+                self.any_span(row, start..stop);
+                start = stop;
+            }
+        }
+    }
+
+    /// Draws at most [`SPAN`] pixels of any triangle.
+    #[inline(never)]
+    fn any_span(&mut self, row: i32, columns: Range<i32>) {
+        let Some(span) = self.span(row, columns.clone()) else {
+            return;
+        };
+        let pixels = self.pixels(row, columns.start);
+        let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
+        if let Some(cells) = self.canvas.run(row.cast_unsigned(), columns) {
+            let span = span.anew();
+            straight(span, Self::restored, cells, pixels);
+        }
+    }
+
+    /// The attributes of interpolants that nothing divides.
+    #[inline(always)]
+    fn restored(p: &Numbers<S>) -> Numbers<S> {
+        if Self::OVER_W {
+            Count::<S>::map(p, |p: &i32| *p >> Scale::AFFINE_UP)
+        } else {
+            *p
+        }
+    }
+
+    /// Starts any span of at most [`SPAN`] pixels. Draws it, unless it is linear: then its interpolants are returned.
+    #[inline(always)]
+    fn span(&mut self, row: i32, columns: Range<i32>) -> Option<Span<Count<S>>> {
+        let [x, y] = [columns.start, row];
+        // Exceptions are separate calls, made before anything is in a register.
+        if Self::COUNT > 0 && !Self::OVER_W && self.kernel.is_none() {
+            self.scaled_span(row, columns, [x, y]);
+            return None;
+        }
+        if Self::COUNT > 0 && Self::OVER_W && M::IS_PRECISE && self.setup.least < STEEP {
+            self.precise_span(row, columns, [x, y]);
+            return None;
+        }
+        let (setup, attributes, slopes) = (&self.setup, &self.attributes, &self.slopes);
+        let mut span = start::<Count<S>>(setup, attributes, slopes, [x, y], columns.len());
+        if Self::COUNT == 0 || !Self::OVER_W || self.kernel == Some(Kernel::Straight) {
+            return Some(span);
+        }
+        let scales = slopes.scales;
+        let kernel = self.mode.of_span(self.kernel, &mut span, slopes);
+        if kernel == Kernel::Tangent {
+            tangent(&mut span);
+        }
+        if let Kernel::Straight | Kernel::Tangent = kernel {
+            return Some(span);
+        }
+        let pixels = self.pixels(row, columns.start);
+        let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
+        let cells = self.canvas.run(row.cast_unsigned(), columns)?;
+        match kernel {
+            Kernel::Straight | Kernel::Tangent => {}
+            Kernel::Pieces(length) => pieces(span, length, scales, cells, pixels),
+            Kernel::Newton => newton(span, cells, pixels),
+            Kernel::Divide if M::IS_PRECISE => divide(span, scales, cells, pixels),
+            Kernel::Divide => divide_apart(span, scales, cells, pixels),
+        }
+        None
+    }
+
     /// Draws a span of a triangle in which steps would accumulate too much rounding: each pixel computes its
     /// interpolants anew.
     #[cold]
@@ -146,16 +266,14 @@ where
         let at = |i: i32| {
             let at = [x + i, y];
             let (q, up) = setup.precise_q(at);
-            let p = Count::<S>::map(attributes, |p: &Attribute| {
-                setup.precise(&p.gradient, at, up)
-            });
+            let p = Count::<S>::map(attributes, |p: &Attribute| p.gradient.far.precise(at, up));
             (q, p)
         };
         divide_anew(span, scales, at, cells, pixels);
     }
 }
 
-/// The span that begins `x` columns and `y` rows from the pixel that contains the patch's first position.
+/// The span that begins at a pixel.
 #[inline]
 fn start<L: Lanes>(
     setup: &Setup,
@@ -164,13 +282,9 @@ fn start<L: Lanes>(
     [x, y]: [i32; 2],
     count: usize,
 ) -> Span<L> {
-    let p = if setup.is_near() {
-        L::map(attributes, |p: &Attribute| p.gradient.near(x, y))
-    } else {
-        L::map(attributes, |p: &Attribute| setup.far(&p.gradient, x, y))
-    };
+    let p = L::map(attributes, |p: &Attribute| p.gradient.at(x, y));
     Span {
-        q: setup.q(x, y),
+        q: setup.q.at(x, y).cast_unsigned(),
         p,
         dq: slopes.q,
         dp: slopes.p,
@@ -203,9 +317,9 @@ where
         }
     }
 
-    fn set_up(&mut self, patch: &Patch<'_>) -> i32 {
+    fn set_up(&mut self, patch: &Patch<'_>) {
         if !Self::VARIES {
-            return i32::MAX;
+            return;
         }
         self.setup.lay(self.attributes.as_mut(), patch);
         self.slopes = Slopes {
@@ -218,7 +332,7 @@ where
             self.test.triangle(self.setup.steepness());
         }
         if Self::COUNT == 0 {
-            return SPAN;
+            return;
         }
         self.kernel = if !Self::OVER_W {
             let is_whole = Count::<S>::all(&self.slopes.scales, |scale| scale.bits() == WHOLE);
@@ -231,48 +345,16 @@ where
         if Self::OVER_W && M::IS_PRECISE && self.setup.least < STEEP {
             self.setup.lay_precise(self.attributes.as_mut(), patch);
         }
-        SPAN
     }
 
-    fn span(&mut self, row: i32, columns: Range<i32>, x: i32, y: i32) {
-        // Exceptions are separate calls, made before anything is in a register.
-        if Self::COUNT > 0 && !Self::OVER_W && self.kernel.is_none() {
-            return self.scaled_span(row, columns, [x, y]);
-        }
-        if Self::COUNT > 0 && Self::OVER_W && M::IS_PRECISE && self.setup.least < STEEP {
-            return self.precise_span(row, columns, [x, y]);
-        }
-        let count = columns.len();
-        let pixels = self.pixels(row, columns.start);
-        let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
-        let Some(cells) = self.canvas.run(row.cast_unsigned(), columns) else {
-            return;
-        };
+    fn rows(&mut self, first: i32, rows: &[Columns]) {
+        let is_straight = Self::COUNT == 0 || self.kernel == Some(Kernel::Straight);
         if !Self::VARIES {
-            return solid(Count::<S>::splat(0), cells, pixels);
-        }
-        let (setup, attributes, slopes) = (&self.setup, &self.attributes, &self.slopes);
-        let mut span = start::<Count<S>>(setup, attributes, slopes, [x, y], count);
-        if Self::COUNT == 0 || !Self::OVER_W {
-            return straight(span, |p| *p, cells, pixels);
-        }
-        let kernel = match self.kernel {
-            Some(Kernel::Straight) => Kernel::Straight,
-            kernel => self.mode.of_span(kernel, &mut span, slopes),
-        };
-        let scales = slopes.scales;
-        match kernel {
-            Kernel::Straight | Kernel::Tangent => {
-                if kernel == Kernel::Tangent {
-                    tangent(&mut span);
-                }
-                let restore = |p: &Numbers<S>| Count::<S>::map(p, |p: &i32| *p >> Scale::AFFINE_UP);
-                straight(span, restore, cells, pixels);
-            }
-            Kernel::Pieces(length) => pieces(span, length, scales, cells, pixels),
-            Kernel::Newton => newton(span, cells, pixels),
-            Kernel::Divide if M::IS_PRECISE => divide(span, scales, cells, pixels),
-            Kernel::Divide => divide_apart(span, scales, cells, pixels),
+            self.solid_rows(first, rows);
+        } else if is_straight && self.setup.is_near {
+            self.near_rows(first, rows);
+        } else {
+            self.any_rows(first, rows);
         }
     }
 }

@@ -25,6 +25,7 @@ pub(super) fn newton<S, O, D, Z>(
     D: DepthBuffer,
     Z: DepthTest,
 {
+    let span = span.anew();
     let Span { dq, dp, down, .. } = span;
     // q is from 2^29 to 2^31, and so is r = 2^60 / q; p is 2^-28 q times the attribute.
     let (mut q, mut p) = (span.q.cast_signed(), span.p);

@@ -38,6 +38,30 @@ pub struct Span<L: Lanes> {
 }
 
 impl<L: Lanes> Span<L> {
+    /// The same span, through memory.
+    ///
+    /// A loop over pixels takes all registers of a small core. Without this new start, the compiler leaves some of
+    /// them to what came before, and loads steps from the stack at every pixel.
+    #[inline(always)]
+    pub(super) fn anew(self) -> Self {
+        let Self {
+            q,
+            p,
+            dq,
+            dp,
+            down,
+            count,
+        } = *black_box(&self);
+        Self {
+            q,
+            p,
+            dq,
+            dp,
+            down,
+            count,
+        }
+    }
+
     /// Moves to the next pixel.
     ///
     /// Values wrap. Only a sliver one pixel wide has a step beyond `i32`, and its next pixel is never read.

@@ -12,8 +12,12 @@
 //! | the start of a span, rounded to nearest | ½ | ½ |
 //! | 63 steps, each rounded to nearest | 31½ | 31½ |
 //!
-//! In all 40 and 36½. As the numerator is at most Q/2, an error e of 1/w counts as much as an error e/2 of the
-//! numerator: together 56½ units, each 2^bits / Q of the attribute.
+//! In all 40 and 36½. In a small triangle, other errors take the place of the last three: 43 steps of ¾ unit, of which
+//! ¼ comes from the rounding of the corners' weights; ½ from the rounding of their sum; and less than 1 from the
+//! reciprocal of the area, because values differ by less than 2³⁰. That is 33¾ in place of 36 and 34.
+//!
+//! As the numerator is at most Q/2, an error e of 1/w counts as much as an error e/2 of the numerator: together 56½
+//! units, each 2^bits / Q of the attribute.
 //!
 //! If the nearest corner's 1/w has all 31 bits set except the last six, these 56½ units are 113. That leaves room for
 //! keeping such a corner from exceeding 31 bits, for example by lowering it by 64 units: this moves an attribute by a
