@@ -6,8 +6,8 @@ use crate::num::wide::{product, times_short, upper};
 
 /// An interpolant over a triangle: its value at every pixel center, to within one unit.
 ///
-/// A near plane, that of a small triangle which is not a sliver, is `start` plus a number of steps. In other
-/// triangles, the steps would accumulate too much rounding: their planes are far, and have 30 bits more.
+/// Small triangles have near planes: a value is `start` plus a number of steps. In large triangles and in thin slivers,
+/// steps would accumulate too much rounding. They have far planes, with 30 bits more.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Gradient {
     /// Change from one column to the next, rounded to the nearest unit.

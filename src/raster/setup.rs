@@ -94,6 +94,7 @@ pub(crate) struct Setup {
     least_bits: u32,
     shift: DepthShift,
     basis: Basis,
+    /// 1/w (or depth).
     pub(crate) q: Gradient,
     /// Whether all gradients are near: a value is its start plus a number of steps.
     pub(crate) is_near: bool,
@@ -175,7 +176,8 @@ impl Setup {
         }
     }
 
-    /// Lays the planes that [`precise`](Self::precise) needs in addition to [`lay`](Self::lay).
+    /// Lays far planes through everything, which [`precise_q`](Self::precise_q) and `FarPlane::precise` need in addition
+    /// to [`lay`](Self::lay).
     #[cold]
     #[inline(never)]
     pub(crate) fn lay_precise(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) {
@@ -187,12 +189,6 @@ impl Setup {
             weigh(&mut values, q, 1);
             self.basis.lay_far(values, &mut attribute.gradient);
         }
-    }
-
-    /// The change of 1/w from a pixel to the next in its row.
-    #[inline]
-    pub(crate) const fn step(&self) -> i32 {
-        self.q.step
     }
 
     /// 1/w at a pixel, shifted left to 31 bits, and by how many bits it was shifted.

@@ -13,8 +13,9 @@ pub(crate) struct Triangle<'a> {
     pub(crate) vertices: [&'a ScreenVertex; 3],
     /// The corners' places in the mesh's triangle; `None` if they are its corners.
     pub(crate) barycentric: Option<&'a [Barycentric; 3]>,
-    pub(super) screen: [[i32; 2]; 3],
-    pub(super) bounds: Bounds,
+    /// The vertices' positions, in units of 1/256 pixel.
+    screen: [[i32; 2]; 3],
+    bounds: Bounds,
     /// Twice the area, in units of (1/256 pixel)²: positive for corners that run clockwise on the screen.
     pub(crate) area: i64,
 }
@@ -41,7 +42,8 @@ pub(super) fn covers(corners: &[[i32; 2]; 3], area: i64, [x, row]: [i32; 2]) -> 
 }
 
 impl<'a> Triangle<'a> {
-    /// A triangle, which is a mesh's if no places are given; `None` if its bounds contain no pixel center of the scissor.
+    /// A triangle of a mesh or, with places, of a clipped polygon; `None` if its bounds contain no pixel center of the
+    /// scissor.
     #[inline(never)]
     pub(crate) fn new(
         vertices: [&'a ScreenVertex; 3],
@@ -74,7 +76,7 @@ impl<'a> Triangle<'a> {
         self.draw_part(raster, None);
     }
 
-    /// Draws only those pixels that `part` selects.
+    /// Draws the part in the scissor or, of that, only those pixels that `part` selects.
     #[inline(never)]
     pub(super) fn draw_part(&self, raster: &mut Rasterizer<'_>, part: Option<&Part<'_>>) {
         raster.blitter.set_up(&Patch {
@@ -84,8 +86,7 @@ impl<'a> Triangle<'a> {
             bounds: self.bounds,
             area: self.area,
         });
-        let [a, b, c] = self.screen;
-        let clockwise = if self.area > 0 { [a, b, c] } else { [a, c, b] };
+        let clockwise = clockwise(self.screen, self.area);
         raster.fill(
             &clockwise,
             &self.bounds,

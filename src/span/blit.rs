@@ -323,7 +323,7 @@ where
         }
         self.setup.lay(self.attributes.as_mut(), patch);
         self.slopes = Slopes {
-            q: self.setup.step(),
+            q: self.setup.q.step,
             p: Count::<S>::map(&self.attributes, |p| p.gradient.step),
             scales: Count::<S>::map(&self.attributes, |p| p.scale),
             least: self.setup.least,
