@@ -301,10 +301,9 @@ impl Filling<'_> {
 
 impl Assembly for Filling<'_> {
     fn whole(&mut self, element: Element, corners: [&ScreenVertex; 3], area: i64) {
-        if let Some(triangle) = Triangle::new(corners, None, area, self.scissor) {
-            let rows = triangle.rows();
+        if let Some(triangle) = &Triangle::new(corners, None, area, self.scissor) {
             let numbers = corners.map(|corner| self.number(corner));
-            self.add_triangle(element, &rows, Corners::Whole(numbers));
+            self.add_triangle(element, &triangle.rows, Corners::Whole(numbers));
         }
     }
 

@@ -128,8 +128,9 @@ impl<'d> Draw<'d> {
 impl Assembly for Draw<'_> {
     #[inline]
     fn whole(&mut self, element: Element, corners: [&ScreenVertex; 3], area: i64) {
-        if let Some(triangle) = Triangle::new(corners, None, area, &self.shared.scissor) {
-            self.triangle(element, &triangle);
+        // By reference: moved, it would be copied.
+        if let Some(triangle) = &Triangle::new(corners, None, area, &self.shared.scissor) {
+            self.triangle(element, triangle);
         }
     }
 

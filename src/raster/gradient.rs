@@ -1,6 +1,6 @@
 //! The plane equations of interpolants.
 
-use super::Patch;
+use super::{Patch, ScreenVertex};
 use crate::num::reciprocal;
 use crate::num::wide::{product, times_short, upper};
 
@@ -62,10 +62,8 @@ impl Gradient {
     /// The value of a near plane at a pixel.
     #[inline]
     pub(crate) const fn near(&self, x: i32, y: i32) -> i32 {
-        let moved = self.step.wrapping_mul(x);
-        moved
-            .wrapping_add(self.row.wrapping_mul(y))
-            .wrapping_add(self.start)
+        let row = self.start.wrapping_add(self.row.wrapping_mul(y));
+        row.wrapping_add(self.step.wrapping_mul(x))
     }
 }
 
@@ -129,14 +127,14 @@ impl Basis {
     pub(crate) fn start(&mut self, patch: &Patch<'_>) {
         self.limit = 0;
         self.far.inverse = 0;
-        let [[x, y], b, c] = *patch.screen;
+        let [[x, y], b, c] = ScreenVertex::screens(patch.vertices);
         // Areas are stored without a sign, so the sides take it over.
         let sign = if patch.area < 0 { -1 } else { 1 };
         let [[bx, by], [cx, cy]] =
             [b, c].map(|[to_x, to_y]| [(to_x - x) * sign, (to_y - y) * sign]);
         self.sides = [[bx, by], [cx, cy]];
         self.to_center = [128 - x, 128 - y];
-        let [wide, high] = patch.bounds.size();
+        let [wide, high] = patch.size;
         if wide + high > NEAR {
             return;
         }
@@ -193,10 +191,14 @@ impl Basis {
         ]
     }
 
-    /// Lays a plane through values at the corners whose range [is near](Self::is_near).
+    /// Lays a plane through 2^`raised` times the values at the corners, whose range [is near](Self::is_near).
     #[inline(never)]
-    pub(crate) fn lay_near(&self, [a, b, c]: [i32; 3], gradient: &mut Gradient) {
-        let (b, c) = (b.wrapping_sub(a) << self.up, c.wrapping_sub(a) << self.up);
+    pub(crate) fn lay_near(&self, [a, b, c]: [i32; 3], raised: u32, gradient: &mut Gradient) {
+        let up = self.up + raised;
+        let (b, c) = (
+            b.wrapping_sub(a) << (up & 31),
+            c.wrapping_sub(a) << (up & 31),
+        );
         let [[b_step, b_row], [c_step, c_row]] = self.weights;
         // Factors are below 2^30 and 2^31.
         let gain = |weight_b: i32, weight_c: i32| {
@@ -206,16 +208,14 @@ impl Basis {
         gradient.is_near = true;
         gradient.step = step;
         gradient.row = row;
-        gradient.start = a.wrapping_add(moved([step, row], self.to_center));
+        gradient.start = (a << (raised & 31)).wrapping_add(moved([step, row], self.to_center));
     }
 
     /// Lays a near plane through the values at the corners, if their range allows that, or a far one.
     #[inline]
-    pub(crate) fn lay(&mut self, values: [i32; 3], area: i64, gradient: &mut Gradient) {
-        let [a, b, c] = values;
-        let range = a.max(b).max(c).wrapping_sub(a.min(b).min(c));
-        if self.is_near(range.cast_unsigned()) {
-            self.lay_near(values, gradient);
+    pub(crate) fn lay(&mut self, values: [i32; 3], range: u32, area: i64, gradient: &mut Gradient) {
+        if self.is_near(range) {
+            self.lay_near(values, 0, gradient);
         } else {
             self.start_far(area);
             self.lay_far(values, gradient);
@@ -313,35 +313,35 @@ const fn moved([step, row]: [i32; 2], [x, y]: [i32; 2]) -> i32 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::edge::first_center;
     use super::super::picture::vertex;
-    use super::super::{Bounds, Scissor, ScreenVertex};
     use super::*;
     use proptest::prelude::*;
 
-    fn bounds(screen: &[[i32; 2]; 3]) -> Option<Bounds> {
-        let all = Scissor {
-            columns: -4096..4096,
-            rows: -4096..4096,
-        };
-        Bounds::in_scissor(screen, &all)
+    /// The least and the greatest coordinate of corners, along an axis.
+    fn ends(screen: [[i32; 2]; 3], axis: usize) -> [i32; 2] {
+        let all = screen.map(|corner| corner[axis]);
+        [*all.iter().min().unwrap(), *all.iter().max().unwrap()]
     }
 
-    /// Lays a plane through `values` at places on the screen; `None` if there is no pixel between them.
+    /// Lays a plane through `values` at places on the screen; `None` if they are in a line.
     fn laid(screen: [[i32; 2]; 3], values: [i32; 3]) -> Option<Gradient> {
         let vertices = screen.map(vertex);
-        let vertices: [&ScreenVertex; 3] = vertices.each_ref();
         let area = super::super::area(&screen);
         let patch = Patch {
-            vertices,
+            vertices: vertices.each_ref(),
             barycentric: None,
-            screen: &screen,
-            bounds: bounds(&screen)?,
+            size: [0, 1].map(|axis| {
+                let [least, most] = ends(screen, axis);
+                most - least
+            }),
             area,
         };
         let (mut basis, mut gradient) = (Basis::NONE, Gradient::NONE);
         basis.start(&patch);
         if area != 0 {
-            basis.lay(values, area, &mut gradient);
+            let range = values.iter().max().unwrap() - values.iter().min().unwrap();
+            basis.lay(values, range.cast_unsigned(), area, &mut gradient);
         }
         (area != 0).then_some(gradient)
     }
@@ -362,11 +362,11 @@ mod tests {
 
     /// The pixels whose centers are in a triangle, or on its border.
     fn pixels(screen: [[i32; 2]; 3]) -> impl Iterator<Item = [i32; 2]> {
-        let bounds = bounds(&screen).unwrap();
-        let rows = bounds.rows();
-        let all = bounds
-            .columns()
-            .flat_map(move |x| rows.clone().map(move |y| [x, y]));
+        let centers = move |axis| {
+            let [least, most] = ends(screen, axis);
+            first_center(least)..first_center(most)
+        };
+        let all = centers(0).flat_map(move |x| centers(1).map(move |y| [x, y]));
         all.filter(move |[x, y]| {
             let center = [256 * x + 128, 256 * y + 128];
             let [a, b, c] = screen;

@@ -1,7 +1,7 @@
 //! Lines: one pixel per column or row, whichever is longer.
 
 use super::edge::{Edge, first_center};
-use super::{Bounds, ClippedVertex, Patch, Rasterizer};
+use super::{ClippedVertex, Patch, Rasterizer, ScreenVertex};
 
 /// Draws a line.
 ///
@@ -44,18 +44,21 @@ pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
     }
 
     // Values change along the longer axis only. A sliver along that axis, one unit wide, defines their plane.
-    let sliver = [[start, 128], [end, 128], [end, 129]];
-    let (screen, area) = if steep {
-        (sliver.map(|[along, across]| [across, along]), start - end)
-    } else {
-        (sliver, end - start)
+    let at = |end: &ClippedVertex, place: [i32; 2]| ScreenVertex {
+        screen: major_first(place),
+        ..end.vertex
     };
+    let [a, b, c] = [
+        at(from, [start, 128]),
+        at(to, [end, 128]),
+        at(to, [end, 129]),
+    ];
+    let length = end - start;
     raster.blitter.set_up(&Patch {
-        vertices: [&from.vertex, &to.vertex, &to.vertex],
+        vertices: [&a, &b, &c],
         barycentric: Some(&[from.barycentric, to.barycentric, to.barycentric]),
-        bounds: Bounds::ANY,
-        screen: &screen,
-        area: area.into(),
+        size: major_first([length, 1]),
+        area: if steep { -length } else { length }.into(),
     });
 
     // An edge runs along its second coordinate, which is the longer axis here.

@@ -1,6 +1,5 @@
 //! From primitives on the screen to spans of pixels.
 
-mod bounds;
 mod cull;
 mod edge;
 mod gradient;
@@ -18,7 +17,6 @@ mod vertex;
 
 use crate::mesh::Primitive;
 
-pub(crate) use bounds::Bounds;
 pub use cull::Cull;
 pub(crate) use line::line;
 pub(crate) use point::point;
@@ -29,16 +27,15 @@ pub(crate) use setup::{Attribute, FAR, LEAST_WEIGHT, MOST_WEIGHT, SPAN, Scale, S
 pub(crate) use triangle::{Triangle, area};
 pub(crate) use vertex::{Barycentric, ClippedVertex, DepthShift, ScreenVertex};
 
-/// Three vertices and the screen positions of their values; each interpolant is the plane through these values.
+/// Three vertices on the screen; each interpolant is the plane through its values at them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Patch<'a> {
     pub(crate) vertices: [&'a ScreenVertex; 3],
     /// The vertices' places in the mesh's triangle; `None` if they are its corners.
     pub(crate) barycentric: Option<&'a [Barycentric; 3]>,
-    /// Screen positions of the values, in units of 1/256 pixel; for a triangle, the vertices' own.
-    pub(crate) screen: &'a [[i32; 2]; 3],
-    pub(crate) bounds: Bounds,
-    /// Twice the area between these positions, positive if they run clockwise on the screen.
+    /// Width and height, in units of 1/256 pixel.
+    pub(crate) size: [i32; 2],
+    /// Twice the area, in units of (1/256 pixel)²: positive for vertices that run clockwise on the screen.
     pub(crate) area: i64,
 }
 

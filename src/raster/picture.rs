@@ -51,7 +51,7 @@ impl Blitter for Picture {
     fn primitive(&mut self, _: &Primitive<'_>) {}
 
     fn set_up(&mut self, patch: &Patch<'_>) {
-        self.screen = *patch.screen;
+        self.screen = ScreenVertex::screens(patch.vertices);
     }
 
     fn rows(&mut self, first: i32, columns: &[Columns]) {

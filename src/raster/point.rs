@@ -1,6 +1,6 @@
 //! Points: one pixel each.
 
-use super::{Bounds, Patch, Rasterizer, ScreenVertex};
+use super::{Patch, Rasterizer, ScreenVertex};
 
 /// Draws the pixel that contains a point.
 pub(crate) fn point(raster: &mut Rasterizer<'_>, at: &ScreenVertex) {
@@ -9,12 +9,12 @@ pub(crate) fn point(raster: &mut Rasterizer<'_>, at: &ScreenVertex) {
     if scissor.columns.contains(&x) && scissor.rows.contains(&y) {
         let [left, top] = [x << 8, y << 8];
         // All three values are the point's, so any triangle that begins in the pixel will do.
-        let screen = [[left, top], [left + 256, top], [left, top + 1]];
+        let [a, b, c] = [[left, top], [left + 256, top], [left, top + 1]]
+            .map(|screen| ScreenVertex { screen, ..*at });
         raster.blitter.set_up(&Patch {
-            vertices: [at; 3],
+            vertices: [&a, &b, &c],
             barycentric: None,
-            bounds: Bounds::ANY,
-            screen: &screen,
+            size: [256, 1],
             area: 256,
         });
         raster.span(y, &(x..x + 1));

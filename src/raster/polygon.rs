@@ -87,8 +87,9 @@ impl<'a> Polygon<'a> {
             if !self.has(area) {
                 continue;
             }
-            if let Some(triangle) = Triangle::new(vertices(corners), None, area, scissor) {
-                let (rows, all) = (triangle.rows(), all.get_or_insert(triangle.rows()));
+            if let Some(triangle) = &Triangle::new(vertices(corners), None, area, scissor) {
+                let rows = &triangle.rows;
+                let all = all.get_or_insert(rows.clone());
                 *all = all.start.min(rows.start)..all.end.max(rows.end);
             }
         }
@@ -105,7 +106,7 @@ impl<'a> Polygon<'a> {
             let [a, b, c] = corners;
             let places = [a.barycentric, b.barycentric, c.barycentric];
             let triangle = Triangle::new(vertices(corners), Some(&places), area, raster.scissor);
-            if let Some(triangle) = triangle {
+            if let Some(triangle) = &triangle {
                 let part = Part { fan: self, at };
                 triangle.draw_part(raster, self.is_folded.then_some(&part));
                 is_drawn = true;
@@ -140,7 +141,7 @@ impl Part<'_> {
     fn has(&self, pixel: [i32; 2]) -> bool {
         let mut winding = 0;
         for (i, (corners, area)) in self.fan.triangles().enumerate() {
-            if covers(&screens(corners), area, pixel) {
+            if covers(vertices(corners), area, pixel) {
                 if !same_winding(self.fan.area, area) {
                     winding -= 1;
                 } else if i < self.at {

@@ -3,8 +3,8 @@
 use core::hint::black_box;
 use core::ops::Range;
 
-use super::edge::{Edge, first_center};
-use super::{Blitter, Bounds, Columns, Scissor};
+use super::edge::{Edge, ShortEdge, first_center};
+use super::{Blitter, Columns, Patch, Scissor, ScreenVertex, Triangle};
 use crate::mesh::Primitive;
 
 /// The most rows that a [`Blitter`] receives at once: all rows of a small triangle. They take 256 bytes of stack.
@@ -39,66 +39,92 @@ impl<'r> Rasterizer<'r> {
             .rows(row, &[[columns.start as i16, columns.end as i16]]);
     }
 
-    /// Draws the pixels between three edges that run clockwise; `each` receives the first row and the columns of some
-    /// rows.
+    /// Finds the rows of a triangle; `each` receives the first row and the columns of some of them.
     #[inline]
     pub(super) fn fill(
         &mut self,
-        clockwise: &[[i32; 2]; 3],
-        bounds: &Bounds,
+        triangle: &Triangle<'_>,
         mut each: impl FnMut(&mut dyn Blitter, i32, &[Columns]),
     ) {
-        let (scissor, columns, rows) = (self.scissor, bounds.columns(), bounds.rows());
-        let is_cut = columns.start < scissor.columns.start || columns.end > scissor.columns.end;
-        let end = rows.end.min(scissor.rows.end);
-        let mut first = rows.start.max(scissor.rows.start);
+        let Range { start, end } = triangle.rows;
+        let mut first = start;
         while first < end {
-            let part = first..end.min(first + ROWS);
-            let count = (part.end - part.start).cast_unsigned() as usize;
+            let next = end.min(first + ROWS);
+            let count = (next - first).cast_unsigned() as usize;
             let rows = self.rows.get_mut(..count).unwrap_or_default();
-            scan_convert(rows, first, clockwise);
-            if is_cut {
-                cut(rows, &scissor.columns);
+            let Patch { vertices, area, .. } = &triangle.patch;
+            scan_convert(rows, first, vertices, *area > 0);
+            if triangle.is_cut {
+                cut(rows, &self.scissor.columns);
             }
             each(self.blitter, first, rows);
-            first = part.end;
+            first = next;
         }
     }
 }
 
-/// Finds the columns of consecutive rows whose centers lie between three edges, which run clockwise.
+/// Finds the columns of consecutive rows whose centers lie between the edges of a triangle.
 ///
 /// ```text
 ///      a ●
-///       ╱ ╲         The edge from a down to b ends rows on the right,
+///       ╱ ╲         Clockwise, the edge from a down to b ends rows on the right,
 ///      ╱   ● b      as does the one from b to c;
 ///     ╱ ╱           the edge from c up to a begins them on the left.
 ///  c ●
 /// ```
 #[inline(never)]
-pub(super) fn scan_convert(rows: &mut [Columns], first: i32, [a, b, c]: &[[i32; 2]; 3]) {
-    let last = first + (rows.len() as u32).cast_signed();
-    for edge in [a, b, c, a].windows(2) {
-        let [from, to] = *edge else { continue };
-        let (side, top, bottom) = if to[1] > from[1] {
-            (1, from, to)
+pub(super) fn scan_convert(
+    rows: &mut [Columns],
+    first: i32,
+    vertices: &[&ScreenVertex; 3],
+    is_clockwise: bool,
+) {
+    let count = (rows.len() as u32).cast_signed();
+    // The first of the rows that is not above a corner.
+    let row_of = |corner: &ScreenVertex| {
+        let row = first_center(corner.screen[1]) - first;
+        row.max(0).min(count).cast_unsigned() as usize
+    };
+    let [.., mut from] = *vertices;
+    let mut from_row = row_of(from);
+    for &to in vertices {
+        let to_row = row_of(to);
+        let is_down = to_row > from_row;
+        let (top, bottom, start, end) = if is_down {
+            (from, to, from_row, to_row)
         } else {
-            (0, to, from)
+            (to, from, to_row, from_row)
         };
-        let start = first_center(top[1]).max(first);
-        let end = first_center(bottom[1]).min(last);
-        let at = |row: i32| (row - first).cast_unsigned() as usize;
+        (from, from_row) = (to, to_row);
         // An edge may pass the center of no row.
-        let Some(rows) = rows.get_mut(at(start)..at(end)) else {
+        if start == end {
+            continue;
+        }
+        let Some(rows) = rows.get_mut(start..end) else {
             continue;
         };
-        let mut edge = Edge::new(*top, *bottom, start);
-        for columns in rows {
-            // Keeps the compiler from unrolling: most edges pass few rows.
-            black_box(());
-            columns[side] = edge.column() as i16;
-            edge.step();
+        let side = usize::from(is_down == is_clockwise);
+        let row = first + (start as u32).cast_signed();
+        if let Some(mut edge) = ShortEdge::new(top.screen, bottom.screen, row) {
+            for columns in rows {
+                // Keeps the compiler from unrolling: most edges pass few rows.
+                black_box(());
+                columns[side] = edge.column();
+                edge.step();
+            }
+        } else {
+            long_edge(rows, side, Edge::new(top.screen, bottom.screen, row));
         }
+    }
+}
+
+/// Finds the columns on one side of some rows.
+#[inline]
+fn long_edge(rows: &mut [Columns], side: usize, mut edge: Edge) {
+    for columns in rows {
+        black_box(());
+        columns[side & 1] = edge.column() as i16;
+        edge.step();
     }
 }
 

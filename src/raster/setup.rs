@@ -65,8 +65,8 @@ impl Attribute {
         ]
     }
 
-    /// Whether it may be interpolated without regard to 1/w, whose least value is `least` and whose range is
-    /// `change`.
+    /// The range of its values, if it may be interpolated without regard to 1/w, whose least value is `least` and
+    /// whose range is `change`.
     ///
     /// Let q be 1/w and f the attribute, both at the corners, and λ the barycentric weights of a pixel, which add up
     /// to 1. The affine value is Σλf, the exact value Σλqf / Σλq. Their difference is the covariance of q and f,
@@ -74,13 +74,14 @@ impl Attribute {
     /// and f, and the mean is at least `least`. So the error is at most `change` · range of f / (4 · `least`), which
     /// must be below the tolerance.
     #[inline]
-    fn is_affine(&self, least: u32, change: u32) -> bool {
+    fn affine_range(&self, least: u32, change: u32) -> Option<u32> {
         let [a, b, c] = self.corners;
         let (low, high) = (a.min(b).min(c), a.max(b).max(c));
-        low >= -Scale::MOST_AFFINE
+        let is_affine = low >= -Scale::MOST_AFFINE
             && high <= Scale::MOST_AFFINE
             && product(high - low, change.cast_signed())
-                < product((4 * self.tolerance).cast_signed(), least.cast_signed())
+                < product((4 * self.tolerance).cast_signed(), least.cast_signed());
+        is_affine.then(|| (high - low).cast_unsigned())
     }
 }
 
@@ -151,8 +152,44 @@ impl Setup {
         let change = first.max(second).max(third) - self.least;
         self.basis.start(patch);
         self.basis
-            .lay(q.map(u32::cast_signed), patch.area, &mut self.q);
-        self.is_affine = self.over_w && attributes.iter().all(|p| p.is_affine(self.least, change));
+            .lay(q.map(u32::cast_signed), change, patch.area, &mut self.q);
+        let affine = if self.over_w {
+            self.affine_range(attributes, change)
+        } else {
+            None
+        };
+        self.is_affine = affine.is_some();
+        self.is_near = self.q.is_near;
+        match affine {
+            Some(range)
+                if patch.barycentric.is_none() && self.basis.is_near(range << Scale::AFFINE_UP) =>
+            {
+                for attribute in attributes {
+                    attribute.scale = Scale::AFFINE;
+                    self.basis.lay_near(
+                        attribute.corners,
+                        Scale::AFFINE_UP,
+                        &mut attribute.gradient,
+                    );
+                }
+            }
+            _ => self.lay_attributes(attributes, q, patch),
+        }
+    }
+
+    /// The widest range of the attributes, if all may be interpolated without regard to 1/w.
+    #[inline]
+    fn affine_range(&self, attributes: &[Attribute], change: u32) -> Option<u32> {
+        let mut widest = 0;
+        for attribute in attributes {
+            widest = attribute.affine_range(self.least, change)?.max(widest);
+        }
+        Some(widest)
+    }
+
+    /// Lays any attributes through the vertices of a patch.
+    #[inline(never)]
+    fn lay_attributes(&mut self, attributes: &mut [Attribute], q: [u32; 3], patch: &Patch<'_>) {
         let (weights, least_bits) = if !self.over_w {
             ([ONE; 3], self.least_bits)
         } else if self.least > FAR {
@@ -160,7 +197,6 @@ impl Setup {
         } else {
             (q, 1)
         };
-        self.is_near = self.q.is_near;
         for attribute in attributes {
             let mut values = attribute.at(patch);
             attribute.scale = if self.is_affine {
@@ -171,7 +207,14 @@ impl Setup {
             } else {
                 weigh(&mut values, weights, least_bits)
             };
-            self.basis.lay(values, patch.area, &mut attribute.gradient);
+            let [a, b, c] = values;
+            let range = a.max(b).max(c).wrapping_sub(a.min(b).min(c));
+            self.basis.lay(
+                values,
+                range.cast_unsigned(),
+                patch.area,
+                &mut attribute.gradient,
+            );
             self.is_near &= attribute.gradient.is_near;
         }
     }

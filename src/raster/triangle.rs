@@ -2,22 +2,20 @@
 
 use core::ops::Range;
 
+use super::edge::first_center;
 use super::polygon::Part;
 use super::rasterizer::scan_convert;
-use super::{Barycentric, Bounds, Patch, Rasterizer, Scissor, ScreenVertex};
+use super::{Barycentric, Patch, Rasterizer, Scissor, ScreenVertex};
 use crate::num::wide::cross;
 
 /// A triangle on the screen.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Triangle<'a> {
-    pub(crate) vertices: [&'a ScreenVertex; 3],
-    /// The corners' places in the mesh's triangle; `None` if they are its corners.
-    pub(crate) barycentric: Option<&'a [Barycentric; 3]>,
-    /// The vertices' positions, in units of 1/256 pixel.
-    screen: [[i32; 2]; 3],
-    bounds: Bounds,
-    /// Twice the area, in units of (1/256 pixel)²: positive for corners that run clockwise on the screen.
-    pub(crate) area: i64,
+    pub(super) patch: Patch<'a>,
+    /// The rows of the scissor in which it may have pixels.
+    pub(crate) rows: Range<i32>,
+    /// Whether some of its columns may be outside the scissor.
+    pub(super) is_cut: bool,
 }
 
 /// Twice the area of a triangle, in units of (1/256 pixel)²: positive for corners that run clockwise on the screen.
@@ -27,23 +25,17 @@ pub(crate) fn area([a, b, c]: &[[i32; 2]; 3]) -> i64 {
     cross([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]])
 }
 
-/// The corners in clockwise order, from the order in which the doubled area is `area`.
-#[inline]
-const fn clockwise([a, b, c]: [[i32; 2]; 3], area: i64) -> [[i32; 2]; 3] {
-    if area > 0 { [a, b, c] } else { [a, c, b] }
-}
-
 /// Whether a triangle covers the center of a pixel.
-pub(super) fn covers(corners: &[[i32; 2]; 3], area: i64, [x, row]: [i32; 2]) -> bool {
+pub(super) fn covers(corners: [&ScreenVertex; 3], area: i64, [x, row]: [i32; 2]) -> bool {
     let mut columns = [[0; 2]];
-    scan_convert(&mut columns, row, &clockwise(*corners, area));
+    scan_convert(&mut columns, row, &corners, area > 0);
     let [[start, end]] = columns;
     (i32::from(start)..i32::from(end)).contains(&x)
 }
 
 impl<'a> Triangle<'a> {
-    /// A triangle of a mesh or, with places, of a clipped polygon; `None` if its bounds contain no pixel center of the
-    /// scissor.
+    /// A triangle of a mesh or, with places, of a clipped polygon; `None` if the smallest upright rectangle around it
+    /// contains no pixel center of the scissor.
     #[inline(never)]
     pub(crate) fn new(
         vertices: [&'a ScreenVertex; 3],
@@ -51,21 +43,30 @@ impl<'a> Triangle<'a> {
         area: i64,
         scissor: &Scissor,
     ) -> Option<Self> {
-        let screen = ScreenVertex::screens(vertices);
-        let bounds = Bounds::in_scissor(&screen, scissor)?;
+        let [[ax, ay], [bx, by], [cx, cy]] = ScreenVertex::screens(vertices);
+        let (top, bottom) = (ay.min(by).min(cy), ay.max(by).max(cy));
+        // Rows first: most triangles that miss a band have none in it.
+        let rows =
+            first_center(top).max(scissor.rows.start)..first_center(bottom).min(scissor.rows.end);
+        if rows.is_empty() {
+            return None;
+        }
+        let (left, right) = (ax.min(bx).min(cx), ax.max(bx).max(cx));
+        let (first, end) = (first_center(left), first_center(right));
+        let inside = first.max(scissor.columns.start)..end.min(scissor.columns.end);
+        if inside.is_empty() {
+            return None;
+        }
         Some(Self {
-            vertices,
-            barycentric,
-            screen,
-            bounds,
-            area,
+            patch: Patch {
+                vertices,
+                barycentric,
+                size: [right - left, bottom - top],
+                area,
+            },
+            rows,
+            is_cut: inside != (first..end),
         })
-    }
-
-    /// The rows in which it may have pixels, regardless of the scissor.
-    #[inline]
-    pub(crate) fn rows(&self) -> Range<i32> {
-        self.bounds.rows()
     }
 
     /// Draws the part in the scissor.
@@ -79,22 +80,11 @@ impl<'a> Triangle<'a> {
     /// Draws the part in the scissor or, of that, only those pixels that `part` selects.
     #[inline(never)]
     pub(super) fn draw_part(&self, raster: &mut Rasterizer<'_>, part: Option<&Part<'_>>) {
-        raster.blitter.set_up(&Patch {
-            vertices: self.vertices,
-            barycentric: self.barycentric,
-            screen: &self.screen,
-            bounds: self.bounds,
-            area: self.area,
+        raster.blitter.set_up(&self.patch);
+        raster.fill(self, |blitter, first, columns| match part {
+            None => blitter.rows(first, columns),
+            Some(part) => part.rows(blitter, first, columns),
         });
-        let clockwise = clockwise(self.screen, self.area);
-        raster.fill(
-            &clockwise,
-            &self.bounds,
-            |blitter, first, columns| match part {
-                None => blitter.rows(first, columns),
-                Some(part) => part.rows(blitter, first, columns),
-            },
-        );
     }
 }
 

@@ -1,6 +1,6 @@
 //! Attributes that are linear along the span: only additions.
 
-use super::pixels::{Count, Numbers, Pixels, Span, rolled};
+use super::pixels::{Cell, Count, Numbers, Pixels, Span, rolled};
 use crate::shade::Shader;
 use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 
@@ -26,9 +26,6 @@ pub(super) fn straight<S, O, D, Z>(
     }
 }
 
-/// If nothing varies between pixels, this many are drawn without a check for the end of the span.
-const BLOCK: usize = 16;
-
 /// Draws a span whose pixels differ in nothing but their position.
 #[inline]
 pub(super) fn solid<S, O, D, Z>(
@@ -41,15 +38,32 @@ pub(super) fn solid<S, O, D, Z>(
     D: DepthBuffer,
     Z: DepthTest,
 {
-    let mut draw = |cells: &mut Cells<'_, S::Color, O, D>| {
-        for cell in cells.first(BLOCK) {
-            if pixels.visible::<D>(&cell.1, 0, 0) {
-                pixels.shade::<O, D>(cell, numbers);
-            }
+    let mut draw = |cell: Cell<'_, S::Color, O, D>| {
+        if pixels.visible::<D>(&cell.1, 0, 0) {
+            pixels.shade::<O, D>(cell, numbers);
         }
     };
-    while cells.len() >= BLOCK {
-        draw(&mut cells);
+    // By hand, because the compiler unrolls no loop when it optimizes for size.
+    let mut four = |cells: &mut Cells<'_, S::Color, O, D>| {
+        let mut cells = cells.first(4);
+        if let (Some(a), Some(b), Some(c), Some(d)) =
+            (cells.next(), cells.next(), cells.next(), cells.next())
+        {
+            draw(a);
+            draw(b);
+            draw(c);
+            draw(d);
+        }
+    };
+    while cells.len() >= 8 {
+        four(&mut cells);
+        four(&mut cells);
     }
-    draw(&mut cells);
+    if cells.len() >= 4 {
+        four(&mut cells);
+    }
+    for cell in cells.first(usize::MAX) {
+        rolled();
+        draw(cell);
+    }
 }
