@@ -69,6 +69,41 @@ fn short_cross([a, b]: [i32; 2], [c, d]: [i32; 2]) -> i64 {
     i64::from(a * d - c * b)
 }
 
+/// Returns a quotient, rounded down, and its remainder; the divisor must be above 0.
+#[inline]
+pub(crate) fn divide(numerator: i32, divisor: i32) -> (i32, i32) {
+    if IS_NARROW {
+        return narrow_divide(numerator, divisor);
+    }
+    let divisor = divisor.max(1);
+    let (quotient, remainder) = (numerator / divisor, numerator % divisor);
+    // Rounded towards zero so far.
+    let below = remainder >> 31;
+    (quotient + below, remainder + (divisor & below))
+}
+
+/// Returns [`divide`] by subtraction if the quotient is small: a division takes as long as twenty of them.
+#[inline]
+fn narrow_divide(numerator: i32, divisor: i32) -> (i32, i32) {
+    let (mut quotient, mut remainder) = (0, numerator);
+    for _ in 0..16 {
+        if remainder < 0 {
+            remainder += divisor;
+            quotient -= 1;
+        } else if remainder >= divisor {
+            remainder -= divisor;
+            quotient += 1;
+        } else {
+            return (quotient, remainder);
+        }
+    }
+    let (more, remainder) = (
+        remainder.div_euclid(divisor.max(1)),
+        remainder.rem_euclid(divisor.max(1)),
+    );
+    (quotient + more, remainder)
+}
+
 /// Multiplies by a number of 16 bits; wraps.
 #[inline]
 pub(crate) const fn times_short(a: i64, b: i32) -> i64 {
@@ -279,6 +314,18 @@ mod tests {
             up in 0_u32..=16,
         ) {
             prop_assert_eq!(short_dot(&a, b, up), dot(&a, &b.map(|b| i32::from(b) << up)));
+        }
+
+        #[test]
+        fn quotients_are_rounded_down(
+            numerator in -(1_i32 << 20)..=1 << 20,
+            divisor in 1_i32..=1 << 20,
+            size in 0_u32..20,
+        ) {
+            let divisor = i32::max(divisor >> size, 1);
+            let exact = (numerator.div_euclid(divisor), numerator.rem_euclid(divisor));
+            prop_assert_eq!(divide(numerator, divisor), exact);
+            prop_assert_eq!(narrow_divide(numerator, divisor), exact);
         }
 
         #[test]

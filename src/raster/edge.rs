@@ -2,21 +2,20 @@
 
 use core::num::NonZeroU32;
 
-use crate::num::wide::{DIVIDES, times_short};
+use crate::num::wide::{DIVIDES, divide, times_short};
 
-/// Where an edge crosses the centers of rows, stepped exactly from row to row.
+/// The first column whose center is on an edge or to the right of it, stepped exactly from row to row.
 ///
-/// Positions are in units of 1/256 pixel. The crossing is the rational number `x` − 127 − `deficit` / `dy`, where
-/// 0 ≤ `deficit` / `dy` < 1. So `x` is its ceiling plus the 127 that [`first_center`] adds, and rounding to pixels is
-/// exact.
+/// That column is the integer part of a rational number, `column` + `part` / `height`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
-    x: i32,
-    deficit: i32,
-    /// The crossing moves right by `step` + `remainder` / `dy` for each row.
+    column: i32,
+    part: i32,
+    /// The number grows by `step` + `rest` / `height` for each row.
     step: i32,
-    remainder: i32,
-    dy: i32,
+    rest: i32,
+    /// In units of 1/256 pixel. `part` and `rest` are less than that, and not below 0.
+    height: i32,
 }
 
 /// The first row (or column) whose center is at or after a position in units of 1/256 pixel.
@@ -33,90 +32,60 @@ impl Edge {
     /// The ends differ by at most 4096 pixels in each direction, and the edge crosses the center of `row`, so
     /// everything fits in 32 bits. For an edge that crosses no center, the result is meaningless.
     #[inline]
-    pub(super) fn new(from: [i32; 2], to: [i32; 2], row: i32) -> Self {
-        let dx = to[0] - from[0];
-        let dy = NonZeroU32::new((to[1] - from[1]).cast_unsigned()).unwrap_or(NonZeroU32::MIN);
-        // step = floor(256 · dx / dy). A negative numerator n is divided by way of its complement:
-        // floor(n / d) = !floor(!n / d).
-        let sign = dx >> 31;
-        let size = ((dx ^ sign).cast_unsigned() << 8) | (sign & 255).cast_unsigned();
-        let (quotient, remainder) = (size / dy, size % dy);
-        let (step, remainder) = (
-            quotient.cast_signed() ^ sign,
-            if sign < 0 {
-                dy.get() - 1 - remainder
-            } else {
-                remainder
-            },
-        );
-
-        // The first center is `down` < 256 units below `from`, and the edge moves by dx · down / dy on the way there.
-        // `moved` = floor(step · down / 256) is less than 2 units below that: the rounding of `step` takes less than
-        // one unit, and the floor less than another. So `deficit` = moved · dy − dx · down is above −2 · dy and at
-        // most 0, which is correct even if the products wrap, and at most two corrections bring it to 0..dy.
-        let first = first_center(from[1]);
-        let down = (first << 8) + 128 - from[1];
-        let moved = (step >> 8) * down + (((step & 255) * down) >> 8);
-        let height = dy.get().cast_signed();
-        let (mut x, mut deficit) = (
-            from[0] + 127 + moved,
-            moved
-                .wrapping_mul(height)
-                .wrapping_sub(dx.wrapping_mul(down)),
-        );
-        for _ in 0..2 {
-            if deficit < 0 {
-                deficit += height;
-                x += 1;
-            }
-        }
+    pub(super) fn new([x, y]: [i32; 2], to: [i32; 2], row: i32) -> Self {
+        let height = (to[1] - y).max(1);
+        let (step, rest) = divide(to[0] - x, height);
+        // The edge crosses the first center, `down` < 256 units below its upper end, at x + step · down +
+        // rest · down / height. The first column is that plus half a pixel less the least fraction, rounded down.
+        let first = first_center(y);
+        let down = (first << 8) + 128 - y;
+        let x = x + 128 + step * down;
+        // In units of 1 / (256 · height) pixel; the last 8 bits never change. It is from -1 to below 2 · height.
+        let part = ((x & 255) * height + rest * down - 1) >> 8;
         let mut edge = Self {
-            x,
-            deficit,
+            column: x >> 8,
+            part,
             step,
-            remainder: remainder.cast_signed(),
-            dy: height,
+            rest,
+            height,
         };
-
-        let skipped = (row - first).cast_unsigned();
-        if skipped > 0 {
-            // Skips rows above the scissor, such as those of earlier bands: at most 4095, each with a remainder below
-            // 2^20.
-            let moved = skipped.wrapping_mul(remainder);
-            let units = skipped.cast_signed() * step + (moved / dy).cast_signed();
-            edge.add(units, (moved % dy).cast_signed());
+        if part < 0 {
+            edge.part += height;
+            edge.column -= 1;
+        } else if part >= height {
+            edge.part -= height;
+            edge.column += 1;
         }
+        let skipped = row - first;
+        if skipped > 0 {
+            edge.skip(skipped);
+        }
+        // One row back, because `next` goes to a row before it returns its column.
+        edge.column -= step;
+        edge.part -= rest;
         edge
     }
 
-    /// Moves the crossing right by `units` + `remainder` / `dy`, where `remainder` < `dy`.
+    /// Skips rows above the scissor, such as those of earlier bands: at most 4095, each with a rest below 2^20.
     #[inline]
-    const fn add(&mut self, units: i32, remainder: i32) {
-        self.x += units;
-        self.deficit -= remainder;
-        if self.deficit < 0 {
-            self.deficit += self.dy;
-            self.x += 1;
+    fn skip(&mut self, rows: i32) {
+        let height = NonZeroU32::new(self.height.cast_unsigned()).unwrap_or(NonZeroU32::MIN);
+        let moved = rows.wrapping_mul(self.rest).wrapping_add(self.part);
+        let moved = moved.cast_unsigned();
+        self.column += rows * self.step + (moved / height).cast_signed();
+        self.part = (moved % height).cast_signed();
+    }
+
+    /// The first column whose center is on the edge or to the right of it, in the next row: at first in `row`.
+    #[inline]
+    pub(super) const fn next(&mut self) -> i32 {
+        self.column += self.step;
+        self.part += self.rest;
+        if self.part >= self.height {
+            self.part -= self.height;
+            self.column += 1;
         }
-    }
-
-    /// Goes to the next row.
-    #[inline]
-    pub(super) const fn step(&mut self) {
-        self.add(self.step, self.remainder);
-    }
-
-    /// The first column whose center is on the crossing or to the right of it.
-    #[inline]
-    pub(super) const fn column(&self) -> i32 {
-        self.x >> 8
-    }
-
-    /// The column that contains the crossing.
-    #[inline]
-    pub(super) const fn inside(&self) -> i32 {
-        // The floor is one less than the ceiling unless the crossing is a whole number.
-        (self.x - 127 - (self.deficit != 0) as i32) >> 8
+        self.column
     }
 }
 
@@ -160,22 +129,16 @@ impl ShortEdge {
         let x = x + 127;
         let lower = (x << 24).cast_unsigned() | ((1 << 24) - BELOW);
         let start = (i64::from(x >> 8) << 32) | i64::from(lower);
-        Some(Self {
-            x: start.wrapping_add(moved),
-            step,
-        })
+        // One row back, as in `Edge::new`.
+        let x = start.wrapping_add(moved).wrapping_sub(step);
+        Some(Self { x, step })
     }
 
-    /// The first column whose center is on the crossing or to the right of it.
+    /// The same as [`Edge::next`].
     #[inline]
-    pub(super) const fn column(&self) -> i16 {
-        (self.x >> 32) as i16
-    }
-
-    /// Goes to the next row.
-    #[inline]
-    pub(super) const fn step(&mut self) {
+    pub(super) const fn next(&mut self) -> i16 {
         self.x = self.x.wrapping_add(self.step);
+        (self.x >> 32) as i16
     }
 }
 
@@ -210,10 +173,9 @@ mod tests {
         let mut edge = ShortEdge::new(from, to, rows.start).unwrap();
         for row in rows {
             let expected = column(from, to, row);
-            assert_eq!(i64::from(edge.column()), expected, "{from:?} {to:?} {row}");
-            let begun = ShortEdge::new(from, to, row).unwrap();
-            assert_eq!(i64::from(begun.column()), expected, "{from:?} {to:?} {row}");
-            edge.step();
+            assert_eq!(i64::from(edge.next()), expected, "{from:?} {to:?} {row}");
+            let mut begun = ShortEdge::new(from, to, row).unwrap();
+            assert_eq!(i64::from(begun.next()), expected, "{from:?} {to:?} {row}");
         }
     }
 
@@ -263,12 +225,8 @@ mod tests {
                         for start in rows.clone() {
                             let mut edge = Edge::new([x0, y0], [x1, y1], start);
                             for row in start..rows.end {
-                                let (from, to) = ([x0, y0], [x1, y1]);
-                                assert_eq!(i64::from(edge.column()), column(from, to, row));
-                                let (height, crossing) = crossing(from, to, row);
-                                let inside = crossing.div_euclid(256 * height);
-                                assert_eq!(i64::from(edge.inside()), inside);
-                                edge.step();
+                                let expected = column([x0, y0], [x1, y1], row);
+                                assert_eq!(i64::from(edge.next()), expected);
                             }
                         }
                     }

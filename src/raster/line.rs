@@ -61,14 +61,14 @@ pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
         area: if steep { -length } else { length }.into(),
     });
 
-    // An edge runs along its second coordinate, which is the longer axis here.
-    let mut edge = Edge::new([minor, start], [minor_end, end], steps.start);
+    // An edge runs along its second coordinate, which is the longer axis here. It knows the next center, not the pixel
+    // that contains it, so it is mirrored: the floor of a number is the negative of its negative's ceiling.
+    let mut edge = Edge::new([128 - minor, start], [128 - minor_end, end], steps.start);
     // Consecutive pixels of one row are drawn as one span, which starts at `first`.
     let mut first = steps.start;
-    let mut offset = edge.inside();
+    let mut offset = -edge.next();
     for step in steps.clone() {
-        edge.step();
-        let next = edge.inside();
+        let next = -edge.next();
         if steep || next != offset || step + 1 == steps.end {
             if across.contains(&offset) {
                 let (row, columns) = if steep {

@@ -105,26 +105,19 @@ pub(super) fn scan_convert(
         };
         let side = usize::from(is_down == is_clockwise);
         let row = first + (start as u32).cast_signed();
+        // An empty statement keeps the compiler from unrolling the loops: most edges pass few rows.
         if let Some(mut edge) = ShortEdge::new(top.screen, bottom.screen, row) {
             for columns in rows {
-                // Keeps the compiler from unrolling: most edges pass few rows.
                 black_box(());
-                columns[side] = edge.column();
-                edge.step();
+                columns[side] = edge.next();
             }
         } else {
-            long_edge(rows, side, Edge::new(top.screen, bottom.screen, row));
+            let mut edge = Edge::new(top.screen, bottom.screen, row);
+            for columns in rows {
+                black_box(());
+                columns[side] = edge.next() as i16;
+            }
         }
-    }
-}
-
-/// Finds the columns on one side of some rows.
-#[inline]
-fn long_edge(rows: &mut [Columns], side: usize, mut edge: Edge) {
-    for columns in rows {
-        black_box(());
-        columns[side & 1] = edge.column() as i16;
-        edge.step();
     }
 }
 

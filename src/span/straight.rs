@@ -56,6 +56,7 @@ pub(super) fn solid<S, O, D, Z>(
         }
     };
     while cells.len() >= 8 {
+        rolled();
         four(&mut cells);
         four(&mut cells);
     }
