@@ -93,9 +93,14 @@ impl Transform {
     }
 
     /// Makes a transform without translation from rows in units of 2^-`exp`.
-    fn from_linear(rows: [[i64; 3]; 3], exp: i32) -> Self {
-        let number = |value| BlockFloat::new(value, exp);
-        Self::from_block_floats(&rows.map(|row| row.map(number)), &[BlockFloat::ZERO; 3])
+    // Filled in place and out of line, because `map` copies arrays of this size.
+    #[inline(never)]
+    fn from_linear(rows: &[[i64; 3]; 3], exp: i32) -> Self {
+        let mut numbers = [[BlockFloat::ZERO; 3]; 3];
+        for (number, value) in numbers.iter_mut().flatten().zip(rows.iter().flatten()) {
+            *number = BlockFloat::new(*value, exp);
+        }
+        Self::from_block_floats(&numbers, &[BlockFloat::ZERO; 3])
     }
 
     /// Moves by `offset`.
@@ -129,12 +134,12 @@ impl Transform {
     #[must_use]
     pub fn scale_axes(factors: Vec3) -> Self {
         let [x, y, z] = factors.to_bits().map(i64::from);
-        Self::from_linear([[x, 0, 0], [0, y, 0], [0, 0, z]], 16)
+        Self::from_linear(&[[x, 0, 0], [0, y, 0], [0, 0, z]], 16)
     }
 
     /// Makes the transform that moves `origin` to zero, then rotates by `rows`, in units of 2^-30.
     pub(crate) fn from_pose(rows: [[i64; 3]; 3], origin: Vec3) -> Self {
-        let rotation = Self::from_linear(rows, 30);
+        let rotation = Self::from_linear(&rows, 30);
         rotation * Self::translate(-origin)
     }
 
@@ -204,7 +209,7 @@ impl Transform {
             Some(rows) => Self {
                 translation: self.translation,
                 translation_exp: self.translation_exp,
-                ..Self::from_linear(rows, 30)
+                ..Self::from_linear(&rows, 30)
             },
         }
     }
@@ -214,11 +219,11 @@ impl Transform {
     ///
     /// It is the inverse transpose: the cofactors, with the sign of the determinant.
     #[must_use]
+    #[inline(never)]
     pub(crate) fn normal_matrix(&self) -> [[i32; 3]; 3] {
         let [x, y, z] = self.linear;
-        let cofactors =
-            [(y, z), (z, x), (x, y)].map(|(a, b)| unit::cross(a, b).map(|v| BlockFloat::new(v, 0)));
-        let cofactors = Self::from_block_floats(&cofactors, &[BlockFloat::ZERO; 3]).linear;
+        let cofactors = [unit::cross(y, z), unit::cross(z, x), unit::cross(x, y)];
+        let cofactors = Self::from_linear(&cofactors, 0).linear;
         if dot(&x, &cofactors[0]) < 0 {
             cofactors.map(|row| row.map(|v| -v))
         } else {

@@ -67,13 +67,11 @@ impl Gradient {
     }
 }
 
-/// The data that all interpolants of a triangle share: its sides and its area.
+/// The data that all interpolants of a triangle share.
 ///
 /// Positions are in units of 1/256 pixel.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Basis {
-    /// From corner 0 to corners 1 and 2.
-    sides: [[i32; 2]; 2],
     /// From corner 0 to the center of pixel (0, 0).
     to_center: [i32; 2],
     /// Of a small triangle: the change of the barycentric weights of corners 1 and 2, per column and per row, in
@@ -85,10 +83,13 @@ pub(crate) struct Basis {
     far: Far,
 }
 
-/// The reciprocal of a triangle's area, for far planes.
+/// The sides and the area of a triangle, for far planes.
 #[derive(Clone, Copy, Debug)]
 struct Far {
-    /// Twice the area is 2^-`shift` times a number of 32 bits with the top bit set, and `inverse` is 2⁶² / number.
+    /// From corner 0 to corners 1 and 2. Areas are stored without a sign, so the sides take it over.
+    sides: [[i32; 2]; 2],
+    /// Twice the area is 2^-`shift` times a number of 32 bits with the top bit set, and `inverse` is 2⁶² / number; 0
+    /// before it is asked for.
     ///
     /// The reciprocal ignores the number's last bit. The same relative error scales all interpolants of a triangle
     /// and cancels in their quotients.
@@ -109,51 +110,46 @@ const NEAR: i32 = 43 << 8;
 const MOST_UP: u32 = 7;
 
 impl Basis {
-    /// Nothing to interpolate.
-    pub(crate) const NONE: Self = Self {
-        sides: [[0; 2]; 2],
-        to_center: [0; 2],
-        weights: [[0; 2]; 2],
-        up: 0,
-        limit: 0,
-        far: Far {
-            shift: 0,
-            inverse: 0,
-        },
-    };
-
     /// Starts a triangle.
     #[inline]
-    pub(crate) fn start(&mut self, patch: &Patch<'_>) {
-        self.limit = 0;
-        self.far.inverse = 0;
-        let [[x, y], b, c] = ScreenVertex::screens(patch.vertices);
-        // Areas are stored without a sign, so the sides take it over.
-        let sign = if patch.area < 0 { -1 } else { 1 };
-        let [[bx, by], [cx, cy]] =
-            [b, c].map(|[to_x, to_y]| [(to_x - x) * sign, (to_y - y) * sign]);
-        self.sides = [[bx, by], [cx, cy]];
-        self.to_center = [128 - x, 128 - y];
+    pub(crate) fn new(patch: &Patch<'_>) -> Self {
+        let [[x, y], [bx, by], [cx, cy]] = ScreenVertex::screens(patch.vertices);
+        let mut basis = Self {
+            to_center: [128 - x, 128 - y],
+            weights: [[0; 2]; 2],
+            up: 0,
+            limit: 0,
+            far: Far {
+                sides: [[0; 2]; 2],
+                shift: 0,
+                inverse: 0,
+            },
+        };
         let [wide, high] = patch.size;
         if wide + high > NEAR {
-            return;
+            return basis;
         }
         // Twice the area is then below 2^27. Let r be 2^62 / (area · 2^zeros), and s = side · 2^(zeros + 8 - up).
         // Then s · r / 2^30 is side · 2^(40 - up) / area, the change of a weight per pixel in units of 2^(up - 32).
         // By the choice of `up`, s has 30 bits, and the result has 31.
-        let area = (patch.area as i32).unsigned_abs().max(1);
-        let zeros = area.leading_zeros();
+        let area = patch.area as i32;
+        let zeros = area.unsigned_abs().leading_zeros();
         let most = wide.max(high).cast_unsigned();
         let up = (zeros + 10).saturating_sub(most.leading_zeros());
         if up > MOST_UP {
-            return;
+            return basis;
         }
-        let inverse = reciprocal(area << (zeros & 31) >> 1).cast_signed();
+        let inverse = reciprocal(area.unsigned_abs() << (zeros & 31) >> 1).cast_signed();
+        let inverse = if area < 0 { -inverse } else { inverse };
         let left = (zeros + 8 - up) & 31;
         let weight = |side: i32| ((product(side << left, inverse) + (1 << 29)) >> 30) as i32;
-        self.weights = [[weight(cy), weight(-cx)], [weight(-by), weight(bx)]];
-        self.up = up;
-        self.limit = 1 << (30 - up);
+        basis.weights = [
+            [weight(cy - y), weight(x - cx)],
+            [weight(y - by), weight(bx - x)],
+        ];
+        basis.up = up;
+        basis.limit = 1 << (30 - up);
+        basis
     }
 
     /// Whether values of this range make a near plane.
@@ -164,14 +160,20 @@ impl Basis {
 
     /// Prepares for far planes, unless that is done already.
     #[inline(never)]
-    pub(crate) fn start_far(&mut self, area: i64) {
+    pub(crate) fn start_far(&mut self, patch: &Patch<'_>) {
         if self.far.inverse != 0 {
             return;
         }
-        let area = area.unsigned_abs();
+        let [[x, y], [bx, by], [cx, cy]] = ScreenVertex::screens(patch.vertices);
+        let sign = if patch.area < 0 { -1 } else { 1 };
+        let area = patch.area.unsigned_abs();
         let zeros = area.leading_zeros();
         let number = (area << (zeros & 63) >> 32) as u32;
         self.far = Far {
+            sides: [
+                [(bx - x) * sign, (by - y) * sign],
+                [(cx - x) * sign, (cy - y) * sign],
+            ],
             shift: zeros.cast_signed() - 32,
             inverse: reciprocal(number >> 1).cast_signed(),
         };
@@ -183,7 +185,7 @@ impl Basis {
     #[inline]
     fn gains(&self, [a, b, c]: [i32; 3]) -> [i64; 2] {
         let (b, c) = (b.wrapping_sub(a), c.wrapping_sub(a));
-        let [[bx, by], [cx, cy]] = self.sides;
+        let [[bx, by], [cx, cy]] = self.far.sides;
         // Differences take 31 bits and a sign, sides 20 bits, so the results take 52 bits.
         [
             product(b, cy) - product(c, by),
@@ -213,11 +215,17 @@ impl Basis {
 
     /// Lays a near plane through the values at the corners, if their range allows that, or a far one.
     #[inline]
-    pub(crate) fn lay(&mut self, values: [i32; 3], range: u32, area: i64, gradient: &mut Gradient) {
+    pub(crate) fn lay(
+        &mut self,
+        values: [i32; 3],
+        range: u32,
+        patch: &Patch<'_>,
+        gradient: &mut Gradient,
+    ) {
         if self.is_near(range) {
             self.lay_near(values, 0, gradient);
         } else {
-            self.start_far(area);
+            self.start_far(patch);
             self.lay_far(values, gradient);
         }
     }
@@ -337,11 +345,10 @@ mod tests {
             }),
             area,
         };
-        let (mut basis, mut gradient) = (Basis::NONE, Gradient::NONE);
-        basis.start(&patch);
+        let (mut basis, mut gradient) = (Basis::new(&patch), Gradient::NONE);
         if area != 0 {
             let range = values.iter().max().unwrap() - values.iter().min().unwrap();
-            basis.lay(values, range.cast_unsigned(), area, &mut gradient);
+            basis.lay(values, range.cast_unsigned(), &patch, &mut gradient);
         }
         (area != 0).then_some(gradient)
     }

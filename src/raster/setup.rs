@@ -85,6 +85,11 @@ impl Attribute {
     }
 }
 
+/// By hand, because `map` returns a copy of the array.
+const fn signed([a, b, c]: [u32; 3]) -> [i32; 3] {
+    [a.cast_signed(), b.cast_signed(), c.cast_signed()]
+}
+
 /// The set-up that all attributes of a primitive share, and the interpolant of 1/w (or depth).
 #[derive(Debug)]
 pub(crate) struct Setup {
@@ -94,7 +99,6 @@ pub(crate) struct Setup {
     /// The least number of bits of a [`Scale`] in triangles where 1/w changes less than fourfold.
     least_bits: u32,
     shift: DepthShift,
-    basis: Basis,
     /// 1/w (or depth).
     pub(crate) q: Gradient,
     /// Whether all gradients are near: a value is its start plus a number of steps.
@@ -116,7 +120,6 @@ impl Setup {
             over_w,
             least_bits,
             shift,
-            basis: Basis::NONE,
             q: Gradient::NONE,
             is_near: false,
             least: 0,
@@ -150,9 +153,8 @@ impl Setup {
         let [first, second, third] = q;
         self.least = first.min(second).min(third);
         let change = first.max(second).max(third) - self.least;
-        self.basis.start(patch);
-        self.basis
-            .lay(q.map(u32::cast_signed), change, patch.area, &mut self.q);
+        let mut basis = Basis::new(patch);
+        basis.lay(signed(q), change, patch, &mut self.q);
         let affine = if self.over_w {
             self.affine_range(attributes, change)
         } else {
@@ -162,18 +164,14 @@ impl Setup {
         self.is_near = self.q.is_near;
         match affine {
             Some(range)
-                if patch.barycentric.is_none() && self.basis.is_near(range << Scale::AFFINE_UP) =>
+                if patch.barycentric.is_none() && basis.is_near(range << Scale::AFFINE_UP) =>
             {
                 for attribute in attributes {
                     attribute.scale = Scale::AFFINE;
-                    self.basis.lay_near(
-                        attribute.corners,
-                        Scale::AFFINE_UP,
-                        &mut attribute.gradient,
-                    );
+                    basis.lay_near(attribute.corners, Scale::AFFINE_UP, &mut attribute.gradient);
                 }
             }
-            _ => self.lay_attributes(attributes, q, patch),
+            _ => self.lay_attributes(attributes, &mut basis, q, patch),
         }
     }
 
@@ -189,7 +187,13 @@ impl Setup {
 
     /// Lays any attributes through the vertices of a patch.
     #[inline(never)]
-    fn lay_attributes(&mut self, attributes: &mut [Attribute], q: [u32; 3], patch: &Patch<'_>) {
+    fn lay_attributes(
+        &mut self,
+        attributes: &mut [Attribute],
+        basis: &mut Basis,
+        q: [u32; 3],
+        patch: &Patch<'_>,
+    ) {
         let (weights, least_bits) = if !self.over_w {
             ([ONE; 3], self.least_bits)
         } else if self.least > FAR {
@@ -209,10 +213,10 @@ impl Setup {
             };
             let [a, b, c] = values;
             let range = a.max(b).max(c).wrapping_sub(a.min(b).min(c));
-            self.basis.lay(
+            basis.lay(
                 values,
                 range.cast_unsigned(),
-                patch.area,
+                patch,
                 &mut attribute.gradient,
             );
             self.is_near &= attribute.gradient.is_near;
@@ -225,12 +229,13 @@ impl Setup {
     #[inline(never)]
     pub(crate) fn lay_precise(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) {
         let (q, _) = Self::weights(patch);
-        self.basis.start_far(patch.area);
-        self.basis.lay_far(q.map(u32::cast_signed), &mut self.q);
+        let mut basis = Basis::new(patch);
+        basis.start_far(patch);
+        basis.lay_far(signed(q), &mut self.q);
         for attribute in attributes {
             let mut values = attribute.at(patch);
             weigh(&mut values, q, 1);
-            self.basis.lay_far(values, &mut attribute.gradient);
+            basis.lay_far(values, &mut attribute.gradient);
         }
     }
 

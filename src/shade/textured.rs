@@ -108,11 +108,8 @@ impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Shader for Textured<S, A, F
     fn varyings(&self, primitive: &Primitive<'_>) -> [Texels; 3] {
         let [a, b, c] = primitive.uvs().map(Vec2::to_bits);
         let coordinates = |bits: [i32; 3], log2| {
-            if primitive.is_face() {
-                A::texels(bits, log2)
-            } else {
-                bits.map(|bits| texels(bits.into(), log2))
-            }
+            let is_face = primitive.is_face();
+            texels(bits, if is_face { A::origin(bits) } else { 0 }, log2)
         };
         let us = coordinates([a[0], b[0], c[0]], self.sampler.width_log2());
         let vs = coordinates([a[1], b[1], c[1]], self.sampler.height_log2());

@@ -1,39 +1,31 @@
 //! A draw call's shader, mode and canvas, behind the interface that the rasterizer calls.
 
 use core::hint::black_box;
-use core::marker::PhantomData;
 use core::ops::Range;
 
 use embedded_graphics::geometry::Point;
 
 use super::divide::{divide, divide_anew, divide_apart};
-use super::mode::{Kernel, Policy, STEEP, Slopes, WHOLE};
-use super::newton::{newton, tangent};
+use super::mode::{Kernel, Policy};
+use super::newton::newton;
 use super::pieces::pieces;
 use super::pixels::{Count, FaceOf, Numbers, Pixels, Span};
+use super::plan::Plan;
 use super::straight::{solid, straight};
 use crate::mesh::Primitive;
-use crate::raster::{Attribute, Blitter, Columns, DepthShift, Patch, SPAN, Scale, Setup};
+use crate::raster::{Attribute, Blitter, Columns, DepthShift, Patch, SPAN, Scale};
 use crate::shade::{Lanes, MOST_VARYINGS, Shader, Varyings};
 use crate::target::{Canvas, Cells, DepthBuffer, DepthTest, Storage};
 use crate::view::ProjectionKind;
-
-/// Upper clamp of a tolerance: four times this takes 31 bits, and no attribute that is drawn affinely is as great.
-const MOST_TOLERANCE: u32 = (1 << 29) - 1;
 
 /// The [`Blitter`] of shader `S` in mode `M` under a projection of kind `K`.
 pub(crate) struct Blit<'p, 'c, S: Shader, O: Storage<S::Color>, D, K, M, Z> {
     canvas: &'p mut Canvas<'c, S::Color, O, D>,
     shader: S,
-    mode: M,
     test: Z,
-    /// The current primitive, and the values that its pixels share for the shader.
-    setup: Setup,
-    attributes: <Count<S> as Lanes>::Of<Attribute>,
-    slopes: Slopes<Count<S>>,
-    kernel: Option<Kernel>,
+    plan: Plan<Count<S>, K, M>,
+    /// The values that all pixels of the current primitive share for the shader.
     face: FaceOf<S>,
-    kind: PhantomData<K>,
 }
 
 impl<'p, 'c, S, O, D, K, M, Z> Blit<'p, 'c, S, O, D, K, M, Z>
@@ -45,22 +37,15 @@ where
     M: Policy,
     Z: DepthTest,
 {
-    /// How many numbers are interpolated.
-    const COUNT: usize = Count::<S>::COUNT;
+    /// Whether numbers are interpolated.
+    const INTERPOLATES: bool = Count::<S>::COUNT > 0;
 
-    /// Whether the pixels of a primitive differ in anything but their position, so that something must be
-    /// interpolated.
-    const VARIES: bool = Self::COUNT > 0 || D::IS_KEPT && (Z::TESTS || Z::WRITES) || S::READS_DEPTH;
+    /// Whether the pixels of a primitive differ in anything but their position.
+    const VARIES: bool =
+        Self::INTERPOLATES || D::IS_KEPT && (Z::TESTS || Z::WRITES) || S::READS_DEPTH;
 
     /// Whether attributes are divided by w.
-    const OVER_W: bool = K::PERSPECTIVE && M::DIVIDES;
-
-    /// The least number of bits of a scale.
-    const LEAST_BITS: u32 = match (Self::OVER_W, K::PERSPECTIVE) {
-        (true, _) => M::LEAST_BITS,
-        (false, true) => WHOLE,
-        (false, false) => M::LEAST_PARALLEL_BITS,
-    };
+    const OVER_W: bool = Plan::<Count<S>, K, M>::OVER_W;
 
     #[inline]
     pub(crate) fn new(
@@ -71,30 +56,16 @@ where
     ) -> Self {
         const {
             assert!(
-                Self::COUNT <= MOST_VARYINGS,
+                Count::<S>::COUNT <= MOST_VARYINGS,
                 "a shader has at most eight interpolated numbers"
             );
         }
-        let attributes = Count::<S>::map(&S::Varyings::tolerances(), |tolerance| Attribute {
-            tolerance: mode.affine_within(*tolerance).min(MOST_TOLERANCE),
-            ..Attribute::ZERO
-        });
         Self {
             canvas,
             shader,
-            mode,
             test,
-            setup: Setup::new(Self::OVER_W, Self::LEAST_BITS, shift),
-            attributes,
-            slopes: Slopes {
-                q: 0,
-                p: Count::<S>::splat(0),
-                scales: Count::<S>::splat(Scale::ONE),
-                least: 0,
-            },
-            kernel: None,
+            plan: Plan::new(mode, &S::Varyings::tolerances(), shift),
             face: FaceOf::<S>::default(),
-            kind: PhantomData,
         }
     }
 
@@ -115,21 +86,6 @@ where
     fn cells(&mut self, row: i32, columns: Range<i32>) -> Option<Cells<'_, S::Color, O, D>> {
         let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
         self.canvas.run(row.cast_unsigned(), columns)
-    }
-
-    /// Draws a span whose attributes are not divided by w and are fractions in units of 2^-30, each with its own
-    /// scale.
-    #[inline(never)]
-    fn scaled_span(&mut self, row: i32, columns: Range<i32>, at: [i32; 2]) {
-        let (pixels, scales) = (self.pixels(row, columns.start), self.slopes.scales);
-        let (setup, attributes, slopes) = (&self.setup, &self.attributes, &self.slopes);
-        let span = start::<Count<S>>(setup, attributes, slopes, at, columns.len());
-        if let Some(cells) = self.cells(row, columns) {
-            let restore = |p: &Numbers<S>| {
-                Count::<S>::zip(p, &scales, |p: &i32, scale: &Scale| scale.restore(*p))
-            };
-            straight(span, restore, cells, pixels);
-        }
     }
 
     /// Draws rows of one color.
@@ -162,11 +118,11 @@ where
             let (x, y) = (columns.start, row);
             let pixels = blit.pixels(row, x);
             let span = Span::<Count<S>> {
-                q: blit.setup.q.near(x, y).cast_unsigned(),
-                p: Count::<S>::map(&blit.attributes, |p: &Attribute| p.gradient.near(x, y)),
-                dq: blit.setup.q.step,
-                dp: Count::<S>::map(&blit.attributes, |p: &Attribute| p.gradient.step),
-                down: blit.setup.down,
+                q: blit.plan.setup.q.near(x, y).cast_unsigned(),
+                p: Count::<S>::map(&blit.plan.attributes, |p: &Attribute| p.gradient.near(x, y)),
+                dq: blit.plan.setup.q.step,
+                dp: Count::<S>::map(&blit.plan.attributes, |p: &Attribute| p.gradient.step),
+                down: blit.plan.setup.down,
                 count: columns.len(),
             };
             if let Some(cells) = blit.cells(row, columns) {
@@ -191,14 +147,35 @@ where
     /// Draws at most [`SPAN`] pixels of any triangle.
     #[inline(never)]
     fn any_span(&mut self, row: i32, columns: Range<i32>) {
-        let Some(span) = self.span(row, columns.clone()) else {
+        let at = [columns.start, row];
+        let (span, kernel) = self.plan.begin(at, columns.len());
+        let (pixels, scales) = (self.pixels(row, columns.start), self.plan.slopes.scales);
+        let plan = &self.plan;
+        let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
+        let Some(cells) = self.canvas.run(row.cast_unsigned(), columns) else {
             return;
         };
-        let pixels = self.pixels(row, columns.start);
-        let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
-        if let Some(cells) = self.canvas.run(row.cast_unsigned(), columns) {
-            let span = span.anew();
-            straight(span, Self::restored, cells, pixels);
+        if !Self::INTERPOLATES {
+            return straight(span, Self::restored, cells, pixels);
+        }
+        // Kernels that neither the mode nor the projection uses are left out.
+        match kernel {
+            Kernel::Newton if Self::OVER_W && M::REFINES => newton(span, cells, pixels),
+            Kernel::Pieces(length) if Self::OVER_W && M::HAS_PIECES => {
+                pieces(span, length, scales, cells, pixels);
+            }
+            Kernel::Divide if Self::OVER_W && M::IS_PRECISE => divide(span, scales, cells, pixels),
+            Kernel::Divide if Self::OVER_W => divide_apart(span, scales, cells, pixels),
+            Kernel::DivideAnew if Self::OVER_W && M::IS_PRECISE => {
+                divide_anew(span, scales, |x| plan.anew(at, x), cells, pixels);
+            }
+            Kernel::Scaled if !Self::OVER_W => {
+                let restore = |p: &Numbers<S>| {
+                    Count::<S>::zip(p, &scales, |p: &i32, scale: &Scale| scale.restore(*p))
+                };
+                straight(span, restore, cells, pixels);
+            }
+            _ => straight(span.anew(), Self::restored, cells, pixels),
         }
     }
 
@@ -210,86 +187,6 @@ where
         } else {
             *p
         }
-    }
-
-    /// Starts any span of at most [`SPAN`] pixels. Draws it, unless it is linear: then its interpolants are returned.
-    #[inline(always)]
-    fn span(&mut self, row: i32, columns: Range<i32>) -> Option<Span<Count<S>>> {
-        let [x, y] = [columns.start, row];
-        // Exceptions are separate calls, made before anything is in a register.
-        if Self::COUNT > 0 && !Self::OVER_W && self.kernel.is_none() {
-            self.scaled_span(row, columns, [x, y]);
-            return None;
-        }
-        if Self::COUNT > 0 && Self::OVER_W && M::IS_PRECISE && self.setup.least < STEEP {
-            self.precise_span(row, columns, [x, y]);
-            return None;
-        }
-        let (setup, attributes, slopes) = (&self.setup, &self.attributes, &self.slopes);
-        let mut span = start::<Count<S>>(setup, attributes, slopes, [x, y], columns.len());
-        if Self::COUNT == 0 || !Self::OVER_W || self.kernel == Some(Kernel::Straight) {
-            return Some(span);
-        }
-        let scales = slopes.scales;
-        let kernel = self.mode.of_span(self.kernel, &mut span, slopes);
-        if kernel == Kernel::Tangent {
-            tangent(&mut span);
-        }
-        if let Kernel::Straight | Kernel::Tangent = kernel {
-            return Some(span);
-        }
-        let pixels = self.pixels(row, columns.start);
-        let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
-        let cells = self.canvas.run(row.cast_unsigned(), columns)?;
-        match kernel {
-            Kernel::Straight | Kernel::Tangent => {}
-            Kernel::Pieces(length) => pieces(span, length, scales, cells, pixels),
-            Kernel::Newton => newton(span, cells, pixels),
-            Kernel::Divide if M::IS_PRECISE => divide(span, scales, cells, pixels),
-            Kernel::Divide => divide_apart(span, scales, cells, pixels),
-        }
-        None
-    }
-
-    /// Draws a span of a triangle in which steps would accumulate too much rounding: each pixel computes its
-    /// interpolants anew.
-    #[cold]
-    #[inline(never)]
-    fn precise_span(&mut self, row: i32, columns: Range<i32>, [x, y]: [i32; 2]) {
-        let (pixels, scales) = (self.pixels(row, columns.start), self.slopes.scales);
-        let (setup, attributes, slopes) = (&self.setup, &self.attributes, &self.slopes);
-        let span = start::<Count<S>>(setup, attributes, slopes, [x, y], columns.len());
-        let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
-        let Some(cells) = self.canvas.run(row.cast_unsigned(), columns) else {
-            return;
-        };
-        let at = |i: i32| {
-            let at = [x + i, y];
-            let (q, up) = setup.precise_q(at);
-            let p = Count::<S>::map(attributes, |p: &Attribute| p.gradient.far.precise(at, up));
-            (q, p)
-        };
-        divide_anew(span, scales, at, cells, pixels);
-    }
-}
-
-/// The span that begins at a pixel.
-#[inline]
-fn start<L: Lanes>(
-    setup: &Setup,
-    attributes: &L::Of<Attribute>,
-    slopes: &Slopes<L>,
-    [x, y]: [i32; 2],
-    count: usize,
-) -> Span<L> {
-    let p = L::map(attributes, |p: &Attribute| p.gradient.at(x, y));
-    Span {
-        q: setup.q.at(x, y).cast_unsigned(),
-        p,
-        dq: slopes.q,
-        dp: slopes.p,
-        down: setup.down,
-        count,
     }
 }
 
@@ -306,52 +203,23 @@ where
         let [a, b, c] = self.shader.varyings(primitive);
         let ((a, face), (b, _), (c, _)) = (a.split(), b.split(), c.split());
         self.face = face;
-        let corners = Count::<S>::zip(
-            &Count::<S>::zip(&a, &b, |a, b| [*a, *b]),
-            &c,
-            |[a, b], c| [*a, *b, *c],
-        );
-        let attributes = self.attributes.as_mut().iter_mut();
-        for (attribute, corners) in attributes.zip(corners.as_ref()) {
-            attribute.corners = *corners;
-        }
+        self.plan.start([a, b, c]);
     }
 
     fn set_up(&mut self, patch: &Patch<'_>) {
         if !Self::VARIES {
             return;
         }
-        self.setup.lay(self.attributes.as_mut(), patch);
-        self.slopes = Slopes {
-            q: self.setup.q.step,
-            p: Count::<S>::map(&self.attributes, |p| p.gradient.step),
-            scales: Count::<S>::map(&self.attributes, |p| p.scale),
-            least: self.setup.least,
-        };
+        self.plan.set_up(patch);
         if Z::IS_BIASED {
-            self.test.triangle(self.setup.steepness());
-        }
-        if Self::COUNT == 0 {
-            return;
-        }
-        self.kernel = if !Self::OVER_W {
-            let is_whole = Count::<S>::all(&self.slopes.scales, |scale| scale.bits() == WHOLE);
-            (Self::LEAST_BITS == WHOLE && is_whole).then_some(Kernel::Straight)
-        } else if self.setup.is_affine {
-            Some(Kernel::Straight)
-        } else {
-            self.mode.of_triangle(&self.slopes)
-        };
-        if Self::OVER_W && M::IS_PRECISE && self.setup.least < STEEP {
-            self.setup.lay_precise(self.attributes.as_mut(), patch);
+            self.test.triangle(self.plan.setup.steepness());
         }
     }
 
     fn rows(&mut self, first: i32, rows: &[Columns]) {
-        let is_straight = Self::COUNT == 0 || self.kernel == Some(Kernel::Straight);
         if !Self::VARIES {
             self.solid_rows(first, rows);
-        } else if is_straight && self.setup.is_near {
+        } else if self.plan.is_near() {
             self.near_rows(first, rows);
         } else {
             self.any_rows(first, rows);

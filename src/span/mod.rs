@@ -16,6 +16,7 @@ mod mode;
 mod newton;
 mod pieces;
 mod pixels;
+mod plan;
 mod straight;
 #[cfg(test)]
 mod tests;

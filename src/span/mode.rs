@@ -46,6 +46,8 @@ impl<M: Policy> Mode for M {}
 pub enum Kernel {
     /// Attributes are linear along the span; they are stored times 4.
     Straight,
+    /// Attributes that are not divided by w and have a scale, which each pixel restores.
+    Scaled,
     /// Attributes are replaced by the line that touches them in the middle of the span.
     Tangent,
     /// Straight pieces; their length is 2 to this power pixels.
@@ -54,6 +56,8 @@ pub enum Kernel {
     Newton,
     /// One division per pixel.
     Divide,
+    /// The same, with interpolants that each pixel computes anew.
+    DivideAnew,
 }
 
 /// The changes of a triangle's interpolants along a row, and their scales.
@@ -79,6 +83,12 @@ pub trait Policy: Copy {
 
     /// The same under a parallel projection. With [`WHOLE`] bits, an interpolant's unit is the attribute's unit.
     const LEAST_PARALLEL_BITS: u32 = WHOLE;
+
+    /// Whether it chooses [`Kernel::Newton`].
+    const REFINES: bool = false;
+
+    /// Whether it chooses [`Kernel::Pieces`].
+    const HAS_PIECES: bool = false;
 
     /// Whether triangles with a corner whose q is below [`STEEP`] compute their interpolants anew at each pixel.
     const IS_PRECISE: bool = false;
@@ -248,6 +258,7 @@ fn nearest(value: i32, down: u32) -> i32 {
 }
 
 impl Policy for Newton {
+    const REFINES: bool = true;
     const LEAST_BITS: u32 = FRACTION;
 
     #[inline]
@@ -383,6 +394,8 @@ impl Fast {
 }
 
 impl Policy for Fast {
+    const HAS_PIECES: bool = true;
+
     #[inline]
     fn affine_within(self, tolerance: Tolerance) -> u32 {
         match tolerance {

@@ -15,9 +15,9 @@ use crate::TexCoord;
 /// }
 /// ```
 pub trait Addressing: Copy + sealed::Sealed {
-    /// The texels of three corners, from the bits of their texture coordinates.
+    /// The texture coordinate from which a triangle's are counted, in bits: a whole number of repeats.
     #[doc(hidden)]
-    fn texels(bits: [i32; 3], log2: u32) -> [i32; 3];
+    fn origin(bits: [i32; 3]) -> i32;
 
     /// The column or row for a whole number of texels, which may lie beyond the edges.
     #[doc(hidden)]
@@ -68,25 +68,27 @@ pub struct Clamp;
 /// The fraction bits that a texture coordinate has more than texels.
 const FINER: u32 = TexCoord::FRAC_NBITS - 16;
 
-/// Converts a texture coordinate, in units of 2⁻²⁰ repeat, to texels with 16 fraction bits: rounded to nearest,
-/// saturated.
+/// Converts texture coordinates, in units of 2⁻²⁰ repeat and counted from `origin`, to texels with 16 fraction bits:
+/// rounded to nearest, saturated.
 ///
 /// A whole repeat is a whole number of texels, so coordinates that differ by whole repeats round alike.
-#[inline]
-pub(crate) fn texels(bits: i64, log2: u32) -> i32 {
-    // At most 33 bits, shifted by at most 15.
-    let texels = ((bits << log2) + (1 << (FINER - 1))) >> FINER;
-    texels.clamp(i32::MIN.into(), i32::MAX.into()) as i32
+// Out of line, because all textured shaders share it.
+#[inline(never)]
+pub(crate) fn texels(bits: [i32; 3], origin: i32, log2: u32) -> [i32; 3] {
+    bits.map(|bits| {
+        // At most 33 bits, shifted by at most 15.
+        let bits = i64::from(bits) - i64::from(origin);
+        let texels = ((bits << log2) + (1 << (FINER - 1))) >> FINER;
+        texels.clamp(i32::MIN.into(), i32::MAX.into()) as i32
+    })
 }
 
 impl Addressing for Repeat {
     #[inline]
-    fn texels(bits: [i32; 3], log2: u32) -> [i32; 3] {
-        let [a, b, c] = bits;
+    fn origin([a, b, c]: [i32; 3]) -> i32 {
         // The whole repeats that all three corners have in common; without them, the least corner lies in the first
         // repeat.
-        let whole = a.min(b).min(c) >> TexCoord::FRAC_NBITS << TexCoord::FRAC_NBITS;
-        bits.map(|bits| texels(i64::from(bits) - i64::from(whole), log2))
+        a.min(b).min(c) >> TexCoord::FRAC_NBITS << TexCoord::FRAC_NBITS
     }
 
     #[inline]
@@ -104,8 +106,8 @@ impl Addressing for Repeat {
 
 impl Addressing for Clamp {
     #[inline]
-    fn texels(bits: [i32; 3], log2: u32) -> [i32; 3] {
-        bits.map(|bits| texels(bits.into(), log2))
+    fn origin(_: [i32; 3]) -> i32 {
+        0
     }
 
     #[inline]
@@ -126,35 +128,25 @@ mod tests {
     /// Textures of few texels round, textures of many texels saturate.
     #[test]
     fn coordinates_round_or_saturate_for_any_size_of_texture() {
-        let bits = [-25, -24, -23, -8, -7, 7, 8, 23, 24];
+        let bits = [[-25, -24, -23], [-8, -7, 7], [8, 23, 24]];
         assert_eq!(
-            bits.map(|bits| texels(bits, 0)),
-            [-2, -1, -1, 0, 0, 0, 1, 1, 2]
+            bits.map(|bits| texels(bits, 0, 0)),
+            [[-2, -1, -1], [0, 0, 0], [1, 1, 2]]
         );
-        assert_eq!(
-            bits.map(|bits| texels(bits, 4)),
-            bits.map(|bits| bits as i32)
-        );
-        let (low, high) = (i64::from(i32::MIN), i64::from(i32::MAX));
-        assert_eq!(
-            [low, high].map(|bits| texels(bits, 4)),
-            [i32::MIN, i32::MAX]
-        );
+        assert_eq!(bits.map(|bits| texels(bits, 0, 4)), bits);
+        let (low, high) = (i32::MIN, i32::MAX);
+        assert_eq!(texels([low, high, 0], 0, 4), [low, high, 0]);
         // 4096 columns: eight repeats in each direction, and not one unit more.
-        let ends = [(-8 << 20) - 1, -8 << 20, (8 << 20) - 1, 8 << 20];
-        assert_eq!(
-            ends.map(|bits| texels(bits, 12)),
-            [i32::MIN, i32::MIN, i32::MAX - 255, i32::MAX]
-        );
-        assert_eq!(
-            [low - high, high - low].map(|bits| texels(bits, 15)),
-            [i32::MIN, i32::MAX]
-        );
+        let ends = [(-8 << 20) - 1, -8 << 20, (8 << 20) - 1];
+        assert_eq!(texels(ends, 0, 12), [low, low, high - 255]);
+        assert_eq!(texels([8 << 20, 0, 0], 0, 12), [high, 0, 0]);
+        assert_eq!(texels([low, 0, high], high, 15), [low, low, 0]);
+        assert_eq!(texels([low, 0, high], low, 15), [0, high, high]);
         // A triangle with corners as far apart as possible.
-        let bits = [i32::MIN, i32::MAX, 0];
-        assert_eq!(Repeat::texels(bits, 0), [0, 1 << 28, 1 << 27]);
+        let repeated = |bits, log2| texels(bits, Repeat::origin(bits), log2);
+        assert_eq!(repeated([low, high, 0], 0), [0, 1 << 28, 1 << 27]);
         assert_eq!(
-            Repeat::texels([-1, (1 << 20) - 1, 1 << 20], 2),
+            repeated([-1, (1 << 20) - 1, 1 << 20], 2),
             [1 << 18, 2 << 18, 2 << 18]
         );
     }

@@ -69,7 +69,7 @@ impl Transform {
             ((1 << 30) - c) * projection + if i == j { c << 30 } else { s * sine }
         };
         Ok(Self::from_linear(
-            [
+            &[
                 [entry(0, 0, 0), entry(0, 1, -u[2]), entry(0, 2, u[1])],
                 [entry(1, 0, u[2]), entry(1, 1, 0), entry(1, 2, -u[0])],
                 [entry(2, 0, -u[1]), entry(2, 1, u[0]), entry(2, 2, 0)],
@@ -142,7 +142,7 @@ fn from_quaternion_bits(quaternion: [i32; 4]) -> Result<Transform, Error> {
         numerator.signum() * magnitude
     };
     Ok(Transform::from_linear(
-        [
+        &[
             [
                 entry(w * w + x * x - y * y - z * z),
                 entry(2 * (x * y - w * z)),

@@ -1,0 +1,145 @@
+//! How a primitive is interpolated: its planes, and the kernel that draws its spans.
+
+use core::marker::PhantomData;
+
+use super::mode::{Kernel, Policy, STEEP, Slopes, WHOLE};
+use super::newton::tangent;
+use super::pixels::Span;
+use crate::raster::{Attribute, DepthShift, Patch, Scale, Setup};
+use crate::shade::{Lanes, Tolerance};
+use crate::view::ProjectionKind;
+
+/// Upper clamp of a tolerance: four times this takes 31 bits, and no attribute that is drawn affinely is as great.
+const MOST_TOLERANCE: u32 = (1 << 29) - 1;
+
+/// What the spans of a primitive have in common, whatever its shader and canvas: one copy of this code serves all
+/// shaders with as many numbers.
+pub(super) struct Plan<L: Lanes, K, M> {
+    mode: M,
+    pub(super) setup: Setup,
+    pub(super) attributes: L::Of<Attribute>,
+    pub(super) slopes: Slopes<L>,
+    /// The kernel of all spans; `None` if the mode chooses span by span.
+    kernel: Option<Kernel>,
+    kind: PhantomData<K>,
+}
+
+impl<L: Lanes, K: ProjectionKind, M: Policy> Plan<L, K, M> {
+    /// Whether attributes are divided by w.
+    pub(super) const OVER_W: bool = K::PERSPECTIVE && M::DIVIDES;
+
+    /// The least number of bits of a scale.
+    const LEAST_BITS: u32 = match (Self::OVER_W, K::PERSPECTIVE) {
+        (true, _) => M::LEAST_BITS,
+        (false, true) => WHOLE,
+        (false, false) => M::LEAST_PARALLEL_BITS,
+    };
+
+    #[inline(always)]
+    pub(super) fn new(mode: M, tolerances: &L::Of<Tolerance>, shift: DepthShift) -> Self {
+        let attributes = L::map(tolerances, |tolerance| Attribute {
+            tolerance: mode.affine_within(*tolerance).min(MOST_TOLERANCE),
+            ..Attribute::ZERO
+        });
+        Self {
+            mode,
+            setup: Setup::new(Self::OVER_W, Self::LEAST_BITS, shift),
+            attributes,
+            slopes: Slopes {
+                q: 0,
+                p: L::splat(0),
+                scales: L::splat(Scale::ONE),
+                least: 0,
+            },
+            kernel: None,
+            kind: PhantomData,
+        }
+    }
+
+    /// Sets the attributes of a primitive: their values at its corners.
+    #[inline]
+    pub(super) fn start(&mut self, [a, b, c]: [L::Of<i32>; 3]) {
+        let corners = L::zip(&L::zip(&a, &b, |a, b| [*a, *b]), &c, |[a, b], c| {
+            [*a, *b, *c]
+        });
+        let attributes = self.attributes.as_mut().iter_mut();
+        for (attribute, corners) in attributes.zip(corners.as_ref()) {
+            attribute.corners = *corners;
+        }
+    }
+
+    /// Lays the interpolants over a patch of the primitive.
+    #[inline(never)]
+    pub(super) fn set_up(&mut self, patch: &Patch<'_>) {
+        self.setup.lay(self.attributes.as_mut(), patch);
+        self.slopes = Slopes {
+            q: self.setup.q.step,
+            p: L::map(&self.attributes, |p| p.gradient.step),
+            scales: L::map(&self.attributes, |p| p.scale),
+            least: self.setup.least,
+        };
+        if L::COUNT == 0 {
+            return;
+        }
+        let is_precise = Self::OVER_W && M::IS_PRECISE && self.setup.least < STEEP;
+        self.kernel = if is_precise {
+            self.setup.lay_precise(self.attributes.as_mut(), patch);
+            Some(Kernel::DivideAnew)
+        } else if !Self::OVER_W {
+            let is_whole = L::all(&self.slopes.scales, |scale| scale.bits() == WHOLE);
+            let is_whole = Self::LEAST_BITS == WHOLE && is_whole;
+            Some(if is_whole {
+                Kernel::Straight
+            } else {
+                Kernel::Scaled
+            })
+        } else if self.setup.is_affine {
+            Some(Kernel::Straight)
+        } else {
+            self.mode.of_triangle(&self.slopes)
+        };
+    }
+
+    /// Whether all spans are straight, and begin at near planes.
+    #[inline(always)]
+    pub(super) fn is_near(&self) -> bool {
+        let is_straight = L::COUNT == 0 || self.kernel == Some(Kernel::Straight);
+        is_straight && self.setup.is_near
+    }
+
+    /// The span that begins at a pixel, with a kernel to draw it.
+    #[inline(never)]
+    pub(super) fn begin(&self, [x, y]: [i32; 2], count: usize) -> (Span<L>, Kernel) {
+        let mut span = Span {
+            q: self.setup.q.at(x, y).cast_unsigned(),
+            p: L::map(&self.attributes, |p: &Attribute| p.gradient.at(x, y)),
+            dq: self.slopes.q,
+            dp: self.slopes.p,
+            down: self.setup.down,
+            count,
+        };
+        if L::COUNT == 0 {
+            return (span, Kernel::Straight);
+        }
+        if let Some(kernel @ (Kernel::Straight | Kernel::Scaled | Kernel::DivideAnew)) = self.kernel
+        {
+            return (span, kernel);
+        }
+        let kernel = self.mode.of_span(self.kernel, &mut span, &self.slopes);
+        if kernel == Kernel::Tangent {
+            tangent(&mut span);
+            return (span, Kernel::Straight);
+        }
+        (span, kernel)
+    }
+
+    /// The interpolants of a pixel that is `x` pixels right of another, without a step: q with 31 bits, and each p.
+    pub(super) fn anew(&self, [first, y]: [i32; 2], x: i32) -> (u32, L::Of<i32>) {
+        let at = [first + x, y];
+        let (q, up) = self.setup.precise_q(at);
+        let p = L::map(&self.attributes, |p: &Attribute| {
+            p.gradient.far.precise(at, up)
+        });
+        (q, p)
+    }
+}
