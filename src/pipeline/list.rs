@@ -163,6 +163,8 @@ pub struct Prepared<'a, K = Perspective, M = Newton, Z = TestAndWrite> {
     cull: Cull,
     triangles: &'a [Entry],
     vertices: &'a [Slot],
+    /// The rows of the frame in which any triangle may have pixels.
+    rows: [u16; 2],
     pub(super) depth_shift: DepthShift,
     pub(super) mode: M,
     pub(super) test: Z,
@@ -212,11 +214,13 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
             triangles: self.triangles.as_mut_view(),
             vertices: self.vertices.as_mut_view(),
             needed: Needed::default(),
+            rows: [u16::MAX, 0],
             cull: call.shared.cull,
             scissor: &call.shared.scissor,
             numbers: [(0, 0); cache::SIZE],
         };
         run::triangles(&call, &mut filling);
+        let rows = filling.rows;
         let Needed {
             triangles,
             vertices,
@@ -238,6 +242,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
             cull: call.shared.cull,
             triangles: &self.triangles,
             vertices: &self.vertices,
+            rows,
             depth_shift: call.depth_shift(),
             mode: options.mode,
             test: options.depth,
@@ -257,6 +262,8 @@ struct Filling<'l> {
     triangles: &'l mut VecView<Entry>,
     vertices: &'l mut VecView<Slot>,
     needed: Needed,
+    /// The rows of all triangles.
+    rows: [u16; 2],
     cull: Cull,
     scissor: &'l Scissor,
     /// Recently added positions, each with its vertex's number in the list, counted from 1; 0 means none.
@@ -270,11 +277,14 @@ impl Filling<'_> {
             let inside = row.max(self.scissor.rows.start).min(self.scissor.rows.end);
             inside.cast_unsigned() as u16
         };
+        let rows = [row(rows.start), row(rows.end)];
+        let [start, end] = self.rows;
+        self.rows = [start.min(rows[0]), end.max(rows[1])];
         self.needed.triangles += 1;
         // If there is no room, the list will not be used.
         let _ = self.triangles.push(Entry {
             face: element.face.unwrap_or_default() as u32,
-            rows: [row(rows.start), row(rows.end)],
+            rows,
             corners,
         });
     }
@@ -337,9 +347,17 @@ impl<K: ProjectionKind, M, Z> Prepared<'_, K, M, Z> {
             scissor: Scissor::new(&self.viewport, width, rows),
         };
         let (mut draw, rows) = (Draw::new(blitter, &shared), &shared.scissor.rows);
-        for entry in self.triangles {
-            let [start, end] = entry.rows.map(i32::from);
-            if start.max(rows.start) >= end.min(rows.end) {
+        let misses = |[start, end]: [u16; 2]| {
+            i32::from(start).max(rows.start) >= i32::from(end).min(rows.end)
+        };
+        // A band that the mesh misses costs one test.
+        let triangles = if misses(self.rows) {
+            &[]
+        } else {
+            self.triangles
+        };
+        for entry in triangles {
+            if misses(entry.rows) {
                 continue;
             }
             let face = entry.face as usize;

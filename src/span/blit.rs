@@ -11,7 +11,7 @@ use super::newton::newton;
 use super::pieces::pieces;
 use super::pixels::{Count, FaceOf, Numbers, Pixels, Span};
 use super::plan::Plan;
-use super::straight::{solid, straight};
+use super::straight::{scaled, solid, straight};
 use crate::mesh::Primitive;
 use crate::raster::{Attribute, Blitter, Columns, DepthShift, Patch, SPAN, Scale};
 use crate::shade::{Lanes, MOST_VARYINGS, Shader, Varyings};
@@ -148,7 +148,8 @@ where
     #[inline(never)]
     fn any_span(&mut self, row: i32, columns: Range<i32>) {
         let at = [columns.start, row];
-        let (span, kernel) = self.plan.begin(at, columns.len());
+        // By reference: moved, the span would be copied.
+        let (span, kernel) = &self.plan.begin(at, columns.len());
         let (pixels, scales) = (self.pixels(row, columns.start), self.plan.slopes.scales);
         let plan = &self.plan;
         let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
@@ -156,10 +157,10 @@ where
             return;
         };
         if !Self::INTERPOLATES {
-            return straight(span, Self::restored, cells, pixels);
+            return straight(span.anew(), Self::restored, cells, pixels);
         }
         // Kernels that neither the mode nor the projection uses are left out.
-        match kernel {
+        match *kernel {
             Kernel::Newton if Self::OVER_W && M::REFINES => newton(span, cells, pixels),
             Kernel::Pieces(length) if Self::OVER_W && M::HAS_PIECES => {
                 pieces(span, length, scales, cells, pixels);
@@ -169,12 +170,7 @@ where
             Kernel::DivideAnew if Self::OVER_W && M::IS_PRECISE => {
                 divide_anew(span, scales, |x| plan.anew(at, x), cells, pixels);
             }
-            Kernel::Scaled if !Self::OVER_W => {
-                let restore = |p: &Numbers<S>| {
-                    Count::<S>::zip(p, &scales, |p: &i32, scale: &Scale| scale.restore(*p))
-                };
-                straight(span, restore, cells, pixels);
-            }
+            Kernel::Scaled if !Self::OVER_W => scaled(span, scales, cells, pixels),
             _ => straight(span.anew(), Self::restored, cells, pixels),
         }
     }

@@ -9,7 +9,7 @@ use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 /// Draws a span whose attributes are p / q · 2^bits at each pixel, rounded down.
 #[inline(always)]
 pub(super) fn divide<S, O, D, Z>(
-    mut span: Span<Count<S>>,
+    span: &Span<Count<S>>,
     scales: Scales<S>,
     mut cells: Cells<'_, S::Color, O, D>,
     mut pixels: Pixels<S, Z>,
@@ -19,6 +19,7 @@ pub(super) fn divide<S, O, D, Z>(
     D: DepthBuffer,
     Z: DepthTest,
 {
+    let mut span = span.anew();
     for cell in cells.first(usize::MAX) {
         if pixels.visible::<D>(&cell.1, span.q, span.down) {
             pixels.shade::<O, D>(cell, quotients::<S>(span.q, &span.p, &scales));
@@ -31,7 +32,7 @@ pub(super) fn divide<S, O, D, Z>(
 /// kernel.
 #[inline(never)]
 pub(super) fn divide_apart<S, O, D, Z>(
-    span: Span<Count<S>>,
+    span: &Span<Count<S>>,
     scales: Scales<S>,
     cells: Cells<'_, S::Color, O, D>,
     pixels: Pixels<S, Z>,
@@ -49,7 +50,7 @@ pub(super) fn divide_apart<S, O, D, Z>(
 #[cold]
 #[inline(never)]
 pub(super) fn divide_anew<S, O, D, Z>(
-    mut span: Span<Count<S>>,
+    span: &Span<Count<S>>,
     scales: Scales<S>,
     at: impl Fn(i32) -> (u32, Numbers<S>),
     mut cells: Cells<'_, S::Color, O, D>,
@@ -60,6 +61,7 @@ pub(super) fn divide_anew<S, O, D, Z>(
     D: DepthBuffer,
     Z: DepthTest,
 {
+    let mut span = span.anew();
     for (x, cell) in (0..).zip(cells.first(usize::MAX)) {
         if pixels.visible::<D>(&cell.1, span.q, span.down) {
             let (q, p) = at(x);

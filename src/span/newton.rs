@@ -16,7 +16,7 @@ pub(super) const FRACTION: u32 = Scale::AFFINE.bits();
 /// [`FRACTION`] bits.
 #[inline(always)]
 pub(super) fn newton<S, O, D, Z>(
-    span: Span<Count<S>>,
+    span: &Span<Count<S>>,
     mut cells: Cells<'_, S::Color, O, D>,
     mut pixels: Pixels<S, Z>,
 ) where

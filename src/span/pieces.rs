@@ -12,7 +12,7 @@ use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 /// compute each from the last one.
 #[inline(always)]
 pub(super) fn pieces<S, O, D, Z>(
-    mut span: Span<Count<S>>,
+    span: &Span<Count<S>>,
     length: u32,
     scales: Scales<S>,
     mut cells: Cells<'_, S::Color, O, D>,
@@ -23,6 +23,7 @@ pub(super) fn pieces<S, O, D, Z>(
     D: DepthBuffer,
     Z: DepthTest,
 {
+    let mut span = span.anew();
     // Makes room for a reciprocal of up to 17 bits.
     span.p = Count::<S>::map(&span.p, |p| p >> 2);
     span.dp = Count::<S>::map(&span.dp, |p| p >> 2);

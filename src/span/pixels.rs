@@ -38,27 +38,20 @@ pub struct Span<L: Lanes> {
 }
 
 impl<L: Lanes> Span<L> {
-    /// The same span, through memory.
+    /// A copy of the span, from memory.
     ///
     /// A loop over pixels takes all registers of a small core. Without this new start, the compiler leaves some of
     /// them to what came before, and loads steps from the stack at every pixel.
     #[inline(always)]
-    pub(super) fn anew(self) -> Self {
-        let Self {
-            q,
-            p,
-            dq,
-            dp,
-            down,
-            count,
-        } = *black_box(&self);
+    pub(super) fn anew(&self) -> Self {
+        let span = black_box(self);
         Self {
-            q,
-            p,
-            dq,
-            dp,
-            down,
-            count,
+            q: span.q,
+            p: span.p,
+            dq: span.dq,
+            dp: span.dp,
+            down: span.down,
+            count: span.count,
         }
     }
 

@@ -1,7 +1,7 @@
 //! Attributes that are linear along the span: only additions.
 
-use super::pixels::{Cell, Count, Numbers, Pixels, Span, rolled};
-use crate::shade::Shader;
+use super::pixels::{Cell, Count, Numbers, Pixels, Scales, Span, rolled};
+use crate::shade::{Lanes, Shader};
 use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 
 /// Draws a span; `restore` turns interpolants into attributes.
@@ -24,6 +24,24 @@ pub(super) fn straight<S, O, D, Z>(
         }
         span.step();
     }
+}
+
+/// [`straight`] for attributes that are fractions in units of 2^-30, each with its own scale; out of line because it is
+/// the exception.
+#[inline(never)]
+pub(super) fn scaled<S, O, D, Z>(
+    span: &Span<Count<S>>,
+    scales: Scales<S>,
+    cells: Cells<'_, S::Color, O, D>,
+    pixels: Pixels<S, Z>,
+) where
+    S: Shader,
+    O: Storage<S::Color>,
+    D: DepthBuffer,
+    Z: DepthTest,
+{
+    let restore = |p: &Numbers<S>| Count::<S>::zip(p, &scales, |p, scale| scale.restore(*p));
+    straight(span.anew(), restore, cells, pixels);
 }
 
 /// Draws a span whose pixels differ in nothing but their position.

@@ -145,7 +145,7 @@ fn divided_spans_are_exact_quotients() {
     for (count, span, _) in spans() {
         let exact = exact(&span);
         let found = numbers(count, |cells, pixels| {
-            divide(span, [Scale::AFFINE], cells, pixels);
+            divide(&span, [Scale::AFFINE], cells, pixels);
         });
         lacks(&found, exact, -0.26..1.26);
     }
@@ -164,7 +164,7 @@ fn spans_divided_anew_are_exact_quotients() {
             ..span
         };
         let found = numbers(count, |cells, pixels| {
-            divide_anew(steps, [Scale::AFFINE], at, cells, pixels);
+            divide_anew(&steps, [Scale::AFFINE], at, cells, pixels);
         });
         lacks(&found, exact, -0.26..1.26);
     }
@@ -177,7 +177,7 @@ fn newton_spans_are_quotients_to_a_few_units() {
     for (count, span, delta) in spans() {
         let exact = exact(&span);
         let off = 2_f64.powi(27) * (2_f64.powi(-26) + 12. * delta.powi(4));
-        let found = numbers(count, |cells, pixels| newton(span, cells, pixels));
+        let found = numbers(count, |cells, pixels| newton(&span, cells, pixels));
         lacks(&found, exact, -off..=off + 1.);
     }
 }
@@ -197,7 +197,7 @@ fn pieces_are_quotients_to_their_tolerance() {
                 .fold(0., f64::max);
             let off = steepest * delta * pixels * pixels / 4. * 1.2 + 2_f64.powi(27 - 13);
             let found = numbers(count, |cells, pixels| {
-                pieces(span, length, [Scale::AFFINE], cells, pixels);
+                pieces(&span, length, [Scale::AFFINE], cells, pixels);
             });
             lacks(&found, exact, -off..=off);
         }
