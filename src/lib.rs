@@ -20,7 +20,7 @@
 //!  raster     Blit::primitive         7  the shader's varyings at the three corners           shade/
 //!   │         Triangle::draw          8                                                       raster/
 //!   │         Setup::lay              9  gradients of 1/w and of attributes over w
-//!   │         scan_convert           10  top-left rule, row by row (Edge::step)
+//!   │         scan_convert           10  top-left rule, row by row (Edge::next)
 //!   ▼
 //!  span       Blit::rows             11  1/w and attributes at a row's first pixel            span/
 //!   │         straight::straight     12  the attributes of each pixel; or pieces, Newton or
@@ -184,7 +184,8 @@
 //! # Speed against accuracy
 //!
 //! The [`Mode`](mode::Mode) that interpolates attributes is a type, chosen per draw call. The
-//! [guide to modes](guide::modes) tells which mode suits which scene and core, and derives the bounds of their errors.
+//! [guide to modes](guide::modes) tells which mode suits which scene and core, and derives the bounds of their errors. The
+//! [benchmarks](guide::benchmarks) tell what drawing costs.
 #![no_std]
 #![forbid(unsafe_code)]
 

@@ -6,6 +6,9 @@ pub mod firmware {}
 #[doc = include_str!("modes.md")]
 pub mod modes {}
 
+#[doc = include_str!("benchmarks.md")]
+pub mod benchmarks {}
+
 #[doc = include_str!("limits.md")]
 #[doc = include_str!("extremes.md")]
 pub mod limits {}

@@ -19,12 +19,20 @@ pub(super) fn divide<S, O, D, Z>(
     D: DepthBuffer,
     Z: DepthTest,
 {
-    let mut span = span.anew();
+    let Span {
+        mut q,
+        mut p,
+        dq,
+        dp,
+        down,
+        ..
+    } = span.clone();
     for cell in cells.first(usize::MAX) {
-        if pixels.visible::<D>(&cell.1, span.q, span.down) {
-            pixels.shade::<O, D>(cell, quotients::<S>(span.q, &span.p, &scales));
+        if pixels.visible::<D>(&cell.1, q, down) {
+            pixels.shade::<O, D>(cell, quotients::<S>(q, &p, &scales));
         }
-        span.step();
+        q = q.wrapping_add_signed(dq);
+        p = Count::<S>::zip(&p, &dp, |p, step| p.wrapping_add(*step));
     }
 }
 
@@ -61,7 +69,7 @@ pub(super) fn divide_anew<S, O, D, Z>(
     D: DepthBuffer,
     Z: DepthTest,
 {
-    let mut span = span.anew();
+    let mut span = span.clone();
     for (x, cell) in (0..).zip(cells.first(usize::MAX)) {
         if pixels.visible::<D>(&cell.1, span.q, span.down) {
             let (q, p) = at(x);

@@ -23,7 +23,7 @@ pub(super) fn pieces<S, O, D, Z>(
     D: DepthBuffer,
     Z: DepthTest,
 {
-    let mut span = span.anew();
+    let mut span = span.clone();
     // Makes room for a reciprocal of up to 17 bits.
     span.p = Count::<S>::map(&span.p, |p| p >> 2);
     span.dp = Count::<S>::map(&span.dp, |p| p >> 2);

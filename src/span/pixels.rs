@@ -25,6 +25,7 @@ pub(super) type FaceOf<S> = <<S as Shader>::Varyings as Varyings>::Face;
 /// `q` is 1/w (or depth under a parallel projection), scaled so that its greatest value in the primitive has bit 30
 /// set. Each `p` is attribute · q · 2^-bits (see [`Scale`](crate::raster::Scale)), so that |p| ≤ q/2 apart from
 /// rounding.
+#[derive(Clone)]
 pub struct Span<L: Lanes> {
     pub q: u32,
     pub p: L::Of<i32>,
@@ -44,14 +45,21 @@ impl<L: Lanes> Span<L> {
     /// them to what came before, and loads steps from the stack at every pixel.
     #[inline(always)]
     pub(super) fn anew(&self) -> Self {
-        let span = black_box(self);
+        let &Self {
+            q,
+            p,
+            dq,
+            dp,
+            down,
+            count,
+        } = black_box(self);
         Self {
-            q: span.q,
-            p: span.p,
-            dq: span.dq,
-            dp: span.dp,
-            down: span.down,
-            count: span.count,
+            q,
+            p,
+            dq,
+            dp,
+            down,
+            count,
         }
     }
 

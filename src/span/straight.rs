@@ -7,7 +7,7 @@ use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 /// Draws a span; `restore` turns interpolants into attributes.
 #[inline(always)]
 pub(super) fn straight<S, O, D, Z>(
-    mut span: Span<Count<S>>,
+    span: Span<Count<S>>,
     restore: impl Fn(&Numbers<S>) -> Numbers<S>,
     mut cells: Cells<'_, S::Color, O, D>,
     mut pixels: Pixels<S, Z>,
@@ -17,12 +17,21 @@ pub(super) fn straight<S, O, D, Z>(
     D: DepthBuffer,
     Z: DepthTest,
 {
+    let Span {
+        mut q,
+        mut p,
+        dq,
+        dp,
+        down,
+        ..
+    } = span;
     for cell in cells.first(usize::MAX) {
         rolled();
-        if pixels.visible::<D>(&cell.1, span.q, span.down) {
-            pixels.shade::<O, D>(cell, restore(&span.p));
+        if pixels.visible::<D>(&cell.1, q, down) {
+            pixels.shade::<O, D>(cell, restore(&p));
         }
-        span.step();
+        q = q.wrapping_add_signed(dq);
+        p = Count::<S>::zip(&p, &dp, |p, step| p.wrapping_add(*step));
     }
 }
 

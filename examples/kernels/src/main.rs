@@ -15,16 +15,19 @@
 //! Pixels are RGB565 in the processor's byte order, textures 64x64 with the nearest texel, and only draw calls are
 //! measured. `depth-pass` and `depth-fail` have a depth buffer that lets all pixels pass or none; the other kernels have
 //! no depth buffer.
+//!
+//! On the host, `kernels SCENE` draws a scene's poses, for `.ci/host` to count.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
 #[path = "../../firmware/src/board/mod.rs"]
 mod board;
-#[cfg(target_os = "none")]
 #[path = "../../common/mod.rs"]
 mod common;
 #[cfg(target_os = "none")]
 mod frames;
+#[cfg(not(target_os = "none"))]
+mod host;
 #[cfg(target_os = "none")]
 mod pieces;
 #[cfg(target_os = "none")]
@@ -35,8 +38,8 @@ mod ticks;
 mod wall;
 
 #[cfg(not(target_os = "none"))]
-fn main() {
-    println!("kernels runs on a microcontroller: add --target thumbv7em-none-eabi");
+fn main() -> Result<(), fixel::Error> {
+    host::main()
 }
 
 #[cfg(target_os = "none")]
