@@ -3,7 +3,7 @@
 use embedded_graphics::geometry::Size;
 
 use crate::raster::Cull;
-use crate::span::{Mode, Newton};
+use crate::span::{Fast, Mode, Newton};
 use crate::target::{DepthTest, TestAndWrite};
 use crate::view::Viewport;
 
@@ -44,6 +44,19 @@ impl DrawOptions {
             mode: Newton,
             depth: TestAndWrite,
         }
+    }
+
+    /// The default options in mode [`Fast`], within ¼ texel: for cores without 64-bit products, such as Cortex-M0+.
+    ///
+    /// ```
+    /// use fixel::mode::Fast;
+    /// use fixel::prelude::*;
+    /// let quarter = DrawOptions::new().with_mode(Fast::within(fx!(0.25)));
+    /// assert_eq!(DrawOptions::fast(), quarter);
+    /// ```
+    #[must_use]
+    pub const fn fast() -> DrawOptions<Fast> {
+        Self::new().with_mode(Fast::within(crate::fx!(0.25)))
     }
 }
 

@@ -89,7 +89,8 @@ impl Edge {
     }
 }
 
-/// An [`Edge`] of less than 128 columns and rows in fixed point, which takes half as long.
+/// An [`Edge`] of less than 128 columns and rows in fixed point, for cores that divide: it takes 6 instructions a row
+/// in place of 10.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ShortEdge {
     /// The crossing plus half a pixel and less [`BELOW`], in units of 2^-32 pixel: the upper half is the first column

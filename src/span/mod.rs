@@ -1,6 +1,6 @@
 //! From spans to pixels: interpolation, depth test, shader, store.
 //!
-//! [`Blit`] starts each span, asks the [mode](mode) which of four kernels draws it, and calls that kernel:
+//! A [`plan`] starts each span and asks the [mode](mode) which of four kernels draws it; [`Blit`] calls that kernel:
 //! [`straight`] adds, [`pieces`] adds and computes a reciprocal at the ends of straight pieces, [`newton`] refines a
 //! reciprocal at every pixel, [`divide`] divides at every pixel.
 

@@ -218,7 +218,9 @@ impl Policy for Affine {
 /// Each span begins with the exact reciprocal, at every triangle's edge and every 64 pixels, so that bands equal
 /// frames.
 ///
-/// On a core without 64-bit products, such as Cortex-M0+ and M23, use [`Fast`].
+/// On a core without 64-bit products, such as Cortex-M0+ and M23, use [`Fast`]
+/// ([`DrawOptions::fast`](crate::DrawOptions::fast)): there, a pixel that takes a Newton step costs 138 instructions in
+/// place of 25, and a frame of the measured cube 3.6 million in place of 1.9.
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Newton};
