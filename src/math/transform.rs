@@ -6,7 +6,7 @@ use super::Vec3;
 use crate::num::IntoScalar;
 use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt as unit;
-use crate::num::wide::dot;
+use crate::num::wide::{dot, product};
 
 mod rotation;
 mod rows;
@@ -46,12 +46,14 @@ fn transpose([x, y, z]: [[i32; 3]; 3]) -> [[i32; 3]; 3] {
     [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]]
 }
 
-/// A row of an affine transform: three mantissas that share an exponent, and an offset.
+/// A row of an affine transform: three mantissas of up to 31 bits that share an exponent, and an offset.
 #[derive(Clone, Copy)]
 pub(crate) struct AffineRow {
     pub(crate) row: [i32; 3],
     pub(crate) exp: i32,
-    pub(crate) offset: BlockFloat,
+    /// The factors of the offset, which keeps all bits of their product.
+    pub(crate) offset: [i32; 2],
+    pub(crate) offset_exp: i32,
 }
 
 /// Returns the transform that applies `other` first, then the three rows.
@@ -66,11 +68,12 @@ pub(crate) fn compose(rows: &[AffineRow; 3], other: &Transform) -> Transform {
             *product = BlockFloat::new(dot(&row.row, &[x, y, z]), row.exp + other.linear_exp);
         }
         // Terms that may cancel are added before the sum is rounded.
+        let [a, b] = row.offset;
         *moved = BlockFloat::new(
             dot(&row.row, &other.translation),
             row.exp + other.translation_exp,
         )
-        .plus(row.offset);
+        .plus(BlockFloat::new(product(a, b), row.offset_exp));
     }
     Transform::from_block_floats(&linear, &translation)
 }
@@ -247,7 +250,8 @@ impl Mul for Transform {
         let rows = [(i, x), (j, y), (k, z)].map(|(row, moved)| AffineRow {
             row,
             exp: self.linear_exp,
-            offset: BlockFloat::new(moved.into(), self.translation_exp),
+            offset: [moved, 1],
+            offset_exp: self.translation_exp,
         });
         compose(&rows, &other)
     }

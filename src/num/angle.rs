@@ -192,6 +192,7 @@ impl Angle {
     /// assert_eq!(Angle::from_degrees(-90).sin(), -Unit::ONE);
     /// ```
     #[must_use]
+    #[inline(never)]
     pub const fn sin(self) -> Unit {
         let wide = self.wide_sine();
         // The magnitude is rounded, which keeps the symmetry. It is at most 2^30.

@@ -57,36 +57,30 @@ pub(super) fn triangle<K: ProjectionKind>(
     }
 }
 
-/// The part of an edge that is inside all planes, and whether it was clipped; `None` if nothing is inside.
+/// Assembles one edge of the mesh: `line` receives the two ends of the part that is inside all planes, or nothing if
+/// there is none. Returns whether it was clipped.
 #[inline]
 pub(super) fn edge<K: ProjectionKind>(
     call: &Call<'_, K>,
     vertices: &mut VertexCache,
     indices: [Index; 2],
-) -> Option<([ClippedVertex; 2], bool)> {
-    let [vertex, other] = indices.map(|index| *vertices.vertex(&call.projector, index));
-    let planes = vertex.outcode | other.outcode;
-    if vertex.outcode & other.outcode != 0 {
-        return None;
-    }
-    if planes != 0 {
-        let mut line = ClippedPolygon::new();
-        clip(&call.projector, &indices, planes, &mut line);
-        return match *line {
-            [from, to] => Some(([from, to], true)),
-            _ => None,
-        };
-    }
-    let [barycentric, other_barycentric, _] = Barycentric::CORNERS;
-    let line = [
-        ClippedVertex {
+    line: &mut ClippedPolygon,
+) -> bool {
+    let (mut any, mut all) = (0, !0);
+    for (&index, barycentric) in indices.iter().zip(Barycentric::CORNERS) {
+        let vertex = *vertices.vertex(&call.projector, index);
+        any |= vertex.outcode;
+        all &= vertex.outcode;
+        let _ = line.push(ClippedVertex {
             vertex,
             barycentric,
-        },
-        ClippedVertex {
-            vertex: other,
-            barycentric: other_barycentric,
-        },
-    ];
-    Some((line, false))
+        });
+    }
+    if any != 0 {
+        line.clear();
+        if all == 0 {
+            clip(&call.projector, &indices, any, line);
+        }
+    }
+    any != 0
 }

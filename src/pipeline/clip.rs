@@ -4,7 +4,8 @@ use heapless::Vec;
 
 use super::vertex::{ClipPosition, Projector};
 use crate::mesh::Index;
-use crate::num::reciprocal;
+use crate::num::block::BlockFloat;
+use crate::num::wide::product;
 use crate::raster::{Barycentric, ClippedVertex, ScreenVertex};
 use crate::view::ProjectionKind;
 
@@ -14,15 +15,17 @@ const MOST_CORNERS: usize = 9;
 /// A clipped triangle or line on the screen.
 pub(crate) type ClippedPolygon = Vec<ClippedVertex, MOST_CORNERS>;
 
-/// A corner of a triangle or line while it is clipped.
-#[derive(Clone, Copy)]
-struct ClipVertex {
-    position: ClipPosition,
-    /// [`Barycentric`] weights, as wide as the position, because they are cut in the same way.
-    barycentric: [i64; 2],
-}
+/// A corner of a triangle or line while it is clipped: its [`ClipPosition`] and its [`Barycentric`] weights, which are as
+/// wide, because all five are cut in the same way.
+type ClipVertex = [i64; 5];
 
 type Polygon = Vec<ClipVertex, MOST_CORNERS>;
+
+/// The position of a corner.
+#[inline]
+const fn position([t, x, y, ..]: &ClipVertex) -> ClipPosition {
+    [*t, *x, *y]
+}
 
 /// Clips a line between two positions, or a triangle of three, to the inside of `planes`. This mask has a bit for
 /// each plane that any of the corners is outside of. Adds the corners of the result to `clipped`: none if nothing is
@@ -38,11 +41,9 @@ pub(crate) fn clip<K: ProjectionKind>(
     clipped: &mut ClippedPolygon,
 ) {
     let (mut polygon, mut inside) = (&mut Polygon::new(), &mut Polygon::new());
-    for (&index, weights) in corners.iter().zip(Barycentric::CORNERS) {
-        let _ = polygon.push(ClipVertex {
-            position: projector.clip_position(index),
-            barycentric: weights.0.map(i64::from),
-        });
+    for (&index, Barycentric([b, c])) in corners.iter().zip(Barycentric::CORNERS) {
+        let [t, x, y] = projector.clip_position(index);
+        let _ = polygon.push([t, x, y, b.into(), c.into()]);
     }
     let closed = corners.len() > 2;
     for plane in (0..6).filter(|plane| planes >> plane & 1 != 0) {
@@ -51,12 +52,13 @@ pub(crate) fn clip<K: ProjectionKind>(
         (polygon, inside) = (inside, polygon);
     }
     for corner in polygon {
+        // Weights are at most 2^30.
+        let [.., b, c] = *corner;
         let mut vertex = ScreenVertex::UNSET;
-        projector.project_inside(&corner.position, &mut vertex);
+        projector.project_inside(&position(corner), &mut vertex);
         let _ = clipped.push(ClippedVertex {
             vertex,
-            // Weights are at most 2^30.
-            barycentric: Barycentric(corner.barycentric.map(|weight| weight as i32)),
+            barycentric: Barycentric([b as i32, c as i32]),
         });
     }
 }
@@ -69,63 +71,60 @@ fn clip_to_plane<K: ProjectionKind>(
     (polygon, closed): (&[ClipVertex], bool),
     inside: &mut Polygon,
 ) {
-    // There is room, because a plane cuts the outline of a convex polygon twice.
-    let mut add = |vertex: ClipVertex| inside.push(vertex).unwrap_or(());
+    let distance = |corner: &ClipVertex| projector.distance(&position(corner), plane);
+    // There is always room, because a plane cuts the outline of a convex polygon twice.
+    let mut add = |corner: ClipVertex| inside.push(corner).unwrap_or(());
     // A polygon's last corner is joined to its first, a line's is not.
     let mut from = polygon.last().filter(|_| closed);
+    let mut from_distance = from.map_or(0, distance);
     for to in polygon {
-        let to_distance = projector.distance(&to.position, plane);
-        let is_out = |distance| Projector::<K>::is_outside(distance, plane);
+        let to_distance = distance(to);
+        let is_out = Projector::<K>::is_outside(to_distance, plane);
         if let Some(from) = from {
-            let from_distance = projector.distance(&from.position, plane);
-            if is_out(from_distance) != is_out(to_distance) {
-                let ends = [(from, from_distance), (to, to_distance)];
-                add(cut(projector, plane, ends));
+            if is_out != Projector::<K>::is_outside(from_distance, plane) {
+                let (inner, outer) = if is_out {
+                    ((from, from_distance), (to, to_distance))
+                } else {
+                    ((to, to_distance), (from, from_distance))
+                };
+                let mut corner = [0; 5];
+                cut(inner, outer, &mut corner);
+                projector.put_onto(&mut corner, plane);
+                add(corner);
             }
         }
-        if !is_out(to_distance) {
+        if !is_out {
             add(*to);
         }
-        from = Some(to);
+        (from, from_distance) = (Some(to), to_distance);
     }
 }
 
-/// The point where `plane` cuts an edge that has one end inside and one outside. Each end comes with its distance
-/// from the plane.
+/// Sets `corner` to the point where a plane cuts an edge, whose ends come with their distances from the plane.
 ///
 /// ```text
 ///  inside          plane          outside
 ///    ●───── inner ───┼─── outer ─────○
 /// ```
-fn cut<K: ProjectionKind>(
-    projector: &Projector<'_, K>,
-    plane: u32,
-    [mut inside, mut outside]: [(&ClipVertex, i64); 2],
-) -> ClipVertex {
-    if inside.1 < outside.1 {
-        (inside, outside) = (outside, inside);
-    }
-    // The fraction of the way from inside to outside, inner / (inner + outer), in units of 2^-31, rounded down.
-    let (inner, outer) = (inside.1.max(0).unsigned_abs(), outside.1.unsigned_abs());
-    let sum = ((inner >> 1) + (outer >> 1)) | 1;
-    let up = sum.leading_zeros();
-    let (part, whole) = ((inner >> 1 << up >> 33) as u32, (sum << up >> 33) as u32);
-    let fraction = ((u64::from(part) * u64::from(reciprocal(whole))) >> 30)
-        .min((1 << 31) - 1)
-        .cast_signed();
-
-    let (mut vertex, outside) = (*inside.0, outside.0);
-    let values = vertex.position.iter_mut().chain(&mut vertex.barycentric);
-    let others = outside.position.iter().chain(&outside.barycentric);
-    for (from, to) in values.zip(others) {
+#[inline(never)]
+fn cut(
+    (inside, inner): (&ClipVertex, i64),
+    (outside, outer): (&ClipVertex, i64),
+    corner: &mut ClipVertex,
+) {
+    // The fraction of the way from inside to outside, in units of 2^-31. A distance of a few units outside a side plane
+    // counts as inside.
+    let (inner, outer) = (inner.max(0) >> 1, outer.abs() >> 1);
+    let fraction = BlockFloat::new(inner, 0).over(BlockFloat::new(inner + outer, 0));
+    let fraction = fraction.at(31).min((1 << 31) - 1) as i32;
+    for ((at, from), to) in corner.iter_mut().zip(inside).zip(outside) {
         let difference = to.saturating_sub(*from);
         // The product of 64 bits and the fraction, from the halves of `difference`: below 2^63, because the fraction
         // is below 2^31.
-        *from += (((difference >> 32) * fraction) << 1)
-            + (((difference & 0xffff_ffff) * fraction) >> 31);
+        let (high, low) = ((difference >> 32) as i32, difference.cast_unsigned() as u32);
+        let low = u64::from(low) * u64::from(fraction.cast_unsigned());
+        *at = from + (product(high, fraction) << 1) + (low >> 31).cast_signed();
     }
-    projector.put_onto(&mut vertex.position, plane);
-    vertex
 }
 
 #[cfg(test)]

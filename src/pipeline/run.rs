@@ -12,6 +12,7 @@ use super::Drawn;
 use super::assemble::{self, Assembly};
 use super::cache::VertexCache;
 use super::call::{Call, Shared};
+use super::clip::ClippedPolygon;
 use crate::mesh::{Element, Index};
 use crate::raster::{self, Blitter, ClippedVertex, Polygon, Rasterizer, ScreenVertex, Triangle};
 use crate::view::ProjectionKind;
@@ -34,12 +35,14 @@ pub(super) fn edges<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Bli
     let mut vertices = VertexCache::new();
     for &[a, b] in call.shared.mesh.edges() {
         drawn.submitted += 1;
-        if let Some((line, is_clipped)) = assemble::edge(call, &mut vertices, [a, b]) {
+        let mut line = ClippedPolygon::new();
+        let is_clipped = assemble::edge(call, &mut vertices, [a, b], &mut line);
+        if let [from, to] = &*line {
             raster.start(&call.shared.primitive(Element {
                 face: None,
                 indices: [a, b, b],
             }));
-            raster::line(&mut raster, line.each_ref());
+            raster::line(&mut raster, [from, to]);
             drawn.drawn += 1;
             drawn.clipped += u32::from(is_clipped);
         }

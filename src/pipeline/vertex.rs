@@ -17,9 +17,14 @@ const GUARD: i32 = 2048;
 /// The guard band's half width is 2 to this power units of 1/256 pixel: 19.
 const GUARD_BITS: u32 = GUARD.trailing_zeros() + 8;
 
-/// A position in clip space: x to the right and y down, in units of the guard band, and t, which is w in perspective
-/// and depth under a parallel projection. Each is an integer, multiplied by 2^`fraction`.
+/// A position in clip space: t, which is w in perspective and depth under a parallel projection; x to the right and y
+/// down, in units of the guard band. Each is an integer, multiplied by 2^`fraction`.
 pub(crate) type ClipPosition = [i64; 3];
+
+/// Which coordinate of a [`ClipPosition`] a plane bounds.
+const fn axis(plane: u32) -> usize {
+    (plane >> 1) as usize
+}
 
 /// How many units a clip coordinate may lie beyond a side plane and still count as inside. By up to this much,
 /// rounding may move a point that was cut from an edge with both ends inside.
@@ -49,19 +54,17 @@ pub(crate) struct Projector<'m, K> {
 }
 
 /// `row` times `unit` and `size`. `size` counts units of 2^-12, because the guard band is 2^12 pixels wide.
-fn scaled(row: &Row, unit: BlockFloat, size: i32) -> AffineRow {
-    let factor = unit.times(BlockFloat::new(size.into(), 12));
-    let (factor, exp) = factor.rounded();
+#[inline(never)]
+fn scaled(row: &Row, unit: &BlockFloat, size: i32) -> AffineRow {
+    let (factor, exp) = unit.times(BlockFloat::new(size.into(), 12)).rounded();
+    // A factor has bit 29 set, so mantissas keep their bits and take at most one more.
     let exp = row.exp + exp;
-    let [x, y, z, offset] = row
-        .m
-        .map(|m| BlockFloat::new(i64::from(m) * i64::from(factor), exp));
-    let mut mantissas = [0; 3];
-    let exp = block::normalize(&mut mantissas, &[x, y, z]);
+    let [x, y, z, offset] = row.m;
     AffineRow {
-        row: mantissas,
-        exp,
-        offset,
+        row: [x, y, z].map(|m| ((product(m, factor) + (1 << 28)) >> 29) as i32),
+        exp: exp - 29,
+        offset: [offset, factor],
+        offset_exp: exp,
     }
 }
 
@@ -74,42 +77,37 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         viewport: &Viewport,
     ) -> Self {
         let [near, far] = [projection.near, projection.far].map(Scalar::to_bits);
-        // The row of t and its factor, and the factor of x and y in addition to the viewport's size.
-        let (depth, depth_unit, unit) = if K::PERSPECTIVE {
+        // The row of t, and the factor of x and y in addition to the viewport's size.
+        let (depth, unit) = if K::PERSPECTIVE {
             // t = w / near · (1 + 2^-16), slightly above 1 at the near plane: the greatest 1/t is 1 − 2^-16, which
             // leaves room for rounding below a depth of 65536.
             let one = BlockFloat::new((1 << 16) + 1, 0).over(BlockFloat::new(near.into(), 0));
-            let toward = Row {
-                m: [0, 0, -(1 << 29), 0],
-                exp: 29,
+            let (m, exp) = one.rounded();
+            let depth = AffineRow {
+                row: [0, 0, -m],
+                exp,
+                offset: [0; 2],
+                offset_exp: 0,
             };
-            (toward, one, one)
+            (depth, one)
         } else {
-            // t = (far − distance) / (far − near), slightly below 1 at the near plane. The row is only the dividend,
+            // t = (far − distance) / (far − near), slightly below 1 at the near plane. Both terms have the same factor,
             // so that the far plane keeps its bits however close together the planes are.
             let length = i64::from(far) - i64::from(near);
-            let exp = 14
-                + far
-                    .unsigned_abs()
-                    .leading_zeros()
-                    .clamp(1, 15)
-                    .cast_signed();
-            let toward = Row {
-                m: [0, 0, 1 << exp, block::shift(far.into(), exp - 16) as i32],
-                exp,
-            };
             let part = BlockFloat::new((1 << 16) - 1, 0).over(BlockFloat::new(length, 0));
-            (toward, part, BlockFloat::new(1, 0))
+            let (m, exp) = part.rounded();
+            let depth = AffineRow {
+                row: [0, 0, m],
+                exp,
+                offset: [m, far],
+                offset_exp: exp + 16,
+            };
+            (depth, BlockFloat::new(1, 0))
         };
         let [width, height] = viewport.size().map(u32::cast_signed);
         let [x, y] = &projection.rows;
-        let lines = [
-            (x, unit, width),
-            (y, unit, -height),
-            (&depth, depth_unit, 1 << 12),
-        ]
-        .map(|(row, unit, size)| scaled(row, unit, size));
-        let clip = compose(&lines, view);
+        let lines = [depth, scaled(x, &unit, width), scaled(y, &unit, -height)];
+        let mut clip = compose(&lines, view);
 
         // The finest exponent at which coefficients stay below 2^29 and offsets below 2^60. Positions have 31 bits
         // and a sign, so the sum of three products and an offset stays below 3 · 2^60 + 2^60 = 2^62. Mantissas have
@@ -123,6 +121,9 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             (clip.linear_exp - exp).max(1),
             (fraction - clip.translation_exp).min(30),
         );
+        for m in clip.linear.as_flattened_mut() {
+            *m = ((*m >> (down - 1).min(31)) + 1) >> 1;
+        }
         let one = 1i64 << fraction;
         let margin = (one >> 16).max(1);
         let [least, most] = if K::PERSPECTIVE {
@@ -133,9 +134,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         };
         Self {
             positions,
-            rows: clip
-                .linear
-                .map(|row| row.map(|m| ((m >> (down - 1).min(31)) + 1) >> 1)),
+            rows: clip.linear,
             offsets: clip.translation.map(|m| block::shift(m.into(), up)),
             fraction,
             least,
@@ -155,11 +154,11 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             }
             _ => {
                 let position = stored.to_bits();
-                let ([x, y, t], [ox, oy, ot]) = (&self.rows, self.offsets);
+                let ([t, x, y], [ot, ox, oy]) = (&self.rows, self.offsets);
                 [
+                    ot + dot(t, &position),
                     ox + dot(x, &position),
                     oy + dot(y, &position),
-                    ot + dot(t, &position),
                 ]
             }
         }
@@ -168,11 +167,11 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     /// [`clip_position`](Self::clip_position) of a short position, for cores on which 16-bit products are faster.
     #[inline(never)]
     fn short_clip_position(&self, position: [i16; 3], up: u32) -> ClipPosition {
-        let ([x, y, t], [ox, oy, ot]) = (&self.rows, self.offsets);
+        let ([t, x, y], [ot, ox, oy]) = (&self.rows, self.offsets);
         [
+            ot + short_dot(t, position, up),
             ox + short_dot(x, position, up),
             oy + short_dot(y, position, up),
-            ot + short_dot(t, position, up),
         ]
     }
 
@@ -201,26 +200,20 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     /// How far inside a plane a position lies; negative outside.
     #[inline(never)]
     pub(super) fn distance(&self, position: &ClipPosition, plane: u32) -> i64 {
-        let [x, y, t] = *position;
-        let value = match plane >> 1 {
-            0 => t,
-            1 => x,
-            _ => y,
-        };
+        let [t, ..] = *position;
+        let value = position.get(axis(plane)).copied().unwrap_or_default();
         let distance = value - self.bound(t, plane);
         // All values are below 2^62.
         if plane & 1 == 0 { distance } else { -distance }
     }
 
-    /// Moves a position, where `plane` cuts an edge, exactly onto the plane.
+    /// Moves a position, where `plane` cuts an edge, exactly onto the plane. Whatever follows the position stays.
     #[inline]
-    pub(super) fn put_onto(&self, [x, y, t]: &mut ClipPosition, plane: u32) {
-        let bound = self.bound(*t, plane);
-        *match plane >> 1 {
-            0 => t,
-            1 => x,
-            _ => y,
-        } = bound;
+    pub(super) fn put_onto(&self, position: &mut [i64; 5], plane: u32) {
+        let bound = self.bound(position[0], plane);
+        if let Some(value) = position.get_mut(axis(plane)) {
+            *value = bound;
+        }
     }
 
     /// Whether a distance from a plane counts as outside.
@@ -231,7 +224,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
 
     /// Whether a position is inside all planes, by the rule of [`outcode`](Self::outcode).
     #[inline]
-    fn is_inside(&self, &[x, y, t]: &ClipPosition) -> bool {
+    fn is_inside(&self, &[t, x, y]: &ClipPosition) -> bool {
         let ahead = t.wrapping_sub(self.least).cast_unsigned() <= self.depth;
         let w = self.w(t);
         // The upper halves decide, unless the position is next to a side plane.
@@ -289,11 +282,11 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             // Inside all planes, t has at least 16 bits. So its upper half is not zero, after a shift by 30 if need
             // be, and everything that follows needs only 32 bits.
             let (mut position, mut coarse) = (position, 0);
-            if upper(position[2]) == 0 {
+            if upper(position[0]) == 0 {
                 position = position.map(|x| x << 30);
                 coarse = 30;
             }
-            let [x, y, t] = position;
+            let [t, x, y] = position;
             let up = upper(t).leading_zeros();
             let shifted = |x: i64, up: u32| {
                 let lower = x.cast_unsigned() as u32;
@@ -310,7 +303,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
                 (up + coarse) as u8,
             )
         } else {
-            let [x, y, t] = position;
+            let [t, x, y] = position;
             let down = GUARD_BITS.cast_signed() - self.fraction;
             let on_screen = |x: i64| block::shift(x, down) as i32;
             let q = block::shift(t, 31 - self.fraction);
