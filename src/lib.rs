@@ -208,7 +208,7 @@ mod span;
 
 /// How attributes are interpolated: the trait [`Mode`](mode::Mode) and its four implementations.
 pub mod mode {
-    pub use crate::span::{Affine, Exact, Fast, Mode, Newton};
+    pub use crate::span::{Affine, Compact, Exact, Fast, Mode, Newton};
 }
 
 pub mod target;

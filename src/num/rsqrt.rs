@@ -1,5 +1,7 @@
 //! The length and the direction of vectors, by an integer reciprocal square root.
 
+use crate::num::wide::product;
+
 /// Seeds: ⌊256/√t⌋ − 256 at the middle of each 128th of t from 1/4 to 1.
 static SEEDS: [u8; 96] = seeds();
 
@@ -59,12 +61,14 @@ pub(crate) const fn measure([x, y, z]: [i64; 3]) -> Option<Measured> {
     if size == 0 {
         return None;
     }
-    let up = size.leading_zeros().cast_signed() - 33;
-    let mantissas = if up < 0 {
-        [(x >> -up) as i32, (y >> -up) as i32, (z >> -up) as i32]
-    } else {
-        [(x << up) as i32, (y << up) as i32, (z << up) as i32]
-    };
+    // The upper half, once all bits but the sign are used. (No caller has a component of -2^63.)
+    let left = size.leading_zeros().saturating_sub(1);
+    let mantissas = [
+        (x << left >> 32) as i32,
+        (y << left >> 32) as i32,
+        (z << left >> 32) as i32,
+    ];
+    let up = left.cast_signed() - 32;
     // Each at most 2^62, their sum from 2^60 to 3 · 2^62.
     let [x, y, z] = mantissas;
     let squared = (x as i64 * x as i64).cast_unsigned()
@@ -100,12 +104,12 @@ pub(crate) const fn unit(vector: [i64; 3]) -> Option<[i32; 3]> {
 }
 
 /// Returns the cross product of two vectors of at most 31 bits and a sign; exact.
-pub(crate) fn cross(a: [i32; 3], b: [i32; 3]) -> [i64; 3] {
-    let [a, b] = [a, b].map(|v| v.map(i64::from));
+#[inline(never)]
+pub(crate) fn cross([ax, ay, az]: [i32; 3], [bx, by, bz]: [i32; 3]) -> [i64; 3] {
     [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
+        product(ay, bz) - product(az, by),
+        product(az, bx) - product(ax, bz),
+        product(ax, by) - product(ay, bx),
     ]
 }
 

@@ -110,11 +110,11 @@ const NEAR: i32 = 43 << 8;
 const MOST_UP: u32 = 7;
 
 impl Basis {
-    /// Starts a triangle.
+    /// A triangle whose planes are all far.
     #[inline]
-    pub(crate) fn new(patch: &Patch<'_>) -> Self {
-        let [[x, y], [bx, by], [cx, cy]] = ScreenVertex::screens(patch.vertices);
-        let mut basis = Self {
+    pub(crate) fn without_weights(patch: &Patch<'_>) -> Self {
+        let [[x, y], ..] = ScreenVertex::screens(patch.vertices);
+        Self {
             to_center: [128 - x, 128 - y],
             weights: [[0; 2]; 2],
             up: 0,
@@ -124,7 +124,14 @@ impl Basis {
                 shift: 0,
                 inverse: 0,
             },
-        };
+        }
+    }
+
+    /// Starts a triangle.
+    #[inline]
+    pub(crate) fn new(patch: &Patch<'_>) -> Self {
+        let mut basis = Self::without_weights(patch);
+        let [[x, y], [bx, by], [cx, cy]] = ScreenVertex::screens(patch.vertices);
         let [wide, high] = patch.size;
         if wide + high > NEAR {
             return basis;
@@ -292,7 +299,7 @@ impl FarPlane {
 
     /// The value at a pixel.
     #[inline]
-    fn at(&self, x: i32, y: i32) -> i32 {
+    pub(crate) fn at(&self, x: i32, y: i32) -> i32 {
         rounded(self.fine(x, y))
     }
 

@@ -18,6 +18,7 @@ mod vertex;
 use crate::mesh::Primitive;
 
 pub use cull::Cull;
+pub(crate) use gradient::Gradient;
 pub(crate) use line::line;
 pub(crate) use point::point;
 pub(crate) use polygon::Polygon;

@@ -12,8 +12,8 @@ pub struct Scale {
 }
 
 impl Scale {
-    /// The scale of an attribute that is 0 everywhere.
-    pub(crate) const ONE: Self = Self { bits: 1 };
+    /// All bits 0: the scale of an attribute before its first triangle.
+    pub(crate) const UNSET: Self = Self { bits: 0 };
 
     /// The scale of all attributes of a triangle that is drawn affinely in a mode that divides.
     pub(crate) const AFFINE: Self = Self { bits: 28 };

@@ -38,12 +38,12 @@ pub(crate) struct Attribute {
 }
 
 impl Attribute {
-    /// An attribute that is 0 everywhere.
-    pub(crate) const ZERO: Self = Self {
+    /// All bits 0: an attribute before the first triangle.
+    pub(crate) const UNSET: Self = Self {
         corners: [0; 3],
         tolerance: 0,
         gradient: Gradient::NONE,
-        scale: Scale::ONE,
+        scale: Scale::UNSET,
     };
 
     /// Its values at the vertices of a patch.
@@ -223,18 +223,20 @@ impl Setup {
         }
     }
 
-    /// Lays far planes through everything, which [`precise_q`](Self::precise_q) and `FarPlane::precise` need in addition
-    /// to [`lay`](Self::lay).
+    /// Lays far planes through everything, for a mode that uses no others, or for [`precise_q`](Self::precise_q) and
+    /// `FarPlane::precise`.
     #[cold]
     #[inline(never)]
-    pub(crate) fn lay_precise(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) {
-        let (q, _) = Self::weights(patch);
-        let mut basis = Basis::new(patch);
+    pub(crate) fn lay_far(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) {
+        let (q, exponent) = Self::weights(patch);
+        self.down = self.shift.of(exponent);
+        let mut basis = Basis::without_weights(patch);
         basis.start_far(patch);
         basis.lay_far(signed(q), &mut self.q);
+        let weights = if self.over_w { q } else { [ONE; 3] };
         for attribute in attributes {
             let mut values = attribute.at(patch);
-            weigh(&mut values, q, 1);
+            attribute.scale = weigh(&mut values, weights, 1);
             basis.lay_far(values, &mut attribute.gradient);
         }
     }

@@ -164,12 +164,15 @@ where
             Kernel::DivideAnew if Self::OVER_W && M::IS_PRECISE => {
                 divide_anew(span, scales, |x| plan.anew(at, x), cells, pixels);
             }
-            _ if Self::OVER_W && M::IS_PRECISE => divide(span, scales, cells, pixels),
+            _ if Self::OVER_W && (M::IS_PRECISE || M::IS_COMPACT) => {
+                divide(span, scales, cells, pixels);
+            }
             Kernel::Divide if Self::OVER_W => divide_apart(span, scales, cells, pixels),
             Kernel::Newton if Self::OVER_W && M::REFINES => newton(span, cells, pixels),
             Kernel::Pieces(length) if Self::OVER_W && M::HAS_PIECES => {
                 pieces(span, length, scales, cells, pixels);
             }
+            _ if M::IS_COMPACT => scaled(span, scales, cells, pixels),
             Kernel::Scaled if !Self::OVER_W => scaled(span, scales, cells, pixels),
             _ => straight(span.anew(), Self::restored, cells, pixels),
         }

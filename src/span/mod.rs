@@ -22,4 +22,4 @@ mod straight;
 mod tests;
 
 pub(crate) use blit::Blit;
-pub use mode::{Affine, Exact, Fast, Mode, Newton};
+pub use mode::{Affine, Compact, Exact, Fast, Mode, Newton};

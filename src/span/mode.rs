@@ -22,9 +22,10 @@ use crate::shade::{Lanes, Tolerance};
 /// | [`Fast::NARROW`] | 1/16 | additions | Cortex-M0+, where a larger error would show |
 /// | [`Exact`] | 0.001, in triangles of any depth | a 31-bit reciprocal | a reference to compare with; 64-bit computers |
 /// | [`Affine`] | no bound | additions | surfaces that face the eye or are small |
+/// | [`Compact`] | 0.001 | a 31-bit reciprocal | programs that must be small |
 ///
 /// Under a parallel projection, attributes are linear on the screen, so every mode only adds. Each mode draws bands
-/// exactly like frames, and the same pixels on every target. Depths are the same in all modes.
+/// exactly like frames, and the same pixels on every target. Depths are the same in all modes but `Compact`.
 ///
 /// For each span of up to 64 pixels, a mode chooses among four kernels: straight, pieces, Newton, divide.
 ///
@@ -93,6 +94,9 @@ pub trait Policy: Copy {
     /// Whether triangles with a corner whose q is below [`STEEP`] compute their interpolants anew at each pixel.
     const IS_PRECISE: bool = false;
 
+    /// Whether all triangles have far planes, and all spans are divided; then nothing below is asked.
+    const IS_COMPACT: bool = false;
+
     /// The greatest error that an attribute may have, in its units, if that saves all division; 0 never saves it.
     fn affine_within(self, tolerance: Tolerance) -> u32;
 
@@ -149,6 +153,44 @@ pub struct Exact;
 impl Policy for Exact {
     const LEAST_PARALLEL_BITS: u32 = 1;
     const IS_PRECISE: bool = true;
+
+    #[inline]
+    fn affine_within(self, _: Tolerance) -> u32 {
+        0
+    }
+
+    #[inline]
+    fn of_triangle<L: Lanes>(self, _: &Slopes<L>) -> Option<Kernel> {
+        Some(Kernel::Divide)
+    }
+
+    #[inline(always)]
+    fn of_span<L: Lanes>(self, _: Option<Kernel>, _: &mut Span<L>, _: &Slopes<L>) -> Kernel {
+        Kernel::Divide
+    }
+}
+
+/// Perspective-correct, with a reciprocal of 1/w at every pixel and nothing else: the least code.
+///
+/// All triangles and all spans take one path, so a program links neither the paths for small triangles and for spans
+/// that are linear nor the choice among them. On a Cortex-M4 at opt-level "s", drawing textured triangles with a depth
+/// buffer takes 11.3 KB of code in place of 13.8 KB in mode [`Newton`], and 2 to 2.5 times the instructions. On a core
+/// without 64-bit products it takes 3 to 5 times the instructions of [`Fast`].
+///
+/// The error is at most that of [`Newton`]. Stored depths may differ by a step from those of the other modes, so do not
+/// mix it with them on one depth buffer.
+///
+/// ```
+/// use fixel::{DrawOptions, mode::Compact};
+/// let options = DrawOptions::new().with_mode(Compact);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Compact;
+
+impl Policy for Compact {
+    const LEAST_PARALLEL_BITS: u32 = 1;
+    const IS_COMPACT: bool = true;
 
     #[inline]
     fn affine_within(self, _: Tolerance) -> u32 {

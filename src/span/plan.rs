@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use super::mode::{Kernel, Policy, STEEP, Slopes, WHOLE};
 use super::newton::tangent;
 use super::pixels::Span;
-use crate::raster::{Attribute, DepthShift, Patch, Scale, Setup};
+use crate::raster::{Attribute, DepthShift, Gradient, Patch, Scale, Setup};
 use crate::shade::{Lanes, Tolerance};
 use crate::view::ProjectionKind;
 
@@ -35,11 +35,11 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Plan<L, K, M> {
         (false, false) => M::LEAST_PARALLEL_BITS,
     };
 
-    #[inline(always)]
+    #[inline(never)]
     pub(super) fn new(mode: M, tolerances: &L::Of<Tolerance>, shift: DepthShift) -> Self {
         let attributes = L::map(tolerances, |tolerance| Attribute {
             tolerance: mode.affine_within(*tolerance).min(MOST_TOLERANCE),
-            ..Attribute::ZERO
+            ..Attribute::UNSET
         });
         Self {
             mode,
@@ -48,7 +48,7 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Plan<L, K, M> {
             slopes: Slopes {
                 q: 0,
                 p: L::splat(0),
-                scales: L::splat(Scale::ONE),
+                scales: L::splat(Scale::UNSET),
                 least: 0,
             },
             kernel: None,
@@ -71,19 +71,23 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Plan<L, K, M> {
     /// Lays the interpolants over a patch of the primitive.
     #[inline(never)]
     pub(super) fn set_up(&mut self, patch: &Patch<'_>) {
-        self.setup.lay(self.attributes.as_mut(), patch);
+        if M::IS_COMPACT {
+            self.setup.lay_far(self.attributes.as_mut(), patch);
+        } else {
+            self.setup.lay(self.attributes.as_mut(), patch);
+        }
         self.slopes = Slopes {
             q: self.setup.q.step,
             p: L::map(&self.attributes, |p| p.gradient.step),
             scales: L::map(&self.attributes, |p| p.scale),
             least: self.setup.least,
         };
-        if L::COUNT == 0 {
+        if L::COUNT == 0 || M::IS_COMPACT {
             return;
         }
         let is_precise = Self::OVER_W && M::IS_PRECISE && self.setup.least < STEEP;
         self.kernel = if is_precise {
-            self.setup.lay_precise(self.attributes.as_mut(), patch);
+            self.setup.lay_far(self.attributes.as_mut(), patch);
             Some(Kernel::DivideAnew)
         } else if !Self::OVER_W {
             let is_whole = L::all(&self.slopes.scales, |scale| scale.bits() == WHOLE);
@@ -104,15 +108,22 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Plan<L, K, M> {
     #[inline(always)]
     pub(super) fn is_near(&self) -> bool {
         let is_straight = L::COUNT == 0 || self.kernel == Some(Kernel::Straight);
-        is_straight && self.setup.is_near
+        !M::IS_COMPACT && is_straight && self.setup.is_near
     }
 
     /// The span that begins at a pixel, with a kernel to draw it.
     #[inline(never)]
     pub(super) fn begin(&self, [x, y]: [i32; 2], count: usize) -> (Span<L>, Kernel) {
+        let at = |gradient: &Gradient| {
+            if M::IS_COMPACT {
+                gradient.far.at(x, y)
+            } else {
+                gradient.at(x, y)
+            }
+        };
         let mut span = Span {
-            q: self.setup.q.at(x, y).cast_unsigned(),
-            p: L::map(&self.attributes, |p: &Attribute| p.gradient.at(x, y)),
+            q: at(&self.setup.q).cast_unsigned(),
+            p: L::map(&self.attributes, |p: &Attribute| at(&p.gradient)),
             dq: self.slopes.q,
             dp: self.slopes.p,
             down: self.setup.down,
@@ -120,6 +131,9 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Plan<L, K, M> {
         };
         if L::COUNT == 0 {
             return (span, Kernel::Straight);
+        }
+        if M::IS_COMPACT {
+            return (span, Kernel::Divide);
         }
         if let Some(kernel @ (Kernel::Straight | Kernel::Scaled | Kernel::DivideAnew)) = self.kernel
         {

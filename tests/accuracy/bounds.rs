@@ -60,6 +60,7 @@ pub fn perspective(
 ) -> f64 {
     match mode {
         Mode::Exact => exact(corners, corners_w, w),
+        Mode::Compact => stepped(corners, corners_w, w),
         Mode::Newton => stepped(corners, corners_w, w) + newton(corners, corners_w),
         Mode::Fast(_) => {
             stepped(corners, corners_w, farthest) + mode.tolerance() * TEXEL + fast(corners)

@@ -1,7 +1,7 @@
 //! The interpolation modes as values, to iterate over.
 
 use embedded_graphics::pixelcolor::Gray8;
-use fixel::mode::{Affine, Exact, Fast, Newton};
+use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
 use fixel::prelude::*;
 use fixel::target::{DepthBuffer, Native};
 use fixel::view::ProjectionKind;
@@ -10,6 +10,7 @@ use fixel::view::ProjectionKind;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mode {
     Exact,
+    Compact,
     Newton,
     /// With a tolerance in texels.
     Fast(Scalar),
@@ -21,8 +22,9 @@ impl Mode {
     pub const NARROW: Self = Self::Fast(fx!(0.03125));
 
     /// The modes that are correct in perspective.
-    pub const PERSPECTIVE: [Self; 7] = [
+    pub const PERSPECTIVE: [Self; 8] = [
         Self::Exact,
+        Self::Compact,
         Self::Newton,
         Self::Fast(fx!(0)),
         Self::NARROW,
@@ -32,8 +34,9 @@ impl Mode {
     ];
 
     /// The modes that differ under a parallel projection; each of the others equals one of them.
-    pub const PARALLEL: [Self; 4] = [
+    pub const PARALLEL: [Self; 5] = [
         Self::Exact,
+        Self::Compact,
         Self::Newton,
         Self::Fast(fx!(0.25)),
         Self::Affine,
@@ -42,7 +45,7 @@ impl Mode {
     /// The mode that this one equals under a parallel projection.
     pub fn in_parallel(self) -> Self {
         match self {
-            Self::Exact => Self::Exact,
+            Self::Exact | Self::Compact => self,
             Self::Newton | Self::Fast(_) | Self::Affine => Self::Affine,
         }
     }
@@ -50,7 +53,7 @@ impl Mode {
     /// The promised bound in texels of 256, in a picture of 320x240, given the snapped vertices.
     pub fn promised(self) -> f64 {
         match self {
-            Self::Exact | Self::Newton => 0.001,
+            Self::Exact | Self::Compact | Self::Newton => 0.001,
             Self::Fast(_) => self.tolerance() + 1. / 32.,
             Self::Affine => f64::INFINITY,
         }
@@ -75,6 +78,7 @@ impl Mode {
     ) {
         match self {
             Self::Exact => canvas.draw_with(&options.with_mode(Exact), mesh, mvp, shader),
+            Self::Compact => canvas.draw_with(&options.with_mode(Compact), mesh, mvp, shader),
             Self::Newton => canvas.draw_with(&options.with_mode(Newton), mesh, mvp, shader),
             Self::Fast(texels) => {
                 canvas.draw_with(&options.with_mode(Fast::within(texels)), mesh, mvp, shader)

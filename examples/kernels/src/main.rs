@@ -47,7 +47,7 @@ mod firmware {
     use core::panic::PanicInfo;
 
     use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-    use fixel::mode::{Affine, Exact, Fast, Newton};
+    use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
     use fixel::prelude::*;
     use semihosting::{println, process};
 
@@ -73,6 +73,7 @@ mod firmware {
         let mut frame = Frame::take();
         frame.measure(&mut watch, "newton", Newton)?;
         frame.measure(&mut watch, "fast", Fast::within(fx!(0.25)))?;
+        frame.measure(&mut watch, "compact", Compact)?;
 
         // Within half a texel, pieces of this wall have 16 pixels.
         let fast = Fast::within(fx!(0.5));

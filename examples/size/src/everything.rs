@@ -1,30 +1,15 @@
-//! Size probe: every stage of the pipeline once, on one canvas with a depth buffer.
-//!
-//! A camera, time, a light; points, lines, and triangles that are flat, Gouraud shaded, textured and lit; clipping,
-//! depth, perspective. It has one canvas and one projection: other combinations of type parameters are other code,
-//! which a program links only if it uses them (`shades` has more).
+//! Size probe: every stage of the pipeline once, in the default mode.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 mod probe;
+mod whole;
 
-use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use embedded_graphics::pixelcolor::Rgb565;
+use fixel::mode::Newton;
 use fixel::prelude::*;
-use probe::{HEIGHT, MODEL, PLACE, SKIN, WIDTH, projection};
 
 fn draw(pixels: &mut [Rgb565], depths: &mut [u16], now_ms: u64) -> Result<(), Error> {
-    let camera = Camera::look_at(vec3!(0, 0.5, 0), PLACE, Vec3::Y)?;
-    let spin = Transform::translate(PLACE) * Transform::rotate_y(Rate::rpm(10).angle_at(now_ms));
-    let mvp = projection()? * camera * spin;
-    let sun = Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?;
-    let options = DrawOptions::new();
-    let mut canvas = Canvas::new(pixels, WIDTH, HEIGHT)?.with_depth(depths)?;
-    canvas.clear(Rgb565::BLACK);
-    canvas.draw(&MODEL, &mvp, &Flat::new(Rgb565::BLUE));
-    canvas.draw(&MODEL, &mvp, &Gouraud::new());
-    canvas.draw(&MODEL, &mvp, &Textured::new(&SKIN).lit(sun));
-    canvas.draw_edges(&options, &MODEL, &mvp, &Flat::new(Rgb565::GREEN));
-    canvas.draw_points(&options, &MODEL, &mvp, &Flat::new(Rgb565::WHITE));
-    Ok(())
+    whole::draw(pixels, depths, now_ms, Newton)
 }
 
 #[cfg(not(target_os = "none"))]

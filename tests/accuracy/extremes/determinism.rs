@@ -6,7 +6,7 @@
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::BigEndian;
 use fixel::mesh::{Buffers, Shape};
-use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
+use fixel::mode::{Affine, Compact, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 use fixel::target::{Depth, DepthBuffer, Float, NoDepth};
 use fixel::view::Perspective;
@@ -189,6 +189,7 @@ fn bands_equal_the_frame() {
     with_either_depth(Exact);
     with_either_depth(Fast::within(fx!(0.25)));
     with_either_depth(Affine);
+    with_either_depth(Compact);
 }
 
 /// A shuffled order, the same every time.

@@ -2,7 +2,7 @@
 //! overflow), and bands still equal the frame.
 
 use embedded_graphics::pixelcolor::{Gray8, Rgb888};
-use fixel::mode::{self, Affine, Exact, Fast, Newton};
+use fixel::mode::{self, Affine, Compact, Exact, Fast, Newton};
 use fixel::prelude::*;
 use fixel::shade::{Tolerance, Varyings};
 use fixel::target::{DepthBuffer, Float, Native, NoDepth, WideFloat};
@@ -87,7 +87,7 @@ const CORNERS: usize = 6;
 
 /// Any mode, with any tolerance.
 fn modes() -> impl Strategy<Value = Mode> {
-    let plain = vec![Mode::Newton, Mode::Exact, Mode::Affine];
+    let plain = vec![Mode::Newton, Mode::Exact, Mode::Compact, Mode::Affine];
     prop_oneof![select(plain), scalar().prop_map(Mode::Fast)]
 }
 
@@ -220,6 +220,7 @@ impl Scene {
         match self.mode {
             Mode::Newton => self.draw_in(&options.with_mode(Newton), canvas, projection),
             Mode::Exact => self.draw_in(&options.with_mode(Exact), canvas, projection),
+            Mode::Compact => self.draw_in(&options.with_mode(Compact), canvas, projection),
             Mode::Fast(texels) => {
                 self.draw_in(&options.with_mode(Fast::within(texels)), canvas, projection);
             }
