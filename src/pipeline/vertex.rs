@@ -401,6 +401,18 @@ mod tests {
         );
     }
 
+    /// The limits, from both sides.
+    #[test]
+    fn what_is_outside() {
+        type Any<'m> = Projector<'m, crate::view::Perspective>;
+        for plane in 0..2 {
+            assert!(Any::is_outside(-1, plane) && !Any::is_outside(0, plane));
+        }
+        for plane in 2..6 {
+            assert!(Any::is_outside(-9, plane) && !Any::is_outside(-8, plane));
+        }
+    }
+
     #[test]
     fn short_positions_in_perspective() {
         let fov = Angle::from_degrees(60);

@@ -491,6 +491,28 @@ mod tests {
     use super::*;
     use crate::fx;
 
+    /// The limits of spans that need no division, from both sides.
+    #[test]
+    fn room_is_for_gentle_spans_that_lose_less_than_half() {
+        // A span may be shifted to 31 bits at its greatest q.
+        assert_eq!(room(1 << 30, 0, 64), Some(0));
+        assert_eq!(room((1 << 31) - 1, 0, 64), Some(0));
+        assert_eq!(room(1 << 20, 0, 64), Some(10));
+        assert_eq!(room(1 << 31, 0, 64), None);
+        // δ is at most 2^-6 of the least q, at either end of the span.
+        assert_eq!(room(1 << 30, 1 << 24, 2), Some(0));
+        assert_eq!(room(1 << 30, (1 << 24) + 1, 2), None);
+        assert_eq!(room((1 << 30) + (1 << 24), -(1 << 24), 2), Some(0));
+        assert_eq!(room(1 << 30, -(1 << 24), 2), None);
+        // Over 64 pixels, q must change less than twofold.
+        let step = (1 << 30) / 63;
+        assert_eq!(room(1 << 30, step - 1, 64), None);
+        assert_eq!(room((1 << 30) + 64, step, 64), None);
+        assert_eq!(room(1 << 30, (1 << 24) - (1 << 18), 64), Some(0));
+        assert_eq!(room(1 << 20, -(1 << 13), 64), Some(10));
+        assert_eq!(room(1 << 20, -(1 << 13), 65), None);
+    }
+
     #[test]
     fn pieces_are_as_long_as_the_tolerance_allows() {
         let quarter = Fast::within(fx!(0.25));

@@ -227,6 +227,12 @@ mod tests {
                 Err(Error::UpAlongView { up })
             );
         }
+        // At an angle of 6e-8 and of 1.5e-5.
+        let ahead = Vec3::from_bits([0, 0, -(1 << 30)]);
+        for (aside, is_refused) in [(1 << 6, true), (1 << 14, false)] {
+            let up = Vec3::from_bits([aside, 0, -(1 << 30)]);
+            assert_eq!(Camera::look_at(Vec3::ZERO, ahead, up).is_err(), is_refused);
+        }
         let aside = target - eye + Vec3::from_bits([6, 0, 0]);
         assert!(Camera::look_at(eye, target, aside).is_ok());
     }

@@ -79,6 +79,25 @@ proptest! {
     }
 }
 
+proptest! {
+    /// Products of up to 94 bits.
+    #[test]
+    fn speed_at_the_ends_of_the_format(
+        n in 16000.0..32767.0,
+        p in [-32767.0..32767.0, 20000.0..32767.0, -32767.0..-20000.0],
+        v in [-32767.0..32767.0, -32767.0..-20000.0, -32767.0..-20000.0],
+        t in 1.0..2.0,
+    ) {
+        let found = speed(fx(n), vec(p[0], p[1], p[2]), vec(v[0], v[1], v[2]), fx(t)).unwrap();
+        let [n, t] = [n, t].map(|x| float(fx(x)));
+        let [p, v] = [p, v].map(|x| x.map(|x| float(fx(x))));
+        for i in 0..2 {
+            let expected = -n * (v[i] * p[2] - p[i] * v[2]) / (p[2] + v[2] * t).powi(2);
+            close(float(found[i]), expected, 0.501 * STEP);
+        }
+    }
+}
+
 #[test]
 fn equal_steps_in_depth_shrink_on_screen() {
     let projection =
