@@ -303,10 +303,13 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     }
 
     /// The place of `columns` of `row` in memory; both must lie within [`area`](Self::area).
+    ///
+    /// It wraps: a triangle's row that is left of the frame ends before it starts, possibly below 0. The result then
+    /// is a range that no memory has.
     #[inline]
     pub(super) const fn range(&self, row: u32, columns: &Range<u32>) -> Range<usize> {
         let start = (row - self.rows.start) * self.width;
-        (start + columns.start) as usize..(start + columns.end) as usize
+        start.wrapping_add(columns.start) as usize..start.wrapping_add(columns.end) as usize
     }
 
     /// The stored pixels of `columns` of `row`; both must lie within [`area`](Self::area).
@@ -346,7 +349,8 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     }
 
     /// The pixels of `columns` of `row` with their depths. Both must lie within [`area`](Self::area), as the
-    /// rasterizer's do. It returns `None` and does not panic if memory ends before them.
+    /// rasterizer's do. It returns `None` and does not panic if memory ends before them, or if columns end before they
+    /// start.
     #[inline]
     pub(crate) fn run(&mut self, row: u32, columns: Range<u32>) -> Option<Cells<'_, C, O, D>> {
         let range = self.range(row, &columns);

@@ -310,6 +310,43 @@ fn cull_modes() {
     );
 }
 
+/// The lower rows are left of the frame, or right of it, altogether.
+#[test]
+fn triangles_that_slant_out_of_the_frame() {
+    let corners = [
+        [2., 0.],
+        [6., 0.],
+        [-10., 6.],
+        [6., 0.],
+        [10., 0.],
+        [18., 6.],
+    ];
+    let expected = "
+            .1111..1
+            11......
+            ........
+            ........
+            ........
+            ........
+        ";
+    assert_picture(&corners, &BOTH_SIDES, expected);
+
+    // In one color, rows are drawn in another way.
+    let positions = positions(&corners);
+    let mesh = Mesh::new(&positions, &[[0, 1, 2], [3, 4, 5]]).unwrap();
+    let mut pixels = [Rgb565::BLACK; (SIZE.0 * SIZE.1) as usize];
+    let mut canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
+    canvas.draw_with(
+        &BOTH_SIDES,
+        &mesh,
+        &pixel_lens(SIZE),
+        &Flat::new(Rgb565::WHITE),
+    );
+    let drawn = pixels.map(|pixel| if pixel == Rgb565::BLACK { '.' } else { '1' });
+    let expected = expected.chars().filter(|c| !c.is_whitespace());
+    assert!(drawn.into_iter().eq(expected), "{drawn:?}");
+}
+
 /// Nothing is drawn outside the viewport, even if the mesh reaches far beyond it.
 #[test]
 fn a_viewport_clips() {
