@@ -9,6 +9,7 @@
 //! A shader reads a mesh as a [`Primitive`] and its [`Corner`]s.
 
 mod attribute;
+mod bounds;
 mod buffers;
 #[doc(hidden)]
 pub mod flash;
@@ -18,6 +19,7 @@ mod positions;
 mod primitive;
 mod shapes;
 
+pub use bounds::Bounds;
 pub use buffers::{Buffers, Counts};
 pub(crate) use indexed::Element;
 pub use indexed::{Index, Mesh};

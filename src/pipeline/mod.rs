@@ -16,9 +16,9 @@ use call::Call;
 use vertex::Projector;
 
 use crate::Vec3;
-use crate::mesh::{Mesh, Missing, Positions};
+use crate::mesh::{Bounds, Mesh, Missing, Positions};
 use crate::num::Subpixel;
-use crate::raster::{Blitter, ScreenVertex};
+use crate::raster::{Blitter, Scissor, ScreenVertex};
 use crate::shade::{Shader, ShaderFor};
 use crate::span::{Blit, Mode};
 use crate::target::{Canvas, DepthBuffer, DepthTest, Storage};
@@ -176,6 +176,48 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
             y,
             depth: D::encode(at.q, projector.depth_shift().of(at.exponent)) as u16,
         })
+    }
+
+    /// Whether a mesh within `bounds` may have a pixel in this canvas; `false` is certain.
+    ///
+    /// On a Cortex-M4 the test takes 4,400 instructions, most of which a draw call takes before its first vertex. So a
+    /// mesh that is out of view, or in another band, costs no more than that.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::Gray8;
+    /// use fixel::mesh::Bounds;
+    /// use fixel::prelude::*;
+    /// static BALL: Mesh = shape!(sphere(16, 12));
+    /// static BOUNDS: Bounds = BALL.bounds();
+    /// let mut pixels = [Gray8::new(0); 64];
+    /// let mut canvas = Canvas::new(&mut pixels, 8, 8)?;
+    /// let projection = Projection::perspective(deg!(60), (1, 1), fx!(0.5), fx!(100))?;
+    /// for (x, is_seen) in [(0, true), (9, false)] {
+    ///     let mvp = projection * Transform::translate(vec3!(0, 0, -5)) * Transform::translate(vec3!(x, 0, 0));
+    ///     if canvas.is_in_view(&DrawOptions::new(), &BOUNDS, &mvp) {
+    ///         canvas.draw(&BALL, &mvp, &Flat::new(Gray8::new(9)));
+    ///     }
+    ///     assert_eq!(canvas.is_in_view(&DrawOptions::new(), &BOUNDS, &mvp), is_seen);
+    /// }
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn is_in_view<M: Copy, Z: Copy, V: ModelToPicture>(
+        &self,
+        options: &DrawOptions<M, Z>,
+        bounds: &Bounds,
+        mvp: &V,
+    ) -> bool {
+        let (frame, rows) = (self.frame_size(), self.rows());
+        let viewport = options.viewport_in(frame);
+        let projector = Projector::new(
+            Positions::of_one(&Vec3::ZERO),
+            mvp.projection_of(),
+            &mvp.model_view_of(),
+            &viewport,
+        );
+        let scissor = Scissor::new(&viewport, frame.width, rows);
+        !scissor.is_empty() && !projector.misses(bounds, &scissor)
     }
 
     /// Sets up a draw call and runs it.

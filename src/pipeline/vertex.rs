@@ -4,11 +4,11 @@ use core::marker::PhantomData;
 
 use crate::Scalar;
 use crate::math::{AffineRow, Transform, compose};
-use crate::mesh::{Index, Positions, StoredPosition};
+use crate::mesh::{Bounds, Index, Positions, StoredPosition};
 use crate::num::block::{self, BlockFloat};
 use crate::num::reciprocal;
 use crate::num::wide::{PREFERS_SHORT, dot, product, short_dot};
-use crate::raster::{DepthShift, LEAST_WEIGHT, MOST_WEIGHT, ScreenVertex};
+use crate::raster::{DepthShift, LEAST_WEIGHT, MOST_WEIGHT, Scissor, ScreenVertex};
 use crate::view::{Projection, ProjectionKind, Row, Viewport};
 
 /// Half the width and height of the guard band, in pixels. The guard band is the area around the viewport's center in
@@ -340,6 +340,53 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             index,
             ..ScreenVertex::UNSET
         }
+    }
+
+    /// Whether a box is certain to have no point in the scissor, nor within a pixel of it.
+    #[inline(never)]
+    pub(super) fn misses(&self, bounds: &Bounds, scissor: &Scissor) -> bool {
+        // Three coefficients are rounded down by up to 1½, and multiplied by 31 bits; offsets add far less.
+        const MARGIN: i64 = 5 << 31;
+        let (least, most) = (bounds.least.to_bits(), bounds.most.to_bits());
+        // Whether even the corner that lies farthest in the direction of a plane's inside is outside it. Coefficients
+        // take 30 bits, so that the sum takes 63.
+        let is_outside = |plane: [i32; 3], offset: i64| {
+            let mut farthest = offset >> 1;
+            for (c, (&least, &most)) in plane.iter().zip(least.iter().zip(&most)) {
+                let c = c >> 1;
+                farthest += product(c, if c < 0 { least } else { most });
+            }
+            farthest < -MARGIN
+        };
+        let ([t, x, y], [t_offset, x_offset, y_offset]) = (&self.rows, self.offsets);
+        let far = self.least + self.depth.cast_signed();
+        if is_outside(*t, t_offset - self.least) || is_outside(t.map(|c| -c), far - t_offset) {
+            return true;
+        }
+        let (w, w_offset) = if K::PERSPECTIVE {
+            (*t, t_offset)
+        } else {
+            ([0; 3], 1 << self.fraction)
+        };
+        let [cx, cy] = self.center;
+        let sides = [
+            (x, x_offset, cx, &scissor.columns),
+            (y, y_offset, cy, &scissor.rows),
+        ];
+        sides.into_iter().any(|(row, offset, center, pixels)| {
+            // The ends are at most half a viewport and a pixel from its center, in units of 2^-19 of the guard band.
+            [(pixels.start - 1, 1), (pixels.end + 1, -1)]
+                .into_iter()
+                .any(|(end, sign)| {
+                    let end = (end << 8) - center;
+                    let mut plane = [0; 3];
+                    for (c, (&row, &w)) in plane.iter_mut().zip(row.iter().zip(&w)) {
+                        *c = sign * (row - (product(w, end) >> GUARD_BITS) as i32);
+                    }
+                    let offset = offset - (w_offset >> GUARD_BITS) * i64::from(end);
+                    is_outside(plane, i64::from(sign) * offset)
+                })
+        })
     }
 
     /// The right shift that turns an interpolant of exponent 0 into a depth, where 2^16 is the near plane.

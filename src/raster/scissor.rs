@@ -23,4 +23,9 @@ impl Scissor {
             rows: meet(down, rows.start, rows.end),
         }
     }
+
+    /// Whether it has no pixel.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.columns.is_empty() || self.rows.is_empty()
+    }
 }

@@ -254,3 +254,38 @@ impl Setup {
         self.q.step.unsigned_abs().max(self.q.row().unsigned_abs())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::picture::vertex;
+    use super::super::triangle::area;
+    use super::*;
+
+    /// The number of bits of an attribute's scale in a triangle whose corners have these 1/w.
+    fn bits(q: [u32; 3]) -> u32 {
+        let screens = [[0, 0], [9000, 500], [300, 9900]];
+        let [mut a, mut b, mut c] = screens.map(vertex);
+        [a.q, b.q, c.q] = q;
+        let patch = Patch {
+            vertices: [&a, &b, &c],
+            barycentric: None,
+            size: [9000, 9900],
+            area: area(&screens),
+        };
+        let mut attributes = [Attribute {
+            corners: [0, 100, 200],
+            ..Attribute::UNSET
+        }];
+        let mut setup = Setup::new(true, 28, DepthShift(47));
+        setup.lay(&mut attributes, &patch);
+        assert!(!setup.is_affine);
+        attributes[0].scale.bits()
+    }
+
+    /// A mode asks for a number of bits, which needs a 1/w that changes less than fourfold. 200 takes 9 bits.
+    #[test]
+    fn scales_have_the_bits_that_a_mode_asks_for() {
+        assert_eq!(bits([1 << 30, 1 << 30, FAR + 1]), 28);
+        assert_eq!(bits([1 << 30, 1 << 30, FAR]), 9);
+    }
+}

@@ -11,6 +11,7 @@ use crate::view::ProjectionKind;
 
 /// Upper clamp of a tolerance: four times this takes 31 bits, and no attribute that is drawn affinely is as great.
 const MOST_TOLERANCE: u32 = (1 << 29) - 1;
+const _: () = assert!(4 * MOST_TOLERANCE <= i32::MAX.cast_unsigned());
 
 /// What the spans of a primitive have in common, whatever its shader and canvas: one copy of this code serves all
 /// shaders with as many numbers.

@@ -211,6 +211,18 @@ mod tests {
     }
 
     #[test]
+    fn a_pose_comes_back() {
+        let turn = Transform::rotate_y(Angle::from_degrees(30));
+        let camera = Camera::at_pose(Transform::translate(Vec3::from_ints(1, 2, 3)) * turn);
+        let ahead = camera.pose().point(-Vec3::Z);
+        // −sin 30° and −cos 30° from the camera, within a unit of a Scalar.
+        let expected = [1.0 - 0.5, 2.0, 3.0 - 0.75_f64.sqrt()].map(|v| v * 65_536.0);
+        for (found, expected) in ahead.to_bits().into_iter().zip(expected) {
+            assert!((f64::from(found) - expected).abs() <= 1.0, "{ahead:?}");
+        }
+    }
+
+    #[test]
     fn useless_cameras_are_refused() {
         let (eye, target) = (Vec3::from_ints(1, 2, 3), Vec3::from_ints(4, 6, 8));
         assert_eq!(

@@ -26,6 +26,7 @@ mod extremes;
 mod filter;
 mod float_depth;
 mod formulas;
+mod in_view;
 mod lines;
 mod mode;
 mod moves;

@@ -22,6 +22,8 @@
 #[cfg(target_os = "none")]
 #[path = "../../firmware/src/board/mod.rs"]
 mod board;
+#[cfg(target_os = "none")]
+mod bounds;
 #[path = "../../common/mod.rs"]
 mod common;
 #[cfg(target_os = "none")]
@@ -52,6 +54,7 @@ mod firmware {
     use semihosting::{println, process};
 
     use super::board::{self, Clock};
+    use super::bounds;
     use super::common::scenes::CHECKER;
     use super::frames::Frame;
     use super::pieces;
@@ -69,6 +72,9 @@ mod firmware {
             let (triangles, ticks) = setup::measure(&mut watch, kind)?;
             watch.print(name, "triangle", triangles, ticks);
         }
+
+        let (tests, ticks) = bounds::measure(&mut watch)?;
+        watch.print("in-view", "test", tests, ticks);
 
         let mut frame = Frame::take();
         frame.measure(&mut watch, "newton", Newton)?;

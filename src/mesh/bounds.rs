@@ -1,0 +1,86 @@
+//! The box around a mesh.
+
+use super::{Mesh, Positions};
+use crate::Vec3;
+
+/// An upright box in model space, such as the smallest one around a mesh.
+///
+/// [`Canvas::is_in_view`](crate::Canvas::is_in_view) tells by it whether a mesh may have pixels. In a `static`, the box
+/// of a mesh is found at compile time.
+///
+/// ```
+/// use fixel::mesh::Bounds;
+/// use fixel::prelude::*;
+/// static BALL: Mesh = shape!(sphere(16, 12));
+/// static BOUNDS: Bounds = BALL.bounds();
+/// assert_eq!(BOUNDS, Bounds::new(vec3!(-1, -1, -1), vec3!(1, 1, 1)));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Bounds {
+    pub(crate) least: Vec3,
+    pub(crate) most: Vec3,
+}
+
+impl Bounds {
+    /// The box between two opposite corners, whichever they are.
+    #[must_use]
+    pub const fn new(a: Vec3, b: Vec3) -> Self {
+        Self { least: a, most: a }.with(b)
+    }
+
+    /// The corner with the least coordinates.
+    #[must_use]
+    pub const fn least(&self) -> Vec3 {
+        self.least
+    }
+
+    /// The corner with the greatest coordinates.
+    #[must_use]
+    pub const fn most(&self) -> Vec3 {
+        self.most
+    }
+
+    /// The smallest box around this one and a point.
+    #[must_use]
+    pub const fn with(self, point: Vec3) -> Self {
+        let ([mut least, mut most], point) =
+            ([self.least.to_bits(), self.most.to_bits()], point.to_bits());
+        let mut axis = 0;
+        while axis < 3 {
+            if point[axis] < least[axis] {
+                least[axis] = point[axis];
+            }
+            if point[axis] > most[axis] {
+                most[axis] = point[axis];
+            }
+            axis += 1;
+        }
+        Self {
+            least: Vec3::from_bits(least),
+            most: Vec3::from_bits(most),
+        }
+    }
+
+    /// The smallest box around positions; the origin alone if there are none.
+    const fn of(positions: &Positions<'_>) -> Self {
+        let Some(first) = positions.get(0) else {
+            return Self::new(Vec3::ZERO, Vec3::ZERO);
+        };
+        let mut bounds = Self::new(first, first);
+        let mut at = 1;
+        while let Some(position) = positions.get(at) {
+            bounds = bounds.with(position);
+            at += 1;
+        }
+        bounds
+    }
+}
+
+impl Mesh<'_> {
+    /// Finds the smallest upright box around all positions; the origin alone if there are none.
+    #[must_use]
+    pub const fn bounds(&self) -> Bounds {
+        Bounds::of(&self.positions())
+    }
+}

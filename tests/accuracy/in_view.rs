@@ -1,0 +1,168 @@
+//! Which boxes are in view: none that has a pixel may be missed, and none that the model sees well outside may be kept.
+
+use embedded_graphics::pixelcolor::Gray8;
+use fixel::mesh::Bounds;
+use fixel::num::scalar;
+use fixel::prelude::*;
+use fixel::view::ProjectionKind;
+use proptest::prelude::*;
+
+use crate::moves::{Move, exact, product, quantised};
+use crate::reference::projection::{self, Lens};
+use crate::reference::view::{View, Viewport as ModelViewport};
+
+const SIZE: (u32, u32) = (64, 48);
+/// By how many pixels a box must be out of view to be found out: one is for rounding, and the test's own error takes
+/// less than another where distances are above 1.
+const PIXELS: f64 = 2.;
+/// The same for the near and the far plane, as a part of their distances.
+const PART: f64 = 0.01;
+
+fn corners(bounds: &Bounds) -> [Vec3; 8] {
+    let [a, b] = [bounds.least(), bounds.most()];
+    std::array::from_fn(|i| {
+        let pick = |bit: usize, a: Scalar, b: Scalar| if i >> bit & 1 == 0 { a } else { b };
+        Vec3::new(pick(0, a.x, b.x), pick(1, a.y, b.y), pick(2, a.z, b.z))
+    })
+}
+
+/// The sides of a box, and lines between its corners.
+const FACES: [[u16; 3]; 12] = [
+    [0, 1, 3],
+    [0, 3, 2],
+    [4, 5, 7],
+    [4, 7, 6],
+    [0, 1, 5],
+    [0, 5, 4],
+    [2, 3, 7],
+    [2, 7, 6],
+    [0, 2, 6],
+    [0, 6, 4],
+    [1, 3, 7],
+    [1, 7, 5],
+];
+const EDGES: [[u16; 2]; 5] = [[0, 7], [1, 6], [2, 5], [3, 4], [0, 1]];
+
+/// Whether a box has any pixel in `rows`, drawn in all ways.
+fn has_pixels<K: ProjectionKind>(bounds: &Bounds, mvp: &Mvp<K>, [start, end]: [u32; 2]) -> bool {
+    let positions = corners(bounds);
+    let mesh = Mesh::new(&positions, &FACES)
+        .unwrap()
+        .with_edges(&EDGES)
+        .unwrap();
+    let options = DrawOptions::new().with_cull(Cull::Nothing);
+    let mut pixels = vec![Gray8::new(0); (SIZE.0 * (end - start)) as usize];
+    let mut canvas = Canvas::band(&mut pixels, SIZE.0, SIZE.1, start).unwrap();
+    let white = Flat::new(Gray8::new(255));
+    canvas.draw_with(&options, &mesh, mvp, &white);
+    canvas.draw_edges(&options, &mesh, mvp, &white);
+    canvas.draw_points(&options, &mesh, mvp, &white);
+    pixels.iter().any(|&pixel| pixel != Gray8::new(0))
+}
+
+/// Whether the model sees all corners well outside one plane.
+fn is_out(bounds: &Bounds, view: &View, [start, end]: [u32; 2]) -> bool {
+    let clips = corners(bounds).map(|corner| view.place(view.clip(exact(corner))));
+    let lens = &view.projection;
+    let half = [f64::from(SIZE.0) / 2., f64::from(SIZE.1) / 2.];
+    let (rows, all) = ([f64::from(start), f64::from(end)], f64::from(SIZE.0));
+    // x is w times a distance in pixels from the middle, rightwards and downwards.
+    let planes: [&dyn Fn(&crate::reference::view::Projected) -> bool; 6] = [
+        &|p| p.clip[0] * half[0] < (-half[0] - PIXELS) * p.w,
+        &|p| p.clip[0] * half[0] > (all - half[0] + PIXELS) * p.w,
+        &|p| -p.clip[1] * half[1] < (rows[0] - half[1] - PIXELS) * p.w,
+        &|p| -p.clip[1] * half[1] > (rows[1] - half[1] + PIXELS) * p.w,
+        &|p| p.distance < lens.near - PART * lens.near.abs().max(1.),
+        &|p| p.distance > lens.far * (1. + PART),
+    ];
+    planes.iter().any(|plane| clips.iter().all(plane))
+}
+
+fn check<K: ProjectionKind>(
+    (projection, lens): (Projection<K>, Lens),
+    moves: &[Move],
+    bounds: &Bounds,
+    rows: [u32; 2],
+) -> (bool, bool, bool) {
+    let (transform, eye) = product(moves);
+    let mvp = projection * transform;
+    let (width, height) = SIZE;
+    let view = View {
+        eye,
+        projection: lens,
+        viewport: ModelViewport::new(width, height),
+    };
+    let mut pixels = vec![Gray8::new(0); (width * (rows[1] - rows[0])) as usize];
+    let canvas = Canvas::band(&mut pixels, width, height, rows[0]).unwrap();
+    (
+        canvas.is_in_view(&DrawOptions::new(), bounds, &mvp),
+        has_pixels(bounds, &mvp, rows),
+        is_out(bounds, &view, rows),
+    )
+}
+
+fn moves() -> impl Strategy<Value = Vec<Move>> {
+    let angle = || any::<u32>().prop_map(Angle::from_bits);
+    (
+        [-40.0..40., -30.0..30., -60.0..5.],
+        angle(),
+        angle(),
+        0.2..3.,
+    )
+        .prop_map(|(place, x, y, factor)| {
+            vec![
+                crate::moves::to(place),
+                Move::X(x),
+                Move::Y(y),
+                Move::Scale(quantised([factor; 3])),
+            ]
+        })
+}
+
+fn boxes() -> impl Strategy<Value = Bounds> {
+    let point = || [-8.0..8., -8.0..8., -8.0..8.].prop_map(quantised);
+    (point(), point(), 0..4_u32).prop_map(|(a, b, small)| {
+        let b = Vec3::from_bits(std::array::from_fn(|i| {
+            let [a, b] = [a.to_bits()[i], b.to_bits()[i]];
+            a + ((b - a) >> (2 * small))
+        }));
+        Bounds::new(a, b)
+    })
+}
+
+fn rows() -> impl Strategy<Value = [u32; 2]> {
+    (0..SIZE.1, 1..=SIZE.1).prop_map(|(start, count)| [start, (start + count).min(SIZE.1)])
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 2000, ..ProptestConfig::default() })]
+
+    #[test]
+    fn in_perspective(
+        moves in moves(),
+        bounds in boxes(),
+        rows in rows(),
+        fov in 20.0..120_f64,
+        near in 1.0..5_f64,
+    ) {
+        let fov = Angle::from_bits((fov / 360. * 2_f64.powi(32)) as u32);
+        let [near, far] = [near, 50.].map(|x| scalar(x).unwrap());
+        let aspect = f64::from(SIZE.0) / f64::from(SIZE.1);
+        let lens = projection::perspective(crate::moves::radians(fov), aspect, near.to_num(), far.to_num());
+        let projection = Projection::perspective(fov, SIZE, near, far).unwrap();
+        let (in_view, has_pixels, is_out) = check((projection, lens), &moves, &bounds, rows);
+        prop_assert!(in_view || !has_pixels, "{bounds:?} was missed");
+        prop_assert!(!in_view || !is_out, "{bounds:?} was kept");
+    }
+
+    #[test]
+    fn in_parallel(moves in moves(), bounds in boxes(), rows in rows(), half in 1.0..40_f64) {
+        let window = Window::centered(scalar(2. * half).unwrap(), scalar(1.5 * half).unwrap());
+        let [l, r, b, t] = [window.left, window.right, window.bottom, window.top].map(|x| x.to_num());
+        let lens = projection::orthographic(l, r, b, t, -20., 40.);
+        let projection = Projection::orthographic(window, fx!(-20), fx!(40)).unwrap();
+        let (in_view, has_pixels, is_out) = check((projection, lens), &moves, &bounds, rows);
+        prop_assert!(in_view || !has_pixels, "{bounds:?} was missed");
+        prop_assert!(!in_view || !is_out, "{bounds:?} was kept");
+    }
+}
