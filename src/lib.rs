@@ -206,7 +206,7 @@ mod raster;
 pub mod shade;
 mod span;
 
-/// How attributes are interpolated: the trait [`Mode`](mode::Mode) and its four implementations.
+/// How attributes are interpolated: the trait [`Mode`](mode::Mode) and its five implementations.
 pub mod mode {
     pub use crate::span::{Affine, Compact, Exact, Fast, Mode, Newton};
 }
