@@ -192,8 +192,8 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// let mut pixels = [Gray8::new(0); 64];
     /// let mut canvas = Canvas::new(&mut pixels, 8, 8)?;
     /// let projection = Projection::perspective(deg!(60), (1, 1), fx!(0.5), fx!(100))?;
-    /// for (x, is_seen) in [(0, true), (9, false)] {
-    ///     let mvp = projection * Transform::translate(vec3!(0, 0, -5)) * Transform::translate(vec3!(x, 0, 0));
+    /// for (x, is_seen) in [(fx!(0), true), (fx!(9), false)] {
+    ///     let mvp = projection * Transform::translate(Vec3::new(x, fx!(0), fx!(-5)));
     ///     if canvas.is_in_view(&DrawOptions::new(), &BOUNDS, &mvp) {
     ///         canvas.draw(&BALL, &mvp, &Flat::new(Gray8::new(9)));
     ///     }
