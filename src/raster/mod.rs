@@ -24,7 +24,9 @@ pub(crate) use point::point;
 pub(crate) use polygon::Polygon;
 pub(crate) use rasterizer::Rasterizer;
 pub(crate) use scissor::Scissor;
-pub(crate) use setup::{Attribute, FAR, LEAST_WEIGHT, MOST_WEIGHT, SPAN, Scale, Setup};
+pub(crate) use setup::{
+    Attribute, FAR, Interpolation, LEAST_WEIGHT, MOST_WEIGHT, SPAN, Scale, Setup, unpaired,
+};
 pub(crate) use triangle::{Triangle, area};
 pub(crate) use vertex::{Barycentric, ClippedVertex, DepthShift, ScreenVertex};
 

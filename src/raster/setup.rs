@@ -90,19 +90,48 @@ const fn signed([a, b, c]: [u32; 3]) -> [i32; 3] {
     [a.cast_signed(), b.cast_signed(), c.cast_signed()]
 }
 
+/// Right shift that turns a level, of 5 bits and 16 fraction bits, into the half of a pair.
+const PAIR_DOWN: u32 = 5;
+
+/// The attributes at a pixel where the third attribute's plane is a pair, and the second one's is
+/// [affine](Scale::AFFINE_UP).
+///
+/// The first and the third are levels raised by half a step, from half a step to 31½. A plane's error of
+/// [33¾ units](super::gradient) and a unit for the bits that are cut are a sixtieth of a step in units of 2^-11 step. So a
+/// half stays between 0 and 2^16.
+#[inline]
+pub(crate) const fn unpaired(second: i32, pair: i32) -> [i32; 3] {
+    let upper = (pair.cast_unsigned() >> 16).cast_signed();
+    [
+        upper << PAIR_DOWN,
+        second >> Scale::AFFINE_UP,
+        (pair & 0xffff) << PAIR_DOWN,
+    ]
+}
+
+/// How the attributes of a draw call are interpolated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Interpolation {
+    /// As they are, as fractions in units of 2⁻³⁰.
+    Linear,
+    /// Over w.
+    Perspective,
+    /// Over w; there are three attributes, of which small triangles have the first and the third [paired](unpaired).
+    Paired,
+}
+
 /// The set-up that all attributes of a primitive share, and the interpolant of 1/w (or depth).
 #[derive(Debug)]
 pub(crate) struct Setup {
-    /// Whether attributes are divided by w; otherwise they are interpolated as they are, as fractions in units of
-    /// 2⁻³⁰.
-    over_w: bool,
+    interpolation: Interpolation,
     /// The least number of bits of a [`Scale`] in triangles where 1/w changes less than fourfold.
     least_bits: u32,
     shift: DepthShift,
     /// 1/w (or depth).
     pub(crate) q: Gradient,
-    /// Whether all gradients are near: a value is its start plus a number of steps.
-    pub(crate) is_near: bool,
+    /// Whether all gradients are near, so that a value is its start plus a number of steps, and attributes are
+    /// [paired](unpaired) if they may be.
+    pub(crate) is_small: bool,
     /// The least 1/w of a corner; the greatest has bit 30 set.
     pub(crate) least: u32,
     /// Whether the attributes are interpolated as they are, times 2^[`AFFINE_UP`](Scale::AFFINE_UP), in a mode that
@@ -115,13 +144,17 @@ pub(crate) struct Setup {
 impl Setup {
     /// The set-up for a draw call, before the first patch.
     #[inline]
-    pub(crate) const fn new(over_w: bool, least_bits: u32, shift: DepthShift) -> Self {
+    pub(crate) const fn new(
+        interpolation: Interpolation,
+        least_bits: u32,
+        shift: DepthShift,
+    ) -> Self {
         Self {
-            over_w,
+            interpolation,
             least_bits,
             shift,
             q: Gradient::NONE,
-            is_near: false,
+            is_small: false,
             least: 0,
             is_affine: true,
             down: 0,
@@ -155,17 +188,28 @@ impl Setup {
         let change = first.max(second).max(third) - self.least;
         let mut basis = Basis::new(patch);
         basis.lay(signed(q), change, patch, &mut self.q);
-        let affine = if self.over_w {
-            self.affine_range(attributes, change)
-        } else {
-            None
+        let affine = match self.interpolation {
+            Interpolation::Linear => None,
+            _ => self.affine_range(attributes, change),
         };
         self.is_affine = affine.is_some();
-        self.is_near = self.q.is_near;
+        self.is_small = self.q.is_near && self.interpolation != Interpolation::Paired;
         match affine {
             Some(range)
                 if patch.barycentric.is_none() && basis.is_near(range << Scale::AFFINE_UP) =>
             {
+                if let (true, Interpolation::Paired, [first, second, third]) =
+                    (self.q.is_near, self.interpolation, &mut *attributes)
+                {
+                    let cut =
+                        |[a, b, c]: [i32; 3]| [a >> PAIR_DOWN, b >> PAIR_DOWN, c >> PAIR_DOWN];
+                    basis.lay_near(cut(first.corners), 0, &mut first.gradient);
+                    basis.lay_near(second.corners, Scale::AFFINE_UP, &mut second.gradient);
+                    basis.lay_near(cut(third.corners), 0, &mut third.gradient);
+                    first.gradient.pair_with(&mut third.gradient);
+                    self.is_small = true;
+                    return;
+                }
                 for attribute in attributes {
                     attribute.scale = Scale::AFFINE;
                     basis.lay_near(attribute.corners, Scale::AFFINE_UP, &mut attribute.gradient);
@@ -194,7 +238,7 @@ impl Setup {
         q: [u32; 3],
         patch: &Patch<'_>,
     ) {
-        let (weights, least_bits) = if !self.over_w {
+        let (weights, least_bits) = if self.interpolation == Interpolation::Linear {
             ([ONE; 3], self.least_bits)
         } else if self.least > FAR {
             (q, self.least_bits)
@@ -219,7 +263,7 @@ impl Setup {
                 patch,
                 &mut attribute.gradient,
             );
-            self.is_near &= attribute.gradient.is_near;
+            self.is_small &= attribute.gradient.is_near;
         }
     }
 
@@ -233,7 +277,10 @@ impl Setup {
         let mut basis = Basis::without_weights(patch);
         basis.start_far(patch);
         basis.lay_far(signed(q), &mut self.q);
-        let weights = if self.over_w { q } else { [ONE; 3] };
+        let weights = match self.interpolation {
+            Interpolation::Linear => [ONE; 3],
+            _ => q,
+        };
         for attribute in attributes {
             let mut values = attribute.at(patch);
             attribute.scale = weigh(&mut values, weights, 1);
@@ -276,7 +323,7 @@ mod tests {
             corners: [0, 100, 200],
             ..Attribute::UNSET
         }];
-        let mut setup = Setup::new(true, 28, DepthShift(47));
+        let mut setup = Setup::new(Interpolation::Perspective, 28, DepthShift(47));
         setup.lay(&mut attributes, &patch);
         assert!(!setup.is_affine);
         attributes[0].scale.bits()

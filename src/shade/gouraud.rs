@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::levels::{Channels, HALF, LEVEL, Levels, dimmed, each};
+use super::levels::{HALF, LEVEL, Levels, Raised, dimmed, each};
 use super::{Fragment, Shader, Within};
 use crate::mesh::Primitive;
 
@@ -47,16 +47,11 @@ impl<C> Gouraud<C> {
 
 impl<C: Levels> Shader for Gouraud<C> {
     type Color = C;
-    type Varyings = Within<LEVEL, C::Channels>;
+    type Varyings = Within<LEVEL, Raised<C>>;
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
-        primitive.corners(|corner| {
-            let levels = C::levels(corner.color());
-            Within(C::Channels::first(each(levels, |level| {
-                level.wrapping_add(HALF)
-            })))
-        })
+        primitive.corners(|corner| Within(Raised::new(corner.color())))
     }
 
     #[inline]

@@ -7,8 +7,8 @@ use embedded_graphics::pixelcolor::{
     Rgb555, Rgb565, Rgb666, Rgb888, RgbColor,
 };
 
-use super::Varyings;
 use super::dither::threshold;
+use super::{Lanes, Tolerance, Varyings};
 
 /// A color that can be computed with: interpolated, lit, tinted and dithered.
 ///
@@ -135,6 +135,48 @@ impl Channels for [i32; 1] {
     #[inline]
     fn all(self) -> [i32; 3] {
         [self[0], 0, 0]
+    }
+}
+
+/// The levels of a color between black and white, raised by half a step: from 2^15 to the number of steps and a half.
+#[derive(Clone, Copy, Debug)]
+pub struct Raised<C: Levels>(C::Channels);
+
+impl<C: Levels> Raised<C> {
+    #[inline]
+    pub(super) fn new(color: Rgb888) -> Self {
+        Self(C::Channels::first(each(C::levels(color), |level| {
+            level.wrapping_add(HALF)
+        })))
+    }
+
+    /// All three channels; those that do not count are 0.
+    #[inline]
+    pub(super) fn all(self) -> [i32; 3] {
+        self.0.all()
+    }
+}
+
+impl<C: Levels> Varyings for Raised<C> {
+    type Lanes = <C::Channels as Varyings>::Lanes;
+    type Face = <C::Channels as Varyings>::Face;
+
+    const PAIRS: bool =
+        Self::Lanes::COUNT == 3 && C::MAX_STEPS[0] < 1 << 5 && C::MAX_STEPS[2] < 1 << 5;
+
+    #[inline]
+    fn tolerances() -> <Self::Lanes as Lanes>::Of<Tolerance> {
+        C::Channels::tolerances()
+    }
+
+    #[inline]
+    fn split(self) -> (<Self::Lanes as Lanes>::Of<i32>, Self::Face) {
+        self.0.split()
+    }
+
+    #[inline]
+    fn join(numbers: <Self::Lanes as Lanes>::Of<i32>, face: Self::Face) -> Self {
+        Self(C::Channels::join(numbers, face))
     }
 }
 

@@ -71,6 +71,11 @@ pub trait Varyings: Copy {
     /// The values that all pixels of a face share.
     type Face: Copy + Default;
 
+    /// Whether there are three numbers, of which the first and the third are [`Raised`](super::levels::Raised) levels
+    /// of at most five bits. Small triangles then carry these two in one number.
+    #[doc(hidden)]
+    const PAIRS: bool = false;
+
     /// How exact each number must be.
     fn tolerances() -> <Self::Lanes as Lanes>::Of<Tolerance>;
 
@@ -169,6 +174,8 @@ pub struct Within<const UNITS: u32, V>(pub V);
 impl<const UNITS: u32, V: Varyings> Varyings for Within<UNITS, V> {
     type Lanes = V::Lanes;
     type Face = V::Face;
+
+    const PAIRS: bool = V::PAIRS;
 
     #[inline]
     fn tolerances() -> <V::Lanes as Lanes>::Of<Tolerance> {

@@ -13,7 +13,7 @@ use super::pixels::{Count, FaceOf, Numbers, Pixels, Span};
 use super::plan::Plan;
 use super::straight::{scaled, solid, straight};
 use crate::mesh::Primitive;
-use crate::raster::{Attribute, Blitter, Columns, DepthShift, Patch, SPAN, Scale};
+use crate::raster::{Attribute, Blitter, Columns, DepthShift, Patch, SPAN, Scale, unpaired};
 use crate::shade::{Lanes, MOST_VARYINGS, Shader, Varyings};
 use crate::target::{Canvas, Cells, DepthBuffer, DepthTest, Storage};
 use crate::view::ProjectionKind;
@@ -47,6 +47,9 @@ where
     /// Whether attributes are divided by w.
     const OVER_W: bool = Plan::<Count<S>, K, M>::OVER_W;
 
+    /// Whether small triangles carry two attributes in one number.
+    const PAIRS: bool = S::Varyings::PAIRS && Self::OVER_W && !M::IS_COMPACT;
+
     #[inline]
     pub(crate) fn new(
         (mode, test): (M, Z),
@@ -64,7 +67,7 @@ where
             canvas,
             shader,
             test,
-            plan: Plan::new(mode, &S::Varyings::tolerances(), shift),
+            plan: Plan::new(mode, &S::Varyings::tolerances(), Self::PAIRS, shift),
             face: FaceOf::<S>::default(),
         }
     }
@@ -117,7 +120,7 @@ where
             }
             let (x, y) = (columns.start, row);
             let pixels = blit.pixels(row, x);
-            let span = Span::<Count<S>> {
+            let mut span = Span::<Count<S>> {
                 q: blit.plan.setup.q.near(x, y).cast_unsigned(),
                 p: Count::<S>::map(&blit.plan.attributes, |p: &Attribute| p.gradient.near(x, y)),
                 dq: blit.plan.setup.q.step,
@@ -125,8 +128,13 @@ where
                 down: blit.plan.setup.down,
                 count: columns.len(),
             };
+            match (span.p.as_mut(), span.dp.as_mut()) {
+                // The first attribute is in the third; the compiler drops it.
+                ([p, ..], [dp, ..]) if Self::PAIRS => (*p, *dp) = (0, 0),
+                _ => {}
+            }
             if let Some(cells) = blit.cells(row, columns) {
-                straight(span, Self::restored, cells, pixels);
+                straight(span, Self::restored_near, cells, pixels);
             }
         }
     }
@@ -175,6 +183,19 @@ where
             _ if M::IS_COMPACT => scaled(span, scales, cells, pixels),
             Kernel::Scaled if !Self::OVER_W => scaled(span, scales, cells, pixels),
             _ => straight(span.anew(), Self::restored, cells, pixels),
+        }
+    }
+
+    /// The attributes of interpolants that nothing divides, in a small triangle.
+    #[inline(always)]
+    fn restored_near(p: &Numbers<S>) -> Numbers<S> {
+        let mut numbers = *p;
+        match numbers.as_mut() {
+            [first, second, third] if Self::PAIRS => {
+                [*first, *second, *third] = unpaired(*second, *third);
+                numbers
+            }
+            _ => Self::restored(p),
         }
     }
 

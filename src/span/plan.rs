@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use super::mode::{Kernel, Policy, STEEP, Slopes, WHOLE};
 use super::newton::tangent;
 use super::pixels::Span;
-use crate::raster::{Attribute, DepthShift, Gradient, Patch, Scale, Setup};
+use crate::raster::{Attribute, DepthShift, Gradient, Interpolation, Patch, Scale, Setup};
 use crate::shade::{Lanes, Tolerance};
 use crate::view::ProjectionKind;
 
@@ -37,14 +37,24 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Plan<L, K, M> {
     };
 
     #[inline(never)]
-    pub(super) fn new(mode: M, tolerances: &L::Of<Tolerance>, shift: DepthShift) -> Self {
+    pub(super) fn new(
+        mode: M,
+        tolerances: &L::Of<Tolerance>,
+        pairs: bool,
+        shift: DepthShift,
+    ) -> Self {
         let attributes = L::map(tolerances, |tolerance| Attribute {
             tolerance: mode.affine_within(*tolerance).min(MOST_TOLERANCE),
             ..Attribute::UNSET
         });
+        let interpolation = match (Self::OVER_W, pairs) {
+            (false, _) => Interpolation::Linear,
+            (true, false) => Interpolation::Perspective,
+            (true, true) => Interpolation::Paired,
+        };
         Self {
             mode,
-            setup: Setup::new(Self::OVER_W, Self::LEAST_BITS, shift),
+            setup: Setup::new(interpolation, Self::LEAST_BITS, shift),
             attributes,
             slopes: Slopes {
                 q: 0,
@@ -109,7 +119,7 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Plan<L, K, M> {
     #[inline(always)]
     pub(super) fn is_near(&self) -> bool {
         let is_straight = L::COUNT == 0 || self.kernel == Some(Kernel::Straight);
-        !M::IS_COMPACT && is_straight && self.setup.is_near
+        !M::IS_COMPACT && is_straight && self.setup.is_small
     }
 
     /// The span that begins at a pixel, with a kernel to draw it.

@@ -131,11 +131,12 @@ fn modes() {
     assert_eq!(scenes_in(Exact), exact);
     // Its values may differ by a rounding, which none of these texels shows.
     assert_eq!(scenes_in(Compact), exact);
-    // Without a division, some of the sphere's colors have an error of a sixteenth of a step.
-    assert_eq!(scenes_in(Newton), [0xcea2_0ac4, 0x9303_8f3d, 0x2d5c_67c0]);
+    // Without a division, and with red and blue in one number, some of the sphere's colors have an error of a
+    // fourteenth of a step.
+    assert_eq!(scenes_in(Newton), [0xcea2_0ac4, 0x9303_8f3d, 0xaf97_9935]);
     assert_eq!(
         scenes_in(Fast::within(fx!(0.25))),
-        [0xcea2_0ac4, 0xad31_9453, 0x2d5c_67c0]
+        [0xcea2_0ac4, 0xad31_9453, 0xaf97_9935]
     );
     assert_eq!(scenes_in(Affine), [0x96f7_ce3f, 0x713d_66be, 0x398d_3770]);
 }

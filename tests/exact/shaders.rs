@@ -7,6 +7,7 @@ use fixel::prelude::*;
 use fixel::shade::{PerFace, Within};
 use fixel::target::{Depth, Native};
 use fixel::view::Perspective;
+use proptest::prelude::*;
 
 const WIDTH: u32 = 48;
 const HEIGHT: u32 = 36;
@@ -303,4 +304,59 @@ fn vertex_colors_are_lit_as_in_f64() {
         }
     }
     assert!(compared > 300, "{compared}");
+}
+
+/// A small triangle with a color at each corner, in a mode.
+fn small_triangle(places: [[f64; 3]; 3], colors: &[Rgb888; 3], mode: impl Mode) -> Vec<Rgb565> {
+    // At a distance of 32, a unit is a pixel.
+    let projection = Projection::from_focal_length(fx!(32), (64, 48), fx!(1), fx!(100)).unwrap();
+    let positions = places.map(|[x, y, near]| {
+        let at = |v: f64| Scalar::from_num(v * (32. - near) / 32.);
+        Vec3::new(at(x - 32.), at(24. - y), Scalar::from_num(near - 32.))
+    });
+    let mesh = Mesh::new(&positions, &[[0, 1, 2]])
+        .and_then(|mesh| mesh.with_colors(colors, None))
+        .unwrap();
+    let mut pixels = vec![Rgb565::new(1, 2, 3); 64 * 48];
+    let options = DrawOptions::new().with_cull(Cull::Nothing).with_mode(mode);
+    let mut canvas = Canvas::new(&mut pixels, 64, 48).unwrap();
+    canvas.draw_with(&options, &mesh, &projection, &Gouraud::new());
+    pixels
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 2000, ..ProptestConfig::default() })]
+
+    /// Small triangles carry red and blue in one number. If an error took one of them beyond its half, black would
+    /// turn to full blue. Only a level next to the middle between two steps may be rounded otherwise.
+    #[test]
+    fn colors_of_small_triangles_are_within_a_step_of_the_exact_ones(
+        at in [10.0..44.0, 10.0..28.0],
+        corners in prop::array::uniform3([-10.0..10.0, -10.0..10.0, -0.3..0.3]),
+        extremes in prop::array::uniform9(any::<bool>()),
+        others in prop::array::uniform9(any::<u8>()),
+        is_extreme in any::<bool>(),
+        is_centered in any::<bool>(),
+        thin in 0..6_i32,
+    ) {
+        let [x, y] = at;
+        // Between corners in the centers of pixels, edges go through centers, too: there a channel is as little as it
+        // may be.
+        let snap = |v: f64| if is_centered { v.floor() + 0.5 } else { v };
+        let places = corners.map(|[across, down, near]| {
+            [snap(x + across), snap(y + down / f64::from(1 << thin)), near]
+        });
+        let channels = if is_extreme { extremes.map(|on| 255 * u8::from(on)) } else { others };
+        let color = |i: usize| Rgb888::new(channels[i], channels[i + 1], channels[i + 2]);
+        let colors = [color(0), color(3), color(6)];
+        let [fast, exact] = [
+            small_triangle(places, &colors, Newton),
+            small_triangle(places, &colors, Exact),
+        ];
+        for (fast, exact) in fast.into_iter().zip(exact) {
+            let off = |channel: fn(&Rgb565) -> u8| channel(&fast).abs_diff(channel(&exact));
+            let off = [off(RgbColor::r), off(RgbColor::g), off(RgbColor::b)];
+            prop_assert!(off.iter().all(|&off| off <= 1), "{fast:?} is not {exact:?}");
+        }
+    }
 }
