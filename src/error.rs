@@ -123,6 +123,18 @@ errors! {
         /// The refused brightness; 1 is full brightness.
         value: Scalar,
     } = "brightness is {value}: it must lie between 0 and 1";
+    /// A lamp's range that is not positive.
+    LightRange {
+        /// The refused range.
+        range: Scalar,
+    } = "range of the light is {range}: it must be above 0";
+    /// A cone of light whose angles do not make one.
+    Cone {
+        /// The refused inner angle.
+        inner: Angle,
+        /// The refused outer angle.
+        outer: Angle,
+    } = "cone reaches from {inner} to {outer}: the outer angle must be above the inner one, and at most 90 degrees";
     /// A canvas, texture or viewport whose size is zero or too large.
     Size {
         /// The refused width in pixels.

@@ -226,8 +226,8 @@ pub use {
     mesh::{Corner, Index, Mesh, Primitive},
     num::{Angle, Rate, Scalar, Spin, TexCoord, Unit},
     shade::{
-        Converted, DepthView, FaceColors, FaceLit, Flat, Fragment, Gouraud, Levels, Light, Lit,
-        Map, NormalView, Shader, Textured, Tinted,
+        Converted, DepthView, FaceColors, FaceLit, Flat, Fragment, Gouraud, Lamp, Levels, Light,
+        Lighting, Lit, Map, NormalView, PointLight, Shader, SpotLight, Textured, Tinted, Viewer,
     },
     target::Canvas,
     texture::{Palette, PaletteArray, Texture, TextureArray},
@@ -247,9 +247,10 @@ pub mod prelude {
     #[doc(no_inline)]
     pub use crate::{
         Angle, Aspect, Camera, Canvas, Corner, Cull, DepthView, DrawOptions, Drawn, Error,
-        FaceColors, Flat, Fragment, Gouraud, Levels, Light, Mesh, Mvp, NormalView, Palette,
-        PaletteArray, Primitive, Projection, Rate, Scalar, Shader, Spin, TexCoord, Texture,
-        TextureArray, Textured, Transform, TriangleList, Vec2, Vec3, Viewport, Window,
+        FaceColors, Flat, Fragment, Gouraud, Lamp, Levels, Light, Lighting, Mesh, Mvp, NormalView,
+        Palette, PaletteArray, PointLight, Primitive, Projection, Rate, Scalar, Shader, Spin,
+        SpotLight, TexCoord, Texture, TextureArray, Textured, Transform, TriangleList, Vec2, Vec3,
+        Viewer, Viewport, Window,
     };
     #[doc(no_inline)]
     pub use crate::{deg, fx, include_bmp, include_obj, include_tga, shape, vec2, vec3};

@@ -39,6 +39,26 @@ impl Direction {
     }
 
     /// Returns x, y and z in units of 2⁻³⁰.
+    /// The cosine of the angle to another direction, in units of 2⁻³⁰ and within 4 of them; 0 if one is
+    /// [`NONE`](Self::NONE).
+    #[inline]
+    pub(crate) fn dot(self, other: Self) -> i32 {
+        // Vectors of length one: the product is at most 2^60.
+        ((dot(&self.0, &other.0) + (1 << 29)) >> 30) as i32
+    }
+
+    /// The direction halfway between this one and another; [`NONE`](Self::NONE) if they are opposite.
+    pub(crate) fn halfway(self, other: Self) -> Self {
+        let ([a, b, c], [x, y, z]) = (self.0.map(i64::from), other.0.map(i64::from));
+        Self(unit([a + x, b + y, c + z]).unwrap_or_default())
+    }
+
+    /// A unit vector in units of 2⁻³⁰.
+    #[inline]
+    pub(crate) const fn from_bits(bits: [i32; 3]) -> Self {
+        Self(bits)
+    }
+
     #[inline]
     pub(crate) const fn to_bits(self) -> [i32; 3] {
         self.0

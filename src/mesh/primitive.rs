@@ -200,6 +200,23 @@ impl Primitive<'_> {
         self.in_world(self.normal())
     }
 
+    /// The middle of the three corners in world space, within a unit of 2⁻¹⁶; it saturates to the range of [`Scalar`].
+    #[must_use]
+    pub fn world_middle(&self) -> Vec3 {
+        let [a, b, c] = self.positions().map(Vec3::to_bits);
+        let mean = |a: i32, b: i32, c: i32| {
+            let sum = i64::from(a) + i64::from(b) + i64::from(c);
+            // A third of 34 bits: 2^32 / 3 is rounded up.
+            ((sum * 0x5555_5556 + (1 << 31)) >> 32) as i32
+        };
+        let middle = [
+            mean(a[0], b[0], c[0]),
+            mean(a[1], b[1], c[1]),
+            mean(a[2], b[2], c[2]),
+        ];
+        self.placement.model.point(Vec3::from_bits(middle))
+    }
+
     fn in_world(&self, normal: Vec3) -> Direction {
         let Placement { model, normals, .. } = self.placement;
         // Not `get_or_init`, which has a panic path for reentrant initialization.
@@ -250,6 +267,13 @@ impl Corner<'_> {
             Some(&index) => self.primitive.mesh.position(index),
             None => Vec3::ZERO,
         }
+    }
+
+    /// The position in world space, where lights are, rounded to nearest; it saturates to the range of [`Scalar`].
+    #[must_use]
+    #[inline]
+    pub fn world_position(&self) -> Vec3 {
+        self.primitive.placement.model.point(self.position())
     }
 
     /// The distance from the eye along its line of sight: −z in eye space, saturated to the range of [`Scalar`].

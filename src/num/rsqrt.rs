@@ -55,6 +55,26 @@ pub(crate) struct Measured {
     pub(crate) half: u32,
 }
 
+impl Measured {
+    /// The vector of length one, in units of 2^-30.
+    pub(crate) const fn unit(&self) -> [i32; 3] {
+        // m / √squared = m · (root / 2^30) / 2^(32 − half), in units of 2^-30.
+        let ([x, y, z], root) = (self.mantissas, self.root as i64);
+        let (down, rounding) = (32 - self.half, 1 << (31 - self.half));
+        [
+            ((x as i64 * root + rounding) >> down) as i32,
+            ((y as i64 * root + rounding) >> down) as i32,
+            ((z as i64 * root + rounding) >> down) as i32,
+        ]
+    }
+
+    /// The length · 2^`up`, rounded down, for a vector whose components have at most 31 bits after such a shift.
+    pub(crate) const fn length(&self, up: u32) -> u64 {
+        // √x = x · 1/√x, in units of 2^-62.
+        (self.square as u64 * self.root as u64) >> (self.up.cast_unsigned() + 30 + self.half - up)
+    }
+}
+
 /// Measures a vector; `None` for zero.
 pub(crate) const fn measure([x, y, z]: [i64; 3]) -> Option<Measured> {
     let size = x.unsigned_abs() | y.unsigned_abs() | z.unsigned_abs();
@@ -90,17 +110,10 @@ pub(crate) const fn measure([x, y, z]: [i64; 3]) -> Option<Measured> {
 ///
 /// Each component is within 2^-28 of its value.
 pub(crate) const fn unit(vector: [i64; 3]) -> Option<[i32; 3]> {
-    let Some(of) = measure(vector) else {
-        return None;
-    };
-    // m / √squared = m · (root / 2^30) / 2^(32 − half), in units of 2^-30.
-    let ([x, y, z], root) = (of.mantissas, of.root as i64);
-    let (down, rounding) = (32 - of.half, 1 << (31 - of.half));
-    Some([
-        ((x as i64 * root + rounding) >> down) as i32,
-        ((y as i64 * root + rounding) >> down) as i32,
-        ((z as i64 * root + rounding) >> down) as i32,
-    ])
+    match measure(vector) {
+        Some(of) => Some(of.unit()),
+        None => None,
+    }
 }
 
 /// Returns the cross product of two vectors of at most 31 bits and a sign; exact.

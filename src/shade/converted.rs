@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use embedded_graphics::pixelcolor::Rgb888;
 
 use super::levels::{Levels, dimmed};
-use super::{Fragment, Shader};
+use super::{Fragment, Illumination, Shader};
 use crate::mesh::Primitive;
 
 /// Shader `S` on a canvas of color `C`; see [`Shader::converted`].
@@ -77,10 +77,10 @@ where
     /// The color becomes levels of the canvas's color before it is dimmed, so that it is rounded or dithered only
     /// once.
     #[inline]
-    fn shade_lit(&self, at: &Fragment, varyings: S::Varyings, light: i32) -> Option<C> {
+    fn shade_lit(&self, at: &Fragment, varyings: S::Varyings, light: Illumination) -> Option<C> {
         let color = self.shader.shade(at, varyings)?;
         Some(C::from_levels(
-            dimmed(C::levels(color.into()), light),
+            dimmed::<C>(C::levels(color.into()), light),
             at.point,
         ))
     }

@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 
 use super::levels::{HALF, LEVEL, Levels, Raised, dimmed, each};
-use super::{Fragment, Shader, Within};
+use super::{Fragment, Illumination, Shader, Within};
 use crate::mesh::Primitive;
 
 /// The mesh's vertex colors, interpolated in perspective; white if the mesh has none.
@@ -60,9 +60,14 @@ impl<C: Levels> Shader for Gouraud<C> {
     }
 
     #[inline]
-    fn shade_lit(&self, at: &Fragment, Within(levels): Self::Varyings, light: i32) -> Option<C> {
+    fn shade_lit(
+        &self,
+        at: &Fragment,
+        Within(levels): Self::Varyings,
+        light: Illumination,
+    ) -> Option<C> {
         let levels = each(levels.all(), |level| level.wrapping_sub(HALF));
-        Some(C::from_levels(dimmed(levels, light), at.point))
+        Some(C::from_levels(dimmed::<C>(levels, light), at.point))
     }
 }
 

@@ -8,7 +8,7 @@ use embedded_graphics::pixelcolor::{
 };
 
 use super::dither::threshold;
-use super::{Lanes, Tolerance, Varyings};
+use super::{Illumination, Lanes, Tolerance, Varyings};
 
 /// A color that can be computed with: interpolated, lit, tinted and dithered.
 ///
@@ -83,11 +83,12 @@ pub trait Levels: PixelColor {
         Self::from_levels(scale(self.steps(), fractions), at)
     }
 
-    /// This color under white light of brightness `light`; 65,536 is full brightness.
+    /// This color under a light.
     #[must_use]
     #[inline]
-    fn lit(self, light: i32, at: Point) -> Self {
-        self.filtered([light; 3], at)
+    fn lit(self, light: Illumination, at: Point) -> Self {
+        let levels = scale(self.steps(), light.diffuse);
+        Self::from_levels(glossed::<Self>(levels, light), at)
     }
 }
 
@@ -100,12 +101,16 @@ pub trait Levels: PixelColor {
 /// let color = <Rgb565 as Levels>::Channels::first([1, 2, 3]);
 /// assert_eq!((gray, color), ([7], [1, 2, 3]));
 /// ```
-pub trait Channels: Varyings + sealed::Sealed {
+pub trait Channels: Varyings + Default + sealed::Sealed {
     /// The channels that differ, of three.
     fn first(channels: [i32; 3]) -> Self;
 
     /// All three channels; those that do not count are 0.
     fn all(self) -> [i32; 3];
+
+    /// The channels of an RGB color, or its luma.
+    #[doc(hidden)]
+    fn of_rgb(channels: [i32; 3]) -> Self;
 }
 
 mod sealed {
@@ -124,6 +129,11 @@ impl Channels for [i32; 3] {
     fn all(self) -> [i32; 3] {
         self
     }
+
+    #[inline]
+    fn of_rgb(channels: [i32; 3]) -> Self {
+        channels
+    }
 }
 
 impl Channels for [i32; 1] {
@@ -135,6 +145,11 @@ impl Channels for [i32; 1] {
     #[inline]
     fn all(self) -> [i32; 3] {
         [self[0], 0, 0]
+    }
+
+    #[inline]
+    fn of_rgb(channels: [i32; 3]) -> Self {
+        [luma(channels)]
     }
 }
 
@@ -194,14 +209,29 @@ fn scale([a, b, c]: [i32; 3], [x, y, z]: [i32; 3]) -> [i32; 3] {
     [a.wrapping_mul(x), b.wrapping_mul(y), c.wrapping_mul(z)]
 }
 
-/// Levels times a brightness between 0 and 65,536, give or take two. The error is at most 1/32 step; full brightness
-/// is exact for whole steps.
+/// Levels of a color `C` under a light between 0 and 65,536, give or take two. The error is at most 1/32 step; full
+/// brightness is exact for whole steps.
 #[inline]
-pub(super) fn dimmed(levels: [i32; 3], light: i32) -> [i32; 3] {
+pub(super) fn dimmed<C: Levels>([r, g, b]: [i32; 3], light: Illumination) -> [i32; 3] {
     // 16 bits times 15 bits, so that cores without a long multiply do not need one.
-    let dim = |level: i32| (level >> 8).wrapping_mul(light >> 2) >> 6;
-    let [r, g, b] = levels;
-    [dim(r), dim(g), dim(b)]
+    let dim = |level: i32, light: i32| (level >> 8).wrapping_mul(light >> 2) >> 6;
+    let [x, y, z] = light.diffuse;
+    glossed::<C>([dim(r, x), dim(g, y), dim(b, z)], light)
+}
+
+/// Levels of a color `C` with a highlight added, at most white.
+#[inline]
+fn glossed<C: Levels>(levels: [i32; 3], light: Illumination) -> [i32; 3] {
+    let Some(specular) = light.specular else {
+        return levels;
+    };
+    let ([r, g, b], [x, y, z]) = (levels, C::MAX_STEPS);
+    let gloss = |level: i32, most: i32| {
+        level
+            .wrapping_add(specular.wrapping_mul(most))
+            .min(most << 16)
+    };
+    [gloss(r, x), gloss(g, y), gloss(b, z)]
 }
 
 /// Half a step.
@@ -230,11 +260,11 @@ fn rgb_fractions(color: Rgb888) -> [i32; 3] {
     ]
 }
 
+/// The luma of fractions.
 #[inline]
-fn luma(color: Rgb888) -> [i32; 3] {
+fn luma([r, g, b]: [i32; 3]) -> i32 {
     // The sum of the weights is 2^14, and the luma of white is 2^30.
-    let [r, g, b] = rgb_fractions(color);
-    [(4899 * r + 9617 * g + 1868 * b + (1 << 13)) >> 14; 3]
+    (4899 * r + 9617 * g + 1868 * b + (1 << 13)) >> 14
 }
 
 /// The nearest step. The half step absorbs interpolation errors below 0 and above white.
@@ -297,7 +327,7 @@ macro_rules! gray {
 
             #[inline]
             fn fractions(color: Rgb888) -> [i32; 3] {
-                luma(color)
+                [luma(rgb_fractions(color)); 3]
             }
 
             #[inline]
@@ -416,21 +446,38 @@ mod tests {
             });
             assert_eq!(ends, [Rgb565::BLACK, Rgb565::WHITE]);
             assert_eq!(Gray8::from_levels([error; 3], ORIGIN), Gray8::BLACK);
-            assert_eq!(Rgb888::WHITE.lit(65536 + error, ORIGIN), Rgb888::WHITE);
-            assert_eq!(Rgb888::WHITE.lit(error, ORIGIN), Rgb888::BLACK);
+            assert_eq!(
+                Rgb888::WHITE.lit(Illumination::white(65536 + error), ORIGIN),
+                Rgb888::WHITE
+            );
+            assert_eq!(
+                Rgb888::WHITE.lit(Illumination::white(error), ORIGIN),
+                Rgb888::BLACK
+            );
         }
     }
 
     #[test]
     fn light_scales_and_no_number_panics() {
         assert_eq!(
-            Rgb565::new(30, 40, 11).lit(1 << 15, ORIGIN),
+            Rgb565::new(30, 40, 11).lit(Illumination::white(1 << 15), ORIGIN),
             Rgb565::new(15, 20, 6)
         );
-        assert_eq!(Gray8::new(201).lit(65536, ORIGIN), Gray8::new(201));
-        assert_eq!(dimmed(Rgb888::levels(Rgb888::WHITE), 65536), [255 << 16; 3]);
+        assert_eq!(
+            Gray8::new(201).lit(Illumination::white(65536), ORIGIN),
+            Gray8::new(201)
+        );
+        let full = dimmed::<Rgb888>(Rgb888::levels(Rgb888::WHITE), Illumination::white(65536));
+        assert_eq!(full, [255 << 16; 3]);
         for n in [i32::MIN, -1, i32::MAX] {
-            let _ = (Rgb565::WHITE.lit(n, ORIGIN), dimmed([n; 3], n));
+            let light = Illumination {
+                specular: Some(n),
+                ..Illumination::white(n)
+            };
+            let _ = (
+                Rgb565::WHITE.lit(light, ORIGIN),
+                dimmed::<Rgb565>([n; 3], light),
+            );
             let _ = BinaryColor::from_levels([n; 3], Point::new(n, n));
         }
     }

@@ -1,8 +1,9 @@
 //! Surfaces under a light.
 
 use super::levels::{FRACTION, Levels};
-use super::light::{FULL, Light};
+use super::light::{FULL, Gloss, Illumination, Light, Lighting, SurfacePoint, Tint};
 use super::{Fragment, PerFace, Shader, Within};
+use crate::math::Direction;
 use crate::mesh::Primitive;
 
 /// A surface under a [`Light`] whose brightness is computed at the vertices and interpolated (Gouraud shading); see
@@ -40,30 +41,58 @@ use crate::mesh::Primitive;
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Lit<S> {
+pub struct Lit<S, L = Light> {
     pub(super) surface: S,
-    pub(super) light: Light,
+    pub(super) light: L,
 }
 
-/// The interpolated brightness.
-type Brightness = Within<FRACTION, [i32; 1]>;
+/// The numbers that say how a surface is lit: one brightness, or one for each channel; and one more for highlights.
+type Packed<L, C> = (
+    <<L as Lighting>::Diffuse as Tint>::Channels<C>,
+    <<L as Lighting>::Specular as Gloss>::Channels,
+);
 
-impl<S: Shader<Color: Levels>> Shader for Lit<S> {
+#[inline]
+fn pack<L: Lighting, C: Levels>(light: Illumination) -> Packed<L, C> {
+    (
+        L::Diffuse::pack::<C>(light.diffuse),
+        L::Specular::pack(light.specular),
+    )
+}
+
+#[inline]
+fn unpack<L: Lighting, C: Levels>((diffuse, specular): Packed<L, C>) -> Illumination {
+    Illumination {
+        diffuse: L::Diffuse::unpack::<C>(diffuse),
+        specular: L::Specular::unpack(specular),
+    }
+}
+
+impl<S: Shader<Color: Levels>, L: Lighting> Shader for Lit<S, L> {
     type Color = S::Color;
-    type Varyings = (S::Varyings, Brightness);
+    type Varyings = (S::Varyings, Within<FRACTION, Packed<L, S::Color>>);
 
     const READS_DEPTH: bool = S::READS_DEPTH;
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
         let [a, b, c] = self.surface.varyings(primitive);
-        let [x, y, z] = primitive.corners(|corner| self.light.brightness(corner.world_normal()));
-        [(a, Within([x])), (b, Within([y])), (c, Within([z]))]
+        let face = if L::READS_FACE && primitive.is_face() {
+            primitive.world_normal()
+        } else {
+            Direction::NONE
+        };
+        let [x, y, z] = primitive.corners(|corner| {
+            let point = SurfacePoint::corner::<L>(corner, face);
+            Within(pack::<L, S::Color>(self.light.at(&point)))
+        });
+        [(a, x), (b, y), (c, z)]
     }
 
     #[inline]
-    fn shade(&self, at: &Fragment, (inside, Within([light])): Self::Varyings) -> Option<S::Color> {
-        self.surface.shade_lit(at, inside, light)
+    fn shade(&self, at: &Fragment, (inside, Within(light)): Self::Varyings) -> Option<S::Color> {
+        self.surface
+            .shade_lit(at, inside, unpack::<L, S::Color>(light))
     }
 }
 
@@ -101,31 +130,33 @@ impl<S: Shader<Color: Levels>> Shader for Lit<S> {
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct FaceLit<S> {
+pub struct FaceLit<S, L = Light> {
     pub(super) surface: S,
-    pub(super) light: Light,
+    pub(super) light: L,
 }
 
-impl<S: Shader<Color: Levels>> Shader for FaceLit<S> {
+impl<S: Shader<Color: Levels>, L: Lighting> Shader for FaceLit<S, L> {
     type Color = S::Color;
-    type Varyings = (S::Varyings, PerFace<i32>);
+    type Varyings = (S::Varyings, PerFace<Packed<L, S::Color>>);
 
     const READS_DEPTH: bool = S::READS_DEPTH;
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
         let light = if primitive.is_face() {
-            self.light.brightness(primitive.world_normal())
+            self.light.at(&SurfacePoint::middle::<L>(primitive))
         } else {
-            FULL
+            Illumination::white(FULL)
         };
+        let light = PerFace(pack::<L, S::Color>(light));
         let [a, b, c] = self.surface.varyings(primitive);
-        [a, b, c].map(|inside| (inside, PerFace(light)))
+        [(a, light), (b, light), (c, light)]
     }
 
     #[inline]
     fn shade(&self, at: &Fragment, (inside, PerFace(light)): Self::Varyings) -> Option<S::Color> {
-        self.surface.shade_lit(at, inside, light)
+        self.surface
+            .shade_lit(at, inside, unpack::<L, S::Color>(light))
     }
 }
 
@@ -152,7 +183,7 @@ mod tests {
     /// The brightness at the three corners.
     fn lights<S: Shader<Color: Levels>>(lit: Lit<S>, mesh: &Mesh<'_>, index: usize) -> [i32; 3] {
         let (_, corners) = face(lit, &IDENTITY, mesh, index);
-        corners.map(|(_, Within([light]))| light)
+        corners.map(|(_, Within(([light], ())))| light)
     }
 
     #[test]
@@ -173,8 +204,6 @@ mod tests {
         let lit = Flat::new(Rgb565::WHITE).lit(sun());
         assert_eq!(lights(lit, &mesh(), 0), [49152; 3]);
         assert_eq!(lights(lit, &mesh(), 1), [16384; 3]);
-        let lit = Flat::new(Rgb565::WHITE).lit(sun().two_sided());
-        assert_eq!(lights(lit, &mesh(), 1), [49152; 3]);
     }
 
     #[test]
@@ -188,7 +217,7 @@ mod tests {
         assert_eq!(shown(&IDENTITY, 1), Rgb565::new(8, 16, 8));
         let mirrored = scale([1 << 29, 1 << 29, -(1 << 29)]);
         assert_eq!(shown(&mirrored, 0), Rgb565::new(8, 16, 8));
-        assert_eq!(shade(&lit, ((), PerFace(FULL))), Rgb565::WHITE);
+        assert_eq!(shade(&lit, ((), PerFace(([FULL], ())))), Rgb565::WHITE);
     }
 
     #[test]

@@ -45,7 +45,10 @@ pub use gouraud::Gouraud;
 pub use lanes::Lanes;
 pub(crate) use lanes::MOST as MOST_VARYINGS;
 pub use levels::{Channels, Levels};
-pub use light::Light;
+pub use light::{
+    Colored, Falloff, Gloss, Glossy, Illumination, Lamp, Light, Lighting, Matte, PointLight, Rgb,
+    Shiny, SpotLight, SurfacePoint, Tint, TwoSided, Viewer, White,
+};
 pub use lit::{FaceLit, Lit};
 pub use map::Map;
 pub use shader::{Fragment, Shader, ShaderFor};

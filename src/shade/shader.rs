@@ -4,7 +4,7 @@
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::PixelColor;
 
-use super::{Converted, FaceLit, Levels, Light, Lit, Map, Tinted, Varyings};
+use super::{Converted, FaceLit, Illumination, Levels, Lighting, Lit, Map, Tinted, Varyings};
 use crate::mesh::Primitive;
 
 /// A pixel about to be shaded.
@@ -87,12 +87,17 @@ pub trait Shader: Copy {
     /// The color of a pixel, or `None` to leave both its color and its depth as they are.
     fn shade(&self, at: &Fragment, varyings: Self::Varyings) -> Option<Self::Color>;
 
-    /// The color of a pixel under white light of brightness `light`; 65,536 is full brightness.
+    /// The color of a pixel under a light.
     ///
     /// By default, this dims the color that [`shade`](Self::shade) returns. A surface that knows its color more
     /// exactly than the canvas stores it should override this method and dim the exact color.
     #[inline]
-    fn shade_lit(&self, at: &Fragment, varyings: Self::Varyings, light: i32) -> Option<Self::Color>
+    fn shade_lit(
+        &self,
+        at: &Fragment,
+        varyings: Self::Varyings,
+        light: Illumination,
+    ) -> Option<Self::Color>
     where
         Self::Color: Levels,
     {
@@ -103,7 +108,7 @@ pub trait Shader: Copy {
     /// shading).
     #[must_use]
     #[inline]
-    fn lit(self, light: Light) -> Lit<Self>
+    fn lit<L: Lighting>(self, light: L) -> Lit<Self, L>
     where
         Self::Color: Levels,
     {
@@ -117,7 +122,7 @@ pub trait Shader: Copy {
     /// normal.
     #[must_use]
     #[inline]
-    fn lit_faces(self, light: Light) -> FaceLit<Self>
+    fn lit_faces<L: Lighting>(self, light: L) -> FaceLit<Self, L>
     where
         Self::Color: Levels,
     {

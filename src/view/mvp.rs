@@ -94,6 +94,9 @@ pub trait ModelToPicture: sealed::Sealed {
 
     /// From model to world space.
     #[doc(hidden)]
+    fn camera_of(&self) -> &Transform;
+
+    #[doc(hidden)]
     fn model_of(&self) -> &Transform;
 
     /// From model to eye space.
@@ -107,6 +110,11 @@ impl<K: ProjectionKind> ModelToPicture for Mvp<K> {
     #[inline]
     fn projection_of(&self) -> &Projection<K> {
         &self.projection
+    }
+
+    #[inline]
+    fn camera_of(&self) -> &Transform {
+        &self.camera
     }
 
     #[inline]
@@ -126,6 +134,11 @@ impl<K: ProjectionKind> ModelToPicture for Projection<K> {
     #[inline]
     fn projection_of(&self) -> &Self {
         self
+    }
+
+    #[inline]
+    fn camera_of(&self) -> &Transform {
+        &Transform::IDENTITY
     }
 
     #[inline]

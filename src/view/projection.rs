@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use super::Window;
 use crate::num::block::{self, BlockFloat};
-use crate::{Error, Matrix4, Scalar};
+use crate::{Error, Matrix4, Scalar, Vec3};
 
 mod parallel;
 mod perspective;
@@ -168,6 +168,20 @@ impl<K: ProjectionKind> Projection<K> {
             bottom: self.edge(1, -1),
             top: self.edge(1, 1),
         }
+    }
+
+    /// The direction in eye space from the scene toward a viewer infinitely far away, times at most 2^14; `None` in a
+    /// perspective projection.
+    pub(crate) fn line_of_sight(&self) -> Option<Vec3> {
+        if K::PERSPECTIVE {
+            return None;
+        }
+        // Along the line, x and y of clip space do not change. A shear is the z coefficient over the axis's own.
+        let [x, y] = [0, 1].map(|axis: usize| {
+            let row = &self.rows[axis];
+            row.coefficient(2).over(row.coefficient(axis)).negated()
+        });
+        Some(Vec3::new(scalar(x), scalar(y), Scalar::ONE))
     }
 
     /// Returns the x or y at which a·x + c·z + d = ±w on the near plane, where z = −n.

@@ -27,6 +27,7 @@ mod filter;
 mod float_depth;
 mod formulas;
 mod in_view;
+mod lights;
 mod lines;
 mod mode;
 mod moves;

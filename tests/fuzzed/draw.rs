@@ -9,7 +9,7 @@ use super::model::Truth;
 use super::projection::Projected;
 use super::scene::{Scene, What};
 use super::shaders::Bits;
-use super::shades::{self, Draw, Shade};
+use super::shades::{self, Draw, Shade, Shine};
 use super::ways::Call;
 use crate::mode::Mode;
 use crate::recorder::{Few, Record};
@@ -80,11 +80,8 @@ fn check_call<K: ProjectionKind>(call: &Call<'_, K>, options: DrawOptions) -> Re
             color,
             between,
         } => {
-            let light = match light {
-                Some(light) => light.light()?,
-                None => Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?,
-            };
-            shades::draw(which, light, color, between, Ways { call, options });
+            let lights = light.unwrap_or(Shine::DEFAULT).lights()?;
+            shades::draw(which, lights, color, between, Ways { call, options });
         }
     }
     Ok(())

@@ -3,6 +3,7 @@
 use arbitrary::{Result, Unstructured};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
 use fixel::prelude::*;
+use fixel::shade::Falloff;
 
 use super::numbers::{option, scalar, vector};
 
@@ -25,11 +26,12 @@ pub struct Shine {
     direction: Vec3,
     ambient: Scalar,
     diffuse: Scalar,
-    two_sided: bool,
+    range: Scalar,
+    exponent: u8,
 }
 
 /// The number of shaders that [`draw`](Shade::draw) knows.
-const FRAGMENTS: u8 = 24;
+const FRAGMENTS: u8 = 28;
 
 impl Shade {
     pub fn arbitrary(u: &mut Unstructured<'_>) -> Result<Self> {
@@ -47,21 +49,54 @@ impl Shade {
                     direction: vector(u)?,
                     ambient: scalar(u)?,
                     diffuse: scalar(u)?,
-                    two_sided: u.arbitrary()?,
+                    range: scalar(u)?,
+                    exponent: u.arbitrary()?,
                 })
             })?,
         })
     }
 }
 
+/// A light of each type.
+#[derive(Clone, Copy, Debug)]
+pub struct Lights {
+    sun: Light,
+    lamp: PointLight,
+    spot: SpotLight,
+    exponent: u8,
+}
+
 impl Shine {
-    /// The light, if these numbers make one.
-    pub fn light(self) -> Result<Light, Error> {
-        let light = Light::new(self.direction, self.ambient, self.diffuse)?;
-        Ok(if self.two_sided {
-            light.two_sided()
-        } else {
-            light
+    /// A white light from the front.
+    pub const DEFAULT: Self = Self {
+        direction: vec3!(1, 2, 3),
+        ambient: fx!(0.3),
+        diffuse: fx!(0.7),
+        range: fx!(10),
+        exponent: 20,
+    };
+
+    /// The lights, if these numbers make some.
+    pub fn lights(self) -> Result<Lights, Error> {
+        let Self {
+            direction,
+            ambient,
+            diffuse,
+            range,
+            exponent,
+        } = self;
+        let sun = Light::new(direction, ambient, diffuse)?;
+        let lamp = PointLight::new(direction, diffuse, range)?;
+        let cone = (
+            Angle::from_bits(ambient.to_bits().cast_unsigned() << 13),
+            deg!(75),
+        );
+        let spot = SpotLight::new(direction, -direction, cone, diffuse, range)?;
+        Ok(Lights {
+            sun,
+            lamp,
+            spot: spot.with_falloff(Falloff::Linear),
+            exponent,
         })
     }
 }
@@ -102,7 +137,15 @@ static INDICES: PaletteArray<Rgb565, 4, 2> = PaletteArray::new(
 );
 
 /// Draws with one of the crate's shaders.
-pub fn draw(which: u8, light: Light, color: Rgb888, [far, near]: [u16; 2], then: impl Draw) {
+pub fn draw(which: u8, lights: Lights, color: Rgb888, [far, near]: [u16; 2], then: impl Draw) {
+    let Lights {
+        sun: light,
+        lamp,
+        spot,
+        exponent,
+    } = lights;
+    let viewer = Viewer::at(vec3!(0, 0, 3));
+    let shiny = |lamp: Light| lamp.shiny(viewer, exponent, fx!(0.5)).unwrap();
     let faces = [Rgb565::new(31, 0, 0), color.into(), Rgb565::new(0, 0, 31)];
     let (small, large) = (Textured::new(&SMALL), Textured::new(&LARGE));
     match which {
@@ -129,7 +172,12 @@ pub fn draw(which: u8, light: Light, color: Rgb888, [far, near]: [u16; 2], then:
         20 => then.draw(&NormalView::<Rgb565>::new()),
         21 => then.draw(&wide(Gouraud::<Gray8>::new().converted::<Rgb888>())),
         22 => then.draw(&wide(wide_gray(Flat::<Gray4>::rgb(color).lit(light)))),
-        _ => then.draw(&wide(wide_gray(large.converted::<BinaryColor>()))),
+        23 => then.draw(&wide(wide_gray(large.converted::<BinaryColor>()))),
+        24 => then.draw(&Flat::<Rgb565>::rgb(color).lit(lamp)),
+        25 => then.draw(&small.lit((light, spot.colored(color)).two_sided(viewer))),
+        26 => then.draw(&Gouraud::<Rgb565>::new().lit_faces((shiny(light), [lamp; 2]))),
+        _ => then
+            .draw(&Flat::<Rgb565>::rgb(color).lit(spot.shiny(viewer, exponent, fx!(1)).unwrap())),
     }
 }
 

@@ -114,7 +114,7 @@ impl Posed<'_> {
         texture: &Texture<'_, C::Texel>,
         lit: bool,
     ) -> Drawn {
-        let (skin, light) = (Textured::new(texture), self.view.light);
+        let (skin, light) = (Textured::new(texture), self.view.light());
         match (self.view.filter, lit) {
             (Filter::Nearest, false) => self.draw(canvas, &C::shown(skin)),
             (Filter::Nearest, true) => self.draw(canvas, &C::shown(skin.lit(light))),
@@ -131,7 +131,7 @@ impl Posed<'_> {
         texture: &Texture<'_, C::Texel>,
     ) -> Drawn {
         const CLAY: Rgb888 = Rgb888::new(236, 214, 190);
-        let light = self.view.light;
+        let light = self.view.light();
         match shade {
             Shade::Texture => self.textured(canvas, texture, false),
             Shade::Lit => self.textured(canvas, texture, true),

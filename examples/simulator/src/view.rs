@@ -2,7 +2,7 @@
 
 use fixel::num::scalar;
 use fixel::prelude::*;
-use fixel::shade::Light;
+use fixel::shade::{Light, TwoSided};
 use fixel::view::{Parallel, Perspective};
 
 use super::Result;
@@ -23,7 +23,7 @@ pub struct View {
     pub projection: Lens,
     pub camera: Camera,
     pub options: DrawOptions,
-    pub light: Light,
+    light: Light,
     pub filter: Filter,
     pub mode: Mode,
     pub depth: DepthFormat,
@@ -124,15 +124,19 @@ impl View {
             projection,
             camera,
             options: DrawOptions::new().with_cull(cull),
-            light: if args.two_sided {
-                light.two_sided()
-            } else {
-                light
-            },
+            light,
             filter: args.filter,
             mode: Mode::new(args)?,
             depth: args.depth,
             depths: framing.depths(args.projection),
+        })
+    }
+
+    /// The light, which lights all faces that are seen, from their front or their back.
+    pub fn light(&self) -> TwoSided<Light> {
+        self.light.two_sided(match self.projection {
+            Lens::Perspective(projection) => Viewer::of(&(projection * self.camera)),
+            Lens::Parallel(projection) => Viewer::of(&(projection * self.camera)),
         })
     }
 }

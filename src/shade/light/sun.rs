@@ -1,6 +1,9 @@
 //! Directional and ambient light.
 
+use super::{FULL, Illumination, Lamp, Lighting, Matte, SurfacePoint, White, brightness};
+use crate::error::ok;
 use crate::math::Direction;
+use crate::num::rsqrt::measure;
 use crate::num::wide::dot;
 use crate::{Error, Scalar, Vec3};
 
@@ -36,11 +39,7 @@ pub struct Light {
     direction: [i32; 3],
     /// In units of 2⁻¹⁶.
     ambient: i32,
-    two_sided: bool,
 }
-
-/// Full brightness.
-pub(super) const FULL: i32 = 1 << 16;
 
 impl Light {
     /// A light from `direction`, a vector of any length in world space that points from the surface toward the light.
@@ -53,44 +52,19 @@ impl Light {
     /// [`Error::ZeroDirection`] if `direction` is zero; [`Error::Brightness`] if `ambient` or `diffuse` is not
     /// between 0 and 1.
     pub const fn new(direction: Vec3, ambient: Scalar, diffuse: Scalar) -> Result<Self, Error> {
-        if ambient.to_bits() < 0 || ambient.to_bits() > FULL {
-            return Err(Error::Brightness { value: ambient });
-        }
-        if diffuse.to_bits() < 0 || diffuse.to_bits() > FULL {
-            return Err(Error::Brightness { value: diffuse });
-        }
+        let ambient = ok!(brightness(ambient));
+        let diffuse = ok!(brightness(diffuse)) as i64;
         let [x, y, z] = Direction::of(direction).to_bits();
         if x == 0 && y == 0 && z == 0 {
             return Err(Error::ZeroDirection);
         }
-        let diffuse = diffuse.to_bits() as i64;
         // No longer than the unit vector.
         let direction = [
             ((x as i64 * diffuse) >> 16) as i32,
             ((y as i64 * diffuse) >> 16) as i32,
             ((z as i64 * diffuse) >> 16) as i32,
         ];
-        Ok(Self {
-            direction,
-            ambient: ambient.to_bits(),
-            two_sided: false,
-        })
-    }
-
-    /// The same light, but it also lights surfaces from behind: |n·l| instead of max(0, n·l). For meshes that are
-    /// single sheets.
-    #[must_use]
-    pub const fn two_sided(self) -> Self {
-        Self {
-            two_sided: true,
-            ..self
-        }
-    }
-
-    /// Returns whether surfaces are also lit from behind.
-    #[must_use]
-    pub const fn is_two_sided(&self) -> bool {
-        self.two_sided
+        Ok(Self { direction, ambient })
     }
 
     /// The brightness of a surface with this normal in world space: 0 to 65,536, which is full brightness.
@@ -102,20 +76,41 @@ impl Light {
         // Both vectors are in Q30 and at most of length 1, so the product is within 2^60; shifted by 44 to Q16, at
         // most 65,537.
         let facing = ((dot(&normal, &self.direction) + (1 << 43)) >> 44) as i32;
-        let diffuse = if self.two_sided {
-            facing.abs()
-        } else {
-            facing.max(0)
-        };
-        (self.ambient + diffuse).min(FULL)
+        (self.ambient + facing.max(0)).min(FULL)
+    }
+}
+
+impl Lighting for Light {
+    type Diffuse = White;
+    type Specular = Matte;
+
+    const READS_POSITION: bool = false;
+    const READS_FACE: bool = false;
+
+    #[inline]
+    fn at(&self, point: &SurfacePoint) -> Illumination {
+        Illumination::white(self.brightness(point.normal))
+    }
+}
+
+impl Lamp for Light {
+    fn ray(&self, _: &SurfacePoint) -> (Direction, i32) {
+        match measure(self.direction.map(i64::from)) {
+            None => (Direction::NONE, 0),
+            Some(of) => (Direction::from_bits(of.unit()), (of.length(0) >> 14) as i32),
+        }
+    }
+
+    fn ambient(&self) -> i32 {
+        self.ambient
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::fixture::scale;
     use super::*;
     use crate::math::NormalMatrix;
+    use crate::shade::fixture::scale;
     use crate::{fx, vec3};
 
     /// Brightness is rounded to 2⁻¹⁶; the error of directions is 2⁻²⁸.
@@ -136,7 +131,6 @@ mod tests {
         close(&sun, vec3!(0, 1, -1), 0.125);
         close(&sun, vec3!(-1, -2, -2), 0.125);
         close(&sun, Vec3::ZERO, 0.125);
-        close(&sun.two_sided(), vec3!(-1, -2, -2), 0.875);
         let max = Vec3::from_bits([i32::MAX; 3]);
         close(&sun, max, 0.125 + 0.75 * 5.0 / 27_f64.sqrt());
         close(&sun, Vec3::from_bits([i32::MIN; 3]), 0.125);

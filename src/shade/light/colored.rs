@@ -1,0 +1,62 @@
+//! Light in a color.
+
+use embedded_graphics::pixelcolor::Rgb888;
+
+use super::{Illumination, Lighting, Rgb, SurfacePoint};
+use crate::shade::Levels;
+
+/// A light in a color; see [`Lighting::colored`].
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+/// use fixel::prelude::*;
+/// use fixel::shade::Lighting;
+/// static SQUARE: Mesh = shape!(plane(1, 1));
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
+/// let mut pixels = [Rgb888::BLACK; 1];
+/// let evening = Light::new(Vec3::Y, fx!(0), fx!(0.5))?.colored(Rgb888::new(255, 128, 0));
+/// Canvas::new(&mut pixels, 1, 1)?.draw(&SQUARE, &mvp, &Flat::rgb(Rgb888::WHITE).lit(evening));
+/// assert_eq!(pixels, [Rgb888::new(128, 64, 0)]);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Colored<L> {
+    light: L,
+    /// Red, green and blue, in units of 2⁻¹⁶.
+    color: [i32; 3],
+}
+
+impl<L> Colored<L> {
+    pub(super) fn new(light: L, color: Rgb888) -> Self {
+        Self {
+            light,
+            color: Rgb888::fractions(color),
+        }
+    }
+}
+
+impl<L: Lighting> Lighting for Colored<L> {
+    type Diffuse = Rgb;
+    type Specular = L::Specular;
+
+    const READS_POSITION: bool = L::READS_POSITION;
+    const READS_FACE: bool = L::READS_FACE;
+
+    #[inline]
+    fn at(&self, point: &SurfacePoint) -> Illumination {
+        let light = self.light.at(point);
+        let [r, g, b] = light.diffuse;
+        let [red, green, blue] = self.color;
+        Illumination {
+            diffuse: [share(r, red), share(g, green), share(b, blue)],
+            ..light
+        }
+    }
+}
+
+/// The product of two numbers in units of 2⁻¹⁶, the second at most 1; rounded down.
+#[inline]
+pub(super) fn share(light: i32, part: i32) -> i32 {
+    ((i64::from(light) * i64::from(part)) >> 16) as i32
+}

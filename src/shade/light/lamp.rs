@@ -1,0 +1,259 @@
+//! Lamps: light that comes from a point.
+
+use super::colored::share;
+use super::shiny::{Lamp, lambert};
+use super::viewer::way;
+use super::{FULL, Illumination, Lighting, Matte, SurfacePoint, White, brightness};
+use crate::math::Direction;
+use crate::num::reciprocal;
+use crate::num::rsqrt::measure;
+use crate::{Angle, Error, Scalar, Vec3};
+
+/// How the light of a lamp falls off with the distance d, up to its range r.
+///
+/// ```
+/// use fixel::prelude::*;
+/// use fixel::shade::{Falloff, PointLight};
+/// let lamp = PointLight::new(Vec3::ZERO, fx!(1), fx!(8))?.with_falloff(Falloff::Linear);
+/// # let _ = lamp;
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum Falloff {
+    /// (1 − d²/r²)²: bright around the lamp, and without an edge at its range. The default.
+    #[default]
+    Smooth,
+    /// 1 − d/r.
+    Linear,
+    /// 1 within the range, 0 beyond it.
+    Constant,
+}
+
+/// White light from a point in world space, up to a range.
+///
+/// A surface with unit normal n at the distance d has the brightness b · f(d) · max(0, n·l): b is the lamp's brightness, f
+/// its [`Falloff`] and l the unit vector toward the lamp. The error is at most 1e-4 where the distance is at least 0.5.
+/// Nearer, positions in steps of 2⁻¹⁶ limit the direction; at the lamp itself there is no light.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use fixel::prelude::*;
+/// use fixel::shade::PointLight;
+/// static SQUARE: Mesh = shape!(plane(1, 1));
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
+/// let mut pixels = [Gray8::new(0); 1];
+/// // The middle of each triangle is at a distance of 2.055: (1 − 2.055²/4²)² · 2/2.055 = 0.527.
+/// let lamp = PointLight::new(vec3!(0, 2, 0), fx!(1), fx!(4))?;
+/// Canvas::new(&mut pixels, 1, 1)?.draw(&SQUARE, &mvp, &Flat::new(Gray8::new(160)).lit_faces(lamp));
+/// assert_eq!(pixels, [Gray8::new(84)]);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct PointLight {
+    position: Vec3,
+    /// In units of 2⁻¹⁶.
+    brightness: i32,
+    range: Scalar,
+    /// 2⁶¹ / (`range` · 2^`up`), from 2³⁰ to 2³¹; the divisor has 31 bits.
+    inverse: u32,
+    up: u32,
+    falloff: Falloff,
+}
+
+impl PointLight {
+    /// A lamp at `position` in world space, of a `brightness` from 0 to 1, that lights surfaces nearer than `range`.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Brightness`] if `brightness` is not between 0 and 1; [`Error::LightRange`] if `range` is not above 0.
+    pub const fn new(position: Vec3, brightness: Scalar, range: Scalar) -> Result<Self, Error> {
+        let brightness = match self::brightness(brightness) {
+            Ok(brightness) => brightness,
+            Err(error) => return Err(error),
+        };
+        if range.to_bits() <= 0 {
+            return Err(Error::LightRange { range });
+        }
+        let bits = range.to_bits().cast_unsigned();
+        let up = bits.leading_zeros() - 1;
+        Ok(Self {
+            position,
+            brightness,
+            range,
+            inverse: reciprocal(bits << up),
+            up,
+            falloff: Falloff::Smooth,
+        })
+    }
+
+    /// The same lamp with another falloff.
+    #[must_use]
+    pub const fn with_falloff(self, falloff: Falloff) -> Self {
+        Self { falloff, ..self }
+    }
+
+    /// The share of the light, in units of 2⁻¹⁶, that is left at a distance in units of the range's last bit, which is
+    /// bit 30.
+    fn left(&self, distance: u64) -> i32 {
+        // Less than √3 · 2^31, times at most 2^31. The result, distance over range, is in units of 2^-16.
+        let part = ((distance * u64::from(self.inverse)) >> 45) as i32;
+        if part >= FULL {
+            return 0;
+        }
+        match self.falloff {
+            Falloff::Smooth => {
+                // Below 2^16, so that its square fits.
+                let part = part.cast_unsigned();
+                let rest = ((1_u64 << 32) - u64::from(part) * u64::from(part)) >> 16;
+                ((rest * rest) >> 16) as i32
+            }
+            Falloff::Linear => FULL - part,
+            Falloff::Constant => FULL,
+        }
+    }
+}
+
+impl Lamp for PointLight {
+    fn ray(&self, point: &SurfacePoint) -> (Direction, i32) {
+        let way = way(point.position, self.position);
+        let range = i64::from(self.range.to_bits());
+        let [x, y, z] = way.map(i64::abs);
+        if x >= range || y >= range || z >= range {
+            return (Direction::NONE, 0);
+        }
+        let Some(of) = measure(way) else {
+            return (Direction::NONE, 0);
+        };
+        let light = share(self.brightness, self.left(of.length(self.up)));
+        (Direction::from_bits(of.unit()), light)
+    }
+}
+
+/// White light from a point in world space, in a cone: a lamp like [`PointLight`] that shines in one direction.
+///
+/// Let θ be the angle between the cone's axis and the way from the lamp to a surface. Up to the inner angle, the light
+/// is that of the point light, from the outer angle on there is none. Between them, it falls smoothly: it is
+/// t²(3 − 2t), where t = (cos θ − cos outer) / (cos inner − cos outer).
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
+/// use fixel::prelude::*;
+/// use fixel::shade::SpotLight;
+/// static FLOOR: Mesh = shape!(plane(16, 16));
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
+/// let mut pixels = [Gray4::BLACK; 64];
+/// let mut canvas = Canvas::new(&mut pixels, 8, 8)?;
+/// let spot = SpotLight::new(vec3!(0, 1, 0), vec3!(0, -1, 0), (deg!(20), deg!(40)), fx!(1), fx!(3))?;
+/// canvas.draw(&FLOOR, &mvp, &Flat::new(Gray4::WHITE).lit(spot));
+/// let mut display = MockDisplay::new();
+/// canvas.show(&mut display)?;
+/// display.assert_pattern(&[
+///     "00000000",
+///     "00244100",
+///     "017BA810",
+///     "04BBCA40",
+///     "04ACBB30",
+///     "018AB720",
+///     "00143100",
+///     "00000000",
+/// ]);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SpotLight {
+    lamp: PointLight,
+    axis: Direction,
+    /// The cosine of the outer angle, in units of 2⁻³⁰.
+    outer: i32,
+    /// The difference of the cosines, in units of 2⁻³⁰: 1 to 2³⁰.
+    edge: i32,
+    /// 2⁶¹ / (`edge` · 2^`up`), from 2³⁰ to 2³¹; the divisor has 31 bits.
+    inverse: u32,
+    up: u32,
+}
+
+impl SpotLight {
+    /// A lamp at `position` that shines along `axis`, both in world space, with an inner and an outer angle from the
+    /// axis. Brightness and range are those of [`PointLight::new`].
+    ///
+    /// # Errors
+    ///
+    /// Those of [`PointLight::new`]; [`Error::ZeroDirection`] if `axis` is zero; [`Error::Cone`] unless
+    /// 0 ≤ inner < outer ≤ 90 degrees.
+    pub fn new(
+        position: Vec3,
+        axis: Vec3,
+        (inner, outer): (Angle, Angle),
+        brightness: Scalar,
+        range: Scalar,
+    ) -> Result<Self, Error> {
+        let lamp = PointLight::new(position, brightness, range)?;
+        let axis = Direction::of(axis);
+        if axis == Direction::NONE {
+            return Err(Error::ZeroDirection);
+        }
+        let cone = || Error::Cone { inner, outer };
+        if inner.to_bits() >= outer.to_bits() || outer.to_bits() > Angle::QUARTER.to_bits() {
+            return Err(cone());
+        }
+        let [most, least] = [inner, outer].map(|angle| angle.cos().to_bits());
+        // Angles that differ by little may have the same cosine.
+        let edge = (most - least).max(1);
+        let up = edge.leading_zeros() - 1;
+        Ok(Self {
+            lamp,
+            axis,
+            outer: least,
+            edge,
+            inverse: reciprocal(edge.cast_unsigned() << up),
+            up,
+        })
+    }
+
+    /// The same lamp with another falloff.
+    #[must_use]
+    pub const fn with_falloff(self, falloff: Falloff) -> Self {
+        Self {
+            lamp: self.lamp.with_falloff(falloff),
+            ..self
+        }
+    }
+}
+
+impl Lamp for SpotLight {
+    fn ray(&self, point: &SurfacePoint) -> (Direction, i32) {
+        let (toward, light) = self.lamp.ray(point);
+        let inside = -self.axis.dot(toward) - self.outer;
+        if light == 0 || inside <= 0 {
+            return (toward, 0);
+        }
+        // Products of 30 and 31 bits; t is in units of 2^-16, t² (3 − 2t) in units of 2^-48.
+        let inside = u64::from(inside.min(self.edge).cast_unsigned());
+        let t = (inside * u64::from(self.inverse)) >> (45 - self.up);
+        let part = (t * t * ((3 << 16) - 2 * t)) >> 32;
+        (toward, share(light, part as i32))
+    }
+}
+
+macro_rules! lighting {
+    ($($Lamp:ident)+) => {$(
+        impl Lighting for $Lamp {
+            type Diffuse = White;
+            type Specular = Matte;
+
+            const READS_FACE: bool = false;
+
+            fn at(&self, point: &SurfacePoint) -> Illumination {
+                lambert(self, point)
+            }
+        }
+    )+};
+}
+
+lighting!(PointLight SpotLight);

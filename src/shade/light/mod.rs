@@ -1,0 +1,265 @@
+//! Light that falls on a surface: where it comes from, how strong it is, and in which color.
+//!
+//! Lights are in world space. [`Light`] is sun and sky in one, [`PointLight`] and [`SpotLight`] are lamps; all are
+//! white until they are [`colored`](Lighting::colored). Arrays, slices and tuples of lights are lights, too.
+
+mod colored;
+mod illumination;
+mod lamp;
+mod shiny;
+mod sun;
+mod together;
+mod two_sided;
+mod viewer;
+
+pub use colored::Colored;
+pub use illumination::{Gloss, Glossy, Illumination, Matte, Rgb, Tint, White};
+pub use lamp::{Falloff, PointLight, SpotLight};
+pub use shiny::{Lamp, Shiny};
+pub use sun::Light;
+pub use two_sided::TwoSided;
+pub use viewer::Viewer;
+
+use embedded_graphics::pixelcolor::Rgb888;
+
+use crate::math::Direction;
+use crate::mesh::{Corner, Primitive};
+use crate::{Error, Scalar, Vec3};
+
+/// Full brightness.
+pub(super) const FULL: i32 = 1 << 16;
+
+/// A brightness in units of 2⁻¹⁶, if it lies between 0 and 1.
+const fn brightness(value: Scalar) -> Result<i32, Error> {
+    match value.to_bits() {
+        bits @ 0..=FULL => Ok(bits),
+        _ => Err(Error::Brightness { value }),
+    }
+}
+
+/// A point of a surface, as [`Lighting`] sees it, in world space.
+///
+/// ```
+/// use fixel::math::Direction;
+/// use fixel::prelude::*;
+/// use fixel::shade::{Lighting, SurfacePoint};
+/// let up = Direction::of(Vec3::Y);
+/// let point = SurfacePoint { normal: up, face: up, position: vec3!(1, 0, 0) };
+/// let sun = Light::new(vec3!(0, 4, 3), fx!(0.25), fx!(0.5))?;
+/// assert_eq!(sun.at(&point).diffuse, [42_598; 3]); // 0.25 + 0.5 · 0.8 = 0.65
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SurfacePoint {
+    /// The normal of the surface.
+    pub normal: Direction,
+    /// The normal of the triangle; [`Direction::NONE`] on edges and points, and if no light
+    /// [reads it](Lighting::READS_FACE).
+    pub face: Direction,
+    /// The position; zero if no light [reads it](Lighting::READS_POSITION).
+    pub position: Vec3,
+}
+
+impl SurfacePoint {
+    /// A corner of a primitive, with what a light `L` reads.
+    #[inline]
+    pub(super) fn corner<L: Lighting>(corner: &Corner<'_>, face: Direction) -> Self {
+        Self {
+            normal: corner.world_normal(),
+            face,
+            position: if L::READS_POSITION {
+                corner.world_position()
+            } else {
+                Vec3::ZERO
+            },
+        }
+    }
+
+    /// The middle of a triangle, with what a light `L` reads.
+    #[inline]
+    pub(super) fn middle<L: Lighting>(triangle: &Primitive<'_>) -> Self {
+        let normal = triangle.world_normal();
+        Self {
+            normal,
+            face: normal,
+            position: if L::READS_POSITION {
+                triangle.world_middle()
+            } else {
+                Vec3::ZERO
+            },
+        }
+    }
+}
+
+/// What lights a surface: [`Light`], [`PointLight`], [`SpotLight`], and several of them in an array, a slice or a tuple
+/// of up to four.
+///
+/// [`Shader::lit`](super::Shader::lit) and [`Shader::lit_faces`](super::Shader::lit_faces) put a surface under it. A
+/// light of your own takes ten lines:
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use fixel::prelude::*;
+/// use fixel::shade::{Illumination, Lighting, Matte, SurfacePoint, White};
+///
+/// /// Dark below, bright above.
+/// #[derive(Clone, Copy)]
+/// struct Sky;
+///
+/// impl Lighting for Sky {
+///     type Diffuse = White;
+///     type Specular = Matte;
+///     const READS_POSITION: bool = false;
+///     const READS_FACE: bool = false;
+///
+///     fn at(&self, point: &SurfacePoint) -> Illumination {
+///         // Components are in units of 2^-30.
+///         let [_, y, _] = point.normal.components();
+///         Illumination::white(32_768 + (y.to_bits() >> 15))
+///     }
+/// }
+///
+/// static SQUARE: Mesh = shape!(plane(1, 1));
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
+/// let mut pixels = [Gray8::new(0); 4];
+/// Canvas::new(&mut pixels, 2, 2)?.draw(&SQUARE, &mvp, &Flat::new(Gray8::new(200)).lit(Sky));
+/// assert_eq!(pixels, [Gray8::new(200); 4]);
+/// # Ok::<(), Error>(())
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a light",
+    note = "lights are `Light`, `PointLight`, `SpotLight`, and arrays, slices and tuples of lights"
+)]
+pub trait Lighting: Copy {
+    /// Whether the light is [`White`] or has a color, [`Rgb`].
+    type Diffuse: Tint;
+
+    /// Whether the light makes highlights, [`Glossy`], or none, [`Matte`].
+    type Specular: Gloss;
+
+    /// Whether [`at`](Self::at) reads [`SurfacePoint::position`]. `false` saves a transform for each corner.
+    const READS_POSITION: bool = true;
+
+    /// Whether [`at`](Self::at) reads [`SurfacePoint::face`]. `false` saves a normal for each triangle.
+    const READS_FACE: bool = true;
+
+    /// The light that falls on a point of a surface. It may exceed full brightness, 65,536, by up to a thousandfold;
+    /// a [`White`] light has three equal channels.
+    fn at(&self, point: &SurfacePoint) -> Illumination;
+
+    /// The same light, in a color. Highlights keep their brightness, and stay white.
+    #[must_use]
+    #[inline]
+    fn colored(self, color: Rgb888) -> Colored<Self> {
+        Colored::new(self, color)
+    }
+
+    /// The same light on single sheets, which have no inside: triangles that turn their back to the viewer are lit as
+    /// if their normals pointed the other way.
+    #[must_use]
+    #[inline]
+    fn two_sided(self, viewer: Viewer) -> TwoSided<Self> {
+        TwoSided {
+            light: self,
+            viewer,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shade::fixture::{IDENTITY, face};
+    use crate::shade::{FaceLit, Flat, Shader};
+    use crate::{Angle, Mesh, fx, vec3};
+    use embedded_graphics::pixelcolor::Gray8;
+
+    /// As bright as x of the position, in units of 2⁻¹⁶.
+    #[derive(Clone, Copy)]
+    struct Place;
+
+    impl Lighting for Place {
+        type Diffuse = White;
+        type Specular = Matte;
+
+        fn at(&self, point: &SurfacePoint) -> Illumination {
+            Illumination::white(point.position.x.to_bits())
+        }
+    }
+
+    #[test]
+    fn faces_are_lit_at_their_middle_and_corners_where_they_are() {
+        for (xs, mean) in [([0, 3, 6], 3), ([1, 1, 3], 2), ([60_000, 2, 9_000], 23_001)] {
+            let [a, b, c] = xs.map(|x| Vec3::from_bits([x, 1, 2]));
+            let positions = [a, b + vec3!(0, 1, 0), c + vec3!(0, 0, 1)];
+            let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
+            let white = Flat::new(Gray8::new(255));
+            let (_, corners) = face(white.lit_faces(Place), &IDENTITY, &mesh, 0);
+            assert_eq!(corners.map(|((), light)| light.0.0), [[mean]; 3], "{xs:?}");
+            let (_, corners) = face(white.lit(Place), &IDENTITY, &mesh, 0);
+            assert_eq!(corners.map(|((), light)| light.0.0), xs.map(|x| [x]));
+        }
+    }
+
+    #[test]
+    fn several_lights_add_up_to_full_brightness() {
+        let up = Direction::of(Vec3::Y);
+        let point = SurfacePoint {
+            normal: up,
+            face: up,
+            position: Vec3::ZERO,
+        };
+        let sun = |diffuse| Light::new(Vec3::Y, fx!(0.125), diffuse).unwrap();
+        let lamp = PointLight::new(vec3!(0, 4, 0), fx!(0.5), fx!(8)).unwrap();
+        let linear = lamp.with_falloff(Falloff::Linear);
+        let (quarter, three) = (sun(fx!(0.25)), [sun(fx!(0.25)), sun(fx!(0.5)), sun(fx!(0))]);
+        let none: [Light; 0] = [];
+        let diffuse = |light: Illumination| light.diffuse[0];
+        assert_eq!(diffuse((quarter, linear).at(&point)), 24_576 + 16_384);
+        assert_eq!(diffuse(three.at(&point)), 3 * 8_192 + 49_152);
+        assert_eq!(diffuse((&three[1..]).at(&point)), 2 * 8_192 + 32_768);
+        assert_eq!(diffuse(none.at(&point)), 0);
+        // Beyond full brightness, the surface has its own color.
+        let bright = [sun(fx!(1)); 3];
+        let ground = [Vec3::ZERO, Vec3::Z, Vec3::X];
+        let mesh = Mesh::new(&ground, &[[0, 1, 2]]).unwrap();
+        let shader: FaceLit<_, _> = Flat::new(Gray8::new(200)).lit_faces(bright);
+        let (_, [((), light), ..]) = face(shader, &IDENTITY, &mesh, 0);
+        assert_eq!(light.0.0, [FULL]);
+    }
+
+    #[test]
+    fn bad_lamps_are_refused() {
+        let lamp = |brightness, range| PointLight::new(Vec3::ZERO, brightness, range);
+        let value = fx!(1.5);
+        assert_eq!(lamp(value, fx!(1)), Err(Error::Brightness { value }));
+        for range in [fx!(0), fx!(-1)] {
+            assert_eq!(lamp(fx!(1), range), Err(Error::LightRange { range }));
+        }
+        let spot = |axis, inner, outer| {
+            SpotLight::new(Vec3::ZERO, axis, (inner, outer), fx!(1), fx!(1)).map(|_| ())
+        };
+        let degrees = Angle::from_degrees;
+        assert_eq!(spot(Vec3::X, degrees(0), degrees(90)), Ok(()));
+        assert_eq!(
+            spot(Vec3::ZERO, degrees(0), degrees(9)),
+            Err(Error::ZeroDirection)
+        );
+        for (inner, outer) in [(9, 9), (10, 9), (0, 91), (-1, 9)] {
+            let [inner, outer] = [inner, outer].map(degrees);
+            assert_eq!(
+                spot(Vec3::X, inner, outer),
+                Err(Error::Cone { inner, outer })
+            );
+        }
+        let sun = Light::new(Vec3::X, fx!(0), fx!(1)).unwrap();
+        let viewer = Viewer::at(Vec3::Z);
+        assert_eq!(
+            sun.shiny(viewer, 3, value),
+            Err(Error::Brightness { value })
+        );
+        assert_eq!(Viewer::toward(Vec3::ZERO), Err(Error::ZeroDirection));
+    }
+}

@@ -1,0 +1,125 @@
+//! Highlights.
+
+use super::colored::share;
+use super::{Glossy, Illumination, Lighting, SurfacePoint, Viewer, White, brightness};
+use crate::math::Direction;
+use crate::{Error, Scalar};
+
+/// A light that comes from one place: [`Light`](super::Light), [`PointLight`](super::PointLight) and
+/// [`SpotLight`](super::SpotLight). It can make highlights.
+pub trait Lamp: Lighting {
+    /// The direction from a point toward the light, and the strength of the light there: 65,536 is full brightness. The
+    /// direction is [`Direction::NONE`] where no light comes from.
+    fn ray(&self, point: &SurfacePoint) -> (Direction, i32);
+
+    /// The light that comes from all sides, in units of 2⁻¹⁶.
+    #[inline]
+    fn ambient(&self) -> i32 {
+        0
+    }
+
+    /// Adds a highlight (Blinn–Phong) as the `viewer` sees it: `strength` · (n·h)^`exponent` of white, times the
+    /// strength of the light at the point. n is the normal and h the direction halfway between light and viewer.
+    ///
+    /// An exponent of 8 makes a wide highlight, one of 100 a small one. Highlights are computed at the corners and
+    /// interpolated, so a mesh must be fine enough to catch them.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Brightness`] if `strength` is not between 0 and 1.
+    fn shiny(self, viewer: Viewer, exponent: u8, strength: Scalar) -> Result<Shiny<Self>, Error> {
+        Ok(Shiny {
+            lamp: self,
+            viewer,
+            exponent,
+            strength: brightness(strength)?,
+        })
+    }
+}
+
+/// The light of a lamp on a matte surface, by Lambert's law.
+#[inline]
+pub(super) fn lambert<L: Lamp>(lamp: &L, point: &SurfacePoint) -> Illumination {
+    let (toward, light) = lamp.ray(point);
+    let facing = point.normal.dot(toward).max(0);
+    Illumination::white(lamp.ambient() + share(light, facing >> 14))
+}
+
+/// A light that makes highlights; see [`Lamp::shiny`].
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor}};
+/// use fixel::prelude::*;
+/// use fixel::shade::{Lamp, Viewer};
+/// static BALL: Mesh = shape!(sphere(24, 16));
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::front(Vec3::ZERO, fx!(1));
+/// let sun = Light::new(vec3!(1, 1, 2), fx!(0.2), fx!(0.4))?;
+/// let sun = sun.shiny(Viewer::of(&mvp), 30, fx!(0.8))?;
+/// let mut pixels = [Gray4::BLACK; 144];
+/// let mut canvas = Canvas::new(&mut pixels, 12, 12)?;
+/// canvas.draw(&BALL, &mvp, &Flat::rgb(Rgb888::WHITE).lit(sun));
+/// let mut display = MockDisplay::new();
+/// canvas.show(&mut display)?;
+/// display.assert_pattern(&[
+///     "000067780000",
+///     "005678989700",
+///     "045779899970",
+///     "056789BBA990",
+///     "35677ABDA987",
+///     "346789BCB997",
+///     "3456788A9977",
+///     "345577888876",
+///     "034556676760",
+///     "033455666550",
+///     "003334454400",
+///     "000033330000",
+/// ]);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Shiny<L> {
+    lamp: L,
+    viewer: Viewer,
+    exponent: u8,
+    /// In units of 2⁻¹⁶.
+    strength: i32,
+}
+
+impl<L: Lamp> Lighting for Shiny<L> {
+    type Diffuse = White;
+    type Specular = Glossy;
+
+    const READS_FACE: bool = false;
+
+    fn at(&self, point: &SurfacePoint) -> Illumination {
+        let (toward, light) = self.lamp.ray(point);
+        let facing = point.normal.dot(toward).max(0);
+        let highlight = if facing > 0 {
+            let halfway = toward.halfway(self.viewer.from(point.position));
+            let shine = power(point.normal.dot(halfway).max(0), self.exponent);
+            share(share(self.strength, light), shine >> 14)
+        } else {
+            0
+        };
+        Illumination {
+            specular: Some(highlight),
+            ..Illumination::white(self.lamp.ambient() + share(light, facing >> 14))
+        }
+    }
+}
+
+/// A number from 0 to 1, in units of 2⁻³⁰, to a power. Each of up to 15 products is rounded by at most 2⁻³¹, and later
+/// ones multiply that error by up to the exponent: in all less than 2⁻¹⁹.
+fn power(base: i32, exponent: u8) -> i32 {
+    let times = |a: i32, b: i32| ((i64::from(a) * i64::from(b) + (1 << 29)) >> 30) as i32;
+    let (mut result, mut square, mut rest) = (1 << 30, base.min(1 << 30), exponent);
+    while rest != 0 {
+        if rest & 1 != 0 {
+            result = times(result, square);
+        }
+        square = times(square, square);
+        rest >>= 1;
+    }
+    result
+}

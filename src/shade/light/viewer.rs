@@ -1,0 +1,84 @@
+//! Where a picture is seen from.
+
+use crate::math::Direction;
+use crate::num::rsqrt::unit;
+use crate::view::ModelToPicture;
+use crate::{Error, Vec3};
+
+/// The place in world space from which a picture is seen: a point under a perspective projection, a direction under a
+/// parallel one.
+///
+/// Highlights and two-sided light depend on it.
+///
+/// ```
+/// use fixel::prelude::*;
+/// use fixel::shade::Viewer;
+/// let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.1), fx!(100))?;
+/// let mvp = projection * Camera::look_at(vec3!(3, 0, 4), Vec3::ZERO, Vec3::Y)?;
+/// assert_eq!(Viewer::of(&mvp), Viewer::at(vec3!(3, 0, 4)));
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Viewer(Place);
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+enum Place {
+    At(Vec3),
+    Toward(Direction),
+}
+
+impl Viewer {
+    /// A viewer at a point of world space.
+    #[must_use]
+    pub const fn at(position: Vec3) -> Self {
+        Self(Place::At(position))
+    }
+
+    /// A viewer infinitely far away, in this direction from the scene.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::ZeroDirection`] if `direction` is zero.
+    pub const fn toward(direction: Vec3) -> Result<Self, Error> {
+        match Direction::of(direction) {
+            Direction::NONE => Err(Error::ZeroDirection),
+            direction => Ok(Self(Place::Toward(direction))),
+        }
+    }
+
+    /// The viewer of a picture whose camera is a rigid transform, as all are that
+    /// [`Camera`](crate::Camera) makes itself.
+    #[must_use]
+    pub fn of(picture: &impl ModelToPicture) -> Self {
+        let from_eye = picture.camera_of().inverse_rigid();
+        Self(match picture.projection_of().line_of_sight() {
+            None => Place::At(from_eye.point(Vec3::ZERO)),
+            Some(line) => Place::Toward(Direction::of(from_eye.direction(line))),
+        })
+    }
+
+    /// The direction from a point of world space toward the viewer; [`Direction::NONE`] at the viewer itself.
+    #[must_use]
+    pub fn from(&self, position: Vec3) -> Direction {
+        match self.0 {
+            Place::Toward(direction) => direction,
+            Place::At(eye) => {
+                let way = way(position, eye);
+                Direction::from_bits(unit(way).unwrap_or_default())
+            }
+        }
+    }
+}
+
+/// The difference of two positions, which takes 33 bits.
+#[inline]
+pub(super) fn way(from: Vec3, to: Vec3) -> [i64; 3] {
+    let ([a, b, c], [x, y, z]) = (from.to_bits(), to.to_bits());
+    [
+        i64::from(x) - i64::from(a),
+        i64::from(y) - i64::from(b),
+        i64::from(z) - i64::from(c),
+    ]
+}

@@ -1,0 +1,92 @@
+//! The brightness of a surface under lights, with all vectors in world space.
+
+use super::linear::{Vec3, dot, length, normalized, subtract};
+
+/// A point of a surface, with its unit normal.
+#[derive(Clone, Copy, Debug)]
+pub struct Point {
+    pub at: Vec3,
+    pub normal: Vec3,
+}
+
+/// How light falls off, as a function of distance over range.
+#[derive(Clone, Copy, Debug)]
+pub enum Falloff {
+    Smooth,
+    Linear,
+    Constant,
+}
+
+impl Falloff {
+    pub fn left(self, part: f64) -> f64 {
+        if part >= 1. {
+            return 0.;
+        }
+        match self {
+            Self::Smooth => (1. - part * part).powi(2),
+            Self::Linear => 1. - part,
+            Self::Constant => 1.,
+        }
+    }
+}
+
+/// A light: what reaches a point of it, and from where.
+#[derive(Clone, Copy, Debug)]
+pub enum Source {
+    Sun {
+        toward: Vec3,
+        brightness: f64,
+    },
+    Lamp {
+        at: Vec3,
+        brightness: f64,
+        range: f64,
+        falloff: Falloff,
+        /// Axis, and the cosines of the inner and the outer angle.
+        cone: Option<(Vec3, [f64; 2])>,
+    },
+}
+
+impl Source {
+    /// The unit vector toward the light, and its strength.
+    pub fn ray(&self, at: Vec3) -> (Vec3, f64) {
+        match *self {
+            Self::Sun { toward, brightness } => (normalized(toward), brightness),
+            Self::Lamp {
+                at: lamp,
+                brightness,
+                range,
+                falloff,
+                cone,
+            } => {
+                let way = subtract(lamp, at);
+                let toward = normalized(way);
+                let part = cone.map_or(1., |(axis, [inner, outer])| {
+                    let cosine = -dot(normalized(axis), toward);
+                    let t = ((cosine - outer) / (inner - outer)).clamp(0., 1.);
+                    t * t * (3. - 2. * t)
+                });
+                (
+                    toward,
+                    brightness * falloff.left(length(way) / range) * part,
+                )
+            }
+        }
+    }
+
+    /// Lambert's law.
+    pub fn diffuse(&self, point: Point) -> f64 {
+        let (toward, strength) = self.ray(point.at);
+        strength * dot(point.normal, toward).max(0.)
+    }
+
+    /// Blinn and Phong's highlight, for a unit vector toward the viewer.
+    pub fn specular(&self, point: Point, viewer: Vec3, exponent: i32) -> f64 {
+        let (toward, strength) = self.ray(point.at);
+        if dot(point.normal, toward) <= 0. {
+            return 0.;
+        }
+        let halfway = normalized(std::array::from_fn(|i| toward[i] + viewer[i]));
+        strength * dot(point.normal, halfway).max(0.).powi(exponent)
+    }
+}
