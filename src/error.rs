@@ -135,6 +135,11 @@ errors! {
         /// The refused outer angle.
         outer: Angle,
     } = "cone reaches from {inner} to {outer}: the outer angle must be above the inner one, and at most 90 degrees";
+    /// A fog's density below 0.
+    FogDensity {
+        /// The refused density.
+        density: Scalar,
+    } = "density of the fog is {density}: it must be at least 0";
     /// A canvas, texture or viewport whose size is zero or too large.
     Size {
         /// The refused width in pixels.

@@ -15,15 +15,17 @@
 //!
 //! | adapter | color of a pixel | more varyings |
 //! |---|---|---|
-//! | [`.lit(light)`](Shader::lit) | the surface × light at the vertices | 1 |
+//! | [`.lit(light)`](Shader::lit) | the surface × light at the vertices | 1; 3 for colored light, 1 more for highlights |
 //! | [`.lit_faces(light)`](Shader::lit_faces) | the surface × light at the triangle | 0 |
 //! | [`.tinted()`](Shader::tinted) | the surface × the mesh's vertex colors | 3, or 1 for gray |
+//! | [`.in_fog(fog)`](Shader::in_fog) | the surface, fading to the fog's color with distance | 1 |
 //! | [`.map(effect)`](Shader::map) | a function of the surface's color | 0 |
 //! | [`.converted()`](Shader::converted) | the surface in another color format, dithered if that format is coarse | 0 |
 
 mod converted;
 mod dither;
 mod flat;
+mod fog;
 mod gouraud;
 mod lanes;
 mod levels;
@@ -41,6 +43,7 @@ mod fixture;
 
 pub use converted::Converted;
 pub use flat::{FaceColors, Flat};
+pub use fog::{Density, Exponential, Fog, InFog, Linear};
 pub use gouraud::Gouraud;
 pub use lanes::Lanes;
 pub(crate) use lanes::MOST as MOST_VARYINGS;

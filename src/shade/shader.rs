@@ -4,8 +4,12 @@
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::PixelColor;
 
-use super::{Converted, FaceLit, Illumination, Levels, Lighting, Lit, Map, Tinted, Varyings};
+use super::{
+    Converted, Density, FaceLit, Fog, Illumination, InFog, Levels, Lighting, Lit, Map, Tinted,
+    Varyings,
+};
 use crate::mesh::Primitive;
+use crate::texture::Blend;
 
 /// A pixel about to be shaded.
 ///
@@ -140,6 +144,16 @@ pub trait Shader: Copy {
         Self::Color: Levels,
     {
         Tinted { surface: self }
+    }
+
+    /// Puts this surface in fog.
+    #[must_use]
+    #[inline]
+    fn in_fog<D: Density>(self, fog: Fog<Self::Color, D>) -> InFog<Self, Self::Color, D>
+    where
+        Self::Color: Blend,
+    {
+        InFog { surface: self, fog }
     }
 
     /// Applies a function to each pixel and its color: any effect in one line. `None` leaves the pixel as it is.

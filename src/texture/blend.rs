@@ -24,6 +24,18 @@ pub trait Blend: PixelColor {
     /// at least 1 and at most 15.
     const WEIGHT_BITS: u32;
 
+    /// The color between this one and another: this one if `weight` is 0, the other one if it is
+    /// 2^[`WEIGHT_BITS`](Self::WEIGHT_BITS), its greatest value. Each channel is rounded to nearest, halves up.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+    /// use fixel::texture::Blend;
+    /// assert_eq!(Rgb565::BLACK.mix(Rgb565::YELLOW, 8), Rgb565::new(8, 16, 0)); // 8/32
+    /// assert_eq!(Rgb565::BLACK.mix(Rgb565::YELLOW, 32), Rgb565::YELLOW);
+    /// ```
+    #[must_use]
+    fn mix(self, other: Self, weight: u32) -> Self;
+
     /// The color at a point between four texels. The upper row comes first, and the left texel comes first in a row.
     ///
     /// `weights` are the point's distances to the right of the first texel and below it, from 0 to less than 1, in
@@ -69,14 +81,27 @@ fn bilinear<const MASK: u32, const BITS: u32>(
     [upper, lower]: [[u32; 2]; 2],
     [x, y]: [u32; 2],
 ) -> u32 {
+    let row = |texels| linear::<MASK, BITS>(texels, x);
+    linear::<MASK, BITS>([row(upper), row(lower)], y)
+}
+
+/// Blends the channels of two colors, in lanes like those of [`bilinear`], rounded to nearest, halves up.
+#[inline]
+fn linear<const MASK: u32, const BITS: u32>([a, b]: [u32; 2], weight: u32) -> u32 {
     const { assert!(roomy(MASK, BITS), "lanes overlap when weighted") };
-    let mix = |[a, b]: [u32; 2], weight: u32| {
-        // a · (2^BITS − weight) + b · weight, for all lanes at once. Lanes of the difference may borrow from their
-        // neighbors; they give it back in the sum, where no lane is negative.
-        let sum = (a << BITS).wrapping_add(b.wrapping_sub(a).wrapping_mul(weight));
-        (sum.wrapping_add(lowest(MASK) << (BITS - 1)) >> BITS) & MASK
-    };
-    mix([mix(upper, x), mix(lower, x)], y)
+    // a · (2^BITS − weight) + b · weight, for all lanes at once. Lanes of the difference may borrow from their
+    // neighbors; they give it back in the sum, where no lane is negative.
+    let half = lowest(MASK) << (BITS - 1);
+    let sum = (a << BITS)
+        .wrapping_add(half)
+        .wrapping_add(b.wrapping_sub(a).wrapping_mul(weight));
+    (sum >> BITS) & MASK
+}
+
+/// A color whose channels are spread over one word.
+trait Lanes {
+    fn lanes(self) -> u32;
+    fn of_lanes(lanes: u32) -> Self;
 }
 
 /// Colors whose channels fit in one word with five unused bits above each: the middle channel is in the upper half.
@@ -86,12 +111,26 @@ macro_rules! one_word {
             const WEIGHT_BITS: u32 = 5;
 
             #[inline]
+            fn mix(self, other: Self, weight: u32) -> Self {
+                let [a, b] = [self, other].map($color::lanes);
+                Self::of_lanes(linear::<$mask, 5>([a, b], weight))
+            }
+
+            #[inline]
             fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self {
-                let lanes = each(texels, |texel| {
-                    let raw = u32::from(texel.into_storage());
-                    (raw | raw << 16) & $mask
-                });
-                let lanes = bilinear::<$mask, 5>(lanes, weights);
+                Self::of_lanes(bilinear::<$mask, 5>(each(texels, $color::lanes), weights))
+            }
+        }
+
+        impl Lanes for $color {
+            #[inline]
+            fn lanes(self) -> u32 {
+                let raw = u32::from(self.into_storage());
+                (raw | raw << 16) & $mask
+            }
+
+            #[inline]
+            fn of_lanes(lanes: u32) -> Self {
                 Self::from(RawU16::new((lanes | lanes >> 16) as u16))
             }
         }
@@ -110,6 +149,11 @@ macro_rules! two_words {
     ($($color:ident $channel:literal $bits:literal)+) => {$(
         impl Blend for $color {
             const WEIGHT_BITS: u32 = 8;
+
+            #[inline]
+            fn mix(self, other: Self, weight: u32) -> Self {
+                Self::blend([[self, other]; 2], [weight, 0])
+            }
 
             #[inline]
             fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self {
@@ -138,6 +182,11 @@ impl Blend for Gray8 {
     const WEIGHT_BITS: u32 = 8;
 
     #[inline]
+    fn mix(self, other: Self, weight: u32) -> Self {
+        Self::blend([[self, other]; 2], [weight, 0])
+    }
+
+    #[inline]
     fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self {
         let lumas = each(texels, |texel| texel.luma().into());
         Self::new(bilinear::<0xff, 8>(lumas, weights) as u8)
@@ -147,6 +196,7 @@ impl Blend for Gray8 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use embedded_graphics::pixelcolor::RgbColor;
 
     #[test]
     fn lanes_have_room_up_to_the_next_lane_and_the_end_of_the_word() {
@@ -165,6 +215,31 @@ mod tests {
                 assert_eq!(roomy(mask, bits), bits <= most, "{mask:#x}: {bits} bits");
             }
         }
+    }
+
+    fn mixes_are_rounded<C: Blend + RgbColor + core::fmt::Debug>(new: impl Fn(u8, u8, u8) -> C) {
+        let most = 1 << C::WEIGHT_BITS;
+        let ends = [new(0, C::MAX_G, 3), new(C::MAX_R, 5, 1)];
+        for weight in 0..=most {
+            let mixed = ends[0].mix(ends[1], weight);
+            for channel in [C::r, C::g, C::b] {
+                let [a, b] = ends.map(|end| u32::from(channel(&end)));
+                let exact = (a * (most - weight) + b * weight + most / 2) / most;
+                assert_eq!(u32::from(channel(&mixed)), exact, "{weight}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_mix_is_rounded_to_nearest_at_every_weight() {
+        mixes_are_rounded(Rgb565::new);
+        mixes_are_rounded(Bgr555::new);
+        mixes_are_rounded(Rgb888::new);
+        mixes_are_rounded(Bgr666::new);
+        let grays = (0..=256).map(|weight| Gray8::new(10).mix(Gray8::new(210), weight).luma());
+        assert!(
+            grays.eq((0..=256).map(|weight: u32| ((10 * 256 + 200 * weight + 128) >> 8) as u8))
+        );
     }
 
     #[test]

@@ -25,6 +25,7 @@ mod drawing;
 mod extremes;
 mod filter;
 mod float_depth;
+mod fog;
 mod formulas;
 mod in_view;
 mod lights;

@@ -18,6 +18,7 @@
 //! | `silhouette` | how far a point is inside or outside a union of triangles |
 //! | `attributes` | perspective-correct values and their gradients at a point |
 //! | `raster` | a mesh to a picture: every surface at every pixel |
+//! | `fog` | what is left of a surface in fog |
 //! | `light` | the brightness of a surface under lights |
 //! | `lines` | values along a projected segment |
 //! | `scenes` | the measured scenes |
@@ -35,6 +36,7 @@ pub mod attributes;
 pub mod clip;
 pub mod coverage;
 pub mod distance;
+pub mod fog;
 pub mod light;
 pub mod linear;
 pub mod lines;

@@ -31,6 +31,8 @@ mod frames;
 #[cfg(not(target_os = "none"))]
 mod host;
 #[cfg(target_os = "none")]
+mod lights;
+#[cfg(target_os = "none")]
 mod pieces;
 #[cfg(target_os = "none")]
 mod setup;
@@ -51,12 +53,14 @@ mod firmware {
     use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
     use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
     use fixel::prelude::*;
+    use fixel::shade::Fog;
     use semihosting::{println, process};
 
     use super::board::{self, Clock};
     use super::bounds;
     use super::common::scenes::CHECKER;
     use super::frames::Frame;
+    use super::lights;
     use super::pieces;
     use super::setup::{self, Kind};
     use super::ticks::Stopwatch;
@@ -75,6 +79,7 @@ mod firmware {
 
         let (tests, ticks) = bounds::measure(&mut watch)?;
         watch.print("in-view", "test", tests, ticks);
+        lights::measure(&mut watch)?;
 
         let mut frame = Frame::take();
         frame.measure(&mut watch, "newton", Newton)?;
@@ -98,6 +103,17 @@ mod firmware {
         bench.kernel("narrow-depth-pass", Fast::NARROW, &skin, Depths::Far)?;
         bench.kernel("narrow-depth-fail", Fast::NARROW, &skin, Depths::Near)?;
         bench.kernel("exact", Exact, &skin, Depths::None)?;
+
+        let linear = Fog::linear(Rgb565::WHITE, fx!(0.5), fx!(3))?;
+        let thick = Fog::exponential(Rgb565::WHITE, fx!(0.25))?;
+        bench.kernel("affine-fog", Affine, &skin.in_fog(linear), Depths::None)?;
+        bench.kernel("newton-fog", Newton, &skin.in_fog(linear), Depths::None)?;
+        bench.kernel(
+            "newton-fog-exponential",
+            Newton,
+            &skin.in_fog(thick),
+            Depths::None,
+        )?;
         Ok(())
     }
 

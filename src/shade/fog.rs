@@ -1,0 +1,296 @@
+//! Fog: surfaces fade to a color with their distance.
+
+use super::{Fragment, Shader, Within};
+use crate::mesh::Primitive;
+use crate::num::reciprocal;
+use crate::texture::Blend;
+use crate::{Error, Scalar};
+
+/// Air that hides what is far: a color, and how much of a surface is left at a distance; see
+/// [`Shader::in_fog`](super::Shader::in_fog).
+///
+/// The distance z is that from the eye along its line of sight, [`Corner::distance`](crate::Corner::distance). It is
+/// correct in perspective at every pixel. The colors are blended in 32 steps for colors of 16 bits and in 256 for others
+/// ([`Blend::WEIGHT_BITS`]); what is left of the surface is within half a step and 1/200.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, Gray4, GrayColor}};
+/// use fixel::prelude::*;
+/// use fixel::shade::Fog;
+/// static FLOOR: Mesh = shape!(plane(1, 1));
+/// let projection = Projection::perspective(deg!(90), (1, 1), fx!(0.5), fx!(20))?;
+/// let mvp = projection * Transform::translate(vec3!(0, -1, 0)) * Transform::scale(fx!(9));
+/// let mut pixels = [Gray4::BLACK; 48];
+/// let mut canvas = Canvas::new(&mut pixels, 4, 12)?;
+/// let fog = Fog::linear(Gray8::WHITE, fx!(1), fx!(6))?;
+/// canvas.draw(&FLOOR, &mvp, &Flat::new(Gray8::BLACK).in_fog(fog).converted());
+/// let mut display = MockDisplay::new();
+/// canvas.show(&mut display)?;
+/// display.assert_pattern(&[
+///     "0000", "0000", "0000", "0000", "0000", "0000",
+///     "0000", "9999", "4444", "2232", "1111", "1010",
+/// ]);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Fog<C, D = Linear> {
+    color: C,
+    density: D,
+}
+
+/// How thick a fog is: [`Linear`] or [`Exponential`]. Sealed.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+/// use fixel::prelude::*;
+/// use fixel::shade::{Density, Fog};
+/// fn hidden<D: Density>(fog: Fog<Rgb565, D>) -> impl Shader<Color = Rgb565> {
+///     Flat::new(Rgb565::RED).in_fog(fog)
+/// }
+/// # hidden(Fog::linear(Rgb565::WHITE, fx!(1), fx!(2))?);
+/// # Ok::<(), Error>(())
+/// ```
+pub trait Density: sealed::Density {}
+
+/// A [`Density`]: the surface is whole up to a first distance, and gone from a second one on; what is left falls evenly
+/// between them.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+/// use fixel::prelude::*;
+/// use fixel::shade::{Fog, Linear};
+/// let fog: Fog<Gray8, Linear> = Fog::linear(Gray8::WHITE, fx!(2), fx!(30))?;
+/// # let _ = fog;
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Linear {
+    far: Scalar,
+    /// The reciprocal of the range, 2³⁰ to 2³¹.
+    inverse: u32,
+    /// Right shift of a distance times `inverse` to a share of the range.
+    down: u32,
+}
+
+/// A [`Density`]: what is left of the surface at the distance z is e^(−density · z).
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+/// use fixel::prelude::*;
+/// use fixel::shade::{Exponential, Fog};
+/// let fog: Fog<Gray8, Exponential> = Fog::exponential(Gray8::WHITE, fx!(0.1))?;
+/// # let _ = fog;
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Exponential {
+    density: Scalar,
+}
+
+/// The fraction bits of what the fog interpolates and of what is left of a surface.
+const BITS: u32 = 12;
+
+/// c of the parabola, 0.1715, in the same units.
+const C: u32 = 702;
+
+/// Error of what is left that cannot be seen: 1/256.
+const UNSEEN: u32 = 1 << (BITS - 8);
+
+mod sealed {
+    use crate::Scalar;
+
+    /// The working part of [`Density`](super::Density), public in name only.
+    pub trait Density: Copy {
+        /// What is interpolated: linear in the distance.
+        fn varying(&self, distance: Scalar) -> i32;
+
+        /// What is left of the surface, in units of 2^-12: 0 to 2^12.
+        fn left(varying: i32) -> u32;
+    }
+}
+
+/// A number of 64 bits, limited to the range of varyings.
+fn limited(value: i64) -> i32 {
+    value.clamp(-(1 << 30), (1 << 30) - 1) as i32
+}
+
+impl Density for Linear {}
+
+impl sealed::Density for Linear {
+    fn varying(&self, distance: Scalar) -> i32 {
+        let rest = self.far.saturating_sub(distance).to_bits();
+        // 31 bits times 31 bits.
+        limited((i64::from(rest) * i64::from(self.inverse)) >> self.down)
+    }
+
+    #[inline]
+    fn left(varying: i32) -> u32 {
+        varying.clamp(0, 1 << BITS).cast_unsigned()
+    }
+}
+
+impl Density for Exponential {}
+
+impl sealed::Density for Exponential {
+    fn varying(&self, distance: Scalar) -> i32 {
+        // 62 bits, cut to 46, times log₂ e in units of 2^-14.
+        let product = i64::from(distance.to_bits()) * i64::from(self.density.to_bits());
+        limited(((product >> 16) * 23_637) >> (30 - BITS))
+    }
+
+    #[inline]
+    fn left(varying: i32) -> u32 {
+        // 2^-x for x up to 15: in the whole part a shift, and in the fraction f the parabola 1 − (½ + c) f + c f², which is
+        // exact at both ends. With c = 0.1715 its error is at most 0.0019.
+        let x = varying.clamp(0, (16 << BITS) - 1).cast_unsigned();
+        let fraction = x & ((1 << BITS) - 1);
+        let slope = (1 << (BITS - 1)) + C - ((C * fraction) >> BITS);
+        ((1 << BITS) - ((slope * fraction) >> BITS)) >> (x >> BITS)
+    }
+}
+
+impl<C: Blend> Fog<C> {
+    /// Fog that begins at the distance `near` and hides everything from `far` on.
+    ///
+    /// Up to 32,000 times the length of the fog away from it, every pixel is exact; so a length of 2 or more always is.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Far`] if `far` is not beyond `near`.
+    pub const fn linear(color: C, near: Scalar, far: Scalar) -> Result<Self, Error> {
+        let range = far.to_bits() as i64 - near.to_bits() as i64;
+        if range <= 0 {
+            return Err(Error::Far { near, far });
+        }
+        // The range may take 32 bits. It is shifted to 32, and loses the last one.
+        let up = range.leading_zeros() - 32;
+        let number = (range.cast_unsigned() << up >> 1) as u32;
+        Ok(Self {
+            color,
+            density: Linear {
+                far,
+                inverse: reciprocal(number),
+                down: 62 - BITS - up,
+            },
+        })
+    }
+}
+
+impl<C: Blend> Fog<C, Exponential> {
+    /// Fog that is equally thick everywhere: at the distance z, e^(−`density` · z) is left of a surface.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::FogDensity`] if `density` is below 0.
+    pub const fn exponential(color: C, density: Scalar) -> Result<Self, Error> {
+        if density.to_bits() < 0 {
+            return Err(Error::FogDensity { density });
+        }
+        Ok(Self {
+            color,
+            density: Exponential { density },
+        })
+    }
+}
+
+/// A surface in fog; see [`Shader::in_fog`](super::Shader::in_fog).
+///
+/// Put light on the surface first, and fog around both: `.lit(sun).in_fog(fog)`.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+/// use fixel::prelude::*;
+/// use fixel::shade::Fog;
+/// static SQUARE: Mesh = shape!(plane(1, 1));
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(8))?;
+/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(4));
+/// let mut pixels = [Gray8::BLACK; 1];
+/// // At a distance of 4, e^(-0.25 · 4) is left: 37 % of 100, and 63 % of 200.
+/// let fog = Fog::exponential(Gray8::new(200), fx!(0.25))?;
+/// Canvas::new(&mut pixels, 1, 1)?.draw(&SQUARE, &mvp, &Flat::new(Gray8::new(100)).in_fog(fog));
+/// assert_eq!(pixels, [Gray8::new(163)]);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct InFog<S, C, D = Linear> {
+    pub(super) surface: S,
+    pub(super) fog: Fog<C, D>,
+}
+
+impl<S: Shader<Color: Blend>, D: Density> Shader for InFog<S, S::Color, D> {
+    type Color = S::Color;
+    type Varyings = (S::Varyings, Within<UNSEEN, [i32; 1]>);
+
+    const READS_DEPTH: bool = S::READS_DEPTH;
+
+    #[inline]
+    fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
+        let [a, b, c] = self.surface.varyings(primitive);
+        let [x, y, z] =
+            primitive.corners(|corner| Within([self.fog.density.varying(corner.distance())]));
+        [(a, x), (b, y), (c, z)]
+    }
+
+    #[inline]
+    fn shade(&self, at: &Fragment, (inside, Within([x])): Self::Varyings) -> Option<S::Color> {
+        let color = self.surface.shade(at, inside)?;
+        let down = BITS - S::Color::WEIGHT_BITS;
+        let weight = (D::left(x) + (1 << down >> 1)) >> down;
+        Some(self.fog.color.mix(color, weight))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::sealed::Density as _;
+    use super::*;
+    use crate::fx;
+    use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+
+    #[test]
+    fn bad_fog_is_refused() {
+        let white = Gray8::WHITE;
+        for (near, far) in [(fx!(2), fx!(2)), (fx!(3), fx!(2))] {
+            assert_eq!(Fog::linear(white, near, far), Err(Error::Far { near, far }));
+        }
+        let density = fx!(-0.1);
+        let refused = Fog::exponential(white, density);
+        assert_eq!(refused, Err(Error::FogDensity { density }));
+        assert!(Fog::linear(white, Scalar::MIN, Scalar::MAX).is_ok());
+        assert!(Fog::exponential(white, fx!(0)).is_ok());
+    }
+
+    #[test]
+    fn what_is_left_is_a_power_of_two() {
+        for x in 0..20 << BITS {
+            let exact = (-f64::from(x) / 4096.).exp2();
+            let left = f64::from(<Exponential as sealed::Density>::left(x)) / 4096.;
+            // Two products and the shift are cut to 2^-12.
+            assert!((left - exact).abs() <= 0.0019 + 3. / 4096., "{x}: {left}");
+        }
+    }
+
+    #[test]
+    fn extremes_saturate() {
+        for (near, far) in [(Scalar::MIN, Scalar::MAX), (fx!(0), Scalar::DELTA)] {
+            let fog = Fog::linear(Gray8::WHITE, near, far).unwrap();
+            for distance in [Scalar::MIN, fx!(0), Scalar::MAX] {
+                let varying = fog.density.varying(distance);
+                let exact = (far.to_num::<f64>() - distance.to_num::<f64>())
+                    .clamp(-32_768., 32_768.)
+                    / (far.to_num::<f64>() - near.to_num::<f64>())
+                    * 4096.;
+                let exact = exact.clamp(-(2_f64.powi(30)), 2_f64.powi(30));
+                assert!(
+                    (f64::from(varying) - exact).abs() <= 1.01,
+                    "{varying}, not {exact}"
+                );
+            }
+        }
+        let fog = Fog::exponential(Gray8::WHITE, Scalar::MAX).unwrap();
+        assert_eq!(fog.density.varying(Scalar::MAX), (1 << 30) - 1);
+        assert_eq!(fog.density.varying(Scalar::MIN), -(1 << 30));
+    }
+}

@@ -1,0 +1,130 @@
+//! Fog at every pixel of a plane, against the formula in f64.
+
+use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb565, RgbColor};
+use fixel::prelude::*;
+use fixel::shade::Fog;
+use fixel::texture::Blend;
+use proptest::prelude::*;
+
+use crate::reference::fog::{exponential, linear};
+
+const SIZE: u32 = 48;
+/// A unit at the distance 1 is this many pixels.
+const FOCAL: f64 = 24.;
+
+/// A plane through (0, 0, −distance) that leans to the right and upward: 1/z is linear on the screen.
+#[derive(Clone, Copy, Debug)]
+struct Plane {
+    distance: f64,
+    lean: [f64; 2],
+}
+
+impl Plane {
+    /// The distance at a place on the screen, in pixels; infinite behind the horizon.
+    fn at(&self, x: f64, y: f64) -> f64 {
+        let half = f64::from(SIZE) / 2.;
+        let [u, v] = [(x - half) / FOCAL, (half - y) / FOCAL];
+        let share = 1. + self.lean[0] * u + self.lean[1] * v;
+        if share <= 0. {
+            f64::INFINITY
+        } else {
+            self.distance / share
+        }
+    }
+
+    /// Three corners of it, beyond the picture's.
+    fn corners(&self) -> Option<[Vec3; 3]> {
+        let corner = |u: f64, v: f64| {
+            let share = 1. + self.lean[0] * u + self.lean[1] * v;
+            let z = self.distance / share;
+            (share > 0.05).then(|| Vec3::try_from([u * z, v * z, -z]).ok())?
+        };
+        Some([corner(-1.5, -1.5)?, corner(4., -1.5)?, corner(-1.5, 4.)?])
+    }
+}
+
+/// Draws the plane in black with white fog; the result is the white of each pixel, from 0 to 1.
+fn white<C: Blend + 'static>(
+    shader: impl Shader<Color = C>,
+    corners: &[Vec3; 3],
+    black: C,
+    luma: impl Fn(C) -> f64,
+) -> Vec<f64> {
+    let mesh = Mesh::new(corners, &[[0, 1, 2]]).unwrap();
+    let projection =
+        Projection::from_focal_length(fx!(24), (SIZE, SIZE), fx!(0.01), fx!(4000)).unwrap();
+    let mut pixels = vec![black; (SIZE * SIZE) as usize];
+    let mut canvas = Canvas::new(&mut pixels, SIZE, SIZE).unwrap();
+    canvas.draw_with(
+        &DrawOptions::new().with_cull(Cull::Nothing),
+        &mesh,
+        &projection,
+        &shader,
+    );
+    pixels.into_iter().map(luma).collect()
+}
+
+/// Checks each pixel against what is left of the surface at a distance, where the corners' rounding to 1/256 pixel
+/// permits a range of distances. The blended color may be half a step of the weight and half a step of the color off,
+/// besides 1/256 that the interpolation may save, 2^-12 by rounding, and `more`.
+fn check(
+    plane: &Plane,
+    shown: &[f64],
+    steps: f64,
+    weights: f64,
+    more: f64,
+    left: impl Fn(f64) -> f64,
+) -> Result<(), TestCaseError> {
+    let tolerance = 0.5 / steps + 0.5 / weights + 1. / 256. + 2. / 4096. + more;
+    for (i, shown) in shown.iter().enumerate() {
+        let at = [i % SIZE as usize, i / SIZE as usize].map(|at| at as f64 + 0.5);
+        // A corner that moves by 1/512 pixel turns the plane a little.
+        let moves = [-0.01, 0.01];
+        let expected = moves
+            .into_iter()
+            .flat_map(|x| moves.map(|y| 1. - left(plane.at(at[0] + x, at[1] + y))));
+        let (low, high) = expected.fold((1_f64, 0_f64), |(low, high), white| {
+            (low.min(white), high.max(white))
+        });
+        prop_assert!(
+            (low - tolerance..=high + tolerance).contains(shown),
+            "{shown} is not from {low} to {high} at {at:?}"
+        );
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 400, ..ProptestConfig::default() })]
+
+    #[test]
+    fn fog_is_correct_in_perspective_at_every_pixel(
+        distance in 0.5..60_f64,
+        lean in [-0.6..0.6_f64, -0.6..0.6],
+        near in 0.1..1.5_f64,
+        length in 0.1..3_f64,
+        density in 0.0..3_f64,
+    ) {
+        let plane = Plane { distance, lean: lean.map(|lean| lean * 0.9) };
+        let Some(corners) = plane.corners() else { return Ok(()) };
+        let [near, far] = [near, near + length].map(|at| Scalar::from_num(at * distance));
+        let left = |z: f64| linear(z, near.to_num(), far.to_num());
+        let gray = |color: Gray8| f64::from(color.luma()) / 255.;
+
+        let fog = Fog::linear(Gray8::WHITE, near, far).unwrap();
+        let shown = white(Flat::new(Gray8::BLACK).in_fog(fog), &corners, Gray8::BLACK, gray);
+        check(&plane, &shown, 255., 256., 0., left)?;
+
+        let fog = Fog::linear(Rgb565::WHITE, near, far).unwrap();
+        let shown = white(Flat::new(Rgb565::BLACK).in_fog(fog), &corners, Rgb565::BLACK, |color| {
+            f64::from(color.g()) / 63.
+        });
+        check(&plane, &shown, 63., 32., 0., left)?;
+
+        // The parabola is within 0.0019; the density has steps of 2^-16, the logarithm's factor an error of 3e-5.
+        let density = Scalar::from_num(density / distance);
+        let fog = Fog::exponential(Gray8::WHITE, density).unwrap();
+        let shown = white(Flat::new(Gray8::BLACK).in_fog(fog), &corners, Gray8::BLACK, gray);
+        check(&plane, &shown, 255., 256., 0.0021, |z| exponential(z, density.to_num()))?;
+    }
+}
