@@ -1,5 +1,23 @@
 //! Guides, longer than an item's page. Their drawing code is compiled and run as doctests.
 
+/// Shows the program of a scene of the cookbook, which is compiled as it stands.
+macro_rules! recipe {
+    ($title:literal, $file:literal) => {
+        concat!(
+            "# ",
+            $title,
+            "\n\n```\n",
+            include_str!(concat!("../../examples/cookbook/src/", $file)),
+            "```\n"
+        )
+    };
+}
+
+#[doc = include_str!("cookbook.md")]
+#[doc = recipe!("Lights", "lights.rs")]
+#[doc = recipe!("Fog", "fog.rs")]
+pub mod cookbook {}
+
 #[doc = include_str!("firmware.md")]
 pub mod firmware {}
 

@@ -49,8 +49,9 @@ impl Direction {
 
     /// The direction halfway between this one and another; [`NONE`](Self::NONE) if they are opposite.
     pub(crate) fn halfway(self, other: Self) -> Self {
-        let ([a, b, c], [x, y, z]) = (self.0.map(i64::from), other.0.map(i64::from));
-        Self(unit([a + x, b + y, c + z]).unwrap_or_default())
+        let ([a, b, c], [x, y, z]) = (self.0, other.0);
+        let sum = |a: i32, b: i32| i64::from(a) + i64::from(b);
+        Self(unit([sum(a, x), sum(b, y), sum(c, z)]).unwrap_or_default())
     }
 
     /// A unit vector in units of 2⁻³⁰.

@@ -106,7 +106,7 @@ mod sealed {
         /// What is interpolated: linear in the distance.
         fn varying(&self, distance: Scalar) -> i32;
 
-        /// What is left of the surface, in units of 2^-12: 0 to 2^12.
+        /// What is left of the surface, in units of 2^-12: 0 to 2^12, or one less.
         fn left(varying: i32) -> u32;
     }
 }
@@ -127,7 +127,8 @@ impl sealed::Density for Linear {
 
     #[inline]
     fn left(varying: i32) -> u32 {
-        varying.clamp(0, 1 << BITS).cast_unsigned()
+        // One less than the whole is rounded to the whole, and the limit is an instruction on Cortex-M3 and above.
+        varying.clamp(0, (1 << BITS) - 1).cast_unsigned()
     }
 }
 

@@ -112,8 +112,7 @@ macro_rules! one_word {
 
             #[inline]
             fn mix(self, other: Self, weight: u32) -> Self {
-                let [a, b] = [self, other].map($color::lanes);
-                Self::of_lanes(linear::<$mask, 5>([a, b], weight))
+                Self::of_lanes(linear::<$mask, 5>([self.lanes(), other.lanes()], weight))
             }
 
             #[inline]

@@ -62,9 +62,9 @@ fn diffuse(light: &impl Lighting, point: &SurfacePoint) -> f64 {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 4000, ..ProptestConfig::default() })]
 
-    /// The share of the range is cut to 2^-16, which the falloff multiplies by up to 1.54; its square and the
-    /// rest's square are cut to 2^-16, the first of which counts twice; three products are cut, too. Directions, of
-    /// 2^-28, add less than one unit.
+    /// Mantissas of the way and of the normal have 14 bits or more: 1.1e-4 each, in three dimensions. The reciprocal root
+    /// adds 2.8e-4. So the cosine has an error of 5e-4; that of the distance, 3.9e-4, counts at most as much in the
+    /// falloff. These are 59 units of 2^-16, and ten products are cut.
     #[test]
     fn lamps_follow_lambert_and_their_falloff(
         normal in vector(),
@@ -87,9 +87,9 @@ proptest! {
         };
         // The light ends at its range: at once if it is constant.
         let part = length(subtract(f64s(position + way), exact.at)) / range.to_num::<f64>();
-        prop_assume!((part - 1.).abs() > 1e-4);
+        prop_assume!((part - 1.).abs() > 1e-3);
         let (found, expected) = (diffuse(&lamp, &point), source.diffuse(exact) * UNIT);
-        prop_assert!((found - expected).abs() <= 8., "{found} is not {expected}");
+        prop_assert!((found - expected).abs() <= 69., "{found} is not {expected}");
     }
 
     /// The cosine has an error of 8 units of 2^-30, which the edge of the cone divides and the smooth step multiplies

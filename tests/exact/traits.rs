@@ -9,6 +9,9 @@ use fixel::math::Direction;
 use fixel::mesh::{Buffers, Counts, Missing, Positions, Shape};
 use fixel::mode::{Affine, Exact, Fast, Newton};
 use fixel::prelude::*;
+use fixel::shade::{
+    Colored, Exponential, Falloff, Fog, Illumination, InFog, Shiny, SurfacePoint, TwoSided,
+};
 use fixel::shade::{Converted, FaceLit, Lit, Map, PerFace, Texels, Tinted, Tolerance, Within};
 use fixel::target::{Biased, Depth, Float, Linear, Native, NoDepth, NoTest};
 use fixel::target::{TestAndWrite, TestOnly, WideFloat, WriteOnly};
@@ -36,6 +39,8 @@ all!(value: Counts Missing Shape);
 all!(value: Affine Exact Fast Newton Cull DrawOptions DrawOptions<Fast, Biased> Drawn ScreenPoint);
 all!(value: Flat<Rgb565> Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> Fragment Light);
 all!(value: Converted<Flat<Rgb565>, Rgb565> FaceLit<Flat<Rgb565>> Lit<Flat<Rgb565>> Tinted<Flat<Rgb565>>);
+all!(value: Colored<Light> Falloff Illumination PointLight Shiny<Light> SpotLight SurfacePoint TwoSided<Light> Viewer);
+all!(value: Fog<Rgb565> Fog<Rgb565, Exponential> InFog<Flat<Rgb565>, Rgb565>);
 all!(value: Textured<Texture<'static, Rgb565>> FaceColors<'static, Rgb565>);
 all!(value: PerFace<u8> Texels Tolerance Within<1, Texels>);
 all!(value: Biased Float Linear Native NoDepth NoTest TestAndWrite TestOnly WideFloat WriteOnly);

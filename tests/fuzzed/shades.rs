@@ -3,7 +3,7 @@
 use arbitrary::{Result, Unstructured};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
 use fixel::prelude::*;
-use fixel::shade::Falloff;
+use fixel::shade::{Falloff, Fog};
 
 use super::numbers::{option, scalar, vector};
 
@@ -31,7 +31,7 @@ pub struct Shine {
 }
 
 /// The number of shaders that [`draw`](Shade::draw) knows.
-const FRAGMENTS: u8 = 28;
+const FRAGMENTS: u8 = 30;
 
 impl Shade {
     pub fn arbitrary(u: &mut Unstructured<'_>) -> Result<Self> {
@@ -137,14 +137,21 @@ static INDICES: PaletteArray<Rgb565, 4, 2> = PaletteArray::new(
 );
 
 /// Draws with one of the crate's shaders.
-pub fn draw(which: u8, lights: Lights, color: Rgb888, [far, near]: [u16; 2], then: impl Draw) {
+pub fn draw(which: u8, lights: Lights, color: Rgb888, between: [u16; 2], then: impl Draw) {
     let Lights {
         sun: light,
         lamp,
         spot,
         exponent,
     } = lights;
+    // Depths stand for any numbers.
+    let [least, most] = between.map(|depth| Scalar::from_bits(i32::from(depth) << 4));
+    let (near, beyond) = (least.min(most), least.max(most) + Scalar::DELTA);
+    let linear = Fog::linear(Rgb565::from(color), near, beyond).unwrap();
+    let thick = Fog::exponential(Rgb565::from(color), least).unwrap();
+    let [far, near] = between;
     let viewer = Viewer::at(vec3!(0, 0, 3));
+    let glossy = spot.shiny(viewer, exponent, fx!(1)).unwrap();
     let shiny = |lamp: Light| lamp.shiny(viewer, exponent, fx!(0.5)).unwrap();
     let faces = [Rgb565::new(31, 0, 0), color.into(), Rgb565::new(0, 0, 31)];
     let (small, large) = (Textured::new(&SMALL), Textured::new(&LARGE));
@@ -176,8 +183,9 @@ pub fn draw(which: u8, lights: Lights, color: Rgb888, [far, near]: [u16; 2], the
         24 => then.draw(&Flat::<Rgb565>::rgb(color).lit(lamp)),
         25 => then.draw(&small.lit((light, spot.colored(color)).two_sided(viewer))),
         26 => then.draw(&Gouraud::<Rgb565>::new().lit_faces((shiny(light), [lamp; 2]))),
-        _ => then
-            .draw(&Flat::<Rgb565>::rgb(color).lit(spot.shiny(viewer, exponent, fx!(1)).unwrap())),
+        27 => then.draw(&Flat::<Rgb565>::rgb(color).lit(glossy)),
+        28 => then.draw(&small.lit(light).in_fog(linear)),
+        _ => then.draw(&Gouraud::new().in_fog(thick)),
     }
 }
 

@@ -95,7 +95,7 @@ impl SurfacePoint {
 /// What lights a surface: [`Light`], [`PointLight`], [`SpotLight`], and several of them in an array, a slice or a tuple
 /// of up to four.
 ///
-/// [`Shader::lit`](super::Shader::lit) and [`Shader::lit_faces`](super::Shader::lit_faces) put a surface under it. A
+/// [`Shader::lit`](crate::Shader::lit) and [`Shader::lit_faces`](crate::Shader::lit_faces) put a surface under it. A
 /// light of your own takes ten lines:
 ///
 /// ```

@@ -12,6 +12,14 @@ pub trait Lamp: Lighting {
     /// direction is [`Direction::NONE`] where no light comes from.
     fn ray(&self, point: &SurfacePoint) -> (Direction, i32);
 
+    /// The light on a matte surface, in units of 2⁻¹⁶, by Lambert's law: the strength of the light at a point times the
+    /// cosine of the angle at which it meets the surface.
+    #[inline]
+    fn diffuse(&self, point: &SurfacePoint) -> i32 {
+        let (toward, light) = self.ray(point);
+        share(light, point.normal.dot(toward).max(0) >> 14)
+    }
+
     /// The light that comes from all sides, in units of 2⁻¹⁶.
     #[inline]
     fn ambient(&self) -> i32 {
@@ -35,14 +43,6 @@ pub trait Lamp: Lighting {
             strength: brightness(strength)?,
         })
     }
-}
-
-/// The light of a lamp on a matte surface, by Lambert's law.
-#[inline]
-pub(super) fn lambert<L: Lamp>(lamp: &L, point: &SurfacePoint) -> Illumination {
-    let (toward, light) = lamp.ray(point);
-    let facing = point.normal.dot(toward).max(0);
-    Illumination::white(lamp.ambient() + share(light, facing >> 14))
 }
 
 /// A light that makes highlights; see [`Lamp::shiny`].

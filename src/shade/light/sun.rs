@@ -12,7 +12,7 @@ use crate::{Error, Scalar, Vec3};
 /// A surface with unit normal n has the brightness ambient + diffuse · max(0, n·l), saturated at 1, where l is the
 /// unit vector toward the light (Lambert's law). It is computed in fixed point, with an error of at most 1e-5.
 ///
-/// [`Shader::lit`](super::Shader::lit) and [`Shader::lit_faces`](super::Shader::lit_faces) put any surface under a
+/// [`Shader::lit`](crate::Shader::lit) and [`Shader::lit_faces`](crate::Shader::lit_faces) put any surface under a
 /// light.
 ///
 /// ```
@@ -95,7 +95,8 @@ impl Lighting for Light {
 
 impl Lamp for Light {
     fn ray(&self, _: &SurfacePoint) -> (Direction, i32) {
-        match measure(self.direction.map(i64::from)) {
+        let [x, y, z] = self.direction;
+        match measure([x.into(), y.into(), z.into()]) {
             None => (Direction::NONE, 0),
             Some(of) => (Direction::from_bits(of.unit()), (of.length(0) >> 14) as i32),
         }

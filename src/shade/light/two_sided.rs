@@ -35,7 +35,7 @@ impl<L: Lighting> Lighting for TwoSided<L> {
 
     fn at(&self, point: &SurfacePoint) -> Illumination {
         let mut seen = *point;
-        if point.face.dot(self.viewer.from(point.position)) < 0 {
+        if self.viewer.sees_back(point.face, point.position) {
             let [x, y, z] = point.normal.to_bits();
             seen.normal = Direction::from_bits([-x, -y, -z]);
         }

@@ -2,6 +2,7 @@
 
 use crate::math::Direction;
 use crate::num::rsqrt::unit;
+use crate::num::wide::dot;
 use crate::view::ModelToPicture;
 use crate::{Error, Vec3};
 
@@ -67,6 +68,22 @@ impl Viewer {
             Place::At(eye) => {
                 let way = way(position, eye);
                 Direction::from_bits(unit(way).unwrap_or_default())
+            }
+        }
+    }
+
+    /// Whether a point is on the other side of the viewer than its face's normal. A viewer nearer to the plane than
+    /// 2^-14 may be on either side.
+    pub(super) fn sees_back(&self, face: Direction, position: Vec3) -> bool {
+        match self.0 {
+            Place::Toward(direction) => face.dot(direction) < 0,
+            Place::At(eye) => {
+                // Without two bits, 31 remain.
+                let [x, y, z] = way(position, eye);
+                dot(
+                    &face.to_bits(),
+                    &[(x >> 2) as i32, (y >> 2) as i32, (z >> 2) as i32],
+                ) < 0
             }
         }
     }
