@@ -6,7 +6,7 @@ use super::{Fragment, Shader, Texels};
 use crate::Vec2;
 use crate::mesh::Primitive;
 use crate::texture::{
-    Addressing, Bilinear, Blend, Clamp, Filter, Nearest, Repeat, Sampler, texels,
+    Addressing, Bilinear, Blend, Clamp, CutOut, Filter, Nearest, Repeat, Sampler, texels,
 };
 
 /// A texture: each pixel shows the texel nearest to its center, or a blend of the four around it
@@ -40,7 +40,7 @@ use crate::texture::{
 pub struct Textured<S, A = Repeat, F = Nearest> {
     sampler: S,
     addressing: PhantomData<A>,
-    filter: PhantomData<F>,
+    filter: F,
 }
 
 impl<S: Sampler> Textured<S> {
@@ -50,19 +50,19 @@ impl<S: Sampler> Textured<S> {
         Self {
             sampler,
             addressing: PhantomData,
-            filter: PhantomData,
+            filter: Nearest,
         }
     }
 }
 
-impl<S: Sampler, F> Textured<S, Repeat, F> {
+impl<S: Sampler, F: Copy> Textured<S, Repeat, F> {
     /// Clamps the texture to its edge instead of repeating it.
     #[must_use]
     pub const fn clamped(self) -> Textured<S, Clamp, F> {
         Textured {
             sampler: self.sampler,
             addressing: PhantomData,
-            filter: PhantomData,
+            filter: self.filter,
         }
     }
 }
@@ -93,7 +93,40 @@ impl<S: Sampler, A: Addressing> Textured<S, A> {
         Textured {
             sampler: self.sampler,
             addressing: PhantomData,
-            filter: PhantomData,
+            filter: Bilinear,
+        }
+    }
+}
+
+impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Textured<S, A, F> {
+    /// Leaves out the texels of one color, which must have exactly this value: fences, leaves, sprites. Where they are,
+    /// both color and depth of the canvas stay as they were.
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
+    /// use fixel::prelude::*;
+    /// static FENCE: TextureArray<Rgb565, 2, 1> =
+    ///     TextureArray::from_texels([[Rgb565::GREEN, Rgb565::MAGENTA]]);
+    /// static SQUARE: Mesh = shape!(plane(1, 1));
+    /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
+    /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
+    /// let mut pixels = [Rgb565::BLUE; 8];
+    /// let mut canvas = Canvas::new(&mut pixels, 4, 2)?;
+    /// canvas.draw(&SQUARE, &mvp, &Textured::new(&FENCE).cut_out(Rgb565::MAGENTA));
+    /// let mut display = MockDisplay::new();
+    /// canvas.show(&mut display)?;
+    /// display.assert_pattern(&["GGBB", "GGBB"]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub const fn cut_out(self, key: S::Color) -> Textured<S, A, CutOut<F, S::Color>> {
+        Textured {
+            sampler: self.sampler,
+            addressing: PhantomData,
+            filter: CutOut {
+                filter: self.filter,
+                key,
+            },
         }
     }
 }
@@ -122,7 +155,7 @@ impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Shader for Textured<S, A, F
 
     #[inline]
     fn shade(&self, _: &Fragment, Texels(at): Texels) -> Option<S::Color> {
-        Some(F::color::<S, A>(&self.sampler, at))
+        self.filter.color::<S, A>(&self.sampler, at)
     }
 }
 

@@ -19,15 +19,17 @@ use super::blend::Blend;
 /// }
 /// ```
 pub trait Filter<C: PixelColor>: Copy + sealed::Sealed {
-    /// The color at a column and a row: distances from the first texel's corner, in texels with 16 fraction bits.
+    /// The color at a column and a row: distances from the first texel's corner, in texels with 16 fraction bits. `None`
+    /// where the texture has a hole.
     #[doc(hidden)]
-    fn color<S: Sampler<Color = C>, A: Addressing>(sampler: &S, at: [i32; 2]) -> C;
+    fn color<S: Sampler<Color = C>, A: Addressing>(&self, sampler: &S, at: [i32; 2]) -> Option<C>;
 }
 
 mod sealed {
     pub trait Sealed {}
     impl Sealed for super::Nearest {}
     impl Sealed for super::Bilinear {}
+    impl<F, C> Sealed for super::CutOut<F, C> {}
 }
 
 /// Takes the texel whose center is nearest.
@@ -96,30 +98,92 @@ pub struct Nearest;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bilinear;
 
+/// Leaves out texels of one color; see [`Textured::cut_out`](crate::Textured::cut_out).
+///
+/// Between texels, the nearest one decides whether there is a hole. Where there is none, a [`Bilinear`] filter blends as
+/// if the texels that are left out had the nearest one's color, so their own never shows.
+///
+/// ```
+/// use embedded_graphics::{geometry::Point, pixelcolor::{Gray8, GrayColor}};
+/// use fixel::{prelude::*, shade::Texels};
+/// static SKIN: TextureArray<Gray8, 4, 1> = TextureArray::gray8(&[10, 99, 20, 40]);
+/// let skin = Textured::new(&SKIN).clamped().bilinear().cut_out(Gray8::new(99));
+/// let pixel = Fragment { point: Point::zero(), depth: 0 };
+/// // In halves of a texel: 99 never shows.
+/// let colors = [1, 2, 3, 4, 5, 6, 7].map(|column| skin.shade(&pixel, Texels([column << 15, 0])));
+/// let hole = 0;
+/// let lumas = colors.map(|color| color.map_or(hole, |color| color.luma()));
+/// assert_eq!(lumas, [10, 0, 0, 20, 20, 30, 40]);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct CutOut<F, C> {
+    pub(crate) filter: F,
+    pub(crate) key: C,
+}
+
 impl<C: PixelColor> Filter<C> for Nearest {
     #[inline]
-    fn color<S: Sampler<Color = C>, A: Addressing>(sampler: &S, [u, v]: [i32; 2]) -> C {
-        sampler.texel(
+    fn color<S: Sampler<Color = C>, A: Addressing>(
+        &self,
+        sampler: &S,
+        [u, v]: [i32; 2],
+    ) -> Option<C> {
+        Some(sampler.texel(
             A::index(u >> 16, sampler.width_log2()),
             A::index(v >> 16, sampler.height_log2()),
-        )
+        ))
+    }
+}
+
+impl<C: PixelColor> Filter<C> for CutOut<Nearest, C> {
+    #[inline]
+    fn color<S: Sampler<Color = C>, A: Addressing>(&self, sampler: &S, at: [i32; 2]) -> Option<C> {
+        let color = self.filter.color::<S, A>(sampler, at)?;
+        (color != self.key).then_some(color)
     }
 }
 
 impl<C: Blend> Filter<C> for Bilinear {
     #[inline]
-    fn color<S: Sampler<Color = C>, A: Addressing>(sampler: &S, [u, v]: [i32; 2]) -> C {
-        const {
-            assert!(
-                C::WEIGHT_BITS >= 1 && C::WEIGHT_BITS <= 15,
-                "weights must have 1 to 15 bits"
-            );
-        }
-        let ([left, right], x) = between::<A>(u, sampler.width_log2(), C::WEIGHT_BITS);
-        let ([upper, lower], y) = between::<A>(v, sampler.height_log2(), C::WEIGHT_BITS);
-        let row = |v| [sampler.texel(left, v), sampler.texel(right, v)];
-        C::blend([row(upper), row(lower)], [x, y])
+    fn color<S: Sampler<Color = C>, A: Addressing>(&self, sampler: &S, at: [i32; 2]) -> Option<C> {
+        let (texels, weights) = around::<C, S, A>(sampler, at);
+        Some(C::blend(texels, weights))
     }
+}
+
+impl<C: Blend> Filter<C> for CutOut<Bilinear, C> {
+    #[inline]
+    fn color<S: Sampler<Color = C>, A: Addressing>(&self, sampler: &S, at: [i32; 2]) -> Option<C> {
+        let ([upper, lower], [x, y]) = around::<C, S, A>(sampler, at);
+        let half = 1 << (C::WEIGHT_BITS - 1);
+        let [left, right] = if y < half { upper } else { lower };
+        let nearest = if x < half { left } else { right };
+        if nearest == self.key {
+            return None;
+        }
+        let filled = |texel: C| if texel == self.key { nearest } else { texel };
+        let row = |[left, right]: [C; 2]| [filled(left), filled(right)];
+        Some(C::blend([row(upper), row(lower)], [x, y]))
+    }
+}
+
+/// The four texels around a point, and the weights of the right and of the lower ones.
+#[inline]
+fn around<C: Blend, S: Sampler<Color = C>, A: Addressing>(
+    sampler: &S,
+    [u, v]: [i32; 2],
+) -> ([[C; 2]; 2], [u32; 2]) {
+    const {
+        assert!(
+            C::WEIGHT_BITS >= 1 && C::WEIGHT_BITS <= 15,
+            "weights must have 1 to 15 bits"
+        );
+    }
+    let ([left, right], x) = between::<A>(u, sampler.width_log2(), C::WEIGHT_BITS);
+    let ([upper, lower], y) = between::<A>(v, sampler.height_log2(), C::WEIGHT_BITS);
+    let row = |v| [sampler.texel(left, v), sampler.texel(right, v)];
+    ([row(upper), row(lower)], [x, y])
 }
 
 /// The two columns or rows whose centers enclose `at`, and the distance of `at` from the first center.
@@ -132,4 +196,76 @@ fn between<A: Addressing>(at: i32, log2: u32, weight_bits: u32) -> ([i32; 2], u3
     // `first` has 16 bits, so adding 1 cannot overflow.
     let both = [A::index(first, log2), A::index(first + 1, log2)];
     (both, weight)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Repeat, TextureArray};
+    use super::*;
+    use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+    use proptest::prelude::*;
+
+    const KEY: Rgb888 = Rgb888::MAGENTA;
+
+    /// Gray texels, with holes where a bit is set.
+    fn skin(grays: [u8; 16], holes: u16) -> TextureArray<Rgb888, 4, 4> {
+        let texel = |i: usize| match holes >> i & 1 {
+            1 => KEY,
+            _ => Rgb888::new(grays[i], grays[i], grays[i]),
+        };
+        TextureArray::from_texels(core::array::from_fn(|row| {
+            core::array::from_fn(|column| texel(4 * row + column))
+        }))
+    }
+
+    proptest! {
+        /// A blend that contained the key would not be gray. Where no texel around is left out, nothing changes.
+        #[test]
+        fn holes_are_the_key_s_and_leave_no_fringe(
+            grays in any::<[u8; 16]>(),
+            holes in any::<u16>(),
+            at in any::<[i32; 2]>(),
+        ) {
+            let (skin, whole) = (skin(grays, holes), skin(grays, 0));
+            let at = at.map(|at| at >> 10);
+            let nearest = Nearest.color::<_, Repeat>(&&skin, at).unwrap();
+            let cut = CutOut { filter: Nearest, key: KEY }.color::<_, Repeat>(&&skin, at);
+            prop_assert_eq!(cut, (nearest != KEY).then_some(nearest));
+
+            let smooth = CutOut { filter: Bilinear, key: KEY }.color::<_, Repeat>(&&skin, at);
+            if let Some(color) = smooth {
+                prop_assert!(color.r() == color.g() && color.g() == color.b(), "{color:?}");
+            }
+            // Weights are rounded to 1/256 texel: elsewhere, the same texel is nearest.
+            if at.iter().all(|at| (at & 0xffff) >= 256 && (at & 0xffff) < 0xff00) {
+                prop_assert_eq!(smooth.is_none(), nearest == KEY);
+            }
+            let (texels, _) = around::<_, _, Repeat>(&&skin, at);
+            if !texels.as_flattened().contains(&KEY) {
+                prop_assert_eq!(smooth, Bilinear.color::<_, Repeat>(&&whole, at));
+            }
+        }
+    }
+
+    #[test]
+    fn a_cut_out_texel_leaves_color_and_depth() {
+        use crate::prelude::*;
+        static SKIN: TextureArray<Rgb565, 2, 1> =
+            TextureArray::from_texels([[Rgb565::RED, Rgb565::BLACK]]);
+        static SQUARE: Mesh = shape!(plane(1, 1));
+        let window = Window::centered(fx!(2), fx!(2));
+        let projection = Projection::orthographic(window, fx!(0), fx!(2)).unwrap();
+        let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
+        let (mut pixels, mut depths) = ([Rgb565::BLUE; 4], [7; 4]);
+        let canvas = Canvas::new(&mut pixels, 4, 1).unwrap();
+        let mut canvas = canvas.with_depth(&mut depths).unwrap();
+        let skin = Textured::new(&SKIN).clamped();
+        canvas.draw(&SQUARE, &mvp, &skin.cut_out(Rgb565::BLACK));
+        assert_eq!(
+            pixels,
+            [Rgb565::RED, Rgb565::RED, Rgb565::BLUE, Rgb565::BLUE]
+        );
+        assert_eq!(depths[2..], [7, 7]);
+        assert!(depths[0] > 7);
+    }
 }

@@ -39,7 +39,7 @@ pub use addressing::{Addressing, Clamp, Repeat};
 pub use array::TextureArray;
 pub use blend::Blend;
 pub use color::ImageColor;
-pub use filter::{Bilinear, Filter, Nearest};
+pub use filter::{Bilinear, CutOut, Filter, Nearest};
 pub use image::Image;
 pub use palette::{Palette, palette_colors};
 pub use palette_array::PaletteArray;

@@ -134,12 +134,12 @@ mod tests {
             [other.width_log2(), other.height_log2()]
         );
         for at in points() {
-            let near = Nearest::color::<_, Clamp>(one, at);
-            assert_eq!(near, Nearest::color::<_, Clamp>(other, at), "{at:?}");
-            let near = Nearest::color::<_, Repeat>(one, at);
-            assert_eq!(near, Nearest::color::<_, Repeat>(other, at), "{at:?}");
-            let blended = Bilinear::color::<_, Clamp>(one, at);
-            assert_eq!(blended, Bilinear::color::<_, Clamp>(other, at), "{at:?}");
+            let near = Nearest.color::<_, Clamp>(one, at);
+            assert_eq!(near, Nearest.color::<_, Clamp>(other, at), "{at:?}");
+            let near = Nearest.color::<_, Repeat>(one, at);
+            assert_eq!(near, Nearest.color::<_, Repeat>(other, at), "{at:?}");
+            let blended = Bilinear.color::<_, Clamp>(one, at);
+            assert_eq!(blended, Bilinear.color::<_, Clamp>(other, at), "{at:?}");
         }
     }
 

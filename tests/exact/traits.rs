@@ -15,7 +15,7 @@ use fixel::shade::{
 use fixel::shade::{Converted, FaceLit, Lit, Map, PerFace, Texels, Tinted, Tolerance, Within};
 use fixel::target::{Biased, Depth, Float, Linear, Native, NoDepth, NoTest};
 use fixel::target::{TestAndWrite, TestOnly, WideFloat, WriteOnly};
-use fixel::texture::{Bilinear, Clamp, Image, Nearest, Repeat};
+use fixel::texture::{Bilinear, Clamp, CutOut, Image, Nearest, Repeat};
 use fixel::view::{Parallel, Perspective, Segment};
 use fixel::{Index, Matrix4, Prepared, RefusedFloat, ScreenPoint, Unit};
 
@@ -44,7 +44,7 @@ all!(value: Fog<Rgb565> Fog<Rgb565, Exponential> InFog<Flat<Rgb565>, Rgb565>);
 all!(value: Textured<Texture<'static, Rgb565>> FaceColors<'static, Rgb565>);
 all!(value: PerFace<u8> Texels Tolerance Within<1, Texels>);
 all!(value: Biased Float Linear Native NoDepth NoTest TestAndWrite TestOnly WideFloat WriteOnly);
-all!(value: Bilinear Clamp Nearest Repeat);
+all!(value: Bilinear Clamp CutOut<Bilinear, Rgb565> Nearest Repeat);
 all!(value: Image<'static> Palette<'static, Rgb565> Texture<'static, Rgb565>);
 all!(borrowed: Mesh<'static> Positions<'static>);
 all!(shared: Map<Flat<Rgb565>, fn(&Fragment, Rgb565) -> Option<Rgb565>> Prepared<'static>);

@@ -31,7 +31,7 @@ pub struct Shine {
 }
 
 /// The number of shaders that [`draw`](Shade::draw) knows.
-const FRAGMENTS: u8 = 30;
+const FRAGMENTS: u8 = 32;
 
 impl Shade {
     pub fn arbitrary(u: &mut Unstructured<'_>) -> Result<Self> {
@@ -185,7 +185,9 @@ pub fn draw(which: u8, lights: Lights, color: Rgb888, between: [u16; 2], then: i
         26 => then.draw(&Gouraud::<Rgb565>::new().lit_faces((shiny(light), [lamp; 2]))),
         27 => then.draw(&Flat::<Rgb565>::rgb(color).lit(glossy)),
         28 => then.draw(&small.lit(light).in_fog(linear)),
-        _ => then.draw(&Gouraud::new().in_fog(thick)),
+        29 => then.draw(&Gouraud::new().in_fog(thick)),
+        30 => then.draw(&small.cut_out(SMALL[1][1]).lit(light)),
+        _ => then.draw(&large.bilinear().cut_out(LARGE[3][5])),
     }
 }
 

@@ -104,6 +104,10 @@ mod firmware {
         bench.kernel("narrow-depth-fail", Fast::NARROW, &skin, Depths::Near)?;
         bench.kernel("exact", Exact, &skin, Depths::None)?;
 
+        // No texel has this color.
+        let cut_out = skin.cut_out(Rgb565::MAGENTA);
+        bench.kernel("affine-cut-out", Affine, &cut_out, Depths::None)?;
+        bench.kernel("newton-cut-out", Newton, &cut_out, Depths::None)?;
         let linear = Fog::linear(Rgb565::WHITE, fx!(0.5), fx!(3))?;
         let thick = Fog::exponential(Rgb565::WHITE, fx!(0.25))?;
         bench.kernel("affine-fog", Affine, &skin.in_fog(linear), Depths::None)?;
