@@ -12,8 +12,9 @@ use crate::reference::projection::{self, Lens};
 use crate::reference::view::{View, Viewport as ModelViewport};
 
 const SIZE: (u32, u32) = (64, 48);
-/// By how many pixels a box must be out of view to be found out: one is for rounding, and the test's own error takes
-/// less than another where distances are above 1.
+/// By how many pixels a box must be out of view to be found out: one is for the pixel around the view, the other for
+/// rounding. Coefficients of 29 bits are wrong by up to 1½ units, times positions of up to 2^15: with the longest lens and
+/// the largest scale here, up to 3½ pixels at a distance of 1. So pixels count as if they were at a distance of 4 or more.
 const PIXELS: f64 = 2.;
 /// The same for the near and the far plane, as a part of their distances.
 const PART: f64 = 0.01;
@@ -66,12 +67,13 @@ fn is_out(bounds: &Bounds, view: &View, [start, end]: [u32; 2]) -> bool {
     let lens = &view.projection;
     let half = [f64::from(SIZE.0) / 2., f64::from(SIZE.1) / 2.];
     let (rows, all) = ([f64::from(start), f64::from(end)], f64::from(SIZE.0));
+    let slack = |w: f64| PIXELS * w.abs().max(4.);
     // x is w times a distance in pixels from the middle, rightwards and downwards.
     let planes: [&dyn Fn(&crate::reference::view::Projected) -> bool; 6] = [
-        &|p| p.clip[0] * half[0] < (-half[0] - PIXELS) * p.w,
-        &|p| p.clip[0] * half[0] > (all - half[0] + PIXELS) * p.w,
-        &|p| -p.clip[1] * half[1] < (rows[0] - half[1] - PIXELS) * p.w,
-        &|p| -p.clip[1] * half[1] > (rows[1] - half[1] + PIXELS) * p.w,
+        &|p| p.clip[0] * half[0] < -half[0] * p.w - slack(p.w),
+        &|p| p.clip[0] * half[0] > (all - half[0]) * p.w + slack(p.w),
+        &|p| -p.clip[1] * half[1] < (rows[0] - half[1]) * p.w - slack(p.w),
+        &|p| -p.clip[1] * half[1] > (rows[1] - half[1]) * p.w + slack(p.w),
         &|p| p.distance < lens.near - PART * lens.near.abs().max(1.),
         &|p| p.distance > lens.far * (1. + PART),
     ];
