@@ -185,7 +185,7 @@
 //!
 //! The [`Mode`](mode::Mode) that interpolates attributes is a type, chosen per draw call. The
 //! [guide to modes](guide::modes) tells which mode suits which scene and core, and derives the bounds of their errors. The
-//! [benchmarks](guide::benchmarks) tell what drawing costs.
+//! [benchmarks](guide::benchmarks) tell what drawing costs. The [cookbook](guide::cookbook) has small scenes, one idea each.
 #![no_std]
 #![forbid(unsafe_code)]
 

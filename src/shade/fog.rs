@@ -155,7 +155,8 @@ impl sealed::Density for Exponential {
 impl<C: Blend> Fog<C> {
     /// Fog that begins at the distance `near` and hides everything from `far` on.
     ///
-    /// Up to 32,000 times the length of the fog away from it, every pixel is exact; so a length of 2 or more always is.
+    /// In fog shorter than a quarter of a unit, a triangle fades at the wrong place if it reaches 262,144 times the fog's
+    /// length beyond it.
     ///
     /// # Errors
     ///

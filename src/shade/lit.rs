@@ -6,11 +6,11 @@ use super::{Fragment, PerFace, Shader, Within};
 use crate::math::Direction;
 use crate::mesh::Primitive;
 
-/// A surface under a [`Light`] whose brightness is computed at the vertices and interpolated (Gouraud shading); see
-/// [`Shader::lit`].
+/// A surface under light that is computed at the vertices and interpolated (Gouraud shading); see [`Shader::lit`].
 ///
-/// Normals are the mesh's, or the triangle's own if the mesh has none. The brightness is interpolated after the
-/// surface's own varyings; 65,536 is full brightness.
+/// Normals are the mesh's, or the triangle's own if the mesh has none. The light is interpolated after the surface's own
+/// varyings: one brightness if it is white, a number for each channel of the canvas if it has a color, and one more for
+/// highlights. 65,536 is full brightness.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor}};
@@ -96,7 +96,7 @@ impl<S: Shader<Color: Levels>, L: Lighting> Shader for Lit<S, L> {
     }
 }
 
-/// A surface under a [`Light`], with one brightness per triangle, computed from the triangle's own normal; see
+/// A surface under light that is computed once per triangle, in its middle and for its own normal; see
 /// [`Shader::lit_faces`].
 ///
 /// Edges and points are in full light.

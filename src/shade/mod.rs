@@ -16,7 +16,7 @@
 //! | adapter | color of a pixel | more varyings |
 //! |---|---|---|
 //! | [`.lit(light)`](Shader::lit) | the surface × light at the vertices | 1; 3 for colored light, 1 more for highlights |
-//! | [`.lit_faces(light)`](Shader::lit_faces) | the surface × light at the triangle | 0 |
+//! | [`.lit_faces(light)`](Shader::lit_faces) | the surface × light in the triangle's middle | 0 |
 //! | [`.tinted()`](Shader::tinted) | the surface × the mesh's vertex colors | 3, or 1 for gray |
 //! | [`.in_fog(fog)`](Shader::in_fog) | the surface, fading to the fog's color with distance | 1 |
 //! | [`.map(effect)`](Shader::map) | a function of the surface's color | 0 |

@@ -96,7 +96,7 @@ impl<L: Lamp> Lighting for Shiny<L> {
         let (toward, light) = self.lamp.ray(point);
         let facing = point.normal.dot(toward).max(0);
         let highlight = if facing > 0 {
-            let halfway = toward.halfway(self.viewer.from(point.position));
+            let halfway = toward.halfway(self.viewer.direction_from(point.position));
             let shine = power(point.normal.dot(halfway).max(0), self.exponent);
             share(share(self.strength, light), shine >> 14)
         } else {

@@ -62,7 +62,7 @@ impl Viewer {
 
     /// The direction from a point of world space toward the viewer; [`Direction::NONE`] at the viewer itself.
     #[must_use]
-    pub fn from(&self, position: Vec3) -> Direction {
+    pub fn direction_from(&self, position: Vec3) -> Direction {
         match self.0 {
             Place::Toward(direction) => direction,
             Place::At(eye) => {
