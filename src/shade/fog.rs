@@ -66,7 +66,8 @@ pub trait Density: sealed::Density {}
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Linear {
-    far: Scalar,
+    /// In units of 2⁻¹⁶.
+    far: i32,
     /// The reciprocal of the range, 2³⁰ to 2³¹.
     inverse: u32,
     /// Right shift of a distance times `inverse` to a share of the range.
@@ -86,7 +87,8 @@ pub struct Linear {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Exponential {
-    density: Scalar,
+    /// In units of 2⁻¹⁶.
+    density: i32,
 }
 
 /// The fraction bits of what the fog interpolates and of what is left of a surface.
@@ -120,7 +122,7 @@ impl Density for Linear {}
 
 impl sealed::Density for Linear {
     fn varying(&self, distance: Scalar) -> i32 {
-        let rest = self.far.saturating_sub(distance).to_bits();
+        let rest = self.far.saturating_sub(distance.to_bits());
         // 31 bits times 31 bits.
         limited((i64::from(rest) * i64::from(self.inverse)) >> self.down)
     }
@@ -137,7 +139,7 @@ impl Density for Exponential {}
 impl sealed::Density for Exponential {
     fn varying(&self, distance: Scalar) -> i32 {
         // 62 bits, cut to 46, times log₂ e in units of 2^-14.
-        let product = i64::from(distance.to_bits()) * i64::from(self.density.to_bits());
+        let product = i64::from(distance.to_bits()) * i64::from(self.density);
         limited(((product >> 16) * 23_637) >> (30 - BITS))
     }
 
@@ -172,7 +174,7 @@ impl<C: Blend> Fog<C> {
         Ok(Self {
             color,
             density: Linear {
-                far,
+                far: far.to_bits(),
                 inverse: reciprocal(number),
                 down: 62 - BITS - up,
             },
@@ -192,7 +194,9 @@ impl<C: Blend> Fog<C, Exponential> {
         }
         Ok(Self {
             color,
-            density: Exponential { density },
+            density: Exponential {
+                density: density.to_bits(),
+            },
         })
     }
 }

@@ -58,7 +58,8 @@ pub struct PointLight {
     position: Vec3,
     /// In units of 2⁻¹⁶.
     brightness: u32,
-    range: Scalar,
+    /// In units of 2⁻¹⁶.
+    range: i32,
     /// 2⁶¹ / (`range` · 2^`up`), from 2³⁰ to 2³¹; the divisor has 31 bits.
     inverse: u32,
     up: u32,
@@ -84,7 +85,7 @@ impl PointLight {
         Ok(Self {
             position,
             brightness: brightness.cast_unsigned(),
-            range,
+            range: range.to_bits(),
             inverse: reciprocal(bits << up),
             up,
             falloff: Falloff::Smooth,
@@ -118,7 +119,7 @@ impl PointLight {
 impl Lamp for PointLight {
     fn ray(&self, point: &SurfacePoint) -> (Direction, i32) {
         let way = way(point.position, self.position);
-        let range = i64::from(self.range.to_bits());
+        let range = i64::from(self.range);
         let [x, y, z] = way.map(i64::abs);
         if x >= range || y >= range || z >= range {
             return (Direction::NONE, 0);
