@@ -158,6 +158,13 @@ errors! {
         /// Largest number allowed.
         max: u32,
     } = "{of} is {given}: it must be a power of two, at most {max}";
+    /// A mask whose size is not its texture's.
+    MaskSize {
+        /// Columns and rows of the refused mask.
+        given: [u32; 2],
+        /// Columns and rows of the texture.
+        texture: [u32; 2],
+    } = "mask has {}x{} texels: it must have {}x{}, as its texture has", given[0], given[1], texture[0], texture[1];
     /// A viewport too far from the top left corner of its frame.
     Offset {
         /// The refused column of the left edge.

@@ -16,6 +16,7 @@ macro_rules! recipe {
 #[doc = include_str!("cookbook.md")]
 #[doc = recipe!("Lights", "lights.rs")]
 #[doc = recipe!("Fog", "fog.rs")]
+#[doc = recipe!("Blending", "blending.rs")]
 pub mod cookbook {}
 
 #[doc = include_str!("firmware.md")]

@@ -41,8 +41,8 @@ pub(super) struct Call<'m, K> {
 impl<'m, K: ProjectionKind> Call<'m, K> {
     /// A draw call to `rows` of a frame.
     #[inline(never)]
-    pub(super) fn new<M: Copy, Z: Copy, V: ModelToPicture<Kind = K>>(
-        options: &DrawOptions<M, Z>,
+    pub(super) fn new<M: Copy, Z: Copy, B: Copy, V: ModelToPicture<Kind = K>>(
+        options: &DrawOptions<M, Z, B>,
         mesh: &'m Mesh<'m>,
         mvp: &'m V,
         (frame, rows): (Size, &Range<u32>),

@@ -20,7 +20,7 @@ use crate::raster::{
     Triangle,
 };
 use crate::span::{Mode, Newton};
-use crate::target::{DepthTest, TestAndWrite, check_size};
+use crate::target::{DepthTest, Replace, TestAndWrite, check_size};
 use crate::view::{ModelToPicture, Perspective, ProjectionKind, Viewport};
 
 /// Memory for the triangles of a frame that is drawn in bands.
@@ -154,7 +154,7 @@ impl Slot {
 /// is_shared::<Prepared<'static>>();
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared<'a, K = Perspective, M = Newton, Z = TestAndWrite> {
+pub struct Prepared<'a, K = Perspective, M = Newton, Z = TestAndWrite, B = Replace> {
     mesh: &'a Mesh<'a>,
     model: Transform,
     model_view: Transform,
@@ -168,6 +168,7 @@ pub struct Prepared<'a, K = Perspective, M = Newton, Z = TestAndWrite> {
     pub(super) depth_shift: DepthShift,
     pub(super) mode: M,
     pub(super) test: Z,
+    pub(super) blending: B,
 }
 
 impl<const TRIANGLES: usize, const VERTICES: usize> Default for TriangleList<TRIANGLES, VERTICES> {
@@ -197,13 +198,13 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
     ///
     /// [`Error::Full`], with the length that is needed, if the list is too short for the visible triangles;
     /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`](crate::target::MAX_SIZE).
-    pub fn prepare<'a, M: Mode, Z: DepthTest, V: ModelToPicture>(
+    pub fn prepare<'a, M: Mode, Z: DepthTest, B: Copy, V: ModelToPicture>(
         &'a mut self,
-        options: &DrawOptions<M, Z>,
+        options: &DrawOptions<M, Z, B>,
         frame: impl Into<Size>,
         mesh: &'a Mesh<'a>,
         mvp: &V,
-    ) -> Result<Prepared<'a, V::Kind, M, Z>, Error> {
+    ) -> Result<Prepared<'a, V::Kind, M, Z, B>, Error> {
         let frame = frame.into();
         check_size(frame.width, frame.height)?;
         let viewport = options.viewport_in(frame);
@@ -246,6 +247,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
             depth_shift: call.depth_shift(),
             mode: options.mode,
             test: options.depth,
+            blending: options.blending,
         })
     }
 }
@@ -336,7 +338,7 @@ impl Assembly for Filling<'_> {
     }
 }
 
-impl<K: ProjectionKind, M, Z> Prepared<'_, K, M, Z> {
+impl<K: ProjectionKind, M, Z, B> Prepared<'_, K, M, Z, B> {
     /// Draws the triangles that meet `rows` of a frame of this width.
     #[inline(never)]
     pub(super) fn draw(&self, blitter: &mut dyn Blitter, width: u32, rows: &Range<u32>) -> Drawn {

@@ -15,13 +15,15 @@ pub use options::DrawOptions;
 use call::Call;
 use vertex::Projector;
 
+use embedded_graphics::pixelcolor::PixelColor;
+
 use crate::Vec3;
 use crate::mesh::{Bounds, Mesh, Missing, Positions};
 use crate::num::Subpixel;
 use crate::raster::{Blitter, Scissor, ScreenVertex};
-use crate::shade::{Shader, ShaderFor};
+use crate::shade::ShaderFor;
 use crate::span::{Blit, Mode};
-use crate::target::{Canvas, DepthBuffer, DepthTest, Storage};
+use crate::target::{Blending, Canvas, DepthBuffer, DepthTest, Storage};
 use crate::view::{ModelToPicture, ProjectionKind};
 
 /// The result of a draw call: how many triangles, edges or points there were, and how many were drawn.
@@ -78,7 +80,7 @@ pub struct ScreenPoint {
     pub depth: u16,
 }
 
-impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
+impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// Projects a mesh's triangles with `mvp` to the whole frame, and draws the part in this canvas. Back faces are
     /// culled, and every pixel is correct in perspective.
     ///
@@ -94,9 +96,15 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     }
 
     /// Draws a mesh's triangles like [`draw`](Self::draw), with options.
-    pub fn draw_with<M: Mode, Z: DepthTest, V: ModelToPicture, S: ShaderFor<C>>(
+    pub fn draw_with<
+        M: Mode,
+        Z: DepthTest,
+        B: Blending<C>,
+        V: ModelToPicture,
+        S: ShaderFor<B::Source>,
+    >(
         &mut self,
-        options: &DrawOptions<M, Z>,
+        options: &DrawOptions<M, Z, B>,
         mesh: &Mesh<'_>,
         mvp: &V,
         shader: &S,
@@ -108,15 +116,25 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// pixels are those of [`draw_with`](Self::draw_with), but nothing is transformed again.
     ///
     /// A canvas that is narrower than this frame draws the columns that it has.
-    pub fn draw_prepared<M: Mode, Z: DepthTest, K: ProjectionKind, S: ShaderFor<C>>(
+    pub fn draw_prepared<
+        M: Mode,
+        Z: DepthTest,
+        B: Blending<C>,
+        K: ProjectionKind,
+        S: ShaderFor<B::Source>,
+    >(
         &mut self,
-        prepared: &Prepared<'_, K, M, Z>,
+        prepared: &Prepared<'_, K, M, Z, B>,
         shader: &S,
     ) -> Drawn {
         let (width, rows) = (self.frame_size().width, self.rows().clone());
         let (mode, test) = (prepared.mode, prepared.test);
-        let mut blit =
-            Blit::<_, _, _, K, _, _>::new((mode, test), self, *shader, prepared.depth_shift);
+        let mut blit = Blit::<_, _, _, K, _, _>::new(
+            (mode, test),
+            self,
+            (*shader, prepared.blending),
+            prepared.depth_shift,
+        );
         prepared.draw(&mut blit, width, &rows)
     }
 
@@ -124,9 +142,15 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     ///
     /// A line gets one pixel for each pixel center that it passes along its longer axis. Its right end (lower end, if
     /// it is steep) does not belong to it, so lines that continue each other draw no pixel twice.
-    pub fn draw_edges<M: Mode, Z: DepthTest, V: ModelToPicture, S: ShaderFor<C>>(
+    pub fn draw_edges<
+        M: Mode,
+        Z: DepthTest,
+        B: Blending<C>,
+        V: ModelToPicture,
+        S: ShaderFor<B::Source>,
+    >(
         &mut self,
-        options: &DrawOptions<M, Z>,
+        options: &DrawOptions<M, Z, B>,
         mesh: &Mesh<'_>,
         mvp: &V,
         shader: &S,
@@ -135,9 +159,15 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     }
 
     /// Draws a mesh's positions as points: the pixel that contains each.
-    pub fn draw_points<M: Mode, Z: DepthTest, V: ModelToPicture, S: ShaderFor<C>>(
+    pub fn draw_points<
+        M: Mode,
+        Z: DepthTest,
+        B: Blending<C>,
+        V: ModelToPicture,
+        S: ShaderFor<B::Source>,
+    >(
         &mut self,
-        options: &DrawOptions<M, Z>,
+        options: &DrawOptions<M, Z, B>,
         mesh: &Mesh<'_>,
         mvp: &V,
         shader: &S,
@@ -152,9 +182,9 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     ///
     /// Use it to place a label beside an object, or to find the object under a touch.
     #[must_use]
-    pub fn project<M: Copy, Z: Copy, V: ModelToPicture>(
+    pub fn project<M: Copy, Z: Copy, B: Copy, V: ModelToPicture>(
         &self,
-        options: &DrawOptions<M, Z>,
+        options: &DrawOptions<M, Z, B>,
         mvp: &V,
         point: Vec3,
     ) -> Option<ScreenPoint> {
@@ -202,9 +232,9 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// # Ok::<(), Error>(())
     /// ```
     #[must_use]
-    pub fn is_in_view<M: Copy, Z: Copy, V: ModelToPicture>(
+    pub fn is_in_view<M: Copy, Z: Copy, B: Copy, V: ModelToPicture>(
         &self,
-        options: &DrawOptions<M, Z>,
+        options: &DrawOptions<M, Z, B>,
         bounds: &Bounds,
         mvp: &V,
     ) -> bool {
@@ -222,17 +252,21 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
 
     /// Sets up a draw call and runs it.
     #[inline]
-    fn call<M: Mode, Z: DepthTest, V: ModelToPicture, S: Shader<Color = C>>(
+    fn call<M: Mode, Z: DepthTest, B: Blending<C>, V: ModelToPicture, S: ShaderFor<B::Source>>(
         &mut self,
-        options: &DrawOptions<M, Z>,
+        options: &DrawOptions<M, Z, B>,
         (mesh, mvp): (&Mesh<'_>, &V),
         shader: &S,
         stages: impl FnOnce(&Call<'_, V::Kind>, &mut dyn Blitter) -> Drawn,
     ) -> Drawn {
         let call = Call::new(options, mesh, mvp, (self.frame_size(), self.rows()));
         let modes = (options.mode, options.depth);
-        let mut blit =
-            Blit::<_, _, _, V::Kind, _, _>::new(modes, self, *shader, call.depth_shift());
+        let mut blit = Blit::<_, _, _, V::Kind, _, _>::new(
+            modes,
+            self,
+            (*shader, options.blending),
+            call.depth_shift(),
+        );
         stages(&call, &mut blit)
     }
 }

@@ -4,14 +4,14 @@ use embedded_graphics::geometry::Size;
 
 use crate::raster::Cull;
 use crate::span::{Fast, Mode, Newton};
-use crate::target::{DepthTest, TestAndWrite};
+use crate::target::{DepthTest, Replace, TestAndWrite};
 use crate::view::Viewport;
 
 /// The options of a draw call: which faces are culled, which part of the frame is drawn to, the interpolation mode,
-/// and the depth test.
+/// the depth test, and how colors are blended with those that are there.
 ///
-/// By default, a draw call culls back faces, draws to the whole frame in mode [`Newton`], and tests and stores
-/// depths.
+/// By default, a draw call culls back faces, draws to the whole frame in mode [`Newton`], tests and stores depths, and
+/// replaces what is there.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -21,11 +21,12 @@ use crate::view::Viewport;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct DrawOptions<M = Newton, Z = TestAndWrite> {
+pub struct DrawOptions<M = Newton, Z = TestAndWrite, B = Replace> {
     pub(super) cull: Cull,
     pub(super) viewport: Option<Viewport>,
     pub(super) mode: M,
     pub(super) depth: Z,
+    pub(super) blending: B,
 }
 
 impl Default for DrawOptions {
@@ -43,6 +44,7 @@ impl DrawOptions {
             viewport: None,
             mode: Newton,
             depth: TestAndWrite,
+            blending: Replace,
         }
     }
 
@@ -60,7 +62,7 @@ impl DrawOptions {
     }
 }
 
-impl<M: Copy, Z: Copy> DrawOptions<M, Z> {
+impl<M: Copy, Z: Copy, B: Copy> DrawOptions<M, Z, B> {
     /// Sets which faces are culled.
     #[must_use]
     pub const fn with_cull(self, cull: Cull) -> Self {
@@ -78,23 +80,37 @@ impl<M: Copy, Z: Copy> DrawOptions<M, Z> {
 
     /// Sets the interpolation mode.
     #[must_use]
-    pub const fn with_mode<N: Mode>(self, mode: N) -> DrawOptions<N, Z> {
+    pub const fn with_mode<N: Mode>(self, mode: N) -> DrawOptions<N, Z, B> {
         DrawOptions {
             cull: self.cull,
             viewport: self.viewport,
             mode,
             depth: self.depth,
+            blending: self.blending,
         }
     }
 
     /// Sets how depths are tested and stored. On a canvas without a depth buffer, this has no effect.
     #[must_use]
-    pub const fn with_depth<Y: DepthTest>(self, depth: Y) -> DrawOptions<M, Y> {
+    pub const fn with_depth<Y: DepthTest>(self, depth: Y) -> DrawOptions<M, Y, B> {
         DrawOptions {
             cull: self.cull,
             viewport: self.viewport,
             mode: self.mode,
             depth,
+            blending: self.blending,
+        }
+    }
+
+    /// Sets how colors are blended with those on the canvas.
+    #[must_use]
+    pub const fn with_blending<A: Copy>(self, blending: A) -> DrawOptions<M, Z, A> {
+        DrawOptions {
+            cull: self.cull,
+            viewport: self.viewport,
+            mode: self.mode,
+            depth: self.depth,
+            blending,
         }
     }
 
@@ -120,6 +136,12 @@ impl<M: Copy, Z: Copy> DrawOptions<M, Z> {
     #[must_use]
     pub const fn depth(&self) -> Z {
         self.depth
+    }
+
+    /// Returns how colors are blended with those on the canvas.
+    #[must_use]
+    pub const fn blending(&self) -> B {
+        self.blending
     }
 
     /// The viewport in a frame of this size.

@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use embedded_graphics::pixelcolor::Rgb888;
 
 use super::levels::{Levels, dimmed};
-use super::{Fragment, Illumination, Shader};
+use super::{ColorOf, Fragment, Illumination, Shader, Source};
 use crate::mesh::Primitive;
 
 /// Shader `S` on a canvas of color `C`; see [`Shader::converted`].
@@ -55,10 +55,10 @@ impl<S, C> Converted<S, C> {
 
 impl<S, C> Shader for Converted<S, C>
 where
-    S: Shader<Color: Into<Rgb888>>,
+    S: Shader<Color: Source<Color: Into<Rgb888>>>,
     C: Levels,
 {
-    type Color = C;
+    type Color = <S::Color as Source>::With<C>;
     type Varyings = S::Varyings;
 
     const READS_DEPTH: bool = S::READS_DEPTH;
@@ -69,20 +69,23 @@ where
     }
 
     #[inline]
-    fn shade(&self, at: &Fragment, varyings: S::Varyings) -> Option<C> {
-        let color = self.shader.shade(at, varyings)?;
-        Some(C::from_rgb(color.into(), at.point))
+    fn shade(&self, at: &Fragment, varyings: S::Varyings) -> Option<Self::Color> {
+        let source = self.shader.shade(at, varyings)?;
+        Some(source.convert(|color| C::from_rgb(color.into(), at.point)))
     }
 
     /// The color becomes levels of the canvas's color before it is dimmed, so that it is rounded or dithered only
     /// once.
     #[inline]
-    fn shade_lit(&self, at: &Fragment, varyings: S::Varyings, light: Illumination) -> Option<C> {
-        let color = self.shader.shade(at, varyings)?;
-        Some(C::from_levels(
-            dimmed::<C>(C::levels(color.into()), light),
-            at.point,
-        ))
+    fn shade_lit(
+        &self,
+        at: &Fragment,
+        varyings: S::Varyings,
+        light: Illumination,
+    ) -> Option<Self::Color> {
+        let source = self.shader.shade(at, varyings)?;
+        let lit = |color: ColorOf<S>| dimmed::<C>(C::levels(color.into()), light);
+        Some(source.convert(|color| C::from_levels(lit(color), at.point)))
     }
 }
 

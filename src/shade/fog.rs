@@ -1,6 +1,6 @@
 //! Fog: surfaces fade to a color with their distance.
 
-use super::{Fragment, Shader, Within};
+use super::{Fragment, Shader, Source, Within};
 use crate::mesh::Primitive;
 use crate::num::reciprocal;
 use crate::texture::Blend;
@@ -225,7 +225,10 @@ pub struct InFog<S, C, D = Linear> {
     pub(super) fog: Fog<C, D>,
 }
 
-impl<S: Shader<Color: Blend>, D: Density> Shader for InFog<S, S::Color, D> {
+impl<S: Shader, C: Blend, D: Density> Shader for InFog<S, C, D>
+where
+    S::Color: Source<Color = C>,
+{
     type Color = S::Color;
     type Varyings = (S::Varyings, Within<UNSEEN, [i32; 1]>);
 
@@ -241,10 +244,10 @@ impl<S: Shader<Color: Blend>, D: Density> Shader for InFog<S, S::Color, D> {
 
     #[inline]
     fn shade(&self, at: &Fragment, (inside, Within([x])): Self::Varyings) -> Option<S::Color> {
-        let color = self.surface.shade(at, inside)?;
-        let down = BITS - S::Color::WEIGHT_BITS;
+        let source = self.surface.shade(at, inside)?;
+        let down = BITS - C::WEIGHT_BITS;
         let weight = (D::left(x) + (1 << down >> 1)) >> down;
-        Some(self.fog.color.mix(color, weight))
+        Some(source.map(|color| self.fog.color.mix(color, weight)))
     }
 }
 

@@ -9,6 +9,7 @@ use embedded_graphics::pixelcolor::{
 
 use super::dither::threshold;
 use super::{Illumination, Lanes, Tolerance, Varyings};
+use crate::texture::Blend;
 
 /// A color that can be computed with: interpolated, lit, tinted and dithered.
 ///
@@ -35,7 +36,7 @@ use super::{Illumination, Lanes, Tolerance, Varyings};
 /// assert_eq!(on.count(), 38);
 /// ```
 pub trait Levels: PixelColor {
-    /// White, in whole steps: 31, 63, 31 for [`Rgb565`]; at most 255 each.
+    /// White, in whole steps: 31, 63, 31 for [`Rgb565`]; each is 2ⁿ − 1, at most 255.
     const MAX_STEPS: [i32; 3];
 
     /// The channels that are interpolated: `[i32; 3]`, or `[i32; 1]` for gray.
@@ -74,6 +75,56 @@ pub trait Levels: PixelColor {
     #[inline]
     fn from_rgb(color: Rgb888, at: Point) -> Self {
         Self::from_levels(Self::levels(color), at)
+    }
+
+    /// The color of whole steps, 0 to [`MAX_STEPS`](Self::MAX_STEPS).
+    #[must_use]
+    #[inline]
+    fn of_steps(steps: [i32; 3]) -> Self {
+        // No dithering changes a whole step.
+        Self::from_levels(each(steps, |step| step << 16), Point::zero())
+    }
+
+    /// This color, covered by another one in a share of `cover`/256.
+    #[must_use]
+    #[inline]
+    fn covered(self, by: Self, cover: u32, at: Point) -> Self {
+        let ([r, g, b], [x, y, z]) = (self.steps(), by.steps());
+        let levels = [
+            covered(r, x, cover),
+            covered(g, y, cover),
+            covered(b, z, cover),
+        ];
+        Self::from_levels(levels, at)
+    }
+
+    /// The sum of two colors, channel by channel, at most white.
+    #[must_use]
+    #[inline]
+    fn plus(self, other: Self) -> Self {
+        let ([r, g, b], [x, y, z]) = (self.steps(), other.steps());
+        let [most_r, most_g, most_b] = Self::MAX_STEPS;
+        Self::of_steps([
+            (r + x).min(most_r),
+            (g + y).min(most_g),
+            (b + z).min(most_b),
+        ])
+    }
+
+    /// The product of two colors, channel by channel, where white is 1.
+    #[must_use]
+    #[inline]
+    fn times(self, other: Self, at: Point) -> Self {
+        let ([r, g, b], [x, y, z]) = (self.steps(), other.steps());
+        let [most_r, most_g, most_b] = Self::MAX_STEPS;
+        Self::from_levels(
+            [
+                product(r, x, most_r),
+                product(g, y, most_g),
+                product(b, z, most_b),
+            ],
+            at,
+        )
     }
 
     /// This color under a light of `fractions`, channel by channel.
@@ -209,6 +260,34 @@ fn scale([a, b, c]: [i32; 3], [x, y, z]: [i32; 3]) -> [i32; 3] {
     [a.wrapping_mul(x), b.wrapping_mul(y), c.wrapping_mul(z)]
 }
 
+/// The level between two steps, of which the second has a share of `cover`/256.
+#[inline]
+const fn covered(below: i32, above: i32, cover: u32) -> i32 {
+    // 9 bits times 17 bits.
+    (below << 16).wrapping_add(
+        above
+            .wrapping_sub(below)
+            .wrapping_mul((cover << 8).cast_signed()),
+    )
+}
+
+/// a · b/most in levels, for a and b from 0 to `most`, which is 2ⁿ − 1. The error is at most 16 units of 2⁻¹⁶ step; what
+/// is rounded differs from a half by more.
+#[inline]
+const fn product(a: i32, b: i32, most: i32) -> i32 {
+    let steps = a.wrapping_mul(b);
+    // 2^16 = whole · most + rest, and rest/most is about rest/2ⁿ.
+    let n = 32 - most.cast_unsigned().leading_zeros();
+    let (whole, rest) = if most > 0 {
+        (65_536 / most, 65_536 % most)
+    } else {
+        (0, 0)
+    };
+    steps
+        .wrapping_mul(whole)
+        .wrapping_add(steps.wrapping_mul(rest) >> n)
+}
+
 /// Levels of a color `C` under a light between 0 and 65,536, give or take two. The error is at most 1/32 step; full
 /// brightness is exact for whole steps.
 #[inline]
@@ -312,6 +391,17 @@ macro_rules! rgb {
             fn from_raised(levels: [i32; 3], _: Point) -> Self {
                 let [r, g, b] = each(levels, |level| (level >> 16) as u8);
                 Self::new(r, g, b)
+            }
+
+            #[inline]
+            fn covered(self, by: Self, cover: u32, at: Point) -> Self {
+                if Self::WEIGHT_BITS == 5 {
+                    // One product for all channels. In this order, one color and one share are prepared before a loop.
+                    return by.mix(self, 32 - ((cover + 4) >> 3));
+                }
+                let ([r, g, b], [x, y, z]) = (self.steps(), by.steps());
+                let levels = [covered(r, x, cover), covered(g, y, cover), covered(b, z, cover)];
+                Self::from_levels(levels, at)
             }
         }
 

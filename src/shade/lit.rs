@@ -2,7 +2,7 @@
 
 use super::levels::{FRACTION, Levels};
 use super::light::{FULL, Gloss, Illumination, Light, Lighting, SurfacePoint, Tint};
-use super::{Fragment, PerFace, Shader, Within};
+use super::{ColorOf, Fragment, PerFace, Shader, Source, Within};
 use crate::math::Direction;
 use crate::mesh::Primitive;
 
@@ -68,9 +68,9 @@ fn unpack<L: Lighting, C: Levels>((diffuse, specular): Packed<L, C>) -> Illumina
     }
 }
 
-impl<S: Shader<Color: Levels>, L: Lighting> Shader for Lit<S, L> {
+impl<S: Shader<Color: Source<Color: Levels>>, L: Lighting> Shader for Lit<S, L> {
     type Color = S::Color;
-    type Varyings = (S::Varyings, Within<FRACTION, Packed<L, S::Color>>);
+    type Varyings = (S::Varyings, Within<FRACTION, Packed<L, ColorOf<S>>>);
 
     const READS_DEPTH: bool = S::READS_DEPTH;
 
@@ -84,7 +84,7 @@ impl<S: Shader<Color: Levels>, L: Lighting> Shader for Lit<S, L> {
         };
         let [x, y, z] = primitive.corners(|corner| {
             let point = SurfacePoint::corner::<L>(corner, face);
-            Within(pack::<L, S::Color>(self.light.at(&point)))
+            Within(pack::<L, ColorOf<S>>(self.light.at(&point)))
         });
         [(a, x), (b, y), (c, z)]
     }
@@ -92,7 +92,7 @@ impl<S: Shader<Color: Levels>, L: Lighting> Shader for Lit<S, L> {
     #[inline]
     fn shade(&self, at: &Fragment, (inside, Within(light)): Self::Varyings) -> Option<S::Color> {
         self.surface
-            .shade_lit(at, inside, unpack::<L, S::Color>(light))
+            .shade_lit(at, inside, unpack::<L, ColorOf<S>>(light))
     }
 }
 
@@ -135,9 +135,9 @@ pub struct FaceLit<S, L = Light> {
     pub(super) light: L,
 }
 
-impl<S: Shader<Color: Levels>, L: Lighting> Shader for FaceLit<S, L> {
+impl<S: Shader<Color: Source<Color: Levels>>, L: Lighting> Shader for FaceLit<S, L> {
     type Color = S::Color;
-    type Varyings = (S::Varyings, PerFace<Packed<L, S::Color>>);
+    type Varyings = (S::Varyings, PerFace<Packed<L, ColorOf<S>>>);
 
     const READS_DEPTH: bool = S::READS_DEPTH;
 
@@ -148,7 +148,7 @@ impl<S: Shader<Color: Levels>, L: Lighting> Shader for FaceLit<S, L> {
         } else {
             Illumination::white(FULL)
         };
-        let light = PerFace(pack::<L, S::Color>(light));
+        let light = PerFace(pack::<L, ColorOf<S>>(light));
         let [a, b, c] = self.surface.varyings(primitive);
         [(a, light), (b, light), (c, light)]
     }
@@ -156,7 +156,7 @@ impl<S: Shader<Color: Levels>, L: Lighting> Shader for FaceLit<S, L> {
     #[inline]
     fn shade(&self, at: &Fragment, (inside, PerFace(light)): Self::Varyings) -> Option<S::Color> {
         self.surface
-            .shade_lit(at, inside, unpack::<L, S::Color>(light))
+            .shade_lit(at, inside, unpack::<L, ColorOf<S>>(light))
     }
 }
 
@@ -181,7 +181,11 @@ mod tests {
     }
 
     /// The brightness at the three corners.
-    fn lights<S: Shader<Color: Levels>>(lit: Lit<S>, mesh: &Mesh<'_>, index: usize) -> [i32; 3] {
+    fn lights<S: Shader<Color: Source<Color: Levels>>>(
+        lit: Lit<S>,
+        mesh: &Mesh<'_>,
+        index: usize,
+    ) -> [i32; 3] {
         let (_, corners) = face(lit, &IDENTITY, mesh, index);
         corners.map(|(_, Within(([light], ())))| light)
     }

@@ -1,8 +1,6 @@
 //! A function of the color of each pixel.
 
-use embedded_graphics::pixelcolor::PixelColor;
-
-use super::{Fragment, Shader};
+use super::{Fragment, Shader, Source};
 use crate::mesh::Primitive;
 
 /// A shader and a function of each pixel that it colors; see [`Shader::map`].
@@ -35,7 +33,7 @@ pub struct Map<S, F> {
 impl<S, C, F> Shader for Map<S, F>
 where
     S: Shader,
-    C: PixelColor,
+    C: Source,
     F: Fn(&Fragment, S::Color) -> Option<C> + Copy,
 {
     type Color = C;

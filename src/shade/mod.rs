@@ -33,6 +33,8 @@ mod light;
 mod lit;
 mod map;
 mod shader;
+mod source;
+mod texel;
 mod textured;
 mod tinted;
 mod varyings;
@@ -55,6 +57,8 @@ pub use light::{
 pub use lit::{FaceLit, Lit};
 pub use map::Map;
 pub use shader::{Fragment, Shader, ShaderFor};
+pub use source::{ColorOf, Source, Translucent};
+pub use texel::{Masked, Texel};
 pub use textured::Textured;
 pub use tinted::Tinted;
 pub use varyings::{PerFace, Texels, Tolerance, Varyings, Within};

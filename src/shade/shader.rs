@@ -2,11 +2,10 @@
 //! them.
 
 use embedded_graphics::geometry::Point;
-use embedded_graphics::pixelcolor::PixelColor;
 
 use super::{
-    Converted, Density, FaceLit, Fog, Illumination, InFog, Levels, Lighting, Lit, Map, Tinted,
-    Varyings,
+    ColorOf, Converted, Density, FaceLit, Fog, Illumination, InFog, Levels, Lighting, Lit, Map,
+    Source, Tinted, Varyings,
 };
 use crate::mesh::Primitive;
 use crate::texture::Blend;
@@ -72,8 +71,8 @@ pub struct Fragment {
 /// and calls the two inner methods. Nothing else needs to be passed on. Most effects need no type of their own: see
 /// [`map`](Self::map).
 pub trait Shader: Copy {
-    /// The color of a pixel; the canvas must have the same color type.
-    type Color: PixelColor;
+    /// The color of a pixel: the canvas's color type, or a [`Translucent`](super::Translucent) color.
+    type Color: Source;
 
     /// The values to interpolate.
     type Varyings: Varyings;
@@ -103,9 +102,10 @@ pub trait Shader: Copy {
         light: Illumination,
     ) -> Option<Self::Color>
     where
-        Self::Color: Levels,
+        ColorOf<Self>: Levels,
     {
-        Some(self.shade(at, varyings)?.lit(light, at.point))
+        let source = self.shade(at, varyings)?;
+        Some(source.map(|color| color.lit(light, at.point)))
     }
 
     /// Puts this surface under a light. The brightness is computed at the vertices and interpolated (Gouraud
@@ -114,7 +114,7 @@ pub trait Shader: Copy {
     #[inline]
     fn lit<L: Lighting>(self, light: L) -> Lit<Self, L>
     where
-        Self::Color: Levels,
+        ColorOf<Self>: Levels,
     {
         Lit {
             surface: self,
@@ -128,7 +128,7 @@ pub trait Shader: Copy {
     #[inline]
     fn lit_faces<L: Lighting>(self, light: L) -> FaceLit<Self, L>
     where
-        Self::Color: Levels,
+        ColorOf<Self>: Levels,
     {
         FaceLit {
             surface: self,
@@ -141,7 +141,7 @@ pub trait Shader: Copy {
     #[inline]
     fn tinted(self) -> Tinted<Self>
     where
-        Self::Color: Levels,
+        ColorOf<Self>: Levels,
     {
         Tinted { surface: self }
     }
@@ -149,9 +149,9 @@ pub trait Shader: Copy {
     /// Puts this surface in fog.
     #[must_use]
     #[inline]
-    fn in_fog<D: Density>(self, fog: Fog<Self::Color, D>) -> InFog<Self, Self::Color, D>
+    fn in_fog<D: Density>(self, fog: Fog<ColorOf<Self>, D>) -> InFog<Self, ColorOf<Self>, D>
     where
-        Self::Color: Blend,
+        ColorOf<Self>: Blend,
     {
         InFog { surface: self, fog }
     }
@@ -174,7 +174,7 @@ pub trait Shader: Copy {
     /// ```
     #[must_use]
     #[inline]
-    fn map<C: PixelColor, F: Fn(&Fragment, Self::Color) -> Option<C> + Copy>(
+    fn map<C: Source, F: Fn(&Fragment, Self::Color) -> Option<C> + Copy>(
         self,
         effect: F,
     ) -> Map<Self, F> {

@@ -2,12 +2,14 @@
 
 use core::marker::PhantomData;
 
-use super::{Fragment, Shader, Texels};
-use crate::Vec2;
+use super::{Fragment, Masked, Shader, Texel, Texels};
+use embedded_graphics::pixelcolor::{GrayColor, PixelColor};
+
 use crate::mesh::Primitive;
 use crate::texture::{
     Addressing, Bilinear, Blend, Clamp, CutOut, Filter, Nearest, Repeat, Sampler, texels,
 };
+use crate::{Error, Vec2};
 
 /// A texture: each pixel shows the texel nearest to its center, or a blend of the four around it
 /// ([`bilinear`](Self::bilinear)).
@@ -98,6 +100,45 @@ impl<S: Sampler, A: Addressing> Textured<S, A> {
     }
 }
 
+impl<S: Sampler<Color: PixelColor>, A: Addressing, F> Textured<S, A, F> {
+    /// Gives each texel the opacity that a gray texture of the same size has there, the mask: white is wholly there, and
+    /// black leaves both color and depth of the canvas as they were. Draw it with the blending
+    /// [`Alpha`](crate::target::Alpha).
+    ///
+    /// A bilinear filter blends colors and opacities each for itself: give texels that are not there the colors of their
+    /// neighbors.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+    /// use fixel::{prelude::*, target::Alpha, texture::PackedGray4};
+    /// static SKIN: TextureArray<Gray8, 2, 1> = TextureArray::gray8(&[200, 200]);
+    /// static SQUARE: Mesh = shape!(plane(1, 1));
+    /// let mask = PackedGray4::new(&[0x3f], 2, 1)?; // a fifth, and the whole
+    /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
+    /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
+    /// let mut pixels = [Gray8::new(100); 2];
+    /// let mut canvas = Canvas::new(&mut pixels, 2, 1)?;
+    /// let (alpha, drop) = (DrawOptions::new().with_blending(Alpha), Textured::new(&SKIN).masked(&mask)?);
+    /// canvas.draw_with(&alpha, &SQUARE, &mvp, &drop);
+    /// assert_eq!(pixels, [Gray8::new(120), Gray8::new(200)]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::MaskSize`] if the sizes differ.
+    pub fn masked<M: Sampler<Color: GrayColor>>(
+        self,
+        mask: M,
+    ) -> Result<Textured<Masked<S, M>, A, F>, Error> {
+        Ok(Textured {
+            sampler: Masked::new(self.sampler, mask)?,
+            addressing: PhantomData,
+            filter: self.filter,
+        })
+    }
+}
+
 impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Textured<S, A, F> {
     /// Leaves out the texels of one color, which must have exactly this value: fences, leaves, sprites. Where they are,
     /// both color and depth of the canvas stay as they were.
@@ -131,8 +172,8 @@ impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Textured<S, A, F> {
     }
 }
 
-impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Shader for Textured<S, A, F> {
-    type Color = S::Color;
+impl<S: Sampler<Color: Texel>, A: Addressing, F: Filter<S::Color>> Shader for Textured<S, A, F> {
+    type Color = <S::Color as Texel>::Source;
     type Varyings = Texels;
 
     const READS_DEPTH: bool = false;
@@ -154,8 +195,8 @@ impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Shader for Textured<S, A, F
     }
 
     #[inline]
-    fn shade(&self, _: &Fragment, Texels(at): Texels) -> Option<S::Color> {
-        self.filter.color::<S, A>(&self.sampler, at)
+    fn shade(&self, _: &Fragment, Texels(at): Texels) -> Option<Self::Color> {
+        self.filter.color::<S, A>(&self.sampler, at)?.source()
     }
 }
 
@@ -178,7 +219,10 @@ mod tests {
             .unwrap()
     }
 
-    fn corners<S: Sampler, A: Addressing>(skin: Textured<S, A>, uvs: [Vec2; 3]) -> [[i32; 2]; 3] {
+    fn corners<S: Sampler<Color: Texel>, A: Addressing>(
+        skin: Textured<S, A>,
+        uvs: [Vec2; 3],
+    ) -> [[i32; 2]; 3] {
         face(skin, &IDENTITY, &mesh(&uvs), 0).1.map(|Texels(at)| at)
     }
 

@@ -1,7 +1,7 @@
 //! A surface times vertex colors.
 
 use super::levels::{Channels, FRACTION, Levels};
-use super::{Fragment, Shader, Within};
+use super::{ColorOf, Fragment, Shader, Source, Within};
 use crate::mesh::Primitive;
 
 /// A surface times the interpolated vertex color, channel by channel; see [`Shader::tinted`].
@@ -33,11 +33,11 @@ pub struct Tinted<S> {
     pub(super) surface: S,
 }
 
-impl<S: Shader<Color: Levels>> Shader for Tinted<S> {
+impl<S: Shader<Color: Source<Color: Levels>>> Shader for Tinted<S> {
     type Color = S::Color;
     type Varyings = (
         S::Varyings,
-        Within<FRACTION, <S::Color as Levels>::Channels>,
+        Within<FRACTION, <ColorOf<S> as Levels>::Channels>,
     );
 
     const READS_DEPTH: bool = S::READS_DEPTH;
@@ -46,7 +46,7 @@ impl<S: Shader<Color: Levels>> Shader for Tinted<S> {
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
         let [a, b, c] = self.surface.varyings(primitive);
         let [x, y, z] = primitive.corners(|corner| {
-            let fractions = S::Color::fractions(corner.color());
+            let fractions = ColorOf::<S>::fractions(corner.color());
             Within(Channels::first(fractions))
         });
         [(a, x), (b, y), (c, z)]
@@ -54,8 +54,8 @@ impl<S: Shader<Color: Levels>> Shader for Tinted<S> {
 
     #[inline]
     fn shade(&self, at: &Fragment, (inside, Within(tint)): Self::Varyings) -> Option<S::Color> {
-        let color = self.surface.shade(at, inside)?;
-        Some(color.filtered(tint.all(), at.point))
+        let source = self.surface.shade(at, inside)?;
+        Some(source.map(|color| color.filtered(tint.all(), at.point)))
     }
 }
 

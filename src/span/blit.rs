@@ -1,4 +1,4 @@
-//! A draw call's shader, mode and canvas, behind the interface that the rasterizer calls.
+//! A draw call's shader, blending, mode and canvas, behind the interface that the rasterizer calls.
 
 use core::hint::black_box;
 use core::ops::Range;
@@ -8,20 +8,21 @@ use embedded_graphics::geometry::Point;
 use super::divide::{divide, divide_anew, divide_apart};
 use super::mode::{Kernel, Policy};
 use super::newton::newton;
+use super::painter::Painter;
 use super::pieces::pieces;
 use super::pixels::{Count, FaceOf, Numbers, Pixels, Span};
 use super::plan::Plan;
 use super::straight::{scaled, solid, straight};
 use crate::mesh::Primitive;
 use crate::raster::{Attribute, Blitter, Columns, DepthShift, Patch, SPAN, Scale, unpaired};
-use crate::shade::{Lanes, MOST_VARYINGS, Shader, Varyings};
+use crate::shade::{Lanes, MOST_VARYINGS, Varyings};
 use crate::target::{Canvas, Cells, DepthBuffer, DepthTest, Storage};
 use crate::view::ProjectionKind;
 
-/// The [`Blitter`] of shader `S` in mode `M` under a projection of kind `K`.
-pub(crate) struct Blit<'p, 'c, S: Shader, O: Storage<S::Color>, D, K, M, Z> {
+/// The [`Blitter`] of shader and blending `S` in mode `M` under a projection of kind `K`.
+pub(crate) struct Blit<'p, 'c, S: Painter, O: Storage<S::Color>, D, K, M, Z> {
     canvas: &'p mut Canvas<'c, S::Color, O, D>,
-    shader: S,
+    painter: S,
     test: Z,
     plan: Plan<Count<S>, K, M>,
     /// The values that all pixels of the current primitive share for the shader.
@@ -30,7 +31,7 @@ pub(crate) struct Blit<'p, 'c, S: Shader, O: Storage<S::Color>, D, K, M, Z> {
 
 impl<'p, 'c, S, O, D, K, M, Z> Blit<'p, 'c, S, O, D, K, M, Z>
 where
-    S: Shader,
+    S: Painter,
     O: Storage<S::Color>,
     D: DepthBuffer,
     K: ProjectionKind,
@@ -54,7 +55,7 @@ where
     pub(crate) fn new(
         (mode, test): (M, Z),
         canvas: &'p mut Canvas<'c, S::Color, O, D>,
-        shader: S,
+        painter: S,
         shift: DepthShift,
     ) -> Self {
         const {
@@ -65,7 +66,7 @@ where
         }
         Self {
             canvas,
-            shader,
+            painter,
             test,
             plan: Plan::new(mode, &S::Varyings::tolerances(), Self::PAIRS, shift),
             face: FaceOf::<S>::default(),
@@ -76,7 +77,7 @@ where
     #[inline(always)]
     fn pixels(&self, row: i32, column: i32) -> Pixels<S, Z> {
         Pixels {
-            shader: self.shader,
+            painter: self.painter,
             face: self.face,
             test: self.test,
             point: Point::new(column - 1, row),
@@ -212,7 +213,7 @@ where
 
 impl<S, O, D, K, M, Z> Blitter for Blit<'_, '_, S, O, D, K, M, Z>
 where
-    S: Shader,
+    S: Painter,
     O: Storage<S::Color>,
     D: DepthBuffer,
     K: ProjectionKind,
@@ -220,7 +221,7 @@ where
     Z: DepthTest,
 {
     fn primitive(&mut self, primitive: &Primitive<'_>) {
-        let [a, b, c] = self.shader.varyings(primitive);
+        let [a, b, c] = self.painter.varyings(primitive);
         let ((a, face), (b, _), (c, _)) = (a.split(), b.split(), c.split());
         self.face = face;
         self.plan.start([a, b, c]);

@@ -1,9 +1,10 @@
 //! The exact reciprocal of 1/w at every pixel.
 
+use super::painter::Painter;
 use super::pixels::{Count, Numbers, Pixels, Scales, Span};
 use crate::num::reciprocal;
 use crate::num::wide::product;
-use crate::shade::{Lanes, Shader};
+use crate::shade::Lanes;
 use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 
 /// Draws a span whose attributes are p / q · 2^bits at each pixel, rounded down.
@@ -14,7 +15,7 @@ pub(super) fn divide<S, O, D, Z>(
     mut cells: Cells<'_, S::Color, O, D>,
     mut pixels: Pixels<S, Z>,
 ) where
-    S: Shader,
+    S: Painter,
     O: Storage<S::Color>,
     D: DepthBuffer,
     Z: DepthTest,
@@ -45,7 +46,7 @@ pub(super) fn divide_apart<S, O, D, Z>(
     cells: Cells<'_, S::Color, O, D>,
     pixels: Pixels<S, Z>,
 ) where
-    S: Shader,
+    S: Painter,
     O: Storage<S::Color>,
     D: DepthBuffer,
     Z: DepthTest,
@@ -64,7 +65,7 @@ pub(super) fn divide_anew<S, O, D, Z>(
     mut cells: Cells<'_, S::Color, O, D>,
     mut pixels: Pixels<S, Z>,
 ) where
-    S: Shader,
+    S: Painter,
     O: Storage<S::Color>,
     D: DepthBuffer,
     Z: DepthTest,
@@ -80,7 +81,7 @@ pub(super) fn divide_anew<S, O, D, Z>(
 }
 
 #[inline]
-fn quotients<S: Shader>(q: u32, p: &Numbers<S>, scales: &Scales<S>) -> Numbers<S> {
+fn quotients<S: Painter>(q: u32, p: &Numbers<S>, scales: &Scales<S>) -> Numbers<S> {
     let up = (q | 1).leading_zeros();
     // 31 bits, so that the product below is one of signed numbers.
     let r = reciprocal((q << up) >> 1).cast_signed();

@@ -1,4 +1,4 @@
-//! From spans to pixels: interpolation, depth test, shader, store.
+//! From spans to pixels: interpolation, depth test, shader, blending, store.
 //!
 //! A [`plan`] starts each span and asks the [mode](mode) which of four kernels draws it; [`Blit`] calls that kernel:
 //! [`straight`] adds, [`pieces`] adds and computes a reciprocal at the ends of straight pieces, [`newton`] refines a
@@ -14,6 +14,7 @@ mod blit;
 mod divide;
 mod mode;
 mod newton;
+mod painter;
 mod pieces;
 mod pixels;
 mod plan;

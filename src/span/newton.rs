@@ -1,10 +1,11 @@
 //! The reciprocal of 1/w at a pixel, from the reciprocals at the two pixels before it.
 
+use super::painter::Painter;
 use super::pixels::{Count, Pixels, Span, rolled};
 use crate::num::reciprocal;
 use crate::num::wide::product;
 use crate::raster::Scale;
-use crate::shade::{Lanes, Shader};
+use crate::shade::Lanes;
 use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 
 /// The number of bits in an attribute's scale, and so the bits of a fraction p/q.
@@ -20,7 +21,7 @@ pub(super) fn newton<S, O, D, Z>(
     mut cells: Cells<'_, S::Color, O, D>,
     mut pixels: Pixels<S, Z>,
 ) where
-    S: Shader,
+    S: Painter,
     O: Storage<S::Color>,
     D: DepthBuffer,
     Z: DepthTest,

@@ -1,9 +1,10 @@
 //! Straight pieces between pixels that are correct in perspective.
 
+use super::painter::Painter;
 use super::pixels::{Count, Numbers, Pixels, Scales, Span, rolled};
 use crate::num::short_reciprocal;
 use crate::num::wide::{product, times_17_bits};
-use crate::shade::{Lanes, Shader};
+use crate::shade::Lanes;
 use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 
 /// Draws a span in straight pieces of 2^`length` pixels, where `length` is 1 to 6.
@@ -18,7 +19,7 @@ pub(super) fn pieces<S, O, D, Z>(
     mut cells: Cells<'_, S::Color, O, D>,
     mut pixels: Pixels<S, Z>,
 ) where
-    S: Shader,
+    S: Painter,
     O: Storage<S::Color>,
     D: DepthBuffer,
     Z: DepthTest,
@@ -102,7 +103,7 @@ fn divided(change: i32, n: u32) -> i32 {
 
 /// The attributes at a pixel, where `inverse` is the reciprocal of 1/w.
 #[inline]
-fn attributes<S: Shader>(p: &Numbers<S>, scales: &Scales<S>, inverse: u32) -> Numbers<S> {
+fn attributes<S: Painter>(p: &Numbers<S>, scales: &Scales<S>, inverse: u32) -> Numbers<S> {
     Count::<S>::zip(p, scales, |p, scale| {
         // `inverse` is 2^46 / q, and p is already divided by 4, so the product is p / q in units of 2^-44.
         times_17_bits(*p, inverse) >> (30u32.wrapping_sub(scale.bits()) & 31)

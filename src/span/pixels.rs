@@ -4,8 +4,9 @@ use core::hint::black_box;
 
 use embedded_graphics::geometry::Point;
 
+use super::painter::Painter;
 use crate::raster::Scale;
-use crate::shade::{Fragment, Lanes, Shader, Varyings};
+use crate::shade::{Fragment, Lanes, Varyings};
 use crate::target::{Buffer, DepthBuffer, DepthTest, Storage, linear};
 
 /// The interpolated numbers of a shader, one `i32` in each lane.
@@ -15,10 +16,10 @@ pub(super) type Numbers<S> = <Count<S> as Lanes>::Of<i32>;
 pub(super) type Scales<S> = <Count<S> as Lanes>::Of<Scale>;
 
 /// The number of a shader's interpolated numbers.
-pub(super) type Count<S> = <<S as Shader>::Varyings as Varyings>::Lanes;
+pub(super) type Count<S> = <<S as Painter>::Varyings as Varyings>::Lanes;
 
 /// The values that all pixels of a primitive share for a shader.
-pub(super) type FaceOf<S> = <<S as Shader>::Varyings as Varyings>::Face;
+pub(super) type FaceOf<S> = <<S as Painter>::Varyings as Varyings>::Face;
 
 /// Interpolants at the first pixel of a span, and their change from one pixel to the next.
 ///
@@ -86,8 +87,8 @@ pub(super) fn rolled() {
 pub(super) type Cell<'c, C, O, D> = (&'c mut <O as Storage<C>>::Cell, <D as Buffer>::Cell<'c>);
 
 /// Tests and shades the pixels of a span, one after the other.
-pub(super) struct Pixels<S: Shader, Z> {
-    pub(super) shader: S,
+pub(super) struct Pixels<S: Painter, Z> {
+    pub(super) painter: S,
     pub(super) face: FaceOf<S>,
     pub(super) test: Z,
     /// The current pixel; at first, the pixel before the span.
@@ -97,7 +98,7 @@ pub(super) struct Pixels<S: Shader, Z> {
     pub(super) stored: u32,
 }
 
-impl<S: Shader, Z: DepthTest> Pixels<S, Z> {
+impl<S: Painter, Z: DepthTest> Pixels<S, Z> {
     /// Moves to the next pixel, where 1/w is `q`, and returns whether it is visible.
     #[inline]
     pub(super) fn visible<D: DepthBuffer>(
@@ -127,8 +128,9 @@ impl<S: Shader, Z: DepthTest> Pixels<S, Z> {
             depth: self.depth as u16,
         };
         let varyings = S::Varyings::join(numbers, self.face);
-        if let Some(shaded) = self.shader.shade(&at, varyings) {
-            *color = O::store(shaded);
+        let below = || O::load(*color);
+        if let Some(painted) = self.painter.paint(&at, varyings, below) {
+            *color = O::store(painted);
             if Z::WRITES {
                 D::store(depth, self.stored as u16);
             }

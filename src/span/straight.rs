@@ -1,7 +1,8 @@
 //! Attributes that are linear along the span: only additions.
 
+use super::painter::Painter;
 use super::pixels::{Cell, Count, Numbers, Pixels, Scales, Span, rolled};
-use crate::shade::{Lanes, Shader};
+use crate::shade::Lanes;
 use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 
 /// Draws a span; `restore` turns interpolants into attributes.
@@ -12,7 +13,7 @@ pub(super) fn straight<S, O, D, Z>(
     mut cells: Cells<'_, S::Color, O, D>,
     mut pixels: Pixels<S, Z>,
 ) where
-    S: Shader,
+    S: Painter,
     O: Storage<S::Color>,
     D: DepthBuffer,
     Z: DepthTest,
@@ -44,7 +45,7 @@ pub(super) fn scaled<S, O, D, Z>(
     cells: Cells<'_, S::Color, O, D>,
     pixels: Pixels<S, Z>,
 ) where
-    S: Shader,
+    S: Painter,
     O: Storage<S::Color>,
     D: DepthBuffer,
     Z: DepthTest,
@@ -60,7 +61,7 @@ pub(super) fn solid<S, O, D, Z>(
     mut cells: Cells<'_, S::Color, O, D>,
     mut pixels: Pixels<S, Z>,
 ) where
-    S: Shader,
+    S: Painter,
     O: Storage<S::Color>,
     D: DepthBuffer,
     Z: DepthTest,
@@ -82,12 +83,13 @@ pub(super) fn solid<S, O, D, Z>(
             draw(d);
         }
     };
-    while cells.len() >= 8 {
+    // What blends takes too many registers for that.
+    while !S::READS_COLOR && cells.len() >= 8 {
         rolled();
         four(&mut cells);
         four(&mut cells);
     }
-    if cells.len() >= 4 {
+    if !S::READS_COLOR && cells.len() >= 4 {
         four(&mut cells);
     }
     for cell in cells.first(usize::MAX) {

@@ -15,7 +15,7 @@ use super::straight::{solid, straight};
 use crate::mesh::Primitive;
 use crate::raster::Scale;
 use crate::shade::{Flat, Fragment, Shader};
-use crate::target::{Canvas, Cells, Native, NoDepth, NoTest, TestAndWrite};
+use crate::target::{Canvas, Cells, Native, NoDepth, NoTest, Replace, TestAndWrite};
 
 /// Writes down the column and the number of each pixel.
 #[derive(Clone, Copy)]
@@ -42,12 +42,15 @@ type Row<'a> = Cells<'a, Gray8, Native, NoDepth>;
 const FIRST: u32 = 3;
 
 /// The numbers of a span of `count` pixels, which alone are drawn.
-fn numbers(count: u32, draw: impl FnOnce(Row<'_>, Pixels<Note<'_>, NoTest>)) -> Vec<i32> {
+fn numbers(
+    count: u32,
+    draw: impl FnOnce(Row<'_>, Pixels<(Note<'_>, Replace), NoTest>),
+) -> Vec<i32> {
     let (mut colors, seen) = ([Gray8::BLACK; 70], RefCell::new(Vec::new()));
     let mut canvas = Canvas::new(&mut colors, 70, 1).unwrap();
     let columns = FIRST..FIRST + count;
     let pixels = Pixels {
-        shader: Note(&seen),
+        painter: (Note(&seen), Replace),
         face: (),
         test: NoTest,
         point: Point::new(FIRST.cast_signed() - 1, 0),
@@ -212,7 +215,7 @@ fn the_later_of_two_pixels_at_one_depth_shows() {
     let mut canvas = canvas.with_depth(&mut depths).unwrap();
     let mut draw = |ink: u8, columns: core::ops::Range<u32>, q: u32| {
         let pixels = Pixels {
-            shader: Flat::new(Gray8::new(ink)),
+            painter: (Flat::new(Gray8::new(ink)), Replace),
             face: (),
             test: TestAndWrite,
             point: Point::new(columns.start.cast_signed() - 1, 0),

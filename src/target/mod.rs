@@ -2,14 +2,16 @@
 //!
 //! A [`Canvas`] has three type parameters: its color, how the color is stored, and its depth buffer. Their types
 //! follow from its constructor, so most programs need to name only the color. A draw call adds how it uses the depth
-//! buffer.
+//! buffer, and how its colors are blended with those that are there.
 //!
 //! | choice | types |
 //! |---|---|
 //! | storage of a color | [`Native`], or bytes: embedded-graphics' `BigEndian` and `LittleEndian` |
 //! | depth buffer | [`NoDepth`], or [`Depth`] in format [`Linear`], [`Float`] or [`WideFloat`] |
 //! | depth test of a draw call | [`TestAndWrite`], [`TestOnly`], [`WriteOnly`], [`NoTest`], or [`Biased`] around one of these |
+//! | blending of a draw call | [`Replace`], [`Opacity`], [`Alpha`], [`Add`] or [`Multiply`] |
 
+mod blending;
 mod canvas;
 mod depth;
 mod depth_test;
@@ -17,6 +19,7 @@ mod draw_target;
 mod format;
 mod storage;
 
+pub use blending::{Add, Alpha, Blending, Multiply, Opacity, Replace};
 pub use canvas::{Canvas, MAX_SIZE};
 pub(crate) use canvas::{Cells, check_size};
 pub(crate) use depth::Buffer;

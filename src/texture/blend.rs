@@ -1,11 +1,11 @@
 //! Colors between four texels.
 
 use embedded_graphics::pixelcolor::{
-    Bgr555, Bgr565, Bgr666, Bgr888, Gray8, GrayColor, IntoStorage, PixelColor, Rgb555, Rgb565,
-    Rgb666, Rgb888, raw::RawU16, raw::RawU24,
+    Bgr555, Bgr565, Bgr666, Bgr888, Gray8, GrayColor, IntoStorage, Rgb555, Rgb565, Rgb666, Rgb888,
+    raw::RawU16, raw::RawU24,
 };
 
-/// A color that [`Bilinear`](super::Bilinear) filtering can blend.
+/// A color, or a texel with an opacity, that [`Bilinear`](super::Bilinear) filtering can blend.
 ///
 /// Each channel is blended as it is stored, without gamma.
 ///
@@ -19,7 +19,7 @@ use embedded_graphics::pixelcolor::{
 /// // A quarter of the way to the right, in 32nds.
 /// assert_eq!(Rgb565::blend(quad, [8, 0]), Rgb565::new(8, 0, 0));
 /// ```
-pub trait Blend: PixelColor {
+pub trait Blend: Copy {
     /// [`blend`](Self::blend) divides the distance between two texels into 2 to this power steps;
     /// at least 1 and at most 15.
     const WEIGHT_BITS: u32;
@@ -66,7 +66,7 @@ const fn lowest(mask: u32) -> u32 {
 
 /// Applies `of` to each of four texels. Written out, because optimized for size, a `map` remains a loop.
 #[inline]
-fn each<T, U>([[a, b], [c, d]]: [[T; 2]; 2], of: impl Fn(T) -> U) -> [[U; 2]; 2] {
+pub(super) fn each<T, U>([[a, b], [c, d]]: [[T; 2]; 2], of: impl Fn(T) -> U) -> [[U; 2]; 2] {
     [[of(a), of(b)], [of(c), of(d)]]
 }
 
@@ -77,12 +77,20 @@ fn each<T, U>([[a, b], [c, d]]: [[T; 2]; 2], of: impl Fn(T) -> U) -> [[U; 2]; 2]
 /// Each of the two roundings has an error of at most half a step, so a channel is within one step of the exact sum
 /// weighted by `x` and `y`.
 #[inline]
-fn bilinear<const MASK: u32, const BITS: u32>(
+pub(super) fn bilinear<const MASK: u32, const BITS: u32>(
     [upper, lower]: [[u32; 2]; 2],
     [x, y]: [u32; 2],
 ) -> u32 {
     let row = |texels| linear::<MASK, BITS>(texels, x);
     linear::<MASK, BITS>([row(upper), row(lower)], y)
+}
+
+/// The texel whose center is nearest to a point between four.
+#[inline]
+pub(super) fn nearest<C: Blend>([upper, lower]: [[C; 2]; 2], [x, y]: [u32; 2]) -> C {
+    let half = 1 << (C::WEIGHT_BITS - 1);
+    let [left, right] = if y < half { upper } else { lower };
+    if x < half { left } else { right }
 }
 
 /// Blends the channels of two colors, in lanes like those of [`bilinear`], rounded to nearest, halves up.

@@ -1,10 +1,8 @@
 //! The color at a point between texels.
 
-use embedded_graphics::pixelcolor::PixelColor;
-
 use super::Addressing;
 use super::Sampler;
-use super::blend::Blend;
+use super::blend::{self, Blend};
 
 /// The color of a texture between the centers of its texels: [`Nearest`] or [`Bilinear`].
 ///
@@ -18,7 +16,7 @@ use super::blend::Blend;
 ///     let _ = textured;
 /// }
 /// ```
-pub trait Filter<C: PixelColor>: Copy + sealed::Sealed {
+pub trait Filter<C>: Copy + sealed::Sealed {
     /// The color at a column and a row: distances from the first texel's corner, in texels with 16 fraction bits. `None`
     /// where the texture has a hole.
     #[doc(hidden)]
@@ -122,7 +120,7 @@ pub struct CutOut<F, C> {
     pub(crate) key: C,
 }
 
-impl<C: PixelColor> Filter<C> for Nearest {
+impl<C: Copy> Filter<C> for Nearest {
     #[inline]
     fn color<S: Sampler<Color = C>, A: Addressing>(
         &self,
@@ -136,7 +134,7 @@ impl<C: PixelColor> Filter<C> for Nearest {
     }
 }
 
-impl<C: PixelColor> Filter<C> for CutOut<Nearest, C> {
+impl<C: Copy + PartialEq> Filter<C> for CutOut<Nearest, C> {
     #[inline]
     fn color<S: Sampler<Color = C>, A: Addressing>(&self, sampler: &S, at: [i32; 2]) -> Option<C> {
         let color = self.filter.color::<S, A>(sampler, at)?;
@@ -152,19 +150,16 @@ impl<C: Blend> Filter<C> for Bilinear {
     }
 }
 
-impl<C: Blend> Filter<C> for CutOut<Bilinear, C> {
+impl<C: Blend + PartialEq> Filter<C> for CutOut<Bilinear, C> {
     #[inline]
     fn color<S: Sampler<Color = C>, A: Addressing>(&self, sampler: &S, at: [i32; 2]) -> Option<C> {
-        let ([upper, lower], [x, y]) = around::<C, S, A>(sampler, at);
-        let half = 1 << (C::WEIGHT_BITS - 1);
-        let [left, right] = if y < half { upper } else { lower };
-        let nearest = if x < half { left } else { right };
+        let (texels, weights) = around::<C, S, A>(sampler, at);
+        let nearest = blend::nearest(texels, weights);
         if nearest == self.key {
             return None;
         }
         let filled = |texel: C| if texel == self.key { nearest } else { texel };
-        let row = |[left, right]: [C; 2]| [filled(left), filled(right)];
-        Some(C::blend([row(upper), row(lower)], [x, y]))
+        Some(C::blend(blend::each(texels, filled), weights))
     }
 }
 

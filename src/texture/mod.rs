@@ -6,10 +6,12 @@
 //! | [`TextureArray`] | in the type | a color |
 //! | [`Palette`] | known at run time | a byte, an index into 256 colors |
 //! | [`PaletteArray`] | in the type | a byte, an index into 256 colors |
+//! | [`PackedGray4`] | known at run time | half a byte, a gray |
 //!
 //! [`include_bmp!`](crate::include_bmp) and [`include_tga!`](crate::include_tga) turn a file into any of these at
 //! compile time; [`Image`] reads a file at run time. A shader takes a reference to any of them, or to your own
-//! [`Sampler`]. A [`Filter`] chooses the color between the centers of texels.
+//! [`Sampler`]. A [`Filter`] chooses the color between the centers of texels. Texels of
+//! [`Argb4444`] have an opacity, and those of [`Argb1555`] may be holes.
 
 // Files are read at compile time, where `From` is not const; offsets lie within a file.
 #![allow(
@@ -19,6 +21,7 @@
 )]
 
 mod addressing;
+mod argb;
 mod array;
 mod blend;
 mod bmp;
@@ -27,6 +30,7 @@ mod filter;
 mod image;
 #[doc(hidden)]
 pub mod include;
+mod packed;
 mod palette;
 mod palette_array;
 mod sampler;
@@ -36,11 +40,13 @@ mod tga;
 
 pub(crate) use addressing::texels;
 pub use addressing::{Addressing, Clamp, Repeat};
+pub use argb::{Argb1555, Argb4444};
 pub use array::TextureArray;
 pub use blend::Blend;
 pub use color::ImageColor;
 pub use filter::{Bilinear, CutOut, Filter, Nearest};
 pub use image::Image;
+pub use packed::PackedGray4;
 pub use palette::{Palette, palette_colors};
 pub use palette_array::PaletteArray;
 pub use sampler::{MAX_TEXTURE_SIZE, Sampler};

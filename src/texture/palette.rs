@@ -1,7 +1,5 @@
 //! Textures of 8-bit indices whose size is known at run time.
 
-use embedded_graphics::pixelcolor::PixelColor;
-
 use super::Sampler;
 use super::sampler::Grid;
 use crate::Error;
@@ -119,7 +117,7 @@ pub const fn palette_colors<C: Copy, const COLORS: usize>(colors: &[C; COLORS]) 
     all
 }
 
-impl<C: PixelColor> Sampler for Palette<'_, C> {
+impl<C: Copy> Sampler for Palette<'_, C> {
     type Color = C;
 
     #[inline]

@@ -1,7 +1,5 @@
 //! Textures of 8-bit indices that own them.
 
-use embedded_graphics::pixelcolor::PixelColor;
-
 use super::sampler::{Grid, log2, rows, sampler_of_rows, wrapped};
 use super::{Palette, Sampler, palette_colors};
 use crate::message;

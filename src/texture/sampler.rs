@@ -1,7 +1,5 @@
 //! The interface between a texture and its shader: texels by column and row.
 
-use embedded_graphics::pixelcolor::PixelColor;
-
 use crate::Error;
 use crate::error::ok;
 use crate::message;
@@ -33,8 +31,8 @@ use crate::message;
 /// let _ = (&image).texel(0, 0);
 /// ```
 pub trait Sampler: Copy {
-    /// The texels' color.
-    type Color: PixelColor;
+    /// A texel: a color, or one with an opacity (see [`Texel`](crate::shade::Texel)).
+    type Color: Copy;
 
     /// The width is 2 to this power; at most 15.
     fn width_log2(&self) -> u32;
@@ -116,7 +114,7 @@ impl<S: Sampler> Sampler for &S {
 /// Implements a sampler whose size is in its type: `$texel` is the color at column `$u` and row `$v` of a `$Type`.
 macro_rules! sampler_of_rows {
     ($Type:ty, |$texels:ident, $u:ident, $v:ident| $texel:expr) => {
-        impl<C: PixelColor, const W: usize, const H: usize> Sampler for &$Type {
+        impl<C: Copy, const W: usize, const H: usize> Sampler for &$Type {
             type Color = C;
 
             #[inline]

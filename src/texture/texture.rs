@@ -1,7 +1,5 @@
 //! Textures whose size is known at run time.
 
-use embedded_graphics::pixelcolor::PixelColor;
-
 use super::Sampler;
 use super::sampler::Grid;
 use crate::Error;
@@ -95,7 +93,7 @@ impl<'a, C: Copy> Texture<'a, C> {
     }
 }
 
-impl<C: PixelColor> Sampler for Texture<'_, C> {
+impl<C: Copy> Sampler for Texture<'_, C> {
     type Color = C;
 
     #[inline]

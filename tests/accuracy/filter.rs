@@ -15,7 +15,7 @@ use fixel::texture::Blend;
 use proptest::prelude::*;
 
 /// A color with access to its channels.
-trait Parts: Blend + Debug {
+trait Parts: Blend + PixelColor + Debug {
     /// Units of weight from one texel to the next.
     const UNITS: f64;
 

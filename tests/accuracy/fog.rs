@@ -1,6 +1,6 @@
 //! Fog at every pixel of a plane, against the formula in f64.
 
-use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb565, RgbColor};
+use embedded_graphics::pixelcolor::{Gray8, GrayColor, PixelColor, Rgb565, RgbColor};
 use fixel::prelude::*;
 use fixel::shade::Fog;
 use fixel::texture::Blend;
@@ -44,7 +44,7 @@ impl Plane {
 }
 
 /// Draws the plane in black with white fog; the result is the white of each pixel, from 0 to 1.
-fn white<C: Blend + 'static>(
+fn white<C: Blend + PixelColor + 'static>(
     shader: impl Shader<Color = C>,
     corners: &[Vec3; 3],
     black: C,

@@ -15,6 +15,7 @@ mod reference;
 
 use common::recorder;
 
+mod blending;
 mod bounds;
 mod bumpy;
 mod clipped_values;

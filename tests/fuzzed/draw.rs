@@ -147,5 +147,6 @@ where
 {
     let record = call.check(&options, &Bits::<N>);
     call.check_bytes(&options, &Bits::<N>);
+    call.check_blended(&options, &Bits::<N>);
     record
 }

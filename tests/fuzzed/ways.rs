@@ -5,7 +5,10 @@ use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
 use fixel::mode::Mode;
 use fixel::prelude::*;
-use fixel::target::{Depth, DepthBuffer, Native, Storage};
+use fixel::shade::Translucent;
+use fixel::target::{
+    Add, Alpha, Blending, Depth, DepthBuffer, Multiply, Native, Opacity, Storage, TestAndWrite,
+};
 use fixel::view::ProjectionKind;
 use fixel::{Drawn, Prepared};
 
@@ -238,6 +241,40 @@ impl<K: ProjectionKind> Call<'_, K> {
         let mut canvas = Canvas::little_endian(&mut bytes, width, height).unwrap();
         self.draw(&mut canvas, options, shader);
         assert!(canvas.pixels().eq(colors.iter().copied()));
+    }
+
+    /// Checks that colors are blended alike in frames and bands.
+    pub fn check_blended<I, F>(&self, options: &DrawOptions<I>, shader: &F)
+    where
+        I: Mode,
+        F: Shader<Color = Rgb565>,
+    {
+        self.check_blending(
+            &options.with_blending(Opacity(self.scene.depths[0] as u8)),
+            shader,
+        );
+        self.check_blending(&options.with_blending(Add), shader);
+        self.check_blending(&options.with_blending(Multiply), shader);
+        let translucent = shader.map(|at, color| {
+            let opacity = (at.point.x ^ at.point.y).cast_unsigned() as u8;
+            Some(Translucent { color, opacity })
+        });
+        self.check_blending(&options.with_blending(Alpha), &translucent);
+    }
+
+    fn check_blending<I, B, F>(&self, options: &DrawOptions<I, TestAndWrite, B>, shader: &F)
+    where
+        I: Mode,
+        B: Blending<Rgb565>,
+        F: Shader<Color = B::Source>,
+    {
+        // Triangles alone: edges and points take the same way to the pixels.
+        let mut frame = self.blank();
+        self.on_frame(&mut frame, |canvas| {
+            canvas.draw_with(options, self.mesh, &self.mvp, shader)
+        });
+        let bands = self.in_bands(|band| band.draw_with(options, self.mesh, &self.mvp, shader));
+        assert!(bands == frame, "blended bands differ");
     }
 
     /// A picture drawn in bands of the scene's heights.

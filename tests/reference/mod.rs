@@ -33,6 +33,7 @@
 #![allow(clippy::too_many_arguments)]
 
 pub mod attributes;
+pub mod blending;
 pub mod clip;
 pub mod coverage;
 pub mod distance;

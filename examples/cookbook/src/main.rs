@@ -1,6 +1,7 @@
 //! Small scenes, one idea each. `cargo run -p cookbook` writes a picture of each to the current folder; with names
 //! as arguments, only of these.
 
+mod blending;
 mod fog;
 mod lights;
 
@@ -21,7 +22,11 @@ type Frame<'c> = Canvas<'c, Rgb565, Native, Depth<'c>>;
 /// A scene: its name, and what draws it.
 type Recipe = (&'static str, fn(&mut Frame<'_>) -> Result<(), fixel::Error>);
 
-const RECIPES: [Recipe; 2] = [("fog", fog::draw), ("lights", lights::draw)];
+const RECIPES: [Recipe; 3] = [
+    ("blending", blending::draw),
+    ("fog", fog::draw),
+    ("lights", lights::draw),
+];
 
 fn main() -> Result<(), Box<dyn Error>> {
     let names: Vec<String> = std::env::args().skip(1).collect();

@@ -54,6 +54,8 @@ mod firmware {
     use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
     use fixel::prelude::*;
     use fixel::shade::Fog;
+    use fixel::target::{Add, Alpha, Multiply, Opacity};
+    use fixel::texture::Argb4444;
     use semihosting::{println, process};
 
     use super::board::{self, Clock};
@@ -65,6 +67,10 @@ mod firmware {
     use super::setup::{self, Kind};
     use super::ticks::Stopwatch;
     use super::wall::{Bench, Depths};
+
+    /// Half-transparent white.
+    static SMOKE: TextureArray<Argb4444, 64, 64> =
+        TextureArray::from_texels([[Argb4444::new(8, 15, 15, 15); 64]; 64]);
 
     fn run() -> Result<(), Error> {
         let mut watch = Stopwatch::new(Clock::take().expect("taken once"));
@@ -108,6 +114,21 @@ mod firmware {
         let cut_out = skin.cut_out(Rgb565::MAGENTA);
         bench.kernel("affine-cut-out", Affine, &cut_out, Depths::None)?;
         bench.kernel("newton-cut-out", Newton, &cut_out, Depths::None)?;
+        let glass = DrawOptions::new().with_blending(Opacity(100));
+        bench.blended("flat-opacity", glass, &flat, Depths::None)?;
+        let affine = DrawOptions::new().with_mode(Affine);
+        let glass = affine.with_blending(Opacity(100));
+        bench.blended("affine-opacity", glass, &skin, Depths::None)?;
+        let alpha = affine.with_blending(Alpha);
+        bench.blended(
+            "affine-argb4444",
+            alpha,
+            &Textured::new(&SMOKE),
+            Depths::None,
+        )?;
+        bench.blended("affine-add", affine.with_blending(Add), &skin, Depths::None)?;
+        let shadow = affine.with_blending(Multiply);
+        bench.blended("affine-multiply", shadow, &skin, Depths::None)?;
         let linear = Fog::linear(Rgb565::WHITE, fx!(0.5), fx!(3))?;
         let thick = Fog::exponential(Rgb565::WHITE, fx!(0.25))?;
         bench.kernel("affine-fog", Affine, &skin.in_fog(linear), Depths::None)?;

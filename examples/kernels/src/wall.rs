@@ -5,7 +5,7 @@ use core::hint::black_box;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::mode::Mode;
 use fixel::prelude::*;
-use fixel::target::DepthBuffer;
+use fixel::target::{Blending, DepthBuffer, TestAndWrite};
 use fixel::view::Perspective;
 use static_cell::ConstStaticCell;
 
@@ -32,6 +32,9 @@ const UVS: [Vec2; 3] = [vec2!(0, 0), vec2!(0, 2), vec2!(10, 1)];
 static COLORS: ConstStaticCell<[Rgb565; PIXELS]> = ConstStaticCell::new([Rgb565::BLACK; PIXELS]);
 static DEPTHS: ConstStaticCell<[u16; PIXELS]> = ConstStaticCell::new([0; PIXELS]);
 
+/// A color that no shader here draws or keeps, to find pixels left undrawn.
+const UNDRAWN: Rgb565 = Rgb565::new(20, 40, 20);
+
 /// The depth buffer before the draw call.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Depths {
@@ -42,6 +45,9 @@ pub enum Depths {
     /// Depths nearer than the wall.
     Near,
 }
+
+/// The options of a measured draw call.
+type Options<I, B> = DrawOptions<I, TestAndWrite, B>;
 
 /// The memory to draw into, and the time.
 pub struct Bench {
@@ -60,7 +66,7 @@ impl Bench {
         }
     }
 
-    /// Prints the cost of pixels: of 48 columns beyond 16, and of 240 beyond 48.
+    /// Prints the cost of pixels that replace what is there.
     pub fn kernel<I: Mode, F: Shader<Color = Rgb565>>(
         &mut self,
         name: &str,
@@ -68,10 +74,21 @@ impl Bench {
         shader: &F,
         depths: Depths,
     ) -> Result<(), Error> {
+        self.blended(name, DrawOptions::new().with_mode(mode), shader, depths)
+    }
+
+    /// Prints the cost of pixels: of 48 columns beyond 16, and of 240 beyond 48.
+    pub fn blended<I: Mode, B: Blending<Rgb565>, F: Shader<Color = B::Source>>(
+        &mut self,
+        name: &str,
+        options: Options<I, B>,
+        shader: &F,
+        depths: Depths,
+    ) -> Result<(), Error> {
         let mut ticks = [0; 3];
         for (ticks, width) in ticks.iter_mut().zip(WIDTHS) {
             for _ in 0..REPEATS {
-                *ticks += self.frame(width, mode, shader, depths)?;
+                *ticks += self.frame(width, options, shader, depths)?;
             }
         }
         let [narrow, wide, widest] = WIDTHS.map(|columns| columns * ROWS * REPEATS);
@@ -83,28 +100,27 @@ impl Bench {
     }
 
     /// Draws a frame, which the wall covers completely, and returns its ticks.
-    fn frame<I: Mode, F: Shader<Color = Rgb565>>(
+    fn frame<I: Mode, B: Blending<Rgb565>, F: Shader<Color = B::Source>>(
         &mut self,
         width: u32,
-        mode: I,
+        options: Options<I, B>,
         shader: &F,
         depths: Depths,
     ) -> Result<u64, Error> {
         let pixels = (width * ROWS) as usize;
         let (colors, depth) = (&mut self.colors[..pixels], &mut self.depths[..pixels]);
-        // A color that no shader here draws, to find pixels left undrawn.
-        colors.fill(Rgb565::BLACK);
+        colors.fill(UNDRAWN);
         depth.fill(if depths == Depths::Near { u16::MAX } else { 0 });
         let mut canvas = Canvas::new(colors, width, ROWS)?;
         let ticks = if depths == Depths::None {
-            draw(&mut self.watch, &mut canvas, width, mode, shader)
+            draw(&mut self.watch, &mut canvas, width, options, shader)
         } else {
             let mut canvas = canvas.with_depth(depth)?;
-            draw(&mut self.watch, &mut canvas, width, mode, shader)
+            draw(&mut self.watch, &mut canvas, width, options, shader)
         }?;
         let drawn = self.colors[..pixels]
             .iter()
-            .filter(|&&color| color != Rgb565::BLACK);
+            .filter(|&&color| color != UNDRAWN);
         let wanted = if depths == Depths::Near { 0 } else { pixels };
         assert_eq!(drawn.count(), wanted, "pixels drawn");
         Ok(ticks)
@@ -126,17 +142,17 @@ impl Bench {
 }
 
 /// Draws the wall to a canvas of this width.
-fn draw<I: Mode, F: Shader<Color = Rgb565>, D: DepthBuffer>(
+fn draw<I: Mode, B: Blending<Rgb565>, F: Shader<Color = B::Source>, D: DepthBuffer>(
     watch: &mut Stopwatch,
     canvas: &mut Canvas<'_, Rgb565, fixel::target::Native, D>,
     width: u32,
-    mode: I,
+    options: Options<I, B>,
     shader: &F,
 ) -> Result<u64, Error> {
     let (positions, mvp) = (positions(width), mvp(width)?);
     let wall = Mesh::new(&positions, &[[0, 1, 2]])?.with_uvs(&UVS, None)?;
     // Hide the numbers from the compiler, which does not know a user's either.
-    let (options, shader) = black_box((DrawOptions::new().with_mode(mode), shader));
+    let (options, shader) = black_box((options, shader));
     watch.time(|| {
         let drawn = canvas.draw_with(&options, &wall, &mvp, shader);
         assert_eq!((drawn.drawn, drawn.clipped), (1, 0));

@@ -1,7 +1,7 @@
 //! Draws a model in each look and each color.
 
 use embedded_graphics::geometry::Point;
-use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
+use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, PixelColor, Rgb565, Rgb888};
 use fixel::prelude::*;
 use fixel::shade::{DepthView, Flat, Levels, NormalView, Textured};
 use fixel::target::{DepthBuffer, Native};
@@ -63,7 +63,7 @@ impl Posed<'_> {
     }
 
     /// Draws the triangles.
-    pub fn draw<F: Shader, D: DepthBuffer>(
+    pub fn draw<F: Shader<Color: PixelColor>, D: DepthBuffer>(
         &self,
         canvas: &mut Board<'_, F::Color, D>,
         shader: &F,
@@ -86,7 +86,7 @@ impl Posed<'_> {
     }
 
     /// Draws the edges.
-    pub fn draw_edges<F: Shader, D: DepthBuffer>(
+    pub fn draw_edges<F: Shader<Color: PixelColor>, D: DepthBuffer>(
         &self,
         canvas: &mut Board<'_, F::Color, D>,
         shader: &F,

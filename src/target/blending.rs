@@ -1,0 +1,200 @@
+//! How a draw call's colors are blended with those on the canvas.
+
+use embedded_graphics::geometry::Point;
+use embedded_graphics::pixelcolor::PixelColor;
+
+use crate::shade::{Levels, Source, Translucent};
+
+/// How the colors of a draw call are blended with what is on a canvas of color `C`: [`Replace`], [`Opacity`],
+/// [`Alpha`], [`Add`] or [`Multiply`]. Sealed.
+///
+/// [`DrawOptions::with_blending`](crate::DrawOptions::with_blending) chooses it. What is there must be drawn first: draw
+/// what is opaque, then what is blended, from back to front. Draw this with [`TestOnly`](super::TestOnly), so that
+/// it hides nothing that is drawn later.
+///
+/// Each channel is blended as it is stored, without gamma. The result is rounded to nearest, or dithered if the color
+/// is coarse (see [`Levels`]).
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Rgb565;
+/// use fixel::prelude::*;
+/// use fixel::target::{Blending, TestOnly};
+/// fn ghostly<B: Blending<Rgb565>>(blending: B) -> DrawOptions<fixel::mode::Newton, TestOnly, B> {
+///     DrawOptions::new().with_depth(TestOnly).with_blending(blending)
+/// }
+/// # ghostly(fixel::target::Add);
+/// ```
+pub trait Blending<C>: Copy + sealed::Sealed {
+    /// What a shader must make: `C`, or [`Translucent<C>`] for [`Alpha`].
+    type Source: Source<Color = C>;
+
+    /// Whether [`blend`](Self::blend) reads what is below.
+    #[doc(hidden)]
+    const READS: bool = true;
+
+    /// The color at a pixel of the frame where `below` was the color; it is read only if it counts.
+    #[doc(hidden)]
+    fn blend(self, source: Self::Source, below: impl FnOnce() -> C, at: Point) -> C;
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for super::Replace {}
+    impl Sealed for super::Opacity {}
+    impl Sealed for super::Alpha {}
+    impl Sealed for super::Add {}
+    impl Sealed for super::Multiply {}
+}
+
+/// A [`Blending`]: the color replaces what is there. The default.
+///
+/// ```
+/// use fixel::{prelude::*, target::Replace};
+/// assert_eq!(DrawOptions::new(), DrawOptions::new().with_blending(Replace));
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Replace;
+
+/// A [`Blending`]: every color covers what is there by the same share, from 0 (not at all) to 255 (wholly): glass, water,
+/// ghosts.
+///
+/// Colors of 15 and 16 bits are blended in 32 steps of it. So a channel of 5 bits is within 1.1 steps of the exact value,
+/// and one of 6 bits within 1.7. Channels of other colors are within 1 step. 0 keeps what is there, and 255 replaces it.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+/// use fixel::{prelude::*, target::Opacity};
+/// static SQUARE: Mesh = shape!(plane(1, 1));
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
+/// let mut pixels = [Rgb565::RED];
+/// let mut canvas = Canvas::new(&mut pixels, 1, 1)?;
+/// let glass = DrawOptions::new().with_blending(Opacity(64));
+/// canvas.draw_with(&glass, &SQUARE, &mvp, &Flat::new(Rgb565::BLUE));
+/// assert_eq!(pixels, [Rgb565::new(23, 0, 8)]);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Opacity(pub u8);
+
+/// A [`Blending`]: each color covers what is there by an opacity of its own; see [`Translucent`]. As exact as
+/// [`Opacity`].
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+/// use fixel::{prelude::*, target::Alpha, texture::Argb4444};
+/// static DROP: TextureArray<Argb4444, 2, 1> = TextureArray::from_texels([[
+///     Argb4444::new(15, 0, 0, 15), // opacity, red, green, blue
+///     Argb4444::new(8, 15, 15, 15),
+/// ]]);
+/// static SQUARE: Mesh = shape!(plane(1, 1));
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
+/// let mut pixels = [Rgb565::BLACK; 2];
+/// let mut canvas = Canvas::new(&mut pixels, 2, 1)?;
+/// let options = DrawOptions::new().with_blending(Alpha);
+/// canvas.draw_with(&options, &SQUARE, &mvp, &Textured::new(&DROP));
+/// assert_eq!(pixels, [Rgb565::BLUE, Rgb565::new(16, 33, 16)]);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Alpha;
+
+/// A [`Blending`]: the color is added to what is there, at most to white: fire, sparks, beams of light. Exact.
+///
+/// Put such a surface in black fog, so that it fades.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Rgb565;
+/// use fixel::{prelude::*, target::Add};
+/// static SQUARE: Mesh = shape!(plane(1, 1));
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
+/// let mut pixels = [Rgb565::new(30, 10, 3)];
+/// let mut canvas = Canvas::new(&mut pixels, 1, 1)?;
+/// let fire = DrawOptions::new().with_blending(Add);
+/// canvas.draw_with(&fire, &SQUARE, &mvp, &Flat::new(Rgb565::new(4, 5, 6)));
+/// assert_eq!(pixels, [Rgb565::new(31, 15, 9)]);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Add;
+
+/// A [`Blending`]: what is there is multiplied by the color, channel by channel, where white is 1: shadows, stained
+/// glass. Rounded to nearest, or dithered.
+///
+/// Put such a surface in white fog, so that it fades.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use fixel::{prelude::*, target::Multiply};
+/// static SQUARE: Mesh = shape!(plane(1, 1));
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
+/// let mut pixels = [Gray8::new(100)];
+/// let mut canvas = Canvas::new(&mut pixels, 1, 1)?;
+/// let shadow = DrawOptions::new().with_blending(Multiply);
+/// canvas.draw_with(&shadow, &SQUARE, &mvp, &Flat::new(Gray8::new(51))); // a fifth
+/// assert_eq!(pixels, [Gray8::new(20)]);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Multiply;
+
+impl<C: PixelColor> Blending<C> for Replace {
+    type Source = C;
+
+    const READS: bool = false;
+
+    #[inline]
+    fn blend(self, source: C, _: impl FnOnce() -> C, _: Point) -> C {
+        source
+    }
+}
+
+impl<C: Levels> Blending<C> for Opacity {
+    type Source = C;
+
+    #[inline]
+    fn blend(self, source: C, below: impl FnOnce() -> C, at: Point) -> C {
+        below().covered(source, share(self.0), at)
+    }
+}
+
+impl<C: Levels> Blending<C> for Alpha {
+    type Source = Translucent<C>;
+
+    #[inline]
+    fn blend(self, source: Translucent<C>, below: impl FnOnce() -> C, at: Point) -> C {
+        below().covered(source.color, share(source.opacity), at)
+    }
+}
+
+impl<C: Levels> Blending<C> for Add {
+    type Source = C;
+
+    #[inline]
+    fn blend(self, source: C, below: impl FnOnce() -> C, _: Point) -> C {
+        below().plus(source)
+    }
+}
+
+impl<C: Levels> Blending<C> for Multiply {
+    type Source = C;
+
+    #[inline]
+    fn blend(self, source: C, below: impl FnOnce() -> C, at: Point) -> C {
+        below().times(source, at)
+    }
+}
+
+/// 255ths as 256ths, with an error of at most half of one: 0 for 0, 256 for 255.
+#[inline]
+fn share(opacity: u8) -> u32 {
+    u32::from(opacity) + u32::from(opacity >> 7)
+}

@@ -1,0 +1,225 @@
+//! Texels with an opacity.
+
+use embedded_graphics::pixelcolor::Rgb565;
+
+use super::blend::{self, Blend};
+
+/// A texel of 16 bits with an opacity of 4 bits, and 4 bits each of red, green and blue.
+///
+/// Its color is [`Rgb565`]; draw it with the blending [`Alpha`](crate::target::Alpha). A texel of opacity 0 leaves both
+/// color and depth of the canvas as they were. Under a bilinear filter, colors are blended with the weights of their
+/// texels alone: give those of opacity 0 the colors of their neighbors.
+///
+/// ```
+/// use fixel::texture::Argb4444;
+/// let texel = Argb4444::new(8, 15, 0, 1);
+/// assert_eq!(texel, Argb4444::from_bits(0x8f01));
+/// assert_eq!(texel.opacity(), 136); // 8/15 of 255
+/// assert_eq!(texel.color(), embedded_graphics::pixelcolor::Rgb565::new(31, 0, 2));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Argb4444(u16);
+
+/// A texel of 16 bits that is there or not: 1 bit of opacity, and 5 bits each of red, green and blue.
+///
+/// Its color is [`Rgb565`]. A texel of opacity 0 leaves both color and depth of the canvas as they were. Between texels,
+/// the nearest one decides whether there is a hole; where there is none, a [`Bilinear`](super::Bilinear) filter blends as
+/// if the holes had the nearest texel's color.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Rgb565;
+/// use fixel::texture::Argb1555;
+/// assert_eq!(Argb1555::new(31, 16, 1), Argb1555::from_bits(0xfe01));
+/// assert_eq!(Argb1555::new(31, 16, 1).color(), Some(Rgb565::new(31, 33, 1)));
+/// assert_eq!(Argb1555::HOLE.color(), None);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Argb1555(u16);
+
+impl Argb4444 {
+    /// A texel from its opacity, red, green and blue, of which the low four bits count.
+    #[must_use]
+    pub const fn new(opacity: u8, red: u8, green: u8, blue: u8) -> Self {
+        let [a, r, g, b] = [
+            opacity as u16 & 15,
+            red as u16 & 15,
+            green as u16 & 15,
+            blue as u16 & 15,
+        ];
+        Self(a << 12 | r << 8 | g << 4 | b)
+    }
+
+    /// A texel from its bits: opacity, red, green and blue, the highest first.
+    #[must_use]
+    #[inline]
+    pub const fn from_bits(bits: u16) -> Self {
+        Self(bits)
+    }
+
+    /// The opacity, in 255ths.
+    #[must_use]
+    #[inline]
+    pub const fn opacity(self) -> u8 {
+        (self.0 >> 12) as u8 * 17
+    }
+
+    /// The color. Each channel is repeated in its low bits, so that the highest value stays the highest.
+    #[must_use]
+    #[inline]
+    pub const fn color(self) -> Rgb565 {
+        let [r, g, b] = [self.0 >> 8 & 15, self.0 >> 4 & 15, self.0 & 15];
+        Rgb565::new(
+            (r << 1 | r >> 3) as u8,
+            (g << 2 | g >> 2) as u8,
+            (b << 1 | b >> 3) as u8,
+        )
+    }
+}
+
+impl Argb1555 {
+    /// A texel that is not there.
+    pub const HOLE: Self = Self(0);
+
+    /// A texel from its red, green and blue, of which the low five bits count.
+    #[must_use]
+    pub const fn new(red: u8, green: u8, blue: u8) -> Self {
+        let [r, g, b] = [red as u16 & 31, green as u16 & 31, blue as u16 & 31];
+        Self(0x8000 | r << 10 | g << 5 | b)
+    }
+
+    /// A texel from its bits: opacity, red, green and blue, the highest first.
+    #[must_use]
+    #[inline]
+    pub const fn from_bits(bits: u16) -> Self {
+        Self(bits)
+    }
+
+    #[inline]
+    const fn is_hole(self) -> bool {
+        self.0 & 0x8000 == 0
+    }
+
+    /// The color, or `None` for a hole. Green's highest bit is repeated as its lowest.
+    #[must_use]
+    #[inline]
+    pub const fn color(self) -> Option<Rgb565> {
+        if self.is_hole() {
+            return None;
+        }
+        let [r, g, b] = [self.0 >> 10 & 31, self.0 >> 5 & 31, self.0 & 31];
+        Some(Rgb565::new(r as u8, (g << 1 | g >> 4) as u8, b as u8))
+    }
+}
+
+impl Blend for Argb4444 {
+    const WEIGHT_BITS: u32 = 4;
+
+    #[inline]
+    fn mix(self, other: Self, weight: u32) -> Self {
+        Self::blend([[self, other]; 2], [weight, 0])
+    }
+
+    #[inline]
+    fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self {
+        // Each channel gets four bits above it.
+        let lanes = |Self(bits): Self| {
+            let bits = u32::from(bits);
+            (bits | bits << 12) & 0x0f0f_0f0f
+        };
+        let blended = blend::bilinear::<0x0f0f_0f0f, 4>(blend::each(texels, lanes), weights);
+        Self((blended | blended >> 12) as u16)
+    }
+}
+
+impl Blend for Argb1555 {
+    const WEIGHT_BITS: u32 = 5;
+
+    #[inline]
+    fn mix(self, other: Self, weight: u32) -> Self {
+        Self::blend([[self, other]; 2], [weight, 0])
+    }
+
+    #[inline]
+    fn blend(texels: [[Self; 2]; 2], [x, y]: [u32; 2]) -> Self {
+        let nearest = blend::nearest::<Self>(texels, [x, y]);
+        if nearest.is_hole() {
+            return nearest;
+        }
+        let lanes = |texel: Self| {
+            let bits = u32::from(if texel.is_hole() { nearest } else { texel }.0);
+            (bits | bits << 16) & 0x03e0_7c1f
+        };
+        let blended = blend::bilinear::<0x03e0_7c1f, 5>(blend::each(texels, lanes), [x, y]);
+        Self(0x8000 | (blended | blended >> 16) as u16)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use embedded_graphics::pixelcolor::RgbColor;
+    use proptest::prelude::*;
+
+    #[test]
+    fn channels_are_those_of_the_canvas() {
+        for bits in 0..=u16::MAX {
+            let texel = Argb4444::from_bits(bits);
+            let near = |found: u8, most: f64, digit: u16, white: f64| {
+                let exact = f64::from(digit) / most * white;
+                // 6 bits of 4 have the greatest error: n/5 in place of n/4, cut, so 3/5 for 3.
+                let error = (f64::from(found) - exact).abs();
+                assert!(error < 0.601, "{bits:x}: {exact}");
+            };
+            let color = texel.color();
+            near(texel.opacity(), 15., bits >> 12, 255.);
+            near(color.r(), 15., bits >> 8 & 15, 31.);
+            near(color.g(), 15., bits >> 4 & 15, 63.);
+            near(color.b(), 15., bits & 15, 31.);
+            if let Some(color) = Argb1555::from_bits(bits).color() {
+                near(color.r(), 31., bits >> 10 & 31, 31.);
+                near(color.g(), 31., bits >> 5 & 31, 63.);
+                near(color.b(), 31., bits & 31, 31.);
+            }
+            assert_eq!(Argb1555::from_bits(bits).color().is_none(), bits >> 15 == 0);
+        }
+    }
+
+    /// The exact blend of four values, in steps.
+    fn exact([a, b, c, d]: [f64; 4], [x, y]: [f64; 2]) -> f64 {
+        (a * (1. - x) + b * x) * (1. - y) + (c * (1. - x) + d * x) * y
+    }
+
+    proptest! {
+        #[test]
+        fn blends_are_within_a_step(bits: [u16; 4], x in 0..16_u32, y in 0..16_u32) {
+            let [a, b, c, d] = bits.map(Argb4444::from_bits);
+            let Argb4444(found) = Argb4444::blend([[a, b], [c, d]], [x, y]);
+            for channel in [0, 4, 8, 12] {
+                let values = bits.map(|bits| f64::from(bits >> channel & 15));
+                let exact = exact(values, [x, y].map(|weight| f64::from(weight) / 16.));
+                // Two roundings of half a step.
+                prop_assert!((f64::from(found >> channel & 15) - exact).abs() <= 1.);
+            }
+        }
+
+        #[test]
+        fn holes_leave_no_fringe(bits: [u16; 4], x in 0..32_u32, y in 0..32_u32) {
+            let texels = bits.map(Argb1555::from_bits);
+            let nearest = texels[usize::from(x >= 16) + 2 * usize::from(y >= 16)];
+            let [a, b, c, d] = texels;
+            let Argb1555(found) = Argb1555::blend([[a, b], [c, d]], [x, y]);
+            prop_assert_eq!(found >> 15 == 0, nearest.is_hole());
+            if nearest.is_hole() {
+                return Ok(());
+            }
+            let filled = texels.map(|Argb1555(bits)| if bits >> 15 == 0 { nearest.0 } else { bits });
+            for channel in [0, 5, 10] {
+                let values = filled.map(|bits| f64::from(bits >> channel & 31));
+                let exact = exact(values, [x, y].map(|weight| f64::from(weight) / 32.));
+                prop_assert!((f64::from(found >> channel & 31) - exact).abs() <= 1.);
+            }
+        }
+    }
+}
