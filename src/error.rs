@@ -140,6 +140,13 @@ errors! {
         /// The refused density.
         density: Scalar,
     } = "density of the fog is {density}: it must be at least 0";
+    /// Heights of a gradient in the wrong order.
+    Heights {
+        /// The height of the low color.
+        bottom: Scalar,
+        /// The refused height of the high color.
+        top: Scalar,
+    } = "gradient reaches from {bottom} to {top}: the second height must be above the first one";
     /// A canvas, texture or viewport whose size is zero or too large.
     Size {
         /// The refused width in pixels.

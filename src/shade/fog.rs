@@ -1,8 +1,8 @@
 //! Fog: surfaces fade to a color with their distance.
 
+use super::ramp::{BITS, Ramp};
 use super::{Fragment, Shader, Source, Within};
 use crate::mesh::Primitive;
-use crate::num::reciprocal;
 use crate::texture::Blend;
 use crate::{Error, Scalar};
 
@@ -68,10 +68,7 @@ pub trait Density: sealed::Density {}
 pub struct Linear {
     /// In units of 2⁻¹⁶.
     far: i32,
-    /// The reciprocal of the range, 2³⁰ to 2³¹.
-    inverse: u32,
-    /// Right shift of a distance times `inverse` to a share of the range.
-    down: u32,
+    range: Ramp,
 }
 
 /// A [`Density`]: what is left of the surface at the distance z is e^(−density · z).
@@ -90,9 +87,6 @@ pub struct Exponential {
     /// In units of 2⁻¹⁶.
     density: i32,
 }
-
-/// The fraction bits of what the fog interpolates and of what is left of a surface.
-const BITS: u32 = 12;
 
 /// c of the parabola, 0.1715, in the same units.
 const C: u32 = 702;
@@ -123,8 +117,7 @@ impl Density for Linear {}
 impl sealed::Density for Linear {
     fn varying(&self, distance: Scalar) -> i32 {
         let rest = self.far.saturating_sub(distance.to_bits());
-        // 31 bits times 31 bits.
-        limited((i64::from(rest) * i64::from(self.inverse)) >> self.down)
+        limited(self.range.share(rest.into()))
     }
 
     #[inline]
@@ -164,20 +157,13 @@ impl<C: Blend> Fog<C> {
     ///
     /// [`Error::Far`] if `far` is not beyond `near`.
     pub const fn linear(color: C, near: Scalar, far: Scalar) -> Result<Self, Error> {
-        let range = far.to_bits() as i64 - near.to_bits() as i64;
-        if range <= 0 {
+        let Some(range) = Ramp::new(near, far) else {
             return Err(Error::Far { near, far });
-        }
-        // The range may take 32 bits. It is shifted to 32, and loses the last one.
-        let up = range.leading_zeros() - 32;
-        let number = (range.cast_unsigned() << up >> 1) as u32;
+        };
+        let far = far.to_bits();
         Ok(Self {
             color,
-            density: Linear {
-                far: far.to_bits(),
-                inverse: reciprocal(number),
-                down: 62 - BITS - up,
-            },
+            density: Linear { far, range },
         })
     }
 }

@@ -211,7 +211,12 @@ pub struct Raised<C: Levels>(C::Channels);
 impl<C: Levels> Raised<C> {
     #[inline]
     pub(super) fn new(color: Rgb888) -> Self {
-        Self(C::Channels::first(each(C::levels(color), |level| {
+        Self::of_levels(C::levels(color))
+    }
+
+    #[inline]
+    pub(super) fn of_levels(levels: [i32; 3]) -> Self {
+        Self(C::Channels::first(each(levels, |level| {
             level.wrapping_add(HALF)
         })))
     }

@@ -7,6 +7,7 @@
 //! | [`Flat`] | one color for all | 0 |
 //! | [`FaceColors`] | one color per triangle | 0 |
 //! | [`Gouraud`] | the mesh's vertex colors | 3, or 1 for gray |
+//! | [`Gradient`] | a mixture of two colors by height | 3, or 1 for gray |
 //! | [`Textured`] | the nearest texel or a blend of four; the texture repeats or is clamped | 2 |
 //! | [`DepthView`] | depth as gray | 0 |
 //! | [`NormalView`] | the direction of the normal as a color | 3, or 1 for gray |
@@ -27,11 +28,13 @@ mod dither;
 mod flat;
 mod fog;
 mod gouraud;
+mod gradient;
 mod lanes;
 mod levels;
 mod light;
 mod lit;
 mod map;
+mod ramp;
 mod shader;
 mod source;
 mod texel;
@@ -47,6 +50,7 @@ pub use converted::Converted;
 pub use flat::{FaceColors, Flat};
 pub use fog::{Density, Exponential, Fog, InFog, Linear};
 pub use gouraud::Gouraud;
+pub use gradient::Gradient;
 pub use lanes::Lanes;
 pub(crate) use lanes::MOST as MOST_VARYINGS;
 pub use levels::{Channels, Levels};

@@ -89,6 +89,28 @@ impl Camera {
         self.view.inverse_rigid()
     }
 
+    /// The camera for a sky: it looks in the same direction, from the origin of the world. A mesh around the origin stays
+    /// as far away however the camera moves. Draw it first, with [`NoTest`](crate::target::NoTest), so that it is behind
+    /// everything; it must be beyond the near plane and before the far plane.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// let camera = Camera::look_at(vec3!(7, 2, 9), vec3!(7, 2, 0), Vec3::Y)?;
+    /// assert_eq!(camera.sky(), Camera::look_at(Vec3::ZERO, vec3!(0, 0, -1), Vec3::Y)?);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn sky(&self) -> Self {
+        let none = Transform::IDENTITY;
+        Self {
+            view: Transform {
+                translation: none.translation,
+                translation_exp: none.translation_exp,
+                ..self.view
+            },
+        }
+    }
+
     /// Makes a camera at a `distance` from `target` that looks at it. The camera starts in front of the
     /// target, turns to the right by `turn` and rises by `tilt`.
     ///

@@ -1,0 +1,165 @@
+//! Colors by height.
+
+use embedded_graphics::pixelcolor::Rgb888;
+
+use super::levels::{HALF, LEVEL, Levels, Raised, dimmed, each};
+use super::ramp::{BITS, Ramp};
+use super::{Fragment, Illumination, Shader, Within};
+use crate::mesh::Primitive;
+use crate::{Error, Scalar};
+
+/// Colors by the height in model space: one color up to a low height, another one from a high height on, and between them
+/// a mixture in proportion. For a sky, or for terrain.
+///
+/// The color is computed at the vertices, within 1/64 step, and interpolated in perspective.
+///
+/// A sky is drawn first, from inside, by a [camera that stays in its middle](crate::Camera::sky), without depth:
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor}};
+/// use fixel::{prelude::*, shade::Gradient, target::NoTest};
+/// static DOME: Mesh = shape!(sphere(12, 8));
+/// let projection = Projection::perspective(deg!(90), (1, 1), fx!(0.5), fx!(100))?;
+/// let camera = Camera::look_at(vec3!(5, 2, 30), vec3!(5, 2, 0), Vec3::Y)?;
+/// let mut pixels = [Gray4::BLACK; 8 * 12];
+/// let mut canvas = Canvas::new(&mut pixels, 8, 12)?;
+/// let sky = Gradient::new((fx!(0), Rgb888::WHITE), (fx!(0.6), Rgb888::new(68, 68, 68)))?;
+/// let behind = DrawOptions::new().with_cull(Cull::Front).with_depth(NoTest);
+/// let far = Transform::scale(fx!(10));
+/// canvas.draw_with(&behind, &DOME, &(projection * camera.sky() * far), &sky);
+/// let mut display = MockDisplay::new();
+/// canvas.show(&mut display)?;
+/// display.assert_pattern(&[
+///     "65554556", "76656677", "88776778", "A998999A", "BBBBABBC", "EEEDEDEE",
+///     "FFFFFFFF", "FFFFFFFF", "FFFFFFFF", "FFFFFFFF", "FFFFFFFF", "FFFFFFFF",
+/// ]);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Gradient<C: Levels> {
+    bottom: i32,
+    ramp: Ramp,
+    /// Levels.
+    low: [i32; 3],
+    change: [i32; 3],
+    color: core::marker::PhantomData<C>,
+}
+
+impl<C: Levels> Gradient<C> {
+    /// The color `low` up to a height, and `high` from another height on.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Heights`] if the second height is not above the first one.
+    pub fn new(
+        (bottom, low): (Scalar, Rgb888),
+        (top, high): (Scalar, Rgb888),
+    ) -> Result<Self, Error> {
+        let ramp = Ramp::new(bottom, top).ok_or(Error::Heights { bottom, top })?;
+        let (low, [r, g, b]) = (C::levels(low), C::levels(high));
+        Ok(Self {
+            bottom: bottom.to_bits(),
+            ramp,
+            low,
+            change: [r - low[0], g - low[1], b - low[2]],
+            color: core::marker::PhantomData,
+        })
+    }
+
+    /// The levels at a height.
+    fn levels(&self, height: Scalar) -> [i32; 3] {
+        let above = i64::from(height.to_bits()) - i64::from(self.bottom);
+        let share = self.ramp.share(above).clamp(0, 1 << BITS) as i32;
+        // 24 bits, of which 18 are kept, times 13 bits.
+        let part = |change: i32| ((change >> 6) * share) >> (BITS - 6);
+        let ([r, g, b], [x, y, z]) = (self.low, self.change);
+        [r + part(x), g + part(y), b + part(z)]
+    }
+}
+
+impl<C: Levels> Shader for Gradient<C> {
+    type Color = C;
+    type Varyings = Within<LEVEL, Raised<C>>;
+
+    #[inline]
+    fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
+        primitive.corners(|corner| {
+            let levels = self.levels(corner.position().y);
+            Within(Raised::of_levels(levels))
+        })
+    }
+
+    #[inline]
+    fn shade(&self, at: &Fragment, Within(levels): Self::Varyings) -> Option<C> {
+        Some(C::from_raised(levels.all(), at.point))
+    }
+
+    #[inline]
+    fn shade_lit(
+        &self,
+        at: &Fragment,
+        Within(levels): Self::Varyings,
+        light: Illumination,
+    ) -> Option<C> {
+        let levels = each(levels.all(), |level| level.wrapping_sub(HALF));
+        Some(C::from_levels(dimmed::<C>(levels, light), at.point))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fx;
+    use embedded_graphics::pixelcolor::{Gray8, Rgb565, RgbColor};
+    use proptest::prelude::*;
+
+    fn compare<C: Levels>(heights: [i32; 3], colors: [[u8; 3]; 2]) -> Result<(), TestCaseError> {
+        let [bottom, top, height] = heights.map(Scalar::from_bits);
+        let [low, high] = colors.map(|[r, g, b]| Rgb888::new(r, g, b));
+        let made = Gradient::<C>::new((bottom, low), (top, high));
+        let Ok(gradient) = made else {
+            prop_assert!(top <= bottom);
+            return Ok(());
+        };
+        prop_assert!(top > bottom);
+        let [bottom, top, height] = heights.map(f64::from);
+        let share = ((height - bottom) / (top - bottom)).clamp(0., 1.);
+        let (low, high) = (C::levels(low), C::levels(high));
+        for (found, (a, b)) in gradient
+            .levels(Scalar::from_bits(heights[2]))
+            .into_iter()
+            .zip(low.into_iter().zip(high))
+        {
+            let (a, b) = (f64::from(a), f64::from(b));
+            let exact = a + (b - a) * share;
+            // The share is cut to 12 bits, the change to 18 of 24 bits, and their product.
+            let allowed = (b - a).abs() / 4096. + 64. + 64.;
+            prop_assert!(
+                (f64::from(found) - exact).abs() <= allowed,
+                "{found}, not {exact}"
+            );
+        }
+        Ok(())
+    }
+
+    proptest! {
+        #[test]
+        fn levels_follow_the_height(
+            heights in any::<[i32; 3]>(),
+            cut in 0..28,
+            colors in any::<[[u8; 3]; 2]>(),
+        ) {
+            compare::<Rgb888>(heights, colors)?;
+            compare::<Rgb565>(heights.map(|height| height >> cut), colors)?;
+            compare::<Gray8>(heights.map(|height| height >> cut), colors)?;
+        }
+    }
+
+    #[test]
+    fn heights_in_the_wrong_order_are_refused() {
+        let (bottom, top) = (fx!(2), fx!(2));
+        let made = Gradient::<Rgb565>::new((bottom, Rgb888::RED), (top, Rgb888::BLUE));
+        assert_eq!(made, Err(Error::Heights { bottom, top }));
+    }
+}
