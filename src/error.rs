@@ -135,6 +135,18 @@ errors! {
         /// The refused outer angle.
         outer: Angle,
     } = "cone reaches from {inner} to {outer}: the outer angle must be above the inner one, and at most 90 degrees";
+    /// An angle that cannot lie between two faces.
+    CreaseAngle {
+        /// The refused angle.
+        angle: Angle,
+    } = "crease angle is {angle}: it must lie between 0 and 180 degrees";
+    /// A line's width that is below one pixel, or too large.
+    LineWidth {
+        /// The refused width.
+        width: Scalar,
+        /// Largest width allowed.
+        max: Scalar,
+    } = "line width is {width}: it must lie between 1 and {max} pixels";
     /// A fog's density below 0.
     FogDensity {
         /// The refused density.
@@ -197,6 +209,17 @@ errors! {
         /// Number of rows of the frame.
         height: u32,
     } = "band has {rows} rows from row {first}: it must have at least one and lie within the {height} rows of the frame";
+    /// A canvas of another frame than a scene was prepared for.
+    Frame {
+        /// Number of columns of the canvas's frame.
+        width: u32,
+        /// Number of rows of the canvas's frame.
+        height: u32,
+        /// Number of columns of the scene's frame.
+        needed_width: u32,
+        /// Number of rows of the scene's frame.
+        needed_height: u32,
+    } = "canvas belongs to a frame of {width}x{height}: the scene was prepared for {needed_width}x{needed_height}";
     /// An index that is out of range.
     Index {
         /// The face, edge or entry that holds the index.
@@ -206,7 +229,12 @@ errors! {
         /// Number of elements; the index must be below it.
         len: usize,
     } = "index {index} in element {at} is out of range: it must be below {len}";
-    /// More elements than indices can address.
+    /// Two meshes whose faces should be the same, and are not.
+    FacesDiffer {
+        /// The first face that differs.
+        at: usize,
+    } = "face {at} differs: both meshes must have the same faces";
+    /// More elements than indices can address, or than the caller's memory has room for.
     TooMany {
         /// The refused number of elements.
         given: usize,

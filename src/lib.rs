@@ -93,10 +93,14 @@
 //! | part | made by | used as |
 //! |---|---|---|
 //! | [`Mesh`] | [`include_obj!`], [`shape!`], [`mesh::obj`], [`mesh::Shape`], slices of your own | first argument of [`Canvas::draw`] |
+//! | [`Outline`]: edges with their faces, for silhouettes and creases | [`outline!`], [`Outline::build`] | third argument of [`Canvas::draw_outline`] |
 //! | [`Mvp`], the model-view-projection | `projection * camera * spin` of a [`Projection`], a [`Camera`] and [`Transform`]s | second argument |
 //! | [`Shader`] | [`shade`], or ten lines of your own | third argument |
-//! | [`DrawOptions`]: culling, viewport, interpolation mode, depth test | [`DrawOptions::new`] | first argument of [`Canvas::draw_with`], [`draw_edges`](Canvas::draw_edges), [`draw_points`](Canvas::draw_points) |
+//! | [`DrawOptions`]: culling, viewport, interpolation mode, depth test | [`DrawOptions::new`] | first argument of [`Canvas::draw_with`], [`draw_edges`](Canvas::draw_edges), [`draw_outline`](Canvas::draw_outline), [`draw_points`](Canvas::draw_points) |
 //! | [`TriangleList`]: triangles transformed once for all bands | [`TriangleList::new`], [`prepare`](TriangleList::prepare) | argument of [`Canvas::draw_prepared`] |
+//! | [`Object`]s: meshes with their transforms and materials, for one list | [`Object::new`] | argument of [`TriangleList::prepare_scene`] |
+//! | [`Sprites`]: billboards, particles | [`Sprites::new`], [`Sprites::in_pixels`] | argument of [`Canvas::draw_sprites`] |
+//! | [`Ray`] of a pixel | [`Canvas::ray`] | [`Ray::hit`]: the face of a mesh that is seen there |
 //! | [`Canvas`]: colors, depth, rows | [`Canvas::new`], [`Canvas::band`], [`Canvas::big_endian`] and so on, over your slices | picture for a display, by [`Canvas::show`] or [`Canvas::as_bytes`] |
 //!
 //! # Spaces
@@ -216,14 +220,16 @@ pub mod texture;
 pub mod view;
 
 pub use error::{Error, RefusedFloat};
-pub use pipeline::{DrawOptions, Drawn, Prepared, ScreenPoint, TriangleList};
-pub use raster::Cull;
+pub use pipeline::{
+    DrawOptions, Drawn, Hit, Object, Prepared, PreparedScene, Ray, ScreenPoint, TriangleList,
+};
+pub use raster::{Cull, LineWidth, PointStyle};
 
 // These items are documented in their modules.
 #[doc(no_inline)]
 pub use {
     math::{Matrix4, Transform, Vec2, Vec3},
-    mesh::{Corner, Index, Mesh, Primitive},
+    mesh::{Corner, Index, Mesh, Outline, Primitive, Sprites},
     num::{Angle, Rate, Scalar, Spin, TexCoord, Unit},
     shade::{
         Converted, DepthView, FaceColors, FaceLit, Flat, Fragment, Gouraud, Lamp, Levels, Light,
@@ -247,11 +253,13 @@ pub mod prelude {
     #[doc(no_inline)]
     pub use crate::{
         Angle, Aspect, Camera, Canvas, Corner, Cull, DepthView, DrawOptions, Drawn, Error,
-        FaceColors, Flat, Fragment, Gouraud, Lamp, Levels, Light, Lighting, Mesh, Mvp, NormalView,
-        Palette, PaletteArray, PointLight, Primitive, Projection, Rate, Scalar, Shader, Spin,
-        SpotLight, TexCoord, Texture, TextureArray, Textured, Transform, TriangleList, Vec2, Vec3,
-        Viewer, Viewport, Window,
+        FaceColors, Flat, Fragment, Gouraud, Lamp, Levels, Light, Lighting, LineWidth, Mesh, Mvp,
+        NormalView, Outline, Palette, PaletteArray, PointLight, PointStyle, Primitive, Projection,
+        Rate, Ray, Scalar, Shader, Spin, SpotLight, Sprites, TexCoord, Texture, TextureArray,
+        Textured, Transform, TriangleList, Vec2, Vec3, Viewer, Viewport, Window,
     };
     #[doc(no_inline)]
-    pub use crate::{deg, fx, include_bmp, include_obj, include_tga, shape, vec2, vec3};
+    pub use crate::{
+        deg, fx, include_bmp, include_mtl, include_obj, include_tga, outline, shape, vec2, vec3,
+    };
 }

@@ -5,7 +5,7 @@ use defmt::{Debug2Format, Display2Format, Format, Formatter};
 use crate::error::RefusedFloat;
 use crate::mesh::Shape;
 use crate::view::{Projection, ProjectionKind, Segment, Window};
-use crate::{Angle, Error, Matrix4, ScreenPoint, Vec2, Vec3};
+use crate::{Angle, Error, Hit, Matrix4, ScreenPoint, Vec2, Vec3};
 
 macro_rules! format {
     ($adapter:ident: $($({$K:ident: $bound:path})? $Type:ty),+) => {$(
@@ -18,7 +18,7 @@ macro_rules! format {
 }
 
 format!(Display2Format: Error, RefusedFloat, Angle, Vec2, Vec3);
-format!(Debug2Format: Matrix4, ScreenPoint, Segment, Shape, Window, {K: ProjectionKind} Projection<K>);
+format!(Debug2Format: Hit, Matrix4, ScreenPoint, Segment, Shape, Window, {K: ProjectionKind} Projection<K>);
 
 #[cfg(test)]
 mod tests {

@@ -187,6 +187,26 @@ pub(crate) const fn wrong_size(
     panic!("{}", message.text())
 }
 
+/// Stops compilation when the MTL file `mtl` lacks a material that the OBJ file `obj` uses.
+///
+/// # Panics
+///
+/// Always.
+pub(crate) const fn no_material(obj: &str, mtl: &str, name: &[u8]) -> ! {
+    let name = match core::str::from_utf8(name) {
+        Ok(name) => name,
+        Err(_) => "of a name that is not UTF-8",
+    };
+    let message = Message::new()
+        .push(obj)
+        .push(": usemtl names the material ")
+        .push(name)
+        .push(", which ")
+        .push(mtl)
+        .push(" does not have");
+    panic!("{}", message.text())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

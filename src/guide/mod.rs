@@ -17,6 +17,12 @@ macro_rules! recipe {
 #[doc = recipe!("Lights", "lights.rs")]
 #[doc = recipe!("Fog", "fog.rs")]
 #[doc = recipe!("Blending", "blending.rs")]
+#[doc = recipe!("Painter's order", "painter.rs")]
+#[doc = recipe!("Wireframe", "wireframe.rs")]
+#[doc = recipe!("Keyframes", "keyframes.rs")]
+#[doc = recipe!("Sprites", "sprites.rs")]
+#[doc = recipe!("Labels", "labels.rs")]
+#[doc = recipe!("Picking", "picking.rs")]
 pub mod cookbook {}
 
 #[doc = include_str!("firmware.md")]

@@ -60,7 +60,7 @@ pub(crate) struct Element {
 }
 
 /// Checks that every index of `lists` is below `len` or equal to `exception`.
-const fn check<const K: usize>(
+pub(super) const fn check<const K: usize>(
     lists: &[[Index; K]],
     len: usize,
     exception: Option<Index>,
@@ -211,6 +211,30 @@ impl<'a> Mesh<'a> {
         })
     }
 
+    /// A mesh whose faces are known to be in range, with a texture coordinate for each position, and a color for each
+    /// or none at all.
+    pub(crate) fn of_quads(
+        positions: &'a [Vec3],
+        faces: &'a [[Index; 3]],
+        uvs: &'a [Vec2],
+        colors: &'a [Rgb888],
+    ) -> Self {
+        Self {
+            positions: Positions::long(positions),
+            faces,
+            edges: &[],
+            uvs: Attribute {
+                values: uvs,
+                faces: None,
+            },
+            normals: Attribute::NONE,
+            colors: Attribute {
+                values: colors,
+                faces: None,
+            },
+        }
+    }
+
     /// Unwraps a mesh in a `const` or `static`, where an error stops compilation.
     ///
     /// # Panics
@@ -301,6 +325,47 @@ impl<'a> Mesh<'a> {
             ok!(check(faces, values.len(), Some(Self::NO_VALUE)));
         }
         Ok(Attribute { values, faces })
+    }
+
+    /// The mesh without its edges. A `static` of the result takes no flash for them.
+    ///
+    /// Of the lists that [`shape!`](crate::shape) and [`include_obj!`](crate::include_obj) make, a `static` keeps in
+    /// flash those that it has. So drop the ones that no draw call reads:
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// static BALL: Mesh = shape!(sphere(16, 12)).without_edges().without_uvs();
+    /// assert!(BALL.edges().is_empty() && !BALL.has_uvs() && BALL.has_normals());
+    /// ```
+    #[must_use]
+    pub const fn without_edges(self) -> Self {
+        Self { edges: &[], ..self }
+    }
+
+    /// The mesh without its texture coordinates; see [`without_edges`](Self::without_edges).
+    #[must_use]
+    pub const fn without_uvs(self) -> Self {
+        let uvs = Attribute::NONE;
+        Self { uvs, ..self }
+    }
+
+    /// The mesh without its normals; see [`without_edges`](Self::without_edges). Light then falls on flat faces.
+    #[must_use]
+    pub const fn without_normals(self) -> Self {
+        let normals = Attribute::NONE;
+        Self { normals, ..self }
+    }
+
+    /// The mesh without its colors; see [`without_edges`](Self::without_edges).
+    #[must_use]
+    pub const fn without_colors(self) -> Self {
+        let colors = Attribute::NONE;
+        Self { colors, ..self }
+    }
+
+    /// The mesh with other positions, as many as it has.
+    pub(super) const fn with_positions(self, positions: Positions<'a>) -> Self {
+        Self { positions, ..self }
     }
 
     /// How many elements each list has.

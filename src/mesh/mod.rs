@@ -6,6 +6,8 @@
 //! | a generated shape | [`shape!`](crate::shape) | [`Shape::build`] |
 //! | your own slices | [`Mesh::new`] in a `static`, unwrapped by [`Mesh::checked`] | [`Mesh::new`] |
 //!
+//! [`Sprites`] are rectangles that turn to the viewer, one at each of a slice of positions.
+//!
 //! A shader reads a mesh as a [`Primitive`] and its [`Corner`]s.
 
 mod attribute;
@@ -14,17 +16,27 @@ mod buffers;
 #[doc(hidden)]
 pub mod flash;
 mod indexed;
+mod keyframes;
+mod normals;
 pub mod obj;
+mod outline;
+mod part;
 mod positions;
 mod primitive;
 mod shapes;
+mod sort;
+mod sprites;
 
 pub use bounds::Bounds;
 pub use buffers::{Buffers, Counts};
 pub(crate) use indexed::Element;
 pub use indexed::{Index, Mesh};
+pub use keyframes::Keyframes;
+pub use outline::Outline;
+pub use part::Part;
 pub use positions::Positions;
 pub(crate) use positions::StoredPosition;
 pub(crate) use primitive::Placement;
 pub use primitive::{Corner, Missing, Primitive};
 pub use shapes::Shape;
+pub use sprites::Sprites;

@@ -5,7 +5,7 @@ use super::cache::VertexCache;
 use super::call::Call;
 use super::clip::{ClippedPolygon, clip};
 use crate::mesh::{Element, Index};
-use crate::raster::{self, Barycentric, ClippedVertex, ScreenVertex};
+use crate::raster::{self, Barycentric, ClippedVertex, Polygon, ScreenVertex};
 use crate::view::ProjectionKind;
 
 /// Receives assembled triangles, to draw them or to list them.
@@ -83,4 +83,30 @@ pub(super) fn edge<K: ProjectionKind>(
         }
     }
     any != 0
+}
+
+/// Twice the area of a triangle's part that is inside all planes, by whose sign [`triangle`] culls it; 0 if there is no
+/// such part.
+#[inline(never)]
+pub(super) fn area<K: ProjectionKind>(
+    call: &Call<'_, K>,
+    vertices: &mut VertexCache,
+    indices: [Index; 3],
+) -> i64 {
+    let (mut any, mut all) = (0, !0);
+    let screens = indices.map(|index| {
+        let vertex = vertices.vertex(&call.projector, index);
+        any |= vertex.outcode;
+        all &= vertex.outcode;
+        vertex.screen
+    });
+    if any == 0 {
+        return raster::area(&screens);
+    }
+    if all != 0 {
+        return 0;
+    }
+    let mut polygon = ClippedPolygon::new();
+    clip(&call.projector, &indices, any, &mut polygon);
+    Polygon::area(&polygon)
 }

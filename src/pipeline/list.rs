@@ -1,5 +1,10 @@
 //! Triangles prepared once for all bands of a frame.
 
+mod painter;
+mod scene;
+
+pub use scene::{Object, PreparedScene};
+
 use core::marker::PhantomData;
 use core::ops::Range;
 
@@ -26,6 +31,22 @@ use crate::view::{ModelToPicture, Perspective, ProjectionKind, Viewport};
 /// Memory for the triangles of a frame that is drawn in bands.
 ///
 /// The triangles are transformed, culled and clipped once, and every band draws them from here.
+/// [`prepare`](Self::prepare) takes one mesh and [`prepare_scene`](Self::prepare_scene) several objects. Sorted
+/// [back to front](Self::prepare_back_to_front), a list replaces the depth buffer.
+///
+/// To sort whole objects instead, for example glass that is drawn last, sort them by the depths of their origins:
+///
+/// ```
+/// use fixel::prelude::*;
+/// let view = Projection::perspective(deg!(60), (4, 3), fx!(1), fx!(50))?
+///     * Camera::look_at(vec3!(0, 1, 9), Vec3::ZERO, Vec3::Y)?;
+/// let [near, far] = [5, -5].map(|z| Transform::translate(Vec3::from_ints(0, 0, z)));
+/// let mut panes = [near, far];
+/// // In eye space, z falls with the distance.
+/// panes.sort_unstable_by_key(|&model| (view * model).model_view().point(Vec3::ZERO).z);
+/// assert_eq!(panes, [far, near]);
+/// # Ok::<(), Error>(())
+/// ```
 ///
 /// Without it, each band transforms the whole mesh again. For a mesh of many small triangles, this takes longer than
 /// drawing them.
@@ -222,18 +243,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
         };
         run::triangles(&call, &mut filling);
         let rows = filling.rows;
-        let Needed {
-            triangles,
-            vertices,
-        } = filling.needed;
-        for (of, needed, room) in [
-            ("triangles", triangles, TRIANGLES),
-            ("vertices", vertices, VERTICES.min(Self::MAX_VERTICES)),
-        ] {
-            if needed > room {
-                return Err(Error::Full { of, needed, room });
-            }
-        }
+        filling.needed.check::<TRIANGLES, VERTICES>()?;
         Ok(Prepared {
             mesh,
             model: *mvp.model_of(),
@@ -250,6 +260,135 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
             blending: options.blending,
         })
     }
+
+    /// Prepares a mesh's triangles like [`prepare`](Self::prepare), and sorts them back to front: painter's order. So a
+    /// canvas without a depth buffer shows nearer triangles over farther ones.
+    ///
+    /// Triangles are compared by the farthest corners of their visible parts, within 2⁻²⁵ of the distance. Equally far
+    /// ones keep the order of the mesh. Heap sort needs no further memory, and at most 2 n log₂ n comparisons for n
+    /// visible triangles.
+    ///
+    /// Measured against a depth buffer of 320x240, which takes 150 KiB; the mean of eight poses (`kernels painter`,
+    /// and for the instructions `valgrind --tool=callgrind --toggle-collect='*only_drawing*'` on x86-64):
+    ///
+    /// | scene | wrong pixels | list | millions of instructions with depth | sorted |
+    /// |---|--:|--:|--:|--:|
+    /// | sphere | 0 | 17.1 KiB | 2.77 | 2.72 |
+    /// | two rings around a cube | 0 | 13.9 KiB | 1.58 | 3.01 |
+    /// | 27 towers, after the floor | 0 | 5.0 KiB | 3.13 | 8.92 |
+    /// | island with a lighthouse | 0.40 % | 19.1 KiB | 5.38 | 5.85 |
+    /// | the same in a sea, which crosses the island | 6.95 % | 21.6 KiB | 9.99 | 10.43 |
+    ///
+    /// Where much of the scene is hidden, as behind the towers, painter's order draws more pixels: a depth buffer
+    /// lets a program draw front to back.
+    ///
+    /// No order is right for triangles that cross each other, or that cover each other in a circle. A large triangle
+    /// may cover a small one in front of it whose farthest corner is farther. So draw a floor, or a sky, by a call of
+    /// its own before the others, or make its triangles as small as those of the things on it.
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
+    /// use fixel::prelude::*;
+    ///
+    /// // The first triangle is in front of the second.
+    /// let positions = [
+    ///     vec3!(-1, -1, 1), vec3!(1, -1, 1), vec3!(-1, 1, 1),
+    ///     vec3!(-1, -1, 0), vec3!(1, -1, 0), vec3!(1, 1, 0),
+    /// ];
+    /// let mesh = Mesh::new(&positions, &[[0, 1, 2], [3, 4, 5]])?;
+    /// let projection = Projection::perspective(deg!(60), (1, 1), fx!(1), fx!(10))?;
+    /// let mvp = projection * Transform::translate(vec3!(0, 0, -3));
+    /// let colors = [Gray4::new(1), Gray4::new(2)];
+    /// let options: DrawOptions = DrawOptions::new();
+    ///
+    /// let mut list: TriangleList<2, 6> = TriangleList::new();
+    /// let mut picture = |is_sorted: bool| {
+    ///     let triangles = if is_sorted {
+    ///         list.prepare_back_to_front(&options, (10, 10), &mesh, &mvp)?
+    ///     } else {
+    ///         list.prepare(&options, (10, 10), &mesh, &mvp)?
+    ///     };
+    ///     let mut color = [Gray4::BLACK; 100];
+    ///     let mut canvas = Canvas::new(&mut color, 10, 10)?;
+    ///     canvas.draw_prepared(&triangles, &FaceColors::new(&colors));
+    ///     let mut display = MockDisplay::new();
+    ///     canvas.show(&mut display)?;
+    ///     Ok::<_, Error>(display)
+    /// };
+    /// picture(false)?.assert_pattern(&[
+    ///     "0000000000",
+    ///     "0000000000",
+    ///     "0100000200",
+    ///     "0110002200",
+    ///     "0111022200",
+    ///     "0111222200",
+    ///     "0112222200",
+    ///     "0122222200",
+    ///     "0111111100",
+    ///     "0000000000",
+    /// ]);
+    /// picture(true)?.assert_pattern(&[
+    ///     "0000000000",
+    ///     "0000000000",
+    ///     "0100000200",
+    ///     "0110002200",
+    ///     "0111022200",
+    ///     "0111122200",
+    ///     "0111112200",
+    ///     "0111111200",
+    ///     "0111111100",
+    ///     "0000000000",
+    /// ]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As for [`prepare`](Self::prepare).
+    pub fn prepare_back_to_front<'a, M: Mode, Z: DepthTest, B: Copy, V: ModelToPicture>(
+        &'a mut self,
+        options: &DrawOptions<M, Z, B>,
+        frame: impl Into<Size>,
+        mesh: &'a Mesh<'a>,
+        mvp: &V,
+    ) -> Result<Prepared<'a, V::Kind, M, Z, B>, Error> {
+        let frame = frame.into();
+        let Prepared {
+            model,
+            model_view,
+            kind,
+            viewport,
+            cull,
+            rows,
+            depth_shift,
+            mode,
+            test,
+            blending,
+            ..
+        } = self.prepare(options, frame, mesh, mvp)?;
+        let scissor = Scissor::new(&viewport, frame.width, &(0..frame.height));
+        painter::sort(
+            &mut self.triangles,
+            &self.vertices,
+            depth_shift,
+            &scissor.rows,
+        );
+        Ok(Prepared {
+            mesh,
+            model,
+            model_view,
+            kind,
+            viewport,
+            cull,
+            triangles: &self.triangles,
+            vertices: &self.vertices,
+            rows,
+            depth_shift,
+            mode,
+            test,
+            blending,
+        })
+    }
 }
 
 /// How many elements a list must have room for.
@@ -257,6 +396,23 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
 struct Needed {
     triangles: usize,
     vertices: usize,
+}
+
+impl Needed {
+    /// An error unless a list of this length has room.
+    #[inline]
+    fn check<const TRIANGLES: usize, const VERTICES: usize>(self) -> Result<(), Error> {
+        let most = TriangleList::<TRIANGLES, VERTICES>::MAX_VERTICES;
+        for (of, needed, room) in [
+            ("triangles", self.triangles, TRIANGLES),
+            ("vertices", self.vertices, VERTICES.min(most)),
+        ] {
+            if needed > room {
+                return Err(Error::Full { of, needed, room });
+            }
+        }
+        Ok(())
+    }
 }
 
 /// A list that is being filled. Once it is full, it only counts.
@@ -335,6 +491,37 @@ impl Assembly for Filling<'_> {
             count: polygon.len() as u16,
         };
         self.add_triangle(element, &rows, corners);
+    }
+}
+
+impl<'a, K, M, Z, B> Prepared<'a, K, M, Z, B> {
+    /// The same triangles, whose colors are blended in another way with those on the canvas: for a sorted scene in which
+    /// some objects are translucent.
+    ///
+    /// ```
+    /// use fixel::{Prepared, target::{Opacity, TestAndWrite}};
+    /// use fixel::{mode::Newton, view::Perspective};
+    /// fn glass(triangles: Prepared<'_>) -> Prepared<'_, Perspective, Newton, TestAndWrite, Opacity> {
+    ///     triangles.with_blending(Opacity(90))
+    /// }
+    /// ```
+    #[must_use]
+    pub fn with_blending<A>(self, blending: A) -> Prepared<'a, K, M, Z, A> {
+        Prepared {
+            mesh: self.mesh,
+            model: self.model,
+            model_view: self.model_view,
+            kind: self.kind,
+            viewport: self.viewport,
+            cull: self.cull,
+            triangles: self.triangles,
+            vertices: self.vertices,
+            rows: self.rows,
+            depth_shift: self.depth_shift,
+            mode: self.mode,
+            test: self.test,
+            blending,
+        }
     }
 }
 

@@ -6,24 +6,33 @@ mod call;
 mod clip;
 mod list;
 mod options;
+mod outline;
+mod points;
+mod ray;
 mod run;
+mod sprites;
 mod vertex;
 
-pub use list::{Prepared, TriangleList};
+pub use list::{Object, Prepared, PreparedScene, TriangleList};
 pub use options::DrawOptions;
+pub use ray::{Hit, Ray};
 
-use call::Call;
-use vertex::Projector;
-
+use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::PixelColor;
 
+use call::Call;
+use sprites::Quads;
+use vertex::Projector;
+
 use crate::Vec3;
-use crate::mesh::{Bounds, Mesh, Missing, Positions};
+use crate::mesh::{Bounds, Mesh, Missing, Outline, Positions, Sprites};
 use crate::num::Subpixel;
-use crate::raster::{Blitter, Scissor, ScreenVertex};
+use crate::raster::{
+    self, Blitter, ClippedVertex, LineWidth, PointStyle, Rasterizer, Scissor, ScreenVertex,
+};
 use crate::shade::ShaderFor;
 use crate::span::{Blit, Mode};
-use crate::target::{Blending, Canvas, DepthBuffer, DepthTest, Storage};
+use crate::target::{Blending, Canvas, DepthBuffer, DepthTest, Label, Storage};
 use crate::view::{ModelToPicture, ProjectionKind};
 
 /// The result of a draw call: how many triangles, edges or points there were, and how many were drawn.
@@ -158,6 +167,146 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         self.call(options, (mesh, mvp), shader, run::edges)
     }
 
+    /// Draws a mesh's [edges](Mesh::edges) as lines of a [width](LineWidth).
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
+    /// use fixel::prelude::*;
+    /// let corners = [vec3!(1, -6, 0), vec3!(6, -2, 0), vec3!(11, -6, 0)];
+    /// let roof = Mesh::new(&corners, &[])?.with_edges(&[[0, 1], [1, 2]])?;
+    /// let window = Window { left: fx!(0), right: fx!(12), bottom: fx!(-8), top: fx!(0) };
+    /// let projection = Projection::orthographic(window, fx!(-1), fx!(1))?;
+    /// let mut color = [BinaryColor::Off; 12 * 8];
+    /// let mut canvas = Canvas::new(&mut color, 12, 8)?;
+    /// let white = Flat::new(BinaryColor::On);
+    /// canvas.draw_wide_edges(&DrawOptions::new(), &roof, LineWidth::new(fx!(3))?, &projection, &white);
+    /// let mut display = MockDisplay::new();
+    /// canvas.show(&mut display)?;
+    /// display.assert_pattern(&[
+    ///     "............",
+    ///     ".....##.....",
+    ///     "....####....",
+    ///     "..########..",
+    ///     ".####..####.",
+    ///     ".###....###.",
+    ///     ".#........#.",
+    ///     "............",
+    /// ]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn draw_wide_edges<
+        M: Mode,
+        Z: DepthTest,
+        B: Blending<C>,
+        V: ModelToPicture,
+        S: ShaderFor<B::Source>,
+    >(
+        &mut self,
+        options: &DrawOptions<M, Z, B>,
+        mesh: &Mesh<'_>,
+        width: LineWidth,
+        mvp: &V,
+        shader: &S,
+    ) -> Drawn {
+        self.call(options, (mesh, mvp), shader, |call, blitter| {
+            outline::wide_edges(call, width, blitter)
+        })
+    }
+
+    /// Draws a mesh's [`Outline`] as [`draw_outline`](Self::draw_outline) does, in lines of a [width](LineWidth).
+    pub fn draw_wide_outline<
+        M: Mode,
+        Z: DepthTest,
+        B: Blending<C>,
+        V: ModelToPicture,
+        S: ShaderFor<B::Source>,
+    >(
+        &mut self,
+        options: &DrawOptions<M, Z, B>,
+        mesh: &Mesh<'_>,
+        (outline, width): (&Outline<'_>, LineWidth),
+        mvp: &V,
+        shader: &S,
+    ) -> Drawn {
+        self.call(options, (mesh, mvp), shader, |call, blitter| {
+            let line = |raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]| {
+                raster::wide_line(raster, ends, width);
+            };
+            outline::outline(call, outline, &line, blitter)
+        })
+    }
+
+    /// Draws a mesh's [`Outline`] as lines, one pixel wide: of its edges, the creases and silhouettes at which a face
+    /// is not culled.
+    ///
+    /// A face counts as front or back exactly if triangles do, so the outline of a closed mesh has no gaps. Lines have
+    /// the pixels of [`draw_edges`](Self::draw_edges).
+    ///
+    /// To remove hidden lines, draw the faces first, in the color of the background and slightly behind their place:
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
+    /// use fixel::{prelude::*, target::{Biased, TestAndWrite}};
+    /// static CAN: Mesh = shape!(cylinder(16));
+    /// static RIMS: Outline = outline!(CAN, deg!(30));
+    /// let projection = Projection::perspective(deg!(40), (1, 1), fx!(1), fx!(9))?;
+    /// let camera = Camera::look_at(vec3!(0, 2, 4), Vec3::ZERO, Vec3::Y)?;
+    /// let mvp = projection * camera;
+    /// let (mut color, mut depth) = ([BinaryColor::Off; 24 * 24], [0; 24 * 24]);
+    /// let mut canvas = Canvas::new(&mut color, 24, 24)?.with_depth(&mut depth)?;
+    /// canvas.clear(BinaryColor::Off);
+    /// let behind = DrawOptions::new().with_depth(Biased::behind(TestAndWrite));
+    /// canvas.draw_with(&behind, &CAN, &mvp, &Flat::new(BinaryColor::Off));
+    /// canvas.draw_outline(&DrawOptions::new(), &CAN, &RIMS, &mvp, &Flat::new(BinaryColor::On));
+    /// let mut display = MockDisplay::new();
+    /// canvas.show(&mut display)?;
+    /// display.assert_pattern(&[
+    ///     "........................",
+    ///     "........................",
+    ///     "........................",
+    ///     ".....##############.....",
+    ///     "....#..............#....",
+    ///     "...##..............##...",
+    ///     "...#.###........###.#...",
+    ///     "...#....########....#...",
+    ///     "....#..............#....",
+    ///     "....#..............#....",
+    ///     "....#..............#....",
+    ///     "....#..............#....",
+    ///     "....#..............#....",
+    ///     "....#..............#....",
+    ///     "....#..............#....",
+    ///     "....#..............#....",
+    ///     "....#..............#....",
+    ///     ".....#............#.....",
+    ///     ".....#............#.....",
+    ///     ".....#............#.....",
+    ///     ".....#............#.....",
+    ///     ".......#........#.......",
+    ///     "........########........",
+    ///     "........................",
+    /// ]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn draw_outline<
+        M: Mode,
+        Z: DepthTest,
+        B: Blending<C>,
+        V: ModelToPicture,
+        S: ShaderFor<B::Source>,
+    >(
+        &mut self,
+        options: &DrawOptions<M, Z, B>,
+        mesh: &Mesh<'_>,
+        outline: &Outline<'_>,
+        mvp: &V,
+        shader: &S,
+    ) -> Drawn {
+        self.call(options, (mesh, mvp), shader, |call, blitter| {
+            outline::outline(call, outline, &raster::line, blitter)
+        })
+    }
+
     /// Draws a mesh's positions as points: the pixel that contains each.
     pub fn draw_points<
         M: Mode,
@@ -175,12 +324,139 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         self.call(options, (mesh, mvp), shader, run::points)
     }
 
+    /// Draws a mesh's positions as squares or discs: see [`PointStyle`]. All pixels of one have the depth and the
+    /// attributes of its point.
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
+    /// use fixel::prelude::*;
+    /// let stars = [vec3!(-4, 0, -4), vec3!(0.5, 0, -8), vec3!(9, 0, -16)];
+    /// let mesh = Mesh::new(&stars, &[])?;
+    /// let projection = Projection::perspective(deg!(60), (24, 9), fx!(1), fx!(20))?;
+    /// let mut color = [BinaryColor::Off; 24 * 9];
+    /// let mut canvas = Canvas::new(&mut color, 24, 9)?;
+    /// let style = PointStyle::round(fx!(4))?.attenuated();
+    /// let white = Flat::new(BinaryColor::On);
+    /// canvas.draw_sized_points(&DrawOptions::new(), &mesh, style, &projection, &white);
+    /// let mut display = MockDisplay::new();
+    /// canvas.show(&mut display)?;
+    /// display.assert_pattern(&[
+    ///     "........................",
+    ///     "..#####.................",
+    ///     ".#######................",
+    ///     "########...###..........",
+    ///     "########...###.##.......",
+    ///     "########...###..........",
+    ///     ".#######................",
+    ///     "..#####.................",
+    ///     "........................",
+    /// ]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn draw_sized_points<
+        M: Mode,
+        Z: DepthTest,
+        B: Blending<C>,
+        V: ModelToPicture,
+        S: ShaderFor<B::Source>,
+    >(
+        &mut self,
+        options: &DrawOptions<M, Z, B>,
+        mesh: &Mesh<'_>,
+        style: PointStyle,
+        mvp: &V,
+        shader: &S,
+    ) -> Drawn {
+        let viewport = options.viewport_in(self.frame_size());
+        let half = points::HalfSize::new(style, mvp.projection_of(), &viewport);
+        self.call(options, (mesh, mvp), shader, |call, blitter| {
+            points::sized_points(call, &half, style.is_round(), blitter)
+        })
+    }
+
+    /// Draws sprites: two triangles for each of their positions, by the rules for those of a mesh. Nothing is culled,
+    /// because sprites have no backs.
+    ///
+    /// Every shader works: the quad is a mesh in eye space, whose normal points towards the viewer, and a quad's two
+    /// triangles have the indices 2i and 2i + 1, where i is the sprite's. Its corners are rounded to the nearest
+    /// [`Scalar`](crate::Scalar)s in eye space, which moves them by at most 2⁻¹⁶ · focal length / w pixels; a sprite
+    /// with a corner beyond ±32,768 there is not drawn.
+    ///
+    /// Under [`cut_out`](crate::Textured::cut_out), sprites need no order, because holes leave depths as they are.
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8};
+    /// use fixel::prelude::*;
+    /// static TREE: TextureArray<Gray8, 4, 4> = TextureArray::gray8(&[
+    ///     0, 9, 9, 0,
+    ///     9, 9, 9, 9,
+    ///     0, 9, 9, 0,
+    ///     0, 9, 9, 0,
+    /// ]);
+    /// let projection = Projection::perspective(deg!(90), (2, 1), fx!(0.5), fx!(20))?;
+    /// let camera = Camera::look_at(vec3!(0, 1.5, 0), vec3!(0, 1.5, -1), Vec3::Y)?;
+    /// let mut pixels = [Gray8::new(0); 24 * 12];
+    /// let mut canvas = Canvas::new(&mut pixels, 24, 12)?;
+    ///
+    /// // Trees that stand on the floor, one twice as far away as the other.
+    /// let places = [vec3!(-1.5, 0, -1.5), vec3!(2, 0, -3)];
+    /// let trees = Sprites::new(&places, (fx!(2), fx!(2)))?
+    ///     .with_axis(Vec3::Y)?
+    ///     .with_anchor(vec2!(0.5, 1));
+    /// let leaves = Textured::new(&TREE).clamped().cut_out(Gray8::new(0));
+    /// canvas.draw_sprites(&DrawOptions::new(), &trees, &(projection * camera), &leaves);
+    /// # let shown: Vec<String> = canvas.pixels().collect::<Vec<_>>().chunks(24)
+    /// #     .map(|row| row.iter().map(|p| if *p == Gray8::new(0) { '.' } else { '#' }).collect()).collect();
+    /// assert_eq!(shown, [
+    ///     "........................",
+    ///     "........................",
+    ///     "........................",
+    ///     "........................",
+    ///     "....####................",
+    ///     "....####.......##.......",
+    ///     "..########....####......",
+    ///     "..########.....##.......",
+    ///     "....####.......##.......",
+    ///     "....####................",
+    ///     "....####................",
+    ///     "....####................",
+    /// ]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn draw_sprites<
+        M: Mode,
+        Z: DepthTest,
+        B: Blending<C>,
+        V: ModelToPicture,
+        S: ShaderFor<B::Source>,
+    >(
+        &mut self,
+        options: &DrawOptions<M, Z, B>,
+        sprites: &Sprites<'_>,
+        mvp: &V,
+        shader: &S,
+    ) -> Drawn {
+        let frame = self.frame_size();
+        let viewport = options.viewport_in(frame);
+        let scissor = Scissor::new(&viewport, frame.width, self.rows());
+        let quads = Quads::new(sprites, mvp, &viewport);
+        let modes = (options.mode, options.depth);
+        let mut blit = Blit::<_, _, _, V::Kind, _, _>::new(
+            modes,
+            self,
+            (*shader, options.blending),
+            quads.depth_shift(),
+        );
+        quads.draw(&scissor, &mut blit)
+    }
+
     /// The screen position of a point of model space, with the same bits as when it is drawn.
     ///
     /// The result is `None` if the point is nearer than the near plane, beyond the far plane, or more than 2048
     /// pixels left or right of, above or below the viewport's center. The position may lie outside the viewport.
     ///
-    /// Use it to place a label beside an object, or to find the object under a touch.
+    /// Use it to place a [`label`](Self::label) beside an object. For the opposite way, from a pixel into the scene, see
+    /// [`ray`](Self::ray).
     #[must_use]
     pub fn project<M: Copy, Z: Copy, B: Copy, V: ModelToPicture>(
         &self,
@@ -206,6 +482,60 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
             y,
             depth: D::encode(at.q, projector.depth_shift().of(at.exponent)) as u16,
         })
+    }
+
+    /// A [`DrawTarget`](embedded_graphics::draw_target::DrawTarget) for text, or for anything else that embedded-graphics
+    /// draws, at a point of the scene: its origin is the pixel that contains `at`, and what is nearer hides it.
+    ///
+    /// A label at a point of a surface may be hidden by parts of the same surface that are nearer. To avoid this, give
+    /// [`ScreenPoint::depth`] a greater value, or project a point before the surface.
+    ///
+    /// ```
+    /// use embedded_graphics::mock_display::MockDisplay;
+    /// use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_4X6};
+    /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+    /// use embedded_graphics::{Drawable, geometry::Point, text::Text};
+    /// use fixel::prelude::*;
+    /// static WALL: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+    /// let projection = Projection::perspective(deg!(90), (2, 1), fx!(0.5), fx!(20))?;
+    /// let (mut pixels, mut depths) = ([Rgb565::BLACK; 26 * 13], [0; 26 * 13]);
+    /// let mut canvas = Canvas::new(&mut pixels, 26, 13)?.with_depth(&mut depths)?;
+    /// canvas.clear(Rgb565::BLACK);
+    ///
+    /// let wall = projection * Transform::translate(vec3!(0, 0, -3));
+    /// canvas.draw(&WALL, &wall, &Flat::new(Rgb565::BLUE));
+    /// // One label behind the front of the wall, and one before it.
+    /// let style = MonoTextStyle::new(&FONT_4X6, Rgb565::WHITE);
+    /// for (text, point) in [("Behind", vec3!(-12, 1, -6)), ("Before", vec3!(-5.4, -2, -2.9))] {
+    ///     if let Some(at) = canvas.project(&DrawOptions::new(), &projection, point) {
+    ///         Text::new(text, Point::zero(), style).draw(&mut canvas.label(at))?;
+    ///     }
+    /// }
+    ///
+    /// let mut display = MockDisplay::new();
+    /// canvas.show(&mut display)?;
+    /// display.assert_pattern(&[
+    ///     "KKKKKKKKKKKKKKKKKKKKKKKKKK",
+    ///     "WWKKKKKKWKKKKWKKKKKKKKWKKK",
+    ///     "WKWKKWKKWWKKKKKKWWKKKWWKKK",
+    ///     "WWKKWKWKWKBBBBBBWKWKWKWKKK",
+    ///     "WKWKWWKKWKBBBBBBWKWKWKWKKK",
+    ///     "WWKKKWWKWKBBBBBBWKWKKWWKKK",
+    ///     "WWKKKKKKKKBBBBBBKKKKKKKKKK",
+    ///     "WKWKKWKKKWBBBBBBWKWKKWKKKK",
+    ///     "WWKKWKWKWWBBBBBBWWKKWKWKKK",
+    ///     "WKWKWWKKKWBBBBBBWKKKWWKKKK",
+    ///     "WWKKKWWKKWKKKWKKWKKKKWWKKK",
+    ///     "KKKKKKKKKKKKKKKKKKKKKKKKKK",
+    ///     "KKKKKKKKKKKKKKKKKKKKKKKKKK",
+    /// ]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn label(&mut self, at: ScreenPoint) -> Label<'_, Self> {
+        // A subpixel has eight fraction bits; a shift rounds down.
+        let [x, y] = [at.x, at.y].map(|at| at.to_bits() >> 8);
+        Label::new(self, Point::new(x, y), at.depth)
     }
 
     /// Whether a mesh within `bounds` may have a pixel in this canvas; `false` is certain.

@@ -144,6 +144,11 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         }
     }
 
+    /// The same transform for other positions.
+    pub(super) fn with_positions<'p>(&self, positions: Positions<'p>) -> Projector<'p, K> {
+        Projector { positions, ..*self }
+    }
+
     /// The clip position of a position of model space; of the origin for an index that no checked list holds.
     #[inline]
     pub(super) fn clip_position(&self, index: Index) -> ClipPosition {

@@ -22,7 +22,7 @@ pub(super) struct Edge {
 ///
 /// A center exactly at the position counts. So of two triangles that adjoin there, exactly one covers it.
 #[inline]
-pub(super) const fn first_center(position: i32) -> i32 {
+pub(crate) const fn first_center(position: i32) -> i32 {
     (position + 127) >> 8
 }
 

@@ -1,5 +1,7 @@
 //! Lines: one pixel per column or row, whichever is longer.
 
+use core::ops::Range;
+
 use super::edge::{Edge, first_center};
 use super::{ClippedVertex, Patch, Rasterizer, ScreenVertex};
 
@@ -17,49 +19,16 @@ use super::{ClippedVertex, Patch, Rasterizer, ScreenVertex};
 ///
 /// The pixels do not depend on the line's direction.
 pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
-    let scissor = raster.scissor;
-    let [mut from, mut to] = ends;
-    let steep = {
-        let ([x0, y0], [x1, y1]) = (from.vertex.screen, to.vertex.screen);
-        x0.abs_diff(x1) < y0.abs_diff(y1)
-    };
-    // The coordinates along the longer axis and across it.
-    let major_first = |[x, y]: [i32; 2]| if steep { [y, x] } else { [x, y] };
-    let ([mut start, mut minor], [mut end, mut minor_end]) = (
-        major_first(from.vertex.screen),
-        major_first(to.vertex.screen),
-    );
-    if end < start {
-        (from, to) = (to, from);
-        (start, minor, end, minor_end) = (end, minor_end, start, minor);
-    }
-    let (along, across) = if steep {
-        (&scissor.rows, &scissor.columns)
-    } else {
-        (&scissor.columns, &scissor.rows)
-    };
-    let steps = first_center(start).max(along.start)..first_center(end).min(along.end);
-    if steps.is_empty() {
+    let Some(Course {
+        steep,
+        start: [start, minor],
+        end: [end, minor_end],
+        steps,
+        across,
+    }) = Course::new(raster, ends)
+    else {
         return;
-    }
-
-    // Values change along the longer axis only. A sliver along that axis, one unit wide, defines their plane.
-    let at = |end: &ClippedVertex, place: [i32; 2]| ScreenVertex {
-        screen: major_first(place),
-        ..end.vertex
     };
-    let [a, b, c] = [
-        at(from, [start, 128]),
-        at(to, [end, 128]),
-        at(to, [end, 129]),
-    ];
-    let length = end - start;
-    raster.blitter.set_up(&Patch {
-        vertices: [&a, &b, &c],
-        barycentric: Some(&[from.barycentric, to.barycentric, to.barycentric]),
-        size: major_first([length, 1]),
-        area: if steep { -length } else { length }.into(),
-    });
 
     // An edge runs along its second coordinate, which is the longer axis here. It knows the next center, not the pixel
     // that contains it, so it is mirrored: the floor of a number is the negative of its negative's ceiling.
@@ -80,6 +49,77 @@ pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
             }
             (first, offset) = (step + 1, next);
         }
+    }
+}
+
+/// A line from its left to its right end or, if it is steep, from its upper to its lower end.
+pub(super) struct Course {
+    pub(super) steep: bool,
+    /// The ends: the coordinate along the longer axis, and the one across.
+    pub(super) start: [i32; 2],
+    pub(super) end: [i32; 2],
+    /// The pixels along the longer axis whose centers the line passes, within the scissor.
+    pub(super) steps: Range<i32>,
+    /// The scissor across.
+    pub(super) across: Range<i32>,
+}
+
+impl Course {
+    /// Lays the interpolants over a line; `None` if it passes no center within the scissor.
+    #[inline]
+    pub(super) fn new(
+        raster: &mut Rasterizer<'_>,
+        [mut from, mut to]: [&ClippedVertex; 2],
+    ) -> Option<Self> {
+        let scissor = raster.scissor;
+        let steep = {
+            let ([x0, y0], [x1, y1]) = (from.vertex.screen, to.vertex.screen);
+            x0.abs_diff(x1) < y0.abs_diff(y1)
+        };
+        // The coordinates along the longer axis and across it.
+        let major_first = |[x, y]: [i32; 2]| if steep { [y, x] } else { [x, y] };
+        let ([mut start, mut minor], [mut end, mut minor_end]) = (
+            major_first(from.vertex.screen),
+            major_first(to.vertex.screen),
+        );
+        if end < start {
+            (from, to) = (to, from);
+            (start, minor, end, minor_end) = (end, minor_end, start, minor);
+        }
+        let (along, across) = if steep {
+            (&scissor.rows, &scissor.columns)
+        } else {
+            (&scissor.columns, &scissor.rows)
+        };
+        let steps = first_center(start).max(along.start)..first_center(end).min(along.end);
+        if steps.is_empty() {
+            return None;
+        }
+
+        // Values change along the longer axis only. A sliver along that axis, one unit wide, defines their plane.
+        let at = |end: &ClippedVertex, place: [i32; 2]| ScreenVertex {
+            screen: major_first(place),
+            ..end.vertex
+        };
+        let [a, b, c] = [
+            at(from, [start, 128]),
+            at(to, [end, 128]),
+            at(to, [end, 129]),
+        ];
+        let length = end - start;
+        raster.blitter.set_up(&Patch {
+            vertices: [&a, &b, &c],
+            barycentric: Some(&[from.barycentric, to.barycentric, to.barycentric]),
+            size: major_first([length, 1]),
+            area: if steep { -length } else { length }.into(),
+        });
+        Some(Self {
+            steep,
+            start: [start, minor],
+            end: [end, minor_end],
+            steps,
+            across: across.clone(),
+        })
     }
 }
 

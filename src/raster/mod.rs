@@ -12,12 +12,15 @@ mod rasterizer;
 mod scale;
 mod scissor;
 mod setup;
+mod sized_point;
 mod triangle;
 mod vertex;
+mod wide_line;
 
 use crate::mesh::Primitive;
 
 pub use cull::Cull;
+pub(crate) use edge::first_center;
 pub(crate) use gradient::Gradient;
 pub(crate) use line::line;
 pub(crate) use point::point;
@@ -27,8 +30,12 @@ pub(crate) use scissor::Scissor;
 pub(crate) use setup::{
     Attribute, FAR, Interpolation, LEAST_WEIGHT, MOST_WEIGHT, SPAN, Scale, Setup, unpaired,
 };
+pub use sized_point::PointStyle;
+pub(crate) use sized_point::sized_point;
 pub(crate) use triangle::{Triangle, area};
 pub(crate) use vertex::{Barycentric, ClippedVertex, DepthShift, ScreenVertex};
+pub use wide_line::LineWidth;
+pub(crate) use wide_line::wide_line;
 
 /// Three vertices on the screen; each interpolant is the plane through its values at them.
 #[derive(Clone, Copy, Debug)]

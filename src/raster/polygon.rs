@@ -58,6 +58,11 @@ impl<'a> Polygon<'a> {
         Some(fan)
     }
 
+    /// Twice the area of an outline, positive if it runs clockwise on the screen: the area by which it is culled.
+    pub(crate) fn area(outline: &'a [ClippedVertex]) -> i64 {
+        Self::new(outline, Cull::Nothing).map_or(0, |fan| fan.area)
+    }
+
     /// The triangles of the fan, and their doubled areas.
     #[inline]
     fn triangles(&self) -> impl Iterator<Item = ([&'a ClippedVertex; 3], i64)> + use<'a> {

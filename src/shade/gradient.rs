@@ -115,7 +115,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn compare<C: Levels>(heights: [i32; 3], colors: [[u8; 3]; 2]) -> Result<(), TestCaseError> {
-        let [bottom, top, height] = heights.map(Scalar::from_bits);
+        let [bottom, top, _] = heights.map(Scalar::from_bits);
         let [low, high] = colors.map(|[r, g, b]| Rgb888::new(r, g, b));
         let made = Gradient::<C>::new((bottom, low), (top, high));
         let Ok(gradient) = made else {

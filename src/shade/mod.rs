@@ -6,6 +6,7 @@
 //! |---|---|---|
 //! | [`Flat`] | one color for all | 0 |
 //! | [`FaceColors`] | one color per triangle | 0 |
+//! | [`PartColors`] | one color per material | 0 |
 //! | [`Gouraud`] | the mesh's vertex colors | 3, or 1 for gray |
 //! | [`Gradient`] | a mixture of two colors by height | 3, or 1 for gray |
 //! | [`Textured`] | the nearest texel or a blend of four; the texture repeats or is clamped | 2 |
@@ -34,6 +35,7 @@ mod levels;
 mod light;
 mod lit;
 mod map;
+mod part_colors;
 mod ramp;
 mod shader;
 mod source;
@@ -60,6 +62,7 @@ pub use light::{
 };
 pub use lit::{FaceLit, Lit};
 pub use map::Map;
+pub use part_colors::PartColors;
 pub use shader::{Fragment, Shader, ShaderFor};
 pub use source::{ColorOf, Source, Translucent};
 pub use texel::{Masked, Texel};

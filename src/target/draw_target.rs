@@ -45,13 +45,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Canvas<'_, C, 
             return Ok(());
         };
         let mut colors = colors.into_iter();
-        // Colors of pixels outside are consumed and dropped: first for the rows above, then, row by row, for the
-        // pixels on the left and on the right.
-        let above = inside.rows.start.cast_signed().abs_diff(area.top_left.y) as usize;
-        let left = inside.columns.start.cast_signed().abs_diff(area.top_left.x) as usize;
-        let width = area.size.width as usize;
-        let right = width - left - inside.columns.len();
-        skip(&mut colors, above.saturating_mul(width));
+        let Margins { above, left, right } = inside.margins(area);
+        skip(&mut colors, above);
         for y in inside.rows {
             skip(&mut colors, left);
             // The colors come second, so that `zip` does not consume one more than there are cells.
@@ -86,16 +81,39 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Canvas<'_, C, 
 }
 
 /// The pixels of a rectangle that a canvas has in memory.
-struct Inside {
-    columns: Range<u32>,
-    rows: Range<u32>,
+pub(super) struct Inside {
+    pub(super) columns: Range<u32>,
+    pub(super) rows: Range<u32>,
+}
+
+/// How many colors of pixels outside are consumed and dropped: first for the rows above, then, row by row, for the
+/// pixels on the left and on the right.
+pub(super) struct Margins {
+    pub(super) above: usize,
+    pub(super) left: usize,
+    pub(super) right: usize,
+}
+
+impl Inside {
+    /// The rest of the rectangle `area`, of which this is the part in memory.
+    #[inline]
+    pub(super) fn margins(&self, area: &Rectangle) -> Margins {
+        let above = self.rows.start.cast_signed().abs_diff(area.top_left.y) as usize;
+        let left = self.columns.start.cast_signed().abs_diff(area.top_left.x) as usize;
+        let width = area.size.width as usize;
+        Margins {
+            above: above.saturating_mul(width),
+            left,
+            right: width - left - self.columns.len(),
+        }
+    }
 }
 
 impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// The part of `area` that is in memory; `None` if it is empty.
     ///
     /// [`Rectangle::intersection`] adds a size to a corner in `i32`, which overflows for large areas.
-    fn inside(&self, area: &Rectangle) -> Option<Inside> {
+    pub(super) fn inside(&self, area: &Rectangle) -> Option<Inside> {
         let columns = overlap(area.top_left.x, area.size.width, 0..self.frame_size().width)?;
         let rows = overlap(area.top_left.y, area.size.height, self.rows().clone())?;
         Some(Inside { columns, rows })
@@ -112,7 +130,7 @@ fn overlap(start: i32, length: u32, bounds: Range<u32>) -> Option<Range<u32>> {
 }
 
 /// Drops the next `count` items.
-fn skip(items: &mut impl Iterator, count: usize) {
+pub(super) fn skip(items: &mut impl Iterator, count: usize) {
     if let Some(last) = count.checked_sub(1) {
         items.nth(last);
     }

@@ -17,6 +17,7 @@ mod depth;
 mod depth_test;
 mod draw_target;
 mod format;
+mod label;
 mod storage;
 
 pub use blending::{Add, Alpha, Blending, Multiply, Opacity, Replace};
@@ -27,4 +28,5 @@ pub use depth::{Depth, DepthBuffer, NoDepth};
 pub use depth_test::{Biased, DepthTest, NoTest, TestAndWrite, TestOnly, WriteOnly};
 pub(crate) use format::linear;
 pub use format::{DepthFormat, Float, Linear, WideFloat};
+pub use label::Label;
 pub use storage::{Bytes, Native, Storage};

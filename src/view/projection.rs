@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::Window;
+use super::{Viewport, Window};
 use crate::num::block::{self, BlockFloat};
 use crate::{Error, Matrix4, Scalar, Vec3};
 
@@ -184,21 +184,60 @@ impl<K: ProjectionKind> Projection<K> {
         Some(Vec3::new(scalar(x), scalar(y), Scalar::ONE))
     }
 
-    /// Returns the x or y at which a·x + c·z + d = ±w on the near plane, where z = −n.
-    fn edge(&self, axis: usize, sign: i64) -> Scalar {
-        let row = &self.rows[axis];
-        let near = number(self.near);
-        let w = if K::PERSPECTIVE {
-            near
+    /// The width and height in eye space of a pixel: in perspective, at a distance of 1.
+    pub(crate) fn pixel(&self, viewport: &Viewport) -> [BlockFloat; 2] {
+        let [width, height] = viewport.size();
+        [(0, width), (1, height)].map(|(axis, size): (usize, u32)| {
+            let size = BlockFloat::new(size.into(), 0);
+            BlockFloat::new(2, 0).over(self.rows[axis].coefficient(axis).times(size))
+        })
+    }
+
+    /// The point of the near plane that is seen at normalized device coordinates `x` and `y`, and the direction of the
+    /// line of sight there; both in eye space.
+    pub(crate) fn sight(&self, x: BlockFloat, y: BlockFloat) -> [[BlockFloat; 3]; 2] {
+        let (w, ahead) = (self.nearest_w(), number(self.near).negated());
+        let [x, y] = [(0, x), (1, y)].map(|(axis, at)| self.on_near_plane(axis, at.times(w)));
+        let direction = if K::PERSPECTIVE {
+            [x, y, ahead]
+        } else {
+            let [x, y] = [0, 1].map(|axis: usize| {
+                let row = &self.rows[axis];
+                row.coefficient(2).over(row.coefficient(axis))
+            });
+            [x, y, BlockFloat::new(-1, 0)]
+        };
+        [[x, y, ahead], direction]
+    }
+
+    /// The homogeneous coordinate on the near plane.
+    fn nearest_w(&self) -> BlockFloat {
+        if K::PERSPECTIVE {
+            number(self.near)
         } else {
             BlockFloat::new(1, 0)
-        };
+        }
+    }
+
+    /// Returns the x or y at which a·x + c·z + d = `to` on the near plane, where z = −n.
+    fn on_near_plane(&self, axis: usize, to: BlockFloat) -> BlockFloat {
+        let row = &self.rows[axis];
         let moved = row
             .coefficient(2)
-            .times(near)
+            .times(number(self.near))
             .plus(row.coefficient(3).negated());
-        let edge = BlockFloat::new(sign * w.value, w.exp).plus(moved);
-        scalar(edge.over(row.coefficient(axis)))
+        let sum = to.plus(moved);
+        // The exponent of a zero is too large to be divided.
+        if sum.value == 0 {
+            return BlockFloat::ZERO;
+        }
+        sum.over(row.coefficient(axis))
+    }
+
+    /// Returns the x or y of an edge of the window, where `to` is ±w.
+    fn edge(&self, axis: usize, sign: i64) -> Scalar {
+        let w = self.nearest_w();
+        scalar(self.on_near_plane(axis, BlockFloat::new(sign * w.value, w.exp)))
     }
 
     /// Returns the window's width divided by its height, rounded to the nearest 2⁻¹⁶; saturates.

@@ -6,18 +6,23 @@ use core::hash::Hash;
 
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::math::Direction;
-use fixel::mesh::{Buffers, Counts, Missing, Positions, Shape};
+use fixel::mesh::{Buffers, Counts, Keyframes, Missing, Part, Positions, Shape};
 use fixel::mode::{Affine, Exact, Fast, Newton};
 use fixel::prelude::*;
 use fixel::shade::{
     Colored, Exponential, Falloff, Fog, Illumination, InFog, Shiny, SurfacePoint, TwoSided,
 };
-use fixel::shade::{Converted, FaceLit, Lit, Map, PerFace, Texels, Tinted, Tolerance, Within};
+use fixel::shade::{Converted, FaceLit, Lit, Map, PartColors, PerFace, Texels, Tinted};
+use fixel::shade::{Gradient, Masked, Tolerance, Translucent, Within};
+use fixel::target::{Add, Alpha, Multiply, Opacity, Replace};
 use fixel::target::{Biased, Depth, Float, Linear, Native, NoDepth, NoTest};
 use fixel::target::{TestAndWrite, TestOnly, WideFloat, WriteOnly};
+use fixel::texture::{Argb1555, Argb4444, PackedGray4};
 use fixel::texture::{Bilinear, Clamp, CutOut, Image, Nearest, Repeat};
 use fixel::view::{Parallel, Perspective, Segment};
-use fixel::{Index, Matrix4, Prepared, RefusedFloat, ScreenPoint, Unit};
+use fixel::{
+    Hit, Index, Matrix4, Object, Prepared, PreparedScene, RefusedFloat, ScreenPoint, Unit,
+};
 
 const fn any<T: Debug + Send + Sync + Unpin>() {}
 const fn shared<T: Clone + Debug + Send + Sync>() {}
@@ -35,21 +40,25 @@ all!(value: Error RefusedFloat Scalar TexCoord Unit Index Angle Rate Spin);
 all!(value: Vec2 Vec3 Direction Matrix4 Transform);
 all!(value: Aspect Camera Mvp Mvp<Parallel> Parallel Perspective Projection Projection<Parallel>);
 all!(value: Segment Viewport Window);
-all!(value: Counts Missing Shape);
+all!(value: Add Alpha Multiply Opacity Replace Translucent<Rgb565> Gradient<Rgb565>);
+all!(value: Argb1555 Argb4444 Masked<u8, u8> PackedGray4<'static>);
+all!(value: Counts LineWidth Missing PointStyle Shape);
 all!(value: Affine Exact Fast Newton Cull DrawOptions DrawOptions<Fast, Biased> Drawn ScreenPoint);
+all!(value: Hit Ray);
 all!(value: Flat<Rgb565> Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> Fragment Light);
 all!(value: Converted<Flat<Rgb565>, Rgb565> FaceLit<Flat<Rgb565>> Lit<Flat<Rgb565>> Tinted<Flat<Rgb565>>);
 all!(value: Colored<Light> Falloff Illumination PointLight Shiny<Light> SpotLight SurfacePoint TwoSided<Light> Viewer);
 all!(value: Fog<Rgb565> Fog<Rgb565, Exponential> InFog<Flat<Rgb565>, Rgb565>);
 all!(value: Textured<Texture<'static, Rgb565>> FaceColors<'static, Rgb565>);
+all!(value: Part<'static> PartColors<'static>);
 all!(value: PerFace<u8> Texels Tolerance Within<1, Texels>);
 all!(value: Biased Float Linear Native NoDepth NoTest TestAndWrite TestOnly WideFloat WriteOnly);
 all!(value: Bilinear Clamp CutOut<Bilinear, Rgb565> Nearest Repeat);
 all!(value: Image<'static> Palette<'static, Rgb565> Texture<'static, Rgb565>);
-all!(borrowed: Mesh<'static> Positions<'static>);
+all!(borrowed: Keyframes<'static> Mesh<'static> Outline<'static> Positions<'static> Sprites<'static>);
 all!(shared: Map<Flat<Rgb565>, fn(&Fragment, Rgb565) -> Option<Rgb565>> Prepared<'static>);
-all!(shared: TriangleList<1, 1> TextureArray<Rgb565, 1, 1> PaletteArray<Rgb565, 1, 1>);
-all!(any: Buffers<'static> Canvas<'static, Rgb565> Canvas<'static, Rgb565, Native, Depth<'static>>);
+all!(shared: Object<'static, u8> TriangleList<1, 1> TextureArray<Rgb565, 1, 1> PaletteArray<Rgb565, 1, 1>);
+all!(any: PreparedScene<'static, u8> Buffers<'static> Canvas<'static, Rgb565> Canvas<'static, Rgb565, Native, Depth<'static>>);
 
 all!(default: Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform Camera Counts Cull DrawOptions);
 all!(default: Drawn Missing Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> TriangleList<1, 1>);

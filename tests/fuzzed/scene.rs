@@ -4,7 +4,7 @@ use arbitrary::{Result, Unstructured};
 use embedded_graphics::pixelcolor::Rgb888;
 use fixel::prelude::*;
 
-use super::numbers::{bits, few, list, option, tex_coords, vector};
+use super::numbers::{bits, few, list, option, scalar, size, tex_coords, vector};
 use super::projection::Lens;
 use super::shades::Shade;
 use super::steps::{Eye, Steps};
@@ -66,6 +66,66 @@ pub enum What {
     Triangles,
     Edges,
     Points,
+    Sprites(Billboard),
+}
+
+/// All that sprites have besides positions; the scene's colors and texture coordinates have no effect.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Billboard {
+    size: (Scalar, Scalar),
+    in_pixels: bool,
+    axis: Option<Vec3>,
+    anchor: Vec2,
+    /// The scale and the frame of the first sprite; others have multiples.
+    scale: Option<Scalar>,
+    frame: Option<u16>,
+    grid: (u16, u16),
+}
+
+impl Billboard {
+    fn arbitrary(u: &mut Unstructured<'_>) -> Result<Self> {
+        Ok(Self {
+            size: (size(u)?, size(u)?),
+            in_pixels: u.arbitrary()?,
+            axis: option(u, vector)?,
+            anchor: tex_coords(u)?,
+            scale: option(u, scalar)?,
+            frame: u.arbitrary()?,
+            grid: (u.int_in_range(0..=9)?, u.int_in_range(0..=1025)?),
+        })
+    }
+
+    /// Draws sprites at these positions, if the numbers make some.
+    pub fn with<T>(
+        &self,
+        positions: &[Vec3],
+        draw: impl FnOnce(&Sprites<'_>) -> T,
+    ) -> Result<T, Error> {
+        let numbers = 1..=u16::try_from(positions.len()).unwrap();
+        let scales: Vec<Scalar> = numbers
+            .clone()
+            .map(|i| self.scale.unwrap_or_default().saturating_mul_int(i.into()))
+            .collect();
+        let frames: Vec<u16> = numbers
+            .map(|i| self.frame.unwrap_or_default().wrapping_mul(i))
+            .collect();
+        let mut sprites = if self.in_pixels {
+            Sprites::in_pixels(positions, self.size)?
+        } else {
+            Sprites::new(positions, self.size)?
+        };
+        sprites = sprites.with_anchor(self.anchor);
+        if let Some(axis) = self.axis {
+            sprites = sprites.with_axis(axis)?;
+        }
+        if self.scale.is_some() {
+            sprites = sprites.with_scales(&scales)?;
+        }
+        if self.frame.is_some() {
+            sprites = sprites.with_frames(self.grid, &frames)?;
+        }
+        Ok(draw(&sprites))
+    }
 }
 
 /// A draw call.
@@ -92,6 +152,8 @@ pub struct Scene {
     pub tolerance: Scalar,
     /// The contents of the depth buffer, in the upper and in the lower half.
     pub depths: [u16; 2],
+    /// What edges and points are drawn as; 0 for single pixels.
+    pub style: u8,
 }
 
 impl Scene {
@@ -123,7 +185,7 @@ impl Scene {
             *last = u.arbitrary()?;
         }
         let counts = (count, faces.len());
-        Ok(Self {
+        let mut scene = Self {
             place: Steps::arbitrary(u)?,
             eye: Eye::arbitrary(u)?,
             cull: *u.choose(&[Cull::Nothing, Cull::Back, Cull::Front])?,
@@ -144,13 +206,20 @@ impl Scene {
                 power => Scalar::from_bits(1 << (12 + power)),
             },
             depths: u.arbitrary()?,
+            // Last, so that earlier inputs keep their meaning: bytes that are missing are 0.
+            style: u.arbitrary()?,
             positions,
             faces,
             what,
             shade,
             size,
             projection,
-        })
+        };
+        // Last, so that older inputs keep their meaning.
+        if let Some(sprites) = option(u, Billboard::arbitrary)? {
+            scene.what = What::Sprites(sprites);
+        }
+        Ok(scene)
     }
 
     /// The mesh, if its indices are in range.

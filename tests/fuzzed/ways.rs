@@ -1,8 +1,11 @@
 //! One draw call in all ways that must give the same picture: with depth and without, twice, in bands, as bytes,
 //! prepared.
 
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
+use embedded_graphics::primitives::Rectangle;
 use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::shade::Translucent;
@@ -10,7 +13,7 @@ use fixel::target::{
     Add, Alpha, Blending, Depth, DepthBuffer, Multiply, Native, Opacity, Storage, TestAndWrite,
 };
 use fixel::view::ProjectionKind;
-use fixel::{Drawn, Prepared};
+use fixel::{Drawn, Object, Prepared};
 
 use super::scene::{Scene, What};
 use crate::recorder::{Record, Seen, record};
@@ -53,11 +56,83 @@ impl<K: ProjectionKind> Call<'_, K> {
     {
         let drawn = match self.scene.what {
             What::Triangles => canvas.draw_with(options, self.mesh, &self.mvp, shader),
+            What::Edges if self.scene.style & 1 != 0 => {
+                let mut room = vec![[0; 4]; 3 * self.mesh.faces().len()];
+                let crease = Angle::from_bits(u32::from(self.scene.style) << 23);
+                let outline = Outline::build(self.mesh, crease, &mut room).unwrap();
+                match self.width() {
+                    None => canvas.draw_outline(options, self.mesh, &outline, &self.mvp, shader),
+                    Some(width) => {
+                        let lines = (&outline, width);
+                        canvas.draw_wide_outline(options, self.mesh, lines, &self.mvp, shader)
+                    }
+                }
+            }
+            What::Edges if self.width().is_some() => {
+                let width = self.width().unwrap();
+                canvas.draw_wide_edges(options, self.mesh, width, &self.mvp, shader)
+            }
             What::Edges => canvas.draw_edges(options, self.mesh, &self.mvp, shader),
+            What::Points if self.scene.style != 0 => {
+                let style = self.point_style();
+                canvas.draw_sized_points(options, self.mesh, style, &self.mvp, shader)
+            }
             What::Points => canvas.draw_points(options, self.mesh, &self.mvp, shader),
+            What::Sprites(sprites) => sprites
+                .with(&self.scene.positions, |sprites| {
+                    canvas.draw_sprites(options, sprites, &self.mvp, shader)
+                })
+                .unwrap_or_default(),
         };
         assert!(drawn.clipped <= drawn.drawn && drawn.drawn <= drawn.submitted);
         drawn
+    }
+
+    /// Picks at some pixels, and labels the points there and some positions.
+    pub fn check_picking(&self, options: &DrawOptions) {
+        let (width, height) = self.scene.size;
+        let mut picture = self.blank();
+        self.on_frame(&mut picture, |canvas| {
+            let label = |canvas: &mut Frame<'_>, point| {
+                if let Some(at) = canvas.project(options, &self.mvp, point) {
+                    let area = Rectangle::new(Point::new(-2, -1), Size::new(4, 3));
+                    let Ok(()) = canvas.label(at).fill_solid(&area, BACKGROUND);
+                }
+            };
+            for step in 0..4 {
+                let [x, y] = [width, height].map(|size| (size * step / 3).cast_signed());
+                let ray = canvas.ray(options, &self.mvp, Point::new(x, y));
+                if let Some(hit) = ray.and_then(|ray| ray.hit(self.mesh)) {
+                    assert!(hit.face < self.mesh.faces().len());
+                    label(canvas, hit.point);
+                }
+            }
+            for &position in &self.scene.positions {
+                label(canvas, position);
+            }
+        });
+        assert!(picture == self.blank(), "labels of the background's color");
+    }
+
+    /// The width of lines: 1 to 63 pixels for three of four styles.
+    fn width(&self) -> Option<LineWidth> {
+        let width = i32::from(self.scene.style >> 1);
+        (width % 4 > 0).then(|| LineWidth::new(Scalar::from_num((width / 2).max(1))).unwrap())
+    }
+
+    /// Squares or discs of any size.
+    fn point_style(&self) -> PointStyle {
+        let style = u32::from(self.scene.style);
+        let size = Scalar::from_bits(1 << (style % 31));
+        let style = match style & 1 {
+            0 => PointStyle::square(size).unwrap(),
+            _ => PointStyle::round(size).unwrap(),
+        };
+        if self.scene.style & 64 == 0 {
+            style
+        } else {
+            style.attenuated()
+        }
     }
 
     /// Every pixel that a shader is asked for without a depth buffer.
@@ -210,6 +285,32 @@ impl<K: ProjectionKind> Call<'_, K> {
         assert_eq!(Drawn { missing, ..counts }, drawn);
         let bands = self.in_bands(|band| band.draw_prepared(&prepared, shader));
         assert!(bands == *expected, "bands of prepared triangles differ");
+
+        // In another order, other triangles may show; but the same are drawn, and bands equal the frame.
+        let sorted = list
+            .prepare_back_to_front(options, self.scene.size, self.mesh, &self.mvp)
+            .unwrap();
+        let mut frame = self.blank();
+        let counts = self.on_frame(&mut frame, |canvas| canvas.draw_prepared(&sorted, shader));
+        assert_eq!(Drawn { missing, ..counts }, drawn);
+        let bands = self.in_bands(|band| band.draw_prepared(&sorted, shader));
+        assert!(bands == frame, "bands of sorted triangles differ");
+
+        // As two objects of a scene.
+        let mut list: TriangleList<32, 400> = TriangleList::new();
+        let mut objects = [Object::new(self.mesh, Transform::IDENTITY, *shader); 2];
+        let mut scene = list
+            .prepare_scene(options, self.scene.size, &self.mvp, &mut objects)
+            .unwrap();
+        scene.sort_back_to_front();
+        let draw = |canvas: &mut Frame<'_>| {
+            for (shader, triangles) in scene.parts(canvas).unwrap() {
+                canvas.draw_prepared(&triangles, shader);
+            }
+        };
+        let mut frame = self.blank();
+        self.on_frame(&mut frame, draw);
+        assert!(self.in_bands(draw) == frame, "bands of a scene differ");
     }
 
     /// Draws into a whole picture.

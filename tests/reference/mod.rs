@@ -21,7 +21,10 @@
 //! | `fog` | what is left of a surface in fog |
 //! | `light` | the brightness of a surface under lights |
 //! | `lines` | values along a projected segment |
+//! | `outline` | the edges of a mesh, their faces and the angles between these |
+//! | `normals` | normals of a mesh that has none |
 //! | `scenes` | the measured scenes |
+//! | `sprites` | the corners of sprites |
 //! | `texture` | a texture's color between its texels |
 
 // Each test binary includes the model and uses part of it.
@@ -41,9 +44,12 @@ pub mod fog;
 pub mod light;
 pub mod linear;
 pub mod lines;
+pub mod normals;
+pub mod outline;
 pub mod projection;
 pub mod raster;
 pub mod scenes;
 pub mod silhouette;
+pub mod sprites;
 pub mod texture;
 pub mod view;

@@ -3,7 +3,13 @@
 
 mod blending;
 mod fog;
+mod keyframes;
+mod labels;
 mod lights;
+mod painter;
+mod picking;
+mod sprites;
+mod wireframe;
 
 use std::error::Error;
 
@@ -22,10 +28,16 @@ type Frame<'c> = Canvas<'c, Rgb565, Native, Depth<'c>>;
 /// A scene: its name, and what draws it.
 type Recipe = (&'static str, fn(&mut Frame<'_>) -> Result<(), fixel::Error>);
 
-const RECIPES: [Recipe; 3] = [
+const RECIPES: &[Recipe] = &[
     ("blending", blending::draw),
     ("fog", fog::draw),
+    ("keyframes", keyframes::draw),
+    ("labels", labels::draw),
     ("lights", lights::draw),
+    ("painter", painter::draw),
+    ("picking", picking::draw),
+    ("sprites", sprites::draw),
+    ("wireframe", wireframe::draw),
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -35,7 +47,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let all: Vec<&str> = RECIPES.iter().map(|(name, _)| *name).collect();
         return Err(format!("no scene is called {name}: there are {}", all.join(", ")).into());
     }
-    for (name, draw) in RECIPES {
+    for &(name, draw) in RECIPES {
         if names.is_empty() || names.iter().any(|wanted| wanted == name) {
             let path = format!("{name}.png");
             let settings = OutputSettings::default();
@@ -71,7 +83,7 @@ mod tests {
     #[test]
     fn pictures_are_those_of_the_documentation() {
         let assets = Path::new(env!("CARGO_MANIFEST_DIR")).join("../assets");
-        for (name, draw) in RECIPES {
+        for &(name, draw) in RECIPES {
             let path = assets.join(name).with_extension("png");
             let shown = SimulatorDisplay::load_png(path).unwrap();
             let found = picture(draw).unwrap();

@@ -5,6 +5,7 @@ use fixel::Drawn;
 use fixel::prelude::*;
 
 use super::common::scenes::{self, HEIGHT, POSES, WIDTH};
+use super::painter;
 
 const PIXELS: usize = (WIDTH * HEIGHT) as usize;
 
@@ -50,6 +51,12 @@ pub fn main() -> Result<(), Error> {
     let scene = std::env::args().nth(1).unwrap_or_default();
     if ["floor", "cube", "sphere", "sphere-flat"].contains(&scene.as_str()) {
         return draw(&scene);
+    }
+    if scene == "painter" {
+        let (name, way) = (std::env::args().nth(2), std::env::args().nth(3));
+        let is_chosen = |scene: &str| name.as_deref().is_none_or(|name| name == scene);
+        let mut scenes = painter::SCENES.into_iter().filter(|scene| is_chosen(scene));
+        return scenes.try_for_each(|scene| painter::run(scene, way.as_deref()));
     }
     println!("On a microcontroller, kernels measures: add --target thumbv7em-none-eabi.");
     println!("On the host, it draws the poses of a scene: floor, cube, sphere or sphere-flat.");

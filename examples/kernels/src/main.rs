@@ -16,7 +16,8 @@
 //! measured. `depth-pass` and `depth-fail` have a depth buffer that lets all pixels pass or none; the other kernels have
 //! no depth buffer.
 //!
-//! On the host, `kernels SCENE` draws a scene's poses, for `.ci/host` to count.
+//! On the host, `kernels SCENE` draws a scene's poses, for `.ci/host` to count. `kernels painter` compares painter's order
+//! with a depth buffer; `kernels painter SCENE depth` and `kernels painter SCENE sorted` only draw, each in its way.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
@@ -32,6 +33,8 @@ mod frames;
 mod host;
 #[cfg(target_os = "none")]
 mod lights;
+#[cfg(not(target_os = "none"))]
+mod painter;
 #[cfg(target_os = "none")]
 mod pieces;
 #[cfg(target_os = "none")]

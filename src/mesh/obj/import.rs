@@ -1,8 +1,12 @@
-//! The code that [`include_obj!`](crate::include_obj) expands to.
+//! The code that [`include_obj!`](crate::include_obj) and [`include_mtl!`](crate::include_mtl) expand to.
 
+use super::ears;
+use super::mtl::{self, Material};
+use super::name::Name;
 use super::parse;
+use super::parts::{self, Run};
 use crate::error::ok;
-use crate::mesh::{Counts, flash::Room};
+use crate::mesh::{Counts, Part, flash::Room};
 use crate::{Error, message};
 
 /// An upper bound of the elements of each kind that a text of `bytes` bytes can hold: a corner takes a blank and a
@@ -25,6 +29,7 @@ pub const fn read<const N: usize>(text: &[u8], path: &str) -> (Room<N>, Counts) 
     }
     let mut room = Room::EMPTY;
     let counts = message::checked(parsed(text, &mut room), path);
+    ears::cut(text, &mut room);
     (room, counts)
 }
 
@@ -52,5 +57,195 @@ macro_rules! include_obj {
             $crate::mesh::Counts,
         ) = $crate::mesh::obj::import::read(TEXT, $path);
         $crate::__mesh!(READ.0, READ.1 $(, $short)?)
+    }};
+}
+
+pub use super::parts::room as room_for_parts;
+
+/// A text and the path of its file.
+type File<'a> = (&'a [u8], &'a str);
+
+/// A part whose names are not in flash yet.
+#[derive(Clone, Copy, Debug)]
+struct Found {
+    run: Run,
+    material: Material,
+    /// Where the names go: the material's, then its texture's.
+    names: [Name; 2],
+}
+
+/// The parts of an OBJ file, in a list with room for those of any file of its length.
+#[derive(Clone, Copy, Debug)]
+pub struct Parts<const N: usize> {
+    found: [Found; N],
+    /// How many there are.
+    pub count: usize,
+    /// How many bytes the names take; parts of the same material share them.
+    pub bytes: usize,
+}
+
+impl<const N: usize> Parts<N> {
+    /// Reads both files.
+    ///
+    /// # Panics
+    ///
+    /// If one of them is not valid, or if the MTL file lacks a material; the message names the path.
+    #[must_use]
+    pub const fn find((obj, obj_path): File<'_>, (mtl, mtl_path): File<'_>) -> Self {
+        let (runs, count) = message::checked(parts::runs::<N>(obj), obj_path);
+        let mut found = [Found {
+            run: Run::NONE,
+            material: Material::DEFAULT,
+            names: [Name::EMPTY; 2],
+        }; N];
+        let mut bytes = 0;
+        let mut at = 0;
+        while at < count {
+            let run = runs[at];
+            let mut same = 0;
+            while same < at && !runs[same].name.is(obj, run.name, obj) {
+                same += 1;
+            }
+            if same < at {
+                found[at] = found[same];
+                found[at].run = run;
+            } else {
+                let material = match message::checked(mtl::find(mtl, run.name, obj), mtl_path) {
+                    Some(material) => material,
+                    None if run.name.len() == 0 => Material::DEFAULT,
+                    None => message::no_material(obj_path, mtl_path, run.name.bytes(obj)),
+                };
+                let texture = bytes + run.name.len();
+                let end = texture + material.texture.len();
+                let names = [
+                    Name {
+                        start: bytes,
+                        end: texture,
+                    },
+                    Name {
+                        start: texture,
+                        end,
+                    },
+                ];
+                found[at] = Found {
+                    run,
+                    material,
+                    names,
+                };
+                bytes = end;
+            }
+            at += 1;
+        }
+        Self {
+            found,
+            count,
+            bytes,
+        }
+    }
+
+    /// The names, one after the other.
+    #[must_use]
+    pub const fn text<const BYTES: usize>(&self, obj: &[u8], mtl: &[u8]) -> [u8; BYTES] {
+        const fn copy(text: &mut [u8], to: Name, name: Name, from: &[u8]) {
+            let mut at = 0;
+            while at < name.len() {
+                text[to.start + at] = from[name.start + at];
+                at += 1;
+            }
+        }
+        let mut text = [0; BYTES];
+        let mut at = 0;
+        while at < self.count {
+            let part = self.found[at];
+            copy(&mut text, part.names[0], part.run.name, obj);
+            copy(&mut text, part.names[1], part.material.texture, mtl);
+            at += 1;
+        }
+        text
+    }
+
+    /// The parts, with their names in `text`.
+    #[must_use]
+    pub const fn parts<const COUNT: usize>(&self, text: &'static [u8]) -> [Part<'static>; COUNT] {
+        /// Both readers have checked that names are UTF-8.
+        const fn name(name: Name, text: &'static [u8]) -> &'static str {
+            match core::str::from_utf8(name.bytes(text)) {
+                Ok(name) => name,
+                Err(_) => "",
+            }
+        }
+        let mut parts = [Part::new(0..0, Part::NO_MATERIAL); COUNT];
+        let mut at = 0;
+        while at < COUNT {
+            let Found {
+                run,
+                material,
+                names,
+            } = self.found[at];
+            parts[at] = Part::new(run.start..run.end, material.color)
+                .with_material(name(names[0], text))
+                .with_texture(name(names[1], text));
+            at += 1;
+        }
+        parts
+    }
+}
+
+/// The parts of an OBJ file's mesh with the materials of an MTL file, read at compile time and stored in flash.
+///
+/// A part is a run of faces after one `usemtl`; it has the color and perhaps the name of the texture that the MTL file
+/// gives to this material. The result is a `&'static [Part]` for the mesh that [`include_obj!`](crate::include_obj)
+/// makes of the same OBJ file.
+///
+/// These statements of an MTL file count; all others are ignored:
+///
+/// | statement | meaning |
+/// |---|---|
+/// | `newmtl name` | the following statements describe the material of this name |
+/// | `Kd r g b`, `Kd gray` | its color, each component from 0 to 1, rounded to the nearest 255th; white without this statement |
+/// | `map_Kd file`, `map_Kd -options … file` | the name of its texture; after options, the last word |
+///
+/// Names extend to the end of their line or a comment, and may contain blanks. Faces before the first `usemtl` are a white
+/// part without a name. `mtllib` is ignored, because a macro cannot open files that it learns about in a file. A mistake in
+/// a file stops compilation and names its line; so does a material that the MTL file does not have.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+/// use fixel::mesh::Part;
+/// use fixel::prelude::*;
+/// use fixel::shade::PartColors;
+/// static HOUSE: Mesh = include_obj!("../../../tests/models/house.obj");
+/// static PARTS: &[Part] = include_mtl!(
+///     "../../../tests/models/house.obj",
+///     "../../../tests/models/house.mtl",
+/// );
+/// assert_eq!(PARTS.len(), 2);
+/// assert_eq!((PARTS[0].material(), PARTS[0].texture()), ("brick", Some("brick.tga")));
+/// assert_eq!((PARTS[1].material(), PARTS[1].faces()), ("tiles", 10..14));
+///
+/// let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.5), fx!(100))?;
+/// let mvp = projection * Camera::look_at(vec3!(3, 2, 5), vec3!(0, 1, 0), Vec3::Y)?;
+/// let sun = Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?;
+/// let mut pixels = [Rgb565::BLACK; 32 * 24];
+/// let mut canvas = Canvas::new(&mut pixels, 32, 24)?;
+/// // All parts in one call ...
+/// canvas.draw(&HOUSE, &mvp, &PartColors::rgb(PARTS).lit_faces(sun));
+/// // ... or one by one.
+/// for part in PARTS {
+///     canvas.draw(&HOUSE.part(part.faces()), &mvp, &Flat::rgb(part.color()).lit_faces(sun));
+/// }
+/// # Ok::<(), Error>(())
+/// ```
+#[macro_export]
+macro_rules! include_mtl {
+    ($obj:expr, $mtl:expr $(,)?) => {{
+        use $crate::mesh::obj::import::{Parts, room_for_parts};
+        const OBJ: &[u8] = ::core::include_bytes!($obj);
+        const MTL: &[u8] = ::core::include_bytes!($mtl);
+        #[allow(long_running_const_eval)]
+        const FOUND: Parts<{ room_for_parts(OBJ.len()) }> = Parts::find((OBJ, $obj), (MTL, $mtl));
+        static NAMES: [u8; FOUND.bytes] = FOUND.text(OBJ, MTL);
+        static PARTS: [$crate::mesh::Part<'static>; FOUND.count] = FOUND.parts(&NAMES);
+        PARTS.as_slice()
     }};
 }

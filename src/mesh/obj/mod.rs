@@ -9,10 +9,11 @@
 //! | `v x y z r g b` | a position with a color, each component from 0 to 1; the mesh has colors if every position has one |
 //! | `vt u`, `vt u v`, `vt u v w` | a texture coordinate; OBJ's v points up and [`Vec2`]'s points down, so v becomes 1 − v; w is ignored |
 //! | `vn x y z` | a normal, of any length |
-//! | `f 1 2 3`, `f 1/1 …`, `f 1//1 …`, `f 1/1/1 …` | a polygon of three or more corners, cut into a fan of triangles around its first corner |
+//! | `f 1 2 3`, `f 1/1 …`, `f 1//1 …`, `f 1/1/1 …` | a polygon of three or more corners, cut into a fan of triangles around its first corner; where this fan leaves a concave polygon, [`include_obj!`](crate::include_obj) cuts off ears instead |
 //! | `l 1 2 3` | edges between positions |
 //! | `# …` | a comment, to the end of the line |
-//! | any other | ignored, whether OBJ defines it (`o`, `g`, `s`, `p`, `usemtl`, `mtllib`, …) or not |
+//! | `usemtl name` | the material of the faces that follow; only [`include_mtl!`](crate::include_mtl) reads it |
+//! | any other | ignored, whether OBJ defines it (`o`, `g`, `s`, `p`, `mtllib`, …) or not |
 //!
 //! - Indices count from 1 up; −1 is the last element so far, −2 the one before. A positive index may name an element
 //!   that comes later in the text.
@@ -28,9 +29,13 @@
 //!   skipped.
 
 mod decimal;
+mod ears;
 mod edges;
 #[doc(hidden)]
 pub mod import;
+mod mtl;
+mod name;
+mod parts;
 mod reader;
 
 use embedded_graphics::pixelcolor::Rgb888;

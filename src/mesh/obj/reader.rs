@@ -1,6 +1,7 @@
 //! Reads OBJ text, statement by statement.
 
 use super::decimal::{Format, SCALAR, TEX_COORD, byte, decimal};
+use super::name::Name;
 use crate::error::ok;
 use crate::{Error, Mesh, TexCoord};
 
@@ -76,7 +77,7 @@ macro_rules! blank {
 }
 
 /// A color component from 0..1 to 0..255, rounded to nearest; `None` outside 0..1.
-const fn component(bits: i32) -> Option<u8> {
+pub(super) const fn component(bits: i32) -> Option<u8> {
     if bits < 0 || bits > 1 << 16 {
         return None;
     }
@@ -97,6 +98,10 @@ impl<'a> Reader<'a> {
             known,
             named: [0; 3],
         }
+    }
+
+    pub(super) const fn text(&self) -> &'a [u8] {
+        self.text
     }
 
     /// How many positions, texture coordinates and normals have been read.
@@ -153,7 +158,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Skips to the end of the statement, across continued lines; a comment ends with its line.
-    const fn skip(&mut self, comment: bool) {
+    pub(super) const fn skip(&mut self, comment: bool) {
         loop {
             let c = byte!(self.text, self.at);
             if c == b'\n' || c == b'\r' {
@@ -165,19 +170,82 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// Moves to the first word of the next statement; returns whether there is one.
+    pub(super) const fn begins(&mut self) -> bool {
+        while !self.word() {
+            if self.at >= self.text.len() {
+                return false;
+            }
+            self.skip(true);
+            // The text may end with a comment.
+            if self.at < self.text.len() {
+                self.end_line();
+            }
+        }
+        true
+    }
+
+    /// Whether a statement begins with this word; moves past it if so.
+    pub(super) const fn keyword(&mut self, word: &[u8]) -> bool {
+        let mut at = 0;
+        while at < word.len() {
+            if byte!(self.text, self.at + at) != word[at] {
+                return false;
+            }
+            at += 1;
+        }
+        let is_whole = matches!(byte!(self.text, self.at + at), blank!());
+        if is_whole {
+            self.at += at;
+        }
+        is_whole
+    }
+
+    /// Reads the rest of the line as a name, which may contain blanks, up to a comment; `problem` says why there must be
+    /// one.
+    pub(super) const fn name(&mut self, problem: &'static str) -> Result<Name, Error> {
+        if !self.word() {
+            return self.error(problem);
+        }
+        let start = self.at;
+        let mut end = start;
+        let mut blank = false;
+        loop {
+            let c = byte!(self.text, self.at);
+            if ends_line(c) || c == b'#' && blank {
+                break;
+            }
+            self.at += 1;
+            blank = c == b' ' || c == b'\t';
+            if !blank {
+                end = self.at;
+            }
+        }
+        let name = Name { start, end };
+        if core::str::from_utf8(name.bytes(self.text)).is_err() {
+            return self.error("a name must be UTF-8");
+        }
+        Ok(name)
+    }
+
+    /// Counts the words up to the end of the statement.
+    pub(super) const fn count_words(&mut self) -> usize {
+        let mut count = 0;
+        while self.word() {
+            count += 1;
+            self.at += 1;
+            while !matches!(byte!(self.text, self.at), blank!()) {
+                self.at += 1;
+            }
+        }
+        count
+    }
+
     /// Reads the next statement that matters to the mesh.
     pub(super) const fn statement(&mut self) -> Result<Statement, Error> {
         loop {
-            if !self.word() {
-                if self.at >= self.text.len() {
-                    return Ok(Statement::End);
-                }
-                self.skip(true);
-                // The text may end with a comment.
-                if self.at < self.text.len() {
-                    self.end_line();
-                }
-                continue;
+            if !self.begins() {
+                return Ok(Statement::End);
             }
             let first = byte!(self.text, self.at);
             let second = byte!(self.text, self.at + 1);
@@ -202,7 +270,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Reads the numbers up to the end of the statement; returns them and how many there are.
-    const fn numbers<const MAX: usize>(
+    pub(super) const fn numbers<const MAX: usize>(
         &mut self,
         format: Format,
     ) -> Result<([i32; MAX], usize), Error> {

@@ -1,0 +1,61 @@
+//! A bird in two poses, and a flock in between.
+
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use fixel::mesh::Keyframes;
+use fixel::prelude::*;
+use fixel::target::{Depth, Native};
+
+/// Beak, back, two ends of a tail; and on each side a wing: two roots, two elbows, a tip.
+const UP: [Vec3; 14] = [
+    vec3!(0, 0, -1),
+    vec3!(0, 0.2, 0),
+    vec3!(-0.3, 0.1, 1),
+    vec3!(0.3, 0.1, 1),
+    vec3!(-0.2, 0, -0.4),
+    vec3!(-0.2, 0, 0.4),
+    vec3!(-0.8, 0.6, -0.4),
+    vec3!(-0.8, 0.6, 0.3),
+    vec3!(-1.5, 1.5, 0.3),
+    vec3!(0.2, 0, -0.4),
+    vec3!(0.2, 0, 0.4),
+    vec3!(0.8, 0.6, -0.4),
+    vec3!(0.8, 0.6, 0.3),
+    vec3!(1.5, 1.5, 0.3),
+];
+
+/// The same body with its wings down.
+const DOWN: [Vec3; 14] = {
+    let mut pose = UP;
+    (pose[6], pose[11]) = (vec3!(-1, -0.1, -0.4), vec3!(1, -0.1, -0.4));
+    (pose[7], pose[12]) = (vec3!(-1, -0.1, 0.3), vec3!(1, -0.1, 0.3));
+    (pose[8], pose[13]) = (vec3!(-1.7, -0.8, 0.3), vec3!(1.7, -0.8, 0.3));
+    pose
+};
+
+#[rustfmt::skip]
+static FACES: [[u16; 3]; 14] = [
+    [0, 1, 4], [4, 1, 5], [5, 1, 2], [1, 3, 2], [1, 10, 3], [1, 9, 10], [0, 9, 1],
+    [4, 7, 6], [4, 5, 7], [6, 7, 8], [9, 11, 12], [9, 12, 10], [11, 13, 12], [0, 4, 9],
+];
+
+static STROKE: Keyframes = Keyframes::checked(Keyframes::new(
+    &Mesh::checked(Mesh::new(&UP, &FACES)),
+    &Mesh::checked(Mesh::new(&DOWN, &FACES)),
+));
+
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+    let projection = Projection::perspective(deg!(40), (4, 3), fx!(0.5), fx!(50))?;
+    let view = projection * Camera::look_at(vec3!(0, 5, 8), vec3!(0, 0.4, 0), Vec3::Y)?;
+    let sun = Light::new(vec3!(-1, 2, 1), fx!(0.35), fx!(0.65))?.two_sided(Viewer::of(&view));
+    let white = Flat::rgb(Rgb888::new(250, 240, 225)).lit_faces(sun);
+    let both_sides = DrawOptions::new().with_cull(Cull::Nothing);
+    canvas.clear(Rgb565::new(9, 30, 22));
+    let mut positions = [Vec3::ZERO; UP.len()]; // one bird at a time
+    for i in 0..5_i16 {
+        let bird = STROKE.blend(Scalar::from(i) / 4, &mut positions, &mut [])?;
+        let place = vec3!(-2.2, 0, 2) + vec3!(1.3, 0.2, -1.7) * Scalar::from(i);
+        let mvp = view * Transform::translate(place) * Transform::rotate_y(deg!(140));
+        canvas.draw_with(&both_sides, &bird, &mvp, &white);
+    }
+    Ok(())
+}

@@ -1,0 +1,49 @@
+//! The face that a touch meets, and the point there.
+
+use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use embedded_graphics::primitives::{Circle, Primitive as _, PrimitiveStyle};
+use embedded_graphics::{Drawable, geometry::Point, text::Text};
+use fixel::prelude::*;
+use fixel::target::{Biased, Depth, Native, TestAndWrite};
+
+static RING: Mesh = shape!(torus(fx!(0.4), 28, 14));
+static BALL: Mesh = shape!(sphere(12, 8));
+
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+    let projection = Projection::perspective(deg!(50), (4, 3), fx!(0.5), fx!(50))?;
+    let camera = Camera::look_at(vec3!(0, 2, 3), Vec3::ZERO, Vec3::Y)?;
+    let ring = Transform::rotate_z(deg!(20)) * Transform::scale(fx!(1.1));
+    let (view, mvp) = (projection * camera, projection * camera * ring);
+    let sun = Light::new(vec3!(2, 3, 2), fx!(0.3), fx!(0.7))?;
+    let blue = Flat::rgb(Rgb888::new(90, 140, 200));
+    let options = DrawOptions::new();
+    canvas.clear(Rgb565::new(2, 5, 4));
+    let behind = options.with_depth(Biased::behind(TestAndWrite));
+    canvas.draw_with(&behind, &RING, &mvp, &blue.lit_faces(sun));
+    canvas.draw_edges(&options, &RING, &mvp, &Flat::new(Rgb565::new(6, 16, 12)));
+
+    let touch = Point::new(206, 160);
+    let Some(hit) = canvas
+        .ray(&options, &mvp, touch)
+        .and_then(|ray| ray.hit(&RING))
+    else {
+        return Ok(());
+    };
+    // The face is a part of the mesh, and the point is in the ring's own space.
+    let face = RING.part(hit.face..hit.face + 1);
+    canvas.draw(&face, &mvp, &Flat::new(Rgb565::new(31, 40, 4)));
+    let pin = Transform::translate(ring.point(hit.point)) * Transform::scale(fx!(0.03));
+    let red = Flat::rgb(Rgb888::new(255, 60, 40));
+    canvas.draw(&BALL, &(view * pin), &red.lit(sun));
+
+    let style = PrimitiveStyle::with_stroke(Rgb565::WHITE, 1);
+    Circle::with_center(touch, 25)
+        .into_styled(style)
+        .draw(canvas)?;
+    let Vec3 { x, y, z } = hit.point;
+    let text = format!("face {} at ({x:.2}, {y:.2}, {z:.2})", hit.face);
+    let style = MonoTextStyle::new(&FONT_6X10, Rgb565::WHITE);
+    Text::new(&text, Point::new(8, 228), style).draw(canvas)?;
+    Ok(())
+}

@@ -1,0 +1,59 @@
+//! Firs that turn to the viewer about their trunks, cut out of a texture, and snow that falls between them.
+
+use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use fixel::prelude::*;
+use fixel::shade::Fog;
+use fixel::target::{Depth, Native};
+
+static FLOOR: Mesh = shape!(plane(1, 1));
+static FIR: TextureArray<Rgb565, 32, 32> = TextureArray::from_texels(fir());
+
+/// Three tiers of branches with snow on them, and a trunk; the rest is magenta.
+const fn fir() -> [[Rgb565; 32]; 32] {
+    let mut texels = [[Rgb565::MAGENTA; 32]; 32];
+    let mut at = 0_usize;
+    while at < 32 * 32 {
+        let (x, y) = (at % 32, at / 32);
+        let (aside, noise) = ((2 * x).abs_diff(31) / 2, (x * 7 + y * 13 + x * y) % 5);
+        let light = (noise + (31 - x) / 5) as u8;
+        if y < 28 && aside <= y / 4 + y % 9 {
+            let is_white = y % 9 + noise / 2 < 3;
+            let [r, g, b] = if is_white { [20, 42, 23] } else { [2, 14, 5] };
+            texels[y][x] = Rgb565::new(r + light / 2, g + 2 * light, b + light / 3);
+        } else if y >= 28 && aside < 2 {
+            texels[y][x] = Rgb565::new(9, 13, 4);
+        }
+        at += 1;
+    }
+    texels
+}
+
+/// Points that fill a box of this size evenly, from the front to the back.
+fn scattered<const N: usize>(size: Vec3) -> [Vec3; N] {
+    core::array::from_fn(|i| {
+        // Multiples of irrational numbers, modulo 1.
+        let part = |step: usize| Scalar::from_bits(i32::from((i * step) as u16));
+        let [x, y, z] = [part(40_503) - fx!(0.5), part(27_146), part(65_536 / N)];
+        Vec3::new(x * size.x, y * size.y, z * -size.z)
+    })
+}
+
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+    let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.5), fx!(100))?;
+    let view = projection * Camera::look_at(vec3!(0, 1.8, 4), vec3!(0, 1.9, -8), Vec3::Y)?;
+    let (haze, options) = (Rgb565::new(20, 43, 24), DrawOptions::new());
+    let fog = Fog::linear(haze, fx!(3), fx!(34))?;
+    canvas.clear(haze);
+    let snow = Flat::new(Rgb565::new(29, 60, 31)).in_fog(fog);
+    canvas.draw(&FLOOR, &(view * Transform::scale(fx!(60))), &snow);
+    // Sprites that stand on the floor, and others that face the viewer.
+    let places = scattered::<120>(vec3!(44, 0, 40));
+    let firs = Sprites::new(&places, (fx!(2.4), fx!(3.2)))?.with_axis(Vec3::Y)?;
+    let firs = firs.with_anchor(vec2!(0.5, 1));
+    let needles = Textured::new(&FIR).clamped().cut_out(Rgb565::MAGENTA);
+    canvas.draw_sprites(&options, &firs, &view, &needles.in_fog(fog));
+    let (places, white) = (scattered::<400>(vec3!(24, 9, 16)), Flat::new(Rgb565::WHITE));
+    let flakes = Sprites::new(&places, (fx!(0.05), fx!(0.05)))?;
+    canvas.draw_sprites(&options, &flakes, &view, &white);
+    Ok(())
+}

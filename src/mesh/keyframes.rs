@@ -1,0 +1,280 @@
+//! Meshes between two meshes.
+
+use super::Index;
+use super::attribute::Attribute;
+use super::indexed::Mesh;
+use super::positions::Positions;
+use crate::error::ok;
+use crate::{Error, Scalar, Vec3};
+
+/// Two poses of one mesh, to be blended: its positions, and its normals if both poses have them.
+///
+/// Both meshes need the same faces. Texture coordinates, colors and edges are those of the first. A `static` of this type
+/// is checked at compile time, and takes only the positions and normals of the second mesh to flash.
+///
+/// An animation of many poses is an array of them: one per step from a pose to the next.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
+/// use fixel::mesh::Keyframes;
+/// use fixel::prelude::*;
+/// static FACES: [[u16; 3]; 1] = [[0, 1, 2]];
+/// const LOW: Mesh = Mesh::checked(Mesh::new(&[vec3!(-4, -2, 0), vec3!(4, -2, 0), vec3!(0, 0, 0)], &FACES));
+/// const HIGH: Mesh = Mesh::checked(Mesh::new(&[vec3!(-4, -2, 0), vec3!(4, -2, 0), vec3!(0, 4, 0)], &FACES));
+/// static JUMP: Keyframes = Keyframes::checked(Keyframes::new(&LOW, &HIGH));
+///
+/// let projection = Projection::orthographic(Window::centered(fx!(8), fx!(4)), fx!(-1), fx!(1))?;
+/// let mut positions = [Vec3::ZERO; 3]; // your memory, used again for every frame
+/// let mesh = JUMP.blend(fx!(0.5), &mut positions, &mut [])?;
+/// let mut pixels = [BinaryColor::Off; 32];
+/// let mut canvas = Canvas::new(&mut pixels, 8, 4)?;
+/// canvas.draw(&mesh, &projection, &Flat::new(BinaryColor::On));
+/// let mut display = MockDisplay::new();
+/// canvas.show(&mut display)?;
+/// display.assert_pattern(&[
+///     "...#....",
+///     "..###...",
+///     ".#####..",
+///     "#######.",
+/// ]);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Keyframes<'a> {
+    first: Mesh<'a>,
+    /// Of the second mesh.
+    positions: Positions<'a>,
+    /// Of the second mesh; empty if one of the two has none.
+    normals: &'a [Vec3],
+}
+
+/// Checks that two lists of faces are equal.
+const fn same(first: &[[Index; 3]], second: &[[Index; 3]]) -> Result<(), Error> {
+    ok!(same_length(second.len(), first.len()));
+    let mut at = 0;
+    while at < first.len() {
+        let ([a, b, c], [x, y, z]) = (first[at], second[at]);
+        if a != x || b != y || c != z {
+            return Err(Error::FacesDiffer { at });
+        }
+        at += 1;
+    }
+    Ok(())
+}
+
+const fn same_length(given: usize, needed: usize) -> Result<(), Error> {
+    if given == needed {
+        Ok(())
+    } else {
+        Err(Error::Length { given, needed })
+    }
+}
+
+/// As many elements of a slice as are needed.
+const fn room(slice: &mut [Vec3], needed: usize) -> Result<&mut [Vec3], Error> {
+    let room = slice.len();
+    match slice.split_at_mut_checked(needed) {
+        Some((slice, _)) => Ok(slice),
+        None => Err(Error::TooMany {
+            given: needed,
+            max: room,
+        }),
+    }
+}
+
+impl<'a> Keyframes<'a> {
+    /// Makes a pair of poses.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] if the meshes differ in how many positions, faces or normals they have;
+    /// [`Error::FacesDiffer`] if two faces differ, as indices of positions or, if both meshes have normals, as indices
+    /// of normals. If the normals of two files do not match, drop them with [`Mesh::without_normals`].
+    pub const fn new(first: &Mesh<'a>, second: &Mesh<'a>) -> Result<Self, Error> {
+        let positions = second.positions();
+        ok!(same_length(positions.len(), first.positions().len()));
+        ok!(same(first.faces(), second.faces()));
+        let mut frames = Self {
+            first: *first,
+            positions,
+            normals: &[],
+        };
+        if first.has_normals() && second.has_normals() {
+            frames.normals = second.normals.values;
+            ok!(same_length(
+                frames.normals.len(),
+                first.normals.values.len()
+            ));
+            // Without faces of their own, normals are indexed like the positions.
+            let faces = [
+                match first.normals.faces {
+                    Some(faces) => faces,
+                    None => first.faces(),
+                },
+                match second.normals.faces {
+                    Some(faces) => faces,
+                    None => second.faces(),
+                },
+            ];
+            ok!(same(faces[0], faces[1]));
+        }
+        Ok(frames)
+    }
+
+    /// Unwraps keyframes in a `const` or `static`, where an error stops compilation.
+    ///
+    /// # Panics
+    ///
+    /// If `result` is an error; so call it only at compile time.
+    #[must_use]
+    pub const fn checked(result: Result<Self, Error>) -> Self {
+        match result {
+            Ok(frames) => frames,
+            Err(_) => {
+                panic!(
+                    "two keyframes must have the same faces and equally many positions and normals"
+                )
+            }
+        }
+    }
+
+    /// The mesh between the two poses, in the caller's memory: the first at `t` = 0, the second at `t` = 1, extended
+    /// beyond both.
+    ///
+    /// Each component is rounded once to the nearest 2⁻¹⁶, halves up, and saturates; at 0 and 1 it is exact. Blended
+    /// normals become shorter, which no light of this crate minds. Without room for them, `&mut []`, or if only one
+    /// pose has normals, the mesh has none, and light falls on its flat faces.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::TooMany`] if a slice is shorter than its list in the first mesh; an empty one for normals is not.
+    pub fn blend<'m>(
+        &self,
+        t: Scalar,
+        positions: &'m mut [Vec3],
+        normals: &'m mut [Vec3],
+    ) -> Result<Mesh<'m>, Error>
+    where
+        'a: 'm,
+    {
+        let all = self.first.positions();
+        let positions = room(positions, all.len())?;
+        for ((to, a), b) in positions
+            .iter_mut()
+            .zip(all.iter())
+            .zip(self.positions.iter())
+        {
+            *to = a.lerp(b, t);
+        }
+        let mut blended: Mesh<'m> = self.first.without_normals();
+        if !normals.is_empty() && !self.normals.is_empty() {
+            let normals = room(normals, self.normals.len())?;
+            let Attribute { values, faces } = self.first.normals;
+            for ((to, &a), &b) in normals.iter_mut().zip(values).zip(self.normals) {
+                *to = a.lerp(b, t);
+            }
+            blended.normals = Attribute {
+                values: normals,
+                faces,
+            };
+        }
+        Ok(blended.with_positions(Positions::long(positions)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{fx, vec3};
+
+    const FACES: [[Index; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
+    const CORNERS: [Vec3; 4] = [
+        vec3!(0, 0, 0),
+        vec3!(1, 0, 0),
+        vec3!(1, 1, 0),
+        vec3!(0, 1, 0),
+    ];
+
+    #[test]
+    fn ends_are_exact_and_short_positions_blend_with_long_ones() {
+        let far = [vec3!(-32768, 32767, 0.1); 4];
+        let (first, second) = (
+            Mesh::short(&[[1, -2, 3]; 4], 16, &FACES).unwrap(),
+            Mesh::new(&far, &FACES).unwrap(),
+        );
+        let frames = Keyframes::new(&first, &second).unwrap();
+        let mut positions = [Vec3::X; 5];
+        let mesh = frames.blend(fx!(0), &mut positions, &mut []).unwrap();
+        assert_eq!(mesh, first);
+        let mesh = frames.blend(fx!(1), &mut positions, &mut []).unwrap();
+        assert_eq!(mesh, second);
+    }
+
+    #[test]
+    fn normals_blend_only_if_both_meshes_have_them() {
+        let plain = Mesh::new(&CORNERS, &FACES).unwrap();
+        let (up, ahead) = ([Vec3::Y; 2], [Vec3::Z; 2]);
+        let own = [[0, 0, 1], [1, 0, Mesh::NO_VALUE]];
+        let first = plain.with_normals(&up, Some(&own)).unwrap();
+        let second = plain.with_normals(&ahead, Some(&own)).unwrap();
+        let (mut positions, mut normals) = ([Vec3::ZERO; 4], [Vec3::ZERO; 2]);
+
+        let frames = Keyframes::new(&first, &second).unwrap();
+        let mesh = frames
+            .blend(fx!(0.25), &mut positions, &mut normals)
+            .unwrap();
+        let halfway = [vec3!(0, 0.75, 0.25); 2];
+        assert_eq!(mesh, plain.with_normals(&halfway, Some(&own)).unwrap());
+        assert_eq!(
+            frames.blend(fx!(0.25), &mut positions, &mut []).unwrap(),
+            plain
+        );
+
+        let frames = Keyframes::new(&first, &plain).unwrap();
+        assert_eq!(
+            frames.blend(fx!(0), &mut positions, &mut normals).unwrap(),
+            plain
+        );
+    }
+
+    #[test]
+    fn what_does_not_match_is_refused() {
+        let first = Mesh::new(&CORNERS, &FACES).unwrap();
+        let refused = |second: Mesh<'_>| Keyframes::new(&first, &second).unwrap_err();
+        assert_eq!(
+            refused(Mesh::new(&CORNERS[..3], &FACES[..1]).unwrap()),
+            Error::Length {
+                given: 3,
+                needed: 4
+            }
+        );
+        assert_eq!(
+            refused(Mesh::new(&CORNERS, &FACES[..1]).unwrap()),
+            Error::Length {
+                given: 1,
+                needed: 2
+            }
+        );
+        let other = [FACES[0], [0, 3, 2]];
+        let second = Mesh::new(&CORNERS, &other).unwrap();
+        assert_eq!(refused(second), Error::FacesDiffer { at: 1 });
+
+        let normals = [Vec3::Y; 4];
+        let smooth = first.with_normals(&normals, None).unwrap();
+        let own = [FACES[0], [0, 2, 2]];
+        let flat = first.with_normals(&normals, Some(&own)).unwrap();
+        let error = Keyframes::new(&smooth, &flat).unwrap_err();
+        assert_eq!(error, Error::FacesDiffer { at: 1 });
+        assert!(Keyframes::new(&smooth, &flat.without_normals()).is_ok());
+
+        let frames = Keyframes::new(&smooth, &smooth).unwrap();
+        let mut few = [Vec3::ZERO; 3];
+        let full = Error::TooMany { given: 4, max: 3 };
+        assert_eq!(frames.blend(fx!(0), &mut few, &mut []).unwrap_err(), full);
+        let mut enough = [Vec3::ZERO; 4];
+        assert_eq!(
+            frames.blend(fx!(0), &mut enough, &mut few).unwrap_err(),
+            full
+        );
+    }
+}

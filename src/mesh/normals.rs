@@ -1,0 +1,304 @@
+//! Normals for meshes that have none, such as those made at run time.
+
+use super::Index;
+use super::indexed::Mesh;
+use crate::math::Direction;
+use crate::num::rsqrt::unit;
+use crate::{Angle, Error, Vec3};
+
+/// Fraction bits of an angle in radians. A sum of 512 radians at one position fits, and saturates beyond.
+const FRACTION: u32 = 22;
+
+/// Of a triangle: its normal of length one, in units of 2⁻³⁰, and the angles at its corners; `None` without area.
+fn measured(corners: [Vec3; 3]) -> Option<(Direction, [i32; 3])> {
+    let [a, b, c] = corners.map(|corner| corner.to_bits().map(i64::from));
+    let side = |from: [i64; 3], to: [i64; 3]| {
+        let [x, y, z] = from;
+        [to[0] - x, to[1] - y, to[2] - z]
+    };
+    let sides = [side(a, b), side(b, c), side(c, a)];
+    // Sides take 33 bits. With 31 bits and a sign, a difference of two products fits into 64.
+    let size = sides
+        .as_flattened()
+        .iter()
+        .fold(0, |all, x| all | x.unsigned_abs());
+    let down = u32::from(size >= 1 << 31);
+    let [[x, y, z], [u, v, w], _] = sides.map(|side| side.map(|x| x >> down));
+    let cross = |a: i64, b: i64, c: i64, d: i64| (a * b).saturating_sub(c * d);
+    let normal = unit([cross(y, w, z, v), cross(z, u, x, w), cross(x, v, y, u)])?;
+    let [ab, bc, ca] = [unit(sides[0])?, unit(sides[1])?, unit(sides[2])?];
+    Some((
+        Direction::from_bits(normal),
+        [angle(ca, ab), angle(ab, bc), angle(bc, ca)],
+    ))
+}
+
+/// The angle between −`a` and `b`, both of length one in units of 2⁻³⁰, with a relative error below 2⁻¹³.
+///
+/// A chord s of the unit circle belongs to an angle of 2 asin(s/2). Up to 90 degrees, that is s · P(s²/4) with a polynomial
+/// P; above, the chord to the opposite point is used. P is asin(√q)/√q, interpolated at the Chebyshev nodes of 0..1/2
+/// within 2⁻¹⁶.
+fn angle(a: [i32; 3], b: [i32; 3]) -> i32 {
+    const P: [u32; 5] = [65_536, 10_893, 5_365, 640, 6_202];
+    /// π.
+    const HALF_TURN: i32 = 13_176_795;
+    let [a, b] = [Vec3::from_bits(a), Vec3::from_bits(b)];
+    let is_acute = Direction::from_bits(a.to_bits()).dot(Direction::from_bits(b.to_bits())) <= 0;
+    // Of two such chords, the shorter one is at most √2.
+    let chord = a
+        .distance(if is_acute { -b } else { b })
+        .to_bits()
+        .cast_unsigned();
+    let short = (chord >> 15).min(46_341);
+    let q = (short * short) >> 16;
+    let [p0, p1, p2, p3, p4] = P;
+    // Horner's rule; terms have 16 fraction bits and stay below 2, q below 1/2.
+    let times_q = |term: u32| (q * term) >> 16;
+    let p = p0 + times_q(p1 + times_q(p2 + times_q(p3 + times_q(p4))));
+    let angle = ((u64::from(chord) * u64::from(p)) >> (46 - FRACTION)) as i32;
+    if is_acute { angle } else { HALF_TURN - angle }
+}
+
+/// A normal, weighted by an angle.
+fn weighted(normal: Direction, angle: i32) -> Vec3 {
+    Vec3::from_bits(
+        normal
+            .to_bits()
+            .map(|x| ((i64::from(x) * i64::from(angle) + (1 << 29)) >> 30) as i32),
+    )
+}
+
+impl<'a> Mesh<'a> {
+    /// Adds computed normals, one per position, so that light runs smoothly over all edges.
+    ///
+    /// A normal is the mean of those of the triangles around its position, weighted by their angles there; so it does
+    /// not depend on how polygons were cut into triangles. It has length one, and its direction is within 2⁻¹² of
+    /// exact, if the triangles do not face away from one another. A position without triangles gets the zero vector.
+    ///
+    /// The time grows with the number of triangles, so this may be done for each frame of a mesh that moves.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// let positions = [vec3!(-1, 0, 1), vec3!(0, 1, 1), vec3!(1, 0, 1), vec3!(-1, 0, -1), vec3!(0, 1, -1), vec3!(1, 0, -1)];
+    /// let roof = [[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4]];
+    /// let mut normals = [Vec3::ZERO; 6]; // your memory
+    /// let mesh = Mesh::new(&positions, &roof)?.with_smooth_normals(&mut normals)?;
+    /// assert!(mesh.has_normals());
+    /// assert_eq!(normals[1], Vec3::Y); // along the ridge
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::TooMany`] if `normals` has fewer elements than the mesh has positions.
+    pub fn with_smooth_normals(self, normals: &'a mut [Vec3]) -> Result<Self, Error> {
+        let (given, max) = (self.positions().len(), normals.len());
+        let Some(normals) = normals.get_mut(..given) else {
+            return Err(Error::TooMany { given, max });
+        };
+        normals.fill(Vec3::ZERO);
+        for face in self.faces() {
+            let Some((normal, angles)) = self.measured(*face) else {
+                continue;
+            };
+            for (&index, angle) in face.iter().zip(angles) {
+                if let Some(sum) = normals.get_mut(usize::from(index)) {
+                    *sum += weighted(normal, angle);
+                }
+            }
+        }
+        for normal in &mut *normals {
+            *normal = normal.normalized().unwrap_or_default();
+        }
+        self.with_normals(normals, None)
+    }
+
+    /// Adds computed normals, so that light runs smoothly over edges whose triangles meet at an angle of at most
+    /// `crease`, and jumps at sharper ones. At 0 degrees, only flat polygons are smooth; at 180, everything is.
+    ///
+    /// The normal of a triangle's corner is the mean of those of the triangles around its position whose own normals are
+    /// within `crease` of this triangle's, weighted as in [`with_smooth_normals`](Self::with_smooth_normals). Equal
+    /// normals are stored once: a box needs 6. There are at most three per triangle; `faces` receives their indices.
+    ///
+    /// The time grows with the square of the number of triangles, so do this once, not for each frame.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// let positions = [vec3!(-1, 0, 1), vec3!(0, 1, 1), vec3!(1, 0, 1), vec3!(-1, 0, -1), vec3!(0, 1, -1), vec3!(1, 0, -1)];
+    /// let roof = [[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4]];
+    /// let (mut normals, mut faces) = ([Vec3::ZERO; 12], [[0; 3]; 4]); // your memory
+    /// let mesh = Mesh::new(&positions, &roof)?
+    ///     .with_creased_normals(deg!(60), &mut normals, &mut faces)?;
+    /// // The sides meet at 90 degrees, so each has one normal.
+    /// assert_eq!(mesh.counts().normals, 2);
+    /// assert_eq!(faces, [[0; 3], [0; 3], [1; 3], [1; 3]]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::TooMany`] if `faces` has fewer elements than the mesh has triangles, or if there are more different
+    /// normals than `normals` has elements or than 65,535.
+    pub fn with_creased_normals(
+        self,
+        crease: Angle,
+        normals: &'a mut [Vec3],
+        faces: &'a mut [[Index; 3]],
+    ) -> Result<Self, Error> {
+        // Four units for each of the two normals, so that triangles of one plane are always within the crease.
+        let least = crease.cos().to_bits().saturating_sub(8);
+        let (given, max) = (self.faces().len(), faces.len());
+        let Some(faces) = faces.get_mut(..given) else {
+            return Err(Error::TooMany { given, max });
+        };
+        let mut count = 0;
+        for (indices, face) in faces.iter_mut().zip(self.faces()) {
+            *indices = [Self::NO_VALUE; 3];
+            let Some((own, _)) = self.measured(*face) else {
+                continue;
+            };
+            for (to, &position) in indices.iter_mut().zip(face) {
+                let normal = self.normal_around(position, own, least);
+                let known = normals.get(..count).unwrap_or_default();
+                let at = if let Some(at) = known.iter().position(|&other| other == normal) {
+                    at
+                } else {
+                    let max = normals.len().min(Self::NO_VALUE.into());
+                    let given = count + 1;
+                    let full = Error::TooMany { given, max };
+                    if count == max {
+                        return Err(full);
+                    }
+                    *normals.get_mut(count).ok_or(full)? = normal;
+                    count = given;
+                    count - 1
+                };
+                *to = at as Index; // below `NO_VALUE`
+            }
+        }
+        self.with_normals(normals.get(..count).unwrap_or_default(), Some(faces))
+    }
+
+    /// The normal at a position of the triangles whose own normals have at least this cosine, in units of 2⁻³⁰, with
+    /// another.
+    fn normal_around(&self, position: Index, own: Direction, least: i32) -> Vec3 {
+        let mut sum = Vec3::ZERO;
+        for face in self.faces() {
+            if !face.contains(&position) {
+                continue;
+            }
+            let Some((normal, angles)) = self.measured(*face) else {
+                continue;
+            };
+            if normal.dot(own) < least {
+                continue;
+            }
+            for (_, angle) in face
+                .iter()
+                .zip(angles)
+                .filter(|(index, _)| **index == position)
+            {
+                sum += weighted(normal, angle);
+            }
+        }
+        sum.normalized().unwrap_or_default()
+    }
+
+    fn measured(&self, face: [Index; 3]) -> Option<(Direction, [i32; 3])> {
+        measured(face.map(|index| self.position(index)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Scalar, deg, fx, vec3};
+
+    const CORNERS: [Vec3; 8] = [
+        vec3!(-1, -1, -1),
+        vec3!(1, -1, -1),
+        vec3!(-1, 1, -1),
+        vec3!(1, 1, -1),
+        vec3!(-1, -1, 1),
+        vec3!(1, -1, 1),
+        vec3!(-1, 1, 1),
+        vec3!(1, 1, 1),
+    ];
+
+    const SIDES: [[Index; 3]; 12] = [
+        [0, 2, 3],
+        [0, 3, 1],
+        [4, 5, 7],
+        [4, 7, 6],
+        [0, 1, 5],
+        [0, 5, 4],
+        [2, 6, 7],
+        [2, 7, 3],
+        [0, 4, 6],
+        [0, 6, 2],
+        [1, 3, 7],
+        [1, 7, 5],
+    ];
+
+    /// However its sides are cut into triangles.
+    #[test]
+    fn smooth_normals_of_a_box_point_to_its_corners() {
+        let mut normals = [Vec3::ZERO; 9];
+        let mesh = Mesh::new(&CORNERS, &SIDES).unwrap();
+        mesh.with_smooth_normals(&mut normals).unwrap();
+        for (normal, corner) in normals.iter().zip(CORNERS) {
+            // Weights are within 2⁻¹³, and cancel for the most part.
+            assert!(normal.distance(corner.normalized().unwrap()).to_bits() <= 8);
+        }
+        assert_eq!(normals[8], Vec3::ZERO);
+    }
+
+    #[test]
+    fn sides_of_a_box_share_normals_within_the_crease() {
+        let mesh = Mesh::new(&CORNERS, &SIDES).unwrap();
+        for (crease, count) in [(deg!(0), 6), (deg!(89.9), 6), (deg!(90), 8), (deg!(180), 8)] {
+            let (mut normals, mut faces) = ([Vec3::ZERO; 8], [[0; 3]; 12]);
+            let mesh = mesh
+                .with_creased_normals(crease, &mut normals, &mut faces)
+                .unwrap();
+            assert_eq!(mesh.counts().normals, count, "{crease}");
+        }
+    }
+
+    #[test]
+    fn what_does_not_fit_is_refused() {
+        let mesh = Mesh::new(&CORNERS, &SIDES).unwrap();
+        let (mut few, mut normals) = ([Vec3::ZERO; 7], [Vec3::ZERO; 5]);
+        let error = mesh.with_smooth_normals(&mut few).unwrap_err();
+        assert_eq!(error, Error::TooMany { given: 8, max: 7 });
+        let mut faces = [[0; 3]; 12];
+        let error = mesh
+            .with_creased_normals(deg!(0), &mut normals, &mut faces)
+            .unwrap_err();
+        assert_eq!(error, Error::TooMany { given: 6, max: 5 });
+        let error = mesh
+            .with_creased_normals(deg!(0), &mut few, &mut faces[1..])
+            .unwrap_err();
+        assert_eq!(error, Error::TooMany { given: 12, max: 11 });
+    }
+
+    #[test]
+    fn extremes_and_triangles_without_area_have_normals_or_none() {
+        let (least, most) = (Scalar::MIN, Scalar::MAX);
+        let positions = [
+            Vec3::new(least, least, most),
+            Vec3::new(most, least, least),
+            Vec3::new(least, most, least),
+            fx!(0) * Vec3::X,
+        ];
+        let faces = [[0, 1, 2], [3, 3, 0], [3, 3, 3]];
+        let mesh = Mesh::new(&positions, &faces).unwrap();
+        let (mut normals, mut indices) = ([Vec3::X; 4], [[0; 3]; 3]);
+        mesh.with_smooth_normals(&mut normals).unwrap();
+        assert_eq!(Some(normals[0]), vec3!(1, 1, 1).normalized());
+        assert_eq!(normals[3], Vec3::ZERO);
+        mesh.with_creased_normals(deg!(60), &mut normals, &mut indices)
+            .unwrap();
+        assert_eq!(indices[1..], [[Mesh::NO_VALUE; 3]; 2]);
+    }
+}

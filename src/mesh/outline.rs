@@ -1,0 +1,393 @@
+//! The edges of a mesh with their two faces, for silhouettes and creases.
+
+use super::sort::sort;
+use super::{Index, Mesh};
+use crate::Error;
+use crate::error::ok;
+use crate::num::Angle;
+
+/// The edges of a mesh that may be part of its outline: each knows its two faces.
+///
+/// [`Canvas::draw_outline`](crate::Canvas::draw_outline) draws those that show the shape from where the eye is:
+///
+/// - *creases*, at which two faces meet at an angle above a limit, if one of the faces is not culled;
+/// - *silhouettes*, at which a front face meets a back face, and borders, which have one face only, again if one
+///   face is not culled.
+///
+/// So a convex mesh loses its hidden lines even without a depth buffer. On other meshes, faces hide them, as in the
+/// example of `draw_outline`.
+///
+/// [`outline!`](crate::outline) finds the edges at compile time and stores 8 bytes for each in flash. At run time,
+/// [`build`](Self::build) does the same in the caller's memory. The outline may be drawn with another mesh that has the
+/// same faces, such as another frame of an animation: silhouettes are those of the positions that are drawn, creases
+/// stay.
+///
+/// ```
+/// use fixel::mesh::Outline;
+/// use fixel::prelude::*;
+/// static CRATE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+/// static CAN: Mesh = shape!(cylinder(16));
+/// static EDGES: Outline = outline!(CRATE, deg!(30));
+/// static RIMS: Outline = outline!(CAN, deg!(30));
+/// // The 12 edges of a cuboid are creases, and the diagonals of its sides are not. The cylinder's creases are its
+/// // two rims: its 16 sides meet at 22.5 degrees.
+/// assert_eq!((EDGES.edges().len(), EDGES.creases()), (18, 12));
+/// assert_eq!((RIMS.edges().len(), RIMS.creases()), (96, 32));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Outline<'a> {
+    edges: &'a [[Index; 4]],
+    creases: usize,
+}
+
+impl<'a> Outline<'a> {
+    /// An outline of edges that the caller found; the first `creases` of them are creases.
+    ///
+    /// An edge `[a, b, c, d]` leads from position a to position b. Its faces are a b c and b a d, each in the order
+    /// of its face of the mesh. A border has one face: its d is a.
+    ///
+    /// ```
+    /// use fixel::mesh::Outline;
+    /// use fixel::prelude::*;
+    /// let positions = [vec3!(0, 0, 0), vec3!(1, 0, 0), vec3!(0, 1, 0)];
+    /// let triangle = Mesh::new(&positions, &[[0, 1, 2]])?;
+    /// let borders = [[0, 1, 2, 0], [1, 2, 0, 1], [2, 0, 1, 2]];
+    /// assert!(Outline::new(&triangle, &borders, 0).is_ok());
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Index`] if an edge names a position that does not exist; [`Error::TooMany`] if there are fewer edges
+    /// than `creases`.
+    pub const fn new(
+        mesh: &Mesh<'_>,
+        edges: &'a [[Index; 4]],
+        creases: usize,
+    ) -> Result<Self, Error> {
+        if creases > edges.len() {
+            return Err(Error::TooMany {
+                given: creases,
+                max: edges.len(),
+            });
+        }
+        ok!(super::indexed::check(edges, mesh.positions().len(), None));
+        Ok(Self { edges, creases })
+    }
+
+    /// Finds the outline of a mesh. Edges at which the normals of the faces differ by more than `crease` are creases:
+    /// with 0 degrees, all edges of polygons, and with 180 degrees, none.
+    ///
+    /// `edges` needs room for the three sides of every face. About half of it is used.
+    ///
+    /// Sides belong together if their ends have the same positions, even under different indices, so a seam of
+    /// texture coordinates is no border. Faces without area count as absent. The diagonals of flat polygons, whose
+    /// faces lie within 2⁻¹⁰ radians (0.056 degrees) of one plane, are never creases. Two faces that run along an edge
+    /// in the same direction each have a border there. Lines of an OBJ file that belong to no face are left out.
+    ///
+    /// ```
+    /// use fixel::mesh::Outline;
+    /// use fixel::prelude::*;
+    /// static BALL: Mesh = shape!(sphere(8, 4));
+    /// let mut room = [[0; 4]; 3 * 48];
+    /// let ball = Outline::build(&BALL, deg!(60), &mut room)?;
+    /// // 48 triangles have 72 edges. Around the poles, they meet at more than 60 degrees.
+    /// assert_eq!((ball.edges().len(), ball.creases()), (72, 0));
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::CreaseAngle`] if `crease` is above 180 degrees; [`Error::TooMany`] if `edges` is too short.
+    pub const fn build(
+        mesh: &Mesh<'_>,
+        crease: Angle,
+        edges: &'a mut [[Index; 4]],
+    ) -> Result<Self, Error> {
+        if crease.to_bits() > 1 << 31 {
+            return Err(Error::CreaseAngle { angle: crease });
+        }
+        let [edge_count, creases] = ok!(write(mesh, crease, edges));
+        let (edges, _) = edges.split_at(edge_count);
+        Ok(Self { edges, creases })
+    }
+
+    /// The edges, creases first: see [`new`](Self::new).
+    #[must_use]
+    pub const fn edges(&self) -> &'a [[Index; 4]] {
+        self.edges
+    }
+
+    /// How many of the edges are creases.
+    #[must_use]
+    pub const fn creases(&self) -> usize {
+        self.creases
+    }
+
+    /// Unwraps an outline at compile time; for [`outline!`](crate::outline).
+    ///
+    /// # Panics
+    ///
+    /// If `result` is an error.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn checked(result: Result<Self, Error>) -> Self {
+        match result {
+            Ok(outline) => outline,
+            Err(Error::CreaseAngle { .. }) => {
+                panic!("the crease angle must lie between 0 and 180 degrees")
+            }
+            Err(_) => panic!("the mesh has too many faces"),
+        }
+    }
+}
+
+/// Marks a side that has found its partner. No mesh has so many sides.
+const USED: u32 = u32::MAX;
+
+/// A side of a face: its ends and the third corner.
+struct Side {
+    indices: [Index; 3],
+    positions: [[i32; 3]; 3],
+}
+
+impl Side {
+    /// The side with this number: three for each face.
+    const fn new(mesh: &Mesh<'_>, number: usize) -> Self {
+        let face = mesh.faces()[number / 3];
+        let first = number % 3;
+        let indices = [face[first], face[(first + 1) % 3], face[(first + 2) % 3]];
+        let mut positions = [[0; 3]; 3];
+        let mut corner = 0;
+        while corner < 3 {
+            // Every index of a mesh is in range.
+            if let Some(position) = mesh.positions().get(indices[corner] as usize) {
+                positions[corner] = position.to_bits();
+            }
+            corner += 1;
+        }
+        Self { indices, positions }
+    }
+
+    /// A number that is the same for both sides of an edge.
+    const fn hash(&self) -> u32 {
+        let [from, to, _] = self.positions;
+        hash(from).wrapping_add(hash(to))
+    }
+
+    /// Whether this side runs from the other's end to its start.
+    const fn is_opposite(&self, other: &Self) -> bool {
+        let ([from, to, _], [start, end, _]) = (self.positions, other.positions);
+        are_same(from, end) && are_same(to, start)
+    }
+
+    /// The normal of the face, its largest component scaled to between 2^19 and 2^20 in magnitude; zero if the face
+    /// has no area.
+    const fn normal(&self) -> [i64; 3] {
+        let [a, b, c] = self.positions;
+        let (b, c) = (direction(a, b), direction(a, c));
+        scaled(cross(b, c), 20)
+    }
+}
+
+const fn hash([x, y, z]: [i32; 3]) -> u32 {
+    let mixed = x
+        .wrapping_mul(0x1E37_79B1)
+        .wrapping_add(y.wrapping_mul(0x05EB_CA77))
+        .wrapping_add(z.wrapping_mul(0x42B2_AE3D))
+        .cast_unsigned();
+    (mixed ^ mixed >> 15).wrapping_mul(0x2C1B_3C6D)
+}
+
+const fn are_same(a: [i32; 3], b: [i32; 3]) -> bool {
+    a[0] == b[0] && a[1] == b[1] && a[2] == b[2]
+}
+
+/// From one position to another; of 33 bits, the last is dropped where the first is needed.
+const fn direction(from: [i32; 3], to: [i32; 3]) -> [i64; 3] {
+    let mut sides = [0; 3];
+    let mut axis = 0;
+    while axis < 3 {
+        sides[axis] = to[axis] as i64 - from[axis] as i64;
+        axis += 1;
+    }
+    if bits(sides) > 31 {
+        scaled(sides, 31)
+    } else {
+        sides
+    }
+}
+
+/// How many bits the largest magnitude takes.
+const fn bits([x, y, z]: [i64; 3]) -> u32 {
+    64 - (x.unsigned_abs() | y.unsigned_abs() | z.unsigned_abs()).leading_zeros()
+}
+
+/// A vector whose largest magnitude takes so many bits, unless it is zero.
+const fn scaled(vector: [i64; 3], wanted: u32) -> [i64; 3] {
+    let [x, y, z] = vector;
+    let bits = bits(vector);
+    if bits > wanted {
+        let down = bits - wanted;
+        // Towards zero, so that a vector and its negative remain each other's.
+        let one = 1 << down;
+        [x / one, y / one, z / one]
+    } else if bits > 0 {
+        let up = wanted - bits;
+        [x << up, y << up, z << up]
+    } else {
+        vector
+    }
+}
+
+/// The cross product of vectors of at most 31 bits.
+const fn cross([ax, ay, az]: [i64; 3], [bx, by, bz]: [i64; 3]) -> [i64; 3] {
+    [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
+}
+
+/// The sine and the cosine of the angle between two normals, both times the product of their lengths, below 2^43.
+const fn turn(a: [i64; 3], b: [i64; 3]) -> [i64; 2] {
+    let [x, y, z] = cross(a, b);
+    let (x, y, z) = (x as i128, y as i128, z as i128);
+    let sine = (x * x + y * y + z * z).isqrt() as i64;
+    [sine, a[0] * b[0] + a[1] * b[1] + a[2] * b[2]]
+}
+
+/// Writes the outline of a mesh; returns how many edges it has, and how many of them are creases.
+const fn write(
+    mesh: &Mesh<'_>,
+    crease: Angle,
+    edges: &mut [[Index; 4]],
+) -> Result<[usize; 2], Error> {
+    let sides = 3 * mesh.faces().len();
+    let max = if edges.len() < USED as usize {
+        edges.len()
+    } else {
+        USED as usize
+    };
+    if sides > max {
+        return Err(Error::TooMany { given: sides, max });
+    }
+    // Each entry is a hash of the side's ends, by which sides of one edge become neighbors, and the side's number.
+    let mut count = 0;
+    let mut number = 0;
+    while number < sides {
+        let side = Side::new(mesh, number);
+        if bits(side.normal()) > 0 {
+            let hash = side.hash();
+            edges[count] = [
+                (hash >> 16) as Index,
+                hash as Index,
+                (number >> 16) as Index,
+                number as Index,
+            ];
+            count += 1;
+        }
+        number += 1;
+    }
+    sort(edges, 0, count, 24);
+
+    // An edge is written where its first side stood, or before.
+    let (mut kept, mut creases) = (0, 0);
+    let mut at = 0;
+    while at < count {
+        let entry = edges[at];
+        if number_of(entry) != USED {
+            let side = Side::new(mesh, number_of(entry) as usize);
+            let partner = partner(mesh, &side, entry, edges, (at + 1, count));
+            let [a, b, c] = side.indices;
+            let (d, is_crease) = match partner {
+                None => (a, false),
+                Some(partner) => {
+                    let turn = turn(side.normal(), partner.normal());
+                    (partner.indices[2], is_above(turn, crease))
+                }
+            };
+            // A crease takes the place of the first other edge.
+            edges[kept] = edges[creases];
+            let place = if is_crease { creases } else { kept };
+            edges[place] = [a, b, c, d];
+            creases += is_crease as usize;
+            kept += 1;
+        }
+        at += 1;
+    }
+    Ok([kept, creases])
+}
+
+/// Whether an angle is above a limit, and above what counts as flat.
+const fn is_above([sine, cosine]: [i64; 2], limit: Angle) -> bool {
+    if sine <= cosine >> 10 {
+        return false;
+    }
+    if cosine < 0 && limit.to_bits() < 1 << 30 {
+        return true;
+    }
+    // The sine of the angle minus the limit is positive above it: the difference is well below 180 degrees.
+    let (limit_sine, limit_cosine) = limit.sin_cos();
+    sine as i128 * limit_cosine.to_bits() as i128 > cosine as i128 * limit_sine.to_bits() as i128
+}
+
+/// The number of an entry's side.
+const fn number_of([.., high, low]: [Index; 4]) -> u32 {
+    (high as u32) << 16 | low as u32
+}
+
+/// Finds the side opposite to `side` among the entries with the same hash, and marks it as used.
+const fn partner(
+    mesh: &Mesh<'_>,
+    side: &Side,
+    entry: [Index; 4],
+    entries: &mut [[Index; 4]],
+    (start, end): (usize, usize),
+) -> Option<Side> {
+    let mut at = start;
+    while at < end && entries[at][0] == entry[0] && entries[at][1] == entry[1] {
+        let number = number_of(entries[at]);
+        if number != USED {
+            let other = Side::new(mesh, number as usize);
+            if side.is_opposite(&other) {
+                entries[at][2] = Index::MAX;
+                entries[at][3] = Index::MAX;
+                return Some(other);
+            }
+        }
+        at += 1;
+    }
+    None
+}
+
+/// The [`Outline`](crate::mesh::Outline) of a mesh, found at compile time and stored in flash.
+///
+/// The arguments are a `static` or `const` mesh, and the angle between faces above which their edge is a crease; 30 to
+/// 45 degrees suit most models. [`Outline::build`](crate::mesh::Outline::build) tells which edges it finds.
+///
+/// ```
+/// use fixel::mesh::Outline;
+/// use fixel::prelude::*;
+/// static HOUSE: Mesh = include_obj!("../../tests/models/house.obj");
+/// static OUTLINE: Outline = outline!(HOUSE, deg!(30));
+/// assert!(OUTLINE.creases() > 0);
+/// ```
+/// ```compile_fail
+/// use fixel::prelude::*;
+/// static CRATE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+/// static OUTLINE: fixel::mesh::Outline = outline!(CRATE, deg!(181));
+/// ```
+#[macro_export]
+macro_rules! outline {
+    ($mesh:expr, $crease:expr $(,)?) => {{
+        const SIDES: usize = 3 * $mesh.faces().len();
+        #[allow(long_running_const_eval)]
+        const FOUND: ([[$crate::Index; 4]; SIDES], [usize; 2]) = {
+            let mut edges = [[0; 4]; SIDES];
+            let outline = $crate::mesh::Outline::checked($crate::mesh::Outline::build(
+                &$mesh, $crease, &mut edges,
+            ));
+            let counts = [outline.edges().len(), outline.creases()];
+            (edges, counts)
+        };
+        static EDGES: [[$crate::Index; 4]; FOUND.1[0]] = $crate::mesh::flash::first(&FOUND.0);
+        $crate::mesh::Outline::checked($crate::mesh::Outline::new(&$mesh, &EDGES, FOUND.1[1]))
+    }};
+}

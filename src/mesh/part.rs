@@ -1,0 +1,108 @@
+//! Parts of a mesh that have a material each.
+
+use core::ops::Range;
+
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+
+/// A run of a mesh's faces that have one material: a color, and perhaps the name of a texture.
+///
+/// [`include_mtl!`](crate::include_mtl) makes a list of them for the mesh of an OBJ file. [`PartColors`] draws all parts
+/// in their colors by one call; [`Mesh::part`](crate::Mesh::part) gives a part to draw by itself, for example with its
+/// texture.
+///
+/// [`PartColors`]: crate::shade::PartColors
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888}, prelude::*};
+/// use fixel::mesh::Part;
+/// use fixel::prelude::*;
+/// use fixel::shade::PartColors;
+/// static SQUARE: Mesh = shape!(plane(2, 1));
+/// static PARTS: [Part; 2] = [
+///     Part::new(0..2, Rgb888::RED),
+///     Part::new(2..4, Rgb888::BLUE).with_texture("blue.tga"),
+/// ];
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
+/// let mut pixels = [Rgb565::BLACK; 16];
+/// let mut canvas = Canvas::new(&mut pixels, 4, 4)?;
+/// canvas.draw(&SQUARE, &mvp, &PartColors::rgb(&PARTS));
+/// let mut display = MockDisplay::new();
+/// canvas.show(&mut display)?;
+/// display.assert_pattern(&["RRBB", "RRBB", "RRBB", "RRBB"]);
+///
+/// canvas.clear(Rgb565::BLACK);
+/// for part in PARTS.iter().filter(|part| part.texture() == Some("blue.tga")) {
+///     canvas.draw(&SQUARE.part(part.faces()), &mvp, &Flat::new(Rgb565::GREEN));
+/// }
+/// let mut display = MockDisplay::new();
+/// canvas.show(&mut display)?;
+/// display.assert_pattern(&["KKGG", "KKGG", "KKGG", "KKGG"]);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Part<'a> {
+    start: usize,
+    end: usize,
+    color: Rgb888,
+    material: &'a str,
+    /// Empty if there is none.
+    texture: &'a str,
+}
+
+impl<'a> Part<'a> {
+    /// The material of faces that have none: white.
+    pub(super) const NO_MATERIAL: Rgb888 = Rgb888::WHITE;
+
+    /// A run of faces with a color. Its material has no name and no texture.
+    #[must_use]
+    pub const fn new(faces: Range<usize>, color: Rgb888) -> Self {
+        Self {
+            start: faces.start,
+            end: faces.end,
+            color,
+            material: "",
+            texture: "",
+        }
+    }
+
+    /// Names the material.
+    #[must_use]
+    pub const fn with_material(self, material: &'a str) -> Self {
+        Self { material, ..self }
+    }
+
+    /// Names the texture, usually by its file; an empty name stands for none.
+    #[must_use]
+    pub const fn with_texture(self, texture: &'a str) -> Self {
+        Self { texture, ..self }
+    }
+
+    /// The faces, for [`Mesh::part`](crate::Mesh::part).
+    #[must_use]
+    pub const fn faces(&self) -> Range<usize> {
+        self.start..self.end
+    }
+
+    /// The material's color.
+    #[must_use]
+    pub const fn color(&self) -> Rgb888 {
+        self.color
+    }
+
+    /// The material's name; empty for faces without material.
+    #[must_use]
+    pub const fn material(&self) -> &'a str {
+        self.material
+    }
+
+    /// The name of the material's texture.
+    #[must_use]
+    pub const fn texture(&self) -> Option<&'a str> {
+        if self.texture.is_empty() {
+            None
+        } else {
+            Some(self.texture)
+        }
+    }
+}

@@ -1,0 +1,307 @@
+//! Sprites: rectangles at positions that turn to the viewer.
+
+use embedded_graphics::pixelcolor::Rgb888;
+
+use crate::error::ok;
+use crate::num::TexCoord;
+use crate::{Error, Scalar, Vec2, Vec3};
+
+/// Sprites, also called billboards: a rectangle at each of the positions, parallel to the image plane.
+/// [`Canvas::draw_sprites`](crate::Canvas::draw_sprites) draws all of them, for example particles, in one call.
+///
+/// All sprites have one size, in units of the world or in pixels. Their texture coordinates run from (0, 0) at the top
+/// left to (1, 1) at the bottom right. With an [axis](Self::with_axis), they turn about it and no other way, as
+/// trees do. Each sprite may have a [scale](Self::with_scales), a [color](Self::with_colors) and a
+/// [frame](Self::with_frames) of its own.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
+/// use fixel::prelude::*;
+/// let projection = Projection::perspective(deg!(90), (2, 1), fx!(1), fx!(10))?;
+/// let mut pixels = [BinaryColor::Off; 16 * 8];
+/// let mut canvas = Canvas::new(&mut pixels, 16, 8)?;
+/// canvas.clear(BinaryColor::Off);
+///
+/// // A unit at a distance of 2 is two pixels wide, and one at a distance of 4 is one pixel wide.
+/// let positions = [vec3!(-2, 0, -2), vec3!(0, 0, -4), vec3!(4, 0, -4)];
+/// let sprites = Sprites::new(&positions, (fx!(2), fx!(3)))?;
+/// let drawn = canvas.draw_sprites(&DrawOptions::new(), &sprites, &projection, &Flat::new(BinaryColor::On));
+/// assert_eq!((drawn.submitted, drawn.drawn), (6, 6)); // triangles
+///
+/// let mut display = MockDisplay::new();
+/// canvas.show(&mut display)?;
+/// display.assert_pattern(&[
+///     "................",
+///     "..####..........",
+///     "..####.##..##...",
+///     "..####.##..##...",
+///     "..####.##..##...",
+///     "..####..........",
+///     "..####..........",
+///     "................",
+/// ]);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sprites<'a> {
+    pub(crate) positions: &'a [Vec3],
+    /// Width and height.
+    pub(crate) size: [Scalar; 2],
+    pub(crate) is_in_pixels: bool,
+    pub(crate) axis: Option<Vec3>,
+    pub(crate) anchor: Vec2,
+    /// One for each position, or empty; the same for colors and frames.
+    pub(crate) scales: &'a [Scalar],
+    pub(crate) colors: &'a [Rgb888],
+    pub(crate) frames: &'a [u16],
+    /// Columns and rows of frames in the texture.
+    pub(crate) grid: [u16; 2],
+}
+
+const fn extent(of: &'static str, given: Scalar) -> Result<(), Error> {
+    if given.to_bits() > 0 {
+        return Ok(());
+    }
+    let max = Scalar::MAX;
+    Err(Error::Extent { of, given, max })
+}
+
+const fn parts(of: &'static str, given: u16) -> Result<(), Error> {
+    let (given, max) = (given as u32, Sprites::MAX_FRAMES);
+    if 0 < given && given <= max {
+        return Ok(());
+    }
+    let min = 1;
+    Err(Error::Parts {
+        of,
+        given,
+        min,
+        max,
+    })
+}
+
+impl<'a> Sprites<'a> {
+    /// The most columns and the most rows of [frames](Self::with_frames) in a texture.
+    pub const MAX_FRAMES: u32 = 1024;
+
+    /// Sprites of one width and height in units of the world, however large the model's units are. Positions are in
+    /// model space.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Extent`] unless width and height are above 0.
+    pub const fn new(positions: &'a [Vec3], size: (Scalar, Scalar)) -> Result<Self, Error> {
+        let (width, height) = size;
+        ok!(extent("width", width));
+        ok!(extent("height", height));
+        Ok(Self {
+            positions,
+            size: [width, height],
+            is_in_pixels: false,
+            axis: None,
+            anchor: Vec2::new(TexCoord::from_bits(1 << 19), TexCoord::from_bits(1 << 19)),
+            scales: &[],
+            colors: &[],
+            frames: &[],
+            grid: [1; 2],
+        })
+    }
+
+    /// Sprites of one width and height in pixels at any distance, such as marks on a map. They have the depth of their
+    /// positions.
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
+    /// use fixel::prelude::*;
+    /// let projection = Projection::perspective(deg!(90), (2, 1), fx!(1), fx!(50))?;
+    /// let mut pixels = [BinaryColor::Off; 16 * 8];
+    /// let mut canvas = Canvas::new(&mut pixels, 16, 8)?;
+    /// canvas.clear(BinaryColor::Off);
+    /// let positions = [vec3!(-2, 0, -2), vec3!(20, 0, -40)];
+    /// let marks = Sprites::in_pixels(&positions, (fx!(4), fx!(2)))?;
+    /// canvas.draw_sprites(&DrawOptions::new(), &marks, &projection, &Flat::new(BinaryColor::On));
+    ///
+    /// let mut display = MockDisplay::new();
+    /// canvas.show(&mut display)?;
+    /// display.assert_pattern(&[
+    ///     "................",
+    ///     "................",
+    ///     "................",
+    ///     "..####..####....",
+    ///     "..####..####....",
+    ///     "................",
+    ///     "................",
+    ///     "................",
+    /// ]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As for [`new`](Self::new).
+    pub const fn in_pixels(positions: &'a [Vec3], size: (Scalar, Scalar)) -> Result<Self, Error> {
+        let sprites = ok!(Self::new(positions, size));
+        Ok(Self {
+            is_in_pixels: true,
+            ..sprites
+        })
+    }
+
+    /// Lets the sprites turn about an axis only: their vertical sides are parallel to it, and their horizontal sides to
+    /// the image plane. The axis is a direction of any length in model space. For a tree it points up.
+    ///
+    /// Seen along the axis, a sprite is so narrow that it has no pixels.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::ZeroDirection`] if the axis is zero.
+    pub const fn with_axis(self, axis: Vec3) -> Result<Self, Error> {
+        if let [0, 0, 0] = axis.to_bits() {
+            return Err(Error::ZeroDirection);
+        }
+        Ok(Self {
+            axis: Some(axis),
+            ..self
+        })
+    }
+
+    /// Sets which point of a sprite lies at its position, as a texture coordinate: (0.5, 0.5) by default, which is the
+    /// middle, and (0.5, 1) for something that stands on the ground.
+    #[must_use]
+    pub const fn with_anchor(self, anchor: Vec2) -> Self {
+        Self { anchor, ..self }
+    }
+
+    /// Multiplies the size of each sprite by a scale of its own. A scale of 0 hides it, and a negative one turns it
+    /// upside down.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless there is one scale for each position.
+    pub const fn with_scales(self, scales: &'a [Scalar]) -> Result<Self, Error> {
+        ok!(self.check_length(scales.len()));
+        Ok(Self { scales, ..self })
+    }
+
+    /// Gives each sprite a color, for shaders that read [vertex colors](crate::Corner::color):
+    /// [`Gouraud`](crate::Gouraud), and `tinted` ones.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless there is one color for each position.
+    pub const fn with_colors(self, colors: &'a [Rgb888]) -> Result<Self, Error> {
+        ok!(self.check_length(colors.len()));
+        Ok(Self { colors, ..self })
+    }
+
+    /// Divides the texture into a grid of columns and rows, and shows one cell of it, a frame, on each sprite. Frames
+    /// are counted from 0 at the top left, row by row. After the last frame, the first one follows.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Parts`] unless there are from 1 to [`MAX_FRAMES`](Self::MAX_FRAMES) columns and rows;
+    /// [`Error::Length`] unless there is one frame for each position.
+    pub const fn with_frames(self, grid: (u16, u16), frames: &'a [u16]) -> Result<Self, Error> {
+        let (columns, rows) = grid;
+        ok!(parts("columns", columns));
+        ok!(parts("rows", rows));
+        ok!(self.check_length(frames.len()));
+        Ok(Self {
+            frames,
+            grid: [columns, rows],
+            ..self
+        })
+    }
+
+    const fn check_length(&self, given: usize) -> Result<(), Error> {
+        let needed = self.positions.len();
+        if given == needed {
+            Ok(())
+        } else {
+            Err(Error::Length { given, needed })
+        }
+    }
+
+    /// The positions, in model space.
+    #[must_use]
+    pub const fn positions(&self) -> &'a [Vec3] {
+        self.positions
+    }
+
+    /// The texture coordinates of a sprite at the left, right, top and bottom.
+    pub(crate) fn frame(&self, sprite: usize) -> [TexCoord; 4] {
+        let [columns, rows] = self.grid.map(u32::from);
+        let frame = self.frames.get(sprite).copied().unwrap_or_default();
+        // The constructors permit no 0. With at most 1024 parts, a cell's end is at most 2^30.
+        let part = |cell: u32, parts: u32| {
+            let bits = (cell << 20).checked_div(parts).unwrap_or_default();
+            TexCoord::from_bits(bits.cast_signed())
+        };
+        let (row, column) = (
+            u32::from(frame).checked_div(columns).unwrap_or_default(),
+            u32::from(frame).checked_rem(columns).unwrap_or_default(),
+        );
+        let row = row.checked_rem(rows).unwrap_or_default();
+        [
+            part(column, columns),
+            part(column + 1, columns),
+            part(row, rows),
+            part(row + 1, rows),
+        ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{fx, vec3};
+
+    #[test]
+    fn frames_are_counted_row_by_row() {
+        let positions = [Vec3::ZERO; 4];
+        let sprites = Sprites::new(&positions, (fx!(1), fx!(1))).unwrap();
+        let numbers = [0, 3, 6, 11];
+        let sprites = sprites.with_frames((4, 2), &numbers).unwrap();
+        let cells = [0, 1, 2, 3].map(|sprite| sprites.frame(sprite).map(|at| at.to_num::<f64>()));
+        assert_eq!(
+            cells,
+            [
+                [0., 0.25, 0., 0.5],
+                [0.75, 1., 0., 0.5],
+                [0.5, 0.75, 0.5, 1.],
+                // Eight frames: the eleventh is the third.
+                [0.75, 1., 0., 0.5],
+            ]
+        );
+        let most = u16::try_from(Sprites::MAX_FRAMES).unwrap();
+        let last = [u16::MAX; 4];
+        let sprites = sprites.with_frames((most, most), &last).unwrap();
+        assert_eq!(sprites.frame(0)[1], TexCoord::ONE);
+    }
+
+    #[test]
+    fn what_cannot_be_drawn_is_refused() {
+        let size = (fx!(1), fx!(2));
+        for (width, height) in [(fx!(0), fx!(1)), (fx!(1), fx!(-1))] {
+            assert!(matches!(
+                Sprites::in_pixels(&[], (width, height)),
+                Err(Error::Extent { .. })
+            ));
+        }
+        let sprites = Sprites::new(&[Vec3::ZERO], size).unwrap();
+        assert_eq!(sprites.with_axis(Vec3::ZERO), Err(Error::ZeroDirection));
+        assert!(sprites.with_axis(vec3!(0, 0, 0.0001)).is_ok());
+        let length = Error::Length {
+            given: 2,
+            needed: 1,
+        };
+        assert_eq!(sprites.with_scales(&[fx!(1); 2]), Err(length));
+        assert_eq!(sprites.with_frames((1, 1), &[0; 2]), Err(length));
+        for grid in [(0, 1), (1, 0), (1025, 1), (1, 1025)] {
+            assert!(matches!(
+                sprites.with_frames(grid, &[0]),
+                Err(Error::Parts { .. })
+            ));
+        }
+    }
+}

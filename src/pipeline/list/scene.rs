@@ -1,0 +1,295 @@
+//! Several objects in one list.
+
+use core::marker::PhantomData;
+use core::ops::Range;
+
+use embedded_graphics::geometry::Size;
+
+use super::{Corners, Entry, Filling, Needed, Prepared, Slot, TriangleList, painter};
+use crate::mesh::{Index, Mesh};
+use crate::pipeline::call::Call;
+use crate::pipeline::{DrawOptions, cache, run};
+use crate::raster::{Cull, DepthShift, Scissor};
+use crate::span::{Mode, Newton};
+use crate::target::{Canvas, DepthTest, Replace, Storage, TestAndWrite, check_size};
+use crate::view::{ModelToPicture, Mvp, Perspective, ProjectionKind, Viewport};
+use crate::{Error, Transform};
+
+/// An object of a scene: a mesh, its model transform, and its material.
+///
+/// The material is any value that tells how to draw the object: a shader, or a value of your own to choose one by.
+///
+/// [`TriangleList::prepare_scene`] prepares a slice of objects.
+///
+/// ```
+/// use fixel::{Object, prelude::*};
+/// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+/// let mut crate_ = Object::new(&BOX, Transform::IDENTITY, "wood");
+/// crate_.model = Transform::rotate_y(deg!(30)); // in the next frame
+/// assert_eq!(crate_.material, "wood");
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Object<'m, T> {
+    /// The mesh.
+    pub mesh: &'m Mesh<'m>,
+    /// From model to world space.
+    pub model: Transform,
+    /// How the object is drawn.
+    pub material: T,
+    /// The number of its last vertex in the list.
+    last: u16,
+    depth_shift: DepthShift,
+    /// How many faces the objects before it have.
+    first_face: u32,
+}
+
+impl<'m, T> Object<'m, T> {
+    /// An object at the place that `model` gives it in the world.
+    #[must_use]
+    pub const fn new(mesh: &'m Mesh<'m>, model: Transform, material: T) -> Self {
+        Self {
+            mesh,
+            model,
+            material,
+            last: 0,
+            depth_shift: DepthShift(0),
+            first_face: 0,
+        }
+    }
+}
+
+/// Several objects' triangles, ready to be drawn to every band of a frame.
+///
+/// [`TriangleList::prepare_scene`] returns it, and [`parts`](Self::parts) yields what
+/// [`Canvas::draw_prepared`](crate::Canvas::draw_prepared) draws.
+///
+/// It can be shared with another core that draws other bands of the same frame.
+#[derive(Debug)]
+pub struct PreparedScene<'a, T, K = Perspective, M = Newton, Z = TestAndWrite, B = Replace> {
+    objects: &'a [Object<'a, T>],
+    entries: &'a mut [Entry],
+    vertices: &'a [Slot],
+    /// Of the view: what the objects' transforms are multiplied with.
+    world: Transform,
+    camera: Transform,
+    kind: PhantomData<K>,
+    frame: Size,
+    viewport: Viewport,
+    cull: Cull,
+    mode: M,
+    test: Z,
+    blending: B,
+}
+
+impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERTICES> {
+    /// Prepares several objects' triangles like [`prepare`](Self::prepare), all for one `view`: a projection and a
+    /// camera.
+    ///
+    /// The list needs room for the visible triangles of all of them.
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
+    /// use fixel::{Object, prelude::*};
+    ///
+    /// static BALL: Mesh = shape!(sphere(12, 8));
+    /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+    /// const SIZE: (u32, u32) = (24, 12);
+    ///
+    /// let view = Projection::perspective(deg!(50), SIZE, fx!(1), fx!(20))?
+    ///     * Camera::look_at(vec3!(0, 1, 5), Vec3::ZERO, Vec3::Y)?;
+    /// let flat = |gray| Flat::new(Gray4::new(gray));
+    /// let mut objects = [
+    ///     Object::new(&BALL, Transform::translate(vec3!(-0.4, 0, 0)), flat(3)),
+    ///     Object::new(&BOX, Transform::translate(vec3!(0.8, 0, -1.5)), flat(7)),
+    /// ];
+    /// let mut list: TriangleList<100, 100> = TriangleList::new(); // on a microcontroller, a static
+    /// let mut scene = list.prepare_scene(&DrawOptions::new(), SIZE, &view, &mut objects)?;
+    /// scene.sort_back_to_front(); // no depth buffer
+    ///
+    /// let mut display = MockDisplay::new();
+    /// let mut color = [Gray4::BLACK; 24 * 4];
+    /// for first_row in [0, 4, 8] {
+    ///     let mut band = Canvas::band(&mut color, 24, 12, first_row)?;
+    ///     band.clear(Gray4::BLACK);
+    ///     for (shader, triangles) in scene.parts(&band)? {
+    ///         band.draw_prepared(&triangles, shader);
+    ///     }
+    ///     band.show(&mut display)?;
+    /// }
+    /// display.assert_pattern(&[
+    ///     "000000000000000000000000",
+    ///     "000000000000000000000000",
+    ///     "000000000000000000000000",
+    ///     "000000000000777700000000",
+    ///     "000000000333377700000000",
+    ///     "000000000333377700000000",
+    ///     "000000000333377700000000",
+    ///     "000000000333377700000000",
+    ///     "000000000033000000000000",
+    ///     "000000000000000000000000",
+    ///     "000000000000000000000000",
+    ///     "000000000000000000000000",
+    /// ]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As for [`prepare`](Self::prepare).
+    pub fn prepare_scene<'a, 'm: 'a, M: Mode, Z: DepthTest, B: Copy, V: ModelToPicture, T>(
+        &'a mut self,
+        options: &DrawOptions<M, Z, B>,
+        frame: impl Into<Size>,
+        view: &V,
+        objects: &'a mut [Object<'m, T>],
+    ) -> Result<PreparedScene<'a, T, V::Kind, M, Z, B>, Error> {
+        let frame = frame.into();
+        check_size(frame.width, frame.height)?;
+        self.triangles.clear();
+        self.vertices.clear();
+        let (mut needed, mut faces) = (Needed::default(), 0_u32);
+        let view = Mvp {
+            projection: *view.projection_of(),
+            camera: *view.camera_of(),
+            model: *view.model_of(),
+        };
+        for object in &mut *objects {
+            let mvp = view * object.model;
+            let call = Call::new(options, object.mesh, &mvp, (frame, &(0..frame.height)));
+            let mut filling = Filling {
+                triangles: self.triangles.as_mut_view(),
+                vertices: self.vertices.as_mut_view(),
+                needed,
+                rows: [u16::MAX, 0],
+                cull: call.shared.cull,
+                scissor: &call.shared.scissor,
+                numbers: [(0 as Index, 0); cache::SIZE],
+            };
+            run::triangles(&call, &mut filling);
+            needed = filling.needed;
+            object.last = needed.vertices as u16;
+            object.depth_shift = call.depth_shift();
+            object.first_face = faces;
+            faces = faces.wrapping_add(object.mesh.faces().len() as u32);
+        }
+        needed.check::<TRIANGLES, VERTICES>()?;
+        Ok(PreparedScene {
+            objects,
+            entries: &mut self.triangles,
+            vertices: &self.vertices,
+            world: view.model,
+            camera: view.camera,
+            kind: PhantomData,
+            frame,
+            viewport: options.viewport_in(frame),
+            cull: options.cull,
+            mode: options.mode,
+            test: options.depth,
+            blending: options.blending,
+        })
+    }
+}
+
+impl Entry {
+    /// The number of its first vertex, which tells its object.
+    const fn first(&self) -> u16 {
+        match self.corners {
+            Corners::Whole([first, ..]) | Corners::Clipped { first, .. } => first,
+        }
+    }
+}
+
+/// The object that an entry belongs to, and the numbers of the object's vertices.
+fn object_of<'o, T>(
+    objects: &'o [Object<'_, T>],
+    entry: &Entry,
+) -> Option<(&'o Object<'o, T>, Range<u32>)> {
+    let number = entry.first();
+    let at = objects.partition_point(|object| object.last < number);
+    let object = objects.get(at)?;
+    let before = objects.get(at.wrapping_sub(1));
+    let start = before.map_or(0, |before| u32::from(before.last));
+    Some((object, start + 1..u32::from(object.last) + 1))
+}
+
+impl<'a, T, K: ProjectionKind, M: Mode, Z: DepthTest, B: Copy> PreparedScene<'a, T, K, M, Z, B> {
+    /// Sorts the triangles of all objects back to front, as
+    /// [`prepare_back_to_front`](TriangleList::prepare_back_to_front) does. Equally far triangles are in the order of
+    /// the objects.
+    pub fn sort_back_to_front(&mut self) {
+        let scissor = Scissor::new(&self.viewport, self.frame.width, &(0..self.frame.height));
+        for entry in &mut *self.entries {
+            if let Some((object, _)) = object_of(self.objects, entry) {
+                // Counted through all objects, faces are in the order of the objects.
+                entry.face = entry.face.wrapping_add(object.first_face);
+                painter::set_nearness(entry, self.vertices, object.depth_shift);
+            }
+        }
+        painter::heap_sort(self.entries);
+        for entry in &mut *self.entries {
+            if let Some((object, _)) = object_of(self.objects, entry) {
+                entry.face = entry.face.wrapping_sub(object.first_face);
+                painter::set_rows(entry, self.vertices, &scissor.rows);
+            }
+        }
+    }
+
+    /// The triangles that meet a canvas's rows, in the order in which they are to be drawn. Each part has the
+    /// triangles of one object that follow each other, and comes with the object's material. Unless the scene is
+    /// sorted, an object is one part.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Frame`] if the canvas belongs to a frame of another size than the one that the scene was prepared for.
+    #[allow(clippy::type_complexity)] // it is written here alone
+    pub fn parts<'s, C, O: Storage<C>, D>(
+        &'s self,
+        canvas: &Canvas<'_, C, O, D>,
+    ) -> Result<
+        impl Iterator<Item = (&'s T, Prepared<'s, K, M, Z, B>)> + use<'s, 'a, T, K, M, Z, B, C, O, D>,
+        Error,
+    > {
+        let (given, needed) = (canvas.frame_size(), self.frame);
+        if given != needed {
+            return Err(Error::Frame {
+                width: given.width,
+                height: given.height,
+                needed_width: needed.width,
+                needed_height: needed.height,
+            });
+        }
+        let mut rest = &*self.entries;
+        let rows = canvas.rows().clone();
+        Ok(core::iter::from_fn(move || {
+            let meets = |[start, end]: [u16; 2]| {
+                u32::from(start).max(rows.start) < u32::from(end).min(rows.end)
+            };
+            let start = rest.iter().position(|entry| meets(entry.rows))?;
+            rest = rest.get(start..)?;
+            let (object, numbers) = object_of(self.objects, rest.first()?)?;
+            let is_other = |entry: &Entry| !numbers.contains(&u32::from(entry.first()));
+            let length = rest.iter().position(is_other).unwrap_or(rest.len());
+            let (triangles, others) = rest.split_at_checked(length)?;
+            rest = others;
+            let model = self.world * object.model;
+            Some((
+                &object.material,
+                Prepared {
+                    mesh: object.mesh,
+                    model,
+                    model_view: self.camera * model,
+                    kind: PhantomData,
+                    viewport: self.viewport,
+                    cull: self.cull,
+                    triangles,
+                    vertices: self.vertices,
+                    rows: [0, u16::MAX],
+                    depth_shift: object.depth_shift,
+                    mode: self.mode,
+                    test: self.test,
+                    blending: self.blending,
+                },
+            ))
+        }))
+    }
+}

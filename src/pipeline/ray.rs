@@ -1,0 +1,377 @@
+//! Picking: a ray, and the face of a mesh that it meets.
+
+use embedded_graphics::geometry::Point;
+
+use super::DrawOptions;
+use crate::math::{Direction, Transform};
+use crate::mesh::Mesh;
+use crate::num::block::{self, BlockFloat};
+use crate::num::rsqrt::{cross, unit};
+use crate::num::wide::{dot, product};
+use crate::raster::Cull;
+use crate::target::{Canvas, Storage};
+use crate::view::ModelToPicture;
+use crate::{Error, Scalar, Unit, Vec3};
+
+/// A half-line: the points that are seen at a pixel, or the path of a shot. It has no end.
+///
+/// [`Canvas::ray`] makes the ray of a pixel, and [`hit`](Self::hit) finds the face of a mesh that it meets first.
+///
+/// ```
+/// use fixel::prelude::*;
+/// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+/// let shot = Ray::new(vec3!(5, 0.25, 0), vec3!(-1, 0, 0))?;
+/// let hit = shot.hit(&BOX).unwrap();
+/// assert_eq!((hit.point, hit.distance), (vec3!(1, 0.25, 0), fx!(4)));
+/// assert_eq!(shot.at(hit.distance), hit.point);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Ray {
+    origin: Vec3,
+    direction: Direction,
+    /// Which faces it passes through, by their winding in model space.
+    cull: Cull,
+}
+
+/// The place where a ray meets a mesh; [`Ray::hit`] returns it.
+///
+/// ```
+/// use fixel::prelude::*;
+/// let positions = [vec3!(0, 0, 0), vec3!(4, 0, 0), vec3!(0, 4, 0)];
+/// let triangle = Mesh::new(&positions, &[[0, 1, 2]])?;
+/// let hit = Ray::new(vec3!(1, 2, 9), vec3!(0, 0, -1))?.hit(&triangle).unwrap();
+/// assert_eq!((hit.face, hit.point, hit.distance), (0, vec3!(1, 2, 0), fx!(9)));
+/// assert_eq!(hit.barycentric.map(|part| part.to_num::<f64>()), [0.25, 0.25, 0.5]);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Hit {
+    /// The index of the face among the mesh's [`faces`](Mesh::faces).
+    pub face: usize,
+    /// The point of the face, in model space, within 2⁻²⁹ of the face's size before it is rounded to nearest.
+    pub point: Vec3,
+    /// The distance of the point from the ray's origin, in the model's units; saturates.
+    pub distance: Scalar,
+    /// The shares of the face's three corners in the point, from 0 to 1, within 2⁻²⁹. Their sum is 1.
+    pub barycentric: [Unit; 3],
+}
+
+impl Ray {
+    /// A ray in model space that meets both sides of faces. The direction may have any length.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::ZeroDirection`] if the direction is zero.
+    pub const fn new(origin: Vec3, direction: Vec3) -> Result<Self, Error> {
+        if let [0, 0, 0] = direction.to_bits() {
+            return Err(Error::ZeroDirection);
+        }
+        Ok(Self {
+            origin,
+            direction: Direction::of(direction),
+            cull: Cull::Nothing,
+        })
+    }
+
+    /// Sets which faces the ray passes through: none, those that it meets from behind, or those that it meets from the
+    /// front, where their corners run counter-clockwise.
+    #[must_use]
+    pub const fn with_cull(self, cull: Cull) -> Self {
+        Self { cull, ..self }
+    }
+
+    /// The point where the ray starts.
+    #[must_use]
+    pub const fn origin(&self) -> Vec3 {
+        self.origin
+    }
+
+    /// The direction of the ray.
+    #[must_use]
+    pub const fn direction(&self) -> Direction {
+        self.direction
+    }
+
+    /// Which faces the ray passes through.
+    #[must_use]
+    pub const fn cull(&self) -> Cull {
+        self.cull
+    }
+
+    /// The point at a distance from the origin, rounded to nearest; saturates.
+    #[must_use]
+    pub fn at(&self, distance: Scalar) -> Vec3 {
+        let along = self.direction.to_bits();
+        let moved = along.map(|part| block::fixed(product(part, distance.to_bits()), 30, 0));
+        self.origin + Vec3::from_bits(moved)
+    }
+
+    /// The face of a mesh that the ray meets first, and the point there; `None` if it meets none.
+    ///
+    /// Whether it meets a face is decided exactly, and a ray through an edge between two faces meets one of them. Faces
+    /// count as equally far away within 2⁻²⁹ of their extent; of these, the last one is returned, as it is the one that
+    /// is drawn over the others.
+    #[must_use]
+    pub fn hit(&self, mesh: &Mesh<'_>) -> Option<Hit> {
+        let view = RayView::new(self);
+        let mut nearest: Option<(i64, usize, [i32; 3])> = None;
+        for (face, indices) in mesh.faces().iter().enumerate() {
+            let corners = indices.map(|index| view.see(mesh.position(index)));
+            let Some(barycentric) = view.meet(&corners, self.cull) else {
+                continue;
+            };
+            let [a, b, c] = [0, 1, 2].map(|i: usize| corners[i].ahead * i64::from(barycentric[i]));
+            // The shares of three numbers of 33 bits: no more than the greatest.
+            let ahead = a + b + c;
+            if ahead >= 0 && nearest.is_none_or(|(least, ..)| ahead <= least) {
+                nearest = Some((ahead, face, barycentric));
+            }
+        }
+        let (ahead, face, barycentric) = nearest?;
+        let [a, b, c] = mesh
+            .faces()
+            .get(face)?
+            .map(|index| mesh.position(index).to_bits());
+        let mix = |axis: usize| {
+            let at = [a, b, c].map(|corner| corner[axis]);
+            block::fixed(dot(&barycentric, &at), 30, 0)
+        };
+        Some(Hit {
+            face,
+            point: Vec3::from_bits([mix(0), mix(1), mix(2)]),
+            distance: view.distance(ahead),
+            barycentric: barycentric.map(Unit::from_bits),
+        })
+    }
+}
+
+/// Space as seen along a ray: the axis along which the ray is longest points ahead, and the other two are sheared so
+/// that they are 0 on the ray.
+struct RayView {
+    origin: [i32; 3],
+    direction: [i32; 3],
+    /// The longest axis.
+    main: usize,
+    cull_sign: i64,
+}
+
+/// A position relative to a ray.
+#[derive(Clone, Copy)]
+struct Seen {
+    /// The sheared coordinates, times the ray's main component: below 2^63, and 0 on the ray.
+    aside: [i64; 2],
+    /// How far ahead of the origin along the main axis, in units of 2^-16: 33 bits and a sign.
+    ahead: i64,
+}
+
+impl RayView {
+    fn new(ray: &Ray) -> Self {
+        let direction = ray.direction.to_bits();
+        let [x, y, z] = direction.map(i32::unsigned_abs);
+        let main = if x >= y && x >= z {
+            0
+        } else if y >= z {
+            1
+        } else {
+            2
+        };
+        Self {
+            origin: ray.origin.to_bits(),
+            direction,
+            main,
+            cull_sign: i64::from(direction[main].signum()),
+        }
+    }
+
+    /// The axes aside, so that the three are right-handed.
+    const fn axes(&self) -> [usize; 2] {
+        match self.main {
+            0 => [1, 2],
+            1 => [2, 0],
+            _ => [0, 1],
+        }
+    }
+
+    fn see(&self, position: Vec3) -> Seen {
+        let (position, main) = (position.to_bits(), self.main);
+        let from = |axis: usize| i64::from(position[axis]) - i64::from(self.origin[axis]);
+        let ahead = from(main);
+        let along = i64::from(self.direction[main]);
+        Seen {
+            // This is a component of the cross product of a vector of at most √2 · 2^32 and one of 2^30.
+            aside: self
+                .axes()
+                .map(|axis| from(axis) * along - ahead * i64::from(self.direction[axis])),
+            ahead: ahead * i64::from(along.signum() as i32),
+        }
+    }
+
+    /// The barycentric coordinates, in units of 2^-30, of the point where the ray's line meets a triangle; `None` if it
+    /// does not, or if the triangle is culled.
+    fn meet(&self, [a, b, c]: &[Seen; 3], cull: Cull) -> Option<[i32; 3]> {
+        let is_beside = |axis: usize| {
+            let [a, b, c] = [a, b, c].map(|corner| corner.aside[axis]);
+            a.min(b).min(c) > 0 || a.max(b).max(c) < 0
+        };
+        if is_beside(0) || is_beside(1) {
+            return None;
+        }
+        // Twice the areas of the triangles that two corners make with the ray: exact, 127 bits.
+        let area = |from: &Seen, to: &Seen| {
+            let ([x, y], [u, v]) = (from.aside.map(i128::from), to.aside.map(i128::from));
+            x * v - y * u
+        };
+        let areas = [area(b, c), area(c, a), area(a, b)];
+        let is_met = areas.iter().all(|&v| v >= 0) || areas.iter().all(|&v| v <= 0);
+        // None is above 2^126 in magnitude, nor is their sum, which is twice the area of the triangle.
+        let [_, second, third] = areas.map(i128::unsigned_abs);
+        let sum: i128 = areas.iter().sum();
+        // Counter-clockwise is the front if the main axis points towards the viewer.
+        let side = self.cull_sign * sum.signum() as i64;
+        if !is_met || cull.leaves_out(side) {
+            return None;
+        }
+        let sum = sum.unsigned_abs();
+        // 32 bits of the sum, so that a share of it, times 2^30, has 62.
+        let down = (128 - sum.leading_zeros()).saturating_sub(32);
+        let sum = (sum >> down) as u64;
+        let share = |area: u128| {
+            let share = (((area >> down) as u64) << 30).checked_div(sum);
+            share.unwrap_or_default().min(1 << 30) as i32
+        };
+        let second = share(second);
+        let third = share(third).min((1 << 30) - second);
+        Some([(1 << 30) - second - third, second, third])
+    }
+
+    /// The distance from the origin of a point `ahead` · 2^-46 ahead along the main axis; saturates.
+    fn distance(&self, ahead: i64) -> Scalar {
+        let along = u64::from(self.direction[self.main].unsigned_abs());
+        let distance = ahead.unsigned_abs().checked_div(along).unwrap_or_default();
+        Scalar::from_bits(distance.min(i32::MAX.unsigned_abs().into()) as i32)
+    }
+}
+
+/// The inverse of a transform: points of eye space in model space.
+struct Inverse<'t> {
+    transform: &'t Transform,
+    /// The columns of the inverse matrix, times the determinant and a power of two.
+    columns: [[i32; 3]; 3],
+    /// The determinant times that power, which is positive: columns have its sign.
+    determinant: i64,
+    is_mirror: bool,
+}
+
+impl<'t> Inverse<'t> {
+    /// `None` if the transform's matrix has no inverse.
+    fn of(transform: &'t Transform) -> Option<Self> {
+        let [x, y, z] = transform.linear;
+        let [first, second, third] = transform.normal_matrix();
+        let determinant = dot(&x, &first);
+        // The normal matrix has the sign of the determinant besides the cofactors.
+        let is_mirror = cross(y, z)
+            .iter()
+            .zip(&first)
+            .any(|(&cofactor, &entry)| cofactor.signum() * i64::from(entry.signum()) < 0);
+        let transpose = |axis: usize| [first[axis], second[axis], third[axis]];
+        (determinant > 0).then_some(Self {
+            transform,
+            columns: [transpose(0), transpose(1), transpose(2)],
+            determinant,
+            is_mirror,
+        })
+    }
+
+    /// A direction, of any positive length.
+    fn direction(&self, direction: &[BlockFloat; 3]) -> Option<[i32; 3]> {
+        let mut mantissas = [0; 3];
+        block::normalize(&mut mantissas, direction);
+        unit(self.columns.map(|column| dot(&column, &mantissas)))
+    }
+
+    /// A point, rounded to nearest; `None` if it is out of range.
+    fn point(&self, point: &[BlockFloat; 3]) -> Option<Vec3> {
+        let (transform, mut offset) = (self.transform, *point);
+        for (number, &moved) in offset.iter_mut().zip(&transform.translation) {
+            let moved = BlockFloat::new((-moved).into(), transform.translation_exp);
+            *number = number.plus(moved);
+        }
+        let mut mantissas = [0; 3];
+        let exp = block::normalize(&mut mantissas, &offset) - transform.linear_exp;
+        let determinant = BlockFloat::new(self.determinant, 0);
+        let bits = self.columns.map(|column| {
+            let at = BlockFloat::new(dot(&column, &mantissas), exp).over(determinant);
+            block::fixed(at.value, at.exp, 16)
+        });
+        let is_inside = |&v: &i32| i32::MIN < v && v < i32::MAX;
+        bits.iter().all(is_inside).then(|| Vec3::from_bits(bits))
+    }
+}
+
+impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
+    /// The ray of a pixel in model space: the points that `mvp` projects to the pixel's center, from the near plane on.
+    /// It passes through the faces that `options` cull.
+    ///
+    /// The result is `None` if the pixel is outside the viewport, if the model's transform has no inverse, or if the
+    /// ray's origin is not within ±32,768 in model space.
+    ///
+    /// The face that it [hits](Ray::hit) is the one that is drawn at the pixel, unless the pixel's center is within
+    /// 1/200 of a pixel of the face's edge, plus twice the size on the screen of a model's smallest unit, 2⁻¹⁶; or unless
+    /// two faces have the same depth there. A ray also meets faces beyond the far plane.
+    ///
+    /// ```
+    /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
+    /// use fixel::prelude::*;
+    /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+    /// let projection = Projection::perspective(deg!(60), (32, 24), fx!(0.5), fx!(20))?;
+    /// let mvp = projection * Transform::translate(vec3!(0, 0, -5)) * Transform::rotate_y(deg!(90));
+    /// let mut pixels = [Gray8::new(0); 32 * 24];
+    /// let canvas = Canvas::new(&mut pixels, 32, 24)?;
+    ///
+    /// // The side of the box with the least x has been turned towards the viewer.
+    /// let touch = Point::new(16, 12);
+    /// let hit = canvas.ray(&DrawOptions::new(), &mvp, touch).unwrap().hit(&BOX).unwrap();
+    /// assert_eq!(hit.point.x, fx!(-1));
+    /// // A hit is a point of the model, so it can be projected back.
+    /// let at = canvas.project(&DrawOptions::new(), &mvp, hit.point).unwrap();
+    /// assert_eq!((at.x.to_num(), at.y.to_num()), (16, 12));
+    ///
+    /// let beside = canvas.ray(&DrawOptions::new(), &mvp, Point::new(2, 12)).unwrap();
+    /// assert_eq!(beside.hit(&BOX), None);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn ray<M: Copy, Z: Copy, B: Copy, V: ModelToPicture>(
+        &self,
+        options: &DrawOptions<M, Z, B>,
+        mvp: &V,
+        pixel: Point,
+    ) -> Option<Ray> {
+        let viewport = options.viewport_in(self.frame_size());
+        let [columns, rows] = viewport.pixels();
+        if !columns.contains(&pixel.x) || !rows.contains(&pixel.y) {
+            return None;
+        }
+        // The center of a pixel, from −1 to 1.
+        let at = |pixel: i32, start: i32, end: i32| {
+            let center = 2 * (pixel - start) + 1 - (end - start);
+            BlockFloat::new(center.into(), 0).over(BlockFloat::new((end - start).into(), 0))
+        };
+        let x = at(pixel.x, columns.start, columns.end);
+        let y = at(pixel.y, rows.start, rows.end).negated();
+        let [near, direction] = mvp.projection_of().sight(x, y);
+        let view = mvp.model_view_of();
+        let inverse = Inverse::of(&view)?;
+        Some(Ray {
+            origin: inverse.point(&near)?,
+            direction: Direction::from_bits(inverse.direction(&direction)?),
+            cull: match options.cull {
+                Cull::Back if inverse.is_mirror => Cull::Front,
+                Cull::Front if inverse.is_mirror => Cull::Back,
+                cull => cull,
+            },
+        })
+    }
+}

@@ -1,0 +1,259 @@
+//! Sprites: quads in eye space, which are drawn as a mesh of eight at a time.
+
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+
+use super::Drawn;
+use super::assemble;
+use super::cache::VertexCache;
+use super::call::{Call, Shared};
+use super::run::Draw;
+use super::vertex::Projector;
+use crate::math::Transform;
+use crate::mesh::{Index, Mesh, Placement, Positions, Sprites};
+use crate::num::block::{self, BlockFloat};
+use crate::num::rsqrt::unit;
+use crate::num::wide::{dot, product};
+use crate::raster::{Blitter, Cull, DepthShift, Scissor};
+use crate::view::{ModelToPicture, Projection, ProjectionKind, Viewport};
+use crate::{Scalar, Vec2, Vec3};
+
+/// How many sprites are drawn as one mesh. Their corners take half of the vertex cache.
+const BATCH: usize = 8;
+
+/// The two triangles of each quad, whose corners are at the bottom left and right, and the top left and right.
+static FACES: [[Index; 3]; 2 * BATCH] = faces();
+
+const fn faces() -> [[Index; 3]; 2 * BATCH] {
+    let mut faces = [[0; 3]; 2 * BATCH];
+    let mut quad = 0;
+    while quad < BATCH {
+        let first = 4 * quad as Index;
+        faces[2 * quad] = [first, first + 1, first + 2];
+        faces[2 * quad + 1] = [first + 2, first + 1, first + 3];
+        quad += 1;
+    }
+    faces
+}
+
+/// A sprite's corners, relative to its position in eye space, at scale 1: mantissas · 2^-exp.
+struct Shape {
+    corners: [[i32; 3]; 4],
+    exp: i32,
+}
+
+impl Shape {
+    /// The corners of sprites that a `view` transforms to eye space, where pixels have this size.
+    fn new(sprites: &Sprites<'_>, view: &Transform, pixel: [BlockFloat; 2]) -> Self {
+        /// Components of unit vectors, in units of 2^-30.
+        const ONE: i32 = 1 << 30;
+        let [mut right, mut up] = [[ONE, 0, 0], [0, ONE, 0]];
+        let turned = sprites.axis.and_then(|axis| {
+            let axis = axis.to_bits();
+            unit(view.linear.map(|row| dot(&row, &axis)))
+        });
+        if let Some(axis) = turned {
+            // The cross product of the axis and z. If they are parallel, any direction will do.
+            let [x, y, _] = axis.map(i64::from);
+            right = unit([y, -x, 0]).unwrap_or(right);
+            up = axis;
+        }
+        let [width, height] = sprites
+            .size
+            .map(|v| BlockFloat::new(v.to_bits().into(), 16));
+        let [width, height] = if sprites.is_in_pixels {
+            [width.times(pixel[0]), height.times(pixel[1])]
+        } else {
+            [width, height]
+        };
+        // From the anchor to the left, right, bottom and top, in units of 2^-20 of the width or height.
+        let [u, v] = [sprites.anchor.x, sprites.anchor.y].map(|at| i64::from(at.to_bits()));
+        let sides = [
+            (right, width, -u),
+            (right, width, (1 << 20) - u),
+            (up, height, v - (1 << 20)),
+            (up, height, v),
+        ];
+        let (mut numbers, mut mantissas) = ([BlockFloat::ZERO; 12], [0; 12]);
+        for (numbers, (direction, length, part)) in numbers.chunks_exact_mut(3).zip(sides) {
+            let length = length.times(BlockFloat::new(part, 20));
+            for (number, component) in numbers.iter_mut().zip(direction) {
+                *number = length.times(BlockFloat::new(component.into(), 30));
+            }
+        }
+        let exp = block::normalize(&mut mantissas, &numbers);
+        let [a, b, c, d, e, f, g, h, i, j, k, l] = mantissas;
+        let [left, right, bottom, top] = [[a, b, c], [d, e, f], [g, h, i], [j, k, l]];
+        // Mantissas are below 2^30.
+        let sum = |[a, b, c]: [i32; 3], [x, y, z]: [i32; 3]| [a + x, b + y, c + z];
+        Self {
+            corners: [
+                sum(left, bottom),
+                sum(right, bottom),
+                sum(left, top),
+                sum(right, top),
+            ],
+            exp,
+        }
+    }
+
+    /// The corners of a sprite of this scale, rounded to nearest; they saturate.
+    fn scaled(&self, scale: BlockFloat) -> [Vec3; 4] {
+        let (factor, exp) = scale.rounded();
+        let exp = self.exp + exp;
+        self.corners.map(|corner| {
+            Vec3::from_bits(corner.map(|m| block::fixed(product(m, factor), exp, 16)))
+        })
+    }
+}
+
+/// A point plus an offset; `None` if it may be out of range.
+fn moved(point: Vec3, offset: Vec3) -> Option<Vec3> {
+    let ([a, b, c], [x, y, z]) = (point.to_bits(), offset.to_bits());
+    // Saturated numbers are at the ends of the range, and so are sums with them or beyond.
+    let sum = |a: i32, b: i32| {
+        let is_inside = |v: i32| i32::MIN < v && v < i32::MAX;
+        a.checked_add(b)
+            .filter(|&sum| is_inside(a) && is_inside(b) && is_inside(sum))
+    };
+    Some(Vec3::from_bits([sum(a, x)?, sum(b, y)?, sum(c, z)?]))
+}
+
+/// A draw call of sprites.
+pub(super) struct Quads<'s, K> {
+    sprites: &'s Sprites<'s>,
+    /// From model to eye space.
+    view: Transform,
+    /// From eye to world space.
+    pose: Transform,
+    /// From eye space to the screen.
+    projector: Projector<'static, K>,
+    shape: Shape,
+    /// Whether the size of a sprite is proportional to its distance.
+    grows: bool,
+}
+
+impl<'s, K: ProjectionKind> Quads<'s, K> {
+    #[inline(never)]
+    pub(super) fn new(
+        sprites: &'s Sprites<'s>,
+        mvp: &impl ModelToPicture<Kind = K>,
+        viewport: &Viewport,
+    ) -> Self {
+        let (projection, view): (&Projection<K>, _) = (mvp.projection_of(), mvp.model_view_of());
+        Self {
+            shape: Shape::new(sprites, &view, projection.pixel(viewport)),
+            sprites,
+            view,
+            pose: mvp.camera_of().inverse_rigid(),
+            projector: Projector::new(
+                Positions::of_one(&Vec3::ZERO),
+                projection,
+                &Transform::IDENTITY,
+                viewport,
+            ),
+            grows: sprites.is_in_pixels && K::PERSPECTIVE,
+        }
+    }
+
+    #[inline]
+    pub(super) fn depth_shift(&self) -> DepthShift {
+        self.projector.depth_shift()
+    }
+
+    /// Draws all sprites.
+    #[inline(never)]
+    pub(super) fn draw(&self, scissor: &Scissor, blitter: &mut dyn Blitter) -> Drawn {
+        let sprites = self.sprites;
+        let mut drawn = Drawn::default();
+        let mut corners = [[Vec3::ZERO; 4]; BATCH];
+        let mut uvs = [[Vec2::default(); 4]; BATCH];
+        let mut colors = [[Rgb888::WHITE; 4]; BATCH];
+        // The corners of the last scale, because many sprites have the same.
+        let mut last = (BlockFloat::ZERO, [Vec3::ZERO; 4]);
+        for (batch, positions) in sprites.positions.chunks(BATCH).enumerate() {
+            let first = batch * BATCH;
+            let quads = corners.iter_mut().zip(&mut uvs).zip(&mut colors);
+            for (i, (&position, ((corners, uvs), colors))) in
+                positions.iter().zip(quads).enumerate()
+            {
+                let sprite = first + i;
+                *corners = self.corners(sprite, position, &mut last);
+                let [left, right, top, bottom] = sprites.frame(sprite);
+                let at = Vec2::new;
+                *uvs = [
+                    at(left, bottom),
+                    at(right, bottom),
+                    at(left, top),
+                    at(right, top),
+                ];
+                *colors = [sprites.colors.get(sprite).copied().unwrap_or(Rgb888::WHITE); 4];
+            }
+            let colors = if sprites.colors.is_empty() {
+                &[]
+            } else {
+                colors.as_flattened()
+            };
+            let faces = FACES.get(..2 * positions.len()).unwrap_or_default();
+            let mesh = Mesh::of_quads(corners.as_flattened(), faces, uvs.as_flattened(), colors);
+            let call = Call {
+                projector: self.projector.with_positions(mesh.positions()),
+                shared: Shared {
+                    mesh: &mesh,
+                    placement: Placement::new(&self.pose, Transform::IDENTITY),
+                    cull: Cull::Nothing,
+                    scissor: scissor.clone(),
+                },
+            };
+            let part = batch_of(&call, 2 * first, blitter);
+            drawn.submitted += part.submitted;
+            drawn.drawn += part.drawn;
+            drawn.clipped += part.clipped;
+            drawn.missing.uvs |= part.missing.uvs;
+            drawn.missing.colors |= part.missing.colors;
+        }
+        drawn
+    }
+
+    /// The corners of a sprite in eye space; all the same, so that it has no pixels, if one of them is out of range.
+    fn corners(
+        &self,
+        sprite: usize,
+        position: Vec3,
+        last: &mut (BlockFloat, [Vec3; 4]),
+    ) -> [Vec3; 4] {
+        let position = self.view.point(position);
+        let scale = self
+            .sprites
+            .scales
+            .get(sprite)
+            .copied()
+            .unwrap_or(Scalar::ONE);
+        let mut scale = BlockFloat::new(scale.to_bits().into(), 16);
+        if self.grows {
+            // Nothing behind the eye is visible.
+            let distance = position.z.saturating_neg().to_bits().max(0);
+            scale = BlockFloat::new(scale.value * i64::from(distance), 32);
+        }
+        if last.0 != scale {
+            *last = (scale, self.shape.scaled(scale));
+        }
+        let corner = |i: usize| moved(position, *last.1.get(i)?);
+        let all = || Some([corner(0)?, corner(1)?, corner(2)?, corner(3)?]);
+        all().unwrap_or_default()
+    }
+}
+
+/// Draws the quads of a mesh, whose first triangle has the index `first`.
+#[inline(never)]
+fn batch_of<K: ProjectionKind>(
+    call: &Call<'_, K>,
+    first: usize,
+    blitter: &mut dyn Blitter,
+) -> Drawn {
+    let mut draw = Draw::new(blitter, &call.shared);
+    let mut vertices = VertexCache::new();
+    for (face, indices) in call.shared.mesh.faces().iter().enumerate() {
+        assemble::triangle(call, &mut vertices, (first + face, indices), &mut draw);
+    }
+    draw.drawn()
+}

@@ -1,0 +1,205 @@
+//! Points of a size.
+
+use super::{Patch, Rasterizer, ScreenVertex};
+use crate::{Error, Scalar};
+
+/// The size and the shape of points, for [`Canvas::draw_sized_points`](crate::Canvas::draw_sized_points).
+///
+/// A pixel belongs to a point if its center lies within the square or disc around the point's exact position on the
+/// screen, in units of 1/256 pixel. Of a square's borders, the lower and the right one belong to it. So a square of n
+/// pixels always covers n times n of them, squares at distances of their size adjoin without overlaps, and one of size 1
+/// is the pixel that [`draw_points`](crate::Canvas::draw_points) draws. Of a disc, the border belongs to it, and so does
+/// the pixel that contains the point, even if its center lies outside.
+///
+/// Points are drawn with at least 1 and at most 255 pixels.
+///
+/// ```
+/// use fixel::prelude::*;
+/// let star = PointStyle::square(fx!(2))?; // pixels
+/// let ball = PointStyle::round(fx!(0.25))?.attenuated(); // units of world space
+/// assert!(PointStyle::round(fx!(0)).is_err());
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct PointStyle {
+    size: Scalar,
+    is_round: bool,
+    is_attenuated: bool,
+}
+
+impl PointStyle {
+    /// Upright squares with sides of `size` pixels, rounded to the nearest 1/128.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Extent`] unless `size` is above 0.
+    pub const fn square(size: Scalar) -> Result<Self, Error> {
+        if size.to_bits() <= 0 {
+            return Err(Error::Extent {
+                of: "point size",
+                given: size,
+                max: Scalar::MAX,
+            });
+        }
+        Ok(Self {
+            size,
+            is_round: false,
+            is_attenuated: false,
+        })
+    }
+
+    /// Discs with a diameter of `size` pixels, rounded to the nearest 1/128.
+    ///
+    /// # Errors
+    ///
+    /// As for [`square`](Self::square).
+    pub const fn round(size: Scalar) -> Result<Self, Error> {
+        match Self::square(size) {
+            Ok(square) => Ok(Self {
+                is_round: true,
+                ..square
+            }),
+            error => error,
+        }
+    }
+
+    /// The same with a size in units of world space, which the projection makes smaller with the distance.
+    ///
+    /// The vertical scale of the projection counts. A scale in the model's transform has no influence.
+    #[must_use]
+    pub const fn attenuated(self) -> Self {
+        Self {
+            is_attenuated: true,
+            ..self
+        }
+    }
+
+    /// The side of the square or the diameter of the disc.
+    #[must_use]
+    pub const fn size(self) -> Scalar {
+        self.size
+    }
+
+    /// Whether points are discs.
+    #[must_use]
+    pub const fn is_round(self) -> bool {
+        self.is_round
+    }
+
+    /// Whether the size is in units of world space.
+    #[must_use]
+    pub const fn is_attenuated(self) -> bool {
+        self.is_attenuated
+    }
+}
+
+/// The sizes that are drawn, halved, in units of 1/256 pixel. The square of the largest fits into 31 bits.
+const HALF: [i64; 2] = [128, 255 * 128];
+
+/// The first pixel whose center is beyond a coordinate in units of 1/256 pixel.
+const fn beyond(at: i32) -> i32 {
+    (at + 128) >> 8
+}
+
+/// Draws the square or disc around a point; `half` is half its size in units of 1/256 pixel.
+pub(crate) fn sized_point(
+    raster: &mut Rasterizer<'_>,
+    at: &ScreenVertex,
+    half: i64,
+    is_round: bool,
+) {
+    let [least, most] = HALF;
+    let half = half.clamp(least, most) as i32;
+    let scissor = raster.scissor;
+    let [x, y] = at.screen;
+    let rows = beyond(y - half).max(scissor.rows.start)..beyond(y + half).min(scissor.rows.end);
+    if rows.is_empty() {
+        return;
+    }
+    // All three values are the point's, so any triangle will do.
+    let [left, top] = at.screen.map(|position| position & !255);
+    let [a, b, c] = [[left, top], [left + 256, top], [left, top + 1]]
+        .map(|screen| ScreenVertex { screen, ..*at });
+    raster.blitter.set_up(&Patch {
+        vertices: [&a, &b, &c],
+        barycentric: None,
+        size: [256, 1],
+        area: 256,
+    });
+    for row in rows {
+        let columns = if is_round {
+            let away = (row << 8) + 128 - y;
+            let reach = (half * half - away * away)
+                .cast_unsigned()
+                .isqrt()
+                .cast_signed();
+            // A center at a distance of exactly `reach` belongs to the disc, on either side.
+            let columns = beyond(x - reach - 1)..beyond(x + reach);
+            if row == y >> 8 {
+                columns.start.min(x >> 8)..columns.end.max((x >> 8) + 1)
+            } else {
+                columns
+            }
+        } else {
+            beyond(x - half)..beyond(x + half)
+        };
+        let columns =
+            columns.start.max(scissor.columns.start)..columns.end.min(scissor.columns.end);
+        if !columns.is_empty() {
+            raster.span(row, &columns);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::picture::{Picture, vertex};
+    use super::*;
+
+    /// Draws a point of a size in quarters of a pixel.
+    fn draw(picture: &mut Picture, place: [i32; 2], size: i64, is_round: bool) {
+        let scissor = picture.scissor();
+        let at = vertex(place.map(|at| at * 64));
+        sized_point(
+            &mut Rasterizer::new(picture, &scissor),
+            &at,
+            size * 32,
+            is_round,
+        );
+    }
+
+    #[test]
+    fn squares_adjoin_without_overlaps() {
+        let mut picture = Picture::new(9, 6);
+        for (ink, place) in ('a'..).zip([[1, 3], [13, 3], [25, 3], [1, 15], [13, 15], [25, 15]]) {
+            picture.ink = ink;
+            draw(&mut picture, place, 12, false);
+        }
+        picture.assert(&[
+            "aabbbccc.",
+            "aabbbccc.",
+            "ddeeefff.",
+            "ddeeefff.",
+            "ddeeefff.",
+            ".........",
+        ]);
+    }
+
+    #[test]
+    fn discs_are_symmetric_and_never_empty() {
+        let mut picture = Picture::new(18, 8);
+        draw(&mut picture, [16, 16], 28, true);
+        draw(&mut picture, [46, 14], 12, true);
+        draw(&mut picture, [60, 24], 4, true);
+        picture.assert(&[
+            "..................",
+            "..####............",
+            ".######...###.....",
+            ".######...###.....",
+            ".######...###.....",
+            ".######...........",
+            "..####.........#..",
+            "..................",
+        ]);
+    }
+}

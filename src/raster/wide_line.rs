@@ -1,0 +1,142 @@
+//! Lines of a width.
+
+use super::edge::Edge;
+use super::line::Course;
+use super::{ClippedVertex, Rasterizer};
+use crate::{Error, Scalar};
+
+/// The width of lines, in pixels, for [`Canvas::draw_wide_edges`](crate::Canvas::draw_wide_edges).
+///
+/// For each pixel center that a line passes along its longer axis, it gets a run of pixels across that axis: those whose
+/// centers are within half the width of the line there. A center exactly on the upper or left end of the run does not
+/// belong to it, a center on the lower or right end does. So a line of width 1 has the pixels of
+/// [`draw_edges`](crate::Canvas::draw_edges), and a line of width n has n pixels in each run.
+///
+/// ```text
+///  run        #   #   #            As in OpenGL, the width counts across the longer axis.
+///     #   #   #   #   #   ●        A diagonal line is narrower by √½, and its ends are cut
+///  ●  #   #   #   #   #            along the axes.
+///     #   #   #
+/// ```
+///
+/// ```
+/// use fixel::prelude::*;
+/// assert_eq!(LineWidth::new(fx!(2.5))?.pixels(), fx!(2.5));
+/// assert!(LineWidth::new(fx!(0.5)).is_err());
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct LineWidth {
+    /// Half the width, in units of 1/256 pixel.
+    pub(crate) half: i32,
+}
+
+impl LineWidth {
+    /// The greatest width, in pixels.
+    pub const MAX: Scalar = crate::fx!(64);
+
+    /// A width in pixels, rounded to the nearest 1/128.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::LineWidth`] unless it lies between 1 and [`MAX`](Self::MAX).
+    pub const fn new(pixels: Scalar) -> Result<Self, Error> {
+        let bits = pixels.to_bits();
+        if bits < 1 << 16 || bits > Self::MAX.to_bits() {
+            return Err(Error::LineWidth {
+                width: pixels,
+                max: Self::MAX,
+            });
+        }
+        Ok(Self {
+            half: (bits + (1 << 8)) >> 9,
+        })
+    }
+
+    /// The width in pixels.
+    #[must_use]
+    pub const fn pixels(self) -> Scalar {
+        Scalar::from_bits(self.half << 9)
+    }
+}
+
+/// Draws a line of a width.
+pub(crate) fn wide_line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2], width: LineWidth) {
+    let Some(Course {
+        steep,
+        start: [start, minor],
+        end: [end, minor_end],
+        steps,
+        across,
+    }) = Course::new(raster, ends)
+    else {
+        return;
+    };
+    // Two lines beside this one, each as `line` draws it: the pixels of a run begin after those of the one, and end with
+    // those of the other.
+    let beside = |by: i32| {
+        Edge::new(
+            [128 - minor - by, start],
+            [128 - minor_end - by, end],
+            steps.start,
+        )
+    };
+    let (mut before, mut last) = (beside(-width.half - 128), beside(width.half - 128));
+    let mut next = move || {
+        let [first, end] = [1 - before.next(), 1 - last.next()];
+        first.max(across.start)..end.min(across.end)
+    };
+    if steep {
+        for row in steps {
+            let columns = next();
+            if !columns.is_empty() {
+                raster.span(row, &columns);
+            }
+        }
+        return;
+    }
+    // Equal runs side by side are drawn as a block, which starts at `first`.
+    let mut first = steps.start;
+    let mut rows = next();
+    for column in steps.clone() {
+        let following = next();
+        if following != rows || column + 1 == steps.end {
+            for row in rows {
+                raster.span(row, &(first..column + 1));
+            }
+            (first, rows) = (column + 1, following);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::picture::{Picture, clipped};
+    use super::*;
+    use crate::fx;
+
+    /// Draws a line between two places in quarters of a pixel.
+    fn draw(picture: &mut Picture, width: Scalar, ends: [[i32; 2]; 2]) {
+        let [from, to] = ends.map(|end| clipped(end.map(|at| at * 64)));
+        let scissor = picture.scissor();
+        let width = LineWidth::new(width).unwrap();
+        wide_line(&mut Rasterizer::new(picture, &scissor), [&from, &to], width);
+    }
+
+    #[test]
+    fn runs_are_across_the_longer_axis() {
+        let mut picture = Picture::new(13, 8);
+        draw(&mut picture, fx!(3), [[2, 8], [26, 20]]);
+        draw(&mut picture, fx!(4), [[42, 30], [36, 2]]);
+        picture.assert(&[
+            ".......####..",
+            "##.....####..",
+            "####...####..",
+            "######..####.",
+            "..####..####.",
+            "....##..####.",
+            "........####.",
+            ".............",
+        ]);
+    }
+}

@@ -1,0 +1,84 @@
+//! The colors of a mesh's materials.
+
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+
+use super::{Converted, Fragment, PerFace, Shader};
+use crate::mesh::{Part, Primitive};
+
+/// The color of each [`Part`] of a mesh; made by [`rgb`](Self::rgb).
+///
+/// Faces in no part are white.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct PartColors<'a> {
+    parts: &'a [Part<'a>],
+}
+
+impl<'a> PartColors<'a> {
+    /// A shader of the parts' colors, for a canvas of color `C`. Parts must be in the order of their faces, as
+    /// [`include_mtl!`](crate::include_mtl) makes them. A triangle finds its part by binary search.
+    ///
+    /// Light dims a color first; then it is rounded, or dithered if `C` is coarse.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+    /// use fixel::mesh::Part;
+    /// use fixel::prelude::*;
+    /// use fixel::shade::PartColors;
+    /// let parts = [Part::new(0..10, Rgb888::RED), Part::new(10..12, Rgb888::BLUE)];
+    /// let sun = Light::new(vec3!(1, 2, 3), fx!(0.2), fx!(0.8))?;
+    /// let shader = PartColors::rgb::<Rgb565>(&parts).lit_faces(sun);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub const fn rgb<C>(parts: &'a [Part<'a>]) -> Converted<Self, C> {
+        Converted::new(Self { parts })
+    }
+
+    /// The color of a face.
+    fn color(&self, face: usize) -> Rgb888 {
+        // The last part that does not start after the face.
+        let after = self
+            .parts
+            .partition_point(|part| part.faces().start <= face);
+        match after.checked_sub(1).and_then(|last| self.parts.get(last)) {
+            Some(part) if face < part.faces().end => part.color(),
+            _ => Rgb888::WHITE,
+        }
+    }
+}
+
+impl Shader for PartColors<'_> {
+    type Color = Rgb888;
+    type Varyings = PerFace<Rgb888>;
+
+    const READS_DEPTH: bool = false;
+
+    #[inline]
+    fn varyings(&self, primitive: &Primitive<'_>) -> [PerFace<Rgb888>; 3] {
+        [PerFace(self.color(primitive.index())); 3]
+    }
+
+    #[inline]
+    fn shade(&self, _: &Fragment, PerFace(color): PerFace<Rgb888>) -> Option<Rgb888> {
+        Some(color)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn faces_have_the_color_of_their_part() {
+        let colors = |parts: &[Part<'_>]| {
+            let shader = PartColors { parts };
+            [0, 1, 2, 3, 4, usize::MAX].map(|face| shader.color(face))
+        };
+        let (red, blue, white) = (Rgb888::RED, Rgb888::BLUE, Rgb888::WHITE);
+        let parts = [Part::new(1..2, red), Part::new(2..4, blue)];
+        assert_eq!(colors(&parts), [white, red, blue, blue, white, white]);
+        assert_eq!(colors(&[]), [white; 6]);
+        // A list in the wrong order is no reason to panic.
+        let _ = colors(&[parts[1], parts[0]]);
+    }
+}

@@ -1,0 +1,127 @@
+//! Labels: text and shapes at a place and a depth of the picture.
+
+use core::convert::Infallible;
+use core::ops::Range;
+
+use embedded_graphics::Pixel;
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{Dimensions, Point};
+use embedded_graphics::pixelcolor::PixelColor;
+use embedded_graphics::primitives::Rectangle;
+
+use super::canvas::Canvas;
+use super::depth::DepthBuffer;
+use super::draw_target::skip;
+use super::storage::Storage;
+
+/// A canvas as an embedded-graphics [`DrawTarget`] whose origin is a point of the scene, and in which the scene hides
+/// what is behind it; [`Canvas::label`] makes it.
+///
+/// Everything that is drawn to it has the point's depth, so it stands upright in the picture as a sheet of paper would.
+/// A pixel is drawn if it is at least as near as the stored depth, which is kept. On a canvas without a depth
+/// buffer, every pixel is drawn.
+///
+/// Drawing cannot fail. Any point and any rectangle is allowed. `clear` fills all that the scene does not hide.
+#[derive(Debug)]
+pub struct Label<'c, T> {
+    canvas: &'c mut T,
+    origin: Point,
+    depth: u16,
+}
+
+impl<'c, T> Label<'c, T> {
+    pub(crate) const fn new(canvas: &'c mut T, origin: Point, depth: u16) -> Self {
+        Self {
+            canvas,
+            origin,
+            depth,
+        }
+    }
+}
+
+impl<C, O: Storage<C>, D: DepthBuffer> Label<'_, Canvas<'_, C, O, D>> {
+    /// A point of the label in the frame; saturates.
+    const fn in_frame(&self, point: Point) -> Point {
+        Point::new(
+            point.x.saturating_add(self.origin.x),
+            point.y.saturating_add(self.origin.y),
+        )
+    }
+
+    /// Draws the pixels of `columns` of `row` that are not hidden.
+    fn draw_row(&mut self, row: u32, columns: &Range<u32>, colors: impl Iterator<Item = C>) {
+        let depth = u32::from(self.depth);
+        let Some(mut cells) = self.canvas.run(row, columns.clone()) else {
+            return;
+        };
+        let count = cells.len();
+        // The colors come second, so that `zip` does not consume one more than there are cells.
+        for ((cell, stored), color) in cells.first(count).zip(colors) {
+            if D::passes(&stored, depth) {
+                *cell = O::store(color);
+            }
+        }
+    }
+}
+
+impl<C, O: Storage<C>, D> Dimensions for Label<'_, Canvas<'_, C, O, D>> {
+    /// The part of the frame that is in memory, as seen from the label's origin.
+    fn bounding_box(&self) -> Rectangle {
+        let Rectangle { top_left, size } = self.canvas.bounding_box();
+        let Point { x, y } = self.origin;
+        Rectangle::new(
+            Point::new(top_left.x.saturating_sub(x), top_left.y.saturating_sub(y)),
+            size,
+        )
+    }
+}
+
+impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Label<'_, Canvas<'_, C, O, D>> {
+    type Color = C;
+    type Error = Infallible;
+
+    fn draw_iter<I>(&mut self, pixels: I) -> Result<(), Infallible>
+    where
+        I: IntoIterator<Item = Pixel<C>>,
+    {
+        let area = self.canvas.bounding_box();
+        for Pixel(point, color) in pixels {
+            let point = self.in_frame(point);
+            if area.contains(point) {
+                // The area has no negative coordinates.
+                let (x, y) = (point.x.cast_unsigned(), point.y.cast_unsigned());
+                self.draw_row(y, &(x..x + 1), core::iter::once(color));
+            }
+        }
+        Ok(())
+    }
+
+    fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible>
+    where
+        I: IntoIterator<Item = C>,
+    {
+        let area = Rectangle::new(self.in_frame(area.top_left), area.size);
+        let Some(inside) = self.canvas.inside(&area) else {
+            return Ok(());
+        };
+        let mut colors = colors.into_iter();
+        let margins = inside.margins(&area);
+        skip(&mut colors, margins.above);
+        for y in inside.rows {
+            skip(&mut colors, margins.left);
+            self.draw_row(y, &inside.columns, &mut colors);
+            skip(&mut colors, margins.right);
+        }
+        Ok(())
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
+        let area = Rectangle::new(self.in_frame(area.top_left), area.size);
+        if let Some(inside) = self.canvas.inside(&area) {
+            for y in inside.rows {
+                self.draw_row(y, &inside.columns, core::iter::repeat(color));
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,128 @@
+//! Normals computed at run time, compared with the model.
+
+use fixel::prelude::*;
+use proptest::prelude::*;
+
+use crate::bumpy::bumpy;
+use crate::reference::normals::{angle, around, of_triangle};
+
+/// By how much an angle may differ, relative to itself: 2⁻¹³, as documented, of which most is not used.
+const WEIGHT: f64 = 1. / 8192.;
+/// Rounding of a vector of length one to units of 2⁻¹⁶: half a unit along each axis.
+const ROUNDING: f64 = 0.87 / 65_536.;
+/// Sums have 22 fraction bits, of which up to half a unit is lost by each of up to 64 triangles along each axis.
+const SUM: f64 = 64. * 0.87 / 4_194_304.;
+
+fn real(v: Vec3) -> [f64; 3] {
+    v.to_bits().map(|x| f64::from(x) / 65_536.)
+}
+
+/// How far a normal is from the model's sum of normals with these weights, as a part of the error allowed.
+fn error(normal: Vec3, (sum, weights): ([f64; 3], f64)) -> f64 {
+    let length = sum.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let allowed = (weights * WEIGHT + SUM) / length + ROUNDING;
+    let off = angle(real(normal), sum);
+    // A sum that the errors can turn anywhere has any direction.
+    if allowed > 0.5 { 0. } else { off / allowed }
+}
+
+fn model(positions: &[Vec3], faces: &[[u16; 3]]) -> (Vec<[f64; 3]>, Vec<[usize; 3]>) {
+    let faces = faces.iter().map(|face| face.map(usize::from)).collect();
+    (positions.iter().copied().map(real).collect(), faces)
+}
+
+#[test]
+fn smooth_normals_of_a_bumpy_surface() {
+    let shape = bumpy();
+    let positions: Vec<Vec3> = shape
+        .positions
+        .iter()
+        .map(|&p| Vec3::try_from(p).unwrap())
+        .collect();
+    let faces: Vec<[u16; 3]> = shape
+        .faces
+        .iter()
+        .map(|f| f.map(|i| u16::try_from(i).unwrap()))
+        .collect();
+    let mut normals = vec![Vec3::ZERO; positions.len()];
+    let mesh = Mesh::new(&positions, &faces)
+        .unwrap()
+        .with_smooth_normals(&mut normals)
+        .unwrap();
+    assert!(mesh.has_normals());
+    let (points, corners) = model(&positions, &faces);
+    let mut worst = 0_f64;
+    // Every third position: a normal of the model looks at all triangles.
+    for at in (0..positions.len()).step_by(3) {
+        let expected = around(at, &points, &corners, |_| true);
+        if expected.1 > 0. {
+            worst = worst.max(error(normals[at], expected));
+        }
+    }
+    println!("smooth normals: {worst:.3} of the error allowed");
+    assert!(worst <= 1.);
+}
+
+/// Positions of a grid with hills, and some triangles of no area; small or large.
+fn hills() -> impl Strategy<Value = Vec<Vec3>> {
+    (prop::collection::vec(any::<[i32; 3]>(), 25), 1..31_u32).prop_map(|(jitter, size)| {
+        let cell = 1_i64 << size.saturating_sub(2);
+        let place = |at: usize| (i64::try_from(at).unwrap() - 2) * cell;
+        jitter
+            .into_iter()
+            .enumerate()
+            .map(|(at, [x, y, z])| {
+                let some = |bits: i32| i64::from(bits) >> (34 - size.min(33));
+                let point = [place(at % 5) + some(x), some(y), place(at / 5) + some(z)];
+                Vec3::from_bits(
+                    point
+                        .map(|x| i32::try_from(x.clamp(i32::MIN.into(), i32::MAX.into())).unwrap()),
+                )
+            })
+            .collect()
+    })
+}
+
+fn grid() -> Vec<[u16; 3]> {
+    let quads = (0..16_u16).map(|quad| quad % 4 + quad / 4 * 5);
+    quads
+        .flat_map(|at| [[at, at + 5, at + 6], [at, at + 6, at + 1]])
+        .collect()
+}
+
+proptest! {
+    #[test]
+    fn of_hills_of_every_size(positions in hills(), crease in 0..=180_u32) {
+        let faces = grid();
+        let (points, corners) = model(&positions, &faces);
+        let (mut smooth, mut creased) = ([Vec3::ZERO; 25], [Vec3::ZERO; 96]);
+        let mesh = Mesh::new(&positions, &faces).unwrap();
+        mesh.with_smooth_normals(&mut smooth).unwrap();
+        for (at, &normal) in smooth.iter().enumerate() {
+            let expected = around(at, &points, &corners, |_| true);
+            if expected.1 > 0. {
+                let error = error(normal, expected);
+                prop_assert!(error <= 1., "{at}: {error} of the error allowed");
+            }
+        }
+
+        let mut indices = [[0; 3]; 32];
+        let limit = f64::from(crease).to_radians();
+        mesh.with_creased_normals(Angle::from_degrees(crease.cast_signed()), &mut creased, &mut indices).unwrap();
+        for (face, indices) in corners.iter().zip(indices) {
+            let own = of_triangle(face.map(|i| points[i]));
+            for (&at, index) in face.iter().zip(indices) {
+                let near = |normal| angle(own, normal) - limit;
+                // Cosines have an error of 2⁻²⁷ or less, so an angle near 0 or 180 degrees is uncertain by up to its root.
+                let around = |slack: f64| around(at, &points, &corners, |n| near(n) <= slack);
+                let expected = around(2e-4);
+                if own[0].is_nan() {
+                    prop_assert_eq!(index, Mesh::NO_VALUE);
+                } else if expected == around(-2e-4) {
+                    let error = error(creased[usize::from(index)], expected);
+                    prop_assert!(error <= 1., "{at}: {error} of the error allowed");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,346 @@
+//! Outlines: which edges are creases and which are drawn, against the model; no gaps around a mesh.
+
+use std::collections::HashMap;
+
+use crate::common::recorder::{Probe, record};
+use crate::common::{BOTH_SIDES, Counter};
+use crate::reference::clip::{ClipVertex, DEPTH_PLANES, polygon};
+use crate::reference::coverage::area2_f64;
+use crate::reference::linear::Vec3 as Vector;
+use crate::reference::outline::{Edge, edges, is_drawn};
+use crate::reference::{projection, view};
+use embedded_graphics::pixelcolor::Gray8;
+use fixel::prelude::*;
+use fixel::view::{Perspective, ProjectionKind};
+use proptest::prelude::*;
+
+static BOX: Mesh = shape!(cuboid(vec3!(1, 0.7, 0.4)));
+static BALL: Mesh = shape!(sphere(12, 9));
+static SMALL_BALL: Mesh = shape!(sphere(9, 6), short);
+static CAN: Mesh = shape!(cylinder(7));
+static RING: Mesh = shape!(torus(fx!(0.4), 14, 9));
+static GROUND: Mesh = shape!(plane(3, 2));
+static HOUSE: Mesh = include_obj!("../models/house.obj");
+static ISLAND: Mesh = include_obj!("../../examples/assets/lighthouse.obj");
+
+const SIZE: (u32, u32) = (72, 64);
+
+/// By number, because a failed test prints its input.
+const MESHES: [&Mesh; 8] = [
+    &BOX,
+    &BALL,
+    &SMALL_BALL,
+    &CAN,
+    &RING,
+    &GROUND,
+    &HOUSE,
+    &ISLAND,
+];
+
+fn float(place: Vec3) -> Vector {
+    place.to_bits().map(|bits| f64::from(bits) / 65536.)
+}
+
+fn triangles(mesh: &Mesh) -> Vec<[Vector; 3]> {
+    let place = |index: u16| float(mesh.positions().get(index.into()).unwrap());
+    mesh.faces().iter().map(|face| face.map(place)).collect()
+}
+
+/// An edge by its ends, whichever comes first.
+fn key(ends: [Vector; 2]) -> [[u64; 3]; 2] {
+    let mut ends = ends.map(|end| end.map(|x| (x + 0.).to_bits()));
+    ends.sort_unstable();
+    ends
+}
+
+/// Room for the sides of a mesh.
+fn room(mesh: &Mesh) -> Vec<[u16; 4]> {
+    vec![[0; 4]; 3 * mesh.faces().len()]
+}
+
+/// Compares the edges of an outline, their creases and their faces with the model's.
+fn check_edges(mesh: &Mesh, degrees: f64) {
+    let mut room = room(mesh);
+    let limit = Angle::try_from_degrees(degrees).unwrap();
+    let outline = Outline::build(mesh, limit, &mut room).unwrap();
+    let place = |index: u16| float(mesh.positions().get(index.into()).unwrap());
+    // By their ends: whether they are creases, and the third corners of their faces.
+    let mut found: HashMap<_, Vec<(bool, Vec<Vector>)>> = HashMap::new();
+    for (i, &[a, b, c, d]) in outline.edges().iter().enumerate() {
+        let thirds = if d == a {
+            vec![place(c)]
+        } else {
+            vec![place(c), place(d)]
+        };
+        let edge = (i < outline.creases(), thirds);
+        found
+            .entry(key([place(a), place(b)]))
+            .or_default()
+            .push(edge);
+    }
+    // Normals are scaled to 20 bits, so the angle between two has an error of at most 4 · 2^-19.
+    let error = 4. / 524_288.;
+    let triangles = triangles(mesh);
+    for Edge { ends, faces, angle } in edges(&triangles) {
+        let candidates = found.get_mut(&key(ends));
+        let thirds = |face: usize| {
+            triangles[face]
+                .iter()
+                .copied()
+                .find(|place| !ends.contains(place))
+                .unwrap()
+        };
+        let thirds: Vec<Vector> = faces.iter().map(|&face| thirds(face)).collect();
+        let at = candidates.as_ref().and_then(|all| {
+            all.iter().position(|(_, found)| {
+                found.len() == thirds.len() && thirds.iter().all(|third| found.contains(third))
+            })
+        });
+        let crease = at.map(|at| candidates.unwrap().remove(at).0);
+        let flat = 1. / 1024.;
+        match angle {
+            None => assert_eq!(crease, Some(false), "a border is no crease"),
+            Some(angle) if angle < flat - error => {
+                assert_eq!(crease, Some(false), "{angle} is flat");
+            }
+            Some(angle) if angle > flat + error => {
+                let crease = crease.expect("an edge is missing");
+                let limit = degrees.to_radians();
+                if (angle - limit).abs() > error {
+                    assert_eq!(crease, angle > limit, "{angle} and {limit}");
+                }
+            }
+            Some(_) => {}
+        }
+    }
+    assert!(
+        found.values().all(Vec::is_empty),
+        "edges that the model does not have"
+    );
+}
+
+#[test]
+fn edges_and_creases_are_the_models() {
+    for mesh in MESHES {
+        for degrees in [0., 1., 20., 30., 59.9, 90., 90.1, 180.] {
+            check_edges(mesh, degrees);
+        }
+    }
+}
+
+#[test]
+fn outlines_at_compile_time_are_those_at_run_time() {
+    static OUTLINE: Outline = outline!(ISLAND, deg!(35));
+    let mut room = room(&ISLAND);
+    assert_eq!(Ok(OUTLINE), Outline::build(&ISLAND, deg!(35), &mut room));
+    let error = Outline::build(&ISLAND, deg!(35), &mut room[1..]).unwrap_err();
+    assert!(matches!(
+        error,
+        Error::TooMany {
+            given: 3432,
+            max: 3431,
+            ..
+        }
+    ));
+    let error = Outline::build(&BOX, Angle::from_bits((1 << 31) + 1), &mut room).unwrap_err();
+    assert!(matches!(error, Error::CreaseAngle { .. }));
+    assert!(Outline::new(&BOX, &[[0, 1, 2, 24]], 0).is_err());
+    assert!(Outline::new(&BOX, &[[0, 1, 2, 23]], 2).is_err());
+}
+
+/// Positions anywhere, as far as they go, and faces between any of them, many of them twice or without area.
+fn soup() -> impl Strategy<Value = (Vec<Vec3>, Vec<[u16; 3]>)> {
+    let far = [i32::MIN, i32::MIN + 1, -1, 0, 1, i32::MAX - 1, i32::MAX];
+    let number = prop_oneof![-3..3i32, prop::sample::select(far.to_vec()), any::<i32>()];
+    let place = [number.clone(), number.clone(), number].prop_map(Vec3::from_bits);
+    let faces = prop::collection::vec([0..6u16, 0..6u16, 0..6u16], 0..40);
+    (prop::collection::vec(place, 6), faces)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(512))]
+
+    /// Whatever the mesh: nothing panics, and the sides of the outline's faces are sides of the mesh.
+    #[test]
+    fn any_mesh_has_an_outline((positions, faces) in soup(), limit in 0..=1u32 << 31) {
+        let mesh = Mesh::new(&positions, &faces).unwrap();
+        let mut room = room(&mesh);
+        let outline = Outline::build(&mesh, Angle::from_bits(limit), &mut room).unwrap();
+        let has = |corners: [u16; 3]| {
+            let places = corners.map(|index| positions[usize::from(index)]);
+            faces.iter().any(|face| {
+                let face = face.map(|index| positions[usize::from(index)]);
+                (0..3).any(|first| [0, 1, 2].map(|i| face[(first + i) % 3]) == places)
+            })
+        };
+        for &[a, b, c, d] in outline.edges() {
+            prop_assert!(has([a, b, c]));
+            prop_assert!(d == a || has([b, a, d]));
+        }
+    }
+}
+
+/// The ends of the edges that an outline draws, and how many pixels these have.
+fn drawn<K: ProjectionKind>(
+    options: &DrawOptions,
+    mesh: &Mesh,
+    outline: &Outline,
+    mvp: &Mvp<K>,
+) -> Vec<[Vector; 2]> {
+    let mut colors = vec![Gray8::new(0); (SIZE.0 * SIZE.1) as usize];
+    let mut canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
+    let probe = Probe {
+        values: &|corner: &Corner<'_>| corner.position().to_bits(),
+        color: Some(Gray8::new(1)),
+    };
+    let mut result = fixel::Drawn::default();
+    let record = record::<_, 3>(probe, |recorder| {
+        result = canvas.draw_outline(options, mesh, outline, mvp, recorder);
+    });
+    assert_eq!(result.submitted as usize, outline.edges().len());
+    assert_eq!(result.drawn as usize, record.corners.len());
+    let place = |bits: [i32; 3]| bits.map(|x| f64::from(x) / 65536.);
+    record
+        .corners
+        .iter()
+        .map(|(_, [a, b, _])| [place(*a), place(*b)])
+        .collect()
+}
+
+/// Which side a face shows, from its plane; `None` if rounding may turn it over or hide it.
+fn side(triangle: [Vector; 3], view: &view::View) -> Option<i32> {
+    let corners = triangle.map(|place| ClipVertex {
+        position: view.clip(place),
+        attributes: [],
+        source: None,
+    });
+    // Beyond the near and far planes and far beyond the sides, nothing is left of a face.
+    let guard = [
+        [1., 0., 0., 56.],
+        [-1., 0., 0., 56.],
+        [0., 1., 0., 64.],
+        [0., -1., 0., 64.],
+    ];
+    let planes: Vec<_> = DEPTH_PLANES.into_iter().chain(guard).collect();
+    let corners = polygon(&corners, &planes);
+    let Some((first, rest)) = corners.split_first() else {
+        return Some(0);
+    };
+    let place = |corner: &ClipVertex<0>| view.place(corner.position).screen;
+    let areas = rest
+        .windows(2)
+        .map(|side| area2_f64(&[place(first), place(&side[0]), place(&side[1])]));
+    let area: f64 = areas.sum();
+    let size = corners
+        .iter()
+        .flat_map(|corner| place(corner).map(f64::abs))
+        .fold(64., f64::max);
+    // Each corner moves by up to 1/256 pixel along each axis, and there are at most nine.
+    if area.abs() < 9. * 2. * size / 256. {
+        return None;
+    }
+    Some(if area > 0. { -1 } else { 1 })
+}
+
+fn pose([x, y, z]: [u32; 3], distance: Scalar) -> Transform {
+    Transform::translate(Vec3::new(fx!(0), fx!(0), -distance))
+        * Transform::rotate_x(Angle::from_bits(x))
+        * Transform::rotate_y(Angle::from_bits(y))
+        * Transform::rotate_z(Angle::from_bits(z))
+}
+
+const NEAR: f64 = 0.5;
+const FAR: f64 = 4.;
+const FOCAL: f64 = 60.;
+
+fn lens(far: Scalar) -> Projection<Perspective> {
+    Projection::from_focal_length(fx!(60), SIZE, fx!(0.5), far).unwrap()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    /// The edges that are drawn are the model's, also of faces that the near or the far plane cuts. Where all corners of
+    /// both faces are within the guard band, the model decides from the snapped corners, and so exactly; else from the
+    /// faces' planes, where these are sure.
+    #[test]
+    fn drawn_edges_are_the_models(
+        mesh in 0..6_usize,
+        turn: [u32; 3], distance in 0.3..5., degrees in 0..180i32,
+        cull in prop::sample::select(vec![Cull::Nothing, Cull::Back, Cull::Front]),
+    ) {
+        let (mesh, distance, limit): (_, f64, _) = (MESHES[mesh], distance, Angle::from_degrees(degrees));
+        let mut room = room(mesh);
+        let outline = Outline::build(mesh, limit, &mut room).unwrap();
+        let pose = pose(turn, Scalar::from_num(distance));
+        let mvp = lens(fx!(4)) * pose;
+        let options = DrawOptions::new().with_cull(cull);
+        let drawn = drawn(&options, mesh, &outline, &mvp);
+        let view = view::View {
+            eye: pose.to_matrix().rows().map(|row| row.map(|x| f64::from(x.to_bits()) / 65536.)),
+            projection: projection::focal(FOCAL, SIZE, NEAR, FAR),
+            viewport: view::Viewport::new(SIZE.0, SIZE.1),
+        };
+        let culled: &[i32] = match cull {
+            Cull::Nothing => &[],
+            Cull::Back => &[-1],
+            Cull::Front => &[1],
+        };
+        let mut counter = Counter::new(SIZE);
+        let mut drawn = drawn.into_iter();
+        let mut next = drawn.next();
+        let mut checked = 0;
+        for (i, &[a, b, c, d]) in outline.edges().iter().enumerate() {
+            let place = |index: u16| mesh.positions().get(index.into()).unwrap();
+            let is_next = next == Some([float(place(a)), float(place(b))]);
+            if is_next {
+                next = drawn.next();
+            }
+            let mut side_of = |face: [u16; 3]| {
+                let snapped: Option<Vec<_>> = face.iter().map(|&index| counter.snapped(&mvp, place(index))).collect();
+                if let Some(s) = snapped {
+                    let [b, c] = [1, 2].map(|to| [0, 1].map(|axis| i64::from(s[to][axis] - s[0][axis])));
+                    return Some(-((b[0] * c[1] - b[1] * c[0]).signum() as i32));
+                }
+                side(face.map(|index| float(place(index))), &view)
+            };
+            let (left, right) = (side_of([a, b, c]), if d == a { Some(0) } else { side_of([b, a, d]) });
+            let (Some(left), Some(right)) = (left, right) else { continue };
+            let expected = is_drawn([left, right], i < outline.creases(), culled);
+            // An edge of which no part lies within the view is not drawn, whatever its faces show.
+            let inside = |index: u16| counter.snapped(&mvp, place(index)).is_some();
+            let mut inside = inside;
+            let is_inside = inside(a) || inside(b);
+            prop_assert!(is_next == expected || !is_next && !is_inside, "edge {} of {:?}: {} and {}", i, mesh.counts(), left, right);
+            checked += u32::from(is_inside);
+        }
+        prop_assert_eq!(next, None);
+        prop_assert!(checked > 0 || !(0.9..3.).contains(&distance));
+    }
+
+    /// Around a closed mesh, every pixel of its border is on a line of the outline or beside one.
+    #[test]
+    fn outlines_have_no_gaps(
+        mesh in 0..5_usize, turn: [u32; 3], distance in 2.5..4.5,
+    ) {
+        let (mesh, distance): (_, f64) = (MESHES[mesh], distance);
+        let mut room = room(mesh);
+        let outline = Outline::build(mesh, deg!(180), &mut room).unwrap();
+        let mvp = lens(fx!(9)) * pose(turn, Scalar::from_num(distance));
+        let pixels = (SIZE.0 * SIZE.1) as usize;
+        let (mut inside, mut lines) = (vec![Gray8::new(0); pixels], vec![Gray8::new(0); pixels]);
+        let white = Flat::new(Gray8::new(1));
+        Canvas::new(&mut inside, SIZE.0, SIZE.1).unwrap().draw_with(&BOTH_SIDES, mesh, &mvp, &white);
+        Canvas::new(&mut lines, SIZE.0, SIZE.1).unwrap().draw_outline(&DrawOptions::new(), mesh, &outline, &mvp, &white);
+        let at = |picture: &[Gray8], x: usize, y: usize| picture[y * SIZE.0 as usize + x] != Gray8::new(0);
+        for y in 1..SIZE.1 as usize - 1 {
+            for x in 1..SIZE.0 as usize - 1 {
+                let beside = [[x - 1, y], [x + 1, y], [x, y - 1], [x, y + 1]];
+                if at(&inside, x, y) && beside.iter().any(|&[x, y]| !at(&inside, x, y)) {
+                    let near = (y - 1..y + 2).any(|y| (x - 1..x + 2).any(|x| at(&lines, x, y)));
+                    prop_assert!(near, "no line at {x}, {y}");
+                }
+            }
+        }
+    }
+}

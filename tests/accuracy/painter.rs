@@ -1,0 +1,208 @@
+//! Painter's order against distances in f64.
+
+use std::cell::RefCell;
+
+use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+use fixel::Object;
+use fixel::prelude::*;
+use fixel::shade::PerFace;
+use fixel::view::ProjectionKind;
+use proptest::prelude::*;
+
+use crate::common::BOTH_SIDES;
+
+const SIZE: (u32, u32) = (40, 30);
+const NEAR: f64 = 1.;
+const FAR: f64 = 64.;
+
+/// A shader that notes the triangles in the order in which they are drawn.
+#[derive(Clone, Copy)]
+struct Noted<'a>(&'a RefCell<Vec<usize>>);
+
+impl Shader for Noted<'_> {
+    type Color = Gray8;
+    type Varyings = PerFace<()>;
+
+    fn varyings(&self, face: &Primitive<'_>) -> [PerFace<()>; 3] {
+        self.0.borrow_mut().push(face.index());
+        [PerFace(()); 3]
+    }
+
+    fn shade(&self, _: &Fragment, _: PerFace<()>) -> Option<Gray8> {
+        None
+    }
+}
+
+/// Triangles in eye space.
+#[derive(Clone, Debug)]
+struct Scene {
+    corners: Vec<[f64; 3]>,
+    faces: Vec<[u16; 3]>,
+}
+
+impl Scene {
+    /// The order in which the triangles are drawn. They are those that are drawn without an order.
+    fn order<K: ProjectionKind>(&self, projection: &Projection<K>) -> Vec<usize> {
+        let positions: Vec<Vec3> = self
+            .corners
+            .iter()
+            .map(|&corner| Vec3::try_from(corner).unwrap())
+            .collect();
+        let mesh = Mesh::new(&positions, &self.faces).unwrap();
+        let mut list: TriangleList<40, 400> = TriangleList::new();
+        let mut pixels = [Gray8::BLACK; (SIZE.0 * SIZE.1) as usize];
+        let mut canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
+        let [all, order] = [false, true].map(|is_sorted| {
+            let prepared = if is_sorted {
+                list.prepare_back_to_front(&BOTH_SIDES, SIZE, &mesh, projection)
+            } else {
+                list.prepare(&BOTH_SIDES, SIZE, &mesh, projection)
+            };
+            let order = RefCell::new(Vec::new());
+            canvas.draw_prepared(&prepared.unwrap(), &Noted(&order));
+            order.into_inner()
+        });
+        let mut drawn = order.clone();
+        drawn.sort_unstable();
+        assert_eq!(drawn, all);
+        order
+    }
+
+    /// The order in which the triangles are drawn as those of several objects: every third one is the same object's.
+    fn order_of_objects<K: ProjectionKind>(&self, projection: &Projection<K>) -> Vec<usize> {
+        // The objects' units differ, and so do the formats in which they are transformed.
+        let units = [1., 4., 1. / 16.];
+        let positions = units.map(|unit| -> Vec<Vec3> {
+            let corners = self.corners.iter();
+            corners
+                .map(|corner| Vec3::try_from(corner.map(|x| x / unit)).unwrap())
+                .collect()
+        });
+        let faces: [Vec<[u16; 3]>; 3] =
+            std::array::from_fn(|i| self.faces.iter().copied().skip(i).step_by(3).collect());
+        let meshes: [Mesh<'_>; 3] =
+            std::array::from_fn(|i| Mesh::new(&positions[i], &faces[i]).unwrap());
+        let mut objects: [Object<'_, usize>; 3] = std::array::from_fn(|i| {
+            let model = Transform::scale(Scalar::from_num(units[i]));
+            Object::new(&meshes[i], model, i)
+        });
+        let mut list: TriangleList<40, 400> = TriangleList::new();
+        let mut scene = list
+            .prepare_scene(&BOTH_SIDES, SIZE, projection, &mut objects)
+            .unwrap();
+        let mut pixels = [Gray8::BLACK; (SIZE.0 * SIZE.1) as usize];
+        let mut canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
+        let [all, order] = [false, true].map(|is_sorted| {
+            if is_sorted {
+                scene.sort_back_to_front();
+            }
+            let mut all = Vec::new();
+            for (&object, triangles) in scene.parts(&canvas).unwrap() {
+                let order = RefCell::new(Vec::new());
+                canvas.draw_prepared(&triangles, &Noted(&order));
+                all.extend(order.into_inner().iter().map(|face| 3 * face + object));
+            }
+            all
+        });
+        let (mut all, mut drawn) = (all, order.clone());
+        all.sort_unstable();
+        drawn.sort_unstable();
+        assert_eq!(drawn, all);
+        order
+    }
+
+    /// The distance of the farthest corner of a triangle's part before the far plane.
+    fn farthest(&self, face: usize) -> f64 {
+        let distances = self.faces[face].map(|index| -self.corners[usize::from(index)][2]);
+        distances.into_iter().fold(0., f64::max).min(FAR)
+    }
+
+    /// Checks that no triangle is drawn before one that is farther by more than `tolerance` allows, and equal ones
+    /// in the order of the mesh, of which there are so many.
+    fn check(
+        &self,
+        order: &[usize],
+        objects: usize,
+        tolerance: impl Fn(f64) -> f64,
+    ) -> Result<(), TestCaseError> {
+        for pair in order.windows(2) {
+            let [first, second] = [self.farthest(pair[0]), self.farthest(pair[1])];
+            prop_assert!(
+                first + tolerance(first) >= second,
+                "{pair:?}: {first} {second}"
+            );
+            #[allow(clippy::float_cmp)] // two distances of one corner, or cut by the far plane
+            let is_equal = first == second;
+            let is_one_object = pair[0] % objects == pair[1] % objects;
+            prop_assert!(
+                !(is_equal && is_one_object) || pair[0] < pair[1],
+                "{pair:?}: both {first}"
+            );
+        }
+        Ok(())
+    }
+}
+
+/// Many distances are equal, or differ by as little as the order tells apart. Some triangles are clipped by either
+/// plane.
+fn scene() -> impl Strategy<Value = Scene> {
+    let corner =
+        (-160..160_i32, -160..160_i32, 0..120_i32, 0..4_i32).prop_map(|(x, y, z, step)| {
+            let z = f64::from(z) * 0.625 + f64::from(step) / 16384.;
+            [f64::from(x) / 16., f64::from(y) / 16., -z]
+        });
+    proptest::collection::vec(corner, 3..30).prop_flat_map(|corners| {
+        let count = u16::try_from(corners.len()).unwrap();
+        let face = [0..count, 0..count, 0..count];
+        let faces = proptest::collection::vec(face, 1..40);
+        faces.prop_map(move |faces| Scene {
+            corners: corners.clone(),
+            faces,
+        })
+    })
+}
+
+proptest! {
+    #[test]
+    fn perspective(scene in scene()) {
+        let projection = Projection::perspective(deg!(60), SIZE, fx!(1), fx!(64)).unwrap();
+        // 1/w is cut to 26 bits, of which the first is set. The bits of the reciprocal and of the projection's
+        // coefficients add less than as much again.
+        let tolerance = |w| w * 2_f64.powi(-24);
+        scene.check(&scene.order(&projection), 1, tolerance)?;
+        scene.check(&scene.order_of_objects(&projection), 3, tolerance)?;
+    }
+
+    #[test]
+    fn parallel(scene in scene()) {
+        let window = Window::centered(fx!(12), fx!(9));
+        let projection = Projection::orthographic(window, fx!(1), fx!(64)).unwrap();
+        // Steps of 2^-26 of the distance between the planes; the coefficients' rounding adds less than another.
+        let step = (FAR - NEAR) * 2_f64.powi(-25);
+        scene.check(&scene.order(&projection), 1, |_| step)?;
+        scene.check(&scene.order_of_objects(&projection), 3, |_| step)?;
+    }
+}
+
+/// Many triangles at one distance stay in the order of the mesh, and those behind come before them.
+#[test]
+fn equals_keep_their_order() {
+    let corner = |x: f64, z: f64| [[x, 0., z], [x + 0.5, 0., z], [x, 0.5, z]];
+    let mut scene = Scene {
+        corners: Vec::new(),
+        faces: Vec::new(),
+    };
+    for i in 0..33_u16 {
+        let z = if i % 3 == 1 { -9. } else { -8. };
+        scene.corners.extend(corner(f64::from(i % 5), z));
+        scene.faces.push([0, 1, 2].map(|corner| 3 * i + corner));
+    }
+    let behind = (0..33).filter(|i| i % 3 == 1);
+    let before = (0..33).filter(|i| i % 3 != 1);
+    let expected: Vec<usize> = behind.chain(before).collect();
+    let projection = Projection::perspective(deg!(60), SIZE, fx!(1), fx!(64)).unwrap();
+    assert_eq!(scene.order(&projection), expected);
+    let window = Window::centered(fx!(12), fx!(9));
+    let projection = Projection::orthographic(window, fx!(1), fx!(64)).unwrap();
+    assert_eq!(scene.order(&projection), expected);
+}

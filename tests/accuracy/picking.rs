@@ -1,0 +1,227 @@
+//! Picking against pictures: the face that a ray meets is the face that is drawn, unless the f64 model says that the
+//! pixel's center is too close to an edge, or that two faces are equally deep there.
+
+use std::collections::HashMap;
+
+use embedded_graphics::geometry::Point;
+use embedded_graphics::pixelcolor::Gray8;
+use fixel::Hit;
+use fixel::num::scalar;
+use fixel::prelude::*;
+use fixel::view::ProjectionKind;
+use proptest::prelude::*;
+
+use crate::drawing::Drawing;
+use crate::mode::Mode;
+use crate::moves::{self, Move, exact, product, quantised};
+use crate::reference::attributes::weights;
+use crate::reference::distance::to_segment;
+use crate::reference::projection::{self, Lens};
+use crate::reference::view::{Projected, View, Viewport as ModelViewport};
+
+const SIZE: (u32, u32) = (40, 30);
+const LEFT: i32 = -7;
+/// Vertices are rounded to 1/512 pixel along two axes, which moves an edge by 0.0028 pixels.
+const EDGE: f64 = 0.005;
+
+/// The depths that a face may have within [`EDGE`] of a place on the screen; in 1/65536.
+fn depths(lens: &Lens, corners: &[Projected; 3], at: [f64; 2]) -> [f64; 2] {
+    let screen = corners.map(|corner| corner.screen);
+    let around = [-EDGE, EDGE];
+    let found = around
+        .into_iter()
+        .flat_map(|x| around.map(|y| [at[0] + x, at[1] + y]))
+        .filter_map(|at| {
+            // Depth is linear on the screen.
+            let weights = weights(&screen, at)?.value;
+            Some(
+                weights
+                    .iter()
+                    .zip(corners)
+                    .map(|(w, corner)| w * lens.depth(corner.distance))
+                    .sum::<f64>(),
+            )
+        });
+    found.fold([f64::MAX, f64::MIN], |[low, high], depth| {
+        [low.min(depth), high.max(depth)]
+    })
+}
+
+/// Checks the parts of a hit against each other and against the corners of its face.
+fn check_numbers(hit: &Hit, ray: Ray, corners: [Vec3; 3]) -> Result<(), TestCaseError> {
+    let sum: i32 = hit.barycentric.iter().map(|part| part.to_bits()).sum();
+    prop_assert_eq!(sum, 1 << 30);
+    let parts = hit.barycentric.map(|part| part.to_num::<f64>());
+    let face = corners.map(exact);
+    for (axis, found) in exact(hit.point).into_iter().enumerate() {
+        let mix: f64 = parts
+            .iter()
+            .zip(face)
+            .map(|(part, at)| part * at[axis])
+            .sum();
+        prop_assert!((mix - found).abs() <= 2_f64.powi(-16));
+    }
+    let along = crate::reference::linear::subtract(exact(hit.point), exact(ray.origin()));
+    let distance = crate::reference::linear::length(along);
+    prop_assert!(
+        (distance - hit.distance.to_num::<f64>()).abs() <= 2_f64.powi(-14),
+        "{hit:?}: {distance}"
+    );
+    Ok(())
+}
+
+fn check<K: ProjectionKind>(
+    (projection, lens): (Projection<K>, Lens),
+    moves: &[Move],
+    positions: &[Vec3],
+    cull: Cull,
+) -> Result<usize, TestCaseError> {
+    let faces: Vec<[u16; 3]> = (0..positions.len() as u16 - 2)
+        .map(|i| [i, i + 1, i + 2])
+        .collect();
+    let (transform, eye) = product(moves);
+    let viewport = Viewport::new(LEFT, 0, SIZE.0, SIZE.1).unwrap();
+    let drawing = Drawing {
+        size: SIZE,
+        options: DrawOptions::new().with_cull(cull).with_viewport(viewport),
+        mode: Mode::Newton,
+        mesh: Mesh::new(positions, &faces).unwrap(),
+        mvp: projection * transform,
+    };
+    let view = View {
+        eye,
+        projection: lens,
+        viewport: ModelViewport {
+            x: LEFT,
+            y: 0,
+            width: SIZE.0,
+            height: SIZE.1,
+        },
+    };
+    // The smallest unit of the model on the screen, at a distance of 1 and at the most magnified.
+    let scale = moves.iter().fold(1., |scale: f64, step| match step {
+        Move::Scale(by) => scale * exact(*by).map(f64::abs).into_iter().fold(0., f64::max),
+        _ => scale,
+    });
+    let focal = lens.matrix[0][0] * f64::from(SIZE.0) / 2.;
+    let unit = 2_f64.powi(-16) * scale * focal;
+    let corners =
+        |face: usize| faces[face].map(|at| view.project(exact(positions[usize::from(at)])));
+    // The model projects whole triangles only.
+    let whole = |face: usize| {
+        corners(face)
+            .iter()
+            .all(|corner| (lens.near..lens.far).contains(&corner.distance))
+    };
+    if !(0..faces.len()).all(whole) {
+        return Ok(0);
+    }
+
+    let mut drawn = HashMap::new();
+    for seen in drawing.shown::<0>(&|_| []) {
+        drawn.insert(seen.pixel, seen.face);
+    }
+    let mut pixels = vec![Gray8::new(0); (SIZE.0 * SIZE.1) as usize];
+    let canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
+    for y in 0..SIZE.1.cast_signed() {
+        for x in 0..SIZE.0.cast_signed() + LEFT {
+            let ray = canvas
+                .ray(&drawing.options, &drawing.mvp, Point::new(x, y))
+                .unwrap();
+            let hit = ray.hit(&drawing.mesh);
+            let (picked, drawn) = (hit.map(|hit| hit.face), drawn.get(&[x, y]).copied());
+            let center = [f64::from(x) + 0.5, f64::from(y) + 0.5];
+            let both = [picked, drawn].into_iter().flatten();
+            let is_beside = |face: usize| {
+                let corners = corners(face);
+                (0..3).any(|i| {
+                    let [from, to] = [corners[i], corners[(i + 1) % 3]];
+                    let nearest = if K::PERSPECTIVE { from.w.min(to.w) } else { 1. };
+                    to_segment(from.screen, to.screen, center) < EDGE + 2. * unit / nearest
+                })
+            };
+            let is_as_deep = || {
+                let (Some(a), Some(b)) = (picked, drawn) else {
+                    return false;
+                };
+                let [a, b] = [a, b].map(|face| depths(&lens, &corners(face), center));
+                // A step of the buffer, and the tenth part of one for the errors of both depths.
+                a[0] - 1.1 < b[1] && b[0] - 1.1 < a[1]
+            };
+            prop_assert!(
+                picked == drawn || both.clone().any(is_beside) || is_as_deep(),
+                "{picked:?} was picked and {drawn:?} drawn at {x}, {y}"
+            );
+
+            // The point is seen at the pixel, and its parts are the face's corners.
+            let Some(hit) = hit else { continue };
+            let place = view.project(exact(hit.point));
+            let nearest = if K::PERSPECTIVE { place.w } else { 1. };
+            let off = (place.screen[0] - center[0]).hypot(place.screen[1] - center[1]);
+            // The point and the ray's origin are rounded to a unit along three axes.
+            let allowed = 1e-4 + 2. * unit / nearest.min(lens.near.abs().max(0.1));
+            prop_assert!(
+                off <= allowed,
+                "{hit:?} is {off} pixels from the ray, not {allowed}"
+            );
+            check_numbers(
+                &hit,
+                ray,
+                faces[hit.face].map(|at| positions[usize::from(at)]),
+            )?;
+        }
+    }
+    Ok(drawn.len())
+}
+
+fn moves() -> impl Strategy<Value = Vec<Move>> {
+    let angle = || any::<u32>().prop_map(Angle::from_bits);
+    (
+        4.0..30_f64,
+        angle(),
+        angle(),
+        [0.3..3., 0.3..3., 0.3..3.],
+        any::<bool>(),
+    )
+        .prop_map(
+            |(distance, x, y, [a, b, c], mirrored): (_, _, _, [f64; 3], _)| {
+                let c = if mirrored { -c } else { c };
+                vec![
+                    moves::to([0., 0., -distance]),
+                    Move::X(x),
+                    Move::Y(y),
+                    Move::Scale(quantised([a, b, c])),
+                ]
+            },
+        )
+}
+
+fn positions() -> impl Strategy<Value = Vec<Vec3>> {
+    prop::collection::vec([-3.0..3., -3.0..3., -3.0..3.].prop_map(quantised), 3..12)
+}
+
+fn culls() -> impl Strategy<Value = Cull> {
+    prop_oneof![Just(Cull::Nothing), Just(Cull::Back), Just(Cull::Front)]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 150, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn in_perspective(moves in moves(), positions in positions(), cull in culls(), fov in 30..100_i32) {
+        let fov = Angle::from_degrees(fov);
+        let aspect = f64::from(SIZE.0) / f64::from(SIZE.1);
+        let lens = projection::perspective(moves::radians(fov), aspect, 0.25, 100.);
+        let projection = Projection::perspective(fov, SIZE, fx!(0.25), fx!(100)).unwrap();
+        check((projection, lens), &moves, &positions, cull)?;
+    }
+
+    #[test]
+    fn in_parallel(moves in moves(), positions in positions(), cull in culls(), half in 3.0..12_f64) {
+        let window = Window::centered(scalar(2. * half).unwrap(), scalar(1.5 * half).unwrap());
+        let [l, r, b, t] = [window.left, window.right, window.bottom, window.top].map(|x| x.to_num());
+        let lens = projection::orthographic(l, r, b, t, -20., 60.);
+        let projection = Projection::orthographic(window, fx!(-20), fx!(60)).unwrap();
+        check((projection, lens), &moves, &positions, cull)?;
+    }
+}

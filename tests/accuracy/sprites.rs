@@ -1,0 +1,228 @@
+//! The corners of sprites against the f64 model, in eye space and in world space.
+
+use std::cell::RefCell;
+
+use embedded_graphics::pixelcolor::Gray8;
+use fixel::num::{scalar, tex_coord};
+use fixel::prelude::*;
+use fixel::view::ProjectionKind;
+use proptest::prelude::*;
+
+use crate::moves::{self, Move, exact, product, quantised, relative, size};
+use crate::recorder::Probe;
+use crate::reference::linear::{Matrix, direction, inverse, length, point};
+use crate::reference::projection::{self, Lens};
+use crate::reference::sprites::Sprite;
+
+const SIZE: (u32, u32) = (64, 48);
+
+/// Everything about sprites but their positions.
+#[derive(Clone, Copy, Debug)]
+struct Kind {
+    size: [f64; 2],
+    in_pixels: bool,
+    axis: Option<Vec3>,
+    anchor: [f64; 2],
+    scale: f64,
+}
+
+fn kinds() -> impl Strategy<Value = Kind> {
+    let axis = [-2.0..2., -2.0..2., -2.0..2.].prop_map(quantised);
+    (
+        [0.5..8., 0.5..8.],
+        any::<bool>(),
+        prop::option::of(axis),
+        [-0.5..1.5, -0.5..1.5],
+        -2.0..2_f64,
+    )
+        .prop_map(|(size, in_pixels, axis, anchor, scale)| Kind {
+            size,
+            in_pixels,
+            axis,
+            anchor,
+            scale,
+        })
+}
+
+/// A camera, which is rigid, and the place of a model.
+fn places() -> impl Strategy<Value = [Vec<Move>; 2]> {
+    let angle = || any::<u32>().prop_map(Angle::from_bits);
+    let offset = || [-5.0..5., -5.0..5., -5.0..5.].prop_map(moves::to);
+    (
+        5.0..40_f64,
+        [angle(), angle(), angle()],
+        [offset(), offset()],
+        [0.2..3., 0.2..3., -3.0..-0.2],
+    )
+        .prop_map(|(distance, [a, b, c], [to, model], factors)| {
+            [
+                vec![moves::to([0., 0., -distance]), Move::X(a), Move::Y(b), to],
+                vec![model, Move::Z(c), Move::Scale(quantised(factors))],
+            ]
+        })
+}
+
+/// The bound of the error of a corner in eye space, along each axis.
+fn allowed(all: &[Move], eye: &Matrix, kind: Kind, sprite: &Sprite, ahead: f64) -> f64 {
+    // Each corner: twice half a unit, and the transform's error. Sides have 30 bits; in pixels, their lengths follow the
+    // error of the distance. A turned side has the error of the axis's direction, which counts more the closer the axis
+    // is to the line of sight.
+    let unit = 2_f64.powi(-16);
+    let moved = relative(all) * size(all, quantised(sprite.position));
+    let largest = sprite.size.map(f64::abs).into_iter().fold(0., f64::max) * 2.;
+    let growth = if kind.in_pixels {
+        (moved + unit) / ahead.abs().max(unit)
+    } else {
+        0.
+    };
+    let turn = kind.axis.map_or(0., |axis| {
+        let turned = direction(eye, exact(axis));
+        let aside = turned[0].hypot(turned[1]);
+        let linear: Vec<Move> = all
+            .iter()
+            .filter(|step| !matches!(step, Move::To(_)))
+            .copied()
+            .collect();
+        2. * (relative(&linear) * size(&linear, axis) + 2_f64.powi(-27) * length(turned)) / aside
+    });
+    unit + moved + largest * (growth + turn + 2_f64.powi(-27))
+}
+
+fn check<K: ProjectionKind>(
+    (projection, lens): (Projection<K>, Lens),
+    [camera, model]: &[Vec<Move>; 2],
+    kind: Kind,
+    position: Vec3,
+) -> Result<(), TestCaseError> {
+    let all = [&camera[..], &model[..]].concat();
+    let ((view, view_matrix), (place, _), (_, eye)) =
+        (product(camera), product(model), product(&all));
+    let mvp = projection * Camera::from_view(view) * place;
+
+    let [width, height] = kind.size.map(|x| scalar(x).unwrap());
+    let positions = [position];
+    let make = if kind.in_pixels {
+        Sprites::in_pixels
+    } else {
+        Sprites::new
+    };
+    let [u, v] = kind.anchor.map(|x| tex_coord(x).unwrap());
+    let scales = [scalar(kind.scale).unwrap()];
+    let mut sprites = make(&positions, (width, height))
+        .unwrap()
+        .with_anchor(Vec2::new(u, v))
+        .with_scales(&scales)
+        .unwrap();
+    if let Some(axis) = kind.axis {
+        let Ok(turning) = sprites.with_axis(axis) else {
+            return Ok(());
+        };
+        sprites = turning;
+    }
+
+    // The model: in pixels, a length is one at the sprite's distance.
+    let ahead = if K::PERSPECTIVE {
+        -point(&eye, exact(position))[2]
+    } else {
+        1.
+    };
+    let factors = [(0, SIZE.0), (1, SIZE.1)].map(|(axis, size): (usize, u32)| {
+        let pixel = 2. / (lens.matrix[axis][axis] * f64::from(size));
+        let unit = if kind.in_pixels {
+            pixel * ahead.max(0.)
+        } else {
+            1.
+        };
+        unit * scales[0].to_num::<f64>()
+    });
+    let sprite = Sprite {
+        position: exact(position),
+        size: [
+            width.to_num::<f64>() * factors[0],
+            height.to_num::<f64>() * factors[1],
+        ],
+        anchor: [u.to_num(), v.to_num()],
+        axis: kind.axis.map(exact),
+    };
+    let expected = sprite.corners(&eye);
+
+    let allowed = allowed(&all, &eye, kind, &sprite, ahead);
+
+    let seen = RefCell::new(Vec::new());
+    let probe = Probe {
+        values: &|corner| {
+            seen.borrow_mut()
+                .push((corner.position(), corner.world_position()));
+            [0; 1]
+        },
+        color: Some(Gray8::new(1)),
+    };
+    let mut pixels = vec![Gray8::new(0); (SIZE.0 * SIZE.1) as usize];
+    let mut canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
+    canvas.draw_sprites(&DrawOptions::new(), &sprites, &mvp, &probe);
+    let (back, unit) = (inverse(&view_matrix).unwrap(), 2_f64.powi(-16));
+    for (i, (at, world)) in seen.into_inner().into_iter().enumerate() {
+        // The corners of two triangles; only one may have pixels.
+        let corner = |i: usize| [0, 1, 2, 2, 1, 3].map(|i: usize| expected[i])[i % 6];
+        let off = |corner: [f64; 3], at: Vec3| {
+            let at = exact(at);
+            (0..3)
+                .map(|axis| (corner[axis] - at[axis]).abs())
+                .fold(0., f64::max)
+        };
+        let (first, second) = (corner(i), corner(i + 3));
+        let best = if off(first, at) < off(second, at) {
+            first
+        } else {
+            second
+        };
+        prop_assert!(
+            off(best, at) <= allowed,
+            "{at:?} is not {best:?}, within {allowed}"
+        );
+        // Turned by the camera, errors along three axes add up; and half a unit more.
+        let there = point(&back, best);
+        let allowed = 3_f64.sqrt() * allowed
+            + unit
+            + relative(camera) * (size(camera, at) + length(best) + size(camera, Vec3::ZERO));
+        prop_assert!(
+            off(there, world) <= allowed,
+            "{world:?} is not {there:?} in the world"
+        );
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 3000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn in_perspective(
+        places in places(),
+        kind in kinds(),
+        position in [-4.0..4., -4.0..4., -4.0..4.].prop_map(quantised),
+        fov in 40..120_i32,
+    ) {
+        let fov = Angle::from_degrees(fov);
+        let (near, far) = (fx!(0.5), fx!(100));
+        let aspect = f64::from(SIZE.0) / f64::from(SIZE.1);
+        let lens = projection::perspective(moves::radians(fov), aspect, 0.5, 100.);
+        let projection = Projection::perspective(fov, SIZE, near, far).unwrap();
+        check((projection, lens), &places, kind, position)?;
+    }
+
+    #[test]
+    fn in_parallel(
+        places in places(),
+        kind in kinds(),
+        position in [-4.0..4., -4.0..4., -4.0..4.].prop_map(quantised),
+        half in 4..20_i32,
+    ) {
+        let half = Scalar::from_num(half);
+        let window = Window { left: -half, right: half, bottom: -half, top: half };
+        let edge = half.to_num::<f64>();
+        let lens = projection::orthographic(-edge, edge, -edge, edge, 0., 100.);
+        let projection = Projection::orthographic(window, fx!(0), fx!(100)).unwrap();
+        check((projection, lens), &places, kind, position)?;
+    }
+}

@@ -1,0 +1,221 @@
+//! Lines of a width and points of a size: their pixels in exact integers; sizes in world space against f64.
+
+use crate::common::recorder::{Probe, Recorder, Seen, record};
+use crate::common::{at_subpixel, pixel_lens};
+use crate::reference::coverage::{Bounds, center, picture};
+use embedded_graphics::pixelcolor::Gray8;
+use fixel::Drawn;
+use fixel::prelude::*;
+use fixel::target::{Depth, Native};
+use proptest::prelude::*;
+
+/// A position in 24.8.
+type Point = [i32; 2];
+
+const SIZE: (u32, u32) = (90, 40);
+
+type Frame<'f> = Canvas<'f, Gray8, Native, Depth<'f>>;
+type Pen<'p, 'v> = Recorder<'p, Probe<'v, [i32; 1]>, 1>;
+
+/// The pixels of a draw call, with the interpolated x of the position, drawn in bands of so many rows.
+fn drawn(rows: u32, draw: impl Fn(&mut Frame<'_>, &Pen<'_, '_>) -> Drawn) -> Vec<Seen<1>> {
+    let values = |corner: &Corner<'_>| [corner.position().x.to_bits()];
+    let probe = Probe {
+        values: &values,
+        color: Some(Gray8::new(1)),
+    };
+    let (width, height) = SIZE;
+    let mut all = Vec::new();
+    for first in (0..height).step_by(rows as usize) {
+        let pixels = (width * rows.min(height - first)) as usize;
+        let (mut colors, mut depths) = (vec![Gray8::new(0); pixels], vec![0; pixels]);
+        let band = Canvas::band(&mut colors, width, height, first).unwrap();
+        let mut band = band.with_depth(&mut depths).unwrap();
+        let record = record(probe, |pen| {
+            draw(&mut band, pen);
+        });
+        all.extend(record.seen);
+    }
+    all.sort_by_key(|seen| (seen.pixel[1], seen.pixel[0]));
+    all
+}
+
+/// How often each pixel was drawn.
+fn counts(seen: &[Seen<1>]) -> Vec<u32> {
+    let mut counts = vec![0; (SIZE.0 * SIZE.1) as usize];
+    for seen in seen {
+        counts[seen.pixel[1] as usize * SIZE.0 as usize + seen.pixel[0] as usize] += 1;
+    }
+    counts
+}
+
+fn modelled(has: impl Fn([i32; 2]) -> bool) -> Vec<u32> {
+    let pixels = Bounds::new(SIZE.0, SIZE.1).pixels();
+    pixels.map(|pixel| u32::from(has(pixel))).collect()
+}
+
+/// Whether a pixel belongs to the line between two snapped ends, of half a width in units of 1/256 pixel: its center
+/// is, along the longer axis, from the lesser end to before the greater one, and across, at most `half` from the line
+/// there; not if it is exactly that far above it or left of it. In exact integers.
+fn on_line([a, b]: [Point; 2], half: i64, pixel: [i32; 2]) -> bool {
+    let [dx, dy] = [0, 1].map(|i| i64::from(b[i]) - i64::from(a[i]));
+    let major = usize::from(dy.abs() > dx.abs());
+    let minor = 1 - major;
+    let (a, b) = if a[major] <= b[major] { (a, b) } else { (b, a) };
+    let [along, across] = [major, minor].map(|axis| i64::from(pixel[axis]) * 256 + 128);
+    let [start, end, from, to] = [a[major], b[major], a[minor], b[minor]].map(i64::from);
+    if along < start || along >= end {
+        return false;
+    }
+    let length = end - start;
+    // The distance across, times the length.
+    let distance = (across - from) * length - (along - start) * (to - from);
+    -half * length < distance && distance <= half * length
+}
+
+/// On pixel corners, on centers, on any subpixel; in and around the picture.
+fn places() -> impl Strategy<Value = Point> {
+    prop_oneof![
+        [-10..100i32, -10..50].prop_map(|p| p.map(|at| at * 256)),
+        [-10..100i32, -10..50].prop_map(|p| p.map(|at| at * 256 + 128)),
+        [-3000..26_000i32, -3000..13_000],
+        [-500_000..500_000i32, -500_000..500_000],
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    /// Exactly the model's pixels, once each, from either end, with the values that the thin line has beside them; in
+    /// bands as in the frame. Width 1 is the thin line.
+    #[test]
+    fn wide_lines_are_the_models(ends in [places(), places()], half in prop_oneof![128..=8192i32, Just(128), 128..600i32], rows in 1..40u32) {
+        let mvp = pixel_lens(SIZE);
+        let positions = ends.map(at_subpixel);
+        let width = LineWidth::new(Scalar::from_bits(half << 9)).unwrap();
+        let model = modelled(|pixel| on_line(ends, half.into(), pixel));
+        let mut first = None;
+        for edge in [[0, 1], [1, 0]] {
+            let edges = [edge];
+            let mesh = Mesh::new(&positions, &[]).unwrap().with_edges(&edges).unwrap();
+            let options = DrawOptions::new();
+            let wide = drawn(SIZE.1, |frame, pen| frame.draw_wide_edges(&options, &mesh, width, &mvp, pen));
+            prop_assert_eq!(picture(&counts(&wide), SIZE.0), picture(&model, SIZE.0));
+            let bands = drawn(rows, |frame, pen| frame.draw_wide_edges(&options, &mesh, width, &mvp, pen));
+            prop_assert_eq!(&bands, &wide);
+            let thin = drawn(SIZE.1, |frame, pen| frame.draw_edges(&options, &mesh, &mvp, pen));
+            if half == 128 {
+                prop_assert_eq!(&thin, &wide);
+            }
+            let [dx, dy] = [0, 1].map(|axis| ends[0][axis].abs_diff(ends[1][axis]));
+            let major = usize::from(dy > dx);
+            for thin in thin {
+                let mut run = wide.iter().filter(|seen| seen.pixel[major] == thin.pixel[major]);
+                prop_assert!(run.all(|seen| (seen.values, seen.depth) == (thin.values, thin.depth)));
+            }
+            prop_assert_eq!(first.get_or_insert(wide.len()), &wide.len());
+        }
+    }
+
+    /// A square has the centers from half its size left of the point, or above, to half its size right, or below; the
+    /// last of them counts and the first does not. A disc has the centers within half its size, and the point's pixel.
+    #[test]
+    fn points_are_the_models(place in places(), bits in prop_oneof![1..=300i32 << 16, 1..1i32 << 19], is_round: bool, rows in 1..40u32) {
+        let mvp = pixel_lens(SIZE);
+        let positions = [at_subpixel(place)];
+        let mesh = Mesh::new(&positions, &[]).unwrap();
+        let size = Scalar::from_bits(bits);
+        let style = if is_round { PointStyle::round(size) } else { PointStyle::square(size) }.unwrap();
+        let draw = |frame: &mut Frame<'_>, pen: &Pen<'_, '_>| frame.draw_sized_points(&DrawOptions::new(), &mesh, style, &mvp, pen);
+        let seen = drawn(SIZE.1, draw);
+        let half = ((i64::from(bits) + 256) >> 9).clamp(128, 255 * 128);
+        let model = modelled(|pixel| {
+            let [x, y] = [0, 1].map(|axis| i64::from(pixel[axis]) * 256 + 128 - i64::from(place[axis]));
+            let is_own = [0, 1].map(|axis| place[axis].div_euclid(256)) == pixel;
+            if is_round {
+                is_own || x * x + y * y <= half * half
+            } else {
+                [x, y].iter().all(|&away| -half < away && away <= half)
+            }
+        });
+        prop_assert_eq!(picture(&counts(&seen), SIZE.0), picture(&model, SIZE.0));
+        prop_assert_eq!(&drawn(rows, draw), &seen);
+        prop_assert!(seen.iter().all(|seen| seen.values == [positions[0].x.to_bits()]));
+        if bits == 1 << 16 && !is_round {
+            prop_assert_eq!(drawn(SIZE.1, |frame, pen| frame.draw_points(&DrawOptions::new(), &mesh, &mvp, pen)), seen);
+        }
+    }
+
+    /// Sizes in world space: half of one is size · focal length / distance / 2 pixels, or, under a parallel projection,
+    /// size · height of the frame / height of the window / 2.
+    #[test]
+    fn attenuated_points_are_the_models(x in -2.0..2.0, z in -30.0..-0.6, size in 0.001..20., scale in 0.5..2., is_round: bool) {
+        let (x, z, size, scale): (f64, f64, f64, f64) = (x, z, size, scale);
+        let positions = [Vec3::new(Scalar::from_num(x), fx!(0), Scalar::from_num(z))];
+        let mesh = Mesh::new(&positions, &[]).unwrap();
+        let size = Scalar::from_num(size).max(Scalar::from_bits(1));
+        let style = if is_round { PointStyle::round(size) } else { PointStyle::square(size) }.unwrap().attenuated();
+        // A scale of the model moves the point, and leaves its size.
+        let scale = Scalar::from_num(scale);
+        let model = Transform::scale(scale);
+        let world = model.point(positions[0]);
+        let distance = -f64::from(world.z.to_bits()) / 65536.;
+        prop_assume!(distance > 0.51 && distance < 31.);
+        let focal = Projection::from_focal_length(fx!(50), SIZE, fx!(0.5), fx!(32)).unwrap();
+        let window = Projection::orthographic(Window::centered(fx!(9), fx!(4)), fx!(0.5), fx!(32)).unwrap();
+        let options = DrawOptions::new();
+        let size = f64::from(size.to_bits()) / 65536.;
+        let perspective = drawn(SIZE.1, |frame, pen| frame.draw_sized_points(&options, &mesh, style, &(focal * model), pen));
+        let parallel = drawn(SIZE.1, |frame, pen| frame.draw_sized_points(&options, &mesh, style, &(window * model), pen));
+        let mut colors = vec![Gray8::new(0); (SIZE.0 * SIZE.1) as usize];
+        let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
+        let places = [canvas.project(&options, &(focal * model), positions[0]), canvas.project(&options, &(window * model), positions[0])];
+        let halves = [size * 50. / distance / 2., size * 10. / 2.];
+        for ((seen, place), half) in [perspective, parallel].iter().zip(places).zip(halves) {
+            let Some(place) = place else {
+                prop_assert!(seen.is_empty());
+                continue;
+            };
+            let half = half.clamp(0.5, 127.5);
+            // Rounded to the nearest 1/256, and t is greater than the distance by 2^-16 of it.
+            let room = 0.5 / 256. + half * 2e-5 + 1e-9;
+            let counts = counts(seen);
+            for (pixel, &count) in Bounds::new(SIZE.0, SIZE.1).pixels().zip(&counts) {
+                let at = center(pixel);
+                let place = [place.x, place.y].map(|x| f64::from(x.to_bits()) / 256.);
+                let away = [0, 1].map(|axis| at[axis] - place[axis]);
+                let is_own = place.map(|x| x.floor() as i32) == pixel;
+                let away = if is_round { away[0].hypot(away[1]) } else { away[0].abs().max(away[1].abs()) };
+                if away < half - room || is_own {
+                    prop_assert_eq!(count, 1, "{:?}: {} of {}", pixel, away, half);
+                } else if away > half + room {
+                    prop_assert_eq!(count, 0, "{:?}: {} of {}", pixel, away, half);
+                }
+            }
+        }
+    }
+}
+
+/// Outlines of a width have, around each line, its pixels: width 1 is `draw_outline`.
+#[test]
+fn wide_outlines_are_outlines() {
+    static CAN: Mesh = shape!(cylinder(16));
+    static RIMS: Outline = outline!(CAN, deg!(30));
+    let projection = Projection::perspective(deg!(60), SIZE, fx!(0.5), fx!(32)).unwrap();
+    let camera = Camera::look_at(vec3!(1, 2, 3), Vec3::ZERO, Vec3::Y).unwrap();
+    let mvp = projection * camera;
+    let options = DrawOptions::new();
+    let thin = drawn(SIZE.1, |frame, pen| {
+        frame.draw_outline(&options, &CAN, &RIMS, &mvp, pen)
+    });
+    let wide = |width| {
+        let width = LineWidth::new(width).unwrap();
+        drawn(SIZE.1, |frame, pen| {
+            frame.draw_wide_outline(&options, &CAN, (&RIMS, width), &mvp, pen)
+        })
+    };
+    assert_eq!(wide(fx!(1)), thin);
+    let pixels = |seen: &[Seen<1>]| counts(seen).iter().filter(|&&count| count > 0).count();
+    let (one, three) = (pixels(&thin), pixels(&wide(fx!(3))));
+    assert!(one > 60 && three > 2 * one, "{one} and {three}");
+}

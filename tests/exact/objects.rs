@@ -1,0 +1,165 @@
+//! Several objects in one list.
+
+use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+use fixel::prelude::*;
+use fixel::{Object, PreparedScene};
+
+const WIDTH: u32 = 48;
+const HEIGHT: u32 = 36;
+const SIZE: (u32, u32) = (WIDTH, HEIGHT);
+const PIXELS: usize = (WIDTH * HEIGHT) as usize;
+
+static BALL: Mesh = shape!(sphere(12, 8));
+static RING: Mesh = shape!(torus(fx!(0.3), 16, 8));
+static EMPTY: Mesh = Mesh::checked(Mesh::new(&[], &[]));
+
+/// A ball within a ring, a ball across the near plane and the frame's left edge, and one behind the eye.
+fn objects() -> [Object<'static, Flat<Gray8>>; 5] {
+    let flat = |gray| Flat::new(Gray8::new(gray));
+    let tilted = Transform::translate(vec3!(0.5, 0, 0)) * Transform::rotate_x(deg!(70));
+    [
+        Object::new(
+            &BALL,
+            Transform::translate(vec3!(0.5, 0, 0)) * Transform::scale(fx!(0.6)),
+            flat(50),
+        ),
+        Object::new(&EMPTY, Transform::IDENTITY, flat(90)),
+        Object::new(&RING, tilted, flat(120)),
+        Object::new(
+            &BALL,
+            Transform::translate(vec3!(-1.5, -0.8, 2.5)),
+            flat(200),
+        ),
+        Object::new(&BALL, Transform::translate(vec3!(0, 0, 9)), flat(250)),
+    ]
+}
+
+fn view() -> Mvp {
+    let projection = Projection::perspective(deg!(60), SIZE, fx!(1), fx!(20)).unwrap();
+    projection
+        * Camera::look_at(vec3!(0, 1, 4), Vec3::ZERO, Vec3::Y).unwrap()
+        * Transform::rotate_y(deg!(5))
+}
+
+/// The frame with a depth buffer, without a list.
+fn drawn() -> Vec<Gray8> {
+    let (mut color, mut depth) = (vec![Gray8::BLACK; PIXELS], vec![0; PIXELS]);
+    let mut canvas = Canvas::new(&mut color, WIDTH, HEIGHT)
+        .unwrap()
+        .with_depth(&mut depth)
+        .unwrap();
+    for Object {
+        mesh,
+        model,
+        material,
+        ..
+    } in objects()
+    {
+        canvas.draw(mesh, &(view() * model), &material);
+    }
+    color
+}
+
+/// The frame in bands of so many rows, and the number of parts.
+fn in_bands(
+    scene: &PreparedScene<'_, Flat<Gray8>>,
+    rows: u32,
+    has_depth: bool,
+) -> (Vec<Gray8>, usize) {
+    let (mut frame, mut parts) = (Vec::new(), 0);
+    for first in (0..HEIGHT).step_by(rows as usize) {
+        let mut color = vec![Gray8::BLACK; (WIDTH * rows) as usize];
+        let mut depth = vec![0; color.len()];
+        let mut band = Canvas::band(&mut color, WIDTH, HEIGHT, first).unwrap();
+        for (shader, triangles) in scene.parts(&band).unwrap() {
+            if !has_depth {
+                band.draw_prepared(&triangles, shader);
+            }
+            parts += 1;
+        }
+        if has_depth {
+            let mut band = band.with_depth(&mut depth).unwrap();
+            for (shader, triangles) in scene.parts(&band).unwrap() {
+                band.draw_prepared(&triangles, shader);
+            }
+        }
+        frame.extend(color);
+    }
+    (frame, parts)
+}
+
+#[test]
+fn a_list_of_objects_draws_the_same_as_each_alone() {
+    let expected = drawn();
+    let mut list: TriangleList<300, 400> = TriangleList::new();
+    let (options, mut objects) = (DrawOptions::new(), objects());
+    let mut scene = list
+        .prepare_scene(&options, SIZE, &view(), &mut objects)
+        .unwrap();
+    for rows in [HEIGHT, 12, 1] {
+        assert!(in_bands(&scene, rows, true).0 == expected, "{rows} rows");
+    }
+    assert_eq!(in_bands(&scene, HEIGHT, true).1, 3);
+
+    // The same with depth in any order; and here, no triangles cross or are much larger than others, so that without
+    // depth, too.
+    scene.sort_back_to_front();
+    for rows in [HEIGHT, 12, 1] {
+        assert!(
+            in_bands(&scene, rows, true).0 == expected,
+            "{rows} rows, sorted"
+        );
+        assert!(
+            in_bands(&scene, rows, false).0 == expected,
+            "{rows} rows, sorted, without depth"
+        );
+    }
+    let (frame, parts) = in_bands(&scene, HEIGHT, false);
+    assert!(parts > 3);
+    // Sorted again, nothing changes.
+    scene.sort_back_to_front();
+    assert!(in_bands(&scene, HEIGHT, false) == (frame, parts));
+}
+
+#[test]
+fn a_list_without_room_for_all_objects_is_refused() {
+    let mut list: TriangleList<20, 400> = TriangleList::new();
+    let (options, mut objects) = (DrawOptions::new(), objects());
+    let error = list
+        .prepare_scene(&options, SIZE, &view(), &mut objects)
+        .unwrap_err();
+    assert!(
+        matches!(
+            error,
+            Error::Full {
+                of: "triangles",
+                needed: 40..,
+                room: 20,
+                ..
+            }
+        ),
+        "{error}"
+    );
+}
+
+#[test]
+fn a_canvas_of_another_frame_is_refused() {
+    let mut list: TriangleList<300, 400> = TriangleList::new();
+    let (options, mut objects) = (DrawOptions::new(), objects());
+    let scene = list
+        .prepare_scene(&options, SIZE, &view(), &mut objects)
+        .unwrap();
+    let mut color = [Gray8::BLACK; PIXELS];
+    for (width, height) in [(WIDTH * 2, HEIGHT / 2), (WIDTH, HEIGHT - 1)] {
+        let pixels = &mut color[..(width * height) as usize];
+        let canvas = Canvas::new(pixels, width, height).unwrap();
+        let error = scene.parts(&canvas).map(|_| ()).unwrap_err();
+        let expected = format!(
+            "canvas belongs to a frame of {width}x{height}: the scene was prepared for 48x36"
+        );
+        assert_eq!(error.to_string(), expected);
+    }
+    // A band of the same frame is not.
+    let band = Canvas::band(&mut color[..WIDTH as usize], WIDTH, HEIGHT, 7).unwrap();
+    assert!(scene.parts(&band).is_ok());
+}

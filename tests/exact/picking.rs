@@ -1,0 +1,212 @@
+//! Rays against faces: edges, vertices, sides, and the ends of the formats; and labels.
+
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{Dimensions, Point, Size};
+use embedded_graphics::mock_display::MockDisplay;
+use embedded_graphics::pixelcolor::{Gray8, Rgb565, RgbColor};
+use embedded_graphics::primitives::Rectangle;
+use embedded_graphics::{Drawable, Pixel, prelude::Primitive as _, primitives::PrimitiveStyle};
+use fixel::ScreenPoint;
+use fixel::num::Subpixel;
+use fixel::prelude::*;
+use proptest::prelude::*;
+
+static FLOOR: Mesh = shape!(plane(8, 8));
+static BALL: Mesh = shape!(sphere(16, 12));
+
+/// Through vertices and along edges, which all have exact coordinates: no ray falls between two faces.
+#[test]
+fn rays_through_vertices_and_edges_meet_a_face() {
+    for direction in [vec3!(0, -1, 0), vec3!(0, -4, 1), vec3!(1, -2, 1)] {
+        for x in -7..8 {
+            for z in -7..8 {
+                let on_floor = Vec3::new(Scalar::from_num(x) / 8, fx!(0), Scalar::from_num(z) / 8);
+                let ray = Ray::new(on_floor - direction * fx!(3), direction).unwrap();
+                let hit = ray.hit(&FLOOR).unwrap();
+                // The direction has 30 bits.
+                assert!(hit.point.distance(on_floor) < fx!(0.0001), "{hit:?}");
+            }
+        }
+    }
+    for position in BALL.positions().iter() {
+        let ray = Ray::new(position * fx!(3), -position).unwrap();
+        assert!(ray.hit(&BALL).is_some(), "{position}");
+    }
+}
+
+#[test]
+fn sides_and_directions() {
+    let above = Ray::new(vec3!(0.3, 2, 0.1), vec3!(0, -1, 0)).unwrap();
+    let below = Ray::new(vec3!(0.3, -2, 0.1), vec3!(0, 1, 0)).unwrap();
+    let away = Ray::new(vec3!(0.3, 2, 0.1), vec3!(0, 1, 0)).unwrap();
+    for (cull, meets) in [
+        (Cull::Nothing, [true, true]),
+        (Cull::Back, [true, false]),
+        (Cull::Front, [false, true]),
+    ] {
+        let rays = [above, below].map(|ray| ray.with_cull(cull).hit(&FLOOR).is_some());
+        assert_eq!(rays, meets, "{cull:?}");
+        assert_eq!(away.with_cull(cull).hit(&FLOOR), None);
+    }
+    assert_eq!(Ray::new(Vec3::X, Vec3::ZERO), Err(Error::ZeroDirection));
+    // Of faces in one place, the last: it is drawn over the others.
+    let positions = [vec3!(0, 0, 0), vec3!(1, 0, 0), vec3!(0, 1, 0)];
+    let twice = Mesh::new(&positions, &[[0, 1, 2], [2, 0, 1]]).unwrap();
+    let ray = Ray::new(vec3!(0.25, 0.25, 1), vec3!(0, 0, -1)).unwrap();
+    assert_eq!(ray.hit(&twice).map(|hit| hit.face), Some(1));
+}
+
+#[test]
+fn pixels_outside_and_models_without_an_inverse_have_no_ray() {
+    let mut pixels = [Gray8::new(0); 64];
+    let canvas = Canvas::new(&mut pixels, 8, 8).unwrap();
+    let projection = Projection::perspective(deg!(60), (1, 1), fx!(0.1), fx!(100)).unwrap();
+    let options = DrawOptions::new();
+    for (x, y) in [(-1, 0), (0, -1), (8, 0), (0, 8), (i32::MIN, i32::MAX)] {
+        assert_eq!(canvas.ray(&options, &projection, Point::new(x, y)), None);
+    }
+    let flat = projection * Transform::scale_axes(vec3!(1, 0, 1));
+    assert_eq!(canvas.ray(&options, &flat, Point::zero()), None);
+    let tiny = projection * Transform::scale(Scalar::DELTA);
+    assert_eq!(
+        canvas
+            .ray(&options, &tiny, Point::zero())
+            .map(|ray| ray.origin().x.abs() < fx!(9999)),
+        Some(true)
+    );
+}
+
+/// The line of sight itself: x and y are exactly 0 there.
+#[test]
+fn the_middle_of_a_frame_of_odd_size() {
+    let mut pixels = [Gray8::new(0); 81];
+    let canvas = Canvas::new(&mut pixels, 9, 9).unwrap();
+    let place = Transform::translate(vec3!(0, 0, -5));
+    let (near, far, options) = (fx!(1), fx!(100), DrawOptions::new());
+    let perspective = Projection::perspective(deg!(60), (1, 1), near, far).unwrap() * place;
+    let window = Window::centered(fx!(4), fx!(4));
+    let parallel = Projection::orthographic(window, near, far).unwrap() * place;
+    for ray in [
+        canvas.ray(&options, &perspective, Point::new(4, 4)),
+        canvas.ray(&options, &parallel, Point::new(4, 4)),
+    ] {
+        let ray = ray.unwrap();
+        assert_eq!(ray.origin(), vec3!(0, 0, 4));
+        assert_eq!(ray.hit(&BALL).map(|hit| hit.point), Some(Vec3::Z));
+    }
+}
+
+proptest! {
+    #[test]
+    fn no_ray_and_no_mesh_panics(
+        origin in any::<[i32; 3]>(),
+        direction in any::<[i32; 3]>(),
+        cut in 0..32_u32,
+        positions in prop::collection::vec(prop_oneof![any::<[i32; 3]>(), Just([i32::MIN; 3]), Just([i32::MAX; 3])], 3..9),
+        distance in any::<i32>(),
+    ) {
+        let direction = Vec3::from_bits(direction.map(|v| v >> cut));
+        let positions: Vec<Vec3> = positions.into_iter().map(Vec3::from_bits).collect();
+        let faces: Vec<[u16; 3]> = (0..positions.len() as u16 - 2).map(|i| [i, i + 1, i + 2]).collect();
+        let mesh = Mesh::new(&positions, &faces).unwrap();
+        for origin in [Vec3::from_bits(origin), Vec3::from_bits([i32::MIN; 3]), positions[0]] {
+            if let Ok(ray) = Ray::new(origin, direction) {
+                let _ = (ray.hit(&mesh), ray.at(Scalar::from_bits(distance)));
+            }
+            // Toward a point of a face: it is met there, or another one before.
+            let middle = positions[0].lerp(positions[1], fx!(0.5)).lerp(positions[2], fx!(0.25));
+            if let Ok(ray) = Ray::new(origin, middle - origin) {
+                let _ = ray.hit(&mesh);
+            }
+        }
+    }
+}
+
+/// A frame of 12x6 pixels whose right half is nearer than the left one.
+fn labelled(
+    draw: impl FnOnce(&mut Canvas<'_, Rgb565, fixel::target::Native, fixel::target::Depth<'_>>),
+) -> (MockDisplay<Rgb565>, Vec<u16>) {
+    let mut colors = [Rgb565::BLACK; 12 * 6];
+    let mut depths: Vec<u16> = (0..12 * 6)
+        .map(|i| if i % 12 < 6 { 100 } else { 200 })
+        .collect();
+    let mut display = MockDisplay::new();
+    let mut canvas = Canvas::new(&mut colors, 12, 6)
+        .unwrap()
+        .with_depth(&mut depths)
+        .unwrap();
+    draw(&mut canvas);
+    canvas.show(&mut display).unwrap();
+    (display, depths)
+}
+
+fn at(x: i32, y: i32, depth: u16) -> ScreenPoint {
+    ScreenPoint {
+        x: Subpixel::from_bits(x * 256 + 255),
+        y: Subpixel::from_bits(y * 256),
+        depth,
+    }
+}
+
+#[test]
+fn labels_are_hidden_and_placed_by_their_point() {
+    let (display, depths) = labelled(|canvas| {
+        let style = PrimitiveStyle::with_fill(Rgb565::RED);
+        let mut label = canvas.label(at(4, 2, 199));
+        Rectangle::new(Point::new(-1, -1), Size::new(5, 2))
+            .into_styled(style)
+            .draw(&mut label)
+            .unwrap();
+        // As deep as the stored depth: drawn, as triangles are.
+        let mut label = canvas.label(at(8, 4, 200));
+        label
+            .fill_contiguous(
+                &Rectangle::new(Point::new(-1, 0), Size::new(9, 9)),
+                [Rgb565::BLUE; 81],
+            )
+            .unwrap();
+        canvas
+            .label(at(0, 0, 99))
+            .draw_iter([Pixel(Point::new(3, 0), Rgb565::WHITE)])
+            .unwrap();
+        canvas
+            .label(at(0, 0, 100))
+            .draw_iter([Pixel(Point::new(2, 0), Rgb565::WHITE)])
+            .unwrap();
+    });
+    display.assert_pattern(&[
+        "KKWKKKKKKKKK",
+        "KKKRRRKKKKKK",
+        "KKKRRRKKKKKK",
+        "KKKKKKKKKKKK",
+        "KKKKKKKBBBBB",
+        "KKKKKKKBBBBB",
+    ]);
+    assert!(
+        depths.iter().all(|depth| [100, 200].contains(depth)),
+        "labels keep depths"
+    );
+}
+
+#[test]
+fn labels_take_any_place_and_any_area() {
+    for x in [i32::MIN >> 8, -1, 0, 5, i32::MAX >> 8] {
+        let (display, _) = labelled(|canvas| {
+            let mut label = canvas.label(at(x, x, 150));
+            let area = label.bounding_box();
+            assert_eq!(area, Rectangle::new(Point::new(-x, -x), Size::new(12, 6)));
+            for corner in [i32::MIN, -9, 0, i32::MAX] {
+                for size in [0, 7, u32::MAX] {
+                    let area = Rectangle::new(Point::new(corner, corner), Size::new(size, size));
+                    label.fill_solid(&area, Rgb565::GREEN).unwrap();
+                    label.fill_contiguous(&area, [Rgb565::GREEN; 9]).unwrap();
+                }
+                label
+                    .draw_iter([Pixel(Point::new(corner, corner), Rgb565::GREEN)])
+                    .unwrap();
+            }
+            label.clear(Rgb565::RED).unwrap();
+        });
+        display.assert_pattern(&["RRRRRRKKKKKK"; 6].map(|row| row));
+    }
+}

@@ -1,0 +1,190 @@
+//! Sprites are the triangles of a mesh in eye space, bit for bit, in frames and in bands.
+
+use std::cell::RefCell;
+
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use fixel::prelude::*;
+use fixel::shade::Fog;
+use fixel::view::ProjectionKind;
+
+use crate::common::recorder::Probe;
+
+const WIDTH: u32 = 80;
+const HEIGHT: u32 = 60;
+
+static SKIN: TextureArray<Rgb565, 2, 2> =
+    TextureArray::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x07, 0xe0, 0xf8, 0x00]);
+
+/// More sprites than are drawn at a time, near and far, some of them in part behind the near plane or beside the picture.
+fn positions() -> Vec<Vec3> {
+    (0..29)
+        .map(|i: i16| Vec3::from_ints(i * 7 % 11 - 5, i * 5 % 7 - 3, -(i * 3 % 13)))
+        .collect()
+}
+
+type Picture = (Vec<Rgb565>, Vec<u16>);
+
+/// A picture drawn in bands of so many rows.
+fn picture(
+    rows: u32,
+    draw: &dyn Fn(&mut Canvas<'_, Rgb565, fixel::target::Native, fixel::target::Depth<'_>>),
+) -> Picture {
+    let mut colors = vec![Rgb565::new(1, 2, 3); (WIDTH * HEIGHT) as usize];
+    let mut depths = vec![0; colors.len()];
+    let bands = colors
+        .chunks_mut((WIDTH * rows) as usize)
+        .zip(depths.chunks_mut((WIDTH * rows) as usize));
+    for (band, (colors, depths)) in (0..).zip(bands) {
+        let canvas = Canvas::band(colors, WIDTH, HEIGHT, band * rows).unwrap();
+        draw(&mut canvas.with_depth(depths).unwrap());
+    }
+    (colors, depths)
+}
+
+/// The corners of all quads in eye space, four each.
+fn corners<K: ProjectionKind>(sprites: &Sprites<'_>, mvp: &Mvp<K>) -> Vec<Vec3> {
+    // A triangle is drawn only where it has pixels, so the picture of these must be large.
+    let found = RefCell::new(vec![Vec3::ZERO; 4 * sprites.positions().len()]);
+    let probe = Probe::<_, Rgb565> {
+        values: &|corner| {
+            let primitive = corner.primitive();
+            let quad = 4 * (primitive.index() / 2);
+            let first = [[0, 1, 2], [2, 1, 3]][primitive.index() % 2];
+            for (at, position) in first.into_iter().zip(primitive.positions()) {
+                found.borrow_mut()[quad + at] = position;
+            }
+            [0; 1]
+        },
+        color: None,
+    };
+    picture(HEIGHT, &|canvas| {
+        canvas.draw_sprites(&DrawOptions::new(), sprites, mvp, &probe);
+    });
+    found.into_inner()
+}
+
+fn check<K: ProjectionKind>(sprites: Sprites<'_>, projection: Projection<K>, camera: Camera) {
+    let colors: Vec<Rgb888> = (0..29)
+        .map(|i| Rgb888::new(i * 8, 255 - i, i * 5))
+        .collect();
+    let sprites = sprites.with_colors(&colors).unwrap();
+    let mvp = projection * camera;
+    let options = DrawOptions::new();
+    let fog = Fog::linear(Rgb565::new(9, 9, 9), fx!(2), fx!(12)).unwrap();
+    let shader = Textured::new(&SKIN)
+        .cut_out(Rgb565::new(0, 0, 31))
+        .tinted()
+        .in_fog(fog);
+    let frame = picture(HEIGHT, &|canvas| {
+        let drawn = canvas.draw_sprites(&options, &sprites, &mvp, &shader);
+        assert_eq!(drawn.submitted, 2 * 29);
+        assert!(!drawn.missing.uvs && !drawn.missing.colors);
+    });
+    for rows in [1, 7, 16] {
+        let bands = picture(rows, &|canvas| {
+            canvas.draw_sprites(&options, &sprites, &mvp, &shader);
+        });
+        assert!(bands == frame, "bands of {rows} rows");
+    }
+
+    let positions = corners(&sprites, &mvp);
+    let uvs: Vec<Vec2> = [vec2!(0, 1), vec2!(1, 1), vec2!(0, 0), vec2!(1, 0)].repeat(29);
+    let faces: Vec<[u16; 3]> = (0..29)
+        .flat_map(|i| [[0, 1, 2], [2, 1, 3]].map(|face| face.map(|at: u16| 4 * i + at)))
+        .collect();
+    let colors: Vec<Rgb888> = colors.iter().flat_map(|&color| [color; 4]).collect();
+    let mesh = Mesh::new(&positions, &faces)
+        .and_then(|mesh| mesh.with_uvs(&uvs, None))
+        .and_then(|mesh| mesh.with_colors(&colors, None))
+        .unwrap();
+    let both = options.with_cull(Cull::Nothing);
+    let expected = picture(HEIGHT, &|canvas| {
+        let drawn = canvas.draw_with(&both, &mesh, &projection, &shader);
+        assert!(drawn.drawn > 20, "{drawn:?}");
+    });
+    assert!(frame == expected, "a mesh differs");
+}
+
+#[test]
+fn sprites_are_meshes_in_eye_space() {
+    let positions = positions();
+    let scales: Vec<Scalar> = (0..29)
+        .map(|i| fx!(0.5) + Scalar::from_bits(i << 12))
+        .collect();
+    let camera = Camera::look_at(vec3!(0, 2, 1), vec3!(0, 0, -6), Vec3::Y).unwrap();
+    let size = (fx!(2), fx!(3));
+    let world = Sprites::new(&positions, size)
+        .unwrap()
+        .with_scales(&scales)
+        .unwrap();
+    let pixels = Sprites::in_pixels(&positions, (fx!(9), fx!(7))).unwrap();
+    let trees = world
+        .with_axis(vec3!(0.1, 3, 0))
+        .unwrap()
+        .with_anchor(vec2!(0.5, 1));
+    let window = Window::centered(fx!(16), fx!(12));
+    for sprites in [world, pixels, trees] {
+        check(
+            sprites,
+            Projection::perspective(deg!(80), (4, 3), fx!(0.5), fx!(20)).unwrap(),
+            camera,
+        );
+        check(
+            sprites,
+            Projection::orthographic(window, fx!(2), fx!(11)).unwrap(),
+            camera,
+        );
+    }
+}
+
+/// Positions and sizes at the ends of the format: a sprite out of range must not appear elsewhere.
+#[test]
+fn what_is_out_of_range_has_no_pixels() {
+    let ends = [Scalar::MIN, -Scalar::DELTA, Scalar::ZERO, Scalar::MAX];
+    let mut positions = Vec::new();
+    for x in ends {
+        for y in ends {
+            positions.extend([Scalar::MAX, Scalar::MIN, fx!(30000)].map(|z| Vec3::new(x, y, z)));
+        }
+    }
+    let wide = Projection::perspective(deg!(170), (1, 1), Scalar::DELTA, Scalar::MAX).unwrap();
+    for size in [Scalar::DELTA, fx!(1), Scalar::MAX] {
+        for place in [
+            Transform::IDENTITY,
+            Transform::scale(fx!(32767)),
+            Transform::translate(vec3!(0, 0, -32768)),
+        ] {
+            for sprites in [
+                Sprites::new(&positions, (size, size)),
+                Sprites::in_pixels(&positions, (size, size)),
+            ] {
+                let sprites = sprites.unwrap();
+                let turning = sprites.with_axis(Vec3::Z).unwrap();
+                for sprites in [sprites, turning] {
+                    picture(HEIGHT, &|canvas| {
+                        canvas.draw_sprites(
+                            &DrawOptions::new(),
+                            &sprites,
+                            &(wide * place),
+                            &Flat::new(Rgb565::new(9, 9, 9)),
+                        );
+                    });
+                }
+            }
+        }
+    }
+    // In the middle of the picture, but beyond the format after the transform. Saturated, it would be at 45 degrees.
+    let positions = [vec3!(20000, 20000, -20000)];
+    let sprites = Sprites::new(&positions, (fx!(9000), fx!(9000))).unwrap();
+    let mvp = Projection::perspective(deg!(120), (1, 1), fx!(1), Scalar::MAX).unwrap()
+        * Transform::scale_axes(vec3!(2, 2, 1));
+    let drawn = picture(HEIGHT, &|canvas| {
+        canvas.draw_sprites(
+            &DrawOptions::new(),
+            &sprites,
+            &mvp,
+            &Flat::new(Rgb565::new(9, 9, 9)),
+        );
+    });
+    assert!(drawn.0.iter().all(|&color| color == Rgb565::new(1, 2, 3)));
+}
