@@ -17,12 +17,16 @@ use crate::mesh::{Element, Index};
 use crate::raster::{self, Blitter, ClippedVertex, Polygon, Rasterizer, ScreenVertex, Triangle};
 use crate::view::ProjectionKind;
 
-/// Runs all triangles of a mesh through the vertex and assembly stages; `to` draws them or lists them to be drawn
+/// Runs all triangles of a mesh, of which the first one has the index `first`, through the vertex and assembly stages; `to` draws them or lists them to be drawn
 /// later.
 #[inline]
-pub(super) fn triangles<K: ProjectionKind>(call: &Call<'_, K>, to: &mut impl Assembly) {
+pub(super) fn triangles<K: ProjectionKind>(
+    call: &Call<'_, K>,
+    first: usize,
+    to: &mut impl Assembly,
+) {
     let mut vertices = VertexCache::new();
-    for (face, indices) in call.shared.mesh.faces().iter().enumerate() {
+    for (face, indices) in (first..).zip(call.shared.mesh.faces()) {
         assemble::triangle(call, &mut vertices, (face, indices), to);
     }
 }
@@ -80,8 +84,18 @@ pub(super) fn points<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Bl
 /// Draws all triangles of a mesh, in code that exists once for all shaders and canvases.
 #[inline(never)]
 pub(super) fn draw<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blitter) -> Drawn {
+    draw_from(call, 0, blitter)
+}
+
+/// Draws all triangles of a mesh, of which the first one has the index `first`. Nothing says whether it is inlined: it is
+/// if [`draw`] is its only caller.
+pub(super) fn draw_from<K: ProjectionKind>(
+    call: &Call<'_, K>,
+    first: usize,
+    blitter: &mut dyn Blitter,
+) -> Drawn {
     let mut draw = Draw::new(blitter, &call.shared);
-    triangles(call, &mut draw);
+    triangles(call, first, &mut draw);
     draw.drawn()
 }
 

@@ -3,13 +3,12 @@
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::Drawn;
-use super::assemble;
-use super::cache::VertexCache;
 use super::call::{Call, Shared};
-use super::run::Draw;
+use super::run;
 use super::vertex::Projector;
 use crate::math::Transform;
 use crate::mesh::{Index, Mesh, Placement, Positions, Sprites};
+use crate::num::TexCoord;
 use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt::unit;
 use crate::num::wide::{dot, product};
@@ -106,23 +105,79 @@ impl Shape {
     }
 }
 
-/// A point plus an offset; `None` if it may be out of range.
+/// Whether a vector is inside the range; saturated numbers are at its ends.
+fn is_inside(vector: Vec3) -> bool {
+    let [x, y, z] = vector.to_bits();
+    let is_inside = |v: i32| i32::MIN < v && v < i32::MAX;
+    is_inside(x) && is_inside(y) && is_inside(z)
+}
+
+/// The texture coordinates of a quad's corners, from those at its left, right, top and bottom.
+fn uvs_of([left, right, top, bottom]: [TexCoord; 4]) -> [Vec2; 4] {
+    [[left, bottom], [right, bottom], [left, top], [right, top]].map(|[u, v]| Vec2::new(u, v))
+}
+
+/// A point plus an offset; `None` if it is out of range.
 fn moved(point: Vec3, offset: Vec3) -> Option<Vec3> {
     let ([a, b, c], [x, y, z]) = (point.to_bits(), offset.to_bits());
-    // Saturated numbers are at the ends of the range, and so are sums with them or beyond.
-    let sum = |a: i32, b: i32| {
-        let is_inside = |v: i32| i32::MIN < v && v < i32::MAX;
-        a.checked_add(b)
-            .filter(|&sum| is_inside(a) && is_inside(b) && is_inside(sum))
-    };
-    Some(Vec3::from_bits([sum(a, x)?, sum(b, y)?, sum(c, z)?]))
+    let sum = [a.checked_add(x)?, b.checked_add(y)?, c.checked_add(z)?];
+    Some(Vec3::from_bits(sum)).filter(|&sum| is_inside(sum))
 }
+
+/// A transform that takes many points to eye space.
+struct ToEye {
+    transform: Transform,
+    /// The translation with 16 + `exp` fraction bits, as the products of a row with a point have.
+    offset: [i64; 3],
+    /// From 1 to 40; 0 if numbers of 64 bits may be too short.
+    exp: u32,
+}
+
+impl ToEye {
+    fn new(transform: Transform) -> Self {
+        let up = 16 + transform.linear_exp - transform.translation_exp;
+        let fits = (1..=40).contains(&transform.linear_exp) && (-62..=30).contains(&up);
+        // Below 2^60.
+        let offset = transform.translation.map(|v| {
+            let wide = i64::from(v) << up.clamp(0, 30);
+            wide >> (-up).clamp(0, 62)
+        });
+        Self {
+            transform,
+            offset,
+            exp: if fits {
+                transform.linear_exp.unsigned_abs()
+            } else {
+                0
+            },
+        }
+    }
+
+    /// A point, rounded to nearest; it saturates.
+    fn point(&self, point: Vec3) -> Vec3 {
+        if self.exp == 0 {
+            return self.transform.point(point);
+        }
+        let (rows, [x, y, z]) = (&self.transform.linear, self.offset);
+        let point = point.to_bits();
+        // Three products below 2^61.
+        let number = |row: &[i32; 3], offset: i64| {
+            let sum = dot(row, &point) + offset + (1 << (self.exp - 1));
+            (sum >> self.exp).clamp(i32::MIN.into(), i32::MAX.into()) as i32
+        };
+        let [i, j, k] = rows;
+        Vec3::from_bits([number(i, x), number(j, y), number(k, z)])
+    }
+}
+
+/// A scale, the corners of a sprite at this scale, and whether all of them are in range.
+type LastScale = (BlockFloat, [Vec3; 4], bool);
 
 /// A draw call of sprites.
 pub(super) struct Quads<'s, K> {
     sprites: &'s Sprites<'s>,
     /// From model to eye space.
-    view: Transform,
+    view: ToEye,
     /// From eye to world space.
     pose: Transform,
     /// From eye space to the screen.
@@ -143,7 +198,7 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
         Self {
             shape: Shape::new(sprites, &view, projection.pixel(viewport)),
             sprites,
-            view,
+            view: ToEye::new(view),
             pose: mvp.camera_of().inverse_rigid(),
             projector: Projector::new(
                 Positions::of_one(&Vec3::ZERO),
@@ -166,10 +221,11 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
         let sprites = self.sprites;
         let mut drawn = Drawn::default();
         let mut corners = [[Vec3::ZERO; 4]; BATCH];
-        let mut uvs = [[Vec2::default(); 4]; BATCH];
+        // Where sprites do not differ, this is written once.
+        let mut uvs = [uvs_of(sprites.frame(0)); BATCH];
         let mut colors = [[Rgb888::WHITE; 4]; BATCH];
         // The corners of the last scale, because many sprites have the same.
-        let mut last = (BlockFloat::ZERO, [Vec3::ZERO; 4]);
+        let mut last = (BlockFloat::ZERO, [Vec3::ZERO; 4], true);
         for (batch, positions) in sprites.positions.chunks(BATCH).enumerate() {
             let first = batch * BATCH;
             let quads = corners.iter_mut().zip(&mut uvs).zip(&mut colors);
@@ -178,15 +234,12 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
             {
                 let sprite = first + i;
                 *corners = self.corners(sprite, position, &mut last);
-                let [left, right, top, bottom] = sprites.frame(sprite);
-                let at = Vec2::new;
-                *uvs = [
-                    at(left, bottom),
-                    at(right, bottom),
-                    at(left, top),
-                    at(right, top),
-                ];
-                *colors = [sprites.colors.get(sprite).copied().unwrap_or(Rgb888::WHITE); 4];
+                if !sprites.frames.is_empty() {
+                    *uvs = uvs_of(sprites.frame(sprite));
+                }
+                if let Some(&color) = sprites.colors.get(sprite) {
+                    *colors = [color; 4];
+                }
             }
             let colors = if sprites.colors.is_empty() {
                 &[]
@@ -204,7 +257,7 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
                     scissor: scissor.clone(),
                 },
             };
-            let part = batch_of(&call, 2 * first, blitter);
+            let part = run::draw_from(&call, 2 * first, blitter);
             drawn.submitted += part.submitted;
             drawn.drawn += part.drawn;
             drawn.clipped += part.clipped;
@@ -215,12 +268,7 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
     }
 
     /// The corners of a sprite in eye space; all the same, so that it has no pixels, if one of them is out of range.
-    fn corners(
-        &self,
-        sprite: usize,
-        position: Vec3,
-        last: &mut (BlockFloat, [Vec3; 4]),
-    ) -> [Vec3; 4] {
+    fn corners(&self, sprite: usize, position: Vec3, last: &mut LastScale) -> [Vec3; 4] {
         let position = self.view.point(position);
         let scale = self
             .sprites
@@ -235,25 +283,16 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
             scale = BlockFloat::new(scale.value * i64::from(distance), 32);
         }
         if last.0 != scale {
-            *last = (scale, self.shape.scaled(scale));
+            let corners = self.shape.scaled(scale);
+            *last = (scale, corners, corners.into_iter().all(is_inside));
         }
-        let corner = |i: usize| moved(position, *last.1.get(i)?);
-        let all = || Some([corner(0)?, corner(1)?, corner(2)?, corner(3)?]);
-        all().unwrap_or_default()
+        let &mut (_, [a, b, c, d], corners_are_inside) = last;
+        let corner = |offset| moved(position, offset);
+        let all = || Some([corner(a)?, corner(b)?, corner(c)?, corner(d)?]);
+        if corners_are_inside && is_inside(position) {
+            all().unwrap_or_default()
+        } else {
+            [Vec3::ZERO; 4]
+        }
     }
-}
-
-/// Draws the quads of a mesh, whose first triangle has the index `first`.
-#[inline(never)]
-fn batch_of<K: ProjectionKind>(
-    call: &Call<'_, K>,
-    first: usize,
-    blitter: &mut dyn Blitter,
-) -> Drawn {
-    let mut draw = Draw::new(blitter, &call.shared);
-    let mut vertices = VertexCache::new();
-    for (face, indices) in call.shared.mesh.faces().iter().enumerate() {
-        assemble::triangle(call, &mut vertices, (first + face, indices), &mut draw);
-    }
-    draw.drawn()
 }

@@ -43,6 +43,8 @@ mod setup;
 mod ticks;
 #[cfg(target_os = "none")]
 mod wall;
+#[cfg(target_os = "none")]
+mod words;
 
 #[cfg(not(target_os = "none"))]
 fn main() -> Result<(), fixel::Error> {
@@ -70,6 +72,7 @@ mod firmware {
     use super::setup::{self, Kind};
     use super::ticks::Stopwatch;
     use super::wall::{Bench, Depths};
+    use super::words;
 
     /// Half-transparent white.
     static SMOKE: TextureArray<Argb4444, 64, 64> =
@@ -89,6 +92,7 @@ mod firmware {
         let (tests, ticks) = bounds::measure(&mut watch)?;
         watch.print("in-view", "test", tests, ticks);
         lights::measure(&mut watch)?;
+        words::measure(&mut watch)?;
 
         let mut frame = Frame::take();
         frame.measure(&mut watch, "newton", Newton)?;

@@ -1,0 +1,138 @@
+//! What is drawn besides triangles, and what is computed for meshes that change.
+
+use core::hint::black_box;
+
+use embedded_graphics::geometry::Point;
+use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use fixel::Index;
+use fixel::mesh::Keyframes;
+use fixel::prelude::*;
+use static_cell::ConstStaticCell;
+
+use super::ticks::Stopwatch;
+
+const SIZE: u32 = 64;
+/// Sprites in a row, and rows of sprites.
+const SIDE: usize = 8;
+const SPRITES: usize = SIDE * SIDE;
+
+static COLORS: ConstStaticCell<[Rgb565; 64 * 64]> = ConstStaticCell::new([Rgb565::BLACK; 64 * 64]);
+static BALL: Mesh = shape!(sphere(16, 12));
+static OUTLINE: Outline = outline!(BALL, deg!(30));
+static LIST: ConstStaticCell<TriangleList<400, 250>> = ConstStaticCell::new(TriangleList::new());
+
+/// Measures a call per sprite, line, point, triangle and vertex, and prints them.
+pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
+    let mut canvas = Canvas::new(COLORS.take(), SIZE, SIZE)?;
+    let projection = Projection::perspective(deg!(60), (1, 1), fx!(1), fx!(10))?;
+    let mvp = projection * Transform::translate(vec3!(0, 0, -3));
+    let (options, white) = black_box((DrawOptions::new(), Flat::new(Rgb565::WHITE)));
+
+    // A sprite of 4x4 pixels, and the same two triangles of a mesh.
+    let (middles, corners, faces) = squares();
+    let quads = Mesh::new(&corners, &faces)?;
+    let ticks = watch.time(|| drawn(canvas.draw_with(&options, &quads, &mvp, &white).drawn))?;
+    watch.print("two-triangles", "pair", SPRITES as u32, ticks);
+    let sprites = Sprites::new(&middles, (SQUARE, SQUARE))?;
+    let ticks =
+        watch.time(|| drawn(canvas.draw_sprites(&options, &sprites, &mvp, &white).drawn))?;
+    watch.print("sprite", "sprite", SPRITES as u32, ticks);
+
+    let edges = BALL.edges().len() as u32;
+    let ticks = watch.time(|| drawn(canvas.draw_edges(&options, &BALL, &mvp, &white).drawn))?;
+    watch.print("line", "edge", edges, ticks);
+    let width = LineWidth::new(fx!(3))?;
+    let call = |canvas: &mut Canvas<'_, _>| {
+        drawn(
+            canvas
+                .draw_wide_edges(&options, &BALL, width, &mvp, &white)
+                .drawn,
+        )
+    };
+    let ticks = watch.time(|| call(&mut canvas))?;
+    watch.print("line-3-wide", "edge", edges, ticks);
+    let edges = OUTLINE.edges().len() as u32;
+    let ticks = watch.time(|| {
+        drawn(
+            canvas
+                .draw_outline(&options, &BALL, &OUTLINE, &mvp, &white)
+                .drawn,
+        )
+    })?;
+    watch.print("outline", "edge", edges, ticks);
+
+    let points = BALL.positions().len() as u32;
+    let ticks = watch.time(|| drawn(canvas.draw_points(&options, &BALL, &mvp, &white).drawn))?;
+    watch.print("point", "point", points, ticks);
+    let disc = PointStyle::round(fx!(3))?;
+    let call = |canvas: &mut Canvas<'_, _>| {
+        drawn(
+            canvas
+                .draw_sized_points(&options, &BALL, disc, &mvp, &white)
+                .drawn,
+        )
+    };
+    let ticks = watch.time(|| call(&mut canvas))?;
+    watch.print("disc-3-wide", "point", points, ticks);
+
+    let (list, triangles) = (LIST.take(), BALL.faces().len() as u32);
+    let plain = watch.time(|| {
+        list.prepare(&options, (SIZE, SIZE), &BALL, &mvp)
+            .map(|_| ())
+    })?;
+    watch.print("prepare", "triangle", triangles, plain);
+    let sorted = watch.time(|| {
+        let sorted = list.prepare_back_to_front(&options, (SIZE, SIZE), &BALL, &mvp);
+        sorted.map(|_| ())
+    })?;
+    watch.print("sort", "triangle", triangles, sorted - plain);
+
+    let ray = canvas.ray(&options, &mvp, Point::new(32, 32));
+    let ticks = watch.time(|| drawn(u32::from(ray.and_then(|ray| ray.hit(&BALL)).is_some())))?;
+    watch.print("ray", "triangle", triangles, ticks);
+
+    let mut positions = [Vec3::ZERO; 17 * 13];
+    let mut normals = [Vec3::ZERO; 17 * 13];
+    let keys = Keyframes::new(&BALL, &BALL)?;
+    let half = black_box(fx!(0.5));
+    let ticks = watch.time(|| keys.blend(half, &mut positions, &mut normals).map(|_| ()))?;
+    watch.print("keyframe", "vertex", points, ticks);
+    let ticks = watch.time(|| BALL.with_smooth_normals(&mut normals).map(|_| ()))?;
+    watch.print("smooth-normals", "triangle", triangles, ticks);
+    Ok(())
+}
+
+/// The side of a square that is 4 pixels wide at the distance 3.
+const SQUARE: Scalar = fx!(0.2165);
+
+/// The middles, corners and faces of squares side by side, some with gaps.
+fn squares() -> (
+    [Vec3; SPRITES],
+    [Vec3; 4 * SPRITES],
+    [[Index; 3]; 2 * SPRITES],
+) {
+    let middles: [Vec3; SPRITES] = core::array::from_fn(|at| {
+        let place = |at: usize| (Scalar::from_num(at as u8) - fx!(3.5)) * fx!(0.3);
+        Vec3::new(place(at % SIDE), place(at / SIDE), fx!(0))
+    });
+    let half = SQUARE / 2;
+    let corners = core::array::from_fn(|at| {
+        let side = |is_far: bool| if is_far { half } else { -half };
+        middles[at / 4] + Vec3::new(side(at % 2 > 0), side(at % 4 > 1), fx!(0))
+    });
+    let faces = core::array::from_fn(|at| {
+        let first = (at / 2 * 4) as Index;
+        if at % 2 == 0 {
+            [first, first + 1, first + 2]
+        } else {
+            [first + 1, first + 3, first + 2]
+        }
+    });
+    (middles, corners, faces)
+}
+
+/// Something must be seen.
+fn drawn(count: u32) -> Result<(), Error> {
+    assert!(count > 0, "something is drawn");
+    Ok(())
+}
