@@ -8,7 +8,9 @@ mod labels;
 mod lights;
 mod painter;
 mod picking;
+mod sky;
 mod sprites;
+mod terrain;
 mod wireframe;
 
 use std::error::Error;
@@ -36,7 +38,9 @@ const RECIPES: &[Recipe] = &[
     ("lights", lights::draw),
     ("painter", painter::draw),
     ("picking", picking::draw),
+    ("sky", sky::draw),
     ("sprites", sprites::draw),
+    ("terrain", terrain::draw),
     ("wireframe", wireframe::draw),
 ];
 

@@ -1,0 +1,60 @@
+//! Hills that the program computes, with their normals, in colors by height.
+
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use fixel::Index;
+use fixel::prelude::*;
+use fixel::shade::{Fog, Gradient};
+use fixel::target::{Depth, Native};
+
+/// Squares along a side.
+const SIDE: usize = 48;
+const CORNERS: usize = (SIDE + 1) * (SIDE + 1);
+
+/// The height of the ground: waves of several lengths and directions.
+fn height(x: Scalar, z: Scalar) -> Scalar {
+    let wave = |turns: Scalar, height: Scalar| {
+        let angle = Angle::from_turns(turns);
+        height * Scalar::from_num(angle.sin())
+    };
+    wave(x / 11 + z / 31, fx!(1.1)) + wave(z / 9 - x / 23, fx!(0.9)) + wave((x + z) / 4, fx!(0.18))
+}
+
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+    let projection = Projection::perspective(deg!(50), (4, 3), fx!(0.5), fx!(60))?;
+    let view = projection * Camera::look_at(vec3!(-9, 6, 15), vec3!(0, -0.5, 0), Vec3::Y)?;
+
+    let positions: [Vec3; CORNERS] = core::array::from_fn(|at| {
+        let place = |at: usize| Scalar::from_num(at as u8) / 2 - fx!(12);
+        let (x, z) = (place(at % (SIDE + 1)), place(at / (SIDE + 1)));
+        Vec3::new(x, height(x, z), z)
+    });
+    let faces: [[Index; 3]; 2 * SIDE * SIDE] = core::array::from_fn(|at| {
+        let (row, column) = (at / 2 / SIDE, at / 2 % SIDE);
+        let first = (row * (SIDE + 1) + column) as Index;
+        let below = first + SIDE as Index + 1;
+        if at % 2 == 0 {
+            [first, below, below + 1]
+        } else {
+            [first, below + 1, first + 1]
+        }
+    });
+    let mut normals = [Vec3::ZERO; CORNERS];
+    let hills = Mesh::new(&positions, &faces)?.with_smooth_normals(&mut normals)?;
+
+    let haze = Rgb565::new(20, 45, 27);
+    canvas.clear(haze);
+    let sun = Light::new(vec3!(3, 2, 1), fx!(0.25), fx!(0.75))?;
+    let (grass, snow) = (Rgb888::new(60, 110, 40), Rgb888::new(250, 245, 230));
+    let ground = Gradient::<Rgb565>::new((fx!(-0.6), grass), (fx!(1.8), snow))?;
+    let fog = Fog::linear(haze, fx!(14), fx!(44))?;
+    canvas.draw(&hills, &view, &ground.lit(sun).in_fog(fog));
+    // Water at one height hides the ground below it.
+    static WATER: Mesh = shape!(plane(1, 1));
+    let lake = Transform::translate(vec3!(0, -0.9, 0)) * Transform::scale(fx!(12));
+    canvas.draw(
+        &WATER,
+        &(view * lake),
+        &Flat::rgb(Rgb888::new(50, 90, 140)).in_fog(fog),
+    );
+    Ok(())
+}
