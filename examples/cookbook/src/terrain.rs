@@ -6,8 +6,9 @@ use fixel::prelude::*;
 use fixel::shade::{Fog, Gradient};
 use fixel::target::{Depth, Native};
 
+static WATER: Mesh = shape!(plane(1, 1));
 /// Squares along a side.
-const SIDE: usize = 48;
+const SIDE: usize = 32;
 const CORNERS: usize = (SIDE + 1) * (SIDE + 1);
 
 /// The height of the ground: waves of several lengths and directions.
@@ -24,7 +25,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     let view = projection * Camera::look_at(vec3!(-9, 6, 15), vec3!(0, -0.5, 0), Vec3::Y)?;
 
     let positions: [Vec3; CORNERS] = core::array::from_fn(|at| {
-        let place = |at: usize| Scalar::from_num(at as u8) / 2 - fx!(12);
+        let place = |at: usize| Scalar::from_num(at as u8) * 3 / 4 - fx!(12);
         let (x, z) = (place(at % (SIDE + 1)), place(at / (SIDE + 1)));
         Vec3::new(x, height(x, z), z)
     });
@@ -49,7 +50,6 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     let fog = Fog::linear(haze, fx!(14), fx!(44))?;
     canvas.draw(&hills, &view, &ground.lit(sun).in_fog(fog));
     // Water at one height hides the ground below it.
-    static WATER: Mesh = shape!(plane(1, 1));
     let lake = Transform::translate(vec3!(0, -0.9, 0)) * Transform::scale(fx!(12));
     canvas.draw(
         &WATER,
