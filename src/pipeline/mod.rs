@@ -26,7 +26,7 @@ use vertex::Projector;
 
 use crate::Vec3;
 use crate::mesh::{Bounds, Mesh, Missing, Outline, Positions, Sprites};
-use crate::num::Subpixel;
+use crate::num::{Subpixel, block::BlockFloat};
 use crate::raster::{
     self, Blitter, ClippedVertex, LineWidth, PointStyle, Rasterizer, Scissor, ScreenVertex,
 };
@@ -578,6 +578,60 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         );
         let scissor = Scissor::new(&viewport, frame.width, rows);
         !scissor.is_empty() && !projector.misses(bounds, &scissor)
+    }
+
+    /// The size of `bounds` on the screen: the length of their diagonal at the distance of their middle, in pixels, rounded
+    /// down. Use it to choose among meshes of several levels of detail.
+    ///
+    /// It is `u32::MAX` if the eye is nearer to the middle than half of the diagonal, or if the bounds are behind the eye.
+    /// Corners are rounded to [`Scalar`](crate::Scalar)s in eye space.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::Gray8;
+    /// use fixel::mesh::Bounds;
+    /// use fixel::prelude::*;
+    /// static FINE: Mesh = shape!(sphere(24, 16));
+    /// static COARSE: Mesh = shape!(sphere(8, 6));
+    /// static BOUNDS: Bounds = FINE.bounds();
+    /// let mut pixels = [Gray8::new(0); 64 * 64];
+    /// let mut canvas = Canvas::new(&mut pixels, 64, 64)?;
+    /// let projection = Projection::perspective(deg!(60), (1, 1), fx!(0.5), fx!(100))?;
+    /// for (distance, faces) in [(4, FINE.faces().len()), (40, COARSE.faces().len())] {
+    ///     let mvp = projection * Transform::translate(Vec3::from_ints(0, 0, -distance));
+    ///     let level = match canvas.size_on_screen(&DrawOptions::new(), &BOUNDS, &mvp) {
+    ///         24.. => &FINE,
+    ///         _ => &COARSE,
+    ///     };
+    ///     let drawn = canvas.draw(level, &mvp, &Flat::new(Gray8::new(9)));
+    ///     assert_eq!(drawn.submitted, faces as u32);
+    /// }
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn size_on_screen<M: Copy, Z: Copy, B: Copy, V: ModelToPicture>(
+        &self,
+        options: &DrawOptions<M, Z, B>,
+        bounds: &Bounds,
+        mvp: &V,
+    ) -> u32 {
+        let view = mvp.model_view_of();
+        let (a, b) = (view.point(bounds.least()), view.point(bounds.most()));
+        let diagonal = a.distance(b).to_bits();
+        // Twice the distance of the middle.
+        let ahead = -(i64::from(a.z.to_bits()) + i64::from(b.z.to_bits()));
+        if V::Kind::PERSPECTIVE && ahead <= i64::from(diagonal) {
+            return u32::MAX;
+        }
+        let viewport = options.viewport_in(self.frame_size());
+        let [width, _] = mvp.projection_of().pixel(&viewport);
+        let pixel = if V::Kind::PERSPECTIVE {
+            width.times(BlockFloat::new(ahead, 17))
+        } else {
+            width
+        };
+        let size = BlockFloat::new(diagonal.into(), 16).over(pixel);
+        // Rounded to 2^-8, then down.
+        u32::try_from(size.at(8) >> 8).unwrap_or(u32::MAX)
     }
 
     /// Sets up a draw call and runs it.

@@ -8,6 +8,7 @@ use fixel::view::ProjectionKind;
 use proptest::prelude::*;
 
 use crate::moves::{Move, exact, product, quantised};
+use crate::reference::linear::point;
 use crate::reference::projection::{self, Lens};
 use crate::reference::view::{View, Viewport as ModelViewport};
 
@@ -78,6 +79,54 @@ fn is_out(bounds: &Bounds, view: &View, [start, end]: [u32; 2]) -> bool {
         &|p| p.distance > lens.far * (1. + PART),
     ];
     planes.iter().any(|plane| clips.iter().all(plane))
+}
+
+/// The size of a box on the screen, found and as the model has it.
+fn sizes<K: ProjectionKind>(
+    (projection, lens): (Projection<K>, Lens),
+    moves: &[Move],
+    bounds: &Bounds,
+) -> (u32, f64, f64) {
+    let (transform, eye) = product(moves);
+    let mvp = projection * transform;
+    let mut pixels = vec![Gray8::new(0); (SIZE.0 * SIZE.1) as usize];
+    let canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
+    let found = canvas.size_on_screen(&DrawOptions::new(), bounds, &mvp);
+
+    let [a, b] = [bounds.least(), bounds.most()].map(|corner| point(&eye, exact(corner)));
+    let diagonal = a
+        .iter()
+        .zip(b)
+        .map(|(a, b)| (a - b).powi(2))
+        .sum::<f64>()
+        .sqrt();
+    let ahead = -(a[2] + b[2]) / 2.;
+    let per_unit = lens.matrix[0][0] * f64::from(SIZE.0) / 2.;
+    let (size, noise) = if K::PERSPECTIVE {
+        // At half the diagonal from the eye, it may be taken for nearer or farther.
+        if (ahead - diagonal / 2.).abs() < 8. * 2_f64.powi(-16) {
+            return (0, 0., 0.);
+        }
+        if ahead < diagonal / 2. {
+            return (found, f64::INFINITY, 0.);
+        }
+        (
+            diagonal * per_unit / ahead,
+            per_unit / ahead * (1. + diagonal / ahead),
+        )
+    } else {
+        (diagonal * per_unit, per_unit)
+    };
+    // Corners are within half a unit and 2^-27 of 2^6 along each axis, and so is the distance; and 2^-8 pixel.
+    (found, size, noise * 4. * 2_f64.powi(-16) + 2_f64.powi(-8))
+}
+
+/// Whether a size is the model's, rounded down.
+fn is_size((found, size, noise): (u32, f64, f64)) -> bool {
+    if found == u32::MAX || size == f64::INFINITY {
+        return found == u32::MAX && size == f64::INFINITY;
+    }
+    f64::from(found) <= size + noise && f64::from(found) + 1. >= size - noise
 }
 
 fn check<K: ProjectionKind>(
@@ -155,6 +204,8 @@ proptest! {
         let (in_view, has_pixels, is_out) = check((projection, lens), &moves, &bounds, rows);
         prop_assert!(in_view || !has_pixels, "{bounds:?} was missed");
         prop_assert!(!in_view || !is_out, "{bounds:?} was kept");
+        let sizes = sizes((projection, lens), &moves, &bounds);
+        prop_assert!(is_size(sizes), "{sizes:?}");
     }
 
     #[test]
@@ -166,5 +217,7 @@ proptest! {
         let (in_view, has_pixels, is_out) = check((projection, lens), &moves, &bounds, rows);
         prop_assert!(in_view || !has_pixels, "{bounds:?} was missed");
         prop_assert!(!in_view || !is_out, "{bounds:?} was kept");
+        let sizes = sizes((projection, lens), &moves, &bounds);
+        prop_assert!(is_size(sizes), "{sizes:?}");
     }
 }

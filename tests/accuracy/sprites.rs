@@ -88,6 +88,31 @@ fn allowed(all: &[Move], eye: &Matrix, kind: Kind, sprite: &Sprite, ahead: f64) 
     unit + moved + largest * (growth + turn + 2_f64.powi(-27))
 }
 
+/// Whether a sprite with these corners is well inside the picture and certainly has a pixel.
+fn is_shown<K: ProjectionKind>(lens: &Lens, corners: &[[f64; 3]; 4]) -> bool {
+    // A circle whose radius is above √½ pixel contains a pixel's center. A triangle that contains one, well inside the
+    // picture, is drawn.
+    let w = |corner: &[f64; 3]| if K::PERSPECTIVE { -corner[2] } else { 1. };
+    let place = |corner: &[f64; 3], axis: usize| corner[axis] * lens.matrix[axis][axis] / w(corner);
+    let is_inside = |corner: &[f64; 3]| {
+        (1. ..90.).contains(&-corner[2])
+            && place(corner, 0).abs() < 0.9
+            && place(corner, 1).abs() < 0.9
+    };
+    let radius = {
+        let on_screen = |i: usize| {
+            let corner = &corners[i];
+            let [x, y] = [place(corner, 0), place(corner, 1)];
+            [x * f64::from(SIZE.0) / 2., y * f64::from(SIZE.1) / 2.]
+        };
+        let [a, b, c] = [on_screen(0), on_screen(1), on_screen(2)];
+        let side = |[x, y]: [f64; 2], [u, v]: [f64; 2]| (u - x).hypot(v - y);
+        let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        area.abs() / (side(a, b) + side(b, c) + side(c, a))
+    };
+    corners.iter().all(is_inside) && radius > 0.8
+}
+
 fn check<K: ProjectionKind>(
     (projection, lens): (Projection<K>, Lens),
     [camera, model]: &[Vec<Move>; 2],
@@ -160,27 +185,7 @@ fn check<K: ProjectionKind>(
     let mut pixels = vec![Gray8::new(0); (SIZE.0 * SIZE.1) as usize];
     let mut canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
     canvas.draw_sprites(&DrawOptions::new(), &sprites, &mvp, &probe);
-    // A circle whose radius is above √½ pixel contains a pixel's center. A triangle that contains one, well inside the
-    // picture, is drawn.
-    let w = |corner: &[f64; 3]| if K::PERSPECTIVE { -corner[2] } else { 1. };
-    let place = |corner: &[f64; 3], axis: usize| corner[axis] * lens.matrix[axis][axis] / w(corner);
-    let is_inside = |corner: &[f64; 3]| {
-        (1. ..90.).contains(&-corner[2])
-            && place(corner, 0).abs() < 0.9
-            && place(corner, 1).abs() < 0.9
-    };
-    let radius = {
-        let on_screen = |i: usize| {
-            let corner = &expected[i];
-            let [x, y] = [place(corner, 0), place(corner, 1)];
-            [x * f64::from(SIZE.0) / 2., y * f64::from(SIZE.1) / 2.]
-        };
-        let [a, b, c] = [on_screen(0), on_screen(1), on_screen(2)];
-        let side = |[x, y]: [f64; 2], [u, v]: [f64; 2]| (u - x).hypot(v - y);
-        let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-        area.abs() / (side(a, b) + side(b, c) + side(c, a))
-    };
-    if expected.iter().all(is_inside) && radius > 0.8 {
+    if is_shown::<K>(&lens, &expected) {
         prop_assert!(!seen.borrow().is_empty(), "{sprite:?} has pixels");
     }
     let (back, unit) = (inverse(&view_matrix).unwrap(), 2_f64.powi(-16));
