@@ -167,6 +167,12 @@ impl Primitive<'_> {
         self.element.indices.map(|index| self.mesh.position(index))
     }
 
+    /// The positions of the three corners in eye space, rounded to nearest; they saturate to the range of [`Scalar`].
+    pub(crate) fn eye_positions(&self) -> [Vec3; 3] {
+        let view = &self.placement.view;
+        self.positions().map(|position| view.point(position))
+    }
+
     /// The texture coordinates of the corners; (0, 0) where the mesh has none.
     #[must_use]
     #[inline]

@@ -49,6 +49,7 @@ mod angle;
 pub(crate) mod block;
 mod convert;
 mod literal;
+mod log2;
 mod reciprocal;
 pub(crate) mod rsqrt;
 mod time;
@@ -56,8 +57,9 @@ pub(crate) mod wide;
 
 pub use angle::Angle;
 pub use convert::{IntoScalar, scalar, tex_coord};
-#[doc(hidden)]
 pub use literal::{literal, literal_degrees, literal_tex_coord};
+#[doc(hidden)]
+pub(crate) use log2::log2;
 pub use reciprocal::reciprocal;
 pub(crate) use reciprocal::short_reciprocal;
 pub use time::{Rate, Spin};

@@ -10,6 +10,7 @@
 //! | [`Gouraud`] | the mesh's vertex colors | 3, or 1 for gray |
 //! | [`Gradient`] | a mixture of two colors by height | 3, or 1 for gray |
 //! | [`Textured`] | the nearest texel or a blend of four; the texture repeats or is clamped | 2 |
+//! | [`Mipmapped`] | a texture, reduced where it is far away | 2 |
 //! | [`DepthView`] | depth as gray | 0 |
 //! | [`NormalView`] | the direction of the normal as a color | 3, or 1 for gray |
 //!
@@ -35,6 +36,7 @@ mod levels;
 mod light;
 mod lit;
 mod map;
+mod mipmapped;
 mod part_colors;
 mod ramp;
 mod shader;
@@ -62,6 +64,7 @@ pub use light::{
 };
 pub use lit::{FaceLit, Lit};
 pub use map::Map;
+pub use mipmapped::Mipmapped;
 pub use part_colors::PartColors;
 pub use shader::{Fragment, Shader, ShaderFor};
 pub use source::{ColorOf, Source, Translucent};

@@ -57,6 +57,14 @@ impl<S: Sampler> Textured<S> {
     }
 }
 
+impl<S, A, F> Textured<S, A, F> {
+    /// The texture.
+    #[inline]
+    pub(super) const fn sampler(&self) -> &S {
+        &self.sampler
+    }
+}
+
 impl<S: Sampler, F: Copy> Textured<S, Repeat, F> {
     /// Clamps the texture to its edge instead of repeating it.
     #[must_use]

@@ -134,7 +134,7 @@ where
 sampler_of_rows!(TextureArray<C, W, H>, |array, u, v| wrapped(&array.texels, u, v));
 
 /// The number in the two or three bytes at `at`. It makes no calls, because the compiler counts them as steps.
-const fn word(bytes: &[u8], at: usize, size: usize, big_endian: bool) -> u32 {
+pub(super) const fn word(bytes: &[u8], at: usize, size: usize, big_endian: bool) -> u32 {
     let last = at + size - 1;
     let (first, second) = if big_endian {
         (at, at + 1)

@@ -42,6 +42,22 @@ pub trait Blend: Copy {
     /// units of 2^-[`WEIGHT_BITS`](Self::WEIGHT_BITS). With weights of 0, the result must be exactly the first texel.
     #[must_use]
     fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self;
+
+    /// The mean of four texels, of which a [`Mipmap`](super::Mipmap) makes one. Each channel is rounded to nearest, halves
+    /// up.
+    ///
+    /// By default, it is the [`blend`](Self::blend) halfway between them, whose rounding may be a step too high.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+    /// use fixel::texture::Blend;
+    /// let quad = [[Rgb565::BLACK, Rgb565::RED], [Rgb565::BLACK, Rgb565::BLACK]];
+    /// assert_eq!(Rgb565::mean(quad), Rgb565::new(8, 0, 0)); // 7.75
+    /// ```
+    #[must_use]
+    fn mean(texels: [[Self; 2]; 2]) -> Self {
+        Self::blend(texels, [1 << (Self::WEIGHT_BITS - 1); 2])
+    }
 }
 
 /// Whether every lane of `mask` has `bits` unused bits above it.
@@ -106,6 +122,13 @@ fn linear<const MASK: u32, const BITS: u32>([a, b]: [u32; 2], weight: u32) -> u3
     (sum >> BITS) & MASK
 }
 
+/// The mean of the channels of four colors, in lanes like those of [`bilinear`], rounded to nearest, halves up.
+#[inline]
+pub(super) fn mean<const MASK: u32>([[a, b], [c, d]]: [[u32; 2]; 2]) -> u32 {
+    const { assert!(roomy(MASK, 2), "lanes overlap when added") };
+    ((a + b + c + d + (lowest(MASK) << 1)) >> 2) & MASK
+}
+
 /// A color whose channels are spread over one word.
 trait Lanes {
     fn lanes(self) -> u32;
@@ -126,6 +149,11 @@ macro_rules! one_word {
             #[inline]
             fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self {
                 Self::of_lanes(bilinear::<$mask, 5>(each(texels, $color::lanes), weights))
+            }
+
+            #[inline]
+            fn mean(texels: [[Self; 2]; 2]) -> Self {
+                Self::of_lanes(mean::<$mask>(each(texels, $color::lanes)))
             }
         }
 
@@ -174,6 +202,13 @@ macro_rules! two_words {
                 let middle = bilinear::<$channel, 8>(middle, weights);
                 Self::from(RawU24::new(outer >> 16 << (2 * $bits) | middle << $bits | outer & $channel))
             }
+
+            #[inline]
+            fn mean(texels: [[Self; 2]; 2]) -> Self {
+                let raw = each(texels, IntoStorage::into_storage);
+                let channel = |shift: u32| mean::<$channel>(each(raw, |raw| raw >> shift & $channel)) << shift;
+                Self::from(RawU24::new(channel(0) | channel($bits) | channel(2 * $bits)))
+            }
         }
     )+};
 }
@@ -197,6 +232,11 @@ impl Blend for Gray8 {
     fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self {
         let lumas = each(texels, |texel| texel.luma().into());
         Self::new(bilinear::<0xff, 8>(lumas, weights) as u8)
+    }
+
+    #[inline]
+    fn mean(texels: [[Self; 2]; 2]) -> Self {
+        Self::new(mean::<0xff>(each(texels, |texel| texel.luma().into())) as u8)
     }
 }
 

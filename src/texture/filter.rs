@@ -54,7 +54,7 @@ pub struct Nearest;
 ///
 /// The first texel's center lies half a texel from the texture's corner. Beyond the outermost centers, a
 /// repeating texture blends with its other edge, and a [`clamped`](crate::Textured::clamped) one keeps the color
-/// of its edge. A reduced texture flickers as with [`Nearest`], because there are no mipmaps.
+/// of its edge. A reduced texture flickers as with [`Nearest`]; [`Mipmapped`](crate::shade::Mipmapped) does not.
 ///
 /// ```
 /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};

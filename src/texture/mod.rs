@@ -7,6 +7,8 @@
 //! | [`Palette`] | known at run time | a byte, an index into 256 colors |
 //! | [`PaletteArray`] | in the type | a byte, an index into 256 colors |
 //! | [`PackedGray4`] | known at run time | half a byte, a gray |
+//! | [`Mipmap`] | known at run time | a color, with reductions of the texture for triangles far away |
+//! | [`MipmapArray`] | in the type | the same |
 //!
 //! [`include_bmp!`](crate::include_bmp) and [`include_tga!`](crate::include_tga) turn a file into any of these at
 //! compile time; [`Image`] reads a file at run time. A shader takes a reference to any of them, or to your own
@@ -30,6 +32,7 @@ mod filter;
 mod image;
 #[doc(hidden)]
 pub mod include;
+mod mipmap;
 mod packed;
 mod palette;
 mod palette_array;
@@ -46,6 +49,7 @@ pub use blend::Blend;
 pub use color::ImageColor;
 pub use filter::{Bilinear, CutOut, Filter, Nearest};
 pub use image::Image;
+pub use mipmap::{Mipmap, MipmapArray, MipmapFilter, Trilinear};
 pub use packed::PackedGray4;
 pub use palette::{Palette, palette_colors};
 pub use palette_array::PaletteArray;

@@ -31,6 +31,7 @@ mod formulas;
 mod in_view;
 mod lights;
 mod lines;
+mod mipmap;
 mod mode;
 mod moves;
 mod mvps;

@@ -13,11 +13,11 @@ use fixel::shade::{
     Colored, Exponential, Falloff, Fog, Illumination, InFog, Shiny, SurfacePoint, TwoSided,
 };
 use fixel::shade::{Converted, FaceLit, Lit, Map, PartColors, PerFace, Texels, Tinted};
-use fixel::shade::{Gradient, Masked, Tolerance, Translucent, Within};
+use fixel::shade::{Gradient, Masked, Mipmapped, Tolerance, Translucent, Within};
 use fixel::target::{Add, Alpha, Multiply, Opacity, Replace};
 use fixel::target::{Biased, Depth, Float, Linear, Native, NoDepth, NoTest};
 use fixel::target::{TestAndWrite, TestOnly, WideFloat, WriteOnly};
-use fixel::texture::{Argb1555, Argb4444, PackedGray4};
+use fixel::texture::{Argb1555, Argb4444, Mipmap, MipmapArray, PackedGray4, Trilinear};
 use fixel::texture::{Bilinear, Clamp, CutOut, Image, Nearest, Repeat};
 use fixel::view::{Parallel, Perspective, Segment};
 use fixel::{
@@ -50,6 +50,8 @@ all!(value: Converted<Flat<Rgb565>, Rgb565> FaceLit<Flat<Rgb565>> Lit<Flat<Rgb56
 all!(value: Colored<Light> Falloff Illumination PointLight Shiny<Light> SpotLight SurfacePoint TwoSided<Light> Viewer);
 all!(value: Fog<Rgb565> Fog<Rgb565, Exponential> InFog<Flat<Rgb565>, Rgb565>);
 all!(value: Textured<Texture<'static, Rgb565>> FaceColors<'static, Rgb565>);
+all!(value: Mipmap<'static, Rgb565> Mipmapped<'static, Rgb565> Trilinear);
+all!(shared: MipmapArray<Rgb565, 1, 1, 1>);
 all!(value: Part<'static> PartColors<'static>);
 all!(value: PerFace<u8> Texels Tolerance Within<1, Texels>);
 all!(value: Biased Float Linear Native NoDepth NoTest TestAndWrite TestOnly WideFloat WriteOnly);
@@ -60,6 +62,7 @@ all!(shared: Map<Flat<Rgb565>, fn(&Fragment, Rgb565) -> Option<Rgb565>> Prepared
 all!(shared: Object<'static, u8> TriangleList<1, 1> TextureArray<Rgb565, 1, 1> PaletteArray<Rgb565, 1, 1>);
 all!(any: PreparedScene<'static, u8> Buffers<'static> Canvas<'static, Rgb565> Canvas<'static, Rgb565, Native, Depth<'static>>);
 
+all!(default: Trilinear);
 all!(default: Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform Camera Counts Cull DrawOptions);
 all!(default: Drawn Missing Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> TriangleList<1, 1>);
 all!(shown: Error RefusedFloat Angle Vec2 Vec3);

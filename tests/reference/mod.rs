@@ -21,6 +21,7 @@
 //! | `fog` | what is left of a surface in fog |
 //! | `light` | the brightness of a surface under lights |
 //! | `lines` | values along a projected segment |
+//! | `mipmap` | reduced textures, the level that a pixel calls for, means over areas |
 //! | `outline` | the edges of a mesh, their faces and the angles between these |
 //! | `normals` | normals of a mesh that has none |
 //! | `scenes` | the measured scenes |
@@ -44,6 +45,7 @@ pub mod fog;
 pub mod light;
 pub mod linear;
 pub mod lines;
+pub mod mipmap;
 pub mod normals;
 pub mod outline;
 pub mod projection;

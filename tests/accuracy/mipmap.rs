@@ -1,0 +1,296 @@
+//! Mipmaps: their levels, the level that a pixel shows, and how far a floor is from one that is sampled by area.
+
+use embedded_graphics::pixelcolor::{
+    Bgr555, Bgr666, Gray8, GrayColor, Rgb565, Rgb888, RgbColor, WebColors,
+};
+use fixel::prelude::*;
+use fixel::shade::Mipmapped;
+use fixel::texture::{Blend, Mipmap, MipmapArray};
+use fixel::view::Perspective;
+use proptest::prelude::*;
+
+use crate::reference::mipmap::{area, level, reduced};
+
+const WIDTH: u32 = 320;
+const HEIGHT: u32 = 240;
+const FOCAL: f64 = 200.;
+
+/// 64x64 texels, squares of 8 in the two colors of the measured scenes.
+fn checker(u: i64, v: i64) -> Rgb888 {
+    if (u.div_euclid(8) + v.div_euclid(8)) % 2 == 0 {
+        Rgb888::CSS_IVORY
+    } else {
+        Rgb888::CSS_STEEL_BLUE
+    }
+}
+
+fn projection() -> Projection<Perspective> {
+    Projection::from_focal_length(fx!(200), (WIDTH, HEIGHT), fx!(0.25), fx!(100)).unwrap()
+}
+
+/// How far the eye is from the measured floor's, in pose `k`: to the right and ahead.
+fn moved(k: i16) -> [f64; 2] {
+    [f64::from(k) / 32., f64::from(k) / 16.]
+}
+
+fn picture(shader: &impl Shader<Color = Rgb888>, floor: &Mesh<'_>, k: i16) -> Vec<Rgb888> {
+    let [x, z] = moved(k);
+    let place = Vec3::try_from([-x, -1., z]).unwrap();
+    let mvp = projection()
+        * (Transform::rotate_x(Angle::from_bits(134_932_750)) * Transform::translate(place));
+    let mut pixels = vec![Rgb888::BLACK; (WIDTH * HEIGHT) as usize];
+    Canvas::new(&mut pixels, WIDTH, HEIGHT)
+        .unwrap()
+        .draw(floor, &mvp, shader);
+    pixels
+}
+
+/// The texel coordinates of the floor at a place on the screen, if it is there.
+fn floor_at([x, y]: [f64; 2], k: i16, repeats: f64) -> Option<[f64; 2]> {
+    let [right, ahead] = moved(k);
+    let (x, y) = ((x - 160.) / FOCAL, (120. - y) / FOCAL);
+    // The ray (x, y, -1), turned back up by atan 0.2: the eye looks down.
+    let (sine, cosine) = 0.2_f64.atan().sin_cos();
+    let (up, forth) = (y * cosine - sine, y * sine + cosine);
+    let (x, z) = (x / -up + right, forth / -up + ahead);
+    let inside = up < 0. && (-10. ..10.).contains(&x) && (1. ..20.).contains(&z);
+    inside.then(|| [(x + 10.) / 20., 1. - (z - 1.) / 19.].map(|at| at * 64. * repeats))
+}
+
+fn parts(color: Rgb888) -> [f64; 3] {
+    [color.r(), color.g(), color.b()].map(f64::from)
+}
+
+/// The mean difference to a floor whose pixels are means over their areas, of all channels of all of its pixels, in steps
+/// of 255.
+fn difference(
+    shader: &impl Shader<Color = Rgb888>,
+    floor: &Mesh<'_>,
+    exact: &[Vec<Option<[f64; 3]>>],
+) -> f64 {
+    let (mut sum, mut count) = (0., 0.);
+    for (k, exact) in (0..).zip(exact) {
+        for (shown, exact) in picture(shader, floor, k).into_iter().zip(exact) {
+            let Some(exact) = exact else { continue };
+            for (shown, exact) in parts(shown).into_iter().zip(exact) {
+                sum += (shown - exact).abs();
+                count += 1.;
+            }
+        }
+    }
+    sum / count
+}
+
+/// Prints the table in the documentation of `Mipmapped`.
+#[test]
+fn a_far_floor_is_calm() {
+    let mut texels = vec![Rgb888::BLACK; Mipmap::<Rgb888>::len(64, 64)];
+    for (i, texel) in (0..64 * 64).zip(&mut texels) {
+        *texel = checker(i % 64, i / 64);
+    }
+    let mipmap = Mipmap::build(&mut texels, 64, 64).unwrap();
+    for repeats in [1_i16, 8, 32] {
+        let far = f64::from(repeats);
+        let exact: Vec<Vec<_>> = (0..8)
+            .map(|k| {
+                let pixels = (0..WIDTH * HEIGHT).map(|i| [i % WIDTH, i / WIDTH].map(f64::from));
+                pixels
+                    .map(|at| {
+                        let corners = [[0., 0.], [1., 0.], [0., 1.], [1., 1.]];
+                        let whole = corners
+                            .iter()
+                            .all(|c| floor_at([at[0] + c[0], at[1] + c[1]], k, far).is_some());
+                        whole.then(|| {
+                            area(at, 16, |at| {
+                                let [u, v] = floor_at(at, k, far).unwrap();
+                                parts(checker(u.floor() as i64, v.floor() as i64))
+                            })
+                        })
+                    })
+                    .collect()
+            })
+            .collect();
+        let positions = [
+            vec3!(-10, 0, -1),
+            vec3!(10, 0, -1),
+            vec3!(10, 0, -20),
+            vec3!(-10, 0, -20),
+        ];
+        let n = Scalar::from(repeats);
+        let uv = |u: Scalar, v: Scalar| Vec2::from_bits([u, v].map(|at| at.to_bits() << 4));
+        let uvs = [uv(fx!(0), n), uv(n, n), uv(n, fx!(0)), uv(fx!(0), fx!(0))];
+        let floor = Mesh::new(&positions, &[[0, 1, 2], [0, 2, 3]])
+            .unwrap()
+            .with_uvs(&uvs, None)
+            .unwrap();
+        let plain = Textured::new(mipmap);
+        let levels = Mipmapped::new(mipmap, &projection(), (WIDTH, HEIGHT)).unwrap();
+        let found = [
+            difference(&plain, &floor, &exact),
+            difference(&plain.bilinear(), &floor, &exact),
+            difference(&levels, &floor, &exact),
+            difference(&levels.bilinear(), &floor, &exact),
+            difference(&levels.trilinear(), &floor, &exact),
+        ];
+        println!("{repeats} repeats: {found:.2?}");
+        // A pixel beyond the first row of squares shows several texels: the more, the more the levels help.
+        let [nearest, bilinear, level, smooth, blended] = found;
+        let helps = [1., 0.8, 0.6][match repeats {
+            1 => 0,
+            8 => 1,
+            _ => 2,
+        }];
+        assert!(level <= helps * nearest + 0.01, "nearest");
+        assert!(
+            smooth <= helps * bilinear + 0.1 && blended <= helps * bilinear + 0.1,
+            "bilinear"
+        );
+    }
+}
+
+/// Every level of a mipmap against the model, from both constructors.
+fn check_levels<C, const W: usize, const H: usize, const LENGTH: usize>(
+    array: &MipmapArray<C, W, H, LENGTH>,
+    channels: fn(C) -> [u8; 3],
+) -> Result<(), TestCaseError>
+where
+    C: Blend + PartialEq + std::fmt::Debug,
+{
+    let mipmap = array.as_mipmap();
+    let mut texels = mipmap.texels().to_vec();
+    // What the memory holds behind level 0 does not matter.
+    let first = texels[0];
+    texels[W * H..].fill(first);
+    let built = Mipmap::build(&mut texels, W as u32, H as u32).unwrap();
+    prop_assert_eq!(built, mipmap);
+    prop_assert_eq!(Mipmap::new(mipmap.texels(), W as u32, H as u32), Ok(mipmap));
+    for channel in 0..3 {
+        let value = |texel: &C| f64::from(channels(*texel)[channel]);
+        let mut rest = mipmap.texels();
+        let mut rows: Vec<Vec<f64>> = rest[..W * H]
+            .chunks(W)
+            .map(|row| row.iter().map(value).collect())
+            .collect();
+        for n in 0..mipmap.levels() {
+            let (level, after) = rest.split_at((W * H) >> (2 * n));
+            let found: Vec<f64> = level.iter().map(value).collect();
+            prop_assert_eq!(found, rows.concat(), "level {}", n);
+            rest = after;
+            if n + 1 < mipmap.levels() {
+                rows = reduced(&rows);
+            }
+        }
+        prop_assert!(rest.is_empty());
+    }
+    Ok(())
+}
+
+fn rgb<C: RgbColor>(color: C) -> [u8; 3] {
+    [color.r(), color.g(), color.b()]
+}
+
+proptest! {
+    #[test]
+    fn a_level_is_the_mean_of_the_level_before(seed in proptest::collection::vec(any::<u8>(), 64 * 3)) {
+        let short: &[u8; 128] = seed[..128].try_into().unwrap();
+        let bytes: &[u8; 64] = seed[..64].try_into().unwrap();
+        let long: &[u8; 192] = seed[..].try_into().unwrap();
+        check_levels(&MipmapArray::<Rgb565, 8, 8, 85>::rgb565(short), rgb)?;
+        check_levels(&MipmapArray::<Rgb565, 32, 2, 80>::rgb565_le(short), rgb)?;
+        check_levels(&MipmapArray::<Bgr555, 4, 16, 84>::bgr555(short), rgb)?;
+        check_levels(&MipmapArray::<Rgb888, 16, 4, 84>::rgb888(long), rgb)?;
+        check_levels(&MipmapArray::<Bgr666, 1, 64, 64>::bgr666_le(long), rgb)?;
+        check_levels(&MipmapArray::<Gray8, 8, 8, 85>::gray8(bytes), |gray| [gray.luma(); 3])?;
+        let expected = TextureArray::<Rgb565, 8, 8>::rgb565(short);
+        let array = MipmapArray::<Rgb565, 8, 8, 85>::rgb565(short);
+        prop_assert_eq!(&array.as_mipmap().texels()[..64], expected.texels().as_flattened());
+    }
+
+    /// The levels are grays, so a trilinear filter shows the level itself.
+    #[test]
+    fn the_level_is_that_of_the_formula(
+        distance in 0.5..60_f64,
+        lean in [-0.95..0.95_f64, -0.95..0.95],
+        uvs in [[-4.0..4_f64, -4.0..4.], [-4.0..4., -4.0..4.], [-4.0..4., -4.0..4.]],
+        is_wide in any::<bool>(),
+    ) {
+        const SIZE: u32 = 48;
+        const STEPS: f64 = 40.;
+        // 1/z is linear on the screen, whose middle is at `distance`.
+        let share = |u: f64, v: f64| 1. + lean[0] * u + lean[1] * v;
+        let corners = [[-1.2, -1.2], [3.2, -1.2], [-1.2, 3.2]].map(|[u, v]| {
+            let z = distance / share(u, v);
+            (share(u, v) > 0.02).then_some([u * z, v * z, -z])
+        });
+        let [Some(a), Some(b), Some(c)] = corners else { return Ok(()) };
+        let corners = [a, b, c];
+        let [Ok(a), Ok(b), Ok(c)] = corners.map(Vec3::try_from) else { return Ok(()) };
+        let uvs = uvs.map(|uv| uv.map(|at| (at * f64::from(1 << 20)).round() / f64::from(1 << 20)));
+        let side = |i: usize, axis: usize| uvs[i][axis] - uvs[0][axis];
+        prop_assume!((side(1, 0) * side(2, 1) - side(1, 1) * side(2, 0)).abs() > 0.05);
+
+        let (width, height) = if is_wide { (256, 64) } else { (64, 64) };
+        let mut texels = Vec::new();
+        for n in 0..7 {
+            let gray = Gray8::new((40. * f64::from(n)) as u8);
+            texels.extend(std::iter::repeat_n(gray, (width * height) as usize >> (2 * n)));
+        }
+        let mipmap = Mipmap::new(&texels, width, height).unwrap();
+        let projection = Projection::from_focal_length(fx!(24), (SIZE, SIZE), fx!(0.25), fx!(4000)).unwrap();
+        let uv = uvs.map(|uv| Vec2::from_bits(uv.map(|at| (at * f64::from(1 << 20)) as i32)));
+        let positions = [a, b, c];
+        let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap().with_uvs(&uv, None).unwrap();
+        let size = [width, height].map(f64::from);
+        let texels = uvs.map(|[u, v]| [u * size[0], v * size[1]]);
+        let surface = Mipmapped::new(mipmap, &projection, (SIZE, SIZE)).unwrap();
+        let draw = |shader: &dyn Fn(&mut Canvas<'_, Gray8>)| {
+            let mut pixels = vec![Gray8::WHITE; (SIZE * SIZE) as usize];
+            shader(&mut Canvas::new(&mut pixels, SIZE, SIZE).unwrap());
+            pixels
+        };
+        let options = DrawOptions::new().with_cull(Cull::Nothing);
+        let blended = draw(&|canvas| { canvas.draw_with(&options, &mesh, &projection, &surface.trilinear()); });
+        let nearest = draw(&|canvas| { canvas.draw_with(&options, &mesh, &projection, &surface); });
+        for (i, (blended, nearest)) in blended.iter().zip(nearest).enumerate() {
+            let [x, y] = [i % SIZE as usize, i / SIZE as usize].map(|at| at as f64 + 0.5 - 24.);
+            let share = share(x / 24., -y / 24.);
+            let z = distance / share;
+            // Snapping a corner to 1/256 pixel moves 1/z by up to 0.0005, which is a hundredth of this.
+            if share < 0.1 || 65535. * 0.25 / z < 33. || blended.luma() == 255 {
+                continue;
+            }
+            let exact = level(corners, texels, 24., z).clamp(0., 6.);
+            let shown = f64::from(blended.luma()) / STEPS;
+            // The promise; the snapped corners, twice 0.0005 / 0.1 / ln 2; half a step and a weight's cut; 2^-8 of the texels.
+            let allowed = 1. / 8. + 0.015 + 0.5 / STEPS + 1. / 256. + 1. / 256.;
+            prop_assert!((shown - exact).abs() <= allowed, "{shown}, not {exact}, at {x}, {y}");
+            let shown = f64::from(nearest.luma()) / STEPS;
+            prop_assert!((shown - exact).abs() <= 0.5 + 1. / 8. + 0.02, "{shown}, not {exact}, at {x}, {y}");
+        }
+    }
+}
+
+#[test]
+fn a_mipmap_of_another_length_is_refused() {
+    let mut texels = [Gray8::BLACK; 21];
+    let error = Mipmap::new(&texels[..20], 4, 4).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "slice has 20 elements: exactly 21 are needed"
+    );
+    let error = Mipmap::build(&mut texels, 4, 5).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "height is 5: it must be a power of two, at most 32768"
+    );
+    let error = Mipmapped::new(
+        Mipmap::build(&mut texels, 4, 4).unwrap(),
+        &projection(),
+        (0, 9),
+    )
+    .unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "size is 0x9: width and height must lie between 1 and 4096"
+    );
+}

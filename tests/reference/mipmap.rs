@@ -1,0 +1,43 @@
+//! Mipmaps: reduced textures, the level that a pixel calls for, and the light that an area of a floor sends to it.
+
+use super::linear::{Vec3, cross, dot, length, subtract};
+
+/// One channel of a level, reduced to half in both directions: means of four, rounded to nearest, halves up.
+pub fn reduced(rows: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let mean = |pair: &[Vec<f64>], at: usize| {
+        let sum: f64 = pair.iter().map(|row| row[at] + row[at + 1]).sum();
+        (sum / 4. + 0.5).floor()
+    };
+    let row = |pair: &[Vec<f64>]| {
+        (0..pair[0].len())
+            .step_by(2)
+            .map(|at| mean(pair, at))
+            .collect()
+    };
+    rows.chunks(2).map(row).collect()
+}
+
+/// The level at which a texel is as long as a pixel along the direction in which the texture is foreshortened most.
+///
+/// `corners` are in eye space, `texels` their texture coordinates in texels, `focal` is in pixels and `z` the distance at
+/// the pixel. At the distance z, a pixel covers z/focal across; a plane at the distance d from the eye is stretched by z/d
+/// along the line of sight (exactly so in the middle of the picture).
+pub fn level(corners: [Vec3; 3], texels: [[f64; 2]; 3], focal: f64, z: f64) -> f64 {
+    let [a, b, c] = corners;
+    let normal = cross(subtract(b, a), subtract(c, a));
+    let distance = dot(normal, a).abs() / length(normal);
+    let [e, f] = [1, 2].map(|i: usize| [texels[i][0] - texels[0][0], texels[i][1] - texels[0][1]]);
+    let density = ((e[0] * f[1] - e[1] * f[0]).abs() / length(normal)).sqrt();
+    (density * z / focal * (z / distance)).log2()
+}
+
+/// The mean of a function over a pixel, from `across` times `across` samples.
+pub fn area([x, y]: [f64; 2], across: u32, value: impl Fn([f64; 2]) -> [f64; 3]) -> [f64; 3] {
+    let mut sum = [0.; 3];
+    for i in 0..across * across {
+        let at = |k: u32| (f64::from(k) + 0.5) / f64::from(across);
+        let [r, g, b] = value([x + at(i % across), y + at(i / across)]);
+        sum = [sum[0] + r, sum[1] + g, sum[2] + b];
+    }
+    sum.map(|sum| sum / f64::from(across * across))
+}
