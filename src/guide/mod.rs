@@ -19,6 +19,7 @@ macro_rules! recipe {
 #[doc = recipe!("Lights", "lights.rs")]
 #[doc = recipe!("Fog", "fog.rs")]
 #[doc = recipe!("Sky", "sky.rs")]
+#[doc = recipe!("Mipmaps", "mipmaps.rs")]
 #[doc = recipe!("Blending", "blending.rs")]
 #[doc = recipe!("Painter's order", "painter.rs")]
 // It reads a file beside its own folder.

@@ -6,6 +6,7 @@ mod fog;
 mod keyframes;
 mod labels;
 mod lights;
+mod mipmaps;
 mod painter;
 mod picking;
 mod sky;
@@ -36,6 +37,7 @@ const RECIPES: &[Recipe] = &[
     ("keyframes", keyframes::draw),
     ("labels", labels::draw),
     ("lights", lights::draw),
+    ("mipmaps", mipmaps::draw),
     ("painter", painter::draw),
     ("picking", picking::draw),
     ("sky", sky::draw),
