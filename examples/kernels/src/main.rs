@@ -58,9 +58,9 @@ mod firmware {
     use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
     use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
     use fixel::prelude::*;
-    use fixel::shade::Fog;
+    use fixel::shade::{Fog, Mipmapped};
     use fixel::target::{Add, Alpha, Multiply, Opacity};
-    use fixel::texture::Argb4444;
+    use fixel::texture::{Argb4444, Mipmap, MipmapArray};
     use semihosting::{println, process};
 
     use super::board::{self, Clock};
@@ -71,12 +71,17 @@ mod firmware {
     use super::pieces;
     use super::setup::{self, Kind};
     use super::ticks::Stopwatch;
-    use super::wall::{Bench, Depths};
+
+    use super::wall::{self, Bench, Depths};
     use super::words;
 
     /// Half-transparent white.
     static SMOKE: TextureArray<Argb4444, 64, 64> =
         TextureArray::from_texels([[Argb4444::new(8, 15, 15, 15); 64]; 64]);
+
+    /// All levels of a texture of one color.
+    static LEVELS: MipmapArray<Rgb565, 64, 64, { Mipmap::<Rgb565>::len(64, 64) }> =
+        MipmapArray::rgb565(&[0x5a; 64 * 64 * 2]);
 
     fn run() -> Result<(), Error> {
         let mut watch = Stopwatch::new(Clock::take().expect("taken once"));
@@ -121,6 +126,23 @@ mod firmware {
         let cut_out = skin.cut_out(Rgb565::MAGENTA);
         bench.kernel("affine-cut-out", Affine, &cut_out, Depths::None)?;
         bench.kernel("newton-cut-out", Newton, &cut_out, Depths::None)?;
+        // As if the frame had a quarter of its size, so that no pixel shows level 0, for which a blend is left out.
+        let projection = wall::mvp(240)?.projection();
+        let levels = Mipmapped::new(LEVELS.as_mipmap(), &projection, (60, 16))?;
+        bench.kernel("affine-mipmap", Affine, &levels, Depths::None)?;
+        bench.kernel("affine-bilinear", Affine, &skin.bilinear(), Depths::None)?;
+        bench.kernel(
+            "affine-mipmap-bilinear",
+            Affine,
+            &levels.bilinear(),
+            Depths::None,
+        )?;
+        bench.kernel(
+            "affine-trilinear",
+            Affine,
+            &levels.trilinear(),
+            Depths::None,
+        )?;
         let glass = DrawOptions::new().with_blending(Opacity(100));
         bench.blended("flat-opacity", glass, &flat, Depths::None)?;
         let affine = DrawOptions::new().with_mode(Affine);

@@ -171,7 +171,8 @@ fn positions(width: u32) -> [Vec3; 3] {
     })
 }
 
-fn mvp(width: u32) -> Result<Mvp<Perspective>, Error> {
+/// The wall's mvp in a frame of this width.
+pub fn mvp(width: u32) -> Result<Mvp<Perspective>, Error> {
     let focal = Scalar::from_num(FOCAL);
     let projection = Projection::from_focal_length(focal, (width, ROWS), fx!(0.5), fx!(4))?;
     Ok(projection.into())
