@@ -3,7 +3,8 @@
 use arbitrary::{Result, Unstructured};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
 use fixel::prelude::*;
-use fixel::shade::{Falloff, Fog};
+use fixel::shade::{Falloff, Fog, Mipmapped};
+use fixel::texture::Mipmap;
 
 use super::numbers::{option, scalar, vector};
 
@@ -31,7 +32,7 @@ pub struct Shine {
 }
 
 /// The number of shaders that [`draw`](Shade::draw) knows.
-const FRAGMENTS: u8 = 32;
+const FRAGMENTS: u8 = 35;
 
 impl Shade {
     pub fn arbitrary(u: &mut Unstructured<'_>) -> Result<Self> {
@@ -187,8 +188,27 @@ pub fn draw(which: u8, lights: Lights, color: Rgb888, between: [u16; 2], then: i
         28 => then.draw(&small.lit(light).in_fog(linear)),
         29 => then.draw(&Gouraud::new().in_fog(thick)),
         30 => then.draw(&small.cut_out(SMALL[1][1]).lit(light)),
-        _ => then.draw(&large.bilinear().cut_out(LARGE[3][5])),
+        31 => then.draw(&large.bilinear().cut_out(LARGE[3][5])),
+        32 => then.draw(&levels(least.min(most), beyond)),
+        33 => then.draw(&levels(least.min(most), beyond).clamped().bilinear()),
+        _ => then.draw(&levels(least.min(most), beyond).trilinear().lit(light)),
     }
+}
+
+/// All levels of a texture of this size.
+const fn all_levels<const LENGTH: usize>() -> [Rgb565; LENGTH] {
+    let texels: [[Rgb565; LENGTH]; 1] = texels();
+    texels[0]
+}
+
+static LEVELS: [Rgb565; Mipmap::<Rgb565>::len(32, 8)] = all_levels();
+
+/// A surface with mipmaps, under a projection that need not be the draw call's.
+fn levels(near: Scalar, far: Scalar) -> Mipmapped<'static, Rgb565> {
+    let near = near.max(Scalar::DELTA);
+    let far = far.max(near + Scalar::DELTA);
+    let projection = Projection::perspective(deg!(75), (3, 2), near, far).unwrap();
+    Mipmapped::new(Mipmap::new(&LEVELS, 32, 8).unwrap(), &projection, (30, 20)).unwrap()
 }
 
 /// A shader with its colors converted to the canvas's.
