@@ -142,7 +142,7 @@ impl<'a> Outline<'a> {
     }
 }
 
-/// Marks a side that has found its partner. No mesh has so many sides.
+/// Marks a side that has found its partner. A mesh has fewer than 2^32 − 1 sides, so this is the index of none.
 const USED: u32 = u32::MAX;
 
 /// A side of a face: its ends and the third corner.
@@ -223,7 +223,7 @@ const fn bits([x, y, z]: [i64; 3]) -> u32 {
     64 - (x.unsigned_abs() | y.unsigned_abs() | z.unsigned_abs()).leading_zeros()
 }
 
-/// A vector whose largest magnitude takes so many bits, unless it is zero.
+/// The vector, shifted until its largest magnitude has `wanted` bits; a zero vector stays zero.
 const fn scaled(vector: [i64; 3], wanted: u32) -> [i64; 3] {
     let [x, y, z] = vector;
     let bits = bits(vector);

@@ -17,8 +17,8 @@ use crate::mesh::{Element, Index};
 use crate::raster::{self, Blitter, ClippedVertex, Polygon, Rasterizer, ScreenVertex, Triangle};
 use crate::view::ProjectionKind;
 
-/// Runs all triangles of a mesh, of which the first one has the index `first`, through the vertex and assembly stages; `to` draws them or lists them to be drawn
-/// later.
+/// Runs all triangles of a mesh, of which the first one has the index `first`, through the vertex and assembly stages;
+/// `to` draws them or keeps them in a list.
 #[inline]
 pub(super) fn triangles<K: ProjectionKind>(
     call: &Call<'_, K>,

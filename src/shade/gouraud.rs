@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::levels::{HALF, LEVEL, Levels, Raised, dimmed, each};
+use super::levels::{LEVEL, Levels, Raised};
 use super::{Fragment, Illumination, Shader, Within};
 use crate::mesh::Primitive;
 
@@ -56,7 +56,7 @@ impl<C: Levels> Shader for Gouraud<C> {
 
     #[inline]
     fn shade(&self, at: &Fragment, Within(levels): Self::Varyings) -> Option<C> {
-        Some(C::from_raised(levels.all(), at.point))
+        Some(levels.color(at.point))
     }
 
     #[inline]
@@ -66,8 +66,7 @@ impl<C: Levels> Shader for Gouraud<C> {
         Within(levels): Self::Varyings,
         light: Illumination,
     ) -> Option<C> {
-        let levels = each(levels.all(), |level| level.wrapping_sub(HALF));
-        Some(C::from_levels(dimmed::<C>(levels, light), at.point))
+        Some(levels.lit(light, at.point))
     }
 }
 

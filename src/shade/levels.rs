@@ -77,7 +77,7 @@ pub trait Levels: PixelColor {
         Self::from_levels(Self::levels(color), at)
     }
 
-    /// The color of whole steps, 0 to [`MAX_STEPS`](Self::MAX_STEPS).
+    /// The color of whole steps, 0 to [`MAX_STEPS`](Self::MAX_STEPS): exact, without dithering.
     #[must_use]
     #[inline]
     fn of_steps(steps: [i32; 3]) -> Self {
@@ -85,7 +85,10 @@ pub trait Levels: PixelColor {
         Self::from_levels(each(steps, |step| step << 16), Point::zero())
     }
 
-    /// This color, covered by another one in a share of `cover`/256.
+    /// This color, covered by another one in a share of `cover`/256, where `cover` is 0 to 256.
+    ///
+    /// The mixture is rounded or dithered as by [`from_levels`](Self::from_levels). For colors of 15 and 16 bits, the
+    /// share is first rounded to 1/32.
     #[must_use]
     #[inline]
     fn covered(self, by: Self, cover: u32, at: Point) -> Self {
@@ -111,7 +114,8 @@ pub trait Levels: PixelColor {
         ])
     }
 
-    /// The product of two colors, channel by channel, where white is 1.
+    /// The product of two colors, channel by channel, where white is 1; rounded or dithered as by
+    /// [`from_levels`](Self::from_levels).
     #[must_use]
     #[inline]
     fn times(self, other: Self, at: Point) -> Self {
@@ -225,6 +229,19 @@ impl<C: Levels> Raised<C> {
     #[inline]
     pub(super) fn all(self) -> [i32; 3] {
         self.0.all()
+    }
+
+    /// The color at a pixel of the frame.
+    #[inline]
+    pub(super) fn color(self, at: Point) -> C {
+        C::from_raised(self.all(), at)
+    }
+
+    /// The color under a light.
+    #[inline]
+    pub(super) fn lit(self, light: Illumination, at: Point) -> C {
+        let levels = each(self.all(), |level| level.wrapping_sub(HALF));
+        C::from_levels(dimmed::<C>(levels, light), at)
     }
 }
 

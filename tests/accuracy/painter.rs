@@ -118,7 +118,7 @@ impl Scene {
     }
 
     /// Checks that no triangle is drawn before one that is farther by more than `tolerance` allows, and equal ones
-    /// in the order of the mesh, of which there are so many.
+    /// in the order of the mesh.
     fn check(
         &self,
         order: &[usize],

@@ -17,7 +17,7 @@ const SIZE: (u32, u32) = (90, 40);
 type Frame<'f> = Canvas<'f, Gray8, Native, Depth<'f>>;
 type Pen<'p, 'v> = Recorder<'p, Probe<'v, [i32; 1]>, 1>;
 
-/// The pixels of a draw call, with the interpolated x of the position, drawn in bands of so many rows.
+/// The pixels of a draw call, with the interpolated x of the position, drawn in bands of `rows` rows.
 fn drawn(rows: u32, draw: impl Fn(&mut Frame<'_>, &Pen<'_, '_>) -> Drawn) -> Vec<Seen<1>> {
     let values = |corner: &Corner<'_>| [corner.position().x.to_bits()];
     let probe = Probe {

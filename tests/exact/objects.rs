@@ -60,7 +60,7 @@ fn drawn() -> Vec<Gray8> {
     color
 }
 
-/// The frame in bands of so many rows, and the number of parts.
+/// The frame in bands of `rows` rows, and the number of parts.
 fn in_bands(
     scene: &PreparedScene<'_, Flat<Gray8>>,
     rows: u32,

@@ -24,7 +24,7 @@ fn positions() -> Vec<Vec3> {
 
 type Picture = (Vec<Rgb565>, Vec<u16>);
 
-/// A picture drawn in bands of so many rows.
+/// A picture drawn in bands of `rows` rows.
 fn picture(
     rows: u32,
     draw: &dyn Fn(&mut Canvas<'_, Rgb565, fixel::target::Native, fixel::target::Depth<'_>>),

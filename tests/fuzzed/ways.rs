@@ -37,7 +37,7 @@ struct Picture {
 /// The contents before drawing.
 const BACKGROUND: Rgb565 = Rgb565::new(1, 2, 3);
 
-/// Room for all pieces that clipping makes of so few triangles.
+/// Room for all pieces that clipping makes of the few triangles here.
 type List = TriangleList<16, 200>;
 
 impl<K: ProjectionKind> Call<'_, K> {

@@ -28,7 +28,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
         |place, turn, size| view * (Transform::translate(place) * turn * Transform::scale(size));
     let upright = Transform::rotate_x(deg!(90));
 
-    // What is opaque comes first.
+    // Opaque surfaces come first.
     canvas.clear(Rgb565::new(5, 12, 9));
     let floor = Flat::new(Rgb565::new(19, 36, 15));
     canvas.draw(
@@ -40,7 +40,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     let red = Flat::rgb(Rgb888::new(230, 60, 40)).lit(sun);
     canvas.draw(&BALL, &at(vec3!(-0.2, 0.8, -0.5), upright, fx!(0.8)), &red);
 
-    // Then what is blended, from back to front. It hides nothing that comes later.
+    // Blended surfaces follow, from back to front. They do not write depth, so they hide nothing that is drawn later.
     let seen = DrawOptions::new()
         .with_depth(TestOnly)
         .with_cull(Cull::Nothing);

@@ -1,4 +1,4 @@
-//! Names of planets, hidden by what is before them.
+//! Names of planets, which nearer planets hide.
 
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};

@@ -66,7 +66,7 @@ impl Bench {
         }
     }
 
-    /// Prints the cost of pixels that replace what is there.
+    /// Prints the cost of opaque pixels.
     pub fn kernel<I: Mode, F: Shader<Color = Rgb565>>(
         &mut self,
         name: &str,

@@ -1,4 +1,4 @@
-//! What is drawn besides triangles, and what is computed for meshes that change.
+//! The cost of sprites, lines, points, lists and rays, and of meshes that change.
 
 use core::hint::black_box;
 

@@ -73,7 +73,7 @@ struct Ears<const N: usize> {
 }
 
 impl<const N: usize> Ears<N> {
-    /// Cuts the polygon whose fan of so many triangles starts at face `at`, if the fan is wrong.
+    /// Cuts the polygon whose fan of `triangles` triangles starts at face `at`, if the fan is wrong.
     const fn polygon(&mut self, room: &mut Room<N>, at: usize, triangles: usize) {
         let mut corner = 0;
         while corner < triangles + 2 {

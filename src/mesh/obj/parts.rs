@@ -7,7 +7,7 @@ use crate::error::ok;
 
 /// A statement that matters to parts.
 pub(super) enum Statement {
-    /// A polygon that becomes so many triangles.
+    /// A polygon, with the number of triangles that it becomes.
     Face(usize),
     /// `usemtl`: the following faces have this material.
     Material(Name),
@@ -32,7 +32,7 @@ impl Run {
     };
 }
 
-/// An upper bound of the runs in a text of so many bytes: `usemtl`, a blank, a name and a line's end take 9.
+/// An upper bound of the runs in a text of `bytes` bytes: `usemtl`, a blank, a name and a line's end take 9.
 #[must_use]
 pub const fn room(bytes: usize) -> usize {
     bytes / 9 + 2
