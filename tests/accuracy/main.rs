@@ -1,7 +1,6 @@
 //! All tests that need the f64 model: pixels, values, depths and positions, compared with it.
 //!
-//! `cargo test --test accuracy -- --nocapture` prints the figures. `cargo test --release --test accuracy --
-//! --ignored` runs the tests that take too long unoptimized: every triangle on a grid, and every sine.
+//! `cargo test --test accuracy -- --nocapture` prints the figures.
 
 // f64 holds every integer used here, and no pixel lies left of or above the picture.
 #![allow(clippy::cast_precision_loss, clippy::cast_sign_loss)]

@@ -1,7 +1,7 @@
 //! A scene in every mode, or with one of the crate's shaders.
 
 use embedded_graphics::pixelcolor::Rgb565;
-use fixel::mode::{self, Affine, Compact, Exact, Fast, Newton};
+use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 
@@ -96,8 +96,8 @@ struct Ways<'a, 'c, K> {
 
 impl<K: ProjectionKind> Draw for Ways<'_, '_, K> {
     fn draw<F: Shader<Color = Rgb565>>(self, shader: &F) {
-        // As many as a shader can have.
-        let _: Record<8, _> = self.call.check(&self.options, shader);
+        // What is true of the pixels of any shader, `Bits` checks.
+        self.call.check_frames(&self.options, shader);
     }
 }
 
@@ -127,27 +127,18 @@ where
             "{mode:?}: pixels or depths differ"
         );
     };
-    check(Mode::Exact, checked(call, options.with_mode(Exact)));
-    check(Mode::Newton, checked(call, options.with_mode(Newton)));
-    let fast = checked(call, options.with_mode(Fast::within(tolerance)));
+    let shader = &Bits::<N>;
+    check(Mode::Exact, call.check(&options.with_mode(Exact), shader));
+    check(Mode::Newton, call.check(&options.with_mode(Newton), shader));
+    let fast = call.check(&options.with_mode(Fast::within(tolerance)), shader);
     check(Mode::Fast(tolerance.max(fx!(0))), fast);
-    check(Mode::Affine, checked(call, options.with_mode(Affine)));
+    check(Mode::Affine, call.check(&options.with_mode(Affine), shader));
     // Its depths may differ by a step from those of the others, and so then do the pixels that it draws.
-    let compact = checked(call, options.with_mode(Compact));
+    let compact: Record<N, Rgb565> = call.check(&options.with_mode(Compact), shader);
     if let Some(truth) = &truth {
         truth.check(Mode::Compact, &compact);
     }
-}
-
-fn checked<I: mode::Mode, K: ProjectionKind, const N: usize>(
-    call: &Call<'_, K>,
-    options: DrawOptions<I>,
-) -> Record<N, Rgb565>
-where
-    [(); N]: Few<N>,
-{
-    let record = call.check(&options, &Bits::<N>);
-    call.check_bytes(&options, &Bits::<N>);
-    call.check_blended(&options, &Bits::<N>);
-    record
+    // Modes know neither how colors are stored nor how they are blended, so one mode shows both.
+    call.check_bytes(&options, shader);
+    call.check_blended(&options, shader);
 }

@@ -95,20 +95,26 @@ impl Billboard {
         })
     }
 
-    /// Draws sprites at these positions, if the numbers make some.
-    pub fn with<T>(
+    /// The scales and frames of as many sprites.
+    pub fn lists(&self, sprites: usize) -> (Vec<Scalar>, Vec<u16>) {
+        let numbers = 1..=u16::try_from(sprites).unwrap();
+        let scale = self.scale.unwrap_or_default();
+        let frame = self.frame.unwrap_or_default();
+        (
+            numbers
+                .clone()
+                .map(|i| scale.saturating_mul_int(i.into()))
+                .collect(),
+            numbers.map(|i| frame.wrapping_mul(i)).collect(),
+        )
+    }
+
+    /// Sprites at these positions with these [`lists`](Self::lists), if the numbers make some.
+    pub fn sprites<'a>(
         &self,
-        positions: &[Vec3],
-        draw: impl FnOnce(&Sprites<'_>) -> T,
-    ) -> Result<T, Error> {
-        let numbers = 1..=u16::try_from(positions.len()).unwrap();
-        let scales: Vec<Scalar> = numbers
-            .clone()
-            .map(|i| self.scale.unwrap_or_default().saturating_mul_int(i.into()))
-            .collect();
-        let frames: Vec<u16> = numbers
-            .map(|i| self.frame.unwrap_or_default().wrapping_mul(i))
-            .collect();
+        positions: &'a [Vec3],
+        (scales, frames): &'a (Vec<Scalar>, Vec<u16>),
+    ) -> Result<Sprites<'a>, Error> {
         let mut sprites = if self.in_pixels {
             Sprites::in_pixels(positions, self.size)?
         } else {
@@ -119,12 +125,12 @@ impl Billboard {
             sprites = sprites.with_axis(axis)?;
         }
         if self.scale.is_some() {
-            sprites = sprites.with_scales(&scales)?;
+            sprites = sprites.with_scales(scales)?;
         }
         if self.frame.is_some() {
-            sprites = sprites.with_frames(self.grid, &frames)?;
+            sprites = sprites.with_frames(self.grid, frames)?;
         }
-        Ok(draw(&sprites))
+        Ok(sprites)
     }
 }
 

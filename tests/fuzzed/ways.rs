@@ -29,7 +29,7 @@ pub struct Call<'a, K> {
 
 /// A picture and its depths.
 #[derive(Clone, PartialEq)]
-struct Picture {
+pub struct Picture {
     colors: Vec<Rgb565>,
     depths: Vec<u16>,
 }
@@ -78,11 +78,13 @@ impl<K: ProjectionKind> Call<'_, K> {
                 canvas.draw_sized_points(options, self.mesh, style, &self.mvp, shader)
             }
             What::Points => canvas.draw_points(options, self.mesh, &self.mvp, shader),
-            What::Sprites(sprites) => sprites
-                .with(&self.scene.positions, |sprites| {
-                    canvas.draw_sprites(options, sprites, &self.mvp, shader)
-                })
-                .unwrap_or_default(),
+            What::Sprites(billboard) => {
+                let lists = billboard.lists(self.scene.positions.len());
+                match billboard.sprites(&self.scene.positions, &lists) {
+                    Ok(sprites) => canvas.draw_sprites(options, &sprites, &self.mvp, shader),
+                    Err(_) => Drawn::default(),
+                }
+            }
         };
         assert!(drawn.clipped <= drawn.drawn && drawn.drawn <= drawn.submitted);
         drawn
@@ -92,7 +94,7 @@ impl<K: ProjectionKind> Call<'_, K> {
     pub fn check_picking(&self, options: &DrawOptions) {
         let (width, height) = self.scene.size;
         let mut picture = self.blank();
-        self.on_frame(&mut picture, |canvas| {
+        self.on_frame(&mut picture, &mut |canvas| {
             let label = |canvas: &mut Frame<'_>, point| {
                 if let Some(at) = canvas.project(options, &self.mvp, point) {
                     let area = Rectangle::new(Point::new(-2, -1), Size::new(4, 3));
@@ -110,6 +112,7 @@ impl<K: ProjectionKind> Call<'_, K> {
             for &position in &self.scene.positions {
                 label(canvas, position);
             }
+            Drawn::default()
         });
         assert!(picture == self.blank(), "labels of the background's color");
     }
@@ -206,23 +209,29 @@ impl<K: ProjectionKind> Call<'_, K> {
     {
         let record = self.record(options, *shader);
         let expected = self.depth_test(options, *shader, &record.seen);
-
-        // Without recording, and once more over itself: of equal depths the later one shows again.
-        let mut frame = self.blank();
-        let mut counts = Vec::new();
-        for _ in 0..2 {
-            let drawn = self.on_frame(&mut frame, |canvas| self.draw(canvas, options, shader));
-            assert!(frame == expected, "the picture without recording differs");
-            counts.push(drawn);
-        }
-        assert_eq!(counts[0], counts[1]);
-
-        let bands = self.in_bands(|band| self.draw(band, options, shader));
-        assert!(bands == expected, "bands differ");
-        if self.scene.what == What::Triangles {
-            self.check_prepared(options, shader, &expected, counts[0]);
-        }
+        let frame = self.check_frames(options, shader);
+        assert!(frame == expected, "the picture without recording differs");
         record
+    }
+
+    /// Checks that a frame, bands and prepared triangles show the same, and returns the frame.
+    pub fn check_frames<I, F>(&self, options: &DrawOptions<I>, shader: &F) -> Picture
+    where
+        I: Mode,
+        F: Shader<Color = Rgb565>,
+    {
+        let mut frame = self.blank();
+        let draw = &mut |canvas: &mut Frame<'_>| self.draw(canvas, options, shader);
+        let drawn = self.on_frame(&mut frame, draw);
+        // Once more over itself: of equal depths the later one shows again.
+        let mut again = frame.clone();
+        assert_eq!(self.on_frame(&mut again, draw), drawn);
+        assert!(again == frame, "drawn again, the picture differs");
+        assert!(self.in_bands(draw) == frame, "bands differ");
+        if self.scene.what == What::Triangles {
+            self.check_prepared(options, shader, &frame, drawn);
+        }
+        frame
     }
 
     /// Draws with depths, and checks that exactly those of the pixels `seen` without depths are drawn that are not
@@ -252,7 +261,9 @@ impl<K: ProjectionKind> Call<'_, K> {
 
         let mut frame = self.blank();
         let record = record(shader, |recorder| {
-            self.on_frame(&mut frame, |canvas| self.draw(canvas, options, recorder));
+            self.on_frame(&mut frame, &mut |canvas| {
+                self.draw(canvas, options, recorder)
+            });
         });
         assert!(record.seen == visible, "pixels differ with depth");
         assert!(
@@ -278,12 +289,14 @@ impl<K: ProjectionKind> Call<'_, K> {
             .prepare(options, self.scene.size, self.mesh, &self.mvp)
             .unwrap();
         let mut frame = self.blank();
-        let counts = self.on_frame(&mut frame, |canvas| canvas.draw_prepared(&prepared, shader));
+        let counts = self.on_frame(&mut frame, &mut |canvas| {
+            canvas.draw_prepared(&prepared, shader)
+        });
         assert!(frame == *expected, "prepared triangles differ");
         // A triangle that clipping removes reports missing attributes only if it is not prepared.
         let missing = drawn.missing;
         assert_eq!(Drawn { missing, ..counts }, drawn);
-        let bands = self.in_bands(|band| band.draw_prepared(&prepared, shader));
+        let bands = self.in_bands(&mut |band| band.draw_prepared(&prepared, shader));
         assert!(bands == *expected, "bands of prepared triangles differ");
 
         // In another order, other triangles may show; but the same are drawn, and bands equal the frame.
@@ -291,9 +304,11 @@ impl<K: ProjectionKind> Call<'_, K> {
             .prepare_back_to_front(options, self.scene.size, self.mesh, &self.mvp)
             .unwrap();
         let mut frame = self.blank();
-        let counts = self.on_frame(&mut frame, |canvas| canvas.draw_prepared(&sorted, shader));
+        let counts = self.on_frame(&mut frame, &mut |canvas| {
+            canvas.draw_prepared(&sorted, shader)
+        });
         assert_eq!(Drawn { missing, ..counts }, drawn);
-        let bands = self.in_bands(|band| band.draw_prepared(&sorted, shader));
+        let bands = self.in_bands(&mut |band| band.draw_prepared(&sorted, shader));
         assert!(bands == frame, "bands of sorted triangles differ");
 
         // As two objects of a scene.
@@ -303,10 +318,12 @@ impl<K: ProjectionKind> Call<'_, K> {
             .prepare_scene(options, self.scene.size, &self.mvp, &mut objects)
             .unwrap();
         scene.sort_back_to_front();
-        let draw = |canvas: &mut Frame<'_>| {
+        let draw = &mut |canvas: &mut Frame<'_>| {
+            let mut drawn = Drawn::default();
             for (shader, triangles) in scene.parts(canvas).unwrap() {
-                canvas.draw_prepared(&triangles, shader);
+                drawn = canvas.draw_prepared(&triangles, shader);
             }
+            drawn
         };
         let mut frame = self.blank();
         self.on_frame(&mut frame, draw);
@@ -314,7 +331,7 @@ impl<K: ProjectionKind> Call<'_, K> {
     }
 
     /// Draws into a whole picture.
-    fn on_frame<T>(&self, picture: &mut Picture, draw: impl FnOnce(&mut Frame<'_>) -> T) -> T {
+    fn on_frame(&self, picture: &mut Picture, draw: &mut Draw<'_>) -> Drawn {
         let (width, height) = self.scene.size;
         let canvas = Canvas::new(&mut picture.colors, width, height).unwrap();
         draw(&mut canvas.with_depth(&mut picture.depths).unwrap())
@@ -371,15 +388,16 @@ impl<K: ProjectionKind> Call<'_, K> {
     {
         // Triangles alone: edges and points take the same way to the pixels.
         let mut frame = self.blank();
-        self.on_frame(&mut frame, |canvas| {
+        self.on_frame(&mut frame, &mut |canvas| {
             canvas.draw_with(options, self.mesh, &self.mvp, shader)
         });
-        let bands = self.in_bands(|band| band.draw_with(options, self.mesh, &self.mvp, shader));
+        let bands =
+            self.in_bands(&mut |band| band.draw_with(options, self.mesh, &self.mvp, shader));
         assert!(bands == frame, "blended bands differ");
     }
 
     /// A picture drawn in bands of the scene's heights.
-    fn in_bands<T>(&self, mut draw: impl FnMut(&mut Frame<'_>) -> T) -> Picture {
+    fn in_bands(&self, draw: &mut Draw<'_>) -> Picture {
         let mut picture = self.blank();
         let (width, height) = self.scene.size;
         // Many bands take long and find little.
@@ -402,3 +420,6 @@ impl<K: ProjectionKind> Call<'_, K> {
 }
 
 type Frame<'f> = Canvas<'f, Rgb565, Native, Depth<'f>>;
+
+/// Draws into a frame or a band. Not generic: there are hundreds of such closures, and the tests compile in minutes.
+type Draw<'d> = dyn FnMut(&mut Frame<'_>) -> Drawn + 'd;

@@ -3,7 +3,6 @@
 use fixel::prelude::*;
 
 use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
-use crate::moves::radians;
 use crate::reference::coverage::covers;
 
 /// Pixels along a side of the picture, whose pixels are the bits of a number.
@@ -161,26 +160,4 @@ fn every_triangle_on_a_grid() {
         grid.edges_are_owned_once();
         assert!(grid.parts_cover_the_whole() > 5000);
     }
-}
-
-/// The sine of every angle, against f64's: the largest error found is 1.542e-9, from a polynomial, three roundings to
-/// 2⁻³⁰ and the rounding of the square.
-#[test]
-#[ignore = "all 2^32 angles take three minutes"]
-fn sine_of_every_angle() {
-    let worst = |range: std::ops::RangeInclusive<u32>| {
-        let error = |bits: u32| {
-            let angle = Angle::from_bits(bits);
-            let sine = f64::from(angle.sin().to_bits()) / f64::from(1 << 30);
-            (sine - radians(angle).sin()).abs()
-        };
-        range.map(error).fold(0., f64::max)
-    };
-    let half = 1 << 31;
-    let found = std::thread::scope(|scope| {
-        let first = scope.spawn(move || worst(0..=half - 1));
-        worst(half..=u32::MAX).max(first.join().unwrap())
-    });
-    println!("{found:e}");
-    assert!(found < 1.6e-9, "{found:e}");
 }
