@@ -10,7 +10,7 @@ static SQUARE: Mesh = shape!(plane(1, 1));
 static BALL: Mesh = shape!(sphere(24, 16));
 static TRUNK: Mesh = shape!(cylinder(12));
 
-/// A picket and its part of two rails: a texel has a color or is a hole. (Yours may be a file: `include_bmp!`.)
+/// A picket with its part of two rails. A texel has a color or is a hole.
 fn picket(row: usize, column: usize) -> Argb1555 {
     let aside = (2 * column).abs_diff(7); // of the picket's middle
     match row % 14 {

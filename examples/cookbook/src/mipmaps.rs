@@ -6,7 +6,7 @@ use fixel::shade::Mipmapped;
 use fixel::target::{Depth, Native};
 use fixel::texture::{Mipmap, MipmapArray};
 
-/// Dark joints between light tiles: a square of 16 texels, with 4 tiles. All levels are made at compile time.
+/// Four tiles with dark joints, of 16x16 texels. The levels are made at compile time.
 static TILES: MipmapArray<Rgb565, 16, 16, { Mipmap::<Rgb565>::len(16, 16) }> =
     MipmapArray::rgb565(&{
         let mut bytes = [0; 16 * 16 * 2];

@@ -8,7 +8,7 @@ use fixel::target::{Depth, Native, NoTest};
 static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 static ROCK: Mesh = shape!(sphere(9, 6));
 
-/// Stars and gas in one direction. (Yours may come from files, by `include_bmp!`.)
+/// Stars and gas in one direction. (Yours may come from files, with `include_bmp!`.)
 fn space(way: Vec3) -> Rgb565 {
     let wave = |along: Vec3| Scalar::from_num(Angle::from_turns(way.dot(along)).sin());
     let bent = wave(vec3!(0.5, 0.2, 0.6)) / 4 + wave(vec3!(0.3, 1.1, -0.7)) / 8;
@@ -27,7 +27,7 @@ fn space(way: Vec3) -> Rgb565 {
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
     let projection = Projection::perspective(deg!(60), canvas.frame_size(), fx!(0.5), fx!(50))?;
     let camera = Camera::look_at(vec3!(2, 1, 6), Vec3::ZERO, Vec3::Y)?;
-    // Mirrored, the cube is inside out: its triangles face the camera, and its textures are not mirrored.
+    // Mirrored, the cube shows its sides and its textures the right way to a viewer inside it.
     let around = projection * camera.sky() * Transform::scale_axes(vec3!(-10, 10, 10));
     let behind = DrawOptions::new().with_depth(NoTest);
     for side in 0..6 {

@@ -1,4 +1,4 @@
-//! Firs that turn to the viewer about their trunks, cut out of a texture, and snow that falls between them.
+//! Firs, cut out of a texture, that turn to the viewer about their trunks; snow falls between them.
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::prelude::*;
