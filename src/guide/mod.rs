@@ -1,34 +1,46 @@
 //! Guides, longer than an item's page. Their drawing code is compiled and run as doctests.
 
-/// Shows the program of a scene of the cookbook, which is compiled as it stands.
+/// Shows the picture of a scene of the cookbook and its program, which is compiled as it stands. The picture is part of
+/// the page, so that it is there wherever the page is.
 macro_rules! recipe {
-    ($title:literal, $file:literal $(, $attribute:literal)?) => {
+    ($title:literal, $name:literal $(, $attribute:literal)?) => {
         concat!(
             "# ",
             $title,
-            "\n\n```",
+            "\n\n![",
+            $title,
+            "](data:image/png;base64,",
+            include_str!(concat!("../../examples/assets/", $name, ".base64")),
+            ")\n\n```",
             $($attribute,)?
             "\n",
-            include_str!(concat!("../../examples/cookbook/src/", $file)),
+            include_str!(concat!("../../examples/cookbook/src/", $name, ".rs")),
             "```\n"
         )
     };
 }
 
 #[doc = include_str!("cookbook.md")]
-#[doc = recipe!("Lights", "lights.rs")]
-#[doc = recipe!("Fog", "fog.rs")]
-#[doc = recipe!("Sky", "sky.rs")]
-#[doc = recipe!("Mipmaps", "mipmaps.rs")]
-#[doc = recipe!("Blending", "blending.rs")]
-#[doc = recipe!("Painter's order", "painter.rs")]
+#[doc = recipe!("Hello", "hello")]
+#[doc = recipe!("Bands", "bands")]
+#[doc = recipe!("Two cores", "two_cores")]
+#[doc = recipe!("Lights", "lights")]
+#[doc = recipe!("Cartoon", "toon")]
+#[doc = recipe!("Fog", "fog")]
+#[doc = recipe!("Sky", "sky")]
+#[doc = recipe!("Sky box", "sky_box")]
+#[doc = recipe!("Mipmaps", "mipmaps")]
+#[doc = recipe!("Cut-out textures", "cut_out")]
+#[doc = recipe!("Blending", "blending")]
+#[doc = recipe!("Painter's order", "painter")]
 // It reads a file beside its own folder.
-#[doc = recipe!("Wireframe", "wireframe.rs", "ignore")]
-#[doc = recipe!("Terrain", "terrain.rs")]
-#[doc = recipe!("Keyframes", "keyframes.rs")]
-#[doc = recipe!("Sprites", "sprites.rs")]
-#[doc = recipe!("Labels", "labels.rs")]
-#[doc = recipe!("Picking", "picking.rs")]
+#[doc = recipe!("Wireframe", "wireframe", "ignore")]
+#[doc = recipe!("Terrain", "terrain")]
+#[doc = recipe!("Keyframes", "keyframes")]
+#[doc = recipe!("Sprites", "sprites")]
+#[doc = recipe!("Labels", "labels")]
+#[doc = recipe!("Picking", "picking")]
+#[doc = recipe!("Instruments", "instruments")]
 pub mod cookbook {}
 
 #[doc = include_str!("firmware.md")]

@@ -1,5 +1,7 @@
 //! A surface whose texture has mipmap levels: each pixel shows the level that its distance calls for.
 
+use embedded_graphics::geometry::Size;
+
 use super::{Fragment, PerFace, Shader, Texel, Texels, Textured};
 use crate::mesh::Primitive;
 use crate::num::log2;
@@ -98,7 +100,7 @@ pub struct Mipmapped<'a, C, A = Repeat, F = Nearest> {
 }
 
 impl<'a, C: Copy> Mipmapped<'a, C> {
-    /// A surface with this mipmap, drawn under this projection, in a frame or viewport of this width and height in pixels.
+    /// A surface with this mipmap, drawn under this projection, in a frame or viewport of this size in pixels.
     ///
     /// # Errors
     ///
@@ -106,8 +108,9 @@ impl<'a, C: Copy> Mipmapped<'a, C> {
     pub fn new(
         mipmap: Mipmap<'a, C>,
         projection: &Projection,
-        (width, height): (u32, u32),
+        frame: impl Into<Size>,
     ) -> Result<Self, Error> {
+        let Size { width, height } = frame.into();
         let [x, y] = projection
             .pixel(&Viewport::new(0, 0, width, height)?)
             .map(|size| log2(size.value.unsigned_abs()) - (size.exp << 8));

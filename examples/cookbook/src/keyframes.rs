@@ -6,21 +6,11 @@ use fixel::prelude::*;
 use fixel::target::{Depth, Native};
 
 /// Beak, back, two ends of a tail; and on each side a wing: two roots, two elbows, a tip.
+#[rustfmt::skip]
 const UP: [Vec3; 14] = [
-    vec3!(0, 0, -1),
-    vec3!(0, 0.2, 0),
-    vec3!(-0.3, 0.1, 1),
-    vec3!(0.3, 0.1, 1),
-    vec3!(-0.2, 0, -0.4),
-    vec3!(-0.2, 0, 0.4),
-    vec3!(-0.8, 0.6, -0.4),
-    vec3!(-0.8, 0.6, 0.3),
-    vec3!(-1.5, 1.5, 0.3),
-    vec3!(0.2, 0, -0.4),
-    vec3!(0.2, 0, 0.4),
-    vec3!(0.8, 0.6, -0.4),
-    vec3!(0.8, 0.6, 0.3),
-    vec3!(1.5, 1.5, 0.3),
+    vec3!(0, 0, -1), vec3!(0, 0.2, 0), vec3!(-0.3, 0.1, 1), vec3!(0.3, 0.1, 1),
+    vec3!(-0.2, 0, -0.4), vec3!(-0.2, 0, 0.4), vec3!(-0.8, 0.6, -0.4), vec3!(-0.8, 0.6, 0.3), vec3!(-1.5, 1.5, 0.3),
+    vec3!(0.2, 0, -0.4), vec3!(0.2, 0, 0.4), vec3!(0.8, 0.6, -0.4), vec3!(0.8, 0.6, 0.3), vec3!(1.5, 1.5, 0.3),
 ];
 
 /// The same body with its wings down.
@@ -44,7 +34,7 @@ static STROKE: Keyframes = Keyframes::checked(Keyframes::new(
 ));
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
-    let projection = Projection::perspective(deg!(40), (4, 3), fx!(0.5), fx!(50))?;
+    let projection = Projection::perspective(deg!(40), canvas.frame_size(), fx!(0.5), fx!(50))?;
     let view = projection * Camera::look_at(vec3!(0, 5, 8), vec3!(0, 0.4, 0), Vec3::Y)?;
     let sun = Light::new(vec3!(-1, 2, 1), fx!(0.35), fx!(0.65))?.two_sided(Viewer::of(&view));
     let white = Flat::rgb(Rgb888::new(250, 240, 225)).lit_faces(sun);

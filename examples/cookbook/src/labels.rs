@@ -1,6 +1,6 @@
 //! Names of planets, which nearer planets hide.
 
-use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
+use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_4X6, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::{Drawable, geometry::Point, text::Text};
 use fixel::prelude::*;
@@ -17,14 +17,17 @@ static PLANETS: [(&str, Scalar, Angle, Rgb888); 4] = [
 ];
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
-    let projection = Projection::perspective(deg!(50), (4, 3), fx!(0.5), fx!(50))?;
+    let frame = canvas.frame_size();
+    let is_wide = frame.width > 3 * frame.height / 2;
+    let fov = if is_wide { deg!(34) } else { deg!(46) };
+    let projection = Projection::perspective(fov, frame, fx!(0.5), fx!(50))?;
     let view = projection * Camera::look_at(vec3!(0, 2.8, 10), vec3!(0, 0, 0.4), Vec3::Y)?;
     let options = DrawOptions::new();
     canvas.clear(Rgb565::new(0, 1, 3));
     let sun = Flat::rgb(Rgb888::new(255, 220, 90));
     canvas.draw(&BALL, &(view * Transform::scale(fx!(1.3))), &sun);
     let light = PointLight::new(Vec3::ZERO, fx!(1), fx!(60))?;
-    let dim = Light::new(vec3!(0, 1, 1), fx!(0.15), fx!(0.1))?;
+    let dim = Light::new(vec3!(0, 1, 1), fx!(0.3), fx!(0.2))?;
     for &(_, distance, angle, color) in &PLANETS {
         let orbit = view * Transform::scale(distance);
         canvas.draw(&RING, &orbit, &Flat::new(Rgb565::new(6, 12, 8)));
@@ -34,10 +37,12 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     }
 
     // Text keeps its size. Its place and its depth are those of a point of the scene.
+    let font = [&FONT_4X6, &FONT_6X10][usize::from(frame.height > 100)];
+    let offset = frame.height.cast_signed() / 20;
     for &(name, distance, angle, color) in &PLANETS {
-        let style = MonoTextStyle::new(&FONT_6X10, color.into());
+        let style = MonoTextStyle::new(font, color.into());
         if let Some(at) = canvas.project(&options, &view, place(distance, angle)) {
-            let text = Text::new(name, Point::new(12, -10), style);
+            let text = Text::new(name, Point::new(offset, -offset), style);
             text.draw(&mut canvas.label(at))?;
         }
     }

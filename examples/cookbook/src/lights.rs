@@ -4,18 +4,18 @@ use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::prelude::*;
 use fixel::target::{Depth, Native};
 
-static FLOOR: Mesh = shape!(plane(24, 24));
+static FLOOR: Mesh = shape!(plane(40, 40));
 static BALL: Mesh = shape!(sphere(32, 24));
 static PILLAR: Mesh = shape!(cylinder(24));
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
-    let projection = Projection::perspective(deg!(50), (4, 3), fx!(0.5), fx!(50))?;
-    let camera = Camera::look_at(vec3!(0, 3.5, 8), vec3!(0, 0.8, 0), Vec3::Y)?;
+    let projection = Projection::perspective(deg!(42), canvas.frame_size(), fx!(0.5), fx!(50))?;
+    let camera = Camera::look_at(vec3!(0, 3, 7), vec3!(0, 0.9, 0), Vec3::Y)?;
     let view = projection * camera;
     let viewer = Viewer::of(&view);
 
     // Lights are in world space, and add up. A lamp reaches as far as its range.
-    let night = Light::new(vec3!(0, 1, 0.5), fx!(0.08), fx!(0.1))?;
+    let night = Light::new(vec3!(0, 1, 0.5), fx!(0.1), fx!(0.15))?;
     let red = PointLight::new(vec3!(-3, 1.5, 1), fx!(1), fx!(6))?;
     let blue = PointLight::new(vec3!(3, 1.5, 1), fx!(1), fx!(6))?;
     let cone = (deg!(12), deg!(20));

@@ -1,8 +1,11 @@
-//! Small scenes, one idea each. `cargo run -p cookbook` writes a picture of each to the current folder; with names
-//! as arguments, only of these.
+//! Small scenes, one idea each: see `--help`.
 
+mod bands;
 mod blending;
+mod cut_out;
 mod fog;
+mod hello;
+mod instruments;
 mod keyframes;
 mod labels;
 mod lights;
@@ -10,30 +13,42 @@ mod mipmaps;
 mod painter;
 mod picking;
 mod sky;
+mod sky_box;
 mod sprites;
 mod terrain;
+mod toon;
+mod two_cores;
 mod wireframe;
 
 use std::error::Error;
+use std::fs;
+use std::path::{Path, PathBuf};
 
+use base64::prelude::{BASE64_STANDARD, Engine};
+use clap::Parser;
+use clap::builder::PossibleValuesParser;
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
 use fixel::prelude::*;
 use fixel::target::{Depth, Native};
 
-const WIDTH: u32 = 320;
-const HEIGHT: u32 = 240;
+/// The size of the documentation's pictures.
+const SIZE: Size = Size::new(320, 240);
 
 /// The canvas that all scenes draw on.
 type Frame<'c> = Canvas<'c, Rgb565, Native, Depth<'c>>;
 
-/// A scene: its name, and what draws it.
-type Recipe = (&'static str, fn(&mut Frame<'_>) -> Result<(), fixel::Error>);
+/// What draws a scene.
+type Draw = fn(&mut Frame<'_>) -> Result<(), fixel::Error>;
 
-const RECIPES: &[Recipe] = &[
+const RECIPES: &[(&str, Draw)] = &[
+    ("bands", bands::draw),
     ("blending", blending::draw),
+    ("cut_out", cut_out::draw),
     ("fog", fog::draw),
+    ("hello", hello::draw),
+    ("instruments", instruments::draw),
     ("keyframes", keyframes::draw),
     ("labels", labels::draw),
     ("lights", lights::draw),
@@ -41,59 +56,110 @@ const RECIPES: &[Recipe] = &[
     ("painter", painter::draw),
     ("picking", picking::draw),
     ("sky", sky::draw),
+    ("sky_box", sky_box::draw),
     ("sprites", sprites::draw),
     ("terrain", terrain::draw),
+    ("toon", toon::draw),
+    ("two_cores", two_cores::draw),
     ("wireframe", wireframe::draw),
 ];
 
+/// Draws small scenes, one idea each, and saves a picture of each as a PNG file in the current folder.
+#[derive(Parser)]
+struct Args {
+    /// Draw only these.
+    #[arg(value_parser = PossibleValuesParser::new(RECIPES.iter().map(|(name, _)| *name)))]
+    scenes: Vec<String>,
+
+    /// Picture size in pixels, if not 320x240.
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    size: Option<Size>,
+
+    /// Renew the pictures of the documentation instead: PNG files, and for the guide the same files in base64.
+    #[arg(long, conflicts_with = "size")]
+    renew: bool,
+}
+
+fn size(text: &str) -> Result<Size, String> {
+    text.split_once('x')
+        .and_then(|(width, height)| Some(Size::new(width.parse().ok()?, height.parse().ok()?)))
+        .ok_or_else(|| "write a size as WxH, for example 128x64".into())
+}
+
 fn main() -> Result<(), Box<dyn Error>> {
-    let names: Vec<String> = std::env::args().skip(1).collect();
-    let known = |name: &String| RECIPES.iter().any(|(recipe, _)| recipe == name);
-    if let Some(name) = names.iter().find(|name| !known(name)) {
-        let all: Vec<&str> = RECIPES.iter().map(|(name, _)| *name).collect();
-        return Err(format!("no scene is called {name}: there are {}", all.join(", ")).into());
-    }
+    let args = Args::parse();
+    let folder = if args.renew { assets() } else { PathBuf::new() };
     for &(name, draw) in RECIPES {
-        if names.is_empty() || names.iter().any(|wanted| wanted == name) {
-            let path = format!("{name}.png");
-            let settings = OutputSettings::default();
-            picture(draw)?
-                .to_rgb_output_image(&settings)
+        if args.scenes.is_empty() || args.scenes.iter().any(|scene| scene == name) {
+            let path = folder.join(name).with_extension("png");
+            picture(draw, args.size.unwrap_or(SIZE))?
+                .to_rgb_output_image(&OutputSettings::default())
                 .save_png(&path)?;
-            println!("{path}");
+            println!("{}", path.display());
+            if args.renew {
+                fs::write(path.with_extension("base64"), base64_of(&path)?)?;
+            }
         }
     }
     Ok(())
 }
 
 /// Draws a scene.
-fn picture(
-    draw: fn(&mut Frame<'_>) -> Result<(), fixel::Error>,
-) -> Result<SimulatorDisplay<Rgb565>, fixel::Error> {
-    let mut colors = vec![Rgb565::BLACK; (WIDTH * HEIGHT) as usize];
+fn picture(draw: Draw, size: Size) -> Result<SimulatorDisplay<Rgb565>, fixel::Error> {
+    let mut colors = vec![Rgb565::BLACK; (size.width * size.height) as usize];
     let mut depths = vec![0; colors.len()];
-    let mut canvas = Canvas::new(&mut colors, WIDTH, HEIGHT)?.with_depth(&mut depths)?;
+    let mut canvas = Canvas::new(&mut colors, size.width, size.height)?.with_depth(&mut depths)?;
     draw(&mut canvas)?;
-    let mut display = SimulatorDisplay::new(Size::new(WIDTH, HEIGHT));
+    let mut display = SimulatorDisplay::new(size);
     canvas.show(&mut display)?;
     Ok(display)
+}
+
+/// The folder of the documentation's pictures.
+fn assets() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets")
+}
+
+/// A file as text, for a `data:` URI.
+fn base64_of(path: &Path) -> std::io::Result<String> {
+    Ok(BASE64_STANDARD.encode(fs::read(path)?))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::path::Path;
 
-    /// The pictures of the documentation. After a change that is meant to change one, run `cargo run -p cookbook` in
-    /// their folder, look at them, and say why in the changelog.
+    /// After a change that is meant to change a picture, run `cargo run -p cookbook -- --renew`, look at the picture,
+    /// and say why in the changelog.
     #[test]
     fn pictures_are_those_of_the_documentation() {
-        let assets = Path::new(env!("CARGO_MANIFEST_DIR")).join("../assets");
         for &(name, draw) in RECIPES {
-            let path = assets.join(name).with_extension("png");
-            let shown = SimulatorDisplay::load_png(path).unwrap();
-            let found = picture(draw).unwrap();
+            let path = assets().join(name).with_extension("png");
+            let found = picture(draw, SIZE).unwrap();
+            let shown = SimulatorDisplay::load_png(&path).unwrap();
             assert!(found.diff(&shown).is_none(), "{name} has changed");
+            let in_guide = fs::read_to_string(path.with_extension("base64")).unwrap();
+            assert!(
+                in_guide == base64_of(&path).unwrap(),
+                "the guide shows another {name}"
+            );
+        }
+    }
+
+    #[test]
+    fn scenes_draw_in_the_size_of_a_small_display() {
+        for &(name, draw) in RECIPES {
+            let drawn = picture(draw, Size::new(128, 64));
+            assert!(drawn.is_ok(), "{name}: {:?}", drawn.err());
+        }
+    }
+
+    #[test]
+    fn scenes_are_short() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../src");
+        for (name, _) in RECIPES {
+            let text = fs::read_to_string(folder.join(name).with_extension("rs")).unwrap();
+            assert!(text.lines().count() < 60, "{name} has 60 lines or more");
         }
     }
 }

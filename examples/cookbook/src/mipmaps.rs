@@ -6,7 +6,7 @@ use fixel::shade::Mipmapped;
 use fixel::target::{Depth, Native};
 use fixel::texture::{Mipmap, MipmapArray};
 
-/// Dark joints between light tiles: a square of 16 texels, with 4 tiles. All levels are made at compile time.
+/// Four tiles with dark joints, of 16x16 texels. The levels are made at compile time.
 static TILES: MipmapArray<Rgb565, 16, 16, { Mipmap::<Rgb565>::len(16, 16) }> =
     MipmapArray::rgb565(&{
         let mut bytes = [0; 16 * 16 * 2];
@@ -37,7 +37,7 @@ static HALF: Mesh = {
 };
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
-    let projection = Projection::perspective(deg!(60), (320, 240), fx!(0.25), fx!(100))?;
+    let projection = Projection::perspective(deg!(60), canvas.frame_size(), fx!(0.25), fx!(100))?;
     let camera = Camera::look_at(vec3!(0, 2, 0), vec3!(0, 0.2, -6), Vec3::Y)?;
     let left = projection * camera * Transform::translate(vec3!(-60, 0, 0));
     let right = projection * camera;
@@ -46,7 +46,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     let tiles = TILES.as_mipmap();
     canvas.draw(&HALF, &left, &Textured::new(tiles));
     // The level depends on a pixel's size, which the projection and the size of the frame tell.
-    let mipmapped = Mipmapped::new(tiles, &projection, (320, 240))?;
+    let mipmapped = Mipmapped::new(tiles, &projection, canvas.frame_size())?;
     canvas.draw(&HALF, &right, &mipmapped.trilinear());
     Ok(())
 }

@@ -8,12 +8,12 @@ use fixel::target::{Depth, Native, NoTest};
 static RING: Mesh = shape!(torus(fx!(0.14), 36, 8));
 static BALL: Mesh = shape!(sphere(20, 14));
 
-/// The picture's size, and memory for the visible triangles: 45 KiB. A depth buffer takes 150 KiB.
-const SIZE: (u32, u32) = (320, 240);
+/// Memory for the visible triangles: 45 KiB. A depth buffer of 320x240 takes 150 KiB.
 type List = TriangleList<1300, 1600>;
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
-    let projection = Projection::perspective(deg!(40), SIZE, fx!(1), fx!(20))?;
+    let frame = canvas.frame_size();
+    let projection = Projection::perspective(deg!(40), frame, fx!(1), fx!(20))?;
     let view = projection * Camera::look_at(vec3!(0, 1.5, 3.3), Vec3::ZERO, Vec3::Y)?;
     let sun = Light::new(vec3!(-2, 4, 3), fx!(0.25), fx!(0.75))?;
     let color = |r, g, b| Flat::rgb(Rgb888::new(r, g, b)).lit(sun);
@@ -33,7 +33,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     // Once a frame, for all of its bands. On a microcontroller, the list is a static.
     let mut list = Box::new(List::new());
     let options = DrawOptions::new().with_depth(NoTest);
-    let mut scene = list.prepare_scene(&options, SIZE, &view, &mut objects)?;
+    let mut scene = list.prepare_scene(&options, frame, &view, &mut objects)?;
     scene.sort_back_to_front();
 
     canvas.clear(Rgb565::new(2, 5, 5));

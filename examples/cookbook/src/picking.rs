@@ -1,9 +1,9 @@
 //! The face that a touch meets, and the point there.
 
-use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
+use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_4X6, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::{Circle, Primitive as _, PrimitiveStyle};
-use embedded_graphics::{Drawable, geometry::Point, text::Text};
+use embedded_graphics::{Drawable, geometry::Dimensions, geometry::Point, text::Text};
 use fixel::prelude::*;
 use fixel::target::{Biased, Depth, Native, TestAndWrite};
 
@@ -11,7 +11,7 @@ static RING: Mesh = shape!(torus(fx!(0.4), 28, 14));
 static BALL: Mesh = shape!(sphere(12, 8));
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
-    let projection = Projection::perspective(deg!(50), (4, 3), fx!(0.5), fx!(50))?;
+    let projection = Projection::perspective(deg!(50), canvas.frame_size(), fx!(0.5), fx!(50))?;
     let camera = Camera::look_at(vec3!(0, 2, 3), Vec3::ZERO, Vec3::Y)?;
     let ring = Transform::rotate_z(deg!(20)) * Transform::scale(fx!(1.1));
     let (view, mvp) = (projection * camera, projection * camera * ring);
@@ -23,7 +23,8 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     canvas.draw_with(&behind, &RING, &mvp, &blue.lit_faces(sun));
     canvas.draw_edges(&options, &RING, &mvp, &Flat::new(Rgb565::new(6, 16, 12)));
 
-    let touch = Point::new(206, 160);
+    let frame = canvas.bounding_box();
+    let touch = frame.center() + Point::new(46, 40) * frame.size.height.cast_signed() / 240;
     let Some(hit) = canvas
         .ray(&options, &mvp, touch)
         .and_then(|ray| ray.hit(&RING))
@@ -38,12 +39,18 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     canvas.draw(&BALL, &(view * pin), &red.lit(sun));
 
     let style = PrimitiveStyle::with_stroke(Rgb565::WHITE, 1);
-    Circle::with_center(touch, 25)
+    Circle::with_center(touch, frame.size.height / 10)
         .into_styled(style)
         .draw(canvas)?;
     let Vec3 { x, y, z } = hit.point;
     let text = format!("face {} at ({x:.2}, {y:.2}, {z:.2})", hit.face);
-    let style = MonoTextStyle::new(&FONT_6X10, Rgb565::WHITE);
-    Text::new(&text, Point::new(8, 228), style).draw(canvas)?;
+    let font = [&FONT_4X6, &FONT_6X10][usize::from(frame.size.height > 100)];
+    let style = MonoTextStyle::new(font, Rgb565::WHITE);
+    Text::new(
+        &text,
+        Point::new(3, frame.size.height.cast_signed() - 4),
+        style,
+    )
+    .draw(canvas)?;
     Ok(())
 }

@@ -22,42 +22,36 @@ static GLOW: TextureArray<Gray8, 64, 64> = {
 };
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
-    let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.5), fx!(200))?;
+    let projection = Projection::perspective(deg!(60), canvas.frame_size(), fx!(0.5), fx!(200))?;
     let camera = Camera::look_at(vec3!(3, 3, 20), vec3!(0, 6.5, -10), Vec3::Y)?;
 
-    // The camera of a sky stays in the middle of it. Nothing is farther: no depth is tested or stored.
+    // The camera of a sky stays in its middle. Nothing is farther, so depth is not needed.
     let around = projection * camera.sky();
     let behind = DrawOptions::new().with_depth(NoTest).with_cull(Cull::Front);
     let horizon = Rgb888::new(255, 170, 90);
     let evening = Gradient::new((fx!(0), horizon), (fx!(0.7), Rgb888::new(30, 50, 120)))?;
-    canvas.draw_with(
-        &behind,
-        &DOME,
-        &(around * Transform::scale(fx!(100))),
-        &evening,
-    );
+    let dome = around * Transform::scale(fx!(100));
+    canvas.draw_with(&behind, &DOME, &dome, &evening);
     let sun = [vec3!(20, 10, -80)];
     let light = Textured::new(&GLOW).clamped().bilinear().map(|_, gray| {
         let red = gray.luma() >> 3;
         Some(Rgb565::new(red, red + red / 2, red / 3))
     });
-    let glow = Sprites::new(&sun, (fx!(70), fx!(70)))?;
-    canvas.draw_sprites(&behind.with_blending(Add), &glow, &around, &light);
-    let disc = Sprites::new(&sun, (fx!(44), fx!(44)))?;
-    canvas.draw_sprites(&behind.with_blending(Add), &disc, &around, &light);
+    for size in [fx!(70), fx!(44)] {
+        let glow = Sprites::new(&sun, (size, size))?;
+        canvas.draw_sprites(&behind.with_blending(Add), &glow, &around, &light);
+    }
 
     let fog = Fog::linear(Rgb565::from(horizon), fx!(20), fx!(150))?;
     let water = Flat::rgb(Rgb888::new(60, 70, 110)).in_fog(fog);
     let view = projection * camera;
     canvas.draw(&SEA, &(view * Transform::scale(fx!(200))), &water);
     let low_sun = Light::new(vec3!(2, 1, -3), fx!(0.25), fx!(0.75))?;
-    let stone = Flat::rgb(Rgb888::new(110, 90, 90))
-        .lit_faces(low_sun)
-        .in_fog(fog);
+    let stone = Flat::rgb(Rgb888::new(110, 90, 90)).lit_faces(low_sun);
     for (x, z, size) in [(-9, -6, 3_i16), (-4, -22, 5), (12, -30, 7), (8, 4, 2)] {
-        let rock =
-            Transform::translate(Vec3::from_ints(x, 0, z)) * Transform::scale(Scalar::from(size));
-        canvas.draw(&ROCK, &(view * rock), &stone);
+        let place = view * Transform::translate(Vec3::from_ints(x, 0, z));
+        let rock = place * Transform::scale(Scalar::from(size));
+        canvas.draw(&ROCK, &rock, &stone.in_fog(fog));
     }
     Ok(())
 }

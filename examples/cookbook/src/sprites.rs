@@ -1,4 +1,4 @@
-//! Firs that turn to the viewer about their trunks, cut out of a texture, and snow that falls between them.
+//! Firs, cut out of a texture, that turn to the viewer about their trunks; snow falls between them.
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::prelude::*;
@@ -32,14 +32,14 @@ const fn fir() -> [[Rgb565; 32]; 32] {
 fn scattered<const N: usize>(size: Vec3) -> [Vec3; N] {
     core::array::from_fn(|i| {
         // Multiples of irrational numbers, modulo 1.
-        let part = |step: usize| Scalar::from_bits(i32::from((i * step) as u16));
-        let [x, y, z] = [part(40_503) - fx!(0.5), part(27_146), part(65_536 / N)];
-        Vec3::new(x * size.x, y * size.y, z * -size.z)
+        let part = |steps: usize| Scalar::from_bits(i32::from(steps as u16));
+        let [x, y, z] = [part(40_503 * i), part(27_146 * i * i), part(65_536 * i / N)];
+        Vec3::new((x - fx!(0.5)) * size.x, y * size.y, z * -size.z)
     })
 }
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
-    let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.5), fx!(100))?;
+    let projection = Projection::perspective(deg!(60), canvas.frame_size(), fx!(0.5), fx!(100))?;
     let view = projection * Camera::look_at(vec3!(0, 1.8, 4), vec3!(0, 1.9, -8), Vec3::Y)?;
     let (haze, options) = (Rgb565::new(20, 43, 24), DrawOptions::new());
     let fog = Fog::linear(haze, fx!(3), fx!(34))?;
@@ -53,7 +53,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     let needles = Textured::new(&FIR).clamped().cut_out(Rgb565::MAGENTA);
     canvas.draw_sprites(&options, &firs, &view, &needles.in_fog(fog));
     let (places, white) = (scattered::<400>(vec3!(24, 9, 16)), Flat::new(Rgb565::WHITE));
-    let flakes = Sprites::new(&places, (fx!(0.05), fx!(0.05)))?;
+    let flakes = Sprites::new(&places, (fx!(0.06), fx!(0.06)))?;
     canvas.draw_sprites(&options, &flakes, &view, &white);
     Ok(())
 }

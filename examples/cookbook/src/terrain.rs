@@ -21,8 +21,8 @@ fn height(x: Scalar, z: Scalar) -> Scalar {
 }
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
-    let projection = Projection::perspective(deg!(50), (4, 3), fx!(0.5), fx!(60))?;
-    let view = projection * Camera::look_at(vec3!(-9, 6, 15), vec3!(0, -0.5, 0), Vec3::Y)?;
+    let projection = Projection::perspective(deg!(45), canvas.frame_size(), fx!(0.5), fx!(60))?;
+    let view = projection * Camera::look_at(vec3!(-8, 5.2, 13), vec3!(0, -0.5, 0), Vec3::Y)?;
 
     let positions: [Vec3; CORNERS] = core::array::from_fn(|at| {
         let place = |at: usize| Scalar::from_num(at as u8) * 3 / 4 - fx!(12);
@@ -33,11 +33,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
         let (row, column) = (at / 2 / SIDE, at / 2 % SIDE);
         let first = (row * (SIDE + 1) + column) as Index;
         let below = first + SIDE as Index + 1;
-        if at % 2 == 0 {
-            [first, below, below + 1]
-        } else {
-            [first, below + 1, first + 1]
-        }
+        [[first, below, below + 1], [first, below + 1, first + 1]][at % 2]
     });
     let mut normals = [Vec3::ZERO; CORNERS];
     let hills = Mesh::new(&positions, &faces)?.with_smooth_normals(&mut normals)?;
@@ -51,10 +47,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     canvas.draw(&hills, &view, &ground.lit(sun).in_fog(fog));
     // Water at one height hides the ground below it.
     let lake = Transform::translate(vec3!(0, -0.9, 0)) * Transform::scale(fx!(12));
-    canvas.draw(
-        &WATER,
-        &(view * lake),
-        &Flat::rgb(Rgb888::new(50, 90, 140)).in_fog(fog),
-    );
+    let blue = Flat::rgb(Rgb888::new(50, 90, 140)).in_fog(fog);
+    canvas.draw(&WATER, &(view * lake), &blue);
     Ok(())
 }

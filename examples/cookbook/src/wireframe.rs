@@ -9,14 +9,15 @@ static ISLAND: Mesh = include_obj!("../../assets/lighthouse.obj");
 static OUTLINE: Outline = outline!(ISLAND, deg!(35));
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
-    let projection = Projection::perspective(deg!(41), (4, 3), fx!(1), fx!(50))?;
-    let camera = Camera::look_at(vec3!(3.4, 3.1, 8.4), vec3!(0.3, 1.5, 0), Vec3::Y)?;
+    let projection = Projection::perspective(deg!(43), canvas.frame_size(), fx!(1), fx!(50))?;
+    let camera = Camera::look_at(vec3!(3.6, 3.3, 9.4), vec3!(0.1, 1.45, 0), Vec3::Y)?;
     let view = projection * camera;
     let (paper, ink) = (Rgb888::new(244, 238, 222), Rgb888::new(24, 44, 96));
     canvas.clear(paper.into());
 
-    // The faces hide the lines behind them. So that they spare the lines on their borders, they move slightly away from
-    // the eye, and the lines move towards it: by 128 of about 7,000 steps between the tower and infinity.
+    // The faces hide the lines behind them. To spare the lines on their borders, they move slightly
+    // away from the eye, and the lines move towards it: by 128 of about 7,000 steps between the
+    // tower and infinity.
     let behind = DrawOptions::new().with_depth(Biased::behind(TestAndWrite));
     canvas.draw_with(&behind, &ISLAND, &view, &Flat::rgb(paper));
     let pen = Flat::rgb(ink);

@@ -67,6 +67,10 @@ impl Shape {
 
     /// A box from −`corner` to `corner`; the texture fills each of its six sides.
     ///
+    /// A side is two triangles. The sides follow each other in the order front (z), right (x), back (−z), left (−x), top
+    /// (y), bottom (−y), so that [`Mesh::part`] draws each with its own texture. Scaled by −1 along x, a box shows its
+    /// sides and its textures the right way to a viewer inside it: a sky box.
+    ///
     /// # Errors
     ///
     /// [`Error::Extent`] if a component of `corner` is not above 0.

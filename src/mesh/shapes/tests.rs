@@ -127,6 +127,27 @@ fn normals_are_unit_vectors_that_point_outwards() {
 
 /// Each component of a position is rounded by up to 2^-17.
 #[test]
+fn sides_of_a_cuboid_are_in_the_documented_order() {
+    const ORDER: [[i32; 3]; 6] = [
+        [0, 0, 1],
+        [1, 0, 0],
+        [0, 0, -1],
+        [-1, 0, 0],
+        [0, 1, 0],
+        [0, -1, 0],
+    ];
+    let (_, cube) = &SHAPES[0];
+    let points = points(cube);
+    for (side, out) in ORDER.iter().enumerate() {
+        for corner in cube.faces()[2 * side..2 * side + 2].as_flattened() {
+            let point = points[usize::from(*corner)];
+            let height: i32 = point.iter().zip(out).map(|(x, out)| x * out).sum();
+            assert_eq!(height, 1 << 16, "side {side}");
+        }
+    }
+}
+
+#[test]
 fn positions_lie_on_the_mathematical_surface() {
     let tolerance = 4.0 / 65536.0;
     for (name, mesh) in &SHAPES {

@@ -1,0 +1,56 @@
+//! A frame in bands: with memory for a few rows, which are drawn and sent one after the other.
+
+use embedded_graphics::geometry::Size;
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor, WebColors};
+use fixel::prelude::*;
+use fixel::target::{Depth, Native};
+
+/// Rows of a band. Colors and depths take 10 KiB at 320 columns, where a frame takes 300 KiB.
+const ROWS: u32 = 8;
+
+static BALL: Mesh = shape!(sphere(32, 24));
+/// Strips in four colors between white ones, and white caps.
+static STRIPS: TextureArray<Rgb565, 8, 16> = {
+    let colors = [
+        Rgb565::RED,
+        Rgb565::CSS_ORANGE,
+        Rgb565::CSS_DODGER_BLUE,
+        Rgb565::CSS_SEA_GREEN,
+    ];
+    let mut texels = [[Rgb565::WHITE; 8]; 16];
+    let mut at = 0;
+    while at < 4 * 14 {
+        texels[1 + at / 4][2 * (at % 4)] = colors[at % 4];
+        at += 1;
+    }
+    TextureArray::from_texels(texels)
+};
+
+/// The display: here a canvas too, but any `DrawTarget` can be sent to.
+pub fn draw(display: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+    let frame = display.frame_size();
+    let projection = Projection::perspective(deg!(40), frame, fx!(0.5), fx!(50))?;
+    let view = projection * Camera::look_at(vec3!(0, 1.2, 3.3), Vec3::ZERO, Vec3::Y)?;
+    let mvp = view * Transform::rotate_z(deg!(-35)) * Transform::rotate_x(deg!(35));
+    let sun = Light::new(vec3!(-2, 3, 3), fx!(0.35), fx!(0.65))?;
+
+    // Once a frame: the visible triangles. On a microcontroller, list and memory are statics.
+    let mut list = Box::new(TriangleList::<900, 900>::new());
+    let triangles = list.prepare(&DrawOptions::new(), frame, &BALL, &mvp)?;
+    let shader = Textured::new(&STRIPS).lit(sun);
+
+    let Size { width, height } = frame;
+    let mut colors = vec![Rgb565::BLACK; (width * ROWS) as usize];
+    let mut depths = vec![0; (width * ROWS) as usize];
+    for first_row in (0..height).step_by(ROWS as usize) {
+        let pixels = (width * ROWS.min(height - first_row)) as usize;
+        let band = Canvas::band(&mut colors[..pixels], width, height, first_row)?;
+        let mut band = band.with_depth(&mut depths[..pixels])?;
+        // Each band has a background of its own, so that you see it.
+        let light = (first_row * 200 / height) as u8;
+        band.clear(Rgb888::new(40 + light, 110 + light / 2, 190).into());
+        band.draw_prepared(&triangles, &shader);
+        band.show(display)?;
+    }
+    Ok(())
+}
