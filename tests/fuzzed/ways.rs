@@ -3,12 +3,13 @@
 
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
-use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::primitives::Rectangle;
+use fixel::mesh::Part;
 use fixel::mode::Mode;
 use fixel::prelude::*;
-use fixel::shade::Translucent;
+use fixel::shade::{PartColors, Translucent};
 use fixel::target::{
     Add, Alpha, Blending, Depth, DepthBuffer, Multiply, Native, Opacity, Storage, TestAndWrite,
 };
@@ -112,6 +113,35 @@ impl<K: ProjectionKind> Call<'_, K> {
             }
         });
         assert!(picture == self.blank(), "labels of the background's color");
+    }
+
+    /// Checks that the colors of parts are the same in one call and part by part, and in bands.
+    pub fn check_parts(&self, options: &DrawOptions) {
+        let faces = self.mesh.faces().len();
+        let mut ends = [0, 0, faces];
+        for (end, byte) in ends.iter_mut().zip(&self.scene.bands[1..]) {
+            *end = usize::from(*byte) % (faces + 1);
+        }
+        ends.sort_unstable();
+        let [a, b, c] = ends;
+        let parts = [(0..a, 0), (a..b, 120), (b..c, 250)];
+        let parts = parts.map(|(faces, level)| Part::new(faces, Rgb888::new(level, 50, 99)));
+
+        let colors = PartColors::rgb(&parts);
+        let mut whole = self.blank();
+        self.on_frame(&mut whole, |canvas| {
+            canvas.draw_with(options, self.mesh, &self.mvp, &colors)
+        });
+        let one_by_one = |canvas: &mut Frame<'_>| {
+            for part in &parts {
+                let (mesh, color) = (self.mesh.part(part.faces()), Flat::rgb(part.color()));
+                canvas.draw_with(options, &mesh, &self.mvp, &color);
+            }
+        };
+        let mut parts = self.blank();
+        self.on_frame(&mut parts, one_by_one);
+        assert!(parts == whole, "parts differ");
+        assert!(self.in_bands(one_by_one) == whole, "bands of parts differ");
     }
 
     /// The width of lines: 1 to 63 pixels for three of four styles.
