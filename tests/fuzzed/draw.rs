@@ -74,6 +74,7 @@ fn check_scene(scene: &Scene) -> Result<(), Error> {
 fn check_call<K: ProjectionKind>(call: &Call<'_, K>, options: DrawOptions) -> Result<(), Error> {
     call.check_picking(&options);
     call.check_parts(&options);
+    call.check_quantized(&options);
     match call.scene.shade {
         Shade::Bits(0) => check_modes::<K, 0>(call, options),
         Shade::Bits(_) => check_modes::<K, 3>(call, options),

@@ -40,7 +40,7 @@ impl<T> Attribute<T> {
         })
     }
 
-    fn faces(&self) -> Option<&[[u16; 3]]> {
+    pub fn faces(&self) -> Option<&[[u16; 3]]> {
         self.faces.as_deref()
     }
 }

@@ -6,7 +6,8 @@ use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::primitives::Rectangle;
-use fixel::mesh::Part;
+use fixel::mesh::flash::{StoredUvs, UvGrid, short_normal};
+use fixel::mesh::{Part, Quantized};
 use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::shade::{PartColors, Translucent};
@@ -16,7 +17,8 @@ use fixel::target::{
 use fixel::view::ProjectionKind;
 use fixel::{Drawn, Object, Prepared};
 
-use super::scene::{Scene, What};
+use super::scene::{Attribute, Scene, What};
+use super::shaders::Bits;
 use crate::recorder::{Record, Seen, record};
 
 /// A scene whose parts were accepted.
@@ -142,6 +144,38 @@ impl<K: ProjectionKind> Call<'_, K> {
         self.on_frame(&mut parts, one_by_one);
         assert!(parts == whole, "parts differ");
         assert!(self.in_bands(one_by_one) == whole, "bands of parts differ");
+    }
+
+    /// Checks that a quantized mesh of the scene's attributes is the same in frames and bands, and prepared.
+    pub fn check_quantized(&self, options: &DrawOptions) {
+        if self.mesh.faces().is_empty() {
+            return;
+        }
+        let (uvs, normals) = (&self.scene.uvs, &self.scene.normals);
+        let coordinates = uvs.as_ref().map_or(&[][..], |uvs| &uvs.values);
+        let grid = UvGrid::around(coordinates, 255);
+        let stored: Vec<_> = coordinates.iter().map(|&uv| grid.nearest(uv)).collect();
+        let bytes: Vec<_> = stored.iter().map(|uv| uv.map(|x| x as u8)).collect();
+        assert!(stored.iter().flatten().all(|&x| x < 256));
+        let short =
+            |normals: &Attribute<Vec3>| normals.values.iter().copied().map(short_normal).collect();
+        let stored: Vec<_> = normals.as_ref().map_or(vec![], short);
+        let own = |faces: Option<&'_ [[u16; 3]]>| faces.unwrap_or_default().to_vec();
+        let uv_faces = own(uvs.as_ref().and_then(Attribute::faces));
+        let normal_faces = own(normals.as_ref().and_then(Attribute::faces));
+        let quantized = Quantized::new(
+            self.mesh.without_normals().without_uvs(),
+            (&stored, &normal_faces),
+            (StoredUvs::Bytes(&bytes), &uv_faces),
+            grid,
+        );
+        let quantized = quantized.unwrap();
+        let sun = Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7)).unwrap();
+        let call = Call {
+            mesh: quantized.mesh(),
+            ..*self
+        };
+        let _: Record<8, _> = call.check(options, &quantized.shader(Bits::<3>.lit(sun)));
     }
 
     /// The width of lines: 1 to 63 pixels for three of four styles.
