@@ -6,6 +6,7 @@ mod fog;
 mod keyframes;
 mod labels;
 mod lights;
+mod materials;
 mod mipmaps;
 mod painter;
 mod picking;
@@ -37,6 +38,7 @@ const RECIPES: &[Recipe] = &[
     ("keyframes", keyframes::draw),
     ("labels", labels::draw),
     ("lights", lights::draw),
+    ("materials", materials::draw),
     ("mipmaps", mipmaps::draw),
     ("painter", painter::draw),
     ("picking", picking::draw),
