@@ -33,8 +33,9 @@ macro_rules! recipe {
 #[doc = recipe!("Cut-out textures", "cut_out")]
 #[doc = recipe!("Blending", "blending")]
 #[doc = recipe!("Painter's order", "painter")]
-// It reads a file beside its own folder.
+// The next two read files beside their own folder.
 #[doc = recipe!("Wireframe", "wireframe", "ignore")]
+#[doc = recipe!("Materials", "materials", "ignore")]
 #[doc = recipe!("Terrain", "terrain")]
 #[doc = recipe!("Keyframes", "keyframes")]
 #[doc = recipe!("Sprites", "sprites")]

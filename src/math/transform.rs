@@ -149,6 +149,29 @@ impl Transform {
     /// Transforms a point, rounded to nearest (half up); saturates.
     #[must_use]
     pub fn point(&self, point: Vec3) -> Vec3 {
+        let exp = self.linear_exp;
+        // From the translation to products of the matrix with a point.
+        let up = 16 + exp - self.translation_exp;
+        if !(1..=40).contains(&exp) || up > 30 {
+            return self.far_point(point);
+        }
+        // Bits that are shifted out belong to less than a unit of the products, so they cannot change a rounded sum.
+        let (down, factor) = (-up.clamp(-31, 0), 1 << up.clamp(0, 30));
+        let (rows, [x, y, z]) = (&self.linear, self.translation);
+        let point = point.to_bits();
+        // Three products below 2^61, one below 2^60, and a half.
+        let number = |row: &[i32; 3], moved: i32| {
+            let sum = dot(row, &point) + product(moved >> down, factor) + (1 << (exp - 1));
+            (sum >> exp).clamp(i32::MIN.into(), i32::MAX.into()) as i32
+        };
+        let [i, j, k] = rows;
+        Vec3::from_bits([number(i, x), number(j, y), number(k, z)])
+    }
+
+    /// The same for numbers that 64 bits do not hold; rounded to 61 bits first.
+    #[cold]
+    #[inline(never)]
+    fn far_point(&self, point: Vec3) -> Vec3 {
         let ([i, j, k], [x, y, z]) = (self.times_linear(point), self.translation);
         Vec3::from_bits([(i, x), (j, y), (k, z)].map(|(linear, moved)| {
             let moved = BlockFloat::new(moved.into(), self.translation_exp);

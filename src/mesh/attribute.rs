@@ -1,5 +1,7 @@
 //! A mesh's attributes: the data that a vertex has besides its position.
 
+use core::ops::Range;
+
 use super::indexed::{Element, Index};
 
 /// The values of one attribute. Without `faces` of its own, it is indexed like the positions.
@@ -14,6 +16,16 @@ impl<T> Attribute<'_, T> {
         values: &[],
         faces: None,
     };
+}
+
+impl<T> Attribute<'_, T> {
+    /// The attribute of a range of the faces, which must not reach beyond their end.
+    pub(super) fn part(&self, range: &Range<usize>) -> Self {
+        Self {
+            values: self.values,
+            faces: self.faces.and_then(|faces| faces.get(range.clone())),
+        }
+    }
 }
 
 impl<T: Copy> Attribute<'_, T> {

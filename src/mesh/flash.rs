@@ -3,6 +3,7 @@
 pub use embedded_graphics::pixelcolor::Rgb888;
 
 pub use super::buffers::Attributes;
+pub use super::quantized::{StoredUvs, UvGrid, short_normal};
 use super::{Buffers, Index, Mesh};
 use crate::{Vec2, Vec3};
 
@@ -74,8 +75,54 @@ pub const fn shortened<const N: usize>(positions: &[Vec3]) -> ([[i16; 3]; N], u3
     }
 }
 
+/// The first normals with 8-bit components.
+///
+/// # Panics
+///
+/// If the list is shorter than the result; the same holds for the functions below.
+#[must_use]
+pub const fn normals_of_8<const N: usize>(normals: &[Vec3]) -> [[i8; 3]; N] {
+    let normals: [Vec3; N] = first(normals);
+    let mut short = [[0; 3]; N];
+    let mut at = 0;
+    while at < N {
+        short[at] = short_normal(normals[at]);
+        at += 1;
+    }
+    short
+}
+
+/// The first texture coordinates in steps of 16 bits, and their grid.
+#[must_use]
+pub const fn quantized_16<const N: usize>(uvs: &[Vec2]) -> ([[u16; 2]; N], UvGrid) {
+    let uvs: [Vec2; N] = first(uvs);
+    let grid = UvGrid::around(&uvs, u16::MAX);
+    let mut steps = [[0; 2]; N];
+    let mut at = 0;
+    while at < N {
+        steps[at] = grid.nearest(uvs[at]);
+        at += 1;
+    }
+    (steps, grid)
+}
+
+/// The first texture coordinates in steps of 8 bits, and their grid.
+#[must_use]
+pub const fn quantized_8<const N: usize>(uvs: &[Vec2]) -> ([[u8; 2]; N], UvGrid) {
+    let uvs: [Vec2; N] = first(uvs);
+    let grid = UvGrid::around(&uvs, u8::MAX as u16);
+    let mut steps = [[0; 2]; N];
+    let mut at = 0;
+    while at < N {
+        let [u, v] = grid.nearest(uvs[at]);
+        steps[at] = [u as u8, v as u8];
+        at += 1;
+    }
+    (steps, grid)
+}
+
 /// A mesh of the first elements in `$room`, as many as `$counts` says, in statics of exactly those lengths. With
-/// `short`, positions have 16 bits a component.
+/// `short`, positions have 16 bits a component; with `quantized_16` or `quantized_8`, the result is a quantized mesh.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __mesh {
@@ -90,6 +137,31 @@ macro_rules! __mesh {
             $crate::mesh::flash::shortened(&$room.positions);
         static POSITIONS: [[i16; 3]; $counts.positions] = SHORT.0;
         $crate::__mesh!($room, $counts, @ $crate::Mesh::short(&POSITIONS, SHORT.1, &FACES))
+    }};
+    ($room:expr, $counts:expr, quantized_8) => {
+        $crate::__mesh!($room, $counts, quantized_8 Bytes u8)
+    };
+    ($room:expr, $counts:expr, quantized_16) => {
+        $crate::__mesh!($room, $counts, quantized_16 Words u16)
+    };
+    ($room:expr, $counts:expr, $quantized:ident $list:ident $step:ty) => {{
+        use $crate::mesh::flash::{self, StoredUvs, UvGrid};
+        #[allow(long_running_const_eval)]
+        const STORED: ([[$step; 2]; $counts.uvs], UvGrid) = flash::$quantized(&$room.uvs);
+        static STORED_UVS: [[$step; 2]; $counts.uvs] = STORED.0;
+        #[allow(long_running_const_eval)]
+        static STORED_NORMALS: [[i8; 3]; $counts.normals] = flash::normals_of_8(&$room.normals);
+        static UV_INDICES: [[$crate::Index; 3]; $counts.uv_faces] = flash::first(&$room.uv_faces);
+        static NORMAL_INDICES: [[$crate::Index; 3]; $counts.normal_faces] =
+            flash::first(&$room.normal_faces);
+        static QUANTIZED: $crate::mesh::Quantized<'static> =
+            $crate::mesh::Quantized::checked($crate::mesh::Quantized::new(
+                $crate::__mesh!($room, $counts, short).without_uvs().without_normals(),
+                (&STORED_NORMALS, &NORMAL_INDICES),
+                (StoredUvs::$list(&STORED_UVS), &UV_INDICES),
+                STORED.1,
+            ));
+        QUANTIZED
     }};
     ($room:expr, $counts:expr, @ $mesh:expr) => {{
         use $crate::mesh::flash::{Attributes, first};

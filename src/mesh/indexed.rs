@@ -309,7 +309,7 @@ impl<'a> Mesh<'a> {
         Ok(Self { colors, ..self })
     }
 
-    const fn attribute<T>(
+    pub(super) const fn attribute<T>(
         &self,
         values: &'a [T],
         faces: Option<&'a [[Index; 3]]>,
@@ -421,23 +421,12 @@ impl<'a> Mesh<'a> {
     pub fn part(&self, faces: Range<usize>) -> Self {
         let end = faces.end.min(self.faces.len());
         let range = faces.start.min(end)..end;
-        let own =
-            |faces: Option<&'a [[Index; 3]]>| faces.and_then(|faces| faces.get(range.clone()));
         Self {
             faces: self.faces.get(range.clone()).unwrap_or_default(),
             edges: &[],
-            uvs: Attribute {
-                faces: own(self.uvs.faces),
-                ..self.uvs
-            },
-            normals: Attribute {
-                faces: own(self.normals.faces),
-                ..self.normals
-            },
-            colors: Attribute {
-                faces: own(self.colors.faces),
-                ..self.colors
-            },
+            uvs: self.uvs.part(&range),
+            normals: self.normals.part(&range),
+            colors: self.colors.part(&range),
             ..*self
         }
     }

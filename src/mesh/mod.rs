@@ -8,6 +8,8 @@
 //!
 //! [`Sprites`] are rectangles that turn to the viewer, one at each of a slice of positions.
 //!
+//! [`Quantized`] is a mesh whose attributes take a third of the flash.
+//!
 //! A shader reads a mesh as a [`Primitive`] and its [`Corner`]s.
 
 mod attribute;
@@ -23,6 +25,7 @@ mod outline;
 mod part;
 mod positions;
 mod primitive;
+mod quantized;
 mod shapes;
 mod sort;
 mod sprites;
@@ -38,5 +41,6 @@ pub use positions::Positions;
 pub(crate) use positions::StoredPosition;
 pub(crate) use primitive::Placement;
 pub use primitive::{Corner, Missing, Primitive};
+pub use quantized::Quantized;
 pub use shapes::Shape;
 pub use sprites::Sprites;

@@ -26,6 +26,15 @@ impl VertexCache {
         cache
     }
 
+    /// Forgets all vertices, if their indices are below `count`.
+    #[inline]
+    pub(super) fn forget(&mut self, count: usize) {
+        for entry in self.entries.iter_mut().take(count) {
+            entry.index = 0;
+        }
+        self.entries[0].index = 1;
+    }
+
     /// A vertex, from the cache or projected now.
     #[inline]
     pub(super) fn vertex<K: ProjectionKind>(

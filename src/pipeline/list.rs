@@ -241,7 +241,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
             scissor: &call.shared.scissor,
             numbers: [(0, 0); cache::SIZE],
         };
-        run::triangles(&call, 0, &mut filling);
+        run::triangles(&call, &mut filling);
         let rows = filling.rows;
         filling.needed.check::<TRIANGLES, VERTICES>()?;
         Ok(Prepared {

@@ -17,17 +17,22 @@ use crate::mesh::{Element, Index};
 use crate::raster::{self, Blitter, ClippedVertex, Polygon, Rasterizer, ScreenVertex, Triangle};
 use crate::view::ProjectionKind;
 
-/// Runs all triangles of a mesh, of which the first one has the index `first`, through the vertex and assembly stages;
-/// `to` draws them or keeps them in a list.
+/// Runs all triangles of a mesh through the vertex and assembly stages; `to` draws them or keeps them in a list.
 #[inline]
-pub(super) fn triangles<K: ProjectionKind>(
+pub(super) fn triangles<K: ProjectionKind>(call: &Call<'_, K>, to: &mut impl Assembly) {
+    triangles_from(call, 0, &mut VertexCache::new(), to);
+}
+
+/// [`triangles`] of which the first one has the index `first`.
+#[inline]
+fn triangles_from<K: ProjectionKind>(
     call: &Call<'_, K>,
     first: usize,
+    vertices: &mut VertexCache,
     to: &mut impl Assembly,
 ) {
-    let mut vertices = VertexCache::new();
     for (face, indices) in (first..).zip(call.shared.mesh.faces()) {
-        assemble::triangle(call, &mut vertices, (face, indices), to);
+        assemble::triangle(call, vertices, (face, indices), to);
     }
 }
 
@@ -84,18 +89,21 @@ pub(super) fn points<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Bl
 /// Draws all triangles of a mesh, in code that exists once for all shaders and canvases.
 #[inline(never)]
 pub(super) fn draw<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blitter) -> Drawn {
-    draw_from(call, 0, blitter)
+    let mut draw = Draw::new(blitter, &call.shared);
+    triangles(call, &mut draw);
+    draw.drawn()
 }
 
-/// Draws all triangles of a mesh, of which the first one has the index `first`. Nothing says whether it is inlined: it is
-/// if [`draw`] is its only caller.
+/// Draws all triangles of a mesh, of which the first one has the index `first`, with a cache that holds no vertices of
+/// other meshes.
 pub(super) fn draw_from<K: ProjectionKind>(
     call: &Call<'_, K>,
     first: usize,
+    vertices: &mut VertexCache,
     blitter: &mut dyn Blitter,
 ) -> Drawn {
     let mut draw = Draw::new(blitter, &call.shared);
-    triangles(call, first, &mut draw);
+    triangles_from(call, first, vertices, &mut draw);
     draw.drawn()
 }
 

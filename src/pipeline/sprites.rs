@@ -3,6 +3,7 @@
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::Drawn;
+use super::cache::VertexCache;
 use super::call::{Call, Shared};
 use super::run;
 use super::vertex::Projector;
@@ -120,54 +121,12 @@ fn uvs_of([left, right, top, bottom]: [TexCoord; 4]) -> [Vec2; 4] {
 /// A point plus an offset; `None` if it is out of range.
 fn moved(point: Vec3, offset: Vec3) -> Option<Vec3> {
     let ([a, b, c], [x, y, z]) = (point.to_bits(), offset.to_bits());
-    let sum = [a.checked_add(x)?, b.checked_add(y)?, c.checked_add(z)?];
+    let sum = [
+        a.saturating_add(x),
+        b.saturating_add(y),
+        c.saturating_add(z),
+    ];
     Some(Vec3::from_bits(sum)).filter(|&sum| is_inside(sum))
-}
-
-/// A transform that takes many points to eye space.
-struct ToEye {
-    transform: Transform,
-    /// The translation with 16 + `exp` fraction bits, as the products of a row with a point have.
-    offset: [i64; 3],
-    /// From 1 to 40; 0 if numbers of 64 bits may be too short.
-    exp: u32,
-}
-
-impl ToEye {
-    fn new(transform: Transform) -> Self {
-        let up = 16 + transform.linear_exp - transform.translation_exp;
-        let fits = (1..=40).contains(&transform.linear_exp) && (-62..=30).contains(&up);
-        // Below 2^60.
-        let offset = transform.translation.map(|v| {
-            let wide = i64::from(v) << up.clamp(0, 30);
-            wide >> (-up).clamp(0, 62)
-        });
-        Self {
-            transform,
-            offset,
-            exp: if fits {
-                transform.linear_exp.unsigned_abs()
-            } else {
-                0
-            },
-        }
-    }
-
-    /// A point, rounded to nearest; it saturates.
-    fn point(&self, point: Vec3) -> Vec3 {
-        if self.exp == 0 {
-            return self.transform.point(point);
-        }
-        let (rows, [x, y, z]) = (&self.transform.linear, self.offset);
-        let point = point.to_bits();
-        // Three products below 2^61.
-        let number = |row: &[i32; 3], offset: i64| {
-            let sum = dot(row, &point) + offset + (1 << (self.exp - 1));
-            (sum >> self.exp).clamp(i32::MIN.into(), i32::MAX.into()) as i32
-        };
-        let [i, j, k] = rows;
-        Vec3::from_bits([number(i, x), number(j, y), number(k, z)])
-    }
 }
 
 /// A scale, the corners of a sprite at this scale, and whether all of them are in range.
@@ -177,7 +136,7 @@ type LastScale = (BlockFloat, [Vec3; 4], bool);
 pub(super) struct Quads<'s, K> {
     sprites: &'s Sprites<'s>,
     /// From model to eye space.
-    view: ToEye,
+    view: Transform,
     /// From eye to world space.
     pose: Transform,
     /// From eye space to the screen.
@@ -198,7 +157,7 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
         Self {
             shape: Shape::new(sprites, &view, projection.pixel(viewport)),
             sprites,
-            view: ToEye::new(view),
+            view,
             pose: mvp.camera_of().inverse_rigid(),
             projector: Projector::new(
                 Positions::of_one(&Vec3::ZERO),
@@ -224,6 +183,7 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
         // Where sprites do not differ, this is written once.
         let mut uvs = [uvs_of(sprites.frame(0)); BATCH];
         let mut colors = [[Rgb888::WHITE; 4]; BATCH];
+        let mut vertices = VertexCache::new();
         // The corners of the last scale, because many sprites have the same.
         let mut last = (BlockFloat::ZERO, [Vec3::ZERO; 4], true);
         for (batch, positions) in sprites.positions.chunks(BATCH).enumerate() {
@@ -257,7 +217,8 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
                     scissor: scissor.clone(),
                 },
             };
-            let part = run::draw_from(&call, 2 * first, blitter);
+            vertices.forget(4 * BATCH);
+            let part = run::draw_from(&call, 2 * first, &mut vertices, blitter);
             drawn.submitted += part.submitted;
             drawn.drawn += part.drawn;
             drawn.clipped += part.clipped;

@@ -26,6 +26,7 @@
 //! | [`.converted()`](Shader::converted) | the surface in another color format, dithered if that format is coarse | 0 |
 
 mod converted;
+mod dequantized;
 mod dither;
 mod flat;
 mod fog;
@@ -51,6 +52,7 @@ mod views;
 mod fixture;
 
 pub use converted::Converted;
+pub use dequantized::Dequantized;
 pub use flat::{FaceColors, Flat};
 pub use fog::{Density, Exponential, Fog, InFog, Linear};
 pub use gouraud::Gouraud;

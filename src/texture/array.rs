@@ -8,7 +8,7 @@ use embedded_graphics::pixelcolor::{
 };
 
 use super::sampler::{Grid, log2, sampler_of_rows, wrapped};
-use super::{Sampler, Texture};
+use super::{Argb1555, Argb4444, Sampler, Texture};
 use crate::Error;
 use crate::message;
 
@@ -29,7 +29,8 @@ use crate::message;
 ///   time.
 /// - Constructors named after colors convert raw bytes. [`rgb565`](Self::rgb565) expects the high byte of a texel
 ///   first, like displays and embedded-graphics' `ImageRaw`; [`rgb565_le`](Self::rgb565_le) expects the low byte
-///   first; and so on. Texels smaller than a byte are packed: the first lies in the high bits, and rows follow each
+///   first; and so on. [`argb4444`](Self::argb4444) and [`argb1555`](Self::argb1555) have an
+///   opacity. Texels smaller than a byte are packed: the first lies in the high bits, and rows follow each
 ///   other without a gap.
 /// - [`try_from_raw`](Self::try_from_raw) converts raw bytes of any color at run time.
 ///
@@ -184,13 +185,12 @@ macro_rules! constructor {
     };
 }
 
-/// RGB colors: bytes per texel, and the lowest bits of the channels in embedded-graphics' format.
-macro_rules! rgb {
-    ($($color:ident $be:ident $le:ident $bytes:literal $r:literal $g:literal $b:literal;)+) => {$(
+/// Colors of two or three bytes.
+macro_rules! words {
+    ($($color:ident $be:ident $le:ident $bytes:literal |$raw:ident| $new:expr;)+) => {$(
         impl<const W: usize, const H: usize> TextureArray<$color, W, H> {
-            const fn color(raw: u32) -> $color {
-                // `new` masks the bits above the channel.
-                $color::new((raw >> $r) as u8, (raw >> $g) as u8, (raw >> $b) as u8)
+            const fn color($raw: u32) -> $color {
+                $new
             }
 
             constructor!($be ", the high byte of a texel first" 8 * $bytes, Self::color(0), |bytes, index| {
@@ -203,6 +203,16 @@ macro_rules! rgb {
     )+};
 }
 
+/// RGB colors: bytes per texel, and the lowest bits of the channels in embedded-graphics' format.
+macro_rules! rgb {
+    ($($color:ident $be:ident $le:ident $bytes:literal $r:literal $g:literal $b:literal;)+) => {
+        words! {$(
+            // `new` masks the bits above the channel.
+            $color $be $le $bytes |raw| $color::new((raw >> $r) as u8, (raw >> $g) as u8, (raw >> $b) as u8);
+        )+}
+    };
+}
+
 rgb! {
     Rgb555 rgb555 rgb555_le 2 10 5 0;
     Bgr555 bgr555 bgr555_le 2 0 5 10;
@@ -212,6 +222,11 @@ rgb! {
     Bgr666 bgr666 bgr666_le 3 0 6 12;
     Rgb888 rgb888 rgb888_le 3 16 8 0;
     Bgr888 bgr888 bgr888_le 3 0 8 16;
+}
+
+words! {
+    Argb1555 argb1555 argb1555_le 2 |raw| Argb1555::from_bits(raw as u16);
+    Argb4444 argb4444 argb4444_le 2 |raw| Argb4444::from_bits(raw as u16);
 }
 
 /// Colors of a byte or less.
@@ -289,6 +304,25 @@ mod tests {
             Gray4 4 gray4 BigEndian,
             Gray2 2 gray2 BigEndian,
             BinaryColor 1 binary BigEndian,
+        }
+    }
+
+    #[test]
+    fn texels_with_opacity_have_the_bits_of_their_bytes() {
+        const BYTES: [u8; 8] = [0x8f, 0x01, 0x7f, 0x02, 0xff, 0xff, 0x12, 0x34];
+        const HIGH_FIRST: [u16; 4] = [0x8f01, 0x7f02, 0xffff, 0x1234];
+        const LOW_FIRST: [u16; 4] = [0x018f, 0x027f, 0xffff, 0x3412];
+        macro_rules! same {
+            ($($color:ident $from:ident $bits:ident,)+) => {$({
+                const TEXTURE: TextureArray<$color, 2, 2> = TextureArray::$from(&BYTES);
+                assert_eq!(TEXTURE.texels().as_flattened(), $bits.map($color::from_bits));
+            })+};
+        }
+        same! {
+            Argb1555 argb1555 HIGH_FIRST,
+            Argb1555 argb1555_le LOW_FIRST,
+            Argb4444 argb4444 HIGH_FIRST,
+            Argb4444 argb4444_le LOW_FIRST,
         }
     }
 

@@ -39,6 +39,7 @@ mod outline;
 mod painter;
 mod picking;
 mod promises;
+mod quantized;
 mod reference_model;
 mod replay;
 mod scenes;

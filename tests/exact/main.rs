@@ -12,6 +12,7 @@ mod images;
 mod import;
 mod objects;
 mod picking;
+mod quantized;
 mod raster;
 mod shaders;
 mod short_positions;

@@ -6,13 +6,15 @@ use core::hash::Hash;
 
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::math::Direction;
-use fixel::mesh::{Buffers, Counts, Keyframes, Missing, Part, Positions, Shape};
+use fixel::mesh::{Buffers, Counts, Keyframes, Missing, Part, Positions, Quantized, Shape};
 use fixel::mode::{Affine, Exact, Fast, Newton};
 use fixel::prelude::*;
 use fixel::shade::{
     Colored, Exponential, Falloff, Fog, Illumination, InFog, Shiny, SurfacePoint, TwoSided,
 };
-use fixel::shade::{Converted, FaceLit, Lit, Map, PartColors, PerFace, Texels, Tinted};
+use fixel::shade::{
+    Converted, Dequantized, FaceLit, Lit, Map, PartColors, PerFace, Texels, Tinted,
+};
 use fixel::shade::{Gradient, Masked, Mipmapped, Tolerance, Translucent, Within};
 use fixel::target::{Add, Alpha, Multiply, Opacity, Replace};
 use fixel::target::{Biased, Depth, Float, Linear, Native, NoDepth, NoTest};
@@ -58,6 +60,7 @@ all!(value: Biased Float Linear Native NoDepth NoTest TestAndWrite TestOnly Wide
 all!(value: Bilinear Clamp CutOut<Bilinear, Rgb565> Nearest Repeat);
 all!(value: Image<'static> Palette<'static, Rgb565> Texture<'static, Rgb565>);
 all!(borrowed: Keyframes<'static> Mesh<'static> Outline<'static> Positions<'static> Sprites<'static>);
+all!(borrowed: Dequantized<'static, Flat<Rgb565>> Quantized<'static>);
 all!(shared: Map<Flat<Rgb565>, fn(&Fragment, Rgb565) -> Option<Rgb565>> Prepared<'static>);
 all!(shared: Object<'static, u8> TriangleList<1, 1> TextureArray<Rgb565, 1, 1> PaletteArray<Rgb565, 1, 1>);
 all!(any: PreparedScene<'static, u8> Buffers<'static> Canvas<'static, Rgb565> Canvas<'static, Rgb565, Native, Depth<'static>>);

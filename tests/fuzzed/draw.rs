@@ -7,7 +7,7 @@ use fixel::view::ProjectionKind;
 
 use super::model::Truth;
 use super::projection::Projected;
-use super::scene::{Scene, What};
+use super::scene::{Room, Scene, What};
 use super::shaders::Bits;
 use super::shades::{self, Draw, Shade, Shine};
 use super::ways::Call;
@@ -39,7 +39,8 @@ impl Drop for Told<'_> {
 }
 
 fn check_scene(scene: &Scene) -> Result<(), Error> {
-    let mesh = &scene.mesh()?;
+    let mut rooms = [Room::EMPTY; 2];
+    let mesh = &scene.mesh(&mut rooms)?;
     let (options, window) = (scene.options()?, scene.window()?);
     let (camera, place) = (scene.eye.camera()?, scene.place.transform());
     match scene.projection.projection(scene.size)? {
@@ -72,6 +73,8 @@ fn check_scene(scene: &Scene) -> Result<(), Error> {
 
 fn check_call<K: ProjectionKind>(call: &Call<'_, K>, options: DrawOptions) -> Result<(), Error> {
     call.check_picking(&options);
+    call.check_parts(&options);
+    call.check_quantized(&options);
     match call.scene.shade {
         Shade::Bits(0) => check_modes::<K, 0>(call, options),
         Shade::Bits(_) => check_modes::<K, 3>(call, options),

@@ -2,9 +2,10 @@
 
 use arbitrary::{Result, Unstructured};
 use embedded_graphics::pixelcolor::Rgb888;
+use fixel::mesh::Keyframes;
 use fixel::prelude::*;
 
-use super::numbers::{bits, few, list, option, scalar, size, tex_coords, vector};
+use super::numbers::{angle, bits, few, list, option, scalar, size, tex_coords, vector};
 use super::projection::Lens;
 use super::shades::Shade;
 use super::steps::{Eye, Steps};
@@ -39,7 +40,7 @@ impl<T> Attribute<T> {
         })
     }
 
-    fn faces(&self) -> Option<&[[u16; 3]]> {
+    pub fn faces(&self) -> Option<&[[u16; 3]]> {
         self.faces.as_deref()
     }
 }
@@ -134,6 +135,79 @@ impl Billboard {
     }
 }
 
+/// What becomes of a mesh at run time.
+#[derive(Clone, Debug)]
+pub struct Changes {
+    pose: Option<Pose>,
+    normals: Option<Crease>,
+}
+
+/// A second keyframe, and where the mesh is between the two.
+#[derive(Clone, Debug)]
+struct Pose {
+    positions: Vec<Vec3>,
+    normals: Option<Vec<Vec3>>,
+    t: Scalar,
+}
+
+/// The edges that computed normals are not smooth across.
+#[derive(Clone, Copy, Debug)]
+enum Crease {
+    None,
+    Above(Angle),
+}
+
+impl Changes {
+    const NONE: Self = Self {
+        pose: None,
+        normals: None,
+    };
+
+    fn arbitrary(
+        u: &mut Unstructured<'_>,
+        positions: usize,
+        normals: Option<usize>,
+    ) -> Result<Self> {
+        Ok(Self {
+            pose: option(u, |u| {
+                Ok(Pose {
+                    t: scalar(u)?,
+                    positions: few(u, positions, vector)?,
+                    normals: match normals {
+                        Some(count) => option(u, |u| few(u, count, vector))?,
+                        None => None,
+                    },
+                })
+            })?,
+            normals: option(u, |u| {
+                Ok(match option(u, angle)? {
+                    None => Crease::None,
+                    Some(angle) => Crease::Above(angle),
+                })
+            })?,
+        })
+    }
+}
+
+/// Memory for what changes: the blended mesh, then computed normals.
+pub type Rooms = [Room; 2];
+
+/// Room for the lists of any scene's mesh.
+#[derive(Debug)]
+pub struct Room {
+    positions: [Vec3; MOST],
+    normals: [Vec3; 3 * MOST],
+    faces: [[u16; 3]; MOST],
+}
+
+impl Room {
+    pub const EMPTY: Self = Self {
+        positions: [Vec3::ZERO; MOST],
+        normals: [Vec3::ZERO; 3 * MOST],
+        faces: [[0; 3]; MOST],
+    };
+}
+
 /// A draw call.
 #[derive(Clone, Debug)]
 pub struct Scene {
@@ -160,6 +234,7 @@ pub struct Scene {
     pub depths: [u16; 2],
     /// What edges and points are drawn as; 0 for single pixels.
     pub style: u8,
+    pub changes: Changes,
 }
 
 impl Scene {
@@ -214,6 +289,7 @@ impl Scene {
             depths: u.arbitrary()?,
             // Last, so that earlier inputs keep their meaning: bytes that are missing are 0.
             style: u.arbitrary()?,
+            changes: Changes::NONE,
             positions,
             faces,
             what,
@@ -225,11 +301,18 @@ impl Scene {
         if let Some(sprites) = option(u, Billboard::arbitrary)? {
             scene.what = What::Sprites(sprites);
         }
+        let normals = scene.normals.as_ref().map(|normals| normals.values.len());
+        scene.changes = Changes::arbitrary(u, count, normals)?;
         Ok(scene)
     }
 
     /// The mesh, if its indices are in range.
-    pub fn mesh(&self) -> Result<Mesh<'_>, Error> {
+    pub fn mesh<'m>(&'m self, rooms: &'m mut Rooms) -> Result<Mesh<'m>, Error> {
+        self.changed(self.first()?, rooms)
+    }
+
+    /// The mesh before it changes.
+    fn first(&self) -> Result<Mesh<'_>, Error> {
         let mut mesh = Mesh::new(&self.positions, &self.faces)?.with_edges(&self.edges)?;
         if let Some(uvs) = &self.uvs {
             mesh = mesh.with_uvs(&uvs.values, uvs.faces())?;
@@ -241,6 +324,31 @@ impl Scene {
             mesh = mesh.with_colors(&colors.values, colors.faces())?;
         }
         Ok(mesh)
+    }
+
+    fn changed<'m>(
+        &'m self,
+        mut mesh: Mesh<'m>,
+        [room, of_normals]: &'m mut Rooms,
+    ) -> Result<Mesh<'m>, Error> {
+        if let Some(pose) = &self.changes.pose {
+            let mut second = Mesh::new(&pose.positions, &self.faces)?;
+            if let (Some(first), Some(normals)) = (&self.normals, &pose.normals) {
+                second = second.with_normals(normals, first.faces())?;
+            }
+            let frames = Keyframes::new(&mesh, &second)?;
+            let start = frames.blend(fx!(0), &mut room.positions, &mut room.normals)?;
+            assert_eq!(start.positions(), mesh.positions());
+            let end = frames.blend(fx!(1), &mut room.positions, &mut room.normals)?;
+            assert_eq!(end.positions(), second.positions());
+            mesh = frames.blend(pose.t, &mut room.positions, &mut room.normals)?;
+        }
+        let Room { normals, faces, .. } = of_normals;
+        match self.changes.normals {
+            None => Ok(mesh),
+            Some(Crease::None) => mesh.with_smooth_normals(normals),
+            Some(Crease::Above(angle)) => mesh.with_creased_normals(angle, normals, faces),
+        }
     }
 
     /// The draw options without the mode, if the viewport is possible.

@@ -2,8 +2,9 @@
 
 use arbitrary::{Result, Unstructured};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
+use fixel::mesh::Part;
 use fixel::prelude::*;
-use fixel::shade::{Falloff, Fog, Mipmapped};
+use fixel::shade::{Falloff, Fog, Mipmapped, PartColors};
 use fixel::texture::Mipmap;
 
 use super::numbers::{option, scalar, vector};
@@ -32,7 +33,7 @@ pub struct Shine {
 }
 
 /// The number of shaders that [`draw`](Shade::draw) knows.
-const FRAGMENTS: u8 = 35;
+const FRAGMENTS: u8 = 36;
 
 impl Shade {
     pub fn arbitrary(u: &mut Unstructured<'_>) -> Result<Self> {
@@ -155,6 +156,9 @@ pub fn draw(which: u8, lights: Lights, color: Rgb888, between: [u16; 2], then: i
     let glossy = spot.shiny(viewer, exponent, fx!(1)).unwrap();
     let shiny = |lamp: Light| lamp.shiny(viewer, exponent, fx!(0.5)).unwrap();
     let faces = [Rgb565::new(31, 0, 0), color.into(), Rgb565::new(0, 0, 31)];
+    // In any order, and perhaps reversed.
+    let part = |depth: u16| Part::new((depth & 15).into()..(depth >> 4 & 15).into(), color);
+    let parts = between.map(part);
     let (small, large) = (Textured::new(&SMALL), Textured::new(&LARGE));
     match which {
         0 => then.draw(&Flat::new(Rgb565::from(color))),
@@ -191,7 +195,8 @@ pub fn draw(which: u8, lights: Lights, color: Rgb888, between: [u16; 2], then: i
         31 => then.draw(&large.bilinear().cut_out(LARGE[3][5])),
         32 => then.draw(&levels(least.min(most), beyond)),
         33 => then.draw(&levels(least.min(most), beyond).clamped().bilinear()),
-        _ => then.draw(&levels(least.min(most), beyond).trilinear().lit(light)),
+        34 => then.draw(&levels(least.min(most), beyond).trilinear().lit(light)),
+        _ => then.draw(&PartColors::rgb(&parts).lit_faces(light)),
     }
 }
 

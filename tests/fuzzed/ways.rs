@@ -3,19 +3,22 @@
 
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
-use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::primitives::Rectangle;
+use fixel::mesh::flash::{StoredUvs, UvGrid, short_normal};
+use fixel::mesh::{Part, Quantized};
 use fixel::mode::Mode;
 use fixel::prelude::*;
-use fixel::shade::Translucent;
+use fixel::shade::{PartColors, Translucent};
 use fixel::target::{
     Add, Alpha, Blending, Depth, DepthBuffer, Multiply, Native, Opacity, Storage, TestAndWrite,
 };
 use fixel::view::ProjectionKind;
 use fixel::{Drawn, Object, Prepared};
 
-use super::scene::{Scene, What};
+use super::scene::{Attribute, Scene, What};
+use super::shaders::Bits;
 use crate::recorder::{Record, Seen, record};
 
 /// A scene whose parts were accepted.
@@ -115,6 +118,69 @@ impl<K: ProjectionKind> Call<'_, K> {
             Drawn::default()
         });
         assert!(picture == self.blank(), "labels of the background's color");
+    }
+
+    /// Checks that the colors of parts are the same in one call and part by part, and in bands.
+    pub fn check_parts(&self, options: &DrawOptions) {
+        let faces = self.mesh.faces().len();
+        let mut ends = [0, 0, faces];
+        for (end, byte) in ends.iter_mut().zip(&self.scene.bands[1..]) {
+            *end = usize::from(*byte) % (faces + 1);
+        }
+        ends.sort_unstable();
+        let [a, b, c] = ends;
+        let parts = [(0..a, 0), (a..b, 120), (b..c, 250)];
+        let parts = parts.map(|(faces, level)| Part::new(faces, Rgb888::new(level, 50, 99)));
+
+        let colors = PartColors::rgb(&parts);
+        let mut whole = self.blank();
+        self.on_frame(&mut whole, &mut |canvas| {
+            canvas.draw_with(options, self.mesh, &self.mvp, &colors)
+        });
+        let one_by_one = &mut |canvas: &mut Frame<'_>| {
+            let mut drawn = Drawn::default();
+            for part in &parts {
+                let (mesh, color) = (self.mesh.part(part.faces()), Flat::rgb(part.color()));
+                drawn = canvas.draw_with(options, &mesh, &self.mvp, &color);
+            }
+            drawn
+        };
+        let mut frame = self.blank();
+        self.on_frame(&mut frame, one_by_one);
+        assert!(frame == whole, "parts differ");
+        assert!(self.in_bands(one_by_one) == whole, "bands of parts differ");
+    }
+
+    /// Checks that a quantized mesh of the scene's attributes is the same in frames and bands, and prepared.
+    pub fn check_quantized(&self, options: &DrawOptions) {
+        if self.mesh.faces().is_empty() {
+            return;
+        }
+        let (uvs, normals) = (&self.scene.uvs, &self.scene.normals);
+        let coordinates = uvs.as_ref().map_or(&[][..], |uvs| &uvs.values);
+        let grid = UvGrid::around(coordinates, 255);
+        let stored: Vec<_> = coordinates.iter().map(|&uv| grid.nearest(uv)).collect();
+        let bytes: Vec<_> = stored.iter().map(|uv| uv.map(|x| x as u8)).collect();
+        assert!(stored.iter().flatten().all(|&x| x < 256));
+        let short =
+            |normals: &Attribute<Vec3>| normals.values.iter().copied().map(short_normal).collect();
+        let stored: Vec<_> = normals.as_ref().map_or(vec![], short);
+        let own = |faces: Option<&'_ [[u16; 3]]>| faces.unwrap_or_default().to_vec();
+        let uv_faces = own(uvs.as_ref().and_then(Attribute::faces));
+        let normal_faces = own(normals.as_ref().and_then(Attribute::faces));
+        let quantized = Quantized::new(
+            self.mesh.without_normals().without_uvs(),
+            (&stored, &normal_faces),
+            (StoredUvs::Bytes(&bytes), &uv_faces),
+            grid,
+        );
+        let quantized = quantized.unwrap();
+        let sun = Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7)).unwrap();
+        let call = Call {
+            mesh: quantized.mesh(),
+            ..*self
+        };
+        call.check_frames(options, &quantized.shader(Bits::<3>.lit(sun)));
     }
 
     /// The width of lines: 1 to 63 pixels for three of four styles.

@@ -9,6 +9,7 @@ mod instruments;
 mod keyframes;
 mod labels;
 mod lights;
+mod materials;
 mod mipmaps;
 mod painter;
 mod picking;
@@ -52,6 +53,7 @@ const RECIPES: &[(&str, Draw)] = &[
     ("keyframes", keyframes::draw),
     ("labels", labels::draw),
     ("lights", lights::draw),
+    ("materials", materials::draw),
     ("mipmaps", mipmaps::draw),
     ("painter", painter::draw),
     ("picking", picking::draw),

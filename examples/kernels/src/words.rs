@@ -3,9 +3,9 @@
 use core::hint::black_box;
 
 use embedded_graphics::geometry::Point;
-use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::Index;
-use fixel::mesh::Keyframes;
+use fixel::mesh::{Keyframes, Quantized};
 use fixel::prelude::*;
 use static_cell::ConstStaticCell;
 
@@ -18,6 +18,7 @@ const SPRITES: usize = SIDE * SIDE;
 
 static COLORS: ConstStaticCell<[Rgb565; 64 * 64]> = ConstStaticCell::new([Rgb565::BLACK; 64 * 64]);
 static BALL: Mesh = shape!(sphere(16, 12));
+static SMALL_BALL: Quantized = shape!(sphere(16, 12), quantized_8).without_uvs();
 static OUTLINE: Outline = outline!(BALL, deg!(30));
 static LIST: ConstStaticCell<TriangleList<400, 250>> = ConstStaticCell::new(TriangleList::new());
 
@@ -99,6 +100,19 @@ pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     watch.print("keyframe", "vertex", points, ticks);
     let ticks = watch.time(|| BALL.with_smooth_normals(&mut normals).map(|_| ()))?;
     watch.print("smooth-normals", "triangle", triangles, ticks);
+
+    // Attributes of 32 and of 8 bits.
+    let sun = black_box(Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?);
+    let clay = Flat::rgb(Rgb888::new(236, 214, 190)).lit(sun);
+    let call =
+        |canvas: &mut Canvas<'_, _>| drawn(canvas.draw_with(&options, &BALL, &mvp, &clay).drawn);
+    let ticks = watch.time(|| call(&mut canvas))?;
+    watch.print("lit", "triangle", triangles, ticks);
+    let (mesh, clay) = (SMALL_BALL.mesh(), SMALL_BALL.shader(clay));
+    let call =
+        |canvas: &mut Canvas<'_, _>| drawn(canvas.draw_with(&options, mesh, &mvp, &clay).drawn);
+    let ticks = watch.time(|| call(&mut canvas))?;
+    watch.print("lit-quantized", "triangle", triangles, ticks);
     Ok(())
 }
 

@@ -321,3 +321,44 @@ proptest! {
         }
     }
 }
+
+fn mantissas() -> impl Strategy<Value = [i32; 3]> {
+    let mantissa = prop_oneof![
+        Just((1 << 30) - 1),
+        Just(1 - (1 << 30)),
+        (any::<i32>(), 2_u32..32).prop_map(|(bits, cut)| bits >> cut),
+    ];
+    prop::array::uniform3(mantissa.prop_map(|m: i32| m.clamp(1 - (1 << 30), (1 << 30) - 1)))
+}
+
+proptest! {
+    #[test]
+    fn points_are_rounded_once(
+        linear in [mantissas(), mantissas(), mantissas()],
+        translation in mantissas(),
+        linear_exp in 1_i32..=40,
+        translation_exp in -32_i32..=62,
+        point in any::<[i32; 3]>(),
+        cut in 0_u32..32,
+    ) {
+        // Where 64 bits hold all numbers.
+        let translation_exp = translation_exp.max(linear_exp - 14);
+        let t = Transform { linear, linear_exp, translation, translation_exp };
+        let point = Vec3::from_bits(point.map(|v| v >> cut));
+        let exp = translation_exp.max(linear_exp + 16);
+        let exact: [i32; 3] = core::array::from_fn(|i| {
+            let products = linear[i].iter().zip(point.to_bits());
+            let sum: i128 = products.map(|(&m, v)| i128::from(m) * i128::from(v)).sum();
+            let moved = i128::from(translation[i]) << (exp - translation_exp);
+            let twice = (sum << (exp - linear_exp - 16)) + moved + (1 << (exp - 17));
+            (twice >> (exp - 16)).clamp(i32::MIN.into(), i32::MAX.into()) as i32
+        });
+        prop_assert_eq!(t.point(point).to_bits(), exact);
+        // Block floats drop up to two bits of the products' 63, and the same of the translation, rounded each; and round
+        // again.
+        let bound = 1 + (4 >> linear_exp.min(3));
+        for (far, exact) in t.far_point(point).to_bits().into_iter().zip(exact) {
+            prop_assert!(far.abs_diff(exact) <= bound);
+        }
+    }
+}

@@ -39,6 +39,7 @@ pub const fn read<const N: usize>(text: &[u8], path: &str) -> (Room<N>, Counts) 
 /// compilation and names its line. [`mesh::obj`](crate::mesh::obj) lists the statements it reads.
 ///
 /// ```
+/// use fixel::mesh::Quantized;
 /// use fixel::prelude::*;
 /// static MODEL: Mesh = include_obj!("../../../tests/models/house.obj");
 /// assert_eq!(MODEL.faces().len(), 14);
@@ -46,6 +47,10 @@ pub const fn read<const N: usize>(text: &[u8], path: &str) -> (Room<N>, Counts) 
 /// // With 16-bit positions, which take half the flash: see Mesh::short.
 /// static SMALL: Mesh = include_obj!("../../../tests/models/house.obj", short);
 /// assert_eq!(SMALL.positions().len(), MODEL.positions().len());
+///
+/// // With small attributes too: see Quantized.
+/// static SMALLEST: Quantized = include_obj!("../../../tests/models/house.obj", quantized_8);
+/// assert_eq!(SMALLEST.mesh().positions(), SMALL.positions());
 /// ```
 #[macro_export]
 macro_rules! include_obj {

@@ -231,7 +231,8 @@ impl Shape {
 /// ```
 ///
 /// A second argument, `short`, stores 16-bit positions, which take half the flash:
-/// [`Mesh::short`](crate::Mesh::short).
+/// [`Mesh::short`](crate::Mesh::short). With `quantized_16` or `quantized_8`, attributes take less flash too, and the
+/// result is a [`Quantized`](crate::mesh::Quantized) mesh.
 ///
 /// ```
 /// use fixel::prelude::*;

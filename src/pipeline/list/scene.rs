@@ -165,7 +165,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
                 scissor: &call.shared.scissor,
                 numbers: [(0 as Index, 0); cache::SIZE],
             };
-            run::triangles(&call, 0, &mut filling);
+            run::triangles(&call, &mut filling);
             needed = filling.needed;
             object.last = needed.vertices as u16;
             object.depth_shift = call.depth_shift();

@@ -1,0 +1,54 @@
+//! Attributes of a quantized mesh, unpacked for any shader.
+
+use super::{ColorOf, Fragment, Illumination, Levels, Shader};
+use crate::mesh::{Primitive, Quantized};
+
+/// A shader that sees the attributes of a [`Quantized`] mesh; made by [`Quantized::shader`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Dequantized<'a, F> {
+    mesh: &'a Quantized<'a>,
+    shader: F,
+}
+
+impl Quantized<'_> {
+    /// A shader that sees this mesh's normals and texture coordinates. Wrap the whole shader, with its lights.
+    ///
+    /// It may also draw a mesh of other positions between the same faces, such as one of
+    /// [`Keyframes`](crate::mesh::Keyframes). A corner without texture coordinates in a triangle that has some gets (0, 0).
+    #[must_use]
+    pub const fn shader<F: Shader>(&self, shader: F) -> Dequantized<'_, F> {
+        Dequantized { mesh: self, shader }
+    }
+}
+
+impl<F: Shader> Shader for Dequantized<'_, F> {
+    type Color = F::Color;
+    type Varyings = F::Varyings;
+
+    const READS_DEPTH: bool = F::READS_DEPTH;
+
+    #[inline]
+    fn varyings(&self, primitive: &Primitive<'_>) -> [F::Varyings; 3] {
+        let shader = self.shader;
+        self.mesh
+            .unpacked(primitive, |primitive| shader.varyings(primitive))
+    }
+
+    #[inline]
+    fn shade(&self, at: &Fragment, varyings: F::Varyings) -> Option<F::Color> {
+        self.shader.shade(at, varyings)
+    }
+
+    #[inline]
+    fn shade_lit(
+        &self,
+        at: &Fragment,
+        varyings: F::Varyings,
+        light: Illumination,
+    ) -> Option<F::Color>
+    where
+        ColorOf<F>: Levels,
+    {
+        self.shader.shade_lit(at, varyings, light)
+    }
+}

@@ -1,0 +1,112 @@
+//! Attributes of 8 and 16 bits, compared with the numbers that were rounded.
+
+use std::cell::Cell;
+
+use embedded_graphics::pixelcolor::Gray8;
+use fixel::mesh::Quantized;
+use fixel::mesh::flash::{StoredUvs, normals_of_8, quantized_8, quantized_16};
+use fixel::prelude::*;
+use fixel::shade::PerFace;
+use proptest::prelude::*;
+
+/// Three normals and three texture coordinates.
+type Attributes = ([Vec3; 3], [Vec2; 3]);
+
+/// Writes down the attributes of a triangle.
+#[derive(Clone, Copy)]
+struct Notes<'a>(&'a Cell<Option<Attributes>>);
+
+impl Shader for Notes<'_> {
+    type Color = Gray8;
+    type Varyings = PerFace<u8>;
+
+    fn varyings(&self, primitive: &Primitive<'_>) -> [PerFace<u8>; 3] {
+        #[allow(clippy::redundant_closure_for_method_calls)]
+        // The closure works for any lifetime, the path `Corner::normal` does not.
+        let normals = primitive.corners(|corner| corner.normal());
+        self.0.set(Some((normals, primitive.uvs())));
+        [PerFace(0); 3]
+    }
+
+    fn shade(&self, _: &Fragment, _: PerFace<u8>) -> Option<Gray8> {
+        None
+    }
+}
+
+/// The attributes that a shader sees.
+fn seen(normals: &[Vec3; 3], uvs: StoredUvs<'_>, grid: fixel::mesh::flash::UvGrid) -> Attributes {
+    let positions = [vec3!(-1, -1, -2), vec3!(1, -1, -2), vec3!(0, 1, -2)];
+    let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
+    let normals = normals_of_8::<3>(normals);
+    let mesh = Quantized::new(mesh, (&normals, &[]), (uvs, &[]), grid).unwrap();
+    let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.1), fx!(100)).unwrap();
+    let mut pixels = [Gray8::new(0); 12];
+    let mut canvas = Canvas::new(&mut pixels, 4, 3).unwrap();
+    let notes = Cell::new(None);
+    canvas.draw(mesh.mesh(), &projection, &mesh.shader(Notes(&notes)));
+    notes.get().unwrap()
+}
+
+fn bits() -> impl Strategy<Value = i32> {
+    prop_oneof![
+        Just(i32::MIN),
+        Just(i32::MAX),
+        (any::<i32>(), 0_u32..32).prop_map(|(bits, cut)| bits >> cut),
+    ]
+}
+
+/// The angle between two vectors in degrees, from sine and cosine.
+fn angle(a: [f64; 3], b: [f64; 3]) -> f64 {
+    let cross = [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ];
+    let dot: f64 = a.iter().zip(b).map(|(a, b)| a * b).sum();
+    cross
+        .iter()
+        .map(|x| x * x)
+        .sum::<f64>()
+        .sqrt()
+        .atan2(dot)
+        .to_degrees()
+}
+
+proptest! {
+    #[test]
+    fn rounding_is_within_the_bounds(
+        normals in prop::array::uniform3(prop::array::uniform3(bits())),
+        uvs in prop::array::uniform3(prop::array::uniform2(bits())),
+    ) {
+        let (normals, uvs) = (normals.map(Vec3::from_bits), uvs.map(Vec2::from_bits));
+        let (bytes, grid) = quantized_8::<3>(&uvs);
+        let of_8 = seen(&normals, StoredUvs::Bytes(&bytes), grid);
+        let (words, grid) = quantized_16::<3>(&uvs);
+        let of_16 = seen(&normals, StoredUvs::Words(&words), grid);
+        prop_assert_eq!(of_8.0, of_16.0);
+
+        for (normal, got) in normals.iter().zip(of_8.0) {
+            let [a, b] = [*normal, got].map(|v| v.to_bits().map(f64::from));
+            if *normal == Vec3::ZERO {
+                prop_assert_eq!(got, Vec3::ZERO);
+                continue;
+            }
+            // The largest of three components is 127, and each of the others is at most half a unit from exact.
+            let bound = (0.5_f64.sqrt() / 127.).asin().to_degrees();
+            let error = angle(a, b);
+            prop_assert!(error <= bound + 1e-9, "{normal:?} becomes {got:?}: {error} degrees");
+        }
+        for (got, most) in [(of_8.1, 255.), (of_16.1, 65_535.)] {
+            for axis in 0..2 {
+                let [exact, got] = [uvs, got].map(|uvs| uvs.map(|uv| f64::from(uv.to_bits()[axis])));
+                let range = exact.into_iter().fold(f64::MIN, f64::max)
+                    - exact.into_iter().fold(f64::MAX, f64::min);
+                // A step is rounded up to a whole unit of 2^-20, and a coordinate to the nearest step.
+                let bound = range / most / 2. + 0.5;
+                for (exact, got) in exact.iter().zip(got) {
+                    prop_assert!((exact - got).abs() <= bound, "{exact} becomes {got}");
+                }
+            }
+        }
+    }
+}
