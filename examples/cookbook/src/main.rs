@@ -1,6 +1,7 @@
 //! Small scenes, one idea each. `cargo run -p cookbook` writes a picture of each to the current folder; with names
-//! as arguments, only of these.
+//! as arguments, only of these. `world` also makes an animation.
 
+mod animation;
 mod blending;
 mod fog;
 mod keyframes;
@@ -13,6 +14,7 @@ mod sky;
 mod sprites;
 mod terrain;
 mod wireframe;
+mod world;
 
 use std::error::Error;
 
@@ -44,6 +46,7 @@ const RECIPES: &[Recipe] = &[
     ("sprites", sprites::draw),
     ("terrain", terrain::draw),
     ("wireframe", wireframe::draw),
+    ("world", world::draw),
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -63,12 +66,20 @@ fn main() -> Result<(), Box<dyn Error>> {
             println!("{path}");
         }
     }
+    let name = "world";
+    if names.is_empty() || names.iter().any(|wanted| wanted == name) {
+        let path = format!("{name}.gif");
+        let turns = (0..world::FRAMES).map(|frame| world::turn_of(frame));
+        let frames = turns.map(|turn| picture(|canvas| world::walk(canvas, turn)));
+        animation::save(&path, &frames.collect::<Result<Vec<_>, _>>()?)?;
+        println!("{path}");
+    }
     Ok(())
 }
 
 /// Draws a scene.
 fn picture(
-    draw: fn(&mut Frame<'_>) -> Result<(), fixel::Error>,
+    draw: impl Fn(&mut Frame<'_>) -> Result<(), fixel::Error>,
 ) -> Result<SimulatorDisplay<Rgb565>, fixel::Error> {
     let mut colors = vec![Rgb565::BLACK; (WIDTH * HEIGHT) as usize];
     let mut depths = vec![0; colors.len()];
