@@ -14,6 +14,9 @@ use super::map::{MAP, SIDE};
 const INK: Rgb565 = Rgb565::new(30, 54, 22);
 const SHADE: Rgb565 = Rgb565::new(3, 5, 6);
 
+/// Panels of fewer rows have neither compass nor names.
+pub const LOW: u32 = 96;
+
 /// What the display shows of its bearer.
 pub struct Status {
     /// Where they are on the map.
@@ -25,10 +28,12 @@ pub struct Status {
 }
 
 impl Status {
-    /// Draws everything; the panel must not be smaller than 96x48 pixels.
+    /// Draws everything for which there is room: a low panel has no compass.
     pub fn draw<T: DrawTarget<Color = Rgb565>>(&self, target: &mut T) -> Result<(), T::Error> {
         let size = target.bounding_box().size;
-        self.compass(target, size)?;
+        if size.height >= LOW {
+            self.compass(target, size)?;
+        }
         self.gauges(target, size)?;
         self.map(target, size)
     }

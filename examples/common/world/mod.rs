@@ -112,8 +112,10 @@ where
         scene.water(canvas)?;
     }
     scene.glows(canvas, &above)?;
-    scene.label(canvas, "The Inn", vec3!(10, 3.9, 5.3));
-    scene.label(canvas, "South Gate", vec3!(10, 2.6, 17));
+    if size.height >= hud::LOW {
+        scene.label(canvas, "The Inn", vec3!(10, 4.3, 5.4));
+        scene.label(canvas, "South Gate", vec3!(10, 2.9, 16.9));
+    }
 
     let ahead = target - eye;
     let status = hud::Status {

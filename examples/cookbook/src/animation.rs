@@ -13,12 +13,12 @@ use embedded_graphics_simulator::SimulatorDisplay;
 use gif::{DisposalMethod, Encoder, Frame, Repeat};
 
 /// Time between frames, in hundredths of a second.
-const DELAY: u16 = 9;
+const DELAY: u16 = 10;
 /// Colors of the palette. The index after them leaves a pixel as it is.
-const COLORS: usize = 127;
-const UNCHANGED: u8 = 127;
+const COLORS: usize = 63;
+const UNCHANGED: u8 = COLORS as u8;
 /// Two colors look the same if the squares of their differences in red, green and blue add up to no more.
-const TOLERANCE: i32 = 220;
+const TOLERANCE: i32 = 320;
 
 type Pixel = [u8; 4];
 
@@ -26,7 +26,7 @@ type Pixel = [u8; 4];
 pub fn save(path: &str, pictures: &[SimulatorDisplay<Rgb565>]) -> Result<(), Box<dyn Error>> {
     let frames: Vec<Vec<Pixel>> = pictures.iter().map(pixels).collect();
     let samples = frames.iter().flatten().step_by(7);
-    let quantizer = NeuQuant::new(1, COLORS, &samples.flatten().copied().collect::<Vec<_>>());
+    let quantizer = NeuQuant::new(5, COLORS, &samples.flatten().copied().collect::<Vec<_>>());
     let mut palette = quantizer.color_map_rgb();
     palette.resize(3 * (COLORS + 1), 0);
 
@@ -38,54 +38,116 @@ pub fn save(path: &str, pictures: &[SimulatorDisplay<Rgb565>]) -> Result<(), Box
     encoder.set_repeat(Repeat::Infinite)?;
     let mut shown = vec![None; usize::from(width) * usize::from(height)];
     for frame in &frames {
-        encoder.write_frame(&Frame {
+        encoder.write_lzw_pre_encoded_frame(&Frame {
             delay: DELAY,
             dispose: DisposalMethod::Keep,
             transparent: Some(UNCHANGED),
             width,
             height,
-            buffer: indices(frame, &mut shown, &quantizer, &palette).into(),
+            buffer: compressed(frame, &mut shown, &quantizer, &palette).into(),
             ..Frame::default()
         })?;
     }
     Ok(())
 }
 
-/// The indices that a frame is written with, and what is shown then.
+/// A dictionary of sequences of indices, each with a number: LZW, the compression of the format.
 ///
-/// The format compresses (LZW) by a dictionary of sequences of indices, which grows by one when a sequence is not in it.
-/// So the longer a sequence that is in it can be continued, the fewer bits there are.
-fn indices(
+/// The encoder writes numbers. After each it adds a sequence: the one that it has written and the index after it.
+struct Dictionary {
+    /// The indices that continue each sequence, and the numbers of the longer sequences.
+    sequences: Vec<Vec<(u8, usize)>>,
+    /// Bits of a number, and those that are not yet in a byte.
+    size: u32,
+    bits: (u32, u32),
+    bytes: Vec<u8>,
+}
+
+impl Dictionary {
+    /// Bits of an index.
+    const INDEX_BITS: u8 = COLORS.ilog2() as u8 + 1;
+    /// The numbers that empty the dictionary and that end a frame; sequences of several indices follow.
+    const CLEAR: usize = COLORS + 1;
+    const END: usize = COLORS + 2;
+
+    fn new() -> Self {
+        let mut new = Self {
+            sequences: Vec::new(),
+            size: 0,
+            bits: (0, 0),
+            bytes: vec![Self::INDEX_BITS],
+        };
+        new.clear();
+        new.write(Self::CLEAR);
+        new
+    }
+
+    fn clear(&mut self) {
+        self.sequences = vec![Vec::new(); Self::END + 1];
+        self.size = u32::from(Self::INDEX_BITS) + 1;
+    }
+
+    /// Writes the number of a sequence, the lowest bit first.
+    fn write(&mut self, number: usize) {
+        let (bits, count) = &mut self.bits;
+        *bits |= (number as u32) << *count;
+        *count += self.size;
+        while *count >= 8 {
+            self.bytes.push(*bits as u8);
+            (*bits, *count) = (*bits >> 8, *count - 8);
+        }
+    }
+
+    /// Writes a sequence that `index` does not continue, and adds the one that it would be.
+    fn add(&mut self, sequence: usize, index: u8) {
+        self.write(sequence);
+        let number = self.sequences.len();
+        if number == 4096 {
+            self.write(Self::CLEAR);
+            self.clear();
+            return;
+        }
+        self.size += u32::from(number == 1 << self.size);
+        self.sequences[sequence].push((index, number));
+        self.sequences.push(Vec::new());
+    }
+
+    /// Writes the last sequence and the end.
+    fn finish(mut self, sequence: usize) -> Vec<u8> {
+        self.write(sequence);
+        self.size += u32::from(self.sequences.len() == 1 << self.size);
+        self.write(Self::END);
+        self.bytes.push(self.bits.0 as u8);
+        self.bytes
+    }
+}
+
+/// A frame, compressed, and what is shown then.
+fn compressed(
     frame: &[Pixel],
     shown: &mut [Option<u8>],
     quantizer: &NeuQuant,
     palette: &[u8],
 ) -> Vec<u8> {
-    /// Sequences by their numbers: the indices that continue each, and the numbers of the longer sequences.
-    fn start() -> Vec<Vec<(u8, usize)>> {
-        vec![Vec::new(); COLORS + 1]
-    }
-    let mut sequences = start();
-    let mut current = None;
     let difference = |index: u8, pixel: &Pixel| -> i32 {
         let color = &palette[3 * usize::from(index)..];
         let square = |(a, b): (&u8, &u8)| (i32::from(*a) - i32::from(*b)).pow(2);
         color.iter().zip(&pixel[..3]).map(square).sum()
     };
-    let mut indices = Vec::with_capacity(frame.len());
+    let mut dictionary = Dictionary::new();
+    let mut current = None;
     for (shown, pixel) in shown.iter_mut().zip(frame) {
         let old = *shown;
         let color = |index| if index == UNCHANGED { old } else { Some(index) };
-        let continued = current
-            .and_then(|at: usize| sequences.get(at))
+        // The longer a sequence is that the dictionary has, the better.
+        let longer = current
+            .and_then(|at: usize| dictionary.sequences.get(at))
             .into_iter()
             .flatten()
-            .filter_map(|&(index, longer)| {
-                let difference = difference(color(index)?, pixel);
-                (difference <= TOLERANCE).then_some((difference, index, longer))
-            })
+            .filter_map(|&(index, longer)| Some((difference(color(index)?, pixel), index, longer)))
+            .filter(|&(difference, ..)| difference <= TOLERANCE)
             .min();
-        let index = if let Some((_, index, longer)) = continued {
+        let index = if let Some((_, index, longer)) = longer {
             current = Some(longer);
             index
         } else {
@@ -95,22 +157,15 @@ fn indices(
             } else {
                 quantizer.index_of(pixel) as u8
             };
-            if let Some(at) = current {
-                let longer = sequences.len();
-                sequences[at].push((index, longer));
-                sequences.push(Vec::new());
-                // Two numbers are for other purposes. A full dictionary is emptied.
-                if longer + 2 >= 4095 {
-                    sequences = start();
-                }
+            if let Some(sequence) = current {
+                dictionary.add(sequence, index);
             }
             current = Some(usize::from(index));
             index
         };
         *shown = color(index);
-        indices.push(index);
     }
-    indices
+    dictionary.finish(current.unwrap_or_default())
 }
 
 /// Red, green, blue and opacity of all pixels.

@@ -8,7 +8,7 @@ use fixel::prelude::*;
 use super::Frame;
 
 /// Frames of the walk, once around.
-pub const FRAMES: u32 = 84;
+pub const FRAMES: u32 = 64;
 
 /// The moment of a frame.
 pub fn turn_of(frame: u32) -> Angle {
@@ -20,5 +20,49 @@ pub fn walk(canvas: &mut Frame<'_>, turn: Angle) -> Result<(), Error> {
 }
 
 pub fn draw(canvas: &mut Frame<'_>) -> Result<(), Error> {
-    walk(canvas, turn_of(18))
+    walk(canvas, turn_of(13))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{HEIGHT, WIDTH, picture};
+    use embedded_graphics::geometry::Point;
+    use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+
+    /// What is seen through the water, the blended lights and the labels are the same in every band.
+    #[test]
+    fn bands_equal_frames() {
+        const ROWS: u32 = 48;
+        let turn = turn_of(FRAMES / 2);
+        let frame = picture(|canvas| walk(canvas, turn)).unwrap();
+        let mut colors = vec![Rgb565::BLACK; (WIDTH * ROWS) as usize];
+        let mut depths = vec![0; colors.len()];
+        for first_row in (0..HEIGHT).step_by(ROWS as usize) {
+            let band = Canvas::band(&mut colors, WIDTH, HEIGHT, first_row).unwrap();
+            let mut band = band.with_depth(&mut depths).unwrap();
+            walk(&mut band, turn).unwrap();
+            for (at, color) in (0..).zip(band.pixels()) {
+                let (x, y) = (at % WIDTH, first_row + at / WIDTH);
+                let at = Point::new(x.cast_signed(), y.cast_signed());
+                assert_eq!(color, frame.get_pixel(at), "{at}");
+            }
+        }
+    }
+
+    /// The walk is a closed curve, so the animation has no jump at its end: the last step is like the others.
+    #[test]
+    fn the_walk_is_closed() {
+        let pixels = |frame| picture(|canvas| walk(canvas, turn_of(frame))).unwrap();
+        let changed = |a, b| {
+            let (a, b) = (pixels(a), pixels(b));
+            let points =
+                (0..HEIGHT as i32).flat_map(|y| (0..WIDTH as i32).map(move |x| Point::new(x, y)));
+            let luma = |color: Rgb565| i32::from(color.g());
+            points
+                .map(|at| (luma(a.get_pixel(at)) - luma(b.get_pixel(at))).abs())
+                .sum::<i32>()
+        };
+        assert!(changed(FRAMES - 1, 0) < 2 * changed(0, 1));
+    }
 }
