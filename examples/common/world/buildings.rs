@@ -21,7 +21,8 @@ pub static ROOFS: Mesh = {
         let mut at = 0;
         while at < EAVES.len() {
             let [west, north, east, south, y, rise] = EAVES[at];
-            let (ridge, inset, middle) = (y + rise, (south - north) / 2, (north + south) / 2);
+            let (ridge, inset) = (y + rise, (south - north) / 2);
+            let middle = north + inset;
             let [left, right] = [[west + inset, ridge, middle], [east - inset, ridge, middle]];
             let corners = [
                 [west, y, south],
@@ -84,48 +85,73 @@ const GLAZED: [Window; 13] = [
     ([304, 48, 256], true, [3, 12]),
 ];
 
+const PANES: usize = GLAZED.len();
+
+/// The corners of rectangles that reach beyond the windows by `more`, and are `before` their walls by that much.
+const fn around(more: i16, before: i16) -> [[i16; 3]; 4 * PANES] {
+    let mut positions = [[0; 3]; 4 * PANES];
+    let mut at = 0;
+    while at < 4 * PANES {
+        let ([x, sill, wall], is_north, [half, height]) = GLAZED[at / 4];
+        let is_left = matches!(at % 4, 0 | 3) != is_north;
+        let side = half + more;
+        let y = if at % 4 < 2 {
+            sill - more
+        } else {
+            sill + height + more
+        };
+        positions[at] = [
+            if is_left { x - side } else { x + side },
+            y,
+            if is_north {
+                wall - before
+            } else {
+                wall + before
+            },
+        ];
+        at += 1;
+    }
+    positions
+}
+
+static PANE_UVS: [Vec2; 4 * PANES] = {
+    let corners = [vec2!(0, 1), vec2!(1, 1), vec2!(1, 0), vec2!(0, 0)];
+    let mut uvs = [corners[0]; 4 * PANES];
+    let mut at = 0;
+    while at < uvs.len() {
+        uvs[at] = corners[at % 4];
+        at += 1;
+    }
+    uvs
+};
+
+static PANE_FACES: [[Index; 3]; 2 * PANES] = {
+    let mut faces = [[0; 3]; 2 * PANES];
+    let mut at = 0;
+    while at < PANES {
+        let first = 4 * at as Index;
+        faces[2 * at] = [first, first + 1, first + 2];
+        faces[2 * at + 1] = [first, first + 2, first + 3];
+        at += 1;
+    }
+    faces
+};
+
+const fn panes(positions: &'static [[i16; 3]; 4 * PANES]) -> Mesh<'static> {
+    let mesh = Mesh::checked(Mesh::short(positions, 4, &PANE_FACES));
+    Mesh::checked(mesh.with_uvs(&PANE_UVS, None))
+}
+
 /// Windows, a little before their walls.
 pub static WINDOWS: Mesh = {
-    const CORNERS: usize = 4 * GLAZED.len();
-    static POSITIONS: [[i16; 3]; CORNERS] = {
-        let mut positions = [[0; 3]; CORNERS];
-        let mut at = 0;
-        while at < GLAZED.len() {
-            let ([x, sill, wall], is_north, [half, height]) = GLAZED[at];
-            let (left, right, z) = match is_north {
-                true => (x + half, x - half, wall - 1),
-                false => (x - half, x + half, wall + 1),
-            };
-            positions[4 * at] = [left, sill, z];
-            positions[4 * at + 1] = [right, sill, z];
-            positions[4 * at + 2] = [right, sill + height, z];
-            positions[4 * at + 3] = [left, sill + height, z];
-            at += 1;
-        }
-        positions
-    };
-    static UVS: [Vec2; CORNERS] = {
-        let corners = [vec2!(0, 1), vec2!(1, 1), vec2!(1, 0), vec2!(0, 0)];
-        let mut uvs = [corners[0]; CORNERS];
-        let mut at = 0;
-        while at < CORNERS {
-            uvs[at] = corners[at % 4];
-            at += 1;
-        }
-        uvs
-    };
-    static FACES: [[Index; 3]; 2 * GLAZED.len()] = {
-        let mut faces = [[0; 3]; 2 * GLAZED.len()];
-        let mut at = 0;
-        while at < GLAZED.len() {
-            let first = 4 * at as Index;
-            faces[2 * at] = [first, first + 1, first + 2];
-            faces[2 * at + 1] = [first, first + 2, first + 3];
-            at += 1;
-        }
-        faces
-    };
-    Mesh::checked(Mesh::checked(Mesh::short(&POSITIONS, 4, &FACES)).with_uvs(&UVS, None))
+    static POSITIONS: [[i16; 3]; 4 * PANES] = around(0, 1);
+    panes(&POSITIONS)
+};
+
+/// The light around windows, a little before them.
+pub static HALOS: Mesh = {
+    static POSITIONS: [[i16; 3]; 4 * PANES] = around(9, 2);
+    panes(&POSITIONS)
 };
 
 /// A box from −1 to 1, for posts and lanterns.

@@ -59,7 +59,7 @@ impl Status {
             let from_here = (Angle::from_bits(step << 28) - self.heading)
                 .to_bits()
                 .cast_signed();
-            let x = (i64::from(from_here) * i64::from(4 * wide) >> 32) as i32;
+            let x = ((i64::from(from_here) * i64::from(4 * wide)) >> 32) as i32;
             if x.abs() > wide - 4 {
                 continue;
             }

@@ -1,15 +1,33 @@
 //! A little world: a walled garden at dusk, seen by someone who walks around its pond.
 //!
-//! `no_std`, without allocation, and a function of one angle: a program that has a canvas of Rgb565 with depth calls
-//! `world::draw(&mut canvas, Rate::rpm(7).angle_at(now_ms))`, for a frame or for each band of one.
+//! It needs only this crate and embedded-graphics, no memory but the canvas, and no file: the compiler makes meshes of a
+//! map in letters, and paints the textures. A picture depends on one angle, of which a whole turn is once around. For a
+//! frame, or for each band of one, a program calls
+//!
+//! ```ignore
+//! world::draw(&mut canvas, Rate::rpm(8).angle_at(now_ms))?;
+//! ```
 //!
 //! | file | what is in it |
 //! |---|---|
-//! | `map` | the map in letters, and the meshes that the compiler makes of it |
-//! | `buildings` | roofs, windows, lamps |
+//! | `map` | the map, and the meshes that the compiler makes of it |
+//! | `buildings` | roofs, windows, parts of lamps |
 //! | `textures` | textures, which the compiler paints |
 //! | `sky` | sky, stars, moon |
 //! | `hud` | compass, gauges, map |
+//!
+//! | on a Cortex-M4 without FPU, optimized for speed | 320x240 | 160x128 | 128x64 |
+//! |---|---:|---:|---:|
+//! | million instructions a frame, in the mean of eight | 40.9 | 19.0 | 15.2 |
+//! | RAM of colors and depths, in KiB | 300 | 80 | 32 |
+//! | stack, in KiB | 10.5 | 10.5 | 10.5 |
+//! | flash of textures, in KiB | 110 | 110 | 110 |
+//! | flash of meshes, map and places, in KiB | 40 | 40 | 40 |
+//!
+//! What the pond mirrors is drawn upside down below the water, after the ground, which hides it elsewhere.
+
+// Coordinates of the map, and colors, are small.
+#![allow(clippy::cast_possible_wrap, clippy::cast_sign_loss)]
 
 pub mod buildings;
 pub mod hud;
@@ -363,6 +381,9 @@ impl Scene {
                 Some(Rgb565::new(light, light + light / 4, light / 3))
             });
         let glow = glow.in_fog(Fog::linear(Rgb565::BLACK, fx!(3), fx!(36))?);
+        let mvp = self.view * world.model;
+        let on_walls = shine.with_cull(world.options.cull());
+        canvas.draw_with(&on_walls, &buildings::HALOS, &mvp, &glow);
         // They flicker, each at its own time.
         let scales: [Scalar; map::LAMPS.len()] = core::array::from_fn(|lamp| {
             let wave = (self.turn * (31 + 2 * lamp as i32)).sin();
@@ -373,7 +394,7 @@ impl Scene {
             (map::LAMPS.as_slice(), fx!(0.9)),
         ] {
             let sprites = Sprites::new(places, (size, size))?.with_scales(&scales)?;
-            canvas.draw_sprites(&shine, &sprites, &(self.view * world.model), &glow);
+            canvas.draw_sprites(&shine, &sprites, &mvp, &glow);
         }
         Ok(())
     }

@@ -9,7 +9,10 @@ use super::textures::{GLOW, MOON};
 /// Where the air is thick, everything has this color.
 pub const HAZE: Rgb888 = Rgb888::new(92, 70, 100);
 
-const BALL: Mesh = shape!(sphere(16, 20));
+const BALL: Mesh = shape!(sphere(16, 20))
+    .without_edges()
+    .without_uvs()
+    .without_normals();
 const CORNERS: usize = 17 * 21;
 
 /// Dark blue above, purple haze to the east and the afterglow of the sun to the west. What is below the horizon is for
@@ -25,12 +28,12 @@ static DOME: Mesh = {
                 let west = (0x1_0000 - x) >> 9;
                 let low = 256 - (y.unsigned_abs() >> 8) as i32;
                 // (low/256)² and its square: the glow is lower than the haze.
-                let haze = low * low >> 8;
-                let glow = (haze * haze >> 8) * (west * west >> 8) >> 8;
+                let haze = (low * low) >> 8;
+                let glow = (((haze * haze) >> 8) * ((west * west) >> 8)) >> 8;
                 colors[at] = Rgb888::new(
-                    (16 + (haze * 70 + glow * 165 >> 8)) as u8,
-                    (20 + (haze * 46 + glow * 62 >> 8)) as u8,
-                    (58 + (haze * 48 - glow * 44 >> 8)) as u8,
+                    (16 + ((haze * 70 + glow * 165) >> 8)) as u8,
+                    (20 + ((haze * 46 + glow * 62) >> 8)) as u8,
+                    (58 + ((haze * 48 - glow * 44) >> 8)) as u8,
                 );
             }
             at += 1;

@@ -128,7 +128,7 @@ pub static HEDGE: Tile = mipmap!(|x, y| {
 pub static WATER: Tile = mipmap!(|x, y| {
     let wave = noise(x, y, 4, 6, 18) + noise((x + y) % 64, y, 3, 6, 19);
     let crest = wave.abs_diff(255) / 2;
-    let light = if crest < 30 { 30 - crest } else { 0 };
+    let light = 30_u32.saturating_sub(crest);
     [20 + light as u8, 34 + light as u8, 62 + light as u8]
 });
 
@@ -212,7 +212,7 @@ pub static TREE: TextureArray<Argb1555, 64, 64> = plant!(64 x 64, [86, 124, 60],
     let tuft = noise(x, y, 3, 6, 24) + noise(x, y, 2, 6, 25) / 2 + hash(x, y, 26) / 3;
     let crown = (aside * aside) + up * up * 2;
     if crown + tuft * 7 < 4600 {
-        let top = if y < 44 { 44 - y } else { 0 };
+        let top = 44_u32.saturating_sub(y);
         60 + tuft / 4 + top * 3 + hash(x, y, 27) / 6
     } else if y > 30 && aside < 5 + y / 30 {
         70

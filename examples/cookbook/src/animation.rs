@@ -18,7 +18,7 @@ const DELAY: u16 = 10;
 const COLORS: usize = 63;
 const UNCHANGED: u8 = COLORS as u8;
 /// Two colors look the same if the squares of their differences in red, green and blue add up to no more.
-const TOLERANCE: i32 = 320;
+const TOLERANCE: i32 = 350;
 
 type Pixel = [u8; 4];
 
@@ -171,8 +171,8 @@ fn compressed(
 /// Red, green, blue and opacity of all pixels.
 fn pixels(picture: &SimulatorDisplay<Rgb565>) -> Vec<Pixel> {
     let size = picture.size();
-    let row = |y| (0..size.width as i32).map(move |x| Point::new(x, y));
-    (0..size.height as i32)
+    let row = |y| (0..size.width.cast_signed()).map(move |x| Point::new(x, y));
+    (0..size.height.cast_signed())
         .flat_map(row)
         .map(|at| Rgb888::from(picture.get_pixel(at)))
         .map(|color| [color.r(), color.g(), color.b(), 255])

@@ -69,7 +69,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let name = "world";
     if names.is_empty() || names.iter().any(|wanted| wanted == name) {
         let path = format!("{name}.gif");
-        let turns = (0..world::FRAMES).map(|frame| world::turn_of(frame));
+        let turns = (0..world::FRAMES).map(world::turn_of);
         let frames = turns.map(|turn| picture(|canvas| world::walk(canvas, turn)));
         animation::save(&path, &frames.collect::<Result<Vec<_>, _>>()?)?;
         println!("{path}");

@@ -56,8 +56,8 @@ mod tests {
         let pixels = |frame| picture(|canvas| walk(canvas, turn_of(frame))).unwrap();
         let changed = |a, b| {
             let (a, b) = (pixels(a), pixels(b));
-            let points =
-                (0..HEIGHT as i32).flat_map(|y| (0..WIDTH as i32).map(move |x| Point::new(x, y)));
+            let points = (0..HEIGHT.cast_signed())
+                .flat_map(|y| (0..WIDTH.cast_signed()).map(move |x| Point::new(x, y)));
             let luma = |color: Rgb565| i32::from(color.g());
             points
                 .map(|at| (luma(a.get_pixel(at)) - luma(b.get_pixel(at))).abs())
