@@ -29,8 +29,13 @@ pub struct Status {
 
 impl Status {
     /// Draws everything for which there is room: a low panel has no compass.
-    pub fn draw<T: DrawTarget<Color = Rgb565>>(&self, target: &mut T) -> Result<(), T::Error> {
-        let size = target.bounding_box().size;
+    ///
+    /// `size` is that of the frame. (A band's bounding box is only what of it is in memory.)
+    pub fn draw<T: DrawTarget<Color = Rgb565>>(
+        &self,
+        target: &mut T,
+        size: Size,
+    ) -> Result<(), T::Error> {
         if size.height >= LOW {
             self.compass(target, size)?;
         }

@@ -14,8 +14,8 @@ use fixel::prelude::*;
 pub const SIDE: usize = 20;
 
 /// `#` and `M`: wall and its battlements, `%`: tower, `H`: house, `G`: gate post, `h`: hedge, `.`: grass, `,`: gravel,
-/// `o`: paving, `~`: water. On grass, there are `L`: lamps, `C`: cypresses, `T`: trees, `b`: bushes; outside of the wall,
-/// `c`: cypresses, `t`: trees.
+/// `o`: paving, `~`: water. On grass, there are `L`: lamps, `C`: cypresses, `T`: trees, `b`: bushes. Outside of the
+/// wall, there are `c`: cypresses, `t`: trees.
 pub static MAP: [&[u8; SIDE]; SIDE] = [
     b"  t   c t    t  c   ",
     b" t  c      c    t t ",
@@ -60,6 +60,14 @@ struct Cell {
 
 /// The water's surface, in sixteenths of a unit.
 pub const WATER: i16 = -3;
+
+/// Whether a surface is of a material.
+const fn is(surface: Option<Material>, material: Material) -> bool {
+    match surface {
+        Some(surface) => surface as u8 == material as u8,
+        None => false,
+    }
+}
 
 /// The height outside of the wall, where nothing is to be seen.
 const OUTSIDE: i16 = i16::MAX;
@@ -196,14 +204,12 @@ impl Draft {
         let Cell { height, top, side } = cell(column, row);
         let (x, z) = (column as i16 * 16, row as i16 * 16);
         let (right, front) = (x + 16, z + 16);
-        if let Some(top) = top
-            && top as u8 == material as u8
-        {
+        if is(top, material) {
             let y = height;
             let corners = [[x, y, front], [right, y, front], [right, y, z], [x, y, z]];
             self.quad(corners, [[x, front], [right, front], [right, z], [x, z]]);
         }
-        if side as u8 != material as u8 || height == OUTSIDE {
+        if !is(Some(side), material) || height == OUTSIDE {
             return;
         }
         // The neighbors, and the lower corners of the sides towards them, from left to right as seen from there.
@@ -239,10 +245,10 @@ impl Draft {
     }
 }
 
-/// The first elements of an array.
+/// So many elements of an array, the first ones.
 macro_rules! first {
-    ($array:expr, $empty:expr) => {{
-        let mut first = [$empty; _];
+    ($count:expr, $array:expr) => {{
+        let mut first = [$array[0]; $count];
         let mut at = 0;
         while at < first.len() {
             first[at] = $array[at];
@@ -257,7 +263,7 @@ macro_rules! layer {
     ($material:ident) => {{
         #[allow(long_running_const_eval)]
         const DRAFT: Draft = Draft::new(Material::$material);
-        static POSITIONS: [[i16; 3]; DRAFT.vertices] = first!(DRAFT.positions, [0; 3]);
+        static POSITIONS: [[i16; 3]; DRAFT.vertices] = first!(DRAFT.vertices, DRAFT.positions);
         static UVS: [Vec2; DRAFT.vertices] = {
             let mut uvs = [vec2!(0, 0); DRAFT.vertices];
             let mut at = 0;
@@ -268,7 +274,7 @@ macro_rules! layer {
             }
             uvs
         };
-        static FACES: [[Index; 3]; DRAFT.triangles] = first!(DRAFT.faces, [0; 3]);
+        static FACES: [[Index; 3]; DRAFT.triangles] = first!(DRAFT.triangles, DRAFT.faces);
         Layer {
             mesh: Mesh::checked(
                 Mesh::checked(Mesh::short(&POSITIONS, 4, &FACES)).with_uvs(&UVS, None),

@@ -1,8 +1,8 @@
 //! A little world: a walled garden at dusk, seen by someone who walks around its pond.
 //!
-//! It needs only this crate and embedded-graphics, no memory but the canvas, and no file: the compiler makes meshes of a
-//! map in letters, and paints the textures. A picture depends on one angle, of which a whole turn is once around. For a
-//! frame, or for each band of one, a program calls
+//! It needs only this crate and embedded-graphics, no memory but the canvas, and no file: the compiler makes meshes of
+//! a map in letters, and paints the textures. A picture depends on one angle, of which a whole turn is once around. For
+//! a frame, or for each band of one, a program calls
 //!
 //! ```ignore
 //! world::draw(&mut canvas, Rate::rpm(8).angle_at(now_ms))?;
@@ -141,7 +141,7 @@ where
         heading: Angle::atan2(ahead.x, -ahead.z),
         gauges: [205, 150],
     };
-    let Ok(()) = status.draw(canvas);
+    let Ok(()) = status.draw(canvas, size);
     Ok(())
 }
 
