@@ -419,3 +419,22 @@ impl Scene {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every stop is met from both sides, the first one from the end: the walk has no jump.
+    #[test]
+    fn the_walk_is_closed() {
+        for points in [&WALK, &LOOK] {
+            for (stop, &point) in (0..).zip(points) {
+                let turn = Angle::from_bits(stop << 29);
+                assert_eq!(along(points, turn), point);
+                // A step of 2^-20 of the way between two stops, which are less than 8 units apart; and rounding.
+                let before = along(points, turn - Angle::from_bits(1 << 9));
+                assert!(before.distance(point) < fx!(0.001), "{stop}: {before}");
+            }
+        }
+    }
+}
