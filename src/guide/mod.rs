@@ -1,9 +1,9 @@
 //! Guides, longer than an item's page. Their drawing code is compiled and run as doctests.
 
-/// Shows the picture of a scene of the cookbook and its program, which is compiled as it stands. The picture is part of
-/// the page, so that it is there wherever the page is.
-macro_rules! recipe {
-    ($title:literal, $name:literal $(, $attribute:literal)?) => {
+/// A title and the picture of a scene of the cookbook. The picture is part of the page, so that it is there wherever the
+/// page is.
+macro_rules! picture {
+    ($title:literal, $name:literal) => {
         concat!(
             "# ",
             $title,
@@ -11,7 +11,17 @@ macro_rules! recipe {
             $title,
             "](data:image/png;base64,",
             include_str!(concat!("../../examples/assets/", $name, ".base64")),
-            ")\n\n```",
+            ")\n\n"
+        )
+    };
+}
+
+/// Shows a scene of the cookbook: its picture and its program, which is compiled as it stands.
+macro_rules! recipe {
+    ($title:literal, $name:literal $(, $attribute:literal)?) => {
+        concat!(
+            picture!($title, $name),
+            "```",
             $($attribute,)?
             "\n",
             include_str!(concat!("../../examples/cookbook/src/", $name, ".rs")),
@@ -42,6 +52,11 @@ macro_rules! recipe {
 #[doc = recipe!("Labels", "labels")]
 #[doc = recipe!("Picking", "picking")]
 #[doc = recipe!("Instruments", "instruments")]
+#[doc = picture!("A little world", "world")]
+/// A walk through a garden at dusk has most of these words at once: walls, grass and water with mipmaps, trees and
+/// lamps' glow as sprites, lamps that light what is near, fog, a sky with stars and a moon, a mirror image under
+/// translucent water, labels, and a display of compass, gauges and map. `cargo run -p cookbook world` draws it and makes
+/// an animation; `examples/common/world` is its program, for frames and bands, with no memory but the canvas.
 pub mod cookbook {}
 
 #[doc = include_str!("firmware.md")]

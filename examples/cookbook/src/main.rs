@@ -1,5 +1,6 @@
-//! Small scenes, one idea each: see `--help`.
+//! Small scenes, one idea each, and a little world: see `--help`.
 
+mod animation;
 mod bands;
 mod blending;
 mod cut_out;
@@ -20,6 +21,7 @@ mod terrain;
 mod toon;
 mod two_cores;
 mod wireframe;
+mod world;
 
 use std::error::Error;
 use std::fs;
@@ -43,6 +45,9 @@ type Frame<'c> = Canvas<'c, Rgb565, Native, Depth<'c>>;
 /// What draws a scene.
 type Draw = fn(&mut Frame<'_>) -> Result<(), fixel::Error>;
 
+/// The scene that is longer than the others, and moves.
+const WORLD: &str = "world";
+
 const RECIPES: &[(&str, Draw)] = &[
     ("bands", bands::draw),
     ("blending", blending::draw),
@@ -64,9 +69,11 @@ const RECIPES: &[(&str, Draw)] = &[
     ("toon", toon::draw),
     ("two_cores", two_cores::draw),
     ("wireframe", wireframe::draw),
+    (WORLD, world::draw),
 ];
 
-/// Draws small scenes, one idea each, and saves a picture of each as a PNG file in the current folder.
+/// Draws small scenes, one idea each, and saves a picture of each as a PNG file in the current folder; of `world`, an
+/// animation too.
 #[derive(Parser)]
 struct Args {
     /// Draw only these.
@@ -91,15 +98,23 @@ fn size(text: &str) -> Result<Size, String> {
 fn main() -> Result<(), Box<dyn Error>> {
     let args = Args::parse();
     let folder = if args.renew { assets() } else { PathBuf::new() };
+    let size = args.size.unwrap_or(SIZE);
     for &(name, draw) in RECIPES {
         if args.scenes.is_empty() || args.scenes.iter().any(|scene| scene == name) {
             let path = folder.join(name).with_extension("png");
-            picture(draw, args.size.unwrap_or(SIZE))?
+            picture(draw, size)?
                 .to_rgb_output_image(&OutputSettings::default())
                 .save_png(&path)?;
             println!("{}", path.display());
             if args.renew {
                 fs::write(path.with_extension("base64"), base64_of(&path)?)?;
+            }
+            if name == WORLD {
+                let path = path.with_extension("gif");
+                let turns = (0..world::FRAMES).map(world::turn_of);
+                let frames = turns.map(|turn| picture(|canvas| world::walk(canvas, turn), size));
+                animation::save(&path, &frames.collect::<Result<Vec<_>, _>>()?)?;
+                println!("{}", path.display());
             }
         }
     }
@@ -107,7 +122,10 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// Draws a scene.
-fn picture(draw: Draw, size: Size) -> Result<SimulatorDisplay<Rgb565>, fixel::Error> {
+fn picture(
+    draw: impl Fn(&mut Frame<'_>) -> Result<(), fixel::Error>,
+    size: Size,
+) -> Result<SimulatorDisplay<Rgb565>, fixel::Error> {
     let mut colors = vec![Rgb565::BLACK; (size.width * size.height) as usize];
     let mut depths = vec![0; colors.len()];
     let mut canvas = Canvas::new(&mut colors, size.width, size.height)?.with_depth(&mut depths)?;
@@ -159,7 +177,7 @@ mod tests {
     #[test]
     fn scenes_are_short() {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../src");
-        for (name, _) in RECIPES {
+        for (name, _) in RECIPES.iter().filter(|(name, _)| *name != WORLD) {
             let text = fs::read_to_string(folder.join(name).with_extension("rs")).unwrap();
             assert!(text.lines().count() < 60, "{name} has 60 lines or more");
         }

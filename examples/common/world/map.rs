@@ -1,0 +1,328 @@
+//! The map, and the meshes that the compiler makes of it.
+//!
+//! The world is 20 units wide and long. x is to the right of the map (east), z down (south), and y is height. Each
+//! character is a cell of one unit. Cells of a height above their neighbors' get sides, those that one can look down on
+//! get a top. Faces are sorted by blocks of 5x5 cells, so that a block out of view costs one test.
+
+use core::ops::Range;
+
+use fixel::Index;
+use fixel::mesh::Bounds;
+use fixel::prelude::*;
+
+/// Cells along a side of the map.
+pub const SIDE: usize = 20;
+
+/// `#` and `M`: wall and its battlements, `%`: tower, `H`: house, `G`: gate post, `h`: hedge, `.`: grass, `,`: gravel,
+/// `o`: paving, `~`: water. On grass, there are `L`: lamps, `C`: cypresses, `T`: trees, `b`: bushes. Outside of the
+/// wall, there are `c`: cypresses, `t`: trees.
+pub static MAP: [&[u8; SIDE]; SIDE] = [
+    b"  t   c t    t  c   ",
+    b" t  c      c    t t ",
+    b" %%#M#MHHHHHHM#M#%% ",
+    b"t%%b...HHHHHH...b%% ",
+    b"  MC.b.HHHHHH.b.CM t",
+    b" t#T.L,,,,,,,,L.T#  ",
+    b"  M.,,,,,,,,,,,,.Mc ",
+    b"  #.,,.oooooo.,,.#t ",
+    b"  MC,,.o~~~~o.,,CM  ",
+    b"t #.,,.o~~~~o.,,.#  ",
+    b"  M.,,.o~~~~o.,,.Mc ",
+    b"  #C,,.o~~~~o.,,C#t ",
+    b" tM.,,.oooooo.,,.M  ",
+    b"  #L,,..b..b..,,L#  ",
+    b"  M.,,,,,,,,,,,,.Mt ",
+    b"  #.ThhhL,,LhhhT.#  ",
+    b"t%%.bhh.C,,C.hhb.%% ",
+    b" %%#M#M#G,,G#M#M#%%t",
+    b" t   t  .,,.  t     ",
+    b"  c   t t,, t   t c ",
+];
+
+/// What covers a surface.
+#[derive(Clone, Copy, PartialEq, Eq)]
+#[repr(u8)]
+pub enum Material {
+    Grass,
+    Gravel,
+    Paving,
+    Stone,
+    Plaster,
+    Hedge,
+}
+
+/// A cell: its height in sixteenths of a unit, and the materials of its top and its sides.
+struct Cell {
+    height: i16,
+    top: Option<Material>,
+    side: Material,
+}
+
+/// The water's surface, in sixteenths of a unit.
+pub const WATER: i16 = -3;
+
+/// Whether a surface is of a material.
+const fn is(surface: Option<Material>, material: Material) -> bool {
+    match surface {
+        Some(surface) => surface as u8 == material as u8,
+        None => false,
+    }
+}
+
+/// The height outside of the wall, where nothing is to be seen.
+const OUTSIDE: i16 = i16::MAX;
+
+const fn cell(x: usize, z: usize) -> Cell {
+    use Material::{Grass, Gravel, Hedge, Paving, Plaster, Stone};
+    // Beyond the map there is nothing to look down to.
+    let kind = if x < SIDE && z < SIDE {
+        MAP[z][x]
+    } else {
+        b' '
+    };
+    let (height, top, side) = match kind {
+        b'#' => (32, None, Stone),
+        b'M' => (38, None, Stone),
+        b'%' => (72, None, Stone),
+        b'G' => (48, None, Stone),
+        b'H' => (56, None, Plaster),
+        b'h' => (10, Some(Hedge), Hedge),
+        b'o' => (2, Some(Paving), Paving),
+        b',' => (0, Some(Gravel), Paving),
+        b'~' => (WATER, None, Paving),
+        b' ' | b't' | b'c' => (OUTSIDE, None, Stone),
+        _ => (0, Some(Grass), Paving),
+    };
+    Cell { height, top, side }
+}
+
+/// Blocks along a side of the map.
+const BLOCKS: usize = 4;
+/// Cells along a side of a block.
+const BLOCK: usize = SIDE / BLOCKS;
+
+/// The boxes around the blocks, roofs and trees apart.
+pub static BOUNDS: [Bounds; BLOCKS * BLOCKS] = {
+    let mut bounds = [Bounds::new(Vec3::ZERO, Vec3::ZERO); BLOCKS * BLOCKS];
+    let mut at = 0;
+    while at < bounds.len() {
+        let (x, z) = ((at % BLOCKS * BLOCK) as i16, (at / BLOCKS * BLOCK) as i16);
+        let size = BLOCK as i16;
+        bounds[at] = Bounds::new(
+            Vec3::from_ints(x, -1, z),
+            Vec3::from_ints(x + size, 5, z + size),
+        );
+        at += 1;
+    }
+    bounds
+};
+
+/// All faces of a material.
+pub struct Layer {
+    mesh: Mesh<'static>,
+    /// Where the faces of each block begin, and the end of the last.
+    starts: [usize; BLOCKS * BLOCKS + 1],
+}
+
+impl Layer {
+    /// The faces in a block; `None` if there are none.
+    pub fn block(&self, block: usize) -> Option<Mesh<'static>> {
+        let faces: Range<usize> = *self.starts.get(block)?..*self.starts.get(block + 1)?;
+        (!faces.is_empty()).then(|| self.mesh.part(faces))
+    }
+}
+
+/// Room for any layer, while the compiler makes it.
+struct Draft {
+    positions: [[i16; 3]; 1600],
+    /// In sixteenths of a unit of the world, of which a texture covers two.
+    uvs: [[i16; 2]; 1600],
+    faces: [[Index; 3]; 1600],
+    starts: [usize; BLOCKS * BLOCKS + 1],
+    vertices: usize,
+    triangles: usize,
+    /// The first vertex of the block: those of other blocks are not shared.
+    first: usize,
+}
+
+impl Draft {
+    /// The index of a vertex, shared if the block has it already. Positions are in sixteenths of a unit.
+    const fn vertex(&mut self, [x, y, z]: [i16; 3], [u, v]: [i16; 2]) -> Index {
+        let mut at = self.first;
+        while at < self.vertices {
+            let ([a, b, c], [d, e]) = (self.positions[at], self.uvs[at]);
+            if a == x && c == z && b == y && d == u && e == v {
+                return at as Index;
+            }
+            at += 1;
+        }
+        self.positions[at] = [x, y, z];
+        self.uvs[at] = [u, v];
+        self.vertices += 1;
+        at as Index
+    }
+
+    /// A rectangle, counter-clockwise from its bottom left.
+    const fn quad(&mut self, corners: [[i16; 3]; 4], uvs: [[i16; 2]; 4]) {
+        let a = self.vertex(corners[0], uvs[0]);
+        let b = self.vertex(corners[1], uvs[1]);
+        let c = self.vertex(corners[2], uvs[2]);
+        let d = self.vertex(corners[3], uvs[3]);
+        self.faces[self.triangles] = [a, b, c];
+        self.faces[self.triangles + 1] = [a, c, d];
+        self.triangles += 2;
+    }
+
+    /// The faces of a material.
+    const fn new(material: Material) -> Self {
+        let mut draft = Self {
+            positions: [[0; 3]; 1600],
+            uvs: [[0; 2]; 1600],
+            faces: [[0; 3]; 1600],
+            starts: [0; BLOCKS * BLOCKS + 1],
+            vertices: 0,
+            triangles: 0,
+            first: 0,
+        };
+        let mut at = 0;
+        while at < SIDE * SIDE {
+            let (block, inside) = (at / (BLOCK * BLOCK), at % (BLOCK * BLOCK));
+            if inside == 0 {
+                draft.first = draft.vertices;
+                draft.starts[block] = draft.triangles;
+            }
+            let x = block % BLOCKS * BLOCK + inside % BLOCK;
+            let z = block / BLOCKS * BLOCK + inside / BLOCK;
+            draft.cell(x, z, material);
+            at += 1;
+        }
+        draft.starts[BLOCKS * BLOCKS] = draft.triangles;
+        draft
+    }
+
+    const fn cell(&mut self, column: usize, row: usize, material: Material) {
+        let Cell { height, top, side } = cell(column, row);
+        let (x, z) = (column as i16 * 16, row as i16 * 16);
+        let (right, front) = (x + 16, z + 16);
+        if is(top, material) {
+            let y = height;
+            let corners = [[x, y, front], [right, y, front], [right, y, z], [x, y, z]];
+            self.quad(corners, [[x, front], [right, front], [right, z], [x, z]]);
+        }
+        if !is(Some(side), material) || height == OUTSIDE {
+            return;
+        }
+        // The neighbors, and the lower corners of the sides towards them, from left to right as seen from there.
+        // The left and upper edges of the map have no neighbors: an index wraps to one that `cell` does not know.
+        let sides = [
+            (cell(column, row.wrapping_sub(1)), [right, z], [x, z]),
+            (cell(column, row + 1), [x, front], [right, front]),
+            (cell(column + 1, row), [right, front], [right, z]),
+            (cell(column.wrapping_sub(1), row), [x, z], [x, front]),
+        ];
+        let mut at = 0;
+        while at < 4 {
+            let (Cell { height: mut y, .. }, [a, b], [c, d]) = sides[at];
+            // To the north and the east, coordinates fall from left to right.
+            let (from, to) = match at {
+                0 => (-a, -c),
+                1 => (a, c),
+                2 => (-b, -d),
+                _ => (b, d),
+            };
+            // Light is computed at the vertices: no side is higher than a unit.
+            while y < height {
+                let floor = (y.div_euclid(16) + 1) * 16;
+                let upper = if floor < height { floor } else { height };
+                self.quad(
+                    [[a, y, b], [c, y, d], [c, upper, d], [a, upper, b]],
+                    [[from, -y], [to, -y], [to, -upper], [from, -upper]],
+                );
+                y = upper;
+            }
+            at += 1;
+        }
+    }
+}
+
+/// So many elements of an array, the first ones.
+macro_rules! first {
+    ($count:expr, $array:expr) => {{
+        let mut first = [$array[0]; $count];
+        let mut at = 0;
+        while at < first.len() {
+            first[at] = $array[at];
+            at += 1;
+        }
+        first
+    }};
+}
+
+/// A layer in flash, with no more room than it needs.
+macro_rules! layer {
+    ($material:ident) => {{
+        #[allow(long_running_const_eval)]
+        const DRAFT: Draft = Draft::new(Material::$material);
+        static POSITIONS: [[i16; 3]; DRAFT.vertices] = first!(DRAFT.vertices, DRAFT.positions);
+        static UVS: [Vec2; DRAFT.vertices] = {
+            let mut uvs = [vec2!(0, 0); DRAFT.vertices];
+            let mut at = 0;
+            while at < uvs.len() {
+                let [u, v] = DRAFT.uvs[at];
+                uvs[at] = Vec2::from_bits([(u as i32) << 15, (v as i32) << 15]);
+                at += 1;
+            }
+            uvs
+        };
+        static FACES: [[Index; 3]; DRAFT.triangles] = first!(DRAFT.triangles, DRAFT.faces);
+        Layer {
+            mesh: Mesh::checked(
+                Mesh::checked(Mesh::short(&POSITIONS, 4, &FACES)).with_uvs(&UVS, None),
+            ),
+            starts: DRAFT.starts,
+        }
+    }};
+}
+
+pub static GRASS: Layer = layer!(Grass);
+pub static GRAVEL: Layer = layer!(Gravel);
+pub static PAVING: Layer = layer!(Paving);
+pub static STONE: Layer = layer!(Stone);
+pub static PLASTER: Layer = layer!(Plaster);
+pub static HEDGE: Layer = layer!(Hedge);
+
+/// How many cells are of one of two kinds.
+const fn count(kinds: [u8; 2]) -> usize {
+    let (mut count, mut at) = (0, 0);
+    while at < SIDE * SIDE {
+        let cell = MAP[at / SIDE][at % SIDE];
+        count += (cell == kinds[0] || cell == kinds[1]) as usize;
+        at += 1;
+    }
+    count
+}
+
+/// Points at a height above the cells of two kinds, near their middles.
+const fn points<const N: usize>(kinds: [u8; 2], y: Scalar, jitter: i32) -> [Vec3; N] {
+    let mut points = [Vec3::ZERO; N];
+    let (mut found, mut at) = (0, 0);
+    while at < SIDE * SIDE {
+        let (x, z) = (at % SIDE, at / SIDE);
+        if MAP[z][x] == kinds[0] || MAP[z][x] == kinds[1] {
+            let shift = [(at * 37 % 64) as i32 - 32, (at * 23 % 64) as i32 - 32];
+            points[found] = Vec3::from_bits([
+                ((x as i32) << 16) + 0x8000 + shift[0] * jitter,
+                y.to_bits(),
+                ((z as i32) << 16) + 0x8000 + shift[1] * jitter,
+            ]);
+            found += 1;
+        }
+        at += 1;
+    }
+    points
+}
+
+pub static LAMPS: [Vec3; count(*b"LL")] = points(*b"LL", fx!(1.6), 0);
+pub static TREES: [Vec3; count(*b"Tt")] = points(*b"Tt", fx!(0), 400);
+pub static CYPRESSES: [Vec3; count(*b"Cc")] = points(*b"Cc", fx!(0), 200);
+pub static BUSHES: [Vec3; count(*b"bb")] = points(*b"bb", fx!(0), 300);

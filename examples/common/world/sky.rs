@@ -1,0 +1,103 @@
+//! The sky: colors by height and direction, stars, and a moon.
+
+use embedded_graphics::pixelcolor::{GrayColor, Rgb565, Rgb888};
+use fixel::prelude::*;
+use fixel::target::{Add, DepthBuffer, NoTest, Storage};
+
+use super::textures::{GLOW, MOON};
+
+/// Where the air is thick, everything has this color.
+pub const HAZE: Rgb888 = Rgb888::new(92, 70, 100);
+
+const BALL: Mesh = shape!(sphere(16, 20))
+    .without_edges()
+    .without_uvs()
+    .without_normals();
+const CORNERS: usize = 17 * 21;
+
+/// Dark blue above, purple haze to the east and the afterglow of the sun to the west. What is below the horizon is for
+/// the water, where it is seen from below.
+static DOME: Mesh = {
+    static COLORS: [Rgb888; CORNERS] = {
+        let mut colors = [HAZE; CORNERS];
+        let mut at = 0;
+        while at < CORNERS {
+            if let Some(point) = BALL.positions().get(at) {
+                let [x, y, _] = point.to_bits();
+                // 0 to 256, from east to west and from the horizon up.
+                let west = (0x1_0000 - x) >> 9;
+                let low = 256 - (y.unsigned_abs() >> 8) as i32;
+                // (low/256)² and its square: the glow is lower than the haze.
+                let haze = (low * low) >> 8;
+                let glow = (((haze * haze) >> 8) * ((west * west) >> 8)) >> 8;
+                colors[at] = Rgb888::new(
+                    (16 + ((haze * 70 + glow * 165) >> 8)) as u8,
+                    (20 + ((haze * 46 + glow * 62) >> 8)) as u8,
+                    (58 + ((haze * 48 - glow * 44) >> 8)) as u8,
+                );
+            }
+            at += 1;
+        }
+        colors
+    };
+    Mesh::checked(BALL.with_colors(&COLORS, None))
+};
+
+const COUNT: usize = 160;
+
+/// Directions of stars, and how bright they are.
+static STARS: ([Vec3; COUNT], [Rgb888; COUNT]) = {
+    let mut stars = ([Vec3::ZERO; COUNT], [HAZE; COUNT]);
+    let mut at = 0;
+    while at < COUNT {
+        // Multiples of irrational numbers, modulo 1, spread them evenly.
+        let turn = Angle::from_bits((at as u32).wrapping_mul(2_654_435_769));
+        let (sin, cos) = turn.sin_cos();
+        let height = 9_000 + (at * 49_471 % 0x1_0000) as i32;
+        stars.0[at] = Vec3::from_bits([sin.to_bits() >> 14, height, cos.to_bits() >> 14]);
+        let light = 70 + (at * 97 % 160) as u8;
+        stars.1[at] = Rgb888::new(light - 20, light - 25, light);
+        at += 1;
+    }
+    stars
+};
+
+/// Where the moon is.
+const MOON_AT: Vec3 = vec3!(9.5, 10.2, -26);
+
+/// Draws the sky. The view is that of a [camera in its middle](Camera::sky), and nothing is farther: no depth is tested
+/// or stored.
+pub fn draw<O, D>(canvas: &mut Canvas<'_, Rgb565, O, D>, view: &Mvp) -> Result<(), Error>
+where
+    O: Storage<Rgb565>,
+    D: DepthBuffer,
+{
+    let behind = DrawOptions::new()
+        .with_depth(NoTest)
+        .with_cull(Cull::Nothing);
+    let dome = *view * Transform::scale(fx!(30));
+    canvas.draw_with(&behind, &DOME, &dome, &Gouraud::new());
+
+    let shining = behind.with_blending(Add);
+    let stars = Sprites::in_pixels(&STARS.0, (fx!(1), fx!(1)))?.with_colors(&STARS.1)?;
+    canvas.draw_sprites(&shining, &stars, &dome, &Gouraud::new());
+
+    let halo = Textured::new(&GLOW).clamped().bilinear().map(|_, light| {
+        let light = light.luma() >> 4;
+        Some(Rgb565::new(light / 2, light, 2 * light / 3))
+    });
+    canvas.draw_sprites(
+        &shining,
+        &Sprites::new(&[MOON_AT], (fx!(11), fx!(11)))?,
+        view,
+        &halo,
+    );
+    let moon = Textured::new(&MOON).clamped().bilinear();
+    canvas.draw_sprites(
+        &behind,
+        &Sprites::new(&[MOON_AT], (fx!(2.6), fx!(2.6)))?,
+        view,
+        &moon,
+    );
+    Ok(())
+}
