@@ -226,39 +226,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
         mesh: &'a Mesh<'a>,
         mvp: &V,
     ) -> Result<Prepared<'a, V::Kind, M, Z, B>, Error> {
-        let frame = frame.into();
-        check_size(frame.width, frame.height)?;
-        let viewport = options.viewport_in(frame);
-        let call = Call::new(options, mesh, mvp, (frame, &(0..frame.height)));
-        self.triangles.clear();
-        self.vertices.clear();
-        let mut filling = Filling {
-            triangles: self.triangles.as_mut_view(),
-            vertices: self.vertices.as_mut_view(),
-            needed: Needed::default(),
-            rows: [u16::MAX, 0],
-            cull: call.shared.cull,
-            scissor: &call.shared.scissor,
-            numbers: [(0, 0); cache::SIZE],
-        };
-        run::triangles(&call, 0, &mut filling);
-        let rows = filling.rows;
-        filling.needed.check::<TRIANGLES, VERTICES>()?;
-        Ok(Prepared {
-            mesh,
-            model: *mvp.model_of(),
-            model_view: mvp.model_view_of(),
-            kind: PhantomData,
-            viewport,
-            cull: call.shared.cull,
-            triangles: &self.triangles,
-            vertices: &self.vertices,
-            rows,
-            depth_shift: call.depth_shift(),
-            mode: options.mode,
-            test: options.depth,
-            blending: options.blending,
-        })
+        self.prepare_in_order::<false, _, _, _, _>(options, frame.into(), mesh, mvp)
     }
 
     /// Prepares a mesh's triangles like [`prepare`](Self::prepare), and sorts them back to front: painter's order. So a
@@ -352,41 +320,65 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
         mesh: &'a Mesh<'a>,
         mvp: &V,
     ) -> Result<Prepared<'a, V::Kind, M, Z, B>, Error> {
-        let frame = frame.into();
-        let Prepared {
-            model,
-            model_view,
-            kind,
-            viewport,
-            cull,
-            rows,
-            depth_shift,
-            mode,
-            test,
-            blending,
-            ..
-        } = self.prepare(options, frame, mesh, mvp)?;
-        let scissor = Scissor::new(&viewport, frame.width, &(0..frame.height));
-        painter::sort(
-            &mut self.triangles,
-            &self.vertices,
-            depth_shift,
-            &scissor.rows,
-        );
+        self.prepare_in_order::<true, _, _, _, _>(options, frame.into(), mesh, mvp)
+    }
+
+    /// Prepares a mesh's triangles, in the order of the mesh or back to front.
+    #[inline]
+    fn prepare_in_order<
+        'a,
+        const SORTED: bool,
+        M: Mode,
+        Z: DepthTest,
+        B: Copy,
+        V: ModelToPicture,
+    >(
+        &'a mut self,
+        options: &DrawOptions<M, Z, B>,
+        frame: Size,
+        mesh: &'a Mesh<'a>,
+        mvp: &V,
+    ) -> Result<Prepared<'a, V::Kind, M, Z, B>, Error> {
+        check_size(frame.width, frame.height)?;
+        let viewport = options.viewport_in(frame);
+        let call = Call::new(options, mesh, mvp, (frame, &(0..frame.height)));
+        self.triangles.clear();
+        self.vertices.clear();
+        let mut filling = Filling {
+            triangles: self.triangles.as_mut_view(),
+            vertices: self.vertices.as_mut_view(),
+            needed: Needed::default(),
+            rows: [u16::MAX, 0],
+            cull: call.shared.cull,
+            scissor: &call.shared.scissor,
+            numbers: [(0, 0); cache::SIZE],
+        };
+        run::triangles(&call, 0, &mut filling);
+        let rows = filling.rows;
+        filling.needed.check::<TRIANGLES, VERTICES>()?;
+        if SORTED {
+            let rows = &call.shared.scissor.rows;
+            painter::sort(
+                &mut self.triangles,
+                &self.vertices,
+                call.depth_shift(),
+                rows,
+            );
+        }
         Ok(Prepared {
             mesh,
-            model,
-            model_view,
-            kind,
+            model: *mvp.model_of(),
+            model_view: mvp.model_view_of(),
+            kind: PhantomData,
             viewport,
-            cull,
+            cull: call.shared.cull,
             triangles: &self.triangles,
             vertices: &self.vertices,
             rows,
-            depth_shift,
-            mode,
-            test,
-            blending,
+            depth_shift: call.depth_shift(),
+            mode: options.mode,
+            test: options.depth,
+            blending: options.blending,
         })
     }
 }

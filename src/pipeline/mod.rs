@@ -224,7 +224,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         &mut self,
         options: &DrawOptions<M, Z, B>,
         mesh: &Mesh<'_>,
-        (outline, width): (&Outline<'_>, LineWidth),
+        outline: &Outline<'_>,
+        width: LineWidth,
         mvp: &V,
         shader: &S,
     ) -> Drawn {

@@ -211,7 +211,7 @@ fn wide_outlines_are_outlines() {
     let wide = |width| {
         let width = LineWidth::new(width).unwrap();
         drawn(SIZE.1, |frame, pen| {
-            frame.draw_wide_outline(&options, &CAN, (&RIMS, width), &mvp, pen)
+            frame.draw_wide_outline(&options, &CAN, &RIMS, width, &mvp, pen)
         })
     };
     assert_eq!(wide(fx!(1)), thin);

@@ -63,8 +63,8 @@ impl<K: ProjectionKind> Call<'_, K> {
                 match self.width() {
                     None => canvas.draw_outline(options, self.mesh, &outline, &self.mvp, shader),
                     Some(width) => {
-                        let lines = (&outline, width);
-                        canvas.draw_wide_outline(options, self.mesh, lines, &self.mvp, shader)
+                        let mesh = self.mesh;
+                        canvas.draw_wide_outline(options, mesh, &outline, width, &self.mvp, shader)
                     }
                 }
             }
