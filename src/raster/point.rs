@@ -7,20 +7,22 @@ pub(crate) fn point(raster: &mut Rasterizer<'_>, at: &ScreenVertex) {
     let scissor = raster.scissor;
     let [x, y] = at.screen.map(|position| position >> 8);
     if scissor.columns.contains(&x) && scissor.rows.contains(&y) {
-        set_up(raster, at, None);
+        set_up(raster, at, [x, y], None);
         raster.span(y, &(x..x + 1));
     }
 }
 
-/// Lays the interpolants over a point: at every pixel they have its values.
-#[inline]
+/// Lays the interpolants over a point in a pixel: everywhere they have its values.
+#[inline(always)]
+#[allow(clippy::inline_always)] // optimized for size, a call would take 19 instructions more
 pub(super) fn set_up(
     raster: &mut Rasterizer<'_>,
     at: &ScreenVertex,
+    [x, y]: [i32; 2],
     barycentric: Option<&[Barycentric; 3]>,
 ) {
     // All three values are the point's, so any triangle that begins in its pixel will do.
-    let [left, top] = at.screen.map(|position| position & !255);
+    let [left, top] = [x << 8, y << 8];
     let [a, b, c] = [[left, top], [left + 256, top], [left, top + 1]]
         .map(|screen| ScreenVertex { screen, ..*at });
     raster.blitter.set_up(&Patch {

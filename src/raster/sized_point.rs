@@ -116,7 +116,7 @@ pub(crate) fn sized_point(
     if rows.is_empty() {
         return;
     }
-    point::set_up(raster, at, None);
+    point::set_up(raster, at, [x >> 8, y >> 8], None);
     for row in rows {
         let columns = if is_round {
             let away = (row << 8) + 128 - y;
