@@ -17,10 +17,13 @@ pub use list::{Object, Prepared, PreparedScene, TriangleList};
 pub use options::DrawOptions;
 pub use ray::{Hit, Ray};
 
+use core::cell::Cell;
+
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::PixelColor;
 
 use call::Call;
+use outline::DrawLine;
 use sprites::Quads;
 use vertex::Projector;
 
@@ -28,10 +31,11 @@ use crate::Vec3;
 use crate::mesh::{Bounds, Mesh, Missing, Outline, Positions, Sprites};
 use crate::num::{Subpixel, block::BlockFloat};
 use crate::raster::{
-    self, Blitter, ClippedVertex, LineWidth, PointStyle, Rasterizer, Scissor, ScreenVertex,
+    self, Blitter, ClippedVertex, LineCover, LineWidth, PointStyle, Rasterizer, Scissor,
+    ScreenVertex,
 };
-use crate::shade::ShaderFor;
-use crate::span::{Blit, Mode};
+use crate::shade::{Levels, ShaderFor};
+use crate::span::{Blit, Mode, Painter, Smooth};
 use crate::target::{Blending, Canvas, DepthBuffer, DepthTest, Label, Storage};
 use crate::view::{ModelToPicture, ProjectionKind};
 
@@ -209,7 +213,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         shader: &S,
     ) -> Drawn {
         self.call(options, (mesh, mvp), shader, |call, blitter| {
-            outline::wide_edges(call, width, blitter)
+            outline::edges(call, &wide(width), blitter)
         })
     }
 
@@ -230,10 +234,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         shader: &S,
     ) -> Drawn {
         self.call(options, (mesh, mvp), shader, |call, blitter| {
-            let line = |raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]| {
-                raster::wide_line(raster, ends, width);
-            };
-            outline::outline(call, outline, &line, blitter)
+            outline::outline(call, outline, &wide(width), blitter)
         })
     }
 
@@ -306,6 +307,94 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         self.call(options, (mesh, mvp), shader, |call, blitter| {
             outline::outline(call, outline, &raster::line, blitter)
         })
+    }
+
+    /// Draws a mesh's [edges](Mesh::edges) as anti-aliased lines of a [width](LineWidth): each pixel is blended with what is
+    /// there by the share that the line covers of it.
+    ///
+    /// Let d be the distance from the pixel's center to the nearest point of the line, whose ends are exact to 1/256 pixel:
+    /// then the share is (width + 1)/2 − d, limited to 0 and 1. So ends are round, and a line is as wide and as strong in
+    /// every direction, unlike those of [`draw_edges`](Self::draw_edges). A share is within 1/256 of its value; blending
+    /// rounds as for [`Opacity`](crate::target::Opacity), and dithers coarse colors. On 1-bit panels, plain lines are
+    /// better.
+    ///
+    /// Depth and attributes are those of a plain line, along the longer axis; beyond the ends, those of the ends. The line
+    /// is up to √2 · (width + 1)/2 pixels away from its middle, where a surface's depth differs: with lines on the mesh that
+    /// hides them, move the mesh behind by that many pixels, as below. Draw smooth lines last, with
+    /// [`TestOnly`](crate::target::TestOnly), because what is drawn behind a half covered pixel later would not show.
+    ///
+    /// A blending of the options applies to the line's color before its share does.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+    /// use fixel::{prelude::*, target::{Biased, TestAndWrite, TestOnly}};
+    /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+    /// let projection = Projection::perspective(deg!(60), (1, 1), fx!(0.5), fx!(8))?;
+    /// let mvp = projection * Transform::translate(vec3!(0, 0, -1.9)) * Transform::rotate_y(deg!(30));
+    /// let (mut color, mut depth) = ([Gray8::BLACK; 24 * 24], [0; 24 * 24]);
+    /// let mut canvas = Canvas::new(&mut color, 24, 24)?.with_depth(&mut depth)?;
+    /// canvas.clear(Gray8::BLACK);
+    /// let behind = DrawOptions::new().with_depth(Biased::new(TestAndWrite, -2, fx!(-1.5)));
+    /// canvas.draw_with(&behind, &BOX, &mvp, &Flat::new(Gray8::new(60)));
+    /// let lines = DrawOptions::new().with_depth(TestOnly);
+    /// let thin = LineWidth::new(fx!(1))?;
+    /// canvas.draw_smooth_edges(&lines, &BOX, thin, &mvp, &Flat::new(Gray8::WHITE));
+    /// # assert!(canvas.pixels().any(|pixel| (61..255).contains(&pixel.luma())));
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn draw_smooth_edges<
+        M: Mode,
+        Z: DepthTest,
+        B: Blending<C>,
+        V: ModelToPicture,
+        S: ShaderFor<B::Source>,
+    >(
+        &mut self,
+        options: &DrawOptions<M, Z, B>,
+        mesh: &Mesh<'_>,
+        width: LineWidth,
+        mvp: &V,
+        shader: &S,
+    ) -> Drawn
+    where
+        C: Levels,
+    {
+        self.smooth(
+            options,
+            (mesh, mvp),
+            width,
+            shader,
+            |call, line, blitter| outline::edges(call, line, blitter),
+        )
+    }
+
+    /// Draws a mesh's [`Outline`] as [`draw_outline`](Self::draw_outline) does, in anti-aliased lines like those of
+    /// [`draw_smooth_edges`](Self::draw_smooth_edges).
+    pub fn draw_smooth_outline<
+        M: Mode,
+        Z: DepthTest,
+        B: Blending<C>,
+        V: ModelToPicture,
+        S: ShaderFor<B::Source>,
+    >(
+        &mut self,
+        options: &DrawOptions<M, Z, B>,
+        mesh: &Mesh<'_>,
+        outline: &Outline<'_>,
+        width: LineWidth,
+        mvp: &V,
+        shader: &S,
+    ) -> Drawn
+    where
+        C: Levels,
+    {
+        self.smooth(
+            options,
+            (mesh, mvp),
+            width,
+            shader,
+            |call, line, blitter| outline::outline(call, outline, line, blitter),
+        )
     }
 
     /// Draws a mesh's positions as points: the pixel that contains each.
@@ -635,6 +724,33 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         u32::try_from(size.at(8) >> 8).unwrap_or(u32::MAX)
     }
 
+    /// Sets up a draw call of anti-aliased lines and runs it.
+    #[inline]
+    fn smooth<M: Mode, Z: DepthTest, B: Blending<C>, V: ModelToPicture, S: ShaderFor<B::Source>>(
+        &mut self,
+        options: &DrawOptions<M, Z, B>,
+        parts: (&Mesh<'_>, &V),
+        width: LineWidth,
+        shader: &S,
+        stages: impl FnOnce(&Call<'_, V::Kind>, DrawLine<'_>, &mut dyn Blitter) -> Drawn,
+    ) -> Drawn
+    where
+        C: Levels,
+    {
+        let cover = Cell::new(LineCover::NONE);
+        let line = |raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]| {
+            raster::smooth_line(raster, ends, width, &cover);
+        };
+        let painter = Smooth {
+            shader: *shader,
+            blending: options.blending,
+            cover: &cover,
+        };
+        self.paint(options, parts, painter, |call, blitter| {
+            stages(call, &line, blitter)
+        })
+    }
+
     /// Sets up a draw call and runs it.
     #[inline]
     fn call<M: Mode, Z: DepthTest, B: Blending<C>, V: ModelToPicture, S: ShaderFor<B::Source>>(
@@ -644,14 +760,27 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         shader: &S,
         stages: impl FnOnce(&Call<'_, V::Kind>, &mut dyn Blitter) -> Drawn,
     ) -> Drawn {
+        self.paint(options, (mesh, mvp), (*shader, options.blending), stages)
+    }
+
+    /// The same with any painter.
+    #[inline]
+    fn paint<M: Mode, Z: DepthTest, B: Copy, V: ModelToPicture, P: Painter<Color = C>>(
+        &mut self,
+        options: &DrawOptions<M, Z, B>,
+        (mesh, mvp): (&Mesh<'_>, &V),
+        painter: P,
+        stages: impl FnOnce(&Call<'_, V::Kind>, &mut dyn Blitter) -> Drawn,
+    ) -> Drawn {
         let call = Call::new(options, mesh, mvp, (self.frame_size(), self.rows()));
         let modes = (options.mode, options.depth);
-        let mut blit = Blit::<_, _, _, V::Kind, _, _>::new(
-            modes,
-            self,
-            (*shader, options.blending),
-            call.depth_shift(),
-        );
+        let mut blit =
+            Blit::<_, _, _, V::Kind, _, _>::new(modes, self, painter, call.depth_shift());
         stages(&call, &mut blit)
     }
+}
+
+/// Draws lines of a width.
+fn wide(width: LineWidth) -> impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]) {
+    move |raster, ends| raster::wide_line(raster, ends, width)
 }

@@ -1,11 +1,11 @@
-//! Outlines, which choose among the edges of a mesh, and lines of a width.
+//! Outlines, which choose among the edges of a mesh, and edges in any kind of line.
 
 use super::assemble;
 use super::cache::VertexCache;
 use super::call::Call;
 use super::{Drawn, run};
 use crate::mesh::{Index, Outline};
-use crate::raster::{self, Blitter, ClippedVertex, LineWidth, Rasterizer};
+use crate::raster::{Blitter, ClippedVertex, Rasterizer};
 use crate::view::ProjectionKind;
 
 /// Draws a line between two ends.
@@ -26,16 +26,13 @@ pub(super) fn outline<K: ProjectionKind>(
     run::lines(call, blitter, outline.edges(), ends_of, line)
 }
 
-/// Draws all edges of a mesh as lines of a width.
+/// Draws all edges of a mesh.
 #[inline(never)]
-pub(super) fn wide_edges<K: ProjectionKind>(
+pub(super) fn edges<K: ProjectionKind>(
     call: &Call<'_, K>,
-    width: LineWidth,
+    line: DrawLine<'_>,
     blitter: &mut dyn Blitter,
 ) -> Drawn {
-    let line = |raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]| {
-        raster::wide_line(raster, ends, width);
-    };
     let edges = call.shared.mesh.edges();
     run::lines(call, blitter, edges, |_, _, &edge| Some(edge), line)
 }

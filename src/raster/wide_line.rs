@@ -5,7 +5,8 @@ use super::line::Course;
 use super::{ClippedVertex, Rasterizer};
 use crate::{Error, Scalar};
 
-/// The width of lines, in pixels, for [`Canvas::draw_wide_edges`](crate::Canvas::draw_wide_edges).
+/// The width of lines, in pixels, for [`Canvas::draw_wide_edges`](crate::Canvas::draw_wide_edges), as described here, and for
+/// [`Canvas::draw_smooth_edges`](crate::Canvas::draw_smooth_edges), which measures it at right angles to the line.
 ///
 /// For each pixel center that a line passes along its longer axis, it gets a run of pixels across that axis: those whose
 /// centers are within half the width of the line there. A center exactly on the upper or left end of the run does not

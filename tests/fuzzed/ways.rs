@@ -376,6 +376,15 @@ impl<K: ProjectionKind> Call<'_, K> {
         });
         let bands = self.in_bands(|band| band.draw_with(options, self.mesh, &self.mvp, shader));
         assert!(bands == frame, "blended bands differ");
+
+        let width = self.width().unwrap_or(LineWidth::new(fx!(1)).unwrap());
+        let draw = |canvas: &mut Frame<'_>| {
+            canvas.draw_smooth_edges(options, self.mesh, width, &self.mvp, shader)
+        };
+        let mut frame = self.blank();
+        let drawn = self.on_frame(&mut frame, draw);
+        assert!(drawn.clipped <= drawn.drawn && drawn.drawn <= drawn.submitted);
+        assert!(self.in_bands(draw) == frame, "bands of smooth lines differ");
     }
 
     /// A picture drawn in bands of the scene's heights.

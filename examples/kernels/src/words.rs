@@ -51,6 +51,16 @@ pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     };
     let ticks = watch.time(|| call(&mut canvas))?;
     watch.print("line-3-wide", "edge", edges, ticks);
+    let thin = LineWidth::new(fx!(1))?;
+    let call = |canvas: &mut Canvas<'_, _>| {
+        drawn(
+            canvas
+                .draw_smooth_edges(&options, &BALL, thin, &mvp, &white)
+                .drawn,
+        )
+    };
+    let ticks = watch.time(|| call(&mut canvas))?;
+    watch.print("line-smooth", "edge", edges, ticks);
     let edges = OUTLINE.edges().len() as u32;
     let ticks = watch.time(|| {
         drawn(
