@@ -13,7 +13,7 @@ mod run;
 mod sprites;
 mod vertex;
 
-pub use list::{Object, Prepared, PreparedScene, TriangleList};
+pub use list::{EdgeList, Object, Prepared, PreparedEdges, PreparedScene, TriangleList};
 pub use options::DrawOptions;
 pub use ray::{Hit, Ray};
 
@@ -23,11 +23,11 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::PixelColor;
 
 use call::Call;
+use list::check_frame;
 use outline::DrawLine;
 use sprites::Quads;
 use vertex::Projector;
 
-use crate::Vec3;
 use crate::mesh::{Bounds, Mesh, Missing, Outline, Positions, Sprites};
 use crate::num::{Subpixel, block::BlockFloat};
 use crate::raster::{
@@ -38,6 +38,7 @@ use crate::shade::{Levels, ShaderFor};
 use crate::span::{Blit, Mode, Painter, Smooth};
 use crate::target::{Blending, Canvas, DepthBuffer, DepthTest, Label, Storage};
 use crate::view::{ModelToPicture, ProjectionKind};
+use crate::{Error, Vec3};
 
 /// The result of a draw call: how many triangles, edges or points there were, and how many were drawn.
 ///
@@ -128,7 +129,9 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// Draws the triangles that were [prepared](TriangleList::prepare) for this frame and meet this canvas's rows. The
     /// pixels are those of [`draw_with`](Self::draw_with), but nothing is transformed again.
     ///
-    /// A canvas that is narrower than this frame draws the columns that it has.
+    /// # Errors
+    ///
+    /// [`Error::Frame`] if the canvas belongs to a frame of another size than the one that they were prepared for.
     pub fn draw_prepared<
         M: Mode,
         Z: DepthTest,
@@ -139,8 +142,9 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         &mut self,
         prepared: &Prepared<'_, K, M, Z, B>,
         shader: &S,
-    ) -> Drawn {
-        let (width, rows) = (self.frame_size().width, self.rows().clone());
+    ) -> Result<Drawn, Error> {
+        check_frame(self.frame_size(), prepared.frame)?;
+        let rows = self.rows().clone();
         let (mode, test) = (prepared.mode, prepared.test);
         let mut blit = Blit::<_, _, _, K, _, _>::new(
             (mode, test),
@@ -148,7 +152,80 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
             (*shader, prepared.blending),
             prepared.depth_shift,
         );
-        prepared.draw(&mut blit, width, &rows)
+        Ok(prepared.draw(&mut blit, &rows))
+    }
+
+    /// Draws the edges that were [prepared](EdgeList::prepare) for this frame and meet this canvas's rows, with the pixels of
+    /// [`draw_edges`](Self::draw_edges) or [`draw_outline`](Self::draw_outline). Nothing is transformed again.
+    ///
+    /// # Errors
+    ///
+    /// As for [`draw_prepared`](Self::draw_prepared).
+    pub fn draw_prepared_edges<
+        M: Mode,
+        Z: DepthTest,
+        B: Blending<C>,
+        K: ProjectionKind,
+        S: ShaderFor<B::Source>,
+    >(
+        &mut self,
+        prepared: &PreparedEdges<'_, K, M, Z, B>,
+        shader: &S,
+    ) -> Result<Drawn, Error> {
+        let painter = (*shader, prepared.blending);
+        self.paint_edges(prepared, painter, (&raster::line, 0))
+    }
+
+    /// Draws edges like [`draw_prepared_edges`](Self::draw_prepared_edges), with the pixels of
+    /// [`draw_wide_edges`](Self::draw_wide_edges) or [`draw_wide_outline`](Self::draw_wide_outline).
+    ///
+    /// # Errors
+    ///
+    /// As for [`draw_prepared`](Self::draw_prepared).
+    pub fn draw_prepared_wide_edges<
+        M: Mode,
+        Z: DepthTest,
+        B: Blending<C>,
+        K: ProjectionKind,
+        S: ShaderFor<B::Source>,
+    >(
+        &mut self,
+        prepared: &PreparedEdges<'_, K, M, Z, B>,
+        width: LineWidth,
+        shader: &S,
+    ) -> Result<Drawn, Error> {
+        let painter = (*shader, prepared.blending);
+        self.paint_edges(prepared, painter, (&wide(width), width.reach()))
+    }
+
+    /// Draws edges like [`draw_prepared_edges`](Self::draw_prepared_edges), with the pixels of
+    /// [`draw_smooth_edges`](Self::draw_smooth_edges) or [`draw_smooth_outline`](Self::draw_smooth_outline).
+    ///
+    /// # Errors
+    ///
+    /// As for [`draw_prepared`](Self::draw_prepared).
+    pub fn draw_prepared_smooth_edges<
+        M: Mode,
+        Z: DepthTest,
+        B: Blending<C>,
+        K: ProjectionKind,
+        S: ShaderFor<B::Source>,
+    >(
+        &mut self,
+        prepared: &PreparedEdges<'_, K, M, Z, B>,
+        width: LineWidth,
+        shader: &S,
+    ) -> Result<Drawn, Error>
+    where
+        C: Levels,
+    {
+        let cover = Cell::new(LineCover::NONE);
+        let painter = Smooth {
+            shader: *shader,
+            blending: prepared.blending,
+            cover: &cover,
+        };
+        self.paint_edges(prepared, painter, (&smooth(width, &cover), width.reach()))
     }
 
     /// Draws a mesh's [edges](Mesh::edges) as lines, one pixel wide.
@@ -724,6 +801,21 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         u32::try_from(size.at(8) >> 8).unwrap_or(u32::MAX)
     }
 
+    /// Draws prepared edges with any painter, as lines that reach so many rows beyond their ends.
+    #[inline]
+    fn paint_edges<M: Mode, Z: DepthTest, B: Copy, K: ProjectionKind, P: Painter<Color = C>>(
+        &mut self,
+        prepared: &PreparedEdges<'_, K, M, Z, B>,
+        painter: P,
+        line: (DrawLine<'_>, i32),
+    ) -> Result<Drawn, Error> {
+        check_frame(self.frame_size(), prepared.frame)?;
+        let rows = self.rows().clone();
+        let modes = (prepared.mode, prepared.test);
+        let mut blit = Blit::<_, _, _, K, _, _>::new(modes, self, painter, prepared.depth_shift);
+        Ok(prepared.draw(line, &mut blit, &rows))
+    }
+
     /// Sets up a draw call of anti-aliased lines and runs it.
     #[inline]
     fn smooth<M: Mode, Z: DepthTest, B: Blending<C>, V: ModelToPicture, S: ShaderFor<B::Source>>(
@@ -738,16 +830,13 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         C: Levels,
     {
         let cover = Cell::new(LineCover::NONE);
-        let line = |raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]| {
-            raster::smooth_line(raster, ends, width, &cover);
-        };
         let painter = Smooth {
             shader: *shader,
             blending: options.blending,
             cover: &cover,
         };
         self.paint(options, parts, painter, |call, blitter| {
-            stages(call, &line, blitter)
+            stages(call, &smooth(width, &cover), blitter)
         })
     }
 
@@ -783,4 +872,12 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
 /// Draws lines of a width.
 fn wide(width: LineWidth) -> impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]) {
     move |raster, ends| raster::wide_line(raster, ends, width)
+}
+
+/// Draws anti-aliased lines.
+fn smooth(
+    width: LineWidth,
+    cover: &Cell<LineCover>,
+) -> impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]) {
+    move |raster, ends| raster::smooth_line(raster, ends, width, cover)
 }

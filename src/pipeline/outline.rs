@@ -20,8 +20,7 @@ pub(super) fn outline<K: ProjectionKind>(
     blitter: &mut dyn Blitter,
 ) -> Drawn {
     let ends_of = |vertices: &mut VertexCache, at: usize, edge: &[Index; 4]| {
-        let [a, b, ..] = *edge;
-        is_drawn(call, vertices, *edge, at < outline.creases()).then_some([a, b])
+        ends_of(call, vertices, outline, (at, *edge))
     };
     run::lines(call, blitter, outline.edges(), ends_of, line)
 }
@@ -35,6 +34,18 @@ pub(super) fn edges<K: ProjectionKind>(
 ) -> Drawn {
     let edges = call.shared.mesh.edges();
     run::lines(call, blitter, edges, |_, _, &edge| Some(edge), line)
+}
+
+/// The ends of an outline's edge, if it is drawn.
+#[inline]
+pub(super) fn ends_of<K: ProjectionKind>(
+    call: &Call<'_, K>,
+    vertices: &mut VertexCache,
+    outline: &Outline<'_>,
+    (at, edge): (usize, [Index; 4]),
+) -> Option<[Index; 2]> {
+    let [a, b, ..] = edge;
+    is_drawn(call, vertices, edge, at < outline.creases()).then_some([a, b])
 }
 
 /// Whether an edge is drawn, from how its faces are turned.

@@ -54,6 +54,11 @@ impl LineWidth {
         })
     }
 
+    /// How many rows a line of this width may reach beyond its ends, anti-aliased or not.
+    pub(crate) const fn reach(self) -> i32 {
+        ((self.half + 128) >> 8) + 1
+    }
+
     /// The width in pixels.
     #[must_use]
     pub const fn pixels(self) -> Scalar {

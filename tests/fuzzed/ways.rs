@@ -13,7 +13,7 @@ use fixel::target::{
     Add, Alpha, Blending, Depth, DepthBuffer, Multiply, Native, Opacity, Storage, TestAndWrite,
 };
 use fixel::view::ProjectionKind;
-use fixel::{Drawn, Object, Prepared};
+use fixel::{Drawn, EdgeList, Object, Prepared, PreparedEdges};
 
 use super::scene::{Scene, What};
 use crate::recorder::{Record, Seen, record};
@@ -58,8 +58,7 @@ impl<K: ProjectionKind> Call<'_, K> {
             What::Triangles => canvas.draw_with(options, self.mesh, &self.mvp, shader),
             What::Edges if self.scene.style & 1 != 0 => {
                 let mut room = vec![[0; 4]; 3 * self.mesh.faces().len()];
-                let crease = Angle::from_bits(u32::from(self.scene.style) << 23);
-                let outline = Outline::build(self.mesh, crease, &mut room).unwrap();
+                let outline = self.outline(&mut room).unwrap();
                 match self.width() {
                     None => canvas.draw_outline(options, self.mesh, &outline, &self.mvp, shader),
                     Some(width) => {
@@ -219,6 +218,9 @@ impl<K: ProjectionKind> Call<'_, K> {
 
         let bands = self.in_bands(|band| self.draw(band, options, shader));
         assert!(bands == expected, "bands differ");
+        if self.scene.what == What::Edges {
+            self.check_prepared_edges(options, shader, &expected);
+        }
         if self.scene.what == What::Triangles {
             self.check_prepared(options, shader, &expected, counts[0]);
         }
@@ -278,12 +280,14 @@ impl<K: ProjectionKind> Call<'_, K> {
             .prepare(options, self.scene.size, self.mesh, &self.mvp)
             .unwrap();
         let mut frame = self.blank();
-        let counts = self.on_frame(&mut frame, |canvas| canvas.draw_prepared(&prepared, shader));
+        let counts = self.on_frame(&mut frame, |canvas| {
+            canvas.draw_prepared(&prepared, shader).unwrap()
+        });
         assert!(frame == *expected, "prepared triangles differ");
         // A triangle that clipping removes reports missing attributes only if it is not prepared.
         let missing = drawn.missing;
         assert_eq!(Drawn { missing, ..counts }, drawn);
-        let bands = self.in_bands(|band| band.draw_prepared(&prepared, shader));
+        let bands = self.in_bands(|band| band.draw_prepared(&prepared, shader).unwrap());
         assert!(bands == *expected, "bands of prepared triangles differ");
 
         // In another order, other triangles may show; but the same are drawn, and bands equal the frame.
@@ -291,9 +295,11 @@ impl<K: ProjectionKind> Call<'_, K> {
             .prepare_back_to_front(options, self.scene.size, self.mesh, &self.mvp)
             .unwrap();
         let mut frame = self.blank();
-        let counts = self.on_frame(&mut frame, |canvas| canvas.draw_prepared(&sorted, shader));
+        let counts = self.on_frame(&mut frame, |canvas| {
+            canvas.draw_prepared(&sorted, shader).unwrap()
+        });
         assert_eq!(Drawn { missing, ..counts }, drawn);
-        let bands = self.in_bands(|band| band.draw_prepared(&sorted, shader));
+        let bands = self.in_bands(|band| band.draw_prepared(&sorted, shader).unwrap());
         assert!(bands == frame, "bands of sorted triangles differ");
 
         // As two objects of a scene.
@@ -305,12 +311,64 @@ impl<K: ProjectionKind> Call<'_, K> {
         scene.sort_back_to_front();
         let draw = |canvas: &mut Frame<'_>| {
             for (shader, triangles) in scene.parts(canvas).unwrap() {
-                canvas.draw_prepared(&triangles, shader);
+                canvas.draw_prepared(&triangles, shader).unwrap();
             }
         };
         let mut frame = self.blank();
         self.on_frame(&mut frame, draw);
         assert!(self.in_bands(draw) == frame, "bands of a scene differ");
+    }
+
+    /// Draws prepared edges, in a frame and in bands; smooth ones beside those that were not prepared.
+    fn check_prepared_edges<I, F>(&self, options: &DrawOptions<I>, shader: &F, expected: &Picture)
+    where
+        I: Mode,
+        F: Shader<Color = Rgb565>,
+    {
+        let (mesh, size) = (self.mesh, self.scene.size);
+        let mut list: EdgeList<48, 200> = EdgeList::new();
+        let mut room = vec![[0; 4]; 3 * mesh.faces().len()];
+        let edges = match self.outline(&mut room) {
+            Some(outline) => list.prepare_outline(options, size, mesh, &outline, &self.mvp),
+            None => list.prepare(options, size, mesh, &self.mvp),
+        };
+        let edges: PreparedEdges<'_, K, I, _> = edges.unwrap();
+        let draw = |canvas: &mut Frame<'_>| match self.width() {
+            None => canvas.draw_prepared_edges(&edges, shader).unwrap(),
+            Some(width) => canvas
+                .draw_prepared_wide_edges(&edges, width, shader)
+                .unwrap(),
+        };
+        let mut frame = self.blank();
+        self.on_frame(&mut frame, draw);
+        assert!(frame == *expected, "prepared edges differ");
+        assert!(
+            self.in_bands(draw) == frame,
+            "bands of prepared edges differ"
+        );
+
+        let width = self.width().unwrap_or(LineWidth::new(fx!(1)).unwrap());
+        let mut direct = self.blank();
+        let mut room = vec![[0; 4]; 3 * mesh.faces().len()];
+        let outline = self.outline(&mut room);
+        self.on_frame(&mut direct, |canvas| match &outline {
+            Some(outline) => {
+                canvas.draw_smooth_outline(options, mesh, outline, width, &self.mvp, shader)
+            }
+            None => canvas.draw_smooth_edges(options, mesh, width, &self.mvp, shader),
+        });
+        let bands = self.in_bands(|band| {
+            band.draw_prepared_smooth_edges(&edges, width, shader)
+                .unwrap()
+        });
+        assert!(bands == direct, "bands of prepared smooth edges differ");
+    }
+
+    /// An outline, for every other style.
+    fn outline<'r>(&self, room: &'r mut [[u16; 4]]) -> Option<Outline<'r>> {
+        let crease = Angle::from_bits(u32::from(self.scene.style) << 23);
+        let has_outline = self.scene.style & 1 != 0;
+        has_outline.then(|| Outline::build(self.mesh, crease, room).unwrap())
     }
 
     /// Draws into a whole picture.

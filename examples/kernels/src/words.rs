@@ -4,9 +4,9 @@ use core::hint::black_box;
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use fixel::Index;
 use fixel::mesh::Keyframes;
 use fixel::prelude::*;
+use fixel::{EdgeList, Index};
 use static_cell::ConstStaticCell;
 
 use super::ticks::Stopwatch;
@@ -20,6 +20,7 @@ static COLORS: ConstStaticCell<[Rgb565; 64 * 64]> = ConstStaticCell::new([Rgb565
 static BALL: Mesh = shape!(sphere(16, 12));
 static OUTLINE: Outline = outline!(BALL, deg!(30));
 static LIST: ConstStaticCell<TriangleList<400, 250>> = ConstStaticCell::new(TriangleList::new());
+static EDGES: ConstStaticCell<EdgeList<400, 400>> = ConstStaticCell::new(EdgeList::new());
 
 /// Measures a call per sprite, line, point, triangle and vertex, and prints them.
 pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
@@ -61,6 +62,16 @@ pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     };
     let ticks = watch.time(|| call(&mut canvas))?;
     watch.print("line-smooth", "edge", edges, ticks);
+    let prepared = EDGES.take();
+    let ticks = watch.time(|| {
+        prepared
+            .prepare(&options, (SIZE, SIZE), &BALL, &mvp)
+            .map(|_| ())
+    })?;
+    watch.print("prepare-line", "edge", edges, ticks);
+    let prepared = prepared.prepare(&options, (SIZE, SIZE), &BALL, &mvp)?;
+    let ticks = watch.time(|| drawn(canvas.draw_prepared_edges(&prepared, &white)?.drawn))?;
+    watch.print("prepared-line", "edge", edges, ticks);
     let edges = OUTLINE.edges().len() as u32;
     let ticks = watch.time(|| {
         drawn(
