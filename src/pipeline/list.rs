@@ -52,9 +52,9 @@ use crate::view::{ModelToPicture, Perspective, ProjectionKind, Viewport};
 ///
 /// # Which camera, which frame
 ///
-/// What is prepared keeps the camera, the projection, the transforms and the options that it was prepared with, and drawing
-/// takes none of these: a list cannot be drawn with others. A canvas of another frame size is refused when it is drawn. As
-/// long as it is in use, the list, and the objects of a scene, cannot change:
+/// What is prepared keeps the camera, the projection, the transforms and the options that it was prepared with, and
+/// drawing takes none of these: a list cannot be drawn with others. A canvas of another frame size is refused when it
+/// is drawn. As long as it is in use, the list, and the objects of a scene, cannot change:
 ///
 /// ```compile_fail,E0506
 /// use fixel::{Object, prelude::*};
@@ -71,8 +71,8 @@ use crate::view::{ModelToPicture, Perspective, ProjectionKind, Viewport};
 /// One mistake remains: to draw an earlier frame's list in a frame whose other draw calls have a new camera. So prepare
 /// after the camera has moved, within the frame.
 ///
-/// Without a list, each band transforms the whole mesh again. For a mesh of many small triangles, this takes longer than
-/// drawing them.
+/// Without a list, each band transforms the whole mesh again. For a mesh of many small triangles, this takes longer
+/// than drawing them.
 ///
 /// The list needs room for the visible triangles (16 bytes each) and for their vertices (16 bytes each). A closed
 /// mesh whose triangles are in the order of neighbors needs about half as many vertices as triangles. Other meshes

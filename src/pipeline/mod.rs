@@ -155,8 +155,9 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         Ok(prepared.draw(&mut blit, &rows))
     }
 
-    /// Draws the edges that were [prepared](EdgeList::prepare) for this frame and meet this canvas's rows, with the pixels of
-    /// [`draw_edges`](Self::draw_edges) or [`draw_outline`](Self::draw_outline). Nothing is transformed again.
+    /// Draws the edges that were [prepared](EdgeList::prepare) for this frame and meet this canvas's rows, with the
+    /// pixels of [`draw_edges`](Self::draw_edges) or [`draw_outline`](Self::draw_outline). Nothing is transformed
+    /// again.
     ///
     /// # Errors
     ///
@@ -386,18 +387,18 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         })
     }
 
-    /// Draws a mesh's [edges](Mesh::edges) as anti-aliased lines of a [width](LineWidth): each pixel is blended with what is
-    /// there by the share that the line covers of it.
+    /// Draws a mesh's [edges](Mesh::edges) as anti-aliased lines of a [width](LineWidth): each pixel is blended with
+    /// what is there by the share that the line covers of it.
     ///
-    /// Let d be the distance from the pixel's center to the nearest point of the line, whose ends are exact to 1/256 pixel:
-    /// then the share is (width + 1)/2 − d, limited to 0 and 1. So ends are round, and a line is as wide and as strong in
-    /// every direction, unlike those of [`draw_edges`](Self::draw_edges). A share is within 1/256 of its value; blending
-    /// rounds as for [`Opacity`](crate::target::Opacity), and dithers coarse colors. On 1-bit panels, plain lines are
-    /// better.
+    /// Let d be the distance from the pixel's center to the nearest point of the line, whose ends are exact to 1/256
+    /// pixel: then the share is (width + 1)/2 − d, limited to 0 and 1. So ends are round, and a line is as wide and as
+    /// strong in every direction, unlike those of [`draw_edges`](Self::draw_edges). A share is within 1.3/256 of its
+    /// value; blending rounds as for [`Opacity`](crate::target::Opacity), and dithers coarse colors. On 1-bit panels,
+    /// plain lines are better.
     ///
-    /// Depth and attributes are those of a plain line, along the longer axis; beyond the ends, those of the ends. The line
-    /// is up to √2 · (width + 1)/2 pixels away from its middle, where a surface's depth differs: with lines on the mesh that
-    /// hides them, move the mesh behind by that many pixels, as below. Draw smooth lines last, with
+    /// Depth and attributes are those of a plain line, along the longer axis; beyond the ends, those of the ends. The
+    /// line is up to √2 · (width + 1)/2 pixels away from its middle, where a surface's depth differs: with lines on the
+    /// mesh that hides them, move the mesh behind by that many pixels, as below. Draw smooth lines last, with
     /// [`TestOnly`](crate::target::TestOnly), because what is drawn behind a half covered pixel later would not show.
     ///
     /// A blending of the options applies to the line's color before its share does.

@@ -17,8 +17,8 @@ use crate::mesh::{Element, Index};
 use crate::raster::{self, Blitter, ClippedVertex, Polygon, Rasterizer, ScreenVertex, Triangle};
 use crate::view::ProjectionKind;
 
-/// Runs all triangles of a mesh, of which the first one has the index `first`, through the vertex and assembly stages; `to` draws them or lists them to be drawn
-/// later.
+/// Runs all triangles of a mesh, of which the first one has the index `first`, through the vertex and assembly stages;
+/// `to` draws them or lists them to be drawn later.
 #[inline]
 pub(super) fn triangles<K: ProjectionKind>(
     call: &Call<'_, K>,
@@ -31,8 +31,8 @@ pub(super) fn triangles<K: ProjectionKind>(
     }
 }
 
-/// Runs edges through the vertex and assembly stages. `ends_of` returns the positions of an edge, or nothing if it is not
-/// to be drawn; `each` receives the two ends of its part that is inside all planes, and whether it was clipped.
+/// Runs edges through the vertex and assembly stages. `ends_of` returns the positions of an edge, or nothing if it is
+/// not to be drawn; `each` receives the two ends of its part that is inside all planes, and whether it was clipped.
 #[inline]
 pub(super) fn each_edge<K: ProjectionKind, E>(
     call: &Call<'_, K>,
@@ -134,8 +134,8 @@ pub(super) fn draw<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blit
     draw_from(call, 0, blitter)
 }
 
-/// Draws all triangles of a mesh, of which the first one has the index `first`. Nothing says whether it is inlined: it is
-/// if [`draw`] is its only caller.
+/// Draws all triangles of a mesh, of which the first one has the index `first`. Nothing says whether it is inlined: it
+/// is if [`draw`] is its only caller.
 pub(super) fn draw_from<K: ProjectionKind>(
     call: &Call<'_, K>,
     first: usize,

@@ -24,14 +24,15 @@ use crate::num::wide::product;
 ///        ╰──────────────────╯
 /// ```
 ///
-/// `direction` is within 2⁻²⁶ of its value, which moves a line by 2⁻¹³ pixel at a distance of 4096 pixels in each direction.
-/// Together with the bits that are cut, a distance is within 2⁻⁹ pixel, and the share, rounded to 256ths, within 1/256.
+/// `direction` is within 1.3 · 2⁻²⁶ of its value, which moves a line by less than 2⁻¹² pixel at a distance of 4096 pixels
+/// in each direction. Across, along and the root of their squares are cut to 2⁻¹⁰ pixel, together by 2.5 · 2⁻¹⁰, and
+/// along has 2⁻¹¹ more near the ends; the share is rounded to 256ths, by 2⁻⁹. In all, it is within 1.3/256.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LineCover {
     /// From a to b, of length one, in units of 2⁻²⁵.
     direction: [i32; 2],
-    /// Across, at the center of pixel (0, 0): in units of 2⁻²⁵ pixel, modulo 128 pixels. A pixel that is drawn is at most
-    /// 36 away.
+    /// Across, at the center of pixel (0, 0): in units of 2⁻²⁵ pixel, modulo 128 pixels. A pixel that is drawn is at
+    /// most 36 away.
     across: i32,
     /// Along, at the center of pixel (0, 0), and at b, in units of 2⁻¹⁷ pixel. The screen's 4096 pixels take 30 bits.
     along: i32,
@@ -97,8 +98,8 @@ impl LineCover {
     }
 }
 
-/// Draws an anti-aliased line: all pixels that it may cover, once each. The blitter's painter finds in `cover` how much of
-/// each is covered.
+/// Draws an anti-aliased line: all pixels that it may cover, once each. The blitter's painter finds in `cover` how much
+/// of each is covered.
 pub(crate) fn smooth_line(
     raster: &mut Rasterizer<'_>,
     [mut a, mut b]: [&ClippedVertex; 2],
@@ -152,8 +153,8 @@ pub(crate) fn smooth_line(
     }
 }
 
-/// The pixels that a line may cover: a strip around it, as long as its bounding box. A little wider than the line, because
-/// the painter leaves out what is not covered.
+/// The pixels that a line may cover: a strip around it, as long as its bounding box. A little wider than the line,
+/// because the painter leaves out what is not covered.
 struct Strip {
     bounds: Scissor,
     /// Where the line crosses the centers of row 0, how far that moves from row to row, and the columns to both sides
@@ -179,8 +180,8 @@ impl Strip {
         } else {
             let slope = length(bx - ax).over(length(by - ay)).at(16);
             // √(1 + s²) is at most 1 + (√2 - 1) s for s up to 1, and √2 - 1 is below 27/64; the same with 1 and s
-            // exchanged. The slope, up to 2^20, has an error of 1.3 · 2^-30 of it within 66 rows, or one of 2^-17 within
-            // 4096: a quarter of a pixel is more than both.
+            // exchanged. The slope, up to 2^20, has an error of 1.3 · 2^-30 of it within 66 rows, or one of 2^-17
+            // within 4096: a quarter of a pixel is more than both.
             let (one, size) = (1 << 16, slope.abs());
             let across = size.max(one) + ((size.min(one) * 27) >> 6);
             (slope, ((i64::from(reach) * across) >> 8) + (1 << 14))

@@ -105,8 +105,8 @@ impl<const N: usize> Line<N> {
     }
 }
 
-/// The share of a pixel with this center that an anti-aliased line of a width covers: the part of a pixel's width that is
-/// within half the line's width of the segment, as if the line's border were straight and parallel to the pixel's.
+/// The share of a pixel with this center that an anti-aliased line of a width covers: the part of a pixel's width that
+/// is within half the line's width of the segment, as if the line's border were straight and parallel to the pixel's.
 pub fn share(ends: [[f64; 2]; 2], width: f64, center: [f64; 2]) -> f64 {
     let [a, b] = ends;
     (width / 2. + 0.5 - to_segment(a, b, center)).clamp(0., 1.)

@@ -15,9 +15,9 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     let (paper, ink) = (Rgb888::new(244, 238, 222), Rgb888::new(24, 44, 96));
     canvas.clear(paper.into());
 
-    // The faces hide the lines behind them. So that they spare the lines on their borders, they move away from the eye, by
-    // what their depth changes over one and a half pixels, and the lines move towards it: by 128 of about 7,000 steps
-    // between the tower and infinity.
+    // The faces hide the lines behind them. So that they spare the lines on their borders, they move away from the eye,
+    // by what their depth changes over one and a half pixels, and the lines move towards it: by 128 of about 7,000
+    // steps between the tower and infinity.
     let behind = DrawOptions::new().with_depth(Biased::new(TestAndWrite, -2, fx!(-1.5)));
     canvas.draw_with(&behind, &ISLAND, &view, &Flat::rgb(paper));
     let pen = Flat::rgb(ink);

@@ -19,11 +19,13 @@ use crate::span::{Mode, Newton};
 use crate::target::{DepthTest, Replace, TestAndWrite, check_size};
 use crate::view::{ModelToPicture, Perspective, ProjectionKind, Viewport};
 
-/// Memory for the edges of a frame that is drawn in bands: what a [`TriangleList`](super::TriangleList) is for triangles.
+/// Memory for the edges of a frame that is drawn in bands: what a [`TriangleList`](super::TriangleList) is for
+/// triangles.
 ///
 /// [`prepare`](Self::prepare) takes the edges of a mesh and [`prepare_outline`](Self::prepare_outline) those of an
-/// [`Outline`] that are drawn. The list needs room for the visible edges (14 bytes each) and for their vertices (16 bytes
-/// each): at most two for each edge, and four for a clipped one.
+/// [`Outline`] that are drawn. The list needs room for the visible edges (14 bytes each) and for their vertices (16
+/// bytes each): at most two for each edge, and four for a clipped one, of which it uses at most
+/// [`TriangleList::MAX_VERTICES`](super::TriangleList::MAX_VERTICES).
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -81,8 +83,8 @@ enum Ends {
 
 /// A mesh's edges, ready to be drawn to every band of a frame.
 ///
-/// [`EdgeList`] returns it, and [`Canvas::draw_prepared_edges`](crate::Canvas::draw_prepared_edges) and its siblings draw
-/// it. It can be shared with another core that draws other bands of the same frame.
+/// [`EdgeList`] returns it, and [`Canvas::draw_prepared_edges`](crate::Canvas::draw_prepared_edges) and its siblings
+/// draw it. It can be shared with another core that draws other bands of the same frame.
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedEdges<'a, K = Perspective, M = Newton, Z = TestAndWrite, B = Replace> {
     mesh: &'a Mesh<'a>,
@@ -118,13 +120,13 @@ impl<const EDGES: usize, const VERTICES: usize> EdgeList<EDGES, VERTICES> {
     }
 
     /// Transforms and clips a mesh's edges for a `frame` of this many columns and rows, as
-    /// [`Canvas::draw_edges`](crate::Canvas::draw_edges) would for each of its bands. The previous contents of the list are
-    /// dropped.
+    /// [`Canvas::draw_edges`](crate::Canvas::draw_edges) would for each of its bands. The previous contents of the list
+    /// are dropped.
     ///
     /// # Errors
     ///
-    /// [`Error::Full`], with the length that is needed, if the list is too short for the visible edges; [`Error::Size`] if
-    /// a side of the frame is 0 or above [`MAX_SIZE`](crate::target::MAX_SIZE).
+    /// [`Error::Full`], with the length that is needed, if the list is too short for the visible edges; [`Error::Size`]
+    /// if a side of the frame is 0 or above [`MAX_SIZE`](crate::target::MAX_SIZE).
     pub fn prepare<'a, M: Mode, Z: DepthTest, B: Copy, V: ModelToPicture>(
         &'a mut self,
         options: &DrawOptions<M, Z, B>,
