@@ -90,11 +90,11 @@ fn ahead() -> impl Strategy<Value = [i32; 3]> {
 /// Compares the depths and values of a smooth line with those of a plain one, which has one pixel in each step along
 /// the longer axis.
 ///
-/// Both lines have spans of their own, and each span its rounding: at most 34 units of q and of the attribute over w,
-/// with q at least 2^30 · 0.5/20 and an attribute below 2^19 units, scaled by 2^-20. That is 2^20 · 34 · 1.5 / (2^30 /
-/// 40), or 2 units, for each line and one unit because values are rounded down.
+/// Both lines have spans of their own, and each span its rounding. As in `lines_in_perspective`, where ends may be farther
+/// apart, it is at most 2^21 · 34 · 1.5 / (2^30 / 128) + 4 units, or 16.7, for each of them; and that of a depth less than
+/// one step.
 fn check_values(smooth: &[Seen<1>], [a, b]: [Point; 2], plain: &[Seen<1>]) {
-    const UNITS: u32 = 5;
+    const UNITS: u32 = 33;
     let major = usize::from(a[0].abs_diff(b[0]) < a[1].abs_diff(b[1]));
     for plain in plain {
         let step = plain.pixel[major];
