@@ -408,7 +408,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// use fixel::{prelude::*, target::{Biased, TestAndWrite, TestOnly}};
     /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
     /// let projection = Projection::perspective(deg!(60), (1, 1), fx!(0.5), fx!(8))?;
-    /// let mvp = projection * Transform::translate(vec3!(0, 0, -1.9)) * Transform::rotate_y(deg!(30));
+    /// let mvp = projection * Transform::translate(vec3!(0, 0, -4)) * Transform::rotate_y(deg!(30));
     /// let (mut color, mut depth) = ([Gray8::BLACK; 24 * 24], [0; 24 * 24]);
     /// let mut canvas = Canvas::new(&mut color, 24, 24)?.with_depth(&mut depth)?;
     /// canvas.clear(Gray8::BLACK);

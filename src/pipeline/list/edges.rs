@@ -35,7 +35,7 @@ use crate::view::{ModelToPicture, Perspective, ProjectionKind, Viewport};
 /// let projection = Projection::perspective(deg!(60), (2, 1), fx!(1), fx!(10))?;
 /// let mvp = projection * Transform::translate(vec3!(0, 0, -3)) * Transform::rotate_y(deg!(20));
 ///
-/// let mut list: EdgeList<12, 8> = EdgeList::new(); // on a microcontroller, a static
+/// let mut list: EdgeList<12, 24> = EdgeList::new(); // on a microcontroller, a static
 /// let edges = list.prepare(&DrawOptions::new(), (24, 12), &BOX, &mvp)?;
 ///
 /// let mut display = MockDisplay::new();
