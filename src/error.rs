@@ -209,17 +209,17 @@ errors! {
         /// Number of rows of the frame.
         height: u32,
     } = "band has {rows} rows from row {first}: it must have at least one and lie within the {height} rows of the frame";
-    /// A canvas of another frame than a scene was prepared for.
+    /// A canvas of another frame than a list was prepared for.
     Frame {
         /// Number of columns of the canvas's frame.
         width: u32,
         /// Number of rows of the canvas's frame.
         height: u32,
-        /// Number of columns of the scene's frame.
+        /// Number of columns of the prepared frame.
         needed_width: u32,
-        /// Number of rows of the scene's frame.
+        /// Number of rows of the prepared frame.
         needed_height: u32,
-    } = "canvas belongs to a frame of {width}x{height}: the scene was prepared for {needed_width}x{needed_height}";
+    } = "canvas belongs to a frame of {width}x{height}: the list was prepared for {needed_width}x{needed_height}";
     /// An index that is out of range.
     Index {
         /// The face, edge or entry that holds the index.

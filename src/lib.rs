@@ -98,6 +98,7 @@
 //! | [`Shader`] | [`shade`], or ten lines of your own | third argument |
 //! | [`DrawOptions`]: culling, viewport, interpolation mode, depth test, blending | [`DrawOptions::new`] | first argument of [`Canvas::draw_with`], [`draw_edges`](Canvas::draw_edges), [`draw_outline`](Canvas::draw_outline), [`draw_points`](Canvas::draw_points) |
 //! | [`TriangleList`]: triangles transformed once for all bands | [`TriangleList::new`], [`prepare`](TriangleList::prepare) | argument of [`Canvas::draw_prepared`] |
+//! | [`EdgeList`]: the same for edges and outlines | [`EdgeList::new`], [`prepare`](EdgeList::prepare) | argument of [`Canvas::draw_prepared_edges`] |
 //! | [`Object`]s: meshes with their transforms and materials, for one list | [`Object::new`] | argument of [`TriangleList::prepare_scene`] |
 //! | [`Sprites`]: billboards, particles | [`Sprites::new`], [`Sprites::in_pixels`] | argument of [`Canvas::draw_sprites`] |
 //! | [`Ray`] of a pixel | [`Canvas::ray`] | [`Ray::hit`]: the face of a mesh that is seen there |
@@ -221,7 +222,8 @@ pub mod view;
 
 pub use error::{Error, RefusedFloat};
 pub use pipeline::{
-    DrawOptions, Drawn, Hit, Object, Prepared, PreparedScene, Ray, ScreenPoint, TriangleList,
+    DrawOptions, Drawn, EdgeList, Hit, Object, Prepared, PreparedEdges, PreparedScene, Ray,
+    ScreenPoint, TriangleList,
 };
 pub use raster::{Cull, LineWidth, PointStyle};
 

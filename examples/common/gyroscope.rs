@@ -105,16 +105,17 @@ pub struct Gyroscope<'l> {
 impl Gyroscope<'_> {
     /// Draws the part of the frame that the canvas holds: the model in the right half of the frame, the caption in
     /// the left half.
-    pub fn draw<O, D>(&self, canvas: &mut Canvas<'_, Gray4, O, D>)
+    pub fn draw<O, D>(&self, canvas: &mut Canvas<'_, Gray4, O, D>) -> Result<(), Error>
     where
         O: Storage<Gray4>,
         D: DepthBuffer,
     {
         canvas.clear(Gray4::BLACK);
         for (part, gray) in &self.parts {
-            canvas.draw_prepared(part, &Flat::<Gray4>::rgb(Gray4::new(*gray)).lit(self.sun));
+            canvas.draw_prepared(part, &Flat::<Gray4>::rgb(Gray4::new(*gray)).lit(self.sun))?;
         }
         caption(canvas, self.frame);
+        Ok(())
     }
 }
 

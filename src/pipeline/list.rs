@@ -1,8 +1,10 @@
-//! Triangles prepared once for all bands of a frame.
+//! Triangles and edges prepared once for all bands of a frame.
 
+mod edges;
 mod painter;
 mod scene;
 
+pub use edges::{EdgeList, PreparedEdges};
 pub use scene::{Object, PreparedScene};
 
 use core::marker::PhantomData;
@@ -48,8 +50,29 @@ use crate::view::{ModelToPicture, Perspective, ProjectionKind, Viewport};
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// Without it, each band transforms the whole mesh again. For a mesh of many small triangles, this takes longer than
-/// drawing them.
+/// # Which camera, which frame
+///
+/// What is prepared keeps the camera, the projection, the transforms and the options that it was prepared with, and
+/// drawing takes none of these: a list cannot be drawn with others. A canvas of another frame size is refused when it
+/// is drawn. As long as it is in use, the list, and the objects of a scene, cannot change:
+///
+/// ```compile_fail,E0506
+/// use fixel::{Object, prelude::*};
+/// static BALL: Mesh = shape!(sphere(12, 8));
+/// # fn scene<'l>(view: &Mvp, list: &mut TriangleList<100, 80>) -> Result<(), Error> {
+/// let mut objects = [Object::new(&BALL, Transform::IDENTITY, 1)];
+/// let scene = list.prepare_scene(&DrawOptions::new(), (16, 12), view, &mut objects)?;
+/// objects[0].model = Transform::rotate_y(deg!(30)); // error: borrowed by the scene
+/// drop(scene);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// One mistake remains: to draw an earlier frame's list in a frame whose other draw calls have a new camera. So prepare
+/// after the camera has moved, within the frame.
+///
+/// Without a list, each band transforms the whole mesh again. For a mesh of many small triangles, this takes longer
+/// than drawing them.
 ///
 /// The list needs room for the visible triangles (16 bytes each) and for their vertices (16 bytes each). A closed
 /// mesh whose triangles are in the order of neighbors needs about half as many vertices as triangles. Other meshes
@@ -78,7 +101,7 @@ use crate::view::{ModelToPicture, Perspective, ProjectionKind, Viewport};
 /// for first_row in (0..HEIGHT).step_by(ROWS as usize) {
 ///     let mut band = Canvas::band(&mut color, WIDTH, HEIGHT, first_row)?;
 ///     band.clear(Gray4::BLACK);
-///     band.draw_prepared(&ball, &white); // nothing is transformed here
+///     band.draw_prepared(&ball, &white)?; // nothing is transformed here
 ///     band.show(&mut display)?;
 /// }
 ///
@@ -180,6 +203,7 @@ pub struct Prepared<'a, K = Perspective, M = Newton, Z = TestAndWrite, B = Repla
     model: Transform,
     model_view: Transform,
     kind: PhantomData<K>,
+    pub(super) frame: Size,
     viewport: Viewport,
     cull: Cull,
     triangles: &'a [Entry],
@@ -226,39 +250,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
         mesh: &'a Mesh<'a>,
         mvp: &V,
     ) -> Result<Prepared<'a, V::Kind, M, Z, B>, Error> {
-        let frame = frame.into();
-        check_size(frame.width, frame.height)?;
-        let viewport = options.viewport_in(frame);
-        let call = Call::new(options, mesh, mvp, (frame, &(0..frame.height)));
-        self.triangles.clear();
-        self.vertices.clear();
-        let mut filling = Filling {
-            triangles: self.triangles.as_mut_view(),
-            vertices: self.vertices.as_mut_view(),
-            needed: Needed::default(),
-            rows: [u16::MAX, 0],
-            cull: call.shared.cull,
-            scissor: &call.shared.scissor,
-            numbers: [(0, 0); cache::SIZE],
-        };
-        run::triangles(&call, &mut filling);
-        let rows = filling.rows;
-        filling.needed.check::<TRIANGLES, VERTICES>()?;
-        Ok(Prepared {
-            mesh,
-            model: *mvp.model_of(),
-            model_view: mvp.model_view_of(),
-            kind: PhantomData,
-            viewport,
-            cull: call.shared.cull,
-            triangles: &self.triangles,
-            vertices: &self.vertices,
-            rows,
-            depth_shift: call.depth_shift(),
-            mode: options.mode,
-            test: options.depth,
-            blending: options.blending,
-        })
+        self.prepare_in_order::<false, _, _, _, _>(options, frame.into(), mesh, mvp)
     }
 
     /// Prepares a mesh's triangles like [`prepare`](Self::prepare), and sorts them back to front: painter's order. So a
@@ -310,7 +302,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
     ///     };
     ///     let mut color = [Gray4::BLACK; 100];
     ///     let mut canvas = Canvas::new(&mut color, 10, 10)?;
-    ///     canvas.draw_prepared(&triangles, &FaceColors::new(&colors));
+    ///     canvas.draw_prepared(&triangles, &FaceColors::new(&colors))?;
     ///     let mut display = MockDisplay::new();
     ///     canvas.show(&mut display)?;
     ///     Ok::<_, Error>(display)
@@ -352,59 +344,90 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
         mesh: &'a Mesh<'a>,
         mvp: &V,
     ) -> Result<Prepared<'a, V::Kind, M, Z, B>, Error> {
-        let frame = frame.into();
-        let Prepared {
-            model,
-            model_view,
-            kind,
-            viewport,
-            cull,
-            rows,
-            depth_shift,
-            mode,
-            test,
-            blending,
-            ..
-        } = self.prepare(options, frame, mesh, mvp)?;
-        let scissor = Scissor::new(&viewport, frame.width, &(0..frame.height));
-        painter::sort(
-            &mut self.triangles,
-            &self.vertices,
-            depth_shift,
-            &scissor.rows,
-        );
+        self.prepare_in_order::<true, _, _, _, _>(options, frame.into(), mesh, mvp)
+    }
+
+    /// Prepares a mesh's triangles, in the order of the mesh or back to front.
+    #[inline]
+    fn prepare_in_order<
+        'a,
+        const SORTED: bool,
+        M: Mode,
+        Z: DepthTest,
+        B: Copy,
+        V: ModelToPicture,
+    >(
+        &'a mut self,
+        options: &DrawOptions<M, Z, B>,
+        frame: Size,
+        mesh: &'a Mesh<'a>,
+        mvp: &V,
+    ) -> Result<Prepared<'a, V::Kind, M, Z, B>, Error> {
+        check_size(frame.width, frame.height)?;
+        let viewport = options.viewport_in(frame);
+        let call = Call::new(options, mesh, mvp, (frame, &(0..frame.height)));
+        self.triangles.clear();
+        self.vertices.clear();
+        let mut filling = Filling {
+            triangles: self.triangles.as_mut_view(),
+            needed: 0,
+            vertices: VertexWriter::new(self.vertices.as_mut_view(), 0),
+            rows: [u16::MAX, 0],
+            cull: call.shared.cull,
+            scissor: &call.shared.scissor,
+        };
+        run::triangles(&call, &mut filling);
+        let rows = filling.rows;
+        Needed {
+            of: "triangles",
+            elements: filling.needed,
+            vertices: filling.vertices.needed,
+        }
+        .check::<TRIANGLES, VERTICES>()?;
+        if SORTED {
+            let rows = &call.shared.scissor.rows;
+            painter::sort(
+                &mut self.triangles,
+                &self.vertices,
+                call.depth_shift(),
+                rows,
+            );
+        }
         Ok(Prepared {
             mesh,
-            model,
-            model_view,
-            kind,
+            model: *mvp.model_of(),
+            model_view: mvp.model_view_of(),
+            kind: PhantomData,
+            frame,
             viewport,
-            cull,
+            cull: call.shared.cull,
             triangles: &self.triangles,
             vertices: &self.vertices,
             rows,
-            depth_shift,
-            mode,
-            test,
-            blending,
+            depth_shift: call.depth_shift(),
+            mode: options.mode,
+            test: options.depth,
+            blending: options.blending,
         })
     }
 }
 
 /// How many elements a list must have room for.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 struct Needed {
-    triangles: usize,
+    /// The kind of element.
+    of: &'static str,
+    elements: usize,
     vertices: usize,
 }
 
 impl Needed {
     /// An error unless a list of this length has room.
     #[inline]
-    fn check<const TRIANGLES: usize, const VERTICES: usize>(self) -> Result<(), Error> {
-        let most = TriangleList::<TRIANGLES, VERTICES>::MAX_VERTICES;
+    fn check<const ELEMENTS: usize, const VERTICES: usize>(self) -> Result<(), Error> {
+        let most = TriangleList::<ELEMENTS, VERTICES>::MAX_VERTICES;
         for (of, needed, room) in [
-            ("triangles", self.triangles, TRIANGLES),
+            (self.of, self.elements, ELEMENTS),
             ("vertices", self.vertices, VERTICES.min(most)),
         ] {
             if needed > room {
@@ -415,43 +438,37 @@ impl Needed {
     }
 }
 
-/// A list that is being filled. Once it is full, it only counts.
-struct Filling<'l> {
-    triangles: &'l mut VecView<Entry>,
-    vertices: &'l mut VecView<Slot>,
-    needed: Needed,
-    /// The rows of all triangles.
-    rows: [u16; 2],
-    cull: Cull,
-    scissor: &'l Scissor,
+/// The vertices of a list that is being filled. Once it is full, they are only counted.
+struct VertexWriter<'l> {
+    slots: &'l mut VecView<Slot>,
+    needed: usize,
     /// Recently added positions, each with its vertex's number in the list, counted from 1; 0 means none.
     numbers: [(Index, u16); cache::SIZE],
 }
 
-impl Filling<'_> {
-    fn add_triangle(&mut self, element: Element, rows: &Range<i32>, corners: Corners) {
-        // Rows of a frame are 0 to 2048.
-        let row = |row: i32| {
-            let inside = row.max(self.scissor.rows.start).min(self.scissor.rows.end);
-            inside.cast_unsigned() as u16
-        };
-        let rows = [row(rows.start), row(rows.end)];
-        let [start, end] = self.rows;
-        self.rows = [start.min(rows[0]), end.max(rows[1])];
-        self.needed.triangles += 1;
-        // If there is no room, the list will not be used.
-        let _ = self.triangles.push(Entry {
-            face: element.face.unwrap_or_default() as u32,
-            rows,
-            corners,
-        });
+impl<'l> VertexWriter<'l> {
+    /// Continues a list that has needed so many vertices.
+    #[inline]
+    fn new(slots: &'l mut VecView<Slot>, needed: usize) -> Self {
+        Self {
+            slots,
+            needed,
+            numbers: [(0, 0); cache::SIZE],
+        }
     }
 
     /// Adds a vertex and returns its number, which is wrong if there is no room.
     fn add(&mut self, slot: Slot) -> u16 {
-        self.needed.vertices += 1;
-        let _ = self.vertices.push(slot);
-        self.needed.vertices as u16
+        self.needed += 1;
+        let _ = self.slots.push(slot);
+        self.needed as u16
+    }
+
+    /// Adds a corner that clipping made, and returns its vertex's number; the weights follow.
+    fn add_clipped(&mut self, corner: &ClippedVertex) -> u16 {
+        let number = self.add(corner.vertex.into());
+        self.add(Slot::Barycentric(corner.barycentric));
+        number
     }
 
     /// The number of a vertex; it is added unless it was added recently.
@@ -467,10 +484,41 @@ impl Filling<'_> {
     }
 }
 
+/// A list that is being filled. Once it is full, it only counts.
+struct Filling<'l> {
+    triangles: &'l mut VecView<Entry>,
+    needed: usize,
+    vertices: VertexWriter<'l>,
+    /// The rows of all triangles.
+    rows: [u16; 2],
+    cull: Cull,
+    scissor: &'l Scissor,
+}
+
+impl Filling<'_> {
+    fn add_triangle(&mut self, element: Element, rows: &Range<i32>, corners: Corners) {
+        // Rows of a frame are 0 to 2048.
+        let row = |row: i32| {
+            let inside = row.max(self.scissor.rows.start).min(self.scissor.rows.end);
+            inside.cast_unsigned() as u16
+        };
+        let rows = [row(rows.start), row(rows.end)];
+        let [start, end] = self.rows;
+        self.rows = [start.min(rows[0]), end.max(rows[1])];
+        self.needed += 1;
+        // If there is no room, the list will not be used.
+        let _ = self.triangles.push(Entry {
+            face: element.face.unwrap_or_default() as u32,
+            rows,
+            corners,
+        });
+    }
+}
+
 impl Assembly for Filling<'_> {
     fn whole(&mut self, element: Element, corners: [&ScreenVertex; 3], area: i64) {
         if let Some(triangle) = &Triangle::new(corners, None, area, self.scissor) {
-            let numbers = corners.map(|corner| self.number(corner));
+            let numbers = corners.map(|corner| self.vertices.number(corner));
             self.add_triangle(element, &triangle.rows, Corners::Whole(numbers));
         }
     }
@@ -480,10 +528,9 @@ impl Assembly for Filling<'_> {
         let Some(rows) = part.and_then(|part| part.rows(self.scissor)) else {
             return;
         };
-        let first = (self.needed.vertices as u16).wrapping_add(1);
+        let first = (self.vertices.needed as u16).wrapping_add(1);
         for corner in polygon {
-            self.add(corner.vertex.into());
-            self.add(Slot::Barycentric(corner.barycentric));
+            self.vertices.add_clipped(corner);
         }
         let corners = Corners::Clipped {
             first,
@@ -512,6 +559,7 @@ impl<'a, K, M, Z, B> Prepared<'a, K, M, Z, B> {
             model: self.model,
             model_view: self.model_view,
             kind: self.kind,
+            frame: self.frame,
             viewport: self.viewport,
             cull: self.cull,
             triangles: self.triangles,
@@ -525,15 +573,35 @@ impl<'a, K, M, Z, B> Prepared<'a, K, M, Z, B> {
     }
 }
 
+/// The vertex of this number.
+#[inline]
+fn vertex(slots: &[Slot], number: u16) -> Option<ScreenVertex> {
+    let slot = slots.get(usize::from(number).wrapping_sub(1))?;
+    slot.vertex()
+}
+
+/// An error unless a canvas belongs to a frame of the size that a list was prepared for.
+pub(super) fn check_frame(given: Size, needed: Size) -> Result<(), Error> {
+    if given == needed {
+        return Ok(());
+    }
+    Err(Error::Frame {
+        width: given.width,
+        height: given.height,
+        needed_width: needed.width,
+        needed_height: needed.height,
+    })
+}
+
 impl<K: ProjectionKind, M, Z, B> Prepared<'_, K, M, Z, B> {
-    /// Draws the triangles that meet `rows` of a frame of this width.
+    /// Draws the triangles that meet `rows`, a band of the frame.
     #[inline(never)]
-    pub(super) fn draw(&self, blitter: &mut dyn Blitter, width: u32, rows: &Range<u32>) -> Drawn {
+    pub(super) fn draw(&self, blitter: &mut dyn Blitter, rows: &Range<u32>) -> Drawn {
         let shared = Shared {
             mesh: self.mesh,
             placement: Placement::new(&self.model, self.model_view),
             cull: self.cull,
-            scissor: Scissor::new(&self.viewport, width, rows),
+            scissor: Scissor::new(&self.viewport, self.frame.width, rows),
         };
         let (mut draw, rows) = (Draw::new(blitter, &shared), &shared.scissor.rows);
         let misses = |[start, end]: [u16; 2]| {
@@ -576,8 +644,7 @@ impl<K: ProjectionKind, M, Z, B> Prepared<'_, K, M, Z, B> {
 
     #[inline]
     fn vertex(&self, number: u16) -> Option<ScreenVertex> {
-        let slot = self.vertices.get(usize::from(number).wrapping_sub(1))?;
-        slot.vertex()
+        vertex(self.vertices, number)
     }
 
     fn polygon(&self, first: u16, count: u16) -> ClippedPolygon {

@@ -13,27 +13,32 @@ mod run;
 mod sprites;
 mod vertex;
 
-pub use list::{Object, Prepared, PreparedScene, TriangleList};
+pub use list::{EdgeList, Object, Prepared, PreparedEdges, PreparedScene, TriangleList};
 pub use options::DrawOptions;
 pub use ray::{Hit, Ray};
+
+use core::cell::Cell;
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::PixelColor;
 
 use call::Call;
+use list::check_frame;
+use outline::DrawLine;
 use sprites::Quads;
 use vertex::Projector;
 
-use crate::Vec3;
 use crate::mesh::{Bounds, Mesh, Missing, Outline, Positions, Sprites};
 use crate::num::{Subpixel, block::BlockFloat};
 use crate::raster::{
-    self, Blitter, ClippedVertex, LineWidth, PointStyle, Rasterizer, Scissor, ScreenVertex,
+    self, Blitter, ClippedVertex, LineCover, LineWidth, PointStyle, Rasterizer, Scissor,
+    ScreenVertex,
 };
-use crate::shade::ShaderFor;
-use crate::span::{Blit, Mode};
+use crate::shade::{Levels, ShaderFor};
+use crate::span::{Blit, Mode, Painter, Smooth};
 use crate::target::{Blending, Canvas, DepthBuffer, DepthTest, Label, Storage};
 use crate::view::{ModelToPicture, ProjectionKind};
+use crate::{Error, Vec3};
 
 /// The result of a draw call: how many triangles, edges or points there were, and how many were drawn.
 ///
@@ -124,7 +129,9 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// Draws the triangles that were [prepared](TriangleList::prepare) for this frame and meet this canvas's rows. The
     /// pixels are those of [`draw_with`](Self::draw_with), but nothing is transformed again.
     ///
-    /// A canvas that is narrower than this frame draws the columns that it has.
+    /// # Errors
+    ///
+    /// [`Error::Frame`] if the canvas belongs to a frame of another size than the one that they were prepared for.
     pub fn draw_prepared<
         M: Mode,
         Z: DepthTest,
@@ -135,8 +142,9 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         &mut self,
         prepared: &Prepared<'_, K, M, Z, B>,
         shader: &S,
-    ) -> Drawn {
-        let (width, rows) = (self.frame_size().width, self.rows().clone());
+    ) -> Result<Drawn, Error> {
+        check_frame(self.frame_size(), prepared.frame)?;
+        let rows = self.rows().clone();
         let (mode, test) = (prepared.mode, prepared.test);
         let mut blit = Blit::<_, _, _, K, _, _>::new(
             (mode, test),
@@ -144,7 +152,81 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
             (*shader, prepared.blending),
             prepared.depth_shift,
         );
-        prepared.draw(&mut blit, width, &rows)
+        Ok(prepared.draw(&mut blit, &rows))
+    }
+
+    /// Draws the edges that were [prepared](EdgeList::prepare) for this frame and meet this canvas's rows, with the
+    /// pixels of [`draw_edges`](Self::draw_edges) or [`draw_outline`](Self::draw_outline). Nothing is transformed
+    /// again.
+    ///
+    /// # Errors
+    ///
+    /// As for [`draw_prepared`](Self::draw_prepared).
+    pub fn draw_prepared_edges<
+        M: Mode,
+        Z: DepthTest,
+        B: Blending<C>,
+        K: ProjectionKind,
+        S: ShaderFor<B::Source>,
+    >(
+        &mut self,
+        prepared: &PreparedEdges<'_, K, M, Z, B>,
+        shader: &S,
+    ) -> Result<Drawn, Error> {
+        let painter = (*shader, prepared.blending);
+        self.paint_edges(prepared, painter, (&raster::line, 0))
+    }
+
+    /// Draws edges like [`draw_prepared_edges`](Self::draw_prepared_edges), with the pixels of
+    /// [`draw_wide_edges`](Self::draw_wide_edges) or [`draw_wide_outline`](Self::draw_wide_outline).
+    ///
+    /// # Errors
+    ///
+    /// As for [`draw_prepared`](Self::draw_prepared).
+    pub fn draw_prepared_wide_edges<
+        M: Mode,
+        Z: DepthTest,
+        B: Blending<C>,
+        K: ProjectionKind,
+        S: ShaderFor<B::Source>,
+    >(
+        &mut self,
+        prepared: &PreparedEdges<'_, K, M, Z, B>,
+        width: LineWidth,
+        shader: &S,
+    ) -> Result<Drawn, Error> {
+        let painter = (*shader, prepared.blending);
+        self.paint_edges(prepared, painter, (&wide(width), width.reach()))
+    }
+
+    /// Draws edges like [`draw_prepared_edges`](Self::draw_prepared_edges), with the pixels of
+    /// [`draw_smooth_edges`](Self::draw_smooth_edges) or [`draw_smooth_outline`](Self::draw_smooth_outline).
+    ///
+    /// # Errors
+    ///
+    /// As for [`draw_prepared`](Self::draw_prepared).
+    pub fn draw_prepared_smooth_edges<
+        M: Mode,
+        Z: DepthTest,
+        B: Blending<C>,
+        K: ProjectionKind,
+        S: ShaderFor<B::Source>,
+    >(
+        &mut self,
+        prepared: &PreparedEdges<'_, K, M, Z, B>,
+        width: LineWidth,
+        shader: &S,
+    ) -> Result<Drawn, Error>
+    where
+        C: Levels,
+    {
+        let cover = Cell::new(LineCover::NONE);
+        let painter = Smooth {
+            shader: *shader,
+            blending: prepared.blending,
+            cover: &cover,
+        };
+        self.paint_edges(prepared, painter, (&smooth(width, &cover), width.reach()))
     }
 
     /// Draws a mesh's [edges](Mesh::edges) as lines, one pixel wide.
@@ -209,7 +291,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         shader: &S,
     ) -> Drawn {
         self.call(options, (mesh, mvp), shader, |call, blitter| {
-            outline::wide_edges(call, width, blitter)
+            outline::edges(call, &wide(width), blitter)
         })
     }
 
@@ -224,15 +306,13 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         &mut self,
         options: &DrawOptions<M, Z, B>,
         mesh: &Mesh<'_>,
-        (outline, width): (&Outline<'_>, LineWidth),
+        outline: &Outline<'_>,
+        width: LineWidth,
         mvp: &V,
         shader: &S,
     ) -> Drawn {
         self.call(options, (mesh, mvp), shader, |call, blitter| {
-            let line = |raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]| {
-                raster::wide_line(raster, ends, width);
-            };
-            outline::outline(call, outline, &line, blitter)
+            outline::outline(call, outline, &wide(width), blitter)
         })
     }
 
@@ -305,6 +385,94 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         self.call(options, (mesh, mvp), shader, |call, blitter| {
             outline::outline(call, outline, &raster::line, blitter)
         })
+    }
+
+    /// Draws a mesh's [edges](Mesh::edges) as anti-aliased lines of a [width](LineWidth): each pixel is blended with
+    /// what is there by the share that the line covers of it.
+    ///
+    /// Let d be the distance from the pixel's center to the nearest point of the line, whose ends are exact to 1/256
+    /// pixel: then the share is (width + 1)/2 − d, limited to 0 and 1. So ends are round, and a line is as wide and as
+    /// strong in every direction, unlike those of [`draw_edges`](Self::draw_edges). A share is within 1.3/256 of its
+    /// value; blending rounds as for [`Opacity`](crate::target::Opacity), and dithers coarse colors. On 1-bit panels,
+    /// plain lines are better.
+    ///
+    /// Depth and attributes are those of a plain line, along the longer axis; beyond the ends, those of the ends. The
+    /// line is up to √2 · (width + 1)/2 pixels away from its middle, where a surface's depth differs: with lines on the
+    /// mesh that hides them, move the mesh behind by that many pixels, as below. Draw smooth lines last, with
+    /// [`TestOnly`](crate::target::TestOnly), because what is drawn behind a half covered pixel later would not show.
+    ///
+    /// A blending of the options applies to the line's color before its share does.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+    /// use fixel::{prelude::*, target::{Biased, TestAndWrite, TestOnly}};
+    /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+    /// let projection = Projection::perspective(deg!(60), (1, 1), fx!(0.5), fx!(8))?;
+    /// let mvp = projection * Transform::translate(vec3!(0, 0, -4)) * Transform::rotate_y(deg!(30));
+    /// let (mut color, mut depth) = ([Gray8::BLACK; 24 * 24], [0; 24 * 24]);
+    /// let mut canvas = Canvas::new(&mut color, 24, 24)?.with_depth(&mut depth)?;
+    /// canvas.clear(Gray8::BLACK);
+    /// let behind = DrawOptions::new().with_depth(Biased::new(TestAndWrite, -2, fx!(-1.5)));
+    /// canvas.draw_with(&behind, &BOX, &mvp, &Flat::new(Gray8::new(60)));
+    /// let lines = DrawOptions::new().with_depth(TestOnly);
+    /// let thin = LineWidth::new(fx!(1))?;
+    /// canvas.draw_smooth_edges(&lines, &BOX, thin, &mvp, &Flat::new(Gray8::WHITE));
+    /// # assert!(canvas.pixels().any(|pixel| (61..255).contains(&pixel.luma())));
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn draw_smooth_edges<
+        M: Mode,
+        Z: DepthTest,
+        B: Blending<C>,
+        V: ModelToPicture,
+        S: ShaderFor<B::Source>,
+    >(
+        &mut self,
+        options: &DrawOptions<M, Z, B>,
+        mesh: &Mesh<'_>,
+        width: LineWidth,
+        mvp: &V,
+        shader: &S,
+    ) -> Drawn
+    where
+        C: Levels,
+    {
+        self.smooth(
+            options,
+            (mesh, mvp),
+            width,
+            shader,
+            |call, line, blitter| outline::edges(call, line, blitter),
+        )
+    }
+
+    /// Draws a mesh's [`Outline`] as [`draw_outline`](Self::draw_outline) does, in anti-aliased lines like those of
+    /// [`draw_smooth_edges`](Self::draw_smooth_edges).
+    pub fn draw_smooth_outline<
+        M: Mode,
+        Z: DepthTest,
+        B: Blending<C>,
+        V: ModelToPicture,
+        S: ShaderFor<B::Source>,
+    >(
+        &mut self,
+        options: &DrawOptions<M, Z, B>,
+        mesh: &Mesh<'_>,
+        outline: &Outline<'_>,
+        width: LineWidth,
+        mvp: &V,
+        shader: &S,
+    ) -> Drawn
+    where
+        C: Levels,
+    {
+        self.smooth(
+            options,
+            (mesh, mvp),
+            width,
+            shader,
+            |call, line, blitter| outline::outline(call, outline, line, blitter),
+        )
     }
 
     /// Draws a mesh's positions as points: the pixel that contains each.
@@ -634,6 +802,45 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         u32::try_from(size.at(8) >> 8).unwrap_or(u32::MAX)
     }
 
+    /// Draws prepared edges with any painter, as lines that reach so many rows beyond their ends.
+    #[inline]
+    fn paint_edges<M: Mode, Z: DepthTest, B: Copy, K: ProjectionKind, P: Painter<Color = C>>(
+        &mut self,
+        prepared: &PreparedEdges<'_, K, M, Z, B>,
+        painter: P,
+        line: (DrawLine<'_>, i32),
+    ) -> Result<Drawn, Error> {
+        check_frame(self.frame_size(), prepared.frame)?;
+        let rows = self.rows().clone();
+        let modes = (prepared.mode, prepared.test);
+        let mut blit = Blit::<_, _, _, K, _, _>::new(modes, self, painter, prepared.depth_shift);
+        Ok(prepared.draw(line, &mut blit, &rows))
+    }
+
+    /// Sets up a draw call of anti-aliased lines and runs it.
+    #[inline]
+    fn smooth<M: Mode, Z: DepthTest, B: Blending<C>, V: ModelToPicture, S: ShaderFor<B::Source>>(
+        &mut self,
+        options: &DrawOptions<M, Z, B>,
+        parts: (&Mesh<'_>, &V),
+        width: LineWidth,
+        shader: &S,
+        stages: impl FnOnce(&Call<'_, V::Kind>, DrawLine<'_>, &mut dyn Blitter) -> Drawn,
+    ) -> Drawn
+    where
+        C: Levels,
+    {
+        let cover = Cell::new(LineCover::NONE);
+        let painter = Smooth {
+            shader: *shader,
+            blending: options.blending,
+            cover: &cover,
+        };
+        self.paint(options, parts, painter, |call, blitter| {
+            stages(call, &smooth(width, &cover), blitter)
+        })
+    }
+
     /// Sets up a draw call and runs it.
     #[inline]
     fn call<M: Mode, Z: DepthTest, B: Blending<C>, V: ModelToPicture, S: ShaderFor<B::Source>>(
@@ -643,14 +850,35 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         shader: &S,
         stages: impl FnOnce(&Call<'_, V::Kind>, &mut dyn Blitter) -> Drawn,
     ) -> Drawn {
+        self.paint(options, (mesh, mvp), (*shader, options.blending), stages)
+    }
+
+    /// The same with any painter.
+    #[inline]
+    fn paint<M: Mode, Z: DepthTest, B: Copy, V: ModelToPicture, P: Painter<Color = C>>(
+        &mut self,
+        options: &DrawOptions<M, Z, B>,
+        (mesh, mvp): (&Mesh<'_>, &V),
+        painter: P,
+        stages: impl FnOnce(&Call<'_, V::Kind>, &mut dyn Blitter) -> Drawn,
+    ) -> Drawn {
         let call = Call::new(options, mesh, mvp, (self.frame_size(), self.rows()));
         let modes = (options.mode, options.depth);
-        let mut blit = Blit::<_, _, _, V::Kind, _, _>::new(
-            modes,
-            self,
-            (*shader, options.blending),
-            call.depth_shift(),
-        );
+        let mut blit =
+            Blit::<_, _, _, V::Kind, _, _>::new(modes, self, painter, call.depth_shift());
         stages(&call, &mut blit)
     }
+}
+
+/// Draws lines of a width.
+fn wide(width: LineWidth) -> impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]) {
+    move |raster, ends| raster::wide_line(raster, ends, width)
+}
+
+/// Draws anti-aliased lines.
+fn smooth(
+    width: LineWidth,
+    cover: &Cell<LineCover>,
+) -> impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]) {
+    move |raster, ends| raster::smooth_line(raster, ends, width, cover)
 }

@@ -1,12 +1,11 @@
-//! Outlines, which choose among the edges of a mesh, and lines of a width.
+//! Outlines, which choose among the edges of a mesh, and edges in any kind of line.
 
-use super::Drawn;
 use super::assemble;
 use super::cache::VertexCache;
 use super::call::Call;
-use super::clip::ClippedPolygon;
-use crate::mesh::{Element, Index, Outline};
-use crate::raster::{self, Blitter, ClippedVertex, LineWidth, Rasterizer};
+use super::{Drawn, run};
+use crate::mesh::{Index, Outline};
+use crate::raster::{Blitter, ClippedVertex, Rasterizer};
 use crate::view::ProjectionKind;
 
 /// Draws a line between two ends.
@@ -20,62 +19,33 @@ pub(super) fn outline<K: ProjectionKind>(
     line: DrawLine<'_>,
     blitter: &mut dyn Blitter,
 ) -> Drawn {
-    let mut drawn = Drawn::default();
-    let mut raster = Rasterizer::new(blitter, &call.shared.scissor);
-    let mut vertices = VertexCache::new();
-    for (at, &edge) in outline.edges().iter().enumerate() {
-        drawn.submitted += 1;
-        if !is_drawn(call, &mut vertices, edge, at < outline.creases()) {
-            continue;
-        }
-        let [a, b, ..] = edge;
-        draw(call, &mut vertices, [a, b], line, (&mut raster, &mut drawn));
-    }
-    drawn.missing = call.shared.placement.missing();
-    drawn
+    let ends_of = |vertices: &mut VertexCache, at: usize, edge: &[Index; 4]| {
+        ends_of(call, vertices, outline, (at, *edge))
+    };
+    run::lines(call, blitter, outline.edges(), ends_of, line)
 }
 
-/// Draws all edges of a mesh as lines of a width.
+/// Draws all edges of a mesh.
 #[inline(never)]
-pub(super) fn wide_edges<K: ProjectionKind>(
+pub(super) fn edges<K: ProjectionKind>(
     call: &Call<'_, K>,
-    width: LineWidth,
+    line: DrawLine<'_>,
     blitter: &mut dyn Blitter,
 ) -> Drawn {
-    let mut drawn = Drawn::default();
-    let mut raster = Rasterizer::new(blitter, &call.shared.scissor);
-    let mut vertices = VertexCache::new();
-    let line = |raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]| {
-        raster::wide_line(raster, ends, width);
-    };
-    for &edge in call.shared.mesh.edges() {
-        drawn.submitted += 1;
-        draw(call, &mut vertices, edge, &line, (&mut raster, &mut drawn));
-    }
-    drawn.missing = call.shared.placement.missing();
-    drawn
+    let edges = call.shared.mesh.edges();
+    run::lines(call, blitter, edges, |_, _, &edge| Some(edge), line)
 }
 
-/// Draws one edge and counts it.
-#[inline(never)]
-fn draw<K: ProjectionKind>(
+/// The ends of an outline's edge, if it is drawn.
+#[inline]
+pub(super) fn ends_of<K: ProjectionKind>(
     call: &Call<'_, K>,
     vertices: &mut VertexCache,
-    [a, b]: [Index; 2],
-    line: DrawLine<'_>,
-    (raster, drawn): (&mut Rasterizer<'_>, &mut Drawn),
-) {
-    let mut ends = ClippedPolygon::new();
-    let is_clipped = assemble::edge(call, vertices, [a, b], &mut ends);
-    if let [from, to] = &*ends {
-        raster.start(&call.shared.primitive(Element {
-            face: None,
-            indices: [a, b, b],
-        }));
-        line(raster, [from, to]);
-        drawn.drawn += 1;
-        drawn.clipped += u32::from(is_clipped);
-    }
+    outline: &Outline<'_>,
+    (at, edge): (usize, [Index; 4]),
+) -> Option<[Index; 2]> {
+    let [a, b, ..] = edge;
+    is_drawn(call, vertices, edge, at < outline.creases()).then_some([a, b])
 }
 
 /// Whether an edge is drawn, from how its faces are turned.

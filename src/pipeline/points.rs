@@ -1,11 +1,10 @@
 //! Points of a size.
 
-use super::Drawn;
 use super::call::Call;
-use crate::mesh::{Element, Index};
+use super::{Drawn, run};
 use crate::num::block::{self, BlockFloat};
 use crate::num::wide::product;
-use crate::raster::{self, Blitter, PointStyle, Rasterizer, ScreenVertex};
+use crate::raster::{self, Blitter, PointStyle};
 use crate::view::{Projection, ProjectionKind, Viewport};
 
 /// Half the size of points, in units of 1/256 pixel.
@@ -53,33 +52,15 @@ pub(super) fn sized_points<K: ProjectionKind>(
     is_round: bool,
     blitter: &mut dyn Blitter,
 ) -> Drawn {
-    let mut drawn = Drawn::default();
-    let mut raster = Rasterizer::new(blitter, &call.shared.scissor);
-    for index in 0..call.shared.mesh.positions().len() {
-        // A mesh has at most 65,536 positions, so this never happens.
-        let Ok(index) = Index::try_from(index) else {
-            break;
+    run::each_point(call, blitter, |raster, at| {
+        let half = match *half {
+            HalfSize::Equal(half) => half,
+            HalfSize::OverDistance(mantissa, exp) => {
+                // near / w = q · 2^(exponent − 16 − shift), as for the depth.
+                let shift = i32::from(at.exponent) - 16 - call.depth_shift().0 - exp;
+                block::shift(product(mantissa, at.q.cast_signed()), shift + 8)
+            }
         };
-        drawn.submitted += 1;
-        let mut at = ScreenVertex::UNSET;
-        call.projector.project(index, &mut at);
-        if at.outcode == 0 {
-            raster.start(&call.shared.primitive(Element {
-                face: None,
-                indices: [index; 3],
-            }));
-            let half = match *half {
-                HalfSize::Equal(half) => half,
-                HalfSize::OverDistance(mantissa, exp) => {
-                    // near / w = q · 2^(exponent − 16 − shift), as for the depth.
-                    let shift = i32::from(at.exponent) - 16 - call.depth_shift().0 - exp;
-                    block::shift(product(mantissa, at.q.cast_signed()), shift + 8)
-                }
-            };
-            raster::sized_point(&mut raster, &at, half, is_round);
-            drawn.drawn += 1;
-        }
-    }
-    drawn.missing = call.shared.placement.missing();
-    drawn
+        raster::sized_point(raster, at, half, is_round);
+    })
 }

@@ -36,33 +36,74 @@ fn triangles_from<K: ProjectionKind>(
     }
 }
 
-/// Draws all edges of a mesh as lines.
-#[inline(never)]
-pub(super) fn edges<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blitter) -> Drawn {
-    let mut drawn = Drawn::default();
-    let mut raster = Rasterizer::new(blitter, &call.shared.scissor);
+/// Runs edges through the vertex and assembly stages. `ends_of` returns the positions of an edge, or nothing if it is
+/// not to be drawn; `each` receives the two ends of its part that is inside all planes, and whether it was clipped.
+#[inline]
+pub(super) fn each_edge<K: ProjectionKind, E>(
+    call: &Call<'_, K>,
+    edges: impl Iterator<Item = E>,
+    ends_of: impl Fn(&mut VertexCache, E) -> Option<[Index; 2]>,
+    mut each: impl FnMut([Index; 2], [&ClippedVertex; 2], bool),
+) {
     let mut vertices = VertexCache::new();
-    for &[a, b] in call.shared.mesh.edges() {
-        drawn.submitted += 1;
+    for edge in edges {
+        let Some(indices) = ends_of(&mut vertices, edge) else {
+            continue;
+        };
         let mut line = ClippedPolygon::new();
-        let is_clipped = assemble::edge(call, &mut vertices, [a, b], &mut line);
+        let is_clipped = assemble::edge(call, &mut vertices, indices, &mut line);
         if let [from, to] = &*line {
+            each(indices, [from, to], is_clipped);
+        }
+    }
+}
+
+/// Draws edges, each by `line`.
+#[inline]
+pub(super) fn lines<K: ProjectionKind, E>(
+    call: &Call<'_, K>,
+    blitter: &mut dyn Blitter,
+    edges: &[E],
+    ends_of: impl Fn(&mut VertexCache, usize, &E) -> Option<[Index; 2]>,
+    line: impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]),
+) -> Drawn {
+    let mut drawn = Drawn {
+        submitted: edges.len() as u32,
+        ..Drawn::default()
+    };
+    let mut raster = Rasterizer::new(blitter, &call.shared.scissor);
+    each_edge(
+        call,
+        edges.iter().enumerate(),
+        |vertices, (at, edge)| ends_of(vertices, at, edge),
+        |[a, b], ends, is_clipped| {
             raster.start(&call.shared.primitive(Element {
                 face: None,
                 indices: [a, b, b],
             }));
-            raster::line(&mut raster, [from, to]);
+            line(&mut raster, ends);
             drawn.drawn += 1;
             drawn.clipped += u32::from(is_clipped);
-        }
-    }
+        },
+    );
     drawn.missing = call.shared.placement.missing();
     drawn
 }
 
-/// Draws all positions of a mesh as points.
+/// Draws all edges of a mesh as lines.
 #[inline(never)]
-pub(super) fn points<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blitter) -> Drawn {
+pub(super) fn edges<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blitter) -> Drawn {
+    let edges = call.shared.mesh.edges();
+    lines(call, blitter, edges, |_, _, &edge| Some(edge), raster::line)
+}
+
+/// Draws all positions of a mesh that are inside all planes, each by `point`.
+#[inline]
+pub(super) fn each_point<K: ProjectionKind>(
+    call: &Call<'_, K>,
+    blitter: &mut dyn Blitter,
+    point: impl Fn(&mut Rasterizer<'_>, &ScreenVertex),
+) -> Drawn {
     let mut drawn = Drawn::default();
     let mut raster = Rasterizer::new(blitter, &call.shared.scissor);
     for index in 0..call.shared.mesh.positions().len() {
@@ -78,12 +119,18 @@ pub(super) fn points<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Bl
                 face: None,
                 indices: [index; 3],
             }));
-            raster::point(&mut raster, &at);
+            point(&mut raster, &at);
             drawn.drawn += 1;
         }
     }
     drawn.missing = call.shared.placement.missing();
     drawn
+}
+
+/// Draws all positions of a mesh as points.
+#[inline(never)]
+pub(super) fn points<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blitter) -> Drawn {
+    each_point(call, blitter, raster::point)
 }
 
 /// Draws all triangles of a mesh, in code that exists once for all shaders and canvases.

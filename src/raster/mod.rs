@@ -13,6 +13,7 @@ mod scale;
 mod scissor;
 mod setup;
 mod sized_point;
+mod smooth_line;
 mod triangle;
 mod vertex;
 mod wide_line;
@@ -32,6 +33,7 @@ pub(crate) use setup::{
 };
 pub use sized_point::PointStyle;
 pub(crate) use sized_point::sized_point;
+pub(crate) use smooth_line::{LineCover, smooth_line};
 pub(crate) use triangle::{Triangle, area};
 pub(crate) use vertex::{Barycentric, ClippedVertex, DepthShift, ScreenVertex};
 pub use wide_line::LineWidth;

@@ -1,24 +1,36 @@
 //! Points: one pixel each.
 
-use super::{Patch, Rasterizer, ScreenVertex};
+use super::{Barycentric, Patch, Rasterizer, ScreenVertex};
 
 /// Draws the pixel that contains a point.
 pub(crate) fn point(raster: &mut Rasterizer<'_>, at: &ScreenVertex) {
     let scissor = raster.scissor;
     let [x, y] = at.screen.map(|position| position >> 8);
     if scissor.columns.contains(&x) && scissor.rows.contains(&y) {
-        let [left, top] = [x << 8, y << 8];
-        // All three values are the point's, so any triangle that begins in the pixel will do.
-        let [a, b, c] = [[left, top], [left + 256, top], [left, top + 1]]
-            .map(|screen| ScreenVertex { screen, ..*at });
-        raster.blitter.set_up(&Patch {
-            vertices: [&a, &b, &c],
-            barycentric: None,
-            size: [256, 1],
-            area: 256,
-        });
+        set_up(raster, at, [x, y], None);
         raster.span(y, &(x..x + 1));
     }
+}
+
+/// Lays the interpolants over a point in a pixel: everywhere they have its values.
+#[inline(always)]
+#[allow(clippy::inline_always)] // optimized for size, a call would take 19 instructions more
+pub(super) fn set_up(
+    raster: &mut Rasterizer<'_>,
+    at: &ScreenVertex,
+    [x, y]: [i32; 2],
+    barycentric: Option<&[Barycentric; 3]>,
+) {
+    // All three values are the point's, so any triangle that begins in its pixel will do.
+    let [left, top] = [x << 8, y << 8];
+    let [a, b, c] = [[left, top], [left + 256, top], [left, top + 1]]
+        .map(|screen| ScreenVertex { screen, ..*at });
+    raster.blitter.set_up(&Patch {
+        vertices: [&a, &b, &c],
+        barycentric,
+        size: [256, 1],
+        area: 256,
+    });
 }
 
 #[cfg(test)]

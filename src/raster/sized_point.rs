@@ -1,6 +1,6 @@
 //! Points of a size.
 
-use super::{Patch, Rasterizer, ScreenVertex};
+use super::{Rasterizer, ScreenVertex, point};
 use crate::{Error, Scalar};
 
 /// The size and the shape of points, for [`Canvas::draw_sized_points`](crate::Canvas::draw_sized_points).
@@ -116,16 +116,7 @@ pub(crate) fn sized_point(
     if rows.is_empty() {
         return;
     }
-    // All three values are the point's, so any triangle will do.
-    let [left, top] = at.screen.map(|position| position & !255);
-    let [a, b, c] = [[left, top], [left + 256, top], [left, top + 1]]
-        .map(|screen| ScreenVertex { screen, ..*at });
-    raster.blitter.set_up(&Patch {
-        vertices: [&a, &b, &c],
-        barycentric: None,
-        size: [256, 1],
-        area: 256,
-    });
+    point::set_up(raster, at, [x >> 8, y >> 8], None);
     for row in rows {
         let columns = if is_round {
             let away = (row << 8) + 128 - y;

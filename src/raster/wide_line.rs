@@ -1,11 +1,15 @@
 //! Lines of a width.
 
+use core::ops::Range;
+
 use super::edge::Edge;
 use super::line::Course;
 use super::{ClippedVertex, Rasterizer};
 use crate::{Error, Scalar};
 
-/// The width of lines, in pixels, for [`Canvas::draw_wide_edges`](crate::Canvas::draw_wide_edges).
+/// The width of lines, in pixels, for [`Canvas::draw_wide_edges`](crate::Canvas::draw_wide_edges), as described here,
+/// and for [`Canvas::draw_smooth_edges`](crate::Canvas::draw_smooth_edges), which measures it at right angles to the
+/// line.
 ///
 /// For each pixel center that a line passes along its longer axis, it gets a run of pixels across that axis: those whose
 /// centers are within half the width of the line there. A center exactly on the upper or left end of the run does not
@@ -53,6 +57,11 @@ impl LineWidth {
         })
     }
 
+    /// How many rows a line of this width may reach beyond its ends, anti-aliased or not.
+    pub(crate) const fn reach(self) -> i32 {
+        ((self.half + 128) >> 8) + 1
+    }
+
     /// The width in pixels.
     #[must_use]
     pub const fn pixels(self) -> Scalar {
@@ -82,26 +91,25 @@ pub(crate) fn wide_line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2], 
         )
     };
     let (mut before, mut last) = (beside(-width.half - 128), beside(width.half - 128));
-    let mut next = move || {
-        let [first, end] = [1 - before.next(), 1 - last.next()];
-        first.max(across.start)..end.min(across.end)
-    };
+    let mut next = move || 1 - before.next()..1 - last.next();
+    let cut = |run: Range<i32>| run.start.max(across.start)..run.end.min(across.end);
     if steep {
         for row in steps {
-            let columns = next();
+            let columns = cut(next());
             if !columns.is_empty() {
                 raster.span(row, &columns);
             }
         }
         return;
     }
-    // Equal runs side by side are drawn as a block, which starts at `first`.
+    // Equal runs side by side are drawn as a block, which starts at `first`. They are compared before they are cut: a
+    // band must have the spans of the frame, because each span has its own rounding.
     let mut first = steps.start;
     let mut rows = next();
     for column in steps.clone() {
         let following = next();
         if following != rows || column + 1 == steps.end {
-            for row in rows {
+            for row in cut(rows) {
                 raster.span(row, &(first..column + 1));
             }
             (first, rows) = (column + 1, following);

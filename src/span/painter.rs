@@ -1,10 +1,13 @@
 //! A shader with the blending of its draw call.
 
+use core::cell::Cell;
+
 use crate::mesh::Primitive;
-use crate::shade::{ColorOf, Fragment, Shader, Varyings};
+use crate::raster::LineCover;
+use crate::shade::{ColorOf, Fragment, Levels, Shader, Varyings};
 use crate::target::Blending;
 
-/// What the pixels of a draw call are colored by: a [`Shader`] and a [`Blending`].
+/// What the pixels of a draw call are colored by: a [`Shader`] and a [`Blending`], and of [`Smooth`] lines their cover.
 pub(crate) trait Painter: Copy {
     /// The color of the canvas.
     type Color;
@@ -52,5 +55,49 @@ impl<S: Shader, B: Blending<ColorOf<S>, Source = S::Color>> Painter for (S, B) {
         let (shader, blending) = self;
         let source = shader.shade(at, varyings)?;
         Some(blending.blend(source, below, at.point))
+    }
+}
+
+/// A shader and a blending, of which each pixel gets as much as the current line covers of it.
+#[derive(Clone, Copy)]
+pub(crate) struct Smooth<'l, S, B> {
+    pub(crate) shader: S,
+    pub(crate) blending: B,
+    /// The rasterizer sets it for each line.
+    pub(crate) cover: &'l Cell<LineCover>,
+}
+
+impl<S, B> Painter for Smooth<'_, S, B>
+where
+    S: Shader,
+    ColorOf<S>: Levels,
+    B: Blending<ColorOf<S>, Source = S::Color>,
+{
+    type Color = ColorOf<S>;
+    type Varyings = S::Varyings;
+
+    const READS_DEPTH: bool = S::READS_DEPTH;
+    const READS_COLOR: bool = true;
+
+    #[inline]
+    fn varyings(&self, primitive: &Primitive<'_>) -> [S::Varyings; 3] {
+        self.shader.varyings(primitive)
+    }
+
+    #[inline]
+    fn paint(
+        &self,
+        at: &Fragment,
+        varyings: S::Varyings,
+        below: impl FnOnce() -> ColorOf<S>,
+    ) -> Option<ColorOf<S>> {
+        let cover = self.cover.get().at(at.point);
+        if cover == 0 {
+            return None;
+        }
+        let source = self.shader.shade(at, varyings)?;
+        let below = below();
+        let color = self.blending.blend(source, || below, at.point);
+        Some(below.covered(color, cover, at.point))
     }
 }

@@ -59,7 +59,9 @@ impl Scene {
                 list.prepare(&BOTH_SIDES, SIZE, &mesh, projection)
             };
             let order = RefCell::new(Vec::new());
-            canvas.draw_prepared(&prepared.unwrap(), &Noted(&order));
+            canvas
+                .draw_prepared(&prepared.unwrap(), &Noted(&order))
+                .unwrap();
             order.into_inner()
         });
         let mut drawn = order.clone();
@@ -99,7 +101,7 @@ impl Scene {
             let mut all = Vec::new();
             for (&object, triangles) in scene.parts(&canvas).unwrap() {
                 let order = RefCell::new(Vec::new());
-                canvas.draw_prepared(&triangles, &Noted(&order));
+                canvas.draw_prepared(&triangles, &Noted(&order)).unwrap();
                 all.extend(order.into_inner().iter().map(|face| 3 * face + object));
             }
             all

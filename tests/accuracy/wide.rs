@@ -1,12 +1,17 @@
-//! Lines of a width and points of a size: their pixels in exact integers; sizes in world space against f64.
+//! Lines of a width and points of a size: their pixels in exact integers; sizes in world space and the shares of
+//! anti-aliased lines against f64.
 
 use crate::common::recorder::{Probe, Recorder, Seen, record};
 use crate::common::{at_subpixel, pixel_lens};
+use crate::reference::blending::over;
 use crate::reference::coverage::{Bounds, center, picture};
-use embedded_graphics::pixelcolor::Gray8;
+use crate::reference::lines::share;
+use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb565, RgbColor};
 use fixel::Drawn;
+use fixel::num::Subpixel;
 use fixel::prelude::*;
-use fixel::target::{Depth, Native};
+use fixel::target::{Add, Depth, Native, Opacity};
+
 use proptest::prelude::*;
 
 /// A position in 24.8.
@@ -73,6 +78,37 @@ fn on_line([a, b]: [Point; 2], half: i64, pixel: [i32; 2]) -> bool {
     -half * length < distance && distance <= half * length
 }
 
+/// A position ahead of the eye, in units of 2⁻¹⁶.
+fn ahead() -> impl Strategy<Value = [i32; 3]> {
+    [
+        -5 << 16..5i32 << 16,
+        -3 << 16..3i32 << 16,
+        -20 << 16..-1i32 << 15,
+    ]
+}
+
+/// Compares the depths and values of a smooth line with those of a plain one, which has one pixel in each step along
+/// the longer axis.
+///
+/// Both lines have spans of their own, and each span its rounding. As in `lines_in_perspective`, where ends may be farther
+/// apart, it is at most 2^21 · 34 · 1.5 / (2^30 / 128) + 4 units, or 16.7, for each of them; and that of a depth less than
+/// one step.
+fn check_values(smooth: &[Seen<1>], [a, b]: [Point; 2], plain: &[Seen<1>]) {
+    const UNITS: u32 = 33;
+    let major = usize::from(a[0].abs_diff(b[0]) < a[1].abs_diff(b[1]));
+    for plain in plain {
+        let step = plain.pixel[major];
+        for seen in smooth.iter().filter(|seen| seen.pixel[major] == step) {
+            let apart = seen.values[0].abs_diff(plain.values[0]);
+            assert!(apart <= UNITS, "{seen:?} beside {plain:?}");
+            assert!(
+                seen.depth.abs_diff(plain.depth) <= 1,
+                "{seen:?} beside {plain:?}"
+            );
+        }
+    }
+}
+
 /// On pixel corners, on centers, on any subpixel; in and around the picture.
 fn places() -> impl Strategy<Value = Point> {
     prop_oneof![
@@ -115,6 +151,105 @@ proptest! {
             }
             prop_assert_eq!(first.get_or_insert(wide.len()), &wide.len());
         }
+    }
+
+    /// An anti-aliased line, white on black, is the model's: every pixel's share is within 1.3/256, which its level shows
+    /// within 1.3 and half a step; the same from either end and in bands. On Rgb565, shares are rounded to 32nds,
+    /// an error of 1/64 more, of 31 or 63 steps.
+    ///
+    /// Where the shares differ from 0, each pixel is drawn once; a pixel beside a plain line's has its values, and one
+    /// beyond its ends has theirs.
+    #[test]
+    fn smooth_lines_are_the_models(ends in [places(), places()], half in prop_oneof![128..=8192i32, Just(128), 128..600i32], rows in 1..40u32) {
+        let mvp = pixel_lens(SIZE);
+        let positions = ends.map(at_subpixel);
+        let edges = [[0, 1]];
+        let mesh = Mesh::new(&positions, &[]).unwrap().with_edges(&edges).unwrap();
+        let width = LineWidth::new(Scalar::from_bits(half << 9)).unwrap();
+        let options = DrawOptions::new();
+        let gray = |rows: u32, mesh: &Mesh<'_>| {
+            let mut colors = vec![Gray8::BLACK; (SIZE.0 * SIZE.1) as usize];
+            for (first, rows) in (0..).step_by(rows as usize).zip(colors.chunks_mut((rows * SIZE.0) as usize)) {
+                let mut band = Canvas::band(rows, SIZE.0, SIZE.1, first).unwrap();
+                band.draw_smooth_edges(&options, mesh, width, &mvp, &Flat::new(Gray8::WHITE));
+            }
+            colors
+        };
+        let found = gray(SIZE.1, &mesh);
+        prop_assert_eq!(&gray(rows, &mesh), &found, "bands");
+        let turned = [[1, 0]];
+        prop_assert_eq!(&gray(SIZE.1, &mesh.with_edges(&turned).unwrap()), &found, "the other direction");
+
+        let mut colors = vec![Rgb565::BLACK; (SIZE.0 * SIZE.1) as usize];
+        let mut canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
+        canvas.draw_smooth_edges(&options, &mesh, width, &mvp, &Flat::new(Rgb565::WHITE));
+
+        let float = |[x, y]: Point| [x, y].map(|at| f64::from(at) / 256.);
+        let (screen, pixels) = (ends.map(float), f64::from(half) / 128.);
+        for ((pixel, gray), color) in Bounds::new(SIZE.0, SIZE.1).pixels().zip(&found).zip(&colors) {
+            let share = share(screen, pixels, center(pixel));
+            let room = |steps: f64, extra: f64| steps * (1.3 / 256. + extra) + 0.5;
+            let level = f64::from(gray.luma());
+            prop_assert!((level - share * 255.).abs() <= room(255., 0.), "{:?}: {} instead of {}", pixel, level, share * 255.);
+            for (level, steps) in [(color.r(), 31.), (color.g(), 63.), (color.b(), 31.)] {
+                let level = f64::from(level);
+                prop_assert!((level - share * steps).abs() <= room(steps, 1. / 64.), "{:?}: {} instead of {}", pixel, level, share * steps);
+            }
+        }
+
+        let smooth = drawn(SIZE.1, |frame, pen| frame.draw_smooth_edges(&options, &mesh, width, &mvp, pen));
+        check_values(&smooth, ends, &drawn(SIZE.1, |frame, pen| frame.draw_edges(&options, &mesh, &mvp, pen)));
+        prop_assert!(counts(&smooth).iter().all(|&count| count <= 1));
+        for seen in smooth.iter().filter(|seen| {
+            let major = usize::from(ends[0][0].abs_diff(ends[1][0]) < ends[0][1].abs_diff(ends[1][1]));
+            let at = seen.pixel[major] * 256 + 128;
+            at < ends[0][major].min(ends[1][major]) || at > ends[0][major].max(ends[1][major])
+        }) {
+            prop_assert!(positions.iter().any(|end| seen.values == [end.x.to_bits()]), "beyond the ends: {:?}", seen);
+        }
+    }
+
+    /// In perspective, bands of wide and of smooth lines have the bits of the frame.
+    #[test]
+    fn bands_of_lines_in_perspective(ends in [ahead(), ahead()], half in 128..=8192i32, rows in 1..40u32) {
+        let positions = ends.map(Vec3::from_bits);
+        let edges = [[0, 1]];
+        let mesh = Mesh::new(&positions, &[]).unwrap().with_edges(&edges).unwrap();
+        let width = LineWidth::new(Scalar::from_bits(half << 9)).unwrap();
+        let mvp = Projection::from_focal_length(fx!(40), SIZE, fx!(0.25), fx!(32)).unwrap();
+        let options = DrawOptions::new();
+        let wide = |rows| drawn(rows, |frame, pen| frame.draw_wide_edges(&options, &mesh, width, &mvp, pen));
+        prop_assert_eq!(wide(rows), wide(SIZE.1));
+        let smooth = |rows| drawn(rows, |frame, pen| frame.draw_smooth_edges(&options, &mesh, width, &mvp, pen));
+        prop_assert_eq!(smooth(rows), smooth(SIZE.1));
+    }
+
+    /// In perspective too, pixels beside a plain line's have its depths and values.
+    #[test]
+    fn smooth_lines_have_the_values_of_plain_ones(ends in [ahead(), ahead()], half in 128..600i32, opacity: u8) {
+        let positions = ends.map(Vec3::from_bits);
+        let edges = [[0, 1]];
+        let mesh = Mesh::new(&positions, &[]).unwrap().with_edges(&edges).unwrap();
+        let width = LineWidth::new(Scalar::from_bits(half << 9)).unwrap();
+        let mvp = Projection::from_focal_length(fx!(40), SIZE, fx!(0.25), fx!(32)).unwrap();
+        let plain = DrawOptions::new();
+        let canvas_ends = |mvp: &Projection<_>| {
+            let mut colors = vec![Gray8::BLACK; (SIZE.0 * SIZE.1) as usize];
+            let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
+            let end = |at: usize| canvas.project(&plain, mvp, positions[at]).map(|at| [at.x, at.y].map(Subpixel::to_bits));
+            Some([end(0)?, end(1)?])
+        };
+        // Without clipped ends, whose places on the screen only the crate knows.
+        let Some(ends) = canvas_ends(&mvp) else {
+            return Ok(());
+        };
+        let thin = drawn(SIZE.1, |frame, pen| frame.draw_edges(&plain, &mesh, &mvp, pen));
+        check_values(&drawn(SIZE.1, |frame, pen| frame.draw_smooth_edges(&plain, &mesh, width, &mvp, pen)), ends, &thin);
+        // However its color is blended.
+        let glass = plain.with_blending(Opacity(opacity));
+        check_values(&drawn(SIZE.1, |frame, pen| frame.draw_smooth_edges(&glass, &mesh, width, &mvp, pen)), ends, &thin);
+        let light = plain.with_blending(Add);
+        check_values(&drawn(SIZE.1, |frame, pen| frame.draw_smooth_edges(&light, &mesh, width, &mvp, pen)), ends, &thin);
     }
 
     /// A square has the centers from half its size left of the point, or above, to half its size right, or below; the
@@ -211,11 +346,55 @@ fn wide_outlines_are_outlines() {
     let wide = |width| {
         let width = LineWidth::new(width).unwrap();
         drawn(SIZE.1, |frame, pen| {
-            frame.draw_wide_outline(&options, &CAN, (&RIMS, width), &mvp, pen)
+            frame.draw_wide_outline(&options, &CAN, &RIMS, width, &mvp, pen)
         })
     };
     assert_eq!(wide(fx!(1)), thin);
+    // The center of a plain line's pixel is within half a pixel of the line.
+    let width = LineWidth::new(fx!(1)).unwrap();
+    let smooth = drawn(SIZE.1, |frame, pen| {
+        frame.draw_smooth_outline(&options, &CAN, &RIMS, width, &mvp, pen)
+    });
+    let smooth = counts(&smooth);
+    assert!(
+        counts(&thin)
+            .iter()
+            .zip(smooth)
+            .all(|(&thin, smooth)| thin == 0 || smooth > 0)
+    );
     let pixels = |seen: &[Seen<1>]| counts(seen).iter().filter(|&&count| count > 0).count();
     let (one, three) = (pixels(&thin), pixels(&wide(fx!(3))));
     assert!(one > 60 && three > 2 * one, "{one} and {three}");
+}
+
+/// The share of a line applies to what its blending makes.
+#[test]
+fn blended_lines_are_the_models() {
+    let ends = [[1500, 1200], [9000, 4700]];
+    let positions = ends.map(at_subpixel);
+    let edges = [[0, 1]];
+    let mesh = Mesh::new(&positions, &[])
+        .unwrap()
+        .with_edges(&edges)
+        .unwrap();
+    let width = LineWidth::new(fx!(2.5)).unwrap();
+    let glass = DrawOptions::new().with_blending(Opacity(100));
+    let mut colors = vec![Gray8::new(60); (SIZE.0 * SIZE.1) as usize];
+    let mut canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
+    let pen = Flat::new(Gray8::new(240));
+    canvas.draw_smooth_edges(&glass, &mesh, width, &pixel_lens(SIZE), &pen);
+    let screen = ends.map(|end: Point| end.map(|at| f64::from(at) / 256.));
+    let mut partly = 0;
+    for (pixel, color) in Bounds::new(SIZE.0, SIZE.1).pixels().zip(&colors) {
+        let share = share(screen, 2.5, center(pixel));
+        let exact = over(over(240., 60., 100. / 255.), 60., share);
+        // The opacity, within 1/512, and the share, within 1.3/256, of 180 steps, and two roundings.
+        let room = 180. * (1. / 512. + 1.3 / 256.) + 1.;
+        assert!(
+            (f64::from(color.luma()) - exact).abs() <= room,
+            "{pixel:?}: {color:?} instead of {exact}"
+        );
+        partly += u32::from(share > 0. && share < 1.);
+    }
+    assert!(partly > 30);
 }

@@ -167,7 +167,7 @@ impl Scene {
                 let mut counts = [vec![], vec![]];
                 let given = bands(rows, |band| {
                     band.clear(Rgb888::new(1, 2, 3));
-                    counts[0].push(band.draw_prepared(&prepared, &Bits));
+                    counts[0].push(band.draw_prepared(&prepared, &Bits).unwrap());
                 });
                 let expected = bands(rows, |band| {
                     band.clear(Rgb888::new(1, 2, 3));
@@ -235,7 +235,7 @@ proptest! {
                 let mut band = band.with_depth_format::<Float>(&mut depth).unwrap();
                 band.clear(Rgb888::new(1, 2, 3));
                 if is_prepared {
-                    band.draw_prepared(&prepared, &Bits);
+                    band.draw_prepared(&prepared, &Bits).unwrap();
                 } else {
                     band.draw_with(&common::BOTH_SIDES, &mesh, &mvp, &Bits);
                 }
@@ -295,7 +295,7 @@ fn prepare<const TRIANGLES: usize, const VERTICES: usize>() -> Result<u32, Error
     let ball = list.prepare(&DrawOptions::new(), (WIDTH, HEIGHT), &BALL, &mvp)?;
     let mut drawn = 0;
     bands(HEIGHT, |band| {
-        drawn = band.draw_prepared(&ball, &Bits).drawn;
+        drawn = band.draw_prepared(&ball, &Bits).unwrap().drawn;
     });
     Ok(drawn)
 }
@@ -319,7 +319,7 @@ fn a_large_prepared_mesh_equals_the_frame() {
     });
     assert!(clipped > 10, "{clipped}");
     let given = bands(5, |band| {
-        band.draw_prepared(&ball, &Bits);
+        band.draw_prepared(&ball, &Bits).unwrap();
     });
     assert!(given == frame);
 }

@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use fixel::prelude::*;
-use fixel::{Object, PreparedScene};
+use fixel::{Drawn, EdgeList, Object, PreparedScene};
 
 const WIDTH: u32 = 48;
 const HEIGHT: u32 = 36;
@@ -73,14 +73,14 @@ fn in_bands(
         let mut band = Canvas::band(&mut color, WIDTH, HEIGHT, first).unwrap();
         for (shader, triangles) in scene.parts(&band).unwrap() {
             if !has_depth {
-                band.draw_prepared(&triangles, shader);
+                band.draw_prepared(&triangles, shader).unwrap();
             }
             parts += 1;
         }
         if has_depth {
             let mut band = band.with_depth(&mut depth).unwrap();
             for (shader, triangles) in scene.parts(&band).unwrap() {
-                band.draw_prepared(&triangles, shader);
+                band.draw_prepared(&triangles, shader).unwrap();
             }
         }
         frame.extend(color);
@@ -155,11 +155,125 @@ fn a_canvas_of_another_frame_is_refused() {
         let canvas = Canvas::new(pixels, width, height).unwrap();
         let error = scene.parts(&canvas).map(|_| ()).unwrap_err();
         let expected = format!(
-            "canvas belongs to a frame of {width}x{height}: the scene was prepared for 48x36"
+            "canvas belongs to a frame of {width}x{height}: the list was prepared for 48x36"
         );
         assert_eq!(error.to_string(), expected);
     }
     // A band of the same frame is not.
     let band = Canvas::band(&mut color[..WIDTH as usize], WIDTH, HEIGHT, 7).unwrap();
     assert!(scene.parts(&band).is_ok());
+}
+
+#[test]
+fn one_meshs_list_refuses_a_canvas_of_another_frame() {
+    let mut list: TriangleList<300, 400> = TriangleList::new();
+    let mut lines: EdgeList<300, 300> = EdgeList::new();
+    let (options, pen) = (DrawOptions::new(), Flat::new(Gray8::WHITE));
+    let ball = list.prepare(&options, SIZE, &BALL, &view()).unwrap();
+    let edges = lines.prepare(&options, SIZE, &BALL, &view()).unwrap();
+    let width = LineWidth::new(fx!(2)).unwrap();
+    let mut color = [Gray8::BLACK; PIXELS];
+    let mut band = Canvas::band(&mut color[..WIDTH as usize], WIDTH, HEIGHT, 7).unwrap();
+    assert!(band.draw_prepared(&ball, &pen).is_ok());
+    assert!(band.draw_prepared_edges(&edges, &pen).is_ok());
+    // A wider frame, and one with a row less.
+    for (width_of_frame, height) in [(WIDTH * 2, HEIGHT / 2), (WIDTH, HEIGHT - 1)] {
+        color.fill(Gray8::BLACK);
+        let pixels = &mut color[..(width_of_frame * height) as usize];
+        let mut canvas = Canvas::new(pixels, width_of_frame, height).unwrap();
+        let expected = format!(
+            "canvas belongs to a frame of {width_of_frame}x{height}: the list was prepared for 48x36"
+        );
+        let all = [
+            canvas.draw_prepared(&ball, &pen),
+            canvas.draw_prepared_edges(&edges, &pen),
+            canvas.draw_prepared_wide_edges(&edges, width, &pen),
+            canvas.draw_prepared_smooth_edges(&edges, width, &pen),
+        ];
+        for refused in all {
+            assert_eq!(refused.unwrap_err().to_string(), expected);
+        }
+        assert!(color.iter().all(|&pixel| pixel == Gray8::BLACK));
+    }
+}
+
+/// Wide and clipped lines, above and below the frame: in bands of prepared edges as drawn at once.
+#[test]
+fn prepared_edges_are_the_edges() {
+    static OUTLINE: Outline = outline!(BALL, deg!(30));
+    let near = view() * Transform::translate(vec3!(0, 0.2, 2.3)) * Transform::scale(fx!(1.3));
+    let (options, pen) = (DrawOptions::new(), Flat::new(Gray8::WHITE));
+    let mut lines: EdgeList<300, 600> = EdgeList::new();
+    let picture = |rows: u32, draw: &dyn Fn(&mut Canvas<'_, Gray8>) -> Drawn| {
+        let mut color = [Gray8::BLACK; PIXELS];
+        let mut drawn = Vec::new();
+        for (band, first) in color
+            .chunks_mut((rows * WIDTH) as usize)
+            .zip((0..).step_by(rows as usize))
+        {
+            drawn.push(draw(&mut Canvas::band(band, WIDTH, HEIGHT, first).unwrap()));
+        }
+        (color, drawn)
+    };
+    for width in [fx!(1), fx!(3.5), fx!(20)] {
+        let width = LineWidth::new(width).unwrap();
+        for rows in [HEIGHT, 5, 1] {
+            let edges = lines.prepare(&options, SIZE, &BALL, &near).unwrap();
+            let (direct, counts) = picture(HEIGHT, &|canvas| {
+                canvas.draw_edges(&options, &BALL, &near, &pen)
+            });
+            assert!(
+                counts[0].clipped > 10 && counts[0].drawn > 100,
+                "{counts:?}"
+            );
+            let (prepared, drawn) = picture(rows, &|band| {
+                band.draw_prepared_edges(&edges, &pen).unwrap()
+            });
+            assert!(prepared == direct && drawn[0].submitted == counts[0].submitted);
+            assert!(
+                rows > 1 || drawn.iter().any(|drawn| drawn.drawn < 40),
+                "{drawn:?}"
+            );
+            let (direct, _) = picture(HEIGHT, &|canvas| {
+                canvas.draw_wide_edges(&options, &BALL, width, &near, &pen)
+            });
+            let (prepared, _) = picture(rows, &|band| {
+                band.draw_prepared_wide_edges(&edges, width, &pen).unwrap()
+            });
+            assert!(prepared == direct);
+            let (direct, _) = picture(HEIGHT, &|canvas| {
+                canvas.draw_smooth_edges(&options, &BALL, width, &near, &pen)
+            });
+            let (prepared, _) = picture(rows, &|band| {
+                band.draw_prepared_smooth_edges(&edges, width, &pen)
+                    .unwrap()
+            });
+            assert!(prepared == direct);
+
+            let edges = lines
+                .prepare_outline(&options, SIZE, &BALL, &OUTLINE, &near)
+                .unwrap();
+            let (direct, counts) = picture(HEIGHT, &|canvas| {
+                canvas.draw_outline(&options, &BALL, &OUTLINE, &near, &pen)
+            });
+            let (prepared, drawn) = picture(rows, &|band| {
+                band.draw_prepared_edges(&edges, &pen).unwrap()
+            });
+            assert!(prepared == direct && drawn[0].submitted == counts[0].submitted);
+        }
+    }
+    let mut short: EdgeList<8, 600> = EdgeList::new();
+    let error = short.prepare(&options, SIZE, &BALL, &near).unwrap_err();
+    assert!(
+        matches!(
+            error,
+            Error::Full {
+                of: "edges",
+                needed: 100..,
+                room: 8,
+                ..
+            }
+        ),
+        "{error}"
+    );
 }

@@ -52,7 +52,7 @@ fn drawn(mesh: &Mesh, shader: &impl Shader<Color = Rgb565>) -> Vec<Rgb565> {
     let mut bands = vec![Rgb565::BLACK; PIXELS];
     for (first, band) in (0..SIZE.1).step_by(8).zip(bands.chunks_mut(8 * 32)) {
         let mut band = Canvas::band(band, SIZE.0, SIZE.1, first).unwrap();
-        band.draw_prepared(&prepared, shader);
+        band.draw_prepared(&prepared, shader).unwrap();
     }
     assert!(bands == picture);
     picture

@@ -118,7 +118,7 @@ fn everything<S: Shader<Color = Rgb565>>(canvas: &mut Screen<'_>, mode: impl Mod
     let prepared = list
         .prepare(&options, (WIDTH, HEIGHT), &BOX, &behind)
         .unwrap();
-    canvas.draw_prepared(&prepared, shader);
+    canvas.draw_prepared(&prepared, shader).unwrap();
 }
 
 fn check_wrappers<S: Shader<Color = Rgb565>>(mode: impl Mode, shader: S) {

@@ -65,7 +65,7 @@ fn drawn<K: ProjectionKind, I: Mode>(
     ];
     let mut list: TriangleList<16, 400> = TriangleList::new();
     let prepared = list.prepare(&options, SIZE, mesh, mvp).unwrap();
-    canvas.draw_prepared(&prepared, &NormalView::new());
+    canvas.draw_prepared(&prepared, &NormalView::new()).unwrap();
     (colors, depths, counts)
 }
 

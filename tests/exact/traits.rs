@@ -22,6 +22,7 @@ use fixel::target::{TestAndWrite, TestOnly, WideFloat, WriteOnly};
 use fixel::texture::{Argb1555, Argb4444, Mipmap, MipmapArray, PackedGray4, Trilinear};
 use fixel::texture::{Bilinear, Clamp, CutOut, Image, Nearest, Repeat};
 use fixel::view::{Parallel, Perspective, Segment};
+use fixel::{EdgeList, PreparedEdges};
 use fixel::{
     Hit, Index, Matrix4, Object, Prepared, PreparedScene, RefusedFloat, ScreenPoint, Unit,
 };
@@ -62,12 +63,13 @@ all!(value: Image<'static> Palette<'static, Rgb565> Texture<'static, Rgb565>);
 all!(borrowed: Keyframes<'static> Mesh<'static> Outline<'static> Positions<'static> Sprites<'static>);
 all!(borrowed: Dequantized<'static, Flat<Rgb565>> Quantized<'static>);
 all!(shared: Map<Flat<Rgb565>, fn(&Fragment, Rgb565) -> Option<Rgb565>> Prepared<'static>);
+all!(shared: EdgeList<1, 1> PreparedEdges<'static>);
 all!(shared: Object<'static, u8> TriangleList<1, 1> TextureArray<Rgb565, 1, 1> PaletteArray<Rgb565, 1, 1>);
 all!(any: PreparedScene<'static, u8> Buffers<'static> Canvas<'static, Rgb565> Canvas<'static, Rgb565, Native, Depth<'static>>);
 
 all!(default: Trilinear);
 all!(default: Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform Camera Counts Cull DrawOptions);
-all!(default: Drawn Missing Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> TriangleList<1, 1>);
+all!(default: Drawn Missing Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> TriangleList<1, 1> EdgeList<1, 1>);
 all!(shown: Error RefusedFloat Angle Vec2 Vec3);
 all!(error: Error);
 

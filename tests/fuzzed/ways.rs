@@ -15,7 +15,7 @@ use fixel::target::{
     Add, Alpha, Blending, Depth, DepthBuffer, Multiply, Native, Opacity, Storage, TestAndWrite,
 };
 use fixel::view::ProjectionKind;
-use fixel::{Drawn, Object, Prepared};
+use fixel::{Drawn, EdgeList, Object, Prepared, PreparedEdges};
 
 use super::scene::{Attribute, Scene, What};
 use super::shaders::Bits;
@@ -61,13 +61,12 @@ impl<K: ProjectionKind> Call<'_, K> {
             What::Triangles => canvas.draw_with(options, self.mesh, &self.mvp, shader),
             What::Edges if self.scene.style & 1 != 0 => {
                 let mut room = vec![[0; 4]; 3 * self.mesh.faces().len()];
-                let crease = Angle::from_bits(u32::from(self.scene.style) << 23);
-                let outline = Outline::build(self.mesh, crease, &mut room).unwrap();
+                let outline = self.outline(&mut room).unwrap();
                 match self.width() {
                     None => canvas.draw_outline(options, self.mesh, &outline, &self.mvp, shader),
                     Some(width) => {
-                        let lines = (&outline, width);
-                        canvas.draw_wide_outline(options, self.mesh, lines, &self.mvp, shader)
+                        let mesh = self.mesh;
+                        canvas.draw_wide_outline(options, mesh, &outline, width, &self.mvp, shader)
                     }
                 }
             }
@@ -294,8 +293,10 @@ impl<K: ProjectionKind> Call<'_, K> {
         assert_eq!(self.on_frame(&mut again, draw), drawn);
         assert!(again == frame, "drawn again, the picture differs");
         assert!(self.in_bands(draw) == frame, "bands differ");
-        if self.scene.what == What::Triangles {
-            self.check_prepared(options, shader, &frame, drawn);
+        match self.scene.what {
+            What::Triangles => self.check_prepared(options, shader, &frame, drawn),
+            What::Edges => self.check_prepared_edges(options, shader, &frame),
+            What::Points | What::Sprites(_) => {}
         }
         frame
     }
@@ -356,13 +357,13 @@ impl<K: ProjectionKind> Call<'_, K> {
             .unwrap();
         let mut frame = self.blank();
         let counts = self.on_frame(&mut frame, &mut |canvas| {
-            canvas.draw_prepared(&prepared, shader)
+            canvas.draw_prepared(&prepared, shader).unwrap()
         });
         assert!(frame == *expected, "prepared triangles differ");
         // A triangle that clipping removes reports missing attributes only if it is not prepared.
         let missing = drawn.missing;
         assert_eq!(Drawn { missing, ..counts }, drawn);
-        let bands = self.in_bands(&mut |band| band.draw_prepared(&prepared, shader));
+        let bands = self.in_bands(&mut |band| band.draw_prepared(&prepared, shader).unwrap());
         assert!(bands == *expected, "bands of prepared triangles differ");
 
         // In another order, other triangles may show; but the same are drawn, and bands equal the frame.
@@ -371,10 +372,10 @@ impl<K: ProjectionKind> Call<'_, K> {
             .unwrap();
         let mut frame = self.blank();
         let counts = self.on_frame(&mut frame, &mut |canvas| {
-            canvas.draw_prepared(&sorted, shader)
+            canvas.draw_prepared(&sorted, shader).unwrap()
         });
         assert_eq!(Drawn { missing, ..counts }, drawn);
-        let bands = self.in_bands(&mut |band| band.draw_prepared(&sorted, shader));
+        let bands = self.in_bands(&mut |band| band.draw_prepared(&sorted, shader).unwrap());
         assert!(bands == frame, "bands of sorted triangles differ");
 
         // As two objects of a scene.
@@ -387,13 +388,65 @@ impl<K: ProjectionKind> Call<'_, K> {
         let draw = &mut |canvas: &mut Frame<'_>| {
             let mut drawn = Drawn::default();
             for (shader, triangles) in scene.parts(canvas).unwrap() {
-                drawn = canvas.draw_prepared(&triangles, shader);
+                drawn = canvas.draw_prepared(&triangles, shader).unwrap();
             }
             drawn
         };
         let mut frame = self.blank();
         self.on_frame(&mut frame, draw);
         assert!(self.in_bands(draw) == frame, "bands of a scene differ");
+    }
+
+    /// Draws prepared edges, in a frame and in bands; smooth ones beside those that were not prepared.
+    fn check_prepared_edges<I, F>(&self, options: &DrawOptions<I>, shader: &F, expected: &Picture)
+    where
+        I: Mode,
+        F: Shader<Color = Rgb565>,
+    {
+        let (mesh, size) = (self.mesh, self.scene.size);
+        let mut list: EdgeList<48, 200> = EdgeList::new();
+        let mut room = vec![[0; 4]; 3 * mesh.faces().len()];
+        let edges = match self.outline(&mut room) {
+            Some(outline) => list.prepare_outline(options, size, mesh, &outline, &self.mvp),
+            None => list.prepare(options, size, mesh, &self.mvp),
+        };
+        let edges: PreparedEdges<'_, K, I, _> = edges.unwrap();
+        let draw = &mut |canvas: &mut Frame<'_>| match self.width() {
+            None => canvas.draw_prepared_edges(&edges, shader).unwrap(),
+            Some(width) => canvas
+                .draw_prepared_wide_edges(&edges, width, shader)
+                .unwrap(),
+        };
+        let mut frame = self.blank();
+        self.on_frame(&mut frame, draw);
+        assert!(frame == *expected, "prepared edges differ");
+        assert!(
+            self.in_bands(draw) == frame,
+            "bands of prepared edges differ"
+        );
+
+        let width = self.width().unwrap_or(LineWidth::new(fx!(1)).unwrap());
+        let mut direct = self.blank();
+        let mut room = vec![[0; 4]; 3 * mesh.faces().len()];
+        let outline = self.outline(&mut room);
+        self.on_frame(&mut direct, &mut |canvas| match &outline {
+            Some(outline) => {
+                canvas.draw_smooth_outline(options, mesh, outline, width, &self.mvp, shader)
+            }
+            None => canvas.draw_smooth_edges(options, mesh, width, &self.mvp, shader),
+        });
+        let bands = self.in_bands(&mut |band| {
+            band.draw_prepared_smooth_edges(&edges, width, shader)
+                .unwrap()
+        });
+        assert!(bands == direct, "bands of prepared smooth edges differ");
+    }
+
+    /// An outline, for every other style.
+    fn outline<'r>(&self, room: &'r mut [[u16; 4]]) -> Option<Outline<'r>> {
+        let crease = Angle::from_bits(u32::from(self.scene.style) << 23);
+        let has_outline = self.scene.style & 1 != 0;
+        has_outline.then(|| Outline::build(self.mesh, crease, room).unwrap())
     }
 
     /// Draws into a whole picture.
@@ -460,6 +513,15 @@ impl<K: ProjectionKind> Call<'_, K> {
         let bands =
             self.in_bands(&mut |band| band.draw_with(options, self.mesh, &self.mvp, shader));
         assert!(bands == frame, "blended bands differ");
+
+        let width = self.width().unwrap_or(LineWidth::new(fx!(1)).unwrap());
+        let draw = &mut |canvas: &mut Frame<'_>| {
+            canvas.draw_smooth_edges(options, self.mesh, width, &self.mvp, shader)
+        };
+        let mut frame = self.blank();
+        let drawn = self.on_frame(&mut frame, draw);
+        assert!(drawn.clipped <= drawn.drawn && drawn.drawn <= drawn.submitted);
+        assert!(self.in_bands(draw) == frame, "bands of smooth lines differ");
     }
 
     /// A picture drawn in bands of the scene's heights.

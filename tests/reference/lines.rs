@@ -1,7 +1,7 @@
 //! Values along a projected segment, whose 1/z is linear on the screen.
 
 use super::clip::{ALL_PLANES, ClipVertex, Plane, segment};
-use super::distance::closest;
+use super::distance::{closest, to_segment};
 use super::view::View;
 
 /// The depth at fraction `q` on the screen between depths z0 and z1: 1/z is linear in q.
@@ -103,4 +103,11 @@ impl<const N: usize> Line<N> {
     pub fn closest(&self, p: [f64; 2]) -> f64 {
         closest(self.screen[0], self.screen[1], p)
     }
+}
+
+/// The share of a pixel with this center that an anti-aliased line of a width covers: the part of a pixel's width that
+/// is within half the line's width of the segment, as if the line's border were straight and parallel to the pixel's.
+pub fn share(ends: [[f64; 2]; 2], width: f64, center: [f64; 2]) -> f64 {
+    let [a, b] = ends;
+    (width / 2. + 0.5 - to_segment(a, b, center)).clamp(0., 1.)
 }

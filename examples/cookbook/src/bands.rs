@@ -49,7 +49,7 @@ pub fn draw(display: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), E
         // Each band has a background of its own, so that you see it.
         let light = (first_row * 200 / height) as u8;
         band.clear(Rgb888::new(40 + light, 110 + light / 2, 190).into());
-        band.draw_prepared(&triangles, &shader);
+        band.draw_prepared(&triangles, &shader)?;
         band.show(display)?;
     }
     Ok(())

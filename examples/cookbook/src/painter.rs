@@ -38,7 +38,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
 
     canvas.clear(Rgb565::new(2, 5, 5));
     for (shader, triangles) in scene.parts(canvas)? {
-        canvas.draw_prepared(&triangles, shader);
+        canvas.draw_prepared(&triangles, shader)?;
     }
     Ok(())
 }

@@ -53,7 +53,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
         });
         canvas.draw_with(&behind, &BALL, &mvp, &steps);
         let pen = Flat::new(Rgb565::BLACK);
-        canvas.draw_wide_outline(&DrawOptions::new(), &BALL, (&EDGES, line), &mvp, &pen);
+        canvas.draw_wide_outline(&DrawOptions::new(), &BALL, &EDGES, line, &mvp, &pen);
     }
     Ok(())
 }

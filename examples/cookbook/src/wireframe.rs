@@ -1,8 +1,8 @@
-//! A model in lines: its silhouettes and its creases, without hidden lines.
+//! A model in anti-aliased lines: its silhouettes and its creases, without hidden lines.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::prelude::*;
-use fixel::target::{Biased, Depth, Native, TestAndWrite};
+use fixel::target::{Biased, Depth, Native, TestAndWrite, TestOnly};
 
 static ISLAND: Mesh = include_obj!("../../assets/lighthouse.obj");
 // Edges between faces whose normals differ by more than 35 degrees are creases.
@@ -15,13 +15,14 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     let (paper, ink) = (Rgb888::new(244, 238, 222), Rgb888::new(24, 44, 96));
     canvas.clear(paper.into());
 
-    // The faces hide the lines behind them. To spare the lines on their borders, they move slightly
-    // away from the eye, and the lines move towards it: by 128 of about 7,000 steps between the
-    // tower and infinity.
-    let behind = DrawOptions::new().with_depth(Biased::behind(TestAndWrite));
+    // The faces hide the lines behind them. So that they spare the lines on their borders, they move away from the eye,
+    // by what their depth changes over one and a half pixels, and the lines move towards it: by 128 of about 7,000
+    // steps between the tower and infinity.
+    let behind = DrawOptions::new().with_depth(Biased::new(TestAndWrite, -2, fx!(-1.5)));
     canvas.draw_with(&behind, &ISLAND, &view, &Flat::rgb(paper));
     let pen = Flat::rgb(ink);
-    let before = DrawOptions::new().with_depth(Biased::new(TestAndWrite, 128, fx!(0)));
-    canvas.draw_outline(&before, &ISLAND, &OUTLINE, &view, &pen);
+    let before = DrawOptions::new().with_depth(Biased::new(TestOnly, 128, fx!(0)));
+    let width = LineWidth::new(fx!(1))?;
+    canvas.draw_smooth_outline(&before, &ISLAND, &OUTLINE, width, &view, &pen);
     Ok(())
 }

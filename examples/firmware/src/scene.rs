@@ -172,7 +172,7 @@ impl<I: Mode> PreparedScene<'_, I> {
         let Self { scene, model, sea } = self;
         let behind = match sea {
             None => 0,
-            Some(sea) => canvas.draw_prepared(sea, &lighthouse::waves()).drawn,
+            Some(sea) => canvas.draw_prepared(sea, &lighthouse::waves())?.drawn,
         };
         let drawn = match scene {
             Scene::Floor | Scene::Cube | Scene::Inwards | Scene::Outwards => {
@@ -181,7 +181,7 @@ impl<I: Mode> PreparedScene<'_, I> {
             Scene::Sphere => canvas.draw_prepared(model, &scenes::shaded()),
             Scene::SphereFlat => canvas.draw_prepared(model, &scenes::faceted()),
             Scene::Lighthouse => canvas.draw_prepared(model, &lighthouse::skin()?),
-        };
+        }?;
         Ok(behind + drawn.drawn)
     }
 }

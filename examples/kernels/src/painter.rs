@@ -185,7 +185,7 @@ fn draw_sorted<D: DepthBuffer>(
     let mut scene = list.prepare_scene(&DrawOptions::new(), (WIDTH, HEIGHT), &pose.view, others)?;
     scene.sort_back_to_front();
     for (material, triangles) in scene.parts(canvas)? {
-        with_shader!(material, shader => canvas.draw_prepared(&triangles, shader));
+        with_shader!(material, shader => canvas.draw_prepared(&triangles, shader)?);
     }
     Ok(())
 }

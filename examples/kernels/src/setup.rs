@@ -65,7 +65,7 @@ fn draw(watch: &mut Stopwatch, kind: Kind, faces: &[[u16; 3]]) -> Result<u64, Er
     let mut canvas = Canvas::new(&mut pixel, 1, 1)?;
     let shade = black_box(Gouraud::new());
     let ticks = watch.time(|| {
-        let drawn = canvas.draw_prepared(&triangles, &shade);
+        let drawn = canvas.draw_prepared(&triangles, &shade)?;
         assert_eq!((drawn.drawn as usize, drawn.clipped), (faces.len(), 0));
         Ok::<_, Error>(())
     })?;

@@ -4,9 +4,9 @@ use core::hint::black_box;
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use fixel::Index;
 use fixel::mesh::{Keyframes, Quantized};
 use fixel::prelude::*;
+use fixel::{EdgeList, Index};
 use static_cell::ConstStaticCell;
 
 use super::ticks::Stopwatch;
@@ -21,6 +21,7 @@ static BALL: Mesh = shape!(sphere(16, 12));
 static SMALL_BALL: Quantized = shape!(sphere(16, 12), quantized_8).without_uvs();
 static OUTLINE: Outline = outline!(BALL, deg!(30));
 static LIST: ConstStaticCell<TriangleList<400, 250>> = ConstStaticCell::new(TriangleList::new());
+static EDGES: ConstStaticCell<EdgeList<400, 400>> = ConstStaticCell::new(EdgeList::new());
 
 /// Measures a call per sprite, line, point, triangle and vertex, and prints them.
 pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
@@ -52,6 +53,26 @@ pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     };
     let ticks = watch.time(|| call(&mut canvas))?;
     watch.print("line-3-wide", "edge", edges, ticks);
+    let thin = LineWidth::new(fx!(1))?;
+    let call = |canvas: &mut Canvas<'_, _>| {
+        drawn(
+            canvas
+                .draw_smooth_edges(&options, &BALL, thin, &mvp, &white)
+                .drawn,
+        )
+    };
+    let ticks = watch.time(|| call(&mut canvas))?;
+    watch.print("line-smooth", "edge", edges, ticks);
+    let prepared = EDGES.take();
+    let ticks = watch.time(|| {
+        prepared
+            .prepare(&options, (SIZE, SIZE), &BALL, &mvp)
+            .map(|_| ())
+    })?;
+    watch.print("prepare-line", "edge", edges, ticks);
+    let prepared = prepared.prepare(&options, (SIZE, SIZE), &BALL, &mvp)?;
+    let ticks = watch.time(|| drawn(canvas.draw_prepared_edges(&prepared, &white)?.drawn))?;
+    watch.print("prepared-line", "edge", edges, ticks);
     let edges = OUTLINE.edges().len() as u32;
     let ticks = watch.time(|| {
         drawn(

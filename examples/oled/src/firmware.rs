@@ -26,7 +26,7 @@ fn spin(panel: &mut Ssd0323, timer: &mut SYST) -> Result<(), Error> {
         for first_row in (0..HEIGHT).step_by(ROWS as usize) {
             let band = Canvas::band(&mut grays, WIDTH, HEIGHT, first_row)?;
             let mut band = band.with_depth(&mut depths)?;
-            gyroscope.draw(&mut band);
+            gyroscope.draw(&mut band)?;
             band.show(panel)?;
         }
         // A frame that takes longer is followed by the next one at once.

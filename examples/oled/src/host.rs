@@ -55,7 +55,7 @@ fn draw(frame: u32) -> Result<SimulatorDisplay<Gray4>, fixel::Error> {
     let mut grays = vec![Gray4::BLACK; (WIDTH * HEIGHT) as usize];
     let mut depths = vec![0; grays.len()];
     let mut canvas = Canvas::new(&mut grays, WIDTH, HEIGHT)?.with_depth(&mut depths)?;
-    Lists::new().prepare(frame)?.draw(&mut canvas);
+    Lists::new().prepare(frame)?.draw(&mut canvas)?;
     let mut panel = SimulatorDisplay::new(Size::new(WIDTH, HEIGHT));
     canvas.show(&mut panel)?;
     Ok(panel)

@@ -5,10 +5,13 @@ use core::ops::Range;
 
 use embedded_graphics::geometry::Size;
 
-use super::{Corners, Entry, Filling, Needed, Prepared, Slot, TriangleList, painter};
-use crate::mesh::{Index, Mesh};
+use super::{
+    Corners, Entry, Filling, Needed, Prepared, Slot, TriangleList, VertexWriter, check_frame,
+    painter,
+};
+use crate::mesh::Mesh;
 use crate::pipeline::call::Call;
-use crate::pipeline::{DrawOptions, cache, run};
+use crate::pipeline::{DrawOptions, run};
 use crate::raster::{Cull, DepthShift, Scissor};
 use crate::span::{Mode, Newton};
 use crate::target::{Canvas, DepthTest, Replace, Storage, TestAndWrite, check_size};
@@ -112,7 +115,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
     ///     let mut band = Canvas::band(&mut color, 24, 12, first_row)?;
     ///     band.clear(Gray4::BLACK);
     ///     for (shader, triangles) in scene.parts(&band)? {
-    ///         band.draw_prepared(&triangles, shader);
+    ///         band.draw_prepared(&triangles, shader)?;
     ///     }
     ///     band.show(&mut display)?;
     /// }
@@ -147,7 +150,14 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
         check_size(frame.width, frame.height)?;
         self.triangles.clear();
         self.vertices.clear();
-        let (mut needed, mut faces) = (Needed::default(), 0_u32);
+        let (mut needed, mut faces) = (
+            Needed {
+                of: "triangles",
+                elements: 0,
+                vertices: 0,
+            },
+            0_u32,
+        );
         let view = Mvp {
             projection: *view.projection_of(),
             camera: *view.camera_of(),
@@ -158,15 +168,14 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
             let call = Call::new(options, object.mesh, &mvp, (frame, &(0..frame.height)));
             let mut filling = Filling {
                 triangles: self.triangles.as_mut_view(),
-                vertices: self.vertices.as_mut_view(),
-                needed,
+                needed: needed.elements,
+                vertices: VertexWriter::new(self.vertices.as_mut_view(), needed.vertices),
                 rows: [u16::MAX, 0],
                 cull: call.shared.cull,
                 scissor: &call.shared.scissor,
-                numbers: [(0 as Index, 0); cache::SIZE],
             };
             run::triangles(&call, &mut filling);
-            needed = filling.needed;
+            (needed.elements, needed.vertices) = (filling.needed, filling.vertices.needed);
             object.last = needed.vertices as u16;
             object.depth_shift = call.depth_shift();
             object.first_face = faces;
@@ -249,15 +258,7 @@ impl<'a, T, K: ProjectionKind, M: Mode, Z: DepthTest, B: Copy> PreparedScene<'a,
         impl Iterator<Item = (&'s T, Prepared<'s, K, M, Z, B>)> + use<'s, 'a, T, K, M, Z, B, C, O, D>,
         Error,
     > {
-        let (given, needed) = (canvas.frame_size(), self.frame);
-        if given != needed {
-            return Err(Error::Frame {
-                width: given.width,
-                height: given.height,
-                needed_width: needed.width,
-                needed_height: needed.height,
-            });
-        }
+        check_frame(canvas.frame_size(), self.frame)?;
         let mut rest = &*self.entries;
         let rows = canvas.rows().clone();
         Ok(core::iter::from_fn(move || {
@@ -279,6 +280,7 @@ impl<'a, T, K: ProjectionKind, M: Mode, Z: DepthTest, B: Copy> PreparedScene<'a,
                     model,
                     model_view: self.camera * model,
                     kind: PhantomData,
+                    frame: self.frame,
                     viewport: self.viewport,
                     cull: self.cull,
                     triangles,

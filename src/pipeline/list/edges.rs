@@ -1,0 +1,290 @@
+//! Edges prepared once for all bands of a frame.
+
+use core::marker::PhantomData;
+use core::ops::Range;
+
+use embedded_graphics::geometry::Size;
+use heapless::Vec;
+
+use super::{Needed, Slot, VertexWriter, vertex};
+use crate::Error;
+use crate::math::Transform;
+use crate::mesh::{Element, Index, Mesh, Outline, Placement};
+use crate::pipeline::cache::VertexCache;
+use crate::pipeline::call::{Call, Shared};
+use crate::pipeline::outline::{self, DrawLine};
+use crate::pipeline::{DrawOptions, Drawn, run};
+use crate::raster::{Barycentric, Blitter, ClippedVertex, Cull, DepthShift, Rasterizer, Scissor};
+use crate::span::{Mode, Newton};
+use crate::target::{DepthTest, Replace, TestAndWrite, check_size};
+use crate::view::{ModelToPicture, Perspective, ProjectionKind, Viewport};
+
+/// Memory for the edges of a frame that is drawn in bands: what a [`TriangleList`](super::TriangleList) is for
+/// triangles.
+///
+/// [`prepare`](Self::prepare) takes the edges of a mesh and [`prepare_outline`](Self::prepare_outline) those of an
+/// [`Outline`] that are drawn. The list needs room for the visible edges (14 bytes each) and for their vertices (16
+/// bytes each): at most two for each edge, and four for a clipped one, of which it uses at most
+/// [`TriangleList::MAX_VERTICES`](super::TriangleList::MAX_VERTICES).
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
+/// use fixel::{EdgeList, prelude::*};
+///
+/// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+/// let projection = Projection::perspective(deg!(60), (2, 1), fx!(1), fx!(10))?;
+/// let mvp = projection * Transform::translate(vec3!(0, 0, -3)) * Transform::rotate_y(deg!(20));
+///
+/// let mut list: EdgeList<12, 24> = EdgeList::new(); // on a microcontroller, a static
+/// let edges = list.prepare(&DrawOptions::new(), (24, 12), &BOX, &mvp)?;
+///
+/// let mut display = MockDisplay::new();
+/// let mut color = [BinaryColor::Off; 24 * 4];
+/// for first_row in [0, 4, 8] {
+///     let mut band = Canvas::band(&mut color, 24, 12, first_row)?;
+///     band.clear(BinaryColor::Off);
+///     band.draw_prepared_edges(&edges, &Flat::new(BinaryColor::On))?; // nothing is transformed here
+///     band.show(&mut display)?;
+/// }
+///
+/// // The same picture, drawn at once.
+/// let mut color = [BinaryColor::Off; 24 * 12];
+/// let mut frame = Canvas::new(&mut color, 24, 12)?;
+/// frame.draw_edges(&DrawOptions::new(), &BOX, &mvp, &Flat::new(BinaryColor::On));
+/// let mut whole = MockDisplay::new();
+/// frame.show(&mut whole)?;
+/// display.assert_eq(&whole);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct EdgeList<const EDGES: usize, const VERTICES: usize> {
+    edges: Vec<Edge, EDGES>,
+    vertices: Vec<Slot, VERTICES>,
+}
+
+/// A visible edge.
+#[derive(Clone, Copy, Debug)]
+struct Edge {
+    /// The mesh's positions at its ends.
+    indices: [Index; 2],
+    /// The rows of the frame that it passes: the first, and the one after the last.
+    rows: [u16; 2],
+    ends: Ends,
+}
+
+/// The numbers of an edge's ends in the list of vertices, counted from 1.
+#[derive(Clone, Copy, Debug)]
+enum Ends {
+    /// An edge that is inside all planes: its two vertices.
+    Whole([u16; 2]),
+    /// A clipped edge: the first of its two ends, each a vertex and its barycentric weights.
+    Clipped(u16),
+}
+
+/// A mesh's edges, ready to be drawn to every band of a frame.
+///
+/// [`EdgeList`] returns it, and [`Canvas::draw_prepared_edges`](crate::Canvas::draw_prepared_edges) and its siblings
+/// draw it. It can be shared with another core that draws other bands of the same frame.
+#[derive(Clone, Copy, Debug)]
+pub struct PreparedEdges<'a, K = Perspective, M = Newton, Z = TestAndWrite, B = Replace> {
+    mesh: &'a Mesh<'a>,
+    model: Transform,
+    model_view: Transform,
+    kind: PhantomData<K>,
+    pub(in crate::pipeline) frame: Size,
+    viewport: Viewport,
+    /// How many edges there were to choose from.
+    submitted: u32,
+    edges: &'a [Edge],
+    vertices: &'a [Slot],
+    pub(in crate::pipeline) depth_shift: DepthShift,
+    pub(in crate::pipeline) mode: M,
+    pub(in crate::pipeline) test: Z,
+    pub(in crate::pipeline) blending: B,
+}
+
+impl<const EDGES: usize, const VERTICES: usize> Default for EdgeList<EDGES, VERTICES> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<const EDGES: usize, const VERTICES: usize> EdgeList<EDGES, VERTICES> {
+    /// An empty list.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            edges: Vec::new(),
+            vertices: Vec::new(),
+        }
+    }
+
+    /// Transforms and clips a mesh's edges for a `frame` of this many columns and rows, as
+    /// [`Canvas::draw_edges`](crate::Canvas::draw_edges) would for each of its bands. The previous contents of the list
+    /// are dropped.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Full`], with the length that is needed, if the list is too short for the visible edges; [`Error::Size`]
+    /// if a side of the frame is 0 or above [`MAX_SIZE`](crate::target::MAX_SIZE).
+    pub fn prepare<'a, M: Mode, Z: DepthTest, B: Copy, V: ModelToPicture>(
+        &'a mut self,
+        options: &DrawOptions<M, Z, B>,
+        frame: impl Into<Size>,
+        mesh: &'a Mesh<'a>,
+        mvp: &V,
+    ) -> Result<PreparedEdges<'a, V::Kind, M, Z, B>, Error> {
+        let ends_of = |_: &Call<'_, _>, _: &mut VertexCache, _, &edge: &_| Some(edge);
+        self.prepare_chosen(options, frame.into(), (mesh, mvp), mesh.edges(), ends_of)
+    }
+
+    /// Prepares the edges of an outline that [`Canvas::draw_outline`](crate::Canvas::draw_outline) would draw.
+    ///
+    /// # Errors
+    ///
+    /// As for [`prepare`](Self::prepare).
+    pub fn prepare_outline<'a, M: Mode, Z: DepthTest, B: Copy, V: ModelToPicture>(
+        &'a mut self,
+        options: &DrawOptions<M, Z, B>,
+        frame: impl Into<Size>,
+        mesh: &'a Mesh<'a>,
+        outline: &Outline<'_>,
+        mvp: &V,
+    ) -> Result<PreparedEdges<'a, V::Kind, M, Z, B>, Error> {
+        let ends_of = |call: &Call<'_, _>, vertices: &mut VertexCache, at, &edge: &_| {
+            outline::ends_of(call, vertices, outline, (at, edge))
+        };
+        self.prepare_chosen(options, frame.into(), (mesh, mvp), outline.edges(), ends_of)
+    }
+
+    /// Prepares some edges.
+    #[inline]
+    fn prepare_chosen<'a, M: Mode, Z: DepthTest, B: Copy, V: ModelToPicture, E>(
+        &'a mut self,
+        options: &DrawOptions<M, Z, B>,
+        frame: Size,
+        (mesh, mvp): (&'a Mesh<'a>, &V),
+        edges: &[E],
+        ends_of: impl Fn(&Call<'_, V::Kind>, &mut VertexCache, usize, &E) -> Option<[Index; 2]>,
+    ) -> Result<PreparedEdges<'a, V::Kind, M, Z, B>, Error> {
+        check_size(frame.width, frame.height)?;
+        let call = Call::new(options, mesh, mvp, (frame, &(0..frame.height)));
+        self.edges.clear();
+        self.vertices.clear();
+        let mut vertices = VertexWriter::new(self.vertices.as_mut_view(), 0);
+        let (list, mut needed) = (self.edges.as_mut_view(), 0);
+        run::each_edge(
+            &call,
+            edges.iter().enumerate(),
+            |cache, (at, edge)| ends_of(&call, cache, at, edge),
+            |indices, ends, is_clipped| {
+                needed += 1;
+                // If there is no room, the list will not be used.
+                let _ = list.push(Edge {
+                    indices,
+                    rows: rows_of(ends.map(|end| end.vertex.screen[1]), frame.height),
+                    ends: if is_clipped {
+                        let [first, _] = ends.map(|end| vertices.add_clipped(end));
+                        Ends::Clipped(first)
+                    } else {
+                        Ends::Whole(ends.map(|end| vertices.number(&end.vertex)))
+                    },
+                });
+            },
+        );
+        Needed {
+            of: "edges",
+            elements: needed,
+            vertices: vertices.needed,
+        }
+        .check::<EDGES, VERTICES>()?;
+        Ok(PreparedEdges {
+            mesh,
+            model: *mvp.model_of(),
+            model_view: mvp.model_view_of(),
+            kind: PhantomData,
+            frame,
+            viewport: options.viewport_in(frame),
+            submitted: edges.len() as u32,
+            edges: &self.edges,
+            vertices: &self.vertices,
+            depth_shift: call.depth_shift(),
+            mode: options.mode,
+            test: options.depth,
+            blending: options.blending,
+        })
+    }
+}
+
+/// The rows of a frame, 0 to 2048, that an edge passes between two places in units of 1/256 row.
+fn rows_of([a, b]: [i32; 2], height: u32) -> [u16; 2] {
+    let row = |row: i32| row.clamp(0, height.cast_signed()).cast_unsigned() as u16;
+    [row(a.min(b) >> 8), row((a.max(b) >> 8) + 1)]
+}
+
+impl<K: ProjectionKind, M, Z, B> PreparedEdges<'_, K, M, Z, B> {
+    /// Draws the edges that are within `reach` of `rows`, a band of the frame.
+    #[inline(never)]
+    pub(in crate::pipeline) fn draw(
+        &self,
+        (line, reach): (DrawLine<'_>, i32),
+        blitter: &mut dyn Blitter,
+        rows: &Range<u32>,
+    ) -> Drawn {
+        let shared = Shared {
+            mesh: self.mesh,
+            placement: Placement::new(&self.model, self.model_view),
+            cull: Cull::Nothing,
+            scissor: Scissor::new(&self.viewport, self.frame.width, rows),
+        };
+        let (mut raster, rows) = (
+            Rasterizer::new(blitter, &shared.scissor),
+            &shared.scissor.rows,
+        );
+        let mut drawn = Drawn {
+            submitted: self.submitted,
+            ..Drawn::default()
+        };
+        for edge in self.edges {
+            let [start, end] = edge.rows.map(i32::from);
+            if (start - reach).max(rows.start) >= (end + reach).min(rows.end) {
+                continue;
+            }
+            let Some([from, to]) = self.ends(edge.ends) else {
+                continue;
+            };
+            let [a, b] = edge.indices;
+            raster.start(&shared.primitive(Element {
+                face: None,
+                indices: [a, b, b],
+            }));
+            line(&mut raster, [&from, &to]);
+            drawn.drawn += 1;
+            drawn.clipped += u32::from(matches!(edge.ends, Ends::Clipped(_)));
+        }
+        drawn.missing = shared.placement.missing();
+        drawn
+    }
+
+    fn ends(&self, ends: Ends) -> Option<[ClippedVertex; 2]> {
+        let whole = |number: u16, barycentric: Barycentric| {
+            Some(ClippedVertex {
+                vertex: vertex(self.vertices, number)?,
+                barycentric,
+            })
+        };
+        match ends {
+            Ends::Whole([a, b]) => {
+                let [first, second, _] = Barycentric::CORNERS;
+                Some([whole(a, first)?, whole(b, second)?])
+            }
+            Ends::Clipped(first) => {
+                let clipped = |number: u16| match self.vertices.get(usize::from(number)) {
+                    Some(&Slot::Barycentric(barycentric)) => whole(number, barycentric),
+                    _ => None,
+                };
+                Some([clipped(first)?, clipped(first.wrapping_add(2))?])
+            }
+        }
+    }
+}
