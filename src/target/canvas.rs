@@ -8,9 +8,9 @@ use embedded_graphics::pixelcolor::PixelColor;
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
 use embedded_graphics::primitives::Rectangle;
 
-use super::depth::{Depth, DepthBuffer, NoDepth, first};
+use super::depth::{Depth, DepthBuffer, NoDepth};
 use super::format::{DepthFormat, Linear};
-use super::storage::{ByteArray, Bytes, Native, Storage};
+use super::storage::{ByteArray, Bytes, Native, Run, Storage};
 use crate::Error;
 
 /// Largest width and height of a frame, in pixels.
@@ -354,8 +354,12 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     #[inline]
     pub(crate) fn run(&mut self, row: u32, columns: Range<u32>) -> Option<Cells<'_, C, O, D>> {
         let range = self.range(row, &columns);
+        let (cells, start) = O::locate(Run {
+            pixels: range.clone(),
+        });
         Some(Cells {
-            colors: self.cells.get_mut(range.clone())?,
+            colors: self.cells.get_mut(cells)?,
+            start,
             depths: self.depth.cells(range)?,
         })
     }
@@ -364,13 +368,14 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
 /// Pixels of a row in memory: colors and depths.
 pub(crate) struct Cells<'a, C, O: Storage<C>, D: DepthBuffer + 'a> {
     colors: &'a mut [O::Cell],
+    start: O::Start,
     depths: D::Cells<'a>,
 }
 
 impl<'a, C, O: Storage<C>, D: DepthBuffer + 'a> Cells<'a, C, O, D> {
     #[inline]
-    pub(crate) const fn len(&self) -> usize {
-        self.colors.len()
+    pub(crate) fn len(&self) -> usize {
+        O::len(self.colors.len(), self.start)
     }
 
     /// Splits off the first `count` pixels, or all that are left.
@@ -378,12 +383,12 @@ impl<'a, C, O: Storage<C>, D: DepthBuffer + 'a> Cells<'a, C, O, D> {
     pub(crate) fn first(
         &mut self,
         count: usize,
-    ) -> impl Iterator<Item = (&'a mut O::Cell, D::Cell<'a>)> + use<'a, C, O, D> {
+    ) -> impl Iterator<Item = (O::Place<'a>, D::Cell<'a>)> + use<'a, C, O, D> {
         let (colors, depths) = (
-            first(&mut self.colors, count),
+            O::first(&mut self.colors, &mut self.start, count),
             D::first(&mut self.depths, count),
         );
-        colors.iter_mut().zip(D::each(depths))
+        colors.zip(D::each(depths))
     }
 }
 

@@ -1,7 +1,11 @@
 //! How colors are stored in memory.
 
+use core::ops::Range;
+
 use embedded_graphics::pixelcolor::PixelColor;
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, RawData, ToBytes};
+
+use super::depth::first;
 
 /// How a canvas stores colors of type `C`. Sealed: three types implement it.
 ///
@@ -24,6 +28,91 @@ pub trait Storage<C>: Sealed {
 
     /// Converts a stored pixel back to its color.
     fn load(cell: Self::Cell) -> C;
+
+    /// Where in its cells a run begins; nothing if each cell is a pixel.
+    #[doc(hidden)]
+    type Start: Copy;
+
+    /// A pixel in memory.
+    #[doc(hidden)]
+    type Place<'a>
+    where
+        Self::Cell: 'a;
+
+    /// The cells of a run, and where in them it begins.
+    ///
+    /// It gets no reference to the cells: the compiler would know more of a reference that passes through a function
+    /// than of one that does not, and other code would follow for all programs.
+    #[doc(hidden)]
+    fn locate(run: Run) -> (Range<usize>, Self::Start);
+
+    /// The number of pixels of a run.
+    #[doc(hidden)]
+    fn len(cells: usize, start: Self::Start) -> usize;
+
+    /// Splits off the first `count` pixels of a run, or all that are left.
+    #[doc(hidden)]
+    fn first<'a>(
+        cells: &mut &'a mut [Self::Cell],
+        start: &mut Self::Start,
+        count: usize,
+    ) -> impl Iterator<Item = Self::Place<'a>> + use<'a, C, Self>;
+
+    /// The color of a pixel.
+    #[doc(hidden)]
+    fn get(place: &Self::Place<'_>) -> C;
+
+    /// Changes the color of a pixel.
+    #[doc(hidden)]
+    fn set(place: Self::Place<'_>, color: C);
+}
+
+/// Pixels side by side in a canvas; public in name only.
+#[derive(Debug)]
+pub struct Run {
+    /// Their numbers, if the pixels of the canvas are counted row by row.
+    pub(super) pixels: Range<usize>,
+}
+
+/// The layout of a storage in which each cell is a pixel.
+macro_rules! cells_are_pixels {
+    ($cell:ty) => {
+        type Start = ();
+        type Place<'a>
+            = &'a mut $cell
+        where
+            $cell: 'a;
+
+        #[inline(always)]
+        fn locate(run: Run) -> (Range<usize>, ()) {
+            (run.pixels, ())
+        }
+
+        #[inline(always)]
+        fn len(cells: usize, (): ()) -> usize {
+            cells
+        }
+
+        #[inline(always)]
+        #[allow(clippy::mut_mut)] // the slice is replaced by its rest
+        fn first<'a>(
+            cells: &mut &'a mut [$cell],
+            (): &mut (),
+            count: usize,
+        ) -> impl Iterator<Item = &'a mut $cell> + use<'a, C> {
+            first(cells, count).iter_mut()
+        }
+
+        #[inline(always)]
+        fn get(place: &&mut $cell) -> C {
+            <Self as Storage<C>>::load(**place)
+        }
+
+        #[inline(always)]
+        fn set(place: &mut $cell, color: C) {
+            *place = <Self as Storage<C>>::store(color);
+        }
+    };
 }
 
 /// A [`Storage`] that keeps each color unconverted, in its own type.
@@ -112,6 +201,8 @@ impl<C: PixelColor> Storage<C> for Native {
     fn load(cell: C) -> C {
         cell
     }
+
+    cells_are_pixels!(C);
 }
 
 impl<C> Storage<C> for BigEndian
@@ -129,6 +220,8 @@ where
     fn load(cell: C::Bytes) -> C {
         C::Raw::from_u32(cell.be_number()).into()
     }
+
+    cells_are_pixels!(C::Bytes);
 }
 
 impl<C> Storage<C> for LittleEndian
@@ -146,6 +239,8 @@ where
     fn load(cell: C::Bytes) -> C {
         C::Raw::from_u32(cell.le_number()).into()
     }
+
+    cells_are_pixels!(C::Bytes);
 }
 
 #[cfg(test)]
