@@ -22,8 +22,9 @@ macro_rules! recipe {
 #[doc = recipe!("Mipmaps", "mipmaps.rs")]
 #[doc = recipe!("Blending", "blending.rs")]
 #[doc = recipe!("Painter's order", "painter.rs")]
-// It reads a file beside its own folder.
+// They read files beside their own folder.
 #[doc = recipe!("Wireframe", "wireframe.rs", "ignore")]
+#[doc = recipe!("Black and white", "packed.rs", "ignore")]
 #[doc = recipe!("Terrain", "terrain.rs")]
 #[doc = recipe!("Keyframes", "keyframes.rs")]
 #[doc = recipe!("Sprites", "sprites.rs")]

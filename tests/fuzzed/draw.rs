@@ -148,6 +148,7 @@ where
 {
     let record = call.check(&options, &Bits::<N>);
     call.check_bytes(&options, &Bits::<N>);
+    call.check_packed(&options, &Bits::<N>);
     call.check_blended(&options, &Bits::<N>);
     record
 }

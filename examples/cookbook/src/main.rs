@@ -7,6 +7,7 @@ mod keyframes;
 mod labels;
 mod lights;
 mod mipmaps;
+mod packed;
 mod painter;
 mod picking;
 mod sky;
@@ -38,6 +39,7 @@ const RECIPES: &[Recipe] = &[
     ("labels", labels::draw),
     ("lights", lights::draw),
     ("mipmaps", mipmaps::draw),
+    ("packed", packed::draw),
     ("painter", painter::draw),
     ("picking", picking::draw),
     ("sky", sky::draw),
