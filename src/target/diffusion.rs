@@ -91,7 +91,7 @@ impl Diffusion<'_> {
         // At most half a step, if the errors were 0 at first.
         let error = wanted - steps * step;
 
-        let (right, left, below) = (error * 7 >> 4, error * 3 >> 4, error * 5 >> 4);
+        let (right, left, below) = ((error * 7) >> 4, (error * 3) >> 4, (error * 5) >> 4);
         let beyond = error - right - left - below;
         let left = if at > 0 {
             self.keep(at - 1, self.below + left);

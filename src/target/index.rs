@@ -17,7 +17,7 @@ use embedded_graphics::pixelcolor::raw::{RawData, RawU8};
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Index(0); 4];
 /// let mut canvas = Canvas::new(&mut pixels, 2, 2)?;
-/// canvas.draw(&SQUARE, &mvp, &Flat::new(Gray8::new(200)).map(|_, gray: Gray8| Index(gray.luma() / 100)));
+/// canvas.draw(&SQUARE, &mvp, &Flat::new(Gray8::new(200)).map(|_, gray: Gray8| Some(Index(gray.luma() / 100))));
 /// canvas.draw_iter([Pixel(Point::zero(), Index(1))])?;
 ///
 /// let mut display = MockDisplay::new();

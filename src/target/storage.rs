@@ -61,6 +61,7 @@ pub trait Storage<C>: Sealed {
 
     /// Splits off the first `count` pixels of a run, or all that are left.
     #[doc(hidden)]
+    #[allow(clippy::mut_mut)] // the slice is replaced by its rest
     fn first<'a>(
         cells: &mut &'a mut [Self::Cell],
         start: &mut Self::Start<'a>,

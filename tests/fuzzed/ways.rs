@@ -351,7 +351,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         F: Shader<Color = Rgb565>,
     {
         let (width, height) = self.scene.size;
-        let coarse = shader.map(|_, color| BinaryColor::from(color.g() & 1 == 1));
+        let coarse = shader.map(|_, color| Some(BinaryColor::from(color.g() & 1 == 1)));
         let mut colors = vec![BinaryColor::Off; self.scene.pixels()];
         let mut canvas = Canvas::new(&mut colors, width, height).unwrap();
         canvas.draw_with(options, self.mesh, &self.mvp, &coarse);

@@ -218,7 +218,7 @@ where
     let mvp = projection * Transform::translate(place);
     let options = DrawOptions::new().with_mode(mode).with_blending(blending);
     canvas.draw_with(&options, &BALL, &mvp, &NormalView::new());
-    let gray = number as u8;
+    let gray = u8::try_from(number).unwrap();
     canvas.draw_edges(
         &options,
         &BALL,
