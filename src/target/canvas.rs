@@ -36,8 +36,8 @@ pub const MAX_SIZE: u32 = 2048;
 /// [`with_depth`](Self::with_depth) and [`with_depth_format`](Self::with_depth_format) add a depth buffer.
 ///
 /// A pixel that is drawn in black and white takes 2 instructions more in pages than as a color on a Cortex-M4, and 13
-/// in rows of a packed canvas; 7 and 18 on a Cortex-M0+. A pixel that is blended takes more. With a palette, a pixel is an
-/// [`Index`](super::Index), stored as a color.
+/// in rows of a packed canvas; 7 and 18 on a Cortex-M0+. With a palette, a pixel is an
+/// [`ColorIndex`](super::ColorIndex), stored as a color.
 ///
 /// A canvas is an embedded-graphics [`DrawTarget`], so text and gauges can be drawn over the picture.
 ///
@@ -366,7 +366,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// Shows the canvas on a display of another color, as [`show`](Self::show) does. `color` converts the color at each
     /// point of the frame.
     ///
-    /// [`Index`](super::Index) shows a palette so. A gray canvas dithers its pixels, after all of them are drawn and its
+    /// [`ColorIndex`](super::ColorIndex) shows a palette so. A gray canvas dithers its pixels, after all of them are drawn and its
     /// [`Contrast`](super::Contrast) is known:
     ///
     /// ```

@@ -16,7 +16,7 @@ use fixel::shade::{Converted, FaceLit, Lit, Map, PartColors, PerFace, Texels, Ti
 use fixel::shade::{Gradient, Masked, Mipmapped, Tolerance, Translucent, Within};
 use fixel::target::{Add, Alpha, Multiply, Opacity, Replace};
 use fixel::target::{
-    Biased, Contrast, Depth, Float, Index, Linear, Native, NoDepth, NoTest, Packed, Pages,
+    Biased, ColorIndex, Contrast, Depth, Float, Linear, Native, NoDepth, NoTest, Packed, Pages,
 };
 use fixel::target::{TestAndWrite, TestOnly, WideFloat, WriteOnly};
 use fixel::texture::{Argb1555, Argb4444, Mipmap, MipmapArray, PackedGray4, Trilinear};
@@ -57,7 +57,7 @@ all!(shared: MipmapArray<Rgb565, 1, 1, 1>);
 all!(value: Part<'static> PartColors<'static>);
 all!(value: PerFace<u8> Texels Tolerance Within<1, Texels>);
 all!(value: Biased Float Linear Native NoDepth NoTest TestAndWrite TestOnly WideFloat WriteOnly);
-all!(value: Contrast Index Packed Pages);
+all!(value: ColorIndex Contrast Packed Pages);
 all!(value: Bilinear Clamp CutOut<Bilinear, Rgb565> Nearest Repeat);
 all!(value: Image<'static> Palette<'static, Rgb565> Texture<'static, Rgb565>);
 all!(borrowed: Keyframes<'static> Mesh<'static> Outline<'static> Positions<'static> Sprites<'static>);
@@ -65,7 +65,7 @@ all!(shared: Map<Flat<Rgb565>, fn(&Fragment, Rgb565) -> Option<Rgb565>> Prepared
 all!(shared: Object<'static, u8> TriangleList<1, 1> TextureArray<Rgb565, 1, 1> PaletteArray<Rgb565, 1, 1>);
 all!(any: PreparedScene<'static, u8> Buffers<'static> Canvas<'static, Rgb565> Canvas<'static, Rgb565, Native, Depth<'static>>);
 
-all!(default: Contrast Index Trilinear);
+all!(default: ColorIndex Contrast Trilinear);
 all!(default: Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform Camera Counts Cull DrawOptions);
 all!(default: Drawn Missing Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> TriangleList<1, 1>);
 all!(shown: Error RefusedFloat Angle Vec2 Vec3);
