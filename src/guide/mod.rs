@@ -43,8 +43,9 @@ macro_rules! recipe {
 #[doc = recipe!("Cut-out textures", "cut_out")]
 #[doc = recipe!("Blending", "blending")]
 #[doc = recipe!("Painter's order", "painter")]
-// The next two read files beside their own folder.
+// The next three read files beside their own folder.
 #[doc = recipe!("Wireframe", "wireframe", "ignore")]
+#[doc = recipe!("Black and white", "packed", "ignore")]
 #[doc = recipe!("Materials", "materials", "ignore")]
 #[doc = recipe!("Terrain", "terrain")]
 #[doc = recipe!("Keyframes", "keyframes")]

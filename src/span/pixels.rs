@@ -84,7 +84,7 @@ pub(super) fn rolled() {
 }
 
 /// A pixel in memory.
-pub(super) type Cell<'c, C, O, D> = (&'c mut <O as Storage<C>>::Cell, <D as Buffer>::Cell<'c>);
+pub(super) type Cell<'c, C, O, D> = (<O as Storage<C>>::Place<'c>, <D as Buffer>::Cell<'c>);
 
 /// Tests and shades the pixels of a span, one after the other.
 pub(super) struct Pixels<S: Painter, Z> {
@@ -128,9 +128,9 @@ impl<S: Painter, Z: DepthTest> Pixels<S, Z> {
             depth: self.depth as u16,
         };
         let varyings = S::Varyings::join(numbers, self.face);
-        let below = || O::load(*color);
+        let below = || O::get(&color);
         if let Some(painted) = self.painter.paint(&at, varyings, below) {
-            *color = O::store(painted);
+            O::set(color, painted);
             if Z::WRITES {
                 D::store(depth, self.stored as u16);
             }

@@ -29,8 +29,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Canvas<'_, C, 
             if area.contains(point) {
                 // The area has no negative coordinates.
                 let (x, y) = (point.x.cast_unsigned(), point.y.cast_unsigned());
-                if let [cell] = self.cells_mut(y, &(x..x + 1)) {
-                    *cell = O::store(color);
+                if let Some(place) = self.places(y, &(x..x + 1)).next() {
+                    O::set(place, color);
                 }
             }
         }
@@ -50,12 +50,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Canvas<'_, C, 
         for y in inside.rows {
             skip(&mut colors, left);
             // The colors come second, so that `zip` does not consume one more than there are cells.
-            for (cell, color) in self
-                .cells_mut(y, &inside.columns)
-                .iter_mut()
-                .zip(&mut colors)
-            {
-                *cell = O::store(color);
+            for (place, color) in self.places(y, &inside.columns).zip(&mut colors) {
+                O::set(place, color);
             }
             skip(&mut colors, right);
         }
@@ -65,7 +61,9 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Canvas<'_, C, 
     fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
         if let Some(inside) = self.inside(area) {
             for y in inside.rows {
-                self.cells_mut(y, &inside.columns).fill(O::store(color));
+                for place in self.places(y, &inside.columns) {
+                    O::set(place, color);
+                }
             }
         }
         Ok(())

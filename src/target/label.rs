@@ -58,7 +58,7 @@ impl<C, O: Storage<C>, D: DepthBuffer> Label<'_, Canvas<'_, C, O, D>> {
         // The colors come second, so that `zip` does not consume one more than there are cells.
         for ((cell, stored), color) in cells.first(count).zip(colors) {
             if D::passes(&stored, depth) {
-                *cell = O::store(color);
+                O::set(cell, color);
             }
         }
     }

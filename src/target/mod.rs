@@ -6,27 +6,34 @@
 //!
 //! | choice | types |
 //! |---|---|
-//! | storage of a color | [`Native`], or bytes: embedded-graphics' `BigEndian` and `LittleEndian` |
+//! | storage of a color | [`Native`]; bytes: embedded-graphics' `BigEndian` and `LittleEndian`; bits: [`Packed`] and [`Pages`] |
 //! | depth buffer | [`NoDepth`], or [`Depth`] in format [`Linear`], [`Float`] or [`WideFloat`] |
 //! | depth test of a draw call | [`TestAndWrite`], [`TestOnly`], [`WriteOnly`], [`NoTest`], or [`Biased`] around one of these |
 //! | blending of a draw call | [`Replace`], [`Opacity`], [`Alpha`], [`Add`] or [`Multiply`] |
 
 mod blending;
 mod canvas;
+mod color_index;
+mod contrast;
 mod depth;
 mod depth_test;
+mod diffusion;
 mod draw_target;
 mod format;
 mod label;
+mod packed;
 mod storage;
 
 pub use blending::{Add, Alpha, Blending, Multiply, Opacity, Replace};
 pub use canvas::{Canvas, MAX_SIZE};
 pub(crate) use canvas::{Cells, check_size};
+pub use color_index::ColorIndex;
+pub use contrast::Contrast;
 pub(crate) use depth::Buffer;
 pub use depth::{Depth, DepthBuffer, NoDepth};
 pub use depth_test::{Biased, DepthTest, NoTest, TestAndWrite, TestOnly, WriteOnly};
 pub(crate) use format::linear;
 pub use format::{DepthFormat, Float, Linear, WideFloat};
 pub use label::Label;
+pub use packed::{Packed, Pages};
 pub use storage::{Bytes, Native, Storage};

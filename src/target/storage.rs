@@ -1,12 +1,17 @@
 //! How colors are stored in memory.
 
+use core::ops::Range;
+
 use embedded_graphics::pixelcolor::PixelColor;
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, RawData, ToBytes};
 
-/// How a canvas stores colors of type `C`. Sealed: three types implement it.
+use super::depth::first;
+
+/// How a canvas stores colors of type `C`. Sealed: five types implement it.
 ///
 /// [`Native`] keeps the color itself. embedded-graphics' [`BigEndian`] and [`LittleEndian`] keep its raw bytes in
-/// that order, ready for a display's bus.
+/// that order, ready for a display's bus. [`Packed`](super::Packed) and [`Pages`](super::Pages) keep several pixels in a
+/// byte.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor, raw::BigEndian};
@@ -16,14 +21,166 @@ use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, RawData, ToByt
 /// assert_eq!(<BigEndian as Storage<Rgb565>>::load(cell), Rgb565::RED);
 /// ```
 pub trait Storage<C>: Sealed {
-    /// One pixel in memory.
+    /// An element of a canvas's memory: a pixel, or a byte of several.
     type Cell: Copy;
 
-    /// Converts a color to its stored form.
+    /// Converts a color to its stored form: a cell all of whose pixels have it.
     fn store(color: C) -> Self::Cell;
 
-    /// Converts a stored pixel back to its color.
+    /// Converts a stored pixel, the first of a cell, back to its color.
     fn load(cell: Self::Cell) -> C;
+
+    /// Pixels of a cell side by side.
+    #[doc(hidden)]
+    const COLUMNS: u32 = 1;
+
+    /// Pixels of a cell one below the other.
+    #[doc(hidden)]
+    const ROWS: u32 = 1;
+
+    /// Where in its cells a run begins; nothing if each cell is a pixel.
+    #[doc(hidden)]
+    type Start<'a>: Copy;
+
+    /// A pixel in memory.
+    #[doc(hidden)]
+    type Place<'a>
+    where
+        Self::Cell: 'a;
+
+    /// The cells of a run, and where in them it begins.
+    ///
+    /// It gets no reference to the cells: the compiler would know more of a reference that passes through a function
+    /// than of one that does not, and other code would follow for all programs.
+    #[doc(hidden)]
+    fn locate<'a>(run: Run) -> (Range<usize>, Self::Start<'a>);
+
+    /// The number of pixels of a run.
+    #[doc(hidden)]
+    fn len(cells: usize, start: Self::Start<'_>) -> usize;
+
+    /// Splits off the first `count` pixels of a run, or all that are left.
+    #[doc(hidden)]
+    #[allow(clippy::mut_mut)] // the slice is replaced by its rest
+    fn first<'a>(
+        cells: &mut &'a mut [Self::Cell],
+        start: &mut Self::Start<'a>,
+        count: usize,
+    ) -> impl Iterator<Item = Self::Place<'a>> + use<'a, C, Self>;
+
+    /// The color of a pixel.
+    #[doc(hidden)]
+    fn get(place: &Self::Place<'_>) -> C;
+
+    /// Changes the color of a pixel.
+    #[doc(hidden)]
+    fn set(place: Self::Place<'_>, color: C);
+
+    /// The colors of all pixels of `size` (columns and rows), row by row.
+    #[doc(hidden)]
+    fn pixels(cells: &[Self::Cell], size: [u32; 2]) -> impl ExactSizeIterator<Item = C>;
+}
+
+/// Pixels side by side in a canvas; public in name only.
+#[derive(Debug)]
+pub struct Run {
+    /// Their numbers, if the pixels of the canvas are counted row by row.
+    pub(super) pixels: Range<usize>,
+    /// Counted from the first row in memory.
+    pub(super) row: u32,
+    pub(super) columns: Range<u32>,
+    /// Of the canvas.
+    pub(super) width: u32,
+}
+
+/// The colors of a canvas, row by row; `color` gets a pixel's column and row, and the size.
+pub(super) struct Grid<F> {
+    size: [u32; 2],
+    at: [u32; 2],
+    color: F,
+}
+
+impl<F> Grid<F> {
+    pub(super) const fn new(size: [u32; 2], color: F) -> Self {
+        Self {
+            size,
+            at: [0; 2],
+            color,
+        }
+    }
+}
+
+impl<C, F: Fn([u32; 2], [u32; 2]) -> C> Iterator for Grid<F> {
+    type Item = C;
+
+    #[inline]
+    fn next(&mut self) -> Option<C> {
+        let ([x, y], [width, height]) = (self.at, self.size);
+        if y >= height {
+            return None;
+        }
+        self.at = if x + 1 < width {
+            [x + 1, y]
+        } else {
+            [0, y + 1]
+        };
+        Some((self.color)([x, y], self.size))
+    }
+
+    #[inline]
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let ([x, y], [width, height]) = (self.at, self.size);
+        let left = ((height - y) * width - x) as usize;
+        (left, Some(left))
+    }
+}
+
+impl<C, F: Fn([u32; 2], [u32; 2]) -> C> ExactSizeIterator for Grid<F> {}
+
+/// The layout of a storage in which each cell is a pixel.
+macro_rules! cells_are_pixels {
+    ($cell:ty) => {
+        type Start<'a> = ();
+        type Place<'a>
+            = &'a mut $cell
+        where
+            $cell: 'a;
+
+        #[inline(always)]
+        fn locate<'a>(run: Run) -> (Range<usize>, <Self as Storage<C>>::Start<'a>) {
+            (run.pixels, ())
+        }
+
+        #[inline(always)]
+        fn len(cells: usize, (): ()) -> usize {
+            cells
+        }
+
+        #[inline(always)]
+        #[allow(clippy::mut_mut)] // the slice is replaced by its rest
+        fn first<'a>(
+            cells: &mut &'a mut [$cell],
+            (): &mut (),
+            count: usize,
+        ) -> impl Iterator<Item = &'a mut $cell> + use<'a, C> {
+            first(cells, count).iter_mut()
+        }
+
+        #[inline(always)]
+        fn get(place: &&mut $cell) -> C {
+            <Self as Storage<C>>::load(**place)
+        }
+
+        #[inline(always)]
+        fn set(place: &mut $cell, color: C) {
+            *place = <Self as Storage<C>>::store(color);
+        }
+
+        #[inline(always)]
+        fn pixels(cells: &[$cell], _: [u32; 2]) -> impl ExactSizeIterator<Item = C> {
+            cells.iter().map(|&cell| <Self as Storage<C>>::load(cell))
+        }
+    };
 }
 
 /// A [`Storage`] that keeps each color unconverted, in its own type.
@@ -112,6 +269,8 @@ impl<C: PixelColor> Storage<C> for Native {
     fn load(cell: C) -> C {
         cell
     }
+
+    cells_are_pixels!(C);
 }
 
 impl<C> Storage<C> for BigEndian
@@ -129,6 +288,8 @@ where
     fn load(cell: C::Bytes) -> C {
         C::Raw::from_u32(cell.be_number()).into()
     }
+
+    cells_are_pixels!(C::Bytes);
 }
 
 impl<C> Storage<C> for LittleEndian
@@ -146,6 +307,8 @@ where
     fn load(cell: C::Bytes) -> C {
         C::Raw::from_u32(cell.le_number()).into()
     }
+
+    cells_are_pixels!(C::Bytes);
 }
 
 #[cfg(test)]

@@ -17,7 +17,9 @@ use fixel::shade::{
 };
 use fixel::shade::{Gradient, Masked, Mipmapped, Tolerance, Translucent, Within};
 use fixel::target::{Add, Alpha, Multiply, Opacity, Replace};
-use fixel::target::{Biased, Depth, Float, Linear, Native, NoDepth, NoTest};
+use fixel::target::{
+    Biased, ColorIndex, Contrast, Depth, Float, Linear, Native, NoDepth, NoTest, Packed, Pages,
+};
 use fixel::target::{TestAndWrite, TestOnly, WideFloat, WriteOnly};
 use fixel::texture::{Argb1555, Argb4444, Mipmap, MipmapArray, PackedGray4, Trilinear};
 use fixel::texture::{Bilinear, Clamp, CutOut, Image, Nearest, Repeat};
@@ -58,6 +60,7 @@ all!(shared: MipmapArray<Rgb565, 1, 1, 1>);
 all!(value: Part<'static> PartColors<'static>);
 all!(value: PerFace<u8> Texels Tolerance Within<1, Texels>);
 all!(value: Biased Float Linear Native NoDepth NoTest TestAndWrite TestOnly WideFloat WriteOnly);
+all!(value: ColorIndex Contrast Packed Pages);
 all!(value: Bilinear Clamp CutOut<Bilinear, Rgb565> Nearest Repeat);
 all!(value: Image<'static> Palette<'static, Rgb565> Texture<'static, Rgb565>);
 all!(borrowed: Keyframes<'static> Mesh<'static> Outline<'static> Positions<'static> Sprites<'static>);
@@ -67,7 +70,7 @@ all!(shared: EdgeList<1, 1> PreparedEdges<'static>);
 all!(shared: Object<'static, u8> TriangleList<1, 1> TextureArray<Rgb565, 1, 1> PaletteArray<Rgb565, 1, 1>);
 all!(any: PreparedScene<'static, u8> Buffers<'static> Canvas<'static, Rgb565> Canvas<'static, Rgb565, Native, Depth<'static>>);
 
-all!(default: Trilinear);
+all!(default: ColorIndex Contrast Trilinear);
 all!(default: Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform Camera Counts Cull DrawOptions);
 all!(default: Drawn Missing Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> TriangleList<1, 1> EdgeList<1, 1>);
 all!(shown: Error RefusedFloat Angle Vec2 Vec3);

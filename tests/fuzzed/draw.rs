@@ -143,5 +143,6 @@ where
     }
     // Modes know neither how colors are stored nor how they are blended, so one mode shows both.
     call.check_bytes(&options, shader);
+    call.check_packed(&options, shader);
     call.check_blended(&options, shader);
 }

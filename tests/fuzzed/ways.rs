@@ -4,7 +4,7 @@
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
-use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use embedded_graphics::pixelcolor::{BinaryColor, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
 use fixel::mesh::flash::{StoredUvs, UvGrid, short_normal};
 use fixel::mesh::{Part, Quantized};
@@ -478,6 +478,29 @@ impl<K: ProjectionKind> Call<'_, K> {
         let mut canvas = Canvas::little_endian(&mut bytes, width, height).unwrap();
         self.draw(&mut canvas, options, shader);
         assert!(canvas.pixels().eq(colors.iter().copied()));
+    }
+
+    /// Checks that canvases with several pixels in a byte show the same.
+    pub fn check_packed<I, F>(&self, options: &DrawOptions<I>, shader: &F)
+    where
+        I: Mode,
+        F: Shader<Color = Rgb565>,
+    {
+        let (width, height) = self.scene.size;
+        let coarse = shader.map(|_, color| Some(BinaryColor::from(color.g() & 1 == 1)));
+        let mut colors = vec![BinaryColor::Off; self.scene.pixels()];
+        let mut canvas = Canvas::new(&mut colors, width, height).unwrap();
+        canvas.draw_with(options, self.mesh, &self.mvp, &coarse);
+
+        let mut bytes = vec![0; (width.div_ceil(8) * height) as usize];
+        let mut canvas: Canvas<BinaryColor, _> = Canvas::packed(&mut bytes, width, height).unwrap();
+        canvas.draw_with(options, self.mesh, &self.mvp, &coarse);
+        assert!(canvas.pixels().eq(colors.iter().copied()));
+
+        let mut bytes = vec![0; (width * height.div_ceil(8)) as usize];
+        let mut canvas = Canvas::pages(&mut bytes, width, height).unwrap();
+        canvas.draw_with(options, self.mesh, &self.mvp, &coarse);
+        assert!(canvas.pixels().eq(colors));
     }
 
     /// Checks that colors are blended alike in frames and bands.

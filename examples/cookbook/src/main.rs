@@ -12,6 +12,7 @@ mod labels;
 mod lights;
 mod materials;
 mod mipmaps;
+mod packed;
 mod painter;
 mod picking;
 mod sky;
@@ -60,6 +61,7 @@ const RECIPES: &[(&str, Draw)] = &[
     ("lights", lights::draw),
     ("materials", materials::draw),
     ("mipmaps", mipmaps::draw),
+    ("packed", packed::draw),
     ("painter", painter::draw),
     ("picking", picking::draw),
     ("sky", sky::draw),

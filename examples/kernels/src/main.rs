@@ -33,6 +33,8 @@ mod frames;
 mod host;
 #[cfg(target_os = "none")]
 mod lights;
+#[cfg(target_os = "none")]
+mod packed;
 #[cfg(not(target_os = "none"))]
 mod painter;
 #[cfg(target_os = "none")]
@@ -68,6 +70,7 @@ mod firmware {
     use super::common::scenes::CHECKER;
     use super::frames::Frame;
     use super::lights;
+    use super::packed;
     use super::pieces;
     use super::setup::{self, Kind};
     use super::ticks::Stopwatch;
@@ -98,6 +101,7 @@ mod firmware {
         watch.print("in-view", "test", tests, ticks);
         lights::measure(&mut watch)?;
         words::measure(&mut watch)?;
+        packed::measure(&mut watch)?;
 
         let mut frame = Frame::take();
         frame.measure(&mut watch, "newton", Newton)?;

@@ -13,7 +13,7 @@ use super::ticks::Stopwatch;
 
 /// Columns of the frames that are compared: part of a span, another part, and three more spans.
 const WIDTHS: [u32; 3] = [16, 48, 240];
-const ROWS: u32 = 64;
+pub const ROWS: u32 = 64;
 /// How often a frame is drawn: a tick may be many instructions.
 const REPEATS: u32 = 4;
 /// Pixels of the widest frame.
@@ -27,7 +27,7 @@ const FOCAL: i32 = 256;
 /// much for any mode to do without.
 const CORNERS: [([i32; 2], i32); 3] = [([-16, -16], 1), ([-16, 144], 1), ([624, -16], 2)];
 /// Half a texel of 64x64 to two a column.
-const UVS: [Vec2; 3] = [vec2!(0, 0), vec2!(0, 2), vec2!(10, 1)];
+pub const UVS: [Vec2; 3] = [vec2!(0, 0), vec2!(0, 2), vec2!(10, 1)];
 
 static COLORS: ConstStaticCell<[Rgb565; PIXELS]> = ConstStaticCell::new([Rgb565::BLACK; PIXELS]);
 static DEPTHS: ConstStaticCell<[u16; PIXELS]> = ConstStaticCell::new([0; PIXELS]);
@@ -161,7 +161,7 @@ fn draw<I: Mode, B: Blending<Rgb565>, F: Shader<Color = B::Source>, D: DepthBuff
 }
 
 /// The wall's corners in front of a frame of this width.
-fn positions(width: u32) -> [Vec3; 3] {
+pub fn positions(width: u32) -> [Vec3; 3] {
     let center = [width, ROWS].map(u32::cast_signed);
     CORNERS.map(|([x, y], distance)| {
         // Relative to the frame's center, in half pixels.

@@ -11,6 +11,7 @@ use fixel::target::{MAX_SIZE, Native, NoDepth};
 
 mod depth;
 mod framebuffer;
+mod packed;
 mod pictures;
 
 /// A display that records its calls and may fail.

@@ -1,0 +1,46 @@
+//! A panel of 128x64 pixels in black and white: grays are spread from black to white, and their errors diffused.
+
+use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
+use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888};
+use embedded_graphics::{prelude::*, primitives::Rectangle, text::Text};
+use fixel::prelude::*;
+use fixel::target::{Contrast, Depth, Native};
+
+const SIZE: (u32, u32) = (128, 64);
+static ISLAND: Mesh = include_obj!("../../assets/lighthouse.obj");
+// No edge is a crease: it has silhouettes only.
+static SILHOUETTES: Outline = outline!(ISLAND, deg!(180));
+static SKIN: TextureArray<Rgb565, 128, 128> =
+    TextureArray::rgb565(include_bytes!("../../assets/lighthouse.rgb565"));
+
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+    let (width, height) = SIZE;
+    let (mut grays, mut depths) = ([Gray8::new(0); 128 * 64], [0; 128 * 64]);
+    let mut gray = Canvas::new(&mut grays, width, height)?.with_depth(&mut depths)?;
+    let projection = Projection::perspective(deg!(37), SIZE, fx!(1), fx!(50))?;
+    let camera = Camera::look_at(vec3!(2.4, 3.1, 8.4), vec3!(-0.7, 1.5, 0), Vec3::Y)?;
+    let view = projection * camera;
+    let light = Light::new(vec3!(-1, 1, 1), fx!(1), fx!(0.2))?;
+    let skin = Textured::new(&SKIN).converted().lit(light);
+    gray.draw(&ISLAND, &view, &skin);
+    // What the light does not reach is black, as the sky is: lines tell them apart.
+    let contrast = Contrast::of(&gray, 4);
+    let white = Flat::rgb(Rgb888::new(255, 255, 255));
+    gray.draw_outline(&DrawOptions::new(), &ISLAND, &SILHOUETTES, &view, &white);
+
+    // 1 KiB, in the order in which an SSD1306 wants it. Text comes last: it is not dithered.
+    let mut bytes = [0; 1024];
+    let mut panel = Canvas::pages(&mut bytes, width, height)?;
+    let Ok(()) = gray.show_diffused(&mut panel, contrast, &mut [0; SIZE.0 as usize])?;
+    let style = MonoTextStyle::new(&FONT_6X10, BinaryColor::On);
+    Text::new("LIGHTHOUSE", Point::new(2, 9), style).draw(&mut panel)?;
+
+    // In this picture, each of its pixels is four.
+    canvas.clear(Rgb565::new(3, 6, 4));
+    for (at, pixel) in panel.bounding_box().points().zip(panel.pixels()) {
+        let square = Rectangle::new(Point::new(32, 56) + at * 2, Size::new_equal(2));
+        let color = Rgb888::new(160, 235, 255).into();
+        canvas.fill_solid(&square, if pixel.is_on() { color } else { Rgb565::BLACK })?;
+    }
+    Ok(())
+}

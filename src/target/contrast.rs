@@ -1,0 +1,119 @@
+//! Contrast: the grays of a frame spread from black to white.
+
+use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+
+use super::canvas::Canvas;
+use super::storage::Storage;
+
+/// A change of grays that makes one of them black, a lighter one white, and spreads those in between evenly.
+///
+/// Displays with few grays need it: a scene that only has dark ones is noise in black and white. The default changes
+/// nothing.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use fixel::{prelude::*, target::Contrast};
+/// let mut grays = [40, 80, 120, 60].map(Gray8::new);
+/// let canvas = Canvas::new(&mut grays, 2, 2)?;
+/// let contrast = Contrast::of(&canvas, 0);
+/// assert_eq!(contrast, Contrast::new(40, 120));
+/// assert_eq!([20, 40, 80, 120].map(|gray| contrast.stretch(Gray8::new(gray))), [0, 0, 128, 255].map(Gray8::new));
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Contrast {
+    black: u8,
+    white: u8,
+}
+
+impl Default for Contrast {
+    fn default() -> Self {
+        Self::new(0, 255)
+    }
+}
+
+impl Contrast {
+    /// Makes `black` and all darker grays black, and `white` and all lighter ones white. If `white` is not lighter than
+    /// `black`, all grays up to `black` are black and all others white.
+    #[must_use]
+    pub const fn new(black: u8, white: u8) -> Self {
+        Self { black, white }
+    }
+
+    /// What the frame has: its darkest gray becomes black and its lightest one white.
+    ///
+    /// Of the darkest pixels, and of the lightest ones, `ignored`/256 may be lost, so that few of them, such as a lamp's
+    /// highlight, do not decide. It takes 1 KiB of stack.
+    #[must_use]
+    pub fn of<O: Storage<Gray8>, D>(canvas: &Canvas<'_, Gray8, O, D>, ignored: u8) -> Self {
+        let mut counts = [0_u32; 256];
+        for gray in canvas.pixels() {
+            counts[usize::from(gray.luma())] += 1;
+        }
+        // A frame has at most 2^22 pixels.
+        let most = (canvas.pixels().len() as u32 * u32::from(ignored)) >> 8;
+        Self {
+            black: end(counts.iter(), most),
+            white: 255 - end(counts.iter().rev(), most),
+        }
+    }
+
+    /// The gray that it makes of a gray, rounded to nearest.
+    #[must_use]
+    #[inline]
+    pub fn stretch(self, gray: Gray8) -> Gray8 {
+        let above = u32::from(gray.luma().saturating_sub(self.black));
+        // It is 0 only if all grays above are white.
+        let range = u32::from(self.white.saturating_sub(self.black));
+        let stretched = (above * 255 + range / 2).checked_div(range);
+        let white = if above > 0 { 255 } else { 0 };
+        Gray8::new(stretched.unwrap_or(white).min(255) as u8)
+    }
+}
+
+/// The first entry with which the sum of the counts exceeds `most`.
+fn end<'c>(counts: impl Iterator<Item = &'c u32>, most: u32) -> u8 {
+    let mut sum = 0;
+    let reached = |&count: &u32| {
+        sum += count;
+        sum > most
+    };
+    counts.map(reached).take_while(|reached| !reached).count() as u8
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_gray_is_stretched_to_the_nearest_step() {
+        for black in 0..=255_u8 {
+            for white in 0..=255_u8 {
+                for gray in (0..=255_u8).step_by(5) {
+                    let found = Contrast::new(black, white).stretch(Gray8::new(gray)).luma();
+                    let [black, white, gray] = [black, white, gray].map(f64::from);
+                    let exact = if black < white {
+                        ((gray - black) / (white - black) * 255.).clamp(0., 255.)
+                    } else {
+                        f64::from(u8::from(gray > black)) * 255.
+                    };
+                    assert!(
+                        (f64::from(found) - exact).abs() <= 0.5,
+                        "{black} {white} {gray}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_ends_are_those_of_the_frame_without_what_is_ignored() {
+        let mut grays: std::vec::Vec<Gray8> = (0..=255).map(|i| Gray8::new(i / 2 + 50)).collect();
+        let canvas = Canvas::new(&mut grays, 16, 16).unwrap();
+        assert_eq!(Contrast::of(&canvas, 0), Contrast::new(50, 177));
+        assert_eq!(Contrast::of(&canvas, 1), Contrast::new(50, 177));
+        assert_eq!(Contrast::of(&canvas, 2), Contrast::new(51, 176));
+        assert_eq!(Contrast::of(&canvas, 255), Contrast::new(177, 50));
+    }
+}

@@ -1,0 +1,119 @@
+//! Error diffusion.
+
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+
+use super::canvas::{Canvas, check_length};
+use super::contrast::Contrast;
+use super::storage::Storage;
+use crate::Error;
+use crate::shade::Levels;
+
+impl<O: Storage<Gray8>, D> Canvas<'_, Gray8, O, D> {
+    /// Shows a gray canvas on a display of fewer grays by error diffusion (Floyd and Steinberg, 1976), in one
+    /// [`fill_contiguous`](DrawTarget::fill_contiguous).
+    ///
+    /// Each pixel gets the nearest gray that the display has. The difference is added to pixels that follow, so no
+    /// brightness is lost: 7/16 of it to the right, and below 3/16 to the left, 5/16, and 1/16 to the right. What
+    /// would go beyond the sides goes straight down. Details are finer than in an ordered dither, but they move from
+    /// frame to frame in a moving picture.
+    ///
+    /// `errors` has an element for each column. It must be 0 for a frame; it then holds what the next rows would get,
+    /// so the bands of a frame, shown one after the other with the same `errors`, equal the frame.
+    ///
+    /// The display may be another canvas, for example of [`Pages`](super::Pages).
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{BinaryColor, Gray8};
+    /// use fixel::{prelude::*, target::Contrast};
+    /// let mut grays = [64; 64].map(Gray8::new);
+    /// let gray = Canvas::new(&mut grays, 16, 4)?;
+    /// let mut bytes = [0; 8];
+    /// let mut panel: Canvas<BinaryColor, _> = Canvas::packed(&mut bytes, 16, 4)?;
+    /// let Ok(()) = gray.show_diffused(&mut panel, Contrast::default(), &mut [0; 16])?;
+    /// let on = panel.pixels().filter(|pixel| pixel.is_on()).count();
+    /// assert_eq!(on, 16); // a quarter
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] if `errors` does not have exactly one element per column. The inner result has the display's
+    /// own errors.
+    pub fn show_diffused<T>(
+        &self,
+        display: &mut T,
+        contrast: Contrast,
+        errors: &mut [i16],
+    ) -> Result<Result<(), T::Error>, Error>
+    where
+        T: DrawTarget<Color: Levels<Channels = [i32; 1]>>,
+    {
+        let width = self.frame_size().width;
+        check_length(errors.len(), width, 1)?;
+        let mut diffusion = Diffusion {
+            errors,
+            column: 0,
+            right: 0,
+            below: 0,
+            below_right: 0,
+        };
+        let colors = self
+            .pixels()
+            .map(|gray| diffusion.color(contrast.stretch(gray)));
+        Ok(display.fill_contiguous(&self.area(), colors))
+    }
+}
+
+/// Errors on their way to pixels that follow, in 16ths of a step of [`Gray8`].
+struct Diffusion<'e> {
+    /// Of the present row from this column on, and of the next row up to the column before the last one.
+    errors: &'e mut [i16],
+    column: usize,
+    /// What this column gets.
+    right: i32,
+    /// What the last column of the next row has, and what this one has.
+    below: i32,
+    below_right: i32,
+}
+
+impl Diffusion<'_> {
+    /// The color of the next pixel.
+    fn color<C: Levels<Channels = [i32; 1]>>(&mut self, gray: Gray8) -> C {
+        let [most, ..] = C::MAX_STEPS;
+        // 255 is a multiple of 1, 3, 15 and 255.
+        let step = 255 * 16 / most;
+        let at = self.column;
+        let is_last = at + 1 >= self.errors.len();
+        let before = self.errors.get(at).copied().unwrap_or_default();
+        let wanted = i32::from(gray.luma()) * 16 + i32::from(before) + self.right;
+        let steps = (wanted + step / 2).div_euclid(step).clamp(0, most);
+        // At most half a step, if the errors were 0 at first.
+        let error = wanted - steps * step;
+
+        let (right, left, below) = ((error * 7) >> 4, (error * 3) >> 4, (error * 5) >> 4);
+        let beyond = error - right - left - below;
+        let left = if at > 0 {
+            self.keep(at - 1, self.below + left);
+            0
+        } else {
+            left
+        };
+        let below = self.below_right + below + left;
+        if is_last {
+            self.keep(at, below + right + beyond);
+            (self.column, self.right, self.below, self.below_right) = (0, 0, 0, 0);
+        } else {
+            (self.column, self.right, self.below, self.below_right) =
+                (at + 1, right, below, beyond);
+        }
+        C::of_steps([steps; 3])
+    }
+
+    /// Stores the error of a column of the next row. It saturates only if the errors were great at first.
+    fn keep(&mut self, column: usize, error: i32) {
+        if let Some(kept) = self.errors.get_mut(column) {
+            *kept = error.clamp(i16::MIN.into(), i16::MAX.into()) as i16;
+        }
+    }
+}

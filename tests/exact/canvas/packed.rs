@@ -1,0 +1,398 @@
+//! Canvases with several pixels in a byte.
+
+use std::convert::Infallible;
+
+use embedded_graphics::Pixel;
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::framebuffer::{Framebuffer, buffer_size_bpp};
+use embedded_graphics::geometry::{Dimensions, Point};
+use embedded_graphics::mock_display::MockDisplay;
+use embedded_graphics::pixelcolor::raw::{LittleEndian, RawData, RawU1, RawU2, RawU4, RawU16};
+use embedded_graphics::pixelcolor::{
+    BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor, Rgb565, Rgb888, RgbColor,
+};
+use embedded_graphics::primitives::Rectangle;
+use fixel::mode::{Compact, Exact, Fast, Mode, Newton};
+use fixel::prelude::*;
+use fixel::shade::{Levels, NormalView};
+use fixel::target::{Blending, Contrast, DepthBuffer, Opacity, Replace, Storage};
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+use super::pictures::{self, HEIGHT, WIDTH};
+
+/// A target that takes the lowest bits of each color.
+struct Coarse<T>(T);
+
+impl<T: Dimensions> Dimensions for Coarse<&mut T> {
+    fn bounding_box(&self) -> Rectangle {
+        self.0.bounding_box()
+    }
+}
+
+fn coarse<C: PixelColor + From<C::Raw>>(color: Rgb565) -> C {
+    C::Raw::from_u32(RawU16::from(color).into_inner().into()).into()
+}
+
+impl<T> DrawTarget for Coarse<&mut T>
+where
+    T: DrawTarget<Color: From<<T::Color as PixelColor>::Raw>, Error = Infallible>,
+{
+    type Color = Rgb565;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565>>>(
+        &mut self,
+        pixels: I,
+    ) -> Result<(), Infallible> {
+        let coarse = |Pixel(at, color)| Pixel(at, coarse(color));
+        self.0.draw_iter(pixels.into_iter().map(coarse))
+    }
+
+    fn fill_contiguous<I: IntoIterator<Item = Rgb565>>(
+        &mut self,
+        area: &Rectangle,
+        colors: I,
+    ) -> Result<(), Infallible> {
+        self.0
+            .fill_contiguous(area, colors.into_iter().map(coarse::<T::Color>))
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, color: Rgb565) -> Result<(), Infallible> {
+        self.0.fill_solid(area, coarse(color))
+    }
+
+    fn clear(&mut self, color: Rgb565) -> Result<(), Infallible> {
+        self.0.clear(coarse(color))
+    }
+}
+
+/// Compares the pictures of a packed canvas, whole and in bands, with those of embedded-graphics' frame.
+macro_rules! is_a_framebuffer {
+    ($color:ty, $raw:ty) => {{
+        const BYTES: usize =
+            buffer_size_bpp(WIDTH as usize, HEIGHT as usize, <$raw>::BITS_PER_PIXEL);
+        const ROW: usize = BYTES / HEIGHT as usize;
+        for number in 0..500 {
+            let mut random = ChaCha8Rng::seed_from_u64(number);
+            let (crops, band) = (random.random(), random.random_range(1..=HEIGHT as usize));
+            let mut theirs = Framebuffer::<
+                $color,
+                $raw,
+                LittleEndian,
+                { WIDTH as usize },
+                { HEIGHT as usize },
+                BYTES,
+            >::new();
+            pictures::draw(&mut Coarse(&mut theirs), &mut random.clone(), crops);
+
+            let mut bytes = [0; BYTES];
+            let mut canvas: Canvas<$color, _> = Canvas::packed(&mut bytes, WIDTH, HEIGHT).unwrap();
+            pictures::draw(&mut Coarse(&mut canvas), &mut random.clone(), crops);
+            assert!(
+                no_padding(canvas.as_cells(), ROW) == no_padding(theirs.data(), ROW),
+                "{number}"
+            );
+            let drawn: Vec<$color> = canvas.pixels().collect();
+
+            let mut native = [<$color>::from(<$raw>::from_u32(0)); (WIDTH * HEIGHT) as usize];
+            let mut canvas = Canvas::new(&mut native, WIDTH, HEIGHT).unwrap();
+            pictures::draw(&mut Coarse(&mut canvas), &mut random.clone(), crops);
+            assert!(drawn == native, "pixels {number}");
+            if crops {
+                continue;
+            }
+            let mut in_bands = [0; BYTES];
+            let mut first = 0;
+            for bytes in in_bands.chunks_mut(band * ROW) {
+                let mut canvas: Canvas<$color, _> =
+                    Canvas::packed_band(bytes, WIDTH, HEIGHT, first).unwrap();
+                first += canvas.rows().len() as u32;
+                pictures::draw(&mut Coarse(&mut canvas), &mut random.clone(), crops);
+            }
+            assert!(
+                no_padding(&in_bands, ROW) == no_padding(theirs.data(), ROW),
+                "bands {number}"
+            );
+        }
+    }};
+}
+
+/// The bytes that are wholly pixels, since `clear` may fill the rest.
+fn no_padding(bytes: &[u8], row: usize) -> Vec<&[u8]> {
+    bytes.chunks(row).map(|row| &row[..row.len() - 1]).collect()
+}
+
+#[test]
+fn a_packed_canvas_is_a_framebuffer() {
+    is_a_framebuffer!(BinaryColor, RawU1);
+    is_a_framebuffer!(Gray2, RawU2);
+    is_a_framebuffer!(Gray4, RawU4);
+}
+
+/// Bit n of a byte is row n of its page.
+#[test]
+fn pages_have_the_pixels_of_a_packed_canvas() {
+    let pages = WIDTH * HEIGHT.div_ceil(8);
+    for number in 0..500 {
+        let mut random = ChaCha8Rng::seed_from_u64(number);
+        let down = random.random_range(1..=4) * WIDTH as usize;
+        let mut native = [BinaryColor::Off; (WIDTH * HEIGHT) as usize];
+        let mut canvas = Canvas::new(&mut native, WIDTH, HEIGHT).unwrap();
+        pictures::draw(&mut Coarse(&mut canvas), &mut random.clone(), false);
+
+        let mut bytes = vec![0; pages as usize];
+        let mut canvas = Canvas::pages(&mut bytes, WIDTH, HEIGHT).unwrap();
+        pictures::draw(&mut Coarse(&mut canvas), &mut random.clone(), false);
+        assert!(canvas.pixels().eq(native), "{number}");
+        for (i, pixel) in (0..).zip(native) {
+            let (x, y) = (i % WIDTH, i / WIDTH);
+            let byte = bytes[(y / 8 * WIDTH + x) as usize];
+            assert_eq!(byte >> (y % 8) & 1 == 1, pixel.is_on());
+        }
+
+        let mut in_bands = vec![0; pages as usize];
+        let mut first = 0;
+        for bytes in in_bands.chunks_mut(down) {
+            let mut canvas = Canvas::pages_band(bytes, WIDTH, HEIGHT, first).unwrap();
+            first += canvas.rows().len() as u32;
+            pictures::draw(&mut Coarse(&mut canvas), &mut random.clone(), false);
+        }
+        assert_eq!(first, HEIGHT);
+        assert!(in_bands == bytes, "bands {number}");
+    }
+}
+
+#[test]
+fn memory_of_another_size_is_refused() {
+    let too_long =
+        |given, needed| format!("slice has {given} elements: exactly {needed} are needed");
+    // 11 pixels of 1, 2 and 4 bits take 2, 3 and 6 bytes.
+    let mut bytes = [0; 100];
+    assert!(Canvas::<BinaryColor, _>::packed(&mut bytes[..6], 11, 3).is_ok());
+    let error = Canvas::<BinaryColor, _>::packed(&mut bytes[..5], 11, 3).unwrap_err();
+    assert_eq!(error.to_string(), too_long(5, 6));
+    assert!(Canvas::<Gray2, _>::packed(&mut bytes[..9], 11, 3).is_ok());
+    let error = Canvas::<Gray2, _>::packed(&mut bytes[..10], 11, 3).unwrap_err();
+    assert_eq!(error.to_string(), too_long(10, 9));
+    assert!(Canvas::<Gray4, _>::packed_band(&mut bytes[..12], 11, 3, 1).is_ok());
+    let error = Canvas::<Gray4, _>::packed_band(&mut bytes[..13], 11, 3, 1).unwrap_err();
+    assert_eq!(error.to_string(), too_long(13, 12));
+    let error = Canvas::<Gray4, _>::packed_band(&mut bytes[..18], 11, 3, 1).unwrap_err();
+    assert!(error.to_string().starts_with("band has 3 rows from row 1"));
+
+    assert!(Canvas::pages(&mut bytes[..33], 11, 17).is_ok());
+    let error = Canvas::pages(&mut bytes[..32], 11, 17).unwrap_err();
+    assert_eq!(error.to_string(), too_long(32, 33));
+    for (length, first, rows) in [
+        (22, 8, 8..17),
+        (11, 5, 5..13),
+        (11, 16, 16..17),
+        (33, 0, 0..17),
+    ] {
+        let band = Canvas::pages_band(&mut bytes[..length], 11, 17, first).unwrap();
+        assert_eq!(*band.rows(), rows);
+    }
+    // The last page would have no row of the frame.
+    for (length, first, rows) in [(22, 9, 16), (11, 17, 8), (0, 0, 0), (44, 0, 32)] {
+        let error = Canvas::pages_band(&mut bytes[..length], 11, 17, first).unwrap_err();
+        let wanted = format!("band has {rows} rows from row {first}");
+        assert!(error.to_string().starts_with(&wanted), "{error}");
+    }
+}
+
+static BALL: Mesh = shape!(sphere(9, 7));
+
+/// Draws a ball and its edges, near and far, across borders and outside.
+fn ball<C, O, D, I, B>(canvas: &mut Canvas<'_, C, O, D>, number: i16, mode: I, blending: B)
+where
+    C: Levels,
+    O: Storage<C>,
+    D: DepthBuffer,
+    I: Mode,
+    B: Blending<C, Source = C>,
+{
+    let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.25), fx!(30)).unwrap();
+    let [x, y] = [number % 7 - 3, number % 5 - 2].map(Scalar::from_num);
+    let place = Vec3::new(x, y, fx!(-1.25) - Scalar::from_num(number % 9));
+    let mvp = projection * Transform::translate(place);
+    let options = DrawOptions::new().with_mode(mode).with_blending(blending);
+    canvas.draw_with(&options, &BALL, &mvp, &NormalView::new());
+    let gray = u8::try_from(number).unwrap();
+    canvas.draw_edges(
+        &options,
+        &BALL,
+        &mvp,
+        &Flat::rgb(Rgb888::new(gray, gray, 9)),
+    );
+}
+
+/// All scenes, in canvases of one color.
+macro_rules! draws_as_native {
+    ($color:ty, $canvas:path, $bytes:expr, $mode:expr, $blending:expr) => {
+        for number in 0..64 {
+            let mut native = [<$color>::from_rgb(Rgb888::WHITE, Point::zero()); PIXELS];
+            ball(
+                &mut Canvas::new(&mut native, WIDTH, HEIGHT).unwrap(),
+                number,
+                $mode,
+                $blending,
+            );
+            let mut bytes = [0xff; $bytes];
+            let mut canvas: Canvas<$color, _> = $canvas(&mut bytes, WIDTH, HEIGHT).unwrap();
+            ball(&mut canvas, number, $mode, $blending);
+            assert!(canvas.pixels().eq(native), "{number}");
+
+            let mut native = [<$color>::from_rgb(Rgb888::WHITE, Point::zero()); PIXELS];
+            let mut depths = [0x1000; PIXELS];
+            let canvas = Canvas::new(&mut native, WIDTH, HEIGHT).unwrap();
+            ball(
+                &mut canvas.with_depth(&mut depths).unwrap(),
+                number,
+                $mode,
+                $blending,
+            );
+            let (mut bytes, mut other_depths) = ([0xff; $bytes], [0x1000; PIXELS]);
+            let canvas: Canvas<$color, _> = $canvas(&mut bytes, WIDTH, HEIGHT).unwrap();
+            let mut canvas = canvas.with_depth(&mut other_depths).unwrap();
+            ball(&mut canvas, number, $mode, $blending);
+            assert!(canvas.pixels().eq(native), "with depths {number}");
+            assert!(depths == other_depths, "depths {number}");
+        }
+    };
+}
+
+const PIXELS: usize = (WIDTH * HEIGHT) as usize;
+
+/// In each mode, and where the colors below are read.
+#[test]
+fn packed_canvases_show_what_native_ones_show() {
+    const PAGES: usize = WIDTH as usize * (HEIGHT as usize).div_ceil(8);
+    const fn rows(pixels_in_byte: usize) -> usize {
+        (WIDTH as usize).div_ceil(pixels_in_byte) * HEIGHT as usize
+    }
+    let fast = Fast::within(fx!(0.5));
+    draws_as_native!(BinaryColor, Canvas::packed, rows(8), Newton, Replace);
+    draws_as_native!(BinaryColor, Canvas::packed, rows(8), Exact, Replace);
+    draws_as_native!(BinaryColor, Canvas::packed, rows(8), fast, Opacity(99));
+    draws_as_native!(Gray2, Canvas::packed, rows(4), Compact, Opacity(99));
+    draws_as_native!(Gray4, Canvas::packed, rows(2), Newton, Opacity(99));
+    draws_as_native!(BinaryColor, Canvas::pages, PAGES, Newton, Replace);
+    draws_as_native!(BinaryColor, Canvas::pages, PAGES, Compact, Opacity(99));
+    draws_as_native!(BinaryColor, Canvas::pages, PAGES, fast, Replace);
+}
+
+/// The sum of all grays is kept: what is not shown is in `errors`.
+#[test]
+fn diffusion_loses_no_brightness() {
+    let mut random = ChaCha8Rng::seed_from_u64(1);
+    for (width, height) in [(1, 1), (1, 9), (2, 3), (17, 12), (70, 40)] {
+        let pixels = (width * height) as usize;
+        let mut grays: Vec<Gray8> = (0..pixels).map(|_| Gray8::new(random.random())).collect();
+        let sum: i32 = grays.iter().map(|gray| i32::from(gray.luma())).sum();
+        let gray = Canvas::new(&mut grays, width, height).unwrap();
+
+        let (mut errors, mut shown) = (vec![0; width as usize], vec![BinaryColor::Off; pixels]);
+        let mut panel = Canvas::new(&mut shown, width, height).unwrap();
+        let Ok(()) = gray
+            .show_diffused(&mut panel, Contrast::default(), &mut errors)
+            .unwrap();
+        let white: i32 = shown
+            .iter()
+            .map(|color| 255 * i32::from(color.is_on()))
+            .sum();
+        let lost: i32 = errors.iter().map(|&error| i32::from(error)).sum();
+        assert_eq!((sum - white) * 16, lost, "{width}x{height}");
+
+        let (mut errors, mut shown) = (vec![0; width as usize], vec![Gray4::new(0); pixels]);
+        let mut panel = Canvas::new(&mut shown, width, height).unwrap();
+        let Ok(()) = gray
+            .show_diffused(&mut panel, Contrast::default(), &mut errors)
+            .unwrap();
+        let white: i32 = shown.iter().map(|color| 17 * i32::from(color.luma())).sum();
+        let lost: i32 = errors.iter().map(|&error| i32::from(error)).sum();
+        assert_eq!((sum - white) * 16, lost, "{width}x{height}");
+        // Half a step of 17, and at most 1 in 16ths of each of three shares that are rounded down.
+        assert!(errors.iter().all(|error| error.abs() <= 9 * 16));
+    }
+}
+
+/// From black on the left to 253 of 255 on the right.
+#[test]
+fn diffusion_of_a_gray_ramp() {
+    let ramp = |i: u8| Gray8::new(i % 24 * 11);
+    let mut grays: Vec<Gray8> = (0..192).map(ramp).collect();
+    let gray = Canvas::new(&mut grays, 24, 8).unwrap();
+    let mut display: MockDisplay<BinaryColor> = MockDisplay::new();
+    gray.show_diffused(&mut display, Contrast::default(), &mut [0; 24])
+        .unwrap()
+        .unwrap();
+    display.assert_pattern(&[
+        "........#.#.#.##.#######",
+        ".....#.#...#.#.###.#####",
+        "........#.#.#.#.########",
+        "...#.#..#.#.##.##.#.###.",
+        ".......#..#..##.#####.##",
+        ".....#..#..##.##.#.#####",
+        ".......#.#.#.#.#########",
+        "...#.#....#.#.#.#.#.####",
+    ]);
+
+    // Steps that the display has stay as they are.
+    let mut grays = [0, 85, 170, 255].map(Gray8::new);
+    let gray = Canvas::new(&mut grays, 4, 1).unwrap();
+    let mut shown = [Gray2::new(0); 4];
+    let mut panel = Canvas::new(&mut shown, 4, 1).unwrap();
+    let Ok(()) = gray
+        .show_diffused(&mut panel, Contrast::default(), &mut [0; 4])
+        .unwrap();
+    assert_eq!(shown, [0, 1, 2, 3].map(Gray2::new));
+}
+
+#[test]
+fn diffused_bands_equal_the_frame() {
+    let mut grays: Vec<Gray8> = (0..=255).map(|i| Gray8::new(i / 2 + 50)).collect();
+    let whole = {
+        let gray = Canvas::new(&mut grays, 16, 16).unwrap();
+        let mut shown = [BinaryColor::Off; 256];
+        let mut panel = Canvas::new(&mut shown, 16, 16).unwrap();
+        let Ok(()) = gray
+            .show_diffused(&mut panel, Contrast::default(), &mut [0; 16])
+            .unwrap();
+        shown
+    };
+    let (mut shown, mut errors) = ([BinaryColor::Off; 256], [0; 16]);
+    let mut panel = Canvas::new(&mut shown, 16, 16).unwrap();
+    for (first, grays) in (0..).step_by(5).zip(grays.chunks_mut(5 * 16)) {
+        let gray = Canvas::band(grays, 16, 16, first).unwrap();
+        let Ok(()) = gray
+            .show_diffused(&mut panel, Contrast::default(), &mut errors)
+            .unwrap();
+    }
+    assert_eq!(shown, whole);
+}
+
+/// Errors of any value, and too few of them.
+#[test]
+fn no_error_makes_diffusion_panic() {
+    let mut grays = [0, 255, 128, 7, 200, 90].map(Gray8::new);
+    let gray = Canvas::new(&mut grays, 3, 2).unwrap();
+    let mut bytes = [0; 2];
+    let mut panel: Canvas<BinaryColor, _> = Canvas::packed(&mut bytes, 3, 2).unwrap();
+    for most in [i16::MIN, i16::MAX] {
+        let Ok(()) = gray
+            .show_diffused(&mut panel, Contrast::new(9, 3), &mut [most; 3])
+            .unwrap();
+    }
+    let error = gray
+        .show_diffused(&mut panel, Contrast::default(), &mut [0; 2])
+        .err();
+    assert!(matches!(
+        error,
+        Some(Error::Length {
+            given: 2,
+            needed: 3,
+            ..
+        })
+    ));
+}
