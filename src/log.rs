@@ -26,7 +26,9 @@ mod tests {
     use crate::mesh::{Counts, Missing};
     use crate::mode::{Affine, Exact, Fast, Newton};
     use crate::shade::{PerFace, Texels, Tolerance, Within};
-    use crate::target::{Biased, NoDepth, NoTest, TestAndWrite, TestOnly, WriteOnly};
+    use crate::target::{
+        Biased, ColorIndex, Contrast, NoDepth, NoTest, TestAndWrite, TestOnly, WriteOnly,
+    };
     use crate::texture::{Bilinear, Clamp, Nearest, Repeat};
     use crate::{Aspect, Camera, Cull, DrawOptions, Drawn, Fragment, Light, Mvp, Rate, Spin};
     use crate::{Transform, Viewport, math::Direction};
@@ -42,7 +44,7 @@ mod tests {
         all!(Error RefusedFloat Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform);
         all!(Counts Missing Shape Fragment Light Tolerance Texels Within<8, Texels> PerFace<u8>);
         all!(Drawn DrawOptions ScreenPoint Cull Exact Affine Newton Fast);
-        all!(NoDepth NoTest TestAndWrite TestOnly WriteOnly Biased);
+        all!(ColorIndex Contrast NoDepth NoTest TestAndWrite TestOnly WriteOnly Biased);
         all!(Repeat Clamp Nearest Bilinear Aspect Camera Mvp Projection Segment Viewport Window);
     }
 }

@@ -6,13 +6,13 @@ use embedded_graphics::Drawable;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
-use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use embedded_graphics::pixelcolor::{Gray8, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::{Alignment, Text};
 use fixel::mode::Mode;
 use fixel::prelude::*;
-use fixel::shade::{Levels, Light, Textured};
-use fixel::target::{DepthBuffer, Storage};
+use fixel::shade::{Flat, Levels, Light, Textured};
+use fixel::target::{Contrast, DepthBuffer, Storage};
 use fixel::view::{Aspect, Perspective, ProjectionKind};
 use fixel::{Drawn, Vec2};
 
@@ -91,7 +91,7 @@ pub fn sun() -> Result<Light, Error> {
     Light::new(vec3!(5, 5, 4), fx!(0.4), fx!(0.6))
 }
 
-/// Fills the canvas with a sky: blue above, pale towards the horizon.
+/// Fills the canvas with a sky: blue above, pale towards the horizon; black if there are only black and white.
 pub fn sky<C, O, D>(canvas: &mut Canvas<'_, C, O, D>)
 where
     C: Levels,
@@ -99,6 +99,9 @@ where
     D: DepthBuffer,
 {
     canvas.clear(C::from_rgb(Rgb888::new(0, 0, 0), Point::zero()));
+    if is_mono::<C>() {
+        return;
+    }
     let frame = canvas.frame_size();
     let rows = canvas.rows().clone();
     // The height is at least 1. Products are at most 2048 · 256.
@@ -151,29 +154,67 @@ where
     O: Storage<C>,
     D: DepthBuffer,
 {
+    if is_mono::<C>() {
+        return draw_mono(canvas, options, mvp);
+    }
     let sea = canvas.draw_with(options, &SEA, mvp, &waves());
     let island = canvas.draw_with(options, &ISLAND, mvp, &skin()?);
     Ok([sea, island])
 }
 
-/// Writes the name of the project into the lower left corner.
+/// Whether a color is black or white, so that a dithered sky and sea would be noise around the island.
+const fn is_mono<C: Levels>() -> bool {
+    C::MAX_STEPS[0] == 1
+}
+
+/// The outline against sky and sea; no edge is a crease.
+static SILHOUETTES: Outline = outline!(ISLAND, deg!(180));
+
+/// The same by night: black water with crests of waves, and an island with more contrast and white silhouettes.
+fn draw_mono<C, I, K, O, D>(
+    canvas: &mut Canvas<'_, C, O, D>,
+    options: &DrawOptions<I>,
+    mvp: &Mvp<K>,
+) -> Result<[Drawn; 2], Error>
+where
+    C: Levels,
+    I: Mode,
+    K: ProjectionKind,
+    O: Storage<C>,
+    D: DepthBuffer,
+{
+    const CONTRAST: Contrast = Contrast::new(50, 170);
+    const CREST: u8 = 40;
+    let gray = |gray: Gray8| C::from_rgb(gray.into(), Point::zero());
+    let [black, white] = [0, 255].map(|luma| gray(Gray8::new(luma)));
+    let crests = Textured::new(&WAVES)
+        .map(move |_, color| Some(if color.g() > CREST { white } else { black }));
+    let sea = canvas.draw_with(options, &SEA, mvp, &crests);
+    let stretched = Textured::new(&SKIN)
+        .lit(sun()?)
+        .map(|_, color| Some(CONTRAST.stretch(color.into())))
+        .converted();
+    let island = canvas.draw_with(options, &ISLAND, mvp, &stretched);
+    canvas.draw_outline(options, &ISLAND, &SILHOUETTES, mvp, &Flat::new(white));
+    Ok([sea, island])
+}
+
+/// Writes the name of the project into the lower left corner; if there are only black and white, on black.
 pub fn caption<C, O, D>(canvas: &mut Canvas<'_, C, O, D>)
 where
     C: Levels,
     O: Storage<C>,
     D: DepthBuffer,
 {
-    let bottom = canvas.frame_size().height.cast_signed();
+    const TEXT: &str = "fixel: drawn with integers only";
+    let Size { width, height } = canvas.frame_size();
+    let fits = width as usize >= TEXT.len() * 6 + 10;
+    let text = if fits { TEXT } else { "fixel" };
     for (offset, gray) in [(1, 0), (0, 255)] {
-        let color = C::from_rgb(Rgb888::new(gray, gray, gray), Point::zero());
-        let at = Point::new(5 + offset, bottom - 6 + offset);
-        let style = MonoTextStyle::new(&FONT_6X10, color);
-        let text = Text::with_alignment(
-            "fixel: drawn with integers only",
-            at,
-            style,
-            Alignment::Left,
-        );
-        let Ok(_) = text.draw(canvas);
+        let color = |gray| C::from_rgb(Rgb888::new(gray, gray, gray), Point::zero());
+        let mut style = MonoTextStyle::new(&FONT_6X10, color(gray));
+        style.background_color = is_mono::<C>().then(|| color(0));
+        let at = Point::new(5 + offset, height.cast_signed() - 6 + offset);
+        let Ok(_) = Text::with_alignment(text, at, style, Alignment::Left).draw(canvas);
     }
 }

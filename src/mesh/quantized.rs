@@ -28,7 +28,7 @@ use crate::{Error, Vec2, Vec3};
 /// to 1/8 texel with 8.
 ///
 /// The [`mesh`](Self::mesh) is drawn as any other, by a shader that [`shader`](Self::shader) wraps. It unpacks the
-/// attributes of each triangle that is drawn, in about 300 instructions on Cortex-M4. Its code takes 1.4 KB, so it saves
+/// attributes of each triangle that is drawn: normals in 140 instructions on Cortex-M4, both in about 300. Its code takes 1.4 KB, so it saves
 /// flash from about 70 vertices on.
 ///
 /// ```

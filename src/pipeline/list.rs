@@ -447,7 +447,7 @@ struct VertexWriter<'l> {
 }
 
 impl<'l> VertexWriter<'l> {
-    /// Continues a list that has needed so many vertices.
+    /// Continues a list that has needed `needed` vertices.
     #[inline]
     fn new(slots: &'l mut VecView<Slot>, needed: usize) -> Self {
         Self {

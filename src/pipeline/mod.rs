@@ -62,7 +62,7 @@ pub struct Drawn {
     pub submitted: u32,
     /// The number of these that may have changed a pixel: triangles that are not culled and that meet the viewport
     /// and the canvas's rows, and lines and points that are not entirely outside the guard band, ±2048 pixels around
-    /// the viewport's center.
+    /// the viewport's center. Of prepared edges, only those that reach the canvas's rows count.
     pub drawn: u32,
     /// The number of these that were clipped by a plane of the view volume or of the guard band.
     pub clipped: u32,
@@ -396,9 +396,9 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// value; blending rounds as for [`Opacity`](crate::target::Opacity), and dithers coarse colors. On 1-bit panels,
     /// plain lines are better.
     ///
-    /// Depth and attributes are those of a plain line, along the longer axis; beyond the ends, those of the ends. The
-    /// line is up to √2 · (width + 1)/2 pixels away from its middle, where a surface's depth differs: with lines on the
-    /// mesh that hides them, move the mesh behind by that many pixels, as below. Draw smooth lines last, with
+    /// Depth and attributes are those of a plain line, along the longer axis; beyond the ends, those of the ends. So a
+    /// pixel has the depth of a place up to √2 · (width + 1)/2 pixels away. To draw lines on the mesh that hides them,
+    /// draw the mesh [`Biased`](crate::target::Biased) by that many pixels, as below. Draw smooth lines last, with
     /// [`TestOnly`](crate::target::TestOnly), because what is drawn behind a half covered pixel later would not show.
     ///
     /// A blending of the options applies to the line's color before its share does.
@@ -802,7 +802,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         u32::try_from(size.at(8) >> 8).unwrap_or(u32::MAX)
     }
 
-    /// Draws prepared edges with any painter, as lines that reach so many rows beyond their ends.
+    /// Draws prepared edges with any painter, as `line`s, with the number of rows that they reach beyond their ends.
     #[inline]
     fn paint_edges<M: Mode, Z: DepthTest, B: Copy, K: ProjectionKind, P: Painter<Color = C>>(
         &mut self,

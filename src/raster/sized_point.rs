@@ -112,7 +112,9 @@ pub(crate) fn sized_point(
     let half = half.clamp(least, most) as i32;
     let scissor = raster.scissor;
     let [x, y] = at.screen;
-    let rows = beyond(y - half).max(scissor.rows.start)..beyond(y + half).min(scissor.rows.end);
+    // A disc has its upper border, a square does not.
+    let top = y - half - i32::from(is_round);
+    let rows = beyond(top).max(scissor.rows.start)..beyond(y + half).min(scissor.rows.end);
     if rows.is_empty() {
         return;
     }
@@ -191,6 +193,15 @@ mod tests {
             ".######...........",
             "..####.........#..",
             "..................",
+        ]);
+    }
+
+    #[test]
+    fn the_border_of_a_disc_belongs_to_it_on_all_sides() {
+        let mut picture = Picture::new(7, 7);
+        draw(&mut picture, [14, 14], 24, true);
+        picture.assert(&[
+            "...#...", ".#####.", ".#####.", "#######", ".#####.", ".#####.", "...#...",
         ]);
     }
 }

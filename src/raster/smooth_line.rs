@@ -20,13 +20,13 @@ use crate::num::wide::product;
 ///        ╭──────────────────╮ ½
 ///      ╭─┼──────────────────┼─╮ half
 ///      │ a ─ ─ ─ ─ ─ ─ ─ ─ b  │      `across` is the distance from the line through both ends,
-///      ╰─┼──────────────────┼─╯      `along` the way from a.
+///      ╰─┼──────────────────┼─╯      `along` is that from a, along it.
 ///        ╰──────────────────╯
 /// ```
 ///
 /// `direction` is within 1.3 · 2⁻²⁶ of its value, which moves a line by less than 2⁻¹² pixel at a distance of 4096 pixels
-/// in each direction. Across, along and the root of their squares are cut to 2⁻¹⁰ pixel, together by 2.5 · 2⁻¹⁰, and
-/// along has 2⁻¹¹ more near the ends; the share is rounded to 256ths, by 2⁻⁹. In all, it is within 1.3/256.
+/// in each direction. Across and along are cut to 2⁻¹⁰ pixel, and so is the root of their squares, together by
+/// (1 + √2) · 2⁻¹⁰; along has 2⁻¹¹ more near the ends; the share is rounded to 256ths, by 2⁻⁹. In all, it is within 1.3/256.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LineCover {
     /// From a to b, of length one, in units of 2⁻²⁵.

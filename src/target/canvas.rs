@@ -202,7 +202,8 @@ impl<'a> Canvas<'a, BinaryColor, Pages> {
         Self::over(bytes, width, height)
     }
 
-    /// A band of pages. The frame's last page may reach below it.
+    /// A band of pages. The frame's last page may reach below it. The first row in memory is the first bit of a page, so
+    /// for a display `first_row` is a multiple of 8.
     ///
     /// # Errors
     ///
@@ -338,8 +339,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         self.cells
     }
 
-    /// The pixels as bytes, in the order in which a bus sends them. This is a view, not a copy. The cells of [`Packed`]
-    /// and [`Pages`] are bytes: [`as_cells`](Self::as_cells).
+    /// The pixels as bytes, in the order in which a bus sends them. This is a view, not a copy.
     #[must_use]
     pub fn as_bytes(&self) -> &[u8]
     where
@@ -366,8 +366,8 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// Shows the canvas on a display of another color, as [`show`](Self::show) does. `color` converts the color at each
     /// point of the frame.
     ///
-    /// [`ColorIndex`](super::ColorIndex) shows a palette so. A gray canvas dithers its pixels, after all of them are drawn and its
-    /// [`Contrast`](super::Contrast) is known:
+    /// A canvas of [`ColorIndex`](super::ColorIndex) looks its colors up in a palette this way. A gray canvas can be dithered
+    /// once the whole frame is drawn and its [`Contrast`](super::Contrast) is known:
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{BinaryColor, Gray8, GrayColor};

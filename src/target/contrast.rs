@@ -41,10 +41,10 @@ impl Contrast {
         Self { black, white }
     }
 
-    /// What the frame has: its darkest gray becomes black and its lightest one white.
+    /// The contrast of the rows in memory: the darkest gray becomes black and the lightest one white. At each end,
+    /// `ignored`/256 of the pixels do not count, so that a lamp's highlight does not decide.
     ///
-    /// Of the darkest pixels, and of the lightest ones, `ignored`/256 may be lost, so that few of them, such as a lamp's
-    /// highlight, do not decide. It takes 1 KiB of stack.
+    /// All bands of a frame need the same contrast: that of the last frame, for example. It takes 1 KiB of stack.
     #[must_use]
     pub fn of<O: Storage<Gray8>, D>(canvas: &Canvas<'_, Gray8, O, D>, ignored: u8) -> Self {
         let mut counts = [0_u32; 256];
@@ -59,7 +59,19 @@ impl Contrast {
         }
     }
 
-    /// The gray that it makes of a gray, rounded to nearest.
+    /// The lightest gray that becomes black.
+    #[must_use]
+    pub const fn black(self) -> u8 {
+        self.black
+    }
+
+    /// The darkest gray that becomes white.
+    #[must_use]
+    pub const fn white(self) -> u8 {
+        self.white
+    }
+
+    /// Stretches a gray, rounded to nearest.
     #[must_use]
     #[inline]
     pub fn stretch(self, gray: Gray8) -> Gray8 {

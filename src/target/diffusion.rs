@@ -13,8 +13,8 @@ impl<O: Storage<Gray8>, D> Canvas<'_, Gray8, O, D> {
     /// Shows a gray canvas on a display of fewer grays by error diffusion (Floyd and Steinberg, 1976), in one
     /// [`fill_contiguous`](DrawTarget::fill_contiguous).
     ///
-    /// Each pixel gets the nearest gray that the display has. The difference is added to pixels that follow, so no
-    /// brightness is lost: 7/16 of it to the right, and below 3/16 to the left, 5/16, and 1/16 to the right. What
+    /// Each pixel gets the nearest gray that the display has. The difference, at most half a step of these grays, is added
+    /// to pixels that follow, so brightness is kept except where it would exceed white or fall below black: 7/16 of it to the right, and below 3/16 to the left, 5/16, and 1/16 to the right. What
     /// would go beyond the sides goes straight down. Details are finer than in an ordered dither, but they move from
     /// frame to frame in a moving picture.
     ///
@@ -67,7 +67,7 @@ impl<O: Storage<Gray8>, D> Canvas<'_, Gray8, O, D> {
 
 /// Errors on their way to pixels that follow, in 16ths of a step of [`Gray8`].
 struct Diffusion<'e> {
-    /// Of the present row from this column on, and of the next row up to the column before the last one.
+    /// From `column` on, for this row; up to `column` − 2, for the next row.
     errors: &'e mut [i16],
     column: usize,
     /// What this column gets.
@@ -88,8 +88,9 @@ impl Diffusion<'_> {
         let before = self.errors.get(at).copied().unwrap_or_default();
         let wanted = i32::from(gray.luma()) * 16 + i32::from(before) + self.right;
         let steps = (wanted + step / 2).div_euclid(step).clamp(0, most);
-        // At most half a step, if the errors were 0 at first.
-        let error = wanted - steps * step;
+        // What neither black nor white can take up is dropped: it would pile up at the right border, which gets more
+        // than it passes on, and smear into darker rows.
+        let error = (wanted - steps * step).clamp(-(step / 2), step / 2);
 
         let (right, left, below) = ((error * 7) >> 4, (error * 3) >> 4, (error * 5) >> 4);
         let beyond = error - right - left - below;
@@ -110,7 +111,8 @@ impl Diffusion<'_> {
         C::of_steps([steps; 3])
     }
 
-    /// Stores the error of a column of the next row. It saturates only if the errors were great at first.
+    /// Stores the error of a column of the next row. It saturates only if the errors were great at first: a column gets
+    /// at most 21/16 of half a step, 2,678.
     fn keep(&mut self, column: usize, error: i32) {
         if let Some(kept) = self.errors.get_mut(column) {
             *kept = error.clamp(i16::MIN.into(), i16::MAX.into()) as i16;

@@ -10,10 +10,12 @@ use embedded_graphics::pixelcolor::{BinaryColor, PixelColor};
 use super::depth::first;
 use super::storage::{Grid, Run, Sealed, Storage};
 
-/// A [`Storage`] with 8, 4 or 2 pixels in a byte, side by side: [`BinaryColor`], `Gray2` or `Gray4`.
+/// A [`Storage`] with 8, 4 or 2 pixels in a byte, side by side: [`BinaryColor`], `Gray2`, `Gray4`, or a color of your own
+/// whose `Raw` is `RawU1`, `RawU2` or `RawU4`, such as an index into a palette of 16 colors.
 ///
 /// The leftmost pixel has the most significant bits, and each row begins with a new byte, as in embedded-graphics'
-/// `Framebuffer`: a 128x64 frame of [`BinaryColor`] is 1 KiB. [`Canvas::packed`](super::Canvas::packed) makes a
+/// `Framebuffer`: a 128x64 frame of [`BinaryColor`] is 1 KiB. [`clear`](super::Canvas::clear) also fills the bits that are
+/// left at the end of a row. [`Canvas::packed`](super::Canvas::packed) makes a
 /// canvas.
 ///
 /// ```
@@ -31,8 +33,8 @@ pub enum Packed {}
 /// A [`Storage`] with 8 pixels in a byte, one below the other, as SSD1306 and similar displays want them.
 ///
 /// A *page* is 8 rows: a byte for each column from the left, whose least significant bit is the topmost pixel.
-/// Pages follow each other from the top; a canvas's first row is the first of a page. If the rows are not a multiple
-/// of 8, the last page's lowest bits only are seen. [`Canvas::pages`](super::Canvas::pages) makes a canvas.
+/// Pages follow each other from the top; a canvas's first row is the first of a page. If the height is not a multiple of
+/// 8, only the low bits of the last page are shown. [`Canvas::pages`](super::Canvas::pages) makes a canvas.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::BinaryColor, prelude::*};

@@ -50,8 +50,8 @@ pub trait Storage<C>: Sealed {
 
     /// The cells of a run, and where in them it begins.
     ///
-    /// It gets no reference to the cells: the compiler would know more of a reference that passes through a function
-    /// than of one that does not, and other code would follow for all programs.
+    /// It takes no reference to the cells. One that passed through a function would tell the compiler more (`noalias`),
+    /// and change the code of every program.
     #[doc(hidden)]
     fn locate<'a>(run: Run) -> (Range<usize>, Self::Start<'a>);
 
@@ -197,7 +197,7 @@ pub enum Native {}
 
 /// A pixel stored as bytes: an array `[u8; N]`. Sealed.
 ///
-/// Use it as the bound of code that sends canvases of any color in either byte order.
+/// Use it as the bound of code that sends canvases of any color, in either byte order or packed.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -218,6 +218,7 @@ pub enum Native {}
 pub trait Bytes: ByteArray {}
 
 impl<const N: usize> Bytes for [u8; N] {}
+impl Bytes for u8 {}
 
 /// Public in name only: it keeps other crates from implementing [`Storage`].
 pub trait Sealed {}
@@ -254,6 +255,23 @@ impl<const N: usize> ByteArray for [u8; N] {
     #[inline]
     fn flatten(cells: &[Self]) -> &[u8] {
         cells.as_flattened()
+    }
+}
+
+impl ByteArray for u8 {
+    #[inline]
+    fn be_number(self) -> u32 {
+        self.into()
+    }
+
+    #[inline]
+    fn le_number(self) -> u32 {
+        self.into()
+    }
+
+    #[inline]
+    fn flatten(cells: &[Self]) -> &[u8] {
+        cells
     }
 }
 

@@ -125,7 +125,6 @@ fn normals_are_unit_vectors_that_point_outwards() {
     }
 }
 
-/// Each component of a position is rounded by up to 2^-17.
 #[test]
 fn sides_of_a_cuboid_are_in_the_documented_order() {
     const ORDER: [[i32; 3]; 6] = [
@@ -147,6 +146,7 @@ fn sides_of_a_cuboid_are_in_the_documented_order() {
     }
 }
 
+/// Each component of a position is rounded by up to 2^-17.
 #[test]
 fn positions_lie_on_the_mathematical_surface() {
     let tolerance = 4.0 / 65536.0;

@@ -282,13 +282,15 @@ fn packed_canvases_show_what_native_ones_show() {
     draws_as_native!(BinaryColor, Canvas::pages, PAGES, fast, Replace);
 }
 
-/// The sum of all grays is kept: what is not shown is in `errors`.
+/// The sum of all grays is kept: what is not shown is in `errors`. The grays are so far from black and white that no
+/// error makes them exceed one.
 #[test]
 fn diffusion_loses_no_brightness() {
     let mut random = ChaCha8Rng::seed_from_u64(1);
     for (width, height) in [(1, 1), (1, 9), (2, 3), (17, 12), (70, 40)] {
         let pixels = (width * height) as usize;
-        let mut grays: Vec<Gray8> = (0..pixels).map(|_| Gray8::new(random.random())).collect();
+        let mut gray = || Gray8::new(random.random_range(90..=165));
+        let mut grays: Vec<Gray8> = (0..pixels).map(|_| gray()).collect();
         let sum: i32 = grays.iter().map(|gray| i32::from(gray.luma())).sum();
         let gray = Canvas::new(&mut grays, width, height).unwrap();
 
@@ -315,6 +317,29 @@ fn diffusion_loses_no_brightness() {
         // Half a step of 17, and at most 1 in 16ths of each of three shares that are rounded down.
         assert!(errors.iter().all(|error| error.abs() <= 9 * 16));
     }
+}
+
+/// White beside gray: what white cannot take up must not pile up at the border, where it would whiten the darker rows
+/// below.
+#[test]
+fn diffusion_stays_in_its_rows() {
+    const WIDTH: u32 = 240;
+    let mut grays = vec![Gray8::new(60); (WIDTH * 280) as usize];
+    for row in grays.chunks_mut(WIDTH as usize) {
+        row[220..].fill(Gray8::new(255));
+    }
+    grays.extend(vec![Gray8::new(0); (WIDTH * 8) as usize]);
+    let gray = Canvas::new(&mut grays, WIDTH, 288).unwrap();
+    let mut shown = vec![BinaryColor::Off; (WIDTH * 288) as usize];
+    let mut panel = Canvas::new(&mut shown, WIDTH, 288).unwrap();
+    let mut errors = [0; WIDTH as usize];
+    let Ok(()) = gray
+        .show_diffused(&mut panel, Contrast::default(), &mut errors)
+        .unwrap();
+    // A share of half a step may make one pixel white.
+    let stray = shown[(WIDTH * 280) as usize..].chunks(WIDTH as usize);
+    let stray = stray.map(|row| row[200..].iter().filter(|color| color.is_on()).count());
+    assert!(stray.sum::<usize>() <= 1);
 }
 
 /// From black on the left to 253 of 255 on the right.
