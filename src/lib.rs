@@ -254,11 +254,11 @@ struct Readme;
 pub mod prelude {
     #[doc(no_inline)]
     pub use crate::{
-        Angle, Aspect, Camera, Canvas, Corner, Cull, DepthView, DrawOptions, Drawn, Error,
-        FaceColors, Flat, Fragment, Gouraud, Lamp, Levels, Light, Lighting, LineWidth, Mesh, Mvp,
-        NormalView, Outline, Palette, PaletteArray, PointLight, PointStyle, Primitive, Projection,
-        Rate, Ray, Scalar, Shader, Spin, SpotLight, Sprites, TexCoord, Texture, TextureArray,
-        Textured, Transform, TriangleList, Vec2, Vec3, Viewer, Viewport, Window,
+        Angle, Aspect, Camera, Canvas, Corner, Cull, DepthView, DrawOptions, Drawn, EdgeList,
+        Error, FaceColors, Flat, Fragment, Gouraud, Lamp, Levels, Light, Lighting, LineWidth, Mesh,
+        Mvp, NormalView, Outline, Palette, PaletteArray, PointLight, PointStyle, Primitive,
+        Projection, Rate, Ray, Scalar, Shader, Spin, SpotLight, Sprites, TexCoord, Texture,
+        TextureArray, Textured, Transform, TriangleList, Vec2, Vec3, Viewer, Viewport, Window,
     };
     #[doc(no_inline)]
     pub use crate::{

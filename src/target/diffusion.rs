@@ -3,71 +3,18 @@
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 
-use super::canvas::{Canvas, check_length};
+use super::canvas::Canvas;
 use super::contrast::Contrast;
 use super::storage::Storage;
-use crate::Error;
 use crate::shade::Levels;
 
-impl<O: Storage<Gray8>, D> Canvas<'_, Gray8, O, D> {
-    /// Shows a gray canvas on a display of fewer grays by error diffusion (Floyd and Steinberg, 1976), in one
-    /// [`fill_contiguous`](DrawTarget::fill_contiguous).
-    ///
-    /// Each pixel gets the nearest gray that the display has. The difference, at most half a step of these grays, is added
-    /// to pixels that follow, so brightness is kept except where it would exceed white or fall below black: 7/16 of it to the right, and below 3/16 to the left, 5/16, and 1/16 to the right. What
-    /// would go beyond the sides goes straight down. Details are finer than in an ordered dither, but they move from
-    /// frame to frame in a moving picture.
-    ///
-    /// `errors` has an element for each column. It must be 0 for a frame; it then holds what the next rows would get,
-    /// so the bands of a frame, shown one after the other with the same `errors`, equal the frame.
-    ///
-    /// The display may be another canvas, for example of [`Pages`](super::Pages).
-    ///
-    /// ```
-    /// use embedded_graphics::pixelcolor::{BinaryColor, Gray8};
-    /// use fixel::{prelude::*, target::Contrast};
-    /// let mut grays = [64; 64].map(Gray8::new);
-    /// let gray = Canvas::new(&mut grays, 16, 4)?;
-    /// let mut bytes = [0; 8];
-    /// let mut panel: Canvas<BinaryColor, _> = Canvas::packed(&mut bytes, 16, 4)?;
-    /// let Ok(()) = gray.show_diffused(&mut panel, Contrast::default(), &mut [0; 16])?;
-    /// let on = panel.pixels().filter(|pixel| pixel.is_on()).count();
-    /// assert_eq!(on, 16); // a quarter
-    /// # Ok::<(), Error>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Length`] if `errors` does not have exactly one element per column. The inner result has the display's
-    /// own errors.
-    pub fn show_diffused<T>(
-        &self,
-        display: &mut T,
-        contrast: Contrast,
-        errors: &mut [i16],
-    ) -> Result<Result<(), T::Error>, Error>
-    where
-        T: DrawTarget<Color: Levels<Channels = [i32; 1]>>,
-    {
-        let width = self.frame_size().width;
-        check_length(errors.len(), width, 1)?;
-        let mut diffusion = Diffusion {
-            errors,
-            column: 0,
-            right: 0,
-            below: 0,
-            below_right: 0,
-        };
-        let colors = self
-            .pixels()
-            .map(|gray| diffusion.color(contrast.stretch(gray)));
-        Ok(display.fill_contiguous(&self.area(), colors))
-    }
-}
-
-/// Errors on their way to pixels that follow, in 16ths of a step of [`Gray8`].
-struct Diffusion<'e> {
-    /// From `column` on, for this row; up to `column` − 2, for the next row.
+/// Memory of an error diffusion (Floyd and Steinberg, 1976), for [`Canvas::show_diffused`].
+///
+/// It carries errors from row to row, and from band to band: make one for each frame, and show the frame's bands with it
+/// from top to bottom.
+#[derive(Debug)]
+pub struct ErrorDiffusion<'e> {
+    /// From `column` on, for this row; up to `column` − 2, for the next row. In 16ths of a step of [`Gray8`].
     errors: &'e mut [i16],
     column: usize,
     /// What this column gets.
@@ -77,14 +24,75 @@ struct Diffusion<'e> {
     below_right: i32,
 }
 
-impl Diffusion<'_> {
-    /// The color of the next pixel.
-    fn color<C: Levels<Channels = [i32; 1]>>(&mut self, gray: Gray8) -> C {
+impl<O: Storage<Gray8>, D> Canvas<'_, Gray8, O, D> {
+    /// Shows a gray canvas on a display of fewer grays by error diffusion, in one
+    /// [`fill_contiguous`](DrawTarget::fill_contiguous).
+    ///
+    /// Each pixel gets the nearest gray that the display has. The difference, at most half a step of these grays, is added
+    /// to pixels that follow, so brightness is kept except where it would exceed white or fall below black: 7/16 of it
+    /// to the right, and below 3/16 to the left, 5/16, and 1/16 to the right. What would go beyond the sides goes straight
+    /// down. Details are finer than in an ordered dither, but they move from frame to frame in a moving picture.
+    ///
+    /// The bands of a frame, shown one after the other, equal the frame. The display may be another canvas, for example
+    /// of [`Pages`](super::Pages); it must take every color, so a canvas needs the size of the frame.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{BinaryColor, Gray8};
+    /// use fixel::{prelude::*, target::{Contrast, ErrorDiffusion}};
+    /// let mut grays = [64; 64].map(Gray8::new);
+    /// let gray = Canvas::new(&mut grays, 16, 4)?;
+    /// let mut bytes = [0; 8];
+    /// let mut panel: Canvas<BinaryColor, _> = Canvas::packed(&mut bytes, 16, 4)?;
+    /// let mut errors = [0; 16];
+    /// let mut diffusion = ErrorDiffusion::new(&mut errors);
+    /// let Ok(()) = gray.show_diffused(&mut panel, Contrast::default(), &mut diffusion);
+    /// let on = panel.pixels().filter(|pixel| pixel.is_on()).count();
+    /// assert_eq!(on, 16); // a quarter
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// The display's own errors.
+    pub fn show_diffused<T>(
+        &self,
+        display: &mut T,
+        contrast: Contrast,
+        diffusion: &mut ErrorDiffusion<'_>,
+    ) -> Result<(), T::Error>
+    where
+        T: DrawTarget<Color: Levels<Channels = [i32; 1]>>,
+    {
+        let last = self.frame_size().width as usize - 1;
+        let colors = self
+            .pixels()
+            .map(|gray| diffusion.color(contrast.stretch(gray), last));
+        display.fill_contiguous(&self.area(), colors)
+    }
+}
+
+impl<'e> ErrorDiffusion<'e> {
+    /// The start of a frame. `errors` has an element for each column; columns that have none pass errors to the right
+    /// only. Its contents do not matter.
+    #[must_use]
+    pub fn new(errors: &'e mut [i16]) -> Self {
+        errors.fill(0);
+        Self {
+            errors,
+            column: 0,
+            right: 0,
+            below: 0,
+            below_right: 0,
+        }
+    }
+
+    /// The color of the next pixel of rows that end with the column `last`.
+    fn color<C: Levels<Channels = [i32; 1]>>(&mut self, gray: Gray8, last: usize) -> C {
         let [most, ..] = C::MAX_STEPS;
         // 255 is a multiple of 1, 3, 15 and 255.
         let step = 255 * 16 / most;
         let at = self.column;
-        let is_last = at + 1 >= self.errors.len();
+        let is_last = at >= last;
         let before = self.errors.get(at).copied().unwrap_or_default();
         let wanted = i32::from(gray.luma()) * 16 + i32::from(before) + self.right;
         let steps = (wanted + step / 2).div_euclid(step).clamp(0, most);
@@ -111,11 +119,10 @@ impl Diffusion<'_> {
         C::of_steps([steps; 3])
     }
 
-    /// Stores the error of a column of the next row. It saturates only if the errors were great at first: a column gets
-    /// at most 21/16 of half a step, 2,678.
+    /// Stores the error of a column of the next row: at most 21/16 of half a step, 2,678.
     fn keep(&mut self, column: usize, error: i32) {
         if let Some(kept) = self.errors.get_mut(column) {
-            *kept = error.clamp(i16::MIN.into(), i16::MAX.into()) as i16;
+            *kept = error as i16;
         }
     }
 }

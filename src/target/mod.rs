@@ -32,6 +32,7 @@ pub use contrast::Contrast;
 pub(crate) use depth::Buffer;
 pub use depth::{Depth, DepthBuffer, NoDepth};
 pub use depth_test::{Biased, DepthTest, NoTest, TestAndWrite, TestOnly, WriteOnly};
+pub use diffusion::ErrorDiffusion;
 pub(crate) use format::linear;
 pub use format::{DepthFormat, Float, Linear, WideFloat};
 pub use label::Label;

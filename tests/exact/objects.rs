@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use fixel::prelude::*;
-use fixel::{Drawn, EdgeList, Object, PreparedScene};
+use fixel::{Drawn, Object, PreparedScene};
 
 const WIDTH: u32 = 48;
 const HEIGHT: u32 = 36;

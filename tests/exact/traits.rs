@@ -5,6 +5,7 @@ use core::fmt::{Debug, Display};
 use core::hash::Hash;
 
 use embedded_graphics::pixelcolor::Rgb565;
+use fixel::PreparedEdges;
 use fixel::math::Direction;
 use fixel::mesh::{Buffers, Counts, Keyframes, Missing, Part, Positions, Quantized, Shape};
 use fixel::mode::{Affine, Exact, Fast, Newton};
@@ -18,13 +19,13 @@ use fixel::shade::{
 use fixel::shade::{Gradient, Masked, Mipmapped, Tolerance, Translucent, Within};
 use fixel::target::{Add, Alpha, Multiply, Opacity, Replace};
 use fixel::target::{
-    Biased, ColorIndex, Contrast, Depth, Float, Linear, Native, NoDepth, NoTest, Packed, Pages,
+    Biased, ColorIndex, Contrast, Depth, ErrorDiffusion, Float, Linear, Native, NoDepth, NoTest,
+    Packed, Pages,
 };
 use fixel::target::{TestAndWrite, TestOnly, WideFloat, WriteOnly};
 use fixel::texture::{Argb1555, Argb4444, Mipmap, MipmapArray, PackedGray4, Trilinear};
 use fixel::texture::{Bilinear, Clamp, CutOut, Image, Nearest, Repeat};
 use fixel::view::{Parallel, Perspective, Segment};
-use fixel::{EdgeList, PreparedEdges};
 use fixel::{
     Hit, Index, Matrix4, Object, Prepared, PreparedScene, RefusedFloat, ScreenPoint, Unit,
 };
@@ -68,7 +69,7 @@ all!(borrowed: Dequantized<'static, Flat<Rgb565>> Quantized<'static>);
 all!(shared: Map<Flat<Rgb565>, fn(&Fragment, Rgb565) -> Option<Rgb565>> Prepared<'static>);
 all!(shared: EdgeList<1, 1> PreparedEdges<'static>);
 all!(shared: Object<'static, u8> TriangleList<1, 1> TextureArray<Rgb565, 1, 1> PaletteArray<Rgb565, 1, 1>);
-all!(any: PreparedScene<'static, u8> Buffers<'static> Canvas<'static, Rgb565> Canvas<'static, Rgb565, Native, Depth<'static>>);
+all!(any: PreparedScene<'static, u8> Buffers<'static> ErrorDiffusion<'static> Canvas<'static, Rgb565> Canvas<'static, Rgb565, Native, Depth<'static>>);
 
 all!(default: ColorIndex Contrast Trilinear);
 all!(default: Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform Camera Counts Cull DrawOptions);

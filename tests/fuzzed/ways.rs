@@ -15,7 +15,7 @@ use fixel::target::{
     Add, Alpha, Blending, Depth, DepthBuffer, Multiply, Native, Opacity, Storage, TestAndWrite,
 };
 use fixel::view::ProjectionKind;
-use fixel::{Drawn, EdgeList, Object, Prepared, PreparedEdges};
+use fixel::{Drawn, Object, Prepared, PreparedEdges};
 
 use super::scene::{Attribute, Scene, What};
 use super::shaders::Bits;

@@ -4,7 +4,7 @@ use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888};
 use embedded_graphics::{prelude::*, primitives::Rectangle, text::Text};
 use fixel::prelude::*;
-use fixel::target::{Contrast, Depth, Native};
+use fixel::target::{Contrast, Depth, ErrorDiffusion, Native};
 
 const SIZE: (u32, u32) = (128, 64);
 static ISLAND: Mesh = include_obj!("../../assets/lighthouse.obj");
@@ -31,7 +31,9 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     // 1 KiB, in the order in which an SSD1306 wants it. Text comes last: it is not dithered.
     let mut bytes = [0; 1024];
     let mut panel = Canvas::pages(&mut bytes, width, height)?;
-    let Ok(()) = gray.show_diffused(&mut panel, contrast, &mut [0; SIZE.0 as usize])?;
+    let mut errors = [0; SIZE.0 as usize];
+    let mut diffusion = ErrorDiffusion::new(&mut errors);
+    let Ok(()) = gray.show_diffused(&mut panel, contrast, &mut diffusion);
     let style = MonoTextStyle::new(&FONT_6X10, BinaryColor::On);
     Text::new("LIGHTHOUSE", Point::new(2, 9), style).draw(&mut panel)?;
 

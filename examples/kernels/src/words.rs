@@ -4,9 +4,9 @@ use core::hint::black_box;
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use fixel::Index;
 use fixel::mesh::{Keyframes, Quantized};
 use fixel::prelude::*;
-use fixel::{EdgeList, Index};
 use static_cell::ConstStaticCell;
 
 use super::ticks::Stopwatch;

@@ -25,11 +25,11 @@ use crate::view::{ModelToPicture, Perspective, ProjectionKind, Viewport};
 /// [`prepare`](Self::prepare) takes the edges of a mesh and [`prepare_outline`](Self::prepare_outline) those of an
 /// [`Outline`] that are drawn. The list needs room for the visible edges (14 bytes each) and for their vertices (16
 /// bytes each): at most two for each edge, and four for a clipped one, of which it uses at most
-/// [`TriangleList::MAX_VERTICES`](super::TriangleList::MAX_VERTICES).
+/// [`MAX_VERTICES`](Self::MAX_VERTICES).
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
-/// use fixel::{EdgeList, prelude::*};
+/// use fixel::prelude::*;
 ///
 /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 /// let projection = Projection::perspective(deg!(60), (2, 1), fx!(1), fx!(10))?;
@@ -110,6 +110,9 @@ impl<const EDGES: usize, const VERTICES: usize> Default for EdgeList<EDGES, VERT
 }
 
 impl<const EDGES: usize, const VERTICES: usize> EdgeList<EDGES, VERTICES> {
+    /// The most vertices that a list can use, however long it is: 16-bit numbers count them from 1.
+    pub const MAX_VERTICES: usize = u16::MAX as usize;
+
     /// An empty list.
     #[must_use]
     pub const fn new() -> Self {

@@ -15,7 +15,7 @@ use embedded_graphics::primitives::Rectangle;
 use fixel::mode::{Compact, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 use fixel::shade::{Levels, NormalView};
-use fixel::target::{Blending, Contrast, DepthBuffer, Opacity, Replace, Storage};
+use fixel::target::{Blending, Contrast, DepthBuffer, ErrorDiffusion, Opacity, Replace, Storage};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -296,9 +296,8 @@ fn diffusion_loses_no_brightness() {
 
         let (mut errors, mut shown) = (vec![0; width as usize], vec![BinaryColor::Off; pixels]);
         let mut panel = Canvas::new(&mut shown, width, height).unwrap();
-        let Ok(()) = gray
-            .show_diffused(&mut panel, Contrast::default(), &mut errors)
-            .unwrap();
+        let mut diffusion = ErrorDiffusion::new(&mut errors);
+        let Ok(()) = gray.show_diffused(&mut panel, Contrast::default(), &mut diffusion);
         let white: i32 = shown
             .iter()
             .map(|color| 255 * i32::from(color.is_on()))
@@ -308,9 +307,8 @@ fn diffusion_loses_no_brightness() {
 
         let (mut errors, mut shown) = (vec![0; width as usize], vec![Gray4::new(0); pixels]);
         let mut panel = Canvas::new(&mut shown, width, height).unwrap();
-        let Ok(()) = gray
-            .show_diffused(&mut panel, Contrast::default(), &mut errors)
-            .unwrap();
+        let mut diffusion = ErrorDiffusion::new(&mut errors);
+        let Ok(()) = gray.show_diffused(&mut panel, Contrast::default(), &mut diffusion);
         let white: i32 = shown.iter().map(|color| 17 * i32::from(color.luma())).sum();
         let lost: i32 = errors.iter().map(|&error| i32::from(error)).sum();
         assert_eq!((sum - white) * 16, lost, "{width}x{height}");
@@ -333,9 +331,8 @@ fn diffusion_stays_in_its_rows() {
     let mut shown = vec![BinaryColor::Off; (WIDTH * 288) as usize];
     let mut panel = Canvas::new(&mut shown, WIDTH, 288).unwrap();
     let mut errors = [0; WIDTH as usize];
-    let Ok(()) = gray
-        .show_diffused(&mut panel, Contrast::default(), &mut errors)
-        .unwrap();
+    let mut diffusion = ErrorDiffusion::new(&mut errors);
+    let Ok(()) = gray.show_diffused(&mut panel, Contrast::default(), &mut diffusion);
     // A share of half a step may make one pixel white.
     let stray = shown[(WIDTH * 280) as usize..].chunks(WIDTH as usize);
     let stray = stray.map(|row| row[200..].iter().filter(|color| color.is_on()).count());
@@ -349,8 +346,9 @@ fn diffusion_of_a_gray_ramp() {
     let mut grays: Vec<Gray8> = (0..192).map(ramp).collect();
     let gray = Canvas::new(&mut grays, 24, 8).unwrap();
     let mut display: MockDisplay<BinaryColor> = MockDisplay::new();
-    gray.show_diffused(&mut display, Contrast::default(), &mut [0; 24])
-        .unwrap()
+    let mut errors = [0; 24];
+    let mut diffusion = ErrorDiffusion::new(&mut errors);
+    gray.show_diffused(&mut display, Contrast::default(), &mut diffusion)
         .unwrap();
     display.assert_pattern(&[
         "........#.#.#.##.#######",
@@ -368,9 +366,8 @@ fn diffusion_of_a_gray_ramp() {
     let gray = Canvas::new(&mut grays, 4, 1).unwrap();
     let mut shown = [Gray2::new(0); 4];
     let mut panel = Canvas::new(&mut shown, 4, 1).unwrap();
-    let Ok(()) = gray
-        .show_diffused(&mut panel, Contrast::default(), &mut [0; 4])
-        .unwrap();
+    let mut diffusion = ErrorDiffusion::new(&mut errors);
+    let Ok(()) = gray.show_diffused(&mut panel, Contrast::default(), &mut diffusion);
     assert_eq!(shown, [0, 1, 2, 3].map(Gray2::new));
 }
 
@@ -381,43 +378,39 @@ fn diffused_bands_equal_the_frame() {
         let gray = Canvas::new(&mut grays, 16, 16).unwrap();
         let mut shown = [BinaryColor::Off; 256];
         let mut panel = Canvas::new(&mut shown, 16, 16).unwrap();
-        let Ok(()) = gray
-            .show_diffused(&mut panel, Contrast::default(), &mut [0; 16])
-            .unwrap();
+        let mut errors = [0; 16];
+        let mut diffusion = ErrorDiffusion::new(&mut errors);
+        let Ok(()) = gray.show_diffused(&mut panel, Contrast::default(), &mut diffusion);
         shown
     };
-    let (mut shown, mut errors) = ([BinaryColor::Off; 256], [0; 16]);
+    // What the last frame left does not matter.
+    let (mut shown, mut errors) = ([BinaryColor::Off; 256], [i16::MAX; 16]);
     let mut panel = Canvas::new(&mut shown, 16, 16).unwrap();
+    let mut diffusion = ErrorDiffusion::new(&mut errors);
     for (first, grays) in (0..).step_by(5).zip(grays.chunks_mut(5 * 16)) {
         let gray = Canvas::band(grays, 16, 16, first).unwrap();
-        let Ok(()) = gray
-            .show_diffused(&mut panel, Contrast::default(), &mut errors)
-            .unwrap();
+        let Ok(()) = gray.show_diffused(&mut panel, Contrast::default(), &mut diffusion);
     }
     assert_eq!(shown, whole);
 }
 
-/// Errors of any value, and too few of them.
+/// Any number of errors, and canvases of several widths with the same ones.
 #[test]
-fn no_error_makes_diffusion_panic() {
-    let mut grays = [0, 255, 128, 7, 200, 90].map(Gray8::new);
-    let gray = Canvas::new(&mut grays, 3, 2).unwrap();
-    let mut bytes = [0; 2];
-    let mut panel: Canvas<BinaryColor, _> = Canvas::packed(&mut bytes, 3, 2).unwrap();
-    for most in [i16::MIN, i16::MAX] {
-        let Ok(()) = gray
-            .show_diffused(&mut panel, Contrast::new(9, 3), &mut [most; 3])
-            .unwrap();
+fn diffusion_takes_memory_of_any_length() {
+    let mut errors = [i16::MIN; 20];
+    for length in [0, 1, 2, 3, 20] {
+        let mut diffusion = ErrorDiffusion::new(&mut errors[..length]);
+        for (width, height) in [(3, 2), (6, 1), (1, 6)] {
+            let mut grays = [0, 255, 128, 7, 200, 90].map(Gray8::new);
+            let gray = Canvas::new(&mut grays, width, height).unwrap();
+            let mut shown = [BinaryColor::Off; 6];
+            let mut panel = Canvas::new(&mut shown, width, height).unwrap();
+            let Ok(()) = gray.show_diffused(&mut panel, Contrast::new(9, 3), &mut diffusion);
+            // With this contrast, no gray is between black and white.
+            assert_eq!(
+                shown.map(BinaryColor::is_on),
+                [0, 1, 1, 0, 1, 1].map(|on| on == 1)
+            );
+        }
     }
-    let error = gray
-        .show_diffused(&mut panel, Contrast::default(), &mut [0; 2])
-        .err();
-    assert!(matches!(
-        error,
-        Some(Error::Length {
-            given: 2,
-            needed: 3,
-            ..
-        })
-    ));
 }
