@@ -84,7 +84,7 @@ pub(super) fn rolled() {
 }
 
 /// A pixel in memory.
-pub(super) type Cell<'c, C, O, D> = (<O as Storage<C>>::Place<'c>, <D as Buffer>::Cell<'c>);
+pub(super) type Cell<'c, C, O, D> = (<O as Storage<C>>::PixelRef<'c>, <D as Buffer>::Cell<'c>);
 
 /// Tests and shades the pixels of a span, one after the other.
 pub(super) struct Pixels<S: Painter, Z> {

@@ -11,7 +11,7 @@ use embedded_graphics::primitives::{PointsIter, Rectangle};
 use super::depth::{Depth, DepthBuffer, NoDepth};
 use super::format::{DepthFormat, Linear};
 use super::packed::{Packed, Pages};
-use super::storage::{ByteArray, Bytes, Native, Run, Storage};
+use super::storage::{ByteArray, Bytes, Native, RowSpan, Storage};
 use crate::Error;
 
 /// Largest width and height of a frame, in pixels.
@@ -417,19 +417,19 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
 
     /// The pixels of `columns` of `row`; both must lie within [`area`](Self::area).
     #[inline]
-    pub(super) fn places(
+    pub(super) fn pixels_mut(
         &mut self,
         row: u32,
         columns: &Range<u32>,
-    ) -> impl Iterator<Item = O::Place<'_>> {
-        let (cells, mut start) = O::locate(Run {
+    ) -> impl Iterator<Item = O::PixelRef<'_>> {
+        let (cells, mut cursor) = O::locate(RowSpan {
             pixels: self.range(row, columns),
             row: row - self.rows.start,
             columns: columns.clone(),
             width: self.width,
         });
         let mut cells = self.cells.get_mut(cells).unwrap_or_default();
-        O::first(&mut cells, &mut start, usize::MAX)
+        O::first(&mut cells, &mut cursor, usize::MAX)
     }
 }
 
@@ -467,7 +467,7 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     #[inline]
     pub(crate) fn run(&mut self, row: u32, columns: Range<u32>) -> Option<Cells<'_, C, O, D>> {
         let range = self.range(row, &columns);
-        let (cells, start) = O::locate(Run {
+        let (cells, cursor) = O::locate(RowSpan {
             pixels: range.clone(),
             row: row - self.rows.start,
             columns,
@@ -475,7 +475,7 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         });
         Some(Cells {
             colors: self.cells.get_mut(cells)?,
-            start,
+            cursor,
             depths: self.depth.cells(range)?,
         })
     }
@@ -484,14 +484,14 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
 /// Pixels of a row in memory: colors and depths.
 pub(crate) struct Cells<'a, C, O: Storage<C>, D: DepthBuffer + 'a> {
     colors: &'a mut [O::Cell],
-    start: O::Start<'a>,
+    cursor: O::Cursor<'a>,
     depths: D::Cells<'a>,
 }
 
 impl<'a, C, O: Storage<C>, D: DepthBuffer + 'a> Cells<'a, C, O, D> {
     #[inline]
     pub(crate) fn len(&self) -> usize {
-        O::len(self.colors.len(), self.start)
+        O::len(self.colors.len(), self.cursor)
     }
 
     /// Splits off the first `count` pixels, or all that are left.
@@ -499,9 +499,9 @@ impl<'a, C, O: Storage<C>, D: DepthBuffer + 'a> Cells<'a, C, O, D> {
     pub(crate) fn first(
         &mut self,
         count: usize,
-    ) -> impl Iterator<Item = (O::Place<'a>, D::Cell<'a>)> + use<'a, C, O, D> {
+    ) -> impl Iterator<Item = (O::PixelRef<'a>, D::Cell<'a>)> + use<'a, C, O, D> {
         let (colors, depths) = (
-            O::first(&mut self.colors, &mut self.start, count),
+            O::first(&mut self.colors, &mut self.cursor, count),
             D::first(&mut self.depths, count),
         );
         colors.zip(D::each(depths))

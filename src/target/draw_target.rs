@@ -29,8 +29,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Canvas<'_, C, 
             if area.contains(point) {
                 // The area has no negative coordinates.
                 let (x, y) = (point.x.cast_unsigned(), point.y.cast_unsigned());
-                if let Some(place) = self.places(y, &(x..x + 1)).next() {
-                    O::set(place, color);
+                if let Some(pixel) = self.pixels_mut(y, &(x..x + 1)).next() {
+                    O::set(pixel, color);
                 }
             }
         }
@@ -50,8 +50,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Canvas<'_, C, 
         for y in inside.rows {
             skip(&mut colors, left);
             // The colors come second, so that `zip` does not consume one more than there are cells.
-            for (place, color) in self.places(y, &inside.columns).zip(&mut colors) {
-                O::set(place, color);
+            for (pixel, color) in self.pixels_mut(y, &inside.columns).zip(&mut colors) {
+                O::set(pixel, color);
             }
             skip(&mut colors, right);
         }
@@ -61,8 +61,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Canvas<'_, C, 
     fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
         if let Some(inside) = self.inside(area) {
             for y in inside.rows {
-                for place in self.places(y, &inside.columns) {
-                    O::set(place, color);
+                for pixel in self.pixels_mut(y, &inside.columns) {
+                    O::set(pixel, color);
                 }
             }
         }

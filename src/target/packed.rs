@@ -8,7 +8,7 @@ use embedded_graphics::pixelcolor::raw::{RawData, RawU1, RawU2, RawU4};
 use embedded_graphics::pixelcolor::{BinaryColor, PixelColor};
 
 use super::depth::first;
-use super::storage::{Grid, Run, Sealed, Storage};
+use super::storage::{RowMajor, RowSpan, Sealed, Storage};
 
 /// A [`Storage`] with 8, 4 or 2 pixels in a byte, side by side: [`BinaryColor`], `Gray2`, `Gray4`, or a color of your own
 /// whose `Raw` is `RawU1`, `RawU2` or `RawU4`, such as an index into a palette of 16 colors.
@@ -87,7 +87,7 @@ fn packed<C: PixelColor<Raw: Bits + From<C>>>(byte: u8, shift: u32, color: C) ->
 
 /// Pixels of a row that share bytes.
 #[derive(Clone, Copy, Debug)]
-pub struct Shared<'a> {
+pub struct PackedCursor<'a> {
     bytes: &'a [Cell<u8>],
     /// The next pixel and the end, counted from the first pixel of the first byte.
     next: usize,
@@ -99,8 +99,8 @@ where
     C: PixelColor<Raw: Bits + From<C>> + From<C::Raw>,
 {
     type Cell = u8;
-    type Start<'a> = Shared<'a>;
-    type Place<'a> = (&'a Cell<u8>, u32);
+    type Cursor<'a> = PackedCursor<'a>;
+    type PixelRef<'a> = (&'a Cell<u8>, u32);
 
     const COLUMNS: u32 = per_byte::<C::Raw>();
 
@@ -115,14 +115,14 @@ where
     }
 
     #[inline]
-    fn locate<'a>(run: Run) -> (Range<usize>, Shared<'a>) {
+    fn locate<'a>(span: RowSpan) -> (Range<usize>, PackedCursor<'a>) {
         let per_byte = per_byte::<C::Raw>();
-        let row = run.row * run.width.div_ceil(per_byte);
-        let Range { start, end } = run.columns;
+        let row = span.row * span.width.div_ceil(per_byte);
+        let Range { start, end } = span.columns;
         // An end below 0 is 2^31 or more, which no memory has.
         let cells = row + start / per_byte..row + end.div_ceil(per_byte);
         let next = (start % per_byte) as usize;
-        let pixels = Shared {
+        let pixels = PackedCursor {
             bytes: &[],
             next,
             end: next + end.saturating_sub(start) as usize,
@@ -131,24 +131,24 @@ where
     }
 
     #[inline]
-    fn len(_: usize, start: Shared<'_>) -> usize {
-        start.end - start.next
+    fn len(_: usize, cursor: PackedCursor<'_>) -> usize {
+        cursor.end - cursor.next
     }
 
     #[inline]
     #[allow(clippy::mut_mut)] // the slice is taken
     fn first<'a>(
         cells: &mut &'a mut [u8],
-        start: &mut Shared<'a>,
+        cursor: &mut PackedCursor<'a>,
         count: usize,
     ) -> impl Iterator<Item = (&'a Cell<u8>, u32)> + use<'a, C> {
         if !cells.is_empty() {
-            start.bytes = Cell::from_mut(mem::take(cells)).as_slice_of_cells();
+            cursor.bytes = Cell::from_mut(mem::take(cells)).as_slice_of_cells();
         }
-        let &mut Shared { bytes, next, end } = start;
-        start.next = next.saturating_add(count).min(end);
+        let &mut PackedCursor { bytes, next, end } = cursor;
+        cursor.next = next.saturating_add(count).min(end);
         let (last, per_byte) = (per_byte::<C::Raw>() - 1, per_byte::<C::Raw>() as usize);
-        (next..start.next).map_while(move |at| {
+        (next..cursor.next).map_while(move |at| {
             let shift = (last - (at % per_byte) as u32) * bits::<C::Raw>();
             Some((bytes.get(at / per_byte)?, shift))
         })
@@ -166,7 +166,7 @@ where
 
     #[inline]
     fn pixels(cells: &[u8], size: [u32; 2]) -> impl ExactSizeIterator<Item = C> {
-        Grid::new(size, move |[x, y]: [u32; 2], [width, _]: [u32; 2]| {
+        RowMajor::new(size, move |[x, y]: [u32; 2], [width, _]: [u32; 2]| {
             let per_byte = per_byte::<C::Raw>();
             let at = y * width.div_ceil(per_byte) + x / per_byte;
             let byte = cells.get(at as usize).copied().unwrap_or_default();
@@ -178,8 +178,8 @@ where
 impl Storage<BinaryColor> for Pages {
     type Cell = u8;
     /// The bit.
-    type Start<'a> = u32;
-    type Place<'a> = (&'a mut u8, u32);
+    type Cursor<'a> = u32;
+    type PixelRef<'a> = (&'a mut u8, u32);
 
     const ROWS: u32 = 8;
 
@@ -194,12 +194,12 @@ impl Storage<BinaryColor> for Pages {
     }
 
     #[inline]
-    fn locate<'a>(run: Run) -> (Range<usize>, Self::Start<'a>) {
-        let start = run.row / 8 * run.width;
-        let Range { start: from, end } = run.columns;
+    fn locate<'a>(span: RowSpan) -> (Range<usize>, Self::Cursor<'a>) {
+        let start = span.row / 8 * span.width;
+        let Range { start: from, end } = span.columns;
         // They wrap as those of a canvas without pages do.
         let cells = start.wrapping_add(from) as usize..start.wrapping_add(end) as usize;
-        (cells, run.row % 8)
+        (cells, span.row % 8)
     }
 
     #[inline]
@@ -230,7 +230,7 @@ impl Storage<BinaryColor> for Pages {
 
     #[inline]
     fn pixels(cells: &[u8], size: [u32; 2]) -> impl ExactSizeIterator<Item = BinaryColor> {
-        Grid::new(size, move |[x, y]: [u32; 2], [width, _]: [u32; 2]| {
+        RowMajor::new(size, move |[x, y]: [u32; 2], [width, _]: [u32; 2]| {
             let byte = cells.get((y / 8 * width + x) as usize);
             unpacked(byte.copied().unwrap_or_default(), y % 8)
         })

@@ -38,43 +38,43 @@ pub trait Storage<C>: Sealed {
     #[doc(hidden)]
     const ROWS: u32 = 1;
 
-    /// Where in its cells a run begins; nothing if each cell is a pixel.
+    /// Where in its cells a span begins; nothing if each cell is a pixel.
     #[doc(hidden)]
-    type Start<'a>: Copy;
+    type Cursor<'a>: Copy;
 
     /// A pixel in memory.
     #[doc(hidden)]
-    type Place<'a>
+    type PixelRef<'a>
     where
         Self::Cell: 'a;
 
-    /// The cells of a run, and where in them it begins.
+    /// The cells of a span, and where in them it begins.
     ///
     /// It takes no reference to the cells. One that passed through a function would tell the compiler more (`noalias`),
     /// and change the code of every program.
     #[doc(hidden)]
-    fn locate<'a>(run: Run) -> (Range<usize>, Self::Start<'a>);
+    fn locate<'a>(span: RowSpan) -> (Range<usize>, Self::Cursor<'a>);
 
-    /// The number of pixels of a run.
+    /// The number of pixels of a span.
     #[doc(hidden)]
-    fn len(cells: usize, start: Self::Start<'_>) -> usize;
+    fn len(cells: usize, cursor: Self::Cursor<'_>) -> usize;
 
-    /// Splits off the first `count` pixels of a run, or all that are left.
+    /// Splits off the first `count` pixels of a span, or all that are left.
     #[doc(hidden)]
     #[allow(clippy::mut_mut)] // the slice is replaced by its rest
     fn first<'a>(
         cells: &mut &'a mut [Self::Cell],
-        start: &mut Self::Start<'a>,
+        cursor: &mut Self::Cursor<'a>,
         count: usize,
-    ) -> impl Iterator<Item = Self::Place<'a>> + use<'a, C, Self>;
+    ) -> impl Iterator<Item = Self::PixelRef<'a>> + use<'a, C, Self>;
 
     /// The color of a pixel.
     #[doc(hidden)]
-    fn get(place: &Self::Place<'_>) -> C;
+    fn get(pixel: &Self::PixelRef<'_>) -> C;
 
     /// Changes the color of a pixel.
     #[doc(hidden)]
-    fn set(place: Self::Place<'_>, color: C);
+    fn set(pixel: Self::PixelRef<'_>, color: C);
 
     /// The colors of all pixels of `size` (columns and rows), row by row.
     #[doc(hidden)]
@@ -83,7 +83,7 @@ pub trait Storage<C>: Sealed {
 
 /// Pixels side by side in a canvas; public in name only.
 #[derive(Debug)]
-pub struct Run {
+pub struct RowSpan {
     /// Their numbers, if the pixels of the canvas are counted row by row.
     pub(super) pixels: Range<usize>,
     /// Counted from the first row in memory.
@@ -94,13 +94,13 @@ pub struct Run {
 }
 
 /// The colors of a canvas, row by row; `color` gets a pixel's column and row, and the size.
-pub(super) struct Grid<F> {
+pub(super) struct RowMajor<F> {
     size: [u32; 2],
     at: [u32; 2],
     color: F,
 }
 
-impl<F> Grid<F> {
+impl<F> RowMajor<F> {
     pub(super) const fn new(size: [u32; 2], color: F) -> Self {
         Self {
             size,
@@ -110,7 +110,7 @@ impl<F> Grid<F> {
     }
 }
 
-impl<C, F: Fn([u32; 2], [u32; 2]) -> C> Iterator for Grid<F> {
+impl<C, F: Fn([u32; 2], [u32; 2]) -> C> Iterator for RowMajor<F> {
     type Item = C;
 
     #[inline]
@@ -135,20 +135,20 @@ impl<C, F: Fn([u32; 2], [u32; 2]) -> C> Iterator for Grid<F> {
     }
 }
 
-impl<C, F: Fn([u32; 2], [u32; 2]) -> C> ExactSizeIterator for Grid<F> {}
+impl<C, F: Fn([u32; 2], [u32; 2]) -> C> ExactSizeIterator for RowMajor<F> {}
 
 /// The layout of a storage in which each cell is a pixel.
 macro_rules! cells_are_pixels {
     ($cell:ty) => {
-        type Start<'a> = ();
-        type Place<'a>
+        type Cursor<'a> = ();
+        type PixelRef<'a>
             = &'a mut $cell
         where
             $cell: 'a;
 
         #[inline(always)]
-        fn locate<'a>(run: Run) -> (Range<usize>, <Self as Storage<C>>::Start<'a>) {
-            (run.pixels, ())
+        fn locate<'a>(span: RowSpan) -> (Range<usize>, <Self as Storage<C>>::Cursor<'a>) {
+            (span.pixels, ())
         }
 
         #[inline(always)]
@@ -167,13 +167,13 @@ macro_rules! cells_are_pixels {
         }
 
         #[inline(always)]
-        fn get(place: &&mut $cell) -> C {
-            <Self as Storage<C>>::load(**place)
+        fn get(pixel: &&mut $cell) -> C {
+            <Self as Storage<C>>::load(**pixel)
         }
 
         #[inline(always)]
-        fn set(place: &mut $cell, color: C) {
-            *place = <Self as Storage<C>>::store(color);
+        fn set(pixel: &mut $cell, color: C) {
+            *pixel = <Self as Storage<C>>::store(color);
         }
 
         #[inline(always)]
