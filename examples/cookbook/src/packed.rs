@@ -37,10 +37,14 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     let style = MonoTextStyle::new(&FONT_6X10, BinaryColor::On);
     Text::new("LIGHTHOUSE", Point::new(2, 9), style).draw(&mut panel)?;
 
-    // In this picture, each of its pixels is four.
+    // Shown in the middle of this picture, each of its pixels as a square.
     canvas.clear(Rgb565::new(3, 6, 4));
+    let frame = canvas.frame_size();
+    let side = (frame.width / width).min(frame.height / height).max(1);
+    let corner = (frame.saturating_sub(Size::new(width, height) * side)) / 2;
     for (at, pixel) in panel.bounding_box().points().zip(panel.pixels()) {
-        let square = Rectangle::new(Point::new(32, 56) + at * 2, Size::new_equal(2));
+        let at = Point::zero() + corner + at * side.cast_signed();
+        let square = Rectangle::new(at, Size::new_equal(side));
         let color = Rgb888::new(160, 235, 255).into();
         canvas.fill_solid(&square, if pixel.is_on() { color } else { Rgb565::BLACK })?;
     }
