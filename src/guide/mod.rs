@@ -54,9 +54,9 @@ macro_rules! recipe {
 #[doc = recipe!("Picking", "picking")]
 #[doc = recipe!("Instruments", "instruments")]
 #[doc = picture!("A little world", "world")]
-/// A walk through a garden at dusk has most of these words at once: walls, grass and water with mipmaps, trees and
-/// lamps' glow as sprites, lamps that light what is near, fog, a sky with stars and a moon, a mirror image under
-/// translucent water, labels, and a display of compass, gauges and map. `cargo run -p cookbook world` draws it and makes
+/// A walk through a garden at dusk puts most of this together. Walls, grass and water have mipmaps. Trees are sprites, and
+/// so is the glow of the lamps, which light the walls near them. There is fog, a sky with stars and a moon, and a mirror
+/// image under translucent water. Labels, a compass, gauges and a map are drawn over the picture. `cargo run -p cookbook world` draws it and makes
 /// an animation; `examples/common/world` is its program, for frames and bands, with no memory but the canvas.
 pub mod cookbook {}
 

@@ -211,11 +211,10 @@ impl<'a> Mesh<'a> {
         })
     }
 
-    /// A mesh whose faces are known to be in range, with a texture coordinate for each position, and a color for each
-    /// or none at all.
-    pub(crate) fn of_quads(
-        positions: &'a [Vec3],
-        faces: &'a [[Index; 3]],
+    /// A mesh whose faces are known to be in range. Each attribute has a value for each position, or none at all.
+    pub(crate) fn unchecked(
+        (positions, faces): (&'a [Vec3], &'a [[Index; 3]]),
+        normals: &'a [Vec3],
         uvs: &'a [Vec2],
         colors: &'a [Rgb888],
     ) -> Self {
@@ -227,7 +226,10 @@ impl<'a> Mesh<'a> {
                 values: uvs,
                 faces: None,
             },
-            normals: Attribute::NONE,
+            normals: Attribute {
+                values: normals,
+                faces: None,
+            },
             colors: Attribute {
                 values: colors,
                 faces: None,

@@ -28,8 +28,8 @@ use crate::{Error, Vec2, Vec3};
 /// to 1/8 texel with 8.
 ///
 /// The [`mesh`](Self::mesh) is drawn as any other, by a shader that [`shader`](Self::shader) wraps. It unpacks the
-/// attributes of each triangle that is drawn: normals in 140 instructions on Cortex-M4, both in about 300. Its code takes 1.4 KB, so it saves
-/// flash from about 70 vertices on.
+/// attributes of each triangle that is drawn; for normals, this takes 140 instructions on Cortex-M4. Its code takes 1.4 KB,
+/// so it saves flash from about 70 vertices on.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
@@ -263,11 +263,12 @@ impl<'a> Quantized<'a> {
             || Rgb888::WHITE,
         );
         let positions = primitive.positions();
-        let mut mesh = Mesh::of_quads(&positions, &[], slice(uvs.as_ref()), slice(colors.as_ref()));
-        mesh.normals = Attribute {
-            values: slice(normals.as_ref()),
-            faces: None,
-        };
+        let mesh = Mesh::unchecked(
+            (&positions, &[]),
+            slice(normals.as_ref()),
+            slice(uvs.as_ref()),
+            slice(colors.as_ref()),
+        );
         f(&Primitive {
             mesh: &mesh,
             placement: primitive.placement,

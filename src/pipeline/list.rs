@@ -52,8 +52,8 @@ use crate::view::{ModelToPicture, Perspective, ProjectionKind, Viewport};
 ///
 /// # Which camera, which frame
 ///
-/// What is prepared keeps the camera, the projection, the transforms and the options that it was prepared with, and
-/// drawing takes none of these: a list cannot be drawn with others. A canvas of another frame size is refused when it
+/// A prepared mesh or scene keeps its camera, projection, transforms and options. Drawing takes none of these, so a list
+/// cannot be drawn with others. A canvas of another frame size is refused when it
 /// is drawn. As long as it is in use, the list, and the objects of a scene, cannot change:
 ///
 /// ```compile_fail,E0506

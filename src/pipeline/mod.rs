@@ -387,8 +387,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         })
     }
 
-    /// Draws a mesh's [edges](Mesh::edges) as anti-aliased lines of a [width](LineWidth): each pixel is blended with
-    /// what is there by the share that the line covers of it.
+    /// Draws a mesh's [edges](Mesh::edges) as anti-aliased lines of a [width](LineWidth): the share of each pixel
+    /// that the line covers gets the line's color.
     ///
     /// Let d be the distance from the pixel's center to the nearest point of the line, whose ends are exact to 1/256
     /// pixel: then the share is (width + 1)/2 − d, limited to 0 and 1. So ends are round, and a line is as wide and as

@@ -11,7 +11,7 @@ use embedded_graphics::primitives::{PointsIter, Rectangle};
 use super::depth::{Depth, DepthBuffer, NoDepth};
 use super::format::{DepthFormat, Linear};
 use super::packed::{Packed, Pages};
-use super::storage::{ByteArray, Bytes, Native, RowSpan, Storage};
+use super::storage::{Bytes, Flatten, Native, RowSpan, Storage};
 use crate::Error;
 
 /// Largest width and height of a frame, in pixels.
@@ -36,7 +36,7 @@ pub const MAX_SIZE: u32 = 2048;
 /// [`with_depth`](Self::with_depth) and [`with_depth_format`](Self::with_depth_format) add a depth buffer.
 ///
 /// A pixel that is drawn in black and white takes 2 instructions more in pages than as a color on a Cortex-M4, and 13
-/// in rows of a packed canvas; 7 and 18 on a Cortex-M0+. With a palette, a pixel is an
+/// in rows of a packed canvas; 7 and 18 on a Cortex-M0+. With a palette, a pixel is a
 /// [`ColorIndex`](super::ColorIndex), stored as a color.
 ///
 /// A canvas is an embedded-graphics [`DrawTarget`], so text and gauges can be drawn over the picture.
@@ -345,7 +345,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     where
         O::Cell: Bytes,
     {
-        ByteArray::flatten(self.cells)
+        Flatten::flatten(self.cells)
     }
 
     /// Shows the canvas on a display of the same color, in one

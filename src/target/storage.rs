@@ -195,7 +195,7 @@ macro_rules! cells_are_pixels {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Native {}
 
-/// A pixel stored as bytes: an array `[u8; N]`. Sealed.
+/// A pixel stored as bytes, `[u8; N]`, or a byte of several pixels, `u8`. Sealed.
 ///
 /// Use it as the bound of code that sends canvases of any color, in either byte order or packed.
 ///
@@ -215,7 +215,7 @@ pub enum Native {}
 /// assert_eq!(bus, [0xf8, 0x00, 0xf8, 0x00]);
 /// # Ok::<(), Error>(())
 /// ```
-pub trait Bytes: ByteArray {}
+pub trait Bytes: Flatten {}
 
 impl<const N: usize> Bytes for [u8; N] {}
 impl Bytes for u8 {}
@@ -228,15 +228,32 @@ impl Sealed for BigEndian {}
 impl Sealed for LittleEndian {}
 
 /// The working part of [`Bytes`], public in name only.
+pub trait Flatten: Copy {
+    /// Views a slice of pixels as its bytes, without a copy.
+    fn flatten(cells: &[Self]) -> &[u8];
+}
+
+impl<const N: usize> Flatten for [u8; N] {
+    #[inline]
+    fn flatten(cells: &[Self]) -> &[u8] {
+        cells.as_flattened()
+    }
+}
+
+impl Flatten for u8 {
+    #[inline]
+    fn flatten(cells: &[Self]) -> &[u8] {
+        cells
+    }
+}
+
+/// The bytes of one pixel; public in name only.
 pub trait ByteArray: Copy {
     /// Reads the number whose most significant byte comes first.
     fn be_number(self) -> u32;
 
     /// Reads the number whose least significant byte comes first.
     fn le_number(self) -> u32;
-
-    /// Views a slice of pixels as its bytes, without a copy.
-    fn flatten(cells: &[Self]) -> &[u8];
 }
 
 impl<const N: usize> ByteArray for [u8; N] {
@@ -250,28 +267,6 @@ impl<const N: usize> ByteArray for [u8; N] {
         self.iter()
             .rev()
             .fold(0, |all, &byte| all << 8 | u32::from(byte))
-    }
-
-    #[inline]
-    fn flatten(cells: &[Self]) -> &[u8] {
-        cells.as_flattened()
-    }
-}
-
-impl ByteArray for u8 {
-    #[inline]
-    fn be_number(self) -> u32 {
-        self.into()
-    }
-
-    #[inline]
-    fn le_number(self) -> u32 {
-        self.into()
-    }
-
-    #[inline]
-    fn flatten(cells: &[Self]) -> &[u8] {
-        cells
     }
 }
 
@@ -293,7 +288,7 @@ impl<C: PixelColor> Storage<C> for Native {
 
 impl<C> Storage<C> for BigEndian
 where
-    C: PixelColor + ToBytes<Bytes: Bytes> + From<C::Raw>,
+    C: PixelColor + ToBytes<Bytes: ByteArray> + From<C::Raw>,
 {
     type Cell = C::Bytes;
 
@@ -312,7 +307,7 @@ where
 
 impl<C> Storage<C> for LittleEndian
 where
-    C: PixelColor + ToBytes<Bytes: Bytes> + From<C::Raw>,
+    C: PixelColor + ToBytes<Bytes: ByteArray> + From<C::Raw>,
 {
     type Cell = C::Bytes;
 

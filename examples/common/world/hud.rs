@@ -30,7 +30,7 @@ pub struct Status {
 impl Status {
     /// Draws everything for which there is room: a low panel has no compass.
     ///
-    /// `size` is that of the frame. (A band's bounding box is only what of it is in memory.)
+    /// `size` is the size of the frame, which a band cannot tell: its bounding box is the band.
     pub fn draw<T: DrawTarget<Color = Rgb565>>(
         &self,
         target: &mut T,

@@ -61,7 +61,7 @@ struct Cell {
 /// The water's surface, in sixteenths of a unit.
 pub const WATER: i16 = -3;
 
-/// Whether a surface is of a material.
+/// Whether a surface is there and has this material.
 const fn is(surface: Option<Material>, material: Material) -> bool {
     match surface {
         Some(surface) => surface as u8 == material as u8,
@@ -146,7 +146,7 @@ struct Draft {
 }
 
 impl Draft {
-    /// The index of a vertex, shared if the block has it already. Positions are in sixteenths of a unit.
+    /// The index of a vertex, which is added unless the block has it. Positions are in sixteenths of a unit.
     const fn vertex(&mut self, [x, y, z]: [i16; 3], [u, v]: [i16; 2]) -> Index {
         let mut at = self.first;
         while at < self.vertices {
@@ -245,7 +245,7 @@ impl Draft {
     }
 }
 
-/// So many elements of an array, the first ones.
+/// The first `count` elements of an array.
 macro_rules! first {
     ($count:expr, $array:expr) => {{
         let mut first = [$array[0]; $count];

@@ -8,7 +8,7 @@
 //! world::draw(&mut canvas, Rate::rpm(8).angle_at(now_ms))?;
 //! ```
 //!
-//! | file | what is in it |
+//! | file | contents |
 //! |---|---|
 //! | `map` | the map, and the meshes that the compiler makes of it |
 //! | `buildings` | roofs, windows, parts of lamps |
@@ -399,7 +399,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Writes a name at a point, hidden by what is nearer.
+    /// Writes a name at a point. Nearer surfaces hide it.
     fn label<O, D>(&self, canvas: &mut Canvas<'_, Rgb565, O, D>, name: &str, point: Vec3)
     where
         O: Storage<Rgb565>,

@@ -15,8 +15,8 @@ const BALL: Mesh = shape!(sphere(16, 20))
     .without_normals();
 const CORNERS: usize = 17 * 21;
 
-/// Dark blue above, purple haze to the east and the afterglow of the sun to the west. What is below the horizon is for
-/// the water, where it is seen from below.
+/// Dark blue above, purple haze to the east and the afterglow of the sun to the west. The part below the horizon shows
+/// in the water.
 static DOME: Mesh = {
     static COLORS: [Rgb888; CORNERS] = {
         let mut colors = [HAZE; CORNERS];
@@ -65,8 +65,8 @@ static STARS: ([Vec3; COUNT], [Rgb888; COUNT]) = {
 /// Where the moon is.
 const MOON_AT: Vec3 = vec3!(9.5, 10.2, -26);
 
-/// Draws the sky. The view is that of a [camera in its middle](Camera::sky), and nothing is farther: no depth is tested
-/// or stored.
+/// Draws the sky behind everything, so it neither tests nor stores depth. The view is that of a
+/// [camera in its middle](Camera::sky).
 pub fn draw<O, D>(canvas: &mut Canvas<'_, Rgb565, O, D>, view: &Mvp) -> Result<(), Error>
 where
     O: Storage<Rgb565>,

@@ -30,7 +30,7 @@ mod tests {
     use embedded_graphics::geometry::Point;
     use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 
-    /// What is seen through the water, the blended lights and the labels are the same in every band.
+    /// Bands show the same reflection, blended lights and labels as the frame.
     #[test]
     fn bands_equal_frames() {
         const WIDTH: u32 = SIZE.width;
