@@ -96,7 +96,7 @@
 //! | [`Outline`]: edges with their faces, for silhouettes and creases | [`outline!`], [`Outline::build`] | third argument of [`Canvas::draw_outline`] |
 //! | [`Mvp`], the model-view-projection | `projection * camera * spin` of a [`Projection`], a [`Camera`] and [`Transform`]s | second argument |
 //! | [`Shader`] | [`shade`], or ten lines of your own | third argument |
-//! | [`DrawOptions`]: culling, viewport, interpolation mode, depth test, blending | [`DrawOptions::new`] | first argument of [`Canvas::draw_with`], [`draw_edges`](Canvas::draw_edges), [`draw_outline`](Canvas::draw_outline), [`draw_points`](Canvas::draw_points) |
+//! | [`DrawOptions`]: culling, viewport, interpolation mode, depth test, blending, style of lines | [`DrawOptions::new`] | first argument of [`Canvas::draw_with`], [`draw_edges`](Canvas::draw_edges), [`draw_outline`](Canvas::draw_outline), [`draw_points`](Canvas::draw_points) |
 //! | [`TriangleList`]: triangles transformed once for all bands | [`TriangleList::new`], [`prepare`](TriangleList::prepare) | argument of [`Canvas::draw_prepared`] |
 //! | [`EdgeList`]: the same for edges and outlines | [`EdgeList::new`], [`prepare`](EdgeList::prepare) | argument of [`Canvas::draw_prepared_edges`] |
 //! | [`Object`]s: meshes with their transforms and materials, for one list | [`Object::new`] | argument of [`TriangleList::prepare_scene`] |
@@ -222,10 +222,10 @@ pub mod view;
 
 pub use error::{Error, RefusedFloat};
 pub use pipeline::{
-    DrawOptions, Drawn, EdgeList, Hit, Object, Prepared, PreparedEdges, PreparedScene, Ray,
-    ScreenPoint, TriangleList,
+    DrawOptions, Drawn, EdgeList, Hit, LineStyle, Object, Prepared, PreparedEdges, PreparedScene,
+    Ray, ScreenPoint, TriangleList,
 };
-pub use raster::{Cull, LineWidth, PointStyle};
+pub use raster::{Cull, Hairline, LineWidth, PointStyle, SmoothLine};
 
 // These items are documented in their modules.
 #[doc(no_inline)]

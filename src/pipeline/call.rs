@@ -4,11 +4,41 @@ use core::ops::Range;
 
 use embedded_graphics::geometry::Size;
 
-use super::DrawOptions;
 use super::vertex::Projector;
+use crate::Error;
 use crate::mesh::{Element, Mesh, Placement, Primitive};
 use crate::raster::{Cull, DepthShift, Scissor};
-use crate::view::{ModelToPicture, ProjectionKind};
+use crate::view::{ModelToPicture, ProjectionKind, Viewport};
+
+/// A frame, and what is drawn of it: a part, and faces that are not culled.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Screen {
+    pub(super) frame: Size,
+    pub(super) viewport: Viewport,
+    pub(super) cull: Cull,
+}
+
+impl Screen {
+    /// The pixels of some rows.
+    #[inline]
+    pub(super) fn scissor(&self, rows: &Range<u32>) -> Scissor {
+        Scissor::new(&self.viewport, self.frame.width, rows)
+    }
+
+    /// An error unless a canvas belongs to a frame of this size.
+    pub(super) fn check(&self, given: Size) -> Result<(), Error> {
+        let needed = self.frame;
+        if given == needed {
+            return Ok(());
+        }
+        Err(Error::Frame {
+            width: given.width,
+            height: given.height,
+            needed_width: needed.width,
+            needed_height: needed.height,
+        })
+    }
+}
 
 /// The data that all primitives of a draw call share once they are on the screen.
 #[derive(Clone, Debug)]
@@ -41,21 +71,21 @@ pub(super) struct Call<'m, K> {
 impl<'m, K: ProjectionKind> Call<'m, K> {
     /// A draw call to `rows` of a frame.
     #[inline(never)]
-    pub(super) fn new<M: Copy, Z: Copy, B: Copy, V: ModelToPicture<Kind = K>>(
-        options: &DrawOptions<M, Z, B>,
+    pub(super) fn new<V: ModelToPicture<Kind = K>>(
+        screen: &Screen,
+        rows: &Range<u32>,
         mesh: &'m Mesh<'m>,
         mvp: &'m V,
-        (frame, rows): (Size, &Range<u32>),
     ) -> Self {
-        let viewport = options.viewport_in(frame);
         let view = mvp.model_view_of();
+        let viewport = &screen.viewport;
         Self {
-            projector: Projector::new(mesh.positions(), mvp.projection_of(), &view, &viewport),
+            projector: Projector::new(mesh.positions(), mvp.projection_of(), &view, viewport),
             shared: Shared {
                 mesh,
                 placement: Placement::new(mvp.model_of(), view),
-                cull: options.cull,
-                scissor: Scissor::new(&viewport, frame.width, rows),
+                cull: screen.cull,
+                scissor: screen.scissor(rows),
             },
         }
     }

@@ -15,8 +15,9 @@ use heapless::{Vec, VecView};
 
 use super::assemble::Assembly;
 use super::cache;
-use super::call::{Call, Shared};
+use super::call::{Call, Screen, Shared};
 use super::clip::ClippedPolygon;
+use super::options::PixelOptions;
 use super::run::{self, Draw};
 use super::{DrawOptions, Drawn};
 use crate::Error;
@@ -28,7 +29,7 @@ use crate::raster::{
 };
 use crate::span::{Mode, Newton};
 use crate::target::{DepthTest, Replace, TestAndWrite, check_size};
-use crate::view::{ModelToPicture, Perspective, ProjectionKind, Viewport};
+use crate::view::{ModelToPicture, Perspective, ProjectionKind};
 
 /// Memory for the triangles of a frame that is drawn in bands.
 ///
@@ -199,21 +200,53 @@ impl Slot {
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<'a, K = Perspective, M = Newton, Z = TestAndWrite, B = Replace> {
-    mesh: &'a Mesh<'a>,
-    model: Transform,
-    model_view: Transform,
-    kind: PhantomData<K>,
-    pub(super) frame: Size,
-    viewport: Viewport,
-    cull: Cull,
+    pub(super) call: PreparedCall<'a, K>,
     triangles: &'a [Entry],
     vertices: &'a [Slot],
     /// The rows of the frame in which any triangle may have pixels.
     rows: [u16; 2],
+    pub(super) pixels: PixelOptions<M, Z, B>,
+}
+
+/// What a draw call needs of its mesh, transforms and options once its primitives are in a list.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PreparedCall<'a, K> {
+    mesh: &'a Mesh<'a>,
+    model: Transform,
+    model_view: Transform,
+    kind: PhantomData<K>,
+    pub(super) screen: Screen,
     pub(super) depth_shift: DepthShift,
-    pub(super) mode: M,
-    pub(super) test: Z,
-    pub(super) blending: B,
+}
+
+impl<'a, K: ProjectionKind> PreparedCall<'a, K> {
+    #[inline]
+    fn new<V: ModelToPicture<Kind = K>>(
+        screen: Screen,
+        mesh: &'a Mesh<'a>,
+        mvp: &V,
+        depth_shift: DepthShift,
+    ) -> Self {
+        Self {
+            mesh,
+            model: *mvp.model_of(),
+            model_view: mvp.model_view_of(),
+            kind: PhantomData,
+            screen,
+            depth_shift,
+        }
+    }
+
+    /// What the primitives share that meet `rows`.
+    #[inline]
+    fn shared(&self, rows: &Range<u32>) -> Shared<'_> {
+        Shared {
+            mesh: self.mesh,
+            placement: Placement::new(&self.model, self.model_view),
+            cull: self.screen.cull,
+            scissor: self.screen.scissor(rows),
+        }
+    }
 }
 
 impl<const TRIANGLES: usize, const VERTICES: usize> Default for TriangleList<TRIANGLES, VERTICES> {
@@ -364,8 +397,8 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
         mvp: &V,
     ) -> Result<Prepared<'a, V::Kind, M, Z, B>, Error> {
         check_size(frame.width, frame.height)?;
-        let viewport = options.viewport_in(frame);
-        let call = Call::new(options, mesh, mvp, (frame, &(0..frame.height)));
+        let screen = options.screen(frame);
+        let call = Call::new(&screen, &(0..frame.height), mesh, mvp);
         self.triangles.clear();
         self.vertices.clear();
         let mut filling = Filling {
@@ -394,20 +427,11 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
             );
         }
         Ok(Prepared {
-            mesh,
-            model: *mvp.model_of(),
-            model_view: mvp.model_view_of(),
-            kind: PhantomData,
-            frame,
-            viewport,
-            cull: call.shared.cull,
+            call: PreparedCall::new(screen, mesh, mvp, call.depth_shift()),
             triangles: &self.triangles,
             vertices: &self.vertices,
             rows,
-            depth_shift: call.depth_shift(),
-            mode: options.mode,
-            test: options.depth,
-            blending: options.blending,
+            pixels: options.pixels,
         })
     }
 }
@@ -555,20 +579,11 @@ impl<'a, K, M, Z, B> Prepared<'a, K, M, Z, B> {
     #[must_use]
     pub fn with_blending<A>(self, blending: A) -> Prepared<'a, K, M, Z, A> {
         Prepared {
-            mesh: self.mesh,
-            model: self.model,
-            model_view: self.model_view,
-            kind: self.kind,
-            frame: self.frame,
-            viewport: self.viewport,
-            cull: self.cull,
+            call: self.call,
             triangles: self.triangles,
             vertices: self.vertices,
             rows: self.rows,
-            depth_shift: self.depth_shift,
-            mode: self.mode,
-            test: self.test,
-            blending,
+            pixels: self.pixels.with_blending(blending),
         }
     }
 }
@@ -580,29 +595,11 @@ fn vertex(slots: &[Slot], number: u16) -> Option<ScreenVertex> {
     slot.vertex()
 }
 
-/// An error unless a canvas belongs to a frame of the size that a list was prepared for.
-pub(super) fn check_frame(given: Size, needed: Size) -> Result<(), Error> {
-    if given == needed {
-        return Ok(());
-    }
-    Err(Error::Frame {
-        width: given.width,
-        height: given.height,
-        needed_width: needed.width,
-        needed_height: needed.height,
-    })
-}
-
 impl<K: ProjectionKind, M, Z, B> Prepared<'_, K, M, Z, B> {
     /// Draws the triangles that meet `rows`, a band of the frame.
     #[inline(never)]
-    pub(super) fn draw(&self, blitter: &mut dyn Blitter, rows: &Range<u32>) -> Drawn {
-        let shared = Shared {
-            mesh: self.mesh,
-            placement: Placement::new(&self.model, self.model_view),
-            cull: self.cull,
-            scissor: Scissor::new(&self.viewport, self.frame.width, rows),
-        };
+    pub(super) fn draw(&self, rows: &Range<u32>, blitter: &mut dyn Blitter) -> Drawn {
+        let shared = self.call.shared(rows);
         let (mut draw, rows) = (Draw::new(blitter, &shared), &shared.scissor.rows);
         let misses = |[start, end]: [u16; 2]| {
             i32::from(start).max(rows.start) >= i32::from(end).min(rows.end)
@@ -618,7 +615,7 @@ impl<K: ProjectionKind, M, Z, B> Prepared<'_, K, M, Z, B> {
                 continue;
             }
             let face = entry.face as usize;
-            let Some(&indices) = self.mesh.faces().get(face) else {
+            let Some(&indices) = self.call.mesh.faces().get(face) else {
                 continue;
             };
             let element = Element {

@@ -4,6 +4,7 @@ mod assemble;
 mod cache;
 mod call;
 mod clip;
+mod line_style;
 mod list;
 mod options;
 mod outline;
@@ -13,29 +14,27 @@ mod run;
 mod sprites;
 mod vertex;
 
+pub use line_style::LineStyle;
 pub use list::{EdgeList, Object, Prepared, PreparedEdges, PreparedScene, TriangleList};
 pub use options::DrawOptions;
 pub use ray::{Hit, Ray};
 
-use core::cell::Cell;
+use core::ops::Range;
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::PixelColor;
 
 use call::Call;
-use list::check_frame;
-use outline::DrawLine;
+use list::PreparedCall;
+use options::PixelOptions;
 use sprites::Quads;
 use vertex::Projector;
 
 use crate::mesh::{Bounds, Mesh, Missing, Outline, Positions, Sprites};
 use crate::num::{Subpixel, block::BlockFloat};
-use crate::raster::{
-    self, Blitter, ClippedVertex, LineCover, LineWidth, PointStyle, Rasterizer, Scissor,
-    ScreenVertex,
-};
-use crate::shade::{Levels, ShaderFor};
-use crate::span::{Blit, Mode, Painter, Smooth};
+use crate::raster::{Blitter, PointStyle, ScreenVertex};
+use crate::shade::ShaderFor;
+use crate::span::{Blit, Mode, Painter};
 use crate::target::{Blending, Canvas, DepthBuffer, DepthTest, Label, Storage};
 use crate::view::{ModelToPicture, ProjectionKind};
 use crate::{Error, Vec3};
@@ -143,20 +142,17 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         prepared: &Prepared<'_, K, M, Z, B>,
         shader: &S,
     ) -> Result<Drawn, Error> {
-        check_frame(self.frame_size(), prepared.frame)?;
-        let rows = self.rows().clone();
-        let (mode, test) = (prepared.mode, prepared.test);
-        let mut blit = Blit::<_, _, _, K, _, _>::new(
-            (mode, test),
-            self,
-            (*shader, prepared.blending),
-            prepared.depth_shift,
-        );
-        Ok(prepared.draw(&mut blit, &rows))
+        let painter = (*shader, prepared.pixels.blending);
+        self.paint_prepared(
+            &prepared.call,
+            &prepared.pixels,
+            painter,
+            |rows, blitter| prepared.draw(rows, blitter),
+        )
     }
 
-    /// Draws the edges that were [prepared](EdgeList::prepare) for this frame and meet this canvas's rows, with the
-    /// pixels of [`draw_edges`](Self::draw_edges) or [`draw_outline`](Self::draw_outline). Nothing is transformed
+    /// Draws the edges that were [prepared](EdgeList::prepare) for this frame and meet this canvas's rows. The pixels are
+    /// those of [`draw_edges`](Self::draw_edges) or [`draw_outline`](Self::draw_outline), but nothing is transformed
     /// again.
     ///
     /// # Errors
@@ -166,161 +162,54 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         M: Mode,
         Z: DepthTest,
         B: Blending<C>,
+        L: LineStyle<C>,
         K: ProjectionKind,
         S: ShaderFor<B::Source>,
     >(
         &mut self,
-        prepared: &PreparedEdges<'_, K, M, Z, B>,
+        prepared: &PreparedEdges<'_, K, M, Z, B, L>,
         shader: &S,
     ) -> Result<Drawn, Error> {
-        let painter = (*shader, prepared.blending);
-        self.paint_edges(prepared, painter, (&raster::line, 0))
+        let state = L::State::default();
+        let painter = L::painter(&state, *shader, prepared.pixels.blending);
+        self.paint_prepared(
+            &prepared.call,
+            &prepared.pixels,
+            painter,
+            |rows, blitter| {
+                let line = prepared.line.with(&state);
+                prepared.draw(&line, prepared.line.reach(), rows, blitter)
+            },
+        )
     }
 
-    /// Draws edges like [`draw_prepared_edges`](Self::draw_prepared_edges), with the pixels of
-    /// [`draw_wide_edges`](Self::draw_wide_edges) or [`draw_wide_outline`](Self::draw_wide_outline).
-    ///
-    /// # Errors
-    ///
-    /// As for [`draw_prepared`](Self::draw_prepared).
-    pub fn draw_prepared_wide_edges<
-        M: Mode,
-        Z: DepthTest,
-        B: Blending<C>,
-        K: ProjectionKind,
-        S: ShaderFor<B::Source>,
-    >(
-        &mut self,
-        prepared: &PreparedEdges<'_, K, M, Z, B>,
-        width: LineWidth,
-        shader: &S,
-    ) -> Result<Drawn, Error> {
-        let painter = (*shader, prepared.blending);
-        self.paint_edges(prepared, painter, (&wide(width), width.reach()))
-    }
-
-    /// Draws edges like [`draw_prepared_edges`](Self::draw_prepared_edges), with the pixels of
-    /// [`draw_smooth_edges`](Self::draw_smooth_edges) or [`draw_smooth_outline`](Self::draw_smooth_outline).
-    ///
-    /// # Errors
-    ///
-    /// As for [`draw_prepared`](Self::draw_prepared).
-    pub fn draw_prepared_smooth_edges<
-        M: Mode,
-        Z: DepthTest,
-        B: Blending<C>,
-        K: ProjectionKind,
-        S: ShaderFor<B::Source>,
-    >(
-        &mut self,
-        prepared: &PreparedEdges<'_, K, M, Z, B>,
-        width: LineWidth,
-        shader: &S,
-    ) -> Result<Drawn, Error>
-    where
-        C: Levels,
-    {
-        let cover = Cell::new(LineCover::NONE);
-        let painter = Smooth {
-            shader: *shader,
-            blending: prepared.blending,
-            cover: &cover,
-        };
-        self.paint_edges(prepared, painter, (&smooth(width, &cover), width.reach()))
-    }
-
-    /// Draws a mesh's [edges](Mesh::edges) as lines, one pixel wide.
-    ///
-    /// A line gets one pixel for each pixel center that it passes along its longer axis. Its right end (lower end, if
-    /// it is steep) does not belong to it, so lines that continue each other draw no pixel twice.
+    /// Draws a mesh's [edges](Mesh::edges) as lines of the options' [style](DrawOptions::with_line): by default, one pixel
+    /// wide.
     pub fn draw_edges<
         M: Mode,
         Z: DepthTest,
         B: Blending<C>,
+        L: LineStyle<C>,
         V: ModelToPicture,
         S: ShaderFor<B::Source>,
     >(
         &mut self,
-        options: &DrawOptions<M, Z, B>,
+        options: &DrawOptions<M, Z, B, L>,
         mesh: &Mesh<'_>,
         mvp: &V,
         shader: &S,
     ) -> Drawn {
-        self.call(options, (mesh, mvp), shader, run::edges)
-    }
-
-    /// Draws a mesh's [edges](Mesh::edges) as lines of a [width](LineWidth).
-    ///
-    /// ```
-    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
-    /// use fixel::prelude::*;
-    /// let corners = [vec3!(1, -6, 0), vec3!(6, -2, 0), vec3!(11, -6, 0)];
-    /// let roof = Mesh::new(&corners, &[])?.with_edges(&[[0, 1], [1, 2]])?;
-    /// let window = Window { left: fx!(0), right: fx!(12), bottom: fx!(-8), top: fx!(0) };
-    /// let projection = Projection::orthographic(window, fx!(-1), fx!(1))?;
-    /// let mut color = [BinaryColor::Off; 12 * 8];
-    /// let mut canvas = Canvas::new(&mut color, 12, 8)?;
-    /// let white = Flat::new(BinaryColor::On);
-    /// canvas.draw_wide_edges(&DrawOptions::new(), &roof, LineWidth::new(fx!(3))?, &projection, &white);
-    /// let mut display = MockDisplay::new();
-    /// canvas.show(&mut display)?;
-    /// display.assert_pattern(&[
-    ///     "............",
-    ///     ".....##.....",
-    ///     "....####....",
-    ///     "..########..",
-    ///     ".####..####.",
-    ///     ".###....###.",
-    ///     ".#........#.",
-    ///     "............",
-    /// ]);
-    /// # Ok::<(), Error>(())
-    /// ```
-    pub fn draw_wide_edges<
-        M: Mode,
-        Z: DepthTest,
-        B: Blending<C>,
-        V: ModelToPicture,
-        S: ShaderFor<B::Source>,
-    >(
-        &mut self,
-        options: &DrawOptions<M, Z, B>,
-        mesh: &Mesh<'_>,
-        width: LineWidth,
-        mvp: &V,
-        shader: &S,
-    ) -> Drawn {
-        self.call(options, (mesh, mvp), shader, |call, blitter| {
-            outline::edges(call, &wide(width), blitter)
+        let state = L::State::default();
+        let painter = L::painter(&state, *shader, options.pixels.blending);
+        self.paint(options, (mesh, mvp), painter, |call, blitter| {
+            options.line.edges(&state, call, blitter)
         })
     }
 
-    /// Draws a mesh's [`Outline`] as [`draw_outline`](Self::draw_outline) does, in lines of a [width](LineWidth).
-    pub fn draw_wide_outline<
-        M: Mode,
-        Z: DepthTest,
-        B: Blending<C>,
-        V: ModelToPicture,
-        S: ShaderFor<B::Source>,
-    >(
-        &mut self,
-        options: &DrawOptions<M, Z, B>,
-        mesh: &Mesh<'_>,
-        outline: &Outline<'_>,
-        width: LineWidth,
-        mvp: &V,
-        shader: &S,
-    ) -> Drawn {
-        self.call(options, (mesh, mvp), shader, |call, blitter| {
-            outline::outline(call, outline, &wide(width), blitter)
-        })
-    }
-
-    /// Draws a mesh's [`Outline`] as lines, one pixel wide: of its edges, the creases and silhouettes at which a face
-    /// is not culled.
+    /// Draws a mesh's [`Outline`] as [`draw_edges`](Self::draw_edges) draws edges: the creases and silhouettes at which
+    /// a face is not culled.
     ///
-    /// A face counts as front or back exactly if triangles do, so the outline of a closed mesh has no gaps. Lines have
-    /// the pixels of [`draw_edges`](Self::draw_edges).
+    /// A face counts as front or back exactly if triangles do, so the outline of a closed mesh has no gaps.
     ///
     /// To remove hidden lines, draw the faces first, in the color of the background and slightly behind their place:
     ///
@@ -372,107 +261,23 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         M: Mode,
         Z: DepthTest,
         B: Blending<C>,
+        L: LineStyle<C>,
         V: ModelToPicture,
         S: ShaderFor<B::Source>,
     >(
         &mut self,
-        options: &DrawOptions<M, Z, B>,
+        options: &DrawOptions<M, Z, B, L>,
         mesh: &Mesh<'_>,
         outline: &Outline<'_>,
         mvp: &V,
         shader: &S,
     ) -> Drawn {
-        self.call(options, (mesh, mvp), shader, |call, blitter| {
-            outline::outline(call, outline, &raster::line, blitter)
+        let state = L::State::default();
+        let painter = L::painter(&state, *shader, options.pixels.blending);
+        self.paint(options, (mesh, mvp), painter, |call, blitter| {
+            let line = options.line.with(&state);
+            outline::outline(call, outline, &line, blitter)
         })
-    }
-
-    /// Draws a mesh's [edges](Mesh::edges) as anti-aliased lines of a [width](LineWidth): the share of each pixel
-    /// that the line covers gets the line's color.
-    ///
-    /// Let d be the distance from the pixel's center to the nearest point of the line, whose ends are exact to 1/256
-    /// pixel: then the share is (width + 1)/2 − d, limited to 0 and 1. So ends are round, and a line is as wide and as
-    /// strong in every direction, unlike those of [`draw_edges`](Self::draw_edges). A share is within 1.3/256 of its
-    /// value; blending rounds as for [`Opacity`](crate::target::Opacity), and dithers coarse colors. On 1-bit panels,
-    /// plain lines are better.
-    ///
-    /// Depth and attributes are those of a plain line, along the longer axis; beyond the ends, those of the ends. So a
-    /// pixel has the depth of a place up to √2 · (width + 1)/2 pixels away. To draw lines on the mesh that hides them,
-    /// draw the mesh [`Biased`](crate::target::Biased) by that many pixels, as below. Draw smooth lines last, with
-    /// [`TestOnly`](crate::target::TestOnly), because what is drawn behind a half covered pixel later would not show.
-    ///
-    /// A blending of the options applies to the line's color before its share does.
-    ///
-    /// ```
-    /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
-    /// use fixel::{prelude::*, target::{Biased, TestAndWrite, TestOnly}};
-    /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
-    /// let projection = Projection::perspective(deg!(60), (1, 1), fx!(0.5), fx!(8))?;
-    /// let mvp = projection * Transform::translate(vec3!(0, 0, -4)) * Transform::rotate_y(deg!(30));
-    /// let (mut color, mut depth) = ([Gray8::BLACK; 24 * 24], [0; 24 * 24]);
-    /// let mut canvas = Canvas::new(&mut color, 24, 24)?.with_depth(&mut depth)?;
-    /// canvas.clear(Gray8::BLACK);
-    /// let behind = DrawOptions::new().with_depth(Biased::new(TestAndWrite, -2, fx!(-1.5)));
-    /// canvas.draw_with(&behind, &BOX, &mvp, &Flat::new(Gray8::new(60)));
-    /// let lines = DrawOptions::new().with_depth(TestOnly);
-    /// let thin = LineWidth::new(fx!(1))?;
-    /// canvas.draw_smooth_edges(&lines, &BOX, thin, &mvp, &Flat::new(Gray8::WHITE));
-    /// # assert!(canvas.pixels().any(|pixel| (61..255).contains(&pixel.luma())));
-    /// # Ok::<(), Error>(())
-    /// ```
-    pub fn draw_smooth_edges<
-        M: Mode,
-        Z: DepthTest,
-        B: Blending<C>,
-        V: ModelToPicture,
-        S: ShaderFor<B::Source>,
-    >(
-        &mut self,
-        options: &DrawOptions<M, Z, B>,
-        mesh: &Mesh<'_>,
-        width: LineWidth,
-        mvp: &V,
-        shader: &S,
-    ) -> Drawn
-    where
-        C: Levels,
-    {
-        self.smooth(
-            options,
-            (mesh, mvp),
-            width,
-            shader,
-            |call, line, blitter| outline::edges(call, line, blitter),
-        )
-    }
-
-    /// Draws a mesh's [`Outline`] as [`draw_outline`](Self::draw_outline) does, in anti-aliased lines like those of
-    /// [`draw_smooth_edges`](Self::draw_smooth_edges).
-    pub fn draw_smooth_outline<
-        M: Mode,
-        Z: DepthTest,
-        B: Blending<C>,
-        V: ModelToPicture,
-        S: ShaderFor<B::Source>,
-    >(
-        &mut self,
-        options: &DrawOptions<M, Z, B>,
-        mesh: &Mesh<'_>,
-        outline: &Outline<'_>,
-        width: LineWidth,
-        mvp: &V,
-        shader: &S,
-    ) -> Drawn
-    where
-        C: Levels,
-    {
-        self.smooth(
-            options,
-            (mesh, mvp),
-            width,
-            shader,
-            |call, line, blitter| outline::outline(call, outline, line, blitter),
-        )
     }
 
     /// Draws a mesh's positions as points: the pixel that contains each.
@@ -535,8 +340,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         mvp: &V,
         shader: &S,
     ) -> Drawn {
-        let viewport = options.viewport_in(self.frame_size());
-        let half = points::HalfSize::new(style, mvp.projection_of(), &viewport);
+        let screen = options.screen(self.frame_size());
+        let half = points::HalfSize::new(style, mvp.projection_of(), &screen.viewport);
         self.call(options, (mesh, mvp), shader, |call, blitter| {
             points::sized_points(call, &half, style.is_round(), blitter)
         })
@@ -604,17 +409,14 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         mvp: &V,
         shader: &S,
     ) -> Drawn {
-        let frame = self.frame_size();
-        let viewport = options.viewport_in(frame);
-        let scissor = Scissor::new(&viewport, frame.width, self.rows());
-        let quads = Quads::new(sprites, mvp, &viewport);
-        let modes = (options.mode, options.depth);
-        let mut blit = Blit::<_, _, _, V::Kind, _, _>::new(
-            modes,
-            self,
-            (*shader, options.blending),
-            quads.depth_shift(),
-        );
+        let screen = options.screen(self.frame_size());
+        let scissor = screen.scissor(self.rows());
+        let quads = Quads::new(sprites, mvp, &screen.viewport);
+        let pixels = options.pixels;
+        let painter = (*shader, pixels.blending);
+        let modes = (pixels.mode, pixels.depth);
+        let mut blit =
+            Blit::<_, _, _, V::Kind, _, _>::new(modes, self, painter, quads.depth_shift());
         quads.draw(&scissor, &mut blit)
     }
 
@@ -626,13 +428,13 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// Use it to place a [`label`](Self::label) beside an object. For the opposite way, from a pixel into the scene, see
     /// [`ray`](Self::ray).
     #[must_use]
-    pub fn project<M: Copy, Z: Copy, B: Copy, V: ModelToPicture>(
+    pub fn project<M: Copy, Z: Copy, B: Copy, L: Copy, V: ModelToPicture>(
         &self,
-        options: &DrawOptions<M, Z, B>,
+        options: &DrawOptions<M, Z, B, L>,
         mvp: &V,
         point: Vec3,
     ) -> Option<ScreenPoint> {
-        let viewport = options.viewport_in(self.frame_size());
+        let viewport = options.screen(self.frame_size()).viewport;
         let projector = Projector::new(
             Positions::of_one(&point),
             mvp.projection_of(),
@@ -730,21 +532,20 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// # Ok::<(), Error>(())
     /// ```
     #[must_use]
-    pub fn is_in_view<M: Copy, Z: Copy, B: Copy, V: ModelToPicture>(
+    pub fn is_in_view<M: Copy, Z: Copy, B: Copy, L: Copy, V: ModelToPicture>(
         &self,
-        options: &DrawOptions<M, Z, B>,
+        options: &DrawOptions<M, Z, B, L>,
         bounds: &Bounds,
         mvp: &V,
     ) -> bool {
-        let (frame, rows) = (self.frame_size(), self.rows());
-        let viewport = options.viewport_in(frame);
+        let screen = options.screen(self.frame_size());
         let projector = Projector::new(
             Positions::of_one(&Vec3::ZERO),
             mvp.projection_of(),
             &mvp.model_view_of(),
-            &viewport,
+            &screen.viewport,
         );
-        let scissor = Scissor::new(&viewport, frame.width, rows);
+        let scissor = screen.scissor(self.rows());
         !scissor.is_empty() && !projector.misses(bounds, &scissor)
     }
 
@@ -776,9 +577,9 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// # Ok::<(), Error>(())
     /// ```
     #[must_use]
-    pub fn size_on_screen<M: Copy, Z: Copy, B: Copy, V: ModelToPicture>(
+    pub fn size_on_screen<M: Copy, Z: Copy, B: Copy, L: Copy, V: ModelToPicture>(
         &self,
-        options: &DrawOptions<M, Z, B>,
+        options: &DrawOptions<M, Z, B, L>,
         bounds: &Bounds,
         mvp: &V,
     ) -> u32 {
@@ -790,7 +591,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         if V::Kind::PERSPECTIVE && ahead <= i64::from(diagonal) {
             return u32::MAX;
         }
-        let viewport = options.viewport_in(self.frame_size());
+        let viewport = options.screen(self.frame_size()).viewport;
         let [width, _] = mvp.projection_of().pixel(&viewport);
         let pixel = if V::Kind::PERSPECTIVE {
             width.times(BlockFloat::new(ahead, 17))
@@ -802,83 +603,50 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         u32::try_from(size.at(8) >> 8).unwrap_or(u32::MAX)
     }
 
-    /// Draws prepared edges with any painter, as `line`s, with the number of rows that they reach beyond their ends.
-    #[inline]
-    fn paint_edges<M: Mode, Z: DepthTest, B: Copy, K: ProjectionKind, P: Painter<Color = C>>(
-        &mut self,
-        prepared: &PreparedEdges<'_, K, M, Z, B>,
-        painter: P,
-        line: (DrawLine<'_>, i32),
-    ) -> Result<Drawn, Error> {
-        check_frame(self.frame_size(), prepared.frame)?;
-        let rows = self.rows().clone();
-        let modes = (prepared.mode, prepared.test);
-        let mut blit = Blit::<_, _, _, K, _, _>::new(modes, self, painter, prepared.depth_shift);
-        Ok(prepared.draw(line, &mut blit, &rows))
-    }
-
-    /// Sets up a draw call of anti-aliased lines and runs it.
-    #[inline]
-    fn smooth<M: Mode, Z: DepthTest, B: Blending<C>, V: ModelToPicture, S: ShaderFor<B::Source>>(
-        &mut self,
-        options: &DrawOptions<M, Z, B>,
-        parts: (&Mesh<'_>, &V),
-        width: LineWidth,
-        shader: &S,
-        stages: impl FnOnce(&Call<'_, V::Kind>, DrawLine<'_>, &mut dyn Blitter) -> Drawn,
-    ) -> Drawn
-    where
-        C: Levels,
-    {
-        let cover = Cell::new(LineCover::NONE);
-        let painter = Smooth {
-            shader: *shader,
-            blending: options.blending,
-            cover: &cover,
-        };
-        self.paint(options, parts, painter, |call, blitter| {
-            stages(call, &smooth(width, &cover), blitter)
-        })
-    }
-
     /// Sets up a draw call and runs it.
     #[inline]
     fn call<M: Mode, Z: DepthTest, B: Blending<C>, V: ModelToPicture, S: ShaderFor<B::Source>>(
         &mut self,
         options: &DrawOptions<M, Z, B>,
-        (mesh, mvp): (&Mesh<'_>, &V),
+        parts: (&Mesh<'_>, &V),
         shader: &S,
         stages: impl FnOnce(&Call<'_, V::Kind>, &mut dyn Blitter) -> Drawn,
     ) -> Drawn {
-        self.paint(options, (mesh, mvp), (*shader, options.blending), stages)
+        self.paint(options, parts, (*shader, options.pixels.blending), stages)
     }
 
     /// The same with any painter.
     #[inline]
-    fn paint<M: Mode, Z: DepthTest, B: Copy, V: ModelToPicture, P: Painter<Color = C>>(
+    fn paint<M: Mode, Z: DepthTest, B, L: Copy, V: ModelToPicture, P: Painter<Color = C>>(
         &mut self,
-        options: &DrawOptions<M, Z, B>,
+        options: &DrawOptions<M, Z, B, L>,
         (mesh, mvp): (&Mesh<'_>, &V),
         painter: P,
         stages: impl FnOnce(&Call<'_, V::Kind>, &mut dyn Blitter) -> Drawn,
-    ) -> Drawn {
-        let call = Call::new(options, mesh, mvp, (self.frame_size(), self.rows()));
-        let modes = (options.mode, options.depth);
+    ) -> Drawn
+    where
+        B: Copy,
+    {
+        let call = Call::new(&options.screen(self.frame_size()), self.rows(), mesh, mvp);
+        let modes = (options.pixels.mode, options.pixels.depth);
         let mut blit =
             Blit::<_, _, _, V::Kind, _, _>::new(modes, self, painter, call.depth_shift());
         stages(&call, &mut blit)
     }
-}
 
-/// Draws lines of a width.
-fn wide(width: LineWidth) -> impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]) {
-    move |raster, ends| raster::wide_line(raster, ends, width)
-}
-
-/// Draws anti-aliased lines.
-fn smooth(
-    width: LineWidth,
-    cover: &Cell<LineCover>,
-) -> impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]) {
-    move |raster, ends| raster::smooth_line(raster, ends, width, cover)
+    /// The same for primitives that are prepared.
+    #[inline]
+    fn paint_prepared<M: Mode, Z: DepthTest, B, K: ProjectionKind, P: Painter<Color = C>>(
+        &mut self,
+        call: &PreparedCall<'_, K>,
+        pixels: &PixelOptions<M, Z, B>,
+        painter: P,
+        stages: impl FnOnce(&Range<u32>, &mut dyn Blitter) -> Drawn,
+    ) -> Result<Drawn, Error> {
+        call.screen.check(self.frame_size())?;
+        let rows = self.rows().clone();
+        let modes = (pixels.mode, pixels.depth);
+        let mut blit = Blit::<_, _, _, K, _, _>::new(modes, self, painter, call.depth_shift);
+        Ok(stages(&rows, &mut blit))
+    }
 }

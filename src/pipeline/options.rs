@@ -2,16 +2,17 @@
 
 use embedded_graphics::geometry::Size;
 
-use crate::raster::Cull;
+use super::call::Screen;
+use crate::raster::{Cull, Hairline};
 use crate::span::{Fast, Mode, Newton};
 use crate::target::{DepthTest, Replace, TestAndWrite};
 use crate::view::Viewport;
 
 /// The options of a draw call: which faces are culled, which part of the frame is drawn to, the interpolation mode,
-/// the depth test, and how colors are blended with those that are there.
+/// the depth test, how colors are blended with those that are there, and how lines are drawn.
 ///
 /// By default, a draw call culls back faces, draws to the whole frame in mode [`Newton`], tests and stores depths, and
-/// replaces what is there.
+/// replaces what is there. Lines are one pixel wide.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -21,12 +22,30 @@ use crate::view::Viewport;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct DrawOptions<M = Newton, Z = TestAndWrite, B = Replace> {
-    pub(super) cull: Cull,
-    pub(super) viewport: Option<Viewport>,
+pub struct DrawOptions<M = Newton, Z = TestAndWrite, B = Replace, L = Hairline> {
+    cull: Cull,
+    viewport: Option<Viewport>,
+    pub(super) pixels: PixelOptions<M, Z, B>,
+    pub(super) line: L,
+}
+
+/// The options that each pixel is drawn with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub(super) struct PixelOptions<M, Z, B> {
     pub(super) mode: M,
     pub(super) depth: Z,
     pub(super) blending: B,
+}
+
+impl<M, Z, B> PixelOptions<M, Z, B> {
+    pub(super) fn with_blending<A>(self, blending: A) -> PixelOptions<M, Z, A> {
+        PixelOptions {
+            mode: self.mode,
+            depth: self.depth,
+            blending,
+        }
+    }
 }
 
 impl Default for DrawOptions {
@@ -42,9 +61,12 @@ impl DrawOptions {
         Self {
             cull: Cull::Back,
             viewport: None,
-            mode: Newton,
-            depth: TestAndWrite,
-            blending: Replace,
+            pixels: PixelOptions {
+                mode: Newton,
+                depth: TestAndWrite,
+                blending: Replace,
+            },
+            line: Hairline,
         }
     }
 
@@ -62,7 +84,7 @@ impl DrawOptions {
     }
 }
 
-impl<M: Copy, Z: Copy, B: Copy> DrawOptions<M, Z, B> {
+impl<M: Copy, Z: Copy, B: Copy, L: Copy> DrawOptions<M, Z, B, L> {
     /// Sets which faces are culled.
     #[must_use]
     pub const fn with_cull(self, cull: Cull) -> Self {
@@ -80,37 +102,64 @@ impl<M: Copy, Z: Copy, B: Copy> DrawOptions<M, Z, B> {
 
     /// Sets the interpolation mode.
     #[must_use]
-    pub const fn with_mode<N: Mode>(self, mode: N) -> DrawOptions<N, Z, B> {
+    pub const fn with_mode<N: Mode>(self, mode: N) -> DrawOptions<N, Z, B, L> {
         DrawOptions {
             cull: self.cull,
             viewport: self.viewport,
-            mode,
-            depth: self.depth,
-            blending: self.blending,
+            pixels: PixelOptions {
+                mode,
+                depth: self.pixels.depth,
+                blending: self.pixels.blending,
+            },
+            line: self.line,
         }
     }
 
     /// Sets how depths are tested and stored. On a canvas without a depth buffer, this has no effect.
     #[must_use]
-    pub const fn with_depth<Y: DepthTest>(self, depth: Y) -> DrawOptions<M, Y, B> {
+    pub const fn with_depth<Y: DepthTest>(self, depth: Y) -> DrawOptions<M, Y, B, L> {
         DrawOptions {
             cull: self.cull,
             viewport: self.viewport,
-            mode: self.mode,
-            depth,
-            blending: self.blending,
+            pixels: PixelOptions {
+                mode: self.pixels.mode,
+                depth,
+                blending: self.pixels.blending,
+            },
+            line: self.line,
         }
     }
 
     /// Sets how colors are blended with those on the canvas.
     #[must_use]
-    pub const fn with_blending<A: Copy>(self, blending: A) -> DrawOptions<M, Z, A> {
+    pub const fn with_blending<A: Copy>(self, blending: A) -> DrawOptions<M, Z, A, L> {
         DrawOptions {
             cull: self.cull,
             viewport: self.viewport,
-            mode: self.mode,
-            depth: self.depth,
-            blending,
+            pixels: PixelOptions {
+                mode: self.pixels.mode,
+                depth: self.pixels.depth,
+                blending,
+            },
+            line: self.line,
+        }
+    }
+
+    /// Sets how lines are drawn.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// let wide = DrawOptions::new().with_line(LineWidth::new(fx!(3))?);
+    /// let smooth = DrawOptions::new().with_line(LineWidth::new(fx!(1.5))?.smooth());
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub const fn with_line<N: Copy>(self, line: N) -> DrawOptions<M, Z, B, N> {
+        DrawOptions {
+            cull: self.cull,
+            viewport: self.viewport,
+            pixels: self.pixels,
+            line,
         }
     }
 
@@ -129,23 +178,33 @@ impl<M: Copy, Z: Copy, B: Copy> DrawOptions<M, Z, B> {
     /// Returns how attributes are interpolated.
     #[must_use]
     pub const fn mode(&self) -> M {
-        self.mode
+        self.pixels.mode
     }
 
     /// Returns how depths are tested and stored.
     #[must_use]
     pub const fn depth(&self) -> Z {
-        self.depth
+        self.pixels.depth
     }
 
     /// Returns how colors are blended with those on the canvas.
     #[must_use]
     pub const fn blending(&self) -> B {
-        self.blending
+        self.pixels.blending
     }
 
-    /// The viewport in a frame of this size.
-    pub(super) fn viewport_in(&self, frame: Size) -> Viewport {
-        self.viewport.unwrap_or(Viewport::whole(frame))
+    /// Returns how lines are drawn.
+    #[must_use]
+    pub const fn line(&self) -> L {
+        self.line
+    }
+
+    /// What is drawn of a frame of this size.
+    pub(super) fn screen(&self, frame: Size) -> Screen {
+        Screen {
+            frame,
+            viewport: self.viewport.unwrap_or(Viewport::whole(frame)),
+            cull: self.cull,
+        }
     }
 }

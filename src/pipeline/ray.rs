@@ -343,14 +343,14 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// # Ok::<(), Error>(())
     /// ```
     #[must_use]
-    pub fn ray<M: Copy, Z: Copy, B: Copy, V: ModelToPicture>(
+    pub fn ray<M: Copy, Z: Copy, B: Copy, L: Copy, V: ModelToPicture>(
         &self,
-        options: &DrawOptions<M, Z, B>,
+        options: &DrawOptions<M, Z, B, L>,
         mvp: &V,
         pixel: Point,
     ) -> Option<Ray> {
-        let viewport = options.viewport_in(self.frame_size());
-        let [columns, rows] = viewport.pixels();
+        let screen = options.screen(self.frame_size());
+        let [columns, rows] = screen.viewport.pixels();
         if !columns.contains(&pixel.x) || !rows.contains(&pixel.y) {
             return None;
         }
@@ -367,7 +367,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         Some(Ray {
             origin: inverse.point(&near)?,
             direction: Direction::from_bits(inverse.direction(&direction)?),
-            cull: match options.cull {
+            cull: match screen.cull {
                 Cull::Back if inverse.is_mirror => Cull::Front,
                 Cull::Front if inverse.is_mirror => Cull::Back,
                 cull => cull,

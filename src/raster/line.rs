@@ -5,7 +5,7 @@ use core::ops::Range;
 use super::edge::{Edge, first_center};
 use super::{ClippedVertex, Patch, Rasterizer, ScreenVertex};
 
-/// Draws a line.
+/// Lines of one pixel, which is what [`DrawOptions`](crate::DrawOptions) have unless they are told otherwise.
 ///
 /// Along its longer axis, the line gets one pixel for each pixel center that it passes; across, it is the pixel that
 /// contains the line there. A center at the left end (of steep lines, the upper end) belongs to the line, a center at
@@ -18,6 +18,16 @@ use super::{ClippedVertex, Patch, Rasterizer, ScreenVertex};
 /// ```
 ///
 /// The pixels do not depend on the line's direction.
+///
+/// ```
+/// use fixel::{Hairline, prelude::*};
+/// assert_eq!(DrawOptions::new().line(), Hairline);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Hairline;
+
+/// Draws a line as a [`Hairline`].
 pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
     let Some(Course {
         steep,

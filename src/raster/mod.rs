@@ -23,6 +23,7 @@ use crate::mesh::Primitive;
 pub use cull::Cull;
 pub(crate) use edge::first_center;
 pub(crate) use gradient::Gradient;
+pub use line::Hairline;
 pub(crate) use line::line;
 pub(crate) use point::point;
 pub(crate) use polygon::Polygon;
@@ -33,7 +34,8 @@ pub(crate) use setup::{
 };
 pub use sized_point::PointStyle;
 pub(crate) use sized_point::sized_point;
-pub(crate) use smooth_line::{LineCover, smooth_line};
+pub use smooth_line::SmoothLine;
+pub(crate) use smooth_line::{Coverage, smooth_line};
 pub(crate) use triangle::{Triangle, area};
 pub(crate) use vertex::{Barycentric, ClippedVertex, DepthShift, ScreenVertex};
 pub use wide_line::LineWidth;

@@ -12,10 +12,59 @@ use crate::num::block::BlockFloat;
 use crate::num::rsqrt::unit;
 use crate::num::wide::product;
 
-/// The share of each pixel that a line covers.
+/// Anti-aliased lines of a width: the share of each pixel that the line covers gets the line's color.
+///
+/// Let d be the distance from the pixel's center to the nearest point of the line, whose ends are exact to 1/256
+/// pixel: then the share is (width + 1)/2 − d, limited to 0 and 1. So ends are round, and a line is as wide and as
+/// strong in every direction, unlike a [`Hairline`](crate::Hairline). A share is within 1.3/256 of its
+/// value; blending rounds as for [`Opacity`](crate::target::Opacity), and dithers coarse colors. On 1-bit panels,
+/// plain lines are better.
+///
+/// Depth and attributes are those of a plain line, along the longer axis; beyond the ends, those of the ends. So a
+/// pixel has the depth of a place up to √2 · (width + 1)/2 pixels away. To draw lines on the mesh that hides them,
+/// draw the mesh [`Biased`](crate::target::Biased) by that many pixels, as below. Draw smooth lines last, with
+/// [`TestOnly`](crate::target::TestOnly), because what is drawn behind a half covered pixel later would not show.
+///
+/// A blending of the options applies to the line's color before its share does.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+/// use fixel::{prelude::*, target::{Biased, TestAndWrite, TestOnly}};
+/// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+/// let projection = Projection::perspective(deg!(60), (1, 1), fx!(0.5), fx!(8))?;
+/// let mvp = projection * Transform::translate(vec3!(0, 0, -4)) * Transform::rotate_y(deg!(30));
+/// let (mut color, mut depth) = ([Gray8::BLACK; 24 * 24], [0; 24 * 24]);
+/// let mut canvas = Canvas::new(&mut color, 24, 24)?.with_depth(&mut depth)?;
+/// canvas.clear(Gray8::BLACK);
+/// let behind = DrawOptions::new().with_depth(Biased::new(TestAndWrite, -2, fx!(-1.5)));
+/// canvas.draw_with(&behind, &BOX, &mvp, &Flat::new(Gray8::new(60)));
+/// let lines = DrawOptions::new().with_depth(TestOnly).with_line(LineWidth::new(fx!(1))?.smooth());
+/// canvas.draw_edges(&lines, &BOX, &mvp, &Flat::new(Gray8::WHITE));
+/// # assert!(canvas.pixels().any(|pixel| (61..255).contains(&pixel.luma())));
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SmoothLine {
+    width: LineWidth,
+}
+
+impl SmoothLine {
+    pub(crate) const fn new(width: LineWidth) -> Self {
+        Self { width }
+    }
+
+    /// The width of the lines.
+    #[must_use]
+    pub const fn width(self) -> LineWidth {
+        self.width
+    }
+}
+
+/// The share of each pixel that a line covers; by default, none.
 ///
 /// ```text
-///  cover = half + ½ − distance, from 0 to 1          The distance leads from the pixel's center to the nearest point of
+///  share = half + ½ − distance, from 0 to 1          The distance leads from the pixel's center to the nearest point of
 ///                                                    the line between its ends, so the ends are round.
 ///        ╭──────────────────╮ ½
 ///      ╭─┼──────────────────┼─╮ half
@@ -27,8 +76,8 @@ use crate::num::wide::product;
 /// `direction` is within 1.3 · 2⁻²⁶ of its value, which moves a line by less than 2⁻¹² pixel at a distance of 4096 pixels
 /// in each direction. Across and along are cut to 2⁻¹⁰ pixel, and so is the root of their squares, together by
 /// (1 + √2) · 2⁻¹⁰; along has 2⁻¹¹ more near the ends; the share is rounded to 256ths, by 2⁻⁹. In all, it is within 1.3/256.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct LineCover {
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Coverage {
     /// From a to b, of length one, in units of 2⁻²⁵.
     direction: [i32; 2],
     /// Across, at the center of pixel (0, 0): in units of 2⁻²⁵ pixel, modulo 128 pixels. A pixel that is drawn is at
@@ -41,16 +90,7 @@ pub(crate) struct LineCover {
     reach: u32,
 }
 
-impl LineCover {
-    /// Covers nothing.
-    pub(crate) const NONE: Self = Self {
-        direction: [0; 2],
-        across: 0,
-        along: 0,
-        end: 0,
-        reach: 0,
-    };
-
+impl Coverage {
     fn new([a, b]: [[i32; 2]; 2], width: LineWidth) -> Self {
         let [dx, dy] = [b[0] - a[0], b[1] - a[1]];
         // A line without length is a disc, whatever its direction.
@@ -93,8 +133,8 @@ impl LineCover {
             // Both are below 2^16, and below 33 · 2^10.
             (across * across + beyond * beyond).isqrt()
         };
-        let cover = self.reach.saturating_sub(distance).min(1 << 10);
-        (cover + 2) >> 2
+        let coverage = self.reach.saturating_sub(distance).min(1 << 10);
+        (coverage + 2) >> 2
     }
 }
 
@@ -104,7 +144,7 @@ pub(crate) fn smooth_line(
     raster: &mut Rasterizer<'_>,
     [mut a, mut b]: [&ClippedVertex; 2],
     width: LineWidth,
-    cover: &Cell<LineCover>,
+    coverage: &Cell<Coverage>,
 ) {
     // From above to below, so that the direction of the line has no influence.
     let ([ax, ay], [bx, by]) = (a.vertex.screen, b.vertex.screen);
@@ -112,7 +152,7 @@ pub(crate) fn smooth_line(
         (a, b) = (b, a);
     }
     let ends = [a.vertex.screen, b.vertex.screen];
-    cover.set(LineCover::new(ends, width));
+    coverage.set(Coverage::new(ends, width));
     let strip = Strip::new(ends, width);
     let bounds = strip.within(raster.scissor);
 
@@ -228,16 +268,16 @@ mod tests {
     /// The share that each pixel is covered by a line between two places in quarters of a pixel: in sixteenths as a
     /// hexadecimal digit, where f is all of it. What the rasterizer leaves out has no share.
     fn shares(width: Scalar, ends: [[i32; 2]; 2]) -> std::vec::Vec<std::string::String> {
-        let cover = Cell::new(LineCover::NONE);
+        let coverage = Cell::default();
         let mut picture = Picture::new(12, 7);
         let scissor = picture.scissor();
         let [from, to] = ends.map(|end| clipped(end.map(|at| at * 64)));
         let width = LineWidth::new(width).unwrap();
         let raster = &mut Rasterizer::new(&mut picture, &scissor);
-        smooth_line(raster, [&from, &to], width, &cover);
+        smooth_line(raster, [&from, &to], width, &coverage);
         let drawn = picture.text();
         let share = |y: i32, x: i32, ink: char| {
-            let share = cover.get().at(Point::new(x, y));
+            let share = coverage.get().at(Point::new(x, y));
             assert!(ink != '!', "{x} {y} is drawn twice");
             assert!(ink != '.' || share == 0, "{x} {y} is left out: {share}");
             match share {

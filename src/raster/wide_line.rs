@@ -4,17 +4,15 @@ use core::ops::Range;
 
 use super::edge::Edge;
 use super::line::Course;
-use super::{ClippedVertex, Rasterizer};
+use super::{ClippedVertex, Rasterizer, SmoothLine};
 use crate::{Error, Scalar};
 
-/// The width of lines, in pixels, for [`Canvas::draw_wide_edges`](crate::Canvas::draw_wide_edges), as described here,
-/// and for [`Canvas::draw_smooth_edges`](crate::Canvas::draw_smooth_edges), which measures it at right angles to the
-/// line.
+/// Lines of a width in pixels. For anti-aliased ones, see [`smooth`](Self::smooth).
 ///
 /// For each pixel center that a line passes along its longer axis, it gets a run of pixels across that axis: those whose
 /// centers are within half the width of the line there. A center exactly on the upper or left end of the run does not
-/// belong to it, a center on the lower or right end does. So a line of width 1 has the pixels of
-/// [`draw_edges`](crate::Canvas::draw_edges), and a line of width n has n pixels in each run.
+/// belong to it, a center on the lower or right end does. So a line of width 1 has the pixels of a
+/// [`Hairline`](crate::Hairline), and a line of width n has n pixels in each run.
 ///
 /// ```text
 ///  run        #   #   #            As in OpenGL, the width counts across the longer axis.
@@ -27,6 +25,33 @@ use crate::{Error, Scalar};
 /// use fixel::prelude::*;
 /// assert_eq!(LineWidth::new(fx!(2.5))?.pixels(), fx!(2.5));
 /// assert!(LineWidth::new(fx!(0.5)).is_err());
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
+/// use fixel::prelude::*;
+/// let corners = [vec3!(1, -6, 0), vec3!(6, -2, 0), vec3!(11, -6, 0)];
+/// let roof = Mesh::new(&corners, &[])?.with_edges(&[[0, 1], [1, 2]])?;
+/// let window = Window { left: fx!(0), right: fx!(12), bottom: fx!(-8), top: fx!(0) };
+/// let projection = Projection::orthographic(window, fx!(-1), fx!(1))?;
+/// let mut color = [BinaryColor::Off; 12 * 8];
+/// let mut canvas = Canvas::new(&mut color, 12, 8)?;
+/// let white = Flat::new(BinaryColor::On);
+/// let wide = DrawOptions::new().with_line(LineWidth::new(fx!(3))?);
+/// canvas.draw_edges(&wide, &roof, &projection, &white);
+/// let mut display = MockDisplay::new();
+/// canvas.show(&mut display)?;
+/// display.assert_pattern(&[
+///     "............",
+///     ".....##.....",
+///     "....####....",
+///     "..########..",
+///     ".####..####.",
+///     ".###....###.",
+///     ".#........#.",
+///     "............",
+/// ]);
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -55,6 +80,12 @@ impl LineWidth {
         Ok(Self {
             half: (bits + (1 << 8)) >> 9,
         })
+    }
+
+    /// Anti-aliased lines of this width, measured at right angles to the line.
+    #[must_use]
+    pub const fn smooth(self) -> SmoothLine {
+        SmoothLine::new(self)
     }
 
     /// How many rows a line of this width may reach beyond its ends, anti-aliased or not.

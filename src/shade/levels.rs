@@ -85,18 +85,18 @@ pub trait Levels: PixelColor {
         Self::from_levels(each(steps, |step| step << 16), Point::zero())
     }
 
-    /// This color, covered by another one in a share of `cover`/256, where `cover` is 0 to 256.
+    /// This color, covered by another one in a share of `coverage`/256, where `coverage` is 0 to 256.
     ///
     /// The mixture is rounded or dithered as by [`from_levels`](Self::from_levels). For colors of 15 and 16 bits, the
     /// share is first rounded to 1/32.
     #[must_use]
     #[inline]
-    fn covered(self, by: Self, cover: u32, at: Point) -> Self {
+    fn covered(self, by: Self, coverage: u32, at: Point) -> Self {
         let ([r, g, b], [x, y, z]) = (self.steps(), by.steps());
         let levels = [
-            covered(r, x, cover),
-            covered(g, y, cover),
-            covered(b, z, cover),
+            covered(r, x, coverage),
+            covered(g, y, coverage),
+            covered(b, z, coverage),
         ];
         Self::from_levels(levels, at)
     }
@@ -282,14 +282,14 @@ fn scale([a, b, c]: [i32; 3], [x, y, z]: [i32; 3]) -> [i32; 3] {
     [a.wrapping_mul(x), b.wrapping_mul(y), c.wrapping_mul(z)]
 }
 
-/// The level between two steps, of which the second has a share of `cover`/256.
+/// The level between two steps, of which the second has a share of `coverage`/256.
 #[inline]
-const fn covered(below: i32, above: i32, cover: u32) -> i32 {
+const fn covered(below: i32, above: i32, coverage: u32) -> i32 {
     // 9 bits times 17 bits.
     (below << 16).wrapping_add(
         above
             .wrapping_sub(below)
-            .wrapping_mul((cover << 8).cast_signed()),
+            .wrapping_mul((coverage << 8).cast_signed()),
     )
 }
 
@@ -416,13 +416,13 @@ macro_rules! rgb {
             }
 
             #[inline]
-            fn covered(self, by: Self, cover: u32, at: Point) -> Self {
+            fn covered(self, by: Self, coverage: u32, at: Point) -> Self {
                 if Self::WEIGHT_BITS == 5 {
                     // One product for all channels. In this order, one color and one share are prepared before a loop.
-                    return by.mix(self, 32 - ((cover + 4) >> 3));
+                    return by.mix(self, 32 - ((coverage + 4) >> 3));
                 }
                 let ([r, g, b], [x, y, z]) = (self.steps(), by.steps());
-                let levels = [covered(r, x, cover), covered(g, y, cover), covered(b, z, cover)];
+                let levels = [covered(r, x, coverage), covered(g, y, coverage), covered(b, z, coverage)];
                 Self::from_levels(levels, at)
             }
         }

@@ -3,11 +3,11 @@
 use core::cell::Cell;
 
 use crate::mesh::Primitive;
-use crate::raster::LineCover;
+use crate::raster::Coverage;
 use crate::shade::{ColorOf, Fragment, Levels, Shader, Varyings};
 use crate::target::Blending;
 
-/// What the pixels of a draw call are colored by: a [`Shader`] and a [`Blending`], and of [`Smooth`] lines their cover.
+/// What the pixels of a draw call are colored by: a [`Shader`] and a [`Blending`], and of [`Smooth`] lines their coverage.
 pub(crate) trait Painter: Copy {
     /// The color of the canvas.
     type Color;
@@ -64,7 +64,7 @@ pub(crate) struct Smooth<'l, S, B> {
     pub(crate) shader: S,
     pub(crate) blending: B,
     /// The rasterizer sets it for each line.
-    pub(crate) cover: &'l Cell<LineCover>,
+    pub(crate) coverage: &'l Cell<Coverage>,
 }
 
 impl<S, B> Painter for Smooth<'_, S, B>
@@ -91,13 +91,13 @@ where
         varyings: S::Varyings,
         below: impl FnOnce() -> ColorOf<S>,
     ) -> Option<ColorOf<S>> {
-        let cover = self.cover.get().at(at.point);
-        if cover == 0 {
+        let coverage = self.coverage.get().at(at.point);
+        if coverage == 0 {
             return None;
         }
         let source = self.shader.shade(at, varyings)?;
         let below = below();
         let color = self.blending.blend(source, || below, at.point);
-        Some(below.covered(color, cover, at.point))
+        Some(below.covered(color, coverage, at.point))
     }
 }

@@ -135,9 +135,9 @@ proptest! {
             let edges = [edge];
             let mesh = Mesh::new(&positions, &[]).unwrap().with_edges(&edges).unwrap();
             let options = DrawOptions::new();
-            let wide = drawn(SIZE.1, |frame, pen| frame.draw_wide_edges(&options, &mesh, width, &mvp, pen));
+            let wide = drawn(SIZE.1, |frame, pen| frame.draw_edges(&options.with_line(width), &mesh, &mvp, pen));
             prop_assert_eq!(picture(&counts(&wide), SIZE.0), picture(&model, SIZE.0));
-            let bands = drawn(rows, |frame, pen| frame.draw_wide_edges(&options, &mesh, width, &mvp, pen));
+            let bands = drawn(rows, |frame, pen| frame.draw_edges(&options.with_line(width), &mesh, &mvp, pen));
             prop_assert_eq!(&bands, &wide);
             let thin = drawn(SIZE.1, |frame, pen| frame.draw_edges(&options, &mesh, &mvp, pen));
             if half == 128 {
@@ -171,7 +171,7 @@ proptest! {
             let mut colors = vec![Gray8::BLACK; (SIZE.0 * SIZE.1) as usize];
             for (first, rows) in (0..).step_by(rows as usize).zip(colors.chunks_mut((rows * SIZE.0) as usize)) {
                 let mut band = Canvas::band(rows, SIZE.0, SIZE.1, first).unwrap();
-                band.draw_smooth_edges(&options, mesh, width, &mvp, &Flat::new(Gray8::WHITE));
+                band.draw_edges(&options.with_line(width.smooth()), mesh, &mvp, &Flat::new(Gray8::WHITE));
             }
             colors
         };
@@ -182,7 +182,7 @@ proptest! {
 
         let mut colors = vec![Rgb565::BLACK; (SIZE.0 * SIZE.1) as usize];
         let mut canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
-        canvas.draw_smooth_edges(&options, &mesh, width, &mvp, &Flat::new(Rgb565::WHITE));
+        canvas.draw_edges(&options.with_line(width.smooth()), &mesh, &mvp, &Flat::new(Rgb565::WHITE));
 
         let float = |[x, y]: Point| [x, y].map(|at| f64::from(at) / 256.);
         let (screen, pixels) = (ends.map(float), f64::from(half) / 128.);
@@ -197,7 +197,7 @@ proptest! {
             }
         }
 
-        let smooth = drawn(SIZE.1, |frame, pen| frame.draw_smooth_edges(&options, &mesh, width, &mvp, pen));
+        let smooth = drawn(SIZE.1, |frame, pen| frame.draw_edges(&options.with_line(width.smooth()), &mesh, &mvp, pen));
         check_values(&smooth, ends, &drawn(SIZE.1, |frame, pen| frame.draw_edges(&options, &mesh, &mvp, pen)));
         prop_assert!(counts(&smooth).iter().all(|&count| count <= 1));
         for seen in smooth.iter().filter(|seen| {
@@ -218,9 +218,9 @@ proptest! {
         let width = LineWidth::new(Scalar::from_bits(half << 9)).unwrap();
         let mvp = Projection::from_focal_length(fx!(40), SIZE, fx!(0.25), fx!(32)).unwrap();
         let options = DrawOptions::new();
-        let wide = |rows| drawn(rows, |frame, pen| frame.draw_wide_edges(&options, &mesh, width, &mvp, pen));
+        let wide = |rows| drawn(rows, |frame, pen| frame.draw_edges(&options.with_line(width), &mesh, &mvp, pen));
         prop_assert_eq!(wide(rows), wide(SIZE.1));
-        let smooth = |rows| drawn(rows, |frame, pen| frame.draw_smooth_edges(&options, &mesh, width, &mvp, pen));
+        let smooth = |rows| drawn(rows, |frame, pen| frame.draw_edges(&options.with_line(width.smooth()), &mesh, &mvp, pen));
         prop_assert_eq!(smooth(rows), smooth(SIZE.1));
     }
 
@@ -244,12 +244,12 @@ proptest! {
             return Ok(());
         };
         let thin = drawn(SIZE.1, |frame, pen| frame.draw_edges(&plain, &mesh, &mvp, pen));
-        check_values(&drawn(SIZE.1, |frame, pen| frame.draw_smooth_edges(&plain, &mesh, width, &mvp, pen)), ends, &thin);
+        check_values(&drawn(SIZE.1, |frame, pen| frame.draw_edges(&plain.with_line(width.smooth()), &mesh, &mvp, pen)), ends, &thin);
         // However its color is blended.
         let glass = plain.with_blending(Opacity(opacity));
-        check_values(&drawn(SIZE.1, |frame, pen| frame.draw_smooth_edges(&glass, &mesh, width, &mvp, pen)), ends, &thin);
+        check_values(&drawn(SIZE.1, |frame, pen| frame.draw_edges(&glass.with_line(width.smooth()), &mesh, &mvp, pen)), ends, &thin);
         let light = plain.with_blending(Add);
-        check_values(&drawn(SIZE.1, |frame, pen| frame.draw_smooth_edges(&light, &mesh, width, &mvp, pen)), ends, &thin);
+        check_values(&drawn(SIZE.1, |frame, pen| frame.draw_edges(&light.with_line(width.smooth()), &mesh, &mvp, pen)), ends, &thin);
     }
 
     /// A square has the centers from half its size left of the point, or above, to half its size right, or below; the
@@ -331,7 +331,7 @@ proptest! {
     }
 }
 
-/// Outlines of a width have, around each line, its pixels: width 1 is `draw_outline`.
+/// Outlines of a width have, around each line, its pixels: width 1 is a hairline.
 #[test]
 fn wide_outlines_are_outlines() {
     static CAN: Mesh = shape!(cylinder(16));
@@ -344,16 +344,16 @@ fn wide_outlines_are_outlines() {
         frame.draw_outline(&options, &CAN, &RIMS, &mvp, pen)
     });
     let wide = |width| {
-        let width = LineWidth::new(width).unwrap();
+        let wide = options.with_line(LineWidth::new(width).unwrap());
         drawn(SIZE.1, |frame, pen| {
-            frame.draw_wide_outline(&options, &CAN, &RIMS, width, &mvp, pen)
+            frame.draw_outline(&wide, &CAN, &RIMS, &mvp, pen)
         })
     };
     assert_eq!(wide(fx!(1)), thin);
     // The center of a plain line's pixel is within half a pixel of the line.
-    let width = LineWidth::new(fx!(1)).unwrap();
+    let smooth = options.with_line(LineWidth::new(fx!(1)).unwrap().smooth());
     let smooth = drawn(SIZE.1, |frame, pen| {
-        frame.draw_smooth_outline(&options, &CAN, &RIMS, width, &mvp, pen)
+        frame.draw_outline(&smooth, &CAN, &RIMS, &mvp, pen)
     });
     let smooth = counts(&smooth);
     assert!(
@@ -382,7 +382,12 @@ fn blended_lines_are_the_models() {
     let mut colors = vec![Gray8::new(60); (SIZE.0 * SIZE.1) as usize];
     let mut canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
     let pen = Flat::new(Gray8::new(240));
-    canvas.draw_smooth_edges(&glass, &mesh, width, &pixel_lens(SIZE), &pen);
+    canvas.draw_edges(
+        &glass.with_line(width.smooth()),
+        &mesh,
+        &pixel_lens(SIZE),
+        &pen,
+    );
     let screen = ends.map(|end: Point| end.map(|at| f64::from(at) / 256.));
     let mut partly = 0;
     for (pixel, color) in Bounds::new(SIZE.0, SIZE.1).pixels().zip(&colors) {

@@ -2,6 +2,7 @@
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use fixel::prelude::*;
+use fixel::target::Opacity;
 use fixel::{Drawn, Object, PreparedScene};
 
 const WIDTH: u32 = 48;
@@ -187,8 +188,8 @@ fn one_meshs_list_refuses_a_canvas_of_another_frame() {
         let all = [
             canvas.draw_prepared(&ball, &pen),
             canvas.draw_prepared_edges(&edges, &pen),
-            canvas.draw_prepared_wide_edges(&edges, width, &pen),
-            canvas.draw_prepared_smooth_edges(&edges, width, &pen),
+            canvas.draw_prepared_edges(&edges.with_line(width), &pen),
+            canvas.draw_prepared_edges(&edges.with_line(width.smooth()), &pen),
         ];
         for refused in all {
             assert_eq!(refused.unwrap_err().to_string(), expected);
@@ -235,18 +236,20 @@ fn prepared_edges_are_the_edges() {
                 "{drawn:?}"
             );
             let (direct, _) = picture(HEIGHT, &|canvas| {
-                canvas.draw_wide_edges(&options, &BALL, width, &near, &pen)
+                canvas.draw_edges(&options.with_line(width), &BALL, &near, &pen)
             });
-            let (prepared, _) = picture(rows, &|band| {
-                band.draw_prepared_wide_edges(&edges, width, &pen).unwrap()
-            });
+            let wide = edges.with_line(width);
+            let (prepared, _) =
+                picture(rows, &|band| band.draw_prepared_edges(&wide, &pen).unwrap());
             assert!(prepared == direct);
+            // Blended, too.
+            let glass = options.with_blending(Opacity(99)).with_line(width.smooth());
             let (direct, _) = picture(HEIGHT, &|canvas| {
-                canvas.draw_smooth_edges(&options, &BALL, width, &near, &pen)
+                canvas.draw_edges(&glass, &BALL, &near, &pen)
             });
+            let glass = edges.with_blending(Opacity(99)).with_line(width.smooth());
             let (prepared, _) = picture(rows, &|band| {
-                band.draw_prepared_smooth_edges(&edges, width, &pen)
-                    .unwrap()
+                band.draw_prepared_edges(&glass, &pen).unwrap()
             });
             assert!(prepared == direct);
 

@@ -27,7 +27,8 @@ use fixel::texture::{Argb1555, Argb4444, Mipmap, MipmapArray, PackedGray4, Trili
 use fixel::texture::{Bilinear, Clamp, CutOut, Image, Nearest, Repeat};
 use fixel::view::{Parallel, Perspective, Segment};
 use fixel::{
-    Hit, Index, Matrix4, Object, Prepared, PreparedScene, RefusedFloat, ScreenPoint, Unit,
+    Hairline, Hit, Index, Matrix4, Object, Prepared, PreparedScene, RefusedFloat, ScreenPoint,
+    SmoothLine, Unit,
 };
 
 const fn any<T: Debug + Send + Sync + Unpin>() {}
@@ -48,8 +49,8 @@ all!(value: Aspect Camera Mvp Mvp<Parallel> Parallel Perspective Projection Proj
 all!(value: Segment Viewport Window);
 all!(value: Add Alpha Multiply Opacity Replace Translucent<Rgb565> Gradient<Rgb565>);
 all!(value: Argb1555 Argb4444 Masked<u8, u8> PackedGray4<'static>);
-all!(value: Counts LineWidth Missing PointStyle Shape);
-all!(value: Affine Exact Fast Newton Cull DrawOptions DrawOptions<Fast, Biased> Drawn ScreenPoint);
+all!(value: Counts Hairline LineWidth Missing PointStyle Shape SmoothLine);
+all!(value: Affine Exact Fast Newton Cull DrawOptions DrawOptions<Fast, Biased> DrawOptions<Fast, Biased, Replace, LineWidth> Drawn ScreenPoint);
 all!(value: Hit Ray);
 all!(value: Flat<Rgb565> Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> Fragment Light);
 all!(value: Converted<Flat<Rgb565>, Rgb565> FaceLit<Flat<Rgb565>> Lit<Flat<Rgb565>> Tinted<Flat<Rgb565>>);

@@ -65,14 +65,14 @@ impl<K: ProjectionKind> Call<'_, K> {
                 match self.width() {
                     None => canvas.draw_outline(options, self.mesh, &outline, &self.mvp, shader),
                     Some(width) => {
-                        let mesh = self.mesh;
-                        canvas.draw_wide_outline(options, mesh, &outline, width, &self.mvp, shader)
+                        let wide = options.with_line(width);
+                        canvas.draw_outline(&wide, self.mesh, &outline, &self.mvp, shader)
                     }
                 }
             }
             What::Edges if self.width().is_some() => {
-                let width = self.width().unwrap();
-                canvas.draw_wide_edges(options, self.mesh, width, &self.mvp, shader)
+                let wide = options.with_line(self.width().unwrap());
+                canvas.draw_edges(&wide, self.mesh, &self.mvp, shader)
             }
             What::Edges => canvas.draw_edges(options, self.mesh, &self.mvp, shader),
             What::Points if self.scene.style != 0 => {
@@ -414,7 +414,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         let draw = &mut |canvas: &mut Frame<'_>| match self.width() {
             None => canvas.draw_prepared_edges(&edges, shader).unwrap(),
             Some(width) => canvas
-                .draw_prepared_wide_edges(&edges, width, shader)
+                .draw_prepared_edges(&edges.with_line(width), shader)
                 .unwrap(),
         };
         let mut frame = self.blank();
@@ -426,19 +426,16 @@ impl<K: ProjectionKind> Call<'_, K> {
         );
 
         let width = self.width().unwrap_or(LineWidth::new(fx!(1)).unwrap());
+        let smooth = options.with_line(width.smooth());
         let mut direct = self.blank();
         let mut room = vec![[0; 4]; 3 * mesh.faces().len()];
         let outline = self.outline(&mut room);
         self.on_frame(&mut direct, &mut |canvas| match &outline {
-            Some(outline) => {
-                canvas.draw_smooth_outline(options, mesh, outline, width, &self.mvp, shader)
-            }
-            None => canvas.draw_smooth_edges(options, mesh, width, &self.mvp, shader),
+            Some(outline) => canvas.draw_outline(&smooth, mesh, outline, &self.mvp, shader),
+            None => canvas.draw_edges(&smooth, mesh, &self.mvp, shader),
         });
-        let bands = self.in_bands(&mut |band| {
-            band.draw_prepared_smooth_edges(&edges, width, shader)
-                .unwrap()
-        });
+        let edges = edges.with_line(width.smooth());
+        let bands = self.in_bands(&mut |band| band.draw_prepared_edges(&edges, shader).unwrap());
         assert!(bands == direct, "bands of prepared smooth edges differ");
     }
 
@@ -538,9 +535,9 @@ impl<K: ProjectionKind> Call<'_, K> {
         assert!(bands == frame, "blended bands differ");
 
         let width = self.width().unwrap_or(LineWidth::new(fx!(1)).unwrap());
-        let draw = &mut |canvas: &mut Frame<'_>| {
-            canvas.draw_smooth_edges(options, self.mesh, width, &self.mvp, shader)
-        };
+        let smooth = options.with_line(width.smooth());
+        let draw =
+            &mut |canvas: &mut Frame<'_>| canvas.draw_edges(&smooth, self.mesh, &self.mvp, shader);
         let mut frame = self.blank();
         let drawn = self.on_frame(&mut frame, draw);
         assert!(drawn.clipped <= drawn.drawn && drawn.drawn <= drawn.submitted);

@@ -22,7 +22,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     canvas.draw_with(&behind, &ISLAND, &view, &Flat::rgb(paper));
     let pen = Flat::rgb(ink);
     let before = DrawOptions::new().with_depth(Biased::new(TestOnly, 128, fx!(0)));
-    let width = LineWidth::new(fx!(1))?;
-    canvas.draw_smooth_outline(&before, &ISLAND, &OUTLINE, width, &view, &pen);
+    let smooth = before.with_line(LineWidth::new(fx!(1))?.smooth());
+    canvas.draw_outline(&smooth, &ISLAND, &OUTLINE, &view, &pen);
     Ok(())
 }

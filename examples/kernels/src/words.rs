@@ -43,25 +43,11 @@ pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     let edges = BALL.edges().len() as u32;
     let ticks = watch.time(|| drawn(canvas.draw_edges(&options, &BALL, &mvp, &white).drawn))?;
     watch.print("line", "edge", edges, ticks);
-    let width = LineWidth::new(fx!(3))?;
-    let call = |canvas: &mut Canvas<'_, _>| {
-        drawn(
-            canvas
-                .draw_wide_edges(&options, &BALL, width, &mvp, &white)
-                .drawn,
-        )
-    };
-    let ticks = watch.time(|| call(&mut canvas))?;
+    let wide = options.with_line(LineWidth::new(fx!(3))?);
+    let ticks = watch.time(|| drawn(canvas.draw_edges(&wide, &BALL, &mvp, &white).drawn))?;
     watch.print("line-3-wide", "edge", edges, ticks);
-    let thin = LineWidth::new(fx!(1))?;
-    let call = |canvas: &mut Canvas<'_, _>| {
-        drawn(
-            canvas
-                .draw_smooth_edges(&options, &BALL, thin, &mvp, &white)
-                .drawn,
-        )
-    };
-    let ticks = watch.time(|| call(&mut canvas))?;
+    let smooth = options.with_line(LineWidth::new(fx!(1))?.smooth());
+    let ticks = watch.time(|| drawn(canvas.draw_edges(&smooth, &BALL, &mvp, &white).drawn))?;
     watch.print("line-smooth", "edge", edges, ticks);
     let prepared = EDGES.take();
     let ticks = watch.time(|| {

@@ -1,23 +1,22 @@
 //! Edges prepared once for all bands of a frame.
 
-use core::marker::PhantomData;
 use core::ops::Range;
 
 use embedded_graphics::geometry::Size;
 use heapless::Vec;
 
-use super::{Needed, Slot, VertexWriter, vertex};
+use super::{Needed, PreparedCall, Slot, VertexWriter, vertex};
 use crate::Error;
-use crate::math::Transform;
-use crate::mesh::{Element, Index, Mesh, Outline, Placement};
+use crate::mesh::{Element, Index, Mesh, Outline};
 use crate::pipeline::cache::VertexCache;
-use crate::pipeline::call::{Call, Shared};
+use crate::pipeline::call::Call;
+use crate::pipeline::options::PixelOptions;
 use crate::pipeline::outline::{self, DrawLine};
 use crate::pipeline::{DrawOptions, Drawn, run};
-use crate::raster::{Barycentric, Blitter, ClippedVertex, Cull, DepthShift, Rasterizer, Scissor};
+use crate::raster::{Barycentric, Blitter, ClippedVertex, Hairline, Rasterizer};
 use crate::span::{Mode, Newton};
 use crate::target::{DepthTest, Replace, TestAndWrite, check_size};
-use crate::view::{ModelToPicture, Perspective, ProjectionKind, Viewport};
+use crate::view::{ModelToPicture, Perspective, ProjectionKind};
 
 /// Memory for the edges of a frame that is drawn in bands: what a [`TriangleList`](super::TriangleList) is for
 /// triangles.
@@ -83,24 +82,23 @@ enum Ends {
 
 /// A mesh's edges, ready to be drawn to every band of a frame.
 ///
-/// [`EdgeList`] returns it, and [`Canvas::draw_prepared_edges`](crate::Canvas::draw_prepared_edges) and its siblings
-/// draw it. It can be shared with another core that draws other bands of the same frame.
+/// [`EdgeList`] returns it, and [`Canvas::draw_prepared_edges`](crate::Canvas::draw_prepared_edges) draws it. It can be shared with another core that draws other bands of the same frame.
 #[derive(Clone, Copy, Debug)]
-pub struct PreparedEdges<'a, K = Perspective, M = Newton, Z = TestAndWrite, B = Replace> {
-    mesh: &'a Mesh<'a>,
-    model: Transform,
-    model_view: Transform,
-    kind: PhantomData<K>,
-    pub(in crate::pipeline) frame: Size,
-    viewport: Viewport,
+pub struct PreparedEdges<
+    'a,
+    K = Perspective,
+    M = Newton,
+    Z = TestAndWrite,
+    B = Replace,
+    L = Hairline,
+> {
+    pub(in crate::pipeline) call: PreparedCall<'a, K>,
     /// How many edges there were to choose from.
     submitted: u32,
     edges: &'a [Edge],
     vertices: &'a [Slot],
-    pub(in crate::pipeline) depth_shift: DepthShift,
-    pub(in crate::pipeline) mode: M,
-    pub(in crate::pipeline) test: Z,
-    pub(in crate::pipeline) blending: B,
+    pub(in crate::pipeline) pixels: PixelOptions<M, Z, B>,
+    pub(in crate::pipeline) line: L,
 }
 
 impl<const EDGES: usize, const VERTICES: usize> Default for EdgeList<EDGES, VERTICES> {
@@ -130,13 +128,13 @@ impl<const EDGES: usize, const VERTICES: usize> EdgeList<EDGES, VERTICES> {
     ///
     /// [`Error::Full`], with the length that is needed, if the list is too short for the visible edges; [`Error::Size`]
     /// if a side of the frame is 0 or above [`MAX_SIZE`](crate::target::MAX_SIZE).
-    pub fn prepare<'a, M: Mode, Z: DepthTest, B: Copy, V: ModelToPicture>(
+    pub fn prepare<'a, M: Mode, Z: DepthTest, B: Copy, L: Copy, V: ModelToPicture>(
         &'a mut self,
-        options: &DrawOptions<M, Z, B>,
+        options: &DrawOptions<M, Z, B, L>,
         frame: impl Into<Size>,
         mesh: &'a Mesh<'a>,
         mvp: &V,
-    ) -> Result<PreparedEdges<'a, V::Kind, M, Z, B>, Error> {
+    ) -> Result<PreparedEdges<'a, V::Kind, M, Z, B, L>, Error> {
         let ends_of = |_: &Call<'_, _>, _: &mut VertexCache, _, &edge: &_| Some(edge);
         self.prepare_chosen(options, frame.into(), (mesh, mvp), mesh.edges(), ends_of)
     }
@@ -146,14 +144,14 @@ impl<const EDGES: usize, const VERTICES: usize> EdgeList<EDGES, VERTICES> {
     /// # Errors
     ///
     /// As for [`prepare`](Self::prepare).
-    pub fn prepare_outline<'a, M: Mode, Z: DepthTest, B: Copy, V: ModelToPicture>(
+    pub fn prepare_outline<'a, M: Mode, Z: DepthTest, B: Copy, L: Copy, V: ModelToPicture>(
         &'a mut self,
-        options: &DrawOptions<M, Z, B>,
+        options: &DrawOptions<M, Z, B, L>,
         frame: impl Into<Size>,
         mesh: &'a Mesh<'a>,
         outline: &Outline<'_>,
         mvp: &V,
-    ) -> Result<PreparedEdges<'a, V::Kind, M, Z, B>, Error> {
+    ) -> Result<PreparedEdges<'a, V::Kind, M, Z, B, L>, Error> {
         let ends_of = |call: &Call<'_, _>, vertices: &mut VertexCache, at, &edge: &_| {
             outline::ends_of(call, vertices, outline, (at, edge))
         };
@@ -162,16 +160,17 @@ impl<const EDGES: usize, const VERTICES: usize> EdgeList<EDGES, VERTICES> {
 
     /// Prepares some edges.
     #[inline]
-    fn prepare_chosen<'a, M: Mode, Z: DepthTest, B: Copy, V: ModelToPicture, E>(
+    fn prepare_chosen<'a, M: Mode, Z: DepthTest, B: Copy, L: Copy, V: ModelToPicture, E>(
         &'a mut self,
-        options: &DrawOptions<M, Z, B>,
+        options: &DrawOptions<M, Z, B, L>,
         frame: Size,
         (mesh, mvp): (&'a Mesh<'a>, &V),
         edges: &[E],
         ends_of: impl Fn(&Call<'_, V::Kind>, &mut VertexCache, usize, &E) -> Option<[Index; 2]>,
-    ) -> Result<PreparedEdges<'a, V::Kind, M, Z, B>, Error> {
+    ) -> Result<PreparedEdges<'a, V::Kind, M, Z, B, L>, Error> {
         check_size(frame.width, frame.height)?;
-        let call = Call::new(options, mesh, mvp, (frame, &(0..frame.height)));
+        let screen = options.screen(frame);
+        let call = Call::new(&screen, &(0..frame.height), mesh, mvp);
         self.edges.clear();
         self.vertices.clear();
         let mut vertices = VertexWriter::new(self.vertices.as_mut_view(), 0);
@@ -202,19 +201,12 @@ impl<const EDGES: usize, const VERTICES: usize> EdgeList<EDGES, VERTICES> {
         }
         .check::<EDGES, VERTICES>()?;
         Ok(PreparedEdges {
-            mesh,
-            model: *mvp.model_of(),
-            model_view: mvp.model_view_of(),
-            kind: PhantomData,
-            frame,
-            viewport: options.viewport_in(frame),
+            call: PreparedCall::new(screen, mesh, mvp, call.depth_shift()),
             submitted: edges.len() as u32,
             edges: &self.edges,
             vertices: &self.vertices,
-            depth_shift: call.depth_shift(),
-            mode: options.mode,
-            test: options.depth,
-            blending: options.blending,
+            pixels: options.pixels,
+            line: options.line,
         })
     }
 }
@@ -225,21 +217,55 @@ fn rows_of([a, b]: [i32; 2], height: u32) -> [u16; 2] {
     [row(a.min(b) >> 8), row((a.max(b) >> 8) + 1)]
 }
 
-impl<K: ProjectionKind, M, Z, B> PreparedEdges<'_, K, M, Z, B> {
-    /// Draws the edges that are within `reach` of `rows`, a band of the frame.
+impl<'a, K, M, Z, B, L> PreparedEdges<'a, K, M, Z, B, L> {
+    /// The same edges, whose colors are blended in another way with those on the canvas.
+    #[must_use]
+    pub fn with_blending<A>(self, blending: A) -> PreparedEdges<'a, K, M, Z, A, L> {
+        PreparedEdges {
+            call: self.call,
+            submitted: self.submitted,
+            edges: self.edges,
+            vertices: self.vertices,
+            pixels: self.pixels.with_blending(blending),
+            line: self.line,
+        }
+    }
+
+    /// The same edges, drawn as other lines.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+    /// let mvp = Projection::perspective(deg!(60), (2, 1), fx!(1), fx!(10))? * Transform::translate(vec3!(0, 0, -3));
+    /// let mut list: EdgeList<12, 24> = EdgeList::new();
+    /// let thin = list.prepare(&DrawOptions::new(), (24, 12), &BOX, &mvp)?;
+    /// let wide = thin.with_line(LineWidth::new(fx!(3))?);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn with_line<N>(self, line: N) -> PreparedEdges<'a, K, M, Z, B, N> {
+        PreparedEdges {
+            call: self.call,
+            submitted: self.submitted,
+            edges: self.edges,
+            vertices: self.vertices,
+            pixels: self.pixels,
+            line,
+        }
+    }
+}
+
+impl<K: ProjectionKind, M, Z, B, L> PreparedEdges<'_, K, M, Z, B, L> {
+    /// Draws the edges that are within `reach` of `rows`, a band of the frame, each by `line`.
     #[inline(never)]
     pub(in crate::pipeline) fn draw(
         &self,
-        (line, reach): (DrawLine<'_>, i32),
-        blitter: &mut dyn Blitter,
+        line: DrawLine<'_>,
+        reach: i32,
         rows: &Range<u32>,
+        blitter: &mut dyn Blitter,
     ) -> Drawn {
-        let shared = Shared {
-            mesh: self.mesh,
-            placement: Placement::new(&self.model, self.model_view),
-            cull: Cull::Nothing,
-            scissor: Scissor::new(&self.viewport, self.frame.width, rows),
-        };
+        let shared = self.call.shared(rows);
         let (mut raster, rows) = (
             Rasterizer::new(blitter, &shared.scissor),
             &shared.scissor.rows,

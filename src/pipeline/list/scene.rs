@@ -6,16 +6,17 @@ use core::ops::Range;
 use embedded_graphics::geometry::Size;
 
 use super::{
-    Corners, Entry, Filling, Needed, Prepared, Slot, TriangleList, VertexWriter, check_frame,
+    Corners, Entry, Filling, Needed, Prepared, PreparedCall, Slot, TriangleList, VertexWriter,
     painter,
 };
 use crate::mesh::Mesh;
-use crate::pipeline::call::Call;
+use crate::pipeline::call::{Call, Screen};
+use crate::pipeline::options::PixelOptions;
 use crate::pipeline::{DrawOptions, run};
-use crate::raster::{Cull, DepthShift, Scissor};
+use crate::raster::DepthShift;
 use crate::span::{Mode, Newton};
 use crate::target::{Canvas, DepthTest, Replace, Storage, TestAndWrite, check_size};
-use crate::view::{ModelToPicture, Mvp, Perspective, ProjectionKind, Viewport};
+use crate::view::{ModelToPicture, Mvp, Perspective, ProjectionKind};
 use crate::{Error, Transform};
 
 /// An object of a scene: a mesh, its model transform, and its material.
@@ -76,12 +77,8 @@ pub struct PreparedScene<'a, T, K = Perspective, M = Newton, Z = TestAndWrite, B
     world: Transform,
     camera: Transform,
     kind: PhantomData<K>,
-    frame: Size,
-    viewport: Viewport,
-    cull: Cull,
-    mode: M,
-    test: Z,
-    blending: B,
+    screen: Screen,
+    pixels: PixelOptions<M, Z, B>,
 }
 
 impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERTICES> {
@@ -148,6 +145,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
     ) -> Result<PreparedScene<'a, T, V::Kind, M, Z, B>, Error> {
         let frame = frame.into();
         check_size(frame.width, frame.height)?;
+        let screen = options.screen(frame);
         self.triangles.clear();
         self.vertices.clear();
         let (mut needed, mut faces) = (
@@ -165,7 +163,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
         };
         for object in &mut *objects {
             let mvp = view * object.model;
-            let call = Call::new(options, object.mesh, &mvp, (frame, &(0..frame.height)));
+            let call = Call::new(&screen, &(0..frame.height), object.mesh, &mvp);
             let mut filling = Filling {
                 triangles: self.triangles.as_mut_view(),
                 needed: needed.elements,
@@ -189,12 +187,8 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
             world: view.model,
             camera: view.camera,
             kind: PhantomData,
-            frame,
-            viewport: options.viewport_in(frame),
-            cull: options.cull,
-            mode: options.mode,
-            test: options.depth,
-            blending: options.blending,
+            screen,
+            pixels: options.pixels,
         })
     }
 }
@@ -226,7 +220,7 @@ impl<'a, T, K: ProjectionKind, M: Mode, Z: DepthTest, B: Copy> PreparedScene<'a,
     /// [`prepare_back_to_front`](TriangleList::prepare_back_to_front) does. Equally far triangles are in the order of
     /// the objects.
     pub fn sort_back_to_front(&mut self) {
-        let scissor = Scissor::new(&self.viewport, self.frame.width, &(0..self.frame.height));
+        let scissor = self.screen.scissor(&(0..self.screen.frame.height));
         for entry in &mut *self.entries {
             if let Some((object, _)) = object_of(self.objects, entry) {
                 // Counted through all objects, faces are in the order of the objects.
@@ -258,7 +252,7 @@ impl<'a, T, K: ProjectionKind, M: Mode, Z: DepthTest, B: Copy> PreparedScene<'a,
         impl Iterator<Item = (&'s T, Prepared<'s, K, M, Z, B>)> + use<'s, 'a, T, K, M, Z, B, C, O, D>,
         Error,
     > {
-        check_frame(canvas.frame_size(), self.frame)?;
+        self.screen.check(canvas.frame_size())?;
         let mut rest = &*self.entries;
         let rows = canvas.rows().clone();
         Ok(core::iter::from_fn(move || {
@@ -276,20 +270,18 @@ impl<'a, T, K: ProjectionKind, M: Mode, Z: DepthTest, B: Copy> PreparedScene<'a,
             Some((
                 &object.material,
                 Prepared {
-                    mesh: object.mesh,
-                    model,
-                    model_view: self.camera * model,
-                    kind: PhantomData,
-                    frame: self.frame,
-                    viewport: self.viewport,
-                    cull: self.cull,
+                    call: PreparedCall {
+                        mesh: object.mesh,
+                        model,
+                        model_view: self.camera * model,
+                        kind: PhantomData,
+                        screen: self.screen,
+                        depth_shift: object.depth_shift,
+                    },
                     triangles,
                     vertices: self.vertices,
                     rows: [0, u16::MAX],
-                    depth_shift: object.depth_shift,
-                    mode: self.mode,
-                    test: self.test,
-                    blending: self.blending,
+                    pixels: self.pixels,
                 },
             ))
         }))

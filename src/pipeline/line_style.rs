@@ -1,0 +1,149 @@
+//! How lines are drawn: one pixel wide, of a width, or anti-aliased.
+
+use core::cell::Cell;
+
+use super::call::Call;
+use super::{Drawn, outline, run};
+use crate::raster::{
+    self, Blitter, ClippedVertex, Coverage, Hairline, LineWidth, Rasterizer, SmoothLine,
+};
+use crate::shade::{Levels, ShaderFor};
+use crate::span::{Painter, Smooth};
+use crate::target::Blending;
+use crate::view::ProjectionKind;
+
+/// How lines are drawn on a canvas of color `C`: as a [`Hairline`], of a [`LineWidth`], or as a [`SmoothLine`]. Sealed.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Rgb565;
+/// use fixel::{LineStyle, prelude::*};
+/// fn draw<L: LineStyle<Rgb565>>(canvas: &mut Canvas<'_, Rgb565>, line: L, mesh: &Mesh, mvp: &Mvp, color: Rgb565) {
+///     canvas.draw_edges(&DrawOptions::new().with_line(line), mesh, mvp, &Flat::new(color));
+/// }
+/// ```
+#[allow(private_bounds)] // so that it is sealed
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no way to draw lines of the color `{C}`",
+    note = "a line is a `Hairline`, a `LineWidth` or, in a color of several `Levels`, a `SmoothLine`"
+)]
+pub trait LineStyle<C>: Copy + Stroke<C> {}
+
+#[diagnostic::do_not_recommend]
+impl<C, L: Stroke<C>> LineStyle<C> for L {}
+
+/// What a [`LineStyle`] does.
+pub(super) trait Stroke<C>: Copy {
+    /// What the rasterizer tells the painter of each line.
+    type State: Default + 'static;
+
+    /// What pixels are colored by.
+    type Painter<'s, S: ShaderFor<B::Source>, B: Blending<C>>: Painter<Color = C>;
+
+    fn painter<S: ShaderFor<B::Source>, B: Blending<C>>(
+        state: &Self::State,
+        shader: S,
+        blending: B,
+    ) -> Self::Painter<'_, S, B>;
+
+    /// How many rows a line may reach beyond its ends.
+    fn reach(self) -> i32;
+
+    /// Draws a line between two ends.
+    fn line(self, state: &Self::State, raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]);
+
+    /// Draws lines between two ends.
+    #[inline]
+    fn with(self, state: &Self::State) -> impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]) {
+        move |raster, ends| self.line(state, raster, ends)
+    }
+
+    /// Draws all edges of a mesh.
+    #[inline]
+    fn edges<K: ProjectionKind>(
+        self,
+        state: &Self::State,
+        call: &Call<'_, K>,
+        blitter: &mut dyn Blitter,
+    ) -> Drawn {
+        outline::edges(call, &self.with(state), blitter)
+    }
+}
+
+impl<C> Stroke<C> for Hairline {
+    type State = ();
+    type Painter<'s, S: ShaderFor<B::Source>, B: Blending<C>> = (S, B);
+
+    #[inline]
+    fn painter<S: ShaderFor<B::Source>, B: Blending<C>>((): &(), shader: S, blending: B) -> (S, B) {
+        (shader, blending)
+    }
+
+    #[inline]
+    fn reach(self) -> i32 {
+        0
+    }
+
+    #[inline]
+    fn line(self, (): &(), raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
+        raster::line(raster, ends);
+    }
+
+    /// A program that draws nothing but this needs no code for other lines.
+    #[inline]
+    fn edges<K: ProjectionKind>(
+        self,
+        (): &(),
+        call: &Call<'_, K>,
+        blitter: &mut dyn Blitter,
+    ) -> Drawn {
+        run::edges(call, blitter)
+    }
+}
+
+impl<C> Stroke<C> for LineWidth {
+    type State = ();
+    type Painter<'s, S: ShaderFor<B::Source>, B: Blending<C>> = (S, B);
+
+    #[inline]
+    fn painter<S: ShaderFor<B::Source>, B: Blending<C>>((): &(), shader: S, blending: B) -> (S, B) {
+        (shader, blending)
+    }
+
+    #[inline]
+    fn reach(self) -> i32 {
+        self.reach()
+    }
+
+    #[inline]
+    fn line(self, (): &(), raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
+        raster::wide_line(raster, ends, self);
+    }
+}
+
+impl<C: Levels> Stroke<C> for SmoothLine {
+    type State = Cell<Coverage>;
+    type Painter<'s, S: ShaderFor<B::Source>, B: Blending<C>> = Smooth<'s, S, B>;
+
+    #[inline]
+    fn painter<S: ShaderFor<B::Source>, B: Blending<C>>(
+        coverage: &Self::State,
+        shader: S,
+        blending: B,
+    ) -> Smooth<'_, S, B> {
+        Smooth {
+            shader,
+            blending,
+            coverage,
+        }
+    }
+
+    #[inline]
+    fn reach(self) -> i32 {
+        self.width().reach()
+    }
+
+    #[inline]
+    fn line(self, coverage: &Self::State, raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
+        raster::smooth_line(raster, ends, self.width(), coverage);
+    }
+}
