@@ -24,7 +24,7 @@ macro_rules! recipe {
             "```",
             $($attribute,)?
             "\n",
-            include_str!(concat!("../../examples/cookbook/src/", $name, ".rs")),
+            include_str!(concat!("../../examples/cookbook/src/scenes/", $name, ".rs")),
             "```\n"
         )
     };

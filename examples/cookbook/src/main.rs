@@ -1,27 +1,7 @@
 //! Small scenes, one idea each, and a little world: see `--help`.
 
 mod animation;
-mod bands;
-mod blending;
-mod cut_out;
-mod fog;
-mod hello;
-mod instruments;
-mod keyframes;
-mod labels;
-mod lights;
-mod materials;
-mod mipmaps;
-mod packed;
-mod painter;
-mod picking;
-mod sky;
-mod sky_box;
-mod sprites;
-mod terrain;
-mod toon;
-mod two_cores;
-mod wireframe;
+mod scenes;
 mod world;
 
 use std::error::Error;
@@ -35,51 +15,27 @@ use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
 use fixel::prelude::*;
-use fixel::target::{Depth, Native};
+
+use scenes::{Draw, Frame, SCENES};
 
 /// The size of the documentation's pictures.
 const SIZE: Size = Size::new(320, 240);
 
-/// The canvas that all scenes draw on.
-type Frame<'c> = Canvas<'c, Rgb565, Native, Depth<'c>>;
-
-/// What draws a scene.
-type Draw = fn(&mut Frame<'_>) -> Result<(), fixel::Error>;
-
 /// The scene that is longer than the others, and moves.
 const WORLD: &str = "world";
 
-const RECIPES: &[(&str, Draw)] = &[
-    ("bands", bands::draw),
-    ("blending", blending::draw),
-    ("cut_out", cut_out::draw),
-    ("fog", fog::draw),
-    ("hello", hello::draw),
-    ("instruments", instruments::draw),
-    ("keyframes", keyframes::draw),
-    ("labels", labels::draw),
-    ("lights", lights::draw),
-    ("materials", materials::draw),
-    ("mipmaps", mipmaps::draw),
-    ("packed", packed::draw),
-    ("painter", painter::draw),
-    ("picking", picking::draw),
-    ("sky", sky::draw),
-    ("sky_box", sky_box::draw),
-    ("sprites", sprites::draw),
-    ("terrain", terrain::draw),
-    ("toon", toon::draw),
-    ("two_cores", two_cores::draw),
-    ("wireframe", wireframe::draw),
-    (WORLD, world::draw),
-];
+/// All scenes by name.
+fn all() -> impl Iterator<Item = (&'static str, Draw)> {
+    let world = [(WORLD, world::draw as Draw)];
+    SCENES.iter().copied().chain(world)
+}
 
 /// Draws small scenes, one idea each, and saves a picture of each as a PNG file in the current folder; of `world`, an
 /// animation too.
 #[derive(Parser)]
 struct Args {
     /// Draw only these.
-    #[arg(value_parser = PossibleValuesParser::new(RECIPES.iter().map(|(name, _)| *name)))]
+    #[arg(value_parser = PossibleValuesParser::new(all().map(|(name, _)| name)))]
     scenes: Vec<String>,
 
     /// Picture size in pixels, if not 320x240.
@@ -89,6 +45,10 @@ struct Args {
     /// Renew the pictures of the documentation instead: PNG files, and for the guide the same files in base64.
     #[arg(long, conflicts_with = "size")]
     renew: bool,
+
+    /// Print a checksum of each picture instead: of its pixels, row by row, two bytes each, the more significant first.
+    #[arg(long, conflicts_with = "renew")]
+    crc: bool,
 }
 
 fn size(text: &str) -> Result<Size, String> {
@@ -101,10 +61,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     let args = Args::parse();
     let folder = if args.renew { assets() } else { PathBuf::new() };
     let size = args.size.unwrap_or(SIZE);
-    for &(name, draw) in RECIPES {
+    for (name, draw) in all() {
         if args.scenes.is_empty() || args.scenes.iter().any(|scene| scene == name) {
+            let shown = picture(draw, size)?;
+            if args.crc {
+                let pixels = shown.to_be_bytes();
+                println!("{name} {:08x}", crc32fast::hash(&pixels));
+                continue;
+            }
             let path = folder.join(name).with_extension("png");
-            picture(draw, size)?
+            shown
                 .to_rgb_output_image(&OutputSettings::default())
                 .save_png(&path)?;
             println!("{}", path.display());
@@ -155,7 +121,7 @@ mod tests {
     /// and say why in the changelog.
     #[test]
     fn pictures_are_those_of_the_documentation() {
-        for &(name, draw) in RECIPES {
+        for (name, draw) in all() {
             let path = assets().join(name).with_extension("png");
             let found = picture(draw, SIZE).unwrap();
             let shown = SimulatorDisplay::load_png(&path).unwrap();
@@ -170,7 +136,7 @@ mod tests {
 
     #[test]
     fn scenes_draw_in_the_size_of_a_small_display() {
-        for &(name, draw) in RECIPES {
+        for (name, draw) in all() {
             let drawn = picture(draw, Size::new(128, 64));
             assert!(drawn.is_ok(), "{name}: {:?}", drawn.err());
         }
@@ -178,8 +144,8 @@ mod tests {
 
     #[test]
     fn scenes_are_short() {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../src");
-        for (name, _) in RECIPES.iter().filter(|(name, _)| *name != WORLD) {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../src/scenes");
+        for (name, _) in SCENES {
             let text = fs::read_to_string(folder.join(name).with_extension("rs")).unwrap();
             assert!(text.lines().count() < 60, "{name} has 60 lines or more");
         }

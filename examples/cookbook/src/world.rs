@@ -5,7 +5,7 @@ mod garden;
 
 use fixel::prelude::*;
 
-use super::Frame;
+use super::scenes::Frame;
 
 /// Frames of the walk, once around.
 pub const FRAMES: u32 = 64;

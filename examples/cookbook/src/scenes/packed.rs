@@ -7,11 +7,11 @@ use fixel::prelude::*;
 use fixel::target::{Contrast, Depth, ErrorDiffusion, Native};
 
 const SIZE: (u32, u32) = (128, 64);
-static ISLAND: Mesh = include_obj!("../../assets/lighthouse.obj");
+static ISLAND: Mesh = include_obj!("../../../assets/lighthouse.obj");
 // No edge is a crease: it has silhouettes only.
 static SILHOUETTES: Outline = outline!(ISLAND, deg!(180));
 static SKIN: TextureArray<Rgb565, 128, 128> =
-    TextureArray::rgb565(include_bytes!("../../assets/lighthouse.rgb565"));
+    TextureArray::rgb565(include_bytes!("../../../assets/lighthouse.rgb565"));
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
     let (width, height) = SIZE;

@@ -1,0 +1,66 @@
+//! Small scenes, one idea each: a function each, which draws on any canvas of this kind.
+
+#[cfg(not(target_os = "none"))]
+mod bands;
+mod blending;
+mod cut_out;
+mod fog;
+mod hello;
+#[cfg(not(target_os = "none"))]
+mod instruments;
+mod keyframes;
+mod labels;
+mod lights;
+mod materials;
+mod mipmaps;
+mod packed;
+mod painter;
+#[cfg(not(target_os = "none"))]
+mod picking;
+mod sky;
+mod sky_box;
+mod sprites;
+mod terrain;
+mod toon;
+#[cfg(not(target_os = "none"))]
+mod two_cores;
+mod wireframe;
+
+use embedded_graphics::pixelcolor::Rgb565;
+use fixel::prelude::*;
+use fixel::target::{Depth, Native};
+
+/// The canvas that all scenes draw on.
+pub type Frame<'c> = Canvas<'c, Rgb565, Native, Depth<'c>>;
+
+/// What draws a scene.
+pub type Draw = fn(&mut Frame<'_>) -> Result<(), Error>;
+
+/// The scenes by name.
+pub const SCENES: &[(&str, Draw)] = &[
+    #[cfg(not(target_os = "none"))] // has a vector for its band
+    ("bands", bands::draw),
+    ("blending", blending::draw),
+    ("cut_out", cut_out::draw),
+    ("fog", fog::draw),
+    ("hello", hello::draw),
+    #[cfg(not(target_os = "none"))] // has arcs of embedded-graphics, which need floats
+    ("instruments", instruments::draw),
+    ("keyframes", keyframes::draw),
+    ("labels", labels::draw),
+    ("lights", lights::draw),
+    ("materials", materials::draw),
+    ("mipmaps", mipmaps::draw),
+    ("packed", packed::draw),
+    ("painter", painter::draw),
+    #[cfg(not(target_os = "none"))] // writes a text
+    ("picking", picking::draw),
+    ("sky", sky::draw),
+    ("sky_box", sky_box::draw),
+    ("sprites", sprites::draw),
+    ("terrain", terrain::draw),
+    ("toon", toon::draw),
+    #[cfg(not(target_os = "none"))] // has threads
+    ("two_cores", two_cores::draw),
+    ("wireframe", wireframe::draw),
+];

@@ -1,0 +1,86 @@
+//! The cookbook's scenes on a microcontroller: the same pixels as on the host.
+//!
+//! `cargo run --release -p firmware --bin recipes --target thumbv7em-none-eabi` prints a checksum of each picture, in
+//! 96x72, and the instructions that it took; `cargo run -p cookbook -- --crc --size 96x72` prints the host's checksums.
+//! Missing are three scenes that use the standard
+//! library, and one that draws with floats.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+
+#[cfg(target_os = "none")]
+mod board;
+#[cfg(target_os = "none")]
+#[path = "../../cookbook/src/scenes/mod.rs"]
+mod scenes;
+#[cfg(target_os = "none")]
+#[path = "../../common/world/mod.rs"]
+mod world;
+
+#[cfg(not(target_os = "none"))]
+fn main() {
+    println!("recipes runs on a microcontroller: add --target thumbv7em-none-eabi");
+}
+
+#[cfg(target_os = "none")]
+mod firmware {
+    use core::panic::PanicInfo;
+
+    use crc32fast::Hasher;
+    use embedded_graphics::pixelcolor::raw::ToBytes;
+    use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+    use fixel::prelude::*;
+    use semihosting::{println, process};
+    use static_cell::ConstStaticCell;
+
+    use super::board::{self, Clock};
+    use super::scenes::{Draw, Frame, SCENES};
+    use super::world;
+
+    const WIDTH: u32 = 96;
+    const HEIGHT: u32 = 72;
+    const PIXELS: usize = (WIDTH * HEIGHT) as usize;
+    static COLORS: ConstStaticCell<[Rgb565; PIXELS]> =
+        ConstStaticCell::new([Rgb565::BLACK; PIXELS]);
+    static DEPTHS: ConstStaticCell<[u16; PIXELS]> = ConstStaticCell::new([0; PIXELS]);
+
+    /// The little world, at the moment that the cookbook shows.
+    fn draw_world(canvas: &mut Frame<'_>) -> Result<(), Error> {
+        world::draw(canvas, Angle::from_bits(u32::MAX / 64 * 13))
+    }
+
+    fn run() -> Result<(), Error> {
+        let (colors, depths) = (COLORS.take(), DEPTHS.take());
+        let mut clock = Clock::take().expect("taken once");
+        let tick = board::instructions_per_tick(&mut clock);
+        for &(name, draw) in SCENES.iter().chain(&[("world", draw_world as Draw)]) {
+            colors.fill(Rgb565::BLACK);
+            depths.fill(0);
+            let mut canvas = Canvas::new(&mut *colors, WIDTH, HEIGHT)?.with_depth(depths)?;
+            let (drawn, ticks) = clock.time(|| draw(&mut canvas));
+            drawn?;
+            let mut hasher = Hasher::new();
+            for color in canvas.pixels() {
+                hasher.update(&color.to_be_bytes());
+            }
+            let (crc, instructions) = (hasher.finalize(), ticks * tick);
+            println!("recipe {name} crc={crc:08x} instructions={instructions}");
+        }
+        Ok(())
+    }
+
+    #[board::entry]
+    fn main() -> ! {
+        match run() {
+            Ok(()) => process::exit(0),
+            Err(error) => {
+                println!("{error}");
+                process::exit(1)
+            }
+        }
+    }
+
+    #[panic_handler]
+    fn panic(info: &PanicInfo<'_>) -> ! {
+        println!("{info}");
+        process::exit(1)
+    }
+}
