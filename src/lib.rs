@@ -99,7 +99,7 @@
 //! | [`DrawOptions`]: culling, viewport, interpolation mode, depth test, blending, style of lines | [`DrawOptions::new`] | first argument of [`Canvas::draw_with`], [`draw_edges`](Canvas::draw_edges), [`draw_outline`](Canvas::draw_outline), [`draw_points`](Canvas::draw_points) |
 //! | [`TriangleList`]: triangles transformed once for all bands | [`TriangleList::new`], [`prepare`](TriangleList::prepare) | argument of [`Canvas::draw_prepared`] |
 //! | [`EdgeList`]: the same for edges and outlines | [`EdgeList::new`], [`prepare`](EdgeList::prepare) | argument of [`Canvas::draw_prepared_edges`] |
-//! | [`Object`]s: meshes with their transforms and materials, for one list | [`Object::new`] | argument of [`TriangleList::prepare_scene`] |
+//! | [`Object`]s: meshes with their transforms and materials, for one list | [`Object::new`] | argument of [`TriangleList::prepare_scene`] and [`EdgeList::prepare_scene`] |
 //! | [`Sprites`]: billboards, particles | [`Sprites::new`], [`Sprites::in_pixels`] | argument of [`Canvas::draw_sprites`] |
 //! | [`Ray`] of a pixel | [`Canvas::ray`] | [`Ray::hit`]: the face of a mesh that is seen there |
 //! | [`Canvas`]: colors, depth, rows | [`Canvas::new`], [`Canvas::band`], [`Canvas::big_endian`] and so on, over your slices | picture for a display, by [`Canvas::show`] or [`Canvas::as_bytes`] |
@@ -222,8 +222,8 @@ pub mod view;
 
 pub use error::{Error, RefusedFloat};
 pub use pipeline::{
-    DrawOptions, Drawn, EdgeList, Hit, LineStyle, Object, Prepared, PreparedEdges, PreparedScene,
-    Ray, ScreenPoint, TriangleList,
+    DrawOptions, Drawn, EdgeList, Hit, LineStyle, Object, Prepared, PreparedEdgeScene,
+    PreparedEdges, PreparedScene, Ray, ScreenPoint, TriangleList,
 };
 pub use raster::{Cull, Hairline, LineWidth, PointStyle, SmoothLine};
 

@@ -1,9 +1,11 @@
 //! Triangles and edges prepared once for all bands of a frame.
 
+mod edge_scene;
 mod edges;
 mod painter;
 mod scene;
 
+pub use edge_scene::PreparedEdgeScene;
 pub use edges::{EdgeList, PreparedEdges};
 pub use scene::{Object, PreparedScene};
 
@@ -446,6 +448,15 @@ struct Needed {
 }
 
 impl Needed {
+    /// Room for no elements of this kind.
+    const fn nothing(of: &'static str) -> Self {
+        Self {
+            of,
+            elements: 0,
+            vertices: 0,
+        }
+    }
+
     /// An error unless a list of this length has room.
     #[inline]
     fn check<const ELEMENTS: usize, const VERTICES: usize>(self) -> Result<(), Error> {

@@ -15,7 +15,9 @@ mod sprites;
 mod vertex;
 
 pub use line_style::LineStyle;
-pub use list::{EdgeList, Object, Prepared, PreparedEdges, PreparedScene, TriangleList};
+pub use list::{
+    EdgeList, Object, Prepared, PreparedEdgeScene, PreparedEdges, PreparedScene, TriangleList,
+};
 pub use options::DrawOptions;
 pub use ray::{Hit, Ray};
 

@@ -198,6 +198,63 @@ fn one_meshs_list_refuses_a_canvas_of_another_frame() {
     }
 }
 
+/// Of an object with an outline this, of the others all edges.
+#[test]
+fn a_list_of_objects_has_their_edges() {
+    static OUTLINE: Outline = outline!(BALL, deg!(30));
+    let wide = DrawOptions::new().with_line(LineWidth::new(fx!(2)).unwrap());
+    let mut objects = objects();
+    objects[0].outline = Some(&OUTLINE);
+    let mut direct = vec![Gray8::BLACK; PIXELS];
+    let mut canvas = Canvas::new(&mut direct, WIDTH, HEIGHT).unwrap();
+    let mut counts = Vec::new();
+    for object in &objects {
+        let (mesh, mvp, pen) = (object.mesh, view() * object.model, &object.material);
+        let drawn = match object.outline {
+            Some(outline) => canvas.draw_outline(&wide, mesh, outline, &mvp, pen),
+            None => canvas.draw_edges(&wide, mesh, &mvp, pen),
+        };
+        if drawn.drawn > 0 {
+            counts.push(drawn);
+        }
+    }
+    let mut list: EdgeList<900, 1200> = EdgeList::new();
+    let scene = list
+        .prepare_scene(&wide, SIZE, &view(), &mut objects)
+        .unwrap();
+    for rows in [HEIGHT, 12, 1] {
+        let mut frame = Vec::new();
+        for first in (0..HEIGHT).step_by(rows as usize) {
+            let mut color = vec![Gray8::BLACK; (WIDTH * rows) as usize];
+            let mut band = Canvas::band(&mut color, WIDTH, HEIGHT, first).unwrap();
+            let parts = scene.parts(&band).unwrap();
+            let drawn: Vec<_> = parts
+                .map(|(pen, edges)| band.draw_prepared_edges(&edges, pen).unwrap())
+                .collect();
+            assert!(rows < HEIGHT || drawn == counts, "{drawn:?}: {counts:?}");
+            frame.extend(color);
+        }
+        assert!(frame == direct, "{rows} rows");
+    }
+    let mut color = [Gray8::BLACK; PIXELS];
+    let other = Canvas::new(&mut color, HEIGHT, WIDTH).unwrap();
+    assert!(matches!(
+        scene.parts(&other).map(|_| ()),
+        Err(Error::Frame { .. })
+    ));
+    let mut short: EdgeList<99, 500> = EdgeList::new();
+    let refused = short.prepare_scene(&wide, SIZE, &view(), &mut objects);
+    assert!(matches!(
+        refused.map(|_| ()),
+        Err(Error::Full {
+            of: "edges",
+            needed: 100..,
+            room: 99,
+            ..
+        })
+    ));
+}
+
 /// Wide and clipped lines, above and below the frame: in bands of prepared edges as drawn at once.
 #[test]
 fn prepared_edges_are_the_edges() {

@@ -5,7 +5,6 @@ use core::fmt::{Debug, Display};
 use core::hash::Hash;
 
 use embedded_graphics::pixelcolor::Rgb565;
-use fixel::PreparedEdges;
 use fixel::math::Direction;
 use fixel::mesh::{Buffers, Counts, Keyframes, Missing, Part, Positions, Quantized, Shape};
 use fixel::mode::{Affine, Exact, Fast, Newton};
@@ -30,6 +29,7 @@ use fixel::{
     Hairline, Hit, Index, Matrix4, Object, Prepared, PreparedScene, RefusedFloat, ScreenPoint,
     SmoothLine, Unit,
 };
+use fixel::{PreparedEdgeScene, PreparedEdges};
 
 const fn any<T: Debug + Send + Sync + Unpin>() {}
 const fn shared<T: Clone + Debug + Send + Sync>() {}
@@ -70,7 +70,7 @@ all!(borrowed: Dequantized<'static, Flat<Rgb565>> Quantized<'static>);
 all!(shared: Map<Flat<Rgb565>, fn(&Fragment, Rgb565) -> Option<Rgb565>> Prepared<'static>);
 all!(shared: EdgeList<1, 1> PreparedEdges<'static>);
 all!(shared: Object<'static, u8> TriangleList<1, 1> TextureArray<Rgb565, 1, 1> PaletteArray<Rgb565, 1, 1>);
-all!(any: PreparedScene<'static, u8> Buffers<'static> ErrorDiffusion<'static> Canvas<'static, Rgb565> Canvas<'static, Rgb565, Native, Depth<'static>>);
+all!(any: PreparedScene<'static, u8> PreparedEdgeScene<'static, u8> Buffers<'static> ErrorDiffusion<'static> Canvas<'static, Rgb565> Canvas<'static, Rgb565, Native, Depth<'static>>);
 
 all!(default: ColorIndex Contrast Trilinear);
 all!(default: Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform Camera Counts Cull DrawOptions);

@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use embedded_graphics::geometry::Size;
-use heapless::Vec;
+use heapless::{Vec, VecView};
 
 use super::{Needed, PreparedCall, Slot, VertexWriter, vertex};
 use crate::Error;
@@ -57,13 +57,13 @@ use crate::view::{ModelToPicture, Perspective, ProjectionKind};
 /// ```
 #[derive(Clone, Debug)]
 pub struct EdgeList<const EDGES: usize, const VERTICES: usize> {
-    edges: Vec<Edge, EDGES>,
-    vertices: Vec<Slot, VERTICES>,
+    pub(super) edges: Vec<Edge, EDGES>,
+    pub(super) vertices: Vec<Slot, VERTICES>,
 }
 
 /// A visible edge.
 #[derive(Clone, Copy, Debug)]
-struct Edge {
+pub(super) struct Edge {
     /// The mesh's positions at its ends.
     indices: [Index; 2],
     /// The rows of the frame that it passes: the first, and the one after the last.
@@ -94,9 +94,9 @@ pub struct PreparedEdges<
 > {
     pub(in crate::pipeline) call: PreparedCall<'a, K>,
     /// How many edges there were to choose from.
-    submitted: u32,
-    edges: &'a [Edge],
-    vertices: &'a [Slot],
+    pub(super) submitted: u32,
+    pub(super) edges: &'a [Edge],
+    pub(super) vertices: &'a [Slot],
     pub(in crate::pipeline) pixels: PixelOptions<M, Z, B>,
     pub(in crate::pipeline) line: L,
 }
@@ -169,37 +169,21 @@ impl<const EDGES: usize, const VERTICES: usize> EdgeList<EDGES, VERTICES> {
         ends_of: impl Fn(&Call<'_, V::Kind>, &mut VertexCache, usize, &E) -> Option<[Index; 2]>,
     ) -> Result<PreparedEdges<'a, V::Kind, M, Z, B, L>, Error> {
         check_size(frame.width, frame.height)?;
-        let screen = options.screen(frame);
-        let call = Call::new(&screen, &(0..frame.height), mesh, mvp);
         self.edges.clear();
         self.vertices.clear();
-        let mut vertices = VertexWriter::new(self.vertices.as_mut_view(), 0);
-        let (list, mut needed) = (self.edges.as_mut_view(), 0);
-        run::each_edge(
+        let screen = options.screen(frame);
+        let call = Call::new(&screen, &(0..frame.height), mesh, mvp);
+        let mut needed = Needed::nothing("edges");
+        let (list, vertices) = (&mut self.edges, &mut self.vertices);
+        let ends_of = |cache: &mut VertexCache, at, edge: &E| ends_of(&call, cache, at, edge);
+        add(
             &call,
-            edges.iter().enumerate(),
-            |cache, (at, edge)| ends_of(&call, cache, at, edge),
-            |indices, ends, is_clipped| {
-                needed += 1;
-                // If there is no room, the list will not be used.
-                let _ = list.push(Edge {
-                    indices,
-                    rows: rows_of(ends.map(|end| end.vertex.screen[1]), frame.height),
-                    ends: if is_clipped {
-                        let [first, _] = ends.map(|end| vertices.add_clipped(end));
-                        Ends::Clipped(first)
-                    } else {
-                        Ends::Whole(ends.map(|end| vertices.number(&end.vertex)))
-                    },
-                });
-            },
+            frame.height,
+            (edges, ends_of),
+            (list.as_mut_view(), vertices.as_mut_view()),
+            &mut needed,
         );
-        Needed {
-            of: "edges",
-            elements: needed,
-            vertices: vertices.needed,
-        }
-        .check::<EDGES, VERTICES>()?;
+        needed.check::<EDGES, VERTICES>()?;
         Ok(PreparedEdges {
             call: PreparedCall::new(screen, mesh, mvp, call.depth_shift()),
             submitted: edges.len() as u32,
@@ -208,6 +192,50 @@ impl<const EDGES: usize, const VERTICES: usize> EdgeList<EDGES, VERTICES> {
             pixels: options.pixels,
             line: options.line,
         })
+    }
+}
+
+/// Adds the visible ones of some edges to a list. Once it is full, they are only counted.
+#[inline]
+pub(super) fn add<K: ProjectionKind, E>(
+    call: &Call<'_, K>,
+    height: u32,
+    (edges, ends_of): (
+        &[E],
+        impl Fn(&mut VertexCache, usize, &E) -> Option<[Index; 2]>,
+    ),
+    (list, vertices): (&mut VecView<Edge>, &mut VecView<Slot>),
+    needed: &mut Needed,
+) {
+    let mut vertices = VertexWriter::new(vertices, needed.vertices);
+    run::each_edge(
+        call,
+        edges.iter().enumerate(),
+        |cache, (at, edge)| ends_of(cache, at, edge),
+        |indices, ends, is_clipped| {
+            needed.elements += 1;
+            // If there is no room, the list will not be used.
+            let _ = list.push(Edge {
+                indices,
+                rows: rows_of(ends.map(|end| end.vertex.screen[1]), height),
+                ends: if is_clipped {
+                    let [first, _] = ends.map(|end| vertices.add_clipped(end));
+                    Ends::Clipped(first)
+                } else {
+                    Ends::Whole(ends.map(|end| vertices.number(&end.vertex)))
+                },
+            });
+        },
+    );
+    needed.vertices = vertices.needed;
+}
+
+impl Edge {
+    /// The number of its first vertex, which tells its object.
+    pub(super) const fn first(&self) -> u16 {
+        match self.ends {
+            Ends::Whole([first, _]) | Ends::Clipped(first) => first,
+        }
     }
 }
 

@@ -9,7 +9,7 @@ use super::{
     Corners, Entry, Filling, Needed, Prepared, PreparedCall, Slot, TriangleList, VertexWriter,
     painter,
 };
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, Outline};
 use crate::pipeline::call::{Call, Screen};
 use crate::pipeline::options::PixelOptions;
 use crate::pipeline::{DrawOptions, run};
@@ -23,7 +23,8 @@ use crate::{Error, Transform};
 ///
 /// The material is any value that tells how to draw the object: a shader, or a value of your own to choose one by.
 ///
-/// [`TriangleList::prepare_scene`] prepares a slice of objects.
+/// [`TriangleList::prepare_scene`] and [`EdgeList::prepare_scene`](super::EdgeList::prepare_scene) prepare a slice of
+/// objects.
 ///
 /// ```
 /// use fixel::{Object, prelude::*};
@@ -40,6 +41,8 @@ pub struct Object<'m, T> {
     pub model: Transform,
     /// How the object is drawn.
     pub material: T,
+    /// The edges that are drawn of it; without an outline, all.
+    pub outline: Option<&'m Outline<'m>>,
     /// The number of its last vertex in the list.
     last: u16,
     depth_shift: DepthShift,
@@ -55,10 +58,91 @@ impl<'m, T> Object<'m, T> {
             mesh,
             model,
             material,
+            outline: None,
             last: 0,
             depth_shift: DepthShift(0),
             first_face: 0,
         }
+    }
+
+    /// Gives it an outline, which is drawn in place of all edges.
+    #[must_use]
+    pub const fn with_outline(mut self, outline: &'m Outline<'m>) -> Self {
+        self.outline = Some(outline);
+        self
+    }
+}
+
+/// A view of several objects, for which a list was prepared.
+#[derive(Debug)]
+pub(super) struct View<'a, T, K> {
+    objects: &'a [Object<'a, T>],
+    /// What the objects' transforms are multiplied with.
+    world: Transform,
+    camera: Transform,
+    kind: PhantomData<K>,
+    screen: Screen,
+}
+
+impl<'a, T, K: ProjectionKind> View<'a, T, K> {
+    /// Prepares each of the objects by `prepare`, which adds to what the list needs.
+    #[inline]
+    pub(super) fn prepare<'m: 'a, V: ModelToPicture<Kind = K>>(
+        screen: Screen,
+        view: &V,
+        objects: &'a mut [Object<'m, T>],
+        needed: &mut Needed,
+        mut prepare: impl FnMut(&Call<'_, K>, &Object<'m, T>, &mut Needed),
+    ) -> Self {
+        let view = Mvp {
+            projection: *view.projection_of(),
+            camera: *view.camera_of(),
+            model: *view.model_of(),
+        };
+        let mut faces = 0_u32;
+        for object in &mut *objects {
+            let mvp = view * object.model;
+            let call = Call::new(&screen, &(0..screen.frame.height), object.mesh, &mvp);
+            prepare(&call, object, needed);
+            object.last = needed.vertices as u16;
+            object.depth_shift = call.depth_shift();
+            object.first_face = faces;
+            faces = faces.wrapping_add(object.mesh.faces().len() as u32);
+        }
+        Self {
+            objects,
+            world: view.model,
+            camera: view.camera,
+            kind: PhantomData,
+            screen,
+        }
+    }
+
+    /// The object that a vertex of this number belongs to, and the numbers of the object's vertices.
+    pub(super) fn object_of(&self, number: u16) -> Option<(&'a Object<'a, T>, Range<u32>)> {
+        let at = self.objects.partition_point(|object| object.last < number);
+        let object = self.objects.get(at)?;
+        let before = self.objects.get(at.wrapping_sub(1));
+        let start = before.map_or(0, |before| u32::from(before.last));
+        Some((object, start + 1..u32::from(object.last) + 1))
+    }
+
+    /// The draw call of an object.
+    pub(super) fn call(&self, object: &Object<'a, T>) -> PreparedCall<'a, K> {
+        let model = self.world * object.model;
+        PreparedCall {
+            mesh: object.mesh,
+            model,
+            model_view: self.camera * model,
+            kind: PhantomData,
+            screen: self.screen,
+            depth_shift: object.depth_shift,
+        }
+    }
+
+    /// An error unless a canvas belongs to the frame of the view.
+    pub(super) fn check(&self, frame: Size) -> Result<(), Error> {
+        self.screen.check(frame)
     }
 }
 
@@ -70,14 +154,9 @@ impl<'m, T> Object<'m, T> {
 /// It can be shared with another core that draws other bands of the same frame.
 #[derive(Debug)]
 pub struct PreparedScene<'a, T, K = Perspective, M = Newton, Z = TestAndWrite, B = Replace> {
-    objects: &'a [Object<'a, T>],
+    view: View<'a, T, K>,
     entries: &'a mut [Entry],
     vertices: &'a [Slot],
-    /// Of the view: what the objects' transforms are multiplied with.
-    world: Transform,
-    camera: Transform,
-    kind: PhantomData<K>,
-    screen: Screen,
     pixels: PixelOptions<M, Z, B>,
 }
 
@@ -148,46 +227,25 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
         let screen = options.screen(frame);
         self.triangles.clear();
         self.vertices.clear();
-        let (mut needed, mut faces) = (
-            Needed {
-                of: "triangles",
-                elements: 0,
-                vertices: 0,
-            },
-            0_u32,
-        );
-        let view = Mvp {
-            projection: *view.projection_of(),
-            camera: *view.camera_of(),
-            model: *view.model_of(),
-        };
-        for object in &mut *objects {
-            let mvp = view * object.model;
-            let call = Call::new(&screen, &(0..frame.height), object.mesh, &mvp);
+        let mut needed = Needed::nothing("triangles");
+        let (triangles, vertices) = (&mut self.triangles, &mut self.vertices);
+        let view = View::prepare(screen, view, objects, &mut needed, |call, _, needed| {
             let mut filling = Filling {
-                triangles: self.triangles.as_mut_view(),
+                triangles: triangles.as_mut_view(),
                 needed: needed.elements,
-                vertices: VertexWriter::new(self.vertices.as_mut_view(), needed.vertices),
+                vertices: VertexWriter::new(vertices.as_mut_view(), needed.vertices),
                 rows: [u16::MAX, 0],
                 cull: call.shared.cull,
                 scissor: &call.shared.scissor,
             };
-            run::triangles(&call, &mut filling);
+            run::triangles(call, &mut filling);
             (needed.elements, needed.vertices) = (filling.needed, filling.vertices.needed);
-            object.last = needed.vertices as u16;
-            object.depth_shift = call.depth_shift();
-            object.first_face = faces;
-            faces = faces.wrapping_add(object.mesh.faces().len() as u32);
-        }
+        });
         needed.check::<TRIANGLES, VERTICES>()?;
         Ok(PreparedScene {
-            objects,
+            view,
             entries: &mut self.triangles,
             vertices: &self.vertices,
-            world: view.model,
-            camera: view.camera,
-            kind: PhantomData,
-            screen,
             pixels: options.pixels,
         })
     }
@@ -202,27 +260,15 @@ impl Entry {
     }
 }
 
-/// The object that an entry belongs to, and the numbers of the object's vertices.
-fn object_of<'o, T>(
-    objects: &'o [Object<'_, T>],
-    entry: &Entry,
-) -> Option<(&'o Object<'o, T>, Range<u32>)> {
-    let number = entry.first();
-    let at = objects.partition_point(|object| object.last < number);
-    let object = objects.get(at)?;
-    let before = objects.get(at.wrapping_sub(1));
-    let start = before.map_or(0, |before| u32::from(before.last));
-    Some((object, start + 1..u32::from(object.last) + 1))
-}
-
 impl<'a, T, K: ProjectionKind, M: Mode, Z: DepthTest, B: Copy> PreparedScene<'a, T, K, M, Z, B> {
     /// Sorts the triangles of all objects back to front, as
     /// [`prepare_back_to_front`](TriangleList::prepare_back_to_front) does. Equally far triangles are in the order of
     /// the objects.
     pub fn sort_back_to_front(&mut self) {
-        let scissor = self.screen.scissor(&(0..self.screen.frame.height));
+        let screen = self.view.screen;
+        let scissor = screen.scissor(&(0..screen.frame.height));
         for entry in &mut *self.entries {
-            if let Some((object, _)) = object_of(self.objects, entry) {
+            if let Some((object, _)) = self.view.object_of(entry.first()) {
                 // Counted through all objects, faces are in the order of the objects.
                 entry.face = entry.face.wrapping_add(object.first_face);
                 painter::set_nearness(entry, self.vertices, object.depth_shift);
@@ -230,7 +276,7 @@ impl<'a, T, K: ProjectionKind, M: Mode, Z: DepthTest, B: Copy> PreparedScene<'a,
         }
         painter::heap_sort(self.entries);
         for entry in &mut *self.entries {
-            if let Some((object, _)) = object_of(self.objects, entry) {
+            if let Some((object, _)) = self.view.object_of(entry.first()) {
                 entry.face = entry.face.wrapping_sub(object.first_face);
                 painter::set_rows(entry, self.vertices, &scissor.rows);
             }
@@ -252,7 +298,7 @@ impl<'a, T, K: ProjectionKind, M: Mode, Z: DepthTest, B: Copy> PreparedScene<'a,
         impl Iterator<Item = (&'s T, Prepared<'s, K, M, Z, B>)> + use<'s, 'a, T, K, M, Z, B, C, O, D>,
         Error,
     > {
-        self.screen.check(canvas.frame_size())?;
+        self.view.check(canvas.frame_size())?;
         let mut rest = &*self.entries;
         let rows = canvas.rows().clone();
         Ok(core::iter::from_fn(move || {
@@ -261,23 +307,15 @@ impl<'a, T, K: ProjectionKind, M: Mode, Z: DepthTest, B: Copy> PreparedScene<'a,
             };
             let start = rest.iter().position(|entry| meets(entry.rows))?;
             rest = rest.get(start..)?;
-            let (object, numbers) = object_of(self.objects, rest.first()?)?;
+            let (object, numbers) = self.view.object_of(rest.first()?.first())?;
             let is_other = |entry: &Entry| !numbers.contains(&u32::from(entry.first()));
             let length = rest.iter().position(is_other).unwrap_or(rest.len());
             let (triangles, others) = rest.split_at_checked(length)?;
             rest = others;
-            let model = self.world * object.model;
             Some((
                 &object.material,
                 Prepared {
-                    call: PreparedCall {
-                        mesh: object.mesh,
-                        model,
-                        model_view: self.camera * model,
-                        kind: PhantomData,
-                        screen: self.screen,
-                        depth_shift: object.depth_shift,
-                    },
+                    call: self.view.call(object),
                     triangles,
                     vertices: self.vertices,
                     rows: [0, u16::MAX],
