@@ -56,7 +56,7 @@ const fn roots() -> [u16; 257] {
     let mut i = 16;
     while i < table.len() {
         let at = 32 * i as u64;
-        let above = (root(at) + root(at + 32)) / 2 - root(at + 16);
+        let above = u64::midpoint(root(at), root(at + 32)) - root(at + 16);
         table[i] = ((root(at) - above / 2 + 32) >> 6) as u16;
         i += 1;
     }

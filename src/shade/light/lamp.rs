@@ -105,13 +105,14 @@ impl PointLight {
     /// 2⁻¹⁶.
     #[inline]
     fn light(&self, square: u32, part: impl FnOnce() -> u32) -> u32 {
-        if square >= FULL {
+        let Some(rest) = FULL.checked_sub(square) else {
             return 0;
-        }
+        };
         let left = match self.falloff {
-            Falloff::Smooth => times(FULL - square, FULL - square),
+            Falloff::Smooth => times(rest, rest),
             Falloff::Linear => FULL.saturating_sub(part()),
-            Falloff::Constant => FULL,
+            Falloff::Constant if rest > 0 => FULL,
+            Falloff::Constant => 0,
         };
         times(self.brightness, left)
     }
