@@ -36,7 +36,7 @@ use crate::mesh::{Bounds, Mesh, Missing, Outline, Positions, Sprites};
 use crate::num::{Subpixel, block::BlockFloat};
 use crate::raster::{Blitter, PointStyle, ScreenVertex};
 use crate::shade::ShaderFor;
-use crate::span::{Blit, Mode, Painter};
+use crate::span::{Blit, Mode, Painter, is_plane};
 use crate::target::{Blending, Canvas, DepthBuffer, DepthTest, Label, Storage};
 use crate::view::{ModelToPicture, ProjectionKind};
 use crate::{Error, Vec3};
@@ -352,6 +352,10 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// Draws sprites: two triangles for each of their positions, by the rules for those of a mesh. Nothing is culled,
     /// because sprites have no backs.
     ///
+    /// A sprite without an [axis](Sprites::with_axis) is a rectangle on the screen. Unless it is clipped or its shader has
+    /// values [of a face](crate::shade::PerFace), it is drawn in one go, for less than the cost of its triangles. Its
+    /// pixels and their depths are those of the triangles, and its varyings are as exact.
+    ///
     /// Every shader works: the quad is a mesh in eye space, whose normal points towards the viewer, and a quad's two
     /// triangles have the indices 2i and 2i + 1, where i is the sprite's. Its corners are rounded to the nearest
     /// [`Scalar`](crate::Scalar)s in eye space, which moves them by at most 2⁻¹⁶ · focal length / w pixels; a sprite
@@ -419,7 +423,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         let modes = (pixels.mode, pixels.depth);
         let mut blit =
             Blit::<_, _, _, V::Kind, _, _>::new(modes, self, painter, quads.depth_shift());
-        quads.draw(&scissor, &mut blit)
+        quads.draw(&scissor, &|halves| is_plane(&painter, halves), &mut blit)
     }
 
     /// The screen position of a point of model space, with the same bits as when it is drawn.

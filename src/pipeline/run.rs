@@ -13,25 +13,30 @@ use super::assemble::{self, Assembly};
 use super::cache::VertexCache;
 use super::call::{Call, Shared};
 use super::clip::ClippedPolygon;
-use crate::mesh::{Element, Index};
+use crate::mesh::{Element, Index, Primitive};
 use crate::raster::{self, Blitter, ClippedVertex, Polygon, Rasterizer, ScreenVertex, Triangle};
 use crate::view::ProjectionKind;
 
 /// Runs all triangles of a mesh through the vertex and assembly stages; `to` draws them or keeps them in a list.
 #[inline]
 pub(super) fn triangles<K: ProjectionKind>(call: &Call<'_, K>, to: &mut impl Assembly) {
-    triangles_from(call, 0, &mut VertexCache::new(), to);
+    triangles_from(
+        call,
+        (0, call.shared.mesh.faces()),
+        &mut VertexCache::new(),
+        to,
+    );
 }
 
-/// [`triangles`] of which the first one has the index `first`.
+/// [`triangles`] of which the first one has the index `first`. A program that draws sprites has it once for both.
 #[inline]
 fn triangles_from<K: ProjectionKind>(
     call: &Call<'_, K>,
-    first: usize,
+    (first, faces): (usize, &[[Index; 3]]),
     vertices: &mut VertexCache,
     to: &mut impl Assembly,
 ) {
-    for (face, indices) in (first..).zip(call.shared.mesh.faces()) {
+    for (face, indices) in (first..).zip(faces) {
         assemble::triangle(call, vertices, (face, indices), to);
     }
 }
@@ -141,17 +146,77 @@ pub(super) fn draw<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blit
     draw.drawn()
 }
 
-/// Draws all triangles of a mesh, of which the first one has the index `first`, with a cache that holds no vertices of
-/// other meshes.
-pub(super) fn draw_from<K: ProjectionKind>(
+/// Whether a plane through the varyings of a rectangle's first triangle is that of its second one too.
+pub(super) type IsPlane<'p> = &'p dyn Fn([&Primitive<'_>; 2]) -> bool;
+
+/// Draws quads: the triangles of a mesh in pairs, of which the first triangle has the index `first`, with a cache that
+/// holds no vertices of other meshes. If quads are upright rectangles on the screen, each at one depth, `is_plane` tells
+/// which of them to draw as one primitive.
+#[inline(never)]
+pub(super) fn quads<K: ProjectionKind>(
     call: &Call<'_, K>,
     first: usize,
     vertices: &mut VertexCache,
+    is_plane: Option<IsPlane<'_>>,
     blitter: &mut dyn Blitter,
 ) -> Drawn {
     let mut draw = Draw::new(blitter, &call.shared);
-    triangles_from(call, first, vertices, &mut draw);
+    for (pair, at) in call
+        .shared
+        .mesh
+        .faces()
+        .chunks_exact(2)
+        .zip((first..).step_by(2))
+    {
+        let is_done =
+            is_plane.is_some_and(|is_plane| rectangle(call, (at, pair), is_plane, &mut draw));
+        if !is_done {
+            triangles_from(call, (at, pair), vertices, &mut draw);
+        }
+    }
     draw.drawn()
+}
+
+/// Draws two triangles that are an upright rectangle at one depth, from the first corner of the first one to the last
+/// corner of the second one; returns whether it is done.
+#[inline]
+fn rectangle<K: ProjectionKind>(
+    call: &Call<'_, K>,
+    (first, faces): (usize, &[[Index; 3]]),
+    is_plane: IsPlane<'_>,
+    draw: &mut Draw<'_>,
+) -> bool {
+    let &[one, other] = faces else {
+        return false;
+    };
+    let ([a, ..], [.., d]) = (one, other);
+    let [mut from, mut to] = [ScreenVertex::UNSET; 2];
+    call.projector.project(a, &mut from);
+    call.projector.project(d, &mut to);
+    // The other two corners have the coordinates of these.
+    if from.outcode | to.outcode != 0 {
+        return from.outcode & to.outcode != 0;
+    }
+    let ([left, bottom], [right, top]) = (from.screen, to.screen);
+    let corner = |screen| ScreenVertex { screen, ..from };
+    let (b, c) = (corner([right, bottom]), corner([left, top]));
+    let area = raster::area(&[from.screen, b.screen, c.screen]);
+    let Some(half) = &Triangle::new([&from, &b, &c], None, area, &call.shared.scissor) else {
+        return true;
+    };
+    let shared = &call.shared;
+    let element = |face, indices| Element {
+        face: Some(face),
+        indices,
+    };
+    let (one, other) = (element(first, one), element(first + 1, other));
+    let is_plane = is_plane([&shared.primitive(one), &shared.primitive(other)]);
+    if is_plane {
+        draw.start(one);
+        half.draw_rectangle(&mut draw.raster);
+        draw.drawn.drawn += 2;
+    }
+    is_plane
 }
 
 /// Draws assembled triangles.

@@ -1,11 +1,12 @@
-//! Sprites: quads in eye space, which are drawn as a mesh of eight at a time.
+//! Sprites: quads in eye space, which are drawn as a mesh of eight at a time. Those that face the camera are rectangles
+//! on the screen, each drawn as one primitive where that has the pixels of its two triangles.
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::Drawn;
 use super::cache::VertexCache;
 use super::call::{Call, Shared};
-use super::run;
+use super::run::{self, IsPlane};
 use super::vertex::Projector;
 use crate::math::Transform;
 use crate::mesh::{Index, Mesh, Placement, Positions, Sprites};
@@ -176,8 +177,15 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
 
     /// Draws all sprites.
     #[inline(never)]
-    pub(super) fn draw(&self, scissor: &Scissor, blitter: &mut dyn Blitter) -> Drawn {
+    pub(super) fn draw(
+        &self,
+        scissor: &Scissor,
+        is_plane: IsPlane<'_>,
+        blitter: &mut dyn Blitter,
+    ) -> Drawn {
         let sprites = self.sprites;
+        // A sprite that faces the camera has corners of one z, and x and y of the screen depend on no other but z.
+        let is_plane = Some(is_plane).filter(|_| sprites.axis.is_none());
         let mut drawn = Drawn::default();
         let mut corners = [[Vec3::ZERO; 4]; BATCH];
         // Where sprites do not differ, this is written once.
@@ -223,7 +231,7 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
                 },
             };
             vertices.forget(4 * BATCH);
-            let part = run::draw_from(&call, 2 * first, &mut vertices, blitter);
+            let part = run::quads(&call, 2 * first, &mut vertices, is_plane, blitter);
             drawn.submitted += part.submitted;
             drawn.drawn += part.drawn;
             drawn.clipped += part.clipped;

@@ -61,6 +61,24 @@ impl<'r> Rasterizer<'r> {
             first = next;
         }
     }
+
+    /// Draws the same columns of some rows, as far as they are within the scissor.
+    #[inline]
+    pub(super) fn fill_upright(&mut self, rows: &Range<i32>, [start, end]: [i32; 2]) {
+        let columns = &self.scissor.columns;
+        let columns = [start.max(columns.start) as i16, end.min(columns.end) as i16];
+        let mut first = rows.start;
+        while first < rows.end {
+            let next = rows.end.min(first + ROWS);
+            let count = (next - first).cast_unsigned() as usize;
+            let rows = self.rows.get_mut(..count).unwrap_or_default();
+            for row in &mut *rows {
+                *row = columns;
+            }
+            self.blitter.rows(first, rows);
+            first = next;
+        }
+    }
 }
 
 /// Finds the columns of consecutive rows whose centers lie between the edges of a triangle.

@@ -77,6 +77,19 @@ impl<'a> Triangle<'a> {
         self.draw_part(raster, None);
     }
 
+    /// Draws the part in the scissor of the upright rectangle of which it is a half. Interpolants are laid over the whole
+    /// rectangle: at the fourth corner, none may be beyond its values at the other three.
+    ///
+    /// It has the pixels of both halves. The errors of planes, which are derived from the width and the height of a
+    /// triangle, are the same.
+    #[inline(never)]
+    pub(crate) fn draw_rectangle(&self, raster: &mut Rasterizer<'_>) {
+        raster.blitter.set_up(&self.patch);
+        let [[ax, _], [bx, _], [cx, _]] = ScreenVertex::screens(self.patch.vertices);
+        let ends = [ax.min(bx).min(cx), ax.max(bx).max(cx)].map(first_center);
+        raster.fill_upright(&self.rows, ends);
+    }
+
     /// Draws the part in the scissor or, of that, only those pixels that `part` selects.
     #[inline(never)]
     pub(super) fn draw_part(&self, raster: &mut Rasterizer<'_>, part: Option<&Part<'_>>) {

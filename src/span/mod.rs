@@ -24,4 +24,4 @@ mod tests;
 
 pub(crate) use blit::Blit;
 pub use mode::{Affine, Compact, Exact, Fast, Mode, Newton};
-pub(crate) use painter::{Painter, Smooth};
+pub(crate) use painter::{Painter, Smooth, is_plane};

@@ -58,6 +58,26 @@ impl<S: Shader, B: Blending<ColorOf<S>, Source = S::Color>> Painter for (S, B) {
     }
 }
 
+/// Whether all varyings of a rectangle are on planes: `halves` are its triangles abc and cbd. No varying has a value at d
+/// that is beyond those at a, b and c.
+#[inline]
+pub(crate) fn is_plane<P: Painter>(painter: &P, halves: [&Primitive<'_>; 2]) -> bool {
+    // Values of a face cannot be compared, but most shaders have none.
+    if size_of::<<P::Varyings as Varyings>::Face>() > 0 {
+        return false;
+    }
+    let [one, other] = halves.map(|half| painter.varyings(half).map(|corner| corner.split().0));
+    let ([a, b, c], [same_c, same_b, d]) = (&one, &other);
+    let (b, c) = (
+        b.as_ref().iter().zip(same_b.as_ref()),
+        c.as_ref().iter().zip(same_c.as_ref()),
+    );
+    let mut corners = a.as_ref().iter().zip(d.as_ref()).zip(b.zip(c));
+    corners.all(|((a, d), ((b, same_b), (c, same_c)))| {
+        b == same_b && c == same_c && (a == b && c == d || a == c && b == d)
+    })
+}
+
 /// A shader and a blending, of which each pixel gets as much as the current line covers of it.
 #[derive(Clone, Copy)]
 pub(crate) struct Smooth<'l, S, B> {

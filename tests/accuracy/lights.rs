@@ -63,8 +63,9 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 4000, ..ProptestConfig::default() })]
 
     /// Mantissas of the way and of the normal have 14 bits or more: 1.1e-4 each, in three dimensions. The reciprocal root
-    /// adds 2.8e-4. So the cosine has an error of 5e-4; that of the distance, 3.9e-4, counts at most as much in the
-    /// falloff. These are 59 units of 2^-16, and ten products are cut.
+    /// adds 2.2e-4, and what is cut from their product 3e-5: so the cosine has an error of 4.7e-4. A linear falloff has that
+    /// of the distance: 1.1e-4 of the way, 2.2e-4 of the root, and 1.2e-4 of factors that are cut. (A smooth one has less
+    /// than half of it.) Together these are 61 units of 2^-16. Four products lose up to two units each.
     #[test]
     fn lamps_follow_lambert_and_their_falloff(
         normal in vector(),

@@ -1,10 +1,12 @@
-//! Sprites are the triangles of a mesh in eye space, bit for bit, in frames and in bands.
+//! Sprites are the triangles of a mesh in eye space: the same pixels with the same depths and colors, and texture
+//! coordinates within what the modes promise. And frames equal bands, bit for bit.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
+use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::prelude::*;
-use fixel::shade::Fog;
+use fixel::shade::{Fog, Texels};
 use fixel::view::ProjectionKind;
 
 use crate::common::recorder::Probe;
@@ -63,6 +65,66 @@ fn corners<K: ProjectionKind>(sprites: &Sprites<'_>, mvp: &Mvp<K>) -> Vec<Vec3> 
     found.into_inner()
 }
 
+/// A shader that keeps the texture coordinates of all pixels, in units of 2^-16 texel of 1024.
+#[derive(Clone, Copy)]
+struct Coordinates<'a> {
+    found: &'a RefCell<Vec<(Point, [i32; 2])>>,
+    triangles: &'a Cell<usize>,
+}
+
+impl Shader for Coordinates<'_> {
+    type Color = Rgb565;
+    type Varyings = Texels;
+
+    fn varyings(&self, triangle: &Primitive<'_>) -> [Texels; 3] {
+        self.triangles.set(self.triangles.get() + 1);
+        let texels = |at: fixel::num::TexCoord| at.to_bits() << 6;
+        triangle.corners(|corner| Texels([texels(corner.uv().x), texels(corner.uv().y)]))
+    }
+
+    fn shade(&self, at: &Fragment, Texels(at_texel): Texels) -> Option<Rgb565> {
+        self.found.borrow_mut().push((at.point, at_texel));
+        None
+    }
+}
+
+/// A shader whose color is on no plane through all four corners.
+#[derive(Clone, Copy)]
+struct Bent;
+
+impl Shader for Bent {
+    type Color = Rgb565;
+    type Varyings = [i32; 1];
+
+    fn varyings(&self, triangle: &Primitive<'_>) -> [[i32; 1]; 3] {
+        triangle.corners(|corner| [(corner.uv().x * corner.uv().y).to_bits()])
+    }
+
+    fn shade(&self, _: &Fragment, [part]: [i32; 1]) -> Option<Rgb565> {
+        let green = (part >> 14).clamp(0, 63);
+        Some(Rgb565::new(0, u8::try_from(green).unwrap(), 0))
+    }
+}
+
+/// The texture coordinates of all pixels, sorted by pixel, and how many triangles were set up.
+fn coordinates(
+    draw: impl Fn(
+        &mut Canvas<'_, Rgb565, fixel::target::Native, fixel::target::Depth<'_>>,
+        Coordinates<'_>,
+    ),
+) -> (Vec<(Point, [i32; 2])>, usize) {
+    let (found, triangles) = (RefCell::new(Vec::new()), Cell::new(0));
+    let shader = Coordinates {
+        found: &found,
+        triangles: &triangles,
+    };
+    picture(HEIGHT, &|canvas| draw(canvas, shader));
+    let mut found = found.into_inner();
+    // Of pixels that several sprites cover, each keeps its order.
+    found.sort_by_key(|(point, _)| (point.y, point.x));
+    (found, triangles.get())
+}
+
 fn check<K: ProjectionKind>(sprites: Sprites<'_>, projection: Projection<K>, camera: Camera) {
     let colors: Vec<Rgb888> = (0..29)
         .map(|i| Rgb888::new(i * 8, 255 - i, i * 5))
@@ -71,18 +133,18 @@ fn check<K: ProjectionKind>(sprites: Sprites<'_>, projection: Projection<K>, cam
     let mvp = projection * camera;
     let options = DrawOptions::new();
     let fog = Fog::linear(Rgb565::new(9, 9, 9), fx!(2), fx!(12)).unwrap();
-    let shader = Textured::new(&SKIN)
+    let textured = Textured::new(&SKIN)
         .cut_out(Rgb565::new(0, 0, 31))
         .tinted()
         .in_fog(fog);
     let frame = picture(HEIGHT, &|canvas| {
-        let drawn = canvas.draw_sprites(&options, &sprites, &mvp, &shader);
+        let drawn = canvas.draw_sprites(&options, &sprites, &mvp, &textured);
         assert_eq!(drawn.submitted, 2 * 29);
         assert!(!drawn.missing.uvs && !drawn.missing.colors);
     });
     for rows in [1, 7, 16] {
         let bands = picture(rows, &|canvas| {
-            canvas.draw_sprites(&options, &sprites, &mvp, &shader);
+            canvas.draw_sprites(&options, &sprites, &mvp, &textured);
         });
         assert!(bands == frame, "bands of {rows} rows");
     }
@@ -98,9 +160,58 @@ fn check<K: ProjectionKind>(sprites: Sprites<'_>, projection: Projection<K>, cam
         .and_then(|mesh| mesh.with_colors(&colors, None))
         .unwrap();
     let both = options.with_cull(Cull::Nothing);
+    same_as_mesh(
+        &sprites,
+        &mesh,
+        (&mvp, &projection),
+        &Gouraud::new().in_fog(fog),
+    );
+    same_as_mesh(&sprites, &mesh, (&mvp, &projection), &Bent);
+    // A sprite's triangles are two faces.
+    let colors: Vec<Rgb565> = (0..58).map(|i| Rgb565::new(i / 2, i, 31)).collect();
+    same_as_mesh(
+        &sprites,
+        &mesh,
+        (&mvp, &projection),
+        &FaceColors::new(&colors),
+    );
+
+    // The coordinates of each pixel have an error of up to 57 units on either way, besides those that the mode saves: both
+    // ways save nothing, because a sprite that faces the camera has one depth, and others are the mesh's triangles.
+    let (found, rectangles) = coordinates(|canvas, shader| {
+        canvas.draw_sprites(&options, &sprites, &mvp, &shader);
+    });
+    let (expected, triangles) = coordinates(|canvas, shader| {
+        canvas.draw_with(&both, &mesh, &projection, &shader);
+    });
+    assert_eq!(found.len(), expected.len());
+    for ((point, found), (same_point, expected)) in found.into_iter().zip(expected) {
+        assert_eq!(point, same_point);
+        for (found, expected) in found.into_iter().zip(expected) {
+            let error = found.abs_diff(expected);
+            assert!(error <= 2 * 57, "{found} is not {expected} at {point}");
+        }
+    }
+    assert!(triangles > 20 && rectangles > 0);
+}
+
+/// Checks that a picture of sprites is that of a mesh, bit for bit.
+fn same_as_mesh<K: ProjectionKind>(
+    sprites: &Sprites<'_>,
+    mesh: &Mesh<'_>,
+    (mvp, projection): (&Mvp<K>, &Projection<K>),
+    shader: &impl Shader<Color = Rgb565>,
+) {
+    let both = DrawOptions::new().with_cull(Cull::Nothing);
+    let counts = Cell::new([0; 2]);
+    let frame = picture(HEIGHT, &|canvas| {
+        let drawn = canvas.draw_sprites(&both, sprites, mvp, shader);
+        counts.set([drawn.drawn, drawn.clipped]);
+    });
     let expected = picture(HEIGHT, &|canvas| {
-        let drawn = canvas.draw_with(&both, &mesh, &projection, &shader);
+        let drawn = canvas.draw_with(&both, mesh, projection, shader);
         assert!(drawn.drawn > 20, "{drawn:?}");
+        assert_eq!(counts.get(), [drawn.drawn, drawn.clipped]);
     });
     assert!(frame == expected, "a mesh differs");
 }
