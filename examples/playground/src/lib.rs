@@ -16,9 +16,6 @@
 
 #[path = "../../common/mod.rs"]
 mod common;
-#[path = "../../common/world/mod.rs"]
-mod world;
-
 mod app;
 mod formats;
 mod model;

@@ -9,7 +9,6 @@ use fixel::view::Perspective;
 
 use super::common::{lighthouse, scenes};
 use super::model::Model;
-use super::world;
 use super::view::View;
 
 /// A scene. The page knows it by its index in `ALL`.
@@ -20,7 +19,6 @@ pub enum Scene {
     Sphere,
     SphereFlat,
     Lighthouse,
-    World,
     Own,
 }
 
@@ -34,13 +32,12 @@ pub struct Part<'a> {
 }
 
 impl Scene {
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 6] = [
         Self::Floor,
         Self::Cube,
         Self::Sphere,
         Self::SphereFlat,
         Self::Lighthouse,
-        Self::World,
         Self::Own,
     ];
 
@@ -62,7 +59,7 @@ impl Scene {
                 let projection = lighthouse::projection(view.size())?;
                 Ok(projection * lighthouse::camera()? * Transform::IDENTITY)
             }
-            Self::World | Self::Own => view.mvp(),
+            Self::Own => view.mvp(),
         }
     }
 
@@ -95,7 +92,7 @@ impl Scene {
         Ok(scenes::sphere_flat(canvas, options, &self.mvp(view)?))
     }
 
-    /// Draws another scene in a mode. The little world has modes of its own.
+    /// Draws another scene in a mode.
     ///
     /// # Errors
     ///
@@ -117,10 +114,6 @@ impl Scene {
                 let [sea, island] = lighthouse::draw(canvas, options, mvp)?;
                 sum(sea, island)
             }
-            Self::World => {
-                world::draw(canvas, Angle::from_bits(view.moment))?;
-                Drawn::default()
-            }
             Self::Own => {
                 let sun = Light::new(vec3!(2, 3, 4), fx!(0.35), fx!(0.65))?;
                 canvas.draw_with(options, &model.mesh()?, mvp, &Textured::new(model.texture()?).lit(sun))
@@ -128,7 +121,7 @@ impl Scene {
         })
     }
 
-    /// The scene's meshes in the order of their draw calls; none of the little world.
+    /// The scene's meshes in the order of their draw calls.
     ///
     /// # Errors
     ///
@@ -143,7 +136,6 @@ impl Scene {
                 Some(Part { mesh: lighthouse::SEA, texels: [64; 2] }),
                 Some(Part { mesh: lighthouse::ISLAND, texels: [128; 2] }),
             ]),
-            Self::World => Ok([None, None]),
             Self::Own => {
                 let texture = model.texture()?;
                 one(model.mesh()?, [texture.width(), texture.height()])

@@ -37,8 +37,6 @@ pub struct View {
     pub shift: [u32; 2],
     /// 1 if back faces are drawn too.
     pub is_two_sided: u32,
-    /// The moment of the little world's walk, as a fraction of 2^32.
-    pub moment: u32,
 }
 
 impl View {
@@ -61,7 +59,6 @@ impl View {
         far: 0,
         shift: [0; 2],
         is_two_sided: 0,
-        moment: 0,
     };
 
     pub fn size(&self) -> Size {
