@@ -14,13 +14,13 @@ export async function load(bytes) {
   return instance.exports;
 }
 
-/** The bytes of a file beside the page. */
+/** The bytes of a compressed file beside the page. Some servers unpack it. */
 export async function fetched(path) {
   const response = await fetch(new URL(path, import.meta.url));
   if (!response.ok) throw new Error(`${path} is missing here (${response.status}).`);
-  const bytes = await response.arrayBuffer();
-  if (!bytes.byteLength) throw new Error(`${path} is empty: it was not built before the server.`);
-  return bytes;
+  const bytes = new Uint8Array(await response.arrayBuffer());
+  if (bytes[0] !== 0x1f) return bytes;
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
 }
 
 /** What the page can ask of the module. `world` is a promise of the little world's module, loaded when it is needed. */

@@ -4,10 +4,10 @@ use core::cell::Cell;
 use core::fmt::Write;
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use fixel::Drawn;
 use fixel::mode::{Affine, Compact, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 use fixel::target::NoDepth;
-use fixel::Drawn;
 
 use super::formats;
 use super::model::{FACES, Model};
@@ -98,13 +98,20 @@ impl App {
     pub fn draw(&mut self, slot: usize) -> bool {
         let drawn = in_mode!(self, |mode| self.draw_in(slot, mode));
         if let Ok(drawn) = drawn {
-            [self.counts[0], self.counts[1], self.counts[2]] = [drawn.submitted, drawn.drawn, drawn.clipped];
+            [self.counts[0], self.counts[1], self.counts[2]] =
+                [drawn.submitted, drawn.drawn, drawn.clipped];
         }
         self.tell(drawn.map(|_| ()))
     }
 
     fn draw_in<M: Mode>(&mut self, slot: usize, mode: M) -> Result<Drawn, Error> {
-        let Bench { mut canvas, depths, view, model, .. } = self.bench(slot)?;
+        let Bench {
+            mut canvas,
+            depths,
+            view,
+            model,
+            ..
+        } = self.bench(slot)?;
         let scene = Scene::of(view);
         if scene.has_depth() {
             scene.draw(&mut canvas.with_depth(depths)?, view, mode, model)
@@ -120,7 +127,9 @@ impl App {
             count.set(count.get() + 1);
             Some(color)
         });
-        let done = self.bench(slot).and_then(|bench| bench.draw(Newton, |_, _| counter));
+        let done = self
+            .bench(slot)
+            .and_then(|bench| bench.draw(Newton, |_, _| counter));
         self.counts[3] = count.get();
         self.tell(done)
     }
@@ -135,22 +144,33 @@ impl App {
         let bench = self.bench(slot)?;
         let (pixels, triangles, width) = (bench.pixels, bench.triangles, bench.view.width);
         pixels.iter().for_each(|pixel| pixel.set([0; 3]));
-        bench.draw(mode, |part, first| Recorder { pixels, width, triangles, first, texels: part.texels, mesh: part.mesh })
+        bench.draw(mode, |part, first| Recorder {
+            pixels,
+            width,
+            triangles,
+            first,
+            texels: part.texels,
+            mesh: part.mesh,
+        })
     }
 
     /// Returns the picture in a display's format.
     pub fn show(&mut self, slot: usize, format: usize) -> *const u32 {
         let size = (self.view.width * self.view.height) as usize;
         let slot = slot & 1;
-        if let (Some(colors), Some(shown)) = (self.colors[slot].get(..size), self.shown[slot].get_mut(..size)) {
+        if let (Some(colors), Some(shown)) = (
+            self.colors[slot].get(..size),
+            self.shown[slot].get_mut(..size),
+        ) {
             formats::show(colors, self.view.width, format, shown);
         }
         self.shown[slot].as_ptr()
     }
 
     /// Returns the picture as it was drawn.
-    pub fn picture(&self, slot: usize) -> *const u16 {
-        self.colors[slot & 1].as_ptr().cast()
+    pub fn colors(&self, slot: usize) -> &[Rgb565] {
+        let size = (self.view.width * self.view.height) as usize;
+        self.colors[slot & 1].get(..size).unwrap_or_default()
     }
 
     /// Reads a model's text from the input.
@@ -172,7 +192,9 @@ impl App {
     /// Reads a texture's pixels from the input.
     pub fn read_texture(&mut self, width: u32, height: u32) -> bool {
         let bytes = width.saturating_mul(height).saturating_mul(4) as usize;
-        let done = self.model.read_texture(&self.input[..bytes.min(INPUT)], [width, height]);
+        let done = self
+            .model
+            .read_texture(&self.input[..bytes.min(INPUT)], [width, height]);
         self.tell(done)
     }
 
@@ -188,14 +210,29 @@ impl App {
 
     /// The memory to draw one of the two pictures, or a band of it.
     fn bench(&mut self, slot: usize) -> Result<Bench<'_>, Error> {
-        let Self { view, colors, depths, pixels, triangles, model, .. } = self;
+        let Self {
+            view,
+            colors,
+            depths,
+            pixels,
+            triangles,
+            model,
+            ..
+        } = self;
         let width = view.width as usize;
         let (first, rows) = (view.first_row as usize, view.rows as usize);
         let band = width.saturating_mul(first)..width.saturating_mul(first.saturating_add(rows));
         // The canvas and its depths refuse memory that is too short.
         let colors = colors[slot & 1].get_mut(band.clone()).unwrap_or_default();
         let canvas = Canvas::band(colors, view.width, view.height, view.first_row)?;
-        Ok(Bench { canvas, depths: depths.get_mut(..band.len()).unwrap_or_default(), view, model, pixels, triangles })
+        Ok(Bench {
+            canvas,
+            depths: depths.get_mut(..band.len()).unwrap_or_default(),
+            view,
+            model,
+            pixels,
+            triangles,
+        })
     }
 }
 
@@ -217,7 +254,12 @@ impl<'a> Bench<'a> {
         shader: impl Fn(&Part<'a>, usize) -> S,
     ) -> Result<(), Error> {
         let scene = Scene::of(self.view);
-        let (options, mvp) = (DrawOptions::new().with_mode(mode).with_cull(self.view.cull()), scene.mvp(self.view)?);
+        let (options, mvp) = (
+            DrawOptions::new()
+                .with_mode(mode)
+                .with_cull(self.view.cull()),
+            scene.mvp(self.view)?,
+        );
         let mut canvas = self.canvas.with_depth(self.depths)?;
         canvas.clear_depth();
         let mut first = 0;

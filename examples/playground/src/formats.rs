@@ -4,7 +4,9 @@
 //! after drawing, so that the module has each shader once; the pixels are the same.
 
 use embedded_graphics::geometry::Point;
-use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb888, RgbColor};
+use embedded_graphics::pixelcolor::{
+    BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb888, RgbColor,
+};
 use fixel::prelude::*;
 
 /// Writes bytes of red, green, blue and opacity. The page knows formats by their index.
@@ -21,7 +23,10 @@ pub fn show(picture: &[Rgb565], width: u32, format: usize, shown: &mut [u32]) {
 
 fn each<C: Levels + Into<Rgb888>>(picture: &[Rgb565], width: u32, shown: &mut [u32]) {
     let width = width.max(1) as usize;
-    for ((y, colors), shown) in (0..).zip(picture.chunks(width)).zip(shown.chunks_mut(width)) {
+    for ((y, colors), shown) in (0..)
+        .zip(picture.chunks(width))
+        .zip(shown.chunks_mut(width))
+    {
         for ((x, &color), shown) in (0..).zip(colors).zip(shown) {
             let color: Rgb888 = C::from_rgb(color.into(), Point::new(x, y)).into();
             *shown = u32::from_le_bytes([color.r(), color.g(), color.b(), 255]);

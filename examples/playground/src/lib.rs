@@ -14,9 +14,9 @@
 //! | `main` | the server, which also draws on the host to compare |
 #![cfg_attr(target_arch = "wasm32", no_std)]
 
+mod app;
 #[path = "../../common/mod.rs"]
 mod common;
-mod app;
 mod formats;
 mod model;
 mod record;
@@ -71,7 +71,7 @@ exports! {
     /// Converts the picture to a display's format, for the page as bytes of red, green, blue and opacity.
     fn show(app, slot: usize, format: usize) -> *const u32 { app.show(slot, format) }
     /// The picture as it was drawn, in Rgb565.
-    fn picture(app, slot: usize) -> *const u16 { app.picture(slot) }
+    fn picture(app, slot: usize) -> *const u16 { app.colors(slot).as_ptr().cast() }
     /// Reads an OBJ text from the input; false leaves a message.
     fn read_model(app, bytes: usize) -> bool { app.read_model(bytes) }
     /// The corners of the model's box.

@@ -66,7 +66,10 @@ impl Model {
         obj::parse(text, buffers)?;
         self.counts = counts;
         if counts.normals == 0 {
-            let (positions, faces) = (&self.positions[..counts.positions], &self.faces[..counts.faces]);
+            let (positions, faces) = (
+                &self.positions[..counts.positions],
+                &self.faces[..counts.faces],
+            );
             Mesh::new(positions, faces)?.with_smooth_normals(&mut self.normals)?;
             self.counts.normals = counts.positions;
         }
@@ -77,7 +80,15 @@ impl Model {
     ///
     /// None for a model that was read.
     pub fn mesh(&self) -> Result<Mesh<'_>, Error> {
-        let Counts { positions, faces, uvs, uv_faces, normals, normal_faces, .. } = self.counts;
+        let Counts {
+            positions,
+            faces,
+            uvs,
+            uv_faces,
+            normals,
+            normal_faces,
+            ..
+        } = self.counts;
         let mesh = Mesh::new(&self.positions[..positions], &self.faces[..faces])?;
         let mesh = mesh.with_normals(
             &self.normals[..normals],
@@ -86,7 +97,10 @@ impl Model {
         if uvs == 0 {
             return Ok(mesh);
         }
-        mesh.with_uvs(&self.uvs[..uvs], (uv_faces > 0).then_some(&self.uv_faces[..uv_faces]))
+        mesh.with_uvs(
+            &self.uvs[..uvs],
+            (uv_faces > 0).then_some(&self.uv_faces[..uv_faces]),
+        )
     }
 
     /// Reads a texture from bytes of red, green, blue and opacity.

@@ -32,9 +32,10 @@ impl Shader for Recorder<'_> {
         let index = self.first + primitive.index();
         let [width, height] = self.texels.map(u32::cast_signed);
         let uvs = primitive.corners(|corner| corner.uv().to_bits());
-        if let (Some(triangle), Some(face)) =
-            (self.triangles.get(index), self.mesh.faces().get(primitive.index()))
-        {
+        if let (Some(triangle), Some(face)) = (
+            self.triangles.get(index),
+            self.mesh.faces().get(primitive.index()),
+        ) {
             let mut corners = [0; 17];
             [corners[0], corners[1]] = [width, height];
             for ((corner, &at), uv) in corners[2..].chunks_exact_mut(5).zip(face).zip(uvs) {
@@ -46,12 +47,20 @@ impl Shader for Recorder<'_> {
         }
         uvs.map(|[u, v]| {
             // A texture of 512 texels that repeats up to 64 times fits; of larger ones only the error is wrong.
-            let texels = [(u, width), (v, height)].map(|(at, size)| (i64::from(at) * i64::from(size)) >> SHIFT);
-            (Texels(texels.map(|texel| texel as i32)), PerFace(index as i32 + 1))
+            let texels = [(u, width), (v, height)]
+                .map(|(at, size)| (i64::from(at) * i64::from(size)) >> SHIFT);
+            (
+                Texels(texels.map(|texel| texel as i32)),
+                PerFace(index as i32 + 1),
+            )
         })
     }
 
-    fn shade(&self, at: &Fragment, (Texels([u, v]), PerFace(triangle)): Self::Varyings) -> Option<Rgb565> {
+    fn shade(
+        &self,
+        at: &Fragment,
+        (Texels([u, v]), PerFace(triangle)): Self::Varyings,
+    ) -> Option<Rgb565> {
         let place = at.point.y.cast_unsigned() * self.width + at.point.x.cast_unsigned();
         if let Some(pixel) = self.pixels.get(place as usize) {
             pixel.set([triangle, u, v]);

@@ -43,7 +43,10 @@ impl Scene {
 
     /// The scene of a view.
     pub fn of(view: &View) -> Self {
-        Self::ALL.get(view.scene as usize).copied().unwrap_or(Self::Floor)
+        Self::ALL
+            .get(view.scene as usize)
+            .copied()
+            .unwrap_or(Self::Floor)
     }
 
     /// # Errors
@@ -116,7 +119,12 @@ impl Scene {
             }
             Self::Own => {
                 let sun = Light::new(vec3!(2, 3, 4), fx!(0.35), fx!(0.65))?;
-                canvas.draw_with(options, &model.mesh()?, mvp, &Textured::new(model.texture()?).lit(sun))
+                canvas.draw_with(
+                    options,
+                    &model.mesh()?,
+                    mvp,
+                    &Textured::new(model.texture()?).lit(sun),
+                )
             }
         })
     }
@@ -133,8 +141,14 @@ impl Scene {
             Self::Cube => one(scenes::CUBE, [64; 2]),
             Self::Sphere | Self::SphereFlat => one(scenes::SPHERE, [64; 2]),
             Self::Lighthouse => Ok([
-                Some(Part { mesh: lighthouse::SEA, texels: [64; 2] }),
-                Some(Part { mesh: lighthouse::ISLAND, texels: [128; 2] }),
+                Some(Part {
+                    mesh: lighthouse::SEA,
+                    texels: [64; 2],
+                }),
+                Some(Part {
+                    mesh: lighthouse::ISLAND,
+                    texels: [128; 2],
+                }),
             ]),
             Self::Own => {
                 let texture = model.texture()?;

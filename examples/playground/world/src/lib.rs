@@ -26,13 +26,22 @@ static MEMORY: Mutex<Memory> = Mutex::new(Memory {
 /// out of range.
 #[allow(unsafe_code)] // promises that no other symbol has this name
 #[unsafe(no_mangle)]
-pub extern "C" fn draw(width: u32, height: u32, first_row: u32, rows: u32, moment: u32) -> *const u16 {
+pub extern "C" fn draw(
+    width: u32,
+    height: u32,
+    first_row: u32,
+    rows: u32,
+    moment: u32,
+) -> *const u16 {
     let Memory { colors, depths } = &mut *MEMORY.lock();
     let [start, count] = [first_row, rows].map(|rows| width.saturating_mul(rows) as usize);
     // The canvas refuses memory that is too short.
-    let band = colors.get_mut(start..start.saturating_add(count)).unwrap_or_default();
+    let band = colors
+        .get_mut(start..start.saturating_add(count))
+        .unwrap_or_default();
     let depths = depths.get_mut(..count).unwrap_or_default();
-    let canvas = Canvas::band(band, width, height, first_row).and_then(|band| band.with_depth(depths));
+    let canvas =
+        Canvas::band(band, width, height, first_row).and_then(|band| band.with_depth(depths));
     match canvas.and_then(|mut canvas| world::draw(&mut canvas, Angle::from_bits(moment))) {
         Ok(()) => colors.as_ptr().cast(),
         Err(_) => core::ptr::null(),
