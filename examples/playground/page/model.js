@@ -124,7 +124,7 @@ export function heatMap({ errors: found }, width, height) {
   for (let at = 0; at < found.length; at++) {
     const error = found[at];
     const step = Math.min(Math.max(Math.round(share(error) * 255), 0), 255);
-    image.data.set(error < 0 ? [0, 0, 0, 255] : [...colors[step], 255], 4 * at);
+    image.data.set(error < 0 ? [58, 62, 68, 255] : [...colors[step], 255], 4 * at);
   }
   return image;
 }

@@ -1,6 +1,6 @@
 // The crate as a WebAssembly module: its functions, and its memory as numbers.
 
-const FIELDS = ["scene", "mode", "tolerance", "width", "height", "first_row", "rows", "is_home", "yaw", "pitch",
+export const FIELDS = ["scene", "mode", "tolerance", "width", "height", "first_row", "rows", "is_home", "yaw", "pitch",
   "distance", "center_x", "center_y", "center_z", "scale", "fov", "near", "far", "shift_x", "shift_y", "is_two_sided"];
 
 /** Radians as a fraction of 2^32, which the crate's angles are. */

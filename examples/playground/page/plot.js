@@ -8,7 +8,7 @@ const tag = (name, attributes, inside = "") =>
 /** Marks have a name, a cost, an error in texels, and whether they are drawn now. */
 export function plot(marks, unit) {
   const known = marks.filter(({ cost, error }) => Number.isFinite(cost) && cost > 0 && Number.isFinite(error));
-  if (!known.length) return `<p class="about">Nothing to compare: no texture or color is interpolated here.</p>`;
+  if (!known.length) return `<p class="about">Nothing to compare: nothing is interpolated here, so every mode draws the same.</p>`;
   const most = Math.max(...known.map(({ cost }) => cost)) * 1.15;
   const logs = known.map(({ error }) => Math.log10(Math.max(error, 1e-6)));
   const [low, high] = [Math.floor(Math.min(...logs, -3)), Math.ceil(Math.max(...logs, 0))];
@@ -25,17 +25,18 @@ export function plot(marks, unit) {
     parts.push(tag("text", { x: x(cost), y: HEIGHT - BOTTOM + 16, "text-anchor": "middle" }, +cost.toFixed(1)));
   }
   parts.push(tag("text", { x: WIDTH - RIGHT, y: HEIGHT - 3, "text-anchor": "end" }, unit));
-  const taken = [];
+  // Each label goes to the first place beside its mark that is free.
+  const taken = known.map(({ cost }, at) => [x(cost) - 6, y(logs[at]) - 6, 12, 12]);
+  const isFree = ([left, top, width, height]) => left > LEFT && left + width < WIDTH
+    && !taken.some(([l, t, w, h]) => left < l + w && l < left + width && top < t + h && t < top + height);
   known.forEach(({ name, cost, here }, at) => {
-    const [cx, cy] = [x(cost), y(logs[at])];
+    const [cx, cy, width] = [x(cost), y(logs[at]), 6.2 * name.length];
     if (here) parts.push(tag("circle", { class: "ring", cx, cy, r: 8 }));
     parts.push(tag("circle", { class: here ? "here" : "dot", cx, cy, r: 4 }));
-    // A label to the right of its mark, or to the left near the border; below others that are in the way.
-    const left = cx > WIDTH - 90;
-    let row = cy + 4;
-    while (taken.some(([tx, ty]) => Math.abs(tx - cx) < 80 && Math.abs(ty - row) < 12)) row += 12;
-    taken.push([cx, row]);
-    parts.push(tag("text", { class: "name", x: cx + (left ? -11 : 11), y: row, "text-anchor": left ? "end" : "start" }, name));
+    const places = [0, -12, 12, -24, 24, -36, 36].flatMap((dy) => [11, -11 - width].map((dx) => [cx + dx, cy - 6 + dy, width, 11]));
+    const place = places.find(isFree) ?? places[0];
+    taken.push(place);
+    parts.push(tag("text", { class: "name", x: place[0], y: place[1] + 10 }, name));
   });
   const spoken = known.map(({ name, cost, error }) => `${name}: ${cost.toPrecision(3)}, ${error.toPrecision(2)} texels`);
   return tag("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": `Largest error. ${spoken.join("; ")}` },
