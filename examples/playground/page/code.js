@@ -5,6 +5,7 @@ import { FORMATS, MODES } from "./scenes.js";
 const decimal = (bits) => String(+(bits / 65536).toFixed(6));
 const fx = (bits) => `fx!(${decimal(bits)})`;
 const angle = (bits) => `Angle::from_bits(${bits >>> 0})`;
+const list = (names) => names.length > 1 ? `{${names.join(", ")}}` : names[0];
 const vec3 = (...bits) => `vec3!(${bits.map(decimal).join(", ")})`;
 
 const CHECKER = `
@@ -58,7 +59,7 @@ export function program(scene, view, format, rows) {
   const black = { Rgb565: "Rgb565::new(0, 0, 0)", Rgb555: "Rgb555::new(0, 0, 0)", BinaryColor: "BinaryColor::Off" }[type]
     ?? `${type}::new(0)`;
   return `use embedded_graphics::draw_target::DrawTarget;
-use embedded_graphics::pixelcolor::{${[...colors, ...traits].join(", ")}};
+use embedded_graphics::pixelcolor::${list([...colors, ...traits])};
 use fixel::mode::${MODES[view.mode]};
 use fixel::prelude::*;
 ${body.statics}

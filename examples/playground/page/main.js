@@ -8,7 +8,13 @@ import { plot } from "./plot.js";
 import { FORMATS, MODES, SCENES, SIZES, home, settings } from "./scenes.js";
 
 const $ = (id) => document.getElementById(id);
-const trouble = (text) => Object.assign($("trouble"), { hidden: !text, textContent: text });
+/** Tells what went wrong. A drawing that succeeds takes back only what a drawing told. */
+function trouble(text, teller = "") {
+  if (!text && teller && teller !== told) return;
+  told = teller;
+  Object.assign($("trouble"), { hidden: !text, textContent: text });
+}
+let told = "";
 const whole = (value) => Math.round(value).toLocaleString("en");
 const short = (value) => value === undefined || !Number.isFinite(value) ? "–" : value === 0 ? "0"
   : value < 0.001 ? value.toExponential(1).replace("e-", " · 10⁻").replace(/\d$/, (digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[digit])
@@ -54,9 +60,9 @@ function draw() {
     context.putImageData(images[0], 0, 0);
     const from = Math.round(state.divider * width);
     if (images[1]) context.putImageData(images[1], 0, 0, from, 0, width - from, height);
-    trouble("");
+    trouble("", "drawing");
   } catch (error) {
-    trouble(`This cannot be drawn: ${error.message}`);
+    trouble(`This cannot be drawn: ${error.message}`, "drawing");
   }
 }
 
@@ -68,20 +74,23 @@ function changed() {
   settling = setTimeout(settled, 200);
 }
 
-let [last, rate] = [0, 0];
+let [last, rate, shown] = [0, 60, 0];
 
 function frame(now) {
-  const seconds = Math.min((now - last) / 1000, 0.1);
-  last = now;
   if (state.spins) {
-    rate += (1 / seconds - rate) / 16;
+    const seconds = Math.min(Math.max((now - last) / 1000, 0.001), 0.1);
+    rate += (1 / seconds - rate) / 30;
     if (scene().is_world) state.camera.moment = (state.camera.moment + seconds / 30) % 1;
     else Object.assign(state.camera, { yaw: state.camera.yaw + seconds / 2, isHome: false });
     animation = requestAnimationFrame(frame);
   }
+  last = now;
   draw();
-  controls();
-  if (state.spins) numbers();
+  if (!state.spins) controls();
+  else if (now > shown + 250) {
+    shown = now;
+    numbers();
+  }
 }
 
 /** Everything that takes longer than a frame. */
@@ -225,14 +234,15 @@ function drawBands() {
   try {
     crate.draw(0, now);
   } catch (error) {
-    trouble(`This cannot be drawn: ${error.message}`);
+    trouble(`This cannot be drawn: ${error.message}`, "drawing");
     return;
   }
   const frame = crate.checksum(0);
   crate.picture(0).fill(0);
   context.fillStyle = "#223";
   context.fillRect(0, 0, state.width, height);
-  clearInterval(slow);
+  stopBands();
+  $("stage").classList.add("slow");
   let first = 0;
   slow = setInterval(() => {
     const count = Math.min(rows, height - first);
@@ -246,7 +256,7 @@ function drawBands() {
     stopBands();
     const same = crate.checksum(0) === frame ? "the same picture as the whole frame, bit for bit" : "another picture than the frame";
     $("status").textContent = `${Math.ceil(height / rows)} bands of ${rows} rows: ${same}.`;
-    setTimeout(changed, 1500);
+    setTimeout(() => slow || changed(), 1500);
   }, Math.max(2400 / (height / rows), 60));
 }
 
@@ -254,6 +264,7 @@ function stopBands() {
   clearInterval(slow);
   slow = 0;
   $("band").hidden = true;
+  $("stage").classList.remove("slow");
 }
 
 // Controls
@@ -324,6 +335,7 @@ function controls() {
 
 async function choose(at) {
   stopBands();
+  trouble("");
   if (SCENES[at].is_world && !crate.world) {
     $("status").textContent = "Loading the little world …";
     try {
@@ -345,12 +357,12 @@ async function open(files) {
   try {
     const { name, text, texture } = await read(files);
     if (texture) crate.readTexture(texture);
+    trouble("");
     if (text) {
       state.hasModel = false;
-      const [x0, y0, z0, x1, y1, z1] = crate.readModel(text);
-      const size = Math.hypot(x1 - x0, y1 - y0, z1 - z0) / 2 || 1;
-      const scale = Math.min(1 / size, 30000);
-      state.ownCamera = { ...home(5), scale, center: [x0 + x1, y0 + y1, z0 + z1].map((sum) => sum / 2 * scale) };
+      const [x, y, z, radius] = crate.readModel(text);
+      const scale = Math.min(1 / (radius || 1), 30000);
+      state.ownCamera = { ...home(5), scale, center: [x, y, z].map((at) => at * scale) };
       state.ownCamera.distance = 1.05 / Math.sin(state.ownCamera.fov / 2);
       state.hasModel = true;
     }
@@ -390,7 +402,7 @@ function listen() {
   on("size", "change", ({ target }) => { [state.width, state.height] = target.value.split("x").map(Number); stopBands(); changed(); });
   on("rows", "change", changed);
   on("axis", "change", changed);
-  on("spin", "change", ({ target }) => { state.spins = target.checked; stopBands(); last = performance.now(); rate = 60; changed(); });
+  on("spin", "change", ({ target }) => { state.spins = target.checked; stopBands(); last = performance.now(); rate = 60; controls(); changed(); });
   on("errors", "change", ({ target }) => { state.showsErrors = target.checked; changed(); });
   on("two-sided", "change", ({ target }) => { state.isTwoSided = target.checked; changed(); });
   on("home", "click", () => choose(state.scene));

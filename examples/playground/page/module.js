@@ -113,11 +113,11 @@ export class Crate {
     this.numbers(Uint8Array, this.exports.input(), bytes.length).set(bytes);
   }
 
-  /** Reads a model from OBJ text; returns the corners of its box. */
+  /** Reads a model from OBJ text; returns its center's coordinates and its radius. */
   readModel(bytes) {
     this.write(bytes);
     this.check(this.exports.read_model(bytes.length));
-    return [...this.numbers(Int32Array, this.exports.bounds(), 6)].map((bits) => bits / 65536);
+    return [...this.numbers(Int32Array, this.exports.bounds(), 4)].map((bits) => bits / 65536);
   }
 
   readTexture({ data, width, height }) {

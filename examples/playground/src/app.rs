@@ -65,7 +65,7 @@ pub struct App {
     pub pixels: [Cell<[i32; 3]>; PIXELS],
     pub triangles: [Cell<[i32; 17]>; FACES],
     model: Model,
-    bounds: [i32; 6],
+    bounds: [i32; 4],
 }
 
 impl App {
@@ -81,7 +81,7 @@ impl App {
             pixels: [const { Cell::new([0; 3]) }; PIXELS],
             triangles: [const { Cell::new([0; 17]) }; FACES],
             model: Model::new(),
-            bounds: [0; 6],
+            bounds: [0; 4],
         }
     }
 
@@ -178,14 +178,20 @@ impl App {
         let done = self.model.read(&self.input[..bytes.min(INPUT)]);
         if let (Ok(()), Ok(mesh)) = (done, self.model.mesh()) {
             let bounds = mesh.bounds();
-            let [a, b] = [bounds.least(), bounds.most()].map(Vec3::to_bits);
-            self.bounds = [a[0], a[1], a[2], b[0], b[1], b[2]];
+            let center = bounds.least() / fx!(2) + bounds.most() / fx!(2);
+            let radius = mesh
+                .positions()
+                .iter()
+                .map(|point| point.distance(center))
+                .max();
+            let [x, y, z] = center.to_bits();
+            self.bounds = [x, y, z, radius.unwrap_or_default().to_bits()];
         }
         self.tell(done)
     }
 
-    /// Returns the lower and the upper corner of the model's box.
-    pub fn bounds(&self) -> *const [i32; 6] {
+    /// Returns the center of the model's box, and the distance of the farthest position from it.
+    pub fn bounds(&self) -> *const [i32; 4] {
         &raw const self.bounds
     }
 

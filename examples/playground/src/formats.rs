@@ -12,7 +12,7 @@ use fixel::prelude::*;
 /// Writes bytes of red, green, blue and opacity. The page knows formats by their index.
 pub fn show(picture: &[Rgb565], width: u32, format: usize, shown: &mut [u32]) {
     match format {
-        0 => each::<Rgb565>(picture, width, shown),
+        0 => bytes(picture.iter().copied(), shown),
         1 => each::<Rgb555>(picture, width, shown),
         2 => each::<Gray8>(picture, width, shown),
         3 => each::<Gray4>(picture, width, shown),
@@ -21,15 +21,23 @@ pub fn show(picture: &[Rgb565], width: u32, format: usize, shown: &mut [u32]) {
     }
 }
 
+/// The rows of a picture, converted and dithered.
 fn each<C: Levels + Into<Rgb888>>(picture: &[Rgb565], width: u32, shown: &mut [u32]) {
     let width = width.max(1) as usize;
     for ((y, colors), shown) in (0..)
         .zip(picture.chunks(width))
         .zip(shown.chunks_mut(width))
     {
-        for ((x, &color), shown) in (0..).zip(colors).zip(shown) {
-            let color: Rgb888 = C::from_rgb(color.into(), Point::new(x, y)).into();
-            *shown = u32::from_le_bytes([color.r(), color.g(), color.b(), 255]);
-        }
+        let converted = (0..)
+            .zip(colors)
+            .map(|(x, &color)| C::from_rgb(color.into(), Point::new(x, y)));
+        bytes(converted, shown);
+    }
+}
+
+fn bytes<C: Into<Rgb888>>(colors: impl Iterator<Item = C>, shown: &mut [u32]) {
+    for (color, shown) in colors.zip(shown) {
+        let color: Rgb888 = color.into();
+        *shown = u32::from_le_bytes([color.r(), color.g(), color.b(), 255]);
     }
 }

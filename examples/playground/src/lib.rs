@@ -74,8 +74,8 @@ exports! {
     fn picture(app, slot: usize) -> *const u16 { app.colors(slot).as_ptr().cast() }
     /// Reads an OBJ text from the input; false leaves a message.
     fn read_model(app, bytes: usize) -> bool { app.read_model(bytes) }
-    /// The corners of the model's box.
-    fn bounds(app) -> *const [i32; 6] { app.bounds() }
+    /// The center of the model's box, and the distance of the farthest position from it.
+    fn bounds(app) -> *const [i32; 4] { app.bounds() }
     /// Reads a texture's pixels (red, green, blue, opacity) from the input; false leaves a message.
     fn read_texture(app, width: u32, height: u32) -> bool { app.read_texture(width, height) }
     /// Counts of instructions from tests/instructions.csv.
