@@ -52,7 +52,8 @@ export function program(scene, view, format, rows) {
   const mode = view.mode === 2 ? `Fast::within(${fx(view.tolerance)})` : MODES[view.mode];
   const depth = scene.id !== "sphere-flat";
   const own = scene.id === "own";
-  const colors = [...new Set(["Rgb565", type])].sort();
+  // The scenes' own file names its colors itself.
+  const colors = [...new Set([...body.statics.includes("mod scenes") ? [] : ["Rgb565"], type])].sort();
   const traits = body.statics.includes("CSS_") ? ["WebColors"] : [];
   const bits = type !== "Rgb565";
   const shader = body.shader + (bits ? ".converted()" : "");

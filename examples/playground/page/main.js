@@ -348,7 +348,8 @@ async function choose(at) {
   const keepsTurn = state.spins;
   Object.assign(state, { scene: at, camera: at === 5 && state.ownCamera ? { ...state.ownCamera } : home(at), spins: keepsTurn });
   $("scenes").querySelectorAll("input")[at].checked = true;
-  $("status").textContent = `${SCENES[at].name}: ${SCENES[at].about}.`;
+  $("status").textContent = `${SCENES[at].name}: ${SCENES[at].about}.${
+    SCENES[at].is_world ? "" : " Drag to turn it; pinch, or click and scroll, to zoom."}`;
   times = [];
   changed();
 }
@@ -370,7 +371,7 @@ async function open(files) {
     $("status").textContent = `${name ?? "The texture"} is read.${text && !texture ? " Drop a picture too, to give it a texture." : ""}`;
   } catch (error) {
     const name = [...files].find(({ name }) => /\.(obj|gltf|glb)$/i.test(name))?.name ?? "The file";
-    trouble(`${name} cannot be read. ${error.message}`);
+    trouble(`${name} cannot be read: ${error.message}`);
   }
 }
 
@@ -479,7 +480,7 @@ try {
   crate.readTexture({ data: new Uint8Array(4).fill(215), width: 1, height: 1 });
   build();
   listen();
-  changed();
+  await choose(state.scene);
 } catch (error) {
   trouble(`The playground cannot start. ${error.message}\n`
     + "Build it in the project's folder, then start the server again:\n"

@@ -18,9 +18,9 @@ export const SCENES = [
   { id: "lighthouse", name: "Lighthouse", about: "1,176 textured triangles in the sun", counted: "default",
     ...measured, fov: 40 / 180 * Math.PI, near: 1, far: 140, center: [0.45, 1.62, 0],
     yaw: -Math.atan2(2.95, 8.4), pitch: Math.atan2(1.48, Math.hypot(2.95, 8.4)), distance: Math.hypot(2.95, 1.48, 8.4) },
-  { id: "own", name: "Your model", about: "drop files here", counted: "default", ...measured,
+  { id: "own", name: "Your model", about: "drop a model and its texture here", counted: "default", ...measured,
     yaw: 0.6, pitch: 0.35, distance: 3 },
-  { id: "world", name: "Little world", about: "a garden at dusk; drag to walk", is_world: true, ...measured,
+  { id: "world", name: "Little world", about: "a garden at dusk. Drag to walk", is_world: true, ...measured,
     yaw: 0, pitch: 0, distance: 0 },
 ];
 /** Modes in the module's order. */

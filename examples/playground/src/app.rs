@@ -69,6 +69,7 @@ pub struct App {
 }
 
 impl App {
+    #[allow(clippy::large_stack_arrays)] // the compiler evaluates it, for a static
     pub const fn new() -> Self {
         Self {
             view: View::EMPTY,
@@ -143,7 +144,9 @@ impl App {
     fn record_in<M: Mode>(&mut self, slot: usize, mode: M) -> Result<(), Error> {
         let bench = self.bench(slot)?;
         let (pixels, triangles, width) = (bench.pixels, bench.triangles, bench.view.width);
-        pixels.iter().for_each(|pixel| pixel.set([0; 3]));
+        for pixel in pixels {
+            pixel.set([0; 3]);
+        }
         bench.draw(mode, |part, first| Recorder {
             pixels,
             width,

@@ -30,6 +30,7 @@ impl Shader for Recorder<'_> {
 
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
         let index = self.first + primitive.index();
+        let plus_one = i32::try_from(index + 1).unwrap_or_default();
         let [width, height] = self.texels.map(u32::cast_signed);
         let uvs = primitive.corners(|corner| corner.uv().to_bits());
         if let (Some(triangle), Some(face)) = (
@@ -49,10 +50,7 @@ impl Shader for Recorder<'_> {
             // A texture of 512 texels that repeats up to 64 times fits; of larger ones only the error is wrong.
             let texels = [(u, width), (v, height)]
                 .map(|(at, size)| (i64::from(at) * i64::from(size)) >> SHIFT);
-            (
-                Texels(texels.map(|texel| texel as i32)),
-                PerFace(index as i32 + 1),
-            )
+            (Texels(texels.map(|texel| texel as i32)), PerFace(plus_one))
         })
     }
 

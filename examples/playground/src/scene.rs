@@ -134,7 +134,7 @@ impl Scene {
     /// # Errors
     ///
     /// There is no model.
-    pub fn parts<'a>(self, model: &'a Model) -> Result<[Option<Part<'a>>; 2], Error> {
+    pub fn parts(self, model: &Model) -> Result<[Option<Part<'_>>; 2], Error> {
         let one = |mesh, texels| Ok([Some(Part { mesh, texels }), None]);
         match self {
             Self::Floor => one(scenes::FLOOR, [64; 2]),
