@@ -14,20 +14,20 @@ const { errors } = await from("model.js");
 const crate = new Crate(await load(gunzipSync(readFileSync(`${folder}/playground.wasm.gz`))));
 const measured = SCENES.slice(0, 5);
 
-const state = (scene, camera = {}, size = [320, 240]) => ({
-  scene, camera: { ...home(scene), isHome: !Object.keys(camera).length, ...camera }, tolerance: 0.25, width: size[0],
+const state = (scene, camera = {}, size = [320, 240], format = 0) => ({
+  scene, format, camera: { ...home(scene), isHome: !Object.keys(camera).length, ...camera }, tolerance: 0.25, width: size[0],
   height: size[1], isTwoSided: false,
 });
 
-// The views as they are measured; and turned, near, wide, moved by parts of a pixel, on other displays.
+// The views as they are measured; and turned, near, wide, moved by parts of a pixel, on other displays, the last in black and white.
 const VIEWS = [
   [{}], [{ yaw: 2.1, pitch: 0.9 }], [{ yaw: -1, distance: 1.2 }, [128, 64]], [{ fov: 2.4, yaw: 0.3 }, [640, 480]],
-  [{ shift: [0.3, 0.7], near: 0.01, far: 3000 }, [240, 240]],
+  [{ shift: [0.3, 0.7], near: 0.01, far: 3000 }, [240, 240]], [{ yaw: 0.1 }, [128, 64], 5],
 ];
 for (const scene of measured.keys()) {
   for (const mode of MODES.keys()) {
-    for (const [camera, size] of VIEWS) {
-      const view = settings(state(scene, camera, size), mode);
+    for (const [camera, size, format] of VIEWS) {
+      const view = settings(state(scene, camera, size, format), mode);
       crate.draw(0, view);
       const fields = { ...view, first_row: 0, rows: view.height };
       console.log([...FIELDS.map((name) => fields[name] | 0), crate.checksum(0)].join(" "));

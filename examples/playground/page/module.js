@@ -1,7 +1,7 @@
 // The crate as a WebAssembly module: its functions, and its memory as numbers.
 
 export const FIELDS = ["scene", "mode", "tolerance", "width", "height", "first_row", "rows", "is_home", "yaw", "pitch",
-  "distance", "center_x", "center_y", "center_z", "scale", "fov", "near", "far", "shift_x", "shift_y", "is_two_sided"];
+  "distance", "center_x", "center_y", "center_z", "scale", "fov", "near", "far", "shift_x", "shift_y", "is_two_sided", "is_mono"];
 
 /** Radians as a fraction of 2^32, which the crate's angles are. */
 export const turn = (radians) => Math.round(radians / (2 * Math.PI) * 2 ** 32) >>> 0;

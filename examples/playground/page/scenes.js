@@ -56,7 +56,7 @@ export function settings(state, mode) {
     yaw: turn(camera.yaw), pitch: turn(camera.pitch), distance: fixed(camera.distance), scale: fixed(camera.scale),
     fov: turn(camera.fov), near: fixed(camera.near), far: fixed(camera.far),
     shift_x: turn(pixel * camera.shift[0]), shift_y: turn(pixel * camera.shift[1]),
-    is_two_sided: Number(state.isTwoSided),
+    is_two_sided: Number(state.isTwoSided), is_mono: Number(FORMATS[state.format].bits === 1),
     is_world: Boolean(SCENES[scene].is_world), moment: turn(camera.moment * 2 * Math.PI),
   };
 }

@@ -3,7 +3,7 @@
 use core::cell::Cell;
 use core::fmt::Write;
 
-use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use embedded_graphics::pixelcolor::{BinaryColor, Rgb565, RgbColor};
 use fixel::Drawn;
 use fixel::mode::{Affine, Compact, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
@@ -12,7 +12,7 @@ use fixel::target::NoDepth;
 use super::formats;
 use super::model::{FACES, Model};
 use super::record::Recorder;
-use super::scene::{Part, Scene, Target};
+use super::scene::{self, Part, Scene, Target};
 use super::view::View;
 
 /// Counts of instructions, one in a line: core, mode, thing drawn, unit, number.
@@ -61,6 +61,7 @@ pub struct App {
     /// Two pictures, to compare modes.
     colors: [[Rgb565; PIXELS]; 2],
     shown: [[u32; PIXELS]; 2],
+    mono: [BinaryColor; PIXELS],
     depths: [u16; PIXELS],
     pub pixels: [Cell<[i32; 3]>; PIXELS],
     pub triangles: [Cell<[i32; 17]>; FACES],
@@ -78,6 +79,7 @@ impl App {
             counts: [0; 4],
             colors: [[Rgb565::BLACK; PIXELS]; 2],
             shown: [[0; PIXELS]; 2],
+            mono: [BinaryColor::Off; PIXELS],
             depths: [0; PIXELS],
             pixels: [const { Cell::new([0; 3]) }; PIXELS],
             triangles: [const { Cell::new([0; 17]) }; FACES],
@@ -106,6 +108,9 @@ impl App {
     }
 
     fn draw_in<M: Mode>(&mut self, slot: usize, mode: M) -> Result<Drawn, Error> {
+        if Scene::of(&self.view) == Scene::Lighthouse && self.view.is_mono == 1 {
+            return self.draw_mono(slot, mode);
+        }
         let Bench {
             mut canvas,
             depths,
@@ -119,6 +124,26 @@ impl App {
         } else {
             scene.draw_flat(&mut canvas, view, mode)
         }
+    }
+
+    /// Draws the lighthouse by night, as it is drawn in black and white.
+    fn draw_mono<M: Mode>(&mut self, slot: usize, mode: M) -> Result<Drawn, Error> {
+        let (view, band) = (&self.view, self.view.band());
+        let mono = self.mono.get_mut(band.clone()).unwrap_or_default();
+        let depths = self.depths.get_mut(..band.len()).unwrap_or_default();
+        let canvas = Canvas::band(mono, view.width, view.height, view.first_row)?;
+        let drawn = scene::lighthouse(&mut canvas.with_depth(depths)?, view, mode)?;
+        let colors = self.colors[slot & 1]
+            .get_mut(band.clone())
+            .unwrap_or_default();
+        for (color, mono) in colors.iter_mut().zip(&self.mono[band]) {
+            *color = if mono.is_on() {
+                Rgb565::WHITE
+            } else {
+                Rgb565::BLACK
+            };
+        }
+        Ok(drawn)
     }
 
     /// Counts the pixels of the view's triangles that pass the depth test. Spoils the picture.
@@ -228,9 +253,7 @@ impl App {
             model,
             ..
         } = self;
-        let width = view.width as usize;
-        let (first, rows) = (view.first_row as usize, view.rows as usize);
-        let band = width.saturating_mul(first)..width.saturating_mul(first.saturating_add(rows));
+        let band = view.band();
         // The canvas and its depths refuse memory that is too short.
         let colors = colors[slot & 1].get_mut(band.clone()).unwrap_or_default();
         let canvas = Canvas::band(colors, view.width, view.height, view.first_row)?;

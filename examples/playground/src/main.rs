@@ -63,7 +63,7 @@ fn compare() -> Result<(), Box<dyn Error>> {
             .split(' ')
             .map(str::parse)
             .collect::<Result<_, _>>()?;
-        app.view = view::View::from_fields(&fields).ok_or("a view has 21 fields")?;
+        app.view = view::View::from_fields(&fields).ok_or("a view has 22 fields")?;
         if !app.clear(0) || !app.draw(0) {
             return Err(format!("{line}: {}", app.message).into());
         }

@@ -113,10 +113,7 @@ impl Scene {
             Self::Floor => scenes::floor(canvas, options, mvp),
             Self::Cube => scenes::cube(canvas, options, mvp),
             Self::Sphere | Self::SphereFlat => scenes::sphere(canvas, options, mvp),
-            Self::Lighthouse => {
-                let [sea, island] = lighthouse::draw(canvas, options, mvp)?;
-                sum(sea, island)
-            }
+            Self::Lighthouse => return lighthouse(canvas, view, mode),
             Self::Own => {
                 let sun = Light::new(vec3!(2, 3, 4), fx!(0.35), fx!(0.65))?;
                 canvas.draw_with(
@@ -158,12 +155,25 @@ impl Scene {
     }
 }
 
-/// The counts of two draw calls.
-fn sum(a: Drawn, b: Drawn) -> Drawn {
-    Drawn {
-        submitted: a.submitted + b.submitted,
-        drawn: a.drawn + b.drawn,
-        clipped: a.clipped + b.clipped,
-        ..a
+/// Draws the lighthouse in any color; in black and white with its background.
+///
+/// # Errors
+///
+/// The view's camera is out of range.
+pub fn lighthouse<C: Levels, M: Mode>(
+    canvas: &mut Canvas<'_, C, Native, Depth<'_>>,
+    view: &View,
+    mode: M,
+) -> Result<Drawn, Error> {
+    let options = DrawOptions::new().with_mode(mode);
+    if view.is_mono == 1 {
+        lighthouse::sky(canvas);
     }
+    let [sea, island] = lighthouse::draw(canvas, &options, &Scene::Lighthouse.mvp(view)?)?;
+    Ok(Drawn {
+        submitted: sea.submitted + island.submitted,
+        drawn: sea.drawn + island.drawn,
+        clipped: sea.clipped + island.clipped,
+        ..sea
+    })
 }

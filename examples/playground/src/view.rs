@@ -1,5 +1,7 @@
 //! What the page asks for.
 
+use core::ops::Range;
+
 use embedded_graphics::geometry::Size;
 use fixel::prelude::*;
 use fixel::view::Perspective;
@@ -37,6 +39,8 @@ pub struct View {
     pub shift: [u32; 2],
     /// 1 if back faces are drawn too.
     pub is_two_sided: u32,
+    /// 1 for a display in black and white.
+    pub is_mono: u32,
 }
 
 impl View {
@@ -59,6 +63,7 @@ impl View {
         far: 0,
         shift: [0; 2],
         is_two_sided: 0,
+        is_mono: 0,
     };
 
     /// The settings of the page's numbers, if they are as many.
@@ -85,6 +90,7 @@ impl View {
             right,
             down,
             is_two_sided,
+            is_mono,
         ] = fields
         else {
             return None;
@@ -108,11 +114,18 @@ impl View {
             far,
             shift: [right, down].map(i32::cast_unsigned),
             is_two_sided: is_two_sided.cast_unsigned(),
+            is_mono: is_mono.cast_unsigned(),
         })
     }
 
     pub fn size(&self) -> Size {
         Size::new(self.width, self.height)
+    }
+
+    /// The band's pixels in the frame's memory.
+    pub fn band(&self) -> Range<usize> {
+        let pixels = |rows: u32| (self.width as usize).saturating_mul(rows as usize);
+        pixels(self.first_row)..pixels(self.first_row.saturating_add(self.rows))
     }
 
     pub fn cull(&self) -> Cull {
