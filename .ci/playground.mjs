@@ -15,14 +15,24 @@ const crate = new Crate(await load(gunzipSync(readFileSync(`${folder}/playground
 const measured = SCENES.slice(0, 5);
 
 const state = (scene, camera = {}, size = [320, 240], format = 0) => ({
-  scene, format, camera: { ...home(scene), isHome: !Object.keys(camera).length, ...camera }, tolerance: 0.25, width: size[0],
-  height: size[1], isTwoSided: false,
+  scene,
+  format,
+  camera: { ...home(scene), isHome: !Object.keys(camera).length, ...camera },
+  tolerance: 0.25,
+  width: size[0],
+  height: size[1],
+  isTwoSided: false,
 });
 
-// The views as they are measured; and turned, near, wide, moved by parts of a pixel, on other displays, the last in black and white.
+// The views as they are measured; and turned, near, wide, moved by parts of a pixel, on other displays, the last in
+// black and white.
 const VIEWS = [
-  [{}], [{ yaw: 2.1, pitch: 0.9 }], [{ yaw: -1, distance: 1.2 }, [128, 64]], [{ fov: 2.4, yaw: 0.3 }, [640, 480]],
-  [{ shift: [0.3, 0.7], near: 0.01, far: 3000 }, [240, 240]], [{ yaw: 0.1 }, [128, 64], 5],
+  [{}],
+  [{ yaw: 2.1, pitch: 0.9 }],
+  [{ yaw: -1, distance: 1.2 }, [128, 64]],
+  [{ fov: 2.4, yaw: 0.3 }, [640, 480]],
+  [{ shift: [0.3, 0.7], near: 0.01, far: 3000 }, [240, 240]],
+  [{ yaw: 0.1 }, [128, 64], 5],
 ];
 for (const scene of measured.keys()) {
   for (const mode of MODES.keys()) {
@@ -43,6 +53,7 @@ for (const scene of [0, 1, 2]) {
     const view = settings(state(scene), mode);
     const { max, count } = errors(view, crate.recorded(0, view));
     const fails = name === "Affine" ? scene === 1 && max < 5 : max > most[name];
-    if (fails || count < 20000) throw new Error(`${SCENES[scene].name} in mode ${name}: ${max} texels in ${count} pixels`);
+    if (fails || count < 20000)
+      throw new Error(`${SCENES[scene].name} in mode ${name}: ${max} texels in ${count} pixels`);
   }
 }

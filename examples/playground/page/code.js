@@ -5,7 +5,7 @@ import { FORMATS, MODES } from "./scenes.js";
 const decimal = (bits) => String(+(bits / 65536).toFixed(6));
 const fx = (bits) => `fx!(${decimal(bits)})`;
 const angle = (bits) => `Angle::from_bits(${bits >>> 0})`;
-const list = (names) => names.length > 1 ? `{${names.join(", ")}}` : names[0];
+const list = (names) => (names.length > 1 ? `{${names.join(", ")}}` : names[0]);
 const vec3 = (...bits) => `vec3!(${bits.map(decimal).join(", ")})`;
 
 const CHECKER = `
@@ -24,22 +24,42 @@ static SKIN: TextureArray<Rgb565, 64, 64> = {
 
 /** Of each scene: imports, statics, and how it is shaded. */
 const BODIES = {
-  floor: { mesh: "FLOOR", shader: "Textured::new(&SKIN)", statics: `
+  floor: {
+    mesh: "FLOOR",
+    shader: "Textured::new(&SKIN)",
+    statics: `
 static POSITIONS: [Vec3; 4] = [vec3!(-10, 0, -1), vec3!(10, 0, -1), vec3!(10, 0, -20), vec3!(-10, 0, -20)];
 static UVS: [Vec2; 4] = [vec2!(0, 1), vec2!(1, 1), vec2!(1, 0), vec2!(0, 0)];
 static FLOOR: Mesh = match Mesh::new(&POSITIONS, &[[0, 1, 2], [0, 2, 3]]) {
     Ok(mesh) => Mesh::checked(mesh.with_uvs(&UVS, None)),
     error => Mesh::checked(error),
-};${CHECKER}` },
-  cube: { mesh: "CUBE", shader: "Textured::new(&SKIN)", statics: `
-static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));${CHECKER}` },
-  sphere: { mesh: "scenes::SPHERE", shader: "scenes::shaded()", statics: `
-mod scenes; // examples/common/scenes.rs of fixel, which colors the sphere at compile time` },
-  "sphere-flat": { mesh: "scenes::SPHERE", shader: "scenes::faceted()", statics: `
-mod scenes; // examples/common/scenes.rs of fixel, which colors the sphere at compile time` },
-  own: { mesh: "MODEL", shader: "Textured::new(&SKIN).lit(sun)", statics: `
+};${CHECKER}`,
+  },
+  cube: {
+    mesh: "CUBE",
+    shader: "Textured::new(&SKIN)",
+    statics: `
+static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));${CHECKER}`,
+  },
+  sphere: {
+    mesh: "scenes::SPHERE",
+    shader: "scenes::shaded()",
+    statics: `
+mod scenes; // examples/common/scenes.rs of fixel, which colors the sphere at compile time`,
+  },
+  "sphere-flat": {
+    mesh: "scenes::SPHERE",
+    shader: "scenes::faceted()",
+    statics: `
+mod scenes; // examples/common/scenes.rs of fixel, which colors the sphere at compile time`,
+  },
+  own: {
+    mesh: "MODEL",
+    shader: "Textured::new(&SKIN).lit(sun)",
+    statics: `
 static MODEL: Mesh = include_obj!("model.obj"); // with normals
-static SKIN: Texture<Rgb565> = include_bmp!("skin.bmp");` },
+static SKIN: Texture<Rgb565> = include_bmp!("skin.bmp");`,
+  },
 };
 
 const START = { lighthouse: "examples/common/lighthouse.rs", world: "examples/common/world" };
@@ -53,12 +73,13 @@ export function program(scene, view, format, rows) {
   const depth = scene.id !== "sphere-flat";
   const own = scene.id === "own";
   // The scenes' own file names its colors itself.
-  const colors = [...new Set([...body.statics.includes("mod scenes") ? [] : ["Rgb565"], type])].sort();
+  const colors = [...new Set([...(body.statics.includes("mod scenes") ? [] : ["Rgb565"]), type])].sort();
   const traits = body.statics.includes("CSS_") ? ["WebColors"] : [];
   const bits = type !== "Rgb565";
   const shader = body.shader + (bits ? ".converted()" : "");
-  const black = { Rgb565: "Rgb565::new(0, 0, 0)", Rgb555: "Rgb555::new(0, 0, 0)", BinaryColor: "BinaryColor::Off" }[type]
-    ?? `${type}::new(0)`;
+  const black =
+    { Rgb565: "Rgb565::new(0, 0, 0)", Rgb555: "Rgb555::new(0, 0, 0)", BinaryColor: "BinaryColor::Off" }[type] ??
+    `${type}::new(0)`;
   return `use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::pixelcolor::${list([...colors, ...traits])};
 use fixel::mode::${MODES[view.mode]};
@@ -106,14 +127,17 @@ mod ${scene.id};
 
 ${size}
 `;
-  if (scene.id === "world") return `${imports("Rgb565")}
+  if (scene.id === "world")
+    return `${imports("Rgb565")}
 pub fn draw(colors: &mut [Rgb565], depths: &mut [u16]) -> Result<(), Error> {
     let mut canvas = Canvas::new(colors, WIDTH, HEIGHT)?.with_depth(depths)?;
     world::draw(&mut canvas, ${angle(view.moment)})
 }
 `;
   const mode = view.mode === 2 ? `Fast::within(${fx(view.tolerance)})` : MODES[view.mode];
-  const camera = view.is_home ? "lighthouse::camera()?" : `Camera::from_view(
+  const camera = view.is_home
+    ? "lighthouse::camera()?"
+    : `Camera::from_view(
         Transform::translate(${vec3(0, 0, -view.distance)})
             * Transform::rotate_x(${angle(view.pitch)})
             * Transform::rotate_y(${angle(view.yaw)})

@@ -16,14 +16,14 @@ export function table(text) {
   return (...key) => counts.get(key.join());
 }
 
-/**
- * The work of a picture in units that suit to compare two pictures: its pixels and its triangles, each with the count of
- * its loop alone.
- */
+/** The work of a picture, to compare pictures: its pixels and its triangles, each with the count of its loop alone. */
 function work(count, core, kernel, [submitted, drawn, , pixels]) {
-  const perPixel = kernel === "flat" ? count(core, "kernel", "flat", "1000 pixels")
-    : count(core, "kernel", kernel, "1000 pixels") + count(core, "kernel", "newton-depth-pass", "1000 pixels")
-      - count(core, "kernel", "newton", "1000 pixels");
+  const perPixel =
+    kernel === "flat"
+      ? count(core, "kernel", "flat", "1000 pixels")
+      : count(core, "kernel", kernel, "1000 pixels") +
+        count(core, "kernel", "newton-depth-pass", "1000 pixels") -
+        count(core, "kernel", "newton", "1000 pixels");
   const perTriangle = count(core, "kernel", "setup-no-pixel", "1000 triangles");
   // A triangle that is turned away takes about a tenth.
   return (pixels * perPixel + (drawn + (submitted - drawn) / 10) * perTriangle) / 1000;
@@ -39,10 +39,10 @@ export function instructions(count, core, scene, mode, counts, reference) {
   let measured = count(core, name, scene.counted, "frame");
   if (name === "compact") {
     const [compact, newton] = ["compact", "newton"].map((of) => count(core, of, scene.counted, "mean-of-poses"));
-    measured = count(core, "newton", scene.counted, "frame") * compact / newton;
+    measured = (count(core, "newton", scene.counted, "frame") * compact) / newton;
   }
-  const kernel = scene.id === "sphere-flat" ? "flat" : { fast: "fast-16", compact: "exact" }[name] ?? name;
+  const kernel = scene.id === "sphere-flat" ? "flat" : ({ fast: "fast-16", compact: "exact" }[name] ?? name);
   const [now, then] = [counts, reference].map((of) => work(count, core, kernel, of));
-  const estimate = measured * now / then;
+  const estimate = (measured * now) / then;
   return Number.isFinite(estimate) ? estimate : undefined;
 }

@@ -1,45 +1,17 @@
-// The page: what is chosen, what is drawn, and what it costs.
+// The page: what is drawn, and what it costs.
 import { program } from "./code.js";
+import { SLIDERS, build, controls } from "./controls.js";
 import { CORES, instructions, table } from "./cost.js";
 import { read } from "./files.js";
-import { errors, heat, heatMap } from "./model.js";
+import { onDivider, onDrop, onPicture } from "./gestures.js";
+import { errors, heatMap } from "./model.js";
 import { Crate, fetched, load } from "./module.js";
 import { plot } from "./plot.js";
-import { FORMATS, MODES, SCENES, SIZES, home, settings } from "./scenes.js";
+import { FORMATS, MODES, SCENES, home, settings } from "./scenes.js";
+import { $, interpolates, modes, scene, short, state, trouble, view, whole } from "./state.js";
 
-const $ = (id) => document.getElementById(id);
-/** Tells what went wrong. A drawing that succeeds takes back only what a drawing told. */
-function trouble(text, teller = "") {
-  if (!text && teller && teller !== told) return;
-  told = teller;
-  Object.assign($("trouble"), { hidden: !text, textContent: text });
-}
-let told = "";
-const whole = (value) => Math.round(value).toLocaleString("en");
-const short = (value) => value === undefined || !Number.isFinite(value) ? "–" : value === 0 ? "0"
-  : value < 0.001 ? value.toExponential(1).replace("e-", " · 10⁻").replace(/\d$/, (digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[digit])
-    : String(+value.toPrecision(3));
-
-const ABOUT_MODES = {
-  Exact: "Exact divides at every pixel: the standard to compare with.",
-  Newton: "Newton, the default, corrects a guess at every pixel: as good as exact, without a division.",
-  Fast: "Fast draws straight pieces that stay within the tolerance: for cores that multiply slowly.",
-  Affine: "Affine only adds. Textures bend in large triangles that are seen from the side.",
-  Compact: "Compact is as exact as Newton in less flash, but divides at every pixel.",
-};
-
-const state = {
-  scene: 4, camera: home(4), left: 1, right: 3, divider: 0.5, tolerance: 0.25, width: 320, height: 240, format: 0,
-  isTwoSided: false, showsErrors: false, spins: false, hasModel: false,
-};
 const reference = []; // counts of the measured scenes as they were measured
 let [crate, count, times, settling, animation] = [null, null, [], 0, 0];
-
-const scene = () => SCENES[state.scene];
-const modes = () => scene().is_world ? [1] : state.right < 0 ? [state.left] : [state.left, state.right];
-const view = (mode = state.left) => settings(state, mode);
-/** Whether a mode makes a difference that can be measured. */
-const interpolates = () => !scene().is_world && scene().id !== "sphere-flat" && (scene().id !== "own" || state.hasModel);
 
 // Drawing
 
@@ -51,8 +23,8 @@ function draw() {
     if ($("canvas").width !== width || $("canvas").height !== height) Object.assign($("canvas"), { width, height });
     const images = modes().map((mode, slot) => {
       const now = view(mode);
-      const image = state.showsErrors && interpolates()
-        ? heatMap(errors(now, crate.recorded(slot, now)), width, height) : null;
+      const image =
+        state.showsErrors && interpolates() ? heatMap(errors(now, crate.recorded(slot, now)), width, height) : null;
       const time = crate.draw(slot, now);
       times[mode] = times[mode] ? times[mode] + (time - times[mode]) / 16 : time;
       return image ?? crate.shown(slot, state.format);
@@ -105,7 +77,7 @@ async function settled() {
 
 function counts() {
   const { id } = scene();
-  if (scene().is_world || id === "own" && !state.hasModel) return [0, 0, 0, 0];
+  if (scene().is_world || (id === "own" && !state.hasModel)) return [0, 0, 0, 0];
   if (scene().counted && !reference[state.scene] && id !== "own") {
     const first = { ...state, camera: home(state.scene), width: 320, height: 240, isTwoSided: false };
     reference[state.scene] = crate.counted(0, settings(first, 1));
@@ -132,14 +104,21 @@ function numbers(isStill = false) {
   const [submitted, drawn, clipped, pixels] = known;
   const { bits } = FORMATS[state.format];
   const depth = scene().id === "sphere-flat" ? 0 : 16;
-  const kib = (rows) => `${+(state.width * rows * (bits + depth) / 8 / 1024).toFixed(1)} KiB`;
+  const kib = (rows) => `${+((state.width * rows * (bits + depth)) / 8 / 1024).toFixed(1)} KiB`;
   const rows = Number($("rows").value);
   const time = times[modes()[0]];
   const list = [
-    ...scene().is_world ? [] : [["Triangles", whole(submitted)], ["Drawn", whole(drawn)], ["Clipped", whole(clipped)],
-      ["Pixels drawn", whole(pixels)], ["Time per pixel", pixels ? `${short(time * 1e6 / pixels)} ns` : "–"]],
-    ...scene().is_world ? [["Time per picture", `${short(time)} ms`]] : [],
-    ...state.spins ? [["Pictures a second", whole(rate)]] : [["Checksum", crate.checksum(0)]],
+    ...(scene().is_world
+      ? []
+      : [
+          ["Triangles", whole(submitted)],
+          ["Drawn", whole(drawn)],
+          ["Clipped", whole(clipped)],
+          ["Pixels drawn", whole(pixels)],
+          ["Time per pixel", pixels ? `${short((time * 1e6) / pixels)} ns` : "–"],
+        ]),
+    ...(scene().is_world ? [["Time per picture", `${short(time)} ms`]] : []),
+    ...(state.spins ? [["Pictures a second", whole(rate)]] : [["Checksum", crate.checksum(0)]]),
     ["RAM, whole frame", kib(state.height)],
     [`RAM, ${rows} rows`, kib(Math.min(rows, state.height))],
   ];
@@ -168,7 +147,14 @@ async function compare() {
   const mine = ++comparison;
   const tolerances = [...new Set([1 / 16, 1 / 4, 1, state.tolerance])].sort((a, b) => a - b);
   const wanted = MODES.flatMap((name, mode) =>
-    name === "Fast" ? tolerances.map((tolerance) => ({ mode, tolerance, name: `Fast ${tolerance === 1 / 4 ? "¼" : tolerance === 1 / 16 ? "1/16" : short(tolerance)}` })) : [{ mode, name }]);
+    name === "Fast"
+      ? tolerances.map((tolerance) => ({
+          mode,
+          tolerance,
+          name: `Fast ${tolerance === 1 / 4 ? "¼" : tolerance === 1 / 16 ? "1/16" : short(tolerance)}`,
+        }))
+      : [{ mode, name }],
+  );
   const found = [];
   for (const { mode, tolerance = state.tolerance, name } of scene().is_world ? [] : wanted) {
     await pause();
@@ -178,7 +164,8 @@ async function compare() {
       const error = interpolates() ? errors(now, crate.recorded(1, now)) : {};
       const here = modes().includes(mode) && (MODES[mode] !== "Fast" || tolerance === state.tolerance);
       const cost = { time: timed(now) };
-      for (const { id } of CORES) cost[id] = instructions(count, id, scene(), MODES[mode], known, reference[state.scene]);
+      for (const { id } of CORES)
+        cost[id] = instructions(count, id, scene(), MODES[mode], known, reference[state.scene]);
       if (here) times[mode] = cost.time;
       found.push({ mode, tolerance, name, here, cost, ...error });
     } catch {
@@ -187,11 +174,20 @@ async function compare() {
   }
   const axis = $("axis").value;
   // Instructions for Fast were counted within ¼ texel.
-  const marks = found.filter(({ name, here }) => axis === "time" || !name.startsWith("Fast") || here || name === "Fast ¼");
+  const marks = found.filter(
+    ({ name, here }) => axis === "time" || !name.startsWith("Fast") || here || name === "Fast ¼",
+  );
   $("figure").hidden = scene().is_world;
   const unit = axis === "time" ? "milliseconds here" : "million instructions, estimated";
-  $("plot").innerHTML = plot(marks.map(({ name, here, cost, max }) =>
-    ({ name, here, error: max, cost: axis === "time" ? cost.time : cost[axis] / 1e6 })), unit);
+  $("plot").innerHTML = plot(
+    marks.map(({ name, here, cost, max }) => ({
+      name,
+      here,
+      error: max,
+      cost: axis === "time" ? cost.time : cost[axis] / 1e6,
+    })),
+    unit,
+  );
   tell(found.filter(({ here }) => here));
   draw();
   numbers();
@@ -203,22 +199,25 @@ function tell(found) {
     ["Largest error, in texels", ({ max }) => short(max)],
     ["Mean error", ({ mean }) => short(mean)],
     ...CORES.flatMap(({ id, name, clock, cycles }) => [
-      [`${name}: million instructions`, ({ cost }) => cost[id] ? (cost[id] / 1e6).toFixed(2) : "–"],
-      [`${name}: pictures a second`, ({ cost }) => cost[id] ? (clock / (cost[id] * cycles)).toFixed(0) : "–"],
+      [`${name}: million instructions`, ({ cost }) => (cost[id] ? (cost[id] / 1e6).toFixed(2) : "–")],
+      [`${name}: pictures a second`, ({ cost }) => (cost[id] ? (clock / (cost[id] * cycles)).toFixed(0) : "–")],
     ]),
   ];
   const line = (name, cell) => `<tr><th scope="row">${name}</th>${found.map(cell).join("")}</tr>`;
-  $("cost").innerHTML = `<thead>${line("", ({ name }) => `<th scope="col">${name}</th>`)}</thead><tbody>${
-    rows.map(([name, value]) => line(name, (mark) => `<td>${value(mark)}</td>`)).join("")}</tbody>`;
+  $("cost").innerHTML = `<thead>${line("", ({ name }) => `<th scope="col">${name}</th>`)}</thead><tbody>${rows
+    .map(([name, value]) => line(name, (mark) => `<td>${value(mark)}</td>`))
+    .join("")}</tbody>`;
   $("cost").hidden = !found.length;
   $("about-cost").textContent = scene().is_world
     ? "The little world chooses modes and shaders itself; its instructions are not estimated here."
-    : "The page measures errors against its own model in double precision. It estimates instructions from counts of this "
-      + "scene on an emulated core and from the pixels and triangles now, and pictures a second for 133 MHz (Cortex-M0+) and "
-      + "168 MHz (Cortex-M4) without wait states."
-      + (scene().id === "sphere" ? " For its errors, the sphere has a texture of 64x64 texels in place of its colors." : "")
-      + (found.some(({ name }) => name.startsWith("Fast ")) ? " Fast was counted within ¼ texel." : "")
-      + (scene().id === "own" ? " Your model is estimated as if it were the lighthouse." : "");
+    : "The page measures errors against its own model in double precision. It estimates instructions from counts of this " +
+      "scene on an emulated core and from the pixels and triangles now, and pictures a second for 133 MHz (Cortex-M0+) and " +
+      "168 MHz (Cortex-M4) without wait states." +
+      (scene().id === "sphere"
+        ? " For its errors, the sphere has a texture of 64x64 texels in place of its colors."
+        : "") +
+      (found.some(({ name }) => name.startsWith("Fast ")) ? " Fast was counted within ¼ texel." : "") +
+      (scene().id === "own" ? " Your model is estimated as if it were the lighthouse." : "");
 }
 
 // Bands in slow motion
@@ -244,20 +243,26 @@ function drawBands() {
   stopBands();
   $("stage").classList.add("slow");
   let first = 0;
-  slow = setInterval(() => {
-    const count = Math.min(rows, height - first);
-    crate.draw(0, now, first, count);
-    context.putImageData(crate.shown(0, state.format), 0, 0, 0, first, state.width, count);
-    Object.assign($("band").style, { top: `${100 * first / height}%`, height: `${100 * count / height}%` });
-    $("band").hidden = false;
-    $("status").textContent = `Rows ${first} to ${first + count - 1} of ${height}, in the memory of one band.`;
-    first += count;
-    if (first < height) return;
-    stopBands();
-    const same = crate.checksum(0) === frame ? "the same picture as the whole frame, bit for bit" : "another picture than the frame";
-    $("status").textContent = `${Math.ceil(height / rows)} bands of ${rows} rows: ${same}.`;
-    setTimeout(() => slow || changed(), 1500);
-  }, Math.max(2400 / (height / rows), 60));
+  slow = setInterval(
+    () => {
+      const count = Math.min(rows, height - first);
+      crate.draw(0, now, first, count);
+      context.putImageData(crate.shown(0, state.format), 0, 0, 0, first, state.width, count);
+      Object.assign($("band").style, { top: `${(100 * first) / height}%`, height: `${(100 * count) / height}%` });
+      $("band").hidden = false;
+      $("status").textContent = `Rows ${first} to ${first + count - 1} of ${height}, in the memory of one band.`;
+      first += count;
+      if (first < height) return;
+      stopBands();
+      const same =
+        crate.checksum(0) === frame
+          ? "the same picture as the whole frame, bit for bit"
+          : "another picture than the frame";
+      $("status").textContent = `${Math.ceil(height / rows)} bands of ${rows} rows: ${same}.`;
+      setTimeout(() => slow || changed(), 1500);
+    },
+    Math.max(2400 / (height / rows), 60),
+  );
 }
 
 function stopBands() {
@@ -266,72 +271,7 @@ function stopBands() {
   $("band").hidden = true;
   $("stage").classList.remove("slow");
 }
-
-// Controls
-
-const log = { to: (value) => Math.log2(value), from: (at) => 2 ** at };
-const camera = (key) => ({ get: () => state.camera[key], set: (value) => Object.assign(state.camera, { [key]: value, isHome: false }) });
-const SLIDERS = [
-  { id: "tolerance", name: "Tolerance of Fast", min: -6, max: 4, step: 0.25, ...log, unit: " texels",
-    get: () => state.tolerance, set: (value) => { state.tolerance = value; }, usable: () => modes().includes(2) },
-  { id: "fov", name: "Field of view", min: 10, max: 150, step: 1, to: (value) => value * 180 / Math.PI,
-    from: (at) => at * Math.PI / 180, shows: (value) => `${(value * 180 / Math.PI).toFixed(0)}°`, ...camera("fov") },
-  { id: "near", name: "Near plane", min: -5, max: 3, step: 0.25, ...log, ...camera("near"), unit: "" },
-  { id: "ratio", name: "Far plane, times the near one", min: 0.5, max: 12, step: 0.25, ...log, unit: "",
-    get: () => state.camera.far / state.camera.near,
-    set: (value) => Object.assign(state.camera, { far: Math.min(state.camera.near * value, 32000), isHome: false }) },
-  ...["right", "down"].map((way, axis) => ({ id: `moved-${way}`, name: `Moved ${way} by`, min: 0, max: 1, step: 1 / 16,
-    to: (value) => value, from: (at) => at, unit: " pixel", get: () => state.camera.shift[axis],
-    set: (value) => { state.camera.shift[axis] = value; state.camera.isHome = false; } })),
-];
-
-function build() {
-  $("scenes").innerHTML = SCENES.map(({ name, about }, at) => `<label title="${about}"><input type="radio" name="scene" value="${at}"
-    ${at === state.scene ? "checked" : ""}>${name}</label>`).join("");
-  const options = (list, chosen) => list.map((name, at) => `<option value="${at}" ${at === chosen ? "selected" : ""}>${name}</option>`).join("");
-  $("left").innerHTML = options(MODES, state.left);
-  $("right").innerHTML = options(MODES, state.right) + `<option value="-1">None</option>`;
-  $("format").innerHTML = options(FORMATS.map(({ name }) => name), 0);
-  $("size").innerHTML = SIZES.map((size) => `<option ${size === "320x240" ? "selected" : ""}>${size}</option>`).join("");
-  $("sliders").innerHTML = SLIDERS.map(({ id, name, min, max, step }) => `<div class="slider"><label for="${id}">${name}</label>
-    <output for="${id}" id="${id}-value"></output><input type="range" id="${id}" min="${min}" max="${max}" step="${step}"></div>`).join("");
-  const ramp = $("ramp").getContext("2d");
-  for (let x = 0; x < 240; x++) {
-    ramp.fillStyle = `rgb(${heat(x / 239).join()})`;
-    ramp.fillRect(x, 0, 1, 10);
-  }
-}
-
-/** Makes controls show the state. */
-function controls() {
-  const compares = modes().length > 1;
-  const percent = Math.round(state.divider * 100);
-  $("divider").hidden = !compares;
-  $("divider").style.left = `${percent}%`;
-  $("divider").setAttribute("aria-valuenow", percent);
-  $("divider").setAttribute("aria-valuetext", `${percent} % in mode ${MODES[state.left]}`);
-  const label = (mode) => MODES[mode] === "Fast" ? `Fast, ${short(state.tolerance)} texel` : MODES[mode];
-  $("left-name").textContent = compares ? label(state.left) : "";
-  $("right-name").textContent = compares ? label(state.right) : "";
-  const told = [...new Set(modes())].map((mode) => ABOUT_MODES[MODES[mode]]).join(" ");
-  $("about-mode").textContent = scene().is_world ? "The little world chooses its modes itself."
-    : scene().id === "sphere-flat" ? "Every mode draws the same: nothing is interpolated." : told;
-  $("legend").hidden = !(state.showsErrors && interpolates());
-  $("errors").checked = state.showsErrors;
-  $("errors").disabled = !interpolates();
-  $("spin").checked = state.spins;
-  $("two-sided-label").hidden = scene().id !== "own";
-  $("hint").textContent = scene().id === "own" && !state.hasModel
-    ? "Drop a model here (.obj, .gltf or .glb), with a picture for its texture, or open files below." : "";
-  for (const id of ["left", "right"]) $(id).disabled = scene().is_world;
-  for (const { id, to, get, shows, unit, usable } of SLIDERS) {
-    const slider = $(id);
-    slider.disabled = scene().is_world || usable?.() === false;
-    if (document.activeElement !== slider) slider.value = to(get());
-    $(`${id}-value`).textContent = shows ? shows(get()) : short(get()) + unit;
-    slider.setAttribute("aria-valuetext", $(`${id}-value`).textContent);
-  }
-}
+// Choices
 
 async function choose(at) {
   stopBands();
@@ -346,10 +286,15 @@ async function choose(at) {
     }
   }
   const keepsTurn = state.spins;
-  Object.assign(state, { scene: at, camera: at === 5 && state.ownCamera ? { ...state.ownCamera } : home(at), spins: keepsTurn });
+  Object.assign(state, {
+    scene: at,
+    camera: at === 5 && state.ownCamera ? { ...state.ownCamera } : home(at),
+    spins: keepsTurn,
+  });
   $("scenes").querySelectorAll("input")[at].checked = true;
   $("status").textContent = `${SCENES[at].name}: ${SCENES[at].about}.${
-    SCENES[at].is_world ? "" : " Drag to turn it; pinch, or click and scroll, to zoom."}`;
+    SCENES[at].is_world ? "" : " Drag to turn it; pinch, or click and scroll, to zoom."
+  }`;
   times = [];
   changed();
 }
@@ -368,7 +313,8 @@ async function open(files) {
       state.hasModel = true;
     }
     await choose(5);
-    $("status").textContent = `${name ?? "The texture"} is read.${text && !texture ? " Drop a picture too, to give it a texture." : ""}`;
+    $("status").textContent =
+      `${name ?? "The texture"} is read.${text && !texture ? " Drop a picture too, to give it a texture." : ""}`;
   } catch (error) {
     const name = [...files].find(({ name }) => /\.(obj|gltf|glb)$/i.test(name))?.name ?? "The file";
     trouble(`${name} cannot be read: ${error.message}`);
@@ -376,6 +322,7 @@ async function open(files) {
 }
 
 function orbit(right, down) {
+  stopBands();
   if (scene().is_world) state.camera.moment = (state.camera.moment - right / 12 + 1) % 1;
   else {
     state.camera.yaw += right;
@@ -386,26 +333,48 @@ function orbit(right, down) {
 }
 
 function zoom(factor) {
+  stopBands();
   // The floor's eye is at its center, so it goes back and forth.
   const { distance } = state.camera;
-  state.camera.distance = scene().id === "floor" ? Math.max(0, Math.min(distance + Math.log2(factor) * 4, 50))
-    : Math.max(0.3, Math.min(distance * factor, 200));
+  state.camera.distance =
+    scene().id === "floor"
+      ? Math.max(0, Math.min(distance + Math.log2(factor) * 4, 50))
+      : Math.max(0.3, Math.min(distance * factor, 200));
   state.camera.isHome = false;
   changed();
 }
-
 function listen() {
   const on = (id, event, act) => $(id).addEventListener(event, act);
   on("scenes", "change", ({ target }) => choose(Number(target.value)));
   for (const id of ["left", "right", "format"]) {
-    on(id, "change", ({ target }) => { state[id] = Number(target.value); changed(); });
+    on(id, "change", ({ target }) => {
+      state[id] = Number(target.value);
+      changed();
+    });
   }
-  on("size", "change", ({ target }) => { [state.width, state.height] = target.value.split("x").map(Number); stopBands(); changed(); });
+  on("size", "change", ({ target }) => {
+    [state.width, state.height] = target.value.split("x").map(Number);
+    stopBands();
+    changed();
+  });
   on("rows", "change", changed);
   on("axis", "change", changed);
-  on("spin", "change", ({ target }) => { state.spins = target.checked; stopBands(); last = performance.now(); rate = 60; controls(); changed(); });
-  on("errors", "change", ({ target }) => { state.showsErrors = target.checked; changed(); });
-  on("two-sided", "change", ({ target }) => { state.isTwoSided = target.checked; changed(); });
+  on("spin", "change", ({ target }) => {
+    state.spins = target.checked;
+    stopBands();
+    last = performance.now();
+    rate = 60;
+    controls();
+    changed();
+  });
+  on("errors", "change", ({ target }) => {
+    state.showsErrors = target.checked;
+    changed();
+  });
+  on("two-sided", "change", ({ target }) => {
+    state.isTwoSided = target.checked;
+    changed();
+  });
   on("home", "click", () => choose(state.scene));
   on("bands", "click", drawBands);
   on("files", "change", ({ target }) => open(target.files));
@@ -417,61 +386,23 @@ function listen() {
       getSelection().selectAllChildren($("code"));
       $("copy").textContent = "Selected: press Ctrl+C";
     }
-    setTimeout(() => { $("copy").textContent = "Copy"; }, 2000);
+    setTimeout(() => {
+      $("copy").textContent = "Copy";
+    }, 2000);
   });
-  for (const { id, from, set } of SLIDERS) on(id, "input", ({ target }) => { set(from(Number(target.value))); changed(); });
+  for (const { id, from, set } of SLIDERS)
+    on(id, "input", ({ target }) => {
+      set(from(Number(target.value)));
+      changed();
+    });
 
-  // One pointer turns, two zoom.
-  const pointers = new Map();
-  const spread = () => { const [a, b] = [...pointers.values()]; return Math.hypot(a.x - b.x, a.y - b.y) || 1; };
-  on("canvas", "pointerdown", (event) => {
-    stopBands();
-    $("canvas").setPointerCapture(event.pointerId);
-    pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+  onPicture(orbit, zoom, () => choose(state.scene));
+  onDivider((share) => {
+    state.divider = Math.max(0, Math.min(share, 1));
+    controls();
+    draw();
   });
-  on("canvas", "pointermove", (event) => {
-    const from = pointers.get(event.pointerId);
-    if (!from) return;
-    const before = pointers.size === 2 ? spread() : 0;
-    pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-    if (before) zoom(before / spread());
-    else orbit((event.clientX - from.x) / 150, (event.clientY - from.y) / 150);
-  });
-  for (const end of ["pointerup", "pointercancel"]) on("canvas", end, ({ pointerId }) => pointers.delete(pointerId));
-  $("canvas").addEventListener("wheel", (event) => {
-    if (document.activeElement !== $("canvas")) return; // the page scrolls until the picture was clicked
-    event.preventDefault();
-    zoom(2 ** (event.deltaY / 500));
-  }, { passive: false });
-  const KEYS = { ArrowLeft: () => orbit(-0.1, 0), ArrowRight: () => orbit(0.1, 0), ArrowUp: () => orbit(0, -0.1),
-    ArrowDown: () => orbit(0, 0.1), "+": () => zoom(1 / 1.1), "=": () => zoom(1 / 1.1), "-": () => zoom(1.1), Home: () => choose(state.scene) };
-  on("canvas", "keydown", (event) => {
-    if (!KEYS[event.key] || event.ctrlKey || event.metaKey) return;
-    event.preventDefault();
-    KEYS[event.key]();
-  });
-
-  const divide = (share) => { state.divider = Math.max(0, Math.min(share, 1)); controls(); draw(); };
-  on("divider", "pointerdown", (event) => $("divider").setPointerCapture(event.pointerId));
-  on("divider", "pointermove", (event) => {
-    if (!$("divider").hasPointerCapture(event.pointerId)) return;
-    const box = $("stage").getBoundingClientRect();
-    divide((event.clientX - box.left) / box.width);
-  });
-  on("divider", "keydown", (event) => {
-    const step = { ArrowLeft: -0.02, ArrowDown: -0.02, ArrowRight: 0.02, ArrowUp: 0.02, PageDown: -0.1, PageUp: 0.1, Home: -1, End: 1 }[event.key];
-    if (!step) return;
-    event.preventDefault();
-    divide(state.divider + step);
-  });
-
-  addEventListener("dragover", (event) => { event.preventDefault(); $("stage").classList.add("drop"); });
-  addEventListener("dragleave", () => $("stage").classList.remove("drop"));
-  addEventListener("drop", (event) => {
-    event.preventDefault();
-    $("stage").classList.remove("drop");
-    if (event.dataTransfer.files.length) open(event.dataTransfer.files);
-  });
+  onDrop(open);
 }
 
 try {
@@ -482,7 +413,9 @@ try {
   listen();
   await choose(state.scene);
 } catch (error) {
-  trouble(`The playground cannot start. ${error.message}\n`
-    + "Build it in the project's folder, then start the server again:\n"
-    + "cargo build --release -p playground -p playground-world --lib --target wasm32-unknown-unknown");
+  trouble(
+    `The playground cannot start. ${error.message}\n` +
+      "Build it in the project's folder, then start the server again:\n" +
+      "cargo build --release -p playground -p playground-world --lib --target wasm32-unknown-unknown",
+  );
 }

@@ -1,9 +1,9 @@
-// The exact texel under each pixel, in double precision: written from the mathematics of projection, not from the crate.
+// The exact texel under each pixel, in double precision: from the mathematics of projection, not from the crate.
 //
-// A corner goes to eye space, is clipped where it has no place on the screen, is divided by its distance, and is rounded
-// to 1/256 of a pixel, as the rasterizer is given it. From there on, 1/w, u/w and v/w are linear on the screen.
+// A corner goes to eye space, is clipped where it has no place on the screen, is divided by its distance, and is
+// rounded to 1/256 of a pixel, as the crate promises. From there on, 1/w, u/w and v/w are linear on the screen.
 
-const angle = (bits) => (bits | 0) / 2 ** 32 * 2 * Math.PI;
+const angle = (bits) => ((bits | 0) / 2 ** 32) * 2 * Math.PI;
 
 /** The function from a point of the model to eye space. */
 function toEye(view) {
@@ -17,10 +17,12 @@ function toEye(view) {
   };
   const center = [view.center_x, view.center_y, view.center_z];
   const steps = [
-    (point) => point.map((at, axis) => (at * view.scale / 65536 - center[axis]) / 65536),
-    aboutY(view.yaw), aboutX(view.pitch),
+    (point) => point.map((at, axis) => ((at * view.scale) / 65536 - center[axis]) / 65536),
+    aboutY(view.yaw),
+    aboutX(view.pitch),
     ([x, y, z]) => [x, y, z - view.distance / 65536],
-    aboutY(view.shift_x), aboutX(view.shift_y),
+    aboutY(view.shift_x),
+    aboutX(view.shift_y),
   ];
   return (point) => steps.reduce((at, step) => step(at), point);
 }
@@ -30,7 +32,7 @@ function clipped(polygon, inside) {
   return polygon.flatMap((to, at) => {
     const from = polygon.at(at - 1);
     const [a, b] = [inside(from), inside(to)];
-    const cut = a < 0 !== b < 0 ? [from.map((value, i) => value + a / (a - b) * (to[i] - value))] : [];
+    const cut = a < 0 !== b < 0 ? [from.map((value, i) => value + (a / (a - b)) * (to[i] - value))] : [];
     return b < 0 ? cut : [...cut, to];
   });
 }
@@ -61,14 +63,22 @@ function pieces(view, eye, triangle) {
   };
   // Within the guard band, 2048 pixels around the center, coordinates have enough bits.
   const planes = [
-    ([, , z]) => -z - near, ([, , z]) => far + z,
-    ([x, , z]) => -2048 * z - focal * x, ([x, , z]) => -2048 * z + focal * x,
-    ([, y, z]) => -2048 * z - focal * y, ([, y, z]) => -2048 * z + focal * y,
+    ([, , z]) => -z - near,
+    ([, , z]) => far + z,
+    ([x, , z]) => -2048 * z - focal * x,
+    ([x, , z]) => -2048 * z + focal * x,
+    ([, y, z]) => -2048 * z - focal * y,
+    ([, y, z]) => -2048 * z + focal * y,
   ];
   const polygon = planes.reduce(clipped, [corner(0), corner(1), corner(2)]);
   const snap = (at) => Math.round(at * 256) / 256;
-  const placed = polygon.map(([x, y, z, u, v]) =>
-    [snap(width / 2 - focal * x / z), snap(height / 2 + focal * y / z), -1 / z, -u / z, -v / z]);
+  const placed = polygon.map(([x, y, z, u, v]) => [
+    snap(width / 2 - (focal * x) / z),
+    snap(height / 2 + (focal * y) / z),
+    -1 / z,
+    -u / z,
+    -v / z,
+  ]);
   const fan = placed.slice(2).map((last, at) => piece([placed[0], placed[at + 1], last]));
   return fan.filter(Boolean);
 }
@@ -91,7 +101,7 @@ export function errors(view, { pixels, triangle }) {
     }
     const { size, parts } = known.get(index);
     if (!parts.length) continue;
-    const [x, y] = [at % view.width + 0.5, Math.floor(at / view.width) + 0.5];
+    const [x, y] = [(at % view.width) + 0.5, Math.floor(at / view.width) + 0.5];
     let uv = null;
     for (const part of parts) uv ??= part(x, y, false);
     // Where rounding took a border elsewhere, the nearest part goes on in a plane.
@@ -106,7 +116,14 @@ export function errors(view, { pixels, triangle }) {
 }
 
 // From a thousandth of a texel to 32 texels, by powers of two: violet, red, orange, pale yellow.
-const STOPS = [[22, 18, 48], [76, 32, 108], [158, 42, 99], [223, 82, 58], [249, 157, 45], [252, 232, 150]];
+const STOPS = [
+  [22, 18, 48],
+  [76, 32, 108],
+  [158, 42, 99],
+  [223, 82, 58],
+  [249, 157, 45],
+  [252, 232, 150],
+];
 
 /** The color of an error, as a share of the way from 1/1024 texel to 32 texels. */
 export function heat(share) {

@@ -1,10 +1,32 @@
 // The crate as a WebAssembly module: its functions, and its memory as numbers.
 
-export const FIELDS = ["scene", "mode", "tolerance", "width", "height", "first_row", "rows", "is_home", "yaw", "pitch",
-  "distance", "center_x", "center_y", "center_z", "scale", "fov", "near", "far", "shift_x", "shift_y", "is_two_sided", "is_mono"];
+export const FIELDS = [
+  "scene",
+  "mode",
+  "tolerance",
+  "width",
+  "height",
+  "first_row",
+  "rows",
+  "is_home",
+  "yaw",
+  "pitch",
+  "distance",
+  "center_x",
+  "center_y",
+  "center_z",
+  "scale",
+  "fov",
+  "near",
+  "far",
+  "shift_x",
+  "shift_y",
+  "is_two_sided",
+  "is_mono",
+];
 
 /** Radians as a fraction of 2^32, which the crate's angles are. */
-export const turn = (radians) => Math.round(radians / (2 * Math.PI) * 2 ** 32) >>> 0;
+export const turn = (radians) => Math.round((radians / (2 * Math.PI)) * 2 ** 32) >>> 0;
 /** A length in units of 2^-16, as the crate's numbers are. */
 export const fixed = (length) => Math.round(length * 65536);
 
@@ -54,7 +76,9 @@ export class Crate {
 
   set(view) {
     const fields = this.numbers(Int32Array, this.exports.view(), FIELDS.length);
-    FIELDS.forEach((name, at) => { fields[at] = view[name]; });
+    FIELDS.forEach((name, at) => {
+      fields[at] = view[name];
+    });
     this.view = view;
   }
 
@@ -129,14 +153,14 @@ export class Crate {
   checksum(slot) {
     let crc = -1;
     for (const pixel of this.picture(slot)) {
-      crc = TABLE[(crc ^ pixel >> 8) & 255] ^ crc >>> 8;
-      crc = TABLE[(crc ^ pixel) & 255] ^ crc >>> 8;
+      crc = TABLE[(crc ^ (pixel >> 8)) & 255] ^ (crc >>> 8);
+      crc = TABLE[(crc ^ pixel) & 255] ^ (crc >>> 8);
     }
     return (~crc >>> 0).toString(16).padStart(8, "0");
   }
 }
 
 const TABLE = Int32Array.from({ length: 256 }, (_, byte) => {
-  for (let bit = 0; bit < 8; bit++) byte = byte & 1 ? byte >>> 1 ^ 0xedb88320 : byte >>> 1;
+  for (let bit = 0; bit < 8; bit++) byte = byte & 1 ? (byte >>> 1) ^ 0xedb88320 : byte >>> 1;
   return byte;
 });

@@ -1,6 +1,6 @@
 //! The picture in the colors of a display.
 //!
-//! A shader ends in Rgb565 here, and `converted` maps its colors to the format's, pixel by pixel. The page does the same
+//! A shader ends in Rgb565 here, and `converted` maps its colors to the format's, pixel by pixel. The page does so
 //! after drawing, so that the module has each shader once; the pixels are the same.
 
 use embedded_graphics::geometry::Point;

@@ -24,6 +24,9 @@ files! {
     "index.html": "text/html; charset=utf-8" = "../page/index.html",
     "style.css": "text/css" = "../page/style.css",
     "main.js": "text/javascript" = "../page/main.js",
+    "state.js": "text/javascript" = "../page/state.js",
+    "controls.js": "text/javascript" = "../page/controls.js",
+    "gestures.js": "text/javascript" = "../page/gestures.js",
     "module.js": "text/javascript" = "../page/module.js",
     "scenes.js": "text/javascript" = "../page/scenes.js",
     "model.js": "text/javascript" = "../page/model.js",
@@ -71,9 +74,14 @@ fn answer(mut stream: TcpStream) -> std::io::Result<()> {
         None => ("404 Not Found", "text/plain", &b"not found\n"[..]),
     };
     let length = bytes.len();
-    write!(
-        stream,
-        "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {length}\r\nCache-Control: no-store\r\nConnection: close\r\n\r\n"
-    )?;
+    let head = [
+        &format!("HTTP/1.1 {status}"),
+        &format!("Content-Type: {kind}"),
+        &format!("Content-Length: {length}"),
+        "Cache-Control: no-store",
+        "Connection: close",
+        "\r\n",
+    ];
+    stream.write_all(head.join("\r\n").as_bytes())?;
     stream.write_all(bytes)
 }
