@@ -152,6 +152,7 @@ pub fn draw(colors: &mut [${type}], depths: &mut [u16]) -> Result<(), Error> {
     let mut canvas = Canvas::new(colors, WIDTH, HEIGHT)?.with_depth(depths)?;
     lighthouse::sky(&mut canvas);
     lighthouse::draw(&mut canvas, &options, &(projection * camera * Transform::IDENTITY))?;
+    lighthouse::caption(&mut canvas);
     Ok(())
 }
 `;

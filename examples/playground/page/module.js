@@ -96,7 +96,9 @@ export class Crate {
       return time;
     }
     this.check(this.exports.draw(slot));
-    return performance.now() - start;
+    const time = performance.now() - start;
+    this.check(this.exports.overlay(slot));
+    return time;
   }
 
   /** Triangles in, drawn and clipped, of the last drawing; and pixels, if they were counted after it. */

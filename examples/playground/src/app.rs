@@ -9,6 +9,7 @@ use fixel::mode::{Affine, Compact, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 use fixel::target::NoDepth;
 
+use super::common::lighthouse;
 use super::formats;
 use super::model::{FACES, Model};
 use super::record::Recorder;
@@ -126,13 +127,26 @@ impl App {
         }
     }
 
+    /// Writes what stands over a scene: the lighthouse's caption. Is not timed.
+    pub fn overlay(&mut self, slot: usize) -> bool {
+        let is_captioned = Scene::of(&self.view) == Scene::Lighthouse && self.view.is_mono == 0;
+        let done = self.bench(slot).map(|mut bench| {
+            if is_captioned {
+                lighthouse::caption(&mut bench.canvas);
+            }
+        });
+        self.tell(done)
+    }
+
     /// Draws the lighthouse by night, as it is drawn in black and white.
     fn draw_mono<M: Mode>(&mut self, slot: usize, mode: M) -> Result<Drawn, Error> {
         let (view, band) = (&self.view, self.view.band());
         let mono = self.mono.get_mut(band.clone()).unwrap_or_default();
         let depths = self.depths.get_mut(..band.len()).unwrap_or_default();
         let canvas = Canvas::band(mono, view.width, view.height, view.first_row)?;
-        let drawn = scene::lighthouse(&mut canvas.with_depth(depths)?, view, mode)?;
+        let mut canvas = canvas.with_depth(depths)?;
+        let drawn = scene::lighthouse(&mut canvas, view, mode)?;
+        lighthouse::caption(&mut canvas);
         let colors = self.colors[slot & 1]
             .get_mut(band.clone())
             .unwrap_or_default();

@@ -58,6 +58,8 @@ exports! {
     fn clear(app, slot: usize) -> bool { app.clear(slot) }
     /// Draws the view; false leaves a message.
     fn draw(app, slot: usize) -> bool { app.draw(slot) }
+    /// Writes what stands over the scene; false leaves a message.
+    fn overlay(app, slot: usize) -> bool { app.overlay(slot) }
     /// Counts of the last drawing: triangles in, drawn, and clipped; pixels drawn.
     fn counts(app) -> *const u32 { app.counts.as_ptr() }
     /// Counts the pixels that the view draws; false leaves a message.

@@ -64,7 +64,7 @@ fn compare() -> Result<(), Box<dyn Error>> {
             .map(str::parse)
             .collect::<Result<_, _>>()?;
         app.view = view::View::from_fields(&fields).ok_or("a view has 22 fields")?;
-        if !app.clear(0) || !app.draw(0) {
+        if !app.clear(0) || !app.draw(0) || !app.overlay(0) {
             return Err(format!("{line}: {}", app.message).into());
         }
         let mut crc = Hasher::new();
