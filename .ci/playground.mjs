@@ -28,7 +28,7 @@ const state = (scene, camera = {}, size = [320, 240], format = 0) => ({
 // black and white.
 const VIEWS = [
   [{}],
-  [{ yaw: 2.1, pitch: 0.9 }],
+  [{ yaw: 0.7, pitch: 0.5 }],
   [{ yaw: -1, distance: 1.2 }, [128, 64]],
   [{ fov: 2.4, yaw: 0.3 }, [640, 480]],
   [{ shift: [0.3, 0.7], near: 0.01, far: 3000 }, [240, 240]],
