@@ -24,7 +24,7 @@ export const SLIDERS = [
     max: 4,
     step: 0.25,
     ...log,
-    unit: " texels",
+    shows: (value) => `${short(value)} ${value === 1 ? "texel" : "texels"}`,
     get: () => state.tolerance,
     set: (value) => {
       state.tolerance = value;

@@ -281,7 +281,8 @@ async function choose(at) {
     try {
       crate.world = await crate.loadWorld();
     } catch (error) {
-      trouble(`The little world cannot be loaded. ${error.message}`);
+      trouble(`The little world cannot be loaded: ${error.message}`);
+      $("scenes").querySelectorAll("input")[state.scene].checked = true;
       return;
     }
   }
