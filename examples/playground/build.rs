@@ -1,0 +1,65 @@
+//! The build script: what the module and the server contain besides code.
+
+use std::io::Write;
+use std::path::PathBuf;
+use std::{env, fs, io};
+
+use flate2::Compression;
+use flate2::write::GzEncoder;
+
+fn main() -> io::Result<()> {
+    let out = PathBuf::from(env::var_os("OUT_DIR").unwrap_or_default());
+
+    // The counts that the page estimates from, without the rest: a tenth of the file.
+    let counts = "../../tests/instructions.csv";
+    println!("cargo::rerun-if-changed={counts}");
+    let lines = fs::read_to_string(counts)?;
+    let lines: Vec<&str> = lines.lines().filter(|line| is_wanted(line)).collect();
+    fs::write(out.join("costs.csv"), lines.join("\n"))?;
+
+    // The modules, if they were built before. A folder of this package is …/target/release/build/playground-0/out.
+    println!("cargo::rerun-if-env-changed=PLAYGROUND_MODULES");
+    let modules = env::var_os("PLAYGROUND_MODULES")
+        .map(PathBuf::from)
+        .or_else(|| {
+            let target = out.ancestors().nth(4)?;
+            Some(target.join("wasm32-unknown-unknown/release"))
+        });
+    for name in ["playground.wasm", "world.wasm"] {
+        let module = modules
+            .as_ref()
+            .map(|folder| folder.join(name))
+            .unwrap_or_default();
+        println!("cargo::rerun-if-changed={}", module.display());
+        let mut file = fs::File::create(out.join(format!("{name}.gz")))?;
+        if let Ok(bytes) = fs::read(module) {
+            let mut packed = GzEncoder::new(file, Compression::best());
+            packed.write_all(&bytes)?;
+            file = packed.finish()?;
+        }
+        file.flush()?;
+    }
+    Ok(())
+}
+
+/// Whether a line counts frames, or a loop that estimates need, on one of the two cores.
+fn is_wanted(line: &str) -> bool {
+    let fields: Vec<&str> = line.split(',').collect();
+    let [core, "3", mode, what, per, _] = fields[..] else {
+        return false;
+    };
+    let is_core = ["thumbv6m-none-eabi", "thumbv7em-none-eabi"].contains(&core);
+    let kernels = [
+        "setup-no-pixel",
+        "flat",
+        "affine",
+        "fast-16",
+        "newton",
+        "newton-depth-pass",
+        "exact",
+    ];
+    is_core
+        && (per == "frame"
+            || per == "mean-of-poses"
+            || mode == "kernel" && kernels.contains(&what) && !per.contains("long"))
+}

@@ -1,0 +1,87 @@
+//! A server of a few files, for one visitor.
+
+use std::error::Error;
+use std::io::{BufRead, BufReader, Write};
+use std::net::{Ipv4Addr, TcpListener, TcpStream};
+use std::thread;
+
+/// A file of the page.
+pub struct File {
+    pub name: &'static str,
+    kind: &'static str,
+    pub bytes: &'static [u8],
+}
+
+macro_rules! files {
+    ($($name:literal: $kind:literal = $path:expr,)+) => {
+        /// The page, and the modules if they were built before.
+        pub static FILES: [File; [$($name),+].len()] =
+            [$(File { name: $name, kind: $kind, bytes: include_bytes!($path) }),+];
+    };
+}
+
+files! {
+    "index.html": "text/html; charset=utf-8" = "../page/index.html",
+    "style.css": "text/css" = "../page/style.css",
+    "main.js": "text/javascript" = "../page/main.js",
+    "state.js": "text/javascript" = "../page/state.js",
+    "controls.js": "text/javascript" = "../page/controls.js",
+    "gestures.js": "text/javascript" = "../page/gestures.js",
+    "module.js": "text/javascript" = "../page/module.js",
+    "scenes.js": "text/javascript" = "../page/scenes.js",
+    "model.js": "text/javascript" = "../page/model.js",
+    "cost.js": "text/javascript" = "../page/cost.js",
+    "plot.js": "text/javascript" = "../page/plot.js",
+    "code.js": "text/javascript" = "../page/code.js",
+    "files.js": "text/javascript" = "../page/files.js",
+    "playground.wasm.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/playground.wasm.gz"),
+    "world.wasm.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/world.wasm.gz"),
+}
+
+/// Serves the files on this computer only, until the program is ended.
+pub fn serve(port: u16) -> Result<(), Box<dyn Error>> {
+    let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port))
+        .map_err(|error| format!("port {port}: {error}; --port chooses another one"))?;
+    println!("http://localhost:{}", listener.local_addr()?.port());
+    for stream in listener.incoming() {
+        // Browsers open connections ahead of time. One that breaks is the browser's affair.
+        thread::spawn(|| stream.and_then(answer));
+    }
+    Ok(())
+}
+
+fn answer(mut stream: TcpStream) -> std::io::Result<()> {
+    let mut lines = BufReader::new(stream.try_clone()?).lines();
+    let request = lines.next().unwrap_or(Ok(String::new()))?;
+    while lines
+        .next()
+        .transpose()?
+        .is_some_and(|line| !line.is_empty())
+    {}
+    let path = request.split(' ').nth(1).unwrap_or_default();
+    let name = path
+        .split('?')
+        .next()
+        .unwrap_or_default()
+        .trim_start_matches('/');
+    let name = if name.is_empty() { "index.html" } else { name };
+    // A module that was not built is missing.
+    let found = FILES
+        .iter()
+        .find(|file| file.name == name && !file.bytes.is_empty());
+    let (status, kind, bytes) = match found {
+        Some(file) => ("200 OK", file.kind, file.bytes),
+        None => ("404 Not Found", "text/plain", &b"not found\n"[..]),
+    };
+    let length = bytes.len();
+    let head = [
+        &format!("HTTP/1.1 {status}"),
+        &format!("Content-Type: {kind}"),
+        &format!("Content-Length: {length}"),
+        "Cache-Control: no-store",
+        "Connection: close",
+        "\r\n",
+    ];
+    stream.write_all(head.join("\r\n").as_bytes())?;
+    stream.write_all(bytes)
+}
