@@ -16,8 +16,8 @@ Examples (`cargo run --release -p simulator -- ` goes before the arguments):
                                                         from where you like
   simulator --scene floor --dump floor.csv --crc        a measured scene, pixel by pixel
 
-Distances are in the model's own units. Drawing is in fixed point: every coordinate, distance and
-position must lie between -32768 and 32768, with a resolution of 1/65536.";
+Distances are in the model's own units, which may be of any size: the program scales and centers the model for drawing in
+fixed point. It prints the camera as options, from which you can go on.";
 
 /// Draws a 3D model with integers only, as a microcontroller would, and saves the picture.
 /// Without a model it draws the project's own scene. Options that are not given are chosen so that the model fills
@@ -62,7 +62,7 @@ pub struct Args {
     pub up: Option<[f64; 3]>,
 
     /// Vertical field of view in degrees, above 0 and below 180. [default: 40, or with --eye one that shows the whole
-    /// model]
+    /// model; 100 if the eye is in it]
     #[arg(long, value_name = "DEG", value_parser = field_of_view, allow_hyphen_values = true,
         help_heading = "Camera", conflicts_with = "scene")]
     pub fov: Option<f64>,
@@ -105,10 +105,9 @@ pub struct Args {
     #[arg(long, value_enum, default_value = "newton", help_heading = "Look")]
     pub mode: Mode,
 
-    /// Largest texel error of mode fast.
-    #[arg(long, value_name = "TEXELS", value_parser = number, default_value = "0.25",
-        allow_hyphen_values = true, help_heading = "Look")]
-    pub tolerance: f64,
+    /// Largest error of mode fast, from 0 to 32767 texels of the texture as it is given. [default: 0.25]
+    #[arg(long, value_name = "TEXELS", value_parser = tolerance, allow_hyphen_values = true, help_heading = "Look")]
+    pub tolerance: Option<f64>,
 
     /// Format of the depth buffer, which determines over what range of distances near surfaces hide far ones.
     #[arg(long, value_enum, default_value = "linear", help_heading = "Look")]
@@ -251,17 +250,6 @@ impl Args {
     pub fn up(&self) -> [f64; 3] {
         self.up.unwrap_or([0.0, 1.0, 0.0])
     }
-
-    /// Whether any option of the camera was given.
-    pub fn has_camera(&self) -> bool {
-        self.eye.is_some()
-            || self.look_at.is_some()
-            || self.up.is_some()
-            || self.fov.is_some()
-            || self.near.is_some()
-            || self.far.is_some()
-            || self.projection != Kind::Perspective
-    }
 }
 
 fn number(text: &str) -> Result<f64, String> {
@@ -269,6 +257,15 @@ fn number(text: &str) -> Result<f64, String> {
         Ok(value) if value.is_finite() => Ok(value),
         Ok(_) => Err("it must be a finite number".into()),
         Err(_) => Err("it must be a number, such as 1.5".into()),
+    }
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    let texels = number(text)?;
+    if (0.0..=32_767.0).contains(&texels) {
+        Ok(texels)
+    } else {
+        Err("it must be between 0 and 32767 texels".into())
     }
 }
 

@@ -15,7 +15,7 @@ use super::common::{lighthouse, scenes};
 use super::mode::{Mode, in_mode};
 use super::output::FRAME_MS;
 use super::paint::{Board, Posed, Shown, add};
-use super::view::{Lens, View};
+use super::view::{Lens, View, direction};
 use crate::args::{Args, DepthFormat, SceneName, Shade};
 use crate::dump::{Record, Recorder};
 
@@ -48,15 +48,16 @@ impl<'a, C: embedded_graphics::pixelcolor::PixelColor> Band<'a, C> {
 /// How the model turns.
 #[derive(Clone, Copy, Debug)]
 pub struct Turn {
-    /// A point on the axis.
-    pub about: Vec3,
+    /// The direction that is up, of any length. The axis runs through the origin, where `units` put the middle of the
+    /// model.
+    pub axis: [f64; 3],
     pub frames: u32,
     pub rate: Option<Rate>,
 }
 
 impl Turn {
     /// Returns the pose in one of the frames.
-    fn pose(&self, frame: u32) -> Transform {
+    fn pose(&self, frame: u32) -> Result<Transform> {
         let angle = if let Some(rate) = self.rate {
             rate.angle_at(u64::from(frame) * FRAME_MS)
         } else {
@@ -64,9 +65,14 @@ impl Turn {
             #[allow(clippy::cast_possible_truncation)] // whole turns drop out
             Angle::from_bits(part as u32)
         };
-        Transform::translate(self.about)
-            * Transform::rotate_y(angle)
-            * Transform::translate(-self.about)
+        Ok(
+            if self.axis[0] == 0.0 && self.axis[2] == 0.0 && self.axis[1] > 0.0 {
+                // As on the board, bit for bit.
+                Transform::rotate_y(angle)
+            } else {
+                Transform::rotate(direction(self.axis)?, angle)?
+            },
+        )
     }
 }
 
@@ -77,17 +83,21 @@ pub struct Model<'a> {
     pub turn: Turn,
     /// None for the project's own scene.
     pub shade: Option<Shade>,
+    /// The mode for recording.
+    pub recorded: Mode,
     /// Largest magnitude of a texture coordinate.
     pub largest_uv: f64,
+    /// It is drawn 2^`exponent` times as large as it is.
+    pub exponent: i32,
 }
 
 impl Model<'_> {
-    fn posed(&self, frame: u32) -> Posed<'_> {
-        Posed {
+    fn posed<'a>(&'a self, view: &'a View, frame: u32) -> Result<Posed<'a>> {
+        Ok(Posed {
             meshes: self.meshes,
-            view: &self.view,
-            pose: self.turn.pose(frame),
-        }
+            view,
+            pose: self.turn.pose(frame)?,
+        })
     }
 
     /// Draws a band of a frame.
@@ -117,7 +127,7 @@ impl Model<'_> {
         frame: u32,
         texture: &Texture<'_, C::Texel>,
     ) -> Result<Done> {
-        let posed = self.posed(frame);
+        let posed = self.posed(&self.view, frame)?;
         let Some(shade) = self.shade else {
             lighthouse::sky(&mut canvas);
             let camera = self.view.camera;
@@ -144,25 +154,46 @@ impl Model<'_> {
 
     /// Records a band of a frame.
     pub fn record(&self, band: Band<'_, Record>, frame: u32) -> Result<Done> {
-        let (canvas, depth) = band.canvas()?;
-        match self.view.depth {
-            DepthFormat::Linear => Ok(self.record_on(canvas.with_depth(depth)?, frame)),
-            DepthFormat::Float => {
-                Ok(self.record_on(canvas.with_depth_format::<Float>(depth)?, frame))
-            }
-            DepthFormat::Wide => {
-                Ok(self.record_on(canvas.with_depth_format::<WideFloat>(depth)?, frame))
-            }
-        }
+        let mut view = self.view;
+        view.mode = self.recorded;
+        self.record_in(&view, band, frame, self.shade == Some(Shade::Wire))
     }
 
-    fn record_on<D: DepthBuffer>(&self, mut canvas: Board<'_, Record, D>, frame: u32) -> Done {
+    /// Records a band of a frame: faces, or edges.
+    pub fn record_in(
+        &self,
+        view: &View,
+        band: Band<'_, Record>,
+        frame: u32,
+        edges: bool,
+    ) -> Result<Done> {
+        let (canvas, depth) = band.canvas()?;
+        let posed = self.posed(view, frame)?;
+        Ok(match self.view.depth {
+            DepthFormat::Linear => self.record_on(posed, canvas.with_depth(depth)?, edges),
+            DepthFormat::Float => {
+                self.record_on(posed, canvas.with_depth_format::<Float>(depth)?, edges)
+            }
+            DepthFormat::Wide => {
+                self.record_on(posed, canvas.with_depth_format::<WideFloat>(depth)?, edges)
+            }
+        })
+    }
+
+    fn record_on<D: DepthBuffer>(
+        &self,
+        posed: Posed<'_>,
+        mut canvas: Board<'_, Record, D>,
+        edges: bool,
+    ) -> Done {
         canvas.clear(Record::default());
-        let recorder = Recorder::new(self.largest_uv);
-        let posed = self.posed(frame);
-        timed(|| match self.shade {
-            Some(Shade::Wire) => posed.draw_edges(&mut canvas, &recorder),
-            _ => posed.draw(&mut canvas, &recorder),
+        let recorder = Recorder::new(self.largest_uv, self.exponent);
+        timed(|| {
+            if edges {
+                posed.draw_edges(&mut canvas, &recorder)
+            } else {
+                posed.draw(&mut canvas, &recorder)
+            }
         })
     }
 }
@@ -273,7 +304,7 @@ impl Measured {
             SceneName::Cube => &scenes::CUBE,
             SceneName::Sphere | SceneName::SphereFlat => &scenes::SPHERE,
         };
-        let recorder = Recorder::new(1.0);
+        let recorder = Recorder::new(1.0, 0);
         Ok(on_canvas!(band, self, Record::default(), |canvas| {
             canvas.draw(mesh, &mvp, &recorder)
         }))

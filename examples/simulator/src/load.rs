@@ -62,7 +62,14 @@ pub fn parse(text: &str) -> Result<Model, String> {
             .count()
             < MOST
     };
-    if few("v") && few("vt") && few("vn") {
+    let fits = |statement: &str| {
+        let mut words = statement.split_whitespace();
+        words.next() != Some("v")
+            || words
+                .take(3)
+                .all(|word| word.parse().is_ok_and(|x: f64| scalar(x).is_ok()))
+    };
+    if few("v") && few("vt") && few("vn") && statements.iter().all(|(_, s)| fits(s)) {
         check_all(text)?;
     }
     let (objects, _) = tobj::load_obj_buf(&mut sorted(&statements).as_bytes(), &options, |_| {
@@ -132,7 +139,8 @@ fn check(statement: &str) -> Result<(), String> {
                 tex_coord(value).is_ok() && tex_coord(1.0 - value).is_ok(),
                 "-2046.99999 and 2047.99999",
             ),
-            _ => (scalar(value).is_ok(), "-32768 and 32767.99999"),
+            // Of any size: positions are scaled, and of a normal only the direction counts.
+            _ => (value.abs() < 1e100, "-1e100 and 1e100"),
         };
         if !fits {
             return Err(format!(

@@ -7,7 +7,9 @@ use super::common::scenes;
 use crate::args::{Args, Color};
 use crate::job::{Measured, Model};
 use crate::mode::Mode;
+use crate::notes;
 use crate::paint::Shown;
+use crate::sight;
 use crate::skin::Skin;
 use crate::subject::Subject;
 use crate::targets::Targets;
@@ -19,10 +21,14 @@ use crate::targets::Targets;
 /// Any problem with the arguments or a file, in words.
 pub fn run(args: &Args) -> Result<()> {
     let targets = Targets::open(args)?;
+    let note = |note: &str| eprintln!("note: {note}");
     if let Some(scene) = args.scene {
+        for idle in notes::idle(args, None) {
+            note(&idle);
+        }
         let measured = Measured {
             scene,
-            mode: Mode::new(args)?,
+            mode: Mode::new(args, 1.0)?,
             depth: args.depth,
         };
         return match args.color {
@@ -40,6 +46,13 @@ pub fn run(args: &Args) -> Result<()> {
     let subject = Subject::load(args)?;
     let meshes = subject.meshes()?;
     let model = subject.model(args, &meshes)?;
+    for idle in notes::idle(args, model.shade) {
+        note(&idle);
+    }
+    if let Some(hint) = sight::check(&model, args)? {
+        note(hint);
+    }
+    println!("camera {}", subject.framing.options());
     let skin = &subject.skin;
     match args.color {
         Color::Rgb565 => picture_in::<Rgb565>(&model, skin, args, targets),

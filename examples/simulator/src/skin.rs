@@ -15,7 +15,11 @@ const MOST_LOG2: u32 = 10;
 
 /// An image with sides that are powers of two.
 #[derive(Debug)]
-pub struct Skin(RgbImage);
+pub struct Skin {
+    image: RgbImage,
+    /// Width and height before it was resampled.
+    given: (u32, u32),
+}
 
 impl Skin {
     /// Reads a PNG or JPEG and resamples it to the nearest powers of two, up to 1024.
@@ -41,11 +45,33 @@ impl Skin {
             .into());
         }
         let sides = (nearest(width), nearest(height));
-        Ok(Self(if sides == (width, height) {
-            image
-        } else {
-            image::imageops::resize(&image, sides.0, sides.1, FilterType::Triangle)
-        }))
+        let mut skin = Self::whole(image);
+        if sides != (width, height) {
+            skin.image =
+                image::imageops::resize(&skin.image, sides.0, sides.1, FilterType::Triangle);
+        }
+        Ok(skin)
+    }
+
+    /// An image that has not been resampled.
+    fn whole(image: RgbImage) -> Self {
+        Self {
+            given: image.dimensions(),
+            image,
+        }
+    }
+
+    /// Returns how many texels there are for each texel of the image that was given, along the side where there are
+    /// fewer.
+    pub fn resampled(&self) -> f64 {
+        let (width, height) = self.image.dimensions();
+        let ratio = |now: u32, given: u32| f64::from(now) / f64::from(given);
+        ratio(width, self.given.0).min(ratio(height, self.given.1))
+    }
+
+    /// Returns the larger side of the image that was given, in texels.
+    pub fn side(&self) -> f64 {
+        self.given.0.max(self.given.1).into()
     }
 
     /// Returns a texture that is compiled in.
@@ -57,12 +83,12 @@ impl Skin {
         let side = |side: usize| u32::try_from(side).unwrap_or(0);
         // The number of bytes fits the size.
         let image = RgbImage::from_raw(side(W), side(H), bytes.collect());
-        Self(image.unwrap_or_default())
+        Self::whole(image.unwrap_or_default())
     }
 
     /// 64x64 texels, squares of 8 in two colors.
     pub fn checker() -> Self {
-        Self(RgbImage::from_fn(64, 64, |x, y| {
+        Self::whole(RgbImage::from_fn(64, 64, |x, y| {
             image::Rgb(if (x / 8 + y / 8) % 2 == 0 {
                 [255, 255, 240]
             } else {
@@ -73,12 +99,12 @@ impl Skin {
 
     /// Returns the texels in the color `C`.
     pub fn texels<C: Levels>(&self) -> Texels<C> {
-        let (width, height) = self.0.dimensions();
+        let (width, height) = self.image.dimensions();
         let color = |&image::Rgb([r, g, b]): &image::Rgb<u8>| {
             C::from_rgb(Rgb888::new(r, g, b), Point::zero())
         };
         Texels {
-            list: self.0.pixels().map(color).collect(),
+            list: self.image.pixels().map(color).collect(),
             width,
             height,
         }

@@ -5,67 +5,99 @@ use fixel::prelude::*;
 use super::Result;
 use super::common::lighthouse;
 use crate::args::{Args, Filter, Kind, Shade};
-use crate::framing::{Framing, middle};
+use crate::dump;
+use crate::framing::{Framing, Point, Solid, unit};
 use crate::job::{self, Model, Turn};
 use crate::load;
+use crate::mode::Mode;
 use crate::parts::{self, Part};
 use crate::skin::Skin;
+use crate::turntable;
+use crate::units::Units;
 use crate::view::{Lens, View};
 
 /// A model, with everything that belongs to it.
 pub struct Subject {
     /// Empty for the project's own scene.
     parts: Vec<Part>,
-    points: Vec<[f64; 3]>,
+    pub framing: Framing,
+    units: Units,
     pub skin: Skin,
     largest_uv: f64,
     shade: Option<Shade>,
 }
 
 impl Subject {
-    /// Reads the files that `args` name.
+    /// Reads the files that `args` name, and chooses the camera.
     ///
     /// # Errors
     ///
-    /// A file cannot be read.
+    /// A file cannot be read, or the camera that `args` ask for shows nothing.
     pub fn load(args: &Args) -> Result<Self> {
         let skin = args.texture.as_deref().map(Skin::read).transpose()?;
         let Some(path) = &args.model else {
-            let positions = lighthouse::ISLAND.positions();
-            let plain = args.shade.is_none()
-                && skin.is_none()
-                && !args.two_sided
-                && args.filter == Filter::Nearest;
-            return Ok(Self {
-                parts: Vec::new(),
-                points: positions
-                    .iter()
-                    .map(|p| p.to_bits().map(|bits| f64::from(bits) / 65536.0))
-                    .collect(),
-                skin: skin.unwrap_or_else(|| Skin::of(&lighthouse::SKIN)),
-                largest_uv: 20.0,
-                shade: args.shade.or(if plain { None } else { Some(Shade::Lit) }),
-            });
+            return Self::own(args, skin);
         };
         let mut model = load::model(path)?;
-        if let Some(scale) = scale(args, &model.positions) {
-            println!("scaled by {scale} to suit the number format");
-            for position in &mut model.positions {
-                *position = position.map(|x| x * scale);
-            }
+        let solid = Solid::of(&model.positions)?;
+        let framing = frame(args, &model.positions, &solid, solid.middle)?;
+        let units = Units::new(args, &framing, &solid)?;
+        for position in &mut model.positions {
+            *position = units.point(*position);
         }
         let textured = skin.is_some() || model.had_uvs;
         let shade = if textured { Shade::Lit } else { Shade::Gouraud };
         Ok(Self {
             parts: parts::split(&model)?,
+            framing,
+            units,
             largest_uv: model
                 .uvs
                 .iter()
                 .flatten()
                 .fold(0.0, |all, x| x.abs().max(all)),
-            points: model.positions,
             skin: skin.unwrap_or_else(Skin::checker),
             shade: Some(args.shade.unwrap_or(shade)),
+        })
+    }
+
+    /// The project's own scene.
+    fn own(args: &Args, skin: Option<Skin>) -> Result<Self> {
+        let plain = args.shade.is_none()
+            && skin.is_none()
+            && !args.two_sided
+            && args.filter == Filter::Nearest;
+        let points: Vec<Point> = lighthouse::ISLAND
+            .positions()
+            .iter()
+            .map(|p| p.to_bits().map(|bits| f64::from(bits) / 65536.0))
+            .collect();
+        let solid = Solid::of(&points)?;
+        let frame = |args: &Args| frame(args, &points, &solid, [0.0; 3]);
+        let framing = if plain && has_own_camera(args) {
+            frame(&with_own_camera(args))?
+        } else if plain {
+            let framing = frame(args)?;
+            // The sea begins in front of the island and continues behind it.
+            let near = match args.projection {
+                Kind::Perspective => 0.25,
+                _ => framing.near - 120.0,
+            };
+            frame(&Args {
+                near: args.near.or(Some(near)),
+                far: args.far.or(Some(framing.far + 120.0)),
+                ..args.clone()
+            })?
+        } else {
+            frame(args)?
+        };
+        Ok(Self {
+            parts: Vec::new(),
+            units: Units::own(args, &framing, &solid)?,
+            framing,
+            skin: skin.unwrap_or_else(|| Skin::of(&lighthouse::SKIN)),
+            largest_uv: 20.0,
+            shade: args.shade.or(if plain { None } else { Some(Shade::Lit) }),
         })
     }
 
@@ -84,99 +116,71 @@ impl Subject {
         self.parts.iter().map(Part::mesh).collect()
     }
 
-    /// Returns the job of drawing it, with `meshes` of its own and the camera that `args` ask for.
+    /// Returns the job of drawing it, with `meshes` of its own.
     ///
     /// # Errors
     ///
     /// The library refuses the camera.
     pub fn model<'a>(&self, args: &Args, meshes: &'a [Mesh<'a>]) -> Result<Model<'a>> {
-        let rate = job::rate(args)?;
-        let about = if self.parts.is_empty() {
-            [0.0; 3]
-        } else {
-            middle(&self.points)
-        };
-        let turn = Turn {
-            about: Vec3::try_from(about)?,
-            frames: args.frames,
-            rate,
-        };
-        let turns = args.frames > 1 || rate.is_some();
-        let frame = |args: &Args| {
-            if turns {
-                Framing::new(args, &ring(&self.points, about))
-            } else {
-                Framing::new(args, &self.points)
-            }
-        };
-        let mut framing = frame(args);
-        let own = self.shade.is_none();
-        if own && args.has_camera() {
-            // The sea begins in front of the island and continues behind it.
-            let near = match args.projection {
-                Kind::Perspective => 0.25,
-                _ => framing.near - 120.0,
-            };
-            framing = frame(&Args {
-                near: args.near.or(Some(near)),
-                far: args.far.or(Some(framing.far + 120.0)),
-                ..args.clone()
-            });
-        }
-        let mut view = View::new(args, &framing)?;
-        if own && !args.has_camera() {
+        let resampled = self.skin.resampled();
+        let mut view = View::new(args, &self.framing, &self.units, resampled)?;
+        if self.shade.is_none() && has_own_camera(args) {
             view.projection = Lens::Perspective(lighthouse::projection(args.size)?);
             view.camera = lighthouse::camera()?;
         }
+        // A texture that is given in squares has as many texels along both sides of a repeat.
+        let recorded = Mode::new(args, dump::repeat(self.largest_uv) / self.skin.side())?;
         Ok(Model {
             meshes,
             view,
-            turn,
+            turn: Turn {
+                axis: self.framing.up,
+                frames: args.frames,
+                rate: job::rate(args)?,
+            },
             shade: self.shade,
+            recorded,
             largest_uv: self.largest_uv,
+            exponent: self.units.exponent,
         })
     }
 }
 
-/// Returns the points that a turning model passes: each on its circle around the axis, a step of the turn apart.
-fn ring(points: &[[f64; 3]], about: [f64; 3]) -> Vec<[f64; 3]> {
-    const STEPS: u32 = 24;
-    let turned = |p: &[f64; 3], step: u32| {
-        let (sin, cos) = (f64::from(step) / f64::from(STEPS) * std::f64::consts::TAU).sin_cos();
-        let (x, z) = (p[0] - about[0], p[2] - about[2]);
-        [
-            about[0] + x * cos + z * sin,
-            p[1],
-            about[2] + z * cos - x * sin,
-        ]
-    };
-    points
-        .iter()
-        .flat_map(|p| (0..STEPS).map(move |step| turned(p, step)))
-        .collect()
+/// Frames `points`, or if they turn the space that they turn in, around the axis through `about`.
+fn frame(args: &Args, points: &[Point], solid: &Solid, about: Point) -> Result<Framing> {
+    match unit(args.up()) {
+        Some(up) if args.frames > 1 || args.window && args.rpm.is_some() => {
+            Framing::new(args, &turntable::swept(points, about, up), solid)
+        }
+        _ => Framing::new(args, points, solid),
+    }
 }
 
-/// Returns the factor to scale a model by if it is too large to be seen whole from a representable place, or so small
-/// that the format's steps show. A model is scaled only if no option was given in its own units.
-fn scale(args: &Args, points: &[[f64; 3]]) -> Option<f64> {
-    if args.has_camera() {
-        return None;
+/// Returns `args` with the camera of the project's own scene, which `lighthouse` has in the library's formats.
+fn with_own_camera(args: &Args) -> Args {
+    Args {
+        eye: Some([3.4, 3.1, 8.4]),
+        look_at: Some([0.45, 1.62, 0.0]),
+        up: Some([0.0, 1.0, 0.0]),
+        fov: Some(40.0),
+        near: Some(1.0),
+        far: Some(140.0),
+        ..args.clone()
     }
-    let middle = middle(points);
-    let reach = |from: [f64; 3]| {
-        let distance = |p: &[f64; 3]| (0..3).map(|i| (p[i] - from[i]).abs()).fold(0.0, f64::max);
-        points.iter().map(distance).fold(0.0, f64::max)
-    };
-    let (size, far) = (reach(middle), reach([0.0; 3]).max(reach(middle) * 8.0));
-    let scale = if far > 32_000.0 {
-        (32_000.0 / far).log2().floor()
-    } else if size < 0.5 && size > 0.0 {
-        (1.0 / size)
-            .log2()
-            .floor()
-            .min((32_000.0 / far).log2().floor())
-    } else {
-        0.0
-    };
-    (scale.abs() > 0.5).then(|| scale.exp2())
+}
+
+/// Returns whether `args` leave the project's own scene its camera: every option that is given has the value that it
+/// has anyway.
+fn has_own_camera(args: &Args) -> bool {
+    fn keeps<T: PartialEq>(given: Option<T>, own: Option<T>) -> bool {
+        given.is_none() || given == own
+    }
+    let own = with_own_camera(args);
+    args.projection == Kind::Perspective
+        && keeps(args.eye, own.eye)
+        && keeps(args.look_at, own.look_at)
+        && keeps(args.up, own.up)
+        && keeps(args.fov, own.fov)
+        && keeps(args.near, own.near)
+        && keeps(args.far, own.far)
 }

@@ -150,13 +150,9 @@ impl<'a> Targets<'a> {
             println!("frames {}, of which together:", args.frames);
         }
         println!("{what} {submitted} in, {drawn} drawn, {clipped} of them clipped");
-        if total.pixels == 0 {
-            println!("pixels 0 covered: the model is outside the picture");
-        } else {
-            #[allow(clippy::cast_precision_loss)] // three digits are shown
-            let each = total.time.as_nanos() as f64 / total.pixels as f64;
-            println!("pixels {} covered, {each:.2} ns per pixel", total.pixels);
-        }
+        #[allow(clippy::cast_precision_loss)] // three digits are shown
+        let each = total.time.as_nanos() as f64 / total.pixels.max(1) as f64;
+        println!("pixels {} covered, {each:.2} ns per pixel", total.pixels);
         if args.crc {
             let mut crc = crc32fast::Hasher::new();
             for &color in colors {
@@ -189,7 +185,7 @@ impl Total {
     fn add(&mut self, counts: Drawn, time: Duration, records: &[Record]) {
         self.counts = add(self.counts, counts);
         self.time += time;
-        self.pixels += records.iter().filter(|record| record.covered).count() as u64;
+        self.pixels += records.iter().filter(|record| record.is_covered()).count() as u64;
     }
 }
 

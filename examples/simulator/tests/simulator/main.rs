@@ -3,6 +3,8 @@
 
 mod dumps;
 mod files;
+mod flags;
+mod framing;
 mod looks;
 mod models;
 mod program;
