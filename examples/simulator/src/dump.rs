@@ -7,6 +7,7 @@ use fixel::shade::Texels;
 use fixel::{Fragment, Primitive, Shader, TexCoord};
 
 use super::Result;
+use crate::args::Mode;
 
 /// A "color" that holds the interpolated values of a pixel. So the depth test selects the visible ones.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -42,31 +43,35 @@ impl PixelColor for Record {
 #[derive(Clone, Copy, Debug)]
 pub struct Recorder {
     uv_bits: u32,
+    distance_shift: i32,
     distance_bits: i32,
 }
 
-/// Returns the fraction bits of recorded texture coordinates of magnitude up to `largest`.
-fn uv_bits(largest: f64) -> u32 {
-    if largest < 127.0 {
-        24
-    } else {
-        TexCoord::FRAC_NBITS
-    }
-}
-
-/// Returns how many units, in which a mode measures its tolerance, a repeat of the texture has where it is recorded.
-pub fn repeat(largest: f64) -> f64 {
-    f64::from(uv_bits(largest) - 16).exp2()
-}
-
 impl Recorder {
-    /// Makes a shader for texture coordinates of magnitude up to `largest`: 24 fraction bits up to 127, else their
-    /// own 20. Distances are drawn as multiples of 2^-`exponent` of their own unit.
-    pub fn new(largest: f64, exponent: i32) -> Self {
+    /// Makes a shader for texture coordinates of magnitude up to `largest`. Distances are drawn at 2^`exponent` times
+    /// their own size.
+    ///
+    /// Texture coordinates have 24 fraction bits, or fewer if they are too large for so many. Mode fast divides what has
+    /// more than 28 bits, which drawn textures rarely have. So in this mode nothing recorded has more; distances lose 11
+    /// bits, which are below the mode's error of 2^-13.
+    pub fn new(largest: f64, exponent: i32, mode: Mode) -> Self {
+        let is_fast = mode == Mode::Fast;
+        let whole = (largest + 1.0).log2().ceil();
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // from 20 to 24
+        let uv_bits = (if is_fast { 27.0 } else { 31.0 } - whole)
+            .clamp(TexCoord::FRAC_NBITS.into(), 24.0) as u32;
+        let distance_shift = if is_fast { 11 } else { 0 };
         Self {
-            uv_bits: uv_bits(largest),
-            distance_bits: 16 + exponent,
+            uv_bits,
+            distance_shift,
+            distance_bits: 16 + exponent - distance_shift,
         }
+    }
+
+    /// Returns how many units of a mode's tolerance, which are texels where a texture is drawn, a repeat of the texture
+    /// has where it is recorded.
+    pub fn repeat(&self) -> f64 {
+        f64::from(self.uv_bits - 16).exp2()
     }
 }
 
@@ -80,7 +85,8 @@ impl Shader for Recorder {
         let up = self.uv_bits - TexCoord::FRAC_NBITS;
         primitive.corners(|corner| {
             let uv = corner.uv().to_bits().map(|bits| bits << up);
-            (Texels(uv), Texels([corner.distance().to_bits(), 0]))
+            let distance = corner.distance().to_bits() >> self.distance_shift;
+            (Texels(uv), Texels([distance, 0]))
         })
     }
 

@@ -16,7 +16,7 @@ use super::mode::{Mode, in_mode};
 use super::output::FRAME_MS;
 use super::paint::{Board, Posed, Shown, add};
 use super::view::{Lens, View, direction};
-use crate::args::{Args, DepthFormat, SceneName, Shade};
+use crate::args::{self, Args, DepthFormat, SceneName, Shade};
 use crate::dump::{Record, Recorder};
 
 /// A band of a frame, to be drawn.
@@ -83,12 +83,9 @@ pub struct Model<'a> {
     pub turn: Turn,
     /// None for the project's own scene.
     pub shade: Option<Shade>,
-    /// The mode for recording.
+    /// The mode for the recorder.
     pub recorded: Mode,
-    /// Largest magnitude of a texture coordinate.
-    pub largest_uv: f64,
-    /// It is drawn 2^`exponent` times as large as it is.
-    pub exponent: i32,
+    pub recorder: Recorder,
 }
 
 impl Model<'_> {
@@ -187,12 +184,11 @@ impl Model<'_> {
         edges: bool,
     ) -> Done {
         canvas.clear(Record::default());
-        let recorder = Recorder::new(self.largest_uv, self.exponent);
         timed(|| {
             if edges {
-                posed.draw_edges(&mut canvas, &recorder)
+                posed.draw_edges(&mut canvas, &self.recorder)
             } else {
-                posed.draw(&mut canvas, &recorder)
+                posed.draw(&mut canvas, &self.recorder)
             }
         })
     }
@@ -304,7 +300,7 @@ impl Measured {
             SceneName::Cube => &scenes::CUBE,
             SceneName::Sphere | SceneName::SphereFlat => &scenes::SPHERE,
         };
-        let recorder = Recorder::new(1.0, 0);
+        let recorder = Recorder::new(1.0, 0, args::Mode::Newton);
         Ok(on_canvas!(band, self, Record::default(), |canvas| {
             canvas.draw(mesh, &mvp, &recorder)
         }))

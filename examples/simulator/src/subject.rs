@@ -5,7 +5,7 @@ use fixel::prelude::*;
 use super::Result;
 use super::common::lighthouse;
 use crate::args::{Args, Filter, Kind, Shade};
-use crate::dump;
+use crate::dump::Recorder;
 use crate::framing::{Framing, Point, Solid, unit};
 use crate::job::{self, Model, Turn};
 use crate::load;
@@ -129,7 +129,8 @@ impl Subject {
             view.camera = lighthouse::camera()?;
         }
         // A texture that is given in squares has as many texels along both sides of a repeat.
-        let recorded = Mode::new(args, dump::repeat(self.largest_uv) / self.skin.side())?;
+        let recorder = Recorder::new(self.largest_uv, self.units.exponent, args.mode);
+        let recorded = Mode::new(args, recorder.repeat() / self.skin.side())?;
         Ok(Model {
             meshes,
             view,
@@ -140,8 +141,7 @@ impl Subject {
             },
             shade: self.shade,
             recorded,
-            largest_uv: self.largest_uv,
-            exponent: self.units.exponent,
+            recorder,
         })
     }
 }
