@@ -7,7 +7,7 @@ use crate::args::{Args, Shade};
 use crate::dump::Record;
 use crate::job::{Band, Model};
 
-/// Largest side of the pictures that are looked at first.
+/// Largest side of the pictures that are searched for backs.
 const SMALL: u32 = 256;
 /// Largest side that a picture in one piece can have.
 const LARGE: u32 = 2048;
@@ -18,54 +18,38 @@ const LARGE: u32 = 2048;
 ///
 /// Nothing is visible in any frame. The message says why, and what to do.
 pub fn check(model: &Model<'_>, args: &Args) -> Result<Option<&'static str>> {
-    let look = |size, frame, cull| model.look(size, frame, cull, model.shade == Some(Shade::Wire));
-    let small = within(args.size, SMALL);
+    let is_wire = model.shade == Some(Shade::Wire);
     let cull = model.view.options.cull();
-    let front = look(small, 0, cull)?;
-    if model.shade.is_none() || model.shade == Some(Shade::Wire) || cull == Cull::Nothing {
-        return if is_visible(&front) {
-            Ok(None)
-        } else {
-            search(model, args).map(|()| None)
-        };
-    }
-    let both = look(small, 0, Cull::Nothing)?;
-    if !is_visible(&front) {
-        search(model, args)?;
-    }
-    let seen = both.iter().filter(|record| record.is_covered()).count();
-    let away = (both.iter().zip(&front)).filter(|(both, front)| both.hides(front));
-    let mostly = 2 * away.count() > seen;
-    Ok(mostly.then_some("most faces in view point away: try --two-sided"))
-}
-
-/// Looks for anything visible in all frames, at the size of the picture.
-fn search(model: &Model<'_>, args: &Args) -> Result<()> {
     let size = within(args.size, LARGE);
     let any = |cull, edges| -> Result<bool> {
         for frame in 0..args.frames {
-            if is_visible(&model.look(size, frame, cull, edges)?) {
+            let records = model.look(size, frame, cull, edges)?;
+            if records.iter().any(Record::is_covered) {
                 return Ok(true);
             }
         }
         Ok(false)
     };
-    let edges = model.shade == Some(Shade::Wire);
-    if any(model.view.options.cull(), edges)? {
-        return Ok(());
+    if !any(cull, is_wire)? {
+        let why = if any(Cull::Nothing, is_wire)? {
+            "all faces in view point away: try --two-sided"
+        } else if any(Cull::Nothing, true)? {
+            "the faces in view cover no pixel: try --shade wire"
+        } else {
+            "the model is outside the picture or smaller than a pixel"
+        };
+        return Err(format!("nothing is visible: {why}").into());
     }
-    let why = if any(Cull::Nothing, edges)? {
-        "all faces in view point away: try --two-sided"
-    } else if any(Cull::Nothing, true)? {
-        "the faces in view cover no pixel: try --shade wire"
-    } else {
-        "the model is outside the picture or smaller than a pixel"
-    };
-    Err(format!("nothing is visible: {why}").into())
-}
-
-fn is_visible(records: &[Record]) -> bool {
-    records.iter().any(Record::is_covered)
+    if is_wire || model.shade.is_none() || cull == Cull::Nothing {
+        return Ok(None);
+    }
+    let size = within(size, SMALL);
+    let front = model.look(size, 0, cull, false)?;
+    let both = model.look(size, 0, Cull::Nothing, false)?;
+    let seen = both.iter().filter(|record| record.is_covered()).count();
+    let away = (both.iter().zip(&front)).filter(|(both, front)| both.hides(front));
+    let mostly = 2 * away.count() > seen;
+    Ok(mostly.then_some("most faces in view point away: try --two-sided"))
 }
 
 /// Returns the size of a picture of the same shape, with sides of at most `most` pixels.
