@@ -173,7 +173,12 @@ pub fn written([x, y, z]: Point) -> String {
 
 /// Rounds a number to five digits.
 pub fn about(value: f64) -> f64 {
-    format!("{value:.4e}").parse().unwrap_or(value)
+    to_digits(value, 5)
+}
+
+fn to_digits(value: f64, digits: usize) -> f64 {
+    let decimals = digits - 1;
+    format!("{value:.decimals$e}").parse().unwrap_or(value)
 }
 
 /// What an eye that is not given must satisfy.
@@ -219,13 +224,11 @@ impl Choice<'_> {
                     f64::midpoint(low, high)
                 });
             }
+            let sides = [0, 1].map(|axis| range(place(axis).map(|x| (x - middle[axis]).abs()))[1]);
+            let half = self.half(sides, self.solid.radius * LEAST);
             match args.fov {
-                Some(fov) => {
-                    let sides =
-                        [0, 1].map(|axis| range(place(axis).map(|x| (x - middle[axis]).abs()))[1]);
-                    self.half(sides, self.solid.radius * LEAST) / half_tangent(fov)
-                }
-                None => front.max(0.0) + self.solid.radius * 2.0,
+                Some(fov) => half / half_tangent(fov),
+                None => front.max(0.0) + half.max(self.solid.radius) * 2.0,
             }
         };
         let target = along(along(center, axes[0], middle[0]), axes[1], middle[1]);
@@ -360,7 +363,8 @@ impl Framing {
             };
             choice.half([side(0), side(1)], least) / distance
         };
-        about((half.atan() * 2.0).to_degrees().min(179.0))
+        // Near 180 degrees, the picture's size depends on the last digits.
+        to_digits((half.atan() * 2.0).to_degrees().min(179.99), 8)
     }
 
     /// Sets the near and the far plane: as given, or a little in front of and behind all points.

@@ -70,17 +70,30 @@ fn unit(a: Point) -> Point {
 /// the half picture from its middle, and the distances of the nearest and the farthest corner.
 fn outline(camera: &str, size: [u32; 2], place: impl Fn(Point) -> Point) -> [[f64; 2]; 3] {
     let eye = point(camera, "--eye");
-    let back = unit(sub(eye, point(camera, "--look-at")));
+    let line = sub(eye, point(camera, "--look-at"));
+    let back = unit(line);
     let right = unit(cross(point(camera, "--up"), back));
     let up = cross(back, right);
     let half = (option(camera, "--fov")[0].to_radians() / 2.0).tan();
     let aspect = f64::from(size[0]) / f64::from(size[1]);
+    // Parallel lines of sight: as large at any distance as at the target's, and moved by the distance from there.
+    let parallel = camera
+        .split_once("--projection ")
+        .map(|(_, kind)| match kind {
+            "orthographic" => 0.0,
+            "cabinet" => 0.5 * 0.5_f64.sqrt(),
+            _ => 0.5_f64.sqrt(),
+        });
     let mut range = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
     for corner in CORNERS.map(place) {
         let from_eye = sub(corner, eye);
         let distance = -dot(from_eye, back);
-        let across = dot(from_eye, right) / (distance * half * aspect);
-        let rise = dot(from_eye, up) / (distance * half);
+        let (depth, shift) = match parallel {
+            Some(ratio) => (dot(line, back), ratio * (distance - dot(line, back))),
+            None => (distance, 0.0),
+        };
+        let across = (dot(from_eye, right) + shift) / (depth * half * aspect);
+        let rise = (dot(from_eye, up) + shift) / (depth * half);
         for (range, value) in range.iter_mut().zip([across, rise, distance]) {
             *range = [range[0].min(value), range[1].max(value)];
         }
@@ -158,6 +171,45 @@ fn an_eye_or_a_target_that_is_given_shows_the_whole_model_too() {
         if !view.contains("--look-at") {
             let off = (across[0] + across[1]).abs().max((rise[0] + rise[1]).abs());
             assert!(off < 2e-3, "{view}: {across:?} {rise:?}");
+        }
+    }
+}
+
+#[test]
+fn parallel_pictures_show_the_whole_model_as_large_as_possible() {
+    let directory = directory("parallel");
+    write_box(&directory.join("box.obj"), |p| p);
+    for kind in ["orthographic", "cabinet", "cavalier"] {
+        for view in [
+            "",
+            "--fov 1",
+            "--fov 170",
+            "--look-at 2,2,2",
+            "--look-at 0,9,0 --fov 90",
+            "--eye 3,2,5",
+        ] {
+            for size in [[320, 240], [3, 90], [90, 3]] {
+                let [width, height] = size;
+                let view = format!("{view} --projection {kind} --size {width}x{height}");
+                let said = run(&directory, &format!("box.obj {view} --shade wire"));
+                let said = String::from_utf8(said.stdout).unwrap();
+                let [across, rise, [nearest, farthest]] = outline(camera(&said), size, |p| p);
+                let sides = [across, rise];
+                let most = sides
+                    .as_flattened()
+                    .iter()
+                    .fold(0.0, |most, x| x.abs().max(most));
+                assert!(
+                    (0.9399..0.9401).contains(&most),
+                    "{view}: {across:?} {rise:?}"
+                );
+                assert!(option(&said, "--near")[0] < nearest, "{view}: {said}");
+                assert!(option(&said, "--far")[0] > farthest, "{view}: {said}");
+                if !view.contains("--look-at") && !view.contains("--eye") {
+                    let off = (across[0] + across[1]).abs().max((rise[0] + rise[1]).abs());
+                    assert!(off < 1e-3, "{view}: {across:?} {rise:?}");
+                }
+            }
         }
     }
 }
@@ -333,7 +385,7 @@ fn the_direction_that_is_up_turns_view_turntable_and_cabinet() {
         "--frames 7 --projection cabinet",
     ] {
         let crc = |model: &str| {
-            let said = good(&directory, &format!("{model} {view} --crc"));
+            let said = good(&directory, &format!("{model} {view} --size 120x90 --crc"));
             [
                 printed(&said, "crc").to_string(),
                 printed(&said, "pixels").to_string(),
