@@ -363,6 +363,9 @@ fn the_projects_own_scene_keeps_its_camera_if_an_option_restates_it() {
         let said = good(&directory, &format!("--crc {options}"));
         printed(&said, "crc").to_string()
     };
+    let said = good(&directory, "");
+    let own = "--eye 3.4,3.1,8.4 --look-at 0.45,1.62,0 --up 0,1,0 --fov 40 --near 1 --far 140";
+    assert_eq!(camera(&said), own);
     let plain = crc("");
     assert_eq!(plain, crc("--up 0,1,0 --projection perspective --fov 40"));
     assert_ne!(plain, crc("--fov 30"));
