@@ -28,7 +28,7 @@ pub fn distance(points: impl Iterator<Item = [f64; 2]> + Clone, slope: f64, move
 /// That largest slope s is the greatest (xᵢ − xⱼ) / (wᵢ + wⱼ) of any two points. Dinkelbach's method finds it: with the
 /// pair that exceeds s most, s grows, until no pair exceeds it. Each step is exact for the pair it finds, and s never
 /// exceeds the optimum, so it ends after a few steps.
-pub fn center(points: impl Iterator<Item = [f64; 2]> + Clone) -> f64 {
+pub fn center(points: &(impl Iterator<Item = [f64; 2]> + Clone)) -> f64 {
     let mut slope = 0.0;
     loop {
         let value = |[x, w]: [f64; 2], sign: f64| x + sign * slope * w;

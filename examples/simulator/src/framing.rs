@@ -213,7 +213,7 @@ impl Choice<'_> {
                 .max(self.solid.radius * 0.01);
             if moves {
                 middle = [0, 1]
-                    .map(|axis| fit::center(place(axis).map(move |[x, z]| [x, distance - z])));
+                    .map(|axis| fit::center(&place(axis).map(move |[x, z]| [x, distance - z])));
             }
             distance
         } else {
@@ -313,7 +313,7 @@ impl Framing {
                     .unwrap_or_else(|| round(choice.target(eye, up))),
             ],
         };
-        if eye == target {
+        if sub(eye, target).iter().all(|&x| x == 0.0) {
             return Err(format!(
                 "eye and target are both at {}: --eye and --look-at must differ",
                 written(eye)

@@ -172,7 +172,7 @@ fn with_own_camera(args: &Args) -> Args {
 /// Returns whether `args` leave the project's own scene its camera: every option that is given has the value that it
 /// has anyway.
 fn has_own_camera(args: &Args) -> bool {
-    fn keeps<T: PartialEq>(given: Option<T>, own: Option<T>) -> bool {
+    fn keeps<T: PartialEq + Copy>(given: Option<T>, own: Option<T>) -> bool {
         given.is_none() || given == own
     }
     let own = with_own_camera(args);
