@@ -7,15 +7,16 @@
 mod args;
 #[path = "../../common/mod.rs"]
 mod common;
-mod complete;
 mod dump;
+mod export;
 mod framing;
 mod job;
-mod load;
 mod mode;
+mod model;
 mod output;
 mod paint;
 mod parts;
+mod piece;
 mod render;
 mod skin;
 mod subject;

@@ -1,14 +1,20 @@
 //! The model to draw, read from a file or the project's own, and its place.
 
+use std::collections::HashMap;
+use std::path::PathBuf;
+
 use fixel::prelude::*;
 
 use super::Result;
 use super::common::lighthouse;
 use crate::args::{Args, Filter, Kind, Shade};
+use crate::export;
 use crate::framing::{Framing, middle};
 use crate::job::{self, Model, Turn};
-use crate::load;
+use crate::model;
+
 use crate::parts::{self, Part};
+use crate::piece::{Finish, Piece};
 use crate::skin::Skin;
 use crate::view::{Lens, View};
 
@@ -17,9 +23,14 @@ pub struct Subject {
     /// Empty for the project's own scene.
     parts: Vec<Part>,
     points: Vec<[f64; 3]>,
-    pub skin: Skin,
+    /// How the model's materials are drawn, and in the end faces without one.
+    finishes: Vec<Finish>,
+    /// The textures that the finishes name.
+    pub skins: Vec<Skin>,
     largest_uv: f64,
     shade: Option<Shade>,
+    /// The files that it was read from.
+    pub inputs: Vec<PathBuf>,
 }
 
 impl Subject {
@@ -42,19 +53,43 @@ impl Subject {
                     .iter()
                     .map(|p| p.to_bits().map(|bits| f64::from(bits) / 65536.0))
                     .collect(),
-                skin: skin.unwrap_or_else(|| Skin::of(&lighthouse::SKIN)),
+                finishes: vec![Finish::textured(0)],
+                skins: vec![skin.unwrap_or_else(|| Skin::of(&lighthouse::SKIN))],
                 largest_uv: 20.0,
+                inputs: args.texture.iter().cloned().collect(),
                 shade: args.shade.or(if plain { None } else { Some(Shade::Lit) }),
             });
         };
-        let mut model = load::model(path)?;
+        let mut model = model::read(path, false)?;
+        let (finishes, skins) = finishes(&mut model, skin);
+        for note in &model.notes {
+            eprintln!("note: {note}");
+        }
+        let inputs = inputs(args, &model);
+        let textures = args
+            .export
+            .iter()
+            .find(|path| path.extension().is_some_and(|x| x == "bmp"));
+        for path in &args.export {
+            for file in export::files(path, skins.len()) {
+                export::refuse_inputs(&file, &inputs)?;
+            }
+            let looks = (&finishes[..], &skins[..]);
+            export::write(
+                path,
+                &model,
+                looks,
+                args.mesh,
+                textures.map(PathBuf::as_path),
+            )?;
+        }
         if let Some(scale) = scale(args, &model.positions) {
             println!("scaled by {scale} to suit the number format");
             for position in &mut model.positions {
                 *position = position.map(|x| x * scale);
             }
         }
-        let textured = skin.is_some() || model.had_uvs;
+        let textured = args.texture.is_some() || model.had_uvs || model.is_colored();
         let shade = if textured { Shade::Lit } else { Shade::Gouraud };
         Ok(Self {
             parts: parts::split(&model)?,
@@ -64,32 +99,50 @@ impl Subject {
                 .flatten()
                 .fold(0.0, |all, x| x.abs().max(all)),
             points: model.positions,
-            skin: skin.unwrap_or_else(Skin::checker),
+            inputs,
+            finishes,
+            skins,
             shade: Some(args.shade.unwrap_or(shade)),
         })
     }
 
-    /// Returns the meshes.
+    /// Returns the pieces.
     ///
     /// # Errors
     ///
     /// None for a model that was read without one.
-    pub fn meshes(&self) -> Result<Vec<Mesh<'_>>> {
+    pub fn pieces(&self) -> Result<Vec<Piece<'_>>> {
         if self.parts.is_empty() {
+            let finish = Finish::textured(0);
+            let piece = |mesh| Piece { mesh, finish };
             return Ok(match self.shade {
-                None => vec![lighthouse::SEA, lighthouse::ISLAND],
-                Some(_) => vec![lighthouse::ISLAND],
+                None => vec![piece(lighthouse::SEA), piece(lighthouse::ISLAND)],
+                Some(_) => vec![piece(lighthouse::ISLAND)],
             });
         }
-        self.parts.iter().map(Part::mesh).collect()
+        let finish = |part: &Part| {
+            let finish = match part.material {
+                Some(material) => self.finishes.get(material as usize),
+                None => self.finishes.last(),
+            };
+            finish.copied().unwrap_or(Finish::textured(0))
+        };
+        let mut pieces = Vec::new();
+        for part in &self.parts {
+            pieces.push(Piece {
+                mesh: part.mesh()?,
+                finish: finish(part),
+            });
+        }
+        Ok(pieces)
     }
 
-    /// Returns the job of drawing it, with `meshes` of its own and the camera that `args` ask for.
+    /// Returns the job of drawing it, with `pieces` of its own and the camera that `args` ask for.
     ///
     /// # Errors
     ///
     /// The library refuses the camera.
-    pub fn model<'a>(&self, args: &Args, meshes: &'a [Mesh<'a>]) -> Result<Model<'a>> {
+    pub fn model<'a>(&self, args: &Args, pieces: &'a [Piece<'a>]) -> Result<Model<'a>> {
         let rate = job::rate(args)?;
         let about = if self.parts.is_empty() {
             [0.0; 3]
@@ -129,13 +182,55 @@ impl Subject {
             view.camera = lighthouse::camera()?;
         }
         Ok(Model {
-            meshes,
+            pieces,
             view,
             turn,
             shade: self.shade,
             largest_uv: self.largest_uv,
         })
     }
+}
+
+/// Returns all files that belong to a model.
+fn inputs(args: &Args, model: &model::Model) -> Vec<PathBuf> {
+    let given = [&args.model, &args.texture].into_iter().flatten();
+    given.chain(&model.files).cloned().collect()
+}
+
+/// Returns the finish of each material, and in the end that of faces without one; and the textures that they need.
+///
+/// `skin` replaces all materials. A texture that cannot be read is noted.
+fn finishes(model: &mut model::Model, skin: Option<Skin>) -> (Vec<Finish>, Vec<Skin>) {
+    let count = model.materials.len();
+    if let Some(skin) = skin {
+        return (vec![Finish::textured(0); count + 1], vec![skin]);
+    }
+    if !model.is_colored() {
+        return (vec![Finish::textured(0)], vec![Skin::checker()]);
+    }
+    let (mut finishes, mut skins) = (Vec::new(), Vec::new());
+    let mut places: HashMap<(u32, [u8; 3]), Option<usize>> = HashMap::new();
+    for material in &model.materials {
+        let texture = material.texture.and_then(|image| {
+            *places.entry((image, material.color)).or_insert_with(|| {
+                match Skin::of_model(&model.images[image as usize], material.color) {
+                    Ok(skin) => {
+                        skins.push(skin);
+                        Some(skins.len() - 1)
+                    }
+                    Err(problem) => {
+                        model
+                            .notes
+                            .push(format!("{problem}: its faces have one color"));
+                        None
+                    }
+                }
+            })
+        });
+        finishes.push(texture.map_or(Finish::plain(material.color), Finish::textured));
+    }
+    finishes.push(Finish::plain([255; 3]));
+    (finishes, skins)
 }
 
 /// Returns the points that a turning model passes: each on its circle around the axis, a step of the turn apart.
