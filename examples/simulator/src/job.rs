@@ -4,11 +4,11 @@ use std::time::{Duration, Instant};
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use fixel::Drawn;
 use fixel::prelude::*;
 use fixel::shade::{FaceColors, Gouraud, Levels, Textured};
 use fixel::target::{DepthBuffer, Float, WideFloat};
 use fixel::view::Perspective;
-use fixel::{Drawn, Mesh};
 
 use super::Result;
 use super::common::{lighthouse, scenes};
@@ -18,6 +18,7 @@ use super::paint::{Board, Posed, Shown, add};
 use super::view::{Lens, View, direction};
 use crate::args::{self, Args, DepthFormat, SceneName, Shade};
 use crate::dump::{Record, Recorder};
+use crate::piece::Piece;
 
 /// A band of a frame, to be drawn.
 #[derive(Debug)]
@@ -78,7 +79,7 @@ impl Turn {
 
 /// A model, or the project's own scene if there is no `shade`.
 pub struct Model<'a> {
-    pub meshes: &'a [Mesh<'a>],
+    pub pieces: &'a [Piece<'a>],
     pub view: View,
     pub turn: Turn,
     /// None for the project's own scene.
@@ -91,7 +92,7 @@ pub struct Model<'a> {
 impl Model<'_> {
     fn posed<'a>(&'a self, view: &'a View, frame: u32) -> Result<Posed<'a>> {
         Ok(Posed {
-            meshes: self.meshes,
+            pieces: self.pieces,
             view,
             pose: self.turn.pose(frame)?,
         })
@@ -102,18 +103,18 @@ impl Model<'_> {
         &self,
         band: Band<'_, C>,
         frame: u32,
-        texture: &Texture<'_, C::Texel>,
+        textures: &[Texture<'_, C::Texel>],
     ) -> Result<Done> {
         let (canvas, depth) = band.canvas()?;
         match self.view.depth {
-            DepthFormat::Linear => self.paint_on(canvas.with_depth(depth)?, frame, texture),
+            DepthFormat::Linear => self.paint_on(canvas.with_depth(depth)?, frame, textures),
             DepthFormat::Float => {
                 let canvas = canvas.with_depth_format::<Float>(depth)?;
-                self.paint_on(canvas, frame, texture)
+                self.paint_on(canvas, frame, textures)
             }
             DepthFormat::Wide => {
                 let canvas = canvas.with_depth_format::<WideFloat>(depth)?;
-                self.paint_on(canvas, frame, texture)
+                self.paint_on(canvas, frame, textures)
             }
         }
     }
@@ -122,7 +123,7 @@ impl Model<'_> {
         &self,
         mut canvas: Board<'_, C, D>,
         frame: u32,
-        texture: &Texture<'_, C::Texel>,
+        textures: &[Texture<'_, C::Texel>],
     ) -> Result<Done> {
         let posed = self.posed(&self.view, frame)?;
         let Some(shade) = self.shade else {
@@ -146,7 +147,7 @@ impl Model<'_> {
             return Ok((add(sea, island), time));
         };
         canvas.clear(background(shade));
-        Ok(timed(|| posed.paint(&mut canvas, shade, texture)))
+        Ok(timed(|| posed.paint(&mut canvas, shade, textures)))
     }
 
     /// Records a band of a frame.

@@ -1,5 +1,7 @@
 //! Textures whose size is known only at run time.
 
+use std::fs;
+use std::io::Cursor;
 use std::path::Path;
 
 use embedded_graphics::geometry::Point;
@@ -9,6 +11,7 @@ use image::imageops::FilterType;
 use image::{ImageReader, RgbImage};
 
 use super::Result;
+use crate::model::Image;
 
 /// Exponent of the largest side, in texels.
 const MOST_LOG2: u32 = 10;
@@ -22,7 +25,7 @@ pub struct Skin {
 }
 
 impl Skin {
-    /// Reads a PNG or JPEG and resamples it to the nearest powers of two, up to 1024.
+    /// Reads the PNG or JPEG file at `path`; see [`decode`](Self::decode).
     ///
     /// # Errors
     ///
@@ -31,18 +34,42 @@ impl Skin {
         let refuse = |problem: &dyn std::fmt::Display| {
             format!("cannot read texture {}: {problem}", path.display())
         };
-        let image = ImageReader::open(path)
-            .and_then(ImageReader::with_guessed_format)
-            .map_err(|error| refuse(&error))?
+        let bytes = fs::read(path).map_err(|error| refuse(&error))?;
+        Ok(Self::decode(&bytes).map_err(|problem| refuse(&problem))?)
+    }
+
+    /// Reads an image of a model, with its texels multiplied by a material's color.
+    ///
+    /// # Errors
+    ///
+    /// As for [`read`](Self::read).
+    pub fn of_model(image: &Image, color: [u8; 3]) -> Result<Self> {
+        let mut skin = match image {
+            Image::File(path) => Self::read(path)?,
+            Image::Bytes(name, bytes) => Self::decode(bytes)
+                .map_err(|problem| format!("cannot read texture {name}: {problem}"))?,
+        };
+        if color != [255; 3] {
+            for texel in skin.image.pixels_mut() {
+                texel.0 = times(texel.0, color);
+            }
+        }
+        Ok(skin)
+    }
+
+    /// Decodes a PNG or JPEG and resamples it to the nearest powers of two, up to 1024.
+    fn decode(bytes: &[u8]) -> Result<Self, String> {
+        let image = ImageReader::new(Cursor::new(bytes))
+            .with_guessed_format()
+            .map_err(|error| error.to_string())?
             .decode()
-            .map_err(|error| refuse(&error))?
+            .map_err(|error| error.to_string())?
             .into_rgb8();
         let (width, height) = image.dimensions();
         if width == 0 || height == 0 {
-            return Err(refuse(&format!(
+            return Err(format!(
                 "it is {width}x{height} pixels: both must be at least 1"
-            ))
-            .into());
+            ));
         }
         let sides = (nearest(width), nearest(height));
         let mut skin = Self::whole(image);
@@ -97,6 +124,16 @@ impl Skin {
         }))
     }
 
+    /// Returns the size, and the texels row by row from the top.
+    pub fn rows(&self) -> ((u32, u32), impl DoubleEndedIterator<Item = &[u8]>) {
+        let (width, height) = self.image.dimensions();
+        let row = 3 * width as usize;
+        (
+            (width, height),
+            self.image.as_raw().chunks_exact(row.max(1)),
+        )
+    }
+
     /// Returns the texels in the color `C`.
     pub fn texels<C: Levels>(&self) -> Texels<C> {
         let (width, height) = self.image.dimensions();
@@ -109,6 +146,16 @@ impl Skin {
             height,
         }
     }
+}
+
+/// The product of two colors, as fractions.
+pub fn times(a: [u8; 3], b: [u8; 3]) -> [u8; 3] {
+    [0, 1, 2].map(|at| {
+        let product = u16::from(a[at]) * u16::from(b[at]);
+        #[allow(clippy::cast_possible_truncation)] // at most 255
+        let rounded = ((product + 127) / 255) as u8;
+        rounded
+    })
 }
 
 /// Returns the power of two that is nearest by ratio, at most 1024.

@@ -1,16 +1,21 @@
 //! The model to draw, read from a file or the project's own, and its place.
 
+use std::collections::HashMap;
+use std::path::PathBuf;
+
 use fixel::prelude::*;
 
 use super::Result;
 use super::common::lighthouse;
 use crate::args::{Args, Filter, Kind, Shade};
 use crate::dump::Recorder;
+use crate::export;
 use crate::framing::{Framing, Point, Solid, unit};
 use crate::job::{self, Model, Turn};
-use crate::load;
 use crate::mode::Mode;
+use crate::model;
 use crate::parts::{self, Part};
+use crate::piece::{Finish, Piece};
 use crate::skin::Skin;
 use crate::turntable;
 use crate::units::Units;
@@ -22,9 +27,14 @@ pub struct Subject {
     parts: Vec<Part>,
     pub framing: Framing,
     units: Units,
-    pub skin: Skin,
+    /// How the model's materials are drawn, and in the end faces without one.
+    finishes: Vec<Finish>,
+    /// The textures that the finishes name.
+    pub skins: Vec<Skin>,
     largest_uv: f64,
     shade: Option<Shade>,
+    /// The files that it was read from.
+    pub inputs: Vec<PathBuf>,
 }
 
 impl Subject {
@@ -38,14 +48,36 @@ impl Subject {
         let Some(path) = &args.model else {
             return Self::own(args, skin);
         };
-        let mut model = load::model(path)?;
+        let mut model = model::read(path, false)?;
+        let (finishes, skins) = finishes(&mut model, skin);
+        for note in &model.notes {
+            eprintln!("note: {note}");
+        }
+        let inputs = inputs(args, &model);
+        let textures = args
+            .export
+            .iter()
+            .find(|path| path.extension().is_some_and(|x| x == "bmp"));
+        for path in &args.export {
+            for file in export::files(path, skins.len()) {
+                export::refuse_inputs(&file, &inputs)?;
+            }
+            let looks = (&finishes[..], &skins[..]);
+            export::write(
+                path,
+                &model,
+                looks,
+                args.mesh,
+                textures.map(PathBuf::as_path),
+            )?;
+        }
         let solid = Solid::of(&model.positions)?;
         let framing = frame(args, &model.positions, &solid, solid.middle)?;
         let units = Units::new(args, &framing, &solid)?;
         for position in &mut model.positions {
             *position = units.point(*position);
         }
-        let textured = skin.is_some() || model.had_uvs;
+        let textured = args.texture.is_some() || model.had_uvs || model.is_colored();
         let shade = if textured { Shade::Lit } else { Shade::Gouraud };
         Ok(Self {
             parts: parts::split(&model)?,
@@ -56,7 +88,9 @@ impl Subject {
                 .iter()
                 .flatten()
                 .fold(0.0, |all, x| x.abs().max(all)),
-            skin: skin.unwrap_or_else(Skin::checker),
+            inputs,
+            finishes,
+            skins,
             shade: Some(args.shade.unwrap_or(shade)),
         })
     }
@@ -95,34 +129,53 @@ impl Subject {
             parts: Vec::new(),
             units: Units::own(args, &framing, &solid)?,
             framing,
-            skin: skin.unwrap_or_else(|| Skin::of(&lighthouse::SKIN)),
+            finishes: vec![Finish::textured(0)],
+            skins: vec![skin.unwrap_or_else(|| Skin::of(&lighthouse::SKIN))],
+            inputs: args.texture.iter().cloned().collect(),
             largest_uv: 20.0,
             shade: args.shade.or(if plain { None } else { Some(Shade::Lit) }),
         })
     }
 
-    /// Returns the meshes.
+    /// Returns the pieces.
     ///
     /// # Errors
     ///
     /// None for a model that was read without one.
-    pub fn meshes(&self) -> Result<Vec<Mesh<'_>>> {
+    pub fn pieces(&self) -> Result<Vec<Piece<'_>>> {
         if self.parts.is_empty() {
+            let finish = Finish::textured(0);
+            let piece = |mesh| Piece { mesh, finish };
             return Ok(match self.shade {
-                None => vec![lighthouse::SEA, lighthouse::ISLAND],
-                Some(_) => vec![lighthouse::ISLAND],
+                None => vec![piece(lighthouse::SEA), piece(lighthouse::ISLAND)],
+                Some(_) => vec![piece(lighthouse::ISLAND)],
             });
         }
-        self.parts.iter().map(Part::mesh).collect()
+        let finish = |part: &Part| {
+            let finish = match part.material {
+                Some(material) => self.finishes.get(material as usize),
+                None => self.finishes.last(),
+            };
+            finish.copied().unwrap_or(Finish::textured(0))
+        };
+        let mut pieces = Vec::new();
+        for part in &self.parts {
+            pieces.push(Piece {
+                mesh: part.mesh()?,
+                finish: finish(part),
+            });
+        }
+        Ok(pieces)
     }
 
-    /// Returns the job of drawing it, with `meshes` of its own.
+    /// Returns the job of drawing it, with `pieces` of its own.
     ///
     /// # Errors
     ///
     /// The library refuses the camera.
-    pub fn model<'a>(&self, args: &Args, meshes: &'a [Mesh<'a>]) -> Result<Model<'a>> {
-        let resampled = self.skin.resampled();
+    pub fn model<'a>(&self, args: &Args, pieces: &'a [Piece<'a>]) -> Result<Model<'a>> {
+        // With several textures, the tolerance holds for each.
+        let resampled = self.least(Skin::resampled);
         let mut view = View::new(args, &self.framing, &self.units, resampled)?;
         if self.shade.is_none() && has_own_camera(args) {
             view.projection = Lens::Perspective(lighthouse::projection(args.size)?);
@@ -130,9 +183,12 @@ impl Subject {
         }
         // A texture that is given in squares has as many texels along both sides of a repeat.
         let recorder = Recorder::new(self.largest_uv, self.units.exponent, args.mode);
-        let recorded = Mode::new(args, recorder.repeat() / self.skin.side())?;
+        let recorded = Mode::new(
+            args,
+            recorder.repeat() * self.least(|skin| 1.0 / skin.side()),
+        )?;
         Ok(Model {
-            meshes,
+            pieces,
             view,
             turn: Turn {
                 axis: self.framing.up,
@@ -144,6 +200,10 @@ impl Subject {
             recorder,
         })
     }
+
+    fn least(&self, number: impl Fn(&Skin) -> f64) -> f64 {
+        self.skins.iter().map(number).fold(f64::INFINITY, f64::min)
+    }
 }
 
 /// Frames `points`, or if they turn the space that they turn in, around the axis through `about`.
@@ -154,6 +214,48 @@ fn frame(args: &Args, points: &[Point], solid: &Solid, about: Point) -> Result<F
         }
         _ => Framing::new(args, points, solid),
     }
+}
+
+/// Returns all files that belong to a model.
+fn inputs(args: &Args, model: &model::Model) -> Vec<PathBuf> {
+    let given = [&args.model, &args.texture].into_iter().flatten();
+    given.chain(&model.files).cloned().collect()
+}
+
+/// Returns the finish of each material, and in the end that of faces without one; and the textures that they need.
+///
+/// `skin` replaces all materials. A texture that cannot be read is noted.
+fn finishes(model: &mut model::Model, skin: Option<Skin>) -> (Vec<Finish>, Vec<Skin>) {
+    let count = model.materials.len();
+    if let Some(skin) = skin {
+        return (vec![Finish::textured(0); count + 1], vec![skin]);
+    }
+    if !model.is_colored() {
+        return (vec![Finish::textured(0)], vec![Skin::checker()]);
+    }
+    let (mut finishes, mut skins) = (Vec::new(), Vec::new());
+    let mut places: HashMap<(u32, [u8; 3]), Option<usize>> = HashMap::new();
+    for material in &model.materials {
+        let texture = material.texture.and_then(|image| {
+            *places.entry((image, material.color)).or_insert_with(|| {
+                match Skin::of_model(&model.images[image as usize], material.color) {
+                    Ok(skin) => {
+                        skins.push(skin);
+                        Some(skins.len() - 1)
+                    }
+                    Err(problem) => {
+                        model
+                            .notes
+                            .push(format!("{problem}: its faces have one color"));
+                        None
+                    }
+                }
+            })
+        });
+        finishes.push(texture.map_or(Finish::plain(material.color), Finish::textured));
+    }
+    finishes.push(Finish::plain([255; 3]));
+    (finishes, skins)
 }
 
 /// Returns `args` with the camera of the project's own scene, which `lighthouse` has in the library's formats.

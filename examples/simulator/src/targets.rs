@@ -14,6 +14,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use super::Result;
 use crate::args::{Args, SceneName, Shade};
 use crate::dump::{self, Record};
+use crate::export::refuse_inputs;
 use crate::job::{Band, Done};
 use crate::output::{self, Format, Output};
 use crate::paint::add;
@@ -61,6 +62,15 @@ impl<'a> Targets<'a> {
             screen,
             path,
         })
+    }
+
+    /// Refuses an output that is one of the `inputs`.
+    pub fn refuse_inputs(&self, inputs: &[PathBuf]) -> Result<()> {
+        let picture = self.picture.is_some().then_some(&self.path);
+        for path in picture.into_iter().chain(&self.args.dump) {
+            refuse_inputs(path, inputs)?;
+        }
+        Ok(())
     }
 
     /// Draws all frames, writes the files and prints a report.
