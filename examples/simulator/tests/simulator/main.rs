@@ -2,8 +2,12 @@
 #![cfg(not(target_os = "none"))]
 
 mod dumps;
+mod exports;
 mod files;
+mod formats;
 mod looks;
+mod make;
 mod models;
+mod mutated;
 mod program;
 mod refused;
