@@ -421,7 +421,7 @@ fn what_is_wrong_is_said_in_one_line() {
             (
                 "d.ply",
                 ply[..220].into(),
-                "it ends within the 9 elements 'vertex'",
+                "line 16: ",
             ),
             (
                 "e.ply",
