@@ -431,7 +431,7 @@ fn what_is_wrong_is_said_in_one_line() {
             (
                 "f.ply",
                 ply.replace("vertex 9", "vertex 99999999999").into_bytes(),
-                "line ",
+                "it ends within the 99999999999 elements",
             ),
             (
                 "g.ply",
