@@ -56,7 +56,7 @@ pub fn write(
     match path.extension().and_then(|ending| ending.to_str()) {
         Some("rs") => {
             let whole = parts::whole(model).map_err(|problem| refuse(&problem.to_string()))?;
-            let mut source = mesh(&whole.0, model.had_uvs, format);
+            let mut source = mesh(&whole.0, format);
             if !model.materials.is_empty() {
                 materials(&mut source, model, &whole.1, finishes, textures);
             }
@@ -216,7 +216,7 @@ fn slice(has: bool, name: &str) -> String {
 }
 
 /// The Rust source of a static `MESH`.
-fn mesh(part: &Part, has_uvs: bool, format: MeshFormat) -> String {
+fn mesh(part: &Part, format: MeshFormat) -> String {
     let mut out = String::from("// Written by the simulator of the crate fixel (--export).\n\n");
     let out_ref = &mut out;
     let positions = &part.positions;
@@ -253,6 +253,7 @@ fn mesh(part: &Part, has_uvs: bool, format: MeshFormat) -> String {
         ));
     }
     let (normals, uvs) = (&part.normals, &part.uvs);
+    let has_uvs = !uvs.is_empty();
     let own_normals = indices(
         out_ref,
         "NORMAL_FACES",
@@ -290,12 +291,11 @@ fn mesh(part: &Part, has_uvs: bool, format: MeshFormat) -> String {
             MeshFormat::Quantized8 => ("u8", "Bytes", u16::from(u8::MAX)),
             _ => ("u16", "Words", u16::MAX),
         };
-        let used: &[Vec2] = if has_uvs { uvs } else { &[] };
-        let grid = UvGrid::around(used, most);
-        let stored: Vec<_> = used.iter().map(|&uv| grid.nearest(uv)).collect();
+        let grid = UvGrid::around(uvs, most);
+        let stored: Vec<_> = uvs.iter().map(|&uv| grid.nearest(uv)).collect();
         plain(out_ref, "UVS", &format!("[{kind}; 2]"), &stored);
         // The grid depends on the least and the greatest coordinates only.
-        let corners: Vec<String> = corners(used)
+        let corners: Vec<String> = corners(uvs)
             .iter()
             .map(|bits| format!("::fixel::Vec2::from_bits({bits:?})"))
             .collect();

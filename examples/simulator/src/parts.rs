@@ -101,7 +101,7 @@ pub fn split(model: &Model) -> Result<Vec<Part>> {
         let mut rest = triangles;
         while !rest.is_empty() {
             let mut lists = Lists::new();
-            rest = lists.fill(model, rest, is_colored)?;
+            rest = lists.fill(model, rest, is_colored, model.uvs.len())?;
             if let Some(shade) = material.and_then(|at| model.materials.get(at as usize)) {
                 for color in &mut lists.colors.values {
                     let [r, g, b] = times([color.r(), color.g(), color.b()], shade.color);
@@ -144,7 +144,7 @@ pub fn whole(model: &Model) -> Result<(Part, Vec<Run>)> {
     let mut order: Vec<&Triangle> = model.triangles.iter().collect();
     order.sort_by_key(|triangle| triangle.material);
     let mut lists = Lists::new();
-    let rest = lists.fill(model, &order, !model.colors.is_empty())?;
+    let rest = lists.fill(model, &order, !model.colors.is_empty(), model.own_uvs)?;
     let mut edges = Vec::new();
     for &[from, to] in model.edges.iter().filter(|_| rest.is_empty()) {
         let mut end = |index| lists.positions.place(index, || position(model, index));
@@ -180,11 +180,11 @@ fn position(model: &Model, index: u32) -> Result<Vec3> {
     Ok(Vec3::try_from(model.positions[index as usize])?)
 }
 
-/// The lists of a part, being filled.
+/// The lists of a part, being filled. No value of an attribute has the index [`Mesh::NO_VALUE`].
 struct Lists {
     positions: List<u32, Vec3>,
-    uvs: List<u32, Vec2>,
-    normals: List<u32, Vec3>,
+    uvs: List<usize, Vec2>,
+    normals: List<usize, Vec3>,
     colors: List<[u8; 3], Rgb888>,
     part: Part,
 }
@@ -201,12 +201,13 @@ impl Lists {
     }
 
     /// Adds triangles as long as there is room; returns the others. If they are colored, corners without a color are
-    /// white.
+    /// white. They have the first `uvs` of the model's texture coordinates.
     fn fill<'a, 'b>(
         &mut self,
         model: &Model,
         triangles: &'a [&'b Triangle],
         is_colored: bool,
+        uvs: usize,
     ) -> Result<&'a [&'b Triangle]> {
         for (at, triangle) in triangles.iter().enumerate() {
             let has_room = self.positions.has_room(3)
@@ -220,13 +221,14 @@ impl Lists {
             for (at, corner) in triangle.corners.iter().enumerate() {
                 let index = corner.position;
                 face[at] = self.positions.place(index, || position(model, index))?;
-                let (uv, normal) = (corner.uv.unwrap_or(0), corner.normal.unwrap_or(0));
-                uv_face[at] = self
-                    .uvs
-                    .place(uv, || Ok(Vec2::try_from(model.uvs[uv as usize])?))?;
-                normal_face[at] = self.normals.place(normal, || {
-                    Ok(Vec3::try_from(unit(model.normals[normal as usize]))?)
-                })?;
+                uv_face[at] = match corner.uv.map(|uv| uv as usize).filter(|&uv| uv < uvs) {
+                    Some(uv) => self.uvs.place(uv, || Ok(Vec2::try_from(model.uvs[uv])?))?,
+                    None => Mesh::NO_VALUE,
+                };
+                let normal = corner.normal.map_or(0, |normal| normal as usize);
+                normal_face[at] = self
+                    .normals
+                    .place(normal, || Ok(Vec3::try_from(unit(model.normals[normal]))?))?;
                 if is_colored {
                     let color = corner
                         .color

@@ -68,6 +68,10 @@ impl Model {
     pub(super) fn complete(&mut self) {
         self.edges.sort_unstable();
         self.edges.dedup();
+        self.own_uvs = self.uvs.len();
+        let has_uvs =
+            |triangle: &Triangle| triangle.corners.iter().all(|corner| corner.uv.is_some());
+        self.had_uvs = self.triangles.iter().all(has_uvs);
         self.make_normals();
         self.make_uvs();
     }

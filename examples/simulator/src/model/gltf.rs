@@ -17,14 +17,22 @@ use super::{Corner, Image, Material, Model, next};
 
 /// Reads a glTF file: the triangles of its default scene, or of its first one.
 pub fn read(bytes: &[u8], folder: &Path) -> Result<Model, String> {
+    if let (true, Some(Ok(len))) = (
+        bytes.starts_with(b"glTF"),
+        bytes.get(8..12).map(TryInto::try_into),
+    ) {
+        let (is, needed) = (bytes.len(), u32::from_le_bytes(len));
+        if (is as u64) < u64::from(needed) {
+            return Err(format!(
+                "byte {is}: it ends before the {needed} bytes that its header promises"
+            ));
+        }
+    }
     let Gltf { document, blob } = Gltf::from_slice(bytes).map_err(|error| error.to_string())?;
     let buffers = buffers(&document, blob, folder)?;
     let mut reader = Reader {
         buffers: &buffers,
-        model: Model {
-            had_uvs: true,
-            ..Model::default()
-        },
+        model: Model::default(),
         ears: Ears::default(),
         seen: vec![false; document.nodes().count()],
     };
@@ -272,8 +280,6 @@ impl Reader<'_> {
         if let Some(accessor) = &has_uvs {
             let list = self.floats::<2>(accessor)?;
             self.model.uvs.extend(list);
-        } else {
-            self.model.had_uvs = false;
         }
         let has_colors = attribute(Semantic::Colors(0));
         if let Some(accessor) = &has_colors {

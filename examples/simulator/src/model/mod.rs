@@ -38,7 +38,9 @@ pub struct Model {
     /// Empty if the file has none.
     pub materials: Vec<Material>,
     pub images: Vec<Image>,
-    /// Whether the file itself had texture coordinates on every face.
+    /// How many texture coordinates are the file's own; the others were computed.
+    pub own_uvs: usize,
+    /// Whether every face has its own texture coordinates.
     pub had_uvs: bool,
     /// The files that the file names.
     pub files: Vec<PathBuf>,

@@ -219,7 +219,6 @@ impl Reader {
             model.colors.resize(model.positions.len(), [255; 3]);
         }
         let mut ears = Ears::default();
-        model.had_uvs = true;
         for Polygon { corners, material } in self.polygons {
             let corners = &mut self.corners[corners];
             for corner in corners.iter_mut() {
@@ -227,7 +226,6 @@ impl Reader {
             }
             // Half a triangle has no texture.
             if corners.iter().any(|corner| corner.uv.is_none()) {
-                model.had_uvs = false;
                 for corner in corners.iter_mut() {
                     corner.uv = None;
                 }

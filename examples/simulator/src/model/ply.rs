@@ -2,7 +2,7 @@
 
 use std::io::Cursor;
 
-use ply_rs_bw::parser::{Parser, Reader};
+use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{
     ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult,
 };
@@ -19,16 +19,13 @@ pub fn read(bytes: &[u8], progress: &Progress) -> Result<Model, String> {
     let mut reader = Reader::new(Cursor::new(bytes));
     let header = Parser::<Row>::new()
         .read_header(&mut reader)
-        .map_err(|error| error.to_string())?;
+        .map_err(|error| message(&error))?;
     let mut file = File {
         reader,
         header,
         bytes: bytes.len(),
     };
-    let mut model = Model {
-        had_uvs: true,
-        ..Model::default()
-    };
+    let mut model = Model::default();
     let mut has = Attributes::default();
     let mut ears = Ears::default();
     let elements: Vec<ElementDef> = file.header.elements.values().cloned().collect();
@@ -91,7 +88,6 @@ pub fn read(bytes: &[u8], progress: &Progress) -> Result<Model, String> {
                             model.uvs.push([uv[0], 1.0 - uv[1]]);
                         }
                     }
-                    model.had_uvs &= corners.iter().all(|corner| corner.uv.is_some());
                     model.polygon(&mut ears, &corners, None);
                     Ok(())
                 })?;
@@ -103,6 +99,13 @@ pub fn read(bytes: &[u8], progress: &Progress) -> Result<Model, String> {
         return Err("it is a cloud of points: only faces are drawn, and it has none".into());
     }
     Ok(model)
+}
+
+/// The reader's message, which may begin with a line.
+fn message(error: &ParseError) -> String {
+    let text = error.to_string();
+    text.strip_prefix("Line ")
+        .map_or(text.clone(), |rest| format!("line {rest}"))
 }
 
 /// What vertices have beside their position.
@@ -150,7 +153,7 @@ impl File<'_> {
                         "byte {}: it ends within the {} elements '{}' that its header promises",
                         self.bytes, element.count, element.name
                     ),
-                    _ => error.to_string(),
+                    _ => message(&error),
                 })?;
             for (at, row) in rows.into_iter().enumerate() {
                 each(row).map_err(|problem| {

@@ -80,10 +80,13 @@ fn marked(bytes: &[u8]) -> Option<Format> {
 ///
 /// # Errors
 ///
-/// The file has another format than its ending says, or is UTF-16 text.
+/// The file is empty, has another format than its ending says, or is UTF-16 text.
 pub fn format(path: &Path, bytes: &[u8]) -> Result<Format, String> {
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
         return Err("its text is UTF-16: save it as UTF-8".into());
+    }
+    if bytes.trim_ascii().is_empty() {
+        return Err("it is empty: it has no faces".into());
     }
     let found = marked(bytes);
     match (Format::of(path), found) {

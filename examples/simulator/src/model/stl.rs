@@ -12,10 +12,10 @@ use super::{Corner, Model, is_usable, next, unusable};
 /// Reads an STL file. Its normals are ignored, because they are those of the triangles, or zero.
 pub fn read(bytes: &[u8], progress: &Progress) -> Result<Model, String> {
     let mut model = Builder::default();
-    let start = bytes.trim_ascii_start();
-    let is_text = start
-        .get(..5)
-        .is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
+    let begins = bytes.trim_ascii_start().get(..5);
+    let is_text = begins.is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
+        && !bytes.iter().take(1024).any(|&byte| byte == 0);
+    // The header of a binary file may begin with that word too.
     if is_text && !is_binary_stl(bytes) {
         text(&mut model, bytes, progress)?;
     } else {
@@ -32,6 +32,12 @@ fn binary(model: &mut Builder, bytes: &[u8], progress: &Progress) -> Result<(), 
             bytes.len()
         ));
     };
+    if bytes[..header]
+        .iter()
+        .all(|byte| byte.is_ascii_graphic() || byte.is_ascii_whitespace())
+    {
+        return Err("it is text, and does not begin with 'solid'".into());
+    }
     let count = u32::from_le_bytes(*count);
     let room = (bytes.len() - header) / each;
     if (room as u64) < u64::from(count) {
