@@ -14,6 +14,7 @@ mod framing;
 mod job;
 mod load;
 mod mode;
+mod normals;
 mod notes;
 mod output;
 mod paint;

@@ -39,6 +39,9 @@ impl Subject {
             return Self::own(args, skin);
         };
         let mut model = load::model(path)?;
+        if args.two_sided {
+            model.turn_normals();
+        }
         let solid = Solid::of(&model.positions)?;
         let framing = frame(args, &model.positions, &solid, solid.middle)?;
         let units = Units::new(args, &framing, &solid)?;
