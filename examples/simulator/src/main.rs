@@ -14,6 +14,7 @@ mod framing;
 mod job;
 mod mode;
 mod model;
+mod normals;
 mod notes;
 mod output;
 mod paint;

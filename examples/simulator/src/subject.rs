@@ -69,6 +69,9 @@ impl Subject {
                 textures.map(PathBuf::as_path),
             )?;
         }
+        if args.two_sided {
+            model.turn_normals();
+        }
         let solid = Solid::of(&model.positions)?;
         let framing = frame(args, &model.positions, &solid, solid.middle)?;
         let units = Units::new(args, &framing, &solid)?;

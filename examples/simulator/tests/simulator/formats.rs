@@ -418,11 +418,7 @@ fn what_is_wrong_is_said_in_one_line() {
                 ply.replace("0.25", "left").into_bytes(),
                 "line 19: ",
             ),
-            (
-                "d.ply",
-                ply[..220].into(),
-                "line 16: ",
-            ),
+            ("d.ply", ply[..220].into(), "line 16: "),
             (
                 "e.ply",
                 make::ply_binary()[..300].into(),

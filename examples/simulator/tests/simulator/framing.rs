@@ -475,6 +475,26 @@ fn two_sided_light_leaves_the_fronts_as_they_are() {
 }
 
 #[test]
+fn faces_wound_against_their_normals_are_lit_from_where_they_are_seen() {
+    let directory = directory("wound");
+    // A tent whose normals point to the viewer, wound properly and the wrong way round.
+    let points = "v -1 0 0\nv 0 0 1\nv 0 1 0.5\nv 1 0 0\nvn -0.7 0.2 0.7\nvn 0.7 0.2 0.7\n";
+    let (right, wrong) = (
+        "f 1//1 2//1 3//1\nf 2//2 4//2 3//2\n",
+        "f 3//1 2//1 1//1\nf 3//2 4//2 2//2\n",
+    );
+    fs::write(directory.join("right.obj"), format!("{points}{right}")).unwrap();
+    fs::write(directory.join("wrong.obj"), format!("{points}{wrong}")).unwrap();
+    for look in ["gouraud", "flat"] {
+        let view = format!("--eye 0,1,5 --shade {look} --crc");
+        let crc = |arguments: &str| printed(&good(&directory, arguments), "crc").to_string();
+        let plain = crc(&format!("right.obj {view}"));
+        assert_eq!(plain, crc(&format!("right.obj {view} --two-sided")));
+        assert_eq!(plain, crc(&format!("wrong.obj {view} --two-sided")));
+    }
+}
+
+#[test]
 fn faces_that_point_away_are_hinted_at() {
     let directory = directory("away");
     write_box(&directory.join("box.obj"), |p| p);
