@@ -56,7 +56,8 @@ pub struct Args {
         help_heading = "Camera", conflicts_with = "scene")]
     pub look_at: Option<[f64; 3]>,
 
-    /// Direction that is up for the camera; it need not be at right angles to the line of sight. [default: 0,1,0]
+    /// Direction that is up for the camera; it need not be at right angles to the line of sight.
+    /// 0,0,1 for a model with z upwards: the default view and the turntable turn with it. [default: 0,1,0]
     #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true,
         help_heading = "Camera", conflicts_with = "scene")]
     pub up: Option<[f64; 3]>,
