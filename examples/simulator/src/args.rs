@@ -16,8 +16,8 @@ Examples (`cargo run --release -p simulator -- ` goes before the arguments):
                                                         from where you like
   simulator --scene floor --dump floor.csv --crc        a measured scene, pixel by pixel
 
-Distances are in the model's own units, which may be of any size: the program scales and centers the model for drawing in
-fixed point. It prints the camera as options, from which you can go on.";
+Distances are in the model's own units, which may be of any size: the program scales and centers the model for drawing
+in fixed point. It prints the camera as options, from which you can go on.";
 
 /// Draws a 3D model with integers only, as a microcontroller would, and saves the picture.
 /// Without a model it draws the project's own scene. Options that are not given are chosen so that the model fills
