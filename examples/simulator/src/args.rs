@@ -20,8 +20,8 @@ Examples (`cargo run --release -p simulator -- ` goes before the arguments):
                                                         from where you like
   simulator --scene floor --dump floor.csv --crc        a measured scene, pixel by pixel
 
-Distances are in the model's own units, which may be of any size: the program scales and centers the model for drawing in
-fixed point. It prints the camera as options, from which you can go on.";
+Distances are in the model's own units, which may be of any size: the program scales and centers the model for drawing
+in fixed point. It prints the camera as options, from which you can go on.";
 
 /// Draws a 3D model with integers only, as a microcontroller would, and saves the picture.
 /// Without a model it draws the project's own scene. Options that are not given are chosen so that the model fills
@@ -62,7 +62,8 @@ pub struct Args {
         help_heading = "Camera", conflicts_with = "scene")]
     pub look_at: Option<[f64; 3]>,
 
-    /// Direction that is up for the camera; it need not be at right angles to the line of sight. [default: 0,1,0, and
+    /// Direction that is up for the camera; it need not be at right angles to the line of sight.
+    /// 0,0,1 for a model with z upwards: the default view and the turntable turn with it. [default: 0,1,0, and
     /// 0,0,1 for STL]
     #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true,
         help_heading = "Camera", conflicts_with = "scene")]

@@ -494,12 +494,13 @@ impl Framing {
                 format!("--near {near}: it must be between -{limit} and {limit}")
             }
             Args { fov: Some(fov), eye: None, .. } if fov < FIELD_OF_VIEW => format!(
-                "--fov {fov}: to see the whole model, the eye must be {} away, more than {limit}: it must be at least {}",
+                "--fov {fov}: to see the whole model, the eye must be {} away, more than {limit}: it must be at \
+                 least {}",
                 about(reach),
                 about(fov * reach / limit * 1.001)
             ),
             _ => format!(
-                "--fov {}: the picture is {} units high at the model: more than {limit}",
+                "--fov {}: the picture reaches {} from the model: it must be at most {limit}",
                 self.fov,
                 about(window)
             ),
