@@ -4,10 +4,14 @@ use std::path::PathBuf;
 
 use clap::{Parser, ValueEnum};
 
+use crate::model::Format;
+
 const EXAMPLES: &str = "\
 Examples (`cargo run --release -p simulator -- ` goes before the arguments):
   simulator                                             the project's own scene, to lighthouse.png
   simulator cow.obj --texture cow.png                   a model of yours, textured and lit
+  simulator part.stl --color mono --size 128x64         STL; with --features ply,gltf also PLY and glTF
+  simulator cow.obj --export cow.rs --mesh short        and as Rust source for firmware
   simulator teapot.obj --shade gouraud --frames 60 --out teapot.gif
                                                         a turntable: 60 frames, one turn
   simulator cow.obj --shade wire --size 128x64 --color mono
@@ -16,8 +20,8 @@ Examples (`cargo run --release -p simulator -- ` goes before the arguments):
                                                         from where you like
   simulator --scene floor --dump floor.csv --crc        a measured scene, pixel by pixel
 
-Distances are in the model's own units. Drawing is in fixed point: every coordinate, distance and
-position must lie between -32768 and 32768, with a resolution of 1/65536.";
+Distances are in the model's own units, which may be of any size: the program scales and centers the model for drawing
+in fixed point. It prints the camera as options, from which you can go on.";
 
 /// Draws a 3D model with integers only, as a microcontroller would, and saves the picture.
 /// Without a model it draws the project's own scene. Options that are not given are chosen so that the model fills
@@ -25,15 +29,17 @@ position must lie between -32768 and 32768, with a resolution of 1/65536.";
 #[derive(Clone, Debug, Parser)]
 #[command(name = "simulator", version, after_help = EXAMPLES, max_term_width = 100)]
 pub struct Args {
-    /// Model to draw: Wavefront OBJ with any mix of v, vt and vn, polygons, negative indices.
+    /// Model to draw: Wavefront OBJ with its MTL materials, STL, PLY or glTF (.glb or .gltf).
     ///
-    /// Missing normals are computed; missing texture coordinates are laid around the model.
-    #[arg(value_name = "MODEL.obj", conflicts_with = "scene")]
+    /// Materials have one color or one texture; colors of vertices are drawn. Missing normals are computed; missing
+    /// texture coordinates are laid around the model. PLY and glTF need a build with --features ply or gltf. In STL
+    /// files z is up, in others y, unless --up is given.
+    #[arg(value_name = "MODEL", conflicts_with = "scene")]
     pub model: Option<PathBuf>,
 
     /// PNG or JPEG to put on the model; resampled to power-of-two sides up to 1024.
     ///
-    /// [default: a checker]
+    /// It replaces the model's materials. [default: those, or a checker]
     #[arg(
         long,
         value_name = "FILE.png",
@@ -56,13 +62,15 @@ pub struct Args {
         help_heading = "Camera", conflicts_with = "scene")]
     pub look_at: Option<[f64; 3]>,
 
-    /// Direction that is up for the camera; it need not be at right angles to the line of sight. [default: 0,1,0]
+    /// Direction that is up for the camera; it need not be at right angles to the line of sight.
+    /// 0,0,1 for a model with z upwards: the default view and the turntable turn with it. [default: 0,1,0, and
+    /// 0,0,1 for STL]
     #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true,
         help_heading = "Camera", conflicts_with = "scene")]
     pub up: Option<[f64; 3]>,
 
     /// Vertical field of view in degrees, above 0 and below 180. [default: 40, or with --eye one that shows the whole
-    /// model]
+    /// model; 100 if the eye is in it]
     #[arg(long, value_name = "DEG", value_parser = field_of_view, allow_hyphen_values = true,
         help_heading = "Camera", conflicts_with = "scene")]
     pub fov: Option<f64>,
@@ -87,7 +95,8 @@ pub struct Args {
     )]
     pub projection: Kind,
 
-    /// Color of the surface. [default: lit, if the model has texture coordinates or --texture is given; else gouraud]
+    /// Color of the surface. [default: lit, if the model has materials, colors or texture coordinates or --texture is
+    /// given; else gouraud]
     #[arg(long, value_enum, help_heading = "Look", conflicts_with = "scene")]
     pub shade: Option<Shade>,
 
@@ -105,10 +114,9 @@ pub struct Args {
     #[arg(long, value_enum, default_value = "newton", help_heading = "Look")]
     pub mode: Mode,
 
-    /// Largest texel error of mode fast.
-    #[arg(long, value_name = "TEXELS", value_parser = number, default_value = "0.25",
-        allow_hyphen_values = true, help_heading = "Look")]
-    pub tolerance: f64,
+    /// Largest error of mode fast, from 0 to 32767 texels of the texture as it is given. [default: 0.25]
+    #[arg(long, value_name = "TEXELS", value_parser = tolerance, allow_hyphen_values = true, help_heading = "Look")]
+    pub tolerance: Option<f64>,
 
     /// Format of the depth buffer, which determines over what range of distances near surfaces hide far ones.
     #[arg(long, value_enum, default_value = "linear", help_heading = "Look")]
@@ -151,6 +159,26 @@ pub struct Args {
     #[arg(long, value_name = "FILE.csv", help_heading = "Output")]
     pub dump: Option<PathBuf>,
 
+    /// Also write the model as Rust source (.rs): a static `MESH` and, if it has materials, `PARTS`; or its textures as
+    /// BMP files (.bmp). May be given for both.
+    #[arg(
+        long,
+        value_name = "FILE.rs|FILE.bmp",
+        help_heading = "Output",
+        requires = "model"
+    )]
+    pub export: Vec<PathBuf>,
+
+    /// Format of the exported mesh: what `include_obj!` makes with the argument of this name.
+    #[arg(
+        long,
+        value_enum,
+        default_value = "long",
+        help_heading = "Output",
+        requires = "export"
+    )]
+    pub mesh: MeshFormat,
+
     /// Print the CRC-32 of the last frame's pixels as big-endian RGB565, row by row from the top.
     #[arg(long, help_heading = "Output")]
     pub crc: bool,
@@ -186,13 +214,13 @@ pub enum Kind {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Shade {
-    /// The texture without light; a checker without --texture
+    /// The model's textures and colors without light; a checker if it has none
     Texture,
-    /// Lit clay: lit at the vertices, interpolated over each triangle
+    /// Its colors without textures, or clay: lit at the vertices, interpolated over each triangle
     Gouraud,
-    /// Lit clay, one color per triangle
+    /// The same, one color per triangle
     Flat,
-    /// The texture, lit
+    /// Its textures and colors, lit
     Lit,
     /// Edges only
     Wire,
@@ -246,21 +274,30 @@ pub enum Color {
     Mono,
 }
 
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum MeshFormat {
+    /// 32 bits a component
+    Long,
+    /// Positions of 16 bits a component
+    Short,
+    /// Positions and texture coordinates of 16 bits a component, normals of 8
+    #[value(name = "quantized_16")]
+    Quantized16,
+    /// Positions of 16 bits a component, texture coordinates and normals of 8
+    #[value(name = "quantized_8")]
+    Quantized8,
+}
+
 impl Args {
     /// The direction that is up.
     pub fn up(&self) -> [f64; 3] {
-        self.up.unwrap_or([0.0, 1.0, 0.0])
-    }
-
-    /// Whether any option of the camera was given.
-    pub fn has_camera(&self) -> bool {
-        self.eye.is_some()
-            || self.look_at.is_some()
-            || self.up.is_some()
-            || self.fov.is_some()
-            || self.near.is_some()
-            || self.far.is_some()
-            || self.projection != Kind::Perspective
+        let is_stl = self.model.as_deref().and_then(Format::of) == Some(Format::Stl);
+        let up = if is_stl {
+            [0.0, 0.0, 1.0]
+        } else {
+            [0.0, 1.0, 0.0]
+        };
+        self.up.unwrap_or(up)
     }
 }
 
@@ -269,6 +306,15 @@ fn number(text: &str) -> Result<f64, String> {
         Ok(value) if value.is_finite() => Ok(value),
         Ok(_) => Err("it must be a finite number".into()),
         Err(_) => Err("it must be a number, such as 1.5".into()),
+    }
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    let texels = number(text)?;
+    if (0.0..=32_767.0).contains(&texels) {
+        Ok(texels)
+    } else {
+        Err("it must be between 0 and 32767 texels".into())
     }
 }
 

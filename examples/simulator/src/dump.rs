@@ -7,17 +7,32 @@ use fixel::shade::Texels;
 use fixel::{Fragment, Primitive, Shader, TexCoord};
 
 use super::Result;
+use crate::args::Mode;
 
 /// A "color" that holds the interpolated values of a pixel. So the depth test selects the visible ones.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Record {
-    pub covered: bool,
+    covered: bool,
     uv: [i32; 2],
     /// Fraction bits of `uv`.
-    uv_bits: u32,
-    /// In units of 2⁻¹⁶.
+    uv_bits: i32,
     distance: i32,
+    /// Fraction bits of `distance`, in the model's own units.
+    distance_bits: i32,
     depth: u16,
+}
+
+impl Record {
+    /// Whether anything is drawn there.
+    pub fn is_covered(&self) -> bool {
+        self.covered
+    }
+
+    /// Whether this pixel shows a surface where the `other` shows none, or one behind it by more than rounding.
+    pub fn hides(&self, other: &Self) -> bool {
+        let further = other.distance.saturating_sub(self.distance);
+        self.covered && !(other.covered && further <= other.distance.abs() >> 10)
+    }
 }
 
 impl PixelColor for Record {
@@ -28,19 +43,35 @@ impl PixelColor for Record {
 #[derive(Clone, Copy, Debug)]
 pub struct Recorder {
     uv_bits: u32,
+    distance_shift: i32,
+    distance_bits: i32,
 }
 
 impl Recorder {
-    /// Makes a shader for texture coordinates of magnitude up to `largest`: 24 fraction bits up to 127, else their
-    /// own 20.
-    pub fn new(largest: f64) -> Self {
+    /// Makes a shader for texture coordinates of magnitude up to `largest`. Distances are drawn at 2^`exponent` times
+    /// their own size.
+    ///
+    /// Texture coordinates have 24 fraction bits, or fewer if they are too large for so many. Mode fast divides what
+    /// has more than 28 bits, which drawn textures rarely have. So in this mode nothing recorded has more; distances
+    /// lose 11 bits, which are below the mode's error of 2^-13.
+    pub fn new(largest: f64, exponent: i32, mode: Mode) -> Self {
+        let is_fast = mode == Mode::Fast;
+        let whole = (largest + 1.0).log2().ceil();
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // from 20 to 24
+        let uv_bits = (if is_fast { 27.0 } else { 31.0 } - whole)
+            .clamp(TexCoord::FRAC_NBITS.into(), 24.0) as u32;
+        let distance_shift = if is_fast { 11 } else { 0 };
         Self {
-            uv_bits: if largest < 127.0 {
-                24
-            } else {
-                TexCoord::FRAC_NBITS
-            },
+            uv_bits,
+            distance_shift,
+            distance_bits: 16 + exponent - distance_shift,
         }
+    }
+
+    /// Returns how many units of a mode's tolerance, which are texels where a texture is drawn, a repeat of the texture
+    /// has where it is recorded.
+    pub fn repeat(&self) -> f64 {
+        f64::from(self.uv_bits - 16).exp2()
     }
 }
 
@@ -54,7 +85,8 @@ impl Shader for Recorder {
         let up = self.uv_bits - TexCoord::FRAC_NBITS;
         primitive.corners(|corner| {
             let uv = corner.uv().to_bits().map(|bits| bits << up);
-            (Texels(uv), Texels([corner.distance().to_bits(), 0]))
+            let distance = corner.distance().to_bits() >> self.distance_shift;
+            (Texels(uv), Texels([distance, 0]))
         })
     }
 
@@ -66,8 +98,9 @@ impl Shader for Recorder {
         Some(Record {
             covered: true,
             uv,
-            uv_bits: self.uv_bits,
+            uv_bits: self.uv_bits.cast_signed(),
             distance,
+            distance_bits: self.distance_bits,
             depth: at.depth,
         })
     }
@@ -83,7 +116,7 @@ pub fn write(records: &[Record], width: usize, out: &mut impl Write) -> Result<(
     for (y, row) in records.chunks(width).enumerate() {
         for (x, record) in row.iter().enumerate().filter(|(_, record)| record.covered) {
             let [u, v] = record.uv.map(|bits| decimal(bits, record.uv_bits));
-            let w = decimal(record.distance, 16);
+            let w = decimal(record.distance, record.distance_bits);
             writeln!(out, "{x},{y},{u},{v},{w},{}", record.depth)?;
         }
     }
@@ -91,14 +124,12 @@ pub fn write(records: &[Record], width: usize, out: &mut impl Write) -> Result<(
 }
 
 /// Returns `bits` · 2^-`fraction` in decimal, with every digit.
-fn decimal(bits: i32, fraction: u32) -> String {
-    let magnitude = u64::from(bits.unsigned_abs());
-    let mask = (1 << fraction) - 1;
-    // 10^n / 2^n = 5^n: n fraction bits make n decimals.
-    let digits = u128::from(magnitude & mask) * 5_u128.pow(fraction);
-    let digits = format!("{digits:0width$}", width = fraction as usize);
-    let digits = digits.trim_end_matches('0');
-    let sign = if bits < 0 { "-" } else { "" };
-    let point = if digits.is_empty() { "" } else { "." };
-    format!("{sign}{}{point}{digits}", magnitude >> fraction)
+fn decimal(bits: i32, fraction: i32) -> String {
+    // Exact: a double holds 53 bits. n fraction bits make n decimals.
+    let value = f64::from(bits) * f64::from(-fraction).exp2();
+    let Ok(decimals @ 1..) = usize::try_from(fraction) else {
+        return value.to_string();
+    };
+    let text = format!("{value:.decimals$}");
+    text.trim_end_matches('0').trim_end_matches('.').into()
 }

@@ -1,50 +1,103 @@
-//! Chooses the parts of the camera that the user did not give, so that the model fills the picture.
+//! The camera in the model's own units: what the user gave, and for the rest what shows the whole model.
 //!
-//! Set-up on the host, in f64. The library receives the results and checks them.
+//! Set-up on the host, in f64. `units` and `view` hand the result to the library.
 
-use crate::args::{Args, Kind};
+use super::Result;
+use crate::args::{Args, DepthFormat, Kind};
+use crate::fit::{self, range};
+use crate::notes::name;
 
 /// Part of the picture's width and height that the model fills.
 const FILL: f64 = 0.94;
 /// Default field of view, in degrees.
 const FIELD_OF_VIEW: f64 = 40.0;
-/// Default direction from the model to the eye: in front, a little right and above.
-const FROM: [f64; 3] = [0.55, 0.6, 1.0];
+/// The field of view of an eye that has parts of the model behind it, in degrees.
+const WIDE: f64 = 100.0;
+/// Half the height of the picture of a line that is seen from its end, relative to the radius of the model.
+const LEAST: f64 = 1e-3;
+/// Default direction from the model to the eye, if y is up: in front, a little right and above.
+const FROM: Point = [0.55, 0.6, 1.0];
 /// The same for the oblique projections, which show top and side of a model seen from the front.
-const FRONT: [f64; 3] = [0.0, 0.0, 1.0];
+const FRONT: Point = [0.0, 0.0, 1.0];
 
-type Point = [f64; 3];
+pub type Point = [f64; 3];
 
 /// A camera and its view.
 #[derive(Clone, Copy, Debug)]
 pub struct Framing {
     pub eye: Point,
+    /// The point in the middle of the picture.
     pub target: Point,
-    /// Vertical field of view in degrees; used by perspective only.
+    /// As the user wrote it, of any length.
+    pub up: Point,
+    /// Vertical field of view in degrees. Under a parallel projection, that of the target's plane.
     pub fov: f64,
-    /// Left, right, bottom, top of the picture at any distance; used by parallel projections only.
-    pub window: [f64; 4],
     pub near: f64,
     pub far: f64,
-    /// Towards the light: over the viewer's left shoulder.
-    pub light: Point,
+    /// To the right, up, and back from the target to the eye.
+    pub axes: [Point; 3],
+    kind: Kind,
+    aspect: f64,
     /// Distances of the nearest and the farthest point.
     range: [f64; 2],
 }
 
-fn sub(a: Point, b: Point) -> Point {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+/// The place and the size of a model.
+#[derive(Clone, Copy, Debug)]
+pub struct Solid {
+    /// The middle of the box around it.
+    pub middle: Point,
+    /// The largest distance of a point from there along an axis.
+    pub radius: f64,
 }
 
-fn along(a: Point, direction: Point, by: f64) -> Point {
+impl Solid {
+    /// # Errors
+    ///
+    /// All points are in one place.
+    pub fn of(points: &[Point]) -> Result<Self> {
+        let sides = [0, 1, 2].map(|axis| range(points.iter().map(|p| p[axis])));
+        let radius = sides
+            .iter()
+            .map(|[low, high]| high / 2.0 - low / 2.0)
+            .fold(0.0, f64::max);
+        let middle = sides.map(|[low, high]| f64::midpoint(low, high));
+        if radius > 0.0 {
+            Ok(Self { middle, radius })
+        } else {
+            let place = written(middle);
+            Err(format!("nothing is visible: all points of the model are at {place}").into())
+        }
+    }
+
+    /// Rounds a coordinate that is chosen to a hundred-thousandth of the model, so that it can be read and typed.
+    fn rounded(&self, value: f64) -> f64 {
+        #[allow(clippy::cast_possible_truncation)] // a logarithm
+        let decimals = 5 - self.radius.log10().floor() as i32;
+        let rounded = if let Ok(decimals) = usize::try_from(decimals) {
+            format!("{value:.decimals$}").parse().unwrap_or(value)
+        } else {
+            let step = 10_f64.powi(-decimals);
+            (value / step).round() * step
+        };
+        // Not -0, which would be written so.
+        rounded + 0.0
+    }
+}
+
+pub fn sub(a: Point, b: Point) -> Point {
+    [0, 1, 2].map(|i| a[i] - b[i])
+}
+
+pub fn along(a: Point, direction: Point, by: f64) -> Point {
     [0, 1, 2].map(|i| a[i] + direction[i] * by)
 }
 
-fn dot(a: Point, b: Point) -> f64 {
+pub fn dot(a: Point, b: Point) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-fn cross(a: Point, b: Point) -> Point {
+pub fn cross(a: Point, b: Point) -> Point {
     [
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],
@@ -52,24 +105,43 @@ fn cross(a: Point, b: Point) -> Point {
     ]
 }
 
-fn unit(a: Point) -> Option<Point> {
+/// The largest magnitude of a coordinate.
+fn largest(a: Point) -> f64 {
+    a.iter().fold(0.0, |most, x| x.abs().max(most))
+}
+
+/// Returns the direction of `a` at length one; `None` if it has none.
+pub fn unit(a: Point) -> Option<Point> {
+    let size = largest(a);
+    let a = a.map(|x| x / size);
     let length = dot(a, a).sqrt();
-    (length > 1e-12).then(|| a.map(|x| x / length))
+    (size > 0.0 && length.is_finite()).then(|| a.map(|x| x / length))
 }
 
-/// Returns the smallest and the largest of `values`.
-fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
-        (low.min(x), high.max(x))
-    })
+/// Returns axes to the right, up, and along `back`; `None` if `up` is within 1e-5 of the line of `back`, more than the
+/// library refuses.
+pub fn basis(back: Point, up: Point) -> Option<[Point; 3]> {
+    let (back, up) = (unit(back)?, unit(up)?);
+    let right = cross(up, back);
+    if largest(right) < 1e-5 {
+        return None;
+    }
+    let right = unit(right)?;
+    Some([right, cross(back, right), back])
 }
 
-/// Returns the middle of the box around `points`.
-pub fn middle(points: &[Point]) -> Point {
-    [0, 1, 2].map(|axis| {
-        let (low, high) = range(points.iter().map(|p| p[axis]));
-        f64::midpoint(low, high)
-    })
+/// Turns a direction along the shortest arc that brings +y to `up`, of length one. For z upwards, the front of a model
+/// then faces −y, as modeling programs have it.
+fn upright([x, y, z]: Point, up: Point) -> Point {
+    // Half a turn has no shortest arc: about z, so that the front stays in front.
+    if up[1] < -1.0 + 1e-12 {
+        return [-x, -y, z];
+    }
+    // With u × (0, 1, 0) as axis a, Rodrigues' formula is d + a × d + a × (a × d) / (1 + cosine).
+    let axis = cross([0.0, 1.0, 0.0], up);
+    let once = cross(axis, [x, y, z]);
+    let twice = cross(axis, once);
+    [0, 1, 2].map(|i| [x, y, z][i] + once[i] + twice[i] / (1.0 + up[1]))
 }
 
 /// Returns how far the oblique projections move a point right and up in the picture, for each unit that it lies
@@ -83,212 +155,388 @@ fn shear(kind: Kind) -> f64 {
     ratio * std::f64::consts::FRAC_1_SQRT_2
 }
 
-/// Axes to use if `args` give no usable ones.
-const AXES: [Point; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-
-/// The camera's axes: to the right, up, and back to the eye.
-fn basis(back: Point, up: Point) -> Option<[Point; 3]> {
-    let back = unit(back)?;
-    let right = unit(cross(up, back))?;
-    Some([right, cross(back, right), back])
-}
-
-/// Returns the axes that `args` ask for.
-fn axes(args: &Args, center: Point) -> Option<[Point; 3]> {
-    let back = match args.eye {
-        Some(eye) => sub(eye, center),
-        None if shear(args.projection) > 0.0 => FRONT,
-        None => FROM,
-    };
-    basis(back, args.up())
-}
-
-/// Returns the positions of `points` relative to `center`, along the `axes`.
+/// Returns the points relative to `center`, along the `axes`.
 fn seen(axes: &[Point; 3], center: Point, points: &[Point]) -> Vec<Point> {
     let from = |&p: &Point| axes.map(|axis| dot(axis, sub(p, center)));
     points.iter().map(from).collect()
 }
 
-/// Returns the point near `center` that an eye must look at to see `points` in the middle of its picture.
-fn aim(eye: Point, mut center: Point, up: Point, points: &[Point]) -> Point {
-    for _ in 0..4 {
-        let back = sub(eye, center);
-        let Some(axes) = basis(back, up) else {
-            break;
+/// Returns the tangent of half an angle in degrees.
+fn half_tangent(degrees: f64) -> f64 {
+    (degrees.to_radians() / 2.0).tan()
+}
+
+/// A point as it is written in an option.
+pub fn written([x, y, z]: Point) -> String {
+    format!("{x},{y},{z}")
+}
+
+/// Rounds a number to five digits.
+pub fn about(value: f64) -> f64 {
+    to_digits(value, 5)
+}
+
+fn to_digits(value: f64, digits: usize) -> f64 {
+    let decimals = digits - 1;
+    format!("{value:.decimals$e}").parse().unwrap_or(value)
+}
+
+/// What an eye that is not given must satisfy.
+struct Choice<'a> {
+    args: &'a Args,
+    points: &'a [Point],
+    solid: &'a Solid,
+    aspect: f64,
+}
+
+impl Choice<'_> {
+    /// Returns the nearest eye that shows all points, and the point in the middle of its picture.
+    fn eye(&self, up: Point) -> Option<[Point; 2]> {
+        let args = self.args;
+        let shear = shear(args.projection);
+        let from = if shear > 0.0 { FRONT } else { FROM };
+        let axes = basis(upright(from, up), up)?;
+        let moves = args.look_at.is_none();
+        let center = args.look_at.unwrap_or(self.solid.middle);
+        let seen = seen(&axes, center, self.points);
+        let [back, front] = range(seen.iter().map(|p| p[2]));
+        let place = |axis: usize| seen.iter().map(move |p| [p[axis], p[2]]);
+        let mut middle = [0.0; 2];
+        let distance = if args.projection == Kind::Perspective {
+            let slope = half_tangent(args.fov.unwrap_or(FIELD_OF_VIEW)) * FILL;
+            // However wide the view, the model stays beyond the near plane: the farthest point is at most 100 times as
+            // far as the nearest one.
+            let closest = front + ((front - back) / 99.0).max(self.solid.radius * 0.01);
+            let distance = fit::distance(place(0), slope * self.aspect, moves)
+                .max(fit::distance(place(1), slope, moves))
+                .max(closest)
+                .max(self.solid.radius * 0.01);
+            if moves {
+                middle = [0, 1]
+                    .map(|axis| fit::center(&place(axis).map(move |[x, z]| [x, distance - z])));
+            }
+            distance
+        } else {
+            let place = |axis: usize| place(axis).map(move |[x, z]| x - shear * z);
+            if moves {
+                middle = [0, 1].map(|axis| {
+                    let [low, high] = range(place(axis));
+                    f64::midpoint(low, high)
+                });
+            }
+            let sides = [0, 1].map(|axis| range(place(axis).map(|x| (x - middle[axis]).abs()))[1]);
+            let half = self.half(sides, self.solid.radius * LEAST);
+            match args.fov {
+                Some(fov) => half / half_tangent(fov),
+                None => front.max(0.0) + half.max(self.solid.radius) * 2.0,
+            }
         };
-        let ahead: Vec<Point> = seen(&axes, eye, points);
-        if ahead.iter().any(|p| p[2] > -1e-3) {
-            // The eye is among the points.
-            break;
-        }
-        let distance = dot(back, back).sqrt();
-        for axis in [0, 1] {
-            let (low, high) = range(ahead.iter().map(|p| p[axis] / -p[2]));
-            center = along(center, axes[axis], f64::midpoint(low, high) * distance);
-        }
+        let target = along(along(center, axes[0], middle[0]), axes[1], middle[1]);
+        Some([along(target, axes[2], distance), target])
     }
-    center
+
+    /// Returns half the height of a picture for points that are at most so far from its middle, `least` if they are
+    /// all there.
+    fn half(&self, [x, y]: [f64; 2], least: f64) -> f64 {
+        (x / self.aspect).max(y).max(least) / FILL
+    }
+
+    /// Returns the point that `eye` must look at to have all points in the middle of its picture: the camera turns to
+    /// the middle of their angles, until nothing moves. If it is among the points, it looks at their middle.
+    fn target(&self, eye: Point, up: Point) -> Point {
+        let mut target = self.solid.middle;
+        if self.args.projection != Kind::Perspective {
+            return target;
+        }
+        for _ in 0..32 {
+            let back = sub(eye, target);
+            let Some(axes) = basis(back, up) else {
+                break;
+            };
+            let seen = seen(&axes, eye, self.points);
+            if seen.iter().any(|p| p[2] >= 0.0) {
+                return self.solid.middle;
+            }
+            let distance = dot(back, axes[2]);
+            let angles = [0, 1].map(|axis| {
+                let [low, high] = range(seen.iter().map(|p| (p[axis] / -p[2]).atan()));
+                f64::midpoint(low, high)
+            });
+            for (axis, angle) in angles.into_iter().enumerate() {
+                target = along(target, axes[axis], angle.tan() * distance);
+            }
+            if angles.iter().all(|angle| angle.abs() < 1e-9) {
+                break;
+            }
+        }
+        target
+    }
 }
 
 impl Framing {
     /// Chooses the options that `args` leave open so that all `points` are visible and as large as possible.
     ///
-    /// Passes on a camera that makes no sense (the eye at its target, up along the view): the library refuses it with
-    /// a better message than this function could give.
-    pub fn new(args: &Args, points: &[Point]) -> Self {
-        let mut center = args.look_at.unwrap_or_else(|| middle(points));
-        if let (Some(eye), None, Kind::Perspective) = (args.eye, args.look_at, args.projection) {
-            center = aim(eye, center, args.up(), points);
-        }
-        let axes = axes(args, center).unwrap_or(AXES);
-        let seen = seen(&axes, center, points);
+    /// The choice is made for each option as the user would give it, and all else follows from the options: given as
+    /// flags, they make the same picture.
+    ///
+    /// # Errors
+    ///
+    /// The camera makes no sense, or none of the points lies between its near and its far plane. The message names
+    /// the option.
+    pub fn new(args: &Args, points: &[Point], solid: &Solid) -> Result<Self> {
+        let written_up = args.up();
+        let up = unit(written_up)
+            .ok_or_else(|| format!("--up {}: it must not be zero", written(written_up)))?;
         let aspect = f64::from(args.size.0.max(1)) / f64::from(args.size.1.max(1));
-        let mut framing = match args.projection {
-            Kind::Perspective => Self::perspective(args, center, axes, &seen, aspect),
-            _ => Self::parallel(args, center, axes, &seen, aspect),
+        let choice = Choice {
+            args,
+            points,
+            solid,
+            aspect,
         };
-        framing.light = [0, 1, 2].map(|i| axes[2][i] + axes[1][i] * 0.9 - axes[0][i] * 0.6);
-        framing.near = args.near.unwrap_or(framing.near);
-        framing.far = args.far.unwrap_or(framing.far);
-        framing
-    }
-
-    fn perspective(
-        args: &Args,
-        center: Point,
-        axes: [Point; 3],
-        seen: &[Point],
-        aspect: f64,
-    ) -> Self {
-        let (eye, target, distance, fov);
-        if let Some(given) = args.eye {
-            distance = dot(axes[2], sub(given, center));
-            let tangent = seen
-                .iter()
-                .filter(|p| distance - p[2] > 0.0)
-                .map(|p| (p[1].abs()).max(p[0].abs() / aspect) / (distance - p[2]))
-                .fold(0.0, f64::max);
-            // Beyond 100 degrees the picture is mostly distortion: the eye is in the model or close to it.
-            let fitting = (tangent / FILL).atan().to_degrees() * 2.0;
-            fov = args.fov.unwrap_or(fitting.clamp(1.0, 100.0));
-            (eye, target) = (given, center);
-        } else {
-            fov = args.fov.unwrap_or(FIELD_OF_VIEW);
-            let tangent = (fov.to_radians() / 2.0).tan() * FILL;
-            // All of |x − cx| ≤ k·(d − z): two lines in (cx, d), which meet at the smallest d.
-            let fit = |axis: usize, k: f64| {
-                let high = range(seen.iter().map(|p| p[axis] + k * p[2])).1;
-                let low = range(seen.iter().map(|p| p[axis] - k * p[2])).0;
-                if args.look_at.is_some() {
-                    (high.max(-low) / k, 0.0)
-                } else {
-                    ((high - low) / (2.0 * k), f64::midpoint(high, low))
-                }
-            };
-            let (dx, mut cx) = fit(0, tangent * aspect);
-            let (dy, mut cy) = fit(1, tangent);
-            // Keep the eye out of the model, however wide the view.
-            let (back, front) = range(seen.iter().map(|p| p[2]));
-            let closest = front + (front - back) * 0.01 + 1e-3;
-            distance = dx.max(dy).max(closest);
-            if args.look_at.is_none() {
-                // The axis with room to spare: center the model.
-                for (axis, center) in [(0, &mut cx), (1, &mut cy)] {
-                    for _ in 0..8 {
-                        let slope = |p: &Point| (p[axis] - *center) / (distance - p[2]);
-                        let (low, high) = range(seen.iter().map(slope));
-                        *center += f64::midpoint(low, high) * distance;
-                    }
-                }
+        let along_view = || {
+            let line = format!("{} is along the line of sight", written(written_up));
+            match args.up {
+                Some(_) => format!("--up {line}: it must not be"),
+                None => format!("the default --up {line}: give another one"),
             }
-            target = along(along(center, axes[0], cx), axes[1], cy);
-            eye = along(target, axes[2], distance);
+        };
+        let round = |point: Point| point.map(|x| solid.rounded(x));
+        let [eye, target] = match args.eye {
+            None => {
+                let [eye, target] = choice.eye(up).ok_or_else(along_view)?;
+                [round(eye), args.look_at.unwrap_or_else(|| round(target))]
+            }
+            Some(eye) => [
+                eye,
+                args.look_at
+                    .unwrap_or_else(|| round(choice.target(eye, up))),
+            ],
+        };
+        if sub(eye, target).iter().all(|&x| x == 0.0) {
+            return Err(format!(
+                "eye and target are both at {}: --eye and --look-at must differ",
+                written(eye)
+            )
+            .into());
         }
-        let (nearest, farthest) = Self::planes(seen, distance);
-        Self {
+        let axes = basis(sub(eye, target), up).ok_or_else(along_view)?;
+        let mut framing = Self {
             eye,
             target,
-            fov,
-            window: [0.0; 4],
-            near: nearest,
-            far: farthest,
-            light: axes[2],
-            range: Self::distances(seen, distance),
-        }
-    }
-
-    fn parallel(args: &Args, center: Point, axes: [Point; 3], seen: &[Point], aspect: f64) -> Self {
-        let depth = range(seen.iter().map(|p| p[2]));
-        let reach = seen.iter().map(|p| dot(*p, *p).sqrt()).fold(1e-3, f64::max);
-        let (eye, distance) = if let Some(eye) = args.eye {
-            (eye, dot(axes[2], sub(eye, center)))
-        } else {
-            let distance = depth.1.max(0.0) + reach * 0.1;
-            (along(center, axes[2], distance), distance)
-        };
-        // The near plane does not move, but points behind it do: move the window with them.
-        let (near, far) = Self::planes(seen, distance);
-        let near = args.near.unwrap_or(near);
-        let shear = shear(args.projection);
-        let at = |p: &Point, axis: usize| p[axis] + shear * (distance - p[2] - near);
-        let (left, right) = range(seen.iter().map(|p| at(p, 0)));
-        let (bottom, top) = range(seen.iter().map(|p| at(p, 1)));
-        let fitting = ((top - bottom) / 2.0)
-            .max((right - left) / 2.0 / aspect)
-            .max(1e-3)
-            / FILL;
-        let half = match args.fov {
-            Some(fov) => (fov.to_radians() / 2.0).tan() * distance.abs(),
-            None => fitting,
-        };
-        let (x, y) = if args.look_at.is_some() {
-            (shear * (distance - near), shear * (distance - near))
-        } else {
-            (f64::midpoint(left, right), f64::midpoint(bottom, top))
-        };
-        let half = if args.fov.is_none() {
-            half.max((top - y).abs().max((bottom - y).abs()) / FILL)
-                .max((right - x).abs().max((left - x).abs()) / aspect / FILL)
-        } else {
-            half
-        };
-        Self {
-            eye,
-            target: center,
+            up: written_up,
             fov: 0.0,
-            window: [x - half * aspect, x + half * aspect, y - half, y + half],
-            near,
-            far,
-            light: axes[2],
-            range: Self::distances(seen, distance),
+            near: 0.0,
+            far: 0.0,
+            axes,
+            kind: args.projection,
+            aspect,
+            range: [0.0; 2],
+        };
+        let seen = seen(&axes, eye, points);
+        framing.range = range(seen.iter().map(|p| -p[2]));
+        framing.fov = args.fov.unwrap_or_else(|| {
+            if args.eye.is_none() && args.projection == Kind::Perspective {
+                FIELD_OF_VIEW
+            } else {
+                framing.fitting(&choice, &seen)
+            }
+        });
+        framing.planes(args)?;
+        Ok(framing)
+    }
+
+    /// Returns the field of view that shows all points, `seen` from the eye.
+    fn fitting(&self, choice: &Choice<'_>, seen: &[Point]) -> f64 {
+        let least = choice.solid.radius * LEAST;
+        let half = if self.kind == Kind::Perspective {
+            if self.range[0] <= 0.0 {
+                return WIDE;
+            }
+            let slope = |axis: usize| range(seen.iter().map(|p| (p[axis] / p[2]).abs()))[1];
+            choice.half([slope(0), slope(1)], least / self.range[0])
+        } else {
+            let (distance, shear) = (self.distance(), shear(self.kind));
+            let side = |axis: usize| {
+                let place = |p: &Point| (p[axis] - shear * (p[2] + distance)).abs();
+                range(seen.iter().map(place))[1]
+            };
+            choice.half([side(0), side(1)], least) / distance
+        };
+        // Near 180 degrees, the picture's size depends on the last digits.
+        to_digits((half.atan() * 2.0).to_degrees().min(179.99), 8)
+    }
+
+    /// Sets the near and the far plane: as given, or a little in front of and behind all points.
+    fn planes(&mut self, args: &Args) -> Result<()> {
+        let [low, high] = self.range;
+        let is_perspective = self.is_perspective();
+        if is_perspective && high <= 0.0 && args.model.is_some() {
+            let (eye, target) = (written(self.eye), written(self.target));
+            return Err(format!(
+                "nothing is visible: the whole model is behind an eye at {eye} that looks at {target}"
+            )
+            .into());
+        }
+        if args.model.is_some() {
+            let place = format!(
+                "the model is {} to {} from the eye",
+                about(low),
+                about(high)
+            );
+            if let Some(near) = args.near.filter(|&near| near > high) {
+                let most = about(high);
+                return Err(format!("--near {near}: {place}: it must be below {most}").into());
+            }
+            if let Some(far) = args.far.filter(|&far| far < low) {
+                let least = about(low);
+                return Err(format!("--far {far}: {place}: it must be above {least}").into());
+            }
+        }
+        let margin = (high - low) * 0.02 + high.abs() * 0.001;
+        let behind = about(high + margin);
+        self.far = args.far.unwrap_or(behind);
+        // Depth in equal steps of 1/distance needs a far / near below 1000. An eye inside the model does not see what
+        // is nearer.
+        let ratio = match args.depth {
+            DepthFormat::Linear => 500.0,
+            DepthFormat::Float | DepthFormat::Wide => 30_000.0,
+        };
+        self.near = args.near.unwrap_or(about(if is_perspective {
+            (low - margin).max(self.far.min(behind) / ratio)
+        } else {
+            low - margin
+        }));
+        let (near, far) = (self.near, self.far);
+        if is_perspective && near <= 0.0 {
+            return Err(format!("--near {near}: it must be above 0, in front of the eye").into());
+        }
+        if far <= near {
+            return Err(match args.far {
+                Some(_) => format!("--far {far}: it must be beyond the near plane at {near}"),
+                None => format!("--near {near}: it must be in front of the far plane at {far}"),
+            }
+            .into());
+        }
+        Ok(())
+    }
+
+    pub fn is_perspective(&self) -> bool {
+        self.kind == Kind::Perspective
+    }
+
+    fn distance(&self) -> f64 {
+        dot(self.axes[2], sub(self.eye, self.target))
+    }
+
+    /// Returns left, right, bottom and top of a parallel projection's picture.
+    pub fn window(&self) -> [f64; 4] {
+        let half = half_tangent(self.fov) * self.distance();
+        // The near plane does not move, but the target behind it does.
+        let middle = shear(self.kind) * (self.distance() - self.near);
+        let side = half * self.aspect;
+        [middle - side, middle + side, middle - half, middle + half]
+    }
+
+    /// Returns the direction towards the light: over the viewer's left shoulder.
+    pub fn light(&self) -> Point {
+        let [right, up, back] = self.axes;
+        [0, 1, 2].map(|i| back[i] + up[i] * 0.9 - right[i] * 0.6)
+    }
+
+    /// Returns the distance of the far plane, or of a nearer one behind the model if that makes the same picture.
+    pub fn useful_far(&self) -> f64 {
+        let behind = self.range[1] * 2.0;
+        if self.is_perspective() && behind > self.near {
+            self.far.min(behind)
+        } else {
+            self.far
         }
     }
 
-    /// Returns the distances of the nearest and the farthest point; the points are `seen` from the eye's `distance`.
-    fn distances(seen: &[Point], distance: f64) -> [f64; 2] {
-        let (low, high) = range(seen.iter().map(|p| distance - p[2]));
-        [low, high]
-    }
-
-    /// Returns the near and far plane, a little in front of and behind all points.
-    fn planes(seen: &[Point], distance: f64) -> (f64, f64) {
-        let [low, high] = Self::distances(seen, distance);
-        let margin = (high - low) * 0.02 + high.abs() * 0.001;
-        let far = (high + margin).max(0.01);
-        // 16-bit depth needs a far / near below 1000. An eye inside the model may not see all of it.
-        ((low - margin).max(far / 500.0), far)
+    /// Returns the largest magnitude of a coordinate or distance, relative to the middle of the model.
+    ///
+    /// # Errors
+    ///
+    /// One exceeds `limit`; the message names the option.
+    pub fn reach(&self, args: &Args, solid: &Solid, limit: f64) -> Result<f64> {
+        let far = self.useful_far();
+        let at_eye = largest(sub(self.eye, solid.middle));
+        let window = if self.is_perspective() {
+            0.0
+        } else {
+            self.window()
+                .into_iter()
+                .fold(0.0, |most, edge| edge.abs().max(most))
+        };
+        let reach = [solid.radius, at_eye, window, far.abs(), self.near.abs()];
+        let reach = reach.into_iter().fold(0.0, f64::max);
+        if reach <= limit {
+            return Ok(reach);
+        }
+        let at_target = largest(sub(self.target, solid.middle));
+        let (middle, limit) = (written(solid.middle.map(about)), about(limit));
+        let place = |option, point| {
+            format!(
+                "{option} {}: each coordinate must be within {limit} of the middle of the model, {middle}",
+                written(point)
+            )
+        };
+        Err(match *args {
+            Args { eye: Some(eye), .. } if at_eye > limit => place("--eye", eye),
+            Args { look_at: Some(target), .. } if at_target > limit / 16.0 => {
+                place("--look-at", target)
+            }
+            Args { far: Some(far), .. } if far > limit => {
+                format!("--far {far}: it must be at most {limit}")
+            }
+            Args { near: Some(near), .. } if near.abs() > limit => {
+                format!("--near {near}: it must be between -{limit} and {limit}")
+            }
+            Args { fov: Some(fov), eye: None, .. } if fov < FIELD_OF_VIEW => format!(
+                "--fov {fov}: to see the whole model, the eye must be {} away, more than {limit}: it must be at \
+                 least {}",
+                about(reach),
+                about(fov * reach / limit * 1.001)
+            ),
+            _ => format!(
+                "--fov {}: the picture reaches {} from the model: it must be at most {limit}",
+                self.fov,
+                about(window)
+            ),
+        }
+        .into())
     }
 
     /// Returns the model's nearest and farthest stored depth.
-    pub fn depths(&self, kind: Kind) -> [u16; 2] {
+    pub fn depths(&self) -> [u16; 2] {
         self.range.map(|distance| {
-            let depth = match kind {
-                Kind::Perspective => self.near / distance.max(self.near),
-                _ => (self.far - distance) / (self.far - self.near),
+            let depth = if self.is_perspective() {
+                self.near / distance.max(self.near)
+            } else {
+                (self.far - distance) / (self.far - self.near)
             };
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // saturates
             let depth = (depth * 65535.0) as u16;
             depth
         })
+    }
+
+    /// Returns the options that make the same camera.
+    pub fn options(&self) -> String {
+        let projection = if self.is_perspective() {
+            String::new()
+        } else {
+            format!(" --projection {}", name(&self.kind))
+        };
+        format!(
+            "--eye {} --look-at {} --up {} --fov {} --near {} --far {}{projection}",
+            written(self.eye),
+            written(self.target),
+            written(self.up),
+            self.fov,
+            self.near,
+            self.far
+        )
     }
 }

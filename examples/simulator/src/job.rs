@@ -4,20 +4,21 @@ use std::time::{Duration, Instant};
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use fixel::Drawn;
 use fixel::prelude::*;
 use fixel::shade::{FaceColors, Gouraud, Levels, Textured};
 use fixel::target::{DepthBuffer, Float, WideFloat};
 use fixel::view::Perspective;
-use fixel::{Drawn, Mesh};
 
 use super::Result;
 use super::common::{lighthouse, scenes};
 use super::mode::{Mode, in_mode};
 use super::output::FRAME_MS;
 use super::paint::{Board, Posed, Shown, add};
-use super::view::{Lens, View};
-use crate::args::{Args, DepthFormat, SceneName, Shade};
+use super::view::{Lens, View, direction};
+use crate::args::{self, Args, DepthFormat, SceneName, Shade};
 use crate::dump::{Record, Recorder};
+use crate::piece::Piece;
 
 /// A band of a frame, to be drawn.
 #[derive(Debug)]
@@ -48,15 +49,16 @@ impl<'a, C: embedded_graphics::pixelcolor::PixelColor> Band<'a, C> {
 /// How the model turns.
 #[derive(Clone, Copy, Debug)]
 pub struct Turn {
-    /// A point on the axis.
-    pub about: Vec3,
+    /// The direction that is up, of any length. The axis runs through the origin, where `units` put the middle of the
+    /// model.
+    pub axis: [f64; 3],
     pub frames: u32,
     pub rate: Option<Rate>,
 }
 
 impl Turn {
     /// Returns the pose in one of the frames.
-    fn pose(&self, frame: u32) -> Transform {
+    fn pose(&self, frame: u32) -> Result<Transform> {
         let angle = if let Some(rate) = self.rate {
             rate.angle_at(u64::from(frame) * FRAME_MS)
         } else {
@@ -64,30 +66,36 @@ impl Turn {
             #[allow(clippy::cast_possible_truncation)] // whole turns drop out
             Angle::from_bits(part as u32)
         };
-        Transform::translate(self.about)
-            * Transform::rotate_y(angle)
-            * Transform::translate(-self.about)
+        Ok(
+            if self.axis[0] == 0.0 && self.axis[2] == 0.0 && self.axis[1] > 0.0 {
+                // As on the board, bit for bit.
+                Transform::rotate_y(angle)
+            } else {
+                Transform::rotate(direction(self.axis)?, angle)?
+            },
+        )
     }
 }
 
 /// A model, or the project's own scene if there is no `shade`.
 pub struct Model<'a> {
-    pub meshes: &'a [Mesh<'a>],
+    pub pieces: &'a [Piece<'a>],
     pub view: View,
     pub turn: Turn,
     /// None for the project's own scene.
     pub shade: Option<Shade>,
-    /// Largest magnitude of a texture coordinate.
-    pub largest_uv: f64,
+    /// The mode for the recorder.
+    pub recorded: Mode,
+    pub recorder: Recorder,
 }
 
 impl Model<'_> {
-    fn posed(&self, frame: u32) -> Posed<'_> {
-        Posed {
-            meshes: self.meshes,
-            view: &self.view,
-            pose: self.turn.pose(frame),
-        }
+    fn posed<'a>(&'a self, view: &'a View, frame: u32) -> Result<Posed<'a>> {
+        Ok(Posed {
+            pieces: self.pieces,
+            view,
+            pose: self.turn.pose(frame)?,
+        })
     }
 
     /// Draws a band of a frame.
@@ -95,18 +103,18 @@ impl Model<'_> {
         &self,
         band: Band<'_, C>,
         frame: u32,
-        texture: &Texture<'_, C::Texel>,
+        textures: &[Texture<'_, C::Texel>],
     ) -> Result<Done> {
         let (canvas, depth) = band.canvas()?;
         match self.view.depth {
-            DepthFormat::Linear => self.paint_on(canvas.with_depth(depth)?, frame, texture),
+            DepthFormat::Linear => self.paint_on(canvas.with_depth(depth)?, frame, textures),
             DepthFormat::Float => {
                 let canvas = canvas.with_depth_format::<Float>(depth)?;
-                self.paint_on(canvas, frame, texture)
+                self.paint_on(canvas, frame, textures)
             }
             DepthFormat::Wide => {
                 let canvas = canvas.with_depth_format::<WideFloat>(depth)?;
-                self.paint_on(canvas, frame, texture)
+                self.paint_on(canvas, frame, textures)
             }
         }
     }
@@ -115,9 +123,9 @@ impl Model<'_> {
         &self,
         mut canvas: Board<'_, C, D>,
         frame: u32,
-        texture: &Texture<'_, C::Texel>,
+        textures: &[Texture<'_, C::Texel>],
     ) -> Result<Done> {
-        let posed = self.posed(frame);
+        let posed = self.posed(&self.view, frame)?;
         let Some(shade) = self.shade else {
             lighthouse::sky(&mut canvas);
             let camera = self.view.camera;
@@ -139,30 +147,50 @@ impl Model<'_> {
             return Ok((add(sea, island), time));
         };
         canvas.clear(background(shade));
-        Ok(timed(|| posed.paint(&mut canvas, shade, texture)))
+        Ok(timed(|| posed.paint(&mut canvas, shade, textures)))
     }
 
     /// Records a band of a frame.
     pub fn record(&self, band: Band<'_, Record>, frame: u32) -> Result<Done> {
-        let (canvas, depth) = band.canvas()?;
-        match self.view.depth {
-            DepthFormat::Linear => Ok(self.record_on(canvas.with_depth(depth)?, frame)),
-            DepthFormat::Float => {
-                Ok(self.record_on(canvas.with_depth_format::<Float>(depth)?, frame))
-            }
-            DepthFormat::Wide => {
-                Ok(self.record_on(canvas.with_depth_format::<WideFloat>(depth)?, frame))
-            }
-        }
+        let mut view = self.view;
+        view.mode = self.recorded;
+        self.record_in(&view, band, frame, self.shade == Some(Shade::Wire))
     }
 
-    fn record_on<D: DepthBuffer>(&self, mut canvas: Board<'_, Record, D>, frame: u32) -> Done {
+    /// Records a band of a frame: faces, or edges.
+    pub fn record_in(
+        &self,
+        view: &View,
+        band: Band<'_, Record>,
+        frame: u32,
+        edges: bool,
+    ) -> Result<Done> {
+        let (canvas, depth) = band.canvas()?;
+        let posed = self.posed(view, frame)?;
+        Ok(match self.view.depth {
+            DepthFormat::Linear => self.record_on(posed, canvas.with_depth(depth)?, edges),
+            DepthFormat::Float => {
+                self.record_on(posed, canvas.with_depth_format::<Float>(depth)?, edges)
+            }
+            DepthFormat::Wide => {
+                self.record_on(posed, canvas.with_depth_format::<WideFloat>(depth)?, edges)
+            }
+        })
+    }
+
+    fn record_on<D: DepthBuffer>(
+        &self,
+        posed: Posed<'_>,
+        mut canvas: Board<'_, Record, D>,
+        edges: bool,
+    ) -> Done {
         canvas.clear(Record::default());
-        let recorder = Recorder::new(self.largest_uv);
-        let posed = self.posed(frame);
-        timed(|| match self.shade {
-            Some(Shade::Wire) => posed.draw_edges(&mut canvas, &recorder),
-            _ => posed.draw(&mut canvas, &recorder),
+        timed(|| {
+            if edges {
+                posed.draw_edges(&mut canvas, &self.recorder)
+            } else {
+                posed.draw(&mut canvas, &self.recorder)
+            }
         })
     }
 }
@@ -273,7 +301,7 @@ impl Measured {
             SceneName::Cube => &scenes::CUBE,
             SceneName::Sphere | SceneName::SphereFlat => &scenes::SPHERE,
         };
-        let recorder = Recorder::new(1.0);
+        let recorder = Recorder::new(1.0, 0, args::Mode::Newton);
         Ok(on_canvas!(band, self, Record::default(), |canvas| {
             canvas.draw(mesh, &mvp, &recorder)
         }))

@@ -7,19 +7,26 @@
 mod args;
 #[path = "../../common/mod.rs"]
 mod common;
-mod complete;
 mod dump;
+mod export;
+mod fit;
 mod framing;
 mod job;
-mod load;
 mod mode;
+mod model;
+mod normals;
+mod notes;
 mod output;
 mod paint;
 mod parts;
+mod piece;
 mod render;
+mod sight;
 mod skin;
 mod subject;
 mod targets;
+mod turntable;
+mod units;
 mod view;
 mod window;
 

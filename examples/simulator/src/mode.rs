@@ -6,6 +6,9 @@ use fixel::num::scalar;
 use super::Result;
 use crate::args::{self, Args};
 
+/// Default tolerance of mode fast, in texels.
+const TOLERANCE: f64 = 0.25;
+
 /// An interpolation mode.
 #[derive(Clone, Copy, Debug)]
 pub enum Mode {
@@ -16,12 +19,15 @@ pub enum Mode {
 }
 
 impl Mode {
-    /// Returns the mode that the user asked for.
-    pub fn new(args: &Args) -> Result<Self> {
+    /// Returns the mode that the user asked for, to draw a texture that has `texels` for each one of the texture that
+    /// the tolerance is meant for.
+    pub fn new(args: &Args, texels: f64) -> Result<Self> {
+        let tolerance = args.tolerance.unwrap_or(TOLERANCE) * texels;
         Ok(match args.mode {
             args::Mode::Exact => Self::Exact(Exact),
             args::Mode::Newton => Self::Newton(Newton),
-            args::Mode::Fast => Self::Fast(Fast::within(scalar(args.tolerance)?)),
+            // Beyond what the format holds, a tolerance is larger than any texture.
+            args::Mode::Fast => Self::Fast(Fast::within(scalar(tolerance.min(32_767.0))?)),
             args::Mode::Affine => Self::Affine(Affine),
         })
     }

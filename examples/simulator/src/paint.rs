@@ -3,7 +3,7 @@
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, PixelColor, Rgb565, Rgb888};
 use fixel::prelude::*;
-use fixel::shade::{DepthView, Flat, Levels, NormalView, Textured};
+use fixel::shade::{DepthView, Flat, Gouraud, Levels, NormalView, Textured};
 use fixel::target::{DepthBuffer, Native};
 use fixel::texture::Blend;
 use fixel::{Drawn, Mesh};
@@ -11,6 +11,7 @@ use fixel::{Drawn, Mesh};
 use super::mode::{Mode, in_mode};
 use super::view::{Lens, View};
 use crate::args::{Filter, Shade};
+use crate::piece::Piece;
 
 /// The simulator's canvas.
 pub type Board<'a, C, D> = Canvas<'a, C, Native, D>;
@@ -46,19 +47,19 @@ shown! {
     BinaryColor Gray8 |shader| shader.converted();
 }
 
-/// Meshes, their view and their pose.
+/// Pieces of a model, their view and their pose.
 #[derive(Clone, Copy)]
 pub struct Posed<'a> {
-    pub meshes: &'a [Mesh<'a>],
+    pub pieces: &'a [Piece<'a>],
     pub view: &'a View,
     pub pose: Transform,
 }
 
 impl Posed<'_> {
     fn each(&self, mut draw: impl FnMut(&Mesh<'_>) -> Drawn) -> Drawn {
-        self.meshes
+        self.pieces
             .iter()
-            .map(&mut draw)
+            .map(|piece| draw(&piece.mesh))
             .fold(Drawn::default(), add)
     }
 
@@ -123,28 +124,77 @@ impl Posed<'_> {
         }
     }
 
-    /// Draws in the look of `shade`.
+    /// Draws with the texture times the colors of the vertices, lit or not.
+    fn tinted<C: Shown, D: DepthBuffer>(
+        &self,
+        canvas: &mut Board<'_, C, D>,
+        texture: &Texture<'_, C::Texel>,
+        lit: bool,
+    ) -> Drawn {
+        let (skin, light) = (Textured::new(texture), self.view.light());
+        match (self.view.filter, lit) {
+            (Filter::Nearest, false) => self.draw(canvas, &C::shown(skin.tinted())),
+            (Filter::Nearest, true) => self.draw(canvas, &C::shown(skin.tinted().lit(light))),
+            (Filter::Bilinear, false) => self.draw(canvas, &C::shown(skin.bilinear().tinted())),
+            (Filter::Bilinear, true) => {
+                self.draw(canvas, &C::shown(skin.bilinear().tinted().lit(light)))
+            }
+        }
+    }
+
+    /// Draws in the look of `shade`, each piece with what it has of `textures`.
     pub fn paint<C: Shown, D: DepthBuffer>(
         &self,
         canvas: &mut Board<'_, C, D>,
         shade: Shade,
-        texture: &Texture<'_, C::Texel>,
+        textures: &[Texture<'_, C::Texel>],
     ) -> Drawn {
-        const CLAY: Rgb888 = Rgb888::new(236, 214, 190);
+        let one = |piece| {
+            let one = Self {
+                pieces: std::slice::from_ref(piece),
+                ..*self
+            };
+            let texture = piece.finish.texture.and_then(|at| textures.get(at));
+            one.paint_piece(canvas, shade, piece, texture)
+        };
+        self.pieces.iter().map(one).fold(Drawn::default(), add)
+    }
+
+    fn paint_piece<C: Shown, D: DepthBuffer>(
+        &self,
+        canvas: &mut Board<'_, C, D>,
+        shade: Shade,
+        piece: &Piece<'_>,
+        texture: Option<&Texture<'_, C::Texel>>,
+    ) -> Drawn {
         let light = self.view.light();
-        match shade {
-            Shade::Texture => self.textured(canvas, texture, false),
-            Shade::Lit => self.textured(canvas, texture, true),
-            Shade::Gouraud => self.draw(canvas, &Flat::<C>::rgb(CLAY).lit(light)),
-            Shade::Flat => self.draw(canvas, &Flat::<C>::rgb(CLAY).lit_faces(light)),
-            Shade::Normal => self.draw(canvas, &NormalView::new()),
-            Shade::Depth => {
+        let color = Flat::<C>::rgb(piece.finish.color);
+        let is_colored = piece.mesh.has_colors();
+        match (shade, texture) {
+            (Shade::Texture | Shade::Lit, Some(texture)) => {
+                let lit = shade == Shade::Lit;
+                if is_colored {
+                    self.tinted(canvas, texture, lit)
+                } else {
+                    self.textured(canvas, texture, lit)
+                }
+            }
+            (Shade::Texture, None) if is_colored => self.draw(canvas, &Gouraud::new()),
+            (Shade::Texture, None) => self.draw(canvas, &color),
+            (Shade::Lit | Shade::Gouraud, _) if is_colored => {
+                self.draw(canvas, &Gouraud::new().lit(light))
+            }
+            (Shade::Lit | Shade::Gouraud, _) => self.draw(canvas, &color.lit(light)),
+            (Shade::Flat, _) if is_colored => self.draw(canvas, &Gouraud::new().lit_faces(light)),
+            (Shade::Flat, _) => self.draw(canvas, &color.lit_faces(light)),
+            (Shade::Normal, _) => self.draw(canvas, &NormalView::new()),
+            (Shade::Depth, _) => {
                 let [near, far] = self.view.depths;
                 // Keeps the farthest point visible on black.
                 let far = far.saturating_sub((near.saturating_sub(far)) / 6);
                 self.draw(canvas, &DepthView::between(far, near))
             }
-            Shade::Wire => {
+            (Shade::Wire, _) => {
                 let white = C::from_rgb(Rgb888::new(255, 255, 255), Point::zero());
                 self.draw_edges(canvas, &Flat::new(white))
             }

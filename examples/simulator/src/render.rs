@@ -7,8 +7,10 @@ use super::common::scenes;
 use crate::args::{Args, Color};
 use crate::job::{Measured, Model};
 use crate::mode::Mode;
+use crate::notes;
 use crate::paint::Shown;
-use crate::skin::Skin;
+use crate::sight;
+use crate::skin::{Skin, Texels};
 use crate::subject::Subject;
 use crate::targets::Targets;
 
@@ -19,10 +21,14 @@ use crate::targets::Targets;
 /// Any problem with the arguments or a file, in words.
 pub fn run(args: &Args) -> Result<()> {
     let targets = Targets::open(args)?;
+    let note = |note: &str| eprintln!("note: {note}");
     if let Some(scene) = args.scene {
+        for idle in notes::idle(args, None) {
+            note(&idle);
+        }
         let measured = Measured {
             scene,
-            mode: Mode::new(args)?,
+            mode: Mode::new(args, 1.0)?,
             depth: args.depth,
         };
         return match args.color {
@@ -38,15 +44,23 @@ pub fn run(args: &Args) -> Result<()> {
         };
     }
     let subject = Subject::load(args)?;
-    let meshes = subject.meshes()?;
-    let model = subject.model(args, &meshes)?;
-    let skin = &subject.skin;
+    targets.refuse_inputs(&subject.inputs)?;
+    let pieces = subject.pieces()?;
+    let model = subject.model(args, &pieces)?;
+    for idle in notes::idle(args, model.shade) {
+        note(&idle);
+    }
+    if let Some(hint) = sight::check(&model, args)? {
+        note(hint);
+    }
+    println!("camera {}", subject.framing.options());
+    let skins = &subject.skins;
     match args.color {
-        Color::Rgb565 => picture_in::<Rgb565>(&model, skin, args, targets),
-        Color::Rgb888 => picture_in::<Rgb888>(&model, skin, args, targets),
-        Color::Gray8 => picture_in::<Gray8>(&model, skin, args, targets),
-        Color::Gray4 => picture_in::<Gray4>(&model, skin, args, targets),
-        Color::Mono => picture_in::<BinaryColor>(&model, skin, args, targets),
+        Color::Rgb565 => picture_in::<Rgb565>(&model, skins, args, targets),
+        Color::Rgb888 => picture_in::<Rgb888>(&model, skins, args, targets),
+        Color::Gray8 => picture_in::<Gray8>(&model, skins, args, targets),
+        Color::Gray4 => picture_in::<Gray4>(&model, skins, args, targets),
+        Color::Mono => picture_in::<BinaryColor>(&model, skins, args, targets),
     }
 }
 
@@ -63,15 +77,15 @@ fn measured_in<C: Shown>(measured: Measured, targets: Targets<'_>) -> Result<()>
 
 fn picture_in<C: Shown>(
     model: &Model<'_>,
-    skin: &Skin,
+    skins: &[Skin],
     args: &Args,
     targets: Targets<'_>,
 ) -> Result<()> {
-    let texels = skin.texels();
-    let texture = texels.texture()?;
+    let texels: Vec<_> = skins.iter().map(Skin::texels).collect();
+    let textures: Vec<_> = texels.iter().map(Texels::texture).collect::<Result<_>>()?;
     targets.fill(
         args.size,
         |band, frame| model.record(band, frame),
-        |band, frame| model.paint::<C>(band, frame, &texture),
+        |band, frame| model.paint::<C>(band, frame, &textures),
     )
 }

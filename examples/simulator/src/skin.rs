@@ -1,5 +1,7 @@
 //! Textures whose size is known only at run time.
 
+use std::fs;
+use std::io::Cursor;
 use std::path::Path;
 
 use embedded_graphics::geometry::Point;
@@ -9,16 +11,21 @@ use image::imageops::FilterType;
 use image::{ImageReader, RgbImage};
 
 use super::Result;
+use crate::model::Image;
 
 /// Exponent of the largest side, in texels.
 const MOST_LOG2: u32 = 10;
 
 /// An image with sides that are powers of two.
 #[derive(Debug)]
-pub struct Skin(RgbImage);
+pub struct Skin {
+    image: RgbImage,
+    /// Width and height before it was resampled.
+    given: (u32, u32),
+}
 
 impl Skin {
-    /// Reads a PNG or JPEG and resamples it to the nearest powers of two, up to 1024.
+    /// Reads the PNG or JPEG file at `path`; see [`decode`](Self::decode).
     ///
     /// # Errors
     ///
@@ -27,25 +34,71 @@ impl Skin {
         let refuse = |problem: &dyn std::fmt::Display| {
             format!("cannot read texture {}: {problem}", path.display())
         };
-        let image = ImageReader::open(path)
-            .and_then(ImageReader::with_guessed_format)
-            .map_err(|error| refuse(&error))?
+        let bytes = fs::read(path).map_err(|error| refuse(&error))?;
+        Ok(Self::decode(&bytes).map_err(|problem| refuse(&problem))?)
+    }
+
+    /// Reads an image of a model, with its texels multiplied by a material's color.
+    ///
+    /// # Errors
+    ///
+    /// As for [`read`](Self::read).
+    pub fn of_model(image: &Image, color: [u8; 3]) -> Result<Self> {
+        let mut skin = match image {
+            Image::File(path) => Self::read(path)?,
+            Image::Bytes(name, bytes) => Self::decode(bytes)
+                .map_err(|problem| format!("cannot read texture {name}: {problem}"))?,
+        };
+        if color != [255; 3] {
+            for texel in skin.image.pixels_mut() {
+                texel.0 = times(texel.0, color);
+            }
+        }
+        Ok(skin)
+    }
+
+    /// Decodes a PNG or JPEG and resamples it to the nearest powers of two, up to 1024.
+    fn decode(bytes: &[u8]) -> Result<Self, String> {
+        let image = ImageReader::new(Cursor::new(bytes))
+            .with_guessed_format()
+            .map_err(|error| error.to_string())?
             .decode()
-            .map_err(|error| refuse(&error))?
+            .map_err(|error| error.to_string())?
             .into_rgb8();
         let (width, height) = image.dimensions();
         if width == 0 || height == 0 {
-            return Err(refuse(&format!(
+            return Err(format!(
                 "it is {width}x{height} pixels: both must be at least 1"
-            ))
-            .into());
+            ));
         }
         let sides = (nearest(width), nearest(height));
-        Ok(Self(if sides == (width, height) {
-            image
-        } else {
-            image::imageops::resize(&image, sides.0, sides.1, FilterType::Triangle)
-        }))
+        let mut skin = Self::whole(image);
+        if sides != (width, height) {
+            skin.image =
+                image::imageops::resize(&skin.image, sides.0, sides.1, FilterType::Triangle);
+        }
+        Ok(skin)
+    }
+
+    /// An image that has not been resampled.
+    fn whole(image: RgbImage) -> Self {
+        Self {
+            given: image.dimensions(),
+            image,
+        }
+    }
+
+    /// Returns how many texels there are for each texel of the image that was given, along the side where there are
+    /// fewer.
+    pub fn resampled(&self) -> f64 {
+        let (width, height) = self.image.dimensions();
+        let ratio = |now: u32, given: u32| f64::from(now) / f64::from(given);
+        ratio(width, self.given.0).min(ratio(height, self.given.1))
+    }
+
+    /// Returns the larger side of the image that was given, in texels.
+    pub fn side(&self) -> f64 {
+        self.given.0.max(self.given.1).into()
     }
 
     /// Returns a texture that is compiled in.
@@ -57,12 +110,12 @@ impl Skin {
         let side = |side: usize| u32::try_from(side).unwrap_or(0);
         // The number of bytes fits the size.
         let image = RgbImage::from_raw(side(W), side(H), bytes.collect());
-        Self(image.unwrap_or_default())
+        Self::whole(image.unwrap_or_default())
     }
 
     /// 64x64 texels, squares of 8 in two colors.
     pub fn checker() -> Self {
-        Self(RgbImage::from_fn(64, 64, |x, y| {
+        Self::whole(RgbImage::from_fn(64, 64, |x, y| {
             image::Rgb(if (x / 8 + y / 8) % 2 == 0 {
                 [255, 255, 240]
             } else {
@@ -71,18 +124,38 @@ impl Skin {
         }))
     }
 
+    /// Returns the size, and the texels row by row from the top.
+    pub fn rows(&self) -> ((u32, u32), impl DoubleEndedIterator<Item = &[u8]>) {
+        let (width, height) = self.image.dimensions();
+        let row = 3 * width as usize;
+        (
+            (width, height),
+            self.image.as_raw().chunks_exact(row.max(1)),
+        )
+    }
+
     /// Returns the texels in the color `C`.
     pub fn texels<C: Levels>(&self) -> Texels<C> {
-        let (width, height) = self.0.dimensions();
+        let (width, height) = self.image.dimensions();
         let color = |&image::Rgb([r, g, b]): &image::Rgb<u8>| {
             C::from_rgb(Rgb888::new(r, g, b), Point::zero())
         };
         Texels {
-            list: self.0.pixels().map(color).collect(),
+            list: self.image.pixels().map(color).collect(),
             width,
             height,
         }
     }
+}
+
+/// The product of two colors, as fractions.
+pub fn times(a: [u8; 3], b: [u8; 3]) -> [u8; 3] {
+    [0, 1, 2].map(|at| {
+        let product = u16::from(a[at]) * u16::from(b[at]);
+        #[allow(clippy::cast_possible_truncation)] // at most 255
+        let rounded = ((product + 127) / 255) as u8;
+        rounded
+    })
 }
 
 /// Returns the power of two that is nearest by ratio, at most 1024.

@@ -1,182 +1,289 @@
 //! The model to draw, read from a file or the project's own, and its place.
 
-use fixel::prelude::*;
+use std::collections::HashMap;
+use std::path::PathBuf;
 
 use super::Result;
 use super::common::lighthouse;
 use crate::args::{Args, Filter, Kind, Shade};
-use crate::framing::{Framing, middle};
+use crate::dump::Recorder;
+use crate::export;
+use crate::framing::{Framing, Point, Solid, unit};
 use crate::job::{self, Model, Turn};
-use crate::load;
+use crate::mode::Mode;
+use crate::model;
 use crate::parts::{self, Part};
+use crate::piece::{Finish, Piece};
 use crate::skin::Skin;
+use crate::turntable;
+use crate::units::Units;
 use crate::view::{Lens, View};
 
 /// A model, with everything that belongs to it.
 pub struct Subject {
     /// Empty for the project's own scene.
     parts: Vec<Part>,
-    points: Vec<[f64; 3]>,
-    pub skin: Skin,
+    pub framing: Framing,
+    units: Units,
+    /// How the model's materials are drawn, and in the end faces without one.
+    finishes: Vec<Finish>,
+    /// The textures that the finishes name.
+    pub skins: Vec<Skin>,
     largest_uv: f64,
     shade: Option<Shade>,
+    /// The files that it was read from.
+    pub inputs: Vec<PathBuf>,
 }
 
 impl Subject {
-    /// Reads the files that `args` name.
+    /// Reads the files that `args` name, and chooses the camera.
     ///
     /// # Errors
     ///
-    /// A file cannot be read.
+    /// A file cannot be read, or the camera that `args` ask for shows nothing.
     pub fn load(args: &Args) -> Result<Self> {
         let skin = args.texture.as_deref().map(Skin::read).transpose()?;
         let Some(path) = &args.model else {
-            let positions = lighthouse::ISLAND.positions();
-            let plain = args.shade.is_none()
-                && skin.is_none()
-                && !args.two_sided
-                && args.filter == Filter::Nearest;
-            return Ok(Self {
-                parts: Vec::new(),
-                points: positions
-                    .iter()
-                    .map(|p| p.to_bits().map(|bits| f64::from(bits) / 65536.0))
-                    .collect(),
-                skin: skin.unwrap_or_else(|| Skin::of(&lighthouse::SKIN)),
-                largest_uv: 20.0,
-                shade: args.shade.or(if plain { None } else { Some(Shade::Lit) }),
-            });
+            return Self::own(args, skin);
         };
-        let mut model = load::model(path)?;
-        if let Some(scale) = scale(args, &model.positions) {
-            println!("scaled by {scale} to suit the number format");
-            for position in &mut model.positions {
-                *position = position.map(|x| x * scale);
-            }
+        let mut model = model::read(path, false)?;
+        let (finishes, skins) = finishes(&mut model, skin);
+        for note in &model.notes {
+            eprintln!("note: {note}");
         }
-        let textured = skin.is_some() || model.had_uvs;
+        let inputs = inputs(args, &model);
+        let textures = args
+            .export
+            .iter()
+            .find(|path| path.extension().is_some_and(|x| x == "bmp"));
+        for path in &args.export {
+            for file in export::files(path, skins.len()) {
+                export::refuse_inputs(&file, &inputs)?;
+            }
+            let looks = (&finishes[..], &skins[..]);
+            export::write(
+                path,
+                &model,
+                looks,
+                args.mesh,
+                textures.map(PathBuf::as_path),
+            )?;
+        }
+        if args.two_sided {
+            model.turn_normals();
+        }
+        let solid = Solid::of(&model.positions)?;
+        let framing = frame(args, &model.positions, &solid, solid.middle)?;
+        let units = Units::new(args, &framing, &solid)?;
+        for position in &mut model.positions {
+            *position = units.point(*position);
+        }
+        let textured = args.texture.is_some() || model.had_uvs || model.is_colored();
         let shade = if textured { Shade::Lit } else { Shade::Gouraud };
         Ok(Self {
             parts: parts::split(&model)?,
+            framing,
+            units,
             largest_uv: model
                 .uvs
                 .iter()
                 .flatten()
                 .fold(0.0, |all, x| x.abs().max(all)),
-            points: model.positions,
-            skin: skin.unwrap_or_else(Skin::checker),
+            inputs,
+            finishes,
+            skins,
             shade: Some(args.shade.unwrap_or(shade)),
         })
     }
 
-    /// Returns the meshes.
-    ///
-    /// # Errors
-    ///
-    /// None for a model that was read without one.
-    pub fn meshes(&self) -> Result<Vec<Mesh<'_>>> {
-        if self.parts.is_empty() {
-            return Ok(match self.shade {
-                None => vec![lighthouse::SEA, lighthouse::ISLAND],
-                Some(_) => vec![lighthouse::ISLAND],
-            });
-        }
-        self.parts.iter().map(Part::mesh).collect()
-    }
-
-    /// Returns the job of drawing it, with `meshes` of its own and the camera that `args` ask for.
-    ///
-    /// # Errors
-    ///
-    /// The library refuses the camera.
-    pub fn model<'a>(&self, args: &Args, meshes: &'a [Mesh<'a>]) -> Result<Model<'a>> {
-        let rate = job::rate(args)?;
-        let about = if self.parts.is_empty() {
-            [0.0; 3]
-        } else {
-            middle(&self.points)
-        };
-        let turn = Turn {
-            about: Vec3::try_from(about)?,
-            frames: args.frames,
-            rate,
-        };
-        let turns = args.frames > 1 || rate.is_some();
-        let frame = |args: &Args| {
-            if turns {
-                Framing::new(args, &ring(&self.points, about))
-            } else {
-                Framing::new(args, &self.points)
-            }
-        };
-        let mut framing = frame(args);
-        let own = self.shade.is_none();
-        if own && args.has_camera() {
+    /// The project's own scene.
+    fn own(args: &Args, skin: Option<Skin>) -> Result<Self> {
+        let plain = args.shade.is_none()
+            && skin.is_none()
+            && !args.two_sided
+            && args.filter == Filter::Nearest;
+        let points: Vec<Point> = lighthouse::ISLAND
+            .positions()
+            .iter()
+            .map(|p| p.to_bits().map(|bits| f64::from(bits) / 65536.0))
+            .collect();
+        let solid = Solid::of(&points)?;
+        let frame = |args: &Args| frame(args, &points, &solid, [0.0; 3]);
+        let framing = if plain && has_own_camera(args) {
+            frame(&with_own_camera(args))?
+        } else if plain {
+            let framing = frame(args)?;
             // The sea begins in front of the island and continues behind it.
             let near = match args.projection {
                 Kind::Perspective => 0.25,
                 _ => framing.near - 120.0,
             };
-            framing = frame(&Args {
+            frame(&Args {
                 near: args.near.or(Some(near)),
                 far: args.far.or(Some(framing.far + 120.0)),
                 ..args.clone()
+            })?
+        } else {
+            frame(args)?
+        };
+        Ok(Self {
+            parts: Vec::new(),
+            units: Units::own(args, &framing, &solid)?,
+            framing,
+            finishes: vec![Finish::textured(0)],
+            skins: vec![skin.unwrap_or_else(|| Skin::of(&lighthouse::SKIN))],
+            inputs: args.texture.iter().cloned().collect(),
+            largest_uv: 20.0,
+            shade: args.shade.or(if plain { None } else { Some(Shade::Lit) }),
+        })
+    }
+
+    /// Returns the pieces.
+    ///
+    /// # Errors
+    ///
+    /// None for a model that was read without one.
+    pub fn pieces(&self) -> Result<Vec<Piece<'_>>> {
+        if self.parts.is_empty() {
+            let finish = Finish::textured(0);
+            let piece = |mesh| Piece { mesh, finish };
+            return Ok(match self.shade {
+                None => vec![piece(lighthouse::SEA), piece(lighthouse::ISLAND)],
+                Some(_) => vec![piece(lighthouse::ISLAND)],
             });
         }
-        let mut view = View::new(args, &framing)?;
-        if own && !args.has_camera() {
+        let finish = |part: &Part| {
+            let finish = match part.material {
+                Some(material) => self.finishes.get(material as usize),
+                None => self.finishes.last(),
+            };
+            finish.copied().unwrap_or(Finish::textured(0))
+        };
+        let mut pieces = Vec::new();
+        for part in &self.parts {
+            pieces.push(Piece {
+                mesh: part.mesh()?,
+                finish: finish(part),
+            });
+        }
+        Ok(pieces)
+    }
+
+    /// Returns the job of drawing it, with `pieces` of its own.
+    ///
+    /// # Errors
+    ///
+    /// The library refuses the camera.
+    pub fn model<'a>(&self, args: &Args, pieces: &'a [Piece<'a>]) -> Result<Model<'a>> {
+        // With several textures, the tolerance holds for each.
+        let resampled = self.least(Skin::resampled);
+        let mut view = View::new(args, &self.framing, &self.units, resampled)?;
+        if self.shade.is_none() && has_own_camera(args) {
             view.projection = Lens::Perspective(lighthouse::projection(args.size)?);
             view.camera = lighthouse::camera()?;
         }
+        // A texture that is given in squares has as many texels along both sides of a repeat.
+        let recorder = Recorder::new(self.largest_uv, self.units.exponent, args.mode);
+        let recorded = Mode::new(
+            args,
+            recorder.repeat() * self.least(|skin| 1.0 / skin.side()),
+        )?;
         Ok(Model {
-            meshes,
+            pieces,
             view,
-            turn,
+            turn: Turn {
+                axis: self.framing.up,
+                frames: args.frames,
+                rate: job::rate(args)?,
+            },
             shade: self.shade,
-            largest_uv: self.largest_uv,
+            recorded,
+            recorder,
         })
     }
-}
 
-/// Returns the points that a turning model passes: each on its circle around the axis, a step of the turn apart.
-fn ring(points: &[[f64; 3]], about: [f64; 3]) -> Vec<[f64; 3]> {
-    const STEPS: u32 = 24;
-    let turned = |p: &[f64; 3], step: u32| {
-        let (sin, cos) = (f64::from(step) / f64::from(STEPS) * std::f64::consts::TAU).sin_cos();
-        let (x, z) = (p[0] - about[0], p[2] - about[2]);
-        [
-            about[0] + x * cos + z * sin,
-            p[1],
-            about[2] + z * cos - x * sin,
-        ]
-    };
-    points
-        .iter()
-        .flat_map(|p| (0..STEPS).map(move |step| turned(p, step)))
-        .collect()
-}
-
-/// Returns the factor to scale a model by if it is too large to be seen whole from a representable place, or so small
-/// that the format's steps show. A model is scaled only if no option was given in its own units.
-fn scale(args: &Args, points: &[[f64; 3]]) -> Option<f64> {
-    if args.has_camera() {
-        return None;
+    fn least(&self, number: impl Fn(&Skin) -> f64) -> f64 {
+        self.skins.iter().map(number).fold(f64::INFINITY, f64::min)
     }
-    let middle = middle(points);
-    let reach = |from: [f64; 3]| {
-        let distance = |p: &[f64; 3]| (0..3).map(|i| (p[i] - from[i]).abs()).fold(0.0, f64::max);
-        points.iter().map(distance).fold(0.0, f64::max)
-    };
-    let (size, far) = (reach(middle), reach([0.0; 3]).max(reach(middle) * 8.0));
-    let scale = if far > 32_000.0 {
-        (32_000.0 / far).log2().floor()
-    } else if size < 0.5 && size > 0.0 {
-        (1.0 / size)
-            .log2()
-            .floor()
-            .min((32_000.0 / far).log2().floor())
-    } else {
-        0.0
-    };
-    (scale.abs() > 0.5).then(|| scale.exp2())
+}
+
+/// Frames `points`, or if they turn the space that they turn in, around the axis through `about`.
+fn frame(args: &Args, points: &[Point], solid: &Solid, about: Point) -> Result<Framing> {
+    match unit(args.up()) {
+        Some(up) if args.frames > 1 || args.window && args.rpm.is_some() => {
+            Framing::new(args, &turntable::swept(points, about, up), solid)
+        }
+        _ => Framing::new(args, points, solid),
+    }
+}
+
+/// Returns all files that belong to a model.
+fn inputs(args: &Args, model: &model::Model) -> Vec<PathBuf> {
+    let given = [&args.model, &args.texture].into_iter().flatten();
+    given.chain(&model.files).cloned().collect()
+}
+
+/// Returns the finish of each material, and in the end that of faces without one; and the textures that they need.
+///
+/// `skin` replaces all materials. A texture that cannot be read is noted.
+fn finishes(model: &mut model::Model, skin: Option<Skin>) -> (Vec<Finish>, Vec<Skin>) {
+    let count = model.materials.len();
+    if let Some(skin) = skin {
+        return (vec![Finish::textured(0); count + 1], vec![skin]);
+    }
+    if !model.is_colored() {
+        return (vec![Finish::textured(0)], vec![Skin::checker()]);
+    }
+    let (mut finishes, mut skins) = (Vec::new(), Vec::new());
+    let mut places: HashMap<(u32, [u8; 3]), Option<usize>> = HashMap::new();
+    for material in &model.materials {
+        let texture = material.texture.and_then(|image| {
+            *places.entry((image, material.color)).or_insert_with(|| {
+                match Skin::of_model(&model.images[image as usize], material.color) {
+                    Ok(skin) => {
+                        skins.push(skin);
+                        Some(skins.len() - 1)
+                    }
+                    Err(problem) => {
+                        model
+                            .notes
+                            .push(format!("{problem}: its faces have one color"));
+                        None
+                    }
+                }
+            })
+        });
+        finishes.push(texture.map_or(Finish::plain(material.color), Finish::textured));
+    }
+    finishes.push(Finish::plain([255; 3]));
+    (finishes, skins)
+}
+
+/// Returns `args` with the camera of the project's own scene, which `lighthouse` has in the library's formats.
+fn with_own_camera(args: &Args) -> Args {
+    Args {
+        eye: Some([3.4, 3.1, 8.4]),
+        look_at: Some([0.45, 1.62, 0.0]),
+        up: Some([0.0, 1.0, 0.0]),
+        fov: Some(40.0),
+        near: Some(1.0),
+        far: Some(140.0),
+        ..args.clone()
+    }
+}
+
+/// Returns whether `args` leave the project's own scene its camera: every option that is given has the value that it
+/// has anyway.
+fn has_own_camera(args: &Args) -> bool {
+    fn keeps<T: PartialEq + Copy>(given: Option<T>, own: Option<T>) -> bool {
+        given.is_none() || given == own
+    }
+    let own = with_own_camera(args);
+    args.projection == Kind::Perspective
+        && keeps(args.eye, own.eye)
+        && keeps(args.look_at, own.look_at)
+        && keeps(args.up, own.up)
+        && keeps(args.fov, own.fov)
+        && keeps(args.near, own.near)
+        && keeps(args.far, own.far)
 }

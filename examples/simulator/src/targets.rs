@@ -14,6 +14,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use super::Result;
 use crate::args::{Args, SceneName, Shade};
 use crate::dump::{self, Record};
+use crate::export::refuse_inputs;
 use crate::job::{Band, Done};
 use crate::output::{self, Format, Output};
 use crate::paint::add;
@@ -61,6 +62,15 @@ impl<'a> Targets<'a> {
             screen,
             path,
         })
+    }
+
+    /// Refuses an output that is one of the `inputs`.
+    pub fn refuse_inputs(&self, inputs: &[PathBuf]) -> Result<()> {
+        let picture = self.picture.is_some().then_some(&self.path);
+        for path in picture.into_iter().chain(&self.args.dump) {
+            refuse_inputs(path, inputs)?;
+        }
+        Ok(())
     }
 
     /// Draws all frames, writes the files and prints a report.
@@ -150,13 +160,9 @@ impl<'a> Targets<'a> {
             println!("frames {}, of which together:", args.frames);
         }
         println!("{what} {submitted} in, {drawn} drawn, {clipped} of them clipped");
-        if total.pixels == 0 {
-            println!("pixels 0 covered: the model is outside the picture");
-        } else {
-            #[allow(clippy::cast_precision_loss)] // three digits are shown
-            let each = total.time.as_nanos() as f64 / total.pixels as f64;
-            println!("pixels {} covered, {each:.2} ns per pixel", total.pixels);
-        }
+        #[allow(clippy::cast_precision_loss)] // three digits are shown
+        let each = total.time.as_nanos() as f64 / total.pixels.max(1) as f64;
+        println!("pixels {} covered, {each:.2} ns per pixel", total.pixels);
         if args.crc {
             let mut crc = crc32fast::Hasher::new();
             for &color in colors {
@@ -189,7 +195,7 @@ impl Total {
     fn add(&mut self, counts: Drawn, time: Duration, records: &[Record]) {
         self.counts = add(self.counts, counts);
         self.time += time;
-        self.pixels += records.iter().filter(|record| record.covered).count() as u64;
+        self.pixels += records.iter().filter(|record| record.is_covered()).count() as u64;
     }
 }
 

@@ -9,6 +9,7 @@ use super::Result;
 use super::mode::Mode;
 use crate::args::{Args, DepthFormat, Filter, Kind};
 use crate::framing::Framing;
+use crate::units::{self, Units};
 
 /// A projection of either kind.
 #[derive(Clone, Copy, Debug)]
@@ -31,16 +32,12 @@ pub struct View {
     pub depths: [u16; 2],
 }
 
-fn number(what: &str, value: f64) -> Result<Scalar> {
-    Ok(scalar(value).map_err(|error| format!("{what} {value}: {error}"))?)
-}
-
-fn point(what: &str, [x, y, z]: [f64; 3]) -> Result<Vec3> {
-    Ok(Vec3::try_from([x, y, z]).map_err(|error| format!("{what} {x},{y},{z}: {error}"))?)
-}
-
 /// A direction, scaled up to use all bits of the format: its length does not matter.
-fn direction(what: &str, [x, y, z]: [f64; 3]) -> Result<Vec3> {
+///
+/// # Errors
+///
+/// A coordinate is not a number.
+pub fn direction([x, y, z]: [f64; 3]) -> Result<Vec3> {
     let size = x.abs().max(y.abs()).max(z.abs());
     // A power of two, so that scaling does not round.
     let scale = if size > 0.0 && size.is_finite() {
@@ -48,59 +45,33 @@ fn direction(what: &str, [x, y, z]: [f64; 3]) -> Result<Vec3> {
     } else {
         1.0
     };
-    point(what, [x * scale, y * scale, z * scale])
+    Ok(Vec3::try_from([x * scale, y * scale, z * scale])?)
 }
 
 impl View {
-    /// Makes the view of `framing`.
+    /// Makes the view of `framing`, drawn in `units`, with a mode for textures that have so many `texels` for each one
+    /// that was given.
     ///
     /// # Errors
     ///
     /// The library refuses the camera, the projection or the light.
-    pub fn new(args: &Args, framing: &Framing) -> Result<Self> {
-        let what = |given: bool, option, chosen| if given { option } else { chosen };
-        let eye = what(
-            args.eye.is_some(),
-            "--eye",
-            "to see the whole model, the eye must be at",
-        );
-        let target = what(
-            args.look_at.is_some(),
-            "--look-at",
-            "the middle of the model is at",
-        );
+    pub fn new(args: &Args, framing: &Framing, units: &Units, texels: f64) -> Result<Self> {
+        let eye = units.point(framing.eye);
+        // As far away as possible, because only its direction counts.
+        let ahead = [0, 1, 2].map(|i| eye[i] - framing.axes[2][i] * units::MOST);
         let camera = Camera::look_at(
-            point(eye, framing.eye)?,
-            point(target, framing.target)?,
-            direction("--up", args.up())?,
-        )
-        .map_err(|mut error| {
-            // The message names the direction as it was written.
-            if let (Error::UpAlongView { up, .. }, Ok(written)) =
-                (&mut error, point("--up", args.up()))
-            {
-                *up = written;
-            }
-            error
-        })?;
-        let near = what(
-            args.near.is_some(),
-            "--near",
-            "the nearest point of the model is at",
-        );
-        let far = what(
-            args.far.is_some(),
-            "--far",
-            "the farthest point of the model is at",
-        );
-        let near = number(near, framing.near)?;
-        let far = number(far, framing.far)?;
+            Vec3::try_from(eye)?,
+            Vec3::try_from(ahead)?,
+            direction(framing.up)?,
+        )?;
+        let near = scalar(units.length(framing.near))?;
+        let far = scalar(units.length(framing.useful_far()))?;
         let projection = if args.projection == Kind::Perspective {
             let fov = Angle::try_from_degrees(framing.fov)?;
             Lens::Perspective(Projection::perspective(fov, args.size, near, far)?)
         } else {
-            let edge = |value| number("edge of the picture at", value);
-            let [l, r, b, t] = framing.window;
+            let edge = |value| scalar(units.length(value));
+            let [l, r, b, t] = framing.window();
             let window = Window {
                 left: edge(l)?,
                 right: edge(r)?,
@@ -114,7 +85,7 @@ impl View {
                 _ => Projection::orthographic(window, near, far)?,
             })
         };
-        let light = Light::new(point("light from", framing.light)?, fx!(0.3), fx!(0.7))?;
+        let light = Light::new(Vec3::try_from(framing.light())?, fx!(0.3), fx!(0.7))?;
         let cull = if args.two_sided {
             Cull::Nothing
         } else {
@@ -126,9 +97,9 @@ impl View {
             options: DrawOptions::new().with_cull(cull),
             light,
             filter: args.filter,
-            mode: Mode::new(args)?,
+            mode: Mode::new(args, texels)?,
             depth: args.depth,
-            depths: framing.depths(args.projection),
+            depths: framing.depths(),
         })
     }
 

@@ -2,8 +2,14 @@
 #![cfg(not(target_os = "none"))]
 
 mod dumps;
+mod exports;
 mod files;
+mod flags;
+mod formats;
+mod framing;
 mod looks;
+mod make;
 mod models;
+mod mutated;
 mod program;
 mod refused;

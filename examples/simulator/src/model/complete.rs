@@ -1,0 +1,209 @@
+//! Adds the normals and texture coordinates that a model lacks.
+
+use std::collections::HashMap;
+
+use super::{Corner, Model, Triangle};
+
+/// Cosine of the largest angle, 60 degrees, between faces that are shaded as one surface.
+const CREASE: f64 = 0.5;
+
+/// Up to so many faces around a point are compared one by one; more are put together by direction.
+const FEW: usize = 64;
+
+fn length(v: &[f64; 3]) -> f64 {
+    v.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+/// The direction of a normal in steps of 1/8, the same for normals within about 7 degrees.
+fn direction(normal: &[f64; 3]) -> [i8; 3] {
+    let length = length(normal);
+    normal.map(|x| {
+        #[allow(clippy::cast_possible_truncation)] // −8 to 8; 0 if there is no direction
+        let step = (x / length * 8.0).round() as i8;
+        step
+    })
+}
+
+/// For each of the faces around a point, the sum of the faces within [`CREASE`].
+///
+/// All pairs of faces are compared. Of many faces, those of about the same direction, at most a few hundred groups, count
+/// as one: so the time is linear.
+fn smooth(faces: &[[f64; 3]]) -> Vec<[f64; 3]> {
+    let mut groups: Vec<[f64; 3]> = Vec::new();
+    let mut places: HashMap<[i8; 3], usize> = HashMap::new();
+    let group_of: Vec<usize> = faces
+        .iter()
+        .map(|face| {
+            let new = groups.len();
+            let group = if faces.len() <= FEW {
+                new
+            } else {
+                *places.entry(direction(face)).or_insert(new)
+            };
+            if group == new {
+                groups.push([0.0; 3]);
+            }
+            groups[group] = [0, 1, 2].map(|i| groups[group][i] + face[i]);
+            group
+        })
+        .collect();
+    let sums: Vec<[f64; 3]> = groups
+        .iter()
+        .map(|group| {
+            groups.iter().fold([0.0; 3], |sum, other| {
+                let dot: f64 = (0..3).map(|i| other[i] * group[i]).sum();
+                if dot >= CREASE * length(other) * length(group) {
+                    [0, 1, 2].map(|i| sum[i] + other[i])
+                } else {
+                    sum
+                }
+            })
+        })
+        .collect();
+    group_of.into_iter().map(|group| sums[group]).collect()
+}
+
+impl Model {
+    /// Adds what the model lacks, and leaves one of equal edges.
+    pub(super) fn complete(&mut self) {
+        self.edges.sort_unstable();
+        self.edges.dedup();
+        self.own_uvs = self.uvs.len();
+        let has_uvs =
+            |triangle: &Triangle| triangle.corners.iter().all(|corner| corner.uv.is_some());
+        self.had_uvs = self.triangles.iter().all(has_uvs);
+        self.make_normals();
+        self.make_uvs();
+    }
+
+    /// The normal of a triangle; its length is twice the triangle's area.
+    fn area_normal(&self, triangle: &Triangle) -> [f64; 3] {
+        let [a, b, c] = triangle
+            .corners
+            .map(|corner| self.positions[corner.position as usize]);
+        let [u, v] = [b, c].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
+        [
+            u[1] * v[2] - u[2] * v[1],
+            u[2] * v[0] - u[0] * v[2],
+            u[0] * v[1] - u[1] * v[0],
+        ]
+    }
+
+    /// Computes normals for the corners that have none: the mean of the faces around the point, weighted by area.
+    /// Only faces within 60 degrees count, so that the edges of a box stay sharp.
+    fn make_normals(&mut self) {
+        let lacks = |corner: &Corner| corner.normal.is_none();
+        if !self
+            .triangles
+            .iter()
+            .any(|triangle| triangle.corners.iter().any(lacks))
+        {
+            return;
+        }
+        // Points are compared by position, not by index: models often repeat a point along a seam of their texture.
+        let mut places: HashMap<[u64; 3], usize> = HashMap::new();
+        let place_of: Vec<usize> = self
+            .positions
+            .iter()
+            .map(|position| {
+                let new = places.len();
+                *places
+                    .entry(position.map(|x| (x + 0.0).to_bits()))
+                    .or_insert(new)
+            })
+            .collect();
+        // The corners around each place, as three times the triangle plus the corner.
+        let mut around: Vec<Vec<usize>> = vec![Vec::new(); places.len()];
+        for (at, triangle) in self.triangles.iter().enumerate() {
+            for (which, corner) in triangle.corners.iter().enumerate() {
+                around[place_of[corner.position as usize]].push(3 * at + which);
+            }
+        }
+        let mut made: HashMap<[u64; 3], u32> = HashMap::new();
+        for corners in around {
+            let is_lacking = |&at: &usize| lacks(&self.triangles[at / 3].corners[at % 3]);
+            if !corners.iter().any(is_lacking) {
+                continue;
+            }
+            let faces: Vec<[f64; 3]> = corners
+                .iter()
+                .map(|at| self.area_normal(&self.triangles[at / 3]))
+                .collect();
+            for (at, sum) in corners.into_iter().zip(smooth(&faces)) {
+                let corner = &mut self.triangles[at / 3].corners[at % 3];
+                if corner.normal.is_some() {
+                    continue;
+                }
+                let size = length(&sum);
+                let normal = if size > 0.0 {
+                    sum.map(|x| x / size)
+                } else {
+                    [0.0, 0.0, 1.0]
+                };
+                corner.normal = Some(*made.entry(normal.map(f64::to_bits)).or_insert_with(|| {
+                    self.normals.push(normal);
+                    last(&self.normals)
+                }));
+            }
+        }
+    }
+
+    /// Computes texture coordinates for the triangles that have none: the model is put in a box, and each triangle
+    /// takes the coordinates on the side of the box that it faces most.
+    fn make_uvs(&mut self) {
+        let low = |axis: usize| {
+            self.positions
+                .iter()
+                .map(|p| p[axis])
+                .fold(f64::MAX, f64::min)
+        };
+        let high = |axis: usize| {
+            self.positions
+                .iter()
+                .map(|p| p[axis])
+                .fold(f64::MIN, f64::max)
+        };
+        let lows = [low(0), low(1), low(2)];
+        let highs = [high(0), high(1), high(2)];
+        let size = (0..3)
+            .map(|axis| highs[axis] - lows[axis])
+            .fold(0.0, f64::max);
+        let scale = if size > 0.0 { 1.0 / size } else { 1.0 };
+        let mut made: HashMap<(u32, usize, bool), u32> = HashMap::new();
+        for at in 0..self.triangles.len() {
+            if self.triangles[at].corners[0].uv.is_some() {
+                continue;
+            }
+            let normal = self.area_normal(&self.triangles[at]);
+            let side = (0..3)
+                .max_by(|&a, &b| normal[a].abs().total_cmp(&normal[b].abs()))
+                .unwrap_or(2);
+            let back = normal[side] < 0.0;
+            for which in 0..3 {
+                let index = self.triangles[at].corners[which].position;
+                let p = self.positions[index as usize];
+                let from_low = |axis: usize| (p[axis] - lows[axis]) * scale;
+                let from_high = |axis: usize| (highs[axis] - p[axis]) * scale;
+                let uv = match (side, back) {
+                    (0, false) => [from_high(2), from_high(1)],
+                    (0, true) => [from_low(2), from_high(1)],
+                    (1, false) => [from_low(0), from_low(2)],
+                    (1, true) => [from_low(0), from_high(2)],
+                    (_, false) => [from_low(0), from_high(1)],
+                    (_, true) => [from_high(0), from_high(1)],
+                };
+                let uv = *made.entry((index, side, back)).or_insert_with(|| {
+                    self.uvs.push(uv);
+                    last(&self.uvs)
+                });
+                self.triangles[at].corners[which].uv = Some(uv);
+            }
+        }
+    }
+}
+
+/// The index of the last element. There are at most three for each triangle of a file in memory.
+#[allow(clippy::cast_possible_truncation)]
+fn last<T>(list: &[T]) -> u32 {
+    list.len().saturating_sub(1) as u32
+}

@@ -1,0 +1,43 @@
+//! Materials, and the images that they name.
+
+use std::path::PathBuf;
+
+/// A material.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Material {
+    pub name: String,
+    /// Of the surface; with a texture, its texels are multiplied by it.
+    pub color: [u8; 3],
+    /// Index of an image of the model.
+    pub texture: Option<u32>,
+}
+
+impl Material {
+    /// A white one.
+    pub fn new(name: String) -> Self {
+        Self {
+            name,
+            color: [255; 3],
+            texture: None,
+        }
+    }
+}
+
+/// A PNG or JPEG that a model names or contains.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Image {
+    File(PathBuf),
+    /// Its name, and the file.
+    #[cfg_attr(not(feature = "gltf"), allow(dead_code))]
+    Bytes(String, Vec<u8>),
+}
+
+impl Image {
+    /// The file that it is in, unless it is in the model's own.
+    pub fn file(&self) -> Option<PathBuf> {
+        match self {
+            Self::File(path) => Some(path.clone()),
+            Self::Bytes(..) => None,
+        }
+    }
+}

@@ -1,0 +1,265 @@
+//! PLY, text and binary.
+
+use std::io::Cursor;
+
+use ply_rs_bw::parser::{ParseError, Parser, Reader};
+use ply_rs_bw::ply::{
+    ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult,
+};
+
+use super::polygon::Ears;
+use super::progress::Progress;
+use super::{Corner, Model, next};
+
+/// How many elements are read at a time, between two steps of the progress bar.
+const STEP: usize = 1 << 14;
+
+/// Reads a PLY file: its elements `vertex` and `face`.
+pub fn read(bytes: &[u8], progress: &Progress) -> Result<Model, String> {
+    let mut reader = Reader::new(Cursor::new(bytes));
+    let header = Parser::<Row>::new()
+        .read_header(&mut reader)
+        .map_err(|error| message(&error))?;
+    let mut file = File {
+        reader,
+        header,
+        bytes: bytes.len(),
+    };
+    let mut model = Model::default();
+    let mut has = Attributes::default();
+    let mut ears = Ears::default();
+    let elements: Vec<ElementDef> = file.header.elements.values().cloned().collect();
+    for element in elements {
+        let names = |name: &str| element.properties.contains_key(name);
+        match element.name.as_str() {
+            "vertex" => {
+                for axis in ["x", "y", "z"] {
+                    if !names(axis) {
+                        return Err(format!("its vertices have no property {axis}"));
+                    }
+                }
+                has = Attributes {
+                    normals: names("nx") && names("ny") && names("nz"),
+                    colors: names("red") && names("green") && names("blue"),
+                    uvs: UVS.iter().any(|[u, v]| names(u) && names(v)),
+                };
+                file.rows(&element, progress, |row| {
+                    model.positions.push(row.position);
+                    if has.normals {
+                        model.normals.push(row.normal);
+                    }
+                    if has.colors {
+                        model.colors.push(row.color);
+                    }
+                    if has.uvs {
+                        // v runs up in the file.
+                        model.uvs.push([row.uv[0], 1.0 - row.uv[1]]);
+                    }
+                    Ok(())
+                })?;
+            }
+            "face" => {
+                if !names("vertex_indices") && !names("vertex_index") {
+                    return Err("its faces have no property vertex_indices".into());
+                }
+                let count = model.positions.len();
+                let vertices = next(&model.positions)?;
+                let mut corners = Vec::new();
+                file.rows(&element, progress, |row| {
+                    if row.indices.len() < 3 {
+                        return Err(format!("a face has {} corners: it needs at least 3", row.indices.len()));
+                    }
+                    corners.clear();
+                    for &index in &row.indices {
+                        let position = u32::try_from(index)
+                            .ok()
+                            .filter(|&index| index < vertices)
+                            .ok_or_else(|| format!("vertex {index} does not exist: there are {count}, counted from 0"))?;
+                        corners.push(Corner {
+                            position,
+                            uv: has.uvs.then_some(position),
+                            normal: has.normals.then_some(position),
+                            color: has.colors.then_some(position),
+                        });
+                    }
+                    if row.uvs.len() == 2 * corners.len() {
+                        for (corner, uv) in corners.iter_mut().zip(row.uvs.chunks_exact(2)) {
+                            corner.uv = Some(next(&model.uvs)?);
+                            model.uvs.push([uv[0], 1.0 - uv[1]]);
+                        }
+                    }
+                    model.polygon(&mut ears, &corners, None);
+                    Ok(())
+                })?;
+            }
+            _ => file.rows(&element, progress, |_| Ok(()))?,
+        }
+    }
+    if model.triangles.is_empty() && !model.positions.is_empty() {
+        return Err("it is a cloud of points: only faces are drawn, and it has none".into());
+    }
+    Ok(model)
+}
+
+/// The reader's message, which may begin with a line.
+fn message(error: &ParseError) -> String {
+    let text = error.to_string();
+    text.strip_prefix("Line ")
+        .map_or(text.clone(), |rest| format!("line {rest}"))
+}
+
+/// What vertices have beside their position.
+#[derive(Clone, Copy, Default)]
+struct Attributes {
+    normals: bool,
+    colors: bool,
+    uvs: bool,
+}
+
+/// The names of texture coordinates.
+const UVS: [[&str; 2]; 3] = [["s", "t"], ["u", "v"], ["texture_u", "texture_v"]];
+
+struct File<'a> {
+    reader: Reader<Cursor<&'a [u8]>>,
+    header: Header,
+    bytes: usize,
+}
+
+impl File<'_> {
+    /// Calls `each` with every element of one kind.
+    fn rows(
+        &mut self,
+        element: &ElementDef,
+        progress: &Progress,
+        mut each: impl FnMut(Row) -> Result<(), String>,
+    ) -> Result<(), String> {
+        let parser = Parser::<Row>::new();
+        let is_text = self.header.encoding == Encoding::Ascii;
+        if element.properties.is_empty() && !is_text {
+            return Ok(());
+        }
+        let mut done = 0;
+        while done < element.count {
+            let count = STEP.min(element.count - done);
+            let part = ElementDef {
+                count,
+                ..element.clone()
+            };
+            let line = self.reader.line();
+            let rows = parser
+                .read_payload_for_element(&mut self.reader, &part, &self.header)
+                .map_err(|error| match error.kind() {
+                    std::io::ErrorKind::UnexpectedEof => format!(
+                        "byte {}: it ends within the {} elements '{}' that its header promises",
+                        self.bytes, element.count, element.name
+                    ),
+                    _ => message(&error),
+                })?;
+            for (at, row) in rows.into_iter().enumerate() {
+                each(row).map_err(|problem| {
+                    if is_text {
+                        format!("line {}: {problem}", line + at)
+                    } else {
+                        format!("element '{}' {}: {problem}", element.name, done + at)
+                    }
+                })?;
+            }
+            done += count;
+            #[allow(clippy::cast_possible_truncation)] // a position in memory
+            progress.set(
+                done.next_multiple_of(STEP),
+                self.reader.get_ref().position() as usize,
+            );
+        }
+        Ok(())
+    }
+}
+
+/// An element of any kind: the properties that matter here.
+#[derive(Default)]
+struct Row {
+    position: [f64; 3],
+    normal: [f64; 3],
+    color: [u8; 3],
+    uv: [f64; 2],
+    indices: Vec<i64>,
+    uvs: Vec<f64>,
+}
+
+/// A property as a number, and as a component of a color, which is a fraction if it is no integer.
+fn scalar(property: &Property) -> Option<(f64, u8)> {
+    let (value, most) = match *property {
+        Property::Char(x) => (x.into(), 127.0),
+        Property::UChar(x) => (x.into(), 255.0),
+        Property::Short(x) => (x.into(), 32_767.0),
+        Property::UShort(x) => (x.into(), 65_535.0),
+        Property::Int(x) => (x.into(), f64::from(i32::MAX)),
+        Property::UInt(x) => (x.into(), f64::from(u32::MAX)),
+        Property::Float(x) => (x.into(), 1.0),
+        Property::Double(x) => (x, 1.0),
+        _ => return None,
+    };
+    Some((value, super::mtl::byte(value / most)))
+}
+
+fn whole<T: Into<i64> + Copy>(list: &[T]) -> Vec<i64> {
+    list.iter().map(|&x| x.into()).collect()
+}
+
+impl PropertyAccess for Row {
+    fn new() -> Self {
+        Self::default()
+    }
+
+    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
+        let place = match name {
+            "vertex_indices" | "vertex_index" => {
+                self.indices = match &property {
+                    Property::ListChar(list) => whole(list),
+                    Property::ListUChar(list) => whole(list),
+                    Property::ListShort(list) => whole(list),
+                    Property::ListUShort(list) => whole(list),
+                    Property::ListInt(list) => whole(list),
+                    Property::ListUInt(list) => whole(list),
+                    _ => return PropertyAccessResult::UnsupportedType,
+                };
+                return PropertyAccessResult::Set;
+            }
+            "texcoord" => {
+                match property {
+                    Property::ListFloat(list) => {
+                        self.uvs = list.into_iter().map(f64::from).collect();
+                    }
+                    Property::ListDouble(list) => self.uvs = list,
+                    _ => return PropertyAccessResult::Ignored,
+                }
+                return PropertyAccessResult::Set;
+            }
+            "red" | "green" | "blue" => {
+                let at = ["red", "green", "blue"]
+                    .iter()
+                    .position(|&color| color == name);
+                if let (Some((_, byte)), Some(at)) = (scalar(&property), at) {
+                    self.color[at] = byte;
+                }
+                return PropertyAccessResult::Set;
+            }
+            "x" => &mut self.position[0],
+            "y" => &mut self.position[1],
+            "z" => &mut self.position[2],
+            "nx" => &mut self.normal[0],
+            "ny" => &mut self.normal[1],
+            "nz" => &mut self.normal[2],
+            "s" | "u" | "texture_u" => &mut self.uv[0],
+            "t" | "v" | "texture_v" => &mut self.uv[1],
+            _ => return PropertyAccessResult::Ignored,
+        };
+        match scalar(&property) {
+            Some((value, _)) => {
+                *place = value;
+                PropertyAccessResult::Set
+            }
+            None => PropertyAccessResult::UnsupportedType,
+        }
+    }
+}

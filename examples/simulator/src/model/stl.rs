@@ -1,0 +1,221 @@
+//! STL, text and binary.
+
+use std::cell::Cell;
+use std::collections::HashMap;
+use std::io::{Cursor, Read, Result as IoResult, Seek, SeekFrom};
+
+use super::polygon::Ears;
+use super::progress::Progress;
+use super::sniff::{STL, is_binary_stl};
+use super::{Corner, Model, is_usable, next, unusable};
+
+/// Reads an STL file. Its normals are ignored, because they are those of the triangles, or zero.
+pub fn read(bytes: &[u8], progress: &Progress) -> Result<Model, String> {
+    let mut model = Builder::default();
+    let begins = bytes.trim_ascii_start().get(..5);
+    let is_text = begins.is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
+        && !bytes.iter().take(1024).any(|&byte| byte == 0);
+    // The header of a binary file may begin with that word too.
+    if is_text && !is_binary_stl(bytes) {
+        text(&mut model, bytes, progress)?;
+    } else {
+        binary(&mut model, bytes, progress)?;
+    }
+    Ok(model.model)
+}
+
+fn binary(model: &mut Builder, bytes: &[u8], progress: &Progress) -> Result<(), String> {
+    let [header, each] = STL;
+    let Some(count) = bytes.get(..header).and_then(<[u8]>::last_chunk::<4>) else {
+        return Err(format!(
+            "it is neither text that begins with 'solid' nor binary: a header takes {header} bytes, and it has {}",
+            bytes.len()
+        ));
+    };
+    if bytes[..header]
+        .iter()
+        .all(|byte| byte.is_ascii_graphic() || byte.is_ascii_whitespace())
+    {
+        return Err("it is text, and does not begin with 'solid'".into());
+    }
+    let count = u32::from_le_bytes(*count);
+    let room = (bytes.len() - header) / each;
+    if (room as u64) < u64::from(count) {
+        return Err(format!(
+            "byte {}: it ends within triangle {} of {count}",
+            bytes.len(),
+            room + 1
+        ));
+    }
+    let mut file = Cursor::new(bytes);
+    // The probe for text would take a header that begins with "solid" for text.
+    let mut unmarked = Unmarked(&mut file);
+    let triangles = stl_io::create_stl_reader(&mut unmarked).map_err(|error| error.to_string())?;
+    for (at, triangle) in triangles.enumerate() {
+        let place = header + at * each;
+        let triangle = triangle.map_err(|error| format!("byte {place}: {error}"))?;
+        model
+            .triangle(&triangle)
+            .map_err(|problem| format!("byte {place}: {problem}"))?;
+        progress.set(at, place);
+    }
+    Ok(())
+}
+
+/// A binary file with zeros in place of its first five bytes.
+struct Unmarked<'a, 'b>(&'a mut Cursor<&'b [u8]>);
+
+impl Read for Unmarked<'_, '_> {
+    fn read(&mut self, out: &mut [u8]) -> IoResult<usize> {
+        let from = self.0.position();
+        let count = self.0.read(out)?;
+        for (at, byte) in (from..5).zip(&mut out[..count]) {
+            debug_assert!(at < 5);
+            *byte = 0;
+        }
+        Ok(count)
+    }
+}
+
+impl Seek for Unmarked<'_, '_> {
+    fn seek(&mut self, to: SeekFrom) -> IoResult<u64> {
+        self.0.seek(to)
+    }
+}
+
+fn text(model: &mut Builder, bytes: &[u8], progress: &Progress) -> Result<(), String> {
+    // The reader knows lower case only, and UTF-8.
+    let text = String::from_utf8_lossy(bytes)
+        .to_ascii_lowercase()
+        .replace('\r', "\n");
+    let place = Place::default();
+    let mut solid = 0;
+    while let Some(start) = next_solid(text.as_bytes(), &place)? {
+        // A file may have several solids, and a name may be missing, which the reader does not know.
+        let mut lines = Lines {
+            text: text.as_bytes(),
+            place: &place,
+            from: start,
+            first: true,
+        };
+        let at_line = |problem: String| format!("line {}: {problem}", place.line.get());
+        let triangles =
+            stl_io::create_stl_reader(&mut lines).map_err(|error| at_line(error.to_string()))?;
+        for (at, triangle) in triangles.enumerate() {
+            let triangle = triangle.map_err(|error| at_line(error.to_string()))?;
+            model.triangle(&triangle).map_err(at_line)?;
+            progress.set(at, place.byte.get());
+        }
+        solid += 1;
+    }
+    debug_assert!(solid > 0);
+    Ok(())
+}
+
+/// Where a reader is in the text.
+#[derive(Clone, Default)]
+struct Place {
+    byte: Cell<usize>,
+    line: Cell<usize>,
+}
+
+impl Place {
+    /// Takes the next line, with its end.
+    fn line<'a>(&self, text: &'a [u8]) -> Option<&'a [u8]> {
+        let rest = &text[self.byte.get()..];
+        if rest.is_empty() {
+            return None;
+        }
+        let end = rest.iter().position(|&byte| byte == b'\n');
+        let line = &rest[..end.map_or(rest.len(), |end| end + 1)];
+        self.byte.set(self.byte.get() + line.len());
+        self.line.set(self.line.get() + 1);
+        Some(line)
+    }
+}
+
+/// Moves past the line that begins the next solid, and returns where that is; `None` at the end of the text.
+fn next_solid(text: &[u8], place: &Place) -> Result<Option<Place>, String> {
+    while let Some(line) = place.line(text) {
+        let line = line.trim_ascii();
+        if line.starts_with(b"solid") {
+            return Ok(Some(place.clone()));
+        }
+        if !line.is_empty() {
+            let line = super::text::quote(line);
+            return Err(format!(
+                "line {}: expected 'solid', and found {line}",
+                place.line.get()
+            ));
+        }
+    }
+    Ok(None)
+}
+
+/// The lines of a text from the one after `from` on, behind a line "solid ". It gives no more than a line at a time,
+/// so `place` is where the reader is.
+struct Lines<'a> {
+    text: &'a [u8],
+    place: &'a Place,
+    from: Place,
+    first: bool,
+}
+
+impl Read for Lines<'_> {
+    fn read(&mut self, out: &mut [u8]) -> IoResult<usize> {
+        let line = if self.first {
+            self.first = false;
+            b"solid \n"
+        } else {
+            self.place.line(self.text).unwrap_or_default()
+        };
+        let count = line.len().min(out.len());
+        out[..count].copy_from_slice(&line[..count]);
+        if count < line.len() {
+            // The rest comes next.
+            self.place
+                .byte
+                .set(self.place.byte.get() - (line.len() - count));
+            self.place.line.set(self.place.line.get() - 1);
+        }
+        Ok(count)
+    }
+}
+
+impl Seek for Lines<'_> {
+    /// Goes back to the start, which is all that the reader asks for.
+    fn seek(&mut self, _: SeekFrom) -> IoResult<u64> {
+        self.place.byte.set(self.from.byte.get());
+        self.place.line.set(self.from.line.get());
+        self.first = true;
+        Ok(0)
+    }
+}
+
+/// A model made of triangles that do not know their neighbors.
+#[derive(Default)]
+struct Builder {
+    model: Model,
+    ears: Ears,
+    places: HashMap<[u32; 3], u32>,
+}
+
+impl Builder {
+    fn triangle(&mut self, triangle: &stl_io::Triangle) -> Result<(), String> {
+        let mut corners = [Corner::default(); 3];
+        for (corner, vertex) in corners.iter_mut().zip(&triangle.vertices) {
+            // −0 and 0 are the same place.
+            let position = [0, 1, 2].map(|axis| vertex.0[axis] + 0.0);
+            if let Some(x) = position.iter().find(|x| !is_usable(f64::from(**x))) {
+                return Err(unusable(x));
+            }
+            let new = next(&self.model.positions)?;
+            corner.position = *self.places.entry(position.map(f32::to_bits)).or_insert(new);
+            if corner.position == new {
+                self.model.positions.push(position.map(f64::from));
+            }
+        }
+        self.model.polygon(&mut self.ears, &corners, None);
+        Ok(())
+    }
+}

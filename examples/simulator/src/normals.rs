@@ -1,0 +1,44 @@
+//! Normals of models whose triangles are wound the wrong way round.
+
+use std::collections::HashMap;
+
+use crate::framing::{cross, dot, sub};
+use crate::model::{Corner, Model};
+
+impl Model {
+    /// Turns the normals of each triangle whose three normals point to its back. The front is where its corners run
+    /// counter-clockwise.
+    ///
+    /// Light on both sides takes a face's front from its corners, and would light such a triangle from the wrong side.
+    pub fn turn_normals(&mut self) {
+        let Self {
+            positions,
+            normals,
+            triangles,
+            ..
+        } = self;
+        let mut turned = HashMap::new();
+        for triangle in triangles {
+            let corners = &mut triangle.corners;
+            let [a, b, c] = corners.map(|corner| positions[corner.position as usize]);
+            let front = cross(sub(b, a), sub(c, a));
+            let is_behind = |corner: &Corner| {
+                corner
+                    .normal
+                    .is_some_and(|at| dot(normals[at as usize], front) < 0.0)
+            };
+            if !corners.iter().all(is_behind) {
+                continue;
+            }
+            for normal in corners
+                .iter_mut()
+                .filter_map(|corner| corner.normal.as_mut())
+            {
+                *normal = *turned.entry(*normal).or_insert_with(|| {
+                    normals.push(normals[*normal as usize].map(|x| -x));
+                    u32::try_from(normals.len() - 1).unwrap_or(*normal)
+                });
+            }
+        }
+    }
+}

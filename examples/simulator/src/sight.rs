@@ -1,0 +1,86 @@
+//! What a picture will show, found out before it is drawn.
+
+use fixel::Cull;
+
+use super::Result;
+use crate::args::{Args, Shade};
+use crate::dump::Record;
+use crate::job::{Band, Model};
+
+/// Largest side of the pictures that are searched for backs.
+const SMALL: u32 = 256;
+/// Largest side that a picture in one piece can have.
+const LARGE: u32 = 2048;
+
+/// Returns a hint if most of the faces in view show their backs, which are not drawn.
+///
+/// # Errors
+///
+/// Nothing is visible in any frame. The message says why, and what to do.
+pub fn check(model: &Model<'_>, args: &Args) -> Result<Option<&'static str>> {
+    let is_wire = model.shade == Some(Shade::Wire);
+    let cull = model.view.options.cull();
+    let size = within(args.size, LARGE);
+    let any = |cull, edges| -> Result<bool> {
+        for frame in 0..args.frames {
+            let records = model.look(size, frame, cull, edges)?;
+            if records.iter().any(Record::is_covered) {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    };
+    if !any(cull, is_wire)? {
+        let why = if any(Cull::Nothing, is_wire)? {
+            "all faces in view point away: try --two-sided"
+        } else if any(Cull::Nothing, true)? {
+            "the faces in view cover no pixel: try --shade wire"
+        } else {
+            "the model is outside the picture or smaller than a pixel"
+        };
+        return Err(format!("nothing is visible: {why}").into());
+    }
+    if is_wire || model.shade.is_none() || cull == Cull::Nothing {
+        return Ok(None);
+    }
+    let size = within(size, SMALL);
+    let front = model.look(size, 0, cull, false)?;
+    let both = model.look(size, 0, Cull::Nothing, false)?;
+    let seen = both.iter().filter(|record| record.is_covered()).count();
+    let away = (both.iter().zip(&front)).filter(|(both, front)| both.hides(front));
+    let mostly = 2 * away.count() > seen;
+    Ok(mostly.then_some("most faces in view point away: try --two-sided"))
+}
+
+/// Returns the size of a picture of the same shape, with sides of at most `most` pixels.
+fn within((width, height): (u32, u32), most: u32) -> (u32, u32) {
+    let largest = u64::from(width.max(height));
+    let side = |side: u32| {
+        let less = u64::from(side) * u64::from(most) / largest.max(1);
+        u32::try_from(less).unwrap_or(most).max(1)
+    };
+    if largest > u64::from(most) {
+        (side(width), side(height))
+    } else {
+        (width, height)
+    }
+}
+
+impl Model<'_> {
+    /// Records a whole frame, of faces or of edges.
+    fn look(&self, size: (u32, u32), frame: u32, cull: Cull, edges: bool) -> Result<Vec<Record>> {
+        let pixels = size.0 as usize * size.1 as usize;
+        let mut records = vec![Record::default(); pixels];
+        let mut depth = vec![0; pixels];
+        let mut view = self.view;
+        view.options = view.options.with_cull(cull);
+        let band = Band {
+            pixels: &mut records,
+            depth: &mut depth,
+            size,
+            first_row: 0,
+        };
+        self.record_in(&view, band, frame, edges)?;
+        Ok(records)
+    }
+}

@@ -1,0 +1,49 @@
+//! The space that a model takes while it turns.
+
+use crate::framing::{Point, along, basis, dot, sub};
+
+/// Sides of the polygon around each circle.
+const SIDES: u32 = 72;
+
+/// Returns points whose convex hull contains every pose of `points` that turn around the axis through `about` in the
+/// direction `up`, of length one.
+///
+/// Around the axis, only radius and height matter, and only the points on the convex outline of these. Each of them
+/// becomes a polygon around its circle, which it exceeds by a thousandth.
+pub fn swept(points: &[Point], about: Point, up: Point) -> Vec<Point> {
+    let Some([right, back, _]) = [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]
+        .into_iter()
+        .find_map(|aside| basis(up, aside))
+    else {
+        return points.to_vec();
+    };
+    let mut profile: Vec<[f64; 2]> = points
+        .iter()
+        .map(|&p| {
+            let p = sub(p, about);
+            [dot(p, up), dot(p, right).hypot(dot(p, back))]
+        })
+        .collect();
+    profile.sort_by(|a, b| a[0].total_cmp(&b[0]).then(b[1].total_cmp(&a[1])));
+    let mut outline: Vec<[f64; 2]> = Vec::new();
+    for p in profile {
+        while let [.., a, b] = outline[..] {
+            // Drop b if it lies on or below the line from a to p.
+            if (b[1] - a[1]) * (p[0] - a[0]) > (p[1] - a[1]) * (b[0] - a[0]) {
+                break;
+            }
+            outline.pop();
+        }
+        outline.push(p);
+    }
+    let step = std::f64::consts::TAU / f64::from(SIDES);
+    let corners = |&[height, radius]: &[f64; 2]| {
+        let radius = radius / (step / 2.0).cos();
+        (0..SIDES).map(move |side| {
+            let (sin, cos) = (f64::from(side) * step).sin_cos();
+            let aside = along(along(about, right, cos * radius), back, sin * radius);
+            along(aside, up, height)
+        })
+    };
+    outline.iter().flat_map(corners).collect()
+}

@@ -1,0 +1,573 @@
+//! The camera that the program chooses and prints: all of the model, at any angle, shape, scale and turn.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+
+use super::program::{TRIANGLE, directory, good, printed, refused, run};
+
+type Point = [f64; 3];
+
+/// A closed box without symmetry.
+const CORNERS: [Point; 8] = [
+    [-1.0, -0.5, -1.5],
+    [1.0, -0.5, -1.5],
+    [1.0, 1.5, -1.5],
+    [-1.0, 1.0, -1.5],
+    [-1.0, -0.5, 1.0],
+    [1.0, -0.5, 1.0],
+    [1.0, 1.0, 2.0],
+    [-1.0, 1.0, 1.0],
+];
+const FACES: &str = "f 5 6 7 8\nf 2 1 4 3\nf 6 2 3 7\nf 1 5 8 4\nf 8 7 3 4\nf 1 2 6 5\n";
+
+/// Writes the box with its corners where `place` puts them.
+fn write_box(file: &Path, place: impl Fn(Point) -> Point) {
+    let mut text = String::new();
+    for [x, y, z] in CORNERS.map(place) {
+        writeln!(text, "v {x} {y} {z}").unwrap();
+    }
+    fs::write(file, text + FACES).unwrap();
+}
+
+/// Returns the options of the camera that the program printed.
+fn camera(said: &str) -> &str {
+    let line = said.lines().find_map(|line| line.strip_prefix("camera "));
+    line.unwrap_or_else(|| panic!("no camera in: {said}"))
+}
+
+/// Returns the numbers after an option of the camera.
+fn option(camera: &str, name: &str) -> Vec<f64> {
+    let numbers = printed(camera, name).split(',');
+    numbers.map(|number| number.parse().unwrap()).collect()
+}
+
+fn point(camera: &str, name: &str) -> Point {
+    option(camera, name).try_into().unwrap()
+}
+
+fn sub(a: Point, b: Point) -> Point {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+fn dot(a: Point, b: Point) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: Point, b: Point) -> Point {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+fn unit(a: Point) -> Point {
+    a.map(|x| x / dot(a, a).sqrt())
+}
+
+/// Projects the box's corners with a printed camera. Returns left, right, bottom and top of its picture, in parts of
+/// the half picture from its middle, and the distances of the nearest and the farthest corner.
+fn outline(camera: &str, size: [u32; 2], place: impl Fn(Point) -> Point) -> [[f64; 2]; 3] {
+    let eye = point(camera, "--eye");
+    let line = sub(eye, point(camera, "--look-at"));
+    let back = unit(line);
+    let right = unit(cross(point(camera, "--up"), back));
+    let up = cross(back, right);
+    let half = (option(camera, "--fov")[0].to_radians() / 2.0).tan();
+    let aspect = f64::from(size[0]) / f64::from(size[1]);
+    // Parallel lines of sight: as large at any distance as at the target's, and moved by the distance from there.
+    let parallel = camera
+        .split_once("--projection ")
+        .map(|(_, kind)| match kind {
+            "orthographic" => 0.0,
+            "cabinet" => 0.5 * 0.5_f64.sqrt(),
+            _ => 0.5_f64.sqrt(),
+        });
+    let mut range = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
+    for corner in CORNERS.map(place) {
+        let from_eye = sub(corner, eye);
+        let distance = -dot(from_eye, back);
+        let (depth, shift) = match parallel {
+            Some(ratio) => (dot(line, back), ratio * (distance - dot(line, back))),
+            None => (distance, 0.0),
+        };
+        let across = (dot(from_eye, right) + shift) / (depth * half * aspect);
+        let rise = (dot(from_eye, up) + shift) / (depth * half);
+        for (range, value) in range.iter_mut().zip([across, rise, distance]) {
+            *range = [range[0].min(value), range[1].max(value)];
+        }
+    }
+    range
+}
+
+#[test]
+fn every_angle_and_shape_shows_the_whole_model_as_large_as_possible() {
+    let directory = directory("framing");
+    write_box(&directory.join("box.obj"), |p| p);
+    let shapes = [
+        [320, 240],
+        [2, 40],
+        [40, 2],
+        [64, 64],
+        [2000, 30],
+        [30, 2000],
+    ];
+    let angles = [1.0, 5.0, 40.0, 60.0, 80.0, 100.0, 140.0, 170.0, 179.0];
+    let views = angles.map(|fov| (fov, [320, 240])).into_iter();
+    for (fov, size) in views.chain(shapes.map(|size| (60.0, size))) {
+        let [width, height] = size;
+        let view = format!("--fov {fov} --size {width}x{height}");
+        let said = good(&directory, &format!("box.obj {view}"));
+        let camera = camera(&said);
+        let [across, rise, [nearest, farthest]] = outline(camera, size, |p| p);
+        let reach = |[low, high]: [f64; 2]| high.max(-low);
+        // 94 % of the picture. The printed camera is rounded to 1e-5 of the model, which moves the corners of a model
+        // next to the eye more.
+        assert!(
+            reach(across) < 0.945 && reach(rise) < 0.945,
+            "{view}: {said}"
+        );
+        assert!(option(camera, "--near")[0] < nearest, "{view}: {said}");
+        assert!(option(camera, "--far")[0] > farthest, "{view}: {said}");
+        // The model is in the middle both ways, and either fills the picture one way or is next to the eye.
+        assert!((across[0] + across[1]).abs() < 2e-3, "{view}: {across:?}");
+        assert!((rise[0] + rise[1]).abs() < 2e-3, "{view}: {rise:?}");
+        let fills = reach(across).max(reach(rise)) > 0.938;
+        assert!(
+            fills || farthest / nearest > 95.0,
+            "{view}: {across:?} {rise:?}"
+        );
+        assert!(fills || fov >= 80.0, "{view}: {across:?} {rise:?}");
+    }
+}
+
+#[test]
+fn an_eye_or_a_target_that_is_given_shows_the_whole_model_too() {
+    let directory = directory("given");
+    write_box(&directory.join("box.obj"), |p| p);
+    let size = [320, 240];
+    for view in [
+        "--eye 3,2,5",
+        "--eye 0,0,2.5",
+        "--eye 0,40,10",
+        "--eye 900,20,30",
+        "--eye 4,0,0 --look-at 0,1,1",
+        "--look-at 1,1,2",
+        "--look-at 0,0,20",
+        "--look-at 2,2,2 --fov 50",
+    ] {
+        let said = good(&directory, &format!("box.obj {view}"));
+        let [across, rise, [nearest, _]] = outline(camera(&said), size, |p| p);
+        let most = [across, rise]
+            .as_flattened()
+            .iter()
+            .fold(0.0, |most, x| x.abs().max(most));
+        assert!(
+            (0.938..0.945).contains(&most),
+            "{view}: {across:?} {rise:?}"
+        );
+        assert!(option(&said, "--near")[0] < nearest, "{view}: {said}");
+        if !view.contains("--look-at") {
+            let off = (across[0] + across[1]).abs().max((rise[0] + rise[1]).abs());
+            assert!(off < 2e-3, "{view}: {across:?} {rise:?}");
+        }
+    }
+}
+
+#[test]
+fn parallel_pictures_show_the_whole_model_as_large_as_possible() {
+    let directory = directory("parallel");
+    write_box(&directory.join("box.obj"), |p| p);
+    for kind in ["orthographic", "cabinet", "cavalier"] {
+        for view in [
+            "",
+            "--fov 1",
+            "--fov 170",
+            "--look-at 2,2,2",
+            "--look-at 0,9,0 --fov 90",
+            "--eye 3,2,5",
+        ] {
+            for size in [[320, 240], [3, 90], [90, 3]] {
+                let [width, height] = size;
+                let view = format!("{view} --projection {kind} --size {width}x{height}");
+                let said = run(&directory, &format!("box.obj {view} --shade wire"));
+                let said = String::from_utf8(said.stdout).unwrap();
+                let [across, rise, [nearest, farthest]] = outline(camera(&said), size, |p| p);
+                let sides = [across, rise];
+                let most = sides
+                    .as_flattened()
+                    .iter()
+                    .fold(0.0, |most, x| x.abs().max(most));
+                assert!(
+                    (0.9399..0.9401).contains(&most),
+                    "{view}: {across:?} {rise:?}"
+                );
+                assert!(option(&said, "--near")[0] < nearest, "{view}: {said}");
+                assert!(option(&said, "--far")[0] > farthest, "{view}: {said}");
+                if !view.contains("--look-at") && !view.contains("--eye") {
+                    let off = (across[0] + across[1]).abs().max((rise[0] + rise[1]).abs());
+                    assert!(off < 1e-3, "{view}: {across:?} {rise:?}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn points_in_a_line_are_seen_from_nearby() {
+    let directory = directory("line");
+    // In no direction, along an axis, and along the default line of sight.
+    for (name, step) in [
+        ("a", [1.0, 1.0, 1.0]),
+        ("b", [0.0, 2.0, 0.0]),
+        ("c", [0.55, 0.6, 1.0]),
+    ] {
+        let mut text = String::new();
+        for k in 0..3 {
+            let [x, y, z] = step.map(|x| x * f64::from(k));
+            writeln!(text, "v {x} {y} {z}").unwrap();
+        }
+        let file = format!("{name}.obj");
+        fs::write(directory.join(&file), text + "f 1 2 3\n").unwrap();
+        let said = run(&directory, &format!("{file} --shade wire"));
+        let said = String::from_utf8(said.stdout).unwrap();
+        // Of a line away from the eye nothing is seen but a point.
+        if name != "c" {
+            let eye = point(camera(&said), "--eye");
+            assert!(eye.iter().all(|x| x.abs() < 10.0), "{name}: {said}");
+        }
+    }
+}
+
+#[test]
+fn a_model_of_any_size_is_drawn_alike_and_reported_in_its_own_units() {
+    let directory = directory("sizes");
+    let draw = |exponent: i32, view: &str| {
+        let scale = f64::from(exponent).exp2();
+        write_box(&directory.join("box.obj"), |p| {
+            p.map(|x| (x + 0.25) * scale)
+        });
+        let words = view.split(' ').map(|word| match word.strip_prefix('*') {
+            Some(numbers) => {
+                let numbers = numbers.split(',');
+                let scaled = numbers.map(|x| (x.parse::<f64>().unwrap() * scale).to_string());
+                scaled.collect::<Vec<_>>().join(",")
+            }
+            None => word.into(),
+        });
+        let view = words.collect::<Vec<_>>().join(" ");
+        let said = good(&directory, &format!("box.obj {view} --crc --dump d.csv"));
+        let dump = fs::read_to_string(directory.join("d.csv")).unwrap();
+        // The distances, in units of `scale`.
+        let distances = dump.lines().skip(1).map(|row| {
+            let cell = row.split(',').nth(4).unwrap();
+            cell.parse::<f64>().unwrap() / scale
+        });
+        (
+            printed(&said, "crc").to_string(),
+            distances.collect::<Vec<_>>(),
+        )
+    };
+    for view in [
+        "--eye *3,2,5 --look-at *0,0,0 --near *0.5 --far *20",
+        "--eye *3,2,5 --look-at *0,0,0 --near *0.5 --far *20 --fov 70 --up 0,1,0 --projection perspective",
+        "--eye *3,2,5 --look-at *0,0,0 --near *0.5 --far *20 --projection cabinet",
+    ] {
+        let (crc, distances) = draw(0, view);
+        assert!(distances.len() > 5000, "{view}: {}", distances.len());
+        for exponent in [-60, -20, 12, 20, 60] {
+            let (scaled_crc, scaled) = draw(exponent, view);
+            assert_eq!(scaled_crc, crc, "2^{exponent} {view}");
+            assert_eq!(scaled, distances, "2^{exponent} {view}");
+        }
+    }
+    // The chosen camera, with digits as many as the model needs; also if an option restates a default.
+    for scale in [1e-6, 3000.0, 1e6] {
+        write_box(&directory.join("box.obj"), |p| p.map(|x| x * scale));
+        let said = good(&directory, "box.obj --crc");
+        let again = good(
+            &directory,
+            "box.obj --crc --up 0,1,0 --projection perspective --fov 40",
+        );
+        assert_eq!(printed(&said, "crc"), printed(&again, "crc"), "{scale}");
+        let [across, ..] = outline(camera(&said), [320, 240], |p| p.map(|x| x * scale));
+        assert!(across[1] > 0.7 && across[1] < 0.945, "{scale}: {across:?}");
+    }
+    // Far from the origin, in steps of 1/16 of what single precision still holds.
+    write_box(&directory.join("box.obj"), |p| {
+        [p[0] + 1e5, p[1] - 1e5, p[2]]
+    });
+    let said = good(&directory, "box.obj --crc");
+    let shifted = printed(&said, "crc").to_string();
+    write_box(&directory.join("box.obj"), |p| p);
+    let said = good(&directory, "box.obj --crc");
+    assert_eq!(printed(&said, "crc"), shifted);
+}
+
+#[test]
+fn the_printed_camera_makes_the_same_picture() {
+    let directory = directory("printed");
+    for (name, scale) in [("one", 1.0), ("small", 1e-6), ("large", 777_777.0)] {
+        let offset = scale * 31.0;
+        let file = directory.join(format!("{name}.obj"));
+        write_box(&file, |p| p.map(|x| x * scale + offset));
+    }
+    let views = [
+        "",
+        "one.obj",
+        "small.obj",
+        "large.obj",
+        "one.obj --fov 100",
+        "one.obj --size 90x20 --up 0,0,1",
+        "one.obj --look-at 31,31,31",
+        "one.obj --eye 34,35,36",
+        "one.obj --eye 31.1,31,31 --two-sided",
+        "one.obj --frames 3",
+        "one.obj --shade depth --depth float",
+        "one.obj --projection orthographic",
+        "large.obj --projection orthographic --fov 3",
+        "small.obj --projection cabinet",
+        "one.obj --projection cavalier --look-at 31,32,31",
+        "one.obj --projection cabinet --eye 30,40,50",
+    ];
+    for view in views {
+        let said = good(&directory, &format!("{view} --crc"));
+        // What was given is given again: an option may stand there only once.
+        let given: Vec<&str> = view.split_whitespace().collect();
+        let camera_options = ["--eye", "--look-at", "--up", "--fov", "--projection"];
+        let mut kept = String::new();
+        let mut words = given.into_iter();
+        while let Some(word) = words.next() {
+            if camera_options.contains(&word) {
+                words.next();
+            } else {
+                write!(kept, "{word} ").unwrap();
+            }
+        }
+        let again = good(&directory, &format!("{kept} {} --crc", camera(&said)));
+        assert_eq!(camera(&said), camera(&again), "{view}");
+        assert_eq!(printed(&said, "crc"), printed(&again, "crc"), "{view}");
+        assert_eq!(
+            printed(&said, "pixels"),
+            printed(&again, "pixels"),
+            "{view}"
+        );
+    }
+}
+
+#[test]
+fn the_projects_own_scene_keeps_its_camera_if_an_option_restates_it() {
+    let directory = directory("restated");
+    let crc = |options: &str| {
+        let said = good(&directory, &format!("--crc {options}"));
+        printed(&said, "crc").to_string()
+    };
+    let said = good(&directory, "");
+    let own = "--eye 3.4,3.1,8.4 --look-at 0.45,1.62,0 --up 0,1,0 --fov 40 --near 1 --far 140";
+    assert_eq!(camera(&said), own);
+    let plain = crc("");
+    assert_eq!(plain, crc("--up 0,1,0 --projection perspective --fov 40"));
+    assert_ne!(plain, crc("--fov 30"));
+}
+
+#[test]
+fn the_direction_that_is_up_turns_view_turntable_and_cabinet() {
+    let directory = directory("up");
+    write_box(&directory.join("y.obj"), |p| p);
+    write_box(&directory.join("z.obj"), |[x, y, z]| [x, -z, y]);
+    write_box(&directory.join("down.obj"), |[x, y, z]| [-x, -y, z]);
+    write_box(&directory.join("x.obj"), |[x, y, z]| [y, -x, z]);
+    for view in [
+        "",
+        "--projection cabinet",
+        "--projection cavalier",
+        "--projection orthographic --shade flat",
+        "--frames 2",
+        "--frames 7",
+        "--frames 7 --projection cabinet",
+    ] {
+        let crc = |model: &str| {
+            let said = good(&directory, &format!("{model} {view} --size 120x90 --crc"));
+            [
+                printed(&said, "crc").to_string(),
+                printed(&said, "pixels").to_string(),
+            ]
+        };
+        let upright = crc("y.obj");
+        assert_eq!(upright, crc("z.obj --up 0,0,1"), "{view}");
+        assert_eq!(upright, crc("z.obj --up 0,0,900"), "{view}");
+        assert_eq!(upright, crc("down.obj --up 0,-0.001,0"), "{view}");
+        assert_eq!(upright, crc("x.obj --up 1,0,0"), "{view}");
+    }
+}
+
+#[test]
+fn a_turning_model_stays_in_the_picture() {
+    let directory = directory("turning");
+    write_box(&directory.join("box.obj"), |p| p);
+    // The last frame of each run.
+    let said = good(&directory, "box.obj --frames 12 --size 120x90");
+    let options = camera(&said);
+    let all = good(
+        &directory,
+        &format!("box.obj --frames 12 {options} --size 120x90"),
+    );
+    // The same camera with a wider picture: if nothing is cut off, no more pixels appear.
+    let half = (option(options, "--fov")[0].to_radians() / 2.0).tan() * 2.0;
+    let wider = options.replace(
+        &format!("--fov {}", option(options, "--fov")[0]),
+        &format!("--fov {}", (half.atan() * 2.0).to_degrees()),
+    );
+    let wide = good(
+        &directory,
+        &format!("box.obj --frames 12 {wider} --size 240x180"),
+    );
+    let pixels = |said: &str| printed(said, "pixels").parse::<f64>().unwrap();
+    let ratio = pixels(&all) / pixels(&wide);
+    assert!((ratio - 1.0).abs() < 1e-3, "{ratio}");
+}
+
+#[test]
+fn two_sided_light_leaves_the_fronts_as_they_are() {
+    let directory = directory("two-sided");
+    // Seen from +z with y up, the light is at (-0.6, 0.9, 1): this sheet shows its front and is turned away from it.
+    let sheet = "v 0 0 0\nv 1 0 -1.2\nv 0 1 1.8\n";
+    fs::write(directory.join("front.obj"), format!("{sheet}f 1 2 3\n")).unwrap();
+    fs::write(directory.join("back.obj"), format!("{sheet}f 3 2 1\n")).unwrap();
+    write_box(&directory.join("box.obj"), |p| p);
+    let view = "--eye 0.5,0.5,5 --look-at 0.5,0.5,0 --shade flat --color rgb888";
+    let crc = |arguments: &str| {
+        printed(&good(&directory, &format!("{arguments} --crc")), "crc").to_string()
+    };
+    let front = crc(&format!("front.obj {view}"));
+    assert_eq!(front, crc(&format!("front.obj {view} --two-sided")));
+    assert_eq!(front, crc(&format!("back.obj {view} --two-sided")));
+    let brightest = |file: &str| {
+        let picture = image::open(directory.join(file)).unwrap().into_rgb8();
+        let background = picture.get_pixel(0, 0).0;
+        let pixels = picture.pixels().filter(|pixel| pixel.0 != background);
+        pixels.map(|pixel| pixel.0[0]).max().unwrap()
+    };
+    // Nothing but the ambient light, 0.3 of clay's 236, rounded.
+    assert_eq!(brightest("back.png"), 71);
+    // A closed model changes only along its outline, where a front and a back that meet there may be equally far.
+    for look in ["lit", "gouraud", "flat"] {
+        for eye in ["3,2,5", "-3,-2,4", "1,-5,-2"] {
+            let draw = |option: &str| {
+                let view = format!("--eye {eye} --shade {look} {option} --out box.png");
+                good(&directory, &format!("box.obj {view}"));
+                image::open(directory.join("box.png")).unwrap().into_rgb8()
+            };
+            let (front, both) = (draw(""), draw("--two-sided"));
+            let background = *front.get_pixel(0, 0);
+            for (x, y, pixel) in front.enumerate_pixels() {
+                let same = pixel == both.get_pixel(x, y);
+                let outline = || {
+                    let around = [(x + 1, y), (x - 1, y), (x, y + 1), (x, y - 1)];
+                    let mut around = around.iter().map(|&(x, y)| front.get_pixel(x, y));
+                    around.any(|&pixel| pixel == background)
+                };
+                assert!(same || outline(), "{look} from {eye}: {x},{y}");
+            }
+        }
+    }
+}
+
+#[test]
+fn faces_wound_against_their_normals_are_lit_from_where_they_are_seen() {
+    let directory = directory("wound");
+    // A tent whose normals point to the viewer, wound properly and the wrong way round.
+    let points = "v -1 0 0\nv 0 0 1\nv 0 1 0.5\nv 1 0 0\nvn -0.7 0.2 0.7\nvn 0.7 0.2 0.7\n";
+    let (right, wrong) = (
+        "f 1//1 2//1 3//1\nf 2//2 4//2 3//2\n",
+        "f 3//1 2//1 1//1\nf 3//2 4//2 2//2\n",
+    );
+    fs::write(directory.join("right.obj"), format!("{points}{right}")).unwrap();
+    fs::write(directory.join("wrong.obj"), format!("{points}{wrong}")).unwrap();
+    for look in ["gouraud", "flat"] {
+        let view = format!("--eye 0,1,5 --shade {look} --crc");
+        let crc = |arguments: &str| printed(&good(&directory, arguments), "crc").to_string();
+        let plain = crc(&format!("right.obj {view}"));
+        assert_eq!(plain, crc(&format!("right.obj {view} --two-sided")));
+        assert_eq!(plain, crc(&format!("wrong.obj {view} --two-sided")));
+    }
+}
+
+#[test]
+fn faces_that_point_away_are_hinted_at() {
+    let directory = directory("away");
+    write_box(&directory.join("box.obj"), |p| p);
+    write_box(&directory.join("inside-out.obj"), |[x, y, z]| [-x, y, z]);
+    fs::write(directory.join("t.obj"), TRIANGLE).unwrap();
+    let hint = "most faces in view point away: try --two-sided";
+    let notes = |arguments: &str| {
+        let output = run(&directory, arguments);
+        assert!(output.status.success(), "{arguments}");
+        String::from_utf8(output.stderr).unwrap()
+    };
+    assert!(notes("inside-out.obj").contains(hint));
+    for without in [
+        "box.obj",
+        "inside-out.obj --two-sided",
+        "inside-out.obj --shade wire",
+        "t.obj",
+        "",
+    ] {
+        assert_eq!(notes(without), "", "{without}");
+    }
+    let behind = "t.obj --eye 0.3,0.3,-3 --look-at 0.3,0.3,0";
+    refused(
+        &directory,
+        behind,
+        &[
+            "nothing is visible: all faces in view point away",
+            "--two-sided",
+        ],
+    );
+    good(&directory, &format!("{behind} --two-sided"));
+}
+
+#[test]
+fn nothing_visible_is_no_success() {
+    let directory = directory("nothing");
+    write_box(&directory.join("box.obj"), |p| p);
+    fs::write(directory.join("point.obj"), "v 1 2 3\nv 1 2 3\nf 1 2 1\n").unwrap();
+    fs::write(
+        directory.join("sliver.obj"),
+        "v 0 0 0\nv 1 0 0\nv 1 1e-5 0\nf 1 2 3\n",
+    )
+    .unwrap();
+    for (arguments, says) in [
+        ("point.obj", "all points of the model are at 1,2,3"),
+        ("sliver.obj", "cover no pixel: try --shade wire"),
+        (
+            "box.obj --eye 0,0,9 --look-at 0,0,20",
+            "the whole model is behind an eye at 0,0,9",
+        ),
+        (
+            "box.obj --eye 0,0,9 --look-at 9,0,8 --fov 20",
+            "the model is outside the picture",
+        ),
+        (
+            "box.obj --eye 0,0,9 --look-at 9,0,8 --fov 20 --frames 3",
+            "the model is outside the picture",
+        ),
+        (
+            "box.obj --eye 0,0,9 --look-at 9,0,8 --fov 20 --shade wire",
+            "the model is outside the picture",
+        ),
+        (
+            "box.obj --eye 0,0,9 --look-at 9,0,9 --projection cabinet --fov 1",
+            "the model is outside the picture",
+        ),
+    ] {
+        refused(&directory, arguments, &["nothing is visible", says]);
+    }
+    // A sheet that some frames show from its edge or from behind.
+    let sheet = "v -1 0 0\nv 1 0 0\nv 1 1 0\nv -1 1 0\nf 4 3 2 1\n";
+    fs::write(directory.join("sheet.obj"), sheet).unwrap();
+    let view = "sheet.obj --eye 0,0.5,9 --look-at 0,0.5,0";
+    refused(&directory, view, &["nothing is visible"]);
+    good(&directory, &format!("{view} --frames 4"));
+}
