@@ -461,6 +461,11 @@ fn what_is_wrong_in_ply_and_gltf_is_said_in_one_line() {
                 "",
             ),
             (
+                "g.gltf",
+                json(r#""POSITION": 0"#, r#""POSITION": 8"#),
+                "accessor 8 does not exist: there are 3",
+            ),
+            (
                 "e.gltf",
                 make::gltf(false, "", r#", "uri": "none.bin""#).into_bytes(),
                 "buffer 0: cannot read none.bin",
