@@ -281,48 +281,52 @@ fn mesh(part: &Part, format: MeshFormat) -> String {
             ));
         }
     }
-    let steps: Vec<String> = mesh
-        .iter()
-        .map(|step| format!("    let mesh = ::fixel::Mesh::checked({step});\n"))
-        .collect();
-    let steps = steps.concat();
-    if quantized {
-        let (kind, list, most) = match format {
-            MeshFormat::Quantized8 => ("u8", "Bytes", u16::from(u8::MAX)),
-            _ => ("u16", "Words", u16::MAX),
-        };
-        let grid = UvGrid::around(uvs, most);
-        let stored: Vec<_> = uvs.iter().map(|&uv| grid.nearest(uv)).collect();
-        plain(out_ref, "UVS", &format!("[{kind}; 2]"), &stored);
-        // The grid depends on the least and the greatest coordinates only.
-        let corners: Vec<String> = corners(uvs)
-            .iter()
-            .map(|bits| format!("::fixel::Vec2::from_bits({bits:?})"))
-            .collect();
-        let corners = corners.join(", ");
-        let (normal_faces, uv_faces) = (
-            slice(own_normals, "NORMAL_FACES"),
-            slice(own_uvs, "UV_FACES"),
-        );
+    // Each step but the last one gives the mesh to the next.
+    let last = if quantized { None } else { mesh.pop() };
+    let mut steps = String::new();
+    for step in mesh {
+        let _ = writeln!(steps, "    let mesh = ::fixel::Mesh::checked({step});");
+    }
+    if let Some(last) = last {
         let _ = writeln!(
             out_ref,
             "/// The mesh.\n#[allow(long_running_const_eval)]\n\
-             pub static MESH: ::fixel::mesh::Quantized<'static> = {{\n{steps}\
-             \x20   ::fixel::mesh::Quantized::checked(::fixel::mesh::Quantized::new(\n\
-             \x20       mesh,\n\
-             \x20       (&NORMALS, {normal_faces}),\n\
-             \x20       (::fixel::mesh::flash::StoredUvs::{list}(&UVS), {uv_faces}),\n\
-             \x20       ::fixel::mesh::flash::UvGrid::around(&[{corners}], {most}),\n\
-             \x20   ))\n}};"
+             pub static MESH: ::fixel::Mesh<'static> = {{\n{steps}    ::fixel::Mesh::checked({last})\n}};"
         );
     } else {
-        let _ = writeln!(
-            out_ref,
-            "/// The mesh.\n#[allow(long_running_const_eval)]\n\
-             pub static MESH: ::fixel::Mesh<'static> = {{\n{steps}    mesh\n}};"
-        );
+        quantize(out_ref, &steps, uvs, format, [own_normals, own_uvs]);
     }
     out
+}
+
+/// The rest of a quantized mesh: its texture coordinates, and the static. `own` tells which of normals and texture
+/// coordinates have indices of their own.
+fn quantize(out: &mut String, steps: &str, uvs: &[Vec2], format: MeshFormat, own: [bool; 2]) {
+    let (kind, list, most) = match format {
+        MeshFormat::Quantized8 => ("u8", "Bytes", u16::from(u8::MAX)),
+        _ => ("u16", "Words", u16::MAX),
+    };
+    let grid = UvGrid::around(uvs, most);
+    let stored: Vec<_> = uvs.iter().map(|&uv| grid.nearest(uv)).collect();
+    plain(out, "UVS", &format!("[{kind}; 2]"), &stored);
+    // The grid depends on the least and the greatest coordinates only.
+    let corners: Vec<String> = corners(uvs)
+        .iter()
+        .map(|bits| format!("::fixel::Vec2::from_bits({bits:?})"))
+        .collect();
+    let corners = corners.join(", ");
+    let (normal_faces, uv_faces) = (slice(own[0], "NORMAL_FACES"), slice(own[1], "UV_FACES"));
+    let _ = writeln!(
+        out,
+        "/// The mesh.\n#[allow(long_running_const_eval)]\n\
+         pub static MESH: ::fixel::mesh::Quantized<'static> = {{\n{steps}\
+         \x20   ::fixel::mesh::Quantized::checked(::fixel::mesh::Quantized::new(\n\
+         \x20       mesh,\n\
+         \x20       (&NORMALS, {normal_faces}),\n\
+         \x20       (::fixel::mesh::flash::StoredUvs::{list}(&UVS), {uv_faces}),\n\
+         \x20       ::fixel::mesh::flash::UvGrid::around(&[{corners}], {most}),\n\
+         \x20   ))\n}};"
+    );
 }
 
 const RGB888: &str = "::embedded_graphics::pixelcolor::Rgb888";

@@ -8,6 +8,8 @@ use base64::engine::general_purpose::STANDARD;
 use gltf::accessor::{DataType, Dimensions};
 use gltf::buffer::{Source, View};
 use gltf::image::Source as Picture;
+use gltf::json::Index;
+use gltf::json::validation::Checked;
 use gltf::mesh::Mode;
 use gltf::{Accessor, Document, Gltf, Node, Primitive, Semantic};
 
@@ -28,7 +30,9 @@ pub fn read(bytes: &[u8], folder: &Path) -> Result<Model, String> {
             ));
         }
     }
-    let Gltf { document, blob } = Gltf::from_slice(bytes).map_err(|error| error.to_string())?;
+    let Gltf { document, blob } =
+        Gltf::from_slice_without_validation(bytes).map_err(|error| error.to_string())?;
+    let document = validated(document)?;
     let buffers = buffers(&document, blob, folder)?;
     let mut reader = Reader {
         buffers: &buffers,
@@ -64,6 +68,23 @@ pub fn read(bytes: &[u8], folder: &Path) -> Result<Model, String> {
         }
     }
     Ok(reader.model)
+}
+
+/// Checks all indices and properties.
+fn validated(document: Document) -> Result<Document, String> {
+    let root = document.into_json();
+    // The library's own check takes it for granted that positions exist.
+    let positions = Checked::Valid(Semantic::Positions);
+    for primitive in root.meshes.iter().flat_map(|mesh| &mesh.primitives) {
+        let accessor = primitive.attributes.get(&positions).map(Index::value);
+        if let Some(at) = accessor.filter(|&at| at >= root.accessors.len()) {
+            let count = root.accessors.len();
+            return Err(format!(
+                "accessor {at} does not exist: there are {count}, counted from 0"
+            ));
+        }
+    }
+    Document::from_json(root).map_err(|error| error.to_string())
 }
 
 /// How deep nodes may lie.

@@ -147,12 +147,11 @@ impl Reader {
     fn corner(&mut self, word: &[u8]) -> Result<Corner, String> {
         let mut indices = [None; 3];
         let mut parts = word.split(|&byte| byte == b'/');
-        for kind in 0..3 {
-            let Some(part) = parts.next() else {
-                break;
-            };
-            if !part.is_empty() {
-                indices[kind] = Some(self.index(kind, part)?);
+        for (kind, place) in indices.iter_mut().enumerate() {
+            match parts.next() {
+                Some(b"") => {}
+                Some(part) => *place = Some(self.index(kind, part)?),
+                None => break,
             }
         }
         let [Some(position), uv, normal] = indices else {

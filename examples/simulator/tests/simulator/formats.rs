@@ -347,7 +347,7 @@ fn what_is_wrong_is_said_in_one_line() {
     let huge = |words: &str| {
         format!("v 0 0 0\nv 1 0 0\nv 0 1 0\n{}\n", words.repeat(4_000_000)).into_bytes()
     };
-    let mut cases = vec![
+    let cases = vec![
         ("a.obj", utf_16, "its text is UTF-16: save it as UTF-8"),
         (
             "b.obj",
@@ -400,6 +400,13 @@ fn what_is_wrong_is_said_in_one_line() {
             "line 1: coordinate 1e40 cannot be represented",
         ),
     ];
+    refuse_all(&directory, cases);
+}
+
+#[test]
+fn what_is_wrong_in_ply_and_gltf_is_said_in_one_line() {
+    let directory = directory("wrong-optional");
+    let mut cases = Vec::new();
     if cfg!(feature = "ply") {
         let ply = make::ply_text(false);
         cases.extend([
@@ -446,12 +453,17 @@ fn what_is_wrong_is_said_in_one_line() {
         let json = |from: &str, to: &str| make::gltf(false, "", "").replace(from, to).into_bytes();
         cases.extend([
             ("a.glb", glb[..700].to_vec(), "byte 700: it ends before the"),
-            ("b.gltf", json(r#""asset""#, r#"asset"#), "line 2"),
+            ("b.gltf", json(r#""asset""#, "asset"), "line 2"),
             ("c.gltf", json("", ""), "buffer 0: "),
             (
                 "d.gltf",
                 json(r#""children": [1]"#, r#""children": [0]"#),
                 "",
+            ),
+            (
+                "g.gltf",
+                json(r#""POSITION": 0"#, r#""POSITION": 8"#),
+                "accessor 8 does not exist: there are 3",
             ),
             (
                 "e.gltf",
@@ -465,9 +477,14 @@ fn what_is_wrong_is_said_in_one_line() {
             ),
         ]);
     }
+    refuse_all(&directory, cases);
+}
+
+/// Runs the program with each file, of a name and contents; its message must contain the third.
+fn refuse_all(directory: &Path, cases: Vec<(&str, Vec<u8>, &str)>) {
     for (name, bytes, says) in cases {
         fs::write(directory.join(name), bytes).unwrap();
-        let output = run(&directory, name);
+        let output = run(directory, name);
         let message = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(1), "{name}: {message}");
         assert_eq!(message.lines().count(), 1, "{name}: {message}");

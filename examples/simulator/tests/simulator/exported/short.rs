@@ -54,8 +54,7 @@ pub static MESH: ::fixel::Mesh<'static> = {
     let mesh = ::fixel::Mesh::checked(::fixel::Mesh::short(&POSITIONS, 14, &FACES));
     let mesh = ::fixel::Mesh::checked(mesh.with_edges(&EDGES));
     let mesh = ::fixel::Mesh::checked(mesh.with_normals(&NORMALS, Some(&NORMAL_FACES)));
-    let mesh = ::fixel::Mesh::checked(mesh.with_uvs(&UVS, Some(&UV_FACES)));
-    mesh
+    ::fixel::Mesh::checked(mesh.with_uvs(&UVS, Some(&UV_FACES)))
 };
 
 /// The mesh's materials.
