@@ -10,7 +10,9 @@ const tag = (name, attributes, inside = "") =>
 /** Marks have a name, a cost, an error in texels, and whether they are drawn now. */
 export function plot(marks, unit) {
   const known = marks.filter(({ cost, error }) => Number.isFinite(cost) && cost > 0 && Number.isFinite(error));
-  if (!known.length)
+  if (known.length == 0 && marks.some(({ error }) => Number.isFinite(error)))
+    return `<p class="about">No cost is known yet.</p>`;
+  if (known.length == 0)
     return `<p class="about">Nothing to compare: nothing is interpolated here, so every mode draws the same.</p>`;
   const most = Math.max(...known.map(({ cost }) => cost)) * 1.15;
   const logs = known.map(({ error }) => Math.log10(Math.max(error, 1e-6)));
