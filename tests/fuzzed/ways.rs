@@ -437,6 +437,27 @@ impl<K: ProjectionKind> Call<'_, K> {
         let edges = edges.with_line(width.smooth());
         let bands = self.in_bands(&mut |band| band.draw_prepared_edges(&edges, shader).unwrap());
         assert!(bands == direct, "bands of prepared smooth edges differ");
+
+        // As two objects of a scene.
+        let mut list: EdgeList<96, 400> = EdgeList::new();
+        let mut object = Object::new(mesh, Transform::IDENTITY, *shader);
+        object.outline = outline.as_ref();
+        let mut objects = [object; 2];
+        let scene = list.prepare_scene(&smooth, size, &self.mvp, &mut objects);
+        let scene = scene.unwrap();
+        let draw = &mut |canvas: &mut Frame<'_>| {
+            let mut drawn = Drawn::default();
+            for (shader, edges) in scene.parts(canvas).unwrap() {
+                drawn = canvas.draw_prepared_edges(&edges, shader).unwrap();
+            }
+            drawn
+        };
+        let mut frame = self.blank();
+        self.on_frame(&mut frame, draw);
+        assert!(
+            self.in_bands(draw) == frame,
+            "bands of a scene's edges differ"
+        );
     }
 
     /// An outline, for every other style.

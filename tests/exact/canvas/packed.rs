@@ -317,6 +317,51 @@ fn diffusion_loses_no_brightness() {
     }
 }
 
+/// In any window, as bright as what is shown: only errors that pass its borders are missing or too many.
+///
+/// An error is at most half a step, 127.5. Of each pixel in its first and last rows, 9/16 of it pass the upper and lower
+/// border; of each in its first and last columns, 7/16 + 1/16 pass one side and 3/16 the other; and half an error the
+/// corners. Shares are cut to 16ths, of which three pixels of a border lose at most one gray.
+#[test]
+fn diffusion_keeps_the_brightness_of_every_window() {
+    const SIZE: (u32, u32) = (160, 120);
+    let wave = |x: f64, y: f64| 127.5 + 60. * (x / 19.).sin() + 55. * (x / 40. + y / 23.).cos();
+    let places = (0..SIZE.1).flat_map(|y| (0..SIZE.0).map(move |x| (f64::from(x), f64::from(y))));
+    let mut grays: Vec<Gray8> = places
+        .map(|(x, y)| Gray8::new(wave(x, y).round() as u8))
+        .collect();
+    let gray = Canvas::new(&mut grays, SIZE.0, SIZE.1).unwrap();
+    let mut shown = vec![BinaryColor::Off; (SIZE.0 * SIZE.1) as usize];
+    let mut panel = Canvas::new(&mut shown, SIZE.0, SIZE.1).unwrap();
+    let mut errors = [0; SIZE.0 as usize];
+    let mut diffusion = ErrorDiffusion::new(&mut errors);
+    let Ok(()) = gray.show_diffused(&mut panel, Contrast::default(), &mut diffusion);
+    let mut random = ChaCha8Rng::seed_from_u64(2);
+    let mut widest: f64 = 0.;
+    for _ in 0..500 {
+        let [width, height] = [random.random_range(1..100_u32), random.random_range(1..100)];
+        // The sides of the frame have their own rule.
+        let left = random.random_range(1..SIZE.0 - width);
+        let top = random.random_range(0..=SIZE.1 - height);
+        let mut excess = 0.;
+        for y in top..top + height {
+            for x in left..left + width {
+                let is_on = shown[(y * SIZE.0 + x) as usize].is_on();
+                excess += 255. * f64::from(u8::from(is_on)) - wave(x.into(), y.into()).round();
+            }
+        }
+        let [w, h] = [width, height].map(f64::from);
+        let most = 127.5 * (w * 9. / 8. + h * 11. / 8. + 0.5) + (2. * w + 2. * h) / 3.;
+        assert!(
+            f64::abs(excess) <= most,
+            "{width}x{height} at {left}, {top}: {excess}"
+        );
+        widest = widest.max(f64::abs(excess) / (w * h));
+    }
+    // No window is exact, or there would be nothing to measure.
+    assert!(widest > 1., "{widest}");
+}
+
 /// White beside gray: what white cannot take up must not pile up at the border, where it would whiten the darker rows
 /// below.
 #[test]
