@@ -10,23 +10,31 @@ mod common;
 mod complete;
 mod dump;
 mod framing;
+mod idle;
 mod job;
 mod load;
+mod look;
 mod mode;
 mod output;
 mod paint;
 mod parts;
+mod place;
 mod render;
+mod report;
+mod samples;
 mod skin;
 mod subject;
+mod surface;
 mod targets;
+mod tiles;
 mod view;
 mod window;
 
 use std::error::Error;
+use std::io::{self, Write};
 use std::process::ExitCode;
 
-use clap::Parser;
+use clap::{CommandFactory, FromArgMatches};
 
 use args::Args;
 
@@ -34,10 +42,16 @@ use args::Args;
 type Result<T, E = Box<dyn Error>> = std::result::Result<T, E>;
 
 fn main() -> ExitCode {
-    match render::run(&Args::parse()) {
+    let given = Args::command().get_matches();
+    let args = Args::from_arg_matches(&given).unwrap_or_else(|error| error.exit());
+    let done = place::remove_on_interrupt()
+        .and_then(|()| report::notes(&args, &idle::options(&args, &given)))
+        .and_then(|()| render::run(&args));
+    match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("error: {error}");
+            // Not eprintln!, which panics if nobody reads.
+            let _ = writeln!(io::stderr(), "error: {error}");
             ExitCode::FAILURE
         }
     }

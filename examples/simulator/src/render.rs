@@ -6,8 +6,9 @@ use super::Result;
 use super::common::scenes;
 use crate::args::{Args, Color};
 use crate::job::{Measured, Model};
+use crate::look::Look;
 use crate::mode::Mode;
-use crate::paint::Shown;
+use crate::paint::{Brush, Shown, own_surfaces};
 use crate::skin::Skin;
 use crate::subject::Subject;
 use crate::targets::Targets;
@@ -25,53 +26,69 @@ pub fn run(args: &Args) -> Result<()> {
             mode: Mode::new(args)?,
             depth: args.depth,
         };
-        return match args.color {
-            Color::Rgb565 => targets.fill(
-                MEASURED,
-                |band, frame| measured.record(band, frame),
-                |band, frame| measured.paint(band, frame),
-            ),
-            Color::Rgb888 => measured_in::<Rgb888>(measured, targets),
-            Color::Gray8 => measured_in::<Gray8>(measured, targets),
-            Color::Gray4 => measured_in::<Gray4>(measured, targets),
-            Color::Mono => measured_in::<BinaryColor>(measured, targets),
+        let surface = match args.color {
+            Color::Rgb565 => None,
+            Color::Rgb888 => Some(measured.surface::<Rgb888>()?),
+            Color::Gray8 => Some(measured.surface::<Gray8>()?),
+            Color::Gray4 => Some(measured.surface::<Gray4>()?),
+            Color::Mono => Some(measured.surface::<BinaryColor>()?),
         };
+        return targets.fill(
+            MEASURED,
+            |band, moment| measured.record(band, moment),
+            |band, moment| match &surface {
+                None => measured.paint(band, moment),
+                Some(surface) => measured.paint_with(band, moment, surface),
+            },
+        );
     }
     let subject = Subject::load(args)?;
     let meshes = subject.meshes()?;
     let model = subject.model(args, &meshes)?;
-    let skin = &subject.skin;
+    let (skin, scale) = (&subject.skin, subject.scale);
     match args.color {
-        Color::Rgb565 => picture_in::<Rgb565>(&model, skin, args, targets),
-        Color::Rgb888 => picture_in::<Rgb888>(&model, skin, args, targets),
-        Color::Gray8 => picture_in::<Gray8>(&model, skin, args, targets),
-        Color::Gray4 => picture_in::<Gray4>(&model, skin, args, targets),
-        Color::Mono => picture_in::<BinaryColor>(&model, skin, args, targets),
+        Color::Rgb565 => picture_in::<Rgb565>(&model, skin, scale, args, targets),
+        Color::Rgb888 => picture_in::<Rgb888>(&model, skin, scale, args, targets),
+        Color::Gray8 => picture_in::<Gray8>(&model, skin, scale, args, targets),
+        Color::Gray4 => picture_in::<Gray4>(&model, skin, scale, args, targets),
+        Color::Mono => picture_in::<BinaryColor>(&model, skin, scale, args, targets),
     }
 }
 
 /// The size of the measured scenes.
 const MEASURED: (u32, u32) = (scenes::WIDTH, scenes::HEIGHT);
 
-fn measured_in<C: Shown>(measured: Measured, targets: Targets<'_>) -> Result<()> {
-    targets.fill(
-        MEASURED,
-        |band, frame| measured.record(band, frame),
-        |band, frame| measured.paint_in::<C>(band, frame),
-    )
-}
-
 fn picture_in<C: Shown>(
     model: &Model<'_>,
     skin: &Skin,
+    scale: f64,
     args: &Args,
     targets: Targets<'_>,
 ) -> Result<()> {
+    let view = &model.view;
+    let Some(shade) = model.shade else {
+        let (width, height) = args.size;
+        if width.max(height) * args.samples > args.tile {
+            return Err(format!(
+                "the project's own scene is drawn in one tile of {0}x{0}: --size {width}x{height} --samples {1} is more",
+                args.tile, args.samples
+            )
+            .into());
+        }
+        let surfaces = own_surfaces::<C>()?;
+        return targets.fill(
+            args.size,
+            |band, moment| model.record(band, moment),
+            |band, moment| model.paint_own::<C>(band, moment, &surfaces),
+        );
+    };
     let texels = skin.texels();
     let texture = texels.texture()?;
+    let look = Look::new(args, shade, view.sun, view.viewer(), scale)?;
+    let brush = Brush::new::<C>(&look, view, &texture, args.samples)?;
     targets.fill(
         args.size,
-        |band, frame| model.record(band, frame),
-        |band, frame| model.paint::<C>(band, frame, &texture),
+        |band, moment| model.record(band, moment),
+        |band, moment| model.paint(band, moment, &brush),
     )
 }

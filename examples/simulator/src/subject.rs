@@ -9,8 +9,10 @@ use crate::framing::{Framing, middle};
 use crate::job::{self, Model, Turn};
 use crate::load;
 use crate::parts::{self, Part};
+use crate::report;
 use crate::skin::Skin;
 use crate::view::{Lens, View};
+use crate::window::MOST_ZOOM;
 
 /// A model, with everything that belongs to it.
 pub struct Subject {
@@ -20,6 +22,8 @@ pub struct Subject {
     pub skin: Skin,
     largest_uv: f64,
     shade: Option<Shade>,
+    /// Length of one of the model's units as it is drawn.
+    pub scale: f64,
 }
 
 impl Subject {
@@ -35,6 +39,7 @@ impl Subject {
             let plain = args.shade.is_none()
                 && skin.is_none()
                 && !args.two_sided
+                && !args.has_look()
                 && args.filter == Filter::Nearest;
             return Ok(Self {
                 parts: Vec::new(),
@@ -45,11 +50,16 @@ impl Subject {
                 skin: skin.unwrap_or_else(|| Skin::of(&lighthouse::SKIN)),
                 largest_uv: 20.0,
                 shade: args.shade.or(if plain { None } else { Some(Shade::Lit) }),
+                scale: 1.0,
             });
         };
         let mut model = load::model(path)?;
-        if let Some(scale) = scale(args, &model.positions) {
-            println!("scaled by {scale} to suit the number format");
+        let scale = scale(args, &model.positions);
+        if let Some(scale) = scale {
+            report::say(
+                args,
+                format_args!("scaled by {scale} to suit the number format"),
+            )?;
             for position in &mut model.positions {
                 *position = position.map(|x| x * scale);
             }
@@ -66,6 +76,7 @@ impl Subject {
             points: model.positions,
             skin: skin.unwrap_or_else(Skin::checker),
             shade: Some(args.shade.unwrap_or(shade)),
+            scale: scale.unwrap_or(1.0),
         })
     }
 
@@ -101,7 +112,7 @@ impl Subject {
             frames: args.frames,
             rate,
         };
-        let turns = args.frames > 1 || rate.is_some();
+        let turns = args.frames > 1 || rate.is_some() || args.window;
         let frame = |args: &Args| {
             if turns {
                 Framing::new(args, &ring(&self.points, about))
@@ -122,6 +133,21 @@ impl Subject {
                 far: args.far.or(Some(framing.far + 120.0)),
                 ..args.clone()
             });
+        }
+        if args.window {
+            // The user may turn the model any way, and enlarge it.
+            let length = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
+            let distance = |p: &[f64; 3]| length([0, 1, 2].map(|i| p[i] - about[i]));
+            let radius = self.points.iter().map(distance).fold(0.0, f64::max);
+            let (eye, reach) = (distance(&framing.eye), radius * f64::from(MOST_ZOOM));
+            let far = framing.far.max(eye + reach);
+            let near = match args.projection {
+                // The ratio suits 16-bit depth.
+                Kind::Perspective => (eye - reach).max(far / 500.0),
+                _ => eye - reach,
+            };
+            framing.near = args.near.unwrap_or(near.min(framing.near));
+            framing.far = args.far.unwrap_or(far);
         }
         let mut view = View::new(args, &framing)?;
         if own && !args.has_camera() {

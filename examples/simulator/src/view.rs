@@ -2,7 +2,6 @@
 
 use fixel::num::scalar;
 use fixel::prelude::*;
-use fixel::shade::{Light, TwoSided};
 use fixel::view::{Parallel, Perspective};
 
 use super::Result;
@@ -23,7 +22,10 @@ pub struct View {
     pub projection: Lens,
     pub camera: Camera,
     pub options: DrawOptions,
-    light: Light,
+    /// Towards the light, over the viewer's left shoulder.
+    pub sun: Vec3,
+    /// Upwards, of any length.
+    pub up: Vec3,
     pub filter: Filter,
     pub mode: Mode,
     pub depth: DepthFormat,
@@ -40,7 +42,7 @@ fn point(what: &str, [x, y, z]: [f64; 3]) -> Result<Vec3> {
 }
 
 /// A direction, scaled up to use all bits of the format: its length does not matter.
-fn direction(what: &str, [x, y, z]: [f64; 3]) -> Result<Vec3> {
+pub fn direction(what: &str, [x, y, z]: [f64; 3]) -> Result<Vec3> {
     let size = x.abs().max(y.abs()).max(z.abs());
     // A power of two, so that scaling does not round.
     let scale = if size > 0.0 && size.is_finite() {
@@ -114,7 +116,6 @@ impl View {
                 _ => Projection::orthographic(window, near, far)?,
             })
         };
-        let light = Light::new(point("light from", framing.light)?, fx!(0.3), fx!(0.7))?;
         let cull = if args.two_sided {
             Cull::Nothing
         } else {
@@ -124,7 +125,8 @@ impl View {
             projection,
             camera,
             options: DrawOptions::new().with_cull(cull),
-            light,
+            up: direction("--up", args.up())?,
+            sun: point("light from", framing.light)?,
             filter: args.filter,
             mode: Mode::new(args)?,
             depth: args.depth,
@@ -132,11 +134,11 @@ impl View {
         })
     }
 
-    /// The light, which lights all faces that are seen, from their front or their back.
-    pub fn light(&self) -> TwoSided<Light> {
-        self.light.two_sided(match self.projection {
+    /// The place that the picture is seen from.
+    pub fn viewer(&self) -> Viewer {
+        match self.projection {
             Lens::Perspective(projection) => Viewer::of(&(projection * self.camera)),
             Lens::Parallel(projection) => Viewer::of(&(projection * self.camera)),
-        })
+        }
     }
 }

@@ -5,5 +5,8 @@ mod dumps;
 mod files;
 mod looks;
 mod models;
+mod output;
 mod program;
+mod random;
 mod refused;
+mod scenery;
