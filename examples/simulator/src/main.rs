@@ -18,6 +18,7 @@ mod mode;
 mod output;
 mod paint;
 mod parts;
+mod picture;
 mod place;
 mod render;
 mod report;

@@ -59,7 +59,7 @@ impl Format {
 /// # Errors
 ///
 /// Both names are taken.
-pub fn free_name(stem: &Path, extension: &str, inputs: &[&Path]) -> Result<PathBuf> {
+pub fn free_name(stem: &Path, extension: &str, inputs: &[PathBuf]) -> Result<PathBuf> {
     for suffix in ["", "-picture"] {
         let mut name = stem.as_os_str().to_os_string();
         name.push(suffix);

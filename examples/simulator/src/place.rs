@@ -53,7 +53,7 @@ pub fn is_stream(path: &Path) -> bool {
 /// # Errors
 ///
 /// The message names both.
-pub fn refuse_inputs(output: &Path, inputs: &[&Path]) -> Result<()> {
+pub fn refuse_inputs(output: &Path, inputs: &[PathBuf]) -> Result<()> {
     for input in inputs {
         if !is_stdout(output) && same_file::is_same_file(output, input).unwrap_or(false) {
             return Err(format!(

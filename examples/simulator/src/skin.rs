@@ -1,21 +1,21 @@
 //! Textures whose size is known only at run time.
 
+use std::fs;
 use std::path::Path;
 
 use embedded_graphics::geometry::Point;
-use embedded_graphics::pixelcolor::{PixelColor, Rgb565, Rgb888, RgbColor};
+use embedded_graphics::pixelcolor::{PixelColor, Rgb565, Rgb888};
 use fixel::prelude::*;
-use image::imageops::FilterType;
-use image::{ImageReader, RgbImage};
 
 use super::Result;
+use super::picture::Picture;
 
 /// Exponent of the largest side, in texels.
 const MOST_LOG2: u32 = 10;
 
 /// An image with sides that are powers of two.
 #[derive(Debug)]
-pub struct Skin(RgbImage);
+pub struct Skin(Picture);
 
 impl Skin {
     /// Reads a PNG or JPEG and resamples it to the nearest powers of two, up to 1024.
@@ -27,60 +27,48 @@ impl Skin {
         let refuse = |problem: &dyn std::fmt::Display| {
             format!("cannot read texture {}: {problem}", path.display())
         };
-        let image = ImageReader::open(path)
-            .and_then(ImageReader::with_guessed_format)
-            .map_err(|error| refuse(&error))?
-            .decode()
-            .map_err(|error| refuse(&error))?
-            .into_rgb8();
-        let (width, height) = image.dimensions();
-        if width == 0 || height == 0 {
-            return Err(refuse(&format!(
-                "it is {width}x{height} pixels: both must be at least 1"
-            ))
-            .into());
-        }
-        let sides = (nearest(width), nearest(height));
-        Ok(Self(if sides == (width, height) {
-            image
-        } else {
-            image::imageops::resize(&image, sides.0, sides.1, FilterType::Triangle)
-        }))
+        let bytes = fs::read(path).map_err(|error| refuse(&error))?;
+        let picture = Picture::decode(&bytes).map_err(|error| refuse(&error))?;
+        Ok(Self(picture.resampled(
+            nearest(picture.width),
+            nearest(picture.height),
+        )))
     }
 
     /// Returns a texture that is compiled in.
     pub fn of<const W: usize, const H: usize>(texture: &TextureArray<Rgb565, W, H>) -> Self {
-        let bytes = texture.texels().as_flattened().iter().flat_map(|&texel| {
-            let color = Rgb888::from(texel);
-            [color.r(), color.g(), color.b()]
-        });
-        let side = |side: usize| u32::try_from(side).unwrap_or(0);
-        // The number of bytes fits the size.
-        let image = RgbImage::from_raw(side(W), side(H), bytes.collect());
-        Self(image.unwrap_or_default())
+        let color = |&texel| Rgb888::from(texel);
+        Self(Picture {
+            width: u32::try_from(W).unwrap_or(0),
+            height: u32::try_from(H).unwrap_or(0),
+            colors: texture.texels().as_flattened().iter().map(color).collect(),
+        })
     }
 
     /// 64x64 texels, squares of 8 in two colors.
     pub fn checker() -> Self {
-        Self(RgbImage::from_fn(64, 64, |x, y| {
-            image::Rgb(if (x / 8 + y / 8) % 2 == 0 {
-                [255, 255, 240]
+        let color = |at: u32| {
+            let (x, y) = (at % 64, at / 64);
+            if (x / 8 + y / 8) % 2 == 0 {
+                Rgb888::new(255, 255, 240)
             } else {
-                [70, 130, 180]
-            })
-        }))
+                Rgb888::new(70, 130, 180)
+            }
+        };
+        Self(Picture {
+            width: 64,
+            height: 64,
+            colors: (0..64 * 64).map(color).collect(),
+        })
     }
 
     /// Returns the texels in the color `C`.
     pub fn texels<C: Levels>(&self) -> Texels<C> {
-        let (width, height) = self.0.dimensions();
-        let color = |&image::Rgb([r, g, b]): &image::Rgb<u8>| {
-            C::from_rgb(Rgb888::new(r, g, b), Point::zero())
-        };
+        let color = |&color| C::from_rgb(color, Point::zero());
         Texels {
-            list: self.0.pixels().map(color).collect(),
-            width,
-            height,
+            list: self.0.colors.iter().map(color).collect(),
+            width: self.0.width,
+            height: self.0.height,
         }
     }
 }

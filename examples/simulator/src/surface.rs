@@ -77,8 +77,14 @@ pub type Many = (
     (Texels, (Within<64, [i32; 4]>, Within<16, [i32; 1]>)),
     PerFace<Face>,
 );
-/// Three channels of a color that is computed at the corners.
-pub type Channels = (Within<8192, [i32; 3]>, PerFace<Face>);
+/// Three channels of a color that is computed at the corners, light and fog.
+pub type Channels = (
+    (
+        Within<8192, [i32; 3]>,
+        (Within<64, [i32; 3]>, Within<16, [i32; 1]>),
+    ),
+    PerFace<Face>,
+);
 
 /// A shader whose varyings are placed among those of `V`.
 trait Shade<V: Varyings> {
@@ -99,6 +105,9 @@ where
 {
     /// Gives each number of the shader a place of its own that is as exact as it asks for; `None` if there are too few.
     fn new<V: Varyings>(shader: S) -> Option<Self> {
+        if S::Varyings::PAIRS != V::PAIRS {
+            return None;
+        }
         let (wanted, offered) = (S::Varyings::tolerances(), V::tolerances());
         let mut places = [0; 8];
         let mut free: Vec<usize> = (0..V::Lanes::COUNT).collect();
@@ -186,7 +195,7 @@ impl<'a> Surface<'a> {
         }
         match Placed::new::<Many>(shader) {
             Some(placed) => Ok(Self::Many(Any(Box::new(placed)))),
-            None => Err("this look interpolates too many numbers".into()),
+            None => Err("no rasterizer of the simulator interpolates what this look needs".into()),
         }
     }
 }

@@ -33,10 +33,7 @@ impl<'a> Targets<'a> {
     /// Opens all output files first, so that no frame is drawn in vain.
     pub fn open(args: &'a Args) -> Result<Self> {
         check_size(args)?;
-        let inputs: Vec<&Path> = [&args.model, &args.texture]
-            .into_iter()
-            .filter_map(|path| path.as_deref())
-            .collect();
+        let inputs: Vec<PathBuf> = args.model.iter().chain(&args.texture).cloned().collect();
         let several = args.frames > 1;
         let path = match (&args.out, args.window) {
             (Some(path), _) => path.clone(),
@@ -54,9 +51,6 @@ impl<'a> Targets<'a> {
         let format = is_wanted
             .then(|| Format::of(&path, args.frames))
             .transpose()?;
-        for output in args.dump.iter().chain(format.map(|_| &path)) {
-            place::refuse_inputs(output, &inputs)?;
-        }
         if let Some(dump) = &args.dump
             && format.is_some()
             && place::are_same(dump, &path)
@@ -64,7 +58,7 @@ impl<'a> Targets<'a> {
             return Err(format!("--dump and --out are both {}", path.display()).into());
         }
         let screen = args.window.then(|| window::open(args.size)).transpose()?;
-        Ok(Self {
+        let targets = Self {
             args,
             picture: format
                 .map(|format| Output::create(&path).map(|output| (output, format)))
@@ -72,7 +66,18 @@ impl<'a> Targets<'a> {
             dump: args.dump.as_deref().map(Output::create).transpose()?,
             screen,
             path,
-        })
+        };
+        targets.refuse_inputs(&inputs)?;
+        Ok(targets)
+    }
+
+    /// Refuses an output that is one of the `inputs`.
+    pub fn refuse_inputs(&self, inputs: &[PathBuf]) -> Result<()> {
+        let picture = self.picture.is_some().then_some(&self.path);
+        for path in picture.into_iter().chain(&self.args.dump) {
+            place::refuse_inputs(path, inputs)?;
+        }
+        Ok(())
     }
 
     /// Draws all frames, writes the files and prints a report.

@@ -10,3 +10,4 @@ mod program;
 mod random;
 mod refused;
 mod scenery;
+mod textures;

@@ -65,11 +65,14 @@ fn a_background_has_the_color_that_was_asked_for() {
 fn lights_add_up_in_their_colors() {
     let directory = squares("lights");
     let middle = |look: &str| {
-        let all = format!("s.obj {FRONT} --color rgb888 --ambient 0 {look}");
+        let all = format!("s.obj {FRONT} --color rgb888 {look}");
         draw(&directory, &all)[16 * 32 + 14]
     };
     for shade in ["gouraud", "flat"] {
-        let lit = |lights: &str| middle(&format!("--shade {shade} {lights}"));
+        let shine = |ambient: u32, lights: &str| {
+            middle(&format!("--shade {shade} --ambient {ambient} {lights}"))
+        };
+        let lit = |lights| shine(0, lights);
         // Clay is (236, 214, 190); a light straight ahead is 0.7 of it, and one at 60 degrees half of that.
         let near = |found: Rgb, wanted: [f64; 3]| {
             for (found, wanted) in found.iter().zip(wanted) {
@@ -92,7 +95,7 @@ fn lights_add_up_in_their_colors() {
             lit("--light 1.7320508,0,1 --light 1.7320508,0,1"),
             [165.2, 149.8, 133.0],
         );
-        near(lit("--light 0,0,-1 --ambient 1"), [236.0, 214.0, 190.0]);
+        near(shine(1, "--light 0,0,-1"), [236.0, 214.0, 190.0]);
     }
     for wrong in ["0,0,0", "1,2", "1,2,3,red", "1,2,x", "1,2,3,ff0000,4"] {
         refused(&directory, &format!("s.obj --light {wrong}"), &["--light"]);
