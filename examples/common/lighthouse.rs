@@ -11,7 +11,7 @@ use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::{Alignment, Text};
 use fixel::mode::Mode;
 use fixel::prelude::*;
-use fixel::shade::{Flat, Levels, Light, Textured};
+use fixel::shade::{Flat, Levels, Light, Texels, Textured, Within};
 use fixel::target::{Contrast, DepthBuffer, Storage};
 use fixel::view::{Aspect, Perspective, ProjectionKind};
 use fixel::{Drawn, Vec2};
@@ -123,8 +123,11 @@ where
     let Ok(()) = canvas.fill_contiguous(&area, colors);
 }
 
+/// The varyings of a lit texture.
+pub type LitTexels = (Texels, Within<64, ([i32; 1], ())>);
+
 /// The shader of the sea.
-pub fn waves<C: Levels>() -> impl Shader<Color = C> {
+pub fn waves<C: Levels>() -> impl Shader<Color = C, Varyings = Texels> {
     Textured::new(&WAVES).converted()
 }
 
@@ -133,7 +136,7 @@ pub fn waves<C: Levels>() -> impl Shader<Color = C> {
 /// # Errors
 ///
 /// None: the light's numbers are constant.
-pub fn skin<C: Levels>() -> Result<impl Shader<Color = C>, Error> {
+pub fn skin<C: Levels>() -> Result<impl Shader<Color = C, Varyings = LitTexels>, Error> {
     Ok(Textured::new(&SKIN).lit(sun()?).converted())
 }
 
@@ -163,14 +166,35 @@ where
 }
 
 /// Whether a color is black or white, so that a dithered sky and sea would be noise around the island.
-const fn is_mono<C: Levels>() -> bool {
+pub const fn is_mono<C: Levels>() -> bool {
     C::MAX_STEPS[0] == 1
 }
 
 /// The outline against sky and sea; no edge is a crease.
-static SILHOUETTES: Outline = outline!(ISLAND, deg!(180));
+pub static SILHOUETTES: Outline = outline!(ISLAND, deg!(180));
 
-/// The same by night: black water with crests of waves, and an island with more contrast and white silhouettes.
+/// The shader of the sea by night: black water with crests of waves.
+pub fn crests<C: Levels>() -> impl Shader<Color = C, Varyings = Texels> {
+    const CREST: u8 = 40;
+    let gray = |luma| C::from_rgb(Gray8::new(luma).into(), Point::zero());
+    let [black, white] = [0, 255].map(gray);
+    Textured::new(&WAVES).map(move |_, color| Some(if color.g() > CREST { white } else { black }))
+}
+
+/// The shader of the island by night, with more contrast.
+///
+/// # Errors
+///
+/// None: the light's numbers are constant.
+pub fn stretched<C: Levels>() -> Result<impl Shader<Color = C, Varyings = LitTexels>, Error> {
+    const CONTRAST: Contrast = Contrast::new(50, 170);
+    Ok(Textured::new(&SKIN)
+        .lit(sun()?)
+        .map(|_, color| Some(CONTRAST.stretch(color.into())))
+        .converted())
+}
+
+/// The same by night, with white silhouettes.
 fn draw_mono<C, I, K, O, D>(
     canvas: &mut Canvas<'_, C, O, D>,
     options: &DrawOptions<I>,
@@ -183,24 +207,25 @@ where
     O: Storage<C>,
     D: DepthBuffer,
 {
-    const CONTRAST: Contrast = Contrast::new(50, 170);
-    const CREST: u8 = 40;
-    let gray = |gray: Gray8| C::from_rgb(gray.into(), Point::zero());
-    let [black, white] = [0, 255].map(|luma| gray(Gray8::new(luma)));
-    let crests = Textured::new(&WAVES)
-        .map(move |_, color| Some(if color.g() > CREST { white } else { black }));
-    let sea = canvas.draw_with(options, &SEA, mvp, &crests);
-    let stretched = Textured::new(&SKIN)
-        .lit(sun()?)
-        .map(|_, color| Some(CONTRAST.stretch(color.into())))
-        .converted();
-    let island = canvas.draw_with(options, &ISLAND, mvp, &stretched);
-    canvas.draw_outline(options, &ISLAND, &SILHOUETTES, mvp, &Flat::new(white));
+    let sea = canvas.draw_with(options, &SEA, mvp, &crests());
+    let island = canvas.draw_with(options, &ISLAND, mvp, &stretched()?);
+    let white = Flat::new(C::from_rgb(Rgb888::WHITE, Point::zero()));
+    canvas.draw_outline(options, &ISLAND, &SILHOUETTES, mvp, &white);
     Ok([sea, island])
 }
 
 /// Writes the name of the project into the lower left corner; if there are only black and white, on black.
 pub fn caption<C, O, D>(canvas: &mut Canvas<'_, C, O, D>)
+where
+    C: Levels,
+    O: Storage<C>,
+    D: DepthBuffer,
+{
+    caption_on(canvas, is_mono::<C>());
+}
+
+/// The same, on black or on the picture.
+pub fn caption_on<C, O, D>(canvas: &mut Canvas<'_, C, O, D>, on_black: bool)
 where
     C: Levels,
     O: Storage<C>,
@@ -213,7 +238,7 @@ where
     for (offset, gray) in [(1, 0), (0, 255)] {
         let color = |gray| C::from_rgb(Rgb888::new(gray, gray, gray), Point::zero());
         let mut style = MonoTextStyle::new(&FONT_6X10, color(gray));
-        style.background_color = is_mono::<C>().then(|| color(0));
+        style.background_color = on_black.then(|| color(0));
         let at = Point::new(5 + offset, height.cast_signed() - 6 + offset);
         let Ok(_) = Text::with_alignment(text, at, style, Alignment::Left).draw(canvas);
     }

@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 
 use clap::{Parser, ValueEnum};
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
+use crate::look::{Haze, Lamp};
 use crate::model::Format;
 
 const EXAMPLES: &str = "\
@@ -26,6 +28,7 @@ in fixed point. It prints the camera as options, from which you can go on.";
 /// Draws a 3D model with integers only, as a microcontroller would, and saves the picture.
 /// Without a model it draws the project's own scene. Options that are not given are chosen so that the model fills
 /// the picture.
+#[allow(clippy::struct_excessive_bools)] // flags
 #[derive(Clone, Debug, Parser)]
 #[command(name = "simulator", version, after_help = EXAMPLES, max_term_width = 100)]
 pub struct Args {
@@ -126,20 +129,55 @@ pub struct Args {
     #[arg(long, help_heading = "Look", conflicts_with = "scene")]
     pub two_sided: bool,
 
+    /// Draw the edges over the surface, too.
+    #[arg(long, help_heading = "Look", conflicts_with = "scene")]
+    pub wire: bool,
+
+    /// Color behind the model. [default: dark]
+    #[arg(long, value_name = "RRGGBB", value_parser = color, help_heading = "Look", conflicts_with = "scene")]
+    pub background: Option<Rgb888>,
+
+    /// Direction to a light, and its color if it is not white; may be repeated. [default: from over the viewer's left
+    /// shoulder]
+    #[arg(long, value_name = "X,Y,Z[,RRGGBB]", value_parser = lamp, allow_hyphen_values = true,
+        help_heading = "Look", conflicts_with = "scene")]
+    pub light: Vec<Lamp>,
+
+    /// Light on faces that are turned away from all lights, from 0 to 1. [default: 0.3]
+    #[arg(long, value_name = "PART", value_parser = part, allow_hyphen_values = true,
+        help_heading = "Look", conflicts_with = "scene")]
+    pub ambient: Option<f64>,
+
+    /// Fog that begins at a distance from the eye and hides everything from another one on. [default color: the
+    /// background]
+    #[arg(long, value_name = "NEAR,FAR[,RRGGBB]", value_parser = haze, allow_hyphen_values = true,
+        help_heading = "Look", conflicts_with = "scene")]
+    pub fog: Option<Haze>,
+
     /// Pixel format to draw in.
     #[arg(long, value_enum, default_value = "rgb565", help_heading = "Look")]
     pub color: Color,
 
-    /// Picture size in pixels.
+    /// Picture size in pixels, up to 4096x4096. A picture larger than 2048x2048 is drawn in tiles.
     #[arg(long, value_name = "WxH", value_parser = size, default_value = "320x240",
         allow_hyphen_values = true, help_heading = "Picture", conflicts_with = "scene")]
     pub size: (u32, u32),
+
+    /// Draw N x N pixels for each one of the picture, and average them as light (linear in energy): smooth edges for
+    /// presentations, which no microcontroller draws.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=16), default_value = "1",
+        help_heading = "Picture", conflicts_with_all = ["scene", "crc", "dump"])]
+    pub samples: u32,
+
+    /// Largest width and height of a tile; for tests.
+    #[arg(long, hide = true, value_parser = clap::value_parser!(u32).range(8..=2048), default_value = "2048")]
+    pub tile: u32,
 
     /// Draw in bands of this many rows, as a microcontroller short of memory does; the picture is the same.
     #[arg(long, value_name = "ROWS", value_parser = clap::value_parser!(u32).range(1..), help_heading = "Picture")]
     pub bands: Option<u32>,
 
-    /// Number of frames to draw; more than one makes a .gif.
+    /// Number of frames to draw; more than one need a .gif or .apng.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000),
         default_value = "1", help_heading = "Animation")]
     pub frames: u32,
@@ -149,13 +187,15 @@ pub struct Args {
         help_heading = "Animation", conflicts_with = "scene")]
     pub rpm: Option<f64>,
 
-    /// File for the picture: a .png, or a .gif for an animation. [default: named after the model]
-    #[arg(long, value_name = "FILE.png|FILE.gif", help_heading = "Output")]
+    /// File for the picture: .png, .gif or .apng (an animated PNG); - for standard output. [default: a .png or .gif
+    /// named after the model]
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
     pub out: Option<PathBuf>,
 
     /// Also write a row x,y,u,v,w,depth for each covered pixel of the last frame, with all digits.
     ///
-    /// u and v are the texture coordinate, w is the distance to the eye's plane, depth is in linear steps.
+    /// u and v are the texture coordinate, w is the distance to the eye's plane, depth is in linear steps. The file - is
+    /// standard output.
     #[arg(long, value_name = "FILE.csv", help_heading = "Output")]
     pub dump: Option<PathBuf>,
 
@@ -183,7 +223,12 @@ pub struct Args {
     #[arg(long, help_heading = "Output")]
     pub crc: bool,
 
-    /// Show the picture in a window (needs SDL2 and a build with `--features sdl`).
+    /// Print nothing but errors.
+    #[arg(long, short, help_heading = "Output")]
+    pub quiet: bool,
+
+    /// Show the picture in a window (needs SDL2 and a build with `--features sdl`). Drag or use the arrow keys to turn
+    /// the model, the wheel or + and - to come closer, Space to see it as at first, Escape to leave.
     #[arg(long, help_heading = "Output")]
     pub window: bool,
 }
@@ -299,6 +344,15 @@ impl Args {
         };
         self.up.unwrap_or(up)
     }
+
+    /// Whether any option changes light or background.
+    pub fn has_look(&self) -> bool {
+        self.wire
+            || self.background.is_some()
+            || !self.light.is_empty()
+            || self.ambient.is_some()
+            || self.fog.is_some()
+    }
 }
 
 fn number(text: &str) -> Result<f64, String> {
@@ -338,6 +392,72 @@ fn point(text: &str) -> Result<[f64; 3], String> {
     numbers
         .try_into()
         .map_err(|_| "it must be three numbers with commas between, such as 0,1.5,-2".into())
+}
+
+fn part(text: &str) -> Result<f64, String> {
+    let part = number(text)?;
+    if (0.0..=1.0).contains(&part) {
+        Ok(part)
+    } else {
+        Err("it must be between 0 and 1".into())
+    }
+}
+
+fn color(text: &str) -> Result<Rgb888, String> {
+    let digits = text.strip_prefix('#').unwrap_or(text);
+    let is_hex = digits.len() == 6 && digits.bytes().all(|digit| digit.is_ascii_hexdigit());
+    match u32::from_str_radix(digits, 16) {
+        Ok(value) if is_hex => {
+            let [_, r, g, b] = value.to_be_bytes();
+            Ok(Rgb888::new(r, g, b))
+        }
+        _ => Err(format!(
+            "'{text}': it must be a color in hexadecimal, such as ff8800"
+        )),
+    }
+}
+
+/// Numbers with commas between, and a color if there is one more word than numbers.
+fn numbers<const N: usize>(
+    text: &str,
+    such_as: &str,
+) -> Result<([f64; N], Option<Rgb888>), String> {
+    let parts: Vec<&str> = text.split(',').collect();
+    let color = match parts.get(N..) {
+        Some([]) => None,
+        Some([last]) => Some(color(last)?),
+        _ => {
+            return Err(format!(
+                "it must be {N} numbers and perhaps a color, such as {such_as}"
+            ));
+        }
+    };
+    let mut numbers = [0.0; N];
+    for (to, part) in numbers.iter_mut().zip(parts) {
+        *to = number(part).map_err(|problem| format!("'{part}': {problem}"))?;
+    }
+    Ok((numbers, color))
+}
+
+fn lamp(text: &str) -> Result<Lamp, String> {
+    let (direction, color) = numbers(text, "1,2,1,ff8800")?;
+    if direction.iter().all(|&x| x == 0.0) {
+        return Err("it must point somewhere: at least one number must not be 0".into());
+    }
+    Ok(Lamp {
+        direction,
+        color: color.unwrap_or(Rgb888::WHITE),
+    })
+}
+
+fn haze(text: &str) -> Result<Haze, String> {
+    let ([near, far], color) = numbers(text, "2,9,c0d0e0")?;
+    if near >= far {
+        return Err(format!(
+            "fog ends at {far}: that must be beyond its beginning at {near}"
+        ));
+    }
+    Ok(Haze { near, far, color })
 }
 
 fn size(text: &str) -> Result<(u32, u32), String> {

@@ -28,6 +28,11 @@ impl Record {
         self.covered
     }
 
+    /// The distance to the eye's plane, in the model's own units.
+    pub fn distance(&self) -> f64 {
+        f64::from(self.distance) * f64::from(-self.distance_bits).exp2()
+    }
+
     /// Whether this pixel shows a surface where the `other` shows none, or one behind it by more than rounding.
     pub fn hides(&self, other: &Self) -> bool {
         let further = other.distance.saturating_sub(self.distance);

@@ -3,8 +3,8 @@
 //! The compiler reads these lists as they are. `include_obj!` parses a file in the compiler, which takes minutes for a
 //! big one.
 
+use std::ffi::OsStr;
 use std::fmt::{Debug, Write as _};
-use std::fs;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -13,81 +13,81 @@ use fixel::mesh::flash::{UvGrid, short_normal};
 use fixel::{Vec2, Vec3};
 
 use super::Result;
-use crate::args::MeshFormat;
+use crate::args::{Args, MeshFormat};
 use crate::model::{Image, Model};
-use crate::output::Output;
 use crate::parts::{self, Part, Run};
 use crate::piece::Finish;
+use crate::place::{self, Output};
+use crate::report;
 use crate::skin::Skin;
 
-/// Refuses an output that is one of the `inputs`, by whatever name.
-///
-/// # Errors
-///
-/// The message names both.
-pub fn refuse_inputs(output: &Path, inputs: &[PathBuf]) -> Result<()> {
-    let same = |input: &&PathBuf| match (fs::canonicalize(output), fs::canonicalize(input)) {
-        (Ok(output), Ok(input)) => output == input,
-        _ => false,
-    };
-    match inputs.iter().find(same) {
-        Some(input) => {
-            let (output, input) = (output.display(), input.display());
-            Err(format!("cannot write {output}: it is an input, {input}").into())
-        }
-        None => Ok(()),
-    }
-}
+/// Files to write: each its name and its bytes.
+pub type Files = Vec<(PathBuf, Vec<u8>)>;
 
-/// Writes the model or its textures to `path`, as its ending says: .rs or .bmp. `textures` is the name of the
-/// textures' file, if it is exported too.
+/// Returns the files that `--export` asks for, with the model in its own units. None is one of the `inputs`.
 ///
 /// # Errors
 ///
-/// The ending is another one, the model does not fit into one mesh, it has no texture, or the file cannot be written.
-pub fn write(
-    path: &Path,
+/// A name has another ending than .rs or .bmp, or is that of an input or the dump; the model does not fit into one
+/// mesh, or it has no texture.
+pub fn files(
+    args: &Args,
+    inputs: &[PathBuf],
     model: &Model,
     (finishes, skins): (&[Finish], &[Skin]),
-    format: MeshFormat,
-    textures: Option<&Path>,
-) -> Result<()> {
-    let refuse = |problem: &str| format!("cannot export {}: {problem}", path.display());
-    match path.extension().and_then(|ending| ending.to_str()) {
-        Some("rs") => {
-            let whole = parts::whole(model).map_err(|problem| refuse(&problem.to_string()))?;
-            let mut source = mesh(&whole.0, format);
-            if !model.materials.is_empty() {
-                materials(&mut source, model, &whole.1, finishes, textures);
+) -> Result<Files> {
+    let mut files = Vec::new();
+    let ending = |path: &Path| path.extension().and_then(OsStr::to_str).map(str::to_owned);
+    let textures = (args.export.iter()).find(|path| ending(path).as_deref() == Some("bmp"));
+    for path in &args.export {
+        place::refuse_inputs(path, inputs)?;
+        let refuse = |problem: &str| format!("cannot export {}: {problem}", path.display());
+        match ending(path).as_deref() {
+            Some("rs") => {
+                let whole = parts::whole(model).map_err(|problem| refuse(&problem.to_string()))?;
+                let mut source = mesh(&whole.0, args.mesh);
+                if !model.materials.is_empty() {
+                    let textures = textures.map(PathBuf::as_path);
+                    materials(&mut source, model, &whole.1, finishes, textures);
+                }
+                files.push((path.clone(), source.into_bytes()));
             }
-            save(path, source.as_bytes())
-        }
-        Some("bmp") if skins.is_empty() => Err(refuse("the model has no texture").into()),
-        Some("bmp") => {
-            for (at, skin) in skins.iter().enumerate() {
-                save(&numbered(path, at), &bmp(skin))?;
+            Some("bmp") if skins.is_empty() => {
+                return Err(refuse("the model has no texture").into());
             }
-            Ok(())
-        }
-        _ => {
-            Err(refuse("its name must end in .rs for the mesh or in .bmp for its textures").into())
+            Some("bmp") => {
+                let numbered = |(at, skin)| (numbered(path, at), bmp(skin));
+                files.extend(skins.iter().enumerate().map(numbered));
+            }
+            _ => {
+                let endings = "its name must end in .rs for the mesh or in .bmp for its textures";
+                return Err(refuse(endings).into());
+            }
         }
     }
+    for (path, _) in &files {
+        place::refuse_inputs(path, inputs)?;
+        if (args.dump.as_ref()).is_some_and(|dump| place::are_same(dump, path)) {
+            return Err(format!("--dump and --export are both {}", path.display()).into());
+        }
+    }
+    Ok(files)
 }
 
-fn save(path: &Path, bytes: &[u8]) -> Result<()> {
-    let mut output = Output::create(path)?;
-    output
-        .write_all(bytes)
-        .map_err(|error| format!("cannot write {}: {error}", path.display()))?;
-    output.finish()?;
-    println!("wrote {}", path.display());
+/// Writes `files`.
+///
+/// # Errors
+///
+/// A file cannot be written.
+pub fn write(args: &Args, files: &Files) -> Result<()> {
+    for (path, bytes) in files {
+        let mut output = Output::create(path)?;
+        let failed = output.failed();
+        (output.write_all(bytes)).map_err(|error| failed(error.into()))?;
+        output.finish()?;
+        report::say(args, format_args!("wrote {}", path.display()))?;
+    }
     Ok(())
-}
-
-/// The files that an export to `path` writes.
-pub fn files(path: &Path, skins: usize) -> Vec<PathBuf> {
-    (0..skins.max(1)).map(|at| numbered(path, at)).collect()
 }
 
 /// skin.bmp, skin-2.bmp, skin-3.bmp, …
@@ -125,7 +125,8 @@ fn bmp(skin: &Skin) -> Vec<u8> {
     ]);
     for row in rows.rev() {
         let start = file.len();
-        file.extend(row.chunks_exact(3).flat_map(|rgb| [rgb[2], rgb[1], rgb[0]]));
+        let bytes = |color: &Rgb888| [color.b(), color.g(), color.r()];
+        file.extend(row.iter().flat_map(bytes));
         file.resize(start + row_len as usize, 0);
     }
     file

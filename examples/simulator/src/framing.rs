@@ -5,7 +5,8 @@
 use super::Result;
 use crate::args::{Args, DepthFormat, Kind};
 use crate::fit::{self, range};
-use crate::notes::name;
+use crate::idle::name;
+use crate::look::Haze;
 
 /// Part of the picture's width and height that the model fills.
 const FILL: f64 = 0.94;
@@ -40,6 +41,8 @@ pub struct Framing {
     aspect: f64,
     /// Distances of the nearest and the farthest point.
     range: [f64; 2],
+    /// Distance of the farthest point there can be.
+    farthest: f64,
 }
 
 /// The place and the size of a model.
@@ -179,6 +182,14 @@ pub fn about(value: f64) -> f64 {
 fn to_digits(value: f64, digits: usize) -> f64 {
     let decimals = digits - 1;
     format!("{value:.decimals$e}").parse().unwrap_or(value)
+}
+
+/// Returns the largest far / near that is chosen. Depth in equal steps of 1/distance needs one below 1000.
+fn most_ratio(depth: DepthFormat) -> f64 {
+    match depth {
+        DepthFormat::Linear => 500.0,
+        DepthFormat::Float | DepthFormat::Wide => 30_000.0,
+    }
 }
 
 /// What an eye that is not given must satisfy.
@@ -332,9 +343,11 @@ impl Framing {
             kind: args.projection,
             aspect,
             range: [0.0; 2],
+            farthest: 0.0,
         };
         let seen = seen(&axes, eye, points);
         framing.range = range(seen.iter().map(|p| -p[2]));
+        framing.farthest = framing.range[1];
         framing.fov = args.fov.unwrap_or_else(|| {
             if args.eye.is_none() && args.projection == Kind::Perspective {
                 FIELD_OF_VIEW
@@ -396,12 +409,8 @@ impl Framing {
         let margin = (high - low) * 0.02 + high.abs() * 0.001;
         let behind = about(high + margin);
         self.far = args.far.unwrap_or(behind);
-        // Depth in equal steps of 1/distance needs a far / near below 1000. An eye inside the model does not see what
-        // is nearer.
-        let ratio = match args.depth {
-            DepthFormat::Linear => 500.0,
-            DepthFormat::Float | DepthFormat::Wide => 30_000.0,
-        };
+        // An eye inside the model does not see what is nearer.
+        let ratio = most_ratio(args.depth);
         self.near = args.near.unwrap_or(about(if is_perspective {
             (low - margin).max(self.far.min(behind) / ratio)
         } else {
@@ -419,6 +428,23 @@ impl Framing {
             .into());
         }
         Ok(())
+    }
+
+    /// Moves the near and the far plane, unless they are given, so that the user may turn the model any way about the
+    /// point `about`, and enlarge it up to `zoom` times.
+    pub fn widen(&mut self, args: &Args, points: &[Point], about: Point, zoom: f64) {
+        let distance = |p: Point| dot(sub(p, about), sub(p, about)).sqrt();
+        let reach = points.iter().map(|&p| distance(p)).fold(0.0, f64::max) * zoom;
+        let eye = distance(self.eye);
+        self.farthest = self.farthest.max(eye + reach);
+        let far = self.far.max(eye + reach);
+        let near = if self.is_perspective() {
+            (eye - reach).max(far / most_ratio(args.depth))
+        } else {
+            eye - reach
+        };
+        self.near = args.near.unwrap_or(near.min(self.near));
+        self.far = args.far.unwrap_or(far);
     }
 
     pub fn is_perspective(&self) -> bool {
@@ -446,7 +472,7 @@ impl Framing {
 
     /// Returns the distance of the far plane, or of a nearer one behind the model if that makes the same picture.
     pub fn useful_far(&self) -> f64 {
-        let behind = self.range[1] * 2.0;
+        let behind = self.farthest * 2.0;
         if self.is_perspective() && behind > self.near {
             self.far.min(behind)
         } else {
@@ -469,7 +495,18 @@ impl Framing {
                 .into_iter()
                 .fold(0.0, |most, edge| edge.abs().max(most))
         };
-        let reach = [solid.radius, at_eye, window, far.abs(), self.near.abs()];
+        // Fog is no place: it may use the whole range of the format, twice as large.
+        let fog = args
+            .fog
+            .map_or(0.0, |fog| fog.near.abs().max(fog.far.abs()) / 2.0);
+        let reach = [
+            solid.radius,
+            at_eye,
+            window,
+            far.abs(),
+            self.near.abs(),
+            fog,
+        ];
         let reach = reach.into_iter().fold(0.0, f64::max);
         if reach <= limit {
             return Ok(reach);
@@ -483,6 +520,10 @@ impl Framing {
             )
         };
         Err(match *args {
+            Args { fog: Some(Haze { near, far, .. }), .. } if fog > limit => {
+                let most = limit * 2.0;
+                format!("--fog {near},{far}: both must be between -{most} and {most}")
+            }
             Args { eye: Some(eye), .. } if at_eye > limit => place("--eye", eye),
             Args { look_at: Some(target), .. } if at_target > limit / 16.0 => {
                 place("--look-at", target)

@@ -2,31 +2,45 @@
 
 use std::time::{Duration, Instant};
 
-use embedded_graphics::geometry::Point;
-use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
-use fixel::Drawn;
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{Point, Size};
+use embedded_graphics::pixelcolor::{PixelColor, Rgb565, Rgb888};
+use embedded_graphics::primitives::Rectangle;
 use fixel::prelude::*;
-use fixel::shade::{FaceColors, Gouraud, Levels, Textured};
+use fixel::shade::{FaceColors, Gouraud, Textured, Varyings};
 use fixel::target::{DepthBuffer, Float, WideFloat};
 use fixel::view::Perspective;
+use fixel::{Drawn, Mesh};
 
 use super::Result;
 use super::common::{lighthouse, scenes};
 use super::mode::{Mode, in_mode};
 use super::output::FRAME_MS;
-use super::paint::{Board, Posed, Shown, add};
-use super::view::{Lens, View, direction};
+use super::paint::{Board, Brush, Posed, Shown, draw_surface_in};
+use super::surface::{FaceValues, Surface};
+use super::view::{View, direction};
+use super::window::Orbit;
 use crate::args::{self, Args, DepthFormat, SceneName, Shade};
 use crate::dump::{Record, Recorder};
 use crate::piece::Piece;
+
+/// A moment of an animation, and how the user turned the model in a window.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Moment {
+    pub frame: u32,
+    pub orbit: Orbit,
+}
 
 /// A band of a frame, to be drawn.
 #[derive(Debug)]
 pub struct Band<'a, C> {
     pub pixels: &'a mut [C],
     pub depth: &'a mut [u16],
+    /// Width and height of the frame.
     pub size: (u32, u32),
     pub first_row: u32,
+    /// The whole picture, as seen from this frame, which may be a part of it.
+    pub viewport: Option<Viewport>,
 }
 
 /// The result of drawing a band, and the time of the draw calls.
@@ -38,11 +52,37 @@ fn timed(draw: impl FnOnce() -> Drawn) -> Done {
     (drawn, start.elapsed())
 }
 
-impl<'a, C: embedded_graphics::pixelcolor::PixelColor> Band<'a, C> {
+impl<'a, C: PixelColor> Band<'a, C> {
     fn canvas(self) -> Result<(Canvas<'a, C>, &'a mut [u16])> {
         let (width, height) = self.size;
         let canvas = Canvas::band(self.pixels, width, height, self.first_row)?;
         Ok((canvas, self.depth))
+    }
+
+    /// Where the top left corner of the frame is in the whole picture.
+    fn origin(&self) -> Point {
+        self.viewport.map_or(Point::zero(), |viewport| {
+            Point::new(-viewport.x(), -viewport.y())
+        })
+    }
+
+    /// The same band in another color; `draw` fills it, and it is converted.
+    fn drawn_in<B: PixelColor + Default + Into<C>>(
+        self,
+        draw: impl FnOnce(Band<'_, B>) -> Result<Done>,
+    ) -> Result<Done> {
+        let mut pixels = vec![B::default(); self.pixels.len()];
+        let done = draw(Band {
+            pixels: &mut pixels,
+            depth: self.depth,
+            size: self.size,
+            first_row: self.first_row,
+            viewport: self.viewport,
+        })?;
+        for (to, from) in self.pixels.iter_mut().zip(pixels) {
+            *to = from.into();
+        }
+        Ok(done)
     }
 }
 
@@ -90,71 +130,73 @@ pub struct Model<'a> {
 }
 
 impl Model<'_> {
-    fn posed<'a>(&'a self, view: &'a View, frame: u32) -> Result<Posed<'a>> {
+    fn posed<'a>(
+        &'a self,
+        view: &'a View,
+        moment: Moment,
+        viewport: Option<Viewport>,
+    ) -> Result<Posed<'a>> {
         Ok(Posed {
             pieces: self.pieces,
             view,
-            pose: self.turn.pose(frame)?,
+            pose: moment.orbit.turned(self.turn.pose(moment.frame)?, view),
+            viewport,
         })
     }
 
     /// Draws a band of a frame.
-    pub fn paint<C: Shown>(
-        &self,
-        band: Band<'_, C>,
-        frame: u32,
-        textures: &[Texture<'_, C::Texel>],
-    ) -> Result<Done> {
+    pub fn paint(&self, band: Band<'_, Rgb888>, moment: Moment, brush: &Brush<'_>) -> Result<Done> {
+        let origin = band.origin();
+        let posed = self.posed(&self.view, moment, band.viewport)?;
         let (canvas, depth) = band.canvas()?;
-        match self.view.depth {
-            DepthFormat::Linear => self.paint_on(canvas.with_depth(depth)?, frame, textures),
+        Ok(match self.view.depth {
+            DepthFormat::Linear => paint_on(canvas.with_depth(depth)?, origin, posed, brush),
             DepthFormat::Float => {
                 let canvas = canvas.with_depth_format::<Float>(depth)?;
-                self.paint_on(canvas, frame, textures)
+                paint_on(canvas, origin, posed, brush)
             }
             DepthFormat::Wide => {
                 let canvas = canvas.with_depth_format::<WideFloat>(depth)?;
-                self.paint_on(canvas, frame, textures)
+                paint_on(canvas, origin, posed, brush)
             }
-        }
+        })
     }
 
-    fn paint_on<C: Shown, D: DepthBuffer>(
+    /// Draws a band of the project's own scene in the color `C`, with its surfaces.
+    pub fn paint_own<C: Shown>(
         &self,
-        mut canvas: Board<'_, C, D>,
-        frame: u32,
-        textures: &[Texture<'_, C::Texel>],
+        band: Band<'_, Rgb888>,
+        moment: Moment,
+        surfaces: &[Surface<'_>; 2],
     ) -> Result<Done> {
-        let posed = self.posed(&self.view, frame)?;
-        let Some(shade) = self.shade else {
-            lighthouse::sky(&mut canvas);
-            let camera = self.view.camera;
-            let start = Instant::now();
-            let [sea, island] = match self.view.projection {
-                Lens::Perspective(projection) => {
-                    in_mode!(self.view.mode, DrawOptions::new(), |options| {
-                        lighthouse::draw(&mut canvas, options, &(projection * camera * posed.pose))?
-                    })
-                }
-                Lens::Parallel(projection) => lighthouse::draw(
-                    &mut canvas,
-                    &DrawOptions::new(),
-                    &(projection * camera * posed.pose),
-                )?,
-            };
-            let time = start.elapsed();
-            lighthouse::caption(&mut canvas);
-            return Ok((add(sea, island), time));
-        };
-        canvas.clear(background(shade));
-        Ok(timed(|| posed.paint(&mut canvas, shade, textures)))
+        let posed = self.posed(&self.view, moment, None)?;
+        let (pixels, depth, size, first_row) = (band.pixels, band.depth, band.size, band.first_row);
+        let mut sky = vec![C::default(); pixels.len()];
+        lighthouse::sky(&mut Canvas::band(&mut sky, size.0, size.1, first_row)?);
+        let sky = sky.into_iter().map(Into::into).collect::<Vec<Rgb888>>();
+        let is_mono = lighthouse::is_mono::<C>();
+        let canvas = Canvas::band(pixels, size.0, size.1, first_row)?;
+        Ok(match self.view.depth {
+            DepthFormat::Linear => {
+                let canvas = canvas.with_depth(depth)?;
+                posed.paint_own(canvas, &sky, is_mono, surfaces)
+            }
+            DepthFormat::Float => {
+                let canvas = canvas.with_depth_format::<Float>(depth)?;
+                posed.paint_own(canvas, &sky, is_mono, surfaces)
+            }
+            DepthFormat::Wide => {
+                let canvas = canvas.with_depth_format::<WideFloat>(depth)?;
+                posed.paint_own(canvas, &sky, is_mono, surfaces)
+            }
+        })
     }
 
     /// Records a band of a frame.
-    pub fn record(&self, band: Band<'_, Record>, frame: u32) -> Result<Done> {
+    pub fn record(&self, band: Band<'_, Record>, moment: Moment) -> Result<Done> {
         let mut view = self.view;
         view.mode = self.recorded;
-        self.record_in(&view, band, frame, self.shade == Some(Shade::Wire))
+        self.record_in(&view, band, moment, self.shade == Some(Shade::Wire))
     }
 
     /// Records a band of a frame: faces, or edges.
@@ -162,11 +204,11 @@ impl Model<'_> {
         &self,
         view: &View,
         band: Band<'_, Record>,
-        frame: u32,
+        moment: Moment,
         edges: bool,
     ) -> Result<Done> {
+        let posed = self.posed(view, moment, band.viewport)?;
         let (canvas, depth) = band.canvas()?;
-        let posed = self.posed(view, frame)?;
         Ok(match self.view.depth {
             DepthFormat::Linear => self.record_on(posed, canvas.with_depth(depth)?, edges),
             DepthFormat::Float => {
@@ -189,21 +231,46 @@ impl Model<'_> {
             if edges {
                 posed.draw_edges(&mut canvas, &self.recorder)
             } else {
-                posed.draw(&mut canvas, &self.recorder)
+                posed.draw(&mut canvas, &self.recorder, false)
             }
         })
     }
 }
 
-/// The background of a model, unlike any of its shades.
-fn background<C: Levels>(shade: Shade) -> C {
-    let color = match shade {
-        Shade::Wire | Shade::Depth => Rgb888::new(0, 0, 0),
-        // The dithered formats would show a pattern instead.
-        _ if C::MAX_STEPS[0] < 31 => Rgb888::new(0, 0, 0),
-        _ => Rgb888::new(34, 40, 52),
-    };
-    C::from_rgb(color, Point::zero())
+impl Posed<'_> {
+    /// Draws the project's own scene, as `lighthouse::draw` does.
+    fn paint_own<D: DepthBuffer>(
+        &self,
+        mut canvas: Board<'_, Rgb888, D>,
+        sky: &[Rgb888],
+        is_mono: bool,
+        surfaces: &[Surface<'_>; 2],
+    ) -> Done {
+        canvas.clear(Rgb888::default());
+        let rows = canvas.rows().clone();
+        let corner = Point::new(0, rows.start.cast_signed());
+        let size = Size::new(canvas.frame_size().width, rows.end - rows.start);
+        let Ok(()) = canvas.fill_contiguous(&Rectangle::new(corner, size), sky.iter().copied());
+        let done = timed(|| {
+            let sum = self.draw_surfaces(&mut canvas, surfaces, false);
+            if is_mono {
+                self.draw_outline(&mut canvas, &lighthouse::ISLAND, &lighthouse::SILHOUETTES);
+            }
+            sum
+        });
+        lighthouse::caption_on(&mut canvas, is_mono);
+        done
+    }
+}
+
+fn paint_on<D: DepthBuffer>(
+    mut canvas: Board<'_, Rgb888, D>,
+    origin: Point,
+    posed: Posed<'_>,
+    brush: &Brush<'_>,
+) -> Done {
+    brush.clear(&mut canvas, origin);
+    timed(|| posed.paint(&mut canvas, brush))
 }
 
 /// The mvp of a measured scene in pose `k`.
@@ -258,49 +325,69 @@ macro_rules! on_canvas {
 
 impl Measured {
     /// Draws a band of the scene as it is measured.
-    pub fn paint(self, band: Band<'_, Rgb565>, frame: u32) -> Result<Done> {
-        let mvp = mvp(self.scene, frame)?;
-        Ok(on_canvas!(
-            band,
-            self,
-            Rgb565::default(),
-            |canvas| in_mode!(self.mode, DrawOptions::new(), |options| match self.scene {
-                SceneName::Floor => scenes::floor(canvas, options, &mvp),
-                SceneName::Cube => scenes::cube(canvas, options, &mvp),
-                SceneName::Sphere => scenes::sphere(canvas, options, &mvp),
-                SceneName::SphereFlat => scenes::sphere_flat(canvas, options, &mvp),
-            })
-        ))
+    pub fn paint(self, band: Band<'_, Rgb888>, moment: Moment) -> Result<Done> {
+        let mvp = mvp(self.scene, moment.frame)?;
+        band.drawn_in(|band: Band<'_, Rgb565>| {
+            Ok(on_canvas!(
+                band,
+                self,
+                Rgb565::default(),
+                |canvas| in_mode!(self.mode, DrawOptions::new(), |options| match self.scene {
+                    SceneName::Floor => scenes::floor(canvas, options, &mvp),
+                    SceneName::Cube => scenes::cube(canvas, options, &mvp),
+                    SceneName::Sphere => scenes::sphere(canvas, options, &mvp),
+                    SceneName::SphereFlat => scenes::sphere_flat(canvas, options, &mvp),
+                })
+            ))
+        })
     }
 
-    /// Draws a band of the scene in another color.
-    pub fn paint_in<C: Levels>(self, band: Band<'_, C>, frame: u32) -> Result<Done> {
-        let mvp = mvp(self.scene, frame)?;
-        let black = C::from_rgb(Rgb888::new(0, 0, 0), Point::zero());
-        let checker = Textured::new(&scenes::CHECKER).converted();
-        let faces = FaceColors::new(&scenes::FACE_COLORS).converted();
-        Ok(on_canvas!(band, self, black, |canvas| in_mode!(
-            self.mode,
-            DrawOptions::new(),
-            |options| match self.scene {
-                SceneName::Floor => canvas.draw_with(options, &scenes::FLOOR, &mvp, &checker),
-                SceneName::Cube => canvas.draw_with(options, &scenes::CUBE, &mvp, &checker),
-                SceneName::Sphere => {
-                    canvas.draw_with(options, &scenes::SPHERE, &mvp, &Gouraud::new())
-                }
-                SceneName::SphereFlat => canvas.draw_with(options, &scenes::SPHERE, &mvp, &faces),
+    /// Returns the shader of the scene in another color than it is measured in.
+    ///
+    /// # Errors
+    ///
+    /// None.
+    pub fn surface<C: Shown>(self) -> Result<Surface<'static>>
+    where
+        Gouraud<C>: Shader<Color = C, Varyings: Varyings<Face: FaceValues>>,
+    {
+        match self.scene {
+            SceneName::Floor | SceneName::Cube => {
+                Surface::new(Textured::new(&scenes::CHECKER).converted::<C>())
             }
-        )))
+            SceneName::Sphere => Surface::new(Gouraud::<C>::new()),
+            SceneName::SphereFlat => {
+                Surface::new(FaceColors::new(&scenes::FACE_COLORS).converted::<C>())
+            }
+        }
     }
 
-    /// Records a band of the scene.
-    pub fn record(self, band: Band<'_, Record>, frame: u32) -> Result<Done> {
-        let mvp = mvp(self.scene, frame)?;
-        let mesh = match self.scene {
+    /// Draws a band of the scene with another shader.
+    pub fn paint_with(
+        self,
+        band: Band<'_, Rgb888>,
+        moment: Moment,
+        surface: &Surface<'_>,
+    ) -> Result<Done> {
+        let mvp = mvp(self.scene, moment.frame)?;
+        let mesh = self.mesh();
+        Ok(on_canvas!(band, self, Rgb888::default(), |canvas| {
+            draw_surface_in(canvas, self.mode, mesh, &mvp, surface)
+        }))
+    }
+
+    fn mesh(self) -> &'static Mesh<'static> {
+        match self.scene {
             SceneName::Floor => &scenes::FLOOR,
             SceneName::Cube => &scenes::CUBE,
             SceneName::Sphere | SceneName::SphereFlat => &scenes::SPHERE,
-        };
+        }
+    }
+
+    /// Records a band of the scene.
+    pub fn record(self, band: Band<'_, Record>, moment: Moment) -> Result<Done> {
+        let mvp = mvp(self.scene, moment.frame)?;
+        let mesh = self.mesh();
         let recorder = Recorder::new(1.0, 0, args::Mode::Newton);
         Ok(on_canvas!(band, self, Record::default(), |canvas| {
             canvas.draw(mesh, &mvp, &recorder)

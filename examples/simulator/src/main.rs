@@ -11,29 +11,37 @@ mod dump;
 mod export;
 mod fit;
 mod framing;
+mod idle;
 mod job;
+mod look;
 mod mode;
 mod model;
 mod normals;
-mod notes;
 mod output;
 mod paint;
 mod parts;
+mod picture;
 mod piece;
+mod place;
 mod render;
+mod report;
+mod samples;
 mod sight;
 mod skin;
 mod subject;
+mod surface;
 mod targets;
+mod tiles;
 mod turntable;
 mod units;
 mod view;
 mod window;
 
 use std::error::Error;
+use std::io::{self, Write};
 use std::process::ExitCode;
 
-use clap::Parser;
+use clap::{CommandFactory, FromArgMatches};
 
 use args::Args;
 
@@ -41,10 +49,14 @@ use args::Args;
 type Result<T, E = Box<dyn Error>> = std::result::Result<T, E>;
 
 fn main() -> ExitCode {
-    match render::run(&Args::parse()) {
+    let given = Args::command().get_matches();
+    let args = Args::from_arg_matches(&given).unwrap_or_else(|error| error.exit());
+    let done = place::remove_on_interrupt().and_then(|()| render::run(&args, &given));
+    match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("error: {error}");
+            // Not eprintln!, which panics if nobody reads.
+            let _ = writeln!(io::stderr(), "error: {error}");
             ExitCode::FAILURE
         }
     }

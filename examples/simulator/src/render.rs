@@ -1,91 +1,105 @@
 //! The whole run, from arguments to pictures, in each color.
 
+use clap::ArgMatches;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
 
 use super::Result;
 use super::common::scenes;
 use crate::args::{Args, Color};
+use crate::export;
+use crate::idle;
 use crate::job::{Measured, Model};
+use crate::look::Look;
 use crate::mode::Mode;
-use crate::notes;
-use crate::paint::Shown;
+use crate::paint::{Brush, Shown, own_surfaces};
+use crate::report;
 use crate::sight;
 use crate::skin::{Skin, Texels};
 use crate::subject::Subject;
-use crate::targets::Targets;
+use crate::targets::{self, Targets};
 
-/// Runs the program with `args`.
+/// Runs the program with `args`, of which the user has `given` some.
 ///
 /// # Errors
 ///
 /// Any problem with the arguments or a file, in words.
-pub fn run(args: &Args) -> Result<()> {
-    let targets = Targets::open(args)?;
-    let note = |note: &str| eprintln!("note: {note}");
+pub fn run(args: &Args, given: &ArgMatches) -> Result<()> {
+    targets::check_size(args)?;
     if let Some(scene) = args.scene {
-        for idle in notes::idle(args, None) {
-            note(&idle);
-        }
+        let targets = Targets::open(args, &[])?;
+        report::notes(args, &idle::options(args, given, None))?;
         let measured = Measured {
             scene,
             mode: Mode::new(args, 1.0)?,
             depth: args.depth,
         };
-        return match args.color {
-            Color::Rgb565 => targets.fill(
-                MEASURED,
-                |band, frame| measured.record(band, frame),
-                |band, frame| measured.paint(band, frame),
-            ),
-            Color::Rgb888 => measured_in::<Rgb888>(measured, targets),
-            Color::Gray8 => measured_in::<Gray8>(measured, targets),
-            Color::Gray4 => measured_in::<Gray4>(measured, targets),
-            Color::Mono => measured_in::<BinaryColor>(measured, targets),
+        let surface = match args.color {
+            Color::Rgb565 => None,
+            Color::Rgb888 => Some(measured.surface::<Rgb888>()?),
+            Color::Gray8 => Some(measured.surface::<Gray8>()?),
+            Color::Gray4 => Some(measured.surface::<Gray4>()?),
+            Color::Mono => Some(measured.surface::<BinaryColor>()?),
         };
+        return targets.fill(
+            MEASURED,
+            |band, moment| measured.record(band, moment),
+            |band, moment| match &surface {
+                None => measured.paint(band, moment),
+                Some(surface) => measured.paint_with(band, moment, surface),
+            },
+        );
     }
     let subject = Subject::load(args)?;
-    targets.refuse_inputs(&subject.inputs)?;
+    let targets = Targets::open(args, &subject.inputs)?;
     let pieces = subject.pieces()?;
     let model = subject.model(args, &pieces)?;
-    for idle in notes::idle(args, model.shade) {
-        note(&idle);
-    }
-    if let Some(hint) = sight::check(&model, args)? {
-        note(hint);
-    }
-    println!("camera {}", subject.framing.options());
-    let skins = &subject.skins;
+    report::notes(args, &idle::options(args, given, model.shade))?;
+    report::notes(args, &sight::check(&model, args)?)?;
+    export::write(args, &subject.exports)?;
     match args.color {
-        Color::Rgb565 => picture_in::<Rgb565>(&model, skins, args, targets),
-        Color::Rgb888 => picture_in::<Rgb888>(&model, skins, args, targets),
-        Color::Gray8 => picture_in::<Gray8>(&model, skins, args, targets),
-        Color::Gray4 => picture_in::<Gray4>(&model, skins, args, targets),
-        Color::Mono => picture_in::<BinaryColor>(&model, skins, args, targets),
-    }
+        Color::Rgb565 => picture_in::<Rgb565>(&model, &subject, args, targets),
+        Color::Rgb888 => picture_in::<Rgb888>(&model, &subject, args, targets),
+        Color::Gray8 => picture_in::<Gray8>(&model, &subject, args, targets),
+        Color::Gray4 => picture_in::<Gray4>(&model, &subject, args, targets),
+        Color::Mono => picture_in::<BinaryColor>(&model, &subject, args, targets),
+    }?;
+    report::say(args, format_args!("camera {}", subject.framing.options()))
 }
 
 /// The size of the measured scenes.
 const MEASURED: (u32, u32) = (scenes::WIDTH, scenes::HEIGHT);
 
-fn measured_in<C: Shown>(measured: Measured, targets: Targets<'_>) -> Result<()> {
-    targets.fill(
-        MEASURED,
-        |band, frame| measured.record(band, frame),
-        |band, frame| measured.paint_in::<C>(band, frame),
-    )
-}
-
 fn picture_in<C: Shown>(
     model: &Model<'_>,
-    skins: &[Skin],
+    subject: &Subject,
     args: &Args,
     targets: Targets<'_>,
 ) -> Result<()> {
-    let texels: Vec<_> = skins.iter().map(Skin::texels).collect();
+    let view = &model.view;
+    let Some(shade) = model.shade else {
+        let (width, height) = args.size;
+        if width.max(height) * args.samples > args.tile {
+            return Err(format!(
+                "the project's own scene is drawn in one tile of {0}x{0}: --size {width}x{height} --samples {1} is more",
+                args.tile, args.samples
+            )
+            .into());
+        }
+        let surfaces = own_surfaces::<C>()?;
+        return targets.fill(
+            args.size,
+            |band, moment| model.record(band, moment),
+            |band, moment| model.paint_own::<C>(band, moment, &surfaces),
+        );
+    };
+    let texels: Vec<_> = subject.skins.iter().map(Skin::texels).collect();
     let textures: Vec<_> = texels.iter().map(Texels::texture).collect::<Result<_>>()?;
+    let scale = subject.units.scale();
+    let look = Look::new(args, shade, view.sun, view.viewer(), scale)?;
+    let brush = Brush::new::<C>(&look, view, model.pieces, &textures, args.samples)?;
     targets.fill(
         args.size,
-        |band, frame| model.record(band, frame),
-        |band, frame| model.paint::<C>(band, frame, &textures),
+        |band, moment| model.record(band, moment),
+        |band, moment| model.paint(band, moment, &brush),
     )
 }

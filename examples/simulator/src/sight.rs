@@ -5,22 +5,23 @@ use fixel::Cull;
 use super::Result;
 use crate::args::{Args, Shade};
 use crate::dump::Record;
-use crate::job::{Band, Model};
+use crate::job::{Band, Model, Moment};
 
 /// Largest side of the pictures that are searched for backs.
 const SMALL: u32 = 256;
 /// Largest side that a picture in one piece can have.
 const LARGE: u32 = 2048;
 
-/// Returns a hint if most of the faces in view show their backs, which are not drawn.
+/// Returns hints: if most of the faces in view show their backs, which are not drawn, and if fog hides all of them.
 ///
 /// # Errors
 ///
 /// Nothing is visible in any frame. The message says why, and what to do.
-pub fn check(model: &Model<'_>, args: &Args) -> Result<Option<&'static str>> {
+pub fn check(model: &Model<'_>, args: &Args) -> Result<Vec<String>> {
     let is_wire = model.shade == Some(Shade::Wire);
     let cull = model.view.options.cull();
-    let size = within(args.size, LARGE);
+    let (width, height) = args.size;
+    let size = within((width * args.samples, height * args.samples), LARGE);
     let any = |cull, edges| -> Result<bool> {
         for frame in 0..args.frames {
             let records = model.look(size, frame, cull, edges)?;
@@ -40,16 +41,33 @@ pub fn check(model: &Model<'_>, args: &Args) -> Result<Option<&'static str>> {
         };
         return Err(format!("nothing is visible: {why}").into());
     }
-    if is_wire || model.shade.is_none() || cull == Cull::Nothing {
-        return Ok(None);
+    let mut hints = Vec::new();
+    if is_wire || model.shade.is_none() {
+        return Ok(hints);
     }
     let size = within(size, SMALL);
     let front = model.look(size, 0, cull, false)?;
+    let is_foggy = matches!(
+        model.shade,
+        Some(Shade::Texture | Shade::Lit | Shade::Gouraud | Shade::Flat)
+    );
+    let is_beyond = |far: f64| {
+        let mut seen = front.iter().filter(|record| record.is_covered());
+        seen.all(|record| record.distance() >= far)
+    };
+    if is_foggy && args.fog.is_some_and(|fog| is_beyond(fog.far)) {
+        hints.push("all faces in view are behind the fog: see --fog".into());
+    }
+    if cull == Cull::Nothing {
+        return Ok(hints);
+    }
     let both = model.look(size, 0, Cull::Nothing, false)?;
     let seen = both.iter().filter(|record| record.is_covered()).count();
     let away = (both.iter().zip(&front)).filter(|(both, front)| both.hides(front));
-    let mostly = 2 * away.count() > seen;
-    Ok(mostly.then_some("most faces in view point away: try --two-sided"))
+    if 2 * away.count() > seen {
+        hints.push("most faces in view point away: try --two-sided".into());
+    }
+    Ok(hints)
 }
 
 /// Returns the size of a picture of the same shape, with sides of at most `most` pixels.
@@ -79,8 +97,13 @@ impl Model<'_> {
             depth: &mut depth,
             size,
             first_row: 0,
+            viewport: None,
         };
-        self.record_in(&view, band, frame, edges)?;
+        let moment = Moment {
+            frame,
+            ..Moment::default()
+        };
+        self.record_in(&view, band, moment, edges)?;
         Ok(records)
     }
 }

@@ -1,16 +1,14 @@
 //! Textures whose size is known only at run time.
 
 use std::fs;
-use std::io::Cursor;
 use std::path::Path;
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{PixelColor, Rgb565, Rgb888, RgbColor};
 use fixel::prelude::*;
-use image::imageops::FilterType;
-use image::{ImageReader, RgbImage};
 
 use super::Result;
+use super::picture::Picture;
 use crate::model::Image;
 
 /// Exponent of the largest side, in texels.
@@ -19,7 +17,7 @@ const MOST_LOG2: u32 = 10;
 /// An image with sides that are powers of two.
 #[derive(Debug)]
 pub struct Skin {
-    image: RgbImage,
+    picture: Picture,
     /// Width and height before it was resampled.
     given: (u32, u32),
 }
@@ -50,8 +48,9 @@ impl Skin {
                 .map_err(|problem| format!("cannot read texture {name}: {problem}"))?,
         };
         if color != [255; 3] {
-            for texel in skin.image.pixels_mut() {
-                texel.0 = times(texel.0, color);
+            for texel in &mut skin.picture.colors {
+                let [r, g, b] = times([texel.r(), texel.g(), texel.b()], color);
+                *texel = Rgb888::new(r, g, b);
             }
         }
         Ok(skin)
@@ -59,41 +58,27 @@ impl Skin {
 
     /// Decodes a PNG or JPEG and resamples it to the nearest powers of two, up to 1024.
     fn decode(bytes: &[u8]) -> Result<Self, String> {
-        let image = ImageReader::new(Cursor::new(bytes))
-            .with_guessed_format()
-            .map_err(|error| error.to_string())?
-            .decode()
-            .map_err(|error| error.to_string())?
-            .into_rgb8();
-        let (width, height) = image.dimensions();
-        if width == 0 || height == 0 {
-            return Err(format!(
-                "it is {width}x{height} pixels: both must be at least 1"
-            ));
-        }
-        let sides = (nearest(width), nearest(height));
-        let mut skin = Self::whole(image);
-        if sides != (width, height) {
-            skin.image =
-                image::imageops::resize(&skin.image, sides.0, sides.1, FilterType::Triangle);
-        }
-        Ok(skin)
+        let picture = Picture::decode(bytes)?;
+        let (width, height) = (picture.width, picture.height);
+        Ok(Self {
+            picture: picture.resampled(nearest(width), nearest(height)),
+            given: (width, height),
+        })
     }
 
-    /// An image that has not been resampled.
-    fn whole(image: RgbImage) -> Self {
+    /// A picture that has not been resampled.
+    fn whole(picture: Picture) -> Self {
         Self {
-            given: image.dimensions(),
-            image,
+            given: (picture.width, picture.height),
+            picture,
         }
     }
 
     /// Returns how many texels there are for each texel of the image that was given, along the side where there are
     /// fewer.
     pub fn resampled(&self) -> f64 {
-        let (width, height) = self.image.dimensions();
         let ratio = |now: u32, given: u32| f64::from(now) / f64::from(given);
-        ratio(width, self.given.0).min(ratio(height, self.given.1))
+        ratio(self.picture.width, self.given.0).min(ratio(self.picture.height, self.given.1))
     }
 
     /// Returns the larger side of the image that was given, in texels.
@@ -103,47 +88,48 @@ impl Skin {
 
     /// Returns a texture that is compiled in.
     pub fn of<const W: usize, const H: usize>(texture: &TextureArray<Rgb565, W, H>) -> Self {
-        let bytes = texture.texels().as_flattened().iter().flat_map(|&texel| {
-            let color = Rgb888::from(texel);
-            [color.r(), color.g(), color.b()]
-        });
-        let side = |side: usize| u32::try_from(side).unwrap_or(0);
-        // The number of bytes fits the size.
-        let image = RgbImage::from_raw(side(W), side(H), bytes.collect());
-        Self::whole(image.unwrap_or_default())
+        let color = |&texel| Rgb888::from(texel);
+        Self::whole(Picture {
+            width: u32::try_from(W).unwrap_or(0),
+            height: u32::try_from(H).unwrap_or(0),
+            colors: texture.texels().as_flattened().iter().map(color).collect(),
+        })
     }
 
     /// 64x64 texels, squares of 8 in two colors.
     pub fn checker() -> Self {
-        Self::whole(RgbImage::from_fn(64, 64, |x, y| {
-            image::Rgb(if (x / 8 + y / 8) % 2 == 0 {
-                [255, 255, 240]
+        let color = |at: u32| {
+            let (x, y) = (at % 64, at / 64);
+            if (x / 8 + y / 8) % 2 == 0 {
+                Rgb888::new(255, 255, 240)
             } else {
-                [70, 130, 180]
-            })
-        }))
+                Rgb888::new(70, 130, 180)
+            }
+        };
+        Self::whole(Picture {
+            width: 64,
+            height: 64,
+            colors: (0..64 * 64).map(color).collect(),
+        })
     }
 
     /// Returns the size, and the texels row by row from the top.
-    pub fn rows(&self) -> ((u32, u32), impl DoubleEndedIterator<Item = &[u8]>) {
-        let (width, height) = self.image.dimensions();
-        let row = 3 * width as usize;
-        (
-            (width, height),
-            self.image.as_raw().chunks_exact(row.max(1)),
-        )
+    pub fn rows(&self) -> ((u32, u32), impl DoubleEndedIterator<Item = &[Rgb888]>) {
+        let Picture {
+            width,
+            height,
+            ref colors,
+        } = self.picture;
+        ((width, height), colors.chunks_exact(width.max(1) as usize))
     }
 
     /// Returns the texels in the color `C`.
     pub fn texels<C: Levels>(&self) -> Texels<C> {
-        let (width, height) = self.image.dimensions();
-        let color = |&image::Rgb([r, g, b]): &image::Rgb<u8>| {
-            C::from_rgb(Rgb888::new(r, g, b), Point::zero())
-        };
+        let color = |&color| C::from_rgb(color, Point::zero());
         Texels {
-            list: self.image.pixels().map(color).collect(),
-            width,
-            height,
+            list: self.picture.colors.iter().map(color).collect(),
+            width: self.picture.width,
+            height: self.picture.height,
         }
     }
 }

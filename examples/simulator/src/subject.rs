@@ -7,24 +7,26 @@ use super::Result;
 use super::common::lighthouse;
 use crate::args::{Args, Filter, Kind, Shade};
 use crate::dump::Recorder;
-use crate::export;
+use crate::export::{self, Files};
 use crate::framing::{Framing, Point, Solid, unit};
 use crate::job::{self, Model, Turn};
 use crate::mode::Mode;
 use crate::model;
 use crate::parts::{self, Part};
 use crate::piece::{Finish, Piece};
+use crate::report;
 use crate::skin::Skin;
 use crate::turntable;
 use crate::units::Units;
 use crate::view::{Lens, View};
+use crate::window::MOST_ZOOM;
 
 /// A model, with everything that belongs to it.
 pub struct Subject {
     /// Empty for the project's own scene.
     parts: Vec<Part>,
     pub framing: Framing,
-    units: Units,
+    pub units: Units,
     /// How the model's materials are drawn, and in the end faces without one.
     finishes: Vec<Finish>,
     /// The textures that the finishes name.
@@ -33,6 +35,8 @@ pub struct Subject {
     shade: Option<Shade>,
     /// The files that it was read from.
     pub inputs: Vec<PathBuf>,
+    /// The files that it is exported to.
+    pub exports: Files,
 }
 
 impl Subject {
@@ -46,34 +50,19 @@ impl Subject {
         let Some(path) = &args.model else {
             return Self::own(args, skin);
         };
-        let mut model = model::read(path, false)?;
+        let mut model = model::read(path, args.quiet)?;
         let (finishes, skins) = finishes(&mut model, skin);
-        for note in &model.notes {
-            eprintln!("note: {note}");
-        }
+        report::notes(args, &model.notes)?;
         let inputs = inputs(args, &model);
-        let textures = args
-            .export
-            .iter()
-            .find(|path| path.extension().is_some_and(|x| x == "bmp"));
-        for path in &args.export {
-            for file in export::files(path, skins.len()) {
-                export::refuse_inputs(&file, &inputs)?;
-            }
-            let looks = (&finishes[..], &skins[..]);
-            export::write(
-                path,
-                &model,
-                looks,
-                args.mesh,
-                textures.map(PathBuf::as_path),
-            )?;
-        }
+        let exports = export::files(args, &inputs, &model, (&finishes, &skins))?;
         if args.two_sided {
             model.turn_normals();
         }
         let solid = Solid::of(&model.positions)?;
-        let framing = frame(args, &model.positions, &solid, solid.middle)?;
+        let mut framing = frame(args, &model.positions, &solid, solid.middle)?;
+        if args.window {
+            framing.widen(args, &model.positions, solid.middle, MOST_ZOOM.into());
+        }
         let units = Units::new(args, &framing, &solid)?;
         for position in &mut model.positions {
             *position = units.point(*position);
@@ -90,6 +79,7 @@ impl Subject {
                 .flatten()
                 .fold(0.0, |all, x| x.abs().max(all)),
             inputs,
+            exports,
             finishes,
             skins,
             shade: Some(args.shade.unwrap_or(shade)),
@@ -101,6 +91,7 @@ impl Subject {
         let plain = args.shade.is_none()
             && skin.is_none()
             && !args.two_sided
+            && !args.has_look()
             && args.filter == Filter::Nearest;
         let points: Vec<Point> = lighthouse::ISLAND
             .positions()
@@ -109,7 +100,7 @@ impl Subject {
             .collect();
         let solid = Solid::of(&points)?;
         let frame = |args: &Args| frame(args, &points, &solid, [0.0; 3]);
-        let framing = if plain && has_own_camera(args) {
+        let mut framing = if plain && has_own_camera(args) {
             frame(&with_own_camera(args))?
         } else if plain {
             let framing = frame(args)?;
@@ -126,6 +117,9 @@ impl Subject {
         } else {
             frame(args)?
         };
+        if args.window {
+            framing.widen(args, &points, [0.0; 3], MOST_ZOOM.into());
+        }
         Ok(Self {
             parts: Vec::new(),
             units: Units::own(args, &framing, &solid)?,
@@ -133,6 +127,7 @@ impl Subject {
             finishes: vec![Finish::textured(0)],
             skins: vec![skin.unwrap_or_else(|| Skin::of(&lighthouse::SKIN))],
             inputs: args.texture.iter().cloned().collect(),
+            exports: Vec::new(),
             largest_uv: 20.0,
             shade: args.shade.or(if plain { None } else { Some(Shade::Lit) }),
         })

@@ -1,23 +1,23 @@
 //! Output files, and the report about them.
 
-use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use embedded_graphics::pixelcolor::raw::ToBytes;
-use embedded_graphics::pixelcolor::{PixelColor, Rgb565, Rgb888, RgbColor};
-use fixel::Drawn;
-use fixel::prelude::*;
-use image::RgbImage;
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use fixel::{Drawn, Viewport};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::Result;
 use crate::args::{Args, SceneName, Shade};
 use crate::dump::{self, Record};
-use crate::export::refuse_inputs;
-use crate::job::{Band, Done};
-use crate::output::{self, Format, Output};
+use crate::job::{Band, Done, Moment};
+use crate::output::{self, Encoder, Format};
 use crate::paint::add;
+use crate::place::{self, Output};
+use crate::report;
+use crate::samples;
+use crate::tiles::Tiles;
 use crate::window::{self, Screen};
 
 /// The output files.
@@ -30,146 +30,191 @@ pub struct Targets<'a> {
 }
 
 impl<'a> Targets<'a> {
-    /// Opens all output files first, so that no frame is drawn in vain.
-    pub fn open(args: &'a Args) -> Result<Self> {
-        let mut name: OsString = match (&args.model, args.scene) {
-            (Some(model), _) => model.file_stem().unwrap_or_default().into(),
-            (None, Some(scene)) => file_name(scene).into(),
-            (None, None) => "lighthouse".into(),
-        };
+    /// Opens all output files first, so that no frame is drawn in vain. None of them may be one of the `inputs`.
+    ///
+    /// # Errors
+    ///
+    /// A file cannot be written, or the options do not fit together.
+    pub fn open(args: &'a Args, inputs: &[PathBuf]) -> Result<Self> {
         let several = args.frames > 1;
-        name.push(if several { ".gif" } else { ".png" });
-        let path = args.out.clone().unwrap_or_else(|| name.into());
-        let format = Format::of(&path)?;
-        if several && format == Format::Png && !args.window {
-            let frames = args.frames;
-            return Err(
-                format!("{frames} frames make an animation: it needs --out FILE.gif").into(),
-            );
-        }
-        if args.dump.as_ref() == Some(&path) {
+        let path = match (&args.out, args.window) {
+            (Some(path), _) => path.clone(),
+            (None, true) => PathBuf::new(),
+            (None, false) => {
+                let stem = match (&args.model, args.scene) {
+                    (Some(model), _) => Path::new(model.file_stem().unwrap_or_default()),
+                    (None, Some(scene)) => Path::new(file_name(scene)),
+                    (None, None) => Path::new("lighthouse"),
+                };
+                output::free_name(stem, if several { ".gif" } else { ".png" }, inputs)?
+            }
+        };
+        let is_wanted = args.out.is_some() || !args.window;
+        let format = is_wanted
+            .then(|| Format::of(&path, args.frames))
+            .transpose()?;
+        if let Some(dump) = &args.dump
+            && format.is_some()
+            && place::are_same(dump, &path)
+        {
             return Err(format!("--dump and --out are both {}", path.display()).into());
         }
-        check_size(args)?;
         let screen = args.window.then(|| window::open(args.size)).transpose()?;
-        let wanted = args.out.is_some() || screen.is_none();
-        Ok(Self {
+        let targets = Self {
             args,
-            picture: wanted
-                .then(|| Output::create(&path).map(|output| (output, format)))
+            picture: format
+                .map(|format| Output::create(&path).map(|output| (output, format)))
                 .transpose()?,
             dump: args.dump.as_deref().map(Output::create).transpose()?,
             screen,
             path,
-        })
+        };
+        targets.refuse_inputs(inputs)?;
+        Ok(targets)
     }
 
-    /// Refuses an output that is one of the `inputs`.
-    pub fn refuse_inputs(&self, inputs: &[PathBuf]) -> Result<()> {
+    fn refuse_inputs(&self, inputs: &[PathBuf]) -> Result<()> {
         let picture = self.picture.is_some().then_some(&self.path);
         for path in picture.into_iter().chain(&self.args.dump) {
-            refuse_inputs(path, inputs)?;
+            place::refuse_inputs(path, inputs)?;
         }
         Ok(())
     }
 
     /// Draws all frames, writes the files and prints a report.
-    pub fn fill<C: PixelColor + Into<Rgb888> + Default>(
+    pub fn fill(
         mut self,
         size: (u32, u32),
-        record: impl Fn(Band<'_, Record>, u32) -> Result<Done>,
-        paint: impl Fn(Band<'_, C>, u32) -> Result<Done>,
+        record: impl Fn(Band<'_, Record>, Moment) -> Result<Done>,
+        paint: impl Fn(Band<'_, Rgb888>, Moment) -> Result<Done>,
     ) -> Result<()> {
         let args = self.args;
-        let rows = args.bands.unwrap_or(size.1);
+        let tiles = Tiles {
+            size: (size.0 * args.samples, size.1 * args.samples),
+            most: args.tile,
+            rows: args.bands.unwrap_or(u32::MAX),
+        };
         let mut total = Total::default();
         let mut colors = Vec::new();
-        let mut draw = |frame| -> Result<RgbImage> {
-            let (drawn, (_, mut time)) = in_bands(size, rows, |band| paint(band, frame))?;
-            // A single frame is measured with cold caches. Draw it again, only for the time.
-            for _ in 1..if args.frames == 1 && !args.window {
-                10
-            } else {
-                1
-            } {
-                let (_, (_, again)) = in_bands(size, rows, |band| paint(band, frame))?;
-                time = time.min(again);
-            }
-            colors = drawn.into_iter().map(Into::into).collect();
-            let (records, (counts, _)) = in_bands(size, size.1, |band| record(band, frame))?;
-            total.add(counts, time, &records);
-            Ok(picture(size, &colors))
+        // Returns the pixels, and the time of the draw calls.
+        let draw = |moment| -> Result<(Vec<Rgb888>, Duration)> {
+            let (drawn, (_, time)) = tiles.draw(|band| paint(band, moment))?;
+            let side = args.samples as usize;
+            Ok((samples::average(&drawn, tiles.size.0 as usize, side), time))
         };
-        match self.picture.take() {
-            Some((output, Format::Png)) => output::png(&draw(0)?, output)?,
-            Some((mut output, Format::Gif)) => {
-                let mut gif = output::gif(&mut output)?;
-                let bar = progress(args.frames);
-                for frame in 0..args.frames {
-                    gif.encode_frame(output::frame(&draw(frame)?))?;
-                    bar.inc(1);
+        if let Some((mut output, format)) = self.picture.take() {
+            let failed = output.failed();
+            let bar = progress(args);
+            let mut encoder =
+                Encoder::new(format, &mut output, size, args.frames).map_err(&failed)?;
+            for frame in 0..args.frames {
+                let moment = Moment {
+                    frame,
+                    ..Moment::default()
+                };
+                let (pixels, mut time) = draw(moment)?;
+                if args.frames == 1 {
+                    time = time.min(quickest(|| draw(moment))?);
                 }
-                bar.finish_and_clear();
-                drop(gif);
-                output.finish()?;
+                let mut covered = 0;
+                // Bands would count triangles several times.
+                let whole = Tiles {
+                    rows: u32::MAX,
+                    ..tiles
+                };
+                let (counts, _) = whole.each(
+                    |band| record(band, moment),
+                    |_, _, records| covered += records.iter().filter(|at| at.is_covered()).count(),
+                )?;
+                total.add(counts, time, covered as u64);
+                encoder.frame(&pixels).map_err(&failed)?;
+                colors = pixels;
+                bar.inc(1);
             }
-            None => {}
+            bar.finish_and_clear();
+            encoder.finish().map_err(&failed)?;
+            output.finish()?;
         }
         if let Some(screen) = &mut self.screen {
             let turns = args.frames > 1 || args.rpm.is_some();
-            let mut shown = draw(0)?;
-            let mut frame = 0;
-            while screen.show(&shown) {
-                std::thread::sleep(Duration::from_millis(output::FRAME_MS / 2));
-                if turns {
-                    frame += 1;
-                    shown = draw(frame)?;
+            let mut moment = Moment::default();
+            colors = draw(moment)?.0;
+            while let Some(orbit) = screen.show(&colors) {
+                if turns || orbit != moment.orbit {
+                    moment.frame += u32::from(turns);
+                    moment.orbit = orbit;
+                    colors = draw(moment)?.0;
                 }
+                std::thread::sleep(Duration::from_millis(output::FRAME_MS / 2));
             }
         }
         if let Some(mut out) = self.dump.take() {
-            let last = args.frames - 1;
-            let (records, _) = in_bands(size, rows, |band| record(band, last))?;
-            dump::write(&records, size.0 as usize, &mut out)?;
+            let last = Moment {
+                frame: args.frames - 1,
+                ..Moment::default()
+            };
+            let (records, _) = tiles.draw(|band| record(band, last))?;
+            let failed = out.failed();
+            dump::write(&records, size.0 as usize, &mut out).map_err(failed)?;
             out.finish()?;
         }
-        self.say(size, &total, &colors);
-        Ok(())
+        self.say(size, tiles, &total, &colors)
     }
 
-    fn say(&self, (width, height): (u32, u32), total: &Total, colors: &[Rgb888]) {
-        let args = self.args;
-        if args.out.is_some() || self.screen.is_none() {
-            println!("wrote {}, {width}x{height}", self.path.display());
-        }
-        if let Some(dump) = &args.dump {
-            println!("wrote {}", dump.display());
-        }
-        let what = if args.shade == Some(Shade::Wire) {
+    fn what(&self) -> &'static str {
+        if self.args.shade == Some(Shade::Wire) {
             "edges"
         } else {
             "triangles"
-        };
-        let Drawn {
-            submitted,
-            drawn,
-            clipped,
-            ..
-        } = total.counts;
-        if args.frames > 1 {
-            println!("frames {}, of which together:", args.frames);
         }
-        println!("{what} {submitted} in, {drawn} drawn, {clipped} of them clipped");
-        #[allow(clippy::cast_precision_loss)] // three digits are shown
-        let each = total.time.as_nanos() as f64 / total.pixels.max(1) as f64;
-        println!("pixels {} covered, {each:.2} ns per pixel", total.pixels);
+    }
+
+    fn say(
+        &self,
+        (width, height): (u32, u32),
+        tiles: Tiles,
+        total: &Total,
+        colors: &[Rgb888],
+    ) -> Result<()> {
+        let args = self.args;
+        let say = |line: String| report::say(args, line);
+        if args.out.is_some() || self.screen.is_none() {
+            say(format!("wrote {}, {width}x{height}", self.path.display()))?;
+            let Drawn {
+                submitted,
+                drawn,
+                clipped,
+                ..
+            } = total.counts;
+            if args.frames > 1 {
+                say(format!("frames {}, of which together:", args.frames))?;
+            }
+            let most = tiles.size.0.max(tiles.size.1);
+            if most > tiles.most {
+                say(format!("tiles of {}, of which together:", tiles.most))?;
+            }
+            let what = self.what();
+            say(format!(
+                "{what} {submitted} in, {drawn} drawn, {clipped} of them clipped"
+            ))?;
+            #[allow(clippy::cast_precision_loss)] // three digits are shown
+            let each = total.time.as_nanos() as f64 / total.pixels.max(1) as f64;
+            say(format!(
+                "pixels {} covered, {each:.2} ns per pixel",
+                total.pixels
+            ))?;
+        }
+        if let Some(dump) = &args.dump {
+            say(format!("wrote {}", dump.display()))?;
+        }
         if args.crc {
             let mut crc = crc32fast::Hasher::new();
             for &color in colors {
                 crc.update(&Rgb565::from(color).to_be_bytes());
             }
-            println!("crc {:08x}", crc.finalize());
+            say(format!("crc {:08x}", crc.finalize()))?;
         }
+        Ok(())
     }
 }
 
@@ -192,62 +237,62 @@ struct Total {
 }
 
 impl Total {
-    fn add(&mut self, counts: Drawn, time: Duration, records: &[Record]) {
+    fn add(&mut self, counts: Drawn, time: Duration, pixels: u64) {
         self.counts = add(self.counts, counts);
         self.time += time;
-        self.pixels += records.iter().filter(|record| record.is_covered()).count() as u64;
+        self.pixels += pixels;
     }
 }
 
-/// Draws a frame in bands of `rows` rows; returns the pixels of all bands.
-fn in_bands<C: PixelColor + Default>(
-    size: (u32, u32),
-    rows: u32,
-    paint: impl Fn(Band<'_, C>) -> Result<Done>,
-) -> Result<(Vec<C>, Done)> {
-    let width = size.0 as usize;
-    let rows = rows.min(size.1) as usize;
-    let mut pixels = vec![C::default(); width * size.1 as usize];
-    let mut depth = vec![0; width * rows];
-    let mut sum = (Drawn::default(), Duration::ZERO);
-    let mut first_row = 0;
-    for band in pixels.chunks_mut(width * rows) {
-        let len = band.len();
-        let (drawn, time) = paint(Band {
-            pixels: band,
-            depth: &mut depth[..len],
-            size,
-            first_row,
-        })?;
-        sum = (add(sum.0, drawn), sum.1 + time);
-        #[allow(clippy::cast_possible_truncation)] // rows of the frame
-        {
-            first_row += (len / width) as u32;
+/// Draws a frame a few times more, only for the time: the first time is measured with cold caches.
+fn quickest(draw: impl Fn() -> Result<(Vec<Rgb888>, Duration)>) -> Result<Duration> {
+    let mut least = Duration::MAX;
+    let mut spent = Duration::ZERO;
+    for _ in 0..9 {
+        let (_, time) = draw()?;
+        least = least.min(time);
+        spent += time;
+        if spent > Duration::from_millis(300) {
+            break;
         }
     }
-    Ok((pixels, sum))
+    Ok(least)
 }
 
-fn picture((width, height): (u32, u32), colors: &[Rgb888]) -> RgbImage {
-    RgbImage::from_fn(width, height, |x, y| {
-        let color = colors[(y * width + x) as usize];
-        image::Rgb([color.r(), color.g(), color.b()])
-    })
-}
-
-fn progress(frames: u32) -> ProgressBar {
-    let bar = ProgressBar::new(frames.into());
+fn progress(args: &Args) -> ProgressBar {
+    if args.quiet || args.frames == 1 {
+        return ProgressBar::hidden();
+    }
+    let bar = ProgressBar::new(args.frames.into());
     if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} frames, {eta} left") {
         bar.set_style(style);
     }
     bar
 }
 
-/// Refuses a size that no canvas can have, in the library's words.
-fn check_size(args: &Args) -> Result<()> {
-    let (width, height) = args.size;
-    match Canvas::<Rgb565>::new(&mut [], width, height) {
-        Err(error @ Error::Size { .. }) => Err(error.into()),
-        _ => Ok(()),
+/// Refuses a size that no picture can have.
+///
+/// # Errors
+///
+/// The message says what sizes there are.
+pub fn check_size(args: &Args) -> Result<()> {
+    const MOST: u32 = Viewport::MAX;
+    let ((width, height), samples) = (args.size, args.samples);
+    let refuse = |problem: String| Err(format!("--size {width}x{height}: {problem}").into());
+    let is_possible = |most: u32| {
+        let fits =
+            |side: u32| side > 0 && side.checked_mul(samples).is_some_and(|side| side <= most);
+        fits(width) && fits(height)
+    };
+    if !is_possible(MOST) {
+        let each = if samples > 1 {
+            format!(" divided by --samples {samples}")
+        } else {
+            String::new()
+        };
+        return refuse(format!(
+            "size is {width}x{height}: both must lie between 1 and {MOST}{each}"
+        ));
     }
+    Ok(())
 }

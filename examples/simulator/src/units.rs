@@ -78,7 +78,8 @@ impl Units {
         Ok(())
     }
 
-    fn scale(&self) -> f64 {
+    /// Returns the length of one of the model's units.
+    pub fn scale(&self) -> f64 {
         f64::from(self.exponent).exp2()
     }
 

@@ -2,7 +2,6 @@
 
 use fixel::num::scalar;
 use fixel::prelude::*;
-use fixel::shade::{Light, TwoSided};
 use fixel::view::{Parallel, Perspective};
 
 use super::Result;
@@ -24,7 +23,10 @@ pub struct View {
     pub projection: Lens,
     pub camera: Camera,
     pub options: DrawOptions,
-    light: Light,
+    /// Towards the light, over the viewer's left shoulder.
+    pub sun: Vec3,
+    /// Upwards, of any length.
+    pub up: Vec3,
     pub filter: Filter,
     pub mode: Mode,
     pub depth: DepthFormat,
@@ -85,7 +87,6 @@ impl View {
                 _ => Projection::orthographic(window, near, far)?,
             })
         };
-        let light = Light::new(Vec3::try_from(framing.light())?, fx!(0.3), fx!(0.7))?;
         let cull = if args.two_sided {
             Cull::Nothing
         } else {
@@ -95,7 +96,8 @@ impl View {
             projection,
             camera,
             options: DrawOptions::new().with_cull(cull),
-            light,
+            up: direction(framing.up)?,
+            sun: Vec3::try_from(framing.light())?,
             filter: args.filter,
             mode: Mode::new(args, texels)?,
             depth: args.depth,
@@ -103,11 +105,11 @@ impl View {
         })
     }
 
-    /// The light, which lights all faces that are seen, from their front or their back.
-    pub fn light(&self) -> TwoSided<Light> {
-        self.light.two_sided(match self.projection {
+    /// The place that the picture is seen from.
+    pub fn viewer(&self) -> Viewer {
+        match self.projection {
             Lens::Perspective(projection) => Viewer::of(&(projection * self.camera)),
             Lens::Parallel(projection) => Viewer::of(&(projection * self.camera)),
-        })
+        }
     }
 }

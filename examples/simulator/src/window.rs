@@ -1,20 +1,69 @@
 //! The window, if the build has one. SDL2 is a library of the system, and neither building nor testing should need
 //! it. So it is behind the feature `sdl`, which is used only here.
 
+use fixel::prelude::*;
+
+use super::view::View;
+
+/// How the user turned the model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Orbit {
+    /// About the direction that is up.
+    yaw: Angle,
+    /// About the direction that is right in the picture.
+    pitch: Angle,
+    zoom: Scalar,
+}
+
+/// The most that a model can be enlarged.
+pub const MOST_ZOOM: i32 = 4;
+
+impl Default for Orbit {
+    fn default() -> Self {
+        Self {
+            yaw: Angle::ZERO,
+            pitch: Angle::ZERO,
+            zoom: fx!(1),
+        }
+    }
+}
+
+impl Orbit {
+    /// Returns `pose` as the user turned it about the origin, where the middle of the model is drawn.
+    pub fn turned(&self, pose: Transform, view: &View) -> Transform {
+        if *self == Self::default() {
+            return pose;
+        }
+        let right = view.camera.pose().direction(Vec3::X);
+        // Neither axis is zero: the camera could not be made of such.
+        let turn = |axis, angle| Transform::rotate(axis, angle).unwrap_or(Transform::IDENTITY);
+        Transform::scale(self.zoom) * turn(right, self.pitch) * turn(view.up, self.yaw) * pose
+    }
+}
+
 #[cfg(feature = "sdl")]
 mod sdl {
     use embedded_graphics::draw_target::DrawTarget;
-    use embedded_graphics::geometry::{Dimensions, Size};
+    use embedded_graphics::geometry::{Dimensions, OriginDimensions, Point, Size};
     use embedded_graphics::pixelcolor::Rgb888;
+    use embedded_graphics_simulator::sdl2::{Keycode, MouseButton, MouseWheelDirection};
     use embedded_graphics_simulator::{
         OutputSettingsBuilder, SimulatorDisplay, SimulatorEvent, Window,
     };
-    use image::RgbImage;
+    use fixel::prelude::*;
+
+    use super::{MOST_ZOOM, Orbit};
+
+    /// Turn of a key, in degrees.
+    const STEP: i32 = 5;
 
     /// Opens a window of a picture's size, enlarged if the picture is small.
     pub struct Screen {
         window: Window,
         display: SimulatorDisplay<Rgb888>,
+        orbit: Orbit,
+        /// Where the mouse was while its button is down.
+        dragged: Option<Point>,
     }
 
     impl Screen {
@@ -24,21 +73,84 @@ mod sdl {
             Self {
                 window: Window::new("fixel", &settings),
                 display: SimulatorDisplay::new(Size::new(width, height)),
+                orbit: Orbit::default(),
+                dragged: None,
             }
         }
 
-        /// Shows the picture; returns whether the window is still open.
-        pub fn show(&mut self, picture: &RgbImage) -> bool {
-            let colors = picture
-                .pixels()
-                .map(|&image::Rgb([r, g, b])| Rgb888::new(r, g, b));
+        /// Shows the picture; returns how the user turned the model, or `None` if the window was closed.
+        pub fn show(&mut self, colors: &[Rgb888]) -> Option<Orbit> {
             let area = self.display.bounding_box();
-            let Ok(()) = self.display.fill_contiguous(&area, colors);
+            let Ok(()) = self.display.fill_contiguous(&area, colors.iter().copied());
             self.window.update(&self.display);
-            !self
-                .window
-                .events()
-                .any(|event| event == SimulatorEvent::Quit)
+            let events: Vec<SimulatorEvent> = self.window.events().collect();
+            for event in events {
+                match event {
+                    SimulatorEvent::Quit
+                    | SimulatorEvent::KeyDown {
+                        keycode: Keycode::Escape,
+                        ..
+                    } => return None,
+                    SimulatorEvent::KeyDown { keycode, .. } => self.key(keycode),
+                    SimulatorEvent::MouseButtonDown {
+                        mouse_btn: MouseButton::Left,
+                        point,
+                    } => self.dragged = Some(point),
+                    SimulatorEvent::MouseButtonUp { .. } => self.dragged = None,
+                    SimulatorEvent::MouseMove { point } => self.drag(point),
+                    SimulatorEvent::MouseWheel {
+                        scroll_delta,
+                        direction,
+                    } => {
+                        let is_flipped = direction == MouseWheelDirection::Flipped;
+                        self.zoom((scroll_delta.y > 0) != is_flipped);
+                    }
+                    _ => {}
+                }
+            }
+            Some(self.orbit)
+        }
+
+        fn key(&mut self, key: Keycode) {
+            let step = Angle::from_degrees(STEP);
+            let orbit = &mut self.orbit;
+            match key {
+                Keycode::Left => orbit.yaw -= step,
+                Keycode::Right => orbit.yaw += step,
+                Keycode::Up => orbit.pitch -= step,
+                Keycode::Down => orbit.pitch += step,
+                Keycode::Plus | Keycode::Equals | Keycode::KpPlus => self.zoom(true),
+                Keycode::Minus | Keycode::KpMinus => self.zoom(false),
+                Keycode::Space => *orbit = Orbit::default(),
+                _ => {}
+            }
+        }
+
+        fn drag(&mut self, point: Point) {
+            let Some(before) = self.dragged.replace(point) else {
+                self.dragged = None;
+                return;
+            };
+            let width = self.display.size().width.cast_signed();
+            let moved = point - before;
+            let angle = |pixels: i32| {
+                // Half a turn for the width of the picture; whole turns drop out.
+                let bits = (i64::from(pixels) << 31) / i64::from(width);
+                Angle::from_bits((bits as i32).cast_unsigned())
+            };
+            self.orbit.yaw += angle(moved.x);
+            self.orbit.pitch += angle(moved.y);
+        }
+
+        /// Brings the model closer, or farther away: by an eighth, to between a quarter and [`MOST_ZOOM`].
+        fn zoom(&mut self, closer: bool) {
+            let zoom = self.orbit.zoom;
+            let zoom = if closer {
+                zoom + zoom / 8
+            } else {
+                zoom - zoom / 9
+            };
+            self.orbit.zoom = zoom.clamp(fx!(0.25), Scalar::from_num(MOST_ZOOM));
         }
     }
 }
@@ -52,7 +164,7 @@ pub enum Screen {}
 
 #[cfg(not(feature = "sdl"))]
 impl Screen {
-    pub fn show(&mut self, _: &image::RgbImage) -> bool {
+    pub fn show(&mut self, _: &[embedded_graphics::pixelcolor::Rgb888]) -> Option<Orbit> {
         match *self {}
     }
 }

@@ -146,6 +146,10 @@ fn exports_that_would_do_harm_are_refused() {
             "plain.obj --export mesh.txt",
             "cannot export mesh.txt: its name must end in .rs",
         ),
+        (
+            "tent.rs --export mesh.rs --dump ./mesh.rs",
+            "--dump and --export are both mesh.rs",
+        ),
         ("--export mesh.rs", "<MODEL>"),
         ("plain.obj --mesh short", "--export"),
     ] {

@@ -26,6 +26,7 @@ fn an_option_without_effect_is_named() {
         ("--tolerance 3", "t.obj"),
         ("--tolerance 3", "t.obj --mode exact"),
         ("--tolerance 3", "--scene cube"),
+        ("--tolerance 3", "t.obj --mode fast"),
         ("--mode affine", "t.obj --shade flat"),
         ("--mode affine", "t.obj --shade wire"),
         ("--mode fast", "t.obj --shade depth"),
@@ -52,7 +53,8 @@ fn an_option_without_effect_is_named() {
         assert_eq!(with, without, "{rest} {option}");
     }
     for effective in [
-        "t.obj --mode fast --tolerance 3",
+        "t.obj --shade lit --mode fast --tolerance 3",
+        "t.obj --mode fast --tolerance 3 --dump d.csv",
         "t.obj --mode affine --shade flat --dump d.csv",
         "t.obj --texture t.png --filter bilinear",
         "t.obj --two-sided",

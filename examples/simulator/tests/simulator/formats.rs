@@ -216,9 +216,13 @@ fn textures_of_a_model_are_not_overwritten() {
     fs::rename(directory.join("squares.obj"), directory.join("green.obj")).unwrap();
     refused(
         &directory,
-        "green.obj",
+        "green.obj --out green.png",
         &["cannot write green.png: it is an input, green.png"],
     );
+    for _ in 0..2 {
+        let said = good(&directory, "green.obj");
+        assert!(said.contains("wrote green-picture.png"), "{said}");
+    }
     assert_eq!(fs::read(directory.join("green.png")).unwrap(), texture);
 }
 

@@ -373,7 +373,7 @@ fn the_projects_own_scene_keeps_its_camera_if_an_option_restates_it() {
 
 #[test]
 fn the_direction_that_is_up_turns_view_turntable_and_cabinet() {
-    let directory = directory("up");
+    let directory = directory("upwards");
     write_box(&directory.join("y.obj"), |p| p);
     write_box(&directory.join("z.obj"), |[x, y, z]| [x, -z, y]);
     write_box(&directory.join("down.obj"), |[x, y, z]| [-x, -y, z]);

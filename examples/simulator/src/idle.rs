@@ -1,0 +1,74 @@
+//! Options without effect, of which the user should hear.
+
+use clap::parser::ValueSource;
+use clap::{ArgMatches, ValueEnum};
+
+use crate::args::{Args, Kind, Mode, SceneName, Shade};
+
+/// The name of an option's value, as it is written.
+pub fn name(value: &impl ValueEnum) -> String {
+    let value = value.to_possible_value();
+    value.map_or(String::new(), |value| value.get_name().into())
+}
+
+/// Returns a sentence for each option that was given and changes nothing in a picture with this `shade`; a shade of
+/// None is that of a scene of the project's own.
+pub fn options(args: &Args, given: &ArgMatches, shade: Option<Shade>) -> Vec<String> {
+    let mut idle = Vec::new();
+    let mut check = |option: &str, is_idle: bool, why: &str| {
+        let is_given = given.value_source(option) == Some(ValueSource::CommandLine);
+        if is_given && is_idle {
+            let option = option.replace('_', "-");
+            idle.push(format!("--{option} has no effect {why}"));
+        }
+    };
+    let named = shade.map_or(String::new(), |shade| {
+        format!("with --shade {}", name(&shade))
+    });
+    let shade = |wanted: &[Shade]| shade.is_some_and(|shade| wanted.contains(&shade));
+    let untextured = [
+        Shade::Gouraud,
+        Shade::Flat,
+        Shade::Wire,
+        Shade::Depth,
+        Shade::Normal,
+    ];
+    let unlit = [Shade::Texture, Shade::Wire, Shade::Depth, Shade::Normal];
+    let exact = [Shade::Wire, Shade::Depth, Shade::Flat];
+    check("texture", shade(&untextured), &named);
+    check("filter", shade(&untextured), &named);
+    check("light", shade(&unlit), &named);
+    check("ambient", shade(&unlit), &named);
+    check("fog", shade(&unlit[1..]), &named);
+    check("two_sided", shade(&[Shade::Wire]), &named);
+    check("wire", shade(&[Shade::Wire]), &named);
+    let is_parallel = args.projection != Kind::Perspective;
+    let projected = format!("with --projection {}", name(&args.projection));
+    // A dump shows the mode in any shade.
+    let is_shown = args.dump.is_some();
+    check("mode", is_parallel, &projected);
+    check("mode", !is_parallel && !is_shown && shade(&exact), &named);
+    let is_fast = args.mode == Mode::Fast;
+    check("tolerance", !is_fast, "without --mode fast");
+    check("tolerance", is_fast && is_parallel, &projected);
+    let is_idle = is_fast && !is_parallel && !is_shown && shade(&untextured);
+    check("tolerance", is_idle, &named);
+    let is_flat = args.scene == Some(SceneName::SphereFlat);
+    check("mode", is_flat, "with --scene sphere-flat");
+    check(
+        "depth",
+        is_flat,
+        "with --scene sphere-flat, which has no depth buffer",
+    );
+    check(
+        "fov",
+        is_parallel && args.eye.is_none(),
+        &format!("{projected}, unless --eye is given too: the model fills the picture"),
+    );
+    check(
+        "rpm",
+        args.frames == 1 && !args.window,
+        "without --frames or --window",
+    );
+    idle
+}

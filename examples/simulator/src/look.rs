@@ -1,0 +1,142 @@
+//! Background, lights and fog, as the user asks for them.
+
+use embedded_graphics::geometry::Point;
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use fixel::num::scalar;
+use fixel::prelude::*;
+use fixel::shade::{Colored, Fog, Levels, Light, TwoSided, Viewer};
+use fixel::texture::Blend;
+
+use super::Result;
+use crate::args::{Args, Shade};
+use crate::view::direction;
+
+/// Part of a light that reaches every face.
+const AMBIENT: f64 = 0.3;
+
+/// A light that the user asks for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lamp {
+    /// Points to the light.
+    pub direction: [f64; 3],
+    pub color: Rgb888,
+}
+
+/// A fog that the user asks for, in the model's units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Haze {
+    pub near: f64,
+    pub far: f64,
+    pub color: Option<Rgb888>,
+}
+
+/// Everything about a picture's colors but the surface itself.
+pub struct Look {
+    pub shade: Shade,
+    background: Option<Rgb888>,
+    lights: Vec<Colored<Light>>,
+    /// The same if all of them are white, which needs one number instead of three.
+    white: Option<Vec<Light>>,
+    viewer: Viewer,
+    haze: Option<(Scalar, Scalar, Option<Rgb888>)>,
+    /// Whether edges are drawn over the surface.
+    pub wire: bool,
+}
+
+impl Look {
+    /// Makes the look of `args`. `sun` is the light without `--light`; `scale` is the length of one of the model's
+    /// units as it is drawn.
+    ///
+    /// # Errors
+    ///
+    /// A light or the fog is out of range.
+    pub fn new(args: &Args, shade: Shade, sun: Vec3, viewer: Viewer, scale: f64) -> Result<Self> {
+        const WHITE: Rgb888 = Rgb888::WHITE;
+        let ambient = scalar(args.ambient.unwrap_or(AMBIENT))?;
+        let diffuse = scalar(1.0 - AMBIENT)?;
+        let mut lights = Vec::new();
+        // The ambient light belongs to the first lamp.
+        let mut shares = [ambient].into_iter();
+        let mut add = |toward, color: Rgb888| -> Result<()> {
+            let light = Light::new(toward, shares.next().unwrap_or(fx!(0)), diffuse)?;
+            lights.push((light, color));
+            Ok(())
+        };
+        for lamp in &args.light {
+            let toward = direction(lamp.direction)?;
+            add(toward, lamp.color)?;
+        }
+        if args.light.is_empty() {
+            add(sun, WHITE)?;
+        }
+        let haze = args.fog.map(|Haze { near, far, color }| {
+            let number = |value: f64| {
+                scalar(value * scale).map_err(|error| format!("--fog {near},{far}: {error}"))
+            };
+            Ok::<_, String>((number(near)?, number(far)?, color))
+        });
+        Ok(Self {
+            shade,
+            background: args.background,
+            white: lights
+                .iter()
+                .map(|&(light, color)| (color == WHITE).then_some(light))
+                .collect(),
+            lights: lights
+                .iter()
+                .map(|&(light, color)| light.colored(color))
+                .collect(),
+            viewer,
+            haze: haze.transpose()?,
+            wire: args.wire && shade != Shade::Wire,
+        })
+    }
+
+    /// The lights if all are white.
+    pub fn white(&self) -> Option<TwoSided<&[Light]>> {
+        let lights = self.white.as_deref()?;
+        Some(lights.two_sided(self.viewer))
+    }
+
+    /// The lights in their colors.
+    pub fn colored(&self) -> TwoSided<&[Colored<Light>]> {
+        self.lights.as_slice().two_sided(self.viewer)
+    }
+
+    /// The fog, in a color of the texture or the background.
+    ///
+    /// # Errors
+    ///
+    /// The fog ends before it begins.
+    pub fn fog<C: Levels + Blend>(&self) -> Result<Option<Fog<C>>> {
+        let Some((near, far, color)) = self.haze else {
+            return Ok(None);
+        };
+        let color = color.unwrap_or(self.backdrop::<C>());
+        let color = C::from_rgb(color, Point::zero());
+        match Fog::linear(color, near, far) {
+            Ok(fog) => Ok(Some(fog)),
+            Err(error) => Err(format!("--fog: {error}").into()),
+        }
+    }
+
+    /// The background before it is converted to the color `C` of the canvas, unlike any of the shades.
+    pub fn backdrop<C: Levels>(&self) -> Rgb888 {
+        match (self.background, self.shade) {
+            (Some(color), _) => color,
+            (None, Shade::Wire | Shade::Depth) => Rgb888::BLACK,
+            // The dithered formats would show a pattern instead.
+            _ if C::MAX_STEPS[0] < 31 => Rgb888::BLACK,
+            _ => Rgb888::new(34, 40, 52),
+        }
+    }
+
+    /// The color of lines: white on black, and black on a surface.
+    pub fn line<C: Levels + Into<Rgb888>>(&self) -> Rgb888 {
+        let color = match self.shade {
+            Shade::Wire => Rgb888::WHITE,
+            _ => Rgb888::BLACK,
+        };
+        C::from_rgb(color, Point::zero()).into()
+    }
+}

@@ -1,0 +1,255 @@
+//! Where output goes: a file that is complete or does not exist, standard output, or a device or pipe.
+
+use std::error::Error;
+use std::fs::{self, File, OpenOptions, Permissions};
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+use std::process;
+use std::sync::{Mutex, PoisonError};
+
+use super::Result;
+
+/// Files that are being written, for [`remove_on_interrupt`].
+static PARTIAL: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+fn partial_files() -> std::sync::MutexGuard<'static, Vec<PathBuf>> {
+    PARTIAL.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Removes unfinished files when the user interrupts or terminates the program.
+///
+/// # Errors
+///
+/// The system does not let the program handle signals.
+pub fn remove_on_interrupt() -> Result<()> {
+    ctrlc::set_handler(|| {
+        // Locked until the end, so that no file is begun after this.
+        for path in partial_files().iter() {
+            let _ = fs::remove_file(path);
+        }
+        process::exit(130);
+    })
+    .map_err(|error| format!("cannot handle interrupts: {error}").into())
+}
+
+/// Whether `path` stands for standard output.
+pub fn is_stdout(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
+/// Whether `path` is written as it is, without a file of its own: standard output, a device or a pipe.
+pub fn is_stream(path: &Path) -> bool {
+    // What a shell opened, such as /dev/stdout, may be a file, but is not to be replaced.
+    let is_special = ["/dev", "/proc"]
+        .iter()
+        .any(|folder| path.starts_with(folder));
+    is_stdout(path)
+        || is_special
+        || fs::metadata(path).is_ok_and(|is| !is.is_file() && !is.is_dir())
+}
+
+/// Refuses an output that is one of the `inputs`, by whatever name.
+///
+/// # Errors
+///
+/// The message names both.
+pub fn refuse_inputs(output: &Path, inputs: &[PathBuf]) -> Result<()> {
+    for input in inputs {
+        if !is_stdout(output) && same_file::is_same_file(output, input).unwrap_or(false) {
+            return Err(format!(
+                "cannot write {}: it is an input, {}",
+                output.display(),
+                input.display()
+            )
+            .into());
+        }
+    }
+    Ok(())
+}
+
+/// Whether two outputs are the same file, which may not exist yet.
+pub fn are_same(a: &Path, b: &Path) -> bool {
+    if is_stdout(a) || is_stdout(b) {
+        return is_stdout(a) && is_stdout(b);
+    }
+    if let Ok(same) = same_file::is_same_file(a, b) {
+        return same;
+    }
+    let folder = |path: &Path| {
+        fs::canonicalize(
+            path.parent()
+                .filter(|path| *path != Path::new(""))
+                .unwrap_or(Path::new(".")),
+        )
+        .ok()
+    };
+    a.file_name() == b.file_name() && folder(a).is_some() && folder(a) == folder(b)
+}
+
+/// How a file that is complete gets its place.
+#[derive(Debug)]
+enum Place {
+    Stream,
+    /// Renamed, so that nobody ever sees half of it.
+    Rename(PathBuf, Option<Permissions>),
+    /// Copied into an existing file that has other names, too.
+    Copy(PathBuf),
+}
+
+/// An output. [`finish`](Self::finish) gives a file its name; without `finish` it is removed.
+#[derive(Debug)]
+pub struct Output {
+    name: String,
+    place: Place,
+    /// Name of the unfinished file.
+    partial: PathBuf,
+    writer: Option<Writer>,
+}
+
+#[derive(Debug)]
+enum Writer {
+    File(BufWriter<File>),
+    Stdout(BufWriter<io::Stdout>),
+}
+
+impl Output {
+    /// Opens `path`.
+    ///
+    /// # Errors
+    ///
+    /// The file cannot be created, is read-only, or is a directory.
+    pub fn create(path: &Path) -> Result<Self> {
+        let name = if is_stdout(path) {
+            "standard output".into()
+        } else {
+            path.display().to_string()
+        };
+        let refuse = |problem: String| format!("cannot write {name}: {problem}");
+        let failed = |error: io::Error| refuse(error.to_string());
+        if is_stream(path) {
+            let writer = if is_stdout(path) {
+                Writer::Stdout(BufWriter::new(io::stdout()))
+            } else {
+                let file = OpenOptions::new().write(true).open(path).map_err(failed)?;
+                Writer::File(BufWriter::new(file))
+            };
+            return Ok(Self {
+                name,
+                place: Place::Stream,
+                partial: PathBuf::new(),
+                writer: Some(writer),
+            });
+        }
+        // A link stays a link: its target is written.
+        let path = match fs::symlink_metadata(path) {
+            Ok(link) if link.is_symlink() => target(path).map_err(failed)?,
+            _ => path.to_path_buf(),
+        };
+        let place = match fs::metadata(&path) {
+            Ok(is) if is.is_dir() => return Err(refuse("it is a directory".into()).into()),
+            Ok(is) if is.permissions().readonly() => {
+                return Err(refuse("it is read-only".into()).into());
+            }
+            Ok(is) if links(&is) > 1 => Place::Copy(path.clone()),
+            Ok(is) => Place::Rename(path.clone(), Some(is.permissions())),
+            Err(_) => Place::Rename(path.clone(), None),
+        };
+        let file_name = path
+            .file_name()
+            .ok_or_else(|| refuse("it is not a file name".into()))?
+            .to_string_lossy();
+        let partial = path.with_file_name(format!(".{file_name}.{}.partial", process::id()));
+        let mut files = partial_files();
+        let file = File::create_new(&partial).map_err(failed)?;
+        files.push(partial.clone());
+        Ok(Self {
+            name,
+            place,
+            partial,
+            writer: Some(Writer::File(BufWriter::new(file))),
+        })
+    }
+
+    /// Returns a function that names this output in an error.
+    pub fn failed(&self) -> impl Fn(Box<dyn Error>) -> Box<dyn Error> + use<> {
+        let name = self.name.clone();
+        move |error| format!("cannot write {name}: {error}").into()
+    }
+
+    /// Gives the file its name.
+    ///
+    /// # Errors
+    ///
+    /// The file cannot be written or renamed.
+    pub fn finish(mut self) -> Result<()> {
+        let failed = self.failed();
+        let flushed = self.flush();
+        self.writer = None;
+        let placed = flushed.and_then(|()| match &self.place {
+            Place::Stream => Ok(()),
+            Place::Rename(path, permissions) => permissions
+                .clone()
+                .map_or(Ok(()), |permissions| {
+                    fs::set_permissions(&self.partial, permissions)
+                })
+                .and_then(|()| fs::rename(&self.partial, path)),
+            Place::Copy(path) => File::open(&self.partial).and_then(|mut from| {
+                let mut to = OpenOptions::new().write(true).truncate(true).open(path)?;
+                io::copy(&mut from, &mut to).map(|_| ())
+            }),
+        });
+        placed.map_err(|error| failed(error.into()))
+    }
+}
+
+/// The file that a link stands for, which need not exist.
+fn target(link: &Path) -> io::Result<PathBuf> {
+    match fs::canonicalize(link) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            let target = fs::read_link(link)?;
+            Ok(link.parent().unwrap_or(Path::new("")).join(target))
+        }
+        found => found,
+    }
+}
+
+/// How many names a file has.
+#[cfg(unix)]
+fn links(file: &fs::Metadata) -> u64 {
+    std::os::unix::fs::MetadataExt::nlink(file)
+}
+
+#[cfg(not(unix))]
+fn links(_: &fs::Metadata) -> u64 {
+    1
+}
+
+impl Write for Output {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match &mut self.writer {
+            Some(Writer::File(file)) => file.write(bytes),
+            Some(Writer::Stdout(stdout)) => stdout.write(bytes),
+            None => Ok(0),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match &mut self.writer {
+            Some(Writer::File(file)) => file.flush(),
+            Some(Writer::Stdout(stdout)) => stdout.flush(),
+            None => Ok(()),
+        }
+    }
+}
+
+impl Drop for Output {
+    fn drop(&mut self) {
+        self.writer = None;
+        if !matches!(self.place, Place::Stream) {
+            let mut files = partial_files();
+            // After `finish`, a file that was renamed is gone.
+            let _ = fs::remove_file(&self.partial);
+            files.retain(|path| *path != self.partial);
+        }
+    }
+}

@@ -1,0 +1,41 @@
+//! Lines for the user.
+
+use std::fmt::Display;
+use std::io::{self, Write};
+
+use super::Result;
+use crate::args::Args;
+use crate::place;
+
+/// Prints a line to standard output; to standard error if a file goes to standard output; nowhere with `--quiet`.
+///
+/// # Errors
+///
+/// Nobody reads it, or the disk is full.
+pub fn say(args: &Args, line: impl Display) -> Result<()> {
+    if args.quiet {
+        return Ok(());
+    }
+    let is_taken = [&args.out, &args.dump]
+        .into_iter()
+        .flatten()
+        .any(|path| place::is_stdout(path));
+    let (written, name) = if is_taken {
+        (writeln!(io::stderr(), "{line}"), "error")
+    } else {
+        (writeln!(io::stdout(), "{line}"), "output")
+    };
+    written.map_err(|error| format!("cannot write to standard {name}: {error}").into())
+}
+
+/// Prints remarks to standard error.
+///
+/// # Errors
+///
+/// Standard error cannot be written.
+pub fn notes(args: &Args, lines: &[String]) -> Result<()> {
+    for line in lines.iter().filter(|_| !args.quiet) {
+        writeln!(io::stderr(), "note: {line}")?;
+    }
+    Ok(())
+}

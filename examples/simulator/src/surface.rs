@@ -1,0 +1,225 @@
+//! Shaders behind one interface, chosen at run time.
+//!
+//! Firmware names its shader, and the compiler makes a rasterizer for it. The simulator has a hundred shaders, each
+//! for several depth formats and modes: so many rasterizers would take minutes to compile. Here shaders with different
+//! varyings share a rasterizer, which interpolates enough numbers for each of them. A number that a shader does not
+//! use is 0 everywhere, so it changes no pixel.
+
+use embedded_graphics::pixelcolor::raw::RawU16;
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use embedded_graphics::prelude::RawData;
+use fixel::shade::{Gouraud, Lanes, PerFace, Texels, Varyings, Within};
+use fixel::{Fragment, Primitive, Shader};
+
+/// The values of a face, as numbers: at most a light's three channels.
+type Face = [i32; 3];
+
+/// Values that a face's pixels share, as numbers.
+pub trait FaceValues: Copy {
+    /// How many numbers they are.
+    const COUNT: usize;
+
+    fn put(self, numbers: &mut [i32]);
+    fn take(numbers: &[i32]) -> Self;
+}
+
+impl FaceValues for () {
+    const COUNT: usize = 0;
+
+    fn put(self, _: &mut [i32]) {}
+    fn take(_: &[i32]) -> Self {}
+}
+
+impl<const N: usize> FaceValues for [i32; N] {
+    const COUNT: usize = N;
+
+    fn put(self, numbers: &mut [i32]) {
+        numbers[..N].copy_from_slice(&self);
+    }
+
+    fn take(numbers: &[i32]) -> Self {
+        std::array::from_fn(|at| numbers[at])
+    }
+}
+
+impl FaceValues for Rgb565 {
+    const COUNT: usize = 1;
+
+    fn put(self, numbers: &mut [i32]) {
+        numbers[0] = RawU16::from(self).into_inner().into();
+    }
+
+    fn take(numbers: &[i32]) -> Self {
+        // It was put there.
+        RawU16::from_u32(numbers[0].cast_unsigned()).into()
+    }
+}
+
+impl<A: FaceValues, B: FaceValues> FaceValues for (A, B) {
+    const COUNT: usize = A::COUNT + B::COUNT;
+
+    fn put(self, numbers: &mut [i32]) {
+        let (a, b) = numbers.split_at_mut(A::COUNT);
+        self.0.put(a);
+        self.1.put(b);
+    }
+
+    fn take(numbers: &[i32]) -> Self {
+        let (a, b) = numbers.split_at(A::COUNT);
+        (A::take(a), B::take(b))
+    }
+}
+
+/// A texture coordinate and a brightness: enough for most looks.
+pub type Few = ((Texels, Within<64, [i32; 1]>), PerFace<Face>);
+/// A texture coordinate, four channels of light and tint, and fog.
+pub type Many = (
+    (Texels, (Within<64, [i32; 4]>, Within<16, [i32; 1]>)),
+    PerFace<Face>,
+);
+/// Three channels of a color that is computed at the corners, light and fog.
+pub type Channels = (
+    (
+        Within<8192, [i32; 3]>,
+        (Within<64, [i32; 3]>, Within<16, [i32; 1]>),
+    ),
+    PerFace<Face>,
+);
+
+/// Three channels of a color of the vertices, which small triangles carry in two numbers.
+pub type Pairs = <Gouraud<Rgb565> as Shader>::Varyings;
+/// A texture coordinate, a tint and a light of three channels each: as many numbers as there can be.
+pub type Most = ((Texels, Within<64, [i32; 6]>), PerFace<Face>);
+
+/// How many numbers are interpolated.
+const fn count<V: Varyings>() -> usize {
+    V::Lanes::COUNT
+}
+
+/// A shader whose varyings are placed among those of `V`.
+trait Shade<V: Varyings> {
+    fn varyings(&self, primitive: &Primitive<'_>) -> [V; 3];
+    fn shade(&self, at: &Fragment, varyings: V) -> Option<Rgb888>;
+}
+
+struct Placed<S> {
+    shader: S,
+    /// For each number of the shader, its place among the numbers of the layout.
+    places: [usize; 8],
+}
+
+impl<S> Placed<S>
+where
+    S: Shader,
+    S::Varyings: Varyings<Face: FaceValues>,
+{
+    /// Gives each number of the shader a place of its own that is as exact as it asks for; `None` if there are too few.
+    fn new<V: Varyings>(shader: S) -> Option<Self> {
+        if S::Varyings::PAIRS != V::PAIRS {
+            return None;
+        }
+        let (wanted, offered) = (S::Varyings::tolerances(), V::tolerances());
+        let mut places = [0; 8];
+        let mut free: Vec<usize> = (0..V::Lanes::COUNT).collect();
+        for (place, wanted) in places.iter_mut().zip(wanted.as_ref()) {
+            let at = free
+                .iter()
+                .position(|&at| offered.as_ref()[at] == *wanted)?;
+            *place = free.remove(at);
+        }
+        Some(Self { shader, places })
+    }
+}
+
+impl<S, V> Shade<V> for Placed<S>
+where
+    S: Shader<Color: Into<Rgb888>>,
+    S::Varyings: Varyings<Face: FaceValues>,
+    V: Varyings<Face: FaceValues>,
+{
+    fn varyings(&self, primitive: &Primitive<'_>) -> [V; 3] {
+        self.shader.varyings(primitive).map(|varyings| {
+            let (inner, values) = varyings.split();
+            let mut numbers = V::Lanes::splat(0);
+            for (number, &place) in inner.as_ref().iter().zip(&self.places) {
+                numbers.as_mut()[place] = *number;
+            }
+            let mut face = Face::default();
+            values.put(&mut face);
+            V::join(numbers, FaceValues::take(&face))
+        })
+    }
+
+    fn shade(&self, at: &Fragment, varyings: V) -> Option<Rgb888> {
+        let (numbers, values) = varyings.split();
+        let mut face = Face::default();
+        values.put(&mut face);
+        let mut inner = <S::Varyings as Varyings>::Lanes::splat(0);
+        for (number, &place) in inner.as_mut().iter_mut().zip(&self.places) {
+            *number = numbers.as_ref()[place];
+        }
+        let varyings = S::Varyings::join(inner, FaceValues::take(&face));
+        self.shader.shade(at, varyings).map(Into::into)
+    }
+}
+
+/// A shader of any kind, behind a pointer.
+pub struct Any<'a, V>(Box<dyn Shade<V> + 'a>);
+
+impl<V: Varyings> Shader for &Any<'_, V> {
+    type Color = Rgb888;
+    type Varyings = V;
+
+    fn varyings(&self, primitive: &Primitive<'_>) -> [V; 3] {
+        self.0.varyings(primitive)
+    }
+
+    fn shade(&self, at: &Fragment, varyings: V) -> Option<Rgb888> {
+        self.0.shade(at, varyings)
+    }
+}
+
+/// A shader with the layout that it needs. Its colors are converted to those of a computer's screen, one to one.
+pub enum Surface<'a> {
+    Few(Any<'a, Few>),
+    Many(Any<'a, Many>),
+    Channels(Any<'a, Channels>),
+    Pairs(Any<'a, Pairs>),
+    Most(Any<'a, Most>),
+}
+
+impl<'a> Surface<'a> {
+    /// Wraps a shader.
+    ///
+    /// # Errors
+    ///
+    /// No layout has room for its varyings.
+    pub fn new<S>(shader: S) -> super::Result<Self>
+    where
+        S: Shader<Color: Into<Rgb888>> + 'a,
+        S::Varyings: Varyings<Face: FaceValues>,
+    {
+        // Decided by the compiler where possible, which then compiles no layout in vain. `Channels` are as many as
+        // `Many`.
+        if const { S::Varyings::PAIRS } {
+            if let Some(placed) = Placed::new::<Pairs>(shader) {
+                return Ok(Self::Pairs(Any(Box::new(placed))));
+            }
+        } else if const { count::<S::Varyings>() > count::<Many>() } {
+            if let Some(placed) = Placed::new::<Most>(shader) {
+                return Ok(Self::Most(Any(Box::new(placed))));
+            }
+        } else {
+            if let Some(placed) = Placed::new::<Few>(shader) {
+                return Ok(Self::Few(Any(Box::new(placed))));
+            }
+            if let Some(placed) = Placed::new::<Channels>(shader) {
+                return Ok(Self::Channels(Any(Box::new(placed))));
+            }
+            if let Some(placed) = Placed::new::<Many>(shader) {
+                return Ok(Self::Many(Any(Box::new(placed))));
+            }
+        }
+        Err("no rasterizer of the simulator interpolates what this look needs".into())
+    }
+}

@@ -1,0 +1,178 @@
+//! Command lines at random.
+
+use std::fs;
+use std::path::Path;
+
+use rand::seq::{IndexedRandom, SliceRandom};
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+use super::program::{TRIANGLE, directory, files, run};
+
+const SEED: u64 = 14;
+const LINES: u32 = 200;
+
+/// Each option with values, good and bad.
+const OPTIONS: &[(&str, &[&str])] = &[
+    ("--texture", &["skin.png", "t.obj", "none.png", "out.png"]),
+    ("--scene", &["floor", "cube", "sphere", "sphere-flat"]),
+    ("--eye", &["1,2,3", "0,0,0", "-900,4,1e3", "1e9,0,0"]),
+    ("--look-at", &["0,0,0", "1,2,3", "0.3,0.3,0"]),
+    ("--up", &["0,0,1", "0,1,0", "0,0,0", "-1,1e-9,2"]),
+    ("--fov", &["1", "40", "100", "179.9", "0"]),
+    ("--near", &["0.001", "0.5", "100", "-1"]),
+    ("--far", &["2", "1000", "0.1"]),
+    (
+        "--projection",
+        &["perspective", "orthographic", "cabinet", "cavalier"],
+    ),
+    (
+        "--shade",
+        &[
+            "texture", "gouraud", "flat", "lit", "wire", "depth", "normal",
+        ],
+    ),
+    ("--filter", &["nearest", "bilinear"]),
+    ("--mode", &["exact", "newton", "fast", "affine"]),
+    ("--tolerance", &["0", "0.5", "-5", "99999"]),
+    ("--depth", &["linear", "float", "wide"]),
+    ("--two-sided", &[]),
+    ("--wire", &[]),
+    ("--background", &["ffffff", "#102030", "blue"]),
+    (
+        "--light",
+        &["1,2,3", "0,-1,0,ff0000", "0,0,0", "1e30,1,1e-30"],
+    ),
+    ("--ambient", &["0", "1", "0.5", "2"]),
+    ("--fog", &["1,4", "0,3,ffffff", "4,1", "1e-9,1e9"]),
+    ("--color", &["rgb565", "rgb888", "gray8", "gray4", "mono"]),
+    (
+        "--size",
+        &["64x48", "1x1", "2x40", "130x3", "2100x8", "0x9", "9999x1"],
+    ),
+    ("--samples", &["1", "2", "4", "17"]),
+    ("--bands", &["1", "7", "1000", "0"]),
+    ("--frames", &["1", "3", "0"]),
+    ("--rpm", &["10", "-0.5", "1e12"]),
+    (
+        "--out",
+        &[
+            "out.png", "out.gif", "out.apng", "out.tiff", "skin.png", "t.obj", "-", "folder",
+        ],
+    ),
+    (
+        "--dump",
+        &["out.csv", "skin.png", "t.obj", "-", "out.png", "none/x.csv"],
+    ),
+    ("--export", &["mesh.rs", "skin.bmp", "t.obj"]),
+    ("--crc", &[]),
+    ("--quiet", &[]),
+    ("--window", &[]),
+];
+
+/// Whether a PNG has a single color. A dump may have such a name, too.
+fn is_blank(path: &Path) -> bool {
+    if fs::read(path).unwrap().starts_with(b"x,y,") {
+        return false;
+    }
+    let picture = image::open(path).unwrap().into_rgb8();
+    let first = picture.get_pixel(0, 0);
+    picture.width() * picture.height() > 1 && picture.pixels().all(|pixel| pixel == first)
+}
+
+#[test]
+fn no_command_line_panics_or_loses_a_file_or_draws_nothing_without_a_word() {
+    let directory = directory("random");
+    let mut random = ChaCha8Rng::seed_from_u64(SEED);
+    let mut succeeded = 0;
+    for line in 0..LINES {
+        for name in files(&directory) {
+            let path = directory.join(name);
+            let _ = fs::remove_file(&path).or_else(|_| fs::remove_dir_all(&path));
+        }
+        let cube = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+        let inputs = [
+            ("t.obj", TRIANGLE.as_bytes().to_vec()),
+            ("solid.obj", cube.into()),
+            (
+                "skin.png",
+                include_bytes!("../../../assets/lighthouse.png").to_vec(),
+            ),
+            // A picture of the user's, where the default name would be.
+            ("t.png", b"mine".to_vec()),
+        ];
+        for (name, bytes) in &inputs {
+            fs::write(directory.join(name), bytes).unwrap();
+        }
+        fs::create_dir(directory.join("folder")).unwrap();
+        let mut words = Vec::new();
+        words.extend(
+            ["", "t.obj", "solid.obj", "solid.obj"]
+                .choose(&mut random)
+                .copied(),
+        );
+        let few = 1 + random.random_range(0..6);
+        let mut options = OPTIONS.to_vec();
+        for (option, values) in options.partial_shuffle(&mut random, few).0 {
+            words.push(option);
+            // The first values are good ones: half of the time, they are taken.
+            let value = if random.random() {
+                values.first()
+            } else {
+                values.choose(&mut random)
+            };
+            words.extend(value);
+        }
+        let arguments = words.join(" ");
+        let output = run(&directory, &arguments);
+        let said = String::from_utf8_lossy(&output.stderr);
+        let code = output.status.code();
+        assert!(
+            matches!(code, Some(0..=2)),
+            "{line}: {arguments}: {code:?} {said}"
+        );
+        assert!(!said.contains("panicked"), "{line}: {arguments}: {said}");
+        for (name, bytes) in &inputs {
+            // A file that is only an output is replaced, as asked.
+            let follows = |options: &[&str]| {
+                words
+                    .windows(2)
+                    .any(|pair| options.contains(&pair[0]) && pair[1] == *name)
+            };
+            let is_output = follows(&["--out", "--dump"]);
+            if is_output && !follows(&["--texture"]) && words[0] != *name {
+                continue;
+            }
+            let is_intact = fs::read(directory.join(name)).unwrap() == *bytes;
+            assert!(is_intact, "{line}: {arguments}: lost {name}");
+        }
+        let names = files(&directory);
+        assert!(
+            !names.iter().any(|name| name.ends_with(".partial")),
+            "{arguments}: {names:?}"
+        );
+        if code == Some(0) {
+            succeeded += 1;
+            // Fog may hide everything. Then a note says so, unless notes are not wanted.
+            let is_hidden = said.contains("behind the fog")
+                || words.contains(&"--quiet") && words.contains(&"--fog");
+            let pictures = names.iter().filter(|name| {
+                Path::new(name).extension() == Some("png".as_ref())
+                    && !inputs.iter().any(|(input, _)| input == name)
+            });
+            for picture in pictures {
+                assert!(
+                    is_hidden || !is_blank(&directory.join(picture)),
+                    "{line}: {arguments}: blank {picture}"
+                );
+            }
+        } else {
+            assert!(said.contains("error: "), "{line}: {arguments}: {said}");
+        }
+    }
+    // Neither all nor none of the lines make sense.
+    assert!(
+        (LINES / 5..LINES * 4 / 5).contains(&succeeded),
+        "{succeeded} of {LINES}"
+    );
+}

@@ -1,0 +1,344 @@
+//! Background, light, fog, edges, samples and tiles: the pixels of their pictures.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+
+use super::program::{directory, good, refused, run};
+
+/// A square of two units in the plane z = 0 that faces the viewer, and one that lies behind it to the right.
+const SQUARES: &str = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n\
+                       v 1 -1 -8\nv 9 -1 -8\nv 9 9 -8\nv 1 9 -8\nf 1 2 3 4\nf 5 6 7 8\n";
+/// Four pixels for each unit; the front square in the middle.
+const FRONT: &str =
+    "--eye 0,0,5 --look-at 0,0,0 --projection orthographic --near 1 --far 20 --size 32x32";
+
+type Rgb = [u8; 3];
+
+/// Draws a picture; returns its pixels, row by row.
+fn draw(directory: &Path, arguments: &str) -> Vec<Rgb> {
+    good(directory, &format!("{arguments} --out t.png"));
+    image::open(directory.join("t.png"))
+        .unwrap()
+        .into_rgb8()
+        .pixels()
+        .map(|pixel| pixel.0)
+        .collect()
+}
+
+fn squares(test: &str) -> std::path::PathBuf {
+    let directory = directory(test);
+    fs::write(directory.join("s.obj"), SQUARES).unwrap();
+    directory
+}
+
+#[test]
+fn a_background_has_the_color_that_was_asked_for() {
+    let directory = squares("background");
+    let corner = |look: &str| draw(&directory, &format!("s.obj {FRONT} --fov 80 {look}"))[31 * 32];
+    assert_eq!(
+        corner("--color rgb888 --background 123456"),
+        [0x12, 0x34, 0x56]
+    );
+    assert_eq!(
+        corner("--color rgb888 --background #123456"),
+        [0x12, 0x34, 0x56]
+    );
+    assert_eq!(corner("--background ff0000"), [255, 0, 0]);
+    assert_eq!(corner("--shade depth --background 00ff00"), [0, 255, 0]);
+    for wrong in ["red", "12345", "#1234567", "12345g", "+12345"] {
+        let says = ["--background", "such as ff8800"];
+        refused(&directory, &format!("s.obj --background {wrong}"), &says);
+    }
+    // A gray is dithered like everything else.
+    let gray = draw(
+        &directory,
+        &format!("s.obj {FRONT} --fov 80 --color mono --background 808080"),
+    );
+    let white = gray[..32 * 4]
+        .iter()
+        .filter(|pixel| pixel[0] == 255)
+        .count();
+    assert!((48..80).contains(&white), "{white} of 128");
+}
+
+#[test]
+fn lights_add_up_in_their_colors() {
+    let directory = squares("lights");
+    let middle = |look: &str| {
+        let all = format!("s.obj {FRONT} --color rgb888 {look}");
+        draw(&directory, &all)[16 * 32 + 14]
+    };
+    for shade in ["gouraud", "flat"] {
+        let shine = |ambient: u32, lights: &str| {
+            middle(&format!("--shade {shade} --ambient {ambient} {lights}"))
+        };
+        let lit = |lights| shine(0, lights);
+        // Clay is (236, 214, 190); a light straight ahead is 0.7 of it, and one at 60 degrees half of that.
+        let near = |found: Rgb, wanted: [f64; 3]| {
+            for (found, wanted) in found.iter().zip(wanted) {
+                assert!(
+                    (f64::from(*found) - wanted).abs() <= 1.0,
+                    "{shade}: {found} for {wanted}"
+                );
+            }
+        };
+        near(lit("--light 0,0,1"), [165.2, 149.8, 133.0]);
+        near(lit("--light 0,0,200"), [165.2, 149.8, 133.0]);
+        near(lit("--light 1.7320508,0,1"), [82.6, 74.9, 66.5]);
+        near(lit("--light 0,0,-1"), [0.0; 3]);
+        near(lit("--light 0,0,1,ff0000"), [165.2, 0.0, 0.0]);
+        near(
+            lit("--light 0,0,1,ff0000 --light 0,0,1,0000ff"),
+            [165.2, 0.0, 133.0],
+        );
+        near(
+            lit("--light 1.7320508,0,1 --light 1.7320508,0,1"),
+            [165.2, 149.8, 133.0],
+        );
+        near(shine(1, "--light 0,0,-1"), [236.0, 214.0, 190.0]);
+    }
+    for wrong in ["0,0,0", "1,2", "1,2,3,red", "1,2,x", "1,2,3,ff0000,4"] {
+        refused(&directory, &format!("s.obj --light {wrong}"), &["--light"]);
+    }
+    refused(
+        &directory,
+        "s.obj --ambient 1.5",
+        &["--ambient", "between 0 and 1"],
+    );
+}
+
+#[test]
+fn fog_hides_by_distance() {
+    let directory = squares("fog");
+    // The front square is at a distance of 5.
+    let middle = |fog: &str| {
+        let all = format!("s.obj {FRONT} --shade texture --color rgb888 {fog}");
+        draw(&directory, &all)[16 * 32 + 14]
+    };
+    let bare = middle("");
+    assert_eq!(middle("--fog 6,9,ff0000"), bare);
+    assert_eq!(middle("--fog 1,4,ff0000"), [255, 0, 0]);
+    assert_eq!(middle("--fog 1,4 --background 00ff00"), [0, 255, 0]);
+    // Half of it; within a step of the blend, 1/256, and the 1/200 of its density.
+    let half = middle("--fog 3,7,000000");
+    for (half, bare) in half.iter().zip(bare) {
+        assert!(
+            (f64::from(*half) - f64::from(bare) / 2.0).abs() <= 3.0,
+            "{half} of {bare}"
+        );
+    }
+    let notes = |fog: &str| {
+        let output = run(&directory, &format!("s.obj {FRONT} --shade texture {fog}"));
+        String::from_utf8(output.stderr).unwrap()
+    };
+    assert_eq!(notes("--fog 1,6"), "");
+    assert!(notes("--fog 1,4").contains("all faces in view are behind the fog"));
+    for wrong in ["4,1", "3,3", "3", "1,2,3,4", "a,b"] {
+        refused(&directory, &format!("s.obj --fog {wrong}"), &["--fog"]);
+    }
+}
+
+/// A surface has the colors of its vertices, a texture or both; each takes each light, with fog and without.
+#[test]
+fn every_surface_takes_every_light_and_fog() {
+    let directory = directory("surfaces");
+    let square = |color: &str| {
+        let corners = ["-1 -1", "1 -1", "1 1", "-1 1"].map(|xy| format!("v {xy} 0 {color}\n"));
+        corners.concat() + "vt 0.5 0.5\nf 1/1 2/1 3/1 4/1\n"
+    };
+    fs::write(directory.join("bare.obj"), square("")).unwrap();
+    fs::write(directory.join("colored.obj"), square("1 0.5 0")).unwrap();
+    let texture = image::RgbImage::from_pixel(4, 4, image::Rgb([100, 200, 250]));
+    texture.save(directory.join("skin.png")).unwrap();
+    for (model, surface, is_most) in [
+        ("colored.obj", [255.0, 127.5, 0.0], false),
+        ("bare.obj --texture skin.png", [100.0, 200.0, 250.0], false),
+        ("colored.obj --texture skin.png", [100.0, 100.0, 0.0], true),
+    ] {
+        for (shade, light) in [
+            ("texture", [1.0; 3]),
+            ("lit --ambient 0 --light 0,0,1", [0.7; 3]),
+            ("lit --ambient 0 --light 0,0,1,ff0000", [0.7, 0.0, 0.0]),
+            ("flat --ambient 0 --light 0,0,1", [0.7; 3]),
+            ("flat --ambient 0 --light 0,0,1,00ff00", [0.0, 0.7, 0.0]),
+        ] {
+            // Flat leaves out textures.
+            if shade.starts_with("flat") && model.contains("--texture") {
+                continue;
+            }
+            // The square is at a distance of 5.
+            for (fog, clear) in [("", 1.0), ("--fog 3,7,000000", 0.5)] {
+                for filter in ["nearest", "bilinear"] {
+                    // Rounding, and the fog's steps; of five bits, one half step as stored and another as drawn.
+                    for (color, within) in [("rgb888", 3.0), ("rgb565", 3.0 + 255.0 / 31.0)] {
+                        let look = format!(
+                            "{model} {FRONT} --shade {shade} {fog} --filter {filter} --color {color}"
+                        );
+                        if is_most && shade.contains("ff0000") && !fog.is_empty() {
+                            let eight = ["--fog with a colored --light", "eight numbers"];
+                            refused(&directory, &look, &eight);
+                            continue;
+                        }
+                        let found = draw(&directory, &look)[16 * 32 + 14];
+                        for channel in 0..3 {
+                            let wanted = surface[channel] * light[channel] * clear;
+                            let error = (f64::from(found[channel]) - wanted).abs();
+                            assert!(error <= within, "{look}: {found:?}, {channel}: {wanted}");
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Fog is in the model's own units, and may be as far as the format allows.
+#[test]
+fn fog_is_as_large_as_the_model() {
+    let directory = directory("fog-units");
+    let middle = |scale: f64, fog: [f64; 2]| {
+        let mut text = String::new();
+        for [x, y] in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]] {
+            writeln!(text, "v {} {} 0", x * scale, y * scale).unwrap();
+        }
+        fs::write(directory.join("s.obj"), text + "f 1 2 3 4\n").unwrap();
+        let [near, far] = fog.map(|x| x * scale);
+        let view = format!(
+            "--eye 0,0,{} --look-at 0,0,0 --fov 60 --size 32x32",
+            5.0 * scale
+        );
+        let look = format!("s.obj {view} --shade flat --color rgb888 --fog {near},{far},000000");
+        draw(&directory, &look)[16 * 32 + 16]
+    };
+    // Half of it at a distance of 5, whatever the scale but for the fog's steps.
+    for fog in [[3.0, 7.0], [-995.0, 1005.0]] {
+        let half = middle(1.0, fog);
+        assert!((70..150).contains(&half[0]), "{half:?}");
+        for scale in [1e-6, 1e6] {
+            let other = middle(scale, fog);
+            assert!(half[0].abs_diff(other[0]) <= 2, "{scale}: {other:?}");
+        }
+    }
+    let far = "s.obj --fog 1,1e20";
+    refused(
+        &directory,
+        far,
+        &["--fog 1,100000000000000000000", "between"],
+    );
+}
+
+#[test]
+fn edges_lie_over_the_surface() {
+    let directory = squares("wire");
+    for color in ["rgb888", "gray8", "rgb565"] {
+        for shade in ["lit", "flat", "normal"] {
+            let look =
+                format!("s.obj --size 64x48 --shade {shade} --color {color} --background ffffff");
+            let (bare, wired) = (
+                draw(&directory, &look),
+                draw(&directory, &format!("{look} --wire")),
+            );
+            let edges = draw(&directory, "s.obj --size 64x48 --shade wire --color rgb888");
+            let mut black = 0;
+            for ((bare, wired), edge) in bare.iter().zip(&wired).zip(&edges) {
+                assert!(wired == bare || *wired == [0; 3]);
+                // Nothing is hidden here: every edge shows.
+                assert_eq!(*wired == [0; 3], *edge == [255; 3], "{shade} {color}");
+                black += u32::from(*wired == [0; 3]);
+            }
+            assert!(black > 60, "{black}");
+        }
+    }
+}
+
+/// Light of a byte of sRGB.
+fn energy(byte: u8) -> f64 {
+    let value = f64::from(byte) / 255.0;
+    if value <= 0.04045 {
+        value / 12.92
+    } else {
+        ((value + 0.055) / 1.055).powf(2.4)
+    }
+}
+
+#[test]
+fn samples_average_light() {
+    let directory = squares("samples");
+    let look = "s.obj --color rgb888 --shade lit";
+    let large = draw(&directory, &format!("{look} --size 96x72"));
+    let small = draw(&directory, &format!("{look} --size 32x24 --samples 3"));
+    for (at, found) in small.iter().enumerate() {
+        let (x, y) = (at % 32, at / 32);
+        for channel in 0..3 {
+            let sum: f64 = (0..9)
+                .map(|sample| large[(y * 3 + sample / 3) * 96 + x * 3 + sample % 3][channel])
+                .map(energy)
+                .sum();
+            // The nearest byte: no other is nearer in light, but for the rounding of f32.
+            let error = |byte: u8| (energy(byte) - sum / 9.0).abs() - 1e-6;
+            let byte = found[channel];
+            let neighbors = [byte.saturating_sub(1), byte.saturating_add(1)];
+            assert!(
+                neighbors
+                    .iter()
+                    .all(|&other| error(byte) <= error(other) + 2e-6),
+                "{x},{y}"
+            );
+        }
+    }
+    assert_eq!(
+        draw(&directory, &format!("{look} --samples 1")),
+        draw(&directory, look)
+    );
+    refused(&directory, "s.obj --samples 0", &["--samples"]);
+    refused(
+        &directory,
+        "s.obj --samples 2 --crc",
+        &["cannot be used with"],
+    );
+    let large = [
+        "--size 2000x100",
+        "between 1 and 4096 divided by --samples 3",
+    ];
+    refused(&directory, "s.obj --size 2000x100 --samples 3", &large);
+}
+
+#[test]
+fn tiles_are_the_whole_picture() {
+    let directory = squares("tiles");
+    for look in [
+        "--shade lit",
+        "--shade lit --filter bilinear --mode fast --fog 2,30",
+        "--shade flat --wire --color mono --background 808080",
+        "--shade depth --projection cabinet --color gray4",
+        "--shade normal --mode exact --bands 7",
+        "--shade wire --samples 2",
+    ] {
+        // Tiles that are as wide as the picture.
+        let look = format!("s.obj --size 96x200 {look}");
+        let whole = draw(&directory, &look);
+        let tiled = draw(&directory, &format!("{look} --tile 192"));
+        assert!(tiled == whole, "{look}");
+        // Narrower tiles begin rows elsewhere; modes are exact to a thousandth of a texel, so hardly a color differs.
+        let tiled = draw(&directory, &format!("{look} --tile 40"));
+        let differ = tiled.iter().zip(&whole).filter(|(a, b)| a != b).count();
+        assert!(differ * 500 <= whole.len(), "{look}: {differ} differ");
+    }
+}
+
+#[test]
+fn pictures_beyond_a_canvas_are_drawn_in_tiles() {
+    let directory = squares("large");
+    let large = draw(
+        &directory,
+        "s.obj --size 2100x40 --shade flat --color gray8",
+    );
+    assert_eq!(large.len(), 2100 * 40);
+    refused(
+        &directory,
+        "s.obj --size 4097x40",
+        &["size is 4097x40", "between 1 and 4096"],
+    );
+    refused(&directory, "--size 2100x40", &["own scene", "2048x2048"]);
+}

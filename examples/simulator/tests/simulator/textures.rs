@@ -1,0 +1,70 @@
+//! Textures in the forms that PNG and JPEG know.
+
+use std::fs;
+
+use image::{DynamicImage, ImageFormat, Rgb, RgbImage};
+
+use super::program::{directory, good, printed};
+
+/// A smooth picture: the same in all forms but for their rounding.
+fn colors(width: u32, height: u32) -> DynamicImage {
+    let color = |x, y| Rgb([x * 255 / width, y * 255 / height, 128].map(|value| value as u8));
+    RgbImage::from_fn(width, height, color).into()
+}
+
+#[test]
+fn every_form_of_png_and_jpeg_is_read() {
+    let directory = directory("textures");
+    // A square of a unit, four units from the eye, that fills the picture: a texel for each pixel.
+    let square =
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
+    fs::write(directory.join("s.obj"), square).unwrap();
+    let view = "--eye 0.5,0.5,2 --look-at 0.5,0.5,0 --fov 28.072486935852957 --near 1 --far 3";
+    let look = "--size 64x64 --shade texture --color rgb888";
+    let drawn = |name: &str| {
+        let said = good(
+            &directory,
+            &format!("s.obj --texture {name} {view} {look} --out o.png"),
+        );
+        assert_eq!(printed(&said, "pixels"), "4096");
+        image::open(directory.join("o.png")).unwrap().into_rgb8()
+    };
+    let close = |found: &RgbImage, wanted: &RgbImage, within: i32, what: &str| {
+        for (x, y, pixel) in found.enumerate_pixels() {
+            for (a, b) in pixel.0.iter().zip(wanted.get_pixel(x, y).0) {
+                assert!(
+                    (i32::from(*a) - i32::from(b)).abs() <= within,
+                    "{what} at {x},{y}"
+                );
+            }
+        }
+    };
+    let picture = colors(64, 64);
+    let gray = DynamicImage::from(picture.to_luma8());
+    for (name, image) in [
+        ("rgb", picture.clone()),
+        ("rgba", picture.to_rgba8().into()),
+        ("rgb16", picture.to_rgb16().into()),
+        ("gray", gray.clone()),
+        ("gray-alpha", gray.to_luma_alpha8().into()),
+        ("gray16", gray.to_luma16().into()),
+    ] {
+        // The name does not matter.
+        let file = directory.join("texture.jpg");
+        image.save_with_format(file, ImageFormat::Png).unwrap();
+        close(&drawn("texture.jpg"), &image.to_rgb8(), 0, name);
+    }
+    for (name, image) in [("rgb", &picture), ("gray", &gray)] {
+        let file = directory.join("texture.png");
+        image.save_with_format(file, ImageFormat::Jpeg).unwrap();
+        // What the compression loses.
+        close(&drawn("texture.png"), &image.to_rgb8(), 12, name);
+    }
+    // Other sizes are resampled: a ramp stays a ramp but for its border, which has no neighbors.
+    for (width, height) in [(48, 80), (85, 52), (64, 64)] {
+        let file = directory.join("other.png");
+        colors(width, height).save(file).unwrap();
+        let (found, wanted) = (drawn("other.png"), picture.to_rgb8());
+        close(&found, &wanted, 8, "resampled");
+    }
+}
