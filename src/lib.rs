@@ -242,7 +242,7 @@ pub use {
     view::{Aspect, Camera, Mvp, Projection, Viewport, Window},
 };
 
-/// Compiles and runs the program in the README.
+/// Compiles the program in the README.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -352,9 +352,10 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// Draws sprites: two triangles for each of their positions, by the rules for those of a mesh. Nothing is culled,
     /// because sprites have no backs.
     ///
-    /// A sprite without an [axis](Sprites::with_axis) is a rectangle on the screen. Unless it is clipped or its shader has
-    /// values [of a face](crate::shade::PerFace), it is drawn in one go, for less than the cost of its triangles. Its
-    /// pixels and their depths are those of the triangles, and its varyings are as exact.
+    /// A sprite without an [axis](Sprites::with_axis) is a rectangle on the screen. It is drawn in one go, for less than
+    /// the cost of its triangles, unless it is clipped, its shader has values [of a face](crate::shade::PerFace) (as
+    /// mipmaps have), or a varying changes both across and down, as the light of a lamp does. Its pixels and their depths
+    /// are those of the triangles, and its varyings are as exact.
     ///
     /// Every shader works: the quad is a mesh in eye space, whose normal points towards the viewer, and a quad's two
     /// triangles have the indices 2i and 2i + 1, where i is the sprite's. Its corners are rounded to the nearest
@@ -623,16 +624,13 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
 
     /// The same with any painter.
     #[inline]
-    fn paint<M: Mode, Z: DepthTest, B, L: Copy, V: ModelToPicture, P: Painter<Color = C>>(
+    fn paint<M: Mode, Z: DepthTest, B: Copy, L: Copy, V: ModelToPicture, P: Painter<Color = C>>(
         &mut self,
         options: &DrawOptions<M, Z, B, L>,
         (mesh, mvp): (&Mesh<'_>, &V),
         painter: P,
         stages: impl FnOnce(&Call<'_, V::Kind>, &mut dyn Blitter) -> Drawn,
-    ) -> Drawn
-    where
-        B: Copy,
-    {
+    ) -> Drawn {
         let call = Call::new(&options.screen(self.frame_size()), self.rows(), mesh, mvp);
         let modes = (options.pixels.mode, options.pixels.depth);
         let mut blit =

@@ -1,5 +1,5 @@
 //! Sprites: quads in eye space, which are drawn as a mesh of eight at a time. Those that face the camera are rectangles
-//! on the screen, each drawn as one primitive where that has the pixels of its two triangles.
+//! on the screen, each drawn as one primitive where its varyings allow it.
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 

@@ -138,7 +138,7 @@ impl Coverage {
     }
 }
 
-/// Draws an anti-aliased line: all pixels that it may cover, once each. The blitter's painter finds in `cover` how much
+/// Draws an anti-aliased line: all pixels that it may cover, once each. The blitter's painter finds in `coverage` how much
 /// of each is covered.
 pub(crate) fn smooth_line(
     raster: &mut Rasterizer<'_>,

@@ -300,25 +300,35 @@ async function choose(at) {
   changed();
 }
 
+/** The texture of a model that has none. */
+const PLAIN = { data: new Uint8Array(4).fill(215), width: 1, height: 1 };
+
 async function open(files) {
   try {
     const { name, text, texture } = await read(files);
-    if (texture) crate.readTexture(texture);
-    trouble("");
     if (text) {
+      if (!/^\s*f\s/m.test(new TextDecoder().decode(text))) throw new Error("it has no faces, so there is nothing to draw");
       state.hasModel = false;
       const [x, y, z, radius] = crate.readModel(text);
+      state.text = text;
       const scale = Math.min(1 / (radius || 1), 30000);
       state.ownCamera = { ...home(5), scale, center: [x, y, z].map((at) => at * scale) };
       state.ownCamera.distance = 1.05 / Math.sin(state.ownCamera.fov / 2);
       state.hasModel = true;
     }
+    // The last model's texture does not suit another one.
+    if (texture || text) crate.readTexture(texture ?? PLAIN);
     await choose(5);
     $("status").textContent =
       `${name ?? "The texture"} is read.${text && !texture ? " Drop a picture too, to give it a texture." : ""}`;
   } catch (error) {
     const name = [...files].find(({ name }) => /\.(obj|gltf|glb)$/i.test(name))?.name ?? "The file";
+    if (state.text) {
+      crate.readModel(state.text);
+      state.hasModel = true;
+    }
     trouble(`${name} cannot be read: ${error.message}`);
+    $("status").textContent = "";
   }
 }
 
@@ -350,6 +360,7 @@ function listen() {
   for (const id of ["left", "right", "format"]) {
     on(id, "change", ({ target }) => {
       state[id] = Number(target.value);
+      stopBands();
       changed();
     });
   }
@@ -358,7 +369,10 @@ function listen() {
     stopBands();
     changed();
   });
-  on("rows", "change", changed);
+  on("rows", "change", () => {
+    stopBands();
+    changed();
+  });
   on("axis", "change", changed);
   on("spin", "change", ({ target }) => {
     state.spins = target.checked;
@@ -370,6 +384,7 @@ function listen() {
   });
   on("errors", "change", ({ target }) => {
     state.showsErrors = target.checked;
+    stopBands();
     changed();
   });
   on("two-sided", "change", ({ target }) => {
@@ -378,7 +393,11 @@ function listen() {
   });
   on("home", "click", () => choose(state.scene));
   on("bands", "click", drawBands);
-  on("files", "change", ({ target }) => open(target.files));
+  on("files", "change", ({ target }) => {
+    open([...target.files]);
+    // So that the same file can be chosen again.
+    target.value = "";
+  });
   on("copy", "click", async () => {
     try {
       await navigator.clipboard.writeText($("code").textContent);
@@ -409,7 +428,7 @@ function listen() {
 try {
   crate = new Crate(await load(await fetched("playground.wasm.gz")), async () => load(await fetched("world.wasm.gz")));
   count = table(crate.costs());
-  crate.readTexture({ data: new Uint8Array(4).fill(215), width: 1, height: 1 });
+  crate.readTexture(PLAIN);
   build();
   listen();
   await choose(state.scene);

@@ -5,6 +5,7 @@
 
 use std::ffi::OsStr;
 use std::fmt::{Debug, Write as _};
+use std::fs;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -56,8 +57,14 @@ pub fn files(
                 return Err(refuse("the model has no texture").into());
             }
             Some("bmp") => {
-                let numbered = |(at, skin)| (numbered(path, at), bmp(skin));
-                files.extend(skins.iter().enumerate().map(numbered));
+                for (at, skin) in skins.iter().enumerate() {
+                    let path = numbered(path, at);
+                    // Nobody named these files.
+                    if at > 0 && path.exists() && !is_export(&path) {
+                        return Err(refuse(&format!("{} exists", path.display())).into());
+                    }
+                    files.push((path, bmp(skin)));
+                }
             }
             _ => {
                 let endings = "its name must end in .rs for the mesh or in .bmp for its textures";
@@ -65,7 +72,13 @@ pub fn files(
             }
         }
     }
-    for (path, _) in &files {
+    for (at, (path, _)) in files.iter().enumerate() {
+        if files[..at]
+            .iter()
+            .any(|(other, _)| place::are_same(other, path))
+        {
+            return Err(format!("two exports are {}", path.display()).into());
+        }
         place::refuse_inputs(path, inputs)?;
         if (args.dump.as_ref()).is_some_and(|dump| place::are_same(dump, path)) {
             return Err(format!("--dump and --export are both {}", path.display()).into());
@@ -99,6 +112,14 @@ fn numbered(path: &Path, at: usize) -> PathBuf {
     path.with_file_name(format!("{stem}-{}.bmp", at + 1))
 }
 
+/// Marks the textures that this program wrote, in a word of the header that readers leave alone.
+const MARK: &[u8; 4] = b"fixl";
+
+/// Whether a file is a texture that this program wrote.
+fn is_export(path: &Path) -> bool {
+    fs::read(path).is_ok_and(|file| file.get(6..10) == Some(MARK))
+}
+
 /// A BMP file of 24 bits a texel, as `include_bmp!` reads it.
 fn bmp(skin: &Skin) -> Vec<u8> {
     let ((width, height), rows) = skin.rows();
@@ -110,7 +131,7 @@ fn bmp(skin: &Skin) -> Vec<u8> {
     // The file's header, and that of the image: one plane of 24 bits, not compressed.
     words(&[
         size,
-        0,
+        u32::from_le_bytes(*MARK),
         54,
         40,
         width,

@@ -34,13 +34,14 @@ pub fn remove_on_interrupt() -> Result<()> {
 
 /// Whether `path` stands for standard output.
 pub fn is_stdout(path: &Path) -> bool {
-    path == Path::new("-")
+    // Opened anew, what the shell opened would be overwritten from its start.
+    ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].contains(&&*path.to_string_lossy())
 }
 
 /// Whether `path` is written as it is, without a file of its own: standard output, a device or a pipe.
 pub fn is_stream(path: &Path) -> bool {
-    // What a shell opened, such as /dev/stdout, may be a file, but is not to be replaced.
-    let is_special = ["/dev", "/proc"]
+    // What a shell opened, such as /dev/fd/3, may be a file, but is not to be replaced.
+    let is_special = ["/dev/fd", "/dev/stderr", "/proc"]
         .iter()
         .any(|folder| path.starts_with(folder));
     is_stdout(path)

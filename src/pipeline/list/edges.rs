@@ -22,7 +22,7 @@ use crate::view::{ModelToPicture, Perspective, ProjectionKind};
 /// triangles.
 ///
 /// [`prepare`](Self::prepare) takes the edges of a mesh and [`prepare_outline`](Self::prepare_outline) those of an
-/// [`Outline`] that are drawn. The list needs room for the visible edges (14 bytes each) and for their vertices (16
+/// [`Outline`] that are drawn; [`prepare_scene`](Self::prepare_scene) takes those of several objects. The list needs room for the visible edges (14 bytes each) and for their vertices (16
 /// bytes each): at most two for each edge, and four for a clipped one, of which it uses at most
 /// [`MAX_VERTICES`](Self::MAX_VERTICES).
 ///

@@ -41,7 +41,7 @@ pub struct Object<'m, T> {
     pub model: Transform,
     /// How the object is drawn.
     pub material: T,
-    /// The edges that are drawn of it; without an outline, all.
+    /// Which edges an [`EdgeList`](super::EdgeList) draws of it; without an outline, all. Triangles do not depend on it.
     pub outline: Option<&'m Outline<'m>>,
     /// The number of its last vertex in the list.
     last: u16,

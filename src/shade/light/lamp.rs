@@ -101,8 +101,7 @@ impl PointLight {
         Self { falloff, ..self }
     }
 
-    /// The light where this is the square of the distance's share of the range, and `part` that share, all in units of
-    /// 2⁻¹⁶.
+    /// The light at a distance that is `part` of the range, where `square` is the square of `part`; all in units of 2⁻¹⁶.
     #[inline]
     fn light(&self, square: u32, part: impl FnOnce() -> u32) -> u32 {
         let Some(rest) = FULL.checked_sub(square) else {
@@ -152,9 +151,9 @@ impl Lamp for PointLight {
         ];
         let [x, y, z] = way;
         let size = (x ^ x >> 31) | (y ^ y >> 31) | (z ^ z >> 31);
-        // Below 32, as the compiler sees.
-        let up = (size << 1 | 1).leading_zeros();
-        // How many bits shorter than the range.
+        // At most 30, so that what is shorter by most is by 31 bits.
+        let up = (size << 1 | 2).leading_zeros();
+        // How many bits shorter than the range, and one.
         let shorter = (up + 1).wrapping_sub(self.up);
         if shorter.cast_signed() < 0 {
             return 0;

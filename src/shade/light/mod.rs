@@ -233,6 +233,25 @@ mod tests {
         assert_eq!(light.0.0, [FULL]);
     }
 
+    /// A way of one unit, or none, is the shortest for the longest ranges.
+    #[test]
+    fn a_lamp_with_a_long_range_lights_what_is_close() {
+        for range in [fx!(1), fx!(16_383), fx!(16_384), Scalar::MAX] {
+            let lamp = PointLight::new(Vec3::ZERO, fx!(1), range).unwrap();
+            for x in [1_i32, -1, 2, -2] {
+                let away = Direction::of(Vec3::from_bits([-x.signum() << 16, 0, 0]));
+                let point = SurfacePoint {
+                    normal: away,
+                    face: away,
+                    position: Vec3::from_bits([x, 0, 0]),
+                };
+                // Within 1e-3, of the cosine and of the falloff.
+                let light = lamp.at(&point).diffuse[0];
+                assert!(light >= FULL - 66, "{light} at {x} of {range}");
+            }
+        }
+    }
+
     #[test]
     fn bad_lamps_are_refused() {
         let lamp = |brightness, range| PointLight::new(Vec3::ZERO, brightness, range);

@@ -122,6 +122,34 @@ fn textures_are_written_as_bmp() {
     assert!(mesh.contains(r#".with_texture("skin.bmp")"#), "{mesh}");
 }
 
+/// The second texture's file has a name that nobody gave: only one that the program wrote itself is replaced.
+#[test]
+fn numbered_textures_replace_no_other_file() {
+    let directory = directory("numbered");
+    let obj = "mtllib two.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n\
+               usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 2/1 4/2 3/3\n";
+    fs::write(directory.join("two.obj"), obj).unwrap();
+    let mtl = "newmtl a\nmap_Kd a.png\nnewmtl b\nmap_Kd b.png\n";
+    fs::write(directory.join("two.mtl"), mtl).unwrap();
+    for (name, gray) in [("a.png", 50), ("b.png", 200)] {
+        let image = image::RgbImage::from_pixel(2, 2, image::Rgb([gray; 3]));
+        image.save(directory.join(name)).unwrap();
+    }
+    fs::write(directory.join("skin-2.bmp"), "precious").unwrap();
+    refused(
+        &directory,
+        "two.obj --export skin.bmp",
+        &["skin-2.bmp exists"],
+    );
+    let kept = fs::read(directory.join("skin-2.bmp")).unwrap();
+    assert_eq!(kept, b"precious");
+    fs::remove_file(directory.join("skin-2.bmp")).unwrap();
+    for _ in 0..2 {
+        good(&directory, "two.obj --export skin.bmp");
+    }
+    assert!(directory.join("skin-2.bmp").exists());
+}
+
 #[test]
 fn exports_that_would_do_harm_are_refused() {
     let directory = directory("bad-exports");
@@ -141,6 +169,10 @@ fn exports_that_would_do_harm_are_refused() {
         (
             "plain.obj --export tent.bmp",
             "cannot write tent.bmp: it is an input, tent.bmp",
+        ),
+        (
+            "tent.rs --export mesh.rs --export ./mesh.rs",
+            "two exports are ./mesh.rs",
         ),
         (
             "plain.obj --export mesh.txt",

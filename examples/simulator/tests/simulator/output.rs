@@ -179,6 +179,10 @@ fn standard_output_takes_pictures_and_dumps() {
     let file = |name: &str| fs::read(directory.join(name)).unwrap();
     let before = files(&directory);
     assert_eq!(piped(&directory, &format!("{look} --out -")), file("t.png"));
+    assert_eq!(
+        piped(&directory, &format!("{look} --out /dev/stdout")),
+        file("t.png")
+    );
     let dump = piped(&directory, &format!("{look} --out u.png --dump -"));
     assert_eq!(dump, file("t.csv"));
     fs::remove_file(directory.join("u.png")).unwrap();
