@@ -38,6 +38,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     let view = projection * Camera::look_at(vec3!(1.5, 2.4, 6), vec3!(0.1, 0.55, 0), Vec3::Y)?;
     let sun = Light::new(vec3!(1, 3, 2), fx!(0), fx!(1))?;
     let width = LineWidth::new(fx!(1) + Scalar::from_num(size.height) / 120)?;
+    let lines = DrawOptions::new().with_line(width);
     let behind = DrawOptions::new().with_depth(Biased::behind(TestAndWrite));
 
     canvas.clear(Rgb565::new(10, 45, 29));
@@ -52,14 +53,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
             Some(ink[step])
         });
         canvas.draw_with(&behind, &BALL, &mvp, &steps);
-        let pen = Flat::new(Rgb565::BLACK);
-        canvas.draw_outline(
-            &DrawOptions::new().with_line(width),
-            &BALL,
-            &EDGES,
-            &mvp,
-            &pen,
-        );
+        canvas.draw_outline(&lines, &BALL, &EDGES, &mvp, &Flat::new(Rgb565::BLACK));
     }
     Ok(())
 }
