@@ -64,6 +64,22 @@ static SKIN: Texture<Rgb565> = include_bmp!("skin.bmp");`,
 
 const START = { lighthouse: "examples/common/lighthouse.rs", world: "examples/common/world" };
 
+/** The camera as `View::mvp` places it. */
+function camera(view) {
+  const shift =
+    view.shift_x || view.shift_y
+      ? `Transform::rotate_x(${angle(view.shift_y)})
+            * Transform::rotate_y(${angle(view.shift_x)})
+            * `
+      : "";
+  return `Camera::from_view(
+        ${shift}Transform::translate(${vec3(0, 0, -view.distance)})
+            * Transform::rotate_x(${angle(view.pitch)})
+            * Transform::rotate_y(${angle(view.yaw)})
+            * Transform::translate(${vec3(-view.center_x, -view.center_y, -view.center_z)}),
+    )`;
+}
+
 /** The program for the module's settings, in a display's format, with bands of some rows. */
 export function program(scene, view, format, rows) {
   const { type } = FORMATS[format];
@@ -93,19 +109,14 @@ const ROWS: u32 = ${rows}; // of a band
 pub fn draw<T: DrawTarget<Color = ${type}>>(display: &mut T) -> Result<(), Error> {
     let projection = Projection::perspective(
         ${angle(view.fov)}, (WIDTH, HEIGHT), ${fx(view.near)}, ${fx(view.far)})?;
-    let camera = Camera::from_view(
-        Transform::translate(${vec3(0, 0, -view.distance)})
-            * Transform::rotate_x(${angle(view.pitch)})
-            * Transform::rotate_y(${angle(view.yaw)})
-            * Transform::translate(${vec3(-view.center_x, -view.center_y, -view.center_z)}),
-    );
+    let camera = ${camera(view)};
     let mvp = projection * camera * Transform::scale(${fx(view.scale)});
     let options = DrawOptions::new().with_mode(${mode})${view.is_two_sided ? ".with_cull(Cull::Nothing)" : ""};
 ${own ? "    let sun = Light::new(vec3!(2, 3, 4), fx!(0.35), fx!(0.65))?;\n" : ""}
     let mut colors = [${black}; (WIDTH * ROWS) as usize];
 ${depth ? "    let mut depths = [0; (WIDTH * ROWS) as usize];\n" : ""}    for first_row in (0..HEIGHT).step_by(ROWS as usize) {
         let mut band = Canvas::band(&mut colors, WIDTH, HEIGHT, first_row)?${depth ? ".with_depth(&mut depths)?" : ""};
-        band.clear(${black});
+        band.clear(${own && !bits ? "Rgb565::new(4, 9, 5)" : black});
         band.draw_with(&options, &${body.mesh}, &mvp, &${shader});
         if band.show(display).is_err() {
             break; // the display's own error
@@ -135,19 +146,12 @@ pub fn draw(colors: &mut [Rgb565], depths: &mut [u16]) -> Result<(), Error> {
 }
 `;
   const mode = view.mode === 2 ? `Fast::within(${fx(view.tolerance)})` : MODES[view.mode];
-  const camera = view.is_home
-    ? "lighthouse::camera()?"
-    : `Camera::from_view(
-        Transform::translate(${vec3(0, 0, -view.distance)})
-            * Transform::rotate_x(${angle(view.pitch)})
-            * Transform::rotate_y(${angle(view.yaw)})
-            * Transform::translate(${vec3(-view.center_x, -view.center_y, -view.center_z)}),
-    )`;
+  const eye = view.is_home ? "lighthouse::camera()?" : camera(view);
   return `${imports(type).replace("use fixel::prelude", `use fixel::mode::${MODES[view.mode]};\nuse fixel::prelude`)}
 pub fn draw(colors: &mut [${type}], depths: &mut [u16]) -> Result<(), Error> {
     let projection = Projection::perspective(
         ${angle(view.fov)}, (WIDTH, HEIGHT), ${fx(view.near)}, ${fx(view.far)})?;
-    let camera = ${camera};
+    let camera = ${eye};
     let options = DrawOptions::new().with_mode(${mode});
     let mut canvas = Canvas::new(colors, WIDTH, HEIGHT)?.with_depth(depths)?;
     lighthouse::sky(&mut canvas);

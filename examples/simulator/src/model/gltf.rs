@@ -417,9 +417,15 @@ impl Reader<'_> {
                 .map(value)
                 .collect()
             }
-            // Without bytes of their own, values are zero: but not more than a file of this size would have.
-            None if accessor.sparse().is_some() && accessor.count() < 1 << 28 => {
+            // Without bytes of their own, values are zero; but a short file may not ask for all memory.
+            None if accessor.sparse().is_some() && accessor.count() <= 1 << 24 => {
                 vec![[0.0; N]; accessor.count()]
+            }
+            None if accessor.sparse().is_some() => {
+                let count = accessor.count();
+                return Err(format!(
+                    "accessor {at} has {count} values but no bytes: at most 16777216 are read so"
+                ));
             }
             None => return Err(format!("accessor {at} has no values")),
         };
