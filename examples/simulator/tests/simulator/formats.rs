@@ -454,10 +454,21 @@ fn what_is_wrong_in_ply_and_gltf_is_said_in_one_line() {
     }
     if cfg!(feature = "gltf") {
         let glb = make::glb(false, "");
+        make::write_gltf(&directory, "whole.gltf", false, "");
+        let sparse = make::gltf(false, "", r#", "uri": "a%20house.bin""#).replace(
+            r#"{"bufferView": 0, "componentType": 5126, "count": 9"#,
+            r#"{"componentType": 5126, "count": 268435455, "sparse": {"count": 2,
+               "indices": {"bufferView": 2, "componentType": 5123}, "values": {"bufferView": 0}}"#,
+        );
         let json = |from: &str, to: &str| make::gltf(false, "", "").replace(from, to).into_bytes();
         cases.extend([
             ("a.glb", glb[..700].to_vec(), "byte 700: it ends before the"),
             ("b.gltf", json(r#""asset""#, "asset"), "line 2"),
+            (
+                "s.gltf",
+                sparse.into_bytes(),
+                "accessor 0 has 268435455 values but no bytes",
+            ),
             ("c.gltf", json("", ""), "buffer 0: "),
             (
                 "d.gltf",
