@@ -328,7 +328,7 @@ fn diffusion_keeps_the_brightness_of_every_window() {
     let wave = |x: f64, y: f64| 127.5 + 60. * (x / 19.).sin() + 55. * (x / 40. + y / 23.).cos();
     let places = (0..SIZE.1).flat_map(|y| (0..SIZE.0).map(move |x| (f64::from(x), f64::from(y))));
     let mut grays: Vec<Gray8> = places
-        .map(|(x, y)| Gray8::new(wave(x, y).round() as u8))
+        .map(|(x, y)| Gray8::new((wave(x, y).round() as i32).cast_unsigned() as u8))
         .collect();
     let gray = Canvas::new(&mut grays, SIZE.0, SIZE.1).unwrap();
     let mut shown = vec![BinaryColor::Off; (SIZE.0 * SIZE.1) as usize];
