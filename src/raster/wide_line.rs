@@ -55,6 +55,7 @@ use crate::{Error, Scalar};
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LineWidth {
     /// Half the width, in units of 1/256 pixel.
     pub(crate) half: i32,
