@@ -197,6 +197,45 @@
 #[cfg(test)]
 extern crate std;
 
+/// A diagram of the documentation. It is drawn in the color of the text, so that it can be read in every theme.
+#[cfg(any(doc, doctest))]
+macro_rules! diagram {
+    ($name:literal) => {
+        concat!(
+            "\n\n",
+            include_str!(concat!(
+                env!("CARGO_MANIFEST_DIR"),
+                "/src/guide/diagrams/",
+                $name,
+                ".svg"
+            )),
+            "\n\n"
+        )
+    };
+}
+
+/// The picture of an item's page, as text: it is there wherever the page is. `cargo run -p cookbook -- --renew` draws it,
+/// for the size of a small display, and browsers show each of its pixels as a square.
+#[cfg(doc)]
+macro_rules! page_picture {
+    ($name:literal, $shows:literal) => {
+        concat!(
+            "\n\n<img alt=\"",
+            $shows,
+            "\" title=\"",
+            $shows,
+            "\" width=\"240\" height=\"160\" style=\"image-rendering: pixelated\" src=\"data:image/png;base64,",
+            include_str!(concat!(
+                env!("CARGO_MANIFEST_DIR"),
+                "/examples/assets/pages/",
+                $name,
+                ".base64"
+            )),
+            "\">\n\n"
+        )
+    };
+}
+
 mod error;
 #[cfg(any(doc, doctest))]
 pub mod guide;

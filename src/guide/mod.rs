@@ -30,6 +30,11 @@ macro_rules! recipe {
     };
 }
 
+pub mod concepts;
+
+#[doc = include_str!("coming_from.md")]
+pub mod coming_from {}
+
 #[doc = include_str!("cookbook.md")]
 #[doc = recipe!("Hello", "hello")]
 #[doc = recipe!("Bands", "bands")]

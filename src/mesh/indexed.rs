@@ -22,6 +22,7 @@ pub type Index = u16;
 /// A triangle mesh over the caller's slices: positions and faces, and optionally texture coordinates, normals, colors
 /// and edges.
 ///
+#[cfg_attr(doc, doc = diagram!("winding"))]
 /// Attributes are indexed like positions, unless they come with faces of their own. OBJ files do this, because there
 /// a position may have a different texture coordinate in each face. A corner without a value has the index
 /// [`NO_VALUE`](Self::NO_VALUE) there. Front faces are counter-clockwise as seen by the viewer.

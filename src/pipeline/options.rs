@@ -11,6 +11,7 @@ use crate::view::Viewport;
 /// The options of a draw call: which faces are culled, which part of the frame is drawn to, the interpolation mode,
 /// the depth test, how colors are blended with those that are there, and how lines are drawn.
 ///
+#[cfg_attr(doc, doc = page_picture!("options", "A ring by the default options; with front faces culled; as lines; as points"))]
 /// By default, a draw call culls back faces, draws to the whole frame in mode [`Newton`], tests and stores depths, and
 /// replaces what is there. Lines are one pixel wide.
 ///

@@ -10,6 +10,7 @@ use crate::mesh::Primitive;
 
 /// Shader `S` on a canvas of color `C`; see [`Shader::converted`].
 ///
+#[cfg_attr(doc, doc = page_picture!("converted", "A ring in four grays, dithered"))]
 /// Colors are rounded, or dithered if `C` is coarse (see [`Levels`]).
 ///
 /// It can draw a texture whose color differs from the canvas's. Each pixel is then converted; a texture stored in the

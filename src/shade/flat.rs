@@ -7,6 +7,7 @@ use crate::mesh::Primitive;
 
 /// One color for all pixels.
 ///
+#[cfg_attr(doc, doc = page_picture!("flat", "A ring in one color: only its outline can be seen"))]
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
 /// use fixel::prelude::*;
@@ -73,6 +74,7 @@ impl<C: PixelColor> Shader for Flat<C> {
 
 /// One color per triangle, in the order of the mesh's faces.
 ///
+#[cfg_attr(doc, doc = page_picture!("face_colors", "A coarse ball whose triangles have different colors"))]
 /// Triangles beyond the end of the list have its last color; if the list is empty, all are black (the color's
 /// default). Edges and points have the first color.
 ///

@@ -9,6 +9,7 @@ use crate::{Error, Scalar};
 /// Air that hides what is far: a color, and how much of a surface is left at a distance; see
 /// [`Shader::in_fog`](super::Shader::in_fog).
 ///
+#[cfg_attr(doc, doc = page_picture!("in_fog", "A row of rings that fade into gray"))]
 /// The distance z is that from the eye along its line of sight, [`Corner::distance`](crate::Corner::distance). It is
 /// correct in perspective at every pixel. The colors are blended in 32 steps for colors of 16 bits and in 256 for others
 /// ([`Blend::WEIGHT_BITS`]); what is left of the surface is within half a step and 1/200.
@@ -189,6 +190,7 @@ impl<C: Blend> Fog<C, Exponential> {
 
 /// A surface in fog; see [`Shader::in_fog`](super::Shader::in_fog).
 ///
+#[cfg_attr(doc, doc = page_picture!("in_fog", "A row of rings that fade into gray"))]
 /// Put light on the surface first, and fog around both: `.lit(sun).in_fog(fog)`.
 ///
 /// ```

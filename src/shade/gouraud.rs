@@ -8,6 +8,7 @@ use crate::mesh::Primitive;
 
 /// The mesh's vertex colors, interpolated in perspective; white if the mesh has none.
 ///
+#[cfg_attr(doc, doc = page_picture!("gouraud", "A cube whose corners' colors flow into each other"))]
 /// The canvas's color decides how they are interpolated and rounded: see [`Levels`](super::Levels). Gray is
 /// interpolated as one value.
 ///

@@ -11,6 +11,7 @@ use crate::{Error, Scalar};
 /// Colors by the height in model space: one color up to a low height, another one from a high height on, and between them
 /// a mixture in proportion. For a sky, or for terrain.
 ///
+#[cfg_attr(doc, doc = page_picture!("gradient", "A ball that is blue at the bottom and pale yellow at the top"))]
 /// The color is computed at the vertices, within 1/64 step, and interpolated in perspective.
 ///
 /// A sky is drawn first, from inside, by a [camera that stays in its middle](crate::Camera::sky), without depth:

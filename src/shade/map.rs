@@ -5,6 +5,7 @@ use crate::mesh::Primitive;
 
 /// A shader and a function of each pixel that it colors; see [`Shader::map`].
 ///
+#[cfg_attr(doc, doc = page_picture!("map", "A ring with three steps of brightness, like a cartoon"))]
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
 /// use fixel::prelude::*;

@@ -16,6 +16,7 @@ const FINEST: i32 = -(1 << 20);
 /// A texture that does not flicker where it is far away: each pixel shows the level of a [`Mipmap`] that its distance
 /// calls for.
 ///
+#[cfg_attr(doc, doc = page_picture!("mipmapped", "A tiled floor: the left half without mipmaps flickers in the distance, the right half is even"))]
 /// A pixel shows the nearest texel of the nearest level, or a blend of four texels of it ([`bilinear`](Self::bilinear)),
 /// or a blend of two levels ([`trilinear`](Self::trilinear)). The texture repeats, or is [`clamped`](Self::clamped). The
 /// varyings are those of [`Textured`].

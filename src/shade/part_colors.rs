@@ -7,6 +7,7 @@ use crate::mesh::{Part, Primitive};
 
 /// The color of each [`Part`] of a mesh; made by [`rgb`](Self::rgb).
 ///
+#[cfg_attr(doc, doc = page_picture!("part_colors", "A ring with red and white parts"))]
 /// Faces in no part are white.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct PartColors<'a> {

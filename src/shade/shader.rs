@@ -30,6 +30,7 @@ pub struct Fragment {
 
 /// Colors a surface: it computes values at the corners of each triangle, and a pixel's color from the interpolated values.
 ///
+#[cfg_attr(doc, doc = page_picture!("lit", "A ring that is lit"))]
 /// [`varyings`](Self::varyings) runs once for each triangle, edge or point. [`shade`](Self::shade) runs once for each
 /// visible pixel, with the values interpolated in perspective; it returns `None` to leave the pixel as it is.
 /// [`Varyings`] lists the types that can be interpolated.

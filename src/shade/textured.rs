@@ -14,6 +14,7 @@ use crate::{Error, Vec2};
 /// A texture: each pixel shows the texel nearest to its center, or a blend of the four around it
 /// ([`bilinear`](Self::bilinear)).
 ///
+#[cfg_attr(doc, doc = page_picture!("textured", "A cube with checkers"))]
 /// The texture repeats, or is [`clamped`](Self::clamped) to its edge. It may be [`lit`](Shader::lit), or
 /// [`tinted`](Shader::tinted) by vertex colors.
 ///

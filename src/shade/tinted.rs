@@ -6,6 +6,7 @@ use crate::mesh::Primitive;
 
 /// A surface times the interpolated vertex color, channel by channel; see [`Shader::tinted`].
 ///
+#[cfg_attr(doc, doc = page_picture!("tinted", "A cube with checkers, multiplied by the colors of its corners"))]
 /// A white vertex leaves the surface as it is, a black vertex makes it black.
 ///
 /// The fractions of the vertex color (65,536 is 1) are interpolated after the surface's own varyings: three, or one

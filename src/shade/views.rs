@@ -10,6 +10,7 @@ use crate::mesh::Primitive;
 
 /// Depth as gray: white is near, black is far.
 ///
+#[cfg_attr(doc, doc = page_picture!("depth_view", "A ring that is bright in front and dark behind"))]
 /// It shows depth in linear steps, from 65535 at the near plane toward 0, whatever the depth buffer's format. In
 /// perspective these steps are linear in 1/distance, so most scenes are dark; [`between`](Self::between) spreads a
 /// part of the range.
@@ -98,6 +99,7 @@ impl<C: Levels> Shader for DepthView<C> {
 
 /// The direction of normals in world space as a color.
 ///
+#[cfg_attr(doc, doc = page_picture!("normal_view", "A ring in the colors of its normals"))]
 /// Red is x, green is y and blue is z, each from dark for −1 over half for 0 to bright for +1. Gray canvases show the
 /// luma of this color.
 ///

@@ -12,6 +12,7 @@ use crate::shade::{Lanes, Tolerance};
 
 /// How attributes are interpolated between a triangle's corners, which trades accuracy for speed.
 ///
+#[cfg_attr(doc, doc = page_picture!("modes", "A floor of two triangles: bent by Affine, straight by the default mode"))]
 /// [`DrawOptions::with_mode`](crate::DrawOptions::with_mode) chooses the mode of a draw call. A program links only the
 /// modes that it names.
 ///
@@ -210,6 +211,7 @@ impl Policy for Compact {
 
 /// Linear on the screen, which is correct under a parallel projection.
 ///
+#[cfg_attr(doc, doc = page_picture!("modes", "A floor of two triangles: bent by Affine, straight by the default mode"))]
 /// Under perspective, it bends textures, which no other mode does. Use it for surfaces that face the eye, are small,
 /// or are far away for their size. In addition, rounding adds an error of up to 37 units to an attribute (a
 /// two-thousandth of a texel to a texture coordinate).

@@ -8,6 +8,7 @@ use crate::shade::{Levels, Source, Translucent};
 /// How the colors of a draw call are blended with what is on a canvas of color `C`: [`Replace`], [`Opacity`],
 /// [`Alpha`], [`Add`] or [`Multiply`]. Sealed.
 ///
+#[cfg_attr(doc, doc = page_picture!("blending", "A pane over stripes: Replace, Opacity, Add and Multiply"))]
 /// [`DrawOptions::with_blending`](crate::DrawOptions::with_blending) chooses it. What is there must be drawn first: draw
 /// what is opaque, then what is blended, from back to front. Draw this with [`TestOnly`](super::TestOnly), so that
 /// it hides nothing that is drawn later.

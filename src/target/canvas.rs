@@ -19,6 +19,7 @@ pub const MAX_SIZE: u32 = 2048;
 
 /// A frame's pixels, or those of a horizontal band of it, in memory that belongs to the caller.
 ///
+#[cfg_attr(doc, doc = diagram!("band"))]
 /// Column 0, row 0 is the frame's top left pixel. A band knows which rows of which frame it holds. Everything is
 /// drawn in the frame's coordinates, and pixels outside the band are skipped. Put together, the bands of a frame
 /// equal the whole frame, bit for bit.

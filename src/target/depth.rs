@@ -44,6 +44,7 @@ pub struct NoDepth;
 
 /// The caller's depth buffer, 16 bits per pixel. 65535 is the near plane, 0 is infinitely far.
 ///
+#[cfg_attr(doc, doc = diagram!("depth"))]
 /// `F` is the format of a depth: [`Linear`], [`Float`](super::Float) or [`WideFloat`](super::WideFloat). In each
 /// format, a nearer depth is a greater number, so the depth test is the same comparison. The formats differ in cost,
 /// and in the ratio far/near that they resolve. The table lists the greatest depth step, relative to the distance, at

@@ -1,5 +1,6 @@
 //! The canvas: the caller's memory for a frame or a band of it, with or without a depth buffer.
 //!
+#![cfg_attr(doc, doc = page_picture!("formats", "A ball in 16 bits of color, in four grays, in black and white"))]
 //! A [`Canvas`] has three type parameters: its color, how the color is stored, and its depth buffer. Their types
 //! follow from its constructor, so most programs need to name only the color. A draw call adds how it uses the depth
 //! buffer, and how its colors are blended with those that are there.

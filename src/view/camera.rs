@@ -6,6 +6,7 @@ use crate::{Angle, Error, Scalar, Transform, Vec3};
 
 /// A camera: the rigid transform from world space to eye space.
 ///
+#[cfg_attr(doc, doc = diagram!("eye"))]
 /// In eye space the eye is at the origin and looks down −z; x runs to the right and y up.
 ///
 /// ```

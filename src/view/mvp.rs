@@ -8,6 +8,7 @@ use crate::Transform;
 /// A model-view-projection: a projection, a camera and the transform of a model, applied from right to
 /// left.
 ///
+#[cfg_attr(doc, doc = diagram!("pipeline"))]
 /// It is written as a product, `projection * camera * model`. The viewport transform, which would come
 /// leftmost, is not part of the product: [`DrawOptions::with_viewport`](crate::DrawOptions::with_viewport) sets it.
 /// Camera and model are stored apart, because lights are in world space, between the two.

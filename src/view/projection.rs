@@ -91,6 +91,7 @@ impl Row {
 
 /// The part of eye space that is visible, and how it maps to the picture.
 ///
+#[cfg_attr(doc, doc = diagram!("eye"))]
 /// Eye space is right-handed: x runs to the right and y up, and the eye looks down −z. `near` and
 /// `far` are distances ahead of the eye. A projection maps its frustum or box to normalized device
 /// coordinates, ±1 from edge to edge.

@@ -1,6 +1,7 @@
 //! Small scenes, one idea each, and a little world: see `--help`.
 
 mod animation;
+mod pages;
 mod scenes;
 mod world;
 
@@ -86,7 +87,22 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
         }
     }
+    if args.renew && args.scenes.is_empty() {
+        for &(name, draw) in pages::PAGES {
+            let path = page(name);
+            picture(draw, pages::SIZE)?
+                .to_rgb_output_image(&OutputSettings::default())
+                .save_png(&path)?;
+            println!("{}", path.display());
+            fs::write(path.with_extension("base64"), base64_of(&path)?)?;
+        }
+    }
     Ok(())
+}
+
+/// The picture of a type's page.
+fn page(name: &str) -> PathBuf {
+    assets().join("pages").join(name).with_extension("png")
 }
 
 /// Draws a scene.
@@ -130,6 +146,26 @@ mod tests {
             assert!(
                 in_guide == base64_of(&path).unwrap(),
                 "the guide shows another {name}"
+            );
+        }
+    }
+
+    #[test]
+    fn pictures_of_pages_are_those_of_the_documentation() {
+        for &(name, draw) in pages::PAGES {
+            let found = picture(draw, pages::SIZE).unwrap();
+            let shown = SimulatorDisplay::load_png(page(name)).unwrap();
+            assert!(found.diff(&shown).is_none(), "{name} has changed");
+            let in_page = fs::read_to_string(page(name).with_extension("base64")).unwrap();
+            assert!(
+                in_page == base64_of(&page(name)).unwrap(),
+                "the page shows another {name}"
+            );
+            // Each page of the documentation is loaded with its picture.
+            assert!(
+                in_page.len() <= 4096 * 4 / 3,
+                "{name} has {} characters",
+                in_page.len()
             );
         }
     }

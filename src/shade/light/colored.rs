@@ -7,6 +7,7 @@ use crate::shade::Levels;
 
 /// A light in a color; see [`Lighting::colored`].
 ///
+#[cfg_attr(doc, doc = page_picture!("colored", "A ball between a red and a blue lamp"))]
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 /// use fixel::prelude::*;

@@ -33,6 +33,7 @@ pub enum Falloff {
 
 /// White light from a point in world space, up to a range.
 ///
+#[cfg_attr(doc, doc = page_picture!("point_light", "A floor and a ball beside a lamp"))]
 /// A surface with unit normal n at the distance d has the brightness b · f(d) · max(0, n·l): b is the lamp's brightness, f
 /// its [`Falloff`] and l the unit vector toward the lamp. The error is at most 1e-3, a quarter of a step of eight bits. Very
 /// near the lamp, positions in steps of 2⁻¹⁶ limit the direction; at the lamp itself there is no light.
@@ -192,6 +193,7 @@ fn times(a: u32, b: u32) -> u32 {
 
 /// White light from a point in world space, in a cone: a lamp like [`PointLight`] that shines in one direction.
 ///
+#[cfg_attr(doc, doc = page_picture!("spot_light", "A floor and a ball in a cone of light"))]
 /// Let θ be the angle between the cone's axis and the way from the lamp to a surface. Up to the inner angle, the light
 /// is that of the point light, from the outer angle on there is none. Between them, it falls smoothly: it is
 /// t²(3 − 2t), where t = (cos θ − cos outer) / (cos inner − cos outer).

@@ -95,6 +95,7 @@ impl SurfacePoint {
 /// What lights a surface: [`Light`], [`PointLight`], [`SpotLight`], and several of them in an array, a slice or a tuple
 /// of up to four.
 ///
+#[cfg_attr(doc, doc = page_picture!("colored", "A ball between a red and a blue lamp"))]
 /// [`Shader::lit`](crate::Shader::lit) and [`Shader::lit_faces`](crate::Shader::lit_faces) put a surface under it. A
 /// light of your own takes ten lines:
 ///

@@ -47,6 +47,7 @@ pub trait Lamp: Lighting {
 
 /// A light that makes highlights; see [`Lamp::shiny`].
 ///
+#[cfg_attr(doc, doc = page_picture!("shiny", "A ring with highlights"))]
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor}};
 /// use fixel::prelude::*;

@@ -5,6 +5,7 @@ use crate::math::Direction;
 
 /// A light that also lights the backs of triangles; see [`Lighting::two_sided`].
 ///
+#[cfg_attr(doc, doc = page_picture!("two_sided", "Two sheets that turn their backs: dark without the adapter, bright with it"))]
 /// A triangle turns its back if the viewer is on the other side of its plane than its normal. Edges and points have no
 /// back.
 ///

@@ -1,0 +1,245 @@
+//! The words of this crate, in the order in which a program meets them.
+//!
+//! 1. [The parts of a program](#the-parts-of-a-program)
+//! 2. [Numbers](#numbers)
+//! 3. [Mesh](#mesh)
+//! 4. [Transform, camera, projection](#transform-camera-projection)
+//! 5. [Shader](#shader)
+//! 6. [Options](#options)
+//! 7. [Canvas](#canvas)
+//! 8. [Depth](#depth)
+//! 9. [Band](#band)
+//!
+//! # The parts of a program
+//!
+#![doc = diagram!("pipeline")]
+//!
+//! A draw call takes a mesh, a model-view-projection and a shader, and writes pixels to a canvas. All four are plain values
+//! that belong to your program. There is no state between draw calls but the canvas's memory.
+//!
+//! ```
+//! use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+//! use fixel::prelude::*;
+//!
+//! static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1))); // in flash
+//!
+//! fn main() -> Result<(), Error> {
+//!     // The memory is yours: on a microcontroller, statics.
+//!     let mut colors = [Rgb565::BLACK; 160 * 120];
+//!     let mut depths = [0; 160 * 120];
+//!     let mut canvas = Canvas::new(&mut colors, 160, 120)?.with_depth(&mut depths)?;
+//!
+//!     let size = canvas.frame_size();
+//!     let projection = Projection::perspective(deg!(45), size, fx!(0.1), fx!(100))?;
+//!     let camera = Camera::look_at(vec3!(0, 2, 5), Vec3::ZERO, Vec3::Y)?;
+//!     let turn = Transform::rotate_y(deg!(30));
+//!     let sun = Light::new(vec3!(-1, 3, 2), fx!(0.3), fx!(0.7))?;
+//!     let surface = Flat::new(Rgb565::YELLOW).lit(sun);
+//!
+//!     canvas.clear(Rgb565::BLUE);
+//!     let drawn = canvas.draw(&CUBE, &(projection * camera * turn), &surface);
+//!     assert_eq!(drawn.submitted, 12); // triangles
+//!     Ok(())
+//! }
+//! ```
+//!
+//! Constructors return an [`Error`](crate::Error) if a value makes no sense, and the error names the value and its bound.
+//! Drawing returns no error, because it cannot fail.
+//!
+//! # Numbers
+//!
+//! No drawing code uses floats. You write numbers in macros, which convert them while your program is compiled:
+//!
+//! | you write | you get | range, resolution |
+//! |---|---|---|
+//! | `fx!(0.25)` | [`Scalar`](crate::Scalar): a coordinate, a distance, a brightness | ±32,768 in steps of 1/65,536 |
+//! | `vec3!(0, 1.5, 4)` | [`Vec3`](crate::Vec3): three of these | |
+//! | `vec2!(0.5, 1)` | [`Vec2`](crate::Vec2): a texture coordinate in repeats of the texture | ±2048 in steps of 10⁻⁶ |
+//! | `deg!(62.5)` | [`Angle`](crate::Angle): a fraction of a turn | one turn, in steps of 10⁻⁷ degrees |
+//!
+//! A literal beyond the range does not compile. For a number that is known only when the program runs, there are
+//! [`num::scalar`](crate::num::scalar) for a float, `Scalar::from_num` for an integer, `Vec3::new`, and the constructors
+//! of `Angle`.
+//!
+//! ```
+//! use fixel::num::scalar;
+//! use fixel::prelude::*;
+//!
+//! let height: Scalar = scalar(1.75)?; // Err beyond ±32,768, and for NaN
+//! assert_eq!(height, fx!(1.75));
+//! assert!(scalar(40_000.0).is_err());
+//!
+//! // Vectors saturate at the end of the range: nothing wraps around, nothing panics.
+//! let far = vec3!(30000, 0, 0) + vec3!(30000, 0, 0);
+//! assert_eq!(far.x, Scalar::MAX);
+//!
+//! // Angles wrap: that is what they are for.
+//! assert_eq!(deg!(350) + deg!(20), deg!(10));
+//! assert_eq!(Angle::from_turns(fx!(0.25)), deg!(90));
+//! assert_eq!(Angle::from_radians(fx!(3.14159)).to_string(), "180 degrees");
+//!
+//! // An angle from the time is exact, even after years: no error adds up.
+//! let spin = Rate::rpm(10).angle_at(1_500); // 1.5 seconds
+//! assert_eq!(spin, deg!(90));
+//! # Ok::<(), Error>(())
+//! ```
+//!
+//! Choose the unit so that your scene spans between a tenth and a few thousand units: a meter for a garden, a centimeter for
+//! a machine. [Limits](crate::guide::limits) tells how accurate the picture is in which range.
+//!
+//! `+`, `-`, `*` and `/` of single scalars come from the crate `fixed`: beyond the range they panic in a debug build and wrap
+//! in a release build. Where that may happen, call `saturating_add` and its like: see [`num`](crate::num).
+//!
+//! # Mesh
+//!
+//! A [`Mesh`](crate::Mesh) borrows positions and faces, and optionally texture coordinates, normals, colors and edges.
+//! `shape!` and `include_obj!` make one while your program is compiled, so that it lies in flash. Your own slices do the
+//! same:
+//!
+//! ```
+//! use fixel::prelude::*;
+//!
+//! static ROOF: Mesh = Mesh::checked(Mesh::new(
+//!     &[vec3!(-1, 0, 0), vec3!(1, 0, 0), vec3!(0, 1, 0)],
+//!     &[[0, 1, 2]], // counter-clockwise, seen from outside
+//! ));
+//! assert_eq!(ROOF.faces().len(), 1);
+//! ```
+//!
+//! The order of a triangle's corners tells its front from its back:
+//!
+#![doc = diagram!("winding")]
+//!
+//! If a model looks as if you saw its inside, its triangles run clockwise: swap two corners of each, or draw with
+//! [`Cull::Front`](crate::Cull::Front).
+//!
+//! # Transform, camera, projection
+//!
+#![doc = diagram!("axes")]
+//!
+//! - A [`Transform`](crate::Transform) places a model in the world. `a * b` applies `b` first.
+//! - A [`Camera`](crate::Camera) is where the eye is. It turns the world so that the eye is at the origin.
+//! - A [`Projection`](crate::Projection) is the lens: the angle of view, and the distances of the near and the far plane.
+//!   The angle of [`perspective`](crate::Projection::perspective) is that from the bottom of the picture to its top.
+//!
+#![doc = diagram!("eye")]
+//!
+//! Their product is the [`Mvp`](crate::Mvp), the model-view-projection. It is read from right to left, like the path of a
+//! point: `projection * camera * model`.
+//!
+//! ```
+//! use fixel::prelude::*;
+//!
+//! let quarter = Transform::rotate_z(deg!(90)); // counter-clockwise, seen from the tip of the axis
+//! let right = Transform::translate(vec3!(2, 0, 0));
+//! assert_eq!((right * quarter).point(Vec3::X), vec3!(2, 1, 0)); // turned, then moved
+//! assert_eq!((quarter * right).point(Vec3::X), vec3!(0, 3, 0)); // moved, then turned
+//!
+//! // An arm at the end of an arm: each transform is in the axes of the one on its left.
+//! let shoulder = Transform::rotate_z(deg!(90));
+//! let elbow = Transform::translate(vec3!(1, 0, 0)) * Transform::rotate_z(deg!(90));
+//! assert_eq!((shoulder * elbow).point(vec3!(1, 0, 0)), vec3!(-1, 1, 0));
+//! ```
+//!
+//! # Shader
+//!
+//! A [`Shader`](crate::Shader) gives each pixel its color. Some are surfaces: [`Flat`](crate::Flat),
+//! [`Gouraud`](crate::Gouraud), [`Textured`](crate::Textured). Adapters wrap them, in any order and number: `lit`, `in_fog`,
+//! `map`. The [module](crate::shade) shows all. The compiler makes one loop of the whole stack, and links nothing else.
+//!
+//! ```
+//! use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+//! use fixel::prelude::*;
+//! use fixel::shade::Fog;
+//!
+//! static SKIN: TextureArray<Rgb565, 2, 2> =
+//!     TextureArray::from_texels([[Rgb565::WHITE, Rgb565::RED], [Rgb565::RED, Rgb565::WHITE]]);
+//!
+//! fn surface() -> Result<impl Shader<Color = Rgb565>, Error> {
+//!     let sun = Light::new(vec3!(-1, 3, 2), fx!(0.3), fx!(0.7))?; // the direction to the sun
+//!     let fog = Fog::linear(Rgb565::WHITE, fx!(5), fx!(40))?;
+//!     Ok(Textured::new(&SKIN).lit(sun).in_fog(fog))
+//! }
+//! assert!(surface().is_ok());
+//! ```
+//!
+//! # Options
+//!
+//! [`Canvas::draw`](crate::Canvas::draw) culls back faces, tests depth, interpolates in perspective, and replaces what is
+//! there. [`draw_with`](crate::Canvas::draw_with) takes [`DrawOptions`](crate::DrawOptions) that change this for one call:
+//!
+//! ```
+//! use fixel::mode::Fast;
+//! use fixel::prelude::*;
+//! use fixel::target::{Opacity, TestOnly};
+//!
+//! let glass = DrawOptions::new()
+//!     .with_cull(Cull::Nothing) // both sides
+//!     .with_depth(TestOnly) // hides nothing that is drawn later
+//!     .with_blending(Opacity(96)); // of 256
+//! let floor = DrawOptions::new().with_mode(Fast::within(fx!(0.25)));
+//! assert_eq!(glass.cull(), Cull::Nothing);
+//! assert_eq!(floor.cull(), Cull::Back);
+//! ```
+//!
+//! Each option is a type, so a program contains only the variants that it names. [Choosing a mode](crate::guide::modes)
+//! is about the interpolation.
+//!
+//! # Canvas
+//!
+//! A [`Canvas`](crate::Canvas) is your memory as a picture: the size, the colors, and optionally a depth buffer. Its
+//! constructor says how a pixel is stored: as a color, as two bytes in the order that a display wants, or 8 pixels in a
+//! byte for black and white. A canvas is only a reference and a few numbers, so make one for each frame.
+//!
+//! A canvas is an embedded-graphics `DrawTarget`: text and shapes go on top. [`show`](crate::Canvas::show) copies it to
+//! another `DrawTarget`; [`as_bytes`](crate::Canvas::as_bytes) gives its bytes to a DMA channel.
+//!
+//! # Depth
+//!
+//! With a depth buffer, triangles may be drawn in any order, and the nearest one shows. It takes two bytes a pixel. Each
+//! pixel stores how near it is:
+//!
+#![doc = diagram!("depth")]
+//!
+//! `clear` sets all depths to 0, which is infinitely far. Half of the steps lie between the near plane and twice its
+//! distance. So put the near plane as far away as the scene allows; the far plane costs nothing. For scenes that reach far
+//! beyond 1,000 times the near plane's distance, there is [`Float`](crate::target::Float).
+//!
+//! A scene without a depth buffer must be drawn from back to front. A [`TriangleList`](crate::TriangleList) can sort it.
+//!
+//! # Band
+//!
+//! A frame of 320x240 takes 300 KiB with depth. If that is too much, draw it in bands:
+//!
+#![doc = diagram!("band")]
+//!
+//! ```
+//! use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+//! use fixel::prelude::*;
+//!
+//! static BALL: Mesh = shape!(sphere(12, 8));
+//!
+//! fn send(_first_row: u32, _bytes: &[u8]) {
+//!     // Start a DMA transfer.
+//! }
+//!
+//! fn frame(mvp: &Mvp) -> Result<(), Error> {
+//!     let mut colors = [[0; 2]; 320 * 40]; // bytes in the order of the display
+//!     let mut depths = [0; 320 * 40];
+//!     for first_row in (0..240).step_by(40) {
+//!         let band = Canvas::big_endian_band(&mut colors, 320, 240, first_row)?;
+//!         let mut band = band.with_depth(&mut depths)?;
+//!         band.clear(Rgb565::BLACK);
+//!         band.draw(&BALL, mvp, &Flat::new(Rgb565::YELLOW));
+//!         send(first_row, band.as_bytes());
+//!     }
+//!     Ok(())
+//! }
+//! # let projection = Projection::perspective(deg!(45), (320, 240), fx!(0.1), fx!(100))?;
+//! # frame(&(projection * Transform::translate(vec3!(0, 0, -4))))?;
+//! # Ok::<(), Error>(())
+//! ```
+//!
+//! Put together, the bands equal the whole frame, bit for bit. Every draw call transforms its mesh again in every band. If
+//! that takes too long, a [`TriangleList`](crate::TriangleList) does it once a frame. [Firmware](crate::guide::firmware)
+//! builds on this: two bands, one of which is drawn while the other one is sent.
