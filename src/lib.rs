@@ -4,38 +4,9 @@
 //! only. Textures and colors are correct in perspective, every pixel is the same on every
 //! processor, and you supply the memory. The crate is `no_std`, without allocation and without `unsafe`.
 //!
-//! # The path of a pixel
-//!
-//! ```text
-//!  mesh       in flash: positions, faces, attributes                                          folder
-//!   │  Canvas::draw             1  a draw call: mesh, model-view-projection, shader           pipeline/
-//!   │  run::triangles           2  each triangle in turn
-//!   ▼
-//!  vertex     VertexCache::vertex     3  projected now, or already for a neighbor
-//!   │         Projector::project      4  model space → clip space → screen, and an outcode
-//!   ▼
-//!  assemble   assemble::triangle      5  culled, whole, or clipped (clip::clip)
-//!   │         Draw::whole             6  inside the scissor?
-//!   ▼
-//!  raster     Blit::primitive         7  the shader's varyings at the three corners           shade/
-//!   │         Triangle::draw          8                                                       raster/
-//!   │         Setup::lay              9  gradients of 1/w and of attributes over w
-//!   │         scan_convert           10  top-left rule, row by row (Edge::next)
-//!   ▼
-//!  span       Blit::rows             11  1/w and attributes at a row's first pixel            span/
-//!   │         straight::straight     12  the attributes of each pixel; or pieces, Newton or
-//!   │                                    divide, as Policy::of_span chooses
-//!   ▼
-//!  pixel      Pixels::visible        13  depth test                                           target/
-//!   │         Pixels::shade          14
-//!   │         Shader::shade          15  varyings → color                                     shade/
-//!   ▼         Storage::store         16  as a color or as bytes                               target/
-//!  canvas     your memory: a frame, or a band of one
-//! ```
-//!
-//! A folder depends only on folders before it in this list: `num`, `math`, `view`, `mesh`, `texture`, `shade`, `target`,
-//! `raster`, `span`, `pipeline`. An outcode has a bit for each clip plane that a vertex is outside of; varyings are the
-//! values that a shader wants interpolated. The four kernels are private: each [mode] chooses among them.
+#![cfg_attr(doc, doc = diagram!("pipeline"))]
+//! The [guide] leads from the [concepts](guide::concepts) to [firmware](guide::firmware). If you know another library
+//! or OpenGL, [begin there](guide::coming_from).
 //!
 //! # A picture
 //!
@@ -49,7 +20,7 @@
 //! const WIDTH: u32 = 64;
 //! const HEIGHT: u32 = 48;
 //!
-//! // Built by the compiler, stored in flash. For your own: include_obj!("model.obj"), include_bytes!.
+//! // Built by the compiler, stored in flash. For your own: include_obj!("model.obj").
 //! static MODEL: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 //! static SKIN: TextureArray<Rgb565, 2, 2> =
 //!     TextureArray::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x00, 0x1f, 0xff, 0xff]);
@@ -65,8 +36,9 @@
 //!     let mut depth = [0; (WIDTH * HEIGHT) as usize];
 //!     let mut canvas = Canvas::new(&mut color, WIDTH, HEIGHT)?.with_depth(&mut depth)?;
 //!     canvas.clear(Rgb565::BLACK);
-//!     let drawn = canvas.draw(&MODEL, &(projection * camera * spin), &Textured::new(&SKIN).lit(sun));
-//!     assert_eq!((drawn.submitted, drawn.drawn), (12, 4)); // cannot fail; here, the top and one side
+//!     let mvp = projection * camera * spin;
+//!     let drawn = canvas.draw(&MODEL, &mvp, &Textured::new(&SKIN).lit(sun)); // cannot fail
+//!     assert_eq!((drawn.submitted, drawn.drawn), (12, 4)); // triangles: the top and one side
 //!
 //!     // A canvas is an embedded-graphics DrawTarget, and copies itself to another one.
 //!     let style = MonoTextStyle::new(&FONT_4X6, Rgb565::YELLOW);
@@ -75,8 +47,8 @@
 //!     Ok(())
 //! }
 //!
-//! # let mut display = MockDisplay::new();
-//! # frame(0, &mut display).unwrap();
+//! let mut display = MockDisplay::new(); // in place of a panel's driver
+//! frame(0, &mut display).unwrap();
 //! # let is = |x, y, color| assert_eq!(display.get_pixel(Point::new(x, y)), Some(color));
 //! # // The four texels meet in the middle of the front, white above to the left and blue to the right.
 //! # let [left, right] = [28, 36].map(|x| display.get_pixel(Point::new(x, 21)).unwrap());
@@ -188,9 +160,44 @@
 //!
 //! # Speed against accuracy
 //!
-//! The [`Mode`](mode::Mode) that interpolates attributes is a type, chosen per draw call. The
-//! [guide to modes](guide::modes) tells which mode suits which scene and core, and derives the bounds of their errors. The
-//! [benchmarks](guide::benchmarks) tell what drawing costs. The [cookbook](guide::cookbook) has small scenes, one idea each.
+//! The [`Mode`](mode::Mode) that interpolates attributes is a type, chosen per draw call. The [guide to
+//! modes](guide::modes) tells which mode suits which scene and core, and derives the bounds of their errors. The
+//! [benchmarks](guide::benchmarks) tell what drawing costs. The [cookbook](guide::cookbook) has small scenes, one idea
+//! each.
+//!
+//! # The path of a pixel
+//!
+//! ```text
+//!  mesh       in flash: positions, faces, attributes
+//!   │  Canvas::draw            1  a draw call: mesh, Mvp, shader                 pipeline/
+//!   │  run::triangles          2  each triangle in turn
+//!   ▼
+//!  vertex     VertexCache::vertex    3  projected now, or already for a neighbor
+//!   │         Projector::project     4  model → clip space → screen; an outcode
+//!   ▼
+//!  assemble   assemble::triangle     5  culled, whole, or clipped (clip::clip)
+//!   │         Draw::whole            6  inside the scissor?
+//!   ▼
+//!  raster     Blit::primitive        7  the shader's varyings at the corners     shade/
+//!   │         Triangle::draw         8                                           raster/
+//!   │         Setup::lay             9  gradients of 1/w, of attributes over w
+//!   │         scan_convert          10  top-left rule, row by row (Edge::next)
+//!   ▼
+//!  span       Blit::rows            11  1/w and attributes at a row's start      span/
+//!   │         straight::straight    12  the attributes of each pixel; or pieces,
+//!   │                                   Newton, divide: Policy::of_span chooses
+//!   ▼
+//!  pixel      Pixels::visible       13  depth test                               target/
+//!   │         Pixels::shade         14
+//!   │         Shader::shade         15  varyings → color                         shade/
+//!   ▼         Storage::store        16  as a color or as bytes                   target/
+//!  canvas     your memory: a frame, or a band of one
+//! ```
+//!
+//! On the right is the folder. Each folder depends only on those before it in this list: `num`, `math`, `view`, `mesh`,
+//! `texture`, `shade`, `target`, `raster`, `span`, `pipeline`. An outcode has a bit for each clip plane that a vertex
+//! is outside of; varyings are the values that a shader wants interpolated. The four kernels are private: each [mode]
+//! chooses among them.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -214,8 +221,8 @@ macro_rules! diagram {
     };
 }
 
-/// The picture of an item's page, as text: it is there wherever the page is. `cargo run -p cookbook -- --renew` draws it,
-/// for the size of a small display, and browsers show each of its pixels as a square.
+/// The picture of an item's page, as text: it is there wherever the page is. `cargo run -p cookbook -- --renew` draws
+/// it, for the size of a small display, and browsers show each of its pixels as a square.
 #[cfg(doc)]
 macro_rules! page_picture {
     ($name:literal, $shows:literal) => {
@@ -231,7 +238,7 @@ macro_rules! page_picture {
                 $name,
                 ".base64"
             )),
-            "\">\n\n"
+            "\">\n\n\n"
         )
     };
 }

@@ -14,8 +14,8 @@
 //!
 #![doc = diagram!("pipeline")]
 //!
-//! A draw call takes a mesh, a model-view-projection and a shader, and writes pixels to a canvas. All four are plain values
-//! that belong to your program. There is no state between draw calls but the canvas's memory.
+//! A draw call takes a mesh, a model-view-projection and a shader, and writes pixels to a canvas. All four are plain
+//! values that belong to your program. There is no state between draw calls but the canvas's memory.
 //!
 //! ```
 //! use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -43,8 +43,8 @@
 //! }
 //! ```
 //!
-//! Constructors return an [`Error`](crate::Error) if a value makes no sense, and the error names the value and its bound.
-//! Drawing returns no error, because it cannot fail.
+//! Constructors return an [`Error`](crate::Error) if a value makes no sense, and the error names the value and its
+//! bound. Drawing returns no error, because it cannot fail.
 //!
 //! # Numbers
 //!
@@ -58,8 +58,8 @@
 //! | `deg!(62.5)` | [`Angle`](crate::Angle): a fraction of a turn | one turn, in steps of 10⁻⁷ degrees |
 //!
 //! A literal beyond the range does not compile. For a number that is known only when the program runs, there are
-//! [`num::scalar`](crate::num::scalar) for a float, `Scalar::from_num` for an integer, `Vec3::new`, and the constructors
-//! of `Angle`.
+//! [`num::scalar`](crate::num::scalar) for a float, `Scalar::from_num` for an integer, `Vec3::new`, and the
+//! constructors of `Angle`.
 //!
 //! ```
 //! use fixel::num::scalar;
@@ -84,17 +84,17 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! Choose the unit so that your scene spans between a tenth and a few thousand units: a meter for a garden, a centimeter for
-//! a machine. [Limits](crate::guide::limits) tells how accurate the picture is in which range.
+//! Choose the unit so that your scene spans between a tenth and a few thousand units: a meter for a garden, a
+//! centimeter for a machine. [Limits](crate::guide::limits) tells how accurate the picture is in which range.
 //!
-//! `+`, `-`, `*` and `/` of single scalars come from the crate `fixed`: beyond the range they panic in a debug build and wrap
-//! in a release build. Where that may happen, call `saturating_add` and its like: see [`num`](crate::num).
+//! `+`, `-`, `*` and `/` of single scalars come from the crate `fixed`: beyond the range they panic in a debug build
+//! and wrap in a release build. Where that may happen, call `saturating_add` and its like: see [`num`](crate::num).
 //!
 //! # Mesh
 //!
 //! A [`Mesh`](crate::Mesh) borrows positions and faces, and optionally texture coordinates, normals, colors and edges.
-//! `shape!` and `include_obj!` make one while your program is compiled, so that it lies in flash. Your own slices do the
-//! same:
+//! `shape!` and `include_obj!` make one while your program is compiled, so that it lies in flash. Your own slices do
+//! the same:
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -119,13 +119,14 @@
 //!
 //! - A [`Transform`](crate::Transform) places a model in the world. `a * b` applies `b` first.
 //! - A [`Camera`](crate::Camera) is where the eye is. It turns the world so that the eye is at the origin.
-//! - A [`Projection`](crate::Projection) is the lens: the angle of view, and the distances of the near and the far plane.
-//!   The angle of [`perspective`](crate::Projection::perspective) is that from the bottom of the picture to its top.
+//! - A [`Projection`](crate::Projection) is the lens: the angle of view, and the distances of the near and the far
+//!   plane. The angle of [`perspective`](crate::Projection::perspective) is that from the bottom of the picture to its
+//!   top.
 //!
 #![doc = diagram!("eye")]
 //!
-//! Their product is the [`Mvp`](crate::Mvp), the model-view-projection. It is read from right to left, like the path of a
-//! point: `projection * camera * model`.
+//! Their product is the [`Mvp`](crate::Mvp), the model-view-projection. It is read from right to left, like the path of
+//! a point: `projection * camera * model`.
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -144,8 +145,9 @@
 //! # Shader
 //!
 //! A [`Shader`](crate::Shader) gives each pixel its color. Some are surfaces: [`Flat`](crate::Flat),
-//! [`Gouraud`](crate::Gouraud), [`Textured`](crate::Textured). Adapters wrap them, in any order and number: `lit`, `in_fog`,
-//! `map`. The [module](crate::shade) shows all. The compiler makes one loop of the whole stack, and links nothing else.
+//! [`Gouraud`](crate::Gouraud), [`Textured`](crate::Textured). Adapters wrap them, in any order and number: `lit`,
+//! `in_fog`, `map`. The [module](crate::shade) shows all. The compiler makes one loop of the whole stack, and links
+//! nothing else.
 //!
 //! ```
 //! use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
@@ -165,8 +167,9 @@
 //!
 //! # Options
 //!
-//! [`Canvas::draw`](crate::Canvas::draw) culls back faces, tests depth, interpolates in perspective, and replaces what is
-//! there. [`draw_with`](crate::Canvas::draw_with) takes [`DrawOptions`](crate::DrawOptions) that change this for one call:
+//! [`Canvas::draw`](crate::Canvas::draw) culls back faces, tests depth, interpolates in perspective, and replaces what
+//! is there. [`draw_with`](crate::Canvas::draw_with) takes [`DrawOptions`](crate::DrawOptions) that change this for one
+//! call:
 //!
 //! ```
 //! use fixel::mode::Fast;
@@ -196,16 +199,17 @@
 //!
 //! # Depth
 //!
-//! With a depth buffer, triangles may be drawn in any order, and the nearest one shows. It takes two bytes a pixel. Each
-//! pixel stores how near it is:
+//! With a depth buffer, triangles may be drawn in any order, and the nearest one shows. It takes two bytes a pixel.
+//! Each pixel stores how near it is:
 //!
 #![doc = diagram!("depth")]
 //!
 //! `clear` sets all depths to 0, which is infinitely far. Half of the steps lie between the near plane and twice its
-//! distance. So put the near plane as far away as the scene allows; the far plane costs nothing. For scenes that reach far
-//! beyond 1,000 times the near plane's distance, there is [`Float`](crate::target::Float).
+//! distance. So put the near plane as far away as the scene allows; the far plane costs nothing. For scenes that reach
+//! far beyond 1,000 times the near plane's distance, there is [`Float`](crate::target::Float).
 //!
-//! A scene without a depth buffer must be drawn from back to front. A [`TriangleList`](crate::TriangleList) can sort it.
+//! A scene without a depth buffer must be drawn from back to front. A [`TriangleList`](crate::TriangleList) can sort
+//! it.
 //!
 //! # Band
 //!
@@ -240,6 +244,6 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! Put together, the bands equal the whole frame, bit for bit. Every draw call transforms its mesh again in every band. If
-//! that takes too long, a [`TriangleList`](crate::TriangleList) does it once a frame. [Firmware](crate::guide::firmware)
-//! builds on this: two bands, one of which is drawn while the other one is sent.
+//! Put together, the bands equal the whole frame, bit for bit. Every draw call transforms its mesh again in every band.
+//! If that takes too long, a [`TriangleList`](crate::TriangleList) does it once a frame.
+//! [Firmware](crate::guide::firmware) builds on this: two bands, one of which is drawn while the other one is sent.

@@ -62,13 +62,13 @@ use crate::view::{ModelToPicture, Perspective, ProjectionKind};
 /// ```compile_fail,E0506
 /// use fixel::{Object, prelude::*};
 /// static BALL: Mesh = shape!(sphere(12, 8));
-/// # fn scene<'l>(view: &Mvp, list: &mut TriangleList<100, 80>) -> Result<(), Error> {
-/// let mut objects = [Object::new(&BALL, Transform::IDENTITY, 1)];
-/// let scene = list.prepare_scene(&DrawOptions::new(), (16, 12), view, &mut objects)?;
-/// objects[0].model = Transform::rotate_y(deg!(30)); // error: borrowed by the scene
-/// drop(scene);
-/// # Ok(())
-/// # }
+/// fn scene(view: &Mvp, list: &mut TriangleList<100, 80>) -> Result<(), Error> {
+///     let mut objects = [Object::new(&BALL, Transform::IDENTITY, 1)];
+///     let scene = list.prepare_scene(&DrawOptions::new(), (16, 12), view, &mut objects)?;
+///     objects[0].model = Transform::rotate_y(deg!(30)); // error: borrowed by the scene
+///     drop(scene);
+///     Ok(())
+/// }
 /// ```
 ///
 /// One mistake remains: to draw an earlier frame's list in a frame whose other draw calls have a new camera. So prepare

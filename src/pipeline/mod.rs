@@ -385,8 +385,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     ///     .with_anchor(vec2!(0.5, 1));
     /// let leaves = Textured::new(&TREE).clamped().cut_out(Gray8::new(0));
     /// canvas.draw_sprites(&DrawOptions::new(), &trees, &(projection * camera), &leaves);
-    /// # let shown: Vec<String> = canvas.pixels().collect::<Vec<_>>().chunks(24)
-    /// #     .map(|row| row.iter().map(|p| if *p == Gray8::new(0) { '.' } else { '#' }).collect()).collect();
+    /// let shown: Vec<String> = canvas.pixels().collect::<Vec<_>>().chunks(24)
+    ///     .map(|row| row.iter().map(|p| if *p == Gray8::new(0) { '.' } else { '#' }).collect()).collect();
     /// assert_eq!(shown, [
     ///     "........................",
     ///     "........................",

@@ -40,7 +40,7 @@ use crate::num::wide::product;
 /// canvas.draw_with(&behind, &BOX, &mvp, &Flat::new(Gray8::new(60)));
 /// let lines = DrawOptions::new().with_depth(TestOnly).with_line(LineWidth::new(fx!(1))?.smooth());
 /// canvas.draw_edges(&lines, &BOX, &mvp, &Flat::new(Gray8::WHITE));
-/// # assert!(canvas.pixels().any(|pixel| (61..255).contains(&pixel.luma())));
+/// assert!(canvas.pixels().any(|pixel| (61..255).contains(&pixel.luma())));
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

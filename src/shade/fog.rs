@@ -48,7 +48,7 @@ pub struct Fog<C, D = Linear> {
 /// fn hidden<D: Density>(fog: Fog<Rgb565, D>) -> impl Shader<Color = Rgb565> {
 ///     Flat::new(Rgb565::RED).in_fog(fog)
 /// }
-/// # hidden(Fog::linear(Rgb565::WHITE, fx!(1), fx!(2))?);
+/// hidden(Fog::linear(Rgb565::WHITE, fx!(1), fx!(2))?);
 /// # Ok::<(), Error>(())
 /// ```
 pub trait Density: sealed::Density {}

@@ -1,6 +1,6 @@
 //! Shaders: from interpolated values to a color.
 //!
-#![cfg_attr(doc, doc = page_picture!("shaders", "Balls: flat, with colors of faces, of vertices, a texture; lit by faces, smoothly, with a highlight, as a cartoon"))]
+#![cfg_attr(doc, doc = page_picture!("shaders", "Balls: flat, by face, by vertex, textured; lit by face, lit, shiny, a cartoon"))]
 //! A surface gives each pixel a color. The last column counts the values that it interpolates.
 //!
 //! | surface | color of a pixel | varyings |

@@ -40,7 +40,7 @@ pub enum Tolerance {
 /// let _ = <(Texels, ([i32; 4], [i32; 3]))>::tolerances(); // nine
 /// ```
 /// ```
-/// # use fixel::shade::{Texels, Varyings};
+/// use fixel::shade::{Texels, Varyings};
 /// let _ = <(Texels, ([i32; 3], [i32; 3]))>::tolerances();
 /// ```
 ///

@@ -23,7 +23,7 @@ use crate::shade::{Levels, Source, Translucent};
 /// fn ghostly<B: Blending<Rgb565>>(blending: B) -> DrawOptions<fixel::mode::Newton, TestOnly, B> {
 ///     DrawOptions::new().with_depth(TestOnly).with_blending(blending)
 /// }
-/// # ghostly(fixel::target::Add);
+/// ghostly(fixel::target::Add);
 /// ```
 pub trait Blending<C>: Copy + sealed::Sealed {
     /// What a shader must make: `C`, or [`Translucent<C>`] for [`Alpha`].

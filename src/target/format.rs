@@ -7,7 +7,7 @@ use crate::num::wide::COUNTS_ZEROS;
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
 /// use fixel::prelude::*;
-/// use fixel::target::{Depth, DepthFormat, Native};
+/// use fixel::target::{Depth, DepthFormat, Native, WideFloat};
 ///
 /// /// A canvas whose depth format the caller of this function chooses.
 /// fn canvas<'a, F: DepthFormat>(
@@ -15,8 +15,7 @@ use crate::num::wide::COUNTS_ZEROS;
 /// ) -> Result<Canvas<'a, Gray8, Native, Depth<'a, F>>, Error> {
 ///     Canvas::new(pixels, 2, 2)?.with_depth_format(depths)
 /// }
-/// # use fixel::target::WideFloat;
-/// # canvas::<WideFloat>(&mut [Gray8::new(0); 4], &mut [0; 4])?;
+/// let canvas = canvas::<WideFloat>(&mut [Gray8::new(0); 4], &mut [0; 4])?;
 /// # Ok::<(), Error>(())
 /// ```
 pub trait DepthFormat: Encode {}
@@ -45,10 +44,10 @@ pub enum Linear {}
 /// Within one triangle, the error of the interpolated 1/w is 2⁻²⁴ of its largest value. If a triangle's far end is
 /// more than 3,000 times as far away as its near end, this error exceeds half a step there.
 ///
-/// A tested fragment takes 4 to 9 instructions more than with [`Linear`] on Cortex-M4. In the default mode, the
-/// benchmark's floor and cube take 1.77 and 1.43 million instructions per frame, instead of 1.43 and 1.24. On
-/// Cortex-M0+, which cannot count leading zeros, a fragment takes 12 to 26 more: 3.53 and 6.15 million, instead of
-/// 2.83 and 5.51.
+/// A tested fragment takes 7 to 9 instructions more than with [`Linear`] on Cortex-M4. In the default mode, the
+/// benchmark's floor and cube take 1.55 and 1.23 million instructions per frame, instead of 1.22 and 0.99. On
+/// Cortex-M0+, which cannot count leading zeros, a fragment takes 9 to 19 more: 3.12 and 4.19 million, instead of
+/// 2.34 and 3.60.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -65,8 +64,7 @@ pub enum Float {}
 /// [`Projection`](crate::Projection) accepts.
 ///
 /// A step is 2⁻¹² to 2⁻¹¹ of the distance (0.024 to 0.049 %) up to 2³² · near. This is twice as coarse as [`Float`],
-/// at the same cost: a textured fragment takes 7 instructions more than with [`Linear`] on Cortex-M4, 13 on
-/// Cortex-M0+.
+/// at the same cost.
 ///
 /// Within one triangle, the error of the interpolated 1/w is 2⁻²⁴ of its largest value. If a triangle's far end is
 /// more than 6,000 times as far away as its near end, this error exceeds half a step there.

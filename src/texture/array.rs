@@ -53,13 +53,13 @@ use crate::message;
 /// the numbers and the remedy:
 ///
 /// ```compile_fail
-/// # use embedded_graphics::pixelcolor::Rgb565;
-/// # use fixel::prelude::*;
+/// use embedded_graphics::pixelcolor::Rgb565;
+/// use fixel::prelude::*;
 /// static SKIN: TextureArray<Rgb565, 2, 1> = TextureArray::rgb565(&[0; 5]);
 /// ```
 /// ```compile_fail
-/// # use embedded_graphics::pixelcolor::Rgb565;
-/// # use fixel::prelude::*;
+/// use embedded_graphics::pixelcolor::Rgb565;
+/// use fixel::prelude::*;
 /// static SKIN: TextureArray<Rgb565, 3, 1> = TextureArray::rgb565(&[0; 6]);
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]

@@ -124,19 +124,19 @@ pub const fn len(image: Image<'static>) -> usize {
 /// static FAST: TextureArray<Rgb565, 8, 4> = include_bmp!("samples/brick.bmp");
 /// static TILES: Palette<Rgb565> = include_bmp!("samples/tiles.bmp");
 /// assert_eq!(FAST.as_texture(), SKIN);
-/// # assert_eq!((GRAY.texels().len(), TILES.indices().len()), (32, 8));
+/// assert_eq!((GRAY.texels().len(), TILES.indices().len()), (32, 8));
 /// ```
 ///
 /// A file without a color table cannot become a palette, and a file cannot become an array of another size:
 ///
 /// ```compile_fail
-/// # use embedded_graphics::pixelcolor::Rgb565;
-/// # use fixel::prelude::*;
+/// use embedded_graphics::pixelcolor::Rgb565;
+/// use fixel::prelude::*;
 /// static TILES: Palette<Rgb565> = include_bmp!("samples/brick.bmp");
 /// ```
 /// ```compile_fail
-/// # use embedded_graphics::pixelcolor::Rgb565;
-/// # use fixel::prelude::*;
+/// use embedded_graphics::pixelcolor::Rgb565;
+/// use fixel::prelude::*;
 /// static FAST: TextureArray<Rgb565, 4, 8> = include_bmp!("samples/brick.bmp");
 /// ```
 ///

@@ -31,8 +31,8 @@ use crate::message;
 /// Too few or too many indices do not compile, nor do zero colors or more than 256:
 ///
 /// ```compile_fail
-/// # use embedded_graphics::pixelcolor::Rgb565;
-/// # use fixel::prelude::*;
+/// use embedded_graphics::pixelcolor::Rgb565;
+/// use fixel::prelude::*;
 /// static TILES: PaletteArray<Rgb565, 2, 2> = PaletteArray::new(&[0, 1, 1], &[Rgb565::new(0, 0, 0)]);
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]

@@ -13,6 +13,11 @@ use fixel::texture::{Mipmap, MipmapArray};
 
 use super::scenes::{Draw, Frame};
 
+/// The scenes of the benchmarks.
+#[allow(dead_code)] // what programs that measure them need
+#[path = "../../common/scenes.rs"]
+mod benchmarks;
+
 /// The size of these pictures.
 pub const SIZE: Size = Size::new(120, 80);
 
@@ -44,6 +49,7 @@ pub const PAGES: &[(&str, Draw)] = &[
     ("modes", modes),
     ("formats", formats),
     ("shaders", shaders),
+    ("measured", measured),
 ];
 
 static RING: Mesh = shape!(torus(fx!(0.45), 32, 16));
@@ -504,4 +510,20 @@ fn shaders(canvas: &mut Frame<'_>) -> Drawn {
         Some(Rgb565::new(13 + 9 * bright, 18 + 18 * bright, 2))
     });
     ball(canvas, 7, &BALL, &steps)
+}
+
+/// The scenes that are measured: floor, cube, sphere, sphere with flat triangles.
+fn measured(canvas: &mut Frame<'_>) -> Drawn {
+    canvas.clear(SLATE);
+    // As wide in proportion as the frame of 320x240 for which the scenes are made.
+    let (width, height) = (53, SIZE.height / 2);
+    let part = |column: i32, row: i32| -> Result<DrawOptions, Error> {
+        let corner = (4 + 60 * column, row * height.cast_signed());
+        Ok(DrawOptions::new().with_viewport(Viewport::new(corner.0, corner.1, width, height)?))
+    };
+    benchmarks::floor(canvas, &part(0, 0)?, &benchmarks::floor_chain(0)?);
+    benchmarks::cube(canvas, &part(1, 0)?, &benchmarks::cube_chain(0)?);
+    benchmarks::sphere(canvas, &part(0, 1)?, &benchmarks::sphere_chain(0)?);
+    benchmarks::sphere_flat(canvas, &part(1, 1)?, &benchmarks::sphere_chain(0)?);
+    Ok(())
 }

@@ -64,7 +64,7 @@ fn limited(light: i32) -> i32 {
 /// use fixel::shade::{Lighting, Tint, White};
 /// /// Takes white lights only.
 /// fn takes<L: Lighting<Diffuse = White>>(_: L) {}
-/// # takes(fixel::Light::new(fixel::Vec3::X, fixel::fx!(0), fixel::fx!(1)).unwrap());
+/// takes(fixel::Light::new(fixel::Vec3::X, fixel::fx!(0), fixel::fx!(1)).unwrap());
 /// ```
 pub trait Tint: Sealed {
     /// The color of this light and another one together.
@@ -152,7 +152,7 @@ impl Tint for Rgb {
 /// use fixel::shade::{Lighting, Matte};
 /// /// Takes lights without highlights only.
 /// fn takes<L: Lighting<Specular = Matte>>(_: L) {}
-/// # takes(fixel::Light::new(fixel::Vec3::X, fixel::fx!(0), fixel::fx!(1)).unwrap());
+/// takes(fixel::Light::new(fixel::Vec3::X, fixel::fx!(0), fixel::fx!(1)).unwrap());
 /// ```
 pub trait Gloss: Sealed {
     /// The highlights of this light and another one together.
