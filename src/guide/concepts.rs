@@ -15,7 +15,7 @@
 #![doc = diagram!("pipeline")]
 //!
 //! A draw call takes a mesh, a model-view-projection and a shader, and writes pixels to a canvas. All four are plain
-//! values that belong to your program. There is no state between draw calls but the canvas's memory.
+//! values that belong to your program. Between draw calls, only the canvas keeps anything.
 //!
 //! ```
 //! use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -73,10 +73,10 @@
 //! let far = vec3!(30000, 0, 0) + vec3!(30000, 0, 0);
 //! assert_eq!(far.x, Scalar::MAX);
 //!
-//! // Angles wrap: that is what they are for.
+//! // Angles wrap at a whole turn.
 //! assert_eq!(deg!(350) + deg!(20), deg!(10));
 //! assert_eq!(Angle::from_turns(fx!(0.25)), deg!(90));
-//! assert_eq!(Angle::from_radians(fx!(3.14159)).to_string(), "180 degrees");
+//! assert_eq!(Angle::from_radians(fx!(1)).to_string(), "57.2958 degrees");
 //!
 //! // An angle from the time is exact, even after years: no error adds up.
 //! let spin = Rate::rpm(10).angle_at(1_500); // 1.5 seconds
@@ -120,8 +120,7 @@
 //! - A [`Transform`](crate::Transform) places a model in the world. `a * b` applies `b` first.
 //! - A [`Camera`](crate::Camera) is where the eye is. It turns the world so that the eye is at the origin.
 //! - A [`Projection`](crate::Projection) is the lens: the angle of view, and the distances of the near and the far
-//!   plane. The angle of [`perspective`](crate::Projection::perspective) is that from the bottom of the picture to its
-//!   top.
+//!   plane. [`perspective`](crate::Projection::perspective) takes the angle from the bottom of the picture to its top.
 //!
 #![doc = diagram!("eye")]
 //!
