@@ -165,6 +165,16 @@
 //! [benchmarks](guide::benchmarks) tell what drawing costs. The [cookbook](guide::cookbook) has small scenes, one idea
 //! each.
 //!
+//! # Versions
+//!
+//! - **Pictures.** Versions that Cargo treats as compatible (0.1.0 and 0.1.7) draw the same bits. Checksums in the
+//!   tests hold this. A new picture, even a better one, takes a new minor version, and the changelog says what differs.
+//!   A mistake that breaks a promise above is mended at once.
+//! - **Compiler.** The crate compiles with Rust 1.87. A later compiler is required only by a new minor version, and
+//!   never one less than six months old.
+//! - **Dependencies.** `fixed` and `embedded-graphics` appear in the interface. A new incompatible version of one of
+//!   them takes a new minor version of this crate.
+//!
 //! # The path of a pixel
 //!
 //! ```text
