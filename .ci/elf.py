@@ -4,6 +4,7 @@ elf.py measure BASELINE PROBE       prints bytes of code, the compiler's routine
 elf.py functions BASELINE PROBE     prints functions by size, less the baseline's function of that name
 elf.py sources PROBE                prints the library's functions by size, inlined or not (needs llvm-symbolizer)
 elf.py names PROBE                  prints the names of all functions, one per line
+elf.py memory PROGRAM               prints bytes of flash and of RAM without the stack
 """
 import collections
 import re
@@ -52,6 +53,18 @@ def measure(baseline, probe):
     # Variables with a value take as much flash as RAM; the library has none.
     constants = sum(after.get(s, 0) - before.get(s, 0) for s in (".rodata", ".data"))
     print(after[".text"] - before[".text"], routines(probe) - routines(baseline), constants)
+
+
+def memory(path):
+    sections = read(path)[0]
+
+    def total(*names):
+        return sum(sections.get(name, 0) for name in names)
+
+    # Copied from flash to RAM at the start: variables with a value, and an ESP32's code that may not wait for flash.
+    both = total(".data", ".trap", ".rwtext")
+    print(both + total(".vector_table", ".boot2", ".flash.appdesc", ".text", ".rodata"),
+          both + total(".bss", ".uninit", ".noinit"))
 
 
 def readable(text):
@@ -107,5 +120,7 @@ if __name__ == "__main__":
         sources(sys.argv[2])
     elif sys.argv[1:2] == ["names"] and len(sys.argv) == 3:
         print("\n".join(read(sys.argv[2])[2]))
+    elif sys.argv[1:2] == ["memory"] and len(sys.argv) == 3:
+        memory(sys.argv[2])
     else:
         sys.exit(__doc__)

@@ -1,0 +1,286 @@
+#!/usr/bin/env python3
+"""Runs a board's program on an emulated core, with a model of the chip's registers that it needs, and of its display.
+
+emulate.py pico|stm32f4 PROGRAM PICTURE.ppm
+
+Writes what the display shows after two frames, and prints the time in ms at which the second one was drawn. DMA sends a
+band at the last moment: when the program waits for it. So a program that draws into a band that is being sent shows
+another picture. The display is the one of the data sheets: CS and DC select it and tell commands from data; CASET and
+RASET set a window, RAMWR writes to it. Registers have the addresses of the RP2040's data sheet and of the STM32F405's
+reference manual, RM0090. Needs the Python package unicorn.
+"""
+import collections
+import struct
+import sys
+
+from unicorn import UC_ARCH_ARM, UC_HOOK_CODE, UC_MODE_MCLASS, UC_MODE_THUMB, Uc, UcError
+from unicorn.arm_const import (UC_ARM_REG_LR, UC_ARM_REG_PC, UC_ARM_REG_PRIMASK, UC_ARM_REG_R0, UC_ARM_REG_R1,
+                               UC_ARM_REG_R2, UC_ARM_REG_SP, UC_CPU_ARM_CORTEX_M0, UC_CPU_ARM_CORTEX_M4)
+
+RETURN = 0x08080000  # where the handler of an interrupt returns to: flash that no program uses
+FRAMES = 4  # the first holds a black band; the last but one is the picture, complete when the next begins
+
+
+class Display:
+    def __init__(self, chip):
+        self.chip, self.cs, self.dc = chip, True, True
+        self.command, self.data = None, bytearray()
+        self.window, self.pixels, self.frames = {}, [], []
+
+    def pins(self, cs, dc, high):
+        self.cs = high if cs else self.cs
+        self.dc = high if dc else self.dc
+
+    def receive(self, data):
+        if self.cs:
+            sys.exit(f"{bytes(data[:8]).hex()} was sent while no display listened")
+        if self.dc:
+            self.data += bytes(data)
+            return
+        for command in data:
+            self.execute()
+            self.command = command
+            if command == 0x2C:
+                self.frames.append(self.chip.microseconds // 1000)
+                if len(self.frames) == FRAMES:
+                    self.chip.core.emu_stop()
+
+    def execute(self):
+        """Executes the last command, whose data are complete."""
+        if self.command in (0x2A, 0x2B):
+            self.window[self.command] = struct.unpack(">HH", self.data)
+        elif self.command == 0x2C:
+            self.pixels = struct.unpack(f">{len(self.data) // 2}H", self.data)
+        self.data.clear()
+
+    def write(self, path):
+        (left, right), (top, bottom) = self.window[0x2A], self.window[0x2B]
+        width, height = right - left + 1, bottom - top + 1
+        if len(self.pixels) != width * height:
+            sys.exit(f"{len(self.pixels)} pixels in a window of {width}x{height}")
+        with open(path, "wb") as file:
+            file.write(f"P6 {width} {height} 255\n".encode())
+            for pixel in self.pixels:
+                channels = (pixel >> 11, 31), (pixel >> 5 & 63, 63), (pixel & 31, 31)
+                file.write(bytes((level * 255 + most // 2) // most for level, most in channels))
+        print(self.frames[-2])
+
+
+class Chip:
+    """A core, its memory, and registers that keep what is written to them, unless a subclass says more."""
+
+    def __init__(self, program, model, memory, registers):
+        self.core = Uc(UC_ARCH_ARM, UC_MODE_THUMB | UC_MODE_MCLASS)
+        self.core.ctl_set_cpu_model(model)
+        self.flash = memory[0][0]
+        for start, size in memory + [(0xE0000000, 0x100000)]:  # and the core's own registers
+            self.core.mem_map(start, size)
+        for start, size in registers:
+            self.core.mmio_map(start, size, lambda _, at, __, start: self.read(start + at) & 0xFFFFFFFF, start,
+                               lambda _, at, __, value, start: self.write(start + at, value), start)
+        self.registers = collections.defaultdict(int)
+        self.microseconds, self.transfer = 0, None
+        self.display = Display(self)
+        data = open(program, "rb").read()
+        headers, = struct.unpack_from("<I", data, 28)
+        size, count = struct.unpack_from("<HH", data, 42)
+        for i in range(count):
+            kind, offset, _, address, length = struct.unpack_from("<5I", data, headers + i * size)
+            if kind == 1 and length:  # PT_LOAD, at its place in flash
+                self.core.mem_write(address, data[offset : offset + length])
+
+    def read(self, address):
+        return self.registers[address]
+
+    def write(self, address, value):
+        self.registers[address] = value
+
+    def word(self, address):
+        return struct.unpack("<I", self.core.mem_read(address, 4))[0]
+
+    def send(self):
+        """Ends the transfer under way. Returns whether there was one."""
+        transfer, self.transfer = self.transfer, None
+        if transfer:
+            start, length = transfer
+            self.display.receive(self.core.mem_read(start, length))
+        return transfer is not None
+
+    def run(self, vectors):
+        self.vectors = vectors
+        self.core.reg_write(UC_ARM_REG_SP, self.word(vectors))
+        at = self.word(vectors + 4)
+        while len(self.display.frames) < FRAMES:
+            self.start(at)
+            at = self.resume(self.core.reg_read(UC_ARM_REG_PC))
+
+    def start(self, at):
+        try:
+            self.core.emu_start(at | 1, RETURN)
+        except UcError as error:
+            sys.exit(f"{error} at {self.core.reg_read(UC_ARM_REG_PC):#x}")
+
+    def resume(self, at):
+        """What happens when the core stops; returns where it goes on."""
+        return at
+
+
+class Pico(Chip):
+    """An RP2040. The program waits by asking the DMA."""
+
+    def __init__(self, program):
+        super().__init__(program, UC_CPU_ARM_CORTEX_M0, [(0x10000000, 0x200000), (0x20000000, 0x42000)],
+                         [(0x40000000, 0x100000), (0x50000000, 0x10000), (0xD0000000, 0x1000)])
+        self.registers[0x4000C000] = 0xFFFFFFFF  # all peripherals are in reset
+        # The boot ROM's functions return at once, after what `rom` does; at 0x18 is the one that looks up the others.
+        self.core.mem_map(0, 0x1000)
+        self.core.mem_write(0, struct.pack("<H", 0x4770) * 0x800)  # BX LR
+        self.core.mem_write(0x18, struct.pack("<H", 0x101))
+        self.core.hook_add(UC_HOOK_CODE, self.rom, begin=0x100, end=0x1FF)
+
+    def rom(self, core, at, *_):
+        target, source, length = (core.reg_read(register) for register in (UC_ARM_REG_R0, UC_ARM_REG_R1, UC_ARM_REG_R2))
+        if at == 0x100:
+            functions = {b"MS": 0x111, b"S4": 0x111, b"MC": 0x121, b"C4": 0x121, b"L3": 0x131}
+            core.reg_write(UC_ARM_REG_R0, functions[source.to_bytes(2, "little")])
+        elif at == 0x110:
+            core.mem_write(target, bytes([source & 0xFF]) * length)
+        elif at == 0x120:
+            core.mem_write(target, bytes(core.mem_read(source, length)))
+        elif at == 0x130:  # leading zeros
+            core.reg_write(UC_ARM_REG_R0, 32 - target.bit_length())
+
+    def read(self, address):
+        if address >> 20 == 0x400:
+            address &= ~0x3000
+        value = self.registers[address]
+        if address == 0x4000C008:  # which are not
+            return ~self.registers[0x4000C000]
+        if address in (0x40024004, 0x40028000, 0x4002C000):  # oscillator and PLLs are stable
+            return value | 1 << 31
+        if address in (0x40008038, 0x40008044):  # the chosen clock, a bit for each
+            return 1 << (self.registers[address - 8] & 3)
+        if address in (0x4005400C, 0x40054028):  # the timer's lower half
+            self.microseconds += 5137
+            return self.microseconds
+        if address == 0x4003C00C:  # SPI: all was sent, something received
+            return 0b111
+        if address == 0x5000000C:
+            self.send()
+        if address == 0xD0000078 or 0xD0000100 <= address < 0xD0000180:  # the divider is ready, every lock is free
+            return 1
+        return value
+
+    def write(self, address, value):
+        if address >> 20 == 0x400:  # aliases flip, set and clear bits
+            alias, address = address >> 12 & 3, address & ~0x3000
+            before = self.registers[address]
+            value = (value, before ^ value, before | value, before & ~value)[alias]
+        self.registers[address] = value
+        if address == 0x4003C008:
+            self.display.receive([value & 0xFF])
+        elif address in (0xD0000014, 0xD0000018):
+            self.display.pins(value >> 17 & 1, value >> 16 & 1, high=address == 0xD0000014)
+        elif address == 0x5000002C:  # DMA's target, which starts it
+            self.transfer = self.registers[0x50000000], self.registers[0x50000008]
+        elif 0xD0000060 <= address <= 0xD000006C:
+            self.divide(signed=address >= 0xD0000068)
+
+    def divide(self, signed):
+        dividend, divisor = (self.registers[0xD0000060 + 8 * signed + at] for at in (0, 4))
+        if signed:
+            dividend, divisor = (value - (value >> 31 << 32) for value in (dividend, divisor))
+        quotient = abs(dividend) // abs(divisor) if divisor else 0
+        if (dividend < 0) != (divisor < 0):
+            quotient = -quotient
+        self.registers[0xD0000070] = quotient & 0xFFFFFFFF
+        self.registers[0xD0000074] = dividend - quotient * divisor & 0xFFFFFFFF
+
+
+class Stm32f4(Chip):
+    """An STM32F405. The program sleeps until an interrupt says that the DMA is ready."""
+
+    FLAGS, CONTROL, COUNT, SOURCE = 0x40026400, 0x40026458, 0x4002645C, 0x40026464  # of DMA 2, and of its stream 3
+    TIMER = 0x40000000
+
+    def __init__(self, program):
+        super().__init__(program, UC_CPU_ARM_CORTEX_M4, [(0x08000000, 0x100000), (0x20000000, 0x20000)],
+                         [(0x40000000, 0x80000)])
+        code = bytes(self.core.mem_read(self.flash, 0x100000))
+        for at in range(0, len(code), 2):
+            if code[at : at + 2] in (b"\x20\xbf", b"\x30\xbf"):  # WFE, WFI
+                self.core.hook_add(UC_HOOK_CODE, self.sleep, begin=self.flash + at, end=self.flash + at)
+        self.asleep = self.received = False
+
+    def sleep(self, *_):
+        self.asleep = True
+        self.core.emu_stop()
+
+    def resume(self, at):
+        if self.registers[self.TIMER + 0x10] and not self.core.reg_read(UC_ARM_REG_PRIMASK):
+            self.interrupt(28)
+        if not self.asleep:
+            return at
+        self.asleep = False
+        if not self.send():
+            sys.exit("sleeps for ever")
+        self.registers[self.CONTROL] &= ~1
+        self.registers[self.COUNT] = 0
+        self.registers[self.FLAGS] |= 1 << 27
+        self.interrupt(59)
+        return at + 2
+
+    def interrupt(self, number):
+        context = self.core.context_save()
+        self.core.reg_write(UC_ARM_REG_LR, RETURN | 1)
+        self.start(self.word(self.vectors + 4 * (16 + number)))
+        self.core.context_restore(context)
+
+    def read(self, address):
+        value = self.registers[address]
+        if address in (0x40023800, 0x40023874):  # what is on is ready
+            return value | (value & 0x05010001) << 1
+        if address == 0x40023808:  # the chosen clock is used
+            return value & ~0xC | (value & 3) << 2
+        if address == 0x40007004:  # the voltage is ready
+            return value | 1 << 14
+        if address == self.TIMER + 0x24:
+            before = self.microseconds
+            self.microseconds += 5137
+            if before >> 15 != self.microseconds >> 15:  # interrupts at half of 16 bits, and at their end
+                self.registers[self.TIMER + 0x10] |= 1 if self.microseconds >> 15 & 1 == 0 else 2
+            if self.registers[self.TIMER + 0x10]:
+                self.core.emu_stop()
+            return self.microseconds & 0xFFFF
+        if address == 0x40013008:  # SPI: all was sent; something was received, until it is read
+            return 0b10 | self.received
+        if address == 0x4001300C:
+            self.received = False
+        return value
+
+    def write(self, address, value):
+        if address == self.TIMER + 0x10:  # flags are cleared by 0
+            value &= self.registers[address]
+        self.registers[address] = value
+        if address == 0x4001300C:
+            self.received = True
+            self.display.receive([value & 0xFF])
+        elif address == 0x40020018:  # port A: set the lower half's bits, clear the upper half's
+            self.display.pins(value >> 4 & 1, 0, high=True)
+            self.display.pins(value >> 20 & 1, 0, high=False)
+        elif address == 0x40020418:
+            self.display.pins(0, value & 1, high=True)
+            self.display.pins(0, value >> 16 & 1, high=False)
+        elif address == self.CONTROL and value & 1:
+            self.transfer = self.registers[self.SOURCE], self.registers[self.COUNT]
+        elif address == self.FLAGS + 8:
+            self.registers[self.FLAGS] &= ~value
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 4 or sys.argv[1] not in ("pico", "stm32f4"):
+        sys.exit(__doc__)
+    board, program, picture = sys.argv[1:]
+    chip, vectors = (Pico(program), 0x10000100) if board == "pico" else (Stm32f4(program), 0x08000000)
+    chip.run(vectors)
+    chip.display.write(picture)

@@ -1,0 +1,6 @@
+//! Links a program for a Cortex-M. Embassy has the chip's memory.
+
+fn main() {
+    println!("cargo::rustc-link-arg-bins=--nmagic");
+    println!("cargo::rustc-link-arg-bins=-Tlink.x");
+}

@@ -1,0 +1,103 @@
+//! An STM32F405 with Embassy, and an ILI9341 of 320x240 pixels. One band is drawn while DMA sends the other.
+//!
+//! | display | STM32F405 | |
+//! |---|---|---|
+//! | SCK | PA5 | SPI 1, clock |
+//! | SDI (MOSI) | PA7 | SPI 1, data |
+//! | CS | PA4 | chip select |
+//! | DC | PB0 | low for a command, high for data |
+//! | RESET | PB1 | reset |
+//! | LED | PB10 | backlight |
+//! | VCC, GND | 3.3 V, GND | |
+//!
+//! For another STM32, change the name of the chip in Cargo.toml and .cargo/config.toml, and the clocks and pins here.
+#![no_std]
+#![no_main]
+
+use core::mem::swap;
+
+use cortex_m::singleton;
+use embassy_executor::Spawner;
+use embassy_futures::join::join;
+use embassy_stm32::gpio::{Level, Output, Speed};
+use embassy_stm32::spi::{self, Spi};
+use embassy_stm32::time::mhz;
+use embassy_stm32::{Config, bind_interrupts, dma, peripherals, rcc};
+use embassy_time::{Delay, Instant};
+use panic_halt as _;
+use scene::Scene;
+use scene::panel::{Panel, Pins};
+
+const WIDTH: u32 = 320;
+const HEIGHT: u32 = 240;
+/// Rows of a band; they divide the height.
+const ROWS: u32 = 40;
+const BAND: usize = (WIDTH * ROWS) as usize;
+
+bind_interrupts!(struct Interrupts {
+    DMA2_STREAM3 => dma::InterruptHandler<peripherals::DMA2_CH3>;
+});
+
+/// 168 MHz from the chip's own oscillator, so that no crystal matters.
+fn clocks() -> Config {
+    let mut config = Config::default();
+    config.rcc.pll_src = rcc::PllSource::HSI;
+    config.rcc.pll = Some(rcc::Pll {
+        prediv: rcc::PllPreDiv::DIV8,
+        mul: rcc::PllMul::MUL168,
+        divp: Some(rcc::PllPDiv::DIV2),
+        divq: None,
+        divr: None,
+    });
+    config.rcc.sys = rcc::Sysclk::PLL1_P;
+    config.rcc.apb1_pre = rcc::APBPrescaler::DIV4;
+    config.rcc.apb2_pre = rcc::APBPrescaler::DIV2;
+    config
+}
+
+#[embassy_executor::main]
+async fn main(_spawner: Spawner) {
+    let chip = embassy_stm32::init(clocks());
+
+    let mut config = spi::Config::default();
+    config.frequency = mhz(42);
+    let mut spi = Spi::new_txonly(
+        chip.SPI1,
+        chip.PA5,
+        chip.PA7,
+        chip.DMA2_CH3,
+        Interrupts,
+        config,
+    );
+    let pins = Pins {
+        cs: Output::new(chip.PA4, Level::High, Speed::VeryHigh),
+        dc: Output::new(chip.PB0, Level::High, Speed::VeryHigh),
+        reset: Output::new(chip.PB1, Level::High, Speed::Low),
+    };
+    let mut panel = Panel::ili9341(&mut spi, pins, &mut Delay).unwrap();
+    let _light = Output::new(chip.PB10, Level::High, Speed::Low);
+
+    // Two bands of color and one of depth: 75 KiB, none of it on the stack.
+    let mut colors = singleton!(: [[u8; 2]; BAND] = [[0; 2]; BAND]).unwrap();
+    let mut ready = singleton!(: [[u8; 2]; BAND] = [[0; 2]; BAND]).unwrap();
+    let depths = singleton!(: [u16; BAND] = [0; BAND]).unwrap();
+    let scene = Scene::new(WIDTH, HEIGHT).unwrap();
+
+    // The first band that is sent is black.
+    panel.start_frame(&mut spi).unwrap();
+    loop {
+        let now_ms = Instant::now().as_millis();
+        for first_row in (0..HEIGHT).step_by(ROWS as usize) {
+            // `join` starts the transfer, then draws; it returns when both are done.
+            let sending = spi.write(ready.as_flattened());
+            let drawing = async { scene.draw_band(now_ms, first_row, colors, depths) };
+            let (sent, drawn) = join(sending, drawing).await;
+            sent.unwrap();
+            drawn.unwrap();
+            if first_row == 0 {
+                panel.start_frame(&mut spi).unwrap();
+            }
+            swap(&mut colors, &mut ready);
+        }
+    }
+}
