@@ -80,8 +80,8 @@ function camera(view) {
     )`;
 }
 
-/** The program for the module's settings, in a display's format, with bands of some rows. */
-export function program(scene, view, format, rows) {
+/** The program for a scene and the module's settings; of the state, the display's format, a band's rows and the model. */
+export function program(scene, view, { format, rows, model }) {
   const { type } = FORMATS[format];
   if (START[scene.id]) return filed(scene, view, type);
   const body = BODIES[scene.id];
@@ -100,7 +100,7 @@ export function program(scene, view, format, rows) {
 use embedded_graphics::pixelcolor::${list([...colors, ...traits])};
 use fixel::mode::${MODES[view.mode]};
 use fixel::prelude::*;
-${body.statics}
+${body.statics}${own && model?.fit ? moved(model.fit) : ""}
 
 const WIDTH: u32 = ${view.width};
 const HEIGHT: u32 = ${view.height};
@@ -115,8 +115,11 @@ pub fn draw<T: DrawTarget<Color = ${type}>>(display: &mut T) -> Result<(), Error
 ${own ? "    let sun = Light::new(vec3!(2, 3, 4), fx!(0.35), fx!(0.65))?;\n" : ""}
     let mut colors = [${black}; (WIDTH * ROWS) as usize];
 ${depth ? "    let mut depths = [0; (WIDTH * ROWS) as usize];\n" : ""}    for first_row in (0..HEIGHT).step_by(ROWS as usize) {
-        let mut band = Canvas::band(&mut colors, WIDTH, HEIGHT, first_row)?${depth ? ".with_depth(&mut depths)?" : ""};
-        band.clear(${own && !bits ? "Rgb565::new(4, 9, 5)" : black});
+        let pixels = (WIDTH * ROWS.min(HEIGHT - first_row)) as usize; // the last band may be shorter
+        let mut band = Canvas::band(&mut colors[..pixels], WIDTH, HEIGHT, first_row)?${
+          depth ? "\n            .with_depth(&mut depths[..pixels])?" : ""
+        };
+        band.clear(${black});
         band.draw_with(&options, &${body.mesh}, &mvp, &${shader});
         if band.show(display).is_err() {
             break; // the display's own error
@@ -126,6 +129,11 @@ ${depth ? "    let mut depths = [0; (WIDTH * ROWS) as usize];\n" : ""}    for fi
 }
 `;
 }
+
+/** How to make the file that the page drew. */
+const moved = ({ center, radius }) => `
+// The page moved and scaled the model for the range of the crate's numbers: of each v,
+// (x, y, z) became ((x, y, z) - (${center.join(", ")})) / ${radius}.`;
 
 /** A scene that is a file of the project. */
 function filed(scene, view, type) {

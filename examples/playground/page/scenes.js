@@ -56,6 +56,7 @@ export const SCENES = [
     name: "Your model",
     about: "drop a model and its texture here",
     counted: "default",
+    like: 4, // what the lighthouse takes more than its loops is taken for a model too
     ...measured,
     yaw: 0.6,
     pitch: 0.35,
@@ -72,6 +73,7 @@ export const SCENES = [
     distance: 0,
   },
 ];
+
 /** Modes in the module's order. */
 export const MODES = ["Exact", "Newton", "Fast", "Affine", "Compact"];
 /** Formats in the module's order, with their bits of a pixel. */
@@ -85,6 +87,7 @@ export const FORMATS = [
 ];
 export const SIZES = ["128x64", "128x128", "160x128", "240x240", "320x240", "480x320", "640x480"];
 
+
 /** The camera in which a scene is measured. */
 export function home(scene) {
   const { yaw, pitch, distance, center, fov, near, far, scale } = SCENES[scene];
@@ -93,7 +96,8 @@ export function home(scene) {
 
 /** The module's settings for a mode of a state. */
 export function settings(state, mode) {
-  const { scene, camera, tolerance, width, height } = state;
+  const { scene, camera, tolerance } = state;
+  const [width, height] = state.size.split("x").map(Number);
   const [center_x, center_y, center_z] = camera.center.map(fixed);
   // A pixel in the middle of the picture, as an angle.
   const pixel = Math.atan((2 * Math.tan(camera.fov / 2)) / height);
