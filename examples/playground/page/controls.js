@@ -6,7 +6,7 @@ import { $, interpolates, modes, scene, short, state, waits } from "./state.js";
 const ABOUT_MODES = {
   Exact: "Exact divides at every pixel: the standard to compare with.",
   Newton: "Newton, the default, corrects a guess at every pixel: as good as exact, without a division.",
-  Fast: "Fast draws straight pieces that stay within the tolerance: for cores that multiply slowly.",
+  Fast: "Fast draws straight pieces, within the error below: for cores that multiply slowly. A texel is a pixel of a texture.",
   Affine: "Affine only adds. Textures bend in large triangles that are seen from the side.",
   Compact: "Compact is as exact as Newton in less flash, but divides at every pixel.",
 };
@@ -78,7 +78,7 @@ export function controls() {
     $(id).disabled = scene().is_world || (id === "tolerance" && !modes().includes(2));
   }
   $("scenes").querySelectorAll("input")[state.scene].checked = true;
-  $("left").disabled = $("right").disabled = scene().is_world;
+  for (const id of ["left", "right", "format"]) $(id).disabled = scene().is_world;
   $("showsErrors").disabled = !interpolates();
   $("two-sided").hidden = scene().id !== "own";
 

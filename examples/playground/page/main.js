@@ -7,7 +7,7 @@ import { compare, count, numbers, times } from "./measure.js";
 import { errors, heatMap } from "./model.js";
 import { Crate, fetched, load } from "./module.js";
 import { SCENES, home } from "./scenes.js";
-import { $, interpolates, modes, scene, state, view } from "./state.js";
+import { $, format, interpolates, modes, scene, state, view } from "./state.js";
 
 /** The visitor's model is the last scene but one. */
 const OWN = SCENES.findIndex(({ id }) => id === "own");
@@ -32,7 +32,7 @@ function draw() {
       const map = state.showsErrors && interpolates() && heatMap(errors(now, crate.recorded(slot, now)), width, height);
       const time = crate.draw(slot, now);
       times[mode] = times[mode] ? times[mode] + (time - times[mode]) / 16 : time;
-      context.putImageData(map || crate.shown(slot, state.format), 0, 0, slot ? from : 0, 0, width, height);
+      context.putImageData(map || crate.shown(slot, format()), 0, 0, slot ? from : 0, 0, width, height);
     });
   } catch (error) {
     context.clearRect(0, 0, width, height);
@@ -77,7 +77,7 @@ async function settled() {
   count(crate);
   draw();
   numbers(crate);
-  $("code").textContent = program(scene(), view(), state);
+  $("code").textContent = program(scene(), view(), { ...state, format: format() });
   if (!(await compare(crate, isStill))) return;
   draw();
   numbers(crate);
@@ -104,7 +104,7 @@ function drawBands() {
   const next = () => {
     const height = Math.min(rows, now.height - first);
     crate.draw(0, now, first, height);
-    context.putImageData(crate.shown(0, state.format), 0, 0, 0, first, now.width, height);
+    context.putImageData(crate.shown(0, format()), 0, 0, 0, first, now.width, height);
     const share = (row) => `${(100 * row) / now.height}%`;
     Object.assign($("band").style, { top: share(first), height: share(height) });
     status(`Rows ${first} to ${first + height - 1} of ${now.height}, in the memory of one band.`);

@@ -3,7 +3,7 @@ import { CORES, instructions, table } from "./cost.js";
 import { errors } from "./model.js";
 import { plot } from "./plot.js";
 import { FORMATS, MODES, home, settings } from "./scenes.js";
-import { $, interpolates, modes, scene, short, state, view, waits, whole } from "./state.js";
+import { $, format, interpolates, modes, scene, short, state, view, waits, whole } from "./state.js";
 
 const reference = []; // counts of the measured scenes as they were measured
 /** Milliseconds of the draw calls in each mode. */
@@ -24,7 +24,7 @@ export function count(crate) {
 export function numbers(crate, rate) {
   const [submitted, drawn, clipped, pixels] = waits() ? [0, 0, 0, 0] : known;
   const { width, height } = view();
-  const bits = FORMATS[state.format].bits + (scene().id === "sphere-flat" ? 0 : 16);
+  const bits = FORMATS[format()].bits + (scene().id === "sphere-flat" ? 0 : 16);
   const kib = (rows) => `${+((width * rows * bits) / 8 / 1024).toFixed(1)} KiB`;
   const time = times[modes()[0]];
   const list = [

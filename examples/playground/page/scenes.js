@@ -76,14 +76,14 @@ export const SCENES = [
 
 /** Modes in the module's order. */
 export const MODES = ["Exact", "Newton", "Fast", "Affine", "Compact"];
-/** Formats in the module's order, with their bits of a pixel. */
+/** Formats in the module's order, with their bits of a pixel, and black. */
 export const FORMATS = [
-  { name: "Rgb565, 16 bits", type: "Rgb565", bits: 16 },
-  { name: "Rgb555, 16 bits", type: "Rgb555", bits: 16 },
-  { name: "Gray, 8 bits", type: "Gray8", bits: 8 },
-  { name: "Gray, 4 bits", type: "Gray4", bits: 4 },
-  { name: "Gray, 2 bits", type: "Gray2", bits: 2 },
-  { name: "Mono, 1 bit", type: "BinaryColor", bits: 1 },
+  { name: "16-bit color", type: "Rgb565", bits: 16, black: "Rgb565::new(0, 0, 0)" },
+  { name: "15-bit color", type: "Rgb555", bits: 16, black: "Rgb555::new(0, 0, 0)" },
+  { name: "8-bit gray", type: "Gray8", bits: 8, black: "Gray8::new(0)" },
+  { name: "4-bit gray", type: "Gray4", bits: 4, black: "Gray4::new(0)" },
+  { name: "2-bit gray", type: "Gray2", bits: 2, black: "Gray2::new(0)" },
+  { name: "1-bit", type: "BinaryColor", bits: 1, black: "BinaryColor::Off" },
 ];
 export const SIZES = ["128x64", "128x128", "160x128", "240x240", "320x240", "480x320", "640x480"];
 

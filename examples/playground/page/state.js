@@ -22,10 +22,13 @@ export const state = {
 };
 
 export const scene = () => SCENES[state.scene];
-export const modes = () => (scene().is_world ? [1] : state.right < 0 ? [state.left] : [state.left, state.right]);
 export const view = (mode = state.left) => settings(state, mode);
+/** The colors that are shown: the little world has its own. */
+export const format = () => (scene().is_world ? 0 : state.format);
 /** Whether the page waits for the visitor's model. */
 export const waits = () => scene().id === "own" && !state.model;
+/** The modes that are seen. */
+export const modes = () => (scene().is_world ? [1] : state.right < 0 || waits() ? [state.left] : [state.left, state.right]);
 /** Whether a mode makes a difference that can be measured. */
 export const interpolates = () => !scene().is_world && scene().id !== "sphere-flat" && !waits();
 

@@ -42,9 +42,9 @@ fn each<C: Levels + Into<Rgb888>>(
         {
             lighthouse::sky(&mut canvas);
         }
-        for (x, (to, &color)) in row.iter_mut().zip(colors).enumerate() {
-            if depths.is_none_or(|depths| depths[x] > 0) {
-                *to = C::from_rgb(color.into(), Point::new(x as i32, y.cast_signed()));
+        for (x, (to, &color)) in (0_u32..).zip(row.iter_mut().zip(colors)) {
+            if depths.is_none_or(|depths| depths[x as usize] > 0) {
+                *to = C::from_rgb(color.into(), Point::new(x.cast_signed(), y.cast_signed()));
             }
         }
         if depths.is_some()

@@ -304,6 +304,8 @@ test("no scrolling sideways, and text that can be read, in light and dark", asyn
     await page.size(width, 900);
     for (const theme of ["light", "dark"]) {
       await page.theme(theme);
+      await shows(view(LIGHTHOUSE));
+      await page.until(`document.querySelector("#plot svg") !== null`);
       const [contrast, words] = await page.evaluate(CONTRAST);
       assert.ok(contrast >= 4.5, `${theme}: "${words}" has a contrast of ${contrast.toFixed(2)}`);
       if (PICTURES) writeFileSync(join(PICTURES, `${theme}-${width}.png`), await page.screenshot());

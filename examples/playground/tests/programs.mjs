@@ -59,9 +59,8 @@ function add(index, mode, changes) {
   // The project's own scenes are there once for all.
   writeFileSync(join(sources, `${number}.rs`), text.replace(/^mod (\w+);/m, "use crate::$1;"));
   const format = changes.format ?? 0;
-  const kind = text.includes("<T: DrawTarget") ? "display" : "memory";
   const about = `${id}, ${MODES[mode]}, ${FORMATS[format].type}, ${settings.width}x${settings.height}`;
-  list.push(`    ${number} ${kind} ${FORMATS[format].type} ${settings.width} ${settings.height} ${hash(crate.shown(0, format))}_u32 "${about}";`);
+  list.push(`    ${number} ${FORMATS[format].type} ${settings.width} ${settings.height} ${hash(crate.shown(0, format))}_u32 "${about}";`);
 }
 const OWN = SCENES.findIndex(({ id }) => id === "own");
 const WORLD = SCENES.findIndex(({ is_world }) => is_world);

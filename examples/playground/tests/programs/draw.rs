@@ -40,10 +40,6 @@ impl<C: PixelColor> DrawTarget for Display<C> {
     }
 }
 
-fn black<C: PixelColor + From<C::Raw>>() -> C {
-    C::Raw::from_u32(0).into()
-}
-
 /// FNV-1a of red, green and blue.
 fn hash<C: Into<Rgb888> + Copy>(pixels: &[C]) -> u32 {
     let bytes = pixels.iter().flat_map(|&color| {
@@ -55,29 +51,24 @@ fn hash<C: Into<Rgb888> + Copy>(pixels: &[C]) -> u32 {
     })
 }
 
-macro_rules! draw {
-    (display $name:ident $Color:ident $width:literal $height:literal) => {{
-        let pixels = vec![black::<$Color>(); $width * $height];
-        let mut display = Display {
-            size: Size::new($width, $height),
-            pixels,
-        };
-        $name::draw(&mut display).map(|()| display.pixels)
-    }};
-    (memory $name:ident $Color:ident $width:literal $height:literal) => {{
-        let mut colors = vec![black::<$Color>(); $width * $height];
-        let mut depths = vec![0; $width * $height];
-        $name::draw(&mut colors, &mut depths).map(|()| colors)
-    }};
+/// Draws a program's picture to a display.
+fn drawn<C: PixelColor + From<C::Raw>>(
+    size: Size,
+    draw: impl Fn(&mut Display<C>) -> Result<(), fixel::Error>,
+) -> Result<Vec<C>, fixel::Error> {
+    let black = C::Raw::from_u32(0).into();
+    let pixels = vec![black; (size.width * size.height) as usize];
+    let mut display = Display { size, pixels };
+    draw(&mut display).map(|()| display.pixels)
 }
 
 macro_rules! programs {
-    ($($name:ident $kind:ident $Color:ident $width:literal $height:literal $wanted:literal $about:literal;)+) => {
+    ($($name:ident $Color:ident $width:literal $height:literal $wanted:literal $about:literal;)+) => {
         $(mod $name;)+
 
         fn main() -> ExitCode {
             let mut wrong = 0;
-            $(match draw!($kind $name $Color $width $height) {
+            $(match drawn::<$Color>(Size::new($width, $height), $name::draw) {
                 Ok(pixels) if hash(&pixels) == $wanted => {}
                 Ok(_) => {
                     println!("src/{}.rs draws another picture than the page: {}", stringify!($name), $about);
