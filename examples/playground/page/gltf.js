@@ -50,7 +50,8 @@ async function converted(bytes, resource) {
   };
   const values = (index) => {
     const { count, type, sparse, ...accessor } = gltf.accessors[index];
-    if (!(count < 2 ** 20)) throw new Error(`accessor ${index} has ${count} elements: a million are too many.`);
+    if (!Number.isInteger(count)) throw new TypeError();
+    if (count > 2 ** 20) throw new Error(`accessor ${index} has ${count} elements: a million are too many.`);
     const found =
       accessor.bufferView === undefined
         ? Array.from({ length: count }, () => Array(SIZES[type]).fill(0))
@@ -69,6 +70,8 @@ async function converted(bytes, resource) {
     const [points, uvs, normals] = ["POSITION", "TEXCOORD_0", "NORMAL"].map((name) =>
       attributes[name] === undefined ? [] : values(attributes[name]),
     );
+    for (const { length } of [uvs, normals])
+      if (length && length !== points.length) throw new Error(`${points.length} vertices have ${length} attributes.`);
     for (const point of points) lines.push(`v ${transformed(place, point, 1).join(" ")}`);
     // OBJ counts v upwards.
     for (const [u, v] of uvs) lines.push(`vt ${u} ${1 - v}`);
@@ -95,14 +98,16 @@ async function converted(bytes, resource) {
     }
     [points, uvs, normals].forEach(({ length }, at) => (known[at] += length));
   };
-  const walk = (index, parent, depth) => {
+  const seen = new Set();
+  const walk = (index, parent) => {
     const { mesh, children = [], ...node } = gltf.nodes[index];
-    if (depth > gltf.nodes.length) throw new Error(`node ${index} is among its own children.`);
+    if (seen.has(index)) throw new Error(`node ${index} has two parents.`);
+    seen.add(index);
     const place = product(parent, node.matrix ?? matrix(node));
     for (const primitive of gltf.meshes?.[mesh]?.primitives ?? []) add(primitive, place);
-    for (const child of children) walk(child, place, depth + 1);
+    for (const child of children) walk(child, place);
   };
-  for (const node of gltf.scenes?.[gltf.scene ?? 0]?.nodes ?? []) walk(node, IDENTITY, 1);
+  for (const node of gltf.scenes?.[gltf.scene ?? 0]?.nodes ?? []) walk(node, IDENTITY);
   if (lines.some((line) => /NaN|Infinity|undefined/.test(line))) throw new Error("it has coordinates that are no numbers.");
   if (!lines.some((line) => line.startsWith("f"))) throw new Error("it has no triangles in its scene.");
 

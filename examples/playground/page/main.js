@@ -164,7 +164,9 @@ async function open(files) {
     status(`${name} is read.${model && !texture ? " Drop a picture too, to give it a texture." : ""}`);
   } catch (error) {
     if (state.model) crate.readModel(state.model.text);
-    trouble(`${name} cannot be read: ${error.message}`);
+    // Only OBJ files have the lines that the parser counts.
+    const message = /\.obj$/i.test(name) ? error.message : error.message.replace(/^line \d+: /, "");
+    trouble(`${name} cannot be read: ${message}`);
     status("");
   }
 }

@@ -35,7 +35,7 @@ fn main() -> ExitCode {
 fn write(folder: &Path) -> Result<(), String> {
     if let Some(missing) = FILES.iter().find(|file| file.bytes.is_empty()) {
         let (name, build) = (missing.name, server::BUILD);
-        return Err(format!("{name} was not built. First:\n{build}"));
+        return Err(format!("{name} was not built. First: {build}"));
     }
     let say = |path: &Path, error: io::Error| format!("{}: {error}", path.display());
     let mut missing = Vec::new();

@@ -72,6 +72,8 @@ test("the lighthouse is there, with its numbers, its plot and its program", asyn
   assert.match(await page.evaluate(text("#cost")), /Cortex-M0\+: million instructions[\d.]+/);
   assert.match(await page.evaluate(text("#code")), /^use embedded_graphics/);
   assert.equal(await page.evaluate(text("#hint")), "");
+  await page.click("#copy");
+  await page.until(`/^(Copied|Selected)/.test(${text("#copy")})`);
 });
 
 test("a drag turns the picture, and the start view comes back", async () => {
