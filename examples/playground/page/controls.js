@@ -1,134 +1,102 @@
 // The controls: made once, and set to show what is chosen.
 import { heat } from "./model.js";
 import { FORMATS, MODES, SCENES, SIZES } from "./scenes.js";
-import { $, interpolates, modes, scene, short, state } from "./state.js";
+import { $, interpolates, modes, scene, short, state, waits } from "./state.js";
 
 const ABOUT_MODES = {
   Exact: "Exact divides at every pixel: the standard to compare with.",
   Newton: "Newton, the default, corrects a guess at every pixel: as good as exact, without a division.",
-  Fast: "Fast draws straight pieces that stay within the tolerance: for cores that multiply slowly.",
+  Fast: "Fast draws straight pieces, within the error below: for cores that multiply slowly. A texel is a pixel of a texture.",
   Affine: "Affine only adds. Textures bend in large triangles that are seen from the side.",
   Compact: "Compact is as exact as Newton in less flash, but divides at every pixel.",
 };
 
-const log = { to: (value) => Math.log2(value), from: (at) => 2 ** at };
-const camera = (key) => ({
-  get: () => state.camera[key],
-  set: (value) => Object.assign(state.camera, { [key]: value, isHome: false }),
-});
-export const SLIDERS = [
-  {
-    id: "tolerance",
-    name: "Tolerance of Fast",
-    min: -6,
-    max: 4,
-    step: 0.25,
-    ...log,
-    shows: (value) => `${short(value)} ${value === 1 ? "texel" : "texels"}`,
-    get: () => state.tolerance,
-    set: (value) => {
-      state.tolerance = value;
-    },
-    usable: () => modes().includes(2),
-  },
-  {
-    id: "fov",
-    name: "Field of view",
-    min: 10,
-    max: 150,
-    step: 1,
-    to: (value) => (value * 180) / Math.PI,
-    from: (at) => (at * Math.PI) / 180,
-    shows: (value) => `${((value * 180) / Math.PI).toFixed(0)}°`,
-    ...camera("fov"),
-  },
-  { id: "near", name: "Near plane", min: -5, max: 3, step: 0.25, ...log, ...camera("near"), unit: "" },
-  {
-    id: "ratio",
-    name: "Far plane, times the near one",
-    min: 0.5,
-    max: 12,
-    step: 0.25,
-    ...log,
-    unit: "",
-    get: () => state.camera.far / state.camera.near,
-    set: (value) => Object.assign(state.camera, { far: Math.min(state.camera.near * value, 32000), isHome: false }),
-  },
-  ...["right", "down"].map((way, axis) => ({
-    id: `moved-${way}`,
-    name: `Moved ${way} by`,
-    min: 0,
-    max: 1,
-    step: 1 / 16,
-    to: (value) => value,
-    from: (at) => at,
-    unit: " pixel",
-    get: () => state.camera.shift[axis],
-    set: (value) => {
-      state.camera.shift[axis] = value;
-      state.camera.isHome = false;
-    },
-  })),
+/** A slider: its range in steps, how it shows a value, and how a value becomes a step and back. */
+const slider = (id, name, [min, max, step], shows, [to, from], [get, set]) =>
+  ({ id, name, min, max, step, shows, to, from, get, set });
+const STEPS = [(value) => value, (step) => step];
+const POWERS = [Math.log2, (step) => 2 ** step];
+const DEGREES = [(value) => (value * 180) / Math.PI, (step) => (step * Math.PI) / 180];
+const move = (change) => Object.assign(state.camera, change, { isHome: false });
+const inCamera = (key) => [() => state.camera[key], (value) => move({ [key]: value })];
+
+const SLIDERS = [
+  slider("tolerance", "Error that Fast may make", [-6, 4, 0.25], (value) => `${short(value)} texel`, POWERS, [
+    () => state.tolerance,
+    (value) => (state.tolerance = value),
+  ]),
+  slider("fov", "Field of view", [10, 150, 1], (value) => `${DEGREES[0](value).toFixed(0)}°`, DEGREES, inCamera("fov")),
+  slider("near", "Nearest distance drawn", [-5, 3, 0.25], short, POWERS, inCamera("near")),
+  slider("far", "Farthest distance drawn", [0.5, 12, 0.25], () => short(state.camera.far), POWERS, [
+    () => state.camera.far / state.camera.near,
+    (ratio) => move({ far: Math.min(state.camera.near * ratio, 32000) }),
+  ]),
+  ...["right", "down"].map((way, axis) =>
+    slider(`move-${way}`, `Move the picture ${way}`, [0, 1, 1 / 16], (value) => `${short(value)} pixel`, STEPS, [
+      () => state.camera.shift[axis],
+      (value) => move({ shift: state.camera.shift.with(axis, value) }),
+    ]),
+  ),
 ];
+
 export function build() {
   $("scenes").innerHTML = SCENES.map(
-    ({ name, about }, at) => `<label title="${about}"><input type="radio" name="scene" value="${at}"
-    ${at === state.scene ? "checked" : ""}>${name}</label>`,
+    ({ name, about }, at) =>
+      `<label title="${about}"><input type="radio" name="scene" value="${at}">${name}</label>`,
   ).join("");
-  const options = (list, chosen) =>
-    list.map((name, at) => `<option value="${at}" ${at === chosen ? "selected" : ""}>${name}</option>`).join("");
-  $("left").innerHTML = options(MODES, state.left);
-  $("right").innerHTML = options(MODES, state.right) + `<option value="-1">None</option>`;
-  $("format").innerHTML = options(
-    FORMATS.map(({ name }) => name),
-    0,
-  );
-  $("size").innerHTML = SIZES.map((size) => `<option ${size === "320x240" ? "selected" : ""}>${size}</option>`).join(
-    "",
-  );
+  const options = (list) => list.map((name, at) => `<option value="${at}">${name}</option>`).join("");
+  $("left").innerHTML = options(MODES);
+  $("right").innerHTML = `${options(MODES)}<option value="-1">None</option>`;
+  $("format").innerHTML = options(FORMATS.map(({ name }) => name));
+  $("size").innerHTML = SIZES.map((size) => `<option>${size}</option>`).join("");
   $("sliders").innerHTML = SLIDERS.map(
     ({ id, name, min, max, step }) => `<div class="slider"><label for="${id}">${name}</label>
     <output for="${id}" id="${id}-value"></output><input type="range" id="${id}" min="${min}" max="${max}" step="${step}"></div>`,
   ).join("");
-  const ramp = $("ramp").getContext("2d");
-  for (let x = 0; x < 240; x++) {
-    ramp.fillStyle = `rgb(${heat(x / 239).join()})`;
-    ramp.fillRect(x, 0, 1, 10);
-  }
+  const stops = Array.from({ length: 11 }, (_, at) => `rgb(${heat(at / 10).map(Math.round).join()})`);
+  $("ramp").style.background = `linear-gradient(to right, ${stops.join()})`;
+}
+
+/** Takes a control's value into the state; whether it is one. */
+export function take({ id, name, type, value, checked }) {
+  const slider = SLIDERS.find((slider) => slider.id === id);
+  if (slider) slider.set(slider.from(Number(value)));
+  else if (id in state) state[id] = type === "checkbox" ? checked : Number.isNaN(Number(value)) ? value : Number(value);
+  return Boolean(slider) || id in state;
 }
 
 /** Makes controls show the state. */
 export function controls() {
+  for (const [id, value] of Object.entries(state)) {
+    if ($(id)) $(id)[$(id).type === "checkbox" ? "checked" : "value"] = value;
+  }
+  for (const { id, to, get, shows } of SLIDERS) {
+    // A slider that is being moved stays where it is.
+    if (document.activeElement !== $(id)) $(id).value = to(get());
+    $(`${id}-value`).textContent = shows(get());
+    $(id).setAttribute("aria-valuetext", shows(get()));
+    $(id).disabled = scene().is_world || (id === "tolerance" && !modes().includes(2));
+  }
+  $("scenes").querySelectorAll("input")[state.scene].checked = true;
+  for (const id of ["left", "right", "format"]) $(id).disabled = scene().is_world;
+  $("showsErrors").disabled = !interpolates();
+  $("two-sided").hidden = scene().id !== "own";
+
   const compares = modes().length > 1;
-  const percent = Math.round(state.divider * 100);
-  $("divider").hidden = !compares;
-  $("divider").style.left = `${percent}%`;
-  $("divider").setAttribute("aria-valuenow", percent);
-  $("divider").setAttribute("aria-valuetext", `${percent} % in mode ${MODES[state.left]}`);
   const label = (mode) => (MODES[mode] === "Fast" ? `Fast, ${short(state.tolerance)} texel` : MODES[mode]);
+  $("divider").hidden = $("line").hidden = !compares;
+  $("line").style.left = `${state.divider}%`;
+  $("divider").setAttribute("aria-valuetext", `${state.divider} % in mode ${MODES[state.left]}`);
   $("left-name").textContent = compares ? label(state.left) : "";
   $("right-name").textContent = compares ? label(state.right) : "";
-  const told = [...new Set(modes())].map((mode) => ABOUT_MODES[MODES[mode]]).join(" ");
   $("about-mode").textContent = scene().is_world
     ? "The little world chooses its modes itself."
     : scene().id === "sphere-flat"
       ? "Every mode draws the same: nothing is interpolated."
-      : told;
+      : [...new Set(modes())].map((mode) => ABOUT_MODES[MODES[mode]]).join(" ");
   $("legend").hidden = !(state.showsErrors && interpolates());
-  $("errors").checked = state.showsErrors;
-  $("errors").disabled = !interpolates();
-  $("spin").checked = state.spins;
-  $("two-sided-label").hidden = scene().id !== "own";
-  $("hint").textContent =
-    scene().id === "own" && !state.hasModel
-      ? "Drop a model here (.obj, .gltf or .glb), with a picture for its texture, or open files below."
-      : "";
-  for (const id of ["left", "right"]) $(id).disabled = scene().is_world;
-  for (const { id, to, get, shows, unit, usable } of SLIDERS) {
-    const slider = $(id);
-    slider.disabled = scene().is_world || usable?.() === false;
-    if (document.activeElement !== slider) slider.value = to(get());
-    $(`${id}-value`).textContent = shows ? shows(get()) : short(get()) + unit;
-    slider.setAttribute("aria-valuetext", $(`${id}-value`).textContent);
-  }
+  $("figure").hidden = scene().is_world;
+  $("hint").textContent = waits()
+    ? "Drop a model here (.obj, .gltf or .glb), with a picture for its texture, or open files below."
+    : "";
 }

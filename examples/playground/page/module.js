@@ -1,29 +1,10 @@
 // The crate as a WebAssembly module: its functions, and its memory as numbers.
 
-export const FIELDS = [
-  "scene",
-  "mode",
-  "tolerance",
-  "width",
-  "height",
-  "first_row",
-  "rows",
-  "is_home",
-  "yaw",
-  "pitch",
-  "distance",
-  "center_x",
-  "center_y",
-  "center_z",
-  "scale",
-  "fov",
-  "near",
-  "far",
-  "shift_x",
-  "shift_y",
-  "is_two_sided",
-  "is_mono",
-];
+/** The fields of the module's settings, in its order: see src/view.rs. */
+export const FIELDS = (
+  "scene mode tolerance width height first_row rows is_home yaw pitch distance center_x center_y center_z scale fov " +
+  "near far shift_x shift_y is_two_sided is_mono"
+).split(" ");
 
 /** Radians as a fraction of 2^32, which the crate's angles are. */
 export const turn = (radians) => Math.round((radians / (2 * Math.PI)) * 2 ** 32) >>> 0;
@@ -45,12 +26,12 @@ export async function fetched(path) {
   return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
 }
 
-/** What the page can ask of the module. `world` is a promise of the little world's module, loaded when it is needed. */
+/** What the page can ask of the module. `world` is the little world's module, loaded when it is needed. */
 export class Crate {
-  constructor(exports, loadWorld) {
+  world = null;
+
+  constructor(exports) {
     this.exports = exports;
-    this.loadWorld = loadWorld;
-    this.world = null;
   }
 
   numbers(Type, at, length) {
@@ -155,14 +136,11 @@ export class Crate {
   checksum(slot) {
     let crc = -1;
     for (const pixel of this.picture(slot)) {
-      crc = TABLE[(crc ^ (pixel >> 8)) & 255] ^ (crc >>> 8);
-      crc = TABLE[(crc ^ pixel) & 255] ^ (crc >>> 8);
+      for (let bit = 0; bit < 16; bit++) {
+        const next = pixel >> (bit < 8 ? 8 + bit : bit - 8);
+        crc = (crc ^ next) & 1 ? (crc >>> 1) ^ 0xedb88320 : crc >>> 1;
+      }
     }
     return (~crc >>> 0).toString(16).padStart(8, "0");
   }
 }
-
-const TABLE = Int32Array.from({ length: 256 }, (_, byte) => {
-  for (let bit = 0; bit < 8; bit++) byte = byte & 1 ? (byte >>> 1) ^ 0xedb88320 : byte >>> 1;
-  return byte;
-});

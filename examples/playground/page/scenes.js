@@ -56,6 +56,7 @@ export const SCENES = [
     name: "Your model",
     about: "drop a model and its texture here",
     counted: "default",
+    like: 4, // what the lighthouse takes more than its loops is taken for a model too
     ...measured,
     yaw: 0.6,
     pitch: 0.35,
@@ -72,18 +73,20 @@ export const SCENES = [
     distance: 0,
   },
 ];
+
 /** Modes in the module's order. */
 export const MODES = ["Exact", "Newton", "Fast", "Affine", "Compact"];
-/** Formats in the module's order, with their bits of a pixel. */
+/** Formats in the module's order, with their bits of a pixel, and black. */
 export const FORMATS = [
-  { name: "Rgb565, 16 bits", type: "Rgb565", bits: 16 },
-  { name: "Rgb555, 16 bits", type: "Rgb555", bits: 16 },
-  { name: "Gray, 8 bits", type: "Gray8", bits: 8 },
-  { name: "Gray, 4 bits", type: "Gray4", bits: 4 },
-  { name: "Gray, 2 bits", type: "Gray2", bits: 2 },
-  { name: "Mono, 1 bit", type: "BinaryColor", bits: 1 },
+  { name: "16-bit color", type: "Rgb565", bits: 16, black: "Rgb565::new(0, 0, 0)" },
+  { name: "15-bit color", type: "Rgb555", bits: 16, black: "Rgb555::new(0, 0, 0)" },
+  { name: "8-bit gray", type: "Gray8", bits: 8, black: "Gray8::new(0)" },
+  { name: "4-bit gray", type: "Gray4", bits: 4, black: "Gray4::new(0)" },
+  { name: "2-bit gray", type: "Gray2", bits: 2, black: "Gray2::new(0)" },
+  { name: "1-bit", type: "BinaryColor", bits: 1, black: "BinaryColor::Off" },
 ];
 export const SIZES = ["128x64", "128x128", "160x128", "240x240", "320x240", "480x320", "640x480"];
+
 
 /** The camera in which a scene is measured. */
 export function home(scene) {
@@ -93,7 +96,8 @@ export function home(scene) {
 
 /** The module's settings for a mode of a state. */
 export function settings(state, mode) {
-  const { scene, camera, tolerance, width, height } = state;
+  const { scene, camera, tolerance } = state;
+  const [width, height] = state.size.split("x").map(Number);
   const [center_x, center_y, center_z] = camera.center.map(fixed);
   // A pixel in the middle of the picture, as an angle.
   const pixel = Math.atan((2 * Math.tan(camera.fov / 2)) / height);

@@ -63,7 +63,8 @@ pub struct App {
     colors: [[Rgb565; PIXELS]; 2],
     shown: [[u32; PIXELS]; 2],
     mono: [BinaryColor; PIXELS],
-    depths: [u16; PIXELS],
+    /// The lighthouse is shown before its sky in a display's colors: where nothing is drawn, depths are 0.
+    depths: [[u16; PIXELS]; 2],
     pub pixels: [Cell<[i32; 3]>; PIXELS],
     pub triangles: [Cell<[i32; 17]>; FACES],
     model: Model,
@@ -81,7 +82,7 @@ impl App {
             colors: [[Rgb565::BLACK; PIXELS]; 2],
             shown: [[0; PIXELS]; 2],
             mono: [BinaryColor::Off; PIXELS],
-            depths: [0; PIXELS],
+            depths: [[0; PIXELS]; 2],
             pixels: [const { Cell::new([0; 3]) }; PIXELS],
             triangles: [const { Cell::new([0; 17]) }; FACES],
             model: Model::new(),
@@ -142,7 +143,9 @@ impl App {
     fn draw_mono<M: Mode>(&mut self, slot: usize, mode: M) -> Result<Drawn, Error> {
         let (view, band) = (&self.view, self.view.band());
         let mono = self.mono.get_mut(band.clone()).unwrap_or_default();
-        let depths = self.depths.get_mut(..band.len()).unwrap_or_default();
+        let depths = self.depths[slot & 1]
+            .get_mut(band.clone())
+            .unwrap_or_default();
         let canvas = Canvas::band(mono, view.width, view.height, view.first_row)?;
         let mut canvas = canvas.with_depth(depths)?;
         let drawn = scene::lighthouse(&mut canvas, view, mode)?;
@@ -198,13 +201,16 @@ impl App {
 
     /// Returns the picture in a display's format.
     pub fn show(&mut self, slot: usize, format: usize) -> *const u32 {
-        let size = (self.view.width * self.view.height) as usize;
         let slot = slot & 1;
+        let size = self.view.size();
+        let pixels = (size.width * size.height) as usize;
+        let has_sky = Scene::of(&self.view) == Scene::Lighthouse && self.view.is_mono == 0;
         if let (Some(colors), Some(shown)) = (
-            self.colors[slot].get(..size),
-            self.shown[slot].get_mut(..size),
+            self.colors[slot].get(..pixels),
+            self.shown[slot].get_mut(..pixels),
         ) {
-            formats::show(colors, self.view.width, format, shown);
+            let sky = has_sky.then_some(&self.depths[slot][..pixels]);
+            formats::show(colors, sky, size, format, shown);
         }
         self.shown[slot].as_ptr()
     }
@@ -273,7 +279,7 @@ impl App {
         let canvas = Canvas::band(colors, view.width, view.height, view.first_row)?;
         Ok(Bench {
             canvas,
-            depths: depths.get_mut(..band.len()).unwrap_or_default(),
+            depths: depths[slot & 1].get_mut(band).unwrap_or_default(),
             view,
             model,
             pixels,

@@ -1,37 +1,58 @@
 //! The picture in the colors of a display.
 //!
 //! A shader ends in Rgb565 here, and `converted` maps its colors to the format's, pixel by pixel. The page does so
-//! after drawing, so that the module has each shader once; the pixels are the same.
+//! after drawing, so that the module has each shader once; the pixels are the same. The lighthouse's sky is no shader:
+//! it is drawn again in the display's colors, and its caption over it.
 
-use embedded_graphics::geometry::Point;
+use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::{
     BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb888, RgbColor,
 };
 use fixel::prelude::*;
 
-/// Writes bytes of red, green, blue and opacity. The page knows formats by their index.
-pub fn show(picture: &[Rgb565], width: u32, format: usize, shown: &mut [u32]) {
+use super::common::lighthouse;
+
+/// Writes bytes of red, green, blue and opacity. The page knows formats by their index. `sky` has the depths of a picture
+/// with the lighthouse's sky.
+pub fn show(picture: &[Rgb565], sky: Option<&[u16]>, size: Size, format: usize, shown: &mut [u32]) {
     match format {
         0 => bytes(picture.iter().copied(), shown),
-        1 => each::<Rgb555>(picture, width, shown),
-        2 => each::<Gray8>(picture, width, shown),
-        3 => each::<Gray4>(picture, width, shown),
-        4 => each::<Gray2>(picture, width, shown),
-        _ => each::<BinaryColor>(picture, width, shown),
+        1 => each::<Rgb555>(picture, sky, size, shown),
+        2 => each::<Gray8>(picture, sky, size, shown),
+        3 => each::<Gray4>(picture, sky, size, shown),
+        4 => each::<Gray2>(picture, sky, size, shown),
+        _ => each::<BinaryColor>(picture, sky, size, shown),
     }
 }
 
 /// The rows of a picture, converted and dithered.
-fn each<C: Levels + Into<Rgb888>>(picture: &[Rgb565], width: u32, shown: &mut [u32]) {
-    let width = width.max(1) as usize;
-    for ((y, colors), shown) in (0..)
-        .zip(picture.chunks(width))
-        .zip(shown.chunks_mut(width))
-    {
-        let converted = (0..)
-            .zip(colors)
-            .map(|(x, &color)| C::from_rgb(color.into(), Point::new(x, y)));
-        bytes(converted, shown);
+fn each<C: Levels + Into<Rgb888>>(
+    picture: &[Rgb565],
+    sky: Option<&[u16]>,
+    size: Size,
+    shown: &mut [u32],
+) {
+    let width = size.width.max(1) as usize;
+    let mut row = [C::from_rgb(Rgb888::BLACK, Point::zero()); 640];
+    let row = &mut row[..width.min(640)];
+    for (y, (colors, shown)) in (0..).zip(picture.chunks(width).zip(shown.chunks_mut(width))) {
+        let depths = sky.map(|depths| &depths[y as usize * width..]);
+        if depths.is_some()
+            && let Ok(mut canvas) = Canvas::band(&mut *row, size.width, size.height, y)
+        {
+            lighthouse::sky(&mut canvas);
+        }
+        for (x, (to, &color)) in (0_u32..).zip(row.iter_mut().zip(colors)) {
+            if depths.is_none_or(|depths| depths[x as usize] > 0) {
+                *to = C::from_rgb(color.into(), Point::new(x.cast_signed(), y.cast_signed()));
+            }
+        }
+        if depths.is_some()
+            && let Ok(mut canvas) = Canvas::band(&mut *row, size.width, size.height, y)
+        {
+            lighthouse::caption(&mut canvas);
+        }
+        bytes(row.iter().copied(), shown);
     }
 }
 

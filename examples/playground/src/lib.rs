@@ -11,7 +11,8 @@
 //! | `record` | the texel under each pixel, for the page's measurement of errors |
 //! | `model` | a model of the user's own |
 //! | `formats` | the picture in a display's colors |
-//! | `main` | the server, which also draws on the host to compare |
+//! | `main`, `server` | the program that serves the page, or writes it |
+//! | `../tests` | the page and its module under Node and in Chromium, and the programs that it prints: see `.ci/playground` |
 #![cfg_attr(target_arch = "wasm32", no_std)]
 
 mod app;

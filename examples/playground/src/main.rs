@@ -1,95 +1,63 @@
 //! Serves the playground, which it contains: `cargo run --release -p playground`.
 //!
-//! `--port N` serves on another port than 8000; `--out FOLDER` writes the files for another server; `--compare` draws
-//! views that it reads from its input, and compares checksums (`.ci/playground`).
+//! `--port N` serves on another port than 8000; `--out FOLDER` writes the files for another server.
 
-#[path = "../../common/mod.rs"]
-mod common;
-
-// It draws for `--compare` only.
-#[allow(dead_code)]
-mod app;
-#[allow(dead_code)]
-mod formats;
-mod model;
-mod record;
-mod scene;
 mod server;
-mod view;
 
-use std::error::Error;
+use std::fs::File;
+use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
 use std::{env, fs, io};
 
-use crc32fast::Hasher;
-
-use app::App;
+use server::FILES;
 
 fn main() -> ExitCode {
-    match run() {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("{error}");
-            ExitCode::FAILURE
-        }
-    }
-}
-
-fn run() -> Result<(), Box<dyn Error>> {
     let args: Vec<String> = env::args().skip(1).collect();
-    match args.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+    let done = match args.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         [] => server::serve(8000),
-        ["--port", port] => server::serve(
-            port.parse()
-                .map_err(|_| format!("--port {port}: it must be 0 to 65535"))?,
-        ),
+        ["--port", port] => match port.parse() {
+            Ok(port) => server::serve(port),
+            Err(_) => Err(format!("--port {port}: it must be 0 to 65535")),
+        },
         ["--out", folder] => write(Path::new(folder)),
-        ["--compare"] => compare(),
-        _ => Err("usage: playground [--port N | --out FOLDER | --compare]".into()),
+        _ => Err("usage: playground [--port N | --out FOLDER]".into()),
+    };
+    if let Err(error) = done {
+        // Where nobody reads the message, the exit code still tells.
+        let _ = writeln!(io::stderr(), "{error}");
+        return ExitCode::FAILURE;
     }
+    ExitCode::SUCCESS
 }
 
-/// Writes the files for any file server.
-fn write(folder: &Path) -> Result<(), Box<dyn Error>> {
-    fs::create_dir_all(folder)?;
-    for file in &server::FILES {
-        fs::write(folder.join(file.name), file.bytes)?;
+/// Writes the files for any file server. Overwrites none: a file that is there already must be the same.
+fn write(folder: &Path) -> Result<(), String> {
+    if let Some(missing) = FILES.iter().find(|file| file.bytes.is_empty()) {
+        let (name, build) = (missing.name, server::BUILD);
+        return Err(format!("{name} was not built. First: {build}"));
     }
-    println!("{}", folder.display());
-    Ok(())
-}
-
-/// Reads lines of a view's fields and the checksum of its picture, and draws the same here.
-fn compare() -> Result<(), Box<dyn Error>> {
-    static APP: spin::Mutex<App> = spin::Mutex::new(App::new());
-    let app = &mut *APP.lock();
-    let mut same = 0;
-    for line in io::stdin().lines() {
-        let line = line?;
-        let (fields, wanted) = line
-            .rsplit_once(' ')
-            .ok_or("a line has the fields of a view and a checksum")?;
-        let fields: Vec<i32> = fields
-            .split(' ')
-            .map(str::parse)
-            .collect::<Result<_, _>>()?;
-        app.view = view::View::from_fields(&fields).ok_or("a view has 22 fields")?;
-        if !app.clear(0) || !app.draw(0) || !app.overlay(0) {
-            return Err(format!("{line}: {}", app.message).into());
+    let say = |path: &Path, error: io::Error| format!("{}: {error}", path.display());
+    let mut missing = Vec::new();
+    for file in &FILES {
+        let path = folder.join(file.name);
+        match fs::read(&path) {
+            Ok(bytes) if bytes == file.bytes => {}
+            Ok(_) => {
+                let path = path.display();
+                return Err(format!(
+                    "{path} is there already, and another file: name a new folder"
+                ));
+            }
+            Err(error) if error.kind() == io::ErrorKind::NotFound => missing.push((path, file)),
+            Err(error) => return Err(say(&path, error)),
         }
-        let mut crc = Hasher::new();
-        for pixel in app.colors(0) {
-            crc.update(&embedded_graphics::pixelcolor::raw::ToBytes::to_be_bytes(
-                *pixel,
-            ));
-        }
-        let crc = format!("{:08x}", crc.finalize());
-        if crc != wanted {
-            return Err(format!("{line}: the host draws {crc}").into());
-        }
-        same += 1;
     }
-    println!("{same} pictures are the same in WebAssembly and here");
-    Ok(())
+    fs::create_dir_all(folder).map_err(|error| say(folder, error))?;
+    for (path, file) in missing {
+        File::create_new(&path)
+            .and_then(|mut to| to.write_all(file.bytes))
+            .map_err(|error| say(&path, error))?;
+    }
+    server::say(&folder.display().to_string())
 }

@@ -75,7 +75,6 @@ impl Scene {
     pub fn background<D: DepthBuffer>(self, canvas: &mut Target<'_, D>) {
         match self {
             Self::Lighthouse => lighthouse::sky(canvas),
-            Self::Own => canvas.clear(Rgb565::new(4, 9, 5)),
             _ => canvas.clear(Rgb565::BLACK),
         }
     }

@@ -1,7 +1,6 @@
 //! A server of a few files, for one visitor.
 
-use std::error::Error;
-use std::io::{BufRead, BufReader, Write};
+use std::io::{self, BufRead, BufReader, Write};
 use std::net::{Ipv4Addr, TcpListener, TcpStream};
 use std::thread;
 
@@ -31,18 +30,33 @@ files! {
     "scenes.js": "text/javascript" = "../page/scenes.js",
     "model.js": "text/javascript" = "../page/model.js",
     "cost.js": "text/javascript" = "../page/cost.js",
+    "measure.js": "text/javascript" = "../page/measure.js",
     "plot.js": "text/javascript" = "../page/plot.js",
     "code.js": "text/javascript" = "../page/code.js",
     "files.js": "text/javascript" = "../page/files.js",
+    "gltf.js": "text/javascript" = "../page/gltf.js",
     "playground.wasm.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/playground.wasm.gz"),
     "world.wasm.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/world.wasm.gz"),
 }
 
+/// The command that builds the modules.
+pub const BUILD: &str =
+    "cargo build --release --lib -p playground -p playground-world --target wasm32-unknown-unknown";
+
+/// Writes a line to the output, which may be closed.
+pub fn say(line: &str) -> Result<(), String> {
+    let mut out = io::stdout().lock();
+    writeln!(out, "{line}")
+        .and_then(|()| out.flush())
+        .map_err(|error| format!("standard output: {error}"))
+}
+
 /// Serves the files on this computer only, until the program is ended.
-pub fn serve(port: u16) -> Result<(), Box<dyn Error>> {
-    let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port))
-        .map_err(|error| format!("port {port}: {error}; --port chooses another one"))?;
-    println!("http://localhost:{}", listener.local_addr()?.port());
+pub fn serve(port: u16) -> Result<(), String> {
+    let wrong = |error| format!("port {port}: {error}; --port chooses another one");
+    let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port)).map_err(wrong)?;
+    let port = listener.local_addr().map_err(wrong)?.port();
+    say(&format!("http://localhost:{port}"))?;
     for stream in listener.incoming() {
         // Browsers open connections ahead of time. One that breaks is the browser's affair.
         thread::spawn(|| stream.and_then(answer));
@@ -50,7 +64,7 @@ pub fn serve(port: u16) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn answer(mut stream: TcpStream) -> std::io::Result<()> {
+fn answer(mut stream: TcpStream) -> io::Result<()> {
     let mut lines = BufReader::new(stream.try_clone()?).lines();
     let request = lines.next().unwrap_or(Ok(String::new()))?;
     while lines

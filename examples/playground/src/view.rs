@@ -66,58 +66,6 @@ impl View {
         is_mono: 0,
     };
 
-    /// The settings of the page's numbers, if they are as many.
-    pub fn from_fields(fields: &[i32]) -> Option<Self> {
-        let &[
-            scene,
-            mode,
-            tolerance,
-            width,
-            height,
-            first_row,
-            rows,
-            is_home,
-            yaw,
-            pitch,
-            distance,
-            x,
-            y,
-            z,
-            scale,
-            fov,
-            near,
-            far,
-            right,
-            down,
-            is_two_sided,
-            is_mono,
-        ] = fields
-        else {
-            return None;
-        };
-        Some(Self {
-            scene: scene.cast_unsigned(),
-            mode: mode.cast_unsigned(),
-            tolerance,
-            width: width.cast_unsigned(),
-            height: height.cast_unsigned(),
-            first_row: first_row.cast_unsigned(),
-            rows: rows.cast_unsigned(),
-            is_home: is_home.cast_unsigned(),
-            yaw: yaw.cast_unsigned(),
-            pitch: pitch.cast_unsigned(),
-            distance,
-            center: [x, y, z],
-            scale,
-            fov: fov.cast_unsigned(),
-            near,
-            far,
-            shift: [right, down].map(i32::cast_unsigned),
-            is_two_sided: is_two_sided.cast_unsigned(),
-            is_mono: is_mono.cast_unsigned(),
-        })
-    }
-
     pub fn size(&self) -> Size {
         Size::new(self.width, self.height)
     }

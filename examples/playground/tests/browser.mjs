@@ -1,0 +1,322 @@
+// The page in Chromium, as a person uses it. PAGE is the folder with the page, ADDRESS its place on a file server,
+// SIMULATOR the program that draws on the host. PICTURES may name a folder for screenshots.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import test, { after, afterEach, beforeEach } from "node:test";
+import { Page } from "./devtools.mjs";
+import { checksum, crate, page as module, view } from "./page.mjs";
+
+const { ADDRESS, SIMULATOR, PICTURES } = process.env;
+const { home } = await module("scenes.js");
+const { fitted } = await module("files.js");
+const assets = resolve(import.meta.dirname ?? new URL(".", import.meta.url).pathname, "../../assets");
+const folder = mkdtempSync(join(tmpdir(), "playground-files-"));
+const LIGHTHOUSE = 4;
+const OWN = 5;
+const WORLD = 6;
+
+const page = await Page.open();
+after(async () => {
+  await page.close();
+  rmSync(folder, { recursive: true });
+});
+
+// What a test finds in the page.
+const NUMBER = `(name) => [...document.querySelectorAll("#numbers div")]
+  .find((item) => item.firstChild.textContent === name)?.lastChild.textContent`;
+const shows = (settings) => page.until(`(${NUMBER})("Checksum")`, checksum(settings));
+const text = (selector) => `document.querySelector("${selector}").textContent`;
+const base64 = (data) => `btoa(Array.from(${data}, (byte) => String.fromCharCode(byte)).join(""))`;
+const pixels = async () =>
+  Buffer.from(
+    await page.evaluate(`(() => {
+      const { width, height } = document.querySelector("#canvas");
+      return ${base64(`document.querySelector("#canvas").getContext("2d").getImageData(0, 0, width, height).data`)};
+    })()`),
+    "base64",
+  );
+/** The pixels of a picture file, as the browser reads it. */
+async function decoded(path) {
+  const source = `data:image/png;base64,${readFileSync(path).toString("base64")}`;
+  const [width, height, data] = await page.evaluate(`(async () => {
+    const bitmap = await createImageBitmap(await (await fetch("${source}")).blob());
+    const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
+    context.drawImage(bitmap, 0, 0);
+    const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+    return [bitmap.width, bitmap.height, ${base64("data")}];
+  })()`);
+  return { width, height, data: Buffer.from(data, "base64") };
+}
+const scene = (index) => page.click(`#scenes label:nth-child(${index + 1})`);
+
+beforeEach(async () => {
+  await page.size(1280, 900);
+  await page.send("Page.navigate", { url: ADDRESS });
+  await page.until(`document.readyState === "complete" && document.querySelector("#plot svg") !== null`);
+});
+// Nothing is asked of any other place: the page works offline.
+afterEach(() => {
+  assert.deepEqual(page.errors.splice(0), []);
+  assert.deepEqual(
+    page.requests.splice(0).filter((url) => !url.startsWith(ADDRESS) && !/^(data|blob|about):/.test(url)),
+    [],
+  );
+});
+
+test("the lighthouse is there, with its numbers, its plot and its program", async () => {
+  await shows(view(LIGHTHOUSE));
+  assert.match(await page.evaluate(text("#plot")), /Newton.*Affine/);
+  assert.match(await page.evaluate(text("#cost")), /Cortex-M0\+: million instructions[\d.]+/);
+  assert.match(await page.evaluate(text("#code")), /^use embedded_graphics/);
+  assert.equal(await page.evaluate(text("#hint")), "");
+  await page.click("#copy");
+  await page.until(`/^(Copied|Selected)/.test(${text("#copy")})`);
+});
+
+test("a drag turns the picture, and the start view comes back", async () => {
+  const { left, top } = await page.box("#canvas");
+  const [x, y] = [Math.round(left) + 100, Math.round(top) + 200];
+  await page.drag([x, y], [x + 60, y - 30]);
+  const { yaw, pitch } = home(LIGHTHOUSE);
+  await shows(view(LIGHTHOUSE, 1, { camera: { yaw: yaw + 60 / 150, pitch: pitch - 30 / 150 } }));
+  await page.click("#home");
+  await shows(view(LIGHTHOUSE));
+});
+
+test("two fingers zoom", async () => {
+  const { left, top } = await page.box("#canvas");
+  const points = (...ways) => ways.map((way, id) => ({ x: Math.round(left) + way, y: Math.round(top) + 200, id }));
+  const touch = (type, touchPoints) => page.send("Input.dispatchTouchEvent", { type, touchPoints });
+  await touch("touchStart", points(100, 200));
+  await touch("touchMove", points(100, 225));
+  await touch("touchEnd", []);
+  await shows(view(LIGHTHOUSE, 1, { camera: { distance: home(LIGHTHOUSE).distance * (100 / 125) } }));
+});
+
+test("the wheel zooms after a click", async () => {
+  const { left, top } = await page.box("#canvas");
+  const place = { x: Math.round(left) + 100, y: Math.round(top) + 200 };
+  await page.drag([place.x, place.y]);
+  await page.send("Input.dispatchMouseEvent", { type: "mouseWheel", ...place, deltaX: 0, deltaY: 250 });
+  await shows(view(LIGHTHOUSE, 1, { camera: { distance: home(LIGHTHOUSE).distance * 2 ** 0.5 } }));
+});
+
+test("the divider is dragged; each side shows its mode", async () => {
+  const { left, top, width, height } = await page.box("#stage");
+  const y = top + height / 2;
+  await page.drag([left + width / 2, y], [left + width * 0.4, y], [left + width / 4, y]);
+  await page.until(`document.querySelector("#divider").value`, "25");
+  const sides = [1, 3].map((mode, slot) => {
+    crate.draw(slot, view(LIGHTHOUSE, mode));
+    return Buffer.from(crate.shown(slot, 0).data);
+  });
+  await page.until(`new Promise((resume) => requestAnimationFrame(() => requestAnimationFrame(() => resume(true))))`);
+  const found = await pixels();
+  for (let row = 0; row < 240; row++) {
+    const [start, middle, end] = [0, 80, 320].map((column) => 4 * (320 * row + column));
+    assert.ok(found.subarray(start, middle).equals(sides[0].subarray(start, middle)), `row ${row}, left`);
+    assert.ok(found.subarray(middle, end).equals(sides[1].subarray(middle, end)), `row ${row}, right`);
+  }
+});
+
+test("modes, colors and sizes: the pixels of the simulator's pictures", async () => {
+  await page.choose("#right", 5);
+  const cases = [
+    [LIGHTHOUSE, 1, 0, 4, []],
+    [LIGHTHOUSE, 2, 0, 4, ["--mode", "fast"]],
+    [LIGHTHOUSE, 0, 0, 0, ["--mode", "exact", "--size", "128x64"]],
+    [LIGHTHOUSE, 3, 5, 0, ["--mode", "affine", "--size", "128x64", "--color", "mono"]],
+    [LIGHTHOUSE, 1, 2, 3, ["--size", "240x240", "--color", "gray8"]],
+    [LIGHTHOUSE, 1, 3, 6, ["--size", "640x480", "--color", "gray4"]],
+    [0, 3, 0, 4, ["--scene", "floor", "--mode", "affine"]],
+    [1, 0, 0, 4, ["--scene", "cube", "--mode", "exact"]],
+    [2, 2, 0, 4, ["--scene", "sphere", "--mode", "fast"]],
+    [3, 1, 0, 4, ["--scene", "sphere-flat"]],
+  ];
+  const out = join(folder, "simulator.png");
+  for (const [index, mode, format, size, options] of cases) {
+    await scene(index);
+    await page.choose("#left", mode);
+    await page.choose("#format", format);
+    await page.choose("#size", size);
+    const { data, width, height } = (execFileSync(SIMULATOR, [...options, "--out", out], { stdio: "pipe" }), await decoded(out));
+    await shows(view(index, mode, { format, size: `${width}x${height}` }));
+    assert.ok((await pixels()).equals(data), `scene ${index}: ${options.join(" ")}`);
+  }
+});
+
+test("errors as colors", async () => {
+  await page.choose("#right", 5);
+  await page.choose("#left", 3);
+  await page.click("#showsErrors");
+  await page.until(`!document.querySelector("#legend").hidden`);
+  const before = await pixels();
+  await page.choose("#left", 0);
+  await shows(view(LIGHTHOUSE, 0));
+  assert.ok(!(await pixels()).equals(before));
+});
+
+test("bands in slow motion are the same picture", async () => {
+  await page.choose("#rows", 2);
+  await page.click("#bands");
+  await page.until(`${text("#status")}.endsWith("bit for bit, as drawn whole.")`);
+  await shows(view(LIGHTHOUSE));
+});
+
+test("the little world draws what the host draws", async () => {
+  await scene(WORLD);
+  await shows(view(WORLD));
+});
+
+/** The settings of a visitor's model that has a texture, as the page makes them. */
+async function own(text, texture) {
+  const [x, y, z, radius] = crate.readModel(fitted(text).text);
+  crate.readTexture(await decoded(texture));
+  const scale = 1 / radius;
+  const center = [x, y, z].map((at) => at * scale);
+  return view(OWN, 1, { camera: { scale, center, distance: 1.05 / Math.sin(home(OWN).fov / 2), isHome: true } });
+}
+
+const lighthouse = ["lighthouse.obj", "lighthouse.png"].map((name) => join(assets, name));
+
+/** A triangle in space with texture coordinates, its buffer and its texture in files beside it. */
+function triangle() {
+  const values = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 0, 0); // v counts down: 1 in glTF, 0 in OBJ
+  const accessor = (byteOffset, type) => ({ bufferView: 0, componentType: 5126, count: 3, byteOffset, type });
+  const model = {
+    scenes: [{ nodes: [0] }],
+    nodes: [{ mesh: 0, scale: [1e-5, 1e-5, 1e-5] }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0, TEXCOORD_0: 1 }, material: 0 }] }],
+    materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }],
+    textures: [{ source: 0 }],
+    images: [{ uri: "lighthouse.png" }],
+    accessors: [accessor(0, "VEC3"), accessor(36, "VEC2")],
+    bufferViews: [{ buffer: 0, byteLength: 60 }],
+    buffers: [{ uri: "triangle.bin", byteLength: 60 }],
+  };
+  const paths = ["triangle.gltf", "triangle.bin"].map((name) => join(folder, name));
+  writeFileSync(paths[0], JSON.stringify(model));
+  writeFileSync(paths[1], Buffer.from(values.buffer));
+  return [...paths, lighthouse[1]];
+}
+
+test("a model and its texture are dropped", async () => {
+  await page.drop("#stage", lighthouse);
+  await shows(await own(readFileSync(lighthouse[0]), lighthouse[1]));
+  assert.equal(await page.evaluate(text("#status")), "lighthouse.obj is read.");
+});
+
+test("a glTF model of a hundred-thousandth of a unit is opened with its buffer and texture", async () => {
+  const files = triangle();
+  const { root } = await page.send("DOM.getDocument");
+  const { nodeId } = await page.send("DOM.querySelector", { nodeId: root.nodeId, selector: "#files" });
+  await page.send("DOM.setFileInputFiles", { nodeId, files });
+  const obj = `${["0 0 0", "1e-5 0 0", "0 1e-5 1e-5"].map((at) => `v ${at}`).join("\n")}
+    vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n`;
+  await shows(await own(new TextEncoder().encode(obj), lighthouse[1]));
+  assert.equal(await page.evaluate(text("#status")), "triangle.gltf is read.");
+});
+
+test("of a broken model the parser's message is told, and the last picture stays", async () => {
+  await page.drop("#stage", lighthouse);
+  const settings = await own(readFileSync(lighthouse[0]), lighthouse[1]);
+  await shows(settings);
+  const wrong = {
+    "broken.obj": ["v 0 0 0\nv 1 0 0\nv 0 1 x\nf 1 2 3\n", "line 3: a number is malformed: it must be like 1, -0.25 or 2.5e-3"],
+    "points.obj": ["v 0 0 0\nv 1 0 0\n", "it has no faces, so there is nothing to draw."],
+    "broken.gltf": ["{}}", "it is damaged, or not glTF."],
+    "note.txt": ["Hello", "it is neither a model (.obj, .gltf, .glb) nor a picture for its texture."],
+    "skin.png": ["no picture", "the browser cannot read the picture skin.png."],
+  };
+  for (const [name, [content, message]] of Object.entries(wrong)) {
+    writeFileSync(join(folder, name), content);
+    await page.drop("#stage", [join(folder, name)]);
+    await page.until(text("#trouble"), `${name} cannot be read: ${message}`);
+    await shows(settings);
+  }
+  await page.click("#home");
+  await page.until(`document.querySelector("#trouble").hidden`);
+});
+
+test("the keyboard alone", async () => {
+  // Everything that can be used is reached in turn, and shows that it is.
+  const wanted = await page.evaluate(`[...document.querySelectorAll("input, select, button, canvas[tabindex], pre")]
+    .filter((item) => item.checkVisibility() && !item.disabled && (item.name !== "scene" || item.checked)).length`);
+  const reached = new Set();
+  await page.evaluate(`document.activeElement.blur()`);
+  for (let at = 0; at < 60 && reached.size < wanted; at++) {
+    await page.press("Tab");
+    const [id, outline] = await page.evaluate(`(() => {
+      const item = document.activeElement;
+      const shown = [item, item.closest("label")].map((at) => at ? getComputedStyle(at).outlineStyle : "none");
+      return [item.id || item.name || item.tagName, shown.some((style) => style !== "none")];
+    })()`);
+    if (id !== "BODY") assert.ok(outline, `${id} does not show that it has the focus`);
+    reached.add(id);
+  }
+  reached.delete("BODY");
+  assert.equal(reached.size, wanted, [...reached].join(" "));
+
+  const { yaw, distance } = home(LIGHTHOUSE);
+  await page.evaluate(`document.querySelector("#canvas").focus()`);
+  await page.press("ArrowRight");
+  await shows(view(LIGHTHOUSE, 1, { camera: { yaw: yaw + 0.1 } }));
+  await page.press("+");
+  await shows(view(LIGHTHOUSE, 1, { camera: { yaw: yaw + 0.1, distance: distance / 1.1 } }));
+  await page.press("Home");
+  await shows(view(LIGHTHOUSE));
+  await page.evaluate(`document.querySelector("#divider").focus()`);
+  await page.press("ArrowLeft");
+  await page.until(`document.querySelector("#divider").value`, "49");
+  await page.evaluate(`document.querySelector("#scenes input:checked").focus()`);
+  await page.press("ArrowLeft");
+  await shows(view(LIGHTHOUSE - 1));
+  await page.evaluate(`document.querySelector("#spins").focus()`);
+  await page.press(" ");
+  await page.until(`(${NUMBER})("Pictures a second")`);
+});
+
+/** The least contrast of text outside the picture, with the text. */
+const CONTRAST = `(() => {
+  const channels = (color) => color.match(/[\\d.]+/g).map(Number);
+  const light = (color) => channels(color).slice(0, 3)
+    .map((value) => (value /= 255) <= 0.03928 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4)
+    .reduce((sum, value, at) => sum + value * [0.2126, 0.7152, 0.0722][at], 0);
+  const behind = (item) => {
+    const color = item ? getComputedStyle(item).backgroundColor : "rgb(255, 255, 255)";
+    return channels(color)[3] === 0 ? behind(item.parentElement) : color;
+  };
+  const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  const found = [];
+  while (texts.nextNode()) {
+    const item = texts.currentNode.parentElement;
+    if (!texts.currentNode.data.trim() || item.closest("#stage, :disabled, [hidden]") || !item.checkVisibility()) continue;
+    const style = getComputedStyle(item);
+    const [a, b] = [light(item.closest("svg") ? style.fill : style.color), light(behind(item))];
+    found.push([(Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05), texts.currentNode.data]);
+  }
+  return found.sort(([a], [b]) => a - b)[0];
+})()`;
+
+test("no scrolling sideways, and text that can be read, in light and dark", async () => {
+  for (const width of [360, 800, 1400]) {
+    await page.size(width, 900);
+    for (const theme of ["light", "dark"]) {
+      await page.theme(theme);
+      await shows(view(LIGHTHOUSE));
+      await page.until(`document.querySelector("#plot svg") !== null`);
+      const [contrast, words] = await page.evaluate(CONTRAST);
+      assert.ok(contrast >= 4.5, `${theme}: "${words}" has a contrast of ${contrast.toFixed(2)}`);
+      if (PICTURES) writeFileSync(join(PICTURES, `${theme}-${width}.png`), await page.screenshot());
+    }
+    for (const index of [WORLD, OWN, 2, LIGHTHOUSE]) {
+      await scene(index);
+      await page.until(`document.querySelector("#scenes input:checked").value`, String(index));
+      const widest = await page.evaluate(`document.documentElement.scrollWidth`);
+      assert.ok(widest <= width, `scene ${index} is ${widest} pixels wide on a screen of ${width}`);
+    }
+  }
+});

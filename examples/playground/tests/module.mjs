@@ -1,0 +1,41 @@
+// The crate's WebAssembly and the page's model of errors, under Node. PAGE is the folder with the page, SIMULATOR the
+// program that draws on the host.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import test from "node:test";
+import { checksum, crate, page, view } from "./page.mjs";
+
+const { MODES, SCENES } = await page("scenes.js");
+const { errors } = await page("model.js");
+
+test("the measured scenes have the simulator's checksums", () => {
+  const folder = mkdtempSync(join(tmpdir(), "playground-"));
+  for (const [index, { id }] of SCENES.slice(0, 5).entries()) {
+    // The simulator has no Compact.
+    for (const [mode, name] of MODES.slice(0, 4).entries()) {
+      const scene = id === "lighthouse" ? [] : ["--scene", id];
+      const options = ["--mode", name.toLowerCase(), ...scene, "--crc", "--out", join(folder, "picture.png")];
+      const told = execFileSync(process.env.SIMULATOR, options, { encoding: "utf8", stdio: "pipe" });
+      assert.equal(checksum(view(index, mode)), /^crc (.*)$/m.exec(told)[1], `${id}, ${name}`);
+    }
+  }
+  rmSync(folder, { recursive: true });
+});
+
+test("errors are those that modes promise", () => {
+  // In texels, of a texture of 64 (guide to modes): Exact, Newton and Compact a thousandth, Fast its tolerance and 2^-13
+  // of the texture. Affine bends the cube.
+  const most = { Exact: 0.001, Newton: 0.001, Fast: 0.25 + 64 / 2 ** 13, Compact: 0.001, Affine: Infinity };
+  for (const scene of [0, 1, 2]) {
+    for (const [mode, name] of MODES.entries()) {
+      const now = view(scene, mode);
+      const { max, count } = errors(now, crate.recorded(0, now));
+      const least = name === "Affine" && scene === 1 ? 5 : 0;
+      assert.ok(max >= least && max <= most[name], `${SCENES[scene].name} in mode ${name}: ${max} texels`);
+      assert.ok(count >= 20000, `${SCENES[scene].name} in mode ${name}: ${count} pixels`);
+    }
+  }
+});

@@ -1,0 +1,34 @@
+// The page's modules and the crate's WebAssembly under Node, from the folder in the variable PAGE.
+import { readFileSync } from "node:fs";
+import { resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { gunzipSync } from "node:zlib";
+
+globalThis.ImageData = class {
+  constructor(data, width, height) {
+    Object.assign(this, { data, width, height });
+  }
+};
+
+export const folder = resolve(process.env.PAGE);
+export const page = (name) => import(pathToFileURL(`${folder}/${name}`));
+
+const { Crate, load } = await page("module.js");
+const { home, settings } = await page("scenes.js");
+const { state } = await page("state.js");
+const module = (name) => load(gunzipSync(readFileSync(`${folder}/${name}.wasm.gz`)));
+export const crate = new Crate(await module("playground"));
+crate.world = await module("world");
+crate.readTexture({ data: new Uint8Array(4).fill(215), width: 1, height: 1 });
+
+/** The settings of a scene; a camera that is not the measured one has its changes. */
+export function view(scene, mode = 1, { camera = {}, ...changes } = {}) {
+  const isHome = !Object.keys(camera).length;
+  return settings({ ...state, scene, ...changes, camera: { ...home(scene), isHome, ...camera } }, mode);
+}
+
+/** The checksum of a picture. */
+export function checksum(settings) {
+  crate.draw(0, settings);
+  return crate.checksum(0);
+}
