@@ -16,9 +16,9 @@ use fixel::{Vec2, Vec3};
 use super::Result;
 use crate::args::{Args, MeshFormat};
 use crate::model::{Image, Model};
+use crate::output::{self, Output};
 use crate::parts::{self, Part, Run};
 use crate::piece::Finish;
-use crate::place::{self, Output};
 use crate::report;
 use crate::skin::Skin;
 
@@ -41,7 +41,7 @@ pub fn files(
     let ending = |path: &Path| path.extension().and_then(OsStr::to_str).map(str::to_owned);
     let textures = (args.export.iter()).find(|path| ending(path).as_deref() == Some("bmp"));
     for path in &args.export {
-        place::refuse_inputs(path, inputs)?;
+        output::refuse_inputs(path, inputs)?;
         let refuse = |problem: &str| format!("cannot export {}: {problem}", path.display());
         match ending(path).as_deref() {
             Some("rs") => {
@@ -75,12 +75,12 @@ pub fn files(
     for (at, (path, _)) in files.iter().enumerate() {
         if files[..at]
             .iter()
-            .any(|(other, _)| place::are_same(other, path))
+            .any(|(other, _)| output::are_same(other, path))
         {
             return Err(format!("two exports are {}", path.display()).into());
         }
-        place::refuse_inputs(path, inputs)?;
-        if (args.dump.as_ref()).is_some_and(|dump| place::are_same(dump, path)) {
+        output::refuse_inputs(path, inputs)?;
+        if (args.dump.as_ref()).is_some_and(|dump| output::are_same(dump, path)) {
             return Err(format!("--dump and --export are both {}", path.display()).into());
         }
     }

@@ -8,7 +8,10 @@ use fixel::shade::{Colored, Fog, Levels, Light, TwoSided, Viewer};
 use fixel::texture::Blend;
 
 use super::Result;
+use super::common::lighthouse;
 use crate::args::{Args, Shade};
+use crate::job::Model;
+use crate::paint::Backdrop;
 use crate::view::direction;
 
 /// Part of a light that reaches every face.
@@ -32,7 +35,10 @@ pub struct Haze {
 
 /// Everything about a picture's colors but the surface itself.
 pub struct Look {
-    pub shade: Shade,
+    /// None for the project's own scene as it is drawn on a microcontroller.
+    pub shade: Option<Shade>,
+    /// Whether it is the project's own scene, with sea and sky.
+    pub is_scene: bool,
     background: Option<Rgb888>,
     lights: Vec<Colored<Light>>,
     /// The same if all of them are white, which needs one number instead of three.
@@ -44,13 +50,12 @@ pub struct Look {
 }
 
 impl Look {
-    /// Makes the look of `args`. `sun` is the light without `--light`; `scale` is the length of one of the model's
-    /// units as it is drawn.
+    /// Makes the look of `args` for `model`; `scale` is the length of one of the model's units as it is drawn.
     ///
     /// # Errors
     ///
     /// A light or the fog is out of range.
-    pub fn new(args: &Args, shade: Shade, sun: Vec3, viewer: Viewer, scale: f64) -> Result<Self> {
+    pub fn new(args: &Args, model: &Model<'_>, scale: f64) -> Result<Self> {
         const WHITE: Rgb888 = Rgb888::WHITE;
         let ambient = scalar(args.ambient.unwrap_or(AMBIENT))?;
         let diffuse = scalar(1.0 - AMBIENT)?;
@@ -67,7 +72,7 @@ impl Look {
             add(toward, lamp.color)?;
         }
         if args.light.is_empty() {
-            add(sun, WHITE)?;
+            add(model.view.sun, WHITE)?;
         }
         let haze = args.fog.map(|Haze { near, far, color }| {
             let number = |value: f64| {
@@ -76,7 +81,8 @@ impl Look {
             Ok::<_, String>((number(near)?, number(far)?, color))
         });
         Ok(Self {
-            shade,
+            shade: model.shade,
+            is_scene: model.is_scene,
             background: args.background,
             white: lights
                 .iter()
@@ -86,9 +92,9 @@ impl Look {
                 .iter()
                 .map(|&(light, color)| light.colored(color))
                 .collect(),
-            viewer,
+            viewer: model.view.viewer(),
             haze: haze.transpose()?,
-            wire: args.wire && shade != Shade::Wire,
+            wire: args.wire && model.shade != Some(Shade::Wire),
         })
     }
 
@@ -103,7 +109,12 @@ impl Look {
         self.lights.as_slice().two_sided(self.viewer)
     }
 
-    /// The fog, in a color of the texture or the background.
+    /// Whether there is fog.
+    pub fn has_fog(&self) -> bool {
+        self.haze.is_some()
+    }
+
+    /// The fog, in a color of the texture or the background; at the horizon, if there is a sky.
     ///
     /// # Errors
     ///
@@ -112,7 +123,10 @@ impl Look {
         let Some((near, far, color)) = self.haze else {
             return Ok(None);
         };
-        let color = color.unwrap_or(self.backdrop::<C>());
+        let color = color.unwrap_or_else(|| match self.backdrop::<C>() {
+            Backdrop::Color(color) => color,
+            Backdrop::Sky => lighthouse::sky_color(1, 1),
+        });
         let color = C::from_rgb(color, Point::zero());
         match Fog::linear(color, near, far) {
             Ok(fog) => Ok(Some(fog)),
@@ -120,21 +134,23 @@ impl Look {
         }
     }
 
-    /// The background before it is converted to the color `C` of the canvas, unlike any of the shades.
-    pub fn backdrop<C: Levels>(&self) -> Rgb888 {
-        match (self.background, self.shade) {
+    /// What is behind the model. Its color is not yet that of the canvas, and unlike any of the shades.
+    pub fn backdrop<C: Levels>(&self) -> Backdrop {
+        Backdrop::Color(match (self.background, self.shade) {
             (Some(color), _) => color,
-            (None, Shade::Wire | Shade::Depth) => Rgb888::BLACK,
+            (None, Some(Shade::Wire | Shade::Depth)) => Rgb888::BLACK,
             // The dithered formats would show a pattern instead.
+            _ if lighthouse::is_mono::<C>() => Rgb888::BLACK,
+            _ if self.is_scene => return Backdrop::Sky,
             _ if C::MAX_STEPS[0] < 31 => Rgb888::BLACK,
             _ => Rgb888::new(34, 40, 52),
-        }
+        })
     }
 
     /// The color of lines: white on black, and black on a surface.
     pub fn line<C: Levels + Into<Rgb888>>(&self) -> Rgb888 {
         let color = match self.shade {
-            Shade::Wire => Rgb888::WHITE,
+            Some(Shade::Wire) => Rgb888::WHITE,
             _ => Rgb888::BLACK,
         };
         C::from_rgb(color, Point::zero()).into()

@@ -7,22 +7,21 @@
 mod args;
 #[path = "../../common/mod.rs"]
 mod common;
+mod depth;
 mod dump;
+mod encoder;
 mod export;
-mod fit;
 mod framing;
 mod idle;
 mod job;
 mod look;
 mod mode;
 mod model;
-mod normals;
 mod output;
 mod paint;
 mod parts;
 mod picture;
 mod piece;
-mod place;
 mod render;
 mod report;
 mod samples;
@@ -32,7 +31,7 @@ mod subject;
 mod surface;
 mod targets;
 mod tiles;
-mod turntable;
+mod tinted;
 mod units;
 mod view;
 mod window;
@@ -51,7 +50,7 @@ type Result<T, E = Box<dyn Error>> = std::result::Result<T, E>;
 fn main() -> ExitCode {
     let given = Args::command().get_matches();
     let args = Args::from_arg_matches(&given).unwrap_or_else(|error| error.exit());
-    let done = place::remove_on_interrupt().and_then(|()| render::run(&args, &given));
+    let done = output::remove_on_interrupt().and_then(|()| render::run(&args, &given));
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {

@@ -11,7 +11,7 @@ use crate::idle;
 use crate::job::{Measured, Model};
 use crate::look::Look;
 use crate::mode::Mode;
-use crate::paint::{Brush, Shown, own_surfaces};
+use crate::paint::{Brush, Shown};
 use crate::report;
 use crate::sight;
 use crate::skin::{Skin, Texels};
@@ -34,19 +34,16 @@ pub fn run(args: &Args, given: &ArgMatches) -> Result<()> {
             depth: args.depth,
         };
         let surface = match args.color {
-            Color::Rgb565 => None,
-            Color::Rgb888 => Some(measured.surface::<Rgb888>()?),
-            Color::Gray8 => Some(measured.surface::<Gray8>()?),
-            Color::Gray4 => Some(measured.surface::<Gray4>()?),
-            Color::Mono => Some(measured.surface::<BinaryColor>()?),
-        };
+            Color::Rgb565 => measured.surface::<Rgb565>(),
+            Color::Rgb888 => measured.surface::<Rgb888>(),
+            Color::Gray8 => measured.surface::<Gray8>(),
+            Color::Gray4 => measured.surface::<Gray4>(),
+            Color::Mono => measured.surface::<BinaryColor>(),
+        }?;
         return targets.fill(
             MEASURED,
             |band, moment| measured.record(band, moment),
-            |band, moment| match &surface {
-                None => measured.paint(band, moment),
-                Some(surface) => measured.paint_with(band, moment, surface),
-            },
+            |band, moment| measured.paint(band, moment, &surface),
         );
     }
     let subject = Subject::load(args)?;
@@ -75,28 +72,10 @@ fn picture_in<C: Shown>(
     args: &Args,
     targets: Targets<'_>,
 ) -> Result<()> {
-    let view = &model.view;
-    let Some(shade) = model.shade else {
-        let (width, height) = args.size;
-        if width.max(height) * args.samples > args.tile {
-            return Err(format!(
-                "the project's own scene is drawn in one tile of {0}x{0}: --size {width}x{height} --samples {1} is more",
-                args.tile, args.samples
-            )
-            .into());
-        }
-        let surfaces = own_surfaces::<C>()?;
-        return targets.fill(
-            args.size,
-            |band, moment| model.record(band, moment),
-            |band, moment| model.paint_own::<C>(band, moment, &surfaces),
-        );
-    };
     let texels: Vec<_> = subject.skins.iter().map(Skin::texels).collect();
     let textures: Vec<_> = texels.iter().map(Texels::texture).collect::<Result<_>>()?;
-    let scale = subject.units.scale();
-    let look = Look::new(args, shade, view.sun, view.viewer(), scale)?;
-    let brush = Brush::new::<C>(&look, view, model.pieces, &textures, args.samples)?;
+    let look = Look::new(args, model, subject.units.scale())?;
+    let brush = Brush::new::<C>(&look, &model.view, model.pieces, &textures, args.samples)?;
     targets.fill(
         args.size,
         |band, moment| model.record(band, moment),

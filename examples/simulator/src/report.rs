@@ -5,7 +5,7 @@ use std::io::{self, Write};
 
 use super::Result;
 use crate::args::Args;
-use crate::place;
+use crate::output;
 
 /// Prints a line to standard output; to standard error if a file goes to standard output; nowhere with `--quiet`.
 ///
@@ -19,7 +19,7 @@ pub fn say(args: &Args, line: impl Display) -> Result<()> {
     let is_taken = [&args.out, &args.dump]
         .into_iter()
         .flatten()
-        .any(|path| place::is_stdout(path));
+        .any(|path| output::is_stdout(path));
     let (written, name) = if is_taken {
         (writeln!(io::stderr(), "{line}"), "error")
     } else {

@@ -11,10 +11,10 @@ use indicatif::{ProgressBar, ProgressStyle};
 use super::Result;
 use crate::args::{Args, SceneName, Shade};
 use crate::dump::{self, Record};
+use crate::encoder::{self, Encoder, Format};
 use crate::job::{Band, Done, Moment};
-use crate::output::{self, Encoder, Format};
+use crate::output::{self, Output};
 use crate::paint::add;
-use crate::place::{self, Output};
 use crate::report;
 use crate::samples;
 use crate::tiles::Tiles;
@@ -46,7 +46,7 @@ impl<'a> Targets<'a> {
                     (None, Some(scene)) => Path::new(file_name(scene)),
                     (None, None) => Path::new("lighthouse"),
                 };
-                output::free_name(stem, if several { ".gif" } else { ".png" }, inputs)?
+                encoder::free_name(stem, if several { ".gif" } else { ".png" }, inputs)?
             }
         };
         let is_wanted = args.out.is_some() || !args.window;
@@ -55,7 +55,7 @@ impl<'a> Targets<'a> {
             .transpose()?;
         if let Some(dump) = &args.dump
             && format.is_some()
-            && place::are_same(dump, &path)
+            && output::are_same(dump, &path)
         {
             return Err(format!("--dump and --out are both {}", path.display()).into());
         }
@@ -76,7 +76,7 @@ impl<'a> Targets<'a> {
     fn refuse_inputs(&self, inputs: &[PathBuf]) -> Result<()> {
         let picture = self.picture.is_some().then_some(&self.path);
         for path in picture.into_iter().chain(&self.args.dump) {
-            place::refuse_inputs(path, inputs)?;
+            output::refuse_inputs(path, inputs)?;
         }
         Ok(())
     }
@@ -145,7 +145,7 @@ impl<'a> Targets<'a> {
                     moment.orbit = orbit;
                     colors = draw(moment)?.0;
                 }
-                std::thread::sleep(Duration::from_millis(output::FRAME_MS / 2));
+                std::thread::sleep(Duration::from_millis(encoder::FRAME_MS / 2));
             }
         }
         if let Some(mut out) = self.dump.take() {

@@ -13,6 +13,7 @@ mod progress;
 mod sniff;
 mod stl;
 mod text;
+mod winding;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -2,11 +2,14 @@
 //!
 //! Set-up on the host, in f64. `units` and `view` hand the result to the library.
 
-use super::Result;
+mod fit;
+pub mod turntable;
+
+use crate::Result;
 use crate::args::{Args, DepthFormat, Kind};
-use crate::fit::{self, range};
 use crate::idle::name;
 use crate::look::Haze;
+use fit::range;
 
 /// Part of the picture's width and height that the model fills.
 const FILL: f64 = 0.94;
