@@ -16,7 +16,7 @@ pub const FRAME_MS: u64 = 40;
 /// Written into every picture, so that a default name never replaces a file of the user's.
 const MARK: &str = "fixel simulator";
 
-/// The kind of picture that a file name asks for.
+/// The format of a picture file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     Png,
@@ -26,12 +26,12 @@ pub enum Format {
 }
 
 impl Format {
-    /// Returns the format that the ending of `path` stands for. A stream has no ending: it takes PNG, and GIF for
-    /// several frames.
+    /// Returns the format that the ending of `path` names. A stream has no ending: it takes PNG, and GIF for several
+    /// frames.
     ///
     /// # Errors
     ///
-    /// The ending is of no known format, or of one that holds a single frame.
+    /// The ending names no known format, or one that cannot hold several frames.
     pub fn of(path: &Path, frames: u32) -> Result<Self> {
         let several = frames > 1;
         let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
@@ -71,7 +71,8 @@ pub fn free_name(stem: &Path, extension: &str, inputs: &[PathBuf]) -> Result<Pat
         }
     }
     Err(format!(
-        "{0}{extension} and {0}-picture{extension} are files that this program did not write: name the picture with --out",
+        "{0}{extension} and {0}-picture{extension} are files that this program did not write: name the picture with \
+         --out",
         stem.display()
     )
     .into())

@@ -25,12 +25,12 @@ use crate::skin::Skin;
 /// Files to write: each its name and its bytes.
 pub type Files = Vec<(PathBuf, Vec<u8>)>;
 
-/// Returns the files that `--export` asks for, with the model in its own units. None is one of the `inputs`.
+/// Returns the files that `--export` names, with the model in its own units.
 ///
 /// # Errors
 ///
-/// A name has another ending than .rs or .bmp, or is that of an input or the dump; the model does not fit into one
-/// mesh, or it has no texture.
+/// A name does not end in .rs or .bmp, or belongs to one of the `inputs` or to the dump; the model does not fit into
+/// one mesh; or it has no texture to export.
 pub fn files(
     args: &Args,
     inputs: &[PathBuf],
@@ -193,8 +193,8 @@ fn vectors<const N: usize>(out: &mut String, name: &str, kind: &str, bits: &[[i3
     );
 }
 
-/// The most fraction bits, up to 16, with which all positions fit into 16 bits; and the positions. As
-/// `Mesh::shortened` does it, which needs their number when it is compiled.
+/// Rounds positions to 16 bits with as many fraction bits, up to 16, as leave room for all of them; returns both. The
+/// result equals that of `Mesh::shortened`, which must know the number of positions at compile time.
 fn shortened(positions: &[Vec3]) -> (Vec<[i16; 3]>, u32) {
     let rounded = |bits: i32, fraction: u32| {
         let down = 16 - fraction;

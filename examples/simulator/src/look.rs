@@ -1,4 +1,4 @@
-//! Background, lights and fog, as the user asks for them.
+//! Background, lights and fog: what the user chose, in the library's types.
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
@@ -17,7 +17,7 @@ use crate::view::direction;
 /// Part of a light that reaches every face.
 const AMBIENT: f64 = 0.3;
 
-/// A light that the user asks for.
+/// A light of the user's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lamp {
     /// Points to the light.
@@ -25,7 +25,7 @@ pub struct Lamp {
     pub color: Rgb888,
 }
 
-/// A fog that the user asks for, in the model's units.
+/// A fog of the user's, in the model's units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Haze {
     pub near: f64,

@@ -2,9 +2,10 @@
 
 use std::error::Error;
 use std::fs::{self, File, OpenOptions, Permissions};
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 use std::process;
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use super::Result;
@@ -95,6 +96,8 @@ enum Place {
     Rename(PathBuf, Option<Permissions>),
     /// Copied into an existing file that has other names, too.
     Copy(PathBuf),
+    /// Left beside the file that it should have been copied into.
+    Left,
 }
 
 /// An output. [`finish`](Self::finish) gives a file its name; without `finish` it is removed.
@@ -155,11 +158,10 @@ impl Output {
             Ok(is) => Place::Rename(path.clone(), Some(is.permissions())),
             Err(_) => Place::Rename(path.clone(), None),
         };
-        let file_name = path
-            .file_name()
-            .ok_or_else(|| refuse("it is not a file name".into()))?
-            .to_string_lossy();
-        let partial = path.with_file_name(format!(".{file_name}.{}.partial", process::id()));
+        if path.file_name().is_none() {
+            return Err(refuse("it is not a file name".into()).into());
+        }
+        let partial = path.with_file_name(partial_name());
         let mut files = partial_files();
         let file = File::create_new(&partial).map_err(failed)?;
         files.push(partial.clone());
@@ -181,7 +183,7 @@ impl Output {
     ///
     /// # Errors
     ///
-    /// The file cannot be written or renamed.
+    /// The file cannot be written or renamed. If old contents were damaged, the message says where the new ones are.
     pub fn finish(mut self) -> Result<()> {
         let failed = self.failed();
         let flushed = self.flush();
@@ -194,13 +196,47 @@ impl Output {
                     fs::set_permissions(&self.partial, permissions)
                 })
                 .and_then(|()| fs::rename(&self.partial, path)),
-            Place::Copy(path) => File::open(&self.partial).and_then(|mut from| {
-                let mut to = OpenOptions::new().write(true).truncate(true).open(path)?;
-                io::copy(&mut from, &mut to).map(|_| ())
-            }),
+            Place::Copy(path) => {
+                let reserved = reserve(&self.partial, path);
+                reserved.and_then(|(mut from, mut to)| {
+                    let copied = io::copy(&mut from, &mut to)
+                        .and_then(|length| to.set_len(length))
+                        .and_then(|()| to.sync_all());
+                    copied.map_err(|error| {
+                        self.place = Place::Left;
+                        let partial = self.partial.display();
+                        io::Error::other(format!("{error}: it is complete in {partial}"))
+                    })
+                })
+            }
+            Place::Left => Ok(()),
         });
         placed.map_err(|error| failed(error.into()))
     }
+}
+
+/// A name for an unfinished file, short enough for any file system.
+fn partial_name() -> String {
+    static COUNT: AtomicU32 = AtomicU32::new(0);
+    let count = COUNT.fetch_add(1, Ordering::Relaxed);
+    format!(".fixel-{}-{count}.partial", process::id())
+}
+
+/// Opens `from` to be copied over the contents of `to`, and makes `to` large enough. So a full disk is noticed while
+/// the old contents are still there.
+fn reserve(from: &Path, to: &Path) -> io::Result<(File, File)> {
+    let from = File::open(from)?;
+    let mut to = OpenOptions::new().write(true).open(to)?;
+    let (old, new) = (to.metadata()?.len(), from.metadata()?.len());
+    let mut zeros = io::repeat(0).take(new.saturating_sub(old));
+    to.seek(io::SeekFrom::End(0))?;
+    let grown = io::copy(&mut zeros, &mut to).and_then(|_| to.sync_all());
+    if let Err(error) = grown {
+        to.set_len(old)?;
+        return Err(error);
+    }
+    to.rewind()?;
+    Ok((from, to))
 }
 
 /// The file that a link stands for, which need not exist.
@@ -246,7 +282,9 @@ impl Write for Output {
 impl Drop for Output {
     fn drop(&mut self) {
         self.writer = None;
-        if !matches!(self.place, Place::Stream) {
+        if matches!(self.place, Place::Left) {
+            partial_files().retain(|path| *path != self.partial);
+        } else if !matches!(self.place, Place::Stream) {
             let mut files = partial_files();
             // After `finish`, a file that was renamed is gone.
             let _ = fs::remove_file(&self.partial);

@@ -162,12 +162,14 @@ macro_rules! stored {
                         let fog = fog.ok_or("without texture and fog, colors are not stored")?;
                         if piece.mesh.has_colors() {
                             plain!(
-                                look, Gouraud::<Self>::new(), [Surface::Channels, Surface::Channels, Surface::Channels],
+                                look, Gouraud::<Self>::new(),
+                                [Surface::Channels, Surface::Channels, Surface::Channels],
                                 |lit, layout| Surface::new(layout, lit.in_fog(fog), shown)
                             )
                         } else {
                             plain!(
-                                look, Flat::<Self>::rgb(piece.finish.color), [Surface::Many, Surface::Many, Surface::Many],
+                                look, Flat::<Self>::rgb(piece.finish.color),
+                                [Surface::Many, Surface::Many, Surface::Many],
                                 |lit, layout| Surface::new(layout, lit.in_fog(fog), shown)
                             )
                         }

@@ -5,9 +5,9 @@ use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
 
 use super::Result;
 use super::common::scenes;
-use crate::args::{Args, Color};
+use crate::args::{Args, Color, SceneName};
 use crate::export;
-use crate::idle;
+use crate::idle::{self, name};
 use crate::job::{Measured, Model};
 use crate::look::Look;
 use crate::mode::Mode;
@@ -27,7 +27,8 @@ pub fn run(args: &Args, given: &ArgMatches) -> Result<()> {
     targets::check_size(args)?;
     if let Some(scene) = args.scene {
         let targets = Targets::open(args, &[])?;
-        report::notes(args, &idle::options(args, given, None))?;
+        let has_textures = matches!(scene, SceneName::Floor | SceneName::Cube);
+        report::notes(args, &idle::options(args, given, None, has_textures))?;
         let measured = Measured {
             scene,
             mode: Mode::new(args, 1.0)?,
@@ -50,7 +51,13 @@ pub fn run(args: &Args, given: &ArgMatches) -> Result<()> {
     let targets = Targets::open(args, &subject.inputs)?;
     let pieces = subject.pieces()?;
     let model = subject.model(args, &pieces)?;
-    report::notes(args, &idle::options(args, given, model.shade))?;
+    let has_textures = pieces.iter().any(|piece| piece.finish.texture.is_some());
+    let idle = idle::options(args, given, model.shade, has_textures);
+    report::notes(args, &idle)?;
+    if let (None, false, Some(shade)) = (&args.model, model.is_scene, model.shade) {
+        let note = format!("--shade {} leaves out the sea and the sky", name(&shade));
+        report::notes(args, &[note])?;
+    }
     report::notes(args, &sight::check(&model, args)?)?;
     export::write(args, &subject.exports)?;
     match args.color {

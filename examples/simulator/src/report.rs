@@ -7,7 +7,7 @@ use super::Result;
 use crate::args::Args;
 use crate::output;
 
-/// Prints a line to standard output; to standard error if a file goes to standard output; nowhere with `--quiet`.
+/// Prints a line, unless the user wants none: see [`answer`].
 ///
 /// # Errors
 ///
@@ -16,6 +16,15 @@ pub fn say(args: &Args, line: impl Display) -> Result<()> {
     if args.quiet {
         return Ok(());
     }
+    answer(args, line)
+}
+
+/// Prints a line that the user asked for to standard output, or to standard error if a file goes to standard output.
+///
+/// # Errors
+///
+/// Nobody reads it, or the disk is full.
+pub fn answer(args: &Args, line: impl Display) -> Result<()> {
     let is_taken = [&args.out, &args.dump]
         .into_iter()
         .flatten()

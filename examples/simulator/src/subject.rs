@@ -8,7 +8,7 @@ use super::common::lighthouse;
 use crate::args::{Args, Filter, Kind, Shade};
 use crate::dump::Recorder;
 use crate::export::{self, Files};
-use crate::framing::{Framing, Point, Solid, turntable, unit};
+use crate::framing::{Framing, Point, Solid, turntable};
 use crate::job::{self, Model, Turn};
 use crate::mode::Mode;
 use crate::model;
@@ -17,6 +17,7 @@ use crate::piece::{Finish, Piece};
 use crate::report;
 use crate::skin::Skin;
 use crate::units::Units;
+use crate::vector::unit;
 use crate::view::{Lens, View};
 use crate::window::MOST_ZOOM;
 

@@ -1,9 +1,9 @@
 //! Shaders behind one interface, chosen at run time.
 //!
 //! Firmware names its shader, and the compiler makes a rasterizer for it. The simulator has a hundred shaders, each
-//! for several depth formats and modes: so many rasterizers would take minutes to compile. Here shaders with different
-//! varyings share a rasterizer, which interpolates enough numbers for each of them. A number that a shader does not
-//! use is 0 everywhere, so it changes no pixel.
+//! for several depth formats and modes. To compile a rasterizer for each would take minutes. Here shaders with
+//! different varyings share a rasterizer, which interpolates enough numbers for each of them. A number that a
+//! shader does not use is 0 everywhere, so it changes no pixel.
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::raw::RawU16;

@@ -6,7 +6,6 @@ use std::time::Duration;
 use embedded_graphics::pixelcolor::raw::ToBytes;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::{Drawn, Viewport};
-use indicatif::{ProgressBar, ProgressStyle};
 
 use super::Result;
 use crate::args::{Args, SceneName, Shade};
@@ -15,6 +14,7 @@ use crate::encoder::{self, Encoder, Format};
 use crate::job::{Band, Done, Moment};
 use crate::output::{self, Output};
 use crate::paint::add;
+use crate::progress::Progress;
 use crate::report;
 use crate::samples;
 use crate::tiles::Tiles;
@@ -104,7 +104,8 @@ impl<'a> Targets<'a> {
         };
         if let Some((mut output, format)) = self.picture.take() {
             let failed = output.failed();
-            let bar = progress(args);
+            let is_long = !args.quiet && args.frames > 1;
+            let progress = Progress::new("drawing", args.frames.into(), "frames", is_long);
             let mut encoder =
                 Encoder::new(format, &mut output, size, args.frames).map_err(&failed)?;
             for frame in 0..args.frames {
@@ -129,9 +130,9 @@ impl<'a> Targets<'a> {
                 total.add(counts, time, covered as u64);
                 encoder.frame(&pixels).map_err(&failed)?;
                 colors = pixels;
-                bar.inc(1);
+                progress.set(u64::from(frame) + 1);
             }
-            bar.finish_and_clear();
+            drop(progress);
             encoder.finish().map_err(&failed)?;
             output.finish()?;
         }
@@ -212,7 +213,7 @@ impl<'a> Targets<'a> {
             for &color in colors {
                 crc.update(&Rgb565::from(color).to_be_bytes());
             }
-            say(format!("crc {:08x}", crc.finalize()))?;
+            report::answer(args, format_args!("crc {:08x}", crc.finalize()))?;
         }
         Ok(())
     }
@@ -257,17 +258,6 @@ fn quickest(draw: impl Fn() -> Result<(Vec<Rgb888>, Duration)>) -> Result<Durati
         }
     }
     Ok(least)
-}
-
-fn progress(args: &Args) -> ProgressBar {
-    if args.quiet || args.frames == 1 {
-        return ProgressBar::hidden();
-    }
-    let bar = ProgressBar::new(args.frames.into());
-    if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} frames, {eta} left") {
-        bar.set_style(style);
-    }
-    bar
 }
 
 /// Refuses a size that no picture can have.
