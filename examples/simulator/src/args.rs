@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Parser, ValueEnum};
+use clap::{Command, CommandFactory, Parser, ValueEnum};
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use crate::look::{Haze, Lamp};
@@ -36,19 +36,14 @@ pub struct Args {
     /// A material has one color or one texture, and vertices may have colors. The program computes normals and texture
     /// coordinates if they are missing. PLY and glTF need a build with --features ply or --features gltf. In STL files
     /// z is up, in all others y; --up changes it.
-    #[arg(value_name = "MODEL", conflicts_with = "scene")]
+    #[arg(value_name = "MODEL")]
     pub model: Option<PathBuf>,
 
     /// Picture to put on the model: PNG, JPEG, BMP or TGA.
     ///
     /// It replaces the model's materials. Its sides become powers of two, at most 1024. [default: the model's
     /// materials, or a checker]
-    #[arg(
-        long,
-        value_name = "FILE.png",
-        help_heading = "Scene",
-        conflicts_with = "scene"
-    )]
+    #[arg(long, value_name = "FILE.png", help_heading = "Scene")]
     pub texture: Option<PathBuf>,
 
     /// One of the four measured scenes instead of a model.
@@ -56,35 +51,29 @@ pub struct Args {
     pub scene: Option<SceneName>,
 
     /// Position of the camera. [default: in front, a little right and above]
-    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true,
-        help_heading = "Camera", conflicts_with = "scene")]
+    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true, help_heading = "Camera")]
     pub eye: Option<[f64; 3]>,
 
     /// Point that the camera looks at. [default: the middle of the model]
-    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true,
-        help_heading = "Camera", conflicts_with = "scene")]
+    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true, help_heading = "Camera")]
     pub look_at: Option<[f64; 3]>,
 
     /// Direction that is up in the picture; 0,0,1 for a model whose z axis points up. The default view and the
     /// turntable follow it. [default: 0,1,0, and 0,0,1 for STL]
-    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true,
-        help_heading = "Camera", conflicts_with = "scene")]
+    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true, help_heading = "Camera")]
     pub up: Option<[f64; 3]>,
 
     /// Vertical field of view in degrees, above 0 and below 180. [default: 40; with --eye, as wide as the whole model,
     /// or 100 if the eye is inside it]
-    #[arg(long, value_name = "DEG", value_parser = field_of_view, allow_hyphen_values = true,
-        help_heading = "Camera", conflicts_with = "scene")]
+    #[arg(long, value_name = "DEG", value_parser = field_of_view, allow_hyphen_values = true, help_heading = "Camera")]
     pub fov: Option<f64>,
 
     /// Distance of the near plane, above 0: nothing nearer is drawn. [default: just in front of the model]
-    #[arg(long, value_name = "N", value_parser = number, allow_hyphen_values = true,
-        help_heading = "Camera", conflicts_with = "scene")]
+    #[arg(long, value_name = "N", value_parser = number, allow_hyphen_values = true, help_heading = "Camera")]
     pub near: Option<f64>,
 
     /// Distance of the far plane, beyond the near plane: nothing farther is drawn. [default: just behind the model]
-    #[arg(long, value_name = "F", value_parser = number, allow_hyphen_values = true,
-        help_heading = "Camera", conflicts_with = "scene")]
+    #[arg(long, value_name = "F", value_parser = number, allow_hyphen_values = true, help_heading = "Camera")]
     pub far: Option<f64>,
 
     /// How space becomes a flat picture.
@@ -92,24 +81,17 @@ pub struct Args {
         long,
         value_enum,
         default_value = "perspective",
-        help_heading = "Camera",
-        conflicts_with = "scene"
+        help_heading = "Camera"
     )]
     pub projection: Kind,
 
     /// How the surface is colored. [default: lit if there are textures, texture coordinates, materials or colors; else
     /// gouraud]
-    #[arg(long, value_enum, help_heading = "Look", conflicts_with = "scene")]
+    #[arg(long, value_enum, help_heading = "Look")]
     pub shade: Option<Shade>,
 
     /// How a texture is magnified.
-    #[arg(
-        long,
-        value_enum,
-        default_value = "nearest",
-        help_heading = "Look",
-        conflicts_with = "scene"
-    )]
+    #[arg(long, value_enum, default_value = "nearest", help_heading = "Look")]
     pub filter: Filter,
 
     /// How exactly textures and colors are interpolated: speed against accuracy.
@@ -125,31 +107,29 @@ pub struct Args {
     pub depth: DepthFormat,
 
     /// Also draw the backs of faces, and light both sides.
-    #[arg(long, help_heading = "Look", conflicts_with = "scene")]
+    #[arg(long, help_heading = "Look")]
     pub two_sided: bool,
 
     /// Draw the model's edges over its surface.
-    #[arg(long, help_heading = "Look", conflicts_with = "scene")]
+    #[arg(long, help_heading = "Look")]
     pub wire: bool,
 
     /// Color behind the model. [default: dark; the sky in the project's own scene]
-    #[arg(long, value_name = "RRGGBB", value_parser = color, help_heading = "Look", conflicts_with = "scene")]
+    #[arg(long, value_name = "RRGGBB", value_parser = color, help_heading = "Look")]
     pub background: Option<Rgb888>,
 
     /// Direction to a light, and its color if it is not white. Repeat it for several lights. [default: a white light
     /// from over the viewer's left shoulder]
-    #[arg(long, value_name = "X,Y,Z[,RRGGBB]", value_parser = lamp, allow_hyphen_values = true,
-        help_heading = "Look", conflicts_with = "scene")]
+    #[arg(long, value_name = "X,Y,Z[,RRGGBB]", value_parser = lamp, allow_hyphen_values = true, help_heading = "Look")]
     pub light: Vec<Lamp>,
 
     /// Light that reaches every face, from 0 to 1. [default: 0.3]
-    #[arg(long, value_name = "PART", value_parser = part, allow_hyphen_values = true,
-        help_heading = "Look", conflicts_with = "scene")]
+    #[arg(long, value_name = "PART", value_parser = part, allow_hyphen_values = true, help_heading = "Look")]
     pub ambient: Option<f64>,
 
     /// Fog: clear up to the distance NEAR, opaque from FAR on. [default color: the background]
     #[arg(long, value_name = "NEAR,FAR[,RRGGBB]", value_parser = haze, allow_hyphen_values = true,
-        help_heading = "Look", conflicts_with = "scene")]
+        help_heading = "Look")]
     pub fog: Option<Haze>,
 
     /// Pixel format to draw in.
@@ -158,13 +138,13 @@ pub struct Args {
 
     /// Picture size in pixels, up to 4096x4096. A picture larger than 2048x2048 is drawn in tiles.
     #[arg(long, value_name = "WxH", value_parser = size, default_value = "320x240",
-        allow_hyphen_values = true, help_heading = "Picture", conflicts_with = "scene")]
+        allow_hyphen_values = true, help_heading = "Picture")]
     pub size: (u32, u32),
 
     /// Smooth edges, for presentations: draw N x N pixels for each pixel of the picture, and average their light. No
     /// microcontroller does that.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=16), default_value = "1",
-        help_heading = "Picture", conflicts_with_all = ["scene", "crc", "dump"])]
+        help_heading = "Picture", conflicts_with_all = ["crc", "dump"])]
     pub samples: u32,
 
     /// Largest width and height of a tile; for tests.
@@ -182,8 +162,7 @@ pub struct Args {
     pub frames: u32,
 
     /// Turns of the model per minute; frames are 40 ms apart. [default: one turn over the frames]
-    #[arg(long, value_name = "R", value_parser = number, allow_hyphen_values = true,
-        help_heading = "Animation", conflicts_with = "scene")]
+    #[arg(long, value_name = "R", value_parser = number, allow_hyphen_values = true, help_heading = "Animation")]
     pub rpm: Option<f64>,
 
     /// File for the picture: .png, .gif or .apng (an animated PNG), or - for standard output. [default: a .png or .gif
@@ -332,6 +311,35 @@ pub enum MeshFormat {
     /// Positions of 16 bits a component, texture coordinates and normals of 8
     #[value(name = "quantized_8")]
     Quantized8,
+}
+
+/// The options that go with `--scene`. The others are about a model or its picture, which a measured scene has of its
+/// own.
+const WITH_SCENE: &[&str] = &[
+    "scene",
+    "mode",
+    "tolerance",
+    "depth",
+    "color",
+    "tile",
+    "bands",
+    "frames",
+    "out",
+    "dump",
+    "crc",
+    "quiet",
+    "window",
+];
+
+/// The command line.
+pub fn command() -> Command {
+    Args::command().mut_args(|arg| {
+        if WITH_SCENE.contains(&arg.get_id().as_str()) {
+            arg
+        } else {
+            arg.conflicts_with("scene")
+        }
+    })
 }
 
 impl Args {

@@ -90,5 +90,8 @@ pub fn options(
         args.frames == 1 && !args.window,
         "without --frames or --window",
     );
+    if args.window && args.scene.is_some() {
+        idle.push("in the window, a measured scene cannot be turned".into());
+    }
     idle
 }

@@ -56,7 +56,7 @@ use std::error::Error;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-use clap::{CommandFactory, FromArgMatches};
+use clap::FromArgMatches;
 
 use args::Args;
 
@@ -64,7 +64,7 @@ use args::Args;
 type Result<T, E = Box<dyn Error>> = std::result::Result<T, E>;
 
 fn main() -> ExitCode {
-    let given = Args::command().get_matches();
+    let given = args::command().get_matches();
     let args = Args::from_arg_matches(&given).unwrap_or_else(|error| error.exit());
     let done = output::remove_on_interrupt().and_then(|()| render::run(&args, &given));
     match done {
