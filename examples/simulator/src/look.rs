@@ -39,23 +39,24 @@ pub struct Look {
     pub shade: Option<Shade>,
     /// Whether it is the project's own scene, with sea and sky.
     pub is_scene: bool,
-    background: Option<Rgb888>,
+    /// What is behind the model. Its color is not yet that of the canvas, and unlike any of the shades.
+    pub backdrop: Backdrop,
     lights: Vec<Colored<Light>>,
     /// The same if all of them are white, which needs one number instead of three.
     white: Option<Vec<Light>>,
     viewer: Viewer,
-    haze: Option<(Scalar, Scalar, Option<Rgb888>)>,
+    haze: Option<(Scalar, Scalar, Rgb888)>,
     /// Whether edges are drawn over the surface.
     pub wire: bool,
 }
 
 impl Look {
-    /// Makes the look of `args` for `model`; `scale` is the length of one of the model's units as it is drawn.
+    /// Makes the look of `args` for `model` on a canvas of color `C`; `scale` is the length of one of the model's units as it is drawn.
     ///
     /// # Errors
     ///
     /// A light or the fog is out of range.
-    pub fn new(args: &Args, model: &Model<'_>, scale: f64) -> Result<Self> {
+    pub fn new<C: Levels>(args: &Args, model: &Model<'_>, scale: f64) -> Result<Self> {
         const WHITE: Rgb888 = Rgb888::WHITE;
         let ambient = scalar(args.ambient.unwrap_or(AMBIENT))?;
         let diffuse = scalar(1.0 - AMBIENT)?;
@@ -74,16 +75,22 @@ impl Look {
         if args.light.is_empty() {
             add(model.view.sun, WHITE)?;
         }
+        let backdrop = backdrop::<C>(args.background, model);
+        let far_away = match backdrop {
+            Backdrop::Color(color) => color,
+            // About where the default view has its horizon.
+            Backdrop::Sky => lighthouse::sky_color(1, 3),
+        };
         let haze = args.fog.map(|Haze { near, far, color }| {
             let number = |value: f64| {
                 scalar(value * scale).map_err(|error| format!("--fog {near},{far}: {error}"))
             };
-            Ok::<_, String>((number(near)?, number(far)?, color))
+            Ok::<_, String>((number(near)?, number(far)?, color.unwrap_or(far_away)))
         });
         Ok(Self {
             shade: model.shade,
             is_scene: model.is_scene,
-            background: args.background,
+            backdrop,
             white: lights
                 .iter()
                 .map(|&(light, color)| (color == WHITE).then_some(light))
@@ -114,7 +121,7 @@ impl Look {
         self.haze.is_some()
     }
 
-    /// The fog, in a color of the texture or the background; at the horizon, if there is a sky.
+    /// The fog, in a color of the texture.
     ///
     /// # Errors
     ///
@@ -123,28 +130,11 @@ impl Look {
         let Some((near, far, color)) = self.haze else {
             return Ok(None);
         };
-        let color = color.unwrap_or_else(|| match self.backdrop::<C>() {
-            Backdrop::Color(color) => color,
-            Backdrop::Sky => lighthouse::sky_color(1, 1),
-        });
         let color = C::from_rgb(color, Point::zero());
         match Fog::linear(color, near, far) {
             Ok(fog) => Ok(Some(fog)),
             Err(error) => Err(format!("--fog: {error}").into()),
         }
-    }
-
-    /// What is behind the model. Its color is not yet that of the canvas, and unlike any of the shades.
-    pub fn backdrop<C: Levels>(&self) -> Backdrop {
-        Backdrop::Color(match (self.background, self.shade) {
-            (Some(color), _) => color,
-            (None, Some(Shade::Wire | Shade::Depth)) => Rgb888::BLACK,
-            // The dithered formats would show a pattern instead.
-            _ if lighthouse::is_mono::<C>() => Rgb888::BLACK,
-            _ if self.is_scene => return Backdrop::Sky,
-            _ if C::MAX_STEPS[0] < 31 => Rgb888::BLACK,
-            _ => Rgb888::new(34, 40, 52),
-        })
     }
 
     /// The color of lines: white on black, and black on a surface.
@@ -155,4 +145,17 @@ impl Look {
         };
         C::from_rgb(color, Point::zero()).into()
     }
+}
+
+/// What is behind a model, with the background that the user chose.
+fn backdrop<C: Levels>(background: Option<Rgb888>, model: &Model<'_>) -> Backdrop {
+    Backdrop::Color(match (background, model.shade) {
+        (Some(color), _) => color,
+        (None, Some(Shade::Wire | Shade::Depth)) => Rgb888::BLACK,
+        // The dithered formats would show a pattern instead.
+        _ if lighthouse::is_mono::<C>() => Rgb888::BLACK,
+        _ if model.is_scene => return Backdrop::Sky,
+        _ if C::MAX_STEPS[0] < 31 => Rgb888::BLACK,
+        _ => Rgb888::new(34, 40, 52),
+    })
 }

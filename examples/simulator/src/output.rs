@@ -189,7 +189,7 @@ impl Output {
         let flushed = self.flush();
         self.writer = None;
         let placed = flushed.and_then(|()| match &self.place {
-            Place::Stream => Ok(()),
+            Place::Stream | Place::Left => Ok(()),
             Place::Rename(path, permissions) => permissions
                 .clone()
                 .map_or(Ok(()), |permissions| {
@@ -209,7 +209,6 @@ impl Output {
                     })
                 })
             }
-            Place::Left => Ok(()),
         });
         placed.map_err(|error| failed(error.into()))
     }

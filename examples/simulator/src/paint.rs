@@ -327,7 +327,7 @@ impl<'a> Brush<'a> {
             width: LineWidth::new(Scalar::from_num(width))?,
             only_edges: look.shade == Some(Shade::Wire),
             wire: look.wire,
-            backdrop: look.backdrop::<C>(),
+            backdrop: look.backdrop,
             color: |color, at| C::from_rgb(color, at).into(),
             // Averaged, it could not be read.
             caption: (look.is_scene && width == 1).then_some(is_mono),

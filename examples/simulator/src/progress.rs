@@ -43,23 +43,23 @@ impl Progress {
         let Self {
             task, unit, total, ..
         } = self;
-        self.write(&format!("\r{task}: {done} of {total} {unit}"));
+        write(&format!("\r{task}: {done} of {total} {unit}"));
     }
+}
 
-    fn write(&self, line: &str) {
-        let mut terminal = io::stderr();
-        // Nobody needs it.
-        let _ = terminal
-            .write_all(line.as_bytes())
-            .and_then(|()| terminal.flush());
-    }
+fn write(line: &str) {
+    let mut terminal = io::stderr();
+    // Nobody needs it.
+    let _ = terminal
+        .write_all(line.as_bytes())
+        .and_then(|()| terminal.flush());
 }
 
 impl Drop for Progress {
     fn drop(&mut self) {
         if self.is_shown.get() {
             // Back to the start of the line, which is erased.
-            self.write("\r\x1b[K");
+            write("\r\x1b[K");
         }
     }
 }

@@ -43,8 +43,8 @@ pub fn run(args: &Args, given: &ArgMatches) -> Result<()> {
         }?;
         return targets.fill(
             MEASURED,
-            |band, moment| measured.record(band, moment),
-            |band, moment| measured.paint(band, moment, &surface),
+            &|band, moment| measured.record(band, moment),
+            &|band, moment| measured.paint(band, moment, &surface),
         );
     }
     let subject = Subject::load(args)?;
@@ -81,11 +81,11 @@ fn picture_in<C: Shown>(
 ) -> Result<()> {
     let texels: Vec<_> = subject.skins.iter().map(Skin::texels).collect();
     let textures: Vec<_> = texels.iter().map(Texels::texture).collect::<Result<_>>()?;
-    let look = Look::new(args, model, subject.units.scale())?;
+    let look = Look::new::<C>(args, model, subject.units.scale())?;
     let brush = Brush::new::<C>(&look, &model.view, model.pieces, &textures, args.samples)?;
     targets.fill(
         args.size,
-        |band, moment| model.record(band, moment),
-        |band, moment| model.paint(band, moment, &brush),
+        &|band, moment| model.record(band, moment),
+        &|band, moment| model.paint(band, moment, &brush),
     )
 }

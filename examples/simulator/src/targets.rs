@@ -85,8 +85,9 @@ impl<'a> Targets<'a> {
     pub fn fill(
         mut self,
         size: (u32, u32),
-        record: impl Fn(Band<'_, Record>, Moment) -> Result<Done>,
-        paint: impl Fn(Band<'_, Rgb888>, Moment) -> Result<Done>,
+        // Behind pointers, so that this is compiled once and not for each color.
+        record: &dyn Fn(Band<'_, Record>, Moment) -> Result<Done>,
+        paint: &dyn Fn(Band<'_, Rgb888>, Moment) -> Result<Done>,
     ) -> Result<()> {
         let args = self.args;
         let tiles = Tiles {

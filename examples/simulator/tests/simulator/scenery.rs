@@ -128,6 +128,12 @@ fn fog_hides_by_distance() {
             "{half} of {bare}"
         );
     }
+    // The background's own color also where the texture's is another one: black in both.
+    let hidden = draw(
+        &directory,
+        &format!("s.obj {FRONT} --shade texture --color mono --fog 1,4"),
+    );
+    assert!(hidden.iter().all(|&pixel| pixel == [0; 3]));
     let notes = |fog: &str| {
         let output = run(&directory, &format!("s.obj {FRONT} --shade texture {fog}"));
         String::from_utf8(output.stderr).unwrap()
@@ -228,11 +234,7 @@ fn the_own_scene_takes_every_light_and_fog() {
         .find(|row| plain[row * 320 + 319] != plain[row * 320])
         .unwrap_or(160);
     let fog = picture("--fog 5,30,ff0000");
-    assert!(
-        fog[..(row + 60) * 320]
-            .iter()
-            .any(|&pixel| pixel == [255, 0, 0])
-    );
+    assert!(fog[..(row + 60) * 320].contains(&[255, 0, 0]));
     let output = run(&directory, "--shade flat --out p.png");
     let notes = String::from_utf8(output.stderr).unwrap();
     assert!(
