@@ -43,7 +43,7 @@ pub struct Args {
     ///
     /// It replaces the model's materials. Its sides become powers of two, at most 1024. [default: the model's
     /// materials, or a checker]
-    #[arg(long, value_name = "FILE.png", help_heading = "Scene")]
+    #[arg(long, value_name = "FILE", help_heading = "Scene")]
     pub texture: Option<PathBuf>,
 
     /// One of the four measured scenes instead of a model.
