@@ -2,6 +2,8 @@
 //!
 //! `no_std`, and small enough for a microcontroller's flash: 1,176 triangles, 40 KiB of textures.
 
+use core::convert::Infallible;
+
 use embedded_graphics::Drawable;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
@@ -82,13 +84,16 @@ pub fn camera() -> Result<Camera, Error> {
     Camera::look_at(vec3!(3.4, 3.1, 8.4), vec3!(0.45, 1.62, 0), Vec3::Y)
 }
 
-/// The afternoon sun, from the right.
+/// Towards the afternoon sun, on the right.
+pub const SUN: Vec3 = vec3!(5, 5, 4);
+
+/// The light of the afternoon sun.
 ///
 /// # Errors
 ///
 /// None: the numbers are constant.
 pub fn sun() -> Result<Light, Error> {
-    Light::new(vec3!(5, 5, 4), fx!(0.4), fx!(0.6))
+    Light::new(SUN, fx!(0.4), fx!(0.6))
 }
 
 /// Fills the canvas with a sky: blue above, pale towards the horizon; black if there are only black and white.
@@ -104,15 +109,8 @@ where
     }
     let frame = canvas.frame_size();
     let rows = canvas.rows().clone();
-    // The height is at least 1. Products are at most 2048 · 256.
-    let mix = |from: u32, to: u32, y: u32| (from * (frame.height - y) + to * y) / frame.height;
     let colors = rows.clone().flat_map(|y| {
-        #[allow(clippy::cast_possible_truncation)] // between two bytes
-        let color = Rgb888::new(
-            mix(96, 236, y) as u8,
-            mix(156, 232, y) as u8,
-            mix(214, 216, y) as u8,
-        );
+        let color = sky_color(y, frame.height);
         (0..frame.width)
             .map(move |x| C::from_rgb(color, Point::new(x.cast_signed(), y.cast_signed())))
     });
@@ -121,6 +119,16 @@ where
         Size::new(frame.width, rows.end - rows.start),
     );
     let Ok(()) = canvas.fill_contiguous(&area, colors);
+}
+
+/// The color of the sky in row `y` of a picture, from 0 at the top to its `height`, at least 1.
+#[inline]
+pub fn sky_color(y: u32, height: u32) -> Rgb888 {
+    // Products are at most 4096 · 256.
+    let mix = |from: u32, to: u32| (from * (height - y) + to * y) / height;
+    #[allow(clippy::cast_possible_truncation)] // between two bytes
+    let color = Rgb888::new(mix(96, 236) as u8, mix(156, 232) as u8, mix(214, 216) as u8);
+    color
 }
 
 /// The varyings of a lit texture.
@@ -221,25 +229,23 @@ where
     O: Storage<C>,
     D: DepthBuffer,
 {
-    caption_on(canvas, is_mono::<C>());
+    let size = canvas.frame_size();
+    caption_on(canvas, size, is_mono::<C>());
 }
 
-/// The same, on black or on the picture.
-pub fn caption_on<C, O, D>(canvas: &mut Canvas<'_, C, O, D>, on_black: bool)
+/// The same in a picture of this size, on black or on the picture.
+pub fn caption_on<T>(target: &mut T, Size { width, height }: Size, on_black: bool)
 where
-    C: Levels,
-    O: Storage<C>,
-    D: DepthBuffer,
+    T: DrawTarget<Color: Levels, Error = Infallible>,
 {
     const TEXT: &str = "fixel: drawn with integers only";
-    let Size { width, height } = canvas.frame_size();
     let fits = width as usize >= TEXT.len() * 6 + 10;
     let text = if fits { TEXT } else { "fixel" };
     for (offset, gray) in [(1, 0), (0, 255)] {
-        let color = |gray| C::from_rgb(Rgb888::new(gray, gray, gray), Point::zero());
+        let color = |gray| T::Color::from_rgb(Rgb888::new(gray, gray, gray), Point::zero());
         let mut style = MonoTextStyle::new(&FONT_6X10, color(gray));
         style.background_color = on_black.then(|| color(0));
         let at = Point::new(5 + offset, height.cast_signed() - 6 + offset);
-        let Ok(_) = Text::with_alignment(text, at, style, Alignment::Left).draw(canvas);
+        let Ok(_) = Text::with_alignment(text, at, style, Alignment::Left).draw(target);
     }
 }

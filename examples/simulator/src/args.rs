@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Parser, ValueEnum};
+use clap::{Command, CommandFactory, Parser, ValueEnum};
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use crate::look::{Haze, Lamp};
@@ -22,33 +22,28 @@ Examples (`cargo run --release -p simulator -- ` goes before the arguments):
                                                         from where you like
   simulator --scene floor --dump floor.csv --crc        a measured scene, pixel by pixel
 
-Distances are in the model's own units, which may be of any size: the program scales and centers the model for drawing
-in fixed point. It prints the camera as options, from which you can go on.";
+Distances are in the model's own units, which may be of any size: the program scales and centers the model before it
+draws in fixed point. In the end it prints the camera as options: copy them and change what you like.";
 
 /// Draws a 3D model with integers only, as a microcontroller would, and saves the picture.
-/// Without a model it draws the project's own scene. Options that are not given are chosen so that the model fills
-/// the picture.
+/// Without a model it draws the project's own scene. Without camera options, the model fills the picture.
 #[allow(clippy::struct_excessive_bools)] // flags
 #[derive(Clone, Debug, Parser)]
 #[command(name = "simulator", version, after_help = EXAMPLES, max_term_width = 100)]
 pub struct Args {
     /// Model to draw: Wavefront OBJ with its MTL materials, STL, PLY or glTF (.glb or .gltf).
     ///
-    /// Materials have one color or one texture; colors of vertices are drawn. Missing normals are computed; missing
-    /// texture coordinates are laid around the model. PLY and glTF need a build with --features ply or gltf. In STL
-    /// files z is up, in others y, unless --up is given.
-    #[arg(value_name = "MODEL", conflicts_with = "scene")]
+    /// A material has one color or one texture, and vertices may have colors. The program computes normals and texture
+    /// coordinates if they are missing. PLY and glTF need a build with --features ply or --features gltf. In STL files
+    /// z is up, in all others y; --up changes it.
+    #[arg(value_name = "MODEL")]
     pub model: Option<PathBuf>,
 
-    /// PNG or JPEG to put on the model; resampled to power-of-two sides up to 1024.
+    /// Picture to put on the model: PNG, JPEG, BMP or TGA.
     ///
-    /// It replaces the model's materials. [default: those, or a checker]
-    #[arg(
-        long,
-        value_name = "FILE.png",
-        help_heading = "Scene",
-        conflicts_with = "scene"
-    )]
+    /// It replaces the model's materials. Its sides become powers of two, at most 1024. [default: the model's
+    /// materials, or a checker]
+    #[arg(long, value_name = "FILE", help_heading = "Scene")]
     pub texture: Option<PathBuf>,
 
     /// One of the four measured scenes instead of a model.
@@ -56,102 +51,85 @@ pub struct Args {
     pub scene: Option<SceneName>,
 
     /// Position of the camera. [default: in front, a little right and above]
-    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true,
-        help_heading = "Camera", conflicts_with = "scene")]
+    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true, help_heading = "Camera")]
     pub eye: Option<[f64; 3]>,
 
     /// Point that the camera looks at. [default: the middle of the model]
-    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true,
-        help_heading = "Camera", conflicts_with = "scene")]
+    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true, help_heading = "Camera")]
     pub look_at: Option<[f64; 3]>,
 
-    /// Direction that is up for the camera; it need not be at right angles to the line of sight.
-    /// 0,0,1 for a model with z upwards: the default view and the turntable turn with it. [default: 0,1,0, and
-    /// 0,0,1 for STL]
-    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true,
-        help_heading = "Camera", conflicts_with = "scene")]
+    /// Direction that is up in the picture; 0,0,1 for a model whose z axis points up. The default view and the
+    /// turntable follow it. [default: 0,1,0, and 0,0,1 for STL]
+    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true, help_heading = "Camera")]
     pub up: Option<[f64; 3]>,
 
-    /// Vertical field of view in degrees, above 0 and below 180. [default: 40, or with --eye one that shows the whole
-    /// model; 100 if the eye is in it]
-    #[arg(long, value_name = "DEG", value_parser = field_of_view, allow_hyphen_values = true,
-        help_heading = "Camera", conflicts_with = "scene")]
+    /// Vertical field of view in degrees, above 0 and below 180. [default: 40; with --eye, as wide as the whole model,
+    /// or 100 if the eye is inside it]
+    #[arg(long, value_name = "DEG", value_parser = field_of_view, allow_hyphen_values = true, help_heading = "Camera")]
     pub fov: Option<f64>,
 
-    /// Distance of the near plane, above 0. [default: just in front of the model]
-    #[arg(long, value_name = "N", value_parser = number, allow_hyphen_values = true,
-        help_heading = "Camera", conflicts_with = "scene")]
+    /// Distance of the near plane, above 0: nothing nearer is drawn. [default: just in front of the model]
+    #[arg(long, value_name = "N", value_parser = number, allow_hyphen_values = true, help_heading = "Camera")]
     pub near: Option<f64>,
 
-    /// Distance of the far plane, beyond the near plane. [default: just behind the model]
-    #[arg(long, value_name = "F", value_parser = number, allow_hyphen_values = true,
-        help_heading = "Camera", conflicts_with = "scene")]
+    /// Distance of the far plane, beyond the near plane: nothing farther is drawn. [default: just behind the model]
+    #[arg(long, value_name = "F", value_parser = number, allow_hyphen_values = true, help_heading = "Camera")]
     pub far: Option<f64>,
 
-    /// Projection from space to the picture.
+    /// How space becomes a flat picture.
     #[arg(
         long,
         value_enum,
         default_value = "perspective",
-        help_heading = "Camera",
-        conflicts_with = "scene"
+        help_heading = "Camera"
     )]
     pub projection: Kind,
 
-    /// Color of the surface. [default: lit, if the model has materials, colors or texture coordinates or --texture is
-    /// given; else gouraud]
-    #[arg(long, value_enum, help_heading = "Look", conflicts_with = "scene")]
+    /// How the surface is colored. [default: lit if there are textures, texture coordinates, materials or colors; else
+    /// gouraud]
+    #[arg(long, value_enum, help_heading = "Look")]
     pub shade: Option<Shade>,
 
-    /// Color of the texture between the centers of its texels.
-    #[arg(
-        long,
-        value_enum,
-        default_value = "nearest",
-        help_heading = "Look",
-        conflicts_with = "scene"
-    )]
+    /// How a texture is magnified.
+    #[arg(long, value_enum, default_value = "nearest", help_heading = "Look")]
     pub filter: Filter,
 
-    /// Interpolation mode: speed against accuracy.
+    /// How exactly textures and colors are interpolated: speed against accuracy.
     #[arg(long, value_enum, default_value = "newton", help_heading = "Look")]
     pub mode: Mode,
 
-    /// Largest error of mode fast, from 0 to 32767 texels of the texture as it is given. [default: 0.25]
+    /// Largest error of --mode fast, from 0 to 32767 texels of the given texture. [default: 0.25]
     #[arg(long, value_name = "TEXELS", value_parser = tolerance, allow_hyphen_values = true, help_heading = "Look")]
     pub tolerance: Option<f64>,
 
-    /// Format of the depth buffer, which determines over what range of distances near surfaces hide far ones.
+    /// Format of the depth buffer. A wider range keeps the order of surfaces when --far is much farther than --near.
     #[arg(long, value_enum, default_value = "linear", help_heading = "Look")]
     pub depth: DepthFormat,
 
-    /// Draw back faces too.
-    #[arg(long, help_heading = "Look", conflicts_with = "scene")]
+    /// Also draw the backs of faces, and light both sides.
+    #[arg(long, help_heading = "Look")]
     pub two_sided: bool,
 
-    /// Draw the edges over the surface, too.
-    #[arg(long, help_heading = "Look", conflicts_with = "scene")]
+    /// Draw the model's edges over its surface.
+    #[arg(long, help_heading = "Look")]
     pub wire: bool,
 
-    /// Color behind the model. [default: dark]
-    #[arg(long, value_name = "RRGGBB", value_parser = color, help_heading = "Look", conflicts_with = "scene")]
+    /// Color behind the model. [default: dark; the sky in the project's own scene]
+    #[arg(long, value_name = "RRGGBB", value_parser = color, help_heading = "Look")]
     pub background: Option<Rgb888>,
 
-    /// Direction to a light, and its color if it is not white; may be repeated. [default: from over the viewer's left
-    /// shoulder]
-    #[arg(long, value_name = "X,Y,Z[,RRGGBB]", value_parser = lamp, allow_hyphen_values = true,
-        help_heading = "Look", conflicts_with = "scene")]
+    /// Direction to a light, and its color if it is not white. Repeat it for several lights. [default: a white light
+    /// from over the viewer's left shoulder]
+    #[arg(long, value_name = "X,Y,Z[,RRGGBB]", value_parser = lamp, allow_hyphen_values = true, help_heading = "Look")]
     pub light: Vec<Lamp>,
 
-    /// Light on faces that are turned away from all lights, from 0 to 1. [default: 0.3]
-    #[arg(long, value_name = "PART", value_parser = part, allow_hyphen_values = true,
-        help_heading = "Look", conflicts_with = "scene")]
+    /// Light that reaches every face, from 0 to 1. [default: 0.3]
+    #[arg(long, value_name = "PART", value_parser = part, allow_hyphen_values = true, help_heading = "Look")]
     pub ambient: Option<f64>,
 
-    /// Fog that begins at a distance from the eye and hides everything from another one on. [default color: the
-    /// background]
+    /// Fog: clear up to the distance NEAR, opaque from FAR on. [default color: the background]
     #[arg(long, value_name = "NEAR,FAR[,RRGGBB]", value_parser = haze, allow_hyphen_values = true,
-        help_heading = "Look", conflicts_with = "scene")]
+        help_heading = "Look")]
     pub fog: Option<Haze>,
 
     /// Pixel format to draw in.
@@ -160,47 +138,47 @@ pub struct Args {
 
     /// Picture size in pixels, up to 4096x4096. A picture larger than 2048x2048 is drawn in tiles.
     #[arg(long, value_name = "WxH", value_parser = size, default_value = "320x240",
-        allow_hyphen_values = true, help_heading = "Picture", conflicts_with = "scene")]
+        allow_hyphen_values = true, help_heading = "Picture")]
     pub size: (u32, u32),
 
-    /// Draw N x N pixels for each one of the picture, and average them as light (linear in energy): smooth edges for
-    /// presentations, which no microcontroller draws.
+    /// Smooth edges, for presentations: draw N x N pixels for each pixel of the picture, and average their light. No
+    /// microcontroller does that.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=16), default_value = "1",
-        help_heading = "Picture", conflicts_with_all = ["scene", "crc", "dump"])]
+        help_heading = "Picture", conflicts_with_all = ["crc", "dump"])]
     pub samples: u32,
 
     /// Largest width and height of a tile; for tests.
     #[arg(long, hide = true, value_parser = clap::value_parser!(u32).range(8..=2048), default_value = "2048")]
     pub tile: u32,
 
-    /// Draw in bands of this many rows, as a microcontroller short of memory does; the picture is the same.
+    /// Draw in bands of this many rows, as a microcontroller does that has memory for no more. The picture stays the
+    /// same.
     #[arg(long, value_name = "ROWS", value_parser = clap::value_parser!(u32).range(1..), help_heading = "Picture")]
     pub bands: Option<u32>,
 
-    /// Number of frames to draw; more than one need a .gif or .apng.
+    /// Number of frames, in which the model turns once. More than one are saved as .gif or .apng.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000),
         default_value = "1", help_heading = "Animation")]
     pub frames: u32,
 
     /// Turns of the model per minute; frames are 40 ms apart. [default: one turn over the frames]
-    #[arg(long, value_name = "R", value_parser = number, allow_hyphen_values = true,
-        help_heading = "Animation", conflicts_with = "scene")]
+    #[arg(long, value_name = "R", value_parser = number, allow_hyphen_values = true, help_heading = "Animation")]
     pub rpm: Option<f64>,
 
-    /// File for the picture: .png, .gif or .apng (an animated PNG); - for standard output. [default: a .png or .gif
+    /// File for the picture: .png, .gif or .apng (an animated PNG), or - for standard output. [default: a .png or .gif
     /// named after the model]
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     pub out: Option<PathBuf>,
 
-    /// Also write a row x,y,u,v,w,depth for each covered pixel of the last frame, with all digits.
+    /// Also write a table of the last frame: x,y,u,v,w,depth of each pixel that the model covers.
     ///
-    /// u and v are the texture coordinate, w is the distance to the eye's plane, depth is in linear steps. The file - is
-    /// standard output.
+    /// u and v are the texture coordinate, w is the distance to the eye's plane, and depth is in linear steps. All
+    /// digits are written. The file - is standard output.
     #[arg(long, value_name = "FILE.csv", help_heading = "Output")]
     pub dump: Option<PathBuf>,
 
-    /// Also write the model as Rust source (.rs): a static `MESH` and, if it has materials, `PARTS`; or its textures as
-    /// BMP files (.bmp). May be given for both.
+    /// Also write the model as Rust source: a static `MESH` and, if it has materials, `PARTS`. With .bmp, write its
+    /// textures for `include_bmp!`. Repeat it for both.
     #[arg(
         long,
         value_name = "FILE.rs|FILE.bmp",
@@ -209,7 +187,7 @@ pub struct Args {
     )]
     pub export: Vec<PathBuf>,
 
-    /// Format of the exported mesh: what `include_obj!` makes with the argument of this name.
+    /// Format of the exported mesh, named as the argument of `include_obj!`.
     #[arg(
         long,
         value_enum,
@@ -223,12 +201,14 @@ pub struct Args {
     #[arg(long, help_heading = "Output")]
     pub crc: bool,
 
-    /// Print nothing but errors.
+    /// Print nothing but errors and what --crc asks for.
     #[arg(long, short, help_heading = "Output")]
     pub quiet: bool,
 
-    /// Show the picture in a window (needs SDL2 and a build with `--features sdl`). Drag or use the arrow keys to turn
-    /// the model, the wheel or + and - to come closer, Space to see it as at first, Escape to leave.
+    /// Show the picture in a window; needs SDL2 and a build with --features sdl.
+    ///
+    /// Drag or press the arrow keys to turn the model, turn the wheel or press + and - to come closer. Space returns to
+    /// the first view, Escape closes the window.
     #[arg(long, help_heading = "Output")]
     pub window: bool,
 }
@@ -259,11 +239,11 @@ pub enum Kind {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Shade {
-    /// The model's textures and colors without light; a checker if it has none
+    /// The model's textures and colors, without light; a checker if it has none
     Texture,
-    /// Its colors without textures, or clay: lit at the vertices, interpolated over each triangle
+    /// Its colors, or clay, without textures: lit at the vertices, and smooth between them
     Gouraud,
-    /// The same, one color per triangle
+    /// The same with one light for each triangle
     Flat,
     /// Its textures and colors, lit
     Lit,
@@ -331,6 +311,35 @@ pub enum MeshFormat {
     /// Positions of 16 bits a component, texture coordinates and normals of 8
     #[value(name = "quantized_8")]
     Quantized8,
+}
+
+/// The options that go with `--scene`. The others are about a model or its picture, which a measured scene has of its
+/// own.
+const WITH_SCENE: &[&str] = &[
+    "scene",
+    "mode",
+    "tolerance",
+    "depth",
+    "color",
+    "tile",
+    "bands",
+    "frames",
+    "out",
+    "dump",
+    "crc",
+    "quiet",
+    "window",
+];
+
+/// The command line.
+pub fn command() -> Command {
+    Args::command().mut_args(|arg| {
+        if WITH_SCENE.contains(&arg.get_id().as_str()) {
+            arg
+        } else {
+            arg.conflicts_with("scene")
+        }
+    })
 }
 
 impl Args {

@@ -56,9 +56,9 @@ impl Recorder {
     /// Makes a shader for texture coordinates of magnitude up to `largest`. Distances are drawn at 2^`exponent` times
     /// their own size.
     ///
-    /// Texture coordinates have 24 fraction bits, or fewer if they are too large for so many. Mode fast divides what
-    /// has more than 28 bits, which drawn textures rarely have. So in this mode nothing recorded has more; distances
-    /// lose 11 bits, which are below the mode's error of 2^-13.
+    /// Texture coordinates have 24 fraction bits, or fewer if they are large. Mode fast does not treat numbers of more
+    /// than 28 bits as it treats drawn textures, which rarely have so many. In this mode no recorded number has more:
+    /// distances lose 11 bits, which are below the mode's error of 2^-13.
     pub fn new(largest: f64, exponent: i32, mode: Mode) -> Self {
         let is_fast = mode == Mode::Fast;
         let whole = (largest + 1.0).log2().ceil();

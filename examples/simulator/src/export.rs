@@ -16,21 +16,21 @@ use fixel::{Vec2, Vec3};
 use super::Result;
 use crate::args::{Args, MeshFormat};
 use crate::model::{Image, Model};
+use crate::output::{self, Output};
 use crate::parts::{self, Part, Run};
 use crate::piece::Finish;
-use crate::place::{self, Output};
 use crate::report;
 use crate::skin::Skin;
 
 /// Files to write: each its name and its bytes.
 pub type Files = Vec<(PathBuf, Vec<u8>)>;
 
-/// Returns the files that `--export` asks for, with the model in its own units. None is one of the `inputs`.
+/// Returns the files that `--export` names, with the model in its own units.
 ///
 /// # Errors
 ///
-/// A name has another ending than .rs or .bmp, or is that of an input or the dump; the model does not fit into one
-/// mesh, or it has no texture.
+/// A name does not end in .rs or .bmp, or belongs to one of the `inputs` or to the dump; the model does not fit into
+/// one mesh; or it has no texture to export.
 pub fn files(
     args: &Args,
     inputs: &[PathBuf],
@@ -41,7 +41,7 @@ pub fn files(
     let ending = |path: &Path| path.extension().and_then(OsStr::to_str).map(str::to_owned);
     let textures = (args.export.iter()).find(|path| ending(path).as_deref() == Some("bmp"));
     for path in &args.export {
-        place::refuse_inputs(path, inputs)?;
+        output::refuse_inputs(path, inputs)?;
         let refuse = |problem: &str| format!("cannot export {}: {problem}", path.display());
         match ending(path).as_deref() {
             Some("rs") => {
@@ -75,12 +75,12 @@ pub fn files(
     for (at, (path, _)) in files.iter().enumerate() {
         if files[..at]
             .iter()
-            .any(|(other, _)| place::are_same(other, path))
+            .any(|(other, _)| output::are_same(other, path))
         {
             return Err(format!("two exports are {}", path.display()).into());
         }
-        place::refuse_inputs(path, inputs)?;
-        if (args.dump.as_ref()).is_some_and(|dump| place::are_same(dump, path)) {
+        output::refuse_inputs(path, inputs)?;
+        if (args.dump.as_ref()).is_some_and(|dump| output::are_same(dump, path)) {
             return Err(format!("--dump and --export are both {}", path.display()).into());
         }
     }
@@ -193,8 +193,8 @@ fn vectors<const N: usize>(out: &mut String, name: &str, kind: &str, bits: &[[i3
     );
 }
 
-/// The most fraction bits, up to 16, with which all positions fit into 16 bits; and the positions. As
-/// `Mesh::shortened` does it, which needs their number when it is compiled.
+/// Rounds positions to 16 bits with as many fraction bits, up to 16, as leave room for all of them; returns both. The
+/// result equals that of `Mesh::shortened`, which must know the number of positions at compile time.
 fn shortened(positions: &[Vec3]) -> (Vec<[i16; 3]>, u32) {
     let rounded = |bits: i32, fraction: u32| {
         let down = 16 - fraction;

@@ -1,4 +1,6 @@
-//! Options without effect, of which the user should hear.
+//! Notes for the user about options without effect.
+
+use std::path::PathBuf;
 
 use clap::parser::ValueSource;
 use clap::{ArgMatches, ValueEnum};
@@ -11,9 +13,14 @@ pub fn name(value: &impl ValueEnum) -> String {
     value.map_or(String::new(), |value| value.get_name().into())
 }
 
-/// Returns a sentence for each option that was given and changes nothing in a picture with this `shade`; a shade of
-/// None is that of a scene of the project's own.
-pub fn options(args: &Args, given: &ArgMatches, shade: Option<Shade>) -> Vec<String> {
+/// Returns a sentence for each option that was given and changes nothing in a picture with this `shade`. Scenes of the
+/// project's own may have no shade. `has_textures` tells whether any face has a texture.
+pub fn options(
+    args: &Args,
+    given: &ArgMatches,
+    shade: Option<Shade>,
+    has_textures: bool,
+) -> Vec<String> {
     let mut idle = Vec::new();
     let mut check = |option: &str, is_idle: bool, why: &str| {
         let is_given = given.value_source(option) == Some(ValueSource::CommandLine);
@@ -36,7 +43,10 @@ pub fn options(args: &Args, given: &ArgMatches, shade: Option<Shade>) -> Vec<Str
     let unlit = [Shade::Texture, Shade::Wire, Shade::Depth, Shade::Normal];
     let exact = [Shade::Wire, Shade::Depth, Shade::Flat];
     check("texture", shade(&untextured), &named);
-    check("filter", shade(&untextured), &named);
+    let is_untextured = shade(&untextured);
+    let bare = "because the model has no texture";
+    check("filter", is_untextured, &named);
+    check("filter", !is_untextured && !has_textures, bare);
     check("light", shade(&unlit), &named);
     check("ambient", shade(&unlit), &named);
     check("fog", shade(&unlit[1..]), &named);
@@ -51,8 +61,18 @@ pub fn options(args: &Args, given: &ArgMatches, shade: Option<Shade>) -> Vec<Str
     let is_fast = args.mode == Mode::Fast;
     check("tolerance", !is_fast, "without --mode fast");
     check("tolerance", is_fast && is_parallel, &projected);
-    let is_idle = is_fast && !is_parallel && !is_shown && shade(&untextured);
-    check("tolerance", is_idle, &named);
+    // Numbers other than a texture's coordinates have tolerances of their own.
+    let is_seen = is_fast && !is_parallel && !is_shown;
+    check("tolerance", is_seen && is_untextured, &named);
+    check(
+        "tolerance",
+        is_seen && !is_untextured && !has_textures,
+        bare,
+    );
+    check("depth", !is_shown && shade(&[Shade::Wire]), &named);
+    let is_texture = |path: &PathBuf| path.extension().is_some_and(|ending| ending == "bmp");
+    let is_mesh_exported = !args.export.iter().all(is_texture);
+    check("mesh", !is_mesh_exported, "without --export FILE.rs");
     let is_flat = args.scene == Some(SceneName::SphereFlat);
     check("mode", is_flat, "with --scene sphere-flat");
     check(
@@ -70,5 +90,8 @@ pub fn options(args: &Args, given: &ArgMatches, shade: Option<Shade>) -> Vec<Str
         args.frames == 1 && !args.window,
         "without --frames or --window",
     );
+    if args.window && args.scene.is_some() {
+        idle.push("in the window, a measured scene cannot be turned".into());
+    }
     idle
 }

@@ -2,22 +2,21 @@
 
 use std::time::{Duration, Instant};
 
-use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
-use embedded_graphics::pixelcolor::{PixelColor, Rgb565, Rgb888};
-use embedded_graphics::primitives::Rectangle;
+use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
 use fixel::prelude::*;
-use fixel::shade::{FaceColors, Gouraud, Textured, Varyings};
-use fixel::target::{DepthBuffer, Float, WideFloat};
+use fixel::shade::{FaceColors, Textured};
+use fixel::target::DepthBuffer;
 use fixel::view::Perspective;
 use fixel::{Drawn, Mesh};
 
 use super::Result;
-use super::common::{lighthouse, scenes};
-use super::mode::{Mode, in_mode};
-use super::output::FRAME_MS;
-use super::paint::{Board, Brush, Posed, Shown, draw_surface_in};
-use super::surface::{FaceValues, Surface};
+use super::common::scenes;
+use super::depth::with_depth;
+use super::encoder::FRAME_MS;
+use super::mode::Mode;
+use super::paint::{Board, Brush, Posed, Shown, draw_surface_in, screen};
+use super::surface::Surface;
 use super::view::{View, direction};
 use super::window::Orbit;
 use crate::args::{self, Args, DepthFormat, SceneName, Shade};
@@ -66,23 +65,12 @@ impl<'a, C: PixelColor> Band<'a, C> {
         })
     }
 
-    /// The same band in another color; `draw` fills it, and it is converted.
-    fn drawn_in<B: PixelColor + Default + Into<C>>(
-        self,
-        draw: impl FnOnce(Band<'_, B>) -> Result<Done>,
-    ) -> Result<Done> {
-        let mut pixels = vec![B::default(); self.pixels.len()];
-        let done = draw(Band {
-            pixels: &mut pixels,
-            depth: self.depth,
-            size: self.size,
-            first_row: self.first_row,
-            viewport: self.viewport,
-        })?;
-        for (to, from) in self.pixels.iter_mut().zip(pixels) {
-            *to = from.into();
-        }
-        Ok(done)
+    /// Width and height of the whole picture.
+    fn picture(&self) -> Size {
+        let (width, height) = self.size;
+        self.viewport.map_or(Size::new(width, height), |viewport| {
+            Size::new(viewport.width(), viewport.height())
+        })
     }
 }
 
@@ -117,13 +105,15 @@ impl Turn {
     }
 }
 
-/// A model, or the project's own scene if there is no `shade`.
+/// A model, or the project's own scene.
 pub struct Model<'a> {
     pub pieces: &'a [Piece<'a>],
     pub view: View,
     pub turn: Turn,
-    /// None for the project's own scene.
+    /// None for the project's own scene as it is drawn on a microcontroller.
     pub shade: Option<Shade>,
+    /// Whether it is the project's own scene, with sea and sky.
+    pub is_scene: bool,
     /// The mode for the recorder.
     pub recorded: Mode,
     pub recorder: Recorder,
@@ -146,50 +136,15 @@ impl Model<'_> {
 
     /// Draws a band of a frame.
     pub fn paint(&self, band: Band<'_, Rgb888>, moment: Moment, brush: &Brush<'_>) -> Result<Done> {
-        let origin = band.origin();
+        let (origin, size) = (band.origin(), band.picture());
         let posed = self.posed(&self.view, moment, band.viewport)?;
         let (canvas, depth) = band.canvas()?;
-        Ok(match self.view.depth {
-            DepthFormat::Linear => paint_on(canvas.with_depth(depth)?, origin, posed, brush),
-            DepthFormat::Float => {
-                let canvas = canvas.with_depth_format::<Float>(depth)?;
-                paint_on(canvas, origin, posed, brush)
-            }
-            DepthFormat::Wide => {
-                let canvas = canvas.with_depth_format::<WideFloat>(depth)?;
-                paint_on(canvas, origin, posed, brush)
-            }
-        })
-    }
-
-    /// Draws a band of the project's own scene in the color `C`, with its surfaces.
-    pub fn paint_own<C: Shown>(
-        &self,
-        band: Band<'_, Rgb888>,
-        moment: Moment,
-        surfaces: &[Surface<'_>; 2],
-    ) -> Result<Done> {
-        let posed = self.posed(&self.view, moment, None)?;
-        let (pixels, depth, size, first_row) = (band.pixels, band.depth, band.size, band.first_row);
-        let mut sky = vec![C::default(); pixels.len()];
-        lighthouse::sky(&mut Canvas::band(&mut sky, size.0, size.1, first_row)?);
-        let sky = sky.into_iter().map(Into::into).collect::<Vec<Rgb888>>();
-        let is_mono = lighthouse::is_mono::<C>();
-        let canvas = Canvas::band(pixels, size.0, size.1, first_row)?;
-        Ok(match self.view.depth {
-            DepthFormat::Linear => {
-                let canvas = canvas.with_depth(depth)?;
-                posed.paint_own(canvas, &sky, is_mono, surfaces)
-            }
-            DepthFormat::Float => {
-                let canvas = canvas.with_depth_format::<Float>(depth)?;
-                posed.paint_own(canvas, &sky, is_mono, surfaces)
-            }
-            DepthFormat::Wide => {
-                let canvas = canvas.with_depth_format::<WideFloat>(depth)?;
-                posed.paint_own(canvas, &sky, is_mono, surfaces)
-            }
-        })
+        Ok(with_depth!(self.view.depth, canvas, depth, |canvas| {
+            brush.clear(canvas, origin, size.height);
+            let done = timed(|| posed.paint(canvas, brush));
+            brush.write(canvas, origin, size);
+            done
+        }))
     }
 
     /// Records a band of a frame.
@@ -209,68 +164,26 @@ impl Model<'_> {
     ) -> Result<Done> {
         let posed = self.posed(view, moment, band.viewport)?;
         let (canvas, depth) = band.canvas()?;
-        Ok(match self.view.depth {
-            DepthFormat::Linear => self.record_on(posed, canvas.with_depth(depth)?, edges),
-            DepthFormat::Float => {
-                self.record_on(posed, canvas.with_depth_format::<Float>(depth)?, edges)
-            }
-            DepthFormat::Wide => {
-                self.record_on(posed, canvas.with_depth_format::<WideFloat>(depth)?, edges)
-            }
-        })
+        Ok(with_depth!(self.view.depth, canvas, depth, |canvas| {
+            self.record_on(posed, canvas, edges)
+        }))
     }
 
     fn record_on<D: DepthBuffer>(
         &self,
         posed: Posed<'_>,
-        mut canvas: Board<'_, Record, D>,
+        canvas: &mut Board<'_, Record, D>,
         edges: bool,
     ) -> Done {
         canvas.clear(Record::default());
         timed(|| {
             if edges {
-                posed.draw_edges(&mut canvas, &self.recorder)
+                posed.draw_edges(canvas, &self.recorder)
             } else {
-                posed.draw(&mut canvas, &self.recorder, false)
+                posed.draw(canvas, &self.recorder, false)
             }
         })
     }
-}
-
-impl Posed<'_> {
-    /// Draws the project's own scene, as `lighthouse::draw` does.
-    fn paint_own<D: DepthBuffer>(
-        &self,
-        mut canvas: Board<'_, Rgb888, D>,
-        sky: &[Rgb888],
-        is_mono: bool,
-        surfaces: &[Surface<'_>; 2],
-    ) -> Done {
-        canvas.clear(Rgb888::default());
-        let rows = canvas.rows().clone();
-        let corner = Point::new(0, rows.start.cast_signed());
-        let size = Size::new(canvas.frame_size().width, rows.end - rows.start);
-        let Ok(()) = canvas.fill_contiguous(&Rectangle::new(corner, size), sky.iter().copied());
-        let done = timed(|| {
-            let sum = self.draw_surfaces(&mut canvas, surfaces, false);
-            if is_mono {
-                self.draw_outline(&mut canvas, &lighthouse::ISLAND, &lighthouse::SILHOUETTES);
-            }
-            sum
-        });
-        lighthouse::caption_on(&mut canvas, is_mono);
-        done
-    }
-}
-
-fn paint_on<D: DepthBuffer>(
-    mut canvas: Board<'_, Rgb888, D>,
-    origin: Point,
-    posed: Posed<'_>,
-    brush: &Brush<'_>,
-) -> Done {
-    brush.clear(&mut canvas, origin);
-    timed(|| posed.paint(&mut canvas, brush))
 }
 
 /// The mvp of a measured scene in pose `k`.
@@ -291,79 +204,30 @@ pub struct Measured {
     pub depth: DepthFormat,
 }
 
-/// Gives `draw` the band as a canvas, with depth unless the scene has none.
-macro_rules! on_canvas {
-    ($band:expr, $measured:expr, $background:expr, |$canvas:ident| $draw:expr) => {{
-        let (mut canvas, depth) = $band.canvas()?;
-        match ($measured.scene, $measured.depth) {
-            (SceneName::SphereFlat, _) => {
-                canvas.clear($background);
-                let $canvas = &mut canvas;
-                timed(|| $draw)
-            }
-            (_, DepthFormat::Linear) => {
-                let mut canvas = canvas.with_depth(depth)?;
-                canvas.clear($background);
-                let $canvas = &mut canvas;
-                timed(|| $draw)
-            }
-            (_, DepthFormat::Float) => {
-                let mut canvas = canvas.with_depth_format::<Float>(depth)?;
-                canvas.clear($background);
-                let $canvas = &mut canvas;
-                timed(|| $draw)
-            }
-            (_, DepthFormat::Wide) => {
-                let mut canvas = canvas.with_depth_format::<WideFloat>(depth)?;
-                canvas.clear($background);
-                let $canvas = &mut canvas;
-                timed(|| $draw)
-            }
-        }
-    }};
-}
-
 impl Measured {
-    /// Draws a band of the scene as it is measured.
-    pub fn paint(self, band: Band<'_, Rgb888>, moment: Moment) -> Result<Done> {
-        let mvp = mvp(self.scene, moment.frame)?;
-        band.drawn_in(|band: Band<'_, Rgb565>| {
-            Ok(on_canvas!(
-                band,
-                self,
-                Rgb565::default(),
-                |canvas| in_mode!(self.mode, DrawOptions::new(), |options| match self.scene {
-                    SceneName::Floor => scenes::floor(canvas, options, &mvp),
-                    SceneName::Cube => scenes::cube(canvas, options, &mvp),
-                    SceneName::Sphere => scenes::sphere(canvas, options, &mvp),
-                    SceneName::SphereFlat => scenes::sphere_flat(canvas, options, &mvp),
-                })
-            ))
-        })
-    }
-
-    /// Returns the shader of the scene in another color than it is measured in.
+    /// Returns the shader of the scene in a color, which need not be that of the measurements.
     ///
     /// # Errors
     ///
     /// None.
-    pub fn surface<C: Shown>(self) -> Result<Surface<'static>>
-    where
-        Gouraud<C>: Shader<Color = C, Varyings: Varyings<Face: FaceValues>>,
-    {
+    pub fn surface<C: Shown>(self) -> Result<Surface<'static>> {
         match self.scene {
-            SceneName::Floor | SceneName::Cube => {
-                Surface::new(Textured::new(&scenes::CHECKER).converted::<C>())
-            }
-            SceneName::Sphere => Surface::new(Gouraud::<C>::new()),
-            SceneName::SphereFlat => {
-                Surface::new(FaceColors::new(&scenes::FACE_COLORS).converted::<C>())
-            }
+            SceneName::Floor | SceneName::Cube => Surface::new(
+                Surface::Few,
+                Textured::new(&scenes::CHECKER).converted::<C>(),
+                screen,
+            ),
+            SceneName::Sphere => C::vertex_colors(),
+            SceneName::SphereFlat => Surface::new(
+                Surface::Few,
+                FaceColors::new(&scenes::FACE_COLORS).converted::<C>(),
+                screen,
+            ),
         }
     }
 
-    /// Draws a band of the scene with another shader.
-    pub fn paint_with(
+    /// Draws a band of the scene with its shader.
+    pub fn paint(
         self,
         band: Band<'_, Rgb888>,
         moment: Moment,
@@ -371,8 +235,18 @@ impl Measured {
     ) -> Result<Done> {
         let mvp = mvp(self.scene, moment.frame)?;
         let mesh = self.mesh();
-        Ok(on_canvas!(band, self, Rgb888::default(), |canvas| {
-            draw_surface_in(canvas, self.mode, mesh, &mvp, surface)
+        let (mut canvas, depth) = band.canvas()?;
+        if self.scene == SceneName::SphereFlat {
+            canvas.clear(Rgb888::default());
+            // One color a face: no mode changes it.
+            return match surface {
+                Surface::Few(shader) => Ok(timed(|| canvas.draw(mesh, &mvp, &shader))),
+                _ => Err("colors of faces need no numbers".into()),
+            };
+        }
+        Ok(with_depth!(self.depth, canvas, depth, |canvas| {
+            canvas.clear(Rgb888::default());
+            timed(|| draw_surface_in(canvas, self.mode, mesh, &mvp, surface))
         }))
     }
 
@@ -389,8 +263,14 @@ impl Measured {
         let mvp = mvp(self.scene, moment.frame)?;
         let mesh = self.mesh();
         let recorder = Recorder::new(1.0, 0, args::Mode::Newton);
-        Ok(on_canvas!(band, self, Record::default(), |canvas| {
-            canvas.draw(mesh, &mvp, &recorder)
+        let (mut canvas, depth) = band.canvas()?;
+        if self.scene == SceneName::SphereFlat {
+            canvas.clear(Record::default());
+            return Ok(timed(|| canvas.draw(mesh, &mvp, &recorder)));
+        }
+        Ok(with_depth!(self.depth, canvas, depth, |canvas| {
+            canvas.clear(Record::default());
+            timed(|| canvas.draw(mesh, &mvp, &recorder))
         }))
     }
 }

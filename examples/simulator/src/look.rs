@@ -1,4 +1,4 @@
-//! Background, lights and fog, as the user asks for them.
+//! Background, lights and fog: what the user chose, in the library's types.
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
@@ -8,13 +8,16 @@ use fixel::shade::{Colored, Fog, Levels, Light, TwoSided, Viewer};
 use fixel::texture::Blend;
 
 use super::Result;
+use super::common::lighthouse;
 use crate::args::{Args, Shade};
+use crate::job::Model;
+use crate::paint::Backdrop;
 use crate::view::direction;
 
 /// Part of a light that reaches every face.
 const AMBIENT: f64 = 0.3;
 
-/// A light that the user asks for.
+/// A light of the user's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lamp {
     /// Points to the light.
@@ -22,7 +25,7 @@ pub struct Lamp {
     pub color: Rgb888,
 }
 
-/// A fog that the user asks for, in the model's units.
+/// A fog of the user's, in the model's units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Haze {
     pub near: f64,
@@ -32,25 +35,28 @@ pub struct Haze {
 
 /// Everything about a picture's colors but the surface itself.
 pub struct Look {
-    pub shade: Shade,
-    background: Option<Rgb888>,
+    /// None for the project's own scene as it is drawn on a microcontroller.
+    pub shade: Option<Shade>,
+    /// Whether it is the project's own scene, with sea and sky.
+    pub is_scene: bool,
+    /// What is behind the model. Its color is not yet that of the canvas, and unlike any of the shades.
+    pub backdrop: Backdrop,
     lights: Vec<Colored<Light>>,
     /// The same if all of them are white, which needs one number instead of three.
     white: Option<Vec<Light>>,
     viewer: Viewer,
-    haze: Option<(Scalar, Scalar, Option<Rgb888>)>,
+    haze: Option<(Scalar, Scalar, Rgb888)>,
     /// Whether edges are drawn over the surface.
     pub wire: bool,
 }
 
 impl Look {
-    /// Makes the look of `args`. `sun` is the light without `--light`; `scale` is the length of one of the model's
-    /// units as it is drawn.
+    /// Makes the look of `args` for `model` on a canvas of color `C`; `scale` is the length of one of the model's units as it is drawn.
     ///
     /// # Errors
     ///
     /// A light or the fog is out of range.
-    pub fn new(args: &Args, shade: Shade, sun: Vec3, viewer: Viewer, scale: f64) -> Result<Self> {
+    pub fn new<C: Levels>(args: &Args, model: &Model<'_>, scale: f64) -> Result<Self> {
         const WHITE: Rgb888 = Rgb888::WHITE;
         let ambient = scalar(args.ambient.unwrap_or(AMBIENT))?;
         let diffuse = scalar(1.0 - AMBIENT)?;
@@ -67,17 +73,24 @@ impl Look {
             add(toward, lamp.color)?;
         }
         if args.light.is_empty() {
-            add(sun, WHITE)?;
+            add(model.view.sun, WHITE)?;
         }
+        let backdrop = backdrop::<C>(args.background, model);
+        let far_away = match backdrop {
+            Backdrop::Color(color) => color,
+            // About where the default view has its horizon.
+            Backdrop::Sky => lighthouse::sky_color(1, 3),
+        };
         let haze = args.fog.map(|Haze { near, far, color }| {
             let number = |value: f64| {
                 scalar(value * scale).map_err(|error| format!("--fog {near},{far}: {error}"))
             };
-            Ok::<_, String>((number(near)?, number(far)?, color))
+            Ok::<_, String>((number(near)?, number(far)?, color.unwrap_or(far_away)))
         });
         Ok(Self {
-            shade,
-            background: args.background,
+            shade: model.shade,
+            is_scene: model.is_scene,
+            backdrop,
             white: lights
                 .iter()
                 .map(|&(light, color)| (color == WHITE).then_some(light))
@@ -86,9 +99,9 @@ impl Look {
                 .iter()
                 .map(|&(light, color)| light.colored(color))
                 .collect(),
-            viewer,
+            viewer: model.view.viewer(),
             haze: haze.transpose()?,
-            wire: args.wire && shade != Shade::Wire,
+            wire: args.wire && model.shade != Some(Shade::Wire),
         })
     }
 
@@ -103,7 +116,12 @@ impl Look {
         self.lights.as_slice().two_sided(self.viewer)
     }
 
-    /// The fog, in a color of the texture or the background.
+    /// Whether there is fog.
+    pub fn has_fog(&self) -> bool {
+        self.haze.is_some()
+    }
+
+    /// The fog, in a color of the texture.
     ///
     /// # Errors
     ///
@@ -112,7 +130,6 @@ impl Look {
         let Some((near, far, color)) = self.haze else {
             return Ok(None);
         };
-        let color = color.unwrap_or(self.backdrop::<C>());
         let color = C::from_rgb(color, Point::zero());
         match Fog::linear(color, near, far) {
             Ok(fog) => Ok(Some(fog)),
@@ -120,23 +137,25 @@ impl Look {
         }
     }
 
-    /// The background before it is converted to the color `C` of the canvas, unlike any of the shades.
-    pub fn backdrop<C: Levels>(&self) -> Rgb888 {
-        match (self.background, self.shade) {
-            (Some(color), _) => color,
-            (None, Shade::Wire | Shade::Depth) => Rgb888::BLACK,
-            // The dithered formats would show a pattern instead.
-            _ if C::MAX_STEPS[0] < 31 => Rgb888::BLACK,
-            _ => Rgb888::new(34, 40, 52),
-        }
-    }
-
     /// The color of lines: white on black, and black on a surface.
     pub fn line<C: Levels + Into<Rgb888>>(&self) -> Rgb888 {
         let color = match self.shade {
-            Shade::Wire => Rgb888::WHITE,
+            Some(Shade::Wire) => Rgb888::WHITE,
             _ => Rgb888::BLACK,
         };
         C::from_rgb(color, Point::zero()).into()
     }
+}
+
+/// What is behind a model, with the background that the user chose.
+fn backdrop<C: Levels>(background: Option<Rgb888>, model: &Model<'_>) -> Backdrop {
+    Backdrop::Color(match (background, model.shade) {
+        (Some(color), _) => color,
+        (None, Some(Shade::Wire | Shade::Depth)) => Rgb888::BLACK,
+        // The dithered formats would show a pattern instead.
+        _ if lighthouse::is_mono::<C>() => Rgb888::BLACK,
+        _ if model.is_scene => return Backdrop::Sky,
+        _ if C::MAX_STEPS[0] < 31 => Rgb888::BLACK,
+        _ => Rgb888::new(34, 40, 52),
+    })
 }

@@ -1,28 +1,42 @@
 //! Draws models on a computer as a microcontroller would: into a framebuffer, with integers only.
 //!
-//! `cargo run --release -p simulator -- --help` lists its options.
+//! `cargo run --release -p simulator -- --help` lists its options. A run goes through the modules in this order:
+//!
+//! 1. Read the command line: [`args`]. [`idle`] notes options without effect.
+//! 2. Read files: [`model`] reads a mesh of any size in f64; [`picture`] and [`skin`] read textures.
+//! 3. Choose the camera in the model's units: [`framing`], with the vectors of [`vector`].
+//! 4. Convert to fixed point: [`units`] chooses the scale, [`view`] makes camera and light, and [`parts`] makes meshes
+//!    of 16-bit indices. [`subject`] holds all of it; a [`piece`] is a mesh with its material.
+//! 5. Choose shaders: [`look`] has light and fog, and [`paint`] a shader for each piece. [`surface`] hides their types,
+//!    and [`tinted`] is one that the library lacks. [`mode`] and [`depth`] choose the library's types at run time.
+//! 6. Check that something shows: [`sight`].
+//! 7. Draw: [`job`] draws a band of a frame, [`tiles`] a picture of bands and tiles, and [`samples`] smooths edges.
+//!    [`render`] runs all of it in the chosen color.
+//! 8. Write: [`targets`] opens and fills all outputs: [`encoder`] writes pictures, [`dump`] tables, and [`export`] Rust
+//!    source. [`output`] makes sure that no file is lost.
+//! 9. Tell the user: [`report`] prints lines, [`progress`] shows long tasks, and [`window`] shows the picture.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 #![cfg(not(target_os = "none"))]
 
 mod args;
 #[path = "../../common/mod.rs"]
 mod common;
+mod depth;
 mod dump;
+mod encoder;
 mod export;
-mod fit;
 mod framing;
 mod idle;
 mod job;
 mod look;
 mod mode;
 mod model;
-mod normals;
 mod output;
 mod paint;
 mod parts;
 mod picture;
 mod piece;
-mod place;
+mod progress;
 mod render;
 mod report;
 mod samples;
@@ -32,8 +46,9 @@ mod subject;
 mod surface;
 mod targets;
 mod tiles;
-mod turntable;
+mod tinted;
 mod units;
+mod vector;
 mod view;
 mod window;
 
@@ -41,7 +56,7 @@ use std::error::Error;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-use clap::{CommandFactory, FromArgMatches};
+use clap::FromArgMatches;
 
 use args::Args;
 
@@ -49,9 +64,9 @@ use args::Args;
 type Result<T, E = Box<dyn Error>> = std::result::Result<T, E>;
 
 fn main() -> ExitCode {
-    let given = Args::command().get_matches();
+    let given = args::command().get_matches();
     let args = Args::from_arg_matches(&given).unwrap_or_else(|error| error.exit());
-    let done = place::remove_on_interrupt().and_then(|()| render::run(&args, &given));
+    let done = output::remove_on_interrupt().and_then(|()| render::run(&args, &given));
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {

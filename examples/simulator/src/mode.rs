@@ -19,8 +19,8 @@ pub enum Mode {
 }
 
 impl Mode {
-    /// Returns the mode that the user asked for, to draw a texture that has `texels` for each one of the texture that
-    /// the tolerance is meant for.
+    /// Returns the chosen mode. `texels` is the size of the drawn texture relative to the given one, for which the
+    /// tolerance is meant.
     pub fn new(args: &Args, texels: f64) -> Result<Self> {
         let tolerance = args.tolerance.unwrap_or(TOLERANCE) * texels;
         Ok(match args.mode {

@@ -1,162 +1,293 @@
-//! Pictures and animations in the formats of files.
+//! Where output goes: a file that is complete or does not exist, standard output, or a device or pipe.
 
-use std::fs::File;
-use std::io::Read;
+use std::error::Error;
+use std::fs::{self, File, OpenOptions, Permissions};
+use std::io::{self, BufWriter, Read, Seek, Write};
 use std::path::{Path, PathBuf};
-
-use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
-use gif::{AnyExtension, Repeat};
-use png::{BitDepth, ColorType};
+use std::process;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 use super::Result;
-use crate::place::{self, Output};
 
-/// Time between frames of an animation, in milliseconds.
-pub const FRAME_MS: u64 = 40;
-/// Written into every picture, so that a default name never replaces a file of the user's.
-const MARK: &str = "fixel simulator";
+/// Files that are being written, for [`remove_on_interrupt`].
+static PARTIAL: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// The kind of picture that a file name asks for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    Png,
-    Gif,
-    /// Animated PNG.
-    Apng,
+fn partial_files() -> std::sync::MutexGuard<'static, Vec<PathBuf>> {
+    PARTIAL.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-impl Format {
-    /// Returns the format that the ending of `path` stands for. A stream has no ending: it takes PNG, and GIF for
-    /// several frames.
-    ///
-    /// # Errors
-    ///
-    /// The ending is of no known format, or of one that holds a single frame.
-    pub fn of(path: &Path, frames: u32) -> Result<Self> {
-        let several = frames > 1;
-        let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
-        match extension.to_str() {
-            Some("png") if several => Err(format!(
-                "{frames} frames make an animation: it needs --out FILE.gif or FILE.apng"
-            )
-            .into()),
-            Some("png") => Ok(Self::Png),
-            Some("gif") => Ok(Self::Gif),
-            Some("apng") => Ok(Self::Apng),
-            _ if place::is_stream(path) => Ok(if several { Self::Gif } else { Self::Png }),
-            _ => Err(format!(
-                "output {}: its name must end in .png, .gif or .apng (an animated PNG)",
-                path.display()
-            )
-            .into()),
-        }
-    }
-}
-
-/// Chooses a name for a picture in the working directory: `stem`, or `stem`-picture if there is a file of that name
-/// which this program did not write or now reads.
+/// Removes unfinished files when the user interrupts or terminates the program.
 ///
 /// # Errors
 ///
-/// Both names are taken.
-pub fn free_name(stem: &Path, extension: &str, inputs: &[PathBuf]) -> Result<PathBuf> {
-    for suffix in ["", "-picture"] {
-        let mut name = stem.as_os_str().to_os_string();
-        name.push(suffix);
-        name.push(extension);
-        let path = PathBuf::from(name);
-        let is_free = path.symlink_metadata().is_err() || is_own(&path);
-        if is_free && place::refuse_inputs(&path, inputs).is_ok() {
-            return Ok(path);
+/// The system does not let the program handle signals.
+pub fn remove_on_interrupt() -> Result<()> {
+    ctrlc::set_handler(|| {
+        // Locked until the end, so that no file is begun after this.
+        for path in partial_files().iter() {
+            let _ = fs::remove_file(path);
+        }
+        process::exit(130);
+    })
+    .map_err(|error| format!("cannot handle interrupts: {error}").into())
+}
+
+/// Whether `path` stands for standard output.
+pub fn is_stdout(path: &Path) -> bool {
+    // Opened anew, what the shell opened would be overwritten from its start.
+    ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].contains(&&*path.to_string_lossy())
+}
+
+/// Whether `path` is written as it is, without a file of its own: standard output, a device or a pipe.
+pub fn is_stream(path: &Path) -> bool {
+    // What a shell opened, such as /dev/fd/3, may be a file, but is not to be replaced.
+    let is_special = ["/dev/fd", "/dev/stderr", "/proc"]
+        .iter()
+        .any(|folder| path.starts_with(folder));
+    is_stdout(path)
+        || is_special
+        || fs::metadata(path).is_ok_and(|is| !is.is_file() && !is.is_dir())
+}
+
+/// Refuses an output that is one of the `inputs`, by whatever name.
+///
+/// # Errors
+///
+/// The message names both.
+pub fn refuse_inputs(output: &Path, inputs: &[PathBuf]) -> Result<()> {
+    for input in inputs {
+        if !is_stdout(output) && same_file::is_same_file(output, input).unwrap_or(false) {
+            return Err(format!(
+                "cannot write {}: it is an input, {}",
+                output.display(),
+                input.display()
+            )
+            .into());
         }
     }
-    Err(format!(
-        "{0}{extension} and {0}-picture{extension} are files that this program did not write: name the picture with --out",
-        stem.display()
-    )
-    .into())
+    Ok(())
 }
 
-/// Whether this program wrote a file.
-fn is_own(path: &Path) -> bool {
-    let mut start = Vec::new();
-    let is_read = path.is_file()
-        && File::open(path).is_ok_and(|file| file.take(256).read_to_end(&mut start).is_ok());
-    is_read
-        && start
-            .windows(MARK.len())
-            .any(|bytes| bytes == MARK.as_bytes())
+/// Whether two outputs are the same file, which may not exist yet.
+pub fn are_same(a: &Path, b: &Path) -> bool {
+    if is_stdout(a) || is_stdout(b) {
+        return is_stdout(a) && is_stdout(b);
+    }
+    if let Ok(same) = same_file::is_same_file(a, b) {
+        return same;
+    }
+    let folder = |path: &Path| {
+        fs::canonicalize(
+            path.parent()
+                .filter(|path| *path != Path::new(""))
+                .unwrap_or(Path::new(".")),
+        )
+        .ok()
+    };
+    a.file_name() == b.file_name() && folder(a).is_some() && folder(a) == folder(b)
 }
 
-/// Writes the frames of a picture or an animation that plays forever.
-pub enum Encoder<'a> {
-    Png(png::Writer<&'a mut Output>),
-    Gif(Box<gif::Encoder<&'a mut Output>>, (u16, u16)),
+/// How a file that is complete gets its place.
+#[derive(Debug)]
+enum Place {
+    Stream,
+    /// Renamed, so that nobody ever sees half of it.
+    Rename(PathBuf, Option<Permissions>),
+    /// Copied into an existing file that has other names, too.
+    Copy(PathBuf),
+    /// Left beside the file that it should have been copied into.
+    Left,
 }
 
-impl<'a> Encoder<'a> {
-    /// Writes the header for this many frames.
+/// An output. [`finish`](Self::finish) gives a file its name; without `finish` it is removed.
+#[derive(Debug)]
+pub struct Output {
+    name: String,
+    place: Place,
+    /// Name of the unfinished file.
+    partial: PathBuf,
+    writer: Option<Writer>,
+}
+
+#[derive(Debug)]
+enum Writer {
+    File(BufWriter<File>),
+    Stdout(BufWriter<io::Stdout>),
+}
+
+impl Output {
+    /// Opens `path`.
     ///
     /// # Errors
     ///
-    /// The file cannot be written.
-    pub fn new(
-        format: Format,
-        output: &'a mut Output,
-        (width, height): (u32, u32),
-        frames: u32,
-    ) -> Result<Self> {
-        if format == Format::Gif {
-            let size = (u16::try_from(width)?, u16::try_from(height)?);
-            let mut gif = gif::Encoder::new(output, size.0, size.1, &[])?;
-            // A comment, which viewers do not show.
-            gif.write_raw_extension(AnyExtension(0xfe), &[MARK.as_bytes()])?;
-            gif.set_repeat(Repeat::Infinite)?;
-            return Ok(Self::Gif(Box::new(gif), size));
+    /// The file cannot be created, is read-only, or is a directory.
+    pub fn create(path: &Path) -> Result<Self> {
+        let name = if is_stdout(path) {
+            "standard output".into()
+        } else {
+            path.display().to_string()
+        };
+        let refuse = |problem: String| format!("cannot write {name}: {problem}");
+        let failed = |error: io::Error| refuse(error.to_string());
+        if is_stream(path) {
+            let writer = if is_stdout(path) {
+                Writer::Stdout(BufWriter::new(io::stdout()))
+            } else {
+                let file = OpenOptions::new().write(true).open(path).map_err(failed)?;
+                Writer::File(BufWriter::new(file))
+            };
+            return Ok(Self {
+                name,
+                place: Place::Stream,
+                partial: PathBuf::new(),
+                writer: Some(writer),
+            });
         }
-        let mut png = png::Encoder::new(output, width, height);
-        png.set_color(ColorType::Rgb);
-        png.set_depth(BitDepth::Eight);
-        png.add_text_chunk("Software".into(), MARK.into())?;
-        if format == Format::Apng {
-            png.set_animated(frames, 0)?;
-            png.set_frame_delay(FRAME_MS as u16, 1000)?;
-        }
-        Ok(Self::Png(png.write_header()?))
-    }
-
-    /// Writes a frame.
-    ///
-    /// # Errors
-    ///
-    /// The file cannot be written.
-    pub fn frame(&mut self, pixels: &[Rgb888]) -> Result<()> {
-        let bytes: Vec<u8> = pixels
-            .iter()
-            .flat_map(|color| [color.r(), color.g(), color.b()])
-            .collect();
-        match self {
-            Self::Png(png) => png.write_image_data(&bytes)?,
-            Self::Gif(gif, (width, height)) => {
-                let mut frame = gif::Frame::from_rgb_speed(*width, *height, &bytes, 10);
-                // In hundredths of a second.
-                frame.delay = FRAME_MS as u16 / 10;
-                gif.write_frame(&frame)?;
+        // A link stays a link: its target is written.
+        let path = match fs::symlink_metadata(path) {
+            Ok(link) if link.is_symlink() => target(path).map_err(failed)?,
+            _ => path.to_path_buf(),
+        };
+        let place = match fs::metadata(&path) {
+            Ok(is) if is.is_dir() => return Err(refuse("it is a directory".into()).into()),
+            Ok(is) if is.permissions().readonly() => {
+                return Err(refuse("it is read-only".into()).into());
             }
+            Ok(is) if links(&is) > 1 => Place::Copy(path.clone()),
+            Ok(is) => Place::Rename(path.clone(), Some(is.permissions())),
+            Err(_) => Place::Rename(path.clone(), None),
+        };
+        if path.file_name().is_none() {
+            return Err(refuse("it is not a file name".into()).into());
         }
-        Ok(())
+        let partial = path.with_file_name(partial_name());
+        let mut files = partial_files();
+        let file = File::create_new(&partial).map_err(failed)?;
+        files.push(partial.clone());
+        Ok(Self {
+            name,
+            place,
+            partial,
+            writer: Some(Writer::File(BufWriter::new(file))),
+        })
     }
 
-    /// Writes the end of the file.
+    /// Returns a function that names this output in an error.
+    pub fn failed(&self) -> impl Fn(Box<dyn Error>) -> Box<dyn Error> + use<> {
+        let name = self.name.clone();
+        move |error| format!("cannot write {name}: {error}").into()
+    }
+
+    /// Gives the file its name.
     ///
     /// # Errors
     ///
-    /// The file cannot be written.
-    pub fn finish(self) -> Result<()> {
-        match self {
-            Self::Png(png) => png.finish()?,
-            Self::Gif(gif, _) => drop(gif.into_inner()?),
+    /// The file cannot be written or renamed. If old contents were damaged, the message says where the new ones are.
+    pub fn finish(mut self) -> Result<()> {
+        let failed = self.failed();
+        let flushed = self.flush();
+        self.writer = None;
+        let placed = flushed.and_then(|()| match &self.place {
+            Place::Stream | Place::Left => Ok(()),
+            Place::Rename(path, permissions) => permissions
+                .clone()
+                .map_or(Ok(()), |permissions| {
+                    fs::set_permissions(&self.partial, permissions)
+                })
+                .and_then(|()| fs::rename(&self.partial, path)),
+            Place::Copy(path) => {
+                let reserved = reserve(&self.partial, path);
+                reserved.and_then(|(mut from, mut to)| {
+                    let copied = io::copy(&mut from, &mut to)
+                        .and_then(|length| to.set_len(length))
+                        .and_then(|()| to.sync_all());
+                    copied.map_err(|error| {
+                        self.place = Place::Left;
+                        let partial = self.partial.display();
+                        io::Error::other(format!("{error}: it is complete in {partial}"))
+                    })
+                })
+            }
+        });
+        placed.map_err(|error| failed(error.into()))
+    }
+}
+
+/// A name for an unfinished file, short enough for any file system.
+fn partial_name() -> String {
+    static COUNT: AtomicU32 = AtomicU32::new(0);
+    let count = COUNT.fetch_add(1, Ordering::Relaxed);
+    format!(".fixel-{}-{count}.partial", process::id())
+}
+
+/// Opens `from` to be copied over the contents of `to`, and makes `to` large enough. So a full disk is noticed while
+/// the old contents are still there.
+fn reserve(from: &Path, to: &Path) -> io::Result<(File, File)> {
+    let from = File::open(from)?;
+    let mut to = OpenOptions::new().write(true).open(to)?;
+    let (old, new) = (to.metadata()?.len(), from.metadata()?.len());
+    let mut zeros = io::repeat(0).take(new.saturating_sub(old));
+    to.seek(io::SeekFrom::End(0))?;
+    let grown = io::copy(&mut zeros, &mut to).and_then(|_| to.sync_all());
+    if let Err(error) = grown {
+        to.set_len(old)?;
+        return Err(error);
+    }
+    to.rewind()?;
+    Ok((from, to))
+}
+
+/// The file that a link stands for, which need not exist.
+fn target(link: &Path) -> io::Result<PathBuf> {
+    match fs::canonicalize(link) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            let target = fs::read_link(link)?;
+            Ok(link.parent().unwrap_or(Path::new("")).join(target))
         }
-        Ok(())
+        found => found,
+    }
+}
+
+/// How many names a file has.
+#[cfg(unix)]
+fn links(file: &fs::Metadata) -> u64 {
+    std::os::unix::fs::MetadataExt::nlink(file)
+}
+
+#[cfg(not(unix))]
+fn links(_: &fs::Metadata) -> u64 {
+    1
+}
+
+impl Write for Output {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match &mut self.writer {
+            Some(Writer::File(file)) => file.write(bytes),
+            Some(Writer::Stdout(stdout)) => stdout.write(bytes),
+            None => Ok(0),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match &mut self.writer {
+            Some(Writer::File(file)) => file.flush(),
+            Some(Writer::Stdout(stdout)) => stdout.flush(),
+            None => Ok(()),
+        }
+    }
+}
+
+impl Drop for Output {
+    fn drop(&mut self) {
+        self.writer = None;
+        if matches!(self.place, Place::Left) {
+            partial_files().retain(|path| *path != self.partial);
+        } else if !matches!(self.place, Place::Stream) {
+            let mut files = partial_files();
+            // After `finish`, a file that was renamed is gone.
+            let _ = fs::remove_file(&self.partial);
+            files.retain(|path| *path != self.partial);
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! Draws a model in each look and each color.
 
-use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::draw_target::{DrawTarget, DrawTargetExt};
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::{
     BinaryColor, Gray4, Gray8, PixelColor, Rgb565, Rgb888, RgbColor,
@@ -8,7 +8,7 @@ use embedded_graphics::pixelcolor::{
 use embedded_graphics::primitives::{PointsIter, Rectangle};
 use fixel::mode::Newton;
 use fixel::prelude::*;
-use fixel::shade::{DepthView, Flat, Fog, Gouraud, Levels, NormalView, Textured, Varyings};
+use fixel::shade::{DepthView, Flat, Gouraud, Levels, NormalView, Textured, Varyings};
 use fixel::target::{Biased, DepthBuffer, Native, TestAndWrite};
 use fixel::texture::Blend;
 use fixel::view::Perspective;
@@ -18,7 +18,8 @@ use super::Result;
 use super::common::lighthouse;
 use super::look::Look;
 use super::mode::{Mode, in_mode};
-use super::surface::{FaceValues, Surface};
+use super::surface::{FaceValues, Show, Surface};
+use super::tinted::TintedLit;
 use super::view::{Lens, View};
 use crate::args::{Filter, Shade};
 use crate::piece::{Finish, Piece};
@@ -26,139 +27,227 @@ use crate::piece::{Finish, Piece};
 /// The simulator's canvas.
 pub type Board<'a, C, D> = Canvas<'a, C, Native, D>;
 
-/// A canvas's color, and the texture's color for it.
-pub trait Shown: Levels + Into<Rgb888> + Default + 'static {
-    /// The color that a texture is stored in. For dithered colors it is a finer one, because the picture is to be
-    /// dithered, not the texture.
-    type Texel: Levels + Blend;
-
-    /// The shader of a piece of a model with its `texture`; [`Shade::Wire`] has none, and draws nothing but edges.
+/// A color that textures are stored in.
+pub trait Stored: Levels + Blend + Into<Rgb888> + 'static {
+    /// The shader of a piece with a texture, or of one in fog, which is computed in this color before it is `shown`.
     ///
     /// # Errors
     ///
-    /// The fog ends before it begins, or the look needs more numbers than a shader can have.
+    /// The fog ends before it begins.
     fn surface<'a>(
         look: &'a Look,
-        view: &View,
+        filter: Filter,
         piece: &Piece<'_>,
-        texture: Option<&'a Texture<'a, Self::Texel>>,
+        texture: Option<&'a Texture<'a, Self>>,
+        shown: Show<Self>,
     ) -> Result<Surface<'a>>;
 }
 
-/// The error of a look with more numbers than the library interpolates: two for the texture, three each for the colors
-/// of vertices and of the light, and one for fog.
-const TOO_MANY: &str = "--fog with a colored --light: the model has a texture and colors of vertices, and all of them \
-     are more than the eight numbers that a shader can interpolate: make the lights white, or leave out the fog";
+/// A canvas's color, and the texture's color for it.
+pub trait Shown:
+    Levels<Channels: Varyings<Face: FaceValues>> + Into<Rgb888> + Default + 'static
+{
+    /// The color that a texture is stored in. For dithered colors it is a finer one, because the picture is to be
+    /// dithered, not the texture.
+    type Texel: Stored;
 
-macro_rules! shown {
-    ($($color:ident $texel:ident |$shader:ident| $converted:expr;)+) => {$(
-        impl Shown for $color {
-            type Texel = $texel;
+    /// Shows a texture's color at a pixel.
+    fn shown(texel: Self::Texel, at: Point) -> Rgb888;
 
+    /// The shader of a piece without texture, in clear air. A color is dithered once, from the exact color.
+    ///
+    /// # Errors
+    ///
+    /// None.
+    fn bare<'a>(look: &'a Look, piece: &Piece<'_>) -> Result<Surface<'a>>;
+
+    /// The shader of the vertices' colors, without light.
+    ///
+    /// # Errors
+    ///
+    /// None.
+    fn vertex_colors() -> Result<Surface<'static>>;
+}
+
+/// Takes `$look`'s light, in one of two ways, to `$unlit`; the wrapped shader is `$lit` and has the first layout under
+/// white light, the second under colored lights.
+macro_rules! lit {
+    ($look:expr, $unlit:expr, $method:ident, [$white:expr, $colored:expr],
+     |$lit:ident, $layout:ident| $result:expr) => {
+        if let Some(white) = $look.white() {
+            let $layout = $white;
+            let $lit = $unlit.$method(white);
+            $result
+        } else {
+            let $layout = $colored;
+            let $lit = $unlit.$method($look.colored());
+            $result
+        }
+    };
+}
+
+/// Takes light, as the look wants it, to a surface of one color or of the vertices' colors.
+macro_rules! plain {
+    ($look:expr, $surface:expr, [$unlit:expr, $white:expr, $colored:expr],
+     |$wrapped:ident, $layout:ident| $result:expr) => {
+        match $look.shade {
+            Some(Shade::Texture) => {
+                let $layout = $unlit;
+                let $wrapped = $surface;
+                $result
+            }
+            Some(Shade::Flat) => {
+                lit!(
+                    $look,
+                    $surface,
+                    lit_faces,
+                    [$white, $colored],
+                    |$wrapped, $layout| $result
+                )
+            }
+            _ => lit!(
+                $look,
+                $surface,
+                lit,
+                [$white, $colored],
+                |$wrapped, $layout| $result
+            ),
+        }
+    };
+}
+
+macro_rules! stored {
+    ($($texel:ident)+) => {$(
+        impl Stored for $texel {
             fn surface<'a>(
                 look: &'a Look,
-                view: &View,
+                filter: Filter,
                 piece: &Piece<'_>,
-                texture: Option<&'a Texture<'a, $texel>>,
+                texture: Option<&'a Texture<'a, Self>>,
+                shown: Show<Self>,
             ) -> Result<Surface<'a>> {
-                fn wrapped<'a, S>($shader: S, fog: Option<Fog<$texel>>) -> Result<Surface<'a>>
-                where
-                    S: Shader<Color = $texel, Varyings: Varyings<Face: FaceValues>> + 'a,
-                {
-                    if let Some(fog) = fog {
-                        let $shader = $shader.in_fog(fog);
-                        return Surface::new($converted);
-                    }
-                    Surface::new($converted)
-                }
-                let fog = look.fog::<$texel>()?;
-                let (is_colored, color) = (piece.mesh.has_colors(), piece.finish.color);
-                /// Lights a shader in one of two ways.
-                macro_rules! lit {
-                    ($unlit:expr, $lit:ident, |$wrapped:ident| $result:expr) => {
-                        if let Some(white) = look.white() {
-                            let $wrapped = $unlit.$lit(white);
-                            $result
-                        } else {
-                            let $wrapped = $unlit.$lit(look.colored());
-                            $result
+                let fog = look.fog::<Self>()?;
+                /// Wraps a shader, whose layout in clear air is given.
+                macro_rules! wrapped {
+                    ($shader:expr, $layout:expr) => {
+                        match fog {
+                            Some(fog) => Surface::new(Surface::Many, $shader.in_fog(fog), shown),
+                            None => Surface::new($layout, $shader, shown),
                         }
                     };
                 }
-                /// Takes light and fog, as the look wants them, to a surface of one color or of the vertices' colors.
-                macro_rules! plain {
-                    ($surface:expr, |$wrapped:ident| $result:expr) => {
-                        match look.shade {
-                            Shade::Texture => {
-                                let $wrapped = $surface;
-                                $result
-                            }
-                            Shade::Flat => lit!($surface, lit_faces, |$wrapped| $result),
-                            _ => lit!($surface, lit, |$wrapped| $result),
-                        }
-                    };
-                }
-                /// The same for a texture.
                 macro_rules! textured {
                     ($skin:expr) => {
-                        match (look.shade, is_colored) {
-                            (Shade::Texture, false) => wrapped($skin, fog),
-                            (Shade::Texture, true) => wrapped($skin.tinted(), fog),
-                            (_, false) => lit!($skin, lit, |lit| wrapped(lit, fog)),
-                            (_, true) => match (look.white(), fog) {
-                                (Some(white), _) => wrapped($skin.tinted().lit(white), fog),
-                                (None, None) => {
-                                    let $shader = $skin.tinted().lit(look.colored());
-                                    Surface::new($converted)
+                        match (look.shade, piece.mesh.has_colors()) {
+                            (Some(Shade::Texture), false) => wrapped!($skin, Surface::Few),
+                            (Some(Shade::Texture), true) => wrapped!($skin.tinted(), Surface::Many),
+                            (_, false) => lit!(look, $skin, lit, [Surface::Few, Surface::Many], |lit, layout| {
+                                wrapped!(lit, layout)
+                            }),
+                            (_, true) => match look.white() {
+                                Some(white) => wrapped!($skin.tinted().lit(white), Surface::Many),
+                                None => {
+                                    let (surface, light) = ($skin, look.colored());
+                                    wrapped!(TintedLit { surface, light }, Surface::Many)
                                 }
-                                (None, Some(_)) => Err(TOO_MANY.into()),
                             },
                         }
                     };
                 }
-                match (look.shade, texture) {
-                    (Shade::Texture | Shade::Lit, Some(texture)) => {
-                        let skin = Textured::new(texture);
-                        match view.filter {
-                            Filter::Nearest => textured!(skin),
-                            Filter::Bilinear => textured!(skin.bilinear()),
+                let skin = texture.map(Textured::new);
+                match (skin, filter, fog) {
+                    (Some(skin), Filter::Nearest, _) => textured!(skin),
+                    (Some(skin), Filter::Bilinear, _) => textured!(skin.bilinear()),
+                    (None, _, fog) => {
+                        let fog = fog.ok_or("without texture and fog, colors are not stored")?;
+                        if piece.mesh.has_colors() {
+                            plain!(
+                                look, Gouraud::<Self>::new(),
+                                [Surface::Channels, Surface::Channels, Surface::Channels],
+                                |lit, layout| Surface::new(layout, lit.in_fog(fog), shown)
+                            )
+                        } else {
+                            plain!(
+                                look, Flat::<Self>::rgb(piece.finish.color),
+                                [Surface::Many, Surface::Many, Surface::Many],
+                                |lit, layout| Surface::new(layout, lit.in_fog(fog), shown)
+                            )
                         }
-                    }
-                    (Shade::Texture | Shade::Lit | Shade::Gouraud | Shade::Flat, _) => {
-                        match (is_colored, fog) {
-                            // Without fog, a color is dithered once, from the exact color.
-                            (false, None) => {
-                                plain!(Flat::<$color>::rgb(color), |lit| Surface::new(lit))
-                            }
-                            (false, Some(_)) => {
-                                plain!(Flat::<$texel>::rgb(color), |lit| wrapped(lit, fog))
-                            }
-                            (true, None) => {
-                                plain!(Gouraud::<$color>::new(), |lit| Surface::new(lit))
-                            }
-                            (true, Some(_)) => {
-                                plain!(Gouraud::<$texel>::new(), |lit| wrapped(lit, fog))
-                            }
-                        }
-                    }
-                    (Shade::Normal, _) => Surface::new(NormalView::<$color>::new()),
-                    (Shade::Depth | Shade::Wire, _) => {
-                        let [near, far] = view.depths;
-                        // Keeps the farthest point visible on black.
-                        let far = far.saturating_sub((near.saturating_sub(far)) / 6);
-                        Surface::new(DepthView::<$color>::between(far, near))
                     }
                 }
             }
         }
     )+};
 }
+stored!(Rgb565 Rgb888 Gray8);
+
+macro_rules! shown {
+    ($($color:ident $texel:ident $corners:ident |$from:ident, $at:ident| $converted:expr;)+) => {$(
+        impl Shown for $color {
+            type Texel = $texel;
+
+            fn shown($from: $texel, $at: Point) -> Rgb888 {
+                $converted.into()
+            }
+
+            fn vertex_colors() -> Result<Surface<'static>> {
+                Surface::new(Surface::$corners, Gouraud::<Self>::new(), screen)
+            }
+
+            fn bare<'a>(look: &'a Look, piece: &Piece<'_>) -> Result<Surface<'a>> {
+                if piece.mesh.has_colors() {
+                    plain!(
+                        look, Gouraud::<Self>::new(), [Surface::$corners, Surface::Channels, Surface::Channels],
+                        |lit, layout| Surface::new(layout, lit, screen)
+                    )
+                } else {
+                    plain!(
+                        look, Flat::<Self>::rgb(piece.finish.color), [Surface::Few, Surface::Few, Surface::Many],
+                        |lit, layout| Surface::new(layout, lit, screen)
+                    )
+                }
+            }
+        }
+    )+};
+}
 shown! {
-    Rgb565 Rgb565 |shader| shader;
-    Rgb888 Rgb888 |shader| shader;
-    Gray8 Gray8 |shader| shader;
-    Gray4 Gray8 |shader| shader.converted::<Gray4>();
-    BinaryColor Gray8 |shader| shader.converted::<BinaryColor>();
+    Rgb565 Rgb565 Pairs |color, _at| color;
+    Rgb888 Rgb888 Channels |color, _at| color;
+    Gray8 Gray8 Channels |color, _at| color;
+    Gray4 Gray8 Channels |color, at| Gray4::from_rgb(color.into(), at);
+    BinaryColor Gray8 Channels |color, at| BinaryColor::from_rgb(color.into(), at);
+}
+
+/// The color that a computer's screen shows for one of the canvas.
+pub fn screen<C: Into<Rgb888>>(color: C, _: Point) -> Rgb888 {
+    color.into()
+}
+
+/// The shader of a piece of a model with its `texture`; [`Shade::Wire`] has none, and draws nothing but edges.
+///
+/// # Errors
+///
+/// The fog ends before it begins.
+fn surface<'a, C: Shown>(
+    look: &'a Look,
+    view: &View,
+    piece: &Piece<'_>,
+    texture: Option<&'a Texture<'a, C::Texel>>,
+) -> Result<Surface<'a>> {
+    match (look.shade, texture) {
+        (Some(Shade::Normal), _) => Surface::new(Surface::Channels, NormalView::<C>::new(), screen),
+        (Some(Shade::Depth | Shade::Wire), _) => {
+            let [near, far] = view.depths;
+            // Keeps the farthest point visible on black.
+            let far = far.saturating_sub((near.saturating_sub(far)) / 6);
+            Surface::new(Surface::Few, DepthView::<C>::between(far, near), screen)
+        }
+        (Some(Shade::Texture | Shade::Lit), Some(_)) => {
+            C::Texel::surface(look, view.filter, piece, texture, C::shown)
+        }
+        _ if look.has_fog() => C::Texel::surface(look, view.filter, piece, None, C::shown),
+        _ => C::bare(look, piece),
+    }
 }
 
 /// The shaders of the project's own scene in a color: of the sea and of the island.
@@ -166,31 +255,48 @@ shown! {
 /// # Errors
 ///
 /// None: the scene's numbers are constant.
-pub fn own_surfaces<C: Shown>() -> Result<[Surface<'static>; 2]> {
-    if lighthouse::is_mono::<C>() {
-        return Ok([
-            Surface::new(lighthouse::crests::<C>())?,
-            Surface::new(lighthouse::stretched::<C>()?)?,
-        ]);
-    }
-    Ok([
-        Surface::new(lighthouse::waves::<C>())?,
-        Surface::new(lighthouse::skin::<C>()?)?,
-    ])
+fn own_surfaces<C: Shown>() -> Result<Vec<Surface<'static>>> {
+    Ok(if lighthouse::is_mono::<C>() {
+        vec![
+            Surface::new(Surface::Few, lighthouse::crests::<C>(), screen)?,
+            Surface::new(Surface::Few, lighthouse::stretched::<C>()?, screen)?,
+        ]
+    } else {
+        vec![
+            Surface::new(Surface::Few, lighthouse::waves::<C>(), screen)?,
+            Surface::new(Surface::Few, lighthouse::skin::<C>()?, screen)?,
+        ]
+    })
 }
 
-/// Everything that a model's picture needs but the model.
+/// What is behind everything.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Backdrop {
+    /// One color, before it is converted to that of the canvas.
+    Color(Rgb888),
+    /// The sky of the project's own scene.
+    Sky,
+}
+
+/// Everything that a picture needs but the model.
 pub struct Brush<'a> {
-    pub look: &'a Look,
     /// For each piece of the model.
     surfaces: Vec<Surface<'a>>,
     /// The color of lines.
     line: Rgb888,
     /// Lines' width in pixels.
     width: LineWidth,
-    /// The color of the canvas at a pixel, for a background.
-    background: fn(Rgb888, Point) -> Rgb888,
-    backdrop: Rgb888,
+    /// Whether edges are all there is.
+    only_edges: bool,
+    /// Whether edges are drawn over the surface.
+    wire: bool,
+    backdrop: Backdrop,
+    /// The color of the canvas at a pixel.
+    color: Show<Rgb888>,
+    /// Whether the project's name is written into the picture, and if so, whether on black.
+    caption: Option<bool>,
+    /// Whether white silhouettes are drawn around the project's own island.
+    silhouettes: bool,
 }
 
 impl<'a> Brush<'a> {
@@ -199,7 +305,7 @@ impl<'a> Brush<'a> {
     ///
     /// # Errors
     ///
-    /// The fog ends before it begins, or the look needs more numbers than a shader can have.
+    /// The fog ends before it begins.
     pub fn new<C: Shown>(
         look: &'a Look,
         view: &View,
@@ -209,20 +315,33 @@ impl<'a> Brush<'a> {
     ) -> Result<Self> {
         let surface = |piece: &Piece<'_>| {
             let texture = piece.finish.texture.and_then(|at| textures.get(at));
-            C::surface(look, view, piece, texture)
+            surface::<C>(look, view, piece, texture)
         };
+        let is_mono = lighthouse::is_mono::<C>();
         Ok(Self {
-            look,
-            surfaces: pieces.iter().map(surface).collect::<Result<_>>()?,
+            surfaces: match look.shade {
+                Some(_) => pieces.iter().map(surface).collect::<Result<_>>()?,
+                None => own_surfaces::<C>()?,
+            },
             line: look.line::<C>(),
             width: LineWidth::new(Scalar::from_num(width))?,
-            background: |color, at| C::from_rgb(color, at).into(),
-            backdrop: look.backdrop::<C>(),
+            only_edges: look.shade == Some(Shade::Wire),
+            wire: look.wire,
+            backdrop: look.backdrop,
+            color: |color, at| C::from_rgb(color, at).into(),
+            // Averaged, it could not be read.
+            caption: (look.is_scene && width == 1).then_some(is_mono),
+            silhouettes: look.shade.is_none() && is_mono,
         })
     }
 
-    /// Fills the canvas, whose top left corner is the picture's point `origin`.
-    pub fn clear<D: DepthBuffer>(&self, canvas: &mut Board<'_, Rgb888, D>, origin: Point) {
+    /// Fills the canvas, which is a part of a picture of this height; `origin` is its place there.
+    pub fn clear<D: DepthBuffer>(
+        &self,
+        canvas: &mut Board<'_, Rgb888, D>,
+        origin: Point,
+        height: u32,
+    ) {
         canvas.clear(Rgb888::default());
         let rows = canvas.rows().clone();
         let corner = Point::new(0, rows.start.cast_signed());
@@ -230,10 +349,27 @@ impl<'a> Brush<'a> {
             corner,
             Size::new(canvas.frame_size().width, rows.end - rows.start),
         );
-        let colors = area
-            .points()
-            .map(|at| (self.background)(self.backdrop, at + origin));
+        let colors = area.points().map(|at| {
+            let at = at + origin;
+            let color = match self.backdrop {
+                Backdrop::Color(color) => color,
+                Backdrop::Sky => lighthouse::sky_color(at.y.cast_unsigned(), height),
+            };
+            (self.color)(color, at)
+        });
         let Ok(()) = canvas.fill_contiguous(&area, colors);
+    }
+
+    /// Writes the caption, if there is one, into a picture of this size; `origin` as for [`clear`](Self::clear).
+    pub fn write<D: DepthBuffer>(
+        &self,
+        canvas: &mut Board<'_, Rgb888, D>,
+        origin: Point,
+        size: Size,
+    ) {
+        if let Some(on_black) = self.caption {
+            lighthouse::caption_on(&mut canvas.translated(-origin), size, on_black);
+        }
     }
 }
 
@@ -301,7 +437,6 @@ pub fn draw_surface_in<D: DepthBuffer>(
         Surface::Many(shader) => draw_in(canvas, mode, options, mesh, mvp, &shader),
         Surface::Channels(shader) => draw_in(canvas, mode, options, mesh, mvp, &shader),
         Surface::Pairs(shader) => draw_in(canvas, mode, options, mesh, mvp, &shader),
-        Surface::Most(shader) => draw_in(canvas, mode, options, mesh, mvp, &shader),
     }
 }
 
@@ -360,7 +495,7 @@ impl Posed<'_> {
     }
 
     /// Draws an outline in white.
-    pub fn draw_outline<D: DepthBuffer>(
+    fn draw_outline<D: DepthBuffer>(
         &self,
         canvas: &mut Board<'_, Rgb888, D>,
         mesh: &'static Mesh<'static>,
@@ -386,19 +521,21 @@ impl Posed<'_> {
         canvas: &mut Board<'_, Rgb888, D>,
         brush: &Brush<'_>,
     ) -> Drawn {
-        if brush.look.shade == Shade::Wire {
+        if brush.only_edges {
             return self.draw_lines(canvas, brush);
         }
-        let wire = brush.look.wire;
-        let drawn = self.draw_surfaces(canvas, &brush.surfaces, wire);
-        if wire {
+        let drawn = self.draw_surfaces(canvas, &brush.surfaces, brush.wire);
+        if brush.wire {
             self.draw_lines(canvas, brush);
+        }
+        if brush.silhouettes {
+            self.draw_outline(canvas, &lighthouse::ISLAND, &lighthouse::SILHOUETTES);
         }
         drawn
     }
 
     /// Draws the triangles of each piece with its surface; `behind` the edges that are drawn over them.
-    pub fn draw_surfaces<D: DepthBuffer>(
+    fn draw_surfaces<D: DepthBuffer>(
         &self,
         canvas: &mut Board<'_, Rgb888, D>,
         surfaces: &[Surface<'_>],
@@ -425,7 +562,6 @@ impl Posed<'_> {
             Surface::Many(shader) => self.draw(canvas, &shader, behind),
             Surface::Channels(shader) => self.draw(canvas, &shader, behind),
             Surface::Pairs(shader) => self.draw(canvas, &shader, behind),
-            Surface::Most(shader) => self.draw(canvas, &shader, behind),
         }
     }
 }

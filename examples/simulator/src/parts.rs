@@ -10,6 +10,7 @@ use fixel::{Mesh, Vec2, Vec3};
 use super::Result;
 use super::model::{Model, Triangle};
 use super::skin::times;
+use super::vector::unit;
 
 /// Indices have 16 bits, and the last one stands for no value.
 const MOST: usize = 65_535;
@@ -226,9 +227,11 @@ impl Lists {
                     None => Mesh::NO_VALUE,
                 };
                 let normal = corner.normal.map_or(0, |normal| normal as usize);
-                normal_face[at] = self
-                    .normals
-                    .place(normal, || Ok(Vec3::try_from(unit(model.normals[normal]))?))?;
+                normal_face[at] = self.normals.place(normal, || {
+                    // At unit length it is not too small for the format; zero stays zero.
+                    let direction = unit(model.normals[normal]).unwrap_or_default();
+                    Ok(Vec3::try_from(direction)?)
+                })?;
                 if is_colored {
                     let color = corner
                         .color
@@ -255,15 +258,5 @@ impl Lists {
             colors: self.colors.values,
             ..self.part
         }
-    }
-}
-
-/// Returns the normal at unit length, so that it is not too small for the format; zero stays zero.
-fn unit(normal: [f64; 3]) -> [f64; 3] {
-    let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
-    if length > 0.0 {
-        normal.map(|x| x / length)
-    } else {
-        normal
     }
 }

@@ -1,8 +1,12 @@
-//! Pictures that are read. The crate `image` would read more formats, but takes longer to compile than this library.
+//! Pictures that are read: PNG, JPEG, BMP and TGA.
+//!
+//! The crate `image` would read more formats, but takes longer to compile than this library, which reads BMP and TGA.
 
 use std::io::Cursor;
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use fixel::Error;
+use fixel::texture::Image;
 use png::{ColorType, Decoder, Transformations};
 use zune_core::bytestream::ZCursor;
 use zune_core::colorspace::ColorSpace;
@@ -21,18 +25,23 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Reads a PNG or JPEG, whatever its name.
+    /// Reads a PNG, JPEG, BMP or TGA, whatever its name.
     ///
     /// # Errors
     ///
-    /// It is neither, or damaged, or too large.
+    /// It is none of these, or damaged, or too large.
     pub fn decode(bytes: &[u8]) -> Result<Self, String> {
         let picture = if bytes.starts_with(b"\x89PNG") {
             png(bytes)
         } else if bytes.starts_with(&[0xff, 0xd8]) {
             jpeg(bytes)
+        } else if bytes.starts_with(b"BM") {
+            uncompressed(Image::from_bmp(bytes))
+        } else if is_tga(bytes) {
+            let unpacked = unpacked_tga(bytes);
+            uncompressed(Image::from_tga(unpacked.as_deref().unwrap_or(bytes)))
         } else {
-            Err("it is neither a PNG nor a JPEG".into())
+            Err("it is not a PNG, JPEG, BMP or TGA".into())
         }?;
         let pixels = u64::from(picture.width) * u64::from(picture.height);
         if pixels == 0 || picture.colors.len() as u64 != pixels {
@@ -141,6 +150,63 @@ fn jpeg(bytes: &[u8]) -> Result<Picture, String> {
         height: info.height.into(),
         colors: colors(&samples, 3),
     })
+}
+
+fn uncompressed(image: Result<Image<'_>, Error>) -> Result<Picture, String> {
+    let image = image.map_err(|error| error.to_string())?;
+    let (width, height) = (image.width(), image.height());
+    check(width.into(), height.into())?;
+    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+    let colors = pixels.filter_map(|(x, y)| image.pixel(x, y)).collect();
+    Ok(Picture {
+        width,
+        height,
+        colors,
+    })
+}
+
+/// Whether a file may be a TGA, which has no mark at its start: the fields of its header make sense.
+fn is_tga(bytes: &[u8]) -> bool {
+    let Some(&[_, has_table, kind, .., bits, flags]) = bytes.first_chunk::<18>() else {
+        return false;
+    };
+    has_table <= 1
+        && matches!(kind & !PACKED, 1..=3)
+        && matches!(bits, 8 | 15 | 16 | 24 | 32)
+        && flags >> 6 == 0
+}
+
+/// Marks the kinds of TGA that are packed in runs.
+const PACKED: u8 = 8;
+
+/// A TGA without runs; `None` if it has none, or is damaged.
+fn unpacked_tga(bytes: &[u8]) -> Option<Vec<u8>> {
+    let header = bytes.first_chunk::<18>()?;
+    if header[2] & PACKED == 0 {
+        return None;
+    }
+    let word = |at: usize| usize::from(u16::from_le_bytes([header[at], header[at + 1]]));
+    // An entry of the color table and a pixel have whole bytes.
+    let (entry, size) = (header[7].div_ceil(8), usize::from(header[16].div_ceil(8)));
+    let table = usize::from(header[1]) * word(5) * usize::from(entry);
+    let start = 18 + usize::from(header[0]) + table;
+    let len = word(12) * word(14) * size;
+    let mut unpacked = bytes.get(..start)?.to_vec();
+    unpacked[2] &= !PACKED;
+    let mut rest = bytes.get(start..)?;
+    while unpacked.len() < start + len {
+        let (&head, after) = rest.split_first()?;
+        let count = usize::from(head & 0x7f) + 1;
+        // A run of one pixel, or several pixels as they are.
+        let (pixels, times) = if head & 0x80 == 0 {
+            (after.get(..count * size)?, 1)
+        } else {
+            (after.get(..size)?, count)
+        };
+        unpacked.extend(pixels.repeat(times));
+        rest = &after[pixels.len()..];
+    }
+    Some(unpacked)
 }
 
 fn grays(samples: &[u8], each: usize) -> Vec<Rgb888> {

@@ -5,13 +5,13 @@ use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
 
 use super::Result;
 use super::common::scenes;
-use crate::args::{Args, Color};
+use crate::args::{Args, Color, SceneName};
 use crate::export;
-use crate::idle;
+use crate::idle::{self, name};
 use crate::job::{Measured, Model};
 use crate::look::Look;
 use crate::mode::Mode;
-use crate::paint::{Brush, Shown, own_surfaces};
+use crate::paint::{Brush, Shown};
 use crate::report;
 use crate::sight;
 use crate::skin::{Skin, Texels};
@@ -27,33 +27,37 @@ pub fn run(args: &Args, given: &ArgMatches) -> Result<()> {
     targets::check_size(args)?;
     if let Some(scene) = args.scene {
         let targets = Targets::open(args, &[])?;
-        report::notes(args, &idle::options(args, given, None))?;
+        let has_textures = matches!(scene, SceneName::Floor | SceneName::Cube);
+        report::notes(args, &idle::options(args, given, None, has_textures))?;
         let measured = Measured {
             scene,
             mode: Mode::new(args, 1.0)?,
             depth: args.depth,
         };
         let surface = match args.color {
-            Color::Rgb565 => None,
-            Color::Rgb888 => Some(measured.surface::<Rgb888>()?),
-            Color::Gray8 => Some(measured.surface::<Gray8>()?),
-            Color::Gray4 => Some(measured.surface::<Gray4>()?),
-            Color::Mono => Some(measured.surface::<BinaryColor>()?),
-        };
+            Color::Rgb565 => measured.surface::<Rgb565>(),
+            Color::Rgb888 => measured.surface::<Rgb888>(),
+            Color::Gray8 => measured.surface::<Gray8>(),
+            Color::Gray4 => measured.surface::<Gray4>(),
+            Color::Mono => measured.surface::<BinaryColor>(),
+        }?;
         return targets.fill(
             MEASURED,
-            |band, moment| measured.record(band, moment),
-            |band, moment| match &surface {
-                None => measured.paint(band, moment),
-                Some(surface) => measured.paint_with(band, moment, surface),
-            },
+            &|band, moment| measured.record(band, moment),
+            &|band, moment| measured.paint(band, moment, &surface),
         );
     }
     let subject = Subject::load(args)?;
     let targets = Targets::open(args, &subject.inputs)?;
     let pieces = subject.pieces()?;
     let model = subject.model(args, &pieces)?;
-    report::notes(args, &idle::options(args, given, model.shade))?;
+    let has_textures = pieces.iter().any(|piece| piece.finish.texture.is_some());
+    let idle = idle::options(args, given, model.shade, has_textures);
+    report::notes(args, &idle)?;
+    if let (None, false, Some(shade)) = (&args.model, model.is_scene, model.shade) {
+        let note = format!("--shade {} leaves out the sea and the sky", name(&shade));
+        report::notes(args, &[note])?;
+    }
     report::notes(args, &sight::check(&model, args)?)?;
     export::write(args, &subject.exports)?;
     match args.color {
@@ -75,31 +79,13 @@ fn picture_in<C: Shown>(
     args: &Args,
     targets: Targets<'_>,
 ) -> Result<()> {
-    let view = &model.view;
-    let Some(shade) = model.shade else {
-        let (width, height) = args.size;
-        if width.max(height) * args.samples > args.tile {
-            return Err(format!(
-                "the project's own scene is drawn in one tile of {0}x{0}: --size {width}x{height} --samples {1} is more",
-                args.tile, args.samples
-            )
-            .into());
-        }
-        let surfaces = own_surfaces::<C>()?;
-        return targets.fill(
-            args.size,
-            |band, moment| model.record(band, moment),
-            |band, moment| model.paint_own::<C>(band, moment, &surfaces),
-        );
-    };
     let texels: Vec<_> = subject.skins.iter().map(Skin::texels).collect();
     let textures: Vec<_> = texels.iter().map(Texels::texture).collect::<Result<_>>()?;
-    let scale = subject.units.scale();
-    let look = Look::new(args, shade, view.sun, view.viewer(), scale)?;
-    let brush = Brush::new::<C>(&look, view, model.pieces, &textures, args.samples)?;
+    let look = Look::new::<C>(args, model, subject.units.scale())?;
+    let brush = Brush::new::<C>(&look, &model.view, model.pieces, &textures, args.samples)?;
     targets.fill(
         args.size,
-        |band, moment| model.record(band, moment),
-        |band, moment| model.paint(band, moment, &brush),
+        &|band, moment| model.record(band, moment),
+        &|band, moment| model.paint(band, moment, &brush),
     )
 }

@@ -5,9 +5,9 @@ use std::io::{self, Write};
 
 use super::Result;
 use crate::args::Args;
-use crate::place;
+use crate::output;
 
-/// Prints a line to standard output; to standard error if a file goes to standard output; nowhere with `--quiet`.
+/// Prints a line, unless the user wants none: see [`answer`].
 ///
 /// # Errors
 ///
@@ -16,10 +16,19 @@ pub fn say(args: &Args, line: impl Display) -> Result<()> {
     if args.quiet {
         return Ok(());
     }
+    answer(args, line)
+}
+
+/// Prints a line that the user asked for to standard output, or to standard error if a file goes to standard output.
+///
+/// # Errors
+///
+/// Nobody reads it, or the disk is full.
+pub fn answer(args: &Args, line: impl Display) -> Result<()> {
     let is_taken = [&args.out, &args.dump]
         .into_iter()
         .flatten()
-        .any(|path| place::is_stdout(path));
+        .any(|path| output::is_stdout(path));
     let (written, name) = if is_taken {
         (writeln!(io::stderr(), "{line}"), "error")
     } else {

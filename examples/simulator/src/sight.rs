@@ -12,7 +12,7 @@ const SMALL: u32 = 256;
 /// Largest side that a picture in one piece can have.
 const LARGE: u32 = 2048;
 
-/// Returns hints: if most of the faces in view show their backs, which are not drawn, and if fog hides all of them.
+/// Returns hints for the user: most faces in view show their backs, which are not drawn; or fog hides all of them.
 ///
 /// # Errors
 ///

@@ -23,11 +23,11 @@ pub struct Skin {
 }
 
 impl Skin {
-    /// Reads the PNG or JPEG file at `path`; see [`decode`](Self::decode).
+    /// Reads the picture at `path`; see [`decode`](Self::decode).
     ///
     /// # Errors
     ///
-    /// The file cannot be read or is not a PNG or JPEG.
+    /// The file cannot be read, or has an unknown format.
     pub fn read(path: &Path) -> Result<Self> {
         let refuse = |problem: &dyn std::fmt::Display| {
             format!("cannot read texture {}: {problem}", path.display())
@@ -56,7 +56,7 @@ impl Skin {
         Ok(skin)
     }
 
-    /// Decodes a PNG or JPEG and resamples it to the nearest powers of two, up to 1024.
+    /// Decodes a picture and resamples it to the nearest powers of two, up to 1024.
     fn decode(bytes: &[u8]) -> Result<Self, String> {
         let picture = Picture::decode(bytes)?;
         let (width, height) = (picture.width, picture.height);

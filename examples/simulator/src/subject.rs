@@ -8,7 +8,7 @@ use super::common::lighthouse;
 use crate::args::{Args, Filter, Kind, Shade};
 use crate::dump::Recorder;
 use crate::export::{self, Files};
-use crate::framing::{Framing, Point, Solid, unit};
+use crate::framing::{Framing, Point, Solid, turntable};
 use crate::job::{self, Model, Turn};
 use crate::mode::Mode;
 use crate::model;
@@ -16,8 +16,8 @@ use crate::parts::{self, Part};
 use crate::piece::{Finish, Piece};
 use crate::report;
 use crate::skin::Skin;
-use crate::turntable;
 use crate::units::Units;
+use crate::vector::unit;
 use crate::view::{Lens, View};
 use crate::window::MOST_ZOOM;
 
@@ -32,7 +32,10 @@ pub struct Subject {
     /// The textures that the finishes name.
     pub skins: Vec<Skin>,
     largest_uv: f64,
+    /// None for the project's own scene as it is drawn on a microcontroller.
     shade: Option<Shade>,
+    /// Whether it is the project's own scene, with sea and sky.
+    is_scene: bool,
     /// The files that it was read from.
     pub inputs: Vec<PathBuf>,
     /// The files that it is exported to.
@@ -83,16 +86,19 @@ impl Subject {
             finishes,
             skins,
             shade: Some(args.shade.unwrap_or(shade)),
+            is_scene: false,
         })
     }
 
-    /// The project's own scene.
+    /// The project's own scene: sea and island, as on a microcontroller or in another look; in a shade without
+    /// textures, the island alone.
     fn own(args: &Args, skin: Option<Skin>) -> Result<Self> {
-        let plain = args.shade.is_none()
+        let is_plain = args.shade.is_none()
             && skin.is_none()
             && !args.two_sided
             && !args.has_look()
             && args.filter == Filter::Nearest;
+        let is_scene = matches!(args.shade, None | Some(Shade::Texture | Shade::Lit));
         let points: Vec<Point> = lighthouse::ISLAND
             .positions()
             .iter()
@@ -100,9 +106,9 @@ impl Subject {
             .collect();
         let solid = Solid::of(&points)?;
         let frame = |args: &Args| frame(args, &points, &solid, [0.0; 3]);
-        let mut framing = if plain && has_own_camera(args) {
+        let mut framing = if is_scene && has_own_camera(args) {
             frame(&with_own_camera(args))?
-        } else if plain {
+        } else if is_scene {
             let framing = frame(args)?;
             // The sea begins in front of the island and continues behind it.
             let near = match args.projection {
@@ -120,16 +126,21 @@ impl Subject {
         if args.window {
             framing.widen(args, &points, [0.0; 3], MOST_ZOOM.into());
         }
+        let mut skins = vec![skin.unwrap_or_else(|| Skin::of(&lighthouse::SKIN))];
+        if is_scene {
+            skins.push(Skin::of(&lighthouse::WAVES));
+        }
         Ok(Self {
             parts: Vec::new(),
             units: Units::own(args, &framing, &solid)?,
             framing,
-            finishes: vec![Finish::textured(0)],
-            skins: vec![skin.unwrap_or_else(|| Skin::of(&lighthouse::SKIN))],
+            finishes: Vec::new(),
+            skins,
             inputs: args.texture.iter().cloned().collect(),
             exports: Vec::new(),
             largest_uv: 20.0,
-            shade: args.shade.or(if plain { None } else { Some(Shade::Lit) }),
+            shade: args.shade.or((!is_plain).then_some(Shade::Lit)),
+            is_scene,
         })
     }
 
@@ -140,12 +151,13 @@ impl Subject {
     /// None for a model that was read without one.
     pub fn pieces(&self) -> Result<Vec<Piece<'_>>> {
         if self.parts.is_empty() {
-            let finish = Finish::textured(0);
-            let piece = |mesh| Piece { mesh, finish };
-            return Ok(match self.shade {
-                None => vec![piece(lighthouse::SEA), piece(lighthouse::ISLAND)],
-                Some(_) => vec![piece(lighthouse::ISLAND)],
-            });
+            let piece = |mesh, texture| Piece {
+                mesh,
+                finish: Finish::textured(texture),
+            };
+            let sea = self.is_scene.then(|| piece(lighthouse::SEA, 1));
+            let island = piece(lighthouse::ISLAND, 0);
+            return Ok(sea.into_iter().chain([island]).collect());
         }
         let finish = |part: &Part| {
             let finish = match part.material {
@@ -173,7 +185,10 @@ impl Subject {
         // With several textures, the tolerance holds for each.
         let resampled = self.least(Skin::resampled);
         let mut view = View::new(args, &self.framing, &self.units, resampled)?;
-        if self.shade.is_none() && has_own_camera(args) {
+        if self.parts.is_empty() {
+            view.sun = lighthouse::SUN;
+        }
+        if self.is_scene && has_own_camera(args) {
             view.projection = Lens::Perspective(lighthouse::projection(args.size)?);
             view.camera = lighthouse::camera()?;
         }
@@ -192,6 +207,7 @@ impl Subject {
                 rate: job::rate(args)?,
             },
             shade: self.shade,
+            is_scene: self.is_scene,
             recorded,
             recorder,
         })

@@ -1,14 +1,15 @@
 //! Shaders behind one interface, chosen at run time.
 //!
 //! Firmware names its shader, and the compiler makes a rasterizer for it. The simulator has a hundred shaders, each
-//! for several depth formats and modes: so many rasterizers would take minutes to compile. Here shaders with different
-//! varyings share a rasterizer, which interpolates enough numbers for each of them. A number that a shader does not
-//! use is 0 everywhere, so it changes no pixel.
+//! for several depth formats and modes. To compile a rasterizer for each would take minutes. Here shaders with
+//! different varyings share a rasterizer, which interpolates enough numbers for each of them. A number that a
+//! shader does not use is 0 everywhere, so it changes no pixel.
 
+use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::raw::RawU16;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::RawData;
-use fixel::shade::{Gouraud, Lanes, PerFace, Texels, Varyings, Within};
+use fixel::shade::{Gouraud, Lanes, PerFace, Texels, Tolerance, Varyings, Within};
 use fixel::{Fragment, Primitive, Shader};
 
 /// The values of a face, as numbers: at most a light's three channels.
@@ -38,7 +39,9 @@ impl<const N: usize> FaceValues for [i32; N] {
     }
 
     fn take(numbers: &[i32]) -> Self {
-        std::array::from_fn(|at| numbers[at])
+        let mut values = [0; N];
+        values.copy_from_slice(&numbers[..N]);
+        values
     }
 }
 
@@ -85,15 +88,15 @@ pub type Channels = (
     ),
     PerFace<Face>,
 );
-
 /// Three channels of a color of the vertices, which small triangles carry in two numbers.
 pub type Pairs = <Gouraud<Rgb565> as Shader>::Varyings;
-/// A texture coordinate, a tint and a light of three channels each: as many numbers as there can be.
-pub type Most = ((Texels, Within<64, [i32; 6]>), PerFace<Face>);
 
-/// How many numbers are interpolated.
-const fn count<V: Varyings>() -> usize {
-    V::Lanes::COUNT
+/// A shader with the layout that it needs. Its colors are converted to those of a computer's screen, one to one.
+pub enum Surface<'a> {
+    Few(Any<'a, Few>),
+    Many(Any<'a, Many>),
+    Channels(Any<'a, Channels>),
+    Pairs(Any<'a, Pairs>),
 }
 
 /// A shader whose varyings are placed among those of `V`.
@@ -102,39 +105,31 @@ trait Shade<V: Varyings> {
     fn shade(&self, at: &Fragment, varyings: V) -> Option<Rgb888>;
 }
 
-struct Placed<S> {
+struct Placed<S: Shader> {
     shader: S,
+    /// Converts a color at a pixel.
+    shown: Show<S::Color>,
     /// For each number of the shader, its place among the numbers of the layout.
     places: [usize; 8],
 }
 
-impl<S> Placed<S>
-where
-    S: Shader,
-    S::Varyings: Varyings<Face: FaceValues>,
-{
-    /// Gives each number of the shader a place of its own that is as exact as it asks for; `None` if there are too few.
-    fn new<V: Varyings>(shader: S) -> Option<Self> {
-        if S::Varyings::PAIRS != V::PAIRS {
-            return None;
-        }
-        let (wanted, offered) = (S::Varyings::tolerances(), V::tolerances());
-        let mut places = [0; 8];
-        let mut free: Vec<usize> = (0..V::Lanes::COUNT).collect();
-        for (place, wanted) in places.iter_mut().zip(wanted.as_ref()) {
-            let at = free
-                .iter()
-                .position(|&at| offered.as_ref()[at] == *wanted)?;
-            *place = free.remove(at);
-        }
-        Some(Self { shader, places })
+/// Converts a color at a pixel to the color that a computer's screen shows.
+pub type Show<C> = fn(C, Point) -> Rgb888;
+
+/// Gives each wanted number a place of its own that is exactly as tolerant; `None` if there are too few.
+fn places(wanted: &[Tolerance], offered: &[Tolerance]) -> Option<[usize; 8]> {
+    let mut places = [0; 8];
+    let mut free: Vec<usize> = (0..offered.len()).collect();
+    for (place, wanted) in places.iter_mut().zip(wanted) {
+        let at = free.iter().position(|&at| offered[at] == *wanted)?;
+        *place = free.remove(at);
     }
+    Some(places)
 }
 
 impl<S, V> Shade<V> for Placed<S>
 where
-    S: Shader<Color: Into<Rgb888>>,
-    S::Varyings: Varyings<Face: FaceValues>,
+    S: Shader<Varyings: Varyings<Face: FaceValues>>,
     V: Varyings<Face: FaceValues>,
 {
     fn varyings(&self, primitive: &Primitive<'_>) -> [V; 3] {
@@ -159,7 +154,8 @@ where
             *number = numbers.as_ref()[place];
         }
         let varyings = S::Varyings::join(inner, FaceValues::take(&face));
-        self.shader.shade(at, varyings).map(Into::into)
+        let color = self.shader.shade(at, varyings)?;
+        Some((self.shown)(color, at.point))
     }
 }
 
@@ -179,47 +175,30 @@ impl<V: Varyings> Shader for &Any<'_, V> {
     }
 }
 
-/// A shader with the layout that it needs. Its colors are converted to those of a computer's screen, one to one.
-pub enum Surface<'a> {
-    Few(Any<'a, Few>),
-    Many(Any<'a, Many>),
-    Channels(Any<'a, Channels>),
-    Pairs(Any<'a, Pairs>),
-    Most(Any<'a, Most>),
-}
-
 impl<'a> Surface<'a> {
-    /// Wraps a shader.
+    /// Wraps a shader, whose varyings have a place in a layout, such as [`Surface::Few`].
     ///
     /// # Errors
     ///
-    /// No layout has room for its varyings.
-    pub fn new<S>(shader: S) -> super::Result<Self>
+    /// They have none: that is a mistake in this program.
+    pub fn new<V, S>(
+        layout: fn(Any<'a, V>) -> Self,
+        shader: S,
+        shown: Show<S::Color>,
+    ) -> super::Result<Self>
     where
-        S: Shader<Color: Into<Rgb888>> + 'a,
-        S::Varyings: Varyings<Face: FaceValues>,
+        V: Varyings<Face: FaceValues>,
+        S: Shader<Varyings: Varyings<Face: FaceValues>> + 'a,
     {
-        // Decided by the compiler where possible, which then compiles no layout in vain. `Channels` are as many as
-        // `Many`.
-        if const { S::Varyings::PAIRS } {
-            if let Some(placed) = Placed::new::<Pairs>(shader) {
-                return Ok(Self::Pairs(Any(Box::new(placed))));
-            }
-        } else if const { count::<S::Varyings>() > count::<Many>() } {
-            if let Some(placed) = Placed::new::<Most>(shader) {
-                return Ok(Self::Most(Any(Box::new(placed))));
-            }
-        } else {
-            if let Some(placed) = Placed::new::<Few>(shader) {
-                return Ok(Self::Few(Any(Box::new(placed))));
-            }
-            if let Some(placed) = Placed::new::<Channels>(shader) {
-                return Ok(Self::Channels(Any(Box::new(placed))));
-            }
-            if let Some(placed) = Placed::new::<Many>(shader) {
-                return Ok(Self::Many(Any(Box::new(placed))));
-            }
+        let (wanted, offered) = (S::Varyings::tolerances(), V::tolerances());
+        let places = places(wanted.as_ref(), offered.as_ref());
+        match places.filter(|_| S::Varyings::PAIRS == V::PAIRS) {
+            Some(places) => Ok(layout(Any(Box::new(Placed {
+                shader,
+                shown,
+                places,
+            })))),
+            None => Err("no rasterizer of the simulator interpolates what this look needs".into()),
         }
-        Err("no rasterizer of the simulator interpolates what this look needs".into())
     }
 }

@@ -6,15 +6,15 @@ use std::time::Duration;
 use embedded_graphics::pixelcolor::raw::ToBytes;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::{Drawn, Viewport};
-use indicatif::{ProgressBar, ProgressStyle};
 
 use super::Result;
 use crate::args::{Args, SceneName, Shade};
 use crate::dump::{self, Record};
+use crate::encoder::{self, Encoder, Format};
 use crate::job::{Band, Done, Moment};
-use crate::output::{self, Encoder, Format};
+use crate::output::{self, Output};
 use crate::paint::add;
-use crate::place::{self, Output};
+use crate::progress::Progress;
 use crate::report;
 use crate::samples;
 use crate::tiles::Tiles;
@@ -46,7 +46,7 @@ impl<'a> Targets<'a> {
                     (None, Some(scene)) => Path::new(file_name(scene)),
                     (None, None) => Path::new("lighthouse"),
                 };
-                output::free_name(stem, if several { ".gif" } else { ".png" }, inputs)?
+                encoder::free_name(stem, if several { ".gif" } else { ".png" }, inputs)?
             }
         };
         let is_wanted = args.out.is_some() || !args.window;
@@ -55,7 +55,7 @@ impl<'a> Targets<'a> {
             .transpose()?;
         if let Some(dump) = &args.dump
             && format.is_some()
-            && place::are_same(dump, &path)
+            && output::are_same(dump, &path)
         {
             return Err(format!("--dump and --out are both {}", path.display()).into());
         }
@@ -76,7 +76,7 @@ impl<'a> Targets<'a> {
     fn refuse_inputs(&self, inputs: &[PathBuf]) -> Result<()> {
         let picture = self.picture.is_some().then_some(&self.path);
         for path in picture.into_iter().chain(&self.args.dump) {
-            place::refuse_inputs(path, inputs)?;
+            output::refuse_inputs(path, inputs)?;
         }
         Ok(())
     }
@@ -85,8 +85,9 @@ impl<'a> Targets<'a> {
     pub fn fill(
         mut self,
         size: (u32, u32),
-        record: impl Fn(Band<'_, Record>, Moment) -> Result<Done>,
-        paint: impl Fn(Band<'_, Rgb888>, Moment) -> Result<Done>,
+        // Behind pointers, so that this is compiled once and not for each color.
+        record: &dyn Fn(Band<'_, Record>, Moment) -> Result<Done>,
+        paint: &dyn Fn(Band<'_, Rgb888>, Moment) -> Result<Done>,
     ) -> Result<()> {
         let args = self.args;
         let tiles = Tiles {
@@ -104,7 +105,8 @@ impl<'a> Targets<'a> {
         };
         if let Some((mut output, format)) = self.picture.take() {
             let failed = output.failed();
-            let bar = progress(args);
+            let is_long = !args.quiet && args.frames > 1;
+            let progress = Progress::new("drawing", args.frames.into(), "frames", is_long);
             let mut encoder =
                 Encoder::new(format, &mut output, size, args.frames).map_err(&failed)?;
             for frame in 0..args.frames {
@@ -129,9 +131,9 @@ impl<'a> Targets<'a> {
                 total.add(counts, time, covered as u64);
                 encoder.frame(&pixels).map_err(&failed)?;
                 colors = pixels;
-                bar.inc(1);
+                progress.set(u64::from(frame) + 1);
             }
-            bar.finish_and_clear();
+            drop(progress);
             encoder.finish().map_err(&failed)?;
             output.finish()?;
         }
@@ -145,7 +147,7 @@ impl<'a> Targets<'a> {
                     moment.orbit = orbit;
                     colors = draw(moment)?.0;
                 }
-                std::thread::sleep(Duration::from_millis(output::FRAME_MS / 2));
+                std::thread::sleep(Duration::from_millis(encoder::FRAME_MS / 2));
             }
         }
         if let Some(mut out) = self.dump.take() {
@@ -212,7 +214,7 @@ impl<'a> Targets<'a> {
             for &color in colors {
                 crc.update(&Rgb565::from(color).to_be_bytes());
             }
-            say(format!("crc {:08x}", crc.finalize()))?;
+            report::answer(args, format_args!("crc {:08x}", crc.finalize()))?;
         }
         Ok(())
     }
@@ -257,17 +259,6 @@ fn quickest(draw: impl Fn() -> Result<(Vec<Rgb888>, Duration)>) -> Result<Durati
         }
     }
     Ok(least)
-}
-
-fn progress(args: &Args) -> ProgressBar {
-    if args.quiet || args.frames == 1 {
-        return ProgressBar::hidden();
-    }
-    let bar = ProgressBar::new(args.frames.into());
-    if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} frames, {eta} left") {
-        bar.set_style(style);
-    }
-    bar
 }
 
 /// Refuses a size that no picture can have.

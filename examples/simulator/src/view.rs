@@ -51,8 +51,8 @@ pub fn direction([x, y, z]: [f64; 3]) -> Result<Vec3> {
 }
 
 impl View {
-    /// Makes the view of `framing`, drawn in `units`, with a mode for textures that have so many `texels` for each one
-    /// that was given.
+    /// Makes the view of `framing`, drawn in `units`. `texels` is the size of the textures relative to the given ones,
+    /// which the mode's tolerance is meant for.
     ///
     /// # Errors
     ///

@@ -3,19 +3,17 @@
 use std::collections::HashMap;
 
 use super::{Corner, Model, Triangle};
+use crate::vector::{Vector, add, cross, dot, length, sub};
 
 /// Cosine of the largest angle, 60 degrees, between faces that are shaded as one surface.
 const CREASE: f64 = 0.5;
 
-/// Up to so many faces around a point are compared one by one; more are put together by direction.
+/// The most faces around a point that are compared one by one. If there are more, those of similar direction are first
+/// put together.
 const FEW: usize = 64;
 
-fn length(v: &[f64; 3]) -> f64 {
-    v.iter().map(|x| x * x).sum::<f64>().sqrt()
-}
-
 /// The direction of a normal in steps of 1/8, the same for normals within about 7 degrees.
-fn direction(normal: &[f64; 3]) -> [i8; 3] {
+fn direction(normal: Vector) -> [i8; 3] {
     let length = length(normal);
     normal.map(|x| {
         #[allow(clippy::cast_possible_truncation)] // −8 to 8; 0 if there is no direction
@@ -26,10 +24,10 @@ fn direction(normal: &[f64; 3]) -> [i8; 3] {
 
 /// For each of the faces around a point, the sum of the faces within [`CREASE`].
 ///
-/// All pairs of faces are compared. Of many faces, those of about the same direction, at most a few hundred groups, count
-/// as one: so the time is linear.
-fn smooth(faces: &[[f64; 3]]) -> Vec<[f64; 3]> {
-    let mut groups: Vec<[f64; 3]> = Vec::new();
+/// All pairs of faces are compared. If there are many faces, those of similar direction count as one. There are at most
+/// a few hundred directions, so the time is linear.
+fn smooth(faces: &[Vector]) -> Vec<Vector> {
+    let mut groups: Vec<Vector> = Vec::new();
     let mut places: HashMap<[i8; 3], usize> = HashMap::new();
     let group_of: Vec<usize> = faces
         .iter()
@@ -38,22 +36,21 @@ fn smooth(faces: &[[f64; 3]]) -> Vec<[f64; 3]> {
             let group = if faces.len() <= FEW {
                 new
             } else {
-                *places.entry(direction(face)).or_insert(new)
+                *places.entry(direction(*face)).or_insert(new)
             };
             if group == new {
                 groups.push([0.0; 3]);
             }
-            groups[group] = [0, 1, 2].map(|i| groups[group][i] + face[i]);
+            groups[group] = add(groups[group], *face);
             group
         })
         .collect();
-    let sums: Vec<[f64; 3]> = groups
+    let sums: Vec<Vector> = groups
         .iter()
         .map(|group| {
-            groups.iter().fold([0.0; 3], |sum, other| {
-                let dot: f64 = (0..3).map(|i| other[i] * group[i]).sum();
-                if dot >= CREASE * length(other) * length(group) {
-                    [0, 1, 2].map(|i| sum[i] + other[i])
+            groups.iter().fold([0.0; 3], |sum, &other| {
+                if dot(other, *group) >= CREASE * length(other) * length(*group) {
+                    add(sum, other)
                 } else {
                     sum
                 }
@@ -64,7 +61,7 @@ fn smooth(faces: &[[f64; 3]]) -> Vec<[f64; 3]> {
 }
 
 impl Model {
-    /// Adds what the model lacks, and leaves one of equal edges.
+    /// Adds what the model lacks, and removes repeated edges.
     pub(super) fn complete(&mut self) {
         self.edges.sort_unstable();
         self.edges.dedup();
@@ -81,12 +78,7 @@ impl Model {
         let [a, b, c] = triangle
             .corners
             .map(|corner| self.positions[corner.position as usize]);
-        let [u, v] = [b, c].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
-        [
-            u[1] * v[2] - u[2] * v[1],
-            u[2] * v[0] - u[0] * v[2],
-            u[0] * v[1] - u[1] * v[0],
-        ]
+        cross(sub(b, a), sub(c, a))
     }
 
     /// Computes normals for the corners that have none: the mean of the faces around the point, weighted by area.
@@ -134,7 +126,7 @@ impl Model {
                 if corner.normal.is_some() {
                     continue;
                 }
-                let size = length(&sum);
+                let size = length(sum);
                 let normal = if size > 0.0 {
                     sum.map(|x| x / size)
                 } else {

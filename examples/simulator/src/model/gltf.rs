@@ -1,5 +1,6 @@
 //! glTF 2.0, text and binary.
 
+use std::cell::Cell;
 use std::fs;
 use std::path::Path;
 
@@ -15,10 +16,11 @@ use gltf::{Accessor, Document, Gltf, Node, Primitive, Semantic};
 
 use super::mtl::{beside, byte};
 use super::polygon::Ears;
+use super::reading::Reading;
 use super::{Corner, Image, Material, Model, next};
 
 /// Reads a glTF file: the triangles of its default scene, or of its first one.
-pub fn read(bytes: &[u8], folder: &Path) -> Result<Model, String> {
+pub fn read(bytes: &[u8], folder: &Path, quiet: bool) -> Result<Model, String> {
     if let (true, Some(Ok(len))) = (
         bytes.starts_with(b"glTF"),
         bytes.get(8..12).map(TryInto::try_into),
@@ -39,6 +41,9 @@ pub fn read(bytes: &[u8], folder: &Path) -> Result<Model, String> {
         model: Model::default(),
         ears: Ears::default(),
         seen: vec![false; document.nodes().count()],
+        reading: Reading::new(buffers.iter().map(Vec::len).sum(), quiet),
+        elements: Cell::new(0),
+        read: Cell::new(0),
     };
     for buffer in document.buffers() {
         match buffer.source() {
@@ -87,7 +92,7 @@ fn validated(document: Document) -> Result<Document, String> {
     Document::from_json(root).map_err(|error| error.to_string())
 }
 
-/// How deep nodes may lie.
+/// The most levels of nodes.
 const MOST_LEVELS: usize = 1000;
 
 /// A matrix as glTF stores it: a list of columns.
@@ -181,6 +186,10 @@ struct Reader<'b> {
     ears: Ears,
     /// The nodes that have been added.
     seen: Vec<bool>,
+    reading: Reading,
+    /// How many values, and how many bytes of the buffers, have been read.
+    elements: Cell<usize>,
+    read: Cell<usize>,
 }
 
 /// A linear component of a color as sRGB.
@@ -226,7 +235,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Adds a node and its children, which are not as deep as `depth` levels.
+    /// Adds a node with all below it, which may be up to `depth` levels deep.
     fn node(&mut self, node: &Node<'_>, parent: Matrix, depth: usize) -> Result<(), String> {
         let index = node.index();
         let Some(depth) = depth.checked_sub(1) else {
@@ -400,6 +409,9 @@ impl Reader<'_> {
             for (component, bytes) in value.iter_mut().zip(bytes.chunks_exact(kind.size())) {
                 *component = number(kind, bytes, accessor.normalized());
             }
+            self.elements.set(self.elements.get() + 1);
+            self.read.set(self.read.get() + bytes.len());
+            self.reading.set(self.elements.get(), self.read.get());
             value
         };
         let size = components * kind.size();
@@ -463,7 +475,8 @@ impl Reader<'_> {
     }
 }
 
-/// `count` pieces of `size` bytes, `stride` apart; `None` if there are not so many bytes.
+/// Splits `bytes` from `offset` on into `count` values of `size` bytes that begin every `stride` bytes; `None` if they
+/// do not fit.
 fn rows(
     bytes: &[u8],
     offset: usize,

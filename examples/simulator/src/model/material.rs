@@ -23,7 +23,7 @@ impl Material {
     }
 }
 
-/// A PNG or JPEG that a model names or contains.
+/// A picture that a model names or contains.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Image {
     File(PathBuf),

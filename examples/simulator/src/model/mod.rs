@@ -9,10 +9,11 @@ mod obj;
 #[cfg(feature = "ply")]
 mod ply;
 mod polygon;
-mod progress;
+mod reading;
 mod sniff;
 mod stl;
 mod text;
+mod winding;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -22,7 +23,7 @@ use fixel::num::tex_coord;
 use super::Result;
 pub use material::{Image, Material};
 use polygon::Ears;
-use progress::Progress;
+use reading::Reading;
 pub use sniff::Format;
 
 /// A model as read, in f64, before any rounding.
@@ -42,9 +43,9 @@ pub struct Model {
     pub own_uvs: usize,
     /// Whether every face has its own texture coordinates.
     pub had_uvs: bool,
-    /// The files that the file names.
+    /// The files that belong to it: materials, buffers, pictures.
     pub files: Vec<PathBuf>,
-    /// What the file names and the simulator leaves out, in words for the user.
+    /// What could not be read and is left out, in words for the user.
     pub notes: Vec<String>,
 }
 
@@ -70,18 +71,18 @@ pub struct Corner {
 /// # Errors
 ///
 /// The file cannot be read, is malformed, names an element that it does not have, or has nothing to draw. The message
-/// is one line, which names the file, what was expected and, if possible, the line or the byte.
+/// is one line, which names the file, the line or the byte, the value and what was expected.
 pub fn read(path: &Path, quiet: bool) -> Result<Model> {
     let name = path.display();
     let bytes = fs::read(path).map_err(|error| format!("cannot read model {name}: {error}"))?;
     let folder = path.parent().unwrap_or(Path::new(""));
-    let progress = Progress::new(bytes.len(), quiet);
+    let reading = Reading::new(bytes.len(), quiet);
     let read = || -> Result<Model, String> {
         let mut model = match sniff::format(path, &bytes)? {
-            Format::Obj => obj::read(&bytes, folder, &progress)?,
-            Format::Stl => stl::read(&bytes, &progress)?,
-            Format::Ply => read_ply(&bytes, &progress)?,
-            Format::Gltf => read_gltf(&bytes, folder)?,
+            Format::Obj => obj::read(&bytes, folder, &reading)?,
+            Format::Stl => stl::read(&bytes, &reading)?,
+            Format::Ply => read_ply(&bytes, &reading)?,
+            Format::Gltf => read_gltf(&bytes, folder, quiet)?,
         };
         model.check()?;
         model.complete();
@@ -90,9 +91,7 @@ pub fn read(path: &Path, quiet: bool) -> Result<Model> {
             .extend(model.images.iter().filter_map(Image::file));
         Ok(model)
     };
-    let model = read();
-    progress.end();
-    model.map_err(|problem| format!("model {name}: {}", text::one_line(&problem)).into())
+    read().map_err(|problem| format!("model {name}: {}", text::one_line(&problem)).into())
 }
 
 #[cfg(feature = "ply")]
@@ -100,7 +99,7 @@ use ply::read as read_ply;
 
 /// Refuses a PLY file, because the code that reads it is not compiled in.
 #[cfg(not(feature = "ply"))]
-fn read_ply(_: &[u8], _: &Progress) -> Result<Model, String> {
+fn read_ply(_: &[u8], _: &Reading) -> Result<Model, String> {
     Err(
         "it is a PLY file, and this program was built without PLY: build it with --features ply"
             .into(),
@@ -112,7 +111,7 @@ use gltf::read as read_gltf;
 
 /// Refuses a glTF file, because the code that reads it is not compiled in.
 #[cfg(not(feature = "gltf"))]
-fn read_gltf(_: &[u8], _: &Path) -> Result<Model, String> {
+fn read_gltf(_: &[u8], _: &Path, _: bool) -> Result<Model, String> {
     Err(
         "it is a glTF file, and this program was built without glTF: build it with --features gltf"
             .into(),

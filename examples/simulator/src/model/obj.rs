@@ -9,12 +9,12 @@ use fixel::num::tex_coord;
 
 use super::mtl;
 use super::polygon::Ears;
-use super::progress::Progress;
+use super::reading::Reading;
 use super::text::{Statements, after_keyword, number, quote, words};
 use super::{Corner, Model, is_usable, next, unusable};
 
 /// Reads OBJ text, and the materials that it names from `folder`.
-pub fn read(bytes: &[u8], folder: &Path, progress: &Progress) -> Result<Model, String> {
+pub fn read(bytes: &[u8], folder: &Path, reading: &Reading) -> Result<Model, String> {
     let mut reader = Reader::default();
     let mut statements = Statements::new(bytes);
     while let Some((line, statement)) = statements.next() {
@@ -22,7 +22,7 @@ pub fn read(bytes: &[u8], folder: &Path, progress: &Progress) -> Result<Model, S
         reader
             .statement(&statement)
             .map_err(|problem| format!("line {line}: {problem}"))?;
-        progress.set(line, statements.read());
+        reading.set(line, statements.read());
     }
     reader.finish(folder, bytes)
 }
@@ -30,7 +30,7 @@ pub fn read(bytes: &[u8], folder: &Path, progress: &Progress) -> Result<Model, S
 /// What a corner's indices name.
 const KINDS: [&str; 3] = ["position", "texture coordinate", "normal"];
 
-/// The most corners of a face; more are a mistake, which would fill the memory.
+/// The most corners of a face. A face with more is a mistake that would fill the memory.
 const MOST_CORNERS: usize = 1_000_000;
 
 /// A polygon: its corners, and its material as a place in the list of names.

@@ -4,26 +4,31 @@ use std::io::Cursor;
 
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{
-    ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult,
+    ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult, PropertyType,
+    ScalarType,
 };
 
 use super::polygon::Ears;
-use super::progress::Progress;
-use super::{Corner, Model, next};
+use super::reading::Reading;
+use super::text::{number, quote, words};
+use super::{Corner, Model, is_usable, next, unusable};
 
 /// How many elements are read at a time, between two steps of the progress bar.
 const STEP: usize = 1 << 14;
 
 /// Reads a PLY file: its elements `vertex` and `face`.
-pub fn read(bytes: &[u8], progress: &Progress) -> Result<Model, String> {
+pub fn read(bytes: &[u8], reading: &Reading) -> Result<Model, String> {
     let mut reader = Reader::new(Cursor::new(bytes));
     let header = Parser::<Row>::new()
         .read_header(&mut reader)
-        .map_err(|error| message(&error))?;
+        .map_err(|error| refused(&error, bytes, None))?;
+    #[allow(clippy::cast_possible_truncation)] // a position in memory
+    let start = reader.get_ref().position() as usize;
     let mut file = File {
         reader,
         header,
-        bytes: bytes.len(),
+        bytes,
+        start: Some(start),
     };
     let mut model = Model::default();
     let mut has = Attributes::default();
@@ -43,7 +48,11 @@ pub fn read(bytes: &[u8], progress: &Progress) -> Result<Model, String> {
                     colors: names("red") && names("green") && names("blue"),
                     uvs: UVS.iter().any(|[u, v]| names(u) && names(v)),
                 };
-                file.rows(&element, progress, |row| {
+                file.rows(&element, reading, |row| {
+                    let numbers = row.position.iter().chain(&row.normal);
+                    if let Some(x) = numbers.into_iter().find(|x| !is_usable(**x)) {
+                        return Err(unusable(x));
+                    }
                     model.positions.push(row.position);
                     if has.normals {
                         model.normals.push(row.normal);
@@ -65,7 +74,7 @@ pub fn read(bytes: &[u8], progress: &Progress) -> Result<Model, String> {
                 let count = model.positions.len();
                 let vertices = next(&model.positions)?;
                 let mut corners = Vec::new();
-                file.rows(&element, progress, |row| {
+                file.rows(&element, reading, |row| {
                     if row.indices.len() < 3 {
                         return Err(format!("a face has {} corners: it needs at least 3", row.indices.len()));
                     }
@@ -74,7 +83,9 @@ pub fn read(bytes: &[u8], progress: &Progress) -> Result<Model, String> {
                         let position = u32::try_from(index)
                             .ok()
                             .filter(|&index| index < vertices)
-                            .ok_or_else(|| format!("vertex {index} does not exist: there are {count}, counted from 0"))?;
+                            .ok_or_else(|| {
+                                format!("vertex {index} does not exist: there are {count}, counted from 0")
+                            })?;
                         corners.push(Corner {
                             position,
                             uv: has.uvs.then_some(position),
@@ -92,7 +103,7 @@ pub fn read(bytes: &[u8], progress: &Progress) -> Result<Model, String> {
                     Ok(())
                 })?;
             }
-            _ => file.rows(&element, progress, |_| Ok(()))?,
+            _ => file.rows(&element, reading, |_| Ok(()))?,
         }
     }
     if model.triangles.is_empty() && !model.positions.is_empty() {
@@ -101,11 +112,96 @@ pub fn read(bytes: &[u8], progress: &Progress) -> Result<Model, String> {
     Ok(model)
 }
 
-/// The reader's message, which may begin with a line.
-fn message(error: &ParseError) -> String {
-    let text = error.to_string();
-    text.strip_prefix("Line ")
-        .map_or(text.clone(), |rest| format!("line {rest}"))
+/// Says what is wrong with a file that the reader refuses: in its header, or in an element.
+fn refused(error: &ParseError, bytes: &[u8], element: Option<&ElementDef>) -> String {
+    // The reader's message begins with the line of a text.
+    let message = error.to_string();
+    let place = message
+        .strip_prefix("Line ")
+        .and_then(|rest| rest.split_once(':'));
+    let Some((at, rest)) = place.and_then(|(at, rest)| Some((at.parse::<usize>().ok()?, rest)))
+    else {
+        return message;
+    };
+    let problem = match (line(bytes, at), element) {
+        (None, _) => Some("the file ends here".into()),
+        (Some(line), Some(element)) => explain(line, element),
+        (Some(line), None) => Some(format!("{} is no line of a PLY header", quote(line))),
+    };
+    format!(
+        "line {at}: {}",
+        problem.unwrap_or_else(|| rest.trim().into())
+    )
+}
+
+/// A line of text, counted from 1.
+fn line(bytes: &[u8], at: usize) -> Option<&[u8]> {
+    bytes.split(|&byte| byte == b'\n').nth(at.checked_sub(1)?)
+}
+
+/// What is wrong with an element in a line of text; `None` if that is not easily said.
+fn explain(line: &[u8], element: &ElementDef) -> Option<String> {
+    let mut words = words(line);
+    for (name, property) in &element.properties {
+        let (count, kind) = match &property.data_type {
+            PropertyType::Scalar(kind) => (1, kind),
+            PropertyType::List(_, kind) => {
+                let Some(count) = words.next() else {
+                    return Some(format!("the list '{name}' is missing"));
+                };
+                match std::str::from_utf8(count)
+                    .ok()
+                    .and_then(|count| count.parse().ok())
+                {
+                    Some(count) => (count, kind),
+                    None => return Some(format!("{} is not a count", quote(count))),
+                }
+            }
+        };
+        for found in 0..count {
+            let Some(word) = words.next() else {
+                return Some(match property.data_type {
+                    PropertyType::Scalar(_) => format!("the value of '{name}' is missing"),
+                    PropertyType::List(..) => {
+                        format!("the list '{name}' has {found} values, and promises {count}")
+                    }
+                });
+            };
+            let value = match number(word) {
+                Err(problem) => return Some(problem),
+                Ok(value) => value,
+            };
+            if !is_usable(value) {
+                return Some(unusable(String::from_utf8_lossy(word)));
+            }
+            let is_fraction = matches!(kind, ScalarType::Float | ScalarType::Double);
+            if !is_fraction && value.fract() != 0.0 {
+                return Some(format!("{} is not a whole number", quote(word)));
+            }
+        }
+    }
+    None
+}
+
+/// How many bytes a number takes in a binary file.
+fn size(kind: &ScalarType) -> usize {
+    match kind {
+        ScalarType::Char | ScalarType::UChar => 1,
+        ScalarType::Short | ScalarType::UShort => 2,
+        ScalarType::Int | ScalarType::UInt | ScalarType::Float => 4,
+        ScalarType::Double => 8,
+    }
+}
+
+/// How many bytes an element takes in a binary file, if each takes as many.
+fn stride(element: &ElementDef) -> Option<usize> {
+    let sizes = element.properties.values().map(|property| {
+        let PropertyType::Scalar(kind) = &property.data_type else {
+            return None;
+        };
+        Some(size(kind))
+    });
+    sizes.sum()
 }
 
 /// What vertices have beside their position.
@@ -122,7 +218,9 @@ const UVS: [[&str; 2]; 3] = [["s", "t"], ["u", "v"], ["texture_u", "texture_v"]]
 struct File<'a> {
     reader: Reader<Cursor<&'a [u8]>>,
     header: Header,
-    bytes: usize,
+    bytes: &'a [u8],
+    /// Where the next elements begin, if it is known.
+    start: Option<usize>,
 }
 
 impl File<'_> {
@@ -130,7 +228,7 @@ impl File<'_> {
     fn rows(
         &mut self,
         element: &ElementDef,
-        progress: &Progress,
+        reading: &Reading,
         mut each: impl FnMut(Row) -> Result<(), String>,
     ) -> Result<(), String> {
         let parser = Parser::<Row>::new();
@@ -138,6 +236,8 @@ impl File<'_> {
         if element.properties.is_empty() && !is_text {
             return Ok(());
         }
+        let stride = stride(element);
+        let place = |at: usize| Some(self.start? + at * stride?);
         let mut done = 0;
         while done < element.count {
             let count = STEP.min(element.count - done);
@@ -151,26 +251,34 @@ impl File<'_> {
                 .map_err(|error| match error.kind() {
                     std::io::ErrorKind::UnexpectedEof => format!(
                         "byte {}: it ends within the {} elements '{}' that its header promises",
-                        self.bytes, element.count, element.name
+                        self.bytes.len(),
+                        element.count,
+                        element.name
                     ),
-                    _ => message(&error),
+                    _ => refused(&error, self.bytes, Some(element)),
                 })?;
             for (at, row) in rows.into_iter().enumerate() {
                 each(row).map_err(|problem| {
                     if is_text {
-                        format!("line {}: {problem}", line + at)
-                    } else {
-                        format!("element '{}' {}: {problem}", element.name, done + at)
+                        let line = line + at;
+                        let text = self::line(self.bytes, line).unwrap_or_default();
+                        let problem = explain(text, element).unwrap_or(problem);
+                        return format!("line {line}: {problem}");
+                    }
+                    match place(done + at) {
+                        Some(byte) => format!("byte {byte}: {problem}"),
+                        None => format!("element '{}' {}: {problem}", element.name, done + at),
                     }
                 })?;
             }
             done += count;
             #[allow(clippy::cast_possible_truncation)] // a position in memory
-            progress.set(
+            reading.set(
                 done.next_multiple_of(STEP),
                 self.reader.get_ref().position() as usize,
             );
         }
+        self.start = place(element.count);
         Ok(())
     }
 }

@@ -3,6 +3,7 @@
 use earcut::{Earcut, deviation};
 
 use super::Corner;
+use crate::vector::sub;
 
 /// Cuts polygons into triangles.
 #[derive(Default)]
@@ -33,10 +34,7 @@ impl Ears {
         let point = |corner: &Corner| positions[corner.position as usize];
         // Newell's normal, relative to the first corner, so that a polygon far from the origin loses no digits.
         let origin = point(&corners[0]);
-        let relative = |corner: &Corner| {
-            let p = point(corner);
-            [0, 1, 2].map(|axis| p[axis] - origin[axis])
-        };
+        let relative = |corner: &Corner| sub(point(corner), origin);
         let mut normal = [0.0; 3];
         for (at, corner) in corners.iter().enumerate() {
             let (p, q) = (

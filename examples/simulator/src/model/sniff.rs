@@ -13,7 +13,7 @@ pub enum Format {
 }
 
 impl Format {
-    /// The format that the ending of `path` stands for.
+    /// The format that the ending of `path` names.
     pub fn of(path: &Path) -> Option<Self> {
         let ending = path.extension()?.to_ascii_lowercase();
         Some(match ending.to_str()? {
@@ -80,7 +80,7 @@ fn marked(bytes: &[u8]) -> Option<Format> {
 ///
 /// # Errors
 ///
-/// The file is empty, has another format than its ending says, or is UTF-16 text.
+/// The file is empty, is not in the format that its ending names, or is UTF-16 text.
 pub fn format(path: &Path, bytes: &[u8]) -> Result<Format, String> {
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
         return Err("its text is UTF-16: save it as UTF-8".into());

@@ -5,26 +5,27 @@ use std::collections::HashMap;
 use std::io::{Cursor, Read, Result as IoResult, Seek, SeekFrom};
 
 use super::polygon::Ears;
-use super::progress::Progress;
+use super::reading::Reading;
 use super::sniff::{STL, is_binary_stl};
+use super::text::{number, quote, words};
 use super::{Corner, Model, is_usable, next, unusable};
 
 /// Reads an STL file. Its normals are ignored, because they are those of the triangles, or zero.
-pub fn read(bytes: &[u8], progress: &Progress) -> Result<Model, String> {
+pub fn read(bytes: &[u8], reading: &Reading) -> Result<Model, String> {
     let mut model = Builder::default();
     let begins = bytes.trim_ascii_start().get(..5);
     let is_text = begins.is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
         && !bytes.iter().take(1024).any(|&byte| byte == 0);
     // The header of a binary file may begin with that word too.
     if is_text && !is_binary_stl(bytes) {
-        text(&mut model, bytes, progress)?;
+        text(&mut model, bytes, reading)?;
     } else {
-        binary(&mut model, bytes, progress)?;
+        binary(&mut model, bytes, reading)?;
     }
     Ok(model.model)
 }
 
-fn binary(model: &mut Builder, bytes: &[u8], progress: &Progress) -> Result<(), String> {
+fn binary(model: &mut Builder, bytes: &[u8], reading: &Reading) -> Result<(), String> {
     let [header, each] = STL;
     let Some(count) = bytes.get(..header).and_then(<[u8]>::last_chunk::<4>) else {
         return Err(format!(
@@ -57,7 +58,7 @@ fn binary(model: &mut Builder, bytes: &[u8], progress: &Progress) -> Result<(), 
         model
             .triangle(&triangle)
             .map_err(|problem| format!("byte {place}: {problem}"))?;
-        progress.set(at, place);
+        reading.set(at, place);
     }
     Ok(())
 }
@@ -83,10 +84,11 @@ impl Seek for Unmarked<'_, '_> {
     }
 }
 
-fn text(model: &mut Builder, bytes: &[u8], progress: &Progress) -> Result<(), String> {
+fn text(model: &mut Builder, bytes: &[u8], reading: &Reading) -> Result<(), String> {
     // The reader knows lower case only, and UTF-8.
     let text = String::from_utf8_lossy(bytes)
         .to_ascii_lowercase()
+        .replace("\r\n", "\n")
         .replace('\r', "\n");
     let place = Place::default();
     let mut solid = 0;
@@ -99,17 +101,48 @@ fn text(model: &mut Builder, bytes: &[u8], progress: &Progress) -> Result<(), St
             first: true,
         };
         let at_line = |problem: String| format!("line {}: {problem}", place.line.get());
-        let triangles =
-            stl_io::create_stl_reader(&mut lines).map_err(|error| at_line(error.to_string()))?;
+        let failed = |error: std::io::Error| {
+            let line = text.lines().nth(place.line.get().saturating_sub(1));
+            at_line(explain(line.unwrap_or_default(), &error.to_string()))
+        };
+        let triangles = stl_io::create_stl_reader(&mut lines).map_err(failed)?;
         for (at, triangle) in triangles.enumerate() {
-            let triangle = triangle.map_err(|error| at_line(error.to_string()))?;
+            let triangle = triangle.map_err(failed)?;
             model.triangle(&triangle).map_err(at_line)?;
-            progress.set(at, place.byte.get());
+            reading.set(at, place.byte.get());
         }
         solid += 1;
     }
     debug_assert!(solid > 0);
     Ok(())
+}
+
+/// Says what is wrong with a line that the reader refuses, with the reader's own `message`.
+fn explain(line: &str, message: &str) -> String {
+    let mut words = words(line.as_bytes());
+    let (what, numbers): (_, Vec<_>) = match words.next() {
+        Some(b"vertex") => ("a vertex", words.collect()),
+        Some(b"facet") => ("a normal", words.skip(1).collect()),
+        _ => {
+            // Such as: expected ["endloop"], got ["endfacet"]
+            let quoted = message.replace("[\"", "'").replace("\"]", "'");
+            return quoted
+                .replace("\", \"", " ")
+                .replace(", got ", ", and found ");
+        }
+    };
+    for word in &numbers {
+        match number(word) {
+            Err(problem) => return problem,
+            // As large as the format of these files.
+            Ok(value) if !is_usable(value) => return unusable(String::from_utf8_lossy(word)),
+            Ok(_) => {}
+        }
+    }
+    if numbers.len() == 3 {
+        return message.into();
+    }
+    format!("{what} needs 3 numbers, and has {}", numbers.len())
 }
 
 /// Where a reader is in the text.
@@ -142,7 +175,7 @@ fn next_solid(text: &[u8], place: &Place) -> Result<Option<Place>, String> {
             return Ok(Some(place.clone()));
         }
         if !line.is_empty() {
-            let line = super::text::quote(line);
+            let line = quote(line);
             return Err(format!(
                 "line {}: expected 'solid', and found {line}",
                 place.line.get()

@@ -12,6 +12,10 @@ use super::program::{TRIANGLE, directory, good, printed, run};
 fn an_option_without_effect_is_named() {
     let directory = directory("idle");
     fs::write(directory.join("t.obj"), TRIANGLE).unwrap();
+    let colored = TRIANGLE
+        .replace("0\nv", "0 1 0.5 0\nv")
+        .replace("1 0\nf", "1 0 0 1 0\nf");
+    fs::write(directory.join("colored.obj"), colored).unwrap();
     let texture = RgbImage::from_pixel(4, 4, Rgb([9, 99, 200]));
     texture.save(directory.join("t.png")).unwrap();
     let shot = |arguments: &str| {
@@ -37,6 +41,10 @@ fn an_option_without_effect_is_named() {
         ("--texture t.png", "t.obj --shade gouraud"),
         ("--texture t.png", "t.obj --shade normal"),
         ("--filter bilinear", "t.obj"),
+        ("--filter bilinear", "colored.obj"),
+        ("--tolerance 3", "colored.obj --mode fast"),
+        ("--tolerance 3", "--scene sphere --mode fast"),
+        ("--depth wide", "t.obj --shade wire"),
         ("--filter bilinear", "t.obj --shade wire"),
         ("--two-sided", "t.obj --shade wire"),
         ("--rpm 7", "t.obj"),

@@ -381,9 +381,34 @@ fn what_is_wrong_is_said_in_one_line() {
         (
             "g.stl",
             text("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0"),
-            "line 4: ",
+            "line 4: a vertex needs 3 numbers, and has 2",
         ),
-        ("h.stl", text("solid\nendsolid\nsolid\nfacet\n"), "line 4: "),
+        (
+            "h.stl",
+            text("solid\nendsolid\nsolid\nfacet\n"),
+            "line 4: a normal needs 3 numbers, and has 0",
+        ),
+        (
+            "p.stl",
+            stl_line("vertex 1 Zero 0"),
+            "line 5: 'zero' is not a number",
+        ),
+        (
+            "q.stl",
+            stl_line("vertex 1 nan 0"),
+            "line 5: coordinate nan cannot be represented",
+        ),
+        (
+            "r.stl",
+            stl_line("vertex 1 0 -1e60"),
+            "line 5: coordinate -1e60 cannot be represented",
+        ),
+        (
+            "s.stl",
+            stl_line("vertex 1 2 3 4"),
+            "line 5: a vertex needs 3 numbers, and has 4",
+        ),
+        ("t.stl", stl_line("endloop"), "line 5: "),
         ("i.stl", text("solid\nendsolid\n"), "it has no faces"),
         ("j.obj", text("  \n"), "it is empty"),
         ("k.obj", huge("f 1 2 3 "), "line 4: 'f' is not an index"),
@@ -407,91 +432,141 @@ fn what_is_wrong_is_said_in_one_line() {
     refuse_all(&directory, cases);
 }
 
+/// Text of STL with Windows' ends of lines and a mistake in line 5.
+fn stl_line(fifth: &str) -> Vec<u8> {
+    let lines = format!(
+        "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n{fifth}\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n"
+    );
+    lines.replace('\n', "\r\n").into_bytes()
+}
+
+#[cfg(feature = "ply")]
 #[test]
-fn what_is_wrong_in_ply_and_gltf_is_said_in_one_line() {
-    let directory = directory("wrong-optional");
-    let mut cases = Vec::new();
-    if cfg!(feature = "ply") {
-        let ply = make::ply_text(false);
-        cases.extend([
-            (
-                "a.ply",
-                ply.replace("3 7 4 8", "3 7 4 9").into_bytes(),
-                "line 31: vertex 9 does not exist",
-            ),
-            (
-                "b.ply",
-                ply.replace("3 7 4 8", "2 7 4").into_bytes(),
-                "line 31: a face has 2 corners",
-            ),
-            (
-                "c.ply",
-                ply.replace("0.25", "left").into_bytes(),
-                "line 19: ",
-            ),
-            ("d.ply", ply[..220].into(), "line 16: "),
-            (
-                "e.ply",
-                make::ply_binary()[..300].into(),
-                "byte 300: it ends within the 9 elements 'vertex'",
-            ),
-            (
-                "f.ply",
-                ply.replace("vertex 9", "vertex 99999999999").into_bytes(),
-                "it ends within the 99999999999 elements",
-            ),
-            (
-                "g.ply",
-                ply.replace("float y", "float height").into_bytes(),
-                "its vertices have no property y",
-            ),
-            (
-                "h.ply",
-                ply.replace("face 12", "face 0").into_bytes(),
-                "it is a cloud of points",
-            ),
-        ]);
-    }
-    if cfg!(feature = "gltf") {
-        let glb = make::glb(false, "");
-        make::write_gltf(&directory, "whole.gltf", false, "");
-        let sparse = make::gltf(false, "", r#", "uri": "a%20house.bin""#).replace(
-            r#"{"bufferView": 0, "componentType": 5126, "count": 9"#,
-            r#"{"componentType": 5126, "count": 268435455, "sparse": {"count": 2,
+fn what_is_wrong_in_ply_is_said_in_one_line() {
+    let directory = directory("wrong-ply");
+    let ply = make::ply_text(false);
+    let mut nan = make::ply_binary();
+    let elements = nan
+        .windows(11)
+        .position(|at| at == b"end_header\n")
+        .unwrap()
+        + 11;
+    // The y of the third vertex, of 16 bytes each.
+    nan[elements + 40..][..4].copy_from_slice(&f32::NAN.to_be_bytes());
+    assert_eq!(elements + 32, 201);
+    let cases = vec![
+        (
+            "a.ply",
+            ply.replace("3 7 4 8", "3 7 4 9").into_bytes(),
+            "line 31: vertex 9 does not exist",
+        ),
+        (
+            "b.ply",
+            ply.replace("3 7 4 8", "2 7 4").into_bytes(),
+            "line 31: a face has 2 corners",
+        ),
+        (
+            "c.ply",
+            ply.replace("0.25", "left").into_bytes(),
+            "line 19: 'left' is not a number",
+        ),
+        (
+            "i.ply",
+            ply.replace("0.25", "1e40").into_bytes(),
+            "line 19: coordinate 1e40 cannot be represented",
+        ),
+        (
+            "j.ply",
+            ply.replace("0.25 2 0", "0.25 2").into_bytes(),
+            "line 19: the value of 'z' is missing",
+        ),
+        (
+            "k.ply",
+            ply.replace("3 7 4 8", "3 7 4.5 8").into_bytes(),
+            "line 31: '4.5' is not a whole number",
+        ),
+        (
+            "l.ply",
+            ply.replace("3 7 4 8", "4 7 4 8").into_bytes(),
+            "line 31: the list 'vertex_indices' has 3 values, and promises 4",
+        ),
+        (
+            "m.ply",
+            ply.replace("float y", "flaot y").into_bytes(),
+            "line 6: 'property flaot y' is no line of a PLY header",
+        ),
+        (
+            "n.ply",
+            nan,
+            "byte 201: coordinate NaN cannot be represented",
+        ),
+        ("d.ply", ply[..220].into(), "line 16: "),
+        (
+            "e.ply",
+            make::ply_binary()[..300].into(),
+            "byte 300: it ends within the 9 elements 'vertex'",
+        ),
+        (
+            "f.ply",
+            ply.replace("vertex 9", "vertex 99999999999").into_bytes(),
+            "it ends within the 99999999999 elements",
+        ),
+        (
+            "g.ply",
+            ply.replace("float y", "float height").into_bytes(),
+            "its vertices have no property y",
+        ),
+        (
+            "h.ply",
+            ply.replace("face 12", "face 0").into_bytes(),
+            "it is a cloud of points",
+        ),
+    ];
+    refuse_all(&directory, cases);
+}
+
+#[cfg(feature = "gltf")]
+#[test]
+fn what_is_wrong_in_gltf_is_said_in_one_line() {
+    let directory = directory("wrong-gltf");
+    let glb = make::glb(false, "");
+    make::write_gltf(&directory, "whole.gltf", false, "");
+    let sparse = make::gltf(false, "", r#", "uri": "a%20house.bin""#).replace(
+        r#"{"bufferView": 0, "componentType": 5126, "count": 9"#,
+        r#"{"componentType": 5126, "count": 268435455, "sparse": {"count": 2,
                "indices": {"bufferView": 2, "componentType": 5123}, "values": {"bufferView": 0}}"#,
-        );
-        let json = |from: &str, to: &str| make::gltf(false, "", "").replace(from, to).into_bytes();
-        cases.extend([
-            ("a.glb", glb[..700].to_vec(), "byte 700: it ends before the"),
-            ("b.gltf", json(r#""asset""#, "asset"), "line 2"),
-            (
-                "s.gltf",
-                sparse.into_bytes(),
-                "accessor 0 has 268435455 values but no bytes",
-            ),
-            ("c.gltf", json("", ""), "buffer 0: "),
-            (
-                "d.gltf",
-                json(r#""children": [1]"#, r#""children": [0]"#),
-                "",
-            ),
-            (
-                "g.gltf",
-                json(r#""POSITION": 0"#, r#""POSITION": 8"#),
-                "accessor 8 does not exist: there are 3",
-            ),
-            (
-                "e.gltf",
-                make::gltf(false, "", r#", "uri": "none.bin""#).into_bytes(),
-                "buffer 0: cannot read none.bin",
-            ),
-            (
-                "f.gltf",
-                make::gltf(false, "", r#", "uri": "data:x;base64,AAAA""#).into_bytes(),
-                "buffer 0: it has 3 bytes",
-            ),
-        ]);
-    }
+    );
+    let json = |from: &str, to: &str| make::gltf(false, "", "").replace(from, to).into_bytes();
+    let cases = vec![
+        ("a.glb", glb[..700].to_vec(), "byte 700: it ends before the"),
+        ("b.gltf", json(r#""asset""#, "asset"), "line 2"),
+        (
+            "s.gltf",
+            sparse.into_bytes(),
+            "accessor 0 has 268435455 values but no bytes",
+        ),
+        ("c.gltf", json("", ""), "buffer 0: "),
+        (
+            "d.gltf",
+            json(r#""children": [1]"#, r#""children": [0]"#),
+            "",
+        ),
+        (
+            "g.gltf",
+            json(r#""POSITION": 0"#, r#""POSITION": 8"#),
+            "accessor 8 does not exist: there are 3",
+        ),
+        (
+            "e.gltf",
+            make::gltf(false, "", r#", "uri": "none.bin""#).into_bytes(),
+            "buffer 0: cannot read none.bin",
+        ),
+        (
+            "f.gltf",
+            make::gltf(false, "", r#", "uri": "data:x;base64,AAAA""#).into_bytes(),
+            "buffer 0: it has 3 bytes",
+        ),
+    ];
     refuse_all(&directory, cases);
 }
 

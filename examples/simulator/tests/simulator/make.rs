@@ -140,8 +140,8 @@ fn buffer() -> Vec<u8> {
     bytes
 }
 
-/// A glTF scene of the house, with attributes and properties of the node, such as `"scale": [2, 2, 2]`; and the buffer's
-/// URI.
+/// A glTF scene of the house. `node` has properties of its node, such as `"scale": [2, 2, 2]`; `uri` is the property
+/// that names the buffer's file.
 pub fn gltf(colored: bool, node: &str, uri: &str) -> String {
     let color = if colored { r#", "COLOR_0": 1"# } else { "" };
     let len = buffer().len();

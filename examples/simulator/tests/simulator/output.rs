@@ -192,8 +192,13 @@ fn standard_output_takes_pictures_and_dumps() {
 }
 
 #[test]
-fn quiet_prints_nothing() {
+fn quiet_prints_only_what_was_asked_for() {
     let directory = cow("quiet");
+    let loud = run(&directory, "cow.obj --out t.png --crc");
+    let quiet = run(&directory, "cow.obj --out t.png --crc --quiet");
+    let crc = String::from_utf8(quiet.stdout).unwrap();
+    assert!(crc.starts_with("crc ") && crc.lines().count() == 1, "{crc}");
+    assert!(String::from_utf8(loud.stdout).unwrap().contains(&crc));
     let look = "cow.obj --out t.gif --frames 2 --size 16x12 --filter bilinear --shade flat";
     let output = run(&directory, look);
     assert!(!output.stdout.is_empty() && !output.stderr.is_empty());
@@ -223,6 +228,8 @@ fn an_option_without_effect_is_named() {
         ("--shade wire --wire", "--wire"),
         ("--projection cabinet --mode exact", "--mode"),
         ("--shade wire --mode exact", "--mode"),
+        ("--shade wire --depth float", "--depth"),
+        ("--export skin.bmp --mesh short", "--mesh"),
         ("--tolerance 1", "--tolerance"),
         ("--shade gouraud --mode fast --tolerance 1", "--tolerance"),
         ("--rpm 3", "--rpm"),
@@ -354,6 +361,15 @@ fn a_full_disk_is_an_error_in_a_line() {
     assert!(!metadata.is_file());
 }
 
+/// The unfinished file has a name of its own, which does not grow with the file's.
+#[test]
+fn the_longest_name_is_a_name() {
+    let directory = cow("long");
+    let name = "n".repeat(251) + ".png";
+    good(&directory, &format!("cow.obj --size 16x12 --out {name}"));
+    assert!(files(&directory).contains(&name));
+}
+
 #[cfg(unix)]
 #[test]
 fn links_and_permissions_stay() {
@@ -366,15 +382,21 @@ fn links_and_permissions_stay() {
     symlink("later.png", path("dangling.png")).unwrap();
     fs::write(path("one.png"), "old").unwrap();
     fs::hard_link(path("one.png"), path("two.png")).unwrap();
+    // Longer than a picture.
+    fs::write(path("three.png"), "old".repeat(9999)).unwrap();
+    fs::hard_link(path("three.png"), path("four.png")).unwrap();
     fs::write(path("private.png"), "old").unwrap();
     fs::set_permissions(path("private.png"), fs::Permissions::from_mode(0o600)).unwrap();
-    for name in ["link", "dangling", "one", "private"] {
+    for name in ["link", "dangling", "one", "three", "private"] {
         good(&directory, &format!("t.obj --size 16x12 --out {name}.png"));
     }
     let is_png = |name| fs::read(path(name)).unwrap().starts_with(b"\x89PNG");
     assert!(path("link.png").is_symlink() && is_png("real.png"));
     assert!(path("dangling.png").is_symlink() && is_png("later.png"));
-    assert!(is_png("two.png"));
+    assert!(is_png("two.png") && is_png("four.png"));
+    let private = fs::read(path("private.png")).unwrap();
+    assert!(fs::read(path("two.png")).unwrap() == private);
+    assert!(fs::read(path("four.png")).unwrap() == private);
     assert_eq!(fs::metadata(path("two.png")).unwrap().nlink(), 2);
     let mode = fs::metadata(path("private.png"))
         .unwrap()

@@ -1,10 +1,10 @@
-//! Textures in the forms that PNG and JPEG know.
+//! Textures in the forms that PNG, JPEG, BMP and TGA know.
 
 use std::fs;
 
 use image::{DynamicImage, ImageFormat, Rgb, RgbImage};
 
-use super::program::{directory, good, printed};
+use super::program::{directory, good, printed, refused};
 
 /// A smooth picture: the same in all forms but for their rounding.
 fn colors(width: u32, height: u32) -> DynamicImage {
@@ -13,7 +13,7 @@ fn colors(width: u32, height: u32) -> DynamicImage {
 }
 
 #[test]
-fn every_form_of_png_and_jpeg_is_read() {
+fn every_form_of_picture_is_read() {
     let directory = directory("textures");
     // A square of a unit, four units from the eye, that fills the picture: a texel for each pixel.
     let square =
@@ -60,6 +60,41 @@ fn every_form_of_png_and_jpeg_is_read() {
         // What the compression loses.
         close(&drawn("texture.png"), &image.to_rgb8(), 12, name);
     }
+    let save = |name: &str, image: &DynamicImage, format| {
+        let file = directory.join(name);
+        image.save_with_format(file, format).unwrap();
+        drawn(name)
+    };
+    // A flat stripe, for the runs of a packed TGA.
+    let mut striped = picture.to_rgb8();
+    for (_, y, pixel) in striped.enumerate_pixels_mut() {
+        if y / 8 == 3 {
+            *pixel = Rgb([200, 100, 50]);
+        }
+    }
+    let striped = DynamicImage::from(striped);
+    for (image, name) in [(&striped, "rgb"), (&gray, "gray")] {
+        let wanted = image.to_rgb8();
+        close(&save("t.bmp", image, ImageFormat::Bmp), &wanted, 0, name);
+        close(&save("t.tga", image, ImageFormat::Tga), &wanted, 0, name);
+        // Packed in runs.
+        assert!(fs::read(directory.join("t.tga")).unwrap()[2] >= 9);
+    }
+    // Neither packed nor named after its format; the bottom row comes first.
+    let mut plain = vec![0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 64, 0, 64, 0, 24, 0];
+    for row in striped.to_rgb8().rows().rev() {
+        plain.extend(row.flat_map(|pixel| [pixel[2], pixel[1], pixel[0]]));
+    }
+    fs::write(directory.join("texture"), &plain).unwrap();
+    close(&drawn("texture"), &striped.to_rgb8(), 0, "plain TGA");
+    // Cut off within a run.
+    let packed = fs::read(directory.join("t.tga")).unwrap();
+    fs::write(directory.join("cut.tga"), &packed[..packed.len() / 2]).unwrap();
+    refused(
+        &directory,
+        "s.obj --texture cut.tga",
+        &["cannot read texture cut.tga: "],
+    );
     // Other sizes are resampled: a ramp stays a ramp but for its border, which has no neighbors.
     for (width, height) in [(48, 80), (85, 52), (64, 64)] {
         let file = directory.join("other.png");

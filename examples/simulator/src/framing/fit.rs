@@ -10,7 +10,7 @@ pub fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
 }
 
 /// Returns the smallest d with |x − c| ≤ `slope` · (d − z) for all points (x, z): the distance of the nearest eye that
-/// has all of them within its angle of view. `c` is 0, or the best there is if the eye `moves` aside.
+/// has all of them in view. `c` is 0; if the eye `moves` aside, it is the best value there is.
 pub fn distance(points: impl Iterator<Item = [f64; 2]> + Clone, slope: f64, moves: bool) -> f64 {
     // d ≥ (x + slope·z − c) / slope and d ≥ (c − x + slope·z) / slope.
     let [_, high] = range(points.clone().map(|[x, z]| x + slope * z));

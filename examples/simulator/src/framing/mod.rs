@@ -2,11 +2,15 @@
 //!
 //! Set-up on the host, in f64. `units` and `view` hand the result to the library.
 
-use super::Result;
+mod fit;
+pub mod turntable;
+
+use crate::Result;
 use crate::args::{Args, DepthFormat, Kind};
-use crate::fit::{self, range};
 use crate::idle::name;
 use crate::look::Haze;
+use crate::vector::{along, cross, dot, largest, length, sub, unit};
+use fit::range;
 
 /// Part of the picture's width and height that the model fills.
 const FILL: f64 = 0.94;
@@ -14,14 +18,14 @@ const FILL: f64 = 0.94;
 const FIELD_OF_VIEW: f64 = 40.0;
 /// The field of view of an eye that has parts of the model behind it, in degrees.
 const WIDE: f64 = 100.0;
-/// Half the height of the picture of a line that is seen from its end, relative to the radius of the model.
+/// Half the height of the picture of a line that is seen end-on, relative to the radius of the model.
 const LEAST: f64 = 1e-3;
 /// Default direction from the model to the eye, if y is up: in front, a little right and above.
 const FROM: Point = [0.55, 0.6, 1.0];
 /// The same for the oblique projections, which show top and side of a model seen from the front.
 const FRONT: Point = [0.0, 0.0, 1.0];
 
-pub type Point = [f64; 3];
+pub use crate::vector::Vector as Point;
 
 /// A camera and its view.
 #[derive(Clone, Copy, Debug)]
@@ -88,39 +92,6 @@ impl Solid {
     }
 }
 
-pub fn sub(a: Point, b: Point) -> Point {
-    [0, 1, 2].map(|i| a[i] - b[i])
-}
-
-pub fn along(a: Point, direction: Point, by: f64) -> Point {
-    [0, 1, 2].map(|i| a[i] + direction[i] * by)
-}
-
-pub fn dot(a: Point, b: Point) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub fn cross(a: Point, b: Point) -> Point {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-/// The largest magnitude of a coordinate.
-fn largest(a: Point) -> f64 {
-    a.iter().fold(0.0, |most, x| x.abs().max(most))
-}
-
-/// Returns the direction of `a` at length one; `None` if it has none.
-pub fn unit(a: Point) -> Option<Point> {
-    let size = largest(a);
-    let a = a.map(|x| x / size);
-    let length = dot(a, a).sqrt();
-    (size > 0.0 && length.is_finite()).then(|| a.map(|x| x / length))
-}
-
 /// Returns axes to the right, up, and along `back`; `None` if `up` is within 1e-5 of the line of `back`, more than the
 /// library refuses.
 pub fn basis(back: Point, up: Point) -> Option<[Point; 3]> {
@@ -133,8 +104,8 @@ pub fn basis(back: Point, up: Point) -> Option<[Point; 3]> {
     Some([right, cross(back, right), back])
 }
 
-/// Turns a direction along the shortest arc that brings +y to `up`, of length one. For z upwards, the front of a model
-/// then faces −y, as modeling programs have it.
+/// Turns a direction along the shortest arc that brings +y to `up`, of length one. If z points up, a model's front is
+/// then at −y, where modeling programs expect it.
 fn upright([x, y, z]: Point, up: Point) -> Point {
     // Half a turn has no shortest arc: about z, so that the front stays in front.
     if up[1] < -1.0 + 1e-12 {
@@ -246,8 +217,8 @@ impl Choice<'_> {
         Some([along(target, axes[2], distance), target])
     }
 
-    /// Returns half the height of a picture for points that are at most so far from its middle, `least` if they are
-    /// all there.
+    /// Returns half the height of the picture that shows points up to `x` beside and up to `y` above its middle. It is
+    /// at least `least`, for points that are all in the middle.
     fn half(&self, [x, y]: [f64; 2], least: f64) -> f64 {
         (x / self.aspect).max(y).max(least) / FILL
     }
@@ -287,8 +258,8 @@ impl Choice<'_> {
 impl Framing {
     /// Chooses the options that `args` leave open so that all `points` are visible and as large as possible.
     ///
-    /// The choice is made for each option as the user would give it, and all else follows from the options: given as
-    /// flags, they make the same picture.
+    /// It chooses the value of each option, rounded as it is printed, and derives everything else from these values. So
+    /// the printed options make the same picture.
     ///
     /// # Errors
     ///
@@ -433,7 +404,7 @@ impl Framing {
     /// Moves the near and the far plane, unless they are given, so that the user may turn the model any way about the
     /// point `about`, and enlarge it up to `zoom` times.
     pub fn widen(&mut self, args: &Args, points: &[Point], about: Point, zoom: f64) {
-        let distance = |p: Point| dot(sub(p, about), sub(p, about)).sqrt();
+        let distance = |p: Point| length(sub(p, about));
         let reach = points.iter().map(|&p| distance(p)).fold(0.0, f64::max) * zoom;
         let eye = distance(self.eye);
         self.farthest = self.farthest.max(eye + reach);

@@ -1,6 +1,7 @@
 //! The space that a model takes while it turns.
 
-use crate::framing::{Point, along, basis, dot, sub};
+use super::{Point, basis};
+use crate::vector::{along, dot, sub};
 
 /// Sides of the polygon around each circle.
 const SIDES: u32 = 72;

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
-use crate::framing::{cross, dot, sub};
 use crate::model::{Corner, Model};
+use crate::vector::{cross, dot, sub};
 
 impl Model {
     /// Turns the normals of each triangle whose three normals point to its back. The front is where its corners run

@@ -1,0 +1,163 @@
+//! Pictures and animations in the formats of files.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use gif::{AnyExtension, Repeat};
+use png::{BitDepth, ColorType};
+
+use super::Result;
+use crate::output::{self, Output};
+
+/// Time between frames of an animation, in milliseconds.
+pub const FRAME_MS: u64 = 40;
+/// Written into every picture, so that a default name never replaces a file of the user's.
+const MARK: &str = "fixel simulator";
+
+/// The format of a picture file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    Png,
+    Gif,
+    /// Animated PNG.
+    Apng,
+}
+
+impl Format {
+    /// Returns the format that the ending of `path` names. A stream has no ending: it takes PNG, and GIF for several
+    /// frames.
+    ///
+    /// # Errors
+    ///
+    /// The ending names no known format, or one that cannot hold several frames.
+    pub fn of(path: &Path, frames: u32) -> Result<Self> {
+        let several = frames > 1;
+        let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
+        match extension.to_str() {
+            Some("png") if several => Err(format!(
+                "{frames} frames make an animation: it needs --out FILE.gif or FILE.apng"
+            )
+            .into()),
+            Some("png") => Ok(Self::Png),
+            Some("gif") => Ok(Self::Gif),
+            Some("apng") => Ok(Self::Apng),
+            _ if output::is_stream(path) => Ok(if several { Self::Gif } else { Self::Png }),
+            _ => Err(format!(
+                "output {}: its name must end in .png, .gif or .apng (an animated PNG)",
+                path.display()
+            )
+            .into()),
+        }
+    }
+}
+
+/// Chooses a name for a picture in the working directory: `stem`, or `stem`-picture if there is a file of that name
+/// which this program did not write or now reads.
+///
+/// # Errors
+///
+/// Both names are taken.
+pub fn free_name(stem: &Path, extension: &str, inputs: &[PathBuf]) -> Result<PathBuf> {
+    for suffix in ["", "-picture"] {
+        let mut name = stem.as_os_str().to_os_string();
+        name.push(suffix);
+        name.push(extension);
+        let path = PathBuf::from(name);
+        let is_free = path.symlink_metadata().is_err() || is_own(&path);
+        if is_free && output::refuse_inputs(&path, inputs).is_ok() {
+            return Ok(path);
+        }
+    }
+    Err(format!(
+        "{0}{extension} and {0}-picture{extension} are files that this program did not write: name the picture with \
+         --out",
+        stem.display()
+    )
+    .into())
+}
+
+/// Whether this program wrote a file.
+fn is_own(path: &Path) -> bool {
+    let mut start = Vec::new();
+    let is_read = path.is_file()
+        && File::open(path).is_ok_and(|file| file.take(256).read_to_end(&mut start).is_ok());
+    is_read
+        && start
+            .windows(MARK.len())
+            .any(|bytes| bytes == MARK.as_bytes())
+}
+
+/// Writes the frames of a picture or an animation that plays forever.
+pub enum Encoder<'a> {
+    Png(png::Writer<&'a mut Output>),
+    Gif(Box<gif::Encoder<&'a mut Output>>, (u16, u16)),
+}
+
+impl<'a> Encoder<'a> {
+    /// Writes the header for this many frames.
+    ///
+    /// # Errors
+    ///
+    /// The file cannot be written.
+    pub fn new(
+        format: Format,
+        output: &'a mut Output,
+        (width, height): (u32, u32),
+        frames: u32,
+    ) -> Result<Self> {
+        if format == Format::Gif {
+            let size = (u16::try_from(width)?, u16::try_from(height)?);
+            let mut gif = gif::Encoder::new(output, size.0, size.1, &[])?;
+            // A comment, which viewers do not show.
+            gif.write_raw_extension(AnyExtension(0xfe), &[MARK.as_bytes()])?;
+            gif.set_repeat(Repeat::Infinite)?;
+            return Ok(Self::Gif(Box::new(gif), size));
+        }
+        let mut png = png::Encoder::new(output, width, height);
+        png.set_color(ColorType::Rgb);
+        png.set_depth(BitDepth::Eight);
+        png.add_text_chunk("Software".into(), MARK.into())?;
+        if format == Format::Apng {
+            png.set_animated(frames, 0)?;
+            png.set_frame_delay(FRAME_MS as u16, 1000)?;
+        }
+        Ok(Self::Png(png.write_header()?))
+    }
+
+    /// Writes a frame.
+    ///
+    /// # Errors
+    ///
+    /// The file cannot be written.
+    pub fn frame(&mut self, pixels: &[Rgb888]) -> Result<()> {
+        let bytes: Vec<u8> = pixels
+            .iter()
+            .flat_map(|color| [color.r(), color.g(), color.b()])
+            .collect();
+        match self {
+            Self::Png(png) => png.write_image_data(&bytes)?,
+            Self::Gif(gif, (width, height)) => {
+                let mut frame = gif::Frame::from_rgb_speed(*width, *height, &bytes, 10);
+                // In hundredths of a second.
+                frame.delay = FRAME_MS as u16 / 10;
+                gif.write_frame(&frame)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes the end of the file.
+    ///
+    /// # Errors
+    ///
+    /// The file cannot be written.
+    pub fn finish(self) -> Result<()> {
+        match self {
+            Self::Png(png) => png.finish()?,
+            Self::Gif(gif, _) => drop(gif.into_inner()?),
+        }
+        Ok(())
+    }
+}
