@@ -17,7 +17,8 @@ const HEIGHT: u32 = 60;
 static SKIN: TextureArray<Rgb565, 2, 2> =
     TextureArray::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x07, 0xe0, 0xf8, 0x00]);
 
-/// More sprites than are drawn at a time, near and far, some of them in part behind the near plane or beside the picture.
+/// More sprites than are drawn at a time, near and far, some of them in part behind the near plane or beside the
+/// picture.
 fn positions() -> Vec<Vec3> {
     (0..29)
         .map(|i: i16| Vec3::from_ints(i * 7 % 11 - 5, i * 5 % 7 - 3, -(i * 3 % 13)))
@@ -69,8 +70,8 @@ fn corners<K: ProjectionKind>(
     found.into_inner()
 }
 
-/// A shader that keeps the texture coordinates of all pixels, in units of 2^-16 texel of 1024, and counts how often it is
-/// asked for varyings.
+/// A shader that keeps the texture coordinates of all pixels, in units of 2^-16 texel of 1024, and counts how often it
+/// is asked for varyings.
 #[derive(Clone, Copy)]
 struct Coordinates<'a> {
     found: &'a RefCell<Vec<(Point, [i32; 2])>>,
@@ -188,8 +189,9 @@ fn check<K: ProjectionKind>(
         &FaceColors::new(&colors),
     );
 
-    // The coordinates of each pixel have an error of up to 57 units on either way, besides those that the mode saves: both
-    // ways save nothing, because a sprite that faces the camera has one depth, and others are the mesh's triangles.
+    // The coordinates of each pixel have an error of up to 57 units on either way, besides those that the mode saves:
+    // both ways save nothing, because a sprite that faces the camera has one depth, and others are the mesh's
+    // triangles.
     let (found, asked) = coordinates(|canvas, shader| {
         canvas.draw_sprites(options, &sprites, &mvp, &shader);
     });
