@@ -247,7 +247,7 @@ fn heights(low: Scalar, high: Scalar, color: Rgb888) -> Gradient<Rgb565> {
 
 /// A color times its opacity.
 fn thinned(_: &Fragment, Translucent { color, opacity }: Translucent<Rgb565>) -> Option<Rgb565> {
-    Some(Rgb565::new(color.r() & opacity, color.g(), opacity >> 3))
+    (opacity > 0).then(|| Rgb565::new(color.r() & opacity, color.g(), opacity >> 3))
 }
 
 /// A shader with its colors converted to the canvas's.
