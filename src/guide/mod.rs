@@ -64,10 +64,15 @@ pub mod coming_from {}
 #[doc = recipe!("Cut-out textures", "cut_out")]
 #[doc = recipe!("Blending", "blending")]
 #[doc = recipe!("Painter's order", "painter")]
-// The next three read files beside their own folder.
+// Those that are ignored read files beside their own folder.
 #[doc = recipe!("Wireframe", "wireframe", "ignore")]
+#[doc = recipe!("Points", "points")]
 #[doc = recipe!("Black and white", "packed", "ignore")]
+#[doc = recipe!("Panels", "panels")]
 #[doc = recipe!("Materials", "materials", "ignore")]
+#[doc = recipe!("Normals", "normals", "ignore")]
+#[doc = recipe!("Small meshes", "quantized")]
+#[doc = recipe!("Levels of detail", "detail")]
 #[doc = recipe!("Terrain", "terrain")]
 #[doc = recipe!("Keyframes", "keyframes")]
 #[doc = recipe!("Sprites", "sprites")]

@@ -15,8 +15,8 @@ const MOST_CORNERS: usize = 9;
 /// A clipped triangle or line on the screen.
 pub(crate) type ClippedPolygon = Vec<ClippedVertex, MOST_CORNERS>;
 
-/// A corner of a triangle or line while it is clipped: its [`ClipPosition`] and its [`Barycentric`] weights, which are as
-/// wide, because all five are cut in the same way.
+/// A corner of a triangle or line while it is clipped: its [`ClipPosition`] and its [`Barycentric`] weights, which are
+/// as wide, because all five are cut in the same way.
 type ClipVertex = [i64; 5];
 
 type Polygon = Vec<ClipVertex, MOST_CORNERS>;

@@ -1,9 +1,9 @@
-//! How lines are drawn: one pixel wide, of a width, or anti-aliased.
+//! Styles of lines: one pixel wide, of a width, or anti-aliased.
 
 use core::cell::Cell;
 
 use super::call::Call;
-use super::{Drawn, outline, run};
+use super::{Drawn, run};
 use crate::raster::{
     self, Blitter, ClippedVertex, Coverage, Hairline, LineWidth, Rasterizer, SmoothLine,
 };
@@ -12,7 +12,10 @@ use crate::span::{Painter, Smooth};
 use crate::target::Blending;
 use crate::view::ProjectionKind;
 
-/// How lines are drawn on a canvas of color `C`: as a [`Hairline`], of a [`LineWidth`], or as a [`SmoothLine`]. Sealed.
+/// A style of lines on a canvas of color `C`: [`Hairline`], [`LineWidth`] or, in a color of several
+/// [`Levels`], [`SmoothLine`]. Sealed.
+///
+/// [`DrawOptions::with_line`](crate::DrawOptions::with_line) takes it.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
@@ -31,14 +34,18 @@ pub trait LineStyle<C>: Copy + Stroke<C> {}
 #[diagnostic::do_not_recommend]
 impl<C, L: Stroke<C>> LineStyle<C> for L {}
 
+/// Draws a line between two ends.
+pub(super) type DrawLine<'l> = &'l dyn Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]);
+
 /// What a [`LineStyle`] does.
 pub(super) trait Stroke<C>: Copy {
-    /// What the rasterizer tells the painter of each line.
+    /// What the rasterizer tells the painter about each line.
     type State: Default + 'static;
 
-    /// What pixels are colored by.
+    /// Colors the pixels.
     type Painter<'s, S: ShaderFor<B::Source>, B: Blending<C>>: Painter<Color = C>;
 
+    /// The painter of lines of this style, which reads `state`.
     fn painter<S: ShaderFor<B::Source>, B: Blending<C>>(
         state: &Self::State,
         shader: S,
@@ -48,12 +55,12 @@ pub(super) trait Stroke<C>: Copy {
     /// How many rows a line may reach beyond its ends.
     fn reach(self) -> i32;
 
-    /// Draws a line between two ends.
+    /// Draws a line between two ends, and writes `state` for the painter.
     fn line(self, state: &Self::State, raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]);
 
-    /// Draws lines between two ends.
+    /// Returns [`line`](Self::line) with this style and this state, as a [`DrawLine`].
     #[inline]
-    fn with(self, state: &Self::State) -> impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]) {
+    fn bind(self, state: &Self::State) -> impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]) {
         move |raster, ends| self.line(state, raster, ends)
     }
 
@@ -65,8 +72,19 @@ pub(super) trait Stroke<C>: Copy {
         call: &Call<'_, K>,
         blitter: &mut dyn Blitter,
     ) -> Drawn {
-        outline::edges(call, &self.with(state), blitter)
+        edges(call, &self.bind(state), blitter)
     }
+}
+
+/// Draws all edges of a mesh. It exists once for all styles but [`Hairline`].
+#[inline(never)]
+fn edges<K: ProjectionKind>(
+    call: &Call<'_, K>,
+    line: DrawLine<'_>,
+    blitter: &mut dyn Blitter,
+) -> Drawn {
+    let edges = call.shared.mesh.edges();
+    run::lines(call, blitter, edges, |_, _, &edge| Some(edge), line)
 }
 
 impl<C> Stroke<C> for Hairline {
@@ -88,7 +106,7 @@ impl<C> Stroke<C> for Hairline {
         raster::line(raster, ends);
     }
 
-    /// A program that draws nothing but this needs no code for other lines.
+    /// Without a [`DrawLine`]: a program that draws only hairlines is smaller if it calls the rasterizer directly.
     #[inline]
     fn edges<K: ProjectionKind>(
         self,

@@ -55,9 +55,9 @@ use crate::view::{ModelToPicture, Perspective, ProjectionKind};
 ///
 /// # Which camera, which frame
 ///
-/// A prepared mesh or scene keeps its camera, projection, transforms and options. Drawing takes none of these, so a list
-/// cannot be drawn with others. A canvas of another frame size is refused when it
-/// is drawn. As long as it is in use, the list, and the objects of a scene, cannot change:
+/// A prepared mesh or scene keeps its camera, projection, transforms and options. Drawing takes none of these, so a
+/// list cannot be drawn with others. A canvas of another frame size is refused when it is drawn. As long as it is in
+/// use, the list, and the objects of a scene, cannot change:
 ///
 /// ```compile_fail,E0506
 /// use fixel::{Object, prelude::*};
@@ -577,8 +577,8 @@ impl Assembly for Filling<'_> {
 }
 
 impl<'a, K, M, Z, B> Prepared<'a, K, M, Z, B> {
-    /// The same triangles, whose colors are blended in another way with those on the canvas: for a sorted scene in which
-    /// some objects are translucent.
+    /// The same triangles, whose colors are blended in another way with those on the canvas: for a sorted scene in
+    /// which some objects are translucent.
     ///
     /// ```
     /// use fixel::{Prepared, target::{Opacity, TestAndWrite}};

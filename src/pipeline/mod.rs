@@ -153,9 +153,9 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         )
     }
 
-    /// Draws the edges that were [prepared](EdgeList::prepare) for this frame and meet this canvas's rows. The pixels are
-    /// those of [`draw_edges`](Self::draw_edges) or [`draw_outline`](Self::draw_outline), but nothing is transformed
-    /// again.
+    /// Draws the edges that were [prepared](EdgeList::prepare) for this frame and meet this canvas's rows. The pixels
+    /// are those of [`draw_edges`](Self::draw_edges) or [`draw_outline`](Self::draw_outline), but nothing is
+    /// transformed again.
     ///
     /// # Errors
     ///
@@ -179,14 +179,14 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
             &prepared.pixels,
             painter,
             |rows, blitter| {
-                let line = prepared.line.with(&state);
+                let line = prepared.line.bind(&state);
                 prepared.draw(&line, prepared.line.reach(), rows, blitter)
             },
         )
     }
 
-    /// Draws a mesh's [edges](Mesh::edges) as lines of the options' [style](DrawOptions::with_line): by default, one pixel
-    /// wide.
+    /// Draws a mesh's [edges](Mesh::edges) as lines of the options' [style](DrawOptions::with_line): by default, one
+    /// pixel wide.
     pub fn draw_edges<
         M: Mode,
         Z: DepthTest,
@@ -277,7 +277,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         let state = L::State::default();
         let painter = L::painter(&state, *shader, options.pixels.blending);
         self.paint(options, (mesh, mvp), painter, |call, blitter| {
-            let line = options.line.with(&state);
+            let line = options.line.bind(&state);
             outline::outline(call, outline, &line, blitter)
         })
     }
@@ -352,10 +352,10 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// Draws sprites: two triangles for each of their positions, by the rules for those of a mesh. Nothing is culled,
     /// because sprites have no backs.
     ///
-    /// A sprite without an [axis](Sprites::with_axis) is a rectangle on the screen. It is drawn in one go, for less than
-    /// the cost of its triangles, unless it is clipped, its shader has values [of a face](crate::shade::PerFace) (as
-    /// mipmaps have), or a varying changes both across and down, as the light of a lamp does. Its pixels and their depths
-    /// are those of the triangles, and its varyings are as exact.
+    /// A sprite without an [axis](Sprites::with_axis) is a rectangle on the screen. It is drawn in one go, for less
+    /// than the cost of its triangles, unless it is clipped, its shader has values [of a face](crate::shade::PerFace)
+    /// (as mipmaps have), or a varying changes both across and down, as the light of a lamp does. Its pixels and their
+    /// depths are those of the triangles, and its varyings are as exact.
     ///
     /// Every shader works: the quad is a mesh in eye space, whose normal points towards the viewer, and a quad's two
     /// triangles have the indices 2i and 2i + 1, where i is the sprite's. Its corners are rounded to the nearest
@@ -432,8 +432,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// The result is `None` if the point is nearer than the near plane, beyond the far plane, or more than 2048
     /// pixels left or right of, above or below the viewport's center. The position may lie outside the viewport.
     ///
-    /// Use it to place a [`label`](Self::label) beside an object. For the opposite way, from a pixel into the scene, see
-    /// [`ray`](Self::ray).
+    /// Use it to place a [`label`](Self::label) beside an object. For the opposite way, from a pixel into the scene,
+    /// see [`ray`](Self::ray).
     #[must_use]
     pub fn project<M: Copy, Z: Copy, B: Copy, L: Copy, V: ModelToPicture>(
         &self,
@@ -461,8 +461,9 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         })
     }
 
-    /// A [`DrawTarget`](embedded_graphics::draw_target::DrawTarget) for text, or for anything else that embedded-graphics
-    /// draws, at a point of the scene: its origin is the pixel that contains `at`, and what is nearer hides it.
+    /// A [`DrawTarget`](embedded_graphics::draw_target::DrawTarget) for text, or for anything else that
+    /// embedded-graphics draws, at a point of the scene: its origin is the pixel that contains `at`, and what is nearer
+    /// hides it.
     ///
     /// A label at a point of a surface may be hidden by parts of the same surface that are nearer. To avoid this, give
     /// [`ScreenPoint::depth`] a greater value, or project a point before the surface.
@@ -556,11 +557,11 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         !scissor.is_empty() && !projector.misses(bounds, &scissor)
     }
 
-    /// The size of `bounds` on the screen: the length of their diagonal at the distance of their middle, in pixels, rounded
-    /// down. Use it to choose among meshes of several levels of detail.
+    /// The size of `bounds` on the screen: the length of their diagonal at the distance of their middle, in pixels,
+    /// rounded down. Use it to choose among meshes of several levels of detail.
     ///
-    /// It is `u32::MAX` if the eye is nearer to the middle than half of the diagonal, or if the bounds are behind the eye.
-    /// Corners are rounded to [`Scalar`](crate::Scalar)s in eye space.
+    /// It is `u32::MAX` if the eye is nearer to the middle than half of the diagonal, or if the bounds are behind the
+    /// eye. Corners are rounded to [`Scalar`](crate::Scalar)s in eye space.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;

@@ -146,8 +146,8 @@ impl<M: Copy, Z: Copy, B: Copy, L: Copy> DrawOptions<M, Z, B, L> {
         }
     }
 
-    /// Sets how lines are drawn: as one of the [`LineStyle`](crate::LineStyle)s. Only edges and outlines are drawn with such
-    /// options; triangles, points and sprites take options with [`Hairline`]s.
+    /// Sets how lines are drawn: as one of the [`LineStyle`](crate::LineStyle)s. Only edges and outlines are drawn with
+    /// such options; triangles, points and sprites take options with [`Hairline`]s.
     ///
     /// ```
     /// use fixel::prelude::*;

@@ -1,15 +1,13 @@
-//! Outlines, which choose among the edges of a mesh, and edges in any kind of line.
+//! Outlines, which choose among the edges of a mesh.
 
 use super::assemble;
 use super::cache::VertexCache;
 use super::call::Call;
+use super::line_style::DrawLine;
 use super::{Drawn, run};
 use crate::mesh::{Index, Outline};
-use crate::raster::{Blitter, ClippedVertex, Rasterizer};
+use crate::raster::Blitter;
 use crate::view::ProjectionKind;
-
-/// Draws a line between two ends.
-pub(super) type DrawLine<'l> = &'l dyn Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]);
 
 /// Draws the creases, silhouettes and borders of an outline that belong to a face that is not culled.
 #[inline(never)]
@@ -23,17 +21,6 @@ pub(super) fn outline<K: ProjectionKind>(
         ends_of(call, vertices, outline, (at, *edge))
     };
     run::lines(call, blitter, outline.edges(), ends_of, line)
-}
-
-/// Draws all edges of a mesh.
-#[inline(never)]
-pub(super) fn edges<K: ProjectionKind>(
-    call: &Call<'_, K>,
-    line: DrawLine<'_>,
-    blitter: &mut dyn Blitter,
-) -> Drawn {
-    let edges = call.shared.mesh.edges();
-    run::lines(call, blitter, edges, |_, _, &edge| Some(edge), line)
 }
 
 /// The ends of an outline's edge, if it is drawn.

@@ -318,8 +318,8 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// ray's origin is not within ±32,768 in model space.
     ///
     /// The face that it [hits](Ray::hit) is the one that is drawn at the pixel, unless the pixel's center is within
-    /// 1/200 of a pixel of the face's edge, plus twice the size on the screen of a model's smallest unit, 2⁻¹⁶; or unless
-    /// two faces have the same depth there. A ray also meets faces beyond the far plane.
+    /// 1/200 of a pixel of the face's edge, plus twice the size on the screen of a model's smallest unit, 2⁻¹⁶; or
+    /// unless two faces have the same depth there. A ray also meets faces beyond the far plane.
     ///
     /// ```
     /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};

@@ -25,7 +25,7 @@ pub(super) fn triangles<K: ProjectionKind>(call: &Call<'_, K>, to: &mut impl Ass
     triangles_from(call, (0, call.shared.mesh.faces()), &mut vertices, to);
 }
 
-/// Runs triangles of which the first one has the index `first`. A program that draws sprites has it once for both.
+/// Runs triangles, the first of which has the index `first`, with a cache of the caller's.
 #[inline]
 fn triangles_from<K: ProjectionKind>(
     call: &Call<'_, K>,
@@ -146,9 +146,9 @@ pub(super) fn draw<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blit
 /// Whether a plane through the varyings of a rectangle's first triangle is that of its second one too.
 pub(super) type IsPlane<'p> = &'p dyn Fn([&Primitive<'_>; 2]) -> bool;
 
-/// Draws quads: the triangles of a mesh in pairs, of which the first triangle has the index `first`, with a cache that
-/// holds no vertices of other meshes. If quads are upright rectangles on the screen, each at one depth, `is_plane` tells
-/// which of them to draw as one primitive.
+/// Draws quads: the triangles of a mesh in pairs, the first of which has the index `first`. The cache must hold no
+/// vertices of other meshes. If quads are upright rectangles on the screen, each at one depth, `is_plane` tells which
+/// of them to draw as one primitive.
 #[inline(never)]
 pub(super) fn quads<K: ProjectionKind>(
     call: &Call<'_, K>,

@@ -40,8 +40,8 @@ impl Gradient {
         is_near: false,
     };
 
-    /// Adds 2^16 times this plane to `lower`, both near. Where the value of `lower` has 16 bits without a sign, it is the
-    /// lower half of the sum's value, and this plane's value is the upper half.
+    /// Adds 2^16 times this plane to `lower`, both near. Where the value of `lower` has 16 bits without a sign, it is
+    /// the lower half of the sum's value, and this plane's value is the upper half.
     pub(super) fn pair_with(&self, lower: &mut Self) {
         let add = |to: &mut i32, upper: i32| *to = to.wrapping_add(upper << 16);
         add(&mut lower.step, self.step);

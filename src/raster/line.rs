@@ -5,7 +5,7 @@ use core::ops::Range;
 use super::edge::{Edge, first_center};
 use super::{ClippedVertex, Patch, Rasterizer, ScreenVertex};
 
-/// Lines of one pixel, which is what [`DrawOptions`](crate::DrawOptions) have unless they are told otherwise.
+/// The default style of lines: one pixel wide, not anti-aliased.
 ///
 /// Along its longer axis, the line gets one pixel for each pixel center that it passes; across, it is the pixel that
 /// contains the line there. A center at the left end (of steep lines, the upper end) belongs to the line, a center at

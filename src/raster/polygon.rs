@@ -261,7 +261,8 @@ mod tests {
         ]);
     }
 
-    /// The outline goes around its middle twice: two triangles of the fan, with the same winding, cover each pixel there.
+    /// The outline goes around its middle twice: two triangles of the fan, with the same winding, cover each pixel
+    /// there.
     #[test]
     fn an_outline_that_goes_around_twice_has_each_pixel_once() {
         let star = [[2, 8], [34, 10], [6, 26], [18, 1], [30, 26]];

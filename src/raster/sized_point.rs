@@ -7,9 +7,9 @@ use crate::{Error, Scalar};
 ///
 /// A pixel belongs to a point if its center lies within the square or disc around the point's exact position on the
 /// screen, in units of 1/256 pixel. Of a square's borders, the lower and the right one belong to it. So a square of n
-/// pixels always covers n times n of them, squares at distances of their size adjoin without overlaps, and one of size 1
-/// is the pixel that [`draw_points`](crate::Canvas::draw_points) draws. Of a disc, the border belongs to it, and so does
-/// the pixel that contains the point, even if its center lies outside.
+/// pixels always covers n times n of them, squares at distances of their size adjoin without overlaps, and one of size
+/// 1 is the pixel that [`draw_points`](crate::Canvas::draw_points) draws. Of a disc, the border belongs to it, and so
+/// does the pixel that contains the point, even if its center lies outside.
 ///
 /// Points are drawn with at least 1 and at most 255 pixels.
 ///

@@ -16,11 +16,11 @@ use crate::num::wide::product;
 ///
 /// Let d be the distance from the pixel's center to the nearest point of the line, whose ends are exact to 1/256
 /// pixel: then the share is (width + 1)/2 − d, limited to 0 and 1. So ends are round, and a line is as wide and as
-/// strong in every direction, unlike a [`Hairline`](crate::Hairline). A share is within 1.3/256 of its
+/// strong in every direction, unlike a `Hairline`. A share is within 1.3/256 of its
 /// value; blending rounds as for [`Opacity`](crate::target::Opacity), and dithers coarse colors. On 1-bit panels,
-/// plain lines are better.
+/// [`Hairline`](crate::Hairline)s are better.
 ///
-/// Depth and attributes are those of a plain line, along the longer axis; beyond the ends, those of the ends. So a
+/// Depth and attributes vary along the longer axis, as on a `Hairline`; beyond an end, they are those of the end. So a
 /// pixel has the depth of a place up to √2 · (width + 1)/2 pixels away. To draw lines on the mesh that hides them,
 /// draw the mesh [`Biased`](crate::target::Biased) by that many pixels, as below. Draw smooth lines last, with
 /// [`TestOnly`](crate::target::TestOnly), because what is drawn behind a half covered pixel later would not show.
@@ -64,8 +64,8 @@ impl SmoothLine {
 /// The share of each pixel that a line covers; by default, none.
 ///
 /// ```text
-///  share = half + ½ − distance, from 0 to 1          The distance leads from the pixel's center to the nearest point of
-///                                                    the line between its ends, so the ends are round.
+///  share = half + ½ − distance, from 0 to 1        The distance leads from the pixel's center to the nearest point of
+///                                                  the line between its ends, so the ends are round.
 ///        ╭──────────────────╮ ½
 ///      ╭─┼──────────────────┼─╮ half
 ///      │ a ─ ─ ─ ─ ─ ─ ─ ─ b  │      `across` is the distance from the line through both ends,
@@ -73,9 +73,10 @@ impl SmoothLine {
 ///        ╰──────────────────╯
 /// ```
 ///
-/// `direction` is within 1.3 · 2⁻²⁶ of its value, which moves a line by less than 2⁻¹² pixel at a distance of 4096 pixels
-/// in each direction. Across and along are cut to 2⁻¹⁰ pixel, and so is the root of their squares, together by
-/// (1 + √2) · 2⁻¹⁰; along has 2⁻¹¹ more near the ends; the share is rounded to 256ths, by 2⁻⁹. In all, it is within 1.3/256.
+/// `direction` is within 1.3 · 2⁻²⁶ of its value, which moves a line by less than 2⁻¹² pixel at a distance of 4096
+/// pixels in each direction. Across and along are cut to 2⁻¹⁰ pixel, and so is the root of their squares, together by
+/// (1 + √2) · 2⁻¹⁰; along has 2⁻¹¹ more near the ends; the share is rounded to 256ths, by 2⁻⁹. In all, it is within
+/// 1.3/256.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Coverage {
     /// From a to b, of length one, in units of 2⁻²⁵.
@@ -138,8 +139,8 @@ impl Coverage {
     }
 }
 
-/// Draws an anti-aliased line: all pixels that it may cover, once each. The blitter's painter finds in `coverage` how much
-/// of each is covered.
+/// Draws an anti-aliased line: all pixels that it may cover, once each. The blitter's painter finds in `coverage` how
+/// much of each is covered.
 pub(crate) fn smooth_line(
     raster: &mut Rasterizer<'_>,
     [mut a, mut b]: [&ClippedVertex; 2],

@@ -77,8 +77,8 @@ impl<'a> Triangle<'a> {
         self.draw_part(raster, None);
     }
 
-    /// Draws the part in the scissor of the upright rectangle of which it is a half. Interpolants are laid over the whole
-    /// rectangle: at the fourth corner, none may be beyond its values at the other three.
+    /// Draws the part in the scissor of the upright rectangle of which it is a half. Interpolants are laid over the
+    /// whole rectangle: at the fourth corner, none may be beyond its values at the other three.
     ///
     /// It has the pixels of both halves. The errors of planes, which are derived from the width and the height of a
     /// triangle, are the same.

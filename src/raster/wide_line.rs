@@ -9,9 +9,9 @@ use crate::{Error, Scalar};
 
 /// Lines of a width in pixels. For anti-aliased ones, see [`smooth`](Self::smooth).
 ///
-/// For each pixel center that a line passes along its longer axis, it gets a run of pixels across that axis: those whose
-/// centers are within half the width of the line there. A center exactly on the upper or left end of the run does not
-/// belong to it, a center on the lower or right end does. So a line of width 1 has the pixels of a
+/// For each pixel center that a line passes along its longer axis, it gets a run of pixels across that axis: those
+/// whose centers are within half the width of the line there. A center exactly on the upper or left end of the run does
+/// not belong to it, a center on the lower or right end does. So a line of width 1 has the pixels of a
 /// [`Hairline`](crate::Hairline), and a line of width n has n pixels in each run.
 ///
 /// ```text
@@ -113,8 +113,8 @@ pub(crate) fn wide_line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2], 
     else {
         return;
     };
-    // Two lines beside this one, each as `line` draws it: the pixels of a run begin after those of the one, and end with
-    // those of the other.
+    // Two lines beside this one, each as `line` draws it: the pixels of a run begin after those of the one, and end
+    // with those of the other.
     let beside = |by: i32| {
         Edge::new(
             [128 - minor - by, start],

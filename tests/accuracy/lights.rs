@@ -15,6 +15,24 @@ const UNIT: f64 = 65_536.;
 /// Half a step of eight bits: the error that the crate promises.
 const HALF_STEP: f64 = UNIT / 510.;
 
+/// The error of a lamp's light, in units of 2^-16.
+///
+/// The way and the normal are cut to mantissas of 14 bits or more: that turns each by up to √3 · 2^-14, which is
+/// 1.06e-4. The reciprocal root adds 2.2e-4, and two cuts 4.6e-5, so the cosine has an error of 4.8e-4.
+///
+/// A linear falloff knows the distance from the cut way, which is wrong by 1.06e-4; its square is cut by 6.1e-5, the
+/// range's reciprocal by 6.1e-5 and two products by 4.6e-5. The error of the root counts once: what it adds to the
+/// cosine, it takes from the light. A smooth falloff has less: the square of the way over the range has an error of
+/// 3.9e-4 of itself, and
+/// 1.5e-5, of which (1 - s)² makes 2.3e-4 at most; rest² is one more product.
+///
+/// Products of two such numbers lose up to two units each. In all, that are 53.2 units.
+const LAMP_ERROR: f64 = 54.;
+
+/// How far from its range a lamp's light may end, in parts of the range: half the error of the square, which is 3.9e-4,
+/// 1.5e-5 and the four units that a lamp leaves out.
+const RANGE_ERROR: f64 = 1. / 4000.;
+
 fn f64s(v: Vec3) -> [f64; 3] {
     v.to_bits().map(|bits| f64::from(bits) / UNIT)
 }
@@ -62,10 +80,7 @@ fn diffuse(light: &impl Lighting, point: &SurfacePoint) -> f64 {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 4000, ..ProptestConfig::default() })]
 
-    /// Mantissas of the way and of the normal have 14 bits or more: 1.1e-4 each, in three dimensions. The reciprocal root
-    /// adds 2.2e-4, and what is cut from their product 3e-5: so the cosine has an error of 4.7e-4. A linear falloff has that
-    /// of the distance: 1.1e-4 of the way, 2.2e-4 of the root, and 1.2e-4 of factors that are cut. (A smooth one has less
-    /// than half of it.) Together these are 61 units of 2^-16. Four products lose up to two units each.
+    /// At [`LAMP_ERROR`], up to the range and beyond it.
     #[test]
     fn lamps_follow_lambert_and_their_falloff(
         normal in vector(),
@@ -88,9 +103,41 @@ proptest! {
         };
         // The light ends at its range: at once if it is constant.
         let part = length(subtract(f64s(position + way), exact.at)) / range.to_num::<f64>();
-        prop_assume!((part - 1.).abs() > 1e-3);
+        prop_assume!((part - 1.).abs() > RANGE_ERROR);
         let (found, expected) = (diffuse(&lamp, &point), source.diffuse(exact) * UNIT);
-        prop_assert!((found - expected).abs() <= 69., "{found} is not {expected}");
+        prop_assert!((found - expected).abs() <= LAMP_ERROR, "{found} is not {expected}");
+    }
+
+    /// At all distances, of which many are out of the format's range, in all directions and along an axis.
+    #[test]
+    fn lamps_light_nothing_beyond_the_longest_range(
+        normal in vector(),
+        positions in any::<[[i32; 3]; 2]>(),
+        cut in prop_oneof![Just([0, 0]), Just([1, 1]), Just([0, 12])],
+        range in prop_oneof![i32::MAX / 4..=i32::MAX, Just(i32::MAX)],
+        (falloff, model) in falloffs(),
+    ) {
+        let [position, at] = positions
+            .map(|[x, y, z]| Vec3::from_bits([x >> cut[0], y >> cut[1], z >> cut[1]]));
+        let range = Scalar::from_bits(range);
+        let lamp = PointLight::new(at, fx!(1), range).unwrap().with_falloff(falloff);
+        // Most normals point about at the lamp.
+        let way = subtract(f64s(at), f64s(position));
+        let toward: [f64; 3] = std::array::from_fn(|i| way[i] / length(way).max(1.) * 20.);
+        let Some((point, exact)) = surface(normal + Vec3::try_from(toward).unwrap(), position) else {
+            return Ok(());
+        };
+        let source = Source::Lamp {
+            at: f64s(at),
+            brightness: 1.,
+            range: range.to_num(),
+            falloff: model,
+            cone: None,
+        };
+        prop_assume!((length(way) / range.to_num::<f64>() - 1.).abs() > RANGE_ERROR);
+        let expected = source.diffuse(exact) * UNIT;
+        let found = diffuse(&lamp, &point);
+        prop_assert!((found - expected).abs() <= LAMP_ERROR, "{found} is not {expected}");
     }
 
     /// The cosine has an error of 8 units of 2^-30, which the edge of the cone divides and the smooth step multiplies

@@ -17,7 +17,8 @@ const HEIGHT: u32 = 60;
 static SKIN: TextureArray<Rgb565, 2, 2> =
     TextureArray::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x07, 0xe0, 0xf8, 0x00]);
 
-/// More sprites than are drawn at a time, near and far, some of them in part behind the near plane or beside the picture.
+/// More sprites than are drawn at a time, near and far, some of them in part behind the near plane or beside the
+/// picture.
 fn positions() -> Vec<Vec3> {
     (0..29)
         .map(|i: i16| Vec3::from_ints(i * 7 % 11 - 5, i * 5 % 7 - 3, -(i * 3 % 13)))
@@ -44,8 +45,12 @@ fn picture(
 }
 
 /// The corners of all quads in eye space, four each.
-fn corners<K: ProjectionKind>(sprites: &Sprites<'_>, mvp: &Mvp<K>) -> Vec<Vec3> {
-    // A triangle is drawn only where it has pixels, so the picture of these must be large.
+fn corners<K: ProjectionKind>(
+    options: &DrawOptions,
+    sprites: &Sprites<'_>,
+    mvp: &Mvp<K>,
+) -> Vec<Vec3> {
+    // Corners that the shader does not see stay zero; they are those of triangles without pixels.
     let found = RefCell::new(vec![Vec3::ZERO; 4 * sprites.positions().len()]);
     let probe = Probe::<_, Rgb565> {
         values: &|corner| {
@@ -60,16 +65,17 @@ fn corners<K: ProjectionKind>(sprites: &Sprites<'_>, mvp: &Mvp<K>) -> Vec<Vec3> 
         color: None,
     };
     picture(HEIGHT, &|canvas| {
-        canvas.draw_sprites(&DrawOptions::new(), sprites, mvp, &probe);
+        canvas.draw_sprites(options, sprites, mvp, &probe);
     });
     found.into_inner()
 }
 
-/// A shader that keeps the texture coordinates of all pixels, in units of 2^-16 texel of 1024.
+/// A shader that keeps the texture coordinates of all pixels, in units of 2^-16 texel of 1024, and counts how often it
+/// is asked for varyings.
 #[derive(Clone, Copy)]
 struct Coordinates<'a> {
     found: &'a RefCell<Vec<(Point, [i32; 2])>>,
-    triangles: &'a Cell<usize>,
+    asked: &'a Cell<usize>,
 }
 
 impl Shader for Coordinates<'_> {
@@ -77,7 +83,7 @@ impl Shader for Coordinates<'_> {
     type Varyings = Texels;
 
     fn varyings(&self, triangle: &Primitive<'_>) -> [Texels; 3] {
-        self.triangles.set(self.triangles.get() + 1);
+        self.asked.set(self.asked.get() + 1);
         let texels = |at: fixel::num::TexCoord| at.to_bits() << 6;
         triangle.corners(|corner| Texels([texels(corner.uv().x), texels(corner.uv().y)]))
     }
@@ -106,50 +112,55 @@ impl Shader for Bent {
     }
 }
 
-/// The texture coordinates of all pixels, sorted by pixel, and how many triangles were set up.
+/// The texture coordinates of all pixels, sorted by pixel, and how often the shader was asked for varyings.
 fn coordinates(
     draw: impl Fn(
         &mut Canvas<'_, Rgb565, fixel::target::Native, fixel::target::Depth<'_>>,
         Coordinates<'_>,
     ),
 ) -> (Vec<(Point, [i32; 2])>, usize) {
-    let (found, triangles) = (RefCell::new(Vec::new()), Cell::new(0));
+    let (found, asked) = (RefCell::new(Vec::new()), Cell::new(0));
     let shader = Coordinates {
         found: &found,
-        triangles: &triangles,
+        asked: &asked,
     };
     picture(HEIGHT, &|canvas| draw(canvas, shader));
     let mut found = found.into_inner();
     // Of pixels that several sprites cover, each keeps its order.
     found.sort_by_key(|(point, _)| (point.y, point.x));
-    (found, triangles.get())
+    (found, asked.get())
 }
 
-fn check<K: ProjectionKind>(sprites: Sprites<'_>, projection: Projection<K>, camera: Camera) {
+/// Draws sprites without an axis (`faces_camera`) or with one.
+fn check<K: ProjectionKind>(
+    options: &DrawOptions,
+    (sprites, faces_camera): (Sprites<'_>, bool),
+    projection: Projection<K>,
+    camera: Camera,
+) {
     let colors: Vec<Rgb888> = (0..29)
         .map(|i| Rgb888::new(i * 8, 255 - i, i * 5))
         .collect();
     let sprites = sprites.with_colors(&colors).unwrap();
     let mvp = projection * camera;
-    let options = DrawOptions::new();
     let fog = Fog::linear(Rgb565::new(9, 9, 9), fx!(2), fx!(12)).unwrap();
     let textured = Textured::new(&SKIN)
         .cut_out(Rgb565::new(0, 0, 31))
         .tinted()
         .in_fog(fog);
     let frame = picture(HEIGHT, &|canvas| {
-        let drawn = canvas.draw_sprites(&options, &sprites, &mvp, &textured);
+        let drawn = canvas.draw_sprites(options, &sprites, &mvp, &textured);
         assert_eq!(drawn.submitted, 2 * 29);
         assert!(!drawn.missing.uvs && !drawn.missing.colors);
     });
     for rows in [1, 7, 16] {
         let bands = picture(rows, &|canvas| {
-            canvas.draw_sprites(&options, &sprites, &mvp, &textured);
+            canvas.draw_sprites(options, &sprites, &mvp, &textured);
         });
         assert!(bands == frame, "bands of {rows} rows");
     }
 
-    let positions = corners(&sprites, &mvp);
+    let positions = corners(options, &sprites, &mvp);
     let uvs: Vec<Vec2> = [vec2!(0, 1), vec2!(1, 1), vec2!(0, 0), vec2!(1, 0)].repeat(29);
     let faces: Vec<[u16; 3]> = (0..29)
         .flat_map(|i| [[0, 1, 2], [2, 1, 3]].map(|face| face.map(|at: u16| 4 * i + at)))
@@ -160,28 +171,31 @@ fn check<K: ProjectionKind>(sprites: Sprites<'_>, projection: Projection<K>, cam
         .and_then(|mesh| mesh.with_colors(&colors, None))
         .unwrap();
     let both = options.with_cull(Cull::Nothing);
-    same_as_mesh(
+    let drawn = same_as_mesh(
+        &both,
         &sprites,
         &mesh,
         (&mvp, &projection),
         &Gouraud::new().in_fog(fog),
     );
-    same_as_mesh(&sprites, &mesh, (&mvp, &projection), &Bent);
+    same_as_mesh(&both, &sprites, &mesh, (&mvp, &projection), &Bent);
     // A sprite's triangles are two faces.
     let colors: Vec<Rgb565> = (0..58).map(|i| Rgb565::new(i / 2, i, 31)).collect();
     same_as_mesh(
+        &both,
         &sprites,
         &mesh,
         (&mvp, &projection),
         &FaceColors::new(&colors),
     );
 
-    // The coordinates of each pixel have an error of up to 57 units on either way, besides those that the mode saves: both
-    // ways save nothing, because a sprite that faces the camera has one depth, and others are the mesh's triangles.
-    let (found, rectangles) = coordinates(|canvas, shader| {
-        canvas.draw_sprites(&options, &sprites, &mvp, &shader);
+    // The coordinates of each pixel have an error of up to 57 units on either way, besides those that the mode saves:
+    // both ways save nothing, because a sprite that faces the camera has one depth, and others are the mesh's
+    // triangles.
+    let (found, asked) = coordinates(|canvas, shader| {
+        canvas.draw_sprites(options, &sprites, &mvp, &shader);
     });
-    let (expected, triangles) = coordinates(|canvas, shader| {
+    let (expected, asked_by_mesh) = coordinates(|canvas, shader| {
         canvas.draw_with(&both, &mesh, &projection, &shader);
     });
     assert_eq!(found.len(), expected.len());
@@ -192,36 +206,41 @@ fn check<K: ProjectionKind>(sprites: Sprites<'_>, projection: Projection<K>, cam
             assert!(error <= 2 * 57, "{found} is not {expected} at {point}");
         }
     }
-    assert!(triangles > 20 && rectangles > 0);
+    if faces_camera {
+        // A sprite asks twice to compare its halves, then once to draw the rectangle; two triangles ask once each.
+        assert_eq!(drawn.clipped, 0);
+        assert_eq!(2 * asked, 3 * asked_by_mesh);
+    } else {
+        assert_eq!(asked, asked_by_mesh);
+    }
 }
 
 /// Checks that a picture of sprites is that of a mesh, bit for bit.
 fn same_as_mesh<K: ProjectionKind>(
+    both: &DrawOptions,
     sprites: &Sprites<'_>,
     mesh: &Mesh<'_>,
     (mvp, projection): (&Mvp<K>, &Projection<K>),
     shader: &impl Shader<Color = Rgb565>,
-) {
-    let both = DrawOptions::new().with_cull(Cull::Nothing);
-    let counts = Cell::new([0; 2]);
+) -> Drawn {
+    let total = Cell::new(Drawn::default());
     let frame = picture(HEIGHT, &|canvas| {
-        let drawn = canvas.draw_sprites(&both, sprites, mvp, shader);
-        counts.set([drawn.drawn, drawn.clipped]);
+        total.set(canvas.draw_sprites(both, sprites, mvp, shader));
     });
     let expected = picture(HEIGHT, &|canvas| {
-        let drawn = canvas.draw_with(&both, mesh, projection, shader);
+        let drawn = canvas.draw_with(both, mesh, projection, shader);
         assert!(drawn.drawn > 20, "{drawn:?}");
-        assert_eq!(counts.get(), [drawn.drawn, drawn.clipped]);
+        assert_eq!(total.get(), drawn);
     });
     assert!(frame == expected, "a mesh differs");
+    total.get()
 }
 
 #[test]
 fn sprites_are_meshes_in_eye_space() {
     let positions = positions();
-    let scales: Vec<Scalar> = (0..29)
-        .map(|i| fx!(0.5) + Scalar::from_bits(i << 12))
-        .collect();
+    // From -1.3 to 2.2, and 0.
+    let scales: Vec<Scalar> = (-10..19).map(|i| Scalar::from_bits(i << 13)).collect();
     let camera = Camera::look_at(vec3!(0, 2, 1), vec3!(0, 0, -6), Vec3::Y).unwrap();
     let size = (fx!(2), fx!(3));
     let world = Sprites::new(&positions, size)
@@ -229,22 +248,37 @@ fn sprites_are_meshes_in_eye_space() {
         .with_scales(&scales)
         .unwrap();
     let pixels = Sprites::in_pixels(&positions, (fx!(9), fx!(7))).unwrap();
+    let scaled = pixels.with_scales(&scales).unwrap();
     let trees = world
         .with_axis(vec3!(0.1, 3, 0))
         .unwrap()
         .with_anchor(vec2!(0.5, 1));
     let window = Window::centered(fx!(16), fx!(12));
-    for sprites in [world, pixels, trees] {
-        check(
-            sprites,
-            Projection::perspective(deg!(80), (4, 3), fx!(0.5), fx!(20)).unwrap(),
-            camera,
-        );
-        check(
-            sprites,
-            Projection::orthographic(window, fx!(2), fx!(11)).unwrap(),
-            camera,
-        );
+    // The frame ends this viewport on the left, and its own edges are within the frame on the other sides.
+    let cutting = Viewport::new(-15, 5, 80, 50).unwrap();
+    for options in [
+        DrawOptions::new(),
+        DrawOptions::new().with_viewport(cutting),
+    ] {
+        for sprites in [
+            (world, true),
+            (pixels, true),
+            (scaled, true),
+            (trees, false),
+        ] {
+            check(
+                &options,
+                sprites,
+                Projection::perspective(deg!(80), (4, 3), fx!(0.5), fx!(20)).unwrap(),
+                camera,
+            );
+            check(
+                &options,
+                sprites,
+                Projection::orthographic(window, fx!(2), fx!(11)).unwrap(),
+                camera,
+            );
+        }
     }
 }
 

@@ -75,6 +75,7 @@ fn check_call<K: ProjectionKind>(call: &Call<'_, K>, options: DrawOptions) -> Re
     call.check_picking(&options);
     call.check_parts(&options);
     call.check_quantized(&options);
+    call.check_mesh(&options);
     match call.scene.shade {
         Shade::Bits(0) => check_modes::<K, 0>(call, options),
         Shade::Bits(_) => check_modes::<K, 3>(call, options),

@@ -1,11 +1,11 @@
 //! The crate's shaders, selected by number.
 
 use arbitrary::{Result, Unstructured};
-use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
+use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888, RgbColor};
 use fixel::mesh::Part;
 use fixel::prelude::*;
-use fixel::shade::{Falloff, Fog, Mipmapped, PartColors};
-use fixel::texture::Mipmap;
+use fixel::shade::{Falloff, Fog, Gradient, Mipmapped, PartColors, Translucent};
+use fixel::texture::{Argb1555, Argb4444, Mipmap};
 
 use super::numbers::{option, scalar, vector};
 
@@ -33,7 +33,7 @@ pub struct Shine {
 }
 
 /// The number of shaders that [`draw`](Shade::draw) knows.
-const FRAGMENTS: u8 = 36;
+const FRAGMENTS: u8 = 40;
 
 impl Shade {
     pub fn arbitrary(u: &mut Unstructured<'_>) -> Result<Self> {
@@ -129,6 +129,26 @@ static SMALL: [[Rgb565; 4]; 2] = texels();
 static LARGE: [[Rgb565; 64]; 128] = texels();
 /// The largest width of a texture.
 static WIDE: [[Rgb565; 32_768]; 1] = texels();
+/// A hole, and three colors.
+static HOLED: [[Argb1555; 2]; 2] = [
+    [Argb1555::HOLE, Argb1555::new(31, 0, 9)],
+    [Argb1555::new(3, 31, 0), Argb1555::new(9, 9, 31)],
+];
+/// From nothing to opaque.
+static CLEAR: [[Argb4444; 2]; 2] = [
+    [Argb4444::new(0, 15, 3, 0), Argb4444::new(5, 0, 15, 0)],
+    [Argb4444::new(10, 0, 3, 15), Argb4444::new(15, 15, 15, 0)],
+];
+/// As large as `SMALL`.
+static MASK: [[Gray8; 4]; 2] = [
+    [Gray8::new(0), Gray8::new(255), Gray8::new(9), Gray8::new(0)],
+    [
+        Gray8::new(99),
+        Gray8::new(0),
+        Gray8::new(1),
+        Gray8::new(254),
+    ],
+];
 static INDICES: PaletteArray<Rgb565, 4, 2> = PaletteArray::new(
     &[0, 1, 2, 3, 2, 1, 0, 200],
     &[
@@ -196,6 +216,10 @@ pub fn draw(which: u8, lights: Lights, color: Rgb888, between: [u16; 2], then: i
         32 => then.draw(&levels(least.min(most), beyond)),
         33 => then.draw(&levels(least.min(most), beyond).clamped().bilinear()),
         34 => then.draw(&levels(least.min(most), beyond).trilinear().lit(light)),
+        35 => then.draw(&heights(least.min(most), beyond, color).lit(light)),
+        36 => then.draw(&Textured::new(&HOLED)),
+        37 => then.draw(&Textured::new(&CLEAR).bilinear().map(thinned)),
+        38 => then.draw(&small.masked(&MASK).unwrap().map(thinned)),
         _ => then.draw(&PartColors::rgb(&parts).lit_faces(light)),
     }
 }
@@ -214,6 +238,16 @@ fn levels(near: Scalar, far: Scalar) -> Mipmapped<'static, Rgb565> {
     let far = far.max(near + Scalar::DELTA);
     let projection = Projection::perspective(deg!(75), (3, 2), near, far).unwrap();
     Mipmapped::new(Mipmap::new(&LEVELS, 32, 8).unwrap(), &projection, (30, 20)).unwrap()
+}
+
+/// Colors by height, between two heights.
+fn heights(low: Scalar, high: Scalar, color: Rgb888) -> Gradient<Rgb565> {
+    Gradient::new((low, color), (high, Rgb888::new(9, 200, 50))).unwrap()
+}
+
+/// A color times its opacity.
+fn thinned(_: &Fragment, Translucent { color, opacity }: Translucent<Rgb565>) -> Option<Rgb565> {
+    (opacity > 0).then(|| Rgb565::new(color.r() & opacity, color.g(), opacity >> 3))
 }
 
 /// A shader with its colors converted to the canvas's.

@@ -182,6 +182,32 @@ impl<K: ProjectionKind> Call<'_, K> {
         call.check_frames(options, &quantized.shader(Bits::<3>.lit(sun)));
     }
 
+    /// Checks that a mesh that is said to be out of view has no pixels, and that normals can be computed for any mesh.
+    pub fn check_mesh(&self, options: &DrawOptions) {
+        let mut picture = self.blank();
+        self.on_frame(&mut picture, &mut |canvas| {
+            let bounds = self.mesh.bounds();
+            let _ = canvas.size_on_screen(options, &bounds, &self.mvp);
+            if canvas.is_in_view(options, &bounds, &self.mvp) {
+                return Drawn::default();
+            }
+            canvas.draw_with(options, self.mesh, &self.mvp, &Flat::new(Rgb565::WHITE))
+        });
+        assert!(picture == self.blank(), "what is out of view has pixels");
+
+        let corners = 3 * self.mesh.faces().len();
+        let mut normals = vec![Vec3::ZERO; self.mesh.positions().len().max(corners)];
+        let mut faces = vec![[0; 3]; self.mesh.faces().len()];
+        let smooth = self.mesh.with_smooth_normals(&mut normals);
+        assert!(smooth.is_ok(), "{smooth:?}");
+        for crease in [deg!(0), deg!(50), deg!(180)] {
+            let creased = self
+                .mesh
+                .with_creased_normals(crease, &mut normals, &mut faces);
+            assert!(creased.is_ok(), "{creased:?}");
+        }
+    }
+
     /// The width of lines: 1 to 63 pixels for three of four styles.
     fn width(&self) -> Option<LineWidth> {
         let width = i32::from(self.scene.style >> 1);

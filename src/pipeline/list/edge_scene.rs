@@ -164,7 +164,7 @@ impl<'a, T, K: ProjectionKind, M: Mode, Z: DepthTest, B: Copy, L: Copy>
         + use<'s, 'a, T, K, M, Z, B, L, C, O, D>,
         Error,
     > {
-        self.view.check(canvas.frame_size())?;
+        self.view.screen.check(canvas.frame_size())?;
         let mut rest = self.edges;
         Ok(iter::from_fn(move || {
             let (object, numbers) = self.view.object_of(rest.first()?.first())?;

@@ -10,9 +10,9 @@ use crate::Error;
 use crate::mesh::{Element, Index, Mesh, Outline};
 use crate::pipeline::cache::VertexCache;
 use crate::pipeline::call::Call;
+use crate::pipeline::line_style::DrawLine;
 use crate::pipeline::options::PixelOptions;
-use crate::pipeline::outline::{self, DrawLine};
-use crate::pipeline::{DrawOptions, Drawn, run};
+use crate::pipeline::{DrawOptions, Drawn, outline, run};
 use crate::raster::{Barycentric, Blitter, ClippedVertex, Hairline, Rasterizer};
 use crate::span::{Mode, Newton};
 use crate::target::{DepthTest, Replace, TestAndWrite, check_size};
@@ -22,9 +22,9 @@ use crate::view::{ModelToPicture, Perspective, ProjectionKind};
 /// triangles.
 ///
 /// [`prepare`](Self::prepare) takes the edges of a mesh and [`prepare_outline`](Self::prepare_outline) those of an
-/// [`Outline`] that are drawn; [`prepare_scene`](Self::prepare_scene) takes those of several objects. The list needs room for the visible edges (14 bytes each) and for their vertices (16
-/// bytes each): at most two for each edge, and four for a clipped one, of which it uses at most
-/// [`MAX_VERTICES`](Self::MAX_VERTICES).
+/// [`Outline`] that are drawn; [`prepare_scene`](Self::prepare_scene) takes those of several objects. The list needs
+/// room for the visible edges (14 bytes each) and for their vertices (16 bytes each): at most two for each edge, and
+/// four for a clipped one. It uses at most [`MAX_VERTICES`](Self::MAX_VERTICES).
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -82,7 +82,8 @@ enum Ends {
 
 /// A mesh's edges, ready to be drawn to every band of a frame.
 ///
-/// [`EdgeList`] returns it, and [`Canvas::draw_prepared_edges`](crate::Canvas::draw_prepared_edges) draws it. It can be shared with another core that draws other bands of the same frame.
+/// [`EdgeList`] returns it, and [`Canvas::draw_prepared_edges`](crate::Canvas::draw_prepared_edges) draws it. It can be
+/// shared with another core that draws other bands of the same frame.
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedEdges<
     'a,

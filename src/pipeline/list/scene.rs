@@ -41,7 +41,8 @@ pub struct Object<'m, T> {
     pub model: Transform,
     /// How the object is drawn.
     pub material: T,
-    /// Which edges an [`EdgeList`](super::EdgeList) draws of it; without an outline, all. Triangles do not depend on it.
+    /// Which edges an [`EdgeList`](super::EdgeList) draws of it; without an outline, all. Triangles do not depend on
+    /// it.
     pub outline: Option<&'m Outline<'m>>,
     /// The number of its last vertex in the list.
     last: u16,
@@ -81,7 +82,7 @@ pub(super) struct View<'a, T, K> {
     world: Transform,
     camera: Transform,
     kind: PhantomData<K>,
-    screen: Screen,
+    pub(super) screen: Screen,
 }
 
 impl<'a, T, K: ProjectionKind> View<'a, T, K> {
@@ -138,11 +139,6 @@ impl<'a, T, K: ProjectionKind> View<'a, T, K> {
             screen: self.screen,
             depth_shift: object.depth_shift,
         }
-    }
-
-    /// An error unless a canvas belongs to the frame of the view.
-    pub(super) fn check(&self, frame: Size) -> Result<(), Error> {
-        self.screen.check(frame)
     }
 }
 
@@ -298,7 +294,7 @@ impl<'a, T, K: ProjectionKind, M: Mode, Z: DepthTest, B: Copy> PreparedScene<'a,
         impl Iterator<Item = (&'s T, Prepared<'s, K, M, Z, B>)> + use<'s, 'a, T, K, M, Z, B, C, O, D>,
         Error,
     > {
-        self.view.check(canvas.frame_size())?;
+        self.view.screen.check(canvas.frame_size())?;
         let mut rest = &*self.entries;
         let rows = canvas.rows().clone();
         Ok(core::iter::from_fn(move || {

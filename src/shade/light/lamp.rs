@@ -27,16 +27,17 @@ pub enum Falloff {
     Smooth,
     /// 1 − d/r.
     Linear,
-    /// 1 within the range, 0 beyond it.
+    /// 1 within the range, 0 beyond it. The range is within 1/4000 of its value.
     Constant,
 }
 
 /// White light from a point in world space, up to a range.
 ///
 #[cfg_attr(doc, doc = page_picture!("point_light", "A floor and a ball beside a lamp"))]
-/// A surface with unit normal n at the distance d has the brightness b · f(d) · max(0, n·l): b is the lamp's brightness, f
-/// its [`Falloff`] and l the unit vector toward the lamp. The error is at most 1e-3, a quarter of a step of eight bits. Very
-/// near the lamp, positions in steps of 2⁻¹⁶ limit the direction; at the lamp itself there is no light.
+/// A surface with unit normal n at the distance d has the brightness b · f(d) · max(0, n·l): b is the lamp's
+/// brightness, f its [`Falloff`] and l the unit vector toward the lamp. The error is at most 8.3e-4, a fifth of a step
+/// of eight bits. Very near the lamp, positions in steps of 2⁻¹⁶ limit the direction; at the lamp itself there is no
+/// light.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -102,7 +103,8 @@ impl PointLight {
         Self { falloff, ..self }
     }
 
-    /// The light at a distance that is `part` of the range, where `square` is the square of `part`; all in units of 2⁻¹⁶.
+    /// The light at a distance that is `part` of the range, where `square` is the square of `part`; all in units of
+    /// 2⁻¹⁶.
     #[inline]
     fn light(&self, square: u32, part: impl FnOnce() -> u32) -> u32 {
         let Some(rest) = FULL.checked_sub(square) else {
@@ -111,12 +113,16 @@ impl PointLight {
         let left = match self.falloff {
             Falloff::Smooth => times(rest, rest),
             Falloff::Linear => FULL.saturating_sub(part()),
-            Falloff::Constant if rest > 0 => FULL,
+            Falloff::Constant if rest > SATURATED => FULL,
             Falloff::Constant => 0,
         };
         times(self.brightness, left)
     }
 }
+
+/// At most this is left of 1, in units of 2⁻¹⁶, by the square of a distance with a saturated component, which counts as
+/// 1 − 2⁻¹⁵ of the longest range or more.
+const SATURATED: u32 = 4;
 
 /// Full brightness, in units of 2⁻¹⁶.
 const FULL: u32 = super::FULL.cast_unsigned();
@@ -141,10 +147,10 @@ impl Lamp for PointLight {
         )
     }
 
-    /// As [`ray`](Self::ray) has it, within 8e-4, in numbers of 32 bits.
+    /// In numbers of 32 bits; tests/accuracy/lights.rs derives the error.
     fn diffuse(&self, point: &SurfacePoint) -> i32 {
         let ([a, b, c], [x, y, z]) = (point.position.to_bits(), self.position.to_bits());
-        // A difference that saturates is as long as the longest range.
+        // No range reaches where a difference saturates: see `SATURATED`.
         let way = [
             x.saturating_sub(a),
             y.saturating_sub(b),

@@ -4,6 +4,7 @@
 mod bands;
 mod blending;
 mod cut_out;
+mod detail;
 mod fog;
 mod hello;
 #[cfg(not(target_os = "none"))]
@@ -13,10 +14,14 @@ mod labels;
 mod lights;
 mod materials;
 mod mipmaps;
+mod normals;
 mod packed;
 mod painter;
+mod panels;
 #[cfg(not(target_os = "none"))]
 mod picking;
+mod points;
+mod quantized;
 mod sky;
 mod sky_box;
 mod sprites;
@@ -42,6 +47,7 @@ pub const SCENES: &[(&str, Draw)] = &[
     ("bands", bands::draw),
     ("blending", blending::draw),
     ("cut_out", cut_out::draw),
+    ("detail", detail::draw),
     ("fog", fog::draw),
     ("hello", hello::draw),
     #[cfg(not(target_os = "none"))] // has arcs of embedded-graphics, which need floats
@@ -51,10 +57,14 @@ pub const SCENES: &[(&str, Draw)] = &[
     ("lights", lights::draw),
     ("materials", materials::draw),
     ("mipmaps", mipmaps::draw),
+    ("normals", normals::draw),
     ("packed", packed::draw),
     ("painter", painter::draw),
+    ("panels", panels::draw),
     #[cfg(not(target_os = "none"))] // writes a text
     ("picking", picking::draw),
+    ("points", points::draw),
+    ("quantized", quantized::draw),
     ("sky", sky::draw),
     ("sky_box", sky_box::draw),
     ("sprites", sprites::draw),

@@ -1,0 +1,34 @@
+//! One model without normals: flat faces, normals that jump at creases, and smooth normals, computed by the program.
+
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use fixel::prelude::*;
+use fixel::target::{Depth, Native};
+
+/// Front and back are concave polygons of 32 corners, which become triangles at compile time.
+static CLOVER: Mesh = include_obj!("../../../assets/clover.obj");
+
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+    let projection = Projection::perspective(deg!(34), canvas.frame_size(), fx!(0.5), fx!(50))?;
+    let view = projection * Camera::look_at(vec3!(0, 5, 9), Vec3::ZERO, Vec3::Y)?;
+    let at = |x: Scalar| {
+        let place = Transform::translate(Vec3::new(x, fx!(0), fx!(0)));
+        view * place * Transform::rotate_y(deg!(20)) * Transform::rotate_x(deg!(-90))
+    };
+    let sun = Light::new(vec3!(-2, 3, 4), fx!(0.15), fx!(0.85))?;
+    let jade = Flat::rgb(Rgb888::new(120, 225, 150));
+    canvas.clear(Rgb565::new(4, 8, 8));
+
+    // The light of each triangle: nothing is stored.
+    canvas.draw(&CLOVER, &at(fx!(-2.5)), &jade.lit_faces(sun));
+
+    // The light of each corner. Edges that turn by more than 40 degrees stay sharp.
+    let (mut normals, mut faces) = ([Vec3::ZERO; 100], [[0; 3]; 124]);
+    let creased = CLOVER.with_creased_normals(deg!(40), &mut normals, &mut faces)?;
+    canvas.draw(&creased, &at(fx!(0)), &jade.lit(sun));
+
+    // No edge is sharp.
+    let mut normals = [Vec3::ZERO; 64];
+    let smooth = CLOVER.with_smooth_normals(&mut normals)?;
+    canvas.draw(&smooth, &at(fx!(2.5)), &jade.lit(sun));
+    Ok(())
+}
