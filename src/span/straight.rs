@@ -27,10 +27,10 @@ pub(super) fn straight<S, O, D, Z>(
         ..
     } = span;
     for cell in cells.first(usize::MAX) {
-        rolled();
         if pixels.visible::<D>(&cell.1, q, down) {
             pixels.shade::<O, D>(cell, restore(&p));
         }
+        rolled();
         q = q.wrapping_add_signed(dq);
         p = Count::<S>::zip(&p, &dp, |p, step| p.wrapping_add(*step));
     }
