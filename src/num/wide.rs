@@ -117,11 +117,17 @@ pub(crate) const fn times_short(a: i64, b: i32) -> i64 {
 /// Adds the product of a number and another one of 15 bits without a sign; wraps.
 #[inline]
 pub(crate) const fn plus_times_short(sum: i64, a: i64, b: i32) -> i64 {
-    if IS_NARROW {
-        return sum.wrapping_add(by_halves(a, b));
+    if IS_NARROW || cfg!(target_pointer_width = "64") {
+        sum.wrapping_add(times_short(a, b))
+    } else {
+        plus_by_halves(sum, a, b.cast_unsigned())
     }
-    // The lower half first: a core that adds a product of 32 bits to 64 bits does that in one instruction.
-    let b = b.cast_unsigned();
+}
+
+/// Returns [`plus_times_short`] by the halves of `a`, the lower one first: some cores add a product of 32 bits to 64 bits
+/// in one instruction.
+#[inline]
+const fn plus_by_halves(sum: i64, a: i64, b: u32) -> i64 {
     let low = (a.cast_unsigned() as u32 as u64) * b as u64;
     let high = ((a >> 32) as u32).wrapping_mul(b);
     sum.wrapping_add(low.cast_signed())
@@ -352,6 +358,7 @@ mod tests {
         fn sums_with_short_products_are_exact(sum in any::<i64>(), a in any::<i64>(), b in 0_i32..1 << 15) {
             let exact = sum.wrapping_add(a.wrapping_mul(b.into()));
             prop_assert_eq!(plus_times_short(sum, a, b), exact);
+            prop_assert_eq!(plus_by_halves(sum, a, b.cast_unsigned()), exact);
         }
 
         #[test]

@@ -125,7 +125,7 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Plan<L, K, M> {
     /// The span that begins at a pixel, with a kernel to draw it.
     #[inline(never)]
     pub(super) fn begin(&self, [x, y]: [i32; 2], count: usize) -> (Span<L>, Kernel) {
-        // A canvas has less columns and rows; asked for once, this is not asked for by every plane.
+        // A canvas has fewer columns and rows. Masked here, they need no mask in each plane.
         let (x, y) = (x & 0x7fff, y & 0x7fff);
         let at = |gradient: &Gradient| {
             if M::IS_COMPACT {
