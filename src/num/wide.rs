@@ -129,7 +129,7 @@ pub(crate) const fn plus_times_short(sum: i64, a: i64, b: i32) -> i64 {
 #[inline]
 const fn plus_by_halves(sum: i64, a: i64, b: u32) -> i64 {
     let low = (a.cast_unsigned() as u32 as u64) * b as u64;
-    let high = ((a >> 32) as u32).wrapping_mul(b);
+    let high = ((a.cast_unsigned() >> 32) as u32).wrapping_mul(b);
     sum.wrapping_add(low.cast_signed())
         .wrapping_add(((high as u64) << 32).cast_signed())
 }
