@@ -2,7 +2,7 @@
 
 use super::{Patch, ScreenVertex};
 use crate::num::reciprocal;
-use crate::num::wide::{product, times_short, upper};
+use crate::num::wide::{plus_times_short, product, times_short, upper};
 
 /// An interpolant over a triangle: its value at every pixel center, to within one unit.
 ///
@@ -20,7 +20,8 @@ pub(crate) struct Gradient {
     pub(crate) is_near: bool,
 }
 
-/// The value at the center of pixel (0, 0), and its change per column and per row, in units of 2⁻³⁰.
+/// The value at the center of pixel (0, 0), plus half a unit, and its change per column and per row, in units of 2⁻³⁰.
+/// With that half, what is rounded down is rounded to nearest.
 ///
 /// All are modulo 2⁶⁴, of which a value within the triangle takes 62 bits.
 #[derive(Clone, Copy, Debug)]
@@ -263,6 +264,7 @@ impl Basis {
         gradient.step = rounded(dx);
         gradient.far = FarPlane {
             start: (i64::from(corner) << 30)
+                .wrapping_add(HALF)
                 .wrapping_add(moved)
                 .wrapping_add(rest),
             dx,
@@ -297,31 +299,33 @@ impl FarPlane {
         dy: 0,
     };
 
-    /// The value at a pixel, in units of 2^-30.
+    /// The value at a pixel plus half a unit, in units of 2^-30.
     #[inline]
     fn fine(&self, x: i32, y: i32) -> i64 {
         // Columns and rows of a canvas have 11 bits; a product with a number without a sign is shorter.
-        self.start
-            .wrapping_add(times_short(self.dx, x & 0x7fff))
-            .wrapping_add(times_short(self.dy, y & 0x7fff))
+        let row = plus_times_short(self.start, self.dy, y & 0x7fff);
+        plus_times_short(row, self.dx, x & 0x7fff)
     }
 
     /// The value at a pixel.
     #[inline]
     pub(crate) fn at(&self, x: i32, y: i32) -> i32 {
-        rounded(self.fine(x, y))
+        (self.fine(x, y) >> 30) as i32
     }
 
     /// 2^`up` times the value at a pixel, to the nearest unit.
     pub(crate) fn precise(&self, [x, y]: [i32; 2], up: u32) -> i32 {
-        rounded(self.fine(x, y) << (up & 31))
+        rounded(self.fine(x, y).wrapping_sub(HALF) << (up & 31))
     }
 }
+
+/// Half a unit, in units of 2^-30.
+const HALF: i64 = 1 << 29;
 
 /// A value in units of 2^-30, rounded to the nearest unit, modulo 2³².
 #[inline]
 const fn rounded(fine: i64) -> i32 {
-    (fine.wrapping_add(1 << 29) >> 30) as i32
+    (fine.wrapping_add(HALF) >> 30) as i32
 }
 
 /// The change of a value along a way in units of 1/256 pixel, rounded to the nearest unit, modulo 2³².
@@ -432,9 +436,10 @@ mod tests {
                 let value = if gradient.is_near {
                     gradient.near(x, y)
                 } else {
-                    rounded(gradient.far.start
+                    let fine = gradient.far.start
                         .wrapping_add(gradient.far.dx.wrapping_mul(x.into()))
-                        .wrapping_add(gradient.far.dy.wrapping_mul(y.into())))
+                        .wrapping_add(gradient.far.dy.wrapping_mul(y.into()));
+                    (fine >> 30) as i32
                 };
                 let error = 100 * i128::from(value) - hundredths(screen, values, [x, y]);
                 prop_assert!(error.abs() <= most, "{error} / 100 at {x}, {y}: {gradient:?}");

@@ -95,11 +95,13 @@ where
     /// Draws rows of one color.
     #[inline(always)]
     fn solid_rows(&mut self, first: i32, rows: &[Columns]) {
+        let mut pixels = self.pixels(first, 0);
+        let mut memory = self.canvas.memory();
         for (row, &[start, end]) in (first..).zip(rows) {
-            let columns = start.into()..end.into();
-            let pixels = self.pixels(row, columns.start);
-            if let Some(cells) = self.cells(row, columns) {
-                solid(Count::<S>::splat(0), cells, pixels);
+            let columns = i32::from(start).cast_unsigned()..i32::from(end).cast_unsigned();
+            pixels.point = Point::new(i32::from(start) - 1, row);
+            if let Some(cells) = memory.reborrow().run(row.cast_unsigned(), columns) {
+                solid(Count::<S>::splat(0), cells, &mut pixels);
             }
         }
     }
@@ -158,7 +160,8 @@ where
     fn any_span(&mut self, row: i32, columns: Range<i32>) {
         let at = [columns.start, row];
         // By reference: moved, the span would be copied.
-        let (span, kernel) = &self.plan.begin(at, columns.len());
+        let count = (columns.end - columns.start).cast_unsigned() as usize;
+        let (span, kernel) = &self.plan.begin(at, count);
         let (pixels, scales) = (self.pixels(row, columns.start), self.plan.slopes.scales);
         let plan = &self.plan;
         let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();

@@ -133,7 +133,7 @@ fn room(q: u32, step: i32, count: usize) -> Option<u32> {
     let (least, most) = (q.min(last), q.max(last));
     let is_gentle =
         step.unsigned_abs() <= least >> STEEPEST && least > most >> 1 && most >> 31 == 0;
-    is_gentle.then(|| (most | 1).leading_zeros().wrapping_sub(1) & 31)
+    is_gentle.then(|| most.leading_zeros().wrapping_sub(1) & 31)
 }
 
 /// Perspective-correct, with the exact [`reciprocal`](crate::num::reciprocal) of 1/w at every pixel.
@@ -317,6 +317,9 @@ impl Policy for Newton {
 
     #[inline]
     fn of_triangle<L: Lanes>(self, slopes: &Slopes<L>) -> Option<Kernel> {
+        if !L::all(&slopes.scales, |scale| scale.bits() <= FRACTION) {
+            return Some(Kernel::Divide);
+        }
         let is_gentle = slopes.least > FAR
             && slopes.q.unsigned_abs() <= slopes.least >> STEEPEST
             && L::all(&slopes.scales, |scale| scale.bits() == FRACTION);
@@ -331,8 +334,7 @@ impl Policy for Newton {
         slopes: &Slopes<L>,
     ) -> Kernel {
         if of_triangle.is_none() {
-            let is_fine = L::all(&slopes.scales, |scale| scale.bits() <= FRACTION);
-            let Some(up) = room(span.q, span.dq, span.count).filter(|_| is_fine) else {
+            let Some(up) = room(span.q, span.dq, span.count) else {
                 return Kernel::Divide;
             };
             (span.q, span.dq) = (span.q << up, span.dq << up);

@@ -36,7 +36,6 @@ pub(super) fn newton<S, O, D, Z>(
     let mut guess = r;
     r = r.wrapping_add(high(r, change) << 4);
     for cell in cells.first(usize::MAX) {
-        rolled();
         // One Newton step: next = guess · (2 − q · guess / 2^60).
         let residual = (1 << FRACTION) - high(q, guess);
         let next = guess.wrapping_add(high(guess, residual << 4));
@@ -45,6 +44,7 @@ pub(super) fn newton<S, O, D, Z>(
         if pixels.visible::<D>(&cell.1, q.cast_unsigned(), down) {
             pixels.shade::<O, D>(cell, Count::<S>::map(&p, |p| high(*p, r)));
         }
+        rolled();
         q = q.wrapping_add(dq);
         p = Count::<S>::zip(&p, &dp, |p, step| p.wrapping_add(*step));
     }

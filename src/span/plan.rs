@@ -125,6 +125,8 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Plan<L, K, M> {
     /// The span that begins at a pixel, with a kernel to draw it.
     #[inline(never)]
     pub(super) fn begin(&self, [x, y]: [i32; 2], count: usize) -> (Span<L>, Kernel) {
+        // A canvas has fewer columns and rows. Masked here, they need no mask in each plane.
+        let (x, y) = (x & 0x7fff, y & 0x7fff);
         let at = |gradient: &Gradient| {
             if M::IS_COMPACT {
                 gradient.far.at(x, y)
@@ -146,7 +148,9 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Plan<L, K, M> {
         if M::IS_COMPACT {
             return (span, Kernel::Divide);
         }
-        if let Some(kernel @ (Kernel::Straight | Kernel::Scaled | Kernel::DivideAnew)) = self.kernel
+        if let Some(
+            kernel @ (Kernel::Straight | Kernel::Scaled | Kernel::Divide | Kernel::DivideAnew),
+        ) = self.kernel
         {
             return (span, kernel);
         }

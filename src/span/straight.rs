@@ -27,10 +27,10 @@ pub(super) fn straight<S, O, D, Z>(
         ..
     } = span;
     for cell in cells.first(usize::MAX) {
-        rolled();
         if pixels.visible::<D>(&cell.1, q, down) {
             pixels.shade::<O, D>(cell, restore(&p));
         }
+        rolled();
         q = q.wrapping_add_signed(dq);
         p = Count::<S>::zip(&p, &dp, |p, step| p.wrapping_add(*step));
     }
@@ -59,41 +59,41 @@ pub(super) fn scaled<S, O, D, Z>(
 pub(super) fn solid<S, O, D, Z>(
     numbers: Numbers<S>,
     mut cells: Cells<'_, S::Color, O, D>,
-    mut pixels: Pixels<S, Z>,
+    pixels: &mut Pixels<S, Z>,
 ) where
     S: Painter,
     O: Storage<S::Color>,
     D: DepthBuffer,
     Z: DepthTest,
 {
-    let mut draw = |cell: Cell<'_, S::Color, O, D>| {
+    let draw = |pixels: &mut Pixels<S, Z>, cell: Cell<'_, S::Color, O, D>| {
         if pixels.visible::<D>(&cell.1, 0, 0) {
             pixels.shade::<O, D>(cell, numbers);
         }
     };
     // By hand, because the compiler unrolls no loop when it optimizes for size.
-    let mut four = |cells: &mut Cells<'_, S::Color, O, D>| {
+    let four = |pixels: &mut Pixels<S, Z>, cells: &mut Cells<'_, S::Color, O, D>| {
         let mut cells = cells.first(4);
         if let (Some(a), Some(b), Some(c), Some(d)) =
             (cells.next(), cells.next(), cells.next(), cells.next())
         {
-            draw(a);
-            draw(b);
-            draw(c);
-            draw(d);
+            draw(pixels, a);
+            draw(pixels, b);
+            draw(pixels, c);
+            draw(pixels, d);
         }
     };
     // What blends takes too many registers for that.
     while !S::READS_COLOR && cells.len() >= 8 {
         rolled();
-        four(&mut cells);
-        four(&mut cells);
+        four(pixels, &mut cells);
+        four(pixels, &mut cells);
     }
     if !S::READS_COLOR && cells.len() >= 4 {
-        four(&mut cells);
+        four(pixels, &mut cells);
     }
     for cell in cells.first(usize::MAX) {
         rolled();
-        draw(cell);
+        draw(pixels, cell);
     }
 }

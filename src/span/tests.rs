@@ -137,7 +137,7 @@ fn straight_spans_are_sums() {
 #[test]
 fn solid_spans_have_one_number() {
     for count in 1..=64 {
-        let found = numbers(count, |cells, pixels| solid([5], cells, pixels));
+        let found = numbers(count, |cells, mut pixels| solid([5], cells, &mut pixels));
         assert!(found.into_iter().eq((0..count).map(|_| 5)));
     }
 }

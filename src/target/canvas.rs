@@ -462,15 +462,53 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         self.depth.clear();
     }
 
-    /// The pixels of `columns` of `row` with their depths. Both must lie within [`area`](Self::area), as the
-    /// rasterizer's do. It returns `None` and does not panic if memory ends before them, or if columns end before they
-    /// start.
+    /// [`Memory::run`] for a single run of pixels.
     #[inline]
     pub(crate) fn run(&mut self, row: u32, columns: Range<u32>) -> Option<Cells<'_, C, O, D>> {
-        let range = self.range(row, &columns);
+        self.memory().run(row, columns)
+    }
+
+    /// The memory of all pixels and depths.
+    #[inline]
+    pub(crate) fn memory(&mut self) -> Memory<'_, C, O, D> {
+        Memory {
+            cells: self.cells,
+            depth: &mut self.depth,
+            width: self.width,
+            first_row: self.rows.start,
+        }
+    }
+}
+
+/// The colors and depths of a canvas. Once it is in registers, rows are found without a look at the canvas.
+pub(crate) struct Memory<'a, C, O: Storage<C>, D> {
+    cells: &'a mut [O::Cell],
+    depth: &'a mut D,
+    width: u32,
+    first_row: u32,
+}
+
+impl<'a, C, O: Storage<C>, D: DepthBuffer> Memory<'a, C, O, D> {
+    #[inline]
+    pub(crate) fn reborrow(&mut self) -> Memory<'_, C, O, D> {
+        Memory {
+            cells: self.cells,
+            depth: self.depth,
+            ..*self
+        }
+    }
+
+    /// The pixels of `columns` of `row` with their depths. Both must lie within the canvas's area, as the rasterizer's do.
+    /// It returns `None` and does not panic if memory ends before them, or if columns end before they start.
+    #[inline]
+    pub(crate) fn run(self, row: u32, columns: Range<u32>) -> Option<Cells<'a, C, O, D>> {
+        let row = row - self.first_row;
+        let start = row * self.width;
+        let range =
+            start.wrapping_add(columns.start) as usize..start.wrapping_add(columns.end) as usize;
         let (cells, cursor) = O::locate(RowSpan {
             pixels: range.clone(),
-            row: row - self.rows.start,
+            row,
             columns,
             width: self.width,
         });
