@@ -175,7 +175,7 @@ impl Policy for Exact {
 ///
 /// All triangles and all spans take one path, so a program links neither the paths for small triangles and for spans
 /// that are linear nor the choice among them. On a Cortex-M4 at opt-level "s", drawing textured triangles with a depth
-/// buffer takes 11.3 KB of code in place of 13.8 KB in mode [`Newton`], and 2 to 2.5 times the instructions. On a core
+/// buffer takes 11.1 KB of code in place of 13.7 KB in mode [`Newton`], and 2 to 2.5 times the instructions. On a core
 /// without 64-bit products it takes 3 to 5 times the instructions of [`Fast`].
 ///
 /// The error is at most that of [`Newton`]. Stored depths may differ by a step from those of the other modes, so do not
@@ -264,7 +264,7 @@ impl Policy for Affine {
 ///
 /// On a core without 64-bit products, such as Cortex-M0+ and M23, use [`Fast`]
 /// ([`DrawOptions::fast`](crate::DrawOptions::fast)): there, a pixel that takes a Newton step costs 138 instructions in
-/// place of 25, and a frame of the measured cube 3.6 million in place of 1.9.
+/// place of 25, and a frame of the measured cube 3.5 million in place of 1.8.
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Newton};

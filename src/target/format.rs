@@ -44,10 +44,9 @@ pub enum Linear {}
 /// Within one triangle, the error of the interpolated 1/w is 2⁻²⁴ of its largest value. If a triangle's far end is
 /// more than 3,000 times as far away as its near end, this error exceeds half a step there.
 ///
-/// A tested fragment takes 7 to 9 instructions more than with [`Linear`] on Cortex-M4. In the default mode, the
-/// benchmark's floor and cube take 1.55 and 1.23 million instructions per frame, instead of 1.22 and 0.99. On
-/// Cortex-M0+, which cannot count leading zeros, a fragment takes 9 to 19 more: 3.12 and 4.19 million, instead of
-/// 2.34 and 3.60.
+/// A tested fragment takes 7 to 9 instructions more than with [`Linear`] on Cortex-M4: in the default mode, a quarter
+/// more for the benchmark's floor and cube. On Cortex-M0+, which cannot count leading zeros, a fragment takes 9 to 19
+/// more.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
