@@ -94,6 +94,10 @@ impl Camera {
     /// as far away however the camera moves. Draw it first, with [`NoTest`](crate::target::NoTest), so that it is behind
     /// everything; it must be beyond the near plane and before the far plane.
     ///
+    /// A dome is a sphere seen from inside, with [`Cull::Front`](crate::Cull::Front): in colors by height
+    /// ([`Gradient`](crate::shade::Gradient)), or [`Textured`](crate::Textured) with a panorama. A sky box is a cube seen
+    /// from inside, with a texture for each side; the cookbook shows [both](crate::guide::cookbook).
+    ///
     /// ```
     /// use fixel::prelude::*;
     /// let camera = Camera::look_at(vec3!(7, 2, 9), vec3!(7, 2, 0), Vec3::Y)?;

@@ -74,6 +74,7 @@ fn check_scene(scene: &Scene) -> Result<(), Error> {
 fn check_call<K: ProjectionKind>(call: &Call<'_, K>, options: DrawOptions) -> Result<(), Error> {
     call.check_picking(&options);
     call.check_parts(&options);
+    call.check_panels(&options);
     call.check_quantized(&options);
     call.check_mesh(&options);
     match call.scene.shade {

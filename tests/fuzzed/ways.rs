@@ -4,7 +4,7 @@
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
-use embedded_graphics::pixelcolor::{BinaryColor, Rgb565, Rgb888, RgbColor};
+use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
 use fixel::mesh::flash::{StoredUvs, UvGrid, short_normal};
 use fixel::mesh::{Part, Quantized};
@@ -12,7 +12,8 @@ use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::shade::{PartColors, Translucent};
 use fixel::target::{
-    Add, Alpha, Blending, Depth, DepthBuffer, Multiply, Native, Opacity, Storage, TestAndWrite,
+    Add, Alpha, Blending, ColorIndex, Contrast, Depth, DepthBuffer, ErrorDiffusion, Multiply,
+    Native, Opacity, Storage, TestAndWrite,
 };
 use fixel::view::ProjectionKind;
 use fixel::{Drawn, Object, Prepared, PreparedEdges};
@@ -545,6 +546,45 @@ impl<K: ProjectionKind> Call<'_, K> {
         let mut canvas = Canvas::pages(&mut bytes, width, height).unwrap();
         canvas.draw_with(options, self.mesh, &self.mvp, &coarse);
         assert!(canvas.pixels().eq(colors));
+    }
+
+    /// Checks that grays are diffused alike in a frame and in bands, and that indices of a palette are where colors are.
+    pub fn check_panels(&self, options: &DrawOptions) {
+        let (width, height) = self.scene.size;
+        let gray = Flat::new(Gray8::new(0)).map(|at, _| {
+            let [x, y] = [at.point.x, at.point.y].map(i32::cast_unsigned);
+            Some(Gray8::new((37 * x ^ 11 * y) as u8))
+        });
+        // Of so many rows in memory, a band each.
+        let panel = |rows: u32, contrast: Option<Contrast>| {
+            let mut bytes = vec![0; (width.div_ceil(8) * height) as usize];
+            let mut panel: Canvas<BinaryColor, _> =
+                Canvas::packed(&mut bytes, width, height).unwrap();
+            let mut errors = vec![0; width as usize];
+            let mut diffusion = ErrorDiffusion::new(&mut errors);
+            let mut seen = contrast;
+            for first in (0..height).step_by(rows as usize) {
+                let mut grays = vec![Gray8::new(90); (rows.min(height - first) * width) as usize];
+                let mut band = Canvas::band(&mut grays, width, height, first).unwrap();
+                band.draw_with(options, self.mesh, &self.mvp, &gray);
+                let contrast = *seen.get_or_insert(Contrast::of(&band, self.scene.bands[0]));
+                let Ok(()) = band.show_diffused(&mut panel, contrast, &mut diffusion);
+            }
+            (bytes, seen)
+        };
+        let (frame, contrast) = panel(height, None);
+        let rows = u32::from(self.scene.bands[1]).clamp(height.div_ceil(12), height);
+        let (bands, _) = panel(rows, contrast);
+        assert!(bands == frame, "bands are diffused in another way");
+
+        let mut indices = vec![ColorIndex(0); self.scene.pixels()];
+        let mut canvas = Canvas::new(&mut indices, width, height).unwrap();
+        canvas.draw_with(options, self.mesh, &self.mvp, &Flat::new(ColorIndex(7)));
+        let mut colors = vec![Rgb565::BLACK; self.scene.pixels()];
+        let mut canvas = Canvas::new(&mut colors, width, height).unwrap();
+        canvas.draw_with(options, self.mesh, &self.mvp, &Flat::new(Rgb565::WHITE));
+        let indexed = indices.iter().map(|index| index.0 == 7);
+        assert!(indexed.eq(colors.iter().map(|color| *color == Rgb565::WHITE)));
     }
 
     /// Checks that colors are blended alike in frames and bands.

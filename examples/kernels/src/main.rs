@@ -57,10 +57,10 @@ fn main() -> Result<(), fixel::Error> {
 mod firmware {
     use core::panic::PanicInfo;
 
-    use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+    use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
     use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
     use fixel::prelude::*;
-    use fixel::shade::{Fog, Mipmapped};
+    use fixel::shade::{Fog, Gradient, Mipmapped};
     use fixel::target::{Add, Alpha, Multiply, Opacity};
     use fixel::texture::{Argb4444, Mipmap, MipmapArray};
     use semihosting::{println, process};
@@ -116,6 +116,9 @@ mod firmware {
 
         let (skin, flat) = (Textured::new(&CHECKER), Flat::new(Rgb565::RED));
         bench.kernel("flat", Newton, &flat, Depths::None)?;
+        let (low, high) = (Rgb888::new(20, 40, 200), Rgb888::new(120, 200, 255));
+        let sky = Gradient::<Rgb565>::new((fx!(-1), low), (fx!(1), high))?;
+        bench.kernel("gradient", Newton, &sky, Depths::None)?;
         bench.kernel("affine", Affine, &skin, Depths::None)?;
         bench.kernel("fast-16", fast, &skin, Depths::None)?;
         bench.kernel("newton", Newton, &skin, Depths::None)?;

@@ -2,10 +2,10 @@
 
 use core::hint::black_box;
 
-use embedded_graphics::pixelcolor::BinaryColor;
+use embedded_graphics::pixelcolor::{BinaryColor, Gray8};
 use fixel::mode::Affine;
 use fixel::prelude::*;
-use fixel::target::Storage;
+use fixel::target::{Contrast, ErrorDiffusion, Storage};
 
 use super::ticks::Stopwatch;
 use super::wall::{self, ROWS, UVS};
@@ -32,6 +32,22 @@ pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     print(watch, "mono-pages", |watch, width| {
         let bytes = &mut bytes[..(width * ROWS / 8) as usize];
         draw(watch, &mut Canvas::pages(bytes, width, ROWS)?)
+    })?;
+    let mut grays = [Gray8::new(0); PIXELS];
+    for (at, gray) in (0..).zip(&mut grays) {
+        *gray = Gray8::new((at * 7 >> 3) as u8);
+    }
+    print(watch, "mono-diffused", |watch, width| {
+        let (pixels, size) = ((width * ROWS) as usize, (width * ROWS / 8) as usize);
+        let gray = Canvas::new(&mut grays[..pixels], width, ROWS)?;
+        let mut panel: Canvas<BinaryColor, _> = Canvas::packed(&mut bytes[..size], width, ROWS)?;
+        let mut errors = [0; WIDTHS[1] as usize];
+        let mut diffusion = ErrorDiffusion::new(&mut errors);
+        let contrast = black_box(Contrast::default());
+        watch.time(|| {
+            let Ok(()) = gray.show_diffused(&mut panel, contrast, &mut diffusion);
+            Ok(())
+        })
     })
 }
 

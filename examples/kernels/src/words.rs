@@ -39,6 +39,10 @@ pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     let ticks =
         watch.time(|| drawn(canvas.draw_sprites(&options, &sprites, &mvp, &white).drawn))?;
     watch.print("sprite", "sprite", SPRITES as u32, ticks);
+    let sprites = sprites.with_axis(Vec3::Y)?;
+    let ticks =
+        watch.time(|| drawn(canvas.draw_sprites(&options, &sprites, &mvp, &white).drawn))?;
+    watch.print("sprite-on-axis", "sprite", SPRITES as u32, ticks);
 
     let edges = BALL.edges().len() as u32;
     let ticks = watch.time(|| drawn(canvas.draw_edges(&options, &BALL, &mvp, &white).drawn))?;
@@ -107,6 +111,13 @@ pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     watch.print("keyframe", "vertex", points, ticks);
     let ticks = watch.time(|| BALL.with_smooth_normals(&mut normals).map(|_| ()))?;
     watch.print("smooth-normals", "triangle", triangles, ticks);
+    let (mut creased, mut faces) = ([Vec3::ZERO; 3 * 384], [[0; 3]; 384]);
+    let crease = black_box(deg!(30));
+    let ticks = watch.time(|| {
+        BALL.with_creased_normals(crease, &mut creased, &mut faces)
+            .map(|_| ())
+    })?;
+    watch.print("creased-normals", "triangle", triangles, ticks);
 
     // Attributes of 32 and of 8 bits.
     let sun = black_box(Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?);
