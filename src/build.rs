@@ -1,7 +1,7 @@
 //! The build script: tells `num/wide.rs` whether the target is a core with products of 32 bits only.
 //!
-//! It is no module of the library. Stable Rust has no `cfg` that tells Cortex-M23 from Cortex-M33; the target's name
-//! does.
+//! This file is not a module of the library. Stable Rust has no `cfg` that tells Cortex-M23 from Cortex-M33; only the
+//! target's name does.
 
 use std::env;
 

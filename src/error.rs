@@ -46,7 +46,7 @@ macro_rules! errors {
 }
 
 errors! {
-    /// The reason why a value was refused. The message names the value and the allowed range.
+    /// The reason why a value was refused. Its message names the value and the allowed range.
     ///
     /// Functions that build or check a value return errors, and so does
     /// [`TriangleList::prepare`](crate::TriangleList::prepare). Draw calls cannot fail.
@@ -128,7 +128,7 @@ errors! {
         /// The refused range.
         range: Scalar,
     } = "range of the light is {range}: it must be above 0";
-    /// A cone of light whose angles do not make one.
+    /// A cone of light whose inner angle is not below its outer angle, or whose outer angle is above 90 degrees.
     Cone {
         /// The refused inner angle.
         inner: Angle,
@@ -177,13 +177,13 @@ errors! {
         /// Largest number allowed.
         max: u32,
     } = "{of} is {given}: it must be a power of two, at most {max}";
-    /// A mask whose size is not its texture's.
+    /// A mask whose size differs from its texture's.
     MaskSize {
         /// Columns and rows of the refused mask.
         given: [u32; 2],
         /// Columns and rows of the texture.
         texture: [u32; 2],
-    } = "mask has {}x{} texels: it must have {}x{}, as its texture has", given[0], given[1], texture[0], texture[1];
+    } = "mask has {}x{} texels: it must have {}x{}, like its texture", given[0], given[1], texture[0], texture[1];
     /// A viewport too far from the top left corner of its frame.
     Offset {
         /// The refused column of the left edge.
@@ -209,7 +209,7 @@ errors! {
         /// Number of rows of the frame.
         height: u32,
     } = "band has {rows} rows from row {first}: it must have at least one and lie within the {height} rows of the frame";
-    /// A canvas of another frame than a list was prepared for.
+    /// A canvas whose frame differs in size from the frame that a list was prepared for.
     Frame {
         /// Number of columns of the canvas's frame.
         width: u32,
@@ -323,7 +323,7 @@ impl From<Infallible> for Error {
     }
 }
 
-/// A float that was refused, with the precision that a message needs.
+/// A float that was refused, as precise as a message needs it.
 ///
 /// It is stored in thousandths, so that a program that prints errors does not link the formatting of floats.
 ///

@@ -1,12 +1,12 @@
 //! 3D scenes in microcontroller framebuffers, in fixed point.
 //!
 //! `fixel` (fixed + pixel) projects, clips, rasterizes and shades triangles, lines and points with integers
-//! only. Textures and colors are correct in perspective, every pixel is the same on every
-//! processor, and you supply the memory. The crate is `no_std`, without allocation and without `unsafe`.
+//! only. Textures and colors are interpolated in correct perspective, every processor draws the same pixels, and you
+//! supply the memory. The crate is `no_std`, without allocation and without `unsafe`.
 //!
 #![cfg_attr(doc, doc = diagram!("pipeline"))]
-//! The [guide] leads from the [concepts](guide::concepts) to [firmware](guide::firmware). If you know another library
-//! or OpenGL, [begin there](guide::coming_from).
+//! The [guide] leads from [concepts](guide::concepts) to [firmware](guide::firmware). If you know OpenGL or another
+//! library, begin with [coming from](guide::coming_from).
 //!
 //! # A picture
 //!
@@ -71,10 +71,10 @@
 //! | [`DrawOptions`]: culling, viewport, interpolation mode, depth test, blending, style of lines | [`DrawOptions::new`] | first argument of [`Canvas::draw_with`], [`draw_edges`](Canvas::draw_edges), [`draw_outline`](Canvas::draw_outline), [`draw_points`](Canvas::draw_points) |
 //! | [`TriangleList`]: triangles transformed once for all bands | [`TriangleList::new`], [`prepare`](TriangleList::prepare) | argument of [`Canvas::draw_prepared`] |
 //! | [`EdgeList`]: the same for edges and outlines | [`EdgeList::new`], [`prepare`](EdgeList::prepare) | argument of [`Canvas::draw_prepared_edges`] |
-//! | [`Object`]s: meshes with their transforms and materials, for one list | [`Object::new`] | argument of [`TriangleList::prepare_scene`] and [`EdgeList::prepare_scene`] |
+//! | [`Object`]s: meshes with their transforms and materials | [`Object::new`] | argument of [`TriangleList::prepare_scene`] and [`EdgeList::prepare_scene`] |
 //! | [`Sprites`]: billboards, particles | [`Sprites::new`], [`Sprites::in_pixels`] | argument of [`Canvas::draw_sprites`] |
 //! | [`Ray`] of a pixel | [`Canvas::ray`] | [`Ray::hit`]: the face of a mesh that is seen there |
-//! | [`Canvas`]: colors, depth, rows | [`Canvas::new`], [`Canvas::band`], [`Canvas::big_endian`] and so on, over your slices | picture for a display, by [`Canvas::show`] or [`Canvas::as_bytes`] |
+//! | [`Canvas`]: colors, depth, rows | [`Canvas::new`], [`Canvas::band`], [`Canvas::big_endian`] and so on, over your slices | the picture for a display: [`Canvas::show`] or [`Canvas::as_bytes`] |
 //!
 //! # Spaces
 //!
@@ -88,17 +88,17 @@
 //! | depth | 65535 at the near plane, falling towards 0 with distance: greater is nearer | floor(65535 · near / w); under a parallel projection linear in the distance | [`Fragment::depth`] |
 //! | texture | u right, v down from the top left corner | one repeat, [`TexCoord`] | [`Corner::uv`] |
 //!
-//! The module [`num`] lists all formats with their range and resolution.
+//! The module [`num`] lists all number formats with their range and resolution.
 //!
 //! # Promises
 //!
-//! 1. **No floating point, no allocation, no `unsafe`.** Floats appear in constructors that take
-//!    them for convenience, and as the first guess of [`Angle::atan2`]; never per vertex or per pixel.
+//! 1. **No floating point, no allocation, no `unsafe`.** Floats appear only in constructors that take them for
+//!    convenience and in the first guess of [`Angle::atan2`], never per vertex or per pixel.
 //! 2. **Same bits everywhere.** Results do not depend on the target's word length or instructions: the host and the
 //!    board draw the same picture.
 //! 3. **Total.** No accepted value can cause a panic or a write outside the canvas. Constructors refuse values that
 //!    cannot be drawn, with an [`Error`] that names the value and the bound. [`guide::limits`] gives the ranges in
-//!    which accuracy is promised, and the behavior beyond them.
+//!    which accuracy is promised, and says what happens beyond them.
 //! 4. **Watertight.** Triangles that share an edge cover each pixel center exactly once, clipped or not.
 //! 5. **Bands equal frames.** A frame drawn in bands equals the frame drawn whole, bit for bit.
 //! 6. **Pay for what you use.** Depth, storage, color, shading and interpolation mode are type parameters. What your
@@ -150,30 +150,29 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! Here every band transforms the whole mesh again. If that takes longer than drawing, prepare a
-//! [`TriangleList`] once a frame with [`TriangleList::prepare`], and let every band draw from the list with
-//! [`Canvas::draw_prepared`].
+//! Here every band transforms the whole mesh again. If that takes too long, prepare a [`TriangleList`] once a frame
+//! with [`TriangleList::prepare`], and let every band draw from the list with [`Canvas::draw_prepared`].
 //!
 //! For DMA, let the canvas store its pixels as the bytes that the bus needs: [`Canvas::big_endian`] and
 //! [`Canvas::little_endian`] do so, and [`Canvas::as_bytes`] returns them. The [guide for firmware](guide::firmware)
-//! leads from `cargo new` to a picture on an SPI panel: memory, bands, DMA, two cores, clocks.
+//! leads from `cargo new` to a picture on an SPI panel, by way of memory, bands, DMA, two cores and clocks.
 //!
 //! # Speed against accuracy
 //!
-//! The [`Mode`](mode::Mode) that interpolates attributes is a type, chosen per draw call. The [guide to
-//! modes](guide::modes) tells which mode suits which scene and core, and derives the bounds of their errors. The
-//! [benchmarks](guide::benchmarks) tell what drawing costs. The [cookbook](guide::cookbook) has small scenes, one idea
+//! A [`Mode`](mode::Mode) interpolates attributes. It is a type, chosen per draw call. The [guide to
+//! modes](guide::modes) says which mode suits which scene and core, and derives the bounds of their errors. The
+//! [benchmarks](guide::benchmarks) say what drawing costs. The [cookbook](guide::cookbook) has small scenes, one idea
 //! each.
 //!
 //! # Versions
 //!
 //! - **Pictures.** Versions that Cargo treats as compatible (0.1.0 and 0.1.7) draw the same bits. Checksums in the
-//!   tests hold this. A new picture, even a better one, takes a new minor version, and the changelog says what differs.
-//!   A mistake that breaks a promise above is mended at once.
-//! - **Compiler.** The crate compiles with Rust 1.87. A later compiler is required only by a new minor version, and
-//!   never one less than six months old.
-//! - **Dependencies.** `fixed` and `embedded-graphics` appear in the interface. A new incompatible version of one of
-//!   them takes a new minor version of this crate.
+//!   tests enforce this. A new picture, even a better one, requires a new minor version, and the changelog says what
+//!   differs. A bug that breaks a promise above is fixed at once.
+//! - **Compiler.** The crate compiles with Rust 1.87. Only a new minor version may require a later compiler, which is
+//!   then at least six months old.
+//! - **Dependencies.** `fixed` and `embedded-graphics` appear in the interface. An incompatible new version of either
+//!   requires a new minor version of this crate.
 //!
 //! # The path of a pixel
 //!
@@ -204,17 +203,17 @@
 //!  canvas     your memory: a frame, or a band of one
 //! ```
 //!
-//! On the right is the folder. Each folder depends only on those before it in this list: `num`, `math`, `view`, `mesh`,
-//! `texture`, `shade`, `target`, `raster`, `span`, `pipeline`. An outcode has a bit for each clip plane that a vertex
-//! is outside of; varyings are the values that a shader wants interpolated. The four kernels are private: each [mode]
-//! chooses among them.
+//! The column on the right names the folder. Each folder depends only on those before it in this list: `num`, `math`,
+//! `view`, `mesh`, `texture`, `shade`, `target`, `raster`, `span`, `pipeline`. A vertex's outcode has a bit for each
+//! clip plane outside of which it lies; varyings are the values that a shader wants interpolated. The four kernels
+//! (straight, pieces, Newton, divide) are private; each [mode] chooses among them.
 #![no_std]
 #![forbid(unsafe_code)]
 
 #[cfg(test)]
 extern crate std;
 
-/// A diagram of the documentation. It is drawn in the color of the text, so that it can be read in every theme.
+/// A diagram of the documentation, drawn in the color of the text so that it can be read in every theme.
 #[cfg(any(doc, doctest))]
 macro_rules! diagram {
     ($name:literal) => {
@@ -231,8 +230,9 @@ macro_rules! diagram {
     };
 }
 
-/// The picture of an item's page, as text: it is there wherever the page is. `cargo run -p cookbook -- --renew` draws
-/// it, for the size of a small display, and browsers show each of its pixels as a square.
+/// The picture of an item's page, embedded as base64 so that it is shown wherever the page is.
+/// `cargo run -p cookbook -- --renew` draws it at the size of a small display, and browsers show each of its pixels as
+/// a square.
 #[cfg(doc)]
 macro_rules! page_picture {
     ($name:literal, $shows:literal) => {
@@ -268,6 +268,8 @@ pub mod shade;
 mod span;
 
 /// How attributes are interpolated: the trait [`Mode`](mode::Mode) and its five implementations.
+///
+#[cfg_attr(doc, doc = page_picture!("modes", "A floor of two triangles: bent by Affine, straight by the default mode"))]
 pub mod mode {
     pub use crate::span::{Affine, Compact, Exact, Fast, Mode, Newton};
 }

@@ -1,4 +1,4 @@
-//! `defmt::Format` for types that contain numbers of the package `fixed`, which do not implement it themselves.
+//! `defmt::Format` for types that contain numbers of the crate `fixed`: those numbers do not implement it themselves.
 
 use defmt::{Debug2Format, Display2Format, Format, Formatter};
 

@@ -20,8 +20,8 @@ pub const WIDTH: u32 = 128;
 /// Height of the panel in pixels.
 pub const HEIGHT: u32 = 64;
 
-/// Milliseconds from one frame to the next. The picture depends only on the frame number, so it is the same wherever
-/// and however fast it is drawn.
+/// Milliseconds from one frame to the next. The picture depends only on the frame number, so it is the same on every
+/// computer, however fast it is drawn.
 pub const FRAME_MS: u32 = 30;
 /// Number of frames: one turn of the outer ring, and on to a pose that shows all three parts.
 pub const FRAMES: u32 = 211;

@@ -148,7 +148,7 @@ pub fn skin<C: Levels>() -> Result<impl Shader<Color = C, Varyings = LitTexels>,
     Ok(Textured::new(&SKIN).lit(sun()?).converted())
 }
 
-/// Draws sea and island; `mvp` takes them to the picture.
+/// Draws sea and island; `mvp` transforms them to the picture.
 ///
 /// # Errors
 ///
@@ -173,7 +173,7 @@ where
     Ok([sea, island])
 }
 
-/// Whether a color is black or white, so that a dithered sky and sea would be noise around the island.
+/// Whether the format has only black and white. A dithered sky and sea would then be noise around the island.
 pub const fn is_mono<C: Levels>() -> bool {
     C::MAX_STEPS[0] == 1
 }
@@ -222,7 +222,8 @@ where
     Ok([sea, island])
 }
 
-/// Writes the name of the project into the lower left corner; if there are only black and white, on black.
+/// Writes the name of the project into the lower left corner; on a black background if the format has only black and
+/// white.
 pub fn caption<C, O, D>(canvas: &mut Canvas<'_, C, O, D>)
 where
     C: Levels,

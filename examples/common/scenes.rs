@@ -1,4 +1,4 @@
-//! The four measured scenes, the same in every measurement, of this crate and of others.
+//! The four measured scenes, the same in every measurement of this crate and of other libraries.
 //!
 //! 320x240 pixels, focal length 200 pixels, near 0.25, far 100. Each scene has a mesh, an mvp for each of its poses
 //! `k` = 0..8, and a function that draws it. Only this function is measured; clearing is not. `no_std`, so that a

@@ -44,7 +44,7 @@ pub fn deepest<T>(work: impl FnOnce() -> T) -> (T, usize) {
     (result, top - (end + painted.count() * WORD))
 }
 
-/// Has a frame of its own, below the one from which depth is counted.
+/// Has a stack frame of its own, below the one from which depth is counted.
 #[inline(never)]
 fn apart<T>(work: impl FnOnce() -> T) -> T {
     work()

@@ -1,4 +1,4 @@
-//! The words of this crate, in the order in which a program meets them.
+//! The terms of this crate, in the order in which a program meets them: what you pass to a draw call, and what it does.
 //!
 //! 1. [The parts of a program](#the-parts-of-a-program)
 //! 2. [Numbers](#numbers)
@@ -14,8 +14,9 @@
 //!
 #![doc = diagram!("pipeline")]
 //!
-//! A draw call takes a mesh, a model-view-projection and a shader, and writes pixels to a canvas. All four are plain
-//! values that belong to your program. Between draw calls, only the canvas keeps anything.
+//! A draw call takes a mesh (the shape), a model-view-projection (where it is, and from where it is seen) and a shader
+//! (its colors), and writes pixels to a canvas (your memory). All four are plain values that belong to your program.
+//! Between draw calls, nothing is kept but the canvas.
 //!
 //! ```
 //! use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -43,22 +44,23 @@
 //! }
 //! ```
 //!
-//! Constructors return an [`Error`](crate::Error) if a value makes no sense, and the error names the value and its
-//! bound. Drawing returns no error, because it cannot fail.
+//! A constructor returns an [`Error`](crate::Error) if a value makes no sense; the error names the value and its bound.
+//! Drawing cannot fail, so it returns no error.
 //!
 //! # Numbers
 //!
-//! No drawing code uses floats. You write numbers in macros, which convert them while your program is compiled:
+//! No drawing code uses floats. You write numbers in macros, which convert them to fixed point while your program is
+//! compiled:
 //!
 //! | you write | you get | range, resolution |
 //! |---|---|---|
 //! | `fx!(0.25)` | [`Scalar`](crate::Scalar): a coordinate, a distance, a brightness | ±32,768 in steps of 1/65,536 |
-//! | `vec3!(0, 1.5, 4)` | [`Vec3`](crate::Vec3): three of these | |
+//! | `vec3!(0, 1.5, 4)` | [`Vec3`](crate::Vec3): three scalars | the same |
 //! | `vec2!(0.5, 1)` | [`Vec2`](crate::Vec2): a texture coordinate in repeats of the texture | ±2048 in steps of 10⁻⁶ |
 //! | `deg!(62.5)` | [`Angle`](crate::Angle): a fraction of a turn | one turn, in steps of 10⁻⁷ degrees |
 //!
-//! A literal beyond the range does not compile. For a number that is known only when the program runs, there are
-//! [`num::scalar`](crate::num::scalar) for a float, `Scalar::from_num` for an integer, `Vec3::new`, and the
+//! A literal beyond the range does not compile. For a number that is known only when the program runs, use
+//! [`num::scalar`](crate::num::scalar) (from a float), `Scalar::from_num` (from an integer), `Vec3::new`, and the
 //! constructors of `Angle`.
 //!
 //! ```
@@ -78,23 +80,24 @@
 //! assert_eq!(Angle::from_turns(fx!(0.25)), deg!(90));
 //! assert_eq!(Angle::from_radians(fx!(1)).to_string(), "57.2958 degrees");
 //!
-//! // An angle from the time is exact, even after years: no error adds up.
+//! // An angle computed from the time is exact, even after years: errors do not add up.
 //! let spin = Rate::rpm(10).angle_at(1_500); // 1.5 seconds
 //! assert_eq!(spin, deg!(90));
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! Choose the unit so that your scene spans between a tenth and a few thousand units: a meter for a garden, a
-//! centimeter for a machine. [Limits](crate::guide::limits) tells how accurate the picture is in which range.
+//! Choose the unit so that your scene is between a tenth of a unit and a few thousand units in size: a meter for a
+//! garden, a centimeter for a machine. [Limits](crate::guide::limits) says how accurate the picture is in which range.
 //!
-//! `+`, `-`, `*` and `/` of single scalars come from the crate `fixed`: beyond the range they panic in a debug build
-//! and wrap in a release build. Where that may happen, call `saturating_add` and its like: see [`num`](crate::num).
+//! `+`, `-`, `*` and `/` of single scalars come from the crate `fixed`: if the result is out of range, they panic in a
+//! debug build and wrap in a release build. Where that may happen, call `saturating_add` and similar methods: see
+//! [`num`](crate::num).
 //!
 //! # Mesh
 //!
 //! A [`Mesh`](crate::Mesh) borrows positions and faces, and optionally texture coordinates, normals, colors and edges.
-//! `shape!` and `include_obj!` make one while your program is compiled, so that it lies in flash. Your own slices do
-//! the same:
+//! `shape!` and `include_obj!` make one while your program is compiled, so that it lies in flash. A mesh of your own
+//! slices can lie in flash, too:
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -118,14 +121,16 @@
 #![doc = diagram!("axes")]
 //!
 //! - A [`Transform`](crate::Transform) places a model in the world. `a * b` applies `b` first.
-//! - A [`Camera`](crate::Camera) is where the eye is. It turns the world so that the eye is at the origin.
+//! - A [`Camera`](crate::Camera) says where the eye is and where it looks. It moves and turns the world so that the eye
+//!   is at the origin and looks along −z.
 //! - A [`Projection`](crate::Projection) is the lens: the angle of view, and the distances of the near and the far
-//!   plane. [`perspective`](crate::Projection::perspective) takes the angle from the bottom of the picture to its top.
+//!   plane. [`perspective`](crate::Projection::perspective) takes the vertical angle, from the bottom of the picture to
+//!   its top.
 //!
 #![doc = diagram!("eye")]
 //!
-//! Their product is the [`Mvp`](crate::Mvp), the model-view-projection. It is read from right to left, like the path of
-//! a point: `projection * camera * model`.
+//! Their product is the [`Mvp`](crate::Mvp), the model-view-projection. It is read from right to left, in the order in
+//! which it transforms a point: `projection * camera * model`.
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -143,10 +148,10 @@
 //!
 //! # Shader
 //!
-//! A [`Shader`](crate::Shader) gives each pixel its color. Some are surfaces: [`Flat`](crate::Flat),
-//! [`Gouraud`](crate::Gouraud), [`Textured`](crate::Textured). Adapters wrap them, in any order and number: `lit`,
-//! `in_fog`, `map`. The [module](crate::shade) shows all. The compiler makes one loop of the whole stack, and links
-//! nothing else.
+//! A [`Shader`](crate::Shader) gives each pixel its color. Some shaders are surfaces: [`Flat`](crate::Flat),
+//! [`Gouraud`](crate::Gouraud), [`Textured`](crate::Textured). Adapters (`lit`, `in_fog`, `map`) wrap them, in any
+//! order and number. The module [`shade`](crate::shade) lists all of them. The compiler makes one loop of a whole
+//! stack, and links only the shaders that you name.
 //!
 //! ```
 //! use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
@@ -166,9 +171,9 @@
 //!
 //! # Options
 //!
-//! [`Canvas::draw`](crate::Canvas::draw) culls back faces, tests depth, interpolates in perspective, and replaces what
-//! is there. [`draw_with`](crate::Canvas::draw_with) takes [`DrawOptions`](crate::DrawOptions) that change this for one
-//! call:
+//! [`Canvas::draw`](crate::Canvas::draw) culls back faces, tests depth, interpolates in correct perspective, and
+//! replaces the colors on the canvas. [`draw_with`](crate::Canvas::draw_with) takes [`DrawOptions`](crate::DrawOptions)
+//! that change this for one call:
 //!
 //! ```
 //! use fixel::mode::Fast;
@@ -185,27 +190,28 @@
 //! ```
 //!
 //! Each option is a type, so a program contains only the variants that it names. [Choosing a mode](crate::guide::modes)
-//! is about the interpolation.
+//! compares the modes of interpolation.
 //!
 //! # Canvas
 //!
-//! A [`Canvas`](crate::Canvas) is your memory as a picture: the size, the colors, and optionally a depth buffer. Its
-//! constructor says how a pixel is stored: as a color, as two bytes in the order that a display wants, or 8 pixels in a
-//! byte for black and white. A canvas is only a reference and a few numbers, so make one for each frame.
+//! A [`Canvas`](crate::Canvas) is a picture in your memory: its size, its colors, and optionally a depth buffer. The
+//! constructor that you call decides how a pixel is stored: as a color, as two bytes in the order that a display wants,
+//! or 8 pixels in a byte for black and white. A canvas consists of references and a few numbers, so make a new one for
+//! each frame.
 //!
 //! A canvas is an embedded-graphics `DrawTarget`: text and shapes go on top. [`show`](crate::Canvas::show) copies it to
 //! another `DrawTarget`; [`as_bytes`](crate::Canvas::as_bytes) gives its bytes to a DMA channel.
 //!
 //! # Depth
 //!
-//! With a depth buffer, triangles may be drawn in any order, and the nearest one shows. It takes two bytes a pixel.
-//! Each pixel stores how near it is:
+//! With a depth buffer, triangles may be drawn in any order, and the nearest one shows. The buffer takes two bytes a
+//! pixel, and stores how near each pixel is:
 //!
 #![doc = diagram!("depth")]
 //!
 //! `clear` sets all depths to 0, which is infinitely far. Half of the steps lie between the near plane and twice its
-//! distance. So put the near plane as far away as the scene allows; the far plane costs nothing. For scenes that reach
-//! far beyond 1,000 times the near plane's distance, there is [`Float`](crate::target::Float).
+//! distance. So put the near plane as far away as the scene allows; a distant far plane costs nothing. For scenes that
+//! reach far beyond 1,000 times the near plane's distance, use the format [`Float`](crate::target::Float).
 //!
 //! A scene without a depth buffer must be drawn from back to front. A [`TriangleList`](crate::TriangleList) can sort
 //! it.
@@ -244,5 +250,5 @@
 //! ```
 //!
 //! Put together, the bands equal the whole frame, bit for bit. Every draw call transforms its mesh again in every band.
-//! If that takes too long, a [`TriangleList`](crate::TriangleList) does it once a frame.
-//! [Firmware](crate::guide::firmware) builds on this: two bands, one of which is drawn while the other one is sent.
+//! If that takes too long, a [`TriangleList`](crate::TriangleList) transforms it once a frame. The program in
+//! [firmware](crate::guide::firmware) uses two bands: it draws one while the other is sent.

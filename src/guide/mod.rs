@@ -1,20 +1,21 @@
-//! The guide: from the first words to firmware.
+//! The guide: from concepts to firmware.
 //!
-//! Read in this order, or jump in where your question is. Every program on these pages is compiled and run by the
-//! tests.
+//! Read the pages in this order, or go straight to your question. The tests compile every program on these pages, and
+//! run those that can run on a computer.
 //!
 //! 1. **[Concepts](concepts)**: mesh, projection, camera, shader, options, canvas, depth and band, with diagrams; and
-//!    the numbers that you write.
-//! 2. **[Coming from](coming_from)** OpenGL, tgx, embedded-3dgfx or small3dlib: their words and ours, and what differs.
-//! 3. **[Cookbook](cookbook)**: a short program and its picture for each thing that can be drawn.
+//!    how to write numbers.
+//! 2. **[Coming from](coming_from)** OpenGL, tgx, embedded-3dgfx or small3dlib: their terms, the terms of fixel, and
+//!    what differs.
+//! 3. **[Cookbook](cookbook)**: short programs with their pictures, one idea each.
 //! 4. **[Firmware](firmware)**: from `cargo new` to a panel on SPI, with bands and DMA.
-//! 5. **[Choosing a mode](modes)**: speed against accuracy, and where each bound comes from.
+//! 5. **[Choosing a mode](modes)**: speed against accuracy, and how each bound is derived.
 //! 6. **[Limits](limits)**: the range of each quantity, and what happens beyond it.
 //! 7. **[Benchmarks](benchmarks)**: what drawing costs, beside other libraries.
 #![cfg_attr(doc, doc = page_picture!("shaders", "Balls in eight shaders"))]
 
-/// A title and the picture of a scene of the cookbook. The picture is part of the page, so that it is there wherever
-/// the page is.
+/// A title, and the picture of a scene of the cookbook. The picture is embedded, so that it is shown wherever the page
+/// is.
 macro_rules! picture {
     ($title:literal, $name:literal) => {
         concat!(
@@ -29,7 +30,7 @@ macro_rules! picture {
     };
 }
 
-/// Shows a scene of the cookbook: its picture and its program, which is compiled as it stands.
+/// A scene of the cookbook: its title, its picture and its program, which is compiled as it stands.
 macro_rules! recipe {
     ($title:literal, $name:literal $(, $attribute:literal)?) => {
         concat!(
@@ -45,7 +46,8 @@ macro_rules! recipe {
 
 pub mod concepts;
 
-/// What you call it, what it is called here, and what differs in a way that shows in the picture.
+/// For readers who know another 3D library: the names of its parts in fixel, and the differences that show in a
+/// picture.
 ///
 #[cfg_attr(doc, doc = diagram!("axes"))]
 #[doc = include_str!("coming_from.md")]
@@ -64,7 +66,7 @@ pub mod coming_from {}
 #[doc = recipe!("Cut-out textures", "cut_out")]
 #[doc = recipe!("Blending", "blending")]
 #[doc = recipe!("Painter's order", "painter")]
-// Those that are ignored read files beside their own folder.
+// Recipes marked `ignore` read files by paths relative to their own folder.
 #[doc = recipe!("Wireframe", "wireframe", "ignore")]
 #[doc = recipe!("Points", "points")]
 #[doc = recipe!("Black and white", "packed", "ignore")]
@@ -81,31 +83,34 @@ pub mod coming_from {}
 #[doc = recipe!("Instruments", "instruments")]
 #[doc = picture!("A little world", "world")]
 /// A walk through a garden at dusk puts most of this together. Walls, grass and water have mipmaps. Trees are sprites,
-/// and so is the glow of the lamps, which light the walls near them. There is fog, a sky with stars and a moon, and a
-/// mirror image under translucent water. Labels, a compass, gauges and a map are drawn over the picture. The command
-/// `cargo run -p cookbook world` draws it and makes an animation; `examples/common/world` is its program, for frames
-/// and bands, with no memory but the canvas.
+/// and so is the glow around each lamp; the lamps light the walls near them. There is fog, a sky with stars and a moon,
+/// and a mirror image under translucent water. Labels, a compass, gauges and a map are drawn over the picture. The
+/// command `cargo run -p cookbook world` draws the picture and an animation. The program is in `examples/common/world`;
+/// it draws whole frames or bands, and needs no memory besides the canvas.
 pub mod cookbook {}
 
+/// This page leads from `cargo new` to a picture on a panel: firmware for a small chip and a 240x240 display on SPI.
+///
+#[cfg_attr(doc, doc = page_picture!("firmware", "The program of this page: a spinning ring with a caption"))]
 #[doc = include_str!("firmware.md")]
 pub mod firmware {}
 
-/// Speed against accuracy: which mode suits which scene and core, what error to expect, and where each bound comes
-/// from.
+/// A mode is the method that interpolates textures and colors across a triangle. This page says which mode suits which
+/// scene and processor core, how large an error to expect, and how each bound is derived.
 ///
 #[cfg_attr(doc, doc = page_picture!("modes", "A floor of two triangles: bent by Affine, straight by the default mode"))]
 #[doc = include_str!("modes.md")]
 pub mod modes {}
 
-/// What drawing costs, measured alike for this crate and for the libraries that come nearest to it; how to repeat the
-/// measurement; and where the others are ahead.
+/// What drawing costs in instructions and bytes, measured in the same way for this crate and for similar libraries;
+/// where the others are ahead; and how to repeat the measurements.
 ///
 #[cfg_attr(doc, doc = page_picture!("measured", "The measured scenes: floor, cube, smooth sphere, flat sphere"))]
 #[doc = include_str!("benchmarks.md")]
 pub mod benchmarks {}
 
-/// This guide gives, for each quantity, the range in which accuracy is promised, the behavior beyond it, and the errors
-/// measured at its ends.
+/// For each quantity (coordinates, distances, sizes, angles), this page gives the range in which accuracy is promised,
+/// the behavior beyond it, and the errors measured at its ends.
 ///
 #[cfg_attr(doc, doc = diagram!("eye"))]
 #[doc = include_str!("limits.md")]

@@ -7,7 +7,7 @@ use crate::{Transform, Vec3};
 
 /// A vector of length one, or of length zero where there is no direction.
 ///
-/// Each component has 30 fraction bits and is within 2⁻²⁸ of its exact value.
+/// Each component has 30 fraction bits and is accurate to 2⁻²⁸.
 ///
 /// ```
 /// use fixel::{Unit, math::Direction, vec3};
@@ -39,7 +39,7 @@ impl Direction {
     }
 
     /// Returns x, y and z in units of 2⁻³⁰.
-    /// The cosine of the angle to another direction, in units of 2⁻³⁰ and within 4 of them; 0 if one is
+    /// The cosine of the angle to another direction, in units of 2⁻³⁰, with an error of at most 4 units; 0 if one is
     /// [`NONE`](Self::NONE).
     #[inline]
     pub(crate) fn dot(self, other: Self) -> i32 {

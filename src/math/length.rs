@@ -38,7 +38,7 @@ impl Vec3 {
 
     /// Returns the length; saturates.
     ///
-    /// The relative error is at most 2⁻²⁹, before the result is rounded to the nearest 2⁻¹⁶.
+    /// The relative error is at most 2⁻²⁹ before the result is rounded to the nearest 2⁻¹⁶.
     ///
     /// ```
     /// use fixel::{fx, vec3};
@@ -51,7 +51,7 @@ impl Vec3 {
 
     /// Returns the distance between two points; saturates.
     ///
-    /// It is as exact as [`length`](Self::length), even where `self - other` would saturate.
+    /// The result is as accurate as [`length`](Self::length), even where `self - other` would saturate.
     ///
     /// ```
     /// use fixel::{fx, vec3};

@@ -97,8 +97,8 @@ impl Matrix4 {
     /// Multiplies the matrix by a point (x, y, z, 1) and divides by the fourth coordinate w; rounded
     /// to nearest (half away from zero).
     ///
-    /// `None` unless w is above 0, because the picture of the point would be missing or mirrored,
-    /// and if a coordinate is beyond ±32768.
+    /// `None` if a coordinate of the result is beyond ±32768, or if w is not above 0: the picture of such a point would
+    /// be missing or mirrored.
     #[must_use]
     pub fn project(&self, point: Vec3) -> Option<Vec3> {
         let [x, y, z, w] = self.homogeneous(point);

@@ -90,7 +90,7 @@ macro_rules! operators {
                 Self::new($(self.$part.max(other.$part)),+)
             }
 
-            /// Interpolates linearly: `self` at `t` = 0, `other` at `t` = 1, extended beyond both.
+            /// Interpolates linearly: the result is `self` at `t` = 0 and `other` at `t` = 1, and extrapolates beyond.
             ///
             /// Each component is rounded to nearest once, halves up, and saturates.
             #[must_use]

@@ -15,9 +15,9 @@ mod tests;
 
 /// An affine transform of points: a 3×3 matrix and a translation.
 ///
-/// The matrix and the translation are block floating point: 30-bit mantissas with one exponent
-/// each, good to 2⁻³⁰ of the largest entry. Products accumulate in 64 bits and round once. Entries
-/// reach from 2⁻⁶² to 2⁶²; larger ones saturate.
+/// The matrix and the translation are in block floating point: each has 30-bit mantissas and one exponent, so that
+/// entries are accurate to 2⁻³⁰ of the largest one. Products accumulate in 64 bits and round once. Entries range from
+/// 2⁻⁶² to 2⁶²; larger ones saturate.
 ///
 /// `a * b` applies `b` first, as matrices do.
 ///
@@ -108,7 +108,7 @@ impl Transform {
 
     /// Moves by `offset`.
     ///
-    /// An offset keeps 30 significant bits: from ±8192 on it is rounded to nearest.
+    /// An offset keeps 30 significant bits. If a component is ±8192 or more, the offset is rounded to nearest.
     #[must_use]
     pub fn translate(offset: Vec3) -> Self {
         let mut t = Self::IDENTITY;
@@ -119,7 +119,7 @@ impl Transform {
 
     /// Scales all axes by one factor about the origin; exact.
     ///
-    /// `factor` is a [`Scalar`](crate::Scalar); the bound only improves the compiler's message for a float.
+    /// `factor` is a [`Scalar`](crate::Scalar). The bound only improves the compiler's message if you pass a float.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -133,7 +133,7 @@ impl Transform {
 
     /// Scales each axis by its own factor about the origin; a negative factor mirrors.
     ///
-    /// Factors keep 30 significant bits of the largest.
+    /// Each factor is accurate to 2⁻³⁰ of the largest one.
     #[must_use]
     pub fn scale_axes(factors: Vec3) -> Self {
         let [x, y, z] = factors.to_bits().map(i64::from);
@@ -150,7 +150,7 @@ impl Transform {
     #[must_use]
     pub fn point(&self, point: Vec3) -> Vec3 {
         let exp = self.linear_exp;
-        // From the translation to products of the matrix with a point.
+        // From the units of the translation to those of the matrix's products with a point.
         let up = 16 + exp - self.translation_exp;
         if !(1..=40).contains(&exp) || up > 30 {
             return self.far_point(point);
@@ -193,8 +193,8 @@ impl Transform {
         self.linear.map(|row| dot(&row, &v))
     }
 
-    /// Inverts a rigid transform, a product of rotations and translations: the opposite
-    /// translation, then the transpose of the rotation.
+    /// Inverts a rigid transform (a product of rotations and translations): the result applies the opposite
+    /// translation, then the transposed rotation.
     ///
     /// For a transform that scales, mirrors or shears, the result is not the inverse.
     ///
@@ -217,7 +217,7 @@ impl Transform {
     /// Makes a transform rigid again after many multiplications: the rows of its matrix become
     /// orthogonal and of length one.
     ///
-    /// The z axis keeps its direction and y its plane with z. A mirror stays a mirror. A matrix
+    /// The z axis keeps its direction, and the y axis stays in its plane with z. A mirror stays a mirror. A matrix
     /// whose rows are zero or parallel is returned unchanged.
     ///
     /// Use it on rotations and translations that are multiplied frame by frame.
@@ -240,8 +240,8 @@ impl Transform {
         }
     }
 
-    /// Returns the matrix that transforms normals where [`point`](Self::point) transforms surfaces,
-    /// up to a positive factor.
+    /// Returns the matrix that transforms the normals of surfaces whose points [`point`](Self::point) transforms, up to
+    /// a positive factor.
     ///
     /// It is the inverse transpose: the cofactors, with the sign of the determinant.
     #[must_use]

@@ -7,8 +7,8 @@ use crate::TexCoord;
 /// (0, 0) is the top left corner of the texture and (1, 1) the bottom right corner of its first
 /// repeat. `y` runs down, in the order of the stored rows.
 ///
-/// It has the operators of [`Vec3`](crate::Vec3), with the same rounding and saturation: none panics.
-/// A [`Scalar`](crate::Scalar) multiplies or divides it.
+/// It has the operators of [`Vec3`](crate::Vec3), with the same rounding and saturation; none of them panics. The
+/// factor or divisor is a [`Scalar`](crate::Scalar).
 ///
 /// ```
 /// use fixel::{Vec2, fx, vec2};

@@ -4,7 +4,7 @@ use crate::Scalar;
 
 /// A point or a direction in model, world or eye space: three [`Scalar`]s.
 ///
-/// The axes are right-handed. Every operation saturates at the ends of the format and none panics:
+/// The axes are right-handed. Every operation saturates at the ends of the format, and none panics:
 ///
 /// | operation | rounding |
 /// |---|---|

@@ -5,8 +5,8 @@ use crate::Vec3;
 
 /// An upright box in model space, such as the smallest one around a mesh.
 ///
-/// [`Canvas::is_in_view`](crate::Canvas::is_in_view) tells by it whether a mesh may have pixels. In a `static`, the box
-/// of a mesh is found at compile time.
+/// From the box, [`Canvas::is_in_view`](crate::Canvas::is_in_view) tells whether a mesh may have pixels. For a
+/// `static`, the compiler computes a mesh's box.
 ///
 /// ```
 /// use fixel::mesh::Bounds;
@@ -23,7 +23,7 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// The box between two opposite corners, whichever they are.
+    /// The box between any two opposite corners.
     #[must_use]
     pub const fn new(a: Vec3, b: Vec3) -> Self {
         Self { least: a, most: a }.with(b)

@@ -6,7 +6,7 @@ use super::indexed::{Index, Mesh};
 use crate::error::ok;
 use crate::{Error, Vec2, Vec3};
 
-/// How many elements each list of a mesh has: the room that it needs in [`Buffers`].
+/// The number of elements in each list of a mesh, and so the room that the mesh needs in [`Buffers`].
 ///
 /// ```
 /// use fixel::mesh::Shape;

@@ -7,7 +7,7 @@ pub use super::quantized::{StoredUvs, UvGrid, short_normal};
 use super::{Buffers, Index, Mesh};
 use crate::{Vec2, Vec3};
 
-/// Room for `N` elements of each list.
+/// Lists with room for `N` elements each.
 #[derive(Clone, Copy, Debug)]
 pub struct Room<const N: usize> {
     pub positions: [Vec3; N],

@@ -23,9 +23,9 @@ pub type Index = u16;
 /// and edges.
 ///
 #[cfg_attr(doc, doc = diagram!("winding"))]
-/// Attributes are indexed like positions, unless they come with faces of their own. OBJ files do this, because there
-/// a position may have a different texture coordinate in each face. A corner without a value has the index
-/// [`NO_VALUE`](Self::NO_VALUE) there. Front faces are counter-clockwise as seen by the viewer.
+/// Attributes are indexed like positions, unless they come with faces of their own: in an OBJ file, a position may have
+/// a different texture coordinate in each face. In such faces, [`NO_VALUE`](Self::NO_VALUE) is the index of a corner
+/// without a value. Front faces are counter-clockwise as seen by the viewer.
 ///
 /// The constructors check every index; for a `static`, this happens at compile time:
 ///
@@ -50,7 +50,7 @@ pub struct Mesh<'a> {
 
 /// The primitive being drawn: its index in the mesh's list of faces, and its vertices.
 ///
-/// An edge or a point has no face, so attributes with faces of their own have no value there; its last index is
+/// An edge or a point has no face, so attributes with faces of their own have no value for it. Its last index is
 /// repeated.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Element {
@@ -121,10 +121,10 @@ impl<'a> Mesh<'a> {
     /// These positions take half the flash and draw the same pixels, bit for bit, as [`Scalar`](crate::Scalar)s of
     /// the same value. With 14 fraction bits, for example, they range from −2 to almost 2 in steps of 1/16384.
     ///
-    /// Rounding to these units moves a position by up to half a unit along each axis. On the screen, this is up to
-    /// √3/2 units times focal length / w, and as much again times the slope x/w or y/w at which the position is seen.
-    /// For a sphere that fills 320x240, with 14 fraction bits, it is 0.008 pixels. Compared with 32-bit positions,
-    /// transforming one takes 7 more instructions on Cortex-M4, and 47 fewer on Cortex-M0+, which has no products
+    /// Rounding to these units moves a position by up to half a unit along each axis. On the screen, the position moves
+    /// by up to √3/2 units times focal length / w, and by as much again times the slope x/w or y/w at which it is seen.
+    /// For a sphere that fills 320x240, with 14 fraction bits, this is 0.008 pixels. Compared with a 32-bit position,
+    /// it takes 7 more instructions to transform one on Cortex-M4, and 47 fewer on Cortex-M0+, which has no products
     /// beyond 32 bits.
     ///
     /// [`shape!`](crate::shape) and [`include_obj!`](crate::include_obj) produce such meshes with the argument
@@ -242,7 +242,7 @@ impl<'a> Mesh<'a> {
     ///
     /// # Panics
     ///
-    /// If `result` is an error; so call it only at compile time.
+    /// If `result` is an error. Call it only at compile time.
     #[must_use]
     pub const fn checked(result: Result<Self, Error>) -> Self {
         match result {
@@ -272,8 +272,8 @@ impl<'a> Mesh<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] if there is not one value per position or, with `faces`, not one entry of it per triangle;
-    /// [`Error::Index`] if an entry names a value that does not exist.
+    /// [`Error::Length`] if the number of values is not the number of positions or, with `faces`, if `faces` does not
+    /// have one entry per triangle; [`Error::Index`] if an entry names a value that does not exist.
     pub const fn with_uvs(
         self,
         values: &'a [Vec2],
@@ -332,8 +332,8 @@ impl<'a> Mesh<'a> {
 
     /// The mesh without its edges. A `static` of the result takes no flash for them.
     ///
-    /// Of the lists that [`shape!`](crate::shape) and [`include_obj!`](crate::include_obj) make, a `static` keeps in
-    /// flash those that it has. So drop the ones that no draw call reads:
+    /// [`shape!`](crate::shape) and [`include_obj!`](crate::include_obj) make all lists, and those that a `static`
+    /// keeps take flash. So drop the ones that no draw call reads:
     ///
     /// ```
     /// use fixel::prelude::*;

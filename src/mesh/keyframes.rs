@@ -7,12 +7,12 @@ use super::positions::Positions;
 use crate::error::ok;
 use crate::{Error, Scalar, Vec3};
 
-/// Two poses of one mesh, to be blended: its positions, and its normals if both poses have them.
+/// Two poses of one mesh, to be blended: the positions, and the normals if both poses have them.
 ///
-/// Both meshes need the same faces. Texture coordinates, colors and edges are those of the first. A `static` of this type
-/// is checked at compile time, and takes only the positions and normals of the second mesh to flash.
+/// Both meshes need the same faces. Texture coordinates, colors and edges are those of the first. A `static` of this
+/// type is checked at compile time. Of the second mesh, it stores only positions and normals in flash.
 ///
-/// An animation of many poses is an array of them: one per step from a pose to the next.
+/// An animation of many poses is an array of `Keyframes`, one for each step from a pose to the next.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -125,7 +125,7 @@ impl<'a> Keyframes<'a> {
     ///
     /// # Panics
     ///
-    /// If `result` is an error; so call it only at compile time.
+    /// If `result` is an error. Call it only at compile time.
     #[must_use]
     pub const fn checked(result: Result<Self, Error>) -> Self {
         match result {
@@ -138,16 +138,18 @@ impl<'a> Keyframes<'a> {
         }
     }
 
-    /// The mesh between the two poses, in the caller's memory: the first at `t` = 0, the second at `t` = 1, extended
-    /// beyond both.
+    /// The mesh between the two poses, in the caller's memory: the first pose at `t` = 0, the second at `t` = 1; other
+    /// values of `t` extrapolate.
     ///
     /// Each component is rounded once to the nearest 2⁻¹⁶, halves up, and saturates; at 0 and 1 it is exact. Blended
-    /// normals become shorter, which no light of this crate minds. Without room for them, `&mut []`, or if only one
-    /// pose has normals, the mesh has none, and light falls on its flat faces.
+    /// normals become shorter; this does not affect the lights of this crate, which use only directions. If you pass no
+    /// room for normals (`&mut []`), or if only one pose has them, the mesh has none, and light falls on its flat
+    /// faces.
     ///
     /// # Errors
     ///
-    /// [`Error::TooMany`] if a slice is shorter than its list in the first mesh; an empty one for normals is not.
+    /// [`Error::TooMany`] if a slice is shorter than its list in the first mesh; an empty slice for normals is
+    /// accepted.
     pub fn blend<'m>(
         &self,
         t: Scalar,

@@ -6,9 +6,9 @@
 //! | a generated shape | [`shape!`](crate::shape) | [`Shape::build`] |
 //! | your own slices | [`Mesh::new`] in a `static`, unwrapped by [`Mesh::checked`] | [`Mesh::new`] |
 //!
-//! [`Sprites`] are rectangles that turn to the viewer, one at each of a slice of positions.
+//! [`Sprites`] are rectangles that face the viewer, one at each position of a slice.
 //!
-//! [`Quantized`] is a mesh whose attributes take a third of the flash.
+//! [`Quantized`] is a mesh whose attributes take about a third of the flash.
 //!
 //! A shader reads a mesh as a [`Primitive`] and its [`Corner`]s.
 

@@ -6,10 +6,11 @@ use crate::math::Direction;
 use crate::num::rsqrt::unit;
 use crate::{Angle, Error, Vec3};
 
-/// Fraction bits of an angle in radians. A sum of 512 radians at one position fits, and saturates beyond.
+/// Fraction bits of an angle in radians. The sum at one position saturates at 512 radians.
 const FRACTION: u32 = 22;
 
-/// Of a triangle: its normal of length one, in units of 2⁻³⁰, and the angles at its corners; `None` without area.
+/// A triangle's normal of length one, in units of 2⁻³⁰, and the angles at its corners; `None` for a triangle without
+/// area.
 fn measured(corners: [Vec3; 3]) -> Option<(Direction, [i32; 3])> {
     let [a, b, c] = corners.map(|corner| corner.to_bits().map(i64::from));
     let side = |from: [i64; 3], to: [i64; 3]| {
@@ -71,11 +72,11 @@ fn weighted(normal: Direction, angle: i32) -> Vec3 {
 impl<'a> Mesh<'a> {
     /// Adds computed normals, one per position, so that light runs smoothly over all edges.
     ///
-    /// A normal is the mean of those of the triangles around its position, weighted by their angles there; so it does
-    /// not depend on how polygons were cut into triangles. It has length one, and its direction is within 2⁻¹² of
-    /// exact, if the triangles do not face away from one another. A position without triangles gets the zero vector.
+    /// A normal is the mean of the normals of the triangles around its position, weighted by their angles there, so it
+    /// does not depend on how polygons were cut into triangles. It has length one. Its direction is accurate to 2⁻¹²
+    /// radians, if the triangles do not face away from one another. A position without triangles gets the zero vector.
     ///
-    /// The time grows with the number of triangles, so this may be done for each frame of a mesh that moves.
+    /// The time grows in proportion to the number of triangles, so a mesh that moves can get new normals in each frame.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -116,8 +117,8 @@ impl<'a> Mesh<'a> {
     /// Adds computed normals, so that light runs smoothly over edges whose triangles meet at an angle of at most
     /// `crease`, and jumps at sharper ones. At 0 degrees, only flat polygons are smooth; at 180, everything is.
     ///
-    /// The normal of a triangle's corner is the mean of those of the triangles around its position whose own normals are
-    /// within `crease` of this triangle's, weighted as in [`with_smooth_normals`](Self::with_smooth_normals). Equal
+    /// The normal of a triangle's corner is a mean over the triangles around its position: over those whose own normals
+    /// are within `crease` of this triangle's, weighted as in [`with_smooth_normals`](Self::with_smooth_normals). Equal
     /// normals are stored once: a box needs 6. There are at most three per triangle; `faces` receives their indices.
     ///
     /// The time grows with the square of the number of triangles, so do this once, not for each frame.
@@ -179,8 +180,8 @@ impl<'a> Mesh<'a> {
         self.with_normals(normals.get(..count).unwrap_or_default(), Some(faces))
     }
 
-    /// The normal at a position of the triangles whose own normals have at least this cosine, in units of 2⁻³⁰, with
-    /// another.
+    /// The mean normal at a position, of the triangles whose own normals include an angle with `own` whose cosine is at
+    /// least `least`, in units of 2⁻³⁰.
     fn normal_around(&self, position: Index, own: Direction, least: i32) -> Vec3 {
         let mut sum = Vec3::ZERO;
         for face in self.faces() {

@@ -6,21 +6,21 @@ use crate::Error;
 use crate::error::ok;
 use crate::num::Angle;
 
-/// The edges of a mesh that may be part of its outline: each knows its two faces.
+/// The edges of a mesh that may be part of its outline, each with its two faces.
 ///
-/// [`Canvas::draw_outline`](crate::Canvas::draw_outline) draws those that show the shape from where the eye is:
+/// [`Canvas::draw_outline`](crate::Canvas::draw_outline) draws the edges that show the shape, as seen from the eye:
 ///
-/// - *creases*, at which two faces meet at an angle above a limit, if one of the faces is not culled;
-/// - *silhouettes*, at which a front face meets a back face, and borders, which have one face only, again if one
+/// - *creases*, where two faces meet at an angle above a limit, if at least one of them is not culled;
+/// - *silhouettes*, where a front face meets a back face, and borders, which have only one face, again if at least one
 ///   face is not culled.
 ///
-/// So a convex mesh loses its hidden lines even without a depth buffer. On other meshes, faces hide them, as in the
-/// example of `draw_outline`.
+/// So a convex mesh shows no hidden lines even without a depth buffer. For other meshes, draw the faces into a depth
+/// buffer first, as in the example of `draw_outline`; they hide the lines behind them.
 ///
 /// [`outline!`](crate::outline) finds the edges at compile time and stores 8 bytes for each in flash. At run time,
 /// [`build`](Self::build) does the same in the caller's memory. The outline may be drawn with another mesh that has the
-/// same faces, such as another frame of an animation: silhouettes are those of the positions that are drawn, creases
-/// stay.
+/// same faces, such as another frame of an animation. Silhouettes then follow the positions that are drawn; creases
+/// remain the same edges.
 ///
 /// ```
 /// use fixel::mesh::Outline;
@@ -41,10 +41,10 @@ pub struct Outline<'a> {
 }
 
 impl<'a> Outline<'a> {
-    /// An outline of edges that the caller found; the first `creases` of them are creases.
+    /// An outline of edges that the caller has found; the first `creases` of them are creases.
     ///
-    /// An edge `[a, b, c, d]` leads from position a to position b. Its faces are a b c and b a d, each in the order
-    /// of its face of the mesh. A border has one face: its d is a.
+    /// An edge `[a, b, c, d]` runs from position a to position b. Its faces are a b c and b a d, with their corners in
+    /// the order of the mesh's faces. A border has one face: its d equals a.
     ///
     /// ```
     /// use fixel::mesh::Outline;
@@ -75,15 +75,15 @@ impl<'a> Outline<'a> {
         Ok(Self { edges, creases })
     }
 
-    /// Finds the outline of a mesh. Edges at which the normals of the faces differ by more than `crease` are creases:
-    /// with 0 degrees, all edges of polygons, and with 180 degrees, none.
+    /// Finds the outline of a mesh. Edges at which the normals of the faces differ by more than `crease` are creases.
+    /// With 0 degrees, these are all edges of polygons; with 180 degrees, there are none.
     ///
     /// `edges` needs room for the three sides of every face. About half of it is used.
     ///
-    /// Sides belong together if their ends have the same positions, even under different indices, so a seam of
-    /// texture coordinates is no border. Faces without area count as absent. The diagonals of flat polygons, whose
-    /// faces lie within 2⁻¹⁰ radians (0.056 degrees) of one plane, are never creases. Two faces that run along an edge
-    /// in the same direction each have a border there. Lines of an OBJ file that belong to no face are left out.
+    /// Two sides form an edge if their ends have the same positions, even under different indices, so a seam of texture
+    /// coordinates is not a border. Faces without area count as absent. The diagonals of flat polygons, whose faces lie
+    /// within 2⁻¹⁰ radians (0.056 degrees) of one plane, are never creases. Two faces that run along an edge in the
+    /// same direction each have a border there. Lines of an OBJ file that belong to no face are left out.
     ///
     /// ```
     /// use fixel::mesh::Outline;
@@ -142,7 +142,7 @@ impl<'a> Outline<'a> {
     }
 }
 
-/// Marks a side that has found its partner. A mesh has fewer than 2^32 − 1 sides, so this is the index of none.
+/// Marks a side that has found its partner. A mesh has fewer than 2^32 − 1 sides, so no side has this index.
 const USED: u32 = u32::MAX;
 
 /// A side of a face: its ends and the third corner.
@@ -360,7 +360,7 @@ const fn partner(
 /// The [`Outline`](crate::mesh::Outline) of a mesh, found at compile time and stored in flash.
 ///
 /// The arguments are a `static` or `const` mesh, and the angle between faces above which their edge is a crease; 30 to
-/// 45 degrees suit most models. [`Outline::build`](crate::mesh::Outline::build) tells which edges it finds.
+/// 45 degrees suit most models. [`Outline::build`](crate::mesh::Outline::build) describes which edges are found.
 ///
 /// ```
 /// use fixel::mesh::Outline;

@@ -1,4 +1,4 @@
-//! Parts of a mesh that have a material each.
+//! Parts of a mesh, each with its material.
 
 use core::ops::Range;
 
@@ -6,9 +6,9 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 /// A run of a mesh's faces that have one material: a color, and perhaps the name of a texture.
 ///
-/// [`include_mtl!`](crate::include_mtl) makes a list of them for the mesh of an OBJ file. [`PartColors`] draws all parts
-/// in their colors by one call; [`Mesh::part`](crate::Mesh::part) gives a part to draw by itself, for example with its
-/// texture.
+/// [`include_mtl!`](crate::include_mtl) makes a list of them for the mesh of an OBJ file. [`PartColors`] draws all
+/// parts in their colors in one call; [`Mesh::part`](crate::Mesh::part) returns one part, to be drawn by itself, for
+/// example with its texture.
 ///
 /// [`PartColors`]: crate::shade::PartColors
 ///

@@ -156,8 +156,8 @@ impl StoredPosition<'_> {
     }
 }
 
-/// The most fraction bits, up to 16, with which every component fits into 16 bits. The result is also 0 if a
-/// component of 32767.5 or more does not fit at all.
+/// The most fraction bits, up to 16, with which every component fits into 16 bits; 0, too, if a component does not fit
+/// at all because it is 32767.5 or more.
 pub(crate) const fn finest(positions: Positions<'_>) -> u32 {
     let mut fraction = FRACTION;
     let mut at = 0;

@@ -8,7 +8,7 @@ use super::indexed::{Element, Mesh};
 use crate::math::{Direction, NormalMatrix, Transform};
 use crate::{Scalar, Vec2, Vec3};
 
-/// Where a draw call puts a model, and what its shader missed there.
+/// Where a draw call places a model, and which attributes its shader missed.
 #[derive(Clone, Debug)]
 pub(crate) struct Placement<'a> {
     /// From model to world space.
@@ -22,7 +22,7 @@ pub(crate) struct Placement<'a> {
 
 /// The attributes that a shader asked for and the mesh lacks; a draw call returns it.
 ///
-/// Without texture coordinates, a mesh shows a single texel all over; without colors, it is white. Neither is an
+/// Without texture coordinates, a mesh shows a single texel everywhere; without colors, it is white. Neither is an
 /// error, because both may be intended.
 ///
 /// ```
@@ -184,8 +184,8 @@ impl Primitive<'_> {
 
     /// The normal of the triangle's plane in model space: (b − a) × (c − a) for the corners a, b and c.
     ///
-    /// Its largest component is scaled to between 8192 and 32768, so a small triangle's direction is as accurate as a
-    /// large one's. It is zero for a triangle without area.
+    /// It is scaled so that its largest component is between 8192 and 32768; a small triangle's normal is therefore as
+    /// accurate as a large one's. It is zero for a triangle without area.
     #[must_use]
     pub fn normal(&self) -> Vec3 {
         let [a, b, c] = self.positions().map(Vec3::to_bits);
@@ -206,7 +206,7 @@ impl Primitive<'_> {
         self.in_world(self.normal())
     }
 
-    /// The middle of the three corners in world space, within a unit of 2⁻¹⁶; it saturates to the range of [`Scalar`].
+    /// The mean of the three corners in world space, accurate to 2⁻¹⁶; it saturates to the range of [`Scalar`].
     #[must_use]
     pub fn world_middle(&self) -> Vec3 {
         let [a, b, c] = self.positions().map(Vec3::to_bits);
@@ -282,7 +282,7 @@ impl Corner<'_> {
         self.primitive.placement.model.point(self.position())
     }
 
-    /// The distance from the eye along its line of sight: −z in eye space, saturated to the range of [`Scalar`].
+    /// The distance from the eye along the view direction: −z in eye space, saturated to the range of [`Scalar`].
     #[must_use]
     #[inline]
     pub fn distance(&self) -> Scalar {

@@ -10,10 +10,11 @@ use super::primitive::Primitive;
 use crate::error::ok;
 use crate::{Error, Vec2, Vec3};
 
-/// A mesh in less flash: positions of 16 bits a component, normals of 8 bits, and texture coordinates of 16 or 8 bits.
+/// A mesh that takes less flash: positions have 16 bits a component, normals 8 bits, and texture coordinates 16 or 8
+/// bits.
 ///
 /// [`shape!`](crate::shape) and [`include_obj!`](crate::include_obj) make it with the argument `quantized_16` or
-/// `quantized_8`, which tells the bits of texture coordinates:
+/// `quantized_8`; the number is the bits of a texture coordinate:
 ///
 /// | list | bytes in a [`Mesh`] | here | largest error |
 /// |---|---|---|---|
@@ -22,14 +23,14 @@ use crate::{Error, Vec2, Vec3};
 /// | texture coordinates, `quantized_16` | 8 | 4 | 1/131,070 of their range, and 2⁻²¹ repeats |
 /// | texture coordinates, `quantized_8` | 8 | 2 | 1/510 of their range, and 2⁻²¹ repeats |
 ///
-/// A normal's largest component becomes ±127, and the others are rounded to nearest, halves up. This turns it by at
-/// most asin(√½ / 127). Texture coordinates are whole numbers of equal steps from the least one to the greatest, for u and
-/// v each. Where they run from 0 to 1, a texture with 64 texels in a row moves by up to 1/2048 texel with 16 bits, and by up
-/// to 1/8 texel with 8.
+/// A normal's largest component becomes ±127, and the others are rounded to nearest, halves up. This turns the normal
+/// by at most asin(√½ / 127). For u and v each, the range from the least texture coordinate to the greatest is divided
+/// into equal steps. Where coordinates run from 0 to 1, a texture with 64 texels in a row moves by up to 1/2048 texel
+/// with 16 bits, and by up to 1/8 texel with 8.
 ///
-/// The [`mesh`](Self::mesh) is drawn as any other, by a shader that [`shader`](Self::shader) wraps. It unpacks the
-/// attributes of each triangle that is drawn; for normals, this takes 140 instructions on Cortex-M4. Its code takes 1.4 KB,
-/// so it saves flash from about 70 vertices on.
+/// Draw the [`mesh`](Self::mesh) like any other, with a shader that [`shader`](Self::shader) has wrapped. The wrapper
+/// unpacks the attributes of each triangle that is drawn; for normals, this takes 140 instructions on Cortex-M4. Its
+/// code takes 1.4 KB, so a quantized mesh saves flash if it has more than about 70 vertices.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
@@ -135,7 +136,7 @@ impl UvGrid {
 
 /// The largest component of a stored normal.
 const LONGEST: i64 = 127;
-/// Makes a stored normal about as long as one in the bits of a `Vec3`.
+/// The shift that makes a stored normal about as long as one in the bits of a `Vec3`.
 const UP: u32 = 9;
 
 /// A normal with 8 bits a component: the largest becomes 127, others are rounded to nearest, halves up.
@@ -245,7 +246,7 @@ impl<'a> Quantized<'a> {
         Self { mesh, ..self }
     }
 
-    /// Calls `f` with the primitive as it would be if its attributes were not quantized.
+    /// Calls `f` with the primitive that has the unpacked attributes.
     #[inline]
     pub(crate) fn unpacked<T>(
         &self,

@@ -8,8 +8,8 @@ const FEW: usize = 24;
 /// Sorts the entries from `start` to before `end` by their first two numbers. These keys (the first number, then the
 /// second) agree in all bits above `shift` + 8, so a sort starts with a shift of 24.
 ///
-/// An American flag sort: the next eight bits distribute the entries in place into 256 buckets, and each bucket is
-/// sorted.
+/// This is an American flag sort: the next eight bits distribute the entries in place into 256 buckets, and each bucket
+/// is sorted.
 pub(super) const fn sort<const N: usize>(
     entries: &mut [[Index; N]],
     start: usize,

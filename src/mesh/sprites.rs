@@ -1,4 +1,4 @@
-//! Sprites: rectangles at positions that turn to the viewer.
+//! Sprites: rectangles that face the viewer.
 
 use embedded_graphics::pixelcolor::Rgb888;
 
@@ -10,9 +10,9 @@ use crate::{Error, Scalar, Vec2, Vec3};
 /// [`Canvas::draw_sprites`](crate::Canvas::draw_sprites) draws all of them, for example particles, in one call.
 ///
 /// All sprites have one size, in units of the world or in pixels. Their texture coordinates run from (0, 0) at the top
-/// left to (1, 1) at the bottom right. With an [axis](Self::with_axis), they turn about it and no other way, as
-/// trees do. Each sprite may have a [scale](Self::with_scales), a [color](Self::with_colors) and a
-/// [frame](Self::with_frames) of its own.
+/// left to (1, 1) at the bottom right. With an [axis](Self::with_axis), they turn only about it, as trees must. Each
+/// sprite may have a [scale](Self::with_scales), a [color](Self::with_colors) and a [frame](Self::with_frames) of its
+/// own.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -84,8 +84,7 @@ impl<'a> Sprites<'a> {
     /// The most columns and the most rows of [frames](Self::with_frames) in a texture.
     pub const MAX_FRAMES: u32 = 1024;
 
-    /// Sprites of one width and height in units of the world, however large the model's units are. Positions are in
-    /// model space.
+    /// Sprites of one width and height in world units, even if the model is scaled. Positions are in model space.
     ///
     /// # Errors
     ///
@@ -107,8 +106,8 @@ impl<'a> Sprites<'a> {
         })
     }
 
-    /// Sprites of one width and height in pixels at any distance, such as marks on a map. They have the depth of their
-    /// positions.
+    /// Sprites of one width and height in pixels at any distance, such as marks on a map. Each has the depth of its
+    /// position.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -147,10 +146,10 @@ impl<'a> Sprites<'a> {
         })
     }
 
-    /// Lets the sprites turn about an axis only: their vertical sides are parallel to it, and their horizontal sides to
-    /// the image plane. The axis is a direction of any length in model space. For a tree it points up.
+    /// Lets the sprites turn only about an axis: their vertical sides are parallel to it, and their horizontal sides to
+    /// the image plane. The axis is a direction in model space, of any length. For a tree, it points up.
     ///
-    /// Seen along the axis, a sprite is so narrow that it has no pixels.
+    /// A sprite seen along its axis is so narrow that it has no pixels.
     ///
     /// # Errors
     ///
@@ -166,7 +165,7 @@ impl<'a> Sprites<'a> {
     }
 
     /// Sets which point of a sprite lies at its position, as a texture coordinate: (0.5, 0.5) by default, which is the
-    /// middle, and (0.5, 1) for something that stands on the ground.
+    /// middle. Use (0.5, 1) for something that stands on the ground.
     #[must_use]
     pub const fn with_anchor(self, anchor: Vec2) -> Self {
         Self { anchor, ..self }

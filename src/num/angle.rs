@@ -35,8 +35,8 @@ const TURN: f64 = 4_294_967_296.0;
 /// Coefficients of sin(πx/2) / x in powers of x² over \[−1, 1\], lowest first, with their fraction
 /// bits.
 ///
-/// Each has 31 significant bits, so its rounding adds nothing to the error. The relative error of
-/// 2.4e-11 is minimax under the condition that the coefficients sum to 1 (Remez exchange).
+/// Each has 31 significant bits, so its rounding adds nothing to the error. The polynomial is minimax under the
+/// condition that the coefficients sum to 1 (Remez exchange), with a relative error of 2.4e-11.
 const SINE: [(i32, u32); 6] = [
     (1_686_629_713, 30),
     (-1_387_197_331, 31),
@@ -84,7 +84,7 @@ impl Angle {
         Self((turns.to_bits() as u32) << 16)
     }
 
-    /// Makes an angle from radians, within one unit. Whole turns drop out.
+    /// Makes an angle from radians, accurate to one unit. Whole turns drop out.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -144,8 +144,8 @@ impl Angle {
 
     /// Returns the angle from the x axis to the point (x, y), counter-clockwise; 0 for the origin.
     ///
-    /// The error is at most 2.4e-9 radians. `micromath` gives a first guess within about 1e-3 radians;
-    /// three integer steps refine it.
+    /// The error is at most 2.4e-9 radians. `micromath` gives a first guess, accurate to about 1e-3 radians, and three
+    /// integer steps refine it.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -232,7 +232,7 @@ impl Angle {
         (half.wide_sine(), Self(half.0 + (1 << 30)).wide_sine())
     }
 
-    /// Returns the cosine, as exact as the [sine](Self::sin).
+    /// Returns the cosine, as accurate as the [sine](Self::sin).
     #[must_use]
     pub const fn cos(self) -> Unit {
         Self(self.0.wrapping_add(1 << 30)).sin()

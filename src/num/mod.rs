@@ -25,15 +25,14 @@
 //!
 //! # Overflow and rounding
 //!
-//! Everything in this crate saturates at the ends of its range and never panics. Only angles and the
-//! turns of a repeating texture wrap. Products accumulate in 64 bits and round once, to nearest.
-//! The documentation of a function says so if it rounds differently.
+//! This crate's own operations saturate at the ends of their range and never panic. Only angles and the repeats of a
+//! texture wrap. Products accumulate in 64 bits and round once, to nearest; a function that rounds differently says so.
 //!
-//! **The operators of single numbers belong to another package.** [`Scalar`], [`TexCoord`], [`Subpixel`] and
-//! [`Unit`] are types of the package [`fixed`]. When a result of their `+`, `-`, `*` or `/` is out of
-//! range, a debug build panics and a release build wraps; `/` by zero panics in both. `*` rounds
-//! down and `/` rounds towards zero. Where a result may leave the range, call the methods that
-//! say what happens: `saturating_add`, `saturating_mul`, `checked_div` and their like.
+//! **The operators of single numbers belong to another crate.** [`Scalar`], [`TexCoord`], [`Subpixel`] and [`Unit`] are
+//! types of the crate [`fixed`]. When a result of their `+`, `-`, `*` or `/` is out of range, a debug build panics and
+//! a release build wraps; `/` by zero panics in both. `*` rounds down and `/` rounds towards zero. Where a result may
+//! leave the range, call a method whose name says what happens: `saturating_add`, `saturating_mul`, `checked_div` and
+//! so on.
 //!
 //! ```
 //! use fixel::{Scalar, fx, vec3};

@@ -4,10 +4,10 @@ use crate::num::wide::{DIVIDES, product, upper};
 
 /// Returns ⌊(2⁶¹ − 1) / q⌋ for a `q` from 2³⁰ to 2³¹ − 1; the result has the same range.
 ///
-/// It is exact in every bit and the same on every target. A core with a 64-bit divider divides. Other
-/// cores take 17 bits from a 32-bit divider, or without one from a table of 32 bytes and two short
-/// Newton steps; one more Newton step doubles these bits and the remainder corrects the last one.
-/// For any other `q` the result has no meaning, but there is no panic.
+/// The result is exact in every bit and the same on every target. A core with a 64-bit divider divides. Other cores
+/// take the first 17 bits from a 32-bit divider or, without one, from a table of 32 bytes and two short Newton steps;
+/// one more Newton step doubles these bits, and the remainder corrects the last one. For any other `q` the result has
+/// no meaning, but there is no panic.
 ///
 /// ```
 /// use fixel::num::reciprocal;

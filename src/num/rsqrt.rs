@@ -42,9 +42,9 @@ const fn reciprocal_root(value: u32) -> u32 {
     }
 }
 
-/// 1/√t at each 256th of t from 1/16 to 1 in units of 2^-14, less half of what the chord to the next 256th is above
-/// the curve in the middle: so lines between them are on both sides of it. Nothing asks for those below, nor above 3/4; with all, no index needs a
-/// check.
+/// 1/√t at each 256th of t from 1/16 to 1, in units of 2^-14. Each entry is lowered by half of the distance between the
+/// chord to the next entry and the curve, so that chords lie on both sides of the curve. Entries below 1/16 and above
+/// 3/4 are never read; with them, no index needs a check.
 static ROOTS: [u16; 257] = roots();
 
 const fn roots() -> [u16; 257] {
@@ -65,8 +65,8 @@ const fn roots() -> [u16; 257] {
 
 /// Returns the reciprocal square root of t = `value` / 2^32 in units of 2^-14, for a `value` from 2^28 to 3 · 2^30.
 ///
-/// The relative error is at most 2.2e-4: 1.9e-4 of the line near t = 1/16, and one and a half units, which are 7e-5 near
-/// t = 3/4, where the line is a better one.
+/// The relative error is at most 2.2e-4: the chord near t = 1/16 has 1.9e-4. Near t = 3/4, where the chord is better,
+/// rounding adds one and a half units, which are 7e-5.
 #[inline]
 pub(crate) fn short_root(value: u32) -> u32 {
     let at = (value >> 24) as usize;
@@ -141,7 +141,7 @@ pub(crate) const fn measure([x, y, z]: [i64; 3]) -> Option<Measured> {
 
 /// Returns the vector of length one in the direction of `vector`, in units of 2^-30; `None` for zero.
 ///
-/// Each component is within 2^-28 of its value.
+/// Each component is accurate to 2^-28.
 pub(crate) const fn unit(vector: [i64; 3]) -> Option<[i32; 3]> {
     match measure(vector) {
         Some(of) => Some(of.unit()),

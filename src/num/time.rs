@@ -38,7 +38,7 @@ impl Rate {
     ///
     /// ```
     /// use fixel::{Angle, Rate};
-    /// // A record player, at 33⅓ turns per minute to 1e-5 of it.
+    /// // A record player: 33⅓ turns per minute, with a relative error of 1e-5.
     /// assert_eq!(Rate::milli_rpm(33_333).angle_at(60_000_000), Angle::ZERO);
     /// ```
     #[must_use]
@@ -97,8 +97,8 @@ impl Rate {
 
 /// Divides `high` · 2^32 + `low` by [`TURN`]; returns the quotient and the remainder.
 ///
-/// `high` must be below `TURN`. The division goes bit by bit: it runs once per frame, and a 64-bit
-/// division routine would cost more flash than its speed is worth.
+/// `high` must be below `TURN`. It divides bit by bit: it runs once per frame, and a 64-bit division routine would cost
+/// more flash than its speed is worth.
 const fn divide(high: u32, low: u32) -> (u32, u32) {
     let (mut quotient, mut rest) = (low, high);
     let mut bit = 0;

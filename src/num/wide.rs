@@ -5,10 +5,12 @@
 /// Whether the core's products have only 32 bits, as on Armv6-M and the baseline of Armv8-M: Cortex-M0, M0+, M1 and M23.
 /// `src/build.rs` tells from the target's name.
 ///
-/// There the compiler calls a routine that multiplies 64 bits by 64. Four products of 16 bits take half as long.
+/// On these cores the compiler calls a routine that multiplies 64 bits by 64. Four products of 16 bits take half as
+/// long.
 const IS_NARROW: bool = cfg!(narrow_core);
 
-/// Whether the core divides. Armv6-M does not, and Cortex-M23 takes up to 34 cycles, longer than the way without.
+/// Whether the core divides. Armv6-M does not, and Cortex-M23 takes up to 34 cycles, longer than the code without a
+/// division.
 pub(crate) const DIVIDES: bool = !IS_NARROW;
 
 /// Whether the core counts leading zeros: the narrow ones do not, nor does RISC-V without Zbb.
@@ -56,7 +58,7 @@ pub(crate) fn cross([a, b]: [i32; 2], [c, d]: [i32; 2]) -> i64 {
     product(a, d) - product(c, b)
 }
 
-/// Whether sides are of less than 64 pixels of 256 units, as most are.
+/// Whether sides are shorter than 64 pixels of 256 units, as most are.
 #[inline]
 fn are_short([a, b]: [i32; 2], [c, d]: [i32; 2]) -> bool {
     let raised = |side: i32| side.wrapping_add(1 << 14).cast_unsigned();

@@ -85,8 +85,8 @@ pub(super) fn edge<K: ProjectionKind>(
     any != 0
 }
 
-/// Twice the area of a triangle's part that is inside all planes, by whose sign [`triangle`] culls it; 0 if there is no
-/// such part.
+/// Twice the area of the part of a triangle that is inside all planes; 0 if there is none. [`triangle`] culls by its
+/// sign.
 #[inline(never)]
 pub(super) fn area<K: ProjectionKind>(
     call: &Call<'_, K>,

@@ -10,7 +10,7 @@ use crate::mesh::{Element, Mesh, Placement, Primitive};
 use crate::raster::{Cull, DepthShift, Scissor};
 use crate::view::{ModelToPicture, ProjectionKind, Viewport};
 
-/// A frame, and what is drawn of it: a part, and faces that are not culled.
+/// A frame, the part of it that is drawn to, and which faces are culled.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Screen {
     pub(super) frame: Size,

@@ -15,8 +15,8 @@ const MOST_CORNERS: usize = 9;
 /// A clipped triangle or line on the screen.
 pub(crate) type ClippedPolygon = Vec<ClippedVertex, MOST_CORNERS>;
 
-/// A corner of a triangle or line while it is clipped: its [`ClipPosition`] and its [`Barycentric`] weights, which are
-/// as wide, because all five are cut in the same way.
+/// A corner of a triangle or line while it is clipped: its [`ClipPosition`] and its [`Barycentric`] weights. The
+/// weights have 64 bits too, because all five numbers are cut in the same way.
 type ClipVertex = [i64; 5];
 
 type Polygon = Vec<ClipVertex, MOST_CORNERS>;
@@ -27,11 +27,11 @@ const fn position([t, x, y, ..]: &ClipVertex) -> ClipPosition {
     [*t, *x, *y]
 }
 
-/// Clips a line between two positions, or a triangle of three, to the inside of `planes`. This mask has a bit for
-/// each plane that any of the corners is outside of. Adds the corners of the result to `clipped`: none if nothing is
-/// inside. (An out-parameter saves a copy of 220 bytes, and the routine that copies.)
+/// Clips a line between two positions, or a triangle of three, to the inside of `planes`. This mask has a bit for each
+/// plane outside of which any corner lies. Adds the corners of the result to `clipped`: none if nothing is inside. (An
+/// out-parameter saves a copy of 220 bytes, and the routine that copies.)
 ///
-/// An edge is cut only by the planes that its own ends are outside of, in the order of the planes, and from its
+/// An edge is cut only by planes outside of which one of its own ends lies, in the order of the planes, and from its
 /// inside end. So two triangles that share an edge get the same new corners.
 #[inline(never)]
 pub(crate) fn clip<K: ProjectionKind>(

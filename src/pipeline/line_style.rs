@@ -26,7 +26,7 @@ use crate::view::ProjectionKind;
 /// ```
 #[allow(private_bounds)] // so that it is sealed
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no way to draw lines of the color `{C}`",
+    message = "`{Self}` cannot draw lines of color `{C}`",
     note = "a line is a `Hairline`, a `LineWidth` or, in a color of several `Levels`, a `SmoothLine`"
 )]
 pub trait LineStyle<C>: Copy + Stroke<C> {}
@@ -52,7 +52,7 @@ pub(super) trait Stroke<C>: Copy {
         blending: B,
     ) -> Self::Painter<'_, S, B>;
 
-    /// How many rows a line may reach beyond its ends.
+    /// By how many rows a line may reach beyond its ends.
     fn reach(self) -> i32;
 
     /// Draws a line between two ends, and writes `state` for the painter.

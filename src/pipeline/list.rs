@@ -56,8 +56,8 @@ use crate::view::{ModelToPicture, Perspective, ProjectionKind};
 /// # Which camera, which frame
 ///
 /// A prepared mesh or scene keeps its camera, projection, transforms and options. Drawing takes none of these, so a
-/// list cannot be drawn with others. A canvas of another frame size is refused when it is drawn. As long as it is in
-/// use, the list, and the objects of a scene, cannot change:
+/// list cannot be drawn with others. It refuses a canvas of another frame size. As long as the prepared mesh or scene
+/// is in use, the list, and the objects of the scene, cannot change:
 ///
 /// ```compile_fail,E0506
 /// use fixel::{Object, prelude::*};
@@ -71,15 +71,15 @@ use crate::view::{ModelToPicture, Perspective, ProjectionKind};
 /// }
 /// ```
 ///
-/// One mistake remains: to draw an earlier frame's list in a frame whose other draw calls have a new camera. So prepare
-/// after the camera has moved, within the frame.
+/// One mistake remains possible: to draw an earlier frame's list in a frame whose other draw calls have a new camera.
+/// So prepare the list in each frame, after the camera has moved.
 ///
 /// Without a list, each band transforms the whole mesh again. For a mesh of many small triangles, this takes longer
 /// than drawing them.
 ///
-/// The list needs room for the visible triangles (16 bytes each) and for their vertices (16 bytes each). A closed
-/// mesh whose triangles are in the order of neighbors needs about half as many vertices as triangles. Other meshes
-/// need at most three times as many, and up to 18 for each clipped triangle. If there is too little room,
+/// The list needs room for the visible triangles (16 bytes each) and for their vertices (16 bytes each). A closed mesh
+/// in which neighboring triangles follow each other needs about half as many vertices as triangles. Other meshes need
+/// at most three vertices for each triangle, and up to 18 for each clipped one. If there is too little room,
 /// [`prepare`](Self::prepare) returns how much is needed.
 ///
 /// ```
@@ -210,7 +210,7 @@ pub struct Prepared<'a, K = Perspective, M = Newton, Z = TestAndWrite, B = Repla
     pub(super) pixels: PixelOptions<M, Z, B>,
 }
 
-/// What a draw call needs of its mesh, transforms and options once its primitives are in a list.
+/// The part of a draw call's mesh, transforms and options that is still needed once its primitives are in a list.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PreparedCall<'a, K> {
     mesh: &'a Mesh<'a>,
@@ -239,7 +239,7 @@ impl<'a, K: ProjectionKind> PreparedCall<'a, K> {
         }
     }
 
-    /// What the primitives share that meet `rows`.
+    /// The data shared by the primitives that meet `rows`.
     #[inline]
     fn shared(&self, rows: &Range<u32>) -> Shared<'_> {
         Shared {
@@ -288,15 +288,16 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
         self.prepare_in_order::<false, _, _, _, _>(options, frame.into(), mesh, mvp)
     }
 
-    /// Prepares a mesh's triangles like [`prepare`](Self::prepare), and sorts them back to front: painter's order. So a
-    /// canvas without a depth buffer shows nearer triangles over farther ones.
+    /// Prepares a mesh's triangles like [`prepare`](Self::prepare), and sorts them back to front, which is called
+    /// painter's order. A canvas without a depth buffer then shows nearer triangles over farther ones.
     ///
-    /// Triangles are compared by the farthest corners of their visible parts, within 2⁻²⁵ of the distance. Equally far
-    /// ones keep the order of the mesh. Heap sort needs no further memory, and at most 2 n log₂ n comparisons for n
-    /// visible triangles.
+    /// Triangles are compared by the farthest corners of their visible parts, with a precision of 2⁻²⁵ of the distance.
+    /// Equally far triangles keep the order of the mesh. The method is heap sort, which needs no further memory, and at
+    /// most 2 n log₂ n comparisons for n visible triangles.
     ///
-    /// Measured against a depth buffer of 320x240, which takes 150 KiB; the mean of eight poses (`kernels painter`,
-    /// and for the instructions `valgrind --tool=callgrind --toggle-collect='*only_drawing*'` on x86-64):
+    /// The table compares the list with a depth buffer of 320x240, which takes 150 KiB. Figures are means of eight
+    /// poses, printed by `kernels painter`; the instructions are those of x86-64, counted by
+    /// `valgrind --tool=callgrind --toggle-collect='*only_drawing*'`:
     ///
     /// | scene | wrong pixels | list | millions of instructions with depth | sorted |
     /// |---|--:|--:|--:|--:|
@@ -306,12 +307,12 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
     /// | island with a lighthouse | 0.40 % | 19.1 KiB | 5.38 | 5.85 |
     /// | the same in a sea, which crosses the island | 6.95 % | 21.6 KiB | 9.99 | 10.43 |
     ///
-    /// Where much of the scene is hidden, as behind the towers, painter's order draws more pixels: a depth buffer
-    /// lets a program draw front to back.
+    /// Where much of the scene is hidden, as behind the towers, painter's order draws more pixels: with a depth buffer,
+    /// a program can draw from front to back, and skip hidden pixels.
     ///
     /// No order is right for triangles that cross each other, or that cover each other in a circle. A large triangle
-    /// may cover a small one in front of it whose farthest corner is farther. So draw a floor, or a sky, by a call of
-    /// its own before the others, or make its triangles as small as those of the things on it.
+    /// may cover a small one in front of it if the small one's farthest corner is farther away. So draw a floor, or a
+    /// sky, in a call of its own before the others, or make its triangles as small as those of the objects on it.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
@@ -577,8 +578,8 @@ impl Assembly for Filling<'_> {
 }
 
 impl<'a, K, M, Z, B> Prepared<'a, K, M, Z, B> {
-    /// The same triangles, whose colors are blended in another way with those on the canvas: for a sorted scene in
-    /// which some objects are translucent.
+    /// The same triangles, with another way to blend their colors with those on the canvas: for a sorted scene in which
+    /// some objects are translucent.
     ///
     /// ```
     /// use fixel::{Prepared, target::{Opacity, TestAndWrite}};

@@ -61,9 +61,9 @@ use crate::{Error, Vec3};
 pub struct Drawn {
     /// The number of triangles, edges or points in the mesh.
     pub submitted: u32,
-    /// The number of these that may have changed a pixel: triangles that are not culled and that meet the viewport
-    /// and the canvas's rows, and lines and points that are not entirely outside the guard band, ±2048 pixels around
-    /// the viewport's center. Of prepared edges, only those that reach the canvas's rows count.
+    /// The number of these that may have changed a pixel. Triangles count if they are not culled and meet the viewport
+    /// and the canvas's rows. Lines and points count unless they are entirely outside the guard band, ±2048 pixels
+    /// around the viewport's center. Prepared edges count if they reach the canvas's rows.
     pub drawn: u32,
     /// The number of these that were clipped by a plane of the view volume or of the guard band.
     pub clipped: u32,
@@ -97,7 +97,8 @@ pub struct ScreenPoint {
 
 impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// Projects a mesh's triangles with `mvp` to the whole frame, and draws the part in this canvas. Back faces are
-    /// culled, and every pixel is correct in perspective.
+    /// culled, depth is tested if the canvas has a depth buffer, and attributes are interpolated in correct
+    /// perspective.
     ///
     /// `mvp` is a [`Projection`](crate::Projection) times a camera and a model transform (an [`Mvp`](crate::Mvp)), or
     /// a projection alone. Drawing cannot fail: parts outside the view are clipped away.
@@ -132,7 +133,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     ///
     /// # Errors
     ///
-    /// [`Error::Frame`] if the canvas belongs to a frame of another size than the one that they were prepared for.
+    /// [`Error::Frame`] if the canvas's frame differs in size from the frame that they were prepared for.
     pub fn draw_prepared<
         M: Mode,
         Z: DepthTest,
@@ -185,8 +186,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         )
     }
 
-    /// Draws a mesh's [edges](Mesh::edges) as lines of the options' [style](DrawOptions::with_line): by default, one
-    /// pixel wide.
+    /// Draws a mesh's [edges](Mesh::edges) as lines in the [style](DrawOptions::with_line) of the options: by default,
+    /// one pixel wide.
     pub fn draw_edges<
         M: Mode,
         Z: DepthTest,
@@ -208,12 +209,14 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         })
     }
 
-    /// Draws a mesh's [`Outline`] as [`draw_edges`](Self::draw_edges) draws edges: the creases and silhouettes at which
-    /// a face is not culled.
+    /// Draws a mesh's [`Outline`] as [`draw_edges`](Self::draw_edges) draws edges: those creases and silhouettes of
+    /// which at least one face is not culled.
     ///
-    /// A face counts as front or back exactly if triangles do, so the outline of a closed mesh has no gaps.
+    /// Faces are found to be front or back by the same rule as for drawn triangles, so the outline of a closed mesh has
+    /// no gaps.
     ///
-    /// To remove hidden lines, draw the faces first, in the color of the background and slightly behind their place:
+    /// To remove hidden lines, draw the faces first, in the color of the background and slightly behind their true
+    /// depth:
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -282,7 +285,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         })
     }
 
-    /// Draws a mesh's positions as points: the pixel that contains each.
+    /// Draws a mesh's positions as points: for each, the pixel that contains it.
     pub fn draw_points<
         M: Mode,
         Z: DepthTest,
@@ -299,8 +302,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         self.call(options, (mesh, mvp), shader, run::points)
     }
 
-    /// Draws a mesh's positions as squares or discs: see [`PointStyle`]. All pixels of one have the depth and the
-    /// attributes of its point.
+    /// Draws a mesh's positions as squares or discs: see [`PointStyle`]. All pixels of a square or disc have the depth
+    /// and the attributes of its position.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -349,20 +352,21 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         })
     }
 
-    /// Draws sprites: two triangles for each of their positions, by the rules for those of a mesh. Nothing is culled,
+    /// Draws sprites: two triangles for each position, by the same rules as a mesh's triangles. Nothing is culled,
     /// because sprites have no backs.
     ///
-    /// A sprite without an [axis](Sprites::with_axis) is a rectangle on the screen. It is drawn in one go, for less
-    /// than the cost of its triangles, unless it is clipped, its shader has values [of a face](crate::shade::PerFace)
-    /// (as mipmaps have), or a varying changes both across and down, as the light of a lamp does. Its pixels and their
-    /// depths are those of the triangles, and its varyings are as exact.
+    /// A sprite without an [axis](Sprites::with_axis) is a rectangle on the screen. It is drawn as one primitive, which
+    /// costs less than two triangles, unless it is clipped, its shader has [values per face](crate::shade::PerFace) (as
+    /// mipmaps have), or a varying changes both across and down, as the light of a lamp does. It has the same pixels
+    /// and depths as the triangles, and its varyings are as accurate.
     ///
-    /// Every shader works: the quad is a mesh in eye space, whose normal points towards the viewer, and a quad's two
-    /// triangles have the indices 2i and 2i + 1, where i is the sprite's. Its corners are rounded to the nearest
-    /// [`Scalar`](crate::Scalar)s in eye space, which moves them by at most 2⁻¹⁶ · focal length / w pixels; a sprite
-    /// with a corner beyond ±32,768 there is not drawn.
+    /// Every shader works: to it, sprites are a mesh in eye space whose normals point towards the viewer. The two
+    /// triangles of sprite i have the indices 2i and 2i + 1. Corners are rounded to the nearest
+    /// [`Scalar`](crate::Scalar)s in eye space, which moves them by at most 2⁻¹⁶ · focal length / w pixels. A sprite
+    /// with a corner beyond ±32,768 in eye space is not drawn.
     ///
-    /// Under [`cut_out`](crate::Textured::cut_out), sprites need no order, because holes leave depths as they are.
+    /// With [`cut_out`](crate::Textured::cut_out), sprites may be drawn in any order, because holes leave depths as
+    /// they are.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8};
@@ -462,11 +466,11 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     }
 
     /// A [`DrawTarget`](embedded_graphics::draw_target::DrawTarget) for text, or for anything else that
-    /// embedded-graphics draws, at a point of the scene: its origin is the pixel that contains `at`, and what is nearer
-    /// hides it.
+    /// embedded-graphics draws, at a point of the scene. Its origin is the pixel that contains `at`, and nearer
+    /// surfaces hide what is drawn.
     ///
     /// A label at a point of a surface may be hidden by parts of the same surface that are nearer. To avoid this, give
-    /// [`ScreenPoint::depth`] a greater value, or project a point before the surface.
+    /// [`ScreenPoint::depth`] a greater value, or project a point in front of the surface.
     ///
     /// ```
     /// use embedded_graphics::mock_display::MockDisplay;
@@ -482,7 +486,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     ///
     /// let wall = projection * Transform::translate(vec3!(0, 0, -3));
     /// canvas.draw(&WALL, &wall, &Flat::new(Rgb565::BLUE));
-    /// // One label behind the front of the wall, and one before it.
+    /// // One label behind the front of the wall, and one in front of it.
     /// let style = MonoTextStyle::new(&FONT_4X6, Rgb565::WHITE);
     /// for (text, point) in [("Behind", vec3!(-12, 1, -6)), ("Before", vec3!(-5.4, -2, -2.9))] {
     ///     if let Some(at) = canvas.project(&DrawOptions::new(), &projection, point) {
@@ -516,10 +520,10 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         Label::new(self, Point::new(x, y), at.depth)
     }
 
-    /// Whether a mesh within `bounds` may have a pixel in this canvas; `false` is certain.
+    /// Whether a mesh within `bounds` may have a pixel in this canvas. If the result is `false`, it certainly has none.
     ///
-    /// On a Cortex-M4 the test takes 4,400 instructions, most of which a draw call takes before its first vertex. So a
-    /// mesh that is out of view, or in another band, costs no more than that.
+    /// On a Cortex-M4 the test takes 4,400 instructions, most of them for a set-up that every draw call needs before
+    /// its first vertex. So if you skip a mesh that is out of view, or in another band, it costs no more than that.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;
@@ -557,10 +561,10 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         !scissor.is_empty() && !projector.misses(bounds, &scissor)
     }
 
-    /// The size of `bounds` on the screen: the length of their diagonal at the distance of their middle, in pixels,
-    /// rounded down. Use it to choose among meshes of several levels of detail.
+    /// The size of `bounds` on the screen: the length of their diagonal, seen at the distance of their center, in
+    /// pixels, rounded down. Use it to choose among meshes with different levels of detail.
     ///
-    /// It is `u32::MAX` if the eye is nearer to the middle than half of the diagonal, or if the bounds are behind the
+    /// It is `u32::MAX` if the eye is nearer to the center than half of the diagonal, or if the bounds are behind the
     /// eye. Corners are rounded to [`Scalar`](crate::Scalar)s in eye space.
     ///
     /// ```

@@ -9,11 +9,11 @@ use crate::target::{DepthTest, Replace, TestAndWrite};
 use crate::view::Viewport;
 
 /// The options of a draw call: which faces are culled, which part of the frame is drawn to, the interpolation mode,
-/// the depth test, how colors are blended with those that are there, and how lines are drawn.
+/// the depth test, how colors are blended with those on the canvas, and how lines are drawn.
 ///
 #[cfg_attr(doc, doc = page_picture!("options", "A ring by the default options; with front faces culled; as lines; as points"))]
 /// By default, a draw call culls back faces, draws to the whole frame in mode [`Newton`], tests and stores depths, and
-/// replaces what is there. Lines are one pixel wide.
+/// replaces the colors on the canvas. Lines are one pixel wide.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -201,7 +201,7 @@ impl<M: Copy, Z: Copy, B: Copy, L: Copy> DrawOptions<M, Z, B, L> {
         self.line
     }
 
-    /// What is drawn of a frame of this size.
+    /// The part of a frame of this size that is drawn to, and the faces that are culled.
     pub(super) fn screen(&self, frame: Size) -> Screen {
         Screen {
             frame,

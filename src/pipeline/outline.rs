@@ -9,7 +9,7 @@ use crate::mesh::{Index, Outline};
 use crate::raster::Blitter;
 use crate::view::ProjectionKind;
 
-/// Draws the creases, silhouettes and borders of an outline that belong to a face that is not culled.
+/// Draws the creases, silhouettes and borders of an outline of which at least one face is not culled.
 #[inline(never)]
 pub(super) fn outline<K: ProjectionKind>(
     call: &Call<'_, K>,

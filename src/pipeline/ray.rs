@@ -13,7 +13,7 @@ use crate::target::{Canvas, Storage};
 use crate::view::ModelToPicture;
 use crate::{Error, Scalar, Unit, Vec3};
 
-/// A half-line: the points that are seen at a pixel, or the path of a shot. It has no end.
+/// A half-line without end: the points that are seen at a pixel, or the path of a shot.
 ///
 /// [`Canvas::ray`] makes the ray of a pixel, and [`hit`](Self::hit) finds the face of a mesh that it meets first.
 ///
@@ -50,11 +50,12 @@ pub struct Ray {
 pub struct Hit {
     /// The index of the face among the mesh's [`faces`](Mesh::faces).
     pub face: usize,
-    /// The point of the face, in model space, within 2⁻²⁹ of the face's size before it is rounded to nearest.
+    /// The point of the face, in model space. Its error is at most 2⁻²⁹ of the face's size before it is rounded to
+    /// nearest.
     pub point: Vec3,
     /// The distance of the point from the ray's origin, in the model's units; saturates.
     pub distance: Scalar,
-    /// The shares of the face's three corners in the point, from 0 to 1, within 2⁻²⁹. Their sum is 1.
+    /// The weights of the face's three corners at the point, from 0 to 1, accurate to 2⁻²⁹. Their sum is 1.
     pub barycentric: [Unit; 3],
 }
 
@@ -110,9 +111,9 @@ impl Ray {
 
     /// The face of a mesh that the ray meets first, and the point there; `None` if it meets none.
     ///
-    /// Whether it meets a face is decided exactly, and a ray through an edge between two faces meets one of them. Faces
-    /// count as equally far away within 2⁻²⁹ of their extent; of these, the last one is returned, as it is the one that
-    /// is drawn over the others.
+    /// Whether the ray meets a face is decided exactly, and a ray through an edge between two faces meets one of them.
+    /// Faces whose distances differ by less than 2⁻²⁹ of their extent count as equally far away; the last of them is
+    /// returned, because it is the one drawn over the others.
     #[must_use]
     pub fn hit(&self, mesh: &Mesh<'_>) -> Option<Hit> {
         let view = RayView::new(self);
@@ -225,7 +226,7 @@ impl RayView {
         };
         let areas = [area(b, c), area(c, a), area(a, b)];
         let is_met = areas.iter().all(|&v| v >= 0) || areas.iter().all(|&v| v <= 0);
-        // None is above 2^126 in magnitude, nor is their sum, which is twice the area of the triangle.
+        // Each is at most 2^126 in magnitude, and so is their sum, which is twice the area of the triangle.
         let [_, second, third] = areas.map(i128::unsigned_abs);
         let sum: i128 = areas.iter().sum();
         // Counter-clockwise is the front if the main axis points towards the viewer.
@@ -317,9 +318,9 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// The result is `None` if the pixel is outside the viewport, if the model's transform has no inverse, or if the
     /// ray's origin is not within ±32,768 in model space.
     ///
-    /// The face that it [hits](Ray::hit) is the one that is drawn at the pixel, unless the pixel's center is within
-    /// 1/200 of a pixel of the face's edge, plus twice the size on the screen of a model's smallest unit, 2⁻¹⁶; or
-    /// unless two faces have the same depth there. A ray also meets faces beyond the far plane.
+    /// The face that it [hits](Ray::hit) is the face drawn at the pixel, with two exceptions: two faces may have the
+    /// same depth there, or the pixel's center may be very close to the face's edge: within 1/200 of a pixel plus twice
+    /// the size on the screen of the model's smallest unit, 2⁻¹⁶. A ray also meets faces beyond the far plane.
     ///
     /// ```
     /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};

@@ -20,12 +20,12 @@ use crate::view::ProjectionKind;
 /// Runs all triangles of a mesh through the vertex and assembly stages; `to` draws them or keeps them in a list.
 #[inline]
 pub(super) fn triangles<K: ProjectionKind>(call: &Call<'_, K>, to: &mut impl Assembly) {
-    // Before the faces are found: so it takes fewer registers on Cortex-M0+.
+    // Before the faces are found: this takes fewer registers on Cortex-M0+.
     let mut vertices = VertexCache::new();
     triangles_from(call, (0, call.shared.mesh.faces()), &mut vertices, to);
 }
 
-/// Runs triangles, the first of which has the index `first`, with a cache of the caller's.
+/// Runs triangles, the first of which has the index `first`, with the caller's cache.
 #[inline]
 fn triangles_from<K: ProjectionKind>(
     call: &Call<'_, K>,
@@ -143,7 +143,7 @@ pub(super) fn draw<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blit
     draw.drawn()
 }
 
-/// Whether a plane through the varyings of a rectangle's first triangle is that of its second one too.
+/// Whether one plane goes through the varyings of both triangles of a rectangle.
 pub(super) type IsPlane<'p> = &'p dyn Fn([&Primitive<'_>; 2]) -> bool;
 
 /// Draws quads: the triangles of a mesh in pairs, the first of which has the index `first`. The cache must hold no

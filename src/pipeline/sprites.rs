@@ -43,7 +43,7 @@ struct Shape {
 }
 
 impl Shape {
-    /// The corners of sprites that a `view` transforms to eye space, where pixels have this size.
+    /// The corners of sprites that `view` transforms to eye space, where a pixel has this size.
     fn new(sprites: &Sprites<'_>, view: &Transform, pixel: [BlockFloat; 2]) -> Self {
         /// Components of unit vectors, in units of 2^-30.
         const ONE: i32 = 1 << 30;
@@ -184,11 +184,12 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
         blitter: &mut dyn Blitter,
     ) -> Drawn {
         let sprites = self.sprites;
-        // A sprite that faces the camera has corners of one z, and x and y of the screen depend on no other but z.
+        // The corners of a sprite that faces the camera share one z, so its screen x depends only on its x, and its
+        // y on y.
         let is_plane = Some(is_plane).filter(|_| sprites.axis.is_none());
         let mut drawn = Drawn::default();
         let mut corners = [[Vec3::ZERO; 4]; BATCH];
-        // Where sprites do not differ, this is written once.
+        // If all sprites have the same texture coordinates, they are written only here.
         let mut uvs = [uvs_of(sprites.frame(0)); BATCH];
         let mut colors = [[Rgb888::WHITE; 4]; BATCH];
         let mut vertices = VertexCache::new();

@@ -26,8 +26,8 @@ const fn axis(plane: u32) -> usize {
     (plane >> 1) as usize
 }
 
-/// How many units a clip coordinate may lie beyond a side plane and still count as inside. By up to this much,
-/// rounding may move a point that was cut from an edge with both ends inside.
+/// How many units a clip coordinate may lie beyond a side plane and still count as inside: rounding may move a point by
+/// up to this much if it was cut from an edge with both ends inside.
 const SIDE_TOLERANCE: i64 = 8;
 
 /// The upper half of 64 bits.
@@ -239,7 +239,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
                 || x.unsigned_abs().max(y.unsigned_abs()) <= (w + SIDE_TOLERANCE).cast_unsigned())
     }
 
-    /// One bit for each plane that a position is outside of.
+    /// One bit for each plane outside of which a position lies.
     ///
     /// Out of line, because it is long and few vertices of visible triangles need it.
     #[inline(never)]

@@ -1,6 +1,6 @@
 //! Face culling.
 
-/// Which triangles are not drawn, depending on the side they show.
+/// Which triangles are not drawn, depending on the side that they show.
 ///
 /// A triangle shows its front if its corners run counter-clockwise on the screen.
 ///

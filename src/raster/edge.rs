@@ -20,7 +20,7 @@ pub(super) struct Edge {
 
 /// The first row (or column) whose center is at or after a position in units of 1/256 pixel.
 ///
-/// A center exactly at the position counts. So of two triangles that adjoin there, exactly one covers it.
+/// A center exactly at the position counts, so exactly one of two triangles that adjoin there covers it.
 #[inline]
 pub(crate) const fn first_center(position: i32) -> i32 {
     (position + 127) >> 8

@@ -4,7 +4,7 @@ use super::{Patch, ScreenVertex};
 use crate::num::reciprocal;
 use crate::num::wide::{plus_times_short, product, times_short, upper};
 
-/// An interpolant over a triangle: its value at every pixel center, to within one unit.
+/// An interpolant over a triangle: its value at every pixel center, accurate to one unit.
 ///
 /// Small triangles have near planes: a value is `start` plus a number of steps. In large triangles and in thin slivers,
 /// steps would accumulate too much rounding. They have far planes, with 30 bits more.
@@ -21,9 +21,9 @@ pub(crate) struct Gradient {
 }
 
 /// The value at the center of pixel (0, 0), plus half a unit, and its change per column and per row, in units of 2⁻³⁰.
-/// With that half, what is rounded down is rounded to nearest.
+/// Because of that half, rounding down gives the nearest unit.
 ///
-/// All are modulo 2⁶⁴, of which a value within the triangle takes 62 bits.
+/// All are modulo 2⁶⁴; a value within the triangle takes 62 bits.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FarPlane {
     start: i64,
@@ -41,7 +41,7 @@ impl Gradient {
         is_near: false,
     };
 
-    /// Adds 2^16 times this plane to `lower`, both near. Where the value of `lower` has 16 bits without a sign, it is
+    /// Adds 2^16 times this plane to `lower`; both are near. If the value of `lower` has 16 bits without a sign, it is
     /// the lower half of the sum's value, and this plane's value is the upper half.
     pub(super) fn pair_with(&self, lower: &mut Self) {
         let add = |to: &mut i32, upper: i32| *to = to.wrapping_add(upper << 16);
@@ -84,8 +84,8 @@ impl Gradient {
 pub(crate) struct Basis {
     /// From corner 0 to the center of pixel (0, 0).
     to_center: [i32; 2],
-    /// Of a small triangle: the change of the barycentric weights of corners 1 and 2, per column and per row, in
-    /// units of 2^(`up` - 32).
+    /// For a small triangle: the change of the barycentric weights of corners 1 and 2, per column and per row, in units
+    /// of 2^(`up` - 32).
     weights: [[i32; 2]; 2],
     up: u32,
     /// Values whose range is below this make a near plane; 0 if the triangle's shape does not allow any.
@@ -96,7 +96,7 @@ pub(crate) struct Basis {
 /// The sides and the area of a triangle, for far planes.
 #[derive(Clone, Copy, Debug)]
 struct Far {
-    /// From corner 0 to corners 1 and 2. Areas are stored without a sign, so the sides take it over.
+    /// From corner 0 to corners 1 and 2. Areas are stored without a sign, so the sides have the area's sign.
     sides: [[i32; 2]; 2],
     /// Twice the area is 2^-`shift` times a number of 32 bits with the top bit set, and `inverse` is 2⁶² / number; 0
     /// before it is asked for.
@@ -112,8 +112,8 @@ struct Far {
 /// A step to the next column or row has an error of at most ¾ unit: ½ from its own rounding, and (|b| + |c|) · 2^-33
 /// from the rounding of the weights, which is at most ¼ because b and c, the shifted differences between corners, are
 /// below 2^30. From the first corner to the center of any pixel there are at most 43 steps. The rounding of `start`
-/// adds ½, and the reciprocal of the area, with an error of 2^-30, less than a unit of a range below 2^30. In all 33¾
-/// units.
+/// adds ½, and the reciprocal of the area, with an error of 2^-30, less than a unit of a range below 2^30. In all, this
+/// is 33¾ units.
 const NEAR: i32 = 43 << 8;
 
 /// The most bits by which the differences between corners are shifted left.

@@ -7,8 +7,8 @@ use super::{ClippedVertex, Patch, Rasterizer, ScreenVertex};
 
 /// The default style of lines: one pixel wide, not anti-aliased.
 ///
-/// Along its longer axis, the line gets one pixel for each pixel center that it passes; across, it is the pixel that
-/// contains the line there. A center at the left end (of steep lines, the upper end) belongs to the line, a center at
+/// For each pixel center that the line passes along its longer axis, it gets one pixel: across that axis, the pixel
+/// that contains the line. A center at the left end (in steep lines, the upper end) belongs to the line; a center at
 /// the right (lower) end does not. So lines that continue each other along the same axis draw no pixel twice.
 ///
 /// ```text

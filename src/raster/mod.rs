@@ -64,7 +64,7 @@ pub(crate) trait Blitter {
     /// Starts another triangle, edge or point of the mesh.
     fn primitive(&mut self, primitive: &Primitive<'_>);
 
-    /// Lays the interpolants over a patch, which is all or a part of the primitive.
+    /// Lays the interpolants over a patch, which is the whole primitive or a part of it.
     fn set_up(&mut self, patch: &Patch<'_>);
 
     /// Draws these columns of consecutive rows, which lie within the canvas; some may be empty.

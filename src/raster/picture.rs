@@ -10,7 +10,7 @@ use crate::mesh::Primitive;
 /// Rows of characters: `.` where nothing was drawn, `!` where something was drawn twice.
 pub(crate) struct Picture {
     rows: Vec<Vec<char>>,
-    /// What pixels are drawn as.
+    /// The character that pixels are drawn as.
     pub(crate) ink: char,
     /// The places of the last patch.
     pub(crate) screen: [[i32; 2]; 3],

@@ -12,7 +12,7 @@ pub(crate) fn point(raster: &mut Rasterizer<'_>, at: &ScreenVertex) {
     }
 }
 
-/// Lays the interpolants over a point in a pixel: everywhere they have its values.
+/// Lays the interpolants over a point in a pixel: they have the point's values everywhere.
 #[inline(always)]
 #[allow(clippy::inline_always)] // optimized for size, a call would take 19 instructions more
 pub(super) fn set_up(

@@ -9,9 +9,9 @@ use super::{Blitter, ClippedVertex, Columns, Cull, Rasterizer, Scissor, ScreenVe
 /// the corners 0 to 4 make the triangles 0 1 2, 0 2 3 and 0 3 4.
 ///
 /// The outline is convex except for the rounding of its corners. Where rounding dents it or makes it cross itself,
-/// some triangles of the fan turn over and overlap others: the fan is folded. A pixel belongs to the outline if more
-/// triangles that cover it have the winding of the whole than the opposite one. The first triangle with the winding
-/// of the whole draws it.
+/// some triangles of the fan turn over and overlap others: the fan is folded. A pixel belongs to the outline if, of the
+/// triangles that cover it, more have the winding of the whole than the opposite one. The first triangle with the
+/// winding of the whole draws it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Polygon<'a> {
     outline: &'a [ClippedVertex],

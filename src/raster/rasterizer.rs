@@ -123,7 +123,7 @@ pub(super) fn scan_convert(
         };
         let side = usize::from(is_down == is_clockwise);
         let row = first + (start as u32).cast_signed();
-        // An empty statement keeps the compiler from unrolling the loops: most edges pass few rows.
+        // An empty statement keeps the compiler from unrolling the loops, because most edges pass few rows.
         if let Some(mut edge) = ShortEdge::new(top.screen, bottom.screen, row) {
             for columns in rows {
                 black_box(());

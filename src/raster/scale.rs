@@ -21,7 +21,7 @@ impl Scale {
     /// Left shift of such a triangle's attributes, so that interpolation rounds only fractions of them.
     pub(crate) const AFFINE_UP: u32 = 30 - Self::AFFINE.bits;
 
-    /// The greatest magnitude that fits this scale, or a little less.
+    /// A magnitude that fits this scale: the greatest, or a little less.
     pub(crate) const MOST_AFFINE: i32 = (1 << (Self::AFFINE.bits - 1)) / 17 * 16;
 
     /// The scale, of at least `least_bits`, for an attribute whose greatest magnitude is `most`.

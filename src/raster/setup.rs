@@ -7,7 +7,7 @@ use crate::num::wide::product;
 
 pub(crate) use super::scale::Scale;
 
-/// Most pixels of a span; every span computes its interpolants afresh.
+/// The most pixels of a span; every span computes its interpolants afresh.
 ///
 /// A step is rounded by up to half a unit of 2⁻³⁰, so a span adds at most 32 units of error. All modes use the same
 /// length and so get the same depths.
@@ -112,7 +112,7 @@ pub(crate) const fn unpaired(second: i32, pair: i32) -> [i32; 3] {
 /// How the attributes of a draw call are interpolated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Interpolation {
-    /// As they are, as fractions in units of 2⁻³⁰.
+    /// Directly, as fractions in units of 2⁻³⁰.
     Linear,
     /// Over w.
     Perspective,

@@ -5,11 +5,11 @@ use crate::{Error, Scalar};
 
 /// The size and the shape of points, for [`Canvas::draw_sized_points`](crate::Canvas::draw_sized_points).
 ///
-/// A pixel belongs to a point if its center lies within the square or disc around the point's exact position on the
-/// screen, in units of 1/256 pixel. Of a square's borders, the lower and the right one belong to it. So a square of n
-/// pixels always covers n times n of them, squares at distances of their size adjoin without overlaps, and one of size
-/// 1 is the pixel that [`draw_points`](crate::Canvas::draw_points) draws. Of a disc, the border belongs to it, and so
-/// does the pixel that contains the point, even if its center lies outside.
+/// A pixel belongs to a point if its center lies within the square or disc around the point's position on the screen,
+/// which is exact to 1/256 pixel. A square includes its lower and its right border. So a square of n pixels always
+/// covers n times n of them, squares at distances of their size adjoin without overlaps, and a square of size 1 is the
+/// pixel that [`draw_points`](crate::Canvas::draw_points) draws. A disc includes its border, and the pixel that
+/// contains the point, even if that pixel's center lies outside.
 ///
 /// Points are drawn with at least 1 and at most 255 pixels.
 ///
@@ -63,9 +63,10 @@ impl PointStyle {
         }
     }
 
-    /// The same with a size in units of world space, which the projection makes smaller with the distance.
+    /// The same style with a size in world units, so that points become smaller with the distance.
     ///
-    /// The vertical scale of the projection counts. A scale in the model's transform has no influence.
+    /// The size on the screen follows the vertical scale of the projection. A scale in the model's transform has no
+    /// influence.
     #[must_use]
     pub const fn attenuated(self) -> Self {
         Self {
@@ -86,7 +87,7 @@ impl PointStyle {
         self.is_round
     }
 
-    /// Whether the size is in units of world space.
+    /// Whether the size is in world units.
     #[must_use]
     pub const fn is_attenuated(self) -> bool {
         self.is_attenuated

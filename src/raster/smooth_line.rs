@@ -12,20 +12,21 @@ use crate::num::block::BlockFloat;
 use crate::num::rsqrt::unit;
 use crate::num::wide::product;
 
-/// Anti-aliased lines of a width: the share of each pixel that the line covers gets the line's color.
+/// Anti-aliased lines of a width: each pixel takes the line's color in proportion to its share that the line covers.
 ///
-/// Let d be the distance from the pixel's center to the nearest point of the line, whose ends are exact to 1/256
-/// pixel: then the share is (width + 1)/2 − d, limited to 0 and 1. So ends are round, and a line is as wide and as
-/// strong in every direction, unlike a `Hairline`. A share is within 1.3/256 of its
-/// value; blending rounds as for [`Opacity`](crate::target::Opacity), and dithers coarse colors. On 1-bit panels,
-/// [`Hairline`](crate::Hairline)s are better.
+/// Let d be the distance from the pixel's center to the nearest point of the line, whose ends are exact to 1/256 pixel.
+/// Then the share is (width + 1)/2 − d, limited to 0 and 1. So ends are round, and, unlike a
+/// [`Hairline`](crate::Hairline), a line has the same width and strength in every direction. A share has an error of at
+/// most 1.3/256. Blending rounds as for [`Opacity`](crate::target::Opacity), and dithers coarse colors. On 1-bit
+/// panels, hairlines look better.
 ///
-/// Depth and attributes vary along the longer axis, as on a `Hairline`; beyond an end, they are those of the end. So a
-/// pixel has the depth of a place up to √2 · (width + 1)/2 pixels away. To draw lines on the mesh that hides them,
-/// draw the mesh [`Biased`](crate::target::Biased) by that many pixels, as below. Draw smooth lines last, with
-/// [`TestOnly`](crate::target::TestOnly), because what is drawn behind a half covered pixel later would not show.
+/// Depth and attributes vary along the longer axis, as on a hairline; beyond an end, they are those of the end. So a
+/// pixel has the depth of a place up to √2 · (width + 1)/2 pixels away. If a mesh hides the lines on it, draw it
+/// [`Biased`](crate::target::Biased) by that many pixels, as below. Draw smooth lines last, with
+/// [`TestOnly`](crate::target::TestOnly): what is drawn later, behind a pixel that a line covers only in part, would
+/// not show through.
 ///
-/// A blending of the options applies to the line's color before its share does.
+/// The blending of the options is applied first; the share then blends its result with the canvas.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -73,10 +74,10 @@ impl SmoothLine {
 ///        ╰──────────────────╯
 /// ```
 ///
-/// `direction` is within 1.3 · 2⁻²⁶ of its value, which moves a line by less than 2⁻¹² pixel at a distance of 4096
-/// pixels in each direction. Across and along are cut to 2⁻¹⁰ pixel, and so is the root of their squares, together by
-/// (1 + √2) · 2⁻¹⁰; along has 2⁻¹¹ more near the ends; the share is rounded to 256ths, by 2⁻⁹. In all, it is within
-/// 1.3/256.
+/// `direction` has an error of at most 1.3 · 2⁻²⁶, which moves a line by less than 2⁻¹² pixel at a distance of 4096
+/// pixels in each direction. Across and along are cut to 2⁻¹⁰ pixel, and so is the root of their squares; together this
+/// makes (1 + √2) · 2⁻¹⁰. Along has 2⁻¹¹ more near the ends. Rounding the share to 256ths adds 2⁻⁹. In all, the error
+/// is at most 1.3/256.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Coverage {
     /// From a to b, of length one, in units of 2⁻²⁵.
@@ -194,8 +195,8 @@ pub(crate) fn smooth_line(
     }
 }
 
-/// The pixels that a line may cover: a strip around it, as long as its bounding box. A little wider than the line,
-/// because the painter leaves out what is not covered.
+/// The pixels that a line may cover: a strip around it, as long as its bounding box. It may be a little wider than the
+/// line, because the painter leaves out pixels that are not covered.
 struct Strip {
     bounds: Scissor,
     /// Where the line crosses the centers of row 0, how far that moves from row to row, and the columns to both sides

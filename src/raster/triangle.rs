@@ -77,8 +77,8 @@ impl<'a> Triangle<'a> {
         self.draw_part(raster, None);
     }
 
-    /// Draws the part in the scissor of the upright rectangle of which it is a half. Interpolants are laid over the
-    /// whole rectangle: at the fourth corner, none may be beyond its values at the other three.
+    /// Draws, within the scissor, the upright rectangle of which this triangle is a half. Interpolants are laid over
+    /// the whole rectangle, so at the fourth corner none may be beyond its values at the other three.
     ///
     /// It has the pixels of both halves. The errors of planes, which are derived from the width and the height of a
     /// triangle, are the same.
@@ -90,7 +90,7 @@ impl<'a> Triangle<'a> {
         raster.fill_upright(&self.rows, ends);
     }
 
-    /// Draws the part in the scissor or, of that, only those pixels that `part` selects.
+    /// Draws the part in the scissor; of that part, if `part` is given, only the pixels that it selects.
     #[inline(never)]
     pub(super) fn draw_part(&self, raster: &mut Rasterizer<'_>, part: Option<&Part<'_>>) {
         raster.blitter.set_up(&self.patch);

@@ -3,7 +3,7 @@
 use crate::mesh::Index;
 use crate::num::wide::dot;
 
-/// A vertex on the screen, or the clipping planes that it is outside of.
+/// A vertex on the screen, or the clipping planes outside of which it lies.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ScreenVertex {
     /// Column and row in units of 1/256 pixel, from the frame's top left.
@@ -12,7 +12,7 @@ pub(crate) struct ScreenVertex {
     pub(crate) q: u32,
     /// 1/w is `q` · 2^`exponent` times a constant of the draw call; 0 under a parallel projection.
     pub(crate) exponent: u8,
-    /// One bit for each plane that the vertex is outside of. The other fields are valid only if it is 0.
+    /// One bit for each plane outside of which the vertex lies. The other fields are valid only if it is 0.
     pub(crate) outcode: u8,
     /// Index of the mesh's position; 0 for a vertex that clipping created.
     pub(crate) index: Index,

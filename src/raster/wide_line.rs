@@ -10,8 +10,8 @@ use crate::{Error, Scalar};
 /// Lines of a width in pixels. For anti-aliased ones, see [`smooth`](Self::smooth).
 ///
 /// For each pixel center that a line passes along its longer axis, it gets a run of pixels across that axis: those
-/// whose centers are within half the width of the line there. A center exactly on the upper or left end of the run does
-/// not belong to it, a center on the lower or right end does. So a line of width 1 has the pixels of a
+/// whose centers are at most half the width away from the line. A center exactly on the upper or left end of the run
+/// does not belong to it; a center on the lower or right end does. So a line of width 1 has the pixels of a
 /// [`Hairline`](crate::Hairline), and a line of width n has n pixels in each run.
 ///
 /// ```text
@@ -89,7 +89,7 @@ impl LineWidth {
         SmoothLine::new(self)
     }
 
-    /// How many rows a line of this width may reach beyond its ends, anti-aliased or not.
+    /// By how many rows a line of this width may reach beyond its ends, anti-aliased or not.
     pub(crate) const fn reach(self) -> i32 {
         ((self.half + 128) >> 8) + 1
     }

@@ -1,4 +1,4 @@
-//! Any shader on a canvas of another color.
+//! Any shader on a canvas of another color format.
 
 use core::marker::PhantomData;
 
@@ -8,13 +8,13 @@ use super::levels::{Levels, dimmed};
 use super::{ColorOf, Fragment, Illumination, Shader, Source};
 use crate::mesh::Primitive;
 
-/// Shader `S` on a canvas of color `C`; see [`Shader::converted`].
+/// Shader `S` on a canvas of color format `C`; see [`Shader::converted`].
 ///
 #[cfg_attr(doc, doc = page_picture!("converted", "A ring in four grays, dithered"))]
 /// Colors are rounded, or dithered if `C` is coarse (see [`Levels`]).
 ///
-/// It can draw a texture whose color differs from the canvas's. Each pixel is then converted; a texture stored in the
-/// canvas's color is faster.
+/// For example, it draws a texture whose color format differs from the canvas's. Every pixel is converted, so a texture
+/// stored in the canvas's format is faster.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888}};

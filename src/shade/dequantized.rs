@@ -13,9 +13,9 @@ pub struct Dequantized<'a, F> {
 impl Quantized<'_> {
     /// A shader that sees this mesh's normals and texture coordinates. Wrap the whole shader, with its lights.
     ///
-    /// It may also draw a mesh of other positions between the same faces, such as one of
-    /// [`Keyframes`](crate::mesh::Keyframes). A corner without texture coordinates in a triangle that has some
-    /// gets (0, 0), which [`Drawn::missing`](crate::Drawn::missing) does not tell.
+    /// The shader may also draw a mesh with other positions and the same faces, such as one of
+    /// [`Keyframes`](crate::mesh::Keyframes). If only some corners of a triangle have texture coordinates, the others
+    /// get (0, 0), and [`Drawn::missing`](crate::Drawn::missing) does not report it.
     #[must_use]
     pub const fn shader<F: Shader>(&self, shader: F) -> Dequantized<'_, F> {
         Dequantized { mesh: self, shader }

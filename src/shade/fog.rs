@@ -6,13 +6,13 @@ use crate::mesh::Primitive;
 use crate::texture::Blend;
 use crate::{Error, Scalar};
 
-/// Air that hides what is far: a color, and how much of a surface is left at a distance; see
+/// Air that hides distant surfaces: a color, and how much of a surface is left at a distance; see
 /// [`Shader::in_fog`](super::Shader::in_fog).
 ///
 #[cfg_attr(doc, doc = page_picture!("in_fog", "A row of rings that fade into gray"))]
-/// The distance z is that from the eye along its line of sight, [`Corner::distance`](crate::Corner::distance). It is
-/// correct in perspective at every pixel. The colors are blended in 32 steps for colors of 16 bits and in 256 for others
-/// ([`Blend::WEIGHT_BITS`]); what is left of the surface is within half a step and 1/200.
+/// The distance z is measured from the eye along the view direction, as [`Corner::distance`](crate::Corner::distance)
+/// is. It is interpolated in correct perspective. Colors of 16 bits are blended in 32 steps, others in 256
+/// ([`Blend::WEIGHT_BITS`]). The remaining part of the surface has an error of at most half a step plus 1/200.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, Gray4, GrayColor}};
@@ -53,8 +53,8 @@ pub struct Fog<C, D = Linear> {
 /// ```
 pub trait Density: sealed::Density {}
 
-/// A [`Density`]: the surface is whole up to a first distance, and gone from a second one on; what is left falls evenly
-/// between them.
+/// A [`Density`]: the whole surface is left up to a first distance, and nothing from a second one on. Between them,
+/// what is left falls linearly.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -151,8 +151,8 @@ impl sealed::Density for Exponential {
 impl<C: Blend> Fog<C> {
     /// Fog that begins at the distance `near` and hides everything from `far` on.
     ///
-    /// In fog shorter than a quarter of a unit, a triangle fades at the wrong place if it reaches 262,144 times the fog's
-    /// length beyond it.
+    /// If `far` − `near` is less than a quarter of a unit, a triangle fades at the wrong place if it reaches beyond
+    /// `far` by 262,144 times that length.
     ///
     /// # Errors
     ///

@@ -6,7 +6,7 @@ use super::levels::{LEVEL, Levels, Raised};
 use super::{Fragment, Illumination, Shader, Within};
 use crate::mesh::Primitive;
 
-/// The mesh's vertex colors, interpolated in perspective; white if the mesh has none.
+/// The mesh's vertex colors, interpolated in correct perspective; white if the mesh has none.
 ///
 #[cfg_attr(doc, doc = page_picture!("gouraud", "A cube whose corners' colors flow into each other"))]
 /// The canvas's color decides how they are interpolated and rounded: see [`Levels`](super::Levels). Gray is

@@ -8,13 +8,13 @@ use super::{Fragment, Illumination, Shader, Within};
 use crate::mesh::Primitive;
 use crate::{Error, Scalar};
 
-/// Colors by the height in model space: one color up to a low height, another one from a high height on, and between them
-/// a mixture in proportion. For a sky, or for terrain.
+/// Colors by the height (y) in model space, for a sky or for terrain: one color up to a low height, another one from a
+/// high height on, and a proportional mixture between them.
 ///
 #[cfg_attr(doc, doc = page_picture!("gradient", "A ball that is blue at the bottom and pale yellow at the top"))]
-/// The color is computed at the vertices, within 1/64 step, and interpolated in perspective.
+/// The color is computed at the vertices, with an error of at most 1/64 step, and interpolated in correct perspective.
 ///
-/// A sky is drawn first, from inside, by a [camera that stays in its middle](crate::Camera::sky), without depth:
+/// Draw a sky first, from inside, with a [camera that stays in its center](crate::Camera::sky), without depth:
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor}};
@@ -48,7 +48,8 @@ pub struct Gradient<C: Levels> {
 }
 
 impl<C: Levels> Gradient<C> {
-    /// The color `low` up to a height, and `high` from another height on.
+    /// The color of `low` up to its height, and the color of `high` from its height on. Heights are in the model's
+    /// units.
     ///
     /// # Errors
     ///

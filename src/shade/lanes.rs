@@ -10,8 +10,8 @@ mod sealed {
 /// A number of values from 0 to 8, written as the type `[(); N]`; it names an array of this length for any type of
 /// value.
 ///
-/// These numbers can be added, which array lengths cannot be on stable Rust. An adapter of a
-/// [`Shader`](super::Shader) needs the sum to append its own varyings to those of the inner shader.
+/// Unlike array lengths, these numbers can be added on stable Rust. An adapter of a [`Shader`](super::Shader) needs the
+/// sum to append its own varyings to those of the inner shader.
 ///
 /// ```
 /// use fixel::shade::Lanes;

@@ -11,27 +11,27 @@ use super::dither::threshold;
 use super::{Illumination, Lanes, Tolerance, Varyings};
 use crate::texture::Blend;
 
-/// A color that can be computed with: interpolated, lit, tinted and dithered.
+/// A color that can be interpolated, lit, tinted and dithered.
 ///
 /// A *level* is a channel in steps of the color's own format, with 16 fraction bits: red of [`Rgb565`] runs from 0 to
 /// 31 · 65,536. With levels, the work per pixel is one addition and one shift per channel. A *fraction* is a channel
 /// relative to full brightness, which is 65,536.
 ///
-/// There are up to three channels: red, green and blue. A gray color has three equal channels, of which only the
-/// first counts. Gray is the BT.601 luma of the stored values (without gamma): 0.299 red + 0.587 green + 0.114 blue,
-/// with weights rounded to 2⁻¹⁴.
+/// There are up to three channels: red, green and blue. A gray color has three equal channels; only the first is used.
+/// Gray is the BT.601 luma of the stored values (without gamma): 0.299 red + 0.587 green + 0.114 blue, with weights
+/// rounded to 2⁻¹⁴.
 ///
 /// This trait is implemented for the colors of embedded-graphics. Colors with 5 or more bits per channel are rounded
 /// to nearest. [`Gray4`], [`Gray2`] and [`BinaryColor`] (on is white) are dithered by an 8x8 ordered matrix that is
-/// fixed to the frame. The mean of a constant level over 8x8 pixels is within 1/128 step of it; black stays black,
-/// and white stays white.
+/// fixed to the frame. The mean of 8x8 pixels that show one level differs from it by at most 1/128 step; black stays
+/// black, and white stays white.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{BinaryColor, Rgb565, Rgb888}, prelude::*};
 /// use fixel::prelude::*;
 /// let orange = Rgb888::new(255, 128, 0);
 /// assert_eq!(Rgb565::from_rgb(orange, Point::zero()), Rgb565::new(31, 32, 0));
-/// // Orange is about 0.6 white, so this share of the pixels is on.
+/// // Orange has about 0.6 of white's luma, so this share of the pixels is on.
 /// let on = (0..64).filter(|i| BinaryColor::from_rgb(orange, Point::new(i % 8, i / 8)).is_on());
 /// assert_eq!(on.count(), 38);
 /// ```
@@ -55,8 +55,8 @@ pub trait Levels: PixelColor {
     #[must_use]
     fn from_levels(levels: [i32; 3], at: Point) -> Self;
 
-    /// The color of levels that have been raised by half a step, 2^15. Cutting such levels rounds them, so the
-    /// addition is needed once per vertex and not at every pixel.
+    /// The color of levels that have been raised by half a step, 2^15. To round such levels, it is enough to cut them,
+    /// so the addition is needed once per vertex and not at every pixel.
     #[must_use]
     #[inline]
     fn from_raised(levels: [i32; 3], at: Point) -> Self {
@@ -157,10 +157,10 @@ pub trait Levels: PixelColor {
 /// assert_eq!((gray, color), ([7], [1, 2, 3]));
 /// ```
 pub trait Channels: Varyings + Default + sealed::Sealed {
-    /// The channels that differ, of three.
+    /// Those of three channels that differ.
     fn first(channels: [i32; 3]) -> Self;
 
-    /// All three channels; those that do not count are 0.
+    /// All three channels; those that are not used are 0.
     fn all(self) -> [i32; 3];
 
     /// The channels of an RGB color, or its luma.
@@ -225,7 +225,7 @@ impl<C: Levels> Raised<C> {
         })))
     }
 
-    /// All three channels; those that do not count are 0.
+    /// All three channels; those that are not used are 0.
     #[inline]
     pub(super) fn all(self) -> [i32; 3] {
         self.0.all()
@@ -310,8 +310,8 @@ const fn product(a: i32, b: i32, most: i32) -> i32 {
         .wrapping_add(steps.wrapping_mul(rest) >> n)
 }
 
-/// Levels of a color `C` under a light between 0 and 65,536, give or take two. The error is at most 1/32 step; full
-/// brightness is exact for whole steps.
+/// Levels of a color `C` under a light from −2 to 65,538. The error is at most 1/32 step; full brightness is exact for
+/// whole steps.
 #[inline]
 pub(super) fn dimmed<C: Levels>([r, g, b]: [i32; 3], light: Illumination) -> [i32; 3] {
     // 16 bits times 15 bits, so that cores without a long multiply do not need one.

@@ -9,8 +9,8 @@ use crate::mesh::Primitive;
 /// A surface under light that is computed at the vertices and interpolated (Gouraud shading); see [`Shader::lit`].
 ///
 #[cfg_attr(doc, doc = page_picture!("lit", "A coarse ring that looks round, because the light is interpolated"))]
-/// Normals are the mesh's, or the triangle's own if the mesh has none. The light is interpolated after the surface's own
-/// varyings: one brightness if it is white, a number for each channel of the canvas if it has a color, and one more for
+/// Normals are the mesh's, or the triangle's own if the mesh has none. The light's varyings follow the surface's own:
+/// one brightness if it is white, a number for each channel of the canvas if it has a color, and one more for
 /// highlights. 65,536 is full brightness.
 ///
 /// ```
@@ -97,11 +97,11 @@ impl<S: Shader<Color: Source<Color: Levels>>, L: Lighting> Shader for Lit<S, L> 
     }
 }
 
-/// A surface under light that is computed once per triangle, in its middle and for its own normal; see
+/// A surface under light that is computed once per triangle, at its center and for its own normal; see
 /// [`Shader::lit_faces`].
 ///
 #[cfg_attr(doc, doc = page_picture!("face_lit", "A coarse ring with one brightness for each triangle"))]
-/// Edges and points are in full light.
+/// Edges and points are fully lit.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor}};

@@ -1,4 +1,4 @@
-//! A surface whose texture has mipmap levels: each pixel shows the level that its distance calls for.
+//! A surface whose texture has mipmap levels: each pixel shows the level that suits its distance.
 
 use embedded_graphics::geometry::Size;
 
@@ -10,16 +10,15 @@ use crate::texture::{
 };
 use crate::{Error, Projection, Vec3, Viewport};
 
-/// Less than any triangle's density: the level of edges and points is 0.
+/// Less than any triangle's density, so that the level of edges and points is 0.
 const FINEST: i32 = -(1 << 20);
 
-/// A texture that does not flicker where it is far away: each pixel shows the level of a [`Mipmap`] that its distance
-/// calls for.
+/// A texture that does not flicker in the distance: each pixel shows the level of a [`Mipmap`] that suits its distance.
 ///
 #[cfg_attr(doc, doc = page_picture!("mipmapped", "A tiled floor: the left half without mipmaps flickers in the distance, the right half is even"))]
-/// A pixel shows the nearest texel of the nearest level, or a blend of four texels of it ([`bilinear`](Self::bilinear)),
-/// or a blend of two levels ([`trilinear`](Self::trilinear)). The texture repeats, or is [`clamped`](Self::clamped). The
-/// varyings are those of [`Textured`].
+/// A pixel shows the nearest texel of the nearest level, a blend of four texels of that level
+/// ([`bilinear`](Self::bilinear)), or a blend of two levels ([`trilinear`](Self::trilinear)). The texture repeats, or
+/// is [`clamped`](Self::clamped). The varyings are the same as those of [`Textured`].
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, Gray8, GrayColor}};
@@ -46,29 +45,30 @@ const FINEST: i32 = -(1 << 20);
 ///
 /// # The level
 ///
-/// At level 0, a pixel shows a texel of the texture; at level n, the mean of 2ⁿ x 2ⁿ. The level at a pixel is
+/// At level 0, a pixel shows a texel of the texture; at level n, it shows the mean of 2ⁿ x 2ⁿ texels. The level at a
+/// pixel is
 ///
 /// > log₂(density · z / focal · z / d)
 ///
-/// where z is the distance along the line of sight, `focal` the focal length in pixels, d the distance of the eye from
-/// the triangle's plane, and `density` the texels per unit of the triangle, in the mean of both directions. z / focal is
-/// a pixel's size at this distance, and z / d the stretch of its area on the plane along the line of sight. So the level
-/// fits the direction in which a texture is foreshortened most, as usual in graphics hardware; in the other direction,
-/// the picture is softer than it had to be. Toward the corners of the picture, the stretch is greater than z / d, at
-/// most by the ratio of the pixel's true distance to z.
+/// where z is the distance along the view direction, `focal` the focal length in pixels, d the distance of the eye from
+/// the triangle's plane, and `density` the number of texels per unit of the triangle, as a mean of both directions. z /
+/// focal is a pixel's size at this distance. z / d is the factor by which the pixel's area is stretched on the plane,
+/// along the line of sight. So the level suits the direction in which a texture is foreshortened most, as is usual in
+/// graphics hardware; in the other direction, the picture is softer than necessary. Toward the corners of the picture,
+/// the stretch exceeds z / d, at most by the ratio of the pixel's true distance to z.
 ///
-/// The triangle's numbers are computed once for each triangle, and z comes from [`Fragment::depth`]. The level is
-/// within 1/8 of the formula where the depth is at least 32 and the triangle's sides and d are at least 1/16 unit. Below
-/// 0 it counts as 0. Edges and points show level 0, and so does a triangle whose texels lie in a line.
+/// `density` and d are computed once for each triangle, and z comes from [`Fragment::depth`]. The level differs from
+/// the formula by at most 1/8 if the depth is at least 32 and the triangle's sides and d are at least 1/16 unit. A
+/// level below 0 counts as 0. Edges and points show level 0, and so does a triangle whose texels lie in a line.
 ///
-/// The formula is that of a perspective projection. Under a parallel one, far pixels keep their size: use [`Textured`]
-/// with a texture of the right size.
+/// The formula holds for a perspective projection. Under a parallel one, distant surfaces do not become smaller: use
+/// [`Textured`] with a texture of the right size.
 ///
 /// # Accuracy
 ///
-/// The table lists the mean difference of a pixel to the mean of the texture over its area, in steps of 255, in the
-/// benchmark's floor from 1 to 20 units ahead. The texture has 64x64 texels, in squares of 8, and is repeated; the eye
-/// moves in eight steps. `cargo test --test accuracy mipmap -- --nocapture` prints it.
+/// The table lists the mean difference between a pixel and the mean of the texture over its area, in steps of 255, on
+/// the benchmark's floor from 1 to 20 units ahead. The texture has 64x64 texels, in squares of 8, and is repeated; the
+/// eye moves in eight steps. `cargo test --test accuracy mipmap -- --nocapture` prints these figures.
 ///
 /// | | 1 repeat | 8 repeats | 32 repeats |
 /// |---|---:|---:|---:|
@@ -78,14 +78,14 @@ const FINEST: i32 = -(1 << 20);
 /// | `Mipmapped`, bilinear | 4.73 | 6.26 | 7.05 |
 /// | `Mipmapped`, trilinear | 4.67 | 6.06 | 6.42 |
 ///
-/// A bilinear filter softens the edges of near squares, too. One level for a whole triangle, in place of one for each
-/// pixel, would make the difference 37 with 8 repeats.
+/// A bilinear filter also softens the edges of near squares. With one level for a whole triangle, in place of one for
+/// each pixel, the difference would be 37 for 8 repeats.
 ///
 /// # Cost
 ///
 /// The table lists the host's instructions for each pixel of the benchmark's floor (x86-64, default mode, 64x64 texels of
-/// Rgb565, no pixel at level 0). The kernels called mipmap and trilinear of `examples/kernels` tell them for
-/// microcontrollers. Besides, each triangle takes a few hundred instructions for its density.
+/// Rgb565, no pixel at level 0). For microcontrollers, the kernels called mipmap and trilinear of `examples/kernels`
+/// print them. In addition, each triangle takes a few hundred instructions for its density.
 ///
 /// | | nearest | bilinear | trilinear |
 /// |---|---:|---:|---:|
@@ -101,7 +101,7 @@ pub struct Mipmapped<'a, C, A = Repeat, F = Nearest> {
 }
 
 impl<'a, C: Copy> Mipmapped<'a, C> {
-    /// A surface with this mipmap, drawn under this projection, in a frame or viewport of this size in pixels.
+    /// A surface with this mipmap, to be drawn with this projection in a frame or viewport of this size in pixels.
     ///
     /// # Errors
     ///

@@ -1,7 +1,7 @@
 //! Shaders: from interpolated values to a color.
 //!
 #![cfg_attr(doc, doc = page_picture!("shaders", "Balls: flat, by face, by vertex, textured; lit by face, lit, shiny, a cartoon"))]
-//! A surface gives each pixel a color. The last column counts the values that it interpolates.
+//! A surface gives each pixel a color. The last column gives the number of values that are interpolated for it.
 //!
 //! | surface | color of a pixel | varyings |
 //! |---|---|---|

@@ -79,7 +79,7 @@ mod tests {
         let parts = [Part::new(1..2, red), Part::new(2..4, blue)];
         assert_eq!(colors(&parts), [white, red, blue, blue, white, white]);
         assert_eq!(colors(&[]), [white; 6]);
-        // A list in the wrong order is no reason to panic.
+        // A list in the wrong order does not cause a panic.
         let _ = colors(&[parts[1], parts[0]]);
     }
 }

@@ -1,4 +1,4 @@
-//! The place of a number in a range.
+//! The position of a number in a range.
 
 use crate::Scalar;
 use crate::num::reciprocal;

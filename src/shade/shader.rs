@@ -23,8 +23,8 @@ use crate::texture::Blend;
 pub struct Fragment {
     /// Column and row in the frame, (0, 0) at the top left.
     pub point: Point,
-    /// Depth, in linear steps of 1/w whatever the depth buffer's format: 65535 at the near plane, falling toward 0
-    /// with the distance.
+    /// Depth, in linear steps of 1/w (of the distance, under a parallel projection), whatever the depth buffer's
+    /// format: 65535 at the near plane, falling toward 0 with the distance.
     pub depth: u16,
 }
 
@@ -32,7 +32,7 @@ pub struct Fragment {
 ///
 #[cfg_attr(doc, doc = page_picture!("lit", "A ring that is lit"))]
 /// [`varyings`](Self::varyings) runs once for each triangle, edge or point. [`shade`](Self::shade) runs once for each
-/// visible pixel, with the values interpolated in perspective; it returns `None` to leave the pixel as it is.
+/// visible pixel, with the values interpolated in correct perspective; it returns `None` to leave the pixel as it is.
 /// [`Varyings`] lists the types that can be interpolated.
 ///
 /// ```
@@ -80,8 +80,8 @@ pub trait Shader: Copy {
 
     /// Whether [`shade`](Self::shade) reads [`Fragment::depth`].
     ///
-    /// Depth is not computed, and reads as 0, only if all three hold: this is `false`, no depth buffer needs depth, and
-    /// nothing is interpolated. The default, `true`, is always correct; `false` makes such shaders faster.
+    /// Depth is left out, and reads as 0, only if three conditions hold: this is `false`, no depth buffer needs depth,
+    /// and nothing is interpolated. The default, `true`, is always correct; `false` makes such shaders faster.
     const READS_DEPTH: bool = true;
 
     /// The values at the three corners of a triangle. For an edge, they are the values at its first end, its second
@@ -93,8 +93,8 @@ pub trait Shader: Copy {
 
     /// The color of a pixel under a light.
     ///
-    /// By default, this dims the color that [`shade`](Self::shade) returns. A surface that knows its color more
-    /// exactly than the canvas stores it should override this method and dim the exact color.
+    /// By default, this dims the color that [`shade`](Self::shade) returns. If a surface knows its color more exactly
+    /// than the canvas stores it, it should override this method and dim the exact color.
     #[inline]
     fn shade_lit(
         &self,
@@ -193,7 +193,8 @@ pub trait Shader: Copy {
     }
 }
 
-/// A [`Shader`] that a canvas of color `C` accepts: its color is `C`. Draw calls of [`Canvas`](crate::Canvas) require it.
+/// A [`Shader`] that a canvas of color `C` accepts, because its own color is `C`. Draw calls of
+/// [`Canvas`](crate::Canvas) require it.
 ///
 /// Every shader of that color implements this trait. For another color, the compiler's message says what to write:
 ///

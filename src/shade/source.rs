@@ -1,10 +1,10 @@
-//! What shaders make: colors, with or without an opacity.
+//! The output of shaders: colors, with or without an opacity.
 
 use embedded_graphics::pixelcolor::PixelColor;
 
 use super::Shader;
 
-/// What a [`Shader`] makes of a pixel: a color, or a [`Translucent`] one.
+/// The output of a [`Shader`] for a pixel: a color, or a [`Translucent`] color.
 ///
 /// Adapters change its color with [`map`](Self::map) and leave the opacity as it is.
 ///
@@ -52,7 +52,7 @@ impl<C: PixelColor> Source for C {
     }
 }
 
-/// A color that covers what is there by its opacity, from 0 (not at all) to 255 (wholly).
+/// A color with an opacity, by which it covers the color on the canvas: from 0 (not at all) to 255 (wholly).
 ///
 /// [Masked textures](crate::Textured::masked) and [`Argb4444`](crate::texture::Argb4444) have such colors, and so may a
 /// shader of your own. Draw them with the blending [`Alpha`](crate::target::Alpha).
@@ -65,7 +65,7 @@ impl<C: PixelColor> Source for C {
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Gray4::new(0); 16];
 /// let mut canvas = Canvas::new(&mut pixels, 8, 2)?;
-/// // Out of sight on the left, whole on the right. Colors of 4 bits are dithered.
+/// // Invisible on the left, opaque on the right. Colors of 4 bits are dithered.
 /// let curtain = Flat::new(Gray4::new(15))
 ///     .map(|at, color| Some(Translucent { color, opacity: at.point.x as u8 * 36 }));
 /// canvas.draw_with(&DrawOptions::new().with_blending(Alpha), &SQUARE, &mvp, &curtain);
@@ -79,7 +79,7 @@ impl<C: PixelColor> Source for C {
 pub struct Translucent<C> {
     /// The color.
     pub color: C,
-    /// The share of the color in 255ths; what is there has the rest.
+    /// The color's share of the result, in 255ths; the color on the canvas has the rest.
     pub opacity: u8,
 }
 

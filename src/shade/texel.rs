@@ -20,7 +20,7 @@ use crate::texture::{Argb1555, Argb4444, Blend, Sampler};
 /// assert_eq!(Argb4444::new(0, 15, 0, 0).source(), None);
 /// ```
 pub trait Texel: Copy {
-    /// What a pixel that shows this texel is.
+    /// The output for a pixel that shows this texel.
     type Source: Source;
 
     /// The texel as the source of a pixel; `None` for a hole.
@@ -64,7 +64,7 @@ impl Texel for Argb1555 {
     }
 }
 
-/// The color and the opacity are blended each for itself.
+/// The color and the opacity are blended separately.
 impl<C: Blend> Blend for Translucent<C> {
     const WEIGHT_BITS: u32 = C::WEIGHT_BITS;
 
@@ -86,7 +86,7 @@ impl<C: Blend> Blend for Translucent<C> {
     }
 }
 
-/// A texture whose opacity is in another one, the mask; see [`Textured::masked`](crate::Textured::masked).
+/// A texture whose opacities are in another texture, the mask; see [`Textured::masked`](crate::Textured::masked).
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, Rgb565};
@@ -105,7 +105,8 @@ pub struct Masked<S, M> {
 }
 
 impl<S: Sampler, M: Sampler<Color: GrayColor>> Masked<S, M> {
-    /// A texture with a mask of the same size: white is wholly there, and black is a hole.
+    /// A texture with a mask of the same size: where the mask is white, the texture is opaque, and where it is black,
+    /// there is a hole.
     ///
     /// # Errors
     ///
@@ -164,7 +165,7 @@ mod tests {
         let error = Masked::new(&skin, &mask).unwrap_err();
         assert_eq!(
             std::format!("{error}"),
-            "mask has 2x4 texels: it must have 4x2, as its texture has"
+            "mask has 2x4 texels: it must have 4x2, like its texture"
         );
     }
 

@@ -18,11 +18,11 @@ use crate::{Error, Vec2};
 /// The texture repeats, or is [`clamped`](Self::clamped) to its edge. It may be [`lit`](Shader::lit), or
 /// [`tinted`](Shader::tinted) by vertex colors.
 ///
-/// The varyings are a column and a row, in texels with 16 fraction bits. They hold the texture coordinates exactly
-/// along a side of 16 or more texels, and rounded to nearest along a shorter side. Their range is ±32,768 texels (128
-/// repeats of 256 texels, 8 of 4096), beyond which they saturate. A triangle of a repeating texture is first moved by
-/// whole repeats so that it begins in the first repeat. So only the extent of a triangle is limited, not its place in
-/// the texture. Lines and points are not moved.
+/// The varyings are a column and a row, in texels with 16 fraction bits. Along a side of 16 or more texels, they hold
+/// the texture coordinates exactly; along a shorter side, they are rounded to nearest. Their range is ±32,768 texels
+/// (128 repeats of 256 texels, 8 of 4096); beyond it, they saturate. If the texture repeats, a triangle is first moved
+/// by whole repeats so that it begins in the first one. So the range limits only the extent of a triangle, not its
+/// place in the texture. Lines and points are not moved.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, GrayColor}};
@@ -110,11 +110,11 @@ impl<S: Sampler, A: Addressing> Textured<S, A> {
 }
 
 impl<S: Sampler<Color: PixelColor>, A: Addressing, F> Textured<S, A, F> {
-    /// Gives each texel the opacity that a gray texture of the same size has there, the mask: white is wholly there, and
+    /// Gives each texel the opacity that a gray texture of the same size, the mask, has there: white is opaque, and
     /// black leaves both color and depth of the canvas as they were. Draw it with the blending
     /// [`Alpha`](crate::target::Alpha).
     ///
-    /// A bilinear filter blends colors and opacities each for itself: give texels that are not there the colors of their
+    /// A bilinear filter blends colors and opacities separately, so give invisible texels the colors of their
     /// neighbors.
     ///
     /// ```
@@ -149,7 +149,7 @@ impl<S: Sampler<Color: PixelColor>, A: Addressing, F> Textured<S, A, F> {
 }
 
 impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Textured<S, A, F> {
-    /// Leaves out the texels of one color, which must have exactly this value: fences, leaves, sprites. Where they are,
+    /// Leaves out the texels of exactly this color, for example around fences, leaves and sprites. In these places,
     /// both color and depth of the canvas stay as they were.
     ///
     /// ```

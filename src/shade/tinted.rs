@@ -9,8 +9,8 @@ use crate::mesh::Primitive;
 #[cfg_attr(doc, doc = page_picture!("tinted", "A cube with checkers, multiplied by the colors of its corners"))]
 /// A white vertex leaves the surface as it is, a black vertex makes it black.
 ///
-/// The fractions of the vertex color (65,536 is 1) are interpolated after the surface's own varyings: three, or one
-/// for a gray surface.
+/// The fractions of the vertex color (65,536 is 1) are varyings that follow the surface's own: three, or one for a gray
+/// surface.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888, RgbColor}};

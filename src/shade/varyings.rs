@@ -1,9 +1,8 @@
-//! The values that a shader interpolates, with types that say how exact each must be and which belong to a whole
-//! face.
+//! The values that a shader interpolates. Their types say how exact each must be, and which belong to a whole face.
 
 use super::lanes::{Lanes, MOST};
 
-/// How large a varying's error may be if that saves the division by w.
+/// The error that a varying may have if that saves the division by w.
 ///
 /// [`Varyings`] carry it in their types: [`Texels`], [`Within`], or plain numbers, which are exact.
 ///
@@ -16,7 +15,7 @@ use super::lanes::{Lanes, MOST};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Tolerance {
-    /// A texture coordinate, in texels times 2^16; the [mode](crate::mode) decides.
+    /// The varying is a texture coordinate, in texels times 2^16; the [mode](crate::mode) decides.
     Texels,
     /// This many units of the varying.
     Units(u32),
@@ -44,8 +43,8 @@ pub enum Tolerance {
 /// let _ = <(Texels, ([i32; 3], [i32; 3]))>::tolerances();
 /// ```
 ///
-/// A single exact number makes all numbers of a shader exact, even in triangles that a texture alone would draw
-/// linearly. So prefer [`Within`] if a small error cannot be seen.
+/// If a single number must be exact, all numbers of the shader are interpolated exactly, even in triangles in which a
+/// texture alone would be interpolated linearly. So prefer [`Within`] if a small error cannot be seen.
 ///
 /// The shader chooses the unit of an interpolated number. The default mode returns a number with an error of up to
 /// about 60 units, and the number may exceed the range of the corners by the same amount. So choose a unit far below
@@ -160,7 +159,7 @@ impl Varyings for Texels {
 
 /// Numbers that may have an error of `UNITS` units each if that saves the division by w.
 ///
-/// A color channel with 16 fraction bits, for example, may have an error of 1/8 step that nobody sees:
+/// A color channel with 16 fraction bits, for example, may have an error of 1/8 step, which is invisible:
 ///
 /// ```
 /// use fixel::shade::Within;

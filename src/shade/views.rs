@@ -12,8 +12,8 @@ use crate::mesh::Primitive;
 ///
 #[cfg_attr(doc, doc = page_picture!("depth_view", "A ring that is bright in front and dark behind"))]
 /// It shows depth in linear steps, from 65535 at the near plane toward 0, whatever the depth buffer's format. In
-/// perspective these steps are linear in 1/distance, so most scenes are dark; [`between`](Self::between) spreads a
-/// part of the range.
+/// perspective, these steps are linear in 1/distance, so most scenes are dark; [`between`](Self::between) spreads a
+/// part of the range from black to white.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
@@ -100,7 +100,7 @@ impl<C: Levels> Shader for DepthView<C> {
 /// The direction of normals in world space as a color.
 ///
 #[cfg_attr(doc, doc = page_picture!("normal_view", "A ring in the colors of its normals"))]
-/// Red is x, green is y and blue is z, each from dark for −1 over half for 0 to bright for +1. Gray canvases show the
+/// Red is x, green is y and blue is z; each is dark at −1, half bright at 0 and bright at +1. Gray canvases show the
 /// luma of this color.
 ///
 /// Normals are the mesh's, or the triangle's own if the mesh has none. A normal without a direction is mid-gray. The

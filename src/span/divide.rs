@@ -54,7 +54,7 @@ pub(super) fn divide_apart<S, O, D, Z>(
     divide(span, scales, cells, pixels);
 }
 
-/// [`divide`] with interpolants that `at` computes anew for each pixel, counted from 0. For triangles of great depth,
+/// [`divide`] with interpolants that `at` computes anew for each pixel, counted from 0: for triangles of great depth,
 /// where steps would accumulate too much rounding. Depths are stepped, as in all modes.
 #[cold]
 #[inline(never)]

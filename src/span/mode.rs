@@ -25,8 +25,8 @@ use crate::shade::{Lanes, Tolerance};
 /// | [`Affine`] | no bound | additions | surfaces that face the eye or are small |
 /// | [`Compact`] | 0.001 | a 31-bit reciprocal | programs that must be small |
 ///
-/// Under a parallel projection, attributes are linear on the screen, so every mode only adds. Each mode draws bands
-/// exactly like frames, and the same pixels on every target. Depths are the same in all modes but `Compact`.
+/// Under a parallel projection, attributes are linear on the screen, so every mode only adds. Each mode draws the same
+/// pixels in bands and in whole frames, and on every target. Depths are the same in all modes but `Compact`.
 ///
 /// For each span of up to 64 pixels, a mode chooses among four kernels: straight, pieces, Newton, divide.
 ///
@@ -46,9 +46,9 @@ impl<M: Policy> Mode for M {}
 /// The code that draws a span.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kernel {
-    /// Attributes are linear along the span; they are stored times 4.
+    /// Attributes are linear along the span, and stored multiplied by 4.
     Straight,
-    /// Attributes that are not divided by w and have a scale, which each pixel restores.
+    /// Attributes are not divided by w and have a scale, which each pixel restores.
     Scaled,
     /// Attributes are replaced by the line that touches them in the middle of the span.
     Tangent,
@@ -79,7 +79,7 @@ pub trait Policy: Copy {
     const DIVIDES: bool = true;
 
     /// The least number of bits of a [`Scale`] in triangles in which q changes less than fourfold. With b bits, an
-    /// interpolant's unit is 2^(b − 30) units of the attribute. More bits than an attribute has lose accuracy, but
+    /// interpolant's unit is 2^(b − 30) units of the attribute. More bits than the attribute has cost accuracy, but
     /// save scaling.
     const LEAST_BITS: u32 = 1;
 
@@ -92,13 +92,14 @@ pub trait Policy: Copy {
     /// Whether it chooses [`Kernel::Pieces`].
     const HAS_PIECES: bool = false;
 
-    /// Whether triangles with a corner whose q is below [`STEEP`] compute their interpolants anew at each pixel.
+    /// Whether triangles that have a corner with q below [`STEEP`] compute their interpolants anew at each pixel.
     const IS_PRECISE: bool = false;
 
-    /// Whether all triangles have far planes, and all spans are divided; then nothing below is asked.
+    /// Whether all triangles have far planes, and all spans are divided; then the items below are not used.
     const IS_COMPACT: bool = false;
 
-    /// The greatest error that an attribute may have, in its units, if that saves all division; 0 never saves it.
+    /// The greatest error that an attribute may have, in its units, if that saves all divisions; with 0, none are
+    /// saved.
     fn affine_within(self, tolerance: Tolerance) -> u32;
 
     /// The kernel for all spans of a triangle that is not affine; `None` if it is chosen span by span.
@@ -141,7 +142,7 @@ fn room(q: u32, step: i32, count: usize) -> Option<u32> {
 /// No pixel depends on the pixels before it. An attribute is computed from the span's interpolants and rounded down
 /// to its unit; the reciprocal adds a relative error below 2⁻³⁰. In a triangle with a corner more than 128 to 256
 /// times as far away as its nearest corner, each pixel computes its interpolants anew in 64 bits. So the error stays
-/// within a thousandth of a texel, for a texture of 256 texels and a depth ratio of up to 1,000 in a triangle.
+/// within a thousandth of a texel, for a texture of 256 texels and depth ratios of up to 1,000 within a triangle.
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Exact};
@@ -173,13 +174,13 @@ impl Policy for Exact {
 
 /// Perspective-correct, with a reciprocal of 1/w at every pixel and nothing else: the least code.
 ///
-/// All triangles and all spans take one path, so a program links neither the paths for small triangles and for spans
-/// that are linear nor the choice among them. On a Cortex-M4 at opt-level "s", drawing textured triangles with a depth
+/// All triangles and all spans take one path. So a program contains neither the paths for small triangles and for
+/// linear spans, nor the choice among them. On a Cortex-M4 at opt-level "s", drawing textured triangles with a depth
 /// buffer takes 11.1 KB of code in place of 13.7 KB in mode [`Newton`], and 2 to 2.5 times the instructions. On a core
-/// without 64-bit products it takes 3 to 5 times the instructions of [`Fast`].
+/// without 64-bit products, it takes 3 to 5 times the instructions of [`Fast`].
 ///
-/// The error is at most that of [`Newton`]. Stored depths may differ by a step from those of the other modes, so do not
-/// mix it with them on one depth buffer.
+/// The error is at most as large as in [`Newton`]. Stored depths may differ by a step from those of the other modes, so
+/// do not use `Compact` and another mode with one depth buffer.
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Compact};
@@ -212,8 +213,8 @@ impl Policy for Compact {
 /// Linear on the screen, which is correct under a parallel projection.
 ///
 #[cfg_attr(doc, doc = page_picture!("modes", "A floor of two triangles: bent by Affine, straight by the default mode"))]
-/// Under perspective, it bends textures, which no other mode does. Use it for surfaces that face the eye, are small,
-/// or are far away for their size. In addition, rounding adds an error of up to 37 units to an attribute (a
+/// Under perspective, it bends textures, which no other mode does. Use it for surfaces that face the eye, are small, or
+/// are far away relative to their size. In addition, rounding adds an error of up to 37 units to an attribute (a
 /// two-thousandth of a texel to a texture coordinate).
 ///
 /// ```
@@ -274,7 +275,7 @@ impl Policy for Affine {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Newton;
 
-/// The error that a texture coordinate may have where nothing is divided: 1/4096 texel.
+/// The error that a texture coordinate may have where no division takes place: 1/4096 texel.
 const TEXEL_TOLERANCE: u32 = 16;
 
 /// Most bits of |q′| in a row along which 1/w hardly changes.
@@ -361,14 +362,14 @@ impl Policy for Newton {
 /// length that keeps this error below the tolerance everywhere in the triangle, and δ · L below 1/16.
 ///
 /// The reciprocals at the ends have 16 bits, and two Newton steps compute each from the last one. So a piece takes no
-/// division and no 64-bit product. This makes it the mode for cores that are slow at those, such as Cortex-M0+; it is
+/// division and no 64-bit product. This makes it the mode for cores on which these are slow, such as Cortex-M0+; it is
 /// fast on all cores. If 1/w changes by 1/64 of itself per pixel, or by a factor of two along a span, the span is
 /// divided at each pixel.
 ///
-/// The tolerance is in texels, whatever the texture's size. For colors, it is the same number of steps of their
-/// channels (a channel of an [`Rgb565`](embedded_graphics::pixelcolor::Rgb565) has 32 or 64 steps); for other
-/// varyings, of units of 2^16. In addition, an attribute has an error of up to 2^-13 of its greatest value in the
-/// triangle: 1/32 texel where a texture of 256 is seen once, more where it repeats.
+/// The tolerance is in texels, whatever the texture's size. For a color, it counts steps of its channels (a channel of
+/// an [`Rgb565`](embedded_graphics::pixelcolor::Rgb565) has 32 or 64 values); for other varyings, it counts multiples
+/// of 2^16. In addition, an attribute has an error of up to 2^-13 of its greatest value in the triangle: 1/32 texel if
+/// a texture of 256 texels is seen once, more if it repeats.
 ///
 /// A triangle that hardly changes in depth is a single piece, if the error of texture coordinates is within the
 /// tolerance and the error of other varyings is within what the shader allows ([`Varyings`](crate::shade::Varyings)).
@@ -395,8 +396,8 @@ impl Fast {
     /// For a texture of 256 texels, the total error is up to 1/16 texel.
     pub const NARROW: Self = Self::within(crate::fx!(0.031_25));
 
-    /// Pieces with an error of at most this many texels, in addition to rounding; with 0 or less, every pixel is
-    /// divided.
+    /// Pieces with an error of at most this many texels, in addition to rounding. With 0 or less, there is a division
+    /// at every pixel.
     #[must_use]
     pub const fn within(texels: Scalar) -> Self {
         let bits = texels.to_bits();

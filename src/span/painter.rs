@@ -7,7 +7,8 @@ use crate::raster::Coverage;
 use crate::shade::{ColorOf, Fragment, Levels, Shader, Varyings};
 use crate::target::Blending;
 
-/// What the pixels of a draw call are colored by: a [`Shader`] and a [`Blending`], and of [`Smooth`] lines their coverage.
+/// The source of the colors of a draw call's pixels: a [`Shader`], a [`Blending`] and, for [`Smooth`] lines, their
+/// coverage.
 pub(crate) trait Painter: Copy {
     /// The color of the canvas.
     type Color;
@@ -24,7 +25,8 @@ pub(crate) trait Painter: Copy {
     /// As for [`Shader`].
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3];
 
-    /// A pixel's color, of which `below` was there; `None` leaves its color and its depth as they are.
+    /// A pixel's new color, where `below` is the color on the canvas; `None` leaves its color and its depth as they
+    /// are.
     fn paint(
         &self,
         at: &Fragment,
@@ -78,7 +80,7 @@ pub(crate) fn is_plane<P: Painter>(painter: &P, halves: [&Primitive<'_>; 2]) -> 
     })
 }
 
-/// A shader and a blending, of which each pixel gets as much as the current line covers of it.
+/// A shader and a blending, applied to each pixel in proportion to its share that the current line covers.
 #[derive(Clone, Copy)]
 pub(crate) struct Smooth<'l, S, B> {
     pub(crate) shader: S,

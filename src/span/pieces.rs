@@ -1,4 +1,4 @@
-//! Straight pieces between pixels that are correct in perspective.
+//! Straight pieces between pixels whose attributes are correct in perspective.
 
 use super::painter::Painter;
 use super::pixels::{Count, Numbers, Pixels, Scales, Span, rolled};

@@ -42,8 +42,8 @@ pub struct Span<L: Lanes> {
 impl<L: Lanes> Span<L> {
     /// A copy of the span, from memory.
     ///
-    /// A loop over pixels takes all registers of a small core. Without this new start, the compiler leaves some of
-    /// them to what came before, and loads steps from the stack at every pixel.
+    /// A loop over pixels takes all registers of a small core. Without this copy, the compiler keeps earlier values in
+    /// some of them, and loads steps from the stack at every pixel.
     #[inline(always)]
     pub(super) fn anew(&self) -> Self {
         let &Self {

@@ -13,8 +13,8 @@ use crate::view::ProjectionKind;
 const MOST_TOLERANCE: u32 = (1 << 29) - 1;
 const _: () = assert!(4 * MOST_TOLERANCE <= i32::MAX.cast_unsigned());
 
-/// What the spans of a primitive have in common, whatever its shader and canvas: one copy of this code serves all
-/// shaders with as many numbers.
+/// The data that the spans of a primitive share, whatever its shader and canvas: one copy of this code serves all
+/// shaders with the same number of interpolated numbers.
 pub(super) struct Plan<L: Lanes, K, M> {
     mode: M,
     pub(super) setup: Setup,

@@ -5,13 +5,13 @@ use embedded_graphics::pixelcolor::PixelColor;
 
 use crate::shade::{Levels, Source, Translucent};
 
-/// How the colors of a draw call are blended with what is on a canvas of color `C`: [`Replace`], [`Opacity`],
+/// How the colors of a draw call are blended with the colors on a canvas of color `C`: [`Replace`], [`Opacity`],
 /// [`Alpha`], [`Add`] or [`Multiply`]. Sealed.
 ///
 #[cfg_attr(doc, doc = page_picture!("blending", "A pane over stripes: Replace, Opacity, Add and Multiply"))]
-/// [`DrawOptions::with_blending`](crate::DrawOptions::with_blending) chooses it. What is there must be drawn first: draw
-/// what is opaque, then what is blended, from back to front. Draw this with [`TestOnly`](super::TestOnly), so that
-/// it hides nothing that is drawn later.
+/// [`DrawOptions::with_blending`](crate::DrawOptions::with_blending) chooses it. Draw opaque surfaces first, then
+/// blended ones, from back to front. Draw the blended ones with [`TestOnly`](super::TestOnly), so that they hide
+/// nothing that is drawn later.
 ///
 /// Each channel is blended as it is stored, without gamma. The result is rounded to nearest, or dithered if the color
 /// is coarse (see [`Levels`]).
@@ -26,14 +26,15 @@ use crate::shade::{Levels, Source, Translucent};
 /// ghostly(fixel::target::Add);
 /// ```
 pub trait Blending<C>: Copy + sealed::Sealed {
-    /// What a shader must make: `C`, or [`Translucent<C>`] for [`Alpha`].
+    /// The output that a shader must have: `C`, or [`Translucent<C>`] for [`Alpha`].
     type Source: Source<Color = C>;
 
     /// Whether [`blend`](Self::blend) reads what is below.
     #[doc(hidden)]
     const READS: bool = true;
 
-    /// The color at a pixel of the frame where `below` was the color; it is read only if it counts.
+    /// The new color at a pixel of the frame, where `below` returns the old one; it is called only if the old color
+    /// matters.
     #[doc(hidden)]
     fn blend(self, source: Self::Source, below: impl FnOnce() -> C, at: Point) -> C;
 }
@@ -47,7 +48,7 @@ mod sealed {
     impl Sealed for super::Multiply {}
 }
 
-/// A [`Blending`]: the color replaces what is there. The default.
+/// A [`Blending`]: the color replaces the one on the canvas. The default.
 ///
 /// ```
 /// use fixel::{prelude::*, target::Replace};
@@ -57,11 +58,12 @@ mod sealed {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Replace;
 
-/// A [`Blending`]: every color covers what is there by the same share, from 0 (not at all) to 255 (wholly): glass, water,
-/// ghosts.
+/// A [`Blending`]: every color covers the one on the canvas by the same share, from 0 (not at all) to 255 (wholly). For
+/// glass, water, ghosts.
 ///
-/// Colors of 15 and 16 bits are blended in 32 steps of it. So a channel of 5 bits is within 1.1 steps of the exact value,
-/// and one of 6 bits within 1.7. Channels of other colors are within 1 step. 0 keeps what is there, and 255 replaces it.
+/// For colors of 15 and 16 bits, the share has 32 steps. The error is at most 1.1 steps in a channel of 5 bits, 1.7
+/// steps in one of 6 bits, and 1 step in the channels of other colors. 0 keeps the color on the canvas, and 255
+/// replaces it.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -80,8 +82,8 @@ pub struct Replace;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Opacity(pub u8);
 
-/// A [`Blending`]: each color covers what is there by an opacity of its own; see [`Translucent`]. As exact as
-/// [`Opacity`].
+/// A [`Blending`]: each color covers the one on the canvas by an opacity of its own; see [`Translucent`]. As accurate
+/// as [`Opacity`].
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -104,7 +106,8 @@ pub struct Opacity(pub u8);
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Alpha;
 
-/// A [`Blending`]: the color is added to what is there, at most to white: fire, sparks, beams of light. Exact.
+/// A [`Blending`]: the color is added to the one on the canvas, channel by channel, at most to white. For fire, sparks,
+/// beams of light. Exact.
 ///
 /// Put such a surface in black fog, so that it fades.
 ///
@@ -125,8 +128,8 @@ pub struct Alpha;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Add;
 
-/// A [`Blending`]: what is there is multiplied by the color, channel by channel, where white is 1: shadows, stained
-/// glass. Rounded to nearest, or dithered.
+/// A [`Blending`]: the color on the canvas is multiplied by the new one, channel by channel, where white is 1. For
+/// shadows, stained glass. The product is rounded to nearest, or dithered.
 ///
 /// Put such a surface in white fog, so that it fades.
 ///

@@ -17,14 +17,14 @@ use crate::Error;
 /// Largest width and height of a frame, in pixels.
 pub const MAX_SIZE: u32 = 2048;
 
-/// A frame's pixels, or those of a horizontal band of it, in memory that belongs to the caller.
+/// The pixels of a frame, or of a horizontal band of it, in memory that belongs to the caller.
 ///
 #[cfg_attr(doc, doc = diagram!("band"))]
 /// Column 0, row 0 is the frame's top left pixel. A band knows which rows of which frame it holds. Everything is
 /// drawn in the frame's coordinates, and pixels outside the band are skipped. Put together, the bands of a frame
 /// equal the whole frame, bit for bit.
 ///
-/// `C` is the color, `O` how it is stored and `D` the depth buffer, [`NoDepth`] or [`Depth`].
+/// `C` is the color, `O` the way it is stored, and `D` the depth buffer: [`NoDepth`] or [`Depth`].
 ///
 /// | pixels in memory | a whole frame | a band of it |
 /// |---|---|---|
@@ -36,8 +36,8 @@ pub const MAX_SIZE: u32 = 2048;
 ///
 /// [`with_depth`](Self::with_depth) and [`with_depth_format`](Self::with_depth_format) add a depth buffer.
 ///
-/// A pixel that is drawn in black and white takes 2 instructions more in pages than as a color on a Cortex-M4, and 13
-/// in rows of a packed canvas; 7 and 18 on a Cortex-M0+. With a palette, a pixel is a
+/// Compared with a canvas of colors, drawing a pixel in black and white takes 2 instructions more on a canvas of pages
+/// and 13 more on a packed one, on a Cortex-M4; on a Cortex-M0+, it takes 7 and 18 more. With a palette, a pixel is a
 /// [`ColorIndex`](super::ColorIndex), stored as a color.
 ///
 /// A canvas is an embedded-graphics [`DrawTarget`], so text and gauges can be drawn over the picture.
@@ -203,7 +203,7 @@ impl<'a> Canvas<'a, BinaryColor, Pages> {
         Self::over(bytes, width, height)
     }
 
-    /// A band of pages. The frame's last page may reach below it. The first row in memory is the first bit of a page, so
+    /// A band of pages. The last page may reach below the frame. The first row in memory is the first bit of a page, so
     /// for a display `first_row` is a multiple of 8.
     ///
     /// # Errors
@@ -406,10 +406,10 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         )
     }
 
-    /// The place of `columns` of `row` in memory; both must lie within [`area`](Self::area).
+    /// The range in memory of `columns` of `row`; both must lie within [`area`](Self::area).
     ///
-    /// It wraps: a triangle's row that is left of the frame ends before it starts, possibly below 0. The result then
-    /// is a range that no memory has.
+    /// It wraps: a triangle's row that is left of the frame ends before it starts, possibly below 0. The result is then
+    /// a range outside of any memory.
     #[inline]
     pub(super) const fn range(&self, row: u32, columns: &Range<u32>) -> Range<usize> {
         let start = (row - self.rows.start) * self.width;
@@ -445,7 +445,7 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
 
     /// Sets every depth to infinity and keeps the colors, so that the next draw call covers them.
     ///
-    /// Use it for a second scene over the first, such as a gun or a gauge that no wall may hide. Without a depth
+    /// Use it for a second scene over the first, such as a cockpit or a gauge that no wall may hide. Without a depth
     /// buffer, it does nothing.
     ///
     /// ```
@@ -480,7 +480,7 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     }
 }
 
-/// The colors and depths of a canvas. Once it is in registers, rows are found without a look at the canvas.
+/// The colors and depths of a canvas. Once it is in registers, rows are found without reading the canvas.
 pub(crate) struct Memory<'a, C, O: Storage<C>, D> {
     cells: &'a mut [O::Cell],
     depth: &'a mut D,

@@ -5,10 +5,10 @@ use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use super::canvas::Canvas;
 use super::storage::Storage;
 
-/// A change of grays that makes one of them black, a lighter one white, and spreads those in between evenly.
+/// A change of grays that makes one gray black and a lighter one white, and spreads the grays between them evenly.
 ///
-/// Displays with few grays need it: a scene that only has dark ones is noise in black and white. The default changes
-/// nothing.
+/// Displays with few grays need it: in black and white, a scene that has only dark grays becomes noise. The default
+/// changes nothing.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -42,9 +42,10 @@ impl Contrast {
     }
 
     /// The contrast of the rows in memory: the darkest gray becomes black and the lightest one white. At each end,
-    /// `ignored`/256 of the pixels do not count, so that a lamp's highlight does not decide.
+    /// `ignored`/256 of the pixels do not count, so that a single highlight does not set the contrast.
     ///
-    /// All bands of a frame need the same contrast: that of the last frame, for example. It takes 1 KiB of stack.
+    /// All bands of a frame need the same contrast, for example the previous frame's. The function takes 1 KiB of
+    /// stack.
     #[must_use]
     pub fn of<O: Storage<Gray8>, D>(canvas: &Canvas<'_, Gray8, O, D>, ignored: u8) -> Self {
         let mut counts = [0_u32; 256];

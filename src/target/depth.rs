@@ -8,8 +8,8 @@ use super::format::{DepthFormat, Linear, linear};
 
 /// A canvas's depth buffer: [`NoDepth`] or [`Depth`]. Sealed.
 ///
-/// Use it as the bound of code that draws with or without one. A fragment is drawn if it is at least as near as the
-/// stored depth, so of two equal depths the later one wins.
+/// Use it as the bound of code that draws with or without a depth buffer. A fragment is drawn if it is at least as near
+/// as the stored depth, so of two equal depths, the later one wins.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -48,7 +48,7 @@ pub struct NoDepth;
 /// `F` is the format of a depth: [`Linear`], [`Float`](super::Float) or [`WideFloat`](super::WideFloat). In each
 /// format, a nearer depth is a greater number, so the depth test is the same comparison. The formats differ in cost,
 /// and in the ratio far/near that they resolve. The table lists the greatest depth step, relative to the distance, at
-/// the far end; "none" means that every depth there is stored as 0.
+/// the far end. "None" means that every depth at the far end is stored as 0.
 ///
 /// | far / near | [`Linear`] | [`Float`](super::Float) | [`WideFloat`](super::WideFloat) |
 /// |---:|---:|---:|---:|

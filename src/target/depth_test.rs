@@ -92,12 +92,12 @@ depth_tests! {
         NoTest false false;
 }
 
-/// Another depth test, with depths that are moved before they are tested and stored.
+/// A depth test with depths that are moved before they are tested and stored.
 ///
-/// It costs 10 to 13 instructions for each drawn pixel on a Cortex-M4 and 7 for each hidden one; 6 to 12 and 7 to 9 on a
-/// Cortex-M0+.
+/// On a Cortex-M4, it costs 10 to 13 instructions for each drawn pixel and 7 for each hidden one; on a Cortex-M0+, 6 to
+/// 12 and 7 to 9.
 ///
-/// With a mesh moved away from the eye, lines and decals on its surface are drawn without gaps:
+/// If a mesh is moved away from the eye, lines and decals on its surface are drawn without gaps:
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -139,7 +139,7 @@ impl<Z> Biased<Z> {
     }
 
     /// `test` with depths moved away by two steps and by the depth difference between neighboring pixels. This is
-    /// enough for edges that are drawn over the mesh to be whole.
+    /// enough for edges drawn over the mesh to have no gaps.
     #[must_use]
     pub const fn behind(test: Z) -> Self {
         Self::new(test, -2, crate::fx!(-1))

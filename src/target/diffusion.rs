@@ -10,16 +10,16 @@ use crate::shade::Levels;
 
 /// Memory of an error diffusion (Floyd and Steinberg, 1976), for [`Canvas::show_diffused`].
 ///
-/// It carries errors from row to row, and from band to band: make one for each frame, and show the frame's bands with it
-/// from top to bottom.
+/// It carries errors from row to row, and from band to band. Make a new one for each frame, and show the frame's bands
+/// with it from top to bottom.
 #[derive(Debug)]
 pub struct ErrorDiffusion<'e> {
     /// From `column` on, for this row; up to `column` − 2, for the next row. In 16ths of a step of [`Gray8`].
     errors: &'e mut [i16],
     column: usize,
-    /// What this column gets.
+    /// The error that this column receives.
     right: i32,
-    /// What the last column of the next row has, and what this one has.
+    /// The errors that the next row has received so far: in the previous column, and in this one.
     below: i32,
     below_right: i32,
 }
@@ -28,13 +28,15 @@ impl<O: Storage<Gray8>, D> Canvas<'_, Gray8, O, D> {
     /// Shows a gray canvas on a display of fewer grays by error diffusion, in one
     /// [`fill_contiguous`](DrawTarget::fill_contiguous).
     ///
-    /// Each pixel gets the nearest gray that the display has. The difference, at most half a step of these grays, is added
-    /// to pixels that follow, so brightness is kept except where it would exceed white or fall below black: 7/16 of it
-    /// to the right, and below 3/16 to the left, 5/16, and 1/16 to the right. What would go beyond the sides goes straight
-    /// down. Details are finer than in an ordered dither, but they move from frame to frame in a moving picture.
+    /// Each pixel gets the nearest gray that the display has. The difference, at most half a step of these grays, is
+    /// added to later pixels: 7/16 of it to the pixel on the right; 3/16, 5/16 and 1/16 to the pixels below on the
+    /// left, directly below, and below on the right. Parts that would go beyond the sides go to the pixel directly
+    /// below. So brightness is kept, except where it would exceed white or fall below black. Details are finer than
+    /// with ordered dithering, but in a moving picture they change from frame to frame.
     ///
-    /// The bands of a frame, shown one after the other, equal the frame. The display may be another canvas, for example
-    /// of [`Pages`](super::Pages); it must take every color, so a canvas needs the size of the frame.
+    /// The bands of a frame, shown one after the other, equal the whole frame. The display may be another canvas, for
+    /// example of [`Pages`](super::Pages). A display must consume every color, so such a canvas must have the size of
+    /// the frame.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{BinaryColor, Gray8};
@@ -72,8 +74,8 @@ impl<O: Storage<Gray8>, D> Canvas<'_, Gray8, O, D> {
 }
 
 impl<'e> ErrorDiffusion<'e> {
-    /// The start of a frame. `errors` has an element for each column; columns that have none pass errors to the right
-    /// only. Its contents do not matter.
+    /// The start of a frame. `errors` needs an element for each column; columns without one pass errors only to the
+    /// right. The previous contents of `errors` do not matter.
     #[must_use]
     pub fn new(errors: &'e mut [i16]) -> Self {
         errors.fill(0);

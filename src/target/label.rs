@@ -14,14 +14,14 @@ use super::depth::DepthBuffer;
 use super::draw_target::skip;
 use super::storage::Storage;
 
-/// A canvas as an embedded-graphics [`DrawTarget`] whose origin is a point of the scene, and in which the scene hides
-/// what is behind it; [`Canvas::label`] makes it.
+/// A canvas as an embedded-graphics [`DrawTarget`] whose origin is a point of the scene, and whose pixels are hidden by
+/// nearer surfaces; [`Canvas::label`] makes it.
 ///
-/// Everything that is drawn to it has the point's depth, so it stands upright in the picture as a sheet of paper would.
-/// A pixel is drawn if it is at least as near as the stored depth, which is kept. On a canvas without a depth
+/// Everything drawn to it has the point's depth, so it looks like a sheet of paper that faces the viewer. A pixel is
+/// drawn if it is at least as near as the stored depth; the stored depth does not change. On a canvas without a depth
 /// buffer, every pixel is drawn.
 ///
-/// Drawing cannot fail. Any point and any rectangle is allowed. `clear` fills all that the scene does not hide.
+/// Drawing cannot fail. Any point and any rectangle is allowed. `clear` fills every pixel that the scene does not hide.
 #[derive(Debug)]
 pub struct Label<'c, T> {
     canvas: &'c mut T,

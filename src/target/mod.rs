@@ -2,8 +2,8 @@
 //!
 #![cfg_attr(doc, doc = page_picture!("formats", "A ball in 16 bits of color, in four grays, in black and white"))]
 //! A [`Canvas`] has three type parameters: its color, how the color is stored, and its depth buffer. Their types
-//! follow from its constructor, so most programs need to name only the color. A draw call adds how it uses the depth
-//! buffer, and how its colors are blended with those that are there.
+//! follow from its constructor, so most programs need to name only the color. Each draw call chooses how it uses the
+//! depth buffer, and how its colors are blended with those on the canvas.
 //!
 //! | choice | types |
 //! |---|---|

@@ -33,8 +33,8 @@ pub enum Packed {}
 /// A [`Storage`] with 8 pixels in a byte, one below the other, as SSD1306 and similar displays want them.
 ///
 /// A *page* is 8 rows: a byte for each column from the left, whose least significant bit is the topmost pixel.
-/// Pages follow each other from the top; a canvas's first row is the first of a page. If the height is not a multiple of
-/// 8, only the low bits of the last page are shown. [`Canvas::pages`](super::Canvas::pages) makes a canvas.
+/// Pages follow each other from the top, and a canvas's first row is the first row of a page. If the height is not a
+/// multiple of 8, only the low bits of the last page are shown. [`Canvas::pages`](super::Canvas::pages) makes a canvas.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::BinaryColor, prelude::*};
@@ -51,7 +51,7 @@ pub enum Pages {}
 impl Sealed for Packed {}
 impl Sealed for Pages {}
 
-/// The raw data of a color of which a byte holds several; public in name only.
+/// The raw data of a color that is smaller than a byte; public in name only.
 pub trait Bits: RawData<Storage = u8> {}
 
 impl Bits for RawU1 {}

@@ -24,7 +24,7 @@ pub trait Storage<C>: Sealed {
     /// An element of a canvas's memory: a pixel, or a byte of several.
     type Cell: Copy;
 
-    /// Converts a color to its stored form: a cell all of whose pixels have it.
+    /// Converts a color to its stored form: a cell in which all pixels have this color.
     fn store(color: C) -> Self::Cell;
 
     /// Converts a stored pixel, the first of a cell, back to its color.
@@ -38,7 +38,7 @@ pub trait Storage<C>: Sealed {
     #[doc(hidden)]
     const ROWS: u32 = 1;
 
-    /// Where in its cells a span begins; nothing if each cell is a pixel.
+    /// The position in its cells at which a span begins; no data if each cell is a pixel.
     #[doc(hidden)]
     type Cursor<'a>: Copy;
 
@@ -48,10 +48,10 @@ pub trait Storage<C>: Sealed {
     where
         Self::Cell: 'a;
 
-    /// The cells of a span, and where in them it begins.
+    /// The cells of a span, and the position in them at which it begins.
     ///
-    /// It takes no reference to the cells. One that passed through a function would tell the compiler more (`noalias`),
-    /// and change the code of every program.
+    /// It takes no reference to the cells: a reference passed through a function would tell the compiler more
+    /// (`noalias`), and change the code of every program.
     #[doc(hidden)]
     fn locate<'a>(span: RowSpan) -> (Range<usize>, Self::Cursor<'a>);
 

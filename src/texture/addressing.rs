@@ -65,14 +65,14 @@ pub struct Repeat;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Clamp;
 
-/// The fraction bits that a texture coordinate has more than texels.
+/// How many more fraction bits a texture coordinate has than texels.
 const FINER: u32 = TexCoord::FRAC_NBITS - 16;
 
 /// Converts texture coordinates, in units of 2⁻²⁰ repeat and counted from `origin`, to texels with 16 fraction bits:
 /// rounded to nearest, saturated.
 ///
 /// A whole repeat is a whole number of texels, so coordinates that differ by whole repeats round alike.
-// Out of line, because all textured shaders share it.
+// Out of line, because all textured shaders share this code.
 #[inline(never)]
 pub(crate) fn texels(bits: [i32; 3], origin: i32, log2: u32) -> [i32; 3] {
     bits.map(|bits| {

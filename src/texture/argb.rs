@@ -7,8 +7,8 @@ use super::blend::{self, Blend};
 /// A texel of 16 bits with an opacity of 4 bits, and 4 bits each of red, green and blue.
 ///
 /// Its color is [`Rgb565`]; draw it with the blending [`Alpha`](crate::target::Alpha). A texel of opacity 0 leaves both
-/// color and depth of the canvas as they were. Under a bilinear filter, colors are blended with the weights of their
-/// texels alone: give those of opacity 0 the colors of their neighbors.
+/// color and depth of the canvas as they were. A bilinear filter blends colors whatever their opacities, so give texels
+/// of opacity 0 the colors of their neighbors.
 ///
 /// ```
 /// use fixel::texture::Argb4444;
@@ -21,11 +21,11 @@ use super::blend::{self, Blend};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Argb4444(u16);
 
-/// A texel of 16 bits that is there or not: 1 bit of opacity, and 5 bits each of red, green and blue.
+/// A texel of 16 bits that is either opaque or a hole: 1 bit of opacity, and 5 bits each of red, green and blue.
 ///
-/// Its color is [`Rgb565`]. A texel of opacity 0 leaves both color and depth of the canvas as they were. Between texels,
-/// the nearest one decides whether there is a hole; where there is none, a [`Bilinear`](super::Bilinear) filter blends as
-/// if the holes had the nearest texel's color.
+/// Its color is [`Rgb565`]. A hole leaves both color and depth of the canvas as they were. Between texels, the nearest
+/// one decides whether there is a hole; where there is none, a [`Bilinear`](super::Bilinear) filter blends as if the
+/// holes had the nearest texel's color.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
@@ -39,7 +39,7 @@ pub struct Argb4444(u16);
 pub struct Argb1555(u16);
 
 impl Argb4444 {
-    /// A texel from its opacity, red, green and blue, of which the low four bits count.
+    /// A texel from its opacity, red, green and blue; only the low four bits of each are used.
     #[must_use]
     pub const fn new(opacity: u8, red: u8, green: u8, blue: u8) -> Self {
         let [a, r, g, b] = [
@@ -65,7 +65,7 @@ impl Argb4444 {
         (self.0 >> 12) as u8 * 17
     }
 
-    /// The color. Each channel is repeated in its low bits, so that the highest value stays the highest.
+    /// The color. Each channel's bits are repeated in the new low bits, so that the highest value stays the highest.
     #[must_use]
     #[inline]
     pub const fn color(self) -> Rgb565 {
@@ -79,10 +79,10 @@ impl Argb4444 {
 }
 
 impl Argb1555 {
-    /// A texel that is not there.
+    /// A hole.
     pub const HOLE: Self = Self(0);
 
-    /// A texel from its red, green and blue, of which the low five bits count.
+    /// A texel from its red, green and blue; only the low five bits of each are used.
     #[must_use]
     pub const fn new(red: u8, green: u8, blue: u8) -> Self {
         let [r, g, b] = [red as u16 & 31, green as u16 & 31, blue as u16 & 31];

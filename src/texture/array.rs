@@ -49,8 +49,8 @@ use crate::message;
 /// assert_eq!(GRAY.texels(), &[[Gray4::new(1), Gray4::new(2)], [Gray4::new(3), Gray4::new(4)]]);
 /// ```
 ///
-/// Too few or too many bytes do not compile, nor does a size that is not a power of two. The compiler's error names
-/// the numbers and the remedy:
+/// Too few or too many bytes do not compile, nor does a size that is not a power of two. The compiler's error names the
+/// numbers and what to write instead:
 ///
 /// ```compile_fail
 /// use embedded_graphics::pixelcolor::Rgb565;

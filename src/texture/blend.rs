@@ -43,10 +43,10 @@ pub trait Blend: Copy {
     #[must_use]
     fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self;
 
-    /// The mean of four texels, of which a [`Mipmap`](super::Mipmap) makes one. Each channel is rounded to nearest, halves
-    /// up.
+    /// The mean of four texels, which replaces them in the next level of a [`Mipmap`](super::Mipmap). Each channel is
+    /// rounded to nearest, halves up.
     ///
-    /// By default, it is the [`blend`](Self::blend) halfway between them, whose rounding may be a step too high.
+    /// By default, it is the [`blend`](Self::blend) halfway between them, which may be rounded a step too high.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};

@@ -11,7 +11,7 @@ use crate::message;
 
 /// A color that the pixels of a file can be converted to: any color of embedded-graphics.
 ///
-/// Each channel is rounded to the nearest step, as embedded-graphics does it too. Gray is the BT.601 luma that
+/// Each channel is rounded to the nearest step, as in embedded-graphics. Gray is the BT.601 luma that
 /// [`Levels`](crate::shade::Levels) uses (0.299 red + 0.587 green + 0.114 blue), rounded once to the nearest step and
 /// not dithered. [`BinaryColor`] is on if the luma is at least half of white.
 ///

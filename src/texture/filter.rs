@@ -48,9 +48,9 @@ mod sealed {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Nearest;
 
-/// Blends the four texels around a point, by the distances of their centers.
+/// Blends the four texels around a point, with weights that depend on the distances of their centers.
 ///
-/// A magnified texture is smooth. [`Textured::bilinear`](crate::Textured::bilinear) selects it.
+/// A magnified texture looks smooth. [`Textured::bilinear`](crate::Textured::bilinear) selects this filter.
 ///
 /// The first texel's center lies half a texel from the texture's corner. Beyond the outermost centers, a
 /// repeating texture blends with its other edge, and a [`clamped`](crate::Textured::clamped) one keeps the color
@@ -73,16 +73,16 @@ pub struct Nearest;
 /// [`Rgb565`](embedded_graphics::pixelcolor::Rgb565)), because one word holds all their channels during a blend. For
 /// other colors it is rounded to the nearest 1/256 texel ([`Blend::WEIGHT_BITS`]).
 ///
-/// Two blends along rows come first, each rounded to a whole step; then one blend between the rows. A channel's error
-/// is at most one step, plus 1/32 (or 1/256) of the difference between the four texels. From black to white, this is
-/// two steps of red and three of green in Rgb565, and two steps of 255 in Rgb888. At the centers of texels there is
+/// Two blends along rows come first, each rounded to a whole step; one blend between the rows follows. A channel's
+/// error is at most one step, plus 1/32 (or 1/256) of the difference between the four texels. From black to white, this
+/// is two steps of red and three of green in Rgb565, and two steps of 255 in Rgb888. At the centers of texels there is
 /// no error.
 ///
 /// # Cost
 ///
-/// The table lists how many more instructions a pixel takes than with [`Nearest`], with `opt-level = 3`, for the
-/// benchmark's floor with a 64x64 texture in flash. The range covers the modes `Exact` and `Affine`; in the default
-/// mode, Rgb565 takes 48 more on the M4 and 75 more on the M0+. The last columns are bytes of code with
+/// The table lists the instructions for a pixel in addition to those with [`Nearest`], with `opt-level = 3`, for the
+/// benchmark's floor with a 64x64 texture in flash. The ranges cover the modes `Exact` and `Affine`; in the default
+/// mode, Rgb565 takes 48 more on the M4 and 75 more on the M0+. The last columns give the bytes of code with
 /// `opt-level = "s"`.
 ///
 /// | | Cortex-M4 | Cortex-M0+ | code, M4 | code, M0+ |
@@ -98,8 +98,8 @@ pub struct Bilinear;
 
 /// Leaves out texels of one color; see [`Textured::cut_out`](crate::Textured::cut_out).
 ///
-/// Between texels, the nearest one decides whether there is a hole. Where there is none, a [`Bilinear`] filter blends as
-/// if the texels that are left out had the nearest one's color, so their own never shows.
+/// Between texels, the nearest one decides whether there is a hole. Where there is none, a [`Bilinear`] filter blends
+/// as if the texels that are left out had the nearest texel's color, so their own color never shows.
 ///
 /// ```
 /// use embedded_graphics::{geometry::Point, pixelcolor::{Gray8, GrayColor}};

@@ -29,7 +29,7 @@ pub trait Convert<F: File, const N: usize>: Copy + 'static {
 /// A texture that can be created from file `F` with `N` pixels.
 #[diagnostic::on_unimplemented(
     message = "an image file cannot become a `{Self}`",
-    label = "a texture of a color of embedded-graphics is needed here",
+    label = "expected a texture in a color of embedded-graphics",
     note = "write the type as `Texture<Rgb565>`, `TextureArray<Rgb565, WIDTH, HEIGHT>`, `Palette<Rgb565>` or `PaletteArray<Rgb565, WIDTH, HEIGHT>`"
 )]
 pub trait FromFile<F: File, const N: usize>: Sized {

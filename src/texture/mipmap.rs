@@ -11,20 +11,20 @@ use crate::Error;
 use crate::error::ok;
 use crate::message;
 
-/// A texture with its mipmap levels: itself, and reductions of it for triangles that are far away.
+/// A texture with its mipmap levels: the texture itself, and reductions of it for triangles that are far away.
 ///
 /// Level 0 is the texture. Each further level has half the width and half the height of the level before; the last one
 /// is reached when a side has one texel. A texel is the mean of the four that it replaces, each channel rounded to
-/// nearest, halves up ([`Blend::mean`]). So after n levels, a channel is within n/2 steps of the mean of all texels that
-/// it replaces.
+/// nearest, halves up ([`Blend::mean`]). So at level n, a channel differs by at most n/2 steps from the mean of all
+/// texels that it replaces.
 ///
 /// A mipmap borrows the texels of all levels, in one slice: level 0 first, each level row by row from the top. Together
-/// they take a third more memory than the texture; [`len`](Self::len) tells how many they are. There are three ways to
-/// create one: [`MipmapArray`] computes the levels at compile time, and [`as_mipmap`](MipmapArray::as_mipmap) borrows
-/// them; [`build`](Self::build) computes them at run time, in your memory; [`new`](Self::new) takes a slice that has
-/// them already.
+/// they take a third more memory than the texture; [`len`](Self::len) returns their number. There are three ways to
+/// create a mipmap: [`MipmapArray`] computes the levels at compile time, and [`as_mipmap`](MipmapArray::as_mipmap)
+/// borrows them; [`build`](Self::build) computes them at run time, in your memory; [`new`](Self::new) takes a slice
+/// that already has them.
 ///
-/// [`Mipmapped`](crate::shade::Mipmapped) draws it. As a [`Sampler`], it is the texture itself.
+/// [`Mipmapped`](crate::shade::Mipmapped) draws it. Used as a [`Sampler`], it behaves like the texture at level 0.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -45,8 +45,8 @@ pub struct Mipmap<'a, C> {
     height_log2: u8,
 }
 
-/// The number of texels of all levels, from the exponents of the size: one bit for each level, two apart, because a
-/// level has a quarter of the texels of the level before.
+/// The number of texels of all levels, from the exponents of the size. It has one bit for each level; the bits are two
+/// apart, because a level has a quarter of the texels of the level before.
 const fn len_of([width_log2, height_log2]: [u32; 2]) -> usize {
     let (low, high) = if width_log2 < height_log2 {
         (width_log2, height_log2)
@@ -71,7 +71,7 @@ impl<'a, C: Copy> Mipmap<'a, C> {
     /// # Panics
     ///
     /// If the width or the height is not a power of two or is above [`MAX_TEXTURE_SIZE`](super::MAX_TEXTURE_SIZE). Use
-    /// it in constants: there, this stops compilation.
+    /// it only in constants, where this stops compilation.
     #[must_use]
     pub const fn len(width: usize, height: usize) -> usize {
         len_of([log2("width", width), log2("height", height)])
@@ -97,7 +97,7 @@ impl<'a, C: Copy> Mipmap<'a, C> {
         })
     }
 
-    /// Computes all levels but the first, which `texels` begins with; the rest of `texels` is overwritten.
+    /// Computes all levels from level 0, with which `texels` begins; the rest of `texels` is overwritten.
     ///
     /// # Errors
     ///
@@ -171,7 +171,7 @@ impl<'a, C: Copy> Mipmap<'a, C> {
         }
     }
 
-    /// One level as a texture; at most the last one.
+    /// One level as a texture; `level` must not be beyond the last one.
     #[inline]
     pub(crate) const fn level(&self, level: u32) -> Level<'a, C> {
         Level {
@@ -181,8 +181,8 @@ impl<'a, C: Copy> Mipmap<'a, C> {
     }
 }
 
-/// Where a level begins that has `size` texels, a power of two: after the levels with more, which are the bits of `len`
-/// above it.
+/// Where the level with `size` texels, a power of two, begins: after the larger levels, which are the higher bits of
+/// `len`.
 #[inline]
 const fn start(len: usize, size: usize) -> usize {
     len & !(size | (size - 1))
@@ -245,10 +245,9 @@ impl<C: Copy> Sampler for Mipmap<'_, C> {
 /// A [`Mipmap`] that owns its texels, made at compile time: in a `static`, it is stored in flash.
 ///
 /// `W` and `H` are the size of the texture, powers of two, and `LENGTH` is the number of texels of all levels:
-/// [`Mipmap::len`]. A wrong one does not compile, and the compiler's error names the right one.
+/// [`Mipmap::len`]. A wrong `LENGTH` does not compile, and the compiler's error names the right one.
 ///
-/// Constructors named after colors take the texture as raw bytes, as those of
-/// [`TextureArray`](super::TextureArray) do.
+/// Constructors named after colors take the texture as raw bytes, like those of [`TextureArray`](super::TextureArray).
 ///
 /// (The compiler stops the evaluation of a constant after two million steps unless `long_running_const_eval` is
 /// allowed. Up to 256x256 texels stay below this limit.)
@@ -443,7 +442,7 @@ mod sealed {
 pub struct Trilinear;
 
 impl<'a, C: Copy> Mipmap<'a, C> {
-    /// The color in one level, which must not be above the last one.
+    /// The color in one level, which must not be beyond the last one.
     #[inline]
     fn color_in<A: Addressing, F: Filter<C>>(
         &self,
@@ -454,7 +453,7 @@ impl<'a, C: Copy> Mipmap<'a, C> {
         filter.color::<Level<'a, C>, A>(&self.level(level), [u >> level, v >> level])
     }
 
-    /// The level nearest to one with 8 fraction bits.
+    /// The whole level nearest to a level with 8 fraction bits.
     #[inline]
     fn nearest_level(&self, level: i32) -> u32 {
         ((level + 128) >> 8)

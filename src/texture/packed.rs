@@ -8,8 +8,8 @@ use crate::Error;
 
 /// A texture of 16 grays that takes half a byte for each texel: a mask, or a picture for a gray panel.
 ///
-/// The left one of two texels is in the high bits of a byte, and rows follow each other without a gap. The width is a
-/// power of two and at least 2.
+/// The left texel of each two is in the high bits of a byte, and rows follow each other without a gap. Width and height
+/// are powers of two, and the width is at least 2.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray4;

@@ -4,7 +4,7 @@ use crate::Error;
 use crate::error::ok;
 use crate::message;
 
-/// Texels by column and row, which repeat in both directions.
+/// Texels by column and row; they repeat in both directions.
 ///
 /// Width and height are powers of two.
 ///

@@ -26,10 +26,10 @@ use crate::error::ok;
 ///
 /// # Cost
 ///
-/// Reading a texel takes a shift and two masks more than from a [`TextureArray`](super::TextureArray), and uses more
+/// Reading a texel takes a shift and two masks more than with a [`TextureArray`](super::TextureArray), and more
 /// registers. The table lists instructions per frame for the benchmark's floor: 47,610 pixels with a 64x64 texture. A
-/// shader holds either the texture itself, `Textured::new(SKIN)`, or a reference to it, whose size is read again at
-/// each pixel:
+/// shader holds either the texture itself, `Textured::new(SKIN)`, or a reference to it; with a reference, the size is
+/// read again at each pixel:
 ///
 /// | | `TextureArray` | `Texture` | `&Texture` |
 /// |---|---:|---:|---:|

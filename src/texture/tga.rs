@@ -68,7 +68,7 @@ pub(super) const fn read(bytes: &[u8]) -> Result<Image<'_>, Error> {
     let row = width as usize * right;
     let needed = start as u64 + row as u64 * height as u64;
     ok!(at_least(bytes, needed));
-    // Every offset below lies in the file. The descriptor tells on which side the first pixel is.
+    // Every offset below lies in the file. The descriptor says on which side the first pixel is.
     let (last_column, last_row) = (right * (width as usize - 1), row * (height as usize - 1));
     let (first, right) = if descriptor & 0x10 == 0 {
         (start, right as isize)

@@ -29,14 +29,14 @@ const ISOMETRIC_TILT: Angle = Angle::from_bits(420_720_557);
 impl Camera {
     /// Makes a camera at `eye` that shows `target` in the middle of the picture, with `up` upwards.
     ///
-    /// The axes of eye space are k = (eye − target)/‖·‖, i = up × k/‖·‖ and j = k × i. `up` need not be
-    /// orthogonal to the line of sight, nor have length one.
+    /// The axes of eye space are k = (eye − target)/‖·‖, i = up × k/‖·‖ and j = k × i. `up` may have any length, and
+    /// need not be orthogonal to the view direction.
     ///
     /// # Errors
     ///
-    /// [`Error::EyeAtTarget`] if eye and target are equal; [`Error::UpAlongView`] if `up` is zero, or
-    /// so close to the line of sight that the roll would be noise. That is always the case within
-    /// 5e-7 radians (0.1 seconds of arc), and never beyond 8e-6.
+    /// [`Error::EyeAtTarget`] if eye and target are equal; [`Error::UpAlongView`] if `up` is zero, or so close to the
+    /// view direction that the roll would be noise. An angle below 5e-7 radians (0.1 seconds of arc) is always refused,
+    /// one above 8e-6 never.
     pub fn look_at(eye: Vec3, target: Vec3, up: Vec3) -> Result<Self, Error> {
         /// The largest mantissa of each vector is from 2^29 to 2^30. The product of lengths is at least
         /// 2^58, and a component of this size at most 2^-19 of it.
@@ -90,9 +90,10 @@ impl Camera {
         self.view.inverse_rigid()
     }
 
-    /// The camera for a sky: it looks in the same direction, from the origin of the world. A mesh around the origin stays
-    /// as far away however the camera moves. Draw it first, with [`NoTest`](crate::target::NoTest), so that it is behind
-    /// everything; it must be beyond the near plane and before the far plane.
+    /// The camera for a sky: it looks in the same direction, but from the origin of the world. So a mesh around the
+    /// origin seems infinitely far away, however the camera moves. Draw the mesh first, with
+    /// [`NoTest`](crate::target::NoTest), so that it is behind everything; it must lie between the near and the far
+    /// plane.
     ///
     /// A dome is a sphere seen from inside, with [`Cull::Front`](crate::Cull::Front): in colors by height
     /// ([`Gradient`](crate::shade::Gradient)), or [`Textured`](crate::Textured) with a panorama. A sky box is a cube seen

@@ -1,4 +1,6 @@
-//! From the world to the picture: camera, projection and viewport, and their product.
+//! From the world to the picture: camera, projection and viewport.
+//!
+#![cfg_attr(doc, doc = diagram!("eye"))]
 
 mod aspect;
 mod camera;

@@ -11,7 +11,7 @@ use crate::Transform;
 #[cfg_attr(doc, doc = diagram!("pipeline"))]
 /// It is written as a product, `projection * camera * model`. The viewport transform, which would come
 /// leftmost, is not part of the product: [`DrawOptions::with_viewport`](crate::DrawOptions::with_viewport) sets it.
-/// Camera and model are stored apart, because lights are in world space, between the two.
+/// Camera and model are stored separately, because lights are in world space, between the two.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -154,7 +154,7 @@ impl<K: ProjectionKind> ModelToPicture for Projection<K> {
 }
 
 impl<K: ProjectionKind> From<Projection<K>> for Mvp<K> {
-    /// Shows eye space itself: neither camera nor model moves anything.
+    /// Makes the transform for a model in eye space: neither camera nor model moves anything.
     fn from(projection: Projection<K>) -> Self {
         Self {
             projection,
@@ -178,7 +178,7 @@ impl<K: ProjectionKind> Mul<Camera> for Projection<K> {
 impl<K: ProjectionKind> Mul<Transform> for Projection<K> {
     type Output = Mvp<K>;
 
-    /// Shows a model placed in eye space, without a camera.
+    /// Makes the transform for a model that `model` places in eye space, without a camera.
     fn mul(self, model: Transform) -> Mvp<K> {
         Mvp {
             model,

@@ -31,7 +31,7 @@ pub trait ProjectionKind: sealed::Sealed + Copy + core::fmt::Debug {
     const PERSPECTIVE: bool;
 }
 
-/// The kind of projection whose lines of sight meet in the eye: distant objects are small.
+/// The kind of projection whose lines of sight meet in the eye: distant objects look smaller.
 ///
 /// ```
 /// use fixel::{Projection, deg, fx, view::Perspective};
@@ -159,8 +159,7 @@ impl<K: ProjectionKind> Projection<K> {
 
     /// Returns the window on the near plane.
     ///
-    /// Its edges are good to 2⁻³⁰ of the largest of the four, then rounded to the nearest 2⁻¹⁶;
-    /// they saturate.
+    /// Its edges are accurate to 2⁻³⁰ of the largest of the four, then rounded to the nearest 2⁻¹⁶; they saturate.
     #[must_use]
     pub fn window(&self) -> Window {
         Window {

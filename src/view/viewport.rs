@@ -27,8 +27,8 @@ pub struct Viewport {
 }
 
 impl Viewport {
-    /// The largest width and height, and the largest distance of its top left corner from the top left
-    /// corner of the frame in x and in y; in pixels.
+    /// The largest width and height of a viewport, and the largest distance of its top left corner from the frame's, in
+    /// x and in y; in pixels.
     pub const MAX: u32 = 4096;
 
     /// Makes a viewport with its top left corner at (x, y), in pixels of the frame; y runs down.

@@ -1,4 +1,4 @@
-//! What stands on the map besides blocks: roofs, windows and lamps.
+//! The things that stand on the map besides blocks: roofs, windows and lamps.
 
 use fixel::Index;
 use fixel::prelude::*;

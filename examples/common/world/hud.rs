@@ -17,13 +17,13 @@ const SHADE: Rgb565 = Rgb565::new(3, 5, 6);
 /// Panels of fewer rows have neither compass nor names.
 pub const LOW: u32 = 96;
 
-/// What the display shows of its bearer.
+/// The state of the viewer that the display shows.
 pub struct Status {
-    /// Where they are on the map.
+    /// The place on the map.
     pub place: Vec3,
-    /// Where they look to, clockwise from north.
+    /// The direction of view, clockwise from north.
     pub heading: Angle,
-    /// How much health and lamp oil they have, in parts of 256.
+    /// Health and lamp oil, in 256ths.
     pub gauges: [u32; 2],
 }
 
@@ -43,7 +43,7 @@ impl Status {
         self.map(target, size)
     }
 
-    /// A strip that turns with its bearer: half a turn wide.
+    /// A strip that turns with the viewer: half a turn wide.
     fn compass<T: DrawTarget<Color = Rgb565>>(
         &self,
         target: &mut T,
@@ -136,7 +136,7 @@ impl Status {
         Ok(())
     }
 
-    /// The map with its bearer, at the bottom right.
+    /// The map with the viewer, at the bottom right.
     fn map<T: DrawTarget<Color = Rgb565>>(
         &self,
         target: &mut T,

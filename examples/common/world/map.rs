@@ -1,8 +1,8 @@
 //! The map, and the meshes that the compiler makes of it.
 //!
 //! The world is 20 units wide and long. x is to the right of the map (east), z down (south), and y is height. Each
-//! character is a cell of one unit. Cells of a height above their neighbors' get sides, those that one can look down on
-//! get a top. Faces are sorted by blocks of 5x5 cells, so that a block out of view costs one test.
+//! character is a cell of one unit. A cell that is higher than its neighbors gets sides, and a cell that can be seen
+//! from above gets a top. Faces are sorted by blocks of 5x5 cells, so that a block out of view costs only one test.
 
 use core::ops::Range;
 
@@ -69,7 +69,7 @@ const fn is(surface: Option<Material>, material: Material) -> bool {
     }
 }
 
-/// The height outside of the wall, where nothing is to be seen.
+/// The height outside of the wall, where nothing is visible.
 const OUTSIDE: i16 = i16::MAX;
 
 const fn cell(x: usize, z: usize) -> Cell {

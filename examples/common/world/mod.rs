@@ -1,8 +1,8 @@
 //! A little world: a walled garden at dusk, seen by someone who walks around its pond.
 //!
-//! It needs only this crate and embedded-graphics, no memory but the canvas, and no file: the compiler makes meshes of
-//! a map in letters, and paints the textures. A picture depends on one angle, of which a whole turn is once around. For
-//! a frame, or for each band of one, a program calls
+//! It needs only this crate and embedded-graphics, no memory besides the canvas, and no file: the compiler builds the
+//! meshes from a map made of letters, and paints the textures. A picture depends on one angle; a whole turn is one walk
+//! around the pond. For a frame, or for each band of it, a program calls
 //!
 //! ```ignore
 //! world::draw(&mut canvas, Rate::rpm(8).angle_at(now_ms))?;
@@ -18,13 +18,13 @@
 //!
 //! | on a Cortex-M4 without FPU, optimized for speed | 320x240 | 160x128 | 128x64 |
 //! |---|---:|---:|---:|
-//! | million instructions a frame, in the mean of eight | 40.9 | 19.0 | 15.2 |
+//! | million instructions a frame, mean of eight | 40.9 | 19.0 | 15.2 |
 //! | RAM of colors and depths, in KiB | 300 | 80 | 32 |
 //! | stack, in KiB | 10.5 | 10.5 | 10.5 |
 //! | flash of textures, in KiB | 110 | 110 | 110 |
 //! | flash of meshes, map and places, in KiB | 40 | 40 | 40 |
 //!
-//! What the pond mirrors is drawn upside down below the water, after the ground, which hides it elsewhere.
+//! The mirror image in the pond is drawn upside down below the water, after the ground, which hides it elsewhere.
 
 // Coordinates of the map, and colors, are small.
 #![allow(clippy::cast_possible_wrap, clippy::cast_sign_loss)]
@@ -46,7 +46,7 @@ use fixel::shade::{Colored, Fog, Mipmapped};
 use fixel::target::{Add, DepthBuffer, Opacity, Storage, TestOnly};
 use fixel::texture::Argb1555;
 
-/// Where the viewer goes, on the map, and what they look at from there.
+/// The viewer's stops on the map, and the points that they look at from there.
 const STOPS: usize = 8;
 static WALK: [Vec3; STOPS] = [
     vec3!(5.4, 1.15, 12),
@@ -92,10 +92,10 @@ static POND: Bounds = Bounds::new(vec3!(8, -0.2, 8), vec3!(12, -0.1, 12));
 const LAMPLIGHT: Rgb888 = Rgb888::new(255, 172, 82);
 const LAMPS: usize = map::LAMPS.len() + 1;
 const DOOR: Vec3 = vec3!(10, 1.7, 5.8);
-/// How far they reach.
+/// The range of the lamps.
 const REACH: Scalar = fx!(6.5);
 
-/// Draws the world at a moment of the walk, of which a whole turn is once around.
+/// Draws the world at a moment of the walk; a whole turn is one walk around the pond.
 ///
 /// # Errors
 ///
@@ -145,7 +145,7 @@ where
     Ok(())
 }
 
-/// The world above the water, or what the water shows of it.
+/// The world above the water, or its mirror image.
 struct World {
     model: Transform,
     options: DrawOptions,
@@ -205,7 +205,7 @@ impl World {
         })
     }
 
-    /// Puts the lamps that reach a box first, and returns how many they are.
+    /// Moves the lamps that reach a box to the front, and returns their number.
     fn lamps_near(&self, bounds: &Bounds, near: &mut [Colored<PointLight>; LAMPS]) -> usize {
         let reached = self.lamps.iter().filter(|(place, _)| {
             let nearest = place.max(bounds.least()).min(bounds.most());
@@ -314,7 +314,7 @@ impl Scene {
         )
     }
 
-    /// Plants of one kind, which turn to the viewer about their stems.
+    /// Plants of one kind, which turn about their stems to face the viewer.
     fn plants<O, D, const W: usize, const H: usize>(
         &self,
         canvas: &mut Canvas<'_, Rgb565, O, D>,
@@ -338,7 +338,7 @@ impl Scene {
         Ok(())
     }
 
-    /// The water's surface, through which one sees what it mirrors.
+    /// The water's surface, through which the mirror image is visible.
     fn water<O, D>(&self, canvas: &mut Canvas<'_, Rgb565, O, D>) -> Result<(), Error>
     where
         O: Storage<Rgb565>,

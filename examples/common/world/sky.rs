@@ -6,7 +6,7 @@ use fixel::target::{Add, DepthBuffer, NoTest, Storage};
 
 use super::textures::{GLOW, MOON};
 
-/// Where the air is thick, everything has this color.
+/// The color of everything in thick air.
 pub const HAZE: Rgb888 = Rgb888::new(92, 70, 100);
 
 const BALL: Mesh = shape!(sphere(16, 20))

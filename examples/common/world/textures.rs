@@ -25,7 +25,7 @@ const fn noise(x: u32, y: u32, log2: u32, period: u32, seed: u32) -> u32 {
     (upper * (cell - below) + lower * below) >> (2 * log2)
 }
 
-/// A color times a brightness, of which 256 is full, at most white.
+/// A color times a brightness, at most white; 256 is full brightness.
 const fn shaded([r, g, b]: [u32; 3], light: u32) -> [u8; 3] {
     let (r, g, b) = (r * light / 256, g * light / 256, b * light / 256);
     [

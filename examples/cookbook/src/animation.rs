@@ -1,4 +1,4 @@
-//! An animation as a GIF: one palette for all frames, and of each frame only what has changed.
+//! An animation as a GIF: one palette for all frames, and for each frame only the pixels that have changed.
 
 use std::error::Error;
 use std::fs::File;

@@ -22,7 +22,7 @@ use scenes::{Draw, Frame, SCENES};
 /// The size of the documentation's pictures.
 const SIZE: Size = Size::new(320, 240);
 
-/// The scene that is longer than the others, and moves.
+/// The scene that is longer than the others, and is animated.
 const WORLD: &str = "world";
 
 /// All scenes by name.
@@ -31,11 +31,11 @@ fn all() -> impl Iterator<Item = (&'static str, Draw)> {
     SCENES.iter().copied().chain(world)
 }
 
-/// Draws small scenes, one idea each, and saves a picture of each as a PNG file in the current folder; of `world`, an
-/// animation too.
+/// Draws small scenes, one idea each, and saves a picture of each as a PNG file in the current folder; for `world`,
+/// also an animation.
 #[derive(Parser)]
 struct Args {
-    /// Draw only these.
+    /// Draw only these scenes.
     #[arg(value_parser = PossibleValuesParser::new(all().map(|(name, _)| name)))]
     scenes: Vec<String>,
 
@@ -47,7 +47,8 @@ struct Args {
     #[arg(long, conflicts_with = "size")]
     renew: bool,
 
-    /// Print a checksum of each picture instead: of its pixels, row by row, two bytes each, the more significant first.
+    /// Print a checksum of each picture instead, computed from its pixels row by row, two bytes each, the more
+    /// significant first.
     #[arg(long, conflicts_with = "renew")]
     crc: bool,
 }

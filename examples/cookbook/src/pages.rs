@@ -1,9 +1,11 @@
-//! Small pictures for the pages of types: one thing each, as its page describes it.
+//! Small pictures for the pages of types: each shows one thing that its page describes.
 
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
+use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
+use embedded_graphics::{Drawable, text::Text};
 use fixel::mesh::Part;
 use fixel::mode::Affine;
 use fixel::prelude::*;
@@ -50,6 +52,7 @@ pub const PAGES: &[(&str, Draw)] = &[
     ("formats", formats),
     ("shaders", shaders),
     ("measured", measured),
+    ("firmware", firmware),
 ];
 
 static RING: Mesh = shape!(torus(fx!(0.45), 32, 16));
@@ -525,5 +528,23 @@ fn measured(canvas: &mut Frame<'_>) -> Drawn {
     benchmarks::cube(canvas, &part(1, 0)?, &benchmarks::cube_chain(0)?);
     benchmarks::sphere(canvas, &part(0, 1)?, &benchmarks::sphere_chain(0)?);
     benchmarks::sphere_flat(canvas, &part(1, 1)?, &benchmarks::sphere_chain(0)?);
+    Ok(())
+}
+
+/// The scene of the guide for firmware: a ring with a caption.
+fn firmware(canvas: &mut Frame<'_>) -> Drawn {
+    static RING: Mesh = shape!(torus(fx!(0.4), 24, 12));
+    let projection = Projection::perspective(deg!(50), canvas.frame_size(), fx!(0.5), fx!(20))?;
+    let camera = Camera::look_at(vec3!(0, 2, 3), Vec3::ZERO, Vec3::Y)?;
+    let mvp = projection * camera * Transform::rotate_x(Rate::rpm(10).angle_at(700));
+    let light = Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?;
+    canvas.clear(Rgb565::BLACK);
+    canvas.draw(
+        &RING,
+        &mvp,
+        &Flat::new(Rgb565::new(31, 40, 8)).lit_faces(light),
+    );
+    let style = MonoTextStyle::new(&FONT_6X10, Rgb565::WHITE);
+    Text::new("10 rpm", Point::new(4, 12), style).draw(canvas)?;
     Ok(())
 }

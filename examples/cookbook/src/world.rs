@@ -1,4 +1,5 @@
-//! A walled garden at dusk: a first-person scene with everything in it. The program is in `examples/common/world`.
+//! A walled garden at dusk: a first-person scene that uses most of the crate. The program is in
+//! `examples/common/world`.
 
 #[path = "../../common/world/mod.rs"]
 mod garden;

@@ -8,8 +8,8 @@ use fixel::prelude::*;
 
 /// The outer cube, then the inner one.
 pub static INWARDS: Mesh = mesh(Mesh::new(&CUBES.positions, &CUBES.faces));
-/// The same in reverse order, with positions of 16 bits: the same numbers, which Cortex-M0+ transforms in a way of
-/// its own.
+/// The same in reverse order, with positions of 16 bits: the same numbers, but Cortex-M0+ transforms them in another
+/// way.
 pub static OUTWARDS: Mesh = mesh(Mesh::short(&SHORT.0, SHORT.1, &REVERSED));
 
 const SHAPES: [Result<Shape, Error>; 2] = [

@@ -22,8 +22,8 @@ pub enum Repeat {
     Once,
     /// Twice, cleared in between.
     Again,
-    /// Twice, the second time over the first. Of triangles at equal depths the last one shows, and it is the same one
-    /// both times.
+    /// Twice, the second time over the first. Of triangles at equal depths, the last one shows, which is the same both
+    /// times.
     Over,
 }
 

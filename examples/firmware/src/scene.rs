@@ -146,7 +146,7 @@ fn drawn_cubes<I: Mode, D: DepthBuffer>(
 /// Memory for the prepared triangles of any scene: 23 KiB.
 pub struct Lists {
     model: TriangleList<640, 600>,
-    /// Of the lighthouse alone.
+    /// Room for the lighthouse alone.
     sea: TriangleList<32, 140>,
 }
 

@@ -1,4 +1,4 @@
-//! The test that tells whether a box is in view.
+//! The test whether a box is in view.
 
 use core::hint::black_box;
 

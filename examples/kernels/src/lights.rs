@@ -10,8 +10,8 @@ use super::ticks::Stopwatch;
 
 const VERTICES: u32 = 64;
 
-/// Measures the light of each type on a vertex that it reaches, without the way from the mesh to world space, and
-/// prints them.
+/// Measures the light of each type on a vertex that it reaches, without the transform of the vertex to world space, and
+/// prints the costs.
 pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     let sun = Light::new(vec3!(1, 2, 3), fx!(0.2), fx!(0.8))?;
     let lamp = PointLight::new(vec3!(1, 2, 3), fx!(0.8), fx!(10))?;

@@ -1,16 +1,16 @@
-//! The cost of the inner loops on a microcontroller: a pixel in each mode, and the set-up of a triangle. And the cost of
-//! frames: the mean of the eight poses of each measured scene.
+//! The cost on a microcontroller of the inner loops (a pixel in each mode, and the set-up of a triangle) and of frames
+//! (the mean of the eight poses of each measured scene).
 //!
 //! `cargo run --release -p kernels --target thumbv7em-none-eabi` runs it under QEMU, which counts instructions; on a
-//! chip it counts the core's cycles. The first line says which, and how many a tick has. Then follows a line for each
-//! kernel, with its units (pixels or triangles), the ticks they took, and the instructions or cycles of `each`; and for
-//! each scene, with its frames and the instructions or cycles of `each`. `--profile size` in place of `--release`
-//! optimizes for size.
+//! chip it counts the core's cycles. The first line says which of the two, and how many a tick has. A line for each
+//! kernel follows, with its units (pixels or triangles), the ticks that they took, and the instructions or cycles of
+//! `each`; then a line for each scene, with its frames and the instructions or cycles of `each`. `--profile size` in
+//! place of `--release` optimizes for size.
 //!
 //! The cost of a pixel is the difference between two drawings of one triangle that covers a frame of 64 rows.
 //! `unit=pixel` compares frames of 16 and 48 columns, which lie within one span: the inner loop alone.
-//! `unit=long-pixel` compares 48 and 240 columns: each of 64 pixels with its share of a span's start. The cost of a
-//! triangle is the difference between two prepared lists, of which one has more of the same triangles.
+//! `unit=long-pixel` compares 48 and 240 columns: a pixel together with its share, one of 64, of a span's start. The
+//! cost of a triangle is the difference between two prepared lists, one of which has more of the same triangles.
 //!
 //! Pixels are RGB565 in the processor's byte order, textures 64x64 with the nearest texel, and only draw calls are
 //! measured. `depth-pass` and `depth-fail` have a depth buffer that lets all pixels pass or none; the other kernels have
@@ -78,7 +78,7 @@ mod firmware {
     use super::wall::{self, Bench, Depths};
     use super::words;
 
-    /// Half-transparent white.
+    /// White with half opacity.
     static SMOKE: TextureArray<Argb4444, 64, 64> =
         TextureArray::from_texels([[Argb4444::new(8, 15, 15, 15); 64]; 64]);
 
@@ -133,7 +133,7 @@ mod firmware {
         let cut_out = skin.cut_out(Rgb565::MAGENTA);
         bench.kernel("affine-cut-out", Affine, &cut_out, Depths::None)?;
         bench.kernel("newton-cut-out", Newton, &cut_out, Depths::None)?;
-        // As if the frame had a quarter of its size, so that no pixel shows level 0, for which a blend is left out.
+        // As if the frame had a quarter of its size, so that no pixel shows level 0, which leaves out a blend.
         let projection = wall::mvp(240)?.projection();
         let levels = Mipmapped::new(LEVELS.as_mipmap(), &projection, (60, 16))?;
         bench.kernel("affine-mipmap", Affine, &levels, Depths::None)?;

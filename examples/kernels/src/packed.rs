@@ -1,4 +1,4 @@
-//! Pixels in black and white: each a color, in rows of 8 pixels a byte, and in pages of 8 rows a byte.
+//! Pixels in black and white: stored as colors, in rows with 8 pixels in a byte, and in pages with 8 rows in a byte.
 
 use core::hint::black_box;
 
@@ -51,7 +51,7 @@ pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     })
 }
 
-/// Prints the cost of the pixels that a wide frame has and a narrow one has not.
+/// Prints the cost of the pixels that only a wide frame has, and a narrow one lacks.
 fn print(
     watch: &mut Stopwatch,
     name: &str,

@@ -14,7 +14,7 @@ static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 static FLOOR: Mesh = shape!(plane(1, 1));
 static TOWER: Mesh = shape!(cuboid(vec3!(1, 3, 1)));
 
-/// What an object is drawn with.
+/// The material of an object.
 #[derive(Clone, Copy)]
 enum Material {
     Color(Rgb888),

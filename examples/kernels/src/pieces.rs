@@ -25,9 +25,9 @@ impl Shader for Column {
     }
 }
 
-/// The column gains the same at every pixel of a piece except the last, which gains the rest up to the next piece's
-/// start: a difference of up to a unit for each pixel. From one piece of the wall to the next, the gain changes by
-/// more.
+/// The column grows by the same amount at every pixel of a piece except the last, which takes the rest up to the next
+/// piece's start: a difference of up to a unit for each pixel. From one piece of the wall to the next, the growth
+/// changes by more.
 const ROUNDING: u16 = 64;
 
 /// Pixels of a row's first span, except the last one, at which its last piece ends.

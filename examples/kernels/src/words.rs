@@ -163,7 +163,7 @@ fn squares() -> (
     (middles, corners, faces)
 }
 
-/// Something must be seen.
+/// Something must be visible.
 fn drawn(count: u32) -> Result<(), Error> {
     assert!(count > 0, "something is drawn");
     Ok(())

@@ -114,7 +114,8 @@ impl Oled {
         for &byte in bytes {
             while SSISR.read() & TNF == 0 {}
             SSIDR.write(byte.into());
-            // The interface receives as many bytes, although nobody sends them. QEMU waits for them to be read.
+            // The interface receives the same number of bytes, although nobody sends them. QEMU waits for them to be
+            // read.
             while SSISR.read() & RNE != 0 {
                 SSIDR.read();
             }

@@ -128,7 +128,7 @@ impl App {
         }
     }
 
-    /// Writes what stands over a scene: the lighthouse's caption. Is not timed.
+    /// Writes the text over a scene: the lighthouse's caption. It is not timed.
     pub fn overlay(&mut self, slot: usize) -> bool {
         let is_captioned = Scene::of(&self.view) == Scene::Lighthouse && self.view.is_mono == 0;
         let done = self.bench(slot).map(|mut bench| {

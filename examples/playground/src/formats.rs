@@ -1,8 +1,8 @@
 //! The picture in the colors of a display.
 //!
-//! A shader ends in Rgb565 here, and `converted` maps its colors to the format's, pixel by pixel. The page does so
-//! after drawing, so that the module has each shader once; the pixels are the same. The lighthouse's sky is no shader:
-//! it is drawn again in the display's colors, and its caption over it.
+//! In a program, `converted` maps a shader's colors to the display's format, pixel by pixel. Here a shader's colors are
+//! Rgb565, and the page converts them after drawing, so that the module has each shader only once; the pixels are the
+//! same. The lighthouse's sky is not a shader: it is drawn again in the display's colors, with its caption over it.
 
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::{

@@ -1,4 +1,4 @@
-//! The crate in a browser: what examples/playground/page calls, by plain functions and linear memory.
+//! The crate in a browser: the plain functions and the linear memory that examples/playground/page uses.
 //!
 //! `cargo build --release -p playground --lib --target wasm32-unknown-unknown` builds it, and
 //! `cargo run --release -p playground` serves it with the page.
@@ -9,7 +9,7 @@
 //! | `view` | what the page asks for: scene, mode, size, camera |
 //! | `scene` | the scenes' draw calls |
 //! | `record` | the texel under each pixel, for the page's measurement of errors |
-//! | `model` | a model of the user's own |
+//! | `model` | the user's own model |
 //! | `formats` | the picture in a display's colors |
 //! | `main`, `server` | the program that serves the page, or writes it |
 //! | `../tests` | the page and its module under Node and in Chromium, and the programs that it prints: see `.ci/playground` |
@@ -31,7 +31,8 @@ use app::App;
 /// A browser calls one function at a time, so no one waits for the lock.
 static APP: Mutex<App> = Mutex::new(App::new());
 
-/// Declares what the page calls. The only use of `unsafe` is the promise that no other symbol has these names.
+/// Declares the functions that the page calls. The only use of `unsafe` is the promise that no other symbol has these
+/// names.
 macro_rules! exports {
     ($($(#[$doc:meta])+ fn $name:ident($app:ident $(, $argument:ident: $Type:ty)*) -> $Result:ty $body:block)+) => {$(
         $(#[$doc])+
@@ -59,7 +60,7 @@ exports! {
     fn clear(app, slot: usize) -> bool { app.clear(slot) }
     /// Draws the view; false leaves a message.
     fn draw(app, slot: usize) -> bool { app.draw(slot) }
-    /// Writes what stands over the scene; false leaves a message.
+    /// Writes the text over the scene; false leaves a message.
     fn overlay(app, slot: usize) -> bool { app.overlay(slot) }
     /// Counts of the last drawing: triangles in, drawn, and clipped; pixels drawn.
     fn counts(app) -> *const u32 { app.counts.as_ptr() }

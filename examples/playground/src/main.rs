@@ -24,14 +24,14 @@ fn main() -> ExitCode {
         _ => Err("usage: playground [--port N | --out FOLDER]".into()),
     };
     if let Err(error) = done {
-        // Where nobody reads the message, the exit code still tells.
+        // If nobody reads the message, the exit code still shows the failure.
         let _ = writeln!(io::stderr(), "{error}");
         return ExitCode::FAILURE;
     }
     ExitCode::SUCCESS
 }
 
-/// Writes the files for any file server. Overwrites none: a file that is there already must be the same.
+/// Writes the files for any file server. It overwrites none: a file that already exists must have the same contents.
 fn write(folder: &Path) -> Result<(), String> {
     if let Some(missing) = FILES.iter().find(|file| file.bytes.is_empty()) {
         let (name, build) = (missing.name, server::BUILD);

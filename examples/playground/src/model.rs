@@ -1,4 +1,4 @@
-//! A model of the user's own, in memory of a fixed size.
+//! The user's own model, in memory of a fixed size.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::mesh::{Buffers, Counts, obj};
@@ -108,7 +108,7 @@ impl Model {
     ///
     /// # Errors
     ///
-    /// A side is no power of two, or there are too many texels.
+    /// A side is not a power of two, or there are too many texels.
     pub fn read_texture(&mut self, bytes: &[u8], size: [u32; 2]) -> Result<(), Error> {
         // A texture refuses a list that is too short for it.
         let texels = self.texels.get_mut(..bytes.len() / 4).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Shaders that note what they are given.
+//! Shaders that record their input.
 
 use core::cell::Cell;
 

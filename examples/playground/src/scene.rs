@@ -22,7 +22,7 @@ pub enum Scene {
     Own,
 }
 
-/// What a scene is drawn to, most of them with a depth buffer.
+/// The canvas of a scene; most scenes have a depth buffer.
 pub type Target<'a, D = Depth<'a>> = Canvas<'a, Rgb565, Native, D>;
 
 /// A mesh of a scene, with the size of its texture.

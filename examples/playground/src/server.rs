@@ -58,7 +58,7 @@ pub fn serve(port: u16) -> Result<(), String> {
     let port = listener.local_addr().map_err(wrong)?.port();
     say(&format!("http://localhost:{port}"))?;
     for stream in listener.incoming() {
-        // Browsers open connections ahead of time. One that breaks is the browser's affair.
+        // Browsers open connections ahead of time. A broken connection is not an error here.
         thread::spawn(|| stream.and_then(answer));
     }
     Ok(())

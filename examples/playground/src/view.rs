@@ -1,4 +1,4 @@
-//! What the page asks for.
+//! The settings of a picture that the page asks for.
 
 use core::ops::Range;
 

@@ -10,20 +10,20 @@ use crate::model::Format;
 
 const EXAMPLES: &str = "\
 Examples (`cargo run --release -p simulator -- ` goes before the arguments):
-  simulator                                             the project's own scene, to lighthouse.png
-  simulator cow.obj --texture cow.png                   a model of yours, textured and lit
+  simulator                                             the project's own scene, as lighthouse.png
+  simulator cow.obj --texture cow.png                   your own model, textured and lit
   simulator part.stl --color mono --size 128x64         STL; with --features ply,gltf also PLY and glTF
-  simulator cow.obj --export cow.rs --mesh short        and as Rust source for firmware
+  simulator cow.obj --export cow.rs --mesh short        also as Rust source, for firmware
   simulator teapot.obj --shade gouraud --frames 60 --out teapot.gif
                                                         a turntable: 60 frames, one turn
   simulator cow.obj --shade wire --size 128x64 --color mono
                                                         as an OLED would show it
   simulator cow.obj --eye 2,1,-2 --look-at 0,0,0 --fov 40
-                                                        from where you like
+                                                        from a place of your choice
   simulator --scene floor --dump floor.csv --crc        a measured scene, pixel by pixel
 
 Distances are in the model's own units, which may be of any size: the program scales and centers the model before it
-draws in fixed point. In the end it prints the camera as options: copy them and change what you like.";
+draws in fixed point. At the end, it prints the camera as options, for you to copy and change.";
 
 /// Draws a 3D model with integers only, as a microcontroller would, and saves the picture.
 /// Without a model it draws the project's own scene. Without camera options, the model fills the picture.
@@ -34,14 +34,14 @@ pub struct Args {
     /// Model to draw: Wavefront OBJ with its MTL materials, STL, PLY or glTF (.glb or .gltf).
     ///
     /// A material has one color or one texture, and vertices may have colors. The program computes normals and texture
-    /// coordinates if they are missing. PLY and glTF need a build with --features ply or --features gltf. In STL files
-    /// z is up, in all others y; --up changes it.
+    /// coordinates if they are missing. PLY and glTF need a build with --features ply or --features gltf. In STL files,
+    /// z points up, in all others y; --up changes this.
     #[arg(value_name = "MODEL")]
     pub model: Option<PathBuf>,
 
-    /// Picture to put on the model: PNG, JPEG, BMP or TGA.
+    /// Texture for the model: PNG, JPEG, BMP or TGA.
     ///
-    /// It replaces the model's materials. Its sides become powers of two, at most 1024. [default: the model's
+    /// It replaces the model's materials. Its sides are resampled to powers of two, at most 1024. [default: the model's
     /// materials, or a checker]
     #[arg(long, value_name = "FILE", help_heading = "Scene")]
     pub texture: Option<PathBuf>,
@@ -50,21 +50,21 @@ pub struct Args {
     #[arg(long, value_enum, help_heading = "Scene")]
     pub scene: Option<SceneName>,
 
-    /// Position of the camera. [default: in front, a little right and above]
+    /// Position of the camera. [default: in front, a little to the right and above]
     #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true, help_heading = "Camera")]
     pub eye: Option<[f64; 3]>,
 
-    /// Point that the camera looks at. [default: the middle of the model]
+    /// Point that the camera looks at. [default: the center of the model]
     #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true, help_heading = "Camera")]
     pub look_at: Option<[f64; 3]>,
 
-    /// Direction that is up in the picture; 0,0,1 for a model whose z axis points up. The default view and the
-    /// turntable follow it. [default: 0,1,0, and 0,0,1 for STL]
+    /// Direction that points up in the picture; 0,0,1 for a model whose z axis points up. The default view and the
+    /// turntable follow it. [default: 0,1,0, or 0,0,1 for STL]
     #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true, help_heading = "Camera")]
     pub up: Option<[f64; 3]>,
 
-    /// Vertical field of view in degrees, above 0 and below 180. [default: 40; with --eye, as wide as the whole model,
-    /// or 100 if the eye is inside it]
+    /// Vertical field of view in degrees, above 0 and below 180. [default: 40; with --eye, wide enough for the whole
+    /// model, or 100 if the eye is inside it]
     #[arg(long, value_name = "DEG", value_parser = field_of_view, allow_hyphen_values = true, help_heading = "Camera")]
     pub fov: Option<f64>,
 
@@ -76,7 +76,7 @@ pub struct Args {
     #[arg(long, value_name = "F", value_parser = number, allow_hyphen_values = true, help_heading = "Camera")]
     pub far: Option<f64>,
 
-    /// How space becomes a flat picture.
+    /// Projection from space to the picture.
     #[arg(
         long,
         value_enum,
@@ -102,7 +102,7 @@ pub struct Args {
     #[arg(long, value_name = "TEXELS", value_parser = tolerance, allow_hyphen_values = true, help_heading = "Look")]
     pub tolerance: Option<f64>,
 
-    /// Format of the depth buffer. A wider range keeps the order of surfaces when --far is much farther than --near.
+    /// Format of the depth buffer. A wider range keeps surfaces in order even if --far is much larger than --near.
     #[arg(long, value_enum, default_value = "linear", help_heading = "Look")]
     pub depth: DepthFormat,
 
@@ -114,16 +114,16 @@ pub struct Args {
     #[arg(long, help_heading = "Look")]
     pub wire: bool,
 
-    /// Color behind the model. [default: dark; the sky in the project's own scene]
+    /// Color behind the model. [default: a dark color; in the project's own scene, a sky]
     #[arg(long, value_name = "RRGGBB", value_parser = color, help_heading = "Look")]
     pub background: Option<Rgb888>,
 
-    /// Direction to a light, and its color if it is not white. Repeat it for several lights. [default: a white light
-    /// from over the viewer's left shoulder]
+    /// Direction to a light, and its color unless it is white. Repeat the option for several lights. [default: a white
+    /// light from over the viewer's left shoulder]
     #[arg(long, value_name = "X,Y,Z[,RRGGBB]", value_parser = lamp, allow_hyphen_values = true, help_heading = "Look")]
     pub light: Vec<Lamp>,
 
-    /// Light that reaches every face, from 0 to 1. [default: 0.3]
+    /// Ambient light, which reaches every face, from 0 to 1. [default: 0.3]
     #[arg(long, value_name = "PART", value_parser = part, allow_hyphen_values = true, help_heading = "Look")]
     pub ambient: Option<f64>,
 
@@ -141,8 +141,8 @@ pub struct Args {
         allow_hyphen_values = true, help_heading = "Picture")]
     pub size: (u32, u32),
 
-    /// Smooth edges, for presentations: draw N x N pixels for each pixel of the picture, and average their light. No
-    /// microcontroller does that.
+    /// Smooth edges, for presentations: draw N x N pixels for each pixel of the picture, and average their light. This
+    /// is not what a microcontroller would show.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=16), default_value = "1",
         help_heading = "Picture", conflicts_with_all = ["crc", "dump"])]
     pub samples: u32,
@@ -151,12 +151,11 @@ pub struct Args {
     #[arg(long, hide = true, value_parser = clap::value_parser!(u32).range(8..=2048), default_value = "2048")]
     pub tile: u32,
 
-    /// Draw in bands of this many rows, as a microcontroller does that has memory for no more. The picture stays the
-    /// same.
+    /// Draw in bands of this many rows, as a microcontroller with little memory does. The picture stays the same.
     #[arg(long, value_name = "ROWS", value_parser = clap::value_parser!(u32).range(1..), help_heading = "Picture")]
     pub bands: Option<u32>,
 
-    /// Number of frames, in which the model turns once. More than one are saved as .gif or .apng.
+    /// Number of frames, in which the model turns once. Several frames are saved as .gif or .apng.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000),
         default_value = "1", help_heading = "Animation")]
     pub frames: u32,
@@ -172,13 +171,13 @@ pub struct Args {
 
     /// Also write a table of the last frame: x,y,u,v,w,depth of each pixel that the model covers.
     ///
-    /// u and v are the texture coordinate, w is the distance to the eye's plane, and depth is in linear steps. All
-    /// digits are written. The file - is standard output.
+    /// u and v are the texture coordinates, w is the distance from the eye along the view direction, and depth is in
+    /// linear steps. Numbers have all their digits. The file - is standard output.
     #[arg(long, value_name = "FILE.csv", help_heading = "Output")]
     pub dump: Option<PathBuf>,
 
     /// Also write the model as Rust source: a static `MESH` and, if it has materials, `PARTS`. With .bmp, write its
-    /// textures for `include_bmp!`. Repeat it for both.
+    /// textures for `include_bmp!`. Repeat the option for both.
     #[arg(
         long,
         value_name = "FILE.rs|FILE.bmp",
@@ -187,7 +186,7 @@ pub struct Args {
     )]
     pub export: Vec<PathBuf>,
 
-    /// Format of the exported mesh, named as the argument of `include_obj!`.
+    /// Format of the exported mesh, with the name of the corresponding argument of `include_obj!`.
     #[arg(
         long,
         value_enum,
@@ -207,8 +206,8 @@ pub struct Args {
 
     /// Show the picture in a window; needs SDL2 and a build with --features sdl.
     ///
-    /// Drag or press the arrow keys to turn the model, turn the wheel or press + and - to come closer. Space returns to
-    /// the first view, Escape closes the window.
+    /// Drag or press the arrow keys to turn the model; turn the wheel or press + and - to zoom. Space returns to the
+    /// first view, and Escape closes the window.
     #[arg(long, help_heading = "Output")]
     pub window: bool,
 }
@@ -227,7 +226,7 @@ pub enum SceneName {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Kind {
-    /// Distant objects are small
+    /// Distant objects look smaller
     Perspective,
     /// Parallel, straight ahead
     Orthographic,
@@ -241,9 +240,9 @@ pub enum Kind {
 pub enum Shade {
     /// The model's textures and colors, without light; a checker if it has none
     Texture,
-    /// Its colors, or clay, without textures: lit at the vertices, and smooth between them
+    /// Its colors, or clay, without textures: lit at the vertices and interpolated between them
     Gouraud,
-    /// The same with one light for each triangle
+    /// The same with one brightness for each triangle
     Flat,
     /// Its textures and colors, lit
     Lit,
@@ -313,8 +312,8 @@ pub enum MeshFormat {
     Quantized8,
 }
 
-/// The options that go with `--scene`. The others are about a model or its picture, which a measured scene has of its
-/// own.
+/// The options that may be combined with `--scene`. The others concern a model or its picture, which a measured scene
+/// defines itself.
 const WITH_SCENE: &[&str] = &[
     "scene",
     "mode",
@@ -426,7 +425,7 @@ fn color(text: &str) -> Result<Rgb888, String> {
     }
 }
 
-/// Numbers with commas between, and a color if there is one more word than numbers.
+/// Numbers separated by commas, and a color if there is one more word than numbers.
 fn numbers<const N: usize>(
     text: &str,
     such_as: &str,

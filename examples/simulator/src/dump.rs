@@ -56,8 +56,8 @@ impl Recorder {
     /// Makes a shader for texture coordinates of magnitude up to `largest`. Distances are drawn at 2^`exponent` times
     /// their own size.
     ///
-    /// Texture coordinates have 24 fraction bits, or fewer if they are large. Mode fast does not treat numbers of more
-    /// than 28 bits as it treats drawn textures, which rarely have so many. In this mode no recorded number has more:
+    /// Texture coordinates have 24 fraction bits, or fewer if they are large. Mode fast treats numbers of more than 28
+    /// bits differently from drawn textures, which rarely have so many. So in this mode no recorded number has more:
     /// distances lose 11 bits, which are below the mode's error of 2^-13.
     pub fn new(largest: f64, exponent: i32, mode: Mode) -> Self {
         let is_fast = mode == Mode::Fast;
@@ -73,8 +73,8 @@ impl Recorder {
         }
     }
 
-    /// Returns how many units of a mode's tolerance, which are texels where a texture is drawn, a repeat of the texture
-    /// has where it is recorded.
+    /// Returns how many units of a mode's tolerance a repeat of the texture has when it is recorded. (When a texture is
+    /// drawn, a unit is a texel.)
     pub fn repeat(&self) -> f64 {
         f64::from(self.uv_bits - 16).exp2()
     }

@@ -13,7 +13,7 @@ use crate::output::{self, Output};
 
 /// Time between frames of an animation, in milliseconds.
 pub const FRAME_MS: u64 = 40;
-/// Written into every picture, so that a default name never replaces a file of the user's.
+/// Written into every picture, so that a picture with a default name never replaces one of the user's files.
 const MARK: &str = "fixel simulator";
 
 /// The format of a picture file.
@@ -53,8 +53,8 @@ impl Format {
     }
 }
 
-/// Chooses a name for a picture in the working directory: `stem`, or `stem`-picture if there is a file of that name
-/// which this program did not write or now reads.
+/// Chooses a name for a picture in the working directory: `stem`, or `stem`-picture if a file of that name exists that
+/// this program did not write, or that it now reads.
 ///
 /// # Errors
 ///

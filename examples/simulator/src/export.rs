@@ -22,7 +22,7 @@ use crate::piece::Finish;
 use crate::report;
 use crate::skin::Skin;
 
-/// Files to write: each its name and its bytes.
+/// Files to write: the name and the bytes of each.
 pub type Files = Vec<(PathBuf, Vec<u8>)>;
 
 /// Returns the files that `--export` names, with the model in its own units.
@@ -59,7 +59,7 @@ pub fn files(
             Some("bmp") => {
                 for (at, skin) in skins.iter().enumerate() {
                     let path = numbered(path, at);
-                    // Nobody named these files.
+                    // The user did not name these files.
                     if at > 0 && path.exists() && !is_export(&path) {
                         return Err(refuse(&format!("{} exists", path.display())).into());
                     }
@@ -212,7 +212,7 @@ fn shortened(positions: &[Vec3]) -> (Vec<[i16; 3]>, u32) {
     (short.collect(), fraction)
 }
 
-/// The argument of an attribute's indices; none if they are those of the positions.
+/// The argument for an attribute's indices; `None` if they equal those of the positions.
 fn indices(out: &mut String, name: &str, part: &Part, own: &[[u16; 3]], values: usize) -> bool {
     let differs = own != part.faces || values != part.positions.len();
     if differs {

@@ -13,8 +13,8 @@ pub fn name(value: &impl ValueEnum) -> String {
     value.map_or(String::new(), |value| value.get_name().into())
 }
 
-/// Returns a sentence for each option that was given and changes nothing in a picture with this `shade`. Scenes of the
-/// project's own may have no shade. `has_textures` tells whether any face has a texture.
+/// Returns a sentence for each option that was given and changes nothing in a picture with this `shade`. The project's
+/// own scene may have no shade. `has_textures` says whether any face has a texture.
 pub fn options(
     args: &Args,
     given: &ArgMatches,
@@ -61,7 +61,7 @@ pub fn options(
     let is_fast = args.mode == Mode::Fast;
     check("tolerance", !is_fast, "without --mode fast");
     check("tolerance", is_fast && is_parallel, &projected);
-    // Numbers other than a texture's coordinates have tolerances of their own.
+    // Numbers other than texture coordinates have tolerances of their own.
     let is_seen = is_fast && !is_parallel && !is_shown;
     check("tolerance", is_seen && is_untextured, &named);
     check(

@@ -17,7 +17,7 @@ use crate::view::direction;
 /// Part of a light that reaches every face.
 const AMBIENT: f64 = 0.3;
 
-/// A light of the user's.
+/// A light that the user chose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lamp {
     /// Points to the light.
@@ -25,7 +25,7 @@ pub struct Lamp {
     pub color: Rgb888,
 }
 
-/// A fog of the user's, in the model's units.
+/// A fog that the user chose, in the model's units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Haze {
     pub near: f64,
@@ -39,7 +39,7 @@ pub struct Look {
     pub shade: Option<Shade>,
     /// Whether it is the project's own scene, with sea and sky.
     pub is_scene: bool,
-    /// What is behind the model. Its color is not yet that of the canvas, and unlike any of the shades.
+    /// The picture behind the model. Its color is not yet in the canvas's format, and unlike any of the shades.
     pub backdrop: Backdrop,
     lights: Vec<Colored<Light>>,
     /// The same if all of them are white, which needs one number instead of three.
@@ -78,7 +78,7 @@ impl Look {
         let backdrop = backdrop::<C>(args.background, model);
         let far_away = match backdrop {
             Backdrop::Color(color) => color,
-            // About where the default view has its horizon.
+            // The approximate height of the horizon in the default view.
             Backdrop::Sky => lighthouse::sky_color(1, 3),
         };
         let haze = args.fog.map(|Haze { near, far, color }| {

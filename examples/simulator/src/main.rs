@@ -8,8 +8,8 @@
 //! 4. Convert to fixed point: [`units`] chooses the scale, [`view`] makes camera and light, and [`parts`] makes meshes
 //!    of 16-bit indices. [`subject`] holds all of it; a [`piece`] is a mesh with its material.
 //! 5. Choose shaders: [`look`] has light and fog, and [`paint`] a shader for each piece. [`surface`] hides their types,
-//!    and [`tinted`] is one that the library lacks. [`mode`] and [`depth`] choose the library's types at run time.
-//! 6. Check that something shows: [`sight`].
+//!    and [`tinted`] is a shader that the library lacks. [`mode`] and [`depth`] choose the library's types at run time.
+//! 6. Check that something is visible: [`sight`].
 //! 7. Draw: [`job`] draws a band of a frame, [`tiles`] a picture of bands and tiles, and [`samples`] smooths edges.
 //!    [`render`] runs all of it in the chosen color.
 //! 8. Write: [`targets`] opens and fills all outputs: [`encoder`] writes pictures, [`dump`] tables, and [`export`] Rust
@@ -70,7 +70,7 @@ fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            // Not eprintln!, which panics if nobody reads.
+            // Not eprintln!, which panics if standard error is closed.
             let _ = writeln!(io::stderr(), "error: {error}");
             ExitCode::FAILURE
         }

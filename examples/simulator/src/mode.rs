@@ -19,8 +19,8 @@ pub enum Mode {
 }
 
 impl Mode {
-    /// Returns the chosen mode. `texels` is the size of the drawn texture relative to the given one, for which the
-    /// tolerance is meant.
+    /// Returns the chosen mode. `texels` is the size of the drawn texture relative to the given one, to which the
+    /// tolerance refers.
     pub fn new(args: &Args, texels: f64) -> Result<Self> {
         let tolerance = args.tolerance.unwrap_or(TOLERANCE) * texels;
         Ok(match args.mode {

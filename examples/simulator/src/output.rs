@@ -35,13 +35,13 @@ pub fn remove_on_interrupt() -> Result<()> {
 
 /// Whether `path` stands for standard output.
 pub fn is_stdout(path: &Path) -> bool {
-    // Opened anew, what the shell opened would be overwritten from its start.
+    // If it were opened anew, the file that the shell opened would be overwritten from its start.
     ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].contains(&&*path.to_string_lossy())
 }
 
 /// Whether `path` is written as it is, without a file of its own: standard output, a device or a pipe.
 pub fn is_stream(path: &Path) -> bool {
-    // What a shell opened, such as /dev/fd/3, may be a file, but is not to be replaced.
+    // A file that a shell opened, such as /dev/fd/3, must not be replaced.
     let is_special = ["/dev/fd", "/dev/stderr", "/proc"]
         .iter()
         .any(|folder| path.starts_with(folder));
@@ -88,7 +88,7 @@ pub fn are_same(a: &Path, b: &Path) -> bool {
     a.file_name() == b.file_name() && folder(a).is_some() && folder(a) == folder(b)
 }
 
-/// How a file that is complete gets its place.
+/// How a complete file is put into its place.
 #[derive(Debug)]
 enum Place {
     Stream,
@@ -96,7 +96,7 @@ enum Place {
     Rename(PathBuf, Option<Permissions>),
     /// Copied into an existing file that has other names, too.
     Copy(PathBuf),
-    /// Left beside the file that it should have been copied into.
+    /// Left beside the file into which it should have been copied.
     Left,
 }
 
@@ -238,7 +238,7 @@ fn reserve(from: &Path, to: &Path) -> io::Result<(File, File)> {
     Ok((from, to))
 }
 
-/// The file that a link stands for, which need not exist.
+/// The file to which a link points; it need not exist.
 fn target(link: &Path) -> io::Result<PathBuf> {
     match fs::canonicalize(link) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => {

@@ -1,4 +1,4 @@
-//! Draws a model in each look and each color.
+//! Draws a model in any look and any color format.
 
 use embedded_graphics::draw_target::{DrawTarget, DrawTargetExt};
 use embedded_graphics::geometry::{Point, Size};
@@ -29,7 +29,8 @@ pub type Board<'a, C, D> = Canvas<'a, C, Native, D>;
 
 /// A color that textures are stored in.
 pub trait Stored: Levels + Blend + Into<Rgb888> + 'static {
-    /// The shader of a piece with a texture, or of one in fog, which is computed in this color before it is `shown`.
+    /// The shader of a piece with a texture, or of a piece in fog. It computes in this color before the color is
+    /// `shown`.
     ///
     /// # Errors
     ///
@@ -278,7 +279,7 @@ pub enum Backdrop {
     Sky,
 }
 
-/// Everything that a picture needs but the model.
+/// Everything that a picture needs besides the model.
 pub struct Brush<'a> {
     /// For each piece of the model.
     surfaces: Vec<Surface<'a>>,
@@ -329,7 +330,7 @@ impl<'a> Brush<'a> {
             wire: look.wire,
             backdrop: look.backdrop,
             color: |color, at| C::from_rgb(color, at).into(),
-            // Averaged, it could not be read.
+            // A caption that is averaged could not be read.
             caption: (look.is_scene && width == 1).then_some(is_mono),
             silhouettes: look.shade.is_none() && is_mono,
         })

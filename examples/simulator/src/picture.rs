@@ -1,6 +1,6 @@
 //! Pictures that are read: PNG, JPEG, BMP and TGA.
 //!
-//! The crate `image` would read more formats, but takes longer to compile than this library, which reads BMP and TGA.
+//! The crate `image` would read more formats, but it takes longer to compile. fixel itself reads BMP and TGA.
 
 use std::io::Cursor;
 

@@ -1,4 +1,4 @@
-//! How far a long task is, in a line on the terminal.
+//! The progress of a long task, in a line on the terminal.
 
 use std::cell::Cell;
 use std::io::{self, IsTerminal, Write};

@@ -11,7 +11,7 @@ use crate::output;
 ///
 /// # Errors
 ///
-/// Nobody reads it, or the disk is full.
+/// The line cannot be written: nobody reads it, or the disk is full.
 pub fn say(args: &Args, line: impl Display) -> Result<()> {
     if args.quiet {
         return Ok(());
@@ -23,7 +23,7 @@ pub fn say(args: &Args, line: impl Display) -> Result<()> {
 ///
 /// # Errors
 ///
-/// Nobody reads it, or the disk is full.
+/// The line cannot be written: nobody reads it, or the disk is full.
 pub fn answer(args: &Args, line: impl Display) -> Result<()> {
     let is_taken = [&args.out, &args.dump]
         .into_iter()

@@ -15,7 +15,7 @@ fn energies() -> [f32; 256] {
     })
 }
 
-/// Returns the nearest byte of an energy.
+/// Returns the sRGB byte nearest to an energy.
 fn byte(energies: &[f32; 256], energy: f32) -> u8 {
     let above = energies.partition_point(|&each| each < energy).min(255);
     let below = above.saturating_sub(1);

@@ -1,4 +1,4 @@
-//! What a picture will show, found out before it is drawn.
+//! Checks before drawing what a picture will show.
 
 use fixel::Cull;
 

@@ -27,7 +27,7 @@ pub struct Subject {
     parts: Vec<Part>,
     pub framing: Framing,
     pub units: Units,
-    /// How the model's materials are drawn, and in the end faces without one.
+    /// How the model's materials are drawn; the last entry is for faces without one.
     finishes: Vec<Finish>,
     /// The textures that the finishes name.
     pub skins: Vec<Skin>,
@@ -218,7 +218,7 @@ impl Subject {
     }
 }
 
-/// Frames `points`, or if they turn the space that they turn in, around the axis through `about`.
+/// Frames `points` or, if they turn, the space through which they turn, around the axis through `about`.
 fn frame(args: &Args, points: &[Point], solid: &Solid, about: Point) -> Result<Framing> {
     match unit(args.up()) {
         Some(up) if args.frames > 1 || args.window && args.rpm.is_some() => {
@@ -234,7 +234,7 @@ fn inputs(args: &Args, model: &model::Model) -> Vec<PathBuf> {
     given.chain(&model.files).cloned().collect()
 }
 
-/// Returns the finish of each material, and in the end that of faces without one; and the textures that they need.
+/// Returns the finish of each material, then the finish of faces without one; and the textures that they need.
 ///
 /// `skin` replaces all materials. A texture that cannot be read is noted.
 fn finishes(model: &mut model::Model, skin: Option<Skin>) -> (Vec<Finish>, Vec<Skin>) {

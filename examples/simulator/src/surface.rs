@@ -116,7 +116,7 @@ struct Placed<S: Shader> {
 /// Converts a color at a pixel to the color that a computer's screen shows.
 pub type Show<C> = fn(C, Point) -> Rgb888;
 
-/// Gives each wanted number a place of its own that is exactly as tolerant; `None` if there are too few.
+/// Gives each wanted number a place of its own with the same tolerance; `None` if there are too few.
 fn places(wanted: &[Tolerance], offered: &[Tolerance]) -> Option<[usize; 8]> {
     let mut places = [0; 8];
     let mut free: Vec<usize> = (0..offered.len()).collect();

@@ -30,7 +30,7 @@ pub struct Targets<'a> {
 }
 
 impl<'a> Targets<'a> {
-    /// Opens all output files first, so that no frame is drawn in vain. None of them may be one of the `inputs`.
+    /// Opens all output files first, so that no frame is drawn in vain. None of them may be among the `inputs`.
     ///
     /// # Errors
     ///
@@ -189,11 +189,11 @@ impl<'a> Targets<'a> {
                 ..
             } = total.counts;
             if args.frames > 1 {
-                say(format!("frames {}, of which together:", args.frames))?;
+                say(format!("{} frames, all together:", args.frames))?;
             }
             let most = tiles.size.0.max(tiles.size.1);
             if most > tiles.most {
-                say(format!("tiles of {}, of which together:", tiles.most))?;
+                say(format!("tiles of up to {0}x{0}, all together:", tiles.most))?;
             }
             let what = self.what();
             say(format!(
@@ -246,7 +246,7 @@ impl Total {
     }
 }
 
-/// Draws a frame a few times more, only for the time: the first time is measured with cold caches.
+/// Draws a frame a few more times, only to measure the time: the first one is measured with cold caches.
 fn quickest(draw: impl Fn() -> Result<(Vec<Rgb888>, Duration)>) -> Result<Duration> {
     let mut least = Duration::MAX;
     let mut spent = Duration::ZERO;

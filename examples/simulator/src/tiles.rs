@@ -1,4 +1,5 @@
-//! Draws a picture in parts: tiles for sizes that no canvas has, and bands as a microcontroller short of memory does.
+//! Draws a picture in parts: in tiles, for sizes that no canvas has, and in bands, as a microcontroller with little
+//! memory does.
 
 use std::time::Duration;
 

@@ -7,8 +7,8 @@ use fixel::{Fragment, Primitive, Shader};
 /// A surface times the colors of the vertices times the light.
 ///
 /// The library's `surface.tinted().lit(light)` interpolates both colors, which takes six numbers. Here each corner
-/// multiplies them, and the three products are interpolated. So a texture and fog find room, too, among the eight
-/// numbers that there can be.
+/// multiplies them, and the three products are interpolated. So a texture and fog also find room among the at most
+/// eight numbers.
 #[derive(Clone, Copy)]
 pub struct TintedLit<S, L> {
     pub surface: S,

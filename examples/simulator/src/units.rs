@@ -40,8 +40,8 @@ impl Units {
     ///
     /// # Errors
     ///
-    /// A distance is so much larger than the model that few steps would be left for the model, or the near plane so
-    /// near that it has none. The message names the option.
+    /// A distance is so much larger than the model that few steps would be left for the model, or the near plane is so
+    /// near that no step is left for it. The message names the option.
     pub fn new(args: &Args, framing: &Framing, solid: &Solid) -> Result<Self> {
         let limit = solid.radius * FARTHEST;
         let reach = framing.reach(args, solid, limit)?;

@@ -52,7 +52,7 @@ pub fn direction([x, y, z]: [f64; 3]) -> Result<Vec3> {
 
 impl View {
     /// Makes the view of `framing`, drawn in `units`. `texels` is the size of the textures relative to the given ones,
-    /// which the mode's tolerance is meant for.
+    /// to which the mode's tolerance refers.
     ///
     /// # Errors
     ///
@@ -105,7 +105,7 @@ impl View {
         })
     }
 
-    /// The place that the picture is seen from.
+    /// The place from which the picture is seen.
     pub fn viewer(&self) -> Viewer {
         match self.projection {
             Lens::Perspective(projection) => Viewer::of(&(projection * self.camera)),

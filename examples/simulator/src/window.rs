@@ -1,5 +1,5 @@
-//! The window, if the build has one. SDL2 is a library of the system, and neither building nor testing should need
-//! it. So it is behind the feature `sdl`, which is used only here.
+//! The window, if the build has one. SDL2 is a system library, and neither building nor testing should need it. So it
+//! is behind the feature `sdl`, which is used only here.
 
 use fixel::prelude::*;
 
@@ -35,7 +35,7 @@ impl Orbit {
             return pose;
         }
         let right = view.camera.pose().direction(Vec3::X);
-        // Neither axis is zero: the camera could not be made of such.
+        // Neither axis is zero: no camera could be made from a zero axis.
         let turn = |axis, angle| Transform::rotate(axis, angle).unwrap_or(Transform::IDENTITY);
         Transform::scale(self.zoom) * turn(right, self.pitch) * turn(view.up, self.yaw) * pose
     }
@@ -142,7 +142,7 @@ mod sdl {
             self.orbit.pitch += angle(moved.y);
         }
 
-        /// Brings the model closer, or farther away: by an eighth, to between a quarter and [`MOST_ZOOM`].
+        /// Brings the model closer or moves it away, by an eighth; the zoom stays between a quarter and [`MOST_ZOOM`].
         fn zoom(&mut self, closer: bool) {
             let zoom = self.orbit.zoom;
             let zoom = if closer {

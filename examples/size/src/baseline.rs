@@ -1,4 +1,5 @@
-//! Size probe: everything but drawing. The code that another probe has beyond this one is the cost of drawing.
+//! Size probe: everything but drawing. The difference in size between another probe and this one is the cost of
+//! drawing.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 mod probe;

@@ -1,7 +1,7 @@
 //! The parts that all size probes share: a model, memory, time, and a report of the deepest stack.
 //!
-//! Every probe, the baseline too, links the whole model and the texture. So the code that a probe has beyond the
-//! baseline belongs to the library, and to the few lines that call it.
+//! Every probe, including the baseline, links the whole model and the texture. So any code that only a probe has, and
+//! not the baseline, belongs to the library and to the few lines that call it.
 
 // The baseline does not use the drawing parts.
 #![allow(dead_code)]

@@ -1,4 +1,4 @@
-//! The cases that are drawn and measured: meshes with everything that leads to the screen, for the crate and for the
+//! The cases that are drawn and measured: meshes with their transforms and projections, for the crate and for the
 //! model.
 
 use fixel::num::{scalar, tex_coord};

@@ -1,4 +1,4 @@
-//! Random and adversarial planes: sets of textured triangles, each of which is hard for a mode in another way.
+//! Random and adversarial planes: sets of textured triangles, each difficult for a mode in a different way.
 //!
 //! | set | triangles |
 //! |---|---|

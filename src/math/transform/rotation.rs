@@ -22,21 +22,21 @@ impl Transform {
 
     /// Rotates about the x axis, from y towards z.
     ///
-    /// Entries are within 2.6e-9 of their values.
+    /// Entries are accurate to 2.6e-9.
     #[must_use]
     pub const fn rotate_x(angle: Angle) -> Self {
         let [s, minus, c] = sin_cos_29(angle);
         Self::from_rotation_rows([[ONE, 0, 0], [0, c, minus], [0, s, c]])
     }
 
-    /// Rotates about the y axis, from z towards x; as exact as [`rotate_x`](Self::rotate_x).
+    /// Rotates about the y axis, from z towards x; as accurate as [`rotate_x`](Self::rotate_x).
     #[must_use]
     pub const fn rotate_y(angle: Angle) -> Self {
         let [s, minus, c] = sin_cos_29(angle);
         Self::from_rotation_rows([[c, 0, s], [0, ONE, 0], [minus, 0, c]])
     }
 
-    /// Rotates about the z axis, from x towards y; as exact as [`rotate_x`](Self::rotate_x).
+    /// Rotates about the z axis, from x towards y; as accurate as [`rotate_x`](Self::rotate_x).
     #[must_use]
     pub const fn rotate_z(angle: Angle) -> Self {
         let [s, minus, c] = sin_cos_29(angle);
@@ -46,7 +46,7 @@ impl Transform {
     /// Rotates about an axis through the origin, counter-clockwise as seen from its tip
     /// (Rodrigues' formula).
     ///
-    /// The axis need not have length one. Entries are within 3 · 2⁻²⁸ of their values.
+    /// The axis may have any length but zero. Entries are accurate to 3 · 2⁻²⁸.
     ///
     /// # Errors
     ///
@@ -102,8 +102,7 @@ impl Transform {
     /// Rotates by a quaternion, in the order `[x, y, z, w]` with the real part last.
     ///
     /// The parts may have any common unit, such as [`Scalar`](crate::Scalar) or [`Unit`]: the
-    /// quaternion is normalized. For a sensor's raw integers, use [`Unit::from_bits`]. Entries
-    /// are within 2⁻²⁷ of their values.
+    /// quaternion is normalized. For a sensor's raw integers, use [`Unit::from_bits`]. Entries are accurate to 2⁻²⁷.
     ///
     /// # Errors
     ///

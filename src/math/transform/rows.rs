@@ -7,8 +7,8 @@ use crate::{Error, Matrix4, Scalar, Vec3};
 impl Transform {
     /// Makes a transform from the rows of its 3×3 matrix, for column vectors, and its translation.
     ///
-    /// Any matrix is accepted. Entries keep 30 significant bits of the largest one of the matrix,
-    /// and of the translation.
+    /// Any matrix is accepted. Entries of the matrix are accurate to 2⁻³⁰ of its largest entry, and so are those of the
+    /// translation.
     ///
     /// ```
     /// use fixel::prelude::*;

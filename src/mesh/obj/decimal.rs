@@ -30,9 +30,9 @@ pub(super) const TEX_COORD: Format = Format {
 /// Fraction bits that are computed before rounding: the 20 of the finest format, and one more for its halves.
 const BITS: u32 = 21;
 
-/// Decimal places that are read: a multiple of 2⁻²¹ has at most 21, so whatever follows them can only raise a number
-/// that lies between two such multiples. Later places are dropped, because halves round away from zero. The 21 digits
-/// do not fit into 64 bits, so they are kept as two integers.
+/// Decimal places that are read. A multiple of 2⁻²¹ has at most 21 places, so later ones cannot take a number across
+/// such a multiple. They are dropped, because halves round away from zero. The 21 digits do not fit into 64 bits, so
+/// they are kept as two integers.
 const PLACES: usize = HIGH + LOW;
 const HIGH: usize = 17;
 const LOW: usize = 4;

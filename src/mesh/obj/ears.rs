@@ -5,13 +5,13 @@ use crate::Vec3;
 use crate::mesh::Index;
 use crate::mesh::flash::Room;
 
-/// Cuts polygons again whose fan of triangles leaves them; `room` holds the fans of all polygons in `text`.
+/// Cuts again each polygon whose fan of triangles leaves the polygon; `room` holds the fans of all polygons in `text`.
 ///
-/// A fan is right if all its triangles turn the way of the polygon. As signed areas, they add up to the polygon, so then
-/// no two of them overlap. Otherwise ears are cut off: corners whose triangle has no other corner in it. This works for
-/// every polygon whose outline does not cross itself; other polygons keep their fan.
+/// A fan is right if all its triangles turn in the same direction as the polygon: their signed areas add up to the
+/// polygon's, so no two of them overlap. Otherwise ears are cut off: corners whose triangle contains no other corner.
+/// This works for every polygon whose outline does not cross itself; other polygons keep their fan.
 ///
-/// Turns are those of the polygon's projection along the axis nearest to its normal, and exact.
+/// The direction of a turn is computed exactly, in the polygon's projection along the axis nearest to its normal.
 pub(super) const fn cut<const N: usize>(text: &[u8], room: &mut Room<N>) {
     let mut ears = Ears {
         corners: [[0; 3]; N],
@@ -144,7 +144,7 @@ impl<const N: usize> Ears<N> {
         true
     }
 
-    /// Cuts off ears until a triangle is left; `false` if there comes a point at which there is none.
+    /// Cuts off ears until a triangle is left; `false` if no ear is found before.
     const fn cut(&mut self, triangles: usize) -> bool {
         let mut left = triangles + 2;
         let mut corner = 0;

@@ -3,7 +3,7 @@
 use crate::mesh::Index;
 use crate::mesh::sort::sort;
 
-/// Sorts the edges in place, moves one of each to the front and returns how many there are.
+/// Sorts the edges in place, moves one of each to the front, and returns how many different ones there are.
 ///
 /// It takes linear time, which matters because it runs in the compiler.
 pub(super) const fn unique(edges: &mut [[Index; 2]]) -> usize {

@@ -9,15 +9,14 @@ use crate::error::ok;
 use crate::mesh::{Counts, Part, flash::Room};
 use crate::{Error, message};
 
-/// An upper bound of the elements of each kind that a text of `bytes` bytes can hold: a corner takes a blank and a
-/// digit, and other elements take more.
+/// An upper bound for the elements of each kind in a text of `bytes` bytes: a corner takes a blank and a digit, and
+/// other elements take more.
 #[must_use]
 pub const fn room(bytes: usize) -> usize {
     bytes / 2 + 1
 }
 
-/// The elements of a text, in lists with room for any text of its length, and how many there are. The text is read only
-/// once.
+/// The elements of a text, in lists with room for any text of its length, and their number. The text is read only once.
 ///
 /// # Panics
 ///
@@ -35,8 +34,8 @@ pub const fn read<const N: usize>(text: &[u8], path: &str) -> (Room<N>, Counts) 
 
 /// A mesh from an OBJ file, read at compile time and stored in flash.
 ///
-/// The path is relative to the source file, as for [`include_str!`]. A mistake in the file stops
-/// compilation and names its line. [`mesh::obj`](crate::mesh::obj) lists the statements it reads.
+/// The path is relative to the source file, as for [`include_str!`]. A mistake in the file stops compilation with a
+/// message that names its line. [`mesh::obj`](crate::mesh::obj) lists the statements it reads.
 ///
 /// ```
 /// use fixel::mesh::Quantized;
@@ -211,8 +210,8 @@ impl<const N: usize> Parts<N> {
 /// | `map_Kd file`, `map_Kd -options … file` | the name of its texture; after options, the last word |
 ///
 /// Names extend to the end of their line or a comment, and may contain blanks. Faces before the first `usemtl` are a white
-/// part without a name. `mtllib` is ignored, because a macro cannot open files that it learns about in a file. A mistake in
-/// a file stops compilation and names its line; so does a material that the MTL file does not have.
+/// part without a name. `mtllib` is ignored, because a macro cannot open files whose names it reads in another file. A
+/// mistake in a file stops compilation with a message that names its line; so does a material that the MTL file lacks.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};

@@ -15,7 +15,7 @@
 //! | `usemtl name` | the material of the faces that follow; only [`include_mtl!`](crate::include_mtl) reads it |
 //! | any other | ignored, whether OBJ defines it (`o`, `g`, `s`, `p`, `mtllib`, …) or not |
 //!
-//! - Indices count from 1 up; −1 is the last element so far, −2 the one before. A positive index may name an element
+//! - Indices start from 1; −1 is the last element so far, −2 the one before it. A positive index may name an element
 //!   that comes later in the text.
 //! - Numbers are decimal, with or without an exponent. Each is rounded exactly to the nearest
 //!   [`Scalar`](crate::Scalar), after `vt` to the nearest [`TexCoord`](crate::TexCoord); halves round away from zero.
@@ -61,8 +61,8 @@ impl Usage {
         self.differs |= index != position;
     }
 
-    /// The lengths that the attribute's lists of values and of triangles need. The arguments count the values, positions,
-    /// corners and triangles in the text.
+    /// The lengths needed for the attribute's lists of values and of triangles. The arguments count the values,
+    /// positions, corners and triangles in the text.
     const fn counts(
         self,
         values: usize,
@@ -118,8 +118,8 @@ const fn read(text: &[u8], buffers: &mut Buffers<'_>) -> Result<Counts, Error> {
 ///
 /// # Errors
 ///
-/// [`Error::Obj`] as for [`count`]; [`Error::TooMany`] if a slice is too short (an empty slice for attributes or
-/// edges is not).
+/// [`Error::Obj`] as for [`count`]; [`Error::TooMany`] if a slice is too short (an empty slice for attributes or edges
+/// is accepted).
 ///
 /// ```
 /// use fixel::mesh::{obj, Buffers};

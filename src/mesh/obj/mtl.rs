@@ -32,7 +32,8 @@ pub(super) enum Statement {
     End,
 }
 
-/// Looks for the material that is called `name` in `names`; `None` if the text has none. The whole text is checked.
+/// Looks for the material with the `name` that stands in `names`; `None` if the text lacks it. The whole text is
+/// checked.
 pub(super) const fn find(text: &[u8], name: Name, names: &[u8]) -> Result<Option<Material>, Error> {
     let mut found: Option<Material> = None;
     let (mut any, mut here) = (false, false);
@@ -43,7 +44,7 @@ pub(super) const fn find(text: &[u8], name: Name, names: &[u8]) -> Result<Option
                 any = true;
                 here = new.is(text, name, names);
                 if here && found.is_some() {
-                    return reader.error("a material of this name comes before");
+                    return reader.error("a material of this name was defined before");
                 }
                 if here {
                     found = Some(Material::DEFAULT);
@@ -165,7 +166,7 @@ mod tests {
             ),
             (
                 "newmtl a\nnewmtl b\nnewmtl a",
-                "line 3: a material of this name comes before",
+                "line 3: a material of this name was defined before",
             ),
         ] {
             let error = found(text, "a").unwrap_err();

@@ -32,7 +32,7 @@ impl Run {
     };
 }
 
-/// An upper bound of the runs in a text of `bytes` bytes: `usemtl`, a blank, a name and a line's end take 9.
+/// An upper bound for the runs in a text of `bytes` bytes: `usemtl`, a blank, a name and a line's end take 9 bytes.
 #[must_use]
 pub const fn room(bytes: usize) -> usize {
     bytes / 9 + 2

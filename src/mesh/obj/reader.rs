@@ -60,9 +60,9 @@ const TOO_MANY: [&str; 3] = [
 const MALFORMED: &str = "a corner is malformed: it must be like 1, 1/2, 1//3 or 1/2/3";
 
 const NOT_THERE: [&str; 3] = [
-    "an index names a position that is not there",
-    "an index names a texture coordinate that is not there",
-    "an index names a normal that is not there",
+    "an index names a position that does not exist",
+    "an index names a texture coordinate that does not exist",
+    "an index names a normal that does not exist",
 ];
 
 const fn ends_line(c: u8) -> bool {

@@ -13,8 +13,8 @@ use crate::{Error, Vec3};
 use surface::Surface;
 use writer::MeshWriter;
 
-/// A generated shape: [`shape!`](crate::shape) turns it into a mesh in flash, [`build`](Self::build) does so at run
-/// time.
+/// A generated shape. [`shape!`](crate::shape) turns it into a mesh in flash, and [`build`](Self::build) into a mesh in
+/// the caller's memory.
 ///
 /// All shapes are centered on the origin. They have positions, unit normals, texture coordinates from 0 to 1, and
 /// edges: a wireframe without the diagonals of quads. Triangles are counter-clockwise as seen from outside. Positions
@@ -62,14 +62,14 @@ const fn extent(of: &'static str, given: Scalar, max: Scalar) -> Result<(), Erro
 }
 
 impl Shape {
-    /// Most parts in one direction: with the fewest parts in the other direction, the indices still fit into 16 bits.
+    /// The most parts in one direction: with the fewest parts in the other direction, indices still fit into 16 bits.
     pub const MAX_PARTS: u32 = 16_384;
 
     /// A box from −`corner` to `corner`; the texture fills each of its six sides.
     ///
     /// A side is two triangles. The sides follow each other in the order front (z), right (x), back (−z), left (−x), top
-    /// (y), bottom (−y), so that [`Mesh::part`] draws each with its own texture. Scaled by −1 along x, a box shows its
-    /// sides and its textures the right way to a viewer inside it: a sky box.
+    /// (y), bottom (−y), so that [`Mesh::part`] draws each with its own texture. Scaled by −1 along x, a box becomes a
+    /// sky box: a viewer inside it sees its sides and its textures the right way round.
     ///
     /// # Errors
     ///
@@ -86,7 +86,7 @@ impl Shape {
     /// A sphere of radius 1 with its poles on the y axis.
     ///
     /// It has `slices` sides around the axis, which start at +z and continue toward +x, and `stacks` rows from the
-    /// upper pole to the lower. The texture wraps around it once.
+    /// upper pole to the lower. The texture wraps around the sphere once.
     ///
     /// # Errors
     ///

@@ -7,8 +7,8 @@ use crate::{Angle, Scalar, TexCoord, Vec3};
 const ZERO: TexCoord = TexCoord::ZERO;
 const UNIT: TexCoord = TexCoord::ONE;
 
-/// `part` / `parts` of a turn, or of half a turn if `half`. A whole turn is 0 again, so that a seam closes to the
-/// last bit.
+/// `part` / `parts` of a turn, or of half a turn if `half`. A whole turn becomes 0, so that a seam closes to the last
+/// bit.
 const fn angle(part: u32, parts: u32, half: bool) -> Angle {
     let bits = ((part as u64) << (32 - half as u32)) / parts as u64;
     // Whole turns overflow and drop out.
@@ -130,8 +130,8 @@ const fn write_grid(writer: &mut MeshWriter<'_>, shape: Shape) {
     } = shape;
     // The first and the last row of vertices are one point each.
     let poles = matches!(surface, Surface::Sphere);
-    // The rows of vertices that are joined by edges, from the first to before the second; then, how many columns of
-    // vertices are.
+    // The rows of vertices that edges join, from the first to before the second; then the number of columns that
+    // edges join.
     let along = match surface {
         Surface::Sphere => [1, rows],
         Surface::Torus(_) => [0, rows],

@@ -38,8 +38,8 @@ pub struct PreparedEdgeScene<
 }
 
 impl<const EDGES: usize, const VERTICES: usize> EdgeList<EDGES, VERTICES> {
-    /// Prepares several objects' edges, all for one `view`: a projection and a camera. Of an object with an
-    /// [outline](Object::outline), these are the edges of the outline that
+    /// Prepares several objects' edges, all for one `view`: a projection and a camera. If an object has an
+    /// [outline](Object::outline), only those edges are prepared that
     /// [`Canvas::draw_outline`](crate::Canvas::draw_outline) would draw.
     ///
     /// The list needs room for the visible edges of all objects.

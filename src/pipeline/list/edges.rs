@@ -18,13 +18,12 @@ use crate::span::{Mode, Newton};
 use crate::target::{DepthTest, Replace, TestAndWrite, check_size};
 use crate::view::{ModelToPicture, Perspective, ProjectionKind};
 
-/// Memory for the edges of a frame that is drawn in bands: what a [`TriangleList`](super::TriangleList) is for
-/// triangles.
+/// Memory for the edges of a frame that is drawn in bands, like a [`TriangleList`](super::TriangleList) for triangles.
 ///
-/// [`prepare`](Self::prepare) takes the edges of a mesh and [`prepare_outline`](Self::prepare_outline) those of an
-/// [`Outline`] that are drawn; [`prepare_scene`](Self::prepare_scene) takes those of several objects. The list needs
-/// room for the visible edges (14 bytes each) and for their vertices (16 bytes each): at most two for each edge, and
-/// four for a clipped one. It uses at most [`MAX_VERTICES`](Self::MAX_VERTICES).
+/// [`prepare`](Self::prepare) takes the edges of a mesh, [`prepare_outline`](Self::prepare_outline) the edges of an
+/// [`Outline`] that are to be drawn, and [`prepare_scene`](Self::prepare_scene) the edges of several objects. The list
+/// needs room for the visible edges (14 bytes each) and for their vertices (16 bytes each): at most two for each edge,
+/// and four for a clipped one. It uses at most [`MAX_VERTICES`](Self::MAX_VERTICES).
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -232,7 +231,7 @@ pub(super) fn add<K: ProjectionKind, E>(
 }
 
 impl Edge {
-    /// The number of its first vertex, which tells its object.
+    /// The number of its first vertex, by which its object is found.
     pub(super) const fn first(&self) -> u16 {
         match self.ends {
             Ends::Whole([first, _]) | Ends::Clipped(first) => first,
@@ -247,7 +246,7 @@ fn rows_of([a, b]: [i32; 2], height: u32) -> [u16; 2] {
 }
 
 impl<'a, K, M, Z, B, L> PreparedEdges<'a, K, M, Z, B, L> {
-    /// The same edges, whose colors are blended in another way with those on the canvas.
+    /// The same edges, with another way to blend their colors with those on the canvas.
     #[must_use]
     pub fn with_blending<A>(self, blending: A) -> PreparedEdges<'a, K, M, Z, A, L> {
         PreparedEdges {
@@ -260,7 +259,7 @@ impl<'a, K, M, Z, B, L> PreparedEdges<'a, K, M, Z, B, L> {
         }
     }
 
-    /// The same edges, drawn as other lines.
+    /// The same edges, drawn with another style of lines.
     ///
     /// ```
     /// use fixel::prelude::*;

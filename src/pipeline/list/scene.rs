@@ -21,7 +21,8 @@ use crate::{Error, Transform};
 
 /// An object of a scene: a mesh, its model transform, and its material.
 ///
-/// The material is any value that tells how to draw the object: a shader, or a value of your own to choose one by.
+/// The material is any value that says how to draw the object: a shader, or a value of your own by which you choose
+/// one.
 ///
 /// [`TriangleList::prepare_scene`] and [`EdgeList::prepare_scene`](super::EdgeList::prepare_scene) prepare a slice of
 /// objects.
@@ -41,8 +42,8 @@ pub struct Object<'m, T> {
     pub model: Transform,
     /// How the object is drawn.
     pub material: T,
-    /// Which edges an [`EdgeList`](super::EdgeList) draws of it; without an outline, all. Triangles do not depend on
-    /// it.
+    /// The edges of the object that an [`EdgeList`](super::EdgeList) draws; all edges if it is `None`. Triangles do not
+    /// depend on it.
     pub outline: Option<&'m Outline<'m>>,
     /// The number of its last vertex in the list.
     last: u16,
@@ -52,7 +53,7 @@ pub struct Object<'m, T> {
 }
 
 impl<'m, T> Object<'m, T> {
-    /// An object at the place that `model` gives it in the world.
+    /// An object that `model` places in the world.
     #[must_use]
     pub const fn new(mesh: &'m Mesh<'m>, model: Transform, material: T) -> Self {
         Self {
@@ -78,7 +79,7 @@ impl<'m, T> Object<'m, T> {
 #[derive(Debug)]
 pub(super) struct View<'a, T, K> {
     objects: &'a [Object<'a, T>],
-    /// What the objects' transforms are multiplied with.
+    /// The factor of the objects' transforms.
     world: Transform,
     camera: Transform,
     kind: PhantomData<K>,
@@ -160,7 +161,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
     /// Prepares several objects' triangles like [`prepare`](Self::prepare), all for one `view`: a projection and a
     /// camera.
     ///
-    /// The list needs room for the visible triangles of all of them.
+    /// The list needs room for the visible triangles of all objects.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
@@ -248,7 +249,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
 }
 
 impl Entry {
-    /// The number of its first vertex, which tells its object.
+    /// The number of its first vertex, by which its object is found.
     const fn first(&self) -> u16 {
         match self.corners {
             Corners::Whole([first, ..]) | Corners::Clipped { first, .. } => first,
@@ -279,9 +280,9 @@ impl<'a, T, K: ProjectionKind, M: Mode, Z: DepthTest, B: Copy> PreparedScene<'a,
         }
     }
 
-    /// The triangles that meet a canvas's rows, in the order in which they are to be drawn. Each part has the
-    /// triangles of one object that follow each other, and comes with the object's material. Unless the scene is
-    /// sorted, an object is one part.
+    /// The triangles that meet a canvas's rows, in the order in which they are to be drawn. Each part holds consecutive
+    /// triangles of one object, and comes with the object's material. Unless the scene is sorted, each object is one
+    /// part.
     ///
     /// # Errors
     ///

@@ -13,7 +13,7 @@ use crate::shade::{Channels, Levels, Varyings};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Illumination {
-    /// Red, green and blue, by which the surface's color is multiplied. On a gray canvas only the first counts.
+    /// Red, green and blue, by which the surface's color is multiplied. On a gray canvas, only the first is used.
     pub diffuse: [i32; 3],
     /// The white of a highlight, which is added to the surface's color.
     pub specular: Option<i32>,
@@ -30,7 +30,7 @@ impl Illumination {
         }
     }
 
-    /// Both amounts of light together.
+    /// The sum of two amounts of light.
     #[must_use]
     #[inline]
     pub const fn plus(self, other: Self) -> Self {
@@ -50,7 +50,7 @@ impl Illumination {
     }
 }
 
-/// At most full brightness, and at least none.
+/// The light, limited to the range from darkness to full brightness.
 #[inline]
 fn limited(light: i32) -> i32 {
     light.clamp(0, FULL)

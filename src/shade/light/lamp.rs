@@ -27,7 +27,7 @@ pub enum Falloff {
     Smooth,
     /// 1 − d/r.
     Linear,
-    /// 1 within the range, 0 beyond it. The range is within 1/4000 of its value.
+    /// 1 within the range, 0 beyond it. The range is accurate to 1/4000.
     Constant,
 }
 
@@ -36,8 +36,8 @@ pub enum Falloff {
 #[cfg_attr(doc, doc = page_picture!("point_light", "A floor and a ball beside a lamp"))]
 /// A surface with unit normal n at the distance d has the brightness b · f(d) · max(0, n·l): b is the lamp's
 /// brightness, f its [`Falloff`] and l the unit vector toward the lamp. The error is at most 8.3e-4, a fifth of a step
-/// of eight bits. Very near the lamp, positions in steps of 2⁻¹⁶ limit the direction; at the lamp itself there is no
-/// light.
+/// of eight bits. Very near the lamp, the direction is less accurate because positions are in steps of 2⁻¹⁶; at the
+/// lamp itself, the brightness is 0.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -120,8 +120,8 @@ impl PointLight {
     }
 }
 
-/// At most this is left of 1, in units of 2⁻¹⁶, by the square of a distance with a saturated component, which counts as
-/// 1 − 2⁻¹⁵ of the longest range or more.
+/// The most of 1 − d²/r² that is left, in units of 2⁻¹⁶, if a component of the distance saturates: it then counts as at
+/// least 1 − 2⁻¹⁵ of the longest range.
 const SATURATED: u32 = 4;
 
 /// Full brightness, in units of 2⁻¹⁶.
@@ -158,9 +158,9 @@ impl Lamp for PointLight {
         ];
         let [x, y, z] = way;
         let size = (x ^ x >> 31) | (y ^ y >> 31) | (z ^ z >> 31);
-        // At most 30, so that what is shorter by most is by 31 bits.
+        // At most 30, so that a distance is at most 31 bits shorter than the range.
         let up = (size << 1 | 2).leading_zeros();
-        // How many bits shorter than the range, and one.
+        // By how many bits the distance is shorter than the range, plus one.
         let shorter = (up + 1).wrapping_sub(self.up);
         if shorter.cast_signed() < 0 {
             return 0;
@@ -200,9 +200,9 @@ fn times(a: u32, b: u32) -> u32 {
 /// White light from a point in world space, in a cone: a lamp like [`PointLight`] that shines in one direction.
 ///
 #[cfg_attr(doc, doc = page_picture!("spot_light", "A floor and a ball in a cone of light"))]
-/// Let θ be the angle between the cone's axis and the way from the lamp to a surface. Up to the inner angle, the light
-/// is that of the point light, from the outer angle on there is none. Between them, it falls smoothly: it is
-/// t²(3 − 2t), where t = (cos θ − cos outer) / (cos inner − cos outer).
+/// Let θ be the angle between the cone's axis and the direction from the lamp to a surface. Up to the inner angle, the
+/// light equals the point light's; from the outer angle on, there is none. Between them, the point light is multiplied
+/// by t²(3 − 2t), where t = (cos θ − cos outer) / (cos inner − cos outer), so that it falls smoothly.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
@@ -244,8 +244,8 @@ pub struct SpotLight {
 }
 
 impl SpotLight {
-    /// A lamp at `position` that shines along `axis`, both in world space, with an inner and an outer angle from the
-    /// axis. Brightness and range are those of [`PointLight::new`].
+    /// A lamp at `position` that shines along `axis`, both in world space, with an inner and an outer angle, both
+    /// measured from the axis. Brightness and range have the same meaning as in [`PointLight::new`].
     ///
     /// # Errors
     ///

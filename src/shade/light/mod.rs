@@ -1,7 +1,7 @@
 //! Light that falls on a surface: where it comes from, how strong it is, and in which color.
 //!
-//! Lights are in world space. [`Light`] is sun and sky in one, [`PointLight`] and [`SpotLight`] are lamps; all are
-//! white until they are [`colored`](Lighting::colored). Arrays, slices and tuples of lights are lights, too.
+//! Lights are in world space. [`Light`] is sun and sky in one; [`PointLight`] and [`SpotLight`] are lamps. All are
+//! white unless you make them [`colored`](Lighting::colored). Arrays, slices and tuples of lights are lights, too.
 
 mod colored;
 mod illumination;
@@ -92,8 +92,8 @@ impl SurfacePoint {
     }
 }
 
-/// What lights a surface: [`Light`], [`PointLight`], [`SpotLight`], and several of them in an array, a slice or a tuple
-/// of up to four.
+/// Light that falls on a surface: a [`Light`], [`PointLight`] or [`SpotLight`], or several lights in an array, a slice
+/// or a tuple of up to four.
 ///
 #[cfg_attr(doc, doc = page_picture!("colored", "A ball between a red and a blue lamp"))]
 /// [`Shader::lit`](crate::Shader::lit) and [`Shader::lit_faces`](crate::Shader::lit_faces) put a surface under it. A
@@ -146,8 +146,8 @@ pub trait Lighting: Copy {
     /// Whether [`at`](Self::at) reads [`SurfacePoint::face`]. `false` saves a normal for each triangle.
     const READS_FACE: bool = true;
 
-    /// The light that falls on a point of a surface. It may exceed full brightness, 65,536, by up to a thousandfold;
-    /// a [`White`] light has three equal channels.
+    /// The light that falls on a point of a surface, at most a thousand times full brightness, 65,536. A [`White`]
+    /// light has three equal channels.
     fn at(&self, point: &SurfacePoint) -> Illumination;
 
     /// The same light, in a color. Highlights keep their brightness, and stay white.
@@ -157,8 +157,8 @@ pub trait Lighting: Copy {
         Colored::new(self, color)
     }
 
-    /// The same light on single sheets, which have no inside: triangles that turn their back to the viewer are lit as
-    /// if their normals pointed the other way.
+    /// The same light for single sheets, which are seen from both sides: triangles that turn their back to the viewer
+    /// are lit as if their normals pointed the other way.
     #[must_use]
     #[inline]
     fn two_sided(self, viewer: Viewer) -> TwoSided<Self> {

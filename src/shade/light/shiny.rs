@@ -5,11 +5,11 @@ use super::{Glossy, Illumination, Lighting, SurfacePoint, Viewer, White, brightn
 use crate::math::Direction;
 use crate::{Error, Scalar};
 
-/// A light that comes from one place: [`Light`](super::Light), [`PointLight`](super::PointLight) and
-/// [`SpotLight`](super::SpotLight). It can make highlights.
+/// A light that comes from one place or direction, and so can make highlights: [`Light`](super::Light),
+/// [`PointLight`](super::PointLight) and [`SpotLight`](super::SpotLight).
 pub trait Lamp: Lighting {
-    /// The direction from a point toward the light, and the strength of the light there: 65,536 is full brightness. The
-    /// direction is [`Direction::NONE`] where no light comes from.
+    /// The direction from a point toward the light, and the strength of the light at the point: 65,536 is full
+    /// brightness. The direction is [`Direction::NONE`] if no light reaches the point.
     fn ray(&self, point: &SurfacePoint) -> (Direction, i32);
 
     /// The light on a matte surface, in units of 2⁻¹⁶, by Lambert's law: the strength of the light at a point times the
@@ -29,8 +29,8 @@ pub trait Lamp: Lighting {
     /// Adds a highlight (Blinn–Phong) as the `viewer` sees it: `strength` · (n·h)^`exponent` of white, times the
     /// strength of the light at the point. n is the normal and h the direction halfway between light and viewer.
     ///
-    /// An exponent of 8 makes a wide highlight, one of 100 a small one. Highlights are computed at the corners and
-    /// interpolated, so a mesh must be fine enough to catch them.
+    /// An exponent of 8 makes a wide highlight, an exponent of 100 a small one. Highlights are computed at the corners
+    /// and interpolated, so a mesh must be fine enough to show them.
     ///
     /// # Errors
     ///
@@ -111,7 +111,7 @@ impl<L: Lamp> Lighting for Shiny<L> {
 }
 
 /// A number from 0 to 1, in units of 2⁻³⁰, to a power. Each of up to 15 products is rounded by at most 2⁻³¹, and later
-/// ones multiply that error by up to the exponent: in all less than 2⁻¹⁹.
+/// ones multiply that error by at most the exponent; in all, the error is less than 2⁻¹⁹.
 fn power(base: i32, exponent: u8) -> i32 {
     let times = |a: i32, b: i32| ((i64::from(a) * i64::from(b) + (1 << 29)) >> 30) as i32;
     let (mut result, mut square, mut rest) = (1 << 30, base.min(1 << 30), exponent);

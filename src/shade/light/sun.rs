@@ -7,7 +7,7 @@ use crate::num::rsqrt::measure;
 use crate::num::wide::dot;
 use crate::{Error, Scalar, Vec3};
 
-/// White light that comes from all sides (ambient) and from one direction in world space (diffuse), like the sun's.
+/// White light that comes from all sides (ambient) and, like the sun's, from one direction in world space (diffuse).
 ///
 #[cfg_attr(doc, doc = page_picture!("light", "A floor and a ball, lit from the left"))]
 /// A surface with unit normal n has the brightness ambient + diffuse · max(0, n·l), saturated at 1, where l is the

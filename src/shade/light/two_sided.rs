@@ -6,8 +6,8 @@ use crate::math::Direction;
 /// A light that also lights the backs of triangles; see [`Lighting::two_sided`].
 ///
 #[cfg_attr(doc, doc = page_picture!("two_sided", "Two sheets that turn their backs: dark without the adapter, bright with it"))]
-/// A triangle turns its back if the viewer is on the other side of its plane than its normal. Edges and points have no
-/// back.
+/// A triangle turns its back to the viewer if its normal points to the other side of its plane. Edges and points have
+/// no back.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};

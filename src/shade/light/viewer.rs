@@ -6,7 +6,7 @@ use crate::num::wide::dot;
 use crate::view::ModelToPicture;
 use crate::{Error, Vec3};
 
-/// The place in world space from which a picture is seen: a point under a perspective projection, a direction under a
+/// The place from which a picture is seen, in world space: a point under a perspective projection, a direction under a
 /// parallel one.
 ///
 /// Highlights and two-sided light depend on it.
@@ -49,8 +49,8 @@ impl Viewer {
         }
     }
 
-    /// The viewer of a picture whose camera is a rigid transform, as all are that
-    /// [`Camera`](crate::Camera) makes itself.
+    /// The viewer of a picture whose camera is a rigid transform, as are all that [`Camera`](crate::Camera)'s own
+    /// constructors make.
     #[must_use]
     pub fn of(picture: &impl ModelToPicture) -> Self {
         let from_eye = picture.camera_of().inverse_rigid();
@@ -72,8 +72,8 @@ impl Viewer {
         }
     }
 
-    /// Whether a point is on the other side of the viewer than its face's normal. A viewer nearer to the plane than
-    /// 2^-14 may be on either side.
+    /// Whether the viewer is behind a face: on the side of its plane to which its normal does not point. A viewer
+    /// nearer to the plane than 2^-14 may count as being on either side.
     pub(super) fn sees_back(&self, face: Direction, position: Vec3) -> bool {
         match self.0 {
             Place::Toward(direction) => face.dot(direction) < 0,

@@ -28,8 +28,8 @@ impl Projection<Parallel> {
         Self::sheared([BlockFloat::ZERO; 2], window, near, far)
     }
 
-    /// Makes an oblique projection: the near plane is undistorted, and a point behind it moves in
-    /// the picture by `ratio` times its distance from that plane.
+    /// Makes an oblique projection: the near plane is undistorted, and a point beyond it moves in the picture by
+    /// `ratio` times its distance from that plane.
     ///
     /// It moves in the direction of `angle`, counter-clockwise from the right.
     ///

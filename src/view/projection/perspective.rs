@@ -1,4 +1,4 @@
-//! Perspective projections: distant objects are small.
+//! Perspective projections: distant objects look smaller.
 
 use core::marker::PhantomData;
 

@@ -29,11 +29,11 @@ fn errors_name_their_line() {
     let first_at_5 = |rest: &str, word| fails(&format!("{SQUARE}{rest}"), 5, word);
     first_at_5("f 0 1 2", "0");
     first_at_5("f 1 2 -0", "0");
-    first_at_5("f 1 2 5", "position that is not there");
-    first_at_5("f 1 2 -5", "position that is not there");
-    first_at_5("f 1 2 99999999999999999999", "position that is not there");
-    first_at_5("f 1/1 2 3", "texture coordinate that is not there");
-    first_at_5("f 1//-1 2 3", "normal that is not there");
+    first_at_5("f 1 2 5", "position that does not exist");
+    first_at_5("f 1 2 -5", "position that does not exist");
+    first_at_5("f 1 2 99999999999999999999", "position that does not exist");
+    first_at_5("f 1/1 2 3", "texture coordinate that does not exist");
+    first_at_5("f 1//-1 2 3", "normal that does not exist");
     first_at_5("f", "3 corners");
     first_at_5("f 1 2", "3 corners");
     first_at_5("l 1", "2 ends");

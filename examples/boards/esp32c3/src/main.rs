@@ -60,7 +60,7 @@ fn main() -> ! {
     let depths = DEPTHS.take();
     let scene = Scene::new(WIDTH, HEIGHT).unwrap();
 
-    // From here on a band is always being sent; the first one is black.
+    // From here on, a band is always being sent. The first one is black.
     panel.start_frame(&mut spi).unwrap();
     let mut transfer = spi.write_buffer(2 * BAND, black).ok().unwrap();
     loop {

@@ -31,7 +31,7 @@ const HEIGHT: u32 = 240;
 const ROWS: u32 = 40;
 const BAND: usize = (WIDTH * ROWS) as usize;
 
-/// What the chip runs first, to be able to read its flash.
+/// The code that the chip runs first, to be able to read its flash.
 #[unsafe(link_section = ".boot2")]
 #[used]
 static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_GENERIC_03H;
@@ -86,7 +86,7 @@ fn main() -> ! {
     let depths = singleton!(: [u16; BAND] = [0; BAND]).unwrap();
     let scene = Scene::new(WIDTH, HEIGHT).unwrap();
 
-    // From here on a band is always being sent; the first one is black.
+    // From here on, a band is always being sent. The first one is black.
     let channel = pac.DMA.split(&mut pac.RESETS).ch0;
     panel.start_frame(&mut spi).unwrap();
     let mut transfer = single_buffer::Config::new(channel, black, spi).start();

@@ -1,7 +1,7 @@
 //! The scene of all boards: a crate turns above a tiled floor.
 //!
-//! It draws into memory for a frame or for a band of one, does not know the chip, and runs on your computer as well:
-//! the tests of this package hold its pictures and the bytes on the bus. [`panel`] has the displays.
+//! It draws into memory for a frame or for a band. It does not depend on the chip, so it runs on your computer as well:
+//! the tests of this package check its pictures and the bytes on the bus. [`panel`] has the displays.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -87,7 +87,7 @@ impl Scene {
     ///
     /// # Errors
     ///
-    /// The size is not one that a canvas can have.
+    /// No canvas can have this size.
     pub fn new(width: u32, height: u32) -> Result<Self, Error> {
         let size = (width, height);
         let projection = Projection::perspective(deg!(48), size, fx!(1), fx!(30))?;
@@ -118,7 +118,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Draws what the canvas holds of the frame.
+    /// Draws the part of the frame that the canvas holds.
     pub fn draw<O: Storage<Rgb565>, D: DepthBuffer>(
         &self,
         now_ms: u64,

@@ -1,5 +1,5 @@
-//! The displays: mipidsi sets one up, on a bus that the program lends it. From then on a frame is three short commands,
-//! [`Panel::start_frame`], and the bytes of its pixels, which the board sends by DMA.
+//! The displays: mipidsi sets one up, on a bus that the program lends it. After that, a frame consists of three short
+//! commands, [`Panel::start_frame`], and the bytes of its pixels, which the board sends by DMA.
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_hal::delay::DelayNs;
@@ -97,7 +97,7 @@ impl<CS: OutputPin, DC: OutputPin, RESET: OutputPin> Panel<CS, DC, RESET> {
     ///
     /// An error of the bus or of a pin.
     pub fn start_frame(&mut self, bus: &mut impl SpiBus) -> Result<(), BusError> {
-        // The last bytes of a transfer may be on their way still, and must arrive before a pin changes.
+        // The last bytes of a transfer may still be on their way, and must arrive before a pin changes.
         bus.flush().map_err(|_| BusError)?;
         self.commands(bus).ok_or(BusError)?;
         self.pins.cs.set_low().map_err(|_| BusError)

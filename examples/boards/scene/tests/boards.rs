@@ -1,4 +1,5 @@
-//! What each board shows: the scene's picture, whole and in the board's bands, and the bytes that make a display show it.
+//! Checks what each board shows: the scene's picture, whole and in the board's bands, and the bytes that make a display
+//! show it.
 
 mod wires;
 
@@ -135,7 +136,7 @@ fn an_ili9341_shows_the_bands() {
     show(&STM32F4, bus, panel);
 }
 
-/// A command and its data to a line; in words, what happens besides.
+/// One line for each command with its data; other events are in words.
 #[test]
 fn bytes_of_an_st7789() {
     let wires = Wires::default();

@@ -1,4 +1,4 @@
-//! A frame in bands: with memory for a few rows, which are drawn and sent one after the other.
+//! A frame in bands: memory for a few rows, which are drawn and sent band by band.
 
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor, WebColors};
@@ -46,7 +46,7 @@ pub fn draw(display: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), E
         let pixels = (width * ROWS.min(height - first_row)) as usize;
         let band = Canvas::band(&mut colors[..pixels], width, height, first_row)?;
         let mut band = band.with_depth(&mut depths[..pixels])?;
-        // Each band has a background of its own, so that you see it.
+        // Each band has a background of its own, so that you can see it.
         let light = (first_row * 200 / height) as u8;
         band.clear(Rgb888::new(40 + light, 110 + light / 2, 190).into());
         band.draw_prepared(&triangles, &shader)?;

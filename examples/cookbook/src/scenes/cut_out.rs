@@ -1,4 +1,4 @@
-//! Holes in textures: a fence by an alpha bit, leaves by a key color.
+//! Holes in textures: a fence with an alpha bit, and leaves with a key color.
 
 use core::array::from_fn;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
@@ -20,7 +20,7 @@ fn picket(row: usize, column: usize) -> Argb1555 {
     }
 }
 
-/// Leaves of several greens. The rest is magenta, and left out.
+/// Leaves in several greens. The rest is magenta, and left out.
 fn leaf(row: usize, column: usize) -> Rgb565 {
     match ((column * 31 + row * 17) ^ (column * row)) % 13 {
         noise @ 0..9 => Rgb565::new(3 + noise as u8 / 2, 24 + 2 * noise as u8, 4),

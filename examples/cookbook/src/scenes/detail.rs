@@ -1,4 +1,4 @@
-//! Levels of detail: an apple has fewer triangles the fewer pixels it takes, and none where it is out of view.
+//! Levels of detail: the fewer pixels an apple takes, the fewer triangles it has; out of view, it has none.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::mesh::Bounds;

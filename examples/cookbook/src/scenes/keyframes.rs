@@ -1,4 +1,4 @@
-//! A bird in two poses, and a flock in between.
+//! A bird in two poses, and a flock of birds between them.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::mesh::Keyframes;

@@ -1,4 +1,4 @@
-//! Names of planets, which nearer planets hide.
+//! Names of planets, hidden by nearer planets.
 
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_4X6, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};

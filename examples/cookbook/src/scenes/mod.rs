@@ -1,4 +1,4 @@
-//! Small scenes, one idea each: a function each, which draws on any canvas of this kind.
+//! Small scenes, one idea each. Each is a function that draws on any canvas of this kind.
 
 #[cfg(not(target_os = "none"))]
 mod bands;
@@ -38,7 +38,7 @@ use fixel::target::{Depth, Native};
 /// The canvas that all scenes draw on.
 pub type Frame<'c> = Canvas<'c, Rgb565, Native, Depth<'c>>;
 
-/// What draws a scene.
+/// A function that draws a scene.
 pub type Draw = fn(&mut Frame<'_>) -> Result<(), Error>;
 
 /// The scenes by name.

@@ -1,4 +1,4 @@
-//! One model without normals: flat faces, normals that jump at creases, and smooth normals, computed by the program.
+//! A model without normals, three times: with flat faces, and with computed normals, creased or smooth everywhere.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::prelude::*;

@@ -1,4 +1,4 @@
-//! A panel of 128x64 pixels in black and white: grays are spread from black to white, and their errors diffused.
+//! A panel of 128x64 pixels in black and white: grays are spread to the full contrast, and their errors diffused.
 
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888};
@@ -23,7 +23,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     let light = Light::new(vec3!(-1, 1, 1), fx!(1), fx!(0.2))?;
     let skin = Textured::new(&SKIN).converted().lit(light);
     gray.draw(&ISLAND, &view, &skin);
-    // What the light does not reach is black, as the sky is: lines tell them apart.
+    // Surfaces without light are black, like the sky: lines tell them apart.
     let contrast = Contrast::of(&gray, 4);
     let white = Flat::rgb(Rgb888::new(255, 255, 255));
     gray.draw_outline(&DrawOptions::new(), &ISLAND, &SILHOUETTES, &view, &white);
@@ -37,7 +37,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     let style = MonoTextStyle::new(&FONT_6X10, BinaryColor::On);
     Text::new("LIGHTHOUSE", Point::new(2, 9), style).draw(&mut panel)?;
 
-    // Shown in the middle of this picture, each of its pixels as a square.
+    // The panel is shown in the middle of this picture, each of its pixels as a square.
     canvas.clear(Rgb565::new(3, 6, 4));
     let frame = canvas.frame_size();
     let side = (frame.width / width).min(frame.height / height).max(1);

@@ -1,4 +1,4 @@
-//! One scene on four panels: a bit a pixel, 4 bits of gray, 8 bits of gray, and a palette of 8 colors.
+//! One scene on four panels: in black and white, in 16 grays, in 256 grays, and in a palette of 8 colors.
 
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, PixelColor, Rgb565};
 use embedded_graphics::{pixelcolor::raw::RawU16, prelude::*, primitives::Rectangle};
@@ -40,7 +40,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     let sun = Light::new(vec3!(-2, 3, 1), fx!(0.06), fx!(0.94))?;
     let clay = Flat::new(Gray8::new(255)).lit(sun);
     canvas.clear(Rgb565::new(5, 10, 6));
-    // Eight pixels in a byte, in an ordered dither; two pixels in a byte.
+    // Eight pixels in a byte, with ordered dithering; two pixels in a byte.
     let (mut bits, mut halves) = ([0; PIXELS / 8], [0; PIXELS / 2]);
     let panel = Canvas::packed(&mut bits, 64, 32)?;
     let binary = clay.converted::<BinaryColor>();

@@ -1,4 +1,4 @@
-//! The face that a touch meets, and the point there.
+//! Picking: the face under a touch, and the touched point.
 
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_4X6, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};

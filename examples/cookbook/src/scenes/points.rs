@@ -1,4 +1,4 @@
-//! A planet in a ring of thousands of discs, before stars: points of a size, in one call each.
+//! A planet in a ring of thousands of discs, in front of stars: sized points, each kind in one call.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::prelude::*;
@@ -8,7 +8,7 @@ static PLANET: Mesh = shape!(sphere(48, 32));
 const ROCKS: usize = 2400;
 const STARS: usize = 160;
 
-/// Numbers without an order, from 0 to 1.
+/// Numbers from 0 to 1 that look random.
 fn noise(at: usize) -> Scalar {
     let mixed = (at as u32).wrapping_mul(0x9e37_79b9);
     let mixed = (mixed ^ mixed >> 15).wrapping_mul(0x85eb_ca6b);
@@ -22,7 +22,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     let mvp = projection * Transform::translate(vec3!(0, 0, -7)) * tilt;
     canvas.clear(Rgb565::new(1, 2, 3));
 
-    // Squares of so many pixels, however far away.
+    // Squares of a size in pixels, however far away.
     let stars: [Vec3; STARS] = core::array::from_fn(|at| {
         let across = |at| (noise(at) - fx!(0.5)) * 40;
         Vec3::new(across(2 * at), across(2 * at + 1), fx!(-30))

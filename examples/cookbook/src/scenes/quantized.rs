@@ -1,4 +1,4 @@
-//! A ring in 32 bits a number, and one that takes a third of its flash: normals and texture coordinates of 8 bits.
+//! A ring with numbers of 32 bits, and one in a third of its flash: its normals and texture coordinates have 8 bits.
 
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};

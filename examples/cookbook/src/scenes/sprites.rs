@@ -1,4 +1,4 @@
-//! Firs, cut out of a texture, that turn to the viewer about their trunks; snow falls between them.
+//! Firs, cut out of a texture, that turn about their trunks to face the viewer; snow falls between them.
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::prelude::*;
@@ -46,7 +46,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     canvas.clear(haze);
     let snow = Flat::new(Rgb565::new(29, 60, 31)).in_fog(fog);
     canvas.draw(&FLOOR, &(view * Transform::scale(fx!(60))), &snow);
-    // Sprites that stand on the floor, and others that face the viewer.
+    // Sprites that stand on the floor, and sprites that face the viewer.
     let places = scattered::<120>(vec3!(44, 0, 40));
     let firs = Sprites::new(&places, (fx!(2.4), fx!(3.2)))?.with_axis(Vec3::Y)?;
     let firs = firs.with_anchor(vec2!(0.5, 1));

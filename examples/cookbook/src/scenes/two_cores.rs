@@ -33,7 +33,7 @@ pub fn draw(display: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), E
     let view = projection * Camera::look_at(vec3!(-2, 1.5, 6.5), vec3!(0, 0, 0), Vec3::Y)?;
     let sun = Light::new(vec3!(-2, 2, 3), fx!(0.3), fx!(0.7))?;
 
-    // Colors for a frame, and for each core the depths of a band: 170 KiB.
+    // Colors for a frame, and depths for a band on each core: 170 KiB.
     let mut colors = vec![Rgb565::BLACK; (size.width * size.height) as usize];
     let bands = colors.chunks_mut((size.width * ROWS) as usize);
     let (even, odd): (Vec<_>, Vec<_>) = (0..).zip(bands).partition(|(band, _)| band % 2 == 0);

@@ -8,7 +8,7 @@ use cortex_m::peripheral::{Peripherals, SCB, SYST, syst::SystClkSource};
 pub use cortex_m_rt::entry;
 use cortex_m_rt::exception;
 
-/// SysTick counts down in 24 bits: to zero, then from here again.
+/// SysTick counts down in 24 bits, to zero, and starts again from this value.
 const MOST: u32 = 0x00ff_ffff;
 /// Ticks of one round.
 const ROUND: u64 = 1 << 24;

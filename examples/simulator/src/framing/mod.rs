@@ -1,4 +1,5 @@
-//! The camera in the model's own units: what the user gave, and for the rest what shows the whole model.
+//! The camera in the model's own units: the options that the user gave, and for the others, values that show the whole
+//! model.
 //!
 //! Set-up on the host, in f64. `units` and `view` hand the result to the library.
 
@@ -18,11 +19,11 @@ const FILL: f64 = 0.94;
 const FIELD_OF_VIEW: f64 = 40.0;
 /// The field of view of an eye that has parts of the model behind it, in degrees.
 const WIDE: f64 = 100.0;
-/// Half the height of the picture of a line that is seen end-on, relative to the radius of the model.
+/// Half the height of the picture if a line is seen end-on, relative to the radius of the model.
 const LEAST: f64 = 1e-3;
 /// Default direction from the model to the eye, if y is up: in front, a little right and above.
 const FROM: Point = [0.55, 0.6, 1.0];
-/// The same for the oblique projections, which show top and side of a model seen from the front.
+/// The same for the oblique projections, which show the top and the side of a model seen from the front.
 const FRONT: Point = [0.0, 0.0, 1.0];
 
 pub use crate::vector::Vector as Point;
@@ -77,7 +78,7 @@ impl Solid {
         }
     }
 
-    /// Rounds a coordinate that is chosen to a hundred-thousandth of the model, so that it can be read and typed.
+    /// Rounds a chosen coordinate to a hundred-thousandth of the model, so that it can be read and typed.
     fn rounded(&self, value: f64) -> f64 {
         #[allow(clippy::cast_possible_truncation)] // a logarithm
         let decimals = 5 - self.radius.log10().floor() as i32;
@@ -87,13 +88,13 @@ impl Solid {
             let step = 10_f64.powi(-decimals);
             (value / step).round() * step
         };
-        // Not -0, which would be written so.
+        // Not -0, which would be printed as "-0".
         rounded + 0.0
     }
 }
 
-/// Returns axes to the right, up, and along `back`; `None` if `up` is within 1e-5 of the line of `back`, more than the
-/// library refuses.
+/// Returns axes to the right, up, and along `back`; `None` if `up` is within 1e-5 of the line of `back`, which is
+/// stricter than the library.
 pub fn basis(back: Point, up: Point) -> Option<[Point; 3]> {
     let (back, up) = (unit(back)?, unit(up)?);
     let right = cross(up, back);
@@ -163,7 +164,7 @@ fn most_ratio(depth: DepthFormat) -> f64 {
     }
 }
 
-/// What an eye that is not given must satisfy.
+/// The conditions for an eye that is not given.
 struct Choice<'a> {
     args: &'a Args,
     points: &'a [Point],

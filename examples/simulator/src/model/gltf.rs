@@ -78,7 +78,7 @@ pub fn read(bytes: &[u8], folder: &Path, quiet: bool) -> Result<Model, String> {
 /// Checks all indices and properties.
 fn validated(document: Document) -> Result<Document, String> {
     let root = document.into_json();
-    // The library's own check takes it for granted that positions exist.
+    // The library's own check assumes that positions exist.
     let positions = Checked::Valid(Semantic::Positions);
     for primitive in root.meshes.iter().flat_map(|mesh| &mesh.primitives) {
         let accessor = primitive.attributes.get(&positions).map(Index::value);
@@ -137,7 +137,7 @@ fn contents(uri: &str, folder: &Path) -> Result<Vec<u8>, String> {
     fs::read(&path).map_err(|error| format!("cannot read {}: {error}", path.display()))
 }
 
-/// A URI with its %20 and the like decoded.
+/// A URI with its escapes, such as %20, decoded.
 fn decoded(uri: &str) -> String {
     let mut bytes = Vec::new();
     let mut rest = uri.as_bytes();
@@ -235,7 +235,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Adds a node with all below it, which may be up to `depth` levels deep.
+    /// Adds a node and all nodes below it, which may be up to `depth` levels deep.
     fn node(&mut self, node: &Node<'_>, parent: Matrix, depth: usize) -> Result<(), String> {
         let index = node.index();
         let Some(depth) = depth.checked_sub(1) else {
@@ -429,14 +429,14 @@ impl Reader<'_> {
                 .map(value)
                 .collect()
             }
-            // Without bytes of their own, values are zero; but a short file may not ask for all memory.
+            // Values without bytes of their own are zero. But a short file must not be able to demand all memory.
             None if accessor.sparse().is_some() && accessor.count() <= 1 << 24 => {
                 vec![[0.0; N]; accessor.count()]
             }
             None if accessor.sparse().is_some() => {
                 let count = accessor.count();
                 return Err(format!(
-                    "accessor {at} has {count} values but no bytes: at most 16777216 are read so"
+                    "accessor {at} has {count} values but no bytes: at most 16777216 such values are read"
                 ));
             }
             None => return Err(format!("accessor {at} has no values")),

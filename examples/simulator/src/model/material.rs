@@ -6,7 +6,7 @@ use std::path::PathBuf;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Material {
     pub name: String,
-    /// Of the surface; with a texture, its texels are multiplied by it.
+    /// The color of the surface; if there is a texture, its texels are multiplied by this color.
     pub color: [u8; 3],
     /// Index of an image of the model.
     pub texture: Option<u32>,

@@ -45,7 +45,7 @@ pub struct Model {
     pub had_uvs: bool,
     /// The files that belong to it: materials, buffers, pictures.
     pub files: Vec<PathBuf>,
-    /// What could not be read and is left out, in words for the user.
+    /// Sentences for the user about what could not be read and is left out.
     pub notes: Vec<String>,
 }
 
@@ -145,7 +145,7 @@ impl Model {
         }
     }
 
-    /// Refuses a model with nothing to draw, and numbers that no scaling helps.
+    /// Refuses a model with nothing to draw, and numbers that no scale brings into range.
     fn check(&self) -> Result<(), String> {
         if self.triangles.is_empty() {
             return Err("it has no faces: there is nothing to draw".into());

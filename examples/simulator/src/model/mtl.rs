@@ -89,8 +89,8 @@ fn texture(value: &[u8]) -> Option<String> {
     (!rest.is_empty()).then(|| String::from_utf8_lossy(rest).into_owned())
 }
 
-/// A file that a model names, relative to the model's `folder`. Where the file is not there, as after a model was
-/// moved from another computer, only the last part of its name counts.
+/// A file that a model names, relative to the model's `folder`. If it does not exist, for example because the model
+/// comes from another computer, only the last part of its name is used.
 pub fn beside(folder: &Path, name: &str) -> PathBuf {
     let name = name.replace('\\', "/");
     let path = folder.join(&name);

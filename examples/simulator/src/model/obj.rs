@@ -206,7 +206,7 @@ impl Reader {
             }
         }
         if self.polygons.is_empty() && bytes.contains(&0) {
-            return Err("it has no faces, and is not text: an OBJ file is".into());
+            return Err("it has no faces, and is not text: an OBJ file must be text".into());
         }
         for library in &self.libraries {
             read_library(model, library, folder)?;
@@ -247,7 +247,7 @@ impl Reader {
             .iter()
             .map(|name| places.get(name.as_str()).copied())
             .collect();
-        // Without any library, whose file may be missing, one note is enough.
+        // If there is no library at all, because its file is missing, one note is enough.
         if !model.materials.is_empty() {
             for (name, _) in self
                 .names

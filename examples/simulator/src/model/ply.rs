@@ -126,7 +126,7 @@ fn refused(error: &ParseError, bytes: &[u8], element: Option<&ElementDef>) -> St
     let problem = match (line(bytes, at), element) {
         (None, _) => Some("the file ends here".into()),
         (Some(line), Some(element)) => explain(line, element),
-        (Some(line), None) => Some(format!("{} is no line of a PLY header", quote(line))),
+        (Some(line), None) => Some(format!("{} is not a line of a PLY header", quote(line))),
     };
     format!(
         "line {at}: {}",
@@ -139,7 +139,7 @@ fn line(bytes: &[u8], at: usize) -> Option<&[u8]> {
     bytes.split(|&byte| byte == b'\n').nth(at.checked_sub(1)?)
 }
 
-/// What is wrong with an element in a line of text; `None` if that is not easily said.
+/// What is wrong with an element in a line of text; `None` if there is no short explanation.
 fn explain(line: &[u8], element: &ElementDef) -> Option<String> {
     let mut words = words(line);
     for (name, property) in &element.properties {
@@ -193,7 +193,7 @@ fn size(kind: &ScalarType) -> usize {
     }
 }
 
-/// How many bytes an element takes in a binary file, if each takes as many.
+/// How many bytes an element takes in a binary file, if all take the same number.
 fn stride(element: &ElementDef) -> Option<usize> {
     let sizes = element.properties.values().map(|property| {
         let PropertyType::Scalar(kind) = &property.data_type else {
@@ -204,7 +204,7 @@ fn stride(element: &ElementDef) -> Option<usize> {
     sizes.sum()
 }
 
-/// What vertices have beside their position.
+/// The data that vertices have besides their position.
 #[derive(Clone, Copy, Default)]
 struct Attributes {
     normals: bool,

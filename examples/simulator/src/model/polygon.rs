@@ -15,9 +15,8 @@ pub struct Ears {
 }
 
 impl Ears {
-    /// The triangles of a polygon, as indices of its `corners`: the fan around its first corner, or, where that fan
-    /// leaves a concave polygon, triangles within it. So `include_obj!` does. Outlines that cross themselves keep the
-    /// fan.
+    /// The triangles of a polygon, as indices of its `corners`: the fan around its first corner or, if that fan leaves
+    /// a concave polygon, triangles within it, as in `include_obj!`. Outlines that cross themselves keep the fan.
     pub fn triangles(&mut self, positions: &[[f64; 3]], corners: &[Corner]) -> &[[usize; 3]] {
         self.triangles.clear();
         self.triangles
@@ -68,8 +67,8 @@ impl Ears {
         (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
     }
 
-    /// Whether all triangles of the fan turn the way of the polygon. Then their areas add up to the polygon's, so no
-    /// two of them overlap.
+    /// Whether all triangles of the fan turn in the same direction as the polygon. Then their areas add up to the
+    /// polygon's, so no two of them overlap.
     fn fan_is_right(&self) -> bool {
         self.triangles
             .iter()

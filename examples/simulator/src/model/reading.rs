@@ -20,7 +20,7 @@ impl Reading {
         ))
     }
 
-    /// Says how many bytes have been read. It is cheap to call it for each `element`: most calls do nothing.
+    /// Sets how many bytes have been read. It may be called for each `element`, because most calls do nothing.
     pub fn set(&self, element: usize, bytes: usize) {
         if element.trailing_zeros() >= 14 {
             self.0.set(bytes as u64 >> 20);

@@ -10,7 +10,7 @@ use super::sniff::{STL, is_binary_stl};
 use super::text::{number, quote, words};
 use super::{Corner, Model, is_usable, next, unusable};
 
-/// Reads an STL file. Its normals are ignored, because they are those of the triangles, or zero.
+/// Reads an STL file. Its normals are ignored, because they only repeat those of the triangles, or are zero.
 pub fn read(bytes: &[u8], reading: &Reading) -> Result<Model, String> {
     let mut model = Builder::default();
     let begins = bytes.trim_ascii_start().get(..5);
@@ -49,7 +49,7 @@ fn binary(model: &mut Builder, bytes: &[u8], reading: &Reading) -> Result<(), St
         ));
     }
     let mut file = Cursor::new(bytes);
-    // The probe for text would take a header that begins with "solid" for text.
+    // The reader would take a header that begins with "solid" for text.
     let mut unmarked = Unmarked(&mut file);
     let triangles = stl_io::create_stl_reader(&mut unmarked).map_err(|error| error.to_string())?;
     for (at, triangle) in triangles.enumerate() {
@@ -185,8 +185,8 @@ fn next_solid(text: &[u8], place: &Place) -> Result<Option<Place>, String> {
     Ok(None)
 }
 
-/// The lines of a text from the one after `from` on, behind a line "solid ". It gives no more than a line at a time,
-/// so `place` is where the reader is.
+/// The lines of a text from the one after `from` on, preceded by a line "solid ". It returns at most a line at a time,
+/// so `place` is the reader's position.
 struct Lines<'a> {
     text: &'a [u8],
     place: &'a Place,
@@ -225,7 +225,7 @@ impl Seek for Lines<'_> {
     }
 }
 
-/// A model made of triangles that do not know their neighbors.
+/// A model made of separate triangles.
 #[derive(Default)]
 struct Builder {
     model: Model,

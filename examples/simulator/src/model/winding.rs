@@ -1,4 +1,4 @@
-//! Normals of models whose triangles are wound the wrong way round.
+//! Normals of models whose triangles have the wrong winding.
 
 use std::collections::HashMap;
 

@@ -186,7 +186,7 @@ fn materials_have_colors_and_textures() {
     save(&directory.join("own.png"), [9, 99, 199]);
     let own = middles(&directory, "--shade texture --texture own.png");
     assert_eq!(own, [[9, 99, 199]; 4]);
-    // A file that is not there is said, and the picture drawn.
+    // A file that does not exist is reported, and the picture is drawn.
     fs::remove_file(directory.join("green.png")).unwrap();
     let output = run(&directory, "squares.obj");
     let notes = String::from_utf8(output.stderr).unwrap();
@@ -493,7 +493,7 @@ fn what_is_wrong_in_ply_is_said_in_one_line() {
         (
             "m.ply",
             ply.replace("float y", "flaot y").into_bytes(),
-            "line 6: 'property flaot y' is no line of a PLY header",
+            "line 6: 'property flaot y' is not a line of a PLY header",
         ),
         (
             "n.ply",
