@@ -23,8 +23,8 @@ type Polygon = Vec<ClipVertex, MOST_CORNERS>;
 
 /// The position of a corner.
 #[inline]
-const fn position([t, x, y, ..]: &ClipVertex) -> ClipPosition {
-    [*t, *x, *y]
+const fn position([position @ .., _, _]: &ClipVertex) -> &ClipPosition {
+    position
 }
 
 /// Clips a line between two positions, or a triangle of three, to the inside of `planes`. This mask has a bit for
@@ -41,7 +41,7 @@ pub(crate) fn clip<K: ProjectionKind>(
     clipped: &mut ClippedPolygon,
 ) {
     let (mut polygon, mut inside) = (&mut Polygon::new(), &mut Polygon::new());
-    for (&index, Barycentric([b, c])) in corners.iter().zip(Barycentric::CORNERS) {
+    for (&index, &Barycentric([b, c])) in corners.iter().zip(&Barycentric::CORNERS) {
         let [t, x, y] = projector.clip_position(index);
         let _ = polygon.push([t, x, y, b.into(), c.into()]);
     }
@@ -55,7 +55,7 @@ pub(crate) fn clip<K: ProjectionKind>(
         // Weights are at most 2^30.
         let [.., b, c] = *corner;
         let mut vertex = ScreenVertex::UNSET;
-        projector.project_inside(&position(corner), &mut vertex);
+        projector.project_inside(position(corner), &mut vertex);
         let _ = clipped.push(ClippedVertex {
             vertex,
             barycentric: Barycentric([b as i32, c as i32]),
@@ -71,60 +71,55 @@ fn clip_to_plane<K: ProjectionKind>(
     (polygon, closed): (&[ClipVertex], bool),
     inside: &mut Polygon,
 ) {
-    let distance = |corner: &ClipVertex| projector.distance(&position(corner), plane);
+    let is_outside = |corner: &ClipVertex| projector.is_outside(position(corner), plane);
     // There is always room, because a plane cuts the outline of a convex polygon twice.
-    let mut add = |corner: ClipVertex| inside.push(corner).unwrap_or(());
+    let mut add = |corner: &ClipVertex| inside.push(*corner).unwrap_or(());
     // A polygon's last corner is joined to its first, a line's is not.
     let mut from = polygon.last().filter(|_| closed);
-    let mut from_distance = from.map_or(0, distance);
+    let mut was_out = from.is_some_and(is_outside);
     for to in polygon {
-        let to_distance = distance(to);
-        let is_out = Projector::<K>::is_outside(to_distance, plane);
-        if let Some(from) = from {
-            if is_out != Projector::<K>::is_outside(from_distance, plane) {
-                let (inner, outer) = if is_out {
-                    ((from, from_distance), (to, to_distance))
-                } else {
-                    ((to, to_distance), (from, from_distance))
-                };
-                let mut corner = [0; 5];
-                cut(inner, outer, &mut corner);
-                projector.put_onto(&mut corner, plane);
-                add(corner);
-            }
+        let is_out = is_outside(to);
+        if let Some(from) = from.filter(|_| is_out != was_out) {
+            let (inside, outside) = if is_out { (from, to) } else { (to, from) };
+            let mut corner = *inside;
+            cut(projector, plane, outside, &mut corner);
+            add(&corner);
         }
         if !is_out {
-            add(*to);
+            add(to);
         }
-        (from, from_distance) = (Some(to), to_distance);
+        (from, was_out) = (Some(to), is_out);
     }
 }
 
-/// Sets `corner` to the point where a plane cuts an edge, whose ends come with their distances from the plane.
+/// Moves a corner that is inside a plane along an edge, until it is where the plane cuts the edge.
 ///
 /// ```text
 ///  inside          plane          outside
 ///    ●───── inner ───┼─── outer ─────○
 /// ```
 #[inline(never)]
-fn cut(
-    (inside, inner): (&ClipVertex, i64),
-    (outside, outer): (&ClipVertex, i64),
+fn cut<K: ProjectionKind>(
+    projector: &Projector<'_, K>,
+    plane: u32,
+    outside: &ClipVertex,
     corner: &mut ClipVertex,
 ) {
+    let [inner, outer] = [&*corner, outside].map(|end| projector.distance(position(end), plane));
     // The fraction of the way from inside to outside, in units of 2^-31. A distance of a few units outside a side plane
     // counts as inside.
     let (inner, outer) = (inner.max(0) >> 1, outer.abs() >> 1);
     let fraction = BlockFloat::new(inner, 0).over(BlockFloat::new(inner + outer, 0));
     let fraction = fraction.at(31).min((1 << 31) - 1) as i32;
-    for ((at, from), to) in corner.iter_mut().zip(inside).zip(outside) {
-        let difference = to.saturating_sub(*from);
+    for (at, to) in corner.iter_mut().zip(outside) {
+        let difference = to.saturating_sub(*at);
         // The product of 64 bits and the fraction, from the halves of `difference`: below 2^63, because the fraction
         // is below 2^31.
         let (high, low) = ((difference >> 32) as i32, difference.cast_unsigned() as u32);
         let low = u64::from(low) * u64::from(fraction.cast_unsigned());
-        *at = from + (product(high, fraction) << 1) + (low >> 31).cast_signed();
+        *at += (product(high, fraction) << 1) + (low >> 31).cast_signed();
     }
+    projector.put_onto(corner, plane);
 }
 
 #[cfg(test)]
