@@ -46,7 +46,10 @@ pub(crate) fn clip<K: ProjectionKind>(
         let _ = polygon.push([t, x, y, b.into(), c.into()]);
     }
     let closed = corners.len() > 2;
-    for plane in (0..6).filter(|plane| planes >> plane & 1 != 0) {
+    let mut planes = planes;
+    while planes != 0 {
+        let plane = planes.trailing_zeros();
+        planes &= planes - 1;
         inside.clear();
         clip_to_plane(projector, plane, (polygon, closed), inside);
         (polygon, inside) = (inside, polygon);
@@ -105,7 +108,8 @@ fn cut<K: ProjectionKind>(
     outside: &ClipVertex,
     corner: &mut ClipVertex,
 ) {
-    let [inner, outer] = [&*corner, outside].map(|end| projector.distance(position(end), plane));
+    let distance = |end: &ClipVertex| projector.distance(position(end), plane);
+    let (inner, outer) = (distance(corner), distance(outside));
     // The fraction of the way from inside to outside, in units of 2^-31. A distance of a few units outside a side plane
     // counts as inside.
     let (inner, outer) = (inner.max(0) >> 1, outer.abs() >> 1);

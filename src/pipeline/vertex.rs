@@ -44,10 +44,8 @@ pub(crate) struct Projector<'m, K> {
     offsets: [i64; 3],
     /// Fraction bits of clip coordinates.
     fraction: i32,
-    /// The least t that is inside.
-    least: i64,
-    /// The greatest t that is inside, minus the least.
-    depth: u64,
+    /// The least t that is inside, negated, and the greatest.
+    ends: [i64; 2],
     /// The viewport's center, in units of 1/256 pixel.
     center: [i32; 2],
     kind: PhantomData<K>,
@@ -128,13 +126,13 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         for m in clip.linear.as_flattened_mut() {
             *m = ((*m >> (down - 1).min(31)) + 1) >> 1;
         }
-        let one = 1i64 << fraction;
-        let margin = (one >> 16).max(1);
-        let [least, most] = if K::PERSPECTIVE {
+        // At the near plane, t is 1 + 2^-16, or 1 − 2^-16 under a parallel projection: see above.
+        let ends = if K::PERSPECTIVE {
+            let least = ((1 << 16) + 1) << exp;
             let most = unit.times(BlockFloat::new(far.into(), 16));
-            [one + margin, most.at(fraction).min(i64::MAX >> 1)]
+            [-least, most.at(fraction).min(i64::MAX >> 1).max(least)]
         } else {
-            [0, one - margin]
+            [0, ((1 << 16) - 1) << exp]
         };
         let offset = |m: i32| block::shift(m.into(), up);
         let [t, x, y] = clip.translation;
@@ -143,8 +141,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             rows: clip.linear,
             offsets: [offset(t), offset(x), offset(y)],
             fraction,
-            least,
-            depth: (most - least).max(0).cast_unsigned(),
+            ends,
             center: viewport.center(),
             kind: PhantomData,
         }
@@ -201,11 +198,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     /// are top and bottom and bound y.
     #[inline]
     fn bound(&self, t: i64, plane: u32) -> i64 {
-        match plane {
-            0 => -self.least,
-            1 => self.least + self.depth.cast_signed(),
-            _ => self.w(t),
-        }
+        self.ends.get(plane as usize).copied().unwrap_or(self.w(t))
     }
 
     /// How far inside a plane a position lies; negative outside.
@@ -242,10 +235,11 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     #[inline]
     fn outcode(&self, position: &ClipPosition) -> u8 {
         let &[t, x, y] = position;
-        let ahead = t.wrapping_sub(self.least).cast_unsigned() <= self.depth;
+        // All are below 2^62.
+        let [nearest, farthest] = self.ends;
         // The upper halves decide, unless the position is next to a side plane.
         let size = |x: i64| upper(x) ^ (upper(x) >> 31);
-        if ahead && size(x).max(size(y)) < upper(self.w(t)) {
+        if (t + nearest) | (farthest - t) >= 0 && size(x).max(size(y)) < upper(self.w(t)) {
             0
         } else {
             self.each_outcode(position)
@@ -371,8 +365,8 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             farthest < -MARGIN
         };
         let ([t, x, y], [t_offset, x_offset, y_offset]) = (&self.rows, self.offsets);
-        let far = self.least + self.depth.cast_signed();
-        if is_outside(*t, t_offset - self.least) || is_outside(t.map(|c| -c), far - t_offset) {
+        let [nearest, farthest] = self.ends;
+        if is_outside(*t, t_offset + nearest) || is_outside(t.map(|c| -c), farthest - t_offset) {
             return true;
         }
         let (w, w_offset) = if K::PERSPECTIVE {
@@ -469,10 +463,8 @@ mod tests {
         let viewport = Viewport::new(0, 0, 320, 240).unwrap();
         let view = Transform::IDENTITY;
         let projector = Projector::new(mesh.positions(), &projection, &view, &viewport);
-        let (near, far) = (
-            projector.least,
-            projector.least + projector.depth.cast_signed(),
-        );
+        let [near, far] = projector.ends;
+        let near = -near;
         let t = 2 * near;
         for (plane, inside, outside) in [
             (0, [near, 0, 0], [near - 1, 0, 0]),
