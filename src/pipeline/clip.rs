@@ -15,17 +15,14 @@ const MOST_CORNERS: usize = 9;
 /// A clipped triangle or line on the screen.
 pub(crate) type ClippedPolygon = Vec<ClippedVertex, MOST_CORNERS>;
 
-/// A corner of a triangle or line while it is clipped: its [`ClipPosition`] and its [`Barycentric`] weights, which are
-/// as wide, because all five are cut in the same way.
-type ClipVertex = [i64; 5];
+/// A corner of a triangle or line while it is clipped.
+#[derive(Clone, Copy)]
+struct ClipVertex {
+    position: ClipPosition,
+    barycentric: Barycentric,
+}
 
 type Polygon = Vec<ClipVertex, MOST_CORNERS>;
-
-/// The position of a corner.
-#[inline]
-const fn position([position @ .., _, _]: &ClipVertex) -> &ClipPosition {
-    position
-}
 
 /// Clips a line between two positions, or a triangle of three, to the inside of `planes`. This mask has a bit for
 /// each plane that any of the corners is outside of. Adds the corners of the result to `clipped`: none if nothing is
@@ -41,9 +38,11 @@ pub(crate) fn clip<K: ProjectionKind>(
     clipped: &mut ClippedPolygon,
 ) {
     let (mut polygon, mut inside) = (&mut Polygon::new(), &mut Polygon::new());
-    for (&index, &Barycentric([b, c])) in corners.iter().zip(&Barycentric::CORNERS) {
-        let [t, x, y] = projector.clip_position(index);
-        let _ = polygon.push([t, x, y, b.into(), c.into()]);
+    for (&index, &barycentric) in corners.iter().zip(&Barycentric::CORNERS) {
+        let _ = polygon.push(ClipVertex {
+            position: projector.clip_position(index),
+            barycentric,
+        });
     }
     let closed = corners.len() > 2;
     let mut planes = planes;
@@ -55,13 +54,11 @@ pub(crate) fn clip<K: ProjectionKind>(
         (polygon, inside) = (inside, polygon);
     }
     for corner in polygon {
-        // Weights are at most 2^30.
-        let [.., b, c] = *corner;
         let mut vertex = ScreenVertex::UNSET;
-        projector.project_inside(position(corner), &mut vertex);
+        projector.project_inside(&corner.position, &mut vertex);
         let _ = clipped.push(ClippedVertex {
             vertex,
-            barycentric: Barycentric([b as i32, c as i32]),
+            barycentric: corner.barycentric,
         });
     }
 }
@@ -74,7 +71,7 @@ fn clip_to_plane<K: ProjectionKind>(
     (polygon, closed): (&[ClipVertex], bool),
     inside: &mut Polygon,
 ) {
-    let is_outside = |corner: &ClipVertex| projector.is_outside(position(corner), plane);
+    let is_outside = |corner: &ClipVertex| projector.is_outside(&corner.position, plane);
     // There is always room, because a plane cuts the outline of a convex polygon twice.
     let mut add = |corner: &ClipVertex| inside.push(*corner).unwrap_or(());
     // A polygon's last corner is joined to its first, a line's is not.
@@ -108,14 +105,14 @@ fn cut<K: ProjectionKind>(
     outside: &ClipVertex,
     corner: &mut ClipVertex,
 ) {
-    let distance = |end: &ClipVertex| projector.distance(position(end), plane);
+    let distance = |end: &ClipVertex| projector.distance(&end.position, plane);
     let (inner, outer) = (distance(corner), distance(outside));
     // The fraction of the way from inside to outside, in units of 2^-31. A distance of a few units outside a side plane
     // counts as inside.
     let (inner, outer) = (inner.max(0) >> 1, outer.abs() >> 1);
     let fraction = BlockFloat::new(inner, 0).over(BlockFloat::new(inner + outer, 0));
     let fraction = fraction.at(31).min((1 << 31) - 1) as i32;
-    for (at, to) in corner.iter_mut().zip(outside) {
+    for (at, to) in corner.position.iter_mut().zip(&outside.position) {
         let difference = to.saturating_sub(*at);
         // The product of 64 bits and the fraction, from the halves of `difference`: below 2^63, because the fraction
         // is below 2^31.
@@ -123,7 +120,12 @@ fn cut<K: ProjectionKind>(
         let low = u64::from(low) * u64::from(fraction.cast_unsigned());
         *at += (product(high, fraction) << 1) + (low >> 31).cast_signed();
     }
-    projector.put_onto(corner, plane);
+    projector.put_onto(&mut corner.position, plane);
+    let (Barycentric(weights), Barycentric(to)) = (&mut corner.barycentric, &outside.barycentric);
+    for (at, to) in weights.iter_mut().zip(to) {
+        // Of 31 bits.
+        *at += (product(to - *at, fraction) >> 31) as i32;
+    }
 }
 
 #[cfg(test)]

@@ -215,9 +215,9 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         }
     }
 
-    /// Moves a position, where `plane` cuts an edge, exactly onto the plane. Whatever follows the position stays.
+    /// Moves a position, where `plane` cuts an edge, exactly onto the plane.
     #[inline]
-    pub(super) fn put_onto(&self, position: &mut [i64; 5], plane: u32) {
+    pub(super) fn put_onto(&self, position: &mut ClipPosition, plane: u32) {
         let bound = self.bound(position[0], plane);
         if let Some(value) = position.get_mut(axis(plane)) {
             *value = if plane & 1 == 0 { -bound } else { bound };
