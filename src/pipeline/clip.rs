@@ -39,18 +39,21 @@ pub(crate) fn clip<K: ProjectionKind>(
 ) {
     let (mut polygon, mut inside) = (&mut Polygon::new(), &mut Polygon::new());
     for (&index, &barycentric) in corners.iter().zip(&Barycentric::CORNERS) {
-        let _ = polygon.push(ClipVertex {
-            position: projector.clip_position(index),
-            barycentric,
-        });
+        let position = projector.clip_position(index);
+        add(
+            polygon,
+            &ClipVertex {
+                position,
+                barycentric,
+            },
+        );
     }
-    let closed = corners.len() > 2;
     let mut planes = planes;
     while planes != 0 {
         let plane = planes.trailing_zeros();
         planes &= planes - 1;
         inside.clear();
-        clip_to_plane(projector, plane, (polygon, closed), inside);
+        clip_to_plane(projector, plane, polygon, inside);
         (polygon, inside) = (inside, polygon);
     }
     for corner in polygon {
@@ -63,33 +66,38 @@ pub(crate) fn clip<K: ProjectionKind>(
     }
 }
 
-/// Writes to `inside` the part of a polygon that is inside a plane, or of a line if it is not `closed`.
+/// Writes to `inside` the part of a polygon or a line that is inside a plane.
 #[inline(never)]
 fn clip_to_plane<K: ProjectionKind>(
     projector: &Projector<'_, K>,
     plane: u32,
-    (polygon, closed): (&[ClipVertex], bool),
+    polygon: &[ClipVertex],
     inside: &mut Polygon,
 ) {
     let is_outside = |corner: &ClipVertex| projector.is_outside(&corner.position, plane);
-    // There is always room, because a plane cuts the outline of a convex polygon twice.
-    let mut add = |corner: &ClipVertex| inside.push(*corner).unwrap_or(());
     // A polygon's last corner is joined to its first, a line's is not.
-    let mut from = polygon.last().filter(|_| closed);
+    let mut from = polygon.last().filter(|_| polygon.len() > 2);
     let mut was_out = from.is_some_and(is_outside);
     for to in polygon {
         let is_out = is_outside(to);
         if let Some(from) = from.filter(|_| is_out != was_out) {
-            let (inside, outside) = if is_out { (from, to) } else { (to, from) };
-            let mut corner = *inside;
-            cut(projector, plane, outside, &mut corner);
-            add(&corner);
+            let (inner, outer) = if is_out { (from, to) } else { (to, from) };
+            add(inside, inner);
+            if let Some(corner) = inside.last_mut() {
+                cut(projector, plane, outer, corner);
+            }
         }
         if !is_out {
-            add(to);
+            add(inside, to);
         }
         (from, was_out) = (Some(to), is_out);
     }
+}
+
+/// Adds a corner. There is always room, because a plane cuts the outline of a convex polygon twice.
+#[inline(never)]
+fn add(polygon: &mut Polygon, corner: &ClipVertex) {
+    let _ = polygon.push(*corner);
 }
 
 /// Moves a corner that is inside a plane along an edge, until it is where the plane cuts the edge.
@@ -106,14 +114,10 @@ fn cut<K: ProjectionKind>(
     corner: &mut ClipVertex,
 ) {
     let distance = |end: &ClipVertex| projector.distance(&end.position, plane);
-    let (inner, outer) = (distance(corner), distance(outside));
-    // The fraction of the way from inside to outside, in units of 2^-31. A distance of a few units outside a side plane
-    // counts as inside.
-    let (inner, outer) = (inner.max(0) >> 1, outer.abs() >> 1);
-    let fraction = BlockFloat::new(inner, 0).over(BlockFloat::new(inner + outer, 0));
-    let fraction = fraction.at(31).min((1 << 31) - 1) as i32;
+    let fraction = fraction(distance(corner), distance(outside));
     for (at, to) in corner.position.iter_mut().zip(&outside.position) {
-        let difference = to.saturating_sub(*at);
+        // Both are below 2^62.
+        let difference = to.wrapping_sub(*at);
         // The product of 64 bits and the fraction, from the halves of `difference`: below 2^63, because the fraction
         // is below 2^31.
         let (high, low) = ((difference >> 32) as i32, difference.cast_unsigned() as u32);
@@ -126,6 +130,15 @@ fn cut<K: ProjectionKind>(
         // Of 31 bits.
         *at += (product(to - *at, fraction) >> 31) as i32;
     }
+}
+
+/// The fraction of the way from an end inside a plane to one outside, by their distances, in units of 2^-31.
+#[inline(never)]
+fn fraction(inner: i64, outer: i64) -> i32 {
+    // A distance of a few units outside a side plane counts as inside.
+    let (inner, outer) = (inner.max(0) >> 1, outer.abs() >> 1);
+    let fraction = BlockFloat::new(inner, 0).over(BlockFloat::new(inner + outer, 0));
+    fraction.at(31).min((1 << 31) - 1) as i32
 }
 
 #[cfg(test)]

@@ -228,7 +228,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     #[inline(never)]
     pub(super) fn is_outside(&self, position: &ClipPosition, plane: u32) -> bool {
         let tolerance = if plane < 2 { 0 } else { SIDE_TOLERANCE };
-        self.distance(position, plane) < -tolerance
+        self.distance(position, plane) + tolerance < 0
     }
 
     /// One bit for each plane that a position is outside of.
