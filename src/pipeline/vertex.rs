@@ -130,7 +130,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         let ends = if K::PERSPECTIVE {
             let least = ((1 << 16) + 1) << exp;
             let most = unit.times(BlockFloat::new(far.into(), 16));
-            [-least, most.at(fraction).min(i64::MAX >> 1).max(least)]
+            [-least, most.at(fraction).min(i64::MAX >> 1)]
         } else {
             [0, ((1 << 16) - 1) << exp]
         };
