@@ -61,9 +61,10 @@ pub(crate) struct AffineRow {
 /// Nothing is rounded before the end, where all rows take one exponent.
 #[inline(never)]
 pub(crate) fn compose(rows: &[AffineRow; 3], other: &Transform) -> Transform {
-    let (mut linear, mut translation) = ([[BlockFloat::ZERO; 3]; 3], [BlockFloat::ZERO; 3]);
+    let mut numbers = [BlockFloat::ZERO; 12];
+    let (linear, translation) = numbers.split_at_mut(9);
     let [x, y, z] = &other.linear;
-    for (row, (linear, moved)) in rows.iter().zip(linear.iter_mut().zip(&mut translation)) {
+    for (row, (linear, moved)) in rows.iter().zip(linear.chunks_exact_mut(3).zip(translation)) {
         for (product, ((&x, &y), &z)) in linear.iter_mut().zip(x.iter().zip(y).zip(z)) {
             *product = BlockFloat::new(dot(&row.row, &[x, y, z]), row.exp + other.linear_exp);
         }
@@ -75,7 +76,7 @@ pub(crate) fn compose(rows: &[AffineRow; 3], other: &Transform) -> Transform {
         )
         .plus(BlockFloat::new(product(a, b), row.offset_exp));
     }
-    Transform::from_block_floats(&linear, &translation)
+    Transform::from_block_floats(&numbers)
 }
 
 impl Transform {
@@ -87,10 +88,11 @@ impl Transform {
         translation_exp: block::MAX_EXP,
     };
 
-    /// Makes a transform from its entries, each rounded once.
-    fn from_block_floats(linear: &[[BlockFloat; 3]; 3], translation: &[BlockFloat; 3]) -> Self {
+    /// Makes a transform from its entries, the matrix by rows and then the translation, each rounded once.
+    fn from_block_floats(numbers: &[BlockFloat; 12]) -> Self {
+        let (linear, translation) = numbers.split_at(9);
         let mut t = Self::IDENTITY;
-        t.linear_exp = block::normalize(t.linear.as_flattened_mut(), linear.as_flattened());
+        t.linear_exp = block::normalize(t.linear.as_flattened_mut(), linear);
         t.translation_exp = block::normalize(&mut t.translation, translation);
         t
     }
@@ -99,11 +101,11 @@ impl Transform {
     // Filled in place and out of line, because `map` copies arrays of this size.
     #[inline(never)]
     fn from_linear(rows: &[[i64; 3]; 3], exp: i32) -> Self {
-        let mut numbers = [[BlockFloat::ZERO; 3]; 3];
-        for (number, value) in numbers.iter_mut().flatten().zip(rows.iter().flatten()) {
+        let mut numbers = [BlockFloat::ZERO; 12];
+        for (number, value) in numbers.iter_mut().zip(rows.as_flattened()) {
             *number = BlockFloat::new(*value, exp);
         }
-        Self::from_block_floats(&numbers, &[BlockFloat::ZERO; 3])
+        Self::from_block_floats(&numbers)
     }
 
     /// Moves by `offset`.
@@ -270,12 +272,12 @@ impl Mul for Transform {
     /// Returns the transform that applies `other` first, then `self`.
     fn mul(self, other: Self) -> Self {
         let ([i, j, k], [x, y, z]) = (self.linear, self.translation);
-        let rows = [(i, x), (j, y), (k, z)].map(|(row, moved)| AffineRow {
+        let row = |row, moved| AffineRow {
             row,
             exp: self.linear_exp,
             offset: [moved, 1],
             offset_exp: self.translation_exp,
-        });
-        compose(&rows, &other)
+        };
+        compose(&[row(i, x), row(j, y), row(k, z)], &other)
     }
 }

@@ -8,6 +8,7 @@ use micromath::F32Ext;
 use crate::error::RefusedFloat;
 use crate::num::Unit;
 use crate::num::rsqrt as unit;
+use crate::num::wide::product;
 use crate::{Error, Scalar};
 
 /// An angle in units of 2⁻³² of a turn: 8.4e-8 degrees, 1.5e-9 radians.
@@ -211,17 +212,20 @@ impl Angle {
             // Mirror at a quarter turn.
             x = 2 * ONE - x;
         }
-        let x = x as i64;
-        let squared = (x * x + (1 << 29)) >> 30;
+        let x = x.cast_signed();
+        let squared = ((product(x, x) + (1 << 29)) >> 30) as i32;
         let mut i = SINE.len() - 1;
-        let mut sum = SINE[i].0 as i64;
+        let mut sum = SINE[i].0;
         while i > 0 {
-            let shift = SINE[i].1 + 30 - SINE[i - 1].1;
+            // Coefficients have 31 bits, and a square at most 30. What is dropped here is less than the half that is
+            // added below.
+            let more = (product(sum, squared) >> 30) as i32;
+            let down = SINE[i].1 - SINE[i - 1].1;
             i -= 1;
-            sum = SINE[i].0 as i64 + ((sum * squared + (1 << (shift - 1))) >> shift);
+            sum = SINE[i].0 + (((more >> (down - 1)) + 1) >> 1);
         }
         // At a quarter turn the product is 2^60.
-        if signed < 0 { -sum * x } else { sum * x }
+        product(sum, if signed < 0 { -x } else { x })
     }
 
     /// Returns the sine and the cosine of half this angle, in units of 2^-60.

@@ -4,6 +4,7 @@
 //! and an `i64` holds the sum of three products.
 
 use crate::num::reciprocal;
+use crate::num::wide::product;
 
 /// The bits of a mantissa: magnitudes stay below 2^30.
 const BITS: i32 = 30;
@@ -12,7 +13,7 @@ pub(crate) const MIN_EXP: i32 = -32;
 /// The highest exponent: values below 2^-33 have fewer than 30 bits, those below 2^-63 are zero.
 pub(crate) const MAX_EXP: i32 = 62;
 
-const LIMIT: i32 = (1 << BITS) - 1;
+const LIMIT: i64 = (1 << BITS) - 1;
 
 // The functions below stay out of line and take slices: they run a few dozen times per draw call,
 // and copies of them would be most of a small program's code.
@@ -22,7 +23,7 @@ const LIMIT: i32 = (1 << BITS) - 1;
 pub(crate) const fn shift(value: i64, shift: i32) -> i64 {
     if shift >= 0 {
         // One bit is left for the sign.
-        if value == 0 || shift < magnitude(value).leading_zeros().cast_signed() {
+        if value == 0 || shift < leading_zeros(value) {
             value << (shift & 63)
         } else if value < 0 {
             -i64::MAX
@@ -37,9 +38,10 @@ pub(crate) const fn shift(value: i64, shift: i32) -> i64 {
     }
 }
 
-#[inline]
-const fn magnitude(value: i64) -> u64 {
-    value.unsigned_abs()
+/// The leading zeros of a magnitude.
+#[inline(never)]
+const fn leading_zeros(value: i64) -> i32 {
+    value.unsigned_abs().leading_zeros().cast_signed()
 }
 
 /// A number `value` · 2^−`exp` of up to 62 bits, before it is rounded to a mantissa.
@@ -63,9 +65,9 @@ impl BlockFloat {
         if self.value == 0 {
             return i32::MAX;
         }
-        let room = magnitude(self.value).leading_zeros().cast_signed() + bits - 64;
         // Saturating: the exponent may be any number.
-        self.exp.saturating_add(room)
+        self.exp
+            .saturating_add(leading_zeros(self.value) + bits - 64)
     }
 
     /// Returns the value at another exponent, rounded to nearest (half up); saturates.
@@ -102,19 +104,21 @@ impl BlockFloat {
         Self::new(self.at(exp) + other.at(exp), exp)
     }
 
-    /// Divides by the magnitude of `divisor`; a zero counts as its smallest unit.
+    /// Divides by the magnitude of `divisor`; a zero counts as half of its smallest unit.
     ///
     /// Both operands are rounded to 31 bits; the relative error is at most 1.3 · 2^-30.
     #[inline(never)]
     pub(crate) fn over(self, divisor: Self) -> Self {
         let (top, top_exp) = operand(self.value);
-        let (bottom, bottom_exp) = operand(divisor.value.saturating_abs().max(1));
-        let r = i64::from(reciprocal(bottom.unsigned_abs()));
-        // The reciprocal's relative deficit (2^61 − r · bottom) / 2^61, times r, in units of 2^-30.
-        let lacks = (((1 << 61) - r * i64::from(bottom)) * r) >> 31;
-        let top = i64::from(top);
+        let (bottom, bottom_exp) = operand(divisor.value);
+        let bottom = bottom.saturating_abs().max(1 << 30);
+        let r = reciprocal(bottom.cast_unsigned()).cast_signed();
+        // The reciprocal's relative deficit (2^61 − r · bottom) / 2^61, times r, in units of 2^-30. The deficit is at
+        // most `bottom`, so 32 bits hold it.
+        let deficit = r.wrapping_mul(bottom).wrapping_neg();
+        let lacks = (product(deficit, r) >> 31) as i32;
         Self::new(
-            top * r + ((top * lacks) >> 30),
+            product(top, r) + (product(top, lacks) >> 30),
             61 + self.exp + top_exp - divisor.exp - bottom_exp,
         )
     }
@@ -125,7 +129,7 @@ impl BlockFloat {
 /// Bit 30 is set unless the value is zero. Values that round up to 2^31 become 2^31 − 1.
 #[inline(never)]
 fn operand(value: i64) -> (i32, i32) {
-    let up = magnitude(value).leading_zeros().cast_signed() - 33;
+    let up = leading_zeros(value) - 33;
     (saturated(shift(value, up)), up)
 }
 
@@ -139,7 +143,7 @@ pub(crate) fn normalize(mantissas: &mut [i32], numbers: &[BlockFloat]) -> i32 {
     let finest = |exp: i32, number: &BlockFloat| exp.min(number.finest(BITS));
     let exp = numbers.iter().fold(MAX_EXP, finest).max(MIN_EXP);
     for (mantissa, number) in mantissas.iter_mut().zip(numbers) {
-        *mantissa = saturated(number.at(exp)).clamp(-LIMIT, LIMIT);
+        *mantissa = number.at(exp).clamp(-LIMIT, LIMIT) as i32;
     }
     exp
 }
@@ -214,7 +218,7 @@ mod tests {
                 if e > MIN_EXP {
                     // Half a unit of the last place, or a whole one where it is clamped; and f64's own rounding.
                     let error = (real(v, exp) - real(m.into(), e)).abs();
-                    let units = if m.abs() == LIMIT { 1.0 } else { 0.5 };
+                    let units = if i64::from(m.abs()) == LIMIT { 1.0 } else { 0.5 };
                     prop_assert!(error <= (units + 1e-6) * f64::from(-e).exp2());
                 }
             }

@@ -67,7 +67,7 @@ pub(super) fn edge<K: ProjectionKind>(
     line: &mut ClippedPolygon,
 ) -> bool {
     let (mut any, mut all) = (0, !0);
-    for (&index, barycentric) in indices.iter().zip(Barycentric::CORNERS) {
+    for (&index, &barycentric) in indices.iter().zip(&Barycentric::CORNERS) {
         let vertex = *vertices.vertex(&call.projector, index);
         any |= vertex.outcode;
         all &= vertex.outcode;

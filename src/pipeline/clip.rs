@@ -15,17 +15,14 @@ const MOST_CORNERS: usize = 9;
 /// A clipped triangle or line on the screen.
 pub(crate) type ClippedPolygon = Vec<ClippedVertex, MOST_CORNERS>;
 
-/// A corner of a triangle or line while it is clipped: its [`ClipPosition`] and its [`Barycentric`] weights. The
-/// weights have 64 bits too, because all five numbers are cut in the same way.
-type ClipVertex = [i64; 5];
+/// A corner of a triangle or line while it is clipped.
+#[derive(Clone, Copy)]
+struct ClipVertex {
+    position: ClipPosition,
+    barycentric: Barycentric,
+}
 
 type Polygon = Vec<ClipVertex, MOST_CORNERS>;
-
-/// The position of a corner.
-#[inline]
-const fn position([t, x, y, ..]: &ClipVertex) -> ClipPosition {
-    [*t, *x, *y]
-}
 
 /// Clips a line between two positions, or a triangle of three, to the inside of `planes`. This mask has a bit for each
 /// plane outside of which any corner lies. Adds the corners of the result to `clipped`: none if nothing is inside. (An
@@ -41,90 +38,107 @@ pub(crate) fn clip<K: ProjectionKind>(
     clipped: &mut ClippedPolygon,
 ) {
     let (mut polygon, mut inside) = (&mut Polygon::new(), &mut Polygon::new());
-    for (&index, Barycentric([b, c])) in corners.iter().zip(Barycentric::CORNERS) {
-        let [t, x, y] = projector.clip_position(index);
-        let _ = polygon.push([t, x, y, b.into(), c.into()]);
+    for (&index, &barycentric) in corners.iter().zip(&Barycentric::CORNERS) {
+        let position = projector.clip_position(index);
+        add(
+            polygon,
+            &ClipVertex {
+                position,
+                barycentric,
+            },
+        );
     }
-    let closed = corners.len() > 2;
-    for plane in (0..6).filter(|plane| planes >> plane & 1 != 0) {
+    let mut planes = planes;
+    while planes != 0 {
+        let plane = planes.trailing_zeros();
+        planes &= planes - 1;
         inside.clear();
-        clip_to_plane(projector, plane, (polygon, closed), inside);
+        clip_to_plane(projector, plane, polygon, inside);
         (polygon, inside) = (inside, polygon);
     }
     for corner in polygon {
-        // Weights are at most 2^30.
-        let [.., b, c] = *corner;
         let mut vertex = ScreenVertex::UNSET;
-        projector.project_inside(&position(corner), &mut vertex);
+        projector.project_inside(&corner.position, &mut vertex);
         let _ = clipped.push(ClippedVertex {
             vertex,
-            barycentric: Barycentric([b as i32, c as i32]),
+            barycentric: corner.barycentric,
         });
     }
 }
 
-/// Writes to `inside` the part of a polygon that is inside a plane, or of a line if it is not `closed`.
+/// Writes to `inside` the part of a polygon or a line that is inside a plane.
 #[inline(never)]
 fn clip_to_plane<K: ProjectionKind>(
     projector: &Projector<'_, K>,
     plane: u32,
-    (polygon, closed): (&[ClipVertex], bool),
+    polygon: &[ClipVertex],
     inside: &mut Polygon,
 ) {
-    let distance = |corner: &ClipVertex| projector.distance(&position(corner), plane);
-    // There is always room, because a plane cuts the outline of a convex polygon twice.
-    let mut add = |corner: ClipVertex| inside.push(corner).unwrap_or(());
+    let is_outside = |corner: &ClipVertex| projector.is_outside(&corner.position, plane);
     // A polygon's last corner is joined to its first, a line's is not.
-    let mut from = polygon.last().filter(|_| closed);
-    let mut from_distance = from.map_or(0, distance);
+    let mut from = polygon.last().filter(|_| polygon.len() > 2);
+    let mut was_out = from.is_some_and(is_outside);
     for to in polygon {
-        let to_distance = distance(to);
-        let is_out = Projector::<K>::is_outside(to_distance, plane);
-        if let Some(from) = from {
-            if is_out != Projector::<K>::is_outside(from_distance, plane) {
-                let (inner, outer) = if is_out {
-                    ((from, from_distance), (to, to_distance))
-                } else {
-                    ((to, to_distance), (from, from_distance))
-                };
-                let mut corner = [0; 5];
-                cut(inner, outer, &mut corner);
-                projector.put_onto(&mut corner, plane);
-                add(corner);
+        let is_out = is_outside(to);
+        if let Some(from) = from.filter(|_| is_out != was_out) {
+            let (inner, outer) = if is_out { (from, to) } else { (to, from) };
+            add(inside, inner);
+            if let Some(corner) = inside.last_mut() {
+                cut(projector, plane, outer, corner);
             }
         }
         if !is_out {
-            add(*to);
+            add(inside, to);
         }
-        (from, from_distance) = (Some(to), to_distance);
+        (from, was_out) = (Some(to), is_out);
     }
 }
 
-/// Sets `corner` to the point where a plane cuts an edge, whose ends come with their distances from the plane.
+/// Adds a corner. There is always room, because a plane cuts the outline of a convex polygon twice.
+#[inline(never)]
+fn add(polygon: &mut Polygon, corner: &ClipVertex) {
+    let _ = polygon.push(*corner);
+}
+
+/// Moves a corner that is inside a plane along an edge, until it is where the plane cuts the edge.
 ///
 /// ```text
 ///  inside          plane          outside
 ///    ●───── inner ───┼─── outer ─────○
 /// ```
 #[inline(never)]
-fn cut(
-    (inside, inner): (&ClipVertex, i64),
-    (outside, outer): (&ClipVertex, i64),
+fn cut<K: ProjectionKind>(
+    projector: &Projector<'_, K>,
+    plane: u32,
+    outside: &ClipVertex,
     corner: &mut ClipVertex,
 ) {
-    // The fraction of the way from inside to outside, in units of 2^-31. A distance of a few units outside a side plane
-    // counts as inside.
-    let (inner, outer) = (inner.max(0) >> 1, outer.abs() >> 1);
-    let fraction = BlockFloat::new(inner, 0).over(BlockFloat::new(inner + outer, 0));
-    let fraction = fraction.at(31).min((1 << 31) - 1) as i32;
-    for ((at, from), to) in corner.iter_mut().zip(inside).zip(outside) {
-        let difference = to.saturating_sub(*from);
+    let distance = |end: &ClipVertex| projector.distance(&end.position, plane);
+    let fraction = fraction(distance(corner), distance(outside));
+    for (at, to) in corner.position.iter_mut().zip(&outside.position) {
+        // Both are below 2^62.
+        let difference = to.wrapping_sub(*at);
         // The product of 64 bits and the fraction, from the halves of `difference`: below 2^63, because the fraction
         // is below 2^31.
         let (high, low) = ((difference >> 32) as i32, difference.cast_unsigned() as u32);
         let low = u64::from(low) * u64::from(fraction.cast_unsigned());
-        *at = from + (product(high, fraction) << 1) + (low >> 31).cast_signed();
+        *at += (product(high, fraction) << 1) + (low >> 31).cast_signed();
     }
+    projector.put_onto(&mut corner.position, plane);
+    let (Barycentric(weights), Barycentric(to)) = (&mut corner.barycentric, &outside.barycentric);
+    for (at, to) in weights.iter_mut().zip(to) {
+        // Of 31 bits.
+        *at += (product(to - *at, fraction) >> 31) as i32;
+    }
+}
+
+/// The fraction of the way from an end inside a plane to one outside, by their distances, in units of 2^-31.
+#[inline(never)]
+fn fraction(inner: i64, outer: i64) -> i32 {
+    // A distance of a few units outside a side plane counts as inside.
+    let (inner, outer) = (inner.max(0) >> 1, outer.abs() >> 1);
+    let fraction = BlockFloat::new(inner, 0).over(BlockFloat::new(inner + outer, 0));
+    fraction.at(31).min((1 << 31) - 1) as i32
 }
 
 #[cfg(test)]

@@ -106,14 +106,15 @@ pub(super) fn each_point<K: ProjectionKind>(
     blitter: &mut dyn Blitter,
     point: impl Fn(&mut Rasterizer<'_>, &ScreenVertex),
 ) -> Drawn {
-    let mut drawn = Drawn::default();
+    let count = call.shared.mesh.positions().len() as u32;
+    let mut drawn = Drawn {
+        submitted: count,
+        ..Drawn::default()
+    };
     let mut raster = Rasterizer::new(blitter, &call.shared.scissor);
-    for index in 0..call.shared.mesh.positions().len() {
-        // A mesh has at most 65,536 positions, so this never happens.
-        let Ok(index) = Index::try_from(index) else {
-            break;
-        };
-        drawn.submitted += 1;
+    for index in 0..count {
+        // A mesh has at most 65,536 positions.
+        let index = index as Index;
         let mut at = ScreenVertex::UNSET;
         call.projector.project(index, &mut at);
         if at.outcode == 0 {

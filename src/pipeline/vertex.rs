@@ -44,10 +44,8 @@ pub(crate) struct Projector<'m, K> {
     offsets: [i64; 3],
     /// Fraction bits of clip coordinates.
     fraction: i32,
-    /// The least t that is inside.
-    least: i64,
-    /// The greatest t that is inside, minus the least.
-    depth: u64,
+    /// The least t that is inside, negated, and the greatest.
+    ends: [i64; 2],
     /// The viewport's center, in units of 1/256 pixel.
     center: [i32; 2],
     kind: PhantomData<K>,
@@ -60,8 +58,12 @@ fn scaled(row: &Row, unit: &BlockFloat, size: i32) -> AffineRow {
     // A factor has bit 29 set, so mantissas keep their bits and take at most one more.
     let exp = row.exp + exp;
     let [x, y, z, offset] = row.m;
+    let mut row = [x, y, z];
+    for m in &mut row {
+        *m = ((product(*m, factor) + (1 << 28)) >> 29) as i32;
+    }
     AffineRow {
-        row: [x, y, z].map(|m| ((product(m, factor) + (1 << 28)) >> 29) as i32),
+        row,
         exp: exp - 29,
         offset: [offset, factor],
         offset_exp: exp,
@@ -124,21 +126,22 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         for m in clip.linear.as_flattened_mut() {
             *m = ((*m >> (down - 1).min(31)) + 1) >> 1;
         }
-        let one = 1i64 << fraction;
-        let margin = (one >> 16).max(1);
-        let [least, most] = if K::PERSPECTIVE {
+        // At the near plane, t is 1 + 2^-16, or 1 − 2^-16 under a parallel projection: see above.
+        let ends = if K::PERSPECTIVE {
+            let least = ((1 << 16) + 1) << exp;
             let most = unit.times(BlockFloat::new(far.into(), 16));
-            [one + margin, most.at(fraction).min(i64::MAX >> 1)]
+            [-least, most.at(fraction).min(i64::MAX >> 1)]
         } else {
-            [0, one - margin]
+            [0, ((1 << 16) - 1) << exp]
         };
+        let offset = |m: i32| block::shift(m.into(), up);
+        let [t, x, y] = clip.translation;
         Self {
             positions,
             rows: clip.linear,
-            offsets: clip.translation.map(|m| block::shift(m.into(), up)),
+            offsets: [offset(t), offset(x), offset(y)],
             fraction,
-            least,
-            depth: (most - least).max(0).cast_unsigned(),
+            ends,
             center: viewport.center(),
             kind: PhantomData,
         }
@@ -190,16 +193,12 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         }
     }
 
-    /// The bound of a coordinate at a plane. Planes 0 and 1 are near and far, or far and near, and bound t; 2 and 3
-    /// are left and right and bound x; 4 and 5 are top and bottom and bound y.
+    /// The bound of a coordinate at a plane: from below at an even one, where it is negated, from above at an odd one.
+    /// Planes 0 and 1 are near and far, or far and near, and bound t; 2 and 3 are left and right and bound x; 4 and 5
+    /// are top and bottom and bound y.
     #[inline]
     fn bound(&self, t: i64, plane: u32) -> i64 {
-        match plane {
-            0 => self.least,
-            1 => self.least + self.depth.cast_signed(),
-            _ if plane & 1 == 0 => -self.w(t),
-            _ => self.w(t),
-        }
+        self.ends.get(plane as usize).copied().unwrap_or(self.w(t))
     }
 
     /// How far inside a plane a position lies; negative outside.
@@ -207,46 +206,53 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     pub(super) fn distance(&self, position: &ClipPosition, plane: u32) -> i64 {
         let [t, ..] = *position;
         let value = position.get(axis(plane)).copied().unwrap_or_default();
-        let distance = value - self.bound(t, plane);
+        let bound = self.bound(t, plane);
         // All values are below 2^62.
-        if plane & 1 == 0 { distance } else { -distance }
-    }
-
-    /// Moves a position, where `plane` cuts an edge, exactly onto the plane. Whatever follows the position stays.
-    #[inline]
-    pub(super) fn put_onto(&self, position: &mut [i64; 5], plane: u32) {
-        let bound = self.bound(position[0], plane);
-        if let Some(value) = position.get_mut(axis(plane)) {
-            *value = bound;
+        if plane & 1 == 0 {
+            bound + value
+        } else {
+            bound - value
         }
     }
 
-    /// Whether a distance from a plane counts as outside.
+    /// Moves a position, where `plane` cuts an edge, exactly onto the plane.
     #[inline]
-    pub(super) const fn is_outside(distance: i64, plane: u32) -> bool {
-        distance < if plane < 2 { 0 } else { -SIDE_TOLERANCE }
+    pub(super) fn put_onto(&self, position: &mut ClipPosition, plane: u32) {
+        let bound = self.bound(position[0], plane);
+        if let Some(value) = position.get_mut(axis(plane)) {
+            *value = if plane & 1 == 0 { -bound } else { bound };
+        }
     }
 
-    /// Whether a position is inside all planes, by the rule of [`outcode`](Self::outcode).
-    #[inline]
-    fn is_inside(&self, &[t, x, y]: &ClipPosition) -> bool {
-        let ahead = t.wrapping_sub(self.least).cast_unsigned() <= self.depth;
-        let w = self.w(t);
-        // The upper halves decide, unless the position is next to a side plane.
-        let size = |x: i64| upper(x) ^ (upper(x) >> 31);
-        ahead
-            && (size(x).max(size(y)) < upper(w)
-                || x.unsigned_abs().max(y.unsigned_abs()) <= (w + SIDE_TOLERANCE).cast_unsigned())
+    /// Whether a position counts as outside of a plane.
+    #[inline(never)]
+    pub(super) fn is_outside(&self, position: &ClipPosition, plane: u32) -> bool {
+        let tolerance = if plane < 2 { 0 } else { SIDE_TOLERANCE };
+        self.distance(position, plane) + tolerance < 0
     }
 
     /// One bit for each plane outside of which a position lies.
+    #[inline]
+    fn outcode(&self, position: &ClipPosition) -> u8 {
+        let &[t, x, y] = position;
+        // All are below 2^62.
+        let [nearest, farthest] = self.ends;
+        // The upper halves decide, unless the position is next to a side plane.
+        let size = |x: i64| upper(x) ^ (upper(x) >> 31);
+        if (t + nearest) | (farthest - t) >= 0 && size(x).max(size(y)) < upper(self.w(t)) {
+            0
+        } else {
+            self.each_outcode(position)
+        }
+    }
+
+    /// The [`outcode`](Self::outcode) from each plane by itself.
     ///
     /// Out of line, because it is long and few vertices of visible triangles need it.
     #[inline(never)]
-    fn outcode(&self, position: &ClipPosition) -> u8 {
+    fn each_outcode(&self, position: &ClipPosition) -> u8 {
         (0..6).fold(0, |outcode, plane| {
-            let is_outside = Self::is_outside(self.distance(position, plane), plane);
-            outcode | u8::from(is_outside) << plane
+            outcode | u8::from(self.is_outside(position, plane)) << plane
         })
     }
 
@@ -267,18 +273,20 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     /// Out of line, with an out-parameter: callers stay short, and the vertex is not copied.
     #[inline(never)]
     fn place(&self, index: Index, inside: Option<&ClipPosition>, to: &mut ScreenVertex) {
+        let computed;
         let position = if let Some(position) = inside {
-            *position
+            position
         } else {
             if PREFERS_SHORT && self.positions.are_short() {
                 return self.place_short(index, to);
             }
-            let position = self.clip_position(index);
-            if !self.is_inside(&position) {
-                *to = self.placed_outside(index, &position);
+            computed = self.clip_position(index);
+            let outcode = self.outcode(&computed);
+            if outcode != 0 {
+                *to = ScreenVertex::outside(index, outcode);
                 return;
             }
-            position
+            &computed
         };
         let (screen, q, exponent) = if K::PERSPECTIVE {
             // t is positive and below 2^62. Let t' = t · 2^up / 2^33, which has 31 bits, r = 2^61 / t' and
@@ -286,12 +294,11 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             //
             // Inside all planes, t has at least 16 bits. So its upper half is not zero, after a shift by 30 if need
             // be, and everything that follows needs only 32 bits.
-            let (mut position, mut coarse) = (position, 0);
-            if upper(position[0]) == 0 {
-                position = position.map(|x| x << 30);
+            let ([mut t, mut x, mut y], mut coarse) = (*position, 0);
+            if upper(t) == 0 {
+                (t, x, y) = (t << 30, x << 30, y << 30);
                 coarse = 30;
             }
-            let [t, x, y] = position;
             let up = upper(t).leading_zeros();
             let shifted = |x: i64, up: u32| {
                 let lower = x.cast_unsigned() as u32;
@@ -308,7 +315,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
                 (up + coarse) as u8,
             )
         } else {
-            let [t, x, y] = position;
+            let [t, x, y] = *position;
             let down = GUARD_BITS.cast_signed() - self.fraction;
             let on_screen = |x: i64| block::shift(x, down) as i32;
             let q = block::shift(t, 31 - self.fraction);
@@ -317,9 +324,11 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         };
         let [cx, cy] = self.center;
         // A position that is inside only by the tolerance may lie slightly beyond the guard band.
-        let [x, y] = screen.map(|x| x.clamp(-(1 << GUARD_BITS), (1 << GUARD_BITS) - 1));
+        // (Not by `map`, which stays a loop in a build for size.)
+        let clamped = |x: i32| x.clamp(-(1 << GUARD_BITS), (1 << GUARD_BITS) - 1);
+        let [x, y] = screen;
         *to = ScreenVertex {
-            screen: [x + cx, y + cy],
+            screen: [clamped(x) + cx, clamped(y) + cy],
             q,
             exponent,
             outcode: 0,
@@ -331,19 +340,11 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     #[inline(never)]
     fn place_short(&self, index: Index, to: &mut ScreenVertex) {
         let position = self.clip_position(index);
-        if self.is_inside(&position) {
+        let outcode = self.outcode(&position);
+        if outcode == 0 {
             self.place(index, Some(&position), to);
         } else {
-            *to = self.placed_outside(index, &position);
-        }
-    }
-
-    #[inline]
-    fn placed_outside(&self, index: Index, position: &ClipPosition) -> ScreenVertex {
-        ScreenVertex {
-            outcode: self.outcode(position),
-            index,
-            ..ScreenVertex::UNSET
+            *to = ScreenVertex::outside(index, outcode);
         }
     }
 
@@ -364,8 +365,8 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             farthest < -MARGIN
         };
         let ([t, x, y], [t_offset, x_offset, y_offset]) = (&self.rows, self.offsets);
-        let far = self.least + self.depth.cast_signed();
-        if is_outside(*t, t_offset - self.least) || is_outside(t.map(|c| -c), far - t_offset) {
+        let [nearest, farthest] = self.ends;
+        if is_outside(*t, t_offset + nearest) || is_outside(t.map(|c| -c), farthest - t_offset) {
             return true;
         }
         let (w, w_offset) = if K::PERSPECTIVE {
@@ -456,12 +457,25 @@ mod tests {
     /// The limits, from both sides.
     #[test]
     fn what_is_outside() {
-        type Any<'m> = Projector<'m, crate::view::Perspective>;
-        for plane in 0..2 {
-            assert!(Any::is_outside(-1, plane) && !Any::is_outside(0, plane));
-        }
-        for plane in 2..6 {
-            assert!(Any::is_outside(-9, plane) && !Any::is_outside(-8, plane));
+        let fov = Angle::from_degrees(60);
+        let projection = Projection::perspective(fov, (320, 240), fx!(1), fx!(100)).unwrap();
+        let mesh = Mesh::new(&[], &[]).unwrap();
+        let viewport = Viewport::new(0, 0, 320, 240).unwrap();
+        let view = Transform::IDENTITY;
+        let projector = Projector::new(mesh.positions(), &projection, &view, &viewport);
+        let [near, far] = projector.ends;
+        let near = -near;
+        let t = 2 * near;
+        for (plane, inside, outside) in [
+            (0, [near, 0, 0], [near - 1, 0, 0]),
+            (1, [far, 0, 0], [far + 1, 0, 0]),
+            (2, [t, -t - 8, 0], [t, -t - 9, 0]),
+            (3, [t, t + 8, 0], [t, t + 9, 0]),
+            (4, [t, 0, -t - 8], [t, 0, -t - 9]),
+            (5, [t, 0, t + 8], [t, 0, t + 9]),
+        ] {
+            assert_eq!(projector.outcode(&inside), 0);
+            assert_eq!(projector.outcode(&outside), 1 << plane);
         }
     }
 

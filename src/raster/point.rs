@@ -5,7 +5,9 @@ use super::{Barycentric, Patch, Rasterizer, ScreenVertex};
 /// Draws the pixel that contains a point.
 pub(crate) fn point(raster: &mut Rasterizer<'_>, at: &ScreenVertex) {
     let scissor = raster.scissor;
-    let [x, y] = at.screen.map(|position| position >> 8);
+    // Without `map`, which stays a loop in a build for size.
+    let [x, y] = at.screen;
+    let [x, y] = [x >> 8, y >> 8];
     if scissor.columns.contains(&x) && scissor.rows.contains(&y) {
         set_up(raster, at, [x, y], None);
         raster.span(y, &(x..x + 1));

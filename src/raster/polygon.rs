@@ -34,8 +34,9 @@ fn vertices([a, b, c]: [&ClippedVertex; 3]) -> [&ScreenVertex; 3] {
     [&a.vertex, &b.vertex, &c.vertex]
 }
 
-fn screens([a, b, c]: [&ClippedVertex; 3]) -> [[i32; 2]; 3] {
-    [a.vertex.screen, b.vertex.screen, c.vertex.screen]
+#[inline(never)]
+fn outline_area([a, b, c]: [&ClippedVertex; 3]) -> i64 {
+    area(&[a.vertex.screen, b.vertex.screen, c.vertex.screen])
 }
 
 impl<'a> Polygon<'a> {
@@ -46,12 +47,10 @@ impl<'a> Polygon<'a> {
             area: 0,
             is_folded: false,
         };
-        let (mut least, mut most) = (0, 0);
         for (_, area) in fan.triangles() {
             fan.area += area;
-            (least, most) = (area.min(least), area.max(most));
         }
-        fan.is_folded = if fan.area > 0 { least < 0 } else { most > 0 };
+        fan.is_folded = fan.triangles().any(|(_, area)| area != 0 && !fan.has(area));
         if cull.leaves_out(fan.area) {
             return None;
         }
@@ -73,7 +72,7 @@ impl<'a> Polygon<'a> {
         rest.windows(2).filter_map(move |side| match (first, side) {
             (Some(first), [from, to]) => {
                 let corners = [first, from, to];
-                Some((corners, area(&screens(corners))))
+                Some((corners, outline_area(corners)))
             }
             _ => None,
         })

@@ -19,9 +19,13 @@ impl Transform {
     /// ```
     #[must_use]
     pub fn from_rows(rows: [[Scalar; 3]; 3], translation: Vec3) -> Self {
-        let number = |v: Scalar| BlockFloat::new(v.to_bits().into(), 16);
+        let mut numbers = [BlockFloat::ZERO; 12];
+        let entries = rows.as_flattened().iter();
         let translation = [translation.x, translation.y, translation.z];
-        Self::from_block_floats(&rows.map(|row| row.map(number)), &translation.map(number))
+        for (number, entry) in numbers.iter_mut().zip(entries.chain(&translation)) {
+            *number = BlockFloat::new(entry.to_bits().into(), 16);
+        }
+        Self::from_block_floats(&numbers)
     }
 
     /// Returns the 4×4 matrix: entries are rounded to the nearest 2⁻¹⁶ and saturate at ±32768.

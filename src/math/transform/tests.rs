@@ -139,8 +139,12 @@ fn any_transform() -> impl Strategy<Value = Transform> {
     const EXP: core::ops::RangeInclusive<i32> = block::MIN_EXP..=block::MAX_EXP;
     let row = || [M, M, M];
     ([row(), row(), row()], EXP, row(), EXP).prop_map(|(m, e, t, t_exp)| {
-        let numbers = |v: [i32; 3], exp| v.map(|v| BlockFloat::new(v.into(), exp));
-        Transform::from_block_floats(&m.map(|row| numbers(row, e)), &numbers(t, t_exp))
+        let linear = m.as_flattened().iter().map(|m| (m, e));
+        let mut all = linear.chain(t.iter().map(|m| (m, t_exp)));
+        Transform::from_block_floats(&core::array::from_fn(|_| {
+            let (m, exp) = all.next().unwrap();
+            BlockFloat::new((*m).into(), exp)
+        }))
     })
 }
 
