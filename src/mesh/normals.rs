@@ -80,7 +80,10 @@ impl<'a> Mesh<'a> {
     ///
     /// ```
     /// use fixel::prelude::*;
-    /// let positions = [vec3!(-1, 0, 1), vec3!(0, 1, 1), vec3!(1, 0, 1), vec3!(-1, 0, -1), vec3!(0, 1, -1), vec3!(1, 0, -1)];
+    /// let positions = [
+    ///     vec3!(-1, 0, 1), vec3!(0, 1, 1), vec3!(1, 0, 1),
+    ///     vec3!(-1, 0, -1), vec3!(0, 1, -1), vec3!(1, 0, -1),
+    /// ];
     /// let roof = [[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4]];
     /// let mut normals = [Vec3::ZERO; 6]; // your memory
     /// let mesh = Mesh::new(&positions, &roof)?.with_smooth_normals(&mut normals)?;
@@ -125,7 +128,10 @@ impl<'a> Mesh<'a> {
     ///
     /// ```
     /// use fixel::prelude::*;
-    /// let positions = [vec3!(-1, 0, 1), vec3!(0, 1, 1), vec3!(1, 0, 1), vec3!(-1, 0, -1), vec3!(0, 1, -1), vec3!(1, 0, -1)];
+    /// let positions = [
+    ///     vec3!(-1, 0, 1), vec3!(0, 1, 1), vec3!(1, 0, 1),
+    ///     vec3!(-1, 0, -1), vec3!(0, 1, -1), vec3!(1, 0, -1),
+    /// ];
     /// let roof = [[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4]];
     /// let (mut normals, mut faces) = ([Vec3::ZERO; 12], [[0; 3]; 4]); // your memory
     /// let mesh = Mesh::new(&positions, &roof)?
