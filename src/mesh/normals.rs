@@ -186,8 +186,8 @@ impl<'a> Mesh<'a> {
         self.with_normals(normals.get(..count).unwrap_or_default(), Some(faces))
     }
 
-    /// The mean normal at a position, of the triangles whose own normals include an angle with `own` whose cosine is at
-    /// least `least`, in units of 2⁻³⁰.
+    /// The mean normal at a position, over triangles with normals near `own`: the cosine of the angle to it is at least
+    /// `least`, in units of 2⁻³⁰.
     fn normal_around(&self, position: Index, own: Direction, least: i32) -> Vec3 {
         let mut sum = Vec3::ZERO;
         for face in self.faces() {
