@@ -54,7 +54,10 @@ errors! {
     /// ```
     /// use fixel::prelude::*;
     /// let error = Projection::perspective(deg!(180), (4, 3), fx!(0.1), fx!(100)).unwrap_err();
-    /// assert_eq!(error.to_string(), "field of view is 180 degrees: it must be above 0 and below 180 degrees");
+    /// assert_eq!(
+///     error.to_string(),
+///     "field of view is 180 degrees: it must be above 0 and below 180 degrees",
+/// );
     /// ```
     pub enum Error;
 

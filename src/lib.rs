@@ -128,7 +128,8 @@
 //! let mut color = [BinaryColor::Off; (WIDTH * ROWS) as usize];
 //! let mut depth = [0; (WIDTH * ROWS) as usize];
 //! for first_row in (0..HEIGHT).step_by(ROWS as usize) {
-//!     let mut band = Canvas::band(&mut color, WIDTH, HEIGHT, first_row)?.with_depth(&mut depth)?;
+//!     let band = Canvas::band(&mut color, WIDTH, HEIGHT, first_row)?;
+//!     let mut band = band.with_depth(&mut depth)?;
 //!     band.clear(BinaryColor::Off);
 //!     band.draw(&BALL, &mvp, &white);
 //!     band.show(&mut display)?; // or DMA from band.as_bytes() of a canvas of bytes

@@ -19,8 +19,10 @@ use crate::{Error, Scalar, Vec3};
 /// use fixel::mesh::Keyframes;
 /// use fixel::prelude::*;
 /// static FACES: [[u16; 3]; 1] = [[0, 1, 2]];
-/// const LOW: Mesh = Mesh::checked(Mesh::new(&[vec3!(-4, -2, 0), vec3!(4, -2, 0), vec3!(0, 0, 0)], &FACES));
-/// const HIGH: Mesh = Mesh::checked(Mesh::new(&[vec3!(-4, -2, 0), vec3!(4, -2, 0), vec3!(0, 4, 0)], &FACES));
+/// static DOWN: [Vec3; 3] = [vec3!(-4, -2, 0), vec3!(4, -2, 0), vec3!(0, 0, 0)];
+/// static UP: [Vec3; 3] = [vec3!(-4, -2, 0), vec3!(4, -2, 0), vec3!(0, 4, 0)];
+/// const LOW: Mesh = Mesh::checked(Mesh::new(&DOWN, &FACES));
+/// const HIGH: Mesh = Mesh::checked(Mesh::new(&UP, &FACES));
 /// static JUMP: Keyframes = Keyframes::checked(Keyframes::new(&LOW, &HIGH));
 ///
 /// let projection = Projection::orthographic(Window::centered(fx!(8), fx!(4)), fx!(-1), fx!(1))?;

@@ -80,7 +80,10 @@ impl<'a> Mesh<'a> {
     ///
     /// ```
     /// use fixel::prelude::*;
-    /// let positions = [vec3!(-1, 0, 1), vec3!(0, 1, 1), vec3!(1, 0, 1), vec3!(-1, 0, -1), vec3!(0, 1, -1), vec3!(1, 0, -1)];
+    /// let positions = [
+    ///     vec3!(-1, 0, 1), vec3!(0, 1, 1), vec3!(1, 0, 1),
+    ///     vec3!(-1, 0, -1), vec3!(0, 1, -1), vec3!(1, 0, -1),
+    /// ];
     /// let roof = [[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4]];
     /// let mut normals = [Vec3::ZERO; 6]; // your memory
     /// let mesh = Mesh::new(&positions, &roof)?.with_smooth_normals(&mut normals)?;
@@ -125,7 +128,10 @@ impl<'a> Mesh<'a> {
     ///
     /// ```
     /// use fixel::prelude::*;
-    /// let positions = [vec3!(-1, 0, 1), vec3!(0, 1, 1), vec3!(1, 0, 1), vec3!(-1, 0, -1), vec3!(0, 1, -1), vec3!(1, 0, -1)];
+    /// let positions = [
+    ///     vec3!(-1, 0, 1), vec3!(0, 1, 1), vec3!(1, 0, 1),
+    ///     vec3!(-1, 0, -1), vec3!(0, 1, -1), vec3!(1, 0, -1),
+    /// ];
     /// let roof = [[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4]];
     /// let (mut normals, mut faces) = ([Vec3::ZERO; 12], [[0; 3]; 4]); // your memory
     /// let mesh = Mesh::new(&positions, &roof)?
@@ -180,8 +186,8 @@ impl<'a> Mesh<'a> {
         self.with_normals(normals.get(..count).unwrap_or_default(), Some(faces))
     }
 
-    /// The mean normal at a position, of the triangles whose own normals include an angle with `own` whose cosine is at
-    /// least `least`, in units of 2⁻³⁰.
+    /// The mean normal at a position, over triangles with normals near `own`: the cosine of the angle to it is at least
+    /// `least`, in units of 2⁻³⁰.
     fn normal_around(&self, position: Index, own: Direction, least: i32) -> Vec3 {
         let mut sum = Vec3::ZERO;
         for face in self.faces() {

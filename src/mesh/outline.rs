@@ -29,8 +29,8 @@ use crate::num::Angle;
 /// static CAN: Mesh = shape!(cylinder(16));
 /// static EDGES: Outline = outline!(CRATE, deg!(30));
 /// static RIMS: Outline = outline!(CAN, deg!(30));
-/// // The 12 edges of a cuboid are creases, and the diagonals of its sides are not. The cylinder's creases are its
-/// // two rims: its 16 sides meet at 22.5 degrees.
+/// // The 12 edges of a cuboid are creases, and the diagonals of its sides are not. The
+/// // cylinder's creases are its two rims: its 16 sides meet at 22.5 degrees.
 /// assert_eq!((EDGES.edges().len(), EDGES.creases()), (18, 12));
 /// assert_eq!((RIMS.edges().len(), RIMS.creases()), (96, 32));
 /// ```

@@ -25,7 +25,8 @@ use crate::{Error, Scalar, Vec2, Vec3};
 /// // A unit at a distance of 2 is two pixels wide, and one at a distance of 4 is one pixel wide.
 /// let positions = [vec3!(-2, 0, -2), vec3!(0, 0, -4), vec3!(4, 0, -4)];
 /// let sprites = Sprites::new(&positions, (fx!(2), fx!(3)))?;
-/// let drawn = canvas.draw_sprites(&DrawOptions::new(), &sprites, &projection, &Flat::new(BinaryColor::On));
+/// let white = Flat::new(BinaryColor::On);
+/// let drawn = canvas.draw_sprites(&DrawOptions::new(), &sprites, &projection, &white);
 /// assert_eq!((drawn.submitted, drawn.drawn), (6, 6)); // triangles
 ///
 /// let mut display = MockDisplay::new();

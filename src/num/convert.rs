@@ -30,7 +30,10 @@ pub const fn scalar(value: f64) -> Result<Scalar, Error> {
 /// use fixel::num::{TexCoord, tex_coord};
 /// assert_eq!(tex_coord(1.5), Ok(TexCoord::lit("1.5")));
 /// let error = tex_coord(3000.0).unwrap_err();
-/// assert_eq!(error.to_string(), "3000 cannot be represented: it must lie between -2048 and 2047.99999");
+/// assert_eq!(
+///     error.to_string(),
+///     "3000 cannot be represented: it must lie between -2048 and 2047.99999",
+/// );
 /// ```
 pub const fn tex_coord(value: f64) -> Result<TexCoord, Error> {
     let bits = ok!(nearest(value, TexCoord::FRAC_NBITS));

@@ -65,8 +65,8 @@ const fn roots() -> [u16; 257] {
 
 /// Returns the reciprocal square root of t = `value` / 2^32 in units of 2^-14, for a `value` from 2^28 to 3 · 2^30.
 ///
-/// The relative error is at most 2.2e-4: the chord near t = 1/16 has 1.9e-4. Near t = 3/4, where the chord is better,
-/// rounding adds one and a half units, which are 7e-5.
+/// The relative error is at most 2.2e-4. The chord contributes 1.9e-4 near t = 1/16, and less elsewhere. Rounding
+/// contributes one and a half units: at most 7e-5, near t = 3/4.
 #[inline]
 pub(crate) fn short_root(value: u32) -> u32 {
     let at = (value >> 24) as usize;

@@ -20,7 +20,10 @@ use crate::view::ProjectionKind;
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
 /// use fixel::{LineStyle, prelude::*};
-/// fn draw<L: LineStyle<Rgb565>>(canvas: &mut Canvas<'_, Rgb565>, line: L, mesh: &Mesh, mvp: &Mvp, color: Rgb565) {
+/// fn draw<L>(canvas: &mut Canvas<'_, Rgb565>, line: L, mesh: &Mesh, mvp: &Mvp, color: Rgb565)
+/// where
+///     L: LineStyle<Rgb565>,
+/// {
 ///     canvas.draw_edges(&DrawOptions::new().with_line(line), mesh, mvp, &Flat::new(color));
 /// }
 /// ```

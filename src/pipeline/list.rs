@@ -91,7 +91,7 @@ use crate::view::{ModelToPicture, Perspective, ProjectionKind};
 /// const HEIGHT: u32 = 12;
 /// const ROWS: u32 = 4;
 ///
-/// let projection = Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(10))?;
+/// let projection = Projection::perspective(deg!(60), (WIDTH, HEIGHT), fx!(1), fx!(10))?;
 /// let mvp = projection * Transform::translate(vec3!(0, 0, -2.5));
 /// let sun = Light::new(vec3!(1, 2, 3), fx!(0), fx!(1))?;
 /// let white = Flat::rgb(Gray4::WHITE).lit(sun);
@@ -118,7 +118,10 @@ use crate::view::{ModelToPicture, Perspective, ProjectionKind};
 ///
 /// let mut short: TriangleList<20, 80> = TriangleList::new();
 /// let error = short.prepare(&DrawOptions::new(), (WIDTH, HEIGHT), &BALL, &mvp).unwrap_err();
-/// assert_eq!(error.to_string(), "44 triangles are visible: the list must have room for all, and has room for 20");
+/// assert_eq!(
+///     error.to_string(),
+///     "44 triangles are visible: the list must have room for all, and has room for 20",
+/// );
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Debug)]

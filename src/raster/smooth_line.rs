@@ -12,7 +12,8 @@ use crate::num::block::BlockFloat;
 use crate::num::rsqrt::unit;
 use crate::num::wide::product;
 
-/// Anti-aliased lines of a width: each pixel takes the line's color in proportion to its share that the line covers.
+/// Anti-aliased lines of a width: each pixel takes the line's color in proportion to the share of the pixel that the
+/// line covers.
 ///
 /// Let d be the distance from the pixel's center to the nearest point of the line, whose ends are exact to 1/256 pixel.
 /// Then the share is (width + 1)/2 − d, limited to 0 and 1. So ends are round, and, unlike a

@@ -17,7 +17,8 @@ use crate::{Error, Scalar};
 /// Draw a sky first, from inside, with a [camera that stays in its center](crate::Camera::sky), without depth:
 ///
 /// ```
-/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor}};
+/// use embedded_graphics::mock_display::MockDisplay;
+/// use embedded_graphics::pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor};
 /// use fixel::{prelude::*, shade::Gradient, target::NoTest};
 /// static DOME: Mesh = shape!(sphere(12, 8));
 /// let projection = Projection::perspective(deg!(90), (1, 1), fx!(0.5), fx!(100))?;

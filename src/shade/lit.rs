@@ -14,7 +14,8 @@ use crate::mesh::Primitive;
 /// highlights. 65,536 is full brightness.
 ///
 /// ```
-/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor}};
+/// use embedded_graphics::mock_display::MockDisplay;
+/// use embedded_graphics::pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor};
 /// use fixel::prelude::*;
 /// static BALL: Mesh = shape!(sphere(8, 8));
 /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
@@ -104,7 +105,8 @@ impl<S: Shader<Color: Source<Color: Levels>>, L: Lighting> Shader for Lit<S, L> 
 /// Edges and points are fully lit.
 ///
 /// ```
-/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor}};
+/// use embedded_graphics::mock_display::MockDisplay;
+/// use embedded_graphics::pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor};
 /// use fixel::prelude::*;
 /// static BALL: Mesh = shape!(sphere(8, 8));
 /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;

@@ -15,7 +15,8 @@ use crate::mesh::Primitive;
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888, RgbColor}};
 /// use fixel::prelude::*;
-/// static SKIN: TextureArray<Rgb565, 2, 1> = TextureArray::from_texels([[Rgb565::YELLOW, Rgb565::BLUE]]);
+/// static SKIN: TextureArray<Rgb565, 2, 1> =
+///     TextureArray::from_texels([[Rgb565::YELLOW, Rgb565::BLUE]]);
 /// static SQUARE: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));

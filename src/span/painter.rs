@@ -80,7 +80,7 @@ pub(crate) fn is_plane<P: Painter>(painter: &P, halves: [&Primitive<'_>; 2]) -> 
     })
 }
 
-/// A shader and a blending, applied to each pixel in proportion to its share that the current line covers.
+/// A shader and a blending, applied to each pixel in proportion to the share of it that the current line covers.
 #[derive(Clone, Copy)]
 pub(crate) struct Smooth<'l, S, B> {
     pub(crate) shader: S,

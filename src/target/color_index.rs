@@ -10,7 +10,9 @@ use embedded_graphics::pixelcolor::raw::{RawData, RawU8};
 /// [`Canvas::show_with`](super::Canvas::show_with) looks up the colors of the palette:
 ///
 /// ```
-/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, Rgb888, raw::RawU24}, prelude::*};
+/// use embedded_graphics::mock_display::MockDisplay;
+/// use embedded_graphics::pixelcolor::{Gray8, Rgb888, raw::RawU24};
+/// use embedded_graphics::prelude::*;
 /// use fixel::{prelude::*, target::ColorIndex, texture::palette_colors};
 /// static GLOW: [Rgb888; 256] = palette_colors(&[Rgb888::BLACK, Rgb888::RED, Rgb888::YELLOW]);
 /// static SQUARE: Mesh = shape!(plane(1, 1));
@@ -18,7 +20,9 @@ use embedded_graphics::pixelcolor::raw::{RawData, RawU8};
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [ColorIndex(0); 4];
 /// let mut canvas = Canvas::new(&mut pixels, 2, 2)?;
-/// canvas.draw(&SQUARE, &mvp, &Flat::new(Gray8::new(200)).map(|_, gray: Gray8| Some(ColorIndex(gray.luma() / 100))));
+/// let gray = Flat::new(Gray8::new(200));
+/// let index = gray.map(|_, gray: Gray8| Some(ColorIndex(gray.luma() / 100)));
+/// canvas.draw(&SQUARE, &mvp, &index);
 /// canvas.draw_iter([Pixel(Point::zero(), ColorIndex(1))])?;
 ///
 /// let mut display = MockDisplay::new();

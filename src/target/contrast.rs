@@ -17,7 +17,8 @@ use super::storage::Storage;
 /// let canvas = Canvas::new(&mut grays, 2, 2)?;
 /// let contrast = Contrast::of(&canvas, 0);
 /// assert_eq!(contrast, Contrast::new(40, 120));
-/// assert_eq!([20, 40, 80, 120].map(|gray| contrast.stretch(Gray8::new(gray))), [0, 0, 128, 255].map(Gray8::new));
+/// let stretched = [20, 40, 80, 120].map(|gray| contrast.stretch(Gray8::new(gray)));
+/// assert_eq!(stretched, [0, 0, 128, 255].map(Gray8::new));
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -104,7 +104,7 @@ depth_tests! {
 /// use fixel::{prelude::*, target::{Biased, TestAndWrite}};
 /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 /// let projection = Projection::perspective(Angle::from_degrees(60), (1, 1), fx!(0.5), fx!(8))?;
-/// let turn = Transform::rotate_x(Angle::from_degrees(25)) * Transform::rotate_y(Angle::from_degrees(30));
+/// let turn = Transform::rotate_x(deg!(25)) * Transform::rotate_y(deg!(30));
 /// let mvp = projection * Transform::translate(vec3!(0, 0, -1.9)) * turn;
 /// let (mut color, mut depth) = ([BinaryColor::Off; 24 * 24], [0; 24 * 24]);
 /// let mut canvas = Canvas::new(&mut color, 24, 24)?.with_depth(&mut depth)?;

@@ -23,7 +23,8 @@ use super::storage::{RowMajor, RowSpan, Sealed, Storage};
 /// use fixel::prelude::*;
 /// let mut bytes = [0; 4];
 /// let mut canvas: Canvas<Gray4, _> = Canvas::packed(&mut bytes, 3, 2)?;
-/// canvas.draw_iter([Pixel(Point::new(0, 0), Gray4::new(0xa)), Pixel(Point::new(2, 1), Gray4::new(0xb))])?;
+/// let (a, b) = (Gray4::new(0xa), Gray4::new(0xb));
+/// canvas.draw_iter([Pixel(Point::new(0, 0), a), Pixel(Point::new(2, 1), b)])?;
 /// assert_eq!(bytes, [0xa0, 0x00, 0x00, 0xb0]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -41,7 +42,8 @@ pub enum Packed {}
 /// use fixel::prelude::*;
 /// let mut bytes = [0; 4];
 /// let mut canvas = Canvas::pages(&mut bytes, 2, 16)?;
-/// canvas.draw_iter([Pixel(Point::new(1, 0), BinaryColor::On), Pixel(Point::new(0, 15), BinaryColor::On)])?;
+/// let on = [Point::new(1, 0), Point::new(0, 15)];
+/// canvas.draw_iter(on.map(|point| Pixel(point, BinaryColor::On)))?;
 /// assert_eq!(bytes, [0x00, 0x01, 0x80, 0x00]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

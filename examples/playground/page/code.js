@@ -1,4 +1,4 @@
-// The program that draws what is seen.
+// The program that draws the picture.
 import { FORMATS, MODES } from "./scenes.js";
 
 // A decimal that the crate rounds to the same number of units of 2^-16.
@@ -21,7 +21,7 @@ static SKIN: TextureArray<Rgb565, 64, 64> = {
     TextureArray::from_texels(texels)
 };`;
 
-/** Of each scene: what it is made of, and how it is drawn. Colors are of the texture; `to` converts them. */
+/** For each scene: its parts, and how it is drawn. Colors are those of the texture; `to` converts them. */
 const BODIES = {
   floor: {
     colors: ["Rgb565", "WebColors"],

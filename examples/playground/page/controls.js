@@ -21,7 +21,7 @@ const move = (change) => Object.assign(state.camera, change, { isHome: false });
 const inCamera = (key) => [() => state.camera[key], (value) => move({ [key]: value })];
 
 const SLIDERS = [
-  slider("tolerance", "Error that Fast may make", [-6, 4, 0.25], (value) => `${short(value)} texel`, POWERS, [
+  slider("tolerance", "Largest error of Fast", [-6, 4, 0.25], (value) => `${short(value)} texel`, POWERS, [
     () => state.tolerance,
     (value) => (state.tolerance = value),
   ]),
@@ -57,7 +57,7 @@ export function build() {
   $("ramp").style.background = `linear-gradient(to right, ${stops.join()})`;
 }
 
-/** Takes a control's value into the state; whether it is one. */
+/** Copies a control's value to the state; returns whether it is valid. */
 export function take({ id, name, type, value, checked }) {
   const slider = SLIDERS.find((slider) => slider.id === id);
   if (slider) slider.set(slider.from(Number(value)));

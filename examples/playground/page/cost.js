@@ -1,4 +1,4 @@
-// What a picture costs on a microcontroller, from the counts in tests/instructions.csv.
+// The cost of a picture on a microcontroller, from the counts in tests/instructions.csv.
 
 /** Cores that are estimated for: clock in Hz, and cycles for an instruction, without wait states (guide to modes). */
 export const CORES = [

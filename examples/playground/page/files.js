@@ -1,7 +1,7 @@
-// Files of the visitor's own: models as OBJ text, textures as pixels. The browser decodes pictures.
+// The visitor's own files: models as OBJ text, textures as pixels. The browser decodes pictures.
 import { parsed } from "./gltf.js";
 
-/** Reads dropped files; returns the model and its texture, or undefined for what is not among them. */
+/** Reads dropped files; returns the model and its texture, or undefined for one that is missing. */
 export async function read(files) {
   const find = (pattern) => files.find(({ name }) => pattern.test(name));
   const model = find(/\.(obj|gltf|glb)$/i);
@@ -23,7 +23,7 @@ const SEPARATOR = String.raw`((?:[ \t]|\\\r?\n)+)`;
 const POSITION = new RegExp(String.raw`^([ \t]*v)${`${SEPARATOR}(\\S+)`.repeat(3)}`, "gm");
 
 /**
- * OBJ text with coordinates that the crate's numbers hold in few enough and enough steps of 2^-16. Where they do not,
+ * OBJ text with coordinates that fit the crate's numbers, and take enough steps of 2^-16. If they do not,
  * the model is moved to the origin and scaled to a radius of 1; lines stay where they are, for messages.
  */
 export function fitted(bytes) {
@@ -40,7 +40,7 @@ export function fitted(bytes) {
   const center = low.map((value, axis) => value / 2 + high[axis] / 2);
   const radius = Math.hypot(...high.map((value, axis) => value - center[axis]));
   const fits = radius >= 1 / 16 && Math.max(...high, ...low.map((value) => -value), radius) < 16384;
-  // The crate's parser tells of what is no number.
+  // The crate's parser reports words that are not numbers.
   if (fits || !(radius > 0 && radius < Infinity)) return { text: bytes, isEmpty };
   const to = (value, axis) => ((Number(value) - center[axis]) / radius).toFixed(9);
   const moved = text.replace(

@@ -14,14 +14,14 @@ const SIZES = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
 /**
- * The meshes of the scene as OBJ text, and the first color texture's picture if there is one. `resource` gets the bytes of a
- * file that the model names.
+ * The meshes of the scene as OBJ text, and the picture of the first color texture if there is one. `resource` gets the
+ * bytes of a file that the model names.
  */
 export async function parsed(bytes, resource) {
   try {
     return await converted(bytes, resource);
   } catch (error) {
-    // What is not said by this file is JavaScript's: a list or a number is not where glTF has it.
+    // Errors that this file does not throw come from JavaScript: a list or a number is not where glTF has it.
     throw error.constructor === Error ? error : new Error("it is damaged, or not glTF.");
   }
 }
@@ -42,7 +42,7 @@ async function converted(bytes, resource) {
     const at = (i) => start + byteOffset + i * (byteStride ?? length);
     if (count && !(at(count - 1) + length <= buffers[buffer].byteLength))
       throw new Error(`it is cut short: buffer ${buffer} has ${buffers[buffer].byteLength} bytes.`);
-    // Two of a signed type's integers stand for -1.
+    // Two integers of a signed type stand for -1.
     const number = (value) => (normalized ? Math.max(value / WHOLE[componentType], -1) : value);
     return Array.from({ length: count }, (_, i) =>
       Array.from(new Type(buffers[buffer].slice(at(i), at(i) + length)), number),
@@ -51,7 +51,7 @@ async function converted(bytes, resource) {
   const values = (index) => {
     const { count, type, sparse, ...accessor } = gltf.accessors[index];
     if (!Number.isInteger(count)) throw new TypeError();
-    if (count > 2 ** 20) throw new Error(`accessor ${index} has ${count} elements: a million are too many.`);
+    if (count > 2 ** 20) throw new Error(`accessor ${index} has ${count} elements: at most 1,048,576 can be read.`);
     const found =
       accessor.bufferView === undefined
         ? Array.from({ length: count }, () => Array(SIZES[type]).fill(0))
@@ -108,7 +108,7 @@ async function converted(bytes, resource) {
     for (const child of children) walk(child, place);
   };
   for (const node of gltf.scenes?.[gltf.scene ?? 0]?.nodes ?? []) walk(node, IDENTITY);
-  if (lines.some((line) => /NaN|Infinity|undefined/.test(line))) throw new Error("it has coordinates that are no numbers.");
+  if (lines.some((line) => /NaN|Infinity|undefined/.test(line))) throw new Error("it has coordinates that are not numbers.");
   if (!lines.some((line) => line.startsWith("f"))) throw new Error("it has no triangles in its scene.");
 
   const colors = gltf.materials?.map((material) => material.pbrMetallicRoughness?.baseColorTexture?.index) ?? [];

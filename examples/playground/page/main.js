@@ -152,7 +152,7 @@ async function open(files) {
     const { model, texture } = await read(files);
     if (model) {
       const [x, y, z, radius] = crate.readModel(model.text);
-      // After the parser, which tells of mistakes first.
+      // After the parser, which reports mistakes first.
       if (model.isEmpty) throw new Error("it has no faces, so there is nothing to draw.");
       const scale = 1 / (radius || 1);
       const center = [x, y, z].map((at) => at * scale);

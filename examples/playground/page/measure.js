@@ -1,4 +1,4 @@
-// Numbers about what is seen: counts, times, errors, and what they say of a microcontroller.
+// Figures of the picture: counts, times, errors, and estimates for a microcontroller.
 import { CORES, instructions, table } from "./cost.js";
 import { errors } from "./model.js";
 import { plot } from "./plot.js";
@@ -33,7 +33,7 @@ export function numbers(crate, rate) {
       : [
           ["Triangles", whole(submitted)],
           ["Drawn", whole(drawn), "The others are turned away or outside the picture"],
-          ["Clipped", whole(clipped), "Cut at an edge of what the camera sees"],
+          ["Clipped", whole(clipped), "Cut at the edge of the visible space"],
           ["Pixels drawn", whole(pixels)],
           ["Time per pixel", pixels ? `${short((time * 1e6) / pixels)} ns` : "–", "In this browser"],
         ]),
@@ -56,7 +56,7 @@ function timed(crate, now) {
   return Math.min(mean(), mean(), mean());
 }
 
-/** Measures every mode: its time here, its instructions, its error. Undefined if `goesOn` says no. */
+/** Measures every mode: its time here, its instructions, its error. Undefined if `goesOn` stops it. */
 async function measured(crate, goesOn) {
   counted ??= table(crate.costs());
   const found = [];
@@ -81,7 +81,7 @@ async function measured(crate, goesOn) {
   return found;
 }
 
-/** Fills the plot and the table of the modes that are seen. Spoils the pictures. Whether nothing stopped it. */
+/** Fills the plot and the table of the modes in view; returns whether nothing stopped it. Spoils the pictures. */
 export async function compare(crate, goesOn) {
   const mine = ++comparison;
   const found = scene().is_world ? [] : await measured(crate, () => mine === comparison && goesOn());

@@ -6,9 +6,9 @@ export const FIELDS = (
   "near far shift_x shift_y is_two_sided is_mono"
 ).split(" ");
 
-/** Radians as a fraction of 2^32, which the crate's angles are. */
+/** Radians as a fraction of 2^32, like the crate's angles. */
 export const turn = (radians) => Math.round((radians / (2 * Math.PI)) * 2 ** 32) >>> 0;
-/** A length in units of 2^-16, as the crate's numbers are. */
+/** A length in units of 2^-16, like the crate's numbers. */
 export const fixed = (length) => Math.round(length * 65536);
 
 /** Compiles and starts a module. It needs no header from the server. */
@@ -26,7 +26,7 @@ export async function fetched(path) {
   return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
 }
 
-/** What the page can ask of the module. `world` is the little world's module, loaded when it is needed. */
+/** The functions of the module that the page uses. `world` is the little world's module, loaded when it is needed. */
 export class Crate {
   world = null;
 
@@ -87,7 +87,7 @@ export class Crate {
     return [...this.numbers(Uint32Array, this.exports.counts(), 4)];
   }
 
-  /** The same of a view. Spoils the picture. */
+  /** The same counts for a view. Spoils the picture. */
   counted(slot, view) {
     this.draw(slot, view);
     this.check(this.exports.count(slot));
@@ -116,7 +116,7 @@ export class Crate {
   }
 
   write(bytes) {
-    if (bytes.length > this.exports.input_size()) throw new Error("The file is too large: 16 MiB are the most.");
+    if (bytes.length > this.exports.input_size()) throw new Error("The file is too large: at most 16 MiB can be read.");
     this.numbers(Uint8Array, this.exports.input(), bytes.length).set(bytes);
   }
 

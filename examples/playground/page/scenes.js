@@ -1,4 +1,4 @@
-// What can be chosen, and the numbers that the crate gets for a choice.
+// The choices, and the numbers that the crate gets for each.
 import { fixed, turn } from "./module.js";
 
 const rounded = (radians) => fixed(radians) / 65536;

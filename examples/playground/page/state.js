@@ -1,4 +1,4 @@
-// What is chosen, and how it is told.
+// The state of the choices, and who is told when it changes.
 import { SCENES, home, settings } from "./scenes.js";
 
 export const $ = (id) => document.getElementById(id);

@@ -264,7 +264,8 @@ impl<'a, K, M, Z, B, L> PreparedEdges<'a, K, M, Z, B, L> {
     /// ```
     /// use fixel::prelude::*;
     /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
-    /// let mvp = Projection::perspective(deg!(60), (2, 1), fx!(1), fx!(10))? * Transform::translate(vec3!(0, 0, -3));
+    /// let projection = Projection::perspective(deg!(60), (2, 1), fx!(1), fx!(10))?;
+    /// let mvp = projection * Transform::translate(vec3!(0, 0, -3));
     /// let mut list: EdgeList<12, 24> = EdgeList::new();
     /// let thin = list.prepare(&DrawOptions::new(), (24, 12), &BOX, &mvp)?;
     /// let wide = thin.with_line(LineWidth::new(fx!(3))?);

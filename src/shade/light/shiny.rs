@@ -49,7 +49,8 @@ pub trait Lamp: Lighting {
 ///
 #[cfg_attr(doc, doc = page_picture!("shiny", "A ring with highlights"))]
 /// ```
-/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor}};
+/// use embedded_graphics::mock_display::MockDisplay;
+/// use embedded_graphics::pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor};
 /// use fixel::prelude::*;
 /// use fixel::shade::{Lamp, Viewer};
 /// static BALL: Mesh = shape!(sphere(24, 16));

@@ -5,7 +5,7 @@ use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor, WebColors};
 use fixel::prelude::*;
 use fixel::target::{Depth, Native};
 
-/// Rows of a band. Colors and depths take 10 KiB at 320 columns, where a frame takes 300 KiB.
+/// Rows of a band. At 320 columns, it takes 10 KiB; a whole frame takes 300 KiB.
 const ROWS: u32 = 8;
 
 static BALL: Mesh = shape!(sphere(32, 24));
@@ -34,7 +34,7 @@ pub fn draw(display: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), E
     let mvp = view * Transform::rotate_z(deg!(-35)) * Transform::rotate_x(deg!(35));
     let sun = Light::new(vec3!(-2, 3, 3), fx!(0.35), fx!(0.65))?;
 
-    // Once a frame: the visible triangles. On a microcontroller, list and memory are statics.
+    // Once a frame: the visible triangles. On a chip, list and memory are statics.
     let mut list = Box::new(TriangleList::<900, 900>::new());
     let triangles = list.prepare(&DrawOptions::new(), frame, &BALL, &mvp)?;
     let shader = Textured::new(&STRIPS).lit(sun);

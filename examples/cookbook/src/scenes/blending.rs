@@ -32,7 +32,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     let red = Flat::rgb(Rgb888::new(230, 60, 40)).lit(sun);
     canvas.draw(&BALL, &at(vec3!(-0.2, 0.8, -0.5), fx!(0.8)), &red);
 
-    // Blended surfaces follow, from back to front. They write no depth, so they hide nothing that is drawn later.
+    // Blended surfaces follow, from back to front, and write no depth.
     let seen = DrawOptions::new().with_depth(TestOnly);
     let shadow = at(vec3!(0.3, 0.02, -1.1), fx!(1)) * Transform::scale_axes(vec3!(1, 0.01, 0.8));
     let dark = Flat::new(Rgb565::new(14, 28, 16));

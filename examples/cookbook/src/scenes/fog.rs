@@ -9,7 +9,8 @@ static FLOOR: Mesh = shape!(plane(1, 1));
 static TOWER: Mesh = shape!(cuboid(vec3!(1, 3, 1)));
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
-    let projection = Projection::perspective(deg!(60), canvas.frame_size(), fx!(0.5), fx!(100))?;
+    let size = canvas.frame_size();
+    let projection = Projection::perspective(deg!(60), size, fx!(0.5), fx!(100))?;
     let camera = Camera::look_at(vec3!(-2, 2.5, 6), vec3!(1, 1, -8), Vec3::Y)?;
     let view = projection * camera;
     let sun = Light::new(vec3!(2, 3, 1), fx!(0.35), fx!(0.65))?;

@@ -7,7 +7,8 @@ use fixel::target::{Depth, Native};
 static RING: Mesh = shape!(torus(fx!(0.45), 48, 24));
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
-    let projection = Projection::perspective(deg!(45), canvas.frame_size(), fx!(0.1), fx!(100))?;
+    let size = canvas.frame_size();
+    let projection = Projection::perspective(deg!(45), size, fx!(0.1), fx!(100))?;
     let camera = Camera::look_at(vec3!(0, 2, 3.2), Vec3::ZERO, Vec3::Y)?;
     let tilt = Transform::rotate_z(deg!(25));
     let sun = Light::new(vec3!(-1, 3, 2), fx!(0.25), fx!(0.75))?;

@@ -1,4 +1,4 @@
-//! An attitude indicator, which is a ball in 3D, between two gauges drawn by embedded-graphics.
+//! An attitude indicator (a ball in 3D) between two gauges drawn by embedded-graphics.
 
 use embedded_graphics::geometry::{AngleUnit, Dimensions, Point, Size};
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10, ascii::FONT_7X13};

@@ -9,8 +9,10 @@ use fixel::target::{Depth, Native};
 #[rustfmt::skip]
 const UP: [Vec3; 14] = [
     vec3!(0, 0, -1), vec3!(0, 0.2, 0), vec3!(-0.3, 0.1, 1), vec3!(0.3, 0.1, 1),
-    vec3!(-0.2, 0, -0.4), vec3!(-0.2, 0, 0.4), vec3!(-0.8, 0.6, -0.4), vec3!(-0.8, 0.6, 0.3), vec3!(-1.5, 1.5, 0.3),
-    vec3!(0.2, 0, -0.4), vec3!(0.2, 0, 0.4), vec3!(0.8, 0.6, -0.4), vec3!(0.8, 0.6, 0.3), vec3!(1.5, 1.5, 0.3),
+    vec3!(-0.2, 0, -0.4), vec3!(-0.2, 0, 0.4), vec3!(-0.8, 0.6, -0.4), vec3!(-0.8, 0.6, 0.3),
+    vec3!(-1.5, 1.5, 0.3),
+    vec3!(0.2, 0, -0.4), vec3!(0.2, 0, 0.4), vec3!(0.8, 0.6, -0.4), vec3!(0.8, 0.6, 0.3),
+    vec3!(1.5, 1.5, 0.3),
 ];
 
 /// The same body with its wings down.
@@ -34,7 +36,8 @@ static STROKE: Keyframes = Keyframes::checked(Keyframes::new(
 ));
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
-    let projection = Projection::perspective(deg!(40), canvas.frame_size(), fx!(0.5), fx!(50))?;
+    let size = canvas.frame_size();
+    let projection = Projection::perspective(deg!(40), size, fx!(0.5), fx!(50))?;
     let view = projection * Camera::look_at(vec3!(0, 5, 8), vec3!(0, 0.4, 0), Vec3::Y)?;
     let sun = Light::new(vec3!(-1, 2, 1), fx!(0.35), fx!(0.65))?.two_sided(Viewer::of(&view));
     let white = Flat::rgb(Rgb888::new(250, 240, 225)).lit_faces(sun);

@@ -9,7 +9,8 @@ static BALL: Mesh = shape!(sphere(32, 24));
 static PILLAR: Mesh = shape!(cylinder(24));
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
-    let projection = Projection::perspective(deg!(42), canvas.frame_size(), fx!(0.5), fx!(50))?;
+    let size = canvas.frame_size();
+    let projection = Projection::perspective(deg!(42), size, fx!(0.5), fx!(50))?;
     let camera = Camera::look_at(vec3!(0, 3, 7), vec3!(0, 0.9, 0), Vec3::Y)?;
     let view = projection * camera;
     let viewer = Viewer::of(&view);

@@ -12,7 +12,8 @@ static PLANKS: TextureArray<Rgb565, 32, 32> = include_tga!("../../../assets/plan
 static MEADOW: Mesh = shape!(plane(8, 8));
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
-    let projection = Projection::perspective(deg!(45), canvas.frame_size(), fx!(0.5), fx!(50))?;
+    let size = canvas.frame_size();
+    let projection = Projection::perspective(deg!(45), size, fx!(0.5), fx!(50))?;
     let sun = Light::new(vec3!(2, 3, 4), fx!(0.4), fx!(0.6))?;
     canvas.clear(Rgb565::new(18, 46, 28));
 

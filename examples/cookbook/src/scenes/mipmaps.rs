@@ -45,7 +45,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
 
     let tiles = TILES.as_mipmap();
     canvas.draw(&HALF, &left, &Textured::new(tiles));
-    // The level depends on a pixel's size, which follows from the projection and the frame's size.
+    // The level depends on a pixel's size: on the projection and the frame's size.
     let mipmapped = Mipmapped::new(tiles, &projection, canvas.frame_size())?;
     canvas.draw(&HALF, &right, &mipmapped.trilinear());
     Ok(())

@@ -1,14 +1,15 @@
-//! A model without normals, three times: with flat faces, and with computed normals, creased or smooth everywhere.
+//! A model without normals, in flat faces, and with computed normals: creased, and smooth.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::prelude::*;
 use fixel::target::{Depth, Native};
 
-/// Front and back are concave polygons of 32 corners, which become triangles at compile time.
+/// Front and back are concave polygons of 32 corners, cut into triangles at compile time.
 static CLOVER: Mesh = include_obj!("../../../assets/clover.obj");
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
-    let projection = Projection::perspective(deg!(34), canvas.frame_size(), fx!(0.5), fx!(50))?;
+    let size = canvas.frame_size();
+    let projection = Projection::perspective(deg!(34), size, fx!(0.5), fx!(50))?;
     let view = projection * Camera::look_at(vec3!(0, 5, 9), Vec3::ZERO, Vec3::Y)?;
     let at = |x: Scalar| {
         let place = Transform::translate(Vec3::new(x, fx!(0), fx!(0)));

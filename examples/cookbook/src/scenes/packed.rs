@@ -1,4 +1,4 @@
-//! A panel of 128x64 pixels in black and white: grays are spread to the full contrast, and their errors diffused.
+//! A panel of 128x64 pixels in black and white: full contrast, with errors diffused.
 
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888};
@@ -28,7 +28,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     let white = Flat::rgb(Rgb888::new(255, 255, 255));
     gray.draw_outline(&DrawOptions::new(), &ISLAND, &SILHOUETTES, &view, &white);
 
-    // 1 KiB, in the order in which an SSD1306 wants it. Text comes last: it is not dithered.
+    // 1 KiB, in the order of an SSD1306. Text comes last: it is not dithered.
     let mut bytes = [0; 1024];
     let mut panel = Canvas::pages(&mut bytes, width, height)?;
     let mut errors = [0; SIZE.0 as usize];

@@ -1,4 +1,4 @@
-//! One scene on four panels: in black and white, in 16 grays, in 256 grays, and in a palette of 8 colors.
+//! One scene on four panels: black and white, 16 grays, 256 grays, a palette of 8 colors.
 
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, PixelColor, Rgb565};
 use embedded_graphics::{pixelcolor::raw::RawU16, prelude::*, primitives::Rectangle};
@@ -11,7 +11,7 @@ static RING: Mesh = shape!(torus(fx!(0.45), 32, 16));
 #[rustfmt::skip]
 const GLOW: [u16; 8] = [0x0003, 0x2888, 0x590a, 0x9109, 0xc9c6, 0xeb44, 0xfd45, 0xff71];
 
-/// Draws the scene in the colors of a panel, and shows it in a quarter of the picture, each pixel as a square.
+/// Draws the scene in a panel's colors, and shows it in a quarter of the picture.
 fn show<C: PixelColor + Default, O: Storage<C>>(
     canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>,
     place: Size,

@@ -1,4 +1,4 @@
-//! A planet in a ring of thousands of discs, in front of stars: sized points, each kind in one call.
+//! A planet in a ring of thousands of discs, in front of stars: points of a size.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::prelude::*;
@@ -39,7 +39,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     let gas = Flat::rgb(Rgb888::new(235, 190, 130)).lit(sun);
     canvas.draw(&PLANET, &mvp, &gas);
 
-    // Discs with a diameter in the world, each in its color. The planet hides those behind it.
+    // Discs sized in world units, each in its color. The planet hides those behind it.
     let mut colors = [Rgb888::BLACK; ROCKS];
     let rocks: [Vec3; ROCKS] = core::array::from_fn(|at| {
         let [turn, out, up] = [0, ROCKS, 2 * ROCKS].map(|from| noise(from + at));

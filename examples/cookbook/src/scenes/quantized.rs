@@ -1,4 +1,4 @@
-//! A ring with numbers of 32 bits, and one in a third of its flash: its normals and texture coordinates have 8 bits.
+//! A ring with numbers of 32 bits, and one in a third of its flash.
 
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};

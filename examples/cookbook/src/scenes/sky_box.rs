@@ -27,7 +27,7 @@ fn space(way: Vec3) -> Rgb565 {
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
     let projection = Projection::perspective(deg!(60), canvas.frame_size(), fx!(0.5), fx!(50))?;
     let camera = Camera::look_at(vec3!(2, 1, 6), Vec3::ZERO, Vec3::Y)?;
-    // Mirrored, the cube shows its sides and textures the right way round to a viewer inside.
+    // Mirrored, the cube shows its sides the right way round to a viewer inside.
     let around = projection * camera.sky() * Transform::scale_axes(vec3!(-10, 10, 10));
     let behind = DrawOptions::new().with_depth(NoTest);
     for side in 0..6 {

@@ -1,4 +1,4 @@
-//! Firs, cut out of a texture, that turn about their trunks to face the viewer; snow falls between them.
+//! Firs, cut out of a texture, that turn about their trunks to face the viewer; and snow.
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::prelude::*;

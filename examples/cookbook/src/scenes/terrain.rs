@@ -21,7 +21,8 @@ fn height(x: Scalar, z: Scalar) -> Scalar {
 }
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
-    let projection = Projection::perspective(deg!(45), canvas.frame_size(), fx!(0.5), fx!(60))?;
+    let size = canvas.frame_size();
+    let projection = Projection::perspective(deg!(45), size, fx!(0.5), fx!(60))?;
     let view = projection * Camera::look_at(vec3!(-8, 5.2, 13), vec3!(0, -0.5, 0), Vec3::Y)?;
 
     let positions: [Vec3; CORNERS] = core::array::from_fn(|at| {

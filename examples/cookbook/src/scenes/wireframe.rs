@@ -9,15 +9,16 @@ static ISLAND: Mesh = include_obj!("../../../assets/lighthouse.obj");
 static OUTLINE: Outline = outline!(ISLAND, deg!(35));
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
-    let projection = Projection::perspective(deg!(43), canvas.frame_size(), fx!(1), fx!(50))?;
+    let size = canvas.frame_size();
+    let projection = Projection::perspective(deg!(43), size, fx!(1), fx!(50))?;
     let camera = Camera::look_at(vec3!(3.6, 3.3, 9.4), vec3!(0.1, 1.45, 0), Vec3::Y)?;
     let view = projection * camera;
     let (paper, ink) = (Rgb888::new(244, 238, 222), Rgb888::new(24, 44, 96));
     canvas.clear(paper.into());
 
-    // The faces hide the lines behind them. So that they spare the lines on their borders, they move away from the eye,
-    // by what their depth changes over one and a half pixels, and the lines move towards it: by 128 of about 7,000
-    // steps between the tower and infinity.
+    // The faces hide the lines behind them. To spare the lines on their own borders, they
+    // move away from the eye, by the change of their depth over one and a half pixels. The
+    // lines move towards the eye: by 128 of about 7,000 steps from the tower to infinity.
     let behind = DrawOptions::new().with_depth(Biased::new(TestAndWrite, -2, fx!(-1.5)));
     canvas.draw_with(&behind, &ISLAND, &view, &Flat::rgb(paper));
     let pen = Flat::rgb(ink);
