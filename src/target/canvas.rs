@@ -36,7 +36,7 @@ pub const MAX_SIZE: u32 = 2048;
 ///
 /// [`with_depth`](Self::with_depth) and [`with_depth_format`](Self::with_depth_format) add a depth buffer.
 ///
-/// A pixel that is drawn in black and white takes 2 instructions more in pages than as a color on a Cortex-M4, and 13
+/// A pixel that is drawn in black and white takes 4 instructions more in pages than as a color on a Cortex-M4, and 15
 /// in rows of a packed canvas; 7 and 18 on a Cortex-M0+. With a palette, a pixel is a
 /// [`ColorIndex`](super::ColorIndex), stored as a color.
 ///
