@@ -224,11 +224,13 @@ def places(instructions, other):
             says(MODES, f"{start} {name} | {{}} | {{}} | {{}} | {{}} |", [
                 *(error(other[f"{scene} {mode} error {kind}"]) for kind in ["max", "mean"]),
                 *(million(frame(target, mode, scene)) for target in [M4, M0])])
-    says(MODES, "Compact`** … program with textures and a depth buffer is {} KB smaller", [kilo(size("depth") - size("compact"))])
+    says(MODES, "`Compact`** … program with textures and a depth buffer is {} KB smaller",
+         [kilo(size("depth") - size("compact"))])
     compact, newton = ([[short_million(mean(target, "3", mode, scene)) for scene in SCENES[:3]] for target in [M4, M0]]
                        for mode in ["compact", "newton"])
-    says(MODES, "On a Cortex-M4 the floor takes {} million instructions, the cube {} and the sphere {} (mean of eight poses; "
-         "`Newton` takes {}, {} and {}); on a Cortex-M0+ they take {}, {} and {}.", [*compact[0], *newton[0], *compact[1]])
+    says(MODES, "On a Cortex-M4 the floor takes {} million instructions, the cube {} and the sphere {} (mean of eight "
+         "poses; `Newton` takes {}, {} and {}); on a Cortex-M0+ they take {}, {} and {}.",
+         [*compact[0], *newton[0], *compact[1]])
     for label, name in [
         ("`Affine`", "affine"),
         ("`Fast`, pieces of 16 pixels", "fast-16"),
@@ -243,7 +245,8 @@ def places(instructions, other):
              [whole(kernel(name, (target, "3"))) for target in [M4, M0]])
     says(MODES, "| a color | {} | {} |", [tenths(kernel("flat", (target, "3"))) for target in [M4, M0]])
     says(MODES, "| a span's start, divided by its 64 pixels, `Newton` | {} | {} |", [
-        tenths(kernel("newton", (target, "3"), "1000 long-pixels") - kernel("newton", (target, "3"))) for target in [M4, M0]])
+        tenths(kernel("newton", (target, "3"), "1000 long-pixels") - kernel("newton", (target, "3")))
+        for target in [M4, M0]])
     cube_mean = other["cube fast error mean"]
     says(MODES, "The mean error of `Fast` on the cube, {} texels, changes at most 1 pixel in {},",
          [error(cube_mean), str(math.floor(1 / (2 * cube_mean)))])
@@ -252,7 +255,8 @@ def places(instructions, other):
     holds(MODES, "as large as that of `Fast` within a quarter", error(other["sphere fast error max"]) == sphere_error)
     more = frame(M4, "affine", "sphere") / frame(M4, "newton", "sphere") - 1
     says(MODES, "`Newton`; `Affine` takes {} % more", [whole(100 * more)])
-    holds(MODES, "half of `Newton`'s time, unless rows are level", frame(M0, "fast", "cube") <= 0.5 * frame(M0, "newton", "cube"))
+    holds(MODES, "half of `Newton`'s time, unless rows are level",
+          frame(M0, "fast", "cube") <= 0.5 * frame(M0, "newton", "cube"))
     holds(MODES, "on a Cortex-M4 it takes at most six tenths of `Exact`'s time",
           all(frame(M4, "newton", scene) <= 0.6 * frame(M4, "exact", scene) for scene in SCENES[:3]))
 
@@ -269,11 +273,12 @@ def places(instructions, other):
         says(FIRMWARE, f"| {name} | {{}} | {{}} | {{}} | {{}} | {{}} |",
              [tenths(other[f"ring {ring} {way}"] / 1e6) for way in ways])
     prepared = other["ring faces 40 prepared"]
-    says(FIRMWARE, "The ring of this page takes {} million instructions in bands of 40 rows when it is prepared; at 125 MHz "
-         "that makes {} to {} frames a second", [
+    says(FIRMWARE, "The ring of this page takes {} million instructions in bands of 40 rows when it is prepared; at "
+         "125 MHz that makes {} to {} frames a second", [
              short_million(prepared), whole(125e6 / (2 * prepared)), whole(125e6 / prepared)])
     cube = [frame(M0, "fast", "cube", layout) for layout in layouts]
-    holds(FIRMWARE, "take a quarter more in bands of 16 rows than in a whole frame, and a twelfth more when they are prepared",
+    holds(FIRMWARE, "take a quarter more in bands of 16 rows than in a whole frame, and a twelfth more when they are "
+          "prepared",
           round(4 * (cube[1] / cube[0] - 1)) == 1 and round(12 * (cube[2] / cube[0] - 1)) == 1)
     says(FIRMWARE, "(a textured pixel with depth takes {} instructions on an M4",
          [whole(kernel("newton-depth-pass", (M4, "3")))])
@@ -282,20 +287,22 @@ def places(instructions, other):
 
     # Types.
     mode = "src/span/mode.rs"
-    says(mode, "takes {} KB of code in place of {} KB in mode [`Newton`], and", [kilo(size("compact")), kilo(size("depth"))])
+    says(mode, "takes {} KB of code in place of {} KB in mode [`Newton`], and",
+         [kilo(size("compact")), kilo(size("depth"))])
     times = [mean(M4, "s", "compact", scene) / mean(M4, "s", "newton", scene) for scene in SCENES[:3]]
     holds(mode, "and 2 to 2.5 times the instructions", 1.95 <= min(times) and max(times) < 2.55)
     times = [mean(M0, "s", "compact", scene) / mean(M0, "s", "fast", scene) for scene in SCENES[:3]]
     holds(mode, "it takes 3 to 5 times the instructions of [`Fast`]", 2.5 <= min(times) and max(times) < 5.5)
-    says(mode, "a pixel that takes a Newton step costs {} instructions in place of {}, and a frame of the measured cube {} "
-         "million in place of {}.", [
+    says(mode, "a pixel that takes a Newton step costs {} instructions in place of {}, and a frame of the measured cube "
+         "{} million in place of {}.", [
              *(whole(kernel(name, (M0, "3"))) for name in ["newton", "fast-16"]),
              *(short_million(mean(M0, "3", mode, "cube")) for mode in ["newton", "fast"])])
-    says("src/target/canvas.rs", "takes {} instructions more in pages than as a color on a Cortex-M4, and {} in rows of a "
-         "packed canvas; {} and {} on a Cortex-M0+", [
+    says("src/target/canvas.rs", "takes {} instructions more in pages than as a color on a Cortex-M4, and {} in rows of "
+         "a packed canvas; {} and {} on a Cortex-M0+", [
              whole(kernel(name, (target, "3")) - kernel("mono-native", (target, "3")))
              for target in [M4, M0] for name in ["mono-pages", "mono-packed"]])
-    says("src/pipeline/mod.rs", "On a Cortex-M4 the test takes {} instructions", [whole(round(kernel("in-view", (M4, "3")), -2))])
+    says("src/pipeline/mod.rs", "On a Cortex-M4 the test takes {} instructions",
+         [whole(round(kernel("in-view", (M4, "3")), -2))])
     unpacked = kernel("lit-quantized", (M4, "3")) - kernel("lit", (M4, "3"))
     says("src/mesh/quantized.rs", "for normals, this takes {} instructions on Cortex-M4", [whole(round(unpacked, -1))])
     for label, scene in [
