@@ -1,19 +1,10 @@
-# Helpers of the other scripts: builds for other targets, and installs the emulators. Sourced in the project's root.
+# Helpers of the other scripts: builds for other targets. Sourced in the project's root.
 # Uses a target that rustup has installed; without one, Debian's compiler builds core itself.
 targets=(thumbv6m-none-eabi thumbv7m-none-eabi thumbv7em-none-eabi thumbv8m.base-none-eabi thumbv8m.main-none-eabi riscv32imc-unknown-none-elf)
 
 has_target() { [ -d "$(rustc --print target-libdir --target "$1")" ]; }
 
-install_tools() {
-  local needed=(qemu-system-arm qemu-system-misc lld) target
-  for target in "${targets[@]}"; do
-    has_target "$target" || needed+=(rustc-web cargo-web rust-web-src)
-  done
-  if ! dpkg -s "${needed[@]}" >/dev/null 2>&1; then
-    apt-get update -qq
-    apt-get install -y -qq --no-install-recommends "${needed[@]}"
-  fi
-}
+install_tools() { .ci/install emulators "${targets[@]}"; }
 
 # Targets in one word, cargo arguments. Several targets build side by side, which keeps both cores busy: most of the
 # time goes to crates that are compiled in one piece.

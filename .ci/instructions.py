@@ -2,10 +2,9 @@
 """Compares the instructions of programs on each target with tests/instructions.csv, and prints the changes.
 
 Arguments: `--renew`, to rewrite the targets' part of the file; the folder with a file of output for each target,
-another ending in .size of the programs that are optimized for size, and a file ending in .rustc with the compiler's
-version; the targets. Fails if anything takes over 2 % more
-instructions, or is not in the file. Another compiler makes other code: if a target's compiler is not the file's,
-the target is reported but not compared."""
+another ending in .size of the programs that are optimized for size, if they were run, and a file ending in .rustc with
+the compiler's version; the targets. Fails if anything takes over 2 % more instructions, or is not in the file. Another
+compiler makes other code: if a target's compiler is not the file's, the target is reported but not compared."""
 import csv
 import re
 import sys
@@ -110,7 +109,9 @@ def main():
         elif compilers.get(target) != compiler:
             print(f"{target}: NOT COMPARED with {FILE}, whose counts are from\n  {compilers.get(target)},\nthese from\n  {compiler}.")
         else:
-            wrong, better = compare(target, kept[target], now)
+            run = {optimization for optimization, end in OUTPUTS.items() if Path(folder, target + end).exists()}
+            before = {case: count for case, count in kept[target].items() if case[0] in run}
+            wrong, better = compare(target, before, now)
             failed |= bool(wrong)
             print(*wrong, f"{target}: {len(now)} counts, {len(wrong)} wrong", sep="\n")
             if better:

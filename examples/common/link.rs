@@ -5,7 +5,8 @@
 
 use std::env::var;
 
-fn main() {
+/// Prints what the linker needs.
+pub fn main() {
     println!("cargo::rerun-if-changed=../../memory.x");
     if var("CARGO_CFG_TARGET_OS").is_ok_and(|os| os == "none") {
         if var("CARGO_CFG_TARGET_ARCH").is_ok_and(|arch| arch == "riscv32") {

@@ -304,14 +304,14 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
     ///
     /// | scene | wrong pixels | list | millions of instructions with depth | sorted |
     /// |---|--:|--:|--:|--:|
-    /// | sphere | 0 | 17.1 KiB | 2.77 | 2.72 |
-    /// | two rings around a cube | 0 | 13.9 KiB | 1.58 | 3.01 |
-    /// | 27 towers, after the floor | 0 | 5.0 KiB | 3.13 | 8.92 |
-    /// | island with a lighthouse | 0.40 % | 19.1 KiB | 5.38 | 5.85 |
-    /// | the same in a sea, which crosses the island | 6.95 % | 21.6 KiB | 9.99 | 10.43 |
+    /// | sphere | 0 | 17.1 KiB | 2.50 | 2.73 |
+    /// | two rings around a cube | 0 | 13.9 KiB | 1.58 | 1.82 |
+    /// | 27 towers, after the floor | 0 | 5.0 KiB | 3.09 | 1.15 |
+    /// | island with a lighthouse | 0.40 % | 19.1 KiB | 5.36 | 5.86 |
+    /// | the same in a sea, which crosses the island | 6.95 % | 21.6 KiB | 10.1 | 10.4 |
     ///
-    /// Where much of the scene is hidden, as behind the towers, painter's order draws more pixels: with a depth buffer,
-    /// a program can draw from front to back, and skip hidden pixels.
+    /// Sorting takes time for each triangle, and hidden pixels are drawn, too. But no pixel's depth is tested and stored,
+    /// which is most of the cost of a pixel of one color, such as the towers'.
     ///
     /// No order is right for triangles that cross each other, or that cover each other in a circle. A large triangle
     /// may cover a small one in front of it if the small one's farthest corner is farther away. So draw a floor, or a

@@ -36,8 +36,8 @@ pub const MAX_SIZE: u32 = 2048;
 ///
 /// [`with_depth`](Self::with_depth) and [`with_depth_format`](Self::with_depth_format) add a depth buffer.
 ///
-/// Compared with a canvas of colors, drawing a pixel in black and white takes 2 instructions more on a canvas of pages
-/// and 13 more on a packed one, on a Cortex-M4; on a Cortex-M0+, it takes 7 and 18 more. With a palette, a pixel is a
+/// Compared with a canvas of colors, drawing a pixel in black and white takes 4 instructions more on a canvas of pages
+/// and 15 more on a packed one, on a Cortex-M4; on a Cortex-M0+, it takes 7 and 18 more. With a palette, a pixel is a
 /// [`ColorIndex`](super::ColorIndex), stored as a color.
 ///
 /// A canvas is an embedded-graphics [`DrawTarget`], so text and gauges can be drawn over the picture.

@@ -14,6 +14,7 @@ mod objects;
 mod picking;
 mod quantized;
 mod raster;
+mod readme;
 mod shaders;
 mod short_positions;
 mod sprites;

@@ -18,6 +18,7 @@
 //!
 //! On the host, `kernels SCENE` draws a scene's poses, for `.ci/host` to count. `kernels painter` compares painter's order
 //! with a depth buffer; `kernels painter SCENE depth` and `kernels painter SCENE sorted` only draw, each in its way.
+//! `kernels memory` prints the flash of scenes and the RAM of their prepared lists.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
@@ -33,6 +34,8 @@ mod frames;
 mod host;
 #[cfg(target_os = "none")]
 mod lights;
+#[cfg(not(target_os = "none"))]
+mod memory;
 #[cfg(target_os = "none")]
 mod packed;
 #[cfg(not(target_os = "none"))]

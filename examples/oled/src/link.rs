@@ -1,0 +1,12 @@
+//! Build script: as for the other emulated boards, but with this one's memory, 256 KiB of flash and 64 KiB of RAM.
+
+#[path = "../../common/link.rs"]
+mod link;
+
+fn main() {
+    link::main();
+    if std::env::var("CARGO_CFG_TARGET_OS").is_ok_and(|os| os == "none") {
+        println!("cargo::rustc-link-arg-bins=--defsym=_flash_length=0x40000");
+        println!("cargo::rustc-link-arg-bins=--defsym=_ram_length=0x10000");
+    }
+}

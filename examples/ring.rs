@@ -1,0 +1,28 @@
+//! Draws a ring in the sun, and saves the picture as ring.ppm.
+
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, raw::ToBytes};
+use fixel::prelude::*;
+
+static RING: Mesh = shape!(torus(fx!(0.45), 48, 24)); // in flash; or include_obj!("model.obj")
+
+fn draw(color: &mut [Rgb565], depth: &mut [u16]) -> Result<(), Error> {
+    let mut canvas = Canvas::new(color, 320, 240)?.with_depth(depth)?; // your memory
+    let projection = Projection::perspective(deg!(45), (320, 240), fx!(0.1), fx!(100))?;
+    let camera = Camera::look_at(vec3!(0, 2, 3.2), Vec3::ZERO, Vec3::Y)?;
+    let sun = Light::new(vec3!(-1, 3, 2), fx!(0.25), fx!(0.75))?;
+    canvas.clear(Rgb565::new(3, 8, 8));
+    let orange = Flat::rgb(Rgb888::new(255, 150, 50));
+    let turn = Transform::rotate_z(deg!(25));
+    canvas.draw(&RING, &(projection * camera * turn), &orange.lit(sun));
+    Ok(())
+}
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let (mut color, mut depth) = (vec![Rgb565::default(); 320 * 240], vec![0; 320 * 240]);
+    draw(&mut color, &mut depth)?;
+    let mut picture = b"P6 320 240 255\n".to_vec();
+    for pixel in color {
+        picture.extend(Rgb888::from(pixel).to_be_bytes());
+    }
+    Ok(std::fs::write("ring.ppm", picture)?)
+}
