@@ -113,7 +113,8 @@ function tell(found) {
     ? ["The little world chooses modes and shaders itself; its instructions are not estimated here."]
     : [
         "A texel is a pixel of a texture. The page measures the errors of modes against a model of its own in double",
-        "precision, with corners where the crate puts them: every mode rounds them to 1/256 of a pixel.",
+        "precision. Every mode rounds corners to 1/256 of a pixel, and so does the model: where the crate puts them,",
+        "or, for corners that clipping makes, by itself.",
         "It estimates instructions from counts of this scene on an emulated core, its pixels and its triangles,",
         "and pictures a second for 133 MHz (Cortex-M0+) and 168 MHz (Cortex-M4) without wait states.",
         state.scene === SPHERE && "For its errors, the sphere has a texture of 64x64 texels in place of its colors.",

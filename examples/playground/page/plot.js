@@ -29,7 +29,7 @@ export function plot(marks, unit) {
     left + width < WIDTH &&
     !taken.some(([l, t, w, h]) => left < l + w && l < left + width && top < t + h && t < top + height);
   known.forEach(({ name, cost, here }, at) => {
-    const [cx, cy, width] = [x(cost), y(logs[at]), 6.2 * name.length];
+    const [cx, cy, width] = [x(cost), y(logs[at]), 6.8 * name.length];
     if (here) parts += `<circle class="ring" cx="${cx}" cy="${cy}" r="8"/>`;
     parts += `<circle class="${here ? "here" : "dot"}" cx="${cx}" cy="${cy}" r="4"/>`;
     const places = [0, -12, 12, -24, 24, -36, 36].flatMap((dy) =>
