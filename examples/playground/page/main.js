@@ -72,7 +72,7 @@ async function settled() {
     numbers(crate);
   };
   if (!isStill() || !draw()) return;
-  count(crate);
+  if (!count(crate)) $("hint").textContent = "Nothing is seen: all triangles face away, or lie outside the picture.";
   show();
   $("code").textContent = (state.scene === OWN && state.model?.note || "") + crate.program(view());
   if (await compare(crate, isStill)) show();

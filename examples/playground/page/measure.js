@@ -89,9 +89,11 @@ export async function compare(crate, goesOn) {
   return true;
 }
 
-/** Counts triangles and pixels. Spoils the picture. */
+/** Counts triangles and pixels; whether there are any pixels. Spoils the picture. */
 export function count(crate) {
-  if (!isWorld() && !waits()) counts = crate.measured(0, view(), false);
+  if (isWorld() || waits()) return true;
+  counts = crate.measured(0, view(), false);
+  return counts.pixels > 0;
 }
 
 /** The table of the modes that are seen. */

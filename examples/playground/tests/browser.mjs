@@ -239,6 +239,14 @@ test("of a broken model the parser's message is told, and the last picture stays
   await page.until(`document.querySelector("#trouble").hidden`);
 });
 
+test("a model of which nothing is seen is no blank picture without a word", async () => {
+  writeFileSync(join(folder, "line.obj"), "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+  await page.drop("#stage", [join(folder, "line.obj")]);
+  await page.until(`/^Nothing is seen/.test(${text("#hint")})`);
+  await page.click("#scenes label");
+  await page.until(text("#hint"), "");
+});
+
 test("the keyboard alone", async () => {
   // Everything that can be used is reached in turn, and shows that it is.
   const wanted = await page.evaluate(`[...document.querySelectorAll("input, select, button, canvas[tabindex], pre")]
