@@ -75,13 +75,17 @@ pub fn projection(size: impl Into<Aspect>) -> Result<Projection<Perspective>, Er
     Projection::perspective(Angle::from_degrees(40), size, fx!(1), fx!(140))
 }
 
+/// Where the camera is, and what it looks at.
+pub const EYE: Vec3 = vec3!(3.4, 3.1, 8.4);
+pub const TARGET: Vec3 = vec3!(0.45, 1.62, 0);
+
 /// A camera in front of the island, a little above it.
 ///
 /// # Errors
 ///
 /// None: the numbers are constant.
 pub fn camera() -> Result<Camera, Error> {
-    Camera::look_at(vec3!(3.4, 3.1, 8.4), vec3!(0.45, 1.62, 0), Vec3::Y)
+    Camera::look_at(EYE, TARGET, Vec3::Y)
 }
 
 /// Towards the afternoon sun, on the right.

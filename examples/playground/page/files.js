@@ -1,7 +1,7 @@
-// The visitor's own files: models as OBJ text, textures as pixels. The browser decodes pictures.
+// Files of the visitor's own: models as OBJ text, textures as pixels. The browser decodes pictures.
 import { parsed } from "./gltf.js";
 
-/** Reads dropped files; returns the model and its texture, or undefined for one that is missing. */
+/** Reads dropped files; returns the model and its texture, or undefined for what is not among them. */
 export async function read(files) {
   const find = (pattern) => files.find(({ name }) => pattern.test(name));
   const model = find(/\.(obj|gltf|glb)$/i);
@@ -23,8 +23,9 @@ const SEPARATOR = String.raw`((?:[ \t]|\\\r?\n)+)`;
 const POSITION = new RegExp(String.raw`^([ \t]*v)${`${SEPARATOR}(\\S+)`.repeat(3)}`, "gm");
 
 /**
- * OBJ text with coordinates that fit the crate's numbers, and take enough steps of 2^-16. If they do not,
- * the model is moved to the origin and scaled to a radius of 1; lines stay where they are, for messages.
+ * OBJ text with coordinates that the crate's numbers hold in few enough and enough steps of 2^-16. Where they do not,
+ * the model is moved to the origin and scaled to a radius of 1, as the note says; lines stay where they are, for
+ * messages.
  */
 export function fitted(bytes) {
   const text = new TextDecoder("latin1").decode(bytes);
@@ -40,14 +41,13 @@ export function fitted(bytes) {
   const center = low.map((value, axis) => value / 2 + high[axis] / 2);
   const radius = Math.hypot(...high.map((value, axis) => value - center[axis]));
   const fits = radius >= 1 / 16 && Math.max(...high, ...low.map((value) => -value), radius) < 16384;
-  // The crate's parser reports words that are not numbers.
-  if (fits || !(radius > 0 && radius < Infinity)) return { text: bytes, isEmpty };
+  // The crate's parser tells of what is no number.
+  if (fits || !(radius > 0 && radius < Infinity)) return { text: bytes, isEmpty, note: "" };
   const to = (value, axis) => ((Number(value) - center[axis]) / radius).toFixed(9);
-  const moved = text.replace(
-    POSITION,
-    (_, v, a, x, b, y, c, z) => v + a + to(x, 0) + b + to(y, 1) + c + to(z, 2),
-  );
-  return { text: new TextEncoder().encode(moved), isEmpty, fit: { center, radius } };
+  const moved = text.replace(POSITION, (_, v, a, x, b, y, c, z) => v + a + to(x, 0) + b + to(y, 1) + c + to(z, 2));
+  const note = `// For the range of the crate's numbers, the page moved and scaled the model: of each v in model.obj,
+// (x, y, z) became ((x, y, z) - (${center.join(", ")})) / ${radius}\n`;
+  return { text: new TextEncoder().encode(moved), isEmpty, note };
 }
 
 /** The pixels of a picture, with sides that are powers of two, 512 at most. */

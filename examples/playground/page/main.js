@@ -1,16 +1,9 @@
 // The page: what is drawn, and what the visitor does with it.
-import { program } from "./code.js";
-import { build, controls, take } from "./controls.js";
 import { read } from "./files.js";
-import { onDrop, onPicture } from "./gestures.js";
 import { compare, count, numbers, times } from "./measure.js";
-import { errors, heatMap } from "./model.js";
-import { Crate, fetched, load } from "./module.js";
-import { SCENES, home } from "./scenes.js";
-import { $, format, interpolates, modes, scene, state, view } from "./state.js";
+import { Crate, WORLD, fetched, load } from "./module.js";
+import { $, LIGHTHOUSE, OWN, controls, interpolates, isWorld, modes, state, take, view } from "./state.js";
 
-/** The visitor's model is the last scene but one. */
-const OWN = SCENES.findIndex(({ id }) => id === "own");
 /** The texture of a model that has none. */
 const PLAIN = { data: new Uint8Array(4).fill(215), width: 1, height: 1 };
 
@@ -23,16 +16,16 @@ let crate;
 /** Draws both modes and shows them. */
 function draw() {
   const context = $("canvas").getContext("2d");
-  const { width, height } = view();
+  const { width, height } = state;
   if ($("canvas").width !== width || $("canvas").height !== height) Object.assign($("canvas"), { width, height });
   try {
     const from = Math.round((state.divider / 100) * width);
     modes().forEach((mode, slot) => {
       const now = view(mode);
-      const map = state.showsErrors && interpolates() && heatMap(errors(now, crate.recorded(slot, now)), width, height);
       const time = crate.draw(slot, now);
       times[mode] = times[mode] ? times[mode] + (time - times[mode]) / 16 : time;
-      context.putImageData(map || crate.shown(slot, format()), 0, 0, slot ? from : 0, 0, width, height);
+      const image = state.showsErrors && interpolates() ? crate.errors(slot, now) : crate.shown(slot);
+      context.putImageData(image, 0, 0, slot ? from : 0, 0, width, height);
     });
   } catch (error) {
     context.clearRect(0, 0, width, height);
@@ -42,7 +35,7 @@ function draw() {
   return true;
 }
 
-let [animation, settling, last, rate, shown] = [0, 0, 0, 60, 0];
+let [animation, settling, last, rate, shown, bands] = [0, 0, 0, 60, 0, 0];
 
 /** Draws again, and measures once nothing changes for a moment. */
 function changed() {
@@ -58,8 +51,8 @@ function frame(now) {
   if (state.spins) {
     const seconds = Math.min(Math.max((now - last) / 1000, 0.001), 0.1);
     rate += (1 / seconds - rate) / 30;
-    if (scene().is_world) state.camera.moment = (state.camera.moment + seconds / 30) % 1;
-    else Object.assign(state.camera, { yaw: state.camera.yaw + seconds / 2, isHome: false });
+    if (isWorld()) state.moment = (state.moment + seconds * 12) % 360;
+    else Object.assign(state, { yaw: (state.yaw + seconds * 30) % 360, is_home: 0 });
     animation = requestAnimationFrame(frame);
   }
   last = now;
@@ -70,20 +63,20 @@ function frame(now) {
   }
 }
 
-/** Everything that takes longer than a frame. */
+/** Everything that takes longer than a frame, and spoils the pictures. */
 async function settled() {
   const isStill = () => !state.spins && !bands;
+  const show = () => {
+    draw();
+    crate.draw(0, view(modes()[0])); // for its checksum
+    numbers(crate);
+  };
   if (!isStill() || !draw()) return;
-  count(crate);
-  draw();
-  numbers(crate);
-  $("code").textContent = program(scene(), view(), { ...state, format: format() });
-  if (!(await compare(crate, isStill))) return;
-  draw();
-  numbers(crate);
+  if (!count(crate)) $("hint").textContent = "Nothing is seen: all triangles face away, or lie outside the picture.";
+  show();
+  $("code").textContent = (state.scene === OWN && state.model?.note || "") + crate.program(view());
+  if (await compare(crate, isStill)) show();
 }
-
-let bands = 0;
 
 /** Draws band after band in slow motion. */
 function drawBands() {
@@ -91,31 +84,32 @@ function drawBands() {
   cancelAnimationFrame(animation);
   state.spins = false;
   controls();
-  const { rows } = state;
-  const now = view(modes()[0]);
   if (!draw()) return;
+  const { band, width, height } = state;
+  const now = view(modes()[0]);
+  crate.draw(0, now);
   const whole = crate.checksum(0);
   crate.picture(0).fill(0);
   const context = $("canvas").getContext("2d");
   context.fillStyle = "#223";
-  context.fillRect(0, 0, now.width, now.height);
+  context.fillRect(0, 0, width, height);
   $("stage").classList.add("slow");
   let first = 0;
   const next = () => {
-    const height = Math.min(rows, now.height - first);
-    crate.draw(0, now, first, height);
-    context.putImageData(crate.shown(0, format()), 0, 0, 0, first, now.width, height);
-    const share = (row) => `${(100 * row) / now.height}%`;
-    Object.assign($("band").style, { top: share(first), height: share(height) });
-    status(`Rows ${first} to ${first + height - 1} of ${now.height}, in the memory of one band.`);
-    first += rows;
-    if (first < now.height) return;
+    const rows = Math.min(band, height - first);
+    crate.draw(0, now, first, rows);
+    context.putImageData(crate.shown(0), 0, 0, 0, first, width, rows);
+    const share = (row) => `${(100 * row) / height}%`;
+    Object.assign($("slow").style, { top: share(first), height: share(rows) });
+    status(`Rows ${first} to ${first + rows - 1} of ${height}, in the memory of one band.`);
+    first += band;
+    if (first < height) return;
     const same = crate.checksum(0) === whole ? "the same picture, bit for bit, as drawn whole" : "another picture";
-    status(`${Math.ceil(now.height / rows)} bands of ${rows} rows: ${same}.`);
+    status(`${Math.ceil(height / band)} bands of ${band} rows: ${same}.`);
     clearInterval(bands);
     bands = setTimeout(changed, 1500);
   };
-  bands = setInterval(next, Math.max((2400 * rows) / now.height, 60));
+  bands = setInterval(next, Math.max((2400 * band) / height, 60));
 }
 
 function stopBands() {
@@ -126,9 +120,9 @@ function stopBands() {
 
 // Choices
 
-async function choose(at) {
+async function choose(scene) {
   trouble("");
-  if (SCENES[at].is_world && !crate.world) {
+  if (scene === WORLD && !crate.world) {
     status("Loading the little world …");
     try {
       crate.world = await load(await fetched("world.wasm.gz"));
@@ -138,10 +132,10 @@ async function choose(at) {
       return;
     }
   }
-  const camera = { ...home(at), ...(at === OWN && state.model?.camera) };
-  Object.assign(state, { scene: at, camera });
-  const gestures = scene().is_world ? "" : " Drag to turn it; pinch, or click and scroll, to zoom.";
-  status(`${scene().name}: ${scene().about}.${gestures}`);
+  Object.assign(state, crate.home(scene), { scene, is_two_sided: state.is_two_sided });
+  const { title, textContent } = $("scenes").children[scene];
+  const name = textContent.trim().replace(/\s+/g, " ");
+  status(`${name}: ${title}.${isWorld() ? "" : " Drag to turn it; pinch, or click and scroll, to zoom."}`);
   times.length = 0;
   changed();
 }
@@ -151,12 +145,10 @@ async function open(files) {
   try {
     const { model, texture } = await read(files);
     if (model) {
-      const [x, y, z, radius] = crate.readModel(model.text);
-      // After the parser, which reports mistakes first.
+      crate.readModel(model.text);
+      // After the parser, which tells of mistakes first.
       if (model.isEmpty) throw new Error("it has no faces, so there is nothing to draw.");
-      const scale = 1 / (radius || 1);
-      const center = [x, y, z].map((at) => at * scale);
-      state.model = { ...model, camera: { scale, center, distance: 1.05 / Math.sin(home(OWN).fov / 2) } };
+      state.model = model;
     }
     // The last model's texture does not suit another one.
     if (texture || model) crate.readTexture(texture ?? PLAIN);
@@ -171,27 +163,29 @@ async function open(files) {
   }
 }
 
+/** Turns the picture by degrees. */
 function orbit(right, down) {
-  const { camera } = state;
-  if (scene().is_world) camera.moment = (camera.moment - right / 12 + 1) % 1;
+  if (isWorld()) state.moment = (state.moment - right / 2 + 360) % 360;
   else {
-    camera.yaw += right;
-    camera.pitch = Math.max(-1.57, Math.min(1.57, camera.pitch + down));
-    camera.isHome = false;
+    state.yaw = (state.yaw + right) % 360;
+    state.pitch = Math.max(-90, Math.min(90, state.pitch + down));
+    state.is_home = 0;
   }
   changed();
 }
 
 function zoom(factor) {
-  const { camera } = state;
+  const { distance } = state;
   // The floor's eye is at its center, so it goes back and forth.
-  camera.distance =
-    scene().id === "floor"
-      ? Math.max(0, Math.min(camera.distance + Math.log2(factor) * 4, 50))
-      : Math.max(0.3, Math.min(camera.distance * factor, 200));
-  camera.isHome = false;
+  state.distance =
+    state.scene === 0
+      ? Math.max(0, Math.min(distance + Math.log2(factor) * 4, 50))
+      : Math.max(0.3, Math.min(distance * factor, 200));
+  state.is_home = 0;
   changed();
 }
+
+const restart = () => choose(state.scene);
 
 async function copy() {
   try {
@@ -204,10 +198,53 @@ async function copy() {
   setTimeout(() => ($("copy").textContent = "Copy"), 2000);
 }
 
+// Pointers, keys and files
+
+const KEYS = {
+  ArrowLeft: () => orbit(-6, 0),
+  ArrowRight: () => orbit(6, 0),
+  ArrowUp: () => orbit(0, -6),
+  ArrowDown: () => orbit(0, 6),
+  "+": () => zoom(1 / 1.1),
+  "=": () => zoom(1 / 1.1),
+  "-": () => zoom(1.1),
+  Home: restart,
+};
+
 function listen() {
-  const restart = () => choose(state.scene);
+  const canvas = $("canvas");
+  // One pointer turns, two zoom.
+  const pointers = new Map();
+  const spread = () => {
+    const [a, b] = [...pointers.values()];
+    return Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY) || 1;
+  };
+  canvas.onpointerdown = (event) => {
+    canvas.setPointerCapture(event.pointerId);
+    pointers.set(event.pointerId, event);
+  };
+  canvas.onpointermove = (event) => {
+    const from = pointers.get(event.pointerId);
+    if (!from) return;
+    const before = pointers.size === 2 && spread();
+    pointers.set(event.pointerId, event);
+    if (before) zoom(before / spread());
+    else orbit((event.clientX - from.clientX) * 0.4, (event.clientY - from.clientY) * 0.4);
+  };
+  canvas.onpointerup = canvas.onpointercancel = ({ pointerId }) => pointers.delete(pointerId);
+  canvas.onwheel = (event) => {
+    if (document.activeElement !== canvas) return; // the page scrolls until the picture was clicked
+    event.preventDefault();
+    zoom(2 ** (event.deltaY / 500));
+  };
+  canvas.onkeydown = (event) => {
+    if (!KEYS[event.key] || event.ctrlKey || event.metaKey) return;
+    event.preventDefault();
+    KEYS[event.key]();
+  };
+
   oninput = ({ target }) => {
-    if (target.name === "scene") choose(Number(target.value));
+    if (target.name === "scene") choose([...$("scenes").children].indexOf(target.parentElement));
     else if (take(target)) changed();
   };
   $("home").onclick = restart;
@@ -217,16 +254,20 @@ function listen() {
     open([...target.files]);
     target.value = ""; // so that the same file can be chosen again
   };
-  onPicture(orbit, zoom, restart);
-  onDrop(open);
+  const mark = (isOver) => $("stage").classList.toggle("drop", isOver);
+  ondragover = (event) => mark(!event.preventDefault());
+  ondragleave = () => mark(false);
+  ondrop = (event) => {
+    mark(Boolean(event.preventDefault()));
+    if (event.dataTransfer.files.length) open([...event.dataTransfer.files]);
+  };
 }
 
 try {
   crate = new Crate(await load(await fetched("playground.wasm.gz")));
   crate.readTexture(PLAIN);
-  build();
   listen();
-  await choose(state.scene);
+  await choose(LIGHTHOUSE);
 } catch (error) {
   trouble(
     `The playground cannot start. ${error.message}\n` +

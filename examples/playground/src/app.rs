@@ -3,21 +3,21 @@
 use core::cell::Cell;
 use core::fmt::Write;
 
-use embedded_graphics::pixelcolor::{BinaryColor, Rgb565, RgbColor};
+use embedded_graphics::pixelcolor::{BinaryColor, IntoStorage, Rgb565, RgbColor};
 use fixel::Drawn;
 use fixel::mode::{Affine, Compact, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 use fixel::target::NoDepth;
 
 use super::common::lighthouse;
+use super::cost::{self, CORES};
+use super::exact::{self, Eye};
 use super::formats;
 use super::model::{FACES, Model};
+use super::program::{self, Text};
 use super::record::Recorder;
 use super::scene::{self, Part, Scene, Target};
-use super::view::View;
-
-/// Counts of instructions, one in a line: core, mode, thing drawn, unit, number.
-pub static COSTS: &str = include_str!(concat!(env!("OUT_DIR"), "/costs.csv"));
+use super::view::{FIELDS, View};
 
 /// Most pixels of a picture.
 const PIXELS: usize = 640 * 480;
@@ -26,8 +26,8 @@ const INPUT: usize = 1 << 24;
 
 /// Runs `$work` in the view's mode. The library's modes are types.
 macro_rules! in_mode {
-    ($app:expr, |$mode:ident| $work:expr) => {
-        match $app.view.mode {
+    ($view:expr, |$mode:ident| $work:expr) => {
+        match $view.mode {
             0 => {
                 let $mode = Exact;
                 $work
@@ -37,7 +37,7 @@ macro_rules! in_mode {
                 $work
             }
             2 => {
-                let $mode = Fast::within(Scalar::from_bits($app.view.tolerance));
+                let $mode = Fast::within($view.tolerance);
                 $work
             }
             3 => {
@@ -52,33 +52,45 @@ macro_rules! in_mode {
     };
 }
 
+/// Where a pixel was not drawn, as bytes of red, green, blue and opacity.
+const NOTHING: u32 = u32::from_le_bytes([58, 62, 68, 255]);
+
 /// Everything. Its first value is all zeros, which take no room in the file.
 pub struct App {
-    pub view: View,
+    pub fields: [f64; FIELDS],
     pub input: [u8; INPUT],
-    pub message: heapless::String<400>,
+    pub text: Text,
+    /// Triangles in, drawn, clipped; pixels drawn; the largest and the mean error in texels; instructions on each of
+    /// the cores. What is not known is not a number.
+    pub results: [f64; 8],
     /// Triangles in, drawn, clipped; pixels drawn.
-    pub counts: [u32; 4],
+    counts: [u32; 4],
+    /// The counts of the scenes as they are measured.
+    measured: [Option<[u32; 4]>; 5],
     /// Two pictures, to compare modes.
     colors: [[Rgb565; PIXELS]; 2],
     shown: [[u32; PIXELS]; 2],
     mono: [BinaryColor; PIXELS],
     /// The lighthouse is shown before its sky in a display's colors: where nothing is drawn, depths are 0.
     depths: [[u16; PIXELS]; 2],
-    pub pixels: [Cell<[i32; 3]>; PIXELS],
-    pub triangles: [Cell<[i32; 17]>; FACES],
+    pixels: [Cell<[i32; 3]>; PIXELS],
+    triangles: [Cell<[i32; 17]>; FACES],
     model: Model,
-    bounds: [i32; 4],
 }
+
+/// What a call does: an error's message is kept for the page.
+type Done = Result<(), Error>;
 
 impl App {
     #[allow(clippy::large_stack_arrays)] // the compiler evaluates it, for a static
     pub const fn new() -> Self {
         Self {
-            view: View::EMPTY,
+            fields: [0.0; FIELDS],
             input: [0; INPUT],
-            message: heapless::String::new(),
+            text: Text::new(),
+            results: [0.0; 8],
             counts: [0; 4],
+            measured: [None; 5],
             colors: [[Rgb565::BLACK; PIXELS]; 2],
             shown: [[0; PIXELS]; 2],
             mono: [BinaryColor::Off; PIXELS],
@@ -86,67 +98,70 @@ impl App {
             pixels: [const { Cell::new([0; 3]) }; PIXELS],
             triangles: [const { Cell::new([0; 17]) }; FACES],
             model: Model::new(),
-            bounds: [0; 4],
         }
+    }
+
+    /// Writes the fields of a scene's start.
+    pub fn home(&mut self, scene: usize) {
+        View::home(Scene::at(scene), self.model.ball, &mut self.fields);
     }
 
     /// Draws the background, and clears the depths.
-    pub fn clear(&mut self, slot: usize) -> bool {
-        let done = self.bench(slot).map(|mut bench| {
-            Scene::of(bench.view).background(&mut bench.canvas);
-            bench.depths.fill(0);
-        });
-        self.tell(done)
+    pub fn clear(&mut self, slot: usize) -> Done {
+        let view = View::new(&self.fields)?;
+        let mut bench = self.bench(slot, &view)?;
+        view.scene.background(&mut bench.canvas);
+        bench.depths.fill(0);
+        Ok(())
     }
 
     /// Draws the scene, and counts triangles.
-    pub fn draw(&mut self, slot: usize) -> bool {
-        let drawn = in_mode!(self, |mode| self.draw_in(slot, mode));
-        if let Ok(drawn) = drawn {
-            [self.counts[0], self.counts[1], self.counts[2]] =
-                [drawn.submitted, drawn.drawn, drawn.clipped];
-        }
-        self.tell(drawn.map(|_| ()))
+    pub fn draw(&mut self, slot: usize) -> Done {
+        let view = View::new(&self.fields)?;
+        self.draw_view(slot, &view)
     }
 
-    fn draw_in<M: Mode>(&mut self, slot: usize, mode: M) -> Result<Drawn, Error> {
-        if Scene::of(&self.view) == Scene::Lighthouse && self.view.is_mono == 1 {
-            return self.draw_mono(slot, mode);
+    fn draw_view(&mut self, slot: usize, view: &View) -> Done {
+        let drawn = in_mode!(view, |mode| self.draw_in(slot, view, mode))?;
+        self.counts = [drawn.submitted, drawn.drawn, drawn.clipped, 0];
+        Ok(())
+    }
+
+    fn draw_in<M: Mode>(&mut self, slot: usize, view: &View, mode: M) -> Result<Drawn, Error> {
+        if view.scene == Scene::Lighthouse && view.is_mono() {
+            return self.draw_mono(slot, view, mode);
         }
         let Bench {
             mut canvas,
             depths,
-            view,
             model,
             ..
-        } = self.bench(slot)?;
-        let scene = Scene::of(view);
-        if scene.has_depth() {
-            scene.draw(&mut canvas.with_depth(depths)?, view, mode, model)
+        } = self.bench(slot, view)?;
+        if view.scene.has_depth() {
+            view.scene
+                .draw(&mut canvas.with_depth(depths)?, view, mode, model)
         } else {
-            scene.draw_flat(&mut canvas, view, mode)
+            scene::flat(&mut canvas, view, mode)
         }
     }
 
     /// Writes the text over a scene: the lighthouse's caption. It is not timed.
-    pub fn overlay(&mut self, slot: usize) -> bool {
-        let is_captioned = Scene::of(&self.view) == Scene::Lighthouse && self.view.is_mono == 0;
-        let done = self.bench(slot).map(|mut bench| {
-            if is_captioned {
-                lighthouse::caption(&mut bench.canvas);
-            }
-        });
-        self.tell(done)
+    pub fn overlay(&mut self, slot: usize) -> Done {
+        let view = View::new(&self.fields)?;
+        if view.scene == Scene::Lighthouse && !view.is_mono() {
+            lighthouse::caption(&mut self.bench(slot, &view)?.canvas);
+        }
+        Ok(())
     }
 
     /// Draws the lighthouse by night, as it is drawn in black and white.
-    fn draw_mono<M: Mode>(&mut self, slot: usize, mode: M) -> Result<Drawn, Error> {
-        let (view, band) = (&self.view, self.view.band());
+    fn draw_mono<M: Mode>(&mut self, slot: usize, view: &View, mode: M) -> Result<Drawn, Error> {
+        let band = view.band();
         let mono = self.mono.get_mut(band.clone()).unwrap_or_default();
         let depths = self.depths[slot & 1]
             .get_mut(band.clone())
             .unwrap_or_default();
-        let canvas = Canvas::band(mono, view.width, view.height, view.first_row)?;
+        let canvas = Canvas::band(mono, view.size.width, view.size.height, view.first_row)?;
         let mut canvas = canvas.with_depth(depths)?;
         let drawn = scene::lighthouse(&mut canvas, view, mode)?;
         lighthouse::caption(&mut canvas);
@@ -163,35 +178,107 @@ impl App {
         Ok(drawn)
     }
 
-    /// Counts the pixels of the view's triangles that pass the depth test. Spoils the picture.
-    pub fn count(&mut self, slot: usize) -> bool {
+    /// Writes a view's counts, and what they say of microcontrollers, to the results. Spoils the picture.
+    pub fn measure(&mut self, slot: usize) -> Done {
+        let view = View::new(&self.fields)?;
+        // The measured scene that it is like. The little world is like none.
+        let scene = match view.scene {
+            Scene::Own => Scene::Lighthouse,
+            Scene::World => return Ok(()),
+            scene => scene,
+        } as usize;
+        let counts = self.count(slot, &view)?;
+        let measured = match self.measured[scene] {
+            Some(counts) => counts,
+            None => self.count(slot, &View::measured(Scene::at(scene), self.fields)?)?,
+        };
+        self.measured[scene] = Some(measured);
+        let instructions =
+            |core| cost::instructions(core, view.mode as usize, view.scene, counts, measured);
+        let [m0, m4] = CORES.map(|core| instructions(core).unwrap_or(f64::NAN));
+        self.results[..4].copy_from_slice(&counts.map(f64::from));
+        self.results[6..].copy_from_slice(&[m0, m4]);
+        Ok(())
+    }
+
+    /// Counts triangles, and the pixels that pass the depth test.
+    fn count(&mut self, slot: usize, view: &View) -> Result<[u32; 4], Error> {
+        self.draw_view(slot, view)?;
+        let [submitted, drawn, clipped, _] = self.counts;
         let count = Cell::new(0);
         let counter = Flat::new(Rgb565::BLACK).map(|_, color| {
             count.set(count.get() + 1);
             Some(color)
         });
-        let done = self
-            .bench(slot)
-            .and_then(|bench| bench.draw(Newton, |_, _| counter));
-        self.counts[3] = count.get();
-        self.tell(done)
+        self.bench(slot, view)?.draw(view, Newton, |_, _| counter)?;
+        Ok([submitted, drawn, clipped, count.get()])
     }
 
-    /// Records the view's triangles, and its pixels in the view's mode. Spoils the picture.
-    pub fn record(&mut self, slot: usize) -> bool {
-        let done = in_mode!(self, |mode| self.record_in(slot, mode));
-        self.tell(done)
+    /// Writes a view's errors to the results, and shows them as colors. Spoils the picture.
+    pub fn errors(&mut self, slot: usize) -> Done {
+        let view = View::new(&self.fields)?;
+        in_mode!(view, |mode| self.record(slot, &view, mode))?;
+        let eye = Eye::new(&view);
+        let (mvp, options) = (view.mvp()?, DrawOptions::new());
+        let (width, height) = (view.size.width, view.size.height);
+        let row = self.mono.get_mut(..width as usize).unwrap_or_default();
+        let canvas = Canvas::band(row, width, height, 0)?;
+        // The place that the crate gives a recorded corner.
+        let place = |corner: &[i32]| {
+            let at = Vec3::from_bits([corner[0], corner[1], corner[2]]);
+            let place = canvas.project(&options, &mvp, at)?;
+            Some([place.x, place.y].map(|at| f64::from(at.to_bits()) / 256.0))
+        };
+        let (mut most, mut sum, mut count) = (0.0_f64, 0.0, 0.0);
+        // A row's pixels have a triangle in common.
+        let (mut last, mut pieces, mut size) = (0, exact::Pieces::new(), [0.0; 2]);
+        let width = width as usize;
+        let rows = self
+            .pixels
+            .chunks(width)
+            .zip(self.shown[slot & 1].chunks_mut(width));
+        for (y, (pixels, shown)) in (0..height).zip(rows) {
+            for (x, (pixel, shown)) in (0_u32..).zip(pixels.iter().zip(shown)) {
+                let [triangle, texels @ ..] = pixel.get();
+                let triangle = triangle.cast_unsigned();
+                *shown = NOTHING;
+                if triangle == 0 {
+                    continue;
+                }
+                if triangle != last {
+                    last = triangle;
+                    let corners = self.triangles[triangle as usize - 1].get();
+                    size = [corners[0], corners[1]].map(f64::from);
+                    let places = [2, 7, 12].map(|at| place(&corners[at..at + 5]));
+                    pieces = eye.pieces(&corners, places);
+                }
+                let Some(uv) = exact::at(&pieces, f64::from(x) + 0.5, f64::from(y) + 0.5) else {
+                    continue;
+                };
+                let off = |axis: usize| {
+                    (f64::from(texels[axis]) / 65_536.0 - uv[axis] * size[axis]).abs()
+                };
+                let error = off(0).max(off(1));
+                *shown = exact::heat(error);
+                most = most.max(error);
+                sum += error;
+                count += 1.0;
+            }
+        }
+        self.results[4..6].copy_from_slice(&[most, sum / f64::max(count, 1.0)]);
+        Ok(())
     }
 
-    fn record_in<M: Mode>(&mut self, slot: usize, mode: M) -> Result<(), Error> {
-        let bench = self.bench(slot)?;
-        let (pixels, triangles, width) = (bench.pixels, bench.triangles, bench.view.width);
+    /// Records the view's triangles, and its pixels.
+    fn record<M: Mode>(&mut self, slot: usize, view: &View, mode: M) -> Done {
+        let bench = self.bench(slot, view)?;
+        let (pixels, triangles) = (bench.pixels, bench.triangles);
         for pixel in pixels {
             pixel.set([0; 3]);
         }
-        bench.draw(mode, |part, first| Recorder {
+        bench.draw(view, mode, |part, first| Recorder {
             pixels,
-            width,
+            width: view.size.width,
             triangles,
             first,
             texels: part.texels,
@@ -199,91 +286,89 @@ impl App {
         })
     }
 
-    /// Returns the picture in a display's format.
-    pub fn show(&mut self, slot: usize, format: usize) -> *const u32 {
+    /// Converts the picture to the display's format.
+    pub fn show(&mut self, slot: usize) -> Done {
+        let view = View::new(&self.fields)?;
         let slot = slot & 1;
-        let size = self.view.size();
-        let pixels = (size.width * size.height) as usize;
-        let has_sky = Scene::of(&self.view) == Scene::Lighthouse && self.view.is_mono == 0;
+        let pixels = (view.size.width * view.size.height) as usize;
+        let has_sky = view.scene == Scene::Lighthouse && !view.is_mono();
         if let (Some(colors), Some(shown)) = (
             self.colors[slot].get(..pixels),
             self.shown[slot].get_mut(..pixels),
         ) {
             let sky = has_sky.then_some(&self.depths[slot][..pixels]);
-            formats::show(colors, sky, size, format, shown);
+            formats::show(colors, sky, view.size, view.format, shown);
         }
-        self.shown[slot].as_ptr()
+        Ok(())
+    }
+
+    /// Returns the pixels that are shown, in bytes of red, green, blue and opacity.
+    pub fn shown(&self, slot: usize) -> *const u32 {
+        self.shown[slot & 1].as_ptr()
     }
 
     /// Returns the picture as it was drawn.
-    pub fn colors(&self, slot: usize) -> &[Rgb565] {
-        let size = (self.view.width * self.view.height) as usize;
-        self.colors[slot & 1].get(..size).unwrap_or_default()
+    pub fn picture(&self, slot: usize) -> *const u16 {
+        self.colors[slot & 1].as_ptr().cast()
+    }
+
+    /// CRC-32 of the picture's pixels, row by row, the more significant byte first.
+    pub fn checksum(&self, slot: usize) -> u32 {
+        let pixels = View::new(&self.fields).map_or(0, |view| view.size.width * view.size.height);
+        let colors = self.colors[slot & 1].iter().take(pixels as usize);
+        let bytes = colors.flat_map(|color| color.into_storage().to_be_bytes());
+        !bytes.fold(u32::MAX, |crc, byte| {
+            (0..8).fold(crc ^ u32::from(byte), |crc, _| {
+                (crc >> 1) ^ (0xedb8_8320 * (crc & 1))
+            })
+        })
+    }
+
+    /// Writes the program that draws the view to the text.
+    pub fn program(&mut self) -> Done {
+        let view = View::new(&self.fields)?;
+        self.text.clear();
+        // It has room.
+        let _ = program::write(&view, &mut self.text);
+        Ok(())
     }
 
     /// Reads a model's text from the input.
-    pub fn read_model(&mut self, bytes: usize) -> bool {
-        let done = self.model.read(&self.input[..bytes.min(INPUT)]);
-        if let (Ok(()), Ok(mesh)) = (done, self.model.mesh()) {
-            let bounds = mesh.bounds();
-            let center = bounds.least() / fx!(2) + bounds.most() / fx!(2);
-            let radius = mesh
-                .positions()
-                .iter()
-                .map(|point| point.distance(center))
-                .max();
-            let [x, y, z] = center.to_bits();
-            self.bounds = [x, y, z, radius.unwrap_or_default().to_bits()];
-        }
-        self.tell(done)
-    }
-
-    /// Returns the center of the model's box, and the distance of the farthest position from it.
-    pub fn bounds(&self) -> *const [i32; 4] {
-        &raw const self.bounds
+    pub fn read_model(&mut self, bytes: usize) -> Done {
+        self.model.read(&self.input[..bytes.min(INPUT)])
     }
 
     /// Reads a texture's pixels from the input.
-    pub fn read_texture(&mut self, width: u32, height: u32) -> bool {
+    pub fn read_texture(&mut self, width: u32, height: u32) -> Done {
         let bytes = width.saturating_mul(height).saturating_mul(4) as usize;
-        let done = self
-            .model
-            .read_texture(&self.input[..bytes.min(INPUT)], [width, height]);
-        self.tell(done)
+        self.model
+            .read_texture(&self.input[..bytes.min(INPUT)], [width, height])
     }
 
     /// Keeps an error's message for the page.
-    fn tell(&mut self, done: Result<(), Error>) -> bool {
-        self.message.clear();
+    pub fn tell(&mut self, done: Done) -> bool {
         if let Err(error) = done {
-            // A longer message is cut.
-            let _ = write!(self.message, "{error}");
+            self.text.clear();
+            // It has room.
+            let _ = write!(self.text, "{error}");
         }
         done.is_ok()
     }
 
     /// The memory to draw one of the two pictures, or a band of it.
-    fn bench(&mut self, slot: usize) -> Result<Bench<'_>, Error> {
-        let Self {
-            view,
-            colors,
-            depths,
-            pixels,
-            triangles,
-            model,
-            ..
-        } = self;
+    fn bench(&mut self, slot: usize, view: &View) -> Result<Bench<'_>, Error> {
         let band = view.band();
         // The canvas and its depths refuse memory that is too short.
-        let colors = colors[slot & 1].get_mut(band.clone()).unwrap_or_default();
-        let canvas = Canvas::band(colors, view.width, view.height, view.first_row)?;
+        let colors = self.colors[slot & 1]
+            .get_mut(band.clone())
+            .unwrap_or_default();
+        let canvas = Canvas::band(colors, view.size.width, view.size.height, view.first_row)?;
         Ok(Bench {
             canvas,
-            depths: depths[slot & 1].get_mut(band).unwrap_or_default(),
-            view,
-            model,
-            pixels,
-            triangles,
+            depths: self.depths[slot & 1].get_mut(band).unwrap_or_default(),
+            model: &self.model,
+            pixels: &self.pixels,
+            triangles: &self.triangles,
         })
     }
 }
@@ -292,7 +377,6 @@ impl App {
 struct Bench<'a> {
     canvas: Target<'a, NoDepth>,
     depths: &'a mut [u16],
-    view: &'a View,
     model: &'a Model,
     pixels: &'a [Cell<[i32; 3]>],
     triangles: &'a [Cell<[i32; 17]>],
@@ -302,20 +386,16 @@ impl<'a> Bench<'a> {
     /// Draws the scene's meshes with shaders made for each, from the mesh and the number of triangles before it.
     fn draw<M: Mode, S: Shader<Color = Rgb565>>(
         self,
+        view: &View,
         mode: M,
         shader: impl Fn(&Part<'a>, usize) -> S,
     ) -> Result<(), Error> {
-        let scene = Scene::of(self.view);
-        let (options, mvp) = (
-            DrawOptions::new()
-                .with_mode(mode)
-                .with_cull(self.view.cull()),
-            scene.mvp(self.view)?,
-        );
+        let options = DrawOptions::new().with_mode(mode).with_cull(view.cull());
+        let mvp = view.mvp()?;
         let mut canvas = self.canvas.with_depth(self.depths)?;
         canvas.clear_depth();
         let mut first = 0;
-        for part in scene.parts(self.model)?.iter().flatten() {
+        for part in view.scene.parts(self.model)?.iter().flatten() {
             canvas.draw_with(&options, &part.mesh, &mvp, &shader(part, first));
             first += part.mesh.faces().len();
         }

@@ -12,9 +12,9 @@ use fixel::prelude::*;
 
 use super::common::lighthouse;
 
-/// Writes bytes of red, green, blue and opacity. The page knows formats by their index. `sky` has the depths of a picture
-/// with the lighthouse's sky.
-pub fn show(picture: &[Rgb565], sky: Option<&[u16]>, size: Size, format: usize, shown: &mut [u32]) {
+/// Writes bytes of red, green, blue and opacity. The page knows formats by their place. `sky` has the depths of a
+/// picture with the lighthouse's sky.
+pub fn show(picture: &[Rgb565], sky: Option<&[u16]>, size: Size, format: u32, shown: &mut [u32]) {
     match format {
         0 => bytes(picture.iter().copied(), shown),
         1 => each::<Rgb555>(picture, sky, size, shown),

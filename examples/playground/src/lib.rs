@@ -8,18 +8,24 @@
 //! | `app` | the memory of the module, and what it does for the page |
 //! | `view` | what the page asks for: scene, mode, size, camera |
 //! | `scene` | the scenes' draw calls |
-//! | `record` | the texel under each pixel, for the page's measurement of errors |
+//! | `record` | the texel under each pixel, as a mode interpolates it |
+//! | `exact` | the exact texel there, and the colors of errors |
+//! | `cost` | instructions on a microcontroller |
 //! | `model` | the user's own model |
+//! | `program` | the program that draws the picture, as text |
 //! | `formats` | the picture in a display's colors |
 //! | `main`, `server` | the program that serves the page, or writes it |
-//! | `../tests` | the page and its module under Node and in Chromium, and the programs that it prints: see `.ci/playground` |
+//! | `../tests` | the page and its module under Node and in Chromium, and the printed programs: see `.ci/playground` |
 #![cfg_attr(target_arch = "wasm32", no_std)]
 
 mod app;
 #[path = "../../common/mod.rs"]
 mod common;
+mod cost;
+mod exact;
 mod formats;
 mod model;
+mod program;
 mod record;
 mod scene;
 mod view;
@@ -46,46 +52,49 @@ macro_rules! exports {
 }
 
 exports! {
-    /// The settings of the picture to draw next: the fields of a `View`.
-    fn view(app) -> *mut view::View { &raw mut app.view }
+    /// The settings of the picture to draw next, in the order of `names`.
+    fn fields(app) -> *mut f64 { app.fields.as_mut_ptr() }
+    /// Writes the settings' names to the text.
+    fn names(app) -> bool { app.text.clear(); app.text.push_str(view::NAMES).is_ok() }
+    /// Writes the settings of a scene's start.
+    fn home(app, scene: usize) -> () { app.home(scene); }
     /// Where the page writes a model's text or a texture's pixels: `input_size` bytes.
     fn input(app) -> *mut u8 { app.input.as_mut_ptr() }
     /// Room for input in bytes.
     fn input_size(app) -> usize { app.input.len() }
-    /// The last error, in UTF-8.
-    fn message(app) -> *const u8 { app.message.as_ptr() }
-    /// Length of the message in bytes.
-    fn message_size(app) -> usize { app.message.len() }
-    /// Draws the background and clears depths; false leaves a message.
-    fn clear(app, slot: usize) -> bool { app.clear(slot) }
-    /// Draws the view; false leaves a message.
-    fn draw(app, slot: usize) -> bool { app.draw(slot) }
-    /// Writes the text over the scene; false leaves a message.
-    fn overlay(app, slot: usize) -> bool { app.overlay(slot) }
-    /// Counts of the last drawing: triangles in, drawn, and clipped; pixels drawn.
-    fn counts(app) -> *const u32 { app.counts.as_ptr() }
-    /// Counts the pixels that the view draws; false leaves a message.
-    fn count(app, slot: usize) -> bool { app.count(slot) }
-    /// Writes the triangles that the view draws and the texel under each pixel; false leaves a message.
-    fn record(app, slot: usize) -> bool { app.record(slot) }
-    /// The recorded pixels: triangle plus 1, or 0 for none; column and row of the texture in units of 2^-16 texel.
-    fn pixels(app) -> *const [i32; 3] { app.pixels.as_ptr().cast() }
-    /// The recorded triangles: size of the texture; position, u and v of each corner.
-    fn triangles(app) -> *const [i32; 17] { app.triangles.as_ptr().cast() }
-    /// Converts the picture to a display's format, for the page as bytes of red, green, blue and opacity.
-    fn show(app, slot: usize, format: usize) -> *const u32 { app.show(slot, format) }
+    /// What the last call wrote, in UTF-8; after one that returned false, an error's message.
+    fn text(app) -> *const u8 { app.text.as_ptr() }
+    /// Length of the text in bytes.
+    fn text_size(app) -> usize { app.text.len() }
+    /// Draws the background and clears depths.
+    fn clear(app, slot: usize) -> bool { let done = app.clear(slot); app.tell(done) }
+    /// Draws the view.
+    fn draw(app, slot: usize) -> bool { let done = app.draw(slot); app.tell(done) }
+    /// Writes the text over the scene.
+    fn overlay(app, slot: usize) -> bool { let done = app.overlay(slot); app.tell(done) }
+    /// Converts the picture to the display's format.
+    fn show(app, slot: usize) -> bool { let done = app.show(slot); app.tell(done) }
+    /// Counts triangles and pixels, and estimates instructions. Spoils the picture.
+    fn measure(app, slot: usize) -> bool { let done = app.measure(slot); app.tell(done) }
+    /// Compares with the exact texels, and shows errors as colors. Spoils the picture.
+    fn errors(app, slot: usize) -> bool { let done = app.errors(slot); app.tell(done) }
+    /// What was measured: see `App::results`.
+    fn results(app) -> *const f64 { app.results.as_ptr() }
+    /// The pixels to show, in bytes of red, green, blue and opacity.
+    fn shown(app, slot: usize) -> *const u32 { app.shown(slot) }
     /// The picture as it was drawn, in Rgb565.
-    fn picture(app, slot: usize) -> *const u16 { app.colors(slot).as_ptr().cast() }
-    /// Reads an OBJ text from the input; false leaves a message.
-    fn read_model(app, bytes: usize) -> bool { app.read_model(bytes) }
-    /// The center of the model's box, and the distance of the farthest position from it.
-    fn bounds(app) -> *const [i32; 4] { app.bounds() }
-    /// Reads a texture's pixels (red, green, blue, opacity) from the input; false leaves a message.
-    fn read_texture(app, width: u32, height: u32) -> bool { app.read_texture(width, height) }
-    /// Counts of instructions from tests/instructions.csv.
-    fn costs(_app) -> *const u8 { app::COSTS.as_ptr() }
-    /// Length of the counts in bytes.
-    fn costs_size(_app) -> usize { app::COSTS.len() }
+    fn picture(app, slot: usize) -> *const u16 { app.picture(slot) }
+    /// CRC-32 of the picture's pixels, as the firmware computes it.
+    fn checksum(app, slot: usize) -> u32 { app.checksum(slot) }
+    /// Writes the program that draws the view to the text.
+    fn program(app) -> bool { let done = app.program(); app.tell(done) }
+    /// Reads an OBJ text from the input.
+    fn read_model(app, bytes: usize) -> bool { let done = app.read_model(bytes); app.tell(done) }
+    /// Reads a texture's pixels (red, green, blue, opacity) from the input.
+    fn read_texture(app, width: u32, height: u32) -> bool {
+        let done = app.read_texture(width, height);
+        app.tell(done)
+    }
 }
 
 #[cfg(target_arch = "wasm32")]

@@ -22,6 +22,8 @@ pub struct Model {
     normal_faces: [[u16; 3]; FACES],
     texels: [Rgb565; TEXELS],
     size: [u32; 2],
+    /// The center of the box around it, and the distance of the farthest position from there.
+    pub ball: [Scalar; 4],
 }
 
 impl Model {
@@ -46,6 +48,7 @@ impl Model {
             normal_faces: [[0; 3]; FACES],
             texels: [Rgb565::new(0, 0, 0); TEXELS],
             size: [0; 2],
+            ball: [fx!(0); 4],
         }
     }
 
@@ -74,6 +77,16 @@ impl Model {
             Mesh::new(positions, faces)?.with_smooth_normals(&mut self.normals)?;
             self.counts.normals = counts.positions;
         }
+        let mesh = self.mesh()?;
+        let bounds = mesh.bounds();
+        let center = bounds.least() / fx!(2) + bounds.most() / fx!(2);
+        let distances = mesh.positions().iter().map(|at| at.distance(center));
+        self.ball = [
+            center.x,
+            center.y,
+            center.z,
+            distances.max().unwrap_or_default(),
+        ];
         Ok(())
     }
 

@@ -5,13 +5,12 @@ use fixel::Drawn;
 use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::target::{Depth, DepthBuffer, Native, NoDepth};
-use fixel::view::Perspective;
 
 use super::common::{lighthouse, scenes};
 use super::model::Model;
 use super::view::View;
 
-/// A scene. The page knows it by its index in `ALL`.
+/// A scene. The page knows it by its place in the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scene {
     Floor,
@@ -19,7 +18,10 @@ pub enum Scene {
     Sphere,
     SphereFlat,
     Lighthouse,
+    /// The user's model.
     Own,
+    /// The little world, which a module of its own draws.
+    World,
 }
 
 /// The canvas of a scene; most scenes have a depth buffer.
@@ -32,38 +34,18 @@ pub struct Part<'a> {
 }
 
 impl Scene {
-    pub const ALL: [Self; 6] = [
-        Self::Floor,
-        Self::Cube,
-        Self::Sphere,
-        Self::SphereFlat,
-        Self::Lighthouse,
-        Self::Own,
-    ];
-
-    /// The scene of a view.
-    pub fn of(view: &View) -> Self {
-        Self::ALL
-            .get(view.scene as usize)
-            .copied()
-            .unwrap_or(Self::Floor)
-    }
-
-    /// # Errors
-    ///
-    /// The view's camera is out of range.
-    pub fn mvp(self, view: &View) -> Result<Mvp<Perspective>, Error> {
-        match self {
-            _ if view.is_home == 0 => view.mvp(),
-            Self::Floor => scenes::floor_chain(0),
-            Self::Cube => scenes::cube_chain(0),
-            Self::Sphere | Self::SphereFlat => scenes::sphere_chain(0),
-            Self::Lighthouse => {
-                let projection = lighthouse::projection(view.size())?;
-                Ok(projection * lighthouse::camera()? * Transform::IDENTITY)
-            }
-            Self::Own => view.mvp(),
-        }
+    /// The scene at a place in the list.
+    pub fn at(place: usize) -> Self {
+        let list = [
+            Self::Floor,
+            Self::Cube,
+            Self::Sphere,
+            Self::SphereFlat,
+            Self::Lighthouse,
+            Self::Own,
+            Self::World,
+        ];
+        list.get(place).copied().unwrap_or(Self::Floor)
     }
 
     /// Whether it is drawn with a depth buffer.
@@ -79,22 +61,7 @@ impl Scene {
         }
     }
 
-    /// Draws the scene that has no depth buffer.
-    ///
-    /// # Errors
-    ///
-    /// The view's camera is out of range.
-    pub fn draw_flat<M: Mode>(
-        self,
-        canvas: &mut Target<'_, NoDepth>,
-        view: &View,
-        mode: M,
-    ) -> Result<Drawn, Error> {
-        let options = &DrawOptions::new().with_mode(mode).with_cull(view.cull());
-        Ok(scenes::sphere_flat(canvas, options, &self.mvp(view)?))
-    }
-
-    /// Draws another scene in a mode.
+    /// Draws the scene with a depth buffer, in a mode.
     ///
     /// # Errors
     ///
@@ -107,7 +74,7 @@ impl Scene {
         model: &Model,
     ) -> Result<Drawn, Error> {
         let options = &DrawOptions::new().with_mode(mode).with_cull(view.cull());
-        let mvp = &self.mvp(view)?;
+        let mvp = &view.mvp()?;
         Ok(match self {
             Self::Floor => scenes::floor(canvas, options, mvp),
             Self::Cube => scenes::cube(canvas, options, mvp),
@@ -122,6 +89,7 @@ impl Scene {
                     &Textured::new(model.texture()?).lit(sun),
                 )
             }
+            Self::World => return Ok(Drawn::default()),
         })
     }
 
@@ -150,8 +118,23 @@ impl Scene {
                 let texture = model.texture()?;
                 one(model.mesh()?, [texture.width(), texture.height()])
             }
+            Self::World => Ok([None, None]),
         }
     }
+}
+
+/// Draws the flat sphere, which needs no depth buffer.
+///
+/// # Errors
+///
+/// The view's camera is out of range.
+pub fn flat<M: Mode>(
+    canvas: &mut Target<'_, NoDepth>,
+    view: &View,
+    mode: M,
+) -> Result<Drawn, Error> {
+    let options = &DrawOptions::new().with_mode(mode).with_cull(view.cull());
+    Ok(scenes::sphere_flat(canvas, options, &view.mvp()?))
 }
 
 /// Draws the lighthouse in any color; in black and white with its background.
@@ -165,10 +148,10 @@ pub fn lighthouse<C: Levels, M: Mode>(
     mode: M,
 ) -> Result<Drawn, Error> {
     let options = DrawOptions::new().with_mode(mode);
-    if view.is_mono == 1 {
+    if view.is_mono() {
         lighthouse::sky(canvas);
     }
-    let [sea, island] = lighthouse::draw(canvas, &options, &Scene::Lighthouse.mvp(view)?)?;
+    let [sea, island] = lighthouse::draw(canvas, &options, &view.mvp()?)?;
     Ok(Drawn {
         submitted: sea.submitted + island.submitted,
         drawn: sea.drawn + island.drawn,

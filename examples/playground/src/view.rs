@@ -3,107 +3,213 @@
 use core::ops::Range;
 
 use embedded_graphics::geometry::Size;
+use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::view::Perspective;
 
-/// The settings of a picture. The page writes them as 32-bit numbers, in this order.
+use super::common::{lighthouse, scenes};
+use super::scene::Scene;
+
+/// The settings of a picture, as the page names them. Angles are in degrees, lengths in units; `right` and `down` move
+/// the picture by parts of a pixel; what is yes or no is 1 or 0.
+pub const NAMES: &str = "scene mode tolerance width height format first_row rows band is_home yaw pitch distance fov \
+    near far right down is_two_sided center_x center_y center_z scale moment";
+/// How many there are.
+pub const FIELDS: usize = 24;
+
+/// A field of view of 200 pixels of focal length at 240 rows, in degrees.
+const MEASURED_FOV: f64 = 61.927_513_064_147_04;
+
+/// The settings in the crate's numbers.
 #[derive(Clone, Copy, Debug)]
-#[repr(C)]
 pub struct View {
-    /// An index of `Scene::ALL`.
-    pub scene: u32,
+    pub scene: Scene,
     /// 0 `Exact`, 1 `Newton`, 2 `Fast`, 3 `Affine`, 4 `Compact`.
     pub mode: u32,
-    /// Of mode `Fast`, in units of 2^-16 texel.
-    pub tolerance: i32,
-    pub width: u32,
-    pub height: u32,
-    /// The first row of a band, and its number of rows.
+    /// Of mode `Fast`, in texels.
+    pub tolerance: Scalar,
+    pub size: Size,
+    /// A display's format, by its place in the page's list.
+    pub format: u32,
+    /// The first row that is drawn, and how many are.
     pub first_row: u32,
     pub rows: u32,
-    /// 1 for the scene's own camera, in which it is measured.
-    pub is_home: u32,
-    /// The eye's turn about the center, as fractions of 2^32.
-    pub yaw: u32,
-    pub pitch: u32,
-    /// From the center, in units of 2^-16 like all lengths.
-    pub distance: i32,
-    pub center: [i32; 3],
-    /// The model's size.
-    pub scale: i32,
-    /// Vertical field of view, as a fraction of 2^32.
-    pub fov: u32,
-    pub near: i32,
-    pub far: i32,
+    /// The rows of a band, for the program that is printed.
+    pub band: u32,
+    /// Whether this is the scene's own camera, in which it is measured.
+    pub is_home: bool,
+    /// The eye's turn about the center.
+    pub yaw: Angle,
+    pub pitch: Angle,
+    /// Of the eye from the center.
+    pub distance: Scalar,
+    /// Vertical field of view.
+    pub fov: Angle,
+    pub near: Scalar,
+    pub far: Scalar,
     /// Turns of the eye by less than a pixel, to the right and down.
-    pub shift: [u32; 2],
-    /// 1 if back faces are drawn too.
-    pub is_two_sided: u32,
-    /// 1 for a display in black and white.
-    pub is_mono: u32,
+    pub shift: [Angle; 2],
+    /// Whether back faces are drawn too.
+    pub is_two_sided: bool,
+    /// The center, after the model was scaled.
+    pub center: Vec3,
+    pub scale: Scalar,
+    /// Of the walk through the little world.
+    pub moment: Angle,
 }
 
 impl View {
-    pub const EMPTY: Self = Self {
-        scene: 0,
-        mode: 0,
-        tolerance: 0,
-        width: 0,
-        height: 0,
-        first_row: 0,
-        rows: 0,
-        is_home: 0,
-        yaw: 0,
-        pitch: 0,
-        distance: 0,
-        center: [0; 3],
-        scale: 0,
-        fov: 0,
-        near: 0,
-        far: 0,
-        shift: [0; 2],
-        is_two_sided: 0,
-        is_mono: 0,
-    };
+    /// Reads the fields.
+    ///
+    /// # Errors
+    ///
+    /// A number is out of range.
+    #[allow(clippy::cast_sign_loss)] // saturates
+    pub fn new(fields: &[f64; FIELDS]) -> Result<Self, Error> {
+        let mut rest = fields.iter().copied();
+        let mut next = || rest.next().unwrap_or_default();
+        let angle = |degrees: f64| Angle::try_from_degrees(libm::remainder(degrees, 360.0));
+        // A pixel in the middle of the picture, as an angle.
+        let pixel =
+            libm::atan(2.0 * libm::tan(fields[13].to_radians() / 2.0) / fields[4]).to_degrees();
+        Ok(Self {
+            scene: Scene::at(next() as usize),
+            mode: next() as u32,
+            tolerance: scalar(next())?,
+            size: Size::new(next() as u32, next() as u32),
+            format: next() as u32,
+            first_row: next() as u32,
+            rows: next() as u32,
+            band: next() as u32,
+            is_home: next() > 0.0,
+            yaw: angle(next())?,
+            pitch: angle(next())?,
+            distance: scalar(next())?,
+            fov: angle(next())?,
+            near: scalar(next())?,
+            far: scalar(next())?,
+            shift: [angle(next() * pixel)?, angle(next() * pixel)?],
+            is_two_sided: next() > 0.0,
+            center: Vec3::new(scalar(next())?, scalar(next())?, scalar(next())?),
+            scale: scalar(next())?,
+            moment: angle(next())?,
+        })
+    }
 
-    pub fn size(&self) -> Size {
-        Size::new(self.width, self.height)
+    /// Writes the fields of a camera: the one in which a scene is measured, or in front of a model in a ball with this
+    /// `center` and `radius`.
+    pub fn home(scene: Scene, ball: [Scalar; 4], fields: &mut [f64; FIELDS]) {
+        let numbers = |at: Vec3| [at.x, at.y, at.z].map(Scalar::to_num::<f64>);
+        let degrees =
+            |angle: Angle| f64::from(angle.to_bits().cast_signed()) / 4_294_967_296.0 * 360.0;
+        let [pitch, yaw] = match scene {
+            Scene::Cube => scenes::cube_turn(0),
+            Scene::Sphere | Scene::SphereFlat => scenes::sphere_turn(0),
+            _ => [scenes::FLOOR_PITCH, Angle::ZERO],
+        }
+        .map(degrees);
+        let (mut yaw, mut pitch, mut fov) = (yaw, pitch, MEASURED_FOV);
+        let (mut near, mut far) = (0.25, 100.0);
+        let (mut center, mut scale) = ([0.0; 3], 1.0);
+        let distance = match scene {
+            Scene::Floor => {
+                center = numbers(-scenes::FLOOR_AT);
+                0.0
+            }
+            Scene::Cube => (-scenes::CUBE_AT.z).to_num(),
+            Scene::Sphere | Scene::SphereFlat => (-scenes::SPHERE_AT.z).to_num(),
+            Scene::Lighthouse => {
+                center = numbers(lighthouse::TARGET);
+                let [x, y, z] = numbers(lighthouse::EYE - lighthouse::TARGET);
+                yaw = -libm::atan2(x, z).to_degrees();
+                pitch = libm::atan2(y, libm::hypot(x, z)).to_degrees();
+                (fov, near, far) = (40.0, 1.0, 140.0);
+                libm::hypot(y, libm::hypot(x, z))
+            }
+            Scene::World => 0.0,
+            Scene::Own => {
+                let [x, y, z, radius] = ball.map(|bits| bits.to_num::<f64>());
+                scale = if radius > 0.0 { 1.0 / radius } else { 1.0 };
+                center = [x, y, z].map(|at| at * scale);
+                (yaw, pitch) = (35.0, 20.0);
+                // A ball of radius 1, and a twentieth more.
+                1.05 / libm::sin(fov.to_radians() / 2.0)
+            }
+        };
+        let [x, y, z] = center;
+        fields[9..].copy_from_slice(&[
+            1.0, yaw, pitch, distance, fov, near, far, 0.0, 0.0, 0.0, x, y, z, scale, 72.0,
+        ]);
+    }
+
+    /// A scene as it is measured.
+    ///
+    /// # Errors
+    ///
+    /// None.
+    pub fn measured(scene: Scene, mut fields: [f64; FIELDS]) -> Result<Self, Error> {
+        Self::home(scene, [fx!(0); 4], &mut fields);
+        let (width, height) = (f64::from(scenes::WIDTH), f64::from(scenes::HEIGHT));
+        fields[3..8].copy_from_slice(&[width, height, 0.0, 0.0, height]);
+        Ok(Self {
+            scene,
+            ..Self::new(&fields)?
+        })
     }
 
     /// The band's pixels in the frame's memory.
     pub fn band(&self) -> Range<usize> {
-        let pixels = |rows: u32| (self.width as usize).saturating_mul(rows as usize);
+        let pixels = |rows: u32| (self.size.width as usize).saturating_mul(rows as usize);
         pixels(self.first_row)..pixels(self.first_row.saturating_add(self.rows))
     }
 
+    /// Whether the display is black and white.
+    pub fn is_mono(&self) -> bool {
+        self.format == 5
+    }
+
     pub fn cull(&self) -> Cull {
-        if self.is_two_sided == 0 {
-            Cull::Back
-        } else {
+        if self.is_two_sided {
             Cull::Nothing
+        } else {
+            Cull::Back
         }
     }
 
-    /// The eye on a sphere around the center, looking at it.
+    /// The camera and projection in which a scene is drawn: its own where it is measured, or the eye on a sphere around
+    /// the center, looking at it.
     ///
     /// # Errors
     ///
     /// The field of view, a plane or the size is out of range.
     pub fn mvp(&self) -> Result<Mvp<Perspective>, Error> {
-        let scalar = Scalar::from_bits;
-        let projection = Projection::perspective(
-            Angle::from_bits(self.fov),
-            (self.width, self.height),
-            scalar(self.near),
-            scalar(self.far),
-        )?;
-        let [right, down] = self.shift.map(Angle::from_bits);
+        match self.scene {
+            Scene::Lighthouse if self.is_home => {
+                let projection = lighthouse::projection(self.size)?;
+                return Ok(projection * lighthouse::camera()? * Transform::IDENTITY);
+            }
+            scene if self.is_measured() => match scene {
+                Scene::Floor => return scenes::floor_chain(0),
+                Scene::Cube => return scenes::cube_chain(0),
+                Scene::Sphere | Scene::SphereFlat => return scenes::sphere_chain(0),
+                Scene::Lighthouse | Scene::Own | Scene::World => {}
+            },
+            _ => {}
+        }
+        let size = (self.size.width, self.size.height);
+        let projection = Projection::perspective(self.fov, size, self.near, self.far)?;
+        let [right, down] = self.shift;
         let view = Transform::rotate_x(down)
             * Transform::rotate_y(right)
-            * Transform::translate(Vec3::new(fx!(0), fx!(0), -scalar(self.distance)))
-            * Transform::rotate_x(Angle::from_bits(self.pitch))
-            * Transform::rotate_y(Angle::from_bits(self.yaw))
-            * Transform::translate(-Vec3::from_bits(self.center));
-        Ok(projection * Camera::from_view(view) * Transform::scale(scalar(self.scale)))
+            * Transform::translate(Vec3::new(fx!(0), fx!(0), -self.distance))
+            * Transform::rotate_x(self.pitch)
+            * Transform::rotate_y(self.yaw)
+            * Transform::translate(-self.center);
+        Ok(projection * Camera::from_view(view) * Transform::scale(self.scale))
+    }
+
+    /// Whether this is a scene's own camera, in the size in which it is measured.
+    pub fn is_measured(&self) -> bool {
+        self.is_home && self.size == Size::new(scenes::WIDTH, scenes::HEIGHT)
     }
 }

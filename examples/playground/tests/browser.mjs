@@ -10,7 +10,7 @@ import { Page } from "./devtools.mjs";
 import { checksum, crate, page as module, view } from "./page.mjs";
 
 const { ADDRESS, SIMULATOR, PICTURES } = process.env;
-const { home } = await module("scenes.js");
+const home = (scene) => crate.home(scene);
 const { fitted } = await module("files.js");
 const assets = resolve(import.meta.dirname ?? new URL(".", import.meta.url).pathname, "../../assets");
 const folder = mkdtempSync(join(tmpdir(), "playground-files-"));
@@ -81,7 +81,7 @@ test("a drag turns the picture, and the start view comes back", async () => {
   const [x, y] = [Math.round(left) + 100, Math.round(top) + 200];
   await page.drag([x, y], [x + 60, y - 30]);
   const { yaw, pitch } = home(LIGHTHOUSE);
-  await shows(view(LIGHTHOUSE, 1, { camera: { yaw: yaw + 60 / 150, pitch: pitch - 30 / 150 } }));
+  await shows(view(LIGHTHOUSE, { yaw: yaw + 60 * 0.4, pitch: pitch - 30 * 0.4 }));
   await page.click("#home");
   await shows(view(LIGHTHOUSE));
 });
@@ -93,7 +93,7 @@ test("two fingers zoom", async () => {
   await touch("touchStart", points(100, 200));
   await touch("touchMove", points(100, 225));
   await touch("touchEnd", []);
-  await shows(view(LIGHTHOUSE, 1, { camera: { distance: home(LIGHTHOUSE).distance * (100 / 125) } }));
+  await shows(view(LIGHTHOUSE, { distance: home(LIGHTHOUSE).distance * (100 / 125) }));
 });
 
 test("the wheel zooms after a click", async () => {
@@ -101,7 +101,7 @@ test("the wheel zooms after a click", async () => {
   const place = { x: Math.round(left) + 100, y: Math.round(top) + 200 };
   await page.drag([place.x, place.y]);
   await page.send("Input.dispatchMouseEvent", { type: "mouseWheel", ...place, deltaX: 0, deltaY: 250 });
-  await shows(view(LIGHTHOUSE, 1, { camera: { distance: home(LIGHTHOUSE).distance * 2 ** 0.5 } }));
+  await shows(view(LIGHTHOUSE, { distance: home(LIGHTHOUSE).distance * 2 ** 0.5 }));
 });
 
 test("the divider is dragged; each side shows its mode", async () => {
@@ -110,8 +110,8 @@ test("the divider is dragged; each side shows its mode", async () => {
   await page.drag([left + width / 2, y], [left + width * 0.4, y], [left + width / 4, y]);
   await page.until(`document.querySelector("#divider").value`, "25");
   const sides = [1, 3].map((mode, slot) => {
-    crate.draw(slot, view(LIGHTHOUSE, mode));
-    return Buffer.from(crate.shown(slot, 0).data);
+    crate.draw(slot, view(LIGHTHOUSE, { mode }));
+    return Buffer.from(crate.shown(slot).data);
   });
   await page.until(`new Promise((resume) => requestAnimationFrame(() => requestAnimationFrame(() => resume(true))))`);
   const found = await pixels();
@@ -123,7 +123,7 @@ test("the divider is dragged; each side shows its mode", async () => {
 });
 
 test("modes, colors and sizes: the pixels of the simulator's pictures", async () => {
-  await page.choose("#right", 5);
+  await page.choose("#other", 5);
   const cases = [
     [LIGHTHOUSE, 1, 0, 4, []],
     [LIGHTHOUSE, 2, 0, 4, ["--mode", "fast"]],
@@ -139,28 +139,28 @@ test("modes, colors and sizes: the pixels of the simulator's pictures", async ()
   const out = join(folder, "simulator.png");
   for (const [index, mode, format, size, options] of cases) {
     await scene(index);
-    await page.choose("#left", mode);
+    await page.choose("#mode", mode);
     await page.choose("#format", format);
     await page.choose("#size", size);
     const { data, width, height } = (execFileSync(SIMULATOR, [...options, "--out", out], { stdio: "pipe" }), await decoded(out));
-    await shows(view(index, mode, { format, size: `${width}x${height}` }));
+    await shows(view(index, { mode, format, size: `${width}x${height}` }));
     assert.ok((await pixels()).equals(data), `scene ${index}: ${options.join(" ")}`);
   }
 });
 
 test("errors as colors", async () => {
-  await page.choose("#right", 5);
-  await page.choose("#left", 3);
+  await page.choose("#other", 5);
+  await page.choose("#mode", 3);
   await page.click("#showsErrors");
   await page.until(`!document.querySelector("#legend").hidden`);
   const before = await pixels();
-  await page.choose("#left", 0);
-  await shows(view(LIGHTHOUSE, 0));
+  await page.choose("#mode", 0);
+  await shows(view(LIGHTHOUSE, { mode: 0 }));
   assert.ok(!(await pixels()).equals(before));
 });
 
 test("bands in slow motion are the same picture", async () => {
-  await page.choose("#rows", 2);
+  await page.choose("#band", 2);
   await page.click("#bands");
   await page.until(`${text("#status")}.endsWith("bit for bit, as drawn whole.")`);
   await shows(view(LIGHTHOUSE));
@@ -173,11 +173,9 @@ test("the little world draws what the host draws", async () => {
 
 /** The settings of a visitor's model that has a texture, as the page makes them. */
 async function own(text, texture) {
-  const [x, y, z, radius] = crate.readModel(fitted(text).text);
+  crate.readModel(fitted(text).text);
   crate.readTexture(await decoded(texture));
-  const scale = 1 / radius;
-  const center = [x, y, z].map((at) => at * scale);
-  return view(OWN, 1, { camera: { scale, center, distance: 1.05 / Math.sin(home(OWN).fov / 2), isHome: true } });
+  return view(OWN);
 }
 
 const lighthouse = ["lighthouse.obj", "lighthouse.png"].map((name) => join(assets, name));
@@ -241,6 +239,14 @@ test("of a broken model the parser's message is told, and the last picture stays
   await page.until(`document.querySelector("#trouble").hidden`);
 });
 
+test("a model of which nothing is seen is no blank picture without a word", async () => {
+  writeFileSync(join(folder, "line.obj"), "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+  await page.drop("#stage", [join(folder, "line.obj")]);
+  await page.until(`/^Nothing is seen/.test(${text("#hint")})`);
+  await page.click("#scenes label");
+  await page.until(text("#hint"), "");
+});
+
 test("the keyboard alone", async () => {
   // Everything that can be used is reached in turn, and shows that it is.
   const wanted = await page.evaluate(`[...document.querySelectorAll("input, select, button, canvas[tabindex], pre")]
@@ -263,9 +269,9 @@ test("the keyboard alone", async () => {
   const { yaw, distance } = home(LIGHTHOUSE);
   await page.evaluate(`document.querySelector("#canvas").focus()`);
   await page.press("ArrowRight");
-  await shows(view(LIGHTHOUSE, 1, { camera: { yaw: yaw + 0.1 } }));
+  await shows(view(LIGHTHOUSE, { yaw: yaw + 6 }));
   await page.press("+");
-  await shows(view(LIGHTHOUSE, 1, { camera: { yaw: yaw + 0.1, distance: distance / 1.1 } }));
+  await shows(view(LIGHTHOUSE, { yaw: yaw + 6, distance: distance / 1.1 }));
   await page.press("Home");
   await shows(view(LIGHTHOUSE));
   await page.evaluate(`document.querySelector("#divider").focus()`);
@@ -314,7 +320,7 @@ test("no scrolling sideways, and text that can be read, in light and dark", asyn
     }
     for (const index of [WORLD, OWN, 2, LIGHTHOUSE]) {
       await scene(index);
-      await page.until(`document.querySelector("#scenes input:checked").value`, String(index));
+      await page.until(`[...document.querySelectorAll("#scenes input")].findIndex((input) => input.checked)`, index);
       const widest = await page.evaluate(`document.documentElement.scrollWidth`);
       assert.ok(widest <= width, `scene ${index} is ${widest} pixels wide on a screen of ${width}`);
     }

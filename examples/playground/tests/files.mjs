@@ -5,6 +5,7 @@ import test from "node:test";
 import { crate, page } from "./page.mjs";
 
 const { fitted, read } = await page("files.js");
+const { OWN } = await page("state.js");
 
 const COMPONENTS = new Map([
   [Int8Array, 5120],
@@ -201,11 +202,13 @@ test("models of any size and place have a radius near 1, and others stay as they
   const usual = obj(1);
   assert.equal(fitted(usual).text, usual);
   for (const [scale, shift] of [[1e-6], [1e-30], [4000, 1e5], [1e6], [1e30], [0.001, 20000]]) {
-    const { text, fit } = fitted(obj(scale, shift));
-    const [x, y, z, radius] = crate.readModel(text);
-    assert.ok(Math.abs(radius - 1) < 0.02, `${scale}: radius ${radius}`);
-    for (const at of [x, y, z]) assert.ok(Math.abs(at) < 0.02, `${scale}: center ${at}`);
-    assert.ok(Math.abs(fit.radius / (2.5 * scale) - 1) < 1e-5, `${scale}: ${fit.radius}`);
+    const { text, note } = fitted(obj(scale, shift));
+    crate.readModel(text);
+    const { scale: drawn, center_x, center_y, center_z } = crate.home(OWN);
+    assert.ok(Math.abs(drawn - 1) < 0.02, `${scale}: scaled by ${drawn}`);
+    for (const at of [center_x, center_y, center_z]) assert.ok(Math.abs(at) < 0.02, `${scale}: center ${at}`);
+    const radius = Number(/ (\S+)\n$/.exec(note)[1]);
+    assert.ok(Math.abs(radius / (2.5 * scale) - 1) < 1e-5, `${scale}: ${radius}`);
   }
 });
 

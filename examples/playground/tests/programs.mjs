@@ -5,10 +5,11 @@ import { join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { crate, page, view } from "./page.mjs";
 
-const { program } = await page("code.js");
-const { FORMATS, MODES, SCENES, SIZES } = await page("scenes.js");
-const { state } = await page("state.js");
+const { MODES, OWN } = await page("state.js");
+const { WORLD } = await page("module.js");
 const { fitted } = await page("files.js");
+const FORMATS = ["Rgb565", "Rgb555", "Gray8", "Gray4", "Gray2", "BinaryColor"];
+const SIZES = ["128x64", "128x128", "160x128", "240x240", "320x240", "480x320", "640x480"];
 
 const root = resolve(fileURLToPath(import.meta.url), "../../../..");
 const out = resolve(process.argv[2]);
@@ -34,9 +35,8 @@ function bitmap() {
 }
 writeFileSync(join(sources, "model.obj"), OBJ);
 writeFileSync(join(sources, "skin.bmp"), bitmap());
-const [x, y, z, radius] = crate.readModel(fitted(new TextEncoder().encode(OBJ)).text);
+crate.readModel(fitted(new TextEncoder().encode(OBJ)).text);
 crate.readTexture({ data: Uint8Array.from(texels.flatMap((rgb) => [...rgb, 255])), width: SIDE, height: SIDE });
-const fit = { scale: 1 / radius, center: [x, y, z].map((at) => at / radius) };
 
 /** FNV-1a of red, green and blue. */
 function hash({ data }) {
@@ -47,39 +47,38 @@ function hash({ data }) {
   return found >>> 0;
 }
 
-const CAMERAS = [{}, { yaw: 0.7, pitch: 0.5 }, { yaw: -1, shift: [0.3, 0.7] }, { fov: 2.4, near: 0.125, far: 3000 }];
+const CAMERAS = [{}, { yaw: 40, pitch: 30 }, { yaw: -60, right: 0.3, down: 0.7 }, { fov: 137, near: 0.125, far: 3000 }];
 const list = [];
-function add(index, mode, changes) {
-  const { id } = SCENES[index];
-  const camera = { ...(id === "own" && fit), ...changes.camera };
-  const settings = view(index, mode, { ...changes, camera });
+function add(index, changes) {
+  const settings = view(index, changes);
   crate.draw(0, settings);
   const number = `p${String(list.length).padStart(2, "0")}`;
-  const text = program(SCENES[index], settings, { ...state, ...changes });
+  const text = crate.program(settings);
   // The project's own scenes are there once for all.
   writeFileSync(join(sources, `${number}.rs`), text.replace(/^mod (\w+);/m, "use crate::$1;"));
-  const format = changes.format ?? 0;
-  const about = `${id}, ${MODES[mode]}, ${FORMATS[format].type}, ${settings.width}x${settings.height}`;
-  list.push(`    ${number} ${FORMATS[format].type} ${settings.width} ${settings.height} ${hash(crate.shown(0, format))}_u32 "${about}";`);
+  const { width, height, mode } = settings;
+  const format = FORMATS[settings.format];
+  const about = `scene ${index}, ${MODES[mode]}, ${format}, ${width}x${height}`;
+  crate.draw(0, settings);
+  list.push(`    ${number} ${format} ${width} ${height} ${hash(crate.shown(0))}_u32 "${about}";`);
 }
-const OWN = SCENES.findIndex(({ id }) => id === "own");
-const WORLD = SCENES.findIndex(({ is_world }) => is_world);
 for (let index = 0; index < WORLD; index++) {
   // As it is measured.
-  add(index, 1, {});
+  add(index, {});
   for (const mode of MODES.keys()) {
     const at = list.length;
-    add(index, mode, {
-      camera: CAMERAS[at % CAMERAS.length],
+    add(index, {
+      mode,
+      ...CAMERAS[at % CAMERAS.length],
       size: SIZES[at % SIZES.length],
       format: (index + mode + 1) % FORMATS.length,
-      rows: [8, 16, 32][at % 3],
+      band: [8, 16, 32][at % 3],
       tolerance: [0.015625, 0.25, 16][at % 3],
-      isTwoSided: index === OWN && mode % 2 === 0,
+      is_two_sided: index === OWN && mode % 2 === 0,
     });
   }
 }
-for (const moment of [0, 0.6]) add(WORLD, 1, { camera: { moment } });
+for (const moment of [0, 216]) add(WORLD, { moment });
 
 writeFileSync(join(sources, "list.rs"), `programs! {\n${list.join("\n")}\n}\n`);
 for (const scene of ["scenes.rs", "lighthouse.rs", "world"])
