@@ -101,11 +101,6 @@ impl<'a> Positions<'a> {
         (0..all.len()).map(move |index| all.get(index).unwrap_or_default())
     }
 
-    /// Whether the components have 16 bits.
-    #[inline]
-    pub(crate) const fn are_short(&self) -> bool {
-        matches!(self.list, List::Short { .. })
-    }
     /// The position at an index, in its stored format; the origin for an index that no checked list holds.
     #[inline]
     pub(crate) fn stored(&self, index: Index) -> StoredPosition<'a> {

@@ -17,8 +17,17 @@ pub(crate) const DIVIDES: bool = !IS_NARROW;
 pub(crate) const COUNTS_ZEROS: bool =
     !IS_NARROW && !cfg!(all(target_arch = "riscv32", not(target_feature = "zbb")));
 
-/// Whether [`short_dot`] is faster than [`dot`].
-pub(crate) const PREFERS_SHORT: bool = IS_NARROW;
+/// Whether registers have 64 bits.
+pub(crate) const IS_WIDE: bool = cfg!(target_pointer_width = "64");
+
+/// The numbers that a register holds. Numbers of 32 bits, widened once, need not be widened for each product.
+#[cfg(target_pointer_width = "64")]
+pub(crate) type Word = i64;
+#[cfg(not(target_pointer_width = "64"))]
+pub(crate) type Word = i32;
+
+/// Whether short positions are multiplied before they are shifted: then they are small.
+pub(crate) const SHIFTS_LATER: bool = IS_NARROW;
 
 /// Returns the exact product.
 #[inline]
@@ -38,6 +47,63 @@ pub(crate) const fn upper(a: u32, b: u32) -> u32 {
     } else {
         ((a as u64 * b as u64) >> 32) as u32
     }
+}
+
+/// Whether a number of 16 bits is at least `b`.
+#[inline]
+pub(crate) const fn at_least(a: u32, b: u16) -> bool {
+    // A core with numbers of 16 bits compares with one in memory.
+    if IS_WIDE {
+        a as u16 >= b
+    } else {
+        a >= b as u32
+    }
+}
+
+/// Marks a branch that is seldom taken, so that the others need no jump around it. On 32-bit cores with all products, it
+/// moves what loops keep in registers, for no gain.
+#[inline]
+pub(crate) fn seldom() {
+    #[cold]
+    const fn cold() {}
+    if IS_WIDE || IS_NARROW {
+        cold();
+    }
+}
+
+/// Returns the upper half of the product of two numbers of 32 bits, rounded down.
+#[inline]
+pub(crate) const fn high(a: Word, b: Word) -> Word {
+    if IS_WIDE {
+        ((a as i64 * b as i64) >> 32) as Word
+    } else {
+        (product(a as i32, b as i32) >> 32) as Word
+    }
+}
+
+/// Returns guess · (2 − q · guess / 2^60), one Newton step from a guess of r = 2^60 / q, both from 2^29 to 2^31.
+///
+/// The guess must be within a quarter of r.
+#[inline]
+pub(crate) const fn newton_step(q: Word, guess: Word) -> Word {
+    if IS_WIDE {
+        wide_newton_step(q as i64, guess as i64) as Word
+    } else {
+        short_newton_step(q as i32, guess as i32) as Word
+    }
+}
+
+#[inline]
+const fn short_newton_step(q: i32, guess: i32) -> i32 {
+    let residual = (1 << 28) - ((product(q, guess) >> 32) as i32);
+    guess.wrapping_add((product(guess, residual << 4) >> 32) as i32)
+}
+
+/// Returns the same by fewer products and shifts: the guess is a multiple of 2^28 in units of 2^-28.
+#[inline]
+const fn wide_newton_step(q: i64, guess: i64) -> i64 {
+    let twice = (1_i64 << 29).wrapping_sub(q.wrapping_mul(guess) >> 32);
+    guess.wrapping_mul(twice) >> 28
 }
 
 /// Returns [`upper`] by a signed product.
@@ -119,7 +185,7 @@ pub(crate) const fn times_short(a: i64, b: i32) -> i64 {
 /// Adds the product of a number and another one of 15 bits without a sign; wraps.
 #[inline]
 pub(crate) const fn plus_times_short(sum: i64, a: i64, b: i32) -> i64 {
-    if IS_NARROW || cfg!(target_pointer_width = "64") {
+    if IS_NARROW || IS_WIDE {
         sum.wrapping_add(times_short(a, b))
     } else {
         plus_by_halves(sum, a, b.cast_unsigned())
@@ -175,26 +241,123 @@ pub(crate) fn dot(a: &[i32; 3], b: &[i32; 3]) -> i64 {
     }
 }
 
-/// Returns the dot product of coefficients of at most 2^29 with 16-bit numbers shifted left by `up`, from
-/// 0 to 16.
-///
-/// It works in 32 bits: twice as fast as [`dot`] on a core that multiplies to 32 bits only.
-#[inline]
-pub(crate) fn short_dot(a: &[i32; 3], b: [i16; 3], up: u32) -> i64 {
-    // Each coefficient is split into high · 2^15 + low, both at most 2^14 in magnitude. Three products
-    // with 2^15 sum to at most 3 · 2^29.
-    let (mut high, mut low) = (0, 0);
-    for (&a, b) in a.iter().zip(b) {
-        let a_high = (a + (1 << 14)) >> 15;
-        high += a_high * i32::from(b);
-        low += (a - (a_high << 15)) * i32::from(b);
+/// A row of coefficients of at most 2^29, for dot products with many positions.
+#[cfg(not(narrow_core))]
+pub(crate) type Row = WholeRow;
+#[cfg(narrow_core)]
+pub(crate) type Row = CutRow;
+
+/// A row as it is.
+#[cfg(any(test, not(narrow_core)))]
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct WholeRow([i32; 3]);
+
+#[cfg(any(test, not(narrow_core)))]
+impl WholeRow {
+    #[inline]
+    pub(crate) const fn new(row: [i32; 3]) -> Self {
+        Self(row)
     }
-    let sum = (i64::from(high) << 15) + i64::from(low);
-    // By halves, because a 64-bit shift is a call.
-    let (upper, lower) = ((sum >> 32) as i32, sum.cast_unsigned() as u32);
+
+    /// The coefficients.
+    #[inline]
+    pub(crate) const fn whole(&self) -> [i32; 3] {
+        self.0
+    }
+
+    /// Returns the dot products of three rows with a position.
+    #[inline]
+    pub(crate) fn dots([a, b, c]: &[Self; 3], position: &[i32; 3]) -> [i64; 3] {
+        [
+            dot(&a.0, position),
+            dot(&b.0, position),
+            dot(&c.0, position),
+        ]
+    }
+}
+
+/// A row that is also cut: a coefficient is the sum of three parts, in units of 2^20, 2^10 and 1, each at most 2^9.
+///
+/// Products with a number of at most 2^20 then take 30 bits, and sums of three of them 31: nine short products in place of
+/// twelve, and no carries between them.
+#[cfg(any(test, narrow_core))]
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct CutRow {
+    whole: [i32; 3],
+    parts: [[i32; 3]; 3],
+}
+
+/// The greatest coordinate that a [`CutRow`] multiplies by its parts: 16 in model space.
+#[cfg(any(test, narrow_core))]
+const SMALL: i32 = 1 << 20;
+
+#[cfg(any(test, narrow_core))]
+impl CutRow {
+    pub(crate) fn new(whole: [i32; 3]) -> Self {
+        let rounded = |a: i32, bits: u32| (a + (1 << bits >> 1)) >> bits;
+        let upper = whole.map(|a| rounded(a, 20));
+        let middle = whole.map(|a| rounded(a - (rounded(a, 20) << 20), 10));
+        let lower = whole.map(|a| a - (rounded(a, 10) << 10));
+        Self {
+            whole,
+            parts: [upper, middle, lower],
+        }
+    }
+
+    /// The coefficients.
+    #[cfg(narrow_core)]
+    #[inline]
+    pub(crate) const fn whole(&self) -> [i32; 3] {
+        self.whole
+    }
+
+    /// Returns the dot products of three rows with a position.
+    #[inline]
+    pub(crate) fn dots(rows: &[Self; 3], position: &[i32; 3]) -> [i64; 3] {
+        let raised = |x: i32| x.wrapping_add(SMALL).cast_unsigned();
+        let [x, y, z] = *position;
+        if raised(x) | raised(y) | raised(z) < 2 * SMALL.cast_unsigned() {
+            let [a, b, c] = rows;
+            [
+                a.small_dot(x, y, z),
+                b.small_dot(x, y, z),
+                c.small_dot(x, y, z),
+            ]
+        } else {
+            let [a, b, c] = rows;
+            [
+                narrow_dot(&a.whole, position),
+                narrow_dot(&b.whole, position),
+                narrow_dot(&c.whole, position),
+            ]
+        }
+    }
+
+    /// Out of line, where its numbers find registers.
+    #[inline(never)]
+    fn small_dot(&self, x: i32, y: i32, z: i32) -> i64 {
+        let [upper, middle, lower] = &self.parts;
+        let sum = |[a, b, c]: &[i32; 3]| i64::from(a * x + b * y + c * z);
+        (sum(upper) << 20) + (sum(middle) << 10) + sum(lower)
+    }
+}
+
+/// Shifts left by up to 16 bits. By halves where the core has no long shift: the compiler calls a routine there.
+#[inline]
+pub(crate) const fn up(value: i64, up: u32) -> i64 {
+    if IS_NARROW {
+        up_by_halves(value, up)
+    } else {
+        value << up
+    }
+}
+
+#[inline]
+const fn up_by_halves(value: i64, up: u32) -> i64 {
+    let (upper, lower) = ((value >> 32) as i32, value.cast_unsigned() as u32);
     let upper =
         (upper << (up & 31)).cast_unsigned() | (lower >> 1 >> (31u32.wrapping_sub(up) & 31));
-    ((u64::from(upper) << 32) | u64::from(lower << (up & 31))).cast_signed()
+    ((upper as u64) << 32 | (lower << (up & 31)) as u64).cast_signed()
 }
 
 // Out of line: a copy would be longer than the call.
@@ -256,25 +419,44 @@ mod tests {
         }
     }
 
+    /// Coefficients and positions at the ends of what a cut row multiplies by its parts, and beyond.
     #[test]
-    fn short_products_are_exact_at_the_ends() {
-        for a in [
-            0,
+    fn cut_rows_are_exact_at_the_ends() {
+        let parts = [
             1,
-            -1,
-            1 << 14,
-            (1 << 14) - 1,
-            -(1 << 14),
+            511,
+            512,
+            513,
+            1 << 19,
+            (1 << 19) - 1,
+            (1 << 29) - 1,
             1 << 29,
-            -(1 << 29),
-        ] {
-            for b in [0, 1, -1, i16::MAX, i16::MIN] {
-                for up in [0, 1, 15, 16] {
-                    let expected = 3 * i64::from(a) * (i64::from(b) << up);
+        ];
+        for a in parts.into_iter().flat_map(|a| [a, -a]) {
+            let row = CutRow::new([a, -a, a]);
+            assert!(
+                row.parts
+                    .as_flattened()
+                    .iter()
+                    .all(|part| part.abs() <= 1 << 9),
+                "{a}"
+            );
+            for x in [
+                SMALL - 1,
+                SMALL,
+                -SMALL,
+                -SMALL - 1,
+                i32::MAX,
+                i32::MIN,
+                0,
+                1,
+            ] {
+                for position in [[x; 3], [x, !x, x]] {
+                    let exact = WholeRow::dots(&[WholeRow::new([a, -a, a]); 3], &position);
                     assert_eq!(
-                        short_dot(&[a; 3], [b; 3], up),
-                        expected,
-                        "{a} · {b} << {up}"
+                        CutRow::dots(&[row; 3], &position),
+                        exact,
+                        "{a} · {position:?}"
                     );
                 }
             }
@@ -320,6 +502,15 @@ mod tests {
         }
 
         #[test]
+        fn newton_steps_are_alike(q in 1_i32 << 29..=i32::MAX, part in -(1_i32 << 28)..=1 << 28, cut in 0..28) {
+            // The guess is off by up to a quarter.
+            let r = (1_i64 << 60) / i64::from(q);
+            let guess = (r + ((r * i64::from(part >> cut)) >> 30)).min(i32::MAX.into());
+            let short = short_newton_step(q, guess as i32);
+            prop_assert_eq!(wide_newton_step(q.into(), guess), i64::from(short));
+        }
+
+        #[test]
         fn narrow_products_with_17_bits_are_exact(a in any::<i32>(), b in 0_u32..=1 << 17, cut in 0_u32..17) {
             let b = b >> cut;
             // A product of 45 bits with its sign.
@@ -330,12 +521,16 @@ mod tests {
         }
 
         #[test]
-        fn short_dot_products_equal_long_ones(
-            a in prop::array::uniform3(-(1 << 29)..=1 << 29),
-            b in any::<[i16; 3]>(),
+        fn dot_products_of_cut_rows_are_exact(
+            rows in prop::array::uniform3(prop::array::uniform3(-(1 << 29)..=1 << 29)),
+            position in any::<[i32; 3]>(),
+            down in 0..32,
             up in 0_u32..=16,
         ) {
-            prop_assert_eq!(short_dot(&a, b, up), dot(&a, &b.map(|b| i32::from(b) << up)));
+            let position = position.map(|x| x >> down);
+            let exact = WholeRow::dots(&rows.map(WholeRow::new), &position);
+            prop_assert_eq!(CutRow::dots(&rows.map(CutRow::new), &position), exact);
+            prop_assert_eq!(exact.map(|dot| up_by_halves(dot, up)), exact.map(|dot| dot << up));
         }
 
         #[test]

@@ -7,7 +7,7 @@ use crate::math::{AffineRow, Transform, compose};
 use crate::mesh::{Bounds, Index, Positions, StoredPosition};
 use crate::num::block::{self, BlockFloat};
 use crate::num::reciprocal;
-use crate::num::wide::{PREFERS_SHORT, dot, product, short_dot};
+use crate::num::wide::{self, SHIFTS_LATER, product};
 use crate::raster::{DepthShift, LEAST_WEIGHT, MOST_WEIGHT, Scissor, ScreenVertex};
 use crate::view::{Projection, ProjectionKind, Row, Viewport};
 
@@ -40,7 +40,7 @@ const fn upper(value: i64) -> i32 {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Projector<'m, K> {
     positions: Positions<'m>,
-    rows: [[i32; 3]; 3],
+    rows: [wide::Row; 3],
     offsets: [i64; 3],
     /// Fraction bits of clip coordinates.
     fraction: i32,
@@ -138,7 +138,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         let [t, x, y] = clip.translation;
         Self {
             positions,
-            rows: clip.linear,
+            rows: clip.linear.map(wide::Row::new),
             offsets: [offset(t), offset(x), offset(y)],
             fraction,
             ends,
@@ -155,32 +155,14 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     /// The clip position of a position of model space; of the origin for an index that no checked list holds.
     #[inline]
     pub(super) fn clip_position(&self, index: Index) -> ClipPosition {
-        let stored = self.positions.stored(index);
-        match stored {
-            StoredPosition::Short { position, up } if PREFERS_SHORT => {
-                self.short_clip_position(position, up)
+        let dots = match self.positions.stored(index) {
+            StoredPosition::Short { position, up } if SHIFTS_LATER => {
+                wide::Row::dots(&self.rows, &position.map(i32::from)).map(|dot| wide::up(dot, up))
             }
-            _ => {
-                let position = stored.to_bits();
-                let ([t, x, y], [ot, ox, oy]) = (&self.rows, self.offsets);
-                [
-                    ot + dot(t, &position),
-                    ox + dot(x, &position),
-                    oy + dot(y, &position),
-                ]
-            }
-        }
-    }
-
-    /// [`clip_position`](Self::clip_position) of a short position, for cores on which 16-bit products are faster.
-    #[inline(never)]
-    fn short_clip_position(&self, position: [i16; 3], up: u32) -> ClipPosition {
-        let ([t, x, y], [ot, ox, oy]) = (&self.rows, self.offsets);
-        [
-            ot + short_dot(t, position, up),
-            ox + short_dot(x, position, up),
-            oy + short_dot(y, position, up),
-        ]
+            stored => wide::Row::dots(&self.rows, &stored.to_bits()),
+        };
+        let ([t, x, y], [ot, ox, oy]) = (dots, self.offsets);
+        [ot + t, ox + x, oy + y]
     }
 
     /// The homogeneous coordinate: w in perspective, 1 under a parallel projection.
@@ -277,9 +259,6 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         let position = if let Some(position) = inside {
             position
         } else {
-            if PREFERS_SHORT && self.positions.are_short() {
-                return self.place_short(index, to);
-            }
             computed = self.clip_position(index);
             let outcode = self.outcode(&computed);
             if outcode != 0 {
@@ -336,18 +315,6 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         };
     }
 
-    /// Projects a short position, out of line so that it takes no registers from the others.
-    #[inline(never)]
-    fn place_short(&self, index: Index, to: &mut ScreenVertex) {
-        let position = self.clip_position(index);
-        let outcode = self.outcode(&position);
-        if outcode == 0 {
-            self.place(index, Some(&position), to);
-        } else {
-            *to = ScreenVertex::outside(index, outcode);
-        }
-    }
-
     /// Whether a box is certain to have no point in the scissor, nor within a pixel of it.
     #[inline(never)]
     pub(super) fn misses(&self, bounds: &Bounds, scissor: &Scissor) -> bool {
@@ -364,7 +331,8 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             }
             farthest < -MARGIN
         };
-        let ([t, x, y], [t_offset, x_offset, y_offset]) = (&self.rows, self.offsets);
+        let [t, x, y] = &self.rows.map(|row| row.whole());
+        let [t_offset, x_offset, y_offset] = self.offsets;
         let [nearest, farthest] = self.ends;
         if is_outside(*t, t_offset + nearest) || is_outside(t.map(|c| -c), farthest - t_offset) {
             return true;
@@ -411,48 +379,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::view::Window;
-    use crate::{Angle, Mesh, fx, vec3};
-
-    /// What cores that prefer short products do with short positions, against what others do.
-    fn alike<K: ProjectionKind>(projection: &Projection<K>) {
-        let ends = [i16::MIN, -12_345, -1, 0, 1, 777, i16::MAX];
-        let turn = Transform::rotate(vec3!(1, 2, 3), Angle::from_degrees(50)).unwrap();
-        let view = Transform::translate(vec3!(0, 0, -40)) * turn;
-        let viewport = Viewport::new(3, 5, 320, 240).unwrap();
-        let (mut inside, mut outside) = (0, 0);
-        for fraction in [0, 3, 10, 16] {
-            for x in ends {
-                let positions = ends.map(|y| [x, y, y.wrapping_mul(7) >> 1]);
-                let mesh = Mesh::short(&positions, fraction, &[]).unwrap();
-                let projector = Projector::new(mesh.positions(), projection, &view, &viewport);
-                for index in 0..7 {
-                    let StoredPosition::Short { position, up } = mesh.positions().stored(index)
-                    else {
-                        panic!("a long position");
-                    };
-                    let short = projector.short_clip_position(position, up);
-                    assert_eq!(short, projector.clip_position(index));
-
-                    let [mut short, mut wide] = [ScreenVertex::UNSET; 2];
-                    projector.place_short(index, &mut short);
-                    projector.project(index, &mut wide);
-                    let fields = |v: ScreenVertex| (v.screen, v.q, v.exponent, v.outcode);
-                    assert_eq!(fields(short), fields(wide));
-                    // What clipping makes is inside, and has no index.
-                    *(if wide.outcode == 0 {
-                        &mut inside
-                    } else {
-                        &mut outside
-                    }) += 1;
-                }
-            }
-        }
-        assert!(
-            inside > 20 && outside > 20,
-            "{inside} inside, {outside} outside"
-        );
-    }
+    use crate::{Angle, Mesh, fx};
 
     /// The limits, from both sides.
     #[test]
@@ -477,22 +404,5 @@ mod tests {
             assert_eq!(projector.outcode(&inside), 0);
             assert_eq!(projector.outcode(&outside), 1 << plane);
         }
-    }
-
-    #[test]
-    fn short_positions_in_perspective() {
-        let fov = Angle::from_degrees(60);
-        alike(&Projection::perspective(fov, (320, 240), fx!(1), fx!(100)).unwrap());
-    }
-
-    #[test]
-    fn short_positions_in_parallel() {
-        let window = Window {
-            left: fx!(-20),
-            right: fx!(20),
-            bottom: fx!(-15),
-            top: fx!(15),
-        };
-        alike(&Projection::orthographic(window, fx!(1), fx!(100)).unwrap());
     }
 }

@@ -1,5 +1,6 @@
 //! A triangle's edge, row by row.
 
+use core::hint::black_box;
 use core::num::NonZeroU32;
 
 use crate::num::wide::{DIVIDES, divide, times_short};
@@ -10,6 +11,7 @@ use crate::num::wide::{DIVIDES, divide, times_short};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
     column: i32,
+    /// Less `height`, so that it is below 0 unless it is to be carried to the column.
     part: i32,
     /// The number grows by `step` + `rest` / `height` for each row.
     step: i32,
@@ -62,7 +64,7 @@ impl Edge {
         }
         // One row back, because `next` goes to a row before it returns its column.
         edge.column -= step;
-        edge.part -= rest;
+        edge.part -= rest + height;
         edge
     }
 
@@ -78,10 +80,12 @@ impl Edge {
 
     /// The first column whose center is on the edge or to the right of it, in the next row: at first in `row`.
     #[inline]
-    pub(super) const fn next(&mut self) -> i32 {
+    pub(super) fn next(&mut self) -> i32 {
         self.column += self.step;
         self.part += self.rest;
-        if self.part >= self.height {
+        if self.part >= 0 {
+            // Keeps the compiler from computing both cases, for which a small core lacks registers.
+            black_box(());
             self.part -= self.height;
             self.column += 1;
         }

@@ -3,7 +3,7 @@
 use super::painter::Painter;
 use super::pixels::{Count, Pixels, Span, rolled};
 use crate::num::reciprocal;
-use crate::num::wide::product;
+use crate::num::wide::{Word, high, newton_step, product, seldom};
 use crate::raster::Scale;
 use crate::shade::Lanes;
 use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
@@ -29,31 +29,29 @@ pub(super) fn newton<S, O, D, Z>(
     let span = span.anew();
     let Span { dq, dp, down, .. } = span;
     // q is from 2^29 to 2^31, and so is r = 2^60 / q; p is 2^-28 q times the attribute.
-    let (mut q, mut p) = (span.q.cast_signed(), span.p);
-    let mut r = inverse(q);
+    let first = inverse(span.q.cast_signed());
+    let wide = |n: &i32| Word::from(*n);
+    let (mut q, mut p) = (wide(&span.q.cast_signed()), Count::<S>::map(&span.p, wide));
+    let (dq, dp) = (wide(&dq), Count::<S>::map(&dp, wide));
+    let mut r = wide(&first);
     // r changes by about −dq · r² / 2^60 per pixel; so this is r one pixel before the span.
     let change = high(r, dq);
     let mut guess = r;
     r = r.wrapping_add(high(r, change) << 4);
     for cell in cells.first(usize::MAX) {
         // One Newton step: next = guess · (2 − q · guess / 2^60).
-        let residual = (1 << FRACTION) - high(q, guess);
-        let next = guess.wrapping_add(high(guess, residual << 4));
+        let next = newton_step(q, guess);
         guess = (next << 1).wrapping_sub(r);
         r = next;
-        if pixels.visible::<D>(&cell.1, q.cast_unsigned(), down) {
-            pixels.shade::<O, D>(cell, Count::<S>::map(&p, |p| high(*p, r)));
+        if pixels.visible::<D>(&cell.1, q as u32, down) {
+            pixels.shade::<O, D>(cell, Count::<S>::map(&p, |p| high(*p, r) as i32));
+        } else {
+            seldom();
         }
         rolled();
         q = q.wrapping_add(dq);
         p = Count::<S>::zip(&p, &dp, |p, step| p.wrapping_add(*step));
     }
-}
-
-/// The upper half of a product: a · b / 2^32, rounded down.
-#[inline]
-fn high(a: i32, b: i32) -> i32 {
-    (product(a, b) >> 32) as i32
 }
 
 /// Replaces the interpolants of a span by four times its attributes at the first pixel, and their change per pixel.

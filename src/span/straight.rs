@@ -2,6 +2,7 @@
 
 use super::painter::Painter;
 use super::pixels::{Cell, Count, Numbers, Pixels, Scales, Span, rolled};
+use crate::num::wide::seldom;
 use crate::shade::Lanes;
 use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 
@@ -29,6 +30,8 @@ pub(super) fn straight<S, O, D, Z>(
     for cell in cells.first(usize::MAX) {
         if pixels.visible::<D>(&cell.1, q, down) {
             pixels.shade::<O, D>(cell, restore(&p));
+        } else {
+            seldom();
         }
         rolled();
         q = q.wrapping_add_signed(dq);

@@ -5,6 +5,7 @@ use core::mem;
 use core::ops::Range;
 
 use super::format::{DepthFormat, Linear, linear};
+use crate::num::wide::at_least;
 
 /// A canvas's depth buffer: [`NoDepth`] or [`Depth`]. Sealed.
 ///
@@ -216,7 +217,7 @@ impl<F: DepthFormat> Buffer for Depth<'_, F> {
 
     #[inline]
     fn passes(cell: &&mut u16, depth: u32) -> bool {
-        depth >= u32::from(**cell)
+        at_least(depth, **cell)
     }
 
     #[inline]
