@@ -75,8 +75,9 @@ pub fn projection(size: impl Into<Aspect>) -> Result<Projection<Perspective>, Er
     Projection::perspective(Angle::from_degrees(40), size, fx!(1), fx!(140))
 }
 
-/// Where the camera is, and what it looks at.
+/// The camera's place.
 pub const EYE: Vec3 = vec3!(3.4, 3.1, 8.4);
+/// What it looks at.
 pub const TARGET: Vec3 = vec3!(0.45, 1.62, 0);
 
 /// A camera in front of the island, a little above it.
