@@ -168,25 +168,26 @@ where
         let Some(cells) = self.canvas.run(row.cast_unsigned(), columns) else {
             return;
         };
-        if !Self::INTERPOLATES {
-            return straight(span.anew(), Self::restored, cells, pixels);
-        }
-        // Kernels that neither the mode nor the projection uses are left out.
-        match *kernel {
-            Kernel::DivideAnew if Self::OVER_W && M::IS_PRECISE => {
-                divide_anew(span, scales, |x| plan.anew(at, x), cells, pixels);
+        if Self::INTERPOLATES {
+            // Kernels that neither the mode nor the projection uses are left out.
+            match *kernel {
+                Kernel::DivideAnew if Self::OVER_W && M::IS_PRECISE => {
+                    divide_anew(span, scales, |x| plan.anew(at, x), cells, pixels);
+                }
+                _ if Self::OVER_W && (M::IS_PRECISE || M::IS_COMPACT) => {
+                    divide(span, scales, cells, pixels);
+                }
+                Kernel::Divide if Self::OVER_W => divide_apart(span, scales, cells, pixels),
+                Kernel::Newton if Self::OVER_W && M::REFINES => newton(span, cells, pixels),
+                Kernel::Pieces(length) if Self::OVER_W && M::HAS_PIECES => {
+                    pieces(span, length, scales, cells, pixels);
+                }
+                _ if M::IS_COMPACT => scaled(span, scales, cells, pixels),
+                Kernel::Scaled if !Self::OVER_W => scaled(span, scales, cells, pixels),
+                _ => straight(span.anew(), Self::restored, cells, pixels),
             }
-            _ if Self::OVER_W && (M::IS_PRECISE || M::IS_COMPACT) => {
-                divide(span, scales, cells, pixels);
-            }
-            Kernel::Divide if Self::OVER_W => divide_apart(span, scales, cells, pixels),
-            Kernel::Newton if Self::OVER_W && M::REFINES => newton(span, cells, pixels),
-            Kernel::Pieces(length) if Self::OVER_W && M::HAS_PIECES => {
-                pieces(span, length, scales, cells, pixels);
-            }
-            _ if M::IS_COMPACT => scaled(span, scales, cells, pixels),
-            Kernel::Scaled if !Self::OVER_W => scaled(span, scales, cells, pixels),
-            _ => straight(span.anew(), Self::restored, cells, pixels),
+        } else {
+            straight(span.anew(), Self::restored, cells, pixels);
         }
     }
 
@@ -241,12 +242,15 @@ where
     }
 
     fn rows(&mut self, first: i32, rows: &[Columns]) {
-        if !Self::VARIES {
-            self.solid_rows(first, rows);
-        } else if self.plan.is_near() {
-            self.near_rows(first, rows);
+        // Not negated: of a constant as it stands, the compiler does not even compile the branch that is not taken.
+        if Self::VARIES {
+            if self.plan.is_near() {
+                self.near_rows(first, rows);
+            } else {
+                self.any_rows(first, rows);
+            }
         } else {
-            self.any_rows(first, rows);
+            self.solid_rows(first, rows);
         }
     }
 }

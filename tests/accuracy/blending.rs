@@ -10,6 +10,7 @@ use embedded_graphics::pixelcolor::{
 use fixel::prelude::*;
 use fixel::shade::Translucent;
 use fixel::target::{Add, Alpha, Blending, Multiply, Native, Opacity, Storage};
+use fixel::view::Parallel;
 use proptest::prelude::*;
 
 use crate::reference::blending::{add, multiply, over};
@@ -55,6 +56,12 @@ impl Parts for BinaryColor {
     }
 }
 
+/// A projection in which [`SQUARE`] fills the frame.
+fn from_above() -> Mvp<Parallel> {
+    let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2));
+    projection.unwrap() * Camera::top(Vec3::ZERO, fx!(1))
+}
+
 /// Draws the whole frame in `above` over `below`, in four bands.
 fn pixels<C, O, B>(below: C, above: B::Source, blending: B) -> Vec<C>
 where
@@ -63,9 +70,7 @@ where
     B: Blending<C, Source: PartialEq>,
     for<'a> Canvas<'a, C, O>: Banded<'a, C, O>,
 {
-    let projection =
-        Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2)).unwrap();
-    let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
+    let mvp = from_above();
     let mut all = Vec::new();
     for first in (0..SIZE).step_by(2) {
         let mut cells = [O::store(below); 2 * SIZE as usize];
@@ -108,41 +113,54 @@ where
     }
 }
 
-/// Compares all pixels with a formula of two channels from 0 to 1; `error` is allowed for channels that differ by a
-/// number of steps.
-fn compare<C: Parts>(
-    what: &str,
-    found: &[C],
-    [above, below]: [C; 2],
-    formula: impl Fn(f64, f64) -> f64,
-    error: impl Fn(f64) -> f64,
-) {
-    for (part, (above, below)) in above.parts().iter().zip(below.parts()).enumerate() {
-        let white = above[1];
-        let exact = formula(above[0] / white, below[0] / white) * white;
-        let error = error((above[0] - below[0]).abs());
-        let values: Vec<f64> = found.iter().map(|color| color.parts()[part][0]).collect();
-        let context = || format!("{what} of {above:?} and {below:?}: {exact}, not {values:?}");
-        if C::IS_COARSE {
-            // Whole steps around the exact level; 64 thresholds that are a 64th apart, the first one half of that.
-            let mean = values.iter().sum::<f64>() / values.len() as f64;
-            assert!((mean - exact).abs() <= error + 1. / 128., "{}", context());
-            assert!(
-                values
-                    .iter()
-                    .all(|value| (value - exact).abs() < 1. + error),
-                "{}",
-                context()
-            );
-        } else {
-            // Rounded to nearest.
-            assert!(
-                values
-                    .iter()
-                    .all(|value| (value - exact).abs() <= 0.5 + error),
-                "{}",
-                context()
-            );
+/// The channels of two colors, and of the pixels in which one is blended over the other.
+struct Channels {
+    above: Vec<[f64; 2]>,
+    below: Vec<[f64; 2]>,
+    found: Vec<Vec<[f64; 2]>>,
+    is_coarse: bool,
+}
+
+impl Channels {
+    fn new<C: Parts>([above, below]: [C; 2], found: &[C]) -> Self {
+        Self {
+            above: above.parts(),
+            below: below.parts(),
+            found: found.iter().map(|color| color.parts()).collect(),
+            is_coarse: C::IS_COARSE,
+        }
+    }
+
+    /// Compares all pixels with a formula of two channels from 0 to 1; `error` is allowed for channels that differ by
+    /// a number of steps.
+    fn compare(&self, what: &str, formula: &dyn Fn(f64, f64) -> f64, error: &dyn Fn(f64) -> f64) {
+        for (part, (above, below)) in self.above.iter().zip(&self.below).enumerate() {
+            let white = above[1];
+            let exact = formula(above[0] / white, below[0] / white) * white;
+            let error = error((above[0] - below[0]).abs());
+            let values: Vec<f64> = self.found.iter().map(|parts| parts[part][0]).collect();
+            let context = || format!("{what} of {above:?} and {below:?}: {exact}, not {values:?}");
+            if self.is_coarse {
+                // Whole steps around the exact level; 64 thresholds that are a 64th apart, the first one half of that.
+                let mean = values.iter().sum::<f64>() / values.len() as f64;
+                assert!((mean - exact).abs() <= error + 1. / 128., "{}", context());
+                assert!(
+                    values
+                        .iter()
+                        .all(|value| (value - exact).abs() < 1. + error),
+                    "{}",
+                    context()
+                );
+            } else {
+                // Rounded to nearest.
+                assert!(
+                    values
+                        .iter()
+                        .all(|value| (value - exact).abs() <= 0.5 + error),
+                    "{}",
+                    context()
+                );
+            }
         }
     }
 }
@@ -158,24 +176,21 @@ where
     let weight = 0.5 / 256. + if is_short { 1. / 64. } else { 0. };
     let both = [above, below];
     let found = pixels::<C, O, _>(below, above, Opacity(opacity));
-    compare(
-        "opacity",
-        &found,
-        both,
-        |a, b| over(a, b, share),
-        |steps| weight * steps,
-    );
+    let channels = Channels::new(both, &found);
+    channels.compare("opacity", &|a, b| over(a, b, share), &|steps| {
+        weight * steps
+    });
     let source = Translucent {
         color: above,
         opacity,
     };
     assert_eq!(pixels::<C, O, _>(below, source, Alpha), found);
     let found = pixels::<C, O, _>(below, above, Add);
-    compare("sum", &found, both, add, |_| 0.);
+    Channels::new(both, &found).compare("sum", &add, &|_| 0.);
     // Sums of whole steps are whole.
     assert!(found.iter().all(|color| *color == found[0]));
     let found = pixels::<C, O, _>(below, above, Multiply);
-    compare("product", &found, both, multiply, |_| 16. / 65_536.);
+    Channels::new(both, &found).compare("product", &multiply, &|_| 16. / 65_536.);
 
     // The ends are exact.
     assert!(

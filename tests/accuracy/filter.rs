@@ -85,37 +85,53 @@ fn shade<F: Shader>(shader: &F, numbers: Numbers<F>) -> F::Color {
     shader.shade(&sample, varyings).unwrap()
 }
 
-/// Compares both addressing modes of a texture at a position with the model.
+/// Compares both addressing modes of a texture at some positions with the model.
 fn compare<C: Parts, const W: usize, const H: usize>(
     texels: &[[C; W]; H],
-    place: [i32; 2],
+    places: &[[i32; 2]],
 ) -> Result<(), TestCaseError> {
     let skin = Textured::new(texels).bilinear();
-    let shown = [
-        (Wrap::Repeat, shade(&skin, place)),
-        (Wrap::Clamp, shade(&skin.clamped(), place)),
-    ];
-    for (wrap, color) in shown {
-        for (k, part) in color.parts().into_iter().enumerate() {
-            let at = place.map(|bits| f64::from(bits) / 65536.);
-            let model = bilinear(&channel(texels, k), wrap, at);
-            let error = (part - model.value).abs();
-            prop_assert!(
-                error <= allowed::<C>(&model),
-                "{wrap:?} channel {k} at {at:?}: {part} for {model:?}"
-            );
+    let channels = [0, 1, 2].map(|k| channel(texels, k));
+    for &place in places {
+        let shown = [
+            (Wrap::Repeat, shade(&skin, place)),
+            (Wrap::Clamp, shade(&skin.clamped(), place)),
+        ];
+        for (wrap, color) in shown {
+            compare_at(&channels, wrap, place, color.parts(), allowed::<C>)?;
         }
     }
     Ok(())
 }
 
-/// Texels of any color, or of the darkest and the brightest.
-fn texels<C: Parts, const W: usize, const H: usize>() -> impl Strategy<Value = [[C; W]; H]> {
-    let raw = prop_oneof![any::<u32>(), Just(0), Just(!0)];
-    proptest::collection::vec(raw, W * H).prop_map(|list| {
-        let mut list = list.into_iter();
-        std::array::from_fn(|_| std::array::from_fn(|_| C::of(list.next().unwrap())))
-    })
+/// Compares the channels at a position.
+fn compare_at(
+    channels: &[Vec<Vec<f64>>; 3],
+    wrap: Wrap,
+    place: [i32; 2],
+    color: [f64; 3],
+    allowed: fn(&Blended) -> f64,
+) -> Result<(), TestCaseError> {
+    let at = place.map(|bits| f64::from(bits) / 65536.);
+    for (k, (part, channel)) in color.into_iter().zip(channels).enumerate() {
+        let model = bilinear(channel, wrap, at);
+        let error = (part - model.value).abs();
+        prop_assert!(
+            error <= allowed(&model),
+            "{wrap:?} channel {k} at {at:?}: {part} for {model:?}"
+        );
+    }
+    Ok(())
+}
+
+/// Texels of any color, or of the darkest and the brightest, as raw values.
+fn raw(count: usize) -> impl Strategy<Value = Vec<u32>> {
+    proptest::collection::vec(prop_oneof![any::<u32>(), Just(0), Just(!0)], count)
+}
+
+fn texels<C: Parts, const W: usize, const H: usize>(raw: &[u32]) -> [[C; W]; H] {
+    assert_eq!(raw.len(), W * H);
+    std::array::from_fn(|v| std::array::from_fn(|u| C::of(raw[v * W + u])))
 }
 
 /// A position near the texture's edges or within it, anywhere, or at the very end of the format.
@@ -132,25 +148,35 @@ fn place() -> impl Strategy<Value = [i32; 2]> {
     [axis(), axis()]
 }
 
-/// A test for a color, with sizes down to a single texel, which is its own neighbor.
+/// The texels of a large texture, a narrow one, a pair, and a single one, which is its own neighbor.
+type Textures = [Vec<u32>; 4];
+
+/// Checks any textures at any positions. Not generic: the colors' tests share what proptest compiles.
+fn check_any(check: fn(&Textures, &[[i32; 2]]) -> Result<(), TestCaseError>) {
+    let textures = [raw(16 * 8), raw(4), raw(2), raw(1)];
+    proptest!(|(textures in textures, places in proptest::collection::vec(place(), 32))| {
+        check(&textures, &places)?;
+    });
+}
+
+fn compare_all<C: Parts>(
+    [large, narrow, pair, single]: &Textures,
+    places: &[[i32; 2]],
+) -> Result<(), TestCaseError> {
+    compare(&texels::<C, 16, 8>(large), places)?;
+    compare(&texels::<C, 1, 4>(narrow), places)?;
+    compare(&texels::<C, 2, 1>(pair), places)?;
+    compare(&texels::<C, 1, 1>(single), places)
+}
+
+/// A test for each color.
 macro_rules! against_the_model {
-    ($($name:ident $color:ident)+) => {proptest! {$(
+    ($($name:ident $color:ident)+) => {$(
         #[test]
-        fn $name(
-            large in texels::<$color, 16, 8>(),
-            narrow in texels::<$color, 1, 4>(),
-            pair in texels::<$color, 2, 1>(),
-            single in texels::<$color, 1, 1>(),
-            places in proptest::collection::vec(place(), 32),
-        ) {
-            for place in places {
-                compare(&large, place)?;
-                compare(&narrow, place)?;
-                compare(&pair, place)?;
-                compare(&single, place)?;
-            }
+        fn $name() {
+            check_any(compare_all::<$color>);
         }
-    )+}};
+    )+};
 }
 against_the_model! {
     rgb555 Rgb555
@@ -179,25 +205,21 @@ fn exact_at_centers<C: Parts>(texels: &[[C; 4]; 2]) {
 
 proptest! {
     #[test]
-    fn centers_are_the_texels(
-        rgb565 in texels::<Rgb565, 4, 2>(),
-        rgb666 in texels::<Rgb666, 4, 2>(),
-        rgb888 in texels::<Rgb888, 4, 2>(),
-        gray8 in texels::<Gray8, 4, 2>(),
-    ) {
-        exact_at_centers(&rgb565);
-        exact_at_centers(&rgb666);
-        exact_at_centers(&rgb888);
-        exact_at_centers(&gray8);
+    fn centers_are_the_texels([rgb565, rgb666, rgb888, gray8] in [raw(8), raw(8), raw(8), raw(8)]) {
+        exact_at_centers::<Rgb565>(&texels(&rgb565));
+        exact_at_centers::<Rgb666>(&texels(&rgb666));
+        exact_at_centers::<Rgb888>(&texels(&rgb888));
+        exact_at_centers::<Gray8>(&texels(&gray8));
     }
 
     /// Every storage of texels, and every use of the color afterwards.
     #[test]
     fn palettes_light_and_vertex_colors(
         indices in any::<[u8; 8]>(),
-        colors in texels::<Rgb565, 256, 1>(),
+        colors in raw(256),
         place in place(),
     ) {
+        let colors: [[Rgb565; 256]; 1] = texels(&colors);
         let palette: PaletteArray<Rgb565, 4, 2> = PaletteArray::new(&indices, &colors[0]);
         let mut list = indices.iter().map(|&index| colors[0][usize::from(index)]);
         let rows: [[Rgb565; 4]; 2] =
@@ -251,7 +273,9 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(32))]
 
     #[test]
-    fn a_magnified_texture_is_smooth(texels in texels::<Rgb888, TEXELS, TEXELS>()) {
+    fn a_magnified_texture_is_smooth(raw in raw(TEXELS * TEXELS)) {
+        let texels: [[Rgb888; TEXELS]; TEXELS] = texels(&raw);
+        let channels = [0, 1, 2].map(|k| channel(&texels, k));
         let scale = 1. / f64::from(RATIO);
         let skin = Textured::new(&texels).clamped();
         let (nearest, smooth) = (picture(&skin), picture(&skin.bilinear()));
@@ -259,7 +283,7 @@ proptest! {
             let i = u32::try_from(i).unwrap();
             let at = [i % SIDE, i / SIDE].map(|at| (f64::from(at) + 0.5) * scale);
             for (k, part) in colors.iter().enumerate() {
-                let model = bilinear(&channel(&texels, k), Wrap::Clamp, at);
+                let model = bilinear(&channels[k], Wrap::Clamp, at);
                 // The picture's own u and v are within 0.001 texel.
                 let allowed = allowed::<Rgb888>(&model) + 0.002 * (model.most - model.least);
                 prop_assert!((part - model.value).abs() <= allowed, "{at:?}: {part} for {model:?}");

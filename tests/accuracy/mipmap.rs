@@ -96,16 +96,20 @@ fn a_far_floor_is_calm() {
                 let pixels = (0..WIDTH * HEIGHT).map(|i| [i % WIDTH, i / WIDTH].map(f64::from));
                 pixels
                     .map(|at| {
-                        let corners = [[0., 0.], [1., 0.], [0., 1.], [1., 1.]];
-                        let whole = corners
-                            .iter()
-                            .all(|c| floor_at([at[0] + c[0], at[1] + c[1]], k, far).is_some());
-                        whole.then(|| {
-                            area(at, 16, |at| {
-                                let [u, v] = floor_at(at, k, far).unwrap();
-                                parts(checker(u.floor() as i64, v.floor() as i64))
-                            })
-                        })
+                        let color = |[u, v]: [f64; 2]| checker(u.floor() as i64, v.floor() as i64);
+                        let square = |uv: [f64; 2]| uv.map(|at| (at / 8.).floor());
+                        let corners = [[0., 0.], [1., 0.], [0., 1.], [1., 1.]]
+                            .map(|corner| floor_at([at[0] + corner[0], at[1] + corner[1]], k, far));
+                        let [Some(a), Some(b), Some(c), Some(d)] = corners else {
+                            return None;
+                        };
+                        // Perspective keeps quadrilaterals convex: with its corners, all of a pixel is in a square.
+                        if [b, c, d].map(square) == [square(a); 3] {
+                            return Some(parts(color(a)));
+                        }
+                        Some(area(at, 16, |at| {
+                            parts(color(floor_at(at, k, far).unwrap()))
+                        }))
                     })
                     .collect()
             })

@@ -23,7 +23,7 @@ type Frame<'f> = Canvas<'f, Gray8, Native, Depth<'f>>;
 type Pen<'p, 'v> = Recorder<'p, Probe<'v, [i32; 1]>, 1>;
 
 /// The pixels of a draw call, with the interpolated x of the position, drawn in bands of `rows` rows.
-fn drawn(rows: u32, draw: impl Fn(&mut Frame<'_>, &Pen<'_, '_>) -> Drawn) -> Vec<Seen<1>> {
+fn drawn(rows: u32, draw: &dyn Fn(&mut Frame<'_>, &Pen<'_, '_>) -> Drawn) -> Vec<Seen<1>> {
     let values = |corner: &Corner<'_>| [corner.position().x.to_bits()];
     let probe = Probe {
         values: &values,
@@ -135,11 +135,11 @@ proptest! {
             let edges = [edge];
             let mesh = Mesh::new(&positions, &[]).unwrap().with_edges(&edges).unwrap();
             let options = DrawOptions::new();
-            let wide = drawn(SIZE.1, |frame, pen| frame.draw_edges(&options.with_line(width), &mesh, &mvp, pen));
+            let wide = drawn(SIZE.1, &|frame, pen| frame.draw_edges(&options.with_line(width), &mesh, &mvp, pen));
             prop_assert_eq!(picture(&counts(&wide), SIZE.0), picture(&model, SIZE.0));
-            let bands = drawn(rows, |frame, pen| frame.draw_edges(&options.with_line(width), &mesh, &mvp, pen));
+            let bands = drawn(rows, &|frame, pen| frame.draw_edges(&options.with_line(width), &mesh, &mvp, pen));
             prop_assert_eq!(&bands, &wide);
-            let thin = drawn(SIZE.1, |frame, pen| frame.draw_edges(&options, &mesh, &mvp, pen));
+            let thin = drawn(SIZE.1, &|frame, pen| frame.draw_edges(&options, &mesh, &mvp, pen));
             if half == 128 {
                 prop_assert_eq!(&thin, &wide);
             }
@@ -197,8 +197,8 @@ proptest! {
             }
         }
 
-        let smooth = drawn(SIZE.1, |frame, pen| frame.draw_edges(&options.with_line(width.smooth()), &mesh, &mvp, pen));
-        check_values(&smooth, ends, &drawn(SIZE.1, |frame, pen| frame.draw_edges(&options, &mesh, &mvp, pen)));
+        let smooth = drawn(SIZE.1, &|frame, pen| frame.draw_edges(&options.with_line(width.smooth()), &mesh, &mvp, pen));
+        check_values(&smooth, ends, &drawn(SIZE.1, &|frame, pen| frame.draw_edges(&options, &mesh, &mvp, pen)));
         prop_assert!(counts(&smooth).iter().all(|&count| count <= 1));
         for seen in smooth.iter().filter(|seen| {
             let major = usize::from(ends[0][0].abs_diff(ends[1][0]) < ends[0][1].abs_diff(ends[1][1]));
@@ -218,9 +218,9 @@ proptest! {
         let width = LineWidth::new(Scalar::from_bits(half << 9)).unwrap();
         let mvp = Projection::from_focal_length(fx!(40), SIZE, fx!(0.25), fx!(32)).unwrap();
         let options = DrawOptions::new();
-        let wide = |rows| drawn(rows, |frame, pen| frame.draw_edges(&options.with_line(width), &mesh, &mvp, pen));
+        let wide = |rows| drawn(rows, &|frame, pen| frame.draw_edges(&options.with_line(width), &mesh, &mvp, pen));
         prop_assert_eq!(wide(rows), wide(SIZE.1));
-        let smooth = |rows| drawn(rows, |frame, pen| frame.draw_edges(&options.with_line(width.smooth()), &mesh, &mvp, pen));
+        let smooth = |rows| drawn(rows, &|frame, pen| frame.draw_edges(&options.with_line(width.smooth()), &mesh, &mvp, pen));
         prop_assert_eq!(smooth(rows), smooth(SIZE.1));
     }
 
@@ -243,13 +243,13 @@ proptest! {
         let Some(ends) = canvas_ends(&mvp) else {
             return Ok(());
         };
-        let thin = drawn(SIZE.1, |frame, pen| frame.draw_edges(&plain, &mesh, &mvp, pen));
-        check_values(&drawn(SIZE.1, |frame, pen| frame.draw_edges(&plain.with_line(width.smooth()), &mesh, &mvp, pen)), ends, &thin);
+        let thin = drawn(SIZE.1, &|frame, pen| frame.draw_edges(&plain, &mesh, &mvp, pen));
+        check_values(&drawn(SIZE.1, &|frame, pen| frame.draw_edges(&plain.with_line(width.smooth()), &mesh, &mvp, pen)), ends, &thin);
         // However its color is blended.
         let glass = plain.with_blending(Opacity(opacity));
-        check_values(&drawn(SIZE.1, |frame, pen| frame.draw_edges(&glass.with_line(width.smooth()), &mesh, &mvp, pen)), ends, &thin);
+        check_values(&drawn(SIZE.1, &|frame, pen| frame.draw_edges(&glass.with_line(width.smooth()), &mesh, &mvp, pen)), ends, &thin);
         let light = plain.with_blending(Add);
-        check_values(&drawn(SIZE.1, |frame, pen| frame.draw_edges(&light.with_line(width.smooth()), &mesh, &mvp, pen)), ends, &thin);
+        check_values(&drawn(SIZE.1, &|frame, pen| frame.draw_edges(&light.with_line(width.smooth()), &mesh, &mvp, pen)), ends, &thin);
     }
 
     /// A square has the centers from half its size left of the point, or above, to half its size right, or below; the
@@ -262,7 +262,7 @@ proptest! {
         let size = Scalar::from_bits(bits);
         let style = if is_round { PointStyle::round(size) } else { PointStyle::square(size) }.unwrap();
         let draw = |frame: &mut Frame<'_>, pen: &Pen<'_, '_>| frame.draw_sized_points(&DrawOptions::new(), &mesh, style, &mvp, pen);
-        let seen = drawn(SIZE.1, draw);
+        let seen = drawn(SIZE.1, &draw);
         let half = ((i64::from(bits) + 256) >> 9).clamp(128, 255 * 128);
         let model = modelled(|pixel| {
             let [x, y] = [0, 1].map(|axis| i64::from(pixel[axis]) * 256 + 128 - i64::from(place[axis]));
@@ -274,10 +274,10 @@ proptest! {
             }
         });
         prop_assert_eq!(picture(&counts(&seen), SIZE.0), picture(&model, SIZE.0));
-        prop_assert_eq!(&drawn(rows, draw), &seen);
+        prop_assert_eq!(&drawn(rows, &draw), &seen);
         prop_assert!(seen.iter().all(|seen| seen.values == [positions[0].x.to_bits()]));
         if bits == 1 << 16 && !is_round {
-            prop_assert_eq!(drawn(SIZE.1, |frame, pen| frame.draw_points(&DrawOptions::new(), &mesh, &mvp, pen)), seen);
+            prop_assert_eq!(drawn(SIZE.1, &|frame, pen| frame.draw_points(&DrawOptions::new(), &mesh, &mvp, pen)), seen);
         }
     }
 
@@ -300,8 +300,8 @@ proptest! {
         let window = Projection::orthographic(Window::centered(fx!(9), fx!(4)), fx!(0.5), fx!(32)).unwrap();
         let options = DrawOptions::new();
         let size = f64::from(size.to_bits()) / 65536.;
-        let perspective = drawn(SIZE.1, |frame, pen| frame.draw_sized_points(&options, &mesh, style, &(focal * model), pen));
-        let parallel = drawn(SIZE.1, |frame, pen| frame.draw_sized_points(&options, &mesh, style, &(window * model), pen));
+        let perspective = drawn(SIZE.1, &|frame, pen| frame.draw_sized_points(&options, &mesh, style, &(focal * model), pen));
+        let parallel = drawn(SIZE.1, &|frame, pen| frame.draw_sized_points(&options, &mesh, style, &(window * model), pen));
         let mut colors = vec![Gray8::new(0); (SIZE.0 * SIZE.1) as usize];
         let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
         let places = [canvas.project(&options, &(focal * model), positions[0]), canvas.project(&options, &(window * model), positions[0])];
@@ -340,19 +340,19 @@ fn wide_outlines_are_outlines() {
     let camera = Camera::look_at(vec3!(1, 2, 3), Vec3::ZERO, Vec3::Y).unwrap();
     let mvp = projection * camera;
     let options = DrawOptions::new();
-    let thin = drawn(SIZE.1, |frame, pen| {
+    let thin = drawn(SIZE.1, &|frame, pen| {
         frame.draw_outline(&options, &CAN, &RIMS, &mvp, pen)
     });
     let wide = |width| {
         let wide = options.with_line(LineWidth::new(width).unwrap());
-        drawn(SIZE.1, |frame, pen| {
+        drawn(SIZE.1, &|frame, pen| {
             frame.draw_outline(&wide, &CAN, &RIMS, &mvp, pen)
         })
     };
     assert_eq!(wide(fx!(1)), thin);
     // The center of a plain line's pixel is within half a pixel of the line.
     let smooth = options.with_line(LineWidth::new(fx!(1)).unwrap().smooth());
-    let smooth = drawn(SIZE.1, |frame, pen| {
+    let smooth = drawn(SIZE.1, &|frame, pen| {
         frame.draw_outline(&smooth, &CAN, &RIMS, &mvp, pen)
     });
     let smooth = counts(&smooth);

@@ -41,8 +41,8 @@ pub struct Picture {
 /// The contents before drawing.
 const BACKGROUND: Rgb565 = Rgb565::new(1, 2, 3);
 
-/// Room for all pieces that clipping makes of the few triangles here.
-type List = TriangleList<16, 200>;
+/// Room for all pieces that clipping makes of the few triangles here, twice.
+type List = TriangleList<32, 400>;
 
 impl<K: ProjectionKind> Call<'_, K> {
     /// Draws in one way.
@@ -405,16 +405,15 @@ impl<K: ProjectionKind> Call<'_, K> {
         let bands = self.in_bands(&mut |band| band.draw_prepared(&sorted, shader).unwrap());
         assert!(bands == frame, "bands of sorted triangles differ");
 
-        // As two objects of a scene.
-        let mut list: TriangleList<32, 400> = TriangleList::new();
-        let mut objects = [Object::new(self.mesh, Transform::IDENTITY, *shader); 2];
+        // As two objects of a scene. Their material is not the shader: scenes would be compiled for each.
+        let mut objects = [Object::new(self.mesh, Transform::IDENTITY, ()); 2];
         let mut scene = list
             .prepare_scene(options, self.scene.size, &self.mvp, &mut objects)
             .unwrap();
         scene.sort_back_to_front();
         let draw = &mut |canvas: &mut Frame<'_>| {
             let mut drawn = Drawn::default();
-            for (shader, triangles) in scene.parts(canvas).unwrap() {
+            for ((), triangles) in scene.parts(canvas).unwrap() {
                 drawn = canvas.draw_prepared(&triangles, shader).unwrap();
             }
             drawn
@@ -431,7 +430,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         F: Shader<Color = Rgb565>,
     {
         let (mesh, size) = (self.mesh, self.scene.size);
-        let mut list: EdgeList<48, 200> = EdgeList::new();
+        let mut list: EdgeList<96, 400> = EdgeList::new();
         let mut room = vec![[0; 4]; 3 * mesh.faces().len()];
         let edges = match self.outline(&mut room) {
             Some(outline) => list.prepare_outline(options, size, mesh, &outline, &self.mvp),
@@ -466,15 +465,14 @@ impl<K: ProjectionKind> Call<'_, K> {
         assert!(bands == direct, "bands of prepared smooth edges differ");
 
         // As two objects of a scene.
-        let mut list: EdgeList<96, 400> = EdgeList::new();
-        let mut object = Object::new(mesh, Transform::IDENTITY, *shader);
+        let mut object = Object::new(mesh, Transform::IDENTITY, ());
         object.outline = outline.as_ref();
         let mut objects = [object; 2];
         let scene = list.prepare_scene(&smooth, size, &self.mvp, &mut objects);
         let scene = scene.unwrap();
         let draw = &mut |canvas: &mut Frame<'_>| {
             let mut drawn = Drawn::default();
-            for (shader, edges) in scene.parts(canvas).unwrap() {
+            for ((), edges) in scene.parts(canvas).unwrap() {
                 drawn = canvas.draw_prepared_edges(&edges, shader).unwrap();
             }
             drawn

@@ -75,16 +75,17 @@ pub fn interpolate<const N: usize>(
     w: [f64; 3],
     attributes: &[[f64; N]; 3],
 ) -> Value<N> {
-    let sum = |weights: &[f64; 3], corner: &dyn Fn(usize) -> f64| -> f64 {
-        (0..3).map(|i| weights[i] * corner(i)).sum()
+    let sum = |weights: &[f64; 3], corners: &[f64; 3]| -> f64 {
+        weights.iter().zip(corners).map(|(a, b)| a * b).sum()
     };
-    let inverse = |i: usize| 1. / w[i];
+    let inverse = w.map(|w| 1. / w);
     let d = sum(&weights.value, &inverse);
     let (d_dx, d_dy) = (sum(&weights.dx, &inverse), sum(&weights.dy, &inverse));
-    let over_w = |k: usize| move |i: usize| attributes[i][k] / w[i];
-    let a: [f64; N] = std::array::from_fn(|k| sum(&weights.value, &over_w(k)) / d);
+    let over_w: [[f64; 3]; N] =
+        std::array::from_fn(|k| std::array::from_fn(|i| attributes[i][k] / w[i]));
+    let a: [f64; N] = std::array::from_fn(|k| sum(&weights.value, &over_w[k]) / d);
     let change = |weights: &[f64; 3], change_of_d: f64| {
-        std::array::from_fn(|k| (sum(weights, &over_w(k)) - a[k] * change_of_d) / d)
+        std::array::from_fn(|k| (sum(weights, &over_w[k]) - a[k] * change_of_d) / d)
     };
     Value {
         w: 1. / d,
