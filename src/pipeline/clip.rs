@@ -75,7 +75,8 @@ fn clip_to_plane<K: ProjectionKind>(
     inside: &mut Polygon,
 ) {
     let is_outside = |corner: &ClipVertex| projector.is_outside(&corner.position, plane);
-    // A polygon's last corner is joined to its first, a line's is not.
+    // A polygon's last corner is joined to its first. A line's is not, nor need it be where a polygon has two left: that
+    // has no area.
     let mut from = polygon.last().filter(|_| polygon.len() > 2);
     let mut was_out = from.is_some_and(is_outside);
     for to in polygon {
