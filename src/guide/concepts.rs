@@ -135,7 +135,8 @@
 //! ```
 //! use fixel::prelude::*;
 //!
-//! let quarter = Transform::rotate_z(deg!(90)); // counter-clockwise, seen from the tip of the axis
+//! // Counter-clockwise, seen from the tip of the axis.
+//! let quarter = Transform::rotate_z(deg!(90));
 //! let right = Transform::translate(vec3!(2, 0, 0));
 //! assert_eq!((right * quarter).point(Vec3::X), vec3!(2, 1, 0)); // turned, then moved
 //! assert_eq!((quarter * right).point(Vec3::X), vec3!(0, 3, 0)); // moved, then turned
@@ -159,10 +160,14 @@
 //! use fixel::shade::Fog;
 //!
 //! static SKIN: TextureArray<Rgb565, 2, 2> =
-//!     TextureArray::from_texels([[Rgb565::WHITE, Rgb565::RED], [Rgb565::RED, Rgb565::WHITE]]);
+//!     TextureArray::from_texels([
+//!         [Rgb565::WHITE, Rgb565::RED],
+//!         [Rgb565::RED, Rgb565::WHITE],
+//!     ]);
 //!
 //! fn surface() -> Result<impl Shader<Color = Rgb565>, Error> {
-//!     let sun = Light::new(vec3!(-1, 3, 2), fx!(0.3), fx!(0.7))?; // the direction to the sun
+//!     // The direction points to the sun.
+//!     let sun = Light::new(vec3!(-1, 3, 2), fx!(0.3), fx!(0.7))?;
 //!     let fog = Fog::linear(Rgb565::WHITE, fx!(5), fx!(40))?;
 //!     Ok(Textured::new(&SKIN).lit(sun).in_fog(fog))
 //! }

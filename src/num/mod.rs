@@ -38,7 +38,8 @@
 //! use fixel::{Scalar, fx, vec3};
 //! // In range: the operator will do.
 //! assert_eq!(fx!(2) * fx!(0.25), fx!(0.5));
-//! // 40,000 is beyond the range. `fx!(200) * fx!(200)` would panic, or be -25,536 in a release build.
+//! // 40,000 is beyond the range. `fx!(200) * fx!(200)` would panic, or be -25,536 in a
+//! // release build.
 //! assert_eq!(fx!(200).saturating_mul(fx!(200)), Scalar::MAX);
 //! // The operators of vectors belong to this crate, and saturate.
 //! assert_eq!((vec3!(200, 0, 0) * fx!(200)).x, Scalar::MAX);

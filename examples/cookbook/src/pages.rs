@@ -6,7 +6,7 @@ use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::{Drawable, text::Text};
-use fixel::mesh::Part;
+use fixel::mesh::{Part, Quantized};
 use fixel::mode::Affine;
 use fixel::prelude::*;
 use fixel::shade::{Fog, Gradient, Mipmapped, PartColors};
@@ -40,6 +40,7 @@ pub const PAGES: &[(&str, Draw)] = &[
     ("in_fog", in_fog),
     ("map", map),
     ("converted", converted),
+    ("dequantized", dequantized),
     ("light", light),
     ("point_light", point_light),
     ("spot_light", spot_light),
@@ -280,6 +281,24 @@ where
 fn converted(canvas: &mut Frame<'_>) -> Drawn {
     let surface = Flat::new(ORANGE).lit(sun()?);
     ring(canvas, &RING, &shown_in::<Gray2>(surface))
+}
+
+/// A textured ring with numbers of 32 bits, and its quantized mesh, which takes a third of the flash.
+fn dequantized(canvas: &mut Frame<'_>) -> Drawn {
+    static SMALL: Quantized = shape!(torus(fx!(0.45), 32, 16), quantized_8);
+    canvas.clear(SLATE);
+    let (half, height) = (SIZE.width / 2, SIZE.height);
+    let projection = Projection::perspective(deg!(58), (half, height), fx!(0.1), fx!(100))?;
+    let camera = Camera::look_at(vec3!(0, 2, 3.2), Vec3::ZERO, Vec3::Y)?;
+    let mvp = projection * camera * Transform::rotate_z(deg!(25));
+    let part = |x| -> Result<DrawOptions, Error> {
+        Ok(DrawOptions::new().with_viewport(Viewport::new(x, 0, half, height)?))
+    };
+    let skin = Textured::new(&CHECKERS).lit(sun()?);
+    canvas.draw_with(&part(0)?, &RING, &mvp, &skin);
+    let right = part(half.cast_signed())?;
+    canvas.draw_with(&right, SMALL.mesh(), &mvp, &SMALL.shader(skin));
+    Ok(())
 }
 
 /// A lamp above a floor and a ball.
