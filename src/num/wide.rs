@@ -60,13 +60,12 @@ pub(crate) const fn at_least(a: u32, b: u16) -> bool {
     }
 }
 
-/// Marks a branch that is seldom taken, so that the others need no jump around it. On 32-bit cores with all products, it
-/// moves what loops keep in registers, for no gain.
+/// Marks a branch that is seldom taken, where registers have 64 bits: the others then need no jump around it.
 #[inline]
 pub(crate) fn seldom() {
     #[cold]
     const fn cold() {}
-    if IS_WIDE || IS_NARROW {
+    if IS_WIDE {
         cold();
     }
 }
@@ -265,13 +264,17 @@ impl WholeRow {
         self.0
     }
 
-    /// Returns the dot products of three rows with a position.
+    /// Returns the dot products of three rows with a position, added to `sums`.
     #[inline]
-    pub(crate) fn dots([a, b, c]: &[Self; 3], position: &[i32; 3]) -> [i64; 3] {
+    pub(crate) fn add_dots(
+        [a, b, c]: &[Self; 3],
+        position: &[i32; 3],
+        [x, y, z]: [i64; 3],
+    ) -> [i64; 3] {
         [
-            dot(&a.0, position),
-            dot(&b.0, position),
-            dot(&c.0, position),
+            x + dot(&a.0, position),
+            y + dot(&b.0, position),
+            z + dot(&c.0, position),
         ]
     }
 }
@@ -311,26 +314,17 @@ impl CutRow {
         self.whole
     }
 
-    /// Returns the dot products of three rows with a position.
+    /// Returns the dot products of three rows with a position, added to `sums`.
     #[inline]
-    pub(crate) fn dots(rows: &[Self; 3], position: &[i32; 3]) -> [i64; 3] {
+    pub(crate) fn add_dots([a, b, c]: &[Self; 3], position: &[i32; 3], sums: [i64; 3]) -> [i64; 3] {
         let raised = |x: i32| x.wrapping_add(SMALL).cast_unsigned();
         let [x, y, z] = *position;
-        if raised(x) | raised(y) | raised(z) < 2 * SMALL.cast_unsigned() {
-            let [a, b, c] = rows;
-            [
-                a.small_dot(x, y, z),
-                b.small_dot(x, y, z),
-                c.small_dot(x, y, z),
-            ]
+        let dots = if raised(x) | raised(y) | raised(z) < 2 * SMALL.cast_unsigned() {
+            [a, b, c].map(|row| row.small_dot(x, y, z))
         } else {
-            let [a, b, c] = rows;
-            [
-                narrow_dot(&a.whole, position),
-                narrow_dot(&b.whole, position),
-                narrow_dot(&c.whole, position),
-            ]
-        }
+            [a, b, c].map(|row| narrow_dot(&row.whole, position))
+        };
+        [sums[0] + dots[0], sums[1] + dots[1], sums[2] + dots[2]]
     }
 
     /// Out of line, where its numbers find registers.
@@ -452,9 +446,10 @@ mod tests {
                 1,
             ] {
                 for position in [[x; 3], [x, !x, x]] {
-                    let exact = WholeRow::dots(&[WholeRow::new([a, -a, a]); 3], &position);
+                    let exact =
+                        WholeRow::add_dots(&[WholeRow::new([a, -a, a]); 3], &position, [3, -4, 5]);
                     assert_eq!(
-                        CutRow::dots(&[row; 3], &position),
+                        CutRow::add_dots(&[row; 3], &position, [3, -4, 5]),
                         exact,
                         "{a} · {position:?}"
                     );
@@ -528,8 +523,8 @@ mod tests {
             up in 0_u32..=16,
         ) {
             let position = position.map(|x| x >> down);
-            let exact = WholeRow::dots(&rows.map(WholeRow::new), &position);
-            prop_assert_eq!(CutRow::dots(&rows.map(CutRow::new), &position), exact);
+            let exact = WholeRow::add_dots(&rows.map(WholeRow::new), &position, [0; 3]);
+            prop_assert_eq!(CutRow::add_dots(&rows.map(CutRow::new), &position, [0; 3]), exact);
             prop_assert_eq!(exact.map(|dot| up_by_halves(dot, up)), exact.map(|dot| dot << up));
         }
 

@@ -155,13 +155,18 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     /// The clip position of a position of model space; of the origin for an index that no checked list holds.
     #[inline]
     pub(super) fn clip_position(&self, index: Index) -> ClipPosition {
-        let dots = match self.positions.stored(index) {
-            StoredPosition::Short { position, up } if SHIFTS_LATER => {
-                wide::Row::dots(&self.rows, &position.map(i32::from)).map(|dot| wide::up(dot, up))
+        let stored = self.positions.stored(index);
+        if !SHIFTS_LATER {
+            return wide::Row::add_dots(&self.rows, &stored.to_bits(), self.offsets);
+        }
+        let dots = |position: [i32; 3]| wide::Row::add_dots(&self.rows, &position, [0; 3]);
+        let [t, x, y] = match stored {
+            StoredPosition::Short { position, up } => {
+                dots(position.map(i32::from)).map(|dot| wide::up(dot, up))
             }
-            stored => wide::Row::dots(&self.rows, &stored.to_bits()),
+            StoredPosition::Long(position) => dots(position.to_bits()),
         };
-        let ([t, x, y], [ot, ox, oy]) = (dots, self.offsets);
+        let [ot, ox, oy] = self.offsets;
         [ot + t, ox + x, oy + y]
     }
 

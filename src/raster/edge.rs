@@ -7,16 +7,16 @@ use crate::num::wide::{DIVIDES, divide, times_short};
 
 /// The first column whose center is on an edge or to the right of it, stepped exactly from row to row.
 ///
-/// That column is the integer part of a rational number, `column` + `part` / `height`.
+/// That column is the integer part of a rational number, `column` + 1 + `part` / `height`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
     column: i32,
-    /// Less `height`, so that it is below 0 unless it is to be carried to the column.
+    /// From -`height` to -1, so that its sign tells when a column is complete.
     part: i32,
     /// The number grows by `step` + `rest` / `height` for each row.
     step: i32,
     rest: i32,
-    /// In units of 1/256 pixel. `part` and `rest` are less than that, and not below 0.
+    /// In units of 1/256 pixel. `rest` is less than that, and not below 0.
     height: i32,
 }
 
@@ -62,7 +62,7 @@ impl Edge {
         if skipped > 0 {
             edge.skip(skipped);
         }
-        // One row back, because `next` goes to a row before it returns its column.
+        // So far, `part` was counted from 0. One row back, because `next` goes to a row before it returns its column.
         edge.column -= step;
         edge.part -= rest + height;
         edge

@@ -3,7 +3,7 @@
 use super::painter::Painter;
 use super::pixels::{Count, Numbers, Pixels, Scales, Span, rolled};
 use crate::num::short_reciprocal;
-use crate::num::wide::{product, seldom, times_17_bits};
+use crate::num::wide::{product, times_17_bits};
 use crate::shade::Lanes;
 use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 
@@ -56,8 +56,6 @@ pub(super) fn pieces<S, O, D, Z>(
             rolled();
             if pixels.visible::<D>(&cell.1, q, down) {
                 pixels.shade::<O, D>(cell, values);
-            } else {
-                seldom();
             }
             q = q.wrapping_add_signed(dq);
             values = Count::<S>::zip(&values, &gains, |value, gain| value.wrapping_add(*gain));
