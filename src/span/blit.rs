@@ -132,8 +132,8 @@ where
                 count: columns.len(),
             };
             match (span.p.as_mut(), span.dp.as_mut()) {
-                // The first attribute is in the third; the compiler drops it.
-                ([p, ..], [dp, ..]) if Self::PAIRS => (*p, *dp) = (0, 0),
+                // The third attribute is in the first; the compiler drops it.
+                ([.., p], [.., dp]) if Self::PAIRS => (*p, *dp) = (0, 0),
                 _ => {}
             }
             if let Some(cells) = blit.cells(row, columns) {
@@ -196,7 +196,7 @@ where
         let mut numbers = *p;
         match numbers.as_mut() {
             [first, second, third] if Self::PAIRS => {
-                [*first, *second, *third] = unpaired(*second, *third);
+                [*first, *second, *third] = unpaired(*first, *second);
                 numbers
             }
             _ => Self::restored(p),
