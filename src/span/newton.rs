@@ -37,8 +37,9 @@ pub(super) fn newton<S, O, D, Z>(
     r = r.wrapping_add(high(r, change) << 4);
     for cell in cells.first(usize::MAX) {
         // One Newton step: next = guess · (2 − q · guess / 2^60).
-        let residual = (1 << FRACTION) - high(q, guess);
-        let next = guess.wrapping_add(high(guess, residual << 4));
+        // In units of 2^-32: `!x` is −x − 1, and needs no register for a constant.
+        let residual = !(high(q, guess) << 4);
+        let next = guess.wrapping_add(high(guess, residual));
         guess = (next << 1).wrapping_sub(r);
         r = next;
         if pixels.visible::<D>(&cell.1, q.cast_unsigned(), down) {
