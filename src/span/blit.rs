@@ -10,7 +10,7 @@ use super::mode::{Kernel, Policy};
 use super::newton::newton;
 use super::painter::Painter;
 use super::pieces::pieces;
-use super::pixels::{Count, FaceOf, Numbers, Pixels, Span};
+use super::pixels::{Count, FaceOf, Numbers, Pixels, Span, rolled};
 use super::plan::Plan;
 use super::straight::{scaled, solid, straight};
 use crate::mesh::Primitive;
@@ -110,10 +110,12 @@ where
     #[inline(always)]
     fn near_rows(&mut self, first: i32, rows: &[Columns]) {
         let mut rest = (self, (first..).zip(rows));
+        // In memory: a loop over pixels takes all registers of a small core, and the compiler would rather keep this
+        // between rows in them. After this line, it must think that `rolled` changes it.
+        black_box(&mut rest);
         loop {
-            // In memory: a loop over pixels takes all registers of a small core, and the compiler would rather keep
-            // this between rows in them.
-            let (blit, rows) = black_box(&mut rest);
+            rolled();
+            let (blit, rows) = &mut rest;
             let Some((row, &[start, end])) = rows.next() else {
                 return;
             };
@@ -240,10 +242,17 @@ where
         }
     }
 
-    fn rows(&mut self, first: i32, rows: &[Columns]) {
+    fn rows(&mut self, patch: &mut Option<&Patch<'_>>, first: i32, rows: &[Columns]) {
         if !Self::VARIES {
-            self.solid_rows(first, rows);
-        } else if self.plan.is_near() {
+            return self.solid_rows(first, rows);
+        }
+        if patch.is_some() && rows.iter().all(|[start, end]| start >= end) {
+            return;
+        }
+        if let Some(patch) = patch.take() {
+            self.set_up(patch);
+        }
+        if self.plan.is_near() {
             self.near_rows(first, rows);
         } else {
             self.any_rows(first, rows);
