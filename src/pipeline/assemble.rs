@@ -25,32 +25,26 @@ pub(super) fn triangle<K: ProjectionKind>(
     (face, indices): (usize, &[Index; 3]),
     to: &mut impl Assembly,
 ) {
-    let [a, b, c] = *indices;
     let element = || Element {
         face: Some(face),
         indices: *indices,
     };
-    let mut place = |index| {
-        let vertex = vertices.vertex(&call.projector, index);
-        (vertex.screen, vertex.outcode)
+    let copies;
+    let [a, b, c] = if let Some(corners) = vertices.corners(&call.projector, *indices) {
+        corners
+    } else {
+        copies = vertices.copies(&call.projector, *indices);
+        let [a, b, c] = &copies;
+        [a, b, c]
     };
-    let ((a, a_outcode), (b, b_outcode), (c, c_outcode)) = (place(a), place(b), place(c));
-    let planes = a_outcode | b_outcode | c_outcode;
+    let planes = a.outcode | b.outcode | c.outcode;
     if planes == 0 {
         // Back faces, half of most meshes, are rejected here, before any attribute is read.
-        let area = raster::area(&[a, b, c]);
+        let area = raster::area(&[a.screen, b.screen, c.screen]);
         if !call.shared.cull.leaves_out(area) {
-            let copies;
-            let corners = if let Some(corners) = vertices.corners(*indices) {
-                corners
-            } else {
-                copies = vertices.copies(&call.projector, *indices);
-                let [a, b, c] = &copies;
-                [a, b, c]
-            };
-            to.whole(element(), corners, area);
+            to.whole(element(), [a, b, c], area);
         }
-    } else if a_outcode & b_outcode & c_outcode == 0 {
+    } else if a.outcode & b.outcode & c.outcode == 0 {
         let mut polygon = ClippedPolygon::new();
         clip(&call.projector, indices, planes, &mut polygon);
         to.clipped(element(), &polygon);

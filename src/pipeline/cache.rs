@@ -50,16 +50,21 @@ impl VertexCache {
         entry
     }
 
-    /// The corners of a triangle whose vertices were asked for last, unless two of them share a slot.
+    /// The corners of a triangle, from the cache or projected now; `None` if two of them share a slot.
     #[inline]
-    pub(super) fn corners(&self, indices: [Index; 3]) -> Option<[&ScreenVertex; 3]> {
-        let [a, b, c] = indices;
-        let kept = |index| {
-            let entry = &self.entries[usize::from(index) % SIZE];
-            (entry.index == index).then_some(entry)
-        };
+    pub(super) fn corners<K: ProjectionKind>(
+        &mut self,
+        projector: &Projector<'_, K>,
+        [a, b, c]: [Index; 3],
+    ) -> Option<[&ScreenVertex; 3]> {
+        self.vertex(projector, a);
+        self.vertex(projector, b);
+        self.vertex(projector, c);
+        let slot = |index| usize::from(index) % SIZE;
+        let (a, b, c) = (slot(a), slot(b), slot(c));
         // Destructured by hand, as in `ScreenVertex::screens`.
-        Some([kept(a)?, kept(b)?, kept(c)?])
+        let entries = &self.entries;
+        (a != b && b != c && c != a).then(|| [&entries[a], &entries[b], &entries[c]])
     }
 
     /// The corners of any triangle.

@@ -54,7 +54,10 @@ impl Blitter for Picture {
         self.screen = ScreenVertex::screens(patch.vertices);
     }
 
-    fn rows(&mut self, first: i32, columns: &[Columns]) {
+    fn rows(&mut self, patch: &mut Option<&Patch<'_>>, first: i32, columns: &[Columns]) {
+        if let Some(patch) = patch.take() {
+            self.set_up(patch);
+        }
         for (row, [start, end]) in (first..).zip(columns.iter().map(|ends| ends.map(i32::from))) {
             for column in start..end {
                 let [at_row, at_column] = [row, column].map(|at| usize::try_from(at).unwrap());

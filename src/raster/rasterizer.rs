@@ -35,8 +35,11 @@ impl<'r> Rasterizer<'r> {
 
     /// Draws some columns of one row, which lie within the scissor.
     pub(super) fn span(&mut self, row: i32, columns: &Range<i32>) {
-        self.blitter
-            .rows(row, &[[columns.start as i16, columns.end as i16]]);
+        self.blitter.rows(
+            &mut None,
+            row,
+            &[[columns.start as i16, columns.end as i16]],
+        );
     }
 
     /// Finds the rows of a triangle; `each` receives the first row and the columns of some of them.
@@ -75,7 +78,7 @@ impl<'r> Rasterizer<'r> {
             for row in &mut *rows {
                 *row = columns;
             }
-            self.blitter.rows(first, rows);
+            self.blitter.rows(&mut None, first, rows);
             first = next;
         }
     }

@@ -93,19 +93,21 @@ const fn signed([a, b, c]: [u32; 3]) -> [i32; 3] {
 /// Right shift that turns a level, of 5 bits and 16 fraction bits, into the half of a pair.
 const PAIR_DOWN: u32 = 5;
 
-/// The attributes at a pixel where the third attribute's plane is a pair, and the second one's is
+/// The attributes at a pixel where the first attribute's plane is a pair, and the second one's is
 /// [affine](Scale::AFFINE_UP).
+///
+/// The first is the lower half: the upper bits of its step are where RGB565 has red.
 ///
 /// The first and the third are levels raised by half a step, from half a step to 31½. A plane's error of
 /// [33¾ units](super::gradient) and a unit for the bits that are cut are a sixtieth of a step in units of 2^-11 step. So a
 /// half stays between 0 and 2^16.
 #[inline]
-pub(crate) const fn unpaired(second: i32, pair: i32) -> [i32; 3] {
+pub(crate) const fn unpaired(pair: i32, second: i32) -> [i32; 3] {
     let upper = (pair.cast_unsigned() >> 16).cast_signed();
     [
-        upper << PAIR_DOWN,
-        second >> Scale::AFFINE_UP,
         (pair & 0xffff) << PAIR_DOWN,
+        second >> Scale::AFFINE_UP,
+        upper << PAIR_DOWN,
     ]
 }
 
@@ -206,7 +208,7 @@ impl Setup {
                     basis.lay_near(cut(first.corners), 0, &mut first.gradient);
                     basis.lay_near(second.corners, Scale::AFFINE_UP, &mut second.gradient);
                     basis.lay_near(cut(third.corners), 0, &mut third.gradient);
-                    first.gradient.pair_with(&mut third.gradient);
+                    third.gradient.pair_with(&mut first.gradient);
                     self.is_small = true;
                     return;
                 }

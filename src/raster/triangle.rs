@@ -93,10 +93,10 @@ impl<'a> Triangle<'a> {
     /// Draws the part in the scissor; of that part, if `part` is given, only the pixels that it selects.
     #[inline(never)]
     pub(super) fn draw_part(&self, raster: &mut Rasterizer<'_>, part: Option<&Part<'_>>) {
-        raster.blitter.set_up(&self.patch);
+        let mut patch = Some(&self.patch);
         raster.fill(self, |blitter, first, columns| match part {
-            None => blitter.rows(first, columns),
-            Some(part) => part.rows(blitter, first, columns),
+            None => blitter.rows(&mut patch, first, columns),
+            Some(part) => part.rows(blitter, &mut patch, first, columns),
         });
     }
 }

@@ -10,7 +10,7 @@ use super::mode::{Kernel, Policy};
 use super::newton::newton;
 use super::painter::Painter;
 use super::pieces::pieces;
-use super::pixels::{Count, FaceOf, Numbers, Pixels, Span};
+use super::pixels::{Count, FaceOf, Numbers, Pixels, Span, rolled};
 use super::plan::Plan;
 use super::straight::{scaled, solid, straight};
 use crate::mesh::Primitive;
@@ -110,10 +110,12 @@ where
     #[inline(always)]
     fn near_rows(&mut self, first: i32, rows: &[Columns]) {
         let mut rest = (self, (first..).zip(rows));
+        // In memory: a loop over pixels takes all registers of a small core, and the compiler would rather keep this
+        // between rows in them. After this line, it must think that `rolled` changes it.
+        black_box(&mut rest);
         loop {
-            // In memory: a loop over pixels takes all registers of a small core, and the compiler would rather keep
-            // this between rows in them.
-            let (blit, rows) = black_box(&mut rest);
+            rolled();
+            let (blit, rows) = &mut rest;
             let Some((row, &[start, end])) = rows.next() else {
                 return;
             };
@@ -132,8 +134,8 @@ where
                 count: columns.len(),
             };
             match (span.p.as_mut(), span.dp.as_mut()) {
-                // The first attribute is in the third; the compiler drops it.
-                ([p, ..], [dp, ..]) if Self::PAIRS => (*p, *dp) = (0, 0),
+                // The third attribute is in the first; the compiler drops it.
+                ([.., p], [.., dp]) if Self::PAIRS => (*p, *dp) = (0, 0),
                 _ => {}
             }
             if let Some(cells) = blit.cells(row, columns) {
@@ -197,7 +199,7 @@ where
         let mut numbers = *p;
         match numbers.as_mut() {
             [first, second, third] if Self::PAIRS => {
-                [*first, *second, *third] = unpaired(*second, *third);
+                [*first, *second, *third] = unpaired(*first, *second);
                 numbers
             }
             _ => Self::restored(p),
@@ -241,9 +243,15 @@ where
         }
     }
 
-    fn rows(&mut self, first: i32, rows: &[Columns]) {
+    fn rows(&mut self, patch: &mut Option<&Patch<'_>>, first: i32, rows: &[Columns]) {
         // Not negated: of a constant as it stands, the compiler does not even compile the branch that is not taken.
         if Self::VARIES {
+            if patch.is_some() && rows.iter().all(|[start, end]| start >= end) {
+                return;
+            }
+            if let Some(patch) = patch.take() {
+                self.set_up(patch);
+            }
             if self.plan.is_near() {
                 self.near_rows(first, rows);
             } else {
