@@ -149,6 +149,7 @@ def places(instructions, other):
 
     # Inner loops.
     row(BENCHMARKS, "a pixel of one color", tenths, "flat")
+    row(BENCHMARKS, "colors by height (`Gradient`), `Newton`", whole, "gradient")
     for label, *names in [
         ("textured, affine", "affine"),
         ("textured, `Newton`", "newton"),
@@ -175,6 +176,7 @@ def places(instructions, other):
         ("a pixel with a mip level, bilinear (without: `Bilinear`)", "affine-mipmap-bilinear", "affine-bilinear"),
         ("a trilinear pixel (without: `Bilinear`)", "affine-trilinear", "affine-bilinear"),
         ("a sprite of 4x4 pixels", "sprite"),
+        ("the same, about an axis", "sprite-on-axis"),
         ("two triangles of a mesh in its place", "two-triangles"),
         ("a line of a ball", "line"),
         ("the same, 3 pixels wide", "line-3-wide"),
@@ -186,11 +188,13 @@ def places(instructions, other):
         ("a triangle tested against a ray", "ray"),
         ("a keyframe's vertex, with its normal", "keyframe"),
         ("a triangle of a mesh whose smooth normals are computed", "smooth-normals"),
+        ("the same, with creases (352 triangles; the time grows with their square)", "creased-normals"),
         ("a triangle of a lit ball", "lit"),
         ("the same, with normals of 8 bits", "lit-quantized"),
         ("a textured pixel in black and white, a color in memory", "mono-native"),
         ("the same, 8 pixels in a byte", "mono-packed"),
         ("the same, in the pages of an SSD1306", "mono-pages"),
+        ("a gray, diffused to one of 8 pixels in a byte", "mono-diffused"),
     ]:
         row(BENCHMARKS, label, whole, *names)
     says(BENCHMARKS, "| the same, prepared once ({}, {}, {}, {}) and drawn | {} | {} | {} | {} |",

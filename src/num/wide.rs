@@ -94,16 +94,21 @@ pub(crate) const fn newton_step(q: Word, guess: Word) -> Word {
 
 #[inline]
 const fn short_newton_step(q: i32, guess: i32) -> i32 {
-    // 2^32 times what the product exceeds 1 by. It is subtracted, so no register has to hold a constant.
+    // 2^32 times what the product exceeds 1 by.
     let excess = ((product(q, guess) >> 32) as i32) << 4;
-    guess.wrapping_sub((product(guess, excess) >> 32) as i32)
+    if IS_NARROW {
+        guess.wrapping_add((product(guess, excess.wrapping_neg()) >> 32) as i32)
+    } else {
+        // One instruction on Cortex-M4 and M33 (`smmls`), which needs no register for a constant.
+        (((guess as i64) << 32).wrapping_sub(product(guess, excess)) >> 32) as i32
+    }
 }
 
-/// Returns the same without shifts between the products: the guess is a multiple of 2^28 in units of 2^-28.
+/// Returns the same by fewer products and shifts: the guess is a multiple of 2^28 in units of 2^-28.
 #[inline]
 const fn wide_newton_step(q: i64, guess: i64) -> i64 {
-    let product = q.wrapping_mul(guess) >> 32;
-    (guess << 1).wrapping_sub(guess.wrapping_mul(product) >> 28)
+    let twice = (1_i64 << 29).wrapping_sub(q.wrapping_mul(guess) >> 32);
+    guess.wrapping_mul(twice) >> 28
 }
 
 /// Returns [`upper`] by a signed product.
