@@ -72,6 +72,7 @@ pub(crate) fn seldom() {
 
 /// Returns the upper half of the product of two numbers of 32 bits, rounded down.
 #[inline]
+#[allow(clippy::unnecessary_cast)] // of a word of 32 bits it is not
 pub(crate) const fn high(a: Word, b: Word) -> Word {
     if IS_WIDE {
         ((a as i64 * b as i64) >> 32) as Word
@@ -84,6 +85,7 @@ pub(crate) const fn high(a: Word, b: Word) -> Word {
 ///
 /// The guess must be within a quarter of r.
 #[inline]
+#[allow(clippy::unnecessary_cast)] // of a word of 32 bits it is not
 pub(crate) const fn newton_step(q: Word, guess: Word) -> Word {
     if IS_WIDE {
         wide_newton_step(q as i64, guess as i64) as Word
@@ -104,7 +106,7 @@ const fn short_newton_step(q: i32, guess: i32) -> i32 {
     }
 }
 
-/// Returns the same by fewer products and shifts: the guess is a multiple of 2^28 in units of 2^-28.
+/// Returns the same in fewer instructions: what is cut off is less than a unit, so the guess can be added before.
 #[inline]
 const fn wide_newton_step(q: i64, guess: i64) -> i64 {
     let twice = (1_i64 << 29).wrapping_sub(q.wrapping_mul(guess) >> 32);
@@ -328,7 +330,9 @@ impl CutRow {
         let dots = if raised(x) | raised(y) | raised(z) < 2 * SMALL.cast_unsigned() {
             [a, b, c].map(|row| row.small_dot(x, y, z))
         } else {
-            [a, b, c].map(|row| narrow_dot(&row.whole, position))
+            // A copy, so that the other case needs none in memory.
+            let position = [x, y, z];
+            [a, b, c].map(|row| narrow_dot(&row.whole, &position))
         };
         [sums[0] + dots[0], sums[1] + dots[1], sums[2] + dots[2]]
     }

@@ -43,7 +43,7 @@ pub(super) fn newton<S, O, D, Z>(
         let next = newton_step(q, guess);
         guess = (next << 1).wrapping_sub(r);
         r = next;
-        if pixels.visible::<D>(&cell.1, q as u32, down) {
+        if pixels.visible::<D>(&cell.1, (q as i32).cast_unsigned(), down) {
             pixels.shade::<O, D>(cell, Count::<S>::map(&p, |p| high(*p, r) as i32));
         } else {
             seldom();
