@@ -38,7 +38,7 @@ pub const fn read<const N: usize>(text: &[u8], path: &str) -> (Room<N>, Counts) 
 /// The path is relative to the source file, as for [`include_str!`]. A mistake in the file stops
 /// compilation and names its line. [`mesh::obj`](crate::mesh::obj) lists the statements it reads.
 ///
-/// ```
+/// ```standalone_crate
 /// use fixel::mesh::Quantized;
 /// use fixel::prelude::*;
 /// static MODEL: Mesh = include_obj!("../../../tests/models/house.obj");
@@ -214,7 +214,7 @@ impl<const N: usize> Parts<N> {
 /// part without a name. `mtllib` is ignored, because a macro cannot open files that it learns about in a file. A mistake in
 /// a file stops compilation and names its line; so does a material that the MTL file does not have.
 ///
-/// ```
+/// ```standalone_crate
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 /// use fixel::mesh::Part;
 /// use fixel::prelude::*;
