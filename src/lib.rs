@@ -10,7 +10,7 @@
 //!
 //! # A picture
 //!
-//! ```
+//! ```standalone_crate
 //! use embedded_graphics::mock_display::MockDisplay;
 //! use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_4X6};
 //! use embedded_graphics::pixelcolor::{Rgb565, RgbColor};

@@ -362,7 +362,7 @@ const fn partner(
 /// The arguments are a `static` or `const` mesh, and the angle between faces above which their edge is a crease; 30 to
 /// 45 degrees suit most models. [`Outline::build`](crate::mesh::Outline::build) describes which edges are found.
 ///
-/// ```
+/// ```standalone_crate
 /// use fixel::mesh::Outline;
 /// use fixel::prelude::*;
 /// static HOUSE: Mesh = include_obj!("../../tests/models/house.obj");

@@ -37,7 +37,7 @@ use crate::message;
 /// (The compiler stops the evaluation of a constant after two million steps unless `long_running_const_eval` is
 /// allowed. Up to 512x512 texels stay below this limit.)
 ///
-/// ```
+/// ```standalone_crate
 /// use embedded_graphics::pixelcolor::{Gray4, Rgb565};
 /// use fixel::prelude::*;
 /// // Usually, the bytes come from include_bytes!("skin.rgb565").

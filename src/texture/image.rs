@@ -12,7 +12,7 @@ use crate::Error;
 /// For files that are known at compile time, use [`include_bmp!`](crate::include_bmp) or
 /// [`include_tga!`](crate::include_tga).
 ///
-/// ```
+/// ```standalone_crate
 /// use embedded_graphics::pixelcolor::Rgb565;
 /// use fixel::{prelude::*, texture::Image};
 /// let bytes = include_bytes!("samples/brick.bmp"); // or bytes read at run time

@@ -113,7 +113,7 @@ pub const fn len(image: Image<'static>) -> usize {
 /// and height must be powers of two. A mistake in the file stops compilation with an error that names the file, for
 /// example "skin.bmp: width is 100: it must be a power of two, at most 32768".
 ///
-/// ```
+/// ```standalone_crate
 /// use embedded_graphics::pixelcolor::{Gray8, Rgb565};
 /// use fixel::prelude::*;
 /// static SKIN: Texture<Rgb565> = include_bmp!("samples/brick.bmp");
@@ -154,7 +154,7 @@ macro_rules! include_bmp {
 
 /// A texture from a TGA file, converted at compile time: see [`include_bmp!`].
 ///
-/// ```
+/// ```standalone_crate
 /// use embedded_graphics::pixelcolor::Rgb565;
 /// use fixel::prelude::*;
 /// static SKIN: Texture<Rgb565> = include_tga!("samples/brick.tga");

@@ -252,7 +252,7 @@ impl<C: Copy> Sampler for Mipmap<'_, C> {
 /// (The compiler stops the evaluation of a constant after two million steps unless `long_running_const_eval` is
 /// allowed. Up to 256x256 texels stay below this limit.)
 ///
-/// ```
+/// ```standalone_crate
 /// use embedded_graphics::pixelcolor::Rgb565;
 /// use fixel::texture::{Mipmap, MipmapArray};
 /// // Usually, the bytes come from include_bytes!("skin.rgb565"). Red, blue; blue, blue.

@@ -13,7 +13,7 @@ use crate::error::ok;
 /// it, from a file with a color table; [`PaletteArray::as_palette`](super::PaletteArray::as_palette) borrows an array
 /// as a palette.
 ///
-/// ```
+/// ```standalone_crate
 /// use embedded_graphics::pixelcolor::Rgb565;
 /// use fixel::{prelude::*, texture::Sampler};
 /// static TILES: Palette<Rgb565> = include_bmp!("samples/tiles.bmp");

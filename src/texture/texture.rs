@@ -13,7 +13,7 @@ use crate::error::ok;
 /// [`TextureArray::as_texture`](super::TextureArray::as_texture) borrows an array as a texture; [`new`](Self::new)
 /// takes a slice. Textures of different sizes fit in one list:
 ///
-/// ```
+/// ```standalone_crate
 /// use embedded_graphics::pixelcolor::Rgb565;
 /// use fixel::prelude::*;
 /// static BRICK: Texture<Rgb565> = include_bmp!("samples/brick.bmp");

@@ -37,7 +37,7 @@ pub const fn read<const N: usize>(text: &[u8], path: &str) -> (Room<N>, Counts) 
 /// The path is relative to the source file, as for [`include_str!`]. A mistake in the file stops compilation with a
 /// message that names its line. [`mesh::obj`](crate::mesh::obj) lists the statements it reads.
 ///
-/// ```
+/// ```standalone_crate
 /// use fixel::mesh::Quantized;
 /// use fixel::prelude::*;
 /// static MODEL: Mesh = include_obj!("../../../tests/models/house.obj");
@@ -213,7 +213,7 @@ impl<const N: usize> Parts<N> {
 /// part without a name. `mtllib` is ignored, because a macro cannot open files whose names it reads in another file. A
 /// mistake in a file stops compilation with a message that names its line; so does a material that the MTL file lacks.
 ///
-/// ```
+/// ```standalone_crate
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 /// use fixel::mesh::Part;
 /// use fixel::prelude::*;
