@@ -120,7 +120,10 @@ function stopBands() {
 
 // Choices
 
+let chosen = LIGHTHOUSE;
+
 async function choose(scene) {
+  chosen = scene;
   trouble("");
   if (scene === WORLD && !crate.world) {
     status("Loading the little world …");
@@ -131,6 +134,7 @@ async function choose(scene) {
       controls();
       return;
     }
+    if (chosen !== scene) return; // in the meantime
   }
   Object.assign(state, crate.home(scene), { scene, is_two_sided: state.is_two_sided });
   const { title, textContent } = $("scenes").children[scene];

@@ -100,6 +100,7 @@ impl Eye {
     }
 
     /// The triangles on the screen that a recorded triangle becomes, whose own corners the crate puts at `places`.
+    #[allow(clippy::float_cmp)] // a corner that clipping left as it was has the same bits
     pub fn pieces(&self, recorded: &[i32; 17], places: [Option<[f64; 2]>; 3]) -> Pieces {
         let own = [2, 7, 12].map(|at| self.corner(&recorded[at..at + 5]));
         let mut polygon: Polygon = own.into_iter().collect();
