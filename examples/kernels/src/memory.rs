@@ -54,7 +54,7 @@ fn list(mesh: &Mesh, mvp: &Mvp<Perspective>) -> Result<usize, Error> {
     let needed = |error| match error {
         Err(Error::Full { needed, .. }) => Ok(needed),
         Err(error) => Err(error),
-        Ok(_) => Ok(0),
+        Ok(()) => Ok(0),
     };
     let (mut empty, mut faces) = (TriangleList::<0, 0>::new(), TriangleList::<2000, 0>::new());
     let triangles = needed(
