@@ -96,21 +96,17 @@ pub(crate) const fn newton_step(q: Word, guess: Word) -> Word {
 
 #[inline]
 const fn short_newton_step(q: i32, guess: i32) -> i32 {
-    // 2^32 times what the product exceeds 1 by.
-    let excess = ((product(q, guess) >> 32) as i32) << 4;
-    if IS_NARROW {
-        guess.wrapping_add((product(guess, excess.wrapping_neg()) >> 32) as i32)
-    } else {
-        // One instruction on Cortex-M4 and M33 (`smmls`), which needs no register for a constant.
-        (((guess as i64) << 32).wrapping_sub(product(guess, excess)) >> 32) as i32
-    }
+    // 1 less the product, in units of 2^-32. `!x` is −x − 1, and needs no register for a constant.
+    let residual = !(((product(q, guess) >> 32) as i32) << 4);
+    guess.wrapping_add((product(guess, residual) >> 32) as i32)
 }
 
-/// Returns the same in fewer instructions: what is cut off is less than a unit, so the guess can be added before.
+/// Returns the same in fewer instructions: 2 less the product takes 33 bits.
 #[inline]
 const fn wide_newton_step(q: i64, guess: i64) -> i64 {
-    let twice = (1_i64 << 29).wrapping_sub(q.wrapping_mul(guess) >> 32);
-    guess.wrapping_mul(twice) >> 28
+    // `x ^ (2^33 − 1)` is 2^33 − 1 − x.
+    let twice = ((q.wrapping_mul(guess) >> 32) << 4) ^ 0x1_ffff_ffff;
+    (guess.cast_unsigned().wrapping_mul(twice.cast_unsigned()) >> 32).cast_signed()
 }
 
 /// Returns [`upper`] by a signed product.
