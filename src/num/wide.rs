@@ -17,6 +17,10 @@ pub(crate) const DIVIDES: bool = !IS_NARROW;
 pub(crate) const COUNTS_ZEROS: bool =
     !IS_NARROW && !cfg!(all(target_arch = "riscv32", not(target_feature = "zbb")));
 
+/// Whether the core multiplies and adds to an upper half at once, as Cortex-M4 and M7 do. `src/build.rs` tells from the
+/// target's name.
+const HAS_DSP: bool = cfg!(dsp_core);
+
 /// Whether registers have 64 bits.
 pub(crate) const IS_WIDE: bool = cfg!(target_pointer_width = "64");
 
@@ -89,6 +93,8 @@ pub(crate) const fn high(a: Word, b: Word) -> Word {
 pub(crate) const fn newton_step(q: Word, guess: Word) -> Word {
     if IS_WIDE {
         wide_newton_step(q as i64, guess as i64) as Word
+    } else if HAS_DSP {
+        dsp_newton_step(q as i32, guess as i32) as Word
     } else {
         short_newton_step(q as i32, guess as i32) as Word
     }
@@ -96,17 +102,25 @@ pub(crate) const fn newton_step(q: Word, guess: Word) -> Word {
 
 #[inline]
 const fn short_newton_step(q: i32, guess: i32) -> i32 {
-    // 1 less the product, in units of 2^-32. `!x` is −x − 1, and needs no register for a constant.
-    let residual = !(((product(q, guess) >> 32) as i32) << 4);
-    guess.wrapping_add((product(guess, residual) >> 32) as i32)
+    let residual = (1 << 28) - ((product(q, guess) >> 32) as i32);
+    guess.wrapping_add((product(guess, residual << 4) >> 32) as i32)
 }
 
-/// Returns the same in fewer instructions: 2 less the product takes 33 bits.
+/// Returns the same by `smmls`, which subtracts a product from a number in the upper half.
+#[inline]
+#[allow(clippy::cast_lossless, clippy::cast_sign_loss)] // `u64::from` is not const
+const fn dsp_newton_step(q: i32, guess: i32) -> i32 {
+    let excess = ((product(q, guess) >> 32) as i32) << 4;
+    // Widened without its sign, which is shifted out: a guess widened as in the product would become its common factor.
+    let raised = (guess.cast_unsigned() as u64) << 32;
+    (raised.wrapping_sub(product(guess, excess).cast_unsigned()) >> 32) as i32
+}
+
+/// Returns the same in fewer instructions: what is cut off is less than a unit, so the guess can be added before.
 #[inline]
 const fn wide_newton_step(q: i64, guess: i64) -> i64 {
-    // `x ^ (2^33 − 1)` is 2^33 − 1 − x.
-    let twice = ((q.wrapping_mul(guess) >> 32) << 4) ^ 0x1_ffff_ffff;
-    (guess.cast_unsigned().wrapping_mul(twice.cast_unsigned()) >> 32).cast_signed()
+    let twice = (1_i64 << 29).wrapping_sub(q.wrapping_mul(guess) >> 32);
+    guess.wrapping_mul(twice) >> 28
 }
 
 /// Returns [`upper`] by a signed product.
@@ -508,6 +522,7 @@ mod tests {
             let r = (1_i64 << 60) / i64::from(q);
             let guess = (r + ((r * i64::from(part >> cut)) >> 30)).min(i32::MAX.into());
             let short = short_newton_step(q, guess as i32);
+            prop_assert_eq!(dsp_newton_step(q, guess as i32), short);
             prop_assert_eq!(wide_newton_step(q.into(), guess), i64::from(short));
         }
 
