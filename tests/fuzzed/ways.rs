@@ -551,7 +551,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         let (width, height) = self.scene.size;
         let gray = Flat::new(Gray8::new(0)).map(|at, _| {
             let [x, y] = [at.point.x, at.point.y].map(i32::cast_unsigned);
-            Some(Gray8::new((37 * x ^ 11 * y) as u8))
+            Some(Gray8::new(((37 * x) ^ (11 * y)) as u8))
         });
         // Of so many rows in memory, a band each.
         let panel = |rows: u32, contrast: Option<Contrast>| {
