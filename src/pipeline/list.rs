@@ -304,11 +304,11 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
     ///
     /// | scene | wrong pixels | list | millions of instructions with depth | sorted |
     /// |---|--:|--:|--:|--:|
-    /// | sphere | 0 | 17.1 KiB | 2.50 | 2.73 |
-    /// | two rings around a cube | 0 | 13.9 KiB | 1.58 | 1.82 |
-    /// | 27 towers, after the floor | 0 | 5.0 KiB | 3.09 | 1.15 |
-    /// | island with a lighthouse | 0.40 % | 19.1 KiB | 5.36 | 5.86 |
-    /// | the same in a sea, which crosses the island | 6.95 % | 21.6 KiB | 10.1 | 10.4 |
+    /// | sphere | 0 | 17.1 KiB | 2.32 | 2.71 |
+    /// | two rings around a cube | 0 | 13.9 KiB | 1.54 | 1.84 |
+    /// | 27 towers, after the floor | 0 | 5.0 KiB | 2.88 | 1.15 |
+    /// | island with a lighthouse | 0.40 % | 19.1 KiB | 5.07 | 5.65 |
+    /// | the same in a sea, which crosses the island | 6.95 % | 21.6 KiB | 9.29 | 10.0 |
     ///
     /// Sorting takes time for each triangle, and hidden pixels are drawn, too. But no pixel's depth is tested and stored,
     /// which is most of the cost of a pixel of one color, such as the towers'.
