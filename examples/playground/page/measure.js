@@ -1,4 +1,4 @@
-// Numbers about what is seen: counts, times, errors, and what they say of a microcontroller.
+// Figures of the picture: counts, times, errors, and estimates for a microcontroller.
 import { plot } from "./plot.js";
 import { $, FLAT_SPHERE, MODES, OWN, SPHERE, interpolates, isWorld, modes, short, state } from "./state.js";
 import { view, waits } from "./state.js";

@@ -61,7 +61,7 @@ pub struct App {
     pub input: [u8; INPUT],
     pub text: Text,
     /// Triangles in, drawn, clipped; pixels drawn; the largest and the mean error in texels; instructions on each of
-    /// the cores. What is not known is not a number.
+    /// the cores. NaN stands for a number that is not known.
     pub results: [f64; 8],
     /// Triangles in, drawn, clipped; pixels drawn.
     counts: [u32; 4],

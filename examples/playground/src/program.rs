@@ -1,4 +1,4 @@
-//! The program that draws what is seen, as text.
+//! The text of a program that draws the picture.
 
 use core::fmt::{self, Write};
 

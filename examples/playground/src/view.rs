@@ -11,7 +11,7 @@ use super::common::{lighthouse, scenes};
 use super::scene::Scene;
 
 /// The settings of a picture, as the page names them. Angles are in degrees, lengths in units; `right` and `down` move
-/// the picture by parts of a pixel; what is yes or no is 1 or 0.
+/// the picture by parts of a pixel; a name with `is_` has the value 1 for yes and 0 for no.
 pub const NAMES: &str = "scene mode tolerance width height format first_row rows band is_home yaw pitch distance fov \
     near far right down is_two_sided center_x center_y center_z scale moment";
 /// How many there are.

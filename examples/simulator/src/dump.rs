@@ -56,9 +56,9 @@ impl Recorder {
     /// Makes a shader for texture coordinates of magnitude up to `largest`. Distances are drawn at 2^`exponent` times
     /// their own size.
     ///
-    /// Texture coordinates have 24 fraction bits, or fewer if they are large. Mode fast treats numbers of more than 28
-    /// bits differently from drawn textures, which rarely have so many. So in this mode no recorded number has more:
-    /// distances lose 11 bits, which are below the mode's error of 2^-13.
+    /// Texture coordinates have 24 fraction bits, or fewer if they are large. Mode fast draws numbers of more than 28
+    /// bits in another way, which textures rarely need. So in this mode every recorded number has at most 28: distances
+    /// lose 11 bits, which are below the mode's error of 2^-13.
     pub fn new(largest: f64, exponent: i32, mode: Mode) -> Self {
         let is_fast = mode == Mode::Fast;
         let whole = (largest + 1.0).log2().ceil();

@@ -205,7 +205,7 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// Returns the shader of the scene in a color, which need not be that of the measurements.
+    /// Returns the shader of the scene in color `C`. The measurements may use another color.
     ///
     /// # Errors
     ///

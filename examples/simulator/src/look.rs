@@ -147,7 +147,7 @@ impl Look {
     }
 }
 
-/// What is behind a model, with the background that the user chose.
+/// Returns the backdrop of a model: the background that the user chose, or else one that suits its shading and colors.
 fn backdrop<C: Levels>(background: Option<Rgb888>, model: &Model<'_>) -> Backdrop {
     Backdrop::Color(match (background, model.shade) {
         (Some(color), _) => color,

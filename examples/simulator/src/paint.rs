@@ -270,10 +270,10 @@ fn own_surfaces<C: Shown>() -> Result<Vec<Surface<'static>>> {
     })
 }
 
-/// What is behind everything.
+/// The background of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Backdrop {
-    /// One color, before it is converted to that of the canvas.
+    /// One color. It is converted to the color type of the canvas.
     Color(Rgb888),
     /// The sky of the project's own scene.
     Sky,

@@ -112,7 +112,7 @@ pub fn read(bytes: &[u8], reading: &Reading) -> Result<Model, String> {
     Ok(model)
 }
 
-/// Says what is wrong with a file that the reader refuses: in its header, or in an element.
+/// Explains why the reader refuses a file: names the mistake in its header, or in an element.
 fn refused(error: &ParseError, bytes: &[u8], element: Option<&ElementDef>) -> String {
     // The reader's message begins with the line of a text.
     let message = error.to_string();
@@ -139,7 +139,7 @@ fn line(bytes: &[u8], at: usize) -> Option<&[u8]> {
     bytes.split(|&byte| byte == b'\n').nth(at.checked_sub(1)?)
 }
 
-/// What is wrong with an element in a line of text; `None` if there is no short explanation.
+/// Explains the mistake in a line of text with an element; `None` if there is no short explanation.
 fn explain(line: &[u8], element: &ElementDef) -> Option<String> {
     let mut words = words(line);
     for (name, property) in &element.properties {

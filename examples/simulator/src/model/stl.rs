@@ -117,7 +117,7 @@ fn text(model: &mut Builder, bytes: &[u8], reading: &Reading) -> Result<(), Stri
     Ok(())
 }
 
-/// Says what is wrong with a line that the reader refuses, with the reader's own `message`.
+/// Explains why the reader refuses a line; `message` is the reader's own.
 fn explain(line: &str, message: &str) -> String {
     let mut words = words(line.as_bytes());
     let (what, numbers): (_, Vec<_>) = match words.next() {
