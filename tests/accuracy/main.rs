@@ -7,8 +7,6 @@
 
 #[path = "../common/mod.rs"]
 mod common;
-#[path = "../fuzzed/mod.rs"]
-mod fuzzed;
 #[path = "../reference/mod.rs"]
 mod reference;
 
@@ -41,7 +39,6 @@ mod picking;
 mod promises;
 mod quantized;
 mod reference_model;
-mod replay;
 mod scenes;
 mod sine;
 mod spread;

@@ -1,7 +1,7 @@
 //! The fuzzed checks: from bytes to an input, from the input to the crate, and the invariants of the result.
 //!
-//! The fuzz targets in tests/fuzz call [`draw`] and [`obj`] with bytes from libFuzzer; tests/accuracy/replay.rs calls
-//! them with inputs that were worth keeping. An error is a panic.
+//! The fuzz targets in tests/fuzz call [`draw`] and [`obj`] with bytes from libFuzzer; `replay.rs` calls them with inputs
+//! that were worth keeping. An error is a panic.
 //!
 //! | file | idea |
 //! |---|---|
@@ -17,14 +17,32 @@
 //! | `model` | the pixels, compared with the f64 model |
 //! | `obj` | OBJ text of arbitrary bytes, or almost correct |
 
+// f64 holds every integer used here, and no pixel lies left of or above the picture.
+#![allow(clippy::cast_precision_loss, clippy::cast_sign_loss)]
+
+// The accuracy tests use more of these.
+#[path = "../accuracy/bounds.rs"]
+#[allow(dead_code)]
+mod bounds;
+#[path = "../accuracy/mode.rs"]
+#[allow(dead_code)]
+mod mode;
+#[path = "../accuracy/moves.rs"]
+#[allow(dead_code)]
+mod moves;
+#[path = "../common/recorder.rs"]
+mod recorder;
+#[path = "../reference/mod.rs"]
+mod reference;
+
 pub mod draw;
-pub mod knowledge;
-pub mod model;
-pub mod numbers;
+mod knowledge;
+mod model;
+mod numbers;
 pub mod obj;
-pub mod projection;
-pub mod scene;
-pub mod shaders;
-pub mod shades;
-pub mod steps;
-pub mod ways;
+mod projection;
+mod scene;
+mod shaders;
+mod shades;
+mod steps;
+mod ways;

@@ -6,8 +6,6 @@ use std::panic;
 
 use base64::prelude::{BASE64_STANDARD, Engine};
 
-use crate::fuzzed;
-
 /// Checks each input, one per line in base64; fails with a list of those that fail.
 fn replay(inputs: &str, check: fn(&[u8])) {
     let fails = |line: &&str| {
@@ -20,15 +18,15 @@ fn replay(inputs: &str, check: fn(&[u8])) {
 
 #[test]
 fn inputs_that_failed_once() {
-    replay(include_str!("../fuzzed/mended.base64"), fuzzed::draw::check);
+    replay(include_str!("mended.base64"), fuzzed::draw::check);
 }
 
 #[test]
 fn draw() {
-    replay(include_str!("../fuzzed/draw.base64"), fuzzed::draw::check);
+    replay(include_str!("draw.base64"), fuzzed::draw::check);
 }
 
 #[test]
 fn obj() {
-    replay(include_str!("../fuzzed/obj.base64"), fuzzed::obj::check);
+    replay(include_str!("obj.base64"), fuzzed::obj::check);
 }
