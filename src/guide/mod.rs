@@ -87,6 +87,9 @@ pub mod coming_from {}
 /// and a mirror image under translucent water. Labels, a compass, gauges and a map are drawn over the picture. The
 /// command `cargo run -p cookbook world` draws the picture and an animation. The program is in `examples/common/world`;
 /// it draws whole frames or bands, and needs no memory besides the canvas.
+///
+// So rows of 100 columns fit the page.
+/// <style>.docblock pre.rust { font-size: 15px }</style>
 pub mod cookbook {}
 
 /// This page leads from `cargo new` to a picture on a panel: firmware for a small chip and a 240x240 display on SPI.
