@@ -403,11 +403,12 @@ impl Framing {
     }
 
     /// Moves the near and the far plane, unless they are given, so that the user may turn the model any way about the
-    /// point `about`, and enlarge it up to `zoom` times.
-    pub fn widen(&mut self, args: &Args, points: &[Point], about: Point, zoom: f64) {
-        let distance = |p: Point| length(sub(p, about));
-        let reach = points.iter().map(|&p| distance(p)).fold(0.0, f64::max) * zoom;
+    /// point `middle`, and enlarge it up to `zoom` times.
+    pub fn widen(&mut self, args: &Args, points: &[Point], middle: Point, zoom: f64) {
+        let distance = |p: Point| length(sub(p, middle));
         let eye = distance(self.eye);
+        // The last term is more than rounding takes.
+        let reach = points.iter().map(|&p| distance(p)).fold(0.0, f64::max) * zoom + eye * 0.001;
         self.farthest = self.farthest.max(eye + reach);
         let far = self.far.max(eye + reach);
         let near = if self.is_perspective() {
@@ -415,8 +416,8 @@ impl Framing {
         } else {
             eye - reach
         };
-        self.near = args.near.unwrap_or(near.min(self.near));
-        self.far = args.far.unwrap_or(far);
+        self.near = args.near.unwrap_or(about(near.min(self.near)));
+        self.far = args.far.unwrap_or(about(far));
     }
 
     pub fn is_perspective(&self) -> bool {
