@@ -172,6 +172,33 @@ fn is_promised(mode: Mode, is_precise: bool, repeats: f64, far: f64) -> bool {
     }
 }
 
+/// What a coordinate's bounds depend on, at any pixel of a triangle.
+struct Attribute {
+    corners: [i32; 3],
+    /// The least and the greatest of the corners'.
+    least: f64,
+    most: f64,
+    /// Repeats of the texture up to the corner that is farthest from 0; at least 1.
+    repeats: f64,
+    newton_from_exact: Option<f64>,
+}
+
+impl Attribute {
+    fn new(corners: [i32; 3], w: [f64; 3]) -> Self {
+        let values = corners.map(f64::from);
+        Self {
+            corners,
+            least: values.into_iter().fold(f64::INFINITY, f64::min),
+            most: values.into_iter().fold(f64::NEG_INFINITY, f64::max),
+            repeats: values
+                .into_iter()
+                .fold(REPEAT, |most, value| most.max(value.abs()))
+                / REPEAT,
+            newton_from_exact: bounds::newton_from_exact(corners, w),
+        }
+    }
+}
+
 impl Case {
     /// Draws the triangle in every mode, and compares each pixel with the bound of the formats, and with the promise
     /// where there is one.
@@ -184,6 +211,10 @@ impl Case {
         };
         let model = triangle.model(screen);
         let nearest = triangle.w.into_iter().fold(f64::MAX, f64::min);
+        let is_precise = bounds::is_precise(triangle.w);
+        let attributes = triangle
+            .values
+            .map(|corners| Attribute::new(corners, triangle.w));
         let exact = triangle.draw(Mode::Exact);
         for (mode, worst) in Mode::PERSPECTIVE.into_iter().zip(worst) {
             let seen = triangle.draw(mode);
@@ -193,44 +224,40 @@ impl Case {
                     .eq(model.iter().map(|model| model.pixel)),
                 "{self:?}"
             );
-            let tolerance = mode.tolerance();
+            let (tolerance, promised) = (mode.tolerance(), mode.promised());
             for ((seen, exact), model) in seen.iter().zip(&exact).zip(&model) {
+                let [w, far_w] = [model.w, model.farthest];
                 let far = match mode {
-                    Mode::Fast(_) => model.farthest,
-                    _ => model.w,
+                    Mode::Fast(_) => far_w,
+                    _ => w,
                 };
-                for (k, &corners) in triangle.values.iter().enumerate() {
-                    let error = (f64::from(seen.values[k]) - model.values[k]).abs();
+                for (k, attribute) in attributes.iter().enumerate() {
+                    let value = f64::from(seen.values[k]);
+                    let error = (value - model.values[k]).abs();
                     let at = || format!("{mode:?}: {self:?} at {:?}: {error}", seen.pixel);
-                    let [w, far_w] = [model.w, model.farthest];
-                    let allowed = bounds::perspective(mode, corners, triangle.w, w, far_w);
+                    let allowed =
+                        bounds::perspective(mode, attribute.corners, triangle.w, w, far_w);
                     assert!(error <= allowed, "{}, over {allowed}", at());
                     worst.allowed = worst.allowed.max(error / allowed);
                     // Beyond the corners, whatever the tolerance, a color could wrap from white to black. Straight
                     // pieces end within the triangle, where an attribute is between those of the corners.
-                    let [least, most] = [corners.iter().min(), corners.iter().max()]
-                        .map(|end| f64::from(*end.unwrap()));
-                    let (value, beyond) = (f64::from(seen.values[k]), allowed - tolerance * TEXEL);
+                    let beyond = allowed - tolerance * TEXEL;
                     assert!(
-                        (least - beyond..=most + beyond).contains(&value),
+                        value >= attribute.least - beyond && value <= attribute.most + beyond,
                         "{}: {value} is beyond the corners",
                         at()
                     );
-                    let from_exact = bounds::newton_from_exact(corners, triangle.w);
-                    if let (Mode::Newton, Some(allowed)) = (mode, from_exact) {
+                    if let (Mode::Newton, Some(allowed)) = (mode, attribute.newton_from_exact) {
                         let by = seen.values[k].abs_diff(exact.values[k]);
                         assert!(f64::from(by) <= allowed, "{}, an error of {by}", at());
                     }
 
-                    let most = corners.into_iter().map(i32::unsigned_abs).max();
-                    let repeats = (f64::from(most.unwrap()) / REPEAT).max(1.);
-                    if is_promised(mode, bounds::is_precise(triangle.w), repeats, far / nearest) {
+                    if is_promised(mode, is_precise, attribute.repeats, far / nearest) {
                         let texels = error / TEXEL;
-                        assert!(texels <= mode.promised(), "{} is {texels} texels", at());
+                        assert!(texels <= promised, "{} is {texels} texels", at());
                         worst.texels = worst.texels.max(texels - tolerance);
                         worst.pixels += 1;
-                        let is_deep = bounds::is_precise(triangle.w) && far / nearest > 256.;
-                        worst.deep += usize::from(is_deep);
+                        worst.deep += usize::from(is_precise && far / nearest > 256.);
                     }
                 }
                 // Depths have 16 bits at the near plane, at a distance of 1/64.

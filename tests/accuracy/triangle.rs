@@ -7,7 +7,7 @@ use fixel::view::ProjectionKind;
 use crate::drawing::{Drawing, Seen};
 use crate::mode::Mode;
 use crate::recorder::Few;
-use crate::reference::attributes::at_pixel_snapped;
+use crate::reference::attributes::{interpolate, weights_snapped};
 use crate::reference::coverage::{Snapped, covered};
 
 /// A triangle, with everything that the model needs.
@@ -58,10 +58,9 @@ impl<K: ProjectionKind, const N: usize> Triangle<K, N> {
         let attributes = [0, 1, 2].map(|corner: usize| self.values.map(|v| f64::from(v[corner])));
         let depth = self.depth.map(|depth| [depth]);
         let at = |pixel| {
-            let value = at_pixel_snapped(screen, self.w, &attributes, pixel).unwrap();
-            let [depth] = at_pixel_snapped(screen, [1.; 3], &depth, pixel)
-                .unwrap()
-                .attributes;
+            let weights = weights_snapped(screen, pixel).unwrap();
+            let value = interpolate(&weights, self.w, &attributes);
+            let [depth] = interpolate(&weights, [1.; 3], &depth).attributes;
             Model {
                 pixel,
                 w: value.w,

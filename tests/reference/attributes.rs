@@ -75,24 +75,28 @@ pub fn interpolate<const N: usize>(
     w: [f64; 3],
     attributes: &[[f64; N]; 3],
 ) -> Value<N> {
-    let sum = |weights: &[f64; 3], corners: &[f64; 3]| -> f64 {
-        weights.iter().zip(corners).map(|(a, b)| a * b).sum()
-    };
-    let inverse = w.map(|w| 1. / w);
-    let d = sum(&weights.value, &inverse);
-    let (d_dx, d_dy) = (sum(&weights.dx, &inverse), sum(&weights.dy, &inverse));
-    let over_w: [[f64; 3]; N] =
-        std::array::from_fn(|k| std::array::from_fn(|i| attributes[i][k] / w[i]));
-    let a: [f64; N] = std::array::from_fn(|k| sum(&weights.value, &over_w[k]) / d);
-    let change = |weights: &[f64; 3], change_of_d: f64| {
-        std::array::from_fn(|k| (sum(weights, &over_w[k]) - a[k] * change_of_d) / d)
-    };
+    let sum =
+        |weights: &[f64; 3], [a, b, c]: [f64; 3]| weights[0] * a + weights[1] * b + weights[2] * c;
+    let inverse = [1. / w[0], 1. / w[1], 1. / w[2]];
+    let d = sum(&weights.value, inverse);
+    let (d_dx, d_dy) = (sum(&weights.dx, inverse), sum(&weights.dy, inverse));
+    let [mut a, mut dx, mut dy] = [[0.; N]; 3];
+    for k in 0..N {
+        let over_w = [
+            attributes[0][k] / w[0],
+            attributes[1][k] / w[1],
+            attributes[2][k] / w[2],
+        ];
+        a[k] = sum(&weights.value, over_w) / d;
+        dx[k] = (sum(&weights.dx, over_w) - a[k] * d_dx) / d;
+        dy[k] = (sum(&weights.dy, over_w) - a[k] * d_dy) / d;
+    }
     Value {
         w: 1. / d,
         inverse_w_gradient: [d_dx, d_dy],
         attributes: a,
-        dx: change(&weights.dx, d_dx),
-        dy: change(&weights.dy, d_dy),
+        dx,
+        dy,
     }
 }
 

@@ -105,21 +105,28 @@ fn is_top_left<T: PartialOrd>(a: &[T; 2], b: &[T; 2]) -> bool {
     b[1] < a[1] || (b[1] == a[1] && b[0] > a[0])
 }
 
+/// The edges of a triangle of either winding, clockwise on the screen; none if it has no area.
+fn edges(t: Snapped) -> Option<[[[i32; 2]; 2]; 3]> {
+    let [a, b, c] = t;
+    match area2(t) {
+        0 => None,
+        1.. => Some([[a, b], [b, c], [c, a]]),
+        _ => Some([[a, c], [c, b], [b, a]]),
+    }
+}
+
+/// Whether the center of `pixel` is on the inner side of each edge, or on an edge that owns it.
+fn is_inside(edges: &[[[i32; 2]; 2]; 3], pixel: [i32; 2]) -> bool {
+    let p = center_snapped(pixel);
+    edges.iter().all(|[from, to]| match edge(*from, *to, p) {
+        0 => is_top_left(from, to),
+        e => e > 0,
+    })
+}
+
 /// Whether a triangle of either winding covers the center of `pixel`; one without area covers none.
 pub fn covers(t: Snapped, pixel: [i32; 2]) -> bool {
-    let [a, b, c] = t;
-    let [a, b, c] = match area2(t) {
-        0 => return false,
-        1.. => [a, b, c],
-        _ => [a, c, b],
-    };
-    let p = center_snapped(pixel);
-    [(a, b), (b, c), (c, a)]
-        .into_iter()
-        .all(|(from, to)| match edge(from, to, p) {
-            0 => is_top_left(&from, &to),
-            e => e > 0,
-        })
+    edges(t).is_some_and(|edges| is_inside(&edges, pixel))
 }
 
 /// The same for corners that were not snapped, at any point.
@@ -144,10 +151,11 @@ pub fn covers_f64(t: &Corners, p: [f64; 2]) -> bool {
 
 /// Every pixel of `bounds` that a triangle covers, in row order.
 pub fn covered_in(t: Snapped, bounds: Bounds) -> impl Iterator<Item = [i32; 2]> {
+    let edges = edges(t);
     bounds
         .around(&t.map(super::view::unsnap), 0.)
         .pixels()
-        .filter(move |&pixel| covers(t, pixel))
+        .filter(move |&pixel| edges.is_some_and(|edges| is_inside(&edges, pixel)))
 }
 
 /// Every pixel of a width x height picture that a triangle covers, in row order.
