@@ -5,7 +5,7 @@ import { join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { crate, page, view } from "./page.mjs";
 
-const { MODES, OWN } = await page("state.js");
+const { MODES, OWN } = await page("controls.js");
 const { WORLD } = await page("module.js");
 const { fitted } = await page("files.js");
 const FORMATS = ["Rgb565", "Rgb555", "Gray8", "Gray4", "Gray2", "BinaryColor"];
@@ -35,8 +35,9 @@ function bitmap() {
 }
 writeFileSync(join(sources, "model.obj"), OBJ);
 writeFileSync(join(sources, "skin.bmp"), bitmap());
-crate.readModel(fitted(new TextEncoder().encode(OBJ)).text);
-crate.readTexture({ data: Uint8Array.from(texels.flatMap((rgb) => [...rgb, 255])), width: SIDE, height: SIDE });
+crate.read("read_model", fitted(new TextEncoder().encode(OBJ)).text);
+const pixels = Uint8Array.from(texels.flatMap((rgb) => [...rgb, 255]));
+crate.read("read_texture", pixels, { width: SIDE, height: SIDE });
 
 /** FNV-1a of red, green and blue. */
 function hash({ data }) {
@@ -51,7 +52,6 @@ const CAMERAS = [{}, { yaw: 40, pitch: 30 }, { yaw: -60, right: 0.3, down: 0.7 }
 const list = [];
 function add(index, changes) {
   const settings = view(index, changes);
-  crate.draw(0, settings);
   const number = `p${String(list.length).padStart(2, "0")}`;
   const text = crate.program(settings);
   // The project's own scenes are there once for all.
@@ -59,8 +59,8 @@ function add(index, changes) {
   const { width, height, mode } = settings;
   const format = FORMATS[settings.format];
   const about = `scene ${index}, ${MODES[mode]}, ${format}, ${width}x${height}`;
-  crate.draw(0, settings);
-  list.push(`    ${number} ${format} ${width} ${height} ${hash(crate.shown(0))}_u32 "${about}";`);
+  crate.draw(settings, 0);
+  list.push(`    ${number} ${format} ${width} ${height} ${hash(crate.image("show", settings, 0))}_u32 "${about}";`);
 }
 for (let index = 0; index < WORLD; index++) {
   // As it is measured.
@@ -78,7 +78,7 @@ for (let index = 0; index < WORLD; index++) {
     });
   }
 }
-for (const moment of [0, 216]) add(WORLD, { moment });
+for (const yaw of [0, 216]) add(WORLD, { yaw });
 
 writeFileSync(join(sources, "list.rs"), `programs! {\n${list.join("\n")}\n}\n`);
 for (const scene of ["scenes.rs", "lighthouse.rs", "world"])
