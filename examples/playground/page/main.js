@@ -100,6 +100,7 @@ async function drawBands() {
   const goesOn = begin();
   $("stage").classList.add("slow");
   const { band, width, height } = state;
+  crate.draw(settings(), 0);
   const whole = crate.ask("checksum", settings()).checksum;
   crate.picture(settings(), SCRATCH).fill(0);
   for (let first_row = 0; first_row < height; first_row += band) {
@@ -185,8 +186,10 @@ canvas.onwheel = (event) => {
   event.preventDefault();
   move(0, 0, 2 ** (event.deltaY / 500));
 };
-const zoom = { "+": [0, 0, 1 / 1.1], "=": [0, 0, 1 / 1.1], "-": [0, 0, 1.1] };
-const MOVES = { ArrowLeft: [-6, 0], ArrowRight: [6, 0], ArrowUp: [0, -6], ArrowDown: [0, 6], ...zoom };
+const MOVES = {
+  ArrowLeft: [-6, 0], ArrowRight: [6, 0], ArrowUp: [0, -6], ArrowDown: [0, 6],
+  "+": [0, 0, 1 / 1.1], "=": [0, 0, 1 / 1.1], "-": [0, 0, 1.1],
+};
 canvas.onkeydown = (event) => {
   if (event.ctrlKey || event.metaKey || !(event.key in MOVES || event.key === "Home")) return;
   event.preventDefault();
@@ -220,6 +223,7 @@ ondragover = ondragleave = ondrop = (event) => {
 
 onunhandledrejection = ({ reason }) => {
   tell("trouble", reason.message);
+  tell("status", "");
   scenes[state.scene].checked = true;
 };
 async function start() {

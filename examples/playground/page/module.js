@@ -3,13 +3,10 @@
 /** The little world, whose pictures a module of its own draws. */
 export const WORLD = 6;
 
-const BUILD = `Build it in the project's folder, then start the server again:
-cargo build --release --lib -p playground -p playground-world --target wasm32-unknown-unknown`;
-
 /** Starts the module in a compressed file beside the page. It needs no header from the server. */
 export async function load(path) {
   const response = await fetch(path);
-  if (!response.ok) throw new Error(`${path} is missing here (${response.status}). ${BUILD}`);
+  if (!response.ok) throw new Error(`${path} is missing here (${response.status}).`);
   const packed = await response.blob();
   const unpacked = packed.stream().pipeThrough(new DecompressionStream("gzip"));
   // Some servers unpack it themselves.
