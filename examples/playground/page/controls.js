@@ -1,63 +1,54 @@
 // What is chosen, and the controls that choose it.
-import { WORLD } from "./module.js";
+import { FLAT_SPHERE, MODES, WORLD } from "./module.js";
 
 export const $ = (id) => document.getElementById(id);
-
-export const MODES = ["Exact", "Newton", "Fast", "Affine", "Compact"];
-export const [FLOOR, FLAT_SPHERE, LIGHTHOUSE, OWN] = [0, 3, 4, 5];
-
-/** The module's settings (src/view.rs), and the page's own. A key that is a control's id has its value. */
-export const state = {
-  scene: LIGHTHOUSE, mode: 1, other: 3, divider: 50, tolerance: 0.25, is_two_sided: false,
-  size: "320x240", width: 320, height: 240, format: 0, band: 16,
-  axis: "time", showsErrors: false, spins: false,
-};
-
-/** The sliders with their units, and those that choose a power of 2. */
-const UNITS = { tolerance: " texel", fov: "°", near: "", far: "", right: " pixel", down: " pixel" };
-const POWERS = ["tolerance", "near", "far"];
-
-const isWorld = () => state.scene === WORLD;
-/** Whether modes make a difference that can be measured. */
-const interpolates = () => !isWorld() && state.scene !== FLAT_SPHERE;
-export const showsErrors = () => state.showsErrors && interpolates();
-/** The modes that are seen. The little world has its own. */
-export const modes = () => (isWorld() ? [1] : state.other < 0 ? [state.mode] : [state.mode, state.other]);
-/** The module's settings for a picture. */
-export const settings = (mode = modes()[0]) =>
-  ({ ...state, mode, format: isWorld() ? 0 : state.format, first_row: 0, rows: state.height });
-
 /** Three digits of a number. */
 export const short = (value) => (Number.isFinite(value) ? String(+value.toPrecision(3)) : "–");
 
-/** Takes a control's value into the state. */
-export function take({ id, type, value, checked }) {
-  const number = POWERS.includes(id) ? 2 ** value : Number(value);
-  state[id] = type === "checkbox" ? checked : Number.isNaN(number) ? value : number;
-  [state.width, state.height] = state.size.split("x").map(Number);
-  state.far = Math.max(state.far, state.near * 1.25);
+/** The sliders with their units, and those that choose the exponent of a power of 2. */
+const UNITS = { tolerance: " texel", fov: "°", near: "", far: "", right: " pixel", down: " pixel" };
+const EXPONENTS = ["tolerance", "near", "far"];
+
+/** The scene and where its camera is, in settings of the module (src/view.rs). */
+export const camera = {};
+
+/** The settings of the module and of the page: the camera, and the values of controls by their ids. */
+export function settings() {
+  const found = { ...camera };
+  for (const { id, type, value, checked } of document.querySelectorAll("select, input[id]"))
+    found[id] = type === "checkbox" ? checked : Number.isNaN(Number(value)) ? value : Number(value);
+  const { scene, size, mode, other, near, far } = found;
+  const [width, height] = size.split("x").map(Number);
+  Object.assign(found, { width, height, first_row: 0, rows: height, far: Math.max(far, near + 1 / 3) });
+  found.modes = scene === WORLD || other < 0 ? [mode] : [mode, other];
+  if (scene === WORLD) found.format = 0; // It has colors and modes of its own.
+  found.interpolates = scene !== WORLD && scene !== FLAT_SPHERE;
+  found.showsErrors &&= found.interpolates;
+  return found;
 }
 
-/** Makes controls show the state. */
-export function showState() {
-  for (const [id, value] of Object.entries(state)) {
-    const control = $(id);
-    if (id in UNITS) {
-      control.value = POWERS.includes(id) ? Math.log2(value) : value;
-      control.previousElementSibling.value = short(value) + UNITS[id];
-      control.setAttribute("aria-valuetext", short(value) + UNITS[id]);
-    } else if (control) control[control.type === "checkbox" ? "checked" : "value"] = value;
-  }
-  $("accuracy").disabled = $("format").disabled = isWorld();
-  $("tolerance").disabled = !modes().includes(2);
-  $("showsErrors").disabled = !interpolates();
+/** Makes sliders show the camera. */
+export function showCamera() {
+  for (const id in UNITS) $(id).value = camera[id];
+}
 
-  const name = (mode) => (mode === 2 ? `Fast, ${short(state.tolerance)} texel` : MODES[mode]);
-  $("stage").classList.toggle("whole", modes().length < 2);
-  $("left-name").textContent = name(state.mode);
-  $("right-name").textContent = name(state.other);
-  $("line").style.left = `${state.divider}%`;
-  $("legend").hidden = !showsErrors();
-  $("figure").hidden = !interpolates();
-  $("cost").hidden = isWorld();
+/** Makes what depends on the controls show the settings. */
+export function showSettings() {
+  const now = settings();
+  for (const [id, unit] of Object.entries(UNITS)) {
+    const told = short(EXPONENTS.includes(id) ? 2 ** now[id] : now[id]) + unit;
+    $(id).previousElementSibling.value = told;
+    $(id).setAttribute("aria-valuetext", told);
+  }
+  $("accuracy").disabled = $("format").disabled = $("cost").hidden = now.scene === WORLD;
+  $("showsErrors").disabled = $("figure").hidden = !now.interpolates;
+  $("tolerance").disabled = !now.modes.includes(2);
+  $("legend").hidden = !now.showsErrors;
+
+  const name = (mode) => (mode === 2 ? `Fast, ${short(2 ** now.tolerance)} texel` : MODES[mode]);
+  $("left-name").textContent = name(now.mode);
+  $("right-name").textContent = name(now.other);
+  $("line").style.left = `${now.divider}%`;
+  $("stage").className = now.modes.length > 1 ? "" : "whole";
+  Object.assign($("canvas"), { width: now.width, height: now.height }); // clears it, too
 }

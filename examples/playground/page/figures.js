@@ -1,5 +1,6 @@
 // Figures of the picture: counts and times, errors, and estimates for a microcontroller.
-import { $, FLAT_SPHERE, short, state } from "./controls.js";
+import { $, short } from "./controls.js";
+import { FLAT_SPHERE } from "./module.js";
 
 /** Bits of a pixel in each format. */
 const BITS = [16, 16, 8, 4, 2, 1];
@@ -49,7 +50,7 @@ export function compare(marks) {
       numbers(`${name}: pictures a second`, (mark) => clock / (mark[id] * cycles)),
     ]),
   ].join("");
-  $("plot").innerHTML = plot(marks.map((mark) => ({ ...mark, cost: mark[state.axis] })));
+  $("plot").innerHTML = plot(marks.map((mark) => ({ ...mark, cost: mark[mark.axis] })));
 }
 
 /** Where a mode's name stands beside its mark. Modes of like errors and costs have sides of their own. */

@@ -1,8 +1,8 @@
 // The page: what is drawn, and what the visitor does with it.
-import { $, FLOOR, LIGHTHOUSE, MODES, OWN, modes, settings, showState, showsErrors, state, take } from "./controls.js";
+import { $, camera, settings, showCamera, showSettings } from "./controls.js";
 import { compare, showNumbers } from "./figures.js";
 import { read } from "./files.js";
-import { Crate, WORLD, load } from "./module.js";
+import { Crate, FLOOR, LIGHTHOUSE, MODES, OWN, WORLD, load } from "./module.js";
 
 /** The slot for measuring. Slots 0 and 1 have the pictures of the modes that are seen. */
 const SCRATCH = 2;
@@ -19,12 +19,10 @@ const frame = () => new Promise(requestAnimationFrame);
 let crate, model;
 
 let beginnings = 0;
-/** Ends what waits, and shows the state. Returns a function to wait with, which tells whether to go on. */
+/** Ends what waits, and shows the settings. Returns a function to wait with, which tells whether to go on. */
 function begin() {
   const mine = ++beginnings;
-  showState();
-  $("stage").classList.remove("slow");
-  Object.assign(canvas, { width: state.width, height: state.height }); // clears it, too
+  showSettings();
   return async (wait) => {
     await wait;
     return mine === beginnings;
@@ -37,12 +35,12 @@ async function changed() {
   tell("hint", "");
   try {
     let last = performance.now();
-    const yaw = state.yaw - last * 0.015;
+    const yaw = camera.yaw - last * 0.015;
     for (let pictures = 1; await goesOn(frame()); pictures++) {
       const time = draw();
       const now = performance.now();
-      if (!state.spins) break;
-      state.yaw = (yaw + now * 0.015) % 360;
+      if (!settings().spins) break;
+      camera.yaw = (yaw + now * 0.015) % 360;
       if (pictures % 20) continue;
       showNumbers(crate.ask("measure", settings(), SCRATCH), time, 20000 / (now - last));
       last = now;
@@ -55,11 +53,12 @@ async function changed() {
 
 /** Draws the modes that are seen, side by side. Returns the milliseconds that the left one took. */
 function draw() {
-  const { width, height, divider } = state;
-  const times = modes().map((mode, slot) => {
-    const now = settings(mode);
-    const time = crate.draw(now, slot);
-    const image = showsErrors() ? crate.image("errors", now, SCRATCH) : crate.image("show", now, slot);
+  const now = settings();
+  const { width, height, divider } = now;
+  const times = now.modes.map((mode, slot) => {
+    const view = { ...now, mode };
+    const time = crate.draw(view, slot);
+    const image = now.showsErrors ? crate.image("errors", view, SCRATCH) : crate.image("show", view, slot);
     context.putImageData(image, 0, 0, slot * Math.round((divider / 100) * width), 0, width, height);
     return time;
   });
@@ -78,40 +77,43 @@ function timed(settings) {
 
 /** Fills in figures and program. */
 async function measure(goesOn) {
-  const left = crate.ask("checksum", crate.ask("measure", settings(), SCRATCH));
-  showNumbers(left, timed(settings()));
+  const now = settings();
+  const left = crate.ask("checksum", crate.ask("measure", now, SCRATCH));
+  showNumbers(left, timed(now));
   if (left.submitted === 0) tell("hint", "Drop a model here (.obj, .gltf or .glb), with a picture for its texture.");
   else if (left.pixels === 0) tell("hint", "Nothing is seen: all triangles face away, or lie outside the picture.");
-  tell("code", (state.scene === OWN && model ? model.note : "") + crate.program(settings()));
+  tell("code", (now.scene === OWN && model ? model.note : "") + crate.program(now));
   tell("copy", "Copy");
   const marks = [];
   for (const [mode, name] of MODES.entries()) {
-    if (state.scene === WORLD || !(await goesOn(pause()))) return;
-    const time = timed(settings(mode));
-    const found = crate.ask("errors", crate.ask("measure", settings(mode), SCRATCH), SCRATCH);
-    marks.push({ ...found, name, time, isSeen: modes().includes(mode) });
+    if (now.scene === WORLD || !(await goesOn(pause()))) return;
+    const view = { ...now, mode };
+    const time = timed(view);
+    const found = crate.ask("errors", crate.ask("measure", view, SCRATCH), SCRATCH);
+    marks.push({ ...found, name, time, isSeen: now.modes.includes(mode) });
   }
   compare(marks);
 }
 
 /** Draws band after band in slow motion. */
 async function drawBands() {
-  state.spins = false;
+  $("spins").checked = false;
   const goesOn = begin();
-  $("stage").classList.add("slow");
-  const { band, width, height } = state;
-  crate.draw(settings(), 0);
-  const whole = crate.ask("checksum", settings()).checksum;
-  crate.picture(settings(), SCRATCH).fill(0);
+  $("stage").className = "slow";
+  const now = settings();
+  const { band, width, height } = now;
+  crate.draw(now, 0);
+  const whole = crate.ask("checksum", now).checksum;
+  crate.picture(now, SCRATCH).fill(0);
   for (let first_row = 0; first_row < height; first_row += band) {
     const rows = Math.min(band, height - first_row);
-    crate.draw({ ...settings(), first_row, rows }, SCRATCH);
-    context.putImageData(crate.image("show", settings(), SCRATCH), 0, 0, 0, first_row, width, rows);
+    crate.draw({ ...now, first_row, rows }, SCRATCH);
+    context.putImageData(crate.image("show", now, SCRATCH), 0, 0, 0, first_row, width, rows);
     Object.assign($("slow").style, { top: `${(100 * first_row) / height}%`, height: `${(100 * rows) / height}%` });
     tell("status", `Rows ${first_row} to ${first_row + rows - 1} of ${height}, in the memory of one band.`);
     if (!(await goesOn(pause(Math.max((2400 * band) / height, 60))))) return;
   }
-  const isSame = crate.ask("checksum", settings(), SCRATCH).checksum === whole;
+  const isSame = crate.ask("checksum", now, SCRATCH).checksum === whole;
   const same = isSame ? "the same picture, bit for bit, as drawn whole" : "another picture";
   tell("status", `${Math.ceil(height / band)} bands of ${band} rows: ${same}.`);
   if (await goesOn(pause(1500))) changed();
@@ -124,7 +126,8 @@ async function choose(scene) {
   tell("status", "Loading …");
   if (scene === WORLD) crate.world ??= await load("world.wasm.gz");
   if (!scenes[scene].checked) return; // in the meantime
-  Object.assign(state, crate.ask("home", { ...state, scene }));
+  Object.assign(camera, crate.ask("home", { ...settings(), scene }));
+  showCamera();
   const { title, textContent } = scenes[scene].parentElement;
   tell("status", `${textContent}: ${title}.`);
   changed();
@@ -156,12 +159,12 @@ async function open(files) {
 
 /** Turns the picture by degrees, and multiplies its distance. */
 function move(right, down, factor = 1) {
-  const { yaw, pitch, distance, scene } = state;
-  state.yaw = (yaw + right) % 360;
-  state.pitch = Math.max(-90, Math.min(pitch + down, 90));
+  const { yaw, pitch, distance, scene } = camera;
+  camera.yaw = (yaw + right) % 360;
+  camera.pitch = Math.max(-90, Math.min(pitch + down, 90));
   // The floor's eye is at its center, so it goes back and forth.
   const [least, wanted] = scene === FLOOR ? [0, distance + Math.log2(factor) * 4] : [0.3, distance * factor];
-  state.distance = Math.max(least, Math.min(wanted, 200));
+  camera.distance = Math.max(least, Math.min(wanted, 200));
   changed();
 }
 
@@ -193,17 +196,15 @@ const MOVES = {
 canvas.onkeydown = (event) => {
   if (event.ctrlKey || event.metaKey || !(event.key in MOVES || event.key === "Home")) return;
   event.preventDefault();
-  if (event.key === "Home") choose(state.scene);
+  if (event.key === "Home") choose(camera.scene);
   else move(...MOVES[event.key]);
 };
 
 oninput = ({ target }) => {
   if (target.name === "scene") choose(scenes.indexOf(target));
-  if (!(target.id in state)) return;
-  take(target);
-  changed();
+  else if (target.type !== "file") changed();
 };
-$("home").onclick = () => choose(state.scene);
+$("home").onclick = () => choose(camera.scene);
 $("bands").onclick = drawBands;
 $("copy").onclick = () => {
   getSelection().selectAllChildren($("code"));
@@ -224,7 +225,7 @@ ondragover = ondragleave = ondrop = (event) => {
 onunhandledrejection = ({ reason }) => {
   tell("trouble", reason.message);
   tell("status", "");
-  scenes[state.scene].checked = true;
+  scenes[camera.scene].checked = true;
 };
 async function start() {
   crate = new Crate(await load("playground.wasm.gz"));

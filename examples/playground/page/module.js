@@ -1,7 +1,8 @@
 // The crate as a WebAssembly module. Settings go in, and results come out, by their names in src/view.rs.
 
-/** The little world, whose pictures a module of its own draws. */
-export const WORLD = 6;
+export const MODES = ["Exact", "Newton", "Fast", "Affine", "Compact"];
+/** Scenes. The little world's pictures are drawn by a module of its own. */
+export const [FLOOR, FLAT_SPHERE, LIGHTHOUSE, OWN, WORLD] = [0, 3, 4, 5, 6];
 
 /** Starts the module in a compressed file beside the page. It needs no header from the server. */
 export async function load(path) {

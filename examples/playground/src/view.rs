@@ -12,10 +12,10 @@ use super::scene::Scene;
 
 /// The settings of a picture as the page names them, the camera's last; then the results.
 ///
-/// Angles are in degrees, lengths in units; `right` and `down` move the picture by parts of a pixel; `is_two_sided` is 1
-/// for yes and 0 for no. In the little world, `yaw` is the moment of the walk. Results are triangles in, drawn and
-/// clipped; pixels drawn; the largest and the mean error in texels; million instructions on two cores; the picture's checksum.
-/// NaN stands for a number that is not known.
+/// Angles are in degrees, lengths in units; `tolerance`, `near` and `far` are exponents of powers of two; `right` and
+/// `down` move the picture by parts of a pixel; `is_two_sided` is 1 for yes and 0 for no. In the little world, `yaw` is
+/// the moment of the walk. Results are triangles in, drawn and clipped; pixels drawn; the largest and the mean error in
+/// texels; million instructions on two cores; the picture's checksum. NaN stands for a number that is not known.
 pub const NAMES: &str = "scene mode tolerance width height format first_row rows band is_two_sided \
     yaw pitch distance fov near far right down center_x center_y center_z scale \
     submitted drawn clipped pixels max mean m0 m4 checksum";
@@ -75,7 +75,6 @@ impl View {
     ///
     /// A number is out of range.
     #[allow(clippy::cast_sign_loss)] // saturates
-    #[allow(clippy::float_cmp)] // a camera that nobody moved has the same bits
     pub fn new(fields: &[f64; FIELDS]) -> Result<Self, Error> {
         let mut rest = fields.iter().copied();
         let mut next = || rest.next().unwrap_or_default();
@@ -84,23 +83,26 @@ impl View {
         let pixel =
             libm::atan(2.0 * libm::tan(fields[13].to_radians() / 2.0) / fields[4]).to_degrees();
         let scene = Scene::at(next() as usize);
+        let mut camera = fields[CAMERA].iter().zip(Self::home(scene, [fx!(0); 4]));
+        // A browser's slider keeps 15 digits.
+        let is_home = camera.all(|(now, home)| (now - home).abs() < 1e-9);
         Ok(Self {
             scene,
             mode: next() as u32,
-            tolerance: scalar(next())?,
+            tolerance: scalar(libm::exp2(next()))?,
             size: Size::new(next() as u32, next() as u32),
             format: next() as u32,
             first_row: next() as u32,
             rows: next() as u32,
             band: next() as u32,
             is_two_sided: next() > 0.0,
-            is_home: fields[CAMERA] == Self::home(scene, [fx!(0); 4]),
+            is_home,
             yaw: angle(next())?,
             pitch: angle(next())?,
             distance: scalar(next())?,
             fov: angle(next())?,
-            near: scalar(next())?,
-            far: scalar(next())?,
+            near: scalar(libm::exp2(next()))?,
+            far: scalar(libm::exp2(next()))?,
             shift: [angle(next() * pixel)?, angle(next() * pixel)?],
             center: Vec3::new(scalar(next())?, scalar(next())?, scalar(next())?),
             scale: scalar(next())?,
@@ -152,7 +154,18 @@ impl View {
         };
         let [x, y, z] = center;
         [
-            yaw, pitch, distance, fov, near, far, 0.0, 0.0, x, y, z, scale,
+            yaw,
+            pitch,
+            distance,
+            fov,
+            libm::log2(near),
+            libm::log2(far),
+            0.0,
+            0.0,
+            x,
+            y,
+            z,
+            scale,
         ]
     }
 

@@ -5,7 +5,7 @@ import test from "node:test";
 import { crate, home, page } from "./page.mjs";
 
 const { fitted, read } = await page("files.js");
-const { OWN } = await page("controls.js");
+const { OWN } = await page("module.js");
 
 const COMPONENTS = new Map([
   [Int8Array, 5120],

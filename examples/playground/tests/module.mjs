@@ -8,7 +8,7 @@ import { join } from "node:path";
 import test from "node:test";
 import { checksum, crate, page, view } from "./page.mjs";
 
-const { MODES } = await page("controls.js");
+const { MODES } = await page("module.js");
 const SCENES = ["floor", "cube", "sphere", "sphere-flat", "lighthouse"];
 
 test("the measured scenes have the simulator's checksums", () => {

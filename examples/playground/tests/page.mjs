@@ -16,17 +16,17 @@ const { fetch } = globalThis;
 globalThis.fetch = (path) => (/\.gz$/.test(path) ? new Response(readFileSync(`${folder}/${path}`)) : fetch(path));
 
 const { Crate, load } = await page("module.js");
-const { settings } = await page("controls.js");
 export const crate = new Crate(await load("playground.wasm.gz"));
 crate.world = await load("world.wasm.gz");
 crate.read("read_texture", new Uint8Array(4).fill(215), { width: 1, height: 1 });
 
-export const home = (scene) => crate.ask("home", { ...settings(), scene });
+const SETTINGS = { mode: 1, tolerance: -2, format: 0, band: 16, is_two_sided: 0, first_row: 0 };
+export const home = (scene) => crate.ask("home", { ...SETTINGS, scene });
 
 /** The settings of a scene in its start view, with changes. */
 export function view(scene, { size = "320x240", ...changes } = {}) {
   const [width, height] = size.split("x").map(Number);
-  return { ...home(scene), mode: 1, width, height, rows: height, ...changes };
+  return { ...home(scene), width, height, rows: height, ...changes };
 }
 
 /** The checksum of a picture. */

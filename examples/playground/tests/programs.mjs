@@ -5,8 +5,7 @@ import { join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { crate, page, view } from "./page.mjs";
 
-const { MODES, OWN } = await page("controls.js");
-const { WORLD } = await page("module.js");
+const { MODES, OWN, WORLD } = await page("module.js");
 const { fitted } = await page("files.js");
 const FORMATS = ["Rgb565", "Rgb555", "Gray8", "Gray4", "Gray2", "BinaryColor"];
 const SIZES = ["128x64", "128x128", "160x128", "240x240", "320x240", "480x320", "640x480"];
@@ -48,7 +47,7 @@ function hash({ data }) {
   return found >>> 0;
 }
 
-const CAMERAS = [{}, { yaw: 40, pitch: 30 }, { yaw: -60, right: 0.3, down: 0.7 }, { fov: 137, near: 0.125, far: 3000 }];
+const CAMERAS = [{}, { yaw: 40, pitch: 30 }, { yaw: -60, right: 0.3, down: 0.7 }, { fov: 137, near: -3, far: Math.log2(3000) }];
 const list = [];
 function add(index, changes) {
   const settings = view(index, changes);
@@ -73,7 +72,7 @@ for (let index = 0; index < WORLD; index++) {
       size: SIZES[at % SIZES.length],
       format: (index + mode + 1) % FORMATS.length,
       band: [8, 16, 32][at % 3],
-      tolerance: [0.015625, 0.25, 16][at % 3],
+      tolerance: [-6, -2, 4][at % 3],
       is_two_sided: index === OWN && mode % 2 === 0,
     });
   }
