@@ -54,7 +54,7 @@ export function compare(marks) {
 }
 
 /** Where a mode's name stands beside its mark. Modes of like errors and costs have sides of their own. */
-const SIDES = { Exact: [27, 4], Newton: [0, -9], Fast: [24, 4], Affine: [28, 4], Compact: [0, 18] };
+const SIDES = { Exact: [0, -9], Newton: [0, 18], Fast: [0, -9], Affine: [-27, 4], Compact: [0, -21] };
 
 /** A plot of error against cost. */
 function plot(marks) {
