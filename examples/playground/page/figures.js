@@ -50,7 +50,9 @@ export function compare(marks) {
       numbers(`${name}: pictures a second`, (mark) => clock / (mark[id] * cycles)),
     ]),
   ].join("");
-  $("plot").innerHTML = plot(marks.map((mark) => ({ ...mark, cost: mark[mark.axis] })));
+  // Nothing is plotted of scenes where nothing is interpolated or drawn.
+  const costs = marks.map((mark) => ({ ...mark, cost: mark[mark.axis] }));
+  $("plot").innerHTML = plot(costs.filter(({ cost, max }) => cost > 0 && max >= 0));
 }
 
 /** Where a mode's name stands beside its mark. Modes of like errors and costs have sides of their own. */
