@@ -1,5 +1,5 @@
 // Files of the visitor's own: models as OBJ text, textures as pixels. The browser decodes pictures.
-import { parsed } from "./gltf.js";
+import { converted } from "./gltf.js";
 
 /** Reads dropped files; returns the model and its texture, or undefined for what is not among them. */
 export async function read(files) {
@@ -13,14 +13,19 @@ export async function read(files) {
     if (!file) throw new Error(`it needs ${name}: drop both files together.`);
     return file.arrayBuffer();
   };
+  // What gltf.js does not say is JavaScript's: a list or a number is not where glTF has it.
+  const damaged = (error) => {
+    throw error.constructor === Error ? error : new Error("it is damaged, or not glTF.");
+  };
   const bytes = await model?.arrayBuffer();
-  const { text, image } = /\.obj$/i.test(model?.name) || !bytes ? { text: bytes } : await parsed(bytes, resource);
+  const isObj = !model || /\.obj$/i.test(model.name);
+  const { text, image } = isObj ? { text: bytes } : await converted(bytes, resource).catch(damaged);
   const texture = picture ?? image;
   return { model: text && fitted(new Uint8Array(text)), texture: texture && (await pixels(texture)) };
 }
 
-const SEPARATOR = String.raw`((?:[ \t]|\\\r?\n)+)`;
-const POSITION = new RegExp(String.raw`^([ \t]*v)${`${SEPARATOR}(\\S+)`.repeat(3)}`, "gm");
+const VERTEX = /^[ \t]*v((?:[ \t]|\\\r?\n)+[^\s\\]+){3}/gm;
+const WORD = /[^\s\\]+/g;
 
 /**
  * OBJ text with coordinates that the crate's numbers hold in few enough and enough steps of 2^-16. Where they do not,
@@ -29,25 +34,21 @@ const POSITION = new RegExp(String.raw`^([ \t]*v)${`${SEPARATOR}(\\S+)`.repeat(3
  */
 export function fitted(bytes) {
   const text = new TextDecoder("latin1").decode(bytes);
-  const isEmpty = !/^[ \t]*f[ \t]/m.test(text);
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
-  for (const [, , , x, , y, , z] of text.matchAll(POSITION)) {
-    [x, y, z].map(Number).forEach((value, axis) => {
-      low[axis] = Math.min(low[axis], value);
-      high[axis] = Math.max(high[axis], value);
-    });
-  }
+  const points = (text.match(VERTEX) ?? []).map((vertex) => vertex.match(WORD).slice(1).map(Number));
+  const most = (pick) => points.reduce((most, at) => most.map((value, axis) => pick(value, at[axis])), points[0] ?? []);
+  const [low, high] = [most(Math.min), most(Math.max)];
   const center = low.map((value, axis) => value / 2 + high[axis] / 2);
   const radius = Math.hypot(...high.map((value, axis) => value - center[axis]));
   const fits = radius >= 1 / 16 && Math.max(...high, ...low.map((value) => -value), radius) < 16384;
   // The crate's parser tells of what is no number.
-  if (fits || !(radius > 0 && radius < Infinity)) return { text: bytes, isEmpty, note: "" };
-  const to = (value, axis) => ((Number(value) - center[axis]) / radius).toFixed(9);
-  const moved = text.replace(POSITION, (_, v, a, x, b, y, c, z) => v + a + to(x, 0) + b + to(y, 1) + c + to(z, 2));
+  if (fits || !(radius > 0 && radius < Infinity)) return { text: bytes, note: "" };
+  const moved = text.replace(VERTEX, (vertex) => {
+    let axis = -1; // The word before the coordinates is v.
+    return vertex.replace(WORD, (word) => (axis++ < 0 ? word : ((word - center[axis - 1]) / radius).toFixed(9)));
+  });
   const note = `// For the range of the crate's numbers, the page moved and scaled the model: of each v in model.obj,
 // (x, y, z) became ((x, y, z) - (${center.join(", ")})) / ${radius}\n`;
-  return { text: new TextEncoder().encode(moved), isEmpty, note };
+  return { text: new TextEncoder().encode(moved), note };
 }
 
 /** The pixels of a picture, with sides that are powers of two, 512 at most. */

@@ -1,38 +1,21 @@
 // glTF models as OBJ text, which the crate reads.
 
-/** The types of components; and what a normalized one is divided by. */
+/** The types of components, each with what a normalized one is divided by. */
 const TYPES = {
-  5120: [Int8Array, 127],
-  5121: [Uint8Array, 255],
-  5122: [Int16Array, 32767],
-  5123: [Uint16Array, 65535],
-  5125: [Uint32Array, 1],
-  5126: [Float32Array, 1],
+  5120: [Int8Array, 127], 5122: [Int16Array, 32767], 5126: [Float32Array, 1],
+  5121: [Uint8Array, 255], 5123: [Uint16Array, 65535], 5125: [Uint32Array, 1],
 };
 const SIZES = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
-const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
-/**
- * The meshes of the scene as OBJ text, and the first color texture's picture if there is one. `resource` gets the bytes
- * of a file that the model names.
- */
-export async function parsed(bytes, resource) {
-  try {
-    return await converted(bytes, resource);
-  } catch (error) {
-    // What is not said by this file is JavaScript's: a list or a number is not where glTF has it.
-    throw error.constructor === Error ? error : new Error("it is damaged, or not glTF.");
-  }
-}
-
-async function converted(bytes, resource) {
+/** The scene as OBJ text, and its first texture's picture. `resource` gets the bytes of a file that the model names. */
+export async function converted(bytes, resource) {
   const [gltf, chunk] = unpacked(bytes);
   const extension = gltf.extensionsRequired?.find((name) => name !== "KHR_mesh_quantization" && /mesh/.test(name));
   if (extension) throw new Error(`its meshes are compressed (${extension}), which is not read here.`);
   const fetched = ({ uri }) =>
     uri === undefined ? chunk : /^data:/.test(uri) ? fetch(uri).then((data) => data.arrayBuffer()) : resource(uri);
   const buffers = await Promise.all((gltf.buffers ?? []).map(fetched));
-  const lines = triangles(gltf, (index) => values(gltf, buffers, index));
+  const lines = [...scene(gltf, (index) => values(gltf, buffers, index))];
   const isWrong = lines.some((line) => /NaN|Infinity|undefined/.test(line));
   if (isWrong) throw new Error("it has coordinates that are not numbers.");
   if (!lines.some((line) => line.startsWith("f"))) throw new Error("it has no triangles in its scene.");
@@ -48,19 +31,20 @@ async function converted(bytes, resource) {
 function unpacked(bytes) {
   const view = new DataView(bytes);
   const isBinary = view.byteLength > 20 && view.getUint32(0, true) === 0x46546c67; // "glTF"
-  const end = isBinary ? 20 + view.getUint32(12, true) : bytes.byteLength;
-  const json = bytes.slice(isBinary ? 20 : 0, end);
-  return [JSON.parse(new TextDecoder().decode(json)), bytes.slice(end + 8)];
+  const [start, end] = isBinary ? [20, 20 + view.getUint32(12, true)] : [0, bytes.byteLength];
+  return [JSON.parse(new TextDecoder().decode(bytes.slice(start, end))), bytes.slice(end + 8)];
 }
 
 /** The values of an accessor, each a list of its components. */
 function values(gltf, buffers, index) {
   const { count, type, sparse, ...accessor } = gltf.accessors[index];
+  const size = SIZES[type];
   if (!Number.isInteger(count)) throw new TypeError();
   if (count > 2 ** 20) throw new Error(`accessor ${index} has ${count} elements: at most 1,048,576 can be read.`);
 
   /** `count` elements of a buffer. */
   const elements = ({ bufferView, byteOffset = 0, componentType, normalized }, count, size) => {
+    if (bufferView === undefined) return Array.from({ length: count }, () => Array(size).fill(0));
     const { buffer, byteOffset: start = 0, byteStride } = gltf.bufferViews[bufferView];
     const [Type, most] = TYPES[componentType];
     const length = size * Type.BYTES_PER_ELEMENT;
@@ -72,89 +56,70 @@ function values(gltf, buffers, index) {
     const element = (_, i) => Array.from(new Type(buffers[buffer].slice(at(i), at(i) + length)), number);
     return Array.from({ length: count }, element);
   };
-  const found =
-    accessor.bufferView === undefined
-      ? Array.from({ length: count }, () => Array(SIZES[type]).fill(0))
-      : elements(accessor, count, SIZES[type]);
+  const found = elements(accessor, count, size);
   if (sparse) {
-    const changed = elements({ ...accessor, byteOffset: 0, ...sparse.values }, sparse.count, SIZES[type]);
+    const changed = elements({ ...accessor, byteOffset: 0, ...sparse.values }, sparse.count, size);
     elements(sparse.indices, sparse.count, 1).forEach(([at], i) => (found[at] = changed[i]));
   }
   return found;
 }
 
-/** The lines of OBJ text for the scene's triangles. */
-function triangles(gltf, values) {
-  const lines = [];
-  const known = [0, 0, 0]; // positions, texture coordinates and normals so far
-  const add = ({ attributes, indices, mode = 4 }, place) => {
-    if (mode < 4 || attributes.POSITION === undefined) return;
-    const lists = ["POSITION", "TEXCOORD_0", "NORMAL"].map((name) =>
-      attributes[name] === undefined ? [] : values(attributes[name]),
-    );
-    const [points, uvs, normals] = lists;
-    const count = points.length;
-    const short = lists.find(({ length }) => length && length !== count);
-    if (short) throw new Error(`${count} vertices have ${short.length} attributes.`);
-    for (const point of points) lines.push(`v ${transformed(place, point, 1).join(" ")}`);
-    // OBJ counts v upwards.
-    for (const [u, v] of uvs) lines.push(`vt ${u} ${1 - v}`);
-    const turn = cofactors(place);
-    const isMirrored = [0, 1, 2].reduce((sum, i) => sum + place[i] * turn[i], 0) < 0;
-    for (const normal of normals) {
-      const turned = transformed(turn, normal, 0);
-      // Of any length for the crate, but within its numbers.
-      const length = Math.hypot(...turned) * (isMirrored ? -1 : 1) || 1;
-      lines.push(`vn ${turned.map((at) => at / length).join(" ")}`);
-    }
-
-    const corners = indices === undefined ? points.map((_, i) => i) : values(indices).flat();
-    const wrong = corners.find((at) => !(at < count));
-    if (wrong !== undefined) throw new Error(`a triangle has vertex ${wrong}, but there are ${count} vertices.`);
-    const corner = (at) =>
-      lists.map(({ length }, i) => (length ? at + known[i] + 1 : "")).join("/").replace(/\/+$/, "");
-    const faces = [];
-    for (let i = 0; i + 2 < corners.length; i += mode === 4 ? 3 : 1) {
-      // A strip's triangles turn in alternate directions; all of a fan begin at its first corner.
-      const [a, b, c] = mode === 6 ? [0, i + 1, i + 2] : mode === 5 && i % 2 ? [i + 1, i, i + 2] : [i, i + 1, i + 2];
-      faces.push([a, b, c].map((at) => corner(corners[at])));
-    }
-    for (const face of faces) lines.push(`f ${(isMirrored ? face.reverse() : face).join(" ")}`);
-    lists.forEach(({ length }, at) => (known[at] += length));
-  };
+/** The lines of OBJ text for a scene. `values` reads an accessor. */
+function* scene(gltf, values) {
   const seen = new Set();
-  const walk = (index, parent) => {
+  function* walk(index, parent) {
     const { mesh, children = [], ...node } = gltf.nodes[index];
     if (seen.has(index)) throw new Error(`node ${index} has two parents.`);
     seen.add(index);
-    const place = product(parent, node.matrix ?? matrix(node));
-    for (const primitive of gltf.meshes?.[mesh]?.primitives ?? []) add(primitive, place);
-    for (const child of children) walk(child, place);
-  };
-  for (const node of gltf.scenes?.[gltf.scene ?? 0]?.nodes ?? []) walk(node, IDENTITY);
-  return lines;
+    const place = (at, w) => parent(placed(node, at, w), w);
+    for (const primitive of gltf.meshes?.[mesh]?.primitives ?? []) yield* triangles(primitive, place, values);
+    for (const child of children) yield* walk(child, place);
+  }
+  for (const node of gltf.scenes?.[gltf.scene ?? 0]?.nodes ?? []) yield* walk(node, (at) => at);
 }
 
-// Matrices of four columns, one after the other.
+/** The lines for a primitive's triangles, in the scene where `place` puts a point (w = 1) or a direction (w = 0). */
+function* triangles({ attributes, indices, mode = 4 }, place, values) {
+  if (mode < 4 || attributes.POSITION === undefined) return;
+  const read = (name) => (attributes[name] === undefined ? [] : values(attributes[name]));
+  const lists = ["POSITION", "TEXCOORD_0", "NORMAL"].map(read);
+  const [points, uvs, normals] = lists;
+  const short = lists.find(({ length }) => length && length !== points.length);
+  if (short) throw new Error(`${points.length} vertices have ${short.length} attributes.`);
+  for (const point of points) yield `v ${place(point, 1).join(" ")}`;
+  // OBJ counts v upwards.
+  for (const [u, v] of uvs) yield `vt ${u} ${1 - v}`;
+  // The matrix for normals, times the determinant: each column is the cross product of the other two.
+  const [x, y, z] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((axis) => place(axis, 0));
+  const columns = [cross(y, z), cross(z, x), cross(x, y)];
+  const isMirrored = dot(x, columns[0]) < 0;
+  for (const normal of normals) {
+    const turned = [0, 1, 2].map((row) => dot(normal, columns.map((column) => column[row])));
+    // Of any length for the crate, but within its numbers.
+    const length = Math.hypot(...turned) * (isMirrored ? -1 : 1) || 1;
+    yield `vn ${turned.map((at) => at / length).join(" ")}`;
+  }
 
-/** A node's scale, then its rotation (a quaternion), then its translation. */
-function matrix({ translation = [0, 0, 0], rotation: [x, y, z, w] = [0, 0, 0, 1], scale = [1, 1, 1] }) {
-  const columns = [
-    [1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)],
-    [2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)],
-    [2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)],
-  ];
-  return [...columns.flatMap((column, at) => [...column.map((value) => value * scale[at]), 0]), ...translation, 1];
+  const corners = indices === undefined ? [...points.keys()] : values(indices).flat();
+  const wrong = corners.find((at) => !(at < points.length));
+  if (wrong !== undefined) throw new Error(`a triangle has vertex ${wrong}, but there are ${points.length} vertices.`);
+  // In OBJ, -1 is the last of the elements so far.
+  const corner = (at) => lists.map(({ length }) => (length ? corners[at] - length : "")).join("/");
+  for (let i = 0; i + 2 < corners.length; i += mode === 4 ? 3 : 1) {
+    // A strip's triangles turn in alternate directions; all of a fan begin at its first corner.
+    const [a, b, c] = mode === 6 ? [0, i + 1, i + 2] : mode === 5 && i % 2 ? [i + 1, i, i + 2] : [i, i + 1, i + 2];
+    yield `f ${(isMirrored ? [c, b, a] : [a, b, c]).map(corner).join(" ")}`;
+  }
 }
 
-const product = (a, b) =>
-  IDENTITY.map((_, at) => [0, 1, 2, 3].reduce((sum, k) => sum + a[(at % 4) + 4 * k] * b[at - (at % 4) + k], 0));
-
-const transformed = (matrix, [x, y, z], w) =>
-  [0, 1, 2].map((row) => matrix[row] * x + matrix[4 + row] * y + matrix[8 + row] * z + matrix[12 + row] * w);
-
-/** The matrix for normals, times the determinant: each column is the cross product of the other two. */
-function cofactors(m) {
-  const cross = (a, b) => [1, 2, 0].map((i) => m[a + i] * m[b + ((i + 1) % 3)] - m[a + ((i + 1) % 3)] * m[b + i]);
-  return [...cross(4, 8), 0, ...cross(8, 0), 0, ...cross(0, 4), 0, 0, 0, 0, 0];
+/** Where a node puts a point (w = 1) or a direction (w = 0): scaled, rotated by a quaternion, then translated. */
+function placed({ matrix: m, translation = [0, 0, 0], rotation = [0, 0, 0, 1], scale = [1, 1, 1] }, at, w) {
+  if (m) return [0, 1, 2].map((row) => dot([m[row], m[4 + row], m[8 + row], m[12 + row]], [...at, w]));
+  const scaled = at.map((value, axis) => value * scale[axis]);
+  // For a unit quaternion (q, r), a vector v goes to v + 2 q × (q × v + r v).
+  const half = cross(rotation, scaled).map((value, axis) => value + rotation[3] * scaled[axis]);
+  return cross(rotation, half).map((value, axis) => scaled[axis] + 2 * value + w * translation[axis]);
 }
+
+const dot = (a, b) => a.reduce((sum, value, axis) => sum + value * b[axis], 0);
+const cross = (a, b) => [1, 2, 0].map((i) => a[i] * b[(i + 1) % 3] - a[(i + 1) % 3] * b[i]);

@@ -17,8 +17,10 @@ use super::model::{FACES, Model};
 use super::program::{self, Text};
 use super::record::Recorder;
 use super::scene::{self, Part, Scene, Target};
-use super::view::{FIELDS, View};
+use super::view::{CAMERA, CHECKSUM, COUNTS, ERRORS, FIELDS, INSTRUCTIONS, NAMES, View};
 
+/// Two pictures, to compare modes, and one to measure with.
+const SLOTS: usize = 3;
 /// Most pixels of a picture.
 const PIXELS: usize = 640 * 480;
 /// Room for a model's text or a texture's pixels, in bytes.
@@ -57,22 +59,17 @@ const NOTHING: u32 = u32::from_le_bytes([58, 62, 68, 255]);
 
 /// Everything. Its first value is all zeros, which take no room in the file.
 pub struct App {
+    /// The settings of the picture to draw next, and what was found: see `view::NAMES`.
     pub fields: [f64; FIELDS],
     pub input: [u8; INPUT],
     pub text: Text,
-    /// Triangles in, drawn, clipped; pixels drawn; the largest and the mean error in texels; instructions on each of
-    /// the cores. NaN stands for a number that is not known.
-    pub results: [f64; 8],
-    /// Triangles in, drawn, clipped; pixels drawn.
-    counts: [u32; 4],
     /// The counts of the scenes as they are measured.
     measured: [Option<[u32; 4]>; 5],
-    /// Two pictures, to compare modes.
-    colors: [[Rgb565; PIXELS]; 2],
-    shown: [[u32; PIXELS]; 2],
+    colors: [[Rgb565; PIXELS]; SLOTS],
+    shown: [[u32; PIXELS]; SLOTS],
     mono: [BinaryColor; PIXELS],
     /// The lighthouse is shown before its sky in a display's colors: where nothing is drawn, depths are 0.
-    depths: [[u16; PIXELS]; 2],
+    depths: [[u16; PIXELS]; SLOTS],
     pixels: [Cell<[i32; 3]>; PIXELS],
     triangles: [Cell<[i32; 17]>; FACES],
     model: Model,
@@ -88,25 +85,37 @@ impl App {
             fields: [0.0; FIELDS],
             input: [0; INPUT],
             text: Text::new(),
-            results: [0.0; 8],
-            counts: [0; 4],
             measured: [None; 5],
-            colors: [[Rgb565::BLACK; PIXELS]; 2],
-            shown: [[0; PIXELS]; 2],
+            colors: [[Rgb565::BLACK; PIXELS]; SLOTS],
+            shown: [[0; PIXELS]; SLOTS],
             mono: [BinaryColor::Off; PIXELS],
-            depths: [[0; PIXELS]; 2],
+            depths: [[0; PIXELS]; SLOTS],
             pixels: [const { Cell::new([0; 3]) }; PIXELS],
             triangles: [const { Cell::new([0; 17]) }; FACES],
             model: Model::new(),
         }
     }
 
-    /// Writes the fields of a scene's start.
-    pub fn home(&mut self, scene: usize) {
-        View::home(Scene::at(scene), self.model.ball, &mut self.fields);
+    /// Writes the fields' names to the text.
+    #[allow(clippy::unnecessary_wraps)] // as all actions
+    pub fn names(&mut self, _: usize) -> Done {
+        self.text.clear();
+        // It has room.
+        let _ = self.text.push_str(NAMES);
+        Ok(())
     }
 
-    /// Draws the background, and clears the depths.
+    /// Writes the camera of a scene's start to the fields.
+    #[allow(clippy::unnecessary_wraps)] // as all actions
+    #[allow(clippy::cast_sign_loss)] // saturates
+    pub fn home(&mut self, _: usize) -> Done {
+        let scene = Scene::at(self.fields[0] as usize);
+        let camera = View::home(scene, self.model.ball);
+        self.fields[CAMERA].copy_from_slice(&camera);
+        Ok(())
+    }
+
+    /// Draws the background, and clears the depths. It is not timed.
     pub fn clear(&mut self, slot: usize) -> Done {
         let view = View::new(&self.fields)?;
         let mut bench = self.bench(slot, &view)?;
@@ -115,16 +124,18 @@ impl App {
         Ok(())
     }
 
-    /// Draws the scene, and counts triangles.
+    /// Draws the scene, and the lighthouse's caption.
     pub fn draw(&mut self, slot: usize) -> Done {
         let view = View::new(&self.fields)?;
-        self.draw_view(slot, &view)
+        self.draw_view(slot, &view)?;
+        if view.scene == Scene::Lighthouse && !view.is_mono() {
+            lighthouse::caption(&mut self.bench(slot, &view)?.canvas);
+        }
+        Ok(())
     }
 
-    fn draw_view(&mut self, slot: usize, view: &View) -> Done {
-        let drawn = in_mode!(view, |mode| self.draw_in(slot, view, mode))?;
-        self.counts = [drawn.submitted, drawn.drawn, drawn.clipped, 0];
-        Ok(())
+    fn draw_view(&mut self, slot: usize, view: &View) -> Result<Drawn, Error> {
+        in_mode!(view, |mode| self.draw_in(slot, view, mode))
     }
 
     fn draw_in<M: Mode>(&mut self, slot: usize, view: &View, mode: M) -> Result<Drawn, Error> {
@@ -145,27 +156,18 @@ impl App {
         }
     }
 
-    /// Writes the text over a scene: the lighthouse's caption. It is not timed.
-    pub fn overlay(&mut self, slot: usize) -> Done {
-        let view = View::new(&self.fields)?;
-        if view.scene == Scene::Lighthouse && !view.is_mono() {
-            lighthouse::caption(&mut self.bench(slot, &view)?.canvas);
-        }
-        Ok(())
-    }
-
     /// Draws the lighthouse by night, as it is drawn in black and white.
     fn draw_mono<M: Mode>(&mut self, slot: usize, view: &View, mode: M) -> Result<Drawn, Error> {
         let band = view.band();
         let mono = self.mono.get_mut(band.clone()).unwrap_or_default();
-        let depths = self.depths[slot & 1]
+        let depths = self.depths[slot % SLOTS]
             .get_mut(band.clone())
             .unwrap_or_default();
         let canvas = Canvas::band(mono, view.size.width, view.size.height, view.first_row)?;
         let mut canvas = canvas.with_depth(depths)?;
         let drawn = scene::lighthouse(&mut canvas, view, mode)?;
         lighthouse::caption(&mut canvas);
-        let colors = self.colors[slot & 1]
+        let colors = self.colors[slot % SLOTS]
             .get_mut(band.clone())
             .unwrap_or_default();
         for (color, mono) in colors.iter_mut().zip(&self.mono[band]) {
@@ -178,45 +180,49 @@ impl App {
         Ok(drawn)
     }
 
-    /// Writes a view's counts, and what they say of microcontrollers, to the results. Spoils the picture.
+    /// Writes a view's counts, and what they say of microcontrollers, to the fields. Spoils the picture.
     pub fn measure(&mut self, slot: usize) -> Done {
         let view = View::new(&self.fields)?;
+        self.fields[COUNTS.start..INSTRUCTIONS.end].fill(f64::NAN);
         // The measured scene that it is like. The little world is like none.
         let scene = match view.scene {
             Scene::Own => Scene::Lighthouse,
             Scene::World => return Ok(()),
             scene => scene,
-        } as usize;
-        let counts = self.count(slot, &view)?;
-        let measured = match self.measured[scene] {
-            Some(counts) => counts,
-            None => self.count(slot, &View::measured(Scene::at(scene), self.fields)?)?,
         };
-        self.measured[scene] = Some(measured);
+        let counts = self.count(slot, &view)?;
+        let measured = match self.measured[scene as usize] {
+            Some(counts) => counts,
+            None => self.count(slot, &View::measured(scene, self.fields)?)?,
+        };
+        self.measured[scene as usize] = Some(measured);
         let instructions =
             |core| cost::instructions(core, view.mode as usize, view.scene, counts, measured);
-        let [m0, m4] = CORES.map(|core| instructions(core).unwrap_or(f64::NAN));
-        self.results[..4].copy_from_slice(&counts.map(f64::from));
-        self.results[6..].copy_from_slice(&[m0, m4]);
+        let instructions =
+            CORES.map(|core| instructions(core).map_or(f64::NAN, |count| count / 1e6));
+        self.fields[COUNTS].copy_from_slice(&counts.map(f64::from));
+        self.fields[INSTRUCTIONS].copy_from_slice(&instructions);
         Ok(())
     }
 
     /// Counts triangles, and the pixels that pass the depth test.
     fn count(&mut self, slot: usize, view: &View) -> Result<[u32; 4], Error> {
-        self.draw_view(slot, view)?;
-        let [submitted, drawn, clipped, _] = self.counts;
+        let drawn = self.draw_view(slot, view)?;
         let count = Cell::new(0);
         let counter = Flat::new(Rgb565::BLACK).map(|_, color| {
             count.set(count.get() + 1);
             Some(color)
         });
         self.bench(slot, view)?.draw(view, Newton, |_, _| counter)?;
-        Ok([submitted, drawn, clipped, count.get()])
+        Ok([drawn.submitted, drawn.drawn, drawn.clipped, count.get()])
     }
 
-    /// Writes a view's errors to the results, and shows them as colors. Spoils the picture.
+    /// Writes a view's errors to the fields, and shows them as colors. Spoils the picture.
     pub fn errors(&mut self, slot: usize) -> Done {
         let view = View::new(&self.fields)?;
+        if view.scene == Scene::SphereFlat {
+            return Ok(()); // interpolates nothing
+        }
         in_mode!(view, |mode| self.record(slot, &view, mode))?;
         let eye = Eye::new(&view);
         let (mvp, options) = (view.mvp()?, DrawOptions::new());
@@ -236,7 +242,7 @@ impl App {
         let rows = self
             .pixels
             .chunks(width)
-            .zip(self.shown[slot & 1].chunks_mut(width));
+            .zip(self.shown[slot % SLOTS].chunks_mut(width));
         for (y, (pixels, shown)) in (0..height).zip(rows) {
             for (x, (pixel, shown)) in (0_u32..).zip(pixels.iter().zip(shown)) {
                 let [triangle, texels @ ..] = pixel.get();
@@ -265,7 +271,7 @@ impl App {
                 count += 1.0;
             }
         }
-        self.results[4..6].copy_from_slice(&[most, sum / f64::max(count, 1.0)]);
+        self.fields[ERRORS].copy_from_slice(&[most, sum / f64::max(count, 1.0)]);
         Ok(())
     }
 
@@ -289,7 +295,7 @@ impl App {
     /// Converts the picture to the display's format.
     pub fn show(&mut self, slot: usize) -> Done {
         let view = View::new(&self.fields)?;
-        let slot = slot & 1;
+        let slot = slot % SLOTS;
         let pixels = (view.size.width * view.size.height) as usize;
         let has_sky = view.scene == Scene::Lighthouse && !view.is_mono();
         if let (Some(colors), Some(shown)) = (
@@ -304,28 +310,32 @@ impl App {
 
     /// Returns the pixels that are shown, in bytes of red, green, blue and opacity.
     pub fn shown(&self, slot: usize) -> *const u32 {
-        self.shown[slot & 1].as_ptr()
+        self.shown[slot % SLOTS].as_ptr()
     }
 
-    /// Returns the picture as it was drawn.
+    /// Returns the picture as it was drawn, in Rgb565.
     pub fn picture(&self, slot: usize) -> *const u16 {
-        self.colors[slot & 1].as_ptr().cast()
+        self.colors[slot % SLOTS].as_ptr().cast()
     }
 
-    /// CRC-32 of the picture's pixels, row by row, the more significant byte first.
-    pub fn checksum(&self, slot: usize) -> u32 {
-        let pixels = View::new(&self.fields).map_or(0, |view| view.size.width * view.size.height);
-        let colors = self.colors[slot & 1].iter().take(pixels as usize);
+    /// Writes the CRC-32 of the picture's pixels, as the firmware computes it: row by row, the more significant byte
+    /// first.
+    pub fn checksum(&mut self, slot: usize) -> Done {
+        let size = View::new(&self.fields)?.size;
+        let pixels = (size.width * size.height) as usize;
+        let colors = self.colors[slot % SLOTS].iter().take(pixels);
         let bytes = colors.flat_map(|color| color.into_storage().to_be_bytes());
-        !bytes.fold(u32::MAX, |crc, byte| {
+        let crc = !bytes.fold(u32::MAX, |crc, byte| {
             (0..8).fold(crc ^ u32::from(byte), |crc, _| {
                 (crc >> 1) ^ (0xedb8_8320 * (crc & 1))
             })
-        })
+        });
+        self.fields[CHECKSUM] = f64::from(crc);
+        Ok(())
     }
 
     /// Writes the program that draws the view to the text.
-    pub fn program(&mut self) -> Done {
+    pub fn program(&mut self, _: usize) -> Done {
         let view = View::new(&self.fields)?;
         self.text.clear();
         // It has room.
@@ -333,16 +343,17 @@ impl App {
         Ok(())
     }
 
-    /// Reads a model's text from the input.
+    /// Reads a model's OBJ text from the input.
     pub fn read_model(&mut self, bytes: usize) -> Done {
         self.model.read(&self.input[..bytes.min(INPUT)])
     }
 
-    /// Reads a texture's pixels from the input.
-    pub fn read_texture(&mut self, width: u32, height: u32) -> Done {
-        let bytes = width.saturating_mul(height).saturating_mul(4) as usize;
-        self.model
-            .read_texture(&self.input[..bytes.min(INPUT)], [width, height])
+    /// Reads a texture's pixels (red, green, blue, opacity) from the input. The fields have its size.
+    #[allow(clippy::cast_sign_loss)] // saturates
+    pub fn read_texture(&mut self, bytes: usize) -> Done {
+        let size = [self.fields[3], self.fields[4]].map(|side| side as u32);
+        let pixels = &self.input[..bytes.min(INPUT)];
+        self.model.read_texture(pixels, size)
     }
 
     /// Keeps an error's message for the page.
@@ -359,13 +370,13 @@ impl App {
     fn bench(&mut self, slot: usize, view: &View) -> Result<Bench<'_>, Error> {
         let band = view.band();
         // The canvas and its depths refuse memory that is too short.
-        let colors = self.colors[slot & 1]
+        let colors = self.colors[slot % SLOTS]
             .get_mut(band.clone())
             .unwrap_or_default();
         let canvas = Canvas::band(colors, view.size.width, view.size.height, view.first_row)?;
         Ok(Bench {
             canvas,
-            depths: self.depths[slot & 1].get_mut(band).unwrap_or_default(),
+            depths: self.depths[slot % SLOTS].get_mut(band).unwrap_or_default(),
             model: &self.model,
             pixels: &self.pixels,
             triangles: &self.triangles,

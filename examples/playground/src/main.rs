@@ -4,17 +4,17 @@
 
 mod server;
 
-use std::fs::File;
 use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
 use std::{env, fs, io};
 
-use server::FILES;
+use server::{FILES, File};
 
 fn main() -> ExitCode {
     let args: Vec<String> = env::args().skip(1).collect();
-    let done = match args.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+    let args: Vec<&str> = args.iter().map(String::as_str).collect();
+    let done = built().and_then(|()| match args[..] {
         [] => server::serve(8000),
         ["--port", port] => match port.parse() {
             Ok(port) => server::serve(port),
@@ -22,7 +22,7 @@ fn main() -> ExitCode {
         },
         ["--out", folder] => write(Path::new(folder)),
         _ => Err("usage: playground [--port N | --out FOLDER]".into()),
-    };
+    });
     if let Err(error) = done {
         // If nobody reads the message, the exit code still shows the failure.
         let _ = writeln!(io::stderr(), "{error}");
@@ -31,12 +31,17 @@ fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
+/// Refuses to go on without a module.
+fn built() -> Result<(), String> {
+    const BUILD: &str = "cargo build --release --lib -p playground -p playground-world --target wasm32-unknown-unknown";
+    match FILES.iter().find(|file| file.bytes.is_empty()) {
+        Some(File { name, .. }) => Err(format!("{name} was not built. First: {BUILD}")),
+        None => Ok(()),
+    }
+}
+
 /// Writes the files for any file server. It overwrites none: a file that already exists must have the same contents.
 fn write(folder: &Path) -> Result<(), String> {
-    if let Some(missing) = FILES.iter().find(|file| file.bytes.is_empty()) {
-        let (name, build) = (missing.name, server::BUILD);
-        return Err(format!("{name} was not built. First: {build}"));
-    }
     let say = |path: &Path, error: io::Error| format!("{}: {error}", path.display());
     let mut missing = Vec::new();
     for file in &FILES {
@@ -55,7 +60,7 @@ fn write(folder: &Path) -> Result<(), String> {
     }
     fs::create_dir_all(folder).map_err(|error| say(folder, error))?;
     for (path, file) in missing {
-        File::create_new(&path)
+        fs::File::create_new(&path)
             .and_then(|mut to| to.write_all(file.bytes))
             .map_err(|error| say(&path, error))?;
     }

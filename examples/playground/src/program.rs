@@ -150,7 +150,7 @@ pub fn write(view: &View, to: &mut Text) -> fmt::Result {
             )?;
         }
         None if is_world => {
-            let moment = view.moment.to_bits();
+            let moment = view.yaw.to_bits();
             writeln!(
                 to,
                 "        world::draw(&mut band, Angle::from_bits({moment}))?;"

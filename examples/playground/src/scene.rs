@@ -147,7 +147,7 @@ pub fn lighthouse<C: Levels, M: Mode>(
     view: &View,
     mode: M,
 ) -> Result<Drawn, Error> {
-    let options = DrawOptions::new().with_mode(mode);
+    let options = DrawOptions::new().with_mode(mode).with_cull(view.cull());
     if view.is_mono() {
         lighthouse::sky(canvas);
     }

@@ -13,7 +13,7 @@ pub struct File {
 
 macro_rules! files {
     ($($name:literal: $kind:literal = $path:expr,)+) => {
-        /// The page, and the modules if they were built before.
+        /// The page, and the modules: empty if they were not built before.
         pub static FILES: [File; [$($name),+].len()] =
             [$(File { name: $name, kind: $kind, bytes: include_bytes!($path) }),+];
     };
@@ -23,19 +23,14 @@ files! {
     "index.html": "text/html; charset=utf-8" = "../page/index.html",
     "style.css": "text/css" = "../page/style.css",
     "main.js": "text/javascript" = "../page/main.js",
-    "state.js": "text/javascript" = "../page/state.js",
+    "controls.js": "text/javascript" = "../page/controls.js",
     "module.js": "text/javascript" = "../page/module.js",
-    "measure.js": "text/javascript" = "../page/measure.js",
-    "plot.js": "text/javascript" = "../page/plot.js",
+    "figures.js": "text/javascript" = "../page/figures.js",
     "files.js": "text/javascript" = "../page/files.js",
     "gltf.js": "text/javascript" = "../page/gltf.js",
     "playground.wasm.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/playground.wasm.gz"),
     "world.wasm.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/world.wasm.gz"),
 }
-
-/// The command that builds the modules.
-pub const BUILD: &str =
-    "cargo build --release --lib -p playground -p playground-world --target wasm32-unknown-unknown";
 
 /// Writes a line to the output, which may be closed.
 pub fn say(line: &str) -> Result<(), String> {
@@ -73,11 +68,7 @@ fn answer(mut stream: TcpStream) -> io::Result<()> {
         .unwrap_or_default()
         .trim_start_matches('/');
     let name = if name.is_empty() { "index.html" } else { name };
-    // A module that was not built is missing.
-    let found = FILES
-        .iter()
-        .find(|file| file.name == name && !file.bytes.is_empty());
-    let (status, kind, bytes) = match found {
+    let (status, kind, bytes) = match FILES.iter().find(|file| file.name == name) {
         Some(file) => ("200 OK", file.kind, file.bytes),
         None => ("404 Not Found", "text/plain", &b"not found\n"[..]),
     };

@@ -10,12 +10,24 @@ use fixel::view::Perspective;
 use super::common::{lighthouse, scenes};
 use super::scene::Scene;
 
-/// The settings of a picture, as the page names them. Angles are in degrees, lengths in units; `right` and `down` move
-/// the picture by parts of a pixel; a name with `is_` has the value 1 for yes and 0 for no.
-pub const NAMES: &str = "scene mode tolerance width height format first_row rows band is_home yaw pitch distance fov \
-    near far right down is_two_sided center_x center_y center_z scale moment";
+/// The settings of a picture as the page names them, the camera's last; then the results.
+///
+/// Angles are in degrees, lengths in units; `tolerance`, `near` and `far` are exponents of powers of two; `right` and
+/// `down` move the picture by parts of a pixel; `is_two_sided` is 1 for yes and 0 for no. In the little world, `yaw` is
+/// the moment of the walk. Results are triangles in, drawn and clipped; pixels drawn; the largest and the mean error in
+/// texels; million instructions on two cores; the picture's checksum. NaN stands for a number that is not known.
+pub const NAMES: &str = "scene mode tolerance width height format first_row rows band is_two_sided \
+    yaw pitch distance fov near far right down center_x center_y center_z scale \
+    submitted drawn clipped pixels max mean m0 m4 checksum";
 /// How many there are.
-pub const FIELDS: usize = 24;
+pub const FIELDS: usize = 31;
+/// The places of the camera's settings, of the counts of triangles and pixels, of the errors, of the instructions, and
+/// of the checksum.
+pub const CAMERA: Range<usize> = 10..22;
+pub const COUNTS: Range<usize> = 22..26;
+pub const ERRORS: Range<usize> = 26..28;
+pub const INSTRUCTIONS: Range<usize> = 28..30;
+pub const CHECKSUM: usize = 30;
 
 /// A field of view of 200 pixels of focal length at 240 rows, in degrees.
 const MEASURED_FOV: f64 = 61.927_513_064_147_04;
@@ -54,8 +66,6 @@ pub struct View {
     /// The center, after the model was scaled.
     pub center: Vec3,
     pub scale: Scalar,
-    /// Of the walk through the little world.
-    pub moment: Angle,
 }
 
 impl View {
@@ -72,33 +82,36 @@ impl View {
         // A pixel in the middle of the picture, as an angle.
         let pixel =
             libm::atan(2.0 * libm::tan(fields[13].to_radians() / 2.0) / fields[4]).to_degrees();
+        let scene = Scene::at(next() as usize);
+        let mut camera = fields[CAMERA].iter().zip(Self::home(scene, [fx!(0); 4]));
+        // A browser's slider keeps 15 digits.
+        let is_home = camera.all(|(now, home)| (now - home).abs() < 1e-9);
         Ok(Self {
-            scene: Scene::at(next() as usize),
+            scene,
             mode: next() as u32,
-            tolerance: scalar(next())?,
+            tolerance: scalar(libm::exp2(next()))?,
             size: Size::new(next() as u32, next() as u32),
             format: next() as u32,
             first_row: next() as u32,
             rows: next() as u32,
             band: next() as u32,
-            is_home: next() > 0.0,
+            is_two_sided: next() > 0.0,
+            is_home,
             yaw: angle(next())?,
             pitch: angle(next())?,
             distance: scalar(next())?,
             fov: angle(next())?,
-            near: scalar(next())?,
-            far: scalar(next())?,
+            near: scalar(libm::exp2(next()))?,
+            far: scalar(libm::exp2(next()))?,
             shift: [angle(next() * pixel)?, angle(next() * pixel)?],
-            is_two_sided: next() > 0.0,
             center: Vec3::new(scalar(next())?, scalar(next())?, scalar(next())?),
             scale: scalar(next())?,
-            moment: angle(next())?,
         })
     }
 
-    /// Writes the fields of a camera: the one in which a scene is measured, or in front of a model in a ball with this
-    /// `center` and `radius`.
-    pub fn home(scene: Scene, ball: [Scalar; 4], fields: &mut [f64; FIELDS]) {
+    /// Returns the camera's fields at the start: those with which a scene is measured, or in front of a model in a ball
+    /// with this center and radius.
+    pub fn home(scene: Scene, ball: [Scalar; 4]) -> [f64; CAMERA.end - CAMERA.start] {
         let numbers = |at: Vec3| [at.x, at.y, at.z].map(Scalar::to_num::<f64>);
         let degrees =
             |angle: Angle| f64::from(angle.to_bits().cast_signed()) / 4_294_967_296.0 * 360.0;
@@ -126,7 +139,10 @@ impl View {
                 (fov, near, far) = (40.0, 1.0, 140.0);
                 libm::hypot(y, libm::hypot(x, z))
             }
-            Scene::World => 0.0,
+            Scene::World => {
+                yaw = 72.0;
+                0.0
+            }
             Scene::Own => {
                 let [x, y, z, radius] = ball.map(|bits| bits.to_num::<f64>());
                 scale = if radius > 0.0 { 1.0 / radius } else { 1.0 };
@@ -137,9 +153,20 @@ impl View {
             }
         };
         let [x, y, z] = center;
-        fields[9..].copy_from_slice(&[
-            1.0, yaw, pitch, distance, fov, near, far, 0.0, 0.0, 0.0, x, y, z, scale, 72.0,
-        ]);
+        [
+            yaw,
+            pitch,
+            distance,
+            fov,
+            libm::log2(near),
+            libm::log2(far),
+            0.0,
+            0.0,
+            x,
+            y,
+            z,
+            scale,
+        ]
     }
 
     /// A scene as it is measured.
@@ -148,13 +175,11 @@ impl View {
     ///
     /// None.
     pub fn measured(scene: Scene, mut fields: [f64; FIELDS]) -> Result<Self, Error> {
-        Self::home(scene, [fx!(0); 4], &mut fields);
         let (width, height) = (f64::from(scenes::WIDTH), f64::from(scenes::HEIGHT));
+        fields[0] = f64::from(scene as u8);
         fields[3..8].copy_from_slice(&[width, height, 0.0, 0.0, height]);
-        Ok(Self {
-            scene,
-            ..Self::new(&fields)?
-        })
+        fields[CAMERA].copy_from_slice(&Self::home(scene, [fx!(0); 4]));
+        Self::new(&fields)
     }
 
     /// The band's pixels in the frame's memory.

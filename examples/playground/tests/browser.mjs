@@ -7,10 +7,9 @@ import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import test, { after, afterEach, beforeEach } from "node:test";
 import { Page } from "./devtools.mjs";
-import { checksum, crate, page as module, view } from "./page.mjs";
+import { checksum, crate, home, page as module, view } from "./page.mjs";
 
 const { ADDRESS, SIMULATOR, PICTURES } = process.env;
-const home = (scene) => crate.home(scene);
 const { fitted } = await module("files.js");
 const assets = resolve(import.meta.dirname ?? new URL(".", import.meta.url).pathname, "../../assets");
 const folder = mkdtempSync(join(tmpdir(), "playground-files-"));
@@ -110,8 +109,9 @@ test("the divider is dragged; each side shows its mode", async () => {
   await page.drag([left + width / 2, y], [left + width * 0.4, y], [left + width / 4, y]);
   await page.until(`document.querySelector("#divider").value`, "25");
   const sides = [1, 3].map((mode, slot) => {
-    crate.draw(slot, view(LIGHTHOUSE, { mode }));
-    return Buffer.from(crate.shown(slot).data);
+    const settings = view(LIGHTHOUSE, { mode });
+    crate.draw(settings, slot);
+    return Buffer.from(crate.image("show", settings, slot).data);
   });
   await page.until(`new Promise((resume) => requestAnimationFrame(() => requestAnimationFrame(() => resume(true))))`);
   const found = await pixels();
@@ -146,6 +146,8 @@ test("modes, colors and sizes: the pixels of the simulator's pictures", async ()
     await shows(view(index, { mode, format, size: `${width}x${height}` }));
     assert.ok((await pixels()).equals(data), `scene ${index}: ${options.join(" ")}`);
   }
+  // The last one interpolates nothing, so it has no errors to plot.
+  await page.until(`/in texels–/.test(${text("#table")})`);
 });
 
 test("errors as colors", async () => {
@@ -173,8 +175,9 @@ test("the little world draws what the host draws", async () => {
 
 /** The settings of a visitor's model that has a texture, as the page makes them. */
 async function own(text, texture) {
-  crate.readModel(fitted(text).text);
-  crate.readTexture(await decoded(texture));
+  crate.read("read_model", fitted(text).text);
+  const pixels = await decoded(texture);
+  crate.read("read_texture", pixels.data, pixels);
   return view(OWN);
 }
 
@@ -236,7 +239,7 @@ test("of a broken model the parser's message is told, and the last picture stays
     await shows(settings);
   }
   await page.click("#home");
-  await page.until(`document.querySelector("#trouble").hidden`);
+  await page.until(text("#trouble"), "");
 });
 
 test("a model of which nothing is seen is no blank picture without a word", async () => {

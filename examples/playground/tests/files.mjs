@@ -2,10 +2,10 @@
 import assert from "node:assert/strict";
 import { File } from "node:buffer";
 import test from "node:test";
-import { crate, page } from "./page.mjs";
+import { crate, home, page } from "./page.mjs";
 
 const { fitted, read } = await page("files.js");
-const { OWN } = await page("state.js");
+const { OWN } = await page("module.js");
 
 const COMPONENTS = new Map([
   [Int8Array, 5120],
@@ -54,11 +54,23 @@ function gltf(arrays, primitive, more = {}) {
   return JSON.stringify(model);
 }
 
+/** The lines of OBJ text, with faces that count elements from the first one on, not back from the last one so far. */
+function counted(text) {
+  const known = { v: 0, vt: 0, vn: 0 };
+  const index = (at, kind) => (at ? Object.values(known)[kind] + 1 + Number(at) : "");
+  return new TextDecoder().decode(text).split("\n").map((line) => {
+    const [word, ...corners] = line.split(" ");
+    known[word]++;
+    if (word !== "f") return line;
+    return ["f", ...corners.map((corner) => corner.split("/").map(index).join("/").replace(/\/+$/, ""))].join(" ");
+  });
+}
+
 /** The OBJ text of a file, in lines. The crate reads it. */
 async function lines(text, name = "model.gltf") {
   const { model } = await read([new File([text], name)]);
-  crate.readModel(model.text);
-  return new TextDecoder().decode(model.text).split("\n");
+  crate.read("read_model", model.text);
+  return counted(model.text);
 }
 
 const TRIANGLE = [floats(0, 0, 0, 2, 0, 0, 0, 2, 0), "VEC3"];
@@ -148,12 +160,21 @@ test("a node's rotation goes before its translation, and a parent's scale after 
   ]);
 });
 
+test("of several meshes, each has its own vertices", async () => {
+  const coordinates = [floats(0, 0, 1, 0, 0, 1), "VEC2"];
+  const meshes = [{ attributes: { POSITION: 0, TEXCOORD_0: 1 } }, { attributes: { POSITION: 0 } }, { attributes: { POSITION: 0 } }];
+  const more = { meshes: [{ primitives: meshes.slice(0, 2) }, { primitives: meshes.slice(2) }] };
+  const nodes = [{ mesh: 0, children: [1] }, { mesh: 1 }];
+  const found = await lines(gltf([TRIANGLE, coordinates], {}, { ...more, nodes }));
+  assert.deepEqual(found.filter((line) => line.startsWith("f")), ["f 1/1 2/2 3/3", "f 4 5 6", "f 7 8 9"]);
+});
+
 test("binary glTF, and a buffer in another file", async () => {
   const model = JSON.parse(gltf([TRIANGLE]));
   const data = Buffer.from(model.buffers[0].uri.split(",")[1], "base64");
   model.buffers[0] = { uri: "some%20data.bin", byteLength: data.length };
   const apart = await read([new File([JSON.stringify(model)], "a.gltf"), new File([data], "some data.bin")]);
-  assert.equal(new TextDecoder().decode(apart.model.text), [...PLACES, "f 1 2 3"].join("\n"));
+  assert.deepEqual(counted(apart.model.text), [...PLACES, "f 1 2 3"]);
   await assert.rejects(lines(JSON.stringify(model)), /needs some data.bin: drop both files together/);
 
   delete model.buffers[0].uri;
@@ -203,8 +224,8 @@ test("models of any size and place have a radius near 1, and others stay as they
   assert.equal(fitted(usual).text, usual);
   for (const [scale, shift] of [[1e-6], [1e-30], [4000, 1e5], [1e6], [1e30], [0.001, 20000]]) {
     const { text, note } = fitted(obj(scale, shift));
-    crate.readModel(text);
-    const { scale: drawn, center_x, center_y, center_z } = crate.home(OWN);
+    crate.read("read_model", text);
+    const { scale: drawn, center_x, center_y, center_z } = home(OWN);
     assert.ok(Math.abs(drawn - 1) < 0.02, `${scale}: scaled by ${drawn}`);
     for (const at of [center_x, center_y, center_z]) assert.ok(Math.abs(at) < 0.02, `${scale}: center ${at}`);
     const radius = Number(/ (\S+)\n$/.exec(note)[1]);
@@ -215,8 +236,8 @@ test("models of any size and place have a radius near 1, and others stay as they
 test("the parser's message has the line of the file, also of a model that was scaled", () => {
   for (const scale of [1, 1e-6, 1e6]) {
     const text = new TextDecoder().decode(obj(scale, 0, "# comment\nv 1 \\\n 0 0\n")).replace("f 1 2 3", "f 1 2 9");
-    assert.throws(() => crate.readModel(fitted(new TextEncoder().encode(text)).text), /^Error: line 7: /);
+    assert.throws(() => crate.read("read_model", fitted(new TextEncoder().encode(text)).text), /^Error: line 7: /);
   }
   const broken = new TextEncoder().encode("v 0 0 0\nv 1e9 x 0\n");
-  assert.throws(() => crate.readModel(fitted(broken).text), /^Error: line 2: /);
+  assert.throws(() => crate.read("read_model", fitted(broken).text), /^Error: line 2: /);
 });

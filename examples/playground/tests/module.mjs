@@ -8,7 +8,7 @@ import { join } from "node:path";
 import test from "node:test";
 import { checksum, crate, page, view } from "./page.mjs";
 
-const { MODES } = await page("state.js");
+const { MODES } = await page("module.js");
 const SCENES = ["floor", "cube", "sphere", "sphere-flat", "lighthouse"];
 
 test("the measured scenes have the simulator's checksums", () => {
@@ -32,7 +32,7 @@ test("errors are those that modes promise", () => {
     const side = scene === 4 ? 128 : 64;
     const most = { Exact: 0.001, Newton: 0.001, Fast: 0.25 + side / 2 ** 13, Compact: 0.001, Affine: Infinity };
     for (const [mode, name] of MODES.entries()) {
-      const { max, pixels } = crate.measured(0, view(scene, { mode }), true);
+      const { max, pixels } = crate.ask("errors", crate.ask("measure", view(scene, { mode })));
       const least = name === "Affine" && scene === 1 ? 5 : 0;
       assert.ok(max >= least && max <= most[name], `${SCENES[scene]} in mode ${name}: ${max} texels`);
       assert.ok(pixels >= 20000, `${SCENES[scene]} in mode ${name}: ${pixels} pixels`);

@@ -2,7 +2,6 @@
 import { readFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { gunzipSync } from "node:zlib";
 
 globalThis.ImageData = class {
   constructor(data, width, height) {
@@ -13,24 +12,25 @@ globalThis.ImageData = class {
 export const folder = resolve(process.env.PAGE);
 export const page = (name) => import(pathToFileURL(`${folder}/${name}`));
 
+const { fetch } = globalThis;
+globalThis.fetch = (path) => (/\.gz$/.test(path) ? new Response(readFileSync(`${folder}/${path}`)) : fetch(path));
+
 const { Crate, load } = await page("module.js");
-const { state } = await page("state.js");
-const module = (name) => load(gunzipSync(readFileSync(`${folder}/${name}.wasm.gz`)));
-export const crate = new Crate(await module("playground"));
-crate.world = await module("world");
-crate.readTexture({ data: new Uint8Array(4).fill(215), width: 1, height: 1 });
+export const crate = new Crate(await load("playground.wasm.gz"));
+crate.world = await load("world.wasm.gz");
+crate.read("read_texture", new Uint8Array(4).fill(215), { width: 1, height: 1 });
 
-const CAMERA = ["yaw", "pitch", "distance", "fov", "near", "far", "right", "down", "scale"];
+const SETTINGS = { mode: 1, tolerance: -2, format: 0, band: 16, is_two_sided: 0, first_row: 0 };
+export const home = (scene) => crate.ask("home", { ...SETTINGS, scene });
 
-/** The settings of a scene; a camera that is not the measured one has its changes. */
+/** The settings of a scene in its start view, with changes. */
 export function view(scene, { size = "320x240", ...changes } = {}) {
   const [width, height] = size.split("x").map(Number);
-  const is_home = !CAMERA.some((key) => key in changes);
-  return { ...state, ...crate.home(scene), is_home, scene, width, height, first_row: 0, rows: height, ...changes };
+  return { ...home(scene), width, height, rows: height, ...changes };
 }
 
 /** The checksum of a picture. */
 export function checksum(settings) {
-  crate.draw(0, settings);
-  return crate.checksum(0);
+  crate.draw(settings, 0);
+  return crate.ask("checksum", settings).checksum.toString(16).padStart(8, "0");
 }

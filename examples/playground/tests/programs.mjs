@@ -5,8 +5,7 @@ import { join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { crate, page, view } from "./page.mjs";
 
-const { MODES, OWN } = await page("state.js");
-const { WORLD } = await page("module.js");
+const { MODES, OWN, WORLD } = await page("module.js");
 const { fitted } = await page("files.js");
 const FORMATS = ["Rgb565", "Rgb555", "Gray8", "Gray4", "Gray2", "BinaryColor"];
 const SIZES = ["128x64", "128x128", "160x128", "240x240", "320x240", "480x320", "640x480"];
@@ -35,8 +34,9 @@ function bitmap() {
 }
 writeFileSync(join(sources, "model.obj"), OBJ);
 writeFileSync(join(sources, "skin.bmp"), bitmap());
-crate.readModel(fitted(new TextEncoder().encode(OBJ)).text);
-crate.readTexture({ data: Uint8Array.from(texels.flatMap((rgb) => [...rgb, 255])), width: SIDE, height: SIDE });
+crate.read("read_model", fitted(new TextEncoder().encode(OBJ)).text);
+const pixels = Uint8Array.from(texels.flatMap((rgb) => [...rgb, 255]));
+crate.read("read_texture", pixels, { width: SIDE, height: SIDE });
 
 /** FNV-1a of red, green and blue. */
 function hash({ data }) {
@@ -47,11 +47,10 @@ function hash({ data }) {
   return found >>> 0;
 }
 
-const CAMERAS = [{}, { yaw: 40, pitch: 30 }, { yaw: -60, right: 0.3, down: 0.7 }, { fov: 137, near: 0.125, far: 3000 }];
+const CAMERAS = [{}, { yaw: 40, pitch: 30 }, { yaw: -60, right: 0.3, down: 0.7 }, { fov: 137, near: -3, far: Math.log2(3000) }];
 const list = [];
 function add(index, changes) {
   const settings = view(index, changes);
-  crate.draw(0, settings);
   const number = `p${String(list.length).padStart(2, "0")}`;
   const text = crate.program(settings);
   // The project's own scenes are there once for all.
@@ -59,8 +58,8 @@ function add(index, changes) {
   const { width, height, mode } = settings;
   const format = FORMATS[settings.format];
   const about = `scene ${index}, ${MODES[mode]}, ${format}, ${width}x${height}`;
-  crate.draw(0, settings);
-  list.push(`    ${number} ${format} ${width} ${height} ${hash(crate.shown(0))}_u32 "${about}";`);
+  crate.draw(settings, 0);
+  list.push(`    ${number} ${format} ${width} ${height} ${hash(crate.image("show", settings, 0))}_u32 "${about}";`);
 }
 for (let index = 0; index < WORLD; index++) {
   // As it is measured.
@@ -73,12 +72,12 @@ for (let index = 0; index < WORLD; index++) {
       size: SIZES[at % SIZES.length],
       format: (index + mode + 1) % FORMATS.length,
       band: [8, 16, 32][at % 3],
-      tolerance: [0.015625, 0.25, 16][at % 3],
+      tolerance: [-6, -2, 4][at % 3],
       is_two_sided: index === OWN && mode % 2 === 0,
     });
   }
 }
-for (const moment of [0, 216]) add(WORLD, { moment });
+for (const yaw of [0, 216]) add(WORLD, { yaw });
 
 writeFileSync(join(sources, "list.rs"), `programs! {\n${list.join("\n")}\n}\n`);
 for (const scene of ["scenes.rs", "lighthouse.rs", "world"])

@@ -10,7 +10,7 @@ use spin::Mutex;
 
 const PIXELS: usize = 640 * 480;
 
-/// The picture, and memory for its depths.
+/// Memory for a band's colors and depths.
 struct Memory {
     colors: [Rgb565; PIXELS],
     depths: [u16; PIXELS],
@@ -22,8 +22,8 @@ static MEMORY: Mutex<Memory> = Mutex::new(Memory {
     depths: [0; PIXELS],
 });
 
-/// Draws a band of the picture at a moment of the walk, a fraction of 2^32. Returns the picture; null if its size is
-/// out of range.
+/// Draws a band of the picture at a moment of the walk, a fraction of 2^32. Returns the band; null if its size is out of
+/// range.
 #[allow(unsafe_code)] // promises that no other symbol has this name
 #[unsafe(no_mangle)]
 pub extern "C" fn draw(
@@ -34,12 +34,10 @@ pub extern "C" fn draw(
     moment: u32,
 ) -> *const u16 {
     let Memory { colors, depths } = &mut *MEMORY.lock();
-    let [start, count] = [first_row, rows].map(|rows| width.saturating_mul(rows) as usize);
+    let pixels = width.saturating_mul(rows) as usize;
     // The canvas refuses memory that is too short.
-    let band = colors
-        .get_mut(start..start.saturating_add(count))
-        .unwrap_or_default();
-    let depths = depths.get_mut(..count).unwrap_or_default();
+    let band = colors.get_mut(..pixels).unwrap_or_default();
+    let depths = depths.get_mut(..pixels).unwrap_or_default();
     let canvas =
         Canvas::band(band, width, height, first_row).and_then(|band| band.with_depth(depths));
     match canvas.and_then(|mut canvas| world::draw(&mut canvas, Angle::from_bits(moment))) {
