@@ -21,6 +21,9 @@ pub(crate) const COUNTS_ZEROS: bool =
 /// target's name.
 const HAS_DSP: bool = cfg!(dsp_core);
 
+/// Whether the core limits a number to a power of two in one instruction, as Cortex-M3 and above do.
+const SATURATES: bool = cfg!(target_arch = "arm") && !IS_NARROW;
+
 /// Whether registers have 64 bits.
 pub(crate) const IS_WIDE: bool = cfg!(target_pointer_width = "64");
 
@@ -62,6 +65,24 @@ pub(crate) const fn at_least(a: u32, b: u16) -> bool {
     } else {
         a >= b as u32
     }
+}
+
+/// Returns a number, limited to -2^`bits` to 0.
+#[inline]
+pub(crate) fn negative(value: i32, bits: u32) -> i32 {
+    if SATURATES {
+        saturated_negative(value, bits)
+    } else {
+        value.clamp(-1 << bits, 0)
+    }
+}
+
+/// Returns the same in two instructions. The limit above is one less than a power of two, and the sign clears what is
+/// left above 0: taken from as low a bit as holds it, for the compiler knows another way to say the same of the highest.
+#[inline]
+fn saturated_negative(value: i32, bits: u32) -> i32 {
+    let limited = value.clamp(-1 << bits, (1 << bits) - 1);
+    limited & limited >> bits
 }
 
 /// Marks a branch that is seldom taken, where registers have 64 bits: the others then need no jump around it.
@@ -474,6 +495,29 @@ mod tests {
                         "{a} · {position:?}"
                     );
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn negative_numbers_are_limited_alike() {
+        for bits in 1..30 {
+            let limit = 1 << bits;
+            for value in [
+                i32::MIN,
+                -limit - 1,
+                -limit,
+                1 - limit,
+                -1,
+                0,
+                1,
+                limit - 1,
+                limit,
+                i32::MAX,
+            ] {
+                let limited = value.clamp(-limit, 0);
+                assert_eq!(negative(value, bits), limited, "{value}");
+                assert_eq!(saturated_negative(value, bits), limited, "{value}");
             }
         }
     }
