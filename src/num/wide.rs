@@ -269,6 +269,24 @@ fn narrow_times_17_bits(a: i32, b: i32) -> i32 {
         .wrapping_add((a & 0x3fff).wrapping_mul(b) >> 14)
 }
 
+/// Returns a · b / 2^16, rounded down, for a `b` of 16 bits with its sign; wraps.
+#[inline]
+pub(crate) const fn times_half(a: i32, b: i32) -> i32 {
+    if IS_NARROW {
+        narrow_times_half(a, b)
+    } else {
+        ((a as i64 * b as i64) >> 16) as i32
+    }
+}
+
+/// Returns [`times_half`] by products of 32 bits.
+#[inline]
+const fn narrow_times_half(a: i32, b: i32) -> i32 {
+    (a >> 16)
+        .wrapping_mul(b)
+        .wrapping_add((a & 0xffff).wrapping_mul(b) >> 16)
+}
+
 /// Returns the dot product, which must fit in 64 bits: mantissas of 30 bits times numbers of 31 bits do.
 #[inline]
 pub(crate) fn dot(a: &[i32; 3], b: &[i32; 3]) -> i64 {
@@ -578,6 +596,14 @@ mod tests {
             let exact = (i64::from(a) * i64::from(b)) >> 14;
             prop_assert_eq!(i64::from(times_17_bits(a, b)), exact);
             prop_assert_eq!(i64::from(narrow_times_17_bits(a, b.cast_signed())), exact);
+        }
+
+        #[test]
+        fn narrow_products_with_16_bits_are_exact(a in any::<i32>(), b in any::<i16>()) {
+            let b = i32::from(b);
+            let exact = (i64::from(a) * i64::from(b)) >> 16;
+            prop_assert_eq!(i64::from(times_half(a, b)), exact);
+            prop_assert_eq!(i64::from(narrow_times_half(a, b)), exact);
         }
 
         #[test]
