@@ -60,10 +60,11 @@ const fn roots() -> [u32; 256] {
         let (from, to) = (root(at), root(at + 2));
         let above = i64::midpoint(from, to) - root(at + 1);
         let gain = (to - from - (1 << 14)) / (1 << 15);
-        let slope = gain as u16;
+        let slope = (gain as i16).cast_unsigned();
         // The upper half rounds to nearest what the slope leaves of the value.
         let start = from - above / 2 + (1 << 15) - slope as i64;
-        table[i] = (((start + (1 << 15)) >> 16) << 16) as u32 | slope as u32;
+        let upper = ((start + (1 << 15)) >> 16).cast_unsigned() as u32;
+        table[i] = upper << 16 | slope as u32;
         i += 1;
     }
     table

@@ -190,7 +190,7 @@ impl Lamp for PointLight {
         let light = if self.falloff == Falloff::Smooth {
             // In units of 2^-15. The whole wraps to its negative, and its square is right.
             let rest = i32::from((rest >> 12) as i16);
-            (rest * brightness >> 16) * rest
+            ((rest * brightness) >> 16) * rest
         } else {
             cold();
             let left = if self.falloff == Falloff::Linear {
@@ -203,7 +203,7 @@ impl Lamp for PointLight {
             } else {
                 0
             };
-            left * brightness >> 1
+            (left * brightness) >> 1
         };
         times_half(cosine, light >> 16) >> 8
     }
