@@ -21,6 +21,9 @@ pub(crate) const COUNTS_ZEROS: bool =
 /// target's name.
 const HAS_DSP: bool = cfg!(dsp_core);
 
+/// Whether the core limits a number to a power of two in one instruction, as Cortex-M3 and above do.
+const SATURATES: bool = cfg!(target_arch = "arm") && !IS_NARROW;
+
 /// Whether registers have 64 bits.
 pub(crate) const IS_WIDE: bool = cfg!(target_pointer_width = "64");
 
@@ -62,6 +65,24 @@ pub(crate) const fn at_least(a: u32, b: u16) -> bool {
     } else {
         a >= b as u32
     }
+}
+
+/// Returns a number, limited to -2^`bits` to 0.
+#[inline]
+pub(crate) fn negative(value: i32, bits: u32) -> i32 {
+    if SATURATES {
+        saturated_negative(value, bits)
+    } else {
+        value.clamp(-1 << bits, 0)
+    }
+}
+
+/// Returns the same in two instructions. The limit above is one less than a power of two, and the sign clears what is
+/// left above 0: taken from as low a bit as holds it, for the compiler knows another way to say the same of the highest.
+#[inline]
+fn saturated_negative(value: i32, bits: u32) -> i32 {
+    let limited = value.clamp(-1 << bits, (1 << bits) - 1);
+    limited & limited >> bits
 }
 
 /// Marks a branch that is seldom taken, where registers have 64 bits: the others then need no jump around it.
@@ -246,6 +267,24 @@ fn narrow_times_17_bits(a: i32, b: i32) -> i32 {
     (a >> 14)
         .wrapping_mul(b)
         .wrapping_add((a & 0x3fff).wrapping_mul(b) >> 14)
+}
+
+/// Returns a · b / 2^16, rounded down, for a `b` of 16 bits with its sign; wraps.
+#[inline]
+pub(crate) const fn times_half(a: i32, b: i32) -> i32 {
+    if IS_NARROW {
+        narrow_times_half(a, b)
+    } else {
+        ((a as i64 * b as i64) >> 16) as i32
+    }
+}
+
+/// Returns [`times_half`] by products of 32 bits.
+#[inline]
+const fn narrow_times_half(a: i32, b: i32) -> i32 {
+    (a >> 16)
+        .wrapping_mul(b)
+        .wrapping_add((a & 0xffff).wrapping_mul(b) >> 16)
 }
 
 /// Returns the dot product, which must fit in 64 bits: mantissas of 30 bits times numbers of 31 bits do.
@@ -478,6 +517,29 @@ mod tests {
         }
     }
 
+    #[test]
+    fn negative_numbers_are_limited_alike() {
+        for bits in 1..30 {
+            let limit = 1 << bits;
+            for value in [
+                i32::MIN,
+                -limit - 1,
+                -limit,
+                1 - limit,
+                -1,
+                0,
+                1,
+                limit - 1,
+                limit,
+                i32::MAX,
+            ] {
+                let limited = value.clamp(-limit, 0);
+                assert_eq!(negative(value, bits), limited, "{value}");
+                assert_eq!(saturated_negative(value, bits), limited, "{value}");
+            }
+        }
+    }
+
     /// Sides at both ends of the short range, and one unit beyond them.
     #[test]
     fn short_sides_have_15_bits() {
@@ -534,6 +596,14 @@ mod tests {
             let exact = (i64::from(a) * i64::from(b)) >> 14;
             prop_assert_eq!(i64::from(times_17_bits(a, b)), exact);
             prop_assert_eq!(i64::from(narrow_times_17_bits(a, b.cast_signed())), exact);
+        }
+
+        #[test]
+        fn narrow_products_with_16_bits_are_exact(a in any::<i32>(), b in any::<i16>()) {
+            let b = i32::from(b);
+            let exact = (i64::from(a) * i64::from(b)) >> 16;
+            prop_assert_eq!(i64::from(times_half(a, b)), exact);
+            prop_assert_eq!(i64::from(narrow_times_half(a, b)), exact);
         }
 
         #[test]

@@ -3,6 +3,7 @@
 use super::ramp::{BITS, Ramp};
 use super::{Fragment, Shader, Source, Within};
 use crate::mesh::Primitive;
+use crate::num::wide::negative;
 use crate::texture::Blend;
 use crate::{Error, Scalar};
 
@@ -101,10 +102,10 @@ mod sealed {
     /// The working part of [`Density`](super::Density), public in name only.
     pub trait Density: Copy {
         /// What is interpolated: linear in the distance.
-        fn varying(&self, distance: Scalar) -> i32;
+        fn varying(&self, distance: Scalar, weight_bits: u32) -> i32;
 
-        /// What is left of the surface, in units of 2^-12: 0 to 2^12, or one less.
-        fn left(varying: i32) -> u32;
+        /// What is left of the surface, in units of 2^-`weight_bits`, rounded to nearest: 0 to 2^`weight_bits`.
+        fn weight(varying: i32, weight_bits: u32) -> u32;
     }
 }
 
@@ -116,27 +117,40 @@ fn limited(value: i64) -> i32 {
 impl Density for Linear {}
 
 impl sealed::Density for Linear {
-    fn varying(&self, distance: Scalar) -> i32 {
-        let rest = self.far.saturating_sub(distance.to_bits());
-        limited(self.range.share(rest.into()))
+    /// The negative of what is left, in units of 2^-12, and half a step of the weight: added here, it need not be
+    /// added at each pixel.
+    fn varying(&self, distance: Scalar, weight_bits: u32) -> i32 {
+        let beyond = distance.to_bits().saturating_sub(self.far);
+        let half = 1 << (BITS - weight_bits) >> 1;
+        limited(self.range.share(beyond.into()) + half)
     }
 
     #[inline]
-    fn left(varying: i32) -> u32 {
-        // One less than the whole is rounded to the whole, and the limit is an instruction on Cortex-M3 and above.
-        varying.clamp(0, (1 << BITS) - 1).cast_unsigned()
+    fn weight(varying: i32, weight_bits: u32) -> u32 {
+        negative(varying >> (BITS - weight_bits), weight_bits)
+            .wrapping_neg()
+            .cast_unsigned()
     }
 }
 
 impl Density for Exponential {}
 
 impl sealed::Density for Exponential {
-    fn varying(&self, distance: Scalar) -> i32 {
+    fn varying(&self, distance: Scalar, _: u32) -> i32 {
         // 62 bits, cut to 46, times log₂ e in units of 2^-14.
         let product = i64::from(distance.to_bits()) * i64::from(self.density);
         limited(((product >> 16) * 23_637) >> (30 - BITS))
     }
 
+    #[inline]
+    fn weight(varying: i32, weight_bits: u32) -> u32 {
+        let down = BITS - weight_bits;
+        (Self::left(varying) + (1 << down >> 1)) >> down
+    }
+}
+
+impl Exponential {
+    /// What is left of the surface, in units of 2^-12.
     #[inline]
     fn left(varying: i32) -> u32 {
         // 2^-x for x up to 15: in the whole part a shift, and in the fraction f the parabola 1 − (½ + c) f + c f², which is
@@ -225,16 +239,16 @@ where
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
         let [a, b, c] = self.surface.varyings(primitive);
-        let [x, y, z] =
-            primitive.corners(|corner| Within([self.fog.density.varying(corner.distance())]));
+        let density = &self.fog.density;
+        let [x, y, z] = primitive
+            .corners(|corner| Within([density.varying(corner.distance(), C::WEIGHT_BITS)]));
         [(a, x), (b, y), (c, z)]
     }
 
     #[inline]
     fn shade(&self, at: &Fragment, (inside, Within([x])): Self::Varyings) -> Option<S::Color> {
         let source = self.surface.shade(at, inside)?;
-        let down = BITS - C::WEIGHT_BITS;
-        let weight = (D::left(x) + (1 << down >> 1)) >> down;
+        let weight = D::weight(x, C::WEIGHT_BITS);
         Some(source.map(|color| self.fog.color.mix(color, weight)))
     }
 }
@@ -263,9 +277,34 @@ mod tests {
     fn what_is_left_is_a_power_of_two() {
         for x in 0..20 << BITS {
             let exact = (-f64::from(x) / 4096.).exp2();
-            let left = f64::from(<Exponential as sealed::Density>::left(x)) / 4096.;
+            let left = f64::from(Exponential::left(x)) / 4096.;
             // Two products and the shift are cut to 2^-12.
             assert!((left - exact).abs() <= 0.0019 + 3. / 4096., "{x}: {left}");
+        }
+    }
+
+    /// At every distance from before the nearest to beyond the farthest, for colors of 16 and of 24 bits.
+    #[test]
+    fn linear_weights_are_rounded_to_nearest() {
+        let [near, far] = [fx!(1), fx!(3)];
+        let fog = Fog::linear(Gray8::WHITE, near, far).unwrap();
+        for distance in (0..4 << 16).map(Scalar::from_bits) {
+            let left = (far - distance).to_num::<f64>() / 2.;
+            for bits in [5, 8] {
+                let weight = Linear::weight(fog.density.varying(distance, bits), bits);
+                let exact = left.clamp(0., 1.) * f64::from(1 << bits);
+                // The varying is cut to 2^-12.
+                let tolerance = 0.5 + f64::from(1 << bits) / 4096.;
+                let error = f64::from(weight) - exact;
+                assert!(
+                    error.abs() <= tolerance,
+                    "{distance}: {weight}, not {exact}"
+                );
+            }
+        }
+        for bits in [5, 8] {
+            let weight = |distance| Linear::weight(fog.density.varying(distance, bits), bits);
+            assert_eq!([weight(near), weight(far)], [1 << bits, 0]);
         }
     }
 
@@ -274,11 +313,13 @@ mod tests {
         for (near, far) in [(Scalar::MIN, Scalar::MAX), (fx!(0), Scalar::DELTA)] {
             let fog = Fog::linear(Gray8::WHITE, near, far).unwrap();
             for distance in [Scalar::MIN, fx!(0), Scalar::MAX] {
-                let varying = fog.density.varying(distance);
-                let exact = (far.to_num::<f64>() - distance.to_num::<f64>())
+                // In units of 2^-12, of which 8 are half a step of the weight.
+                let varying = fog.density.varying(distance, Gray8::WEIGHT_BITS);
+                let exact = (distance.to_num::<f64>() - far.to_num::<f64>())
                     .clamp(-32_768., 32_768.)
                     / (far.to_num::<f64>() - near.to_num::<f64>())
-                    * 4096.;
+                    * 4096.
+                    + 8.;
                 let exact = exact.clamp(-(2_f64.powi(30)), 2_f64.powi(30));
                 assert!(
                     (f64::from(varying) - exact).abs() <= 1.01,
@@ -287,7 +328,7 @@ mod tests {
             }
         }
         let fog = Fog::exponential(Gray8::WHITE, Scalar::MAX).unwrap();
-        assert_eq!(fog.density.varying(Scalar::MAX), (1 << 30) - 1);
-        assert_eq!(fog.density.varying(Scalar::MIN), -(1 << 30));
+        assert_eq!(fog.density.varying(Scalar::MAX, 8), (1 << 30) - 1);
+        assert_eq!(fog.density.varying(Scalar::MIN, 8), -(1 << 30));
     }
 }

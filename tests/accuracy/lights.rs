@@ -18,19 +18,22 @@ const HALF_STEP: f64 = UNIT / 510.;
 /// The error of a lamp's light, in units of 2^-16.
 ///
 /// The way and the normal are cut to mantissas of 14 bits or more: that turns each by up to √3 · 2^-14, which is
-/// 1.06e-4. The reciprocal root adds 2.2e-4, and two cuts 4.6e-5, so the cosine has an error of 4.8e-4.
+/// 1.06e-4. The reciprocal root adds 2.3e-4, so the cosine has an error of 4.4e-4.
+///
+/// A smooth falloff knows the square of the way over the range: the cut way makes 2.1e-4 of it, the square's 13 bits and
+/// the reciprocal's 1.85e-4. Of these 4e-4, (1 - s)² makes at most half. Two factors of 15 bits add 6.1e-5, their product
+/// with the brightness, of which 14 bits are left, 6.1e-5.
 ///
 /// A linear falloff knows the distance from the cut way, which is wrong by 1.06e-4; its square is cut by 6.1e-5, the
-/// range's reciprocal by 6.1e-5 and two products by 4.6e-5. The error of the root counts once: what it adds to the
-/// cosine, it takes from the light. A smooth falloff has less: the square of the way over the range has an error of
-/// 3.9e-4 of itself, and
-/// 1.5e-5, of which (1 - s)² makes 2.3e-4 at most; rest² is one more product.
+/// range's reciprocal by 6.1e-5, two products and the whole by 9.1e-5. The error of the root counts once: what it adds to
+/// the cosine, it takes from the light.
 ///
-/// Products of two such numbers lose up to two units each. In all, that are 53.2 units.
-const LAMP_ERROR: f64 = 54.;
+/// Of the light, 13 bits are left, which makes 1.22e-4, the brightness adds 1.5e-5 and the result 1.5e-5. In all, that are
+/// 9.2e-4 for a smooth falloff and 9.2e-4 for a linear one: 60 units.
+const LAMP_ERROR: f64 = 60.;
 
-/// How far from its range a lamp's light may end, in parts of the range: half the error of the square, which is 3.9e-4,
-/// 1.5e-5 and the four units that a lamp leaves out.
+/// How far from its range a lamp's light may end, in parts of the range: half the error of the square, which is 4e-4, and
+/// of the four units that a lamp leaves out.
 const RANGE_ERROR: f64 = 1. / 4000.;
 
 fn f64s(v: Vec3) -> [f64; 3] {

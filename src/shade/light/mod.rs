@@ -246,7 +246,7 @@ mod tests {
                     face: away,
                     position: Vec3::from_bits([x, 0, 0]),
                 };
-                // Within 8.3e-4, the error of a lamp.
+                // Within 9.2e-4, the error of a lamp.
                 let light = lamp.at(&point).diffuse[0];
                 assert!(light >= FULL - 54, "{light} at {x} of {range}");
             }
