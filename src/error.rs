@@ -16,6 +16,54 @@ macro_rules! ok {
 }
 pub(crate) use ok;
 
+/// An error unless a slice has as many elements as needed.
+pub(crate) const fn check_length(given: usize, needed: usize) -> Result<(), Error> {
+    if given == needed {
+        Ok(())
+    } else {
+        Err(Error::Length { given, needed })
+    }
+}
+
+/// An error if there are more elements than indices can address, or than there is room for.
+pub(crate) const fn check_count(given: usize, max: usize) -> Result<(), Error> {
+    if given <= max {
+        Ok(())
+    } else {
+        Err(Error::TooMany { given, max })
+    }
+}
+
+/// An error unless the number of these parts is in range.
+pub(crate) const fn check_parts(
+    of: &'static str,
+    given: u32,
+    [min, max]: [u32; 2],
+) -> Result<(), Error> {
+    if min <= given && given <= max {
+        return Ok(());
+    }
+    Err(Error::Parts {
+        of,
+        given,
+        min,
+        max,
+    })
+}
+
+/// An error unless this length is above 0 and at most `max`.
+pub(crate) const fn check_extent(
+    of: &'static str,
+    given: Scalar,
+    max: Scalar,
+) -> Result<(), Error> {
+    if given.to_bits() > 0 && given.to_bits() <= max.to_bits() {
+        Ok(())
+    } else {
+        Err(Error::Extent { of, given, max })
+    }
+}
+
 /// Declares [`Error`]: its variants with fields, then those without, each with its message.
 macro_rules! errors {
     ($(#[$about:meta])+ pub enum Error; $(
@@ -32,6 +80,16 @@ macro_rules! errors {
         pub enum Error {
             $($(#[$doc])+ #[non_exhaustive] $Variant { $($(#[$field_doc])+ $field: $Type,)+ },)+
             $($(#[$unit_doc])+ $Unit,)+
+        }
+
+        impl Error {
+            /// The message, with the fields' names in braces.
+            pub(crate) const fn template(&self) -> &'static str {
+                match self {
+                    $(Self::$Variant { .. } => $message,)+
+                    $(Self::$Unit => $unit_message,)+
+                }
+            }
         }
 
         impl fmt::Display for Error {

@@ -265,6 +265,7 @@ mod message;
 pub mod num;
 mod pipeline;
 mod raster;
+mod sealed;
 pub mod shade;
 mod span;
 

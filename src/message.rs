@@ -1,9 +1,31 @@
 //! The messages of errors that stop compilation.
 
-use crate::{Error, Scalar};
+use crate::Error;
 
 /// Longest message, in bytes; the rest is cut off.
 const ROOM: usize = 512;
+
+/// What a name in a template stands for.
+#[derive(Clone, Copy)]
+enum Piece<'a> {
+    Text(&'a str),
+    Number(usize),
+    Scalar(crate::Scalar),
+}
+use Piece::{Number, Scalar, Text};
+
+/// The text before the first such byte, and the text after it.
+const fn cut(text: &str, byte: u8) -> (&str, Option<&str>) {
+    let mut at = 0;
+    while at < text.len() {
+        if text.as_bytes()[at] == byte {
+            let (before, rest) = text.split_at(at);
+            return (before, Some(rest.split_at(1).1));
+        }
+        at += 1;
+    }
+    (text, None)
+}
 
 /// Text assembled at compile time, when `format_args!` cannot run.
 struct Message {
@@ -29,6 +51,24 @@ impl Message {
         self
     }
 
+    /// Adds a template, whose names in braces stand for the pieces in their order.
+    const fn fill(mut self, template: &str, pieces: &[Piece<'_>]) -> Self {
+        let mut rest = template;
+        let mut piece = 0;
+        while let (text, Some(name)) = cut(rest, b'{') {
+            self = self.push(text);
+            self = match pieces[piece] {
+                Piece::Text(text) => self.push(text),
+                Piece::Number(number) => self.number(number),
+                Piece::Scalar(value) => self.scalar(value),
+            };
+            let ((_, Some(after)) | (after, None)) = cut(name, b'}');
+            rest = after;
+            piece += 1;
+        }
+        self.push(rest)
+    }
+
     const fn number(self, number: usize) -> Self {
         const DIGITS: &str = "0123456789";
         let before = if number > 9 {
@@ -41,7 +81,7 @@ impl Message {
     }
 
     /// Pushes a number with up to five decimals.
-    const fn scalar(self, value: Scalar) -> Self {
+    const fn scalar(self, value: crate::Scalar) -> Self {
         let sign = if value.to_bits() < 0 { "-" } else { "" };
         // In units of 1/100000, rounded to nearest.
         let parts = (value.to_bits().unsigned_abs() as u64 * 100_000 + (1 << 15)) >> 16;
@@ -67,65 +107,56 @@ impl Message {
     }
 }
 
-/// Unwraps a value made at compile time from the file, shape or texture called `name`.
+/// Unwraps a value made at compile time, which is called `name`, or from the file of this name.
 ///
 /// # Panics
 ///
-/// If `result` is an error. The message resembles the error's own.
-pub(crate) const fn checked<T: Copy>(result: Result<T, Error>, name: &str) -> T {
-    let message = Message::new().push(name).push(": ");
-    let message = match result {
+/// If `result` is an error. The message is the error's own after the name.
+pub const fn checked<T: Copy>(result: Result<T, Error>, name: &str) -> T {
+    const NONE: Piece<'_> = Text("");
+    let error = match result {
         Ok(value) => return value,
-        Err(Error::Obj { line, problem }) => {
-            message.push("line ").number(line).push(": ").push(problem)
+        Err(error) => error,
+    };
+    let mut hint = Message::new();
+    let pieces = match error {
+        Error::Obj { line, problem } => [Number(line), Text(problem), NONE, NONE],
+        Error::TooMany { given, max } => [Number(given), Number(max), NONE, NONE],
+        Error::Index { at, index, len } => [Number(index as usize), Number(at), Number(len), NONE],
+        Error::Length { given, needed } | Error::Truncated { given, needed } => {
+            [Number(given), Number(needed), NONE, NONE]
         }
-        Err(Error::TooMany { given, max }) => message
-            .number(given)
-            .push(" elements are too many: at most ")
-            .number(max)
-            .push(" are allowed"),
-        Err(Error::Parts {
+        Error::FacesDiffer { at } => [Number(at), NONE, NONE, NONE],
+        Error::Parts {
             of,
             given,
             min,
             max,
-        }) => message
-            .push("number of ")
-            .push(of)
-            .push(" is ")
-            .number(given as usize)
-            .push(": it must lie between ")
-            .number(min as usize)
-            .push(" and ")
-            .number(max as usize),
-        Err(Error::Extent { of, given, max }) => message
-            .push(of)
-            .push(" is ")
-            .scalar(given)
-            .push(": it must be above 0 and at most ")
-            .scalar(max),
-        Err(Error::PowerOfTwo { of, given, max }) => message
-            .push(of)
-            .push(" is ")
-            .number(given as usize)
-            .push(": it must be a power of two, at most ")
-            .number(max as usize)
-            .push(", such as ")
-            .number(nearest(given, max) as usize),
-        Err(Error::Image { of, given, needed }) => message
-            .push(of)
-            .push(" is ")
-            .number(given as usize)
-            .push(": it must be ")
-            .push(needed),
-        Err(Error::Truncated { given, needed }) => message
-            .push("file has ")
-            .number(given)
-            .push(" bytes: it needs at least ")
-            .number(needed),
-        Err(_) => message.push("its indices must be below the lengths of its lists"),
+        } => [
+            Text(of),
+            Number(given as usize),
+            Number(min as usize),
+            Number(max as usize),
+        ],
+        Error::Extent { of, given, max } => [Text(of), Scalar(given), Scalar(max), NONE],
+        Error::PowerOfTwo { of, given, max } => {
+            hint = hint.push(", such as ").number(nearest(given, max) as usize);
+            [Text(of), Number(given as usize), Number(max as usize), NONE]
+        }
+        Error::Image { of, given, needed } => {
+            [Text(of), Number(given as usize), Text(needed), NONE]
+        }
+        // Angles and floats have no form at compile time.
+        _ => [Text("the value"); 4],
     };
-    panic!("{}", message.text())
+    let message = Message::new().push(name).push(": ");
+    panic!(
+        "{}",
+        message
+            .fill(error.template(), &pieces)
+            .push(hint.text())
+            .text()
+    )
 }
 
 /// Returns the least power of two that is not below `given`, or `max`.
@@ -148,19 +179,11 @@ pub(crate) const fn wrong_length(
     given: usize,
     needed: usize,
 ) -> ! {
-    let message = Message::new()
-        .push("a texture of ")
-        .number(width)
-        .push("x")
-        .number(height)
-        .push(" texels needs ")
-        .number(needed)
-        .push(" ")
-        .push(elements)
-        .push(": ")
-        .number(given)
-        .push(" are given; write the image's own width and height in the type");
-    panic!("{}", message.text())
+    const TEMPLATE: &str = "a texture of {}x{} texels needs {} {}: {} are given; write the image's own width and \
+                            height in the type";
+    let [width, height, given] = [Number(width), Number(height), Number(given)];
+    let pieces = [width, height, Number(needed), Text(elements), given];
+    panic!("{}", Message::new().fill(TEMPLATE, &pieces).text())
 }
 
 /// Stops compilation when the size of a file's picture differs from the size in the type.
@@ -173,18 +196,17 @@ pub(crate) const fn wrong_size(
     [width, height]: [u32; 2],
     [type_width, type_height]: [usize; 2],
 ) -> ! {
-    let message = Message::new()
-        .push(name)
-        .push(": size is ")
-        .number(width as usize)
-        .push("x")
-        .number(height as usize)
-        .push(", but the type says ")
-        .number(type_width)
-        .push("x")
-        .number(type_height)
-        .push(": write the file's size in the type");
-    panic!("{}", message.text())
+    const TEMPLATE: &str =
+        "{}: size is {}x{}, but the type says {}x{}: write the file's size in the type";
+    let [width, height] = [Number(width as usize), Number(height as usize)];
+    let pieces = [
+        Text(name),
+        width,
+        height,
+        Number(type_width),
+        Number(type_height),
+    ];
+    panic!("{}", Message::new().fill(TEMPLATE, &pieces).text())
 }
 
 /// Stops compilation when the MTL file `mtl` lacks a material that the OBJ file `obj` uses.
@@ -192,25 +214,16 @@ pub(crate) const fn wrong_size(
 /// # Panics
 ///
 /// Always.
-pub(crate) const fn no_material(obj: &str, mtl: &str, name: &[u8]) -> ! {
-    let name = match core::str::from_utf8(name) {
-        Ok(name) => name,
-        Err(_) => "of a name that is not UTF-8",
-    };
-    let message = Message::new()
-        .push(obj)
-        .push(": usemtl names the material ")
-        .push(name)
-        .push(", which ")
-        .push(mtl)
-        .push(" does not have");
-    panic!("{}", message.text())
+pub(crate) const fn no_material(obj: &str, mtl: &str, name: &str) -> ! {
+    const TEMPLATE: &str = "{}: usemtl names the material {}, which {} does not have";
+    let pieces = [Text(obj), Text(name), Text(mtl)];
+    panic!("{}", Message::new().fill(TEMPLATE, &pieces).text())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fx;
+    use crate::{Scalar, fx};
 
     #[test]
     fn scalars_have_five_decimals() {

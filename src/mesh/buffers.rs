@@ -3,7 +3,7 @@
 use embedded_graphics::pixelcolor::Rgb888;
 
 use super::indexed::{Index, Mesh};
-use crate::error::ok;
+use crate::error::{check_count, ok};
 use crate::{Error, Vec2, Vec3};
 
 /// The number of elements in each list of a mesh, and so the room that the mesh needs in [`Buffers`].
@@ -127,10 +127,7 @@ impl<'a> Buffers<'a> {
         ];
         let mut list = 0;
         while list < room.len() {
-            let (given, max) = room[list];
-            if given > max {
-                return Err(Error::TooMany { given, max });
-            }
+            ok!(check_count(room[list].0, room[list].1));
             list += 1;
         }
         Ok(wanted)
@@ -138,18 +135,22 @@ impl<'a> Buffers<'a> {
 
     /// The mesh of the first elements of each list, as many as `counts` says.
     pub(super) const fn mesh(self, counts: Counts) -> Result<Mesh<'a>, Error> {
-        let attributes = Attributes {
-            edges: first(self.edges, counts.edges),
-            uvs: first(self.uvs, counts.uvs),
-            uv_faces: first(self.uv_faces, counts.uv_faces),
-            normals: first(self.normals, counts.normals),
-            normal_faces: first(self.normal_faces, counts.normal_faces),
-            colors: first(self.colors, counts.colors),
-        };
-        attributes.of(Mesh::new(
+        let mesh = Mesh::new(
             first(self.positions, counts.positions),
             first(self.faces, counts.faces),
-        ))
+        );
+        ok!(mesh).with_lists(
+            first(self.edges, counts.edges),
+            (
+                first(self.uvs, counts.uvs),
+                first(self.uv_faces, counts.uv_faces),
+            ),
+            (
+                first(self.normals, counts.normals),
+                first(self.normal_faces, counts.normal_faces),
+            ),
+            first(self.colors, counts.colors),
+        )
     }
 }
 
@@ -158,42 +159,5 @@ const fn first<T>(list: &[T], count: usize) -> &[T] {
     match list.split_at_checked(count) {
         Some((first, _)) => first,
         None => list,
-    }
-}
-
-/// The lists that a mesh has besides positions and faces. It lacks those that are empty.
-#[doc(hidden)]
-#[derive(Clone, Copy, Debug)]
-pub struct Attributes<'a> {
-    pub edges: &'a [[Index; 2]],
-    pub uvs: &'a [Vec2],
-    pub uv_faces: &'a [[Index; 3]],
-    pub normals: &'a [Vec3],
-    pub normal_faces: &'a [[Index; 3]],
-    pub colors: &'a [Rgb888],
-}
-
-impl<'a> Attributes<'a> {
-    /// The mesh with these attributes.
-    ///
-    /// # Errors
-    ///
-    /// Returns the error in `mesh`, or one of those of [`Mesh::with_edges`] and [`Mesh::with_uvs`].
-    pub const fn of(self, mesh: Result<Mesh<'a>, Error>) -> Result<Mesh<'a>, Error> {
-        /// The triangles of an attribute that has its own; `None` if it is indexed like the positions.
-        const fn own(list: &[[Index; 3]]) -> Option<&[[Index; 3]]> {
-            if list.is_empty() { None } else { Some(list) }
-        }
-        let mut mesh = ok!(ok!(mesh).with_edges(self.edges));
-        if !self.uvs.is_empty() {
-            mesh = ok!(mesh.with_uvs(self.uvs, own(self.uv_faces)));
-        }
-        if !self.normals.is_empty() {
-            mesh = ok!(mesh.with_normals(self.normals, own(self.normal_faces)));
-        }
-        if !self.colors.is_empty() {
-            mesh = ok!(mesh.with_colors(self.colors, None));
-        }
-        Ok(mesh)
     }
 }

@@ -2,9 +2,9 @@
 
 pub use embedded_graphics::pixelcolor::Rgb888;
 
-pub use super::buffers::Attributes;
 pub use super::quantized::{StoredUvs, UvGrid, short_normal};
 use super::{Buffers, Index, Mesh};
+pub use crate::message::checked;
 use crate::{Vec2, Vec3};
 
 /// Lists with room for `N` elements each.
@@ -164,7 +164,7 @@ macro_rules! __mesh {
         QUANTIZED
     }};
     ($room:expr, $counts:expr, @ $mesh:expr) => {{
-        use $crate::mesh::flash::{Attributes, first};
+        use $crate::mesh::flash::first;
         static FACES: [[$crate::Index; 3]; $counts.faces] = first(&$room.faces);
         static EDGES: [[$crate::Index; 2]; $counts.edges] = first(&$room.edges);
         static UVS: [$crate::Vec2; $counts.uvs] = first(&$room.uvs);
@@ -174,15 +174,12 @@ macro_rules! __mesh {
         static COLORS: [$crate::mesh::flash::Rgb888; $counts.colors] = first(&$room.colors);
         #[allow(long_running_const_eval)]
         static MESH: $crate::Mesh<'static> = $crate::Mesh::checked(
-            Attributes {
-                edges: &EDGES,
-                uvs: &UVS,
-                uv_faces: &UV_FACES,
-                normals: &NORMALS,
-                normal_faces: &NORMAL_FACES,
-                colors: &COLORS,
-            }
-            .of($mesh),
+            $crate::Mesh::checked($mesh).with_lists(
+                &EDGES,
+                (&UVS, &UV_FACES),
+                (&NORMALS, &NORMAL_FACES),
+                &COLORS,
+            ),
         );
         MESH
     }};

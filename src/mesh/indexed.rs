@@ -7,8 +7,8 @@ use embedded_graphics::pixelcolor::Rgb888;
 use super::attribute::Attribute;
 use super::buffers::Counts;
 use super::positions::{self, Positions};
-use crate::error::ok;
-use crate::{Error, Vec2, Vec3};
+use crate::error::{check_count, check_length, ok};
+use crate::{Error, Vec2, Vec3, message};
 
 /// An index into a mesh's positions or attributes: a corner of a triangle or an end of an edge.
 ///
@@ -172,10 +172,7 @@ impl<'a> Mesh<'a> {
     ///
     /// [`Error::Length`] unless the mesh has exactly `N` positions.
     pub const fn shortened<const N: usize>(&self) -> Result<([[i16; 3]; N], u32), Error> {
-        let (given, needed) = (N, self.positions.len());
-        if given != needed {
-            return Err(Error::Length { given, needed });
-        }
+        ok!(check_length(N, self.positions.len()));
         let fraction = positions::finest(self.positions);
         let mut short = [[0; 3]; N];
         let mut at = 0;
@@ -195,12 +192,7 @@ impl<'a> Mesh<'a> {
         positions: Positions<'a>,
         faces: &'a [[Index; 3]],
     ) -> Result<Self, Error> {
-        if positions.len() > Self::MAX_POSITIONS {
-            return Err(Error::TooMany {
-                given: positions.len(),
-                max: Self::MAX_POSITIONS,
-            });
-        }
+        ok!(check_count(positions.len(), Self::MAX_POSITIONS));
         ok!(check(faces, positions.len(), None));
         Ok(Self {
             positions,
@@ -245,17 +237,7 @@ impl<'a> Mesh<'a> {
     /// If `result` is an error. Call it only at compile time.
     #[must_use]
     pub const fn checked(result: Result<Self, Error>) -> Self {
-        match result {
-            Ok(mesh) => mesh,
-            Err(Error::Index { .. }) => panic!("a mesh index names an element that does not exist"),
-            Err(Error::Length { .. }) => {
-                panic!("a mesh attribute has the wrong number of elements")
-            }
-            Err(Error::Parts { .. }) => {
-                panic!("a mesh's positions have more than 16 fraction bits")
-            }
-            Err(_) => panic!("the mesh has too many elements"),
-        }
+        message::checked(result, "mesh")
     }
 
     /// Adds edges, for [`Canvas::draw_edges`](crate::Canvas::draw_edges).
@@ -312,7 +294,37 @@ impl<'a> Mesh<'a> {
         Ok(Self { colors, ..self })
     }
 
-    pub(super) const fn attribute<T>(
+    /// Adds edges and attributes. A list without elements adds nothing.
+    #[doc(hidden)]
+    pub const fn with_lists(
+        self,
+        edges: &'a [[Index; 2]],
+        (uvs, uv_faces): (&'a [Vec2], &'a [[Index; 3]]),
+        (normals, normal_faces): (&'a [Vec3], &'a [[Index; 3]]),
+        colors: &'a [Rgb888],
+    ) -> Result<Self, Error> {
+        Ok(Self {
+            uvs: ok!(self.listed(uvs, uv_faces)),
+            normals: ok!(self.listed(normals, normal_faces)),
+            colors: ok!(self.listed(colors, &[])),
+            ..ok!(self.with_edges(edges))
+        })
+    }
+
+    /// An attribute; one without values if there are none. If `faces` is empty, values belong to the positions.
+    pub(super) const fn listed<T>(
+        &self,
+        values: &'a [T],
+        faces: &'a [[Index; 3]],
+    ) -> Result<Attribute<'a, T>, Error> {
+        if values.is_empty() {
+            return Ok(Attribute::NONE);
+        }
+        let faces = if faces.is_empty() { None } else { Some(faces) };
+        self.attribute(values, faces)
+    }
+
+    const fn attribute<T>(
         &self,
         values: &'a [T],
         faces: Option<&'a [[Index; 3]]>,
@@ -321,9 +333,7 @@ impl<'a> Mesh<'a> {
             None => (values.len(), self.positions.len()),
             Some(faces) => (faces.len(), self.faces.len()),
         };
-        if given != needed {
-            return Err(Error::Length { given, needed });
-        }
+        ok!(check_length(given, needed));
         if let Some(faces) = faces {
             ok!(check(faces, values.len(), Some(Self::NO_VALUE)));
         }

@@ -4,8 +4,8 @@ use super::Index;
 use super::attribute::Attribute;
 use super::indexed::Mesh;
 use super::positions::Positions;
-use crate::error::ok;
-use crate::{Error, Scalar, Vec3};
+use crate::error::{check_count, check_length, ok};
+use crate::{Error, Scalar, Vec3, message};
 
 /// Two poses of one mesh, to be blended: the positions, and the normals if both poses have them.
 ///
@@ -52,7 +52,7 @@ pub struct Keyframes<'a> {
 
 /// Checks that two lists of faces are equal.
 const fn same(first: &[[Index; 3]], second: &[[Index; 3]]) -> Result<(), Error> {
-    ok!(same_length(second.len(), first.len()));
+    ok!(check_length(second.len(), first.len()));
     let mut at = 0;
     while at < first.len() {
         let ([a, b, c], [x, y, z]) = (first[at], second[at]);
@@ -64,24 +64,10 @@ const fn same(first: &[[Index; 3]], second: &[[Index; 3]]) -> Result<(), Error> 
     Ok(())
 }
 
-const fn same_length(given: usize, needed: usize) -> Result<(), Error> {
-    if given == needed {
-        Ok(())
-    } else {
-        Err(Error::Length { given, needed })
-    }
-}
-
 /// As many elements of a slice as are needed.
 const fn room(slice: &mut [Vec3], needed: usize) -> Result<&mut [Vec3], Error> {
-    let room = slice.len();
-    match slice.split_at_mut_checked(needed) {
-        Some((slice, _)) => Ok(slice),
-        None => Err(Error::TooMany {
-            given: needed,
-            max: room,
-        }),
-    }
+    ok!(check_count(needed, slice.len()));
+    Ok(slice.split_at_mut(needed).0)
 }
 
 impl<'a> Keyframes<'a> {
@@ -94,7 +80,7 @@ impl<'a> Keyframes<'a> {
     /// of normals. If the normals of two files do not match, drop them with [`Mesh::without_normals`].
     pub const fn new(first: &Mesh<'a>, second: &Mesh<'a>) -> Result<Self, Error> {
         let positions = second.positions();
-        ok!(same_length(positions.len(), first.positions().len()));
+        ok!(check_length(positions.len(), first.positions().len()));
         ok!(same(first.faces(), second.faces()));
         let mut frames = Self {
             first: *first,
@@ -103,7 +89,7 @@ impl<'a> Keyframes<'a> {
         };
         if first.has_normals() && second.has_normals() {
             frames.normals = second.normals.values;
-            ok!(same_length(
+            ok!(check_length(
                 frames.normals.len(),
                 first.normals.values.len()
             ));
@@ -130,14 +116,7 @@ impl<'a> Keyframes<'a> {
     /// If `result` is an error. Call it only at compile time.
     #[must_use]
     pub const fn checked(result: Result<Self, Error>) -> Self {
-        match result {
-            Ok(frames) => frames,
-            Err(_) => {
-                panic!(
-                    "two keyframes must have the same faces and equally many positions and normals"
-                )
-            }
-        }
+        message::checked(result, "keyframes")
     }
 
     /// The mesh between the two poses, in the caller's memory: the first pose at `t` = 0, the second at `t` = 1; other

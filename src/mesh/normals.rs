@@ -12,12 +12,8 @@ const FRACTION: u32 = 22;
 /// A triangle's normal of length one, in units of 2⁻³⁰, and the angles at its corners; `None` for a triangle without
 /// area.
 fn measured(corners: [Vec3; 3]) -> Option<(Direction, [i32; 3])> {
-    let [a, b, c] = corners.map(|corner| corner.to_bits().map(i64::from));
-    let side = |from: [i64; 3], to: [i64; 3]| {
-        let [x, y, z] = from;
-        [to[0] - x, to[1] - y, to[2] - z]
-    };
-    let sides = [side(a, b), side(b, c), side(c, a)];
+    let [a, b, c] = corners;
+    let sides = [a.way_to(b), b.way_to(c), c.way_to(a)];
     // Sides take 33 bits. With 31 bits and a sign, a difference of two products fits into 64.
     let size = sides
         .as_flattened()

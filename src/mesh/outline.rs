@@ -2,9 +2,9 @@
 
 use super::sort::sort;
 use super::{Index, Mesh};
-use crate::Error;
-use crate::error::ok;
+use crate::error::{check_count, ok};
 use crate::num::Angle;
+use crate::{Error, Vec3};
 
 /// The edges of a mesh that may be part of its outline, each with its two faces.
 ///
@@ -65,12 +65,7 @@ impl<'a> Outline<'a> {
         edges: &'a [[Index; 4]],
         creases: usize,
     ) -> Result<Self, Error> {
-        if creases > edges.len() {
-            return Err(Error::TooMany {
-                given: creases,
-                max: edges.len(),
-            });
-        }
+        ok!(check_count(creases, edges.len()));
         ok!(super::indexed::check(edges, mesh.positions().len(), None));
         Ok(Self { edges, creases })
     }
@@ -122,23 +117,6 @@ impl<'a> Outline<'a> {
     #[must_use]
     pub const fn creases(&self) -> usize {
         self.creases
-    }
-
-    /// Unwraps an outline at compile time; for [`outline!`](crate::outline).
-    ///
-    /// # Panics
-    ///
-    /// If `result` is an error.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn checked(result: Result<Self, Error>) -> Self {
-        match result {
-            Ok(outline) => outline,
-            Err(Error::CreaseAngle { .. }) => {
-                panic!("the crease angle must lie between 0 and 180 degrees")
-            }
-            Err(_) => panic!("the mesh has too many faces"),
-        }
     }
 }
 
@@ -205,12 +183,7 @@ const fn are_same(a: [i32; 3], b: [i32; 3]) -> bool {
 
 /// From one position to another; of 33 bits, the last is dropped where the first is needed.
 const fn direction(from: [i32; 3], to: [i32; 3]) -> [i64; 3] {
-    let mut sides = [0; 3];
-    let mut axis = 0;
-    while axis < 3 {
-        sides[axis] = to[axis] as i64 - from[axis] as i64;
-        axis += 1;
-    }
+    let sides = Vec3::from_bits(from).way_to(Vec3::from_bits(to));
     if bits(sides) > 31 {
         scaled(sides, 31)
     } else {
@@ -265,9 +238,7 @@ const fn write(
     } else {
         USED as usize
     };
-    if sides > max {
-        return Err(Error::TooMany { given: sides, max });
-    }
+    ok!(check_count(sides, max));
     // Each entry is a hash of the side's ends, by which sides of one edge become neighbors, and the side's number.
     let mut count = 0;
     let mut number = 0;
@@ -381,13 +352,13 @@ macro_rules! outline {
         #[allow(long_running_const_eval)]
         const FOUND: ([[$crate::Index; 4]; SIDES], [usize; 2]) = {
             let mut edges = [[0; 4]; SIDES];
-            let outline = $crate::mesh::Outline::checked($crate::mesh::Outline::build(
-                &$mesh, $crease, &mut edges,
-            ));
+            let outline = $crate::mesh::Outline::build(&$mesh, $crease, &mut edges);
+            let outline = $crate::mesh::flash::checked(outline, "outline");
             let counts = [outline.edges().len(), outline.creases()];
             (edges, counts)
         };
         static EDGES: [[$crate::Index; 4]; FOUND.1[0]] = $crate::mesh::flash::first(&FOUND.0);
-        $crate::mesh::Outline::checked($crate::mesh::Outline::new(&$mesh, &EDGES, FOUND.1[1]))
+        let outline = $crate::mesh::Outline::new(&$mesh, &EDGES, FOUND.1[1]);
+        $crate::mesh::flash::checked(outline, "outline")
     }};
 }

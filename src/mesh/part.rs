@@ -42,12 +42,12 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Part<'a> {
-    start: usize,
-    end: usize,
-    color: Rgb888,
-    material: &'a str,
+    pub(super) start: usize,
+    pub(super) end: usize,
+    pub(super) color: Rgb888,
+    pub(super) material: &'a str,
     /// Empty if there is none.
-    texture: &'a str,
+    pub(super) texture: &'a str,
 }
 
 impl<'a> Part<'a> {

@@ -1,6 +1,7 @@
 //! A mesh's positions, with 32-bit or 16-bit components.
 
 use super::Index;
+use crate::error::{check_parts, ok};
 use crate::{Error, Vec3};
 
 /// The positions of a mesh, with 32-bit or 16-bit components; [`Mesh::positions`](crate::Mesh::positions) returns
@@ -49,14 +50,7 @@ impl<'a> Positions<'a> {
 
     /// Positions in units of 2^-`fraction`.
     pub(crate) const fn short(positions: &'a [[i16; 3]], fraction: u32) -> Result<Self, Error> {
-        if fraction > FRACTION {
-            return Err(Error::Parts {
-                of: "fraction bits",
-                given: fraction,
-                min: 0,
-                max: FRACTION,
-            });
-        }
+        ok!(check_parts("fraction bits", fraction, [0, FRACTION]));
         let up = FRACTION - fraction;
         Ok(Self {
             list: List::Short { positions, up },

@@ -4,6 +4,7 @@ use core::cell::{Cell, OnceCell};
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
+use super::attribute::Attribute;
 use super::indexed::{Element, Mesh};
 use crate::math::{Direction, NormalMatrix, Transform};
 use crate::{Scalar, Vec2, Vec3};
@@ -265,6 +266,11 @@ pub struct Corner<'a> {
 }
 
 impl Corner<'_> {
+    #[inline]
+    fn attribute<T: Copy>(&self, attribute: &Attribute<'_, T>) -> Option<T> {
+        attribute.at(self.primitive.element, self.corner)
+    }
+
     /// The position in model space.
     #[must_use]
     #[inline]
@@ -286,35 +292,23 @@ impl Corner<'_> {
     #[must_use]
     #[inline]
     pub fn distance(&self) -> Scalar {
-        self.primitive
-            .placement
-            .view
-            .point(self.position())
-            .z
-            .saturating_neg()
+        let place = self.primitive.placement.view.point(self.position());
+        place.z.saturating_neg()
     }
 
     /// The texture coordinate; (0, 0) if the mesh has none here.
     #[must_use]
     #[inline]
     pub fn uv(&self) -> Vec2 {
-        self.primitive
-            .mesh
-            .uvs
-            .at(self.primitive.element, self.corner)
-            .unwrap_or_else(|| self.primitive.placement.lacks_uvs())
+        let uv = self.attribute(&self.primitive.mesh.uvs);
+        uv.unwrap_or_else(|| self.primitive.placement.lacks_uvs())
     }
 
     /// The normal in model space, of any length; the triangle's own if the mesh has none here.
     #[must_use]
     #[inline]
     pub fn normal(&self) -> Vec3 {
-        match self
-            .primitive
-            .mesh
-            .normals
-            .at(self.primitive.element, self.corner)
-        {
+        match self.attribute(&self.primitive.mesh.normals) {
             Some(normal) => normal,
             None => self.primitive.normal(),
         }
@@ -324,11 +318,8 @@ impl Corner<'_> {
     #[must_use]
     #[inline]
     pub fn color(&self) -> Rgb888 {
-        self.primitive
-            .mesh
-            .colors
-            .at(self.primitive.element, self.corner)
-            .unwrap_or_else(|| self.primitive.placement.lacks_colors())
+        let color = self.attribute(&self.primitive.mesh.colors);
+        color.unwrap_or_else(|| self.primitive.placement.lacks_colors())
     }
 
     /// The direction of [`normal`](Self::normal) in world space, where lights are. It stays perpendicular to the

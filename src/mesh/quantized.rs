@@ -8,7 +8,7 @@ use super::attribute::Attribute;
 use super::indexed::{Element, Index, Mesh};
 use super::primitive::Primitive;
 use crate::error::ok;
-use crate::{Error, Vec2, Vec3};
+use crate::{Error, Vec2, Vec3, message};
 
 /// A mesh that takes less flash: positions have 16 bits a component, normals 8 bits, and texture coordinates 16 or 8
 /// bits.
@@ -179,10 +179,10 @@ impl<'a> Quantized<'a> {
         grid: UvGrid,
     ) -> Result<Self, Error> {
         Ok(Self {
-            normals: ok!(attribute(&mesh, normals, normal_faces)),
+            normals: ok!(mesh.listed(normals, normal_faces)),
             uvs: match uvs {
-                StoredUvs::Bytes(uvs) => Uvs::Bytes(ok!(attribute(&mesh, uvs, uv_faces))),
-                StoredUvs::Words(uvs) => Uvs::Words(ok!(attribute(&mesh, uvs, uv_faces))),
+                StoredUvs::Bytes(uvs) => Uvs::Bytes(ok!(mesh.listed(uvs, uv_faces))),
+                StoredUvs::Words(uvs) => Uvs::Words(ok!(mesh.listed(uvs, uv_faces))),
             },
             mesh,
             grid,
@@ -197,10 +197,7 @@ impl<'a> Quantized<'a> {
     #[doc(hidden)]
     #[must_use]
     pub const fn checked(result: Result<Self, Error>) -> Self {
-        match result {
-            Ok(mesh) => mesh,
-            Err(_) => panic!("a mesh attribute does not fit its mesh"),
-        }
+        message::checked(result, "mesh")
     }
 
     /// The mesh without normals and texture coordinates, to be drawn with a shader that [`shader`](Self::shader) made.
@@ -287,19 +284,6 @@ impl<'a> Quantized<'a> {
         };
         Some(self.grid.uv(steps))
     }
-}
-
-/// An attribute of a mesh; one without values if there are none.
-const fn attribute<'a, T>(
-    mesh: &Mesh<'a>,
-    values: &'a [T],
-    faces: &'a [[Index; 3]],
-) -> Result<Attribute<'a, T>, Error> {
-    if values.is_empty() {
-        return Ok(Attribute::NONE);
-    }
-    let faces = if faces.is_empty() { None } else { Some(faces) };
-    mesh.attribute(values, faces)
 }
 
 /// The values at the three corners, some of which may be `missing`; `None` if all are.

@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use crate::error::ok;
+use crate::error::{check_extent, check_length, check_parts, ok};
 use crate::num::TexCoord;
 use crate::{Error, Scalar, Vec2, Vec3};
 
@@ -59,28 +59,6 @@ pub struct Sprites<'a> {
     pub(crate) grid: [u16; 2],
 }
 
-const fn extent(of: &'static str, given: Scalar) -> Result<(), Error> {
-    if given.to_bits() > 0 {
-        return Ok(());
-    }
-    let max = Scalar::MAX;
-    Err(Error::Extent { of, given, max })
-}
-
-const fn parts(of: &'static str, given: u16) -> Result<(), Error> {
-    let (given, max) = (given as u32, Sprites::MAX_FRAMES);
-    if 0 < given && given <= max {
-        return Ok(());
-    }
-    let min = 1;
-    Err(Error::Parts {
-        of,
-        given,
-        min,
-        max,
-    })
-}
-
 impl<'a> Sprites<'a> {
     /// The most columns and the most rows of [frames](Self::with_frames) in a texture.
     pub const MAX_FRAMES: u32 = 1024;
@@ -92,8 +70,8 @@ impl<'a> Sprites<'a> {
     /// [`Error::Extent`] unless width and height are above 0.
     pub const fn new(positions: &'a [Vec3], size: (Scalar, Scalar)) -> Result<Self, Error> {
         let (width, height) = size;
-        ok!(extent("width", width));
-        ok!(extent("height", height));
+        ok!(check_extent("width", width, Scalar::MAX));
+        ok!(check_extent("height", height, Scalar::MAX));
         Ok(Self {
             positions,
             size: [width, height],
@@ -179,7 +157,7 @@ impl<'a> Sprites<'a> {
     ///
     /// [`Error::Length`] unless there is one scale for each position.
     pub const fn with_scales(self, scales: &'a [Scalar]) -> Result<Self, Error> {
-        ok!(self.check_length(scales.len()));
+        ok!(check_length(scales.len(), self.positions.len()));
         Ok(Self { scales, ..self })
     }
 
@@ -190,7 +168,7 @@ impl<'a> Sprites<'a> {
     ///
     /// [`Error::Length`] unless there is one color for each position.
     pub const fn with_colors(self, colors: &'a [Rgb888]) -> Result<Self, Error> {
-        ok!(self.check_length(colors.len()));
+        ok!(check_length(colors.len(), self.positions.len()));
         Ok(Self { colors, ..self })
     }
 
@@ -203,23 +181,18 @@ impl<'a> Sprites<'a> {
     /// [`Error::Length`] unless there is one frame for each position.
     pub const fn with_frames(self, grid: (u16, u16), frames: &'a [u16]) -> Result<Self, Error> {
         let (columns, rows) = grid;
-        ok!(parts("columns", columns));
-        ok!(parts("rows", rows));
-        ok!(self.check_length(frames.len()));
+        ok!(check_parts(
+            "columns",
+            columns as u32,
+            [1, Self::MAX_FRAMES]
+        ));
+        ok!(check_parts("rows", rows as u32, [1, Self::MAX_FRAMES]));
+        ok!(check_length(frames.len(), self.positions.len()));
         Ok(Self {
             frames,
             grid: [columns, rows],
             ..self
         })
-    }
-
-    const fn check_length(&self, given: usize) -> Result<(), Error> {
-        let needed = self.positions.len();
-        if given == needed {
-            Ok(())
-        } else {
-            Err(Error::Length { given, needed })
-        }
     }
 
     /// The positions, in model space.

@@ -3,6 +3,7 @@
 use super::{Scalar, TexCoord};
 use crate::Error;
 use crate::error::{RefusedFloat, ok};
+use crate::sealed::{Sealed, sealed};
 
 /// Converts a float to the nearest [`Scalar`], halves away from zero.
 ///
@@ -59,10 +60,7 @@ const fn nearest(value: f64, fraction: u32) -> Result<i32, Error> {
     }
 }
 
-mod sealed {
-    pub trait Sealed {}
-    impl Sealed for super::Scalar {}
-}
+sealed!(Scalar);
 
 /// A bound that only [`Scalar`] meets. The compiler's message for other types says how to write a `Scalar`.
 ///
@@ -78,7 +76,7 @@ mod sealed {
     label = "not a `Scalar`",
     note = "for a literal write `fx!(0.5)`; for a float known at run time, `num::scalar(value)?`"
 )]
-pub trait IntoScalar: sealed::Sealed {
+pub trait IntoScalar: Sealed {
     /// Returns the number itself.
     fn into_scalar(self) -> Scalar;
 }

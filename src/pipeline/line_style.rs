@@ -87,7 +87,7 @@ fn edges<K: ProjectionKind>(
     blitter: &mut dyn Blitter,
 ) -> Drawn {
     let edges = call.shared.mesh.edges();
-    run::lines(call, blitter, edges, |_, _, &edge| Some(edge), line)
+    run::lines(call, blitter, edges, |_, _, _, &edge| Some(edge), line)
 }
 
 impl<C> Stroke<C> for Hairline {

@@ -407,33 +407,16 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
         let call = Call::new(&screen, &(0..frame.height), mesh, mvp);
         self.triangles.clear();
         self.vertices.clear();
-        let mut filling = Filling {
-            triangles: self.triangles.as_mut_view(),
-            needed: 0,
-            vertices: VertexWriter::new(self.vertices.as_mut_view(), 0),
-            rows: [u16::MAX, 0],
-            cull: call.shared.cull,
-            scissor: &call.shared.scissor,
-        };
-        run::triangles(&call, &mut filling);
-        let rows = filling.rows;
-        Needed {
-            of: "triangles",
-            elements: filling.needed,
-            vertices: filling.vertices.needed,
-        }
-        .check::<TRIANGLES, VERTICES>()?;
+        let mut needed = Needed::default();
+        let lists = (self.triangles.as_mut_view(), self.vertices.as_mut_view());
+        let rows = fill(lists, &call, &mut needed);
+        needed.check::<TRIANGLES, VERTICES>("triangles")?;
+        let (list, shift) = (&mut self.triangles, call.depth_shift());
         if SORTED {
-            let rows = &call.shared.scissor.rows;
-            painter::sort(
-                &mut self.triangles,
-                &self.vertices,
-                call.depth_shift(),
-                rows,
-            );
+            painter::sort(list, &self.vertices, shift, &call.shared.scissor.rows);
         }
         Ok(Prepared {
-            call: PreparedCall::new(screen, mesh, mvp, call.depth_shift()),
+            call: PreparedCall::new(screen, mesh, mvp, shift),
             triangles: &self.triangles,
             vertices: &self.vertices,
             rows,
@@ -443,30 +426,22 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
 }
 
 /// How many elements a list must have room for.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 struct Needed {
-    /// The kind of element.
-    of: &'static str,
     elements: usize,
     vertices: usize,
 }
 
 impl Needed {
-    /// Room for no elements of this kind.
-    const fn nothing(of: &'static str) -> Self {
-        Self {
-            of,
-            elements: 0,
-            vertices: 0,
-        }
-    }
-
-    /// An error unless a list of this length has room.
+    /// An error unless a list of this length, of this kind of element, has room.
     #[inline]
-    fn check<const ELEMENTS: usize, const VERTICES: usize>(self) -> Result<(), Error> {
+    fn check<const ELEMENTS: usize, const VERTICES: usize>(
+        &self,
+        of: &'static str,
+    ) -> Result<(), Error> {
         let most = TriangleList::<ELEMENTS, VERTICES>::MAX_VERTICES;
         for (of, needed, room) in [
-            (self.of, self.elements, ELEMENTS),
+            (of, self.elements, ELEMENTS),
             ("vertices", self.vertices, VERTICES.min(most)),
         ] {
             if needed > room {
@@ -534,6 +509,27 @@ struct Filling<'l> {
     scissor: &'l Scissor,
 }
 
+/// Prepares the triangles of one mesh, and adds to what the lists need. Returns the rows of the frame in which any of
+/// them may have pixels.
+#[inline]
+fn fill<K: ProjectionKind>(
+    (triangles, vertices): (&mut VecView<Entry>, &mut VecView<Slot>),
+    call: &Call<'_, K>,
+    needed: &mut Needed,
+) -> [u16; 2] {
+    let mut filling = Filling {
+        triangles,
+        needed: needed.elements,
+        vertices: VertexWriter::new(vertices, needed.vertices),
+        rows: [u16::MAX, 0],
+        cull: call.shared.cull,
+        scissor: &call.shared.scissor,
+    };
+    run::triangles(call, &mut filling);
+    (needed.elements, needed.vertices) = (filling.needed, filling.vertices.needed);
+    filling.rows
+}
+
 impl Filling<'_> {
     fn add_triangle(&mut self, element: Element, rows: &Range<i32>, corners: Corners) {
         // Rows of a frame are 0 to 2048.
@@ -598,7 +594,11 @@ impl<'a, K, M, Z, B> Prepared<'a, K, M, Z, B> {
             triangles: self.triangles,
             vertices: self.vertices,
             rows: self.rows,
-            pixels: self.pixels.with_blending(blending),
+            pixels: PixelOptions {
+                mode: self.pixels.mode,
+                depth: self.pixels.depth,
+                blending,
+            },
         }
     }
 }

@@ -102,30 +102,25 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     ///
     /// `mvp` is a [`Projection`](crate::Projection) times a camera and a model transform (an [`Mvp`](crate::Mvp)), or
     /// a projection alone. Drawing cannot fail: parts outside the view are clipped away.
-    pub fn draw<V: ModelToPicture, S: ShaderFor<C>>(
+    pub fn draw(
         &mut self,
         mesh: &Mesh<'_>,
-        mvp: &V,
-        shader: &S,
+        mvp: &impl ModelToPicture,
+        shader: &impl ShaderFor<C>,
     ) -> Drawn {
         self.draw_with(&DrawOptions::new(), mesh, mvp, shader)
     }
 
     /// Draws a mesh's triangles like [`draw`](Self::draw), with options.
-    pub fn draw_with<
-        M: Mode,
-        Z: DepthTest,
-        B: Blending<C>,
-        V: ModelToPicture,
-        S: ShaderFor<B::Source>,
-    >(
+    pub fn draw_with<M: Mode, Z: DepthTest, B: Blending<C>>(
         &mut self,
         options: &DrawOptions<M, Z, B>,
         mesh: &Mesh<'_>,
-        mvp: &V,
-        shader: &S,
+        mvp: &impl ModelToPicture,
+        shader: &impl ShaderFor<B::Source>,
     ) -> Drawn {
-        self.call(options, (mesh, mvp), shader, run::draw)
+        let painter = (*shader, options.pixels.blending);
+        self.paint(options, (mesh, mvp), painter, run::draw)
     }
 
     /// Draws the triangles that were [prepared](TriangleList::prepare) for this frame and meet this canvas's rows. The
@@ -134,24 +129,14 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// # Errors
     ///
     /// [`Error::Frame`] if the canvas's frame differs in size from the frame that they were prepared for.
-    pub fn draw_prepared<
-        M: Mode,
-        Z: DepthTest,
-        B: Blending<C>,
-        K: ProjectionKind,
-        S: ShaderFor<B::Source>,
-    >(
+    pub fn draw_prepared<M: Mode, Z: DepthTest, B: Blending<C>, K: ProjectionKind>(
         &mut self,
         prepared: &Prepared<'_, K, M, Z, B>,
-        shader: &S,
+        shader: &impl ShaderFor<B::Source>,
     ) -> Result<Drawn, Error> {
         let painter = (*shader, prepared.pixels.blending);
-        self.paint_prepared(
-            &prepared.call,
-            &prepared.pixels,
-            painter,
-            |rows, blitter| prepared.draw(rows, blitter),
-        )
+        let list = (&prepared.call, &prepared.pixels);
+        self.paint_prepared(list, painter, |rows, blitter| prepared.draw(rows, blitter))
     }
 
     /// Draws the edges that were [prepared](EdgeList::prepare) for this frame and meet this canvas's rows. The pixels
@@ -167,40 +152,28 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         B: Blending<C>,
         L: LineStyle<C>,
         K: ProjectionKind,
-        S: ShaderFor<B::Source>,
     >(
         &mut self,
         prepared: &PreparedEdges<'_, K, M, Z, B, L>,
-        shader: &S,
+        shader: &impl ShaderFor<B::Source>,
     ) -> Result<Drawn, Error> {
         let state = L::State::default();
         let painter = L::painter(&state, *shader, prepared.pixels.blending);
-        self.paint_prepared(
-            &prepared.call,
-            &prepared.pixels,
-            painter,
-            |rows, blitter| {
-                let line = prepared.line.bind(&state);
-                prepared.draw(&line, prepared.line.reach(), rows, blitter)
-            },
-        )
+        let list = (&prepared.call, &prepared.pixels);
+        self.paint_prepared(list, painter, |rows, blitter| {
+            let line = prepared.line.bind(&state);
+            prepared.draw(&line, prepared.line.reach(), rows, blitter)
+        })
     }
 
     /// Draws a mesh's [edges](Mesh::edges) as lines in the [style](DrawOptions::with_line) of the options: by default,
     /// one pixel wide.
-    pub fn draw_edges<
-        M: Mode,
-        Z: DepthTest,
-        B: Blending<C>,
-        L: LineStyle<C>,
-        V: ModelToPicture,
-        S: ShaderFor<B::Source>,
-    >(
+    pub fn draw_edges<M: Mode, Z: DepthTest, B: Blending<C>, L: LineStyle<C>>(
         &mut self,
         options: &DrawOptions<M, Z, B, L>,
         mesh: &Mesh<'_>,
-        mvp: &V,
-        shader: &S,
+        mvp: &impl ModelToPicture,
+        shader: &impl ShaderFor<B::Source>,
     ) -> Drawn {
         let state = L::State::default();
         let painter = L::painter(&state, *shader, options.pixels.blending);
@@ -262,20 +235,13 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// ]);
     /// # Ok::<(), Error>(())
     /// ```
-    pub fn draw_outline<
-        M: Mode,
-        Z: DepthTest,
-        B: Blending<C>,
-        L: LineStyle<C>,
-        V: ModelToPicture,
-        S: ShaderFor<B::Source>,
-    >(
+    pub fn draw_outline<M: Mode, Z: DepthTest, B: Blending<C>, L: LineStyle<C>>(
         &mut self,
         options: &DrawOptions<M, Z, B, L>,
         mesh: &Mesh<'_>,
         outline: &Outline<'_>,
-        mvp: &V,
-        shader: &S,
+        mvp: &impl ModelToPicture,
+        shader: &impl ShaderFor<B::Source>,
     ) -> Drawn {
         let state = L::State::default();
         let painter = L::painter(&state, *shader, options.pixels.blending);
@@ -286,20 +252,15 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     }
 
     /// Draws a mesh's positions as points: for each, the pixel that contains it.
-    pub fn draw_points<
-        M: Mode,
-        Z: DepthTest,
-        B: Blending<C>,
-        V: ModelToPicture,
-        S: ShaderFor<B::Source>,
-    >(
+    pub fn draw_points<M: Mode, Z: DepthTest, B: Blending<C>>(
         &mut self,
         options: &DrawOptions<M, Z, B>,
         mesh: &Mesh<'_>,
-        mvp: &V,
-        shader: &S,
+        mvp: &impl ModelToPicture,
+        shader: &impl ShaderFor<B::Source>,
     ) -> Drawn {
-        self.call(options, (mesh, mvp), shader, run::points)
+        let painter = (*shader, options.pixels.blending);
+        self.paint(options, (mesh, mvp), painter, run::points)
     }
 
     /// Draws a mesh's positions as squares or discs: see [`PointStyle`]. All pixels of a square or disc have the depth
@@ -331,23 +292,18 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// ]);
     /// # Ok::<(), Error>(())
     /// ```
-    pub fn draw_sized_points<
-        M: Mode,
-        Z: DepthTest,
-        B: Blending<C>,
-        V: ModelToPicture,
-        S: ShaderFor<B::Source>,
-    >(
+    pub fn draw_sized_points<M: Mode, Z: DepthTest, B: Blending<C>>(
         &mut self,
         options: &DrawOptions<M, Z, B>,
         mesh: &Mesh<'_>,
         style: PointStyle,
-        mvp: &V,
-        shader: &S,
+        mvp: &impl ModelToPicture,
+        shader: &impl ShaderFor<B::Source>,
     ) -> Drawn {
         let screen = options.screen(self.frame_size());
         let half = points::HalfSize::new(style, mvp.projection_of(), &screen.viewport);
-        self.call(options, (mesh, mvp), shader, |call, blitter| {
+        let painter = (*shader, options.pixels.blending);
+        self.paint(options, (mesh, mvp), painter, |call, blitter| {
             points::sized_points(call, &half, style.is_round(), blitter)
         })
     }
@@ -407,25 +363,18 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// ]);
     /// # Ok::<(), Error>(())
     /// ```
-    pub fn draw_sprites<
-        M: Mode,
-        Z: DepthTest,
-        B: Blending<C>,
-        V: ModelToPicture,
-        S: ShaderFor<B::Source>,
-    >(
+    pub fn draw_sprites<M: Mode, Z: DepthTest, B: Blending<C>, V: ModelToPicture>(
         &mut self,
         options: &DrawOptions<M, Z, B>,
         sprites: &Sprites<'_>,
         mvp: &V,
-        shader: &S,
+        shader: &impl ShaderFor<B::Source>,
     ) -> Drawn {
         let screen = options.screen(self.frame_size());
         let scissor = screen.scissor(self.rows());
         let quads = Quads::new(sprites, mvp, &screen.viewport);
-        let pixels = options.pixels;
-        let painter = (*shader, pixels.blending);
-        let modes = (pixels.mode, pixels.depth);
+        let painter = (*shader, options.pixels.blending);
+        let modes = (options.pixels.mode, options.pixels.depth);
         let mut blit =
             Blit::<_, _, _, V::Kind, _, _>::new(modes, self, painter, quads.depth_shift());
         quads.draw(&scissor, &|halves| is_plane(&painter, halves), &mut blit)
@@ -439,10 +388,10 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// Use it to place a [`label`](Self::label) beside an object. For the opposite way, from a pixel into the scene,
     /// see [`ray`](Self::ray).
     #[must_use]
-    pub fn project<M: Copy, Z: Copy, B: Copy, L: Copy, V: ModelToPicture>(
+    pub fn project<M, Z, B, L>(
         &self,
         options: &DrawOptions<M, Z, B, L>,
-        mvp: &V,
+        mvp: &impl ModelToPicture,
         point: Vec3,
     ) -> Option<ScreenPoint> {
         let viewport = options.screen(self.frame_size()).viewport;
@@ -544,11 +493,11 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// # Ok::<(), Error>(())
     /// ```
     #[must_use]
-    pub fn is_in_view<M: Copy, Z: Copy, B: Copy, L: Copy, V: ModelToPicture>(
+    pub fn is_in_view<M, Z, B, L>(
         &self,
         options: &DrawOptions<M, Z, B, L>,
         bounds: &Bounds,
-        mvp: &V,
+        mvp: &impl ModelToPicture,
     ) -> bool {
         let screen = options.screen(self.frame_size());
         let projector = Projector::new(
@@ -589,7 +538,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// # Ok::<(), Error>(())
     /// ```
     #[must_use]
-    pub fn size_on_screen<M: Copy, Z: Copy, B: Copy, L: Copy, V: ModelToPicture>(
+    pub fn size_on_screen<M, Z, B, L, V: ModelToPicture>(
         &self,
         options: &DrawOptions<M, Z, B, L>,
         bounds: &Bounds,
@@ -617,18 +566,6 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
 
     /// Sets up a draw call and runs it.
     #[inline]
-    fn call<M: Mode, Z: DepthTest, B: Blending<C>, V: ModelToPicture, S: ShaderFor<B::Source>>(
-        &mut self,
-        options: &DrawOptions<M, Z, B>,
-        parts: (&Mesh<'_>, &V),
-        shader: &S,
-        stages: impl FnOnce(&Call<'_, V::Kind>, &mut dyn Blitter) -> Drawn,
-    ) -> Drawn {
-        self.paint(options, parts, (*shader, options.pixels.blending), stages)
-    }
-
-    /// The same with any painter.
-    #[inline]
     fn paint<M: Mode, Z: DepthTest, B: Copy, L: Copy, V: ModelToPicture, P: Painter<Color = C>>(
         &mut self,
         options: &DrawOptions<M, Z, B, L>,
@@ -647,8 +584,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     #[inline]
     fn paint_prepared<M: Mode, Z: DepthTest, B, K: ProjectionKind, P: Painter<Color = C>>(
         &mut self,
-        call: &PreparedCall<'_, K>,
-        pixels: &PixelOptions<M, Z, B>,
+        (call, pixels): (&PreparedCall<'_, K>, &PixelOptions<M, Z, B>),
         painter: P,
         stages: impl FnOnce(&Range<u32>, &mut dyn Blitter) -> Drawn,
     ) -> Result<Drawn, Error> {

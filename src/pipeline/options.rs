@@ -39,16 +39,6 @@ pub(super) struct PixelOptions<M, Z, B> {
     pub(super) blending: B,
 }
 
-impl<M, Z, B> PixelOptions<M, Z, B> {
-    pub(super) fn with_blending<A>(self, blending: A) -> PixelOptions<M, Z, A> {
-        PixelOptions {
-            mode: self.mode,
-            depth: self.depth,
-            blending,
-        }
-    }
-}
-
 impl Default for DrawOptions {
     fn default() -> Self {
         Self::new()
@@ -104,46 +94,19 @@ impl<M: Copy, Z: Copy, B: Copy, L: Copy> DrawOptions<M, Z, B, L> {
     /// Sets the interpolation mode.
     #[must_use]
     pub const fn with_mode<N: Mode>(self, mode: N) -> DrawOptions<N, Z, B, L> {
-        DrawOptions {
-            cull: self.cull,
-            viewport: self.viewport,
-            pixels: PixelOptions {
-                mode,
-                depth: self.pixels.depth,
-                blending: self.pixels.blending,
-            },
-            line: self.line,
-        }
+        self.with(mode, self.pixels.depth, self.pixels.blending, self.line)
     }
 
     /// Sets how depths are tested and stored. On a canvas without a depth buffer, this has no effect.
     #[must_use]
     pub const fn with_depth<Y: DepthTest>(self, depth: Y) -> DrawOptions<M, Y, B, L> {
-        DrawOptions {
-            cull: self.cull,
-            viewport: self.viewport,
-            pixels: PixelOptions {
-                mode: self.pixels.mode,
-                depth,
-                blending: self.pixels.blending,
-            },
-            line: self.line,
-        }
+        self.with(self.pixels.mode, depth, self.pixels.blending, self.line)
     }
 
     /// Sets how colors are blended with those on the canvas.
     #[must_use]
     pub const fn with_blending<A: Copy>(self, blending: A) -> DrawOptions<M, Z, A, L> {
-        DrawOptions {
-            cull: self.cull,
-            viewport: self.viewport,
-            pixels: PixelOptions {
-                mode: self.pixels.mode,
-                depth: self.pixels.depth,
-                blending,
-            },
-            line: self.line,
-        }
+        self.with(self.pixels.mode, self.pixels.depth, blending, self.line)
     }
 
     /// Sets how lines are drawn: as one of the [`LineStyle`](crate::LineStyle)s. Only edges and outlines are drawn with
@@ -157,10 +120,30 @@ impl<M: Copy, Z: Copy, B: Copy, L: Copy> DrawOptions<M, Z, B, L> {
     /// ```
     #[must_use]
     pub const fn with_line<N: Copy>(self, line: N) -> DrawOptions<M, Z, B, N> {
+        self.with(
+            self.pixels.mode,
+            self.pixels.depth,
+            self.pixels.blending,
+            line,
+        )
+    }
+
+    /// The same options with other types of modes.
+    const fn with<N: Copy, Y: Copy, A: Copy, J: Copy>(
+        self,
+        mode: N,
+        depth: Y,
+        blending: A,
+        line: J,
+    ) -> DrawOptions<N, Y, A, J> {
         DrawOptions {
             cull: self.cull,
             viewport: self.viewport,
-            pixels: self.pixels,
+            pixels: PixelOptions {
+                mode,
+                depth,
+                blending,
+            },
             line,
         }
     }
@@ -200,7 +183,9 @@ impl<M: Copy, Z: Copy, B: Copy, L: Copy> DrawOptions<M, Z, B, L> {
     pub const fn line(&self) -> L {
         self.line
     }
+}
 
+impl<M, Z, B, L> DrawOptions<M, Z, B, L> {
     /// The part of a frame of this size that is drawn to, and the faces that are culled.
     pub(super) fn screen(&self, frame: Size) -> Screen {
         Screen {

@@ -17,22 +17,18 @@ pub(super) fn outline<K: ProjectionKind>(
     line: DrawLine<'_>,
     blitter: &mut dyn Blitter,
 ) -> Drawn {
-    let ends_of = |vertices: &mut VertexCache, at: usize, edge: &[Index; 4]| {
-        ends_of(call, vertices, outline, (at, *edge))
-    };
-    run::lines(call, blitter, outline.edges(), ends_of, line)
+    run::lines(call, blitter, outline.edges(), ends_of(outline), line)
 }
 
-/// The ends of an outline's edge, if it is drawn.
+/// Chooses the edges of an outline that are drawn, and returns their ends.
 #[inline]
 pub(super) fn ends_of<K: ProjectionKind>(
-    call: &Call<'_, K>,
-    vertices: &mut VertexCache,
     outline: &Outline<'_>,
-    (at, edge): (usize, [Index; 4]),
-) -> Option<[Index; 2]> {
-    let [a, b, ..] = edge;
-    is_drawn(call, vertices, edge, at < outline.creases()).then_some([a, b])
+) -> impl Fn(&Call<'_, K>, &mut VertexCache, usize, &[Index; 4]) -> Option<[Index; 2]> {
+    |call, vertices, at, &edge| {
+        let [a, b, ..] = edge;
+        is_drawn(call, vertices, edge, at < outline.creases()).then_some([a, b])
+    }
 }
 
 /// Whether an edge is drawn, from how its faces are turned.

@@ -344,10 +344,10 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// # Ok::<(), Error>(())
     /// ```
     #[must_use]
-    pub fn ray<M: Copy, Z: Copy, B: Copy, L: Copy, V: ModelToPicture>(
+    pub fn ray<M, Z, B, L>(
         &self,
         options: &DrawOptions<M, Z, B, L>,
-        mvp: &V,
+        mvp: &impl ModelToPicture,
         pixel: Point,
     ) -> Option<Ray> {
         let screen = options.screen(self.frame_size());

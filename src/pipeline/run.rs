@@ -43,13 +43,13 @@ fn triangles_from<K: ProjectionKind>(
 #[inline]
 pub(super) fn each_edge<K: ProjectionKind, E>(
     call: &Call<'_, K>,
-    edges: impl Iterator<Item = E>,
-    ends_of: impl Fn(&mut VertexCache, E) -> Option<[Index; 2]>,
+    edges: &[E],
+    ends_of: impl Fn(&Call<'_, K>, &mut VertexCache, usize, &E) -> Option<[Index; 2]>,
     mut each: impl FnMut([Index; 2], [&ClippedVertex; 2], bool),
 ) {
     let mut vertices = VertexCache::new();
-    for edge in edges {
-        let Some(indices) = ends_of(&mut vertices, edge) else {
+    for (at, edge) in edges.iter().enumerate() {
+        let Some(indices) = ends_of(call, &mut vertices, at, edge) else {
             continue;
         };
         let mut line = ClippedPolygon::new();
@@ -66,37 +66,28 @@ pub(super) fn lines<K: ProjectionKind, E>(
     call: &Call<'_, K>,
     blitter: &mut dyn Blitter,
     edges: &[E],
-    ends_of: impl Fn(&mut VertexCache, usize, &E) -> Option<[Index; 2]>,
+    ends_of: impl Fn(&Call<'_, K>, &mut VertexCache, usize, &E) -> Option<[Index; 2]>,
     line: impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]),
 ) -> Drawn {
-    let mut drawn = Drawn {
-        submitted: edges.len() as u32,
-        ..Drawn::default()
-    };
-    let mut raster = Rasterizer::new(blitter, &call.shared.scissor);
-    each_edge(
-        call,
-        edges.iter().enumerate(),
-        |vertices, (at, edge)| ends_of(vertices, at, edge),
-        |[a, b], ends, is_clipped| {
-            raster.start(&call.shared.primitive(Element {
-                face: None,
-                indices: [a, b, b],
-            }));
-            line(&mut raster, ends);
-            drawn.drawn += 1;
-            drawn.clipped += u32::from(is_clipped);
-        },
-    );
-    drawn.missing = call.shared.placement.missing();
-    drawn
+    let mut draw = Draw::new(blitter, &call.shared);
+    draw.drawn.submitted = edges.len() as u32;
+    each_edge(call, edges, ends_of, |indices, ends, is_clipped| {
+        draw.edge(indices, is_clipped, |raster| line(raster, ends));
+    });
+    draw.drawn()
 }
 
 /// Draws all edges of a mesh as lines.
 #[inline(never)]
 pub(super) fn edges<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blitter) -> Drawn {
     let edges = call.shared.mesh.edges();
-    lines(call, blitter, edges, |_, _, &edge| Some(edge), raster::line)
+    lines(
+        call,
+        blitter,
+        edges,
+        |_, _, _, &edge| Some(edge),
+        raster::line,
+    )
 }
 
 /// Draws all positions of a mesh that are inside all planes, each by `point`.
@@ -107,27 +98,18 @@ pub(super) fn each_point<K: ProjectionKind>(
     point: impl Fn(&mut Rasterizer<'_>, &ScreenVertex),
 ) -> Drawn {
     let count = call.shared.mesh.positions().len() as u32;
-    let mut drawn = Drawn {
-        submitted: count,
-        ..Drawn::default()
-    };
-    let mut raster = Rasterizer::new(blitter, &call.shared.scissor);
+    let mut draw = Draw::new(blitter, &call.shared);
+    draw.drawn.submitted = count;
     for index in 0..count {
         // A mesh has at most 65,536 positions.
         let index = index as Index;
         let mut at = ScreenVertex::UNSET;
         call.projector.project(index, &mut at);
         if at.outcode == 0 {
-            raster.start(&call.shared.primitive(Element {
-                face: None,
-                indices: [index; 3],
-            }));
-            point(&mut raster, &at);
-            drawn.drawn += 1;
+            draw.edge([index; 2], false, |raster| point(raster, &at));
         }
     }
-    drawn.missing = call.shared.placement.missing();
-    drawn
+    draw.drawn()
 }
 
 /// Draws all positions of a mesh as points.
@@ -216,7 +198,7 @@ fn rectangle<K: ProjectionKind>(
 pub(super) struct Draw<'d> {
     raster: Rasterizer<'d>,
     shared: &'d Shared<'d>,
-    drawn: Drawn,
+    pub(super) drawn: Drawn,
 }
 
 impl<'d> Draw<'d> {
@@ -246,12 +228,21 @@ impl<'d> Draw<'d> {
         self.raster.start(&self.shared.primitive(element));
     }
 
-    /// Draws a triangle that is inside all planes.
+    /// Draws an edge, or a point if both ends are the same, by `line`.
     #[inline]
-    pub(super) fn triangle(&mut self, element: Element, triangle: &Triangle<'_>) {
-        self.start(element);
-        triangle.draw(&mut self.raster);
+    pub(super) fn edge(
+        &mut self,
+        [a, b]: [Index; 2],
+        is_clipped: bool,
+        line: impl FnOnce(&mut Rasterizer<'d>),
+    ) {
+        self.raster.start(&self.shared.primitive(Element {
+            face: None,
+            indices: [a, b, b],
+        }));
+        line(&mut self.raster);
         self.drawn.drawn += 1;
+        self.drawn.clipped += u32::from(is_clipped);
     }
 }
 
@@ -260,7 +251,9 @@ impl Assembly for Draw<'_> {
     fn whole(&mut self, element: Element, corners: [&ScreenVertex; 3], area: i64) {
         // By reference: moved, it would be copied.
         if let Some(triangle) = &Triangle::new(corners, None, area, &self.shared.scissor) {
-            self.triangle(element, triangle);
+            self.start(element);
+            triangle.draw(&mut self.raster);
+            self.drawn.drawn += 1;
         }
     }
 

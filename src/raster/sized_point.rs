@@ -1,6 +1,7 @@
 //! Points of a size.
 
 use super::{Rasterizer, ScreenVertex, point};
+use crate::error::{check_extent, ok};
 use crate::{Error, Scalar};
 
 /// The size and the shape of points, for [`Canvas::draw_sized_points`](crate::Canvas::draw_sized_points).
@@ -34,13 +35,7 @@ impl PointStyle {
     ///
     /// [`Error::Extent`] unless `size` is above 0.
     pub const fn square(size: Scalar) -> Result<Self, Error> {
-        if size.to_bits() <= 0 {
-            return Err(Error::Extent {
-                of: "point size",
-                given: size,
-                max: Scalar::MAX,
-            });
-        }
+        ok!(check_extent("point size", size, Scalar::MAX));
         Ok(Self {
             size,
             is_round: false,
@@ -54,13 +49,10 @@ impl PointStyle {
     ///
     /// As for [`square`](Self::square).
     pub const fn round(size: Scalar) -> Result<Self, Error> {
-        match Self::square(size) {
-            Ok(square) => Ok(Self {
-                is_round: true,
-                ..square
-            }),
-            error => error,
-        }
+        Ok(Self {
+            is_round: true,
+            ..ok!(Self::square(size))
+        })
     }
 
     /// The same style with a size in world units, so that points become smaller with the distance.

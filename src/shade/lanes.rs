@@ -3,9 +3,7 @@
 //! Optimized for size, a loop over `[T; N]` remains a loop over memory. These operations have no loop, so the values
 //! stay in registers at every optimization level.
 
-mod sealed {
-    pub trait Sealed {}
-}
+use crate::sealed::Sealed;
 
 /// A number of values from 0 to 8, written as the type `[(); N]`; it names an array of this length for any type of
 /// value.
@@ -18,7 +16,7 @@ mod sealed {
 /// let both = <[(); 2] as Lanes>::join::<[(); 1], _>([1, 2], [3]);
 /// assert_eq!(both, [1, 2, 3]);
 /// ```
-pub trait Lanes: Copy + sealed::Sealed {
+pub trait Lanes: Copy + Sealed {
     /// The array `[T; N]`.
     type Of<T: Copy>: Copy + AsRef<[T]> + AsMut<[T]>;
 
@@ -66,7 +64,7 @@ pub(crate) const MOST: usize = 8;
 /// Implements a number from itself, its successor, its predecessor (if any), and two names for each value.
 macro_rules! lanes {
     ($($n:tt before $next:tt $(after $less:tt)?: $($x:ident $y:ident)*;)+) => {$(
-        impl sealed::Sealed for [(); $n] {}
+        impl Sealed for [(); $n] {}
 
         #[allow(unused_mut, unused_variables)] // of no values
         impl Lanes for [(); $n] {

@@ -9,6 +9,7 @@ use embedded_graphics::pixelcolor::{
 
 use super::dither::threshold;
 use super::{Illumination, Lanes, Tolerance, Varyings};
+use crate::sealed::{Sealed, sealed};
 use crate::texture::Blend;
 
 /// A color that can be interpolated, lit, tinted and dithered.
@@ -92,26 +93,15 @@ pub trait Levels: PixelColor {
     #[must_use]
     #[inline]
     fn covered(self, by: Self, coverage: u32, at: Point) -> Self {
-        let ([r, g, b], [x, y, z]) = (self.steps(), by.steps());
-        let levels = [
-            covered(r, x, coverage),
-            covered(g, y, coverage),
-            covered(b, z, coverage),
-        ];
-        Self::from_levels(levels, at)
+        Self::from_levels(covered(self.steps(), by.steps(), coverage), at)
     }
 
     /// The sum of two colors, channel by channel, at most white.
     #[must_use]
     #[inline]
     fn plus(self, other: Self) -> Self {
-        let ([r, g, b], [x, y, z]) = (self.steps(), other.steps());
-        let [most_r, most_g, most_b] = Self::MAX_STEPS;
-        Self::of_steps([
-            (r + x).min(most_r),
-            (g + y).min(most_g),
-            (b + z).min(most_b),
-        ])
+        let sums = zip(self.steps(), other.steps(), |a, b| a + b);
+        Self::of_steps(zip(sums, Self::MAX_STEPS, Ord::min))
     }
 
     /// The product of two colors, channel by channel, where white is 1; rounded or dithered as by
@@ -119,16 +109,8 @@ pub trait Levels: PixelColor {
     #[must_use]
     #[inline]
     fn times(self, other: Self, at: Point) -> Self {
-        let ([r, g, b], [x, y, z]) = (self.steps(), other.steps());
-        let [most_r, most_g, most_b] = Self::MAX_STEPS;
-        Self::from_levels(
-            [
-                product(r, x, most_r),
-                product(g, y, most_g),
-                product(b, z, most_b),
-            ],
-            at,
-        )
+        let products = scale(self.steps(), other.steps());
+        Self::from_levels(zip(products, Self::MAX_STEPS, over), at)
     }
 
     /// This color under a light of `fractions`, channel by channel.
@@ -156,7 +138,7 @@ pub trait Levels: PixelColor {
 /// let color = <Rgb565 as Levels>::Channels::first([1, 2, 3]);
 /// assert_eq!((gray, color), ([7], [1, 2, 3]));
 /// ```
-pub trait Channels: Varyings + Default + sealed::Sealed {
+pub trait Channels: Varyings + Default + Sealed {
     /// Those of three channels that differ.
     fn first(channels: [i32; 3]) -> Self;
 
@@ -168,11 +150,7 @@ pub trait Channels: Varyings + Default + sealed::Sealed {
     fn of_rgb(channels: [i32; 3]) -> Self;
 }
 
-mod sealed {
-    pub trait Sealed {}
-    impl Sealed for [i32; 3] {}
-    impl Sealed for [i32; 1] {}
-}
+sealed!([i32; 3], [i32; 1]);
 
 impl Channels for [i32; 3] {
     #[inline]
@@ -274,30 +252,33 @@ pub(super) fn each<T>([r, g, b]: [i32; 3], f: impl Fn(i32) -> T) -> [T; 3] {
     [f(r), f(g), f(b)]
 }
 
+/// `f` of each two channels.
+#[inline]
+fn zip([r, g, b]: [i32; 3], [x, y, z]: [i32; 3], f: impl Fn(i32, i32) -> i32) -> [i32; 3] {
+    [f(r, x), f(g, y), f(b, z)]
+}
+
 /// Whole steps (at most 255) times fractions (up to about 65,536): levels.
 #[inline]
-fn scale([a, b, c]: [i32; 3], [x, y, z]: [i32; 3]) -> [i32; 3] {
+fn scale(levels: [i32; 3], factors: [i32; 3]) -> [i32; 3] {
     // Products of interpolated values are below 2^24. Wrapping, so that numbers from a user's shader cannot panic.
-    // Element by element: optimized for size, a loop over indices would keep its bounds checks.
-    [a.wrapping_mul(x), b.wrapping_mul(y), c.wrapping_mul(z)]
+    zip(levels, factors, i32::wrapping_mul)
 }
 
-/// The level between two steps, of which the second has a share of `coverage`/256.
+/// The levels between two colors' steps, of which the second have a share of `coverage`/256.
 #[inline]
-const fn covered(below: i32, above: i32, coverage: u32) -> i32 {
-    // 9 bits times 17 bits.
-    (below << 16).wrapping_add(
-        above
-            .wrapping_sub(below)
-            .wrapping_mul((coverage << 8).cast_signed()),
-    )
+fn covered(below: [i32; 3], above: [i32; 3], coverage: u32) -> [i32; 3] {
+    zip(below, above, |below, above| {
+        // 9 bits times 17 bits.
+        let more = above.wrapping_sub(below);
+        (below << 16).wrapping_add(more.wrapping_mul((coverage << 8).cast_signed()))
+    })
 }
 
-/// a · b/most in levels, for a and b from 0 to `most`, which is 2ⁿ − 1. The error is at most 16 units of 2⁻¹⁶ step; what
-/// is rounded differs from a half by more.
+/// A product of two steps from 0 to `most`, which is 2ⁿ − 1, over `most`, in levels. The error is at most 16 units of
+/// 2⁻¹⁶ step; what is rounded differs from a half by more.
 #[inline]
-const fn product(a: i32, b: i32, most: i32) -> i32 {
-    let steps = a.wrapping_mul(b);
+const fn over(steps: i32, most: i32) -> i32 {
     // 2^16 = whole · most + rest, and rest/most is about rest/2ⁿ.
     let n = 32 - most.cast_unsigned().leading_zeros();
     let (whole, rest) = if most > 0 {
@@ -313,11 +294,10 @@ const fn product(a: i32, b: i32, most: i32) -> i32 {
 /// Levels of a color `C` under a light from −2 to 65,538. The error is at most 1/32 step; full brightness is exact for
 /// whole steps.
 #[inline]
-pub(super) fn dimmed<C: Levels>([r, g, b]: [i32; 3], light: Illumination) -> [i32; 3] {
+pub(super) fn dimmed<C: Levels>(levels: [i32; 3], light: Illumination) -> [i32; 3] {
     // 16 bits times 15 bits, so that cores without a long multiply do not need one.
     let dim = |level: i32, light: i32| (level >> 8).wrapping_mul(light >> 2) >> 6;
-    let [x, y, z] = light.diffuse;
-    glossed::<C>([dim(r, x), dim(g, y), dim(b, z)], light)
+    glossed::<C>(zip(levels, light.diffuse, dim), light)
 }
 
 /// Levels of a color `C` with a highlight added, at most white.
@@ -326,13 +306,10 @@ fn glossed<C: Levels>(levels: [i32; 3], light: Illumination) -> [i32; 3] {
     let Some(specular) = light.specular else {
         return levels;
     };
-    let ([r, g, b], [x, y, z]) = (levels, C::MAX_STEPS);
-    let gloss = |level: i32, most: i32| {
-        level
-            .wrapping_add(specular.wrapping_mul(most))
-            .min(most << 16)
-    };
-    [gloss(r, x), gloss(g, y), gloss(b, z)]
+    zip(levels, C::MAX_STEPS, |level, most| {
+        let glossed = level.wrapping_add(specular.wrapping_mul(most));
+        glossed.min(most << 16)
+    })
 }
 
 /// Half a step.
@@ -421,9 +398,7 @@ macro_rules! rgb {
                     // One product for all channels. In this order, one color and one share are prepared before a loop.
                     return by.mix(self, 32 - ((coverage + 4) >> 3));
                 }
-                let ([r, g, b], [x, y, z]) = (self.steps(), by.steps());
-                let levels = [covered(r, x, coverage), covered(g, y, coverage), covered(b, z, coverage)];
-                Self::from_levels(levels, at)
+                Self::from_levels(covered(self.steps(), by.steps(), coverage), at)
             }
         }
 

@@ -69,11 +69,6 @@ impl<C: Blend> Blend for Translucent<C> {
     const WEIGHT_BITS: u32 = C::WEIGHT_BITS;
 
     #[inline]
-    fn mix(self, other: Self, weight: u32) -> Self {
-        Self::blend([[self, other]; 2], [weight, 0])
-    }
-
-    #[inline]
     fn blend([[a, b], [c, d]]: [[Self; 2]; 2], [x, y]: [u32; 2]) -> Self {
         let gray = |texel: Self| Gray8::new(texel.opacity);
         // Weights of 1 to 15 bits, as those of Gray8.
@@ -112,8 +107,8 @@ impl<S: Sampler, M: Sampler<Color: GrayColor>> Masked<S, M> {
     ///
     /// [`Error::MaskSize`] if the sizes differ.
     pub fn new(texture: S, mask: M) -> Result<Self, Error> {
-        let size = [texture.width_log2(), texture.height_log2()];
-        let given = [mask.width_log2(), mask.height_log2()];
+        let size = texture.size_log2();
+        let given = mask.size_log2();
         if size != given {
             // At most 2^15.
             let pixels = |[width, height]: [u32; 2]| [1 << (width & 15), 1 << (height & 15)];
@@ -134,13 +129,8 @@ where
     type Color = Translucent<S::Color>;
 
     #[inline]
-    fn width_log2(&self) -> u32 {
-        self.texture.width_log2()
-    }
-
-    #[inline]
-    fn height_log2(&self) -> u32 {
-        self.texture.height_log2()
+    fn size_log2(&self) -> [u32; 2] {
+        self.texture.size_log2()
     }
 
     #[inline]

@@ -194,8 +194,9 @@ impl<S: Sampler<Color: Texel>, A: Addressing, F: Filter<S::Color>> Shader for Te
             let is_face = primitive.is_face();
             texels(bits, if is_face { A::origin(bits) } else { 0 }, log2)
         };
-        let us = coordinates([a[0], b[0], c[0]], self.sampler.width_log2());
-        let vs = coordinates([a[1], b[1], c[1]], self.sampler.height_log2());
+        let [width, height] = self.sampler.size_log2();
+        let us = coordinates([a[0], b[0], c[0]], width);
+        let vs = coordinates([a[1], b[1], c[1]], height);
         [
             Texels([us[0], vs[0]]),
             Texels([us[1], vs[1]]),

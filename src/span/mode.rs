@@ -98,20 +98,32 @@ pub trait Policy: Copy {
     /// Whether all triangles have far planes, and all spans are divided; then the items below are not used.
     const IS_COMPACT: bool = false;
 
+    /// The kernel of a mode that has only one.
+    const KERNEL: Kernel = Kernel::Divide;
+
     /// The greatest error that an attribute may have, in its units, if that saves all divisions; with 0, none are
     /// saved.
-    fn affine_within(self, tolerance: Tolerance) -> u32;
+    #[inline]
+    fn affine_within(self, _tolerance: Tolerance) -> u32 {
+        0
+    }
 
     /// The kernel for all spans of a triangle that is not affine; `None` if it is chosen span by span.
-    fn of_triangle<L: Lanes>(self, slopes: &Slopes<L>) -> Option<Kernel>;
+    #[inline]
+    fn of_triangle<L: Lanes>(self, _slopes: &Slopes<L>) -> Option<Kernel> {
+        Some(Self::KERNEL)
+    }
 
     /// The kernel for a span; it may scale the span for that kernel.
+    #[inline(always)]
     fn of_span<L: Lanes>(
         self,
-        of_triangle: Option<Kernel>,
-        span: &mut Span<L>,
-        slopes: &Slopes<L>,
-    ) -> Kernel;
+        _of_triangle: Option<Kernel>,
+        _span: &mut Span<L>,
+        _slopes: &Slopes<L>,
+    ) -> Kernel {
+        Self::KERNEL
+    }
 }
 
 /// The number of bits of a scale at which an interpolant's unit is the attribute's unit.
@@ -155,21 +167,6 @@ pub struct Exact;
 impl Policy for Exact {
     const LEAST_PARALLEL_BITS: u32 = 1;
     const IS_PRECISE: bool = true;
-
-    #[inline]
-    fn affine_within(self, _: Tolerance) -> u32 {
-        0
-    }
-
-    #[inline]
-    fn of_triangle<L: Lanes>(self, _: &Slopes<L>) -> Option<Kernel> {
-        Some(Kernel::Divide)
-    }
-
-    #[inline(always)]
-    fn of_span<L: Lanes>(self, _: Option<Kernel>, _: &mut Span<L>, _: &Slopes<L>) -> Kernel {
-        Kernel::Divide
-    }
 }
 
 /// Perspective-correct, with a reciprocal of 1/w at every pixel and nothing else: the least code.
@@ -193,21 +190,6 @@ pub struct Compact;
 impl Policy for Compact {
     const LEAST_PARALLEL_BITS: u32 = 1;
     const IS_COMPACT: bool = true;
-
-    #[inline]
-    fn affine_within(self, _: Tolerance) -> u32 {
-        0
-    }
-
-    #[inline]
-    fn of_triangle<L: Lanes>(self, _: &Slopes<L>) -> Option<Kernel> {
-        Some(Kernel::Divide)
-    }
-
-    #[inline(always)]
-    fn of_span<L: Lanes>(self, _: Option<Kernel>, _: &mut Span<L>, _: &Slopes<L>) -> Kernel {
-        Kernel::Divide
-    }
 }
 
 /// Linear on the screen, which is correct under a parallel projection.
@@ -227,21 +209,7 @@ pub struct Affine;
 
 impl Policy for Affine {
     const DIVIDES: bool = false;
-
-    #[inline]
-    fn affine_within(self, _: Tolerance) -> u32 {
-        0
-    }
-
-    #[inline]
-    fn of_triangle<L: Lanes>(self, _: &Slopes<L>) -> Option<Kernel> {
-        Some(Kernel::Straight)
-    }
-
-    #[inline(always)]
-    fn of_span<L: Lanes>(self, _: Option<Kernel>, _: &mut Span<L>, _: &Slopes<L>) -> Kernel {
-        Kernel::Straight
-    }
+    const KERNEL: Kernel = Kernel::Straight;
 }
 
 /// Perspective-correct, with one Newton step per pixel from the two pixels before it: the default.

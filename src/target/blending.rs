@@ -3,6 +3,7 @@
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::PixelColor;
 
+use crate::sealed::{Sealed, sealed};
 use crate::shade::{Levels, Source, Translucent};
 
 /// How the colors of a draw call are blended with the colors on a canvas of color `C`: [`Replace`], [`Opacity`],
@@ -25,7 +26,7 @@ use crate::shade::{Levels, Source, Translucent};
 /// }
 /// ghostly(fixel::target::Add);
 /// ```
-pub trait Blending<C>: Copy + sealed::Sealed {
+pub trait Blending<C>: Copy + Sealed {
     /// The output that a shader must have: `C`, or [`Translucent<C>`] for [`Alpha`].
     type Source: Source<Color = C>;
 
@@ -39,14 +40,7 @@ pub trait Blending<C>: Copy + sealed::Sealed {
     fn blend(self, source: Self::Source, below: impl FnOnce() -> C, at: Point) -> C;
 }
 
-mod sealed {
-    pub trait Sealed {}
-    impl Sealed for super::Replace {}
-    impl Sealed for super::Opacity {}
-    impl Sealed for super::Alpha {}
-    impl Sealed for super::Add {}
-    impl Sealed for super::Multiply {}
-}
+sealed!(Replace, Opacity, Alpha, Add, Multiply);
 
 /// A [`Blending`]: the color replaces the one on the canvas. The default.
 ///

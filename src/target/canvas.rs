@@ -11,8 +11,9 @@ use embedded_graphics::primitives::{PointsIter, Rectangle};
 use super::depth::{Depth, DepthBuffer, NoDepth};
 use super::format::{DepthFormat, Linear};
 use super::packed::{Packed, Pages};
-use super::storage::{Bytes, Flatten, Native, RowSpan, Storage};
+use super::storage::{Bytes, Native, RowSpan, Storage};
 use crate::Error;
+use crate::error::check_length;
 
 /// Largest width and height of a frame, in pixels.
 pub const MAX_SIZE: u32 = 2048;
@@ -64,30 +65,43 @@ pub struct Canvas<'a, C, O: Storage<C> = Native, D = NoDepth> {
     rows: Range<u32>,
 }
 
-impl<'a, C: PixelColor> Canvas<'a, C> {
-    /// A canvas of `width` x `height` pixels, stored as colors, row by row from the top.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Size`] if a side is 0 or above [`MAX_SIZE`]; [`Error::Length`] if `pixels` does
-    /// not have exactly one element per pixel.
-    pub fn new(pixels: &'a mut [C], width: u32, height: u32) -> Result<Self, Error> {
-        Self::over(pixels, width, height)
-    }
+/// Declares the constructors of a frame and of a band in one storage.
+macro_rules! constructors {
+    ($Cell:ty; $(#[$frame_doc:meta])+ $frame:ident $(#[$band_doc:meta])+ $band:ident) => {
+        $(#[$frame_doc])+
+        pub fn $frame(pixels: &'a mut [$Cell], width: u32, height: u32) -> Result<Self, Error> {
+            Self::over(pixels, width, height)
+        }
 
-    /// A band of a frame of `width` x `height` pixels: as many rows as `pixels` holds, starting at `first_row`.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`]; [`Error::Length`] if `pixels` is not a
-    /// whole number of rows; [`Error::Rows`] if it holds no row, or a row outside the frame.
-    pub fn band(
-        pixels: &'a mut [C],
-        width: u32,
-        height: u32,
-        first_row: u32,
-    ) -> Result<Self, Error> {
-        Self::band_over(pixels, width, height, first_row)
+        $(#[$band_doc])+
+        pub fn $band(
+            pixels: &'a mut [$Cell],
+            width: u32,
+            height: u32,
+            first_row: u32,
+        ) -> Result<Self, Error> {
+            Self::band_over(pixels, width, height, first_row)
+        }
+    };
+}
+
+impl<'a, C: PixelColor> Canvas<'a, C> {
+    constructors! {
+        C;
+        /// A canvas of `width` x `height` pixels, stored as colors, row by row from the top.
+        ///
+        /// # Errors
+        ///
+        /// [`Error::Size`] if a side is 0 or above [`MAX_SIZE`]; [`Error::Length`] if `pixels` does
+        /// not have exactly one element per pixel.
+        new
+        /// A band of a frame of `width` x `height` pixels: as many rows as `pixels` holds, starting at `first_row`.
+        ///
+        /// # Errors
+        ///
+        /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`]; [`Error::Length`] if `pixels` is not a
+        /// whole number of rows; [`Error::Rows`] if it holds no row, or a row outside the frame.
+        band
     }
 }
 
@@ -95,41 +109,30 @@ impl<'a, C> Canvas<'a, C, BigEndian>
 where
     BigEndian: Storage<C>,
 {
-    /// A canvas of pixels stored as bytes, most significant first: the order that most displays expect.
-    ///
-    /// ```
-    /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-    /// use fixel::prelude::*;
-    /// let mut bytes = [[0; 2]; 4];
-    /// let mut canvas: Canvas<Rgb565, _> = Canvas::big_endian(&mut bytes, 2, 2)?;
-    /// canvas.clear(Rgb565::RED);
-    /// assert_eq!(canvas.as_bytes()[..2], [0xf8, 0x00]);
-    /// # Ok::<(), Error>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// As for [`new`](Canvas::new).
-    pub fn big_endian(
-        pixels: &'a mut [<BigEndian as Storage<C>>::Cell],
-        width: u32,
-        height: u32,
-    ) -> Result<Self, Error> {
-        Self::over(pixels, width, height)
-    }
-
-    /// A band stored as bytes, most significant first.
-    ///
-    /// # Errors
-    ///
-    /// As for [`band`](Canvas::band).
-    pub fn big_endian_band(
-        pixels: &'a mut [<BigEndian as Storage<C>>::Cell],
-        width: u32,
-        height: u32,
-        first_row: u32,
-    ) -> Result<Self, Error> {
-        Self::band_over(pixels, width, height, first_row)
+    constructors! {
+        <BigEndian as Storage<C>>::Cell;
+        /// A canvas of pixels stored as bytes, most significant first: the order that most displays expect.
+        ///
+        /// ```
+        /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+        /// use fixel::prelude::*;
+        /// let mut bytes = [[0; 2]; 4];
+        /// let mut canvas: Canvas<Rgb565, _> = Canvas::big_endian(&mut bytes, 2, 2)?;
+        /// canvas.clear(Rgb565::RED);
+        /// assert_eq!(canvas.as_bytes()[..2], [0xf8, 0x00]);
+        /// # Ok::<(), Error>(())
+        /// ```
+        ///
+        /// # Errors
+        ///
+        /// As for [`new`](Canvas::new).
+        big_endian
+        /// A band stored as bytes, most significant first.
+        ///
+        /// # Errors
+        ///
+        /// As for [`band`](Canvas::band).
+        big_endian_band
     }
 }
 
@@ -137,31 +140,20 @@ impl<'a, C> Canvas<'a, C, LittleEndian>
 where
     LittleEndian: Storage<C>,
 {
-    /// A canvas of pixels stored as bytes, least significant first.
-    ///
-    /// # Errors
-    ///
-    /// As for [`new`](Canvas::new).
-    pub fn little_endian(
-        pixels: &'a mut [<LittleEndian as Storage<C>>::Cell],
-        width: u32,
-        height: u32,
-    ) -> Result<Self, Error> {
-        Self::over(pixels, width, height)
-    }
-
-    /// A band stored as bytes, least significant first.
-    ///
-    /// # Errors
-    ///
-    /// As for [`band`](Canvas::band).
-    pub fn little_endian_band(
-        pixels: &'a mut [<LittleEndian as Storage<C>>::Cell],
-        width: u32,
-        height: u32,
-        first_row: u32,
-    ) -> Result<Self, Error> {
-        Self::band_over(pixels, width, height, first_row)
+    constructors! {
+        <LittleEndian as Storage<C>>::Cell;
+        /// A canvas of pixels stored as bytes, least significant first.
+        ///
+        /// # Errors
+        ///
+        /// As for [`new`](Canvas::new).
+        little_endian
+        /// A band stored as bytes, least significant first.
+        ///
+        /// # Errors
+        ///
+        /// As for [`band`](Canvas::band).
+        little_endian_band
     }
 }
 
@@ -169,64 +161,47 @@ impl<'a, C> Canvas<'a, C, Packed>
 where
     Packed: Storage<C, Cell = u8>,
 {
-    /// A canvas with 8, 4 or 2 pixels in a byte, side by side; see [`Packed`].
-    ///
-    /// # Errors
-    ///
-    /// As for [`new`](Canvas::new), with one element per byte; each row begins with a new byte.
-    pub fn packed(bytes: &'a mut [u8], width: u32, height: u32) -> Result<Self, Error> {
-        Self::over(bytes, width, height)
-    }
-
-    /// A band with 8, 4 or 2 pixels in a byte.
-    ///
-    /// # Errors
-    ///
-    /// As for [`band`](Canvas::band).
-    pub fn packed_band(
-        bytes: &'a mut [u8],
-        width: u32,
-        height: u32,
-        first_row: u32,
-    ) -> Result<Self, Error> {
-        Self::band_over(bytes, width, height, first_row)
+    constructors! {
+        u8;
+        /// A canvas with 8, 4 or 2 pixels in a byte, side by side; see [`Packed`].
+        ///
+        /// # Errors
+        ///
+        /// As for [`new`](Canvas::new), with one element per byte; each row begins with a new byte.
+        packed
+        /// A band with 8, 4 or 2 pixels in a byte.
+        ///
+        /// # Errors
+        ///
+        /// As for [`band`](Canvas::band).
+        packed_band
     }
 }
 
 impl<'a> Canvas<'a, BinaryColor, Pages> {
-    /// A canvas of pages: a byte is 8 rows of one column; see [`Pages`].
-    ///
-    /// # Errors
-    ///
-    /// As for [`new`](Canvas::new), with one element per column and page.
-    pub fn pages(bytes: &'a mut [u8], width: u32, height: u32) -> Result<Self, Error> {
-        Self::over(bytes, width, height)
-    }
-
-    /// A band of pages. The last page may reach below the frame. The first row in memory is the first bit of a page, so
-    /// for a display `first_row` is a multiple of 8.
-    ///
-    /// # Errors
-    ///
-    /// As for [`band`](Canvas::band).
-    pub fn pages_band(
-        bytes: &'a mut [u8],
-        width: u32,
-        height: u32,
-        first_row: u32,
-    ) -> Result<Self, Error> {
-        Self::band_over(bytes, width, height, first_row)
+    constructors! {
+        u8;
+        /// A canvas of pages: a byte is 8 rows of one column; see [`Pages`].
+        ///
+        /// # Errors
+        ///
+        /// As for [`new`](Canvas::new), with one element per column and page.
+        pages
+        /// A band of pages. The last page may reach below the frame. The first row in memory is the first bit of a page, so
+        /// for a display `first_row` is a multiple of 8.
+        ///
+        /// # Errors
+        ///
+        /// As for [`band`](Canvas::band).
+        pages_band
     }
 }
 
 impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     fn over(cells: &'a mut [O::Cell], width: u32, height: u32) -> Result<Self, Error> {
         check_size(width, height)?;
-        check_length(
-            cells.len(),
-            cells_across::<C, O>(width),
-            height.div_ceil(O::ROWS),
-        )?;
+        let needed = cells_across::<C, O>(width) * height.div_ceil(O::ROWS);
+        check_length(cells.len(), needed as usize)?;
         Ok(Self {
             cells,
             depth: NoDepth,
@@ -250,7 +225,7 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
         match first.checked_add(rows) {
             // The last cells may reach below the frame.
             Some(end) if rows > 0 && first < height && end < height + O::ROWS => {
-                check_length(cells.len(), across, down)?;
+                check_length(cells.len(), (across * down) as usize)?;
                 Ok(Self {
                     cells,
                     depth: NoDepth,
@@ -301,7 +276,7 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
         self,
         depth: &'d mut [u16],
     ) -> Result<Canvas<'a, C, O, Depth<'d, F>>, Error> {
-        check_length(depth.len(), self.width, self.row_count())?;
+        check_length(depth.len(), (self.width * self.row_count()) as usize)?;
         Ok(Canvas {
             cells: self.cells,
             depth: Depth::new(depth),
@@ -346,7 +321,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     where
         O::Cell: Bytes,
     {
-        Flatten::flatten(self.cells)
+        Bytes::flatten(self.cells)
     }
 
     /// Shows the canvas on a display of the same color, in one
@@ -406,16 +381,6 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         )
     }
 
-    /// The range in memory of `columns` of `row`; both must lie within [`area`](Self::area).
-    ///
-    /// It wraps: a triangle's row that is left of the frame ends before it starts, possibly below 0. The result is then
-    /// a range outside of any memory.
-    #[inline]
-    pub(super) const fn range(&self, row: u32, columns: &Range<u32>) -> Range<usize> {
-        let start = (row - self.rows.start) * self.width;
-        start.wrapping_add(columns.start) as usize..start.wrapping_add(columns.end) as usize
-    }
-
     /// The pixels of `columns` of `row`; both must lie within [`area`](Self::area).
     #[inline]
     pub(super) fn pixels_mut(
@@ -423,12 +388,8 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         row: u32,
         columns: &Range<u32>,
     ) -> impl Iterator<Item = O::PixelRef<'_>> {
-        let (cells, mut cursor) = O::locate(RowSpan {
-            pixels: self.range(row, columns),
-            row: row - self.rows.start,
-            columns: columns.clone(),
-            width: self.width,
-        });
+        let span = RowSpan::new(row - self.rows.start, columns.clone(), self.width);
+        let (cells, mut cursor) = O::locate(span);
         let mut cells = self.cells.get_mut(cells).unwrap_or_default();
         O::first(&mut cells, &mut cursor, usize::MAX)
     }
@@ -502,16 +463,9 @@ impl<'a, C, O: Storage<C>, D: DepthBuffer> Memory<'a, C, O, D> {
     /// It returns `None` and does not panic if memory ends before them, or if columns end before they start.
     #[inline]
     pub(crate) fn run(self, row: u32, columns: Range<u32>) -> Option<Cells<'a, C, O, D>> {
-        let row = row - self.first_row;
-        let start = row * self.width;
-        let range =
-            start.wrapping_add(columns.start) as usize..start.wrapping_add(columns.end) as usize;
-        let (cells, cursor) = O::locate(RowSpan {
-            pixels: range.clone(),
-            row,
-            columns,
-            width: self.width,
-        });
+        let span = RowSpan::new(row - self.first_row, columns, self.width);
+        let range = span.pixels.clone();
+        let (cells, cursor) = O::locate(span);
         Some(Cells {
             colors: self.cells.get_mut(cells)?,
             cursor,
@@ -568,13 +522,4 @@ pub(crate) const fn check_size(width: u32, height: u32) -> Result<(), Error> {
 /// The number of cells of a row.
 const fn cells_across<C, O: Storage<C>>(width: u32) -> u32 {
     width.div_ceil(O::COLUMNS)
-}
-
-pub(super) const fn check_length(given: usize, width: u32, rows: u32) -> Result<(), Error> {
-    let needed = (width * rows) as usize;
-    if given == needed {
-        Ok(())
-    } else {
-        Err(Error::Length { given, needed })
-    }
 }

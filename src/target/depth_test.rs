@@ -2,10 +2,7 @@
 
 use super::depth::DepthBuffer;
 use crate::Scalar;
-
-mod sealed {
-    pub trait Sealed {}
-}
+use crate::sealed::Sealed;
 
 /// How a draw call uses the canvas's depth buffer.
 ///
@@ -16,7 +13,7 @@ mod sealed {
 /// use fixel::{prelude::*, target::TestOnly};
 /// let glass = DrawOptions::new().with_depth(TestOnly);
 /// ```
-pub trait DepthTest: Copy + sealed::Sealed {
+pub trait DepthTest: Copy + Sealed {
     /// Whether a pixel behind the stored depth is skipped.
     #[doc(hidden)]
     const TESTS: bool;
@@ -51,7 +48,7 @@ macro_rules! depth_tests {
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         pub struct $name;
 
-        impl sealed::Sealed for $name {}
+        impl Sealed for $name {}
 
         impl DepthTest for $name {
             const TESTS: bool = $tests;
@@ -146,7 +143,7 @@ impl<Z> Biased<Z> {
     }
 }
 
-impl<Z> sealed::Sealed for Biased<Z> {}
+impl<Z> Sealed for Biased<Z> {}
 
 impl<Z: DepthTest> DepthTest for Biased<Z> {
     const TESTS: bool = Z::TESTS;

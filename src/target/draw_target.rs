@@ -5,7 +5,7 @@ use core::ops::Range;
 
 use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
-use embedded_graphics::geometry::Dimensions;
+use embedded_graphics::geometry::{Dimensions, Point, Size};
 use embedded_graphics::pixelcolor::PixelColor;
 use embedded_graphics::primitives::Rectangle;
 
@@ -13,62 +13,76 @@ use super::canvas::Canvas;
 use super::depth::DepthBuffer;
 use super::storage::Storage;
 
-/// Drawing cannot fail. It does not touch the depth buffer, except that `clear` clears both.
-///
-/// Any point and any rectangle is allowed, even one that reaches beyond the range of `i32`.
-impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Canvas<'_, C, O, D> {
-    type Color = C;
-    type Error = Infallible;
+/// Makes a canvas, or what has a canvas in a field, a [`DrawTarget`] that draws row by row. Its `in_frame` is the place
+/// of one of its points in the frame, and its `draw_row` sets pixels of a row to colors.
+macro_rules! draw_target {
+    ($(#[$doc:meta])* $Target:ty $(, in $canvas:ident)? $(; $clear:item)?) => {
+        $(#[$doc])*
+        impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for $Target {
+            type Color = C;
+            type Error = Infallible;
 
-    fn draw_iter<I>(&mut self, pixels: I) -> Result<(), Infallible>
-    where
-        I: IntoIterator<Item = Pixel<C>>,
-    {
-        let area = self.bounding_box();
-        for Pixel(point, color) in pixels {
-            if area.contains(point) {
-                // The area has no negative coordinates.
-                let (x, y) = (point.x.cast_unsigned(), point.y.cast_unsigned());
-                if let Some(pixel) = self.pixels_mut(y, &(x..x + 1)).next() {
-                    O::set(pixel, color);
+            fn draw_iter<I>(&mut self, pixels: I) -> Result<(), Infallible>
+            where
+                I: IntoIterator<Item = Pixel<C>>,
+            {
+                let area = self$(.$canvas)?.bounding_box();
+                for Pixel(point, color) in pixels {
+                    let point = self.in_frame(point);
+                    if area.contains(point) {
+                        // The area has no negative coordinates.
+                        let (x, y) = (point.x.cast_unsigned(), point.y.cast_unsigned());
+                        self.draw_row(y, &(x..x + 1), core::iter::once(color));
+                    }
                 }
+                Ok(())
             }
-        }
-        Ok(())
-    }
 
-    fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible>
-    where
-        I: IntoIterator<Item = C>,
-    {
-        let Some(inside) = self.inside(area) else {
-            return Ok(());
-        };
-        let mut colors = colors.into_iter();
-        let Margins { above, left, right } = inside.margins(area);
-        skip(&mut colors, above);
-        for y in inside.rows {
-            skip(&mut colors, left);
-            // The colors come second, so that `zip` does not consume one more than there are cells.
-            for (pixel, color) in self.pixels_mut(y, &inside.columns).zip(&mut colors) {
-                O::set(pixel, color);
-            }
-            skip(&mut colors, right);
-        }
-        Ok(())
-    }
-
-    fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
-        if let Some(inside) = self.inside(area) {
-            for y in inside.rows {
-                for pixel in self.pixels_mut(y, &inside.columns) {
-                    O::set(pixel, color);
+            fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible>
+            where
+                I: IntoIterator<Item = C>,
+            {
+                let Rectangle { top_left, size } = *area;
+                let (top_left, mut colors) = (self.in_frame(top_left), colors.into_iter());
+                let Some(inside) = self$(.$canvas)?.inside(top_left, size) else {
+                    return Ok(());
+                };
+                // The colors of pixels outside are consumed and dropped: first those of the rows above, then, row by
+                // row, those on the left and on the right.
+                let outside = |start: u32, of: i32| start.cast_signed().abs_diff(of) as usize;
+                let (width, left) = (size.width as usize, outside(inside.columns.start, top_left.x));
+                let right = width - left - inside.columns.len();
+                let above = outside(inside.rows.start, top_left.y);
+                skip(&mut colors, above.saturating_mul(width));
+                for y in inside.rows {
+                    skip(&mut colors, left);
+                    self.draw_row(y, &inside.columns, &mut colors);
+                    skip(&mut colors, right);
                 }
+                Ok(())
             }
-        }
-        Ok(())
-    }
 
+            fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
+                let top_left = self.in_frame(area.top_left);
+                if let Some(inside) = self$(.$canvas)?.inside(top_left, area.size) {
+                    for y in inside.rows {
+                        self.draw_row(y, &inside.columns, core::iter::repeat(color));
+                    }
+                }
+                Ok(())
+            }
+
+            $($clear)?
+        }
+    };
+}
+pub(super) use draw_target;
+
+draw_target!(
+    /// Drawing cannot fail. It does not touch the depth buffer, except that `clear` clears both.
+    ///
+    /// Any point and any rectangle is allowed, even one that reaches beyond the range of `i32`.
+    Canvas<'_, C, O, D>;
     /// Clears the depth buffer too, as [`Canvas::clear`] does. Adapters such as
     /// [`clipped`](embedded_graphics::draw_target::DrawTargetExt::clipped) turn a `clear` into a
     /// fill, which leaves the depth buffer alone.
@@ -76,7 +90,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Canvas<'_, C, 
         Canvas::clear(self, color);
         Ok(())
     }
-}
+);
 
 /// The pixels of a rectangle that a canvas has in memory.
 pub(super) struct Inside {
@@ -84,36 +98,26 @@ pub(super) struct Inside {
     pub(super) rows: Range<u32>,
 }
 
-/// How many colors of pixels outside are consumed and dropped: first for the rows above, then, row by row, for the
-/// pixels on the left and on the right.
-pub(super) struct Margins {
-    pub(super) above: usize,
-    pub(super) left: usize,
-    pub(super) right: usize,
-}
+impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
+    /// A canvas is at the origin of its frame.
+    const fn in_frame(&self, point: Point) -> Point {
+        let _ = self;
+        point
+    }
 
-impl Inside {
-    /// The rest of the rectangle `area`, of which this is the part in memory.
-    #[inline]
-    pub(super) fn margins(&self, area: &Rectangle) -> Margins {
-        let above = self.rows.start.cast_signed().abs_diff(area.top_left.y) as usize;
-        let left = self.columns.start.cast_signed().abs_diff(area.top_left.x) as usize;
-        let width = area.size.width as usize;
-        Margins {
-            above: above.saturating_mul(width),
-            left,
-            right: width - left - self.columns.len(),
+    fn draw_row(&mut self, row: u32, columns: &Range<u32>, colors: impl Iterator<Item = C>) {
+        // The colors come second, so that `zip` does not consume one more than there are cells.
+        for (pixel, color) in self.pixels_mut(row, columns).zip(colors) {
+            O::set(pixel, color);
         }
     }
-}
 
-impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
-    /// The part of `area` that is in memory; `None` if it is empty.
+    /// The part of a rectangle that is in memory; `None` if it is empty.
     ///
     /// [`Rectangle::intersection`] adds a size to a corner in `i32`, which overflows for large areas.
-    pub(super) fn inside(&self, area: &Rectangle) -> Option<Inside> {
-        let columns = overlap(area.top_left.x, area.size.width, 0..self.frame_size().width)?;
-        let rows = overlap(area.top_left.y, area.size.height, self.rows().clone())?;
+    pub(super) fn inside(&self, top_left: Point, size: Size) -> Option<Inside> {
+        let columns = overlap(top_left.x, size.width, 0..self.frame_size().width)?;
+        let rows = overlap(top_left.y, size.height, self.rows().clone())?;
         Some(Inside { columns, rows })
     }
 }

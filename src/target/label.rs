@@ -11,7 +11,7 @@ use embedded_graphics::primitives::Rectangle;
 
 use super::canvas::Canvas;
 use super::depth::DepthBuffer;
-use super::draw_target::skip;
+use super::draw_target::{draw_target, skip};
 use super::storage::Storage;
 
 /// A canvas as an embedded-graphics [`DrawTarget`] whose origin is a point of the scene, and whose pixels are hidden by
@@ -76,52 +76,4 @@ impl<C, O: Storage<C>, D> Dimensions for Label<'_, Canvas<'_, C, O, D>> {
     }
 }
 
-impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Label<'_, Canvas<'_, C, O, D>> {
-    type Color = C;
-    type Error = Infallible;
-
-    fn draw_iter<I>(&mut self, pixels: I) -> Result<(), Infallible>
-    where
-        I: IntoIterator<Item = Pixel<C>>,
-    {
-        let area = self.canvas.bounding_box();
-        for Pixel(point, color) in pixels {
-            let point = self.in_frame(point);
-            if area.contains(point) {
-                // The area has no negative coordinates.
-                let (x, y) = (point.x.cast_unsigned(), point.y.cast_unsigned());
-                self.draw_row(y, &(x..x + 1), core::iter::once(color));
-            }
-        }
-        Ok(())
-    }
-
-    fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible>
-    where
-        I: IntoIterator<Item = C>,
-    {
-        let area = Rectangle::new(self.in_frame(area.top_left), area.size);
-        let Some(inside) = self.canvas.inside(&area) else {
-            return Ok(());
-        };
-        let mut colors = colors.into_iter();
-        let margins = inside.margins(&area);
-        skip(&mut colors, margins.above);
-        for y in inside.rows {
-            skip(&mut colors, margins.left);
-            self.draw_row(y, &inside.columns, &mut colors);
-            skip(&mut colors, margins.right);
-        }
-        Ok(())
-    }
-
-    fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
-        let area = Rectangle::new(self.in_frame(area.top_left), area.size);
-        if let Some(inside) = self.canvas.inside(&area) {
-            for y in inside.rows {
-                self.draw_row(y, &inside.columns, core::iter::repeat(color));
-            }
-        }
-        Ok(())
-    }
-}
+draw_target!(Label<'_, Canvas<'_, C, O, D>>, in canvas);

@@ -8,7 +8,8 @@ use embedded_graphics::pixelcolor::raw::{RawData, RawU1, RawU2, RawU4};
 use embedded_graphics::pixelcolor::{BinaryColor, PixelColor};
 
 use super::depth::first;
-use super::storage::{RowMajor, RowSpan, Sealed, Storage};
+use super::storage::{RowMajor, RowSpan, Storage};
+use crate::sealed::sealed;
 
 /// A [`Storage`] with 8, 4 or 2 pixels in a byte, side by side: [`BinaryColor`], `Gray2`, `Gray4`, or a color of your own
 /// whose `Raw` is `RawU1`, `RawU2` or `RawU4`, such as an index into a palette of 16 colors.
@@ -50,8 +51,7 @@ pub enum Packed {}
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Pages {}
 
-impl Sealed for Packed {}
-impl Sealed for Pages {}
+sealed!(Packed, Pages);
 
 /// The raw data of a color that is smaller than a byte; public in name only.
 pub trait Bits: RawData<Storage = u8> {}

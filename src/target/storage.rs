@@ -6,6 +6,7 @@ use embedded_graphics::pixelcolor::PixelColor;
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, RawData, ToBytes};
 
 use super::depth::first;
+use crate::sealed::{Sealed, sealed};
 
 /// How a canvas stores colors of type `C`. Sealed: five types implement it.
 ///
@@ -91,6 +92,23 @@ pub struct RowSpan {
     pub(super) columns: Range<u32>,
     /// Of the canvas.
     pub(super) width: u32,
+}
+
+impl RowSpan {
+    /// It wraps: a triangle's row that is left of the frame ends before it starts, possibly below 0. The result is then
+    /// a range outside of any memory.
+    #[inline]
+    pub(super) const fn new(row: u32, columns: Range<u32>, width: u32) -> Self {
+        let start = row * width;
+        let pixels =
+            start.wrapping_add(columns.start) as usize..start.wrapping_add(columns.end) as usize;
+        Self {
+            pixels,
+            row,
+            columns,
+            width,
+        }
+    }
 }
 
 /// The colors of a canvas, row by row; `color` gets a pixel's column and row, and the size.
@@ -215,59 +233,33 @@ pub enum Native {}
 /// assert_eq!(bus, [0xf8, 0x00, 0xf8, 0x00]);
 /// # Ok::<(), Error>(())
 /// ```
-pub trait Bytes: Flatten {}
-
-impl<const N: usize> Bytes for [u8; N] {}
-impl Bytes for u8 {}
-
-/// Public in name only: it keeps other crates from implementing [`Storage`].
-pub trait Sealed {}
-
-impl Sealed for Native {}
-impl Sealed for BigEndian {}
-impl Sealed for LittleEndian {}
-
-/// The working part of [`Bytes`], public in name only.
-pub trait Flatten: Copy {
+pub trait Bytes: Copy + Sealed {
     /// Views a slice of pixels as its bytes, without a copy.
+    #[doc(hidden)]
     fn flatten(cells: &[Self]) -> &[u8];
 }
 
-impl<const N: usize> Flatten for [u8; N] {
+impl<const N: usize> Bytes for [u8; N] {
     #[inline]
     fn flatten(cells: &[Self]) -> &[u8] {
         cells.as_flattened()
     }
 }
 
-impl Flatten for u8 {
+impl Bytes for u8 {
     #[inline]
     fn flatten(cells: &[Self]) -> &[u8] {
         cells
     }
 }
 
-/// The bytes of one pixel; public in name only.
-pub trait ByteArray: Copy {
-    /// Reads the number whose most significant byte comes first.
-    fn be_number(self) -> u32;
+sealed!(Native, BigEndian, LittleEndian, u8);
+impl<const N: usize> Sealed for [u8; N] {}
 
-    /// Reads the number whose least significant byte comes first.
-    fn le_number(self) -> u32;
-}
-
-impl<const N: usize> ByteArray for [u8; N] {
-    #[inline]
-    fn be_number(self) -> u32 {
-        self.iter().fold(0, |all, &byte| all << 8 | u32::from(byte))
-    }
-
-    #[inline]
-    fn le_number(self) -> u32 {
-        self.iter()
-            .rev()
-            .fold(0, |all, &byte| all << 8 | u32::from(byte))
-    }
+/// The number whose most significant byte comes first.
+#[inline]
+fn number<'b>(bytes: impl Iterator<Item = &'b u8>) -> u32 {
+    bytes.fold(0, |all, &byte| all << 8 | u32::from(byte))
 }
 
 impl<C: PixelColor> Storage<C> for Native {
@@ -286,52 +278,43 @@ impl<C: PixelColor> Storage<C> for Native {
     cells_are_pixels!(C);
 }
 
-impl<C> Storage<C> for BigEndian
-where
-    C: PixelColor + ToBytes<Bytes: ByteArray> + From<C::Raw>,
-{
-    type Cell = C::Bytes;
+macro_rules! byte_orders {
+    ($($Order:ident $to_bytes:ident |$bytes:ident| $from_high:expr;)+) => {$(
+        impl<C> Storage<C> for $Order
+        where
+            C: PixelColor + ToBytes<Bytes: Copy + AsRef<[u8]>> + From<C::Raw>,
+        {
+            type Cell = C::Bytes;
 
-    #[inline]
-    fn store(color: C) -> C::Bytes {
-        color.to_be_bytes()
-    }
+            #[inline]
+            fn store(color: C) -> C::Bytes {
+                color.$to_bytes()
+            }
 
-    #[inline]
-    fn load(cell: C::Bytes) -> C {
-        C::Raw::from_u32(cell.be_number()).into()
-    }
+            #[inline]
+            fn load(cell: C::Bytes) -> C {
+                let $bytes = cell.as_ref().iter();
+                C::Raw::from_u32(number($from_high)).into()
+            }
 
-    cells_are_pixels!(C::Bytes);
+            cells_are_pixels!(C::Bytes);
+        }
+    )+};
 }
 
-impl<C> Storage<C> for LittleEndian
-where
-    C: PixelColor + ToBytes<Bytes: ByteArray> + From<C::Raw>,
-{
-    type Cell = C::Bytes;
-
-    #[inline]
-    fn store(color: C) -> C::Bytes {
-        color.to_le_bytes()
-    }
-
-    #[inline]
-    fn load(cell: C::Bytes) -> C {
-        C::Raw::from_u32(cell.le_number()).into()
-    }
-
-    cells_are_pixels!(C::Bytes);
+byte_orders! {
+    BigEndian to_be_bytes |bytes| bytes;
+    LittleEndian to_le_bytes |bytes| bytes.rev();
 }
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::number;
 
     #[test]
     fn the_first_byte_is_the_highest_or_the_lowest() {
         let bytes = [0x12, 0x34, 0x56];
-        assert_eq!(bytes.be_number(), 0x12_3456);
-        assert_eq!(bytes.le_number(), 0x56_3412);
+        assert_eq!(number(bytes.iter()), 0x12_3456);
+        assert_eq!(number(bytes.iter().rev()), 0x56_3412);
     }
 }

@@ -1,6 +1,7 @@
 //! What a texture shows beyond its edges.
 
 use crate::TexCoord;
+use crate::sealed::{Sealed, sealed};
 
 /// What a texture shows beyond its edges: [`Repeat`] or [`Clamp`].
 ///
@@ -14,7 +15,7 @@ use crate::TexCoord;
 ///     let _ = textured;
 /// }
 /// ```
-pub trait Addressing: Copy + sealed::Sealed {
+pub trait Addressing: Copy + Sealed {
     /// The texture coordinate from which a triangle's are counted, in bits: a whole number of repeats.
     #[doc(hidden)]
     fn origin(bits: [i32; 3]) -> i32;
@@ -29,11 +30,7 @@ pub trait Addressing: Copy + sealed::Sealed {
     fn back(texels: i32, little: i32) -> i32;
 }
 
-mod sealed {
-    pub trait Sealed {}
-    impl Sealed for super::Repeat {}
-    impl Sealed for super::Clamp {}
-}
+sealed!(Repeat, Clamp);
 
 /// Beyond its edge, a texture begins again.
 ///

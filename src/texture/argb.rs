@@ -117,11 +117,6 @@ impl Blend for Argb4444 {
     const WEIGHT_BITS: u32 = 4;
 
     #[inline]
-    fn mix(self, other: Self, weight: u32) -> Self {
-        Self::blend([[self, other]; 2], [weight, 0])
-    }
-
-    #[inline]
     fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self {
         // Each channel gets four bits above it.
         let lanes = |Self(bits): Self| {
@@ -135,11 +130,6 @@ impl Blend for Argb4444 {
 
 impl Blend for Argb1555 {
     const WEIGHT_BITS: u32 = 5;
-
-    #[inline]
-    fn mix(self, other: Self, weight: u32) -> Self {
-        Self::blend([[self, other]; 2], [weight, 0])
-    }
 
     #[inline]
     fn blend(texels: [[Self; 2]; 2], [x, y]: [u32; 2]) -> Self {

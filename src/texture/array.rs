@@ -7,7 +7,7 @@ use embedded_graphics::pixelcolor::{
     Rgb666, Rgb888,
 };
 
-use super::sampler::{Grid, log2, sampler_of_rows, wrapped};
+use super::sampler::{Grid, sampler_of_rows, size_log2, wrapped};
 use super::{Argb1555, Argb4444, Sampler, Texture};
 use crate::Error;
 use crate::message;
@@ -71,7 +71,7 @@ impl<C: Copy, const W: usize, const H: usize> TextureArray<C, W, H> {
     /// A texture with these rows, the top one first.
     #[must_use]
     pub const fn from_texels(texels: [[C; W]; H]) -> Self {
-        const { (log2("width", W), log2("height", H)) };
+        const { size_log2::<W, H>() };
         Self { texels }
     }
 

@@ -33,8 +33,13 @@ pub trait Blend: Copy {
     /// assert_eq!(Rgb565::BLACK.mix(Rgb565::YELLOW, 8), Rgb565::new(8, 16, 0)); // 8/32
     /// assert_eq!(Rgb565::BLACK.mix(Rgb565::YELLOW, 32), Rgb565::YELLOW);
     /// ```
+    ///
+    /// Unless a color has a shorter way, [`blend`](Self::blend) must permit a weight of 1 too.
     #[must_use]
-    fn mix(self, other: Self, weight: u32) -> Self;
+    #[inline]
+    fn mix(self, other: Self, weight: u32) -> Self {
+        Self::blend([[self, other]; 2], [weight, 0])
+    }
 
     /// The color at a point between four texels. The upper row comes first, and the left texel comes first in a row.
     ///
@@ -129,10 +134,17 @@ pub(super) fn mean<const MASK: u32>([[a, b], [c, d]]: [[u32; 2]; 2]) -> u32 {
     ((a + b + c + d + (lowest(MASK) << 1)) >> 2) & MASK
 }
 
-/// A color whose channels are spread over one word.
-trait Lanes {
-    fn lanes(self) -> u32;
-    fn of_lanes(lanes: u32) -> Self;
+/// The lanes of a color of 16 bits: its upper half holds the channel in the middle.
+#[inline]
+fn lanes<const MASK: u32>(color: impl IntoStorage<Storage = u16>) -> u32 {
+    let raw = u32::from(color.into_storage());
+    (raw | raw << 16) & MASK
+}
+
+/// The color of such lanes.
+#[inline]
+fn of_lanes<C: From<RawU16>>(lanes: u32) -> C {
+    RawU16::new((lanes | lanes >> 16) as u16).into()
 }
 
 /// Colors whose channels fit in one word with five unused bits above each: the middle channel is in the upper half.
@@ -143,30 +155,17 @@ macro_rules! one_word {
 
             #[inline]
             fn mix(self, other: Self, weight: u32) -> Self {
-                Self::of_lanes(linear::<$mask, 5>([self.lanes(), other.lanes()], weight))
+                of_lanes(linear::<$mask, 5>([lanes::<$mask>(self), lanes::<$mask>(other)], weight))
             }
 
             #[inline]
             fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self {
-                Self::of_lanes(bilinear::<$mask, 5>(each(texels, $color::lanes), weights))
+                of_lanes(bilinear::<$mask, 5>(each(texels, lanes::<$mask>), weights))
             }
 
             #[inline]
             fn mean(texels: [[Self; 2]; 2]) -> Self {
-                Self::of_lanes(mean::<$mask>(each(texels, $color::lanes)))
-            }
-        }
-
-        impl Lanes for $color {
-            #[inline]
-            fn lanes(self) -> u32 {
-                let raw = u32::from(self.into_storage());
-                (raw | raw << 16) & $mask
-            }
-
-            #[inline]
-            fn of_lanes(lanes: u32) -> Self {
-                Self::from(RawU16::new((lanes | lanes >> 16) as u16))
+                of_lanes(mean::<$mask>(each(texels, lanes::<$mask>)))
             }
         }
     )+};
@@ -184,11 +183,6 @@ macro_rules! two_words {
     ($($color:ident $channel:literal $bits:literal)+) => {$(
         impl Blend for $color {
             const WEIGHT_BITS: u32 = 8;
-
-            #[inline]
-            fn mix(self, other: Self, weight: u32) -> Self {
-                Self::blend([[self, other]; 2], [weight, 0])
-            }
 
             #[inline]
             fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self {
@@ -222,11 +216,6 @@ two_words! {
 
 impl Blend for Gray8 {
     const WEIGHT_BITS: u32 = 8;
-
-    #[inline]
-    fn mix(self, other: Self, weight: u32) -> Self {
-        Self::blend([[self, other]; 2], [weight, 0])
-    }
 
     #[inline]
     fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self {

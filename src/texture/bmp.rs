@@ -1,6 +1,6 @@
 //! BMP files: Microsoft's `BITMAPFILEHEADER`, then a `BITMAPINFOHEADER` or its versions 4 and 5.
 
-use super::image::{Entry, Image, Pixel, Table, at_least, refused, u16_at, u32_at};
+use super::image::{Entry, Image, Pixel, Table, along, at_least, refused, u16_at, u32_at};
 use crate::Error;
 use crate::error::ok;
 
@@ -49,11 +49,7 @@ pub(super) const fn read(bytes: &[u8]) -> Result<Image<'_>, Error> {
     ok!(at_least(bytes, needed));
     // Every offset below lies in the file.
     let (start, row) = (start as usize, row as usize);
-    let (first, down) = if top_down {
-        (start, row as isize)
-    } else {
-        (start + row * (height as usize - 1), -(row as isize))
-    };
+    let (first, down) = along(start, row, height, !top_down);
     let right = bits as isize / 8;
     Ok(Image {
         bytes,

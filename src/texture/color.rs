@@ -8,6 +8,7 @@ use embedded_graphics::pixelcolor::{
 use super::image::{Entry, Pixel, byte, channels, entry, index, rgb, widened, word, write_colors};
 use super::include::{Convert, File};
 use crate::message;
+use crate::sealed::Sealed;
 
 /// A color that the pixels of a file can be converted to: any color of embedded-graphics.
 ///
@@ -23,14 +24,10 @@ use crate::message;
 /// assert_eq!(Gray4::nearest(orange), Gray4::new(9)); // 8.9
 /// assert_eq!(BinaryColor::nearest(orange), BinaryColor::On);
 /// ```
-pub trait ImageColor: PixelColor + sealed::Sealed {
+pub trait ImageColor: PixelColor + Sealed {
     /// The color nearest to red, green and blue, where 255 is full.
     #[must_use]
     fn nearest(rgb: [u8; 3]) -> Self;
-}
-
-mod sealed {
-    pub trait Sealed {}
 }
 
 /// c/255 in units of 2⁻¹⁶, with an error of at most half a unit: 0 for 0, 65,536 for 255. A macro, like the following
@@ -61,7 +58,7 @@ macro_rules! luma {
 
 macro_rules! colors {
     ($($color:ident |$rgb:ident| $nearest:expr;)+) => {$(
-        impl sealed::Sealed for $color {}
+        impl Sealed for $color {}
 
         impl ImageColor for $color {
             #[inline]

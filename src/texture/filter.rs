@@ -3,6 +3,7 @@
 use super::Addressing;
 use super::Sampler;
 use super::blend::{self, Blend};
+use crate::sealed::{Sealed, sealed};
 
 /// The color of a texture between the centers of its texels: [`Nearest`] or [`Bilinear`].
 ///
@@ -16,19 +17,15 @@ use super::blend::{self, Blend};
 ///     let _ = textured;
 /// }
 /// ```
-pub trait Filter<C>: Copy + sealed::Sealed {
+pub trait Filter<C>: Copy + Sealed {
     /// The color at a column and a row: distances from the first texel's corner, in texels with 16 fraction bits. `None`
     /// where the texture has a hole.
     #[doc(hidden)]
     fn color<S: Sampler<Color = C>, A: Addressing>(&self, sampler: &S, at: [i32; 2]) -> Option<C>;
 }
 
-mod sealed {
-    pub trait Sealed {}
-    impl Sealed for super::Nearest {}
-    impl Sealed for super::Bilinear {}
-    impl<F, C> Sealed for super::CutOut<F, C> {}
-}
+sealed!(Nearest, Bilinear);
+impl<F, C> Sealed for CutOut<F, C> {}
 
 /// Takes the texel whose center is nearest.
 ///
@@ -127,10 +124,8 @@ impl<C: Copy> Filter<C> for Nearest {
         sampler: &S,
         [u, v]: [i32; 2],
     ) -> Option<C> {
-        Some(sampler.texel(
-            A::index(u >> 16, sampler.width_log2()),
-            A::index(v >> 16, sampler.height_log2()),
-        ))
+        let [width, height] = sampler.size_log2();
+        Some(sampler.texel(A::index(u >> 16, width), A::index(v >> 16, height)))
     }
 }
 
@@ -175,8 +170,9 @@ fn around<C: Blend, S: Sampler<Color = C>, A: Addressing>(
             "weights must have 1 to 15 bits"
         );
     }
-    let ([left, right], x) = between::<A>(u, sampler.width_log2(), C::WEIGHT_BITS);
-    let ([upper, lower], y) = between::<A>(v, sampler.height_log2(), C::WEIGHT_BITS);
+    let [width, height] = sampler.size_log2();
+    let ([left, right], x) = between::<A>(u, width, C::WEIGHT_BITS);
+    let ([upper, lower], y) = between::<A>(v, height, C::WEIGHT_BITS);
     let row = |v| [sampler.texel(left, v), sampler.texel(right, v)];
     ([row(upper), row(lower)], [x, y])
 }

@@ -361,6 +361,21 @@ impl<'a> Image<'a> {
     }
 }
 
+/// Where the first of `count` rows or columns is, and the way to the next one, if a file holds them in this order or
+/// from the last to the first.
+pub(super) const fn along(
+    start: usize,
+    step: usize,
+    count: u32,
+    is_reversed: bool,
+) -> (usize, isize) {
+    if is_reversed {
+        (start + step * (count as usize - 1), -(step as isize))
+    } else {
+        (start, step as isize)
+    }
+}
+
 /// An error about a field of a file's header.
 pub(super) const fn refused<T>(
     of: &'static str,

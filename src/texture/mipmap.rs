@@ -5,11 +5,12 @@ use embedded_graphics::pixelcolor::{
 };
 
 use super::array::word;
-use super::sampler::{exponents, log2};
+use super::sampler::{exponents, log2, size_log2};
 use super::{Addressing, Bilinear, Blend, Filter, Nearest, Sampler};
 use crate::Error;
-use crate::error::ok;
+use crate::error::{check_length, ok};
 use crate::message;
+use crate::sealed::{Sealed, sealed};
 
 /// A texture with its mipmap levels: the texture itself, and reductions of it for triangles that are far away.
 ///
@@ -41,8 +42,7 @@ pub struct Mipmap<'a, C> {
     texels: &'a [C],
     /// The color for an empty slice, which cannot occur.
     first: C,
-    width_log2: u8,
-    height_log2: u8,
+    size_log2: [u8; 2],
 }
 
 /// The number of texels of all levels, from the exponents of the size. It has one bit for each level; the bits are two
@@ -85,15 +85,11 @@ impl<'a, C: Copy> Mipmap<'a, C> {
     /// there are exactly as many texels as all levels need.
     pub const fn new(texels: &'a [C], width: u32, height: u32) -> Result<Self, Error> {
         let size = ok!(exponents(width, height));
-        let (given, needed) = (texels.len(), len_of(size));
-        if given != needed {
-            return Err(Error::Length { given, needed });
-        }
+        ok!(check_length(texels.len(), len_of(size)));
         Ok(Self {
             texels,
             first: texels[0],
-            width_log2: size[0] as u8,
-            height_log2: size[1] as u8,
+            size_log2: [size[0] as u8, size[1] as u8],
         })
     }
 
@@ -106,11 +102,7 @@ impl<'a, C: Copy> Mipmap<'a, C> {
     where
         C: Blend,
     {
-        let Mipmap {
-            width_log2,
-            height_log2,
-            ..
-        } = Mipmap::new(&*texels, width, height)?;
+        let [width_log2, height_log2] = Mipmap::new(&*texels, width, height)?.size_log2;
         for level in 1..=width_log2.min(height_log2) {
             // Two rows of the level before, and one of this level.
             let wide = 2_usize << (width_log2 - level);
@@ -146,13 +138,13 @@ impl<'a, C: Copy> Mipmap<'a, C> {
     /// Width of level 0, in texels.
     #[must_use]
     pub const fn width(&self) -> u32 {
-        1 << self.width_log2
+        1 << self.size_log2[0]
     }
 
     /// Height of level 0, in texels.
     #[must_use]
     pub const fn height(&self) -> u32 {
-        1 << self.height_log2
+        1 << self.size_log2[1]
     }
 
     /// The number of levels: 1 to 16.
@@ -164,11 +156,8 @@ impl<'a, C: Copy> Mipmap<'a, C> {
     /// The last level.
     #[inline]
     pub(crate) const fn last(&self) -> u32 {
-        if self.width_log2 < self.height_log2 {
-            self.width_log2 as u32
-        } else {
-            self.height_log2 as u32
-        }
+        let [width, height] = self.size_log2;
+        (if width < height { width } else { height }) as u32
     }
 
     /// One level as a texture; `level` must not be beyond the last one.
@@ -199,23 +188,22 @@ impl<C: Copy> Sampler for Level<'_, C> {
     type Color = C;
 
     #[inline]
-    fn width_log2(&self) -> u32 {
-        u32::from(self.mipmap.width_log2).wrapping_sub(self.level)
-    }
-
-    #[inline]
-    fn height_log2(&self) -> u32 {
-        u32::from(self.mipmap.height_log2).wrapping_sub(self.level)
+    fn size_log2(&self) -> [u32; 2] {
+        let [width, height] = Sampler::size_log2(&self.mipmap);
+        [
+            width.wrapping_sub(self.level),
+            height.wrapping_sub(self.level),
+        ]
     }
 
     #[inline]
     fn texel(&self, u: i32, v: i32) -> C {
         let Mipmap { texels, first, .. } = self.mipmap;
         let (u, v) = (u.cast_unsigned() as usize, v.cast_unsigned() as usize);
-        let width_log2 = self.width_log2();
-        let column = u & (1_usize.wrapping_shl(width_log2) - 1);
-        let size = 1_usize.wrapping_shl(width_log2 + self.height_log2());
-        let index = (v.wrapping_shl(width_log2) | column) & (size - 1) | start(texels.len(), size);
+        let [width, height] = self.size_log2();
+        let column = u & (1_usize.wrapping_shl(width) - 1);
+        let size = 1_usize.wrapping_shl(width + height);
+        let index = (v.wrapping_shl(width) | column) & (size - 1) | start(texels.len(), size);
         match texels.get(index) {
             Some(&texel) => texel,
             None => first,
@@ -227,13 +215,9 @@ impl<C: Copy> Sampler for Mipmap<'_, C> {
     type Color = C;
 
     #[inline]
-    fn width_log2(&self) -> u32 {
-        self.width_log2.into()
-    }
-
-    #[inline]
-    fn height_log2(&self) -> u32 {
-        self.height_log2.into()
+    fn size_log2(&self) -> [u32; 2] {
+        let [width, height] = self.size_log2;
+        [width.into(), height.into()]
     }
 
     #[inline]
@@ -277,11 +261,11 @@ impl<C: Copy, const W: usize, const H: usize, const LENGTH: usize> MipmapArray<C
     #[must_use]
     pub const fn as_mipmap(&self) -> Mipmap<'_, C> {
         const { check::<W, H, LENGTH>() };
+        let [width, height] = const { size_log2::<W, H>() };
         Mipmap {
             texels: &self.texels,
             first: self.texels[0],
-            width_log2: const { log2("width", W) } as u8,
-            height_log2: const { log2("height", H) } as u8,
+            size_log2: [width as u8, height as u8],
         }
     }
 }
@@ -410,18 +394,13 @@ impl<const W: usize, const H: usize, const LENGTH: usize> MipmapArray<Gray8, W, 
 ///     let _ = surface;
 /// }
 /// ```
-pub trait MipmapFilter<C>: Copy + sealed::Sealed {
+pub trait MipmapFilter<C>: Copy + Sealed {
     /// The color at a column and a row of level 0, in texels with 16 fraction bits, and at a level with 8 fraction bits.
     #[doc(hidden)]
     fn color<A: Addressing>(mipmap: &Mipmap<'_, C>, at: [i32; 2], level: i32) -> Option<C>;
 }
 
-mod sealed {
-    pub trait Sealed {}
-    impl Sealed for super::Nearest {}
-    impl Sealed for super::Bilinear {}
-    impl Sealed for super::Trilinear {}
-}
+sealed!(Trilinear);
 
 /// Blends the four texels around a point in each of the two levels between which a pixel lies, and then the two
 /// results, so that no edge shows where a level ends.

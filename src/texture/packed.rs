@@ -52,13 +52,9 @@ impl Sampler for PackedGray4<'_> {
     type Color = Gray4;
 
     #[inline]
-    fn width_log2(&self) -> u32 {
-        self.pairs.width_log2() + 1
-    }
-
-    #[inline]
-    fn height_log2(&self) -> u32 {
-        self.pairs.height_log2()
+    fn size_log2(&self) -> [u32; 2] {
+        let [width, height] = self.pairs.size_log2();
+        [width + 1, height]
     }
 
     #[inline]

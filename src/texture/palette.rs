@@ -80,13 +80,13 @@ impl<'a, C: Copy> Palette<'a, C> {
     /// Number of columns.
     #[must_use]
     pub const fn width(&self) -> u32 {
-        1 << self.indices.width_log2()
+        1 << self.indices.size_log2()[0]
     }
 
     /// Number of rows.
     #[must_use]
     pub const fn height(&self) -> u32 {
-        1 << self.indices.height_log2()
+        1 << self.indices.size_log2()[1]
     }
 }
 
@@ -121,13 +121,8 @@ impl<C: Copy> Sampler for Palette<'_, C> {
     type Color = C;
 
     #[inline]
-    fn width_log2(&self) -> u32 {
-        self.indices.width_log2()
-    }
-
-    #[inline]
-    fn height_log2(&self) -> u32 {
-        self.indices.height_log2()
+    fn size_log2(&self) -> [u32; 2] {
+        self.indices.size_log2()
     }
 
     #[inline]

@@ -1,6 +1,6 @@
 //! Textures of 8-bit indices that own them.
 
-use super::sampler::{Grid, log2, rows, sampler_of_rows, wrapped};
+use super::sampler::{Grid, rows, sampler_of_rows, size_log2, wrapped};
 use super::{Palette, Sampler, palette_colors};
 use crate::message;
 
@@ -58,7 +58,7 @@ impl<C: Copy, const W: usize, const H: usize> PaletteArray<C, W, H> {
     }
 
     pub(super) const fn from_rows(indices: [[u8; W]; H], colors: [C; 256]) -> Self {
-        const { (log2("width", W), log2("height", H)) };
+        const { size_log2::<W, H>() };
         Self { indices, colors }
     }
 

@@ -1,7 +1,7 @@
 //! The interface between a texture and its shader: texels by column and row.
 
 use crate::Error;
-use crate::error::ok;
+use crate::error::{check_length, ok};
 use crate::message;
 
 /// Texels by column and row; they repeat in both directions.
@@ -19,7 +19,7 @@ use crate::message;
 /// let image: &[[Rgb888; 256]; 256] = rows.as_slice().try_into().unwrap();
 /// assert_eq!(image.texel(0, 3), Rgb888::new(3, 0, 0));
 /// assert_eq!(image.texel(-1, -1), Rgb888::new(255, 0, 0));
-/// assert_eq!((image.width_log2(), image.height_log2()), (8, 8));
+/// assert_eq!(image.size_log2(), [8, 8]);
 /// ```
 ///
 /// Other sizes do not compile; the error names a size that does:
@@ -34,11 +34,8 @@ pub trait Sampler: Copy {
     /// A texel: a color, or one with an opacity (see [`Texel`](crate::shade::Texel)).
     type Color: Copy;
 
-    /// The width is 2 to this power; at most 15.
-    fn width_log2(&self) -> u32;
-
-    /// The height is 2 to this power; at most 15.
-    fn height_log2(&self) -> u32;
+    /// Width and height are 2 to these powers; at most 15.
+    fn size_log2(&self) -> [u32; 2];
 
     /// The texel in column `u` and row `v`, both modulo the size; (0, 0) is the top left texel.
     fn texel(&self, u: i32, v: i32) -> Self::Color;
@@ -59,6 +56,11 @@ pub(super) const fn log2(of: &'static str, size: usize) -> u32 {
         size as u32
     };
     message::checked(exponent(of, given), "texture")
+}
+
+/// The exponents of a width and a height in a type.
+pub(super) const fn size_log2<const W: usize, const H: usize>() -> [u32; 2] {
+    [log2("width", W), log2("height", H)]
 }
 
 /// The exponent of a width or height; `of` names the size in the error.
@@ -87,7 +89,7 @@ pub(super) fn wrapped<T: Copy, const W: usize, const H: usize>(
     u: i32,
     v: i32,
 ) -> T {
-    const { (log2("width", W), log2("height", H)) };
+    const { size_log2::<W, H>() };
     let (u, v) = (u.cast_unsigned() as usize, v.cast_unsigned() as usize);
     rows[v & (H - 1)][u & (W - 1)]
 }
@@ -96,13 +98,8 @@ impl<S: Sampler> Sampler for &S {
     type Color = S::Color;
 
     #[inline]
-    fn width_log2(&self) -> u32 {
-        (**self).width_log2()
-    }
-
-    #[inline]
-    fn height_log2(&self) -> u32 {
-        (**self).height_log2()
+    fn size_log2(&self) -> [u32; 2] {
+        (**self).size_log2()
     }
 
     #[inline]
@@ -118,13 +115,8 @@ macro_rules! sampler_of_rows {
             type Color = C;
 
             #[inline]
-            fn width_log2(&self) -> u32 {
-                const { log2("width", W) }
-            }
-
-            #[inline]
-            fn height_log2(&self) -> u32 {
-                const { log2("height", H) }
+            fn size_log2(&self) -> [u32; 2] {
+                const { size_log2::<W, H>() }
             }
 
             #[inline]
@@ -155,31 +147,24 @@ pub(super) const fn rows<T: Copy, const W: usize, const H: usize>(entries: &[T])
 pub(super) struct Grid<'a, T> {
     /// As many as the size needs, so at least one.
     entries: &'a [T],
-    width_log2: u8,
-    height_log2: u8,
+    size_log2: [u8; 2],
 }
 
 impl<'a, T: Copy> Grid<'a, T> {
     /// Errors: [`Error::PowerOfTwo`] for the size, [`Error::Length`] for the number of entries.
     pub(super) const fn new(entries: &'a [T], width: u32, height: u32) -> Result<Self, Error> {
-        let [width_log2, height_log2] = ok!(exponents(width, height));
-        let (given, needed) = (entries.len(), 1 << (width_log2 + height_log2));
-        if given != needed {
-            return Err(Error::Length { given, needed });
-        }
-        Ok(Self {
-            entries,
-            width_log2: width_log2 as u8,
-            height_log2: height_log2 as u8,
-        })
+        let [width, height] = ok!(exponents(width, height));
+        ok!(check_length(entries.len(), 1 << (width + height)));
+        let size_log2 = [width as u8, height as u8];
+        Ok(Self { entries, size_log2 })
     }
 
     /// The entries of rows whose size is checked already.
     pub(super) const fn of<const W: usize, const H: usize>(rows: &'a [[T; W]; H]) -> Self {
+        let [width, height] = const { size_log2::<W, H>() };
         Self {
             entries: rows.as_flattened(),
-            width_log2: const { log2("width", W) } as u8,
-            height_log2: const { log2("height", H) } as u8,
+            size_log2: [width as u8, height as u8],
         }
     }
 
@@ -188,13 +173,9 @@ impl<'a, T: Copy> Grid<'a, T> {
     }
 
     #[inline]
-    pub(super) const fn width_log2(&self) -> u32 {
-        self.width_log2 as u32
-    }
-
-    #[inline]
-    pub(super) const fn height_log2(&self) -> u32 {
-        self.height_log2 as u32
+    pub(super) const fn size_log2(&self) -> [u32; 2] {
+        let [width, height] = self.size_log2;
+        [width as u32, height as u32]
     }
 
     /// The entry at column `u` and row `v`, both modulo the size; never `None`.
@@ -204,8 +185,9 @@ impl<'a, T: Copy> Grid<'a, T> {
     #[inline]
     pub(super) fn get(&self, u: i32, v: i32) -> Option<T> {
         let (u, v) = (u.cast_unsigned() as usize, v.cast_unsigned() as usize);
-        let row = v.wrapping_shl(self.width_log2());
-        let column = u & (1_usize.wrapping_shl(self.width_log2()) - 1);
+        let [width, _] = self.size_log2();
+        let row = v.wrapping_shl(width);
+        let column = u & (1_usize.wrapping_shl(width) - 1);
         let index = (row | column) & self.entries.len().wrapping_sub(1);
         self.entries.get(index).copied()
     }

@@ -83,13 +83,13 @@ impl<'a, C: Copy> Texture<'a, C> {
     /// Number of columns.
     #[must_use]
     pub const fn width(&self) -> u32 {
-        1 << self.grid.width_log2()
+        1 << self.grid.size_log2()[0]
     }
 
     /// Number of rows.
     #[must_use]
     pub const fn height(&self) -> u32 {
-        1 << self.grid.height_log2()
+        1 << self.grid.size_log2()[1]
     }
 }
 
@@ -97,13 +97,8 @@ impl<C: Copy> Sampler for Texture<'_, C> {
     type Color = C;
 
     #[inline]
-    fn width_log2(&self) -> u32 {
-        self.grid.width_log2()
-    }
-
-    #[inline]
-    fn height_log2(&self) -> u32 {
-        self.grid.height_log2()
+    fn size_log2(&self) -> [u32; 2] {
+        self.grid.size_log2()
     }
 
     #[inline]
@@ -127,10 +122,7 @@ mod tests {
     }
 
     fn same<S: Sampler<Color = Rgb565>, T: Sampler<Color = Rgb565>>(one: &S, other: &T) {
-        assert_eq!(
-            [one.width_log2(), one.height_log2()],
-            [other.width_log2(), other.height_log2()]
-        );
+        assert_eq!(one.size_log2(), other.size_log2());
         for at in points() {
             let near = Nearest.color::<_, Clamp>(one, at);
             assert_eq!(near, Nearest.color::<_, Clamp>(other, at), "{at:?}");

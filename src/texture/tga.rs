@@ -1,6 +1,6 @@
 //! TGA files, according to Truevision's specification 2.0.
 
-use super::image::{Entry, Image, Pixel, Table, at_least, refused, u16_at};
+use super::image::{Entry, Image, Pixel, Table, along, at_least, refused, u16_at};
 use crate::Error;
 use crate::error::ok;
 
@@ -69,17 +69,8 @@ pub(super) const fn read(bytes: &[u8]) -> Result<Image<'_>, Error> {
     let needed = start as u64 + row as u64 * height as u64;
     ok!(at_least(bytes, needed));
     // Every offset below lies in the file. The descriptor says on which side the first pixel is.
-    let (last_column, last_row) = (right * (width as usize - 1), row * (height as usize - 1));
-    let (first, right) = if descriptor & 0x10 == 0 {
-        (start, right as isize)
-    } else {
-        (start + last_column, -(right as isize))
-    };
-    let (first, down) = if descriptor & 0x20 != 0 {
-        (first, row as isize)
-    } else {
-        (first + last_row, -(row as isize))
-    };
+    let (first, right) = along(start, right, width, descriptor & 0x10 != 0);
+    let (first, down) = along(first, row, height, descriptor & 0x20 == 0);
     Ok(Image {
         bytes,
         width,

@@ -41,9 +41,7 @@ impl Camera {
         /// The largest mantissa of each vector is from 2^29 to 2^30. The product of lengths is at least
         /// 2^58, and a component of this size at most 2^-19 of it.
         const PARALLEL: i64 = 1 << 39;
-        let [ex, ey, ez] = eye.to_bits().map(i64::from);
-        let [tx, ty, tz] = target.to_bits().map(i64::from);
-        let back = [ex - tx, ey - ty, ez - tz];
+        let back = target.way_to(eye);
         let k = unit::unit(back).ok_or(Error::EyeAtTarget { eye })?;
         let mantissas = |v: [i64; 3]| {
             let mut mantissas = [0; 3];

@@ -4,6 +4,7 @@ use core::ops::Mul;
 
 use super::{Camera, Perspective, Projection, ProjectionKind};
 use crate::Transform;
+use crate::sealed::Sealed;
 
 /// A model-view-projection: a projection, a camera and the transform of a model, applied from right to
 /// left.
@@ -48,13 +49,8 @@ impl<K: ProjectionKind> Mvp<K> {
     }
 }
 
-mod sealed {
-    use super::{Mvp, Projection};
-
-    pub trait Sealed {}
-    impl<K> Sealed for Mvp<K> {}
-    impl<K> Sealed for Projection<K> {}
-}
+impl<K> Sealed for Mvp<K> {}
+impl<K> Sealed for Projection<K> {}
 
 /// The transform from a model to the picture: an [`Mvp`], or a [`Projection`] alone for a model that is already in eye
 /// space.
@@ -86,7 +82,7 @@ mod sealed {
     label = "this is not a model-view-projection",
     note = "write `projection * camera * model`, or a `Projection` alone for a model in eye space"
 )]
-pub trait ModelToPicture: sealed::Sealed {
+pub trait ModelToPicture: Sealed {
     /// The kind of projection.
     type Kind: ProjectionKind;
 

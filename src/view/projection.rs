@@ -4,16 +4,13 @@ use core::marker::PhantomData;
 
 use super::{Viewport, Window};
 use crate::num::block::{self, BlockFloat};
+use crate::sealed::{Sealed, sealed};
 use crate::{Error, Matrix4, Scalar, Vec3};
 
 mod parallel;
 mod perspective;
 #[cfg(test)]
 mod tests;
-
-mod sealed {
-    pub trait Sealed {}
-}
 
 /// The two kinds of projection: [`Perspective`] and [`Parallel`].
 ///
@@ -26,7 +23,7 @@ mod sealed {
 ///     projection.far().saturating_sub(projection.near())
 /// }
 /// ```
-pub trait ProjectionKind: sealed::Sealed + Copy + core::fmt::Debug {
+pub trait ProjectionKind: Sealed + Copy + core::fmt::Debug {
     /// Whether objects shrink with distance.
     const PERSPECTIVE: bool;
 }
@@ -55,8 +52,7 @@ pub struct Perspective;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Parallel;
 
-impl sealed::Sealed for Perspective {}
-impl sealed::Sealed for Parallel {}
+sealed!(Perspective, Parallel);
 
 impl ProjectionKind for Perspective {
     const PERSPECTIVE: bool = true;

@@ -221,7 +221,7 @@ fn numbers_that_do_not_fit_are_refused() {
 }
 
 #[test]
-#[should_panic(expected = "more than 16 fraction bits")]
+#[should_panic(expected = "mesh: number of fraction bits is 17: it must lie between 0 and 16")]
 fn compile_time_refusals_say_why() {
     let _ = Mesh::checked(Mesh::short(&[], 17, &[]));
 }

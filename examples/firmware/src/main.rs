@@ -33,11 +33,9 @@ fn main() {
 
 #[cfg(target_os = "none")]
 mod firmware {
-    use core::panic::PanicInfo;
-
     use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
     use fixel::prelude::*;
-    use semihosting::{println, process};
+    use semihosting::println;
 
     use super::bench::{Bench, Figures, Layout};
     use super::board::{self, Clock};
@@ -87,18 +85,6 @@ mod firmware {
 
     #[board::entry]
     fn main() -> ! {
-        match run() {
-            Ok(()) => process::exit(0),
-            Err(error) => {
-                println!("{error}");
-                process::exit(1)
-            }
-        }
-    }
-
-    #[panic_handler]
-    fn panic(info: &PanicInfo<'_>) -> ! {
-        println!("{info}");
-        process::exit(1)
+        board::exit(run())
     }
 }

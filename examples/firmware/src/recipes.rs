@@ -21,13 +21,11 @@ fn main() {
 
 #[cfg(target_os = "none")]
 mod firmware {
-    use core::panic::PanicInfo;
-
     use crc32fast::Hasher;
     use embedded_graphics::pixelcolor::raw::ToBytes;
     use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
     use fixel::prelude::*;
-    use semihosting::{println, process};
+    use semihosting::println;
     use static_cell::ConstStaticCell;
 
     use super::board::{self, Clock};
@@ -68,18 +66,6 @@ mod firmware {
 
     #[board::entry]
     fn main() -> ! {
-        match run() {
-            Ok(()) => process::exit(0),
-            Err(error) => {
-                println!("{error}");
-                process::exit(1)
-            }
-        }
-    }
-
-    #[panic_handler]
-    fn panic(info: &PanicInfo<'_>) -> ! {
-        println!("{info}");
-        process::exit(1)
+        board::exit(run())
     }
 }

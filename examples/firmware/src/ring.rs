@@ -17,12 +17,10 @@ fn main() {
 
 #[cfg(target_os = "none")]
 mod firmware {
-    use core::panic::PanicInfo;
-
     use embedded_graphics::pixelcolor::{Rgb565, RgbColor, raw::BigEndian};
     use fixel::mode::{Fast, Mode};
     use fixel::prelude::*;
-    use semihosting::{println, process};
+    use semihosting::println;
     use static_cell::ConstStaticCell;
 
     use super::board::{self, Clock};
@@ -136,18 +134,6 @@ mod firmware {
 
     #[board::entry]
     fn main() -> ! {
-        match run() {
-            Ok(()) => process::exit(0),
-            Err(error) => {
-                println!("{error}");
-                process::exit(1)
-            }
-        }
-    }
-
-    #[panic_handler]
-    fn panic(info: &PanicInfo<'_>) -> ! {
-        println!("{info}");
-        process::exit(1)
+        board::exit(run())
     }
 }

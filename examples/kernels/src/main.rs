@@ -58,15 +58,13 @@ fn main() -> Result<(), fixel::Error> {
 
 #[cfg(target_os = "none")]
 mod firmware {
-    use core::panic::PanicInfo;
-
     use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
     use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
     use fixel::prelude::*;
     use fixel::shade::{Fog, Gradient, Mipmapped};
     use fixel::target::{Add, Alpha, Multiply, Opacity};
     use fixel::texture::{Argb4444, Mipmap, MipmapArray};
-    use semihosting::{println, process};
+    use semihosting::println;
 
     use super::board::{self, Clock};
     use super::bounds;
@@ -183,18 +181,6 @@ mod firmware {
 
     #[board::entry]
     fn main() -> ! {
-        match run() {
-            Ok(()) => process::exit(0),
-            Err(error) => {
-                println!("{error}");
-                process::exit(1)
-            }
-        }
-    }
-
-    #[panic_handler]
-    fn panic(info: &PanicInfo<'_>) -> ! {
-        println!("{info}");
-        process::exit(1)
+        board::exit(run())
     }
 }

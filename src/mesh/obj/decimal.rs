@@ -64,7 +64,26 @@ macro_rules! byte {
         if $at < $text.len() { $text[$at] } else { b'\n' }
     };
 }
-pub(super) use byte;
+
+/// Reads digits, if there are any. Yields their value, which is `$limit` or any greater number if it is not below that,
+/// and where they end. A macro for the same reason.
+macro_rules! digits {
+    ($text:expr, $at:expr, $limit:expr) => {{
+        let (text, mut at, mut value): (&[u8], usize, u64) = ($text, $at, 0);
+        while at < text.len() {
+            let c = text[at];
+            if c < b'0' || c > b'9' {
+                break;
+            }
+            if value < $limit {
+                value = value * 10 + (c - b'0') as u64;
+            }
+            at += 1;
+        }
+        (value, at)
+    }};
+}
+pub(super) use {byte, digits};
 
 /// A fraction given by its first 17 decimal places and the next 4, in units of 2⁻²¹, rounded down.
 const fn bits(high: u64, low: u64) -> u64 {
@@ -83,17 +102,8 @@ pub(super) const fn decimal(text: &[u8], mut at: usize, format: Format) -> Decim
         at += 1;
     }
     let start = at;
-    let mut whole = 0;
-    while at < text.len() {
-        let c = text[at];
-        if c < b'0' || c > b'9' {
-            break;
-        }
-        if whole < LARGE {
-            whole = whole * 10 + (c - b'0') as u64;
-        }
-        at += 1;
-    }
+    let mut whole;
+    (whole, at) = digits!(text, at, LARGE);
     let point = at - start;
     let mut places = 0;
     let (mut high, mut low) = (0, 0);
@@ -153,19 +163,13 @@ const fn power(text: &[u8], mut at: usize) -> Result<(i64, usize), &'static str>
     if negative || byte!(text, at) == b'+' {
         at += 1;
     }
-    let start = at;
-    let mut power = 0;
-    while byte!(text, at).is_ascii_digit() {
-        // No text has this many digits, so the exact value no longer matters.
-        if power < 1 << 40 {
-            power = power * 10 + (byte!(text, at) - b'0') as i64;
-        }
-        at += 1;
-    }
-    if at == start {
+    // No text has this many digits, so a greater value does not matter.
+    let (power, end) = digits!(text, at, 1 << 40);
+    if at == end {
         return Err(MALFORMED);
     }
-    Ok((if negative { -power } else { power }, at))
+    let power = power.cast_signed();
+    Ok((if negative { -power } else { power }, end))
 }
 
 /// Moves the point of the digits from `start` to `end` to `point` digits after the first. Returns the whole part, the

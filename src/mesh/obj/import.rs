@@ -1,10 +1,8 @@
 //! The code that [`include_obj!`](crate::include_obj) and [`include_mtl!`](crate::include_mtl) expand to.
 
 use super::ears;
-use super::mtl::{self, Material};
-use super::name::Name;
-use super::parse;
-use super::parts::{self, Run};
+use super::reader::are_same;
+use super::{mtl, parse, parts};
 use crate::error::ok;
 use crate::mesh::{Counts, Part, flash::Room};
 use crate::{Error, message};
@@ -67,21 +65,15 @@ macro_rules! include_obj {
 pub use super::parts::room as room_for_parts;
 
 /// A text and the path of its file.
-type File<'a> = (&'a [u8], &'a str);
-
-/// A part whose names are not in flash yet.
-#[derive(Clone, Copy, Debug)]
-struct Found {
-    run: Run,
-    material: Material,
-    /// Where the names go: the material's, then its texture's.
-    names: [Name; 2],
-}
+type File = (&'static [u8], &'static str);
 
 /// The parts of an OBJ file, in a list with room for those of any file of its length.
 #[derive(Clone, Copy, Debug)]
 pub struct Parts<const N: usize> {
-    found: [Found; N],
+    /// Their names are in the files.
+    found: [Part<'static>; N],
+    /// Where the names of each go: the material's, then its texture's.
+    names_at: [usize; N],
     /// How many there are.
     pub count: usize,
     /// How many bytes the names take; parts of the same material share them.
@@ -95,53 +87,33 @@ impl<const N: usize> Parts<N> {
     ///
     /// If one of them is not valid, or if the MTL file lacks a material; the message names the path.
     #[must_use]
-    pub const fn find((obj, obj_path): File<'_>, (mtl, mtl_path): File<'_>) -> Self {
-        let (runs, count) = message::checked(parts::runs::<N>(obj), obj_path);
-        let mut found = [Found {
-            run: Run::NONE,
-            material: Material::DEFAULT,
-            names: [Name::EMPTY; 2],
-        }; N];
-        let mut bytes = 0;
-        let mut at = 0;
+    pub const fn find((obj, obj_path): File, (mtl, mtl_path): File) -> Self {
+        let (mut found, count) = message::checked(parts::runs::<N>(obj), obj_path);
+        let (mut names_at, mut bytes, mut at) = ([0; N], 0, 0);
         while at < count {
-            let run = runs[at];
+            let name = found[at].material;
             let mut same = 0;
-            while same < at && !runs[same].name.is(obj, run.name, obj) {
+            while same < at && !are_same(found[same].material, name) {
                 same += 1;
             }
-            if same < at {
-                found[at] = found[same];
-                found[at].run = run;
+            (found[at].color, found[at].texture) = if same < at {
+                names_at[at] = names_at[same];
+                (found[same].color, found[same].texture)
             } else {
-                let material = match message::checked(mtl::find(mtl, run.name, obj), mtl_path) {
+                let (color, texture) = match message::checked(mtl::find(mtl, name), mtl_path) {
                     Some(material) => material,
-                    None if run.name.len() == 0 => Material::DEFAULT,
-                    None => message::no_material(obj_path, mtl_path, run.name.bytes(obj)),
+                    None if name.is_empty() => (Part::NO_MATERIAL, ""),
+                    None => message::no_material(obj_path, mtl_path, name),
                 };
-                let texture = bytes + run.name.len();
-                let end = texture + material.texture.len();
-                let names = [
-                    Name {
-                        start: bytes,
-                        end: texture,
-                    },
-                    Name {
-                        start: texture,
-                        end,
-                    },
-                ];
-                found[at] = Found {
-                    run,
-                    material,
-                    names,
-                };
-                bytes = end;
-            }
+                names_at[at] = bytes;
+                bytes += name.len() + texture.len();
+                (color, texture)
+            };
             at += 1;
         }
         Self {
             found,
+            names_at,
             count,
             bytes,
         }
@@ -149,20 +121,20 @@ impl<const N: usize> Parts<N> {
 
     /// The names, one after the other.
     #[must_use]
-    pub const fn text<const BYTES: usize>(&self, obj: &[u8], mtl: &[u8]) -> [u8; BYTES] {
-        const fn copy(text: &mut [u8], to: Name, name: Name, from: &[u8]) {
+    pub const fn text<const BYTES: usize>(&self) -> [u8; BYTES] {
+        const fn copy(text: &mut [u8], start: usize, name: &str) {
             let mut at = 0;
             while at < name.len() {
-                text[to.start + at] = from[name.start + at];
+                text[start + at] = name.as_bytes()[at];
                 at += 1;
             }
         }
         let mut text = [0; BYTES];
         let mut at = 0;
         while at < self.count {
-            let part = self.found[at];
-            copy(&mut text, part.names[0], part.run.name, obj);
-            copy(&mut text, part.names[1], part.material.texture, mtl);
+            let (part, start) = (self.found[at], self.names_at[at]);
+            copy(&mut text, start, part.material);
+            copy(&mut text, start + part.material.len(), part.texture);
             at += 1;
         }
         text
@@ -172,8 +144,8 @@ impl<const N: usize> Parts<N> {
     #[must_use]
     pub const fn parts<const COUNT: usize>(&self, text: &'static [u8]) -> [Part<'static>; COUNT] {
         /// Both readers have checked that names are UTF-8.
-        const fn name(name: Name, text: &'static [u8]) -> &'static str {
-            match core::str::from_utf8(name.bytes(text)) {
+        const fn name(text: &'static [u8], start: usize, len: usize) -> &'static str {
+            match core::str::from_utf8(text.split_at(start).1.split_at(len).0) {
                 Ok(name) => name,
                 Err(_) => "",
             }
@@ -181,14 +153,11 @@ impl<const N: usize> Parts<N> {
         let mut parts = [Part::new(0..0, Part::NO_MATERIAL); COUNT];
         let mut at = 0;
         while at < COUNT {
-            let Found {
-                run,
-                material,
-                names,
-            } = self.found[at];
-            parts[at] = Part::new(run.start..run.end, material.color)
-                .with_material(name(names[0], text))
-                .with_texture(name(names[1], text));
+            let (part, start) = (self.found[at], self.names_at[at]);
+            let middle = start + part.material.len();
+            parts[at] = part
+                .with_material(name(text, start, part.material.len()))
+                .with_texture(name(text, middle, part.texture.len()));
             at += 1;
         }
         parts
@@ -248,7 +217,7 @@ macro_rules! include_mtl {
         const MTL: &[u8] = ::core::include_bytes!($mtl);
         #[allow(long_running_const_eval)]
         const FOUND: Parts<{ room_for_parts(OBJ.len()) }> = Parts::find((OBJ, $obj), (MTL, $mtl));
-        static NAMES: [u8; FOUND.bytes] = FOUND.text(OBJ, MTL);
+        static NAMES: [u8; FOUND.bytes] = FOUND.text();
         static PARTS: [$crate::mesh::Part<'static>; FOUND.count] = FOUND.parts(&NAMES);
         PARTS.as_slice()
     }};

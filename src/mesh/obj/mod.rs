@@ -7,7 +7,7 @@
 //! |---|---|
 //! | `v x y z`, `v x y z w` | a position; the weight is ignored |
 //! | `v x y z r g b` | a position with a color, each component from 0 to 1; the mesh has colors if every position has one |
-//! | `vt u`, `vt u v`, `vt u v w` | a texture coordinate; OBJ's v points up and [`Vec2`]'s points down, so v becomes 1 − v; w is ignored |
+//! | `vt u`, `vt u v`, `vt u v w` | a texture coordinate; OBJ's v points up and [`Vec2`](crate::Vec2)'s points down, so v becomes 1 − v; w is ignored |
 //! | `vn x y z` | a normal, of any length |
 //! | `f 1 2 3`, `f 1/1 …`, `f 1//1 …`, `f 1/1/1 …` | a polygon of three or more corners, cut into a fan of triangles around its first corner; where this fan leaves a concave polygon, [`include_obj!`](crate::include_obj) cuts off ears instead |
 //! | `l 1 2 3` | edges between positions |
@@ -34,17 +34,14 @@ mod edges;
 #[doc(hidden)]
 pub mod import;
 mod mtl;
-mod name;
 mod parts;
 mod reader;
 
-use embedded_graphics::pixelcolor::Rgb888;
-
 use super::buffers::{Buffers, Counts};
 use super::indexed::{Index, Mesh};
+use crate::Error;
 use crate::error::ok;
-use crate::{Error, Vec2, Vec3};
-use reader::{Corner, MOST, Reader, Statement};
+use reader::{Corner, MOST, Reader};
 
 /// How the corners use an attribute, which decides whether it needs indices of its own.
 #[derive(Clone, Copy)]
@@ -205,34 +202,29 @@ impl<'t, 'b, 'a> Writer<'t, 'b, 'a> {
     }
 
     const fn write(&mut self) -> Result<(), Error> {
-        loop {
-            let statement = ok!(self.reader.statement());
-            // The reader has counted this element already, so it is the last.
-            let [positions, uvs, normals] = self.reader.seen();
-            let corners = match statement {
-                Statement::Position(position, color) => {
-                    let at = positions - 1;
-                    put!(self.buffers.positions, at, Vec3::from_bits(position));
-                    if let Some([r, g, b]) = color {
-                        put!(self.buffers.colors, at, Rgb888::new(r, g, b));
-                        self.colors += 1;
-                    }
-                    continue;
+        while self.reader.begins() {
+            if self.reader.keyword(b"v") {
+                let (at, position, color) = ok!(self.reader.position());
+                put!(self.buffers.positions, at, position);
+                if let Some(color) = color {
+                    put!(self.buffers.colors, at, color);
+                    self.colors += 1;
                 }
-                Statement::Uv(uv) => {
-                    put!(self.buffers.uvs, uvs - 1, Vec2::from_bits(uv));
-                    continue;
-                }
-                Statement::Normal(normal) => {
-                    put!(self.buffers.normals, normals - 1, Vec3::from_bits(normal));
-                    continue;
-                }
-                Statement::Face => self.polygon(true),
-                Statement::Line => self.polygon(false),
-                Statement::End => return Ok(()),
-            };
-            ok!(corners);
+            } else if self.reader.keyword(b"f") {
+                ok!(self.polygon(true));
+            } else if self.reader.keyword(b"vt") {
+                let (at, uv) = ok!(self.reader.uv());
+                put!(self.buffers.uvs, at, uv);
+            } else if self.reader.keyword(b"vn") {
+                let (at, normal) = ok!(self.reader.normal());
+                put!(self.buffers.normals, at, normal);
+            } else if self.reader.keyword(b"l") {
+                ok!(self.polygon(false));
+            } else {
+                self.reader.skip(false);
+            }
         }
+        Ok(())
     }
 
     /// Reads the corners of a polygon and writes its triangles and edges, or reads a line and writes its edges.

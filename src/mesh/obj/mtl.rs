@@ -3,110 +3,73 @@
 use embedded_graphics::pixelcolor::Rgb888;
 
 use super::decimal::SCALAR;
-use super::name::Name;
-use super::reader::{Reader, component};
+use super::reader::{Reader, are_same};
 use crate::Error;
 use crate::error::ok;
 use crate::mesh::Part;
 
-/// A material of an MTL text.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Material {
-    pub(super) color: Rgb888,
-    /// Empty if there is none.
-    pub(super) texture: Name,
-}
-
-impl Material {
-    pub(super) const DEFAULT: Self = Self {
-        color: Part::NO_MATERIAL,
-        texture: Name::EMPTY,
-    };
-}
-
-/// A statement that matters to a material.
-pub(super) enum Statement {
-    New(Name),
-    Color(Rgb888),
-    Texture(Name),
-    End,
-}
-
-/// Looks for the material with the `name` that stands in `names`; `None` if the text lacks it. The whole text is
-/// checked.
-pub(super) const fn find(text: &[u8], name: Name, names: &[u8]) -> Result<Option<Material>, Error> {
-    let mut found: Option<Material> = None;
+/// Looks for the material with this name: its color and the name of its texture, which is empty if there is none.
+/// `None` if the text lacks it. The whole text is checked.
+pub(super) const fn find<'t>(
+    text: &'t [u8],
+    name: &str,
+) -> Result<Option<(Rgb888, &'t str)>, Error> {
+    const ORPHAN: &str = "a color or a texture comes before the first newmtl";
+    let mut found = None;
     let (mut any, mut here) = (false, false);
     let mut reader = Reader::new(text, [0; 3]);
-    loop {
-        let (color, texture) = match ok!(reader.material_statement()) {
-            Statement::New(new) => {
-                any = true;
-                here = new.is(text, name, names);
-                if here && found.is_some() {
-                    return reader.error("a material of this name was defined before");
-                }
-                if here {
-                    found = Some(Material::DEFAULT);
-                }
-                continue;
+    while reader.begins() {
+        if reader.keyword(b"newmtl") {
+            any = true;
+            here = are_same(
+                ok!(reader.name("newmtl needs the name of a material")),
+                name,
+            );
+            if here && found.is_some() {
+                return reader.error("a material of this name was defined before");
             }
-            Statement::Color(color) => (Some(color), None),
-            Statement::Texture(texture) => (None, Some(texture)),
-            Statement::End => return Ok(found),
-        };
-        if !any {
-            return reader.error("a color or a texture comes before the first newmtl");
-        }
-        if let (Some(material), true) = (&mut found, here) {
-            if let Some(color) = color {
-                material.color = color;
+            if here {
+                found = Some((Part::NO_MATERIAL, ""));
             }
-            if let Some(texture) = texture {
-                material.texture = texture;
+        } else if reader.keyword(b"Kd") {
+            let new = ok!(reader.color());
+            match &mut found {
+                _ if !any => return reader.error(ORPHAN),
+                Some((color, _)) if here => *color = new,
+                _ => {}
             }
+        } else if reader.keyword(b"map_Kd") {
+            let new = ok!(reader.texture());
+            match &mut found {
+                _ if !any => return reader.error(ORPHAN),
+                Some((_, texture)) if here => *texture = new,
+                _ => {}
+            }
+        } else {
+            reader.skip(false);
         }
     }
+    Ok(found)
 }
 
-impl Reader<'_> {
-    /// Reads the next statement that matters to a material.
-    const fn material_statement(&mut self) -> Result<Statement, Error> {
-        while self.begins() {
-            if self.keyword(b"newmtl") {
-                let name = ok!(self.name("newmtl needs the name of a material"));
-                return Ok(Statement::New(name));
-            }
-            if self.keyword(b"Kd") {
-                return Ok(Statement::Color(ok!(self.color())));
-            }
-            if self.keyword(b"map_Kd") {
-                return Ok(Statement::Texture(ok!(self.texture())));
-            }
-            self.skip(false);
-        }
-        Ok(Statement::End)
-    }
-
-    const fn texture(&mut self) -> Result<Name, Error> {
+impl<'t> Reader<'t> {
+    const fn texture(&mut self) -> Result<&'t str, Error> {
         let name = ok!(self.name("map_Kd needs the name of a file"));
-        // Options may come before the file.
-        if self.text()[name.start] == b'-' {
-            return Ok(name.last_word(self.text()));
+        let text = name.as_bytes();
+        // Options may come before the file: the last word.
+        let mut start = if text[0] == b'-' { text.len() } else { 0 };
+        while start > 0 && !matches!(text[start - 1], b' ' | b'\t') {
+            start -= 1;
         }
-        Ok(name)
+        Ok(name.split_at(start).1)
     }
 
     const fn color(&mut self) -> Result<Rgb888, Error> {
         let (n, count) = ok!(self.numbers::<3>(SCALAR));
-        let [r, g, b] = match count {
-            1 => [n[0]; 3],
-            3 => n,
-            _ => return self.error("a color needs 3 numbers, or 1 for gray"),
-        };
-        match (component(r), component(g), component(b)) {
-            (Some(r), Some(g), Some(b)) => Ok(Rgb888::new(r, g, b)),
-            _ => self.error("a color is out of range: it must lie between 0 and 1"),
+        match count {
+            1 => self.rgb([n[0]; 3]),
+            3 => self.rgb(n),
+            _ => self.error("a color needs 3 numbers, or 1 for gray"),
         }
     }
 }
@@ -117,12 +80,7 @@ mod tests {
 
     /// The color of a material and its texture's name.
     fn found<'t>(text: &'t str, name: &str) -> Result<Option<(Rgb888, &'t str)>, Error> {
-        let all = Name {
-            start: 0,
-            end: name.len(),
-        };
-        let found = find(text.as_bytes(), all, name.as_bytes())?;
-        Ok(found.map(|it| (it.color, &text[it.texture.start..it.texture.end])))
+        find(text.as_bytes(), name)
     }
 
     const TEXT: &str = "# paint\n\tnewmtl red brick\nKa 9 9 9\nKd 1 0.5 0 # warm\nd 1\n\
@@ -172,7 +130,7 @@ mod tests {
             let error = found(text, "a").unwrap_err();
             assert_eq!(std::string::ToString::to_string(&error), message);
         }
-        let error = find(b"newmtl \xff", Name::EMPTY, b"").unwrap_err();
+        let error = find(b"newmtl \xff", "").unwrap_err();
         assert_eq!(
             std::string::ToString::to_string(&error),
             "line 1: a name must be UTF-8"

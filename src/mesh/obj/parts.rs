@@ -1,36 +1,9 @@
 //! Runs of faces with one material.
 
-use super::name::Name;
-use super::reader::Reader;
+use super::reader::{Reader, are_same};
 use crate::Error;
 use crate::error::ok;
-
-/// A statement that matters to parts.
-pub(super) enum Statement {
-    /// A polygon, with the number of triangles that it becomes.
-    Face(usize),
-    /// `usemtl`: the following faces have this material.
-    Material(Name),
-    /// The end of the text.
-    End,
-}
-
-/// A run of faces with one material.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Run {
-    pub(super) start: usize,
-    pub(super) end: usize,
-    /// The material's name; empty for faces before the first `usemtl`.
-    pub(super) name: Name,
-}
-
-impl Run {
-    pub(super) const NONE: Self = Self {
-        start: 0,
-        end: 0,
-        name: Name::EMPTY,
-    };
-}
+use crate::mesh::Part;
 
 /// An upper bound for the runs in a text of `bytes` bytes: `usemtl`, a blank, a name and a line's end take 9 bytes.
 #[must_use]
@@ -38,47 +11,29 @@ pub const fn room(bytes: usize) -> usize {
     bytes / 9 + 2
 }
 
-/// The runs of a text, in a list with room for any text of its length, and how many there are.
-pub(super) const fn runs<const N: usize>(text: &[u8]) -> Result<([Run; N], usize), Error> {
-    let mut runs = [Run::NONE; N];
+/// The runs of a text, in a list with room for any text of its length, and how many there are. They have the names of
+/// their materials, which are empty before the first `usemtl`, but neither color nor texture. Mistakes in faces are
+/// left to the reader of the mesh.
+pub(super) const fn runs<const N: usize>(text: &[u8]) -> Result<([Part<'_>; N], usize), Error> {
+    let mut runs = [Part::new(0..0, Part::NO_MATERIAL); N];
     let (mut count, mut faces) = (0, 0);
-    let mut name = Name::EMPTY;
+    let mut name = "";
     let mut reader = Reader::new(text, [0; 3]);
-    loop {
-        match ok!(reader.part_statement()) {
-            Statement::Face(triangles) => {
-                if count == 0 || !runs[count - 1].name.is(text, name, text) {
-                    runs[count] = Run {
-                        start: faces,
-                        end: faces,
-                        name,
-                    };
-                    count += 1;
-                }
-                faces += triangles;
-                runs[count - 1].end = faces;
+    while reader.begins() {
+        if reader.keyword(b"f") {
+            if count == 0 || !are_same(runs[count - 1].material, name) {
+                runs[count] = Part::new(faces..faces, Part::NO_MATERIAL).with_material(name);
+                count += 1;
             }
-            Statement::Material(next) => name = next,
-            Statement::End => return Ok((runs, count)),
+            faces += reader.count_words().saturating_sub(2);
+            runs[count - 1].end = faces;
+        } else if reader.keyword(b"usemtl") {
+            name = ok!(reader.name("usemtl needs the name of a material"));
+        } else {
+            reader.skip(false);
         }
     }
-}
-
-impl Reader<'_> {
-    /// Reads the next statement that matters to parts. Mistakes in faces are left to the reader of the mesh.
-    pub(super) const fn part_statement(&mut self) -> Result<Statement, Error> {
-        while self.begins() {
-            if self.keyword(b"f") {
-                return Ok(Statement::Face(self.count_words().saturating_sub(2)));
-            }
-            if self.keyword(b"usemtl") {
-                let name = ok!(self.name("usemtl needs the name of a material"));
-                return Ok(Statement::Material(name));
-            }
-            self.skip(false);
-        }
-        Ok(Statement::End)
-    }
+    Ok((runs, count))
 }
 
 #[cfg(test)]
@@ -91,10 +46,9 @@ mod tests {
     fn found(text: &str) -> Result<Vec<(usize, usize, String)>, Error> {
         let (runs, count) = runs::<99>(text.as_bytes())?;
         assert!(count <= room(text.len()));
-        let name = |name: Name| String::from(&text[name.start..name.end]);
-        Ok(runs[..count]
-            .iter()
-            .map(|run| (run.start, run.end, name(run.name)))
+        let found = runs[..count].iter();
+        Ok(found
+            .map(|run| (run.start, run.end, String::from(run.material)))
             .collect())
     }
 

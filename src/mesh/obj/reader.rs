@@ -1,26 +1,10 @@
 //! Reads OBJ text, statement by statement.
 
-use super::decimal::{Format, SCALAR, TEX_COORD, byte, decimal};
-use super::name::Name;
-use crate::error::ok;
-use crate::{Error, Mesh, TexCoord};
+use embedded_graphics::pixelcolor::Rgb888;
 
-/// One statement of the text.
-#[derive(Clone, Copy)]
-pub(super) enum Statement {
-    /// `v`, with its color if it has one.
-    Position([i32; 3], Option<[u8; 3]>),
-    /// `vt` in units of 2⁻²⁰, with v already pointing down.
-    Uv([i32; 2]),
-    /// `vn`.
-    Normal([i32; 3]),
-    /// `f`; the caller reads its corners next.
-    Face,
-    /// `l`; the caller reads its corners next.
-    Line,
-    /// The end of the text.
-    End,
-}
+use super::decimal::{Format, SCALAR, TEX_COORD, byte, decimal, digits};
+use crate::error::ok;
+use crate::{Error, Mesh, TexCoord, Vec2, Vec3};
 
 /// The indices of a corner, counted from 0.
 #[derive(Clone, Copy)]
@@ -76,13 +60,14 @@ macro_rules! blank {
     };
 }
 
-/// A color component from 0..1 to 0..255, rounded to nearest; `None` outside 0..1.
-pub(super) const fn component(bits: i32) -> Option<u8> {
-    if bits < 0 || bits > 1 << 16 {
-        return None;
+/// Whether two names are the same.
+pub(super) const fn are_same(a: &str, b: &str) -> bool {
+    let (a, b) = (a.as_bytes(), b.as_bytes());
+    let mut at = 0;
+    while at < a.len() && at < b.len() && a[at] == b[at] {
+        at += 1;
     }
-    #[allow(clippy::cast_sign_loss)] // 0..255
-    Some(((bits * 255 + (1 << 15)) >> 16) as u8)
+    at == a.len() && at == b.len()
 }
 
 impl<'a> Reader<'a> {
@@ -98,10 +83,6 @@ impl<'a> Reader<'a> {
             known,
             named: [0; 3],
         }
-    }
-
-    pub(super) const fn text(&self) -> &'a [u8] {
-        self.text
     }
 
     /// How many positions, texture coordinates and normals have been read.
@@ -203,7 +184,7 @@ impl<'a> Reader<'a> {
 
     /// Reads the rest of the line as a name, which may contain blanks, up to a comment; `problem` says why there must be
     /// one.
-    pub(super) const fn name(&mut self, problem: &'static str) -> Result<Name, Error> {
+    pub(super) const fn name(&mut self, problem: &'static str) -> Result<&'a str, Error> {
         if !self.word() {
             return self.error(problem);
         }
@@ -221,11 +202,10 @@ impl<'a> Reader<'a> {
                 end = self.at;
             }
         }
-        let name = Name { start, end };
-        if core::str::from_utf8(name.bytes(self.text)).is_err() {
-            return self.error("a name must be UTF-8");
+        match core::str::from_utf8(self.text.split_at(end).0.split_at(start).1) {
+            Ok(name) => Ok(name),
+            Err(_) => self.error("a name must be UTF-8"),
         }
-        Ok(name)
     }
 
     /// Counts the words up to the end of the statement.
@@ -239,34 +219,6 @@ impl<'a> Reader<'a> {
             }
         }
         count
-    }
-
-    /// Reads the next statement that matters to the mesh.
-    pub(super) const fn statement(&mut self) -> Result<Statement, Error> {
-        loop {
-            if !self.begins() {
-                return Ok(Statement::End);
-            }
-            let first = byte!(self.text, self.at);
-            let second = byte!(self.text, self.at + 1);
-            if matches!(second, blank!()) {
-                self.at += 1;
-                match first {
-                    b'v' => return self.position(),
-                    b'f' => return Ok(Statement::Face),
-                    b'l' => return Ok(Statement::Line),
-                    _ => {}
-                }
-            } else if first == b'v' && matches!(byte!(self.text, self.at + 2), blank!()) {
-                self.at += 2;
-                match second {
-                    b't' => return self.uv(),
-                    b'n' => return self.normal(),
-                    _ => {}
-                }
-            }
-            self.skip(false);
-        }
     }
 
     /// Reads the numbers up to the end of the statement; returns them and how many there are.
@@ -293,47 +245,61 @@ impl<'a> Reader<'a> {
         Ok((numbers, count))
     }
 
-    /// Counts one more element of a kind.
-    const fn see(&mut self, kind: usize) -> Result<(), Error> {
-        if self.seen[kind] == MOST[kind] {
-            return self.error(TOO_MANY[kind]);
+    /// A color of three components from 0 to 1, rounded to the nearest 255th.
+    pub(super) const fn rgb(&self, components: [i32; 3]) -> Result<Rgb888, Error> {
+        let mut rgb = [0; 3];
+        let mut at = 0;
+        while at < 3 {
+            let bits = components[at];
+            if bits < 0 || bits > 1 << 16 {
+                return self.error("a color is out of range: it must lie between 0 and 1");
+            }
+            let rounded = bits.cast_unsigned() * 255 + (1 << 15);
+            rgb[at] = (rounded >> 16) as u8;
+            at += 1;
         }
-        self.seen[kind] += 1;
-        Ok(())
+        Ok(Rgb888::new(rgb[0], rgb[1], rgb[2]))
     }
 
-    const fn position(&mut self) -> Result<Statement, Error> {
+    /// Counts one more element of a kind, and returns its index.
+    const fn see(&mut self, kind: usize) -> Result<usize, Error> {
+        let index = self.seen[kind];
+        if index == MOST[kind] {
+            return self.error(TOO_MANY[kind]);
+        }
+        self.seen[kind] = index + 1;
+        Ok(index)
+    }
+
+    /// Reads the numbers of `v`: the position, and its color if it has one.
+    pub(super) const fn position(&mut self) -> Result<(usize, Vec3, Option<Rgb888>), Error> {
         let (n, count) = ok!(self.numbers::<7>(SCALAR));
         let color = match count {
             // A fourth number is a weight for curves, a seventh is an opacity.
             3 | 4 => None,
-            6 | 7 => match (component(n[3]), component(n[4]), component(n[5])) {
-                (Some(r), Some(g), Some(b)) => Some([r, g, b]),
-                _ => return self.error("a color is out of range: it must lie between 0 and 1"),
-            },
+            6 | 7 => Some(ok!(self.rgb([n[3], n[4], n[5]]))),
             _ => return self.error("a position needs 3 numbers, or 6 with its color"),
         };
-        ok!(self.see(0));
-        Ok(Statement::Position([n[0], n[1], n[2]], color))
+        Ok((ok!(self.see(0)), Vec3::from_bits([n[0], n[1], n[2]]), color))
     }
 
-    const fn uv(&mut self) -> Result<Statement, Error> {
+    /// Reads the numbers of `vt`, with v pointing down.
+    pub(super) const fn uv(&mut self) -> Result<(usize, Vec2), Error> {
         let ([u, up, _], 1..) = ok!(self.numbers(TEX_COORD)) else {
             return self.error("a texture coordinate needs 2 numbers");
         };
         let Some(down) = TexCoord::ONE.to_bits().checked_sub(up) else {
             return self.error(TEX_COORD.range);
         };
-        ok!(self.see(1));
-        Ok(Statement::Uv([u, down]))
+        Ok((ok!(self.see(1)), Vec2::from_bits([u, down])))
     }
 
-    const fn normal(&mut self) -> Result<Statement, Error> {
+    /// Reads the numbers of `vn`.
+    pub(super) const fn normal(&mut self) -> Result<(usize, Vec3), Error> {
         let (n, 3) = ok!(self.numbers::<3>(SCALAR)) else {
             return self.error("a normal needs 3 numbers");
         };
-        ok!(self.see(2));
-        Ok(Statement::Normal(n))
+        Ok((ok!(self.see(2)), Vec3::from_bits(n)))
     }
 
     /// Reads the next corner of a face or line; `None` at its end.
@@ -371,28 +337,15 @@ impl<'a> Reader<'a> {
 
     /// Reads an index of a kind of element: 1 is the first, −1 the last so far.
     const fn index(&mut self, kind: usize) -> Result<u16, Error> {
-        let text = self.text;
-        let mut at = self.at;
-        let negative = at < text.len() && text[at] == b'-';
-        if negative {
-            at += 1;
-        }
-        let start = at;
-        let mut number = 0;
-        while at < text.len() {
-            let c = text[at];
-            if c < b'0' || c > b'9' {
-                break;
-            }
-            if number <= MOST[0] {
-                number = number * 10 + (c - b'0') as usize;
-            }
-            at += 1;
-        }
-        self.at = at;
-        if at == start {
+        let negative = byte!(self.text, self.at) == b'-';
+        let start = self.at + negative as usize;
+        // Greater numbers are as wrong as this one.
+        let (number, end) = digits!(self.text, start, MOST[0] as u64 + 1);
+        self.at = end;
+        if start == end {
             return self.error(MALFORMED);
         }
+        let number = number as usize;
         if number == 0 {
             return self.error("an index is 0: the first is 1, and the last -1");
         }

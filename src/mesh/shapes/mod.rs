@@ -7,7 +7,7 @@ mod writer;
 
 use super::buffers::{Buffers, Counts};
 use super::indexed::Mesh;
-use crate::error::ok;
+use crate::error::{check_count, check_extent, check_parts, ok};
 use crate::num::Scalar;
 use crate::{Error, Vec3};
 use surface::Surface;
@@ -42,23 +42,7 @@ pub struct Shape {
 }
 
 const fn parts(of: &'static str, given: u32, min: u32) -> Result<(), Error> {
-    if given < min || given > Shape::MAX_PARTS {
-        let max = Shape::MAX_PARTS;
-        return Err(Error::Parts {
-            of,
-            given,
-            min,
-            max,
-        });
-    }
-    Ok(())
-}
-
-const fn extent(of: &'static str, given: Scalar, max: Scalar) -> Result<(), Error> {
-    if given.to_bits() <= 0 || given.to_bits() > max.to_bits() {
-        return Err(Error::Extent { of, given, max });
-    }
-    Ok(())
+    check_parts(of, given, [min, Shape::MAX_PARTS])
 }
 
 impl Shape {
@@ -76,9 +60,9 @@ impl Shape {
     /// [`Error::Extent`] if a component of `corner` is not above 0.
     pub const fn cuboid(corner: Vec3) -> Result<Self, Error> {
         let checks = [
-            extent("half the width", corner.x, Scalar::MAX),
-            extent("half the height", corner.y, Scalar::MAX),
-            extent("half the depth", corner.z, Scalar::MAX),
+            check_extent("half the width", corner.x, Scalar::MAX),
+            check_extent("half the height", corner.y, Scalar::MAX),
+            check_extent("half the depth", corner.z, Scalar::MAX),
         ];
         Self::of(Surface::Cuboid(corner), [0; 2], &checks)
     }
@@ -109,7 +93,7 @@ impl Shape {
     pub const fn torus(tube: Scalar, slices: u32, sides: u32) -> Result<Self, Error> {
         let max = Scalar::from_bits(Scalar::ONE.to_bits() - 1);
         let checks = [
-            extent("tube radius", tube, max),
+            check_extent("tube radius", tube, max),
             parts("slices", slices, 3),
             parts("sides", sides, 3),
         ];
@@ -160,9 +144,7 @@ impl Shape {
         };
         let given = shape.counts().positions;
         let max = Mesh::MAX_POSITIONS;
-        if given > max {
-            return Err(Error::TooMany { given, max });
-        }
+        ok!(check_count(given, max));
         Ok(shape)
     }
 
@@ -205,17 +187,6 @@ impl Shape {
         surface::write(&mut writer, self);
         writer.mesh()
     }
-
-    /// Unwraps a shape at compile time; for [`shape!`](crate::shape).
-    ///
-    /// # Panics
-    ///
-    /// If `result` is an error.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn checked(result: Result<Self, Error>, name: &str) -> Self {
-        crate::message::checked(result, name)
-    }
 }
 
 /// A mesh of a [`Shape`](crate::mesh::Shape), built at compile time and stored in flash.
@@ -245,7 +216,7 @@ impl Shape {
 #[macro_export]
 macro_rules! shape {
     ($name:ident($($argument:expr),* $(,)?) $(, $short:ident)? $(,)?) => {{
-        const SHAPE: $crate::mesh::Shape = $crate::mesh::Shape::checked(
+        const SHAPE: $crate::mesh::Shape = $crate::mesh::flash::checked(
             $crate::mesh::Shape::$name($($argument),*),
             ::core::stringify!($name($($argument),*)),
         );

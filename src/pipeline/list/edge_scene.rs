@@ -6,9 +6,10 @@ use embedded_graphics::geometry::Size;
 
 use super::edges::{self, Edge};
 use super::scene::View;
-use super::{EdgeList, Needed, Object, PreparedEdges, Slot};
+use super::{EdgeList, Object, PreparedEdges, Slot};
 use crate::Error;
 use crate::pipeline::cache::VertexCache;
+use crate::pipeline::call::Call;
 use crate::pipeline::options::PixelOptions;
 use crate::pipeline::{DrawOptions, outline};
 use crate::raster::Hairline;
@@ -114,29 +115,19 @@ impl<const EDGES: usize, const VERTICES: usize> EdgeList<EDGES, VERTICES> {
         check_size(frame.width, frame.height)?;
         self.edges.clear();
         self.vertices.clear();
-        let mut needed = Needed::nothing("edges");
         let lists = (&mut self.edges, &mut self.vertices);
-        let screen = options.screen(frame);
-        let view = View::prepare(
-            screen,
-            view,
-            objects,
-            &mut needed,
-            |call, object, needed| {
-                let lists = (lists.0.as_mut_view(), lists.1.as_mut_view());
-                let height = frame.height;
-                if let Some(outline) = object.outline {
-                    let ends_of = |cache: &mut VertexCache, at, &edge: &_| {
-                        outline::ends_of(call, cache, outline, (at, edge))
-                    };
-                    edges::add(call, height, (outline.edges(), ends_of), lists, needed);
-                } else {
-                    let all = |_: &mut VertexCache, _, &edge: &_| Some(edge);
-                    edges::add(call, height, (object.mesh.edges(), all), lists, needed);
-                }
-            },
-        );
-        needed.check::<EDGES, VERTICES>()?;
+        let (screen, height) = (options.screen(frame), frame.height);
+        let (view, needed) = View::prepare(screen, view, objects, |call, object, needed| {
+            let lists = (lists.0.as_mut_view(), lists.1.as_mut_view());
+            if let Some(outline) = object.outline {
+                let edges = (outline.edges(), outline::ends_of(outline));
+                edges::add(call, height, edges, lists, needed);
+            } else {
+                let all = |_: &Call<'_, _>, _: &mut VertexCache, _, &edge: &_| Some(edge);
+                edges::add(call, height, (object.mesh.edges(), all), lists, needed);
+            }
+        });
+        needed.check::<EDGES, VERTICES>("edges")?;
         Ok(PreparedEdgeScene {
             view,
             edges: &self.edges,

@@ -7,13 +7,14 @@ use heapless::{Vec, VecView};
 
 use super::{Needed, PreparedCall, Slot, VertexWriter, vertex};
 use crate::Error;
-use crate::mesh::{Element, Index, Mesh, Outline};
+use crate::mesh::{Index, Mesh, Outline};
 use crate::pipeline::cache::VertexCache;
 use crate::pipeline::call::Call;
 use crate::pipeline::line_style::DrawLine;
 use crate::pipeline::options::PixelOptions;
+use crate::pipeline::run::Draw;
 use crate::pipeline::{DrawOptions, Drawn, outline, run};
-use crate::raster::{Barycentric, Blitter, ClippedVertex, Hairline, Rasterizer};
+use crate::raster::{Barycentric, Blitter, ClippedVertex, Hairline};
 use crate::span::{Mode, Newton};
 use crate::target::{DepthTest, Replace, TestAndWrite, check_size};
 use crate::view::{ModelToPicture, Perspective, ProjectionKind};
@@ -135,8 +136,9 @@ impl<const EDGES: usize, const VERTICES: usize> EdgeList<EDGES, VERTICES> {
         mesh: &'a Mesh<'a>,
         mvp: &V,
     ) -> Result<PreparedEdges<'a, V::Kind, M, Z, B, L>, Error> {
-        let ends_of = |_: &Call<'_, _>, _: &mut VertexCache, _, &edge: &_| Some(edge);
-        self.prepare_chosen(options, frame.into(), (mesh, mvp), mesh.edges(), ends_of)
+        let all = |_: &Call<'_, _>, _: &mut VertexCache, _, &edge: &_| Some(edge);
+        let edges = (mesh.edges(), all);
+        self.prepare_chosen(options, frame.into(), (mesh, mvp), edges)
     }
 
     /// Prepares the edges of an outline that [`Canvas::draw_outline`](crate::Canvas::draw_outline) would draw.
@@ -152,10 +154,8 @@ impl<const EDGES: usize, const VERTICES: usize> EdgeList<EDGES, VERTICES> {
         outline: &Outline<'_>,
         mvp: &V,
     ) -> Result<PreparedEdges<'a, V::Kind, M, Z, B, L>, Error> {
-        let ends_of = |call: &Call<'_, _>, vertices: &mut VertexCache, at, &edge: &_| {
-            outline::ends_of(call, vertices, outline, (at, edge))
-        };
-        self.prepare_chosen(options, frame.into(), (mesh, mvp), outline.edges(), ends_of)
+        let edges = (outline.edges(), outline::ends_of(outline));
+        self.prepare_chosen(options, frame.into(), (mesh, mvp), edges)
     }
 
     /// Prepares some edges.
@@ -165,17 +165,18 @@ impl<const EDGES: usize, const VERTICES: usize> EdgeList<EDGES, VERTICES> {
         options: &DrawOptions<M, Z, B, L>,
         frame: Size,
         (mesh, mvp): (&'a Mesh<'a>, &V),
-        edges: &[E],
-        ends_of: impl Fn(&Call<'_, V::Kind>, &mut VertexCache, usize, &E) -> Option<[Index; 2]>,
+        (edges, ends_of): (
+            &[E],
+            impl Fn(&Call<'_, V::Kind>, &mut VertexCache, usize, &E) -> Option<[Index; 2]>,
+        ),
     ) -> Result<PreparedEdges<'a, V::Kind, M, Z, B, L>, Error> {
         check_size(frame.width, frame.height)?;
         self.edges.clear();
         self.vertices.clear();
         let screen = options.screen(frame);
         let call = Call::new(&screen, &(0..frame.height), mesh, mvp);
-        let mut needed = Needed::nothing("edges");
+        let mut needed = Needed::default();
         let (list, vertices) = (&mut self.edges, &mut self.vertices);
-        let ends_of = |cache: &mut VertexCache, at, edge: &E| ends_of(&call, cache, at, edge);
         add(
             &call,
             frame.height,
@@ -183,7 +184,7 @@ impl<const EDGES: usize, const VERTICES: usize> EdgeList<EDGES, VERTICES> {
             (list.as_mut_view(), vertices.as_mut_view()),
             &mut needed,
         );
-        needed.check::<EDGES, VERTICES>()?;
+        needed.check::<EDGES, VERTICES>("edges")?;
         Ok(PreparedEdges {
             call: PreparedCall::new(screen, mesh, mvp, call.depth_shift()),
             submitted: edges.len() as u32,
@@ -202,31 +203,26 @@ pub(super) fn add<K: ProjectionKind, E>(
     height: u32,
     (edges, ends_of): (
         &[E],
-        impl Fn(&mut VertexCache, usize, &E) -> Option<[Index; 2]>,
+        impl Fn(&Call<'_, K>, &mut VertexCache, usize, &E) -> Option<[Index; 2]>,
     ),
     (list, vertices): (&mut VecView<Edge>, &mut VecView<Slot>),
     needed: &mut Needed,
 ) {
     let mut vertices = VertexWriter::new(vertices, needed.vertices);
-    run::each_edge(
-        call,
-        edges.iter().enumerate(),
-        |cache, (at, edge)| ends_of(cache, at, edge),
-        |indices, ends, is_clipped| {
-            needed.elements += 1;
-            // If there is no room, the list will not be used.
-            let _ = list.push(Edge {
-                indices,
-                rows: rows_of(ends.map(|end| end.vertex.screen[1]), height),
-                ends: if is_clipped {
-                    let [first, _] = ends.map(|end| vertices.add_clipped(end));
-                    Ends::Clipped(first)
-                } else {
-                    Ends::Whole(ends.map(|end| vertices.number(&end.vertex)))
-                },
-            });
-        },
-    );
+    run::each_edge(call, edges, ends_of, |indices, ends, is_clipped| {
+        needed.elements += 1;
+        // If there is no room, the list will not be used.
+        let _ = list.push(Edge {
+            indices,
+            rows: rows_of(ends.map(|end| end.vertex.screen[1]), height),
+            ends: if is_clipped {
+                let [first, _] = ends.map(|end| vertices.add_clipped(end));
+                Ends::Clipped(first)
+            } else {
+                Ends::Whole(ends.map(|end| vertices.number(&end.vertex)))
+            },
+        });
+    });
     needed.vertices = vertices.needed;
 }
 
@@ -254,7 +250,11 @@ impl<'a, K, M, Z, B, L> PreparedEdges<'a, K, M, Z, B, L> {
             submitted: self.submitted,
             edges: self.edges,
             vertices: self.vertices,
-            pixels: self.pixels.with_blending(blending),
+            pixels: PixelOptions {
+                mode: self.pixels.mode,
+                depth: self.pixels.depth,
+                blending,
+            },
             line: self.line,
         }
     }
@@ -295,14 +295,8 @@ impl<K: ProjectionKind, M, Z, B, L> PreparedEdges<'_, K, M, Z, B, L> {
         blitter: &mut dyn Blitter,
     ) -> Drawn {
         let shared = self.call.shared(rows);
-        let (mut raster, rows) = (
-            Rasterizer::new(blitter, &shared.scissor),
-            &shared.scissor.rows,
-        );
-        let mut drawn = Drawn {
-            submitted: self.submitted,
-            ..Drawn::default()
-        };
+        let (mut draw, rows) = (Draw::new(blitter, &shared), &shared.scissor.rows);
+        draw.drawn.submitted = self.submitted;
         for edge in self.edges {
             let [start, end] = edge.rows.map(i32::from);
             if (start - reach).max(rows.start) >= (end + reach).min(rows.end) {
@@ -311,17 +305,11 @@ impl<K: ProjectionKind, M, Z, B, L> PreparedEdges<'_, K, M, Z, B, L> {
             let Some([from, to]) = self.ends(edge.ends) else {
                 continue;
             };
-            let [a, b] = edge.indices;
-            raster.start(&shared.primitive(Element {
-                face: None,
-                indices: [a, b, b],
-            }));
-            line(&mut raster, [&from, &to]);
-            drawn.drawn += 1;
-            drawn.clipped += u32::from(matches!(edge.ends, Ends::Clipped(_)));
+            let is_clipped = matches!(edge.ends, Ends::Clipped(_));
+            let ends = [&from, &to];
+            draw.edge(edge.indices, is_clipped, |raster| line(raster, ends));
         }
-        drawn.missing = shared.placement.missing();
-        drawn
+        draw.drawn()
     }
 
     fn ends(&self, ends: Ends) -> Option<[ClippedVertex; 2]> {

@@ -5,14 +5,11 @@ use core::ops::Range;
 
 use embedded_graphics::geometry::Size;
 
-use super::{
-    Corners, Entry, Filling, Needed, Prepared, PreparedCall, Slot, TriangleList, VertexWriter,
-    painter,
-};
+use super::{Corners, Entry, Needed, Prepared, PreparedCall, Slot, TriangleList, fill, painter};
 use crate::mesh::{Mesh, Outline};
+use crate::pipeline::DrawOptions;
 use crate::pipeline::call::{Call, Screen};
 use crate::pipeline::options::PixelOptions;
-use crate::pipeline::{DrawOptions, run};
 use crate::raster::DepthShift;
 use crate::span::{Mode, Newton};
 use crate::target::{Canvas, DepthTest, Replace, Storage, TestAndWrite, check_size};
@@ -93,31 +90,31 @@ impl<'a, T, K: ProjectionKind> View<'a, T, K> {
         screen: Screen,
         view: &V,
         objects: &'a mut [Object<'m, T>],
-        needed: &mut Needed,
         mut prepare: impl FnMut(&Call<'_, K>, &Object<'m, T>, &mut Needed),
-    ) -> Self {
+    ) -> (Self, Needed) {
         let view = Mvp {
             projection: *view.projection_of(),
             camera: *view.camera_of(),
             model: *view.model_of(),
         };
-        let mut faces = 0_u32;
+        let (mut needed, mut faces) = (Needed::default(), 0_u32);
         for object in &mut *objects {
             let mvp = view * object.model;
             let call = Call::new(&screen, &(0..screen.frame.height), object.mesh, &mvp);
-            prepare(&call, object, needed);
+            prepare(&call, object, &mut needed);
             object.last = needed.vertices as u16;
             object.depth_shift = call.depth_shift();
             object.first_face = faces;
             faces = faces.wrapping_add(object.mesh.faces().len() as u32);
         }
-        Self {
+        let view = Self {
             objects,
             world: view.model,
             camera: view.camera,
             kind: PhantomData,
             screen,
-        }
+        };
+        (view, needed)
     }
 
     /// The object that a vertex of this number belongs to, and the numbers of the object's vertices.
@@ -221,24 +218,14 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
     ) -> Result<PreparedScene<'a, T, V::Kind, M, Z, B>, Error> {
         let frame = frame.into();
         check_size(frame.width, frame.height)?;
-        let screen = options.screen(frame);
         self.triangles.clear();
         self.vertices.clear();
-        let mut needed = Needed::nothing("triangles");
-        let (triangles, vertices) = (&mut self.triangles, &mut self.vertices);
-        let view = View::prepare(screen, view, objects, &mut needed, |call, _, needed| {
-            let mut filling = Filling {
-                triangles: triangles.as_mut_view(),
-                needed: needed.elements,
-                vertices: VertexWriter::new(vertices.as_mut_view(), needed.vertices),
-                rows: [u16::MAX, 0],
-                cull: call.shared.cull,
-                scissor: &call.shared.scissor,
-            };
-            run::triangles(call, &mut filling);
-            (needed.elements, needed.vertices) = (filling.needed, filling.vertices.needed);
+        let lists = (&mut self.triangles, &mut self.vertices);
+        let screen = options.screen(frame);
+        let (view, needed) = View::prepare(screen, view, objects, |call, _, needed| {
+            fill((lists.0.as_mut_view(), lists.1.as_mut_view()), call, needed);
         });
-        needed.check::<TRIANGLES, VERTICES>()?;
+        needed.check::<TRIANGLES, VERTICES>("triangles")?;
         Ok(PreparedScene {
             view,
             entries: &mut self.triangles,

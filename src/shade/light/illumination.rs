@@ -1,6 +1,7 @@
 //! An amount of light, and which parts of it are interpolated.
 
 use super::FULL;
+use crate::sealed::{Sealed, sealed};
 use crate::shade::{Channels, Levels, Varyings};
 
 /// The light at a point of a surface, in units of 2⁻¹⁶ of full brightness.
@@ -106,13 +107,7 @@ pub enum White {}
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Rgb {}
 
-/// Public in name only: it keeps other crates from implementing [`Tint`] and [`Gloss`].
-pub trait Sealed {}
-
-impl Sealed for White {}
-impl Sealed for Rgb {}
-impl Sealed for Matte {}
-impl Sealed for Glossy {}
+sealed!(White, Rgb, Matte, Glossy);
 
 impl Tint for White {
     type Or<T: Tint> = T;

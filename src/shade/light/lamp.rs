@@ -2,7 +2,6 @@
 
 use super::colored::share;
 use super::shiny::Lamp;
-use super::viewer::way;
 use super::{Illumination, Lighting, Matte, SurfacePoint, White, brightness};
 use crate::math::Direction;
 use crate::num::reciprocal;
@@ -136,7 +135,7 @@ const FULL: u32 = super::FULL.cast_unsigned();
 
 impl Lamp for PointLight {
     fn ray(&self, point: &SurfacePoint) -> (Direction, i32) {
-        let way = way(point.position, self.position);
+        let way = point.position.way_to(self.position);
         let range = i64::from(self.range);
         let [x, y, z] = way.map(i64::abs);
         if x >= range || y >= range || z >= range {

@@ -66,7 +66,7 @@ impl Viewer {
         match self.0 {
             Place::Toward(direction) => direction,
             Place::At(eye) => {
-                let way = way(position, eye);
+                let way = position.way_to(eye);
                 Direction::from_bits(unit(way).unwrap_or_default())
             }
         }
@@ -79,7 +79,7 @@ impl Viewer {
             Place::Toward(direction) => face.dot(direction) < 0,
             Place::At(eye) => {
                 // Without two bits, 31 remain.
-                let [x, y, z] = way(position, eye);
+                let [x, y, z] = position.way_to(eye);
                 dot(
                     &face.to_bits(),
                     &[(x >> 2) as i32, (y >> 2) as i32, (z >> 2) as i32],
@@ -87,15 +87,4 @@ impl Viewer {
             }
         }
     }
-}
-
-/// The difference of two positions, which takes 33 bits.
-#[inline]
-pub(super) fn way(from: Vec3, to: Vec3) -> [i64; 3] {
-    let ([a, b, c], [x, y, z]) = (from.to_bits(), to.to_bits());
-    [
-        i64::from(x) - i64::from(a),
-        i64::from(y) - i64::from(b),
-        i64::from(z) - i64::from(c),
-    ]
 }

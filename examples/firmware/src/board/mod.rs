@@ -1,6 +1,11 @@
-//! Everything that differs from core to core: the entry of a program, and the clock.
+//! Everything that differs from core to core: the entry of a program, and the clock; and how a program ends.
 //!
 //! Console and exit go through semihosting on all of them.
+
+use core::panic::PanicInfo;
+
+use fixel::Error;
+use semihosting::{println, process};
 
 #[cfg(target_arch = "arm")]
 mod arm;
@@ -20,4 +25,21 @@ pub fn instructions_per_tick(clock: &mut Clock) -> u64 {
     const COUNT: u32 = 1 << 20;
     let ((), ticks) = clock.time(|| instructions(COUNT));
     (u64::from(COUNT) + ticks / 2) / ticks
+}
+
+/// Ends the program, with status 0 if all went well, and otherwise with 1 after the error.
+pub fn exit(result: Result<(), Error>) -> ! {
+    match result {
+        Ok(()) => process::exit(0),
+        Err(error) => {
+            println!("{error}");
+            process::exit(1)
+        }
+    }
+}
+
+#[panic_handler]
+fn panic(info: &PanicInfo<'_>) -> ! {
+    println!("{info}");
+    process::exit(1)
 }
