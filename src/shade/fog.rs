@@ -1,6 +1,6 @@
 //! Fog: surfaces fade to a color with their distance.
 
-use super::ramp::{BITS, Ramp};
+use super::ramp::Ramp;
 use super::{Fragment, Shader, Source, Within};
 use crate::mesh::Primitive;
 use crate::num::wide::negative;
@@ -13,7 +13,7 @@ use crate::{Error, Scalar};
 #[cfg_attr(doc, doc = page_picture!("in_fog", "A row of rings that fade into gray"))]
 /// The distance z is measured from the eye along the view direction, as [`Corner::distance`](crate::Corner::distance)
 /// is. It is interpolated in correct perspective. Colors of 16 bits are blended in 32 steps, others in 256
-/// ([`Blend::WEIGHT_BITS`]). The remaining part of the surface has an error of at most half a step plus 1/200.
+/// ([`Blend::WEIGHT_BITS`]). The remaining part of the surface has an error of at most half a step plus 1/100.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, Gray4, GrayColor}};
@@ -90,8 +90,11 @@ pub struct Exponential {
     density: i32,
 }
 
-/// c of the parabola, 0.1715, in the same units.
-const C: u32 = 702;
+/// The fraction bits of what is interpolated. Interpolation may round by 57 units: 0.35 %.
+const BITS: u32 = 14;
+
+/// c of the parabola, 0.1715, with as many bits.
+const C: u32 = 2810;
 
 /// Error of what is left that cannot be seen: 1/256.
 const UNSEEN: u32 = 1 << (BITS - 8);
@@ -117,7 +120,7 @@ fn limited(value: i64) -> i32 {
 impl Density for Linear {}
 
 impl sealed::Density for Linear {
-    /// The negative of what is left, in units of 2^-12, and half a step of the weight: added here, it need not be
+    /// The negative of what is left, in units of 2^-[`BITS`], and half a step of the weight: added here, it need not be
     /// added at each pixel.
     fn varying(&self, distance: Scalar, weight_bits: u32) -> i32 {
         let beyond = distance.to_bits().saturating_sub(self.far);
@@ -150,7 +153,7 @@ impl sealed::Density for Exponential {
 }
 
 impl Exponential {
-    /// What is left of the surface, in units of 2^-12.
+    /// What is left of the surface, in units of 2^-[`BITS`].
     #[inline]
     fn left(varying: i32) -> u32 {
         // 2^-x for x up to 15: in the whole part a shift, and in the fraction f the parabola 1 − (½ + c) f + c f², which is
@@ -165,14 +168,14 @@ impl Exponential {
 impl<C: Blend> Fog<C> {
     /// Fog that begins at the distance `near` and hides everything from `far` on.
     ///
-    /// If `far` − `near` is less than a quarter of a unit, a triangle fades at the wrong place if it reaches beyond
-    /// `far` by 262,144 times that length.
+    /// If `far` − `near` is less than a unit, a triangle fades at the wrong place if it reaches beyond `far` by 65,536
+    /// times that length.
     ///
     /// # Errors
     ///
     /// [`Error::Far`] if `far` is not beyond `near`.
     pub const fn linear(color: C, near: Scalar, far: Scalar) -> Result<Self, Error> {
-        let Some(range) = Ramp::new(near, far) else {
+        let Some(range) = Ramp::new(near, far, BITS) else {
             return Err(Error::Far { near, far });
         };
         let far = far.to_bits();
@@ -276,10 +279,11 @@ mod tests {
     #[test]
     fn what_is_left_is_a_power_of_two() {
         for x in 0..20 << BITS {
-            let exact = (-f64::from(x) / 4096.).exp2();
-            let left = f64::from(Exponential::left(x)) / 4096.;
-            // Two products and the shift are cut to 2^-12.
-            assert!((left - exact).abs() <= 0.0019 + 3. / 4096., "{x}: {left}");
+            let one = f64::from(1 << BITS);
+            let exact = (-f64::from(x) / one).exp2();
+            let left = f64::from(Exponential::left(x)) / one;
+            // Two products and the shift are cut.
+            assert!((left - exact).abs() <= 0.0019 + 3. / one, "{x}: {left}");
         }
     }
 
@@ -293,8 +297,8 @@ mod tests {
             for bits in [5, 8] {
                 let weight = Linear::weight(fog.density.varying(distance, bits), bits);
                 let exact = left.clamp(0., 1.) * f64::from(1 << bits);
-                // The varying is cut to 2^-12.
-                let tolerance = 0.5 + f64::from(1 << bits) / 4096.;
+                // The varying is cut to 2^-BITS.
+                let tolerance = 0.5 + f64::from(1 << bits) / f64::from(1 << BITS);
                 let error = f64::from(weight) - exact;
                 assert!(
                     error.abs() <= tolerance,
@@ -313,13 +317,13 @@ mod tests {
         for (near, far) in [(Scalar::MIN, Scalar::MAX), (fx!(0), Scalar::DELTA)] {
             let fog = Fog::linear(Gray8::WHITE, near, far).unwrap();
             for distance in [Scalar::MIN, fx!(0), Scalar::MAX] {
-                // In units of 2^-12, of which 8 are half a step of the weight.
+                // In units of 2^-14, of which 32 are half a step of the weight.
                 let varying = fog.density.varying(distance, Gray8::WEIGHT_BITS);
                 let exact = (distance.to_num::<f64>() - far.to_num::<f64>())
                     .clamp(-32_768., 32_768.)
                     / (far.to_num::<f64>() - near.to_num::<f64>())
-                    * 4096.
-                    + 8.;
+                    * 16_384.
+                    + 32.;
                 let exact = exact.clamp(-(2_f64.powi(30)), 2_f64.powi(30));
                 assert!(
                     (f64::from(varying) - exact).abs() <= 1.01,

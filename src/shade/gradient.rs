@@ -3,10 +3,13 @@
 use embedded_graphics::pixelcolor::Rgb888;
 
 use super::levels::{LEVEL, Levels, Raised};
-use super::ramp::{BITS, Ramp};
+use super::ramp::Ramp;
 use super::{Fragment, Illumination, Shader, Within};
 use crate::mesh::Primitive;
 use crate::{Error, Scalar};
+
+/// The fraction bits of a share of the way from bottom to top.
+const BITS: u32 = 12;
 
 /// Colors by the height (y) in model space, for a sky or for terrain: one color up to a low height, another one from a
 /// high height on, and a proportional mixture between them.
@@ -59,7 +62,7 @@ impl<C: Levels> Gradient<C> {
         (bottom, low): (Scalar, Rgb888),
         (top, high): (Scalar, Rgb888),
     ) -> Result<Self, Error> {
-        let ramp = Ramp::new(bottom, top).ok_or(Error::Heights { bottom, top })?;
+        let ramp = Ramp::new(bottom, top, BITS).ok_or(Error::Heights { bottom, top })?;
         let (low, [r, g, b]) = (C::levels(low), C::levels(high));
         Ok(Self {
             bottom: bottom.to_bits(),

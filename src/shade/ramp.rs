@@ -3,9 +3,6 @@
 use crate::Scalar;
 use crate::num::reciprocal;
 
-/// The fraction bits of a share.
-pub(super) const BITS: u32 = 12;
-
 /// A range of numbers, whose length is prepared for division.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -17,8 +14,8 @@ pub(super) struct Ramp {
 }
 
 impl Ramp {
-    /// The range from `low` to `high`; `None` if `high` is not above `low`.
-    pub(super) const fn new(low: Scalar, high: Scalar) -> Option<Self> {
+    /// The range from `low` to `high`, whose shares have `bits` fraction bits; `None` if `high` is not above `low`.
+    pub(super) const fn new(low: Scalar, high: Scalar, bits: u32) -> Option<Self> {
         let range = high.to_bits() as i64 - low.to_bits() as i64;
         if range <= 0 {
             return None;
@@ -28,11 +25,11 @@ impl Ramp {
         let number = (range.cast_unsigned() << up >> 1) as u32;
         Some(Self {
             inverse: reciprocal(number),
-            down: 62 - BITS - up,
+            down: 62 - bits - up,
         })
     }
 
-    /// A distance of 32 bits and a sign as a share of the length, in units of 2^-[`BITS`].
+    /// A distance of 32 bits and a sign as a share of the length.
     pub(super) fn share(self, distance: i64) -> i64 {
         // Below 2^32 · 2^31.
         (distance * i64::from(self.inverse)) >> self.down
