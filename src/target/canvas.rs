@@ -65,43 +65,30 @@ pub struct Canvas<'a, C, O: Storage<C> = Native, D = NoDepth> {
     rows: Range<u32>,
 }
 
-/// Declares the constructors of a frame and of a band in one storage.
-macro_rules! constructors {
-    ($Cell:ty; $(#[$frame_doc:meta])+ $frame:ident $(#[$band_doc:meta])+ $band:ident) => {
-        $(#[$frame_doc])+
-        pub fn $frame(pixels: &'a mut [$Cell], width: u32, height: u32) -> Result<Self, Error> {
-            Self::over(pixels, width, height)
-        }
-
-        $(#[$band_doc])+
-        pub fn $band(
-            pixels: &'a mut [$Cell],
-            width: u32,
-            height: u32,
-            first_row: u32,
-        ) -> Result<Self, Error> {
-            Self::band_over(pixels, width, height, first_row)
-        }
-    };
-}
-
 impl<'a, C: PixelColor> Canvas<'a, C> {
-    constructors! {
-        C;
-        /// A canvas of `width` x `height` pixels, stored as colors, row by row from the top.
-        ///
-        /// # Errors
-        ///
-        /// [`Error::Size`] if a side is 0 or above [`MAX_SIZE`]; [`Error::Length`] if `pixels` does
-        /// not have exactly one element per pixel.
-        new
-        /// A band of a frame of `width` x `height` pixels: as many rows as `pixels` holds, starting at `first_row`.
-        ///
-        /// # Errors
-        ///
-        /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`]; [`Error::Length`] if `pixels` is not a
-        /// whole number of rows; [`Error::Rows`] if it holds no row, or a row outside the frame.
-        band
+    /// A canvas of `width` x `height` pixels, stored as colors, row by row from the top.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Size`] if a side is 0 or above [`MAX_SIZE`]; [`Error::Length`] if `pixels` does
+    /// not have exactly one element per pixel.
+    pub fn new(pixels: &'a mut [C], width: u32, height: u32) -> Result<Self, Error> {
+        Self::over(pixels, width, height)
+    }
+
+    /// A band of a frame of `width` x `height` pixels: as many rows as `pixels` holds, starting at `first_row`.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`]; [`Error::Length`] if `pixels` is not a
+    /// whole number of rows; [`Error::Rows`] if it holds no row, or a row outside the frame.
+    pub fn band(
+        pixels: &'a mut [C],
+        width: u32,
+        height: u32,
+        first_row: u32,
+    ) -> Result<Self, Error> {
+        Self::band_over(pixels, width, height, first_row)
     }
 }
 
@@ -109,30 +96,41 @@ impl<'a, C> Canvas<'a, C, BigEndian>
 where
     BigEndian: Storage<C>,
 {
-    constructors! {
-        <BigEndian as Storage<C>>::Cell;
-        /// A canvas of pixels stored as bytes, most significant first: the order that most displays expect.
-        ///
-        /// ```
-        /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-        /// use fixel::prelude::*;
-        /// let mut bytes = [[0; 2]; 4];
-        /// let mut canvas: Canvas<Rgb565, _> = Canvas::big_endian(&mut bytes, 2, 2)?;
-        /// canvas.clear(Rgb565::RED);
-        /// assert_eq!(canvas.as_bytes()[..2], [0xf8, 0x00]);
-        /// # Ok::<(), Error>(())
-        /// ```
-        ///
-        /// # Errors
-        ///
-        /// As for [`new`](Canvas::new).
-        big_endian
-        /// A band stored as bytes, most significant first.
-        ///
-        /// # Errors
-        ///
-        /// As for [`band`](Canvas::band).
-        big_endian_band
+    /// A canvas of pixels stored as bytes, most significant first: the order that most displays expect.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+    /// use fixel::prelude::*;
+    /// let mut bytes = [[0; 2]; 4];
+    /// let mut canvas: Canvas<Rgb565, _> = Canvas::big_endian(&mut bytes, 2, 2)?;
+    /// canvas.clear(Rgb565::RED);
+    /// assert_eq!(canvas.as_bytes()[..2], [0xf8, 0x00]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As for [`new`](Canvas::new).
+    pub fn big_endian(
+        pixels: &'a mut [<BigEndian as Storage<C>>::Cell],
+        width: u32,
+        height: u32,
+    ) -> Result<Self, Error> {
+        Self::over(pixels, width, height)
+    }
+
+    /// A band stored as bytes, most significant first.
+    ///
+    /// # Errors
+    ///
+    /// As for [`band`](Canvas::band).
+    pub fn big_endian_band(
+        pixels: &'a mut [<BigEndian as Storage<C>>::Cell],
+        width: u32,
+        height: u32,
+        first_row: u32,
+    ) -> Result<Self, Error> {
+        Self::band_over(pixels, width, height, first_row)
     }
 }
 
@@ -140,20 +138,31 @@ impl<'a, C> Canvas<'a, C, LittleEndian>
 where
     LittleEndian: Storage<C>,
 {
-    constructors! {
-        <LittleEndian as Storage<C>>::Cell;
-        /// A canvas of pixels stored as bytes, least significant first.
-        ///
-        /// # Errors
-        ///
-        /// As for [`new`](Canvas::new).
-        little_endian
-        /// A band stored as bytes, least significant first.
-        ///
-        /// # Errors
-        ///
-        /// As for [`band`](Canvas::band).
-        little_endian_band
+    /// A canvas of pixels stored as bytes, least significant first.
+    ///
+    /// # Errors
+    ///
+    /// As for [`new`](Canvas::new).
+    pub fn little_endian(
+        pixels: &'a mut [<LittleEndian as Storage<C>>::Cell],
+        width: u32,
+        height: u32,
+    ) -> Result<Self, Error> {
+        Self::over(pixels, width, height)
+    }
+
+    /// A band stored as bytes, least significant first.
+    ///
+    /// # Errors
+    ///
+    /// As for [`band`](Canvas::band).
+    pub fn little_endian_band(
+        pixels: &'a mut [<LittleEndian as Storage<C>>::Cell],
+        width: u32,
+        height: u32,
+        first_row: u32,
+    ) -> Result<Self, Error> {
+        Self::band_over(pixels, width, height, first_row)
     }
 }
 
@@ -161,39 +170,53 @@ impl<'a, C> Canvas<'a, C, Packed>
 where
     Packed: Storage<C, Cell = u8>,
 {
-    constructors! {
-        u8;
-        /// A canvas with 8, 4 or 2 pixels in a byte, side by side; see [`Packed`].
-        ///
-        /// # Errors
-        ///
-        /// As for [`new`](Canvas::new), with one element per byte; each row begins with a new byte.
-        packed
-        /// A band with 8, 4 or 2 pixels in a byte.
-        ///
-        /// # Errors
-        ///
-        /// As for [`band`](Canvas::band).
-        packed_band
+    /// A canvas with 8, 4 or 2 pixels in a byte, side by side; see [`Packed`].
+    ///
+    /// # Errors
+    ///
+    /// As for [`new`](Canvas::new), with one element per byte; each row begins with a new byte.
+    pub fn packed(pixels: &'a mut [u8], width: u32, height: u32) -> Result<Self, Error> {
+        Self::over(pixels, width, height)
+    }
+
+    /// A band with 8, 4 or 2 pixels in a byte.
+    ///
+    /// # Errors
+    ///
+    /// As for [`band`](Canvas::band).
+    pub fn packed_band(
+        pixels: &'a mut [u8],
+        width: u32,
+        height: u32,
+        first_row: u32,
+    ) -> Result<Self, Error> {
+        Self::band_over(pixels, width, height, first_row)
     }
 }
 
 impl<'a> Canvas<'a, BinaryColor, Pages> {
-    constructors! {
-        u8;
-        /// A canvas of pages: a byte is 8 rows of one column; see [`Pages`].
-        ///
-        /// # Errors
-        ///
-        /// As for [`new`](Canvas::new), with one element per column and page.
-        pages
-        /// A band of pages. The last page may reach below the frame. The first row in memory is the first bit of a page, so
-        /// for a display `first_row` is a multiple of 8.
-        ///
-        /// # Errors
-        ///
-        /// As for [`band`](Canvas::band).
-        pages_band
+    /// A canvas of pages: a byte is 8 rows of one column; see [`Pages`].
+    ///
+    /// # Errors
+    ///
+    /// As for [`new`](Canvas::new), with one element per column and page.
+    pub fn pages(pixels: &'a mut [u8], width: u32, height: u32) -> Result<Self, Error> {
+        Self::over(pixels, width, height)
+    }
+
+    /// A band of pages. The last page may reach below the frame. The first row in memory is the first bit of a page, so
+    /// for a display `first_row` is a multiple of 8.
+    ///
+    /// # Errors
+    ///
+    /// As for [`band`](Canvas::band).
+    pub fn pages_band(
+        pixels: &'a mut [u8],
+        width: u32,
+        height: u32,
+        first_row: u32,
+    ) -> Result<Self, Error> {
+        Self::band_over(pixels, width, height, first_row)
     }
 }
 
