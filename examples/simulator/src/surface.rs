@@ -77,14 +77,14 @@ impl<A: FaceValues, B: FaceValues> FaceValues for (A, B) {
 pub type Few = ((Texels, Within<64, [i32; 1]>), PerFace<Face>);
 /// A texture coordinate, four channels of light and tint, and fog.
 pub type Many = (
-    (Texels, (Within<64, [i32; 4]>, Within<16, [i32; 1]>)),
+    (Texels, (Within<64, [i32; 4]>, Within<64, [i32; 1]>)),
     PerFace<Face>,
 );
 /// Three channels of a color that is computed at the corners, light and fog.
 pub type Channels = (
     (
         Within<8192, [i32; 3]>,
-        (Within<64, [i32; 3]>, Within<16, [i32; 1]>),
+        (Within<64, [i32; 3]>, Within<64, [i32; 1]>),
     ),
     PerFace<Face>,
 );
