@@ -209,7 +209,9 @@ proptest! {
     }
 
     #[test]
-    fn boxes_in_parallel_are_in_view_as_in_the_model(moves in moves(), bounds in boxes(), rows in rows(), half in 1.0..40_f64) {
+    fn boxes_in_parallel_are_in_view_as_in_the_model(
+        moves in moves(), bounds in boxes(), rows in rows(), half in 1.0..40_f64,
+    ) {
         let window = Window::centered(scalar(2. * half).unwrap(), scalar(1.5 * half).unwrap());
         let [l, r, b, t] = [window.left, window.right, window.bottom, window.top].map(|x| x.to_num());
         let lens = projection::orthographic(l, r, b, t, -20., 40.);

@@ -25,8 +25,8 @@ const HALF_STEP: f64 = UNIT / 510.;
 /// into at most half. Two factors of 15 bits add 6.1e-5, and their product with the brightness, which keeps 14 bits,
 /// adds 6.1e-5.
 ///
-/// A linear falloff uses the length of the truncated vector, which has an error of 1.06e-4. Its square loses 6.1e-5, the
-/// range's reciprocal 6.1e-5, and two products and the whole 9.1e-5. The error of the root counts once, because it
+/// A linear falloff uses the length of the truncated vector, which has an error of 1.06e-4. Its square loses 6.1e-5,
+/// the range's reciprocal 6.1e-5, and two products and the whole 9.1e-5. The error of the root counts once, because it
 /// changes the cosine and the light in opposite directions.
 ///
 /// The light keeps 13 bits, which adds 1.22e-4; the brightness adds 1.5e-5 and the result 1.5e-5. The total is 9.2e-4

@@ -192,8 +192,8 @@ fn ends() -> impl Strategy<Value = [Vec3; 2]> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(1024))]
 
-    /// In perspective, clipped or not: every pixel is on the model's line and has the model's depth and attribute there,
-    /// and no pixel is missing.
+    /// In perspective, clipped or not: every pixel is on the model's line and has the model's depth and attribute
+    /// there, and no pixel is missing.
     ///
     /// The ends are rounded to 1/256 pixel, which moves the line by less than 1/256 pixel, along and across. So where
     /// the line crosses a center within that distance of a pixel's edge, it may draw the next pixel. Its values are the

@@ -103,7 +103,8 @@ fn levels_bring_a_far_floor_closer_to_its_means() {
                         let [Some(a), Some(b), Some(c), Some(d)] = corners else {
                             return None;
                         };
-                        // Perspective keeps quadrilaterals convex: if a pixel's corners lie in one square, all of it does.
+                        // Perspective keeps quadrilaterals convex: if a pixel's corners lie in one square, all of it
+                        // does.
                         if [b, c, d].map(square) == [square(a); 3] {
                             return Some(parts(color(a)));
                         }
@@ -265,8 +266,8 @@ proptest! {
             }
             let exact = level(corners, texels, 24., z).clamp(0., 6.);
             let shown = f64::from(blended.luma()) / STEPS;
-            // The promise; the snapped corners, twice 0.0005 / 0.1 / ln 2; half a step and a truncated weight, 2^-8; and
-            // the texels, 2^-8.
+            // The promise; the snapped corners, twice 0.0005 / 0.1 / ln 2; half a step and a truncated weight, 2^-8;
+            // and the texels, 2^-8.
             let allowed = 1. / 8. + 0.015 + 0.5 / STEPS + 1. / 256. + 1. / 256.;
             prop_assert!((shown - exact).abs() <= allowed, "{shown}, not {exact}, at {x}, {y}");
             let shown = f64::from(nearest.luma()) / STEPS;

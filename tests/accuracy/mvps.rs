@@ -107,8 +107,8 @@ fn compare<K: ProjectionKind>(
         let aside = 1. + off[0].max(off[1]) / GUARD;
         let error = relative(moves) * size * scale / wanted.w * aside;
         let depth = model.depth(wanted.distance);
-        // Besides the error of w: the errors of its reciprocal, of the near plane's reciprocal, and of the scale 65536,
-        // 2^-30 each.
+        // Besides the error of t = w / near · (1 + 2^-16): the errors of its reciprocal, of the near plane's
+        // reciprocal, and of the scale 65536, 2^-30 each.
         let depth_error = relative(moves)
             * size
             * 65536.
@@ -157,8 +157,8 @@ fn compare<K: ProjectionKind>(
     Ok(())
 }
 
-/// A point this close to a plane, relative to the size, may be clipped or not: the crate's near plane is farther away by
-/// 2⁻¹⁶ of its distance.
+/// A point this close to a plane, relative to the size, may be clipped or not: the crate's near plane is farther away
+/// by 2⁻¹⁶ of its distance.
 const SIDE: f64 = 1. / 16384.;
 
 fn viewports() -> impl Strategy<Value = Viewport> {

@@ -113,7 +113,8 @@ proptest! {
             let own = of_triangle(face.map(|i| points[i]));
             for (&at, index) in face.iter().zip(indices) {
                 let near = |normal| angle(own, normal) - limit;
-                // A cosine has an error of up to 2⁻²⁷, so an angle near 0° or 180° has an error of up to the root of that.
+                // A cosine has an error of up to 2⁻²⁷, so an angle near 0° or 180° has an error of up to the root of
+                // that.
                 let around = |slack: f64| around(at, &points, &corners, |n| near(n) <= slack);
                 let expected = around(2e-4);
                 if own[0].is_nan() {

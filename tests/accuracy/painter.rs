@@ -119,8 +119,8 @@ impl Scene {
         distances.into_iter().fold(0., f64::max).min(FAR)
     }
 
-    /// Checks that no triangle is drawn before one that is farther by more than `tolerance`, and that triangles at equal
-    /// distances keep the order of the mesh.
+    /// Checks that no triangle is drawn before one that is farther by more than `tolerance`, and that triangles at
+    /// equal distances keep the order of the mesh.
     fn check(
         &self,
         order: &[usize],

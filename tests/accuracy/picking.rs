@@ -208,7 +208,9 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 150, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn picked_faces_are_the_drawn_ones_in_perspective(moves in moves(), positions in positions(), cull in culls(), fov in 30..100_i32) {
+    fn picked_faces_are_the_drawn_ones_in_perspective(
+        moves in moves(), positions in positions(), cull in culls(), fov in 30..100_i32,
+    ) {
         let fov = Angle::from_degrees(fov);
         let aspect = f64::from(SIZE.0) / f64::from(SIZE.1);
         let lens = projection::perspective(moves::radians(fov), aspect, 0.25, 100.);
@@ -217,7 +219,9 @@ proptest! {
     }
 
     #[test]
-    fn picked_faces_are_the_drawn_ones_in_parallel(moves in moves(), positions in positions(), cull in culls(), half in 3.0..12_f64) {
+    fn picked_faces_are_the_drawn_ones_in_parallel(
+        moves in moves(), positions in positions(), cull in culls(), half in 3.0..12_f64,
+    ) {
         let window = Window::centered(scalar(2. * half).unwrap(), scalar(1.5 * half).unwrap());
         let [l, r, b, t] = [window.left, window.right, window.bottom, window.top].map(|x| x.to_num());
         let lens = projection::orthographic(l, r, b, t, -20., 60.);

@@ -138,8 +138,8 @@ impl Case {
     }
 }
 
-/// A mode's worst errors, relative to the bound of the formats, and in texels beyond its tolerance; the latter where the
-/// mode makes a promise, with the number of values there.
+/// A mode's worst errors, relative to the bound of the formats, and in texels beyond its tolerance; the latter where
+/// the mode makes a promise, with the number of values there.
 #[derive(Clone, Copy, Debug, Default)]
 struct Worst {
     allowed: f64,
@@ -149,8 +149,8 @@ struct Worst {
     deep: usize,
 }
 
-/// Whether a mode's promise holds, which depends on a product: repeats of the texture times the w of the pixel, relative
-/// to the nearest corner's w.
+/// Whether a mode's promise holds, which depends on a product: repeats of the texture times the w of the pixel,
+/// relative to the nearest corner's w.
 ///
 /// An interpolant's unit is at most 4¼ · 2⁻³⁰ · w of a repeat, for each repeat. For a product of 1 that is 2⁻⁶ · 4¼
 /// units of 2⁻¹⁶ texel, and 56½ of them are 3¾ units. Up to a product of 16, the error of `Exact` is at most 61½ + 1
@@ -200,8 +200,8 @@ impl Attribute {
 }
 
 impl Case {
-    /// Draws the triangle in every mode, and checks each pixel against the bound of the formats and, where there is one,
-    /// against the promise.
+    /// Draws the triangle in every mode, and checks each pixel against the bound of the formats and, where there is
+    /// one, against the promise.
     fn check(&self, worst: &mut [Worst; MODES]) {
         let Some(triangle) = self.triangle() else {
             return;

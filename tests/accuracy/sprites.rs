@@ -65,8 +65,8 @@ fn places() -> impl Strategy<Value = [Vec<Move>; 2]> {
 /// The bound of the error of a corner in eye space, along each axis.
 fn allowed(all: &[Move], eye: &Matrix, kind: Kind, sprite: &Sprite, ahead: f64) -> f64 {
     // A corner has twice half a unit and the transform's error. Sides have 30 bits; if they are given in pixels, their
-    // lengths have the relative error of the distance. A side along an axis has the error of the axis's direction, which
-    // grows as the axis approaches the line of sight.
+    // lengths have the relative error of the distance. A side along an axis has the error of the axis's direction,
+    // which grows as the axis approaches the line of sight.
     let unit = 2_f64.powi(-16);
     let moved = relative(all) * size(all, quantised(sprite.position));
     let largest = sprite.size.map(f64::abs).into_iter().fold(0., f64::max) * 2.;

@@ -122,8 +122,8 @@ fn places() -> impl Strategy<Value = Point> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(400))]
 
-    /// A wide line draws exactly the model's pixels, once each, from either end, in bands and in a frame. Each pixel has
-    /// the values of the thin line beside it. Width 1 is the thin line.
+    /// A wide line draws exactly the model's pixels, once each, from either end, in bands and in a frame. Each pixel
+    /// has the values of the thin line beside it. Width 1 is the thin line.
     #[test]
     fn wide_lines_are_the_models(ends in [places(), places()], half in prop_oneof![128..=8192i32, Just(128), 128..600i32], rows in 1..40u32) {
         let mvp = pixel_lens(SIZE);
@@ -153,9 +153,9 @@ proptest! {
         }
     }
 
-    /// An anti-aliased line, white on black, is the model's: every pixel's share has an error of at most 1.3/256, so its
-    /// level has one of at most 1.3 and half a step. The line is the same from either end and in bands. On Rgb565, shares
-    /// are rounded to 32nds: a further error of 1/64, of 31 or 63 steps.
+    /// An anti-aliased line, white on black, is the model's: every pixel's share has an error of at most 1.3/256, so
+    /// its level has one of at most 1.3 and half a step. The line is the same from either end and in bands. On Rgb565,
+    /// shares are rounded to 32nds: a further error of 1/64, of 31 or 63 steps.
     ///
     /// Each pixel with a share above 0 is drawn once. A pixel beside a plain line has the values of the plain line's
     /// pixel there, and a pixel beyond the ends has the values of the end.
@@ -211,7 +211,9 @@ proptest! {
 
     /// In perspective, wide and smooth lines drawn in bands have the same bits as in a frame.
     #[test]
-    fn bands_of_lines_in_perspective_equal_the_frame(ends in [ahead(), ahead()], half in 128..=8192i32, rows in 1..40u32) {
+    fn bands_of_lines_in_perspective_equal_the_frame(
+        ends in [ahead(), ahead()], half in 128..=8192i32, rows in 1..40u32,
+    ) {
         let positions = ends.map(Vec3::from_bits);
         let edges = [[0, 1]];
         let mesh = Mesh::new(&positions, &[]).unwrap().with_edges(&edges).unwrap();
@@ -313,7 +315,8 @@ proptest! {
                 continue;
             };
             let half = half.clamp(0.5, 127.5);
-            // Rounded to the nearest 1/256, and t is greater than the distance by 2^-16 of it.
+            // Half a size is rounded to the nearest 1/256. The crate divides by t, which exceeds w / near by 2^-16 of
+            // it.
             let room = 0.5 / 256. + half * 2e-5 + 1e-9;
             let counts = counts(seen);
             for (pixel, &count) in Bounds::new(SIZE.0, SIZE.1).pixels().zip(&counts) {
@@ -332,7 +335,7 @@ proptest! {
     }
 }
 
-/// A wide outline covers the pixels of the thin one and more; an outline of width 1 is the thin one.
+/// An outline of width 1 is the thin outline; a smooth one covers its pixels, and a wide one has more pixels.
 #[test]
 fn wide_outlines_widen_the_thin_outline() {
     static CAN: Mesh = shape!(cylinder(16));
