@@ -106,7 +106,7 @@ proptest! {
             let Some((gap, piece)) = nearest(&pieces, seen.pixel) else {
                 return Err(TestCaseError::fail("the model covers nothing there"));
             };
-            prop_assert!(gap <= SNAP, "{gap} outside at {:?}", seen.pixel);
+            prop_assert!(gap <= SNAP, "drawn {gap} outside at {:?}", seen.pixel);
             let model = piece.at(seen.pixel).unwrap();
             let row = &mut farthest[usize::try_from(seen.pixel[1]).unwrap()];
             *row = row.max(model.w);

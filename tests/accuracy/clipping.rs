@@ -125,7 +125,7 @@ impl Model {
             let expected = self.covers(pixel);
             prop_assert!(
                 expected.is_none_or(|covered| covered == (count > 0)),
-                "{:?}: drawn {} times, model {:?}",
+                "{:?}: drawn {} times, covered in the model: {:?}",
                 pixel,
                 count,
                 expected
@@ -358,7 +358,7 @@ fn each_plane_clips_one_two_and_three_corners() {
                 assert_eq!(
                     (drawn.drawn, drawn.clipped),
                     (u32::from(seen), u32::from(clipped)),
-                    "{outside} beyond plane {plane}"
+                    "{outside} corners beyond plane {plane}"
                 );
                 assert_eq!(counts.iter().any(|&count| count > 0), seen);
             }

@@ -360,7 +360,7 @@ impl Comparison {
         println!("{}", self.depth.line("depth outside its step", "steps"));
         println!("  behind the nearest: {:.5} steps", self.order.max());
         println!(
-            "  different {}; inside drawn not, once, again: {:?}; outside drawn {}",
+            "  different {}; inside, drawn never, once, more often: {:?}; outside, drawn: {}",
             self.not_alike, self.inside, self.outside
         );
     }

@@ -317,7 +317,7 @@ proptest! {
                     .into_iter()
                     .map(|(a, b)| to_segment(a, b, center(pixel)))
                     .fold(f64::MAX, f64::min);
-                prop_assert!(count < 2 && near < 1. / 256., "{:?}: {} of {}, {} from an edge", pixel, count, model, near);
+                prop_assert!(count < 2 && near < 1. / 256., "{:?}: drawn {}, model {}, {} from an edge", pixel, count, model, near);
             }
         }
     }

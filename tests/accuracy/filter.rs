@@ -118,7 +118,7 @@ fn compare_at(
         let error = (part - model.value).abs();
         prop_assert!(
             error <= allowed(&model),
-            "{wrap:?} channel {k} at {at:?}: {part} for {model:?}"
+            "{wrap:?} channel {k} at {at:?}: {part} is not {model:?}"
         );
     }
     Ok(())
@@ -286,7 +286,7 @@ proptest! {
                 let model = bilinear(&channels[k], Wrap::Clamp, at);
                 // The interpolated u and v are within 0.001 texel.
                 let allowed = allowed::<Rgb888>(&model) + 0.002 * (model.most - model.least);
-                prop_assert!((part - model.value).abs() <= allowed, "{at:?}: {part} for {model:?}");
+                prop_assert!((part - model.value).abs() <= allowed, "{at:?}: {part} is not {model:?}");
             }
         }
         // The difference between neighboring pixels is a fraction of that between neighboring texels, plus the errors

@@ -128,12 +128,12 @@ fn surfaces_behind_stay_hidden() {
                             pixels == 0
                                 || !float_reaches
                                 || !is_certain(1. / 4096., near_end, slant, gap),
-                            "{mode:?}: {pixels} wrong at {distances:?}, gap {gap}"
+                            "{mode:?}: {pixels} wrong pixels at {distances:?}, gap {gap}"
                         );
                         let pixels = wrong_in::<WideFloat>(mode, projection, distances, gap);
                         assert!(
                             pixels == 0 || !is_certain(1. / 2048., near_end, slant, gap),
-                            "wide, {mode:?}: {pixels} wrong at {distances:?}, gap {gap}"
+                            "wide, {mode:?}: {pixels} wrong pixels at {distances:?}, gap {gap}"
                         );
                     }
                     let pixels = wrong_in::<Linear>(Mode::Newton, projection, distances, gap);

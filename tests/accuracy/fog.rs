@@ -89,7 +89,7 @@ fn check(
         });
         prop_assert!(
             (low - tolerance..=high + tolerance).contains(shown),
-            "{shown} is not from {low} to {high} at {at:?}"
+            "{shown} is not between {low} and {high} at {at:?}"
         );
     }
     Ok(())

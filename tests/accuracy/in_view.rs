@@ -202,8 +202,8 @@ proptest! {
         let lens = projection::perspective(crate::moves::radians(fov), aspect, near.to_num(), far.to_num());
         let projection = Projection::perspective(fov, SIZE, near, far).unwrap();
         let (in_view, has_pixels, is_out) = check((projection, lens), &moves, &bounds, rows);
-        prop_assert!(in_view || !has_pixels, "{bounds:?} was missed");
-        prop_assert!(!in_view || !is_out, "{bounds:?} was kept");
+        prop_assert!(in_view || !has_pixels, "{bounds:?} has pixels and is not in view");
+        prop_assert!(!in_view || !is_out, "{bounds:?} is well outside and is in view");
         let sizes = sizes((projection, lens), &moves, &bounds);
         prop_assert!(is_size(sizes), "{sizes:?}");
     }
@@ -217,8 +217,8 @@ proptest! {
         let lens = projection::orthographic(l, r, b, t, -20., 40.);
         let projection = Projection::orthographic(window, fx!(-20), fx!(40)).unwrap();
         let (in_view, has_pixels, is_out) = check((projection, lens), &moves, &bounds, rows);
-        prop_assert!(in_view || !has_pixels, "{bounds:?} was missed");
-        prop_assert!(!in_view || !is_out, "{bounds:?} was kept");
+        prop_assert!(in_view || !has_pixels, "{bounds:?} has pixels and is not in view");
+        prop_assert!(!in_view || !is_out, "{bounds:?} is well outside and is in view");
         let sizes = sizes((projection, lens), &moves, &bounds);
         prop_assert!(is_size(sizes), "{sizes:?}");
     }

@@ -245,7 +245,7 @@ proptest! {
             // counts too, times the slope.
             prop_assert!((low - ROUNDING..=high + ROUNDING).contains(&(pixel[major] + 0.5)));
             let across = value.screen[minor] - pixel[minor];
-            prop_assert!((-2. * ROUNDING..=1. + 2. * ROUNDING).contains(&across), "{:?}: {} across", [x, y], across);
+            prop_assert!((-2. * ROUNDING..=1. + 2. * ROUNDING).contains(&across), "{:?}: {} across the line", [x, y], across);
 
             // 1/w is linear: `room` is its error at a position with an error of ROUNDING.
             let inverse = 1. / value.w;
@@ -261,7 +261,7 @@ proptest! {
             let format = (f64::from(1 << 21) * 34. * 1.5 / (f64::from(1 << 30) * NEAR / FAR) + 4.) / 65536.;
             let room = (room_over + value.attributes[0].abs() * room) / (inverse - room) + format;
             let off = (f64::from(attribute) / 65536. - value.attributes[0]).abs();
-            prop_assert!(off <= room, "{:?}: x {} instead of {}: an error of {}, not {}", [x, y], attribute, value.attributes[0], off, room);
+            prop_assert!(off <= room, "{:?}: x {} instead of {}: an error of {}, over {}", [x, y], attribute, value.attributes[0], off, room);
         }
 
         // Where the line crosses a center inside the picture, it draws a pixel.
@@ -273,7 +273,7 @@ proptest! {
                 && (2. * ROUNDING..=f64::from(others) - 2. * ROUNDING).contains(&across);
             let pixels = pixels.iter().filter(|(pixel, ..)| pixel[major] == step).count();
             prop_assert!(pixels <= 1);
-            prop_assert!(!sure || pixels == 1, "nothing at {} of axis {}", step, major);
+            prop_assert!(!sure || pixels == 1, "no pixel at {} along axis {}", step, major);
         }
     }
 }

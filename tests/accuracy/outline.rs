@@ -101,13 +101,13 @@ fn check_edges(mesh: &Mesh, degrees: f64) {
         match angle {
             None => assert_eq!(crease, Some(false), "a border is no crease"),
             Some(angle) if angle < flat - error => {
-                assert_eq!(crease, Some(false), "{angle} is flat");
+                assert_eq!(crease, Some(false), "an angle of {angle} is no crease");
             }
             Some(angle) if angle > flat + error => {
                 let crease = crease.expect("an edge is missing");
                 let limit = degrees.to_radians();
                 if (angle - limit).abs() > error {
-                    assert_eq!(crease, angle > limit, "{angle} and {limit}");
+                    assert_eq!(crease, angle > limit, "angle {angle}, limit {limit}");
                 }
             }
             Some(_) => {}

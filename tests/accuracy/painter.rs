@@ -131,14 +131,14 @@ impl Scene {
             let [first, second] = [self.farthest(pair[0]), self.farthest(pair[1])];
             prop_assert!(
                 first + tolerance(first) >= second,
-                "{pair:?}: {first} {second}"
+                "{pair:?}: {first} is drawn before {second}"
             );
             #[allow(clippy::float_cmp)] // two distances of one corner, or cut by the far plane
             let is_equal = first == second;
             let is_one_object = pair[0] % objects == pair[1] % objects;
             prop_assert!(
                 !(is_equal && is_one_object) || pair[0] < pair[1],
-                "{pair:?}: both {first}"
+                "{pair:?}: both at {first}, out of order"
             );
         }
         Ok(())

@@ -162,7 +162,7 @@ fn check<K: ProjectionKind>(
             let allowed = 1e-4 + 2. * unit / nearest.min(lens.near.abs().max(0.1));
             prop_assert!(
                 off <= allowed,
-                "{hit:?} is {off} pixels from the ray, not {allowed}"
+                "{hit:?} is {off} pixels from the ray, over {allowed}"
             );
             check_numbers(
                 &hit,

@@ -186,7 +186,7 @@ fn check<K: ProjectionKind>(
     let mut canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
     canvas.draw_sprites(&DrawOptions::new(), &sprites, &mvp, &probe);
     if is_shown::<K>(&lens, &expected) {
-        prop_assert!(!seen.borrow().is_empty(), "{sprite:?} has pixels");
+        prop_assert!(!seen.borrow().is_empty(), "{sprite:?} has no pixels");
     }
     let (back, unit) = (inverse(&view_matrix).unwrap(), 2_f64.powi(-16));
     for (i, (at, world)) in seen.into_inner().into_iter().enumerate() {

@@ -368,7 +368,10 @@ fn wide_outlines_widen_the_thin_outline() {
     );
     let pixels = |seen: &[Seen<1>]| counts(seen).iter().filter(|&&count| count > 0).count();
     let (one, three) = (pixels(&thin), pixels(&wide(fx!(3))));
-    assert!(one > 60 && three > 2 * one, "{one} and {three}");
+    assert!(
+        one > 60 && three > 2 * one,
+        "{one} pixels at width 1, {three} at width 3"
+    );
 }
 
 /// A smooth line mixes the background with the result of its blending, by the share of each pixel.

@@ -214,14 +214,14 @@ impl Scene {
             *drawn.entry((seen.face, seen.pixel)).or_default() += 1;
         }
         for (&(face, pixel), &times) in &drawn {
-            assert_eq!(times, 1, "{pixel:?} of {face}");
+            assert_eq!(times, 1, "{pixel:?} of {face} is drawn again");
             let own = pieces.iter().filter(|piece| piece.face == face);
             let Some((piece, gap)) = nearest(own, center(pixel)) else {
                 panic!("{pixel:?} of {face} is drawn, but the model covers nothing");
             };
             let reach = self.edge_reach(piece);
             worst.add(gap, reach, || {
-                format!("{pixel:?} of {face} outside: {self:?}")
+                format!("{pixel:?} outside face {face}: {self:?}")
             });
         }
         for face in pieces.chunk_by(|a, b| a.face == b.face) {
@@ -239,7 +239,7 @@ impl Scene {
                         .fold(f64::MAX, f64::min);
                     let reach = self.edge_reach(piece);
                     worst.add(depth, reach, || {
-                        format!("{pixel:?} of {index} inside, not drawn: {self:?}")
+                        format!("{pixel:?} inside face {index}, not drawn: {self:?}")
                     });
                 }
             }

@@ -280,7 +280,7 @@ fn triangles_beyond_the_guard_band_are_clipped() {
                 let area = 12. * length * (1. - length / 2048. / 2.);
                 assert!(
                     (f64::from(covered) - area).abs() < 0.5 * length,
-                    "{covered} of {area}"
+                    "{covered} pixels for an area of {area}"
                 );
                 assert!(counts.iter().all(|&count| count < 2));
             }

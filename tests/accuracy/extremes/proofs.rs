@@ -20,7 +20,7 @@ fn drawn(corners: [Point; 3], counter: &mut Counter) -> u64 {
     counter.draw(&BOTH_SIDES, &mesh, &pixel_lens((SIDE, SIDE)));
     let mut mask = 0;
     for (i, count) in counter.take().into_iter().enumerate() {
-        assert!(count < 2, "{corners:?} twice at {i}");
+        assert!(count < 2, "{corners:?} drawn twice at {i}");
         mask |= u64::from(count) << i;
     }
     mask

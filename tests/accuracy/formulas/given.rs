@@ -31,7 +31,7 @@ pub fn floats(v: Vec3) -> [f64; 3] {
 pub fn close(found: f64, expected: f64, tolerance: f64) {
     assert!(
         (found - expected).abs() <= tolerance,
-        "{found} is not {expected} to {tolerance}"
+        "{found} is not {expected}, within {tolerance}"
     );
 }
 
