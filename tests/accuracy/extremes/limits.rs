@@ -13,7 +13,7 @@ use fixel::view::{Perspective, ProjectionKind};
 use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
 
 #[test]
-fn canvases_end_at_their_limits() {
+fn canvases_beyond_their_limits_are_refused() {
     let new = |width: u32, height: u32| {
         let mut pixels = vec![Gray8::new(0); width as usize * height as usize];
         Canvas::new(&mut pixels, width, height).map(|_| ())
@@ -39,7 +39,7 @@ fn canvases_end_at_their_limits() {
 
 /// A list of triangles can be prepared for frames of the same sizes as canvases.
 #[test]
-fn prepared_frames_end_at_their_limits() {
+fn prepared_frames_beyond_their_limits_are_refused() {
     let mesh = Mesh::new(&[], &[]).unwrap();
     let mvp = pixel_lens((1, 1));
     let mut list: TriangleList<1, 1> = TriangleList::new();
@@ -57,7 +57,7 @@ fn prepared_frames_end_at_their_limits() {
 }
 
 #[test]
-fn viewports_end_at_their_limits() {
+fn viewports_beyond_their_limits_are_refused() {
     let max = Viewport::MAX.cast_signed();
     for x in [-max - 1, -max, -max + 1, max - 1, max, max + 1] {
         assert_eq!(Viewport::new(x, 0, 1, 1).is_ok(), x.abs() <= max, "{x}");
@@ -71,7 +71,7 @@ fn viewports_end_at_their_limits() {
 }
 
 #[test]
-fn positions_of_a_mesh_end_at_their_limit() {
+fn positions_of_a_mesh_beyond_their_limit_are_refused() {
     let positions = vec![Vec3::ZERO; Mesh::MAX_POSITIONS + 1];
     for count in [Mesh::MAX_POSITIONS - 1, Mesh::MAX_POSITIONS] {
         let last = u16::try_from(count - 1).unwrap();
@@ -87,7 +87,7 @@ fn positions_of_a_mesh_end_at_their_limit() {
 }
 
 #[test]
-fn parts_of_a_shape_end_at_their_limits() {
+fn parts_of_a_shape_beyond_their_limits_are_refused() {
     let max = Shape::MAX_PARTS;
     // The largest cylinder: each column has four vertices.
     assert!(Shape::cylinder(max - 1).is_ok());
@@ -109,7 +109,7 @@ fn parts_of_a_shape_end_at_their_limits() {
 
 /// A list refuses more visible vertices than 16 bits can count, even if it has room for them.
 #[test]
-fn vertices_of_a_list_end_at_their_limit() {
+fn vertices_of_a_list_beyond_their_limit_are_refused() {
     // Too large for the stack.
     static LIST: Mutex<TriangleList<65_600, 65_600>> = Mutex::new(TriangleList::new());
     const MAX: usize = TriangleList::<65_600, 65_600>::MAX_VERTICES;
@@ -147,7 +147,7 @@ fn textures_of_the_largest_sides_are_drawn() {
 }
 
 #[test]
-fn numbers_end_at_the_ends_of_their_formats() {
+fn numbers_beyond_their_formats_are_refused() {
     // The ends of the formats, and half a unit beyond, which rounds away from zero and out of range.
     let unit = 1. / 65_536.;
     assert_eq!(scalar(32_768. - unit), Ok(Scalar::MAX));
@@ -162,7 +162,7 @@ fn numbers_end_at_the_ends_of_their_formats() {
 }
 
 #[test]
-fn projections_end_at_their_limits() {
+fn projections_beyond_their_limits_are_refused() {
     let fov =
         |bits: u32| Projection::perspective(Angle::from_bits(bits), (4, 3), fx!(1), fx!(2)).is_ok();
     let half = Angle::HALF.to_bits();

@@ -9,7 +9,7 @@ fn rectangle(left: f64, top: f64, right: f64, bottom: f64) -> [Corners; 2] {
 }
 
 #[test]
-fn a_squares_outline_is_found_at_its_distance() {
+fn positions_around_a_square_are_classified() {
     let square = Silhouette::new(&rectangle(2., 2., 12., 12.), 16, 16);
     for (p, d, place) in [
         ([7., 7.], 0.5, Inside), // on the diagonal, which is not a contour edge
@@ -28,7 +28,7 @@ fn a_squares_outline_is_found_at_its_distance() {
 }
 
 #[test]
-fn an_edge_in_front_of_another_surface_is_not_outline() {
+fn an_edge_in_front_of_another_surface_is_not_part_of_the_outline() {
     let two = [rectangle(2., 2., 8., 8.), rectangle(5., 4., 14., 6.)].concat();
     let two = Silhouette::new(&two, 16, 16);
     // The right one's left edge lies inside the left one; the left one's right edge, only partly inside the right one.
