@@ -1,4 +1,4 @@
-//! Blended colors on canvases of every color and storage, against the formulas in f64.
+//! Blended colors on canvases of every color type and storage, compared with the formulas in f64.
 
 use std::fmt::Debug;
 
@@ -16,12 +16,12 @@ use proptest::prelude::*;
 use crate::reference::blending::{add, multiply, over};
 
 static SQUARE: Mesh = shape!(plane(1, 1));
-/// The side of the matrix that coarse colors are dithered by.
+/// The side of the dither matrix, which coarse colors use.
 const SIZE: u32 = 8;
 
-/// A color as its channels, each a value and the steps of white.
+/// A color as a list of channels: the value of each, and its value in white.
 trait Parts: Levels + Debug + From<Self::Raw> {
-    /// Whether it is dithered.
+    /// Whether the color is dithered.
     const IS_COARSE: bool = false;
     fn parts(self) -> Vec<[f64; 2]>;
 }
@@ -62,7 +62,7 @@ fn from_above() -> Mvp<Parallel> {
     projection.unwrap() * Camera::top(Vec3::ZERO, fx!(1))
 }
 
-/// Draws the whole frame in `above` over `below`, in four bands.
+/// Fills the frame with `below`, blends `above` over all of it, and returns the pixels. Draws in four bands.
 fn pixels<C, O, B>(below: C, above: B::Source, blending: B) -> Vec<C>
 where
     C: PixelColor,
@@ -76,7 +76,7 @@ where
         let mut cells = [O::store(below); 2 * SIZE as usize];
         let mut band = <Canvas<'_, C, O> as Banded<C, O>>::band(&mut cells, first);
         let options = DrawOptions::new().with_blending(blending);
-        // A surface of one color, or of one color and one opacity.
+        // A surface of a single color, or of a single color and opacity.
         let surface = Flat::new(below).map(|_, _| Some(above));
         band.draw_with(&options, &SQUARE, &mvp, &surface);
         all.extend(band.pixels());
@@ -113,7 +113,7 @@ where
     }
 }
 
-/// The channels of two colors, and of the pixels in which one is blended over the other.
+/// The channels of two colors, and of the pixels that result from blending one over the other.
 struct Channels {
     above: Vec<[f64; 2]>,
     below: Vec<[f64; 2]>,
@@ -131,8 +131,8 @@ impl Channels {
         }
     }
 
-    /// Compares all pixels with a formula of two channels from 0 to 1; `error` is allowed for channels that differ by
-    /// a number of steps.
+    /// Compares all pixels with a formula of two channels from 0 to 1. `error` gives the allowed error in steps, for
+    /// two channels that differ by a number of steps.
     fn compare(&self, what: &str, formula: &dyn Fn(f64, f64) -> f64, error: &dyn Fn(f64) -> f64) {
         for (part, (above, below)) in self.above.iter().zip(&self.below).enumerate() {
             let white = above[1];
@@ -141,7 +141,7 @@ impl Channels {
             let values: Vec<f64> = self.found.iter().map(|parts| parts[part][0]).collect();
             let context = || format!("{what} of {above:?} and {below:?}: {exact}, not {values:?}");
             if self.is_coarse {
-                // Whole steps around the exact level; 64 thresholds that are a 64th apart, the first one half of that.
+                // Dithering gives the whole steps around the exact level. Its 64 thresholds are 1/64 apart, from 1/128.
                 let mean = values.iter().sum::<f64>() / values.len() as f64;
                 assert!((mean - exact).abs() <= error + 1. / 128., "{}", context());
                 assert!(
@@ -152,7 +152,7 @@ impl Channels {
                     context()
                 );
             } else {
-                // Rounded to nearest.
+                // Rounding to nearest adds half a step.
                 assert!(
                     values
                         .iter()
@@ -165,13 +165,13 @@ impl Channels {
     }
 }
 
-/// All blendings of two colors on a canvas with storage `O`.
+/// Checks every way to blend two colors on a canvas with storage `O`.
 fn blended<C: Parts, O: Storage<C>>([above, below]: [C; 2], opacity: u8)
 where
     for<'a> Canvas<'a, C, O>: Banded<'a, C, O>,
 {
     let share = f64::from(opacity) / 255.;
-    // Opacities of 255ths are taken as 256ths: at most half a 256th off. Then 16 bits hold only 32nds.
+    // An opacity in 255ths becomes 256ths, with an error of at most 1/512. Colors of 15 and 16 bits keep only 32nds.
     let is_short = C::Raw::BITS_PER_PIXEL == 16 || C::Raw::BITS_PER_PIXEL == 15;
     let weight = 0.5 / 256. + if is_short { 1. / 64. } else { 0. };
     let both = [above, below];
@@ -187,12 +187,12 @@ where
     assert_eq!(pixels::<C, O, _>(below, source, Alpha), found);
     let found = pixels::<C, O, _>(below, above, Add);
     Channels::new(both, &found).compare("sum", &add, &|_| 0.);
-    // Sums of whole steps are whole.
+    // Sums of whole steps are whole steps, so dithering changes nothing.
     assert!(found.iter().all(|color| *color == found[0]));
     let found = pixels::<C, O, _>(below, above, Multiply);
     Channels::new(both, &found).compare("product", &multiply, &|_| 16. / 65_536.);
 
-    // The ends are exact.
+    // Opacities 0 and 255 are exact.
     assert!(
         pixels::<C, O, _>(below, above, Opacity(0))
             .iter()
@@ -220,7 +220,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
     #[test]
-    fn colors_are_blended_as_the_formulas_say(bits in any::<[u32; 2]>(), opacity in any::<u8>()) {
+    fn blended_colors_follow_the_formulas(bits in any::<[u32; 2]>(), opacity in any::<u8>()) {
         every_storage::<Rgb555>(bits, opacity);
         every_storage::<Bgr555>(bits, opacity);
         every_storage::<Rgb565>(bits, opacity);

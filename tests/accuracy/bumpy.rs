@@ -24,7 +24,7 @@ pub fn bumpy() -> Shape {
     for row in 0..ROWS {
         for column in 0..COLUMNS {
             let quad = [[0, 0], [1, 0], [1, 1], [0, 1]].map(|[r, c]| [row + r, column + c]);
-            // At a pole one side of the quad is a point.
+            // At a pole, one side of the quad is a point, so one triangle has no area.
             let triangles = [(row + 1 < ROWS, [0, 1, 2]), (row > 0, [0, 2, 3])];
             for (_, corners) in triangles.into_iter().filter(|(there, _)| *there) {
                 let corners = corners.map(|i| quad[i]);

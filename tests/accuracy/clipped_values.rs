@@ -16,8 +16,8 @@ use crate::reference::view::{View, Viewport};
 
 const SIZE: (u32, u32) = (160, 96);
 
-/// The bound of a corner's error, and a little more: the corner is rounded to 1/512 pixel along each axis, from a
-/// position whose own error is far smaller.
+/// A little more than the bound of a corner's error: rounding moves the corner by up to 1/512 pixel along each axis,
+/// and the error of the position before is far smaller.
 const SNAP: f64 = 1. / 256.;
 
 /// Triangles around the eye.
@@ -40,7 +40,7 @@ proptest! {
     })]
 
     #[test]
-    fn values_of_clipped_triangles(
+    fn values_of_clipped_triangles_are_the_models(
         positions in triangles(),
         values in prop::array::uniform2([-(4_i32 << 24)..4 << 24, 0..256, 0..1 << 24]),
     ) {
@@ -69,7 +69,7 @@ proptest! {
         };
         let seen = drawing.all(&attributes);
 
-        // All centers farther inside than corners may move, and none farther outside.
+        // A center is drawn if it is farther inside than corners may move, and not drawn if it is farther outside.
         let mut drawn = vec![0; SIZE.0 as usize * SIZE.1 as usize];
         for seen in &seen {
             let [x, y] = seen.pixel;
@@ -79,7 +79,7 @@ proptest! {
             for x in 0..160 {
                 let count = drawn[usize::try_from(y * 160 + x).unwrap()];
                 let gap = nearest(&pieces, [x, y]).map_or(f64::MAX, |(gap, _)| gap);
-                // Twice the distance of the points around, for the rounding of distances.
+                // Twice the distance of the points `around`, which leaves room for the rounding of distances.
                 if gap > 2. * SNAP {
                     prop_assert_eq!(count, 0, "at {:?}", [x, y]);
                     continue;
@@ -106,7 +106,7 @@ proptest! {
             let Some((gap, piece)) = nearest(&pieces, seen.pixel) else {
                 return Err(TestCaseError::fail("the model covers nothing there"));
             };
-            prop_assert!(gap <= SNAP, "{gap} outside at {:?}", seen.pixel);
+            prop_assert!(gap <= SNAP, "drawn {gap} outside at {:?}", seen.pixel);
             let model = piece.at(seen.pixel).unwrap();
             let row = &mut farthest[usize::try_from(seen.pixel[1]).unwrap()];
             *row = row.max(model.w);

@@ -1,11 +1,11 @@
-//! Clipping: the drawn pixels lie inside the view volume, are drawn once, and agree with the f64 model.
+//! Clipping: drawn pixels lie inside the view volume, are drawn once, and agree with the f64 model.
 //!
-//! Tolerances. A corner is rounded to 1/256 pixel, by at most half of that in each direction, so an edge moves by at
-//! most √2/512 = 0.0028 pixel. Clip space adds less than 0.001 pixel for scenes of some hundred units (coefficients
-//! of 30 bits: 2⁻²⁹ · 256 units / 0.25 of the near plane · 100 pixels from the center = 5e-5). So pixels nearer than
-//! [`EDGE`] = 1/256 pixel to an edge may be drawn or not. The crate's near and far planes equal the projection's to
-//! 28 bits. The model is run with planes a little nearer and a little farther, by the fraction [`PLANES`], and
-//! consulted only where both results agree.
+//! Tolerances: rounding moves a corner by at most 1/512 pixel along each axis, so an edge moves by at most
+//! √2/512 = 0.0028 pixel. Clip space adds less than 0.001 pixel for scenes of some hundred units (coefficients
+//! of 30 bits: 2⁻²⁹ · 256 units / 0.25 of the near plane · 100 pixels from the center = 5e-5). So pixels whose centers
+//! are nearer than [`EDGE`] = 1/256 pixel to an edge may be drawn or not. The crate's near and far planes equal the
+//! projection's to 28 bits. The model draws with planes moved inwards and outwards by the fraction [`PLANES`], and
+//! decides only where both results agree.
 
 use std::collections::HashMap;
 
@@ -28,7 +28,7 @@ const FOCAL: u16 = 30;
 /// In pixels.
 const EDGE: f64 = 1. / 256.;
 /// In pixels: √2/512 and the error of clip space. Where two sides of a triangle are this near to a center, rounding
-/// may have exchanged them.
+/// may swap them.
 const FOLD: f64 = 0.0029;
 /// 2⁻²⁴.
 const PLANES: f64 = 1. / 16_777_216.;
@@ -37,7 +37,7 @@ fn projection() -> Projection<fixel::view::Perspective> {
     Projection::from_focal_length(Scalar::from_num(FOCAL), SIZE, fx!(0.25), fx!(24)).unwrap()
 }
 
-/// The model's view, with planes moved outwards by a fraction of their distance.
+/// The model's view, with near and far planes moved outwards by a fraction of their distance.
 fn model_view(outwards: f64) -> view::View {
     let (near, far) = (NEAR * (1. - outwards), FAR * (1. + outwards));
     view::View {
@@ -52,11 +52,11 @@ fn floats(positions: &[Vec3]) -> Vec<[f64; 3]> {
     positions.iter().map(|p| p.to_bits().map(float)).collect()
 }
 
-/// The model's triangles, for planes a little inwards and a little outwards.
+/// The model's triangles, with planes moved a little inwards and a little outwards.
 struct Model {
     inner: Silhouette,
     outer: Silhouette,
-    /// Sides of the clipped triangles, each once.
+    /// The sides of the clipped triangles, each listed once.
     sides: Vec<[[f64; 2]; 2]>,
 }
 
@@ -112,20 +112,20 @@ impl Model {
         }
     }
 
-    /// Whether two sides pass so near to a pixel's center that rounding their ends may have exchanged them. Such a
-    /// thin triangle may be turned over, and then overlaps its neighbors.
+    /// Whether two sides pass so near to a pixel's center that rounding of their ends may swap them. A triangle that
+    /// thin may turn over, and then it overlaps its neighbors.
     fn may_fold(&self, pixel: [i32; 2]) -> bool {
         let near = |[a, b]: &[[f64; 2]; 2]| to_segment(*a, *b, center(pixel)) < FOLD;
         self.sides.iter().filter(|side| near(side)).count() > 1
     }
 
-    /// Checks counts of drawn pixels against the model; no pixel may be drawn twice.
+    /// Checks counts of drawn pixels against the model. No pixel may be drawn twice, unless a triangle may fold there.
     fn check(&self, counts: &[u32]) -> Result<(), TestCaseError> {
         for (&count, pixel) in counts.iter().zip(Bounds::new(SIZE.0, SIZE.1).pixels()) {
             let expected = self.covers(pixel);
             prop_assert!(
                 expected.is_none_or(|covered| covered == (count > 0)),
-                "{:?}: drawn {} times, model {:?}",
+                "{:?}: drawn {} times, covered in the model: {:?}",
                 pixel,
                 count,
                 expected
@@ -155,8 +155,8 @@ fn count(
 /// In units of 2⁻¹⁶.
 const UNIT: i32 = 1 << 16;
 
-/// Positions all around the eye: some close to the near plane, some at the far plane, some behind, some far to the
-/// side.
+/// Positions all around the eye: some close to the near plane, some at the far plane, some behind the eye, some far
+/// to the side.
 fn around() -> impl Strategy<Value = Vec3> {
     let z = prop_oneof![
         4 => -30 * UNIT..10 * UNIT,
@@ -175,8 +175,8 @@ fn around() -> impl Strategy<Value = Vec3> {
     (side(), side(), z).prop_map(|(x, y, z)| Vec3::from_bits([x, y, z]))
 }
 
-/// Twice the volume between the eye and a triangle, and 1/w over the screen: with the plane N·P = D and the ray
-/// through a pixel (dx, dy, −1), 1/w = N·ray / D.
+/// A function of the position on the screen that gives 1/w on a triangle's plane, and its gradient. With the plane
+/// N·P = D and the ray (dx, dy, −1) through a pixel, 1/w = N·ray / D.
 fn inverse_w(corners: [Vec3; 3]) -> impl Fn([f64; 2]) -> (f64, f64) {
     let p = floats(&corners);
     let n = linear::cross(linear::subtract(p[1], p[0]), linear::subtract(p[2], p[0]));
@@ -196,10 +196,10 @@ fn inverse_w(corners: [Vec3; 3]) -> impl Fn([f64; 2]) -> (f64, f64) {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(512))]
 
-    /// A triangle anywhere around the eye is drawn exactly where the model covers it, between the planes, and at each
-    /// pixel with the distance of its plane.
+    /// A triangle anywhere around the eye is drawn exactly where the model covers it, between the near and far planes,
+    /// and each pixel has the distance of the triangle's plane.
     #[test]
-    fn triangles_around_the_eye(corners in [around(), around(), around()]) {
+    fn triangles_around_the_eye_are_the_models(corners in [around(), around(), around()]) {
         let (counts, drawn) = count(&corners, &[[0, 1, 2]], &BOTH_SIDES);
         Model::new(&corners, &[[0, 1, 2]]).check(&counts)?;
         let all: u32 = counts.iter().sum();
@@ -217,12 +217,12 @@ proptest! {
         for Seen { pixel, values: [distance], depth, .. } in record.seen {
             let w = f64::from(distance) / 65536.;
             // The corners' distances are below 64, 2^22 units, so the interpolant is distance · q · 2^-24. Its error
-            // and that of q are at most 34 units (corner, gradients and steps, see `RUN`), and q is at least 2^30 ·
-            // near/w.
+            // and the error of q are at most 34 units each (corner, gradients and steps), and q is at least
+            // 2^30 · near/w.
             let q = f64::from(1 << 30) * NEAR / FAR;
             let format = (f64::from(1 << 24) * 34. * 1.5 / q + 4.) / 65536.;
             prop_assert!((NEAR - format..=FAR + format).contains(&w), "{:?}: {}", pixel, w);
-            // Corners moved by less than EDGE, so the value is the plane's within that distance of the pixel.
+            // Corners moved by less than EDGE, so the plane has the value within that distance of the pixel's center.
             let (exact, gradient) = plane(center(pixel));
             let room = gradient * EDGE + 1e-6;
             let nearest = 1. / (exact + room);
@@ -231,7 +231,7 @@ proptest! {
                 let farthest = 1. / (exact - room);
                 prop_assert!(w < farthest + format, "{:?}: {} is farther than {}", pixel, w, farthest);
             }
-            // Rounded down, from a 1/w with an error of up to 34 units of 2^-15 of a step.
+            // Depth is rounded down, and the error of 1/w, up to 34 units, is 34 · 2^-15 of a step.
             let step = 65535. * NEAR;
             let (least, most) = (step * (exact - room) - 1.01, step * (exact + room) + 0.01);
             prop_assert!((least..=most).contains(&f64::from(depth)), "{:?}: {} not in {}..{}", pixel, depth, least, most);
@@ -244,7 +244,7 @@ proptest! {
 struct Ground {
     /// The mesh's origin.
     origin: [i32; 3],
-    /// The steps along x and y.
+    /// The changes of position per unit of the mesh's x and y.
     steps: [[i32; 3]; 2],
 }
 
@@ -255,12 +255,12 @@ impl Ground {
     }
 }
 
-/// Floors, ceilings, walls and tilted ground that reach from behind the eye to beyond the far plane.
+/// Floors, ceilings, walls and tilted ground, which reach from behind the eye to beyond the far plane.
 fn grounds() -> impl Strategy<Value = Ground> {
     let height = prop_oneof![Just(1), Just(-1)]
         .prop_flat_map(|side| (UNIT / 8..2 * UNIT).prop_map(move |height| side * height));
     (height, -6..=6i32, -6..=6i32, any::<bool>()).prop_map(|(height, across, along, wall)| {
-        // v runs ahead; the tilt is small, so that the horizon is visible.
+        // v runs ahead. The tilt is small, so that the horizon is visible.
         let (x, y) = ([32, across, 0], [0, along, -32]);
         let turn = |[a, b, c]: [i32; 3]| if wall { [b, a, c] } else { [a, b, c] };
         Ground {
@@ -275,11 +275,11 @@ proptest! {
 
     /// Ground that continues below the eye and behind it, in triangles of every shape.
     #[test]
-    fn meshes_through_the_near_plane(
+    fn meshes_through_the_near_plane_are_the_models(
         slope in grounds(),
         points in prop::collection::vec(
             prop_oneof![
-                // 2^11 mesh units are a unit of space.
+                // 2^11 mesh units are one unit of space.
                 [-8000..8000i32, -8000..8000],
                 [-2000..2000i32, 0..3000],
                 [-30_000..30_000i32, -20_000..60_000],
@@ -300,12 +300,12 @@ proptest! {
     }
 }
 
-/// A thin triangle that both the near and the far plane clip. Four of its corners are new and rounded, and the
-/// outline, a few subpixels wide at its far end, crosses itself there. The triangles it is drawn as, a fan around one
-/// corner, then overlap; still each pixel is drawn once.
+/// Each triangle is thin, and both the near and the far plane clip it. Four of its corners are new and rounded. Its
+/// outline is a few subpixels wide at the far end, so rounding may make it cross itself there. Then the triangles of
+/// its fan overlap, but each pixel is still drawn once.
 #[test]
-fn thin_clipped_triangles() {
-    // Which of them fold over a pixel's center depends on every rounding, so there are many; most do not.
+fn thin_clipped_triangles_draw_each_pixel_once() {
+    // Every rounding affects which triangles fold over a pixel's center. Few do, so the test draws many.
     let mut drawn = 0;
     for height in (10_000..60_000).step_by(100) {
         let place = |[u, v]: Point| Vec3::from_bits([32 * u, height + u + 5 * v, -32 * v]);
@@ -327,13 +327,13 @@ fn thin_clipped_triangles() {
             }
         }
     }
-    // They are thin, but some have pixels: 921 in all.
+    // The triangles are thin, but together they have 921 pixels.
     assert!(drawn > 800, "{drawn} pixels");
 }
 
-/// Positions inside the view volume, and for each plane three positions beyond it: near (also behind the eye), far,
-/// left, right, bottom, top. The sides are those of the guard band, ±2048 pixels: at a distance of 4 and with a focal
-/// length of 30 pixels, 273 units from the axis.
+/// Positions inside the view volume, and three positions beyond each plane: near (some behind the eye), far, left,
+/// right, bottom, top. The sides are the guard band's, ±2048 pixels: at a distance of 4 and with a focal length of 30
+/// pixels, they are 273 units from the axis.
 const INSIDE: [[f64; 3]; 3] = [[-1., -1., -4.], [1.5, -0.5, -5.], [0., 1., -3.]];
 const BEYOND: [[[f64; 3]; 3]; 6] = [
     [[-0.5, 0.25, -0.125], [0.5, 0.5, 2.], [1., -1., 0.]],
@@ -344,9 +344,9 @@ const BEYOND: [[[f64; 3]; 3]; 6] = [
     [[1., 400., -4.], [50., 300., -4.], [-100., 500., -4.5]],
 ];
 
-/// One, two and three corners beyond each plane.
+/// One, two and three corners of a triangle lie beyond each plane.
 #[test]
-fn each_plane_by_one_two_and_three_corners() {
+fn each_plane_clips_one_two_and_three_corners() {
     for (plane, beyond) in BEYOND.iter().enumerate() {
         for outside in 0..=3 {
             let corners = [0, 1, 2].map(|i| if i < outside { beyond[i] } else { INSIDE[i] });
@@ -358,7 +358,7 @@ fn each_plane_by_one_two_and_three_corners() {
                 assert_eq!(
                     (drawn.drawn, drawn.clipped),
                     (u32::from(seen), u32::from(clipped)),
-                    "{outside} beyond plane {plane}"
+                    "{outside} corners beyond plane {plane}"
                 );
                 assert_eq!(counts.iter().any(|&count| count > 0), seen);
             }
@@ -366,7 +366,7 @@ fn each_plane_by_one_two_and_three_corners() {
     }
 }
 
-/// An object behind the eye has a mirror image under the formula without clipping; it must not show.
+/// Without clipping, the division by a negative w would show a mirror image of an object behind the eye.
 #[test]
 fn nothing_behind_the_eye_is_drawn() {
     let mirrored = INSIDE.map(|[x, y, z]| [-x, -y, -z]);
@@ -387,8 +387,8 @@ fn nothing_behind_the_eye_is_drawn() {
     }
 }
 
-/// Ground below the eye, from far behind it to the far plane, covers only pixels below the horizon. The far plane, 24
-/// units away, is 30/24 = 1¼ rows below the middle, so centers from 17.5 down are ground.
+/// Ground below the eye, from far behind it to the far plane, covers only pixels below the horizon. It ends at the far
+/// plane, 24 units away, which is 30/24 = 1¼ rows below the middle. So centers from 17.5 down show ground.
 #[test]
 fn ground_fills_the_picture_up_to_the_far_plane() {
     let ground = [
@@ -405,7 +405,7 @@ fn ground_fills_the_picture_up_to_the_far_plane() {
     }
 }
 
-/// A viewport of full size ends where the guard band does: there, too, no pixel is lost or drawn twice.
+/// A viewport of the largest size ends where the guard band does. There too, no pixel is lost or drawn twice.
 #[test]
 fn a_viewport_as_wide_as_the_guard_band_is_filled_once() {
     let size = (2048, 24);

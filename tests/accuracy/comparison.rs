@@ -1,4 +1,4 @@
-//! A scene drawn by the crate and by the model, and all differences.
+//! A scene drawn by the crate and by the model, and all differences between the two.
 
 use std::collections::HashMap;
 
@@ -19,11 +19,11 @@ use crate::spread::Spread;
 
 /// Texels along a texture.
 const TEXELS: f64 = 256.;
-/// Fraction bits of the interpolated u and v: 4 more than those of a vertex.
+/// Fraction bits of the interpolated u and v: 4 more than a vertex has.
 const UV_BITS: i32 = 24;
-/// The most texels that rounding a vertex's u or v moves it by.
+/// The largest rounding error of a vertex's u or v, in texels.
 pub const ROUNDING: f64 = TEXELS / (2 << TexCoord::FRAC_NBITS) as f64;
-/// The bound of a vertex's error, and a little more: it is rounded to 1/512 pixel along each axis.
+/// A little more than the bound of a vertex's error: rounding moves it by up to 1/512 pixel along each axis.
 const SNAP: f64 = 1. / 256.;
 
 /// A shape in the crate's numbers, with its transforms to the picture for the crate and for the model.
@@ -32,45 +32,46 @@ pub struct Scene {
     faces: Vec<[u16; 3]>,
     uvs: Vec<Vec2>,
     uv_faces: Vec<[u16; 3]>,
-    /// The texture coordinates before they were rounded.
+    /// The texture coordinates before rounding.
     unrounded: Vec<[[f64; 2]; 3]>,
     mvp: Mvp<Perspective>,
-    /// The same numbers for the model.
+    /// The same shape for the model.
     shape: Shape,
     view: View,
 }
 
-/// The differences between the crate's pixels and the model's.
+/// The differences between the crate's pixels and the model's. Unless noted, the model uses the crate's snapped
+/// vertices.
 pub struct Comparison {
     /// Pixels drawn, including hidden ones.
     pub pixels: Vec<Seen<3>>,
-    /// Texels, given the crate's snapped vertices.
+    /// Errors of u and v, in texels.
     pub snapped: Spread,
-    /// The same against texture coordinates that were not rounded to the crate's format.
+    /// Errors of u and v, in texels, relative to texture coordinates that were not rounded to the crate's format.
     pub unrounded: Spread,
-    /// Texels, given the model's own vertices.
+    /// Errors of u and v, in texels, given the model's own vertices.
     pub unsnapped: Spread,
-    /// The part of that beyond 1/256 pixel's worth of the texels' gradient.
+    /// The part of `unsnapped` that exceeds 1/256 pixel times the gradient of the texels.
     pub excess: Spread,
-    /// Distance, in units of the vertices' 2⁻¹⁶, given the snapped vertices.
+    /// Errors of the distance, in units of 2⁻¹⁶.
     pub distance: Spread,
-    /// The errors of u, v and distance given the snapped vertices, relative to the bounds of the formats.
+    /// Errors of u, v and distance, relative to the bounds of the formats.
     pub allowed: Spread,
-    /// Distance of the depth from the step that it stands for, given the snapped vertices.
+    /// How far the exact depth lies outside the stored step, in steps.
     pub depth: Spread,
-    /// Distance in steps of the visible surface behind the nearest one, given the snapped vertices.
+    /// How far the visible surface lies behind the nearest one, in steps of depth.
     pub order: Spread,
-    /// Pairs of triangle and pixel that only the crate or only the model draws, given the snapped vertices.
+    /// Number of pairs of triangle and pixel that only the crate or only the model draws.
     pub not_alike: usize,
-    /// Centers more than 1/256 pixel inside the silhouette, by how often the pixel was drawn: never, once, more
+    /// Numbers of centers more than 1/256 pixel inside the silhouette whose pixel was drawn never, once, and more
     /// often.
     pub inside: [usize; 3],
-    /// Centers more than 1/256 pixel outside that were drawn.
+    /// Number of centers more than 1/256 pixel outside the silhouette whose pixel was drawn.
     pub outside: usize,
 }
 
 impl Scene {
-    /// Makes a scene of a shape after some moves, with every number rounded to the crate's nearest.
+    /// Makes a scene of a shape after some moves, with every number rounded to the crate's nearest number.
     pub fn new(shape: &Shape, moves: &[Move]) -> Self {
         let positions: Vec<Vec3> = shape.positions.iter().map(|&p| quantised(p)).collect();
         let uvs: Vec<Vec2> = shape
@@ -117,7 +118,7 @@ impl Scene {
         }
     }
 
-    /// Draws and compares in some modes. No vertex may be outside the near and far planes or the guard band.
+    /// Draws and compares in some modes. Every vertex must lie between the near and far planes and in the guard band.
     pub fn compare(&self, modes: &[Mode]) -> Vec<(Mode, Comparison)> {
         let mut all: Vec<(Mode, Comparison)> = Vec::with_capacity(modes.len());
         for &mode in modes {
@@ -127,7 +128,7 @@ impl Scene {
         all
     }
 
-    /// The same in one mode. Coverage must equal that of another mode that was compared before.
+    /// Draws and compares in one mode. If `other` is the comparison in another mode, coverage must be the same.
     fn compare_in(&self, mode: Mode, other: Option<&Comparison>) -> Comparison {
         let Self { shape, view, .. } = self;
         let drawing = self.drawing(mode);
@@ -184,7 +185,7 @@ impl Scene {
     }
 }
 
-/// The model's hits at a pixel, which give its values.
+/// The model's hit of a drawn triangle at the drawn pixel.
 fn at(pieces: &[Piece<2>], seen: &Seen<3>) -> raster::Hit<2> {
     let piece = &pieces[seen.face];
     assert_eq!(piece.face, seen.face, "the face is clipped");
@@ -233,7 +234,7 @@ impl Comparison {
                 let allowed = allowed(piece.attributes.map(|corner| corner[k]), TEXELS / unit);
                 self.allowed.add(error / unit / allowed, i);
             }
-            // A vertex's distance is rounded to half a unit, from mantissas of 30 bits and numbers below 64.
+            // A vertex's distance is rounded by half a unit, after products of 30-bit mantissas and numbers below 64.
             let allowed = 0.51 + allowed(piece.w, 65536.);
             self.allowed.add(distance / allowed, i);
             let depth = view.projection.depth(hit.distance);
@@ -359,13 +360,13 @@ impl Comparison {
         println!("{}", self.depth.line("depth outside its step", "steps"));
         println!("  behind the nearest: {:.5} steps", self.order.max());
         println!(
-            "  different {}; inside drawn not, once, again: {:?}; outside drawn {}",
+            "  different {}; inside, drawn never, once, more often: {:?}; outside, drawn: {}",
             self.not_alike, self.inside, self.outside
         );
     }
 }
 
-/// The number of entries of sorted `a` that are not in sorted `b`; repeated entries count.
+/// The number of entries of the sorted `a` that are not in the sorted `b`; repeated entries count.
 fn difference<T: Ord>(a: &[T], b: &[T]) -> usize {
     let mut b = b.iter().peekable();
     a.iter()

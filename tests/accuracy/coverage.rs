@@ -1,7 +1,7 @@
-//! The pixels that a triangle covers, against the exact half-space model, for every kind of mesh.
+//! The pixels that a triangle covers, compared with the exact half-space model, for every kind of mesh.
 //!
 //! The crate walks edges with remainders; the model tests every pixel center against three exact half-spaces. Given
-//! the same snapped corners, the two must agree in every pixel. So no test here has a tolerance, except those of
+//! the same snapped corners, the two must agree in every pixel. So the tests here have no tolerance, except those of
 //! clipped triangles, which get new corners.
 
 use std::collections::HashMap;
@@ -15,7 +15,7 @@ use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 use proptest::prelude::*;
 
-/// Draws a mesh through the pixel projection, after checking that each vertex is where it should be.
+/// Draws a mesh through the pixel projection, after checking the position of each vertex.
 fn draw(mesh: &Flat, size: (u32, u32), options: &DrawOptions) -> Vec<u32> {
     let projection = pixel_lens(size);
     let mut counter = Counter::new(size);
@@ -30,7 +30,7 @@ fn draw(mesh: &Flat, size: (u32, u32), options: &DrawOptions) -> Vec<u32> {
 }
 
 /// Positions of vertices: on pixel corners, on sixteenths, on any of 256 subpixels, or mostly on centers, where the
-/// rule for ties decides.
+/// top-left rule decides.
 fn places(range: std::ops::Range<i32>) -> impl Strategy<Value = Vec<Point>> {
     let grain = prop_oneof![
         Just((256, 0)),
@@ -71,7 +71,7 @@ proptest! {
         check_against_model(&Flat { points, faces }, SIZE)?;
     }
 
-    /// Slivers: two corners anywhere, the third within a pixel of the line between them.
+    /// Slivers: two corners lie anywhere, the third within a pixel of the line between them.
     #[test]
     fn slivers_cover_what_the_model_covers(
         slivers in prop::collection::vec(
@@ -89,7 +89,7 @@ proptest! {
         check_against_model(&mesh, SIZE)?;
     }
 
-    /// Corners anywhere in the guard band of ±2048 pixels, edges up to 4095 pixels long.
+    /// Corners lie anywhere in the guard band of ±2048 pixels; edges are up to 4095 pixels wide and high.
     #[test]
     fn huge_triangles_cover_what_the_model_covers(
         points in prop::collection::vec([-524_000..524_000i32, -524_000..524_000], 3..9)
@@ -100,7 +100,7 @@ proptest! {
         check_against_model(&Flat { points, faces }, SIZE)?;
     }
 
-    /// A triangulated rectangle covers the pixels of the rectangle, each once. So it does from behind, and with
+    /// A triangulated rectangle covers each pixel of the rectangle once: from the front, from behind, and with
     /// triangles that face both ways.
     #[test]
     fn triangulations_cover_each_pixel_once(
@@ -136,7 +136,7 @@ proptest! {
         once(&mesh.shuffled(seed, true), &BOTH_SIDES)?;
     }
 
-    /// Fans: a hub with spokes, which all meet in one point.
+    /// Fans: all triangles meet in one point.
     #[test]
     fn fans_cover_each_pixel_once(points in places(-8..40), seed: u64) {
         let mesh = fan(points[0], points[1..].to_vec());
@@ -145,13 +145,13 @@ proptest! {
         check_against_model(&mesh.shuffled(seed, true), SIZE)?;
     }
 
-    /// Strips and grids cover the rectangle, each pixel once.
+    /// Strips and grids cover each pixel of the rectangle once.
     #[test]
     fn grids_cover_each_pixel_once(
         columns in 1..=20u16, rows in 1..=16u16, strip: bool, moves in places(0..32), seed: u64
     ) {
         let cells = [columns, rows].map(i32::from);
-        // Whole subpixels to the cell.
+        // A multiple of the number of cells, so that a cell is a whole number of pixels wide and high.
         let area = [32 / cells[0] * cells[0], 24 / cells[1] * cells[1]];
         let mesh = grid(columns, rows, area, &moves, strip).shuffled(seed, false);
         let expected: Vec<u32> = Bounds::new(SIZE.0, SIZE.1)
@@ -167,7 +167,7 @@ proptest! {
 
 /// Every triangle with its corners on half-pixels of a small picture, moved by some subpixels.
 #[test]
-fn all_small_triangles() {
+fn all_small_triangles_cover_what_the_model_covers() {
     const SIDE: i32 = 7;
     let size = (4, 4);
     let mut counter = Counter::new(size);
@@ -182,7 +182,7 @@ fn all_small_triangles() {
 
 /// Every triangle with its corners within two subpixels of a pixel's center or corner.
 #[test]
-fn all_tiny_triangles() {
+fn all_tiny_triangles_cover_what_the_model_covers() {
     const SIDE: i32 = 5;
     let size = (2, 2);
     let mut counter = Counter::new(size);
@@ -225,7 +225,7 @@ fn every_triangle<K: ProjectionKind>(counter: &mut Counter, projection: &Mvp<K>,
     }
 }
 
-/// Positions in space, seen in perspective: whatever the crate rounds them to, it covers the model's pixels.
+/// Positions in space, seen in perspective. Wherever the crate snaps them to, it covers the pixels that the model does.
 fn check_in_perspective(positions: &[[i32; 3]], seed: u64) -> Result<(), TestCaseError> {
     let size = (48, 32);
     let projection =
@@ -245,7 +245,7 @@ fn check_in_perspective(positions: &[[i32; 3]], seed: u64) -> Result<(), TestCas
     let places: HashMap<u16, Point> = (0..count)
         .filter_map(|i| Some((i, counter.snapped(&mvp, positions[usize::from(i)])?)))
         .collect();
-    // Clipped triangles get new corners; other tests check them.
+    // Other tests check clipped triangles, which get new corners.
     let whole: Vec<[u16; 3]> = faces
         .into_iter()
         .filter(|face| face.iter().all(|index| places.contains_key(index)))
@@ -290,12 +290,12 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(192))]
 
-    /// Beyond the guard band triangles are clipped and get new corners, rounded to half of 1/256 pixel in each
-    /// direction. A point of an edge moves by at most √2/512 = 0.0028 pixel; with the rounding of clip space (a
-    /// fraction of 2⁻³¹ of an edge of at most 65,536 pixels: 3e-5 pixel) by less than 1/256. So pixels may differ
-    /// from the exact model only that near to an edge.
+    /// Beyond the guard band triangles are clipped and get new corners, which rounding moves by up to 1/512 pixel along
+    /// each axis. A point of an edge moves by at most √2/512 = 0.0028 pixel. With the rounding of clip space (a
+    /// fraction of 2⁻³¹ of an edge of at most 65,536 pixels: 3e-5 pixel), it moves by less than 1/256 pixel. So pixels
+    /// may differ from the exact model only within that distance of an edge.
     #[test]
-    fn triangles_beyond_the_guard_band(
+    fn triangles_beyond_the_guard_band_cover_what_the_model_covers(
         corners in prop::collection::vec(
             prop_oneof![
                 3 => [-32_000..32_000i32, -32_000..32_000].prop_map(|p| p.map(|at| at * 256)),
@@ -317,12 +317,12 @@ proptest! {
                     .into_iter()
                     .map(|(a, b)| to_segment(a, b, center(pixel)))
                     .fold(f64::MAX, f64::min);
-                prop_assert!(count < 2 && near < 1. / 256., "{:?}: {} of {}, {} from an edge", pixel, count, model, near);
+                prop_assert!(count < 2 && near < 1. / 256., "{:?}: drawn {}, model {}, {} from an edge", pixel, count, model, near);
             }
         }
     }
 
-    /// A mesh that reaches far beyond the guard band on all sides still covers the picture once.
+    /// A mesh that reaches far beyond the guard band on all sides still covers each pixel of the picture once.
     #[test]
     fn clipped_triangulations_cover_each_pixel_once(
         far in prop::collection::vec([-31_000..31_000i32, -31_000..31_000].prop_map(|p| p.map(|at| at * 256)), 0..8),

@@ -9,7 +9,7 @@ use crate::mode::Mode;
 pub use crate::recorder::Seen;
 use crate::recorder::{Coordinates, Few, Probe, record};
 
-/// A point on the screen: position in 1/256 pixel, and depth as it would be stored.
+/// A point on the screen: its position in 1/256 pixel, and its depth as a depth buffer would store it.
 #[derive(Clone, Copy, Debug)]
 pub struct Spot {
     pub x: i32,
@@ -20,7 +20,7 @@ pub struct Spot {
 /// The values that a test wants interpolated.
 type Values<'a, const N: usize> = &'a dyn Fn(&Corner<'_>) -> [i32; N];
 
-/// A mesh and the way to draw it.
+/// A mesh, its transforms and its options: everything that a drawing needs.
 pub struct Drawing<'a, K> {
     pub size: (u32, u32),
     /// All options but the mode.
@@ -39,7 +39,7 @@ impl<K: ProjectionKind> Drawing<'_, K> {
         self.record(values, false)
     }
 
-    /// Every pixel that passes the depth test when it is drawn; the last one at each position is visible.
+    /// Every pixel that passes the depth test, in drawing order; the last one at each position is visible.
     pub fn shown<const N: usize>(&self, values: Values<'_, N>) -> Vec<Seen<N>>
     where
         [(); N]: Few<N>,
@@ -74,7 +74,7 @@ impl<K: ProjectionKind> Drawing<'_, K> {
         record.seen
     }
 
-    /// The depths that a buffer of this format then holds, row by row.
+    /// The depths in a buffer of this format after drawing, row by row.
     pub fn depths<F: DepthFormat>(&self) -> Vec<u16> {
         let (width, height) = self.size;
         let mut pixels = vec![Gray8::new(0); width as usize * height as usize];
@@ -87,7 +87,7 @@ impl<K: ProjectionKind> Drawing<'_, K> {
             mesh,
             ..
         } = self;
-        // A shader of its own, with varyings, makes the modes interpolate.
+        // A shader with varyings, so that each mode interpolates.
         mode.draw(&mut canvas, options, mesh, &self.mvp, &Gouraud::new());
         depth
     }
@@ -100,7 +100,7 @@ impl<K: ProjectionKind> Drawing<'_, K> {
             .collect()
     }
 
-    /// The same with the depth.
+    /// The crate's positions and depths of points; `None` for points that it would clip.
     pub fn spots(&self, points: &[Vec3]) -> Vec<Option<Spot>> {
         let (width, height) = self.size;
         let mut pixels = vec![Gray8::new(0); width as usize * height as usize];

@@ -1,4 +1,4 @@
-//! Textures between the centers of texels: the crate's colors against the f64 model.
+//! Bilinear filtering: the crate's colors between the centers of texels, compared with the f64 model.
 
 use std::fmt::Debug;
 
@@ -16,7 +16,7 @@ use proptest::prelude::*;
 
 /// A color with access to its channels.
 trait Parts: Blend + PixelColor + Debug {
-    /// Units of weight from one texel to the next.
+    /// Units of the weight from one texel to the next.
     const UNITS: f64;
 
     fn of(raw: u32) -> Self;
@@ -55,10 +55,10 @@ parts! {
 
 /// The bound that the documentation promises for a channel, in steps.
 ///
-/// The position is rounded to the nearest of `units` between two centers, so its error is at most half a unit along
-/// each axis, and it stays between the same centers. There the color changes along either axis by no more per texel
-/// than the texels around differ: for both axes together, by their difference / `units`. Rounding the two rows adds
-/// at most half a step, which their mean keeps; rounding the mean adds another half.
+/// The position is rounded to the nearest of `UNITS` units between two centers, so its error is at most half a unit
+/// along each axis, and it stays between the same centers. There, along either axis, the color changes per texel by at
+/// most the difference of the texels around: both axes together add this difference / `UNITS`. Rounding the two rows
+/// adds at most half a step, which their mean keeps; rounding the mean adds another half.
 fn allowed<C: Parts>(model: &Blended) -> f64 {
     1. + (model.most - model.least) / C::UNITS
 }
@@ -72,10 +72,10 @@ fn channel<C: Parts, const W: usize, const H: usize>(
     texels.iter().map(row).collect()
 }
 
-/// A shader with its interpolated values.
+/// The interpolated numbers of a shader.
 type Numbers<F> = <<<F as Shader>::Varyings as Varyings>::Lanes as Lanes>::Of<i32>;
 
-/// The color of a shader whose texels are looked up at (u, v), in texels with 16 fraction bits.
+/// The color that a shader returns for given interpolated numbers.
 fn shade<F: Shader>(shader: &F, numbers: Numbers<F>) -> F::Color {
     let sample = Fragment {
         point: Point::zero(),
@@ -85,7 +85,7 @@ fn shade<F: Shader>(shader: &F, numbers: Numbers<F>) -> F::Color {
     shader.shade(&sample, varyings).unwrap()
 }
 
-/// Compares both addressing modes of a texture at some positions with the model.
+/// Compares both addressing modes of a texture with the model, at some positions.
 fn compare<C: Parts, const W: usize, const H: usize>(
     texels: &[[C; W]; H],
     places: &[[i32; 2]],
@@ -104,7 +104,7 @@ fn compare<C: Parts, const W: usize, const H: usize>(
     Ok(())
 }
 
-/// Compares the channels at a position.
+/// Compares the channels of a color at one position with the model.
 fn compare_at(
     channels: &[Vec<Vec<f64>>; 3],
     wrap: Wrap,
@@ -118,13 +118,13 @@ fn compare_at(
         let error = (part - model.value).abs();
         prop_assert!(
             error <= allowed(&model),
-            "{wrap:?} channel {k} at {at:?}: {part} for {model:?}"
+            "{wrap:?} channel {k} at {at:?}: {part} is not {model:?}"
         );
     }
     Ok(())
 }
 
-/// Texels of any color, or of the darkest and the brightest, as raw values.
+/// Raw values of texels: any color, or the darkest, or the brightest.
 fn raw(count: usize) -> impl Strategy<Value = Vec<u32>> {
     proptest::collection::vec(prop_oneof![any::<u32>(), Just(0), Just(!0)], count)
 }
@@ -134,7 +134,7 @@ fn texels<C: Parts, const W: usize, const H: usize>(raw: &[u32]) -> [[C; W]; H] 
     std::array::from_fn(|v| std::array::from_fn(|u| C::of(raw[v * W + u])))
 }
 
-/// A position near the texture's edges or within it, anywhere, or at the very end of the format.
+/// A position: within the texture or near its edges, anywhere, or at the very end of the format.
 fn place() -> impl Strategy<Value = [i32; 2]> {
     let axis = || {
         let ends = i32::MAX - 100_000;
@@ -148,10 +148,10 @@ fn place() -> impl Strategy<Value = [i32; 2]> {
     [axis(), axis()]
 }
 
-/// The texels of a large texture, a narrow one, a pair, and a single one, which is its own neighbor.
+/// The texels of a large texture, of a narrow one, of a pair, and of a single texel, which is its own neighbor.
 type Textures = [Vec<u32>; 4];
 
-/// Checks any textures at any positions. Not generic: the colors' tests share what proptest compiles.
+/// Checks any textures at any positions. It is not generic, so that proptest's code is compiled only once.
 fn check_any(check: fn(&Textures, &[[i32; 2]]) -> Result<(), TestCaseError>) {
     let textures = [raw(16 * 8), raw(4), raw(2), raw(1)];
     proptest!(|(textures in textures, places in proptest::collection::vec(place(), 32))| {
@@ -212,9 +212,9 @@ proptest! {
         exact_at_centers::<Gray8>(&texels(&gray8));
     }
 
-    /// Every storage of texels, and every use of the color afterwards.
+    /// Every storage of texels gives the same color, and so do light and vertex colors that leave it unchanged.
     #[test]
-    fn palettes_light_and_vertex_colors(
+    fn palettes_lit_and_tinted_textures_are_filtered_alike(
         indices in any::<[u8; 8]>(),
         colors in raw(256),
         place in place(),
@@ -241,13 +241,13 @@ proptest! {
     }
 }
 
-/// Pixels along the picture of the next test, and texels along its texture.
+/// Pixels along the picture of the following tests, and texels along its texture.
 const SIDE: u32 = RATIO * 4;
 const TEXELS: usize = 4;
-/// Pixels to a texel.
+/// Pixels per texel.
 const RATIO: u32 = 16;
 
-/// A square that fills the picture.
+/// Draws a square that fills the picture.
 fn picture<F: Shader<Color = Rgb888>>(shader: &F) -> Vec<[f64; 3]> {
     static SQUARE: Mesh = shape!(plane(1, 1));
     let window = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2));
@@ -284,19 +284,19 @@ proptest! {
             let at = [i % SIDE, i / SIDE].map(|at| (f64::from(at) + 0.5) * scale);
             for (k, part) in colors.iter().enumerate() {
                 let model = bilinear(&channels[k], Wrap::Clamp, at);
-                // The picture's own u and v are within 0.001 texel.
+                // The interpolated u and v are within 0.001 texel.
                 let allowed = allowed::<Rgb888>(&model) + 0.002 * (model.most - model.least);
-                prop_assert!((part - model.value).abs() <= allowed, "{at:?}: {part} for {model:?}");
+                prop_assert!((part - model.value).abs() <= allowed, "{at:?}: {part} is not {model:?}");
             }
         }
-        // The difference from pixel to pixel is a fraction of the one from texel to texel, plus each pixel's error:
-        // of its position, by 0.001 and half a 256th along each axis, and a step.
+        // The difference between neighboring pixels is a fraction of that between neighboring texels, plus the errors
+        // of both pixels: of each position, 0.001 and half a 256th along each axis; and of each color, one step.
         let most = steepest(&nearest);
         prop_assert!(steepest(&smooth) <= most * (scale + 4. * (0.001 + 1. / 512.)) + 2.);
     }
 }
 
-/// In contrast, the nearest texel shows squares.
+/// Without the filter, each texel shows as a square.
 #[test]
 fn the_nearest_texel_is_not_smooth() {
     let (black, white) = (Rgb888::BLACK, Rgb888::WHITE);
@@ -305,6 +305,6 @@ fn the_nearest_texel_is_not_smooth() {
     });
     let skin = Textured::new(&texels).clamped();
     assert!(steepest(&picture(&skin)) >= 255.);
-    // 255/16, and each of two pixels has an error below a step: their positions are whole 256ths of a texel.
+    // 255/16 per pixel. Positions are whole 256ths of a texel, so each of the two pixels has an error below a step.
     assert!(steepest(&picture(&skin.bilinear())) <= 17.);
 }

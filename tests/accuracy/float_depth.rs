@@ -1,4 +1,4 @@
-//! Depth in each format, over near and far planes ever farther apart.
+//! Depth in each format, for increasing ratios of the far and the near plane.
 
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::num::scalar;
@@ -14,7 +14,7 @@ use crate::mode::Mode;
 use crate::triangle::Triangle;
 
 const SIZE: (u32, u32) = (64, 48);
-/// Pixels of a unit at distance 1.
+/// Length in pixels of a unit at distance 1.
 const FOCAL: f64 = 40.;
 
 /// A point of eye space at a position on the picture and a distance.
@@ -30,7 +30,7 @@ fn projection(near: f64, far: f64) -> Projection<Perspective> {
     Projection::from_focal_length(focal, SIZE, near, far).unwrap()
 }
 
-/// A rectangle that fills more than the picture, with these distances on its left and right.
+/// A rectangle larger than the picture, with these distances at its left and right side.
 fn wall([left, right]: [f64; 2]) -> [Vec3; 4] {
     let [wide, high] = [f64::from(SIZE.0), f64::from(SIZE.1)];
     [
@@ -41,8 +41,8 @@ fn wall([left, right]: [f64; 2]) -> [Vec3; 4] {
     ]
 }
 
-/// Draws a wall and then one behind it, farther by `gap` of its distance; returns the number of pixels that show the
-/// wrong one.
+/// Draws a wall, and then one that is farther by the fraction `gap`; returns the number of pixels that show the
+/// farther wall.
 fn wrong<D: DepthBuffer>(
     mode: Mode,
     mut canvas: Canvas<'_, Gray8, Native, D>,
@@ -68,12 +68,12 @@ fn wrong<D: DepthBuffer>(
     canvas.pixels().filter(wrong).count()
 }
 
-/// Distances from `first` on, each `factor` times as far as the one before.
+/// Distances from `first` on, each `factor` times as large as the one before.
 fn series(first: f64, factor: f64) -> impl Iterator<Item = f64> {
     std::iter::successors(Some(first), move |w| Some(w * factor)).take_while(|&w| w < 32_768.)
 }
 
-/// Draws two walls in a mode and format; returns the number of pixels that show the one behind.
+/// Draws two walls in a mode and format; returns the number of pixels that show the farther wall.
 fn wrong_in<F: DepthFormat>(
     mode: Mode,
     projection: Projection<Perspective>,
@@ -89,14 +89,14 @@ fn wrong_in<F: DepthFormat>(
 
 /// Whether a format with steps of `step` of the distance is certain to tell two walls apart.
 fn is_certain(step: f64, near_end: f64, slant: f64, gap: f64) -> bool {
-    // A vertex is rounded to 2^-17, and to 1/512 pixel of 64, along which w changes by up to a sixteenth per pixel.
-    // So twice 2^-17 / near_end and 1/8192 must be well below the gap less a step.
+    // A vertex has an error of 2^-17 in space, and of 1/512 pixel on the screen, where w changes by up to a sixteenth
+    // per pixel. So twice 2^-17 / near_end and twice 1/8192 must stay well below the gap less a step.
     gap - step - 2. / 8192. * (slant - 1.) / 3. > 3e-5 / near_end
 }
 
-/// Walls a hundredth and a thousandth apart, facing the eye or slanting, at all distances up to the far plane. In
-/// floating point each wall hides the one behind it, as far as the format reaches; in linear steps it does as long as
-/// the steps are finer than the gap.
+/// Walls are a hundredth and a thousandth apart, face the eye or slant, and stand at all distances up to the far plane.
+/// With floating-point depth each wall hides the one behind it, as far as the format reaches; with linear depth, as
+/// long as its steps are finer than the gap.
 #[test]
 fn surfaces_behind_stay_hidden() {
     for (near, ratio) in [
@@ -111,14 +111,14 @@ fn surfaces_behind_stay_hidden() {
         for gap in [0.01, 0.001] {
             let (mut walls, mut linear_fails, mut float_fails) = (0, 0, 0);
             for slant in [1., 4.] {
-                // At all distances; and where 1/w of the two walls have different exponents, because a power of two
-                // lies between them.
+                // All distances, and those where a power of two lies between the two walls, so that their 1/w have
+                // different exponents.
                 let near_ends = series(1.02 * near, 1.37).chain(series(1.99 * near, 2.));
-                // At the far plane all linear depths are 0; the wall behind must lie in front of it.
+                // The farther wall must lie in front of the far plane, where all linear depths are 0.
                 let is_before = |w: &f64| w * slant * (1. + gap) < 0.99 * near * ratio;
                 for near_end in near_ends.filter(is_before) {
                     let distances = [near_end, near_end * slant];
-                    // The largest distance whose depth is not stored as 0 is one step short of the end of the range.
+                    // From one step before the end of its range on, the format stores depths as 0.
                     let float_reaches = distances[1] * (1. + gap) < 65_500. * near;
                     let mut fails = false;
                     for mode in Mode::PERSPECTIVE {
@@ -128,12 +128,12 @@ fn surfaces_behind_stay_hidden() {
                             pixels == 0
                                 || !float_reaches
                                 || !is_certain(1. / 4096., near_end, slant, gap),
-                            "{mode:?}: {pixels} wrong at {distances:?}, gap {gap}"
+                            "{mode:?}: {pixels} wrong pixels at {distances:?}, gap {gap}"
                         );
                         let pixels = wrong_in::<WideFloat>(mode, projection, distances, gap);
                         assert!(
                             pixels == 0 || !is_certain(1. / 2048., near_end, slant, gap),
-                            "wide, {mode:?}: {pixels} wrong at {distances:?}, gap {gap}"
+                            "wide, {mode:?}: {pixels} wrong pixels at {distances:?}, gap {gap}"
                         );
                     }
                     let pixels = wrong_in::<Linear>(Mode::Newton, projection, distances, gap);
@@ -150,7 +150,7 @@ fn surfaces_behind_stay_hidden() {
             println!(
                 "far/near {ratio}, gap {gap}: {walls} walls, linear wrong at {linear_fails}, float at {float_fails}"
             );
-            // A step of linear depth is 1/65535 of the ratio of near plane and wall.
+            // Relative to a wall's distance, a step of linear depth is 1/65535 of the ratio of wall and near plane.
             let is_too_much = ratio > 2. * 65535. * gap;
             assert!(
                 linear_fails > 0 || !is_too_much,
@@ -161,18 +161,18 @@ fn surfaces_behind_stay_hidden() {
     }
 }
 
-/// The real number from which a depth's code is rounded down, for a format with this many bits of exponent.
+/// The code of a depth before it is rounded down, for a format with this many bits of exponent.
 fn code(depth: f64, exponent_bits: i32) -> f64 {
     let steps = 2_f64.powi(16 - exponent_bits);
     let exponent = depth.log2().floor();
-    // A near plane of 2^16 has the last code.
+    // Depths just below 2^16, at the near plane, have the last code.
     steps * (exponent - 17. + 2_f64.powi(exponent_bits) + depth / exponent.exp2())
 }
 
 /// The near plane of these triangles.
 const NEAR: f64 = 1. / 64.;
 
-/// A triangle in any part of the range up to `farthest`, its corners up to 4,096 times as far apart.
+/// A triangle in any part of the range up to `farthest`, in which the ratio of distances is at most 4,096.
 fn triangles(farthest: f64) -> impl Strategy<Value = [Vec3; 3]> {
     let corner = || ([-8_f64..72., -8_f64..56.], 0_f64..1.);
     let octaves = (farthest / 2000. * 32_768.).log2();
@@ -198,7 +198,7 @@ fn triangle(positions: [Vec3; 3]) -> Triangle<Perspective, 0> {
     }
 }
 
-/// Draws triangles in every mode. Each depth must be the model's, rounded down: within a step and the error of
+/// Draws triangles in every mode. Each depth must be the model's depth, rounded down to a step, within the error of
 /// interpolation.
 fn depths_are_the_models<F: DepthFormat>(exponent_bits: i32, farthest: f64) {
     let mut runner = TestRunner::deterministic();
@@ -228,7 +228,7 @@ fn depths_are_the_models<F: DepthFormat>(exponent_bits: i32, farthest: f64) {
                 );
                 pixels += 1;
                 let beyond = (stored - wanted.max(0.)).max(wanted - stored - 1.);
-                // For triangles within the range of the documentation's figures.
+                // The documentation gives figures for triangles within this range.
                 if at.w <= 3000. * nearest {
                     most = most.max(beyond);
                 }
@@ -246,7 +246,7 @@ fn float_depths_are_the_models() {
     depths_are_the_models::<Float>(4, 2000.);
 }
 
-/// Up to two million times as far as the near plane.
+/// Distances are up to two million times the near plane's.
 #[test]
 fn wide_float_depths_are_the_models() {
     depths_are_the_models::<WideFloat>(5, 31_000.);

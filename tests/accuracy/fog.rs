@@ -1,4 +1,4 @@
-//! Fog at every pixel of a plane, against the formula in f64.
+//! Fog at every pixel of a plane, compared with the formula in f64.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, PixelColor, Rgb565, RgbColor};
 use fixel::prelude::*;
@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use crate::reference::fog::{exponential, linear};
 
 const SIZE: u32 = 48;
-/// A unit at the distance 1 is this many pixels.
+/// Length in pixels of a unit at distance 1.
 const FOCAL: f64 = 24.;
 
 /// A plane through (0, 0, −distance) that leans to the right and upward: 1/z is linear on the screen.
@@ -20,7 +20,7 @@ struct Plane {
 }
 
 impl Plane {
-    /// The distance at a place on the screen, in pixels; infinite behind the horizon.
+    /// The distance at a position on the screen in pixels; infinite beyond the horizon.
     fn at(&self, x: f64, y: f64) -> f64 {
         let half = f64::from(SIZE) / 2.;
         let [u, v] = [(x - half) / FOCAL, (half - y) / FOCAL];
@@ -32,7 +32,7 @@ impl Plane {
         }
     }
 
-    /// Three corners of it, beyond the picture's.
+    /// Three corners of a triangle in the plane that contains the picture.
     fn corners(&self) -> Option<[Vec3; 3]> {
         let corner = |u: f64, v: f64| {
             let share = 1. + self.lean[0] * u + self.lean[1] * v;
@@ -43,7 +43,7 @@ impl Plane {
     }
 }
 
-/// Draws the plane in black with white fog; the result is the white of each pixel, from 0 to 1.
+/// Draws the plane in black with white fog; returns the brightness of each pixel, from 0 to 1.
 fn white<C: Blend + PixelColor + 'static>(
     shader: impl Shader<Color = C>,
     corners: &[Vec3; 3],
@@ -64,10 +64,10 @@ fn white<C: Blend + PixelColor + 'static>(
     pixels.into_iter().map(luma).collect()
 }
 
-/// Checks each pixel against what is left of the surface at a distance, where the corners' rounding to 1/256 pixel
-/// permits a range of distances. The blended color may be half a step of the weight and half a step of the color off,
-/// besides 1/256 that the interpolation may save, 58 units of 2^-14 by rounding (57 of a pixel in `Newton`, and one of
-/// a corner), and `more`.
+/// Checks the fog of each pixel. `left` gives the part of the surface that shows at a distance, and the rounding of
+/// corners to 1/256 pixel permits a range of distances. The blended color may have an error of half a step of the
+/// weight; half a step of the color; 1/256, the tolerance of interpolation; 58 units of 2^-14 by rounding (57 at a
+/// pixel in `Newton`, and one at a corner); and `more`.
 fn check(
     plane: &Plane,
     shown: &[f64],
@@ -79,7 +79,7 @@ fn check(
     let tolerance = 0.5 / steps + 0.5 / weights + 1. / 256. + 58. / 16_384. + more;
     for (i, shown) in shown.iter().enumerate() {
         let at = [i % SIZE as usize, i / SIZE as usize].map(|at| at as f64 + 0.5);
-        // A corner that moves by 1/512 pixel turns the plane a little.
+        // A corner that moves by 1/512 pixel tilts the plane a little.
         let moves = [-0.01, 0.01];
         let expected = moves
             .into_iter()
@@ -89,7 +89,7 @@ fn check(
         });
         prop_assert!(
             (low - tolerance..=high + tolerance).contains(shown),
-            "{shown} is not from {low} to {high} at {at:?}"
+            "{shown} is not between {low} and {high} at {at:?}"
         );
     }
     Ok(())
@@ -122,8 +122,8 @@ proptest! {
         });
         check(&plane, &shown, 63., 32., 0., left)?;
 
-        // The parabola is within 0.0019, and its products within 3 units of 2^-14; the density has steps of 2^-16, and
-        // the logarithm's factor an error of 3e-5.
+        // The parabola's error is at most 0.0019, and that of its products 3 units of 2^-14; the density has steps of
+        // 2^-16, and the logarithm's factor has an error of 3e-5.
         let density = Scalar::from_num(density / distance);
         let fog = Fog::exponential(Gray8::WHITE, density).unwrap();
         let shown = white(Flat::new(Gray8::BLACK).in_fog(fog), &corners, Gray8::BLACK, gray);

@@ -1,4 +1,4 @@
-//! Which boxes are in view: none that has a pixel may be missed, and none that the model sees well outside may be kept.
+//! Which boxes are in view: every box with a pixel must be, and no box that the model sees well outside may be.
 
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::mesh::Bounds;
@@ -13,11 +13,11 @@ use crate::reference::projection::{self, Lens};
 use crate::reference::view::{View, Viewport as ModelViewport};
 
 const SIZE: (u32, u32) = (64, 48);
-/// By how many pixels a box must be out of view to be found out: one is for the pixel around the view, the other for
-/// rounding. Coefficients of 29 bits are wrong by up to 1½ units, times positions of up to 2^15: with the longest lens and
-/// the largest scale here, up to 3½ pixels at a distance of 1. So pixels count as if they were at a distance of 4 or more.
+/// A box this many pixels outside the view must count as out of view: one is for the pixel around the view, the other
+/// for rounding. Coefficients of 29 bits have errors of up to 1½ units, times positions of up to 2^15: with the longest
+/// focal length and the largest scale here, up to 3½ pixels at a distance of 1. So a distance below 4 counts as 4.
 const PIXELS: f64 = 2.;
-/// The same for the near and the far plane, as a part of their distances.
+/// A box this far beyond the near or the far plane must count as out of view, as a fraction of the plane's distance.
 const PART: f64 = 0.01;
 
 fn corners(bounds: &Bounds) -> [Vec3; 8] {
@@ -28,7 +28,7 @@ fn corners(bounds: &Bounds) -> [Vec3; 8] {
     })
 }
 
-/// The sides of a box, and lines between its corners.
+/// The faces of a box, and lines between its corners.
 const FACES: [[u16; 3]; 12] = [
     [0, 1, 3],
     [0, 3, 2],
@@ -45,7 +45,7 @@ const FACES: [[u16; 3]; 12] = [
 ];
 const EDGES: [[u16; 2]; 5] = [[0, 7], [1, 6], [2, 5], [3, 4], [0, 1]];
 
-/// Whether a box has any pixel in `rows`, drawn in all ways.
+/// Whether a box has any pixel in some rows, drawn as triangles, as edges and as points.
 fn has_pixels<K: ProjectionKind>(bounds: &Bounds, mvp: &Mvp<K>, [start, end]: [u32; 2]) -> bool {
     let positions = corners(bounds);
     let mesh = Mesh::new(&positions, &FACES)
@@ -62,14 +62,14 @@ fn has_pixels<K: ProjectionKind>(bounds: &Bounds, mvp: &Mvp<K>, [start, end]: [u
     pixels.iter().any(|&pixel| pixel != Gray8::new(0))
 }
 
-/// Whether the model sees all corners well outside one plane.
+/// Whether all corners lie well outside one plane of the model's view.
 fn is_out(bounds: &Bounds, view: &View, [start, end]: [u32; 2]) -> bool {
     let clips = corners(bounds).map(|corner| view.place(view.clip(exact(corner))));
     let lens = &view.projection;
     let half = [f64::from(SIZE.0) / 2., f64::from(SIZE.1) / 2.];
     let (rows, all) = ([f64::from(start), f64::from(end)], f64::from(SIZE.0));
     let slack = |w: f64| PIXELS * w.abs().max(4.);
-    // x is w times a distance in pixels from the middle, rightwards and downwards.
+    // x · half is w times the distance in pixels from the middle, rightwards; −y · half, downwards.
     let planes: [&dyn Fn(&crate::reference::view::Projected) -> bool; 6] = [
         &|p| p.clip[0] * half[0] < -half[0] * p.w - slack(p.w),
         &|p| p.clip[0] * half[0] > (all - half[0]) * p.w + slack(p.w),
@@ -81,7 +81,7 @@ fn is_out(bounds: &Bounds, view: &View, [start, end]: [u32; 2]) -> bool {
     planes.iter().any(|plane| clips.iter().all(plane))
 }
 
-/// The size of a box on the screen, found and as the model has it.
+/// The size of a box on the screen: the crate's, the model's, and the largest difference by rounding.
 fn sizes<K: ProjectionKind>(
     (projection, lens): (Projection<K>, Lens),
     moves: &[Move],
@@ -103,7 +103,7 @@ fn sizes<K: ProjectionKind>(
     let ahead = -(a[2] + b[2]) / 2.;
     let per_unit = lens.matrix[0][0] * f64::from(SIZE.0) / 2.;
     let (size, noise) = if K::PERSPECTIVE {
-        // At half the diagonal from the eye, it may be taken for nearer or farther.
+        // Where the box begins to reach the eye, rounding decides.
         if (ahead - diagonal / 2.).abs() < 8. * 2_f64.powi(-16) {
             return (0, 0., 0.);
         }
@@ -117,11 +117,11 @@ fn sizes<K: ProjectionKind>(
     } else {
         (diagonal * per_unit, per_unit)
     };
-    // Corners are within half a unit and 2^-27 of 2^6 along each axis, and so is the distance; and 2^-8 pixel.
+    // Corners have an error of half a unit and 2^-27 of 2^6 along each axis, and so has the distance; plus 2^-8 pixel.
     (found, size, noise * 4. * 2_f64.powi(-16) + 2_f64.powi(-8))
 }
 
-/// Whether a size is the model's, rounded down.
+/// Whether the crate's size is the model's size, rounded down.
 fn is_size((found, size, noise): (u32, f64, f64)) -> bool {
     if found == u32::MAX || size == f64::INFINITY {
         return found == u32::MAX && size == f64::INFINITY;
@@ -189,7 +189,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 2000, ..ProptestConfig::default() })]
 
     #[test]
-    fn in_perspective(
+    fn boxes_in_perspective_are_in_view_as_in_the_model(
         moves in moves(),
         bounds in boxes(),
         rows in rows(),
@@ -202,21 +202,23 @@ proptest! {
         let lens = projection::perspective(crate::moves::radians(fov), aspect, near.to_num(), far.to_num());
         let projection = Projection::perspective(fov, SIZE, near, far).unwrap();
         let (in_view, has_pixels, is_out) = check((projection, lens), &moves, &bounds, rows);
-        prop_assert!(in_view || !has_pixels, "{bounds:?} was missed");
-        prop_assert!(!in_view || !is_out, "{bounds:?} was kept");
+        prop_assert!(in_view || !has_pixels, "{bounds:?} has pixels and is not in view");
+        prop_assert!(!in_view || !is_out, "{bounds:?} is well outside and is in view");
         let sizes = sizes((projection, lens), &moves, &bounds);
         prop_assert!(is_size(sizes), "{sizes:?}");
     }
 
     #[test]
-    fn in_parallel(moves in moves(), bounds in boxes(), rows in rows(), half in 1.0..40_f64) {
+    fn boxes_in_parallel_are_in_view_as_in_the_model(
+        moves in moves(), bounds in boxes(), rows in rows(), half in 1.0..40_f64,
+    ) {
         let window = Window::centered(scalar(2. * half).unwrap(), scalar(1.5 * half).unwrap());
         let [l, r, b, t] = [window.left, window.right, window.bottom, window.top].map(|x| x.to_num());
         let lens = projection::orthographic(l, r, b, t, -20., 40.);
         let projection = Projection::orthographic(window, fx!(-20), fx!(40)).unwrap();
         let (in_view, has_pixels, is_out) = check((projection, lens), &moves, &bounds, rows);
-        prop_assert!(in_view || !has_pixels, "{bounds:?} was missed");
-        prop_assert!(!in_view || !is_out, "{bounds:?} was kept");
+        prop_assert!(in_view || !has_pixels, "{bounds:?} has pixels and is not in view");
+        prop_assert!(!in_view || !is_out, "{bounds:?} is well outside and is in view");
         let sizes = sizes((projection, lens), &moves, &bounds);
         prop_assert!(is_size(sizes), "{sizes:?}");
     }

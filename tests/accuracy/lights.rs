@@ -1,4 +1,4 @@
-//! Lights, against the formulas in f64.
+//! Lights, compared with the formulas in f64.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888, RgbColor};
 use fixel::math::Direction;
@@ -17,23 +17,24 @@ const HALF_STEP: f64 = UNIT / 510.;
 
 /// The error of a lamp's light, in units of 2^-16.
 ///
-/// The way and the normal are cut to mantissas of 14 bits or more: that turns each by up to √3 · 2^-14, which is
-/// 1.06e-4. The reciprocal root adds 2.3e-4, so the cosine has an error of 4.4e-4.
+/// The vector to the lamp and the normal are truncated to mantissas of 14 bits or more: that turns each by up to
+/// √3 · 2^-14, which is 1.06e-4. The reciprocal root adds 2.3e-4, so the cosine has an error of 4.4e-4.
 ///
-/// A smooth falloff knows the square of the way over the range: the cut way makes 2.1e-4 of it, the square's 13 bits and
-/// the reciprocal's 1.85e-4. Of these 4e-4, (1 - s)² makes at most half. Two factors of 15 bits add 6.1e-5, their product
-/// with the brightness, of which 14 bits are left, 6.1e-5.
+/// A smooth falloff uses s, the square of distance over range. The truncated vector contributes an error of 2.1e-4 to
+/// it, and the 13 bits of the square and of the reciprocal contribute 1.85e-4. The formula (1 - s)² turns these 4e-4
+/// into at most half. Two factors of 15 bits add 6.1e-5, and their product with the brightness, which keeps 14 bits,
+/// adds 6.1e-5.
 ///
-/// A linear falloff knows the distance from the cut way, which is wrong by 1.06e-4; its square is cut by 6.1e-5, the
-/// range's reciprocal by 6.1e-5, two products and the whole by 9.1e-5. The error of the root counts once: what it adds to
-/// the cosine, it takes from the light.
+/// A linear falloff uses the length of the truncated vector, which has an error of 1.06e-4. Its square loses 6.1e-5,
+/// the range's reciprocal 6.1e-5, and two products and the whole 9.1e-5. The error of the root counts once, because it
+/// changes the cosine and the light in opposite directions.
 ///
-/// Of the light, 13 bits are left, which makes 1.22e-4, the brightness adds 1.5e-5 and the result 1.5e-5. In all, that are
-/// 9.2e-4 for a smooth falloff and 9.2e-4 for a linear one: 60 units.
+/// The light keeps 13 bits, which adds 1.22e-4; the brightness adds 1.5e-5 and the result 1.5e-5. The total is 9.2e-4
+/// for a smooth falloff and 9.2e-4 for a linear one: 60 units.
 const LAMP_ERROR: f64 = 60.;
 
-/// How far from its range a lamp's light may end, in parts of the range: half the error of the square, which is 4e-4, and
-/// of the four units that a lamp leaves out.
+/// How far from its range a lamp's light may end, as a fraction of the range: half the error of the square, which is
+/// 4e-4, and half of the four units that a lamp leaves out.
 const RANGE_ERROR: f64 = 1. / 4000.;
 
 fn f64s(v: Vec3) -> [f64; 3] {
@@ -83,7 +84,7 @@ fn diffuse(light: &impl Lighting, point: &SurfacePoint) -> f64 {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 4000, ..ProptestConfig::default() })]
 
-    /// At [`LAMP_ERROR`], up to the range and beyond it.
+    /// Within [`LAMP_ERROR`], up to the range and beyond it.
     #[test]
     fn lamps_follow_lambert_and_their_falloff(
         normal in vector(),
@@ -104,14 +105,14 @@ proptest! {
             falloff: model,
             cone: None,
         };
-        // The light ends at its range: at once if it is constant.
+        // The light ends at its range, and a constant one ends abruptly.
         let part = length(subtract(f64s(position + way), exact.at)) / range.to_num::<f64>();
         prop_assume!((part - 1.).abs() > RANGE_ERROR);
         let (found, expected) = (diffuse(&lamp, &point), source.diffuse(exact) * UNIT);
         prop_assert!((found - expected).abs() <= LAMP_ERROR, "{found} is not {expected}");
     }
 
-    /// At all distances, of which many are out of the format's range, in all directions and along an axis.
+    /// At all distances, many of them beyond the format's range, in all directions and along an axis.
     #[test]
     fn lamps_light_nothing_beyond_the_longest_range(
         normal in vector(),
@@ -124,7 +125,7 @@ proptest! {
             .map(|[x, y, z]| Vec3::from_bits([x >> cut[0], y >> cut[1], z >> cut[1]]));
         let range = Scalar::from_bits(range);
         let lamp = PointLight::new(at, fx!(1), range).unwrap().with_falloff(falloff);
-        // Most normals point about at the lamp.
+        // Most normals point roughly at the lamp.
         let way = subtract(f64s(at), f64s(position));
         let toward: [f64; 3] = std::array::from_fn(|i| way[i] / length(way).max(1.) * 20.);
         let Some((point, exact)) = surface(normal + Vec3::try_from(toward).unwrap(), position) else {
@@ -143,8 +144,8 @@ proptest! {
         prop_assert!((found - expected).abs() <= LAMP_ERROR, "{found} is not {expected}");
     }
 
-    /// The cosine has an error of 8 units of 2^-30, which the edge of the cone divides and the smooth step multiplies
-    /// by up to 1.5; three more products are cut.
+    /// The cosine has an error of 8 units of 2^-30. The width of the cone's edge divides it, and the smooth step
+    /// multiplies it by up to 1.5. Three more products are truncated.
     #[test]
     fn spots_end_softly(
         normal in vector(),
@@ -157,7 +158,7 @@ proptest! {
         brightness in scalar(0., 1.),
     ) {
         prop_assume!(way != Vec3::ZERO);
-        // Most axes point about at the surface.
+        // Most axes point roughly at the surface.
         let toward = normalized(f64s(way));
         let aside = f64s(axis).map(|x| x / length(f64s(axis)).max(0.001));
         let axis: [f64; 3] = std::array::from_fn(|i| aim * aside[i] - 2. * toward[i]);
@@ -184,8 +185,8 @@ proptest! {
         prop_assert!((found - expected).abs() <= 11. + edge, "{found} is not {expected}");
     }
 
-    /// The direction halfway has an error of 2^-27 over the length of the sum, which the exponent multiplies; the
-    /// power adds 2^-19, and three products are cut.
+    /// The halfway vector has an error of 2^-27 over the length of the sum, and the exponent multiplies it. The power
+    /// adds 2^-19, and three products are truncated.
     #[test]
     fn highlights_follow_blinn_and_phong(
         normal in vector(),
@@ -205,7 +206,7 @@ proptest! {
             brightness: brightness.to_num(),
         };
         let (light, viewer) = (normalized(f64s(toward)), normalized(subtract(f64s(eye), exact.at)));
-        // At the terminator, highlights end at once.
+        // At the terminator, highlights end abruptly.
         prop_assume!(dot(light, exact.normal).abs() > 1e-5);
         let sum = length(std::array::from_fn(|i| light[i] + viewer[i]));
         prop_assume!(sum > 1e-3);
@@ -218,7 +219,7 @@ proptest! {
         prop_assert!((found - expected).abs() <= 4., "{found} is not {expected}");
     }
 
-    /// Through the whole pipeline: lights stay in world space while model and camera turn, at vertices and at faces.
+    /// Through the whole pipeline, at vertices and at faces: lights stay in world space while model and camera turn.
     #[test]
     fn corners_and_faces_are_lit_in_world_space(
         turn in [-3.0..3_f64, -3.0..3., -3.0..3.],
@@ -247,7 +248,7 @@ proptest! {
         let normal = normalized(face);
         let lamp = scalars(lamp);
         let middle: [f64; 3] = std::array::from_fn(|i| world.iter().map(|p| p[i]).sum::<f64>() / 3.);
-        // Positions in steps of 2^-16 make directions inexact near the lamp.
+        // Near the lamp, directions are inexact, because positions have steps of 2^-16.
         let nearest = world.iter().chain([&middle]).map(|p| length(subtract(f64s(lamp), *p)));
         prop_assume!(nearest.fold(f64::MAX, f64::min) > 0.1);
 
@@ -296,14 +297,14 @@ proptest! {
             let found = [color.r(), color.g(), color.b()];
             for (found, expected) in found.into_iter().zip(expected(middle)) {
                 let error = f64::from(found) - expected * 255.;
-                // Half a step for the brightness, and half a step for rounding the color.
+                // Half a step from the brightness, and half a step from rounding the color.
                 prop_assert!(error.abs() <= 1., "{found} is not {}", expected * 255.);
             }
         }
     }
 }
 
-/// Seen in a closed model: drawn two-sided, its outside is lit as if it were drawn one-sided.
+/// If a closed model is drawn two-sided, its outside is lit as if it were drawn one-sided.
 #[test]
 fn a_closed_model_is_lit_alike_with_one_side_and_with_two() {
     static BALL: Mesh = shape!(sphere(24, 16));

@@ -1,4 +1,4 @@
-//! Lines and points: their pixels in exact integers; depth and attributes along a line against the f64 model.
+//! Lines and points: their pixels, from exact integers; depth and attributes along a line, from the f64 model.
 
 use crate::common::recorder::{Probe, Seen, record};
 use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
@@ -15,12 +15,12 @@ use proptest::prelude::*;
 /// A position in 24.8.
 type Point = [i32; 2];
 
-/// Wider than a span of 64 pixels, after which values are computed afresh.
+/// Wider than two spans of 64 pixels; values are computed anew at the start of each span.
 const SIZE: (u32, u32) = (150, 28);
 
-/// Whether a pixel belongs to the line between two snapped ends. For each column whose center the line crosses (or
-/// row, if the line is steeper than 45°), it is the pixel in which the line crosses it. The end with the lesser
-/// coordinate counts, the other end does not. Computed in exact integers, for each pixel on its own.
+/// Whether a pixel belongs to the line between two snapped ends. In each column (or row, if the line is steeper than
+/// 45°) whose center the line crosses, the pixel with the crossing does. A center exactly at the end with the lesser
+/// coordinate counts; one at the other end does not. Computed in exact integers for each pixel.
 fn on_line([a, b]: [Point; 2], pixel: [i32; 2]) -> bool {
     let [dx, dy] = [0, 1].map(|i| i64::from(b[i]) - i64::from(a[i]));
     let major = usize::from(dy.abs() > dx.abs());
@@ -37,7 +37,7 @@ fn on_line([a, b]: [Point; 2], pixel: [i32; 2]) -> bool {
     over.div_euclid(length * 256) == i64::from(pixel[minor])
 }
 
-/// How often lines through the pixel projection draw each pixel, from mesh edges.
+/// How often mesh edges, drawn as lines through the pixel projection, draw each pixel.
 fn drawn(points: &[Point], edges: &[[u16; 2]]) -> Vec<u32> {
     let projection = pixel_lens(SIZE);
     let mut counter = Counter::new(SIZE);
@@ -68,7 +68,7 @@ fn modelled(points: &[Point], edges: &[[u16; 2]]) -> Vec<u32> {
         .collect()
 }
 
-/// On pixel corners, on centers, on any subpixel; in and around the picture.
+/// Positions in and around the picture: on pixel corners, on centers, on any subpixel.
 fn places() -> impl Strategy<Value = Point> {
     prop_oneof![
         [-10..160i32, -10..40].prop_map(|p| p.map(|at| at * 256)),
@@ -81,7 +81,7 @@ fn places() -> impl Strategy<Value = Point> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(512))]
 
-    /// Draws exactly the model's pixels, once each, and the same pixels in the other direction.
+    /// A line draws exactly the model's pixels, once each, and the same pixels in the other direction.
     #[test]
     fn lines_are_the_models(ends in [places(), places()]) {
         let model = modelled(&ends, &[[0, 1]]);
@@ -90,7 +90,7 @@ proptest! {
         }
     }
 
-    /// Lines end to end that keep their direction (within 45° of an axis) draw no pixel twice and leave no gap: one
+    /// Lines joined end to end, all within 45° of the same axis direction, draw no pixel twice and leave no gap: one
     /// pixel for each center from the first end to the last.
     #[test]
     fn polylines_draw_no_pixel_twice(
@@ -100,7 +100,7 @@ proptest! {
         for (along, slope) in steps {
             let last = points[points.len() - 1];
             let across = (along * slope) >> 8;
-            // Exactly 45° counts as flat.
+            // A line at exactly 45° counts as flat.
             let across = if across.abs() == along { 0 } else { across };
             let step = if steep { [across, along] } else { [along, across] };
             points.push([0, 1].map(|i| last[i] + if back { -step[i] } else { step[i] }));
@@ -109,11 +109,11 @@ proptest! {
         let edges: Vec<[u16; 2]> = (1..u16::try_from(points.len()).unwrap()).map(|i| [i - 1, i]).collect();
         let counts = drawn(&points, &edges);
         prop_assert!(counts.iter().all(|&count| count <= 1));
-// No pixel is missing: each part has its pixels, except those of the next part.
+        // No pixel is missing: together, the lines have the model's pixels of all edges.
         prop_assert_eq!(picture(&counts, SIZE.0), picture(&modelled(&points, &edges), SIZE.0));
     }
 
-    /// A point is the pixel that contains it; a pixel's left and top edges belong to it.
+    /// A point draws the pixel that contains it. A pixel contains its left and top edges.
     #[test]
     fn points_are_the_pixels_they_lie_in(points in prop::collection::vec(places(), 0..20)) {
         let projection = pixel_lens(SIZE);
@@ -177,7 +177,7 @@ fn around() -> impl Strategy<Value = Vec3> {
 }
 
 /// Any two ends, or two that make a line of more than 64 pixels in one row: y is below 1/32, so at a distance above 3
-/// it is less than half a pixel from the middle.
+/// the line is less than half a pixel from the middle.
 fn ends() -> impl Strategy<Value = [Vec3; 2]> {
     let end = |x: std::ops::Range<i32>| {
         (x, UNIT / 64..UNIT / 32, -8 * UNIT..-3 * UNIT)
@@ -192,20 +192,20 @@ fn ends() -> impl Strategy<Value = [Vec3; 2]> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(1024))]
 
-    /// In perspective, clipped or not: every pixel is on the model's line, with the depth and the attribute of the
-    /// model there, and no pixel is missing.
+    /// In perspective, clipped or not: every pixel is on the model's line and has the model's depth and attribute
+    /// there, and no pixel is missing.
     ///
-    /// The ends are rounded to 1/256 pixel, which moves the line, along and across, by less than 1/256. So where it
-    /// crosses a center that near to a pixel's edge, it may be in the next pixel; its values belong to a point that
-    /// near.
+    /// The ends are rounded to 1/256 pixel, which moves the line by less than 1/256 pixel, along and across. So where
+    /// the line crosses a center within that distance of a pixel's edge, it may draw the next pixel. Its values are the
+    /// model's at a point within that distance.
     #[test]
-    fn lines_in_perspective(ends in ends()) {
+    fn lines_in_perspective_are_the_models(ends in ends()) {
         const ROUNDING: f64 = 1. / 256.;
         let mvp = projection().into();
         let (pixels, depths) = recorded(&mvp, ends, [0, 1]);
-        // Drawn from its other end it is the same line. A clipped end's attribute is mixed from both ends', which
-        // differ by less than 2^21 units, with a weight in units of 2^-30. From either side it is rounded to the
-        // nearest unit, so the results may differ by one unit, and so may a pixel's, rounded down.
+        // Drawn from its other end, the line is the same. The attribute of a clipped end is a blend of both ends'
+        // attributes, which differ by less than 2^21 units, with a weight in units of 2^-30. From either side it is
+        // rounded to the nearest unit, so the results may differ by one unit, and a pixel's, rounded down, by one more.
         let (others, other_depths) = recorded(&mvp, ends, [1, 0]);
         let places = |pixels: &[Drawn]| pixels.iter().map(|&(at, _, depth)| (at, depth)).collect::<Vec<_>>();
         prop_assert_eq!((places(&pixels), &depths), (places(&others), &other_depths), "the other direction");
@@ -228,9 +228,9 @@ proptest! {
             return Ok(());
         };
         let extent = [0, 1].map(|i| (line.screen[1][i] - line.screen[0][i]).abs());
-        // Skip lines that may count as steep or as flat, and lines of hardly any length.
+        // Skip lines that rounding may make steep or flat, and lines of hardly any length.
         prop_assume!((extent[0] - extent[1]).abs() > 0.02 && extent[0].max(extent[1]) > 0.05);
-        // Beyond the guard band ends are new; the line's length in pixels does not make them worse.
+        // Beyond the guard band, clipping makes new ends. Their error does not depend on the line's length in pixels.
         let major = usize::from(extent[1] > extent[0]);
         let minor = 1 - major;
         let length = extent[major];
@@ -241,30 +241,30 @@ proptest! {
             let pixel = [f64::from(x), f64::from(y)];
             let q = line.fraction_at(major, pixel[major] + 0.5);
             let value = line.at(q.clamp(0., 1.));
-            // The distance beyond the line's end, or across from it, comes from rounding; across, the slope adds its
-            // part.
+            // Only rounding puts a pixel beyond the line's end or beside the line. Across, an error along the line
+            // counts too, times the slope.
             prop_assert!((low - ROUNDING..=high + ROUNDING).contains(&(pixel[major] + 0.5)));
             let across = value.screen[minor] - pixel[minor];
-            prop_assert!((-2. * ROUNDING..=1. + 2. * ROUNDING).contains(&across), "{:?}: {} across", [x, y], across);
+            prop_assert!((-2. * ROUNDING..=1. + 2. * ROUNDING).contains(&across), "{:?}: {} across the line", [x, y], across);
 
-            // 1/w is linear: this is its error at a position with an error of ROUNDING.
+            // 1/w is linear: `room` is its error at a position with an error of ROUNDING.
             let inverse = 1. / value.w;
             let room = (1. / line.w[0] - 1. / line.w[1]).abs() / length * ROUNDING * 1.01 + 1e-6;
             let (least, most) = (65535. * NEAR * (inverse - room) - 1.01, 65535. * NEAR * (inverse + room) + 0.01);
             prop_assert!((least..=most).contains(&f64::from(depth)), "{:?}: depth {} not in {}..{}", [x, y], depth, least, most);
 
-            // Attribute/w is linear too; the error of their quotient is the sum of both. The format adds: attributes
-            // below 2^20 units, scaled by 2^-21, and q, each with an error of at most 34 units (ends, gradients,
-            // steps), with q at least 2^30 · near/far; and two units for clipping.
+            // Attribute/w is linear too, and the error of the quotient is the sum of both errors. The format adds the
+            // errors of the numerator (attributes below 2^20 units, scaled by 2^-21) and of q, each at most 34 units
+            // (ends, gradients, steps), where q is at least 2^30 · near/far; and two units for clipping.
             let over_w = |i: usize| line.attributes[i][0] / line.w[i];
             let room_over = (over_w(0) - over_w(1)).abs() / length * ROUNDING * 1.01;
             let format = (f64::from(1 << 21) * 34. * 1.5 / (f64::from(1 << 30) * NEAR / FAR) + 4.) / 65536.;
             let room = (room_over + value.attributes[0].abs() * room) / (inverse - room) + format;
             let off = (f64::from(attribute) / 65536. - value.attributes[0]).abs();
-            prop_assert!(off <= room, "{:?}: x {} instead of {}: an error of {}, not {}", [x, y], attribute, value.attributes[0], off, room);
+            prop_assert!(off <= room, "{:?}: x {} instead of {}: an error of {}, over {}", [x, y], attribute, value.attributes[0], off, room);
         }
 
-        // Each center that the line crosses, if it is inside the picture there, has its pixel.
+        // Where the line crosses a center inside the picture, it draws a pixel.
         let (count, others) = if major == 0 { (SIZE.0, SIZE.1) } else { (SIZE.1, SIZE.0) };
         for step in 0..i32::try_from(count).unwrap() {
             let center = f64::from(step) + 0.5;
@@ -273,7 +273,7 @@ proptest! {
                 && (2. * ROUNDING..=f64::from(others) - 2. * ROUNDING).contains(&across);
             let pixels = pixels.iter().filter(|(pixel, ..)| pixel[major] == step).count();
             prop_assert!(pixels <= 1);
-            prop_assert!(!sure || pixels == 1, "nothing at {} of axis {}", step, major);
+            prop_assert!(!sure || pixels == 1, "no pixel at {} along axis {}", step, major);
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Mipmaps: their levels, the level that a pixel shows, and how far a floor is from one that is sampled by area.
+//! Mipmaps: their levels, the level that a pixel shows, and how much a floor differs from one sampled by area.
 
 use embedded_graphics::pixelcolor::{
     Bgr555, Bgr666, Gray8, GrayColor, Rgb565, Rgb888, RgbColor, WebColors,
@@ -15,7 +15,7 @@ const WIDTH: u32 = 320;
 const HEIGHT: u32 = 240;
 const FOCAL: f64 = 200.;
 
-/// 64x64 texels, squares of 8 in the two colors of the measured scenes.
+/// A texture of squares of 8x8 texels, in the two colors of the measured scenes.
 fn checker(u: i64, v: i64) -> Rgb888 {
     if (u.div_euclid(8) + v.div_euclid(8)) % 2 == 0 {
         Rgb888::CSS_IVORY
@@ -28,7 +28,7 @@ fn projection() -> Projection<Perspective> {
     Projection::from_focal_length(fx!(200), (WIDTH, HEIGHT), fx!(0.25), fx!(100)).unwrap()
 }
 
-/// How far the eye is from the measured floor's, in pose `k`: to the right and ahead.
+/// How far the eye is moved from its position in the measured floor, in pose `k`: to the right and ahead.
 fn moved(k: i16) -> [f64; 2] {
     [f64::from(k) / 32., f64::from(k) / 16.]
 }
@@ -45,11 +45,11 @@ fn picture(shader: &impl Shader<Color = Rgb888>, floor: &Mesh<'_>, k: i16) -> Ve
     pixels
 }
 
-/// The texel coordinates of the floor at a place on the screen, if it is there.
+/// The floor's texture coordinates at a position on the screen, in texels; `None` beside the floor.
 fn floor_at([x, y]: [f64; 2], k: i16, repeats: f64) -> Option<[f64; 2]> {
     let [right, ahead] = moved(k);
     let (x, y) = ((x - 160.) / FOCAL, (120. - y) / FOCAL);
-    // The ray (x, y, -1), turned back up by atan 0.2: the eye looks down.
+    // The ray (x, y, -1), turned by atan 0.2, because the eye looks down.
     let (sine, cosine) = 0.2_f64.atan().sin_cos();
     let (up, forth) = (y * cosine - sine, y * sine + cosine);
     let (x, z) = (x / -up + right, forth / -up + ahead);
@@ -61,8 +61,8 @@ fn parts(color: Rgb888) -> [f64; 3] {
     [color.r(), color.g(), color.b()].map(f64::from)
 }
 
-/// The mean difference to a floor whose pixels are means over their areas, of all channels of all of its pixels, in steps
-/// of 255.
+/// The mean difference from a floor whose pixels are means over their areas, over all channels of all of the floor's
+/// pixels, in steps of 255.
 fn difference(
     shader: &impl Shader<Color = Rgb888>,
     floor: &Mesh<'_>,
@@ -83,7 +83,7 @@ fn difference(
 
 /// Prints the table in the documentation of `Mipmapped`.
 #[test]
-fn a_far_floor_is_calm() {
+fn levels_bring_a_far_floor_closer_to_its_means() {
     let mut texels = vec![Rgb888::BLACK; Mipmap::<Rgb888>::len(64, 64)];
     for (i, texel) in (0..64 * 64).zip(&mut texels) {
         *texel = checker(i % 64, i / 64);
@@ -103,7 +103,8 @@ fn a_far_floor_is_calm() {
                         let [Some(a), Some(b), Some(c), Some(d)] = corners else {
                             return None;
                         };
-                        // Perspective keeps quadrilaterals convex: with its corners, all of a pixel is in a square.
+                        // Perspective keeps quadrilaterals convex: if a pixel's corners lie in one square, all of it
+                        // does.
                         if [b, c, d].map(square) == [square(a); 3] {
                             return Some(parts(color(a)));
                         }
@@ -137,7 +138,7 @@ fn a_far_floor_is_calm() {
             difference(&levels.trilinear(), &floor, &exact),
         ];
         println!("{repeats} repeats: {found:.2?}");
-        // A pixel beyond the first row of squares shows several texels: the more, the more the levels help.
+        // The more texels a far pixel shows, the more the levels help.
         let [nearest, bilinear, level, smooth, blended] = found;
         let helps = [1., 0.8, 0.6][match repeats {
             1 => 0,
@@ -152,7 +153,7 @@ fn a_far_floor_is_calm() {
     }
 }
 
-/// Every level of a mipmap against the model, from both constructors.
+/// Compares every level of a mipmap, from both constructors, with the model.
 fn check_levels<C, const W: usize, const H: usize, const LENGTH: usize>(
     array: &MipmapArray<C, W, H, LENGTH>,
     channels: fn(C) -> [u8; 3],
@@ -162,7 +163,7 @@ where
 {
     let mipmap = array.as_mipmap();
     let mut texels = mipmap.texels().to_vec();
-    // What the memory holds behind level 0 does not matter.
+    // The earlier contents of the memory behind level 0 must not matter.
     let first = texels[0];
     texels[W * H..].fill(first);
     let built = Mipmap::build(&mut texels, W as u32, H as u32).unwrap();
@@ -210,9 +211,9 @@ proptest! {
         prop_assert_eq!(&array.as_mipmap().texels()[..64], expected.texels().as_flattened());
     }
 
-    /// The levels are grays, so a trilinear filter shows the level itself.
+    /// Each level is a gray proportional to its number, so a trilinear filter shows the level.
     #[test]
-    fn the_level_is_that_of_the_formula(
+    fn the_level_of_a_pixel_follows_the_formula(
         distance in 0.5..60_f64,
         lean in [-0.95..0.95_f64, -0.95..0.95],
         uvs in [[-4.0..4_f64, -4.0..4.], [-4.0..4., -4.0..4.], [-4.0..4., -4.0..4.]],
@@ -259,13 +260,14 @@ proptest! {
             let [x, y] = [i % SIZE as usize, i / SIZE as usize].map(|at| at as f64 + 0.5 - 24.);
             let share = share(x / 24., -y / 24.);
             let z = distance / share;
-            // Snapping a corner to 1/256 pixel moves 1/z by up to 0.0005, which is a hundredth of this.
+            // Snapping a corner to 1/256 pixel moves `share` by up to 0.0005, far less than this limit.
             if share < 0.1 || 65535. * 0.25 / z < 33. || blended.luma() == 255 {
                 continue;
             }
             let exact = level(corners, texels, 24., z).clamp(0., 6.);
             let shown = f64::from(blended.luma()) / STEPS;
-            // The promise; the snapped corners, twice 0.0005 / 0.1 / ln 2; half a step and a weight's cut; 2^-8 of the texels.
+            // The promise; the snapped corners, twice 0.0005 / 0.1 / ln 2; half a step and a truncated weight, 2^-8;
+            // and the texels, 2^-8.
             let allowed = 1. / 8. + 0.015 + 0.5 / STEPS + 1. / 256. + 1. / 256.;
             prop_assert!((shown - exact).abs() <= allowed, "{shown}, not {exact}, at {x}, {y}");
             let shown = f64::from(nearest.luma()) / STEPS;

@@ -18,10 +18,10 @@ pub enum Mode {
 }
 
 impl Mode {
-    /// `Fast::NARROW`, which promises 1/16: its tolerance of 1/32, and 1/32 more as in any `Fast`.
+    /// `Fast::NARROW`, which promises 1/16 texel: its tolerance of 1/32, and 1/32 more, as any `Fast` does.
     pub const NARROW: Self = Self::Fast(fx!(0.03125));
 
-    /// The modes that are correct in perspective.
+    /// The modes that interpolate with perspective correction.
     pub const PERSPECTIVE: [Self; 8] = [
         Self::Exact,
         Self::Compact,
@@ -50,7 +50,7 @@ impl Mode {
         }
     }
 
-    /// The promised bound in texels of 256, in a picture of 320x240, given the snapped vertices.
+    /// The promised bound in texels, for a texture of 256 texels in a picture of 320x240, given the snapped vertices.
     pub fn promised(self) -> f64 {
         match self {
             Self::Exact | Self::Compact | Self::Newton => 0.001,
@@ -59,7 +59,7 @@ impl Mode {
         }
     }
 
-    /// The tolerance in texels that this mode was given.
+    /// The tolerance of this mode, in texels.
     pub fn tolerance(self) -> f64 {
         match self {
             Self::Fast(texels) => texels.to_num(),
@@ -67,7 +67,7 @@ impl Mode {
         }
     }
 
-    /// Draws in this mode, whatever mode the options have.
+    /// Draws in this mode and ignores the mode of the options.
     pub fn draw<K: ProjectionKind, F: Shader<Color = Gray8>, D: DepthBuffer>(
         self,
         canvas: &mut Canvas<'_, Gray8, Native, D>,

@@ -1,4 +1,4 @@
-//! Transforms made twice: by the crate, and as an f64 matrix of the same numbers.
+//! Transforms made twice from the same numbers: by the crate, and as an f64 matrix.
 
 use std::f64::consts::TAU;
 
@@ -17,7 +17,7 @@ pub enum Move {
     Scale(Vec3),
 }
 
-/// A translation by the crate's nearest numbers.
+/// A translation, rounded to the crate's nearest numbers.
 pub fn to(offset: [f64; 3]) -> Move {
     Move::To(quantised(offset))
 }
@@ -32,7 +32,7 @@ pub fn y(radians: f64) -> Move {
     Move::Y(Angle::try_from_radians(radians).unwrap())
 }
 
-/// The crate's nearest point.
+/// A point rounded to the crate's nearest numbers.
 pub fn quantised(point: [f64; 3]) -> Vec3 {
     let [x, y, z] = point.map(|x| scalar(x).unwrap());
     Vec3::new(x, y, z)
@@ -43,7 +43,7 @@ pub fn exact(point: Vec3) -> [f64; 3] {
     [point.x, point.y, point.z].map(Scalar::to_num)
 }
 
-/// The radians of an angle, to the last bit of an f64.
+/// An angle in radians, exact to the last bit of an f64.
 pub fn radians(angle: Angle) -> f64 {
     f64::from(angle.to_bits()) / 2_f64.powi(32) * TAU
 }
@@ -70,7 +70,7 @@ impl Move {
     }
 }
 
-/// The product of moves, the last applied first, by the crate and in f64.
+/// The product of moves, by the crate and in f64. The last move acts first.
 pub fn product(moves: &[Move]) -> (Transform, Matrix) {
     moves.iter().fold(
         (Transform::IDENTITY, IDENTITY),
@@ -83,7 +83,7 @@ pub fn product(moves: &[Move]) -> (Transform, Matrix) {
     )
 }
 
-/// The largest distance from the origin that a point may have on its way through the moves: the scale of errors.
+/// The largest distance from the origin that a point may reach as the moves act on it: errors are relative to it.
 pub fn size(moves: &[Move], p: Vec3) -> f64 {
     let length = |v: Vec3| linear::length(exact(v));
     let largest = |v: Vec3| {
@@ -98,10 +98,10 @@ pub fn size(moves: &[Move], p: Vec3) -> f64 {
     })
 }
 
-/// The bound of the error of clip coordinates, relative to [`size`] and the largest coefficient. For each move 2⁻³⁰
-/// for its mantissas, a sine and the product's mantissas; then for the projection, for its product, for its scale,
-/// and for the common exponent, which has one bit less and so counts twice. A point has three coordinates: together
-/// √3 times its length.
+/// The bound of the error of clip coordinates, relative to [`size`] and the largest coefficient. Each move contributes
+/// 2⁻³⁰ three times: for its mantissas, for a sine, and for the product's mantissas. So do the projection, its product,
+/// its scale, and the common exponent, which counts twice, because it costs one bit. The sum of a point's three
+/// coordinates is at most √3 times its length.
 pub fn relative(moves: &[Move]) -> f64 {
     2_f64.powi(-30) * 3_f64.sqrt() * (3 * moves.len() + 5) as f64
 }

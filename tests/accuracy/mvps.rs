@@ -1,4 +1,4 @@
-//! Products of transforms and projections against f64: the position of a point, and its depth.
+//! Products of transforms and projections, compared with f64: the position of a point, and its depth.
 
 use fixel::num::scalar;
 use fixel::prelude::*;
@@ -13,7 +13,7 @@ use crate::reference::projection::{self, Lens};
 use crate::reference::view::{View, Viewport as ModelViewport};
 
 const SIZE: (u32, u32) = (320, 240);
-/// Half the guard band's width in pixels.
+/// Half of the guard band's width, in pixels.
 const GUARD: f64 = 2048.;
 
 fn angle() -> impl Strategy<Value = Angle> {
@@ -34,7 +34,7 @@ fn step() -> impl Strategy<Value = Move> {
     ]
 }
 
-/// An mvp that puts the surroundings of the origin at some distance in front of the eye.
+/// Moves that put the surroundings of the origin at some distance in front of the eye.
 fn mvps() -> impl Strategy<Value = Vec<Move>> {
     (0.0..60_f64, prop::collection::vec(step(), 0..4)).prop_map(
         |(distance, mut moves): (f64, Vec<Move>)| {
@@ -81,7 +81,7 @@ fn compare<K: ProjectionKind>(
     let middle = view.viewport.screen([0.; 2]);
     for (&p, spot) in points.iter().zip(drawing.spots(points)) {
         let wanted = view.project(exact(p));
-        // The largest coefficient of the rows for x and y in pixels and for depth, which has the guard band's scale.
+        // The largest coefficient of the rows for x and y, in pixels, and for depth, which has the guard band's scale.
         let pixels = |axis: usize, size: u32| {
             let row = model.matrix[axis].into_iter();
             f64::from(size) / 2. * row.fold(0., |most: f64, m| most.max(m.abs()))
@@ -95,19 +95,20 @@ fn compare<K: ProjectionKind>(
         let scale = pixels(0, viewport.width())
             .max(pixels(1, viewport.height()))
             .max(of_depth);
-        // A projection's own offset counts as a distance too.
+        // An offset in the projection counts as a distance too.
         let size = size(moves, p)
             + if parallel {
                 model.near.abs().max(model.far.abs()).max(1.)
             } else {
                 0.
             };
-        // Away from the middle, an error of w causes one of x.
+        // Away from the middle, an error of w causes an error of x and y.
         let off = [0, 1].map(|axis: usize| (wanted.screen[axis] - middle[axis]).abs());
         let aside = 1. + off[0].max(off[1]) / GUARD;
         let error = relative(moves) * size * scale / wanted.w * aside;
         let depth = model.depth(wanted.distance);
-        // Besides the error of t: those of its reciprocal, of the near plane's and of the scale of 65536, 2^-30 each.
+        // Besides the error of t = w / near · (1 + 2^-16): the errors of its reciprocal, of the near plane's
+        // reciprocal, and of the scale 65536, 2^-30 each.
         let depth_error = relative(moves)
             * size
             * 65536.
@@ -156,7 +157,8 @@ fn compare<K: ProjectionKind>(
     Ok(())
 }
 
-/// Close to a plane, relative to the size: the near plane counts as 2⁻¹⁶ of its distance farther away than it is.
+/// A point this close to a plane, relative to the size, may be clipped or not: the crate's near plane is farther away
+/// by 2⁻¹⁶ of its distance.
 const SIDE: f64 = 1. / 16384.;
 
 fn viewports() -> impl Strategy<Value = Viewport> {
@@ -176,10 +178,10 @@ proptest! {
     })]
 
     #[test]
-    fn points_through_transforms(moves in prop::collection::vec(step(), 0..6), p in places(100.)) {
+    fn transformed_points_are_the_models(moves in prop::collection::vec(step(), 0..6), p in places(100.)) {
         let (transform, matrix) = product(&moves);
         let (got, wanted) = (exact(transform.point(p)), point(&matrix, exact(p)));
-        // Half a unit of the result, besides the mantissas.
+        // Besides the mantissas, rounding the result adds half a unit.
         let error = 2_f64.powi(-17) + relative(&moves) * size(&moves, p);
         for axis in 0..3 {
             let by = (got[axis] - wanted[axis]).abs();
@@ -188,7 +190,7 @@ proptest! {
     }
 
     #[test]
-    fn points_in_perspective(
+    fn points_in_perspective_are_the_models(
         fov in 20_f64..140.,
         near in 0.01..2.,
         far in 10_f64..1000.,
@@ -201,7 +203,7 @@ proptest! {
     }
 
     #[test]
-    fn points_in_a_frustum(
+    fn points_in_a_frustum_are_the_models(
         left in -3_f64..1.,
         bottom in -3_f64..1.,
         size in [0.5..4., 0.5..4.],
@@ -220,7 +222,7 @@ proptest! {
     }
 
     #[test]
-    fn points_in_parallel(
+    fn points_in_parallel_are_the_models(
         left in -9_f64..1.,
         bottom in -9_f64..1.,
         size in [2.0..20., 2.0..20.],
@@ -253,7 +255,7 @@ proptest! {
                 )
             }
         };
-        // Anywhere between the planes.
+        // Move the points anywhere between the planes.
         moves.insert(0, crate::moves::to([0., 0., -near - way * length]));
         compare(projection, &moves, viewport, &points)?;
     }
@@ -279,7 +281,7 @@ proptest! {
             .zip(drawing.spots(&points))
             .filter_map(|(&p, spot)| Some((transform.point(p).z.to_bits(), spot?.depth)))
             .collect();
-        // From far to near, as z rises. Points less than one unit apart may have either order.
+        // Points are sorted from far to near, as z rises. If they are less than one unit apart, either order is right.
         depths.sort_unstable();
         for pair in depths.windows(2) {
             let [(far, far_depth), (near, near_depth)] = pair else { continue };
@@ -291,7 +293,8 @@ proptest! {
     }
 }
 
-/// The crate's oblique view leaves the near plane in place; the model's leaves the plane through the eye in place.
+/// The model's oblique projection, moved so that it leaves the near plane in place, as the crate's does. The model's
+/// own leaves the plane through the eye in place.
 fn oblique(angle: f64, ratio: f64, [l, r, b, t, n, f]: [f64; 6]) -> Lens {
     let (x, y) = (n * ratio * angle.cos(), n * ratio * angle.sin());
     projection::oblique(angle, ratio, (l + x, r + x, b + y, t + y), n, f)

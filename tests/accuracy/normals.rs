@@ -6,23 +6,23 @@ use proptest::prelude::*;
 use crate::bumpy::bumpy;
 use crate::reference::normals::{angle, around, of_triangle};
 
-/// By how much an angle may differ, relative to itself: 2⁻¹³, as documented, of which most is not used.
+/// The documented relative error of an angle, 2⁻¹³. Actual errors are far smaller.
 const WEIGHT: f64 = 1. / 8192.;
-/// Rounding of a vector of length one to units of 2⁻¹⁶: half a unit along each axis.
+/// The error of rounding a unit vector to units of 2⁻¹⁶: half a unit along each axis.
 const ROUNDING: f64 = 0.87 / 65_536.;
-/// Sums have 22 fraction bits, of which up to half a unit is lost by each of up to 64 triangles along each axis.
+/// The error of a sum, which has 22 fraction bits: each of up to 64 triangles loses up to half a unit along each axis.
 const SUM: f64 = 64. * 0.87 / 4_194_304.;
 
 fn real(v: Vec3) -> [f64; 3] {
     v.to_bits().map(|x| f64::from(x) / 65_536.)
 }
 
-/// How far a normal is from the model's sum of normals with these weights, as a part of the error allowed.
+/// The angle between a normal and the model's sum of weighted normals, as a fraction of the allowed error.
 fn error(normal: Vec3, (sum, weights): ([f64; 3], f64)) -> f64 {
     let length = sum.iter().map(|x| x * x).sum::<f64>().sqrt();
     let allowed = (weights * WEIGHT + SUM) / length + ROUNDING;
     let off = angle(real(normal), sum);
-    // A sum that the errors can turn anywhere has any direction.
+    // If the errors can turn the sum anywhere, any direction is right.
     if allowed > 0.5 { 0. } else { off / allowed }
 }
 
@@ -32,7 +32,7 @@ fn model(positions: &[Vec3], faces: &[[u16; 3]]) -> (Vec<[f64; 3]>, Vec<[usize; 
 }
 
 #[test]
-fn smooth_normals_of_a_bumpy_surface() {
+fn smooth_normals_of_a_bumpy_surface_are_the_models() {
     let shape = bumpy();
     let positions: Vec<Vec3> = shape
         .positions
@@ -52,7 +52,7 @@ fn smooth_normals_of_a_bumpy_surface() {
     assert!(mesh.has_normals());
     let (points, corners) = model(&positions, &faces);
     let mut worst = 0_f64;
-    // Every third position: a normal of the model looks at all triangles.
+    // Only every third position, because the model searches all triangles for each normal.
     for at in (0..positions.len()).step_by(3) {
         let expected = around(at, &points, &corners, |_| true);
         if expected.1 > 0. {
@@ -63,7 +63,7 @@ fn smooth_normals_of_a_bumpy_surface() {
     assert!(worst <= 1.);
 }
 
-/// Positions of a grid with hills, and some triangles of no area; small or large.
+/// Positions of a grid with hills, of any size, with some triangles without area.
 fn hills() -> impl Strategy<Value = Vec<Vec3>> {
     (prop::collection::vec(any::<[i32; 3]>(), 25), 1..31_u32).prop_map(|(jitter, size)| {
         let cell = 1_i64 << size.saturating_sub(2);
@@ -92,7 +92,7 @@ fn grid() -> Vec<[u16; 3]> {
 
 proptest! {
     #[test]
-    fn of_hills_of_every_size(positions in hills(), crease in 0..=180_u32) {
+    fn normals_of_hills_of_every_size_are_the_models(positions in hills(), crease in 0..=180_u32) {
         let faces = grid();
         let (points, corners) = model(&positions, &faces);
         let (mut smooth, mut creased) = ([Vec3::ZERO; 25], [Vec3::ZERO; 96]);
@@ -113,7 +113,8 @@ proptest! {
             let own = of_triangle(face.map(|i| points[i]));
             for (&at, index) in face.iter().zip(indices) {
                 let near = |normal| angle(own, normal) - limit;
-                // Cosines have an error of 2⁻²⁷ or less, so an angle near 0 or 180 degrees is uncertain by up to its root.
+                // A cosine has an error of up to 2⁻²⁷, so an angle near 0° or 180° has an error of up to the root of
+                // that.
                 let around = |slack: f64| around(at, &points, &corners, |n| near(n) <= slack);
                 let expected = around(2e-4);
                 if own[0].is_nan() {

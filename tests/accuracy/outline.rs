@@ -1,4 +1,4 @@
-//! Outlines: which edges are creases and which are drawn, against the model; no gaps around a mesh.
+//! Outlines: the creases and the drawn edges are the model's, and lines leave no gap around a mesh.
 
 use std::collections::HashMap;
 
@@ -25,7 +25,7 @@ static ISLAND: Mesh = include_obj!("../../examples/assets/lighthouse.obj");
 
 const SIZE: (u32, u32) = (72, 64);
 
-/// By number, because a failed test prints its input.
+/// Tests take an index of this list, because a failed test prints its input.
 const MESHES: [&Mesh; 8] = [
     &BOX,
     &BALL,
@@ -46,14 +46,14 @@ fn triangles(mesh: &Mesh) -> Vec<[Vector; 3]> {
     mesh.faces().iter().map(|face| face.map(place)).collect()
 }
 
-/// An edge by its ends, whichever comes first.
+/// A key for an edge that does not depend on its direction.
 fn key(ends: [Vector; 2]) -> [[u64; 3]; 2] {
     let mut ends = ends.map(|end| end.map(|x| (x + 0.).to_bits()));
     ends.sort_unstable();
     ends
 }
 
-/// Room for the sides of a mesh.
+/// Room for every side of every triangle of a mesh.
 fn room(mesh: &Mesh) -> Vec<[u16; 4]> {
     vec![[0; 4]; 3 * mesh.faces().len()]
 }
@@ -64,7 +64,7 @@ fn check_edges(mesh: &Mesh, degrees: f64) {
     let limit = Angle::try_from_degrees(degrees).unwrap();
     let outline = Outline::build(mesh, limit, &mut room).unwrap();
     let place = |index: u16| float(mesh.positions().get(index.into()).unwrap());
-    // By their ends: whether they are creases, and the third corners of their faces.
+    // For each edge: whether it is a crease, and the third corners of its faces.
     let mut found: HashMap<_, Vec<(bool, Vec<Vector>)>> = HashMap::new();
     for (i, &[a, b, c, d]) in outline.edges().iter().enumerate() {
         let thirds = if d == a {
@@ -78,7 +78,7 @@ fn check_edges(mesh: &Mesh, degrees: f64) {
             .or_default()
             .push(edge);
     }
-    // Normals are scaled to 20 bits, so the angle between two has an error of at most 4 · 2^-19.
+    // Normals are scaled to 20 bits, so the angle between two normals has an error of at most 4 · 2^-19.
     let error = 4. / 524_288.;
     let triangles = triangles(mesh);
     for Edge { ends, faces, angle } in edges(&triangles) {
@@ -101,13 +101,13 @@ fn check_edges(mesh: &Mesh, degrees: f64) {
         match angle {
             None => assert_eq!(crease, Some(false), "a border is no crease"),
             Some(angle) if angle < flat - error => {
-                assert_eq!(crease, Some(false), "{angle} is flat");
+                assert_eq!(crease, Some(false), "an angle of {angle} is no crease");
             }
             Some(angle) if angle > flat + error => {
                 let crease = crease.expect("an edge is missing");
                 let limit = degrees.to_radians();
                 if (angle - limit).abs() > error {
-                    assert_eq!(crease, angle > limit, "{angle} and {limit}");
+                    assert_eq!(crease, angle > limit, "angle {angle}, limit {limit}");
                 }
             }
             Some(_) => {}
@@ -129,7 +129,7 @@ fn edges_and_creases_are_the_models() {
 }
 
 #[test]
-fn outlines_at_compile_time_are_those_at_run_time() {
+fn outlines_made_at_compile_time_equal_those_made_at_run_time() {
     static OUTLINE: Outline = outline!(ISLAND, deg!(35));
     let mut room = room(&ISLAND);
     assert_eq!(Ok(OUTLINE), Outline::build(&ISLAND, deg!(35), &mut room));
@@ -148,7 +148,7 @@ fn outlines_at_compile_time_are_those_at_run_time() {
     assert!(Outline::new(&BOX, &[[0, 1, 2, 23]], 2).is_err());
 }
 
-/// Positions anywhere, as far as they go, and faces between any of them, many of them twice or without area.
+/// Positions anywhere in the format, and faces between any of them, many of them repeated or without area.
 fn soup() -> impl Strategy<Value = (Vec<Vec3>, Vec<[u16; 3]>)> {
     let far = [i32::MIN, i32::MIN + 1, -1, 0, 1, i32::MAX - 1, i32::MAX];
     let number = prop_oneof![-3..3i32, prop::sample::select(far.to_vec()), any::<i32>()];
@@ -160,7 +160,7 @@ fn soup() -> impl Strategy<Value = (Vec<Vec3>, Vec<[u16; 3]>)> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(512))]
 
-    /// Whatever the mesh: nothing panics, and the sides of the outline's faces are sides of the mesh.
+    /// For any mesh, nothing panics, and the sides of the outline's faces are sides of the mesh.
     #[test]
     fn any_mesh_has_an_outline((positions, faces) in soup(), limit in 0..=1u32 << 31) {
         let mesh = Mesh::new(&positions, &faces).unwrap();
@@ -180,7 +180,7 @@ proptest! {
     }
 }
 
-/// The ends of the edges that an outline draws, and how many pixels these have.
+/// The ends of the edges that an outline draws, and how many pixels each edge has.
 fn drawn<K: ProjectionKind>(
     options: &DrawOptions,
     mesh: &Mesh,
@@ -207,14 +207,14 @@ fn drawn<K: ProjectionKind>(
         .collect()
 }
 
-/// Which side a face shows, from its plane; `None` if rounding may turn it over or hide it.
+/// The side that a face shows, from its plane; `None` if rounding may turn it over or hide it.
 fn side(triangle: [Vector; 3], view: &view::View) -> Option<i32> {
     let corners = triangle.map(|place| ClipVertex {
         position: view.clip(place),
         attributes: [],
         source: None,
     });
-    // Beyond the near and far planes and far beyond the sides, nothing is left of a face.
+    // Clipping removes the parts of a face beyond the near and far planes and beyond the guard band.
     let guard = [
         [1., 0., 0., 56.],
         [-1., 0., 0., 56.],
@@ -235,7 +235,7 @@ fn side(triangle: [Vector; 3], view: &view::View) -> Option<i32> {
         .iter()
         .flat_map(|corner| place(corner).map(f64::abs))
         .fold(64., f64::max);
-    // Each corner moves by up to 1/256 pixel along each axis, and there are at most nine.
+    // Each corner moves by up to 1/256 pixel along each axis, and there are at most nine corners.
     if area.abs() < 9. * 2. * size / 256. {
         return None;
     }
@@ -260,9 +260,9 @@ fn lens(far: Scalar) -> Projection<Perspective> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
 
-    /// The edges that are drawn are the model's, also of faces that the near or the far plane cuts. Where all corners of
-    /// both faces are within the guard band, the model decides from the snapped corners, and so exactly; else from the
-    /// faces' planes, where these are sure.
+    /// The drawn edges are the model's, also where the near or the far plane clips a face. If all corners of both faces
+    /// are within the guard band, the model decides from the snapped corners, which is exact. Otherwise it decides from
+    /// the faces' planes, unless rounding may turn a face over.
     #[test]
     fn drawn_edges_are_the_models(
         mesh in 0..6_usize,
@@ -307,7 +307,7 @@ proptest! {
             let (left, right) = (side_of([a, b, c]), if d == a { Some(0) } else { side_of([b, a, d]) });
             let (Some(left), Some(right)) = (left, right) else { continue };
             let expected = is_drawn([left, right], i < outline.creases(), culled);
-            // An edge of which no part lies within the view is not drawn, whatever its faces show.
+            // An edge without any part in the view is not drawn, whatever its faces show.
             let inside = |index: u16| counter.snapped(&mvp, place(index)).is_some();
             let mut inside = inside;
             let is_inside = inside(a) || inside(b);

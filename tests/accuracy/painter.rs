@@ -1,4 +1,4 @@
-//! Painter's order against distances in f64.
+//! Painter's order, compared with distances in f64.
 
 use std::cell::RefCell;
 
@@ -15,7 +15,7 @@ const SIZE: (u32, u32) = (40, 30);
 const NEAR: f64 = 1.;
 const FAR: f64 = 64.;
 
-/// A shader that notes the triangles in the order in which they are drawn.
+/// A shader that records the triangles in drawing order.
 #[derive(Clone, Copy)]
 struct Noted<'a>(&'a RefCell<Vec<usize>>);
 
@@ -41,7 +41,7 @@ struct Scene {
 }
 
 impl Scene {
-    /// The order in which the triangles are drawn. They are those that are drawn without an order.
+    /// The drawing order of the triangles. Checks that the same triangles are drawn without sorting.
     fn order<K: ProjectionKind>(&self, projection: &Projection<K>) -> Vec<usize> {
         let positions: Vec<Vec3> = self
             .corners
@@ -70,9 +70,9 @@ impl Scene {
         order
     }
 
-    /// The order in which the triangles are drawn as those of several objects: every third one is the same object's.
+    /// The drawing order of the triangles if they belong to three objects: every third one to the same object.
     fn order_of_objects<K: ProjectionKind>(&self, projection: &Projection<K>) -> Vec<usize> {
-        // The objects' units differ, and so do the formats in which they are transformed.
+        // The objects have different units, so they are transformed in different formats.
         let units = [1., 4., 1. / 16.];
         let positions = units.map(|unit| -> Vec<Vec3> {
             let corners = self.corners.iter();
@@ -113,14 +113,14 @@ impl Scene {
         order
     }
 
-    /// The distance of the farthest corner of a triangle's part before the far plane.
+    /// The distance of a triangle's farthest corner, after clipping to the far plane.
     fn farthest(&self, face: usize) -> f64 {
         let distances = self.faces[face].map(|index| -self.corners[usize::from(index)][2]);
         distances.into_iter().fold(0., f64::max).min(FAR)
     }
 
-    /// Checks that no triangle is drawn before one that is farther by more than `tolerance` allows, and equal ones
-    /// in the order of the mesh.
+    /// Checks that no triangle is drawn before one that is farther by more than `tolerance`, and that triangles at
+    /// equal distances keep the order of the mesh.
     fn check(
         &self,
         order: &[usize],
@@ -131,22 +131,22 @@ impl Scene {
             let [first, second] = [self.farthest(pair[0]), self.farthest(pair[1])];
             prop_assert!(
                 first + tolerance(first) >= second,
-                "{pair:?}: {first} {second}"
+                "{pair:?}: {first} is drawn before {second}"
             );
             #[allow(clippy::float_cmp)] // two distances of one corner, or cut by the far plane
             let is_equal = first == second;
             let is_one_object = pair[0] % objects == pair[1] % objects;
             prop_assert!(
                 !(is_equal && is_one_object) || pair[0] < pair[1],
-                "{pair:?}: both {first}"
+                "{pair:?}: both at {first}, out of order"
             );
         }
         Ok(())
     }
 }
 
-/// Many distances are equal, or differ by as little as the order tells apart. Some triangles are clipped by either
-/// plane.
+/// Triangles of which many distances are equal, or differ by as little as the order resolves. The near or the far plane
+/// clips some of them.
 fn scene() -> impl Strategy<Value = Scene> {
     let corner =
         (-160..160_i32, -160..160_i32, 0..120_i32, 0..4_i32).prop_map(|(x, y, z, step)| {
@@ -166,29 +166,29 @@ fn scene() -> impl Strategy<Value = Scene> {
 
 proptest! {
     #[test]
-    fn perspective(scene in scene()) {
+    fn farther_triangles_come_first_in_perspective(scene in scene()) {
         let projection = Projection::perspective(deg!(60), SIZE, fx!(1), fx!(64)).unwrap();
-        // 1/w is cut to 26 bits, of which the first is set. The bits of the reciprocal and of the projection's
-        // coefficients add less than as much again.
+        // 1/w is truncated to 26 bits, the first of them set. The rounding of the reciprocal and of the projection's
+        // coefficients at most doubles this error.
         let tolerance = |w| w * 2_f64.powi(-24);
         scene.check(&scene.order(&projection), 1, tolerance)?;
         scene.check(&scene.order_of_objects(&projection), 3, tolerance)?;
     }
 
     #[test]
-    fn parallel(scene in scene()) {
+    fn farther_triangles_come_first_in_parallel(scene in scene()) {
         let window = Window::centered(fx!(12), fx!(9));
         let projection = Projection::orthographic(window, fx!(1), fx!(64)).unwrap();
-        // Steps of 2^-26 of the distance between the planes; the coefficients' rounding adds less than another.
+        // Steps are 2^-26 of the distance between the planes. The rounding of coefficients adds less than another step.
         let step = (FAR - NEAR) * 2_f64.powi(-25);
         scene.check(&scene.order(&projection), 1, |_| step)?;
         scene.check(&scene.order_of_objects(&projection), 3, |_| step)?;
     }
 }
 
-/// Many triangles at one distance stay in the order of the mesh, and those behind come before them.
+/// Many triangles at one distance keep the order of the mesh, and those behind come before them.
 #[test]
-fn equals_keep_their_order() {
+fn triangles_at_equal_distances_keep_their_order() {
     let corner = |x: f64, z: f64| [[x, 0., z], [x + 0.5, 0., z], [x, 0.5, z]];
     let mut scene = Scene {
         corners: Vec::new(),

@@ -1,5 +1,5 @@
-//! Picking against pictures: the face that a ray meets is the face that is drawn, unless the f64 model says that the
-//! pixel's center is too close to an edge, or that two faces are equally deep there.
+//! Picking, compared with pictures: the face that a ray meets is the face that is drawn, unless in the f64 model the
+//! pixel's center is too close to an edge or two faces are equally deep there.
 
 use std::collections::HashMap;
 
@@ -21,10 +21,10 @@ use crate::reference::view::{Projected, View, Viewport as ModelViewport};
 
 const SIZE: (u32, u32) = (40, 30);
 const LEFT: i32 = -7;
-/// Vertices are rounded to 1/512 pixel along two axes, which moves an edge by 0.0028 pixels.
+/// Rounding moves vertices by up to 1/512 pixel along both axes, and so moves an edge by up to 0.0028 pixels.
 const EDGE: f64 = 0.005;
 
-/// The depths that a face may have within [`EDGE`] of a place on the screen; in 1/65536.
+/// The least and the greatest depth of a face within [`EDGE`] of a position on the screen, in 1/65536.
 fn depths(lens: &Lens, corners: &[Projected; 3], at: [f64; 2]) -> [f64; 2] {
     let screen = corners.map(|corner| corner.screen);
     let around = [-EDGE, EDGE];
@@ -47,7 +47,7 @@ fn depths(lens: &Lens, corners: &[Projected; 3], at: [f64; 2]) -> [f64; 2] {
     })
 }
 
-/// Checks the parts of a hit against each other and against the corners of its face.
+/// Checks that the parts of a hit agree with each other and with the corners of its face.
 fn check_numbers(hit: &Hit, ray: Ray, corners: [Vec3; 3]) -> Result<(), TestCaseError> {
     let sum: i32 = hit.barycentric.iter().map(|part| part.to_bits()).sum();
     prop_assert_eq!(sum, 1 << 30);
@@ -98,7 +98,7 @@ fn check<K: ProjectionKind>(
             height: SIZE.1,
         },
     };
-    // The smallest unit of the model on the screen, at a distance of 1 and at the most magnified.
+    // The largest size of a unit of the model on the screen, at a distance of 1.
     let scale = moves.iter().fold(1., |scale: f64, step| match step {
         Move::Scale(by) => scale * exact(*by).map(f64::abs).into_iter().fold(0., f64::max),
         _ => scale,
@@ -107,7 +107,7 @@ fn check<K: ProjectionKind>(
     let unit = 2_f64.powi(-16) * scale * focal;
     let corners =
         |face: usize| faces[face].map(|at| view.project(exact(positions[usize::from(at)])));
-    // The model projects whole triangles only.
+    // The model here does not clip, so skip scenes with clipped triangles.
     let whole = |face: usize| {
         corners(face)
             .iter()
@@ -145,7 +145,7 @@ fn check<K: ProjectionKind>(
                     return false;
                 };
                 let [a, b] = [a, b].map(|face| depths(&lens, &corners(face), center));
-                // A step of the buffer, and the tenth part of one for the errors of both depths.
+                // A step of the depth buffer, and a tenth of a step for the errors of both depths.
                 a[0] - 1.1 < b[1] && b[0] - 1.1 < a[1]
             };
             prop_assert!(
@@ -153,16 +153,16 @@ fn check<K: ProjectionKind>(
                 "{picked:?} was picked and {drawn:?} drawn at {x}, {y}"
             );
 
-            // The point is seen at the pixel, and its parts are the face's corners.
+            // The hit's point appears at the pixel, and its barycentric coordinates give the point.
             let Some(hit) = hit else { continue };
             let place = view.project(exact(hit.point));
             let nearest = if K::PERSPECTIVE { place.w } else { 1. };
             let off = (place.screen[0] - center[0]).hypot(place.screen[1] - center[1]);
-            // The point and the ray's origin are rounded to a unit along three axes.
+            // The point and the ray's origin are rounded to a unit along each of three axes.
             let allowed = 1e-4 + 2. * unit / nearest.min(lens.near.abs().max(0.1));
             prop_assert!(
                 off <= allowed,
-                "{hit:?} is {off} pixels from the ray, not {allowed}"
+                "{hit:?} is {off} pixels from the ray, over {allowed}"
             );
             check_numbers(
                 &hit,
@@ -208,7 +208,9 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 150, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn in_perspective(moves in moves(), positions in positions(), cull in culls(), fov in 30..100_i32) {
+    fn picked_faces_are_the_drawn_ones_in_perspective(
+        moves in moves(), positions in positions(), cull in culls(), fov in 30..100_i32,
+    ) {
         let fov = Angle::from_degrees(fov);
         let aspect = f64::from(SIZE.0) / f64::from(SIZE.1);
         let lens = projection::perspective(moves::radians(fov), aspect, 0.25, 100.);
@@ -217,7 +219,9 @@ proptest! {
     }
 
     #[test]
-    fn in_parallel(moves in moves(), positions in positions(), cull in culls(), half in 3.0..12_f64) {
+    fn picked_faces_are_the_drawn_ones_in_parallel(
+        moves in moves(), positions in positions(), cull in culls(), half in 3.0..12_f64,
+    ) {
         let window = Window::centered(scalar(2. * half).unwrap(), scalar(1.5 * half).unwrap());
         let [l, r, b, t] = [window.left, window.right, window.bottom, window.top].map(|x| x.to_num());
         let lens = projection::orthographic(l, r, b, t, -20., 60.);

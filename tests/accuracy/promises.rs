@@ -1,4 +1,4 @@
-//! The promises of the modes for textured triangles: any that 320x240 pixels may show, and the hardest ones.
+//! The promises of the modes for textured triangles: for any that 320x240 pixels may show, and for the hardest ones.
 
 use std::ops::Range;
 
@@ -15,12 +15,12 @@ use crate::triangle::Triangle;
 
 const SIZE: (u32, u32) = (320, 240);
 const FOCAL: i16 = 200;
-/// Units of a texture coordinate in a repeat of 256 texels.
+/// Units of a texture coordinate per repeat of 256 texels.
 const REPEAT: f64 = 16_777_216.;
-/// Units in a texel.
+/// Units of a texture coordinate per texel.
 const TEXEL: f64 = 65536.;
 
-/// A triangle: corners in pixels, 1/w there, u and v there in repeats.
+/// A triangle: its corners in pixels; 1/w, and u and v in repeats, at the corners.
 #[derive(Clone, Copy, Debug)]
 struct Case {
     screen: [[f64; 2]; 3],
@@ -28,7 +28,7 @@ struct Case {
     uv: [[f64; 3]; 2],
 }
 
-/// Corners in and around the picture; thin, small, of few rows, or with a row of any length.
+/// Triangles in and around the picture: of any shape, thin, small, of few rows, or with a row of any length.
 fn shapes() -> impl Strategy<Value = [[f64; 2]; 3]> {
     let about = || [-40.0..360.0, -40.0..280.0];
     let offset = || [-6.0..6.0, -6.0..6.0];
@@ -55,19 +55,18 @@ fn shapes() -> impl Strategy<Value = [[f64; 2]; 3]> {
     ]
 }
 
-/// The change of 1/w per pixel, from left to right and from top to bottom of the picture, relative to its least
-/// value.
+/// The change of 1/w per pixel to the right and downwards, relative to the least 1/w in the picture.
 fn slopes() -> impl Strategy<Value = [f64; 2]> {
     let sign = prop::sample::select(vec![-1., 1.]);
     let steep = prop_oneof![
         2 => (-14.0..-4_f64).prop_map(f64::exp2),
-        // Around the slope beyond which a reciprocal is not computed from earlier ones.
+        // Slopes around the limit beyond which a reciprocal is not computed from earlier ones.
         2 => (0.97..1.01).prop_map(|part| part / 64.),
         1 => (-5.0..2_f64).prop_map(f64::exp2),
     ];
     let along = (steep, sign, -1.0..1.0)
         .prop_map(|(steep, sign, way): (f64, f64, f64)| [steep * sign, steep * way]);
-    // A floor, whose rows are level or nearly so.
+    // A floor, on which 1/w is constant or nearly constant along a row.
     let floor = (-16.0..-8_f64, -8.0..0_f64, any::<bool>()).prop_map(|(across, down, is_level)| {
         let across = if is_level { 0. } else { across.exp2() };
         [across, down.exp2()]
@@ -75,7 +74,7 @@ fn slopes() -> impl Strategy<Value = [f64; 2]> {
     prop_oneof![3 => along, 1 => floor]
 }
 
-/// 1/w at three corners: on a slope across the picture, or any values up to a ratio of 1000.
+/// Triangles with 1/w on a slope across the picture, or with any values of 1/w up to a ratio of 1000.
 fn cases() -> impl Strategy<Value = Case> {
     let apart = (0.0..10_f64, [0.0..1.0, 0.0..1.0, 0.0..1.0])
         .prop_map(|(spread, at)| at.map(|at: f64| (-spread * at).exp2()));
@@ -85,7 +84,7 @@ fn cases() -> impl Strategy<Value = Case> {
     let uv = prop_oneof![
         3 => both(along(0., 1.)),
         1 => both(along(0., 4.)),
-        // 28 bits each.
+        // Both attributes have 28 bits.
         2 => both(along(4., 7.)),
         1 => [ends(), ends()],
     ];
@@ -139,31 +138,32 @@ impl Case {
     }
 }
 
-/// A mode's worst errors: relative to the bound of the formats; in texels beyond its tolerance, where it makes a
-/// promise; and the number of pixels there.
+/// A mode's worst errors, relative to the bound of the formats, and in texels beyond its tolerance; the latter where
+/// the mode makes a promise, with the number of values there.
 #[derive(Clone, Copy, Debug, Default)]
 struct Worst {
     allowed: f64,
     texels: f64,
     pixels: usize,
-    /// How many of these are over 256 times as far as the nearest corner.
+    /// How many of these values are over 256 times as far as the nearest corner.
     deep: usize,
 }
 
-/// Repeats of a texture times the w of a pixel, relative to the nearest corner's, up to which the promises hold.
+/// Whether a mode's promise holds, which depends on a product: repeats of the texture times the w of the pixel,
+/// relative to the nearest corner's w.
 ///
-/// An interpolant's unit is at most 4¼ repeats of 2⁻³⁰ · w, or 2⁻⁶ · 4¼ units of 2⁻¹⁶ texel for each w and repeat:
-/// 56½ of these are 3¾ units. Up to 16 of this product, the error of `Exact` is at most 61½ + 1 units; 0.001 texel is
-/// 65½. `Newton` adds 28½ units where a row is straight or, if that is more, 8 for each repeat; besides 16, or 21.2
-/// for one repeat with no far corner. So by derivation the promise holds up to 4 for one repeat, and up to 5 for two.
-/// A larger error needs roundings that all have the same sign, in a row as level as possible: up to 16 the promise is
-/// tested, and kept. `Fast` may use 1/32 texel besides its tolerance. Its reciprocals of 16 bits take up to 0.0297 of
-/// that for one repeat (see `bounds::fast`), and proportionally more for more: its promise is for one repeat, at the
-/// span's farthest pixel.
+/// An interpolant's unit is at most 4¼ · 2⁻³⁰ · w of a repeat, for each repeat. For a product of 1 that is 2⁻⁶ · 4¼
+/// units of 2⁻¹⁶ texel, and 56½ of them are 3¾ units. Up to a product of 16, the error of `Exact` is at most 61½ + 1
+/// units; 0.001 texel is 65½. `Newton` adds the larger of 28½ units, where a row is straight, and 8 for each repeat; it
+/// also adds 16, or 21.2 for one repeat without a far corner. So the derivation proves the promise up to a product of 4
+/// for one repeat, and of 5 for two. A larger error needs roundings that all have the same sign, in a row as level as
+/// possible: up to 16, this test shows that the promise is kept. `Fast` may use 1/32 texel besides its tolerance. Its
+/// 16-bit reciprocals take up to 0.0297 of that for one repeat (see `bounds::fast`), and proportionally more for more
+/// repeats: its promise is for one repeat, at the span's farthest pixel.
 ///
 /// In a triangle so deep that `Exact` computes interpolants anew at each pixel, a numerator is rounded by half of its
-/// unit, which is 1/32 unit of 2⁻¹⁶ texel for each 1 of the product, and a corner's 1/w that is cut moves a value by
-/// 1/64. At 1,000 both are 47 units, and with the quotient 48½.
+/// unit. For a product of 1 that is 1/32 unit of 2⁻¹⁶ texel, and the truncation of a corner's 1/w moves a value by 1/64
+/// unit. At 1,000 both are 47 units, and with the quotient 48½.
 fn is_promised(mode: Mode, is_precise: bool, repeats: f64, far: f64) -> bool {
     match mode {
         Mode::Exact if is_precise => repeats * far <= 1000.,
@@ -172,10 +172,10 @@ fn is_promised(mode: Mode, is_precise: bool, repeats: f64, far: f64) -> bool {
     }
 }
 
-/// What a coordinate's bounds depend on, at any pixel of a triangle.
+/// The part of the bounds of a texture coordinate that is the same for all pixels of a triangle.
 struct Attribute {
     corners: [i32; 3],
-    /// The least and the greatest of the corners'.
+    /// The least and the greatest value at a corner.
     least: f64,
     most: f64,
     /// Repeats of the texture up to the corner that is farthest from 0; at least 1.
@@ -200,8 +200,8 @@ impl Attribute {
 }
 
 impl Case {
-    /// Draws the triangle in every mode, and compares each pixel with the bound of the formats, and with the promise
-    /// where there is one.
+    /// Draws the triangle in every mode, and checks each pixel against the bound of the formats and, where there is
+    /// one, against the promise.
     fn check(&self, worst: &mut [Worst; MODES]) {
         let Some(triangle) = self.triangle() else {
             return;
@@ -239,8 +239,8 @@ impl Case {
                         bounds::perspective(mode, attribute.corners, triangle.w, w, far_w);
                     assert!(error <= allowed, "{}, over {allowed}", at());
                     worst.allowed = worst.allowed.max(error / allowed);
-                    // Beyond the corners, whatever the tolerance, a color could wrap from white to black. Straight
-                    // pieces end within the triangle, where an attribute is between those of the corners.
+                    // Values must stay between those of the corners, because a color beyond white would wrap to black.
+                    // The tolerance does not count here: straight pieces end within the triangle.
                     let beyond = allowed - tolerance * TEXEL;
                     assert!(
                         value >= attribute.least - beyond && value <= attribute.most + beyond,
@@ -284,9 +284,9 @@ fn print(name: &str, worst: &[Worst; MODES]) {
     }
 }
 
-/// The same triangles in every run.
+/// Random triangles, the same in every run.
 #[test]
-fn textured_triangles() {
+fn textured_triangles_keep_the_promises() {
     let mut runner = TestRunner::deterministic();
     let mut worst = [Worst::default(); MODES];
     for _ in 0..1200 {
@@ -295,14 +295,14 @@ fn textured_triangles() {
     }
     print("random triangles", &worst);
     for worst in worst {
-        // Hardly any of the values are beyond the promises.
+        // The promises cover nearly all values.
         assert!(worst.pixels > 200_000, "{}", worst.pixels);
     }
 }
 
 /// Triangles with a corner 256 to 1,000 times as far as another, which `Exact` draws within 0.001 texel throughout.
 #[test]
-fn deep_triangles() {
+fn deep_triangles_keep_the_promises() {
     let about = || [-40.0..360.0, -40.0..280.0];
     let along = || [0.0..=1., 0.0..=1., 0.0..=1.];
     // The nearest corner is far outside the picture, so that there are many far pixels.
@@ -327,10 +327,10 @@ fn deep_triangles() {
     assert!(exact.deep > 25_000, "{}", exact.deep);
 }
 
-/// A row of each possible length, on slopes of either sign, up to one too steep to compute a reciprocal from the ones
-/// before it.
+/// A row of each possible length, on slopes of either sign, up to one too steep to compute a reciprocal from the
+/// previous ones.
 #[test]
-fn spans_of_every_length() {
+fn spans_of_every_length_keep_the_promises() {
     let mut worst = [Worst::default(); MODES];
     for length in 1..=SIZE.0 {
         let long = f64::from(length);
@@ -363,11 +363,11 @@ fn spans_of_every_length() {
 }
 
 /// Rows along an edge on which 1/w changes by less than rounding may add, where the format leaves no room: at the
-/// nearest corner with all 31 bits set, or at the farthest with a quarter of that.
+/// nearest corner with all 31 bits set, or at the farthest corner with a quarter of that 1/w.
 #[test]
-fn ends_of_the_format() {
-    // 1/w of a corner has all bits set if the depth w / near, in units that put the near plane at 65,535/65,536, is a
-    // power of two.
+fn rows_at_the_ends_of_the_format_keep_the_promises() {
+    // 1/w of a corner has all bits set if w / near, in units that put the near plane at 65,535/65,536, is a power of
+    // two.
     const NEAREST: f64 = 4096. * 65535. / 65536.;
     let unit = 1. / 65536.;
     let mut worst = [Worst::default(); MODES];

@@ -1,4 +1,4 @@
-//! Attributes of 8 and 16 bits, compared with the numbers that were rounded.
+//! Attributes stored in 8 and 16 bits, compared with the numbers before rounding.
 
 use std::cell::Cell;
 
@@ -12,7 +12,7 @@ use proptest::prelude::*;
 /// Three normals and three texture coordinates.
 type Attributes = ([Vec3; 3], [Vec2; 3]);
 
-/// Writes down the attributes of a triangle.
+/// A shader that records the attributes of a triangle.
 #[derive(Clone, Copy)]
 struct Notes<'a>(&'a Cell<Option<Attributes>>);
 
@@ -22,7 +22,7 @@ impl Shader for Notes<'_> {
 
     fn varyings(&self, primitive: &Primitive<'_>) -> [PerFace<u8>; 3] {
         #[allow(clippy::redundant_closure_for_method_calls)]
-        // The closure works for any lifetime, the path `Corner::normal` does not.
+        // The closure works for any lifetime; the path `Corner::normal` does not.
         let normals = primitive.corners(|corner| corner.normal());
         self.0.set(Some((normals, primitive.uvs())));
         [PerFace(0); 3]
@@ -55,7 +55,7 @@ fn bits() -> impl Strategy<Value = i32> {
     ]
 }
 
-/// The angle between two vectors in degrees, from sine and cosine.
+/// The angle between two vectors in degrees, from its sine and cosine.
 fn angle(a: [f64; 3], b: [f64; 3]) -> f64 {
     let cross = [
         a[1] * b[2] - a[2] * b[1],
@@ -74,7 +74,7 @@ fn angle(a: [f64; 3], b: [f64; 3]) -> f64 {
 
 proptest! {
     #[test]
-    fn rounding_is_within_the_bounds(
+    fn errors_of_rounded_attributes_are_within_the_bounds(
         normals in prop::array::uniform3(prop::array::uniform3(bits())),
         uvs in prop::array::uniform3(prop::array::uniform2(bits())),
     ) {
@@ -91,7 +91,7 @@ proptest! {
                 prop_assert_eq!(got, Vec3::ZERO);
                 continue;
             }
-            // The largest of three components is 127, and each of the others is at most half a unit from exact.
+            // The largest of three components is 127, and each of the others has an error of at most half a unit.
             let bound = (0.5_f64.sqrt() / 127.).asin().to_degrees();
             let error = angle(a, b);
             prop_assert!(error <= bound + 1e-9, "{normal:?} becomes {got:?}: {error} degrees");

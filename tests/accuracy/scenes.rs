@@ -1,4 +1,4 @@
-//! Whole pictures: the measured scenes, and a surface with bumps.
+//! Whole pictures: the measured scenes, and a bumpy surface.
 
 use std::f64::consts::{FRAC_PI_4, FRAC_PI_8};
 
@@ -9,7 +9,7 @@ use crate::mode::Mode;
 use crate::moves::{to, x, y};
 use crate::reference::scenes::{POSES, cube, floor, sphere};
 
-/// Compares pictures in every mode with the bounds of the formats and with the modes' promises.
+/// Checks a scene's picture in every mode against the bounds of the formats and the mode's promise.
 fn check(name: &str, scene: &Scene, is_convex: bool) {
     for (mode, picture) in scene.compare(&Mode::PERSPECTIVE) {
         check_mode(&format!("{name}, {mode:?}"), mode, &picture);
@@ -22,7 +22,7 @@ fn check(name: &str, scene: &Scene, is_convex: bool) {
     }
 }
 
-/// Compares a picture with the bounds of the formats and with its mode's promise.
+/// Checks a picture against the bounds of the formats and its mode's promise.
 fn check_mode(name: &str, mode: Mode, picture: &Comparison) {
     picture.print(name);
     assert!(picture.allowed.max() <= 1., "{name}: attributes");
@@ -31,8 +31,8 @@ fn check_mode(name: &str, mode: Mode, picture: &Comparison) {
         picture.snapped.max() <= promised,
         "{name}: texels, given snapped vertices"
     );
-    // Compared with unrounded u and v: a corner's coordinates have the error of their rounding, and so have those
-    // between corners. The rest is as above.
+    // Compared with unrounded u and v, the coordinates at the corners, and so those between them, have the error of
+    // rounding besides the promised one.
     assert!(
         picture.unrounded.max() <= promised + ROUNDING,
         "{name}: texels, given snapped vertices and unrounded u and v"
@@ -41,13 +41,13 @@ fn check_mode(name: &str, mode: Mode, picture: &Comparison) {
         picture.unrounded.within(promised) >= 0.999,
         "{name}: pixels within the promise of unrounded u and v"
     );
-    // Rounding moves vertices by up to 1/512 pixel along each axis, less than 1/256 altogether; the rest is as above.
+    // Rounding moves vertices by up to 1/512 pixel along each axis, which is less than 1/256 pixel in any direction.
     assert!(
         picture.excess.max() <= 0.001 + promised,
         "{name}: texels, given unsnapped vertices"
     );
     assert!(picture.depth.max() <= bounds::DEPTH, "depth");
-    // Two depths of the same step, each with its error.
+    // Two depths in the same step, each with its own error.
     assert!(
         picture.order.max() <= 1. + 2. * bounds::DEPTH,
         "depth order"
@@ -65,14 +65,14 @@ fn check_mode(name: &str, mode: Mode, picture: &Comparison) {
 }
 
 #[test]
-fn the_floor() {
+fn the_floor_keeps_the_promises() {
     let (shape, _) = floor();
     let scene = Scene::new(&shape, &[x(0.2_f64.atan()), to([0., -1., 0.])]);
     check("floor", &scene, true);
 }
 
 #[test]
-fn the_cube() {
+fn the_cube_keeps_the_promises() {
     for pose in 0..POSES {
         let k = f64::from(pose);
         let moves = [
@@ -86,7 +86,7 @@ fn the_cube() {
 }
 
 #[test]
-fn the_sphere() {
+fn the_sphere_keeps_the_promises() {
     for pose in 0..POSES {
         let k = f64::from(pose);
         let moves = [
@@ -100,7 +100,7 @@ fn the_sphere() {
 }
 
 #[test]
-fn a_bumpy_surface() {
+fn a_bumpy_surface_keeps_the_promises() {
     let scene = Scene::new(&bumpy(), &[to([0., 0., -2.5]), x(0.4), y(0.7)]);
     check("bumpy", &scene, false);
 }

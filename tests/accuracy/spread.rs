@@ -36,7 +36,7 @@ impl Spread {
         all[(all.len() * 999).div_ceil(1000).max(1) - 1]
     }
 
-    /// One line for a reader.
+    /// The statistics as one line of text.
     pub fn line(&self, what: &str, unit: &str) -> String {
         format!(
             "  {what:<34} max {:.3e}  99.9 % {:.3e}  mean {:.3e} {unit}",

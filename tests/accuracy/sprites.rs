@@ -1,4 +1,4 @@
-//! The corners of sprites against the f64 model, in eye space and in world space.
+//! The corners of sprites in eye space and in world space, compared with the f64 model.
 
 use std::cell::RefCell;
 
@@ -16,7 +16,7 @@ use crate::reference::sprites::Sprite;
 
 const SIZE: (u32, u32) = (64, 48);
 
-/// Everything about sprites but their positions.
+/// All properties of sprites except their positions.
 #[derive(Clone, Copy, Debug)]
 struct Kind {
     size: [f64; 2],
@@ -44,7 +44,7 @@ fn kinds() -> impl Strategy<Value = Kind> {
         })
 }
 
-/// A camera, which is rigid, and the place of a model.
+/// A camera, which is a rigid transform, and the transform of a model.
 fn places() -> impl Strategy<Value = [Vec<Move>; 2]> {
     let angle = || any::<u32>().prop_map(Angle::from_bits);
     let offset = || [-5.0..5., -5.0..5., -5.0..5.].prop_map(moves::to);
@@ -64,9 +64,9 @@ fn places() -> impl Strategy<Value = [Vec<Move>; 2]> {
 
 /// The bound of the error of a corner in eye space, along each axis.
 fn allowed(all: &[Move], eye: &Matrix, kind: Kind, sprite: &Sprite, ahead: f64) -> f64 {
-    // Each corner: twice half a unit, and the transform's error. Sides have 30 bits; in pixels, their lengths follow the
-    // error of the distance. A turned side has the error of the axis's direction, which counts more the closer the axis
-    // is to the line of sight.
+    // A corner has twice half a unit and the transform's error. Sides have 30 bits; if they are given in pixels, their
+    // lengths have the relative error of the distance. A side along an axis has the error of the axis's direction,
+    // which grows as the axis approaches the line of sight.
     let unit = 2_f64.powi(-16);
     let moved = relative(all) * size(all, quantised(sprite.position));
     let largest = sprite.size.map(f64::abs).into_iter().fold(0., f64::max) * 2.;
@@ -90,8 +90,8 @@ fn allowed(all: &[Move], eye: &Matrix, kind: Kind, sprite: &Sprite, ahead: f64) 
 
 /// Whether a sprite with these corners is well inside the picture and certainly has a pixel.
 fn is_shown<K: ProjectionKind>(lens: &Lens, corners: &[[f64; 3]; 4]) -> bool {
-    // A circle whose radius is above √½ pixel contains a pixel's center. A triangle that contains one, well inside the
-    // picture, is drawn.
+    // A circle whose radius is above √½ pixel contains a pixel's center. So a triangle with such a circle inside it,
+    // well within the picture, has a pixel.
     let w = |corner: &[f64; 3]| if K::PERSPECTIVE { -corner[2] } else { 1. };
     let place = |corner: &[f64; 3], axis: usize| corner[axis] * lens.matrix[axis][axis] / w(corner);
     let is_inside = |corner: &[f64; 3]| {
@@ -145,7 +145,7 @@ fn check<K: ProjectionKind>(
         sprites = turning;
     }
 
-    // The model: in pixels, a length is one at the sprite's distance.
+    // In the model, a length in pixels is a length in eye space at the sprite's distance.
     let ahead = if K::PERSPECTIVE {
         -point(&eye, exact(position))[2]
     } else {
@@ -186,11 +186,11 @@ fn check<K: ProjectionKind>(
     let mut canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
     canvas.draw_sprites(&DrawOptions::new(), &sprites, &mvp, &probe);
     if is_shown::<K>(&lens, &expected) {
-        prop_assert!(!seen.borrow().is_empty(), "{sprite:?} has pixels");
+        prop_assert!(!seen.borrow().is_empty(), "{sprite:?} has no pixels");
     }
     let (back, unit) = (inverse(&view_matrix).unwrap(), 2_f64.powi(-16));
     for (i, (at, world)) in seen.into_inner().into_iter().enumerate() {
-        // The corners of two triangles; only one may have pixels.
+        // The corners of both triangles, of which perhaps only one has pixels.
         let corner = |i: usize| [0, 1, 2, 2, 1, 3].map(|i: usize| expected[i])[i % 6];
         let off = |corner: [f64; 3], at: Vec3| {
             let at = exact(at);
@@ -208,7 +208,7 @@ fn check<K: ProjectionKind>(
             off(best, at) <= allowed,
             "{at:?} is not {best:?}, within {allowed}"
         );
-        // Turned by the camera, errors along three axes add up; and half a unit more.
+        // The camera's turn adds up the errors along three axes, and rounding adds half a unit.
         let there = point(&back, best);
         let allowed = 3_f64.sqrt() * allowed
             + unit
@@ -225,7 +225,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 3000, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn in_perspective(
+    fn corners_in_perspective_are_the_models(
         places in places(),
         kind in kinds(),
         position in [-4.0..4., -4.0..4., -4.0..4.].prop_map(quantised),
@@ -240,7 +240,7 @@ proptest! {
     }
 
     #[test]
-    fn in_parallel(
+    fn corners_in_parallel_are_the_models(
         places in places(),
         kind in kinds(),
         position in [-4.0..4., -4.0..4., -4.0..4.].prop_map(quantised),

@@ -10,17 +10,17 @@ use crate::recorder::Few;
 use crate::reference::attributes::{interpolate, weights_snapped};
 use crate::reference::coverage::{Snapped, covered};
 
-/// A triangle, with everything that the model needs.
+/// A triangle, with all inputs of the model.
 #[derive(Clone, Copy)]
 pub struct Triangle<K, const N: usize> {
     pub size: (u32, u32),
     pub mvp: Mvp<K>,
     pub positions: [Vec3; 3],
-    /// Each value at the three corners.
+    /// Each attribute at the three corners.
     pub values: [[i32; 3]; N],
-    /// The values' divisors at the corners.
+    /// The w by which attributes are divided, at the corners.
     pub w: [f64; 3],
-    /// The corners' depths according to the projection, which are linear on the screen.
+    /// The depths at the corners by the projection's formula; depth is linear on the screen.
     pub depth: [f64; 3],
 }
 
@@ -28,7 +28,7 @@ pub struct Triangle<K, const N: usize> {
 pub struct Model<const N: usize> {
     pub pixel: [i32; 2],
     pub w: f64,
-    /// The greatest w of the pixel's row.
+    /// The greatest w in the pixel's row.
     pub farthest: f64,
     pub values: [f64; N],
     pub depth: f64,

@@ -1,4 +1,4 @@
-//! Values over random triangles: interpolation alone, given the corners' positions.
+//! Values over random triangles: interpolation alone, given the snapped corners.
 
 use fixel::num::scalar;
 use fixel::prelude::*;
@@ -10,7 +10,7 @@ use crate::drawing::Seen;
 use crate::mode::Mode;
 use crate::triangle::{Model, Triangle};
 
-/// More than two spans wide.
+/// Wider than two spans.
 const SIZE: (u32, u32) = (160, 48);
 const FOCAL: i16 = 200;
 /// Distances from 2^-13 to 2^11.
@@ -21,7 +21,7 @@ const VALUES: usize = 3;
 /// A triangle on the screen, in pixels.
 type Shape = [[f64; 2]; 3];
 
-/// Corners in and around the picture, far outside it, all within a pixel or two, or nearly in line.
+/// Triangles with corners in and around the picture, far outside it, all within a pixel or two, or nearly in a line.
 fn shapes() -> impl Strategy<Value = Shape> {
     let about = || [-40.0..200.0, -20.0..68.0];
     let beyond = || [-1900.0..1900.0, -1900.0..1900.0];
@@ -57,7 +57,7 @@ fn distances() -> impl Strategy<Value = [f64; 3]> {
 }
 
 /// A value at three corners: like a color, like a texture coordinate, any value, the ends of the format, or just
-/// below powers of two, where a scale has the least room.
+/// below powers of two, where scaling leaves the least room.
 fn corners() -> impl Strategy<Value = [i32; 3]> {
     let triple = |range: std::ops::Range<i32>| [range.clone(), range.clone(), range];
     prop_oneof![
@@ -73,7 +73,7 @@ fn corners() -> impl Strategy<Value = [i32; 3]> {
     ]
 }
 
-/// Attributes independent of one another, or all of similar size, as u and v are.
+/// Attributes that are independent, or all of similar size, as u and v are.
 fn values() -> impl Strategy<Value = [[i32; 3]; VALUES]> {
     prop_oneof![
         prop::array::uniform3(corners()),
@@ -93,7 +93,7 @@ fn compare<K: ProjectionKind>(
     bound: impl Fn(Mode, [i32; 3], &Model<VALUES>) -> f64,
 ) -> Result<(), TestCaseError> {
     let Some(screen) = triangle.screen() else {
-        // Skip if rounding took a corner out of the guard band, or onto another one.
+        // Skip the triangle if rounding moved a corner out of the guard band or onto another corner.
         return Err(TestCaseError::reject("clipped"));
     };
     let model = triangle.model(screen);
@@ -102,7 +102,8 @@ fn compare<K: ProjectionKind>(
     let exact = depths(&triangle.draw(Mode::Exact));
     for &mode in modes {
         let seen = triangle.draw(mode);
-        // If depths differed, drawings in different modes would not meet where they should.
+        // Except in `Compact`, depths must not depend on the mode, so that meshes in different modes meet where they
+        // should.
         prop_assert!(
             mode == Mode::Compact || depths(&seen) == exact,
             "{mode:?}: depths differ"
@@ -145,7 +146,7 @@ proptest! {
     })]
 
     #[test]
-    fn values_in_perspective(shape in shapes(), w in distances(), values in values()) {
+    fn values_in_perspective_are_within_the_bounds(shape in shapes(), w in distances(), values in values()) {
         let corner = |i: usize| {
             let [x, y]: [f64; 2] = shape[i];
             let scale = w[i] / f64::from(FOCAL);
@@ -166,7 +167,7 @@ proptest! {
         compare(&triangle, &Mode::PERSPECTIVE, bounds::depth(w), |mode, corners, at| {
             bounds::perspective(mode, corners, w, at.w, at.farthest)
         })?;
-        // A value that is not divided is linear on the screen under any projection.
+        // Under any projection, a value that is not divided by w is linear on the screen.
         let triangle = Triangle { w: [1.; 3], ..triangle };
         compare(&triangle, &[Mode::Affine], bounds::depth(w), |mode, corners, _| {
             bounds::parallel(mode, corners)
@@ -174,7 +175,7 @@ proptest! {
     }
 
     #[test]
-    fn values_in_parallel(
+    fn values_in_parallel_are_within_the_bounds(
         shape in shapes(),
         z in [0.0..100.0, 0.0..100.0, 0.0..100.0],
         values in values(),

@@ -1,5 +1,5 @@
-//! Lines of a width and points of a size: their pixels in exact integers; sizes in world space and the shares of
-//! anti-aliased lines against f64.
+//! Wide lines and large points: their pixels, from exact integers; sizes in world space and the shares of anti-aliased
+//! lines, from f64.
 
 use crate::common::recorder::{Probe, Recorder, Seen, record};
 use crate::common::{at_subpixel, pixel_lens};
@@ -22,7 +22,7 @@ const SIZE: (u32, u32) = (90, 40);
 type Frame<'f> = Canvas<'f, Gray8, Native, Depth<'f>>;
 type Pen<'p, 'v> = Recorder<'p, Probe<'v, [i32; 1]>, 1>;
 
-/// The pixels of a draw call, with the interpolated x of the position, drawn in bands of `rows` rows.
+/// The pixels of a draw call in bands of `rows` rows, each with the interpolated x of the position.
 fn drawn(rows: u32, draw: &dyn Fn(&mut Frame<'_>, &Pen<'_, '_>) -> Drawn) -> Vec<Seen<1>> {
     let values = |corner: &Corner<'_>| [corner.position().x.to_bits()];
     let probe = Probe {
@@ -59,9 +59,9 @@ fn modelled(has: impl Fn([i32; 2]) -> bool) -> Vec<u32> {
     pixels.map(|pixel| u32::from(has(pixel))).collect()
 }
 
-/// Whether a pixel belongs to the line between two snapped ends, of half a width in units of 1/256 pixel: its center
-/// is, along the longer axis, from the lesser end to before the greater one, and across, at most `half` from the line
-/// there; not if it is exactly that far above it or left of it. In exact integers.
+/// Whether a pixel belongs to the wide line between two snapped ends; `half` of the width is in units of 1/256 pixel.
+/// Along the longer axis, its center must lie between the ends, the lesser end included. Across, it must lie at most
+/// `half` from the line, and less than that above the line or left of it. Computed in exact integers.
 fn on_line([a, b]: [Point; 2], half: i64, pixel: [i32; 2]) -> bool {
     let [dx, dy] = [0, 1].map(|i| i64::from(b[i]) - i64::from(a[i]));
     let major = usize::from(dy.abs() > dx.abs());
@@ -87,12 +87,12 @@ fn ahead() -> impl Strategy<Value = [i32; 3]> {
     ]
 }
 
-/// Compares the depths and values of a smooth line with those of a plain one, which has one pixel in each step along
+/// Compares the depths and values of a smooth line with those of a plain line, which has one pixel in each step along
 /// the longer axis.
 ///
-/// Both lines have spans of their own, and each span its rounding. As in `lines_in_perspective`, where ends may be farther
-/// apart, it is at most 2^21 · 34 · 1.5 / (2^30 / 128) + 4 units, or 16.7, for each of them; and that of a depth less than
-/// one step.
+/// The two lines have different spans, and so different rounding. For each line it is at most
+/// 2^21 · 34 · 1.5 / (2^30 / 128) + 4 units, or 16.7, as in `lines_in_perspective_are_the_models`, where ends may be
+/// farther apart. The rounding of a depth is less than one step.
 fn check_values(smooth: &[Seen<1>], [a, b]: [Point; 2], plain: &[Seen<1>]) {
     const UNITS: u32 = 33;
     let major = usize::from(a[0].abs_diff(b[0]) < a[1].abs_diff(b[1]));
@@ -109,7 +109,7 @@ fn check_values(smooth: &[Seen<1>], [a, b]: [Point; 2], plain: &[Seen<1>]) {
     }
 }
 
-/// On pixel corners, on centers, on any subpixel; in and around the picture.
+/// Positions in and around the picture: on pixel corners, on centers, on any subpixel.
 fn places() -> impl Strategy<Value = Point> {
     prop_oneof![
         [-10..100i32, -10..50].prop_map(|p| p.map(|at| at * 256)),
@@ -122,8 +122,8 @@ fn places() -> impl Strategy<Value = Point> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(400))]
 
-    /// Exactly the model's pixels, once each, from either end, with the values that the thin line has beside them; in
-    /// bands as in the frame. Width 1 is the thin line.
+    /// A wide line draws exactly the model's pixels, once each, from either end, in bands and in a frame. Each pixel
+    /// has the values of the thin line beside it. Width 1 is the thin line.
     #[test]
     fn wide_lines_are_the_models(ends in [places(), places()], half in prop_oneof![128..=8192i32, Just(128), 128..600i32], rows in 1..40u32) {
         let mvp = pixel_lens(SIZE);
@@ -153,12 +153,12 @@ proptest! {
         }
     }
 
-    /// An anti-aliased line, white on black, is the model's: every pixel's share is within 1.3/256, which its level shows
-    /// within 1.3 and half a step; the same from either end and in bands. On Rgb565, shares are rounded to 32nds,
-    /// an error of 1/64 more, of 31 or 63 steps.
+    /// An anti-aliased line, white on black, is the model's: every pixel's share has an error of at most 1.3/256, so
+    /// its level has one of at most 1.3 and half a step. The line is the same from either end and in bands. On Rgb565,
+    /// shares are rounded to 32nds: a further error of 1/64, of 31 or 63 steps.
     ///
-    /// Where the shares differ from 0, each pixel is drawn once; a pixel beside a plain line's has its values, and one
-    /// beyond its ends has theirs.
+    /// Each pixel with a share above 0 is drawn once. A pixel beside a plain line has the values of the plain line's
+    /// pixel there, and a pixel beyond the ends has the values of the end.
     #[test]
     fn smooth_lines_are_the_models(ends in [places(), places()], half in prop_oneof![128..=8192i32, Just(128), 128..600i32], rows in 1..40u32) {
         let mvp = pixel_lens(SIZE);
@@ -209,9 +209,11 @@ proptest! {
         }
     }
 
-    /// In perspective, bands of wide and of smooth lines have the bits of the frame.
+    /// In perspective, wide and smooth lines drawn in bands have the same bits as in a frame.
     #[test]
-    fn bands_of_lines_in_perspective(ends in [ahead(), ahead()], half in 128..=8192i32, rows in 1..40u32) {
+    fn bands_of_lines_in_perspective_equal_the_frame(
+        ends in [ahead(), ahead()], half in 128..=8192i32, rows in 1..40u32,
+    ) {
         let positions = ends.map(Vec3::from_bits);
         let edges = [[0, 1]];
         let mesh = Mesh::new(&positions, &[]).unwrap().with_edges(&edges).unwrap();
@@ -224,7 +226,7 @@ proptest! {
         prop_assert_eq!(smooth(rows), smooth(SIZE.1));
     }
 
-    /// In perspective too, pixels beside a plain line's have its depths and values.
+    /// In perspective too, pixels beside a plain line have its depths and values.
     #[test]
     fn smooth_lines_have_the_values_of_plain_ones(ends in [ahead(), ahead()], half in 128..600i32, opacity: u8) {
         let positions = ends.map(Vec3::from_bits);
@@ -239,21 +241,22 @@ proptest! {
             let end = |at: usize| canvas.project(&plain, mvp, positions[at]).map(|at| [at.x, at.y].map(Subpixel::to_bits));
             Some([end(0)?, end(1)?])
         };
-        // Without clipped ends, whose places on the screen only the crate knows.
+        // Skip lines with clipped ends, because only the crate knows where these are on the screen.
         let Some(ends) = canvas_ends(&mvp) else {
             return Ok(());
         };
         let thin = drawn(SIZE.1, &|frame, pen| frame.draw_edges(&plain, &mesh, &mvp, pen));
         check_values(&drawn(SIZE.1, &|frame, pen| frame.draw_edges(&plain.with_line(width.smooth()), &mesh, &mvp, pen)), ends, &thin);
-        // However its color is blended.
+        // Blending does not change depths and values.
         let glass = plain.with_blending(Opacity(opacity));
         check_values(&drawn(SIZE.1, &|frame, pen| frame.draw_edges(&glass.with_line(width.smooth()), &mesh, &mvp, pen)), ends, &thin);
         let light = plain.with_blending(Add);
         check_values(&drawn(SIZE.1, &|frame, pen| frame.draw_edges(&light.with_line(width.smooth()), &mesh, &mvp, pen)), ends, &thin);
     }
 
-    /// A square has the centers from half its size left of the point, or above, to half its size right, or below; the
-    /// last of them counts and the first does not. A disc has the centers within half its size, and the point's pixel.
+    /// A square covers the centers from half its size left of and above the point to half its size right of and below
+    /// it. Centers exactly on the right and lower sides count; those on the left and upper sides do not. A disc covers
+    /// the centers within half its size, and the pixel that contains the point.
     #[test]
     fn points_are_the_models(place in places(), bits in prop_oneof![1..=300i32 << 16, 1..1i32 << 19], is_round: bool, rows in 1..40u32) {
         let mvp = pixel_lens(SIZE);
@@ -281,8 +284,8 @@ proptest! {
         }
     }
 
-    /// Sizes in world space: half of one is size · focal length / distance / 2 pixels, or, under a parallel projection,
-    /// size · height of the frame / height of the window / 2.
+    /// Points with a size in world space: half of it is size · focal length / distance / 2 pixels, or, under a parallel
+    /// projection, size · height of the frame / height of the window / 2.
     #[test]
     fn attenuated_points_are_the_models(x in -2.0..2.0, z in -30.0..-0.6, size in 0.001..20., scale in 0.5..2., is_round: bool) {
         let (x, z, size, scale): (f64, f64, f64, f64) = (x, z, size, scale);
@@ -290,7 +293,7 @@ proptest! {
         let mesh = Mesh::new(&positions, &[]).unwrap();
         let size = Scalar::from_num(size).max(Scalar::from_bits(1));
         let style = if is_round { PointStyle::round(size) } else { PointStyle::square(size) }.unwrap().attenuated();
-        // A scale of the model moves the point, and leaves its size.
+        // A scale of the model moves the point, and does not change its size.
         let scale = Scalar::from_num(scale);
         let model = Transform::scale(scale);
         let world = model.point(positions[0]);
@@ -312,7 +315,8 @@ proptest! {
                 continue;
             };
             let half = half.clamp(0.5, 127.5);
-            // Rounded to the nearest 1/256, and t is greater than the distance by 2^-16 of it.
+            // Half a size is rounded to the nearest 1/256. The crate divides by t, which exceeds w / near by 2^-16 of
+            // it.
             let room = 0.5 / 256. + half * 2e-5 + 1e-9;
             let counts = counts(seen);
             for (pixel, &count) in Bounds::new(SIZE.0, SIZE.1).pixels().zip(&counts) {
@@ -331,9 +335,9 @@ proptest! {
     }
 }
 
-/// Outlines of a width have, around each line, its pixels: width 1 is a hairline.
+/// An outline of width 1 is the thin outline; a smooth one covers its pixels, and a wide one has more pixels.
 #[test]
-fn wide_outlines_are_outlines() {
+fn wide_outlines_widen_the_thin_outline() {
     static CAN: Mesh = shape!(cylinder(16));
     static RIMS: Outline = outline!(CAN, deg!(30));
     let projection = Projection::perspective(deg!(60), SIZE, fx!(0.5), fx!(32)).unwrap();
@@ -350,7 +354,7 @@ fn wide_outlines_are_outlines() {
         })
     };
     assert_eq!(wide(fx!(1)), thin);
-    // The center of a plain line's pixel is within half a pixel of the line.
+    // The center of each pixel of a plain line is within half a pixel of the line, so a smooth line draws it too.
     let smooth = options.with_line(LineWidth::new(fx!(1)).unwrap().smooth());
     let smooth = drawn(SIZE.1, &|frame, pen| {
         frame.draw_outline(&smooth, &CAN, &RIMS, &mvp, pen)
@@ -364,10 +368,13 @@ fn wide_outlines_are_outlines() {
     );
     let pixels = |seen: &[Seen<1>]| counts(seen).iter().filter(|&&count| count > 0).count();
     let (one, three) = (pixels(&thin), pixels(&wide(fx!(3))));
-    assert!(one > 60 && three > 2 * one, "{one} and {three}");
+    assert!(
+        one > 60 && three > 2 * one,
+        "{one} pixels at width 1, {three} at width 3"
+    );
 }
 
-/// The share of a line applies to what its blending makes.
+/// A smooth line mixes the background with the result of its blending, by the share of each pixel.
 #[test]
 fn blended_lines_are_the_models() {
     let ends = [[1500, 1200], [9000, 4700]];
@@ -393,7 +400,7 @@ fn blended_lines_are_the_models() {
     for (pixel, color) in Bounds::new(SIZE.0, SIZE.1).pixels().zip(&colors) {
         let share = share(screen, 2.5, center(pixel));
         let exact = over(over(240., 60., 100. / 255.), 60., share);
-        // The opacity, within 1/512, and the share, within 1.3/256, of 180 steps, and two roundings.
+        // The errors of the opacity, 1/512, and of the share, 1.3/256, times 180 steps; and two roundings.
         let room = 180. * (1. / 512. + 1.3 / 256.) + 1.;
         assert!(
             (f64::from(color.luma()) - exact).abs() <= room,

@@ -1,15 +1,15 @@
 //! Perspective-correct values at a point of a triangle, and their change from pixel to pixel.
 //!
-//! 1/w and attribute/w are linear on the screen. With the weights λᵢ of the
-//! corners, linear in x and y, N = Σ λᵢ aᵢ/wᵢ and D = Σ λᵢ/wᵢ, the attribute is a = N/D, and by the
-//! quotient rule ∂a/∂x = (∂N/∂x − a ∂D/∂x)/D.
+//! 1/w and attribute/w are linear on the screen. Let λᵢ be the weights of the corners, which are linear in x and y,
+//! N = Σ λᵢ aᵢ/wᵢ and D = Σ λᵢ/wᵢ. Then the attribute is a = N/D, and by the quotient rule
+//! ∂a/∂x = (∂N/∂x − a ∂D/∂x)/D.
 
 use super::coverage::{Corners, Snapped, area2, area2_f64, center, center_snapped, edge};
 
 /// Barycentric weights of a triangle's corners at a point; their sum is 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Barycentric {
-    /// The weights; negative for a corner whose opposite edge is between it and the point.
+    /// The weights. A corner's weight is negative if its opposite edge lies between it and the point.
     pub value: [f64; 3],
     /// Change per pixel to the right.
     pub dx: [f64; 3],
@@ -32,8 +32,8 @@ pub fn weights(t: &Corners, p: [f64; 2]) -> Option<Barycentric> {
     })
 }
 
-/// Barycentric weights at a pixel's center for snapped corners (24.8), from exact integers: each is the quotient
-/// of two integers, rounded three times.
+/// Barycentric weights at a pixel's center for snapped corners (24.8). Each is the quotient of two exact integers,
+/// rounded three times: both conversions to f64 and the division.
 pub fn weights_snapped(t: Snapped, pixel: [i32; 2]) -> Option<Barycentric> {
     let area = area2(t);
     if area == 0 {
@@ -42,7 +42,7 @@ pub fn weights_snapped(t: Snapped, pixel: [i32; 2]) -> Option<Barycentric> {
     let p = center_snapped(pixel);
     let next = |i: usize| t[(i + 1) % 3];
     let after = |i: usize| t[(i + 2) % 3];
-    // A difference of coordinates over an area is per 1/256 pixel.
+    // A difference of coordinates over an area is a change per 1/256 pixel.
     let per_pixel = |a: i32, b: i32| (f64::from(a) - f64::from(b)) * 256. / area as f64;
     Some(Barycentric {
         value: std::array::from_fn(|i| edge(next(i), after(i), p) as f64 / area as f64),
@@ -66,10 +66,10 @@ pub struct Value<const N: usize> {
     pub dy: [f64; N],
 }
 
-/// The perspective-correct value for given weights; `w` and `attributes` are the corners'.
+/// The perspective-correct value for given weights, from `w` and `attributes` at the corners.
 ///
-/// If all w are equal, this is linear interpolation. Outside the triangle 1/w may reach 0; beyond that point the
-/// value has no meaning.
+/// If all w are equal, this is linear interpolation. Outside the triangle 1/w may fall to 0; from there on the value
+/// has no meaning.
 pub fn interpolate<const N: usize>(
     weights: &Barycentric,
     w: [f64; 3],

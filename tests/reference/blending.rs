@@ -1,16 +1,16 @@
-//! Blending as formulas of f64: channels from 0 (black) to 1.
+//! Blending formulas in f64, for channels from 0 (black) to 1.
 
-/// A color that covers another by a share.
+/// Opacity: a color that covers another by a share from 0 to 1.
 pub fn over(above: f64, below: f64, share: f64) -> f64 {
     share * above + (1. - share) * below
 }
 
-/// Two lights on one place, at most white.
+/// The sum of two colors, clamped to white.
 pub fn add(a: f64, b: f64) -> f64 {
     (a + b).min(1.)
 }
 
-/// A light through a filter.
+/// The product of two colors: light through a filter.
 pub fn multiply(a: f64, b: f64) -> f64 {
     a * b
 }

@@ -1,8 +1,8 @@
-//! Polygons and segments against planes, in homogeneous coordinates (Sutherland–Hodgman).
+//! Polygons and segments clipped to planes, in homogeneous coordinates (Sutherland–Hodgman).
 
 use super::linear::Vec4;
 
-/// A half-space: inside where the dot product with a clip position is not negative.
+/// A half-space: a position in clip space is inside if its dot product with the plane is not negative.
 pub type Plane = Vec4;
 
 /// −w ≤ z.
@@ -23,24 +23,24 @@ pub const DEPTH_PLANES: [Plane; 2] = [NEAR, FAR];
 /// All six planes of the view volume.
 pub const ALL_PLANES: [Plane; 6] = [NEAR, FAR, LEFT, RIGHT, BOTTOM, TOP];
 
-/// A vertex in clip space with its values.
+/// A vertex in clip space with its attributes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ClipVertex<const N: usize> {
-    /// Clip space.
+    /// Position in clip space.
     pub position: Vec4,
-    /// Values that are linear in space.
+    /// Attributes, which are linear in space.
     pub attributes: [f64; N],
     /// The mesh position's index; `None` for a vertex that clipping made.
     pub source: Option<usize>,
 }
 
-/// How far inside a plane a position is, in units of w; negative outside.
+/// The distance of a position from a plane, in units of w: positive inside, negative outside.
 pub fn side(plane: &Plane, position: &Vec4) -> f64 {
     plane.iter().zip(position).map(|(a, b)| a * b).sum()
 }
 
-/// The point where an edge meets a plane, always computed from the inside end to the outside end, so that two
-/// polygons sharing the edge get the same bits.
+/// The point where an edge meets a plane. It is always computed from the inside end to the outside end, so that two
+/// polygons that share the edge get the same bits.
 fn cut<const N: usize>(
     inside: &ClipVertex<N>,
     outside: &ClipVertex<N>,
@@ -59,7 +59,7 @@ fn cut<const N: usize>(
     }
 }
 
-/// The part of a convex polygon inside all `planes`, with its winding; empty if there is none.
+/// The part of a convex polygon inside all `planes`, of the same winding; empty if there is none.
 pub fn polygon<const N: usize>(vertices: &[ClipVertex<N>], planes: &[Plane]) -> Vec<ClipVertex<N>> {
     let mut inside = vertices.to_vec();
     for plane in planes {
@@ -101,7 +101,7 @@ pub fn segment<const N: usize>(
     Some([start, end])
 }
 
-/// A convex polygon as triangles that all start at its first vertex, with its winding.
+/// A convex polygon as triangles that all start at its first vertex, of the same winding.
 pub fn fan<const N: usize>(polygon: &[ClipVertex<N>]) -> Vec<[ClipVertex<N>; 3]> {
     (1..polygon.len().max(2) - 1)
         .map(|i| [polygon[0], polygon[i], polygon[i + 1]])

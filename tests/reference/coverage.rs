@@ -1,4 +1,4 @@
-//! The pixel centers that a triangle covers, by half-spaces and the top-left rule.
+//! The pixel centers that a triangle covers, from half-spaces and the top-left rule.
 //!
 //! A center is covered if it is inside all three edges. A center exactly on an edge is covered if the edge is a top
 //! edge (horizontal, with the triangle below it) or a left edge (with the triangle to its right). Every center is
@@ -10,21 +10,21 @@ pub type Snapped = [[i32; 2]; 3];
 /// Corners on the screen in pixels, x right and y down.
 pub type Corners = [[f64; 2]; 3];
 
-/// A rectangle of pixels; right and bottom are the first ones outside.
+/// A rectangle of pixels; `right` and `bottom` are exclusive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bounds {
     /// First column.
     pub left: i32,
     /// First row.
     pub top: i32,
-    /// Column after the last.
+    /// The column after the last one.
     pub right: i32,
-    /// Row after the last.
+    /// The row after the last one.
     pub bottom: i32,
 }
 
 impl Bounds {
-    /// A picture of `width` x `height` pixels at the origin.
+    /// The bounds of a picture of `width` x `height` pixels at the origin.
     pub fn new(width: u32, height: u32) -> Self {
         Self {
             left: 0,
@@ -44,12 +44,12 @@ impl Bounds {
         }
     }
 
-    /// The part of these bounds that holds every center within `margin` pixels of the corners' box.
+    /// The part of these bounds that contains every center within `margin` pixels of the corners' bounding box.
     pub fn around(self, corners: &Corners, margin: f64) -> Self {
         let range = |axis: usize| {
             let low = corners.iter().map(|c| c[axis]).fold(f64::MAX, f64::min);
             let high = corners.iter().map(|c| c[axis]).fold(f64::MIN, f64::max);
-            // `as` saturates; one more pixel on each side makes ties irrelevant.
+            // `as` saturates. One more pixel on each side includes centers exactly at the limit.
             let low = (low - margin).floor() as i32;
             let high = (high + margin).ceil() as i32;
             (low.saturating_sub(1), high.saturating_add(1))
@@ -79,8 +79,8 @@ pub fn center([x, y]: [i32; 2]) -> [f64; 2] {
     [x, y].map(|at| f64::from(at) + 0.5)
 }
 
-/// (b − a) × (p − a), exact for any input: twice the area of a, b, p in 1/256² pixel², positive
-/// when they run clockwise on the screen (y down).
+/// (b − a) × (p − a), exact for any input: twice the area of the triangle a, b, p in 1/256² pixel²,
+/// positive if it runs clockwise on the screen (y down).
 pub fn edge(a: [i32; 2], b: [i32; 2], p: [i64; 2]) -> i128 {
     let [ax, ay, bx, by] = [a[0], a[1], b[0], b[1]].map(i128::from);
     let [px, py] = p.map(i128::from);
@@ -88,7 +88,7 @@ pub fn edge(a: [i32; 2], b: [i32; 2], p: [i64; 2]) -> i128 {
 }
 
 /// Twice the signed area in 1/256² pixel²: positive for corners that run clockwise on the screen
-/// (y down), so negative for a front face, which is counter-clockwise as seen.
+/// (y down), so negative for a front face, whose corners run counter-clockwise.
 pub fn area2(t: Snapped) -> i128 {
     edge(t[0], t[1], t[2].map(i64::from))
 }
@@ -99,13 +99,13 @@ pub fn area2_f64(t: &Corners) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/// Whether an edge of a triangle that runs clockwise on the screen owns the centers on it: a top
+/// Whether an edge owns the centers on it, in a triangle that runs clockwise on the screen: a top
 /// edge runs right, a left edge runs up.
 fn is_top_left<T: PartialOrd>(a: &[T; 2], b: &[T; 2]) -> bool {
     b[1] < a[1] || (b[1] == a[1] && b[0] > a[0])
 }
 
-/// The edges of a triangle of either winding, clockwise on the screen; none if it has no area.
+/// The edges of a triangle of either winding, in clockwise order on the screen; `None` without area.
 fn edges(t: Snapped) -> Option<[[[i32; 2]; 2]; 3]> {
     let [a, b, c] = t;
     match area2(t) {
@@ -129,10 +129,10 @@ pub fn covers(t: Snapped, pixel: [i32; 2]) -> bool {
     edges(t).is_some_and(|edges| is_inside(&edges, pixel))
 }
 
-/// The same for corners that were not snapped, at any point.
+/// Whether a triangle of either winding, with corners that were not snapped, covers a point.
 ///
-/// An edge gives the same value whichever triangle asks (its ends are ordered first), so triangles
-/// sharing it leave no gap and no overlap even in rounded arithmetic.
+/// The ends of an edge are sorted first, so it has the same value in both triangles that share it:
+/// even in rounded arithmetic, they leave no gap and do not overlap.
 pub fn covers_f64(t: &Corners, p: [f64; 2]) -> bool {
     let [a, b, c] = *t;
     let [a, b, c] = match area2_f64(t) {
@@ -163,8 +163,8 @@ pub fn covered(t: Snapped, width: u32, height: u32) -> impl Iterator<Item = [i32
     covered_in(t, Bounds::new(width, height))
 }
 
-/// How many of the triangles cover each pixel, in row order: 1 throughout the interior of a mesh whose triangles
-/// adjoin, whatever its vertices.
+/// How many of the triangles cover each pixel, in row order. If adjoining triangles tile an area without overlap, the
+/// count is 1 everywhere inside it.
 pub fn counts(triangles: &[Snapped], width: u32, height: u32) -> Vec<u32> {
     let mut counts = vec![0; width as usize * height as usize];
     for &triangle in triangles {
@@ -175,7 +175,7 @@ pub fn counts(triangles: &[Snapped], width: u32, height: u32) -> Vec<u32> {
     counts
 }
 
-/// Counts as text, a line per row: `.` for none, then `1` to `9`, `+` for more.
+/// Counts as text, one line per row: `.` for 0, then `1` to `9`, `+` for more.
 pub fn picture(counts: &[u32], width: u32) -> Vec<String> {
     let character = |&count: &u32| match count {
         0 => '.',

@@ -2,7 +2,7 @@
 
 use super::coverage::{Corners, area2_f64};
 
-/// The fraction, 0 to 1, of the segment's point that is closest to `p`; 0 for a segment without length.
+/// The fraction along a segment, 0 to 1, of its point closest to `p`; 0 for a segment without length.
 pub fn closest(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> f64 {
     let along = [b[0] - a[0], b[1] - a[1]];
     let square = along[0] * along[0] + along[1] * along[1];

@@ -1,11 +1,11 @@
-//! Fog: what is left of a surface at a distance.
+//! Fog: the part of a surface's color, 0 to 1, that shows through at a distance.
 
-/// What is left between two distances, where the fog begins and where it hides everything.
+/// Fog that begins at the distance `near` and hides everything from `far` on.
 pub fn linear(distance: f64, near: f64, far: f64) -> f64 {
     ((far - distance) / (far - near)).clamp(0., 1.)
 }
 
-/// What is left in fog that is equally thick everywhere.
+/// Fog of constant density.
 pub fn exponential(distance: f64, density: f64) -> f64 {
     (-density * distance).exp().min(1.)
 }

@@ -9,7 +9,7 @@ pub struct Point {
     pub normal: Vec3,
 }
 
-/// How light falls off, as a function of distance over range.
+/// How light falls off with `part`, the distance relative to the range.
 #[derive(Clone, Copy, Debug)]
 pub enum Falloff {
     Smooth,
@@ -30,7 +30,7 @@ impl Falloff {
     }
 }
 
-/// A light: what reaches a point of it, and from where.
+/// A light source.
 #[derive(Clone, Copy, Debug)]
 pub enum Source {
     Sun {
@@ -42,13 +42,13 @@ pub enum Source {
         brightness: f64,
         range: f64,
         falloff: Falloff,
-        /// Axis, and the cosines of the inner and the outer angle.
+        /// The axis, and the cosines of the inner and the outer angle.
         cone: Option<(Vec3, [f64; 2])>,
     },
 }
 
 impl Source {
-    /// The unit vector toward the light, and its strength.
+    /// The unit vector from a point toward the light, and the light's strength at the point.
     pub fn ray(&self, at: Vec3) -> (Vec3, f64) {
         match *self {
             Self::Sun { toward, brightness } => (normalized(toward), brightness),
@@ -74,13 +74,13 @@ impl Source {
         }
     }
 
-    /// Lambert's law.
+    /// Diffuse brightness by Lambert's law.
     pub fn diffuse(&self, point: Point) -> f64 {
         let (toward, strength) = self.ray(point.at);
         strength * dot(point.normal, toward).max(0.)
     }
 
-    /// Blinn and Phong's highlight, for a unit vector toward the viewer.
+    /// Specular brightness by Blinn and Phong, for a unit vector toward the viewer.
     pub fn specular(&self, point: Point, viewer: Vec3, exponent: i32) -> f64 {
         let (toward, strength) = self.ray(point.at);
         if dot(point.normal, toward) <= 0. {

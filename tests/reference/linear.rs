@@ -41,20 +41,20 @@ pub fn length(v: Vec3) -> f64 {
     dot(v, v).sqrt()
 }
 
-/// v/‖v‖; not a number for the zero vector.
+/// v/‖v‖; NaN for the zero vector.
 pub fn normalized(v: Vec3) -> Vec3 {
     let length = length(v);
     v.map(|x| x / length)
 }
 
-/// a · b: first `b`, then `a`.
+/// a · b: applies first `b`, then `a`.
 pub fn multiply(a: &Matrix, b: &Matrix) -> Matrix {
     std::array::from_fn(|row| {
         std::array::from_fn(|column| (0..4).map(|k| a[row][k] * b[k][column]).sum())
     })
 }
 
-/// The product of all matrices in the order written: the last one acts first. `IDENTITY` for none.
+/// The product of matrices in the order written: the last one acts first. `IDENTITY` for an empty list.
 pub fn product(matrices: &[Matrix]) -> Matrix {
     matrices
         .iter()
@@ -71,20 +71,20 @@ pub fn apply_point(m: &Matrix, p: Vec3) -> Vec4 {
     apply(m, [p[0], p[1], p[2], 1.])
 }
 
-/// M · (p, 1) of an affine `m`, whose last row is (0, 0, 0, 1).
+/// M · (p, 1) for an affine `m`, whose last row is (0, 0, 0, 1).
 pub fn point(m: &Matrix, p: Vec3) -> Vec3 {
     let [x, y, z, _] = apply_point(m, p);
     [x, y, z]
 }
 
-/// M · (v, 0) of an affine `m`: no translation.
+/// M · (v, 0) for an affine `m`: its translation does not apply.
 pub fn direction(m: &Matrix, v: Vec3) -> Vec3 {
     let [x, y, z, _] = apply(m, [v[0], v[1], v[2], 0.]);
     [x, y, z]
 }
 
-/// The direction of a surface normal after `m`: the inverse transpose of its linear part, to unit
-/// length; `None` if `m` has no inverse.
+/// A surface normal transformed by the inverse transpose of the linear part of `m`, to unit length;
+/// `None` if `m` has no inverse.
 pub fn normal(m: &Matrix, n: Vec3) -> Option<Vec3> {
     let inverse = inverse(m)?;
     Some(normalized(std::array::from_fn(|i| {
@@ -92,7 +92,7 @@ pub fn normal(m: &Matrix, n: Vec3) -> Option<Vec3> {
     })))
 }
 
-/// Moves by `by`.
+/// Translates by `by`.
 pub fn translate(by: Vec3) -> Matrix {
     let mut m = IDENTITY;
     for (row, by) in m.iter_mut().zip(by) {
@@ -110,7 +110,7 @@ pub fn scale(by: Vec3) -> Matrix {
     m
 }
 
-/// About the x axis, y towards z.
+/// Rotates about the x axis, y towards z.
 pub fn rotate_x(angle: f64) -> Matrix {
     let (s, c) = angle.sin_cos();
     [
@@ -121,7 +121,7 @@ pub fn rotate_x(angle: f64) -> Matrix {
     ]
 }
 
-/// About the y axis, z towards x.
+/// Rotates about the y axis, z towards x.
 pub fn rotate_y(angle: f64) -> Matrix {
     let (s, c) = angle.sin_cos();
     [
@@ -132,7 +132,7 @@ pub fn rotate_y(angle: f64) -> Matrix {
     ]
 }
 
-/// About the z axis, x towards y.
+/// Rotates about the z axis, x towards y.
 pub fn rotate_z(angle: f64) -> Matrix {
     let (s, c) = angle.sin_cos();
     [
@@ -143,7 +143,7 @@ pub fn rotate_z(angle: f64) -> Matrix {
     ]
 }
 
-/// About any axis, counter-clockwise as seen from the axis' tip (Rodrigues' formula).
+/// Rotates about any axis, counter-clockwise seen from the axis' tip (Rodrigues' formula).
 pub fn rotate(axis: Vec3, angle: f64) -> Matrix {
     let k = normalized(axis);
     let (s, c) = angle.sin_cos();
@@ -159,9 +159,9 @@ pub fn rotate(axis: Vec3, angle: f64) -> Matrix {
     m
 }
 
-/// World to eye: k = (eye − target)/‖·‖, i = up × k/‖·‖, j = k × i.
+/// World space to eye space, with the axes k = (eye − target)/‖·‖, i = up × k/‖·‖, j = k × i.
 ///
-/// `None` where eye and target coincide or `up` is parallel to the view, to within 1e-12.
+/// `None` if eye and target coincide or `up` is parallel to the line of sight, to within 1e-12.
 pub fn look_at(eye: Vec3, target: Vec3, up: Vec3) -> Option<Matrix> {
     let back = subtract(eye, target);
     let side = cross(up, back);

@@ -9,27 +9,27 @@ pub fn depth(z0: f64, z1: f64, q: f64) -> f64 {
     1. / (1. / z0 + q * (1. / z1 - 1. / z0))
 }
 
-/// The fraction in space at fraction `q` on the screen.
+/// The fraction in space of the point at fraction `q` on the screen.
 pub fn fraction_in_space(z0: f64, z1: f64, q: f64) -> f64 {
     q * z0 / (z1 - q * (z1 - z0))
 }
 
-/// The fraction on the screen at fraction `t` in space.
+/// The fraction on the screen of the point at fraction `t` in space.
 pub fn fraction_on_screen(z0: f64, z1: f64, t: f64) -> f64 {
     t * z1 / (z0 + t * (z1 - z0))
 }
 
-/// a at q = 0, b at q = 1.
+/// Linear interpolation: a at q = 0, b at q = 1.
 pub fn lerp(a: f64, b: f64, q: f64) -> f64 {
     a + q * (b - a)
 }
 
-/// The fraction g in space of homogeneous coordinates: q / lerp(w1/w0, 1, q).
+/// The fraction in space of the point at `q` on the screen, from homogeneous w: q / lerp(w1/w0, 1, q).
 pub fn homogeneous_fraction(w0: f64, w1: f64, q: f64) -> f64 {
     q / lerp(w1 / w0, 1., q)
 }
 
-/// The value there: lerp(A/w0, B/w1, q) / lerp(1/w0, 1/w1, q).
+/// The perspective-correct value at `q` on the screen: lerp(a/w0, b/w1, q) / lerp(1/w0, 1/w1, q).
 pub fn interpolate(a: f64, b: f64, w0: f64, w1: f64, q: f64) -> f64 {
     lerp(a / w0, b / w1, q) / lerp(1. / w0, 1. / w1, q)
 }
@@ -47,7 +47,7 @@ pub struct Line<const N: usize> {
     pub attributes: [[f64; N]; 2],
 }
 
-/// The values of a line at a fraction of its way on the screen.
+/// The values of a line at one point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineValue<const N: usize> {
     /// Position in pixels.
@@ -92,21 +92,21 @@ impl<const N: usize> Line<N> {
         }
     }
 
-    /// The fraction where the line, extended to infinity, has this x (axis 0) or y (axis 1) in pixels, for lines
-    /// drawn by column or by row. Infinite or not a number if it never has.
+    /// The fraction at which the infinite line reaches this x (axis 0) or y (axis 1) in pixels, for lines drawn by
+    /// column or by row. Infinite or NaN if the line is parallel to the other axis.
     pub fn fraction_at(&self, axis: usize, at: f64) -> f64 {
         let [start, end] = self.screen.map(|point| point[axis]);
         (at - start) / (end - start)
     }
 
-    /// The fraction, 0 to 1, of the line's point that is closest to a point in pixels.
+    /// The fraction on the screen, 0 to 1, of the line's point closest to a point in pixels.
     pub fn closest(&self, p: [f64; 2]) -> f64 {
         closest(self.screen[0], self.screen[1], p)
     }
 }
 
-/// The share of a pixel with this center that an anti-aliased line of a width covers: the part of a pixel's width that
-/// is within half the line's width of the segment, as if the line's border were straight and parallel to the pixel's.
+/// The share of a pixel with this center that an anti-aliased line of this width covers: the part of the pixel's width
+/// within half the line's width of the segment, as if the line's border were parallel to a side of the pixel.
 pub fn share(ends: [[f64; 2]; 2], width: f64, center: [f64; 2]) -> f64 {
     let [a, b] = ends;
     (width / 2. + 0.5 - to_segment(a, b, center)).clamp(0., 1.)

@@ -1,4 +1,4 @@
-//! Normals of a mesh that has none: means of its triangles' normals, weighted by their angles.
+//! Smooth normals: at each position, the mean of its triangles' normals, weighted by their angles there.
 
 type V = [f64; 3];
 
@@ -18,7 +18,7 @@ fn cross(a: V, b: V) -> V {
     ]
 }
 
-/// The vector of length one; not a number for zero.
+/// The vector scaled to length one; NaN for the zero vector.
 pub fn unit(v: V) -> V {
     v.map(|x| x / dot(v, v).sqrt())
 }
@@ -29,12 +29,12 @@ pub fn angle(a: V, b: V) -> f64 {
     dot(c, c).sqrt().atan2(dot(a, b))
 }
 
-/// The normal of a triangle.
+/// The unit normal of a triangle.
 pub fn of_triangle([a, b, c]: [V; 3]) -> V {
     unit(cross(minus(b, a), minus(c, a)))
 }
 
-/// The sum of the weighted normals around a position, of those triangles whose normals are accepted, and of the weights.
+/// The sum of the weighted normals around a position, and of their weights, over the triangles with accepted normals.
 pub fn around(
     position: usize,
     positions: &[V],

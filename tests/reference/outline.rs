@@ -1,17 +1,17 @@
-//! The edges of a mesh, their faces and the angles between these.
+//! The edges of a mesh, their faces, and the angles between the faces.
 
 use std::collections::HashMap;
 
 use super::linear::{Vec3, cross, dot, length, subtract};
 
-/// An edge between two places, with the faces on its left and right.
+/// An edge between two positions, with the faces on its left and right.
 #[derive(Clone, Debug)]
 pub struct Edge {
-    /// The places of the ends.
+    /// The positions of the ends.
     pub ends: [Vec3; 2],
-    /// The faces beside it, as numbers of the list: one at a border.
+    /// The indices of the faces beside the edge: two, or one at a border.
     pub faces: Vec<usize>,
-    /// The angle between the normals of its two faces, in radians; `None` at a border.
+    /// The angle between the normals of the two faces, in radians; `None` at a border.
     pub angle: Option<f64>,
 }
 
@@ -55,8 +55,8 @@ pub fn edges(triangles: &[[Vec3; 3]]) -> Vec<Edge> {
     edges
 }
 
-/// Whether an edge of an outline is drawn, if its faces turn these sides to the eye: 1 for the front, −1 for the back,
-/// 0 for neither, or no face. `culled` are the sides that are not drawn.
+/// Whether an edge of an outline is drawn. `sides` are the sides that its two faces turn to the eye: 1 for the front,
+/// −1 for the back, 0 for neither or for no face. Faces that show a side in `culled` are not drawn.
 pub fn is_drawn(sides: [i32; 2], is_crease: bool, culled: &[i32]) -> bool {
     let visible = sides
         .iter()

@@ -2,19 +2,19 @@
 
 use super::linear::{IDENTITY, Matrix, Vec3, Vec4, multiply};
 
-/// Depth as stored at the near plane.
+/// The stored depth at the near plane.
 pub const DEPTH_MAX: f64 = 65535.;
 
-/// The direction of rays, which determines how depth falls.
+/// The kind of projection, which determines how depth falls with distance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// Through the eye; homogeneous w is the distance ahead.
+    /// Rays meet in the eye; homogeneous w is the distance ahead.
     Perspective,
-    /// Parallel; homogeneous w is 1.
+    /// Rays are parallel; homogeneous w is 1.
     Parallel,
 }
 
-/// A projection with its planes.
+/// A projection with its near and far planes.
 ///
 /// Clip space is OpenGL's: −w ≤ x, y, z ≤ w, the near plane at z = −w.
 #[derive(Clone, Copy, Debug)]
@@ -30,7 +30,7 @@ pub struct Lens {
 }
 
 impl Lens {
-    /// The distance ahead of the eye, −z in eye space, of a point in clip space.
+    /// The distance of a point in clip space ahead of the eye: −z in eye space.
     pub fn distance(&self, clip: Vec4) -> f64 {
         match self.kind {
             Kind::Perspective => clip[3],
@@ -42,8 +42,8 @@ impl Lens {
         }
     }
 
-    /// Depth at a distance ahead, before it is rounded down to a u16: 65535 at the near plane and
-    /// falling, 65535·n/d for perspective, 65535·(f − d)/(f − n) for parallel rays.
+    /// Depth at the distance d ahead, before it is rounded down to a u16. It falls from 65535 at the near
+    /// plane: 65535·n/d for perspective, 65535·(f − d)/(f − n) for parallel rays.
     pub fn depth(&self, distance: f64) -> f64 {
         match self.kind {
             Kind::Perspective => DEPTH_MAX * self.near / distance,
@@ -51,7 +51,7 @@ impl Lens {
         }
     }
 
-    /// The distance with this depth: the inverse of [`depth`](Self::depth).
+    /// The distance at which a surface has this depth: the inverse of [`depth`](Self::depth).
     pub fn distance_at_depth(&self, depth: f64) -> f64 {
         match self.kind {
             Kind::Perspective => DEPTH_MAX * self.near / depth,
@@ -60,7 +60,7 @@ impl Lens {
     }
 }
 
-/// Off-center perspective, as in OpenGL; the edges are those of the window on the near plane.
+/// Off-center perspective, as in OpenGL: left, right, bottom and top of the window on the near plane, near and far.
 pub fn frustum(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Lens {
     Lens {
         matrix: [
@@ -89,15 +89,15 @@ pub fn perspective(fov: f64, aspect: f64, near: f64, far: f64) -> Lens {
     frustum(l, r, b, t, near, far)
 }
 
-/// Symmetric perspective of a focal length in pixels on a picture of width x height pixels:
-/// x = width/2 + focal·x/−z on the screen.
+/// Symmetric perspective by a focal length in pixels, for a picture of width x height pixels:
+/// screen x = width/2 + focal·x/−z.
 pub fn focal(focal: f64, size: (u32, u32), near: f64, far: f64) -> Lens {
     let right = near * f64::from(size.0) / (2. * focal);
     let top = near * f64::from(size.1) / (2. * focal);
     frustum(-right, right, -top, top, near, far)
 }
 
-/// Parallel rays along −z: the box to the canonical cube.
+/// Parallel rays along −z: maps the box to the canonical cube.
 pub fn orthographic(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Lens {
     Lens {
         matrix: [
@@ -127,18 +127,18 @@ pub fn oblique(angle: f64, ratio: f64, (l, r, b, t): (f64, f64, f64, f64), n: f6
     }
 }
 
-/// [`oblique`] with depth at full length.
+/// [`oblique`] that shows receding edges at their full length.
 pub fn cavalier(angle: f64, window: (f64, f64, f64, f64), near: f64, far: f64) -> Lens {
     oblique(angle, 1., window, near, far)
 }
 
-/// [`oblique`] with depth at half its length.
+/// [`oblique`] that shows receding edges at half their length.
 pub fn cabinet(angle: f64, window: (f64, f64, f64, f64), near: f64, far: f64) -> Lens {
     oblique(angle, 0.5, window, near, far)
 }
 
-/// The perspective transform alone: (n·x, n·y)/−z, and −z to (n + f) − nf/−z, in eye space with z
-/// negative ahead; an orthographic projection after it makes a [`frustum`].
+/// The perspective transform alone: maps x and y to (n·x, n·y)/−z, and −z to (n + f) − nf/−z; z is
+/// negative ahead of the eye. An orthographic projection after it makes a [`frustum`].
 pub fn perspective_transform(n: f64, f: f64) -> Matrix {
     [
         [n, 0., 0., 0.],
@@ -148,17 +148,17 @@ pub fn perspective_transform(n: f64, f: f64) -> Matrix {
     ]
 }
 
-/// (−n x/z, −n y/z): a point projected on the plane at distance n; `None` at z = 0.
+/// A point projected onto the plane at distance n: (−n x/z, −n y/z); `None` at z = 0.
 pub fn project_on_plane(p: Vec3, n: f64) -> Option<[f64; 2]> {
     (p[2] != 0.).then(|| [-n * p[0] / p[2], -n * p[1] / p[2]])
 }
 
-/// The point where lines of a direction meet on the plane at distance n; `None` for lines parallel to it.
+/// The point on the plane at distance n where lines of a direction meet; `None` for lines parallel to the plane.
 pub fn vanishing_point(direction: Vec3, n: f64) -> Option<[f64; 2]> {
     project_on_plane(direction, n)
 }
 
-/// ∂x'/∂t of a point P + t·v projected on the plane at distance n.
+/// ∂x'/∂t, where x' is the image of the point P + t·v on the plane at distance n.
 pub fn speed(p: Vec3, v: Vec3, t: f64, n: f64) -> f64 {
     -n * (v[0] * p[2] - p[0] * v[2]) / (p[2] + v[2] * t).powi(2)
 }

@@ -1,8 +1,8 @@
-//! A mesh to a picture: every surface at every pixel, with its values.
+//! A mesh drawn as a picture: every surface at every pixel, with its values.
 //!
-//! There are two steps, so that a test may inspect or modify the pieces in between: [`pieces`] projects, clips and
-//! culls; [`render`] evaluates each piece at each pixel. To judge a rasterizer apart from its rounding of vertices,
-//! give the pieces its own snapped corners: [`Piece::snap`].
+//! There are separate steps, so that a test may inspect or modify the pieces in between: [`pieces`] projects and clips,
+//! [`culled`] culls, and [`render`] evaluates each piece at each pixel. To judge a rasterizer apart from its rounding
+//! of vertices, give the pieces the rasterizer's own snapped corners: [`Piece::snap`].
 
 use super::attributes::{Value, at_pixel, at_pixel_snapped};
 use super::clip::{ClipVertex, DEPTH_PLANES, Plane, fan, polygon};
@@ -12,7 +12,7 @@ use super::linear::{Vec3, Vec4};
 use super::projection::Lens;
 use super::view::{View, Viewport, unsnap};
 
-/// The faces that are culled. Front faces run counter-clockwise as seen.
+/// The faces that are culled. Front faces run counter-clockwise on the screen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cull {
     /// None.
@@ -24,7 +24,7 @@ pub enum Cull {
 }
 
 impl Cull {
-    /// Whether a triangle with this winding is kept.
+    /// Whether a triangle of this winding is kept.
     fn keeps(self, clockwise: bool) -> bool {
         match self {
             Cull::Nothing => true,
@@ -45,12 +45,12 @@ pub struct Mesh<'a, const N: usize> {
     pub attributes: &'a [[[f64; N]; 3]],
 }
 
-/// A triangle on the screen: a face of the mesh, or a part of one that was clipped.
+/// A triangle on the screen: a face of the mesh, or a part of a clipped face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece<const N: usize> {
     /// The face's index in the mesh.
     pub face: usize,
-    /// Each corner's position index; `None` for a corner that clipping made.
+    /// The index of each corner's position; `None` for a corner that clipping made.
     pub sources: [Option<usize>; 3],
     /// Corners in clip space.
     pub clip: [Vec4; 3],
@@ -67,12 +67,12 @@ pub struct Piece<const N: usize> {
 }
 
 impl<const N: usize> Piece<N> {
-    /// The piece with its corners snapped by `snap`, in 24.8; w, distance and attributes stay.
+    /// The piece with corners snapped by `snap`, in 24.8; w, distance and attributes stay the same.
     pub fn snap(self, snap: impl Fn(Option<usize>, Vec4) -> [i32; 2]) -> Self {
         self.snapped_to(std::array::from_fn(|i| snap(self.sources[i], self.clip[i])))
     }
 
-    /// The piece with these corners, in 24.8; w, distance and attributes stay.
+    /// The piece with these corners, in 24.8; w, distance and attributes stay the same.
     pub fn snapped_to(self, corners: Snapped) -> Self {
         Self {
             screen: corners.map(unsnap),
@@ -81,7 +81,7 @@ impl<const N: usize> Piece<N> {
         }
     }
 
-    /// Whether the corners run clockwise on the screen, as a back face does; `None` without area.
+    /// Whether the corners run clockwise on the screen, as those of a back face do; `None` without area.
     pub fn clockwise(&self) -> Option<bool> {
         match self.snapped {
             Some(corners) => match area2(corners) {
@@ -95,7 +95,7 @@ impl<const N: usize> Piece<N> {
         }
     }
 
-    /// The values at a pixel's center, inside or not; `None` without area.
+    /// The values at a pixel's center, inside the piece or not; `None` without area.
     pub fn at(&self, pixel: [i32; 2]) -> Option<Value<N>> {
         match self.snapped {
             Some(corners) => at_pixel_snapped(corners, self.w, &self.attributes, pixel),
@@ -103,7 +103,7 @@ impl<const N: usize> Piece<N> {
         }
     }
 
-    /// The distance ahead of the eye at a pixel's center, inside or not; `None` without area.
+    /// The distance ahead of the eye at a pixel's center, inside the piece or not; `None` without area.
     pub fn distance_at(&self, pixel: [i32; 2]) -> Option<f64> {
         let distance = self.distance.map(|d| [d]);
         let value = match self.snapped {
@@ -113,7 +113,7 @@ impl<const N: usize> Piece<N> {
         value.map(|value| value.attributes[0])
     }
 
-    /// Whether the piece covers a pixel's center, top-left rule.
+    /// Whether the piece covers a pixel's center, by the top-left rule.
     pub fn covers(&self, pixel: [i32; 2]) -> bool {
         match self.snapped {
             Some(corners) => covers(corners, pixel),
@@ -122,13 +122,13 @@ impl<const N: usize> Piece<N> {
     }
 }
 
-/// The mesh's triangles on the screen, clipped to the near and far planes and not yet culled; the bounds of
-/// [`render`] take care of the view's sides.
+/// The mesh's triangles on the screen, clipped to the near and far planes and not yet culled. [`render`] leaves out
+/// pixels beyond the sides of the view.
 pub fn pieces<const N: usize>(mesh: &Mesh<'_, N>, view: &View) -> Vec<Piece<N>> {
     pieces_clipped(mesh, view, &DEPTH_PLANES)
 }
 
-/// The same, clipped to `planes`, which must keep w positive.
+/// The mesh's triangles on the screen, clipped to `planes`, which must keep w positive.
 pub fn pieces_clipped<const N: usize>(
     mesh: &Mesh<'_, N>,
     view: &View,
@@ -159,13 +159,13 @@ pub fn pieces_clipped<const N: usize>(
     pieces
 }
 
-/// The pieces that a culling mode keeps; pieces without area are dropped in any mode.
+/// The pieces that a culling mode keeps; every mode drops pieces without area.
 pub fn culled<const N: usize>(mut pieces: Vec<Piece<N>>, cull: Cull) -> Vec<Piece<N>> {
     pieces.retain(|piece| piece.clockwise().is_some_and(|side| cull.keeps(side)));
     pieces
 }
 
-/// A surface at a pixel.
+/// A surface at one pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit<const N: usize> {
     /// The face's index in the mesh.
@@ -191,9 +191,9 @@ pub struct Picture<const N: usize> {
 
 /// Evaluates pieces at the pixels of a width x height canvas that are inside the viewport.
 ///
-/// `margin` is in pixels. 0 finds the pieces that cover a center; a larger one also finds those within that distance,
-/// with their planes extended to the center. Rounding vertices by up to `margin` may put such a neighbor there
-/// instead.
+/// A `margin` of 0 finds the pieces that cover a pixel's center. A larger one, in pixels, also finds the pieces within
+/// that distance of the center, and extends their planes to it: if vertices are rounded by up to `margin`, such a
+/// neighbor may cover the center instead.
 pub fn render<const N: usize>(
     pieces: &[Piece<N>],
     projection: &Lens,
@@ -213,7 +213,7 @@ pub fn render<const N: usize>(
             let gap = if piece.covers(pixel) {
                 0.
             } else if margin > 0. {
-                // A center on an edge that belongs to the neighbor is near, not covered.
+                // A center on an edge that the neighbor owns has the distance 0, but is not covered.
                 to_triangle(&piece.screen, center(pixel)).max(f64::MIN_POSITIVE)
             } else {
                 continue;
@@ -224,7 +224,7 @@ pub fn render<const N: usize>(
             let (Some(value), Some(distance)) = (piece.at(pixel), piece.distance_at(pixel)) else {
                 continue;
             };
-            // The plane is extended past its horizon.
+            // The extended plane ends at its horizon.
             if !(value.w > 0. && value.w.is_finite()) {
                 continue;
             }
@@ -241,8 +241,8 @@ pub fn render<const N: usize>(
     Picture { width, hits }
 }
 
-/// Projects, clips to near and far, culls and renders: the unsnapped picture of a mesh in one call, on a canvas of
-/// the viewport's size.
+/// Draws the unsnapped picture of a mesh in one call: projects, clips to near and far, culls and renders. The canvas
+/// ends at the viewport's right and lower side.
 pub fn draw<const N: usize>(
     mesh: &Mesh<'_, N>,
     view: &View,
@@ -275,17 +275,17 @@ impl<const N: usize> Picture<N> {
         &self.hits[y as usize * self.width as usize + x as usize]
     }
 
-    /// The visible surface: of those that cover the pixel the nearest, of equal ones the last drawn.
+    /// The visible surface: the nearest one that covers the pixel; among equally near ones, the last drawn.
     pub fn nearest(&self, pixel: [i32; 2]) -> Option<&Hit<N>> {
         let covering = self.at(pixel).iter().filter(|hit| hit.gap == 0.);
         covering.max_by(|a, b| a.depth.total_cmp(&b.depth))
     }
 
-    /// Every surface that a depth buffer with a step of `step` may show: surfaces, including neighbors within the
-    /// margin, at most `step` behind the nearest covering one; all if none covers.
+    /// Every surface that a depth buffer with a step of `step` may show: those, including neighbors within the margin,
+    /// that are at most `step` behind the nearest covering one. If no surface covers the pixel, all of them.
     ///
-    /// If a surface ends within the margin, the one behind it may show as well: there (see
-    /// `Silhouette::contour_within`) use all of [`at`](Self::at).
+    /// Where a surface ends within the margin (see `Silhouette::contour_within`), the one behind it may show as well:
+    /// use all of [`at`](Self::at) there.
     pub fn candidates(&self, pixel: [i32; 2], step: f64) -> impl Iterator<Item = &Hit<N>> {
         let least = self
             .nearest(pixel)

@@ -1,30 +1,30 @@
-//! The distance of a point of the screen from the outline of a union of triangles, inside or outside.
+//! Whether a point of the screen is inside, outside or near the outline of a union of triangles.
 //!
 //! The union's outline is exact, up to f64 rounding. It consists of parts of the *contour* edges. With each triangle
 //! on the left of its own edges, a contour edge is one whose opposite edge (same two ends, other direction) belongs
 //! to no triangle. Every other edge has triangles on both sides, so it does not bound the union. For the front faces
 //! of a closed mesh, contour edges lie between a front and a back face, or on the near plane. A contour edge bounds
-//! the union only where no other triangle lies across it (the front of the mesh may hide it, or the back of a fold
-//! lie under it), and only that part counts.
+//! the union only where no other triangle lies across it, and only that part counts. (The front of the mesh may hide
+//! the edge, or the back of a fold may lie under it.)
 //!
-//! Edges are compared by the bits of their ends, so vertices that two triangles share must be projected identically.
-//! An edge whose twin is not shared, such as at a T-junction, costs only time.
+//! Edges are compared by the bits of their ends, so the vertices that two triangles share must have the same bits.
+//! An inner edge without an exact opposite, such as at a T-junction, costs time but does not change the result.
 
 use std::collections::HashSet;
 
 use super::coverage::{Corners, area2_f64};
 use super::distance::{to_segment, to_triangle};
 
-/// Distances beyond this one, in pixels, are not supported; the triangles of a tile are listed up to it.
+/// The largest supported distance, in pixels: a tile lists the triangles within this distance of it.
 pub const REACH: f64 = 1.;
 
-/// Pixels along a tile.
+/// Pixels along a tile's side.
 const TILE: usize = 8;
-/// How far across an edge, in pixels, to look for another triangle, and how far outside every
-/// triangle rounding may put a point inside the union: far above f64 rounding at coordinates of
-/// thousands (1e-12), far below anything that shows.
+/// The distance across an edge, in pixels, at which to look for another triangle. It is also the largest distance
+/// by which rounding may put a point inside the union outside every triangle: far above the rounding of f64 at
+/// coordinates of thousands (1e-12), and far below any visible distance.
 const ACROSS: f64 = 1e-9;
-/// A gap in the covering of an edge that is shorter than this, in pixels, comes from rounding.
+/// If a gap between the triangles across an edge is shorter than this, in pixels, it comes from rounding.
 const HOLE: f64 = 1e-7;
 
 /// The position of a point relative to the union.
@@ -38,11 +38,11 @@ pub enum Position {
     Near,
 }
 
-/// The union of a set of triangles, over a picture.
+/// The union of a set of triangles, within a picture.
 #[derive(Clone, Debug)]
 pub struct Silhouette {
     triangles: Vec<Corners>,
-    /// Contour edges, the triangle on the side where `area2_f64(a, b, p)` is positive.
+    /// Contour edges; the triangle lies on the side where `area2_f64(a, b, p)` is positive.
     contour: Vec<[[f64; 2]; 2]>,
     tiles: Vec<Tile>,
     columns: usize,
@@ -102,11 +102,11 @@ impl Silhouette {
         }
     }
 
-    /// Classifies a point of the picture; the outline counts as near within `d` pixels.
+    /// Classifies a point of the picture: it is near the outline within `d` pixels of it.
     ///
     /// # Panics
     ///
-    /// If `d` is over [`REACH`] or the point outside the picture.
+    /// If `d` is over [`REACH`] or the point is outside the picture.
     pub fn classify(&self, p: [f64; 2], d: f64) -> Position {
         let tile = self.tile(p, d);
         let distance = tile
@@ -127,9 +127,9 @@ impl Silhouette {
         }
     }
 
-    /// Whether a contour edge passes within `d` pixels, whether it is part of the outline or not.
+    /// Whether a contour edge passes within `d` pixels, part of the outline or not.
     ///
-    /// There a surface ends, and rounding its vertices may show the surface behind it.
+    /// A surface ends at such an edge, and rounding of its vertices may show the surface behind it.
     ///
     /// # Panics
     ///
@@ -160,12 +160,12 @@ impl Silhouette {
         edges.filter(move |&[a, b]| to_segment(a, b, p) <= d)
     }
 
-    /// Whether some of an edge's part within `d` of `p` has no triangle across it.
+    /// Whether any part of an edge within `d` of `p` has no triangle across it.
     fn exposed(&self, tile: &Tile, [a, b]: [[f64; 2]; 2], p: [f64; 2], d: f64) -> bool {
         let along = [b[0] - a[0], b[1] - a[1]];
         let length = along[0].hypot(along[1]);
         let unit = along.map(|x| x / length);
-        // The part within d, as lengths along the edge.
+        // The edge's part within d, as lengths along the edge.
         let to = [p[0] - a[0], p[1] - a[1]];
         let foot = to[0] * unit[0] + to[1] * unit[1];
         let aside = to[0] * unit[1] - to[1] * unit[0];
@@ -190,7 +190,7 @@ impl Silhouette {
     }
 }
 
-/// The part of start..end, lengths along a line, that is inside a triangle of positive area.
+/// The part of a line inside a triangle of positive area, as lengths along the line between `start` and `end`.
 fn inside(
     [a, b, c]: &Corners,
     origin: [f64; 2],
@@ -201,10 +201,10 @@ fn inside(
     for (from, to) in [(a, b), (b, c), (c, a)] {
         let side = [to[0] - from[0], to[1] - from[1]];
         let length = side[0].hypot(side[1]);
-        // Distance inside this side is height + length along · slope.
+        // At the length t along the line, the distance inside this side is height + t · slope.
         let height = (side[0] * (origin[1] - from[1]) - side[1] * (origin[0] - from[0])) / length;
         let slope = (side[0] * unit[1] - side[1] * unit[0]) / length;
-        // Parallel to within rounding: the line is on one side as a whole.
+        // Parallel to within rounding: the whole line is on one side.
         if slope.abs() < 1e-14 {
             if height < 0. {
                 return None;
@@ -218,7 +218,7 @@ fn inside(
     (start < end).then_some((start, end))
 }
 
-/// The tiles whose pixels may be within [`REACH`] of the box around `points`.
+/// The tiles with pixels that may be within [`REACH`] of the bounding box of `points`.
 fn tiles_around(points: &[[f64; 2]], columns: usize, rows: usize) -> Vec<usize> {
     let range = |axis: usize, count: usize| {
         let low = points.iter().map(|p| p[axis]).fold(f64::MAX, f64::min) - REACH;

@@ -1,20 +1,20 @@
 //! The color of a texture at a point, interpolated between the texels around it.
 //!
-//! Texel (i, j) has its center at (i + ½, j + ½) texels. Between centers the color is linear in u for given v, and
-//! in v for given u: f(u, v) = Σ tᵢⱼ · max(0, 1 − |u − i − ½|) · max(0, 1 − |v − j − ½|) over all texels
-//! of the endless plane that a wrap makes of the texture.
+//! Texel (i, j) has its center at (i + ½, j + ½) texels. Between centers the color is linear in u for a given v, and
+//! in v for a given u: f(u, v) = Σ tᵢⱼ · max(0, 1 − |u − i − ½|) · max(0, 1 − |v − j − ½|). The sum runs over all
+//! texels of the endless plane into which the wrap mode extends the texture.
 
 /// The addressing beyond a texture's edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wrap {
-    /// The texture again.
+    /// The texture repeats.
     Repeat,
-    /// The nearest texel at the edge.
+    /// The nearest texel at the edge continues.
     Clamp,
 }
 
 impl Wrap {
-    /// The column or row of `size` that stands for one of the plane's.
+    /// The column or row of the texture, out of `size`, that the plane shows at column or row `at`.
     pub fn index(self, at: i64, size: usize) -> usize {
         let size = size as i64;
         let inside = match self {
@@ -30,13 +30,13 @@ impl Wrap {
 pub struct Blended {
     /// The value.
     pub value: f64,
-    /// The least of the texels that contribute to it, or touch it with a weight of 0.
+    /// The least of the texels around the point, including those with a weight of 0.
     pub least: f64,
-    /// The greatest of them.
+    /// The greatest of these texels.
     pub most: f64,
 }
 
-/// One channel of a texture, given as rows, the top one first, at a point in texels.
+/// One channel of a texture at a point in texels. The texture is given as rows, from top to bottom.
 pub fn bilinear(rows: &[Vec<f64>], wrap: Wrap, [u, v]: [f64; 2]) -> Blended {
     let mut blended = Blended {
         value: 0.,

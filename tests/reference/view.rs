@@ -1,18 +1,18 @@
-//! From a position in space to one on the screen.
+//! The transform of a position in space to one on the screen.
 
 use super::linear::{Matrix, Vec3, Vec4, apply, apply_point, multiply};
 use super::projection::Lens;
 
-/// The part of the canvas for the picture, in whole pixels; y down.
+/// The part of the canvas that the picture fills, in whole pixels; y down.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Viewport {
     /// Column of the left edge.
     pub x: i32,
     /// Row of the top edge.
     pub y: i32,
-    /// Columns.
+    /// Number of columns.
     pub width: u32,
-    /// Rows.
+    /// Number of rows.
     pub height: u32,
 }
 
@@ -27,7 +27,7 @@ impl Viewport {
         }
     }
 
-    /// NDC −1..1 to pixels: x from the left, y from the top.
+    /// Normalized device coordinates, −1 to 1, to pixels: x from the left, y from the top.
     pub fn screen(&self, ndc: [f64; 2]) -> [f64; 2] {
         [
             f64::from(self.x) + (0.5 + ndc[0] / 2.) * f64::from(self.width),
@@ -36,12 +36,12 @@ impl Viewport {
     }
 }
 
-/// A position on its way to the screen.
+/// A position in clip space and on the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projected {
-    /// Clip space.
+    /// Position in clip space.
     pub clip: Vec4,
-    /// Pixels, y down; meaningless where w ≤ 0.
+    /// Position in pixels, y down; meaningless where w ≤ 0.
     pub screen: [f64; 2],
     /// Homogeneous w: the distance under perspective, 1 for parallel rays.
     pub w: f64,
@@ -66,7 +66,7 @@ impl View {
         multiply(&self.projection.matrix, &self.eye)
     }
 
-    /// Model space to clip space, by way of eye space.
+    /// A position of the mesh in clip space, transformed by way of eye space.
     pub fn clip(&self, position: Vec3) -> Vec4 {
         apply(&self.projection.matrix, apply_point(&self.eye, position))
     }
@@ -88,12 +88,12 @@ impl View {
     }
 }
 
-/// Pixels to the nearest 1/256 pixel, ties towards +∞; saturates.
+/// Rounds pixels to the nearest 1/256 pixel, ties towards +∞; saturates.
 pub fn snap(screen: [f64; 2]) -> [i32; 2] {
     screen.map(|x| (x * 256. + 0.5).floor() as i32)
 }
 
-/// 1/256 pixel to pixels, exactly.
+/// Converts units of 1/256 pixel to pixels, exactly.
 pub fn unsnap(snapped: [i32; 2]) -> [f64; 2] {
     snapped.map(|x| f64::from(x) / 256.)
 }

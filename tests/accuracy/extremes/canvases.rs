@@ -1,7 +1,7 @@
 //! Canvases from one pixel to the largest, and viewports in and around them.
 //!
-//! Bounds as for [`planes`](super::planes): they depend neither on the size of the canvas nor on the viewport's
-//! place.
+//! Bounds as for [`planes`](super::planes): they depend neither on the size of the canvas nor on the position of the
+//! viewport.
 
 use fixel::prelude::*;
 
@@ -9,7 +9,7 @@ use super::scene::{Lens, Random, worst};
 use super::table::{Cases, picture};
 use super::verdict::Verdict;
 
-/// Triangles all over a viewport, and beyond it.
+/// Triangles all over a viewport and beyond it.
 fn on(size: (u32, u32), viewport: Option<Viewport>, count: usize) -> Verdict {
     let (width, height) = viewport.map_or(size, |viewport| (viewport.width(), viewport.height()));
     let projection = Lens {
@@ -32,7 +32,7 @@ fn on(size: (u32, u32), viewport: Option<Viewport>, count: usize) -> Verdict {
     }))
 }
 
-/// Viewports of 64x48 around a canvas of 40x30: partly on it, or wholly outside.
+/// Viewports of 64x48 around a canvas of 40x30: partly on it, or wholly outside it.
 fn beside() -> Verdict {
     let places = [
         (-20, -10),
@@ -53,7 +53,7 @@ fn beside() -> Verdict {
     }))
 }
 
-/// The largest viewport, in any direction from a small canvas.
+/// The largest viewport, at several offsets from a small canvas.
 fn largest_viewport() -> Verdict {
     let places = [(0, 0), (-4056, -4066), (-2048, -2048), (-4095, -1000)];
     worst(places.map(|(x, y)| on((40, 30), Some(Viewport::new(x, y, 4096, 4096).unwrap()), 60)))
@@ -73,7 +73,7 @@ pub static CASES: Cases = Cases::new(|| {
     ]
 });
 
-/// Triangles of some pixels in the corners of the largest canvas, and one that covers it all.
+/// Triangles of a few pixels in the corners of the largest canvas, and one triangle that covers all of it.
 fn corners_of_the_largest() -> Verdict {
     let projection = Lens {
         size: (2048, 2048),
@@ -97,6 +97,6 @@ fn corners_of_the_largest() -> Verdict {
 }
 
 #[test]
-fn any_canvas_and_any_viewport() {
+fn errors_on_any_canvas_and_in_any_viewport_are_within_their_bounds() {
     assert_eq!(CASES.len(), 9);
 }

@@ -1,15 +1,15 @@
 //! Coordinates and offsets up to the ends of the format, and triangles far larger than the screen.
 //!
-//! Bounds as for [`planes`](super::planes). Clip space has 30 bits of the largest term of a sum. So coordinates and
-//! offsets that add up to S move a point at distance w by up to S/w · 2⁻¹⁶ · 0.15 pixels (`Scene::moved`), and its
-//! texels in proportion.
+//! Bounds as for [`planes`](super::planes). Clip space keeps 30 bits of the largest term of a sum. So if coordinates
+//! and offsets add up to S, rounding moves a point at distance w by up to S/w · 2⁻¹⁶ · 0.15 pixels (`Scene::moved`),
+//! and its texels in proportion.
 
 use super::scene::{Corners, Lens, Random, worst};
 use super::table::{Cases, picture};
 use super::verdict::Verdict;
 use crate::moves::{to, y};
 
-/// Triangles as wide as the picture, and smaller ones, at distances around four.
+/// Triangles as wide as the picture and smaller ones, at distances around four.
 fn triangles(projection: &Lens, count: usize) -> Vec<Corners> {
     let mut random = Random(2);
     let corner = |random: &mut Random| {
@@ -22,7 +22,7 @@ fn triangles(projection: &Lens, count: usize) -> Vec<Corners> {
         .collect()
 }
 
-/// Models far from their own origin, moved in front of the eye.
+/// A model far from its own origin, moved in front of the eye.
 fn placed(at: f64) -> Verdict {
     let projection = Lens {
         moves: vec![to([-at, at, -at])],
@@ -33,7 +33,7 @@ fn placed(at: f64) -> Verdict {
     worst(triangles.map(|corners| projection.judge(corners.map(model))))
 }
 
-/// The same, turned in the world: a camera far from the world's origin.
+/// A model in front of a camera that is turned and far from the world's origin.
 fn turned(at: f64) -> Verdict {
     let turn = 0.7_f64;
     let projection = Lens {
@@ -52,7 +52,7 @@ fn turned(at: f64) -> Verdict {
     worst(triangles.map(|corners| projection.judge(corners.map(model))))
 }
 
-/// Distant objects under a focal length of 2000 pixels.
+/// Distant triangles under a focal length of 2000 pixels.
 fn far_away(w: f64) -> Verdict {
     let projection = Lens {
         focal: 2000.,
@@ -81,7 +81,7 @@ fn large(times: f64) -> Verdict {
             projection.at([reach * cos, reach * sin], random.between(0.5, 0.6))
         };
         let mut corners = [0., 1., 2.].map(|third| corner(third, &mut random));
-        // A side through the middle, or the middle well inside.
+        // Either a side runs through the middle, or the middle is well inside.
         if random.next() < 0.5 {
             let [a, b, _] = corners;
             corners[2] = [0, 1, 2].map(|i: usize| -(a[i] + b[i]) / 2. * 0.9);
@@ -91,7 +91,7 @@ fn large(times: f64) -> Verdict {
     }))
 }
 
-/// All corners in one region or in two, far outside the guard band or inside.
+/// Triangles with all corners in one region or in two regions, far outside the guard band or inside it.
 fn beyond_the_guard_band() -> Verdict {
     let projection = Lens::ROOM;
     let sides = [

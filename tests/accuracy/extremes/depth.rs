@@ -1,8 +1,8 @@
 //! Depth ranges: far/near from 10 to 10⁶, and two surfaces 1 % apart.
 //!
-//! At a distance of w, a step of the depth buffer is w²/(65,535 · near). So 1 % of w is one step up to 655 times the
-//! near plane's distance, whatever the far plane's. Up to there the nearer of two surfaces shows. Beyond, the visible
-//! one is behind the nearest by less than a step and the error of two depths (`bounds::DEPTH`).
+//! At a distance of w, a step of the depth buffer is w²/(65,535 · near). So 1 % of w is at least one step up to 655
+//! times the near plane's distance, for any far plane. Up to there the nearer of two surfaces shows. Beyond it, the
+//! visible one is behind the nearest by less than a step and the errors of two depths (`bounds::DEPTH`).
 
 use fixel::prelude::*;
 use fixel::view::Perspective;
@@ -16,7 +16,7 @@ use crate::mode::Mode;
 use crate::moves::{exact, quantised};
 use crate::reference::linear::{Vec3 as Vector, cross, dot, subtract};
 
-/// Near planes, each with a far plane at this ratio.
+/// Ratios of far to near, each with a near and a far plane.
 const RATIOS: [(&str, f64, f64); 6] = [
     ("10", 4., 40.),
     ("10²", 4., 400.),
@@ -25,7 +25,7 @@ const RATIOS: [(&str, f64, f64); 6] = [
     ("10⁵", 0.25, 25_000.),
     ("10⁶", 0.031_25, 31_250.),
 ];
-/// How much farther the second surface is, relative to the first.
+/// The distance of the farther surface, relative to the nearer one.
 const APART: f64 = 1.01;
 
 fn projection(near: f64, far: f64) -> Lens {
@@ -62,7 +62,7 @@ fn inverse_w(corners: [Vec3; 3], projection: &Lens, [x, y]: [i32; 2]) -> f64 {
     ) / dot(normal, a)
 }
 
-/// For two surfaces around a distance, drawn in either order: how many steps the visible one is behind the nearest,
+/// Draws two surfaces around a distance in either order. Returns how many steps the visible one is behind the nearest,
 /// and whether the farther one shows anywhere.
 fn behind(projection: &Lens, w: f64) -> (Worst, bool) {
     let mut all = Worst::default();
@@ -92,7 +92,7 @@ fn behind(projection: &Lens, w: f64) -> (Worst, bool) {
             for (pixel, surface) in shown {
                 let depths =
                     surfaces.map(|s| 65535. * projection.near * inverse_w(s, projection, pixel));
-                // Only where both are: where the first one is, except at its edge.
+                // Compare only where the nearer surface certainly covers the pixel: inside it, not at its edge.
                 let error = (depths[0].max(depths[1]) - depths[surface]).max(0.);
                 if surface == 1 && is_inside(pixel, corners, projection) {
                     hidden = true;
@@ -110,7 +110,7 @@ fn behind(projection: &Lens, w: f64) -> (Worst, bool) {
     (all, hidden)
 }
 
-/// Whether a pixel is inside a triangle on the screen, by at least a pixel.
+/// Whether a pixel is at least one pixel inside a triangle on the screen.
 fn is_inside([x, y]: [i32; 2], corners: [[f64; 2]; 3], projection: &Lens) -> bool {
     let p = [
         f64::from(x) + 0.5 - f64::from(projection.size.0) / 2.,
@@ -123,14 +123,14 @@ fn is_inside([x, y]: [i32; 2], corners: [[f64; 2]; 3], projection: &Lens) -> boo
     })
 }
 
-/// The most steps that the visible surface is behind the nearest one, from the near plane to the far one.
+/// How many steps the visible surface is at most behind the nearest one, from the near plane to the far plane.
 fn order(projection: &Lens) -> Worst {
     let mut worst = Worst::default();
     let mut w = projection.near * 1.5;
     while w < projection.far / 1.5 {
         let (steps, hidden) = behind(projection, w);
         worst.merge(steps);
-        // The farthest pixel is 1.3 times as far as w.
+        // The farthest pixel is at a distance of 1.3 w.
         if w * 1.3 * APART < 650. * projection.near {
             assert!(
                 !hidden,

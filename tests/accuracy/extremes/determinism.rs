@@ -1,7 +1,7 @@
-//! One picture, however it is drawn: again, in bands, with its triangles in another order, with either kind of depth,
-//! with positions of 16 or of 32 bits.
+//! The same picture results from every way to draw it: again, in bands, with its triangles in another order, with
+//! either kind of depth, and with positions of 16 or of 32 bits.
 //!
-//! Firmware does the same on every target, and `.ci/run` compares it with the host: `examples/firmware`.
+//! The programs in `examples/firmware` do the same on every target, and `.ci/run` compares them with the host.
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::BigEndian;
@@ -21,7 +21,7 @@ static RING: Mesh = shape!(torus(fx!(0.4), 24, 12), short);
 static BALL: Mesh = shape!(sphere(16, 12), short);
 static FLOOR: Mesh = shape!(plane(8, 8), short);
 
-/// A mesh of short positions, and the same numbers in 32 bits.
+/// A mesh with short positions, and the same positions in 32 bits.
 struct Model {
     short: &'static Mesh<'static>,
     positions: Vec<Vec3>,
@@ -67,7 +67,7 @@ enum Numbers {
     Long,
 }
 
-/// Rings in front of and behind a ball, over a floor that reaches behind the eye. No two surfaces coincide.
+/// Two rings, in front of and behind a ball, over a floor that reaches behind the eye. No two surfaces coincide.
 fn models() -> [Model; 4] {
     let at = |x: Scalar, y: Scalar, z: Scalar| Transform::translate(Vec3::new(x, y, z));
     let tilt = |degrees: i32| Transform::rotate_x(Angle::from_degrees(degrees));
@@ -126,7 +126,7 @@ struct Sums {
     depths: u32,
 }
 
-/// A frame in bands of this many rows.
+/// Draws a frame in bands of this many rows and returns its checksums.
 fn sums<B: Kept>(
     rows: u32,
     mut draw: impl FnMut(&mut Target<'_, B::Depth<'_>>, &Projection<Perspective>),
@@ -165,7 +165,7 @@ fn frame<B: Kept>(mode: impl Mode, rows: u32, numbers: Numbers) -> Sums {
     })
 }
 
-/// Draws twice, in bands of any height, with positions of either kind; all must agree. Returns the picture.
+/// Draws twice, in bands of several heights, with positions of either kind; all checksums must agree. Returns them.
 fn bands<B: Kept>(mode: impl Mode) -> Sums {
     let whole = frame::<B>(mode, SIZE.1, Numbers::Long);
     for rows in [1, 7, 16, 240] {
@@ -181,7 +181,7 @@ fn bands<B: Kept>(mode: impl Mode) -> Sums {
 fn bands_equal_the_frame() {
     fn with_either_depth(mode: impl Mode) {
         let [linear, floating] = [bands::<Linear>(mode), bands::<Floating>(mode)];
-        // Depths have other values, but nowhere are surfaces near enough to each other for the colors to show it.
+        // The depths have other values, but no two surfaces are so close to each other that the colors differ.
         assert_eq!(linear.colors, floating.colors);
         assert_ne!(linear.depths, floating.depths);
     }
@@ -199,8 +199,8 @@ fn shuffled<T>(list: &mut [T], random: &mut Random) {
     }
 }
 
-/// The models in another order, and so the triangles of each: depth decides which ones show. Of two triangles at the
-/// same place and depth the last would show. Depth cannot decide between those, and there are none here.
+/// Draws the models in another order, and the triangles of each in another order: depth alone decides which ones show.
+/// Of two triangles at the same position and depth, the last one would show, but there are no such triangles here.
 fn orders<B: Kept>() -> Sums {
     let draw = |rows: u32, parts: &[(Vec<[u16; 3]>, Model)]| {
         sums::<B>(rows, |band, projection| {
@@ -224,6 +224,6 @@ fn orders<B: Kept>() -> Sums {
 }
 
 #[test]
-fn order_does_not_matter() {
+fn the_order_of_triangles_does_not_change_the_picture() {
     assert_eq!(orders::<Linear>().colors, orders::<Floating>().colors);
 }

@@ -1,11 +1,11 @@
-//! A mesh drawn by the crate and by the model, and the differences.
+//! A mesh drawn by the crate and by the model, and the differences between the two.
 //!
 //! There are two ways to judge a value. If nothing is clipped, the model interpolates between the crate's own snapped
 //! corners. If a triangle is clipped, it has new corners, which the crate does not report. Then the value must be one
 //! that the model has within [`Scene::snap`] and [`Scene::moved`] of the pixel's center. The reason: interpolants are
-//! linear on the screen, and a linear function through corners that are each moved by at most d takes values that the
-//! unmoved function has within d. A quotient of two of them is monotonic along any line, so over a square around the
-//! center its extremes are at the square's corners.
+//! linear on the screen. If each corner moves by at most d, the linear function through the moved corners has at any
+//! point a value that the original function has within d. A quotient of two linear functions is monotonic along any
+//! line, so over a square around the center its extremes are at the square's corners.
 
 use std::collections::HashMap;
 
@@ -25,20 +25,20 @@ use crate::reference::distance::to_segment;
 use crate::reference::raster::{self, Piece, pieces_clipped};
 use crate::reference::view;
 
-/// Units of a texel.
+/// Units of a texture coordinate per texel.
 const TEXEL: f64 = 65536.;
-/// Half the guard band, in pixels.
+/// Half of the guard band's width, in pixels.
 const GUARD: f64 = 2048.;
-/// Half a subpixel: the most that a corner is moved along each axis.
+/// Half a subpixel: the most that snapping moves a corner along each axis.
 const SNAP: f64 = 1. / 512.;
 
-/// The bound of clip space's error, relative to the largest coefficient, for each unit of a coordinate: half a unit
-/// of 2⁻²⁹ for the rounding of a matrix's mantissas, for the model's, the projection's and their product's; and of
-/// 2⁻²⁸ where their last bit is dropped.
+/// The bound of the error of clip space, relative to the largest coefficient, for each unit of a coordinate. Rounding
+/// the mantissas of the model's matrix, of the projection's and of their product adds half a unit of 2⁻²⁹ each;
+/// dropping their last bit adds half a unit of 2⁻²⁸.
 const CLIP: f64 = 5. / (1 << 30) as f64;
 
 impl Scene {
-    /// Draws in each of the modes, and judges every pixel.
+    /// Draws in each of the measured modes, and judges every pixel.
     pub fn judge(&self) -> Verdict {
         let mesh = Mesh::new(&self.positions, &self.faces).unwrap();
         let mut drawing = Drawing {
@@ -119,25 +119,25 @@ impl Scene {
         pieces_clipped(&mesh, &self.view, &[&[NEAR, FAR], &sides[..]].concat())
     }
 
-    /// How far rounding in clip space may move a point of a clipped triangle at a distance, in pixels: the largest
-    /// sum over the distance, both in units of the near plane's, in a guard band of 2048.
+    /// How far rounding in clip space may move a point of a clipped triangle at the distance `w`, in pixels: the error
+    /// relative to w, times half of the guard band's width.
     fn moved(&self, w: f64) -> f64 {
         GUARD * self.off(w)
     }
 
-    /// The bound of the relative error of w there.
+    /// The bound of the error of clip space for a clipped triangle, relative to `w`.
     fn off(&self, w: f64) -> f64 {
         CLIP * self.sums.iter().copied().fold(0., f64::max) / w
     }
 
-    /// The same for the worst corner of a triangle that is not clipped.
+    /// The largest such bound at a corner, for triangles that are not clipped.
     fn off_at_corners(&self) -> f64 {
         let parts = self.positions.iter().zip(&self.sums);
         let parts = parts.map(|(&p, sum)| sum / self.view.project(exact(p)).w);
         CLIP * parts.fold(0., f64::max)
     }
 
-    /// How far snapping may move a corner along an axis: half a subpixel; but a whole one at the right and lower side
+    /// How far snapping may move a corner along an axis: half a subpixel, or a whole one at the right and lower sides
     /// of the guard band, where the position is rounded down to the last subpixel.
     fn snap(&self, piece: &Piece<2>) -> f64 {
         if piece.screen.into_iter().any(|corner| self.is_last(corner)) {
@@ -147,7 +147,7 @@ impl Scene {
         }
     }
 
-    /// Whether a point is at the right or lower side of the guard band.
+    /// Whether a point is at the right or the lower side of the guard band.
     fn is_last(&self, [x, y]: [f64; 2]) -> bool {
         let view::Viewport {
             x: left,
@@ -206,22 +206,22 @@ impl Scene {
         })
     }
 
-    /// Every center is drawn once if it is farther inside a face than its corners may move, and none is drawn if it
-    /// is farther outside.
+    /// Checks that a pixel is drawn once if its center is farther inside a face than the corners may move, and not
+    /// drawn if its center is farther outside.
     fn coverage(&self, seen: &[Seen<2>], pieces: &[Piece<2>], worst: &mut Worst) {
         let mut drawn: HashMap<(usize, [i32; 2]), usize> = HashMap::new();
         for seen in seen {
             *drawn.entry((seen.face, seen.pixel)).or_default() += 1;
         }
         for (&(face, pixel), &times) in &drawn {
-            assert_eq!(times, 1, "{pixel:?} of {face}");
+            assert_eq!(times, 1, "{pixel:?} of {face} is drawn again");
             let own = pieces.iter().filter(|piece| piece.face == face);
             let Some((piece, gap)) = nearest(own, center(pixel)) else {
                 panic!("{pixel:?} of {face} is drawn, but the model covers nothing");
             };
             let reach = self.edge_reach(piece);
             worst.add(gap, reach, || {
-                format!("{pixel:?} of {face} outside: {self:?}")
+                format!("{pixel:?} outside face {face}: {self:?}")
             });
         }
         for face in pieces.chunk_by(|a, b| a.face == b.face) {
@@ -239,20 +239,20 @@ impl Scene {
                         .fold(f64::MAX, f64::min);
                     let reach = self.edge_reach(piece);
                     worst.add(depth, reach, || {
-                        format!("{pixel:?} of {index} inside, not drawn: {self:?}")
+                        format!("{pixel:?} inside face {index}, not drawn: {self:?}")
                     });
                 }
             }
         }
     }
 
-    /// How far an edge may move, across its direction.
+    /// How far an edge may move at right angles to its direction.
     fn edge_reach(&self, piece: &Piece<2>) -> f64 {
         let nearest = piece.w.into_iter().fold(f64::MAX, f64::min);
         (self.snap(piece) + self.moved(nearest)) * 2_f64.sqrt()
     }
 
-    /// The model's values around a pixel: least and greatest of attributes and of 1/w, `None` beyond the horizon.
+    /// The model's values around a pixel; `None` if some of them lie beyond the horizon.
     fn about(&self, piece: &Piece<2>, pixel: [i32; 2]) -> Option<About> {
         if piece.snapped.is_some() {
             let value = piece.at(pixel)?;
@@ -277,7 +277,7 @@ impl Scene {
         Some(about)
     }
 
-    /// The model's values at each pixel, with the part of the face that they belong to.
+    /// The model's values around each drawn pixel, with the part of the face that they belong to.
     fn models<'a>(
         &self,
         seen: &[Seen<2>],
@@ -331,8 +331,8 @@ impl Scene {
             let error = (least - value).max(value - most).max(0.);
             let formats =
                 bounds::perspective(mode, corners, [near, far, far], about.w, about.farthest);
-            // A corner made by clipping is rounded down twice, its weights to 2⁻³⁰ at each of six planes. The
-            // relative error of w in clip space is also the attribute's, at both ends.
+            // Clipping rounds a new corner's attribute down twice, and its weight to 2⁻³⁰ at each of six planes. The
+            // attribute also has the relative error of w in clip space, at both ends of the clipped edge.
             let [a, b, c] = corners.map(i32::unsigned_abs);
             let size = f64::from(a.max(b).max(c));
             let cut = match piece.snapped {
@@ -364,13 +364,13 @@ impl Scene {
 /// The model's values around a pixel.
 struct About {
     w: f64,
-    /// The greatest w of the face's pixels in the row.
+    /// The greatest w of the face's pixels in the pixel's row.
     farthest: f64,
     /// The least and the greatest w of the face.
     ends: [f64; 2],
     /// The bound of the relative error of w.
     off: f64,
-    /// The least and the greatest value within reach.
+    /// The least and the greatest value of each attribute within reach.
     values: [[f64; 2]; 2],
     inverse_w: [f64; 2],
 }

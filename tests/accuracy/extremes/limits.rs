@@ -1,4 +1,4 @@
-//! Every limit that has a constant, from one below it to one above it.
+//! Every limit that has a constant, with inputs from one below it to one above it.
 
 use std::sync::Mutex;
 
@@ -13,7 +13,7 @@ use fixel::view::{Perspective, ProjectionKind};
 use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
 
 #[test]
-fn canvas() {
+fn canvases_beyond_their_limits_are_refused() {
     let new = |width: u32, height: u32| {
         let mut pixels = vec![Gray8::new(0); width as usize * height as usize];
         Canvas::new(&mut pixels, width, height).map(|_| ())
@@ -37,9 +37,9 @@ fn canvas() {
     assert_eq!(new(MAX_SIZE, MAX_SIZE), Ok(()));
 }
 
-/// The same for frames that a list of triangles is prepared for.
+/// A list of triangles can be prepared for frames of the same sizes as canvases.
 #[test]
-fn prepared_frames() {
+fn prepared_frames_beyond_their_limits_are_refused() {
     let mesh = Mesh::new(&[], &[]).unwrap();
     let mvp = pixel_lens((1, 1));
     let mut list: TriangleList<1, 1> = TriangleList::new();
@@ -57,7 +57,7 @@ fn prepared_frames() {
 }
 
 #[test]
-fn viewport() {
+fn viewports_beyond_their_limits_are_refused() {
     let max = Viewport::MAX.cast_signed();
     for x in [-max - 1, -max, -max + 1, max - 1, max, max + 1] {
         assert_eq!(Viewport::new(x, 0, 1, 1).is_ok(), x.abs() <= max, "{x}");
@@ -71,14 +71,14 @@ fn viewport() {
 }
 
 #[test]
-fn positions_of_a_mesh() {
+fn positions_of_a_mesh_beyond_their_limit_are_refused() {
     let positions = vec![Vec3::ZERO; Mesh::MAX_POSITIONS + 1];
     for count in [Mesh::MAX_POSITIONS - 1, Mesh::MAX_POSITIONS] {
         let last = u16::try_from(count - 1).unwrap();
         let faces = [[0, last, last]];
         assert!(Mesh::new(&positions[..count], &faces).is_ok(), "{count}");
     }
-    // The last index of the shorter mesh is one too many.
+    // In the shorter mesh, the last index is out of range.
     assert!(Mesh::new(&positions[..Mesh::MAX_POSITIONS - 1], &[[0, 0, u16::MAX]]).is_err());
     let Err(Error::TooMany { given, max, .. }) = Mesh::new(&positions, &[]) else {
         panic!("too many positions");
@@ -87,9 +87,9 @@ fn positions_of_a_mesh() {
 }
 
 #[test]
-fn parts_of_a_shape() {
+fn parts_of_a_shape_beyond_their_limits_are_refused() {
     let max = Shape::MAX_PARTS;
-    // A row of four vertices for each column but one: as many as possible.
+    // The largest cylinder: each column has four vertices.
     assert!(Shape::cylinder(max - 1).is_ok());
     assert!(Shape::plane(max - 1, 1).is_ok());
     assert!(Shape::plane(max, 1).is_ok());
@@ -107,9 +107,9 @@ fn parts_of_a_shape() {
     assert!(matches!(Shape::plane(255, 256), Err(Error::TooMany { .. })));
 }
 
-/// More visible vertices than 16 bits can count, in a list with room for them.
+/// A list refuses more visible vertices than 16 bits can count, even if it has room for them.
 #[test]
-fn vertices_of_a_list() {
+fn vertices_of_a_list_beyond_their_limit_are_refused() {
     // Too large for the stack.
     static LIST: Mutex<TriangleList<65_600, 65_600>> = Mutex::new(TriangleList::new());
     const MAX: usize = TriangleList::<65_600, 65_600>::MAX_VERTICES;
@@ -133,9 +133,9 @@ fn vertices_of_a_list() {
     assert_eq!(prepare(MAX + 1), Err(refused.to_owned()));
 }
 
-/// One row of the widest texture, and one column of the highest; one more of either does not compile.
+/// One row of the widest texture, and one column of the highest. One more texel in either does not compile.
 #[test]
-fn textures() {
+fn textures_of_the_largest_sides_are_drawn() {
     static WIDE: TextureArray<Gray8, MAX_TEXTURE_SIZE, 1> =
         TextureArray::from_texels([[Gray8::new(7); MAX_TEXTURE_SIZE]; 1]);
     static HIGH: TextureArray<Gray8, 1, MAX_TEXTURE_SIZE> =
@@ -147,8 +147,8 @@ fn textures() {
 }
 
 #[test]
-fn numbers() {
-    // The ends of the formats, and half a unit beyond, which is rounded away from zero.
+fn numbers_beyond_their_formats_are_refused() {
+    // The ends of the formats, and half a unit beyond, which rounds away from zero and out of range.
     let unit = 1. / 65_536.;
     assert_eq!(scalar(32_768. - unit), Ok(Scalar::MAX));
     assert!(scalar(32_768. - unit / 2.).is_err());
@@ -162,7 +162,7 @@ fn numbers() {
 }
 
 #[test]
-fn projections() {
+fn projections_beyond_their_limits_are_refused() {
     let fov =
         |bits: u32| Projection::perspective(Angle::from_bits(bits), (4, 3), fx!(1), fx!(2)).is_ok();
     let half = Angle::HALF.to_bits();
@@ -217,10 +217,10 @@ fn seen<K: ProjectionKind>(mvp: &Mvp<K>, bits: i32) -> bool {
     Counter::new((4, 4)).snapped(mvp, point).is_some()
 }
 
-/// Points a unit in front of and behind each plane. A point in the plane may go either way, because planes have 28
-/// bits.
+/// Points are a unit in front of and behind each plane. A point in the plane may be visible or not, because planes have
+/// 28 bits.
 #[test]
-fn near_and_far() {
+fn points_show_between_near_and_far() {
     for (near, far) in [
         (1, 1000),
         (1000, 2000),
@@ -231,7 +231,7 @@ fn near_and_far() {
         let projection =
             Projection::<Perspective>::from_focal_length(fx!(4), (4, 4), s(near), s(far));
         let mvp = projection.unwrap().into();
-        // The error of the planes: coefficients have 28 bits at least.
+        // The error of the planes, whose coefficients have at least 28 bits.
         let units = |at: i32| (at >> 27) + 1;
         assert!(
             !seen(&mvp, near - units(near)) && seen(&mvp, near + units(near)),
@@ -245,10 +245,10 @@ fn near_and_far() {
     }
 }
 
-/// Screen coordinates reach 2048 pixels from the viewport's center. A triangle within is drawn unclipped; one that
-/// reaches beyond is clipped, and covers the same pixels.
+/// Screen coordinates reach 2048 pixels from the viewport's center. A triangle within this guard band is drawn
+/// unclipped; one that reaches beyond it is clipped, and covers the same pixels.
 #[test]
-fn guard_band() {
+fn triangles_beyond_the_guard_band_are_clipped() {
     let size = (64, 48);
     let center = [32 * 256, 24 * 256];
     let band = 2048 * 256;
@@ -265,7 +265,7 @@ fn guard_band() {
                 let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
                 let mut counter = Counter::new(size);
                 let drawn = counter.draw(&BOTH_SIDES, &mesh, &pixel_lens(size));
-                // Rounding in clip space is less than a subpixel.
+                // Rounding in clip space moves a corner by less than a subpixel.
                 if beyond.abs() > 1 {
                     assert_eq!(
                         drawn.clipped,
@@ -275,12 +275,12 @@ fn guard_band() {
                 }
                 let counts = counter.take();
                 let covered = counts.iter().sum::<u32>();
-                // Approximately the visible part of a triangle 2048 long and 12 wide.
+                // The approximate area of the visible part of a triangle 2048 pixels long and 12 wide.
                 let length = [32., 24.][axis];
                 let area = 12. * length * (1. - length / 2048. / 2.);
                 assert!(
                     (f64::from(covered) - area).abs() < 0.5 * length,
-                    "{covered} of {area}"
+                    "{covered} pixels for an area of {area}"
                 );
                 assert!(counts.iter().all(|&count| count < 2));
             }
@@ -288,8 +288,8 @@ fn guard_band() {
     }
 }
 
-/// Screen positions run from 2048 pixels before the viewport's center to a subpixel less after it: 20 bits, with
-/// which edges are walked.
+/// Screen positions run from 2048 pixels before the viewport's center to 2048 pixels less a subpixel after it. The edge
+/// walker relies on these 20 bits.
 #[test]
 fn screen_positions_are_within_the_guard_band() {
     let size = (64, 48);
@@ -301,7 +301,7 @@ fn screen_positions_are_within_the_guard_band() {
             let mut counter = Counter::new(size);
             for point in [[at, 0], [0, at], [at, at]] {
                 let [x, y] = [point[0] + 32 * 256, point[1] + 24 * 256];
-                // Also in halves of a subpixel: the last one is not rounded up.
+                // Move each position by half a subpixel to either side: the last one must not be rounded up.
                 for half in [-128, 0, 127] {
                     let position = at_subpixel([x, y]) + Vec3::from_bits([half, half, 0]);
                     let Some(place) = counter.snapped(&pixel_lens(size), position) else {

@@ -10,11 +10,11 @@ use super::verdict::{Verdict, Worst};
 use crate::common::{BOTH_SIDES, Counter};
 use crate::moves::exact;
 
-/// Columns and rows of vertices: just the largest number, or one less.
+/// Columns and rows of vertices: one vertex less than the largest number, or just that number.
 const GRIDS: [(u16, u16); 2] = [(255, 257), (256, 256)];
 
-/// A rug with waves, slightly tilted in front of the eye, from edge to edge of the picture and beyond: its vertices,
-/// and the two triangles of each cell.
+/// A wavy rug, slightly tilted in front of the eye, that reaches beyond all edges of the picture: its vertices, and the
+/// two triangles of each cell.
 fn rug(columns: u16, rows: u16) -> (Vec<Vec3>, Vec<[u16; 3]>) {
     let mut random = Random(11);
     let projection = Lens::ROOM;
@@ -23,7 +23,7 @@ fn rug(columns: u16, rows: u16) -> (Vec<Vec3>, Vec<[u16; 3]>) {
         for column in 0..columns {
             let part = |at: u16, count: u16| f64::from(at) / f64::from(count - 1) * 2. - 1.;
             let (x, y) = (part(column, columns), part(row, rows));
-            // Moved by up to a quarter of a cell, which has 0.4 pixels.
+            // Move each vertex by up to a quarter of a cell, which is 0.4 pixels wide.
             let mut aside = || random.between(-0.1, 0.1);
             let at = [52. * x + aside(), 40. * y + aside()];
             let w = 4. + x + 0.1 * (9. * x + 5. * y).sin();
@@ -41,7 +41,7 @@ fn rug(columns: u16, rows: u16) -> (Vec<Vec3>, Vec<[u16; 3]>) {
     (positions, faces)
 }
 
-/// Checks that every vertex is where it should be, and that every pixel is covered once.
+/// Checks the position of every vertex, and that every pixel is covered once.
 fn covered_once((columns, rows): (u16, u16)) -> Verdict {
     let (positions, faces) = rug(columns, rows);
     assert!(positions.len() >= 65_535);
@@ -53,7 +53,7 @@ fn covered_once((columns, rows): (u16, u16)) -> Verdict {
         let wanted = scene.view.project(exact(position)).screen;
         for (at, wanted) in place.into_iter().zip(wanted) {
             let error = (f64::from(at) / 256. - wanted).abs();
-            // Coordinates below 8, at distances of at least 3.
+            // Coordinates are below 8, and distances at least 3.
             coverage.add(error, 1. / 512. + 1e-4, || format!("{position:?}"));
         }
     }
@@ -87,9 +87,9 @@ fn the_largest_meshes_cover_each_pixel_once() {
     assert_eq!(CASES.len(), 2);
 }
 
-/// The last vertices are drawn like the first ones, with all others in between unused.
+/// The last vertices are drawn like the first ones, while all others are unused.
 #[test]
-fn every_index_is_a_vertex_of_its_own() {
+fn the_largest_indices_are_drawn_like_the_smallest() {
     let mut positions = vec![Vec3::ZERO; Mesh::MAX_POSITIONS];
     let corners = [
         vec3!(-0.4, -0.4, -1),

@@ -1,4 +1,4 @@
-//! Triangles that all six planes cut: outlines of nine corners.
+//! Triangles that all six planes clip: outlines of nine corners.
 //!
 //! A plane through the view volume meets its six sides in a hexagon, and a triangle in that plane may cut off three of
 //! the hexagon's corners. Bounds as for [`planes`](super::planes).
@@ -11,7 +11,8 @@ use super::scene::{Corners, Lens, ONCE, Random};
 use super::table::{Cases, picture};
 use super::verdict::Verdict;
 
-/// The guard band, 2048 pixels to each side of the middle, is as wide as the planes are far: 1 and 2.
+/// At a focal length of 2000 pixels, the guard band of ±2048 pixels reaches about as far to each side as it is distant.
+/// The near and far planes are at 1 and 2.
 fn projection(viewport: Viewport) -> Lens {
     Lens {
         size: (64, 64),
@@ -23,7 +24,7 @@ fn projection(viewport: Viewport) -> Lens {
     }
 }
 
-/// Corners in the plane x + y = 2w − 3, about its middle.
+/// A triangle in the plane x + y = 2w − 3, around the middle of its hexagon.
 fn triangle(random: &mut Random) -> Corners {
     let turn = random.next();
     [0., 1., 2.].map(|third: f64| {
@@ -34,7 +35,7 @@ fn triangle(random: &mut Random) -> Corners {
     })
 }
 
-/// Ten such triangles, about each of their nine corners.
+/// Draws ten such triangles, with each of their nine corners in turn on the canvas.
 fn nine_corners() -> Verdict {
     let mut random = Random(14);
     let mut verdict = Verdict::default();
@@ -43,13 +44,13 @@ fn nine_corners() -> Verdict {
         let corners = triangle(&mut random);
         let whole = projection(Viewport::new(0, 0, 4096, 4096).unwrap()).scene(corners, ONCE);
         let pieces = whole.pieces();
-        // A fan of seven.
+        // Nine corners make a fan of seven triangles.
         if pieces.len() < 7 {
             continue;
         }
         found += 1;
         for [x, y] in pieces.iter().flat_map(|piece| piece.screen) {
-            // The corner in the middle of the canvas.
+            // The viewport puts the corner in the middle of the canvas.
             let [x, y] = [x, y].map(|at| 32 - at as i32);
             let viewport = Viewport::new(x, y, 4096, 4096).unwrap();
             verdict.merge(projection(viewport).scene(corners, ONCE).judge());

@@ -13,9 +13,9 @@ pub fn nearest<'a>(
     gaps.min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-/// The distance of a point from a triangle, which may be a line.
+/// The distance of a point from a triangle, which may be as thin as a line.
 pub fn gap(piece: &Piece<2>, p: [f64; 2]) -> f64 {
-    // So thin that f64 cannot tell inside from outside: for a length of a pixel, its width is below 10⁻⁶.
+    // So thin that f64 cannot tell inside from outside: at a length of one pixel, the width is below 10⁻⁶.
     if area2_f64(&piece.screen).abs() < 1e-6 {
         let [a, b, c] = piece.screen;
         let sides = [(a, b), (b, c), (c, a)];
@@ -27,7 +27,7 @@ pub fn gap(piece: &Piece<2>, p: [f64; 2]) -> f64 {
     to_triangle(&piece.screen, p)
 }
 
-/// The sides of the triangles that make up a face, without those between two of them.
+/// The outer sides of a face that clipping split into triangles.
 pub fn outline(face: &[Piece<2>]) -> Vec<[[f64; 2]; 2]> {
     let key = |side: [[f64; 2]; 2]| side.map(|end| end.map(f64::to_bits));
     let sides = |[a, b, c]: [[f64; 2]; 3]| [[a, b], [b, c], [c, a]];

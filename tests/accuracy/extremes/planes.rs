@@ -1,7 +1,7 @@
-//! The eye, and the near and far planes.
+//! Triangles around the eye and at the near and far planes.
 //!
-//! Bounds: a corner is rounded to half a subpixel along each axis, and moved by the error of clip space
-//! (`Scene::moved`), so an edge moves by up to √2 of that. For values and depths see `bounds`.
+//! Bounds: a corner moves by up to half a subpixel along each axis by rounding, and by the error of clip space
+//! (`Scene::moved`), so an edge moves by up to √2 times the sum. For values and depths see `bounds`.
 
 use std::f64::consts::TAU;
 
@@ -33,7 +33,7 @@ fn crossing(behind: usize) -> Verdict {
     }))
 }
 
-/// Triangles in planes through the eye, or a little beside it. On the screen they are a line, or cover all of it.
+/// Triangles in planes through the eye or a little beside it. On the screen each is a line, or covers all of it.
 fn through_the_eye() -> Verdict {
     let turns = (0..32).map(|step| (f64::from(step) / 32. * TAU).sin_cos());
     worst(turns.flat_map(|(sin, cos)| {
@@ -47,7 +47,7 @@ fn through_the_eye() -> Verdict {
     }))
 }
 
-/// Triangles with corners and sides on the near plane, and wholly in it.
+/// Triangles with corners or sides on the near plane, or wholly in it.
 fn on_the_plane() -> Verdict {
     worst([
         Lens::ROOM.judge([[0., 0.1, -NEAR], [-2., -1., -4.], [2., -1., -5.]]),
@@ -56,7 +56,7 @@ fn on_the_plane() -> Verdict {
     ])
 }
 
-/// A near plane at the least distance, 2⁻¹⁶, and corners one to a hundred such units away.
+/// A near plane at the least distance, 2⁻¹⁶, and corners 1 to 100 such units away.
 fn just_above_zero() -> Verdict {
     let unit = 1. / 65536.;
     let projection = Lens {
@@ -77,7 +77,7 @@ fn just_above_zero() -> Verdict {
     }))
 }
 
-/// Floors from the feet to the horizon: 1/w falls to a small fraction of its nearest value.
+/// Floors from below the eye to the horizon: 1/w falls to a small fraction of its nearest value.
 fn grazing(near: f64, height: f64) -> Verdict {
     let projection = Lens {
         near,
@@ -93,7 +93,7 @@ fn grazing(near: f64, height: f64) -> Verdict {
                 side(-height),
             ]),
             projection.judge([[-2., -height, 1.], [2., -height, 1.], side(-height)]),
-            // Beyond the far plane, and beyond the side of the guard band.
+            // The floor reaches beyond the far plane and beyond a side of the guard band.
             projection.judge([
                 [-2., -height, 1.],
                 [32_000., -height, -32_000.],
@@ -131,22 +131,22 @@ pub static CASES: Cases = Cases::new(|| {
 });
 
 #[test]
-fn planes_are_cut_where_the_model_cuts_them() {
+fn triangles_are_clipped_where_the_model_clips_them() {
     assert_eq!(CASES.len(), 7);
 }
 
-/// Triangles behind the eye are not drawn, however near.
+/// Triangles behind the eye are not drawn, however near to it they are.
 #[test]
 fn triangles_behind_the_eye_are_not_drawn() {
     assert_eq!(crossing(3).pixels, 0);
 }
 
-/// Distances from 2⁻¹⁴ to 2¹⁵ in one triangle exceed the range of interpolants, so a corner is treated as nearer than
-/// it is. Values are then those of other positions in the triangle, but not of positions outside it.
+/// Distances from 2⁻¹⁴ to 2¹⁵ in one triangle exceed the range of interpolants, so the far corner is treated as nearer
+/// than it is. Values then belong to other positions in the triangle, but not to positions outside it.
 ///
 /// Where 1/w is least, it has 2048 units with an error of up to 40, and numerators have an error of 56½ (see
 /// `bounds`). So a value may exceed the corners' range by 56½/2008 of 2^bits, and 2^bits is at most four times the
-/// greatest of them.
+/// greatest value at a corner.
 #[test]
 fn values_stay_between_those_of_the_corners() {
     let projection = Lens {
@@ -161,7 +161,7 @@ fn values_stay_between_those_of_the_corners() {
             let w = 2_f64.powf(-13.9 + part * spread + random.between(0., 0.7));
             projection.at([random.between(-60., 60.), y], w)
         };
-        // The far side runs through the centers of a row.
+        // The far side of the triangle runs through the centers of a row.
         let scene = projection.scene([corner(-30., 0.), corner(0.5, 1.), corner(0.5, 1.)], ONCE);
         for mode in MODES {
             let drawing = Drawing {

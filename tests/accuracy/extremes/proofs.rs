@@ -1,11 +1,11 @@
-//! Exhaustive tests.
+//! Exhaustive tests of coverage: every triangle on a grid.
 
 use fixel::prelude::*;
 
 use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
 use crate::reference::coverage::covers;
 
-/// Pixels along a side of the picture, whose pixels are the bits of a number.
+/// Pixels along a side of the picture, which has as many pixels as a u64 has bits.
 const SIDE: u32 = 8;
 /// Vertices along a side of the grid.
 const GRID: usize = 6;
@@ -13,20 +13,20 @@ const PLACES: usize = GRID * GRID;
 
 type Point = [i32; 2];
 
-/// The pixels that the crate draws for a triangle, a bit each.
+/// The pixels that the crate draws for a triangle, one bit each.
 fn drawn(corners: [Point; 3], counter: &mut Counter) -> u64 {
     let positions = corners.map(at_subpixel);
     let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
     counter.draw(&BOTH_SIDES, &mesh, &pixel_lens((SIDE, SIDE)));
     let mut mask = 0;
     for (i, count) in counter.take().into_iter().enumerate() {
-        assert!(count < 2, "{corners:?} twice at {i}");
+        assert!(count < 2, "{corners:?} drawn twice at {i}");
         mask |= u64::from(count) << i;
     }
     mask
 }
 
-/// The pixels that the model covers: exact half-spaces at every center.
+/// The pixels that the model covers, from exact half-spaces at every center.
 fn model(corners: [Point; 3]) -> u64 {
     let pixel = |i: u32| [(i % SIDE).cast_signed(), (i / SIDE).cast_signed()];
     (0..SIDE * SIDE)
@@ -38,15 +38,15 @@ fn turn([a, b, c]: [Point; 3]) -> i32 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/// All triangles on a grid of vertices, with each of their corners first, in both windings.
+/// All triangles on a grid of vertices, in both windings, starting at each of their corners.
 struct Grid {
     places: [Point; PLACES],
-    /// Masks of pixels by the indices of the corners, in any order.
+    /// Pixel masks, indexed by the three corners in any order.
     masks: Vec<u64>,
 }
 
 impl Grid {
-    /// Vertices a `cell` apart, starting at `origin`, each moved by `aside` of its index in the grid.
+    /// A grid of vertices that starts at `origin`, with steps of `cell`. `aside` gives each vertex's displacement.
     fn new(cell: i32, origin: i32, aside: impl Fn(usize) -> Point) -> Self {
         let place = |i: usize| {
             let at = [i % GRID, i / GRID].map(|at| i32::try_from(at).unwrap() * cell + origin);
@@ -59,7 +59,7 @@ impl Grid {
         for a in 0..PLACES {
             for b in 0..PLACES {
                 for c in 0..PLACES {
-                    // Each in two of its six orders, so that each order occurs.
+                    // Each triangle in two of its six orders, so that every order occurs.
                     if a < b && b < c || c < b && b < a || b < c && c < a {
                         let corners = [a, b, c].map(|i| places[i]);
                         let mask = drawn(corners, &mut counter);
@@ -89,7 +89,7 @@ impl Grid {
         turn([self.places[a], self.places[b], self.places[c]]).signum()
     }
 
-    /// Two triangles on either side of an edge share no pixel, whatever their third corners are.
+    /// Two triangles on opposite sides of an edge share no pixel, wherever their third corners are.
     fn edges_are_owned_once(&self) {
         for a in 0..PLACES {
             for b in 0..a {
@@ -106,8 +106,8 @@ impl Grid {
         }
     }
 
-    /// The three parts of a triangle that is split at a point inside cover it, each pixel once; so do the two parts
-    /// if the point is on a side.
+    /// If a triangle is split at a point inside it, the three parts cover each of its pixels once; so do the two parts
+    /// if the point is on a side. Returns the number of splits.
     fn parts_cover_the_whole(&self) -> usize {
         let mut splits = 0;
         for a in 0..PLACES {
@@ -136,13 +136,13 @@ impl Grid {
     }
 }
 
-/// Every triangle on a grid of 6x6 vertices, which lie on corners of pixels, on their centers, or anywhere: its
-/// pixels are the model's, two triangles that share an edge share no pixel, and the parts of a triangle cover the
-/// whole.
+/// On a grid of 6x6 vertices, which lie on corners of pixels, on their centers, or anywhere: every triangle's pixels
+/// are the model's, two triangles on opposite sides of an edge share no pixel, and the parts of a split triangle cover
+/// the whole.
 #[test]
-fn every_triangle_on_a_grid() {
+fn every_triangle_on_a_grid_covers_what_the_model_covers() {
     let none = |_: usize| [0, 0];
-    // Odd multipliers of the index modulo 2^8: all over the pixel.
+    // Multiples of the index modulo 2^8, by odd factors, spread vertices all over the pixel.
     let anywhere = |i: usize| {
         let i = i32::try_from(i).unwrap();
         [(i * 151 + 37) % 256 - 128, (i * 89 + 201) % 256 - 128]

@@ -1,9 +1,9 @@
-//! Long products of rotations: a million increments, with and without making the matrix rigid again.
+//! Long products of rotations: a million increments, with and without renormalization of the matrix.
 //!
-//! A product rounds each of its entries by half of 2⁻²⁹; a rotation's entries have this error and the sine's, at most
-//! 1.6·10⁻⁹. Rows and columns have three entries. So a million products may change lengths and right angles by 10⁶ ·
-//! 3 · (2 · 2⁻³⁰ + 1.6·10⁻⁹) = 1 %, if all roundings had the same sign. After renormalization they are orthogonal to
-//! a unit of 2⁻²⁹ in each entry, 4·10⁻⁹ in the sums of a row's products, whatever the error was before.
+//! A product rounds each of its entries by half of 2⁻²⁹. The entries of a rotation have this error and that of the
+//! sine, at most 1.6·10⁻⁹. Rows and columns have three entries. So if all roundings had the same sign, a million
+//! products would change lengths and right angles by 10⁶ · 3 · (2 · 2⁻³⁰ + 1.6·10⁻⁹) = 1 %. Renormalization makes the
+//! rows orthogonal to a unit of 2⁻²⁹ in each entry, or 4·10⁻⁹ in the sums of a row's products, for any earlier error.
 
 use fixel::prelude::*;
 
@@ -20,7 +20,7 @@ const DRIFT: f64 = 3. * (2. / ONE + 1.6e-9);
 /// The error of an entry after renormalization.
 const RIGID: f64 = 4e-9;
 
-/// The entries of a rotation, measured by the images of axes 16,384 long: in units of 2⁻¹⁶ · 2⁻¹⁴.
+/// The entries of a rotation, read from the images of axes of length 16,384: in units of 2⁻¹⁶ · 2⁻¹⁴.
 fn matrix(transform: &Transform) -> [[f64; 3]; 3] {
     let axis = |i: usize| {
         let mut bits = [0; 3];
@@ -47,15 +47,15 @@ fn from_rigid(transform: &Transform) -> f64 {
     worst
 }
 
-/// The largest difference of an entry from the model's.
+/// The largest difference between an entry and the model's entry.
 fn from_model(transform: &Transform, model: &Matrix) -> f64 {
     let rows = matrix(transform);
     let entries = rows.iter().zip(model).flat_map(|(a, b)| a.iter().zip(b));
     entries.fold(0., |worst, (a, b)| worst.max((a - b).abs()))
 }
 
-/// Multiplies a million times by the same three small turns; returns the largest errors on the way: from rigid, and
-/// from the model.
+/// Multiplies a million times by the same three small rotations. Returns the largest errors on the way: the distance
+/// from a rigid matrix, and from the model.
 fn turned(renormalized_every: Option<u32>) -> [Worst; 2] {
     let angles = [0.001, 0.000_7, 0.002_3].map(|a| Angle::try_from_radians(a).unwrap());
     let step = Transform::rotate_x(angles[0])
@@ -110,6 +110,6 @@ pub static CASES: Cases = Cases::new(|| {
 });
 
 #[test]
-fn a_million_rotations() {
+fn errors_of_a_million_rotations_are_within_their_bounds() {
     assert_eq!(CASES.len(), 4);
 }

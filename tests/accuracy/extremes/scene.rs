@@ -1,4 +1,4 @@
-//! Triangles in front of a projection, for the crate and for the model.
+//! Triangles with their view, for the crate and for the model.
 
 use fixel::num::scalar;
 use fixel::prelude::*;
@@ -13,7 +13,8 @@ use crate::reference::view::{self, View};
 /// A triangle's corners.
 pub type Corners = [[f64; 3]; 3];
 
-/// A texture of 256 texels, shown once: columns and rows at three corners, with 16 fraction bits.
+/// Texture coordinates that show a texture of 256 texels once: columns and rows at three corners, with 16 fraction
+/// bits.
 pub const ONCE: [[i32; 2]; 3] = [[0, 0], [256 << 16, 0], [0, 256 << 16]];
 
 /// A scene: triangles, their texture coordinates, and their view.
@@ -23,23 +24,24 @@ pub struct Scene {
     pub options: DrawOptions,
     pub positions: Vec<Vec3>,
     pub faces: Vec<[u16; 3]>,
-    /// Columns and rows of the texture, with 16 fraction bits; one for each position.
+    /// The column and row of the texture at each position, with 16 fraction bits.
     pub texels: Vec<[i32; 2]>,
     pub mvp: Mvp<Perspective>,
     pub view: View,
-    /// The magnitudes of the terms that add up to a position's coordinates in eye space, including all offsets.
+    /// For each position, the sum of the magnitudes of all terms of its coordinates in eye space, including all
+    /// offsets.
     pub sums: Vec<f64>,
 }
 
-/// The view of triangles. All of its numbers must be numbers of the crate's formats.
+/// The view of triangles. The crate's formats must represent all of its numbers exactly.
 #[derive(Clone, Debug)]
 pub struct Lens {
     pub size: (u32, u32),
-    /// Pixels.
+    /// Focal length in pixels.
     pub focal: f64,
     pub near: f64,
     pub far: f64,
-    /// Moves from model to eye space, the last applied first.
+    /// Moves from model space to eye space; the last one acts first.
     pub moves: Vec<Move>,
     pub viewport: Option<Viewport>,
 }
@@ -101,8 +103,8 @@ impl Lens {
         }
     }
 
-    /// Judges a triangle that shows a texture once, with each corner first in turn: the fan of a clipped triangle
-    /// starts there.
+    /// Judges a triangle that shows a texture once, with each corner first in turn, because the fan of a clipped
+    /// triangle starts at its first corner.
     pub fn judge(&self, [a, b, c]: Corners) -> Verdict {
         let mut verdict = Verdict::default();
         for corners in [[a, b, c], [b, c, a], [c, a, b]] {
@@ -111,7 +113,7 @@ impl Lens {
         verdict
     }
 
-    /// The position at a distance that appears at a point of the screen, in pixels from the middle, y up.
+    /// The position at the distance `w` that appears at a point of the screen, in pixels from the middle, y up.
     pub fn at(&self, [x, y]: [f64; 2], w: f64) -> [f64; 3] {
         [x * w / self.focal, y * w / self.focal, -w]
     }

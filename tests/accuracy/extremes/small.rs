@@ -1,7 +1,7 @@
 //! Triangles with no area, or hardly any.
 //!
 //! Corners are snapped to 1/256 pixel. Given the snapped corners, coverage is exact, and values are within the bounds
-//! of the formats, however thin the triangle.
+//! of the formats, however thin the triangle is.
 
 use std::f64::consts::TAU;
 
@@ -12,7 +12,7 @@ use super::table::{Cases, picture};
 use super::verdict::Verdict;
 use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
 
-/// Triangles 5 to 100 pixels long and this wide in their middle, at every slope.
+/// Triangles at every slope, 5 to 100 pixels long and this wide at their middle.
 fn slivers(width: f64) -> Verdict {
     let projection = Lens::ROOM;
     let mut random = Random(6);
@@ -40,7 +40,7 @@ fn slivers(width: f64) -> Verdict {
     }))
 }
 
-/// Triangles of less than a pixel.
+/// Triangles smaller than a pixel.
 fn specks() -> Verdict {
     let projection = Lens::ROOM;
     let mut random = Random(7);
@@ -66,13 +66,13 @@ pub static CASES: Cases = Cases::new(|| {
 });
 
 #[test]
-fn thin_triangles_are_drawn_like_others() {
+fn errors_of_thin_triangles_are_within_their_bounds() {
     assert_eq!(CASES.len(), 4);
 }
 
 const SIZE: (u32, u32) = (24, 24);
 
-/// The number of pixels that triangles cover, and of triangles reported as drawn; corners in 24.8.
+/// The number of pixels that triangles cover, and the number of triangles reported as drawn; corners are in 24.8.
 fn drawn(triangles: &[[[i32; 2]; 3]]) -> (usize, u32) {
     let positions: Vec<Vec3> = triangles
         .iter()
@@ -101,7 +101,7 @@ fn corners_in_a_line_draw_nothing() {
     for dx in -24..=24 {
         for dy in -24..=24 {
             for (first, second) in [(1, 3), (-2, 1), (0, 2), (3, 3)] {
-                // On centers, where the rule for ties decides, and beside them.
+                // On centers, where the top-left rule decides, and beside them.
                 for origin in [[3200, 2944], [3000, 3001]] {
                     let at =
                         |times: i32| [origin[0] + 32 * dx * times, origin[1] + 32 * dy * times];
@@ -115,7 +115,7 @@ fn corners_in_a_line_draw_nothing() {
     }
 }
 
-/// The same position two or three times, as the same vertex or another.
+/// Two or three corners have the same position, as one vertex or as several.
 #[test]
 fn corners_in_one_place_draw_nothing() {
     let places = [[128, 128], [1000, 2000], [3333, 17]];
@@ -131,9 +131,9 @@ fn corners_in_one_place_draw_nothing() {
     assert_eq!(counter.draw(&BOTH_SIDES, &mesh, &pixel_lens(SIZE)).drawn, 0);
 }
 
-/// A mesh with the largest number of vertices, all at one position.
+/// In a mesh with the largest number of vertices, all have the same position.
 #[test]
-fn every_vertex_in_one_place() {
+fn the_largest_mesh_in_one_place_draws_only_points() {
     for place in [
         Vec3::ZERO,
         vec3!(0, 0, -2),
@@ -155,7 +155,7 @@ fn every_vertex_in_one_place() {
         assert!(counter.take().iter().all(|&count| count == 0));
         counter.draw_points(&DrawOptions::new(), &mesh, &mvp);
         let counts = counter.take();
-        // Each of the points is drawn, in the same pixel, if it is in front of the eye.
+        // In front of the eye, each of the points is drawn, all in the same pixel.
         let seen: u32 = if place == vec3!(0, 0, -2) { 65_536 } else { 0 };
         assert_eq!(counts.iter().copied().max(), Some(seen));
         assert_eq!(counts.iter().sum::<u32>(), seen);

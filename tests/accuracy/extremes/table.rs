@@ -1,4 +1,4 @@
-//! The table of the worst errors: every run writes it, and it must be no worse than the guide's.
+//! The table of the worst errors: every run writes it, and it must be no worse than the table in the guide.
 
 use std::fmt::Write;
 use std::sync::LazyLock;
@@ -6,10 +6,10 @@ use std::{env, fs};
 
 use super::verdict::{Verdict, Worst};
 
-/// Rows that are measured once, for their own test and for the table.
+/// Rows that are measured only once, for their own test and for the table.
 pub type Cases = LazyLock<Vec<Row>>;
 
-/// A line of the table.
+/// A row of the table.
 pub struct Row {
     pub case: String,
     pub cells: Cells,
@@ -17,7 +17,7 @@ pub struct Row {
 
 /// The measured errors of a row.
 pub enum Cells {
-    /// A picture against the model's.
+    /// The differences between a picture and the model's.
     Picture(Verdict),
     /// Any other error, with its unit.
     Figure(&'static str, Worst),
@@ -41,7 +41,7 @@ pub fn figure(case: &str, unit: &'static str, worst: Worst) -> Row {
     }
 }
 
-/// Two significant digits.
+/// Formats a number with two significant digits.
 fn digits(x: f64) -> String {
     match x {
         0. => "0".to_owned(),
@@ -55,7 +55,7 @@ fn digits(x: f64) -> String {
 }
 
 fn cell(worst: Worst) -> String {
-    // An error that was never measured has no bound.
+    // A bound of 0 means that the error was never measured.
     if worst.bound == 0. {
         return "–".to_owned();
     }
@@ -88,9 +88,9 @@ fn markdown(rows: &[&Row]) -> String {
     text
 }
 
-/// Whether a table has the same rows as another one, and no error that exceeds the other's by more than a fifth and
-/// 10⁻⁴: another computer's sines may move a corner by the last bit. If an error is smaller, it may be from another
-/// pixel, so its bound may differ.
+/// Whether the table `found` has the same rows as the table `shown`, and no error exceeds the shown one by more than a
+/// fifth plus 10⁻⁴. The margin is needed because another computer's sines may move a corner by the last bit. A smaller
+/// error may come from another pixel, so its bound may differ.
 fn is_no_worse(found: &str, shown: &str) -> bool {
     let found: Vec<&str> = found.split_whitespace().collect();
     let shown: Vec<&str> = shown.split_whitespace().collect();

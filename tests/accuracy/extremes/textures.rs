@@ -1,7 +1,7 @@
 //! Texture coordinates of ±32,000 texels, and textures that are smaller than a pixel.
 //!
-//! An attribute has 30 bits of the largest in its triangle, so for 32,000 texels the resolution is 1/16,384 texel:
-//! bounds are 125 times those for 256. `Fast` has 16 of these bits, 1/2 texel, and its tolerance.
+//! An attribute keeps 30 bits of its largest value in the triangle. So for 32,000 texels the resolution is 1/16,384
+//! texel, and bounds are 125 times those for 256. `Fast` keeps 16 of these bits, 1/2 texel, and adds its tolerance.
 
 use super::scene::{Lens, Random, worst};
 use super::table::{Cases, picture};
@@ -44,8 +44,9 @@ fn tiny(w: f64) -> Verdict {
     }))
 }
 
-/// Ground under a camera that hardly rolls. Along a row 1/w changes by 2⁻²⁸ to 2⁻²¹ of itself per pixel, and the
-/// texture, of up to 1000 texels, by many texels. A row that is drawn straight must be straight.
+/// Ground under a camera that hardly rolls. Along a row, 1/w changes by 2⁻²⁸ to 2⁻²¹ of itself per pixel, while the
+/// texture coordinate changes by many texels, up to 1000 in all. Rows that are drawn straight must be within the
+/// bounds.
 fn level() -> Verdict {
     let projection = Lens {
         far: 32_767.,
@@ -76,6 +77,6 @@ pub static CASES: Cases = Cases::new(|| {
 });
 
 #[test]
-fn textures_of_any_range() {
+fn errors_of_textures_of_any_range_are_within_their_bounds() {
     assert_eq!(CASES.len(), 6);
 }

@@ -1,5 +1,5 @@
-//! Drawing is total: no bits of vertices, matrices, texture coordinates and varyings cause a panic (tests check for
-//! overflow), and bands still equal the frame.
+//! Drawing is total: no bits of vertices, matrices, texture coordinates or varyings cause a panic (test builds check
+//! for overflow), and bands still equal the frame.
 
 use embedded_graphics::pixelcolor::{Gray8, Rgb888};
 use fixel::mode::{self, Affine, Compact, Exact, Fast, Newton};
@@ -13,7 +13,7 @@ use proptest::sample::select;
 
 use crate::mode::Mode;
 
-/// Any bits, preferably the ends of the format, the middle, and every magnitude between.
+/// Any bits, with a preference for the ends of the format, the middle, and every magnitude between them.
 fn bits() -> impl Strategy<Value = i32> {
     prop_oneof![
         select(vec![i32::MAX, i32::MIN, 0, 1 << 16, -(1 << 16)]),
@@ -29,7 +29,7 @@ fn vector() -> impl Strategy<Value = Vec3> {
     prop::array::uniform3(bits()).prop_map(Vec3::from_bits)
 }
 
-/// A product of a few moves, each by any numbers.
+/// A product of a few transforms with arbitrary numbers.
 fn transform() -> impl Strategy<Value = Transform> {
     let angle = || any::<u32>().prop_map(Angle::from_bits);
     let one = prop_oneof![
@@ -49,14 +49,14 @@ fn transform() -> impl Strategy<Value = Transform> {
 #[derive(Clone, Debug)]
 struct Scene {
     positions: Vec<Vec3>,
-    /// If present, positions of 16 bits with their fraction bits, in place of the others.
+    /// If present, positions of 16 bits and the number of their fraction bits, which replace the other positions.
     short: Option<(Vec<[i16; 3]>, u32)>,
     uvs: Vec<Vec2>,
     faces: Vec<[u16; 3]>,
     edges: Vec<[u16; 2]>,
     options: DrawOptions,
     size: (u32, u32),
-    /// Rows of a band.
+    /// The number of rows of a band.
     rows: u32,
     depth: Format,
     what: What,
@@ -163,7 +163,7 @@ fn scene() -> impl Strategy<Value = Scene> {
         })
 }
 
-/// Numbers with three tolerances.
+/// Varyings of three numbers, each with a tolerance.
 #[derive(Clone, Copy)]
 struct Rough([i32; 3]);
 
@@ -188,7 +188,7 @@ impl Varyings for Rough {
     }
 }
 
-/// Varyings of any magnitude, one of which jumps from end to end of its format.
+/// A shader with varyings of any magnitude, one of which jumps between the ends of its format.
 #[derive(Clone, Copy)]
 struct Raw;
 
@@ -280,7 +280,7 @@ impl Scene {
         }
     }
 
-    /// Draws the frame, and the frame in bands, and compares all bits.
+    /// Draws the frame at once and in bands, and compares all bits.
     fn check<K: ProjectionKind>(
         &self,
         projection: Result<Projection<K>, Error>,

@@ -6,7 +6,7 @@ use fixel::fx;
 /// The modes that are measured.
 pub const MODES: [Mode; 3] = [Mode::Newton, Mode::Exact, Mode::Fast(fx!(0.25))];
 
-/// The largest of some errors, with its bound.
+/// The largest of several errors, with its bound.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Worst {
     pub measured: f64,
@@ -38,11 +38,11 @@ impl Worst {
     }
 }
 
-/// The differences between a mesh's picture and the model's.
+/// The largest differences between a mesh's picture and the model's.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Verdict {
-    /// In pixels: the distance of a corner from its exact position; for clipped meshes, how far inside the center of
-    /// an omitted pixel is, or how far outside the center of a drawn one.
+    /// In pixels: the distance of a corner from its exact position. In clipped meshes: how far inside a face the center
+    /// of an omitted pixel is, or how far outside it the center of a drawn pixel is.
     pub coverage: Worst,
     /// In texels of a texture of 256, in each of [`MODES`].
     pub texels: [Worst; 3],

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 
 use super::given::{STEP, all_close, close, float, floats, vec};
 
-/// The length on the screen of an edge of length one along an axis, in an orthographic view.
+/// For each axis, the length on the screen of an edge of length one along it, in an orthographic view.
 fn foreshortening(camera: &Camera) -> [f64; 3] {
     [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| {
         let [x, y, _] = floats(camera.view().direction(axis));
@@ -15,10 +15,10 @@ fn foreshortening(camera: &Camera) -> [f64; 3] {
 }
 
 #[test]
-fn axonometric_views() {
+fn axonometric_views_foreshorten_the_axes() {
     let (target, distance) = (vec3!(1, 2, 3), fx!(10));
     let alike = (2.0_f64 / 3.0).sqrt();
-    // Two coordinates rounded to half a step.
+    // Two coordinates are rounded by half a step each.
     all_close(
         foreshortening(&Camera::isometric(target, distance)),
         [alike; 3],
@@ -37,10 +37,10 @@ fn axonometric_views() {
         Camera::side(target, distance),
         Camera::top(target, distance),
     ] {
-        // The target is in the middle, at this distance.
+        // The target is in the middle, at the given distance.
         assert_eq!(camera.view().point(target), vec3!(0, 0, -10));
     }
-    // The axes that run right and up in the picture.
+    // For each view, the axes that run right and up in the picture.
     for (camera, right, up) in [
         (Camera::front(target, distance), Vec3::X, Vec3::Y),
         (Camera::side(target, distance), -Vec3::Z, Vec3::Y),
@@ -74,28 +74,28 @@ fn points() -> impl Strategy<Value = Vec3> {
 
 proptest! {
     #[test]
-    fn look_at(eye in points(), target in points(), up in points(), p in points()) {
+    fn look_at_follows_its_formula(eye in points(), target in points(), up in points(), p in points()) {
         let Ok(camera) = Camera::look_at(eye, target, up) else {
             return Err(TestCaseError::reject("no view"));
         };
         let k = normalized(sub(floats(eye), floats(target)));
         let side = cross(floats(up), k);
-        // If up is nearly parallel to the view, its rounding counts.
+        // If up is nearly parallel to the line of sight, its rounding counts too much.
         prop_assume!(dot(side, side) > 1e-4 * dot(floats(up), floats(up)));
         let i = normalized(side);
         let j = cross(k, i);
         let offset = sub(floats(p), floats(eye));
-        // Axes are accurate to 2^-28/0.01, over at most 174: below 2^-13 of a step; rounded once.
+        // Axes have an error of up to 2^-28/0.01, over a distance of at most 174; the result is rounded once.
         let expected = [i, j, k].map(|axis| dot(axis, offset));
         all_close(floats(camera.view().point(p)), expected, 0.51 * STEP + 174.0 * 100.0 * 4e-9);
-        // The eye is at the origin, and the target ahead on the axis.
+        // The eye is at the origin of eye space, and the target is ahead on the axis.
         all_close(floats(camera.view().point(eye)), [0.0; 3], STEP);
         let distance = dot(sub(floats(eye), floats(target)), k);
         all_close(floats(camera.view().point(target)), [0.0, 0.0, -distance], STEP);
     }
 
     #[test]
-    fn inverse_of_a_rigid_transform(
+    fn the_inverse_undoes_a_rigid_transform(
         turns in any::<[u32; 3]>(), by in points(), p in points(),
     ) {
         let [a, b, c] = turns.map(Angle::from_bits);
@@ -105,7 +105,7 @@ proptest! {
             let identity = both.to_matrix();
             for (i, row) in identity.rows().iter().enumerate() {
                 for (j, &entry) in row.iter().enumerate() {
-                    // 30 bits of at most 100 are below 2^-22.
+                    // Numbers up to 100 with 30 bits have units below 2^-22.
                     close(float(entry), f64::from(u8::from(i == j)), STEP);
                 }
             }
@@ -114,19 +114,19 @@ proptest! {
     }
 
     #[test]
-    fn camera_by_composed_moves(
+    fn a_camera_of_composed_moves_equals_look_at(
         eye in points(), turn in any::<u32>(), tilt in -80..80, p in points(),
     ) {
         let (turn, tilt) = (Angle::from_bits(turn), Angle::from_degrees(tilt));
         let turns = Transform::rotate_y(turn) * Transform::rotate_x(tilt);
         let pose = Transform::translate(eye) * turns;
         let composed = Camera::at_pose(pose);
-        // The inverse of a product: inverses in reverse order.
+        // The inverse of a product is the product of the inverses in reverse order.
         let turns = Transform::rotate_x(-tilt) * Transform::rotate_y(-turn);
         let reverse = turns * Transform::translate(-eye);
         all_close(floats(composed.view().point(p)), floats(reverse.point(p)), STEP);
-        // The same pose by look-at: the target is 100 ahead, rounded to half a step of 100 in each
-        // axis.
+        // The same pose by look-at. The target is 100 ahead, and rounded by up to half a step along
+        // each axis.
         let camera = Camera::look_at(eye, pose.point(vec3!(0, 0, -100)), Vec3::Y).unwrap();
         let slack = STEP + 174.0 * (STEP / 100.0) * 2.0 / 80_f64.to_radians().cos();
         all_close(floats(composed.view().point(p)), floats(camera.view().point(p)), slack);
@@ -167,8 +167,8 @@ fn the_mvp_applies_from_right_to_left() {
         Transform::rotate_z(Angle::from_degrees(90)),
         Transform::translate(vec3!(2, 0, 0)),
     );
-    // The model point (1, 0, 0) is turned to (0, 1, 0), moved to (2, 1, 0), is at (2, 1, −5) in front of the eye, and
-    // at (2/5 / (4/3), 1/5) = (0.3, 0.2) of the picture, whose middle is (112, 76) and whose halves are 80 by 60.
+    // The model point (1, 0, 0) is turned to (0, 1, 0) and moved to (2, 1, 0). It is at (2, 1, −5) in eye space, and at
+    // (2/5 / (4/3), 1/5) = (0.3, 0.2) in the picture, whose middle is (112, 76) and whose halves are 80 by 60 pixels.
     let mvp = projection * camera * (shift * turn);
     all_close(
         place(&mvp, Vec3::X),
@@ -177,7 +177,7 @@ fn the_mvp_applies_from_right_to_left() {
     );
     let apart = projection * camera * shift * turn;
     all_close(place(&apart, Vec3::X), place(&mvp, Vec3::X), 0.0);
-    // Swapped, it is moved to (3, 0, 0) and turned to (0, 3, 0).
+    // With swapped factors, it is moved to (3, 0, 0) and turned to (0, 3, 0).
     let swapped = projection * camera * (turn * shift);
     all_close(place(&swapped, Vec3::X), [112.0, 76.0 - 36.0], 1.0 / 256.0);
 }
@@ -192,7 +192,7 @@ proptest! {
         let canvas = canvas(&mut pixels);
         let size = (320, 240);
         let projection = Projection::from_focal_length(fx!(100), size, fx!(0.5), fx!(100)).unwrap();
-        // Multiples of four steps, so that every quarter of the way is a point of the format.
+        // Multiples of four steps, so that the format represents every quarter of the way exactly.
         let [p, v] = [p, v].map(|v: [f64; 3]| v.map(|v| (v * 16_384.0).round() / 16_384.0));
         for t in 0..=8 {
             let t = f64::from(t) / 4.0;
@@ -201,7 +201,7 @@ proptest! {
             let mvp = projection * Transform::IDENTITY;
             let place = canvas.project(&DrawOptions::new(), &mvp, Vec3::try_from(point).unwrap());
             let place = place.expect("the point is ahead");
-            // Half a subpixel.
+            // Rounded by half a subpixel.
             let expected = [MIDDLE[0] + x, MIDDLE[1] - y];
             all_close([place.x.to_num(), place.y.to_num()], expected, 0.51 / 256.0);
         }
@@ -217,7 +217,7 @@ proptest! {
         let point = |t: f64| vec(p[0] + t * v[0], p[1] + t * v[1], p[2]);
         let at = |t| projection.image(point(t)).unwrap().map(float);
         let (a, b) = (at(0.0), at(4.0));
-        // Over a distance of at least 4·0.5/9, both ends are rounded to half a step in space and again on the screen.
+        // Over a distance of at least 4·0.5/9, both ends are rounded by half a step in space and again on the screen.
         let run = 4.0 * v[0] / -p[2];
         let slack = 4.0 * STEP * (1.0 + 4.0) / run;
         close((b[1] - a[1]) / (b[0] - a[0]), v[1] / v[0], slack);

@@ -1,9 +1,9 @@
-//! Helpers of the formulas' tests: floats of the crate's formats, and their resolution.
+//! Helpers of the formulas' tests: conversions between the crate's formats and f64, and the steps of the formats.
 
 use fixel::num::scalar;
 use fixel::{Matrix4, Scalar, Unit, Vec3};
 
-/// A step of the coordinates' format: a value rounded once has an error of half a step.
+/// A step of the coordinates' format. A value rounded once has an error of up to half a step.
 pub const STEP: f64 = 1.0 / 65_536.0;
 /// A step of sines, cosines and fractions.
 pub const UNIT_STEP: f64 = 1.0 / 1_073_741_824.0;
@@ -31,7 +31,7 @@ pub fn floats(v: Vec3) -> [f64; 3] {
 pub fn close(found: f64, expected: f64, tolerance: f64) {
     assert!(
         (found - expected).abs() <= tolerance,
-        "{found} is not {expected} to {tolerance}"
+        "{found} is not {expected}, within {tolerance}"
     );
 }
 
@@ -41,7 +41,7 @@ pub fn all_close<const N: usize>(found: [f64; N], expected: [f64; N], tolerance:
     }
 }
 
-/// Compares each entry.
+/// Compares two matrices entry by entry.
 pub fn same_matrix(found: &Matrix4, expected: [[f64; 4]; 4], tolerance: f64) {
     for (found, expected) in found.rows().iter().zip(expected) {
         all_close(found.map(float), expected, tolerance);

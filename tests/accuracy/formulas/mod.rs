@@ -1,7 +1,8 @@
-//! The textbook's formulas of projection, cameras, interpolation and time, as checks of the crate.
+//! Checks of the crate by textbook formulas of projection, cameras, interpolation and time.
 //!
 //! Expected numbers were worked out by hand, or are computed here in f64 from the formula itself; each test is named
-//! after its formula. Right-handed axes, camera at the origin looking down −z, y up; n and f are distances.
+//! after its formula. Axes are right-handed; the camera is at the origin and looks down −z, y up; n and f are
+//! distances.
 
 mod camera;
 mod given;

@@ -34,7 +34,7 @@ static EDGES: [[u16; 2]; 12] = [
     [3, 7],
 ];
 
-/// The practice cube's window, ±1 at a distance of 2.
+/// A projection with the practice cube's window, ±1 at a distance of 2.
 fn projection() -> Projection<Perspective> {
     Projection::frustum(Window::centered(fx!(2), fx!(2)), fx!(2), fx!(10)).unwrap()
 }
@@ -60,7 +60,7 @@ fn picture(model: Transform) -> Vec<String> {
         .collect()
 }
 
-/// The position of a model's point in the picture, in f64 from the transform's images of the axes.
+/// The position of a model's point in the picture, projected in f64 from its position in eye space.
 fn place(model: Transform, point: Vec3) -> [f64; 2] {
     let [x, y, z] = floats(model.point(point));
     let half = f64::from(SIZE) / 2.0;
@@ -74,7 +74,7 @@ fn distance(p: [f64; 2], [a, b]: [[f64; 2]; 2]) -> f64 {
     (to[0] - t * along[0]).hypot(to[1] - t * along[1])
 }
 
-/// Every pixel is on an edge, and every edge has a pixel in each row or column that it crosses.
+/// Checks that every pixel is on an edge, and that every edge has a pixel in each row or column that it crosses.
 #[allow(clippy::cast_precision_loss)] // below 28
 fn check(model: Transform, picture: &[String]) {
     let edges = EDGES.map(|edge| edge.map(|i| place(model, CUBE[usize::from(i)])));
@@ -85,7 +85,7 @@ fn check(model: Transform, picture: &[String]) {
         let near = edges
             .iter()
             .any(|&edge| distance(center(x, y), edge) <= 0.51);
-        // Half a pixel across a line's shorter direction, and a subpixel of rounding.
+        // Half a pixel across the line's shorter axis, and a subpixel for rounding.
         assert!(!on(x, y) || near, "({x}, {y}) is on no edge");
     }
     for [a, b] in edges {
@@ -93,7 +93,7 @@ fn check(model: Transform, picture: &[String]) {
         let axis = usize::from(steep);
         let (from, to) = (a[axis].min(b[axis]), a[axis].max(b[axis]));
         for along in 0..size {
-            // Pixel centers well between the ends.
+            // Skip pixel centers that are not well between the ends.
             if along as f64 + 0.49 < from || along as f64 + 0.51 > to {
                 continue;
             }
@@ -110,7 +110,7 @@ fn check(model: Transform, picture: &[String]) {
     }
 }
 
-/// The number of the model's axes that have a vanishing point.
+/// How many of the model's axes have a vanishing point.
 fn vanishing_points(model: Transform) -> usize {
     [Vec3::X, Vec3::Y, Vec3::Z]
         .into_iter()

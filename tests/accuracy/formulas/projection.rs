@@ -14,7 +14,7 @@ fn degrees(angle: Angle) -> f64 {
     f64::from(angle.to_bits()) / 4_294_967_296.0 * 360.0
 }
 
-/// 60° high, 3 : 2, from 2 to 10.
+/// A vertical field of view of 60°, an aspect ratio of 3 : 2, and planes at 2 and 10.
 fn projection() -> Projection<Perspective> {
     Projection::perspective(Angle::from_degrees(60), fx!(1.5), fx!(2), fx!(10)).unwrap()
 }
@@ -65,19 +65,19 @@ fn perspective_by_field_of_view() {
     } = projection.window();
     let edges = [top, right, bottom, left].map(float);
     let top = 2.0 * (TAU / 12.0).tan();
-    // Rounded once, from 30 bits.
+    // Values of 30 bits are rounded once.
     let expected = [top, top * 1.5, -top, -top * 1.5];
     all_close(edges, expected, 0.51 * STEP);
-    // As printed in tables, with four decimals.
+    // The values that tables print, with four decimals.
     all_close(edges, [1.1547, 1.7321, -1.1547, -1.7321], 0.5e-4);
     assert_eq!((projection.near(), projection.far()), (fx!(2), fx!(10)));
 }
 
 #[test]
-fn frustum_and_back() {
+fn a_frustum_gives_back_its_field_of_view_and_edges() {
     let seven = projection();
     let eight = Projection::frustum(seven.window(), seven.near(), seven.far()).unwrap();
-    // Edges rounded to half a step, of 1.15.
+    // Edges are rounded by half a step, relative to 1.15.
     let relative = STEP / 2.0 / 1.15;
     close(
         float(eight.aspect()),
@@ -91,7 +91,7 @@ fn frustum_and_back() {
     let expected = seven.to_matrix().rows().map(|row| row.map(float));
     same_matrix(&again.to_matrix(), expected, 2.0 * 4.0 * relative + STEP);
 
-    // Off the center: the edges as they were given.
+    // An off-center frustum gives back its edges.
     let window = Window {
         left: fx!(-1),
         right: fx!(3),
@@ -120,7 +120,7 @@ fn frustum([l, r, b, t, n, f]: [f64; 6]) -> [[f64; 4]; 4] {
 
 proptest! {
     #[test]
-    fn the_matrix_and_the_product(
+    fn a_frustums_matrix_is_a_product(
         l in -4.0..0.0, w in 0.5..4.0, b in -4.0..0.0, h in 0.5..4.0, n in 0.5..4.0, d in 1.0..50.0,
     ) {
         let edges = [l, l + w, b, b + h, n, n + d].map(|v| float(fx(v)));
@@ -128,23 +128,23 @@ proptest! {
         let window = Window { left, right, bottom, top };
         let projection = Projection::frustum(window, near, far).unwrap();
         let expected = frustum(edges);
-        // Rounded once, from 28 bits of at most 64.
+        // Numbers up to 64 with 28 bits are rounded once.
         same_matrix(&projection.to_matrix(), expected, 0.52 * STEP);
 
-        // z = −n → −1 and z = −f → +1: two entries rounded to half a step, one of them times z,
-        // over w = −z.
+        // z = −n → −1 and z = −f → +1. Two entries are rounded by half a step, one of them is
+        // multiplied by z, and the sum is divided by w = −z.
         let depth = |z: f64| float(projection.to_matrix().project(vec(0.0, 0.0, z)).unwrap().z);
         let [.., n, f] = edges;
         close(depth(-n), -1.0, STEP * (2.0 / n + 1.0));
         close(depth(-f), 1.0, STEP * (2.0 / f + 1.0));
 
-        // A box from the window on the near plane, depths −n to −f, to ±1: scaled, then moved.
+        // The box over the window on the near plane, with z from −n to −f, is scaled and then moved to ±1.
         let [l, r, b, t, n, f] = edges;
         let perspective = Matrix4::perspective_transform(near, far);
         let scale = Matrix4::scale(vec(2.0 / (r - l), 2.0 / (t - b), -2.0 / (f - n)));
         let middle = vec(-(r + l) / (r - l), -(t + b) / (t - b), -(f + n) / (f - n));
         let middle = Matrix4::translate(middle);
-        // Factors are rounded to half a step, and multiplied with up to n·f < 217.
+        // Factors are rounded by half a step, and multiplied by up to n·f < 217.
         let slack = 0.51 * STEP * (2.0 + (n + f).max(n * f));
         same_matrix(&(middle * scale * perspective), expected, slack);
     }
@@ -153,7 +153,7 @@ proptest! {
 #[test]
 fn the_other_depth_mapping() {
     let (n, f) = (2.0, 10.0);
-    // With z positive ahead, the depth of the transform is the same with the opposite sign.
+    // With z positive ahead, the transform gives the same depth with the opposite sign.
     let depth = |z: f64| {
         let matrix = Matrix4::perspective_transform(fx(n), fx(f));
         -float(matrix.project(vec(0.0, 0.0, -z)).unwrap().z)
@@ -170,7 +170,7 @@ fn the_other_depth_mapping() {
 }
 
 #[test]
-fn orthographic_box() {
+fn orthographic_projections_map_a_box_to_the_cube() {
     let edges = [-3.0, 5.0, -1.0, 1.0, 2.0, 10.0];
     let [l, r, b, t, n, f] = edges.map(fx);
     let window = Window {
@@ -190,14 +190,14 @@ fn orthographic_box() {
         let ndc = projection.to_matrix().project(vec(x, y, z)).unwrap();
         assert_eq!(ndc, vec(nx, ny, nz));
     }
-    // Parallel lines stay parallel: a direction from any point is the same on the screen.
+    // Parallel lines stay parallel: a direction has the same image from every point.
     let at = |x, y, z| projection.to_matrix().project(vec(x, y, z)).unwrap();
     let first = at(1.0, 0.5, -7.0) - at(0.0, 0.25, -3.0);
     let second = at(-1.0, 0.0, -9.0) - at(-2.0, -0.25, -5.0);
     assert_eq!(first, second);
 }
 
-/// Length and direction, in degrees, of the image of an edge of length one along the view.
+/// The length and the direction, in degrees, of the image of an edge of length one along the line of sight.
 fn receding(projection: &Projection<Parallel>) -> (f64, f64) {
     let at = |z| projection.to_matrix().project(vec(0.25, 0.25, z)).unwrap();
     // The window is ±1, and so are normalized device coordinates.
@@ -206,7 +206,7 @@ fn receding(projection: &Projection<Parallel>) -> (f64, f64) {
 }
 
 #[test]
-fn oblique() {
+fn oblique_projections_show_receding_edges_at_their_length_and_angle() {
     let (window, near, far) = (Window::centered(fx!(2), fx!(2)), fx!(1), fx!(10));
     for angle in [0, 30, 45, 63, 120, 225] {
         let turn = Angle::from_degrees(angle);
@@ -215,12 +215,12 @@ fn oblique() {
         let any = Projection::oblique(turn, fx!(0.75), window, near, far).unwrap();
         for (projection, length) in [(cavalier, 1.0), (cabinet, 0.5), (any, 0.75)] {
             let (found, direction) = receding(&projection);
-            // Entries of the matrix rounded to half a step, times z = 3 and 2; images too.
+            // The matrix's entries are rounded by half a step, times z = 3 and 2; the images are rounded too.
             let slack = STEP * 3.5;
             close(found, length, slack);
             let off = (direction - f64::from(angle)).rem_euclid(360.0);
             close(off.min(360.0 - off), 0.0, (slack / length).to_degrees());
-            // Points in the near plane do not move.
+            // The shear leaves points in the near plane in place.
             let ndc = projection
                 .to_matrix()
                 .project(vec(0.5, -0.25, -1.0))
@@ -234,7 +234,7 @@ fn oblique() {
 
 proptest! {
     #[test]
-    fn vanishing_points(
+    fn vanishing_points_follow_their_formula(
         v in [-100.0..100.0, -100.0..100.0],
         z in prop_oneof![-100.0..-0.1, 0.1..100.0],
     ) {
@@ -246,19 +246,19 @@ proptest! {
     }
 
     #[test]
-    fn lines_approach_theirs(p in [-10.0..10.0, -10.0..10.0], v in [-1.0..1.0, -1.0..1.0]) {
+    fn lines_approach_their_vanishing_points(p in [-10.0..10.0, -10.0..10.0], v in [-1.0..1.0, -1.0..1.0]) {
         let projection = projection();
         let end = projection.vanishing_point(vec(v[0], v[1], -1.0)).unwrap().map(float);
-        // From (p, −1) along v, until the line's start is 1/20000 of the distance.
+        // Go from (p, −1) along v, until p is only 1/20000 of the distance.
         let t = 20_000.0;
         let far = projection.image(vec(p[0] + t * v[0], p[1] + t * v[1], -1.0 - t)).unwrap().map(float);
-        // n·(|p| + |v|)/t, two roundings, and the rounding of v times n.
+        // The distance n·(|p| + |v|)/t, two roundings, and the rounding of v times n.
         all_close(far, end, 2.0 * 11.0 / t + 3.0 * STEP);
     }
 }
 
 #[test]
-fn no_vanishing_point_across_the_view() {
+fn directions_across_the_view_have_no_vanishing_point() {
     for direction in [vec3!(1, 0, 0), vec3!(0, 1, 0), vec3!(3, -2, 0)] {
         assert_eq!(projection().vanishing_point(direction), None);
     }

@@ -11,8 +11,8 @@ fn segment(z0: f64, z1: f64) -> Segment {
 }
 
 #[test]
-fn depth_along_a_projected_segment() {
-    // q = 1/2 is exact, 1.6 is rounded to half a step.
+fn depth_halfway_along_a_projected_segment() {
+    // q = 1/2 is exact, and 1.6 is rounded by half a step.
     let z = segment(1.0, 4.0).distance(unit(0.5)).unwrap();
     close(float(z), 1.6, STEP / 2.0);
 }
@@ -23,7 +23,7 @@ fn the_fraction_in_space() {
     let t = segment.in_space(unit(0.5)).unwrap();
     close(t.to_num(), 0.2, UNIT_STEP / 2.0);
     let q = segment.on_screen(t).unwrap();
-    // The error of t, half a step, times dq/dt = z0·z1/(z0 + t(z1 − z0))² = 4/1.6².
+    // Half a step of t, times dq/dt = z0·z1/(z0 + t(z1 − z0))² = 4/1.6², and half a step of q.
     close(q.to_num(), 0.5, UNIT_STEP * (0.5 + 0.5 * 4.0 / 2.56));
 }
 
@@ -31,11 +31,11 @@ proptest! {
     #[test]
     fn depth_and_fraction_of_any_segment(z in [0.1..1000.0, 0.1..1000.0], q in 0.0..1.0) {
         let s = segment(z[0], z[1]);
-        // The crate's arguments, after rounding.
+        // The arguments after rounding to the crate's formats.
         let [z0, z1] = z.map(|z| float(fx(z)));
         let q: f64 = unit(q).to_num();
         let depth = 1.0 / (1.0 / z0 + q * (1.0 / z1 - 1.0 / z0));
-        // Rounded once; f64 itself is accurate to 1e-13 of these.
+        // Rounded once; f64 itself has a relative error of only 1e-13.
         close(float(s.distance(unit(q)).unwrap()), depth, 0.501 * STEP);
         let t = q * z0 / (z1 - q * (z1 - z0));
         close(s.in_space(unit(q)).unwrap().to_num(), t, 0.501 * UNIT_STEP);
@@ -54,15 +54,15 @@ proptest! {
         let [a, b] = ends.map(fx);
         // R = lerp(a/w0, b/w1, f) / lerp(1/w0, 1/w1, f).
         let homogeneous = segment.attribute(a, b, f).unwrap();
-        // g = f / lerp(w1/w0, 1, f), then in space.
+        // g = f / lerp(w1/w0, 1, f), then linear interpolation in space.
         let g: f64 = segment.in_space(f).unwrap().to_num();
         let in_space = float(a) + g * (float(b) - float(a));
-        // One rounding of the point; one of g, over at most 200.
+        // The point is rounded once; g is rounded once, and multiplied by at most 200.
         close(float(homogeneous), in_space, 0.501 * STEP + 200.0 * UNIT_STEP);
     }
 
     #[test]
-    fn speed_along_a_line(
+    fn speed_along_a_line_follows_its_formula(
         n in 0.1..10.0,
         p in [-50.0..50.0, -50.0..50.0, -50.0..-1.0],
         v in [-10.0..10.0, -10.0..10.0, -10.0..0.0],
@@ -80,7 +80,7 @@ proptest! {
 }
 
 proptest! {
-    /// Products of up to 94 bits.
+    /// The formula's products have up to 94 bits.
     #[test]
     fn speed_at_the_ends_of_the_format(
         n in 16000.0..32767.0,
@@ -105,12 +105,12 @@ fn equal_steps_in_depth_shrink_on_screen() {
     let at = |t: f64| float(projection.image(vec(0.0, -1.0, -1.0 - t)).unwrap()[1]);
     let speed = |t: f64| float(speed(fx!(1), vec3!(0, -1, -1), vec3!(0, 0, -1), fx(t)).unwrap()[1]);
     let mut last = f64::INFINITY;
-    // Up to where a step's change, 2/t³, is twice the rounding of three points.
+    // The loop ends where the change between steps, 2/t³, is twice the rounding of three points.
     for t in 0..25 {
         let t = f64::from(t);
         let step = at(t + 1.0) - at(t);
         assert!(step < last && step > 0.0, "step {step} after {last} at {t}");
-        // The step lies between the speeds at its ends; all four are rounded to half a step.
+        // The step lies between the speeds at its ends. All four numbers are rounded by half a unit.
         assert!(step <= speed(t) + 2.0 * STEP && step >= speed(t + 1.0) - 2.0 * STEP);
         last = step;
     }

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 
 use super::given::close;
 
-/// A sine is within 1.6e-9, a 2^-32 of a turn is 1.5e-9 radians.
+/// A sine has an error of up to 1.6e-9, and 2^-32 of a turn is 1.5e-9 radians.
 const SINE: f64 = 3e-9;
 
 #[test]
@@ -30,7 +30,7 @@ fn rotations_per_minute_to_radians_per_millisecond() {
 
 #[test]
 fn absolute_time_is_exact_after_days() {
-    // Ten turns a minute are one in 6000 ms.
+    // Ten turns a minute are one turn in 6000 ms.
     let rate = Rate::rpm(10);
     for hours in [1, 24, 30 * 24, 365 * 24 * 1_000] {
         let turns = hours * 600;

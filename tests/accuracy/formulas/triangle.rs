@@ -1,4 +1,4 @@
-//! Attributes over a triangle, as drawn.
+//! Attributes over a drawn triangle.
 
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::mode::Exact;
@@ -9,7 +9,7 @@ use crate::common::recorder::{Probe, record};
 
 const SIZE: u32 = 64;
 
-/// Twice the signed area, counter-clockwise with y down being negative.
+/// Twice the signed area, with y down: negative for counter-clockwise corners.
 fn area(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
@@ -17,16 +17,16 @@ fn area(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
 proptest! {
     #[test]
     fn attributes_over_z_are_linear_on_screen(
-        // Pixels from the middle, and distances in sixteenths: products with 1/64 are exact coordinates, in space and
-        // on the screen, so that rounding moves no vertex.
+        // Pixels from the middle, and distances in sixteenths. The coordinates, products with 1/64, are exact in space
+        // and on the screen, so that rounding moves no vertex.
         screen in [[-32..32, -32..32], [-32..32, -32..32], [-32..32, -32..32]],
         z in [16..256, 16..256, 16..256],
         values in [-1_000_000..1_000_000, -1_000_000..1_000_000, -1_000_000..1_000_000],
     ) {
         let position = |i: usize| -> Vec3 {
             let (screen, z): ([[i32; 2]; 3], [i32; 3]) = (screen, z);
-            // x = sx·z/64 and y = −sy·z/64, in units of 2^-16: z is in 2^-4, and 2^(16 − 4 − 6) is
-            // 64.
+            // x = sx·z/64 and y = −sy·z/64, in units of 2^-16: z is in units of 2^-4, and
+            // 2^(16 − 4 − 6) is 64.
             Vec3::from_bits([screen[i][0] * z[i] * 64, -screen[i][1] * z[i] * 64, -z[i] * 4096])
         };
         let positions = [position(0), position(1), position(2)];
@@ -36,7 +36,7 @@ proptest! {
         let mut pixels = vec![Gray8::new(0); (SIZE * SIZE) as usize];
         let mut canvas = Canvas::new(&mut pixels, SIZE, SIZE).unwrap();
         let both_sides = DrawOptions::new().with_cull(Cull::Nothing).with_mode(Exact);
-        // A value for each vertex, by its position's index.
+        // Look up each vertex's value by the index of its position.
         let value = |corner: &Corner<'_>| {
             let positions = corner.primitive().positions();
             let at = positions.iter().position(|p| *p == corner.position());
@@ -58,7 +58,7 @@ proptest! {
                 (0..3).map(|i| weights[i] * of(f64::from(values[i]), f64::from(z[i]))).sum::<f64>()
             };
             let expected = sum(|value, z| value / z) / sum(|_, z| 1.0 / z);
-            // Rounded down; the reciprocal has 30 bits, of which a million takes 20.
+            // Values are rounded down. A million takes 20 bits, and the reciprocal has 30.
             let error = (f64::from(found) + 0.5 - expected).abs();
             prop_assert!(error <= 1.0, "{} is not {}", found, expected);
         }

@@ -1,4 +1,4 @@
-//! Polygons and segments against planes.
+//! Polygons and segments clipped to planes.
 
 use super::*;
 use clip::*;
@@ -12,8 +12,8 @@ fn vertex<const N: usize>(position: [f64; 4], attributes: [f64; N]) -> ClipVerte
 }
 
 #[test]
-fn a_corner_behind_the_near_plane() {
-    // Two corners 1 inside the near plane, one 1 outside: the new corners are halfway.
+fn a_corner_behind_the_near_plane_becomes_two() {
+    // Two corners are 1 inside the near plane and one is 1 outside, so the new corners are halfway.
     let inside = polygon(
         &[
             vertex([0., 0., 0., 1.], [0.]),
@@ -37,7 +37,7 @@ fn a_corner_behind_the_near_plane() {
 }
 
 #[test]
-fn inside_stays_and_outside_goes() {
+fn polygons_inside_stay_and_polygons_outside_vanish() {
     let triangle = [[0., 0., 0., 1.], [1., 0., 0., 1.], [0., -1., 1., 1.]];
     let whole = triangle.map(|p| vertex(p, []));
     assert_eq!(polygon(&whole, &ALL_PLANES), whole);
@@ -47,8 +47,8 @@ fn inside_stays_and_outside_goes() {
 }
 
 #[test]
-fn a_triangle_over_all_six_planes() {
-    // The visible part of the plane z = 0: the square.
+fn a_large_triangle_is_clipped_to_the_view() {
+    // The visible part of the plane z = 0 is the square.
     let big = [[-9., -9., 0., 1.], [9., -9., 0., 1.], [0., 9., 0., 1.]];
     let inside = polygon(&big.map(|p| vertex(p, [p[0], p[1]])), &ALL_PLANES);
     assert_eq!(inside.len(), 4);
@@ -59,7 +59,7 @@ fn a_triangle_over_all_six_planes() {
 }
 
 #[test]
-fn both_sides_of_an_edge_cut_alike() {
+fn triangles_that_share_an_edge_clip_it_alike() {
     let mut random = Random(1);
     let mut number = || f64::from(random.range(-1000, 1000)) / 300.;
     for _ in 0..1000 {

@@ -1,16 +1,16 @@
-//! The top-left rule, in pictures and against itself.
+//! The top-left rule, in pictures and by its properties.
 
 use super::*;
 use coverage::*;
 
-/// Corners in whole pixels.
+/// A triangle with corners in whole pixels.
 fn pixels(t: [[i32; 2]; 3]) -> Snapped {
     t.map(|corner| corner.map(|x| x * 256))
 }
 
 #[test]
-fn a_triangle() {
-    // Centers on the slope x + y = 4 belong to the other side: it is neither top nor left.
+fn a_triangle_does_not_own_centers_on_its_right_edge() {
+    // Centers on the edge x + y = 4 belong to the neighbor, because it is neither a top nor a left edge.
     let t = pixels([[0, 0], [4, 0], [0, 4]]);
     let expected = ["111.", "11..", "1...", "...."];
     assert_eq!(picture(&counts(&[t], 4, 4), 4), expected);
@@ -20,8 +20,8 @@ fn a_triangle() {
 }
 
 #[test]
-fn the_other_half() {
-    // The slope is this one's left edge.
+fn a_triangle_owns_centers_on_its_left_edge() {
+    // The edge x + y = 4 is this triangle's left edge.
     let t = pixels([[4, 0], [4, 4], [0, 4]]);
     let expected = ["...1", "..11", ".111", "1111"];
     assert_eq!(picture(&counts(&[t], 4, 4), 4), expected);
@@ -29,7 +29,7 @@ fn the_other_half() {
 
 #[test]
 fn top_and_left_edges_on_centers_are_in() {
-    // A square from center (0, 0) to center (3, 2), as two triangles.
+    // A rectangle from the center of pixel (0, 0) to that of pixel (3, 2), as two triangles.
     let corner = |x: i32, y: i32| [x * 256 + 128, y * 256 + 128];
     let [a, b, c, d] = [corner(0, 0), corner(3, 0), corner(3, 2), corner(0, 2)];
     let square = counts(&[[a, b, c], [a, d, c]], 5, 4);
@@ -43,7 +43,7 @@ fn no_area_no_pixels() {
 }
 
 #[test]
-fn the_widest_coordinates() {
+fn the_widest_coordinates_are_exact() {
     let all = [i32::MIN, i32::MAX];
     let t = [[all[0], all[0]], [all[1], all[0]], [all[0], all[1]]];
     assert_eq!(area2(t), ((1_i128 << 32) - 1).pow(2));
@@ -54,7 +54,7 @@ fn the_widest_coordinates() {
 
 #[test]
 fn a_fan_covers_each_pixel_once() {
-    // A square cut at an odd point: every pixel of the square once, none outside.
+    // A square split at any point: every pixel of the square is covered once, and none outside.
     let mut random = Random(2);
     for _ in 0..200 {
         let corners = [[0, 0], [9, 0], [9, 9], [0, 9]].map(|c| c.map(|x| x * 256 + 128));
@@ -71,7 +71,7 @@ fn a_fan_covers_each_pixel_once() {
 fn floats_agree_with_integers() {
     let mut random = Random(3);
     for round in 0..2000 {
-        // Also vertices at pixel centers, where ties occur.
+        // Include vertices at pixel centers, where the top-left rule decides.
         let step = [1, 16, 128][round % 3];
         let t = [(); 3].map(|()| [(); 2].map(|()| random.range(-40, 200) * step));
         let corners = t.map(view::unsnap);
@@ -86,7 +86,7 @@ fn floats_agree_with_integers() {
 }
 
 #[test]
-fn distances() {
+fn distances_to_segments_and_triangles() {
     let t = [[0., 0.], [4., 0.], [0., 3.]];
     close(
         [

@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// f64 keeps 2⁻⁵² ≈ 2e-16 of a value; a few hundred operations on values up to a thousand stay well below this.
+/// f64 has a relative error of 2⁻⁵² ≈ 2e-16; a few hundred operations on values up to a thousand stay well below this.
 pub const EPSILON: f64 = 1e-9;
 
 #[track_caller]
@@ -35,7 +35,7 @@ impl Random {
     }
 }
 
-/// A torus about the y axis, closed and wound counter-clockwise from outside, with u and v in turns.
+/// A closed torus about the y axis, with faces counter-clockwise as seen from outside, and u and v in turns.
 pub struct Torus {
     pub positions: Vec<[f64; 3]>,
     pub faces: Vec<[usize; 3]>,
@@ -81,7 +81,7 @@ impl Torus {
         }
     }
 
-    /// Tilted, so that its far side is partly behind its near side.
+    /// A tilted view, in which the far side is partly behind the near side.
     pub fn view(size: (u32, u32)) -> view::View {
         view::View {
             eye: linear::multiply(&linear::translate([0., 0., -4.]), &linear::rotate_x(0.3)),

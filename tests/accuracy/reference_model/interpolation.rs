@@ -1,4 +1,4 @@
-//! Attributes at a point.
+//! Barycentric weights and attributes at a point.
 
 use super::*;
 use attributes::*;
@@ -11,7 +11,7 @@ fn weights_are_areas() {
     close(w.value, [0.25, 0.25, 0.5]);
     close(w.dx, [-0.25, 0.25, 0.]);
     close(w.dy, [-0.25, 0., 0.25]);
-    // The other winding gives the same.
+    // The other winding gives the same weights.
     let w = weights(&[T[0], T[2], T[1]], [1., 2.]).unwrap();
     close(w.value, [0.25, 0.5, 0.25]);
     assert_eq!(weights(&[T[0], T[1], T[1]], [1., 2.]), None);
@@ -19,15 +19,15 @@ fn weights_are_areas() {
 
 #[test]
 fn half_way_between_depths_1_and_4() {
-    // 1/z is linear on the screen. In the middle of the edge from 0 to 1, z is 1/(1/2 + 1/8) = 1.6, which is (1.6 −
-    // 1)/3 = 0.2 of the way in space.
+    // 1/z is linear on the screen. In the middle of the edge from corner 0 to corner 1, z is 1/(1/2 + 1/8) = 1.6, which
+    // is (1.6 − 1)/3 = 0.2 of the way in space.
     let w = weights(&T, [2., 0.]).unwrap();
     let value = interpolate(&w, [1., 4., 9.], &[[0.], [1.], [7.]]);
     close([value.w, value.attributes[0]], [1.6, 0.2]);
-    // There 1/w = 1 − 3x/16 and a/w = x/16, so a = x/(16 − 3x) and ∂a/∂x = 16/(16 − 3x)² = 0.16.
+    // On this edge 1/w = 1 − 3x/16 and a/w = x/16, so a = x/(16 − 3x) and ∂a/∂x = 16/(16 − 3x)² = 0.16.
     close(value.dx, [0.16]);
     close([value.inverse_w_gradient[0]], [-3. / 16.]);
-    // And by y: 1/w changes by (1/9 − 1)/4 = −2/9, a/w by 7/36: (7/36 + 0.2·2/9)·1.6.
+    // Along y, 1/w changes by (1/9 − 1)/4 = −2/9 and a/w by 7/36, so ∂a/∂y = (7/36 + 0.2·2/9)·1.6.
     close(value.dy, [(7. / 36. + 0.2 * 2. / 9.) * 1.6]);
 }
 
@@ -41,7 +41,7 @@ fn equal_w_is_affine() {
 }
 
 #[test]
-fn snapped_and_not_snapped_agree() {
+fn snapped_and_unsnapped_corners_give_the_same_values() {
     let snapped = [[-130, 77], [2000, 640], [333, 3001]];
     let (w, a) = ([1., 2.5, 0.7], [[0.1, 3.], [0.9, -2.], [0.4, 0.]]);
     for pixel in Bounds::new(12, 12).pixels() {

@@ -14,7 +14,7 @@ fn quarter_turns_take_axis_to_axis() {
 }
 
 #[test]
-fn any_axis_agrees_with_the_three() {
+fn rotations_about_any_axis_agree_with_those_about_x_y_and_z() {
     for (axis, matrix) in [
         ([2., 0., 0.], rotate_x(0.7)),
         ([0., 3., 0.], rotate_y(0.7)),
@@ -22,7 +22,7 @@ fn any_axis_agrees_with_the_three() {
     ] {
         close_matrix(&rotate(axis, 0.7), &matrix);
     }
-    // A third of a turn about the diagonal takes x to y to z.
+    // A third of a turn about the diagonal takes the x axis to y, and y to z.
     let third = rotate([1., 1., 1.], TAU / 3.);
     close(point(&third, [1., 2., 3.]), [3., 1., 2.]);
 }
@@ -49,7 +49,7 @@ fn the_last_factor_acts_first() {
 
 #[test]
 fn look_at_faces_the_target() {
-    // From (3, 0, 0) towards the origin: right is −z, ahead is −x.
+    // The eye is at (3, 0, 0) and looks towards the origin: right is −z, ahead is −x.
     let m = look_at([3., 0., 0.], [0.; 3], [0., 1., 0.]).unwrap();
     close_matrix(
         &m,
@@ -64,7 +64,7 @@ fn look_at_faces_the_target() {
     let m = look_at(eye, target, up).unwrap();
     close(point(&m, eye), [0.; 3]);
     close(point(&m, target), [0., 0., -length(subtract(eye, target))]);
-    // Up need not be orthogonal to the view, but it points upwards in the picture, without leaning.
+    // Up need not be orthogonal to the line of sight. In the picture it points straight upwards.
     let up = direction(&m, up);
     assert!(up[0].abs() < EPSILON && up[1] > 0.);
     assert_eq!(look_at(eye, eye, [0., 1., 0.]), None);
@@ -72,7 +72,7 @@ fn look_at_faces_the_target() {
 }
 
 #[test]
-fn inverse_undoes() {
+fn the_inverse_undoes_a_matrix() {
     let m = product(&[
         translate([1., -2., 3.]),
         rotate([1., 2., -1.], 1.1),
@@ -83,7 +83,7 @@ fn inverse_undoes() {
     let m = projection::frustum(-1., 2., -1., 1., 1., 5.).matrix;
     close_matrix(&multiply(&inverse(&m).unwrap(), &m), &IDENTITY);
     assert_eq!(inverse(&scale([1., 0., 1.])), None);
-    // Rigid: the transposed rotation times the opposite translation.
+    // The inverse of a rigid matrix is the transposed rotation times the opposite translation.
     let turn = rotate([1., 1., 0.], 0.4);
     close_matrix(
         &inverse(&multiply(&translate([1., 2., 3.]), &turn)).unwrap(),
@@ -93,7 +93,7 @@ fn inverse_undoes() {
 
 #[test]
 fn a_normal_stays_normal() {
-    // The plane x + y = 0 squeezed to x + 2y = 0.
+    // The scale turns the plane x + y = 0 into x + 2y = 0.
     let squeeze = scale([1., 0.5, 1.]);
     let n = normal(&squeeze, [1., 1., 0.]).unwrap();
     close(n, normalized([1., 2., 0.]));

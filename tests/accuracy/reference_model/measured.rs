@@ -1,13 +1,13 @@
-//! The measured scenes: the number of faces kept, and of pixels covered.
+//! The measured scenes: the number of faces kept and of pixels covered.
 
 use super::*;
 use raster::*;
 
-/// Faces kept and pixels covered.
+/// The number of faces kept and of pixels covered.
 fn count((shape, view): (scenes::Shape, view::View), cull: Cull) -> (usize, usize) {
     let (pieces, picture) = draw(&shape.mesh(), &view, cull, 0.);
     let counts = picture.counts();
-    // Convex or flat: no pixel is covered twice.
+    // The shapes are convex or flat, so no pixel is covered twice.
     assert!(counts.iter().all(|&n| n <= 1));
     (pieces.len(), counts.iter().filter(|&&n| n > 0).count())
 }

@@ -1,6 +1,6 @@
-//! The f64 model against numbers worked out by hand, so that it may judge the crate.
+//! The f64 model, compared with numbers worked out by hand, so that it can be trusted to judge the crate.
 
-// As in the model: textbook names, and f64 holds every integer used here.
+// As in the model: formulas keep textbook names, and f64 represents every integer used here exactly.
 #![allow(clippy::many_single_char_names, clippy::cast_precision_loss)]
 
 mod given;

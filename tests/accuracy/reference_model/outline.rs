@@ -1,4 +1,4 @@
-//! Distances from the outline of a union.
+//! Positions relative to the outline of a union.
 
 use super::*;
 use silhouette::{Position::*, Silhouette};
@@ -9,15 +9,15 @@ fn rectangle(left: f64, top: f64, right: f64, bottom: f64) -> [Corners; 2] {
 }
 
 #[test]
-fn a_square() {
+fn positions_around_a_square_are_classified() {
     let square = Silhouette::new(&rectangle(2., 2., 12., 12.), 16, 16);
     for (p, d, place) in [
-        ([7., 7.], 0.5, Inside), // on the diagonal, which is no contour
+        ([7., 7.], 0.5, Inside), // on the diagonal, which is not a contour edge
         ([2.3, 7.], 0.25, Inside),
         ([2.2, 7.], 0.25, Near),
         ([1.8, 7.], 0.25, Near),
         ([1.7, 7.], 0.25, Outside),
-        // A corner is 0.2·√2 = 0.283 away.
+        // The corner is 0.2·√2 = 0.283 away.
         ([1.8, 1.8], 0.28, Outside),
         ([1.8, 1.8], 0.29, Near),
     ] {
@@ -28,10 +28,10 @@ fn a_square() {
 }
 
 #[test]
-fn an_edge_in_front_of_another_surface_is_no_outline() {
+fn an_edge_in_front_of_another_surface_is_not_part_of_the_outline() {
     let two = [rectangle(2., 2., 8., 8.), rectangle(5., 4., 14., 6.)].concat();
     let two = Silhouette::new(&two, 16, 16);
-    // The right one's left edge lies on the left one, the left one's right edge only partly on the right one.
+    // The right one's left edge lies inside the left one; the left one's right edge, only partly inside the right one.
     assert_eq!(two.classify([5., 5.], 0.5), Inside);
     assert_eq!(two.classify([8., 5.], 0.5), Inside);
     assert_eq!(two.classify([7.9, 4.3], 0.25), Inside);
@@ -41,7 +41,7 @@ fn an_edge_in_front_of_another_surface_is_no_outline() {
 
 #[test]
 fn surfaces_that_touch_are_one() {
-    // A T-junction: one long edge against two short ones.
+    // A T-junction: one long edge touches two short ones.
     let touching = [
         rectangle(2., 2., 8., 12.),
         rectangle(8., 2., 14., 7.3),
@@ -50,15 +50,15 @@ fn surfaces_that_touch_are_one() {
     let touching = Silhouette::new(&touching.concat(), 16, 16);
     assert_eq!(touching.classify([8., 7.3], 0.5), Inside);
     assert_eq!(touching.classify([8.1, 5.], 0.5), Inside);
-    // The same square twice is no neighbor of itself.
+    // A second copy of a square does not cover the outline of the first.
     let twice = [rectangle(2., 2., 8., 8.); 2].concat();
     let twice = Silhouette::new(&twice, 16, 16);
     assert_eq!(twice.classify([2.1, 5.], 0.25), Near);
 }
 
 #[test]
-fn a_torus_by_sampling() {
-    // Points of a small disc around each pixel: all in the union, none, or some of each.
+fn positions_around_a_torus_agree_with_sampling() {
+    // Of the points of a small disc around each center, all, none or some are in the union.
     let torus = Torus::new(40, 20);
     let d = 0.4;
     let pieces = raster::culled(
@@ -90,7 +90,7 @@ fn a_torus_by_sampling() {
         match place {
             Inside => assert_eq!(counts, [64; 4], "{p:?}"),
             Outside => assert_eq!(counts, [0; 4], "{p:?}"),
-            // Sampling may miss triangles that barely enter the disc.
+            // Samples may miss triangles that barely enter the disc.
             Near => {
                 let all = counts == [64; 4] || counts == [0; 4];
                 let sure = outline.classify(p, d * 0.9) == Near;
@@ -98,7 +98,7 @@ fn a_torus_by_sampling() {
             }
         }
     }
-    // Each case occurred, surfaces that end in front of others too.
+    // Each case occurred, including surfaces that end in front of others.
     assert!(
         found.iter().all(|&n| n > 50) && hidden > 10,
         "{found:?} {hidden}"

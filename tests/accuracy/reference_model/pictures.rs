@@ -1,9 +1,9 @@
-//! Whole meshes.
+//! Pictures of whole meshes.
 
 use super::*;
 use raster::*;
 
-/// A projection under which x and y of a mesh at distance 1 are pixels: focal length 8 at 8x8 pixels.
+/// A view of 8x8 pixels with a focal length of 8: at distance 1, a unit is 8 pixels.
 fn view() -> view::View {
     view::View {
         eye: linear::IDENTITY,
@@ -12,7 +12,7 @@ fn view() -> view::View {
     }
 }
 
-/// A square (left, bottom)–(right, top) facing the eye at a distance, x and y being its attributes.
+/// A square from (left, bottom) to (right, top) that faces the eye at a distance; its attributes are x and y.
 fn square(low: [f64; 2], high: [f64; 2], distance: f64) -> ([[f64; 3]; 4], [[[f64; 2]; 3]; 2]) {
     let [a, b, c, d] = [low, [high[0], low[1]], high, [low[0], high[1]]];
     (
@@ -25,7 +25,8 @@ const FACES: [[usize; 3]; 4] = [[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]];
 
 #[test]
 fn the_nearer_surface_shows() {
-    // The square from −0.25 to 0.25 at 1 takes pixels 2..6; the one at 2 from −1 to 0 pixels 0..4 of the lower rows.
+    // The square from −0.25 to 0.25 at distance 1 covers pixels 2..6. The one from −1 to 0 at distance 2 covers pixels
+    // 0..4 of the lower rows.
     let (near, near_uv) = square([-0.25; 2], [0.25; 2], 1.);
     let (far, far_uv) = square([-1.; 2], [0.; 2], 2.);
     let mesh = Mesh {
@@ -58,7 +59,7 @@ fn the_nearer_surface_shows() {
     assert_eq!(picture.candidates([3, 4], 1.).count(), 1);
     assert_eq!(picture.candidates([3, 4], 8192.).count(), 2);
     assert_eq!(picture.nearest([7, 7]), None);
-    // All of it faces the eye.
+    // The whole mesh faces the eye.
     assert!(draw(&mesh, &view(), Cull::Front, 0.).0.is_empty());
 }
 
@@ -71,19 +72,19 @@ fn a_margin_finds_neighbors() {
         attributes: &attributes,
     };
     let (_, picture) = draw(&mesh, &view(), Cull::Back, 0.6);
-    // Half a pixel outside, extended in the plane.
+    // The pixel's center is half a pixel outside, and the surface is extended in its plane.
     let hit = picture.candidates([1, 3], 0.).next().unwrap();
     close([hit.gap], [0.5]);
     close(hit.value.attributes, [-0.3125, 0.0625]);
     assert_eq!(picture.nearest([1, 3]), None);
-    // A center on the diagonal has one owner, and one neighbor at distance 0.
+    // A center on the diagonal is owned by one triangle, and the other is a neighbor at distance 0.
     let on = picture.at([3, 4]);
     assert_eq!(on.iter().filter(|hit| hit.gap == 0.).count(), 1);
     assert_eq!(on.len(), 2);
 }
 
 #[test]
-fn snapped_corners_are_used_unchanged() {
+fn given_snapped_corners_are_used_unchanged() {
     let (positions, attributes) = square([-0.25; 2], [0.25; 2], 1.);
     let mesh = Mesh {
         positions: &positions,
@@ -93,7 +94,7 @@ fn snapped_corners_are_used_unchanged() {
     let view = view();
     let snapped = pieces(&mesh, &view)
         .into_iter()
-        // One pixel to the right of their own positions, by index.
+        // Move each corner, found by its index, one pixel to the right of its own position.
         .map(|piece| {
             piece.snap(|source, _| {
                 let [x, y] = view::snap(view.project(positions[source.unwrap()]).screen);
@@ -104,7 +105,7 @@ fn snapped_corners_are_used_unchanged() {
     let pieces = culled(snapped, Cull::Back);
     let picture = render(&pieces, &view.projection, view.viewport, (8, 8), 0.);
     assert_eq!(picture.counts().iter().sum::<u32>(), 16);
-    // Where pixel (2, 2) had its value.
+    // The value is the one that pixel (2, 2) had before.
     close(
         picture.nearest([3, 2]).unwrap().value.attributes,
         [-0.1875, 0.1875],
@@ -112,8 +113,8 @@ fn snapped_corners_are_used_unchanged() {
 }
 
 #[test]
-fn a_floor_is_cut_at_the_near_plane() {
-    // y = −1 from behind the eye to −4, u = −z: at y_screen the floor's distance is 8/(y − 4).
+fn a_floor_is_clipped_to_the_near_plane() {
+    // The floor y = −1 reaches from behind the eye to z = −4; u = −z. At y on the screen, its distance is 8/(y − 4).
     let positions = [
         [-9., -1., 4.],
         [9., -1., 4.],
@@ -153,7 +154,7 @@ fn parallel_rays_have_linear_depth() {
             ..view::Viewport::new(8, 8)
         },
     };
-    // A slope from 3 ahead at x = −8 to 11 ahead at x = 8, over the whole picture and past far.
+    // A slope from 3 ahead at x = −8 to 11 ahead at x = 8, over the whole picture and beyond the far plane.
     let positions = [
         [-8., -8., -3.],
         [8., -8., -11.],
@@ -177,7 +178,7 @@ fn parallel_rays_have_linear_depth() {
 
 #[test]
 fn a_torus_has_no_seams() {
-    // 6,000 triangles, at the size of the measured scenes.
+    // 6,000 triangles, in a picture of the measured scenes' size.
     let torus = Torus::new(60, 50);
     let size = (320, 240);
     let view = Torus::view(size);
@@ -193,7 +194,7 @@ fn a_torus_has_no_seams() {
     }
     let counts = picture.counts();
     assert!(counts.contains(&2));
-    // Each surface lies where the ray through the pixel's center meets the plane of its face.
+    // Each hit lies where the ray through the pixel's center meets the plane of its face.
     for [x, y] in Bounds::new(size.0, size.1).pixels() {
         for hit in picture.at([x, y]) {
             let [right, down] = center([x, y]).map(|at| hit.distance * at / 240.);
@@ -221,7 +222,7 @@ fn a_torus_has_no_seams() {
             }
         }
     }
-    // After snapping, its front faces overlap or gape no more than its contours move.
+    // After snapping, front faces overlap or leave gaps only within the distance that contours move.
     let snapped = pieces
         .into_iter()
         .map(|piece| piece.snap(|_, clip| view::snap(view.place(clip).screen)))

@@ -1,4 +1,4 @@
-//! Projections, by their formulas.
+//! Projections, compared with their formulas.
 
 use std::f64::consts::{FRAC_PI_4, FRAC_PI_6, PI};
 
@@ -16,7 +16,7 @@ fn perspective_is_a_symmetric_frustum() {
     let [l, r, b, t] = window(PI / 3., 1.5, 2.);
     let expected = [-1.732_050_8, 1.732_050_8, -1.154_700_5, 1.154_700_5];
     for (a, b) in [l, r, b, t].into_iter().zip(expected) {
-        assert!((a - b).abs() < 1e-7); // seven digits were given
+        assert!((a - b).abs() < 1e-7); // the expected numbers have seven digits
     }
     let projection = perspective(PI / 3., 1.5, 2., 10.);
     close(ndc(&projection, [0., 0., -2.]), [0., 0., -1.]);
@@ -34,7 +34,7 @@ fn a_frustum_may_be_off_center() {
 
 #[test]
 fn a_frustum_is_a_product() {
-    // The perspective transform, then an orthographic projection, which is a scale after a translation.
+    // First the perspective transform, then an orthographic projection, which is a translation and then a scale.
     let (l, r, b, t, n, f) = (-1., 3., -2., 1., 1.5, 4.);
     let straight = orthographic(l, r, b, t, n, f).matrix;
     close_matrix(
@@ -48,7 +48,7 @@ fn a_frustum_is_a_product() {
         &linear::multiply(&straight, &perspective_transform(n, f)),
         &frustum(l, r, b, t, n, f).matrix,
     );
-    // z ahead → (n + f) − nf/z: n → n, f → f, 2 → 5.5 − 3 = 2.5.
+    // The distance z becomes (n + f) − nf/z: n → n, f → f, 2 → 5.5 − 3 = 2.5.
     for (z, expected) in [(1.5, 1.5), (4., 4.), (2., 2.5)] {
         let [_, _, z, w] = linear::apply_point(&perspective_transform(n, f), [0., 0., -z]);
         close([-z / w], [expected]);
@@ -69,7 +69,7 @@ fn the_practice_cube() {
 fn vanishing_points_and_speed() {
     close(vanishing_point([1., 2., -4.], 2.).unwrap(), [0.5, 1.]);
     assert_eq!(vanishing_point([1., 2., 0.], 2.), None);
-    // P = (1, 0, −2), v = (0, 0, −1), n = 1: x' = 1/(2 + t), so ∂x'/∂t at 2 is −1/16.
+    // With P = (1, 0, −2), v = (0, 0, −1) and n = 1, x' is 1/(2 + t), so ∂x'/∂t at t = 2 is −1/16.
     close([speed([1., 0., -2.], [0., 0., -1.], 2., 1.)], [-1. / 16.]);
 }
 
@@ -78,7 +78,7 @@ fn orthographic_takes_the_box_to_the_cube() {
     let projection = orthographic(-1., 3., -2., 1., 1., 4.);
     close(ndc(&projection, [-1., -2., -1.]), [-1., -1., -1.]);
     close(ndc(&projection, [3., 1., -4.]), [1., 1., 1.]);
-    // Isometric: 45° about y, then down by atan(1/√2); each axis appears at √(2/3).
+    // The isometric view: 45° about y, then down by atan(1/√2). Each axis appears with a length of √(2/3).
     let turn = linear::multiply(
         &linear::rotate_x((0.5_f64).sqrt().atan()),
         &linear::rotate_y(-FRAC_PI_4),
@@ -90,7 +90,7 @@ fn orthographic_takes_the_box_to_the_cube() {
 }
 
 #[test]
-fn oblique_depth_has_its_length() {
+fn oblique_projections_show_receding_edges_at_their_length() {
     let window = (-1., 1., -1., 1.);
     for (projection, length) in [
         (cavalier(FRAC_PI_6, window, 1., 4.), 1.),
