@@ -1,4 +1,4 @@
-//! As an embedded-graphics target, the canvas equals embedded-graphics' own frame.
+//! As an embedded-graphics target, the canvas shows the same as embedded-graphics' own framebuffer.
 
 use std::convert::Infallible;
 
@@ -18,7 +18,7 @@ use super::pictures::{self, HEIGHT, WIDTH};
 
 const PIXELS: usize = (WIDTH * HEIGHT) as usize;
 
-/// embedded-graphics' own frame of the same size.
+/// embedded-graphics' own framebuffer of the same size.
 type Theirs<O> = Framebuffer<
     Rgb565,
     RawU16,
@@ -28,13 +28,13 @@ type Theirs<O> = Framebuffer<
     { buffer_size::<Rgb565>(WIDTH as usize, HEIGHT as usize) },
 >;
 
-/// The contents of the picture with this number.
+/// The generator that describes the picture with this number.
 fn random(number: u64) -> ChaCha8Rng {
     ChaCha8Rng::seed_from_u64(number)
 }
 
-/// Any picture has the bytes of embedded-graphics' frame, in both orders, and its colors. Bands put together equal
-/// the frame.
+/// Any picture has the bytes, in both orders, and the colors of embedded-graphics' framebuffer. Bands put together
+/// equal the frame.
 #[test]
 fn a_canvas_is_a_framebuffer() {
     let mut in_bands = 0;
@@ -111,7 +111,7 @@ impl<T: DrawTarget<Color = Rgb565, Error = Infallible>> Draw for T {
     }
 }
 
-/// `fill_contiguous` reads no more than it needs from an endless iterator.
+/// `fill_contiguous` stops reading an endless iterator when the area is full.
 #[test]
 fn fill_contiguous_ends() {
     let mut pixels = [Gray8::BLACK; 12];
@@ -128,7 +128,7 @@ fn fill_contiguous_ends() {
     assert!(taken <= 27);
 }
 
-/// The color of the n-th pixel of an area; skips any number of pixels at once.
+/// The color of the n-th pixel of an area. The iterator skips any number of pixels in one step.
 struct Colors(u64);
 
 fn color(number: u64) -> Gray8 {
@@ -197,7 +197,7 @@ fn areas_beyond_the_range_of_i32() {
         u32::MAX - 1,
         u32::MAX,
     ];
-    // The number of a pixel along a side, if the area contains it.
+    // The index of a pixel along one side of the area, if the area contains the pixel.
     let along = |at: u32, start: i32, length: u32| {
         let number = i64::from(at) - i64::from(start);
         (0..i64::from(length))
