@@ -1,6 +1,6 @@
 """Reads sections and functions of programs, which are little-endian 32-bit ELF files.
 
-elf.py measure BASELINE PROBE       prints bytes of code, of compiler routines in it, and of constants, less the baseline's
+elf.py measure BASELINE PROBE       prints bytes of code, of compiler routines in it, and of constants (less baseline)
 elf.py functions BASELINE PROBE     prints functions by size, less the baseline's function of that name
 elf.py sources PROBE                prints the library's functions by size, inlined or not (needs llvm-symbolizer)
 elf.py names PROBE                  prints the names of all functions, one per line

@@ -3,11 +3,11 @@
 
 emulate.py pico|stm32f4 PROGRAM PICTURE.ppm
 
-Writes what the display shows after two frames, and prints the time in ms at which the second one was drawn. The
-model of DMA sends a band at the last moment, when the program waits for it. So a program that draws into a band that is
-being sent shows a wrong picture. The display follows the data sheets: CS selects it, and DC tells commands from data;
-CASET and RASET set a window, and RAMWR writes to it. Registers have the addresses of the RP2040's data sheet and of the STM32F405's
-reference manual, RM0090. Needs the Python package unicorn.
+Writes what the display shows after two frames, and prints the time in ms at which the second one was drawn. The model
+of DMA sends a band at the last moment, when the program waits for it. So a program that draws into a band that is being
+sent shows a wrong picture. The display follows the data sheets: CS selects it, and DC tells commands from data; CASET
+and RASET set a window, and RAMWR writes to it. Registers have the addresses of the RP2040's data sheet and of the
+STM32F405's reference manual, RM0090. Needs the Python package unicorn.
 """
 import collections
 import struct

@@ -1,8 +1,8 @@
 """Says where README, the guide and the documentation of types give figures of our own measurements.
 
 `says(page, text, figures)` names a place: its text, with `{}` for each figure and `…` for words between. Line breaks
-and comment markers do not matter. `holds(page, text, condition)` names a sentence that must stand there while the
-condition holds."""
+and comment markers do not matter. `holds(page, text, condition)` names a sentence that the page must
+contain, and a condition on the figures that must hold."""
 import math
 
 M4, M0, RISCV = "thumbv7em-none-eabi", "thumbv6m-none-eabi", "riscv32imc-unknown-none-elf"
