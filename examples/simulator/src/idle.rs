@@ -7,7 +7,7 @@ use clap::{ArgMatches, ValueEnum};
 
 use crate::args::{Args, Kind, Mode, SceneName, Shade};
 
-/// The name of an option's value, as it is written.
+/// The name of an option's value, as the user writes it.
 pub fn name(value: &impl ValueEnum) -> String {
     let value = value.to_possible_value();
     value.map_or(String::new(), |value| value.get_name().into())
@@ -61,7 +61,7 @@ pub fn options(
     let is_fast = args.mode == Mode::Fast;
     check("tolerance", !is_fast, "without --mode fast");
     check("tolerance", is_fast && is_parallel, &projected);
-    // Numbers other than texture coordinates have tolerances of their own.
+    // Other numbers than texture coordinates have tolerances of their own.
     let is_seen = is_fast && !is_parallel && !is_shown;
     check("tolerance", is_seen && is_untextured, &named);
     check(
