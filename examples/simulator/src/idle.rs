@@ -61,7 +61,7 @@ pub fn options(
     let is_fast = args.mode == Mode::Fast;
     check("tolerance", !is_fast, "without --mode fast");
     check("tolerance", is_fast && is_parallel, &projected);
-    // Other numbers than texture coordinates have tolerances of their own.
+    // Numbers other than texture coordinates have tolerances of their own.
     let is_seen = is_fast && !is_parallel && !is_shown;
     check("tolerance", is_seen && is_untextured, &named);
     check(

@@ -192,7 +192,7 @@ impl Subject {
             view.projection = Lens::Perspective(lighthouse::projection(args.size)?);
             view.camera = lighthouse::camera()?;
         }
-        // The recorder assumes a square texture, with equally many texels along both sides of a repeat.
+        // A repeat counts as equally many texels along u and v, as if the given texture were square.
         let recorder = Recorder::new(self.largest_uv, self.units.exponent, args.mode);
         let recorded = Mode::new(
             args,

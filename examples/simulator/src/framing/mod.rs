@@ -47,7 +47,7 @@ pub struct Framing {
     aspect: f64,
     /// Distances of the nearest and the farthest point.
     range: [f64; 2],
-    /// Distance of the farthest point that may occur, as the user can turn the model.
+    /// Distance of the farthest point in any pose to which the user can turn the model.
     farthest: f64,
 }
 
@@ -383,7 +383,7 @@ impl Framing {
         let margin = (high - low) * 0.02 + high.abs() * 0.001;
         let behind = about(high + margin);
         self.far = args.far.unwrap_or(behind);
-        // An eye inside the model does not see anything nearer than this.
+        // If the eye is inside the model, `ratio` limits the near plane: anything nearer is not drawn.
         let ratio = most_ratio(args.depth);
         self.near = args.near.unwrap_or(about(if is_perspective {
             (low - margin).max(self.far.min(behind) / ratio)
