@@ -14,8 +14,8 @@ use fixel::{Converted, FaceLit, Lit, Tinted};
 use crate::examples::lighthouse;
 use crate::examples::scenes::{self, HEIGHT, WIDTH};
 
-/// Values that both cores share must be `Sync`; values that one passes to the other must be `Send`. All types of the
-/// crate are both.
+/// Values that both cores share must be `Sync`, and values that one core passes to the other must be `Send`. All types
+/// of the crate are both.
 const _: () = {
     const fn both<T: Send + Sync>() {}
     type Skin = TextureArray<Rgb565, 64, 64>;

@@ -165,6 +165,6 @@ fn squares() -> (
 
 /// Checks that something was drawn.
 fn drawn(count: u32) -> Result<(), Error> {
-    assert!(count > 0, "nothing was drawn");
+    assert!(count > 0, "something is drawn");
     Ok(())
 }

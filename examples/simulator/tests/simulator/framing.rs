@@ -295,7 +295,7 @@ fn a_model_of_any_size_is_drawn_alike_and_reported_in_its_own_units() {
         let [across, ..] = outline(camera(&said), [320, 240], |p| p.map(|x| x * scale));
         assert!(across[1] > 0.7 && across[1] < 0.945, "{scale}: {across:?}");
     }
-    // A model far from the origin, where single precision has steps of 1/16.
+    // A model so far from the origin that single precision would have steps of 1/128.
     write_box(&directory.join("box.obj"), |p| {
         [p[0] + 1e5, p[1] - 1e5, p[2]]
     });
