@@ -251,8 +251,8 @@ proptest! {
         }
     }
 
-    /// Draws each triangle alone to find its depths. In every order of drawing, the nearest triangle must show at each
-    /// pixel; of triangles at equal depths, the last one drawn must show.
+    /// Draws each triangle separately to find its depths. In every order of drawing, the nearest triangle must show at
+    /// each pixel; of triangles at equal depths, the last one drawn must show.
     #[test]
     fn the_nearest_triangle_shows_in_any_order(scene in scenes(), seed: u64) {
         let projection = Projection::perspective(Angle::from_degrees(70), (WIDTH, HEIGHT), fx!(0.1), fx!(50)).unwrap();

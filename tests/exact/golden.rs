@@ -37,7 +37,7 @@ fn poses(draw: impl Fn(i32, &mut Target<'_>)) -> ([u32; 8], usize) {
 }
 
 #[test]
-fn floor() {
+fn checksums_of_the_floor() {
     let drawn = picture(|canvas| {
         scenes::floor(canvas, &PASS, &scenes::floor_chain(0).unwrap());
     });
@@ -45,7 +45,7 @@ fn floor() {
 }
 
 #[test]
-fn cube() {
+fn checksums_of_the_cube() {
     const CRC: [u32; 8] = [
         0xa794_e6c7,
         0x5a50_131f,
@@ -63,7 +63,7 @@ fn cube() {
 }
 
 #[test]
-fn sphere() {
+fn checksums_of_the_sphere() {
     const CRC: [u32; 8] = [
         0xd3f0_8325,
         0xef45_08f4,
@@ -81,7 +81,7 @@ fn sphere() {
 }
 
 #[test]
-fn sphere_flat() {
+fn checksums_of_the_flat_sphere() {
     const CRC: [u32; 8] = [
         0xed76_e033,
         0xfdbf_f1fe,
@@ -99,7 +99,7 @@ fn sphere_flat() {
 }
 
 #[test]
-fn lighthouse() {
+fn checksum_of_the_lighthouse() {
     let (crc, _) = picture(|canvas| {
         let projection = lighthouse::projection((WIDTH, HEIGHT)).unwrap();
         let mvp = projection * lighthouse::camera().unwrap() * Transform::IDENTITY;
@@ -126,7 +126,7 @@ fn scenes_in<I: Mode>(mode: I) -> [u32; 3] {
 }
 
 #[test]
-fn scenes_in_every_mode() {
+fn checksums_in_every_mode() {
     let exact = [0xcea2_0ac4, 0x9303_8f3d, 0xef45_08f4];
     assert_eq!(scenes_in(Exact), exact);
     // `Compact` may round values differently, but no texel here changes.

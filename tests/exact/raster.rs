@@ -229,8 +229,8 @@ fn triangles_smaller_than_a_pixel() {
             [5.25, 3.5],
             [5.5, 3.5],
             [5.5, 3.25],
-            // A sliver that passes many pixel centers and contains none, and one with three centers along an edge, of
-            // which it does not own the first and the last.
+            // One sliver passes many pixel centers and contains none. The other has three centers along an edge, and
+            // does not own the first and the last of these.
             [0., 4.515_625],
             [7.75, 4.75],
             [7.75, 4.515_625],
@@ -272,7 +272,7 @@ fn no_area_no_pixel() {
 
 /// By default, back faces are culled; each cull mode draws its own faces.
 #[test]
-fn cull_modes() {
+fn each_cull_mode_draws_its_faces() {
     let front = [[0., 0.], [0., 4.], [4., 0.]];
     let turned = [[8., 6.], [4., 6.], [8., 2.]];
     let both = [front, turned].concat();

@@ -6,7 +6,7 @@
 //! | file | contents |
 //! |---|---|
 //! | `numbers` | numbers of every magnitude |
-//! | `scene` | a draw call: mesh, mvp, canvas, and options |
+//! | `scene` | a draw call: mesh, model-view-projection, canvas, and options |
 //! | `projection` | projections of the crate, and the same of the model |
 //! | `steps` | products of transforms of the crate, and the same of the model |
 //! | `draw` | a scene in every mode, and with one of the crate's shaders |

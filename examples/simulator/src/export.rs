@@ -193,9 +193,9 @@ fn vectors<const N: usize>(out: &mut String, name: &str, kind: &str, bits: &[[i3
     );
 }
 
-/// Rounds positions to 16 bits, with the most fraction bits, up to 16, with which all of them fit. Returns the
-/// positions and the number of fraction bits. (`Mesh::shortened` gives the same, but needs the number of positions at
-/// compile time.)
+/// Rounds positions to 16 bits, with as many fraction bits (at most 16) as fit for all of them. Returns the positions
+/// and the number of fraction bits. (`Mesh::shortened` gives the same, but needs the number of positions at compile
+/// time.)
 fn shortened(positions: &[Vec3]) -> (Vec<[i16; 3]>, u32) {
     let rounded = |bits: i32, fraction: u32| {
         let down = 16 - fraction;

@@ -83,7 +83,7 @@ impl Picture {
     }
 }
 
-/// For each of `to` pixels in a row, the pixels among `from` of which it is the mean, with their weights.
+/// Returns, for each of `to` pixels in a row, which of the `from` pixels contribute to its mean, and their weights.
 #[allow(clippy::cast_precision_loss, clippy::cast_sign_loss)] // below 2^24, and clamped to 0
 fn weights(from: u32, to: u32) -> Vec<Vec<(usize, f32)>> {
     let ratio = from as f32 / to as f32;

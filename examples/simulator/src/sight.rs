@@ -1,4 +1,4 @@
-//! Checks before drawing what a picture will show.
+//! Checks, before a picture is drawn, that something will be visible in it.
 
 use fixel::Cull;
 

@@ -30,7 +30,8 @@ pub struct Targets<'a> {
 }
 
 impl<'a> Targets<'a> {
-    /// Opens all output files first, so that no frame is drawn in vain. None of them may be among the `inputs`.
+    /// Opens all output files before anything is drawn, so that a file that cannot be written wastes no time. None of
+    /// them may be among the `inputs`.
     ///
     /// # Errors
     ///

@@ -1,4 +1,4 @@
-//! Shaders that record their input in place of a color.
+//! Shaders that record their input instead of computing a color.
 
 use std::cell::RefCell;
 

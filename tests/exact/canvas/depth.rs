@@ -165,7 +165,7 @@ fn plates<F: DepthFormat>() -> MockDisplay<BinaryColor> {
 
 /// If the format stores equal depths for both plates, the farther one shows, because it is drawn last.
 #[test]
-fn plates_a_hundredth_apart() {
+fn the_resolution_of_each_depth_format() {
     plates::<Linear>().assert_pattern(&[
         "..........................",
         "..####....................",

@@ -113,7 +113,7 @@ impl<T: DrawTarget<Color = Rgb565, Error = Infallible>> Draw for T {
 
 /// `fill_contiguous` stops reading an endless iterator when the area is full.
 #[test]
-fn fill_contiguous_ends() {
+fn fill_contiguous_stops_when_the_area_is_full() {
     let mut pixels = [Gray8::BLACK; 12];
     let mut canvas = Canvas::new(&mut pixels, 4, 3).unwrap();
     let area = Rectangle::new(Point::new(-1, 1), Size::new(3, 9));
@@ -151,7 +151,7 @@ impl Iterator for Colors {
 
 /// Points at the ends of `i32` are ignored.
 #[test]
-fn points_at_the_ends_of_i32() {
+fn points_at_the_ends_of_i32_are_ignored() {
     let mut pixels = [Gray8::BLACK; 4];
     let mut canvas = Canvas::new(&mut pixels, 2, 2).unwrap();
     let ends = [i32::MIN, i32::MIN + 1, -1, 0, 1, 2, i32::MAX - 1, i32::MAX];
@@ -165,7 +165,7 @@ fn points_at_the_ends_of_i32() {
 
 /// Areas that begin, end or reach beyond the range of `i32` are filled like any other, in a debug build too.
 #[test]
-fn areas_beyond_the_range_of_i32() {
+fn areas_beyond_the_range_of_i32_are_filled() {
     const WIDTH: u32 = 3;
     const FIRST: u32 = 1;
     const END: u32 = 3;

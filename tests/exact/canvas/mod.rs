@@ -91,7 +91,7 @@ fn a_display_error_is_passed_on() {
 
 /// Bytes in bus order, for each number of bytes per pixel.
 #[test]
-fn byte_orders() {
+fn bytes_are_in_bus_order() {
     let mut pixels = [[0; 2]; 2];
     let mut canvas: Canvas<Rgb565, _> = Canvas::big_endian(&mut pixels, 2, 1).unwrap();
     canvas.clear(Rgb565::new(1, 2, 3));

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use super::reading::{SQUARE, fails};
 
 #[test]
-fn malformed_numbers() {
+fn malformed_numbers_are_refused() {
     for text in [
         "", "x", ".", "+", "-", "--1", "1e", "1e+", "e1", "1.2.3", "1,5", "nan", "inf", "0x1",
         "1f", "1\\2", "é",
@@ -61,7 +61,7 @@ fn errors_name_their_line() {
 proptest! {
     /// No input causes a panic.
     #[test]
-    fn any_bytes_are_read(bytes in prop::collection::vec(prop::sample::select(&b"vvftnl 0123456789./-+eE\\\r\n\n#\t\xff"[..]), 0..200)) {
+    fn no_bytes_cause_a_panic(bytes in prop::collection::vec(prop::sample::select(&b"vvftnl 0123456789./-+eE\\\r\n\n#\t\xff"[..]), 0..200)) {
         if let Ok(counts) = obj::count(&bytes) {
             let (mut positions, mut faces) = (vec![Vec3::ZERO; counts.positions], vec![[0; 3]; counts.faces]);
             let mut edges = vec![[0; 2]; counts.edges];

@@ -17,7 +17,7 @@ fn tex_coord(u: &str, v: &str) -> Result<[i32; 2], Error> {
 }
 
 #[test]
-fn numbers() {
+fn numbers_are_rounded_to_the_nearest() {
     for (text, bits) in [
         ("1", 65536),
         ("+1.", 65536),
@@ -45,7 +45,7 @@ fn numbers() {
 }
 
 #[test]
-fn numbers_out_of_range() {
+fn numbers_out_of_range_are_refused() {
     for text in [
         "32767.999993",
         "32768",
@@ -60,7 +60,7 @@ fn numbers_out_of_range() {
 }
 
 #[test]
-fn texture_coordinates() {
+fn texture_coordinates_are_rounded_to_the_nearest() {
     const ONE: i32 = 1 << 20;
     for (text, bits) in [
         ("1", ONE),
@@ -89,7 +89,7 @@ fn texture_coordinates() {
 }
 
 #[test]
-fn texture_coordinates_out_of_range() {
+fn texture_coordinates_out_of_range_are_refused() {
     for text in [
         "2047.9999996 0",
         "2048 0",

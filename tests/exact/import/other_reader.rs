@@ -132,7 +132,7 @@ fn text() -> impl Strategy<Value = String> {
 
 proptest! {
     #[test]
-    fn tobj_agrees(text in text()) {
+    fn tobj_agrees_on_random_text(text in text()) {
         agrees_with_tobj(&text)?;
     }
 }

@@ -207,7 +207,7 @@ fn materials_have_colors_and_textures() {
     );
 }
 
-/// The default name of the picture is that of the model's texture.
+/// The picture's default name is the name of the model's texture.
 #[test]
 fn textures_of_a_model_are_not_overwritten() {
     let directory = directory("own-texture");
