@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Compares the firmware's output on each target with the host's checksums, and prints a table.
 
-Arguments: the folder with a file of output for each target and the file `host` (lines of scene, mode and
-checksum); then the targets. Fails unless every target printed every scene in every mode and layout, all
-with the host's checksum and the same number of pixels. The lines that begin with `same` draw a picture in other
-ways; every way must be there, with the host's checksum again."""
+Arguments: a folder with the output of each target, in a file of its name, and the file `host` (lines of scene,
+mode and checksum); then the targets. Fails unless every target printed every scene in every mode and layout, all
+with the host's checksum and the same number of pixels. Lines that begin with `same` are for pictures drawn in other
+ways: every way must be there, and must also have the host's checksum."""
 import re
 import sys
 from collections import defaultdict
@@ -24,7 +24,7 @@ folder, *targets = sys.argv[1:]
 lines = [line.split() for line in Path(folder, "host").read_text().splitlines()]
 host = {(scene, mode): crc for scene, mode, crc in lines}
 wrong = [] if len(host) == 20 else [f"the host printed {len(host)} checksums"]
-pixels = {}  # of each scene, as the first target printed them
+pixels = {}  # of each scene, from the output of the first target
 rows = []
 for target in targets:
     printed = Path(folder, target).read_text()

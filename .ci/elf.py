@@ -1,6 +1,6 @@
-"""The contents of a program: sections and functions of little-endian 32-bit ELF files.
+"""Reads sections and functions of programs, which are little-endian 32-bit ELF files.
 
-elf.py measure BASELINE PROBE       prints bytes of code, the compiler's routines among them, and bytes of constants
+elf.py measure BASELINE PROBE       prints bytes of code, of compiler routines in it, and of constants (less baseline)
 elf.py functions BASELINE PROBE     prints functions by size, less the baseline's function of that name
 elf.py sources PROBE                prints the library's functions by size, inlined or not (needs llvm-symbolizer)
 elf.py names PROBE                  prints the names of all functions, one per line
@@ -14,7 +14,7 @@ import subprocess
 import sys
 
 FUNCTION = 2  # STT_FUNC
-# Routines that the compiler calls implicitly; those with a full Rust name come from this crate.
+# Routines that the compiler calls implicitly. Those with a full Rust name come from the crate compiler_builtins.
 ROUTINE = re.compile(r"compiler_builtins|^__aeabi_|^__[a-z]+[sdt]i[234]$|^mem(cpy|set|move|cmp)$")
 
 
@@ -38,7 +38,7 @@ def read(path):
             name, address, length, info = struct.unpack_from("<IIIB", data, at)
             if info & 15 == FUNCTION:
                 names.append(text(strings + name))
-                # One function may have more than one name.
+                # A function may have several names.
                 if address not in functions or length:
                     functions[address] = (length, names[-1])
     return sections, functions, sorted(names)
@@ -50,7 +50,7 @@ def routines(path):
 
 def measure(baseline, probe):
     before, after = read(baseline)[0], read(probe)[0]
-    # Variables with a value take as much flash as RAM; the library has none.
+    # Initialized variables take as much flash as RAM; the library has none.
     constants = sum(after.get(s, 0) - before.get(s, 0) for s in (".rodata", ".data"))
     print(after[".text"] - before[".text"], routines(probe) - routines(baseline), constants)
 
@@ -61,7 +61,8 @@ def memory(path):
     def total(*names):
         return sum(sections.get(name, 0) for name in names)
 
-    # Copied from flash to RAM at the start: variables with a value, and an ESP32's code that may not wait for flash.
+    # The startup code copies these from flash to RAM: initialized variables, and an ESP32's code that may not wait for
+    # flash.
     both = total(".data", ".trap", ".rwtext")
     print(both + total(".vector_table", ".boot2", ".flash.appdesc", ".text", ".rodata"),
           both + total(".bss", ".uninit", ".noinit"))
@@ -74,7 +75,7 @@ def readable(text):
 
 
 def functions(baseline, probe):
-    def plain(name):  # the same in every probe
+    def plain(name):  # without the parts that differ between probes
         return re.sub(r"Cs[0-9A-Za-z]+_|\d+size_[a-z]+|\.llvm\.\d+$", "", name)
 
     known = collections.Counter()
@@ -86,7 +87,7 @@ def functions(baseline, probe):
     try:
         text = subprocess.run(["c++filt"], input=text, capture_output=True, text=True).stdout
     except FileNotFoundError:
-        pass  # binutils make names readable; without them, print the raw names
+        pass  # without binutils, which make names readable, print the raw names
     print(readable(text.rstrip()))
     print(f"{sum(size for size, _ in rows):6} in all")
 
@@ -102,7 +103,7 @@ def sources(path):
     for block in text.strip().split("\n\n"):
         lines = block.splitlines()
         frames = list(zip(lines[::2], lines[1::2]))
-        # The paths of this project's crates differ from those of dependencies and of the compiler.
+        # Keep frames of this project: paths of dependencies contain /registry/, those of the compiler /library/.
         own = [name for name, at in frames if re.search(r"/(src|examples)/", at)
                and "/registry/" not in at and "/library/" not in at]
         sizes[readable((own or [frames[0][0]])[0])] += 2

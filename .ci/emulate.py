@@ -3,11 +3,11 @@
 
 emulate.py pico|stm32f4 PROGRAM PICTURE.ppm
 
-Writes what the display shows after two frames, and prints the time in ms at which the second one was drawn. DMA sends a
-band at the last moment: when the program waits for it. So a program that draws into a band that is being sent shows
-another picture. The display is the one of the data sheets: CS and DC select it and tell commands from data; CASET and
-RASET set a window, RAMWR writes to it. Registers have the addresses of the RP2040's data sheet and of the STM32F405's
-reference manual, RM0090. Needs the Python package unicorn.
+Writes what the display shows after two frames, and prints the time in ms at which the second one was drawn. The model
+of DMA sends a band at the last moment, when the program waits for it. So a program that draws into a band that is being
+sent shows a wrong picture. The display follows the data sheets: CS selects it, and DC tells commands from data; CASET
+and RASET set a window, and RAMWR writes to it. Registers have the addresses of the RP2040's data sheet and of the
+STM32F405's reference manual, RM0090. Needs the Python package unicorn.
 """
 import collections
 import struct
@@ -17,8 +17,8 @@ from unicorn import UC_ARCH_ARM, UC_HOOK_CODE, UC_MODE_MCLASS, UC_MODE_THUMB, Uc
 from unicorn.arm_const import (UC_ARM_REG_LR, UC_ARM_REG_PC, UC_ARM_REG_PRIMASK, UC_ARM_REG_R0, UC_ARM_REG_R1,
                                UC_ARM_REG_R2, UC_ARM_REG_SP, UC_CPU_ARM_CORTEX_M0, UC_CPU_ARM_CORTEX_M4)
 
-RETURN = 0x08080000  # where the handler of an interrupt returns to: flash that no program uses
-FRAMES = 4  # the first holds a black band; the last but one is the picture, complete when the next begins
+RETURN = 0x08080000  # the return address of interrupt handlers: flash that no program uses
+FRAMES = 4  # the first holds a black band; the last but one is the picture, which is complete when the next begins
 
 
 class Display:
@@ -46,7 +46,7 @@ class Display:
                     self.chip.core.emu_stop()
 
     def execute(self):
-        """Executes the last command, whose data are complete."""
+        """Executes the last command, which now has all of its data."""
         if self.command in (0x2A, 0x2B):
             self.window[self.command] = struct.unpack(">HH", self.data)
         elif self.command == 0x2C:
@@ -67,7 +67,7 @@ class Display:
 
 
 class Chip:
-    """A core, its memory, and registers that keep what is written to them, unless a subclass says more."""
+    """A core, its memory, and registers that keep what is written to them, unless a subclass does more."""
 
     def __init__(self, program, model, memory, registers):
         self.core = Uc(UC_ARCH_ARM, UC_MODE_THUMB | UC_MODE_MCLASS)
@@ -86,7 +86,7 @@ class Chip:
         size, count = struct.unpack_from("<HH", data, 42)
         for i in range(count):
             kind, offset, _, address, length = struct.unpack_from("<5I", data, headers + i * size)
-            if kind == 1 and length:  # PT_LOAD, at its place in flash
+            if kind == 1 and length:  # PT_LOAD, at its address in flash
                 self.core.mem_write(address, data[offset : offset + length])
 
     def read(self, address):
@@ -121,7 +121,7 @@ class Chip:
             sys.exit(f"{error} at {self.core.reg_read(UC_ARM_REG_PC):#x}")
 
     def resume(self, at):
-        """What happens when the core stops; returns where it goes on."""
+        """Handles a stop of the core; returns the address where it continues."""
         return at
 
 
@@ -132,7 +132,7 @@ class Pico(Chip):
         super().__init__(program, UC_CPU_ARM_CORTEX_M0, [(0x10000000, 0x200000), (0x20000000, 0x42000)],
                          [(0x40000000, 0x100000), (0x50000000, 0x10000), (0xD0000000, 0x1000)])
         self.registers[0x4000C000] = 0xFFFFFFFF  # all peripherals are in reset
-        # The boot ROM's functions return at once, after what `rom` does; at 0x18 is the one that looks up the others.
+        # The boot ROM's functions do what `rom` does, and return. The one at 0x18 looks up the others.
         self.core.mem_map(0, 0x1000)
         self.core.mem_write(0, struct.pack("<H", 0x4770) * 0x800)  # BX LR
         self.core.mem_write(0x18, struct.pack("<H", 0x101))
@@ -147,23 +147,23 @@ class Pico(Chip):
             core.mem_write(target, bytes([source & 0xFF]) * length)
         elif at == 0x120:
             core.mem_write(target, bytes(core.mem_read(source, length)))
-        elif at == 0x130:  # leading zeros
+        elif at == 0x130:  # counts leading zeros
             core.reg_write(UC_ARM_REG_R0, 32 - target.bit_length())
 
     def read(self, address):
         if address >> 20 == 0x400:
             address &= ~0x3000
         value = self.registers[address]
-        if address == 0x4000C008:  # which are not
+        if address == 0x4000C008:  # peripherals that are not in reset
             return ~self.registers[0x4000C000]
-        if address in (0x40024004, 0x40028000, 0x4002C000):  # oscillator and PLLs are stable
+        if address in (0x40024004, 0x40028000, 0x4002C000):  # the oscillator and the PLLs are stable
             return value | 1 << 31
-        if address in (0x40008038, 0x40008044):  # the chosen clock, a bit for each
+        if address in (0x40008038, 0x40008044):  # the selected clock, one bit for each
             return 1 << (self.registers[address - 8] & 3)
-        if address in (0x4005400C, 0x40054028):  # the timer's lower half
+        if address in (0x4005400C, 0x40054028):  # the lower half of the timer
             self.microseconds += 5137
             return self.microseconds
-        if address == 0x4003C00C:  # SPI: all was sent, something received
+        if address == 0x4003C00C:  # SPI: everything was sent, and something was received
             return 0b111
         if address == 0x5000000C:
             self.send()
@@ -181,7 +181,7 @@ class Pico(Chip):
             self.display.receive([value & 0xFF])
         elif address in (0xD0000014, 0xD0000018):
             self.display.pins(value >> 17 & 1, value >> 16 & 1, high=address == 0xD0000014)
-        elif address == 0x5000002C:  # DMA's target, which starts it
+        elif address == 0x5000002C:  # the DMA transfer's destination: writing it starts the transfer
             self.transfer = self.registers[0x50000000], self.registers[0x50000008]
         elif 0xD0000060 <= address <= 0xD000006C:
             self.divide(signed=address >= 0xD0000068)
@@ -200,7 +200,7 @@ class Pico(Chip):
 class Stm32f4(Chip):
     """An STM32F405. The program sleeps until an interrupt says that the DMA is ready."""
 
-    FLAGS, CONTROL, COUNT, SOURCE = 0x40026400, 0x40026458, 0x4002645C, 0x40026464  # of DMA 2, and of its stream 3
+    FLAGS, CONTROL, COUNT, SOURCE = 0x40026400, 0x40026458, 0x4002645C, 0x40026464  # of DMA 2 and its stream 3
     TIMER = 0x40000000
 
     def __init__(self, program):
@@ -238,34 +238,34 @@ class Stm32f4(Chip):
 
     def read(self, address):
         value = self.registers[address]
-        if address in (0x40023800, 0x40023874):  # what is on is ready
+        if address in (0x40023800, 0x40023874):  # every clock that is on is ready
             return value | (value & 0x05010001) << 1
-        if address == 0x40023808:  # the chosen clock is used
+        if address == 0x40023808:  # the selected clock is in use
             return value & ~0xC | (value & 3) << 2
         if address == 0x40007004:  # the voltage is ready
             return value | 1 << 14
         if address == self.TIMER + 0x24:
             before = self.microseconds
             self.microseconds += 5137
-            if before >> 15 != self.microseconds >> 15:  # interrupts at half of 16 bits, and at their end
+            if before >> 15 != self.microseconds >> 15:  # interrupts in the middle and at the end of 16 bits
                 self.registers[self.TIMER + 0x10] |= 1 if self.microseconds >> 15 & 1 == 0 else 2
             if self.registers[self.TIMER + 0x10]:
                 self.core.emu_stop()
             return self.microseconds & 0xFFFF
-        if address == 0x40013008:  # SPI: all was sent; something was received, until it is read
+        if address == 0x40013008:  # SPI: everything was sent; something was received until it is read
             return 0b10 | self.received
         if address == 0x4001300C:
             self.received = False
         return value
 
     def write(self, address, value):
-        if address == self.TIMER + 0x10:  # flags are cleared by 0
+        if address == self.TIMER + 0x10:  # writing 0 clears a flag
             value &= self.registers[address]
         self.registers[address] = value
         if address == 0x4001300C:
             self.received = True
             self.display.receive([value & 0xFF])
-        elif address == 0x40020018:  # port A: set the lower half's bits, clear the upper half's
+        elif address == 0x40020018:  # port A: bits of the lower half set pins, bits of the upper half clear them
             self.display.pins(value >> 4 & 1, 0, high=True)
             self.display.pins(value >> 20 & 1, 0, high=False)
         elif address == 0x40020418:

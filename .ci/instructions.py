@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Compares the instructions of programs on each target with tests/instructions.csv, and prints the changes.
 
-Arguments: `--renew`, to rewrite the targets' part of the file; the folder with a file of output for each target,
-another ending in .size of the programs that are optimized for size, if they were run, and a file ending in .rustc with
-the compiler's version; the targets. Fails if anything takes over 2 % more instructions, or is not in the file. Another
+Arguments: `--renew`, to rewrite the targets' part of the file; a folder; the targets. For each target, the folder has
+its output, a file ending in .size with the output of programs optimized for size, if they were run, and one ending in
+.rustc with the compiler's version. Fails if anything takes over 2 % more instructions, or is not in the file. Another
 compiler makes other code: if a target's compiler is not the file's, the target is reported but not compared."""
 import csv
 import re
@@ -13,8 +13,8 @@ from pathlib import Path
 MOST = 1.02
 FILE = Path("tests/instructions.csv")
 HEAD = ["target", "optimization", "mode", "what", "per", "instructions"]
-OUTPUTS = {"3": "", "s": ".size"}  # of a target's programs, by opt-level: what the file's name ends with
-COUNTED = 1000  # pixels or triangles of a kernel
+OUTPUTS = {"3": "", "s": ".size"}  # the ending of the name of a target's output, by opt-level
+COUNTED = 1000  # costs of kernels are kept for this many pixels or triangles
 
 
 def measured(folder, target):
@@ -67,7 +67,7 @@ def write(compilers, kept):
 
 
 def compare(target, before, now):
-    """Returns the failures, and the number of cases that are better."""
+    """Returns the failures, and the number of cases that take fewer instructions."""
     wrong, better = [], 0
     for case in before.keys() | now.keys():
         optimization, mode, what, per = case

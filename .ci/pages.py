@@ -1,7 +1,8 @@
-"""What README, the guide and the documentation of types say of our own measurements: which figures stand where.
+"""Says where README, the guide and the documentation of types give figures of our own measurements.
 
 `says(page, text, figures)` names a place: its text, with `{}` for each figure and `…` for words between. Line breaks
-and the marks of comments do not matter. `holds(page, text, condition)` names a claim in words."""
+and comment markers do not matter. `holds(page, text, condition)` names a sentence that the page must
+contain, and a condition on the figures that must hold."""
 import math
 
 M4, M0, RISCV = "thumbv7em-none-eabi", "thumbv6m-none-eabi", "riscv32imc-unknown-none-elf"
@@ -73,7 +74,7 @@ def places(instructions, other):
         return instructions[*column, "kernel", name, unit or units[name]] / 1000
 
     def row(page, label, show, *names):
-        """A row of both cores and optimizations: a kernel, or how much more than a second one it takes."""
+        """A row for both cores and optimizations: the cost of a kernel, or its excess over a second one."""
         figures = []
         for column in COLUMNS:
             less = kernel(names[1], column) if len(names) == 2 else 0

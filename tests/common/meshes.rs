@@ -1,9 +1,9 @@
-//! Meshes on the screen that cover an area without gaps or overlaps, whatever their vertices.
+//! Meshes in screen coordinates that cover an area without gaps or overlaps, for any vertices.
 
-/// Corners of a triangle or vertices of a mesh, in 24.8.
+/// A corner of a triangle or a vertex of a mesh, in 24.8 fixed point.
 pub type Point = [i32; 2];
 
-/// A mesh on the screen.
+/// A mesh in screen coordinates.
 #[derive(Clone, Debug)]
 pub struct Flat {
     pub points: Vec<Point>,
@@ -17,10 +17,10 @@ impl Flat {
         self.faces.iter().map(|face| face.map(corner)).collect()
     }
 
-    /// The triangles in another order, with other corners first, and some of them turned over.
+    /// Shuffles the triangles and the order of their corners; with `turn`, reverses the winding of some.
     pub fn shuffled(mut self, mut seed: u64, turn: bool) -> Self {
         let mut below = |n: usize| {
-            // Knuth's MMIX generator.
+            // The linear congruential generator of Knuth's MMIX.
             seed = seed
                 .wrapping_mul(6_364_136_223_846_793_005)
                 .wrapping_add(1_442_695_040_888_963_407);
@@ -39,14 +39,14 @@ impl Flat {
     }
 }
 
-/// A triangulation of a rectangle with `points` among its vertices. It accepts points anywhere and in any number:
-/// each one splits the triangles that contain it.
+/// A triangulation of a rectangle with `points` among its vertices. It accepts any number of points anywhere: each one
+/// splits the triangles that contain it.
 ///
-/// Exact, for triangles as thin as possible. All face the viewer.
+/// The computation is exact, so triangles may be as thin as possible. All of them face the viewer.
 pub fn triangulation(corners: [Point; 4], points: &[Point]) -> Flat {
     let mut mesh = Flat {
         points: corners.to_vec(),
-        // Top left, bottom left, bottom right, top right: counter-clockwise as seen.
+        // Top left, bottom left, bottom right, top right: counter-clockwise on the screen.
         faces: vec![[0, 1, 2], [0, 2, 3]],
     };
     for &point in points {
@@ -59,7 +59,7 @@ pub fn triangulation(corners: [Point; 4], points: &[Point]) -> Flat {
         let mut faces = Vec::with_capacity(mesh.faces.len() + 3);
         for &[a, b, c] in &mesh.faces {
             let sides = [[a, b], [b, c], [c, a]];
-            // Counter-clockwise on a screen with y down: inside is negative.
+            // The corners run counter-clockwise on a screen with y down, so the inside is negative.
             let inside = sides.map(|[from, to]| -turn([place(from), place(to), point]));
             if inside.iter().any(|&distance| distance < 0) {
                 faces.push([a, b, c]);
@@ -76,27 +76,27 @@ pub fn triangulation(corners: [Point; 4], points: &[Point]) -> Flat {
     mesh
 }
 
-/// A fan around the first point: the others in the order of their angles around it.
+/// A fan around `center`: the other points follow in the order of their angles around it.
 pub fn fan(center: Point, mut rim: Vec<Point>) -> Flat {
     let angle = |p: &Point| {
         let [x, y] = [0, 1].map(|i| f64::from(p[i] - center[i]));
         (-y).atan2(x)
     };
     rim.retain(|&p| p != center);
-    // One point per direction, because otherwise two triangles would overlap.
+    // Keep one point per direction, because otherwise two triangles would overlap.
     rim.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
     rim.dedup_by(|a, b| angle(a).total_cmp(&angle(b)).is_eq());
     let count = u16::try_from(rim.len()).unwrap();
     let points: Vec<Point> = std::iter::once(center).chain(rim).collect();
     let faces = (0..count)
         .map(|i| [0, i + 1, (i + 1) % count + 1])
-        // Across a step of half a turn or more the fan has no triangle.
+        // The fan has no triangle where two neighbors are half a turn or more apart.
         .filter(|face| turn(face.map(|index| points[usize::from(index)])) < 0)
         .collect();
     Flat { points, faces }
 }
 
-/// A grid of `columns` x `rows` cells over `area` pixels, its inner vertices moved by less than half a cell.
+/// A grid of `columns` x `rows` cells over `area` pixels. `moves` shifts its inner vertices by less than half a cell.
 pub fn grid(columns: u16, rows: u16, area: [i32; 2], moves: &[Point], strip: bool) -> Flat {
     let cell = [
         area[0] * 256 / i32::from(columns),

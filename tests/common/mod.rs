@@ -1,6 +1,6 @@
-//! Helpers that the raster tests share: a shader that counts, and a projection whose pixels are model units.
+//! Helpers that the raster tests share: a shader that counts pixels, and a projection whose model unit is a pixel.
 
-// Each test binary includes this and uses part of it.
+// Each test binary includes this module and uses only a part of it.
 #![allow(dead_code)]
 
 pub mod meshes;
@@ -13,7 +13,7 @@ use fixel::{Drawn, ScreenPoint};
 
 use recorder::{Recorder, record};
 
-/// How often each pixel of a frame is drawn, without a depth buffer.
+/// Counts how often each pixel of a frame is drawn without a depth buffer.
 pub struct Counter {
     pixels: Vec<Gray8>,
     counts: Vec<u32>,
@@ -21,7 +21,7 @@ pub struct Counter {
     pub size: (u32, u32),
 }
 
-/// A shader that records the pixels it is asked to color.
+/// A shader that records the pixels for which it is asked for a color.
 type Count<'a> = Recorder<'a, Flat<Gray8>, 0>;
 
 impl Counter {
@@ -78,7 +78,7 @@ impl Counter {
         self.with(|canvas, count| canvas.draw_points(options, mesh, mvp, count))
     }
 
-    /// The crate's position of a point, before culling and the guard band.
+    /// The position that the crate computes for a point, before culling and the guard band.
     pub fn place<K: ProjectionKind>(
         &mut self,
         options: &DrawOptions,
@@ -90,7 +90,7 @@ impl Counter {
         canvas.project(options, mvp, point)
     }
 
-    /// The crate's position of a point, in 24.8.
+    /// The position that the crate computes for a point, in 24.8 fixed point.
     pub fn snapped<K: ProjectionKind>(&mut self, mvp: &Mvp<K>, point: Vec3) -> Option<[i32; 2]> {
         let place = self.place(&DrawOptions::new(), mvp, point)?;
         Some([place.x.to_bits(), place.y.to_bits()])
@@ -101,7 +101,7 @@ impl Counter {
         self.counts.iter_mut().map(std::mem::take).collect()
     }
 
-    /// The counts as text, a line per row: `.` for none.
+    /// The counts as text, one line per row, with `.` for 0.
     pub fn picture(&mut self) -> Vec<String> {
         let counts = self.take();
         counts
@@ -111,7 +111,7 @@ impl Counter {
     }
 }
 
-/// A count as a character: `.` for none, `+` for more than nine.
+/// A count as a character: `.` for 0, `+` for more than nine.
 pub fn character(count: u32) -> char {
     match count {
         0 => '.',
@@ -119,12 +119,12 @@ pub fn character(count: u32) -> char {
     }
 }
 
-/// A projection through which model space is the picture itself: a unit is a pixel, with x to the right from the left
-/// edge and y *up* from the top edge, so that a point of the picture has a negative y; z from -1 to 1.
+/// A projection that maps a unit of model space to a pixel. x points right from the left edge, and y points *up* from
+/// the top edge, so the y of a visible point is negative. z lies between -1 and 1.
 ///
-/// Pixel coordinates are exact to the last of their eight bits. The projection takes x to (2/width)·x − 1 with a
-/// factor rounded to 30 bits, and the viewport back to pixels; the error is less than 2⁻²⁹ · 4096 pixels, and so far
-/// less than half of 1/256.
+/// Pixel coordinates are exact to the last of their eight fraction bits. The projection maps x to (2/width)·x − 1 with
+/// a factor rounded to 30 bits, and the viewport maps the result back to pixels. The error is less than 2⁻²⁹ · 4096
+/// pixels, which is far less than half of 1/256.
 pub fn pixel_lens((width, height): (u32, u32)) -> Mvp<Parallel> {
     let [width, height] = [width, height].map(Scalar::from_num);
     let projection = Projection::orthographic(
@@ -140,7 +140,7 @@ pub fn pixel_lens((width, height): (u32, u32)) -> Mvp<Parallel> {
     projection.unwrap().into()
 }
 
-/// A point of the picture in 24.8, as a position for [`pixel_lens`].
+/// The position that [`pixel_lens`] maps to this point of the picture, given in 24.8 fixed point.
 pub fn at_subpixel([x, y]: [i32; 2]) -> Vec3 {
     Vec3::from_bits([x << 8, -y << 8, 0])
 }

@@ -1,6 +1,6 @@
-//! A shader that records its input, for all tests that check more than colors.
+//! A shader that records its input, for tests that check more than colors.
 
-// Each test binary uses part of it.
+// Each test binary uses only a part of it.
 #![allow(dead_code)]
 
 use std::cell::RefCell;
@@ -16,7 +16,7 @@ pub struct Seen<const N: usize, C = Gray8> {
     pub depth: u16,
     /// The triangle's index in the mesh.
     pub face: usize,
-    /// The first interpolated numbers; 0 where the shader has fewer.
+    /// The first `N` interpolated numbers; 0 if the shader has fewer.
     pub values: [i32; N],
     pub color: Option<C>,
 }
@@ -24,9 +24,9 @@ pub struct Seen<const N: usize, C = Gray8> {
 /// The record of a draw call.
 #[derive(Debug)]
 pub struct Record<const N: usize, C = Gray8> {
-    /// In the order drawn.
+    /// The pixels, in the order in which they were drawn.
     pub seen: Vec<Seen<N, C>>,
-    /// The numbers at the corners of triangles.
+    /// Each triangle's index in the mesh, and the numbers at its corners.
     pub corners: Vec<(usize, [[i32; N]; 3])>,
 }
 
@@ -82,7 +82,7 @@ impl<S: Shader, const N: usize> Shader for Recorder<'_, S, N> {
     }
 }
 
-/// A shader that interpolates any values, and draws all pixels in one color or none.
+/// A shader that interpolates any values, and draws every pixel in the same color or none.
 #[derive(Clone, Copy)]
 pub struct Probe<'a, V, C = Gray8> {
     pub values: &'a dyn Fn(&Corner<'_>) -> V,
@@ -102,7 +102,7 @@ impl<V: Varyings, C: PixelColor> Shader for Probe<'_, V, C> {
     }
 }
 
-/// `[(); N]` for an N that can be interpolated.
+/// Marks `[(); N]` for every N that can be interpolated.
 pub trait Few<const N: usize>: Lanes<Of<i32> = [i32; N]> {}
 
 impl<const N: usize, L: Lanes<Of<i32> = [i32; N]>> Few<N> for L {}

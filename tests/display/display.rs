@@ -1,5 +1,5 @@
-//! The picture on a real panel. A display driver from another project writes the canvas to recorded wires; read
-//! according to the controller's data sheet, the record is the canvas again.
+//! The picture on a real panel. A display driver from another project writes the canvas to recorded wires. A model of
+//! the controller, made from its data sheet, reads the record, and must show the canvas.
 
 mod panel;
 
@@ -24,7 +24,7 @@ use panel::{Command, NoDelay, Panel, Wires};
 
 type Driver<'b, M> = Display<SpiInterface<'b, Wires, Wires>, M, NoResetPin>;
 
-/// A square panel in its own orientation, 240x240.
+/// A square panel of 240x240 pixels that is not rotated.
 const SQUARE: (u32, u32) = (240, 240);
 
 fn square<'b>(wires: &Wires, buffer: &'b mut [u8]) -> Driver<'b, ST7789> {
@@ -35,7 +35,7 @@ fn square<'b>(wires: &Wires, buffer: &'b mut [u8]) -> Driver<'b, ST7789> {
         .unwrap()
 }
 
-/// A panel of 240x320, rotated by a quarter turn.
+/// A panel of 240x320 pixels, rotated by a quarter turn.
 const WIDE: (u32, u32) = (scenes::WIDTH, scenes::HEIGHT);
 
 fn wide<'b>(wires: &Wires, buffer: &'b mut [u8]) -> Driver<'b, ILI9341Rgb565> {
@@ -46,7 +46,7 @@ fn wide<'b>(wires: &Wires, buffer: &'b mut [u8]) -> Driver<'b, ILI9341Rgb565> {
         .unwrap()
 }
 
-/// The lighthouse, with depth, texture, light, and text over it.
+/// Draws the lighthouse, which has depth, textures and light, and text over it.
 fn draw<O: Storage<Rgb565>, D: DepthBuffer>(canvas: &mut Canvas<'_, Rgb565, O, D>) {
     let projection = lighthouse::projection(canvas.frame_size()).unwrap();
     let mvp = projection * lighthouse::camera().unwrap() * Transform::IDENTITY;
@@ -74,14 +74,14 @@ fn frame(
     let colors: BTreeSet<_> = pixels.iter().collect();
     assert!(
         colors.len() > 500,
-        "a picture, not a surface: {}",
+        "the picture has too few colors: {}",
         colors.len()
     );
     pixels
 }
 
-/// Draws the frame in bands of this many rows, the last one with the rest, all in the same memory, and passes each to
-/// `show`.
+/// Draws the frame in bands of this many rows, all in the same memory, and passes each band to `show`. The last band
+/// has the remaining rows.
 fn in_bands(size: (u32, u32), rows: u32, mut show: impl FnMut(&Bytes<'_>)) {
     let (width, height) = size;
     let mut pixels = vec![[0; 2]; (width * rows) as usize];
@@ -95,7 +95,7 @@ fn in_bands(size: (u32, u32), rows: u32, mut show: impl FnMut(&Bytes<'_>)) {
     }
 }
 
-/// Pixels in the order of the bus.
+/// A canvas whose bytes are in the order of the bus.
 type Bytes<'a> = Canvas<'a, Rgb565, BigEndian, Depth<'a>>;
 
 /// The panel's picture after all commands.
@@ -105,13 +105,13 @@ fn shown(wires: &Wires, size: (u32, u32)) -> Vec<u16> {
     panel.picture(size)
 }
 
-/// The data of the commands that write pixels.
+/// The data bytes of the commands that write pixels.
 fn written(commands: Vec<Command>) -> Vec<Vec<u8>> {
     let pixels = commands.into_iter().filter(|command| command.code == 0x2c);
     pixels.map(|command| command.data).collect()
 }
 
-/// Compares without printing a whole picture.
+/// Compares pictures, and names only the first pixel that differs.
 fn assert_same(shown: &[u16], expected: &[u16], width: u32) {
     assert_eq!(shown.len(), expected.len());
     if let Some(at) = (0..shown.len()).find(|&at| shown[at] != expected[at]) {
@@ -133,7 +133,7 @@ fn the_panel_shows_a_frame_of_colors() {
         assert_same(&shown(wires, size), &frame, size.0);
     }
     let wires = Wires::default();
-    // A buffer that no row fits and no whole number of pixels fills: the driver must handle it.
+    // The driver's buffer is shorter than a row, and not a whole number of pixels.
     check(&wires, square(&wires, &mut [0; 101]), SQUARE);
     let wires = Wires::default();
     check(&wires, wide(&wires, &mut [0; 512]), WIDE);
@@ -154,8 +154,8 @@ fn the_panel_shows_bands() {
     }
 }
 
-/// The driver receives colors and makes bytes of them; these equal the bytes of a canvas of bytes. So a DMA channel
-/// that receives `as_bytes()` sends what the driver would send.
+/// The driver converts colors to bytes. They equal the bytes of a canvas of bytes, so a DMA channel that receives
+/// `as_bytes()` sends what the driver would send.
 #[test]
 fn bytes_equal_those_that_the_driver_sends() {
     let (wires, mut buffer) = (Wires::default(), [0; 512]);
@@ -167,7 +167,7 @@ fn bytes_equal_those_that_the_driver_sends() {
         let mut bytes = vec![];
         in_bands(SQUARE, rows, |band| {
             bytes.extend_from_slice(band.as_bytes());
-            // For bands as for frames.
+            // Send bands in the same way as frames.
             band.show(&mut display).unwrap();
             assert!(written(wires.take()) == [band.as_bytes()]);
         });
@@ -175,8 +175,8 @@ fn bytes_equal_those_that_the_driver_sends() {
     }
 }
 
-/// As in the guide for firmware: the driver sets the panel up and opens one window as large as the frame; then come
-/// only the bytes of the bands, one band after the other.
+/// As in the guide for firmware, the driver sets the panel up and opens one window of the frame's size. After that,
+/// only the bytes of the bands follow, one band after the other.
 #[test]
 fn bands_follow_each_other_through_one_window() {
     let (mut wires, mut buffer) = (Wires::default(), [0; 512]);

@@ -1,7 +1,7 @@
-//! A panel of the ST7789 and ILI9341 family at the end of recorded wires.
+//! A model of a panel with an ST7789 or ILI9341, and wires that record what is sent to it.
 //!
 //! The driver gets a bus and pins that record every byte with the level of the D/C line (low: command, high: data).
-//! [`Panel::read`] then handles the bytes as the controllers' data sheets specify; it uses no code of the driver or
+//! [`Panel::read`] then interprets the bytes as the controllers' data sheets specify. It uses no code of the driver or
 //! of this crate.
 
 use std::cell::RefCell;
@@ -30,7 +30,7 @@ pub struct Command {
 }
 
 impl Wires {
-    /// Everything that was sent since the last call.
+    /// Takes everything that was sent since the last call.
     pub fn take(&self) -> Vec<Command> {
         std::mem::take(&mut self.0.borrow_mut().commands)
     }
@@ -45,13 +45,13 @@ impl SpiDevice for Wires {
         let record = &mut *self.0.borrow_mut();
         for operation in operations {
             let Operation::Write(bytes) = operation else {
-                panic!("a panel without a line back is only written to");
+                panic!("the panel has no line to read from");
             };
             if record.data {
                 let command = record
                     .commands
                     .last_mut()
-                    .expect("data belong to a command");
+                    .expect("data bytes follow a command");
                 command.data.extend_from_slice(bytes);
             } else {
                 record
@@ -80,14 +80,14 @@ impl OutputPin for Wires {
     }
 }
 
-/// Time does not matter to a record.
+/// A delay that returns at once, because the record has no times.
 pub struct NoDelay;
 
 impl DelayNs for NoDelay {
     fn delay_ns(&mut self, _: u32) {}
 }
 
-/// Columns and rows of the controllers' memory when rows and columns are not exchanged.
+/// Width and height of the controllers' memory while columns and rows are not exchanged.
 const MEMORY: (u16, u16) = (240, 320);
 
 /// The contents of a controller's registers and memory.
@@ -97,7 +97,7 @@ pub struct Panel {
     on: bool,
     bits_per_pixel: u8,
     exchanged: bool,
-    /// First and last, both inclusive.
+    /// The window's first and last column, both inclusive.
     columns: (u16, u16),
     rows: (u16, u16),
     /// The pixels written so far: column, row, RGB565.
@@ -105,7 +105,7 @@ pub struct Panel {
 }
 
 impl Panel {
-    /// Executes commands; panics at one that no data sheet allows here.
+    /// Executes commands; panics at a command that the data sheets do not allow here.
     pub fn read(&mut self, commands: &[Command]) {
         for Command { code, data } in commands {
             match (code, data.as_slice()) {
@@ -115,13 +115,13 @@ impl Panel {
                 (0x29, []) => self.on = true,
                 // NORON, INVOFF, INVON, and the ILI9341's inversion control change only the display, not the memory.
                 (0x13 | 0x20 | 0x21, []) | (0xb4, &[0]) => {}
-                // MADCTL: bit 5 exchanges rows and columns, 7 and 6 mirror them, so that the host counts from the
-                // upper left corner of the rotated panel; bit 3 puts blue before red.
+                // MADCTL: bit 5 exchanges rows and columns, and bits 7 and 6 mirror them, so that the host counts from
+                // the upper left corner of the rotated panel. Bit 3 puts blue before red.
                 (0x36, &[mode]) => {
                     assert_eq!(mode & 0b1000, 0, "blue and red are exchanged");
                     self.exchanged = mode & 0b10_0000 != 0;
                 }
-                // COLMOD: bits 2 to 0, the format on the bus.
+                // COLMOD: bits 2 to 0 give the pixel format on the bus.
                 (0x3a, &[format]) => {
                     self.bits_per_pixel = match format & 0b111 {
                         0b011 => 12,
@@ -148,8 +148,8 @@ impl Panel {
         }
     }
 
-    /// RAMWR: the pointer starts at the window's upper left corner and moves right; at the end of a row it goes to
-    /// the start of the next one, and at the end of the window back to its start. Red is in the upper five bits of
+    /// RAMWR: the pointer starts at the window's upper left corner and moves right. At the end of a row it goes to the
+    /// start of the next one, and at the end of the window back to the window's start. Red is in the upper five bits of
     /// the first byte.
     fn write(&mut self, data: &[u8]) {
         assert_eq!(self.bits_per_pixel, 16);
@@ -169,8 +169,8 @@ impl Panel {
         }
     }
 
-    /// The `width` x `height` pixels from the upper left corner. Panics if the panel is dark, if one of them was
-    /// never written, or if one outside was.
+    /// The `width` x `height` pixels from the upper left corner. Panics if the panel is dark, if one of these pixels
+    /// was never written, or if a pixel outside them was.
     pub fn picture(&self, (width, height): (u32, u32)) -> Vec<u16> {
         assert!(self.awake && self.on, "the panel is dark");
         let picture: Vec<_> = (0..height)
@@ -192,7 +192,7 @@ impl Panel {
     }
 }
 
-/// First and last, each in two bytes, the upper one first.
+/// The first and the last column or row, each in two bytes, the more significant one first.
 fn window(data: &[u8], size: u16) -> (u16, u16) {
     let &[a, b, c, d] = data else {
         panic!("a window takes four bytes, not {data:02x?}");

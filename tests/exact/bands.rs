@@ -1,5 +1,5 @@
-//! Bands put together equal the frame, bit for bit, in every mode; and with depth the order of triangles does not
-//! matter.
+//! Bands put together equal the frame, bit for bit, in every mode. With a depth buffer, the order of the triangles does
+//! not matter.
 
 use std::any::type_name;
 
@@ -15,7 +15,7 @@ use crate::common;
 
 const WIDTH: u32 = 70;
 const HEIGHT: u32 = 37;
-/// Rows of the bands.
+/// Heights of the bands, in rows.
 const BANDS: [u32; 3] = [1, 7, 16];
 
 /// A shader whose color depends on every bit of the interpolated values, so any difference between two drawings
@@ -48,7 +48,7 @@ impl Shader for Bits {
             },
         );
         let [red, green, blue, holes] = mix.to_be_bytes();
-        // Some pixels are not drawn; they keep their depth, too.
+        // Some pixels are discarded: they must keep their depth, too.
         (holes > 5).then_some(Rgb888::new(red, green, blue))
     }
 }
@@ -70,7 +70,7 @@ impl Shader for Index {
     }
 }
 
-/// A mesh around the origin, as large as the view and larger.
+/// A mesh around the origin that fills the view or extends beyond it.
 #[derive(Clone, Debug)]
 struct Scene {
     positions: Vec<Vec3>,
@@ -95,15 +95,15 @@ impl Scene {
     }
 }
 
-/// The band of a frame.
+/// A band of a frame.
 type Band<'b> = Canvas<'b, Rgb888, fixel::target::Native, fixel::target::Depth<'b>>;
 
-/// Draws a frame in bands of this many rows, the last one with the rest.
+/// Draws a frame in bands of this many rows; the last band has the remaining rows.
 fn bands(rows: u32, mut draw: impl FnMut(&mut Band<'_>)) -> (Vec<Rgb888>, Vec<u16>) {
     let (mut colors, mut depths) = (vec![], vec![]);
     for first in (0..HEIGHT).step_by(rows as usize) {
         let pixels = (WIDTH * rows.min(HEIGHT - first)) as usize;
-        // Not cleared: the earlier contents must not show.
+        // The memory is not cleared: its earlier contents must not show.
         let (mut color, mut depth) = (vec![Rgb888::new(9, 9, 9); pixels], vec![7; pixels]);
         let band = Canvas::band(&mut color, WIDTH, HEIGHT, first).unwrap();
         draw(&mut band.with_depth(&mut depth).unwrap());
@@ -118,7 +118,7 @@ impl Scene {
     fn check<K: ProjectionKind>(&self, mvp: &Mvp<K>) -> Result<(), TestCaseError> {
         self.check_mode(Exact, mvp)?;
         self.check_mode(Newton, mvp)?;
-        // Whole spans at once, a few pixels at once, one by one.
+        // These modes draw whole spans at once, a few pixels at once, and single pixels.
         self.check_mode(Fast::within(fx!(4)), mvp)?;
         self.check_mode(Fast::within(fx!(0.0625)), mvp)?;
         self.check_mode(Fast::within(fx!(0)), mvp)?;
@@ -146,7 +146,7 @@ impl Scene {
         self.check_prepared(mode, mvp)
     }
 
-    /// Prepared triangles are drawn and counted like others.
+    /// Checks that prepared triangles are drawn and counted like others.
     fn check_prepared<I: Mode, K: ProjectionKind>(
         &self,
         mode: I,
@@ -181,7 +181,7 @@ impl Scene {
     }
 }
 
-/// In units of 2⁻¹⁶.
+/// The number 1, in units of 2⁻¹⁶.
 const UNIT: i32 = 1 << 16;
 
 fn scenes() -> impl Strategy<Value = Scene> {
@@ -218,7 +218,7 @@ proptest! {
         scene.check(&(projection * Transform::rotate_x(Angle::from_bits(turn))))?;
     }
 
-    /// The same with depths in floating point, drawn anew and prepared.
+    /// The same with floating-point depths, for direct draw calls and for prepared triangles.
     #[test]
     fn bands_equal_the_frame_in_floating_depth(scene in scenes(), turn: u32) {
         let projection = Projection::perspective(Angle::from_degrees(70), (WIDTH, HEIGHT), fx!(0.01), fx!(600)).unwrap();
@@ -251,8 +251,8 @@ proptest! {
         }
     }
 
-    /// Draws each triangle alone to find its depths. Of all triangles the nearest must show, and of equal ones the
-    /// last drawn, in whatever order they are drawn.
+    /// Draws each triangle separately to find its depths. In every order of drawing, the nearest triangle must show at
+    /// each pixel; of triangles at equal depths, the last one drawn must show.
     #[test]
     fn the_nearest_triangle_shows_in_any_order(scene in scenes(), seed: u64) {
         let projection = Projection::perspective(Angle::from_degrees(70), (WIDTH, HEIGHT), fx!(0.1), fx!(50)).unwrap();
@@ -285,7 +285,7 @@ proptest! {
     }
 }
 
-/// Prepares a ball in front of the eye, in a list with room for this many triangles and vertices.
+/// Prepares a ball in front of the eye, in a list with room for `TRIANGLES` and `VERTICES`.
 fn prepare<const TRIANGLES: usize, const VERTICES: usize>() -> Result<u32, Error> {
     static BALL: Mesh = shape!(sphere(8, 6));
     let projection =
@@ -300,13 +300,13 @@ fn prepare<const TRIANGLES: usize, const VERTICES: usize>() -> Result<u32, Error
     Ok(drawn)
 }
 
-/// More vertices than the cache holds.
+/// The mesh has more vertices than the vertex cache holds.
 #[test]
 fn a_large_prepared_mesh_equals_the_frame() {
     static BALL: Mesh = shape!(sphere(40, 20));
     let projection =
         Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(10)).unwrap();
-    // The near plane cuts it.
+    // The near plane cuts the mesh.
     let mvp = projection * Transform::translate(vec3!(0, 0, -1.875));
     let mut list: TriangleList<1600, 3000> = TriangleList::new();
     let ball = list.prepare(&common::BOTH_SIDES, (WIDTH, HEIGHT), &BALL, &mvp);

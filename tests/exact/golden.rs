@@ -1,4 +1,4 @@
-//! The pictures of the measured scenes and of the project's own scene, to the last bit.
+//! Checksums of the pictures of the measured scenes and of the project's own scene.
 //!
 //! A checksum may change, but only on purpose: look at the picture (`simulator --scene NAME --out NAME.png`), explain
 //! the change in the commit, and put the new checksum here. Firmware draws the same pictures (`.ci/run`).
@@ -12,12 +12,12 @@ use fixel::target::Depth;
 use crate::examples::lighthouse;
 use crate::examples::scenes::{self, HEIGHT, WIDTH};
 
-/// The mode that specifies the others.
+/// The mode that defines the result of the others.
 const PASS: DrawOptions<Exact> = DrawOptions::new().with_mode(Exact);
 
 type Target<'a> = Canvas<'a, Rgb565, BigEndian, Depth<'a>>;
 
-/// CRC-32 of the bytes, most significant first, and the number of pixels drawn.
+/// The CRC-32 of the picture's bytes, more significant byte first, and the number of pixels drawn.
 fn picture(draw: impl FnOnce(&mut Target<'_>)) -> (u32, usize) {
     let mut pixels = vec![[0; 2]; (WIDTH * HEIGHT) as usize];
     let mut depths = vec![0; pixels.len()];
@@ -29,7 +29,7 @@ fn picture(draw: impl FnOnce(&mut Target<'_>)) -> (u32, usize) {
     (crc, depths.iter().filter(|&&depth| depth > 0).count())
 }
 
-/// Checksums of the eight poses of a scene, and the mean number of pixels.
+/// The checksums of a scene's eight poses, and the mean number of pixels.
 fn poses(draw: impl Fn(i32, &mut Target<'_>)) -> ([u32; 8], usize) {
     let poses = [0, 1, 2, 3, 4, 5, 6, 7].map(|k| picture(|canvas| draw(k, canvas)));
     let pixels: usize = poses.iter().map(|pose| pose.1).sum();
@@ -37,7 +37,7 @@ fn poses(draw: impl Fn(i32, &mut Target<'_>)) -> ([u32; 8], usize) {
 }
 
 #[test]
-fn floor() {
+fn checksums_of_the_floor() {
     let drawn = picture(|canvas| {
         scenes::floor(canvas, &PASS, &scenes::floor_chain(0).unwrap());
     });
@@ -45,7 +45,7 @@ fn floor() {
 }
 
 #[test]
-fn cube() {
+fn checksums_of_the_cube() {
     const CRC: [u32; 8] = [
         0xa794_e6c7,
         0x5a50_131f,
@@ -63,7 +63,7 @@ fn cube() {
 }
 
 #[test]
-fn sphere() {
+fn checksums_of_the_sphere() {
     const CRC: [u32; 8] = [
         0xd3f0_8325,
         0xef45_08f4,
@@ -81,7 +81,7 @@ fn sphere() {
 }
 
 #[test]
-fn sphere_flat() {
+fn checksums_of_the_flat_sphere() {
     const CRC: [u32; 8] = [
         0xed76_e033,
         0xfdbf_f1fe,
@@ -99,7 +99,7 @@ fn sphere_flat() {
 }
 
 #[test]
-fn lighthouse() {
+fn checksum_of_the_lighthouse() {
     let (crc, _) = picture(|canvas| {
         let projection = lighthouse::projection((WIDTH, HEIGHT)).unwrap();
         let mvp = projection * lighthouse::camera().unwrap() * Transform::IDENTITY;
@@ -126,13 +126,13 @@ fn scenes_in<I: Mode>(mode: I) -> [u32; 3] {
 }
 
 #[test]
-fn modes() {
+fn checksums_in_every_mode() {
     let exact = [0xcea2_0ac4, 0x9303_8f3d, 0xef45_08f4];
     assert_eq!(scenes_in(Exact), exact);
-    // Its values may differ by a rounding, which none of these texels shows.
+    // `Compact` may round values differently, but no texel here changes.
     assert_eq!(scenes_in(Compact), exact);
-    // Without a division, and with red and blue in one number, some of the sphere's colors have an error of a
-    // fourteenth of a step.
+    // `Newton` does not divide, and carries red and blue in one number. So some of the sphere's colors have an error of
+    // a fourteenth of a step.
     assert_eq!(scenes_in(Newton), [0xcea2_0ac4, 0x9303_8f3d, 0xaf97_9935]);
     assert_eq!(
         scenes_in(Fast::within(fx!(0.25))),

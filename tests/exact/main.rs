@@ -1,4 +1,5 @@
-//! Tests that need no model: results must be the same to the last bit, or the expected value stands beside them.
+//! Tests that need no reference model: two results must be equal to the last bit, or the test states the expected
+//! value.
 
 #[path = "../common/mod.rs"]
 mod common;

@@ -1,4 +1,4 @@
-//! Several objects in one list.
+//! Prepared lists of several objects.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use fixel::prelude::*;
@@ -42,7 +42,7 @@ fn view() -> Mvp {
         * Transform::rotate_y(deg!(5))
 }
 
-/// The frame with a depth buffer, without a list.
+/// The frame, drawn with a depth buffer and without a list.
 fn drawn() -> Vec<Gray8> {
     let (mut color, mut depth) = (vec![Gray8::BLACK; PIXELS], vec![0; PIXELS]);
     let mut canvas = Canvas::new(&mut color, WIDTH, HEIGHT)
@@ -61,7 +61,7 @@ fn drawn() -> Vec<Gray8> {
     color
 }
 
-/// The frame in bands of `rows` rows, and the number of parts.
+/// The frame drawn in bands of `rows` rows, and the number of parts.
 fn in_bands(
     scene: &PreparedScene<'_, Flat<Gray8>>,
     rows: u32,
@@ -102,8 +102,8 @@ fn a_list_of_objects_draws_the_same_as_each_alone() {
     }
     assert_eq!(in_bands(&scene, HEIGHT, true).1, 3);
 
-    // The same with depth in any order; and here, no triangles cross or are much larger than others, so that without
-    // depth, too.
+    // With depth, the picture is the same in any order. Here the same holds without depth, because no triangles cross
+    // and none is much larger than the others.
     scene.sort_back_to_front();
     for rows in [HEIGHT, 12, 1] {
         assert!(
@@ -117,7 +117,7 @@ fn a_list_of_objects_draws_the_same_as_each_alone() {
     }
     let (frame, parts) = in_bands(&scene, HEIGHT, false);
     assert!(parts > 3);
-    // Sorted again, nothing changes.
+    // Sorting again changes nothing.
     scene.sort_back_to_front();
     assert!(in_bands(&scene, HEIGHT, false) == (frame, parts));
 }
@@ -160,7 +160,7 @@ fn a_canvas_of_another_frame_is_refused() {
         );
         assert_eq!(error.to_string(), expected);
     }
-    // A band of the same frame is not.
+    // A band of the same frame is accepted.
     let band = Canvas::band(&mut color[..WIDTH as usize], WIDTH, HEIGHT, 7).unwrap();
     assert!(scene.parts(&band).is_ok());
 }
@@ -177,7 +177,7 @@ fn one_meshs_list_refuses_a_canvas_of_another_frame() {
     let mut band = Canvas::band(&mut color[..WIDTH as usize], WIDTH, HEIGHT, 7).unwrap();
     assert!(band.draw_prepared(&ball, &pen).is_ok());
     assert!(band.draw_prepared_edges(&edges, &pen).is_ok());
-    // A wider frame, and one with a row less.
+    // A wider frame, and one with one row less.
     for (width_of_frame, height) in [(WIDTH * 2, HEIGHT / 2), (WIDTH, HEIGHT - 1)] {
         color.fill(Gray8::BLACK);
         let pixels = &mut color[..(width_of_frame * height) as usize];
@@ -198,9 +198,9 @@ fn one_meshs_list_refuses_a_canvas_of_another_frame() {
     }
 }
 
-/// Of an object with an outline this, of the others all edges.
+/// An object with an outline adds its outline to the list; the others add all of their edges.
 #[test]
-fn a_list_of_objects_has_their_edges() {
+fn a_scene_of_edges_draws_outlines_or_all_edges() {
     static OUTLINE: Outline = outline!(BALL, deg!(30));
     let wide = DrawOptions::new().with_line(LineWidth::new(fx!(2)).unwrap());
     let mut objects = objects();
@@ -255,9 +255,10 @@ fn a_list_of_objects_has_their_edges() {
     ));
 }
 
-/// Wide and clipped lines, above and below the frame: in bands of prepared edges as drawn at once.
+/// Wide and clipped lines that extend above and below the frame: bands of prepared edges equal the frame drawn
+/// directly.
 #[test]
-fn prepared_edges_are_the_edges() {
+fn prepared_edges_in_bands_equal_the_frame() {
     static OUTLINE: Outline = outline!(BALL, deg!(30));
     let near = view() * Transform::translate(vec3!(0, 0.2, 2.3)) * Transform::scale(fx!(1.3));
     let (options, pen) = (DrawOptions::new(), Flat::new(Gray8::WHITE));
@@ -299,7 +300,7 @@ fn prepared_edges_are_the_edges() {
             let (prepared, _) =
                 picture(rows, &|band| band.draw_prepared_edges(&wide, &pen).unwrap());
             assert!(prepared == direct);
-            // Blended, too.
+            // With blending, too.
             let glass = options.with_blending(Opacity(99)).with_line(width.smooth());
             let (direct, _) = picture(HEIGHT, &|canvas| {
                 canvas.draw_edges(&glass, &BALL, &near, &pen)

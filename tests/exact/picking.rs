@@ -1,4 +1,4 @@
-//! Rays against faces: edges, vertices, sides, and the ends of the formats; and labels.
+//! Rays that meet faces at edges, vertices, either side, and the ends of the formats; and labels.
 
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Dimensions, Point, Size};
@@ -14,7 +14,7 @@ use proptest::prelude::*;
 static FLOOR: Mesh = shape!(plane(8, 8));
 static BALL: Mesh = shape!(sphere(16, 12));
 
-/// Through vertices and along edges, which all have exact coordinates: no ray falls between two faces.
+/// Rays through vertices and edges, which all have exact coordinates: no ray passes between two faces.
 #[test]
 fn rays_through_vertices_and_edges_meet_a_face() {
     for direction in [vec3!(0, -1, 0), vec3!(0, -4, 1), vec3!(1, -2, 1)] {
@@ -35,7 +35,7 @@ fn rays_through_vertices_and_edges_meet_a_face() {
 }
 
 #[test]
-fn sides_and_directions() {
+fn culling_decides_which_sides_a_ray_meets() {
     let above = Ray::new(vec3!(0.3, 2, 0.1), vec3!(0, -1, 0)).unwrap();
     let below = Ray::new(vec3!(0.3, -2, 0.1), vec3!(0, 1, 0)).unwrap();
     let away = Ray::new(vec3!(0.3, 2, 0.1), vec3!(0, 1, 0)).unwrap();
@@ -49,7 +49,7 @@ fn sides_and_directions() {
         assert_eq!(away.with_cull(cull).hit(&FLOOR), None);
     }
     assert_eq!(Ray::new(Vec3::X, Vec3::ZERO), Err(Error::ZeroDirection));
-    // Of faces in one place, the last: it is drawn over the others.
+    // Of several faces in one place, a ray meets the last, because that one is drawn over the others.
     let positions = [vec3!(0, 0, 0), vec3!(1, 0, 0), vec3!(0, 1, 0)];
     let twice = Mesh::new(&positions, &[[0, 1, 2], [2, 0, 1]]).unwrap();
     let ray = Ray::new(vec3!(0.25, 0.25, 1), vec3!(0, 0, -1)).unwrap();
@@ -76,9 +76,9 @@ fn pixels_outside_and_models_without_an_inverse_have_no_ray() {
     );
 }
 
-/// The line of sight itself: x and y are exactly 0 there.
+/// On the line of sight, x and y are exactly 0.
 #[test]
-fn the_middle_of_a_frame_of_odd_size() {
+fn the_middle_pixel_of_a_frame_of_odd_size_is_on_the_line_of_sight() {
     let mut pixels = [Gray8::new(0); 81];
     let canvas = Canvas::new(&mut pixels, 9, 9).unwrap();
     let place = Transform::translate(vec3!(0, 0, -5));
@@ -113,7 +113,7 @@ proptest! {
             if let Ok(ray) = Ray::new(origin, direction) {
                 let _ = (ray.hit(&mesh), ray.at(Scalar::from_bits(distance)));
             }
-            // Toward a point of a face: it is met there, or another one before.
+            // A ray toward a point of a face meets the face there, or another face before it.
             let middle = positions[0].lerp(positions[1], fx!(0.5)).lerp(positions[2], fx!(0.25));
             if let Ok(ray) = Ray::new(origin, middle - origin) {
                 let _ = ray.hit(&mesh);
@@ -122,7 +122,7 @@ proptest! {
     }
 }
 
-/// A frame of 12x6 pixels whose right half is nearer than the left one.
+/// A frame of 12x6 pixels whose right half is nearer than its left half.
 fn labelled(
     draw: impl FnOnce(&mut Canvas<'_, Rgb565, fixel::target::Native, fixel::target::Depth<'_>>),
 ) -> (MockDisplay<Rgb565>, Vec<u16>) {
@@ -149,7 +149,7 @@ fn at(x: i32, y: i32, depth: u16) -> ScreenPoint {
 }
 
 #[test]
-fn labels_are_hidden_and_placed_by_their_point() {
+fn a_labels_point_gives_its_place_and_depth() {
     let (display, depths) = labelled(|canvas| {
         let style = PrimitiveStyle::with_fill(Rgb565::RED);
         let mut label = canvas.label(at(4, 2, 199));
@@ -157,7 +157,7 @@ fn labels_are_hidden_and_placed_by_their_point() {
             .into_styled(style)
             .draw(&mut label)
             .unwrap();
-        // As deep as the stored depth: drawn, as triangles are.
+        // A label at the stored depth is drawn, as triangles are.
         let mut label = canvas.label(at(8, 4, 200));
         label
             .fill_contiguous(
@@ -184,12 +184,12 @@ fn labels_are_hidden_and_placed_by_their_point() {
     ]);
     assert!(
         depths.iter().all(|depth| [100, 200].contains(depth)),
-        "labels keep depths"
+        "labels do not change depths"
     );
 }
 
 #[test]
-fn labels_take_any_place_and_any_area() {
+fn labels_accept_any_place_and_any_area() {
     for x in [i32::MIN >> 8, -1, 0, 5, i32::MAX >> 8] {
         let (display, _) = labelled(|canvas| {
             let mut label = canvas.label(at(x, x, 150));

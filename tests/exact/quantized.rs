@@ -1,4 +1,4 @@
-//! A quantized mesh is drawn like a mesh of the same numbers.
+//! A quantized mesh is drawn like a full-precision mesh with the same values.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::mesh::Quantized;
@@ -16,7 +16,7 @@ struct Model {
     faces: Vec<[u16; 3]>,
     normals: Vec<[i8; 3]>,
     uvs: Vec<[u8; 2]>,
-    /// Faces of both attributes.
+    /// The triangles' indices of normals and texture coordinates, if they differ from those of positions.
     own: Option<Vec<[u16; 3]>>,
 }
 
@@ -24,7 +24,7 @@ fn models() -> impl Strategy<Value = Model> {
     let position = prop::array::uniform3(-0x2_0000..0x2_0000_i32).prop_map(Vec3::from_bits);
     let faces = vec(prop::array::uniform3(0_u16..6), 1..9);
     (vec(position, 6), faces).prop_flat_map(|(positions, faces)| {
-        // The first two values are the ends of the grid.
+        // The first two values are the lowest and the highest of the grid.
         let uvs = vec(any::<[u8; 2]>(), 4).prop_map(|uvs| [vec![[0; 2], [255; 2]], uvs].concat());
         let index = prop_oneof![9 => 0_u16..6, 1 => Just(Mesh::NO_VALUE)];
         let own = prop::option::of(vec(prop::array::uniform3(index), faces.len()));
@@ -38,7 +38,7 @@ fn models() -> impl Strategy<Value = Model> {
     })
 }
 
-/// A picture of a mesh: whole, in bands, and prepared.
+/// The picture of a mesh, which must be the same in a frame, in bands, and prepared.
 fn drawn(mesh: &Mesh, shader: &impl Shader<Color = Rgb565>) -> Vec<Rgb565> {
     let projection = Projection::perspective(deg!(60), SIZE, fx!(0.1), fx!(100)).unwrap();
     let mvp = projection * Transform::translate(vec3!(0, 0, -4));
@@ -67,7 +67,7 @@ static SKIN: TextureArray<Rgb565, 4, 4> = TextureArray::from_texels([
 
 proptest! {
     #[test]
-    fn pixels_equal_those_of_the_same_numbers(model in models(), part in 0_usize..9) {
+    fn pixels_equal_those_of_the_unquantized_mesh(model in models(), part in 0_usize..9) {
         let normals = model.normals.iter();
         let normals: Vec<_> = normals.map(|n| Vec3::from_bits(n.map(|x| i32::from(x) << 9))).collect();
         let step = |x: u8| i32::from(x) * 9001 - (1 << 20);

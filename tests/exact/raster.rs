@@ -1,6 +1,6 @@
-//! Raster cases as pictures: how often each pixel is drawn, `.` for never.
+//! Raster cases as pictures, which show how often each pixel is drawn (`.`: never).
 //!
-//! Corners are given in pixels, quarters and halves of them; a pixel's center is at a half.
+//! Corners are given in pixels and fractions of a pixel. The center of a pixel is at one half.
 
 use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -17,7 +17,7 @@ const EMPTY: &str = "
             ........
         ";
 
-/// Positions on the screen, in pixels; must be whole subpixels.
+/// Model positions for these screen positions in pixels, which must be whole subpixels.
 fn positions(points: &[[f64; 2]]) -> Vec<Vec3> {
     let subpixels = |at: f64| (at * 256.) as i32;
     points
@@ -26,7 +26,7 @@ fn positions(points: &[[f64; 2]]) -> Vec<Vec3> {
         .collect()
 }
 
-/// Draws triangles, three corners each, and compares the counts.
+/// Draws triangles of three points each, and compares the counts.
 #[track_caller]
 fn assert_picture(points: &[[f64; 2]], options: &DrawOptions, expected: &str) {
     let positions = positions(points);
@@ -55,8 +55,8 @@ fn assert_counts(counter: &mut Counter, expected: &str) {
     assert_eq!(picture, expected, "\ndrawn:\n{}\n", picture.join("\n"));
 }
 
-/// Corners on centers: the top edge and the left edge own theirs; the long edge from the top right to the bottom left
-/// does not.
+/// Corners on pixel centers: the top edge and the left edge own theirs; the long edge from the top right to the bottom
+/// left does not.
 #[test]
 fn corners_on_centers() {
     assert_picture(
@@ -73,9 +73,9 @@ fn corners_on_centers() {
     );
 }
 
-/// The other half of that square: the long edge is its left one; the bottom edge and the right edge own nothing.
+/// The other half of that square: the long edge is its left edge. The bottom edge and the right edge own no centers.
 #[test]
-fn the_other_half() {
+fn the_long_edge_belongs_to_the_lower_half() {
     assert_picture(
         &[[1.5, 4.5], [5.5, 4.5], [5.5, 0.5]],
         &DrawOptions::new(),
@@ -90,7 +90,7 @@ fn the_other_half() {
     );
 }
 
-/// Both together: the square without its right and bottom edge, and no pixel twice.
+/// Both triangles together fill the square without its right and bottom edges, and draw no pixel twice.
 #[test]
 fn two_halves_make_a_square() {
     assert_picture(
@@ -114,7 +114,7 @@ fn two_halves_make_a_square() {
     );
 }
 
-/// Horizontal edges on centers: the row belongs to the triangle below the edge.
+/// A horizontal edge on pixel centers: the row belongs to the triangle below the edge.
 #[test]
 fn a_horizontal_edge_on_centers() {
     let (upper, lower) = (
@@ -147,7 +147,7 @@ fn a_horizontal_edge_on_centers() {
     );
 }
 
-/// Vertical edges on centers: the column belongs to the triangle to the right of the edge.
+/// A vertical edge on pixel centers: the column belongs to the triangle to the right of the edge.
 #[test]
 fn a_vertical_edge_on_centers() {
     let (left, right) = (
@@ -180,7 +180,7 @@ fn a_vertical_edge_on_centers() {
     );
 }
 
-/// Six triangles around one center: one of them owns it.
+/// Six triangles meet at a pixel center: exactly one of them owns it.
 #[test]
 fn a_hub_on_a_center() {
     let hub = [3.5, 2.5];
@@ -209,28 +209,28 @@ fn a_hub_on_a_center() {
     );
 }
 
-/// Triangles smaller than a pixel: only those that contain a center draw it.
+/// Triangles smaller than a pixel: only those that contain a pixel center draw that pixel.
 #[test]
-fn one_pixel_triangles() {
+fn triangles_smaller_than_a_pixel() {
     assert_picture(
         &[
-            // Around a center.
+            // Around a pixel center.
             [1.5, 1.25],
             [1.25, 1.75],
             [1.75, 1.75],
-            // Between centers.
+            // Between pixel centers.
             [3.75, 1.75],
             [3.75, 2.25],
             [4.25, 2.25],
-            // The left top corner on a center, the right bottom corner on a center.
+            // One triangle has its top left corner on a pixel center, the other its bottom right corner.
             [5.5, 1.5],
             [5.5, 1.75],
             [5.75, 1.5],
             [5.25, 3.5],
             [5.5, 3.5],
             [5.5, 3.25],
-            // A sliver that passes many centers and contains none, and one along an edge with three centers, of which
-            // it does not own the ends.
+            // One sliver passes many pixel centers and contains none. The other has three centers along an edge, and
+            // does not own the first and the last of these.
             [0., 4.515_625],
             [7.75, 4.75],
             [7.75, 4.515_625],
@@ -250,7 +250,7 @@ fn one_pixel_triangles() {
     );
 }
 
-/// A triangle without area draws nothing, wherever it lies.
+/// A triangle without area draws no pixel, wherever it lies.
 #[test]
 fn no_area_no_pixel() {
     assert_picture(
@@ -270,9 +270,9 @@ fn no_area_no_pixel() {
     );
 }
 
-/// By default back faces are culled; each cull mode draws its faces.
+/// By default, back faces are culled; each cull mode draws its own faces.
 #[test]
-fn cull_modes() {
+fn each_cull_mode_draws_its_faces() {
     let front = [[0., 0.], [0., 4.], [4., 0.]];
     let turned = [[8., 6.], [4., 6.], [8., 2.]];
     let both = [front, turned].concat();
@@ -292,7 +292,8 @@ fn cull_modes() {
             .....111
             ....1111
         ";
-    // Both long edges run through centers. The lower triangle's is its left edge, and owns them.
+    // Both long edges run through pixel centers. The long edge of the lower triangle is its left edge, so it owns these
+    // centers.
     assert_picture(&both, &DrawOptions::new(), upper);
     assert_picture(&both, &DrawOptions::new().with_cull(Cull::Back), upper);
     assert_picture(&both, &DrawOptions::new().with_cull(Cull::Front), lower);
@@ -310,7 +311,7 @@ fn cull_modes() {
     );
 }
 
-/// The lower rows are left of the frame, or right of it, altogether.
+/// The lower rows of these triangles lie completely to the left or to the right of the frame.
 #[test]
 fn triangles_that_slant_out_of_the_frame() {
     let corners = [
@@ -331,7 +332,7 @@ fn triangles_that_slant_out_of_the_frame() {
         ";
     assert_picture(&corners, &BOTH_SIDES, expected);
 
-    // In one color, rows are drawn in another way.
+    // Rows of one color take another path.
     let positions = positions(&corners);
     let mesh = Mesh::new(&positions, &[[0, 1, 2], [3, 4, 5]]).unwrap();
     let mut pixels = [Rgb565::BLACK; (SIZE.0 * SIZE.1) as usize];
@@ -386,7 +387,7 @@ fn a_viewport_clips() {
     assert_mesh(&mesh, &projection, &within(-4, -4, 4, 4), EMPTY);
 }
 
-/// The picture is scaled to the viewport: half the width, half as many columns.
+/// The picture is scaled to the viewport: a viewport of half the width has half as many columns.
 #[test]
 fn a_viewport_scales() {
     let half = positions(&[[0., 0.], [0., 6.], [8., 6.]]);
@@ -407,9 +408,9 @@ fn a_viewport_scales() {
     );
 }
 
-/// Lines: a pixel per column, or per row if steeper than 45°, without the last one.
+/// A line has a pixel per column, or per row if it is steeper than 45°, without the last one.
 #[test]
-fn lines() {
+fn lines_omit_their_last_pixel() {
     let positions = positions(&[
         [0.5, 0.5],
         [7.5, 3.5],
@@ -438,7 +439,7 @@ fn lines() {
     );
 }
 
-/// The vertex cache has 64 slots: the indices 0, 64 and 128 share one, and the corners must not take each other's place.
+/// The vertex cache has 64 slots. Indices 0, 64 and 128 share one, and must not return each other's vertices.
 #[test]
 fn corners_that_share_a_slot_of_the_vertex_cache() {
     let corners = [vec3!(-1, -1, -2), vec3!(1, -1, -3), vec3!(0, 1, -4)];

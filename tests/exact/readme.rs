@@ -1,4 +1,4 @@
-//! The program in README is the one that can be run.
+//! README shows the program of examples/ring.rs.
 
 #[test]
 fn readme_shows_the_example() {

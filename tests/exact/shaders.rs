@@ -34,14 +34,14 @@ fn projection() -> Projection<Perspective> {
     Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(20)).unwrap()
 }
 
-/// Turned in front of the eye; the near plane clips part of it.
+/// Places the mesh in front of the eye, turned, where the near plane clips a part of it.
 fn pose() -> Transform {
     let turn =
         Transform::rotate_x(Angle::from_degrees(25)) * Transform::rotate_y(Angle::from_degrees(50));
     Transform::translate(vec3!(0, 0, -2.5)) * turn
 }
 
-/// A picture and its depths.
+/// The picture that `draw` draws, and its depths.
 fn picture(draw: impl FnOnce(&mut Screen<'_>)) -> (Vec<Rgb565>, Vec<u16>) {
     let pixels = (WIDTH * HEIGHT) as usize;
     let (mut colors, mut depths) = (vec![Rgb565::BLACK; pixels], vec![0; pixels]);
@@ -54,7 +54,7 @@ fn picture(draw: impl FnOnce(&mut Screen<'_>)) -> (Vec<Rgb565>, Vec<u16>) {
     (colors, depths)
 }
 
-/// A wrapper as a program might write it: it passes on the Varyings and two methods.
+/// A wrapper as a program might write it: it passes on the varyings and two methods.
 #[derive(Clone, Copy)]
 struct Same<S>(S);
 
@@ -71,10 +71,9 @@ impl<S: Shader> Shader for Same<S> {
     }
 }
 
-/// A wrapper with varyings of its own besides those of the inner shader.
+/// A wrapper that adds its own varyings to those of the inner shader.
 ///
-/// Its own varyings have a tolerance. Without one, triangles that hardly change in depth would have to be drawn
-/// exactly.
+/// Its own varyings have a tolerance. Without one, triangles whose depth hardly changes would have to be drawn exactly.
 #[derive(Clone, Copy)]
 struct WithFace<S>(S);
 
@@ -94,13 +93,13 @@ impl<S: Shader> Shader for WithFace<S> {
         at: &Fragment,
         (face, (inside, Within(own))): Self::Varyings,
     ) -> Option<S::Color> {
-        // A value that is equal at all corners may have the error of rounding.
+        // A value that is equal at all corners may still have a rounding error.
         assert!(face.0 < 12 && own[0].abs_diff(7) <= 60 && own[1].abs_diff(-7) <= 60);
         self.0.shade(at, inside)
     }
 }
 
-/// Everything that a canvas can draw with a shader.
+/// Draws every kind of element that a canvas can draw with a shader.
 fn everything<S: Shader<Color = Rgb565>>(canvas: &mut Screen<'_>, mode: impl Mode, shader: &S) {
     let options = DrawOptions::new().with_mode(mode);
     let mvp = projection() * pose();
@@ -140,7 +139,7 @@ fn a_wrapper_of_ten_lines_draws_the_same() {
         Newton,
         FaceColors::new(&[Rgb565::RED, Rgb565::BLUE]).tinted(),
     );
-    // From inside, too.
+    // The wrapper also works inside another shader.
     let lit = picture(|canvas| everything(canvas, Newton, &skin.lit(sun())));
     assert!(picture(|canvas| everything(canvas, Newton, &Same(skin).lit(sun()))) == lit);
 }
@@ -152,7 +151,7 @@ struct Model<'m, S> {
     shader: S,
 }
 
-/// The operations of a list of models, whatever their shaders.
+/// The operations of a model, with any shader, so that one list can hold models with different shaders.
 trait Draw {
     fn draw(&self, canvas: &mut Screen<'_>, view: &Projection<Perspective>);
 }
@@ -164,7 +163,7 @@ impl<S: Shader<Color = Rgb565>> Draw for Model<'_, S> {
 }
 
 #[test]
-fn a_list_holds_models_of_different_shaders() {
+fn a_list_holds_models_with_different_shaders() {
     let at = |x: i16| {
         Transform::translate(Vec3::from_ints(x, 0, -6))
             * Transform::rotate_y(Angle::from_degrees(30))
@@ -197,7 +196,7 @@ fn a_list_holds_models_of_different_shaders() {
     assert!(drawn == expected);
 }
 
-/// Gray fog by distance: none at the near plane, full far away.
+/// Gray fog that grows with distance: none at the near plane, full far away.
 fn fogged(depth: u16, color: Rgb565) -> Rgb565 {
     // Depth is 65535 · near / distance.
     let mix = |own: u8, fog: u8| {
@@ -208,7 +207,7 @@ fn fogged(depth: u16, color: Rgb565) -> Rgb565 {
 }
 
 #[test]
-fn fog_is_a_function_of_the_pixel() {
+fn a_shader_may_compute_fog_from_depth() {
     let lit = Textured::new(&SKIN).lit(sun());
     let fog = lit.map(|at, color| Some(fogged(at.depth, color)));
     let mvp = projection() * pose();
@@ -235,11 +234,11 @@ fn fog_is_a_function_of_the_pixel() {
     let depths = clear.seen.iter().map(|seen| seen.depth);
     assert!(
         depths.clone().max().unwrap() > 2 * depths.min().unwrap(),
-        "all pixels are equally far"
+        "all pixels have the same distance"
     );
 }
 
-/// Light at the vertices times colors at the vertices, against f64.
+/// Vertex light times vertex colors, compared with a computation in f64.
 #[test]
 fn vertex_colors_are_lit_as_in_f64() {
     // A floor that rises to the right, in eye space.
@@ -286,10 +285,10 @@ fn vertex_colors_are_lit_as_in_f64() {
             (f64::from(HEIGHT) / 2. - y) / 40.,
             -1.,
         ];
-        // The volumes between the ray and two corners are the barycentric weights in space.
+        // The volumes of the ray with each two corners are the barycentric weights in space.
         let volumes = [cross(b, c), cross(c, a), cross(a, b)].map(|side| dot(ray, side));
         let weights = volumes.map(|volume| volume / volumes.iter().sum::<f64>());
-        // Pixels at the outline may be drawn or not.
+        // Skip pixels at the outline: rounding decides whether they are drawn.
         if weights.iter().any(|weight| *weight < 0.005) {
             continue;
         }
@@ -297,8 +296,8 @@ fn vertex_colors_are_lit_as_in_f64() {
         let light = dot(weights, lights);
         for (k, found) in [color.r(), color.g(), color.b()].into_iter().enumerate() {
             let expected = light * dot(weights, colors.map(|color| f64::from(color[k])));
-            // Half a step for rounding. Corners are rounded to 1/256 pixel, which changes a color by less than 0.1
-            // steps.
+            // Half a step for rounding the color. Corners are rounded to 1/256 pixel, which changes a color by less
+            // than 0.1 steps.
             let error = (f64::from(found) - expected).abs();
             assert!(error <= 0.6, "{found} at {x}, {y} is not {expected}");
         }
@@ -327,8 +326,8 @@ fn small_triangle(places: [[f64; 3]; 3], colors: &[Rgb888; 3], mode: impl Mode) 
 proptest! {
     #![proptest_config(ProptestConfig { cases: 2000, ..ProptestConfig::default() })]
 
-    /// Small triangles carry red and blue in one number. If an error took one of them beyond its half, black would
-    /// turn to full blue. Only a level next to the middle between two steps may be rounded otherwise.
+    /// Small triangles carry red and blue in one number. If an error carried one of them out of its half, black would
+    /// become full blue. Only a value near the middle between two steps may be rounded differently.
     #[test]
     fn colors_of_small_triangles_are_within_a_step_of_the_exact_ones(
         at in [10.0..44.0, 10.0..28.0],
@@ -340,8 +339,7 @@ proptest! {
         thin in 0..6_i32,
     ) {
         let [x, y] = at;
-        // Between corners in the centers of pixels, edges go through centers, too: there a channel is as little as it
-        // may be.
+        // If the corners are at pixel centers, edges run through centers, too. There a channel takes its lowest value.
         let snap = |v: f64| if is_centered { v.floor() + 0.5 } else { v };
         let places = corners.map(|[across, down, near]| {
             [snap(x + across), snap(y + down / f64::from(1 << thin)), near]

@@ -1,4 +1,4 @@
-//! Positions of 16 bits are drawn like the same numbers in 32 bits, and are rounded no more than necessary.
+//! Positions of 16 bits are drawn like the same values in 32 bits, and are rounded no more than necessary.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::mode::{Exact, Mode};
@@ -11,7 +11,7 @@ use proptest::prelude::*;
 const SIZE: (u32, u32) = (64, 48);
 const PIXELS: usize = 64 * 48;
 
-/// Numbers of 16 bits, preferably the ends and zero.
+/// Numbers of 16 bits; the smallest, the largest and zero are frequent.
 fn component() -> impl Strategy<Value = i16> {
     prop_oneof![
         Just(i16::MIN),
@@ -46,7 +46,7 @@ fn models() -> impl Strategy<Value = Model> {
 
 type Board<'a> = Canvas<'a, Rgb565, Native, Depth<'a>>;
 
-/// Draws a mesh in all ways; returns pictures and counts.
+/// Draws a mesh in every way; returns the pictures and counts.
 fn drawn<K: ProjectionKind, I: Mode>(
     mesh: &Mesh,
     mvp: &Mvp<K>,
@@ -92,12 +92,12 @@ impl Model {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(1500))]
 
-    /// Bit for bit: seen from outside and from inside, and with a clipping plane through it.
+    /// The pictures are equal bit for bit, from outside and from inside, and with a clipping plane through the mesh.
     #[test]
     fn short_positions_draw_what_long_positions_draw(
         model in models(),
         turn: [u32; 2],
-        // As large as the view, or much smaller or larger.
+        // The mesh is as large as the view, or much smaller or larger.
         scale in -4_i32..6,
         away in 0_i32..4,
     ) {
@@ -112,7 +112,7 @@ proptest! {
         model.check(&(projection * pose))?;
     }
 
-    /// Positions are rounded to the nearest in 16 bits, of which the largest takes 15 bits or more.
+    /// Positions are rounded to the nearest 16-bit numbers. The largest of them uses at least 15 bits.
     #[test]
     fn shortened_positions_are_the_nearest(bits in prop::array::uniform3(any::<i32>()), cut in 0_u32..32) {
         let position = bits.map(|bits| bits >> cut);
@@ -124,18 +124,19 @@ proptest! {
         let most = position.into_iter().map(i64::from).max_by_key(|x| x.abs()).unwrap();
         for (short, long) in short.into_iter().zip(position) {
             let (short, long) = (i64::from(short), i64::from(long));
-            // Numbers beyond the last whole one, 32767.5, saturate to it.
+            // Numbers above 32767.5 saturate to the last whole number, 32767.
             let off = if long > (i64::from(i16::MAX) << 16) { unit } else { unit / 2 };
             prop_assert!((short * unit - long).abs() <= off, "{long} as {short} of {unit}");
         }
-        // Another fraction bit would not fit: the largest is at least half of what fits, less its rounding.
+        // Another fraction bit would not fit: the largest number is at least half of the largest that fits, minus its
+        // rounding.
         let is_full = fraction == 16 || most.abs() * 4 / unit >= (1 << 16) - 2;
         prop_assert!(is_full, "{most} in units of {unit}");
     }
 }
 
 /// Rounding moves a point by up to half a unit along each axis, √3/2 units in all. Its image moves by up to that
-/// times focal length / w, and by as much again for each unit of its slope x / w or y / w.
+/// distance times focal length / w, and by as much again for each unit of its slope x / w or y / w.
 #[test]
 fn rounding_moves_a_sphere_by_less_than_a_hundredth_of_a_pixel() {
     static LONG: Mesh = shape!(sphere(32, 32));
@@ -162,7 +163,7 @@ fn rounding_moves_a_sphere_by_less_than_a_hundredth_of_a_pixel() {
             let unit = 2_f64.powi(-14);
             let slope = side.to_num::<f64>().abs() / w;
             let moved = 0.75_f64.sqrt() * unit * 200. / w * (1. + slope);
-            // Both are rounded to 1/512 pixel.
+            // Both positions are rounded to within 1/512 pixel.
             assert!((a - b).abs() <= moved + 1. / 256., "{long}: {a} and {b}");
             worst = worst.max((a - b).abs());
         }
@@ -172,7 +173,7 @@ fn rounding_moves_a_sphere_by_less_than_a_hundredth_of_a_pixel() {
 }
 
 #[test]
-fn macros_make_the_same_meshes() {
+fn macros_make_the_same_meshes_with_short_positions() {
     static LONG: Mesh = include_obj!("../models/house.obj");
     static SHORT: Mesh = include_obj!("../models/house.obj", short);
     static RING: Mesh = shape!(torus(fx!(0.25), 12, 8), short);
@@ -183,7 +184,7 @@ fn macros_make_the_same_meshes() {
     for (long, short) in [(&LONG, &SHORT), (&LONG_RING, &RING)] {
         for (long, short) in long.positions().iter().zip(short.positions().iter()) {
             for (long, short) in long.to_bits().into_iter().zip(short.to_bits()) {
-                // Both are below 8: at least 12 fraction bits of 16.
+                // All coordinates are below 8, so short ones have at least 12 fraction bits.
                 assert!((long - short).abs() <= 8, "{long} as {short}");
             }
         }

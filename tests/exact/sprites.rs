@@ -1,5 +1,5 @@
-//! Sprites are the triangles of a mesh in eye space: the same pixels with the same depths and colors, and texture
-//! coordinates within what the modes promise. And frames equal bands, bit for bit.
+//! Sprites equal the triangles of a mesh in eye space: the same pixels, depths and colors, and texture coordinates
+//! within the error that the modes promise. Bands equal the frame, bit for bit.
 
 use std::cell::{Cell, RefCell};
 
@@ -17,7 +17,7 @@ const HEIGHT: u32 = 60;
 static SKIN: TextureArray<Rgb565, 2, 2> =
     TextureArray::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x07, 0xe0, 0xf8, 0x00]);
 
-/// More sprites than are drawn at a time, near and far, some of them in part behind the near plane or beside the
+/// More sprites than the crate draws at a time, near and far. Some lie partly behind the near plane or outside the
 /// picture.
 fn positions() -> Vec<Vec3> {
     (0..29)
@@ -50,7 +50,7 @@ fn corners<K: ProjectionKind>(
     sprites: &Sprites<'_>,
     mvp: &Mvp<K>,
 ) -> Vec<Vec3> {
-    // Corners that the shader does not see stay zero; they are those of triangles without pixels.
+    // Corners that the shader does not see stay zero. They belong to triangles without pixels.
     let found = RefCell::new(vec![Vec3::ZERO; 4 * sprites.positions().len()]);
     let probe = Probe::<_, Rgb565> {
         values: &|corner| {
@@ -94,7 +94,7 @@ impl Shader for Coordinates<'_> {
     }
 }
 
-/// A shader whose color is on no plane through all four corners.
+/// A shader whose colors at the four corners lie in no common plane.
 #[derive(Clone, Copy)]
 struct Bent;
 
@@ -112,7 +112,7 @@ impl Shader for Bent {
     }
 }
 
-/// The texture coordinates of all pixels, sorted by pixel, and how often the shader was asked for varyings.
+/// The texture coordinates of all pixels, sorted by pixel, and how often the shader was asked for its varyings.
 fn coordinates(
     draw: impl Fn(
         &mut Canvas<'_, Rgb565, fixel::target::Native, fixel::target::Depth<'_>>,
@@ -126,7 +126,7 @@ fn coordinates(
     };
     picture(HEIGHT, &|canvas| draw(canvas, shader));
     let mut found = found.into_inner();
-    // Of pixels that several sprites cover, each keeps its order.
+    // The sort is stable, so sprites that cover the same pixel keep their order.
     found.sort_by_key(|(point, _)| (point.y, point.x));
     (found, asked.get())
 }
@@ -179,7 +179,7 @@ fn check<K: ProjectionKind>(
         &Gouraud::new().in_fog(fog),
     );
     same_as_mesh(&both, &sprites, &mesh, (&mvp, &projection), &Bent);
-    // A sprite's triangles are two faces.
+    // The two triangles of a sprite are two faces, each with a color.
     let colors: Vec<Rgb565> = (0..58).map(|i| Rgb565::new(i / 2, i, 31)).collect();
     same_as_mesh(
         &both,
@@ -189,9 +189,8 @@ fn check<K: ProjectionKind>(
         &FaceColors::new(&colors),
     );
 
-    // The coordinates of each pixel have an error of up to 57 units on either way, besides those that the mode saves:
-    // both ways save nothing, because a sprite that faces the camera has one depth, and others are the mesh's
-    // triangles.
+    // Each of the two texture coordinates may have an error of up to 57 units. The tolerance of the mode adds nothing:
+    // a sprite that faces the camera has one depth, and other sprites are drawn as the mesh's triangles.
     let (found, asked) = coordinates(|canvas, shader| {
         canvas.draw_sprites(options, &sprites, &mvp, &shader);
     });
@@ -215,7 +214,7 @@ fn check<K: ProjectionKind>(
     }
 }
 
-/// Checks that a picture of sprites is that of a mesh, bit for bit.
+/// Checks that sprites and a mesh give the same picture, bit for bit.
 fn same_as_mesh<K: ProjectionKind>(
     both: &DrawOptions,
     sprites: &Sprites<'_>,
@@ -232,14 +231,14 @@ fn same_as_mesh<K: ProjectionKind>(
         assert!(drawn.drawn > 20, "{drawn:?}");
         assert_eq!(total.get(), drawn);
     });
-    assert!(frame == expected, "a mesh differs");
+    assert!(frame == expected, "the mesh's picture differs");
     total.get()
 }
 
 #[test]
 fn sprites_are_meshes_in_eye_space() {
     let positions = positions();
-    // From -1.3 to 2.2, and 0.
+    // The scales run from -1.3 to 2.2, and include 0.
     let scales: Vec<Scalar> = (-10..19).map(|i| Scalar::from_bits(i << 13)).collect();
     let camera = Camera::look_at(vec3!(0, 2, 1), vec3!(0, 0, -6), Vec3::Y).unwrap();
     let size = (fx!(2), fx!(3));
@@ -254,7 +253,7 @@ fn sprites_are_meshes_in_eye_space() {
         .unwrap()
         .with_anchor(vec2!(0.5, 1));
     let window = Window::centered(fx!(16), fx!(12));
-    // The frame ends this viewport on the left, and its own edges are within the frame on the other sides.
+    // The left edge of this viewport is outside the frame; its other edges are inside.
     let cutting = Viewport::new(-15, 5, 80, 50).unwrap();
     for options in [
         DrawOptions::new(),
@@ -282,9 +281,9 @@ fn sprites_are_meshes_in_eye_space() {
     }
 }
 
-/// Positions and sizes at the ends of the format: a sprite out of range must not appear elsewhere.
+/// Positions and sizes at the ends of the format: a sprite that is out of range must not appear in another place.
 #[test]
-fn what_is_out_of_range_has_no_pixels() {
+fn sprites_out_of_range_have_no_pixels() {
     let ends = [Scalar::MIN, -Scalar::DELTA, Scalar::ZERO, Scalar::MAX];
     let mut positions = Vec::new();
     for x in ends {
@@ -318,7 +317,7 @@ fn what_is_out_of_range_has_no_pixels() {
             }
         }
     }
-    // In the middle of the picture, but beyond the format after the transform. Saturated, it would be at 45 degrees.
+    // The transform takes this position beyond the format. If it saturated, the sprite would appear at 45 degrees.
     let positions = [vec3!(20000, 20000, -20000)];
     let sprites = Sprites::new(&positions, (fx!(9000), fx!(9000))).unwrap();
     let mvp = Projection::perspective(deg!(120), (1, 1), fx!(1), Scalar::MAX).unwrap()

@@ -14,7 +14,8 @@ use fixel::{Converted, FaceLit, Lit, Tinted};
 use crate::examples::lighthouse;
 use crate::examples::scenes::{self, HEIGHT, WIDTH};
 
-/// Values shared by both cores must be `Sync`, values handed over must be `Send`. All types of the crate are both.
+/// Values that both cores share must be `Sync`, and values that one core passes to the other must be `Send`. All types
+/// of the crate are both.
 const _: () = {
     const fn both<T: Send + Sync>() {}
     type Skin = TextureArray<Rgb565, 64, 64>;
@@ -52,7 +53,7 @@ const _: () = {
     both::<Error>();
 };
 
-/// Draws rows of the frame, as many as there are pixels for, from the given row.
+/// Draws rows of the frame, starting at the given row, as many as the pixels hold.
 trait DrawRows: Fn(&mut [[u8; 2]], &mut [u16], u32) + Sync {}
 
 impl<F: Fn(&mut [[u8; 2]], &mut [u16], u32) + Sync> DrawRows for F {}
@@ -60,7 +61,7 @@ impl<F: Fn(&mut [[u8; 2]], &mut [u16], u32) + Sync> DrawRows for F {}
 /// A band's first row, and its pixels.
 type Band<'a> = (u32, &'a mut [[u8; 2]]);
 
-/// Draws bands one after the other, with one depth buffer for all of them, as a core would.
+/// Draws bands one after the other with one depth buffer for all of them, as a core would do.
 fn work(draw: &impl DrawRows, rows: u32, bands: Vec<Band<'_>>) {
     let mut depth = vec![7; (WIDTH * rows) as usize];
     for (first, pixels) in bands {
@@ -69,7 +70,8 @@ fn work(draw: &impl DrawRows, rows: u32, bands: Vec<Band<'_>>) {
     }
 }
 
-/// The bands of a frame on two threads that start together: alternating bands, and the upper half beside the lower.
+/// Draws the bands of a frame on two threads that start together. Each thread takes every other band, or half of the
+/// frame.
 fn check(draw: &impl DrawRows) {
     let mut frame = vec![[0; 2]; (WIDTH * HEIGHT) as usize];
     let mut depth = vec![0; frame.len()];
@@ -79,7 +81,7 @@ fn check(draw: &impl DrawRows) {
         "nothing drawn"
     );
 
-    // 37 does not divide the height: the last band has fewer rows.
+    // 37 does not divide the height, so the last band has fewer rows.
     for rows in [16, 37] {
         let count = HEIGHT.div_ceil(rows);
         let splits: [(&str, &dyn Fn(u32) -> bool); 2] = [
@@ -87,7 +89,7 @@ fn check(draw: &impl DrawRows) {
             ("halves", &|band| band < count / 2),
         ];
         for (name, is_first) in splits {
-            // Different from the earlier contents, so that an undrawn pixel shows.
+            // The pixels begin with a pattern that no drawing leaves, so that undrawn pixels are found.
             let mut pixels = vec![[0xa5, 0x5a]; frame.len()];
             let bands = (0..).zip(pixels.chunks_mut((WIDTH * rows) as usize));
             let (first, second): (Vec<_>, Vec<_>) = bands.partition(|(band, _)| is_first(*band));
@@ -125,7 +127,7 @@ fn without_depth(draw: impl Fn(&mut Canvas<'_, Rgb565, BigEndian>) + Sync) {
     });
 }
 
-/// Textures and colors, with depth.
+/// Checks textured and Gouraud-shaded scenes with depth in a mode.
 fn scenes_in<I: Mode + Sync>(mode: I) {
     let options = DrawOptions::new().with_mode(mode);
     let [floor, cube] = [scenes::floor_chain(0), scenes::cube_chain(3)].map(Result::unwrap);
@@ -156,7 +158,7 @@ fn flat_without_depth() {
     });
 }
 
-/// Lines and points are not drawn row by row.
+/// Lines and points take another path than triangles: they are not drawn row by row.
 #[test]
 fn lines_and_points_without_depth() {
     let mvp = scenes::sphere_chain(0).unwrap();

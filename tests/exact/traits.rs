@@ -1,4 +1,4 @@
-//! The traits that every public type must implement; this file does not compile if one is missing.
+//! The traits that every public type must implement. If one is missing, this file does not compile.
 
 use core::error::Error as StdError;
 use core::fmt::{Debug, Display};

@@ -1,4 +1,4 @@
-//! A mesh's edges drawn over the mesh itself: no edge has gaps where the mesh is behind it.
+//! A mesh's edges drawn over the mesh itself: no visible edge has gaps.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use fixel::prelude::*;
@@ -18,7 +18,7 @@ static CAN: Mesh = shape!(cylinder(7));
 
 /// The edges of a convex mesh that have a face visible from the eye.
 ///
-/// A face nearly edge-on may be visible or not, because corners are rounded: it does not count.
+/// A face seen nearly edge-on does not count: because corners are rounded, it may or may not be visible.
 fn visible_edges(
     mesh: &Mesh,
     from_eye: impl Fn([f64; 3]) -> [f64; 3],
@@ -48,7 +48,7 @@ fn visible_edges(
     mesh.edges().iter().copied().filter(beside).collect()
 }
 
-/// The shaded mesh and its edges over it.
+/// Draws the shaded mesh, then its edges over it.
 fn over<K: ProjectionKind>(mesh: &Mesh, mvp: &Mvp<K>, test: impl DepthTest) -> Vec<Gray8> {
     let (mut colors, mut depths) = (vec![Gray8::BLACK; PIXELS], vec![0; PIXELS]);
     let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
@@ -63,7 +63,7 @@ fn over<K: ProjectionKind>(mesh: &Mesh, mvp: &Mvp<K>, test: impl DepthTest) -> V
     colors
 }
 
-/// The edges alone, without depth.
+/// Draws only the edges, without depth.
 fn alone<K: ProjectionKind>(mesh: &Mesh, edges: &[[u16; 2]], mvp: &Mvp<K>) -> Vec<Gray8> {
     let mesh = mesh.with_edges(edges).unwrap();
     let mut colors = vec![Gray8::BLACK; PIXELS];
@@ -79,14 +79,14 @@ fn picture(pixels: &[Gray8]) -> String {
     rows.map(row).collect()
 }
 
-/// The number of pixels of the visible edges, and of those among them that are not drawn over the mesh.
+/// The number of pixels that the visible edges should have, and how many of them are not drawn.
 fn missing(drawn: &[Gray8], expected: &[Gray8]) -> [usize; 2] {
     let edge = expected.iter().filter(|&&color| color == EDGE).count();
     let missing = |&(a, b): &(&Gray8, &Gray8)| *b == EDGE && *a != EDGE;
     [edge, drawn.iter().zip(expected).filter(missing).count()]
 }
 
-/// A turn, with the mesh at this distance.
+/// Rotates the mesh, and places it at this distance.
 fn pose([x, y, z]: [u32; 3], distance: Scalar) -> Transform {
     Transform::translate(Vec3::new(fx!(0), fx!(0), -distance))
         * Transform::rotate_x(Angle::from_bits(x))
@@ -98,7 +98,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(1500))]
 
     #[test]
-    fn edges_over_the_mesh_are_whole(
+    fn edges_over_the_mesh_have_no_gaps(
         mesh in prop::sample::select(vec![BOX, BALL, CAN]),
         turn: [u32; 3],
         distance in 3.0..9.0,
@@ -122,9 +122,9 @@ proptest! {
     }
 }
 
-/// In contrast: the mesh in its own place hides pixels of its edges.
+/// For contrast: without a depth bias, the mesh hides some pixels of its edges.
 #[test]
-fn edges_over_a_mesh_in_its_place_have_gaps() {
+fn edges_over_a_mesh_without_bias_have_gaps() {
     let pose = pose([200_000_000, 500_000_000, 0], fx!(2.5));
     let mvp =
         Projection::perspective(Angle::from_degrees(50), SIZE, fx!(0.25), fx!(20)).unwrap() * pose;

@@ -1,4 +1,4 @@
-//! A scene in every mode, or with one of the crate's shaders.
+//! Checks a scene in every mode, or with one of the crate's shaders.
 
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
@@ -14,15 +14,15 @@ use super::ways::Call;
 use crate::mode::Mode;
 use crate::recorder::{Few, Record};
 
-/// Draws the scene that these bytes encode, if constructors accept its numbers, and checks all invariants.
+/// Draws the scene that these bytes encode if the constructors accept its numbers, and checks all invariants.
 ///
 /// # Panics
 ///
-/// If an invariant does not hold.
+/// Panics if an invariant does not hold.
 pub fn check(bytes: &[u8]) {
     if let Ok(scene) = Scene::of(bytes) {
         let told = Told(&scene);
-        // A scene that a constructor refuses is not drawn.
+        // If a constructor refuses a number, there is nothing to draw.
         let _ = check_scene(told.0);
     }
 }
@@ -101,12 +101,12 @@ struct Ways<'a, 'c, K> {
 
 impl<K: ProjectionKind> Draw for Ways<'_, '_, K> {
     fn draw<F: Shader<Color = Rgb565>>(self, shader: &F) {
-        // What is true of the pixels of any shader, `Bits` checks.
+        // The checks with `Bits` cover what holds for the pixels of every shader.
         self.call.check_frames(&self.options, shader);
     }
 }
 
-/// Checks every mode, and that each but `Compact` draws the same pixels at the same depths.
+/// Checks every mode, and that all modes except `Compact` draw the same pixels at the same depths.
 fn check_modes<K: ProjectionKind, const N: usize>(call: &Call<'_, K>, options: DrawOptions)
 where
     [(); N]: Few<N>,
@@ -138,12 +138,12 @@ where
     let fast = call.check(&options.with_mode(Fast::within(tolerance)), shader);
     check(Mode::Fast(tolerance.max(fx!(0))), fast);
     check(Mode::Affine, call.check(&options.with_mode(Affine), shader));
-    // Its depths may differ by a step from those of the others, and so then do the pixels that it draws.
+    // Depths of `Compact` may differ by a step from those of the others. If they do, it may also draw other pixels.
     let compact: Record<N, Rgb565> = call.check(&options.with_mode(Compact), shader);
     if let Some(truth) = &truth {
         truth.check(Mode::Compact, &compact);
     }
-    // Modes know neither how colors are stored nor how they are blended, so one mode shows both.
+    // Storage and blending of colors do not depend on the mode, so one mode suffices for them.
     call.check_bytes(&options, shader);
     call.check_packed(&options, shader);
     call.check_blended(&options, shader);

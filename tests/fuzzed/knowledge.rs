@@ -1,4 +1,4 @@
-//! The f64 model's triangles, and bounds of the crate's deviation from them.
+//! The f64 model's triangles, and bounds on the crate's deviation from them.
 
 use fixel::prelude::*;
 
@@ -10,14 +10,14 @@ use crate::reference::view::{Projected, View, Viewport as ModelViewport};
 /// Half the guard band's width in pixels.
 const GUARD: f64 = 2048.;
 
-/// The corners of a triangle, and the bounds of the crate's errors; the bounds are those of tests/accuracy/mvps.rs.
+/// The corners of a triangle, and the bounds on the crate's errors. The bounds are those of tests/accuracy/mvps.rs.
 pub struct Knowledge {
     pub view: View,
     pub at: [Projected; 3],
-    /// The largest of the coefficients of x and y in pixels and of depth, which has the guard band's scale: clip
-    /// coordinates share an exponent.
+    /// The largest coefficient of x and y, in pixels, and of depth, which has the guard band's scale. (Clip coordinates
+    /// share an exponent.)
     scale: f64,
-    /// The bound of the error of each corner's clip coordinates, in units of a distance times the scale.
+    /// The bound on the error of each corner's clip coordinates, in units of a distance times the scale.
     errors: [f64; 3],
 }
 
@@ -47,7 +47,7 @@ impl Knowledge {
         let scale = pixels(0, window.width())
             .max(pixels(1, window.height()))
             .max(of_depth);
-        // A projection's own offset counts as a distance too.
+        // The offset of a parallel projection counts as a distance, too.
         let offset = if parallel {
             projection.near.abs().max(projection.far.abs()).max(1.)
         } else {
@@ -65,13 +65,13 @@ impl Knowledge {
         self.view.projection.kind == Kind::Parallel
     }
 
-    /// The bound of the error of a corner's distance, or of its depth relative to the depth range.
+    /// The bound on the error of a corner's distance, or of its depth relative to the depth range.
     pub fn of_depth(&self, corner: usize) -> f64 {
         self.errors[corner] * self.scale / GUARD
     }
 
-    /// The bound of the error in pixels of a clipped outline, before rounding, anywhere in the guard band: away from
-    /// the middle an error of w causes one of x.
+    /// The bound on the error of a clipped outline in pixels, before rounding, anywhere in the guard band. Away from
+    /// the middle, an error of w causes an error of x.
     pub fn of_place(&self) -> f64 {
         let most = self.errors.into_iter().fold(0., f64::max);
         let nearest = if self.is_parallel() {
@@ -82,7 +82,7 @@ impl Knowledge {
         2. * most * self.scale / nearest
     }
 
-    /// The planes that keep distances from `near` to `far` times those of the projection's own planes.
+    /// The clipping planes that keep distances from `near` times the near plane's to `far` times the far plane's.
     ///
     /// z = a·w − b, where a = (f + n)/(f − n) and b = 2fn/(f − n), is above −k·w beyond the distance n′ if k = b/n′ −
     /// a.

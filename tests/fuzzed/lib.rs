@@ -1,26 +1,26 @@
-//! The fuzzed checks: from bytes to an input, from the input to the crate, and the invariants of the result.
+//! The fuzzed checks. Each makes an input from bytes, passes it to the crate, and checks the invariants of the result.
 //!
-//! The fuzz targets in tests/fuzz call [`draw`] and [`obj`] with bytes from libFuzzer; `replay.rs` calls them with inputs
-//! that were worth keeping. An error is a panic.
+//! The fuzz targets in tests/fuzz call [`draw`] and [`obj`] with bytes from libFuzzer; `replay.rs` calls them with the
+//! inputs that were kept. A check that fails panics.
 //!
-//! | file | idea |
+//! | file | contents |
 //! |---|---|
 //! | `numbers` | numbers of every magnitude |
-//! | `scene` | a draw call: mesh, mvp, canvas, and options |
-//! | `projection` | projections, by the crate and by the model |
-//! | `steps` | products of transforms, by the crate and by the model |
+//! | `scene` | a draw call: mesh, model-view-projection, canvas, and options |
+//! | `projection` | projections of the crate, and the same of the model |
+//! | `steps` | products of transforms of the crate, and the same of the model |
 //! | `draw` | a scene in every mode, and with one of the crate's shaders |
 //! | `shaders` | a shader whose color depends on every bit |
 //! | `shades` | the crate's shaders |
 //! | `ways` | a draw call in bands, prepared, as bytes and twice |
-//! | `knowledge` | the f64 model's triangles, and bounds of their error |
-//! | `model` | the pixels, compared with the f64 model |
-//! | `obj` | OBJ text of arbitrary bytes, or almost correct |
+//! | `knowledge` | the f64 model's triangles, and bounds on the crate's deviation from them |
+//! | `model` | the comparison of pixels with the f64 model |
+//! | `obj` | OBJ text: arbitrary bytes, or plausible text with mistakes |
 
 // f64 holds every integer used here, and no pixel lies left of or above the picture.
 #![allow(clippy::cast_precision_loss, clippy::cast_sign_loss)]
 
-// The accuracy tests use more of these.
+// The accuracy tests use more of these items.
 #[path = "../accuracy/bounds.rs"]
 #[allow(dead_code)]
 mod bounds;

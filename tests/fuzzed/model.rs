@@ -1,7 +1,8 @@
 //! Compares the pixels of triangles with the f64 model.
 //!
-//! If all corners of a triangle are visible, the pixels it covers follow exactly from the corners that the crate
-//! reports, whatever its numbers. The values at these pixels are compared where the model knows the mvp.
+//! If all corners of a triangle are visible, the corners that the crate reports determine exactly which pixels it
+//! covers, whatever the scene's numbers are. Values at these pixels are compared if the model knows the
+//! model-view-projection.
 
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::prelude::{Canvas, Cull, DrawOptions, Vec3};
@@ -17,21 +18,22 @@ use crate::reference::coverage::{Bounds, Snapped, area2, center, covered_in, cov
 use crate::reference::distance::to_triangle;
 use crate::reference::raster::{Mesh, Piece, pieces_clipped};
 
-/// The depth ratio within a triangle up to which the promise holds.
+/// The largest ratio of distances within a triangle for which the modes promise their errors.
 const MOST_RATIO: f64 = 128.;
-/// The relative error of a distance up to which its consequences are compared: with this error, a corner is still
-/// within a thousandth of a pixel of the model's.
+/// The largest relative error of a distance for which values are compared. With this error, a corner is still within a
+/// thousandth of a pixel of the model's.
 const MOST_ERROR: f64 = 1. / 65536.;
-/// The same for a depth.
+/// The largest error of a depth for which depths are compared.
 const MOST_DEPTH_ERROR: f64 = 4.;
-/// The error of the reciprocals of a depth and of the near plane and of the scale of 65536, 2⁻³⁰ each.
+/// The relative error of a depth: the reciprocals of the distance and of the near plane, and the scale of 65536,
+/// contribute 2⁻³⁰ each.
 const DEPTH_SCALE: f64 = 65536. / (1 << 28) as f64;
 
 /// The known triangles of a scene.
 pub struct Truth {
-    /// The triangles whose corners are all visible, by their index in the mesh.
+    /// For each triangle of the mesh: its values, if all its corners are visible.
     whole: Vec<Option<Whole>>,
-    /// The others, where the model knows enough of them.
+    /// For each other triangle: its visible part, if the model knows enough about it.
     clipped: Vec<Option<Clipped>>,
     window: Bounds,
     cull: Cull,
@@ -49,9 +51,9 @@ struct Ahead {
     parallel: bool,
     w: [f64; 3],
     depth: [f64; 3],
-    /// The bound of the relative error of w.
+    /// The bound on the relative error of w.
     w_error: f64,
-    /// The bound of a depth's error, before it is rounded down.
+    /// The bound on a depth's error, before it is rounded down.
     depth_error: f64,
 }
 
@@ -104,7 +106,7 @@ impl Truth {
 
     /// Compares the pixels recorded in a mode.
     pub fn check<const N: usize>(&self, mode: Mode, record: &Record<N, Rgb565>) {
-        // The pixels of a face are consecutive.
+        // The pixels of a face follow one another.
         let mut faces = record.seen.chunk_by(|a, b| a.face == b.face).peekable();
         for (face, whole) in self.whole.iter().enumerate() {
             let seen = faces
@@ -185,10 +187,10 @@ impl Ahead {
         }
     }
 
-    /// How far a value may move if each w has an error.
+    /// How much a value may change if each w has an error.
     ///
-    /// If each w has a relative error of ε, the barycentric weights change by a relative 2ε/(1 − ε), and the value by
-    /// that part of its range over the corners.
+    /// If each w has a relative error of ε, the relative change of the barycentric weights is 2ε/(1 − ε), and the value
+    /// changes by at most this fraction of its range over the corners.
     fn moved(&self, corners: [i32; 3]) -> f64 {
         let [a, b, c] = corners;
         let spread = a.max(b).max(c).abs_diff(a.min(b).min(c));
@@ -233,19 +235,20 @@ impl Knowledge {
 
 /// The visible part of a triangle that is clipped.
 struct Clipped {
-    /// The pixels that must be drawn, except those next to its outline, and the pixels that may be.
+    /// The part whose pixels must be drawn, except those next to its outline.
     inner: Vec<Piece<0>>,
+    /// The part whose pixels may be drawn.
     outer: Vec<Piece<0>>,
-    /// The bound of the outline's error, in pixels.
+    /// The bound on the outline's error, in pixels.
     margin: f64,
 }
 
-/// The bound of a corner's error, and a little more: it is rounded to 1/512 pixel along each axis.
+/// A little more than the bound on a corner's error, which is 1/512 pixel along each axis because of rounding.
 const SNAP: f64 = 1. / 256.;
-/// The largest other error with which a triangle is compared.
+/// The largest error from other causes for which a triangle is compared.
 const MOST_MOVED: f64 = 1. / 64.;
-/// A pixel this close to the near or the far plane, relative to its distance, may be drawn or not: the crate's planes
-/// deviate by 2⁻¹⁶ and an error.
+/// A pixel this close to the near or the far plane, as a ratio of distances, may or may not be drawn: the crate's
+/// planes deviate by 2⁻¹⁶ plus rounding.
 const CLOSE: f64 = 1.01;
 
 impl Clipped {

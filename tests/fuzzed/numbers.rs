@@ -1,9 +1,9 @@
-//! Numbers of every magnitude, preferably the ends of a format and small ones on a grid.
+//! Numbers of every magnitude; the ends of a format, and small numbers on a grid, are frequent.
 
 use arbitrary::{Result, Unstructured};
 use fixel::prelude::*;
 
-/// Any bits.
+/// The bits of a number of any magnitude.
 pub fn bits(u: &mut Unstructured<'_>) -> Result<i32> {
     const ENDS: [i32; 9] = [
         0,
@@ -20,7 +20,7 @@ pub fn bits(u: &mut Unstructured<'_>) -> Result<i32> {
         0 => u.arbitrary()?,
         1 => u.arbitrary::<i32>()? >> u.int_in_range(0..=31)?,
         2 => *u.choose(&ENDS)?,
-        // ±8 in 16.16, on a grid, so that some are equal and some in line.
+        // ±8 in 16.16, on a grid, so that some numbers are equal and some points are collinear.
         3 => i32::from(u.arbitrary::<i8>()?) << 12,
         _ => i32::from(u.arbitrary::<i16>()?) << 4,
     })
@@ -30,17 +30,17 @@ pub fn scalar(u: &mut Unstructured<'_>) -> Result<Scalar> {
     bits(u).map(Scalar::from_bits)
 }
 
-/// A number above zero, if there is one of this magnitude.
+/// The magnitude of a number, which is rarely 0.
 pub fn size(u: &mut Unstructured<'_>) -> Result<Scalar> {
     Ok(scalar(u)?.saturating_abs())
 }
 
-/// ±8 in 16.16.
+/// The bits of a number within ±8, in 16.16.
 fn small(u: &mut Unstructured<'_>) -> Result<i32> {
     Ok(i32::from(u.arbitrary::<i16>()?) << 4)
 }
 
-/// Mostly around the origin.
+/// A vector, mostly near the origin.
 pub fn vector(u: &mut Unstructured<'_>) -> Result<Vec3> {
     Ok(Vec3::from_bits(if u.ratio(1, 8)? {
         [bits(u)?, bits(u)?, bits(u)?]
@@ -49,7 +49,7 @@ pub fn vector(u: &mut Unstructured<'_>) -> Result<Vec3> {
     }))
 }
 
-/// Factors of a scale: mostly ±4 in 32nds.
+/// Scale factors: mostly within ±4, in 32nds.
 pub fn factors(u: &mut Unstructured<'_>) -> Result<Vec3> {
     if u.ratio(1, 8)? {
         return vector(u);
@@ -59,7 +59,8 @@ pub fn factors(u: &mut Unstructured<'_>) -> Result<Vec3> {
 }
 
 pub fn tex_coords(u: &mut Unstructured<'_>) -> Result<Vec2> {
-    // A unit of 16.16 is a sixteenth of a texture coordinate's: some are within a repeat or two.
+    // The same bits stand for a sixteenth of the value in 16.16, so some texture coordinates lie within one or two
+    // repeats.
     Ok(Vec2::from_bits([bits(u)?, bits(u)?]))
 }
 
@@ -67,7 +68,7 @@ pub fn angle(u: &mut Unstructured<'_>) -> Result<Angle> {
     Ok(if u.arbitrary()? {
         Angle::from_bits(u.arbitrary()?)
     } else {
-        // 32nds of a turn, among them right angles.
+        // 32nds of a turn, which include right angles.
         Angle::from_bits(u32::from(u.arbitrary::<u8>()?) << 27)
     })
 }
@@ -91,7 +92,7 @@ pub fn few<T>(
     (0..count).map(|_| one(u)).collect()
 }
 
-/// A value or none.
+/// A value, or `None`.
 pub fn option<T>(
     u: &mut Unstructured<'_>,
     one: impl FnOnce(&mut Unstructured<'_>) -> Result<T>,

@@ -1,20 +1,20 @@
-//! OBJ text of arbitrary bytes, or plausible text with mistakes.
+//! Checks OBJ text: arbitrary bytes, or plausible text with mistakes.
 
 use arbitrary::{Result, Unstructured};
 use embedded_graphics::pixelcolor::Rgb888;
 use fixel::mesh::{Buffers, Counts, obj};
 use fixel::prelude::*;
 
-/// Reads the text that these bytes encode, and checks the result.
+/// Reads the text that these bytes encode, and checks all invariants of the result.
 ///
 /// # Panics
 ///
-/// If an invariant does not hold.
+/// Panics if an invariant does not hold.
 pub fn check(bytes: &[u8]) {
     match bytes.split_first() {
-        // The bytes themselves.
+        // The bytes are the text.
         Some((b'=', text)) => check_text(text),
-        // Statements by number.
+        // The bytes select statements.
         _ => {
             if let Ok(text) = text(&mut Unstructured::new(bytes)) {
                 check_text(&text);
@@ -81,7 +81,7 @@ impl Owned {
         Ok(owned)
     }
 
-    /// Every index is in range, and edges are sorted, each once.
+    /// Checks that every index is in range, and that edges are sorted and distinct.
     fn check(&self) {
         let below = |index: u16, list: usize| usize::from(index) < list;
         let or_none = |index: u16, list: usize| index == Mesh::NO_VALUE || below(index, list);
@@ -102,7 +102,7 @@ impl Owned {
     }
 }
 
-/// The room that a text gets at compile time.
+/// The room that `include_obj!` reserves for a text.
 fn room(text: &[u8]) -> Counts {
     let most = obj::import::room(text.len());
     Counts {
@@ -121,7 +121,7 @@ fn room(text: &[u8]) -> Counts {
 fn check_text(text: &[u8]) {
     let counted = obj::count(text);
     let room = room(text);
-    // As at compile time: the text is read once, into lists with room for any text of this length.
+    // `include_obj!` reads the text only once, into lists with room for any text of this length. So does this.
     let read = Owned::read(text, room);
     match (&counted, &read) {
         (Ok(counts), Ok(mesh)) => {
@@ -135,7 +135,7 @@ fn check_text(text: &[u8]) {
         (Err(error), Err(other)) => {
             assert_eq!(error, other);
             let Error::Obj { line, problem, .. } = *error else {
-                panic!("{error} is not an error of OBJ text");
+                panic!("{error} is not an error about OBJ text");
             };
             let lines = lines(text);
             assert!((1..=lines).contains(&line), "line {line} of {lines}");
@@ -147,7 +147,7 @@ fn check_text(text: &[u8]) {
     check_line_ends(text, &read);
 }
 
-/// Lists that the caller does not supply stay empty, and the rest does not change.
+/// Checks that lists that the caller does not supply stay empty, and that the others do not change.
 fn check_parts(text: &[u8], mesh: &Owned) {
     let (mut positions, mut faces) = (mesh.positions.clone(), mesh.faces.clone());
     positions.fill(Vec3::X);
@@ -164,7 +164,7 @@ fn check_parts(text: &[u8], mesh: &Owned) {
     }
 }
 
-/// The kind of line end does not matter.
+/// Checks that the kind of line end does not change the result.
 fn check_line_ends(text: &[u8], read: &Result<Owned, Error>) {
     if text.contains(&b'\r') {
         return;
@@ -181,7 +181,7 @@ fn check_line_ends(text: &[u8], read: &Result<Owned, Error>) {
     }
 }
 
-/// The number of lines, of which the last may be empty; they end in LF, CR or both.
+/// The number of lines, which end in LF, CR or both. The last line may be empty.
 fn lines(text: &[u8]) -> usize {
     let ends = (0..text.len()).filter(|&at| match text[at] {
         b'\n' => at == 0 || text[at - 1] != b'\r',
@@ -190,7 +190,7 @@ fn lines(text: &[u8]) -> usize {
     1 + ends.count()
 }
 
-/// Text of statements that mostly make sense.
+/// Text of statements, most of which make sense.
 fn text(u: &mut Unstructured<'_>) -> Result<Vec<u8>> {
     let mut text = Vec::new();
     while !u.is_empty() && text.len() < 4096 {
@@ -220,7 +220,7 @@ fn text(u: &mut Unstructured<'_>) -> Result<Vec<u8>> {
     Ok(text)
 }
 
-/// A statement with one of these words.
+/// Adds a statement with some of these words.
 fn words(
     u: &mut Unstructured<'_>,
     text: &mut Vec<u8>,
@@ -237,7 +237,7 @@ fn words(
     Ok(())
 }
 
-/// A number in one of many spellings.
+/// Adds a number in one of many spellings.
 fn number(u: &mut Unstructured<'_>, text: &mut Vec<u8>) -> Result<()> {
     let value = match u.int_in_range(0..=8)? {
         0 => (*u.choose(&[
@@ -266,7 +266,7 @@ fn number(u: &mut Unstructured<'_>, text: &mut Vec<u8>) -> Result<()> {
         1 => format!("{}e{}", u.arbitrary::<i32>()?, u.int_in_range(-12..=6)?),
         2 => format!("{:e}", f32::from_bits(u.arbitrary()?)),
         3 => f64::from(u.arbitrary::<f32>()?).to_string(),
-        // Half a unit, which decides the rounding.
+        // A multiple of half a unit, where rounding is decided.
         4 => (f64::from(u.arbitrary::<i32>()?) / 131_072.).to_string(),
         5 | 6 => (f64::from(u.arbitrary::<u8>()?) / 255.).to_string(),
         _ => u.arbitrary::<i8>()?.to_string(),
@@ -275,7 +275,7 @@ fn number(u: &mut Unstructured<'_>, text: &mut Vec<u8>) -> Result<()> {
     Ok(())
 }
 
-/// A corner of a face.
+/// Adds a corner of a face.
 fn corner(u: &mut Unstructured<'_>, text: &mut Vec<u8>) -> Result<()> {
     let mut index = || -> Result<i32> {
         Ok(match u.arbitrary::<u8>()? {

@@ -1,4 +1,4 @@
-//! Projections of arbitrary numbers, by the crate and by the model.
+//! Projections made from arbitrary numbers, by the crate and by the model.
 
 use arbitrary::{Result, Unstructured};
 use fixel::prelude::*;
@@ -49,7 +49,7 @@ fn six(u: &mut Unstructured<'_>) -> Result<[Scalar; 6]> {
     ])
 }
 
-/// Near and far plane.
+/// Distances of the near and the far plane.
 fn planes(u: &mut Unstructured<'_>) -> Result<[Scalar; 2]> {
     if u.ratio(2, 3)? {
         return Ok([fx!(0.125), fx!(4096)]);
@@ -58,7 +58,7 @@ fn planes(u: &mut Unstructured<'_>) -> Result<[Scalar; 2]> {
     Ok([a.min(b), a.max(b)])
 }
 
-/// Mostly neither very wide nor very narrow.
+/// A field of view, which is rarely very wide or very narrow.
 fn field_of_view(u: &mut Unstructured<'_>) -> Result<Angle> {
     if u.ratio(1, 8)? {
         angle(u)
@@ -74,14 +74,14 @@ impl Lens {
             1 => Self::Orthographic(six(u)?),
             2 => Self::Oblique(angle(u)?, scalar(u)?, six(u)?),
             3 => Self::Focal(size(u)?, planes(u)?),
-            // As many pixels as a small canvas has.
+            // A focal length about as long as the width of a small canvas.
             4 => Self::Focal(Scalar::from_num(u.int_in_range(1..=200_u8)?), planes(u)?),
             5 => Self::Perspective(field_of_view(u)?, Some(scalar(u)?), planes(u)?),
             _ => Self::Perspective(field_of_view(u)?, None, planes(u)?),
         })
     }
 
-    /// The crate's projection, if it accepts these numbers.
+    /// The crate's projection, if the crate accepts these numbers.
     pub fn projection(self, frame: (u32, u32)) -> Result<Projected, Error> {
         Ok(match self {
             Self::Perspective(fov, aspect, [near, far]) => Projected::Perspective(match aspect {
@@ -103,7 +103,7 @@ impl Lens {
         })
     }
 
-    /// The model's projection, of numbers that the crate accepted.
+    /// The model's projection for numbers that the crate accepted.
     pub fn model(self, frame: (u32, u32)) -> Model {
         let exact = |numbers: [Scalar; 6]| numbers.map(Scalar::to_num::<f64>);
         match self {
@@ -127,8 +127,8 @@ impl Lens {
             }
             Self::Oblique(angle, ratio, edges) => {
                 let [l, r, b, t, n, f] = exact(edges);
-                // The crate's projection leaves the near plane in place; the model's leaves the plane through the eye
-                // in place.
+                // The crate's oblique projection keeps points of the near plane in place; the model's keeps points of
+                // the plane through the eye in place.
                 let (angle, ratio) = (radians(angle), ratio.to_num::<f64>());
                 let (x, y) = (n * ratio * angle.cos(), n * ratio * angle.sin());
                 projection::oblique(angle, ratio, (l + x, r + x, b + y, t + y), n, f)

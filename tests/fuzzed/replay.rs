@@ -1,6 +1,6 @@
 //! Replays the inputs that fuzzing found worth keeping.
 //!
-//! tests/fuzz/README.md explains the origin of these inputs.
+//! tests/fuzz/README.md explains where these inputs come from.
 
 use std::panic;
 
@@ -17,16 +17,16 @@ fn replay(inputs: &str, check: fn(&[u8])) {
 }
 
 #[test]
-fn inputs_that_failed_once() {
+fn inputs_that_once_failed_pass() {
     replay(include_str!("mended.base64"), fuzzed::draw::check);
 }
 
 #[test]
-fn draw() {
+fn kept_draw_inputs_pass() {
     replay(include_str!("draw.base64"), fuzzed::draw::check);
 }
 
 #[test]
-fn obj() {
+fn kept_obj_inputs_pass() {
     replay(include_str!("obj.base64"), fuzzed::obj::check);
 }

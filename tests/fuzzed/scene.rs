@@ -10,10 +10,10 @@ use super::projection::Lens;
 use super::shades::Shade;
 use super::steps::{Eye, Steps};
 
-/// The most positions and the most triangles of a mesh.
+/// The largest number of positions, and of triangles, in a mesh.
 const MOST: usize = 10;
 
-/// The values of an attribute, with faces of their own or without.
+/// The values of an attribute, with or without faces of their own.
 #[derive(Clone, Debug)]
 pub struct Attribute<T> {
     pub values: Vec<T>,
@@ -45,13 +45,13 @@ impl<T> Attribute<T> {
     }
 }
 
-/// Indices in range.
+/// Indices that are in range.
 fn indices<const K: usize>(u: &mut Unstructured<'_>, count: usize) -> Result<[u16; K]> {
     let indices = u.arbitrary::<[u8; K]>()?;
     Ok(indices.map(|index| u16::from(index) % u16::try_from(count.max(1)).unwrap()))
 }
 
-/// Indices of an attribute, some of which stand for no value.
+/// An attribute's indices at a triangle's corners; some corners have no value.
 fn corners(u: &mut Unstructured<'_>, count: usize) -> Result<[u16; 3]> {
     Ok(if u.ratio(1, 8)? {
         let [a, b, _] = indices(u, count)?;
@@ -61,7 +61,7 @@ fn corners(u: &mut Unstructured<'_>, count: usize) -> Result<[u16; 3]> {
     })
 }
 
-/// The elements of a mesh that are drawn.
+/// Which elements of a mesh are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum What {
     Triangles,
@@ -70,15 +70,16 @@ pub enum What {
     Sprites(Billboard),
 }
 
-/// All that sprites have besides positions; the scene's colors and texture coordinates have no effect.
+/// The properties of sprites besides positions. The scene's colors and texture coordinates have no effect on sprites.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Billboard {
     size: (Scalar, Scalar),
     in_pixels: bool,
     axis: Option<Vec3>,
     anchor: Vec2,
-    /// The scale and the frame of the first sprite; others have multiples.
+    /// The scale of the first sprite; the others have multiples.
     scale: Option<Scalar>,
+    /// The frame of the first sprite; the others have multiples.
     frame: Option<u16>,
     grid: (u16, u16),
 }
@@ -96,7 +97,7 @@ impl Billboard {
         })
     }
 
-    /// The scales and frames of as many sprites.
+    /// The scales and frames for this number of sprites.
     pub fn lists(&self, sprites: usize) -> (Vec<Scalar>, Vec<u16>) {
         let numbers = 1..=u16::try_from(sprites).unwrap();
         let scale = self.scale.unwrap_or_default();
@@ -110,7 +111,7 @@ impl Billboard {
         )
     }
 
-    /// Sprites at these positions with these [`lists`](Self::lists), if the numbers make some.
+    /// Sprites at these positions with these [`lists`](Self::lists), if the crate accepts the numbers.
     pub fn sprites<'a>(
         &self,
         positions: &'a [Vec3],
@@ -135,14 +136,14 @@ impl Billboard {
     }
 }
 
-/// What becomes of a mesh at run time.
+/// How a mesh changes at run time.
 #[derive(Clone, Debug)]
 pub struct Changes {
     pose: Option<Pose>,
     normals: Option<Crease>,
 }
 
-/// A second keyframe, and where the mesh is between the two.
+/// A second keyframe, and the position between the two keyframes.
 #[derive(Clone, Debug)]
 struct Pose {
     positions: Vec<Vec3>,
@@ -150,7 +151,7 @@ struct Pose {
     t: Scalar,
 }
 
-/// The edges that computed normals are not smooth across.
+/// The edges that computed normals keep sharp.
 #[derive(Clone, Copy, Debug)]
 enum Crease {
     None,
@@ -189,7 +190,7 @@ impl Changes {
     }
 }
 
-/// Memory for what changes: the blended mesh, then computed normals.
+/// Memory for the blended mesh, and for the mesh with computed normals.
 pub type Rooms = [Room; 2];
 
 /// Room for the lists of any scene's mesh.
@@ -224,15 +225,15 @@ pub struct Scene {
     pub size: (u32, u32),
     pub viewport: Option<[i32; 4]>,
     pub cull: Cull,
-    /// Rows of bands, repeated.
+    /// The bands' heights in rows; the list repeats.
     pub bands: Vec<u8>,
     pub what: What,
     pub shade: Shade,
     /// Tolerance of mode `Fast`, in texels.
     pub tolerance: Scalar,
-    /// The contents of the depth buffer, in the upper and in the lower half.
+    /// The initial contents of the depth buffer, in its first and in its second half.
     pub depths: [u16; 2],
-    /// What edges and points are drawn as; 0 for single pixels.
+    /// How edges and points are drawn; 0 draws single pixels.
     pub style: u8,
     pub changes: Changes,
 }
@@ -287,7 +288,7 @@ impl Scene {
                 power => Scalar::from_bits(1 << (12 + power)),
             },
             depths: u.arbitrary()?,
-            // Last, so that earlier inputs keep their meaning: bytes that are missing are 0.
+            // New fields come last, so that older inputs keep their meaning: missing bytes are 0.
             style: u.arbitrary()?,
             changes: Changes::NONE,
             positions,
@@ -297,7 +298,7 @@ impl Scene {
             size,
             projection,
         };
-        // Last, so that older inputs keep their meaning.
+        // Sprites come last for the same reason.
         if let Some(sprites) = option(u, Billboard::arbitrary)? {
             scene.what = What::Sprites(sprites);
         }
@@ -351,7 +352,7 @@ impl Scene {
         }
     }
 
-    /// The draw options without the mode, if the viewport is possible.
+    /// The draw options in the default mode, if the viewport is possible.
     pub fn options(&self) -> Result<DrawOptions, Error> {
         let options = DrawOptions::new().with_cull(self.cull);
         Ok(match self.viewport {
@@ -370,13 +371,13 @@ impl Scene {
         }
     }
 
-    /// Pixels of the canvas.
+    /// The number of pixels of the canvas.
     pub fn pixels(&self) -> usize {
         self.size.0 as usize * self.size.1 as usize
     }
 }
 
-/// Around the canvas, or anywhere and of any size.
+/// A viewport near the canvas, or anywhere and of any size.
 fn viewport(u: &mut Unstructured<'_>, (width, height): (u32, u32)) -> Result<[i32; 4]> {
     let (width, height) = (width.cast_signed(), height.cast_signed());
     Ok(match u.int_in_range(0..=3)? {

@@ -1,13 +1,13 @@
-//! A shader whose color shows its input.
+//! A shader whose color depends on every bit of its input.
 
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::prelude::*;
 
 use crate::recorder::{Coordinates, Few};
 
-/// The color depends on every bit of up to three values; some pixels are not drawn.
+/// A shader whose color depends on every bit of up to three values. It discards some pixels.
 ///
-/// The first two are texture coordinates over their whole range; the third jumps from end to end of its format.
+/// The first two values are texture coordinates over their whole range. The third jumps between the ends of its format.
 #[derive(Clone, Copy, Debug)]
 pub struct Bits<const N: usize>;
 

@@ -9,10 +9,10 @@ use fixel::texture::{Argb1555, Argb4444, Mipmap};
 
 use super::numbers::{option, scalar, vector};
 
-/// A shader of the crate's, or the one whose color shows every bit.
+/// A shader of the crate, or the one whose color depends on every bit.
 #[derive(Clone, Debug)]
 pub enum Shade {
-    /// The number of its values.
+    /// `shaders::Bits` with this number of values.
     Bits(u8),
     Crate {
         which: u8,
@@ -78,7 +78,7 @@ impl Shine {
         exponent: 20,
     };
 
-    /// The lights, if these numbers make some.
+    /// The lights, if the crate accepts these numbers.
     pub fn lights(self) -> Result<Lights, Error> {
         let Self {
             direction,
@@ -129,17 +129,17 @@ static SMALL: [[Rgb565; 4]; 2] = texels();
 static LARGE: [[Rgb565; 64]; 128] = texels();
 /// The largest width of a texture.
 static WIDE: [[Rgb565; 32_768]; 1] = texels();
-/// A hole, and three colors.
+/// A transparent texel, and three colors.
 static HOLED: [[Argb1555; 2]; 2] = [
     [Argb1555::HOLE, Argb1555::new(31, 0, 9)],
     [Argb1555::new(3, 31, 0), Argb1555::new(9, 9, 31)],
 ];
-/// From nothing to opaque.
+/// Texels from transparent to opaque.
 static CLEAR: [[Argb4444; 2]; 2] = [
     [Argb4444::new(0, 15, 3, 0), Argb4444::new(5, 0, 15, 0)],
     [Argb4444::new(10, 0, 3, 15), Argb4444::new(15, 15, 15, 0)],
 ];
-/// As large as `SMALL`.
+/// A mask of the same size as `SMALL`.
 static MASK: [[Gray8; 4]; 2] = [
     [Gray8::new(0), Gray8::new(255), Gray8::new(9), Gray8::new(0)],
     [
@@ -166,7 +166,7 @@ pub fn draw(which: u8, lights: Lights, color: Rgb888, between: [u16; 2], then: i
         spot,
         exponent,
     } = lights;
-    // Depths stand for any numbers.
+    // The shaders need distances. Any numbers will do, so these are made from the depths.
     let [least, most] = between.map(|depth| Scalar::from_bits(i32::from(depth) << 4));
     let (near, beyond) = (least.min(most), least.max(most) + Scalar::DELTA);
     let linear = Fog::linear(Rgb565::from(color), near, beyond).unwrap();
@@ -176,7 +176,7 @@ pub fn draw(which: u8, lights: Lights, color: Rgb888, between: [u16; 2], then: i
     let glossy = spot.shiny(viewer, exponent, fx!(1)).unwrap();
     let shiny = |lamp: Light| lamp.shiny(viewer, exponent, fx!(0.5)).unwrap();
     let faces = [Rgb565::new(31, 0, 0), color.into(), Rgb565::new(0, 0, 31)];
-    // In any order, and perhaps reversed.
+    // Parts may be in any order, and a range may be reversed.
     let part = |depth: u16| Part::new((depth & 15).into()..(depth >> 4 & 15).into(), color);
     let parts = between.map(part);
     let (small, large) = (Textured::new(&SMALL), Textured::new(&LARGE));
@@ -224,7 +224,7 @@ pub fn draw(which: u8, lights: Lights, color: Rgb888, between: [u16; 2], then: i
     }
 }
 
-/// All levels of a texture of this size.
+/// All mipmap levels of a texture with these texels.
 const fn all_levels<const LENGTH: usize>() -> [Rgb565; LENGTH] {
     let texels: [[Rgb565; LENGTH]; 1] = texels();
     texels[0]
@@ -232,7 +232,7 @@ const fn all_levels<const LENGTH: usize>() -> [Rgb565; LENGTH] {
 
 static LEVELS: [Rgb565; Mipmap::<Rgb565>::len(32, 8)] = all_levels();
 
-/// A surface with mipmaps, under a projection that need not be the draw call's.
+/// A surface with mipmaps, made for a projection that may differ from the draw call's.
 fn levels(near: Scalar, far: Scalar) -> Mipmapped<'static, Rgb565> {
     let near = near.max(Scalar::DELTA);
     let far = far.max(near + Scalar::DELTA);
@@ -250,12 +250,12 @@ fn thinned(_: &Fragment, Translucent { color, opacity }: Translucent<Rgb565>) ->
     (opacity > 0).then(|| Rgb565::new(color.r() & opacity, color.g(), opacity >> 3))
 }
 
-/// A shader with its colors converted to the canvas's.
+/// A shader whose colors are converted to the canvas's color type.
 fn wide(shader: impl Shader<Color = Rgb888>) -> impl Shader<Color = Rgb565> {
     shader.map(|_, color| Some(color.into()))
 }
 
-/// The same for a shader of few grays.
+/// The same for a shader with few grays.
 fn wide_gray(shader: impl Shader<Color: Into<Rgb888>>) -> impl Shader<Color = Rgb888> {
     shader.map(|_, color| Some(color.into()))
 }

@@ -1,4 +1,4 @@
-//! Products of transforms.
+//! Products of transforms, by the crate and by the model.
 
 use arbitrary::{Result, Unstructured};
 use fixel::prelude::*;
@@ -9,11 +9,11 @@ use crate::moves::Move;
 /// A factor in a product of transforms.
 #[derive(Clone, Copy, Debug)]
 pub enum Step {
-    /// A transform that acts after the ones before.
+    /// A transform that is applied after the previous ones.
     Move(Move),
     Uniform(Scalar),
     Rotate(Vec3, Angle),
-    /// The inverse of all before it.
+    /// The inverse of the product of all previous steps.
     Inverse,
     Renormalized,
 }
@@ -48,7 +48,7 @@ impl Step {
     }
 }
 
-/// A few steps.
+/// A product of a few steps.
 #[derive(Clone, Debug, Default)]
 pub struct Steps(Vec<Step>);
 
@@ -76,7 +76,7 @@ impl Steps {
     }
 }
 
-/// The camera's place.
+/// How the camera is placed.
 #[derive(Clone, Debug)]
 pub enum Eye {
     AtOrigin,
@@ -94,7 +94,7 @@ impl Eye {
             2 => Self::LookAt([vector(u)?, vector(u)?, vector(u)?]),
             3 => Self::Trimetric(vector(u)?, scalar(u)?, [angle(u)?, angle(u)?]),
             4 => Self::AtOrigin,
-            // Up to 16 back, to see the surroundings of the origin.
+            // Up to 16 units back, so that the surroundings of the origin are in view.
             _ => {
                 let distance = i32::from(u.arbitrary::<u8>()?) << 12;
                 let back = Vec3::from_bits([0, 0, -distance]);
@@ -103,7 +103,7 @@ impl Eye {
         })
     }
 
-    /// The camera, if these numbers make one.
+    /// The camera, if the crate accepts these numbers.
     pub fn camera(&self) -> Result<Camera, Error> {
         match self {
             Self::AtOrigin => Ok(Camera::from_view(Transform::IDENTITY)),

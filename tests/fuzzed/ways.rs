@@ -1,4 +1,4 @@
-//! One draw call in all ways that must give the same picture: with depth and without, twice, in bands, as bytes,
+//! One draw call in all ways that must give the same picture: with and without depth, twice, in bands, as bytes, and
 //! prepared.
 
 use embedded_graphics::draw_target::DrawTarget;
@@ -22,7 +22,7 @@ use super::scene::{Attribute, Scene, What};
 use super::shaders::Bits;
 use crate::recorder::{Record, Seen, record};
 
-/// A scene whose parts were accepted.
+/// A scene whose parts the crate accepted.
 #[derive(Clone, Copy, Debug)]
 pub struct Call<'a, K> {
     pub scene: &'a Scene,
@@ -38,14 +38,14 @@ pub struct Picture {
     depths: Vec<u16>,
 }
 
-/// The contents before drawing.
+/// The color of every pixel before drawing.
 const BACKGROUND: Rgb565 = Rgb565::new(1, 2, 3);
 
-/// Room for all pieces that clipping makes of the few triangles here, twice.
+/// A list with room for two copies of all pieces into which clipping cuts the few triangles.
 type List = TriangleList<32, 400>;
 
 impl<K: ProjectionKind> Call<'_, K> {
-    /// Draws in one way.
+    /// Draws the scene once.
     fn draw<I, F, O, D>(
         &self,
         canvas: &mut Canvas<'_, Rgb565, O, D>,
@@ -93,7 +93,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         drawn
     }
 
-    /// Picks at some pixels, and labels the points there and some positions.
+    /// Picks at some pixels, and draws labels at the picked points and at some positions.
     pub fn check_picking(&self, options: &DrawOptions) {
         let (width, height) = self.scene.size;
         let mut picture = self.blank();
@@ -117,10 +117,13 @@ impl<K: ProjectionKind> Call<'_, K> {
             }
             Drawn::default()
         });
-        assert!(picture == self.blank(), "labels of the background's color");
+        assert!(
+            picture == self.blank(),
+            "labels in the background's color are visible"
+        );
     }
 
-    /// Checks that the colors of parts are the same in one call and part by part, and in bands.
+    /// Checks that one call, a call for each part, and bands give the parts the same colors.
     pub fn check_parts(&self, options: &DrawOptions) {
         let faces = self.mesh.faces().len();
         let mut ends = [0, 0, faces];
@@ -151,7 +154,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         assert!(self.in_bands(one_by_one) == whole, "bands of parts differ");
     }
 
-    /// Checks that a quantized mesh of the scene's attributes is the same in frames and bands, and prepared.
+    /// Checks that a quantized mesh of the scene's attributes looks the same in frames, in bands, and prepared.
     pub fn check_quantized(&self, options: &DrawOptions) {
         if self.mesh.faces().is_empty() {
             return;
@@ -183,7 +186,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         call.check_frames(options, &quantized.shader(Bits::<3>.lit(sun)));
     }
 
-    /// Checks that a mesh that is said to be out of view has no pixels, and that normals can be computed for any mesh.
+    /// Checks that a mesh reported as out of view has no pixels, and that normals can be computed for any mesh.
     pub fn check_mesh(&self, options: &DrawOptions) {
         let mut picture = self.blank();
         self.on_frame(&mut picture, &mut |canvas| {
@@ -194,7 +197,7 @@ impl<K: ProjectionKind> Call<'_, K> {
             }
             canvas.draw_with(options, self.mesh, &self.mvp, &Flat::new(Rgb565::WHITE))
         });
-        assert!(picture == self.blank(), "what is out of view has pixels");
+        assert!(picture == self.blank(), "a mesh out of view has pixels");
 
         let corners = 3 * self.mesh.faces().len();
         let mut normals = vec![Vec3::ZERO; self.mesh.positions().len().max(corners)];
@@ -230,7 +233,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         }
     }
 
-    /// Every pixel that a shader is asked for without a depth buffer.
+    /// Records every pixel for which the shader is asked without a depth buffer.
     pub fn record<I, F, const N: usize>(
         &self,
         options: &DrawOptions<I>,
@@ -247,7 +250,7 @@ impl<K: ProjectionKind> Call<'_, K> {
             self.draw(&mut canvas, options, recorder);
         });
 
-        // The last color at each position must show; positions without one must be unchanged.
+        // At each position, the last color must show. Positions without a color must be unchanged.
         let mut expected = vec![BACKGROUND; colors.len()];
         for seen in &record.seen {
             if let Some(color) = seen.color {
@@ -258,7 +261,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         record
     }
 
-    /// The index of a pixel in memory; the pixel must lie within canvas and viewport.
+    /// The index of a pixel in memory. Panics if the pixel lies outside canvas or viewport.
     fn index(&self, [x, y]: [i32; 2]) -> usize {
         let (width, height) = self.scene.size;
         let window = &self.window;
@@ -315,7 +318,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         let mut frame = self.blank();
         let draw = &mut |canvas: &mut Frame<'_>| self.draw(canvas, options, shader);
         let drawn = self.on_frame(&mut frame, draw);
-        // Once more over itself: of equal depths the later one shows again.
+        // Drawing again over the same picture changes nothing: of equal depths, the later one shows.
         let mut again = frame.clone();
         assert_eq!(self.on_frame(&mut again, draw), drawn);
         assert!(again == frame, "drawn again, the picture differs");
@@ -328,8 +331,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         frame
     }
 
-    /// Draws with depths, and checks that exactly those of the pixels `seen` without depths are drawn that are not
-    /// hidden.
+    /// Draws with a depth buffer. Of the pixels `seen` without one, exactly those that are not hidden must be drawn.
     fn depth_test<I, F, const N: usize>(
         &self,
         options: &DrawOptions<I>,
@@ -387,13 +389,13 @@ impl<K: ProjectionKind> Call<'_, K> {
             canvas.draw_prepared(&prepared, shader).unwrap()
         });
         assert!(frame == *expected, "prepared triangles differ");
-        // A triangle that clipping removes reports missing attributes only if it is not prepared.
+        // If clipping removes a triangle, only direct drawing reports its missing attributes.
         let missing = drawn.missing;
         assert_eq!(Drawn { missing, ..counts }, drawn);
         let bands = self.in_bands(&mut |band| band.draw_prepared(&prepared, shader).unwrap());
         assert!(bands == *expected, "bands of prepared triangles differ");
 
-        // In another order, other triangles may show; but the same are drawn, and bands equal the frame.
+        // In another order, other triangles may show. But the same triangles are drawn, and bands equal the frame.
         let sorted = list
             .prepare_back_to_front(options, self.scene.size, self.mesh, &self.mvp)
             .unwrap();
@@ -405,7 +407,8 @@ impl<K: ProjectionKind> Call<'_, K> {
         let bands = self.in_bands(&mut |band| band.draw_prepared(&sorted, shader).unwrap());
         assert!(bands == frame, "bands of sorted triangles differ");
 
-        // As two objects of a scene. Their material is not the shader: scenes would be compiled for each.
+        // As two objects of a scene. Their material is not the shader, because scenes would be compiled for each
+        // shader.
         let mut objects = [Object::new(self.mesh, Transform::IDENTITY, ()); 2];
         let mut scene = list
             .prepare_scene(options, self.scene.size, &self.mvp, &mut objects)
@@ -423,7 +426,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         assert!(self.in_bands(draw) == frame, "bands of a scene differ");
     }
 
-    /// Draws prepared edges, in a frame and in bands; smooth ones beside those that were not prepared.
+    /// Draws prepared edges, in a frame and in bands, and compares smooth prepared edges with direct ones.
     fn check_prepared_edges<I, F>(&self, options: &DrawOptions<I>, shader: &F, expected: &Picture)
     where
         I: Mode,
@@ -485,7 +488,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         );
     }
 
-    /// An outline, for every other style.
+    /// The mesh's outline for half of the styles, otherwise `None`.
     fn outline<'r>(&self, room: &'r mut [[u16; 4]]) -> Option<Outline<'r>> {
         let crease = Angle::from_bits(u32::from(self.scene.style) << 23);
         let has_outline = self.scene.style & 1 != 0;
@@ -546,14 +549,15 @@ impl<K: ProjectionKind> Call<'_, K> {
         assert!(canvas.pixels().eq(colors));
     }
 
-    /// Checks that grays are diffused alike in a frame and in bands, and that indices of a palette are where colors are.
+    /// Checks that grays are diffused alike in a frame and in bands, and that palette indices are drawn where colors
+    /// are.
     pub fn check_panels(&self, options: &DrawOptions) {
         let (width, height) = self.scene.size;
         let gray = Flat::new(Gray8::new(0)).map(|at, _| {
             let [x, y] = [at.point.x, at.point.y].map(i32::cast_unsigned);
             Some(Gray8::new(((37 * x) ^ (11 * y)) as u8))
         });
-        // Of so many rows in memory, a band each.
+        // Returns the panel's bytes after bands of this many rows, and the contrast.
         let panel = |rows: u32, contrast: Option<Contrast>| {
             let mut bytes = vec![0; (width.div_ceil(8) * height) as usize];
             let mut panel: Canvas<BinaryColor, _> =
@@ -573,7 +577,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         let (frame, contrast) = panel(height, None);
         let rows = u32::from(self.scene.bands[1]).clamp(height.div_ceil(12), height);
         let (bands, _) = panel(rows, contrast);
-        assert!(bands == frame, "bands are diffused in another way");
+        assert!(bands == frame, "bands are diffused differently");
 
         let mut indices = vec![ColorIndex(0); self.scene.pixels()];
         let mut canvas = Canvas::new(&mut indices, width, height).unwrap();
@@ -610,7 +614,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         B: Blending<Rgb565>,
         F: Shader<Color = B::Source>,
     {
-        // Triangles alone: edges and points take the same way to the pixels.
+        // Triangles suffice: edges and points reach the pixels by the same path.
         let mut frame = self.blank();
         self.on_frame(&mut frame, &mut |canvas| {
             canvas.draw_with(options, self.mesh, &self.mvp, shader)
@@ -629,11 +633,11 @@ impl<K: ProjectionKind> Call<'_, K> {
         assert!(self.in_bands(draw) == frame, "bands of smooth lines differ");
     }
 
-    /// A picture drawn in bands of the scene's heights.
+    /// Draws a picture in bands of the scene's heights.
     fn in_bands(&self, draw: &mut Draw<'_>) -> Picture {
         let mut picture = self.blank();
         let (width, height) = self.scene.size;
-        // Many bands take long and find little.
+        // More than a dozen bands would take long and find little.
         let least = height.div_ceil(12);
         let mut heights = self.scene.bands.iter().cycle();
         let (mut colors, mut depths) = (&mut picture.colors[..], &mut picture.depths[..]);
@@ -654,5 +658,6 @@ impl<K: ProjectionKind> Call<'_, K> {
 
 type Frame<'f> = Canvas<'f, Rgb565, Native, Depth<'f>>;
 
-/// Draws into a frame or a band. Not generic: there are hundreds of such closures, and the tests compile in minutes.
+/// Draws into a frame or a band. The type is not generic: there are hundreds of such closures, and the tests would take
+/// minutes to compile.
 type Draw<'d> = dyn FnMut(&mut Frame<'_>) -> Drawn + 'd;

@@ -5,7 +5,7 @@ use super::{File, SIZE, blue_first, color, padded};
 /// A file, field by field.
 #[derive(Clone)]
 pub struct Fields {
-    /// Bytes of the second header.
+    /// Length of the second header, in bytes.
     pub header: u32,
     pub width: u32,
     pub height: i32,
@@ -13,14 +13,14 @@ pub struct Fields {
     pub compression: u32,
     pub used: u32,
     pub masks: [u32; 3],
-    /// Blue, green, red and nothing.
+    /// The color table: blue, green, red and an unused byte.
     pub table: Vec<[u8; 4]>,
-    /// The rows in the order of the file, without what fills them up.
+    /// The rows in the order of the file, without padding.
     pub rows: Vec<Vec<u8>>,
 }
 
 impl Fields {
-    /// Of `pixel` for each column and row, the bottom row first.
+    /// The fields of a file that stores `pixel(column, row)`, with the bottom row first.
     pub fn of(bits: u32, pixel: impl Fn(u32, u32) -> Vec<u8>) -> Self {
         let row = |y| (0..SIZE.0).flat_map(|x| pixel(x, y)).collect();
         Self {
@@ -70,7 +70,7 @@ impl Fields {
         bytes
     }
 
-    /// The file, of `pixel` for each column and row.
+    /// The file, which shows the color `pixel(column, row)`.
     fn file(&self, pixel: impl Fn(u32, u32) -> [u8; 3]) -> File {
         let (bits, header, used) = (self.bits, self.header, self.used);
         let (first, masks) = (if self.height < 0 { "top" } else { "bottom" }, self.masks);
@@ -80,7 +80,7 @@ impl Fields {
         File::new(name, self.bytes(), pixel)
     }
 
-    /// The same file with its rows from the top.
+    /// The same file with the top row first.
     fn top_down(&self) -> Self {
         let mut fields = self.clone();
         fields.height = -fields.height;
@@ -89,7 +89,7 @@ impl Fields {
     }
 }
 
-/// A word whose channels are narrower than those of [`color`]: red begins at `red`, green has `green` bits.
+/// A word with [`color`] in narrower channels: red begins at bit `red`, and green has `green` bits.
 fn word(x: u32, y: u32, red: u32, green: u32) -> u32 {
     let [r, g, b] = color(x, y).map(u32::from);
     (r >> 3) << red | (g >> (8 - green)) << 5 | b >> 3
@@ -113,7 +113,7 @@ pub fn bit_fields_of_32_bits() -> Vec<File> {
         (fields.header, fields.compression) = (header, 3);
         fields.masks = [0xff_0000, 0xff00, 0xff];
         files.push(fields.file(color));
-        // Red first.
+        // With red first.
         let mut fields = Fields::of(32, |x, y| padded(x, y).into_iter().rev().collect());
         (fields.header, fields.compression) = (header, 3);
         fields.masks = [0xff00, 0xff_0000, 0xff00_0000];
@@ -145,7 +145,7 @@ pub fn words_of_16_bits() -> Vec<File> {
     vec![plain, masked, wide_green]
 }
 
-/// Pixels of `bits` bits with the index (x + 2 y) mod `colors`, packed.
+/// Packed pixels of `bits` bits with the index (x + 2 y) mod `colors`.
 pub fn indexed(bits: u32, used: u32, colors: u32) -> Fields {
     let mut fields = Fields::of(bits, |_, _| Vec::new());
     let row = |y: u32| {

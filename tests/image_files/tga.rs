@@ -7,8 +7,9 @@ use super::{File, SIZE, blue_first, color, padded};
 pub struct Fields {
     pub id: Vec<u8>,
     pub image_type: u8,
-    /// The first index, and bits per entry.
+    /// The first index of the color map.
     pub first: u8,
+    /// Bits per entry of the color map.
     pub entry_bits: u8,
     pub table: Vec<Vec<u8>>,
     pub width: u16,
@@ -18,7 +19,7 @@ pub struct Fields {
 }
 
 impl Fields {
-    /// Of `pixel` for each column and row, from the corner that the descriptor names.
+    /// The fields of a file that stores `pixel(column, row)`, starting at the corner that the descriptor names.
     pub fn of(
         image_type: u8,
         bits: u8,
@@ -58,7 +59,7 @@ impl Fields {
         let mapped = u8::from(!self.table.is_empty());
         let mut bytes = vec![self.id.len() as u8, mapped, self.image_type];
         bytes.extend([self.first, 0, self.table.len() as u8, 0, self.entry_bits]);
-        bytes.extend([0; 4]); // where on a screen
+        bytes.extend([0; 4]); // the position on a screen
         for size in [self.width, SIZE.1 as u16] {
             bytes.extend(size.to_le_bytes());
         }
@@ -69,7 +70,7 @@ impl Fields {
         bytes
     }
 
-    /// The file, of `pixel` for each column and row.
+    /// The file, which shows the color `pixel(column, row)`.
     fn file(&self, pixel: impl Fn(u32, u32) -> [u8; 3]) -> File {
         let (kind, bits, descriptor) = (self.image_type, self.bits, self.descriptor);
         let (id, first, entry_bits) = (self.id.len(), self.first, self.entry_bits);
@@ -78,19 +79,19 @@ impl Fields {
              entries of {entry_bits} bits from index {first}"
         );
         let mut file = File::new(name, self.bytes(), pixel);
-        // The other reader does not look at the bit for columns from the right.
+        // The other reader ignores the bit for columns from the right.
         file.others_agree = descriptor & 0x10 == 0;
         file
     }
 }
 
-/// The same file, which the other reader does not read.
+/// Marks a file that the other reader does not read.
 fn ours(mut file: File) -> File {
     file.others_agree = false;
     file
 }
 
-/// The corners that can come first.
+/// The descriptors for the corners at which a file can start.
 const ORIGINS: [u8; 4] = [0x00, 0x10, 0x20, 0x30];
 
 fn word(x: u32, y: u32) -> u16 {
@@ -145,7 +146,8 @@ pub fn indices_with_a_color_map() -> Vec<File> {
         fields.table = (0..6).map(entry).collect();
         files.push(ours(fields.file(|x, y| of_word(word(index(x, y), 0)))));
     }
-    // Of three entries from index 2 on, the ends stand for all beyond.
+    // The map has three entries from index 2 on. Its first and last entries stand for all indices before and after
+    // them.
     let mut fields = Fields::of(1, 8, 0, |x, y| [index(x, y) as u8].to_vec());
     (fields.first, fields.entry_bits) = (2, 24);
     fields.table = (2..5).map(|index| blue_first(index, 0)).collect();

@@ -1,4 +1,4 @@
-//! The files by which tests/exact/images judges the crate show the same to a reader that others keep.
+//! Checks the files of tests/exact/images with another project's reader: it must see the same pictures.
 
 #[path = "../image_files/mod.rs"]
 mod files;
@@ -6,7 +6,7 @@ mod files;
 use files::{File, SIZE, bmp, tga};
 use image::{ImageFormat, Rgb};
 
-/// Checks that the `image` crate finds the files' pixels, in those that it reads.
+/// Checks that the `image` crate returns the files' pixels, for the files that it reads.
 fn holds(format: ImageFormat, kinds: impl IntoIterator<Item = Vec<File>>) {
     let mut count = 0;
     for file in kinds.into_iter().flatten().filter(|file| file.others_agree) {
@@ -23,7 +23,7 @@ fn holds(format: ImageFormat, kinds: impl IntoIterator<Item = Vec<File>>) {
 }
 
 #[test]
-fn bmp_files() {
+fn the_image_crate_reads_the_same_bmp_files() {
     let kinds = [
         bmp::bytes_of_24_and_32_bits(),
         bmp::bit_fields_of_32_bits(),
@@ -34,7 +34,7 @@ fn bmp_files() {
 }
 
 #[test]
-fn tga_files() {
+fn the_image_crate_reads_the_same_tga_files() {
     let kinds = [
         tga::true_color_from_any_corner(),
         tga::gray_from_any_corner(),

@@ -1,4 +1,4 @@
-//! Links with the memory and the sections of esp-hal.
+//! Build script: links with esp-hal's memory layout and sections.
 
 fn main() {
     println!("cargo::rustc-link-arg-bins=-Tlinkall.x");

@@ -1,4 +1,4 @@
-//! Links with the memory.x of this folder.
+//! Build script: links with the memory.x of this folder.
 
 fn main() {
     println!("cargo::rustc-link-search={}", env!("CARGO_MANIFEST_DIR"));

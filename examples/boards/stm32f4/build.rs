@@ -1,4 +1,4 @@
-//! Links a program for a Cortex-M. Embassy has the chip's memory.
+//! Build script: links a program for a Cortex-M. Embassy defines the chip's memory.
 
 fn main() {
     println!("cargo::rustc-link-arg-bins=--nmagic");

@@ -25,7 +25,7 @@ pub enum Layout {
     Frame,
     /// Bands drawn one after the other into the same memory; each band transforms all of the models.
     Bands,
-    /// Bands of triangles that were transformed once.
+    /// Bands of triangles that were transformed once for all bands.
     Prepared,
 }
 
@@ -49,16 +49,16 @@ impl Layout {
     }
 }
 
-/// The figures of a picture.
+/// The measured figures of a picture.
 #[derive(Default)]
 pub struct Figures {
     /// Pixels that the models cover.
     pub pixels: usize,
     /// Triangles drawn; a triangle counts once for each band it is in.
     pub triangles: u32,
-    /// Ticks of the clock during the draw calls alone.
+    /// Ticks of the clock during the draw calls, without anything else.
     pub ticks: u64,
-    /// The deepest stack of the draw calls, in bytes.
+    /// The largest stack depth of the draw calls, in bytes.
     pub stack: usize,
     /// CRC-32 of the pixels, row by row, the more significant byte first.
     pub crc: u32,

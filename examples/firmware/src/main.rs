@@ -1,15 +1,15 @@
 //! The measured scenes on a microcontroller: the same pixels as on the host, in whole frames and in bands.
 //!
-//! `cargo run --release -p firmware --target thumbv7em-none-eabi` runs it under QEMU. QEMU must be installed with its
-//! Arm and RISC-V boards, and so must `ld.lld`. Other targets: thumbv6m-none-eabi, thumbv7m-none-eabi,
-//! thumbv8m.base-none-eabi, thumbv8m.main-none-eabi, riscv32imc-unknown-none-elf.
+//! `cargo run --release -p firmware --target thumbv7em-none-eabi` runs it under QEMU. This needs QEMU with its Arm and
+//! RISC-V boards, and `ld.lld`. Other targets: thumbv6m-none-eabi, thumbv7m-none-eabi, thumbv8m.base-none-eabi,
+//! thumbv8m.main-none-eabi, riscv32imc-unknown-none-elf.
 //!
 //! The program first prints the number of instructions in a tick. For each mode, scene and layout it then prints the
 //! pixels that the models cover, the ticks of the draw calls, and a checksum of the picture. `simulator --mode MODE
-//! --scene NAME --crc` prints the host's checksum. Mode fast is within a quarter of a texel.
+//! --scene NAME --crc` prints the host's checksum. Mode fast has a tolerance of a quarter of a texel.
 //!
-//! For some of the scenes it then prints checksums of pictures that must be the same (`same`): in bands of any
-//! height, drawn again or over itself, with the triangles in reverse order.
+//! For some of the scenes it then prints checksums of pictures that must be the same (`same`): in bands of any height,
+//! drawn twice with or without clearing, and with the triangles in reverse order.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]

@@ -8,8 +8,8 @@ use fixel::prelude::*;
 
 /// The outer cube, then the inner one.
 pub static INWARDS: Mesh = mesh(Mesh::new(&CUBES.positions, &CUBES.faces));
-/// The same in reverse order, with positions of 16 bits: the same numbers, but Cortex-M0+ transforms them in another
-/// way.
+/// The same in reverse order, with 16-bit positions. Their values are the same, but a Cortex-M0+ transforms them in
+/// another way.
 pub static OUTWARDS: Mesh = mesh(Mesh::short(&SHORT.0, SHORT.1, &REVERSED));
 
 const SHAPES: [Result<Shape, Error>; 2] = [
@@ -52,7 +52,7 @@ static CUBES: Cubes = {
 
 static SHORT: ([[i16; 3]; 2 * COUNTS.positions], u32) = match INWARDS.shortened() {
     Ok(short) => short,
-    Err(_) => panic!("as many as there are"),
+    Err(_) => panic!("the counts are exact"),
 };
 
 static REVERSED: [[u16; 3]; 2 * COUNTS.faces] = {

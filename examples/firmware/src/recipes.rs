@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release -p firmware --bin recipes --target thumbv7em-none-eabi` prints a checksum of each picture, in
 //! 96x72, and the instructions that it took; `cargo run -p cookbook -- --crc --size 96x72` prints the host's checksums.
-//! Three scenes that use the standard library are missing, and one that draws with floats.
+//! Four scenes are missing: three use the standard library, and one draws with floats.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]

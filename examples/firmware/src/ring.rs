@@ -1,5 +1,5 @@
-//! The ring of the guide for firmware, in its frame of 240x240 pixels: what a frame costs in bands of each height,
-//! prepared or not, with three shaders. The mean of eight poses, for the draw calls alone.
+//! The ring of the guide for firmware, in its frame of 240x240 pixels. Measures the cost of a frame in bands of each
+//! height, prepared or not, with three shaders: the mean of eight poses, without anything but the draw calls.
 //!
 //! `cargo run --release -p firmware --bin ring --target thumbv6m-none-eabi` runs it under QEMU.
 #![cfg_attr(target_os = "none", no_std, no_main)]
@@ -35,7 +35,7 @@ mod firmware {
     static LIST: ConstStaticCell<List> = ConstStaticCell::new(List::new());
     static RING: Mesh = shape!(torus(fx!(0.4), 24, 12));
 
-    /// The length that the guide gives.
+    /// A list of the length that the guide gives.
     type List = TriangleList<300, 300>;
 
     struct Bench {
@@ -82,7 +82,7 @@ mod firmware {
             let len = (rows * WIDTH) as usize;
             let mut all = 0;
             for pose in 0..POSES {
-                // A turn takes six seconds.
+                // A full turn takes six seconds.
                 let turn = Transform::rotate_x(Rate::rpm(10).angle_at(pose * 6000 / POSES));
                 let mvp = projection * camera * turn;
                 let mut prepared = None;

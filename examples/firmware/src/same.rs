@@ -1,4 +1,4 @@
-//! Ways to draw a picture that must not change it.
+//! Ways to draw that must all give the same picture.
 
 use core::fmt;
 
@@ -22,7 +22,7 @@ pub enum Repeat {
     Once,
     /// Twice, cleared in between.
     Again,
-    /// Twice, the second time over the first. Of triangles at equal depths, the last one shows, which is the same both
+    /// Twice, the second time over the first. Of triangles at equal depths, the last one shows. It is the same both
     /// times.
     Over,
 }

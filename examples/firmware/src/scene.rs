@@ -13,7 +13,7 @@ use super::common::lighthouse;
 use super::common::scenes::{self, HEIGHT, WIDTH};
 use super::nested::{INWARDS, OUTWARDS};
 
-/// Bytes in the order that a display takes them.
+/// A canvas whose bytes are in the order that displays expect.
 pub type Target<'a, D> = Canvas<'a, Rgb565, BigEndian, D>;
 
 #[derive(Clone, Copy)]
@@ -23,8 +23,8 @@ pub enum Scene {
     Sphere,
     SphereFlat,
     Lighthouse,
-    /// The cube with another one inside, which the depth test hides; the outer one is drawn first. Its picture is the
-    /// cube's.
+    /// The cube with another one inside, which the depth test hides, so the picture equals the cube's. The outer cube
+    /// is drawn first.
     Inwards,
     /// The same triangles in reverse order, with short positions.
     Outwards,
@@ -51,12 +51,12 @@ impl Scene {
         }
     }
 
-    /// Whether it is drawn with a depth buffer.
+    /// Whether the scene is drawn with a depth buffer.
     pub fn has_depth(self) -> bool {
         !matches!(self, Self::SphereFlat)
     }
 
-    /// The mvp of the scene's models.
+    /// The model-view-projection of the scene's models.
     pub fn mvp(self) -> Result<Mvp<Perspective>, Error> {
         match self {
             Self::Floor => scenes::floor_chain(0),
@@ -146,7 +146,7 @@ fn drawn_cubes<I: Mode, D: DepthBuffer>(
 /// Memory for the prepared triangles of any scene: 23 KiB.
 pub struct Lists {
     model: TriangleList<640, 600>,
-    /// Room for the lighthouse alone.
+    /// A list that only the lighthouse needs.
     sea: TriangleList<32, 140>,
 }
 

@@ -1,4 +1,4 @@
-//! The test whether a box is in view.
+//! Measures the test whether a box is in view.
 
 use core::hint::black_box;
 

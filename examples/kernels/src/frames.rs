@@ -1,4 +1,4 @@
-//! Whole frames of the measured scenes: the mean of their eight poses.
+//! Measures whole frames of the measured scenes: the mean of their eight poses.
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::mode::Mode;
@@ -19,7 +19,7 @@ pub struct Frame {
     depths: &'static mut [u16; PIXELS],
 }
 
-/// A pose's model-view-projection product.
+/// A scene's model-view-projection in a pose.
 type Chain = fn(i32) -> Result<Mvp<Perspective>, Error>;
 
 impl Frame {

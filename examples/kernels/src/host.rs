@@ -1,4 +1,4 @@
-//! Frames on a desktop computer, for a program that counts instructions: `.ci/host` runs it under valgrind.
+//! Frames on a desktop computer, whose instructions valgrind counts for `.ci/host`.
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::Drawn;
@@ -9,7 +9,7 @@ use super::{memory, painter};
 
 const PIXELS: usize = (WIDTH * HEIGHT) as usize;
 
-/// A draw call. Callgrind counts what runs in the functions of this name.
+/// Runs a draw call. Callgrind counts the instructions inside functions of this name.
 #[inline(never)]
 fn only_drawing(draw: impl FnOnce() -> Drawn) {
     let _ = draw();

@@ -1,4 +1,4 @@
-//! The light that falls on a vertex.
+//! Measures the light on a vertex.
 
 use core::hint::black_box;
 
@@ -10,8 +10,8 @@ use super::ticks::Stopwatch;
 
 const VERTICES: u32 = 64;
 
-/// Measures the light of each type on a vertex that it reaches, without the transform of the vertex to world space, and
-/// prints the costs.
+/// Measures and prints the cost of each type of light on a vertex that it reaches, without the vertex's transform to
+/// world space.
 pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     let sun = Light::new(vec3!(1, 2, 3), fx!(0.2), fx!(0.8))?;
     let lamp = PointLight::new(vec3!(1, 2, 3), fx!(0.8), fx!(10))?;

@@ -2,23 +2,23 @@
 //! (the mean of the eight poses of each measured scene).
 //!
 //! `cargo run --release -p kernels --target thumbv7em-none-eabi` runs it under QEMU, which counts instructions; on a
-//! chip it counts the core's cycles. The first line says which of the two, and how many a tick has. A line for each
-//! kernel follows, with its units (pixels or triangles), the ticks that they took, and the instructions or cycles of
-//! `each`; then a line for each scene, with its frames and the instructions or cycles of `each`. `--profile size` in
-//! place of `--release` optimizes for size.
+//! chip it counts the core's cycles. The first line says which of the two it counts, and how many a tick has. Then
+//! follows a line for each kernel, with its units (pixels or triangles), the ticks that they took, and the instructions
+//! or cycles of `each`. A line for each scene comes last, with its frames and the instructions or cycles of `each`.
+//! `--profile size` instead of `--release` optimizes for size.
 //!
 //! The cost of a pixel is the difference between two drawings of one triangle that covers a frame of 64 rows.
-//! `unit=pixel` compares frames of 16 and 48 columns, which lie within one span: the inner loop alone.
-//! `unit=long-pixel` compares 48 and 240 columns: a pixel together with its share, one of 64, of a span's start. The
+//! `unit=pixel` compares frames of 16 and 48 columns, which lie within one span, and so measures only the inner loop.
+//! `unit=long-pixel` compares 48 and 240 columns, and so includes a pixel's share, 1/64, of the start of a span. The
 //! cost of a triangle is the difference between two prepared lists, one of which has more of the same triangles.
 //!
 //! Pixels are RGB565 in the processor's byte order, textures 64x64 with the nearest texel, and only draw calls are
-//! measured. `depth-pass` and `depth-fail` have a depth buffer that lets all pixels pass or none; the other kernels have
-//! no depth buffer.
+//! measured. `depth-pass` and `depth-fail` have a depth buffer that lets all pixels pass or none. The other kernels
+//! have no depth buffer.
 //!
-//! On the host, `kernels SCENE` draws a scene's poses, for `.ci/host` to count. `kernels painter` compares painter's order
-//! with a depth buffer; `kernels painter SCENE depth` and `kernels painter SCENE sorted` only draw, each in its way.
-//! `kernels memory` prints the flash of scenes and the RAM of their prepared lists.
+//! On the host, `kernels SCENE` draws a scene's poses, for `.ci/host` to count. `kernels painter` compares painter's
+//! order with a depth buffer; `kernels painter SCENE depth` and `kernels painter SCENE sorted` only draw, with a depth
+//! buffer or in painter's order. `kernels memory` prints the flash of scenes and the RAM of their prepared lists.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
@@ -109,7 +109,7 @@ mod firmware {
         frame.measure(&mut watch, "fast", Fast::within(fx!(0.25)))?;
         frame.measure(&mut watch, "compact", Compact)?;
 
-        // Within half a texel, pieces of this wall have 16 pixels.
+        // With a tolerance of half a texel, the pieces of this wall have 16 pixels.
         let fast = Fast::within(fx!(0.5));
         let mut bench = Bench::new(watch);
         let length = pieces::length(&mut bench, fast)?;
@@ -134,7 +134,7 @@ mod firmware {
         let cut_out = skin.cut_out(Rgb565::MAGENTA);
         bench.kernel("affine-cut-out", Affine, &cut_out, Depths::None)?;
         bench.kernel("newton-cut-out", Newton, &cut_out, Depths::None)?;
-        // As if the frame had a quarter of its size, so that no pixel shows level 0, which leaves out a blend.
+        // Mipmaps as for a frame of a quarter of the size, so that no pixel shows level 0, where there is no blend.
         let projection = wall::mvp(240)?.projection();
         let levels = Mipmapped::new(LEVELS.as_mipmap(), &projection, (60, 16))?;
         bench.kernel("affine-mipmap", Affine, &levels, Depths::None)?;

@@ -1,4 +1,4 @@
-//! Memory of the measured scenes at 320x240: flash of their lists and textures, and RAM of their prepared triangles.
+//! Memory of the measured scenes at 320x240: flash for their lists and textures, and RAM for their prepared triangles.
 
 use core::mem::size_of_val;
 

@@ -1,4 +1,5 @@
-//! Pixels in black and white: stored as colors, in rows with 8 pixels in a byte, and in pages with 8 rows in a byte.
+//! Measures pixels in black and white, stored as colors, in rows with 8 pixels to a byte, and in pages with 8 rows to a
+//! byte.
 
 use core::hint::black_box;
 
@@ -13,7 +14,7 @@ use super::wall::{self, ROWS, UVS};
 static WHITE: TextureArray<BinaryColor, 2, 2> =
     TextureArray::from_texels([[BinaryColor::On; 2]; 2]);
 
-/// Columns of the frames that are compared: part of a span, and another part.
+/// Widths of the frames that are compared. Both lie within one span.
 const WIDTHS: [u32; 2] = [16, 48];
 const PIXELS: usize = 48 * ROWS as usize;
 
@@ -51,7 +52,7 @@ pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     })
 }
 
-/// Prints the cost of the pixels that only a wide frame has, and a narrow one lacks.
+/// Prints the cost of the pixels that only the wider frame has.
 fn print(
     watch: &mut Stopwatch,
     name: &str,

@@ -1,4 +1,4 @@
-//! Painter's order against a depth buffer: wrong pixels, memory, and frames for `.ci/host` to count.
+//! Compares painter's order with a depth buffer: wrong pixels, memory, and frames whose instructions `.ci/host` counts.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::Object;
@@ -27,7 +27,7 @@ enum Material {
 struct Pose {
     view: Mvp,
     objects: Vec<Object<'static, Material>>,
-    /// How many of the objects are drawn first, without an order.
+    /// How many of the objects are drawn first, unsorted.
     ground: usize,
 }
 
@@ -105,7 +105,7 @@ fn pose(scene: &str, k: i32) -> Result<Pose, Error> {
     })
 }
 
-/// Gives `$draw` the shader of a material.
+/// Calls `$draw` with the shader of a material.
 macro_rules! with_shader {
     ($material:expr, $shader:ident => $draw:expr) => {
         match $material {
@@ -146,7 +146,7 @@ fn draw_each<D: DepthBuffer>(
 /// A list with room for the visible triangles of any pose.
 type List = TriangleList<700, 1200>;
 
-/// How many bytes the list of a pose needs: 16 for each visible triangle and for each of their vertices.
+/// How many bytes the list of a pose needs: 16 for each visible triangle and for each vertex of these.
 fn list_bytes(pose: &mut Pose) -> usize {
     let (options, size, others) = (
         DrawOptions::new(),
@@ -190,13 +190,14 @@ fn draw_sorted<D: DepthBuffer>(
     Ok(())
 }
 
-/// A way to draw; callgrind counts what runs in the functions of this name.
+/// Draws in one way. Callgrind counts the instructions inside functions of this name.
 #[inline(never)]
 fn only_drawing(draw: impl FnOnce() -> Result<(), Error>) -> Result<(), Error> {
     draw()
 }
 
-/// Draws the poses of a scene with a depth buffer, or sorted, or both and prints how many pixels differ.
+/// Draws the poses of a scene with a depth buffer or sorted. Without a `way`, draws both and prints how many pixels
+/// differ.
 pub fn run(name: &str, way: Option<&str>) -> Result<(), Error> {
     let mut list = Box::new(List::new());
     let (mut wrong, mut most, mut bytes) = (0, 0, 0);

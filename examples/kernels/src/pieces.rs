@@ -7,7 +7,7 @@ use fixel::prelude::*;
 
 use super::wall::Bench;
 
-/// A shader whose color is the pixel's column of the texture: the lower 16 bits, in units of a texel's fraction.
+/// A shader whose color is the lower 16 bits of the pixel's column in the texture, in units of 2^-16 texel.
 #[derive(Clone, Copy)]
 struct Column;
 
@@ -16,7 +16,7 @@ impl Shader for Column {
     type Varyings = [i32; 1];
 
     fn varyings(&self, primitive: &Primitive<'_>) -> [[i32; 1]; 3] {
-        // A repeat is 2^20, and also 2^6 texels of 2^16 each.
+        // A repeat is 2^20 units of u, and 2^22 units here: 2^6 texels of 2^16 units.
         primitive.corners(|corner| [corner.uv().x.to_bits() << 2])
     }
 
@@ -25,15 +25,15 @@ impl Shader for Column {
     }
 }
 
-/// The column grows by the same amount at every pixel of a piece except the last, which takes the rest up to the next
-/// piece's start: a difference of up to a unit for each pixel. From one piece of the wall to the next, the growth
-/// changes by more.
+/// Within a piece, the column grows by the same amount at every pixel. The last pixel also takes the remainder up to
+/// the next piece's start, at most a unit per pixel. From one piece of the wall to the next, the growth changes by more
+/// than that.
 const ROUNDING: u16 = 64;
 
-/// Pixels of a row's first span, except the last one, at which its last piece ends.
+/// Pixels of a row's first span without the last one, where the last piece ends.
 const RUN: usize = 63;
 
-/// Pixels of a row of the wall from one bend to the next, if all pieces have the same length.
+/// The number of pixels from one bend to the next in a row of the wall, if all pieces have the same length.
 pub fn length(bench: &mut Bench, mode: Fast) -> Result<Option<usize>, Error> {
     let row = bench.row(mode, &Column)?;
     let columns = row
@@ -44,7 +44,7 @@ pub fn length(bench: &mut Bench, mode: Fast) -> Result<Option<usize>, Error> {
     let gains = gains.map(|(from, to)| to.wrapping_sub(from));
     let changes = gains.clone().zip(gains.skip(1));
     let changes = changes.map(|(before, after)| after.wrapping_sub(before).cast_signed());
-    // The first gain is the one at pixel 1.
+    // The first gain belongs to pixel 1.
     let bends = (1..)
         .zip(changes)
         .filter(|(_, change)| change.unsigned_abs() > ROUNDING);

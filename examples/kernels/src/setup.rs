@@ -1,4 +1,4 @@
-//! Triangles that cover at most one pixel, to measure their set-up.
+//! Measures the set-up of triangles, with triangles that cover at most one visible pixel.
 
 use core::hint::black_box;
 
@@ -13,10 +13,10 @@ const FACES: [[u16; 3]; COUNTS[1]] = [[0, 1, 2]; COUNTS[1]];
 
 /// Pixels from the eye to the screen.
 const FOCAL: i32 = 4;
-/// Corners in sixteenths of a pixel from the top left corner of the window's only pixel, and their distances:
-/// triangles of about 8x8 pixels, a usual size, of which the window shows one pixel or none.
+/// Corners in sixteenths of a pixel from the top left corner of the window's only pixel, and their distances. The
+/// triangles have about 8x8 pixels, a usual size. The window shows one of these pixels, or none.
 const COVERING: [([i32; 2], i32); 3] = [([-48, 3], 4), ([16, 128], 5), ([80, 5], 6)];
-/// The pixel's center is inside the triangle's bounds, but outside the triangle.
+/// The same for a triangle whose bounds contain the pixel's center, while the triangle does not.
 const MISSING: [([i32; 2], i32); 3] = [([-128, 3], 4), ([-128, 128], 5), ([14, 128], 6)];
 const PALETTE: [Rgb888; 3] = [
     Rgb888::new(255, 100, 0),
@@ -50,7 +50,7 @@ fn draw(watch: &mut Stopwatch, kind: Kind, faces: &[[u16; 3]]) -> Result<u64, Er
         Kind::Covering => COVERING,
     };
     let positions = corners.map(|([x, y], distance)| {
-        // Relative to the pixel's center, which is the frame's center.
+        // Coordinates are relative to the pixel's center, which is also the frame's center.
         let eye = |sixteenths: i32| Scalar::from_num(sixteenths * distance) / (16 * FOCAL);
         Vec3::new(eye(x - 8), eye(8 - y), -Scalar::from_num(distance))
     });

@@ -20,7 +20,7 @@ pub struct Stopwatch {
 pub enum Tick {
     /// This many instructions, under QEMU.
     Instructions(u64),
-    /// A cycle of the core. No core takes fewer cycles than instructions.
+    /// A cycle of the core. On every core here, an instruction takes at least one cycle.
     Cycle,
 }
 
@@ -64,7 +64,7 @@ impl Stopwatch {
     /// Does `work`, which may fail; returns the ticks that it took.
     pub fn time<E>(&mut self, work: impl FnOnce() -> Result<(), E>) -> Result<u64, E> {
         let (result, ticks) = self.clock.time(work);
-        // A simulator may not raise the interrupt that counts the timer's rounds.
+        // An emulator may fail to raise the interrupt that counts the timer's rounds, so whole rounds are dropped.
         result.map(|()| ticks % ROUND)
     }
 

@@ -11,10 +11,10 @@ use static_cell::ConstStaticCell;
 
 use super::ticks::Stopwatch;
 
-/// Columns of the frames that are compared: part of a span, another part, and three more spans.
+/// Widths of the frames that are compared: two within one span, and one that is three spans wider.
 const WIDTHS: [u32; 3] = [16, 48, 240];
 pub const ROWS: u32 = 64;
-/// How often a frame is drawn: a tick may be many instructions.
+/// How often a frame is drawn, because a tick may last many instructions.
 const REPEATS: u32 = 4;
 /// Pixels of the widest frame.
 const PIXELS: usize = 240 * ROWS as usize;
@@ -22,17 +22,17 @@ const PIXELS: usize = 240 * ROWS as usize;
 /// Pixels from the eye to the screen.
 const FOCAL: i32 = 256;
 
-/// Corners, in pixels from the frame's top left, and their distances. 1/w falls to half over 640 columns. Its
-/// relative change per pixel grows from 1/1280 to 1/640: too little for any mode to fall back to division, and too
-/// much for any mode to do without.
+/// Corners, in pixels from the frame's top left, and their distances. 1/w falls to half over 640 columns. Its relative
+/// change per pixel grows from 1/1280 to 1/640. This is too little for any mode to fall back to division, and too much
+/// for any mode to skip the correction of perspective.
 const CORNERS: [([i32; 2], i32); 3] = [([-16, -16], 1), ([-16, 144], 1), ([624, -16], 2)];
-/// Half a texel of 64x64 to two a column.
+/// Between half a texel and two texels per column, of a texture of 64x64.
 pub const UVS: [Vec2; 3] = [vec2!(0, 0), vec2!(0, 2), vec2!(10, 1)];
 
 static COLORS: ConstStaticCell<[Rgb565; PIXELS]> = ConstStaticCell::new([Rgb565::BLACK; PIXELS]);
 static DEPTHS: ConstStaticCell<[u16; PIXELS]> = ConstStaticCell::new([0; PIXELS]);
 
-/// A color that no shader here draws or keeps, to find pixels left undrawn.
+/// A color that no measured draw call produces. It marks undrawn pixels.
 const UNDRAWN: Rgb565 = Rgb565::new(20, 40, 20);
 
 /// The depth buffer before the draw call.
@@ -151,7 +151,7 @@ fn draw<I: Mode, B: Blending<Rgb565>, F: Shader<Color = B::Source>, D: DepthBuff
 ) -> Result<u64, Error> {
     let (positions, mvp) = (positions(width), mvp(width)?);
     let wall = Mesh::new(&positions, &[[0, 1, 2]])?.with_uvs(&UVS, None)?;
-    // Hide the numbers from the compiler, which does not know a user's either.
+    // Hide the values from the compiler, which does not know them in a user's program, either.
     let (options, shader) = black_box((options, shader));
     watch.time(|| {
         let drawn = canvas.draw_with(&options, &wall, &mvp, shader);
@@ -164,7 +164,7 @@ fn draw<I: Mode, B: Blending<Rgb565>, F: Shader<Color = B::Source>, D: DepthBuff
 pub fn positions(width: u32) -> [Vec3; 3] {
     let center = [width, ROWS].map(u32::cast_signed);
     CORNERS.map(|([x, y], distance)| {
-        // Relative to the frame's center, in half pixels.
+        // Coordinates relative to the frame's center, in half pixels.
         let (x, y) = (2 * x - center[0], center[1] - 2 * y);
         let eye = |half_pixels: i32| Scalar::from_num(half_pixels * distance) / (2 * FOCAL);
         Vec3::new(eye(x), eye(y), -Scalar::from_num(distance))

@@ -1,4 +1,4 @@
-//! The cost of sprites, lines, points, lists and rays, and of meshes that change.
+//! Measures sprites, lines, points, lists and rays, and meshes that change.
 
 use core::hint::black_box;
 
@@ -12,7 +12,7 @@ use static_cell::ConstStaticCell;
 use super::ticks::Stopwatch;
 
 const SIZE: u32 = 64;
-/// Sprites in a row, and rows of sprites.
+/// The number of sprites in a row, and of rows.
 const SIDE: usize = 8;
 const SPRITES: usize = SIDE * SIDE;
 
@@ -23,7 +23,7 @@ static OUTLINE: Outline = outline!(BALL, deg!(30));
 static LIST: ConstStaticCell<TriangleList<400, 250>> = ConstStaticCell::new(TriangleList::new());
 static EDGES: ConstStaticCell<EdgeList<400, 400>> = ConstStaticCell::new(EdgeList::new());
 
-/// Measures a call per sprite, line, point, triangle and vertex, and prints them.
+/// Measures calls, and prints their cost per sprite, line, point, triangle or vertex.
 pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     let mut canvas = Canvas::new(COLORS.take(), SIZE, SIZE)?;
     let projection = Projection::perspective(deg!(60), (1, 1), fx!(1), fx!(10))?;
@@ -137,7 +137,7 @@ pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
 /// The side of a square that is 4 pixels wide at the distance 3.
 const SQUARE: Scalar = fx!(0.2165);
 
-/// The middles, corners and faces of squares side by side, some with gaps.
+/// The centers, corners and faces of a grid of squares, some with gaps between them.
 fn squares() -> (
     [Vec3; SPRITES],
     [Vec3; 4 * SPRITES],
@@ -163,7 +163,7 @@ fn squares() -> (
     (middles, corners, faces)
 }
 
-/// Something must be visible.
+/// Checks that something was drawn.
 fn drawn(count: u32) -> Result<(), Error> {
     assert!(count > 0, "something is drawn");
     Ok(())

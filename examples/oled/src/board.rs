@@ -13,15 +13,15 @@ impl Register {
     fn read(&self) -> u32 {
         let address = self.0 as *const u32;
         // SAFETY: every address is one of the constants below, which are aligned addresses of the chip's registers.
-        // Reading a register changes only its peripheral.
+        // Reading a register affects only its peripheral.
         unsafe { address.read_volatile() }
     }
 
     #[allow(unsafe_code)]
     fn write(&self, value: u32) {
         let address = self.0 as *mut u32;
-        // SAFETY: as above. The peripherals that are written to cannot reach memory: neither DMA nor an interrupt is
-        // enabled.
+        // SAFETY: as above. The peripherals that the program writes to cannot access memory: neither DMA nor an
+        // interrupt is enabled.
         unsafe { address.write_volatile(value) }
     }
 
@@ -34,14 +34,14 @@ impl Register {
 struct Port(usize);
 
 impl Port {
-    /// Lets software drive `pin`, as an output with this level.
+    /// Makes `pin` an output with this level, which software drives.
     fn output(&self, pin: u32, high: bool) {
         Register(self.0 + 0x400).set(1 << pin); // GPIODIR
         Register(self.0 + 0x51c).set(1 << pin); // GPIODEN
         self.write(pin, high);
     }
 
-    /// Gives `pins` to the peripheral that the chip connects to them.
+    /// Connects `pins` to the chip's peripheral for them.
     fn alternate(&self, pins: u32) {
         Register(self.0 + 0x420).set(pins); // GPIOAFSEL
         Register(self.0 + 0x51c).set(pins); // GPIODEN
@@ -67,27 +67,27 @@ const SSIDR: Register = Register(0x4000_8008);
 const SSISR: Register = Register(0x4000_800c);
 const SSICPSR: Register = Register(0x4000_8010);
 
-/// Bits of SSISR: room to transmit, something received, busy.
+/// Bits of SSISR: there is room to transmit, something was received, the interface is busy.
 const TNF: u32 = 1 << 1;
 const RNE: u32 = 1 << 2;
 const BSY: u32 = 1 << 4;
 
-/// The wires to the panel. The board has one set of them.
+/// The wires to the panel, of which the board has one set.
 pub struct Oled(());
 
 impl Oled {
-    /// Prepares pins and interface; call it once.
+    /// Sets up the pins and the interface; call it once.
     pub fn new() -> Self {
         RCGC1.set(1 << 4);
         RCGC2.set(1 << 0 | 1 << 2 | 1 << 3);
-        // A peripheral answers from the third cycle of its clock.
+        // A peripheral can be accessed from the third cycle of its clock on.
         asm::delay(3);
 
         PORT_D.output(0, true);
         PORT_C.output(7, true);
         PORT_A.alternate(1 << 2 | 1 << 3 | 1 << 5);
 
-        // The chip starts with 12 MHz; take a quarter, because the panel allows 4 MHz.
+        // The chip starts at 12 MHz. Take a quarter of it, because the panel allows 4 MHz.
         SSICR1.write(0);
         SSICPSR.write(4);
         // Eight bits; the clock is high when idle, and the panel samples at its rising edge.
@@ -108,14 +108,15 @@ impl Oled {
         self.send(bytes);
     }
 
-    /// Returns when everything has been sent, because the panel samples pin C7 with the last bit of a byte.
+    /// Sends bytes, and returns when the last one has been sent, because the panel samples pin C7 with the last bit of
+    /// a byte.
     #[allow(clippy::unused_self)] // `self` owns the interface
     fn send(&mut self, bytes: &[u8]) {
         for &byte in bytes {
             while SSISR.read() & TNF == 0 {}
             SSIDR.write(byte.into());
-            // The interface receives the same number of bytes, although nobody sends them. QEMU waits for them to be
-            // read.
+            // The interface also receives a byte for each one sent, although the panel sends none. QEMU waits until
+            // they are read.
             while SSISR.read() & RNE != 0 {
                 SSIDR.read();
             }

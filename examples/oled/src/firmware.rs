@@ -14,7 +14,7 @@ use super::ssd0323::Ssd0323;
 /// Rows of a band.
 const ROWS: u32 = 16;
 
-/// The chip starts on its internal oscillator, about 12 MHz.
+/// The chip starts with its internal oscillator of about 12 MHz.
 const TICKS_PER_MS: u32 = 12_000;
 
 fn spin(panel: &mut Ssd0323, timer: &mut SYST) -> Result<(), Error> {
@@ -29,7 +29,7 @@ fn spin(panel: &mut Ssd0323, timer: &mut SYST) -> Result<(), Error> {
             gyroscope.draw(&mut band)?;
             band.show(panel)?;
         }
-        // A frame that takes longer is followed by the next one at once.
+        // If a frame takes longer, the next one follows at once.
         while !timer.has_wrapped() {}
     }
     Ok(())

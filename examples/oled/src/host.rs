@@ -61,11 +61,11 @@ fn draw(frame: u32) -> Result<SimulatorDisplay<Gray4>, fixel::Error> {
     Ok(panel)
 }
 
-/// Compares each gray.
+/// Compares the gray of each pixel.
 ///
 /// # Errors
 ///
-/// The dump is not a picture of the panel, or the first pixel that differs.
+/// The dump is not a picture of the panel, or a pixel differs. The message names the first such pixel.
 fn compare(panel: &SimulatorDisplay<Gray4>, dump: &Path) -> Result<(), Box<dyn Error>> {
     let dump = image::open(dump)?.to_rgb8();
     let (width, height) = (WIDTH * SCALE, HEIGHT * SCALE);

@@ -1,4 +1,5 @@
-//! Build script: as for the other emulated boards, but with this one's memory, 256 KiB of flash and 64 KiB of RAM.
+//! Build script: like that of the other emulated boards, but with this board's memory, 256 KiB of flash and 64 KiB of
+//! RAM.
 
 #[path = "../../common/link.rs"]
 mod link;

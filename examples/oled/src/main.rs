@@ -7,21 +7,22 @@
 //! cargo run --config .cargo/oled.toml --release -p oled --target thumbv7m-none-eabi
 //! ```
 //!
-//! If QEMU has a desktop to draw on (Debian: qemu-system-gui), it opens a window with the panel, each pixel 4x4;
-//! otherwise it prints the address for a VNC viewer. The model turns for six seconds and then keeps its last pose,
-//! which the terminal reports. Ctrl-C or closing the window ends the program.
+//! If QEMU has a desktop to draw on (Debian: qemu-system-gui), it opens a window with the panel, in which a pixel takes
+//! 4x4 pixels. Otherwise it prints an address for a VNC viewer. The model turns for six seconds and then stays in its
+//! last pose, which the terminal reports. Ctrl-C or closing the window ends the program.
 //!
 //! Each frame is drawn in bands of 16 rows, in 2 KiB of grays and 4 KiB of depths. A band is a
-//! [`Canvas`](fixel::Canvas), with text by embedded-graphics over the model; it copies itself to the panel's
-//! `DrawTarget`. `board` has the chip's registers, `ssd0323` the controller's commands.
+//! [`Canvas`](fixel::Canvas), with text by embedded-graphics over the model; the program copies it to the panel, which
+//! is a `DrawTarget`. `board` has the chip's registers, and `ssd0323` the controller's commands.
 //!
-//! This command draws the last frame on your computer, whole, into oled.png, as QEMU's window shows it:
+//! This command draws the last frame in one piece on your computer, and writes it to oled.png as QEMU's window shows
+//! it:
 //!
 //! ```sh
 //! cargo run --release -p oled
 //! ```
 //!
-//! `--frame` selects another one. `.ci/oled` compares this picture with QEMU's, pixel by pixel.
+//! `--frame` selects another frame. `.ci/oled` compares this picture with QEMU's, pixel by pixel.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[path = "../../common/mod.rs"]

@@ -1,4 +1,4 @@
-//! The SSD0323: a display controller with 16 grays, two pixels to a byte.
+//! The SSD0323, a display controller with 16 grays and two pixels to a byte.
 
 use core::convert::Infallible;
 
@@ -17,13 +17,13 @@ const HEIGHT: usize = 64;
 /// but a real one needs them.
 const READY: [&[u8]; 16] = [
     &[0xae],       // display off
-    &[0x81, 50],   // contrast, of at most 127
+    &[0x81, 50],   // contrast, at most 127
     &[0x85],       // half of the current range
-    &[0xa0, 0x52], // odd and even rows on either side, from below; left pixel in the high nibble; by rows
+    &[0xa0, 0x52], // odd and even rows wired to opposite sides, from below; left pixel in the high nibble; row by row
     &[0xa1, 0],    // first line
-    &[0xa2, 76],   // offset of the lines, because of the order of rows
+    &[0xa2, 76],   // offset of the lines, which the order of rows needs
     &[0xa4],       // show the memory
-    &[0xa8, 63],   // rows, less one
+    &[0xa8, 63],   // number of rows, minus 1
     &[0xb1, 0x22], // clocks of reset and pre-charge
     &[0xb2, 70],   // clocks of a row
     &[0xb3, 0xf1], // fastest oscillator, halved
@@ -40,14 +40,14 @@ const ON: u8 = 0xaf;
 
 /// The panel.
 ///
-/// The controller cannot be read, and a byte holds two pixels, so a copy of the picture is kept here: 4 KiB.
+/// The controller cannot be read, and a byte holds two pixels. So this keeps a copy of the picture, which takes 4 KiB.
 pub struct Ssd0323 {
     wires: Oled,
     shown: [[u8; WIDTH / 2]; HEIGHT],
 }
 
 impl Ssd0323 {
-    /// Prepares the controller, and switches the panel on with all pixels black.
+    /// Sets up the controller, and switches the panel on with all pixels black.
     pub fn new(wires: Oled) -> Self {
         let mut panel = Self {
             wires,
@@ -61,7 +61,7 @@ impl Ssd0323 {
         panel
     }
 
-    /// Stores pixels that are on the panel, and ignores others.
+    /// Stores a pixel in the copy, unless it lies outside the panel.
     fn keep(&mut self, point: Point, color: Gray4) {
         let Ok(x) = usize::try_from(point.x) else {
             return;
@@ -83,7 +83,7 @@ impl Ssd0323 {
         let Some(end) = area.bottom_right() else {
             return;
         };
-        // On the panel, so between 0 and 127.
+        // The area lies on the panel, so both are between 0 and 127.
         let [left, right] = [area.top_left.x, end.x].map(|x| x.cast_unsigned() as u8 / 2);
         let [top, bottom] = [area.top_left.y, end.y].map(|y| y.cast_unsigned() as u8);
         self.wires.command(&[COLUMNS, left, right]);

@@ -312,8 +312,8 @@ pub enum MeshFormat {
     Quantized8,
 }
 
-/// The options that may be combined with `--scene`. The others concern a model or its picture, which a measured scene
-/// defines itself.
+/// The options that may be combined with `--scene`. The others concern a model or its picture, which measured scenes
+/// define themselves.
 const WITH_SCENE: &[&str] = &[
     "scene",
     "mode",
@@ -425,7 +425,7 @@ fn color(text: &str) -> Result<Rgb888, String> {
     }
 }
 
-/// Numbers separated by commas, and a color if there is one more word than numbers.
+/// Parses `N` numbers separated by commas, and a color if one more word follows.
 fn numbers<const N: usize>(
     text: &str,
     such_as: &str,

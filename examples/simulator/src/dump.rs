@@ -9,7 +9,7 @@ use fixel::{Fragment, Primitive, Shader, TexCoord};
 use super::Result;
 use crate::args::Mode;
 
-/// A "color" that holds the interpolated values of a pixel. So the depth test selects the visible ones.
+/// A "color" that holds the interpolated values of a pixel, so that the depth test selects the visible ones.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Record {
     covered: bool,
@@ -23,7 +23,7 @@ pub struct Record {
 }
 
 impl Record {
-    /// Whether anything is drawn there.
+    /// Whether anything is drawn at the pixel.
     pub fn is_covered(&self) -> bool {
         self.covered
     }
@@ -33,7 +33,7 @@ impl Record {
         f64::from(self.distance) * f64::from(-self.distance_bits).exp2()
     }
 
-    /// Whether this pixel shows a surface where the `other` shows none, or one behind it by more than rounding.
+    /// Whether this pixel shows a surface and `other` shows none, or one that is farther by more than rounding.
     pub fn hides(&self, other: &Self) -> bool {
         let further = other.distance.saturating_sub(self.distance);
         self.covered && !(other.covered && further <= other.distance.abs() >> 10)
@@ -44,7 +44,8 @@ impl PixelColor for Record {
     type Raw = ();
 }
 
-/// A shader that records the interpolated values, with as many fraction bits as texture coordinates leave room for.
+/// A shader that records the interpolated values, with as many fraction bits as the size of the texture coordinates
+/// allows.
 #[derive(Clone, Copy, Debug)]
 pub struct Recorder {
     uv_bits: u32,
@@ -57,8 +58,8 @@ impl Recorder {
     /// their own size.
     ///
     /// Texture coordinates have 24 fraction bits, or fewer if they are large. Mode fast draws numbers of more than 28
-    /// bits in another way, which textures rarely need. So in this mode every recorded number has at most 28: distances
-    /// lose 11 bits, which are below the mode's error of 2^-13.
+    /// bits in another way, which textures rarely need. So in this mode every recorded number has at most 28 bits.
+    /// Distances lose 11 bits, which is less than the mode's error of 2^-13.
     pub fn new(largest: f64, exponent: i32, mode: Mode) -> Self {
         let is_fast = mode == Mode::Fast;
         let whole = (largest + 1.0).log2().ceil();
@@ -73,7 +74,7 @@ impl Recorder {
         }
     }
 
-    /// Returns how many units of a mode's tolerance a repeat of the texture has when it is recorded. (When a texture is
+    /// Returns the size of one texture repeat, as recorded, in the units of a mode's tolerance. (When a texture is
     /// drawn, a unit is a texel.)
     pub fn repeat(&self) -> f64 {
         f64::from(self.uv_bits - 16).exp2()
@@ -83,7 +84,7 @@ impl Recorder {
 impl Shader for Recorder {
     type Color = Record;
 
-    // All values are as exact as a texture coordinate.
+    // All values have the tolerance of a texture coordinate.
     type Varyings = (Texels, Texels);
 
     fn varyings(&self, primitive: &Primitive<'_>) -> [(Texels, Texels); 3] {
@@ -130,7 +131,7 @@ pub fn write(records: &[Record], width: usize, out: &mut impl Write) -> Result<(
 
 /// Returns `bits` · 2^-`fraction` in decimal, with every digit.
 fn decimal(bits: i32, fraction: i32) -> String {
-    // Exact: a double holds 53 bits. n fraction bits make n decimals.
+    // The conversion is exact, because a double holds 53 bits. A number with n fraction bits has n decimals.
     let value = f64::from(bits) * f64::from(-fraction).exp2();
     let Ok(decimals @ 1..) = usize::try_from(fraction) else {
         return value.to_string();

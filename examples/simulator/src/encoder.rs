@@ -1,4 +1,4 @@
-//! Pictures and animations in the formats of files.
+//! Writes pictures and animations in file formats.
 
 use std::fs::File;
 use std::io::Read;
@@ -26,8 +26,8 @@ pub enum Format {
 }
 
 impl Format {
-    /// Returns the format that the ending of `path` names. A stream has no ending: it takes PNG, and GIF for several
-    /// frames.
+    /// Returns the format that the ending of `path` names. A stream has no ending, so it receives a PNG, or a GIF for
+    /// several frames.
     ///
     /// # Errors
     ///
@@ -53,8 +53,8 @@ impl Format {
     }
 }
 
-/// Chooses a name for a picture in the working directory: `stem`, or `stem`-picture if a file of that name exists that
-/// this program did not write, or that it now reads.
+/// Chooses a name for a picture in the working directory: `stem`, or `stem`-picture if that file exists and this
+/// program did not write it, or now reads it.
 ///
 /// # Errors
 ///
@@ -140,7 +140,7 @@ impl<'a> Encoder<'a> {
             Self::Png(png) => png.write_image_data(&bytes)?,
             Self::Gif(gif, (width, height)) => {
                 let mut frame = gif::Frame::from_rgb_speed(*width, *height, &bytes, 10);
-                // In hundredths of a second.
+                // The delay is in hundredths of a second.
                 frame.delay = FRAME_MS as u16 / 10;
                 gif.write_frame(&frame)?;
             }

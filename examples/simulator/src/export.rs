@@ -1,6 +1,6 @@
-//! Models as Rust source and textures as BMP files, for firmware.
+//! Writes models as Rust source and textures as BMP files, for firmware.
 //!
-//! The compiler reads these lists as they are. `include_obj!` parses a file in the compiler, which takes minutes for a
+//! The compiler reads these lists as they are. `include_obj!` parses a file while compiling, which takes minutes for a
 //! big one.
 
 use std::ffi::OsStr;
@@ -22,7 +22,7 @@ use crate::piece::Finish;
 use crate::report;
 use crate::skin::Skin;
 
-/// Files to write: the name and the bytes of each.
+/// Files to write, each with its name and its bytes.
 pub type Files = Vec<(PathBuf, Vec<u8>)>;
 
 /// Returns the files that `--export` names, with the model in its own units.
@@ -103,7 +103,7 @@ pub fn write(args: &Args, files: &Files) -> Result<()> {
     Ok(())
 }
 
-/// skin.bmp, skin-2.bmp, skin-3.bmp, …
+/// Returns the name of a texture's file: skin.bmp, skin-2.bmp, skin-3.bmp, …
 fn numbered(path: &Path, at: usize) -> PathBuf {
     if at == 0 {
         return path.into();
@@ -112,7 +112,7 @@ fn numbered(path: &Path, at: usize) -> PathBuf {
     path.with_file_name(format!("{stem}-{}.bmp", at + 1))
 }
 
-/// Marks the textures that this program wrote, in a word of the header that readers leave alone.
+/// Marks the textures that this program wrote, in a word of the header that readers ignore.
 const MARK: &[u8; 4] = b"fixl";
 
 /// Whether a file is a texture that this program wrote.
@@ -120,15 +120,15 @@ fn is_export(path: &Path) -> bool {
     fs::read(path).is_ok_and(|file| file.get(6..10) == Some(MARK))
 }
 
-/// A BMP file of 24 bits a texel, as `include_bmp!` reads it.
+/// Encodes a BMP file with 24 bits per texel, which `include_bmp!` can read.
 fn bmp(skin: &Skin) -> Vec<u8> {
     let ((width, height), rows) = skin.rows();
-    // Rows are filled up to a multiple of 4 bytes.
+    // Rows are padded to a multiple of 4 bytes.
     let row_len = (3 * width).next_multiple_of(4);
     let size = 54 + row_len * height;
     let mut file = b"BM".to_vec();
     let mut words = |words: &[u32]| file.extend(words.iter().flat_map(|word| word.to_le_bytes()));
-    // The file's header, and that of the image: one plane of 24 bits, not compressed.
+    // The headers of the file and of the image: one plane of 24 bits, not compressed.
     words(&[
         size,
         u32::from_le_bytes(*MARK),
@@ -153,7 +153,7 @@ fn bmp(skin: &Skin) -> Vec<u8> {
     file
 }
 
-/// A list as Rust source, a few elements a line.
+/// Formats a list as Rust source, with a few elements per line.
 fn list(elements: impl Iterator<Item = impl Debug>) -> String {
     let mut text = String::from("[");
     let mut line = 0;
@@ -178,7 +178,7 @@ fn plain(out: &mut String, name: &str, kind: &str, elements: &[impl Debug]) {
     let _ = writeln!(out, "static {name}: [{kind}; {count}] = {list};\n");
 }
 
-/// A static list of vectors, which are made from their bits when the program is compiled.
+/// A static list of vectors, which the compiler makes from their bits.
 fn vectors<const N: usize>(out: &mut String, name: &str, kind: &str, bits: &[[i32; N]]) {
     let (count, list) = (bits.len(), list(bits.iter()));
     let _ = writeln!(
@@ -193,9 +193,9 @@ fn vectors<const N: usize>(out: &mut String, name: &str, kind: &str, bits: &[[i3
     );
 }
 
-/// Rounds positions to 16 bits with as many fraction bits, up to 16, as leave room for all of them. Returns the
-/// positions and the number of fraction bits. (`Mesh::shortened` gives the same, but needs the number of positions at
-/// compile time.)
+/// Rounds positions to 16 bits, with as many fraction bits (at most 16) as fit for all of them. Returns the positions
+/// and the number of fraction bits. (`Mesh::shortened` gives the same, but needs the number of positions at compile
+/// time.)
 fn shortened(positions: &[Vec3]) -> (Vec<[i16; 3]>, u32) {
     let rounded = |bits: i32, fraction: u32| {
         let down = 16 - fraction;
@@ -213,7 +213,7 @@ fn shortened(positions: &[Vec3]) -> (Vec<[i16; 3]>, u32) {
     (short.collect(), fraction)
 }
 
-/// The argument for an attribute's indices; `None` if they equal those of the positions.
+/// Writes an attribute's indices as a static list, unless they equal those of the positions. Returns whether it did.
 fn indices(out: &mut String, name: &str, part: &Part, own: &[[u16; 3]], values: usize) -> bool {
     let differs = own != part.faces || values != part.positions.len();
     if differs {
@@ -304,7 +304,7 @@ fn mesh(part: &Part, format: MeshFormat) -> String {
             ));
         }
     }
-    // Each step but the last one gives the mesh to the next.
+    // Each step except the last passes the mesh to the next one.
     let last = if quantized { None } else { mesh.pop() };
     let mut steps = String::new();
     for step in mesh {
@@ -322,7 +322,7 @@ fn mesh(part: &Part, format: MeshFormat) -> String {
     out
 }
 
-/// The rest of a quantized mesh: its texture coordinates, and the static. `own` tells which of normals and texture
+/// Writes the rest of a quantized mesh: its texture coordinates, and the static. `own` says whether normals and texture
 /// coordinates have indices of their own.
 fn quantize(out: &mut String, steps: &str, uvs: &[Vec2], format: MeshFormat, own: [bool; 2]) {
     let (kind, list, most) = match format {
@@ -332,7 +332,7 @@ fn quantize(out: &mut String, steps: &str, uvs: &[Vec2], format: MeshFormat, own
     let grid = UvGrid::around(uvs, most);
     let stored: Vec<_> = uvs.iter().map(|&uv| grid.nearest(uv)).collect();
     plain(out, "UVS", &format!("[{kind}; 2]"), &stored);
-    // The grid depends on the least and the greatest coordinates only.
+    // The grid depends only on the smallest and the largest coordinates.
     let corners: Vec<String> = corners(uvs)
         .iter()
         .map(|bits| format!("::fixel::Vec2::from_bits({bits:?})"))
@@ -358,7 +358,7 @@ fn rgb([r, g, b]: [u8; 3]) -> String {
     format!("{RGB888}::new({r}, {g}, {b})")
 }
 
-/// The least and the greatest coordinates; none of an empty list.
+/// The smallest and the largest coordinates; empty for an empty list.
 fn corners(uvs: &[Vec2]) -> Vec<[i32; 2]> {
     let bits = || uvs.iter().map(|uv| uv.to_bits());
     let pick =
@@ -369,7 +369,7 @@ fn corners(uvs: &[Vec2]) -> Vec<[i32; 2]> {
         .collect()
 }
 
-/// The static `PARTS`, as `include_mtl!` makes it.
+/// Writes the static `PARTS` in the form that `include_mtl!` makes.
 fn materials(
     out: &mut String,
     model: &Model,

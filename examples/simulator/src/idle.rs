@@ -7,7 +7,7 @@ use clap::{ArgMatches, ValueEnum};
 
 use crate::args::{Args, Kind, Mode, SceneName, Shade};
 
-/// The name of an option's value, as it is written.
+/// The name of an option's value, as the user writes it.
 pub fn name(value: &impl ValueEnum) -> String {
     let value = value.to_possible_value();
     value.map_or(String::new(), |value| value.get_name().into())

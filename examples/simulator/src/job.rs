@@ -1,4 +1,4 @@
-//! The work of a run, a frame at a time.
+//! Draws and records the frames of a run, one band at a time.
 
 use std::time::{Duration, Instant};
 
@@ -38,7 +38,7 @@ pub struct Band<'a, C> {
     /// Width and height of the frame.
     pub size: (u32, u32),
     pub first_row: u32,
-    /// The whole picture, as seen from this frame, which may be a part of it.
+    /// The viewport of the whole picture, if this frame is only a part of it.
     pub viewport: Option<Viewport>,
 }
 
@@ -58,7 +58,7 @@ impl<'a, C: PixelColor> Band<'a, C> {
         Ok((canvas, self.depth))
     }
 
-    /// Where the top left corner of the frame is in the whole picture.
+    /// The position of the frame's top left corner in the whole picture.
     fn origin(&self) -> Point {
         self.viewport.map_or(Point::zero(), |viewport| {
             Point::new(-viewport.x(), -viewport.y())
@@ -96,7 +96,7 @@ impl Turn {
         };
         Ok(
             if self.axis[0] == 0.0 && self.axis[2] == 0.0 && self.axis[1] > 0.0 {
-                // As on the board, bit for bit.
+                // Equal to the board's pose, bit for bit.
                 Transform::rotate_y(angle)
             } else {
                 Transform::rotate(direction(self.axis)?, angle)?
@@ -110,11 +110,11 @@ pub struct Model<'a> {
     pub pieces: &'a [Piece<'a>],
     pub view: View,
     pub turn: Turn,
-    /// None for the project's own scene as it is drawn on a microcontroller.
+    /// `None` for the project's own scene as a microcontroller draws it.
     pub shade: Option<Shade>,
     /// Whether it is the project's own scene, with sea and sky.
     pub is_scene: bool,
-    /// The mode for the recorder.
+    /// The mode in which the recorder draws.
     pub recorded: Mode,
     pub recorder: Recorder,
 }
@@ -186,7 +186,7 @@ impl Model<'_> {
     }
 }
 
-/// The mvp of a measured scene in pose `k`.
+/// The model-view-projection of a measured scene in pose `k`.
 fn mvp(scene: SceneName, k: u32) -> Result<Mvp<Perspective>> {
     let k = k.cast_signed() % scenes::POSES;
     Ok(match scene {
@@ -238,7 +238,7 @@ impl Measured {
         let (mut canvas, depth) = band.canvas()?;
         if self.scene == SceneName::SphereFlat {
             canvas.clear(Rgb888::default());
-            // One color a face: no mode changes it.
+            // Each face has one color, so the mode does not matter.
             return match surface {
                 Surface::Few(shader) => Ok(timed(|| canvas.draw(mesh, &mvp, &shader))),
                 _ => Err("colors of faces need no numbers".into()),

@@ -1,4 +1,4 @@
-//! Background, lights and fog: what the user chose, in the library's types.
+//! The background, lights and fog that the user chose, in the library's types.
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
@@ -14,7 +14,7 @@ use crate::job::Model;
 use crate::paint::Backdrop;
 use crate::view::direction;
 
-/// Part of a light that reaches every face.
+/// Default ambient light, which reaches every face.
 const AMBIENT: f64 = 0.3;
 
 /// A light that the user chose.
@@ -33,16 +33,16 @@ pub struct Haze {
     pub color: Option<Rgb888>,
 }
 
-/// Everything about a picture's colors but the surface itself.
+/// Everything about a picture's colors except the surface itself.
 pub struct Look {
-    /// None for the project's own scene as it is drawn on a microcontroller.
+    /// `None` for the project's own scene as a microcontroller draws it.
     pub shade: Option<Shade>,
     /// Whether it is the project's own scene, with sea and sky.
     pub is_scene: bool,
-    /// The picture behind the model. Its color is not yet in the canvas's format, and unlike any of the shades.
+    /// The background of the picture. Its color is not yet in the canvas's format, and differs from all shades.
     pub backdrop: Backdrop,
     lights: Vec<Colored<Light>>,
-    /// The same if all of them are white, which needs one number instead of three.
+    /// The lights, if all of them are white, which needs one number instead of three.
     white: Option<Vec<Light>>,
     viewer: Viewer,
     haze: Option<(Scalar, Scalar, Rgb888)>,
@@ -51,7 +51,8 @@ pub struct Look {
 }
 
 impl Look {
-    /// Makes the look of `args` for `model` on a canvas of color `C`; `scale` is the length of one of the model's units as it is drawn.
+    /// Makes the look of `args` for `model` on a canvas of color `C`. `scale` is the length of one of the model's units
+    /// as it is drawn.
     ///
     /// # Errors
     ///
@@ -61,7 +62,7 @@ impl Look {
         let ambient = scalar(args.ambient.unwrap_or(AMBIENT))?;
         let diffuse = scalar(1.0 - AMBIENT)?;
         let mut lights = Vec::new();
-        // The ambient light belongs to the first lamp.
+        // The first lamp carries the ambient light.
         let mut shares = [ambient].into_iter();
         let mut add = |toward, color: Rgb888| -> Result<()> {
             let light = Light::new(toward, shares.next().unwrap_or(fx!(0)), diffuse)?;
@@ -105,7 +106,7 @@ impl Look {
         })
     }
 
-    /// The lights if all are white.
+    /// The lights, if all are white.
     pub fn white(&self) -> Option<TwoSided<&[Light]>> {
         let lights = self.white.as_deref()?;
         Some(lights.two_sided(self.viewer))
@@ -121,7 +122,7 @@ impl Look {
         self.haze.is_some()
     }
 
-    /// The fog, in a color of the texture.
+    /// The fog, in the texture's color type.
     ///
     /// # Errors
     ///
@@ -152,7 +153,7 @@ fn backdrop<C: Levels>(background: Option<Rgb888>, model: &Model<'_>) -> Backdro
     Backdrop::Color(match (background, model.shade) {
         (Some(color), _) => color,
         (None, Some(Shade::Wire | Shade::Depth)) => Rgb888::BLACK,
-        // The dithered formats would show a pattern instead.
+        // In the dithered formats, the background would show a pattern.
         _ if lighthouse::is_mono::<C>() => Rgb888::BLACK,
         _ if model.is_scene => return Backdrop::Sky,
         _ if C::MAX_STEPS[0] < 31 => Rgb888::BLACK,

@@ -26,7 +26,7 @@ impl Mode {
         Ok(match args.mode {
             args::Mode::Exact => Self::Exact(Exact),
             args::Mode::Newton => Self::Newton(Newton),
-            // Beyond what the format holds, a tolerance is larger than any texture.
+            // A tolerance that exceeds the format is larger than any texture.
             args::Mode::Fast => Self::Fast(Fast::within(scalar(tolerance.min(32_767.0))?)),
             args::Mode::Affine => Self::Affine(Affine),
         })

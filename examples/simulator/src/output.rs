@@ -1,4 +1,4 @@
-//! Where output goes: a file that is complete or does not exist, standard output, or a device or pipe.
+//! Writes outputs: to a file, which is either complete or does not exist, to standard output, or to a device or pipe.
 
 use std::error::Error;
 use std::fs::{self, File, OpenOptions, Permissions};
@@ -24,7 +24,7 @@ fn partial_files() -> std::sync::MutexGuard<'static, Vec<PathBuf>> {
 /// The system does not let the program handle signals.
 pub fn remove_on_interrupt() -> Result<()> {
     ctrlc::set_handler(|| {
-        // Locked until the end, so that no file is begun after this.
+        // The lock is kept until the program ends, so that no file is begun after this.
         for path in partial_files().iter() {
             let _ = fs::remove_file(path);
         }
@@ -35,11 +35,11 @@ pub fn remove_on_interrupt() -> Result<()> {
 
 /// Whether `path` stands for standard output.
 pub fn is_stdout(path: &Path) -> bool {
-    // If it were opened anew, the file that the shell opened would be overwritten from its start.
+    // Opening it again would overwrite the file that the shell opened, from its start.
     ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].contains(&&*path.to_string_lossy())
 }
 
-/// Whether `path` is written as it is, without a file of its own: standard output, a device or a pipe.
+/// Whether `path` is written directly, without an unfinished file: standard output, a device or a pipe.
 pub fn is_stream(path: &Path) -> bool {
     // A file that a shell opened, such as /dev/fd/3, must not be replaced.
     let is_special = ["/dev/fd", "/dev/stderr", "/proc"]
@@ -50,7 +50,7 @@ pub fn is_stream(path: &Path) -> bool {
         || fs::metadata(path).is_ok_and(|is| !is.is_file() && !is.is_dir())
 }
 
-/// Refuses an output that is one of the `inputs`, by whatever name.
+/// Refuses an output that is one of the `inputs`, under any name.
 ///
 /// # Errors
 ///
@@ -88,13 +88,13 @@ pub fn are_same(a: &Path, b: &Path) -> bool {
     a.file_name() == b.file_name() && folder(a).is_some() && folder(a) == folder(b)
 }
 
-/// How a complete file is put into its place.
+/// How a complete file gets to its place.
 #[derive(Debug)]
 enum Place {
     Stream,
-    /// Renamed, so that nobody ever sees half of it.
+    /// Renamed, so that nobody ever sees an unfinished file.
     Rename(PathBuf, Option<Permissions>),
-    /// Copied into an existing file that has other names, too.
+    /// Copied into an existing file that also has other names.
     Copy(PathBuf),
     /// Left beside the file into which it should have been copied.
     Left,
@@ -144,7 +144,7 @@ impl Output {
                 writer: Some(writer),
             });
         }
-        // A link stays a link: its target is written.
+        // A link stays a link: the program writes its target.
         let path = match fs::symlink_metadata(path) {
             Ok(link) if link.is_symlink() => target(path).map_err(failed)?,
             _ => path.to_path_buf(),

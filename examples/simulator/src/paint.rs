@@ -29,7 +29,7 @@ pub type Board<'a, C, D> = Canvas<'a, C, Native, D>;
 
 /// A color that textures are stored in.
 pub trait Stored: Levels + Blend + Into<Rgb888> + 'static {
-    /// The shader of a piece with a texture, or of a piece in fog. It computes in this color before the color is
+    /// The shader of a piece with a texture, or of a piece in fog. It computes in this color, and the result is then
     /// `shown`.
     ///
     /// # Errors
@@ -48,14 +48,14 @@ pub trait Stored: Levels + Blend + Into<Rgb888> + 'static {
 pub trait Shown:
     Levels<Channels: Varyings<Face: FaceValues>> + Into<Rgb888> + Default + 'static
 {
-    /// The color that a texture is stored in. For dithered colors it is a finer one, because the picture is to be
+    /// The color that a texture is stored in. For dithered formats it is a finer color, because the picture must be
     /// dithered, not the texture.
     type Texel: Stored;
 
     /// Shows a texture's color at a pixel.
     fn shown(texel: Self::Texel, at: Point) -> Rgb888;
 
-    /// The shader of a piece without texture, in clear air. A color is dithered once, from the exact color.
+    /// The shader of a piece without texture or fog. Each color is dithered once, from the exact color.
     ///
     /// # Errors
     ///
@@ -70,8 +70,8 @@ pub trait Shown:
     fn vertex_colors() -> Result<Surface<'static>>;
 }
 
-/// Takes `$look`'s light, in one of two ways, to `$unlit`; the wrapped shader is `$lit` and has the first layout under
-/// white light, the second under colored lights.
+/// Lights `$unlit` as `$look` says. The lit shader is `$lit`; its layout is the first one under white light, and the
+/// second one under colored lights.
 macro_rules! lit {
     ($look:expr, $unlit:expr, $method:ident, [$white:expr, $colored:expr],
      |$lit:ident, $layout:ident| $result:expr) => {
@@ -87,7 +87,7 @@ macro_rules! lit {
     };
 }
 
-/// Takes light, as the look wants it, to a surface of one color or of the vertices' colors.
+/// Lights a surface of one color, or of the vertices' colors, as the look says.
 macro_rules! plain {
     ($look:expr, $surface:expr, [$unlit:expr, $white:expr, $colored:expr],
      |$wrapped:ident, $layout:ident| $result:expr) => {
@@ -128,7 +128,7 @@ macro_rules! stored {
                 shown: Show<Self>,
             ) -> Result<Surface<'a>> {
                 let fog = look.fog::<Self>()?;
-                /// Wraps a shader, whose layout in clear air is given.
+                /// Wraps a shader with fog, if there is any. The given layout is the one without fog.
                 macro_rules! wrapped {
                     ($shader:expr, $layout:expr) => {
                         match fog {
@@ -219,7 +219,7 @@ shown! {
     BinaryColor Gray8 Channels |color, at| BinaryColor::from_rgb(color.into(), at);
 }
 
-/// The color that a computer's screen shows for one of the canvas.
+/// Converts a color of the canvas to the color that a computer's screen shows.
 pub fn screen<C: Into<Rgb888>>(color: C, _: Point) -> Rgb888 {
     color.into()
 }
@@ -239,7 +239,7 @@ fn surface<'a, C: Shown>(
         (Some(Shade::Normal), _) => Surface::new(Surface::Channels, NormalView::<C>::new(), screen),
         (Some(Shade::Depth | Shade::Wire), _) => {
             let [near, far] = view.depths;
-            // Keeps the farthest point visible on black.
+            // The farthest point must remain visible on black.
             let far = far.saturating_sub((near.saturating_sub(far)) / 6);
             Surface::new(Surface::Few, DepthView::<C>::between(far, near), screen)
         }
@@ -251,7 +251,7 @@ fn surface<'a, C: Shown>(
     }
 }
 
-/// The shaders of the project's own scene in a color: of the sea and of the island.
+/// The shaders of the project's own scene in a color type: the sea's and the island's.
 ///
 /// # Errors
 ///
@@ -281,28 +281,27 @@ pub enum Backdrop {
 
 /// Everything that a picture needs besides the model.
 pub struct Brush<'a> {
-    /// For each piece of the model.
+    /// A shader for each piece of the model.
     surfaces: Vec<Surface<'a>>,
     /// The color of lines.
     line: Rgb888,
-    /// Lines' width in pixels.
+    /// The width of lines in pixels.
     width: LineWidth,
-    /// Whether edges are all there is.
+    /// Whether only edges are drawn.
     only_edges: bool,
     /// Whether edges are drawn over the surface.
     wire: bool,
     backdrop: Backdrop,
     /// The color of the canvas at a pixel.
     color: Show<Rgb888>,
-    /// Whether the project's name is written into the picture, and if so, whether on black.
+    /// Whether the project's name is written into the picture, and if so, whether it is on black.
     caption: Option<bool>,
     /// Whether white silhouettes are drawn around the project's own island.
     silhouettes: bool,
 }
 
 impl<'a> Brush<'a> {
-    /// Makes a brush for a canvas of color `C`: for `pieces` with what they have of `textures`, and for lines of
-    /// `width` pixels.
+    /// Makes a brush for a canvas of color `C`, for `pieces` with their `textures`, and for lines of `width` pixels.
     ///
     /// # Errors
     ///
@@ -330,13 +329,13 @@ impl<'a> Brush<'a> {
             wire: look.wire,
             backdrop: look.backdrop,
             color: |color, at| C::from_rgb(color, at).into(),
-            // A caption that is averaged could not be read.
+            // Averaging would make the caption unreadable.
             caption: (look.is_scene && width == 1).then_some(is_mono),
             silhouettes: look.shade.is_none() && is_mono,
         })
     }
 
-    /// Fills the canvas, which is a part of a picture of this height; `origin` is its place there.
+    /// Fills the canvas, which is a part of a picture of this height; `origin` is its position in the picture.
     pub fn clear<D: DepthBuffer>(
         &self,
         canvas: &mut Board<'_, Rgb888, D>,
@@ -380,7 +379,7 @@ pub struct Posed<'a> {
     pub pieces: &'a [Piece<'a>],
     pub view: &'a View,
     pub pose: Transform,
-    /// The whole picture, as seen from a canvas that is a part of it.
+    /// The viewport of the whole picture, if the canvas is only a part of it.
     pub viewport: Option<Viewport>,
 }
 
@@ -449,7 +448,7 @@ impl Posed<'_> {
         }
     }
 
-    /// Draws the triangles; `behind` the edges that are drawn over them.
+    /// Draws the triangles. `behind` moves them behind the edges that are drawn over them.
     pub fn draw<S: Shader<Color: PixelColor>, D: DepthBuffer>(
         &self,
         canvas: &mut Board<'_, S::Color, D>,
@@ -466,7 +465,7 @@ impl Posed<'_> {
             else { canvas.draw_with(options, mesh, mvp, shader) })
     }
 
-    /// Draws the edges, in lines of a pixel.
+    /// Draws the edges as lines one pixel wide.
     pub fn draw_edges<S: Shader<Color: PixelColor>, D: DepthBuffer>(
         &self,
         canvas: &mut Board<'_, S::Color, D>,
@@ -535,7 +534,8 @@ impl Posed<'_> {
         drawn
     }
 
-    /// Draws the triangles of each piece with its surface; `behind` the edges that are drawn over them.
+    /// Draws the triangles of each piece with its surface. `behind` moves them behind the edges that are drawn over
+    /// them.
     fn draw_surfaces<D: DepthBuffer>(
         &self,
         canvas: &mut Board<'_, Rgb888, D>,
@@ -567,7 +567,7 @@ impl Posed<'_> {
     }
 }
 
-/// Both together.
+/// The sum of two counts.
 pub fn add(a: Drawn, b: Drawn) -> Drawn {
     let mut sum = a;
     sum.submitted += b.submitted;

@@ -1,4 +1,4 @@
-//! A model rounded to the library's formats, in meshes of at most 65,535 points each.
+//! Rounds a model to the library's formats, and splits it into meshes of at most 65,535 points each.
 
 use std::collections::HashMap;
 use std::hash::Hash;
@@ -12,7 +12,7 @@ use super::model::{Model, Triangle};
 use super::skin::times;
 use super::vector::unit;
 
-/// Indices have 16 bits, and the last one stands for no value.
+/// The largest number of values: indices have 16 bits, and the last one stands for no value.
 const MOST: usize = 65_535;
 
 /// The lists that one [`Mesh`] borrows, and the material of its faces.
@@ -37,7 +37,7 @@ impl Part {
     ///
     /// # Errors
     ///
-    /// None for the parts that [`split`] makes; the library checks them all the same.
+    /// None for the parts that [`split`] makes, although the library checks them.
     pub fn mesh(&self) -> Result<Mesh<'_>> {
         let mut mesh = Mesh::new(&self.positions, &self.faces)?.with_edges(&self.edges)?;
         if !self.faces.is_empty() {
@@ -52,7 +52,7 @@ impl Part {
     }
 }
 
-/// A list being filled, and the indices in it of the model's entries.
+/// A list that is being filled, and the index in it of each of the model's entries.
 struct List<K, T> {
     values: Vec<T>,
     places: HashMap<K, u16>,
@@ -81,7 +81,7 @@ impl<K: Eq + Hash, T> List<K, T> {
     }
 }
 
-/// What all faces of a part have in common: their material, and whether their vertices have colors.
+/// The properties that all faces of a part share: their material, and whether their vertices have colors.
 fn kind(triangle: &Triangle) -> (Option<u32>, bool) {
     let is_colored = triangle.corners.iter().all(|corner| corner.color.is_some());
     (triangle.material, is_colored)
@@ -115,7 +115,7 @@ pub fn split(model: &Model) -> Result<Vec<Part>> {
             });
         }
     }
-    // Edges are cut separately: an edge may join points that went to different parts.
+    // Edges are split separately, because an edge may join points in different parts.
     let mut edges = model.edges.iter().peekable();
     while edges.peek().is_some() {
         let mut positions = List::new();
@@ -135,8 +135,8 @@ pub fn split(model: &Model) -> Result<Vec<Part>> {
     Ok(parts)
 }
 
-/// Rounds `model` to one part, with its edges and the colors of its vertices, in the order of its materials; and tells
-/// which faces have which material.
+/// Rounds `model` to one part, with its edges and the colors of its vertices, in the order of its materials. Also
+/// returns which faces have which material.
 ///
 /// # Errors
 ///
@@ -201,8 +201,8 @@ impl Lists {
         }
     }
 
-    /// Adds triangles as long as there is room; returns the others. If they are colored, corners without a color are
-    /// white. They have the first `uvs` of the model's texture coordinates.
+    /// Adds triangles while there is room, and returns the others. If they are colored, corners without a color are
+    /// white. They use the first `uvs` of the model's texture coordinates.
     fn fill<'a, 'b>(
         &mut self,
         model: &Model,
@@ -228,7 +228,7 @@ impl Lists {
                 };
                 let normal = corner.normal.map_or(0, |normal| normal as usize);
                 normal_face[at] = self.normals.place(normal, || {
-                    // At unit length it is not too small for the format; zero stays zero.
+                    // At unit length, the normal is not too small for the format. A zero normal stays zero.
                     let direction = unit(model.normals[normal]).unwrap_or_default();
                     Ok(Vec3::try_from(direction)?)
                 })?;

@@ -1,4 +1,4 @@
-//! Pictures that are read: PNG, JPEG, BMP and TGA.
+//! Reads pictures: PNG, JPEG, BMP and TGA.
 //!
 //! The crate `image` would read more formats, but it takes longer to compile. fixel itself reads BMP and TGA.
 
@@ -13,7 +13,7 @@ use zune_core::colorspace::ColorSpace;
 use zune_core::options::DecoderOptions;
 use zune_jpeg::JpegDecoder;
 
-/// Most pixels of a picture that is read: 16,384 x 16,384.
+/// The largest number of pixels that a picture may have: 16,384 x 16,384.
 const MOST: u64 = 1 << 28;
 
 /// Colors, row by row from the top.
@@ -51,7 +51,7 @@ impl Picture {
     }
 
     /// Returns the picture in another size. Each color is the mean of those around its place, weighted by a triangle
-    /// of twice the distance of pixels, in the coarser of the two sizes.
+    /// that is twice as wide as a pixel of the coarser size.
     pub fn resampled(&self, width: u32, height: u32) -> Self {
         let (columns, rows) = (weights(self.width, width), weights(self.height, height));
         let stride = self.width as usize;
@@ -83,7 +83,7 @@ impl Picture {
     }
 }
 
-/// For each of `to` pixels in a row: which of `from` pixels it is the mean of, with their shares.
+/// Returns, for each of `to` pixels in a row, which of the `from` pixels contribute to its mean, and their weights.
 #[allow(clippy::cast_precision_loss, clippy::cast_sign_loss)] // below 2^24, and clamped to 0
 fn weights(from: u32, to: u32) -> Vec<Vec<(usize, f32)>> {
     let ratio = from as f32 / to as f32;
@@ -165,7 +165,8 @@ fn uncompressed(image: Result<Image<'_>, Error>) -> Result<Picture, String> {
     })
 }
 
-/// Whether a file may be a TGA, which has no mark at its start: the fields of its header make sense.
+/// Whether a file may be a TGA. Because TGA has no signature at its start, this checks that the fields of its header
+/// make sense.
 fn is_tga(bytes: &[u8]) -> bool {
     let Some(&[_, has_table, kind, .., bits, flags]) = bytes.first_chunk::<18>() else {
         return false;
@@ -176,17 +177,17 @@ fn is_tga(bytes: &[u8]) -> bool {
         && flags >> 6 == 0
 }
 
-/// Marks the kinds of TGA that are packed in runs.
+/// The bit that marks the run-length encoded types of TGA.
 const PACKED: u8 = 8;
 
-/// A TGA without runs; `None` if it has none, or is damaged.
+/// Decodes the runs of a TGA; `None` if it has none, or is damaged.
 fn unpacked_tga(bytes: &[u8]) -> Option<Vec<u8>> {
     let header = bytes.first_chunk::<18>()?;
     if header[2] & PACKED == 0 {
         return None;
     }
     let word = |at: usize| usize::from(u16::from_le_bytes([header[at], header[at + 1]]));
-    // An entry of the color table and a pixel have whole bytes.
+    // Entries of the color table and pixels take whole bytes.
     let (entry, size) = (header[7].div_ceil(8), usize::from(header[16].div_ceil(8)));
     let table = usize::from(header[1]) * word(5) * usize::from(entry);
     let start = 18 + usize::from(header[0]) + table;
@@ -197,7 +198,7 @@ fn unpacked_tga(bytes: &[u8]) -> Option<Vec<u8>> {
     while unpacked.len() < start + len {
         let (&head, after) = rest.split_first()?;
         let count = usize::from(head & 0x7f) + 1;
-        // A run of one pixel, or several pixels as they are.
+        // Either a run that repeats one pixel, or several literal pixels.
         let (pixels, times) = if head & 0x80 == 0 {
             (after.get(..count * size)?, 1)
         } else {

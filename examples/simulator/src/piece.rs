@@ -16,7 +16,7 @@ pub struct Finish {
 }
 
 impl Finish {
-    /// A texture; clay where none is drawn.
+    /// A texture; where textures are not drawn, clay.
     pub const fn textured(texture: usize) -> Self {
         Self {
             texture: Some(texture),

@@ -1,4 +1,4 @@
-//! The progress of a long task, in a line on the terminal.
+//! Shows the progress of a long task in a line on the terminal.
 
 use std::cell::Cell;
 use std::io::{self, IsTerminal, Write};
@@ -7,11 +7,11 @@ use std::time::{Duration, Instant};
 /// The least time between two changes of the line.
 const PAUSE: Duration = Duration::from_millis(100);
 
-/// A line such as "reading: 30 of 120 MB", which goes away in the end.
+/// A line such as "reading: 30 of 120 MB", which is erased at the end.
 pub struct Progress {
     task: &'static str,
     unit: &'static str,
-    /// How many there are to be done; 0 to show nothing.
+    /// The number of units in the task; 0 to show nothing.
     total: u64,
     next: Cell<Instant>,
     is_shown: Cell<bool>,
@@ -49,7 +49,7 @@ impl Progress {
 
 fn write(line: &str) {
     let mut terminal = io::stderr();
-    // Nobody needs it.
+    // An error does not matter: nobody needs the line.
     let _ = terminal
         .write_all(line.as_bytes())
         .and_then(|()| terminal.flush());
@@ -58,7 +58,7 @@ fn write(line: &str) {
 impl Drop for Progress {
     fn drop(&mut self) {
         if self.is_shown.get() {
-            // Back to the start of the line, which is erased.
+            // Move back to the start of the line, and erase it.
             write("\r\x1b[K");
         }
     }

@@ -1,4 +1,4 @@
-//! Lines for the user.
+//! Prints lines for the user.
 
 use std::fmt::Display;
 use std::io::{self, Write};

@@ -1,4 +1,4 @@
-//! Checks before drawing what a picture will show.
+//! Checks, before a picture is drawn, that something will be visible in it.
 
 use fixel::Cull;
 
@@ -7,7 +7,7 @@ use crate::args::{Args, Shade};
 use crate::dump::Record;
 use crate::job::{Band, Model, Moment};
 
-/// Largest side of the pictures that are searched for backs.
+/// Largest side of the small pictures in which back faces are counted.
 const SMALL: u32 = 256;
 /// Largest side that a picture in one piece can have.
 const LARGE: u32 = 2048;

@@ -66,7 +66,7 @@ impl Skin {
         })
     }
 
-    /// A picture that has not been resampled.
+    /// Makes a skin from a picture without resampling it.
     fn whole(picture: Picture) -> Self {
         Self {
             given: (picture.width, picture.height),
@@ -74,19 +74,18 @@ impl Skin {
         }
     }
 
-    /// Returns how many texels there are for each texel of the image that was given, along the side where there are
-    /// fewer.
+    /// Returns the number of texels per texel of the given image, along the side where this number is smaller.
     pub fn resampled(&self) -> f64 {
         let ratio = |now: u32, given: u32| f64::from(now) / f64::from(given);
         ratio(self.picture.width, self.given.0).min(ratio(self.picture.height, self.given.1))
     }
 
-    /// Returns the larger side of the image that was given, in texels.
+    /// Returns the larger side of the given image, in texels.
     pub fn side(&self) -> f64 {
         self.given.0.max(self.given.1).into()
     }
 
-    /// Returns a texture that is compiled in.
+    /// Makes a skin from a texture that is compiled in.
     pub fn of<const W: usize, const H: usize>(texture: &TextureArray<Rgb565, W, H>) -> Self {
         let color = |&texel| Rgb888::from(texel);
         Self::whole(Picture {
@@ -96,7 +95,7 @@ impl Skin {
         })
     }
 
-    /// 64x64 texels, squares of 8 in two colors.
+    /// A checker of 64x64 texels, with squares of 8x8 texels in two colors.
     pub fn checker() -> Self {
         let color = |at: u32| {
             let (x, y) = (at % 64, at / 64);

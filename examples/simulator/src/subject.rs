@@ -1,4 +1,4 @@
-//! The model to draw, read from a file or the project's own, and its place.
+//! The model to draw, which is read from a file or is the project's own, and its placement.
 
 use std::collections::HashMap;
 use std::path::PathBuf;
@@ -32,13 +32,13 @@ pub struct Subject {
     /// The textures that the finishes name.
     pub skins: Vec<Skin>,
     largest_uv: f64,
-    /// None for the project's own scene as it is drawn on a microcontroller.
+    /// `None` for the project's own scene as a microcontroller draws it.
     shade: Option<Shade>,
     /// Whether it is the project's own scene, with sea and sky.
     is_scene: bool,
-    /// The files that it was read from.
+    /// The files from which the model was read.
     pub inputs: Vec<PathBuf>,
-    /// The files that it is exported to.
+    /// The files to which the model is exported.
     pub exports: Files,
 }
 
@@ -90,8 +90,8 @@ impl Subject {
         })
     }
 
-    /// The project's own scene: sea and island, as on a microcontroller or in another look; in a shade without
-    /// textures, the island alone.
+    /// The project's own scene: sea and island, as on a microcontroller or in another look. In a shade without
+    /// textures, it is only the island.
     fn own(args: &Args, skin: Option<Skin>) -> Result<Self> {
         let is_plain = args.shade.is_none()
             && skin.is_none()
@@ -148,7 +148,7 @@ impl Subject {
     ///
     /// # Errors
     ///
-    /// None for a model that was read without one.
+    /// None for a model that was read without an error.
     pub fn pieces(&self) -> Result<Vec<Piece<'_>>> {
         if self.parts.is_empty() {
             let piece = |mesh, texture| Piece {
@@ -182,7 +182,7 @@ impl Subject {
     ///
     /// The library refuses the camera.
     pub fn model<'a>(&self, args: &Args, pieces: &'a [Piece<'a>]) -> Result<Model<'a>> {
-        // With several textures, the tolerance holds for each.
+        // If there are several textures, the tolerance holds for each of them.
         let resampled = self.least(Skin::resampled);
         let mut view = View::new(args, &self.framing, &self.units, resampled)?;
         if self.parts.is_empty() {
@@ -192,7 +192,7 @@ impl Subject {
             view.projection = Lens::Perspective(lighthouse::projection(args.size)?);
             view.camera = lighthouse::camera()?;
         }
-        // A texture that is given in squares has as many texels along both sides of a repeat.
+        // A repeat counts as equally many texels along u and v, as if the given texture were square.
         let recorder = Recorder::new(self.largest_uv, self.units.exponent, args.mode);
         let recorded = Mode::new(
             args,
@@ -270,7 +270,7 @@ fn finishes(model: &mut model::Model, skin: Option<Skin>) -> (Vec<Finish>, Vec<S
     (finishes, skins)
 }
 
-/// Returns `args` with the camera of the project's own scene, which `lighthouse` has in the library's formats.
+/// Returns `args` with the camera of the project's own scene, which `lighthouse` defines in the library's formats.
 fn with_own_camera(args: &Args) -> Args {
     Args {
         eye: Some([3.4, 3.1, 8.4]),
@@ -283,8 +283,7 @@ fn with_own_camera(args: &Args) -> Args {
     }
 }
 
-/// Returns whether `args` leave the project's own scene its camera: every option that is given has the value that it
-/// has anyway.
+/// Returns whether `args` keep the camera of the project's own scene: every option given has its default value.
 fn has_own_camera(args: &Args) -> bool {
     fn keeps<T: PartialEq + Copy>(given: Option<T>, own: Option<T>) -> bool {
         given.is_none() || given == own

@@ -1,9 +1,9 @@
 //! Shaders behind one interface, chosen at run time.
 //!
-//! Firmware names its shader, and the compiler makes a rasterizer for it. The simulator has a hundred shaders, each
-//! for several depth formats and modes. To compile a rasterizer for each would take minutes. Here shaders with
-//! different varyings share a rasterizer, which interpolates enough numbers for each of them. A number that a
-//! shader does not use is 0 everywhere, so it changes no pixel.
+//! Firmware names its shader, and the compiler makes a rasterizer for it. The simulator has a hundred shaders, each for
+//! several depth formats and modes, and a rasterizer for each would take minutes to compile. Here, shaders with
+//! different varyings share a rasterizer that interpolates enough numbers for all of them. A number that a shader does
+//! not use is 0 everywhere, so it changes no pixel.
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::raw::RawU16;
@@ -53,7 +53,7 @@ impl FaceValues for Rgb565 {
     }
 
     fn take(numbers: &[i32]) -> Self {
-        // It was put there.
+        // The number was made from a color's 16 bits.
         RawU16::from_u32(numbers[0].cast_unsigned()).into()
     }
 }
@@ -73,7 +73,7 @@ impl<A: FaceValues, B: FaceValues> FaceValues for (A, B) {
     }
 }
 
-/// A texture coordinate and a brightness: enough for most looks.
+/// A texture coordinate and a brightness, which suffice for most looks.
 pub type Few = ((Texels, Within<64, [i32; 1]>), PerFace<Face>);
 /// A texture coordinate, four channels of light and tint, and fog.
 pub type Many = (
@@ -88,10 +88,11 @@ pub type Channels = (
     ),
     PerFace<Face>,
 );
-/// Three channels of a color of the vertices, which small triangles carry in two numbers.
+/// Three channels of the vertices' colors, which small triangles carry in two numbers.
 pub type Pairs = <Gouraud<Rgb565> as Shader>::Varyings;
 
-/// A shader with the layout that it needs. Its colors are converted to those of a computer's screen, one to one.
+/// A shader with the layout that it needs. Each of its colors is converted to the corresponding color of a computer's
+/// screen.
 pub enum Surface<'a> {
     Few(Any<'a, Few>),
     Many(Any<'a, Many>),
@@ -116,7 +117,7 @@ struct Placed<S: Shader> {
 /// Converts a color at a pixel to the color that a computer's screen shows.
 pub type Show<C> = fn(C, Point) -> Rgb888;
 
-/// Gives each wanted number a place of its own with the same tolerance; `None` if there are too few.
+/// Gives each wanted number its own place with the same tolerance; `None` if there are too few places.
 fn places(wanted: &[Tolerance], offered: &[Tolerance]) -> Option<[usize; 8]> {
     let mut places = [0; 8];
     let mut free: Vec<usize> = (0..offered.len()).collect();
@@ -180,7 +181,7 @@ impl<'a> Surface<'a> {
     ///
     /// # Errors
     ///
-    /// They have none: that is a mistake in this program.
+    /// They have no place, which is a mistake in this program.
     pub fn new<V, S>(
         layout: fn(Any<'a, V>) -> Self,
         shader: S,

@@ -1,4 +1,4 @@
-//! Output files, and the report about them.
+//! Opens and fills the output files, and reports about them.
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -30,7 +30,8 @@ pub struct Targets<'a> {
 }
 
 impl<'a> Targets<'a> {
-    /// Opens all output files first, so that no frame is drawn in vain. None of them may be among the `inputs`.
+    /// Opens all output files before anything is drawn, so that a file that cannot be written wastes no time. None of
+    /// them may be among the `inputs`.
     ///
     /// # Errors
     ///
@@ -85,7 +86,7 @@ impl<'a> Targets<'a> {
     pub fn fill(
         mut self,
         size: (u32, u32),
-        // Behind pointers, so that this is compiled once and not for each color.
+        // The functions are behind pointers, so that this one is compiled only once and not for each color.
         record: &dyn Fn(Band<'_, Record>, Moment) -> Result<Done>,
         paint: &dyn Fn(Band<'_, Rgb888>, Moment) -> Result<Done>,
     ) -> Result<()> {
@@ -97,7 +98,7 @@ impl<'a> Targets<'a> {
         };
         let mut total = Total::default();
         let mut colors = Vec::new();
-        // Returns the pixels, and the time of the draw calls.
+        // Draws a frame; returns the pixels, and the time of the draw calls.
         let draw = |moment| -> Result<(Vec<Rgb888>, Duration)> {
             let (drawn, (_, time)) = tiles.draw(|band| paint(band, moment))?;
             let side = args.samples as usize;
@@ -246,7 +247,7 @@ impl Total {
     }
 }
 
-/// Draws a frame a few more times, only to measure the time: the first one is measured with cold caches.
+/// Draws a frame a few more times only to measure the time, because caches were cold at the first time.
 fn quickest(draw: impl Fn() -> Result<(Vec<Rgb888>, Duration)>) -> Result<Duration> {
     let mut least = Duration::MAX;
     let mut spent = Duration::ZERO;
@@ -265,7 +266,7 @@ fn quickest(draw: impl Fn() -> Result<(Vec<Rgb888>, Duration)>) -> Result<Durati
 ///
 /// # Errors
 ///
-/// The message says what sizes there are.
+/// The message says which sizes are possible.
 pub fn check_size(args: &Args) -> Result<()> {
     const MOST: u32 = Viewport::MAX;
     let ((width, height), samples) = (args.size, args.samples);

@@ -54,7 +54,7 @@ impl Tiles {
         mut take: impl FnMut((u32, u32), u32, &[C]),
     ) -> Result<Done> {
         let (width, height) = self.size;
-        // A tile begins at a multiple of 8, as dithering repeats.
+        // Tiles begin at multiples of 8, so that the dithering pattern continues across them.
         let most = self.most / 8 * 8;
         let mut sum = (Drawn::default(), Duration::ZERO);
         let steps = |side: u32| (0..side).step_by(most as usize);

@@ -1,4 +1,4 @@
-//! A texture under colored lights and the colors of vertices at once.
+//! A shader for a texture with both colored lights and vertex colors.
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use fixel::shade::{Channels, Flat, Illumination, Levels, Lighting, Matte, Rgb, Within};
@@ -6,9 +6,9 @@ use fixel::{Fragment, Primitive, Shader};
 
 /// A surface times the colors of the vertices times the light.
 ///
-/// The library's `surface.tinted().lit(light)` interpolates both colors, which takes six numbers. Here each corner
-/// multiplies them, and the three products are interpolated. So a texture and fog also find room among the at most
-/// eight numbers.
+/// The library's `surface.tinted().lit(light)` interpolates both colors, which takes six numbers. This shader
+/// multiplies them at each corner, and interpolates the three products. This leaves room for a texture and fog among
+/// the eight numbers that are allowed.
 #[derive(Clone, Copy)]
 pub struct TintedLit<S, L> {
     pub surface: S,

@@ -1,10 +1,10 @@
-//! The units that the library draws in: the model's own, moved and scaled to suit the number format.
+//! The units that the library draws in: the model's units, moved and scaled to fit the number format.
 
 use super::Result;
 use crate::args::Args;
 use crate::framing::{Framing, Point, Solid, about};
 
-/// Largest magnitude of a coordinate, half of what the format holds: positions relative to the eye fit too.
+/// Largest magnitude of a coordinate: half of the format's range, so that positions relative to the eye also fit.
 pub const MOST: f64 = 16_000.0;
 /// Largest distance from the middle of the model, relative to the model's own size. Beyond it the model would have
 /// fewer than 2^14 steps.
@@ -21,7 +21,7 @@ pub struct Units {
 }
 
 impl Units {
-    /// Returns the units of a model that is in the library's format already.
+    /// Returns the units of a model that is already in the library's format.
     ///
     /// # Errors
     ///

@@ -59,7 +59,7 @@ impl View {
     /// The library refuses the camera, the projection or the light.
     pub fn new(args: &Args, framing: &Framing, units: &Units, texels: f64) -> Result<Self> {
         let eye = units.point(framing.eye);
-        // As far away as possible, because only its direction counts.
+        // The target is as far away as possible, because only its direction counts.
         let ahead = [0, 1, 2].map(|i| eye[i] - framing.axes[2][i] * units::MOST);
         let camera = Camera::look_at(
             Vec3::try_from(eye)?,
@@ -105,7 +105,7 @@ impl View {
         })
     }
 
-    /// The place from which the picture is seen.
+    /// The viewer's position.
     pub fn viewer(&self) -> Viewer {
         match self.projection {
             Lens::Perspective(projection) => Viewer::of(&(projection * self.camera)),

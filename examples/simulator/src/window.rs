@@ -1,5 +1,5 @@
-//! The window, if the build has one. SDL2 is a system library, and neither building nor testing should need it. So it
-//! is behind the feature `sdl`, which is used only here.
+//! The window, if the build supports one. SDL2 is a system library, which neither building nor testing should need. So
+//! it is behind the feature `sdl`, which is used only here.
 
 use fixel::prelude::*;
 
@@ -8,14 +8,14 @@ use super::view::View;
 /// How the user turned the model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Orbit {
-    /// About the direction that is up.
+    /// The angle about the direction that is up.
     yaw: Angle,
-    /// About the direction that is right in the picture.
+    /// The angle about the direction that is right in the picture.
     pitch: Angle,
     zoom: Scalar,
 }
 
-/// The most that a model can be enlarged.
+/// The largest factor by which a model can be enlarged.
 pub const MOST_ZOOM: i32 = 4;
 
 impl Default for Orbit {
@@ -35,7 +35,7 @@ impl Orbit {
             return pose;
         }
         let right = view.camera.pose().direction(Vec3::X);
-        // Neither axis is zero: no camera could be made from a zero axis.
+        // Neither axis is zero, because no camera can be made from a zero axis.
         let turn = |axis, angle| Transform::rotate(axis, angle).unwrap_or(Transform::IDENTITY);
         Transform::scale(self.zoom) * turn(right, self.pitch) * turn(view.up, self.yaw) * pose
     }
@@ -62,7 +62,7 @@ mod sdl {
         window: Window,
         display: SimulatorDisplay<Rgb888>,
         orbit: Orbit,
-        /// Where the mouse was while its button is down.
+        /// The mouse's last position while its button is down.
         dragged: Option<Point>,
     }
 
@@ -134,7 +134,7 @@ mod sdl {
             let width = self.display.size().width.cast_signed();
             let moved = point - before;
             let angle = |pixels: i32| {
-                // Half a turn for the width of the picture; whole turns drop out.
+                // Dragging across the whole picture is half a turn; whole turns drop out.
                 let bits = (i64::from(pixels) << 31) / i64::from(width);
                 Angle::from_bits((bits as i32).cast_unsigned())
             };

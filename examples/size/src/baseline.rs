@@ -1,4 +1,4 @@
-//! Size probe: everything but drawing. The difference in size between another probe and this one is the cost of
+//! Size probe: everything except drawing. The difference in size between another probe and this one is the cost of
 //! drawing.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 

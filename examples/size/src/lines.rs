@@ -1,4 +1,4 @@
-//! Size probe: points and lines, each of one color.
+//! Size probe: points and lines of one color each.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 mod probe;

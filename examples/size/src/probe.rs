@@ -1,7 +1,7 @@
-//! The parts that all size probes share: a model, memory, time, and a report of the deepest stack.
+//! The parts that all size probes share: a model, memory, time, and a report of the stack depth.
 //!
-//! Every probe, including the baseline, links the whole model and the texture. So any code that only a probe has, and
-//! not the baseline, belongs to the library and to the few lines that call it.
+//! Every probe, including the baseline, links the whole model and the texture. So code that a probe has and the
+//! baseline lacks belongs to the library or to the few lines that call it.
 
 // The baseline does not use the drawing parts.
 #![allow(dead_code)]
@@ -36,7 +36,8 @@ static COLORS: [Rgb888; 17 * 9] = {
 pub static SKIN: TextureArray<Rgb565, 2, 2> =
     TextureArray::rgb565(&[0xff, 0xff, 0xf8, 0x00, 0xf8, 0x00, 0xff, 0xff]);
 
-/// In front of the eye, so near that the near plane of [`projection`](fn@projection) cuts it: clipping runs.
+/// A position in front of the eye, so close that the near plane of [`projection`](fn@projection) cuts the model and
+/// clipping runs.
 pub const PLACE: Vec3 = vec3!(0, 0, -1.5);
 
 /// The projection of the probes.
@@ -44,7 +45,7 @@ pub fn projection() -> Result<Projection<fixel::view::Perspective>, Error> {
     Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(100))
 }
 
-/// A turn every 5 seconds, approximately: `now_ms` in units of 2^-32 of a turn.
+/// The angle at a time: about one turn every 5 seconds.
 pub fn angle(now_ms: u64) -> Angle {
     Angle::from_bits((now_ms as u32).wrapping_mul(858_993))
 }
@@ -53,11 +54,11 @@ pub fn angle(now_ms: u64) -> Angle {
 fn frames(pixels: &mut [Rgb565], depths: &mut [u16]) {
     const FRAMES: u64 = 4;
     for frame in 0..FRAMES {
-        // Hide run-time values from the compiler, so that it cannot compute with them.
+        // Hide run-time values from the compiler, so that it cannot compute with them in advance.
         let now_ms = black_box(frame * 250);
         black_box((&MODEL, &SKIN));
         if super::draw(pixels, depths, now_ms).is_err() {
-            // The numbers are constant, and the constructors accept them.
+            // This never happens: the numbers are constant, and the constructors accept them.
             #[allow(clippy::empty_loop)] // `.ci/sizes` stops a program that does not end
             loop {}
         }

@@ -1,8 +1,8 @@
-//! Shared by the probes of every stage of the pipeline once, on one canvas with a depth buffer.
+//! Shared by the probes `everything`: every stage of the pipeline once, on one canvas with a depth buffer.
 //!
-//! A camera, time, a light; points, lines, and triangles that are flat, Gouraud shaded, textured and lit; clipping,
-//! depth, perspective. It has one canvas and one projection: other combinations of type parameters are other code,
-//! which a program links only if it uses them (`shades` has more).
+//! These are a camera, time and a light; points, lines, and triangles that are flat, Gouraud shaded, textured and lit;
+//! clipping, depth and perspective. There are one canvas and one projection: other combinations of type parameters need
+//! other code, which a program links only if it uses them (`shades` has more).
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::mode::Mode;

@@ -1,5 +1,4 @@
-//! The cases that are drawn and measured: meshes with their transforms and projections, for the crate and for the
-//! model.
+//! The measured cases: meshes with their transforms and projections, for the crate and for the model.
 
 use fixel::num::{scalar, tex_coord};
 use fixel::prelude::*;
@@ -11,7 +10,7 @@ use super::reference::projection::focal;
 use super::reference::view::{View, Viewport};
 use super::surface::Surface;
 
-/// A case, which is measured as a whole.
+/// A case: drawings that are measured together.
 pub struct Case {
     pub name: &'static str,
     /// Width and height of the frame.
@@ -21,7 +20,7 @@ pub struct Case {
     pub texels_log2: u32,
     /// Whether any attribute is interpolated besides depth.
     pub interpolates: bool,
-    /// Drawings, each into a frame of its own.
+    /// The drawings, each of which has a frame of its own.
     pub shots: Vec<Shot>,
 }
 
@@ -53,7 +52,7 @@ impl Shot {
         }
     }
 
-    /// The triangles as a projection is to show them.
+    /// Triangles that are already in eye space, with the projection that shows them.
     pub fn of_triangles(triangles: Triangles, projection: Lens) -> Result<Self> {
         Ok(Self {
             body: Body::Made(triangles),
@@ -72,7 +71,7 @@ impl Shot {
     }
 }
 
-/// A projection given by its focal length, in pixels.
+/// A projection that is given by its focal length in pixels.
 #[derive(Clone, Copy, Debug)]
 pub struct Lens {
     pub focal: f64,
@@ -110,7 +109,7 @@ impl Lens {
     }
 }
 
-/// A corner as it is to appear: position on the screen in pixels, distance, u and v.
+/// A corner as it must appear: its position on the screen in pixels, its distance, u and v.
 #[derive(Clone, Copy, Debug)]
 pub struct Corner {
     pub at: [f64; 2],

@@ -1,4 +1,4 @@
-//! Figures measured elsewhere: instructions that the program `firmware` printed, and sizes of code from another tool.
+//! Figures from elsewhere: instructions that the program `firmware` printed, and code sizes from another tool.
 
 use std::collections::HashMap;
 use std::fs;

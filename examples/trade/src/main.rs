@@ -20,9 +20,9 @@
 //! Code is the size of the smallest firmware that draws textured triangles with a depth buffer in the mode, minus the
 //! size of one that draws nothing, at opt-level "s". Instructions are counted at opt-level 3.
 //!
-//! A texel error is the greater of its column and its row, on a texture of 256x256, whatever shader the scene has.
-//! PSNR compares the RGB565 picture with the model's, over the pixels that the scene covers; including the background
-//! would only raise it.
+//! A texel error is the larger of the errors of column and row on a texture of 256x256, whatever shader the scene has.
+//! PSNR compares the RGB565 picture with the model's over the pixels that the scene covers. The background would only
+//! raise it.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 #![cfg(not(target_os = "none"))]
 // f64 holds every integer used here, and no pixel lies left of or above the picture.

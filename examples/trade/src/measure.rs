@@ -17,7 +17,7 @@ use super::surface::{Job, Target};
 use super::time::Times;
 use super::truth::{Expected, Truth, order};
 
-/// The figures of a case in a mode.
+/// The measured figures of a case in a mode.
 #[derive(Clone, Debug)]
 pub struct Figures {
     pub mode: &'static str,
@@ -25,9 +25,9 @@ pub struct Figures {
     pub pixels: usize,
     /// Number of drawings.
     pub frames: usize,
-    /// Texel errors; `None` if no attribute is interpolated.
+    /// Texel errors, or `None` if no attribute is interpolated.
     pub error: Option<Spread>,
-    /// PSNR of the covered pixels, in dB; infinite if all are equal.
+    /// PSNR of the covered pixels in dB; infinite if all of them are equal.
     pub psnr: f64,
     /// The time of each drawing.
     pub times: Times,
@@ -58,7 +58,7 @@ impl<'a> Subject<'a> {
         self.case.shots.iter().zip(&self.truths)
     }
 
-    /// Measures the case in a mode, except for its time.
+    /// Measures everything about the case in a mode, except its time.
     pub fn measure<I: Mode>(&self, name: &'static str, mode: I) -> Result<Figures> {
         let options = DrawOptions::new().with_mode(mode);
         let error = if self.case.interpolates {
@@ -122,7 +122,7 @@ impl<'a> Subject<'a> {
     }
 }
 
-/// Draws a subject in a mode, for its pictures.
+/// Draws a subject in a mode, to compare its pictures.
 struct Drawing<'a, I> {
     subject: &'a Subject<'a>,
     options: &'a DrawOptions<I>,
@@ -154,7 +154,7 @@ impl<I: Mode> Job for Drawing<'_, I> {
     }
 }
 
-/// The sum of the squared differences of pictures.
+/// The sum of the squared differences between pictures.
 #[derive(Default)]
 struct SquareError {
     sum: f64,
@@ -162,7 +162,7 @@ struct SquareError {
 }
 
 impl SquareError {
-    /// Adds the pixels that should be drawn; each channel is relative to its range.
+    /// Adds the pixels that should be drawn, with each channel relative to its range.
     fn add(&mut self, drawn: impl Iterator<Item = Rgb565>, wanted: &[Option<Rgb565>]) {
         let channels = |color: Rgb565| {
             [(color.r(), 31.), (color.g(), 63.), (color.b(), 31.)]
@@ -182,7 +182,7 @@ impl SquareError {
     }
 }
 
-/// The same checksum as the firmware's.
+/// A checksum, computed as the firmware does.
 fn crc(pixels: impl Iterator<Item = Rgb565>) -> u32 {
     let mut crc = Hasher::new();
     for pixel in pixels {

@@ -54,7 +54,7 @@ pub fn cases() -> Result<Vec<Case>> {
     ])
 }
 
-/// All poses of a mesh that is turned, then moved.
+/// All poses of a mesh that is first rotated, then moved.
 fn poses(
     mesh: &'static Mesh<'static>,
     mvp: impl Fn(i32) -> Result<Mvp<Perspective>, Error>,
@@ -70,7 +70,7 @@ fn poses(
         .collect()
 }
 
-/// Returns the angle in radians, to the last bit of an f64.
+/// Returns the angle in radians, rounded to f64.
 fn radians(angle: Angle) -> f64 {
     f64::from(angle.to_bits()) / 2_f64.powi(32) * TAU
 }

@@ -2,13 +2,13 @@
 //!
 //! | set | triangles |
 //! |---|---|
-//! | planes-tilted | seen at 60 degrees, over the whole of 320 pixels |
+//! | planes-tilted | seen at 60 degrees, over the whole width of 320 pixels |
 //! | planes-grazing | 1/w changes by up to 1/32 of itself from one pixel of a row to the next |
 //! | planes-slivers | a fraction of a pixel to a pixel and a half wide, up to 320 long, distances up to 1 : 8 |
 //! | planes-deep | distances 1 : 10 to 1 : 1000 |
 //!
-//! A generator with a fixed seed makes them, so every run has the same ones. A run with fewer triangles takes the
-//! first ones.
+//! A generator with a fixed seed makes them, so every run has the same triangles. A run with fewer triangles takes the
+//! first of these.
 
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -28,7 +28,7 @@ const LENS: Lens = Lens {
 /// A function that makes a plane of a set.
 type Plane = fn(&mut Dice) -> [Corner; 3];
 
-/// The sets; each has this many triangles.
+/// The sets, with this many triangles each.
 pub fn cases(count: u32) -> Result<Vec<Case>> {
     let sets: [(&str, Plane); 4] = [
         ("planes-tilted", tilted),
@@ -60,12 +60,12 @@ pub fn cases(count: u32) -> Result<Vec<Case>> {
 struct Dice(ChaCha8Rng);
 
 impl Dice {
-    /// Returns a number evenly distributed between two numbers.
+    /// Returns a number with a uniform distribution between two numbers.
     fn between(&mut self, low: f64, high: f64) -> f64 {
         self.0.random_range(low..high)
     }
 
-    /// Returns a number whose logarithm is evenly distributed.
+    /// Returns a number whose logarithm has a uniform distribution.
     fn scale(&mut self, low: f64, high: f64) -> f64 {
         self.between(low.ln(), high.ln()).exp()
     }
@@ -130,7 +130,7 @@ fn tilted(dice: &mut Dice) -> [Corner; 3] {
 
 fn grazing(dice: &mut Dice) -> [Corner; 3] {
     let at = dice.places();
-    // The gain of 1/w per pixel away from the far corner, where 1/w is 1.
+    // The increase of 1/w per pixel, away from the far corner, where 1/w is 1.
     let slope = [dice.between(0., 1. / 32.), dice.between(0., 1. / 128.)];
     let far = [0, 1].map(|axis: usize| {
         let ends = at.map(|at| at[axis]).into_iter();

@@ -1,4 +1,4 @@
-//! Shaders that record their input in place of a color.
+//! Shaders that record their input instead of computing a color.
 
 use std::cell::RefCell;
 
@@ -19,7 +19,8 @@ pub struct Seen {
 #[derive(Clone, Copy)]
 pub struct Recorder<'a> {
     pub seen: &'a RefCell<Vec<Seen>>,
-    /// Texels along the side of the texture, as a power of two: 4 or more, so that no bit of u and v is lost.
+    /// Base-2 logarithm of the number of texels along the side of the texture: 4 or more, so that no bit of u and v is
+    /// lost.
     pub texels_log2: u32,
 }
 
@@ -49,11 +50,11 @@ impl Shader for Recorder<'_> {
     }
 }
 
-/// A triangle's corners, as given to the crate.
+/// A triangle's corners, as the crate receives them.
 #[derive(Clone, Copy, Debug)]
 pub struct Recorded {
     pub face: usize,
-    /// u, v, and red, green and blue of 255.
+    /// u and v, and red, green and blue from 0 to 255.
     pub corners: [[f64; 5]; 3],
 }
 

@@ -1,4 +1,4 @@
-//! The whole run: measure, write, plot.
+//! The whole run: measures, writes and plots.
 
 use std::collections::HashMap;
 use std::fs;
@@ -30,7 +30,7 @@ struct Elsewhere {
 
 /// Runs everything that the command line asks for.
 pub fn run(args: &Args) -> Result<()> {
-    // Check first, so that nothing is measured in vain.
+    // Read the files first, so that a mistake in them wastes no measurement.
     let elsewhere = read(args)?;
     fs::create_dir_all(&args.out)?;
     let mut cases = measured::cases()?;
@@ -50,7 +50,7 @@ pub fn run(args: &Args) -> Result<()> {
             add_rows(&mut rows, case.name, figures, &elsewhere)?;
         }
     }
-    // Targets are kept apart, the host first.
+    // Rows are grouped by target, with the host first.
     let rank = |row: &Row| {
         elsewhere
             .iter()

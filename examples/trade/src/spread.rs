@@ -1,4 +1,4 @@
-//! Figures of many errors.
+//! Statistics of many errors.
 
 use super::Result;
 
@@ -11,7 +11,7 @@ pub struct Spread {
 }
 
 impl Spread {
-    /// Returns the figures of these errors.
+    /// Returns the statistics of these errors.
     ///
     /// # Errors
     ///

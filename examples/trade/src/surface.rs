@@ -78,9 +78,9 @@ impl Surface {
         matches!(self, Self::Faceted | Self::Texture(_))
     }
 
-    /// Returns the model's color for u, v, red, green and blue (of 255) on a face.
+    /// Returns the model's color for u, v, red, green and blue (from 0 to 255) on a face.
     pub fn model(self, face: usize, [u, v, r, g, b]: [f64; 5]) -> Rgb565 {
-        // All textures have eight by eight squares, whose edges are edges of texels.
+        // All textures have eight by eight squares, whose edges coincide with edges of texels.
         let odd = |at: f64| (at * 8.).floor().rem_euclid(2.) > 0.5;
         match self {
             Self::Shaded => {

@@ -1,7 +1,7 @@
-//! Sweeps: vary one property of a wall at a time.
+//! Sweeps, each of which varies one property of a wall.
 //!
-//! The wall fills the frame, 320x240 unless the resolution is swept, and shows a texture once. One corner is the
-//! nearest, and the opposite one the farthest.
+//! The wall fills the frame, which has 320x240 pixels unless the sweep varies the resolution, and shows a texture once.
+//! One corner is the nearest, and the opposite one is the farthest.
 
 use std::path::Path;
 
@@ -20,9 +20,9 @@ pub struct Sweep {
     pub title: &'static str,
     /// Name of the plot's horizontal axis.
     pub axis: &'static str,
-    /// Whether the axis is labeled with each step's own number.
+    /// Whether the labels of the axis are the numbers of the steps.
     pub stepped: bool,
-    /// Each case, with its position on that axis.
+    /// The cases, each with its position on that axis.
     pub cases: Vec<(f64, Case)>,
 }
 
@@ -88,9 +88,9 @@ pub fn write_csv(path: &Path, points: &[Point]) -> Result<()> {
     Ok(out.flush()?)
 }
 
-/// Ratio of a wall's farthest to its nearest distance, unless it is swept.
+/// Ratio of a wall's farthest to its nearest distance, unless the sweep varies it.
 const RATIO: f64 = 8.;
-/// The frame, unless it is swept.
+/// The size of the frame, unless the sweep varies it.
 const SIZE: (u32, u32) = (320, 240);
 
 /// All sweeps, with fewer steps if `quick`.
@@ -173,8 +173,8 @@ fn case(size: (u32, u32), side: Side, texels_log2: u32, wall: Triangles) -> Resu
     })
 }
 
-/// A wall over the frame, nearest at the top left, `ratio` times as far at the bottom right; three quarters of the
-/// change of 1/w are along a row.
+/// A wall over the frame. It is nearest at the top left, and `ratio` times as far at the bottom right. Three quarters
+/// of the change of 1/w are along a row.
 fn wall(size: (u32, u32), ratio: f64) -> Result<Triangles> {
     let [width, height] = [size.0, size.1].map(f64::from);
     let corner = |u: f64, v: f64| Corner {
@@ -193,8 +193,8 @@ fn wall(size: (u32, u32), ratio: f64) -> Result<Triangles> {
     Ok(wall)
 }
 
-/// Strips from top to bottom, each this many pixels wide, twice as far at its right as at its left, and with the
-/// whole texture on it.
+/// Strips from top to bottom, each this many pixels wide. A strip is twice as far at its right as at its left, and
+/// shows the whole texture.
 fn strips_of(width: f64) -> Result<Triangles> {
     let [right, bottom] = [SIZE.0, SIZE.1].map(f64::from);
     let mut strips = Triangles::default();

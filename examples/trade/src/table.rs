@@ -6,7 +6,7 @@ use std::path::Path;
 use super::Result;
 use super::spread::Spread;
 
-/// The name of the computer that this runs on, among the targets.
+/// The name, as a target, of the computer that this program runs on.
 pub const HOST: &str = "host";
 
 /// A scene in a mode on a target.

@@ -13,9 +13,10 @@ use super::case::Case;
 use super::spread::median;
 use super::surface::{Job, Target};
 
-/// Drawings before the first that counts. They fill caches and branch predictors, as earlier frames would.
+/// The number of drawings before the first that counts. They warm caches and branch predictors, as earlier frames
+/// would.
 const WARM: u32 = 4;
-/// The shortest time that is measured at once: a thousand times the clock's resolution.
+/// The shortest time to measure: a thousand times the clock's resolution. Faster drawings are repeated.
 const LEAST: Duration = Duration::from_micros(50);
 
 /// Nanoseconds of each drawing of a case, in each repetition.

@@ -13,7 +13,7 @@ use super::reference::coverage::{Bounds, covered_in};
 use super::reference::linear::Vec3 as Point;
 use super::reference::raster::{self, Piece, pieces};
 
-/// The exact drawing.
+/// The exact result of a drawing.
 pub struct Truth {
     /// Every pixel of every triangle that is drawn, by face, row and column.
     pub pixels: Vec<Expected>,
@@ -35,7 +35,7 @@ impl Truth {
     ///
     /// # Errors
     ///
-    /// The crate refuses the mesh, or clips it: then it draws other vertices than those given.
+    /// The crate refuses the mesh, or clips it. (Then it would draw other vertices than those given.)
     pub fn of(case: &Case, shot: &Shot) -> Result<Self> {
         let (width, height) = case.size;
         let mut truth = Self {
@@ -70,7 +70,7 @@ impl Truth {
     }
 }
 
-/// By face, row and column.
+/// The key that sorts pixels by face, row and column.
 pub fn order(face: usize, [x, y]: [i32; 2]) -> (usize, i32, i32) {
     (face, y, x)
 }

@@ -40,7 +40,7 @@ fn run(directory: &Path, arguments: &str) -> Output {
         .unwrap()
 }
 
-/// Runs the program, which must succeed, with output to target/trade of the directory.
+/// Runs the program, which must succeed, and returns the folder of its output, target/trade in the directory.
 fn good(directory: &Path, arguments: &str) -> PathBuf {
     let output = run(directory, arguments);
     let errors = String::from_utf8_lossy(&output.stderr);
@@ -154,7 +154,7 @@ fn scenes_are_measured_in_every_mode() {
 }
 
 #[test]
-fn sweeps() {
+fn sweeps_write_their_steps_in_order_and_a_plot() {
     let out = good(&directory("sweeps"), "");
     let rows = rows(
         &out.join("sweeps.csv"),
@@ -177,7 +177,7 @@ fn sweeps() {
 }
 
 #[test]
-fn figures_of_other_targets_are_read() {
+fn figures_of_other_targets_are_added() {
     let directory = directory("targets");
     let write = |name: &str, text: &str| fs::write(directory.join(name), text).unwrap();
     write(

@@ -1,4 +1,4 @@
-//! The depth buffer of a canvas: cleared and kept, and the resolution of its formats.
+//! The depth buffer of a canvas: what clears it, what leaves it unchanged, and the resolution of its formats.
 
 use embedded_graphics::Drawable;
 use embedded_graphics::draw_target::DrawTarget;
@@ -34,9 +34,9 @@ fn triangle<C: PixelColor, D: DepthBuffer>(
     canvas.draw(&mesh, &projection, &Flat::new(color));
 }
 
-/// Text is drawn over the picture and does not change the depth.
+/// Text covers the picture and does not change the depths.
 #[test]
-fn text_over_the_picture() {
+fn text_covers_the_picture_and_keeps_depths() {
     let mut pixels = [BinaryColor::Off; 64];
     let mut depths = [0; 64];
     let mut canvas = Canvas::new(&mut pixels, 8, 8)
@@ -74,17 +74,25 @@ fn shown<F: DepthFormat>(
 }
 
 fn clearing<F: DepthFormat>() {
-    assert_eq!(shown::<F>(|_| ()), [28, 0], "the nearer one hides it");
+    assert_eq!(
+        shown::<F>(|_| ()),
+        [28, 0],
+        "the nearer triangle hides the other"
+    );
     let solid = shown::<F>(|canvas| {
         let Ok(()) = canvas.fill_solid(&canvas.bounding_box(), Gray8::BLACK);
     });
-    assert_eq!(solid, [0, 0], "a fill leaves the depth");
+    assert_eq!(solid, [0, 0], "a fill keeps the depths");
     assert_eq!(shown::<F>(|canvas| canvas.clear(Gray8::BLACK)), [0, 28]);
     let cleared = shown::<F>(|canvas| {
         let Ok(()) = DrawTarget::clear(canvas, Gray8::BLACK);
     });
-    assert_eq!(cleared, [0, 28], "embedded-graphics' clear is the same");
-    // The second triangle covers the first one, whose color would have stayed otherwise.
+    assert_eq!(
+        cleared,
+        [0, 28],
+        "embedded-graphics' clear also clears the depths"
+    );
+    // Without a depth test, the second triangle covers the first one.
     let uncovered = shown::<F>(|canvas| {
         canvas.clear_depth();
     });
@@ -95,20 +103,20 @@ fn clearing<F: DepthFormat>() {
             triangle(canvas, Gray8::new(1), 2);
         }),
         [28, 0],
-        "and depth is tested again"
+        "the depth test is on again"
     );
 }
 
 #[test]
-fn clearing_forgets_the_depth() {
+fn clear_resets_depths_and_fill_keeps_them() {
     clearing::<Linear>();
     clearing::<Float>();
     clearing::<WideFloat>();
 }
 
-/// Without a depth buffer there is nothing to clear.
+/// Without a depth buffer, clearing sets only the colors.
 #[test]
-fn clearing_no_depth() {
+fn clear_works_without_a_depth_buffer() {
     let mut pixels = [Gray8::WHITE; 4];
     let mut canvas = Canvas::new(&mut pixels, 2, 2).unwrap();
     canvas.clear_depth();
@@ -155,9 +163,9 @@ fn plates<F: DepthFormat>() -> MockDisplay<BinaryColor> {
     display
 }
 
-/// If the format cannot tell their depths apart, the plate behind shows, because it is drawn last.
+/// If the format stores equal depths for both plates, the farther one shows, because it is drawn last.
 #[test]
-fn plates_a_hundredth_apart() {
+fn the_resolution_of_each_depth_format() {
     plates::<Linear>().assert_pattern(&[
         "..........................",
         "..####....................",

@@ -1,4 +1,4 @@
-//! As an embedded-graphics target, the canvas equals embedded-graphics' own frame.
+//! As an embedded-graphics target, the canvas shows the same as embedded-graphics' own framebuffer.
 
 use std::convert::Infallible;
 
@@ -18,7 +18,7 @@ use super::pictures::{self, HEIGHT, WIDTH};
 
 const PIXELS: usize = (WIDTH * HEIGHT) as usize;
 
-/// embedded-graphics' own frame of the same size.
+/// embedded-graphics' own framebuffer of the same size.
 type Theirs<O> = Framebuffer<
     Rgb565,
     RawU16,
@@ -28,13 +28,13 @@ type Theirs<O> = Framebuffer<
     { buffer_size::<Rgb565>(WIDTH as usize, HEIGHT as usize) },
 >;
 
-/// The contents of the picture with this number.
+/// The generator that describes the picture with this number.
 fn random(number: u64) -> ChaCha8Rng {
     ChaCha8Rng::seed_from_u64(number)
 }
 
-/// Any picture has the bytes of embedded-graphics' frame, in both orders, and its colors. Bands put together equal
-/// the frame.
+/// Any picture has the bytes, in both orders, and the colors of embedded-graphics' framebuffer. Bands put together
+/// equal the frame.
 #[test]
 fn a_canvas_is_a_framebuffer() {
     let mut in_bands = 0;
@@ -111,9 +111,9 @@ impl<T: DrawTarget<Color = Rgb565, Error = Infallible>> Draw for T {
     }
 }
 
-/// `fill_contiguous` reads no more than it needs from an endless iterator.
+/// `fill_contiguous` stops reading an endless iterator when the area is full.
 #[test]
-fn fill_contiguous_ends() {
+fn fill_contiguous_stops_when_the_area_is_full() {
     let mut pixels = [Gray8::BLACK; 12];
     let mut canvas = Canvas::new(&mut pixels, 4, 3).unwrap();
     let area = Rectangle::new(Point::new(-1, 1), Size::new(3, 9));
@@ -128,7 +128,7 @@ fn fill_contiguous_ends() {
     assert!(taken <= 27);
 }
 
-/// The color of the n-th pixel of an area; skips any number of pixels at once.
+/// The color of the n-th pixel of an area. The iterator skips any number of pixels in one step.
 struct Colors(u64);
 
 fn color(number: u64) -> Gray8 {
@@ -151,7 +151,7 @@ impl Iterator for Colors {
 
 /// Points at the ends of `i32` are ignored.
 #[test]
-fn points_at_the_ends_of_i32() {
+fn points_at_the_ends_of_i32_are_ignored() {
     let mut pixels = [Gray8::BLACK; 4];
     let mut canvas = Canvas::new(&mut pixels, 2, 2).unwrap();
     let ends = [i32::MIN, i32::MIN + 1, -1, 0, 1, 2, i32::MAX - 1, i32::MAX];
@@ -165,7 +165,7 @@ fn points_at_the_ends_of_i32() {
 
 /// Areas that begin, end or reach beyond the range of `i32` are filled like any other, in a debug build too.
 #[test]
-fn areas_beyond_the_range_of_i32() {
+fn areas_beyond_the_range_of_i32_are_filled() {
     const WIDTH: u32 = 3;
     const FIRST: u32 = 1;
     const END: u32 = 3;
@@ -197,7 +197,7 @@ fn areas_beyond_the_range_of_i32() {
         u32::MAX - 1,
         u32::MAX,
     ];
-    // The number of a pixel along a side, if the area contains it.
+    // The index of a pixel along one side of the area, if the area contains the pixel.
     let along = |at: u32, start: i32, length: u32| {
         let number = i64::from(at) - i64::from(start);
         (0..i64::from(length))

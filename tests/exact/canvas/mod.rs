@@ -35,7 +35,7 @@ impl DrawTarget for Display {
     type Error = BusError;
 
     fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, _: I) -> Result<(), BusError> {
-        panic!("pixels must come in one piece");
+        panic!("all pixels must come in one call");
     }
 
     fn fill_contiguous<I: IntoIterator<Item = Rgb888>>(
@@ -52,7 +52,7 @@ impl DrawTarget for Display {
 }
 
 #[test]
-fn a_canvas_shows_itself_in_one_piece() {
+fn show_sends_all_pixels_in_one_call() {
     let picture: Vec<Rgb888> = (0..24).map(|i| Rgb888::new(i, 255 - i, 7 * i)).collect();
     let mut display = Display::default();
     Canvas::new(&mut picture.clone(), 4, 6)
@@ -91,7 +91,7 @@ fn a_display_error_is_passed_on() {
 
 /// Bytes in bus order, for each number of bytes per pixel.
 #[test]
-fn byte_orders() {
+fn bytes_are_in_bus_order() {
     let mut pixels = [[0; 2]; 2];
     let mut canvas: Canvas<Rgb565, _> = Canvas::big_endian(&mut pixels, 2, 1).unwrap();
     canvas.clear(Rgb565::new(1, 2, 3));
@@ -114,15 +114,15 @@ fn byte_orders() {
     assert_eq!(canvas.as_bytes(), [7]);
 }
 
-/// Elements given and needed.
+/// The numbers of elements given and needed, from an error.
 fn length(error: Option<Error>) -> (usize, usize) {
     match error {
         Some(Error::Length { given, needed, .. }) => (given, needed),
-        other => panic!("{other:?} is not an error of the length"),
+        other => panic!("{other:?} is not an error about a length"),
     }
 }
 
-/// First row and number of rows of the band, and rows of the frame.
+/// From an error: the band's first row and number of rows, and the frame's number of rows.
 fn rows(error: Option<Error>) -> (u32, u32, u32) {
     match error {
         Some(Error::Rows {
@@ -131,11 +131,11 @@ fn rows(error: Option<Error>) -> (u32, u32, u32) {
             height,
             ..
         }) => (first, rows, height),
-        other => panic!("{other:?} is not an error of the rows"),
+        other => panic!("{other:?} is not an error about rows"),
     }
 }
 
-/// Refused arguments, with the numbers that the message must name.
+/// Checks that errors about refused arguments contain the numbers that their messages need.
 #[test]
 fn errors_name_the_numbers() {
     let pixels = |count: usize| vec![Gray8::BLACK; count];

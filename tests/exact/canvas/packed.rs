@@ -21,7 +21,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::pictures::{self, HEIGHT, WIDTH};
 
-/// A target that takes the lowest bits of each color.
+/// A target that reduces each color to its lowest bits.
 struct Coarse<T>(T);
 
 impl<T: Dimensions> Dimensions for Coarse<&mut T> {
@@ -67,7 +67,7 @@ where
     }
 }
 
-/// Compares the pictures of a packed canvas, whole and in bands, with those of embedded-graphics' frame.
+/// Compares the pictures of a packed canvas, whole and in bands, with those of embedded-graphics' framebuffer.
 macro_rules! is_a_framebuffer {
     ($color:ty, $raw:ty) => {{
         const BYTES: usize =
@@ -118,7 +118,7 @@ macro_rules! is_a_framebuffer {
     }};
 }
 
-/// The bytes that are wholly pixels, since `clear` may fill the rest.
+/// Each row's bytes that hold only pixels. The others contain padding, which `clear` may change.
 fn no_padding(bytes: &[u8], row: usize) -> Vec<&[u8]> {
     bytes.chunks(row).map(|row| &row[..row.len() - 1]).collect()
 }
@@ -130,9 +130,9 @@ fn a_packed_canvas_is_a_framebuffer() {
     is_a_framebuffer!(Gray4, RawU4);
 }
 
-/// Bit n of a byte is row n of its page.
+/// In a page, bit n of a byte belongs to row n.
 #[test]
-fn pages_have_the_pixels_of_a_packed_canvas() {
+fn paged_canvases_show_the_same_as_packed_ones() {
     let pages = WIDTH * HEIGHT.div_ceil(8);
     for number in 0..500 {
         let mut random = ChaCha8Rng::seed_from_u64(number);
@@ -193,7 +193,7 @@ fn memory_of_another_size_is_refused() {
         let band = Canvas::pages_band(&mut bytes[..length], 11, 17, first).unwrap();
         assert_eq!(*band.rows(), rows);
     }
-    // The last page would have no row of the frame.
+    // The last page would contain no row of the frame.
     for (length, first, rows) in [(22, 9, 16), (11, 17, 8), (0, 0, 0), (44, 0, 32)] {
         let error = Canvas::pages_band(&mut bytes[..length], 11, 17, first).unwrap_err();
         let wanted = format!("band has {rows} rows from row {first}");
@@ -203,7 +203,7 @@ fn memory_of_another_size_is_refused() {
 
 static BALL: Mesh = shape!(sphere(9, 7));
 
-/// Draws a ball and its edges, near and far, across borders and outside.
+/// Draws a ball and its edges: near, far, across the borders of the frame, and outside it.
 fn ball<C, O, D, I, B>(canvas: &mut Canvas<'_, C, O, D>, number: i16, mode: I, blending: B)
 where
     C: Levels,
@@ -227,7 +227,7 @@ where
     );
 }
 
-/// All scenes, in canvases of one color.
+/// Draws all scenes in canvases of one color type, and compares them with native ones.
 macro_rules! draws_as_native {
     ($color:ty, $canvas:path, $bytes:expr, $mode:expr, $blending:expr) => {
         for number in 0..64 {
@@ -264,9 +264,9 @@ macro_rules! draws_as_native {
 
 const PIXELS: usize = (WIDTH * HEIGHT) as usize;
 
-/// In each mode, and where the colors below are read.
+/// In each mode, and with blending, which reads the colors below.
 #[test]
-fn packed_canvases_show_what_native_ones_show() {
+fn packed_canvases_show_the_same_as_native_ones() {
     const PAGES: usize = WIDTH as usize * (HEIGHT as usize).div_ceil(8);
     const fn rows(pixels_in_byte: usize) -> usize {
         (WIDTH as usize).div_ceil(pixels_in_byte) * HEIGHT as usize
@@ -282,8 +282,8 @@ fn packed_canvases_show_what_native_ones_show() {
     draws_as_native!(BinaryColor, Canvas::pages, PAGES, fast, Replace);
 }
 
-/// The sum of all grays is kept: what is not shown is in `errors`. The grays are so far from black and white that no
-/// error makes them exceed one.
+/// Diffusion keeps the sum of all grays: `errors` holds the part that is not shown. The grays are so far from black and
+/// white that no error moves them past either.
 #[test]
 fn diffusion_loses_no_brightness() {
     let mut random = ChaCha8Rng::seed_from_u64(1);
@@ -312,16 +312,17 @@ fn diffusion_loses_no_brightness() {
         let white: i32 = shown.iter().map(|color| 17 * i32::from(color.luma())).sum();
         let lost: i32 = errors.iter().map(|&error| i32::from(error)).sum();
         assert_eq!((sum - white) * 16, lost, "{width}x{height}");
-        // Half a step of 17, and at most 1 in 16ths of each of three shares that are rounded down.
+        // An error is at most half a step of 17, plus less than 1/16 for each of three shares that are rounded down.
         assert!(errors.iter().all(|error| error.abs() <= 9 * 16));
     }
 }
 
-/// In any window, as bright as what is shown: only errors that pass its borders are missing or too many.
+/// Every window is as bright as the original, except for the errors that cross its borders.
 ///
-/// An error is at most half a step, 127.5. Of each pixel in its first and last rows, 9/16 of it pass the upper and lower
-/// border; of each in its first and last columns, 7/16 + 1/16 pass one side and 3/16 the other; and half an error the
-/// corners. Shares are cut to 16ths, of which three pixels of a border lose at most one gray.
+/// An error is at most half a step, 127.5. Each pixel of the first and last rows passes 9/16 of its error across the
+/// upper or lower border. Each pixel of the first and last columns passes 7/16 + 1/16 across one side and 3/16 across
+/// the other. Half an error crosses the corners. Rounding shares to 16ths loses at most one gray per three pixels of a
+/// border.
 #[test]
 fn diffusion_keeps_the_brightness_of_every_window() {
     const SIZE: (u32, u32) = (160, 120);
@@ -340,7 +341,7 @@ fn diffusion_keeps_the_brightness_of_every_window() {
     let mut widest: f64 = 0.;
     for _ in 0..500 {
         let [width, height] = [random.random_range(1..100_u32), random.random_range(1..100)];
-        // The sides of the frame have their own rule.
+        // The window must stay away from the sides of the frame, which have a rule of their own.
         let left = random.random_range(1..SIZE.0 - width);
         let top = random.random_range(0..=SIZE.1 - height);
         let mut excess = 0.;
@@ -358,14 +359,14 @@ fn diffusion_keeps_the_brightness_of_every_window() {
         );
         widest = widest.max(f64::abs(excess) / (w * h));
     }
-    // No window is exact, or there would be nothing to measure.
+    // Some windows must differ by more than a gray; otherwise the bound tests nothing.
     assert!(widest > 1., "{widest}");
 }
 
-/// White beside gray: what white cannot take up must not pile up at the border, where it would whiten the darker rows
-/// below.
+/// White beside gray: errors that white pixels cannot absorb must not accumulate at the border, where they would whiten
+/// the darker rows below.
 #[test]
-fn diffusion_stays_in_its_rows() {
+fn diffusion_does_not_whiten_darker_rows_below() {
     const WIDTH: u32 = 240;
     let mut grays = vec![Gray8::new(60); (WIDTH * 280) as usize];
     for row in grays.chunks_mut(WIDTH as usize) {
@@ -384,7 +385,7 @@ fn diffusion_stays_in_its_rows() {
     assert!(stray.sum::<usize>() <= 1);
 }
 
-/// From black on the left to 253 of 255 on the right.
+/// The ramp runs from black on the left to 253 of 255 on the right.
 #[test]
 fn diffusion_of_a_gray_ramp() {
     let ramp = |i: u8| Gray8::new(i % 24 * 11);
@@ -406,7 +407,7 @@ fn diffusion_of_a_gray_ramp() {
         "...#.#....#.#.#.#.#.####",
     ]);
 
-    // Steps that the display has stay as they are.
+    // Grays that the display can show do not change.
     let mut grays = [0, 85, 170, 255].map(Gray8::new);
     let gray = Canvas::new(&mut grays, 4, 1).unwrap();
     let mut shown = [Gray2::new(0); 4];
@@ -428,7 +429,7 @@ fn diffused_bands_equal_the_frame() {
         let Ok(()) = gray.show_diffused(&mut panel, Contrast::default(), &mut diffusion);
         shown
     };
-    // What the last frame left does not matter.
+    // Errors that the previous frame left have no effect.
     let (mut shown, mut errors) = ([BinaryColor::Off; 256], [i16::MAX; 16]);
     let mut panel = Canvas::new(&mut shown, 16, 16).unwrap();
     let mut diffusion = ErrorDiffusion::new(&mut errors);
@@ -439,7 +440,7 @@ fn diffused_bands_equal_the_frame() {
     assert_eq!(shown, whole);
 }
 
-/// Any number of errors, and canvases of several widths with the same ones.
+/// The list of errors may have any length, and canvases of several widths may share it.
 #[test]
 fn diffusion_takes_memory_of_any_length() {
     let mut errors = [i16::MIN; 20];
@@ -451,7 +452,7 @@ fn diffusion_takes_memory_of_any_length() {
             let mut shown = [BinaryColor::Off; 6];
             let mut panel = Canvas::new(&mut shown, width, height).unwrap();
             let Ok(()) = gray.show_diffused(&mut panel, Contrast::new(9, 3), &mut diffusion);
-            // With this contrast, no gray is between black and white.
+            // With this contrast, every gray becomes black or white.
             assert_eq!(
                 shown.map(BinaryColor::is_on),
                 [0, 1, 1, 0, 1, 1].map(|on| on == 1)

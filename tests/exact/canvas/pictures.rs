@@ -92,10 +92,10 @@ impl DrawTarget for Target<'_> {
     }
 }
 
-/// Draws the picture that `random` describes. It is the same on every target of one size.
+/// Draws the picture that `random` describes. It is the same on every target of the same size.
 ///
-/// Without `crops` it is also the same in a band. `cropped` counts its coordinates from the corner of the area's part
-/// on the target, so a crop of a band is not a band of the crop.
+/// Without `crops` it is also the same in a band. `cropped` measures coordinates from the corner of the visible part of
+/// its area, so a crop of a band differs from a band of the crop.
 pub fn draw(
     target: &mut impl DrawTarget<Color = Rgb565, Error = Infallible>,
     random: &mut ChaCha8Rng,
@@ -172,7 +172,7 @@ fn element(target: &mut Target<'_>, random: &mut ChaCha8Rng) {
             target.draw_iter(pixels)
         }
         15 => {
-            // As many colors as the area has pixels, or fewer, or more.
+            // The iterator yields as many colors as the area has pixels, or a few fewer or more.
             let count = (size.width * size.height + random.random_range(0..9)).saturating_sub(4);
             let first = random.random::<u16>();
             let colors =
@@ -236,12 +236,13 @@ fn color(random: &mut ChaCha8Rng) -> Rgb565 {
     RawU16::new(random.random()).into()
 }
 
-/// Inside the frame and around it.
+/// A point inside the frame or around it.
 fn point(random: &mut ChaCha8Rng) -> Point {
     Point::new(random.random_range(-25..65), random.random_range(-20..50))
 }
 
-/// Inside, around and far from the frame, but where embedded-graphics' adapters can still add offsets.
+/// A point inside, near or far from the frame, but not so far that embedded-graphics' adapters overflow when they add
+/// offsets.
 fn far_point(random: &mut ChaCha8Rng) -> Point {
     if random.random_bool(0.9) {
         return point(random);
@@ -259,7 +260,7 @@ fn size(random: &mut ChaCha8Rng) -> Size {
     Size::new(number(random), number(random))
 }
 
-/// Inside, across each edge, outside, around the frame, or empty.
+/// An area inside the frame, across an edge, outside, around the whole frame, or empty.
 fn area(random: &mut ChaCha8Rng) -> Rectangle {
     Rectangle::new(point(random), size(random))
 }

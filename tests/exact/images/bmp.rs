@@ -35,7 +35,7 @@ fn indices_of_8_4_and_1_bits() {
 #[test]
 fn read_at_run_time() {
     let mut fields = indexed(4, 3, 3);
-    // The first rows, of four columns.
+    // Only the first two rows of four columns.
     (fields.width, fields.height) = (4, 2);
     for row in &mut fields.rows {
         row.truncate(2);
@@ -56,7 +56,7 @@ fn read_at_run_time() {
         let luma = ImageColor::nearest([r, g, b]);
         assert_eq!(palette.colors()[usize::from(index)], luma);
     }
-    // Beyond the table, its last color.
+    // An index beyond the table selects its last color.
     assert_eq!(palette.colors()[255], palette.colors()[2]);
 
     let mut short = [Rgb888::BLACK; 7];
@@ -68,7 +68,7 @@ fn read_at_run_time() {
 }
 
 #[test]
-fn what_cannot_be_a_texture_or_palette() {
+fn unsuitable_images_are_refused_as_texture_or_palette() {
     let bytes = Fields::of(24, blue_first).bytes();
     let image = Image::from_bmp(&bytes).unwrap();
     let mut texels = [Rgb888::BLACK; 15];
@@ -129,7 +129,7 @@ fn malformed_files_say_what_is_wrong() {
         |fields| (fields.bits, fields.compression, fields.masks) = (16, 3, [0xf00, 0xf0, 0xf]),
         "red mask is 3840: it must be 31744 (5-5-5) or 63488 (5-6-5), green and blue below it",
     );
-    // 5 · 3 bytes filled up to 16, four rows in place of three.
+    // A row of 5 · 3 bytes is padded to 16; the header promises four rows, and the file has three.
     says(
         |fields| fields.height = 4,
         "file has 102 bytes: it needs at least 118",
@@ -158,9 +158,9 @@ fn malformed_files_say_what_is_wrong() {
     }
 }
 
-/// Whatever the header says, reading neither panics nor leaves the file.
+/// With any header, reading neither panics nor reads outside the file.
 #[test]
-fn any_header_is_survived() {
+fn no_header_causes_a_panic() {
     let files = [
         Fields::of(24, blue_first),
         Fields::of(32, padded),

@@ -15,7 +15,7 @@ use files::{File, SIZE};
 /// One of the crate's readers.
 type Read = for<'a> fn(&'a [u8]) -> Result<Image<'a>, Error>;
 
-/// Checks that the reader finds the files' pixels.
+/// Checks that the reader returns the files' pixels.
 fn holds(files: &[File], read: Read) {
     for file in files {
         let name = &file.name;
@@ -31,7 +31,7 @@ fn holds(files: &[File], read: Read) {
     }
 }
 
-/// Reads files whose byte at each place of the header has each value: no pixel may be looked for outside the file.
+/// Sets each byte of the header to each value in turn, and reads the files: no pixel may lie outside the file.
 fn survives_any_header(files: &[Vec<u8>], header: usize, read: Read) {
     for file in files {
         for at in 0..header {

@@ -18,9 +18,9 @@ fn shared_edge_occurs_once() {
     assert_eq!(mesh.edges, [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]]);
 }
 
-/// Many edges that differ only in their last byte, in reverse order and twice.
+/// Many edges that differ only in their last byte, listed twice and in reverse order.
 #[test]
-fn edges_about_a_hub_are_sorted() {
+fn edges_around_a_hub_are_sorted() {
     let mut text = "v 0 0 0\n".repeat(601);
     for i in (2..=600).rev() {
         text += &format!("f 1 {i} {}\n", i + 1);
@@ -38,28 +38,28 @@ fn negative_indices_count_back_from_their_line() {
 }
 
 #[test]
-fn positive_index_may_look_ahead() {
+fn positive_index_may_refer_to_later_lines() {
     assert_eq!(
         ok(&format!("f 1 2 3 4\n{SQUARE}")),
         ok(&format!("{SQUARE}f 1 2 3 4"))
     );
 }
 
-/// In flash as at run time.
+/// `include_obj!` gives the same mesh as reading at run time.
 #[test]
-fn included_house() {
+fn include_obj_equals_reading_at_run_time() {
     static HOUSE: Mesh = include_obj!("../../models/house.obj");
     let mesh = ok(include_str!("../../models/house.obj"));
     assert!(HOUSE.positions().iter().eq(mesh.positions.iter().copied()));
     assert_eq!(HOUSE.faces(), mesh.faces);
-    // Euler: 10 corners and 7 polygons, one of them the ground; and the antenna.
+    // Euler's formula: 10 corners and 7 polygons, including the ground, have 15 edges; the antenna adds one.
     assert_eq!(HOUSE.edges(), mesh.edges);
     assert_eq!(mesh.edges.len(), 15 + 1);
     assert!(HOUSE.has_uvs());
 }
 
 proptest! {
-    /// The edges of the polygons: sorted, each once.
+    /// The polygons' edges are sorted, and each occurs once.
     #[test]
     fn edges_are_a_sorted_set(polygons in prop::collection::vec(prop::collection::vec(0..400_u16, 3..6), 1..300)) {
         let mut text = "v 0 0 0\n".repeat(400);

@@ -16,6 +16,6 @@ fn layout_does_not_matter() {
         assert_eq!(ok(text), expected, "{text:?}");
     }
     assert_eq!(ok("").counts, Counts::default());
-    // Names in Latin-1.
+    // Names may be in Latin-1, which is not valid UTF-8.
     assert!(obj::count(b"o W\xfcrfel\nv 0 0 0").is_ok());
 }

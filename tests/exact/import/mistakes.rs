@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use super::reading::{SQUARE, fails};
 
 #[test]
-fn malformed_numbers() {
+fn malformed_numbers_are_refused() {
     for text in [
         "", "x", ".", "+", "-", "--1", "1e", "1e+", "e1", "1.2.3", "1,5", "nan", "inf", "0x1",
         "1f", "1\\2", "é",
@@ -51,16 +51,17 @@ fn errors_name_their_line() {
     first_at_5("vt", "2 numbers");
     first_at_5("vn 1 2", "3 numbers");
     first_at_5("vn 1 2 3 4", "too many");
-    // An error in a statement over several lines is reported in the line where it occurs; comments do not continue.
+    // In a statement that spans several lines, an error names the line where it occurs. A backslash does not continue a
+    // comment.
     fails("# a\\\nv 0 0\\\n", 3, "3 numbers");
     fails("\r\n\r\nv", 3, "3 numbers");
     fails("\r\rv", 3, "3 numbers");
 }
 
 proptest! {
-    /// Any input is read without a panic.
+    /// No input causes a panic.
     #[test]
-    fn any_bytes_are_read(bytes in prop::collection::vec(prop::sample::select(&b"vvftnl 0123456789./-+eE\\\r\n\n#\t\xff"[..]), 0..200)) {
+    fn no_bytes_cause_a_panic(bytes in prop::collection::vec(prop::sample::select(&b"vvftnl 0123456789./-+eE\\\r\n\n#\t\xff"[..]), 0..200)) {
         if let Ok(counts) = obj::count(&bytes) {
             let (mut positions, mut faces) = (vec![Vec3::ZERO; counts.positions], vec![[0; 3]; counts.faces]);
             let mut edges = vec![[0; 2]; counts.edges];

@@ -1,5 +1,5 @@
-//! OBJ text in all its forms, its mistakes, and compared with another reader.
-#![allow(clippy::format_push_string)] // clearer here, and speed is no matter
+//! Reading OBJ text: all its forms, messages about mistakes, and a comparison with another reader.
+#![allow(clippy::format_push_string)] // clearer here, and speed does not matter
 
 mod attributes;
 mod elements;

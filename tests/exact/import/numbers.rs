@@ -1,23 +1,23 @@
-//! Numbers: their rounding and their range.
+//! How numbers are rounded, and their range.
 
 use fixel::prelude::*;
 use proptest::prelude::*;
 
 use super::reading::{SQUARE, fails, read};
 
-/// The x of the position in a text with this one number.
+/// Reads a position whose x is this number, and returns x.
 fn number(text: &str) -> Result<Scalar, Error> {
     read(&format!("v {text} 0 0")).map(|mesh| mesh.positions[0].x)
 }
 
-/// The texture coordinate in a text with this one u and v: the bits of u and 1 − v.
+/// Reads a texture coordinate with this u and v, and returns the bits of u and 1 − v.
 fn tex_coord(u: &str, v: &str) -> Result<[i32; 2], Error> {
-    // With three corners, because values that no corner uses are dropped.
+    // A face uses the value, because the reader drops values that no corner uses.
     read(&format!("{SQUARE}vt {u} {v}\nf 1/1 2/1 3/1")).map(|mesh| mesh.uvs[0].to_bits())
 }
 
 #[test]
-fn numbers() {
+fn numbers_are_rounded_to_the_nearest() {
     for (text, bits) in [
         ("1", 65536),
         ("+1.", 65536),
@@ -31,7 +31,7 @@ fn numbers() {
         ("1e-400", 0),
         ("-1e-99999999999999999999999", 0),
         ("0e99999999999999999999999", 0),
-        // Half a unit is rounded away from zero; 10^-30 less is not.
+        // Half a unit is rounded away from zero; a value smaller by 10^-30 is not.
         ("0.00000762939453125", 1),
         ("-0.00000762939453125", -1),
         ("0.000007629394531249999999999999", 0),
@@ -45,7 +45,7 @@ fn numbers() {
 }
 
 #[test]
-fn numbers_out_of_range() {
+fn numbers_out_of_range_are_refused() {
     for text in [
         "32767.999993",
         "32768",
@@ -60,7 +60,7 @@ fn numbers_out_of_range() {
 }
 
 #[test]
-fn texture_coordinates() {
+fn texture_coordinates_are_rounded_to_the_nearest() {
     const ONE: i32 = 1 << 20;
     for (text, bits) in [
         ("1", ONE),
@@ -68,7 +68,7 @@ fn texture_coordinates() {
         ("2.5e-1", ONE / 4),
         ("25E-2", ONE / 4),
         ("2046.5", 2046 * ONE + ONE / 2),
-        // Half a unit is rounded away from zero; 10^-21 or 10^-30 less is not.
+        // Half a unit is rounded away from zero; a value smaller by 10^-21 or 10^-30 is not.
         ("0.000000476837158203125", 1),
         ("-0.000000476837158203125", -1),
         ("0.000000476837158203124", 0),
@@ -89,7 +89,7 @@ fn texture_coordinates() {
 }
 
 #[test]
-fn texture_coordinates_out_of_range() {
+fn texture_coordinates_out_of_range_are_refused() {
     for text in [
         "2047.9999996 0",
         "2048 0",
@@ -110,10 +110,10 @@ fn texture_coordinates_out_of_range() {
 }
 
 proptest! {
-    /// Rounded to nearest, halves away from zero, as computed with exact fractions.
+    /// Numbers are rounded to the nearest unit, with halves away from zero. The expected value is computed exactly.
     #[test]
     fn numbers_round_exactly(value in -327_670_000_000_000_i64..327_670_000_000_000, point in 0..12_u32) {
-        // value · 10^-10 in f64 is not exact; 128-bit integers are.
+        // f64 cannot hold value · 10^-10 exactly; 128-bit integers can.
         let scaled = i128::from(value) << 17;
         let quotient = scaled.abs() / 10_000_000_000;
         let nearest = (quotient + 1) / 2 * scaled.signum();
@@ -140,7 +140,7 @@ proptest! {
         prop_assert_eq!(i128::from(tex_coord(&plain, "0").unwrap()[0]), nearest);
         let padded = format!("{value}{:0<width$}E-{}", "", 14 + point, width = point as usize);
         prop_assert_eq!(i128::from(tex_coord(&padded, "0").unwrap()[0]), nearest);
-        // Enough digits to decide the rounding.
+        // This number needs all of its digits to decide the rounding.
         let nearest = ((fine << 21) / 10_u128.pow(21)).div_ceil(2) as i32;
         for text in [format!("0.{fine:021}"), format!("{fine}e-21"), format!("0.{fine:021}9e0")] {
             prop_assert_eq!(tex_coord(&text, "0").unwrap()[0], nearest, "{}", text);

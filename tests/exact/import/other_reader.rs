@@ -5,7 +5,7 @@ use proptest::prelude::*;
 
 use super::reading::ok;
 
-/// Compares with `tobj`: the values at each triangle's corners.
+/// Compares the values at each triangle's corners with those of `tobj`.
 fn agrees_with_tobj(text: &str) -> Result<(), TestCaseError> {
     let mine = ok(text);
     let options = tobj::LoadOptions {
@@ -17,7 +17,7 @@ fn agrees_with_tobj(text: &str) -> Result<(), TestCaseError> {
         Ok((Vec::new(), std::collections::HashMap::default()))
     })
     .unwrap();
-    // f32 is exact to 2^-24 of the value, and rounding to half a unit follows.
+    // f32 has a relative error of 2^-24; the crate rounds to half a unit.
     let within = |ours: f64, theirs: f32, unit: f64| {
         (ours - f64::from(theirs)).abs() <= unit / 2.0 + f64::from(theirs.abs()) / 16_777_216.0
     };
@@ -70,7 +70,7 @@ fn tobj_agrees_on_the_house() {
     agrees_with_tobj(include_str!("../../models/house.obj")).unwrap();
 }
 
-/// A number as programs write them.
+/// A number as programs write it.
 fn decimal() -> impl Strategy<Value = String> {
     (-1000.0..1000.0, 0..9_usize, 0..3).prop_map(|(value, places, form)| match form {
         0 => format!("{value:.places$}"),
@@ -79,7 +79,7 @@ fn decimal() -> impl Strategy<Value = String> {
     })
 }
 
-/// A text of `v`, `vt`, `vn` and polygons, with indices of either sign and either line end.
+/// OBJ text with `v`, `vt`, `vn` and polygons, with positive or negative indices and either kind of line end.
 fn text() -> impl Strategy<Value = String> {
     let vectors = |n| prop::collection::vec(prop::array::uniform3(decimal()), n);
     let corner = (any::<u16>(), any::<u16>(), any::<u16>(), any::<bool>());
@@ -132,7 +132,7 @@ fn text() -> impl Strategy<Value = String> {
 
 proptest! {
     #[test]
-    fn tobj_agrees(text in text()) {
+    fn tobj_agrees_on_random_text(text in text()) {
         agrees_with_tobj(&text)?;
     }
 }

@@ -1,10 +1,10 @@
-//! Texts read into meshes.
+//! Helpers that read OBJ text into meshes.
 
 use embedded_graphics::pixelcolor::Rgb888;
 use fixel::mesh::{Buffers, Counts, obj};
 use fixel::prelude::*;
 
-/// A mesh that owns its lists; the attributes as their values at the corners of the triangles.
+/// A mesh that owns its lists. Attributes are stored as their values at the triangles' corners.
 #[derive(Debug, PartialEq)]
 pub struct Owned {
     pub counts: Counts,
@@ -59,7 +59,7 @@ pub fn ok(text: &str) -> Owned {
     read(text).unwrap()
 }
 
-/// The line, and a word of the problem.
+/// Checks that reading fails at this line, with a problem that contains this word.
 pub fn fails(text: &str, line: usize, word: &str) {
     match read(text) {
         Err(Error::Obj {
@@ -72,5 +72,5 @@ pub fn fails(text: &str, line: usize, word: &str) {
     }
 }
 
-/// Four corners of a unit square.
+/// The four corners of a unit square.
 pub const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";

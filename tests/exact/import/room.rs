@@ -15,7 +15,7 @@ fn at_most_65536_positions() {
 }
 
 #[test]
-fn room() {
+fn lists_that_are_too_short_name_the_needed_counts() {
     let text = format!("{SQUARE}vt 0\nf 1/1 2/1 3/1").into_bytes();
     let (mut positions, mut faces) = ([Vec3::ZERO; 9], [[7; 3]; 1]);
     let mesh = obj::parse(&text, Buffers::new(&mut positions, &mut faces)).unwrap();

@@ -25,11 +25,11 @@ use static_cell::ConstStaticCell;
 
 const WIDTH: u32 = 240;
 const HEIGHT: u32 = 240;
-/// Rows of a band; they divide the height. A transfer has at most 32,736 bytes, which are 68 rows.
+/// Rows of a band; their number divides the height. A transfer has at most 32,736 bytes, which is 68 rows.
 const ROWS: u32 = 60;
 const BAND: usize = (WIDTH * ROWS) as usize;
 
-/// One band of depth, which need not be on the stack.
+/// One band of depth, in static memory to keep it off the stack.
 static DEPTHS: ConstStaticCell<[u16; BAND]> = ConstStaticCell::new([0; BAND]);
 
 // The boot loader looks for this.
@@ -39,7 +39,7 @@ esp_bootloader_esp_idf::esp_app_desc!();
 fn main() -> ! {
     let chip = esp_hal::init(esp_hal::Config::default().with_cpu_clock(CpuClock::max()));
 
-    // Mode 0, which is the default.
+    // SPI mode 0 is the default.
     let config = Config::default().with_frequency(Rate::from_mhz(40));
     let mut spi = Spi::new(chip.SPI2, config)
         .unwrap()
@@ -54,7 +54,7 @@ fn main() -> ! {
     let mut panel = Panel::st7789(&mut spi, pins, &mut Delay::new()).unwrap();
     let _light = Output::new(chip.GPIO3, Level::High, OutputConfig::default());
 
-    // Two bands of color, 28 KiB each, where DMA can read them.
+    // Two bands of color, 28 KiB each, in memory that DMA can read.
     let mut colors = dma_tx_buffer!(2 * BAND).unwrap();
     let black = dma_tx_buffer!(2 * BAND).unwrap();
     let depths = DEPTHS.take();

@@ -27,21 +27,21 @@ use scene::panel::{Panel, Pins};
 
 const WIDTH: u32 = 240;
 const HEIGHT: u32 = 240;
-/// Rows of a band; they divide the height.
+/// Rows of a band; their number divides the height.
 const ROWS: u32 = 40;
 const BAND: usize = (WIDTH * ROWS) as usize;
 
-/// The code that the chip runs first, to be able to read its flash.
+/// The second-stage boot loader, which the chip runs first to set up its flash.
 #[unsafe(link_section = ".boot2")]
 #[used]
 static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_GENERIC_03H;
 
-/// The Pico's crystal.
+/// The frequency of the Pico's crystal.
 const CRYSTAL_HZ: u32 = 12_000_000;
 
 #[hal::entry]
 fn main() -> ! {
-    // 125 MHz for the processor and its peripherals.
+    // The processor and its peripherals run at 125 MHz.
     let mut pac = pac::Peripherals::take().unwrap();
     let mut watchdog = Watchdog::new(pac.WATCHDOG);
     let clocks = init_clocks_and_plls(

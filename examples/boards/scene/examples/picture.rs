@@ -1,5 +1,5 @@
-//! The scene on your computer: `cargo run -p scene --example picture > scene.ppm`. Three numbers change the width, the
-//! height and the time in milliseconds.
+//! Draws the scene on your computer: `cargo run -p scene --example picture > scene.ppm`. Three numbers as arguments set
+//! the width, the height and the time in milliseconds.
 
 use std::error::Error;
 use std::io::{self, Write};

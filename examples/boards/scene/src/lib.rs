@@ -1,7 +1,8 @@
 //! The scene of all boards: a crate turns above a tiled floor.
 //!
-//! It draws into memory for a frame or for a band. It does not depend on the chip, so it runs on your computer as well:
-//! the tests of this package check its pictures and the bytes on the bus. [`panel`] has the displays.
+//! The scene draws into memory for a frame or for a band. The code does not depend on the chip, so it runs on your
+//! computer as well: the tests of this package check its pictures and the bytes on the bus. [`panel`] drives the
+//! displays.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -19,7 +20,7 @@ use fixel::target::{DepthBuffer, Storage};
 /// The crate: 12 triangles in flash.
 static CRATE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 
-/// The floor, with a repeat of its texture every two units.
+/// The floor, whose texture repeats every two units.
 static FLOOR: Mesh = {
     const CORNERS: [Vec3; 4] = [
         vec3!(-8, -1.6, 8),
@@ -52,7 +53,7 @@ static PLANKS: TextureArray<Rgb565, 16, 16> = TextureArray::from_texels(texels(&
 
 static TILES: TextureArray<Rgb565, 2, 2> = TextureArray::from_texels(texels(&[b"bw", b"wb"]));
 
-/// A texture from a drawing: each letter is a color.
+/// Makes a texture from a drawing, in which each letter is a color.
 const fn texels<const W: usize, const H: usize>(drawing: &[&[u8; W]; H]) -> [[Rgb565; W]; H] {
     let mut texels = [[Rgb565::BLACK; W]; H];
     let mut at = 0;
@@ -83,7 +84,7 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// The scene in a frame of `width` x `height` pixels.
+    /// Makes the scene for a frame of `width` x `height` pixels.
     ///
     /// # Errors
     ///
@@ -99,8 +100,9 @@ impl Scene {
         })
     }
 
-    /// Draws one band at this moment: as many rows of the frame as `colors` holds, from `first_row`. The pixels are the
-    /// two bytes that the panel expects, so DMA can send them as they are. `depths` has one element per pixel.
+    /// Draws one band at the time `now_ms`: as many rows of the frame as `colors` holds, starting at `first_row`. A
+    /// pixel is the two bytes that the panel expects, so DMA can send the band as it is. `depths` has one element per
+    /// pixel.
     ///
     /// # Errors
     ///
@@ -118,14 +120,15 @@ impl Scene {
         Ok(())
     }
 
-    /// Draws the part of the frame that the canvas holds.
+    /// Draws the part of the frame that belongs to the canvas.
     pub fn draw<O: Storage<Rgb565>, D: DepthBuffer>(
         &self,
         now_ms: u64,
         canvas: &mut Canvas<'_, Rgb565, O, D>,
     ) {
         canvas.clear(SKY);
-        // `Fast` is the mode for cores without long products, such as the Pico's, and costs the others nothing.
+        // `Fast` is the mode for cores without a long multiplication, such as the Pico's, and costs other cores
+        // nothing.
         let options = DrawOptions::new().with_mode(Fast::within(fx!(0.25)));
         canvas.draw_with(&options, &FLOOR, &self.view, &Textured::new(&TILES));
 

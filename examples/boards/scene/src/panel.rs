@@ -1,5 +1,5 @@
-//! The displays: mipidsi sets one up, on a bus that the program lends it. After that, a frame consists of three short
-//! commands, [`Panel::start_frame`], and the bytes of its pixels, which the board sends by DMA.
+//! The displays. The driver mipidsi sets one up on a bus that the program lends it. After that, a frame consists of
+//! three short commands, which [`Panel::start_frame`] sends, and the bytes of its pixels, which the board sends by DMA.
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_hal::delay::DelayNs;
@@ -16,7 +16,7 @@ use mipidsi::options::{ColorInversion, ColorOrder, ModelOptions, Orientation, Ro
 #[derive(Debug)]
 pub struct BusError;
 
-/// The pins of a display besides the clock and the data of its bus.
+/// The pins of a display, except for the clock and the data of its bus.
 pub struct Pins<CS, DC, RESET> {
     /// Chip select, low while the display listens.
     pub cs: CS,
@@ -26,7 +26,7 @@ pub struct Pins<CS, DC, RESET> {
     pub reset: RESET,
 }
 
-/// A display that is switched on.
+/// A display that is set up and switched on.
 pub struct Panel<CS, DC, RESET> {
     pins: Pins<CS, DC, RESET>,
     /// Last column and last row.
@@ -34,7 +34,7 @@ pub struct Panel<CS, DC, RESET> {
 }
 
 impl<CS: OutputPin, DC: OutputPin, RESET: OutputPin> Panel<CS, DC, RESET> {
-    /// An ST7789 with 240x240 pixels.
+    /// Sets up an ST7789 with 240x240 pixels.
     ///
     /// # Errors
     ///
@@ -49,7 +49,7 @@ impl<CS: OutputPin, DC: OutputPin, RESET: OutputPin> Panel<CS, DC, RESET> {
         Self::new(ST7789, &options, (240, 240), bus, pins, delay)
     }
 
-    /// An ILI9341 in landscape, 320x240 pixels.
+    /// Sets up an ILI9341 in landscape, with 320x240 pixels.
     ///
     /// # Errors
     ///
@@ -90,8 +90,8 @@ impl<CS: OutputPin, DC: OutputPin, RESET: OutputPin> Panel<CS, DC, RESET> {
         })
     }
 
-    /// Tells the display that a frame follows, row by row from the top: two bytes a pixel, the upper one first. The
-    /// display stays selected for them.
+    /// Tells the display that a frame follows, row by row from the top, with two bytes per pixel, the more significant
+    /// one first. The display stays selected for these bytes.
     ///
     /// # Errors
     ///

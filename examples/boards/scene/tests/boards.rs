@@ -1,9 +1,9 @@
-//! Checks what each board shows: the scene's picture, whole and in the board's bands, and the bytes that make a display
-//! show it.
+//! Checks what each board shows: the scene's picture, in a frame and in the board's bands, and the bytes that make a
+//! display show it.
 
 mod wires;
 
-// The display, as its data sheet specifies it: the library's tests use it too.
+// A display that follows its data sheet. The library's tests use it, too.
 #[allow(dead_code)]
 #[path = "../../../../tests/display/panel.rs"]
 mod display;
@@ -16,7 +16,7 @@ use scene::panel::{Panel, Pins};
 
 use wires::{Pin, Wires};
 
-/// A board's frame, the rows of its bands, and the checksum of the scene after a second.
+/// A board's frame, the height of its bands, and the checksum of the scene at one second.
 struct Board {
     size: (u32, u32),
     rows: u32,
@@ -78,9 +78,9 @@ fn bands_equal_the_frame() {
     }
 }
 
-/// A chip draws the same bits: compare this number with one that your firmware logs.
+/// A chip draws the same bits: you can compare this checksum with one that your firmware logs.
 #[test]
-fn checksums() {
+fn checksums_of_the_boards_pictures() {
     for board in [PICO, STM32F4, ESP32C3] {
         let crc = crc32fast::hash(&frame(board.size, 1000));
         assert_eq!(crc, board.crc, "{:#x} at {:?}", crc, board.size);
@@ -95,7 +95,7 @@ fn pins(wires: &Wires) -> Pins<Pin, Pin, Pin> {
     }
 }
 
-/// Two frames, as a board sends them; then the display shows the second one.
+/// Sends two frames as a board does, and checks that the display shows the second one.
 fn show(board: &Board, mut bus: Wires, mut panel: Panel<Pin, Pin, Pin>) {
     let mut display = display::Panel::default();
     for now_ms in [0, 1000] {
@@ -104,7 +104,7 @@ fn show(board: &Board, mut bus: Wires, mut panel: Panel<Pin, Pin, Pin>) {
     }
     let mut commands = bus.commands();
     for command in &mut commands {
-        // Blue first: the glass has its colors in that order, and the display then shows what was sent.
+        // The panel's glass has blue first. With the bit for this order, the display shows the colors that were sent.
         if command.code == 0x36 {
             command.data[0] &= !0b1000;
         }
@@ -115,7 +115,10 @@ fn show(board: &Board, mut bus: Wires, mut panel: Panel<Pin, Pin, Pin>) {
         .iter()
         .flat_map(|pixel| pixel.to_be_bytes())
         .collect();
-    assert!(shown == frame(board.size, 1000), "another picture");
+    assert!(
+        shown == frame(board.size, 1000),
+        "the display shows another picture"
+    );
 }
 
 #[test]
@@ -136,9 +139,9 @@ fn an_ili9341_shows_the_bands() {
     show(&STM32F4, bus, panel);
 }
 
-/// One line for each command with its data; other events are in words.
+/// The log has one line for each command with its data. Other events are in words.
 #[test]
-fn bytes_of_an_st7789() {
+fn an_st7789_receives_these_bytes() {
     let wires = Wires::default();
     let mut bus = wires.clone();
     let mut panel = Panel::st7789(&mut bus, pins(&wires), &mut wires.clone()).unwrap();
@@ -171,7 +174,7 @@ fn bytes_of_an_st7789() {
 }
 
 #[test]
-fn bytes_of_an_ili9341() {
+fn an_ili9341_receives_these_bytes() {
     let wires = Wires::default();
     let mut bus = wires.clone();
     let mut panel = Panel::ili9341(&mut bus, pins(&wires), &mut wires.clone()).unwrap();
@@ -197,7 +200,7 @@ fn bytes_of_an_ili9341() {
     assert_eq!(bus.log(), lines.join("\n"));
 }
 
-/// The guide shows lines of these programs: they are still there.
+/// The guide quotes lines of these programs: the programs must contain them.
 #[test]
 fn the_guide_quotes_the_programs() {
     const GUIDE: &str = include_str!("../../../../src/guide/firmware.md");

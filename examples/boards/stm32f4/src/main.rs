@@ -30,7 +30,7 @@ use scene::panel::{Panel, Pins};
 
 const WIDTH: u32 = 320;
 const HEIGHT: u32 = 240;
-/// Rows of a band; they divide the height.
+/// Rows of a band; their number divides the height.
 const ROWS: u32 = 40;
 const BAND: usize = (WIDTH * ROWS) as usize;
 
@@ -38,7 +38,7 @@ bind_interrupts!(struct Interrupts {
     DMA2_STREAM3 => dma::InterruptHandler<peripherals::DMA2_CH3>;
 });
 
-/// 168 MHz from the chip's own oscillator, so that no crystal matters.
+/// 168 MHz from the chip's internal oscillator, so that the board's crystal does not matter.
 fn clocks() -> Config {
     let mut config = Config::default();
     config.rcc.pll_src = rcc::PllSource::HSI;

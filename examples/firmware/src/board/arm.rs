@@ -1,4 +1,4 @@
-//! A Cortex-M, with the timer that all of them have.
+//! A Cortex-M, with SysTick, the timer that every Cortex-M has.
 
 use core::arch::asm;
 use core::sync::atomic::{AtomicU32, Ordering};
@@ -8,7 +8,7 @@ use cortex_m::peripheral::{Peripherals, SCB, SYST, syst::SystClkSource};
 pub use cortex_m_rt::entry;
 use cortex_m_rt::exception;
 
-/// SysTick counts down in 24 bits, to zero, and starts again from this value.
+/// SysTick counts down to zero in 24 bits, and restarts at this value.
 const MOST: u32 = 0x00ff_ffff;
 /// Ticks of one round.
 const ROUND: u64 = 1 << 24;
@@ -25,7 +25,7 @@ fn SysTick() {
     );
 }
 
-/// SysTick at the core's frequency; with its rounds counted, it reaches 2^56 ticks.
+/// SysTick at the core's frequency. Because its rounds are counted, the clock reaches 2^56 ticks.
 pub struct Clock(SYST);
 
 impl Clock {
@@ -69,8 +69,8 @@ impl Clock {
         u64::from(rounds) * ROUND + (ROUND - u64::from(left))
     }
 
-    /// Ticks left in the round, from 1. Zero lasts for one tick, in which the exception is raised, or after which a
-    /// timer that was just set starts: wait for that tick to pass.
+    /// Ticks left in the round, at least 1. The value 0 lasts for one tick, at the end of a round or when the timer has
+    /// just been set: wait for that tick to pass.
     fn left(&self) -> u32 {
         loop {
             let left = self.0.cvr.read();
@@ -81,10 +81,10 @@ impl Clock {
     }
 }
 
-/// Executes `count` instructions, an even number and not 0.
+/// Executes `count` instructions; `count` must be even and not 0.
 pub fn instructions(count: u32) {
     #[allow(unsafe_code)]
-    // SAFETY: counts a register down to zero.
+    // SAFETY: the code only counts a register down to zero.
     unsafe {
         asm!(
             "2:",

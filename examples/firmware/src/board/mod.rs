@@ -1,6 +1,6 @@
-//! Everything that differs from core to core: the entry of a program, and the clock; and how a program ends.
+//! Everything that differs from core to core: the entry of a program, its end, and the clock.
 //!
-//! Console and exit go through semihosting on all of them.
+//! On all cores, the console and the exit use semihosting.
 
 use core::panic::PanicInfo;
 
@@ -17,7 +17,7 @@ pub use self::arm::{Clock, entry, instructions};
 #[cfg(target_arch = "riscv32")]
 pub use self::riscv::{Clock, entry, instructions};
 
-/// Instructions in a tick of the clock, measured on a loop of known length.
+/// Instructions in a tick of the clock, measured with a loop of known length.
 ///
 /// Under QEMU with `-icount shift=0` an instruction takes a nanosecond, so the result is the clock's period. On a
 /// chip it is near 1, because both count the core's cycles.

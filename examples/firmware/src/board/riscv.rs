@@ -5,7 +5,7 @@ use core::arch::asm;
 use riscv::register::mcycle;
 pub use riscv_rt::entry;
 
-/// The core's cycle counter, 64 bits; under QEMU with `-icount shift=0` it counts instructions.
+/// The core's cycle counter of 64 bits. Under QEMU with `-icount shift=0` it counts instructions.
 pub struct Clock(());
 
 impl Clock {
@@ -24,10 +24,10 @@ impl Clock {
     }
 }
 
-/// Executes `count` instructions, an even number and not 0.
+/// Executes `count` instructions; `count` must be even and not 0.
 pub fn instructions(count: u32) {
     #[allow(unsafe_code)]
-    // SAFETY: counts a register down to zero.
+    // SAFETY: the code only counts a register down to zero.
     unsafe {
         asm!(
             "2:",

@@ -1,7 +1,7 @@
-//! The camera in the model's own units: the options that the user gave, and for the others, values that show the whole
-//! model.
+//! Chooses the camera in the model's own units. Options that the user gave are kept; the others get values that show
+//! the whole model.
 //!
-//! Set-up on the host, in f64. `units` and `view` hand the result to the library.
+//! This runs on the host, in f64. `units` and `view` pass the result to the library.
 
 mod fit;
 pub mod turntable;
@@ -13,15 +13,15 @@ use crate::look::Haze;
 use crate::vector::{along, cross, dot, largest, length, sub, unit};
 use fit::range;
 
-/// Part of the picture's width and height that the model fills.
+/// The fraction of the picture's width or height that the model fills.
 const FILL: f64 = 0.94;
 /// Default field of view, in degrees.
 const FIELD_OF_VIEW: f64 = 40.0;
-/// The field of view of an eye that has parts of the model behind it, in degrees.
+/// The field of view, in degrees, if parts of the model are behind the eye.
 const WIDE: f64 = 100.0;
-/// Half the height of the picture if a line is seen end-on, relative to the radius of the model.
+/// Half the height of the picture, relative to the radius of the model, if the model is a line seen end-on.
 const LEAST: f64 = 1e-3;
-/// Default direction from the model to the eye, if y is up: in front, a little right and above.
+/// Default direction from the model to the eye, if y is up: in front, a little to the right and above.
 const FROM: Point = [0.55, 0.6, 1.0];
 /// The same for the oblique projections, which show the top and the side of a model seen from the front.
 const FRONT: Point = [0.0, 0.0, 1.0];
@@ -34,28 +34,29 @@ pub struct Framing {
     pub eye: Point,
     /// The point in the middle of the picture.
     pub target: Point,
-    /// As the user wrote it, of any length.
+    /// The direction that is up, as the user wrote it, of any length.
     pub up: Point,
-    /// Vertical field of view in degrees. Under a parallel projection, that of the target's plane.
+    /// Vertical field of view in degrees. A parallel projection shows as much as this angle spans at the target's
+    /// distance.
     pub fov: f64,
     pub near: f64,
     pub far: f64,
-    /// To the right, up, and back from the target to the eye.
+    /// Unit vectors to the right, up, and back from the target to the eye.
     pub axes: [Point; 3],
     kind: Kind,
     aspect: f64,
     /// Distances of the nearest and the farthest point.
     range: [f64; 2],
-    /// Distance of the farthest point there can be.
+    /// Distance of the farthest point in any pose to which the user can turn the model.
     farthest: f64,
 }
 
-/// The place and the size of a model.
+/// The position and the size of a model.
 #[derive(Clone, Copy, Debug)]
 pub struct Solid {
-    /// The middle of the box around it.
+    /// The center of the box around the model.
     pub middle: Point,
-    /// The largest distance of a point from there along an axis.
+    /// The largest distance of a point from the center along an axis.
     pub radius: f64,
 }
 
@@ -88,7 +89,7 @@ impl Solid {
             let step = 10_f64.powi(-decimals);
             (value / step).round() * step
         };
-        // Not -0, which would be printed as "-0".
+        // Turns -0 into 0, so that it is not printed as "-0".
         rounded + 0.0
     }
 }
@@ -108,7 +109,7 @@ pub fn basis(back: Point, up: Point) -> Option<[Point; 3]> {
 /// Turns a direction along the shortest arc that brings +y to `up`, of length one. If z points up, a model's front is
 /// then at −y, where modeling programs expect it.
 fn upright([x, y, z]: Point, up: Point) -> Point {
-    // Half a turn has no shortest arc: about z, so that the front stays in front.
+    // Half a turn has no unique shortest arc. Turn about z, so that the front stays in front.
     if up[1] < -1.0 + 1e-12 {
         return [-x, -y, z];
     }
@@ -141,7 +142,7 @@ fn half_tangent(degrees: f64) -> f64 {
     (degrees.to_radians() / 2.0).tan()
 }
 
-/// A point as it is written in an option.
+/// Formats a point as it is written in an option.
 pub fn written([x, y, z]: Point) -> String {
     format!("{x},{y},{z}")
 }
@@ -156,7 +157,8 @@ fn to_digits(value: f64, digits: usize) -> f64 {
     format!("{value:.decimals$e}").parse().unwrap_or(value)
 }
 
-/// Returns the largest far / near that is chosen. Depth in equal steps of 1/distance needs one below 1000.
+/// Returns the largest ratio of far to near that the program chooses. Depth in equal steps of 1/distance needs one
+/// below 1000.
 fn most_ratio(depth: DepthFormat) -> f64 {
     match depth {
         DepthFormat::Linear => 500.0,
@@ -164,7 +166,7 @@ fn most_ratio(depth: DepthFormat) -> f64 {
     }
 }
 
-/// The conditions for an eye that is not given.
+/// The conditions for choosing an eye.
 struct Choice<'a> {
     args: &'a Args,
     points: &'a [Point],
@@ -218,8 +220,8 @@ impl Choice<'_> {
         Some([along(target, axes[2], distance), target])
     }
 
-    /// Returns half the height of the picture that shows points up to `x` beside and up to `y` above its middle. It is
-    /// at least `least`, for points that are all in the middle.
+    /// Returns half the height of the picture that shows points up to `x` beside and up to `y` above its middle. The
+    /// result is at least `least`, which matters if all points are in the middle.
     fn half(&self, [x, y]: [f64; 2], least: f64) -> f64 {
         (x / self.aspect).max(y).max(least) / FILL
     }
@@ -348,7 +350,7 @@ impl Framing {
             };
             choice.half([side(0), side(1)], least) / distance
         };
-        // Near 180 degrees, the picture's size depends on the last digits.
+        // Keeps many digits, because near 180 degrees the picture's size depends on the last ones.
         to_digits((half.atan() * 2.0).to_degrees().min(179.99), 8)
     }
 
@@ -381,7 +383,7 @@ impl Framing {
         let margin = (high - low) * 0.02 + high.abs() * 0.001;
         let behind = about(high + margin);
         self.far = args.far.unwrap_or(behind);
-        // An eye inside the model does not see what is nearer.
+        // If the eye is inside the model, `ratio` limits the near plane: anything nearer is not drawn.
         let ratio = most_ratio(args.depth);
         self.near = args.near.unwrap_or(about(if is_perspective {
             (low - margin).max(self.far.min(behind) / ratio)
@@ -407,7 +409,7 @@ impl Framing {
     pub fn widen(&mut self, args: &Args, points: &[Point], middle: Point, zoom: f64) {
         let distance = |p: Point| length(sub(p, middle));
         let eye = distance(self.eye);
-        // The last term is more than rounding takes.
+        // The last term exceeds the rounding errors.
         let reach = points.iter().map(|&p| distance(p)).fold(0.0, f64::max) * zoom + eye * 0.001;
         self.farthest = self.farthest.max(eye + reach);
         let far = self.far.max(eye + reach);
@@ -468,7 +470,7 @@ impl Framing {
                 .into_iter()
                 .fold(0.0, |most, edge| edge.abs().max(most))
         };
-        // Fog is no place: it may use the whole range of the format, twice as large.
+        // Fog is not a position: it may use the whole range of the format, which is twice as large.
         let fog = args
             .fog
             .map_or(0.0, |fog| fog.near.abs().max(fog.far.abs()) / 2.0);

@@ -1,4 +1,4 @@
-//! The space that a model takes while it turns.
+//! The space that a model occupies while it turns.
 
 use super::{Point, basis};
 use crate::vector::{along, dot, sub};
@@ -9,8 +9,8 @@ const SIDES: u32 = 72;
 /// Returns points whose convex hull contains every pose of `points` that turn around the axis through `about` in the
 /// direction `up`, of length one.
 ///
-/// Around the axis, only radius and height matter, and only the points on the convex outline of these. Each of them
-/// becomes a polygon around its circle, which it exceeds by a thousandth.
+/// Around the axis, only the radius and height of points matter, and only those on the convex outline of these. Each
+/// becomes a polygon around its circle, which exceeds the circle by a thousandth.
 pub fn swept(points: &[Point], about: Point, up: Point) -> Vec<Point> {
     let Some([right, back, _]) = [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]
         .into_iter()

@@ -8,8 +8,8 @@ use crate::vector::{Vector, add, cross, dot, length, sub};
 /// Cosine of the largest angle, 60 degrees, between faces that are shaded as one surface.
 const CREASE: f64 = 0.5;
 
-/// The most faces around a point that are compared one by one. If there are more, those of similar direction are first
-/// put together.
+/// The largest number of faces around a point that are compared one by one. If there are more, faces of similar
+/// direction are first merged.
 const FEW: usize = 64;
 
 /// The direction of a normal in steps of 1/8, the same for normals within about 7 degrees.
@@ -22,10 +22,10 @@ fn direction(normal: Vector) -> [i8; 3] {
     })
 }
 
-/// For each of the faces around a point, the sum of the faces within [`CREASE`].
+/// Returns, for each of the faces around a point, the sum of the normals of all faces within [`CREASE`].
 ///
-/// All pairs of faces are compared. If there are many faces, those of similar direction count as one. There are at most
-/// a few hundred directions, so the time is linear.
+/// All pairs of faces are compared. If there are many faces, those of similar direction count as one. Because there are
+/// at most a few hundred directions, the time is linear.
 fn smooth(faces: &[Vector]) -> Vec<Vector> {
     let mut groups: Vec<Vector> = Vec::new();
     let mut places: HashMap<[i8; 3], usize> = HashMap::new();
@@ -104,7 +104,7 @@ impl Model {
                     .or_insert(new)
             })
             .collect();
-        // The corners around each place, as three times the triangle plus the corner.
+        // The corners at each position, numbered as three times the triangle plus the corner.
         let mut around: Vec<Vec<usize>> = vec![Vec::new(); places.len()];
         for (at, triangle) in self.triangles.iter().enumerate() {
             for (which, corner) in triangle.corners.iter().enumerate() {
@@ -140,8 +140,8 @@ impl Model {
         }
     }
 
-    /// Computes texture coordinates for the triangles that have none: the model is put in a box, and each triangle
-    /// takes the coordinates on the side of the box that it faces most.
+    /// Computes texture coordinates for the triangles that have none. Each triangle takes the coordinates of its
+    /// projection to a side of the box around the model, the side that it faces most.
     fn make_uvs(&mut self) {
         let low = |axis: usize| {
             self.positions

@@ -1,4 +1,4 @@
-//! glTF 2.0, text and binary.
+//! Reads glTF 2.0, text and binary.
 
 use std::cell::Cell;
 use std::fs;
@@ -63,7 +63,7 @@ pub fn read(bytes: &[u8], folder: &Path, quiet: bool) -> Result<Model, String> {
                 reader.node(&node, IDENTITY, MOST_LEVELS)?;
             }
         }
-        // A library of meshes.
+        // The file is a library of meshes without a scene.
         None => {
             for mesh in document.meshes() {
                 for primitive in mesh.primitives() {
@@ -92,7 +92,7 @@ fn validated(document: Document) -> Result<Document, String> {
     Document::from_json(root).map_err(|error| error.to_string())
 }
 
-/// The most levels of nodes.
+/// The largest number of levels of nodes.
 const MOST_LEVELS: usize = 1000;
 
 /// A matrix as glTF stores it: a list of columns.
@@ -123,7 +123,7 @@ fn normal_matrix(m: &Matrix) -> ([[f64; 3]; 3], f64) {
     (cofactors, determinant)
 }
 
-/// The contents of a URI: data in itself, or a file in `folder`.
+/// Returns the contents of a URI, which is data itself, or names a file in `folder`.
 fn contents(uri: &str, folder: &Path) -> Result<Vec<u8>, String> {
     if let Some(data) = uri.strip_prefix("data:") {
         let (_, text) = data
@@ -184,7 +184,7 @@ struct Reader<'b> {
     buffers: &'b [Vec<u8>],
     model: Model,
     ears: Ears,
-    /// The nodes that have been added.
+    /// Which nodes have been added.
     seen: Vec<bool>,
     reading: Reading,
     /// How many values, and how many bytes of the buffers, have been read.
@@ -192,7 +192,7 @@ struct Reader<'b> {
     read: Cell<usize>,
 }
 
-/// A linear component of a color as sRGB.
+/// Converts a linear component of a color to sRGB.
 fn srgb(linear: f64) -> u8 {
     byte(if linear <= 0.003_130_8 {
         12.92 * linear
@@ -325,7 +325,7 @@ impl Reader<'_> {
         #[allow(clippy::cast_possible_truncation)] // as above
         let material = material.index().map(|index| index as u32);
         let mut triangle = |[a, b, c]: [u32; 3]| {
-            // A mirror image turns the triangles over.
+            // A mirror image reverses the winding of triangles.
             let triangle = if determinant < 0.0 {
                 [a, c, b]
             } else {
@@ -429,7 +429,7 @@ impl Reader<'_> {
                 .map(value)
                 .collect()
             }
-            // Values without bytes of their own are zero. But a short file must not be able to demand all memory.
+            // Values without bytes of their own are zero. But a short file must not be able to claim all memory.
             None if accessor.sparse().is_some() && accessor.count() <= 1 << 24 => {
                 vec![[0.0; N]; accessor.count()]
             }

@@ -13,7 +13,7 @@ pub struct Material {
 }
 
 impl Material {
-    /// A white one.
+    /// Makes a white material.
     pub fn new(name: String) -> Self {
         Self {
             name,
@@ -33,7 +33,7 @@ pub enum Image {
 }
 
 impl Image {
-    /// The file that it is in, unless it is in the model's own.
+    /// The file that contains the picture, unless the model's own file does.
     pub fn file(&self) -> Option<PathBuf> {
         match self {
             Self::File(path) => Some(path.clone()),

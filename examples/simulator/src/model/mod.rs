@@ -1,4 +1,4 @@
-//! Models in the formats that they come in.
+//! Reads models in all formats.
 
 mod complete;
 #[cfg(feature = "gltf")]
@@ -36,16 +36,16 @@ pub struct Model {
     pub triangles: Vec<Triangle>,
     /// The outlines of the file's polygons, each edge once.
     pub edges: Vec<[u32; 2]>,
-    /// Empty if the file has none.
+    /// The materials; empty if the file has none.
     pub materials: Vec<Material>,
     pub images: Vec<Image>,
-    /// How many texture coordinates are the file's own; the others were computed.
+    /// How many texture coordinates come from the file; the others were computed.
     pub own_uvs: usize,
     /// Whether every face has its own texture coordinates.
     pub had_uvs: bool,
-    /// The files that belong to it: materials, buffers, pictures.
+    /// The files that belong to the model: materials, buffers and pictures.
     pub files: Vec<PathBuf>,
-    /// Sentences for the user about what could not be read and is left out.
+    /// Sentences for the user about parts that could not be read and are left out.
     pub notes: Vec<String>,
 }
 
@@ -145,7 +145,7 @@ impl Model {
         }
     }
 
-    /// Refuses a model with nothing to draw, and numbers that no scale brings into range.
+    /// Refuses a model with nothing to draw, and numbers that no scale can bring into range.
     fn check(&self) -> Result<(), String> {
         if self.triangles.is_empty() {
             return Err("it has no faces: there is nothing to draw".into());

@@ -1,4 +1,4 @@
-//! MTL: the materials of OBJ files.
+//! Reads MTL, the materials of OBJ files.
 
 use std::path::{Path, PathBuf};
 
@@ -7,7 +7,7 @@ use super::{Image, Material, Model, next};
 
 /// Adds the materials of MTL text to a model.
 ///
-/// A texture replaces the color of its material, because programs write all kinds of colors beside a texture.
+/// A texture replaces the color of its material, because programs write arbitrary colors next to a texture.
 pub fn read(model: &mut Model, bytes: &[u8], folder: &Path) -> Result<(), String> {
     let first = model.materials.len();
     for (line, statement) in Statements::new(bytes) {
@@ -57,7 +57,7 @@ fn color(value: &[u8]) -> Result<[u8; 3], String> {
     }
 }
 
-/// A component of a color from 0 to 1.
+/// Converts a component of a color from 0 to 1.
 pub fn byte(component: f64) -> u8 {
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // saturates
     let byte = (component * 255.0).round() as u8;
@@ -73,7 +73,7 @@ fn values(option: &[u8]) -> usize {
     }
 }
 
-/// The file of a texture, which may have blanks in its name, behind options.
+/// Returns a texture's file name, which follows the options and may contain blanks.
 fn texture(value: &[u8]) -> Option<String> {
     let mut rest = value;
     while rest.starts_with(b"-") {

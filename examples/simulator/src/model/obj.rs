@@ -1,4 +1,4 @@
-//! Wavefront OBJ, in the dialect of the crate's own reader (`fixel::mesh::obj`), of any size.
+//! Reads Wavefront OBJ of any size, in the dialect of the crate's own reader (`fixel::mesh::obj`).
 
 use std::collections::HashMap;
 use std::fs;
@@ -30,10 +30,10 @@ pub fn read(bytes: &[u8], folder: &Path, reading: &Reading) -> Result<Model, Str
 /// What a corner's indices name.
 const KINDS: [&str; 3] = ["position", "texture coordinate", "normal"];
 
-/// The most corners of a face. A face with more is a mistake that would fill the memory.
+/// The largest number of corners of a face. A face with more is a mistake that would fill the memory.
 const MOST_CORNERS: usize = 1_000_000;
 
-/// A polygon: its corners, and its material as a place in the list of names.
+/// A polygon: its corners, and its material as an index in the list of names.
 struct Polygon {
     corners: Range<usize>,
     material: Option<u32>,
@@ -66,7 +66,7 @@ impl Reader {
                     }
                 }
                 let at = |at: usize| numbers[at].1;
-                // Three more numbers are a color, one more is a weight.
+                // Three more numbers are a color; one more number is a weight.
                 if numbers.len() >= 6 {
                     self.model
                         .colors
@@ -78,7 +78,7 @@ impl Reader {
             Some(b"vt") => {
                 let numbers = numbers(words, 1, 2)?;
                 let (u, v) = (numbers[0], numbers.get(1).copied().unwrap_or((b"0", 0.0)));
-                // In OBJ files v runs up. Here it runs down, in the order of an image's rows.
+                // In OBJ files, v points up. Here it points down, as an image's rows do.
                 for (word, fits, range) in [
                     (u.0, tex_coord(u.1).is_ok(), "-2048 and 2047.99999"),
                     (v.0, tex_coord(1.0 - v.1).is_ok(), "-2046.99999 and 2049"),
@@ -223,7 +223,7 @@ impl Reader {
             for corner in corners.iter_mut() {
                 corner.color = is_colored.then_some(corner.position);
             }
-            // Half a triangle has no texture.
+            // A texture needs coordinates at all three corners.
             if corners.iter().any(|corner| corner.uv.is_none()) {
                 for corner in corners.iter_mut() {
                     corner.uv = None;
@@ -235,7 +235,7 @@ impl Reader {
         Ok(self.model)
     }
 
-    /// For each name that faces use, its material; notes names that no library has.
+    /// Returns the material for each name that faces use, and notes names that no library defines.
     fn materials(&mut self) -> Vec<Option<u32>> {
         let model = &mut self.model;
         let mut places = HashMap::new();

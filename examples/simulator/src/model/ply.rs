@@ -1,4 +1,4 @@
-//! PLY, text and binary.
+//! Reads PLY, text and binary.
 
 use std::io::Cursor;
 
@@ -61,7 +61,7 @@ pub fn read(bytes: &[u8], reading: &Reading) -> Result<Model, String> {
                         model.colors.push(row.color);
                     }
                     if has.uvs {
-                        // v runs up in the file.
+                        // In the file, v points up.
                         model.uvs.push([row.uv[0], 1.0 - row.uv[1]]);
                     }
                     Ok(())
@@ -283,7 +283,7 @@ impl File<'_> {
     }
 }
 
-/// An element of any kind: the properties that matter here.
+/// The properties of an element that the program uses, whatever its kind.
 #[derive(Default)]
 struct Row {
     position: [f64; 3],
@@ -294,7 +294,7 @@ struct Row {
     uvs: Vec<f64>,
 }
 
-/// A property as a number, and as a component of a color, which is a fraction if it is no integer.
+/// A property as a number, and as a component of a color. A component that is not an integer is a fraction.
 fn scalar(property: &Property) -> Option<(f64, u8)> {
     let (value, most) = match *property {
         Property::Char(x) => (x.into(), 127.0),

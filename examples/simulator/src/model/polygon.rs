@@ -1,4 +1,4 @@
-//! Triangles for polygons.
+//! Triangulates polygons.
 
 use earcut::{Earcut, deviation};
 
@@ -15,8 +15,9 @@ pub struct Ears {
 }
 
 impl Ears {
-    /// The triangles of a polygon, as indices of its `corners`: the fan around its first corner or, if that fan leaves
-    /// a concave polygon, triangles within it, as in `include_obj!`. Outlines that cross themselves keep the fan.
+    /// Returns the triangles of a polygon, as indices of its `corners`. They form the fan around its first corner or,
+    /// if the fan leaves a concave polygon, lie within the polygon, as in `include_obj!`. Outlines that cross
+    /// themselves keep the fan.
     pub fn triangles(&mut self, positions: &[[f64; 3]], corners: &[Corner]) -> &[[usize; 3]] {
         self.triangles.clear();
         self.triangles
@@ -79,7 +80,7 @@ impl Ears {
     fn cut(&mut self) {
         let earcut = self.earcut.get_or_insert_with(Earcut::new);
         earcut.earcut(self.points.iter().copied(), &[], &mut self.indices);
-        // Rounding of an area is far below this; an outline that crosses itself is far above.
+        // Rounding causes a far smaller deviation; an outline that crosses itself causes a far larger one.
         if deviation(self.points.iter().copied(), &[], &self.indices) > 1e-6 {
             return;
         }

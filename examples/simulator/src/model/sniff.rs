@@ -1,4 +1,4 @@
-//! The format of a file, by its name and its first bytes.
+//! Finds the format of a file by its name and its first bytes.
 
 use std::path::Path;
 
@@ -39,7 +39,7 @@ impl Format {
 /// How many bytes an STL file has before its triangles, and for each.
 pub const STL: [usize; 2] = [84, 50];
 
-/// Whether the size of a file is what a binary STL file's header says.
+/// Whether the size of a file agrees with the header of a binary STL file.
 pub fn is_binary_stl(bytes: &[u8]) -> bool {
     let Some(count) = bytes[..bytes.len().min(STL[0])].last_chunk::<4>() else {
         return false;
@@ -49,7 +49,7 @@ pub fn is_binary_stl(bytes: &[u8]) -> bool {
             == bytes.len() as u64
 }
 
-/// The format whose mark the file begins with; OBJ has none.
+/// The format whose signature the file begins with; OBJ has none.
 fn marked(bytes: &[u8]) -> Option<Format> {
     let start = &bytes[..bytes.len().min(1024)];
     let text = start

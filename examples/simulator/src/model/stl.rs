@@ -1,4 +1,4 @@
-//! STL, text and binary.
+//! Reads STL, text and binary.
 
 use std::cell::Cell;
 use std::collections::HashMap;
@@ -16,7 +16,7 @@ pub fn read(bytes: &[u8], reading: &Reading) -> Result<Model, String> {
     let begins = bytes.trim_ascii_start().get(..5);
     let is_text = begins.is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
         && !bytes.iter().take(1024).any(|&byte| byte == 0);
-    // The header of a binary file may begin with that word too.
+    // The header of a binary file may also begin with "solid".
     if is_text && !is_binary_stl(bytes) {
         text(&mut model, bytes, reading)?;
     } else {
@@ -85,7 +85,7 @@ impl Seek for Unmarked<'_, '_> {
 }
 
 fn text(model: &mut Builder, bytes: &[u8], reading: &Reading) -> Result<(), String> {
-    // The reader knows lower case only, and UTF-8.
+    // The reader accepts only lower case and UTF-8.
     let text = String::from_utf8_lossy(bytes)
         .to_ascii_lowercase()
         .replace("\r\n", "\n")
@@ -93,7 +93,7 @@ fn text(model: &mut Builder, bytes: &[u8], reading: &Reading) -> Result<(), Stri
     let place = Place::default();
     let mut solid = 0;
     while let Some(start) = next_solid(text.as_bytes(), &place)? {
-        // A file may have several solids, and a name may be missing, which the reader does not know.
+        // A file may have several solids, and names may be missing. The reader accepts neither.
         let mut lines = Lines {
             text: text.as_bytes(),
             place: &place,
@@ -134,7 +134,7 @@ fn explain(line: &str, message: &str) -> String {
     for word in &numbers {
         match number(word) {
             Err(problem) => return problem,
-            // As large as the format of these files.
+            // The number fits the format of these files, but not this program.
             Ok(value) if !is_usable(value) => return unusable(String::from_utf8_lossy(word)),
             Ok(_) => {}
         }
@@ -185,8 +185,8 @@ fn next_solid(text: &[u8], place: &Place) -> Result<Option<Place>, String> {
     Ok(None)
 }
 
-/// The lines of a text from the one after `from` on, preceded by a line "solid ". It returns at most a line at a time,
-/// so `place` is the reader's position.
+/// The lines of a text after the one at `from`, preceded by a line "solid ". A read returns at most one line, so
+/// `place` is the reader's position.
 struct Lines<'a> {
     text: &'a [u8],
     place: &'a Place,
@@ -216,7 +216,7 @@ impl Read for Lines<'_> {
 }
 
 impl Seek for Lines<'_> {
-    /// Goes back to the start, which is all that the reader asks for.
+    /// Goes back to the start; the reader asks for nothing else.
     fn seek(&mut self, _: SeekFrom) -> IoResult<u64> {
         self.place.byte.set(self.from.byte.get());
         self.place.line.set(self.from.line.get());
@@ -237,7 +237,7 @@ impl Builder {
     fn triangle(&mut self, triangle: &stl_io::Triangle) -> Result<(), String> {
         let mut corners = [Corner::default(); 3];
         for (corner, vertex) in corners.iter_mut().zip(&triangle.vertices) {
-            // −0 and 0 are the same place.
+            // −0 and 0 are the same position.
             let position = [0, 1, 2].map(|axis| vertex.0[axis] + 0.0);
             if let Some(x) = position.iter().find(|x| !is_usable(f64::from(**x))) {
                 return Err(unusable(x));

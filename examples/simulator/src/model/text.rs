@@ -1,8 +1,8 @@
-//! Text of models, which may be of any size and in any encoding.
+//! Helpers for the text of models, which may have any size and any encoding.
 
 use std::borrow::Cow;
 
-/// Most characters of a quotation.
+/// The largest number of characters in a quotation.
 const QUOTED: usize = 40;
 
 /// A quotation of the file, short enough for a message.

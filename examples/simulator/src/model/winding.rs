@@ -1,4 +1,4 @@
-//! Normals of models whose triangles have the wrong winding.
+//! Corrects normals of models whose triangles have the wrong winding.
 
 use std::collections::HashMap;
 
@@ -6,10 +6,10 @@ use crate::model::{Corner, Model};
 use crate::vector::{cross, dot, sub};
 
 impl Model {
-    /// Turns the normals of each triangle whose three normals point to its back. The front is where its corners run
+    /// Reverses the normals of each triangle whose three normals point to its back. On its front side, the corners run
     /// counter-clockwise.
     ///
-    /// Light on both sides takes a face's front from its corners, and would light such a triangle from the wrong side.
+    /// Two-sided light finds a face's front from its corners, and would light such a triangle from the wrong side.
     pub fn turn_normals(&mut self) {
         let Self {
             positions,

@@ -1,4 +1,4 @@
-//! The dump, pixel by pixel; bands do not change it.
+//! The values of the dump, pixel by pixel, which are the same in bands.
 
 use std::fs;
 
@@ -38,7 +38,7 @@ fn bands_equal_the_frame() {
 #[test]
 fn the_dump_is_exact_and_in_row_order() {
     let directory = directory("dump");
-    // A square straight ahead that fills the frame, with u and v from 0 to 1.
+    // A square straight ahead fills the frame, with u and v from 0 to 1.
     fs::write(
         directory.join("square.obj"),
         "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n",
@@ -56,11 +56,11 @@ fn the_dump_is_exact_and_in_row_order() {
         let at = f64::from(u8::try_from(at).unwrap());
         let (x, y) = (at % 4.0, (at / 4.0).floor());
         assert_eq!(cells[..2], [x, y], "{row}");
-        // At a pixel's center, with v running down; within a few units of 2^-24.
+        // The values belong to the pixel's center. v points down. The error is a few units of 2^-24.
         assert!(((x + 0.5) / 4.0 - cells[2]).abs() < 1e-6, "{row}");
         assert!(((y + 0.5) / 4.0 - cells[3]).abs() < 1e-6, "{row}");
         assert!((cells[4] - 1.0).abs() < 1e-4, "{row}");
-        // 65535 · near / w, rounded down.
+        // Depth is 65535 · near / w, rounded down.
         assert!((cells[5] - 32767.0).abs() <= 1.0, "{row}");
     }
 }

@@ -1,4 +1,5 @@
-//! Models as Rust source: what is written is what is in exported/, and it draws what `include_obj!` does.
+//! Models as Rust source. The program must write the files of exported/, and these must draw the same as
+//! `include_obj!`.
 
 use std::fs;
 
@@ -50,7 +51,7 @@ fn a_model_is_written_as_statics() {
     }
 }
 
-/// Draws a mesh from a point that sees two sides of the roof, or the ground sheet.
+/// Draws a mesh from an eye that sees two sides of the roof, or the ground sheet.
 fn picture<S: Shader<Color = Rgb565>>(mesh: &Mesh<'_>, shader: &S, eye: Vec3) -> Vec<Rgb565> {
     let mut pixels = vec![Rgb565::BLACK; 64 * 48];
     let mut depth = vec![0; 64 * 48];
@@ -66,7 +67,7 @@ fn picture<S: Shader<Color = Rgb565>>(mesh: &Mesh<'_>, shader: &S, eye: Vec3) ->
 }
 
 #[test]
-fn the_statics_draw_what_include_obj_does() {
+fn the_statics_draw_the_same_as_include_obj() {
     let texels: Vec<Rgb565> = (0..64_u8)
         .map(|at| Rgb565::new(at % 8 * 4, at / 8 * 8, 31 - at % 32))
         .collect();
@@ -81,7 +82,7 @@ fn the_statics_draw_what_include_obj_does() {
         assert!(packed(&quantized_16::MESH) == packed(&OF_16));
         assert!(packed(&quantized_8::MESH) == packed(&OF_8));
     }
-    // The formats do differ.
+    // The formats round differently, so their pictures differ.
     let eye = vec3!(2, 1.5, 3);
     let packed = picture(OF_8.mesh(), &OF_8.shader(skin), eye);
     assert!(packed != picture(&LONG, &skin, eye));
@@ -122,7 +123,7 @@ fn textures_are_written_as_bmp() {
     assert!(mesh.contains(r#".with_texture("skin.bmp")"#), "{mesh}");
 }
 
-/// The second texture's file has a name that nobody gave: only one that the program wrote itself is replaced.
+/// The user did not name the second texture's file. The program replaces such a file only if it wrote it.
 #[test]
 fn numbered_textures_replace_no_other_file() {
     let directory = directory("numbered");
@@ -151,7 +152,7 @@ fn numbered_textures_replace_no_other_file() {
 }
 
 #[test]
-fn exports_that_would_do_harm_are_refused() {
+fn exports_over_inputs_or_other_outputs_are_refused() {
     let directory = directory("bad-exports");
     fs::write(directory.join("tent.rs"), OBJ).unwrap();
     fs::write(

@@ -14,7 +14,7 @@ fn without_arguments_it_draws_its_own_scene_and_says_where() {
 }
 
 #[test]
-fn an_animation_turns() {
+fn an_animation_is_a_gif_of_several_frames() {
     let directory = directory("animation");
     fs::write(directory.join("t.obj"), TRIANGLE).unwrap();
     let said = good(&directory, "t.obj --two-sided --size 32x32 --frames 4");
@@ -26,7 +26,7 @@ fn an_animation_turns() {
 }
 
 #[test]
-fn help_teaches() {
+fn help_names_options_and_examples() {
     let said = good(&directory("help"), "--help");
     for part in ["Examples", "--two-sided", "default", "Camera:", "below 180"] {
         assert!(said.contains(part), "no '{part}' in: {said}");

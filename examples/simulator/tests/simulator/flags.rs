@@ -25,7 +25,7 @@ fn an_option_without_effect_is_named() {
         let said = String::from_utf8(output.stdout).unwrap();
         (printed(&said, "crc").to_string(), errors)
     };
-    // The option, and an equal run without it.
+    // Each option with the rest of its command line: without the option, the run must be the same.
     for (option, rest) in [
         ("--tolerance 3", "t.obj"),
         ("--tolerance 3", "t.obj --mode exact"),
@@ -74,7 +74,7 @@ fn an_option_without_effect_is_named() {
     }
 }
 
-/// A floor that shows its texture once, seen with the head tilted, so that distances change along each row.
+/// A floor that shows its texture once. The camera is tilted sideways, so that distances change along each row.
 const FLOOR: &str =
     "v -1 0 0\nv 1 0 0\nv 1 0 -8\nv -1 0 -8\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
 const VIEW: &str = "floor.obj --eye 0.5,1,1 --look-at 0.5,0,-4 --up 1,1,0 --fov 70 --shade texture";
@@ -99,10 +99,10 @@ fn dumped(directory: &Path, arguments: &str) -> Vec<[f64; 2]> {
 }
 
 #[test]
-fn a_tolerance_is_in_texels_of_the_texture_that_is_given() {
+fn a_tolerance_is_in_texels_of_the_given_texture() {
     let directory = directory("tolerance");
     fs::write(directory.join("floor.obj"), FLOOR).unwrap();
-    // What is dumped.
+    // The dump.
     for side in [16_u32, 64, 1500] {
         noise(side).save(directory.join("given.png")).unwrap();
         let view = format!("{VIEW} --texture given.png");
@@ -116,17 +116,17 @@ fn a_tolerance_is_in_texels_of_the_texture_that_is_given() {
             let error =
                 |(a, b): (&[f64; 2], &[f64; 2])| (a[0] - b[0]).abs().max((a[1] - b[1]).abs());
             let worst = fast.iter().zip(&exact).map(error).fold(0.0, f64::max) * f64::from(side);
-            // And 2^-13 of the largest coordinate, 1, from the reciprocals.
+            // The reciprocals add 2^-13 of the largest coordinate, which is 1.
             let most = tolerance + f64::from(side) / 8192.0;
             assert!(worst <= most, "{side} {tolerance}: {worst}");
-            // Of a small texture, the longest pieces there are do not reach it.
+            // On a small texture, even the longest possible pieces have a smaller error.
             assert!(
                 side < 1500 || worst > tolerance / 10.0,
                 "{tolerance}: {worst}"
             );
         }
     }
-    // What is drawn: of 2048 texels 1024 are left, so 2 of those that are given are 1 of those that are drawn.
+    // The picture. The program reduces 2048 texels to 1024, so two given texels are one drawn texel.
     let given = noise(2048);
     let drawn = resize(&given, 1024, 1024, FilterType::Triangle);
     given.save(directory.join("given.png")).unwrap();

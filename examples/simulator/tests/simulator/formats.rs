@@ -89,7 +89,7 @@ fn vertices_have_their_colors() {
             crc(&directory, "house.obj", &format!("--shade {shade}")),
         )
     });
-    // The picture itself: the left front corner at the bottom, and the top of the roof.
+    // The colors in the picture: the left front corner at the bottom, and the top of the roof.
     good(
         &directory,
         &format!("house.obj {VIEW} --shade texture --color rgb888 --out p.png"),
@@ -122,7 +122,7 @@ fn save(path: &Path, color: [u8; 3]) {
     RgbImage::from_pixel(4, 4, Rgb(color)).save(path).unwrap();
 }
 
-/// Three squares side by side: two with textures, one with a color; and a fourth that has no material.
+/// Four squares side by side: two with textures, one with a color, and one without a material.
 fn write_materials(directory: &Path) {
     let mut obj = String::from("mtllib none.mtl\nmtllib some materials.mtl\n");
     for square in 0..4 {
@@ -159,7 +159,7 @@ fn write_materials(directory: &Path) {
     save(&directory.join("green.png"), [30, 240, 40]);
 }
 
-/// The colors in the middles of the four squares.
+/// The colors at the centers of the four squares.
 fn middles(directory: &Path, arguments: &str) -> [[u8; 3]; 4] {
     let view = "--projection orthographic --eye 4,1,5 --look-at 4,1,0 --size 80x40 --color rgb888";
     good(
@@ -176,17 +176,17 @@ fn materials_have_colors_and_textures() {
     write_materials(&directory);
     let expected = [[255; 3], [250, 10, 20], [30, 240, 40], [0, 51, 255]];
     assert_eq!(middles(&directory, "--shade texture"), expected);
-    // A light from the viewer's side: no color becomes another one.
+    // The light comes from the viewer's side, so colors stay recognizable.
     let lit = middles(&directory, "");
     assert!(
         lit[1][0] > 120 && lit[1][1] < 20 && lit[3][2] > 120 && lit[3][0] == 0,
         "{lit:?}"
     );
-    // A texture of the user's replaces all.
+    // A texture that the user gives replaces all materials.
     save(&directory.join("own.png"), [9, 99, 199]);
     let own = middles(&directory, "--shade texture --texture own.png");
     assert_eq!(own, [[9, 99, 199]; 4]);
-    // A file that does not exist is reported, and the picture is drawn.
+    // A missing file is reported, and the picture is still drawn.
     fs::remove_file(directory.join("green.png")).unwrap();
     let output = run(&directory, "squares.obj");
     let notes = String::from_utf8(output.stderr).unwrap();
@@ -198,7 +198,7 @@ fn materials_have_colors_and_textures() {
         assert!(notes.contains(part), "{notes}");
     }
     assert_eq!(middles(&directory, "--shade texture")[2], [255; 3]);
-    // Mistakes in it have a line.
+    // Messages about mistakes in the materials name the line.
     fs::write(directory.join("some materials.mtl"), "newmtl a\nKd red").unwrap();
     refused(
         &directory,
@@ -207,7 +207,7 @@ fn materials_have_colors_and_textures() {
     );
 }
 
-/// A picture named after the model would be its texture.
+/// The picture's default name is the name of the model's texture.
 #[test]
 fn textures_of_a_model_are_not_overwritten() {
     let directory = directory("own-texture");
@@ -247,7 +247,7 @@ fn nodes_are_moved_and_mirrored() {
         fs::write(directory.join("node.glb"), make::glb(false, node)).unwrap();
         crc(&directory, "node.glb", "--shade flat")
     };
-    // Half a turn about y, twice as wide, and moved.
+    // The node rotates by half a turn about y, doubles the width, and moves.
     let moved = placed(
         "moved.obj",
         |[x, y, z]| [0.5 - 2.0 * x, y - 0.25, -z],
@@ -290,7 +290,7 @@ fn without_ply_the_message_names_the_feature() {
 fn concave_polygons_are_filled_within() {
     let directory = directory("concave");
     let points = "v 0 0 0\nv 4 0 0\nv 4 1 0\nv 1 1 0\nv 1 4 0\nv 0 4 0\n";
-    // The fans around the second and the fifth corner leave the L; the last outline crosses itself.
+    // The fans around the second and the fifth corner leave the L. The last outline crosses itself.
     for (at, polygon) in ["1 2 3 4 5 6", "2 3 4 5 6 1", "5 6 1 2 3 4", "3 4 5 6 1 2"]
         .iter()
         .enumerate()
@@ -318,7 +318,7 @@ fn concave_polygons_are_filled_within() {
     }
 }
 
-/// A cone of so many triangles that comparing each with each would take minutes.
+/// A cone of so many triangles that comparing every pair would take minutes.
 #[test]
 fn many_faces_around_a_point_take_linear_time() {
     let directory = directory("cone");
@@ -340,7 +340,7 @@ fn many_faces_around_a_point_take_linear_time() {
 }
 
 #[test]
-fn what_is_wrong_is_said_in_one_line() {
+fn mistakes_in_models_are_reported_in_one_line() {
     let directory = directory("wrong");
     let text = |text: &str| text.as_bytes().to_vec();
     let utf_16: Vec<u8> = "\u{feff}v 0 0 0\n"
@@ -432,7 +432,7 @@ fn what_is_wrong_is_said_in_one_line() {
     refuse_all(&directory, cases);
 }
 
-/// Text of STL with Windows' ends of lines and a mistake in line 5.
+/// STL text with Windows line ends and a mistake in line 5.
 fn stl_line(fifth: &str) -> Vec<u8> {
     let lines = format!(
         "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n{fifth}\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n"
@@ -442,7 +442,7 @@ fn stl_line(fifth: &str) -> Vec<u8> {
 
 #[cfg(feature = "ply")]
 #[test]
-fn what_is_wrong_in_ply_is_said_in_one_line() {
+fn mistakes_in_ply_are_reported_in_one_line() {
     let directory = directory("wrong-ply");
     let ply = make::ply_text(false);
     let mut nan = make::ply_binary();
@@ -451,7 +451,7 @@ fn what_is_wrong_in_ply_is_said_in_one_line() {
         .position(|at| at == b"end_header\n")
         .unwrap()
         + 11;
-    // The y of the third vertex, of 16 bytes each.
+    // The y of the third vertex; each vertex takes 16 bytes.
     nan[elements + 40..][..4].copy_from_slice(&f32::NAN.to_be_bytes());
     assert_eq!(elements + 32, 201);
     let cases = vec![
@@ -527,7 +527,7 @@ fn what_is_wrong_in_ply_is_said_in_one_line() {
 
 #[cfg(feature = "gltf")]
 #[test]
-fn what_is_wrong_in_gltf_is_said_in_one_line() {
+fn mistakes_in_gltf_are_reported_in_one_line() {
     let directory = directory("wrong-gltf");
     let glb = make::glb(false, "");
     make::write_gltf(&directory, "whole.gltf", false, "");
@@ -570,7 +570,7 @@ fn what_is_wrong_in_gltf_is_said_in_one_line() {
     refuse_all(&directory, cases);
 }
 
-/// Runs the program with each file, of a name and contents; its message must contain the third.
+/// Runs the program with each file, given by name, contents, and a text that the message must contain.
 fn refuse_all(directory: &Path, cases: Vec<(&str, Vec<u8>, &str)>) {
     for (name, bytes, says) in cases {
         fs::write(directory.join(name), bytes).unwrap();

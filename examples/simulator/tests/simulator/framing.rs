@@ -1,4 +1,4 @@
-//! The camera that the program chooses and prints: all of the model, at any angle, shape, scale and turn.
+//! The camera that the program chooses and prints: it must show the whole model at any angle, shape, scale and turn.
 
 use std::fmt::Write;
 use std::fs;
@@ -66,8 +66,8 @@ fn unit(a: Point) -> Point {
     a.map(|x| x / dot(a, a).sqrt())
 }
 
-/// Projects the box's corners with a printed camera. Returns left, right, bottom and top of its picture, in parts of
-/// the half picture from its middle, and the distances of the nearest and the farthest corner.
+/// Projects the box's corners with a printed camera. Returns the left, right, bottom and top of their picture, relative
+/// to its center in units of half the picture, and the distances of the nearest and the farthest corner.
 fn outline(camera: &str, size: [u32; 2], place: impl Fn(Point) -> Point) -> [[f64; 2]; 3] {
     let eye = point(camera, "--eye");
     let line = sub(eye, point(camera, "--look-at"));
@@ -76,7 +76,8 @@ fn outline(camera: &str, size: [u32; 2], place: impl Fn(Point) -> Point) -> [[f6
     let up = cross(back, right);
     let half = (option(camera, "--fov")[0].to_radians() / 2.0).tan();
     let aspect = f64::from(size[0]) / f64::from(size[1]);
-    // Parallel lines of sight: as large at any distance as at the target's, and moved by the distance from there.
+    // With parallel lines of sight, a point has the same size at any distance as at the target's. Its distance from
+    // there shifts it.
     let parallel = camera
         .split_once("--projection ")
         .map(|(_, kind)| match kind {
@@ -122,15 +123,15 @@ fn every_angle_and_shape_shows_the_whole_model_as_large_as_possible() {
         let camera = camera(&said);
         let [across, rise, [nearest, farthest]] = outline(camera, size, |p| p);
         let reach = |[low, high]: [f64; 2]| high.max(-low);
-        // 94 % of the picture. The printed camera is rounded to 1e-5 of the model, which moves the corners of a model
-        // next to the eye more.
+        // The model fills 94 % of the picture. The printed camera is rounded to 1e-5 of the model, which has a larger
+        // effect on corners close to the eye.
         assert!(
             reach(across) < 0.945 && reach(rise) < 0.945,
             "{view}: {said}"
         );
         assert!(option(camera, "--near")[0] < nearest, "{view}: {said}");
         assert!(option(camera, "--far")[0] > farthest, "{view}: {said}");
-        // The model is in the middle both ways, and either fills the picture one way or is next to the eye.
+        // The model is in the middle in both directions. It fills the picture in one of them, or is next to the eye.
         assert!((across[0] + across[1]).abs() < 2e-3, "{view}: {across:?}");
         assert!((rise[0] + rise[1]).abs() < 2e-3, "{view}: {rise:?}");
         let fills = reach(across).max(reach(rise)) > 0.938;
@@ -143,7 +144,7 @@ fn every_angle_and_shape_shows_the_whole_model_as_large_as_possible() {
 }
 
 #[test]
-fn an_eye_or_a_target_that_is_given_shows_the_whole_model_too() {
+fn a_given_eye_or_target_also_shows_the_whole_model() {
     let directory = directory("given");
     write_box(&directory.join("box.obj"), |p| p);
     let size = [320, 240];
@@ -217,7 +218,7 @@ fn parallel_pictures_show_the_whole_model_as_large_as_possible() {
 #[test]
 fn points_in_a_line_are_seen_from_nearby() {
     let directory = directory("line");
-    // In no direction, along an axis, and along the default line of sight.
+    // Lines in an arbitrary direction, along an axis, and along the default line of sight.
     for (name, step) in [
         ("a", [1.0, 1.0, 1.0]),
         ("b", [0.0, 2.0, 0.0]),
@@ -232,7 +233,7 @@ fn points_in_a_line_are_seen_from_nearby() {
         fs::write(directory.join(&file), text + "f 1 2 3\n").unwrap();
         let said = run(&directory, &format!("{file} --shade wire"));
         let said = String::from_utf8(said.stdout).unwrap();
-        // Of a line away from the eye nothing is seen but a point.
+        // A line that points away from the eye appears as a point.
         if name != "c" {
             let eye = point(camera(&said), "--eye");
             assert!(eye.iter().all(|x| x.abs() < 10.0), "{name}: {said}");
@@ -259,7 +260,7 @@ fn a_model_of_any_size_is_drawn_alike_and_reported_in_its_own_units() {
         let view = words.collect::<Vec<_>>().join(" ");
         let said = good(&directory, &format!("box.obj {view} --crc --dump d.csv"));
         let dump = fs::read_to_string(directory.join("d.csv")).unwrap();
-        // The distances, in units of `scale`.
+        // The distances in the dump, in units of `scale`.
         let distances = dump.lines().skip(1).map(|row| {
             let cell = row.split(',').nth(4).unwrap();
             cell.parse::<f64>().unwrap() / scale
@@ -282,7 +283,7 @@ fn a_model_of_any_size_is_drawn_alike_and_reported_in_its_own_units() {
             assert_eq!(scaled, distances, "2^{exponent} {view}");
         }
     }
-    // The chosen camera, with digits as many as the model needs; also if an option restates a default.
+    // The program prints its camera with as many digits as the model needs, also if an option restates a default.
     for scale in [1e-6, 3000.0, 1e6] {
         write_box(&directory.join("box.obj"), |p| p.map(|x| x * scale));
         let said = good(&directory, "box.obj --crc");
@@ -294,7 +295,7 @@ fn a_model_of_any_size_is_drawn_alike_and_reported_in_its_own_units() {
         let [across, ..] = outline(camera(&said), [320, 240], |p| p.map(|x| x * scale));
         assert!(across[1] > 0.7 && across[1] < 0.945, "{scale}: {across:?}");
     }
-    // Far from the origin, in steps of 1/16 of what single precision still holds.
+    // A model so far from the origin that single precision would have steps of 1/128.
     write_box(&directory.join("box.obj"), |p| {
         [p[0] + 1e5, p[1] - 1e5, p[2]]
     });
@@ -333,7 +334,7 @@ fn the_printed_camera_makes_the_same_picture() {
     ];
     for view in views {
         let said = good(&directory, &format!("{view} --crc"));
-        // What was given is given again: an option may stand there only once.
+        // Options that were given are given again. An option may occur only once.
         let given: Vec<&str> = view.split_whitespace().collect();
         let camera_options = ["--eye", "--look-at", "--up", "--fov", "--projection"];
         let mut kept = String::new();
@@ -413,7 +414,7 @@ fn a_turning_model_stays_in_the_picture() {
         &directory,
         &format!("box.obj --frames 12 {options} --size 120x90"),
     );
-    // The same camera with a wider picture: if nothing is cut off, no more pixels appear.
+    // The same camera with a wider picture: if nothing was cut off, no more pixels appear.
     let half = (option(options, "--fov")[0].to_radians() / 2.0).tan() * 2.0;
     let wider = options.replace(
         &format!("--fov {}", option(options, "--fov")[0]),
@@ -449,7 +450,7 @@ fn two_sided_light_leaves_the_fronts_as_they_are() {
         let pixels = picture.pixels().filter(|pixel| pixel.0 != background);
         pixels.map(|pixel| pixel.0[0]).max().unwrap()
     };
-    // Nothing but the ambient light, 0.3 of clay's 236, rounded.
+    // Only the ambient light reaches it: 0.3 of clay's 236, rounded.
     assert_eq!(brightest("back.png"), 71);
     // A closed model changes only along its outline, where a front and a back that meet there may be equally far.
     for look in ["lit", "gouraud", "flat"] {
@@ -477,7 +478,7 @@ fn two_sided_light_leaves_the_fronts_as_they_are() {
 #[test]
 fn faces_wound_against_their_normals_are_lit_from_where_they_are_seen() {
     let directory = directory("wound");
-    // A tent whose normals point to the viewer, wound properly and the wrong way round.
+    // A tent whose normals point to the viewer, with the right and with the wrong winding.
     let points = "v -1 0 0\nv 0 0 1\nv 0 1 0.5\nv 1 0 0\nvn -0.7 0.2 0.7\nvn 0.7 0.2 0.7\n";
     let (right, wrong) = (
         "f 1//1 2//1 3//1\nf 2//2 4//2 3//2\n",
@@ -495,7 +496,7 @@ fn faces_wound_against_their_normals_are_lit_from_where_they_are_seen() {
 }
 
 #[test]
-fn faces_that_point_away_are_hinted_at() {
+fn a_hint_names_faces_that_point_away() {
     let directory = directory("away");
     write_box(&directory.join("box.obj"), |p| p);
     write_box(&directory.join("inside-out.obj"), |[x, y, z]| [-x, y, z]);
@@ -529,7 +530,7 @@ fn faces_that_point_away_are_hinted_at() {
 }
 
 #[test]
-fn nothing_visible_is_no_success() {
+fn a_camera_that_shows_nothing_is_an_error() {
     let directory = directory("nothing");
     write_box(&directory.join("box.obj"), |p| p);
     fs::write(directory.join("point.obj"), "v 1 2 3\nv 1 2 3\nf 1 2 1\n").unwrap();
@@ -564,7 +565,7 @@ fn nothing_visible_is_no_success() {
     ] {
         refused(&directory, arguments, &["nothing is visible", says]);
     }
-    // A sheet that some frames show from its edge or from behind.
+    // This sheet shows its back in the first frame and its front in a later one. One such frame suffices.
     let sheet = "v -1 0 0\nv 1 0 0\nv 1 1 0\nv -1 1 0\nf 4 3 2 1\n";
     fs::write(directory.join("sheet.obj"), sheet).unwrap();
     let view = "sheet.obj --eye 0,0.5,9 --look-at 0,0.5,0";

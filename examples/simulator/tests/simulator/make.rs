@@ -4,7 +4,8 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
-/// A house without floor: eight walls and four roof triangles, none of which look alike. Counter-clockwise outside.
+/// A house without a floor: eight wall triangles and four roof triangles, all different, and counter-clockwise from
+/// outside.
 pub const POSITIONS: [[f32; 3]; 9] = [
     [-1.0, 0.0, 1.5],
     [1.0, 0.0, 1.5],
@@ -66,7 +67,7 @@ pub fn stl_text() -> String {
 }
 
 pub fn stl_binary() -> Vec<u8> {
-    // The header of some programs begins like the text's.
+    // Some programs write a binary header that begins like the text format.
     let mut bytes = b"solid house".to_vec();
     bytes.resize(80, b' ');
     bytes.extend(12_u32.to_le_bytes());
@@ -140,7 +141,7 @@ fn buffer() -> Vec<u8> {
     bytes
 }
 
-/// A glTF scene of the house. `node` has properties of its node, such as `"scale": [2, 2, 2]`; `uri` is the property
+/// A glTF scene of the house. `node` gives properties of its node, such as `"scale": [2, 2, 2]`; `uri` is the property
 /// that names the buffer's file.
 pub fn gltf(colored: bool, node: &str, uri: &str) -> String {
     let color = if colored { r#", "COLOR_0": 1"# } else { "" };
@@ -166,7 +167,7 @@ pub fn gltf(colored: bool, node: &str, uri: &str) -> String {
     )
 }
 
-/// Text glTF, whose buffer is a file beside it.
+/// Writes glTF text, with its buffer in a file beside it.
 pub fn write_gltf(directory: &Path, name: &str, colored: bool, node: &str) {
     fs::write(directory.join("a house.bin"), buffer()).unwrap();
     let text = gltf(colored, node, r#", "uri": "a%20house.bin""#);

@@ -1,4 +1,4 @@
-//! Models that cannot be read, and models that are visible as a whole.
+//! Models that cannot be read, and models that must be visible as a whole.
 
 use std::fmt::Write;
 use std::fs;
@@ -80,7 +80,7 @@ fn models_that_cannot_be_read_are_refused() {
 #[test]
 fn a_model_fills_the_picture() {
     let directory = directory("fills");
-    // A plate far from the origin, in the dialects: CRLF, a quad, negative indices, no vt or vn.
+    // A plate far from the origin, in a difficult dialect: CRLF, a quad, negative indices, neither vt nor vn.
     let model = "v 100 -50 7\r\nv 104 -50 7\r\nv 104 -48 7\r\nv 100 -48 7\r\nf -4 -3 -2 -1\r\n";
     fs::write(directory.join("quad.obj"), model).unwrap();
     for projection in ["perspective", "orthographic", "cabinet", "cavalier"] {
@@ -103,7 +103,7 @@ fn a_model_fills_the_picture() {
             let all = || places.iter().map(|place| place[axis]);
             (all().min().unwrap(), all().max().unwrap())
         };
-        // It fills 94 % of the width or of the height, in the middle.
+        // The plate fills 94 % of the width or of the height, and is in the middle.
         let ((left, right), (top, bottom)) = (range(0), range(1));
         let fills = right - left > 145 || bottom - top > 71;
         assert!(fills, "{projection}: {left}..{right}, {top}..{bottom}");
@@ -146,7 +146,7 @@ fn a_model_of_many_points_is_drawn_in_parts() {
     fs::write(directory.join("grid.obj"), model).unwrap();
     let view = "--eye 149.5,149.5,400 --look-at 149.5,149.5,0 --size 100x100 --fov 40";
     let said = good(&directory, &format!("grid.obj {view}"));
-    // 2 · 400 · tan 20° = 291.2 of the plate's 299 units are visible: every pixel, each once.
+    // 2 · 400 · tan 20° = 291.2 of the plate's 299 units are visible, so the plate covers every pixel, and each once.
     assert_eq!(printed(&said, "pixels"), "10000");
     assert_eq!(printed(&said, "triangles"), (299 * 299 * 2).to_string());
 }

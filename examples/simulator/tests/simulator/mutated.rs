@@ -1,4 +1,4 @@
-//! Files with mistakes anywhere: an error or a picture, but no panic.
+//! Files with mistakes anywhere: the program must draw them or report an error, but not panic.
 
 use std::fs;
 

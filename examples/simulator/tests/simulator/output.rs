@@ -1,4 +1,4 @@
-//! Where output goes, and that nothing of the user's is lost.
+//! Where output goes; no file of the user's may be lost.
 
 use std::fs;
 use std::io::Read;
@@ -7,7 +7,7 @@ use std::process::{Command, Stdio};
 
 use super::program::{TRIANGLE, directory, files, good, refused, run};
 
-/// A model, and a texture of the same name.
+/// Writes a model, and a texture of the same name.
 fn cow(test: &str) -> std::path::PathBuf {
     let directory = directory(test);
     fs::write(directory.join("cow.obj"), TRIANGLE).unwrap();
@@ -15,7 +15,7 @@ fn cow(test: &str) -> std::path::PathBuf {
     directory
 }
 
-/// Bytes of a PNG that the simulator did not mark as its own.
+/// The bytes of a PNG without the simulator's mark.
 fn picture(directory: &Path) -> Vec<u8> {
     let bytes = piped(directory, "--size 16x16 --out -");
     let mark = b"fixel simulator";
@@ -23,7 +23,7 @@ fn picture(directory: &Path) -> Vec<u8> {
         .windows(mark.len())
         .position(|part| part == mark)
         .unwrap();
-    // Without the chunk that the mark ends; a chunk is length, name, data and checksum.
+    // Leave out the chunk with the mark. A chunk consists of length, name, data and checksum.
     let (start, end) = (at - "Software\0".len() - 8, at + mark.len() + 4);
     [&bytes[..start], &bytes[end..]].concat()
 }
@@ -84,7 +84,7 @@ fn a_default_name_replaces_only_what_the_program_wrote() {
         assert!(said.contains("wrote cow-picture.png"), "{said}");
         assert_eq!(fs::read(directory.join("cow.png")).unwrap(), texture);
     }
-    // The second run replaced the first one's picture. A picture of the program's is kept as long as it is an input.
+    // The second run replaced the picture of the first. But the program keeps its own picture while it is an input.
     let said = good(
         &directory,
         "cow.obj --texture cow-picture.png --out other.png",
@@ -160,12 +160,12 @@ fn an_animated_png_has_all_frames_and_repeats() {
             .map(|(_, data)| *data)
             .collect::<Vec<_>>()
     };
-    // Five frames, endlessly.
+    // The animation has five frames and repeats endlessly.
     assert_eq!(of(b"acTL"), [[0, 0, 0, 5, 0, 0, 0, 0]]);
     let controls = of(b"fcTL");
     assert_eq!(controls.len(), 5);
     for control in controls {
-        // 40/1000 of a second.
+        // A frame lasts 40/1000 of a second.
         assert_eq!(control[20..24], [0, 40, 3, 232]);
     }
     assert_eq!(of(b"IEND").len(), 1);
@@ -247,7 +247,7 @@ fn an_option_without_effect_is_named() {
     let output = run(&directory, "--scene sphere-flat --depth float");
     let said = String::from_utf8(output.stderr).unwrap();
     assert!(said.contains("note: --depth has no effect"), "{said}");
-    // Options with an effect, and defaults.
+    // Options with an effect and defaults give no note.
     for arguments in [
         "",
         "--shade texture --mode fast --tolerance 1",
@@ -268,9 +268,9 @@ fn an_option_without_effect_is_named() {
 }
 
 #[test]
-fn a_picture_of_nothing_is_no_success() {
+fn a_picture_of_nothing_is_an_error() {
     let directory = cow("empty");
-    // The triangle faces the other way.
+    // The triangle points away from the viewer.
     refused(
         &directory,
         "cow.obj --eye 0,0,-9 --look-at 0,0,0",
@@ -301,7 +301,7 @@ fn started(
 }
 
 #[test]
-fn a_reader_that_leaves_is_an_error_in_a_line() {
+fn a_closed_pipe_is_reported_in_one_line() {
     let directory = cow("closed");
     for arguments in [
         "cow.obj --out t.png",
@@ -317,7 +317,7 @@ fn a_reader_that_leaves_is_an_error_in_a_line() {
             "{arguments}: {said}"
         );
         assert_eq!(said.lines().count(), 1, "{arguments}: {said}");
-        // Nor does a closed standard error make it panic.
+        // A closed standard error does not cause a panic, either.
         let (reader, writer) = std::io::pipe().unwrap();
         drop(reader);
         let refused = format!("{arguments} --fov 40 --eye 1,2,3 --look-at 1,2,3");
@@ -328,7 +328,7 @@ fn a_reader_that_leaves_is_an_error_in_a_line() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn a_full_disk_is_an_error_in_a_line() {
+fn a_full_disk_is_reported_in_one_line() {
     let directory = cow("full");
     let full = || {
         fs::OpenOptions::new()
@@ -361,9 +361,9 @@ fn a_full_disk_is_an_error_in_a_line() {
     assert!(!metadata.is_file());
 }
 
-/// The unfinished file has a name of its own, which does not grow with the file's.
+/// The unfinished file has its own name, which does not get longer with the output's name.
 #[test]
-fn the_longest_name_is_a_name() {
+fn a_file_name_may_have_the_maximum_length() {
     let directory = cow("long");
     let name = "n".repeat(251) + ".png";
     good(&directory, &format!("cow.obj --size 16x12 --out {name}"));
@@ -382,7 +382,7 @@ fn links_and_permissions_stay() {
     symlink("later.png", path("dangling.png")).unwrap();
     fs::write(path("one.png"), "old").unwrap();
     fs::hard_link(path("one.png"), path("two.png")).unwrap();
-    // Longer than a picture.
+    // The old contents are longer than a picture.
     fs::write(path("three.png"), "old".repeat(9999)).unwrap();
     fs::hard_link(path("three.png"), path("four.png")).unwrap();
     fs::write(path("private.png"), "old").unwrap();
@@ -433,7 +433,7 @@ fn a_pipe_is_written_to() {
         bytes
     });
     good(&directory, "t.obj --size 16x12 --out t.png");
-    // Checked first: nobody writes to a pipe that was replaced.
+    // Check this first: if the program replaced the pipe, the reader would wait forever.
     assert!(!fs::metadata(directory.join("t.png")).unwrap().is_file());
     assert!(reader.join().unwrap().starts_with(b"\x89PNG"));
 }

@@ -1,4 +1,4 @@
-//! The program, run in a directory of its own.
+//! Runs the program in a directory of its own.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! Command lines at random.
+//! Random command lines.
 
 use std::fs;
 use std::path::Path;
@@ -12,7 +12,7 @@ use super::program::{TRIANGLE, directory, files, run};
 const SEED: u64 = 14;
 const LINES: u32 = 200;
 
-/// Each option with values, good and bad.
+/// The options, each with good and bad values.
 const OPTIONS: &[(&str, &[&str])] = &[
     ("--texture", &["skin.png", "t.obj", "none.png", "out.png"]),
     ("--scene", &["floor", "cube", "sphere", "sphere-flat"]),
@@ -70,7 +70,7 @@ const OPTIONS: &[(&str, &[&str])] = &[
     ("--window", &[]),
 ];
 
-/// Whether a PNG has a single color. A dump may have such a name, too.
+/// Whether a PNG has a single color. A dump may also have the name of a PNG.
 fn is_blank(path: &Path) -> bool {
     if fs::read(path).unwrap().starts_with(b"x,y,") {
         return false;
@@ -81,7 +81,7 @@ fn is_blank(path: &Path) -> bool {
 }
 
 #[test]
-fn no_command_line_panics_or_loses_a_file_or_draws_nothing_without_a_word() {
+fn no_command_line_panics_or_loses_a_file_or_silently_draws_nothing() {
     let directory = directory("random");
     let mut random = ChaCha8Rng::seed_from_u64(SEED);
     let mut succeeded = 0;
@@ -98,7 +98,7 @@ fn no_command_line_panics_or_loses_a_file_or_draws_nothing_without_a_word() {
                 "skin.png",
                 include_bytes!("../../../assets/lighthouse.png").to_vec(),
             ),
-            // A picture of the user's, where the default name would be.
+            // A picture of the user's, with the default name of the output.
             ("t.png", b"mine".to_vec()),
         ];
         for (name, bytes) in &inputs {
@@ -115,7 +115,7 @@ fn no_command_line_panics_or_loses_a_file_or_draws_nothing_without_a_word() {
         let mut options = OPTIONS.to_vec();
         for (option, values) in options.partial_shuffle(&mut random, few).0 {
             words.push(option);
-            // The first values are good ones: half of the time, they are taken.
+            // The first value is a good one, and is taken half of the time.
             let value = if random.random() {
                 values.first()
             } else {
@@ -133,7 +133,7 @@ fn no_command_line_panics_or_loses_a_file_or_draws_nothing_without_a_word() {
         );
         assert!(!said.contains("panicked"), "{line}: {arguments}: {said}");
         for (name, bytes) in &inputs {
-            // A file that is only an output is replaced, as asked.
+            // A file that is only an output is replaced, as the user asked.
             let follows = |options: &[&str]| {
                 words
                     .windows(2)
@@ -170,7 +170,7 @@ fn no_command_line_panics_or_loses_a_file_or_draws_nothing_without_a_word() {
             assert!(said.contains("error: "), "{line}: {arguments}: {said}");
         }
     }
-    // Neither all nor none of the lines make sense.
+    // Some command lines must succeed, and some must fail.
     assert!(
         (LINES / 5..LINES * 4 / 5).contains(&succeeded),
         "{succeeded} of {LINES}"

@@ -13,7 +13,7 @@ fn senseless_cameras_are_refused() {
         ("--fov 0", ["field of view is 0 degrees", range]),
         ("--fov 180", ["field of view is 180 degrees", range]),
         ("--fov -60", ["field of view is -60 degrees", range]),
-        // A turn of 400 degrees equals 40, but nobody means that.
+        // 400 degrees would be the same angle as 40, but nobody means that.
         ("--fov 400", ["field of view is 400 degrees", range]),
         ("--fov nan", ["--fov", "finite number"]),
         ("--near 0", ["--near 0", "above 0"]),
@@ -69,7 +69,7 @@ fn senseless_cameras_are_refused() {
         ("--look-at 0;0;0", ["0;0;0", "must be a number"]),
     ] {
         refused(&directory, &format!("t.obj {arguments}"), &says);
-        // Under a parallel projection the eye is elsewhere, and the planes may be behind it.
+        // A parallel projection chooses another eye, and its planes may lie behind the eye.
         if !arguments.contains("--near") && !arguments.starts_with("--far") {
             let parallel = format!("t.obj --projection orthographic {arguments}");
             refused(&directory, &parallel, &says);
@@ -110,7 +110,7 @@ fn impossible_pictures_are_refused() {
     ] {
         refused(&directory, &format!("t.obj {arguments}"), &says);
     }
-    // So far away that few steps of the number format would be left for the model.
+    // The eye would be so far away that few steps of the number format would be left for the model.
     let far = [
         "--fov 0.0001: to see the whole model, the eye must be",
         "it must be at least 0.00",

@@ -1,4 +1,4 @@
-//! Background, light, fog, edges, samples and tiles: the pixels of their pictures.
+//! Checks pixels of pictures with backgrounds, lights, fog, edges, samples and tiles.
 
 use std::fmt::Write;
 use std::fs;
@@ -9,7 +9,7 @@ use super::program::{directory, good, printed, refused, run};
 /// A square of two units in the plane z = 0 that faces the viewer, and one that lies behind it to the right.
 const SQUARES: &str = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n\
                        v 1 -1 -8\nv 9 -1 -8\nv 9 9 -8\nv 1 9 -8\nf 1 2 3 4\nf 5 6 7 8\n";
-/// Four pixels for each unit; the front square in the middle.
+/// Four pixels for each unit, with the front square in the middle.
 const FRONT: &str =
     "--eye 0,0,5 --look-at 0,0,0 --projection orthographic --near 1 --far 20 --size 32x32";
 
@@ -50,7 +50,7 @@ fn a_background_has_the_color_that_was_asked_for() {
         let says = ["--background", "such as ff8800"];
         refused(&directory, &format!("s.obj --background {wrong}"), &says);
     }
-    // A gray is dithered like everything else.
+    // A gray background is dithered like everything else.
     let gray = draw(
         &directory,
         &format!("s.obj {FRONT} --fov 80 --color mono --background 808080"),
@@ -74,7 +74,7 @@ fn lights_add_up_in_their_colors() {
             middle(&format!("--shade {shade} --ambient {ambient} {lights}"))
         };
         let lit = |lights| shine(0, lights);
-        // Clay is (236, 214, 190); a light straight ahead is 0.7 of it, and one at 60 degrees half of that.
+        // Clay is (236, 214, 190). A light from straight ahead gives 0.7 of it, and one at 60 degrees half of that.
         let near = |found: Rgb, wanted: [f64; 3]| {
             for (found, wanted) in found.iter().zip(wanted) {
                 assert!(
@@ -120,7 +120,7 @@ fn fog_hides_by_distance() {
     assert_eq!(middle("--fog 6,9,ff0000"), bare);
     assert_eq!(middle("--fog 1,4,ff0000"), [255, 0, 0]);
     assert_eq!(middle("--fog 1,4 --background 00ff00"), [0, 255, 0]);
-    // Half of it; within a step of the blend, 1/256, and the 1/200 of its density.
+    // Half of the color shows, to within a step of the blend, 1/256, and the fog's density error of 1/200.
     let half = middle("--fog 3,7,000000");
     for (half, bare) in half.iter().zip(bare) {
         assert!(
@@ -128,7 +128,7 @@ fn fog_hides_by_distance() {
             "{half} of {bare}"
         );
     }
-    // The background's own color also where the texture's is another one: black in both.
+    // The fog has the background's color even where textures use another color type: black in both.
     let hidden = draw(
         &directory,
         &format!("s.obj {FRONT} --shade texture --color mono --fog 1,4"),
@@ -145,7 +145,7 @@ fn fog_hides_by_distance() {
     }
 }
 
-/// A surface has the colors of its vertices, a texture or both; each takes each light, with fog and without.
+/// A surface with vertex colors, a texture or both takes every light, with and without fog.
 #[test]
 fn every_surface_takes_every_light_and_fog() {
     let directory = directory("surfaces");
@@ -169,14 +169,15 @@ fn every_surface_takes_every_light_and_fog() {
             ("flat --ambient 0 --light 0,0,1", [0.7; 3]),
             ("flat --ambient 0 --light 0,0,1,00ff00", [0.0, 0.7, 0.0]),
         ] {
-            // Flat leaves out textures.
+            // Shade flat ignores textures.
             if shade.starts_with("flat") && model.contains("--texture") {
                 continue;
             }
             // The square is at a distance of 5.
             for (fog, clear) in [("", 1.0), ("--fog 3,7,000000", 0.5)] {
                 for filter in ["nearest", "bilinear"] {
-                    // Rounding, and the fog's steps; of five bits, one half step as stored and another as drawn.
+                    // The error comes from rounding and the fog's steps. Colors of five bits add half a step when
+                    // stored, and half a step when drawn.
                     for (color, within) in [("rgb888", 3.0), ("rgb565", 3.0 + 255.0 / 31.0)] {
                         let look = format!(
                             "{model} {FRONT} --shade {shade} {fog} --filter {filter} --color {color}"
@@ -194,7 +195,7 @@ fn every_surface_takes_every_light_and_fog() {
     }
 }
 
-/// Light and background change the project's own scene, which keeps its sea and, under no other background, its sky.
+/// Lights and backgrounds change the project's own scene. It keeps its sea and, unless a background is given, its sky.
 #[test]
 fn the_own_scene_takes_every_light_and_fog() {
     let directory = directory("own");
@@ -220,16 +221,16 @@ fn the_own_scene_takes_every_light_and_fog() {
         assert!(found != plain || look == "--two-sided", "{look}");
         assert_eq!(found[0], sky, "{look}");
         assert_ne!(found[235 * 320 + 300], sky, "{look}");
-        // Two-sided, the undersides of roofs and ledges show, too.
+        // With --two-sided, the undersides of roofs and ledges also show.
         if look != "--two-sided" {
             assert_eq!(covered(look), covered(""), "{look}");
         }
     }
     let blue = picture("--background 0000ff");
     assert_eq!(blue[0], [0, 0, 255]);
-    // Unlit, the sea has the colors of its texture.
+    // Without light, the sea has the colors of its texture.
     assert_eq!(picture("--shade texture")[235 * 320 + 300], sea);
-    // Far out at sea there is nothing but fog.
+    // Far out at sea, only fog is visible.
     let row = (0..240)
         .find(|row| plain[row * 320 + 319] != plain[row * 320])
         .unwrap_or(160);
@@ -261,7 +262,7 @@ fn fog_is_as_large_as_the_model() {
         let look = format!("s.obj {view} --shade flat --color rgb888 --fog {near},{far},000000");
         draw(&directory, &look)[16 * 32 + 16]
     };
-    // Half of it at a distance of 5, whatever the scale but for the fog's steps.
+    // At a distance of 5, half of the color shows at any scale, except for the fog's steps.
     for fog in [[3.0, 7.0], [-995.0, 1005.0]] {
         let half = middle(1.0, fog);
         assert!((70..150).contains(&half[0]), "{half:?}");
@@ -293,7 +294,7 @@ fn edges_lie_over_the_surface() {
             let mut black = 0;
             for ((bare, wired), edge) in bare.iter().zip(&wired).zip(&edges) {
                 assert!(wired == bare || *wired == [0; 3]);
-                // Nothing is hidden here: every edge shows.
+                // The surface hides nothing here, so every edge shows.
                 assert_eq!(*wired == [0; 3], *edge == [255; 3], "{shade} {color}");
                 black += u32::from(*wired == [0; 3]);
             }
@@ -302,7 +303,7 @@ fn edges_lie_over_the_surface() {
     }
 }
 
-/// Light of a byte of sRGB.
+/// The light energy of an sRGB byte.
 fn energy(byte: u8) -> f64 {
     let value = f64::from(byte) / 255.0;
     if value <= 0.04045 {
@@ -325,7 +326,7 @@ fn samples_average_light() {
                 .map(|sample| large[(y * 3 + sample / 3) * 96 + x * 3 + sample % 3][channel])
                 .map(energy)
                 .sum();
-            // The nearest byte: no other is nearer in light, but for the rounding of f32.
+            // No other byte is nearer in light, except for the rounding of f32.
             let error = |byte: u8| (energy(byte) - sum / 9.0).abs() - 1e-6;
             let byte = found[channel];
             let neighbors = [byte.saturating_sub(1), byte.saturating_add(1)];
@@ -355,7 +356,7 @@ fn samples_average_light() {
 }
 
 #[test]
-fn tiles_are_the_whole_picture() {
+fn tiles_equal_the_whole_picture() {
     let directory = squares("tiles");
     for look in [
         "s.obj --shade lit",
@@ -369,12 +370,13 @@ fn tiles_are_the_whole_picture() {
         "--color mono --bands 9",
         "--color gray4 --light 1,2,3 --fog 6,60",
     ] {
-        // Tiles that are as wide as the picture.
+        // First, tiles that are as wide as the picture.
         let look = format!("{look} --size 96x200");
         let whole = draw(&directory, &look);
         let tiled = draw(&directory, &format!("{look} --tile 192"));
         assert!(tiled == whole, "{look}");
-        // Narrower tiles begin rows elsewhere; modes are exact to a thousandth of a texel, so hardly a color differs.
+        // In narrower tiles, rows begin at other pixels. Modes are exact to a thousandth of a texel, so hardly any
+        // color differs.
         let tiled = draw(&directory, &format!("{look} --tile 40"));
         let differ = tiled.iter().zip(&whole).filter(|(a, b)| a != b).count();
         assert!(differ * 500 <= whole.len(), "{look}: {differ} differ");
@@ -396,7 +398,7 @@ fn pictures_beyond_a_canvas_are_drawn_in_tiles() {
     );
     let scene = draw(&directory, "--size 2100x40");
     assert_eq!(scene.len(), 2100 * 40);
-    // Sea in both lower corners, under sky.
+    // Both lower corners show the sea, below the sky.
     for x in [0, 2099] {
         assert_ne!(scene[39 * 2100 + x], scene[x]);
     }

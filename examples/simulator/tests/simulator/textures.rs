@@ -1,4 +1,4 @@
-//! Textures in the forms that PNG, JPEG, BMP and TGA know.
+//! Textures in every form of PNG, JPEG, BMP and TGA.
 
 use std::fs;
 
@@ -6,7 +6,7 @@ use image::{DynamicImage, ImageFormat, Rgb, RgbImage};
 
 use super::program::{directory, good, printed, refused};
 
-/// A smooth picture: the same in all forms but for their rounding.
+/// A smooth picture, which is the same in all forms except for rounding.
 fn colors(width: u32, height: u32) -> DynamicImage {
     let color = |x, y| Rgb([x * 255 / width, y * 255 / height, 128].map(|value| value as u8));
     RgbImage::from_fn(width, height, color).into()
@@ -15,7 +15,7 @@ fn colors(width: u32, height: u32) -> DynamicImage {
 #[test]
 fn every_form_of_picture_is_read() {
     let directory = directory("textures");
-    // A square of a unit, four units from the eye, that fills the picture: a texel for each pixel.
+    // A square of one unit, four units from the eye, fills the picture with one texel for each pixel.
     let square =
         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
     fs::write(directory.join("s.obj"), square).unwrap();
@@ -49,7 +49,7 @@ fn every_form_of_picture_is_read() {
         ("gray-alpha", gray.to_luma_alpha8().into()),
         ("gray16", gray.to_luma16().into()),
     ] {
-        // The name does not matter.
+        // The ending of the name does not matter.
         let file = directory.join("texture.jpg");
         image.save_with_format(file, ImageFormat::Png).unwrap();
         close(&drawn("texture.jpg"), &image.to_rgb8(), 0, name);
@@ -57,7 +57,7 @@ fn every_form_of_picture_is_read() {
     for (name, image) in [("rgb", &picture), ("gray", &gray)] {
         let file = directory.join("texture.png");
         image.save_with_format(file, ImageFormat::Jpeg).unwrap();
-        // What the compression loses.
+        // The tolerance allows for what the compression loses.
         close(&drawn("texture.png"), &image.to_rgb8(), 12, name);
     }
     let save = |name: &str, image: &DynamicImage, format| {
@@ -65,7 +65,7 @@ fn every_form_of_picture_is_read() {
         image.save_with_format(file, format).unwrap();
         drawn(name)
     };
-    // A flat stripe, for the runs of a packed TGA.
+    // A stripe of one color, which becomes runs in a packed TGA.
     let mut striped = picture.to_rgb8();
     for (_, y, pixel) in striped.enumerate_pixels_mut() {
         if y / 8 == 3 {
@@ -77,17 +77,17 @@ fn every_form_of_picture_is_read() {
         let wanted = image.to_rgb8();
         close(&save("t.bmp", image, ImageFormat::Bmp), &wanted, 0, name);
         close(&save("t.tga", image, ImageFormat::Tga), &wanted, 0, name);
-        // Packed in runs.
+        // The file is packed in runs.
         assert!(fs::read(directory.join("t.tga")).unwrap()[2] >= 9);
     }
-    // Neither packed nor named after its format; the bottom row comes first.
+    // This TGA is neither packed nor named after its format, and its bottom row comes first.
     let mut plain = vec![0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 64, 0, 64, 0, 24, 0];
     for row in striped.to_rgb8().rows().rev() {
         plain.extend(row.flat_map(|pixel| [pixel[2], pixel[1], pixel[0]]));
     }
     fs::write(directory.join("texture"), &plain).unwrap();
     close(&drawn("texture"), &striped.to_rgb8(), 0, "plain TGA");
-    // Cut off within a run.
+    // This file ends within a run.
     let packed = fs::read(directory.join("t.tga")).unwrap();
     fs::write(directory.join("cut.tga"), &packed[..packed.len() / 2]).unwrap();
     refused(
@@ -95,7 +95,7 @@ fn every_form_of_picture_is_read() {
         "s.obj --texture cut.tga",
         &["cannot read texture cut.tga: "],
     );
-    // Other sizes are resampled: a ramp stays a ramp but for its border, which has no neighbors.
+    // Other sizes are resampled: a ramp stays a ramp, except at its border, which lacks neighbors.
     for (width, height) in [(48, 80), (85, 52), (64, 64)] {
         let file = directory.join("other.png");
         colors(width, height).save(file).unwrap();

@@ -1,6 +1,6 @@
 //! Logarithmic axes with round numbers.
 
-/// Errors below this count as none: half a unit of an interpolated texel is 2⁻¹⁷.
+/// Errors below this value count as zero: half a unit of an interpolated texel is 2⁻¹⁷.
 pub const LEAST_ERROR: f64 = 1e-5;
 
 /// A logarithmic axis: its range and its labels.
@@ -12,7 +12,7 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// Makes an axis of whole decades that hold all of the values.
+    /// Makes an axis of whole decades that contain all of the values.
     pub fn decades(values: impl Iterator<Item = f64>) -> Self {
         let (low, high) = ends(values);
         // A little more than the greatest value, so that its mark is not cut off.
@@ -51,7 +51,7 @@ impl Axis {
         }
     }
 
-    /// The same axis, labeled with the values themselves.
+    /// Makes the same axis, with the values themselves as labels.
     pub fn at(values: impl Iterator<Item = f64>) -> Self {
         let mut ticks: Vec<f64> = values.collect();
         ticks.sort_by(f64::total_cmp);
@@ -73,7 +73,7 @@ fn ends(values: impl Iterator<Item = f64>) -> (f64, f64) {
         .unwrap_or((1., 1.))
 }
 
-/// Formats a tick's number without superfluous zeros: 0.001, 1.5, 20, 1024.
+/// Formats the number of a tick without unnecessary zeros: 0.001, 1.5, 20, 1024.
 pub fn label(value: f64) -> String {
     let digits = (1. - value.log10().floor()).max(0.) as usize;
     let text = format!("{value:.digits$}");
@@ -84,7 +84,7 @@ pub fn label(value: f64) -> String {
     }
 }
 
-/// Formats the number of an error's tick; smaller errors are drawn at the lowest one.
+/// Formats the number of a tick on an axis of errors. Smaller errors are drawn at the lowest tick.
 pub fn error_label(value: f64) -> String {
     if value < LEAST_ERROR * 1.01 {
         format!("≤ {}", label(value))

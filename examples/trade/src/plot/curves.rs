@@ -1,4 +1,4 @@
-//! A sweep: error above, cost below, along the same axis.
+//! The plot of a sweep: error above and cost below, along the same axis.
 
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -14,7 +14,7 @@ use crate::sweep::Point;
 const SIZE: (u32, u32) = (1280, 1230);
 const HEAD: u32 = 70;
 const LEGEND: u32 = 100;
-/// Height of the panel of cost, with the name of the axis.
+/// Height of the panel of cost, including the name of the axis.
 const COST: u32 = 490;
 
 /// The plot of a sweep.
@@ -29,7 +29,7 @@ pub struct Curves<'a> {
 
 /// The content of a panel.
 struct Panel<'a> {
-    /// Name of the horizontal axis; none in the upper panel, which shares the lower one's.
+    /// Name of the horizontal axis; empty in the upper panel, which shares the axis of the lower one.
     along: &'a str,
     up: Side<'a>,
     lines: Vec<Line>,

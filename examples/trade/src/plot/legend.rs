@@ -1,4 +1,4 @@
-//! The meaning of marks and lines: a row under a plot.
+//! The legend: rows under a plot that explain its marks and lines.
 
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -17,9 +17,9 @@ pub enum Mark {
     Wedge,
     Plus,
     Cross,
-    /// A solid piece of a line.
+    /// A piece of a solid line.
     Line,
-    /// A dashed piece of a line.
+    /// A piece of a dashed line.
     Dashes,
     /// The range of errors below a mark.
     Reach,
@@ -37,7 +37,7 @@ impl Mark {
         Self::Cross,
     ];
 
-    /// Draws it around a point on the paper.
+    /// Draws the mark around a point on the paper.
     pub fn draw<DB: DrawingBackend>(
         self,
         paper: &DrawingArea<DB, Shift>,
@@ -47,7 +47,7 @@ impl Mark {
     where
         DB::ErrorType: 'static,
     {
-        // With a white rim, for marks that overlap.
+        // A white rim separates marks that overlap.
         let polygon = |points: &[(i32, i32)]| {
             let mut points: Vec<_> = points.iter().map(|(dx, dy)| (x + dx, y + dy)).collect();
             paper.draw(&Polygon::new(points.clone(), color.filled()))?;
@@ -85,7 +85,7 @@ impl Mark {
     }
 }
 
-/// Writes entries in rows, each a mark and a word, with as many in a row as fit.
+/// Writes entries, each a mark with its meaning, in rows of as many as fit.
 pub fn draw<DB: DrawingBackend>(
     paper: &DrawingArea<DB, Shift>,
     rows: &[Vec<(Mark, RGBColor, String)>],

@@ -15,7 +15,7 @@ use crate::table::{HOST, Row, unit};
 /// Width and height of a panel.
 const PANEL: (u32, u32) = (880, 720);
 const LEGEND: u32 = 136;
-/// A line through the modes of a scene that no other mode beats in both cost and error.
+/// The color of the line through the modes of a scene that no other mode beats in both cost and error.
 const THREAD: RGBColor = RGBColor(195, 195, 195);
 
 /// The plot: a panel for the measured scenes on each target, and one for the planes on the host.

@@ -1,7 +1,7 @@
 //! Wires that record everything that is sent over them.
 //!
-//! The bus sends as late as it may: when it is flushed. So a pin that changes too early changes the meaning of bytes, as
-//! it does on a chip whose bus has a queue.
+//! The bus sends as late as it may, when it is flushed. So a pin that changes too early changes the meaning of bytes,
+//! as it does on a chip whose bus has a queue.
 
 use std::cell::RefCell;
 use std::convert::Infallible;
@@ -14,7 +14,7 @@ use embedded_hal::spi::{self, SpiBus};
 
 use super::display::Command;
 
-/// The display's end and the chip's end of the wires, and the chip's clock.
+/// Both ends of the wires, and the chip's delay.
 #[derive(Clone, Default)]
 pub struct Wires(Rc<RefCell<Record>>);
 
@@ -23,7 +23,7 @@ struct Record {
     /// Levels of the pins.
     cs: bool,
     dc: bool,
-    /// Bytes that the chip has given to the bus and the bus has not sent yet.
+    /// Bytes that the chip has given to the bus and that the bus has not sent yet.
     queue: Vec<u8>,
     commands: Vec<Command>,
     log: String,
@@ -35,7 +35,10 @@ impl Record {
             assert!(!self.cs, "{byte:#04x} was sent while no display listened");
             if self.dc {
                 let command = self.commands.last_mut();
-                command.expect("data belong to a command").data.push(byte);
+                command
+                    .expect("data bytes follow a command")
+                    .data
+                    .push(byte);
                 write!(self.log, " {byte:02x}").unwrap();
             } else {
                 self.commands.push(Command {
@@ -71,7 +74,7 @@ impl Wires {
         std::mem::take(&mut record.commands)
     }
 
-    /// The same as text, with waits and resets.
+    /// The commands as text, with waits and resets.
     pub fn log(&self) -> String {
         let record = &mut *self.0.borrow_mut();
         record.flush();
@@ -113,7 +116,7 @@ impl DelayNs for Wires {
     }
 }
 
-/// An output of the chip, and what its level means for the record.
+/// An output pin of the chip, and the effect of its level on the record.
 pub struct Pin(Wires, fn(&mut Record, bool));
 
 impl digital::ErrorType for Pin {
