@@ -84,14 +84,14 @@ impl Vec3 {
         ]))
     }
 
-    /// Returns the bits of the components in 64 bits each.
-    /// The difference from here to another point: 33 bits.
+    /// Returns the difference from here to another point: 33 bits.
     #[inline]
     pub(crate) const fn way_to(self, to: Self) -> [i64; 3] {
         let ([a, b, c], [x, y, z]) = (self.to_wide_bits(), to.to_wide_bits());
         [x - a, y - b, z - c]
     }
 
+    /// Returns the bits of the components in 64 bits each.
     #[inline]
     const fn to_wide_bits(self) -> [i64; 3] {
         let [x, y, z] = self.to_bits();

@@ -67,29 +67,32 @@ pub(crate) const fn at_least(a: u32, b: u16) -> bool {
     }
 }
 
-/// Returns a number, limited to -2^`bits` to 0.
+/// Clamps a number to the range from -2^`bits` to 0.
 #[inline]
-pub(crate) fn negative(value: i32, bits: u32) -> i32 {
+pub(crate) fn clamp_negative(value: i32, bits: u32) -> i32 {
     if SATURATES {
-        saturated_negative(value, bits)
+        saturate_negative(value, bits)
     } else {
         value.clamp(-1 << bits, 0)
     }
 }
 
-/// Returns the same in two instructions. The limit above is one less than a power of two, and the sign clears what is
-/// left above 0: taken from as low a bit as holds it, for the compiler knows another way to say the same of the highest.
+/// Does the same in two instructions. The first one saturates to a signed number of `bits` + 1 bits. In such a number,
+/// bit `bits` repeats the sign, so a shift by `bits` makes a mask that clears positive numbers. (The compiler would
+/// turn a shift by 31 back into a comparison.)
 #[inline]
-fn saturated_negative(value: i32, bits: u32) -> i32 {
+fn saturate_negative(value: i32, bits: u32) -> i32 {
     let limited = value.clamp(-1 << bits, (1 << bits) - 1);
     limited & limited >> bits
 }
 
-/// Marks a branch that is seldom taken, where registers have 64 bits: the others then need no jump around it.
+/// Marks a branch that is seldom taken: the others then need no jump around it.
+#[cold]
+pub(crate) const fn cold() {}
+
+/// Marks such a branch where registers have 64 bits.
 #[inline]
 pub(crate) fn seldom() {
-    #[cold]
-    const fn cold() {}
     if IS_WIDE {
         cold();
     }
@@ -137,7 +140,7 @@ const fn dsp_newton_step(q: i32, guess: i32) -> i32 {
     (raised.wrapping_sub(product(guess, excess).cast_unsigned()) >> 32) as i32
 }
 
-/// Returns the same in fewer instructions: what is cut off is less than a unit, so the guess can be added before.
+/// Does the same in fewer instructions. The shift discards less than a unit, so the guess may be added before it.
 #[inline]
 const fn wide_newton_step(q: i64, guess: i64) -> i64 {
     let twice = (1_i64 << 29).wrapping_sub(q.wrapping_mul(guess) >> 32);
@@ -518,7 +521,7 @@ mod tests {
     }
 
     #[test]
-    fn negative_numbers_are_limited_alike() {
+    fn numbers_are_clamped_to_negative_ones_alike() {
         for bits in 1..30 {
             let limit = 1 << bits;
             for value in [
@@ -534,8 +537,8 @@ mod tests {
                 i32::MAX,
             ] {
                 let limited = value.clamp(-limit, 0);
-                assert_eq!(negative(value, bits), limited, "{value}");
-                assert_eq!(saturated_negative(value, bits), limited, "{value}");
+                assert_eq!(clamp_negative(value, bits), limited, "{value}");
+                assert_eq!(saturate_negative(value, bits), limited, "{value}");
             }
         }
     }

@@ -3,7 +3,7 @@
 use super::ramp::Ramp;
 use super::{Fragment, Shader, Source, Within};
 use crate::mesh::Primitive;
-use crate::num::wide::negative;
+use crate::num::wide::clamp_negative;
 use crate::texture::Blend;
 use crate::{Error, Scalar};
 
@@ -90,7 +90,7 @@ pub struct Exponential {
     density: i32,
 }
 
-/// The fraction bits of what is interpolated. Interpolation may round by 57 units: 0.35 %.
+/// The fraction bits of the varying. Interpolation rounds it by at most 57 units, which is 0.35 %.
 const BITS: u32 = 14;
 
 /// c of the parabola, 0.1715, with as many bits.
@@ -120,8 +120,8 @@ fn limited(value: i64) -> i32 {
 impl Density for Linear {}
 
 impl sealed::Density for Linear {
-    /// The negative of what is left, in units of 2^-[`BITS`], and half a step of the weight: added here, it need not be
-    /// added at each pixel.
+    /// Returns the negative of what is left, in units of 2^-[`BITS`], plus half a step of the weight. Rounding needs this
+    /// half step, which is added here so that no pixel has to.
     fn varying(&self, distance: Scalar, weight_bits: u32) -> i32 {
         let beyond = distance.to_bits().saturating_sub(self.far);
         let half = 1 << (BITS - weight_bits) >> 1;
@@ -130,7 +130,7 @@ impl sealed::Density for Linear {
 
     #[inline]
     fn weight(varying: i32, weight_bits: u32) -> u32 {
-        negative(varying >> (BITS - weight_bits), weight_bits)
+        clamp_negative(varying >> (BITS - weight_bits), weight_bits)
             .wrapping_neg()
             .cast_unsigned()
     }

@@ -6,7 +6,7 @@ use super::{Illumination, Lighting, Matte, SurfacePoint, White, brightness};
 use crate::math::Direction;
 use crate::num::reciprocal;
 use crate::num::rsqrt::{measure, short_root};
-use crate::num::wide::times_half;
+use crate::num::wide::{cold, times_half};
 use crate::{Angle, Error, Scalar, Vec3};
 
 /// How the light of a lamp falls off with the distance d, up to its range r.
@@ -180,7 +180,7 @@ impl Lamp for PointLight {
         let square = squared(x) + squared(y) + squared(z);
         let root = short_root(square);
         // The upper half of the root is 2^29 / √square, so the cosine is in units of 2^-27. The way leads away from the
-        // lamp: what is lit has a negative cosine.
+        // lamp, so the cosine of a lit point is negative.
         let cosine = times_half(facing, root >> 16).min(0);
         // d²/r² in units of 2^-27; at most twelve times the whole, which is 31 bits.
         let share = (square >> 15) * u32::from(self.inverse_square);
@@ -207,9 +207,6 @@ impl Lamp for PointLight {
         times_half(cosine, light >> 16) >> 8
     }
 }
-
-#[cold]
-const fn cold() {}
 
 /// The whole in units of 2⁻¹⁵, less one.
 const MOST: i32 = (1 << 15) - 1;
