@@ -112,6 +112,22 @@ mod sealed {
     }
 }
 
+/// The bits of a color's weight that fog computes: no more than it interpolates.
+const fn weight_bits<C: Blend>() -> u32 {
+    if C::WEIGHT_BITS < BITS {
+        C::WEIGHT_BITS
+    } else {
+        BITS
+    }
+}
+
+/// The weight of a surface of color `C` in the blend with the fog's color, from 0 to 2^[`Blend::WEIGHT_BITS`].
+#[inline]
+fn weight<C: Blend, D: sealed::Density>(varying: i32) -> u32 {
+    let bits = weight_bits::<C>();
+    D::weight(varying, bits) << (C::WEIGHT_BITS - bits)
+}
+
 /// A number of 64 bits, limited to the range of varyings.
 fn limited(value: i64) -> i32 {
     value.clamp(-(1 << 30), (1 << 30) - 1) as i32
@@ -244,14 +260,14 @@ where
         let [a, b, c] = self.surface.varyings(primitive);
         let density = &self.fog.density;
         let [x, y, z] = primitive
-            .corners(|corner| Within([density.varying(corner.distance(), C::WEIGHT_BITS)]));
+            .corners(|corner| Within([density.varying(corner.distance(), weight_bits::<C>())]));
         [(a, x), (b, y), (c, z)]
     }
 
     #[inline]
     fn shade(&self, at: &Fragment, (inside, Within([x])): Self::Varyings) -> Option<S::Color> {
         let source = self.surface.shade(at, inside)?;
-        let weight = D::weight(x, C::WEIGHT_BITS);
+        let weight = weight::<C, D>(x);
         Some(source.map(|color| self.fog.color.mix(color, weight)))
     }
 }
@@ -310,6 +326,27 @@ mod tests {
             let weight = |distance| Linear::weight(fog.density.varying(distance, bits), bits);
             assert_eq!([weight(near), weight(far)], [1 << bits, 0]);
         }
+    }
+
+    /// A color may have weights of 15 bits, more than fog interpolates.
+    #[test]
+    fn the_finest_weights_reach_from_nothing_to_the_whole() {
+        #[derive(Clone, Copy)]
+        struct Fine;
+        impl Blend for Fine {
+            const WEIGHT_BITS: u32 = 15;
+
+            fn blend([[first, _], _]: [[Self; 2]; 2], _: [u32; 2]) -> Self {
+                first
+            }
+        }
+        let [near, far] = [fx!(1), fx!(3)];
+        let linear = Fog::linear(Fine, near, far).unwrap().density;
+        let at = |distance| weight::<Fine, Linear>(linear.varying(distance, weight_bits::<Fine>()));
+        assert_eq!([at(near), at(fx!(2)), at(far)], [1 << 15, 1 << 14, 0]);
+        let exponential = Fog::exponential(Fine, fx!(1)).unwrap().density;
+        let varying = exponential.varying(fx!(0), weight_bits::<Fine>());
+        assert_eq!(weight::<Fine, Exponential>(varying), 1 << 15);
     }
 
     #[test]
