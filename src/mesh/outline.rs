@@ -2,9 +2,9 @@
 
 use super::sort::sort;
 use super::{Index, Mesh};
+use crate::Error;
 use crate::error::{check_count, ok};
 use crate::num::Angle;
-use crate::{Error, Vec3};
 
 /// The edges of a mesh that may be part of its outline, each with its two faces.
 ///
@@ -147,24 +147,26 @@ impl Side {
         Self { indices, positions }
     }
 
-    /// A number that is the same for both sides of an edge.
-    const fn hash(&self) -> u32 {
-        let [from, to, _] = self.positions;
-        hash(from).wrapping_add(hash(to))
-    }
-
     /// Whether this side runs from the other's end to its start.
     const fn is_opposite(&self, other: &Self) -> bool {
         let ([from, to, _], [start, end, _]) = (self.positions, other.positions);
         are_same(from, end) && are_same(to, start)
     }
 
-    /// The normal of the face, its largest component scaled to between 2^19 and 2^20 in magnitude; zero if the face
-    /// has no area.
+    /// Whether the face has an area.
+    const fn has_area(&self) -> bool {
+        bits(self.cross()) > 0
+    }
+
+    /// The normal of the face, which has an area, its largest component scaled to between 2^19 and 2^20 in magnitude.
     const fn normal(&self) -> [i64; 3] {
+        scaled(self.cross(), 20)
+    }
+
+    /// A normal of the face; its length is twice the face's area.
+    const fn cross(&self) -> [i64; 3] {
         let [a, b, c] = self.positions;
-        let (b, c) = (direction(a, b), direction(a, c));
-        scaled(cross(b, c), 20)
+        cross(direction(a, b), direction(a, c))
     }
 }
 
@@ -182,8 +184,12 @@ const fn are_same(a: [i32; 3], b: [i32; 3]) -> bool {
 }
 
 /// From one position to another; of 33 bits, the last is dropped where the first is needed.
-const fn direction(from: [i32; 3], to: [i32; 3]) -> [i64; 3] {
-    let sides = Vec3::from_bits(from).way_to(Vec3::from_bits(to));
+const fn direction([a, b, c]: [i32; 3], [x, y, z]: [i32; 3]) -> [i64; 3] {
+    let sides = [
+        x as i64 - a as i64,
+        y as i64 - b as i64,
+        z as i64 - c as i64,
+    ];
     if bits(sides) > 31 {
         scaled(sides, 31)
     } else {
@@ -241,20 +247,28 @@ const fn write(
     ok!(check_count(sides, max));
     // Each entry is a hash of the side's ends, by which sides of one edge become neighbors, and the side's number.
     let mut count = 0;
-    let mut number = 0;
-    while number < sides {
-        let side = Side::new(mesh, number);
-        if bits(side.normal()) > 0 {
-            let hash = side.hash();
-            edges[count] = [
-                (hash >> 16) as Index,
-                hash as Index,
-                (number >> 16) as Index,
-                number as Index,
-            ];
-            count += 1;
+    let mut first = 0;
+    while first < sides {
+        let side = Side::new(mesh, first);
+        if side.has_area() {
+            let [a, b, c] = side.positions;
+            let hashes = [hash(a), hash(b), hash(c)];
+            let mut corner = 0;
+            while corner < 3 {
+                // The same for both sides of an edge.
+                let hash = hashes[corner].wrapping_add(hashes[(corner + 1) % 3]);
+                let number = first + corner;
+                edges[count] = [
+                    (hash >> 16) as Index,
+                    hash as Index,
+                    (number >> 16) as Index,
+                    number as Index,
+                ];
+                count += 1;
+                corner += 1;
+            }
         }
-        number += 1;
+        first += 3;
     }
     sort(edges, 0, count, 24);
 
@@ -270,8 +284,9 @@ const fn write(
             let (d, is_crease) = match partner {
                 None => (a, false),
                 Some(partner) => {
-                    let turn = turn(side.normal(), partner.normal());
-                    (partner.indices[2], is_above(turn, crease))
+                    let is_crease = crease.to_bits() < 1 << 31
+                        && is_above(turn(side.normal(), partner.normal()), crease);
+                    (partner.indices[2], is_crease)
                 }
             };
             // A crease takes the place of the first other edge.

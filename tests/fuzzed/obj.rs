@@ -104,7 +104,7 @@ impl Owned {
 
 /// The room that `include_obj!` reserves for a text.
 fn room(text: &[u8]) -> Counts {
-    let most = obj::import::room(text.len());
+    let most = obj::import::room(text);
     Counts {
         positions: most,
         faces: most,
@@ -121,7 +121,7 @@ fn room(text: &[u8]) -> Counts {
 fn check_text(text: &[u8]) {
     let counted = obj::count(text);
     let room = room(text);
-    // `include_obj!` reads the text only once, into lists with room for any text of this length. So does this.
+    // `include_obj!` reads the text only once, into lists with this room. So does this.
     let read = Owned::read(text, room);
     match (&counted, &read) {
         (Ok(counts), Ok(mesh)) => {

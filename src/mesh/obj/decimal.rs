@@ -2,8 +2,8 @@
 
 use crate::{Scalar, TexCoord};
 
-/// The bits of the nearest number and the index of the byte after it, or a message that says why the text is refused.
-pub(super) type Decimal = Result<(i32, usize), &'static str>;
+/// The bits of the nearest number and the text after it, or a message that says why the text is refused.
+pub(super) type Decimal<'a> = Result<(i32, &'a [u8]), &'static str>;
 
 pub(super) const MALFORMED: &str = "a number is malformed: it must be like 1, -0.25 or 2.5e-3";
 
@@ -56,34 +56,21 @@ const POWERS: [u64; HIGH + 1] = {
     powers
 };
 
-/// The byte at an index; a line feed past the end of the text.
-///
-/// A macro, because a compile-time call takes as long as a dozen operations.
-macro_rules! byte {
-    ($text:expr, $at:expr) => {
-        if $at < $text.len() { $text[$at] } else { b'\n' }
-    };
-}
-
 /// Reads digits, if there are any. Yields their value, which is `$limit` or any greater number if it is not below that,
-/// and where they end. A macro for the same reason.
+/// and the text after them. A macro, because a compile-time call takes as long as a dozen operations.
 macro_rules! digits {
-    ($text:expr, $at:expr, $limit:expr) => {{
-        let (text, mut at, mut value): (&[u8], usize, u64) = ($text, $at, 0);
-        while at < text.len() {
-            let c = text[at];
-            if c < b'0' || c > b'9' {
-                break;
-            }
+    ($text:expr, $limit:expr) => {{
+        let (mut text, mut value): (&[u8], u64) = ($text, 0);
+        while let [digit @ b'0'..=b'9', rest @ ..] = text {
             if value < $limit {
-                value = value * 10 + (c - b'0') as u64;
+                value = value * 10 + (*digit - b'0') as u64;
             }
-            at += 1;
+            text = rest;
         }
-        (value, at)
+        (value, text)
     }};
 }
-pub(super) use {byte, digits};
+pub(super) use digits;
 
 /// A fraction given by its first 17 decimal places and the next 4, in units of 2⁻²¹, rounded down.
 const fn bits(high: u64, low: u64) -> u64 {
@@ -93,49 +80,37 @@ const fn bits(high: u64, low: u64) -> u64 {
     (whole << (BITS - 17)) + (rest * POWERS[LOW] + low) / FIVES
 }
 
-/// Reads the number that starts at `at`: sign, digits with or without a point, exponent.
-/// Halves round away from zero.
-pub(super) const fn decimal(text: &[u8], mut at: usize, format: Format) -> Decimal {
-    let first = byte!(text, at);
-    let negative = first == b'-';
-    if negative || first == b'+' {
-        at += 1;
-    }
-    let start = at;
-    let mut whole;
-    (whole, at) = digits!(text, at, LARGE);
-    let point = at - start;
-    let mut places = 0;
-    let (mut high, mut low) = (0, 0);
-    if byte!(text, at) == b'.' {
-        at += 1;
-        while at < text.len() {
-            let c = text[at];
-            if c < b'0' || c > b'9' {
-                break;
-            }
-            if places < HIGH {
-                high = high * 10 + (c - b'0') as u64;
-            } else if places < PLACES {
-                low = low * 10 + (c - b'0') as u64;
-            }
-            places += 1;
-            at += 1;
-        }
-    }
-    if point + places == 0 {
+/// Reads the number that a text begins with: sign, digits with or without a point, exponent. Halves round away from
+/// zero.
+pub(super) const fn decimal(text: &[u8], format: Format) -> Decimal<'_> {
+    let (negative, start) = sign(text);
+    if !matches!(start, [b'0'..=b'9', ..] | [b'.', b'0'..=b'9', ..]) {
         return Err(MALFORMED);
     }
-    if let b'e' | b'E' = byte!(text, at) {
-        let end = at;
-        let exponent;
-        match power(text, at + 1) {
-            Ok(power) => (exponent, at) = power,
-            Err(problem) => return Err(problem),
+    let (mut whole, mut text) = digits!(start, LARGE);
+    let (mut high, mut low, mut places) = (0, 0, 0);
+    if let [b'.', rest @ ..] = text {
+        text = rest;
+        while let [digit @ b'0'..=b'9', rest @ ..] = text {
+            if places < HIGH {
+                high = high * 10 + (*digit - b'0') as u64;
+            } else if places < PLACES {
+                low = low * 10 + (*digit - b'0') as u64;
+            }
+            places += 1;
+            text = rest;
         }
-        #[allow(clippy::cast_possible_wrap)] // no text is that long
-        let point = point as i64;
-        (whole, high, low) = shifted(text, start, end, point + exponent);
+    }
+    if let [b'e' | b'E', exponent @ ..] = text {
+        let (negative, exponent) = sign(exponent);
+        if !matches!(exponent, [b'0'..=b'9', ..]) {
+            return Err(MALFORMED);
+        }
+        let power;
+        // No text has this many digits, so a greater value does not matter.
+        (power, text) = digits!(exponent, 1 << 40);
+        let power = power.cast_signed();
+        (whole, high, low) = shifted(start, if negative { -power } else { power });
     } else if places < HIGH {
         high *= POWERS[HIGH - places];
     } else if places < PLACES {
@@ -154,37 +129,34 @@ pub(super) const fn decimal(text: &[u8], mut at: usize, format: Format) -> Decim
     } else {
         magnitude as i32
     };
-    Ok((bits, at))
+    Ok((bits, text))
 }
 
-/// Reads an exponent; returns it, saturated, and the index of the byte after it.
-const fn power(text: &[u8], mut at: usize) -> Result<(i64, usize), &'static str> {
-    let negative = byte!(text, at) == b'-';
-    if negative || byte!(text, at) == b'+' {
-        at += 1;
+/// Whether a number is negative, and its text after the sign.
+const fn sign(text: &[u8]) -> (bool, &[u8]) {
+    match text {
+        [b'-', rest @ ..] => (true, rest),
+        [b'+', rest @ ..] | rest => (false, rest),
     }
-    // No text has this many digits, so a greater value does not matter.
-    let (power, end) = digits!(text, at, 1 << 40);
-    if at == end {
-        return Err(MALFORMED);
-    }
-    let power = power.cast_signed();
-    Ok((if negative { -power } else { power }, end))
 }
 
-/// Moves the point of the digits from `start` to `end` to `point` digits after the first. Returns the whole part, the
+/// Moves the point of the number that a text begins with by `exponent` digits to the right. Returns the whole part, the
 /// first 17 decimal places and the next 4.
-const fn shifted(text: &[u8], start: usize, end: usize, point: i64) -> (u64, u64, u64) {
+const fn shifted(mut text: &[u8], exponent: i64) -> (u64, u64, u64) {
     let (mut whole, mut high, mut low) = (0, 0, 0);
-    let mut left = point;
-    let mut at = start;
-    while at < end {
-        let c = byte!(text, at);
-        at += 1;
-        if c == b'.' {
+    // The digits up to the point, once it is moved.
+    let mut left = exponent;
+    let mut digits = text;
+    while let [b'0'..=b'9', rest @ ..] = digits {
+        left += 1;
+        digits = rest;
+    }
+    while let [c @ (b'0'..=b'9' | b'.'), rest @ ..] = text {
+        text = rest;
+        if *c == b'.' {
             continue;
         }
-        let digit = (c - b'0') as u64;
+        let digit = (*c - b'0') as u64;
         if left > 0 {
             if whole < LARGE {
                 whole = whole * 10 + digit;

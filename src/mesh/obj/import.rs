@@ -7,14 +7,21 @@ use crate::error::ok;
 use crate::mesh::{Counts, Part, flash::Room};
 use crate::{Error, message};
 
-/// An upper bound for the elements of each kind in a text of `bytes` bytes: a corner takes a blank and a digit, and
-/// other elements take more.
+/// An upper bound for the elements of each kind in a text: a blank, or the backslash that joins two lines, comes before
+/// each number and each corner.
 #[must_use]
-pub const fn room(bytes: usize) -> usize {
-    bytes / 2 + 1
+pub const fn room(mut text: &[u8]) -> usize {
+    let mut room = 1;
+    while let [c, rest @ ..] = text {
+        if matches!(c, b' ' | b'\t' | b'\\') {
+            room += 1;
+        }
+        text = rest;
+    }
+    room
 }
 
-/// The elements of a text, in lists with room for any text of its length, and their number. The text is read only once.
+/// The elements of a text, in lists with `room` for them, and their number. The text is read only once.
 ///
 /// # Panics
 ///
@@ -55,7 +62,7 @@ macro_rules! include_obj {
         const TEXT: &[u8] = ::core::include_bytes!($path);
         #[allow(long_running_const_eval)]
         const READ: (
-            $crate::mesh::flash::Room<{ $crate::mesh::obj::import::room(TEXT.len()) }>,
+            $crate::mesh::flash::Room<{ $crate::mesh::obj::import::room(TEXT) }>,
             $crate::mesh::Counts,
         ) = $crate::mesh::obj::import::read(TEXT, $path);
         $crate::__mesh!(READ.0, READ.1 $(, $short)?)

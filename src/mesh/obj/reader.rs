@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use super::decimal::{Format, SCALAR, TEX_COORD, byte, decimal, digits};
+use super::decimal::{Format, SCALAR, TEX_COORD, decimal, digits};
 use crate::error::ok;
 use crate::{Error, Mesh, TexCoord, Vec2, Vec3};
 
@@ -15,9 +15,12 @@ pub(super) struct Corner {
 }
 
 /// Reads OBJ text.
+///
+/// It matches patterns of slices because it runs in the compiler: there, a call to `len` or `get` takes as long as the
+/// rest of what a byte needs, and a pattern makes no call.
 pub(super) struct Reader<'a> {
-    text: &'a [u8],
-    at: usize,
+    /// What has not been read.
+    rest: &'a [u8],
     /// The current line, counted from 1.
     line: usize,
     /// How many positions, texture coordinates and normals have been read.
@@ -49,35 +52,36 @@ const NOT_THERE: [&str; 3] = [
     "an index names a normal that does not exist",
 ];
 
-const fn ends_line(c: u8) -> bool {
-    c == b'\n' || c == b'\r'
-}
-
-/// The bytes that end a word.
-macro_rules! blank {
-    () => {
-        b' ' | b'\t' | b'\n' | b'\r' | b'\\' | b'#'
+/// What follows a word, as a pattern: the end of the text, or one of these bytes, or another that is given.
+macro_rules! word_end {
+    ($($other:literal)?) => {
+        [] | [b' ' | b'\t' | b'\n' | b'\r' | b'\\' | b'#' $(| $other)?, ..]
     };
 }
 
 /// Whether two names are the same.
 pub(super) const fn are_same(a: &str, b: &str) -> bool {
-    let (a, b) = (a.as_bytes(), b.as_bytes());
-    let mut at = 0;
-    while at < a.len() && at < b.len() && a[at] == b[at] {
-        at += 1;
+    matches!(after(a.as_bytes(), b.as_bytes()), Some([]))
+}
+
+/// What follows `start` in a text that begins with it.
+const fn after<'a>(mut text: &'a [u8], mut start: &[u8]) -> Option<&'a [u8]> {
+    while let [wanted, later @ ..] = start {
+        match text {
+            [c, rest @ ..] if *c == *wanted => (text, start) = (rest, later),
+            _ => return None,
+        }
     }
-    at == a.len() && at == b.len()
+    Some(text)
 }
 
 impl<'a> Reader<'a> {
     /// A reader of `text`; `known` says how many elements of each kind an index may refer to.
     pub(super) const fn new(text: &'a [u8], known: [usize; 3]) -> Self {
         // Some programs write a byte-order mark.
-        let marked = text.len() >= 3 && text[0] == 0xEF && text[1] == 0xBB && text[2] == 0xBF;
+        let ([0xEF, 0xBB, 0xBF, rest @ ..] | rest) = text;
         Self {
-            text,
-            at: if marked { 3 } else { 0 },
+            rest,
             line: 1,
             seen: [0; 3],
             known,
@@ -102,37 +106,22 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// Skips a line's end, which is LF, CR or both.
+    /// Skips a line's end, which is LF, CR or both, and a backslash before it, which joins the next line to this one.
     const fn end_line(&mut self) {
-        if byte!(self.text, self.at) == b'\r' && byte!(self.text, self.at + 1) == b'\n' {
-            self.at += 1;
-        }
-        self.at += 1;
-        self.line += 1;
-    }
-
-    /// Skips a backslash at a line's end, which joins the next line to this one; returns whether there was one.
-    const fn continuation(&mut self) -> bool {
-        let next = self.at + 1;
-        if byte!(self.text, self.at) == b'\\'
-            && next < self.text.len()
-            && ends_line(self.text[next])
-        {
-            self.at = next;
-            self.end_line();
-            true
-        } else {
-            false
+        let ([b'\\', rest @ ..] | rest) = self.rest;
+        if let [b'\r', b'\n', rest @ ..] | [_, rest @ ..] = rest {
+            self.rest = rest;
+            self.line += 1;
         }
     }
 
     /// Skips blanks; returns whether another word of this statement follows.
     const fn word(&mut self) -> bool {
         loop {
-            match byte!(self.text, self.at) {
-                b' ' | b'\t' => self.at += 1,
-                b'\\' if self.continuation() => {}
-                b'\n' | b'\r' | b'#' => return false,
+            match self.rest {
+                [b' ' | b'\t', rest @ ..] => self.rest = rest,
+                [b'\\', b'\n' | b'\r', ..] => self.end_line(),
+                [] | [b'\n' | b'\r' | b'#', ..] => return false,
                 _ => return true,
             }
         }
@@ -141,12 +130,10 @@ impl<'a> Reader<'a> {
     /// Skips to the end of the statement, across continued lines; a comment ends with its line.
     pub(super) const fn skip(&mut self, comment: bool) {
         loop {
-            let c = byte!(self.text, self.at);
-            if c == b'\n' || c == b'\r' {
-                return;
-            }
-            if c != b'\\' || comment || !self.continuation() {
-                self.at += 1;
+            match self.rest {
+                [] | [b'\n' | b'\r', ..] => return,
+                [b'\\', b'\n' | b'\r', ..] if !comment => self.end_line(),
+                [_, rest @ ..] => self.rest = rest,
             }
         }
     }
@@ -154,32 +141,24 @@ impl<'a> Reader<'a> {
     /// Moves to the first word of the next statement; returns whether there is one.
     pub(super) const fn begins(&mut self) -> bool {
         while !self.word() {
-            if self.at >= self.text.len() {
+            self.skip(true);
+            if self.rest.is_empty() {
                 return false;
             }
-            self.skip(true);
-            // The text may end with a comment.
-            if self.at < self.text.len() {
-                self.end_line();
-            }
+            self.end_line();
         }
         true
     }
 
     /// Whether a statement begins with this word; moves past it if so.
     pub(super) const fn keyword(&mut self, word: &[u8]) -> bool {
-        let mut at = 0;
-        while at < word.len() {
-            if byte!(self.text, self.at + at) != word[at] {
-                return false;
+        match after(self.rest, word) {
+            Some(rest @ word_end!()) => {
+                self.rest = rest;
+                true
             }
-            at += 1;
+            _ => false,
         }
-        let is_whole = matches!(byte!(self.text, self.at + at), blank!());
-        if is_whole {
-            self.at += at;
-        }
-        is_whole
     }
 
     /// Reads the rest of the line as a name, which may contain blanks, up to a comment; `problem` says why there must be
@@ -188,21 +167,23 @@ impl<'a> Reader<'a> {
         if !self.word() {
             return self.error(problem);
         }
-        let start = self.at;
-        let mut end = start;
-        let mut blank = false;
+        let text = self.rest;
+        let (mut len, mut read) = (0, 0);
         loop {
-            let c = byte!(self.text, self.at);
-            if ends_line(c) || c == b'#' && blank {
-                break;
-            }
-            self.at += 1;
-            blank = c == b' ' || c == b'\t';
-            if !blank {
-                end = self.at;
+            match self.rest {
+                [] | [b'\n' | b'\r', ..] => break,
+                // A comment begins after a blank.
+                [b'#', ..] if read > len => break,
+                [c, rest @ ..] => {
+                    self.rest = rest;
+                    read += 1;
+                    if !matches!(c, b' ' | b'\t') {
+                        len = read;
+                    }
+                }
             }
         }
-        match core::str::from_utf8(self.text.split_at(end).0.split_at(start).1) {
+        match core::str::from_utf8(text.split_at(len).0) {
             Ok(name) => Ok(name),
             Err(_) => self.error("a name must be UTF-8"),
         }
@@ -213,9 +194,12 @@ impl<'a> Reader<'a> {
         let mut count = 0;
         while self.word() {
             count += 1;
-            self.at += 1;
-            while !matches!(byte!(self.text, self.at), blank!()) {
-                self.at += 1;
+            // A word may begin with a backslash.
+            while let [_, rest @ ..] = self.rest {
+                self.rest = rest;
+                if let word_end!() = rest {
+                    break;
+                }
             }
         }
         count
@@ -232,10 +216,10 @@ impl<'a> Reader<'a> {
             if count == MAX {
                 return self.error("too many numbers");
             }
-            match decimal(self.text, self.at, format) {
-                Ok((bits, end)) if matches!(byte!(self.text, end), blank!()) => {
+            match decimal(self.rest, format) {
+                Ok((bits, rest @ word_end!())) => {
                     numbers[count] = bits;
-                    self.at = end;
+                    self.rest = rest;
                 }
                 Ok(_) => return self.error(super::decimal::MALFORMED),
                 Err(problem) => return self.error(problem),
@@ -315,9 +299,7 @@ impl<'a> Reader<'a> {
         let mut kind = 0;
         loop {
             // 1//3 has no texture coordinate, and some programs write 1/ and 1/2/.
-            let c = byte!(self.text, self.at);
-            let given = kind == 0 || c != b'/' && !matches!(c, blank!());
-            if given {
+            if kind == 0 || !matches!(self.rest, word_end!(b'/')) {
                 let index = ok!(self.index(kind));
                 match kind {
                     0 => corner.position = index,
@@ -325,26 +307,27 @@ impl<'a> Reader<'a> {
                     _ => corner.normal = Some(index),
                 }
             }
-            match byte!(self.text, self.at) {
-                blank!() => return Ok(Some(corner)),
-                b'/' if kind < 2 => {}
+            match self.rest {
+                word_end!() => return Ok(Some(corner)),
+                [b'/', rest @ ..] if kind < 2 => self.rest = rest,
                 _ => return self.error(MALFORMED),
             }
-            self.at += 1;
             kind += 1;
         }
     }
 
     /// Reads an index of a kind of element: 1 is the first, −1 the last so far.
     const fn index(&mut self, kind: usize) -> Result<u16, Error> {
-        let negative = byte!(self.text, self.at) == b'-';
-        let start = self.at + negative as usize;
-        // Greater numbers are as wrong as this one.
-        let (number, end) = digits!(self.text, start, MOST[0] as u64 + 1);
-        self.at = end;
-        if start == end {
+        let (negative, start) = match self.rest {
+            [b'-', rest @ ..] => (true, rest),
+            rest => (false, rest),
+        };
+        if !matches!(start, [b'0'..=b'9', ..]) {
             return self.error(MALFORMED);
         }
+        // Greater numbers are as wrong as this one.
+        let (number, rest) = digits!(start, MOST[0] as u64 + 1);
+        self.rest = rest;
         let number = number as usize;
         if number == 0 {
             return self.error("an index is 0: the first is 1, and the last -1");
