@@ -4,7 +4,7 @@ use super::sort::sort;
 use super::{Index, Mesh};
 use crate::Error;
 use crate::error::{check_count, ok};
-use crate::num::Angle;
+use crate::num::{Angle, Unit};
 
 /// The edges of a mesh that may be part of its outline, each with its two faces.
 ///
@@ -123,51 +123,32 @@ impl<'a> Outline<'a> {
 /// Marks a side that has found its partner. A mesh has fewer than 2^32 − 1 sides, so no side has this index.
 const USED: u32 = u32::MAX;
 
-/// A side of a face: its ends and the third corner.
-struct Side {
-    indices: [Index; 3],
-    positions: [[i32; 3]; 3],
+/// The side of a face with this number, three for each face: its ends and the third corner.
+const fn side(mesh: &Mesh<'_>, number: usize) -> [Index; 3] {
+    let [a, b, c] = mesh.faces()[number / 3];
+    match number % 3 {
+        0 => [a, b, c],
+        1 => [b, c, a],
+        _ => [c, a, b],
+    }
 }
 
-impl Side {
-    /// The side with this number: three for each face.
-    const fn new(mesh: &Mesh<'_>, number: usize) -> Self {
-        let face = mesh.faces()[number / 3];
-        let first = number % 3;
-        let indices = [face[first], face[(first + 1) % 3], face[(first + 2) % 3]];
-        let mut positions = [[0; 3]; 3];
-        let mut corner = 0;
-        while corner < 3 {
-            // Every index of a mesh is in range.
-            if let Some(position) = mesh.positions().get(indices[corner] as usize) {
-                positions[corner] = position.to_bits();
-            }
-            corner += 1;
-        }
-        Self { indices, positions }
+/// The bits of a position of the mesh.
+const fn position(mesh: &Mesh<'_>, index: Index) -> [i32; 3] {
+    match mesh.positions().get(index as usize) {
+        Some(position) => position.to_bits(),
+        // Every index of a mesh is in range.
+        None => [0; 3],
     }
+}
 
-    /// Whether this side runs from the other's end to its start.
-    const fn is_opposite(&self, other: &Self) -> bool {
-        let ([from, to, _], [start, end, _]) = (self.positions, other.positions);
-        are_same(from, end) && are_same(to, start)
+/// Whether two positions are the same, even under different indices.
+const fn are_same(mesh: &Mesh<'_>, a: Index, b: Index) -> bool {
+    if a == b {
+        return true;
     }
-
-    /// Whether the face has an area.
-    const fn has_area(&self) -> bool {
-        bits(self.cross()) > 0
-    }
-
-    /// The normal of the face, which has an area, its largest component scaled to between 2^19 and 2^20 in magnitude.
-    const fn normal(&self) -> [i64; 3] {
-        scaled(self.cross(), 20)
-    }
-
-    /// A normal of the face; its length is twice the face's area.
-    const fn cross(&self) -> [i64; 3] {
-        let [a, b, c] = self.positions;
-        cross(direction(a, b), direction(a, c))
-    }
+    let ([ax, ay, az], [bx, by, bz]) = (position(mesh, a), position(mesh, b));
+    ax == bx && ay == by && az == bz
 }
 
 const fn hash([x, y, z]: [i32; 3]) -> u32 {
@@ -177,10 +158,6 @@ const fn hash([x, y, z]: [i32; 3]) -> u32 {
         .wrapping_add(z.wrapping_mul(0x42B2_AE3D))
         .cast_unsigned();
     (mixed ^ mixed >> 15).wrapping_mul(0x2C1B_3C6D)
-}
-
-const fn are_same(a: [i32; 3], b: [i32; 3]) -> bool {
-    a[0] == b[0] && a[1] == b[1] && a[2] == b[2]
 }
 
 /// From one position to another; of 33 bits, the last is dropped where the first is needed.
@@ -219,17 +196,27 @@ const fn scaled(vector: [i64; 3], wanted: u32) -> [i64; 3] {
     }
 }
 
+/// A normal of the face with these corners; its length is twice the face's area.
+const fn normal([a, b, c]: [[i32; 3]; 3]) -> [i64; 3] {
+    cross(direction(a, b), direction(a, c))
+}
+
 /// The cross product of vectors of at most 31 bits.
 const fn cross([ax, ay, az]: [i64; 3], [bx, by, bz]: [i64; 3]) -> [i64; 3] {
     [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
 }
 
-/// The sine and the cosine of the angle between two normals, both times the product of their lengths, below 2^43.
-const fn turn(a: [i64; 3], b: [i64; 3]) -> [i64; 2] {
-    let [x, y, z] = cross(a, b);
+/// The sine and the cosine of the angle at which the faces a b c and b a d meet, both times the same number, below 2^43.
+const fn turn(mesh: &Mesh<'_>, [a, b, c, d]: [Index; 4]) -> [i64; 2] {
+    let (a, b) = (position(mesh, a), position(mesh, b));
+    let (c, d) = (position(mesh, c), position(mesh, d));
+    // The largest component of each takes 20 bits.
+    let n = scaled(normal([a, b, c]), 20);
+    let m = scaled(normal([b, a, d]), 20);
+    let [x, y, z] = cross(n, m);
     let (x, y, z) = (x as i128, y as i128, z as i128);
     let sine = (x * x + y * y + z * z).isqrt() as i64;
-    [sine, a[0] * b[0] + a[1] * b[1] + a[2] * b[2]]
+    [sine, n[0] * m[0] + n[1] * m[1] + n[2] * m[2]]
 }
 
 /// Writes the outline of a mesh; returns how many edges it has, and how many of them are creases.
@@ -249,10 +236,11 @@ const fn write(
     let mut count = 0;
     let mut first = 0;
     while first < sides {
-        let side = Side::new(mesh, first);
-        if side.has_area() {
-            let [a, b, c] = side.positions;
-            let hashes = [hash(a), hash(b), hash(c)];
+        let [a, b, c] = side(mesh, first);
+        let corners = [position(mesh, a), position(mesh, b), position(mesh, c)];
+        // Faces without area count as absent.
+        if bits(normal(corners)) > 0 {
+            let hashes = [hash(corners[0]), hash(corners[1]), hash(corners[2])];
             let mut corner = 0;
             while corner < 3 {
                 // The same for both sides of an edge.
@@ -272,22 +260,19 @@ const fn write(
     }
     sort(edges, 0, count, 24);
 
+    let limit = crease.sin_cos();
     // An edge is written where its first side stood, or before.
     let (mut kept, mut creases) = (0, 0);
     let mut at = 0;
     while at < count {
         let entry = edges[at];
         if number_of(entry) != USED {
-            let side = Side::new(mesh, number_of(entry) as usize);
-            let partner = partner(mesh, &side, entry, edges, (at + 1, count));
-            let [a, b, c] = side.indices;
-            let (d, is_crease) = match partner {
+            let [a, b, c] = side(mesh, number_of(entry) as usize);
+            let (d, is_crease) = match partner(mesh, [a, b], entry, edges, (at + 1, count)) {
                 None => (a, false),
-                Some(partner) => {
-                    let is_crease = crease.to_bits() < 1 << 31
-                        && is_above(turn(side.normal(), partner.normal()), crease);
-                    (partner.indices[2], is_crease)
-                }
+                // No angle is above 180 degrees, the usual limit for silhouettes alone.
+                Some(d) if crease.to_bits() == 1 << 31 => (d, false),
+                Some(d) => (d, is_above(turn(mesh, [a, b, c, d]), limit)),
             };
             // A crease takes the place of the first other edge.
             edges[kept] = edges[creases];
@@ -301,17 +286,17 @@ const fn write(
     Ok([kept, creases])
 }
 
-/// Whether an angle is above a limit, and above what counts as flat.
-const fn is_above([sine, cosine]: [i64; 2], limit: Angle) -> bool {
+/// Whether an angle is above a limit, and above what counts as flat. Both are given by their sine and cosine.
+const fn is_above([sine, cosine]: [i64; 2], (limit_sine, limit_cosine): (Unit, Unit)) -> bool {
     if sine <= cosine >> 10 {
         return false;
     }
-    if cosine < 0 && limit.to_bits() < 1 << 30 {
+    let (limit_sine, limit_cosine) = (limit_sine.to_bits(), limit_cosine.to_bits());
+    if cosine < 0 && limit_cosine > 0 {
         return true;
     }
     // The sine of the angle minus the limit is positive above it: the difference is well below 180 degrees.
-    let (limit_sine, limit_cosine) = limit.sin_cos();
-    sine as i128 * limit_cosine.to_bits() as i128 > cosine as i128 * limit_sine.to_bits() as i128
+    sine as i128 * limit_cosine as i128 > cosine as i128 * limit_sine as i128
 }
 
 /// The number of an entry's side.
@@ -319,23 +304,24 @@ const fn number_of([.., high, low]: [Index; 4]) -> u32 {
     (high as u32) << 16 | low as u32
 }
 
-/// Finds the side opposite to `side` among the entries with the same hash, and marks it as used.
+/// Finds the opposite of the side from `a` to `b` among the entries with the same hash, and marks it as used; returns
+/// the third corner of its face.
 const fn partner(
     mesh: &Mesh<'_>,
-    side: &Side,
+    [a, b]: [Index; 2],
     entry: [Index; 4],
     entries: &mut [[Index; 4]],
     (start, end): (usize, usize),
-) -> Option<Side> {
+) -> Option<Index> {
     let mut at = start;
     while at < end && entries[at][0] == entry[0] && entries[at][1] == entry[1] {
         let number = number_of(entries[at]);
         if number != USED {
-            let other = Side::new(mesh, number as usize);
-            if side.is_opposite(&other) {
+            let [from, to, third] = side(mesh, number as usize);
+            if are_same(mesh, from, b) && are_same(mesh, to, a) {
                 entries[at][2] = Index::MAX;
                 entries[at][3] = Index::MAX;
-                return Some(other);
+                return Some(third);
             }
         }
         at += 1;
