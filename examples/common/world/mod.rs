@@ -95,6 +95,12 @@ const DOOR: Vec3 = vec3!(10, 1.7, 5.8);
 /// The range of the lamps.
 const REACH: Scalar = fx!(6.5);
 
+/// Where the viewer is at a moment of the walk, and the point that they look at.
+#[must_use]
+pub fn viewer(turn: Angle) -> (Vec3, Vec3) {
+    (along(&WALK, turn), along(&LOOK, turn))
+}
+
 /// Draws the world at a moment of the walk; a whole turn is one walk around the pond.
 ///
 /// # Errors
@@ -105,7 +111,7 @@ where
     O: Storage<Rgb565>,
     D: DepthBuffer,
 {
-    let (eye, target) = (along(&WALK, turn), along(&LOOK, turn));
+    let (eye, target) = viewer(turn);
     let size = canvas.frame_size();
     let projection =
         Projection::perspective(deg!(58), (size.width, size.height), fx!(0.15), fx!(60))?;
@@ -415,25 +421,6 @@ impl Scene {
                     Alignment::Center,
                 );
                 let Ok(_) = text.draw(&mut canvas.label(at));
-            }
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Every stop is met from both sides, the first one from the end: the walk has no jump.
-    #[test]
-    fn the_walk_is_closed() {
-        for points in [&WALK, &LOOK] {
-            for (stop, &point) in (0..).zip(points) {
-                let turn = Angle::from_bits(stop << 29);
-                assert_eq!(along(points, turn), point);
-                // A step of 2^-20 of the way between two stops, which are less than 8 units apart; and rounding.
-                let before = along(points, turn - Angle::from_bits(1 << 9));
-                assert!(before.distance(point) < fx!(0.001), "{stop}: {before}");
             }
         }
     }

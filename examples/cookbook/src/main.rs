@@ -1,35 +1,16 @@
 //! Small scenes, one idea each, and a little world: see `--help`.
 
 mod animation;
-mod pages;
-mod scenes;
-mod world;
 
 use std::error::Error;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use base64::prelude::{BASE64_STANDARD, Engine};
 use clap::Parser;
 use clap::builder::PossibleValuesParser;
+use cookbook::{PAGE_SIZE, PAGES, SIZE, WORLD, all, assets, base64_of, page, picture, world};
 use embedded_graphics::geometry::Size;
-use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
-use fixel::prelude::*;
-
-use scenes::{Draw, Frame, SCENES};
-
-/// The size of the documentation's pictures.
-const SIZE: Size = Size::new(320, 240);
-
-/// The scene that is longer than the others, and is animated.
-const WORLD: &str = "world";
-
-/// All scenes by name.
-fn all() -> impl Iterator<Item = (&'static str, Draw)> {
-    let world = [(WORLD, world::draw as Draw)];
-    SCENES.iter().copied().chain(world)
-}
+use embedded_graphics_simulator::OutputSettings;
 
 /// Draws small scenes, one idea each, and saves a picture of each as a PNG file in the current folder; for `world`,
 /// also an animation.
@@ -89,9 +70,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
     if args.renew && args.scenes.is_empty() {
-        for &(name, draw) in pages::PAGES {
+        for &(name, draw) in PAGES {
             let path = page(name);
-            picture(draw, pages::SIZE)?
+            picture(draw, PAGE_SIZE)?
                 .to_rgb_output_image(&OutputSettings::default())
                 .save_png(&path)?;
             println!("{}", path.display());
@@ -99,92 +80,4 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
     Ok(())
-}
-
-/// The picture of a type's page.
-fn page(name: &str) -> PathBuf {
-    assets().join("pages").join(name).with_extension("png")
-}
-
-/// Draws a scene.
-fn picture(
-    draw: impl Fn(&mut Frame<'_>) -> Result<(), fixel::Error>,
-    size: Size,
-) -> Result<SimulatorDisplay<Rgb565>, fixel::Error> {
-    let mut colors = vec![Rgb565::BLACK; (size.width * size.height) as usize];
-    let mut depths = vec![0; colors.len()];
-    let mut canvas = Canvas::new(&mut colors, size.width, size.height)?.with_depth(&mut depths)?;
-    draw(&mut canvas)?;
-    let mut display = SimulatorDisplay::new(size);
-    canvas.show(&mut display)?;
-    Ok(display)
-}
-
-/// The folder of the documentation's pictures.
-fn assets() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets")
-}
-
-/// A file as text, for a `data:` URI.
-fn base64_of(path: &Path) -> std::io::Result<String> {
-    Ok(BASE64_STANDARD.encode(fs::read(path)?))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// After a change that is meant to change a picture, run `cargo run -p cookbook -- --renew`, look at the picture,
-    /// and say why in the changelog.
-    #[test]
-    fn pictures_are_those_of_the_documentation() {
-        for (name, draw) in all() {
-            let path = assets().join(name).with_extension("png");
-            let found = picture(draw, SIZE).unwrap();
-            let shown = SimulatorDisplay::load_png(&path).unwrap();
-            assert!(found.diff(&shown).is_none(), "{name} has changed");
-            let in_guide = fs::read_to_string(path.with_extension("base64")).unwrap();
-            assert!(
-                in_guide == base64_of(&path).unwrap(),
-                "the guide shows another {name}"
-            );
-        }
-    }
-
-    #[test]
-    fn pictures_of_pages_are_those_of_the_documentation() {
-        for &(name, draw) in pages::PAGES {
-            let found = picture(draw, pages::SIZE).unwrap();
-            let shown = SimulatorDisplay::load_png(page(name)).unwrap();
-            assert!(found.diff(&shown).is_none(), "{name} has changed");
-            let in_page = fs::read_to_string(page(name).with_extension("base64")).unwrap();
-            assert!(
-                in_page == base64_of(&page(name)).unwrap(),
-                "the page shows another {name}"
-            );
-            // Each page of the documentation is loaded with its picture.
-            assert!(
-                in_page.len() <= 4096 * 4 / 3,
-                "{name} has {} characters",
-                in_page.len()
-            );
-        }
-    }
-
-    #[test]
-    fn scenes_draw_in_the_size_of_a_small_display() {
-        for (name, draw) in all() {
-            let drawn = picture(draw, Size::new(128, 64));
-            assert!(drawn.is_ok(), "{name}: {:?}", drawn.err());
-        }
-    }
-
-    #[test]
-    fn scenes_are_short() {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../src/scenes");
-        for (name, _) in SCENES {
-            let text = fs::read_to_string(folder.join(name).with_extension("rs")).unwrap();
-            assert!(text.lines().count() < 60, "{name} has 60 lines or more");
-        }
-    }
 }

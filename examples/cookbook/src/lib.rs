@@ -1,0 +1,70 @@
+//! The scenes of the cookbook, the pictures of the documentation's pages, and a little world.
+//!
+//! A library, so that the program and the tests share one build of their meshes and textures, which take the compiler
+//! longer than the code.
+
+mod pages;
+mod scenes;
+pub mod world;
+
+use std::path::{Path, PathBuf};
+
+use base64::prelude::{BASE64_STANDARD, Engine};
+use embedded_graphics::geometry::Size;
+use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use embedded_graphics_simulator::SimulatorDisplay;
+use fixel::prelude::*;
+
+pub use pages::{PAGES, SIZE as PAGE_SIZE};
+pub use scenes::{Draw, Frame, SCENES};
+
+/// The size of the documentation's pictures.
+pub const SIZE: Size = Size::new(320, 240);
+
+/// The scene that is longer than the others, and is animated.
+pub const WORLD: &str = "world";
+
+/// All scenes by name.
+pub fn all() -> impl Iterator<Item = (&'static str, Draw)> {
+    let world = [(WORLD, world::draw as Draw)];
+    SCENES.iter().copied().chain(world)
+}
+
+/// Draws a scene.
+///
+/// # Errors
+///
+/// Those of the scene, and of a canvas of this size.
+pub fn picture(
+    draw: impl Fn(&mut Frame<'_>) -> Result<(), Error>,
+    size: Size,
+) -> Result<SimulatorDisplay<Rgb565>, Error> {
+    let mut colors = vec![Rgb565::BLACK; (size.width * size.height) as usize];
+    let mut depths = vec![0; colors.len()];
+    let mut canvas = Canvas::new(&mut colors, size.width, size.height)?.with_depth(&mut depths)?;
+    draw(&mut canvas)?;
+    let mut display = SimulatorDisplay::new(size);
+    canvas.show(&mut display)?;
+    Ok(display)
+}
+
+/// The folder of the documentation's pictures.
+#[must_use]
+pub fn assets() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets")
+}
+
+/// The picture of a type's page.
+#[must_use]
+pub fn page(name: &str) -> PathBuf {
+    assets().join("pages").join(name).with_extension("png")
+}
+
+/// A file as text, for a `data:` URI.
+///
+/// # Errors
+///
+/// Those of reading it.
+pub fn base64_of(path: &Path) -> std::io::Result<String> {
+    Ok(BASE64_STANDARD.encode(std::fs::read(path)?))
+}

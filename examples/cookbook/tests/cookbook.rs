@@ -1,0 +1,106 @@
+//! The pictures of the documentation must be those that the scenes draw.
+
+use std::fs;
+use std::path::Path;
+
+use cookbook::world::{FRAMES, turn_of, viewer, walk};
+use cookbook::{PAGE_SIZE, PAGES, SCENES, SIZE, all, assets, base64_of, page, picture};
+use embedded_graphics::geometry::{Point, Size};
+use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use embedded_graphics_simulator::SimulatorDisplay;
+use fixel::prelude::*;
+
+/// After a change that is meant to change a picture, run `cargo run -p cookbook -- --renew`, look at the picture,
+/// and say why in the changelog.
+#[test]
+fn pictures_are_those_of_the_documentation() {
+    for (name, draw) in all() {
+        let path = assets().join(name).with_extension("png");
+        let found = picture(draw, SIZE).unwrap();
+        let shown = SimulatorDisplay::load_png(&path).unwrap();
+        assert!(found.diff(&shown).is_none(), "{name} has changed");
+        let in_guide = fs::read_to_string(path.with_extension("base64")).unwrap();
+        assert!(
+            in_guide == base64_of(&path).unwrap(),
+            "the guide shows another {name}"
+        );
+    }
+}
+
+#[test]
+fn pictures_of_pages_are_those_of_the_documentation() {
+    for &(name, draw) in PAGES {
+        let found = picture(draw, PAGE_SIZE).unwrap();
+        let shown = SimulatorDisplay::load_png(page(name)).unwrap();
+        assert!(found.diff(&shown).is_none(), "{name} has changed");
+        let in_page = fs::read_to_string(page(name).with_extension("base64")).unwrap();
+        assert!(
+            in_page == base64_of(&page(name)).unwrap(),
+            "the page shows another {name}"
+        );
+        // Each page of the documentation is loaded with its picture.
+        assert!(
+            in_page.len() <= 4096 * 4 / 3,
+            "{name} has {} characters",
+            in_page.len()
+        );
+    }
+}
+
+#[test]
+fn scenes_draw_in_the_size_of_a_small_display() {
+    for (name, draw) in all() {
+        let drawn = picture(draw, Size::new(128, 64));
+        assert!(drawn.is_ok(), "{name}: {:?}", drawn.err());
+    }
+}
+
+#[test]
+fn scenes_are_short() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../src/scenes");
+    for (name, _) in SCENES {
+        let text = fs::read_to_string(folder.join(name).with_extension("rs")).unwrap();
+        assert!(text.lines().count() < 60, "{name} has 60 lines or more");
+    }
+}
+
+/// Bands show the same reflection, blended lights and labels as the frame.
+#[test]
+fn bands_equal_frames() {
+    const WIDTH: u32 = SIZE.width;
+    const HEIGHT: u32 = SIZE.height;
+    const ROWS: u32 = 48;
+    let turn = turn_of(FRAMES / 2);
+    let frame = picture(|canvas| walk(canvas, turn), SIZE).unwrap();
+    let mut colors = vec![Rgb565::BLACK; (WIDTH * ROWS) as usize];
+    let mut depths = vec![0; colors.len()];
+    for first_row in (0..HEIGHT).step_by(ROWS as usize) {
+        let band = Canvas::band(&mut colors, WIDTH, HEIGHT, first_row).unwrap();
+        let mut band = band.with_depth(&mut depths).unwrap();
+        walk(&mut band, turn).unwrap();
+        for (at, color) in (0..).zip(band.pixels()) {
+            let (x, y) = (at % WIDTH, first_row + at / WIDTH);
+            let at = Point::new(x.cast_signed(), y.cast_signed());
+            assert_eq!(color, frame.get_pixel(at), "{at}");
+        }
+    }
+}
+
+/// The viewer moves without a jump, also from the end of the walk to its start.
+#[test]
+fn the_walk_is_closed() {
+    for stop in 0..8 {
+        let turn = Angle::from_bits(stop << 29);
+        let ((eye, target), (eye_before, target_before)) =
+            (viewer(turn), viewer(turn - Angle::from_bits(1 << 9)));
+        // A step of 2^-20 of the way between two stops, which are less than 8 units apart; and rounding.
+        assert!(
+            eye_before.distance(eye) < fx!(0.001),
+            "{stop}: {eye_before}"
+        );
+        assert!(
+            target_before.distance(target) < fx!(0.001),
+            "{stop}: {target_before}"
+        );
+    }
+}
