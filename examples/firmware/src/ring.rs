@@ -7,8 +7,9 @@
 #[cfg(target_os = "none")]
 mod board;
 #[cfg(target_os = "none")]
-#[path = "../../common/mod.rs"]
-mod common;
+#[allow(dead_code)] // what programs that draw these scenes need
+#[path = "../../common/scenes.rs"]
+mod scenes;
 
 #[cfg(not(target_os = "none"))]
 fn main() {
@@ -24,7 +25,7 @@ mod firmware {
     use static_cell::ConstStaticCell;
 
     use super::board::{self, Clock};
-    use super::common::scenes::CHECKER;
+    use super::scenes::CHECKER;
 
     const WIDTH: u32 = 240;
     const HEIGHT: u32 = 240;

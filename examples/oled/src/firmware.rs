@@ -8,7 +8,7 @@ use fixel::prelude::*;
 use semihosting::{println, process};
 
 use super::board::Oled;
-use super::common::gyroscope::{FRAME_MS, FRAMES, HEIGHT, Lists, WIDTH};
+use super::gyroscope::{FRAME_MS, FRAMES, HEIGHT, Lists, WIDTH};
 use super::ssd0323::Ssd0323;
 
 /// Rows of a band.

@@ -9,7 +9,7 @@ use embedded_graphics::pixelcolor::{Gray4, GrayColor};
 use embedded_graphics_simulator::{OutputSettingsBuilder, SimulatorDisplay};
 use fixel::prelude::*;
 
-use super::common::gyroscope::{FRAMES, HEIGHT, Lists, WIDTH};
+use super::gyroscope::{FRAMES, HEIGHT, Lists, WIDTH};
 
 /// QEMU draws each pixel of the panel this many pixels wide and high.
 const SCALE: u32 = 4;

@@ -25,8 +25,8 @@
 //! `--frame` selects another frame. `.ci/oled` compares this picture with QEMU's, pixel by pixel.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
-#[path = "../../common/mod.rs"]
-mod common;
+#[path = "../../common/gyroscope.rs"]
+mod gyroscope;
 
 #[cfg(target_os = "none")]
 mod board;

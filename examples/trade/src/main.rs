@@ -30,8 +30,6 @@
 
 mod args;
 mod case;
-#[path = "../../common/mod.rs"]
-mod common;
 mod firmware;
 mod measure;
 mod measured;
@@ -42,6 +40,9 @@ mod record;
 #[path = "../../../tests/reference/mod.rs"]
 mod reference;
 mod run;
+#[allow(dead_code)] // what programs that draw these scenes need
+#[path = "../../common/scenes.rs"]
+mod scenes;
 mod spread;
 mod surface;
 mod sweep;

@@ -7,10 +7,10 @@ use fixel::view::Perspective;
 
 use super::Result;
 use super::case::{Case, Lens, Shot};
-use super::common::scenes::{
+use super::reference::linear::{Matrix, multiply, product, rotate_x, rotate_y, translate};
+use super::scenes::{
     self, CUBE_AT, FLOOR_AT, FLOOR_PITCH, HEIGHT, POSES, SPHERE_AT, WIDTH, cube_turn, sphere_turn,
 };
-use super::reference::linear::{Matrix, multiply, product, rotate_x, rotate_y, translate};
 use super::surface::Surface;
 
 /// The scenes' projection.

@@ -5,7 +5,7 @@ use fixel::prelude::*;
 use fixel::target::{DepthBuffer, Native};
 
 use super::Result;
-use super::common::scenes;
+use super::scenes;
 use super::texture::checkered;
 
 /// The shader of a case.
