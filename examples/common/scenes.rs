@@ -159,7 +159,7 @@ pub fn sphere_turn(k: i32) -> [Angle; 2] {
 /// # Errors
 ///
 /// None: the numbers are constant.
-pub fn floor_chain(_: i32) -> Result<Mvp<Perspective>, Error> {
+pub fn floor_mvp(_: i32) -> Result<Mvp<Perspective>, Error> {
     Ok(projection()? * (Transform::rotate_x(FLOOR_PITCH) * Transform::translate(FLOOR_AT)))
 }
 
@@ -168,7 +168,7 @@ pub fn floor_chain(_: i32) -> Result<Mvp<Perspective>, Error> {
 /// # Errors
 ///
 /// None: the numbers are constant.
-pub fn cube_chain(k: i32) -> Result<Mvp<Perspective>, Error> {
+pub fn cube_mvp(k: i32) -> Result<Mvp<Perspective>, Error> {
     Ok(projection()? * (Transform::translate(CUBE_AT) * turned(cube_turn(k))))
 }
 
@@ -177,7 +177,7 @@ pub fn cube_chain(k: i32) -> Result<Mvp<Perspective>, Error> {
 /// # Errors
 ///
 /// None: the numbers are constant.
-pub fn sphere_chain(k: i32) -> Result<Mvp<Perspective>, Error> {
+pub fn sphere_mvp(k: i32) -> Result<Mvp<Perspective>, Error> {
     Ok(projection()? * (Transform::translate(SPHERE_AT) * turned(sphere_turn(k))))
 }
 

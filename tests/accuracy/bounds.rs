@@ -26,7 +26,7 @@
 use crate::mode::Mode;
 
 /// Largest error of a pixel, in units of the numerator; see above.
-const NUMERATOR: f64 = 56.5;
+pub const NUMERATOR: f64 = 56.5;
 /// Largest error of a pixel, in units of 1/w.
 pub const INVERSE_W: f64 = 40.;
 /// A corner more than 2¹⁹ times as far as the nearest one is lifted to this 1/w.

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use crate::bounds;
 use crate::drawing::Drawing;
 use crate::mode::Mode;
-use crate::moves::{exact, quantised};
+use crate::moves::{exact, rounded};
 use crate::reference::coverage::center;
 use crate::reference::distance::to_triangle;
 use crate::reference::linear::IDENTITY;
@@ -22,7 +22,7 @@ const SNAP: f64 = 1. / 256.;
 
 /// Triangles around the eye.
 fn triangles() -> impl Strategy<Value = [Vec3; 3]> {
-    let corner = || [-30_f64..30., -30_f64..30., -60_f64..20.].prop_map(quantised);
+    let corner = || [-30_f64..30., -30_f64..30., -60_f64..20.].prop_map(rounded);
     [corner(), corner(), corner()]
 }
 

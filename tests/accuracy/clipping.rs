@@ -9,6 +9,7 @@
 
 use std::collections::HashMap;
 
+use crate::bounds::NUMERATOR;
 use crate::common::meshes::{Point, triangulation};
 use crate::common::recorder::{Probe, Seen, record};
 use crate::common::{BOTH_SIDES, Counter};
@@ -216,11 +217,10 @@ proptest! {
         let plane = inverse_w(corners);
         for Seen { pixel, values: [distance], depth, .. } in record.seen {
             let w = f64::from(distance) / 65536.;
-            // The corners' distances are below 64, 2^22 units, so the interpolant is distance · q · 2^-24. Its error
-            // and the error of q are at most 34 units each (corner, gradients and steps), and q is at least
-            // 2^30 · near/w.
+            // The corners' distances are below 64, 2^22 units, so the interpolant is distance · q · 2^-24. bounds.rs
+            // derives its error and that of q, which is at least 2^30 · near/w.
             let q = f64::from(1 << 30) * NEAR / FAR;
-            let format = (f64::from(1 << 24) * 34. * 1.5 / q + 4.) / 65536.;
+            let format = (f64::from(1 << 24) * NUMERATOR / q + 4.) / 65536.;
             prop_assert!((NEAR - format..=FAR + format).contains(&w), "{:?}: {}", pixel, w);
             // Corners moved by less than EDGE, so the plane has the value within that distance of the pixel's center.
             let (exact, gradient) = plane(center(pixel));
@@ -231,7 +231,7 @@ proptest! {
                 let farthest = 1. / (exact - room);
                 prop_assert!(w < farthest + format, "{:?}: {} is farther than {}", pixel, w, farthest);
             }
-            // Depth is rounded down, and the error of 1/w, up to 34 units, is 34 · 2^-15 of a step.
+            // Depth is rounded down, and the error of 1/w, up to 40 units, is 40 · 2^-15 of a step.
             let step = 65535. * NEAR;
             let (least, most) = (step * (exact - room) - 1.01, step * (exact + room) + 0.01);
             prop_assert!((least..=most).contains(&f64::from(depth)), "{:?}: {} not in {}..{}", pixel, depth, least, most);

@@ -9,7 +9,7 @@ use fixel::view::Perspective;
 use crate::bounds;
 use crate::drawing::{Drawing, Seen};
 use crate::mode::Mode;
-use crate::moves::{Move, exact, product, quantised};
+use crate::moves::{Move, exact, product, rounded};
 use crate::reference::coverage::{Bounds, center};
 use crate::reference::raster::{self, Piece, culled, pieces};
 use crate::reference::scenes::{SIZE, Shape, view};
@@ -73,7 +73,7 @@ pub struct Comparison {
 impl Scene {
     /// Makes a scene of a shape after some moves, with every number rounded to the crate's nearest number.
     pub fn new(shape: &Shape, moves: &[Move]) -> Self {
-        let positions: Vec<Vec3> = shape.positions.iter().map(|&p| quantised(p)).collect();
+        let positions: Vec<Vec3> = shape.positions.iter().map(|&p| rounded(p)).collect();
         let uvs: Vec<Vec2> = shape
             .uvs
             .iter()

@@ -7,7 +7,7 @@ use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 use proptest::prelude::*;
 
-use crate::moves::{Move, exact, product, quantised};
+use crate::moves::{Move, exact, product, rounded};
 use crate::reference::linear::point;
 use crate::reference::projection::{self, Lens};
 use crate::reference::view::{View, Viewport as ModelViewport};
@@ -165,13 +165,13 @@ fn moves() -> impl Strategy<Value = Vec<Move>> {
                 crate::moves::to(place),
                 Move::X(x),
                 Move::Y(y),
-                Move::Scale(quantised([factor; 3])),
+                Move::Scale(rounded([factor; 3])),
             ]
         })
 }
 
 fn boxes() -> impl Strategy<Value = Bounds> {
-    let point = || [-8.0..8., -8.0..8., -8.0..8.].prop_map(quantised);
+    let point = || [-8.0..8., -8.0..8., -8.0..8.].prop_map(rounded);
     (point(), point(), 0..4_u32).prop_map(|(a, b, small)| {
         let b = Vec3::from_bits(std::array::from_fn(|i| {
             let [a, b] = [a.to_bits()[i], b.to_bits()[i]];

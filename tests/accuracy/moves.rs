@@ -19,7 +19,7 @@ pub enum Move {
 
 /// A translation, rounded to the crate's nearest numbers.
 pub fn to(offset: [f64; 3]) -> Move {
-    Move::To(quantised(offset))
+    Move::To(rounded(offset))
 }
 
 /// A rotation about x by radians.
@@ -33,7 +33,7 @@ pub fn y(radians: f64) -> Move {
 }
 
 /// A point rounded to the crate's nearest numbers.
-pub fn quantised(point: [f64; 3]) -> Vec3 {
+pub fn rounded(point: [f64; 3]) -> Vec3 {
     let [x, y, z] = point.map(|x| scalar(x).unwrap());
     Vec3::new(x, y, z)
 }

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 
 use crate::drawing::{Drawing, Spot};
 use crate::mode::Mode;
-use crate::moves::{Move, exact, product, quantised, radians, relative, size};
+use crate::moves::{Move, exact, product, radians, relative, rounded, size};
 use crate::reference::linear::point;
 use crate::reference::projection::{self, Lens};
 use crate::reference::view::{View, Viewport as ModelViewport};
@@ -21,7 +21,7 @@ fn angle() -> impl Strategy<Value = Angle> {
 }
 
 fn places(range: f64) -> impl Strategy<Value = Vec3> {
-    [-range..range, -range..range, -range..range].prop_map(quantised)
+    [-range..range, -range..range, -range..range].prop_map(rounded)
 }
 
 fn step() -> impl Strategy<Value = Move> {
@@ -30,7 +30,7 @@ fn step() -> impl Strategy<Value = Move> {
         angle().prop_map(Move::X),
         angle().prop_map(Move::Y),
         angle().prop_map(Move::Z),
-        [0.2..3., 0.2..3., -3.0..-0.2].prop_map(|factors| Move::Scale(quantised(factors))),
+        [0.2..3., 0.2..3., -3.0..-0.2].prop_map(|factors| Move::Scale(rounded(factors))),
     ]
 }
 

@@ -13,7 +13,7 @@ use proptest::prelude::*;
 
 use crate::drawing::Drawing;
 use crate::mode::Mode;
-use crate::moves::{self, Move, exact, product, quantised};
+use crate::moves::{self, Move, exact, product, rounded};
 use crate::reference::attributes::weights;
 use crate::reference::distance::to_segment;
 use crate::reference::projection::{self, Lens};
@@ -190,14 +190,14 @@ fn moves() -> impl Strategy<Value = Vec<Move>> {
                     moves::to([0., 0., -distance]),
                     Move::X(x),
                     Move::Y(y),
-                    Move::Scale(quantised([a, b, c])),
+                    Move::Scale(rounded([a, b, c])),
                 ]
             },
         )
 }
 
 fn positions() -> impl Strategy<Value = Vec<Vec3>> {
-    prop::collection::vec([-3.0..3., -3.0..3., -3.0..3.].prop_map(quantised), 3..12)
+    prop::collection::vec([-3.0..3., -3.0..3., -3.0..3.].prop_map(rounded), 3..12)
 }
 
 fn culls() -> impl Strategy<Value = Cull> {

@@ -10,7 +10,7 @@ use micromath::F32Ext;
 
 use crate::drawing::Drawing;
 use crate::mode::Mode;
-use crate::moves::{quantised, radians};
+use crate::moves::{radians, rounded};
 use crate::reference::linear::{self, Matrix};
 use crate::reference::scenes::{SIZE, Shape, cube, sphere, view};
 use crate::spread::Spread;
@@ -73,20 +73,20 @@ impl Model {
         let index = |i: usize| u16::try_from(i).unwrap();
         let uvs = shape.uvs.iter().flatten();
         Self {
-            positions: shape.positions.iter().map(|&p| quantised(p)).collect(),
+            positions: shape.positions.iter().map(|&p| rounded(p)).collect(),
             faces: shape.faces.iter().map(|face| face.map(index)).collect(),
             uvs: uvs.map(|&[u, v]| Vec2::try_from([u, v]).unwrap()).collect(),
             uv_faces: (0..shape.faces.len())
                 .map(|face| [0, 1, 2].map(|corner| index(3 * face + corner)))
                 .collect(),
-            place: crate::moves::exact(quantised([0., 0., -distance])),
+            place: crate::moves::exact(rounded([0., 0., -distance])),
         }
     }
 
     fn drawing(&self, turn: Transform) -> Drawing<'_, Perspective> {
         let projection =
             Projection::from_focal_length(fx!(200), SIZE, fx!(0.25), fx!(100)).unwrap();
-        let place = Transform::translate(quantised(self.place));
+        let place = Transform::translate(rounded(self.place));
         Drawing {
             size: SIZE,
             options: DrawOptions::new(),

@@ -8,7 +8,7 @@ use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 use proptest::prelude::*;
 
-use crate::moves::{self, Move, exact, product, quantised, relative, size};
+use crate::moves::{self, Move, exact, product, relative, rounded, size};
 use crate::recorder::Probe;
 use crate::reference::linear::{Matrix, direction, inverse, length, point};
 use crate::reference::projection::{self, Lens};
@@ -27,7 +27,7 @@ struct Kind {
 }
 
 fn kinds() -> impl Strategy<Value = Kind> {
-    let axis = [-2.0..2., -2.0..2., -2.0..2.].prop_map(quantised);
+    let axis = [-2.0..2., -2.0..2., -2.0..2.].prop_map(rounded);
     (
         [0.5..8., 0.5..8.],
         any::<bool>(),
@@ -57,7 +57,7 @@ fn places() -> impl Strategy<Value = [Vec<Move>; 2]> {
         .prop_map(|(distance, [a, b, c], [to, model], factors)| {
             [
                 vec![moves::to([0., 0., -distance]), Move::X(a), Move::Y(b), to],
-                vec![model, Move::Z(c), Move::Scale(quantised(factors))],
+                vec![model, Move::Z(c), Move::Scale(rounded(factors))],
             ]
         })
 }
@@ -68,7 +68,7 @@ fn allowed(all: &[Move], eye: &Matrix, kind: Kind, sprite: &Sprite, ahead: f64) 
     // lengths have the relative error of the distance. A side along an axis has the error of the axis's direction,
     // which grows as the axis approaches the line of sight.
     let unit = 2_f64.powi(-16);
-    let moved = relative(all) * size(all, quantised(sprite.position));
+    let moved = relative(all) * size(all, rounded(sprite.position));
     let largest = sprite.size.map(f64::abs).into_iter().fold(0., f64::max) * 2.;
     let growth = if kind.in_pixels {
         (moved + unit) / ahead.abs().max(unit)
@@ -228,7 +228,7 @@ proptest! {
     fn corners_in_perspective_are_the_models(
         places in places(),
         kind in kinds(),
-        position in [-4.0..4., -4.0..4., -4.0..4.].prop_map(quantised),
+        position in [-4.0..4., -4.0..4., -4.0..4.].prop_map(rounded),
         fov in 40..120_i32,
     ) {
         let fov = Angle::from_degrees(fov);
@@ -243,7 +243,7 @@ proptest! {
     fn corners_in_parallel_are_the_models(
         places in places(),
         kind in kinds(),
-        position in [-4.0..4., -4.0..4., -4.0..4.].prop_map(quantised),
+        position in [-4.0..4., -4.0..4., -4.0..4.].prop_map(rounded),
         half in 4..20_i32,
     ) {
         let half = Scalar::from_num(half);

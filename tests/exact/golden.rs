@@ -39,7 +39,7 @@ fn poses(draw: impl Fn(i32, &mut Target<'_>)) -> ([u32; 8], usize) {
 #[test]
 fn checksums_of_the_floor() {
     let drawn = picture(|canvas| {
-        scenes::floor(canvas, &PASS, &scenes::floor_chain(0).unwrap());
+        scenes::floor(canvas, &PASS, &scenes::floor_mvp(0).unwrap());
     });
     assert_eq!(drawn, (0xcea2_0ac4, 47_610));
 }
@@ -57,7 +57,7 @@ fn checksums_of_the_cube() {
         0xedad_0d90,
     ];
     let drawn = poses(|k, canvas| {
-        scenes::cube(canvas, &PASS, &scenes::cube_chain(k).unwrap());
+        scenes::cube(canvas, &PASS, &scenes::cube_mvp(k).unwrap());
     });
     assert_eq!(drawn, (CRC, 30_716));
 }
@@ -75,7 +75,7 @@ fn checksums_of_the_sphere() {
         0x6570_3ab7,
     ];
     let drawn = poses(|k, canvas| {
-        scenes::sphere(canvas, &PASS, &scenes::sphere_chain(k).unwrap());
+        scenes::sphere(canvas, &PASS, &scenes::sphere_mvp(k).unwrap());
     });
     assert_eq!(drawn, (CRC, 30_526));
 }
@@ -93,7 +93,7 @@ fn checksums_of_the_flat_sphere() {
         0x7d26_1f71,
     ];
     let drawn = poses(|k, canvas| {
-        scenes::sphere_flat(canvas, &PASS, &scenes::sphere_chain(k).unwrap());
+        scenes::sphere_flat(canvas, &PASS, &scenes::sphere_mvp(k).unwrap());
     });
     assert_eq!(drawn, (CRC, 30_526));
 }
@@ -114,13 +114,13 @@ fn checksum_of_the_lighthouse() {
 fn scenes_in<I: Mode>(mode: I) -> [u32; 3] {
     let options = DrawOptions::new().with_mode(mode);
     let (floor, _) = picture(|canvas| {
-        scenes::floor(canvas, &options, &scenes::floor_chain(0).unwrap());
+        scenes::floor(canvas, &options, &scenes::floor_mvp(0).unwrap());
     });
     let (cube, _) = picture(|canvas| {
-        scenes::cube(canvas, &options, &scenes::cube_chain(2).unwrap());
+        scenes::cube(canvas, &options, &scenes::cube_mvp(2).unwrap());
     });
     let (sphere, _) = picture(|canvas| {
-        scenes::sphere(canvas, &options, &scenes::sphere_chain(1).unwrap());
+        scenes::sphere(canvas, &options, &scenes::sphere_mvp(1).unwrap());
     });
     [floor, cube, sphere]
 }

@@ -130,12 +130,12 @@ fn without_depth(draw: impl Fn(&mut Canvas<'_, Rgb565, BigEndian>) + Sync) {
 /// Checks textured and Gouraud-shaded scenes with depth in a mode.
 fn scenes_in<I: Mode + Sync>(mode: I) {
     let options = DrawOptions::new().with_mode(mode);
-    let [floor, cube] = [scenes::floor_chain(0), scenes::cube_chain(3)].map(Result::unwrap);
+    let [floor, cube] = [scenes::floor_mvp(0), scenes::cube_mvp(3)].map(Result::unwrap);
     with_depth(|canvas| {
         scenes::floor(canvas, &options, &floor);
         scenes::cube(canvas, &options, &cube);
     });
-    let mvp = scenes::sphere_chain(1).unwrap();
+    let mvp = scenes::sphere_mvp(1).unwrap();
     with_depth(|canvas| {
         scenes::sphere(canvas, &options, &mvp);
     });
@@ -152,7 +152,7 @@ fn textured_and_shaded_with_depth_in_every_mode() {
 
 #[test]
 fn flat_without_depth() {
-    let mvp = scenes::sphere_chain(2).unwrap();
+    let mvp = scenes::sphere_mvp(2).unwrap();
     without_depth(|canvas| {
         scenes::sphere_flat(canvas, &DrawOptions::new(), &mvp);
     });
@@ -161,7 +161,7 @@ fn flat_without_depth() {
 /// Lines and points take another path than triangles: they are not drawn row by row.
 #[test]
 fn lines_and_points_without_depth() {
-    let mvp = scenes::sphere_chain(0).unwrap();
+    let mvp = scenes::sphere_mvp(0).unwrap();
     without_depth(|canvas| {
         canvas.draw_edges(
             &DrawOptions::new(),

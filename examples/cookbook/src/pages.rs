@@ -543,10 +543,10 @@ fn measured(canvas: &mut Frame<'_>) -> Drawn {
         let corner = (4 + 60 * column, row * height.cast_signed());
         Ok(DrawOptions::new().with_viewport(Viewport::new(corner.0, corner.1, width, height)?))
     };
-    benchmarks::floor(canvas, &part(0, 0)?, &benchmarks::floor_chain(0)?);
-    benchmarks::cube(canvas, &part(1, 0)?, &benchmarks::cube_chain(0)?);
-    benchmarks::sphere(canvas, &part(0, 1)?, &benchmarks::sphere_chain(0)?);
-    benchmarks::sphere_flat(canvas, &part(1, 1)?, &benchmarks::sphere_chain(0)?);
+    benchmarks::floor(canvas, &part(0, 0)?, &benchmarks::floor_mvp(0)?);
+    benchmarks::cube(canvas, &part(1, 0)?, &benchmarks::cube_mvp(0)?);
+    benchmarks::sphere(canvas, &part(0, 1)?, &benchmarks::sphere_mvp(0)?);
+    benchmarks::sphere_flat(canvas, &part(1, 1)?, &benchmarks::sphere_mvp(0)?);
     Ok(())
 }
 

@@ -59,9 +59,9 @@ impl Scene {
     /// The model-view-projection of the scene's models.
     pub fn mvp(self) -> Result<Mvp<Perspective>, Error> {
         match self {
-            Self::Floor => scenes::floor_chain(0),
-            Self::Cube | Self::Inwards | Self::Outwards => scenes::cube_chain(0),
-            Self::Sphere | Self::SphereFlat => scenes::sphere_chain(0),
+            Self::Floor => scenes::floor_mvp(0),
+            Self::Cube | Self::Inwards | Self::Outwards => scenes::cube_mvp(0),
+            Self::Sphere | Self::SphereFlat => scenes::sphere_mvp(0),
             Self::Lighthouse => {
                 let projection = lighthouse::projection((WIDTH, HEIGHT))?;
                 Ok(projection * lighthouse::camera()? * Transform::IDENTITY)

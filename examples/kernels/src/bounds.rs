@@ -16,7 +16,7 @@ pub fn measure(watch: &mut Stopwatch) -> Result<(u32, u64), Error> {
     let mut pixels = [Rgb565::BLACK; WIDTH as usize * 16];
     let canvas = Canvas::band(&mut pixels, WIDTH, HEIGHT, HEIGHT - 16)?;
     let bounds = Bounds::new(vec3!(-0.3, -0.3, -0.3), vec3!(0.3, 0.3, 0.3));
-    let mvp = scenes::sphere_chain(0)?;
+    let mvp = scenes::sphere_mvp(0)?;
     let ticks = watch.time(|| {
         for _ in 0..TESTS {
             let is_in_view = canvas.is_in_view(&DrawOptions::new(), black_box(&bounds), &mvp);

@@ -20,7 +20,7 @@ pub struct Frame {
 }
 
 /// A scene's model-view-projection in a pose.
-type Chain = fn(i32) -> Result<Mvp<Perspective>, Error>;
+type Posed = fn(i32) -> Result<Mvp<Perspective>, Error>;
 
 impl Frame {
     /// Takes the memory; can be called once.
@@ -39,15 +39,15 @@ impl Frame {
         mode: M,
     ) -> Result<(), Error> {
         let options = DrawOptions::new().with_mode(mode);
-        for (name, chain) in [
-            ("floor", scenes::floor_chain as Chain),
-            ("cube", scenes::cube_chain),
-            ("sphere", scenes::sphere_chain),
-            ("sphere-flat", scenes::sphere_chain),
+        for (name, mvp) in [
+            ("floor", scenes::floor_mvp as Posed),
+            ("cube", scenes::cube_mvp),
+            ("sphere", scenes::sphere_mvp),
+            ("sphere-flat", scenes::sphere_mvp),
         ] {
             let mut ticks = 0;
             for pose in 0..POSES {
-                ticks += self.pose(watch, name, &options, &chain(pose)?)?;
+                ticks += self.pose(watch, name, &options, &mvp(pose)?)?;
             }
             watch.print_frames(mode_name, name, POSES.cast_unsigned(), ticks);
         }

@@ -24,22 +24,22 @@ fn draw(scene: &str) -> Result<(), Error> {
         depths.fill(0);
         let mut flat = Canvas::new(&mut colors, WIDTH, HEIGHT)?;
         if scene == "sphere-flat" {
-            let mvp = scenes::sphere_chain(pose)?;
+            let mvp = scenes::sphere_mvp(pose)?;
             only_drawing(|| scenes::sphere_flat(&mut flat, &options, &mvp));
             continue;
         }
         let mut canvas = flat.with_depth(&mut depths)?;
         match scene {
             "floor" => {
-                let mvp = scenes::floor_chain(pose)?;
+                let mvp = scenes::floor_mvp(pose)?;
                 only_drawing(|| scenes::floor(&mut canvas, &options, &mvp));
             }
             "cube" => {
-                let mvp = scenes::cube_chain(pose)?;
+                let mvp = scenes::cube_mvp(pose)?;
                 only_drawing(|| scenes::cube(&mut canvas, &options, &mvp));
             }
             _ => {
-                let mvp = scenes::sphere_chain(pose)?;
+                let mvp = scenes::sphere_mvp(pose)?;
                 only_drawing(|| scenes::sphere(&mut canvas, &options, &mvp));
             }
         }

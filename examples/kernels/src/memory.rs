@@ -21,7 +21,7 @@ pub fn print() -> Result<(), Error> {
             .without_colors(),
     );
     let colors = scenes::SPHERE.counts().colors * size_of::<Rgb888>();
-    let lists = (0..POSES).map(|pose| list(&scenes::SPHERE, &scenes::sphere_chain(pose)?));
+    let lists = (0..POSES).map(|pose| list(&scenes::SPHERE, &scenes::sphere_mvp(pose)?));
     let list = lists
         .collect::<Result<Vec<_>, Error>>()?
         .into_iter()

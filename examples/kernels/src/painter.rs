@@ -39,7 +39,7 @@ fn pose(scene: &str, k: i32) -> Result<Pose, Error> {
     let turned = |degrees: i32| Angle::from_degrees(degrees * k);
     Ok(match scene {
         "sphere" => Pose {
-            view: scenes::sphere_chain(k)?,
+            view: scenes::sphere_mvp(k)?,
             objects: vec![Object::new(
                 &scenes::SPHERE,
                 Transform::IDENTITY,

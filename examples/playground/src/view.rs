@@ -214,9 +214,9 @@ impl View {
                 return Ok(projection * lighthouse::camera()? * Transform::IDENTITY);
             }
             scene if self.is_measured() => match scene {
-                Scene::Floor => return scenes::floor_chain(0),
-                Scene::Cube => return scenes::cube_chain(0),
-                Scene::Sphere | Scene::SphereFlat => return scenes::sphere_chain(0),
+                Scene::Floor => return scenes::floor_mvp(0),
+                Scene::Cube => return scenes::cube_mvp(0),
+                Scene::Sphere | Scene::SphereFlat => return scenes::sphere_mvp(0),
                 Scene::Lighthouse | Scene::Own | Scene::World => {}
             },
             _ => {}

@@ -190,9 +190,9 @@ impl Model<'_> {
 fn mvp(scene: SceneName, k: u32) -> Result<Mvp<Perspective>> {
     let k = k.cast_signed() % scenes::POSES;
     Ok(match scene {
-        SceneName::Floor => scenes::floor_chain(k)?,
-        SceneName::Cube => scenes::cube_chain(k)?,
-        SceneName::Sphere | SceneName::SphereFlat => scenes::sphere_chain(k)?,
+        SceneName::Floor => scenes::floor_mvp(k)?,
+        SceneName::Cube => scenes::cube_mvp(k)?,
+        SceneName::Sphere | SceneName::SphereFlat => scenes::sphere_mvp(k)?,
     })
 }
 

@@ -25,19 +25,12 @@ const LENS: Lens = Lens {
 pub fn cases() -> Result<Vec<Case>> {
     let floor = Shot::of_mesh(
         &scenes::FLOOR,
-        scenes::floor_chain(0)?,
+        scenes::floor_mvp(0)?,
         multiply(&rotate_x(radians(FLOOR_PITCH)), &moved(FLOOR_AT)),
         LENS,
     );
-    let cube = poses(&scenes::CUBE, scenes::cube_chain, CUBE_AT, cube_turn)?;
-    let sphere = || {
-        poses(
-            &scenes::SPHERE,
-            scenes::sphere_chain,
-            SPHERE_AT,
-            sphere_turn,
-        )
-    };
+    let cube = poses(&scenes::CUBE, scenes::cube_mvp, CUBE_AT, cube_turn)?;
+    let sphere = || poses(&scenes::SPHERE, scenes::sphere_mvp, SPHERE_AT, sphere_turn);
     let case = |name, surface, shots| Case {
         name,
         size: (WIDTH, HEIGHT),

@@ -13,7 +13,7 @@ use super::verdict::{Verdict, Worst};
 use crate::bounds;
 use crate::drawing::Drawing;
 use crate::mode::Mode;
-use crate::moves::{exact, quantised};
+use crate::moves::{exact, rounded};
 use crate::reference::linear::{Vec3 as Vector, cross, dot, subtract};
 
 /// Ratios of far to near, each with a near and a far plane.
@@ -71,7 +71,7 @@ fn behind(projection: &Lens, w: f64) -> (Worst, bool) {
         let corners = [[-60., -50.], [90., -40.], [-20., 80.]];
         let surface = |times: f64| {
             let depth = |[x, _]: [f64; 2]| w * times * (1. + tilt * x / 100.);
-            corners.map(|at| quantised(projection.at(at, depth(at))))
+            corners.map(|at| rounded(projection.at(at, depth(at))))
         };
         let surfaces = [surface(1.), surface(APART)];
         let scene = projection.scene([[0.; 3]; 3], [[0; 2]; 3]);

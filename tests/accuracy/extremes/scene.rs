@@ -6,7 +6,7 @@ use fixel::view::Perspective;
 
 use super::verdict::Verdict;
 use crate::common::BOTH_SIDES;
-use crate::moves::{Move, exact, product, quantised};
+use crate::moves::{Move, exact, product, rounded};
 use crate::reference::projection::focal;
 use crate::reference::view::{self, View};
 
@@ -59,7 +59,7 @@ impl Lens {
 
     /// A triangle whose corners are rounded to the nearest representable positions.
     pub fn scene(&self, corners: Corners, texels: [[i32; 2]; 3]) -> Scene {
-        let positions = corners.map(quantised).to_vec();
+        let positions = corners.map(rounded).to_vec();
         let (transform, eye) = product(&self.moves);
         let number = |x| scalar(x).unwrap();
         let (width, height) = self
