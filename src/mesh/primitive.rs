@@ -213,8 +213,8 @@ impl Primitive<'_> {
         let [a, b, c] = self.positions().map(Vec3::to_bits);
         let mean = |a: i32, b: i32, c: i32| {
             let sum = i64::from(a) + i64::from(b) + i64::from(c);
-            // A third of 34 bits: 2^32 / 3 is rounded up.
-            ((sum * 0x5555_5556 + (1 << 31)) >> 32) as i32
+            // A third of 34 bits. 2^32 / 3 is rounded down, so that the product fits into 64 bits.
+            ((sum * 0x5555_5555 + (1 << 31)) >> 32) as i32
         };
         let middle = [
             mean(a[0], b[0], c[0]),
@@ -335,5 +335,41 @@ impl Corner<'_> {
     #[inline]
     pub const fn primitive(&self) -> &Primitive<'_> {
         self.primitive
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Also at the ends of the range.
+    #[test]
+    fn the_middle_is_the_mean_of_the_corners() {
+        let (least, most) = (i32::MIN, i32::MAX);
+        for corners in [
+            [least; 3],
+            [most; 3],
+            [most, most, most - 2],
+            [least, least, least + 4],
+            [least, most, most],
+            [0, 1, 1],
+            [-1, -1, 0],
+        ] {
+            let positions = corners.map(|x| Vec3::from_bits([x, 0, x]));
+            let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
+            let primitive = Primitive {
+                mesh: &mesh,
+                placement: &Placement::new(&Transform::IDENTITY, Transform::IDENTITY),
+                element: Element {
+                    face: Some(0),
+                    indices: [0, 1, 2],
+                },
+            };
+            let [x, y, z] = primitive.world_middle().to_bits();
+            let sum: i64 = corners.map(i64::from).iter().sum();
+            // Within one unit of a third of the sum.
+            assert!((3 * i64::from(x) - sum).abs() <= 3, "{corners:?}: {x}");
+            assert_eq!((y, z), (0, x));
+        }
     }
 }
