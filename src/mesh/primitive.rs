@@ -71,20 +71,18 @@ impl<'a> Placement<'a> {
 
     #[cold]
     fn lacks_uvs(&self) -> Vec2 {
-        let missing = self.missing.get();
         self.missing.set(Missing {
             uvs: true,
-            ..missing
+            ..self.missing.get()
         });
         Vec2::default()
     }
 
     #[cold]
     fn lacks_colors(&self) -> Rgb888 {
-        let missing = self.missing.get();
         self.missing.set(Missing {
             colors: true,
-            ..missing
+            ..self.missing.get()
         });
         Rgb888::WHITE
     }
@@ -185,8 +183,8 @@ impl Primitive<'_> {
 
     /// The normal of the triangle's plane in model space: (b − a) × (c − a) for the corners a, b and c.
     ///
-    /// It is scaled so that its largest component is between 8192 and 32768; a small triangle's normal is therefore as
-    /// accurate as a large one's. It is zero for a triangle without area.
+    /// It is scaled so that its largest component is between 16,384 and 32,768. Sides are first rounded down to multiples
+    /// of 2⁻¹⁵, so triangles must be much larger than that. It is zero for a triangle without area.
     #[must_use]
     pub fn normal(&self) -> Vec3 {
         let [a, b, c] = self.positions().map(Vec3::to_bits);
