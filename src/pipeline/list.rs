@@ -639,7 +639,8 @@ impl<K: ProjectionKind, M, Z, B> Prepared<'_, K, M, Z, B> {
             };
             match entry.corners {
                 Corners::Whole([a, b, c]) => {
-                    let corners = (self.vertex(a), self.vertex(b), self.vertex(c));
+                    let vertex = |number| vertex(self.vertices, number);
+                    let corners = (vertex(a), vertex(b), vertex(c));
                     if let (Some(a), Some(b), Some(c)) = corners {
                         let corners = [&a, &b, &c];
                         let area = raster::area(&ScreenVertex::screens(corners));
@@ -652,11 +653,6 @@ impl<K: ProjectionKind, M, Z, B> Prepared<'_, K, M, Z, B> {
             }
         }
         draw.drawn()
-    }
-
-    #[inline]
-    fn vertex(&self, number: u16) -> Option<ScreenVertex> {
-        vertex(self.vertices, number)
     }
 
     fn polygon(&self, first: u16, count: u16) -> ClippedPolygon {
