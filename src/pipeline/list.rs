@@ -411,7 +411,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
         let lists = (self.triangles.as_mut_view(), self.vertices.as_mut_view());
         let rows = fill(lists, &call, &mut needed);
         needed.check::<TRIANGLES, VERTICES>("triangles")?;
-        let (list, shift) = (&mut self.triangles, call.depth_shift());
+        let (list, shift) = (&mut self.triangles, call.projector.depth_shift());
         if SORTED {
             painter::sort(list, &self.vertices, shift, &call.shared.scissor.rows);
         }

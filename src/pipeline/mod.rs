@@ -576,7 +576,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         let call = Call::new(&options.screen(self.frame_size()), self.rows(), mesh, mvp);
         let modes = (options.pixels.mode, options.pixels.depth);
         let mut blit =
-            Blit::<_, _, _, V::Kind, _, _>::new(modes, self, painter, call.depth_shift());
+            Blit::<_, _, _, V::Kind, _, _>::new(modes, self, painter, call.projector.depth_shift());
         stages(&call, &mut blit)
     }
 
