@@ -8,7 +8,7 @@
 //!
 //! [`Sprites`] are rectangles that face the viewer, one at each position of a slice.
 //!
-//! [`Keyframes`] are two poses of a mesh, to be blended. An [`Outline`] holds a mesh's edges with the faces beside them.
+//! [`Keyframes`] blends two poses of a mesh. [`Outline`] holds a mesh's edges with the faces beside them.
 //!
 //! [`Quantized`] is a mesh whose attributes take about a third of the flash.
 //!

@@ -183,8 +183,8 @@ impl Primitive<'_> {
 
     /// The normal of the triangle's plane in model space: (b − a) × (c − a) for the corners a, b and c.
     ///
-    /// It is scaled so that its largest component is between 16,384 and 32,768. Sides are first rounded down to multiples
-    /// of 2⁻¹⁵, so triangles must be much larger than that. It is zero for a triangle without area.
+    /// It is scaled so that its largest component is between 16,384 and 32,768. It is zero for a triangle without area.
+    /// Sides are first rounded down to multiples of 2⁻¹⁵, so a triangle must be much larger than that.
     #[must_use]
     pub fn normal(&self) -> Vec3 {
         let [a, b, c] = self.positions().map(Vec3::to_bits);

@@ -75,7 +75,7 @@ fn clip_to_plane<K: ProjectionKind>(
     inside: &mut Polygon,
 ) {
     let is_outside = |corner: &ClipVertex| projector.is_outside(&corner.position, plane);
-    // A polygon's last corner is joined to its first. Two corners are a line, or what is left of a polygon without area:
+    // A polygon's last corner is joined to its first. Two corners are a line, or the rest of a polygon without area:
     // neither needs it.
     let mut from = polygon.last().filter(|_| polygon.len() > 2);
     let mut was_out = from.is_some_and(is_outside);

@@ -13,7 +13,7 @@ use super::canvas::Canvas;
 use super::depth::DepthBuffer;
 use super::storage::Storage;
 
-/// Makes a canvas, or a type with a canvas and its own origin in two fields, a [`DrawTarget`] that draws row by row: its
+/// Makes a canvas, or a type that holds a canvas and its own origin, a [`DrawTarget`] that draws row by row. Its
 /// `draw_row` sets pixels of a row of the frame to colors.
 macro_rules! draw_target {
     ($(#[$doc:meta])* $Target:ty $(, in $canvas:ident at $origin:ident)? $(; $clear:item)?) => {
