@@ -16,9 +16,7 @@ impl<T> Attribute<'_, T> {
         values: &[],
         faces: None,
     };
-}
 
-impl<T> Attribute<'_, T> {
     /// The attribute of a range of the faces, which must not reach beyond their end.
     pub(super) fn part(&self, range: &Range<usize>) -> Self {
         Self {

@@ -1,6 +1,6 @@
 //! The box around a mesh.
 
-use super::{Mesh, Positions};
+use super::Mesh;
 use crate::Vec3;
 
 /// An upright box in model space, such as the smallest one around a mesh.
@@ -61,26 +61,22 @@ impl Bounds {
             most: Vec3::from_bits(most),
         }
     }
-
-    /// The smallest box around positions; the origin alone if there are none.
-    const fn of(positions: &Positions<'_>) -> Self {
-        let Some(first) = positions.get(0) else {
-            return Self::new(Vec3::ZERO, Vec3::ZERO);
-        };
-        let mut bounds = Self::new(first, first);
-        let mut at = 1;
-        while let Some(position) = positions.get(at) {
-            bounds = bounds.with(position);
-            at += 1;
-        }
-        bounds
-    }
 }
 
 impl Mesh<'_> {
     /// Finds the smallest upright box around all positions; the origin alone if there are none.
     #[must_use]
     pub const fn bounds(&self) -> Bounds {
-        Bounds::of(&self.positions())
+        let positions = self.positions();
+        let Some(first) = positions.get(0) else {
+            return Bounds::new(Vec3::ZERO, Vec3::ZERO);
+        };
+        let mut bounds = Bounds::new(first, first);
+        let mut at = 1;
+        while let Some(position) = positions.get(at) {
+            bounds = bounds.with(position);
+            at += 1;
+        }
+        bounds
     }
 }

@@ -71,11 +71,7 @@ pub(super) const fn check<const K: usize>(
         let mut corner = 0;
         while corner < K {
             let index = lists[at][corner];
-            let excepted = match exception {
-                Some(exception) => index == exception,
-                None => false,
-            };
-            if index as usize >= len && !excepted {
+            if index as usize >= len && !matches!(exception, Some(except) if index == except) {
                 return Err(Error::Index {
                     at,
                     index: index as u32,
@@ -432,8 +428,7 @@ impl<'a> Mesh<'a> {
     /// ```
     #[must_use]
     pub fn part(&self, faces: Range<usize>) -> Self {
-        let end = faces.end.min(self.faces.len());
-        let range = faces.start.min(end)..end;
+        let range = self.part_range(&faces);
         Self {
             faces: self.faces.get(range.clone()).unwrap_or_default(),
             edges: &[],
@@ -442,6 +437,12 @@ impl<'a> Mesh<'a> {
             colors: self.colors.part(&range),
             ..*self
         }
+    }
+
+    /// A range of triangles, cut at the end of the list.
+    pub(super) fn part_range(&self, faces: &Range<usize>) -> Range<usize> {
+        let end = faces.end.min(self.faces.len());
+        faces.start.min(end)..end
     }
 
     /// Whether there are texture coordinates.

@@ -64,6 +64,14 @@ const fn same(first: &[[Index; 3]], second: &[[Index; 3]]) -> Result<(), Error> 
     Ok(())
 }
 
+/// A mesh's triangles as indices of normals. Without faces of their own, normals are indexed like the positions.
+const fn normal_faces<'a>(mesh: &Mesh<'a>) -> &'a [[Index; 3]] {
+    match mesh.normals.faces {
+        Some(faces) => faces,
+        None => mesh.faces(),
+    }
+}
+
 /// As many elements of a slice as are needed.
 const fn room(slice: &mut [Vec3], needed: usize) -> Result<&mut [Vec3], Error> {
     ok!(check_count(needed, slice.len()));
@@ -93,18 +101,7 @@ impl<'a> Keyframes<'a> {
                 frames.normals.len(),
                 first.normals.values.len()
             ));
-            // Without faces of their own, normals are indexed like the positions.
-            let faces = [
-                match first.normals.faces {
-                    Some(faces) => faces,
-                    None => first.faces(),
-                },
-                match second.normals.faces {
-                    Some(faces) => faces,
-                    None => second.faces(),
-                },
-            ];
-            ok!(same(faces[0], faces[1]));
+            ok!(same(normal_faces(first), normal_faces(second)));
         }
         Ok(frames)
     }

@@ -8,6 +8,8 @@
 //!
 //! [`Sprites`] are rectangles that face the viewer, one at each position of a slice.
 //!
+//! [`Keyframes`] blends two poses of a mesh. [`Outline`] holds a mesh's edges with the faces beside them.
+//!
 //! [`Quantized`] is a mesh whose attributes take about a third of the flash.
 //!
 //! A shader reads a mesh as a [`Primitive`] and its [`Corner`]s.

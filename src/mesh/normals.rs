@@ -168,11 +168,8 @@ impl<'a> Mesh<'a> {
                 } else {
                     let max = normals.len().min(Self::NO_VALUE.into());
                     let given = count + 1;
-                    let full = Error::TooMany { given, max };
-                    if count == max {
-                        return Err(full);
-                    }
-                    *normals.get_mut(count).ok_or(full)? = normal;
+                    let free = normals.get_mut(count).filter(|_| count < max);
+                    *free.ok_or(Error::TooMany { given, max })? = normal;
                     count = given;
                     count - 1
                 };
@@ -196,12 +193,10 @@ impl<'a> Mesh<'a> {
             if normal.dot(own) < least {
                 continue;
             }
-            for (_, angle) in face
-                .iter()
-                .zip(angles)
-                .filter(|(index, _)| **index == position)
-            {
-                sum += weighted(normal, angle);
+            for (&index, angle) in face.iter().zip(angles) {
+                if index == position {
+                    sum += weighted(normal, angle);
+                }
             }
         }
         sum.normalized().unwrap_or_default()

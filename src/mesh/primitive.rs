@@ -71,20 +71,18 @@ impl<'a> Placement<'a> {
 
     #[cold]
     fn lacks_uvs(&self) -> Vec2 {
-        let missing = self.missing.get();
         self.missing.set(Missing {
             uvs: true,
-            ..missing
+            ..self.missing.get()
         });
         Vec2::default()
     }
 
     #[cold]
     fn lacks_colors(&self) -> Rgb888 {
-        let missing = self.missing.get();
         self.missing.set(Missing {
             colors: true,
-            ..missing
+            ..self.missing.get()
         });
         Rgb888::WHITE
     }
@@ -185,8 +183,8 @@ impl Primitive<'_> {
 
     /// The normal of the triangle's plane in model space: (b − a) × (c − a) for the corners a, b and c.
     ///
-    /// It is scaled so that its largest component is between 8192 and 32768; a small triangle's normal is therefore as
-    /// accurate as a large one's. It is zero for a triangle without area.
+    /// It is scaled so that its largest component is between 16,384 and 32,768. It is zero for a triangle without area.
+    /// Sides are first rounded down to multiples of 2⁻¹⁵, so a triangle must be much larger than that.
     #[must_use]
     pub fn normal(&self) -> Vec3 {
         let [a, b, c] = self.positions().map(Vec3::to_bits);
@@ -213,8 +211,8 @@ impl Primitive<'_> {
         let [a, b, c] = self.positions().map(Vec3::to_bits);
         let mean = |a: i32, b: i32, c: i32| {
             let sum = i64::from(a) + i64::from(b) + i64::from(c);
-            // A third of 34 bits: 2^32 / 3 is rounded up.
-            ((sum * 0x5555_5556 + (1 << 31)) >> 32) as i32
+            // A third of 34 bits. 2^32 / 3 is rounded down, so that the product fits into 64 bits.
+            ((sum * 0x5555_5555 + (1 << 31)) >> 32) as i32
         };
         let middle = [
             mean(a[0], b[0], c[0]),
@@ -335,5 +333,41 @@ impl Corner<'_> {
     #[inline]
     pub const fn primitive(&self) -> &Primitive<'_> {
         self.primitive
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Also at the ends of the range.
+    #[test]
+    fn the_middle_is_the_mean_of_the_corners() {
+        let (least, most) = (i32::MIN, i32::MAX);
+        for corners in [
+            [least; 3],
+            [most; 3],
+            [most, most, most - 2],
+            [least, least, least + 4],
+            [least, most, most],
+            [0, 1, 1],
+            [-1, -1, 0],
+        ] {
+            let positions = corners.map(|x| Vec3::from_bits([x, 0, x]));
+            let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
+            let primitive = Primitive {
+                mesh: &mesh,
+                placement: &Placement::new(&Transform::IDENTITY, Transform::IDENTITY),
+                element: Element {
+                    face: Some(0),
+                    indices: [0, 1, 2],
+                },
+            };
+            let [x, y, z] = primitive.world_middle().to_bits();
+            let sum: i64 = corners.map(i64::from).iter().sum();
+            // Within one unit of a third of the sum.
+            assert!((3 * i64::from(x) - sum).abs() <= 3, "{corners:?}: {x}");
+            assert_eq!((y, z), (0, x));
+        }
     }
 }

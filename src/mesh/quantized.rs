@@ -209,8 +209,7 @@ impl<'a> Quantized<'a> {
     /// The mesh reduced to a range of its triangles, as [`Mesh::part`] does.
     #[must_use]
     pub fn part(&self, faces: Range<usize>) -> Self {
-        let end = faces.end.min(self.mesh.faces().len());
-        let faces = faces.start.min(end)..end;
+        let faces = self.mesh.part_range(&faces);
         Self {
             mesh: self.mesh.part(faces.clone()),
             normals: self.normals.part(&faces),

@@ -75,8 +75,8 @@ fn clip_to_plane<K: ProjectionKind>(
     inside: &mut Polygon,
 ) {
     let is_outside = |corner: &ClipVertex| projector.is_outside(&corner.position, plane);
-    // A polygon's last corner is joined to its first. A line's is not, nor need it be where a polygon has two left: that
-    // has no area.
+    // A polygon's last corner is joined to its first. Two corners are a line, or the rest of a polygon without area:
+    // neither needs it.
     let mut from = polygon.last().filter(|_| polygon.len() > 2);
     let mut was_out = from.is_some_and(is_outside);
     for to in polygon {
@@ -128,7 +128,7 @@ fn cut<K: ProjectionKind>(
     projector.put_onto(&mut corner.position, plane);
     let (Barycentric(weights), Barycentric(to)) = (&mut corner.barycentric, &outside.barycentric);
     for (at, to) in weights.iter_mut().zip(to) {
-        // Of 31 bits.
+        // Weights are from 0 to 2^30, and the fraction is below 2^31.
         *at += (product(to - *at, fraction) >> 31) as i32;
     }
 }

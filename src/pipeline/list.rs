@@ -411,7 +411,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
         let lists = (self.triangles.as_mut_view(), self.vertices.as_mut_view());
         let rows = fill(lists, &call, &mut needed);
         needed.check::<TRIANGLES, VERTICES>("triangles")?;
-        let (list, shift) = (&mut self.triangles, call.depth_shift());
+        let (list, shift) = (&mut self.triangles, call.projector.depth_shift());
         if SORTED {
             painter::sort(list, &self.vertices, shift, &call.shared.scissor.rows);
         }
@@ -639,7 +639,8 @@ impl<K: ProjectionKind, M, Z, B> Prepared<'_, K, M, Z, B> {
             };
             match entry.corners {
                 Corners::Whole([a, b, c]) => {
-                    let corners = (self.vertex(a), self.vertex(b), self.vertex(c));
+                    let vertex = |number| vertex(self.vertices, number);
+                    let corners = (vertex(a), vertex(b), vertex(c));
                     if let (Some(a), Some(b), Some(c)) = corners {
                         let corners = [&a, &b, &c];
                         let area = raster::area(&ScreenVertex::screens(corners));
@@ -652,11 +653,6 @@ impl<K: ProjectionKind, M, Z, B> Prepared<'_, K, M, Z, B> {
             }
         }
         draw.drawn()
-    }
-
-    #[inline]
-    fn vertex(&self, number: u16) -> Option<ScreenVertex> {
-        vertex(self.vertices, number)
     }
 
     fn polygon(&self, first: u16, count: u16) -> ClippedPolygon {

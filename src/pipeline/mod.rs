@@ -62,8 +62,8 @@ pub struct Drawn {
     /// The number of triangles, edges or points in the mesh.
     pub submitted: u32,
     /// The number of these that may have changed a pixel. Triangles count if they are not culled and meet the viewport
-    /// and the canvas's rows. Lines and points count unless they are entirely outside the guard band, ±2048 pixels
-    /// around the viewport's center. Prepared edges count if they reach the canvas's rows.
+    /// and the canvas's rows. Lines and points count if any part of them lies between the near and the far plane and in
+    /// the guard band, ±2048 pixels around the viewport's center; prepared edges must also reach the canvas's rows.
     pub drawn: u32,
     /// The number of these that were clipped by a plane of the view volume or of the guard band.
     pub clipped: u32,
@@ -375,8 +375,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         let quads = Quads::new(sprites, mvp, &screen.viewport);
         let painter = (*shader, options.pixels.blending);
         let modes = (options.pixels.mode, options.pixels.depth);
-        let mut blit =
-            Blit::<_, _, _, V::Kind, _, _>::new(modes, self, painter, quads.depth_shift());
+        let depth_shift = quads.projector.depth_shift();
+        let mut blit = Blit::<_, _, _, V::Kind, _, _>::new(modes, self, painter, depth_shift);
         quads.draw(&scissor, &|halves| is_plane(&painter, halves), &mut blit)
     }
 
@@ -576,7 +576,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         let call = Call::new(&options.screen(self.frame_size()), self.rows(), mesh, mvp);
         let modes = (options.pixels.mode, options.pixels.depth);
         let mut blit =
-            Blit::<_, _, _, V::Kind, _, _>::new(modes, self, painter, call.depth_shift());
+            Blit::<_, _, _, V::Kind, _, _>::new(modes, self, painter, call.projector.depth_shift());
         stages(&call, &mut blit)
     }
 

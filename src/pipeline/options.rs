@@ -128,7 +128,7 @@ impl<M: Copy, Z: Copy, B: Copy, L: Copy> DrawOptions<M, Z, B, L> {
         )
     }
 
-    /// The same options with other types of modes.
+    /// The same options with these four, which may have other types.
     const fn with<N: Copy, Y: Copy, A: Copy, J: Copy>(
         self,
         mode: N,

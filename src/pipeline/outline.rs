@@ -41,7 +41,7 @@ fn is_drawn<K: ProjectionKind>(
 ) -> bool {
     let cull = call.shared.cull;
     let left = assemble::area(call, vertices, [a, b, c]);
-    // A border has no second face, and that face no area.
+    // A border has no second face. It counts as a face without area.
     let right = if d == a {
         0
     } else {

@@ -57,7 +57,7 @@ pub(super) fn sized_points<K: ProjectionKind>(
             HalfSize::Equal(half) => half,
             HalfSize::OverDistance(mantissa, exp) => {
                 // near / w = q · 2^(exponent − 16 − shift), as for the depth.
-                let shift = i32::from(at.exponent) - 16 - call.depth_shift().0 - exp;
+                let shift = i32::from(at.exponent) - 16 - call.projector.depth_shift().0 - exp;
                 block::shift(product(mantissa, at.q.cast_signed()), shift + 8)
             }
         };

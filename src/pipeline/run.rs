@@ -236,10 +236,10 @@ impl<'d> Draw<'d> {
         is_clipped: bool,
         line: impl FnOnce(&mut Rasterizer<'d>),
     ) {
-        self.raster.start(&self.shared.primitive(Element {
+        self.start(Element {
             face: None,
             indices: [a, b, b],
-        }));
+        });
         line(&mut self.raster);
         self.drawn.drawn += 1;
         self.drawn.clipped += u32::from(is_clipped);

@@ -14,7 +14,7 @@ use crate::num::TexCoord;
 use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt::unit;
 use crate::num::wide::{dot, product};
-use crate::raster::{Blitter, Cull, DepthShift, Scissor};
+use crate::raster::{Blitter, Cull, Scissor};
 use crate::view::{ModelToPicture, Projection, ProjectionKind, Viewport};
 use crate::{Scalar, Vec2, Vec3};
 
@@ -141,7 +141,7 @@ pub(super) struct Quads<'s, K> {
     /// From eye to world space.
     pose: Transform,
     /// From eye space to the screen.
-    projector: Projector<'static, K>,
+    pub(super) projector: Projector<'static, K>,
     shape: Shape,
     /// Whether the size of a sprite is proportional to its distance.
     grows: bool,
@@ -168,11 +168,6 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
             ),
             grows: sprites.is_in_pixels && K::PERSPECTIVE,
         }
-    }
-
-    #[inline]
-    pub(super) fn depth_shift(&self) -> DepthShift {
-        self.projector.depth_shift()
     }
 
     /// Draws all sprites.

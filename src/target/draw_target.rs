@@ -13,10 +13,10 @@ use super::canvas::Canvas;
 use super::depth::DepthBuffer;
 use super::storage::Storage;
 
-/// Makes a canvas, or what has a canvas in a field, a [`DrawTarget`] that draws row by row. Its `in_frame` is the place
-/// of one of its points in the frame, and its `draw_row` sets pixels of a row to colors.
+/// Makes a canvas, or a type that holds a canvas and its own origin, a [`DrawTarget`] that draws row by row. Its
+/// `draw_row` sets pixels of a row of the frame to colors.
 macro_rules! draw_target {
-    ($(#[$doc:meta])* $Target:ty $(, in $canvas:ident)? $(; $clear:item)?) => {
+    ($(#[$doc:meta])* $Target:ty $(, in $canvas:ident at $origin:ident)? $(; $clear:item)?) => {
         $(#[$doc])*
         impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for $Target {
             type Color = C;
@@ -28,7 +28,7 @@ macro_rules! draw_target {
             {
                 let area = self$(.$canvas)?.bounding_box();
                 for Pixel(point, color) in pixels {
-                    let point = self.in_frame(point);
+                    $(let point = moved(point, self.$origin);)?
                     if area.contains(point) {
                         // The area has no negative coordinates.
                         let (x, y) = (point.x.cast_unsigned(), point.y.cast_unsigned());
@@ -42,8 +42,8 @@ macro_rules! draw_target {
             where
                 I: IntoIterator<Item = C>,
             {
-                let Rectangle { top_left, size } = *area;
-                let (top_left, mut colors) = (self.in_frame(top_left), colors.into_iter());
+                let (Rectangle { top_left, size }, mut colors) = (*area, colors.into_iter());
+                $(let top_left = moved(top_left, self.$origin);)?
                 let Some(inside) = self$(.$canvas)?.inside(top_left, size) else {
                     return Ok(());
                 };
@@ -63,8 +63,9 @@ macro_rules! draw_target {
             }
 
             fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
-                let top_left = self.in_frame(area.top_left);
-                if let Some(inside) = self$(.$canvas)?.inside(top_left, area.size) {
+                let Rectangle { top_left, size } = *area;
+                $(let top_left = moved(top_left, self.$origin);)?
+                if let Some(inside) = self$(.$canvas)?.inside(top_left, size) {
                     for y in inside.rows {
                         self.draw_row(y, &inside.columns, core::iter::repeat(color));
                     }
@@ -99,12 +100,6 @@ pub(super) struct Inside {
 }
 
 impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
-    /// A canvas is at the origin of its frame.
-    const fn in_frame(&self, point: Point) -> Point {
-        let _ = self;
-        point
-    }
-
     fn draw_row(&mut self, row: u32, columns: &Range<u32>, colors: impl Iterator<Item = C>) {
         // The colors come second, so that `zip` does not consume one more than there are cells.
         for (pixel, color) in self.pixels_mut(row, columns).zip(colors) {
@@ -129,6 +124,11 @@ fn overlap(start: i32, length: u32, bounds: Range<u32>) -> Option<Range<u32>> {
     let [start, end] = [start, end].map(|at| at.max(0).cast_unsigned());
     let (start, end) = (start.max(bounds.start), end.min(bounds.end));
     (start < end).then_some(start..end)
+}
+
+/// A point plus an offset; saturates.
+pub(super) const fn moved(point: Point, by: Point) -> Point {
+    Point::new(point.x.saturating_add(by.x), point.y.saturating_add(by.y))
 }
 
 /// Drops the next `count` items.

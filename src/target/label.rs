@@ -11,7 +11,7 @@ use embedded_graphics::primitives::Rectangle;
 
 use super::canvas::Canvas;
 use super::depth::DepthBuffer;
-use super::draw_target::{draw_target, skip};
+use super::draw_target::{draw_target, moved, skip};
 use super::storage::Storage;
 
 /// A canvas as an embedded-graphics [`DrawTarget`] whose origin is a point of the scene, and whose pixels are hidden by
@@ -40,14 +40,6 @@ impl<'c, T> Label<'c, T> {
 }
 
 impl<C, O: Storage<C>, D: DepthBuffer> Label<'_, Canvas<'_, C, O, D>> {
-    /// A point of the label in the frame; saturates.
-    const fn in_frame(&self, point: Point) -> Point {
-        Point::new(
-            point.x.saturating_add(self.origin.x),
-            point.y.saturating_add(self.origin.y),
-        )
-    }
-
     /// Draws the pixels of `columns` of `row` that are not hidden.
     fn draw_row(&mut self, row: u32, columns: &Range<u32>, colors: impl Iterator<Item = C>) {
         let depth = u32::from(self.depth);
@@ -76,4 +68,4 @@ impl<C, O: Storage<C>, D> Dimensions for Label<'_, Canvas<'_, C, O, D>> {
     }
 }
 
-draw_target!(Label<'_, Canvas<'_, C, O, D>>, in canvas);
+draw_target!(Label<'_, Canvas<'_, C, O, D>>, in canvas at origin);

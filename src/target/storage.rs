@@ -278,33 +278,42 @@ impl<C: PixelColor> Storage<C> for Native {
     cells_are_pixels!(C);
 }
 
-macro_rules! byte_orders {
-    ($($Order:ident $to_bytes:ident |$bytes:ident| $from_high:expr;)+) => {$(
-        impl<C> Storage<C> for $Order
-        where
-            C: PixelColor + ToBytes<Bytes: Copy + AsRef<[u8]>> + From<C::Raw>,
-        {
-            type Cell = C::Bytes;
+impl<C> Storage<C> for BigEndian
+where
+    C: PixelColor + ToBytes<Bytes: Copy + AsRef<[u8]>> + From<C::Raw>,
+{
+    type Cell = C::Bytes;
 
-            #[inline]
-            fn store(color: C) -> C::Bytes {
-                color.$to_bytes()
-            }
+    #[inline]
+    fn store(color: C) -> C::Bytes {
+        color.to_be_bytes()
+    }
 
-            #[inline]
-            fn load(cell: C::Bytes) -> C {
-                let $bytes = cell.as_ref().iter();
-                C::Raw::from_u32(number($from_high)).into()
-            }
+    #[inline]
+    fn load(cell: C::Bytes) -> C {
+        C::Raw::from_u32(number(cell.as_ref().iter())).into()
+    }
 
-            cells_are_pixels!(C::Bytes);
-        }
-    )+};
+    cells_are_pixels!(C::Bytes);
 }
 
-byte_orders! {
-    BigEndian to_be_bytes |bytes| bytes;
-    LittleEndian to_le_bytes |bytes| bytes.rev();
+impl<C> Storage<C> for LittleEndian
+where
+    C: PixelColor + ToBytes<Bytes: Copy + AsRef<[u8]>> + From<C::Raw>,
+{
+    type Cell = C::Bytes;
+
+    #[inline]
+    fn store(color: C) -> C::Bytes {
+        color.to_le_bytes()
+    }
+
+    #[inline]
+    fn load(cell: C::Bytes) -> C {
+        C::Raw::from_u32(number(cell.as_ref().iter().rev())).into()
+    }
+
+    cells_are_pixels!(C::Bytes);
 }
 
 #[cfg(test)]

@@ -186,7 +186,7 @@ impl<const EDGES: usize, const VERTICES: usize> EdgeList<EDGES, VERTICES> {
         );
         needed.check::<EDGES, VERTICES>("edges")?;
         Ok(PreparedEdges {
-            call: PreparedCall::new(screen, mesh, mvp, call.depth_shift()),
+            call: PreparedCall::new(screen, mesh, mvp, call.projector.depth_shift()),
             submitted: edges.len() as u32,
             edges: &self.edges,
             vertices: &self.vertices,

@@ -103,7 +103,7 @@ impl<'a, T, K: ProjectionKind> View<'a, T, K> {
             let call = Call::new(&screen, &(0..screen.frame.height), object.mesh, &mvp);
             prepare(&call, object, &mut needed);
             object.last = needed.vertices as u16;
-            object.depth_shift = call.depth_shift();
+            object.depth_shift = call.projector.depth_shift();
             object.first_face = faces;
             faces = faces.wrapping_add(object.mesh.faces().len() as u32);
         }
