@@ -9,6 +9,7 @@
 //! 7. [Canvas](#canvas)
 //! 8. [Depth](#depth)
 //! 9. [Band](#band)
+//! 10. [When the scene is wrong](#when-the-scene-is-wrong)
 //!
 //! # The parts of a program
 //!
@@ -257,3 +258,21 @@
 //! Put together, the bands equal the whole frame, bit for bit. Every draw call transforms its mesh again in every band.
 //! If that takes too long, a [`TriangleList`](crate::TriangleList) transforms it once a frame. The program in
 //! [firmware](crate::guide::firmware) uses two bands: it draws one while the other is sent.
+//!
+//! # When the scene is wrong
+//!
+//! A draw call returns [`Drawn`](crate::Drawn), which counts triangles and names missing attributes. Print it first:
+//!
+//! | what you see | what to check |
+//! |---|---|
+//! | nothing, and [`submitted`](crate::Drawn::submitted) is 0 | the mesh has no faces |
+//! | nothing, and [`drawn`](crate::Drawn::drawn) is 0 | all triangles are culled or out of view: if [`Cull::Nothing`](crate::Cull::Nothing) shows them, they run clockwise; [`Canvas::project`](crate::Canvas::project) gives the place of a point on the screen, or `None` if it is nearer than the near plane or beyond the far plane |
+//! | nothing, although triangles are drawn | the depths of the last frame are left: call `clear` before each frame |
+//! | the inside of objects | the triangles run clockwise: see [Mesh](#mesh) |
+//! | one color in place of a texture or of vertex colors | [`missing`](crate::Drawn::missing): the mesh lacks texture coordinates or colors |
+//! | lit surfaces are dark | the direction of a [`Light`](crate::Light) points to the light, in world space; surfaces that face away from it have only its ambient brightness |
+//! | a spot or a highlight with jagged edges, or none | light is computed at the corners of triangles: make the mesh finer |
+//! | distant surfaces flicker through each other | move the near plane away from the eye: see [Depth](#depth) |
+//! | lines on a surface are broken | draw the surface with [`Biased::behind`](crate::target::Biased::behind), slightly behind its true depth |
+//!
+//! [Firmware](crate::guide::firmware#when-the-picture-is-wrong) has the same for displays.

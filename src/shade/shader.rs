@@ -71,6 +71,51 @@ pub struct Fragment {
 /// A shader that wraps another one passes on the inner [`Varyings`](Self::Varyings), alone or in a pair with its own,
 /// and calls the two inner methods. Nothing else needs to be passed on. Most effects need no type of their own: see
 /// [`map`](Self::map).
+///
+/// Each stack of shaders is a type of its own, and there is no `dyn Shader`: a call for each pixel would take longer
+/// than most shaders. To keep objects with different shaders in one list, choose the shader once for each draw call: by
+/// an enum, or by a trait of your own whose method draws the object.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+/// use fixel::prelude::*;
+///
+/// static BALL: Mesh = shape!(sphere(16, 12));
+///
+/// trait Draw {
+///     fn draw(&self, canvas: &mut Canvas<'_, Rgb565>, view: &Mvp);
+/// }
+///
+/// struct Model<S> {
+///     mesh: &'static Mesh<'static>,
+///     place: Transform,
+///     shader: S,
+/// }
+///
+/// impl<S: Shader<Color = Rgb565>> Draw for Model<S> {
+///     fn draw(&self, canvas: &mut Canvas<'_, Rgb565>, view: &Mvp) {
+///         canvas.draw(self.mesh, &(*view * self.place), &self.shader);
+///     }
+/// }
+///
+/// let place = |x| Transform::translate(Vec3::new(x, fx!(0), fx!(0)));
+/// let sun = Light::new(vec3!(1, 1, 1), fx!(0.2), fx!(0.8))?;
+/// let lit = Flat::new(Rgb565::RED).lit(sun);
+/// let models: [&dyn Draw; 2] = [
+///     &Model { mesh: &BALL, place: place(fx!(-1)), shader: lit },
+///     &Model { mesh: &BALL, place: place(fx!(1)), shader: NormalView::new() },
+/// ];
+/// let projection = Projection::perspective(deg!(45), (8, 6), fx!(1), fx!(10))?;
+/// let view = projection * Camera::look_at(vec3!(0, 0, 6), Vec3::ZERO, Vec3::Y)?;
+/// let mut pixels = [Rgb565::BLACK; 8 * 6];
+/// let mut canvas = Canvas::new(&mut pixels, 8, 6)?;
+/// for model in models {
+///     model.draw(&mut canvas, &view);
+/// }
+/// # // The middle of each ball: a red one, and one that is bluest where it faces the viewer.
+/// # assert!(pixels[3 * 8 + 2].r() > 10 && pixels[3 * 8 + 2].b() == 0 && pixels[3 * 8 + 5].b() > 25);
+/// # Ok::<(), Error>(())
+/// ```
 pub trait Shader: Copy {
     /// The color of a pixel: the canvas's color type, or a [`Translucent`](super::Translucent) color.
     type Color: Source;

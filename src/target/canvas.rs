@@ -96,7 +96,9 @@ impl<'a, C> Canvas<'a, C, BigEndian>
 where
     BigEndian: Storage<C>,
 {
-    /// A canvas of pixels stored as bytes, most significant first: the order that most displays expect.
+    /// A canvas of pixels stored as bytes, most significant first: the order that most displays expect. Each element of
+    /// `pixels` is the array of a pixel's bytes, `[u8; 2]` for `Rgb565`. From Rust 1.88 on,
+    /// `bytes.as_chunks_mut().0` views a slice of bytes in this way.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -138,7 +140,8 @@ impl<'a, C> Canvas<'a, C, LittleEndian>
 where
     LittleEndian: Storage<C>,
 {
-    /// A canvas of pixels stored as bytes, least significant first.
+    /// A canvas of pixels stored as bytes, least significant first. The elements of `pixels` are arrays, as for
+    /// [`big_endian`](Canvas::big_endian).
     ///
     /// # Errors
     ///

@@ -8,9 +8,9 @@ use crate::message;
 ///
 /// Width and height are powers of two.
 ///
-/// It is implemented for [`Texture`](super::Texture) and [`Palette`](super::Palette), for references to them, and for
-/// references to [`TextureArray`](super::TextureArray), [`PaletteArray`](super::PaletteArray) and plain rows of
-/// texels:
+/// It is implemented for [`Texture`](super::Texture), [`Palette`](super::Palette) and [`Mipmap`](super::Mipmap), for
+/// references to them, and for references to [`TextureArray`](super::TextureArray),
+/// [`PaletteArray`](super::PaletteArray) and plain rows of texels:
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb888;
@@ -30,6 +30,12 @@ use crate::message;
 /// let image = [[Gray8::new(0); 100]; 64];
 /// let _ = (&image).texel(0, 0);
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a texture",
+    label = "not a texture",
+    note = "textures are `Texture`, `Palette`, `Mipmap`, `&TextureArray` and `&PaletteArray`; for a slice of texels, \
+            write `Texture::new(&texels, width, height)?`"
+)]
 pub trait Sampler: Copy {
     /// A texel: a color, or one with an opacity (see [`Texel`](crate::shade::Texel)).
     type Color: Copy;

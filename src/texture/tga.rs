@@ -11,7 +11,7 @@ pub(super) const fn read(bytes: &[u8]) -> Result<Image<'_>, Error> {
     ok!(at_least(bytes, HEADER as u64));
     let (id, tables, image_type) = (bytes[0] as usize, bytes[1] as usize, bytes[2] as u32);
     if tables > 1 {
-        return refused("color map type", tables as u32, "0 or 1");
+        return refused("color map type", tables as u32, "0 or 1 in a TGA file");
     }
     let (first, count, entry_bits) = (u16_at(bytes, 3), u16_at(bytes, 5), bytes[7] as u32);
     let (width, height) = (u16_at(bytes, 12), u16_at(bytes, 14));

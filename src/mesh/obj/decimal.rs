@@ -162,11 +162,12 @@ const fn shifted(mut text: &[u8], exponent: i64) -> (u64, u64, u64) {
                 whole = whole * 10 + digit;
             }
         } else {
-            let place = left.unsigned_abs() as usize;
-            if place < HIGH {
-                high += digit * POWERS[HIGH - 1 - place];
-            } else if place < PLACES {
-                low += digit * POWERS[PLACES - 1 - place];
+            // `usize` may be too small for the place of a digit.
+            let place = left.unsigned_abs();
+            if place < HIGH as u64 {
+                high += digit * POWERS[HIGH - 1 - place as usize];
+            } else if place < PLACES as u64 {
+                low += digit * POWERS[PLACES - 1 - place as usize];
             }
         }
         left -= 1;
@@ -177,3 +178,6 @@ const fn shifted(mut text: &[u8], exponent: i64) -> (u64, u64, u64) {
     }
     (whole, high, low)
 }
+
+// The compiler checks this for each target, because `usize` has 64 bits where the tests run.
+const _: () = assert!(matches!(decimal(b"1e-4294967297", SCALAR), Ok((0, _))));

@@ -29,7 +29,16 @@ pub const fn room(mut text: &[u8]) -> usize {
 #[must_use]
 pub const fn read<const N: usize>(text: &[u8], path: &str) -> (Room<N>, Counts) {
     const fn parsed<const N: usize>(text: &[u8], room: &mut Room<N>) -> Result<Counts, Error> {
-        Ok(ok!(parse(text, room.buffers())).counts())
+        const PROBLEM: &str =
+            "the file has no positions: it must be an OBJ file, and not in UTF-16";
+        let counts = ok!(parse(text, room.buffers())).counts();
+        if counts.positions == 0 {
+            return Err(Error::Obj {
+                line: 1,
+                problem: PROBLEM,
+            });
+        }
+        Ok(counts)
     }
     let mut room = Room::EMPTY;
     let counts = message::checked(parsed(text, &mut room), path);
@@ -58,6 +67,14 @@ pub const fn read<const N: usize>(text: &[u8], path: &str) -> (Room<N>, Counts) 
 /// // With small attributes too: see Quantized.
 /// static SMALLEST: Quantized = include_obj!("../../../tests/models/house.obj", quantized_8);
 /// assert_eq!(SMALLEST.mesh().positions(), SMALL.positions());
+/// ```
+///
+/// A file without positions does not compile, because the reader ignores statements that it does not know, and so would
+/// make an empty mesh of a file in another format:
+///
+/// ```compile_fail
+/// use fixel::prelude::*;
+/// static MODEL: Mesh = include_obj!("../../../tests/models/house.mtl");
 /// ```
 #[macro_export]
 macro_rules! include_obj {

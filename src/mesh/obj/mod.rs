@@ -111,7 +111,9 @@ const fn read(text: &[u8], buffers: &mut Buffers<'_>) -> Result<Counts, Error> {
 
 /// Reads a text into the caller's memory; [`count`] tells how much it needs.
 ///
-/// Texture coordinates, normals, colors and edges are left out if their slice is empty.
+/// Texture coordinates, normals, colors and edges are left out if their slice is empty. Every polygon becomes a fan,
+/// which covers the wrong area if the polygon is concave: let the program that writes such a file cut its polygons into
+/// triangles, or use [`include_obj!`](crate::include_obj).
 ///
 /// # Errors
 ///

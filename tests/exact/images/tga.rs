@@ -86,7 +86,10 @@ fn malformed_files_say_what_is_wrong() {
     }
     bytes[1] = 2;
     let error = Image::from_tga(&bytes).unwrap_err();
-    assert_eq!(format!("{error}"), "color map type is 2: it must be 0 or 1");
+    assert_eq!(
+        format!("{error}"),
+        "color map type is 2: it must be 0 or 1 in a TGA file"
+    );
 }
 
 /// With any header, reading neither panics nor reads outside the file.
