@@ -236,6 +236,17 @@ impl<const N: usize> Parts<N> {
 /// }
 /// # Ok::<(), Error>(())
 /// ```
+///
+/// An OBJ file without faces does not compile, because it is probably another file:
+///
+/// ```compile_fail
+/// use fixel::mesh::Part;
+/// use fixel::prelude::*;
+/// static PARTS: &[Part] = include_mtl!(
+///     "../../../tests/models/house.mtl",
+///     "../../../tests/models/house.obj",
+/// );
+/// ```
 #[macro_export]
 macro_rules! include_mtl {
     ($obj:expr, $mtl:expr $(,)?) => {{

@@ -33,6 +33,9 @@ pub(super) const fn runs<const N: usize>(text: &[u8]) -> Result<([Part<'_>; N], 
             reader.skip(false);
         }
     }
+    if count == 0 {
+        return reader.error("the file has no faces: it must be an OBJ file, and not in UTF-16");
+    }
     Ok((runs, count))
 }
 
@@ -59,7 +62,13 @@ mod tests {
         let expected = [(0, 2, ""), (2, 7, "a b"), (7, 8, "d#e")];
         let expected = expected.map(|(start, end, name)| (start, end, String::from(name)));
         assert_eq!(found(text).unwrap(), expected);
-        assert_eq!(found("").unwrap(), []);
+    }
+
+    #[test]
+    fn a_text_without_faces_is_refused() {
+        let error = found("v 0 0 0\nusemtl a").unwrap_err();
+        let line = "line 2: the file has no faces: it must be an OBJ file, and not in UTF-16";
+        assert_eq!(std::string::ToString::to_string(&error), line);
     }
 
     #[test]
