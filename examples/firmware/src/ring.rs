@@ -1,7 +1,7 @@
 //! The ring of the guide for firmware, in its frame of 240x240 pixels. Measures the cost of a frame in bands of each
 //! height, prepared or not, with three shaders: the mean of eight poses, without anything but the draw calls.
 //!
-//! `cargo run --release -p firmware --bin ring --target thumbv6m-none-eabi` runs it under QEMU.
+//! `cargo run --profile speed -p firmware --bin ring --target thumbv6m-none-eabi` runs it under QEMU.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]

@@ -4,7 +4,7 @@
 //! This command runs it on the board that QEMU emulates:
 //!
 //! ```sh
-//! cargo run --config .cargo/oled.toml --release -p oled --target thumbv7m-none-eabi
+//! cargo run --config .cargo/oled.toml --profile speed -p oled --target thumbv7m-none-eabi
 //! ```
 //!
 //! If QEMU has a desktop to draw on (Debian: qemu-system-gui), it opens a window with the panel, in which a pixel takes

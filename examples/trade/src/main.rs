@@ -12,7 +12,7 @@
 //! The cost on a Cortex-M comes from the output of the program `firmware`:
 //!
 //! ```sh
-//! cargo run --release -p firmware --target thumbv7em-none-eabi > target/thumbv7em
+//! cargo run --profile speed -p firmware --target thumbv7em-none-eabi > target/thumbv7em
 //! .ci/sizes --modes > target/sizes
 //! cargo run --release -p trade -- --firmware target/thumbv7em --sizes thumbv7em=target/sizes
 //! ```
