@@ -46,9 +46,9 @@ use fixel::shade::{Colored, Fog, Mipmapped};
 use fixel::target::{Add, DepthBuffer, Opacity, Storage, TestOnly};
 use fixel::texture::Argb1555;
 
-/// The viewer's stops on the map, and the points that they look at from there.
 const STOPS: usize = 8;
-static WALK: [Vec3; STOPS] = [
+/// The viewer's stops on the map.
+pub static WALK: [Vec3; STOPS] = [
     vec3!(5.4, 1.15, 12),
     vec3!(7.4, 1.15, 14.2),
     vec3!(11, 1.15, 14.5),
@@ -58,7 +58,8 @@ static WALK: [Vec3; STOPS] = [
     vec3!(10, 1.15, 6.2),
     vec3!(6.4, 1.15, 8),
 ];
-static LOOK: [Vec3; STOPS] = [
+/// The points that the viewer looks at from the stops.
+pub static LOOK: [Vec3; STOPS] = [
     vec3!(12, 1.2, 7),
     vec3!(11.5, 1.3, 5.5),
     vec3!(10.5, 1.3, 5),

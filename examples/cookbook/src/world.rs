@@ -6,7 +6,7 @@ mod garden;
 
 use fixel::prelude::*;
 
-pub use garden::viewer;
+pub use garden::{LOOK, WALK, viewer};
 
 use super::scenes::Frame;
 

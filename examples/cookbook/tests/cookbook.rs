@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use cookbook::world::{FRAMES, turn_of, viewer, walk};
+use cookbook::world::{FRAMES, LOOK, WALK, turn_of, viewer, walk};
 use cookbook::{PAGE_SIZE, PAGES, SCENES, SIZE, all, assets, base64_of, page, picture};
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -86,11 +86,12 @@ fn bands_equal_frames() {
     }
 }
 
-/// The viewer moves without a jump, also from the end of the walk to its start.
+/// The viewer meets every stop from both sides, the first one from the end of the walk: there is no jump.
 #[test]
 fn the_walk_is_closed() {
-    for stop in 0..8 {
+    for (stop, stops) in (0..).zip(WALK.into_iter().zip(LOOK)) {
         let turn = Angle::from_bits(stop << 29);
+        assert_eq!(viewer(turn), stops);
         let ((eye, target), (eye_before, target_before)) =
             (viewer(turn), viewer(turn - Angle::from_bits(1 << 9)));
         // A step of 2^-20 of the way between two stops, which are less than 8 units apart; and rounding.
