@@ -26,7 +26,7 @@
 use crate::mode::Mode;
 
 /// Largest error of a pixel, in units of the numerator; see above.
-pub const NUMERATOR: f64 = 56.5;
+const NUMERATOR: f64 = 56.5;
 /// Largest error of a pixel, in units of 1/w.
 pub const INVERSE_W: f64 = 40.;
 /// A corner more than 2¹⁹ times as far as the nearest one is lifted to this 1/w.
@@ -118,7 +118,7 @@ fn stepped(corners: [i32; 3], corners_w: [f64; 3], w: f64) -> f64 {
     let [nearest, farthest] = ends(corners_w);
     let q = 2_f64.powi(30) * nearest / w;
     let lifted = lifted(corners_w);
-    // Every pixel's 1/w is at least as large as that of a lifted corner.
+    // No pixel's 1/w is less than a lifted corner's.
     let relative = (NUMERATOR + lifted) / (q.max(LEAST) - INVERSE_W);
     // Values at the ends of the format are moved inwards by 64 to 128 units of the least 1/w.
     let least = (2_f64.powi(30) * nearest / farthest).max(LEAST);
@@ -149,9 +149,9 @@ fn lifted(w: [f64; 3]) -> f64 {
 ///
 /// Interpolants have 28 bits, so their unit is 2²⁸ / Q of the attribute. Because Q is at least 2²⁹, this is half of
 /// the attribute's unit.
-/// - If every corner's Q is above 2²⁹, interpolants have 28 bits from the start. Their error of 56½ units is then 28¼
-///   units of the attribute (28.3, because Q may be a little below that of the corners). It replaces the error in the
-///   attribute's own bits.
+/// - If every corner's Q is above 2²⁹, interpolants have 28 bits from the start. Their error of 56½ units replaces the
+///   error in the attribute's own bits. It is 28¼ units of the attribute, or 28.3, because a pixel's Q may be a little
+///   below 2²⁹.
 /// - Otherwise a span's interpolants are shifted. This rounds the start and 63 steps to nearest once more: 32 units,
 ///   which are 16 of the attribute.
 ///

@@ -1,6 +1,5 @@
 //! Lines and points: their pixels, from exact integers; depth and attributes along a line, from the f64 model.
 
-use crate::bounds::NUMERATOR;
 use crate::common::recorder::{Probe, Seen, record};
 use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
 use crate::reference::clip::{ClipVertex, DEPTH_PLANES};
@@ -254,12 +253,13 @@ proptest! {
             let (least, most) = (65535. * NEAR * (inverse - room) - 1.01, 65535. * NEAR * (inverse + room) + 0.01);
             prop_assert!((least..=most).contains(&f64::from(depth)), "{:?}: depth {} not in {}..{}", [x, y], depth, least, most);
 
-            // Attribute/w is linear too, and the error of the quotient is the sum of both errors. The format adds the
-            // errors of the numerator and of q, which bounds.rs derives. Attributes are below 2^20 units and scaled by
-            // 2^-21, and q is at least 2^30 · near/far. Clipping adds two units, and rounding two.
+            // Attribute/w is linear too, and the error of the quotient is the sum of both errors. Attributes are below
+            // 2^20 units and scaled by 2^-21, and q is at least 2^30 · near/far. bounds.rs derives that the errors of
+            // the numerator and of q count as 56½ units of the numerator at most. In this small picture they stay
+            // within 51. Clipping adds two units, and rounding two.
             let over_w = |i: usize| line.attributes[i][0] / line.w[i];
             let room_over = (over_w(0) - over_w(1)).abs() / length * ROUNDING * 1.01;
-            let format = (f64::from(1 << 21) * NUMERATOR / (f64::from(1 << 30) * NEAR / FAR) + 4.) / 65536.;
+            let format = (f64::from(1 << 21) * 51. / (f64::from(1 << 30) * NEAR / FAR) + 4.) / 65536.;
             let room = (room_over + value.attributes[0].abs() * room) / (inverse - room) + format;
             let off = (f64::from(attribute) / 65536. - value.attributes[0]).abs();
             prop_assert!(off <= room, "{:?}: x {} instead of {}: an error of {}, over {}", [x, y], attribute, value.attributes[0], off, room);
