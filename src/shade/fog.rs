@@ -136,8 +136,8 @@ fn limited(value: i64) -> i32 {
 impl Density for Linear {}
 
 impl sealed::Density for Linear {
-    /// Returns the negative of what is left, in units of 2^-[`BITS`], plus half a step of the weight. Rounding needs this
-    /// half step, which is added here so that no pixel has to.
+    /// Returns minus the part that fog leaves, in units of 2^-[`BITS`], plus half a step of the weight, so that a pixel
+    /// rounds the weight by a shift alone.
     fn varying(&self, distance: Scalar, weight_bits: u32) -> i32 {
         let beyond = distance.to_bits().saturating_sub(self.far);
         let half = 1 << (BITS - weight_bits) >> 1;

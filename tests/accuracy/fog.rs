@@ -122,8 +122,8 @@ proptest! {
         });
         check(&plane, &shown, 63., 32., 0., left)?;
 
-        // The parabola's error is at most 0.0019, and that of its products 3 units of 2^-14; the density has steps of
-        // 2^-16, and the logarithm's factor has an error of 3e-5.
+        // The parabola is off by at most 0.0019, and its products by 3 units of 2^-14. The density has steps of 2^-16,
+        // and the logarithm's factor is off by 3e-5.
         let density = Scalar::from_num(density / distance);
         let fog = Fog::exponential(Gray8::WHITE, density).unwrap();
         let shown = white(Flat::new(Gray8::BLACK).in_fog(fog), &corners, Gray8::BLACK, gray);

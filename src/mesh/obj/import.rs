@@ -52,7 +52,8 @@ pub const fn read<const N: usize>(text: &[u8], path: &str) -> (Room<N>, Counts) 
 /// message that names its line. [`mesh::obj`](crate::mesh::obj) lists the statements it reads.
 ///
 /// A triangle takes the compiler about two milliseconds. For tens of thousands of triangles, let the simulator write the
-/// mesh as Rust source, which compiles in no time: `cargo run --release -p simulator -- model.obj --export model.rs`.
+/// mesh as Rust source, which the compiler need not compute: `cargo run --release -p simulator -- model.obj --export
+/// model.rs`.
 ///
 /// ```standalone_crate
 /// use fixel::mesh::Quantized;

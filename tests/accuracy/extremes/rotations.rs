@@ -1,7 +1,7 @@
 //! Long products of rotations: a million increments, with and without renormalization of the matrix.
 //!
-//! A product rounds each of its entries by half of 2⁻²⁹. The entries of a rotation have this error and that of the
-//! sine, at most 1.6·10⁻⁹. Rows and columns have three entries. So if all roundings had the same sign, a million
+//! A product rounds each of its entries by half of 2⁻²⁹. An entry of a rotation has this error and the sine's, which is
+//! at most 1.6·10⁻⁹. Rows and columns have three entries. So if all roundings had the same sign, a million
 //! products would change lengths and right angles by 10⁶ · 3 · (2 · 2⁻³⁰ + 1.6·10⁻⁹) = 1 %. Renormalization makes the
 //! rows orthogonal to a unit of 2⁻²⁹ in each entry, or 4·10⁻⁹ in the sums of a row's products, for any earlier error.
 

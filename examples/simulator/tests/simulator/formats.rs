@@ -318,7 +318,7 @@ fn concave_polygons_are_filled_within() {
     }
 }
 
-/// A cone of so many triangles that comparing every pair would take minutes.
+/// The model is a cone. It has so many triangles that it would take minutes to compare every pair of them.
 #[test]
 fn many_faces_around_a_point_take_linear_time() {
     let directory = directory("cone");
