@@ -45,36 +45,74 @@ fn bits(corners: [i32; 3]) -> i32 {
 }
 
 /// The largest magnitude at a corner.
-fn size(corners: [i32; 3]) -> u32 {
-    corners.into_iter().map(i32::unsigned_abs).fold(0, u32::max)
+fn size([a, b, c]: [i32; 3]) -> u32 {
+    a.unsigned_abs().max(b.unsigned_abs()).max(c.unsigned_abs())
 }
 
-/// The bound of a value's error at a pixel with distance `w`, given the corners' own w and the greatest distance in
-/// the pixel's row, `farthest`.
-pub fn perspective(
-    mode: Mode,
-    corners: [i32; 3],
-    corners_w: [f64; 3],
-    w: f64,
-    farthest: f64,
-) -> f64 {
-    match mode {
-        Mode::Exact => exact(corners, corners_w, w),
-        Mode::Compact => stepped(corners, corners_w, w),
-        Mode::Newton => stepped(corners, corners_w, w) + newton(corners, corners_w),
-        Mode::Fast(_) => {
-            stepped(corners, corners_w, farthest) + mode.tolerance() * TEXEL + fast(corners)
+/// The bound of a value's error in a triangle. It depends on a pixel's distance only through its 1/w.
+#[derive(Clone, Copy, Debug)]
+pub struct Bound {
+    /// 1/w at the distance 1.
+    nearer: f64,
+    /// How much less 1/w may be than it should.
+    lost: f64,
+    /// The part of the bound that is inversely proportional to 1/w.
+    inverse: f64,
+    /// The other part.
+    constant: f64,
+    /// Whether the farthest pixel of a row decides for all its pixels.
+    in_rows: bool,
+}
+
+impl Bound {
+    /// The bound in a mode that divides by w, given the values and w at the corners.
+    pub fn perspective(mode: Mode, corners: [i32; 3], corners_w: [f64; 3]) -> Self {
+        let stepped = || stepped(corners, corners_w);
+        match mode {
+            Mode::Exact if is_precise(corners_w) => anew(corners, corners_w),
+            Mode::Exact | Mode::Compact => stepped(),
+            Mode::Newton => stepped().plus(newton(corners, corners_w)),
+            Mode::Fast(_) => Self {
+                in_rows: true,
+                ..stepped().plus(mode.tolerance() * TEXEL + fast(corners))
+            },
+            Mode::Affine => panic!("{mode:?} does not divide by w"),
         }
-        Mode::Affine => panic!("{mode:?} does not divide by w"),
     }
-}
 
-/// The bound in `Exact`, which divides every pixel by the exact reciprocal.
-fn exact(corners: [i32; 3], corners_w: [f64; 3], w: f64) -> f64 {
-    if is_precise(corners_w) {
-        anew(corners, corners_w, w)
-    } else {
-        stepped(corners, corners_w, w)
+    /// The bound in modes that do not divide, and under a parallel projection, where the numerator is
+    /// a · 2^(30 - bits).
+    pub fn parallel(mode: Mode, corners: [i32; 3]) -> Self {
+        let bits = bits(corners);
+        let numerator = NUMERATOR - INVERSE_W / 2.;
+        // The unit of `Affine` is the attribute's unit, so nothing is rounded.
+        let constant = if mode.in_parallel() == Mode::Affine && bits <= AFFINE_BITS {
+            numerator
+        } else {
+            let ends = if bits < 32 { 0. } else { 128. };
+            2_f64.powi(bits - 30) * (numerator + ends) + 1.
+        };
+        Self {
+            nearer: 0.,
+            lost: 0.,
+            inverse: 0.,
+            constant,
+            in_rows: false,
+        }
+    }
+
+    /// A bound that is larger by this at every pixel.
+    pub fn plus(self, more: f64) -> Self {
+        Self {
+            constant: self.constant + more,
+            ..self
+        }
+    }
+
+    /// The bound at a pixel with distance `w`, given the greatest distance in the pixel's row.
+    pub fn at(&self, w: f64, farthest: f64) -> f64 {
+        let w = if self.in_rows { farthest } else { w };
+        self.inverse / ((self.nearer / w).max(LEAST) - self.lost) + self.constant
     }
 }
 
@@ -102,29 +140,44 @@ fn may_be_precise(corners_w: [f64; 3]) -> bool {
 ///   gradient's numerator are below 2⁻²² of a unit, and a raised interpolant is rounded to half of a raised unit:
 ///   0.01 unit covers both.
 /// - The quotient has the errors given above.
-fn anew(corners: [i32; 3], corners_w: [f64; 3], w: f64) -> f64 {
-    let [nearest, farthest] = ends(corners_w);
-    let q = (2_f64.powi(30) * nearest / w).max(LEAST) - 1.;
-    let least = (2_f64.powi(30) * nearest / farthest).max(LEAST);
-    let ends = if bits(corners) < 32 { 0. } else { 128. / least };
+fn anew(corners: [i32; 3], corners_w: [f64; 3]) -> Bound {
+    let [nearest, _] = ends(corners_w);
     let [a, b, c] = corners.map(f64::from);
     let spread = a.max(b).max(c) - a.min(b).min(c);
-    let weights = spread * ((1. + lifted(corners_w)) / q + 2_f64.powi(-28));
-    2_f64.powi(bits(corners)) * (0.51 / q + ends + 2_f64.powi(-29)) + weights + 1.
+    let scale = 2_f64.powi(bits(corners));
+    Bound {
+        nearer: 2_f64.powi(30) * nearest,
+        lost: 1.,
+        inverse: scale * 0.51 + spread * (1. + lifted(corners_w)),
+        constant: scale * (inwards(corners, corners_w) + 2_f64.powi(-29))
+            + spread * 2_f64.powi(-28)
+            + 1.,
+        in_rows: false,
+    }
 }
 
 /// The bound if interpolants are stepped along a span.
-fn stepped(corners: [i32; 3], corners_w: [f64; 3], w: f64) -> f64 {
+fn stepped(corners: [i32; 3], corners_w: [f64; 3]) -> Bound {
+    let [nearest, _] = ends(corners_w);
+    let scale = 2_f64.powi(bits(corners));
+    Bound {
+        nearer: 2_f64.powi(30) * nearest,
+        lost: INVERSE_W,
+        // No pixel's 1/w is less than a lifted corner's.
+        inverse: scale * (NUMERATOR + lifted(corners_w)),
+        // The quotient has 30 bits, like the reciprocal, and is rounded down to a unit.
+        constant: scale * (inwards(corners, corners_w) + 2_f64.powi(-29)) + 1.,
+        in_rows: false,
+    }
+}
+
+/// How far values at the ends of the format are moved inwards, relative to 2^bits: by 64 to 128 units of the least 1/w.
+fn inwards(corners: [i32; 3], corners_w: [f64; 3]) -> f64 {
+    if bits(corners) < 32 {
+        return 0.;
+    }
     let [nearest, farthest] = ends(corners_w);
-    let q = 2_f64.powi(30) * nearest / w;
-    let lifted = lifted(corners_w);
-    // No pixel's 1/w is less than a lifted corner's.
-    let relative = (NUMERATOR + lifted) / (q.max(LEAST) - INVERSE_W);
-    // Values at the ends of the format are moved inwards by 64 to 128 units of the least 1/w.
-    let least = (2_f64.powi(30) * nearest / farthest).max(LEAST);
-    let ends = if bits(corners) < 32 { 0. } else { 128. / least };
-    // The quotient has 30 bits, like the reciprocal, and is rounded down to a unit.
-    2_f64.powi(bits(corners)) * (relative + ends + 2_f64.powi(-29)) + 1.
+    128. / (2_f64.powi(30) * nearest / farthest).max(LEAST)
 }
 
 /// The nearest and the farthest corner.
@@ -221,19 +274,6 @@ fn is_far(corners_w: [f64; 3]) -> bool {
 pub fn newton_from_exact(corners: [i32; 3], corners_w: [f64; 3]) -> Option<f64> {
     let is_alike = is_far(corners_w) && !may_be_precise(corners_w);
     is_alike.then(|| newton(corners, corners_w) + 1.5)
-}
-
-/// The bound of a value's error in modes that do not divide, and under a parallel projection, where the numerator is
-/// a · 2^(30 - bits).
-pub fn parallel(mode: Mode, corners: [i32; 3]) -> f64 {
-    let bits = bits(corners);
-    let numerator = NUMERATOR - INVERSE_W / 2.;
-    // The unit of `Affine` is the attribute's unit, so nothing is rounded.
-    if mode.in_parallel() == Mode::Affine && bits <= AFFINE_BITS {
-        return numerator;
-    }
-    let ends = if bits < 32 { 0. } else { 128. };
-    2_f64.powi(bits - 30) * (numerator + ends) + 1.
 }
 
 /// The bound of a 16-bit depth's error, in steps, before it is rounded down: the error of 1/w, of which 2³⁰ units are

@@ -3,7 +3,7 @@
 use fixel::prelude::*;
 use proptest::prelude::*;
 
-use crate::bounds;
+use crate::bounds::{self, Bound};
 use crate::drawing::Drawing;
 use crate::mode::Mode;
 use crate::moves::{exact, rounded};
@@ -115,17 +115,18 @@ proptest! {
         for mode in Mode::PERSPECTIVE {
             drawing.mode = mode;
             let again = drawing.all(&attributes);
+            let bounds = values.map(|corners| {
+                Bound::perspective(mode, corners, [ends[0], ends[1], ends[1]])
+            });
             prop_assert_eq!(again.len(), seen.len());
             for ((seen, model), first) in again.iter().zip(&models).zip(&seen) {
                 prop_assert_eq!(seen.pixel, first.pixel);
                 let row = usize::try_from(seen.pixel[1]).unwrap();
-                for (k, &corners) in values.iter().enumerate() {
+                for (k, bound) in bounds.iter().enumerate() {
                     let error = (f64::from(seen.values[k]) - model.attributes[k]).abs();
                     let gradient = model.dx[k].hypot(model.dy[k]);
                     // A corner made by clipping is rounded down twice.
-                    let bound = SNAP * gradient + 2. + bounds::perspective(
-                        mode, corners, [ends[0], ends[1], ends[1]], model.w, farthest[row],
-                    );
+                    let bound = SNAP * gradient + 2. + bound.at(model.w, farthest[row]);
                     prop_assert!(
                         error <= bound,
                         "{mode:?}: {:?} gives {} at {:?}, not {}: an error of {error}, over {bound}",

@@ -6,7 +6,7 @@ use fixel::num::{TexCoord, tex_coord};
 use fixel::prelude::*;
 use fixel::view::Perspective;
 
-use crate::bounds;
+use crate::bounds::Bound;
 use crate::drawing::{Drawing, Seen};
 use crate::mode::Mode;
 use crate::moves::{Move, exact, product, rounded};
@@ -215,6 +215,20 @@ impl Comparison {
             let row = farthest.entry((seen.face, seen.pixel[1])).or_default();
             *row = row.max(at(snapped, seen).distance);
         }
+        let bounds: Vec<_> = snapped
+            .iter()
+            .map(|piece| {
+                let bound = |corners: [f64; 3], unit: f64| {
+                    let corners = corners.map(|value| (value * unit).round() as i32);
+                    Bound::perspective(mode, corners, piece.w)
+                };
+                let [u, v] =
+                    [0, 1].map(|k| bound(piece.attributes.map(|corner| corner[k]), TEXELS / unit));
+                // A vertex's distance is rounded by half a unit, after products of 30-bit mantissas and numbers below
+                // 64.
+                [u, v, bound(piece.w, 65536.).plus(0.51)]
+            })
+            .collect();
         for (i, seen) in self.pixels.iter().enumerate() {
             let texels = [0, 1].map(|k: usize| f64::from(seen.values[k]) * unit);
             let error = |value: &[f64; 2], k: usize| (texels[k] - value[k] * TEXELS).abs();
@@ -224,19 +238,12 @@ impl Comparison {
             self.snapped.add(u.max(v), i);
             let distance = (f64::from(seen.values[2]) - hit.distance * 65536.).abs();
             self.distance.add(distance, i);
-            let piece = &snapped[seen.face];
             let farthest = farthest[&(seen.face, seen.pixel[1])];
-            let allowed = |corners: [f64; 3], unit: f64| {
-                let corners = corners.map(|value| (value * unit).round() as i32);
-                bounds::perspective(mode, corners, piece.w, hit.distance, farthest)
-            };
-            for (k, error) in [u, v].into_iter().enumerate() {
-                let allowed = allowed(piece.attributes.map(|corner| corner[k]), TEXELS / unit);
-                self.allowed.add(error / unit / allowed, i);
+            let errors = [u / unit, v / unit, distance];
+            for (error, bound) in errors.into_iter().zip(&bounds[seen.face]) {
+                self.allowed
+                    .add(error / bound.at(hit.distance, farthest), i);
             }
-            // A vertex's distance is rounded by half a unit, after products of 30-bit mantissas and numbers below 64.
-            let allowed = 0.51 + allowed(piece.w, 65536.);
-            self.allowed.add(distance / allowed, i);
             let depth = view.projection.depth(hit.distance);
             let stored = f64::from(seen.depth);
             self.depth

@@ -45,16 +45,54 @@ fn picture(shader: &impl Shader<Color = Rgb888>, floor: &Mesh<'_>, k: i16) -> Ve
     pixels
 }
 
-/// The floor's texture coordinates at a position on the screen, in texels; `None` beside the floor.
-fn floor_at([x, y]: [f64; 2], k: i16, repeats: f64) -> Option<[f64; 2]> {
+/// The point of the floor that pose `k` shows at a position on the screen, from 0 to 1 across and along; `None` beside
+/// the floor.
+fn floor(k: i16) -> impl Fn([f64; 2]) -> Option<[f64; 2]> {
     let [right, ahead] = moved(k);
-    let (x, y) = ((x - 160.) / FOCAL, (120. - y) / FOCAL);
-    // The ray (x, y, -1), turned by atan 0.2, because the eye looks down.
+    // The eye looks down.
     let (sine, cosine) = 0.2_f64.atan().sin_cos();
-    let (up, forth) = (y * cosine - sine, y * sine + cosine);
-    let (x, z) = (x / -up + right, forth / -up + ahead);
-    let inside = up < 0. && (-10. ..10.).contains(&x) && (1. ..20.).contains(&z);
-    inside.then(|| [(x + 10.) / 20., 1. - (z - 1.) / 19.].map(|at| at * 64. * repeats))
+    move |[x, y]| {
+        let (x, y) = ((x - 160.) / FOCAL, (120. - y) / FOCAL);
+        // The ray (x, y, -1), turned.
+        let (up, forth) = (y * cosine - sine, y * sine + cosine);
+        let (x, z) = (x / -up + right, forth / -up + ahead);
+        let inside = up < 0. && (-10. ..10.).contains(&x) && (1. ..20.).contains(&z);
+        inside.then(|| [(x + 10.) / 20., 1. - (z - 1.) / 19.])
+    }
+}
+
+/// The mean colors of the floor's pixels in pose `k`, row by row, if the texture repeats this often along an axis.
+fn means(k: i16, repeats: f64) -> Vec<Option<[f64; 3]>> {
+    let floor = floor(k);
+    let texels = |[u, v]: [f64; 2]| [u * 64. * repeats, v * 64. * repeats];
+    let color = |at: [f64; 2]| {
+        let [u, v] = texels(at);
+        parts(checker(u.floor() as i64, v.floor() as i64))
+    };
+    let square = |at: [f64; 2]| {
+        let [u, v] = texels(at);
+        [(u / 8.).floor(), (v / 8.).floor()]
+    };
+    let corners: Vec<Vec<_>> = (0..=HEIGHT)
+        .map(|y| (0..=WIDTH).map(|x| floor([x, y].map(f64::from))).collect())
+        .collect();
+    let rows = corners.windows(2).zip(0_u32..).flat_map(|(rows, y)| {
+        let pairs = rows[0].windows(2).zip(rows[1].windows(2));
+        pairs.zip(0_u32..).map(move |pixel| (pixel, y))
+    });
+    rows.map(|(((above, below), x), y)| {
+        let (&[Some(a), Some(b)], &[Some(c), Some(d)]) = (above, below) else {
+            return None;
+        };
+        // Perspective keeps quadrilaterals convex: if a pixel's corners lie in one square, all of it does.
+        if [b, c, d].map(square) == [square(a); 3] {
+            return Some(color(a));
+        }
+        Some(area([x, y].map(f64::from), 16, |at| {
+            color(floor(at).unwrap())
+        }))
+    })
+    .collect()
 }
 
 fn parts(color: Rgb888) -> [f64; 3] {
@@ -90,31 +128,7 @@ fn levels_bring_a_far_floor_closer_to_its_means() {
     }
     let mipmap = Mipmap::build(&mut texels, 64, 64).unwrap();
     for repeats in [1_i16, 8, 32] {
-        let far = f64::from(repeats);
-        let exact: Vec<Vec<_>> = (0..8)
-            .map(|k| {
-                let pixels = (0..WIDTH * HEIGHT).map(|i| [i % WIDTH, i / WIDTH].map(f64::from));
-                pixels
-                    .map(|at| {
-                        let color = |[u, v]: [f64; 2]| checker(u.floor() as i64, v.floor() as i64);
-                        let square = |uv: [f64; 2]| uv.map(|at| (at / 8.).floor());
-                        let corners = [[0., 0.], [1., 0.], [0., 1.], [1., 1.]]
-                            .map(|corner| floor_at([at[0] + corner[0], at[1] + corner[1]], k, far));
-                        let [Some(a), Some(b), Some(c), Some(d)] = corners else {
-                            return None;
-                        };
-                        // Perspective keeps quadrilaterals convex: if a pixel's corners lie in one square, all of it
-                        // does.
-                        if [b, c, d].map(square) == [square(a); 3] {
-                            return Some(parts(color(a)));
-                        }
-                        Some(area(at, 16, |at| {
-                            parts(color(floor_at(at, k, far).unwrap()))
-                        }))
-                    })
-                    .collect()
-            })
-            .collect();
+        let exact: Vec<_> = (0..8).map(|k| means(k, repeats.into())).collect();
         let positions = [
             vec3!(-10, 0, -1),
             vec3!(10, 0, -1),

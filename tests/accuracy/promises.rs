@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 
-use crate::bounds;
+use crate::bounds::{self, Bound};
 use crate::mode::Mode;
 use crate::triangle::Triangle;
 
@@ -174,7 +174,8 @@ fn is_promised(mode: Mode, is_precise: bool, repeats: f64, far: f64) -> bool {
 
 /// The part of the bounds of a texture coordinate that is the same for all pixels of a triangle.
 struct Attribute {
-    corners: [i32; 3],
+    /// The bound in each mode.
+    bounds: [Bound; MODES],
     /// The least and the greatest value at a corner.
     least: f64,
     most: f64,
@@ -187,7 +188,7 @@ impl Attribute {
     fn new(corners: [i32; 3], w: [f64; 3]) -> Self {
         let values = corners.map(f64::from);
         Self {
-            corners,
+            bounds: Mode::PERSPECTIVE.map(|mode| Bound::perspective(mode, corners, w)),
             least: values.into_iter().fold(f64::INFINITY, f64::min),
             most: values.into_iter().fold(f64::NEG_INFINITY, f64::max),
             repeats: values
@@ -216,7 +217,7 @@ impl Case {
             .values
             .map(|corners| Attribute::new(corners, triangle.w));
         let exact = triangle.draw(Mode::Exact);
-        for (mode, worst) in Mode::PERSPECTIVE.into_iter().zip(worst) {
+        for (i, (mode, worst)) in Mode::PERSPECTIVE.into_iter().zip(worst).enumerate() {
             let seen = triangle.draw(mode);
             assert!(
                 seen.iter()
@@ -235,8 +236,7 @@ impl Case {
                     let value = f64::from(seen.values[k]);
                     let error = (value - model.values[k]).abs();
                     let at = || format!("{mode:?}: {self:?} at {:?}: {error}", seen.pixel);
-                    let allowed =
-                        bounds::perspective(mode, attribute.corners, triangle.w, w, far_w);
+                    let allowed = attribute.bounds[i].at(w, far_w);
                     assert!(error <= allowed, "{}, over {allowed}", at());
                     worst.allowed = worst.allowed.max(error / allowed);
                     // Values must stay between those of the corners, because a color beyond white would wrap to black.

@@ -5,10 +5,10 @@ use fixel::prelude::*;
 use fixel::view::{Perspective, ProjectionKind};
 use proptest::prelude::*;
 
-use crate::bounds;
+use crate::bounds::{self, Bound};
 use crate::drawing::Seen;
 use crate::mode::Mode;
-use crate::triangle::{Model, Triangle};
+use crate::triangle::Triangle;
 
 /// Wider than two spans.
 const SIZE: (u32, u32) = (160, 48);
@@ -84,13 +84,13 @@ fn values() -> impl Strategy<Value = [[i32; 3]; VALUES]> {
     ]
 }
 
-/// Draws a triangle in some modes, and compares every pixel with the model. `bound` returns the bound of a value's
-/// error; `depth_error` is the bound of a depth's error, before it is rounded down.
+/// Draws a triangle in some modes, and compares every pixel with the model. `bound` returns the bound of the error of a
+/// value, given the value at the corners; `depth_error` is the bound of a depth's error, before it is rounded down.
 fn compare<K: ProjectionKind>(
     triangle: &Triangle<K, VALUES>,
     modes: &[Mode],
     depth_error: f64,
-    bound: impl Fn(Mode, [i32; 3], &Model<VALUES>) -> f64,
+    bound: impl Fn(Mode, [i32; 3]) -> Bound,
 ) -> Result<(), TestCaseError> {
     let Some(screen) = triangle.screen() else {
         // Skip the triangle if rounding moved a corner out of the guard band or onto another corner.
@@ -110,10 +110,11 @@ fn compare<K: ProjectionKind>(
         );
         let pixels = seen.iter().map(|seen| seen.pixel);
         prop_assert!(pixels.eq(model.iter().map(|model| model.pixel)));
+        let bounds = triangle.values.map(|value| bound(mode, value));
         for (seen, model) in seen.iter().zip(&model) {
             for (k, &value) in triangle.values.iter().enumerate() {
                 let error = (f64::from(seen.values[k]) - model.values[k]).abs();
-                let bound = bound(mode, value, model);
+                let bound = bounds[k].at(model.w, model.farthest);
                 prop_assert!(
                     error <= bound,
                     "{mode:?}: {value:?} at {:?} on {screen:?} gives {} at {:?}, not {}: an error of {error}, over {bound}",
@@ -164,14 +165,12 @@ proptest! {
         let depth = w.map(|w| 65535. * near / w);
         let mvp = projection.into();
         let triangle = Triangle { size: SIZE, mvp, positions, values, w, depth };
-        compare(&triangle, &Mode::PERSPECTIVE, bounds::depth(w), |mode, corners, at| {
-            bounds::perspective(mode, corners, w, at.w, at.farthest)
+        compare(&triangle, &Mode::PERSPECTIVE, bounds::depth(w), |mode, corners| {
+            Bound::perspective(mode, corners, w)
         })?;
         // Under any projection, a value that is not divided by w is linear on the screen.
         let triangle = Triangle { w: [1.; 3], ..triangle };
-        compare(&triangle, &[Mode::Affine], bounds::depth(w), |mode, corners, _| {
-            bounds::parallel(mode, corners)
-        })?;
+        compare(&triangle, &[Mode::Affine], bounds::depth(w), Bound::parallel)?;
     }
 
     #[test]
@@ -189,8 +188,6 @@ proptest! {
         let positions = [corner(0), corner(1), corner(2)];
         let depth = positions.map(|p| 65535. * (1. + p.z.to_num::<f64>() / 100.));
         let triangle = Triangle { size: SIZE, mvp: projection.into(), positions, values, w: [1.; 3], depth };
-        compare(&triangle, &Mode::PARALLEL, bounds::DEPTH, |mode, corners, _| {
-            bounds::parallel(mode, corners)
-        })?;
+        compare(&triangle, &Mode::PARALLEL, bounds::DEPTH, Bound::parallel)?;
     }
 }

@@ -9,7 +9,7 @@ use fixel::prelude::{Canvas, Cull, DrawOptions, Vec3};
 
 use super::knowledge::Knowledge;
 use super::ways::Call;
-use crate::bounds;
+use crate::bounds::{self, Bound};
 use crate::mode::Mode;
 use crate::moves::exact;
 use crate::recorder::{Record, Seen};
@@ -160,6 +160,14 @@ impl Ahead {
         let divides = !self.parallel && !matches!(mode, Mode::Affine);
         let weights = if divides { self.w } else { [1.; 3] };
         let at = |pixel| at_pixel_snapped(screen, weights, &attributes, pixel).unwrap();
+        let bounds: [Bound; N] = std::array::from_fn(|k| {
+            let corners = corners.map(|corner| corner[k]);
+            if divides {
+                Bound::perspective(mode, corners, self.w).plus(self.moved(corners))
+            } else {
+                Bound::parallel(mode, corners)
+            }
+        });
         for row in seen.chunk_by(|a, b| a.pixel[1] == b.pixel[1]) {
             let farthest = row.iter().map(|seen| at(seen.pixel).w);
             let farthest = farthest.fold(0., f64::max);
@@ -167,12 +175,7 @@ impl Ahead {
                 let model = at(seen.pixel);
                 for (k, &got) in seen.values.iter().enumerate() {
                     let corners = corners.map(|corner| corner[k]);
-                    let bound = if divides {
-                        self.moved(corners)
-                            + bounds::perspective(mode, corners, self.w, model.w, farthest)
-                    } else {
-                        bounds::parallel(mode, corners)
-                    };
+                    let bound = bounds[k].at(model.w, farthest);
                     let error = (f64::from(got) - model.attributes[k]).abs();
                     assert!(
                         error <= bound,

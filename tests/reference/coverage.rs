@@ -82,9 +82,8 @@ pub fn center([x, y]: [i32; 2]) -> [f64; 2] {
 /// (b − a) × (p − a), exact for any input: twice the area of the triangle a, b, p in 1/256² pixel²,
 /// positive if it runs clockwise on the screen (y down).
 pub fn edge(a: [i32; 2], b: [i32; 2], p: [i64; 2]) -> i128 {
-    let [ax, ay, bx, by] = [a[0], a[1], b[0], b[1]].map(i128::from);
-    let [px, py] = p.map(i128::from);
-    (bx - ax) * (py - ay) - (by - ay) * (px - ax)
+    let from_a = |to: i64, axis: usize| i128::from(to) - i128::from(a[axis]);
+    from_a(b[0].into(), 0) * from_a(p[1], 1) - from_a(b[1].into(), 1) * from_a(p[0], 0)
 }
 
 /// Twice the signed area in 1/256² pixel²: positive for corners that run clockwise on the screen

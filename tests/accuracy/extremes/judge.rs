@@ -14,7 +14,7 @@ use fixel::prelude::*;
 use super::parts::{gap, nearest, outline};
 use super::scene::Scene;
 use super::verdict::{MODES, Verdict, Worst};
-use crate::bounds;
+use crate::bounds::{self, Bound};
 use crate::drawing::{Drawing, Seen};
 use crate::mode::Mode;
 use crate::moves::exact;
@@ -330,7 +330,7 @@ impl Scene {
             let value = f64::from(seen.values[k]);
             let error = (least - value).max(value - most).max(0.);
             let formats =
-                bounds::perspective(mode, corners, [near, far, far], about.w, about.farthest);
+                Bound::perspective(mode, corners, [near, far, far]).at(about.w, about.farthest);
             // Clipping rounds a new corner's attribute down twice, and its weight to 2⁻³⁰ at each of six planes. The
             // attribute also has the relative error of w in clip space, at both ends of the clipped edge.
             let [a, b, c] = corners.map(i32::unsigned_abs);
