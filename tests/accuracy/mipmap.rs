@@ -15,13 +15,12 @@ const WIDTH: u32 = 320;
 const HEIGHT: u32 = 240;
 const FOCAL: f64 = 200.;
 
-/// A texture of squares of 8x8 texels, in the two colors of the measured scenes.
-fn checker(u: i64, v: i64) -> Rgb888 {
-    if (u.div_euclid(8) + v.div_euclid(8)) % 2 == 0 {
-        Rgb888::CSS_IVORY
-    } else {
-        Rgb888::CSS_STEEL_BLUE
-    }
+/// The two colors of the measured scenes.
+const COLORS: [Rgb888; 2] = [Rgb888::CSS_IVORY, Rgb888::CSS_STEEL_BLUE];
+
+/// The index of the color at a texel of a texture of squares of 8x8 texels.
+fn checker(u: i64, v: i64) -> usize {
+    usize::from(((u >> 3) + (v >> 3)) & 1 == 1)
 }
 
 fn projection() -> Projection<Perspective> {
@@ -64,10 +63,11 @@ fn floor(k: i16) -> impl Fn([f64; 2]) -> Option<[f64; 2]> {
 /// The mean colors of the floor's pixels in pose `k`, row by row, if the texture repeats this often along an axis.
 fn means(k: i16, repeats: f64) -> Vec<Option<[f64; 3]>> {
     let floor = floor(k);
+    let colors = COLORS.map(parts);
     let texels = |[u, v]: [f64; 2]| [u * 64. * repeats, v * 64. * repeats];
     let color = |at: [f64; 2]| {
         let [u, v] = texels(at);
-        parts(checker(u.floor() as i64, v.floor() as i64))
+        colors[checker(u.floor() as i64, v.floor() as i64)]
     };
     let square = |at: [f64; 2]| {
         let [u, v] = texels(at);
@@ -124,7 +124,7 @@ fn difference(
 fn levels_bring_a_far_floor_closer_to_its_means() {
     let mut texels = vec![Rgb888::BLACK; Mipmap::<Rgb888>::len(64, 64)];
     for (i, texel) in (0..64 * 64).zip(&mut texels) {
-        *texel = checker(i % 64, i / 64);
+        *texel = COLORS[checker(i % 64, i / 64)];
     }
     let mipmap = Mipmap::build(&mut texels, 64, 64).unwrap();
     for repeats in [1_i16, 8, 32] {

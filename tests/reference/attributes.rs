@@ -5,6 +5,7 @@
 //! ∂a/∂x = (∂N/∂x − a ∂D/∂x)/D.
 
 use super::coverage::{Corners, Snapped, area2, area2_f64, center, center_snapped, edge};
+use super::view::unsnap;
 
 /// Barycentric weights of a triangle's corners at a point; their sum is 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,19 +18,32 @@ pub struct Barycentric {
     pub dy: [f64; 3],
 }
 
+impl Barycentric {
+    /// The weights from twice the areas of the triangles that a point forms with the edges opposite each corner, and
+    /// from twice the whole area.
+    fn new(&[a, b, c]: &Corners, opposite: [f64; 3], area: f64) -> Self {
+        let over_area = |[a, b, c]: [f64; 3]| [a / area, b / area, c / area];
+        Self {
+            value: over_area(opposite),
+            dx: over_area([b[1] - c[1], c[1] - a[1], a[1] - b[1]]),
+            dy: over_area([c[0] - b[0], a[0] - c[0], b[0] - a[0]]),
+        }
+    }
+}
+
 /// Barycentric weights at a point; `None` for a triangle without area.
 pub fn weights(t: &Corners, p: [f64; 2]) -> Option<Barycentric> {
     let area = area2_f64(t);
     if area == 0. || !area.is_finite() {
         return None;
     }
-    let next = |i: usize| t[(i + 1) % 3];
-    let after = |i: usize| t[(i + 2) % 3];
-    Some(Barycentric {
-        value: std::array::from_fn(|i| area2_f64(&[next(i), after(i), p]) / area),
-        dx: std::array::from_fn(|i| (next(i)[1] - after(i)[1]) / area),
-        dy: std::array::from_fn(|i| (after(i)[0] - next(i)[0]) / area),
-    })
+    let &[a, b, c] = t;
+    let with = |from, to| area2_f64(&[from, to, p]);
+    Some(Barycentric::new(
+        t,
+        [with(b, c), with(c, a), with(a, b)],
+        area,
+    ))
 }
 
 /// Barycentric weights at a pixel's center for snapped corners (24.8). Each is the quotient of two exact integers,
@@ -39,16 +53,13 @@ pub fn weights_snapped(t: Snapped, pixel: [i32; 2]) -> Option<Barycentric> {
     if area == 0 {
         return None;
     }
-    let p = center_snapped(pixel);
-    let next = |i: usize| t[(i + 1) % 3];
-    let after = |i: usize| t[(i + 2) % 3];
-    // A difference of coordinates over an area is a change per 1/256 pixel.
-    let per_pixel = |a: i32, b: i32| (f64::from(a) - f64::from(b)) * 256. / area as f64;
-    Some(Barycentric {
-        value: std::array::from_fn(|i| edge(next(i), after(i), p) as f64 / area as f64),
-        dx: std::array::from_fn(|i| per_pixel(next(i)[1], after(i)[1])),
-        dy: std::array::from_fn(|i| per_pixel(after(i)[0], next(i)[0])),
-    })
+    let (p, [a, b, c]) = (center_snapped(pixel), t);
+    // Powers of two, so these are exact.
+    let in_pixels = |units: i128| units as f64 / 65536.;
+    let with = |from, to| in_pixels(edge(from, to, p));
+    let corners = [unsnap(a), unsnap(b), unsnap(c)];
+    let opposite = [with(b, c), with(c, a), with(a, b)];
+    Some(Barycentric::new(&corners, opposite, in_pixels(area)))
 }
 
 /// The values of a triangle at a point.

@@ -71,12 +71,12 @@ impl Bounds {
 
 /// A pixel's center in 24.8.
 pub fn center_snapped([x, y]: [i32; 2]) -> [i64; 2] {
-    [x, y].map(|at| i64::from(at) * 256 + 128)
+    [i64::from(x) * 256 + 128, i64::from(y) * 256 + 128]
 }
 
 /// A pixel's center in pixels.
 pub fn center([x, y]: [i32; 2]) -> [f64; 2] {
-    [x, y].map(|at| f64::from(at) + 0.5)
+    [f64::from(x) + 0.5, f64::from(y) + 0.5]
 }
 
 /// (b − a) × (p − a), exact for any input: twice the area of the triangle a, b, p in 1/256² pixel²,

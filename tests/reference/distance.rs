@@ -17,7 +17,8 @@ pub fn closest(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> f64 {
 pub fn to_segment(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> f64 {
     let t = closest(a, b, p);
     let at = |i: usize| a[i] + t * (b[i] - a[i]) - p[i];
-    at(0).hypot(at(1))
+    let (x, y) = (at(0), at(1));
+    (x * x + y * y).sqrt()
 }
 
 /// The distance to a triangle of either winding; 0 inside it.
@@ -29,8 +30,6 @@ pub fn to_triangle(t: &Corners, p: [f64; 2]) -> f64 {
     if area2_f64(t) != 0. && sides.iter().all(inside) {
         return 0.;
     }
-    sides
-        .into_iter()
-        .map(|[from, to]| to_segment(from, to, p))
-        .fold(f64::MAX, f64::min)
+    let to = |[from, to]: [[f64; 2]; 2]| to_segment(from, to, p);
+    to(sides[0]).min(to(sides[1])).min(to(sides[2]))
 }

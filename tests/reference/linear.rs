@@ -44,7 +44,7 @@ pub fn length(v: Vec3) -> f64 {
 /// v/‖v‖; NaN for the zero vector.
 pub fn normalized(v: Vec3) -> Vec3 {
     let length = length(v);
-    v.map(|x| x / length)
+    [v[0] / length, v[1] / length, v[2] / length]
 }
 
 /// a · b: applies first `b`, then `a`.
@@ -63,7 +63,8 @@ pub fn product(matrices: &[Matrix]) -> Matrix {
 
 /// M · v.
 pub fn apply(m: &Matrix, v: Vec4) -> Vec4 {
-    m.map(|row| row.iter().zip(v).map(|(m, v)| m * v).sum())
+    let with = |row: [f64; 4]| row[0] * v[0] + row[1] * v[1] + row[2] * v[2] + row[3] * v[3];
+    [with(m[0]), with(m[1]), with(m[2]), with(m[3])]
 }
 
 /// M · (p, 1), before the division by w.

@@ -94,6 +94,6 @@ pub fn snap(screen: [f64; 2]) -> [i32; 2] {
 }
 
 /// Converts units of 1/256 pixel to pixels, exactly.
-pub fn unsnap(snapped: [i32; 2]) -> [f64; 2] {
-    snapped.map(|x| f64::from(x) / 256.)
+pub fn unsnap([x, y]: [i32; 2]) -> [f64; 2] {
+    [f64::from(x) / 256., f64::from(y) / 256.]
 }
