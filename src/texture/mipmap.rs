@@ -4,7 +4,7 @@ use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
 };
 
-use super::array::word;
+use super::array::number;
 use super::sampler::{exponents, log2, size_log2};
 use super::{Addressing, Bilinear, Blend, Filter, Nearest, Sampler};
 use crate::Error;
@@ -294,13 +294,13 @@ macro_rules! mean {
 /// A constructor from the raw bytes of level 0. `$texel` reads a texel as a word, `$mean` is the word of the mean of
 /// four, and `$color` makes a color of a word.
 macro_rules! constructor {
-    ($name:ident $order:literal $bytes:literal, |$slice:ident, $index:ident| $texel:expr, |$four:ident| $mean:expr,
+    ($name:ident $order:literal $bytes:literal, |$slice:ident| $texel:expr, |$four:ident| $mean:expr,
         |$word:ident| $color:expr) => {
         #[doc = concat!("The mipmap of a texture from raw bytes", $order, ".")]
         ///
         /// Too few or too many bytes do not compile.
         #[must_use]
-        pub const fn $name<const BYTES: usize>($slice: &[u8; BYTES]) -> Self {
+        pub const fn $name<const BYTES: usize>(bytes: &[u8; BYTES]) -> Self {
             const {
                 check::<W, H, LENGTH>();
                 let needed = W * H * $bytes;
@@ -308,11 +308,12 @@ macro_rules! constructor {
                     message::wrong_length([W, H], "bytes", BYTES, needed);
                 }
             }
+            let mut $slice = bytes.as_slice();
             let mut words = [0_u32; LENGTH];
-            let mut $index = 0;
-            while $index < W * H {
-                words[$index] = $texel;
-                $index += 1;
+            let mut at = 0;
+            while at < W * H {
+                words[at] = $texel;
+                at += 1;
             }
             // `from` runs over the level before, which is `width` wide, and `to` over this one.
             let (mut from, mut begin, mut to, mut width) = (0, W * H, W * H, W);
@@ -351,14 +352,14 @@ macro_rules! constructor {
 
 /// Colors: bytes per texel, and the lowest bits and widths of the channels.
 macro_rules! rgb {
-    ($($color:ident $be:ident $le:ident $bytes:literal $r:literal $g:literal $b:literal $outer:literal $middle:literal;)+) => {$(
+    ($($color:ident $be:ident $le:ident $bytes:tt $r:literal $g:literal $b:literal $outer:literal $middle:literal;)+) => {$(
         impl<const W: usize, const H: usize, const LENGTH: usize> MipmapArray<$color, W, H, LENGTH> {
             constructor!($be ", the high byte of a texel first" $bytes,
-                |bytes, index| word(bytes, index * $bytes, $bytes, true),
+                |bytes| number!(bytes $bytes big),
                 |four| mean!(four, $r, $outer) | mean!(four, $g, $middle) | mean!(four, $b, $outer),
                 |word| $color::new((word >> $r) as u8, (word >> $g) as u8, (word >> $b) as u8));
             constructor!($le ", the low byte of a texel first" $bytes,
-                |bytes, index| word(bytes, index * $bytes, $bytes, false),
+                |bytes| number!(bytes $bytes little),
                 |four| mean!(four, $r, $outer) | mean!(four, $g, $middle) | mean!(four, $b, $outer),
                 |word| $color::new((word >> $r) as u8, (word >> $g) as u8, (word >> $b) as u8));
         }
@@ -377,7 +378,7 @@ rgb! {
 }
 
 impl<const W: usize, const H: usize, const LENGTH: usize> MipmapArray<Gray8, W, H, LENGTH> {
-    constructor!(gray8 "" 1, |bytes, index| bytes[index] as u32, |four| mean!(four, 0, 8), |word| {
+    constructor!(gray8 "" 1, |bytes| number!(bytes 1 big), |four| mean!(four, 0, 8), |word| {
         Gray8::new(word as u8)
     });
 }

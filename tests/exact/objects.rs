@@ -5,12 +5,15 @@ use fixel::prelude::*;
 use fixel::target::Opacity;
 use fixel::{Drawn, Object, PreparedScene};
 
+use crate::examples::lighthouse;
+
 const WIDTH: u32 = 48;
 const HEIGHT: u32 = 36;
 const SIZE: (u32, u32) = (WIDTH, HEIGHT);
 const PIXELS: usize = (WIDTH * HEIGHT) as usize;
 
 static BALL: Mesh = shape!(sphere(12, 8));
+static OUTLINE: Outline = outline!(BALL, deg!(30));
 static RING: Mesh = shape!(torus(fx!(0.3), 16, 8));
 static EMPTY: Mesh = Mesh::checked(Mesh::new(&[], &[]));
 
@@ -198,10 +201,20 @@ fn one_meshs_list_refuses_a_canvas_of_another_frame() {
     }
 }
 
+#[test]
+fn outlines_made_at_compile_time_equal_those_made_at_run_time() {
+    for (outline, mesh, limit) in [
+        (&OUTLINE, &BALL, deg!(30)),
+        (&lighthouse::SILHOUETTES, &lighthouse::ISLAND, deg!(180)),
+    ] {
+        let mut room = vec![[0; 4]; 3 * mesh.faces().len()];
+        assert_eq!(Ok(*outline), Outline::build(mesh, limit, &mut room));
+    }
+}
+
 /// An object with an outline adds its outline to the list; the others add all of their edges.
 #[test]
 fn a_scene_of_edges_draws_outlines_or_all_edges() {
-    static OUTLINE: Outline = outline!(BALL, deg!(30));
     let wide = DrawOptions::new().with_line(LineWidth::new(fx!(2)).unwrap());
     let mut objects = objects();
     objects[0].outline = Some(&OUTLINE);
@@ -259,7 +272,6 @@ fn a_scene_of_edges_draws_outlines_or_all_edges() {
 /// directly.
 #[test]
 fn prepared_edges_in_bands_equal_the_frame() {
-    static OUTLINE: Outline = outline!(BALL, deg!(30));
     let near = view() * Transform::translate(vec3!(0, 0.2, 2.3)) * Transform::scale(fx!(1.3));
     let (options, pen) = (DrawOptions::new(), Flat::new(Gray8::WHITE));
     let mut lines: EdgeList<300, 600> = EdgeList::new();

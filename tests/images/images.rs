@@ -1,9 +1,12 @@
-//! Checks the files of tests/exact/images with another project's reader: it must see the same pictures.
+//! Checks the files of tests/exact/images with another project's reader: it must see the same pictures. And what takes
+//! the compiler seconds: a texture of the documented size.
 
 #[path = "../image_files/mod.rs"]
 mod files;
 
+use embedded_graphics::pixelcolor::Rgb565;
 use files::{File, SIZE, bmp, tga};
+use fixel::texture::TextureArray;
 use image::{ImageFormat, Rgb};
 
 /// Checks that the `image` crate returns the files' pixels, for the files that it reads.
@@ -42,4 +45,10 @@ fn the_image_crate_reads_the_same_tga_files() {
         tga::a_map_of_true_color(),
     ];
     holds(ImageFormat::Tga, kinds);
+}
+
+#[test]
+fn a_texture_of_the_documented_size_compiles() {
+    static LARGE: TextureArray<Rgb565, 512, 512> = TextureArray::rgb565(&[0x12; 512 * 512 * 2]);
+    assert_eq!(LARGE.texels()[511][511], Rgb565::new(2, 16, 18));
 }
