@@ -7,6 +7,7 @@ use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor,
     Rgb555, Rgb565, Rgb666, Rgb888, RgbColor,
 };
+use fixel::mode::Compact;
 use fixel::prelude::*;
 use fixel::shade::Translucent;
 use fixel::target::{Add, Alpha, Blending, Multiply, Native, Opacity, Storage};
@@ -75,7 +76,10 @@ where
     for first in (0..SIZE).step_by(2) {
         let mut cells = [O::store(below); 2 * SIZE as usize];
         let mut band = <Canvas<'_, C, O> as Banded<C, O>>::band(&mut cells, first);
-        let options = DrawOptions::new().with_blending(blending);
+        // A pixel is blended alike in all modes; this one takes the compiler the least time.
+        let options = DrawOptions::new()
+            .with_mode(Compact)
+            .with_blending(blending);
         // A surface of a single color, or of a single color and opacity.
         let surface = Flat::new(below).map(|_, _| Some(above));
         band.draw_with(&options, &SQUARE, &mvp, &surface);

@@ -2,6 +2,7 @@
 //! for overflow), and bands still equal the frame.
 
 use embedded_graphics::pixelcolor::{Gray8, Rgb888};
+use fixel::Drawn;
 use fixel::mode::{self, Affine, Compact, Exact, Fast, Newton};
 use fixel::prelude::*;
 use fixel::shade::{Tolerance, Varyings};
@@ -216,24 +217,6 @@ impl Scene {
         canvas: &mut Canvas<'_, Gray8, Native, D>,
         projection: Projection<K>,
     ) {
-        let options = &self.options;
-        match self.mode {
-            Mode::Newton => self.draw_in(&options.with_mode(Newton), canvas, projection),
-            Mode::Exact => self.draw_in(&options.with_mode(Exact), canvas, projection),
-            Mode::Compact => self.draw_in(&options.with_mode(Compact), canvas, projection),
-            Mode::Fast(texels) => {
-                self.draw_in(&options.with_mode(Fast::within(texels)), canvas, projection);
-            }
-            Mode::Affine => self.draw_in(&options.with_mode(Affine), canvas, projection),
-        }
-    }
-
-    fn draw_in<I: mode::Mode, K: ProjectionKind, D: DepthBuffer>(
-        &self,
-        options: &DrawOptions<I>,
-        canvas: &mut Canvas<'_, Gray8, Native, D>,
-        projection: Projection<K>,
-    ) {
         let mvp = &(projection * self.camera * self.model);
         let mesh = match &self.short {
             Some((positions, fraction)) => Mesh::short(positions, *fraction, &self.faces),
@@ -243,21 +226,43 @@ impl Scene {
             .and_then(|mesh| mesh.with_edges(&self.edges))
             .and_then(|mesh| mesh.with_uvs(&self.uvs, None))
             .unwrap();
-        let light = Light::new(vec3!(1, 2, 3), fx!(0.5), fx!(0.5)).unwrap();
-        let drawn = match self.what {
-            What::Triangles => canvas.draw_with(options, mesh, mvp, &Raw),
-            What::Edges => canvas.draw_edges(options, mesh, mvp, &Raw),
-            What::Points => canvas.draw_points(options, mesh, mvp, &Raw),
-            What::Normals => canvas.draw_with(options, mesh, mvp, &NormalView::new()),
-            What::Lit => {
-                let white = Rgb888::new(255, 255, 255);
-                canvas.draw_with(options, mesh, mvp, &Flat::rgb(white).lit(light))
+        let options = &self.options;
+        let drawn = match (self.what, self.mode) {
+            // Modes differ in how they interpolate numbers. Those of `Raw` are arbitrary, so it is enough to draw other
+            // numbers in one mode, which saves the compiler seconds.
+            (What::Normals, _) => canvas.draw_with(options, mesh, mvp, &NormalView::new()),
+            (What::Lit, _) => {
+                let light = Light::new(vec3!(1, 2, 3), fx!(0.5), fx!(0.5)).unwrap();
+                let white = Flat::rgb(Rgb888::new(255, 255, 255));
+                canvas.draw_with(options, mesh, mvp, &white.lit(light))
             }
-            What::Depth => canvas.draw_with(options, mesh, mvp, &DepthView::new()),
+            (_, Mode::Newton) => self.draw_in(&options.with_mode(Newton), canvas, mesh, mvp),
+            (_, Mode::Exact) => self.draw_in(&options.with_mode(Exact), canvas, mesh, mvp),
+            (_, Mode::Compact) => self.draw_in(&options.with_mode(Compact), canvas, mesh, mvp),
+            (_, Mode::Fast(texels)) => {
+                self.draw_in(&options.with_mode(Fast::within(texels)), canvas, mesh, mvp)
+            }
+            (_, Mode::Affine) => self.draw_in(&options.with_mode(Affine), canvas, mesh, mvp),
         };
         assert!(drawn.clipped <= drawn.drawn && drawn.drawn <= drawn.submitted);
         for &position in &self.positions {
             let _ = canvas.project(options, mvp, position);
+        }
+    }
+
+    fn draw_in<I: mode::Mode, K: ProjectionKind, D: DepthBuffer>(
+        &self,
+        options: &DrawOptions<I>,
+        canvas: &mut Canvas<'_, Gray8, Native, D>,
+        mesh: &Mesh<'_>,
+        mvp: &Mvp<K>,
+    ) -> Drawn {
+        match self.what {
+            What::Triangles => canvas.draw_with(options, mesh, mvp, &Raw),
+            What::Edges => canvas.draw_edges(options, mesh, mvp, &Raw),
+            What::Points => canvas.draw_points(options, mesh, mvp, &Raw),
+            What::Depth => canvas.draw_with(options, mesh, mvp, &DepthView::new()),
+            What::Normals | What::Lit => unreachable!("drawn in one mode"),
         }
     }
 
