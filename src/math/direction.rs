@@ -1,7 +1,7 @@
 //! Directions in world space, and the matrix that takes a model's normals there.
 
 use crate::num::Unit;
-use crate::num::rsqrt::unit;
+use crate::num::rsqrt::{measure, unit};
 use crate::num::wide::dot;
 use crate::{Transform, Vec3};
 
@@ -47,11 +47,11 @@ impl Direction {
         ((dot(&self.0, &other.0) + (1 << 29)) >> 30) as i32
     }
 
-    /// The direction halfway between this one and another; [`NONE`](Self::NONE) if they are opposite.
-    pub(crate) fn halfway(self, other: Self) -> Self {
-        let ([a, b, c], [x, y, z]) = (self.0, other.0);
+    /// The cosine of the angle to the direction halfway between two others, in units of 2⁻³⁰; 0 if they are opposite.
+    pub(crate) fn dot_halfway(self, from: Self, to: Self) -> i32 {
+        let ([a, b, c], [x, y, z]) = (from.0, to.0);
         let sum = |a: i32, b: i32| i64::from(a) + i64::from(b);
-        Self(unit([sum(a, x), sum(b, y), sum(c, z)]).unwrap_or_default())
+        measure([sum(a, x), sum(b, y), sum(c, z)]).map_or(0, |halfway| halfway.along(&self.0))
     }
 
     /// A unit vector in units of 2⁻³⁰.

@@ -98,8 +98,9 @@ impl<L: Lamp> Lighting for Shiny<L> {
         let (toward, light) = self.lamp.ray(point);
         let facing = point.normal.dot(toward).max(0);
         let highlight = if facing > 0 {
-            let halfway = toward.halfway(self.viewer.direction_from(point.position));
-            let shine = power(point.normal.dot(halfway).max(0), self.exponent);
+            let viewer = self.viewer.direction_from(point.position);
+            let cosine = point.normal.dot_halfway(toward, viewer);
+            let shine = power(cosine.max(0), self.exponent);
             share(share(self.strength, light), shine >> 14)
         } else {
             0
@@ -116,12 +117,14 @@ impl<L: Lamp> Lighting for Shiny<L> {
 fn power(base: i32, exponent: u8) -> i32 {
     let times = |a: i32, b: i32| ((i64::from(a) * i64::from(b) + (1 << 29)) >> 30) as i32;
     let (mut result, mut square, mut rest) = (1 << 30, base.min(1 << 30), exponent);
-    while rest != 0 {
+    loop {
         if rest & 1 != 0 {
             result = times(result, square);
         }
-        square = times(square, square);
         rest >>= 1;
+        if rest == 0 {
+            return result;
+        }
+        square = times(square, square);
     }
-    result
 }

@@ -3,7 +3,6 @@
 use super::{FULL, Illumination, Lamp, Lighting, Matte, SurfacePoint, White, brightness};
 use crate::error::ok;
 use crate::math::Direction;
-use crate::num::rsqrt::measure;
 use crate::num::wide::dot;
 use crate::{Error, Scalar, Vec3};
 
@@ -36,8 +35,12 @@ use crate::{Error, Scalar, Vec3};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Light {
-    /// The vector toward the light, as long as the diffuse brightness, in units of 2⁻³⁰.
+    /// The vector toward the light, as long as the diffuse brightness, in units of 2⁻³⁰: a matte white surface needs no
+    /// more.
     direction: [i32; 3],
+    toward: Direction,
+    /// In units of 2⁻¹⁶.
+    diffuse: i32,
     /// In units of 2⁻¹⁶.
     ambient: i32,
 }
@@ -54,18 +57,24 @@ impl Light {
     /// between 0 and 1.
     pub const fn new(direction: Vec3, ambient: Scalar, diffuse: Scalar) -> Result<Self, Error> {
         let ambient = ok!(brightness(ambient));
-        let diffuse = ok!(brightness(diffuse)) as i64;
-        let [x, y, z] = Direction::of(direction).to_bits();
+        let diffuse = ok!(brightness(diffuse));
+        let toward = Direction::of(direction);
+        let [x, y, z] = toward.to_bits();
         if x == 0 && y == 0 && z == 0 {
             return Err(Error::ZeroDirection);
         }
         // No longer than the unit vector.
         let direction = [
-            ((x as i64 * diffuse) >> 16) as i32,
-            ((y as i64 * diffuse) >> 16) as i32,
-            ((z as i64 * diffuse) >> 16) as i32,
+            ((x as i64 * diffuse as i64) >> 16) as i32,
+            ((y as i64 * diffuse as i64) >> 16) as i32,
+            ((z as i64 * diffuse as i64) >> 16) as i32,
         ];
-        Ok(Self { direction, ambient })
+        Ok(Self {
+            direction,
+            toward,
+            diffuse,
+            ambient,
+        })
     }
 
     /// The brightness of a surface with this normal in world space: 0 to 65,536, which is full brightness.
@@ -95,12 +104,9 @@ impl Lighting for Light {
 }
 
 impl Lamp for Light {
+    #[inline]
     fn ray(&self, _: &SurfacePoint) -> (Direction, i32) {
-        let [x, y, z] = self.direction;
-        match measure([x.into(), y.into(), z.into()]) {
-            None => (Direction::NONE, 0),
-            Some(of) => (Direction::from_bits(of.unit()), (of.length(0) >> 14) as i32),
-        }
+        (self.toward, self.diffuse)
     }
 
     fn ambient(&self) -> i32 {
