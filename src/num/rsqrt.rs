@@ -1,6 +1,6 @@
 //! The length and the direction of vectors, by an integer reciprocal square root.
 
-use crate::num::wide::{dot, product};
+use crate::num::wide::{dot, product, product_to_31_bits};
 
 /// Seeds: ⌊256/√t⌋ − 256 at the middle of each 128th of t from 1/4 to 1.
 static SEEDS: [u8; 96] = seeds();
@@ -29,13 +29,15 @@ const fn reciprocal_root(value: u32) -> u32 {
     // y(3 − ty²)/2: the seed has 8 fraction bits, t·y² has 30 (32 + 16 − 18), y has 30. Only by rounding does a Newton
     // step end above the root, so y is below 2^31: where the root is that great, the step ends 9e-5 below it.
     let ty2 = ((value as u64 * (seed * seed) as u64) >> 18) as u32;
-    let y = ((seed as u64 * ((3 << 30) - ty2) as u64) >> 9) as u32;
+    let y = ((seed as u64 * ((3 << 30) - ty2) as u64) >> 9) as i32;
     // y(1 + h/2 + 3h²/8) with h = 1 − ty² < 2^-11, which is negative only by rounding: y² has 30 fraction bits, t·y² 62,
     // h 42.
-    let square = ((y as u64 * y as u64) >> 30) as u32;
+    let square = (product(y, y) >> 30) as u32;
     let h = (((1 << 62) - (value as u64 * square as u64).cast_signed()) >> 20) as i32;
-    let gain = (h >> 1) + ((3 * ((h as i64 * h as i64) >> 32)) >> 13) as i32;
-    let y = y.wrapping_add_signed(((y as i64 * gain as i64 + (1 << 41)) >> 42) as i32);
+    let gain = (h >> 1) + ((3 * (product(h, h) >> 32)) >> 13) as i32;
+    let y = y
+        .cast_unsigned()
+        .wrapping_add_signed(((product(y, gain) + (1 << 41)) >> 42) as i32);
     // Rounding must not exceed the bound that callers rely on.
     if y > 1 << 31 { 1 << 31 } else { y }
 }
@@ -99,16 +101,13 @@ impl Measured {
     /// The vector of length one, in units of 2^-30.
     pub(crate) const fn unit(&self) -> [i32; 3] {
         // m / √squared = m · (root / 2^30) / 2^(32 − half), in units of 2^-30.
-        let ([x, y, z], root) = (self.mantissas, self.root as i64);
-        [
-            self.rounded(x as i64 * root),
-            self.rounded(y as i64 * root),
-            self.rounded(z as i64 * root),
-        ]
+        let [x, y, z] = self.mantissas;
+        [self.component(x), self.component(y), self.component(z)]
     }
 
-    /// The product of a mantissa and the root, in units of 2^-30.
-    const fn rounded(&self, product: i64) -> i32 {
+    /// A mantissa times the root, in units of 2^-30.
+    const fn component(&self, mantissa: i32) -> i32 {
+        let product = product_to_31_bits(mantissa, self.root);
         // The component is at most 1, so the doubled product does not overflow.
         let product = if self.half == 0 { product } else { 2 * product };
         ((product + (1 << 31)) >> 32) as i32
@@ -118,7 +117,7 @@ impl Measured {
     pub(crate) fn along(&self, direction: &[i32; 3]) -> i32 {
         // The mantissas' length is below 2^32, so this is below 2^31, and the result not above 2^30.
         let part = dot(direction, &self.mantissas) >> 31;
-        2 * self.rounded(part * i64::from(self.root))
+        2 * self.component(part as i32)
     }
 
     /// The length · 2^`up`, rounded down, for a vector whose components have at most 31 bits after such a shift.
@@ -144,9 +143,9 @@ pub(crate) const fn measure([x, y, z]: [i64; 3]) -> Option<Measured> {
     let up = left.cast_signed() - 32;
     // Each at most 2^62, their sum from 2^60 to 3 · 2^62.
     let [x, y, z] = mantissas;
-    let squared = (x as i64 * x as i64).cast_unsigned()
-        + (y as i64 * y as i64).cast_unsigned()
-        + (z as i64 * z as i64).cast_unsigned();
+    let squared = product(x, x).cast_unsigned()
+        + product(y, y).cast_unsigned()
+        + product(z, z).cast_unsigned();
     // An even shift, so that the root shifts by whole bits.
     let half = (squared < 1 << 62) as u32;
     let square = ((squared << (2 * half)) >> 32) as u32;

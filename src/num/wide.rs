@@ -46,6 +46,17 @@ pub(crate) const fn product(a: i32, b: i32) -> i64 {
     }
 }
 
+/// Returns the exact product; `b` must be at most 2^31.
+#[inline]
+pub(crate) const fn product_to_31_bits(a: i32, b: u32) -> i64 {
+    if IS_NARROW {
+        // 2^31 has no positive signed number, but a negative one.
+        -narrow_product(a, b.wrapping_neg().cast_signed())
+    } else {
+        a as i64 * b as i64
+    }
+}
+
 /// Returns the upper half of an unsigned product; `b` must be below 2^31.
 #[inline]
 pub(crate) const fn upper(a: u32, b: u32) -> u32 {
@@ -632,6 +643,13 @@ mod tests {
             let exact = (numerator.div_euclid(divisor), numerator.rem_euclid(divisor));
             prop_assert_eq!(divide(numerator, divisor), exact);
             prop_assert_eq!(narrow_divide(numerator, divisor), exact);
+        }
+
+        #[test]
+        fn products_to_31_bits_are_exact(a in any::<i32>(), b in prop_oneof![0..=1_u32 << 31, Just(1 << 31)]) {
+            let exact = i64::from(a) * i64::from(b);
+            prop_assert_eq!(product_to_31_bits(a, b), exact);
+            prop_assert_eq!(-narrow_product(a, b.wrapping_neg().cast_signed()), exact);
         }
 
         #[test]
