@@ -32,7 +32,7 @@ const fn reciprocal_root(value: u32) -> u32 {
     let y = ((seed as u64 * ((3 << 30) - ty2) as u64) >> 9) as i32;
     // y(1 + h/2 + 3h²/8) with h = 1 − ty² < 2^-11, which is negative only by rounding: y² has 30 fraction bits, t·y² 62,
     // h 42.
-    let square = (product(y, y) >> 30) as u32;
+    let square = (product(y, y) >> 30).cast_unsigned() as u32;
     let h = (((1 << 62) - (value as u64 * square as u64).cast_signed()) >> 20) as i32;
     let gain = (h >> 1) + ((3 * (product(h, h) >> 32)) >> 13) as i32;
     let y = y
