@@ -4,8 +4,8 @@ use core::marker::PhantomData;
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use super::levels::{Channels, LEVEL, Levels};
-use super::{Fragment, Shader, Within};
+use super::levels::LEVEL;
+use super::{Channels, Fragment, Levels, Shader, Within};
 use crate::mesh::Primitive;
 
 /// Depth as gray: white is near, black is far.
