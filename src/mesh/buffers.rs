@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use super::indexed::{Index, Mesh};
+use super::{Index, Mesh};
 use crate::error::{check_count, ok};
 use crate::{Error, Vec2, Vec3};
 

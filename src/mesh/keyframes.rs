@@ -1,9 +1,7 @@
 //! Meshes between two meshes.
 
-use super::Index;
 use super::attribute::Attribute;
-use super::indexed::Mesh;
-use super::positions::Positions;
+use super::{Index, Mesh, Positions};
 use crate::error::{check_count, check_length, ok};
 use crate::{Error, Scalar, Vec3, message};
 

@@ -1,7 +1,6 @@
 //! Normals for meshes that have none, such as those made at run time.
 
-use super::Index;
-use super::indexed::Mesh;
+use super::{Index, Mesh};
 use crate::math::Direction;
 use crate::num::rsqrt::unit;
 use crate::{Angle, Error, Vec3};

@@ -5,8 +5,7 @@ use core::ops::Range;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::attribute::Attribute;
-use super::indexed::{Element, Index, Mesh};
-use super::primitive::Primitive;
+use super::{Element, Index, Mesh, Primitive};
 use crate::error::ok;
 use crate::{Error, Vec2, Vec3, message};
 

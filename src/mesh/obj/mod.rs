@@ -37,8 +37,7 @@ mod mtl;
 mod parts;
 mod reader;
 
-use super::buffers::{Buffers, Counts};
-use super::indexed::{Index, Mesh};
+use super::{Buffers, Counts, Index, Mesh};
 use crate::Error;
 use crate::error::ok;
 use reader::{Corner, MOST, Reader};

@@ -5,8 +5,7 @@ mod surface;
 mod tests;
 mod writer;
 
-use super::buffers::{Buffers, Counts};
-use super::indexed::Mesh;
+use super::{Buffers, Counts, Mesh};
 use crate::error::{check_count, check_extent, check_parts, ok};
 use crate::num::Scalar;
 use crate::{Error, Vec3};
