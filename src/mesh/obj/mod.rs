@@ -158,9 +158,9 @@ struct Writer<'t, 'b, 'a> {
 
 /// Writes to a list if there is room.
 macro_rules! put {
-    ($list:expr, $at:expr, $value:expr) => {
-        if $at < $list.len() {
-            $list[$at] = $value;
+    ($self:ident.buffers.$list:ident[$at:expr] = $value:expr) => {
+        if $at < $self.buffers.$list.len() {
+            $self.buffers.$list[$at] = $value;
         }
     };
 }
@@ -206,19 +206,19 @@ impl<'t, 'b, 'a> Writer<'t, 'b, 'a> {
         while self.reader.begins() {
             if self.reader.keyword(b"v") {
                 let (at, position, color) = ok!(self.reader.position());
-                put!(self.buffers.positions, at, position);
+                put!(self.buffers.positions[at] = position);
                 if let Some(color) = color {
-                    put!(self.buffers.colors, at, color);
+                    put!(self.buffers.colors[at] = color);
                     self.colors += 1;
                 }
             } else if self.reader.keyword(b"f") {
                 ok!(self.polygon(true));
             } else if self.reader.keyword(b"vt") {
                 let (at, uv) = ok!(self.reader.uv());
-                put!(self.buffers.uvs, at, uv);
+                put!(self.buffers.uvs[at] = uv);
             } else if self.reader.keyword(b"vn") {
                 let (at, normal) = ok!(self.reader.normal());
-                put!(self.buffers.normals, at, normal);
+                put!(self.buffers.normals[at] = normal);
             } else if self.reader.keyword(b"l") {
                 ok!(self.polygon(false));
             } else {
@@ -269,7 +269,7 @@ impl<'t, 'b, 'a> Writer<'t, 'b, 'a> {
         // A side from a position to itself is no edge.
         if from != to {
             let edge = if from < to { [from, to] } else { [to, from] };
-            put!(self.buffers.edges, self.edges, edge);
+            put!(self.buffers.edges[self.edges] = edge);
             self.edges += 1;
         }
     }
@@ -282,14 +282,9 @@ impl<'t, 'b, 'a> Writer<'t, 'b, 'a> {
             }
         }
         let at = self.faces;
-        let face = [a.position, b.position, c.position];
-        put!(self.buffers.faces, at, face);
-        if at < self.buffers.uv_faces.len() {
-            self.buffers.uv_faces[at] = [index(a.uv), index(b.uv), index(c.uv)];
-        }
-        if at < self.buffers.normal_faces.len() {
-            self.buffers.normal_faces[at] = [index(a.normal), index(b.normal), index(c.normal)];
-        }
+        put!(self.buffers.faces[at] = [a.position, b.position, c.position]);
+        put!(self.buffers.uv_faces[at] = [index(a.uv), index(b.uv), index(c.uv)]);
+        put!(self.buffers.normal_faces[at] = [index(a.normal), index(b.normal), index(c.normal)]);
         self.faces += 1;
     }
 }
