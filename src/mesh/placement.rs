@@ -49,15 +49,12 @@ pub struct Missing {
 
 impl<'a> Placement<'a> {
     #[inline]
-    pub(crate) const fn new(model: &'a Transform, view: Transform) -> Self {
+    pub(crate) fn new(model: &'a Transform, view: Transform) -> Self {
         Self {
             model,
             view,
             normals: OnceCell::new(),
-            missing: Cell::new(Missing {
-                uvs: false,
-                colors: false,
-            }),
+            missing: Cell::default(),
         }
     }
 
