@@ -193,10 +193,8 @@ impl Corner<'_> {
     #[must_use]
     #[inline]
     pub fn position(&self) -> Vec3 {
-        match self.primitive.element.indices.get(self.corner) {
-            Some(&index) => self.primitive.mesh.position(index),
-            None => Vec3::ZERO,
-        }
+        let index = self.primitive.element.indices.get(self.corner);
+        index.map_or(Vec3::ZERO, |&index| self.primitive.mesh.position(index))
     }
 
     /// The position in world space, where lights are, rounded to nearest; it saturates to the range of [`Scalar`].
@@ -226,10 +224,8 @@ impl Corner<'_> {
     #[must_use]
     #[inline]
     pub fn normal(&self) -> Vec3 {
-        match self.attribute(&self.primitive.mesh.normals) {
-            Some(normal) => normal,
-            None => self.primitive.normal(),
-        }
+        let normal = self.attribute(&self.primitive.mesh.normals);
+        normal.unwrap_or_else(|| self.primitive.normal())
     }
 
     /// The color; white if the mesh has none here.

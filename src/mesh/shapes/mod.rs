@@ -141,9 +141,7 @@ impl Shape {
             columns,
             rows,
         };
-        let given = shape.counts().positions;
-        let max = Mesh::MAX_POSITIONS;
-        ok!(check_count(given, max));
+        ok!(check_count(shape.counts().positions, Mesh::MAX_POSITIONS));
         Ok(shape)
     }
 
