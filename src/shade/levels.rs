@@ -129,7 +129,7 @@ pub trait Levels: PixelColor {
 
 /// Converts three channels. Not `array::map`: optimized for size, that is a loop over memory.
 #[inline]
-pub(super) fn each<T>([r, g, b]: [i32; 3], f: impl Fn(i32) -> T) -> [T; 3] {
+pub(super) fn each([r, g, b]: [i32; 3], f: impl Fn(i32) -> i32) -> [i32; 3] {
     [f(r), f(g), f(b)]
 }
 
@@ -228,9 +228,14 @@ pub(super) fn luma([r, g, b]: [i32; 3]) -> i32 {
 
 /// The nearest step. The half step absorbs interpolation errors below 0 and above white.
 #[inline]
-#[allow(clippy::cast_sign_loss)] // in range as documented
 fn round(level: i32) -> u8 {
-    (level.wrapping_add(1 << 15) >> 16) as u8
+    whole(level.wrapping_add(HALF))
+}
+
+/// The whole steps of a level that is in range.
+#[inline]
+pub(super) fn whole(level: i32) -> u8 {
+    (level >> 16).cast_unsigned() as u8
 }
 
 macro_rules! rgb {
@@ -260,10 +265,8 @@ macro_rules! rgb {
             }
 
             #[inline]
-            #[allow(clippy::cast_sign_loss)] // in range as documented
-            fn from_raised(levels: [i32; 3], _: Point) -> Self {
-                let [r, g, b] = each(levels, |level| (level >> 16) as u8);
-                Self::new(r, g, b)
+            fn from_raised([r, g, b]: [i32; 3], _: Point) -> Self {
+                Self::new(whole(r), whole(g), whole(b))
             }
 
             #[inline]

@@ -72,9 +72,8 @@ impl SpotLight {
         if axis == Direction::NONE {
             return Err(Error::ZeroDirection);
         }
-        let cone = || Error::Cone { inner, outer };
         if inner.to_bits() >= outer.to_bits() || outer.to_bits() > Angle::QUARTER.to_bits() {
-            return Err(cone());
+            return Err(Error::Cone { inner, outer });
         }
         let [most, least] = [inner, outer].map(|angle| angle.cos().to_bits());
         // Angles that differ by little may have the same cosine.
