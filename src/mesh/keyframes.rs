@@ -156,7 +156,10 @@ impl<'a> Keyframes<'a> {
                 faces,
             };
         }
-        Ok(blended.with_positions(Positions::long(positions)))
+        Ok(Mesh {
+            positions: Positions::long(positions),
+            ..blended
+        })
     }
 }
 

@@ -222,11 +222,6 @@ impl<'a> Mesh<'a> {
         Self { edges: &[], ..self }
     }
 
-    /// The mesh with other positions, as many as it has.
-    pub(super) const fn with_positions(self, positions: Positions<'a>) -> Self {
-        Self { positions, ..self }
-    }
-
     /// How many elements each list has.
     #[must_use]
     pub const fn counts(&self) -> Counts {

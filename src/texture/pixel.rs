@@ -66,8 +66,8 @@ macro_rules! widened {
     };
 }
 
-/// Red, green and blue of 16 bits. The numbers are the lowest bit of red and the width of green, in bits; the others are
-/// 5 bits wide.
+/// Red, green and blue of 16 bits. The numbers are the lowest bit of red and the width of green, in bits; red and blue
+/// are 5 bits wide.
 macro_rules! channels {
     ($word:expr, $red:literal, $green:tt) => {{
         let word = $word;

@@ -30,7 +30,6 @@
 
 mod decimal;
 mod ears;
-mod edges;
 mod elements;
 #[doc(hidden)]
 pub mod import;
@@ -39,6 +38,7 @@ mod parts;
 mod reader;
 mod writer;
 
+use super::sort::unique;
 use super::{Buffers, Counts, Mesh};
 use crate::Error;
 use crate::error::ok;
@@ -106,6 +106,6 @@ const fn read(text: &[u8], buffers: &mut Buffers<'_>) -> Result<Counts, Error> {
 pub const fn parse<'a>(text: &[u8], mut buffers: Buffers<'a>) -> Result<Mesh<'a>, Error> {
     let counts = ok!(read(text, &mut buffers));
     let mut counts = ok!(buffers.wanted(counts));
-    counts.edges = edges::unique(buffers.edges.split_at_mut(counts.edges).0);
+    counts.edges = unique(buffers.edges.split_at_mut(counts.edges).0);
     buffers.mesh(counts)
 }

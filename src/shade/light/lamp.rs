@@ -9,7 +9,7 @@ use crate::math::Direction;
 use crate::{Error, Scalar};
 
 /// A light that comes from one place or direction, and so can make highlights: [`Light`](super::Light),
-/// [`PointLight`](super::PointLight) and [`SpotLight`](super::SpotLight).
+/// [`PointLight`] and [`SpotLight`].
 pub trait Lamp: Lighting {
     /// The direction from a point toward the light, and the strength of the light at the point: 65,536 is full
     /// brightness. The direction is [`Direction::NONE`] if no light reaches the point.
