@@ -161,3 +161,9 @@ const fn first<T>(list: &[T], count: usize) -> &[T] {
         None => list,
     }
 }
+
+/// The first `needed` elements of a list, or an error if it is shorter.
+pub(super) const fn room<T>(list: &mut [T], needed: usize) -> Result<&mut [T], Error> {
+    ok!(check_count(needed, list.len()));
+    Ok(list.split_at_mut(needed).0)
+}
