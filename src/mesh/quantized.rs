@@ -254,9 +254,9 @@ impl<'a> Quantized<'a> {
         let positions = primitive.positions();
         let mesh = Mesh::unchecked(
             (&positions, &[]),
-            slice(normals.as_ref()),
-            slice(uvs.as_ref()),
-            slice(colors.as_ref()),
+            normals.as_slice().as_flattened(),
+            uvs.as_slice().as_flattened(),
+            colors.as_slice().as_flattened(),
         );
         f(&Primitive {
             mesh: &mesh,
@@ -284,8 +284,4 @@ fn all<T: Copy>(value: impl Fn(usize) -> Option<T>, missing: impl Fn() -> T) -> 
         return None;
     }
     Some(values.map(|value| value.unwrap_or_else(&missing)))
-}
-
-fn slice<T>(values: Option<&[T; 3]>) -> &[T] {
-    values.map_or(&[], |values| values)
 }
