@@ -137,10 +137,7 @@ impl<'a> Mesh<'a> {
         Self::of(positions, faces)
     }
 
-    pub(super) const fn of(
-        positions: Positions<'a>,
-        faces: &'a [[Index; 3]],
-    ) -> Result<Self, Error> {
+    const fn of(positions: Positions<'a>, faces: &'a [[Index; 3]]) -> Result<Self, Error> {
         ok!(check_count(positions.len(), Self::MAX_POSITIONS));
         ok!(check(faces, positions.len(), None));
         Ok(Self {
