@@ -119,8 +119,7 @@ fn dot(a: [Scalar; 4], b: [Scalar; 4]) -> Scalar {
     let sum = a.iter().zip(&b).fold(0_i64, |sum, (a, b)| {
         sum.saturating_add(i64::from(a.to_bits()) * i64::from(b.to_bits()))
     });
-    let rounded = sum.saturating_add(1 << 15) >> 16;
-    Scalar::from_bits(rounded.clamp(i32::MIN.into(), i32::MAX.into()) as i32)
+    Scalar::from_bits(block::fixed(sum, 32, 16))
 }
 
 impl Default for Matrix4 {

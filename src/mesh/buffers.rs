@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use super::indexed::{Index, Mesh};
+use super::{Index, Mesh};
 use crate::error::{check_count, ok};
 use crate::{Error, Vec2, Vec3};
 
@@ -160,4 +160,10 @@ const fn first<T>(list: &[T], count: usize) -> &[T] {
         Some((first, _)) => first,
         None => list,
     }
+}
+
+/// The first `needed` elements of a list, or an error if it is shorter.
+pub(super) const fn room<T>(list: &mut [T], needed: usize) -> Result<&mut [T], Error> {
+    ok!(check_count(needed, list.len()));
+    Ok(list.split_at_mut(needed).0)
 }

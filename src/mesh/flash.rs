@@ -82,7 +82,6 @@ pub const fn shortened<const N: usize>(positions: &[Vec3]) -> ([[i16; 3]; N], u3
 /// If the list is shorter than the result; the same holds for the functions below.
 #[must_use]
 pub const fn normals_of_8<const N: usize>(normals: &[Vec3]) -> [[i8; 3]; N] {
-    let normals: [Vec3; N] = first(normals);
     let mut short = [[0; 3]; N];
     let mut at = 0;
     while at < N {

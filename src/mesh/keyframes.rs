@@ -1,10 +1,9 @@
 //! Meshes between two meshes.
 
-use super::Index;
 use super::attribute::Attribute;
-use super::indexed::Mesh;
-use super::positions::Positions;
-use crate::error::{check_count, check_length, ok};
+use super::buffers::room;
+use super::{Index, Mesh, Positions};
+use crate::error::{check_length, ok};
 use crate::{Error, Scalar, Vec3, message};
 
 /// Two poses of one mesh, to be blended: the positions, and the normals if both poses have them.
@@ -70,12 +69,6 @@ const fn normal_faces<'a>(mesh: &Mesh<'a>) -> &'a [[Index; 3]] {
         Some(faces) => faces,
         None => mesh.faces(),
     }
-}
-
-/// As many elements of a slice as are needed.
-const fn room(slice: &mut [Vec3], needed: usize) -> Result<&mut [Vec3], Error> {
-    ok!(check_count(needed, slice.len()));
-    Ok(slice.split_at_mut(needed).0)
 }
 
 impl<'a> Keyframes<'a> {
@@ -158,7 +151,10 @@ impl<'a> Keyframes<'a> {
                 faces,
             };
         }
-        Ok(blended.with_positions(Positions::long(positions)))
+        Ok(Mesh {
+            positions: Positions::long(positions),
+            ..blended
+        })
     }
 }
 

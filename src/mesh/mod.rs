@@ -19,12 +19,14 @@ mod bounds;
 mod buffers;
 #[doc(hidden)]
 pub mod flash;
-mod indexed;
 mod keyframes;
+#[allow(clippy::module_inception)] // one type, one file
+mod mesh;
 mod normals;
 pub mod obj;
 mod outline;
 mod part;
+mod placement;
 mod positions;
 mod primitive;
 mod quantized;
@@ -34,15 +36,16 @@ mod sprites;
 
 pub use bounds::Bounds;
 pub use buffers::{Buffers, Counts};
-pub(crate) use indexed::Element;
-pub use indexed::{Index, Mesh};
 pub use keyframes::Keyframes;
+pub use mesh::{Index, Mesh};
 pub use outline::Outline;
 pub use part::Part;
+pub use placement::Missing;
+pub(crate) use placement::Placement;
 pub use positions::Positions;
 pub(crate) use positions::StoredPosition;
-pub(crate) use primitive::Placement;
-pub use primitive::{Corner, Missing, Primitive};
+pub(crate) use primitive::Element;
+pub use primitive::{Corner, Primitive};
 pub use quantized::Quantized;
 pub use shapes::Shape;
 pub use sprites::Sprites;

@@ -1,7 +1,7 @@
 //! Normals for meshes that have none, such as those made at run time.
 
-use super::Index;
-use super::indexed::Mesh;
+use super::buffers::room;
+use super::{Index, Mesh};
 use crate::math::Direction;
 use crate::num::rsqrt::unit;
 use crate::{Angle, Error, Vec3};
@@ -92,10 +92,7 @@ impl<'a> Mesh<'a> {
     ///
     /// [`Error::TooMany`] if `normals` has fewer elements than the mesh has positions.
     pub fn with_smooth_normals(self, normals: &'a mut [Vec3]) -> Result<Self, Error> {
-        let (given, max) = (self.positions().len(), normals.len());
-        let Some(normals) = normals.get_mut(..given) else {
-            return Err(Error::TooMany { given, max });
-        };
+        let normals = room(normals, self.positions().len())?;
         normals.fill(Vec3::ZERO);
         for face in self.faces() {
             let Some((normal, angles)) = self.measured(*face) else {
@@ -150,10 +147,7 @@ impl<'a> Mesh<'a> {
     ) -> Result<Self, Error> {
         // Four units for each of the two normals, so that triangles of one plane are always within the crease.
         let least = crease.cos().to_bits().saturating_sub(8);
-        let (given, max) = (self.faces().len(), faces.len());
-        let Some(faces) = faces.get_mut(..given) else {
-            return Err(Error::TooMany { given, max });
-        };
+        let faces = room(faces, self.faces().len())?;
         let mut count = 0;
         for (indices, face) in faces.iter_mut().zip(self.faces()) {
             *indices = [Self::NO_VALUE; 3];

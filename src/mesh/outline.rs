@@ -66,7 +66,7 @@ impl<'a> Outline<'a> {
         creases: usize,
     ) -> Result<Self, Error> {
         ok!(check_count(creases, edges.len()));
-        ok!(super::indexed::check(edges, mesh.positions().len(), None));
+        ok!(super::mesh::check(edges, mesh.positions().len(), None));
         Ok(Self { edges, creases })
     }
 

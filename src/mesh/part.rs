@@ -1,8 +1,10 @@
-//! Parts of a mesh, each with its material.
+//! Parts of a mesh: runs of its faces, by themselves or with their materials.
 
 use core::ops::Range;
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+
+use super::Mesh;
 
 /// A run of a mesh's faces that have one material: a color, and perhaps the name of a texture.
 ///
@@ -104,5 +106,36 @@ impl<'a> Part<'a> {
         } else {
             Some(self.texture)
         }
+    }
+}
+
+impl Mesh<'_> {
+    /// The mesh reduced to a range of its triangles; a range beyond the end is cut. It keeps all positions and
+    /// attributes, drops the edges, and needs no new check.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+    /// // Two of twelve triangles.
+    /// assert_eq!(BOX.part(4..6).faces().len(), 2);
+    /// assert_eq!(BOX.part(11..99).faces(), &BOX.faces()[11..]);
+    /// ```
+    #[must_use]
+    pub fn part(&self, faces: Range<usize>) -> Self {
+        let range = self.part_range(&faces);
+        Self {
+            faces: self.faces.get(range.clone()).unwrap_or_default(),
+            edges: &[],
+            uvs: self.uvs.part(&range),
+            normals: self.normals.part(&range),
+            colors: self.colors.part(&range),
+            ..*self
+        }
+    }
+
+    /// A range of triangles, cut at the end of the list.
+    pub(super) fn part_range(&self, faces: &Range<usize>) -> Range<usize> {
+        let end = faces.end.min(self.faces.len());
+        faces.start.min(end)..end
     }
 }

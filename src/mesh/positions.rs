@@ -1,7 +1,7 @@
 //! A mesh's positions, with 32-bit or 16-bit components.
 
-use super::Index;
-use crate::error::{check_parts, ok};
+use super::{Index, Mesh};
+use crate::error::{check_length, check_parts, ok};
 use crate::{Error, Vec3};
 
 /// The positions of a mesh, with 32-bit or 16-bit components; [`Mesh::positions`](crate::Mesh::positions) returns
@@ -147,7 +147,7 @@ impl StoredPosition<'_> {
 
 /// The most fraction bits, up to 16, with which every component fits into 16 bits; 0, too, if a component does not fit
 /// at all because it is 32767.5 or more.
-pub(crate) const fn finest(positions: Positions<'_>) -> u32 {
+const fn finest(positions: Positions<'_>) -> u32 {
     let mut fraction = FRACTION;
     let mut at = 0;
     while let Some(position) = positions.get(at) {
@@ -173,12 +173,47 @@ const fn fits(bits: i32, fraction: u32) -> bool {
 }
 
 /// The nearest number of units that 16 bits hold.
-pub(crate) const fn rounded(bits: i32, fraction: u32) -> i16 {
+const fn rounded(bits: i32, fraction: u32) -> i16 {
     let units = units(bits, fraction);
     if units > i16::MAX as i64 {
         i16::MAX
     } else {
         // Components are at least −32768, so nothing lies below the range.
         units as i16
+    }
+}
+
+impl Mesh<'_> {
+    /// The mesh's positions rounded to the nearest 16-bit components, and their number of fraction bits, for
+    /// [`short`](Self::short). It uses as many fraction bits as the largest component permits, at most 16.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// let positions = [vec3!(0, 0, 0), vec3!(1.7, 0, 0), vec3!(0, -1, 0)];
+    /// let mesh = Mesh::new(&positions, &[[0, 1, 2]])?;
+    /// let (short, fraction) = mesh.shortened::<3>()?;
+    /// assert_eq!((short[2], fraction), ([0, -1 << 14, 0], 14));
+    /// assert!(Mesh::short(&short, fraction, mesh.faces()).is_ok());
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless the mesh has exactly `N` positions.
+    pub const fn shortened<const N: usize>(&self) -> Result<([[i16; 3]; N], u32), Error> {
+        ok!(check_length(N, self.positions.len()));
+        let fraction = finest(self.positions);
+        let mut short = [[0; 3]; N];
+        let mut at = 0;
+        while let Some(position) = self.positions.get(at) {
+            let [x, y, z] = position.to_bits();
+            short[at] = [
+                rounded(x, fraction),
+                rounded(y, fraction),
+                rounded(z, fraction),
+            ];
+            at += 1;
+        }
+        Ok((short, fraction))
     }
 }

@@ -1,91 +1,22 @@
 //! A shader's view of a mesh: a triangle, edge or point, and its corners.
 
-use core::cell::{Cell, OnceCell};
-
-use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use embedded_graphics::pixelcolor::Rgb888;
 
 use super::attribute::Attribute;
-use super::indexed::{Element, Mesh};
-use crate::math::{Direction, NormalMatrix, Transform};
+use super::{Index, Mesh, Placement};
+use crate::math::Direction;
 use crate::{Scalar, Vec2, Vec3};
 
-/// Where a draw call places a model, and which attributes its shader missed.
-#[derive(Clone, Debug)]
-pub(crate) struct Placement<'a> {
-    /// From model to world space.
-    model: &'a Transform,
-    /// From model to eye space.
-    view: Transform,
-    /// Computed when a shader asks for the first normal.
-    normals: OnceCell<NormalMatrix>,
-    missing: Cell<Missing>,
-}
-
-/// The attributes that a shader asked for and the mesh lacks; a draw call returns it.
+/// The primitive being drawn: its index in the mesh's list of faces, and its vertices.
 ///
-/// Without texture coordinates, a mesh shows a single texel everywhere; without colors, it is white. Neither is an
-/// error, because both may be intended.
-///
-/// ```
-/// use embedded_graphics::pixelcolor::Gray8;
-/// use fixel::prelude::*;
-/// static SKIN: TextureArray<Gray8, 2, 1> = TextureArray::gray8(&[10, 20]);
-/// let positions = [vec3!(-1, -1, -2), vec3!(1, -1, -2), vec3!(0, 1, -2)];
-/// let bare = Mesh::new(&positions, &[[0, 1, 2]])?;
-/// let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.1), fx!(100))?;
-/// let mut pixels = [Gray8::new(0); 12];
-/// let mut canvas = Canvas::new(&mut pixels, 4, 3)?;
-/// let drawn = canvas.draw(&bare, &projection, &Textured::new(&SKIN));
-/// assert!(drawn.missing.uvs);
-/// # Ok::<(), Error>(())
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub struct Missing {
-    /// Texture coordinates; (0, 0) was used instead.
-    pub uvs: bool,
-    /// Colors; white was used instead.
-    pub colors: bool,
-}
-
-impl<'a> Placement<'a> {
-    #[inline]
-    pub(crate) const fn new(model: &'a Transform, view: Transform) -> Self {
-        Self {
-            model,
-            view,
-            normals: OnceCell::new(),
-            missing: Cell::new(Missing {
-                uvs: false,
-                colors: false,
-            }),
-        }
-    }
-
-    /// The attributes that shaders asked for and the mesh lacks.
-    #[inline]
-    pub(crate) fn missing(&self) -> Missing {
-        self.missing.get()
-    }
-
-    #[cold]
-    fn lacks_uvs(&self) -> Vec2 {
-        self.missing.set(Missing {
-            uvs: true,
-            ..self.missing.get()
-        });
-        Vec2::default()
-    }
-
-    #[cold]
-    fn lacks_colors(&self) -> Rgb888 {
-        self.missing.set(Missing {
-            colors: true,
-            ..self.missing.get()
-        });
-        Rgb888::WHITE
-    }
+/// An edge or a point has no face, so attributes with faces of their own have no value for it. Its last index is
+/// repeated.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Element {
+    /// The triangle's index among the faces; `None` for an edge or a point.
+    pub(crate) face: Option<usize>,
+    /// Indices of the three positions.
+    pub(crate) indices: [Index; 3],
 }
 
 /// A triangle, edge or point of a mesh that is about to be drawn.
@@ -202,7 +133,7 @@ impl Primitive<'_> {
     /// The direction of [`normal`](Self::normal) in world space, where lights are.
     #[must_use]
     pub fn world_normal(&self) -> Direction {
-        self.in_world(self.normal())
+        self.placement.direction(self.normal())
     }
 
     /// The mean of the three corners in world space, accurate to 2⁻¹⁶; it saturates to the range of [`Scalar`].
@@ -220,17 +151,6 @@ impl Primitive<'_> {
             mean(a[2], b[2], c[2]),
         ];
         self.placement.model.point(Vec3::from_bits(middle))
-    }
-
-    fn in_world(&self, normal: Vec3) -> Direction {
-        let Placement { model, normals, .. } = self.placement;
-        // Not `get_or_init`, which has a panic path for reentrant initialization.
-        if let Some(matrix) = normals.get() {
-            return matrix.direction(normal);
-        }
-        let matrix = NormalMatrix::of(model);
-        let _ = normals.set(matrix);
-        matrix.direction(normal)
     }
 }
 
@@ -273,10 +193,8 @@ impl Corner<'_> {
     #[must_use]
     #[inline]
     pub fn position(&self) -> Vec3 {
-        match self.primitive.element.indices.get(self.corner) {
-            Some(&index) => self.primitive.mesh.position(index),
-            None => Vec3::ZERO,
-        }
+        let index = self.primitive.element.indices.get(self.corner);
+        index.map_or(Vec3::ZERO, |&index| self.primitive.mesh.position(index))
     }
 
     /// The position in world space, where lights are, rounded to nearest; it saturates to the range of [`Scalar`].
@@ -306,10 +224,8 @@ impl Corner<'_> {
     #[must_use]
     #[inline]
     pub fn normal(&self) -> Vec3 {
-        match self.attribute(&self.primitive.mesh.normals) {
-            Some(normal) => normal,
-            None => self.primitive.normal(),
-        }
+        let normal = self.attribute(&self.primitive.mesh.normals);
+        normal.unwrap_or_else(|| self.primitive.normal())
     }
 
     /// The color; white if the mesh has none here.
@@ -325,7 +241,7 @@ impl Corner<'_> {
     #[must_use]
     #[inline]
     pub fn world_normal(&self) -> Direction {
-        self.primitive.in_world(self.normal())
+        self.primitive.placement.direction(self.normal())
     }
 
     /// The triangle, edge or point that has this corner.
@@ -339,6 +255,7 @@ impl Corner<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Transform;
 
     /// Also at the ends of the range.
     #[test]

@@ -5,8 +5,7 @@ use core::ops::Range;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::attribute::Attribute;
-use super::indexed::{Element, Index, Mesh};
-use super::primitive::Primitive;
+use super::{Element, Index, Mesh, Primitive};
 use crate::error::ok;
 use crate::{Error, Vec2, Vec3, message};
 
@@ -117,20 +116,13 @@ impl UvGrid {
     }
 
     /// A point of the grid. (The last one may lie beyond the greatest coordinate by less than a unit a step.)
-    const fn uv(&self, steps: [u16; 2]) -> Vec2 {
-        let mut bits = [0; 2];
-        let mut axis = 0;
-        while axis < 2 {
-            let beyond = steps[axis] as u64 * self.step[axis] as u64;
-            let wide = self.origin[axis] as i64 + beyond.cast_signed();
-            bits[axis] = if wide > i32::MAX as i64 {
-                i32::MAX
-            } else {
-                wide as i32
-            };
-            axis += 1;
-        }
-        Vec2::from_bits(bits)
+    fn uv(&self, [u, v]: [u16; 2]) -> Vec2 {
+        let bits = |axis: usize, steps: u16| {
+            let beyond = u64::from(steps) * u64::from(self.step[axis]);
+            let wide = i64::from(self.origin[axis]) + beyond.cast_signed();
+            wide.min(i32::MAX.into()) as i32
+        };
+        Vec2::from_bits([bits(0, u), bits(1, v)])
     }
 }
 
@@ -262,9 +254,9 @@ impl<'a> Quantized<'a> {
         let positions = primitive.positions();
         let mesh = Mesh::unchecked(
             (&positions, &[]),
-            slice(normals.as_ref()),
-            slice(uvs.as_ref()),
-            slice(colors.as_ref()),
+            normals.as_slice().as_flattened(),
+            uvs.as_slice().as_flattened(),
+            colors.as_slice().as_flattened(),
         );
         f(&Primitive {
             mesh: &mesh,
@@ -292,8 +284,4 @@ fn all<T: Copy>(value: impl Fn(usize) -> Option<T>, missing: impl Fn() -> T) -> 
         return None;
     }
     Some(values.map(|value| value.unwrap_or_else(&missing)))
-}
-
-fn slice<T>(values: Option<&[T; 3]>) -> &[T] {
-    values.map_or(&[], |values| values)
 }

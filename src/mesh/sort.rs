@@ -1,4 +1,5 @@
-//! A radix sort for the compiler, where a step costs a microsecond: it takes linear time.
+//! A radix sort for the compiler, where a step costs a microsecond: it takes linear time. It also finds the different
+//! ones of a list of edges.
 
 use super::Index;
 
@@ -94,4 +95,22 @@ const fn insertion<const N: usize>(entries: &mut [[Index; N]], start: usize, end
         entries[place] = entry;
         at += 1;
     }
+}
+
+/// Sorts the edges in place, moves one of each to the front, and returns how many different ones there are.
+///
+/// It takes linear time, which matters because it runs in the compiler.
+pub(super) const fn unique(edges: &mut [[Index; 2]]) -> usize {
+    sort(edges, 0, edges.len(), 24);
+    let mut kept = 0;
+    let mut at = 0;
+    while at < edges.len() {
+        let edge = edges[at];
+        if kept == 0 || edges[kept - 1][0] != edge[0] || edges[kept - 1][1] != edge[1] {
+            edges[kept] = edge;
+            kept += 1;
+        }
+        at += 1;
+    }
+    kept
 }

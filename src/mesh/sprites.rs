@@ -118,10 +118,9 @@ impl<'a> Sprites<'a> {
     ///
     /// As for [`new`](Self::new).
     pub const fn in_pixels(positions: &'a [Vec3], size: (Scalar, Scalar)) -> Result<Self, Error> {
-        let sprites = ok!(Self::new(positions, size));
         Ok(Self {
             is_in_pixels: true,
-            ..sprites
+            ..ok!(Self::new(positions, size))
         })
     }
 

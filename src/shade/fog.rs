@@ -4,6 +4,7 @@ use super::ramp::Ramp;
 use super::{Fragment, Shader, Source, Within};
 use crate::mesh::Primitive;
 use crate::num::wide::clamp_negative;
+use crate::sealed::{Sealed, sealed};
 use crate::texture::Blend;
 use crate::{Error, Scalar};
 
@@ -52,7 +53,17 @@ pub struct Fog<C, D = Linear> {
 /// hidden(Fog::linear(Rgb565::WHITE, fx!(1), fx!(2))?);
 /// # Ok::<(), Error>(())
 /// ```
-pub trait Density: sealed::Density {}
+pub trait Density: Copy + Sealed {
+    /// What is interpolated: linear in the distance.
+    #[doc(hidden)]
+    fn varying(&self, distance: Scalar, weight_bits: u32) -> i32;
+
+    /// What is left of the surface, in units of 2^-`weight_bits`, rounded to nearest: 0 to 2^`weight_bits`.
+    #[doc(hidden)]
+    fn weight(varying: i32, weight_bits: u32) -> u32;
+}
+
+sealed!(Linear, Exponential);
 
 /// A [`Density`]: the whole surface is left up to a first distance, and nothing from a second one on. Between them,
 /// what is left falls linearly.
@@ -99,19 +110,6 @@ const C: u32 = 2810;
 /// Error of what is left that cannot be seen: 1/256.
 const UNSEEN: u32 = 1 << (BITS - 8);
 
-mod sealed {
-    use crate::Scalar;
-
-    /// The working part of [`Density`](super::Density), public in name only.
-    pub trait Density: Copy {
-        /// What is interpolated: linear in the distance.
-        fn varying(&self, distance: Scalar, weight_bits: u32) -> i32;
-
-        /// What is left of the surface, in units of 2^-`weight_bits`, rounded to nearest: 0 to 2^`weight_bits`.
-        fn weight(varying: i32, weight_bits: u32) -> u32;
-    }
-}
-
 /// The bits of a color's weight that fog computes: no more than it interpolates.
 const fn weight_bits<C: Blend>() -> u32 {
     if C::WEIGHT_BITS < BITS {
@@ -123,7 +121,7 @@ const fn weight_bits<C: Blend>() -> u32 {
 
 /// The weight of a surface of color `C` in the blend with the fog's color, from 0 to 2^[`Blend::WEIGHT_BITS`].
 #[inline]
-fn weight<C: Blend, D: sealed::Density>(varying: i32) -> u32 {
+fn weight<C: Blend, D: Density>(varying: i32) -> u32 {
     let bits = weight_bits::<C>();
     D::weight(varying, bits) << (C::WEIGHT_BITS - bits)
 }
@@ -133,9 +131,7 @@ fn limited(value: i64) -> i32 {
     value.clamp(-(1 << 30), (1 << 30) - 1) as i32
 }
 
-impl Density for Linear {}
-
-impl sealed::Density for Linear {
+impl Density for Linear {
     /// Returns minus the part that fog leaves, in units of 2^-[`BITS`], plus half a step of the weight, so that a pixel
     /// rounds the weight by a shift alone.
     fn varying(&self, distance: Scalar, weight_bits: u32) -> i32 {
@@ -152,9 +148,7 @@ impl sealed::Density for Linear {
     }
 }
 
-impl Density for Exponential {}
-
-impl sealed::Density for Exponential {
+impl Density for Exponential {
     fn varying(&self, distance: Scalar, _: u32) -> i32 {
         // 62 bits, cut to 46, times log₂ e in units of 2^-14.
         let product = i64::from(distance.to_bits()) * i64::from(self.density);
@@ -274,7 +268,6 @@ where
 
 #[cfg(test)]
 mod tests {
-    use super::sealed::Density as _;
     use super::*;
     use crate::fx;
     use embedded_graphics::pixelcolor::{Gray8, GrayColor};

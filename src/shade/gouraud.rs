@@ -2,8 +2,9 @@
 
 use core::marker::PhantomData;
 
-use super::levels::{LEVEL, Levels, Raised};
-use super::{Fragment, Illumination, Shader, Within};
+use super::levels::LEVEL;
+use super::raised::Raised;
+use super::{Fragment, Illumination, Levels, Shader, Within};
 use crate::mesh::Primitive;
 
 /// The mesh's vertex colors, interpolated in correct perspective; white if the mesh has none.

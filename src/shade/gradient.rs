@@ -2,9 +2,10 @@
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use super::levels::{LEVEL, Levels, Raised};
+use super::levels::LEVEL;
+use super::raised::Raised;
 use super::ramp::Ramp;
-use super::{Fragment, Illumination, Shader, Within};
+use super::{Fragment, Illumination, Levels, Shader, Within};
 use crate::mesh::Primitive;
 use crate::{Error, Scalar};
 

@@ -1,15 +1,13 @@
 //! Colors as numbers to interpolate, and back by rounding or dithering.
 
 use embedded_graphics::geometry::Point;
-
 use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor,
     Rgb555, Rgb565, Rgb666, Rgb888, RgbColor,
 };
 
-use super::dither::threshold;
-use super::{Illumination, Lanes, Tolerance, Varyings};
-use crate::sealed::{Sealed, sealed};
+use super::dither::dither;
+use super::{Channels, Illumination};
 use crate::texture::Blend;
 
 /// A color that can be interpolated, lit, tinted and dithered.
@@ -129,126 +127,9 @@ pub trait Levels: PixelColor {
     }
 }
 
-/// The channels of a color that are worth interpolating, because they differ: three, or one for gray.
-///
-/// ```
-/// use embedded_graphics::pixelcolor::{Gray8, Rgb565};
-/// use fixel::shade::{Channels, Levels};
-/// let gray = <Gray8 as Levels>::Channels::first([7, 7, 7]);
-/// let color = <Rgb565 as Levels>::Channels::first([1, 2, 3]);
-/// assert_eq!((gray, color), ([7], [1, 2, 3]));
-/// ```
-pub trait Channels: Varyings + Default + Sealed {
-    /// Those of three channels that differ.
-    fn first(channels: [i32; 3]) -> Self;
-
-    /// All three channels; those that are not used are 0.
-    fn all(self) -> [i32; 3];
-
-    /// The channels of an RGB color, or its luma.
-    #[doc(hidden)]
-    fn of_rgb(channels: [i32; 3]) -> Self;
-}
-
-sealed!([i32; 3], [i32; 1]);
-
-impl Channels for [i32; 3] {
-    #[inline]
-    fn first(channels: [i32; 3]) -> Self {
-        channels
-    }
-
-    #[inline]
-    fn all(self) -> [i32; 3] {
-        self
-    }
-
-    #[inline]
-    fn of_rgb(channels: [i32; 3]) -> Self {
-        channels
-    }
-}
-
-impl Channels for [i32; 1] {
-    #[inline]
-    fn first([channel, ..]: [i32; 3]) -> Self {
-        [channel]
-    }
-
-    #[inline]
-    fn all(self) -> [i32; 3] {
-        [self[0], 0, 0]
-    }
-
-    #[inline]
-    fn of_rgb(channels: [i32; 3]) -> Self {
-        [luma(channels)]
-    }
-}
-
-/// The levels of a color between black and white, raised by half a step: from 2^15 to the number of steps and a half.
-#[derive(Clone, Copy, Debug)]
-pub struct Raised<C: Levels>(C::Channels);
-
-impl<C: Levels> Raised<C> {
-    #[inline]
-    pub(super) fn new(color: Rgb888) -> Self {
-        Self::of_levels(C::levels(color))
-    }
-
-    #[inline]
-    pub(super) fn of_levels(levels: [i32; 3]) -> Self {
-        Self(C::Channels::first(each(levels, |level| {
-            level.wrapping_add(HALF)
-        })))
-    }
-
-    /// All three channels; those that are not used are 0.
-    #[inline]
-    pub(super) fn all(self) -> [i32; 3] {
-        self.0.all()
-    }
-
-    /// The color at a pixel of the frame.
-    #[inline]
-    pub(super) fn color(self, at: Point) -> C {
-        C::from_raised(self.all(), at)
-    }
-
-    /// The color under a light.
-    #[inline]
-    pub(super) fn lit(self, light: Illumination, at: Point) -> C {
-        let levels = each(self.all(), |level| level.wrapping_sub(HALF));
-        C::from_levels(dimmed::<C>(levels, light), at)
-    }
-}
-
-impl<C: Levels> Varyings for Raised<C> {
-    type Lanes = <C::Channels as Varyings>::Lanes;
-    type Face = <C::Channels as Varyings>::Face;
-
-    const PAIRS: bool =
-        Self::Lanes::COUNT == 3 && C::MAX_STEPS[0] < 1 << 5 && C::MAX_STEPS[2] < 1 << 5;
-
-    #[inline]
-    fn tolerances() -> <Self::Lanes as Lanes>::Of<Tolerance> {
-        C::Channels::tolerances()
-    }
-
-    #[inline]
-    fn split(self) -> (<Self::Lanes as Lanes>::Of<i32>, Self::Face) {
-        self.0.split()
-    }
-
-    #[inline]
-    fn join(numbers: <Self::Lanes as Lanes>::Of<i32>, face: Self::Face) -> Self {
-        Self(C::Channels::join(numbers, face))
-    }
-}
-
 /// Converts three channels. Not `array::map`: optimized for size, that is a loop over memory.
 #[inline]
-pub(super) fn each<T>([r, g, b]: [i32; 3], f: impl Fn(i32) -> T) -> [T; 3] {
+pub(super) fn each([r, g, b]: [i32; 3], f: impl Fn(i32) -> i32) -> [i32; 3] {
     [f(r), f(g), f(b)]
 }
 
@@ -340,23 +221,21 @@ fn rgb_fractions(color: Rgb888) -> [i32; 3] {
 
 /// The luma of fractions.
 #[inline]
-fn luma([r, g, b]: [i32; 3]) -> i32 {
+pub(super) fn luma([r, g, b]: [i32; 3]) -> i32 {
     // The sum of the weights is 2^14, and the luma of white is 2^30.
     (4899 * r + 9617 * g + 1868 * b + (1 << 13)) >> 14
 }
 
 /// The nearest step. The half step absorbs interpolation errors below 0 and above white.
 #[inline]
-#[allow(clippy::cast_sign_loss)] // in range as documented
 fn round(level: i32) -> u8 {
-    (level.wrapping_add(1 << 15) >> 16) as u8
+    whole(level.wrapping_add(HALF))
 }
 
+/// The whole steps of a level that is in range.
 #[inline]
-#[allow(clippy::cast_sign_loss)] // in range as documented
-fn dither(level: i32, at: Point) -> u8 {
-    // The least threshold is small, so the clamp keeps negative levels from wrapping.
-    (level.wrapping_add(threshold(at)).max(0) >> 16) as u8
+pub(super) fn whole(level: i32) -> u8 {
+    (level >> 16).cast_unsigned() as u8
 }
 
 macro_rules! rgb {
@@ -386,10 +265,8 @@ macro_rules! rgb {
             }
 
             #[inline]
-            #[allow(clippy::cast_sign_loss)] // in range as documented
-            fn from_raised(levels: [i32; 3], _: Point) -> Self {
-                let [r, g, b] = each(levels, |level| (level >> 16) as u8);
-                Self::new(r, g, b)
+            fn from_raised([r, g, b]: [i32; 3], _: Point) -> Self {
+                Self::new(whole(r), whole(g), whole(b))
             }
 
             #[inline]

@@ -26,6 +26,7 @@
 //! | [`.map(effect)`](Shader::map) | a function of the surface's color | 0 |
 //! | [`.converted()`](Shader::converted) | the surface in another color format, dithered if that format is coarse | 0 |
 
+mod channels;
 mod converted;
 mod dequantized;
 mod dither;
@@ -40,6 +41,7 @@ mod lit;
 mod map;
 mod mipmapped;
 mod part_colors;
+mod raised;
 mod ramp;
 mod shader;
 mod source;
@@ -52,6 +54,7 @@ mod views;
 #[cfg(test)]
 mod fixture;
 
+pub use channels::Channels;
 pub use converted::Converted;
 pub use dequantized::Dequantized;
 pub use flat::{FaceColors, Flat};
@@ -60,7 +63,7 @@ pub use gouraud::Gouraud;
 pub use gradient::Gradient;
 pub use lanes::Lanes;
 pub(crate) use lanes::MOST as MOST_VARYINGS;
-pub use levels::{Channels, Levels};
+pub use levels::Levels;
 pub use light::{
     Colored, Falloff, Gloss, Glossy, Illumination, Lamp, Light, Lighting, Matte, PointLight, Rgb,
     Shiny, SpotLight, SurfacePoint, Tint, TwoSided, Viewer, White,

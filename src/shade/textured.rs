@@ -50,15 +50,19 @@ impl<S: Sampler> Textured<S> {
     /// A shader of a repeating texture. The argument is usually a reference to a [`Texture`](crate::Texture).
     #[must_use]
     pub const fn new(sampler: S) -> Self {
-        Self {
-            sampler,
-            addressing: PhantomData,
-            filter: Nearest,
-        }
+        Self::of(sampler, Nearest)
     }
 }
 
 impl<S, A, F> Textured<S, A, F> {
+    const fn of(sampler: S, filter: F) -> Self {
+        Self {
+            sampler,
+            addressing: PhantomData,
+            filter,
+        }
+    }
+
     /// The texture.
     #[inline]
     pub(super) const fn sampler(&self) -> &S {
@@ -70,11 +74,7 @@ impl<S: Sampler, F: Copy> Textured<S, Repeat, F> {
     /// Clamps the texture to its edge instead of repeating it.
     #[must_use]
     pub const fn clamped(self) -> Textured<S, Clamp, F> {
-        Textured {
-            sampler: self.sampler,
-            addressing: PhantomData,
-            filter: self.filter,
-        }
+        Textured::of(self.sampler, self.filter)
     }
 }
 
@@ -101,11 +101,7 @@ impl<S: Sampler, A: Addressing> Textured<S, A> {
     where
         S::Color: Blend,
     {
-        Textured {
-            sampler: self.sampler,
-            addressing: PhantomData,
-            filter: Bilinear,
-        }
+        Textured::of(self.sampler, Bilinear)
     }
 }
 
@@ -140,11 +136,8 @@ impl<S: Sampler<Color: PixelColor>, A: Addressing, F> Textured<S, A, F> {
         self,
         mask: M,
     ) -> Result<Textured<Masked<S, M>, A, F>, Error> {
-        Ok(Textured {
-            sampler: Masked::new(self.sampler, mask)?,
-            addressing: PhantomData,
-            filter: self.filter,
-        })
+        let sampler = Masked::new(self.sampler, mask)?;
+        Ok(Textured::of(sampler, self.filter))
     }
 }
 
@@ -170,14 +163,8 @@ impl<S: Sampler, A: Addressing, F: Filter<S::Color>> Textured<S, A, F> {
     /// ```
     #[must_use]
     pub const fn cut_out(self, key: S::Color) -> Textured<S, A, CutOut<F, S::Color>> {
-        Textured {
-            sampler: self.sampler,
-            addressing: PhantomData,
-            filter: CutOut {
-                filter: self.filter,
-                key,
-            },
-        }
+        let filter = self.filter;
+        Textured::of(self.sampler, CutOut { filter, key })
     }
 }
 

@@ -1,7 +1,7 @@
 //! A surface times vertex colors.
 
-use super::levels::{Channels, FRACTION, Levels};
-use super::{ColorOf, Fragment, Shader, Source, Within};
+use super::levels::FRACTION;
+use super::{Channels, ColorOf, Fragment, Levels, Shader, Source, Within};
 use crate::mesh::Primitive;
 
 /// A surface times the interpolated vertex color, channel by channel; see [`Shader::tinted`].

@@ -70,7 +70,7 @@ pub trait Varyings: Copy {
     /// The values that all pixels of a face share.
     type Face: Copy + Default;
 
-    /// Whether there are three numbers, of which the first and the third are [`Raised`](super::levels::Raised) levels
+    /// Whether there are three numbers, of which the first and the third are [`Raised`](super::raised::Raised) levels
     /// of at most five bits. Small triangles then carry these two in one number.
     #[doc(hidden)]
     const PAIRS: bool = false;

@@ -4,8 +4,8 @@ use core::marker::PhantomData;
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use super::levels::{Channels, LEVEL, Levels};
-use super::{Fragment, Shader, Within};
+use super::levels::LEVEL;
+use super::{Channels, Fragment, Levels, Shader, Within};
 use crate::mesh::Primitive;
 
 /// Depth as gray: white is near, black is far.
@@ -143,9 +143,7 @@ impl<C: Levels> Shader for NormalView<C> {
         // 255 · (n + 1)/2, so 127.5 steps for n = 1.0 = 2^30, rounded; the clamp covers a unit vector's last bits.
         let channel = |n: i32| {
             let steps = (255 * (i64::from(n) + (1 << 30)) + (1 << 30)) >> 31;
-            #[allow(clippy::cast_sign_loss)]
-            let steps = steps.clamp(0, 255) as u8;
-            steps
+            steps.clamp(0, 255).cast_unsigned() as u8
         };
         primitive.corners(|corner| {
             let [x, y, z] = corner.world_normal().to_bits();

@@ -10,6 +10,7 @@ use embedded_graphics::pixelcolor::{
 use super::sampler::{Grid, sampler_of_rows, size_log2, wrapped};
 use super::{Argb1555, Argb4444, Sampler, Texture};
 use crate::Error;
+use crate::error::check_length;
 use crate::message;
 
 /// A texture that owns its texels; its size is part of the type.
@@ -114,15 +115,9 @@ where
         RawDataSlice<'a, C::Raw, O>: IntoIterator<Item = C::Raw>,
     {
         let needed = bytes_for::<W, H>(C::Raw::BITS_PER_PIXEL);
-        let length = Error::Length {
-            given: bytes.len(),
-            needed,
-        };
-        if bytes.len() != needed {
-            return Err(length);
-        }
+        check_length(bytes.len(), needed)?;
         let mut raw = RawDataSlice::new(bytes).into_iter().map(C::from);
-        let first = raw.next().ok_or(length)?;
+        let first = raw.next().ok_or(Error::Length { given: 0, needed })?;
         let mut texels = [[first; W]; H];
         let others = texels.as_flattened_mut().iter_mut().skip(1);
         for (texel, color) in others.zip(raw) {

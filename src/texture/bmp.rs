@@ -1,6 +1,8 @@
 //! BMP files: Microsoft's `BITMAPFILEHEADER`, then a `BITMAPINFOHEADER` or its versions 4 and 5.
 
-use super::image::{Entry, Image, Pixel, Table, along, at_least, refused, u16_at, u32_at};
+use super::Image;
+use super::header::{along, at_least, refused, u16_at, u32_at};
+use super::pixel::{Entry, Pixel, Table};
 use crate::Error;
 use crate::error::ok;
 

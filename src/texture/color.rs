@@ -5,8 +5,8 @@ use embedded_graphics::pixelcolor::{
     Rgb666, Rgb888, RgbColor,
 };
 
-use super::image::{Entry, Pixel, byte, channels, entry, index, rgb, widened, word, write_colors};
 use super::include::{Convert, File};
+use super::pixel::{Entry, Pixel, byte, channels, entry, index, rgb, widened, word, write_colors};
 use crate::message;
 use crate::sealed::Sealed;
 

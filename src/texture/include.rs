@@ -1,6 +1,7 @@
 //! Textures from files, converted at compile time.
 
-use super::image::{Image, Pixel, byte, index, write_indices};
+use super::Image;
+use super::pixel::{Pixel, byte, index, write_indices};
 use super::sampler::{self, Grid, exponents};
 use super::{Palette, PaletteArray, Texture, TextureArray};
 use crate::Error;

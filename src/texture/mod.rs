@@ -29,13 +29,17 @@ mod blend;
 mod bmp;
 mod color;
 mod filter;
+mod header;
 mod image;
 #[doc(hidden)]
 pub mod include;
 mod mipmap;
+mod mipmap_array;
+mod mipmap_filter;
 mod packed;
 mod palette;
 mod palette_array;
+mod pixel;
 mod sampler;
 #[allow(clippy::module_inception)] // one type, one file
 mod texture;
@@ -49,7 +53,9 @@ pub use blend::Blend;
 pub use color::ImageColor;
 pub use filter::{Bilinear, CutOut, Filter, Nearest};
 pub use image::Image;
-pub use mipmap::{Mipmap, MipmapArray, MipmapFilter, Trilinear};
+pub use mipmap::Mipmap;
+pub use mipmap_array::MipmapArray;
+pub use mipmap_filter::{MipmapFilter, Trilinear};
 pub use packed::PackedGray4;
 pub use palette::{Palette, palette_colors};
 pub use palette_array::PaletteArray;

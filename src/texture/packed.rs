@@ -5,6 +5,7 @@ use embedded_graphics::pixelcolor::Gray4;
 use super::Sampler;
 use super::sampler::Grid;
 use crate::Error;
+use crate::error::ok;
 
 /// A texture of 16 grays that takes half a byte for each texel: a mask, or a picture for a gray panel.
 ///
@@ -41,10 +42,8 @@ impl<'a> PackedGray4<'a> {
             let (of, given, max) = ("width", width, 1 << 15);
             return Err(Error::PowerOfTwo { of, given, max });
         }
-        match Grid::new(bytes, width / 2, height) {
-            Ok(pairs) => Ok(Self { pairs }),
-            Err(error) => Err(error),
-        }
+        let pairs = ok!(Grid::new(bytes, width / 2, height));
+        Ok(Self { pairs })
     }
 }
 

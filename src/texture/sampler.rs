@@ -81,10 +81,8 @@ const fn exponent(of: &'static str, given: u32) -> Result<u32, Error> {
 
 /// The exponents of a width and a height.
 pub(super) const fn exponents(width: u32, height: u32) -> Result<[u32; 2], Error> {
-    match (exponent("width", width), exponent("height", height)) {
-        (Ok(width_log2), Ok(height_log2)) => Ok([width_log2, height_log2]),
-        (Err(error), _) | (_, Err(error)) => Err(error),
-    }
+    let width_log2 = ok!(exponent("width", width));
+    Ok([width_log2, ok!(exponent("height", height))])
 }
 
 /// The entry at column `u` and row `v`, both modulo the size. The mask shows the compiler that the indices are in

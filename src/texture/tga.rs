@@ -1,6 +1,8 @@
 //! TGA files, according to Truevision's specification 2.0.
 
-use super::image::{Entry, Image, Pixel, Table, along, at_least, refused, u16_at};
+use super::Image;
+use super::header::{along, at_least, refused, u16_at};
+use super::pixel::{Entry, Pixel, Table};
 use crate::Error;
 use crate::error::ok;
 

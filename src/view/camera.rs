@@ -65,9 +65,7 @@ impl Camera {
     /// the picture.
     #[must_use]
     pub fn at_pose(pose: Transform) -> Self {
-        Self {
-            view: pose.inverse_rigid(),
-        }
+        Self::from_view(pose.inverse_rigid())
     }
 
     /// Makes a camera from its transform from world space to eye space.
@@ -105,14 +103,9 @@ impl Camera {
     /// ```
     #[must_use]
     pub fn sky(&self) -> Self {
-        let none = Transform::IDENTITY;
-        Self {
-            view: Transform {
-                translation: none.translation,
-                translation_exp: none.translation_exp,
-                ..self.view
-            },
-        }
+        let mut view = Transform::IDENTITY;
+        (view.linear, view.linear_exp) = (self.view.linear, self.view.linear_exp);
+        Self { view }
     }
 
     /// Makes a camera at a `distance` from `target` that looks at it. The camera starts in front of the

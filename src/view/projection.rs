@@ -172,12 +172,8 @@ impl<K: ProjectionKind> Projection<K> {
         if K::PERSPECTIVE {
             return None;
         }
-        // Along the line, x and y of clip space do not change. A shear is the z coefficient over the axis's own.
-        let [x, y] = [0, 1].map(|axis: usize| {
-            let row = &self.rows[axis];
-            row.coefficient(2).over(row.coefficient(axis)).negated()
-        });
-        Some(Vec3::new(scalar(x), scalar(y), Scalar::ONE))
+        let [x, y] = [0, 1].map(|axis| scalar(self.shear(axis).negated()));
+        Some(Vec3::new(x, y, Scalar::ONE))
     }
 
     /// The width and height in eye space of a pixel: in perspective, at a distance of 1.
@@ -197,13 +193,16 @@ impl<K: ProjectionKind> Projection<K> {
         let direction = if K::PERSPECTIVE {
             [x, y, ahead]
         } else {
-            let [x, y] = [0, 1].map(|axis: usize| {
-                let row = &self.rows[axis];
-                row.coefficient(2).over(row.coefficient(axis))
-            });
-            [x, y, BlockFloat::new(-1, 0)]
+            [self.shear(0), self.shear(1), BlockFloat::new(-1, 0)]
         };
         [[x, y, ahead], direction]
+    }
+
+    /// The x or y that the line of sight of a parallel projection gains along −z: on it, x and y of clip space do not
+    /// change.
+    fn shear(&self, axis: usize) -> BlockFloat {
+        let row = &self.rows[axis];
+        row.coefficient(2).over(row.coefficient(axis))
     }
 
     /// The homogeneous coordinate on the near plane.
@@ -239,11 +238,8 @@ impl<K: ProjectionKind> Projection<K> {
     /// Returns the window's width divided by its height, rounded to the nearest 2⁻¹⁶; saturates.
     #[must_use]
     pub fn aspect(&self) -> Scalar {
-        scalar(
-            self.rows[1]
-                .coefficient(1)
-                .over(self.rows[0].coefficient(0)),
-        )
+        let [x, y] = &self.rows;
+        scalar(y.coefficient(1).over(x.coefficient(0)))
     }
 
     /// Returns the matrix from eye space to homogeneous clip coordinates: entries are rounded to the
@@ -265,12 +261,8 @@ impl<K: ProjectionKind> Projection<K> {
             let z = [zero, zero, scalar(middle), scalar(offset)];
             Matrix4::new([x, y, z, [zero, zero, -one, zero]])
         } else {
-            let z = [
-                zero,
-                zero,
-                scalar(BlockFloat::new(-2, 0).over(depth)),
-                scalar(middle),
-            ];
+            let scale = scalar(BlockFloat::new(-2, 0).over(depth));
+            let z = [zero, zero, scale, scalar(middle)];
             Matrix4::new([x, y, z, [zero, zero, zero, one]])
         }
     }

@@ -5,8 +5,7 @@ mod surface;
 mod tests;
 mod writer;
 
-use super::buffers::{Buffers, Counts};
-use super::indexed::Mesh;
+use super::{Buffers, Counts, Mesh};
 use crate::error::{check_count, check_extent, check_parts, ok};
 use crate::num::Scalar;
 use crate::{Error, Vec3};
@@ -142,9 +141,7 @@ impl Shape {
             columns,
             rows,
         };
-        let given = shape.counts().positions;
-        let max = Mesh::MAX_POSITIONS;
-        ok!(check_count(given, max));
+        ok!(check_count(shape.counts().positions, Mesh::MAX_POSITIONS));
         Ok(shape)
     }
 

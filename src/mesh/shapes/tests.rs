@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::vec::Vec;
 
 use super::Shape;
-use crate::mesh::indexed::Element;
+use crate::mesh::Element;
 use crate::mesh::{Buffers, Mesh};
 use crate::{Error, Scalar, Vec2, Vec3};
 use crate::{fx, shape, vec3};

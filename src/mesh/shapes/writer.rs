@@ -34,11 +34,6 @@ const fn rounded([x, y, z]: [i64; 3]) -> Vec3 {
     ])
 }
 
-/// A vertex number as an index; it fits, because `Shape` limits the number of positions.
-const fn index(number: u32) -> Index {
-    number as Index
-}
-
 impl<'a> MeshWriter<'a> {
     pub(super) const fn new(buffers: Buffers<'a>, counts: Counts) -> Result<Self, Error> {
         let counts = ok!(buffers.wanted(counts));
@@ -74,13 +69,14 @@ impl<'a> MeshWriter<'a> {
     }
 
     pub(super) const fn triangle(&mut self, [a, b, c]: [u32; 3]) {
-        self.buffers.faces[self.faces] = [index(a), index(b), index(c)];
+        // `Shape` limits the number of positions, so each index fits; so do those of an edge.
+        self.buffers.faces[self.faces] = [a as Index, b as Index, c as Index];
         self.faces += 1;
     }
 
     pub(super) const fn edge(&mut self, [from, to]: [u32; 2]) {
         if self.counts.edges > 0 {
-            self.buffers.edges[self.edges] = [index(from), index(to)];
+            self.buffers.edges[self.edges] = [from as Index, to as Index];
             self.edges += 1;
         }
     }

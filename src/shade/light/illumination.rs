@@ -44,8 +44,7 @@ impl Illumination {
             ],
             specular: match (self.specular, other.specular) {
                 (Some(a), Some(b)) => Some(a.saturating_add(b)),
-                (Some(one), None) | (None, Some(one)) => Some(one),
-                (None, None) => None,
+                (one, None) | (None, one) => one,
             },
         }
     }

@@ -1,332 +1,54 @@
-//! Lamps: light that comes from a point.
+//! Lights that come from one place or direction.
 
 use super::colored::share;
-use super::shiny::Lamp;
-use super::{Illumination, Lighting, Matte, SurfacePoint, White, brightness};
+use super::{
+    Illumination, Lighting, Matte, PointLight, Shiny, SpotLight, SurfacePoint, Viewer, White,
+    brightness,
+};
 use crate::math::Direction;
-use crate::num::reciprocal;
-use crate::num::rsqrt::{measure, short_root};
-use crate::num::wide::{cold, times_half};
-use crate::{Angle, Error, Scalar, Vec3};
+use crate::{Error, Scalar};
 
-/// How the light of a lamp falls off with the distance d, up to its range r.
-///
-/// ```
-/// use fixel::prelude::*;
-/// use fixel::shade::{Falloff, PointLight};
-/// let lamp = PointLight::new(Vec3::ZERO, fx!(1), fx!(8))?.with_falloff(Falloff::Linear);
-/// # let _ = lamp;
-/// # Ok::<(), Error>(())
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum Falloff {
-    /// (1 − d²/r²)²: bright around the lamp, and without an edge at its range. The default.
-    #[default]
-    Smooth,
-    /// 1 − d/r.
-    Linear,
-    /// 1 within the range, 0 beyond it. The range is accurate to 1/4000.
-    Constant,
-}
+/// A light that comes from one place or direction, and so can make highlights: [`Light`](super::Light),
+/// [`PointLight`] and [`SpotLight`].
+pub trait Lamp: Lighting {
+    /// The direction from a point toward the light, and the strength of the light at the point: 65,536 is full
+    /// brightness. The direction is [`Direction::NONE`] if no light reaches the point.
+    fn ray(&self, point: &SurfacePoint) -> (Direction, i32);
 
-/// White light from a point in world space, up to a range.
-///
-#[cfg_attr(doc, doc = page_picture!("point_light", "A floor and a ball beside a lamp"))]
-/// A surface with unit normal n at the distance d has the brightness b · f(d) · max(0, n·l): b is the lamp's
-/// brightness, f its [`Falloff`] and l the unit vector toward the lamp. The error is at most 9.2e-4, a quarter of a step
-/// of eight bits. Very near the lamp, the direction is less accurate because positions are in steps of 2⁻¹⁶; at the
-/// lamp itself, the brightness is 0.
-///
-/// ```
-/// use embedded_graphics::pixelcolor::Gray8;
-/// use fixel::prelude::*;
-/// use fixel::shade::PointLight;
-/// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
-/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
-/// let mut pixels = [Gray8::new(0); 1];
-/// // The middle of each triangle is at a distance of 2.055: (1 − 2.055²/4²)² · 2/2.055 = 0.527.
-/// let lamp = PointLight::new(vec3!(0, 2, 0), fx!(1), fx!(4))?;
-/// Canvas::new(&mut pixels, 1, 1)?.draw(&SQUARE, &mvp, &Flat::new(Gray8::new(160)).lit_faces(lamp));
-/// assert_eq!(pixels, [Gray8::new(84)]);
-/// # Ok::<(), Error>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct PointLight {
-    position: Vec3,
-    /// In units of 2⁻¹⁶.
-    brightness: u32,
-    /// In units of 2⁻¹⁶.
-    range: i32,
-    /// 2⁶¹ / (`range` · 2^`up`), from 2³⁰ to 2³¹; the divisor has 31 bits.
-    inverse: u32,
-    /// 2⁷⁴ / (`range` · 2^`up`)², from 2¹² to 2¹⁴, raised by 2⁻¹⁴ of itself: it multiplies a number of 13 bits or more
-    /// that is rounded down.
-    inverse_square: u16,
-    /// The negative brightness in units of 2⁻¹⁵.
-    short_brightness: i16,
-    up: u8,
-    falloff: Falloff,
-}
-
-impl PointLight {
-    /// A lamp at `position` in world space, of a `brightness` from 0 to 1, that lights surfaces nearer than `range`.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Brightness`] if `brightness` is not between 0 and 1; [`Error::LightRange`] if `range` is not above 0.
-    pub const fn new(position: Vec3, brightness: Scalar, range: Scalar) -> Result<Self, Error> {
-        let brightness = match self::brightness(brightness) {
-            Ok(brightness) => brightness,
-            Err(error) => return Err(error),
-        };
-        if range.to_bits() <= 0 {
-            return Err(Error::LightRange { range });
-        }
-        let bits = range.to_bits().cast_unsigned();
-        let up = bits.leading_zeros() - 1;
-        let inverse = reciprocal(bits << up);
-        // In units of 2^-32 of those of `inverse_square` times 2^16.
-        let square = (inverse as u64 * inverse as u64) >> 32;
-        Ok(Self {
-            position,
-            brightness: brightness.cast_unsigned(),
-            range: range.to_bits(),
-            inverse,
-            inverse_square: ((square + (square >> 14) + (1 << 15)) >> 16) as u16,
-            short_brightness: (-brightness >> 1) as i16,
-            up: up as u8,
-            falloff: Falloff::Smooth,
-        })
-    }
-
-    /// The same lamp with another falloff.
-    #[must_use]
-    pub const fn with_falloff(self, falloff: Falloff) -> Self {
-        Self { falloff, ..self }
-    }
-
-    /// The light at a distance that is `part` of the range, where `square` is the square of `part`; all in units of
-    /// 2⁻¹⁶.
+    /// The light on a matte surface, in units of 2⁻¹⁶, by Lambert's law: the strength of the light at a point times the
+    /// cosine of the angle at which it meets the surface.
     #[inline]
-    fn light(&self, square: u32, part: impl FnOnce() -> u32) -> u32 {
-        let Some(rest) = FULL.checked_sub(square) else {
-            return 0;
-        };
-        let left = match self.falloff {
-            Falloff::Smooth => times(rest, rest),
-            Falloff::Linear => FULL.saturating_sub(part()),
-            Falloff::Constant if rest > SATURATED.cast_unsigned() => FULL,
-            Falloff::Constant => 0,
-        };
-        times(self.brightness, left)
-    }
-}
-
-/// The most of 1 − d²/r² that is left, in units of 2⁻¹⁶, if a component of the distance saturates: it then counts as at
-/// least 1 − 2⁻¹⁵ of the longest range.
-const SATURATED: i32 = 4;
-
-/// Full brightness, in units of 2⁻¹⁶.
-const FULL: u32 = super::FULL.cast_unsigned();
-
-impl Lamp for PointLight {
-    fn ray(&self, point: &SurfacePoint) -> (Direction, i32) {
-        let way = point.position.way_to(self.position);
-        let range = i64::from(self.range);
-        let [x, y, z] = way.map(i64::abs);
-        if x >= range || y >= range || z >= range {
-            return (Direction::NONE, 0);
-        }
-        let Some(of) = measure(way) else {
-            return (Direction::NONE, 0);
-        };
-        // The distance takes less than √3 · 2^31, the reciprocal at most 2^31.
-        let part = (of.length(self.up.into()) * u64::from(self.inverse)) >> 45;
-        let square = (part * part) >> 16;
-        (
-            Direction::from_bits(of.unit()),
-            self.light(square as u32, || part as u32).cast_signed(),
-        )
-    }
-
-    /// In products that take an instruction on Cortex-M4; tests/accuracy/lights.rs derives the error.
     fn diffuse(&self, point: &SurfacePoint) -> i32 {
-        let ([a, b, c], [x, y, z]) = (point.position.to_bits(), self.position.to_bits());
-        // No range reaches where a difference saturates: see `SATURATED`.
-        let (x, y, z) = (
-            a.saturating_sub(x),
-            b.saturating_sub(y),
-            c.saturating_sub(z),
-        );
-        // A bit is set below the sign where it differs from its upper neighbor.
-        let edges = |way: i32| way ^ way << 1;
-        let up = (edges(x) | edges(y) | edges(z)).leading_zeros() & 31;
-        // By how many bits the distance is shorter than the range.
-        let shorter = up.cast_signed() - i32::from(self.up);
-        if shorter < 0 {
-            return 0;
-        }
-        // 15 bits and a sign; the greatest component has 14 bits or more unless there is no way at all.
-        let mantissa = |way: i32| way << up >> 16;
-        let (x, y, z) = (mantissa(x), mantissa(y), mantissa(z));
-        let [i, j, k] = point.normal.to_bits();
-        let facing = (i >> 16) * x + (j >> 16) * y + (k >> 16) * z;
-        // From 2^28 to 3 · 2^30.
-        let squared = |x: i32| (x * x).cast_unsigned();
-        let square = squared(x) + squared(y) + squared(z);
-        let root = short_root(square);
-        // The upper half of the root is 2^29 / √square, so the cosine is in units of 2^-27. The way leads away from the
-        // lamp, so the cosine of a lit point is negative.
-        let cosine = times_half(facing, root >> 16).min(0);
-        // d²/r² in units of 2^-27; at most twelve times the whole, which is 31 bits.
-        let share = (square >> 15) * u32::from(self.inverse_square);
-        let rest = ((1 << 27) - (share >> shorter >> shorter).cast_signed()).max(0);
-        let brightness = i32::from(self.short_brightness);
-        let light = if self.falloff == Falloff::Smooth {
-            // In units of 2^-15. The whole wraps to its negative, and its square is right.
-            let rest = i32::from((rest >> 12) as i16);
-            ((rest * brightness) >> 16) * rest
-        } else {
-            cold();
-            let left = if self.falloff == Falloff::Linear {
-                // 2√square has 17 bits, the reciprocal 15.
-                let distance = ((square >> 14) * (root >> 16).cast_unsigned()) >> 14;
-                let part = (distance * (self.inverse >> 16)) >> 15 >> shorter;
-                (MOST - part.cast_signed()).max(0)
-            } else if rest > SATURATED << 11 {
-                MOST
-            } else {
-                0
-            };
-            (left * brightness) >> 1
-        };
-        times_half(cosine, light >> 16) >> 8
+        let (toward, light) = self.ray(point);
+        share(light, point.normal.dot(toward).max(0) >> 14)
     }
-}
 
-/// The whole in units of 2⁻¹⁵, less one.
-const MOST: i32 = (1 << 15) - 1;
+    /// The light that comes from all sides, in units of 2⁻¹⁶.
+    #[inline]
+    fn ambient(&self) -> i32 {
+        0
+    }
 
-/// The product of numbers from 0 to 1 in units of 2⁻¹⁶.
-#[inline]
-fn times(a: u32, b: u32) -> u32 {
-    // One of them loses a bit, so that 1 · 1 fits.
-    (a * (b >> 1)) >> 15
-}
-
-/// White light from a point in world space, in a cone: a lamp like [`PointLight`] that shines in one direction.
-///
-#[cfg_attr(doc, doc = page_picture!("spot_light", "A floor and a ball in a cone of light"))]
-/// Let θ be the angle between the cone's axis and the direction from the lamp to a surface. Up to the inner angle, the
-/// light equals the point light's; from the outer angle on, there is none. Between them, the point light is multiplied
-/// by t²(3 − 2t), where t = (cos θ − cos outer) / (cos inner − cos outer), so that it falls smoothly.
-///
-/// ```
-/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
-/// use fixel::prelude::*;
-/// use fixel::shade::SpotLight;
-/// static FLOOR: Mesh = shape!(plane(16, 16));
-/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
-/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
-/// let mut pixels = [Gray4::BLACK; 64];
-/// let mut canvas = Canvas::new(&mut pixels, 8, 8)?;
-/// let spot = SpotLight::new(vec3!(0, 1, 0), vec3!(0, -1, 0), (deg!(20), deg!(40)), fx!(1), fx!(3))?;
-/// canvas.draw(&FLOOR, &mvp, &Flat::new(Gray4::WHITE).lit(spot));
-/// let mut display = MockDisplay::new();
-/// canvas.show(&mut display)?;
-/// display.assert_pattern(&[
-///     "00000000",
-///     "00244100",
-///     "017BA810",
-///     "04BBCA40",
-///     "04ACBB30",
-///     "018AB720",
-///     "00143100",
-///     "00000000",
-/// ]);
-/// # Ok::<(), Error>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SpotLight {
-    lamp: PointLight,
-    axis: Direction,
-    /// The cosine of the outer angle, in units of 2⁻³⁰.
-    outer: i32,
-    /// The difference of the cosines, in units of 2⁻³⁰: 1 to 2³⁰.
-    edge: i32,
-    /// 2⁶¹ / (`edge` · 2^`up`), from 2³⁰ to 2³¹; the divisor has 31 bits.
-    inverse: u32,
-    up: u32,
-}
-
-impl SpotLight {
-    /// A lamp at `position` that shines along `axis`, both in world space, with an inner and an outer angle, both
-    /// measured from the axis. Brightness and range have the same meaning as in [`PointLight::new`].
+    /// Adds a highlight (Blinn–Phong) as the `viewer` sees it: `strength` · (n·h)^`exponent` of white, times the
+    /// strength of the light at the point. n is the normal and h the direction halfway between light and viewer.
+    ///
+    /// An exponent of 8 makes a wide highlight, an exponent of 100 a small one. Highlights are computed at the corners
+    /// and interpolated, so a mesh must be fine enough to show them.
     ///
     /// # Errors
     ///
-    /// Those of [`PointLight::new`]; [`Error::ZeroDirection`] if `axis` is zero; [`Error::Cone`] unless
-    /// 0 ≤ inner < outer ≤ 90 degrees.
-    pub fn new(
-        position: Vec3,
-        axis: Vec3,
-        (inner, outer): (Angle, Angle),
-        brightness: Scalar,
-        range: Scalar,
-    ) -> Result<Self, Error> {
-        let lamp = PointLight::new(position, brightness, range)?;
-        let axis = Direction::of(axis);
-        if axis == Direction::NONE {
-            return Err(Error::ZeroDirection);
-        }
-        let cone = || Error::Cone { inner, outer };
-        if inner.to_bits() >= outer.to_bits() || outer.to_bits() > Angle::QUARTER.to_bits() {
-            return Err(cone());
-        }
-        let [most, least] = [inner, outer].map(|angle| angle.cos().to_bits());
-        // Angles that differ by little may have the same cosine.
-        let edge = (most - least).max(1);
-        let up = edge.leading_zeros() - 1;
-        Ok(Self {
-            lamp,
-            axis,
-            outer: least,
-            edge,
-            inverse: reciprocal(edge.cast_unsigned() << up),
-            up,
+    /// [`Error::Brightness`] if `strength` is not between 0 and 1.
+    fn shiny(self, viewer: Viewer, exponent: u8, strength: Scalar) -> Result<Shiny<Self>, Error> {
+        Ok(Shiny {
+            lamp: self,
+            viewer,
+            exponent,
+            strength: brightness(strength)?,
         })
     }
-
-    /// The same lamp with another falloff.
-    #[must_use]
-    pub const fn with_falloff(self, falloff: Falloff) -> Self {
-        Self {
-            lamp: self.lamp.with_falloff(falloff),
-            ..self
-        }
-    }
 }
 
-impl Lamp for SpotLight {
-    fn ray(&self, point: &SurfacePoint) -> (Direction, i32) {
-        let (toward, light) = self.lamp.ray(point);
-        let inside = -self.axis.dot(toward) - self.outer;
-        if light == 0 || inside <= 0 {
-            return (toward, 0);
-        }
-        // Products of 30 and 31 bits; t is in units of 2^-16, t² (3 − 2t) in units of 2^-48.
-        let inside = u64::from(inside.min(self.edge).cast_unsigned());
-        let t = (inside * u64::from(self.inverse)) >> (45 - self.up);
-        let part = (t * t * ((3 << 16) - 2 * t)) >> 32;
-        (toward, share(light, part as i32))
-    }
-}
-
+/// How a lamp that shines from a point lights a matte surface.
 macro_rules! lighting {
     ($($Lamp:ident)+) => {$(
         impl Lighting for $Lamp {

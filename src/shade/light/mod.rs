@@ -6,7 +6,9 @@
 mod colored;
 mod illumination;
 mod lamp;
+mod point;
 mod shiny;
+mod spot;
 mod sun;
 mod together;
 mod two_sided;
@@ -14,8 +16,10 @@ mod viewer;
 
 pub use colored::Colored;
 pub use illumination::{Gloss, Glossy, Illumination, Matte, Rgb, Tint, White};
-pub use lamp::{Falloff, PointLight, SpotLight};
-pub use shiny::{Lamp, Shiny};
+pub use lamp::Lamp;
+pub use point::{Falloff, PointLight};
+pub use shiny::Shiny;
+pub use spot::SpotLight;
 pub use sun::Light;
 pub use two_sided::TwoSided;
 pub use viewer::Viewer;

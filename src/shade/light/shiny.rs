@@ -1,49 +1,7 @@
 //! Highlights.
 
 use super::colored::share;
-use super::{Glossy, Illumination, Lighting, SurfacePoint, Viewer, White, brightness};
-use crate::math::Direction;
-use crate::{Error, Scalar};
-
-/// A light that comes from one place or direction, and so can make highlights: [`Light`](super::Light),
-/// [`PointLight`](super::PointLight) and [`SpotLight`](super::SpotLight).
-pub trait Lamp: Lighting {
-    /// The direction from a point toward the light, and the strength of the light at the point: 65,536 is full
-    /// brightness. The direction is [`Direction::NONE`] if no light reaches the point.
-    fn ray(&self, point: &SurfacePoint) -> (Direction, i32);
-
-    /// The light on a matte surface, in units of 2⁻¹⁶, by Lambert's law: the strength of the light at a point times the
-    /// cosine of the angle at which it meets the surface.
-    #[inline]
-    fn diffuse(&self, point: &SurfacePoint) -> i32 {
-        let (toward, light) = self.ray(point);
-        share(light, point.normal.dot(toward).max(0) >> 14)
-    }
-
-    /// The light that comes from all sides, in units of 2⁻¹⁶.
-    #[inline]
-    fn ambient(&self) -> i32 {
-        0
-    }
-
-    /// Adds a highlight (Blinn–Phong) as the `viewer` sees it: `strength` · (n·h)^`exponent` of white, times the
-    /// strength of the light at the point. n is the normal and h the direction halfway between light and viewer.
-    ///
-    /// An exponent of 8 makes a wide highlight, an exponent of 100 a small one. Highlights are computed at the corners
-    /// and interpolated, so a mesh must be fine enough to show them.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Brightness`] if `strength` is not between 0 and 1.
-    fn shiny(self, viewer: Viewer, exponent: u8, strength: Scalar) -> Result<Shiny<Self>, Error> {
-        Ok(Shiny {
-            lamp: self,
-            viewer,
-            exponent,
-            strength: brightness(strength)?,
-        })
-    }
-}
+use super::{Glossy, Illumination, Lamp, Lighting, SurfacePoint, Viewer, White};
 
 /// A light that makes highlights; see [`Lamp::shiny`].
 ///
@@ -81,11 +39,11 @@ pub trait Lamp: Lighting {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Shiny<L> {
-    lamp: L,
-    viewer: Viewer,
-    exponent: u8,
+    pub(super) lamp: L,
+    pub(super) viewer: Viewer,
+    pub(super) exponent: u8,
     /// In units of 2⁻¹⁶.
-    strength: i32,
+    pub(super) strength: i32,
 }
 
 impl<L: Lamp> Lighting for Shiny<L> {

@@ -152,8 +152,8 @@ impl Projection<Perspective> {
     /// ```
     #[must_use]
     pub fn vanishing_point(&self, direction: Vec3) -> Option<[Scalar; 2]> {
-        let at = |v| on_plane(self.near, v, direction.z);
-        Some([at(direction.x)?, at(direction.y)?])
+        let at = |v| block::divide(bits(self.near) * bits(v), -bits(direction.z));
+        Some([at(direction.x)?, at(direction.y)?].map(Scalar::from_bits))
     }
 
     /// Returns the image on the near plane of a point in eye space: (−n·x/z, −n·y/z), rounded to
@@ -168,9 +168,4 @@ impl Projection<Perspective> {
             None
         }
     }
-}
-
-/// −near · value / z, rounded to nearest, half away from zero.
-fn on_plane(near: Scalar, value: Scalar, z: Scalar) -> Option<Scalar> {
-    block::divide(bits(near) * bits(value), -bits(z)).map(Scalar::from_bits)
 }

@@ -1,13 +1,11 @@
 //! The mesh: borrowed slices, usually in flash, checked once.
 
-use core::ops::Range;
-
 use embedded_graphics::pixelcolor::Rgb888;
 
 use super::attribute::Attribute;
 use super::buffers::Counts;
-use super::positions::{self, Positions};
-use crate::error::{check_count, check_length, ok};
+use super::positions::Positions;
+use crate::error::{check_count, ok};
 use crate::{Error, Vec2, Vec3, message};
 
 /// An index into a mesh's positions or attributes: a corner of a triangle or an end of an edge.
@@ -40,24 +38,12 @@ pub type Index = u16;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Mesh<'a> {
-    positions: Positions<'a>,
-    faces: &'a [[Index; 3]],
-    edges: &'a [[Index; 2]],
+    pub(super) positions: Positions<'a>,
+    pub(super) faces: &'a [[Index; 3]],
+    pub(super) edges: &'a [[Index; 2]],
     pub(super) uvs: Attribute<'a, Vec2>,
     pub(super) normals: Attribute<'a, Vec3>,
     pub(super) colors: Attribute<'a, Rgb888>,
-}
-
-/// The primitive being drawn: its index in the mesh's list of faces, and its vertices.
-///
-/// An edge or a point has no face, so attributes with faces of their own have no value for it. Its last index is
-/// repeated.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Element {
-    /// The triangle's index among the faces; `None` for an edge or a point.
-    pub(crate) face: Option<usize>,
-    /// Indices of the three positions.
-    pub(crate) indices: [Index; 3],
 }
 
 /// Checks that every index of `lists` is below `len` or equal to `exception`.
@@ -151,43 +137,7 @@ impl<'a> Mesh<'a> {
         Self::of(positions, faces)
     }
 
-    /// The mesh's positions rounded to the nearest 16-bit components, and their number of fraction bits, for
-    /// [`short`](Self::short). It uses as many fraction bits as the largest component permits, at most 16.
-    ///
-    /// ```
-    /// use fixel::prelude::*;
-    /// let positions = [vec3!(0, 0, 0), vec3!(1.7, 0, 0), vec3!(0, -1, 0)];
-    /// let mesh = Mesh::new(&positions, &[[0, 1, 2]])?;
-    /// let (short, fraction) = mesh.shortened::<3>()?;
-    /// assert_eq!((short[2], fraction), ([0, -1 << 14, 0], 14));
-    /// assert!(Mesh::short(&short, fraction, mesh.faces()).is_ok());
-    /// # Ok::<(), Error>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Length`] unless the mesh has exactly `N` positions.
-    pub const fn shortened<const N: usize>(&self) -> Result<([[i16; 3]; N], u32), Error> {
-        ok!(check_length(N, self.positions.len()));
-        let fraction = positions::finest(self.positions);
-        let mut short = [[0; 3]; N];
-        let mut at = 0;
-        while let Some(position) = self.positions.get(at) {
-            let [x, y, z] = position.to_bits();
-            short[at] = [
-                positions::rounded(x, fraction),
-                positions::rounded(y, fraction),
-                positions::rounded(z, fraction),
-            ];
-            at += 1;
-        }
-        Ok((short, fraction))
-    }
-
-    pub(super) const fn of(
-        positions: Positions<'a>,
-        faces: &'a [[Index; 3]],
-    ) -> Result<Self, Error> {
+    const fn of(positions: Positions<'a>, faces: &'a [[Index; 3]]) -> Result<Self, Error> {
         ok!(check_count(positions.len(), Self::MAX_POSITIONS));
         ok!(check(faces, positions.len(), None));
         Ok(Self {
@@ -211,18 +161,9 @@ impl<'a> Mesh<'a> {
             positions: Positions::long(positions),
             faces,
             edges: &[],
-            uvs: Attribute {
-                values: uvs,
-                faces: None,
-            },
-            normals: Attribute {
-                values: normals,
-                faces: None,
-            },
-            colors: Attribute {
-                values: colors,
-                faces: None,
-            },
+            uvs: Attribute::of_positions(uvs),
+            normals: Attribute::of_positions(normals),
+            colors: Attribute::of_positions(colors),
         }
     }
 
@@ -246,50 +187,6 @@ impl<'a> Mesh<'a> {
         Ok(Self { edges, ..self })
     }
 
-    /// Adds texture coordinates: one per position, or, with `faces`, any number and three indices per triangle.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Length`] if the number of values is not the number of positions or, with `faces`, if `faces` does not
-    /// have one entry per triangle; [`Error::Index`] if an entry names a value that does not exist.
-    pub const fn with_uvs(
-        self,
-        values: &'a [Vec2],
-        faces: Option<&'a [[Index; 3]]>,
-    ) -> Result<Self, Error> {
-        let uvs = ok!(self.attribute(values, faces));
-        Ok(Self { uvs, ..self })
-    }
-
-    /// Adds normals in model space, of any length: one per position, or, with `faces`, any number and three indices
-    /// per triangle.
-    ///
-    /// # Errors
-    ///
-    /// As for [`with_uvs`](Self::with_uvs).
-    pub const fn with_normals(
-        self,
-        values: &'a [Vec3],
-        faces: Option<&'a [[Index; 3]]>,
-    ) -> Result<Self, Error> {
-        let normals = ok!(self.attribute(values, faces));
-        Ok(Self { normals, ..self })
-    }
-
-    /// Adds colors: one per position, or, with `faces`, any number and three indices per triangle.
-    ///
-    /// # Errors
-    ///
-    /// As for [`with_uvs`](Self::with_uvs).
-    pub const fn with_colors(
-        self,
-        values: &'a [Rgb888],
-        faces: Option<&'a [[Index; 3]]>,
-    ) -> Result<Self, Error> {
-        let colors = ok!(self.attribute(values, faces));
-        Ok(Self { colors, ..self })
-    }
-
     /// Adds edges and attributes. A list without elements adds nothing.
     #[doc(hidden)]
     pub const fn with_lists(
@@ -307,35 +204,6 @@ impl<'a> Mesh<'a> {
         })
     }
 
-    /// An attribute; one without values if there are none. If `faces` is empty, values belong to the positions.
-    pub(super) const fn listed<T>(
-        &self,
-        values: &'a [T],
-        faces: &'a [[Index; 3]],
-    ) -> Result<Attribute<'a, T>, Error> {
-        if values.is_empty() {
-            return Ok(Attribute::NONE);
-        }
-        let faces = if faces.is_empty() { None } else { Some(faces) };
-        self.attribute(values, faces)
-    }
-
-    const fn attribute<T>(
-        &self,
-        values: &'a [T],
-        faces: Option<&'a [[Index; 3]]>,
-    ) -> Result<Attribute<'a, T>, Error> {
-        let (given, needed) = match faces {
-            None => (values.len(), self.positions.len()),
-            Some(faces) => (faces.len(), self.faces.len()),
-        };
-        ok!(check_length(given, needed));
-        if let Some(faces) = faces {
-            ok!(check(faces, values.len(), Some(Self::NO_VALUE)));
-        }
-        Ok(Attribute { values, faces })
-    }
-
     /// The mesh without its edges. A `static` of the result takes no flash for them.
     ///
     /// [`shape!`](crate::shape) and [`include_obj!`](crate::include_obj) make all lists, and those that a `static`
@@ -349,32 +217,6 @@ impl<'a> Mesh<'a> {
     #[must_use]
     pub const fn without_edges(self) -> Self {
         Self { edges: &[], ..self }
-    }
-
-    /// The mesh without its texture coordinates; see [`without_edges`](Self::without_edges).
-    #[must_use]
-    pub const fn without_uvs(self) -> Self {
-        let uvs = Attribute::NONE;
-        Self { uvs, ..self }
-    }
-
-    /// The mesh without its normals; see [`without_edges`](Self::without_edges). Light then falls on flat faces.
-    #[must_use]
-    pub const fn without_normals(self) -> Self {
-        let normals = Attribute::NONE;
-        Self { normals, ..self }
-    }
-
-    /// The mesh without its colors; see [`without_edges`](Self::without_edges).
-    #[must_use]
-    pub const fn without_colors(self) -> Self {
-        let colors = Attribute::NONE;
-        Self { colors, ..self }
-    }
-
-    /// The mesh with other positions, as many as it has.
-    pub(super) const fn with_positions(self, positions: Positions<'a>) -> Self {
-        Self { positions, ..self }
     }
 
     /// How many elements each list has.
@@ -414,53 +256,6 @@ impl<'a> Mesh<'a> {
     #[must_use]
     pub const fn edges(&self) -> &'a [[Index; 2]] {
         self.edges
-    }
-
-    /// The mesh reduced to a range of its triangles; a range beyond the end is cut. It keeps all positions and
-    /// attributes, drops the edges, and needs no new check.
-    ///
-    /// ```
-    /// use fixel::prelude::*;
-    /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
-    /// // Two of twelve triangles.
-    /// assert_eq!(BOX.part(4..6).faces().len(), 2);
-    /// assert_eq!(BOX.part(11..99).faces(), &BOX.faces()[11..]);
-    /// ```
-    #[must_use]
-    pub fn part(&self, faces: Range<usize>) -> Self {
-        let range = self.part_range(&faces);
-        Self {
-            faces: self.faces.get(range.clone()).unwrap_or_default(),
-            edges: &[],
-            uvs: self.uvs.part(&range),
-            normals: self.normals.part(&range),
-            colors: self.colors.part(&range),
-            ..*self
-        }
-    }
-
-    /// A range of triangles, cut at the end of the list.
-    pub(super) fn part_range(&self, faces: &Range<usize>) -> Range<usize> {
-        let end = faces.end.min(self.faces.len());
-        faces.start.min(end)..end
-    }
-
-    /// Whether there are texture coordinates.
-    #[must_use]
-    pub const fn has_uvs(&self) -> bool {
-        !self.uvs.values.is_empty()
-    }
-
-    /// Whether there are normals.
-    #[must_use]
-    pub const fn has_normals(&self) -> bool {
-        !self.normals.values.is_empty()
-    }
-
-    /// Whether there are colors.
-    #[must_use]
-    pub const fn has_colors(&self) -> bool {
-        !self.colors.values.is_empty()
     }
 
     /// The position at `index`; the origin for an index that no checked list holds.

@@ -1,0 +1,95 @@
+//! What a draw call knows of a mesh besides its data: where it stands, and what a shader missed.
+
+use core::cell::{Cell, OnceCell};
+
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+
+use crate::math::{Direction, NormalMatrix, Transform};
+use crate::{Vec2, Vec3};
+
+/// Where a draw call places a model, and which attributes its shader missed.
+#[derive(Clone, Debug)]
+pub(crate) struct Placement<'a> {
+    /// From model to world space.
+    pub(super) model: &'a Transform,
+    /// From model to eye space.
+    pub(super) view: Transform,
+    /// Computed when a shader asks for the first normal.
+    normals: OnceCell<NormalMatrix>,
+    missing: Cell<Missing>,
+}
+
+/// The attributes that a shader asked for and the mesh lacks; a draw call returns it.
+///
+/// Without texture coordinates, a mesh shows a single texel everywhere; without colors, it is white. Neither is an
+/// error, because both may be intended.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use fixel::prelude::*;
+/// static SKIN: TextureArray<Gray8, 2, 1> = TextureArray::gray8(&[10, 20]);
+/// let positions = [vec3!(-1, -1, -2), vec3!(1, -1, -2), vec3!(0, 1, -2)];
+/// let bare = Mesh::new(&positions, &[[0, 1, 2]])?;
+/// let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.1), fx!(100))?;
+/// let mut pixels = [Gray8::new(0); 12];
+/// let mut canvas = Canvas::new(&mut pixels, 4, 3)?;
+/// let drawn = canvas.draw(&bare, &projection, &Textured::new(&SKIN));
+/// assert!(drawn.missing.uvs);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub struct Missing {
+    /// Texture coordinates; (0, 0) was used instead.
+    pub uvs: bool,
+    /// Colors; white was used instead.
+    pub colors: bool,
+}
+
+impl<'a> Placement<'a> {
+    #[inline]
+    pub(crate) fn new(model: &'a Transform, view: Transform) -> Self {
+        Self {
+            model,
+            view,
+            normals: OnceCell::new(),
+            missing: Cell::default(),
+        }
+    }
+
+    /// The direction in world space of a normal in model space.
+    pub(super) fn direction(&self, normal: Vec3) -> Direction {
+        // Not `get_or_init`, which has a panic path for reentrant initialization.
+        if let Some(matrix) = self.normals.get() {
+            return matrix.direction(normal);
+        }
+        let matrix = NormalMatrix::of(self.model);
+        let _ = self.normals.set(matrix);
+        matrix.direction(normal)
+    }
+
+    /// The attributes that shaders asked for and the mesh lacks.
+    #[inline]
+    pub(crate) fn missing(&self) -> Missing {
+        self.missing.get()
+    }
+
+    #[cold]
+    pub(super) fn lacks_uvs(&self) -> Vec2 {
+        self.missing.set(Missing {
+            uvs: true,
+            ..self.missing.get()
+        });
+        Vec2::default()
+    }
+
+    #[cold]
+    pub(super) fn lacks_colors(&self) -> Rgb888 {
+        self.missing.set(Missing {
+            colors: true,
+            ..self.missing.get()
+        });
+        Rgb888::WHITE
+    }
+}

@@ -1,0 +1,115 @@
+//! Light in a cone.
+
+use super::colored::share;
+use super::{Falloff, Lamp, PointLight, SurfacePoint};
+use crate::math::Direction;
+use crate::num::reciprocal;
+use crate::{Angle, Error, Scalar, Vec3};
+
+/// White light from a point in world space, in a cone: a lamp like [`PointLight`] that shines in one direction.
+///
+#[cfg_attr(doc, doc = page_picture!("spot_light", "A floor and a ball in a cone of light"))]
+/// Let θ be the angle between the cone's axis and the direction from the lamp to a surface. Up to the inner angle, the
+/// light equals the point light's; from the outer angle on, there is none. Between them, the point light is multiplied
+/// by t²(3 − 2t), where t = (cos θ − cos outer) / (cos inner − cos outer), so that it falls smoothly.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
+/// use fixel::prelude::*;
+/// use fixel::shade::SpotLight;
+/// static FLOOR: Mesh = shape!(plane(16, 16));
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
+/// let mut pixels = [Gray4::BLACK; 64];
+/// let mut canvas = Canvas::new(&mut pixels, 8, 8)?;
+/// let spot = SpotLight::new(vec3!(0, 1, 0), vec3!(0, -1, 0), (deg!(20), deg!(40)), fx!(1), fx!(3))?;
+/// canvas.draw(&FLOOR, &mvp, &Flat::new(Gray4::WHITE).lit(spot));
+/// let mut display = MockDisplay::new();
+/// canvas.show(&mut display)?;
+/// display.assert_pattern(&[
+///     "00000000",
+///     "00244100",
+///     "017BA810",
+///     "04BBCA40",
+///     "04ACBB30",
+///     "018AB720",
+///     "00143100",
+///     "00000000",
+/// ]);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SpotLight {
+    lamp: PointLight,
+    axis: Direction,
+    /// The cosine of the outer angle, in units of 2⁻³⁰.
+    outer: i32,
+    /// The difference of the cosines, in units of 2⁻³⁰: 1 to 2³⁰.
+    edge: i32,
+    /// 2⁶¹ / (`edge` · 2^`up`), from 2³⁰ to 2³¹; the divisor has 31 bits.
+    inverse: u32,
+    up: u32,
+}
+
+impl SpotLight {
+    /// A lamp at `position` that shines along `axis`, both in world space, with an inner and an outer angle, both
+    /// measured from the axis. Brightness and range have the same meaning as in [`PointLight::new`].
+    ///
+    /// # Errors
+    ///
+    /// Those of [`PointLight::new`]; [`Error::ZeroDirection`] if `axis` is zero; [`Error::Cone`] unless
+    /// 0 ≤ inner < outer ≤ 90 degrees.
+    pub fn new(
+        position: Vec3,
+        axis: Vec3,
+        (inner, outer): (Angle, Angle),
+        brightness: Scalar,
+        range: Scalar,
+    ) -> Result<Self, Error> {
+        let lamp = PointLight::new(position, brightness, range)?;
+        let axis = Direction::of(axis);
+        if axis == Direction::NONE {
+            return Err(Error::ZeroDirection);
+        }
+        if inner.to_bits() >= outer.to_bits() || outer.to_bits() > Angle::QUARTER.to_bits() {
+            return Err(Error::Cone { inner, outer });
+        }
+        let [most, least] = [inner, outer].map(|angle| angle.cos().to_bits());
+        // Angles that differ by little may have the same cosine.
+        let edge = (most - least).max(1);
+        let up = edge.leading_zeros() - 1;
+        Ok(Self {
+            lamp,
+            axis,
+            outer: least,
+            edge,
+            inverse: reciprocal(edge.cast_unsigned() << up),
+            up,
+        })
+    }
+
+    /// The same lamp with another falloff.
+    #[must_use]
+    pub const fn with_falloff(self, falloff: Falloff) -> Self {
+        Self {
+            lamp: self.lamp.with_falloff(falloff),
+            ..self
+        }
+    }
+}
+
+impl Lamp for SpotLight {
+    fn ray(&self, point: &SurfacePoint) -> (Direction, i32) {
+        let (toward, light) = self.lamp.ray(point);
+        let inside = -self.axis.dot(toward) - self.outer;
+        if light == 0 || inside <= 0 {
+            return (toward, 0);
+        }
+        // Products of 30 and 31 bits; t is in units of 2^-16, t² (3 − 2t) in units of 2^-48.
+        let inside = u64::from(inside.min(self.edge).cast_unsigned());
+        let t = (inside * u64::from(self.inverse)) >> (45 - self.up);
+        let part = (t * t * ((3 << 16) - 2 * t)) >> 32;
+        (toward, share(light, part as i32))
+    }
+}
