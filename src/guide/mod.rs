@@ -30,8 +30,8 @@ macro_rules! picture {
     };
 }
 
-/// A scene of the cookbook: its title, its picture and its program, which is compiled as it stands: in a hidden module,
-/// because rustdoc compiles every program that begins with `//!` on its own, which takes seconds.
+/// A scene of the cookbook: its title, its picture and its program, which the tests compile as it stands. A hidden module
+/// holds the program. Without it, the program would begin with `//!`, and rustdoc compiles each such program on its own.
 macro_rules! recipe {
     ($title:literal, $name:literal $(, $attribute:literal)?) => {
         concat!(

@@ -50,7 +50,7 @@ pub(crate) const fn product(a: i32, b: i32) -> i64 {
 #[inline]
 pub(crate) const fn product_to_31_bits(a: i32, b: u32) -> i64 {
     if IS_NARROW {
-        // 2^31 has no positive signed number, but a negative one.
+        // As an `i32`, 2^31 fits only with a minus sign.
         -narrow_product(a, b.wrapping_neg().cast_signed())
     } else {
         a as i64 * b as i64

@@ -54,11 +54,12 @@ pub struct Fog<C, D = Linear> {
 /// # Ok::<(), Error>(())
 /// ```
 pub trait Density: Copy + Sealed {
-    /// What is interpolated: linear in the distance.
+    /// The number that is interpolated, which is linear in the distance.
     #[doc(hidden)]
     fn varying(&self, distance: Scalar, weight_bits: u32) -> i32;
 
-    /// What is left of the surface, in units of 2^-`weight_bits`, rounded to nearest: 0 to 2^`weight_bits`.
+    /// The part of the surface that fog leaves, from 0 to 2^`weight_bits` in units of 2^-`weight_bits`, rounded to
+    /// nearest.
     #[doc(hidden)]
     fn weight(varying: i32, weight_bits: u32) -> u32;
 }

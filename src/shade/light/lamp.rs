@@ -12,7 +12,7 @@ use crate::{Error, Scalar};
 /// [`PointLight`] and [`SpotLight`].
 pub trait Lamp: Lighting {
     /// The direction from a point toward the light, and the strength of the light at the point: 65,536 is full
-    /// brightness. The direction is [`Direction::NONE`] if no light reaches the point.
+    /// brightness. Where no light reaches the point, the strength is 0, and the direction may be [`Direction::NONE`].
     fn ray(&self, point: &SurfacePoint) -> (Direction, i32);
 
     /// The light on a matte surface, in units of 2⁻¹⁶, by Lambert's law: the strength of the light at a point times the

@@ -38,8 +38,9 @@ pub struct Light {
     /// The vector toward the light, as long as the diffuse brightness, in units of 2⁻³⁰: a matte white surface needs no
     /// more.
     direction: [i32; 3],
+    /// The unit vector toward the light.
     toward: Direction,
-    /// In units of 2⁻¹⁶.
+    /// The diffuse brightness, in units of 2⁻¹⁶.
     diffuse: i32,
     /// In units of 2⁻¹⁶.
     ambient: i32,

@@ -318,7 +318,7 @@ fn concave_polygons_are_filled_within() {
     }
 }
 
-/// The model is a cone. It has so many triangles that it would take minutes to compare every pair of them.
+/// The model is a cone of many triangles. To compare every pair of them would take minutes.
 #[test]
 fn many_faces_around_a_point_take_linear_time() {
     let directory = directory("cone");
