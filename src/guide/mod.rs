@@ -30,8 +30,9 @@ macro_rules! picture {
     };
 }
 
-/// A scene of the cookbook: its title, its picture and its program, which the tests compile as it stands. A hidden module
-/// holds the program. Without it, the program would begin with `//!`, and rustdoc compiles each such program on its own.
+/// A scene of the cookbook: its title, its picture and its program, which the tests compile as it stands. A hidden
+/// module holds the program. Without it, the program would begin with `//!`, and rustdoc compiles each such program on
+/// its own.
 macro_rules! recipe {
     ($title:literal, $name:literal $(, $attribute:literal)?) => {
         concat!(
