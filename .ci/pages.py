@@ -306,7 +306,7 @@ def places(instructions, other):
          "Cortex-M4; on a Cortex-M0+, it takes {} and {} more", [
              whole(kernel(name, (target, "3")) - kernel("mono-native", (target, "3")))
              for target in [M4, M0] for name in ["mono-pages", "mono-packed"]])
-    says("src/pipeline/mod.rs", "On a Cortex-M4 the test takes {} instructions",
+    says("src/pipeline/on_screen.rs", "On a Cortex-M4 the test takes {} instructions",
          [whole(round(kernel("in-view", (M4, "3")), -2))])
     unpacked = kernel("lit-quantized", (M4, "3")) - kernel("lit", (M4, "3"))
     says("src/mesh/quantized.rs", "for normals, this takes {} instructions on Cortex-M4", [whole(round(unpacked, -1))])
@@ -318,7 +318,7 @@ def places(instructions, other):
         ("the same in a sea, which crosses the island", "lighthouse"),
     ]:
         wrong = other[f"painter {scene} wrong"]
-        says("src/pipeline/list.rs", f"| {label} | {'{} %' if wrong else '0'} | {{}} KiB | {{}} | {{}} |", [
+        says("src/pipeline/list/triangles.rs", f"| {label} | {'{} %' if wrong else '0'} | {{}} KiB | {{}} | {{}} |", [
             *([f"{wrong:.2f}"] if wrong else []), tenths(other[f"painter {scene} list"] / 1024),
             *(million(other[f"painter {scene} {way}"]) for way in ["depth", "sorted"])])
     return said, held

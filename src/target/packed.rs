@@ -8,7 +8,7 @@ use embedded_graphics::pixelcolor::raw::{RawData, RawU1, RawU2, RawU4};
 use embedded_graphics::pixelcolor::{BinaryColor, PixelColor};
 
 use super::depth::first;
-use super::storage::{RowMajor, RowSpan, Storage};
+use super::storage::{RowSpan, Storage};
 use crate::sealed::sealed;
 
 /// A [`Storage`] with 8, 4 or 2 pixels in a byte, side by side: [`BinaryColor`], `Gray2`, `Gray4`, or a color of your own
@@ -244,3 +244,47 @@ impl Storage<BinaryColor> for Pages {
         })
     }
 }
+
+/// The colors of a canvas, row by row; `color` gets a pixel's column and row, and the size.
+struct RowMajor<F> {
+    size: [u32; 2],
+    at: [u32; 2],
+    color: F,
+}
+
+impl<F> RowMajor<F> {
+    const fn new(size: [u32; 2], color: F) -> Self {
+        Self {
+            size,
+            at: [0; 2],
+            color,
+        }
+    }
+}
+
+impl<C, F: Fn([u32; 2], [u32; 2]) -> C> Iterator for RowMajor<F> {
+    type Item = C;
+
+    #[inline]
+    fn next(&mut self) -> Option<C> {
+        let ([x, y], [width, height]) = (self.at, self.size);
+        if y >= height {
+            return None;
+        }
+        self.at = if x + 1 < width {
+            [x + 1, y]
+        } else {
+            [0, y + 1]
+        };
+        Some((self.color)([x, y], self.size))
+    }
+
+    #[inline]
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let ([x, y], [width, height]) = (self.at, self.size);
+        let left = ((height - y) * width - x) as usize;
+        (left, Some(left))
+    }
+}
+
+impl<C, F: Fn([u32; 2], [u32; 2]) -> C> ExactSizeIterator for RowMajor<F> {}

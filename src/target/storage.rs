@@ -111,50 +111,6 @@ impl RowSpan {
     }
 }
 
-/// The colors of a canvas, row by row; `color` gets a pixel's column and row, and the size.
-pub(super) struct RowMajor<F> {
-    size: [u32; 2],
-    at: [u32; 2],
-    color: F,
-}
-
-impl<F> RowMajor<F> {
-    pub(super) const fn new(size: [u32; 2], color: F) -> Self {
-        Self {
-            size,
-            at: [0; 2],
-            color,
-        }
-    }
-}
-
-impl<C, F: Fn([u32; 2], [u32; 2]) -> C> Iterator for RowMajor<F> {
-    type Item = C;
-
-    #[inline]
-    fn next(&mut self) -> Option<C> {
-        let ([x, y], [width, height]) = (self.at, self.size);
-        if y >= height {
-            return None;
-        }
-        self.at = if x + 1 < width {
-            [x + 1, y]
-        } else {
-            [0, y + 1]
-        };
-        Some((self.color)([x, y], self.size))
-    }
-
-    #[inline]
-    fn size_hint(&self) -> (usize, Option<usize>) {
-        let ([x, y], [width, height]) = (self.at, self.size);
-        let left = ((height - y) * width - x) as usize;
-        (left, Some(left))
-    }
-}
-
-impl<C, F: Fn([u32; 2], [u32; 2]) -> C> ExactSizeIterator for RowMajor<F> {}
-
 /// The layout of a storage in which each cell is a pixel.
 macro_rules! cells_are_pixels {
     ($cell:ty) => {

@@ -2,7 +2,8 @@
 
 use core::ops::Range;
 
-use super::{Corners, Entry, Slot};
+use super::Slot;
+use super::triangles::{Corners, Entry};
 use crate::raster::{DepthShift, first_center};
 
 /// Sorts a mesh's triangles back to front: by their farthest corners and, where these are equally far, by their faces'

@@ -5,7 +5,8 @@ use core::ops::Range;
 
 use embedded_graphics::geometry::Size;
 
-use super::{Corners, Entry, Needed, Prepared, PreparedCall, Slot, TriangleList, fill, painter};
+use super::triangles::{Corners, Entry, fill};
+use super::{Needed, Prepared, PreparedCall, Slot, TriangleList, painter};
 use crate::mesh::{Mesh, Outline};
 use crate::pipeline::DrawOptions;
 use crate::pipeline::call::{Call, Screen};
