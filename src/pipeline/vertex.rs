@@ -323,18 +323,22 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     /// Whether a box is certain to have no point in the scissor, nor within a pixel of it.
     #[inline(never)]
     pub(super) fn misses(&self, bounds: &Bounds, scissor: &Scissor) -> bool {
-        // Three coefficients are rounded down by up to 1½, and multiplied by 31 bits; offsets add far less.
-        const MARGIN: i64 = 5 << 31;
         let (least, most) = (bounds.least.to_bits(), bounds.most.to_bits());
+        // A plane's coefficients are rounded down twice, by up to half a unit each time, and multiplied by a corner. Its
+        // offset is rounded by one before it is multiplied by at most 2^19, and both are halved.
+        let mut error: i64 = 1 << 19;
+        for (least, most) in least.iter().zip(&most) {
+            error += i64::from(least.unsigned_abs().max(most.unsigned_abs()));
+        }
         // Whether even the corner that lies farthest in the direction of a plane's inside is outside it. Coefficients
         // take 30 bits, so that the sum takes 63.
         let is_outside = |plane: [i32; 3], offset: i64| {
-            let mut farthest = offset >> 1;
+            let mut farthest = (offset >> 1) + error;
             for (c, (&least, &most)) in plane.iter().zip(least.iter().zip(&most)) {
                 let c = c >> 1;
                 farthest += product(c, if c < 0 { least } else { most });
             }
-            farthest < -MARGIN
+            farthest < 0
         };
         let [t, x, y] = &self.rows.map(|row| row.whole());
         let [t_offset, x_offset, y_offset] = self.offsets;

@@ -13,12 +13,13 @@ use crate::reference::projection::{self, Lens};
 use crate::reference::view::{View, Viewport as ModelViewport};
 
 const SIZE: (u32, u32) = (64, 48);
-/// A box this many pixels outside the view must count as out of view: one is for the pixel around the view, the other
-/// for rounding. Coefficients of 29 bits have errors of up to 1½ units, times positions of up to 2^15: with the longest
-/// focal length and the largest scale here, up to 3½ pixels at a distance of 1. So a distance below 4 counts as 4.
-const PIXELS: f64 = 2.;
+/// A box this many pixels outside the view must count as out of view: one is for the pixel around the view, the rest for
+/// rounding. Four moves have a relative error of 2.7e-8 (`relative`), times at most 120 from the eye and 2,048 pixels,
+/// half the guard band. Coefficients of at most 3 are rounded to 27 bits, times at most 24 for the three coordinates of a
+/// corner. Together that is below 0.01 pixel at a distance of 1, so that a distance below 1 counts as 1.
+const PIXELS: f64 = 1.01;
 /// A box this far beyond the near or the far plane must count as out of view, as a fraction of the plane's distance.
-const PART: f64 = 0.01;
+const PART: f64 = 0.0001;
 
 fn corners(bounds: &Bounds) -> [Vec3; 8] {
     let [a, b] = [bounds.least(), bounds.most()];
@@ -68,7 +69,7 @@ fn is_out(bounds: &Bounds, view: &View, [start, end]: [u32; 2]) -> bool {
     let lens = &view.projection;
     let half = [f64::from(SIZE.0) / 2., f64::from(SIZE.1) / 2.];
     let (rows, all) = ([f64::from(start), f64::from(end)], f64::from(SIZE.0));
-    let slack = |w: f64| PIXELS * w.abs().max(4.);
+    let slack = |w: f64| PIXELS * w.abs().max(1.);
     // x · half is w times the distance in pixels from the middle, rightwards; −y · half, downwards.
     let planes: [&dyn Fn(&crate::reference::view::Projected) -> bool; 6] = [
         &|p| p.clip[0] * half[0] < -half[0] * p.w - slack(p.w),
