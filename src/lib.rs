@@ -214,6 +214,10 @@
 #[cfg(test)]
 extern crate std;
 
+#[cfg(test)]
+#[path = "../tests/common/random.rs"]
+mod random;
+
 /// A diagram of the documentation, drawn in the color of the text so that it can be read in every theme.
 #[cfg(any(doc, doctest))]
 macro_rules! diagram {

@@ -170,7 +170,9 @@ impl Spin {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use proptest::prelude::*;
+    use rand::Rng;
+
+    use crate::random::{cases, list};
 
     /// The bits of an angle of milli · ms / 60,000,000 turns, computed in 128 bits.
     fn exact(milli: i32, ms: u64) -> u32 {
@@ -191,27 +193,34 @@ mod tests {
         });
     }
 
-    proptest! {
-        #[test]
-        fn angles_are_exact_at_any_time(milli in any::<i32>(), ms in any::<u64>()) {
-            prop_assert_eq!(Rate::milli_rpm(milli).angle_at(ms).to_bits(), exact(milli, ms));
-        }
+    #[test]
+    fn angles_are_exact_at_any_time() {
+        cases(256, |random| {
+            let (milli, ms) = random.random();
+            assert_eq!(
+                Rate::milli_rpm(milli).angle_at(ms).to_bits(),
+                exact(milli, ms)
+            );
+        });
+    }
 
-        #[test]
-        fn frames_do_not_drift(
-            milli in any::<i32>(),
-            frames in proptest::collection::vec(
-                prop_oneof![0_u64..100, any::<u32>().prop_map(u64::from)],
-                0..200,
-            ),
-        ) {
-            let rate = Rate::milli_rpm(milli);
+    #[test]
+    fn frames_do_not_drift() {
+        cases(256, |random| {
+            let rate = Rate::milli_rpm(random.random());
+            let frames = list(random, 0..200, |random| {
+                if random.random() {
+                    random.random_range(0..100)
+                } else {
+                    random.random::<u32>().into()
+                }
+            });
             let mut spin = rate.spin();
             let mut now = 0;
             for ms in frames {
                 now += ms;
-                prop_assert_eq!(spin.advance(ms), rate.angle_at(now));
+                assert_eq!(spin.advance(ms), rate.angle_at(now));
             }
-        }
+        });
     }
 }

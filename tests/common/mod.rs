@@ -4,6 +4,7 @@
 #![allow(dead_code)]
 
 pub mod meshes;
+pub mod random;
 pub mod recorder;
 
 use embedded_graphics::pixelcolor::Gray8;
