@@ -189,8 +189,9 @@ operators!(Vec2 of 2 TexCoord { x, y }, tex_coord, "({}, {})");
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::{Random, cases, number};
     use crate::{vec2, vec3};
-    use proptest::prelude::*;
+    use rand::Rng;
 
     /// The nearest value that 32 bits hold.
     fn saturated(value: i128) -> i32 {
@@ -198,15 +199,17 @@ mod tests {
     }
 
     /// Numbers of all sizes, and the ends of the format.
-    fn numbers() -> impl Strategy<Value = i32> {
-        prop_oneof![
-            (any::<i32>(), 0_u32..32).prop_map(|(v, cut)| v >> cut),
-            prop_oneof![Just(i32::MIN), Just(i32::MAX), Just(0), Just(1), Just(-1)],
-        ]
+    fn numbers(random: &mut Random) -> i32 {
+        let ends = [i32::MIN, i32::MAX, 0, 1, -1];
+        if random.random() {
+            number(random)
+        } else {
+            ends[random.random_range(0..5)]
+        }
     }
 
-    fn vectors() -> impl Strategy<Value = [i32; 3]> {
-        [numbers(), numbers(), numbers()]
+    fn vectors(random: &mut Random) -> [i32; 3] {
+        [(); 3].map(|()| numbers(random))
     }
 
     /// value · 2^16 / divisor in integers, half away from zero.
@@ -220,63 +223,88 @@ mod tests {
         saturated(magnitude * top.signum() * bottom.signum())
     }
 
-    proptest! {
-        #[test]
-        fn sums_saturate(a in vectors(), b in vectors()) {
+    #[test]
+    fn sums_saturate() {
+        cases(256, |random| {
+            let a = vectors(random);
+            let b = vectors(random);
             let (u, v) = (Vec3::from_bits(a), Vec3::from_bits(b));
             let [a, b] = [a, b].map(|v| v.map(i128::from));
             let (sum, difference) = ((u + v).to_bits(), (u - v).to_bits());
             for i in 0..3 {
-                prop_assert_eq!(sum[i], saturated(a[i] + b[i]));
-                prop_assert_eq!(difference[i], saturated(a[i] - b[i]));
-                prop_assert_eq!((-u).to_bits()[i], saturated(-a[i]));
-                prop_assert_eq!(u.min(v).to_bits()[i], saturated(a[i].min(b[i])));
-                prop_assert_eq!(u.max(v).to_bits()[i], saturated(a[i].max(b[i])));
+                assert_eq!(sum[i], saturated(a[i] + b[i]));
+                assert_eq!(difference[i], saturated(a[i] - b[i]));
+                assert_eq!((-u).to_bits()[i], saturated(-a[i]));
+                assert_eq!(u.min(v).to_bits()[i], saturated(a[i].min(b[i])));
+                assert_eq!(u.max(v).to_bits()[i], saturated(a[i].max(b[i])));
             }
-            prop_assert_eq!([u, v].iter().sum::<Vec3>(), u + v);
-            prop_assert_eq!([u, v, u].into_iter().sum::<Vec3>(), u + v + u);
-        }
+            assert_eq!([u, v].iter().sum::<Vec3>(), u + v);
+            assert_eq!([u, v, u].into_iter().sum::<Vec3>(), u + v + u);
+        });
+    }
 
-        #[test]
-        fn products_round_half_up(a in vectors(), k in numbers()) {
+    #[test]
+    fn products_round_half_up() {
+        cases(256, |random| {
+            let a = vectors(random);
+            let k = numbers(random);
             let expected = a.map(|v| saturated((i128::from(v) * i128::from(k) + (1 << 15)) >> 16));
             let (v, k) = (Vec3::from_bits(a), Scalar::from_bits(k));
-            prop_assert_eq!((v * k).to_bits(), expected);
-            prop_assert_eq!(k * v, v * k);
+            assert_eq!((v * k).to_bits(), expected);
+            assert_eq!(k * v, v * k);
             let uv = Vec2::from_bits([a[0], a[1]]);
-            prop_assert_eq!((uv * k).to_bits(), [expected[0], expected[1]]);
-            prop_assert_eq!(k * uv, uv * k);
-        }
+            assert_eq!((uv * k).to_bits(), [expected[0], expected[1]]);
+            assert_eq!(k * uv, uv * k);
+        });
+    }
 
-        #[test]
-        fn quotients_round_half_away_from_zero(a in vectors(), k in numbers()) {
+    #[test]
+    fn quotients_round_half_away_from_zero() {
+        cases(256, |random| {
+            let a = vectors(random);
+            let k = numbers(random);
             let expected = a.map(|v| quotient(v, k));
             let k = Scalar::from_bits(k);
-            prop_assert_eq!((Vec3::from_bits(a) / k).to_bits(), expected);
+            assert_eq!((Vec3::from_bits(a) / k).to_bits(), expected);
             let uv = Vec2::from_bits([a[0], a[1]]) / k;
-            prop_assert_eq!(uv.to_bits(), [expected[0], expected[1]]);
-        }
+            assert_eq!(uv.to_bits(), [expected[0], expected[1]]);
+        });
+    }
 
-        #[test]
-        fn interpolation_rounds_once(a in vectors(), b in vectors(), t in numbers()) {
-            let found = Vec3::from_bits(a).lerp(Vec3::from_bits(b), Scalar::from_bits(t)).to_bits();
+    #[test]
+    fn interpolation_rounds_once() {
+        cases(256, |random| {
+            let a = vectors(random);
+            let b = vectors(random);
+            let t = numbers(random);
+            let found = Vec3::from_bits(a)
+                .lerp(Vec3::from_bits(b), Scalar::from_bits(t))
+                .to_bits();
             for i in 0..3 {
                 let [from, to] = [a[i], b[i]].map(i128::from);
                 let exact = (from << 16) + (to - from) * i128::from(t);
-                prop_assert_eq!(found[i], saturated((exact + (1 << 15)) >> 16));
+                assert_eq!(found[i], saturated((exact + (1 << 15)) >> 16));
             }
-        }
+        });
+    }
 
-        #[test]
-        fn assignments_are_the_operators(a in vectors(), b in vectors(), k in numbers()) {
+    #[test]
+    fn assignments_are_the_operators() {
+        cases(256, |random| {
+            let a = vectors(random);
+            let b = vectors(random);
+            let k = numbers(random);
             let (u, v, k) = (Vec3::from_bits(a), Vec3::from_bits(b), Scalar::from_bits(k));
             let [mut sum, mut difference, mut product, mut quotient] = [u; 4];
             sum += v;
             difference -= v;
             product *= k;
             quotient /= k;
-            prop_assert_eq!([sum, difference, product, quotient], [u + v, u - v, u * k, u / k]);
-        }
+            assert_eq!(
+                [sum, difference, product, quotient],
+                [u + v, u - v, u * k, u / k]
+            );
+        });
     }
 
     #[test]

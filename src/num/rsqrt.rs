@@ -181,7 +181,7 @@ pub(crate) fn cross([ax, ay, az]: [i32; 3], [bx, by, bz]: [i32; 3]) -> [i64; 3] 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use proptest::prelude::*;
+    use crate::random::{cases, number};
 
     #[test]
     fn reciprocal_root_has_29_bits() {
@@ -236,24 +236,22 @@ mod tests {
         }
     }
 
-    fn vectors() -> impl Strategy<Value = [i32; 3]> {
-        (any::<[i32; 3]>(), [0_u32..32, 0..32, 0..32])
-            .prop_map(|(v, cut)| core::array::from_fn(|i| v[i] >> cut[i]))
-    }
-
-    proptest! {
-        #[test]
-        fn units_point_the_same_way(v in vectors()) {
+    #[test]
+    fn units_point_the_same_way() {
+        cases(256, |random| {
+            let v = [(); 3].map(|()| number(random));
             let real = v.map(f64::from);
             let length = real.iter().map(|x| x * x).sum::<f64>().sqrt();
             match unit(v.map(i64::from)) {
-                None => prop_assert_eq!(v, [0; 3]),
-                Some(unit) => for (u, x) in unit.into_iter().zip(real) {
-                    // Mantissas of 31 bits, a root of 29 bits, and rounding.
-                    let error = f64::from(u) / 1_073_741_824.0 - x / length;
-                    prop_assert!(error.abs() <= f64::from(-28).exp2(), "{:e}", error);
-                },
+                None => assert_eq!(v, [0; 3]),
+                Some(unit) => {
+                    for (u, x) in unit.into_iter().zip(real) {
+                        // Mantissas of 31 bits, a root of 29 bits, and rounding.
+                        let error = f64::from(u) / 1_073_741_824.0 - x / length;
+                        assert!(error.abs() <= f64::from(-28).exp2(), "{error:e}");
+                    }
+                }
             }
-        }
+        });
     }
 }

@@ -456,7 +456,8 @@ const fn of_halves(a: i32, b: i32) -> i64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use proptest::prelude::*;
+    use crate::random::cases;
+    use rand::Rng;
 
     #[test]
     fn products_of_halves_are_exact_at_the_ends() {
@@ -581,96 +582,143 @@ mod tests {
         }
     }
 
-    proptest! {
-        #[test]
-        fn narrow_dot_products_are_exact(
-            a in prop::array::uniform3(-(1 << 29)..=1 << 29),
-            b in any::<[i32; 3]>(),
-        ) {
-            let exact: i64 = a.iter().zip(b).map(|(&a, b)| i64::from(a) * i64::from(b)).sum();
-            prop_assert_eq!(narrow_dot(&a, &b), exact);
-            prop_assert_eq!(dot(&a, &b), exact);
-        }
+    #[test]
+    fn narrow_dot_products_are_exact() {
+        cases(256, |random| {
+            let a = [(); 3].map(|()| random.random_range(-(1 << 29)..=1 << 29));
+            let b = random.random::<[i32; 3]>();
+            let exact: i64 = a
+                .iter()
+                .zip(b)
+                .map(|(&a, b)| i64::from(a) * i64::from(b))
+                .sum();
+            assert_eq!(narrow_dot(&a, &b), exact);
+            assert_eq!(dot(&a, &b), exact);
+        });
+    }
 
-        #[test]
-        fn newton_steps_are_alike(q in 1_i32 << 29..=i32::MAX, part in -(1_i32 << 28)..=1 << 28, cut in 0..28) {
+    #[test]
+    fn newton_steps_are_alike() {
+        cases(256, |random| {
+            let q = random.random_range(1_i32 << 29..=i32::MAX);
+            let part = random.random_range(-(1_i32 << 28)..=1 << 28);
+            let cut = random.random_range(0..28);
             // The guess is off by up to a quarter.
             let r = (1_i64 << 60) / i64::from(q);
             let guess = (r + ((r * i64::from(part >> cut)) >> 30)).min(i32::MAX.into());
             let short = short_newton_step(q, guess as i32);
-            prop_assert_eq!(dsp_newton_step(q, guess as i32), short);
-            prop_assert_eq!(wide_newton_step(q.into(), guess), i64::from(short));
-        }
+            assert_eq!(dsp_newton_step(q, guess as i32), short);
+            assert_eq!(wide_newton_step(q.into(), guess), i64::from(short));
+        });
+    }
 
-        #[test]
-        fn narrow_products_with_17_bits_are_exact(a in any::<i32>(), b in 0_u32..=1 << 17, cut in 0_u32..17) {
+    #[test]
+    fn narrow_products_with_17_bits_are_exact() {
+        cases(256, |random| {
+            let a = random.random::<i32>();
+            let b = random.random_range(0_u32..=1 << 17);
+            let cut = random.random_range(0_u32..17);
             let b = b >> cut;
             // A product of 45 bits with its sign.
             let a = (i64::from(a) % ((1 << 44) / i64::from(b.max(1)))) as i32;
             let exact = (i64::from(a) * i64::from(b)) >> 14;
-            prop_assert_eq!(i64::from(times_17_bits(a, b)), exact);
-            prop_assert_eq!(i64::from(narrow_times_17_bits(a, b.cast_signed())), exact);
-        }
+            assert_eq!(i64::from(times_17_bits(a, b)), exact);
+            assert_eq!(i64::from(narrow_times_17_bits(a, b.cast_signed())), exact);
+        });
+    }
 
-        #[test]
-        fn narrow_products_with_16_bits_are_exact(a in any::<i32>(), b in any::<i16>()) {
+    #[test]
+    fn narrow_products_with_16_bits_are_exact() {
+        cases(256, |random| {
+            let a = random.random::<i32>();
+            let b = random.random::<i16>();
             let b = i32::from(b);
             let exact = (i64::from(a) * i64::from(b)) >> 16;
-            prop_assert_eq!(i64::from(times_half(a, b)), exact);
-            prop_assert_eq!(i64::from(narrow_times_half(a, b)), exact);
-        }
+            assert_eq!(i64::from(times_half(a, b)), exact);
+            assert_eq!(i64::from(narrow_times_half(a, b)), exact);
+        });
+    }
 
-        #[test]
-        fn dot_products_of_cut_rows_are_exact(
-            rows in prop::array::uniform3(prop::array::uniform3(-(1 << 29)..=1 << 29)),
-            position in any::<[i32; 3]>(),
-            down in 0..32,
-            up in 0_u32..=16,
-        ) {
+    #[test]
+    fn dot_products_of_cut_rows_are_exact() {
+        cases(256, |random| {
+            let rows =
+                [(); 3].map(|()| [(); 3].map(|()| random.random_range(-(1 << 29)..=1 << 29)));
+            let position = random.random::<[i32; 3]>();
+            let down = random.random_range(0..32);
+            let up = random.random_range(0_u32..=16);
             let position = position.map(|x| x >> down);
             let exact = WholeRow::add_dots(&rows.map(WholeRow::new), &position, [0; 3]);
-            prop_assert_eq!(CutRow::add_dots(&rows.map(CutRow::new), &position, [0; 3]), exact);
-            prop_assert_eq!(exact.map(|dot| up_by_halves(dot, up)), exact.map(|dot| dot << up));
-        }
+            assert_eq!(
+                CutRow::add_dots(&rows.map(CutRow::new), &position, [0; 3]),
+                exact
+            );
+            assert_eq!(
+                exact.map(|dot| up_by_halves(dot, up)),
+                exact.map(|dot| dot << up)
+            );
+        });
+    }
 
-        #[test]
-        fn quotients_are_rounded_down(
-            numerator in -(1_i32 << 20)..=1 << 20,
-            divisor in 1_i32..=1 << 20,
-            size in 0_u32..20,
-        ) {
+    #[test]
+    fn quotients_are_rounded_down() {
+        cases(256, |random| {
+            let numerator = random.random_range(-(1_i32 << 20)..=1 << 20);
+            let divisor = random.random_range(1_i32..=1 << 20);
+            let size = random.random_range(0_u32..20);
             let divisor = i32::max(divisor >> size, 1);
             let exact = (numerator.div_euclid(divisor), numerator.rem_euclid(divisor));
-            prop_assert_eq!(divide(numerator, divisor), exact);
-            prop_assert_eq!(narrow_divide(numerator, divisor), exact);
-        }
+            assert_eq!(divide(numerator, divisor), exact);
+            assert_eq!(narrow_divide(numerator, divisor), exact);
+        });
+    }
 
-        #[test]
-        fn products_to_31_bits_are_exact(a in any::<i32>(), b in prop_oneof![0..=1_u32 << 31, Just(1 << 31)]) {
+    #[test]
+    fn products_to_31_bits_are_exact() {
+        cases(256, |random| {
+            let a = random.random::<i32>();
+            let b = if random.random() {
+                1 << 31
+            } else {
+                random.random_range(0..=1_u32 << 31)
+            };
             let exact = i64::from(a) * i64::from(b);
-            prop_assert_eq!(product_to_31_bits(a, b), exact);
-            prop_assert_eq!(-narrow_product(a, b.wrapping_neg().cast_signed()), exact);
-        }
+            assert_eq!(product_to_31_bits(a, b), exact);
+            assert_eq!(-narrow_product(a, b.wrapping_neg().cast_signed()), exact);
+        });
+    }
 
-        #[test]
-        fn products_with_short_numbers_are_exact(a in any::<i64>(), b in any::<i16>()) {
+    #[test]
+    fn products_with_short_numbers_are_exact() {
+        cases(256, |random| {
+            let a = random.random::<i64>();
+            let b = random.random::<i16>();
             let b = i32::from(b);
-            prop_assert_eq!(by_halves(a, b), a.wrapping_mul(b.into()));
-        }
+            assert_eq!(by_halves(a, b), a.wrapping_mul(b.into()));
+        });
+    }
 
-        #[test]
-        fn sums_with_short_products_are_exact(sum in any::<i64>(), a in any::<i64>(), b in 0_i32..1 << 15) {
+    #[test]
+    fn sums_with_short_products_are_exact() {
+        cases(256, |random| {
+            let sum = random.random::<i64>();
+            let a = random.random::<i64>();
+            let b = random.random_range(0_i32..1 << 15);
             let exact = sum.wrapping_add(a.wrapping_mul(b.into()));
-            prop_assert_eq!(plus_times_short(sum, a, b), exact);
-            prop_assert_eq!(plus_by_halves(sum, a, b.cast_unsigned()), exact);
-        }
+            assert_eq!(plus_times_short(sum, a, b), exact);
+            assert_eq!(plus_by_halves(sum, a, b.cast_unsigned()), exact);
+        });
+    }
 
-        #[test]
-        fn products_of_halves_are_exact(a in any::<i32>(), b in any::<i32>()) {
-            prop_assert_eq!(of_halves(a, b), i64::from(a) * i64::from(b));
+    #[test]
+    fn products_of_halves_are_exact() {
+        cases(256, |random| {
+            let a = random.random::<i32>();
+            let b = random.random::<i32>();
+            assert_eq!(of_halves(a, b), i64::from(a) * i64::from(b));
             let (a, b) = (a.cast_unsigned(), b.cast_unsigned() & (u32::MAX >> 1));
             let upper = (u64::from(a) * u64::from(b)) >> 32;
-            prop_assert_eq!(u64::from(upper_of_signed(a, b)), upper);
-        }
+            assert_eq!(u64::from(upper_of_signed(a, b)), upper);
+        });
     }
 }

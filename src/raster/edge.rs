@@ -150,7 +150,8 @@ impl ShortEdge {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use proptest::prelude::*;
+    use crate::random::cases;
+    use rand::Rng;
 
     /// The height of an edge, and the height times its crossing of a row.
     fn crossing(from: [i32; 2], to: [i32; 2], row: i32) -> (i64, i64) {
@@ -184,16 +185,16 @@ mod tests {
         }
     }
 
-    proptest! {
-        #![proptest_config(ProptestConfig { cases: 4000, ..ProptestConfig::default() })]
-
-        #[test]
-        fn short_edges_are_exact(
-            from in [-2048_i32 << 8..2048 << 8, -2048_i32 << 8..2048 << 8],
-            dx in -SHORT..SHORT,
-            dy in 1_i32..SHORT,
-            size in 0_u32..15,
-        ) {
+    #[test]
+    fn short_edges_are_exact() {
+        cases(4000, |random| {
+            let from = [
+                random.random_range(-2048_i32 << 8..2048 << 8),
+                random.random_range(-2048_i32 << 8..2048 << 8),
+            ];
+            let dx = random.random_range(-SHORT..SHORT);
+            let dy = random.random_range(1_i32..SHORT);
+            let size = random.random_range(0_u32..15);
             let [x, y] = from;
             check_short(from, [x + dx, y + dy]);
             // Many small ones, and crossings at centers or near them.
@@ -202,7 +203,7 @@ mod tests {
             let from = from.map(|at| at & !255 | 128);
             check_short(from, from.map(|at| at + (dy & !255).max(256)));
             check_short(from, [from[0] + dx, from[1] + (dy & !255).max(256)]);
-        }
+        });
     }
 
     /// The limits, from both sides.

@@ -344,7 +344,8 @@ mod tests {
     use super::super::edge::first_center;
     use super::super::picture::vertex;
     use super::*;
-    use proptest::prelude::*;
+    use crate::random::{Random, cases};
+    use rand::Rng;
 
     /// The least and the greatest coordinate of corners, along an axis.
     fn ends(screen: [[i32; 2]; 3], axis: usize) -> [i32; 2] {
@@ -404,47 +405,51 @@ mod tests {
     }
 
     /// Values whose greatest magnitude has up to 30 bits, and whose range may be small.
-    fn values() -> impl Strategy<Value = [i32; 3]> {
-        let about = |bits: u32, range: u32| {
-            let least = -(1_i32 << bits >> 1);
-            (
-                least..=-least,
-                prop::array::uniform3(0..=1_i32 << range >> 1),
-            )
-                .prop_map(|(base, parts)| parts.map(|part| base + part))
-        };
-        (0..30_u32, 0..31_u32).prop_flat_map(move |(bits, range)| about(bits, range))
+    fn values(random: &mut Random) -> [i32; 3] {
+        let [most, range] = [30, 31].map(|bits| 1 << random.random_range(0..bits) >> 1);
+        let base = random.random_range(-most..=most);
+        [(); 3].map(|()| base + random.random_range(0..=range))
     }
 
-    proptest! {
-        #![proptest_config(ProptestConfig { cases: 2000, ..ProptestConfig::default() })]
-
-        /// A far plane's reciprocal has an error of 2^-30, which is two units of a range below 2^31; rounding adds ½.
-        #[test]
-        fn near_planes_are_within_33_and_far_ones_within_two_units(
-            at in prop::array::uniform2(-(2048_i32 << 8)..2048 << 8),
-            size in 4_u32..15,
-            parts in prop::array::uniform2(prop::array::uniform2(-1_i32 << 14..=1 << 14)),
-            values in values(),
-        ) {
+    /// A far plane's reciprocal has an error of 2^-30, which is two units of a range below 2^31; rounding adds ½.
+    #[test]
+    fn near_planes_are_within_33_and_far_ones_within_two_units() {
+        cases(2000, |random| {
+            let at = [(); 2].map(|()| random.random_range(-(2048_i32 << 8)..2048 << 8));
+            let size = random.random_range(4_u32..15);
+            let parts =
+                [(); 2].map(|()| [(); 2].map(|()| random.random_range(-1_i32 << 14..=1 << 14)));
+            let values = values(random);
             let [x, y] = at;
-            let place = |part: [i32; 2]| [x + (part[0] >> (14 - size.min(14))), y + (part[1] >> (14 - size.min(14)))];
+            let place = |part: [i32; 2]| {
+                [
+                    x + (part[0] >> (14 - size.min(14))),
+                    y + (part[1] >> (14 - size.min(14))),
+                ]
+            };
             let screen = [at, place(parts[0]), place(parts[1])];
-            let Some(gradient) = laid(screen, values) else { return Ok(()) };
+            let Some(gradient) = laid(screen, values) else {
+                return;
+            };
             let most = if gradient.is_near { 3375 } else { 250 };
             for [x, y] in pixels(screen) {
                 let value = if gradient.is_near {
                     gradient.near(x, y)
                 } else {
-                    let fine = gradient.far.start
+                    let fine = gradient
+                        .far
+                        .start
                         .wrapping_add(gradient.far.dx.wrapping_mul(x.into()))
                         .wrapping_add(gradient.far.dy.wrapping_mul(y.into()));
                     (fine >> 30) as i32
                 };
                 let error = 100 * i128::from(value) - hundredths(screen, values, [x, y]);
-                prop_assert!(error.abs() <= most, "{error} / 100 at {x}, {y}: {gradient:?}");
+                assert!(
+                    error.abs() <= most,
+                    "{error} / 100 at {x}, {y}: {gradient:?}"
+                );
             }
-        }
+        });
     }
 
     /// The limits of shape and range, from both sides.

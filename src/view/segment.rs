@@ -144,24 +144,33 @@ pub fn speed(near: Scalar, point: Vec3, velocity: Vec3, t: Scalar) -> Option<[Sc
 #[cfg(test)]
 mod tests {
     use super::*;
-    use proptest::prelude::*;
+    use crate::random::cases;
+    use rand::Rng;
 
-    proptest! {
-        #[test]
-        fn no_input_panics(
-            w in any::<[i32; 2]>(),
-            f in any::<i32>(),
-            v in any::<[i32; 8]>(),
-        ) {
+    #[test]
+    fn no_input_panics() {
+        cases(256, |random| {
+            let w = random.random::<[i32; 2]>();
+            let f = random.random::<i32>();
+            let v = random.random::<[i32; 8]>();
             let s = Scalar::from_bits;
             if let Some(segment) = Segment::new(s(w[0]), s(w[1])) {
                 let f = Unit::from_bits(f);
-                let _ = (segment.distance(f), segment.in_space(f), segment.on_screen(f));
+                let _ = (
+                    segment.distance(f),
+                    segment.in_space(f),
+                    segment.on_screen(f),
+                );
                 let _ = segment.attribute(s(v[0]), s(v[1]), f);
             }
             let velocity = Vec3::from_bits([v[3], v[4], v[5]]);
-            let _ = speed(s(v[6]), Vec3::from_bits([v[0], v[1], v[2]]), velocity, s(v[7]));
-        }
+            let _ = speed(
+                s(v[6]),
+                Vec3::from_bits([v[0], v[1], v[2]]),
+                velocity,
+                s(v[7]),
+            );
+        });
     }
 
     #[test]

@@ -37,6 +37,11 @@ impl Drop for Named {
     }
 }
 
+/// A number of any size: each count of bits has the same chance.
+pub fn number(random: &mut Random) -> i32 {
+    random.random::<i32>() >> random.random_range(0..32)
+}
+
 /// A list of random items, whose length is in a range.
 pub fn list<T>(
     random: &mut Random,

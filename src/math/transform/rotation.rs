@@ -174,8 +174,9 @@ mod tests {
     use super::super::tests::{Real, errors, multiply, power, real};
     use super::*;
     use crate::Scalar;
+    use crate::random::{cases, number};
     use core::f64::consts::TAU;
-    use proptest::prelude::*;
+    use rand::Rng;
 
     /// The rotation by a quaternion of any length.
     fn rotation(quaternion: [i32; 4]) -> Real {
@@ -212,31 +213,30 @@ mod tests {
         m
     }
 
-    fn quaternions() -> impl Strategy<Value = [i32; 4]> {
-        (any::<[i32; 4]>(), [0_u32..32, 0..32, 0..32, 0..32])
-            .prop_map(|(v, cut)| core::array::from_fn(|i| v[i] >> cut[i]))
-    }
-
-    proptest! {
-        #[test]
-        fn quaternions_are_good_to_27_bits(quaternion in quaternions()) {
+    #[test]
+    fn quaternions_are_good_to_27_bits() {
+        cases(256, |random| {
+            let quaternion = [(); 4].map(|()| number(random));
             match Transform::from_quaternion(quaternion.map(Unit::from_bits)) {
                 Err(error) => {
-                    prop_assert_eq!(error, Error::ZeroQuaternion);
-                    prop_assert_eq!(quaternion, [0; 4]);
+                    assert_eq!(error, Error::ZeroQuaternion);
+                    assert_eq!(quaternion, [0; 4]);
                 }
                 Ok(t) => {
                     // Rounding the parts to 30 bits moves the quaternion by up to 2^-29 of its length,
                     // and entries by twice as much. Quotients add 1.3 · 2^-30, the last rounding 2^-30.
                     let [linear, moved] = errors(&real(&t), &rotation(quaternion));
-                    prop_assert!(linear <= power(-28) + 2.3 * power(-30), "{:e}", linear);
-                    prop_assert!(moved <= 0.0);
+                    assert!(linear <= power(-28) + 2.3 * power(-30), "{linear:e}");
+                    assert!(moved <= 0.0);
                 }
             }
-        }
+        });
+    }
 
-        #[test]
-        fn euler_angles_turn_about_y_then_x_then_z(angles in any::<[u32; 3]>()) {
+    #[test]
+    fn euler_angles_turn_about_y_then_x_then_z() {
+        cases(256, |random| {
+            let angles = random.random::<[u32; 3]>();
             let [yaw, pitch, roll] = angles.map(Angle::from_bits);
             let t = Transform::from_euler(yaw, pitch, roll);
             let expected = multiply(
@@ -246,8 +246,8 @@ mod tests {
             // Three factors of entries within 2.6e-9, whose rows and columns sum to at most √3
             // twice; two products rounded to 2^-30.
             let [linear, _] = errors(&real(&t), &expected);
-            prop_assert!(linear <= 9.0 * 2.6e-9 + 2.0 * power(-30), "{:e}", linear);
-        }
+            assert!(linear <= 9.0 * 2.6e-9 + 2.0 * power(-30), "{linear:e}");
+        });
     }
 
     #[test]

@@ -2,9 +2,10 @@
 #![allow(clippy::needless_range_loop)] // formulas with indices
 
 use super::*;
+use crate::random::{Random, cases, list};
 use crate::{Angle, Error, Scalar, vec3};
 use core::f64::consts::TAU;
-use proptest::prelude::*;
+use rand::Rng;
 use std::vec::Vec;
 
 /// Rows of a 3×4 matrix.
@@ -109,43 +110,25 @@ impl Step {
     }
 }
 
-fn steps() -> impl Strategy<Value = Step> {
-    prop_oneof![
-        any::<u32>().prop_map(Step::X),
-        any::<u32>().prop_map(Step::Y),
-        any::<u32>().prop_map(Step::Z),
-        (any::<[i32; 3]>(), any::<u32>()).prop_map(|(axis, a)| Step::About(axis, a)),
+fn step(random: &mut Random) -> Step {
+    match random.random_range(0..5) {
+        0 => Step::X(random.random()),
+        1 => Step::Y(random.random()),
+        2 => Step::Z(random.random()),
+        3 => Step::About(random.random(), random.random()),
         // Within ±100.
-        [
-            -6_553_600..6_553_600,
-            -6_553_600..6_553_600,
-            -6_553_600..6_553_600
-        ]
-        .prop_map(Step::Move),
-    ]
-}
-
-fn poses() -> impl Strategy<Value = Transform> {
-    proptest::collection::vec(steps(), 1..6).prop_map(|steps| {
-        steps
-            .into_iter()
-            .fold(Transform::IDENTITY, |t, step| t * step.transform())
-    })
+        _ => Step::Move([(); 3].map(|()| random.random_range(-6_553_600..6_553_600))),
+    }
 }
 
 /// Any transform whose fields are in range.
-fn any_transform() -> impl Strategy<Value = Transform> {
-    const M: core::ops::Range<i32> = -(1 << 30) + 1..1 << 30;
-    const EXP: core::ops::RangeInclusive<i32> = block::MIN_EXP..=block::MAX_EXP;
-    let row = || [M, M, M];
-    ([row(), row(), row()], EXP, row(), EXP).prop_map(|(m, e, t, t_exp)| {
-        let linear = m.as_flattened().iter().map(|m| (m, e));
-        let mut all = linear.chain(t.iter().map(|m| (m, t_exp)));
-        Transform::from_block_floats(&core::array::from_fn(|_| {
-            let (m, exp) = all.next().unwrap();
-            BlockFloat::new((*m).into(), exp)
-        }))
-    })
+fn transform(random: &mut Random) -> Transform {
+    let [linear_exp, exp] = [(); 2].map(|()| random.random_range(block::MIN_EXP..=block::MAX_EXP));
+    // Nine entries, then the translation.
+    Transform::from_block_floats(&core::array::from_fn(|at| {
+        let mantissa = random.random_range(1 - (1 << 30)..1 << 30);
+        BlockFloat::new(mantissa, if at < 9 { linear_exp } else { exp })
+    }))
 }
 
 fn admissible(t: &Transform) -> bool {
@@ -228,56 +211,69 @@ fn drift_is_removed() {
     assert_eq!(flat.renormalized(), flat);
 }
 
-proptest! {
-    #[test]
-    fn steps_are_good_to_28_bits(step in steps()) {
+#[test]
+fn steps_are_good_to_28_bits() {
+    cases(256, |random| {
+        let step = step(random);
         let [linear, translation] = errors(&real(&step.transform()), &step.real());
         // Sine and cosine are within 1.6e-9; the axis is within 2^-28 and enters twice.
-        prop_assert!(linear <= 3.0 * power(-28), "{:e}", linear);
-        prop_assert!(translation <= f64::EPSILON);
+        assert!(linear <= 3.0 * power(-28), "{linear:e}");
+        assert!(translation <= f64::EPSILON);
         if !matches!(step, Step::About(..)) {
             // Rounded to half of 2^-29: an entry of one takes the 30th bit.
-            prop_assert!(linear <= 1.6e-9 + power(-30), "{:e}", linear);
+            assert!(linear <= 1.6e-9 + power(-30), "{linear:e}");
         }
-    }
+    });
+}
 
-    #[test]
-    fn products_round_once(a in any_transform(), b in any_transform()) {
+#[test]
+fn products_round_once() {
+    cases(256, |random| {
+        let a = transform(random);
+        let b = transform(random);
         let product = a * b;
-        prop_assert!(admissible(&product));
+        assert!(admissible(&product));
         let expected = multiply(&real(&a), &real(&b));
         let found = real(&product);
         let [linear, translation] = errors(&found, &expected);
         if product.linear_exp > block::MIN_EXP {
-            prop_assert!(linear <= 0.501 * power(-product.linear_exp));
+            assert!(linear <= 0.501 * power(-product.linear_exp));
         }
         if product.translation_exp > block::MIN_EXP {
             // The two summands were rounded to 60 bits before.
             let summands = sizes(&expected)[1].max(sizes(&real(&a))[1]);
             let slack = 0.501 * power(-product.translation_exp) + summands * power(-50);
-            prop_assert!(translation <= slack);
+            assert!(translation <= slack);
         }
-    }
+    });
+}
 
-    #[test]
-    fn composing_never_panics(
-        t in proptest::collection::vec(any_transform(), 1..40),
-        p in any::<[i32; 3]>(),
-    ) {
-        let all: Vec<Transform> = t.iter().scan(Transform::IDENTITY, |all, &t| {
-            *all = *all * t;
-            Some(*all)
-        }).collect();
+#[test]
+fn composing_never_panics() {
+    cases(256, |random| {
+        let t = list(random, 1..40, transform);
+        let p = random.random::<[i32; 3]>();
+        let all: Vec<Transform> = t
+            .iter()
+            .scan(Transform::IDENTITY, |all, &t| {
+                *all = *all * t;
+                Some(*all)
+            })
+            .collect();
         let p = Vec3::from_bits(p);
         for t in all.iter().chain(&t) {
-            prop_assert!(admissible(t));
+            assert!(admissible(t));
             let _ = (t.point(p), t.direction(p), t.to_matrix(), t.normal_matrix());
-            prop_assert!(admissible(&t.inverse_rigid()) && admissible(&t.renormalized()));
+            assert!(admissible(&t.inverse_rigid()) && admissible(&t.renormalized()));
         }
-    }
+    });
+}
 
-    #[test]
-    fn points_are_rounded_and_saturated(t in any_transform(), p in any::<[i32; 3]>()) {
+#[test]
+fn points_are_rounded_and_saturated() {
+    cases(256, |random| {
+        let t = transform(random);
+        let p = random.random::<[i32; 3]>();
         let m = real(&t);
         let p_real = p.map(|v| f64::from(v) / 65_536.0);
         let (point, direction) = (t.point(Vec3::from_bits(p)), t.direction(Vec3::from_bits(p)));
@@ -288,24 +284,33 @@ proptest! {
             let size = (0..3).map(|k| (m[i][k] * p_real[k]).abs()).sum::<f64>() + m[i][3].abs();
             let slack = 0.501 + size * 65_536.0 * power(-50);
             let error = f64::from(direction.to_bits()[i]) - saturate(linear);
-            prop_assert!(error.abs() <= slack);
+            assert!(error.abs() <= slack);
             let error = f64::from(point.to_bits()[i]) - saturate(linear + m[i][3]);
-            prop_assert!(error.abs() <= slack);
+            assert!(error.abs() <= slack);
         }
-    }
+    });
+}
 
-    #[test]
-    fn rigid_inverses_undo(t in poses()) {
+#[test]
+fn rigid_inverses_undo() {
+    cases(256, |random| {
+        let steps = list(random, 1..6, step);
+        let t = steps
+            .iter()
+            .fold(Transform::IDENTITY, |t, step| t * step.transform());
         let both = real(&(t.inverse_rigid() * t));
         let [linear, translation] = errors(&both, &real(&Transform::IDENTITY));
         // Up to six factors, each within 3·2^-28 of a rotation.
-        prop_assert!(linear <= 20.0 * power(-28), "{:e}", linear);
+        assert!(linear <= 20.0 * power(-28), "{linear:e}");
         let slack = 20.0 * power(-28) * (1.0 + sizes(&real(&t))[1]);
-        prop_assert!(translation <= slack, "{:e}", translation);
-    }
+        assert!(translation <= slack, "{translation:e}");
+    });
+}
 
-    #[test]
-    fn normals_stay_at_right_angles(t in any_transform()) {
+#[test]
+fn normals_stay_at_right_angles() {
+    cases(256, |random| {
+        let t = transform(random);
         // Column i of the normal matrix times column j of the matrix is 0 unless i = j; there it is
         // the determinant's magnitude, up to a positive factor.
         let n = t.normal_matrix().map(|row| row.map(f64::from));
@@ -317,37 +322,41 @@ proptest! {
                 // Cofactors are rounded to 2^-31 of the largest.
                 let slack = power(31) + size * power(-50);
                 if i == j {
-                    prop_assert!(dot >= -slack);
+                    assert!(dot >= -slack);
                 } else {
-                    prop_assert!(dot.abs() <= slack, "{:e}", dot);
+                    assert!(dot.abs() <= slack, "{dot:e}");
                 }
             }
         }
-    }
+    });
 }
 
-fn mantissas() -> impl Strategy<Value = [i32; 3]> {
-    let mantissa = prop_oneof![
-        Just((1 << 30) - 1),
-        Just(1 - (1 << 30)),
-        (any::<i32>(), 2_u32..32).prop_map(|(bits, cut)| bits >> cut),
-    ];
-    prop::array::uniform3(mantissa.prop_map(|m: i32| m.clamp(1 - (1 << 30), (1 << 30) - 1)))
+fn mantissas(random: &mut Random) -> [i32; 3] {
+    const MOST: i32 = (1 << 30) - 1;
+    [(); 3].map(|()| match random.random_range(0..3) {
+        0 => MOST,
+        1 => -MOST,
+        _ => (random.random::<i32>() >> random.random_range(2..32)).max(-MOST),
+    })
 }
 
-proptest! {
-    #[test]
-    fn points_are_rounded_once(
-        linear in [mantissas(), mantissas(), mantissas()],
-        translation in mantissas(),
-        linear_exp in 1_i32..=40,
-        translation_exp in -32_i32..=62,
-        point in any::<[i32; 3]>(),
-        cut in 0_u32..32,
-    ) {
+#[test]
+fn points_are_rounded_once() {
+    cases(256, |random| {
+        let linear = [mantissas(random), mantissas(random), mantissas(random)];
+        let translation = mantissas(random);
+        let linear_exp = random.random_range(1_i32..=40);
+        let translation_exp = random.random_range(-32_i32..=62);
+        let point = random.random::<[i32; 3]>();
+        let cut = random.random_range(0_u32..32);
         // Where 64 bits hold all numbers.
         let translation_exp = translation_exp.max(linear_exp - 14);
-        let t = Transform { linear, linear_exp, translation, translation_exp };
+        let t = Transform {
+            linear,
+            linear_exp,
+            translation,
+            translation_exp,
+        };
         let point = Vec3::from_bits(point.map(|v| v >> cut));
         let exp = translation_exp.max(linear_exp + 16);
         let exact: [i32; 3] = core::array::from_fn(|i| {
@@ -357,12 +366,12 @@ proptest! {
             let twice = (sum << (exp - linear_exp - 16)) + moved + (1 << (exp - 17));
             (twice >> (exp - 16)).clamp(i32::MIN.into(), i32::MAX.into()) as i32
         });
-        prop_assert_eq!(t.point(point).to_bits(), exact);
+        assert_eq!(t.point(point).to_bits(), exact);
         // Block floats drop up to two bits of the products' 63, and the same of the translation, rounded each; and round
         // again.
         let bound = 1 + (4 >> linear_exp.min(3));
         for (far, exact) in t.far_point(point).to_bits().into_iter().zip(exact) {
-            prop_assert!(far.abs_diff(exact) <= bound);
+            assert!(far.abs_diff(exact) <= bound);
         }
-    }
+    });
 }

@@ -1,9 +1,10 @@
 //! The coefficients of projections against their formulas in f64, and refused arguments.
 
 use super::*;
+use crate::random::{Random, cases};
 use crate::{Angle, Vec3};
 use core::f64::consts::TAU;
-use proptest::prelude::*;
+use rand::Rng;
 
 fn real(row: &Row) -> [f64; 4] {
     row.m.map(|m| f64::from(m) * f64::from(-row.exp).exp2())
@@ -25,59 +26,102 @@ fn one(value: f64) -> Scalar {
 }
 
 /// Distances of a near and a far plane ahead of the eye, of all sizes.
-fn planes() -> impl Strategy<Value = (Scalar, Scalar)> {
-    let positive = || (1..i32::MAX, 0_u32..31).prop_map(|(v, cut)| (v >> cut).max(1));
-    (positive(), positive()).prop_map(|(a, b)| {
-        let (near, far) = (a.min(b), a.max(b).max(a.min(b) + 1));
-        (Scalar::from_bits(near), Scalar::from_bits(far))
-    })
+fn planes(random: &mut Random) -> (Scalar, Scalar) {
+    let [a, b] =
+        [(); 2].map(|()| (random.random_range(1..i32::MAX) >> random.random_range(0..31)).max(1));
+    let (near, far) = (a.min(b), a.max(b).max(a.min(b) + 1));
+    (Scalar::from_bits(near), Scalar::from_bits(far))
 }
 
 /// Two numbers in ascending order, of all sizes.
-fn ordered() -> impl Strategy<Value = (Scalar, Scalar)> {
-    (any::<[i32; 2]>(), 0_u32..31)
-        .prop_map(|([a, b], cut)| {
-            let (a, b) = (a >> cut, b >> cut);
-            (Scalar::from_bits(a.min(b)), Scalar::from_bits(a.max(b)))
-        })
-        .prop_filter("not empty", |(a, b)| a < b)
+fn ordered(random: &mut Random) -> (Scalar, Scalar) {
+    loop {
+        let cut = random.random_range(0..31);
+        let [a, b] = random
+            .random::<[i32; 2]>()
+            .map(|v| Scalar::from_bits(v >> cut));
+        if a != b {
+            return (a.min(b), a.max(b));
+        }
+    }
 }
 
-proptest! {
-    #[test]
-    fn perspective_has_28_bits(bits in 1 << 16..1_u32 << 31, size in [1_u32..8192, 1..8192]) {
+#[test]
+fn perspective_has_28_bits() {
+    cases(256, |random| {
+        let bits = random.random_range(1 << 16..1_u32 << 31);
+        let size = [
+            random.random_range(1_u32..8192),
+            random.random_range(1..8192),
+        ];
         let fov = Angle::from_bits(bits);
-        let projection = Projection::perspective(fov, (size[0], size[1]), one(0.1), one(100.0)).unwrap();
+        let projection =
+            Projection::perspective(fov, (size[0], size[1]), one(0.1), one(100.0)).unwrap();
         let half = f64::from(bits) / f64::from(33).exp2() * TAU;
         let scale = half.cos() / half.sin();
         // Half a unit of the angle is dropped, which matters at both ends of its range.
         let slack = f64::from(-28).exp2() + 8e-10 / (half.sin() * half.cos());
         let found = real(&projection.rows[1])[1];
-        prop_assert!((found / scale - 1.0).abs() <= slack, "{} {}", found, scale);
+        assert!((found / scale - 1.0).abs() <= slack, "{found} {scale}");
         let x = scale * f64::from(size[1]) / f64::from(size[0]);
         let found = real(&projection.rows[0])[0];
-        prop_assert!((found / x - 1.0).abs() <= slack, "{} {}", found, x);
+        assert!((found / x - 1.0).abs() <= slack, "{found} {x}");
         let error = (projection.fov() - fov).to_bits().cast_signed();
-        prop_assert!(error.abs() <= 8, "{}", error);
-    }
+        assert!(error.abs() <= 8, "{error}");
+    });
+}
 
-    #[test]
-    fn frustum_has_28_bits(
-        (l, r) in ordered(), (b, t) in ordered(), (n, f) in planes(),
-    ) {
-        let projection = Projection::frustum(Window { left: l, right: r, bottom: b, top: t }, n, f).unwrap();
+#[test]
+fn frustum_has_28_bits() {
+    cases(256, |random| {
+        let (l, r) = ordered(random);
+        let (b, t) = ordered(random);
+        let (n, f) = planes(random);
+        let projection = Projection::frustum(
+            Window {
+                left: l,
+                right: r,
+                bottom: b,
+                top: t,
+            },
+            n,
+            f,
+        )
+        .unwrap();
         let [lf, rf, bf, tf, nf] = [l, r, b, t, n].map(float);
-        prop_assert!(close(&projection.rows[0], [2.0 * nf / (rf - lf), 0.0, (rf + lf) / (rf - lf), 0.0]));
-        prop_assert!(close(&projection.rows[1], [0.0, 2.0 * nf / (tf - bf), (tf + bf) / (tf - bf), 0.0]));
-    }
+        assert!(close(
+            &projection.rows[0],
+            [2.0 * nf / (rf - lf), 0.0, (rf + lf) / (rf - lf), 0.0]
+        ));
+        assert!(close(
+            &projection.rows[1],
+            [0.0, 2.0 * nf / (tf - bf), (tf + bf) / (tf - bf), 0.0]
+        ));
+    });
+}
 
-    #[test]
-    fn oblique_has_28_bits(
-        (l, r) in ordered(), (b, t) in ordered(), (n, f) in ordered(),
-        angle in any::<u32>(), ratio in any::<i32>(),
-    ) {
+#[test]
+fn oblique_has_28_bits() {
+    cases(256, |random| {
+        let (l, r) = ordered(random);
+        let (b, t) = ordered(random);
+        let (n, f) = ordered(random);
+        let angle = random.random::<u32>();
+        let ratio = random.random::<i32>();
         let (angle, ratio) = (Angle::from_bits(angle), Scalar::from_bits(ratio));
-        let projection = Projection::oblique(angle, ratio, Window { left: l, right: r, bottom: b, top: t }, n, f).unwrap();
+        let projection = Projection::oblique(
+            angle,
+            ratio,
+            Window {
+                left: l,
+                right: r,
+                bottom: b,
+                top: t,
+            },
+            n,
+            f,
+        )
+        .unwrap();
         let [lf, rf, bf, tf, nf, k] = [l, r, b, t, n, ratio].map(float);
         let (sin, cos) = (f64::from(angle.to_bits()) / f64::from(32).exp2() * TAU).sin_cos();
         let (x, y) = (2.0 / (rf - lf), 2.0 / (tf - bf));
@@ -87,38 +131,69 @@ proptest! {
             f64::from(-28).exp2() * (scale + middle.abs() + scale * k.abs() * (1.0 + nf.abs()))
         };
         let check = |row: &Row, expected: [f64; 4], slack: f64| {
-            real(row).into_iter().zip(expected).all(|(found, v)| (found - v).abs() <= slack)
+            real(row)
+                .into_iter()
+                .zip(expected)
+                .all(|(found, v)| (found - v).abs() <= slack)
         };
         let middle = (rf + lf) / (rf - lf);
-        prop_assert!(check(&projection.rows[0], [x, 0.0, cx, -middle + cx * nf], slack(x, middle)));
+        assert!(check(
+            &projection.rows[0],
+            [x, 0.0, cx, -middle + cx * nf],
+            slack(x, middle)
+        ));
         let middle = (tf + bf) / (tf - bf);
-        prop_assert!(check(&projection.rows[1], [0.0, y, cy, -middle + cy * nf], slack(y, middle)));
-    }
+        assert!(check(
+            &projection.rows[1],
+            [0.0, y, cy, -middle + cy * nf],
+            slack(y, middle)
+        ));
+    });
+}
 
-    #[test]
-    fn no_accessor_panics(
-        v in any::<[i32; 7]>(), angle in any::<u32>(), size in any::<(u32, u32)>(),
-    ) {
+#[test]
+fn no_accessor_panics() {
+    cases(256, |random| {
+        let v = random.random::<[i32; 7]>();
+        let angle = random.random::<u32>();
+        let size = random.random::<(u32, u32)>();
         let [l, r, b, t, n, f, k] = v.map(Scalar::from_bits);
         let angle = Angle::from_bits(angle);
-        let window = Window { left: l, right: r, bottom: b, top: t };
+        let window = Window {
+            left: l,
+            right: r,
+            bottom: b,
+            top: t,
+        };
         let projections = [
             Projection::perspective(angle, size, n, f),
             Projection::from_focal_length(k, size, n, f),
             Projection::frustum(window, n, f),
         ];
         for projection in projections.into_iter().flatten() {
-            let _ = (projection.window(), projection.aspect(), projection.fov(), projection.to_matrix());
-            let _ = (projection.vanishing_point(Vec3::new(l, r, b)), projection.image(Vec3::new(l, r, b)));
+            let _ = (
+                projection.window(),
+                projection.aspect(),
+                projection.fov(),
+                projection.to_matrix(),
+            );
+            let _ = (
+                projection.vanishing_point(Vec3::new(l, r, b)),
+                projection.image(Vec3::new(l, r, b)),
+            );
         }
         let projections = [
             Projection::orthographic(window, n, f),
             Projection::oblique(angle, k, window, n, f),
         ];
         for projection in projections.into_iter().flatten() {
-            let _ = (projection.window(), projection.aspect(), projection.to_matrix());
+            let _ = (
+                projection.window(),
+                projection.aspect(),
+                projection.to_matrix(),
+            );
         }
-    }
+    });
 }
 
 #[test]
