@@ -133,12 +133,13 @@ fn is_size((found, size, noise): (u32, f64, f64)) -> bool {
     f64::from(found) <= size + noise && f64::from(found) + 1. >= size - noise
 }
 
+/// Compares a box's presence in some rows, and its size, with the model's.
 fn check<K: ProjectionKind>(
     (projection, lens): (Projection<K>, Lens),
     moves: &[Move],
     bounds: &Bounds,
     rows: [u32; 2],
-) -> (bool, bool, bool) {
+) {
     let (transform, eye) = product(moves);
     let mvp = projection * transform;
     let (width, height) = SIZE;
@@ -149,11 +150,19 @@ fn check<K: ProjectionKind>(
     };
     let mut pixels = vec![Gray8::new(0); (width * (rows[1] - rows[0])) as usize];
     let canvas = Canvas::band(&mut pixels, width, height, rows[0]).unwrap();
-    (
-        canvas.is_in_view(&DrawOptions::new(), bounds, &mvp),
-        has_pixels(bounds, &mvp, rows),
-        is_out(bounds, &view, rows),
-    )
+    let in_view = canvas.is_in_view(&DrawOptions::new(), bounds, &mvp);
+    let has_pixels = has_pixels(bounds, &mvp, rows);
+    assert!(
+        in_view || !has_pixels,
+        "{bounds:?} has pixels and is not in view"
+    );
+    let is_out = is_out(bounds, &view, rows);
+    assert!(
+        !in_view || !is_out,
+        "{bounds:?} is well outside and is in view"
+    );
+    let sizes = sizes((projection, lens), moves, bounds);
+    assert!(is_size(sizes), "{sizes:?}");
 }
 
 fn moves(random: &mut Random) -> [Move; 4] {
@@ -196,17 +205,7 @@ fn boxes_in_perspective_are_in_view_as_in_the_model() {
             far.to_num(),
         );
         let projection = Projection::perspective(fov, SIZE, near, far).unwrap();
-        let (in_view, has_pixels, is_out) = check((projection, lens), &moves, &bounds, rows);
-        assert!(
-            in_view || !has_pixels,
-            "{bounds:?} has pixels and is not in view"
-        );
-        assert!(
-            !in_view || !is_out,
-            "{bounds:?} is well outside and is in view"
-        );
-        let sizes = sizes((projection, lens), &moves, &bounds);
-        assert!(is_size(sizes), "{sizes:?}");
+        check((projection, lens), &moves, &bounds, rows);
     });
 }
 
@@ -220,16 +219,6 @@ fn boxes_in_parallel_are_in_view_as_in_the_model() {
             [window.left, window.right, window.bottom, window.top].map(|x| x.to_num());
         let lens = projection::orthographic(l, r, b, t, -20., 40.);
         let projection = Projection::orthographic(window, fx!(-20), fx!(40)).unwrap();
-        let (in_view, has_pixels, is_out) = check((projection, lens), &moves, &bounds, rows);
-        assert!(
-            in_view || !has_pixels,
-            "{bounds:?} has pixels and is not in view"
-        );
-        assert!(
-            !in_view || !is_out,
-            "{bounds:?} is well outside and is in view"
-        );
-        let sizes = sizes((projection, lens), &moves, &bounds);
-        assert!(is_size(sizes), "{sizes:?}");
+        check((projection, lens), &moves, &bounds, rows);
     });
 }
