@@ -240,49 +240,10 @@ fn every_triangle<K: ProjectionKind>(counter: &mut Counter, projection: &Mvp<K>,
     }
 }
 
-/// Positions in space, seen in perspective. Wherever the crate snaps them to, it covers the pixels that the model does.
-fn check_in_perspective(positions: &[Vec3], turn: Angle) {
-    let size = (48, 32);
-    let projection =
-        Projection::perspective(Angle::from_degrees(70), size, fx!(0.5), fx!(60)).unwrap();
-    let mvp = projection * Transform::translate(vec3!(0, 0, -8)) * Transform::rotate_y(turn);
-    let mut counter = Counter::new(size);
-    let count = u16::try_from(positions.len()).unwrap();
-    let faces: Vec<[u16; 3]> = (0..count)
-        .map(|i| [i, (i + 1) % count, (i + 2) % count])
-        .collect();
-    let places: HashMap<u16, Point> = (0..count)
-        .filter_map(|i| Some((i, counter.snapped(&mvp, positions[usize::from(i)])?)))
-        .collect();
-    // Other tests check clipped triangles, which get new corners.
-    let whole: Vec<[u16; 3]> = faces
-        .into_iter()
-        .filter(|face| face.iter().all(|index| places.contains_key(index)))
-        .collect();
-    let triangles: Vec<Snapped> = whole.iter().map(|face| face.map(|i| places[&i])).collect();
-    let mesh = Mesh::new(positions, &whole).unwrap();
-    for cull in [Cull::Nothing, Cull::Back, Cull::Front] {
-        let drawn = counter.draw(&DrawOptions::new().with_cull(cull), &mesh, &mvp);
-        assert_eq!(drawn.clipped, 0);
-        let kept: Vec<Snapped> = triangles
-            .iter()
-            .copied()
-            .filter(|&t| match cull {
-                Cull::Nothing => true,
-                Cull::Back => area2(t) < 0,
-                Cull::Front => area2(t) > 0,
-            })
-            .collect();
-        assert_eq!(
-            coverage::picture(&counter.take(), size.0),
-            coverage::picture(&coverage::counts(&kept, size.0, size.1), size.0)
-        );
-    }
-}
-
 /// In units of 2⁻¹⁶.
 const METER: i32 = 1 << 16;
 
+/// Positions in space, seen in perspective. Wherever the crate snaps them to, it covers the pixels that the model does.
 #[test]
 fn triangles_in_perspective_cover_what_the_model_covers() {
     cases(128, |random| {
@@ -294,7 +255,43 @@ fn triangles_in_perspective_cover_what_the_model_covers() {
             ];
             Vec3::from_bits(ranges.map(|range| random.random_range(range)))
         });
-        check_in_perspective(&positions, Angle::from_bits(random.random()));
+        let turn = Angle::from_bits(random.random());
+        let size = (48, 32);
+        let projection =
+            Projection::perspective(Angle::from_degrees(70), size, fx!(0.5), fx!(60)).unwrap();
+        let mvp = projection * Transform::translate(vec3!(0, 0, -8)) * Transform::rotate_y(turn);
+        let mut counter = Counter::new(size);
+        let count = u16::try_from(positions.len()).unwrap();
+        let faces: Vec<[u16; 3]> = (0..count)
+            .map(|i| [i, (i + 1) % count, (i + 2) % count])
+            .collect();
+        let places: HashMap<u16, Point> = (0..count)
+            .filter_map(|i| Some((i, counter.snapped(&mvp, positions[usize::from(i)])?)))
+            .collect();
+        // Other tests check clipped triangles, which get new corners.
+        let whole: Vec<[u16; 3]> = faces
+            .into_iter()
+            .filter(|face| face.iter().all(|index| places.contains_key(index)))
+            .collect();
+        let triangles: Vec<Snapped> = whole.iter().map(|face| face.map(|i| places[&i])).collect();
+        let mesh = Mesh::new(&positions, &whole).unwrap();
+        for cull in [Cull::Nothing, Cull::Back, Cull::Front] {
+            let drawn = counter.draw(&DrawOptions::new().with_cull(cull), &mesh, &mvp);
+            assert_eq!(drawn.clipped, 0);
+            let kept: Vec<Snapped> = triangles
+                .iter()
+                .copied()
+                .filter(|&t| match cull {
+                    Cull::Nothing => true,
+                    Cull::Back => area2(t) < 0,
+                    Cull::Front => area2(t) > 0,
+                })
+                .collect();
+            assert_eq!(
+                coverage::picture(&counter.take(), size.0),
+                coverage::picture(&coverage::counts(&kept, size.0, size.1), size.0)
+            );
+        }
     });
 }
 
